@@ -1,0 +1,27 @@
+// Preconditions inside the core.  Role: a broken one is our bug, never the user's.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace hgp {
+
+/// Thrown by HGP_CHECK; caught only at the rim (api/), where it becomes ErrorCode::kInternal.
+class InternalError : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
+[[noreturn]] void failCheck(const char* condition, const char* file, int line, const char* format,
+                            ...) __attribute__((format(printf, 4, 5)));
+
+/// printf into a std::string; the supported compilers lack <format>.
+std::string formatText(const char* format, ...) __attribute__((format(printf, 1, 2)));
+
+}  // namespace hgp
+
+/// HGP_CHECK(cond, "rule broken: %d", value)
+#define HGP_CHECK(cond, ...)                                        \
+  do {                                                              \
+    if (!(cond)) ::hgp::failCheck(#cond, __FILE__, __LINE__, __VA_ARGS__); \
+  } while (false)

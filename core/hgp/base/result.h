@@ -1,0 +1,76 @@
+// Outcomes that a caller must look at.  Role: the error model of every room (docs/decisions).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace hgp {
+
+/// What went wrong, in words a program can branch on. The command line maps these to exit codes.
+enum class ErrorCode {
+  kUsage,        ///< the call contradicts itself                                  exit 2
+  kMalformed,    ///< bytes that are not what they claim to be                     exit 3
+  kUnsupported,  ///< readable, but not an oriented manifold mesh that can be used exit 4
+  kPrescription, ///< cones, turning or holonomy that no map can have              exit 5
+  kNoMap,        ///< no certified map was found                                   exit 6
+  kWriteFailed,  ///< the result could not be stored                               exit 7
+  kLimit,        ///< memory or a stated limit                                     exit 8
+  kInternal,     ///< our bug                                                      exit 70
+  kCancelled,    ///< the caller said stop                                         exit 130
+};
+
+/// Short stable name used in JSON ("malformed", "unsupported", …).
+const char* errorName(ErrorCode code);
+/// Process exit code of the command line for this kind of failure.
+int exitCode(ErrorCode code);
+
+/// A place on the mesh that a failure points at.
+struct Where {
+  enum class Kind : std::uint8_t { kVertex, kEdge, kFace, kLoop, kLine, kByte };
+  Kind kind;
+  std::int64_t id;           ///< vertex / face / loop id, line number or byte offset
+  std::int64_t other = -1;   ///< second vertex of an edge
+};
+
+/// The rule that was broken, the measured number, where, and what to do next.
+struct Failure {
+  ErrorCode code = ErrorCode::kInternal;
+  std::string stage;    ///< "read", "topology", "prescription", "field", …
+  std::string message;  ///< one or two sentences: rule, number, what next
+  std::vector<Where> where;
+};
+
+/// Either a value or a Failure; spelt like std::expected (which the supported compilers lack).
+template <class T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : state_(std::move(value)) {}
+  Result(Failure failure) : state_(std::move(failure)) {}
+
+  bool hasValue() const { return state_.index() == 0; }
+  explicit operator bool() const { return hasValue(); }
+
+  T& value() & { return std::get<0>(state_); }
+  const T& value() const& { return std::get<0>(state_); }
+  T&& value() && { return std::get<0>(std::move(state_)); }
+  T& operator*() & { return value(); }
+  const T& operator*() const& { return value(); }
+  T&& operator*() && { return std::move(*this).value(); }
+  T* operator->() { return &value(); }
+  const T* operator->() const { return &value(); }
+
+  const Failure& error() const& { return std::get<1>(state_); }
+  Failure&& error() && { return std::get<1>(std::move(state_)); }
+
+ private:
+  std::variant<T, Failure> state_;
+};
+
+/// Success, or why not, for functions that return nothing else.
+struct Done {};
+using Status = Result<Done>;
+
+}  // namespace hgp

@@ -1,0 +1,31 @@
+#include "hgp/base/turns.h"
+
+#include <cmath>
+#include <cstdlib>
+
+namespace hgp {
+
+Complex rotation(long long r, int q) {
+  // Take out the nearest quarter turn, so that sin and cos see at most an eighth of a turn and
+  // symmetric angles get exactly symmetric values.
+  const long long n = reduceTurn(r, q);
+  const long long quarters = (8 * n / q + 1) / 2;
+  const long long rest = 4 * n - quarters * q;  // in units of 2π/4q, |rest| ≤ q/2
+  const double angle = 2.0 * kPi * static_cast<double>(std::llabs(rest)) / (4.0 * q);
+  const bool isEighth = 2 * std::llabs(rest) == q;
+  const double c = isEighth ? std::numbers::sqrt2 / 2 : std::cos(angle);
+  const double s = (rest < 0 ? -1.0 : 1.0) * (isEighth ? c : std::sin(angle));
+  switch (quarters % 4) {
+    case 0: return {c, s};
+    case 1: return {-s, c};
+    case 2: return {-c, -s};
+    default: return {s, -c};
+  }
+}
+
+double principalAngle(double angle) {
+  const double a = std::remainder(angle, 2.0 * kPi);
+  return a <= -kPi ? a + 2.0 * kPi : a;
+}
+
+}  // namespace hgp

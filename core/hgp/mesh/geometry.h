@@ -1,0 +1,33 @@
+// Lengths, angles and areas of S.  Role: the metric that weights, frames and curvature come from.
+#pragma once
+
+#include <array>
+
+#include "hgp/base/turns.h"
+#include "hgp/mesh/tri_mesh.h"
+
+namespace hgp {
+
+/// Geometry of every triangle laid flat with corner 0 at 0 and corner 1 on the positive real axis.
+/// Lengths are in units of the mean edge length, so that every later constant is scale-free.
+struct Geometry {
+  double unit = 1.0;                          ///< mean edge length in the mesh's own unit
+  PerHalfedge<double> length;                 ///< of the halfedge's edge
+  PerHalfedge<double> cornerAngle;            ///< at the halfedge's tail, radians
+  PerHalfedge<double> direction;              ///< angle of the halfedge in its face's coordinates
+  PerFace<std::array<Complex, 3>> corner;     ///< flat position of each corner
+  PerFace<double> area;
+  PerVertex<double> angleSum;                 ///< Θ_v of the surface itself
+};
+
+/// Slivers are made harmless: heights below `relativeHeight` of the longest edge are raised to it.
+Geometry computeGeometry(const TriMesh& mesh, double relativeHeight = 1e-6);
+
+/// 2π − Θ_v inside, π − Θ_v on the boundary.
+double curvature(const TriMesh& mesh, const Geometry& geometry, VertexId v);
+
+/// Levi-Civita transport across halfedge h: a direction at angle φ in face(h) continues at φ + ρ in
+/// the twin's face, each measured in its own face's coordinates. In (−π, π].
+double transport(const TriMesh& mesh, const Geometry& geometry, HalfedgeId h);
+
+}  // namespace hgp

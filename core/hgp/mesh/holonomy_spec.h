@@ -1,0 +1,50 @@
+// What is asked of a map: q, cones, turning of boundaries, rotation of handles.
+// Role: q, C, k_i and l_j of [BCW17 §5.2], checked against Lemma 6.2 before anything is solved.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hgp/mesh/topology.h"
+
+namespace hgp {
+
+/// A cone of angle 2πk/q at an interior vertex.
+struct ConePoint {
+  VertexId vertex;
+  int k = 0;
+};
+
+/// The prescription for one connected surface. What is empty is completed from the smooth field.
+struct HolonomySpec {
+  int q = 4;
+  std::vector<ConePoint> cones;
+  std::vector<std::optional<int>> turning;   ///< l_j per loop of Topology::loops; turning angle 2πl/q
+  std::vector<std::optional<int>> handles;   ///< r per dual loop of handleGenerators, in Z_q
+};
+
+/// Everything decided.
+struct CompleteSpec {
+  int q = 4;
+  std::vector<ConePoint> cones;   ///< ascending by vertex, no k = q entries
+  std::vector<int> turning;
+  std::vector<int> handles;       ///< r ∈ {0, …, q − 1}
+};
+
+/// Outcome of the exact integer budget, whether or not it balances.
+struct BudgetReport {
+  long long have = 0;              ///< q|C| − Σk + Σ known l
+  long long need = 0;              ///< q(2 − 2g − m)
+  int openLoops = 0;               ///< loops whose turning is still free
+  std::vector<std::string> warnings;  ///< known-hopeless patterns and poor vertices (decisions 7, 8)
+};
+
+/// Gauss–Bonnet and admissibility in exact integers [BCW17 Lemma 6.2]:
+///     q|C| − Σ k_i + Σ l_j = q(2 − 2g − m).
+/// Fails with kPrescription and the measured numbers when no map can have this prescription.
+/// @pre one component
+Result<BudgetReport> checkPrescription(const TriMesh& mesh, const Topology& topology,
+                                       const HolonomySpec& spec);
+
+}  // namespace hgp

@@ -1,0 +1,67 @@
+# One static library per room of core/hgp, linked exactly as the plan of the house allows.
+
+# Adds a directory of this project if it is there.
+function(hgp_add_directory dir)
+  if(EXISTS "${PROJECT_SOURCE_DIR}/${dir}/CMakeLists.txt")
+    add_subdirectory("${PROJECT_SOURCE_DIR}/${dir}" "${PROJECT_BINARY_DIR}/${dir}")
+  endif()
+endfunction()
+
+# The compile settings of all our own code. No fused multiply-add: native and WebAssembly must agree
+# bit for bit, and the exact predicates of verify/ rely on every operation being rounded once.
+function(hgp_compile_settings target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion
+    $<$<BOOL:${HGP_WERROR}>:-Werror>)
+endfunction()
+
+# hgp_room(NAME field SOURCES a.cpp b.cpp LINKS base mesh [PRIVATE_LINKS eigen] [HEADER_ONLY])
+#
+# LINKS and PRIVATE_LINKS take room names and third-party names (eigen, json, tinygltf, cli11 …, see
+# HgpThirdParty.cmake). Makes hgp_<name>, alias hgp::<name>; include root is core/.
+function(hgp_room)
+  cmake_parse_arguments(R "HEADER_ONLY" "NAME" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  if(R_UNPARSED_ARGUMENTS OR NOT R_NAME)
+    message(FATAL_ERROR "hgp_room: bad arguments: ${ARGN}")
+  endif()
+  hgp_named_targets(links "room ${R_NAME}" ${R_LINKS})
+  hgp_named_targets(private_links "room ${R_NAME}" ${R_PRIVATE_LINKS})
+  if(links STREQUAL "MISSING" OR private_links STREQUAL "MISSING")
+    return()
+  endif()
+
+  set(target hgp_${R_NAME})
+  if(R_HEADER_ONLY)
+    add_library(${target} INTERFACE)
+    set(scope INTERFACE)
+    target_compile_features(${target} INTERFACE cxx_std_20)
+  else()
+    add_library(${target} STATIC ${R_SOURCES})
+    set(scope PUBLIC)
+    hgp_compile_settings(${target})
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_link_libraries(${target} PRIVATE ${private_links})
+  endif()
+  add_library(hgp::${R_NAME} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${R_NAME})
+  target_include_directories(${target} ${scope}
+    "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/core>" "$<INSTALL_INTERFACE:include>")
+  target_link_libraries(${target} ${scope} ${links})
+  install(TARGETS ${target} EXPORT hgpTargets ARCHIVE DESTINATION lib)
+  set_property(GLOBAL APPEND PROPERTY HGP_ROOM_TARGETS ${target})
+endfunction()
+
+# Turns names into targets; "MISSING" when one of them is not in the house.
+function(hgp_named_targets out who)
+  set(targets "")
+  foreach(name IN LISTS ARGN)
+    if(NOT TARGET hgp::${name})
+      message(WARNING "${who} is left out: it needs '${name}', which is not here")
+      set(${out} "MISSING" PARENT_SCOPE)
+      return()
+    endif()
+    list(APPEND targets hgp::${name})
+  endforeach()
+  set(${out} "${targets}" PARENT_SCOPE)
+endfunction()

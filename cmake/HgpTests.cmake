@@ -1,0 +1,49 @@
+# GoogleTest from its sources, so that the same tests run natively and as WebAssembly under Node.
+
+set(HGP_GTEST_SOURCES "/usr/src/googletest" CACHE PATH "GoogleTest's source tree")
+set(HGP_TEST_TIMEOUT 600 CACHE STRING "Seconds one test program may take")
+
+if(NOT TARGET gtest_main)
+  if(NOT EXISTS "${HGP_GTEST_SOURCES}/CMakeLists.txt")
+    message(FATAL_ERROR "GoogleTest's sources are not in ${HGP_GTEST_SOURCES}: run scripts/setup, "
+      "or configure with -DHGP_TESTS=OFF")
+  endif()
+  set(INSTALL_GTEST OFF CACHE BOOL "" FORCE)
+  set(BUILD_GMOCK OFF CACHE BOOL "" FORCE)
+  set(gtest_disable_pthreads ${EMSCRIPTEN} CACHE BOOL "" FORCE)
+  set(CMAKE_SUPPRESS_DEVELOPER_WARNINGS ON CACHE INTERNAL "" FORCE)
+  add_subdirectory("${HGP_GTEST_SOURCES}" "${CMAKE_BINARY_DIR}/googletest" EXCLUDE_FROM_ALL)
+  foreach(target gtest gtest_main)
+    get_target_property(dirs ${target} INTERFACE_INCLUDE_DIRECTORIES)
+    set_target_properties(${target} PROPERTIES INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${dirs}")
+  endforeach()
+endif()
+
+# hgp_add_tests(field smooth_field_test.cpp … LINKS field [cut …])
+#
+# One test program, tests_<name>, and one ctest entry for all its tests. Sources may include
+# "support/….h" from tests/. HGP_SHARED_MESHES (environment) overrides where optional data is looked
+# for; tests that need it must GTEST_SKIP() aloud when it is absent.
+function(hgp_add_tests name)
+  cmake_parse_arguments(T "" "" "LINKS" ${ARGN})
+  hgp_named_targets(links "tests of ${name}" ${T_LINKS})
+  if(links STREQUAL "MISSING")
+    return()
+  endif()
+  set(target tests_${name})
+  add_executable(${target} ${T_UNPARSED_ARGUMENTS})
+  hgp_compile_settings(${target})
+  target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tests"
+    "${PROJECT_SOURCE_DIR}/core")
+  target_compile_definitions(${target} PRIVATE
+    HGP_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+    HGP_SHARED_MESHES_DEFAULT="${PROJECT_SOURCE_DIR}/../shared/meshes")
+  target_link_libraries(${target} PRIVATE ${links} gtest_main)
+  if(EMSCRIPTEN)
+    # -O1: binaryen's passes cost twenty seconds a link and gain nothing here.
+    target_link_options(${target} PRIVATE -O1 -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB
+      -sNODERAWFS=1 -sEXIT_RUNTIME=1 --pre-js "${PROJECT_SOURCE_DIR}/cmake/node_environment.js")
+  endif()
+  add_test(NAME ${name} COMMAND ${target} --gtest_brief=0)
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${HGP_TEST_TIMEOUT})
+endfunction()

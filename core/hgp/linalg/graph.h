@@ -1,0 +1,31 @@
+// Undirected graphs as adjacency lists.  Role: what the orderings and the symbolic analysis see.
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <vector>
+
+namespace hgp::linalg {
+
+/// Neighbours of v are neighbours[start[v]] … neighbours[start[v + 1] − 1]: each edge is listed at
+/// both ends, no loops, no duplicates, any order.
+struct Graph {
+  std::vector<int> start{0};
+  std::vector<int> neighbours;
+
+  int size() const { return static_cast<int>(start.size()) - 1; }
+  int degree(int v) const { return start[v + 1] - start[v]; }
+  const int* begin(int v) const { return neighbours.data() + start[v]; }
+  const int* end(int v) const { return neighbours.data() + start[v + 1]; }
+};
+
+/// Index lists whose members are pairwise coupled (the unknowns of one small dense block).
+using Cliques = std::vector<std::vector<int>>;
+
+/// The off-diagonal pattern of a square matrix, made symmetric (entries of one triangle suffice).
+template <class Scalar>
+Graph graphOf(const Eigen::SparseMatrix<Scalar>& matrix);
+
+/// `graph` plus an edge between any two members of a clique.
+Graph withCliques(const Graph& graph, const Cliques& cliques);
+
+}  // namespace hgp::linalg

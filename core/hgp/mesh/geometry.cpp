@@ -1,0 +1,78 @@
+#include "hgp/mesh/geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hgp {
+namespace {
+
+Vec3 subtract(const Vec3& a, const Vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double norm(const Vec3& a) { return std::hypot(a[0], a[1], a[2]); }
+Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// Lays the triangle flat, in units of the mean edge length. The flat triangle of a sliver is
+/// raised to the height bound, so that angles and weights stay finite.
+std::array<Complex, 3> layFlat(const TriMesh& mesh, FaceId f, double unit, double relativeHeight) {
+  const auto [a, b, c] = mesh.corners(f);
+  const Vec3 ab = subtract(mesh.position(b), mesh.position(a));
+  const Vec3 ac = subtract(mesh.position(c), mesh.position(a));
+  const Vec3 bc = subtract(mesh.position(c), mesh.position(b));
+  const double longest = std::max({norm(ab), norm(ac), norm(bc)}) / unit;
+  const double bound = relativeHeight * longest;
+  const double length = norm(ab) / unit;
+  if (length <= bound) return {Complex(0, 0), Complex(bound, 0), Complex(bound / 2, longest)};
+  const double x = dot(ab, ac) / (length * unit * unit);
+  const double y = norm(cross(ab, ac)) / (length * unit * unit);
+  // The height over the longest edge is what matters: y · length / longest.
+  const double height = std::max(y, bound * longest / length);
+  return {Complex(0, 0), Complex(length, 0), Complex(x, height)};
+}
+
+}  // namespace
+
+Geometry computeGeometry(const TriMesh& mesh, double relativeHeight) {
+  Geometry g;
+  double sum = 0.0;
+  for (EdgeId e : mesh.edges()) {
+    const HalfedgeId h = mesh.halfedge(e);
+    sum += norm(subtract(mesh.position(mesh.head(h)), mesh.position(mesh.tail(h))));
+  }
+  if (mesh.edgeCount() > 0 && sum > 0) g.unit = sum / mesh.edgeCount();
+
+  const auto halfedges = static_cast<std::size_t>(mesh.halfedgeCount());
+  const auto faces = static_cast<std::size_t>(mesh.faceCount());
+  g.length = PerHalfedge<double>(halfedges);
+  g.cornerAngle = PerHalfedge<double>(halfedges);
+  g.direction = PerHalfedge<double>(halfedges);
+  g.corner = PerFace<std::array<Complex, 3>>(faces);
+  g.area = PerFace<double>(faces);
+  g.angleSum = PerVertex<double>(static_cast<std::size_t>(mesh.vertexCount()), 0.0);
+  for (FaceId f : mesh.faces()) {
+    const auto p = layFlat(mesh, f, g.unit, relativeHeight);
+    g.corner[f] = p;
+    g.area[f] = 0.5 * std::imag(std::conj(p[1] - p[0]) * (p[2] - p[0]));
+    for (int k = 0; k < 3; ++k) {
+      const auto at = [&](int n) { return p[static_cast<std::size_t>(n % 3)]; };
+      const HalfedgeId h = TriMesh::halfedge(f, k);
+      const Complex edge = at(k + 1) - at(k);
+      g.length[h] = std::abs(edge);
+      g.direction[h] = std::arg(edge);
+      g.cornerAngle[h] = std::arg(std::conj(edge) * (at(k + 2) - at(k)));
+      g.angleSum[mesh.tail(h)] += g.cornerAngle[h];
+    }
+  }
+  return g;
+}
+
+double curvature(const TriMesh& mesh, const Geometry& geometry, VertexId v) {
+  return (mesh.isBoundary(v) ? kPi : 2.0 * kPi) - geometry.angleSum[v];
+}
+
+double transport(const TriMesh& mesh, const Geometry& geometry, HalfedgeId h) {
+  return principalAngle(geometry.direction[mesh.twin(h)] + kPi - geometry.direction[h]);
+}
+
+}  // namespace hgp

@@ -1,0 +1,189 @@
+#include "hgp/mesh/topology.h"
+
+#include <algorithm>
+#include <numeric>
+#include <queue>
+
+#include "hgp/base/check.h"
+
+namespace hgp {
+namespace {
+
+void findComponents(const TriMesh& mesh, Topology& topology) {
+  topology.component = PerFace<int>(static_cast<std::size_t>(mesh.faceCount()), -1);
+  std::vector<FaceId> stack;
+  for (FaceId seed : mesh.faces()) {
+    if (topology.component[seed] >= 0) continue;
+    const int id = topology.componentCount++;
+    topology.component[seed] = id;
+    stack.push_back(seed);
+    while (!stack.empty()) {
+      const FaceId f = stack.back();
+      stack.pop_back();
+      for (int k = 0; k < 3; ++k) {
+        const HalfedgeId twin = mesh.twin(TriMesh::halfedge(f, k));
+        if (!twin.isValid() || topology.component[TriMesh::face(twin)] >= 0) continue;
+        topology.component[TriMesh::face(twin)] = id;
+        stack.push_back(TriMesh::face(twin));
+      }
+    }
+  }
+}
+
+std::vector<BoundaryLoop> findLoops(const TriMesh& mesh) {
+  std::vector<BoundaryLoop> loops;
+  PerHalfedge<char> isSeen(static_cast<std::size_t>(mesh.halfedgeCount()), 0);
+  for (HalfedgeId start : mesh.halfedges()) {
+    if (!mesh.isBoundary(start) || isSeen[start]) continue;
+    BoundaryLoop loop;
+    for (HalfedgeId h = start; !isSeen[h]; h = mesh.outgoing(mesh.head(h))) {
+      isSeen[h] = 1;
+      loop.halfedges.push_back(h);
+    }
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+/// Disjoint sets with path halving.
+class Forest {
+ public:
+  explicit Forest(int count) : parent_(static_cast<std::size_t>(count)) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+  int root(int a) {
+    while (at(a) != a) a = at(a) = at(at(a));
+    return a;
+  }
+  bool join(int a, int b) {
+    a = root(a);
+    b = root(b);
+    if (a == b) return false;
+    at(std::max(a, b)) = std::min(a, b);
+    return true;
+  }
+
+ private:
+  int& at(int a) { return parent_[static_cast<std::size_t>(a)]; }
+  std::vector<int> parent_;
+};
+
+/// The halfedge through which breadth-first search over faces first entered each face (the crossed
+/// halfedge of the parent face); primal tree edges are not crossed.
+struct DualTree {
+  PerFace<HalfedgeId> entry;
+  PerFace<int> depth;
+  PerEdge<char> isCrossed;
+};
+
+DualTree growDualTree(const TriMesh& mesh, const PerEdge<char>& isPrimalTree) {
+  DualTree tree{PerFace<HalfedgeId>(static_cast<std::size_t>(mesh.faceCount())),
+                PerFace<int>(static_cast<std::size_t>(mesh.faceCount()), -1),
+                PerEdge<char>(static_cast<std::size_t>(mesh.edgeCount()), 0)};
+  std::queue<FaceId> queue;
+  tree.depth[FaceId(0)] = 0;
+  queue.push(FaceId(0));
+  while (!queue.empty()) {
+    const FaceId f = queue.front();
+    queue.pop();
+    for (int k = 0; k < 3; ++k) {
+      const HalfedgeId h = TriMesh::halfedge(f, k);
+      const HalfedgeId twin = mesh.twin(h);
+      if (!twin.isValid() || isPrimalTree[mesh.edge(h)]) continue;
+      const FaceId g = TriMesh::face(twin);
+      if (tree.depth[g] >= 0) continue;
+      tree.depth[g] = tree.depth[f] + 1;
+      tree.entry[g] = h;
+      tree.isCrossed[mesh.edge(h)] = 1;
+      queue.push(g);
+    }
+  }
+  return tree;
+}
+
+/// The closed walk root → face(h) → across h → root of the dual tree, without the common part.
+DualLoop closeLoop(const TriMesh& mesh, const DualTree& tree, HalfedgeId h) {
+  std::vector<HalfedgeId> down, up;
+  FaceId a = TriMesh::face(h), b = TriMesh::face(mesh.twin(h));
+  while (a != b) {
+    if (tree.depth[a] >= tree.depth[b]) {
+      down.push_back(tree.entry[a]);
+      a = TriMesh::face(tree.entry[a]);
+    } else {
+      up.push_back(mesh.twin(tree.entry[b]));
+      b = TriMesh::face(tree.entry[b]);
+    }
+  }
+  DualLoop loop;
+  loop.crossed.assign(down.rbegin(), down.rend());
+  loop.crossed.push_back(h);
+  loop.crossed.insert(loop.crossed.end(), up.begin(), up.end());
+  return loop;
+}
+
+}  // namespace
+
+Topology computeTopology(const TriMesh& mesh) {
+  Topology topology;
+  findComponents(mesh, topology);
+  topology.loops = findLoops(mesh);
+  for (VertexId v : mesh.vertices()) topology.isolatedVertexCount += mesh.isIsolated(v);
+  topology.eulerCharacteristic = mesh.vertexCount() - topology.isolatedVertexCount -
+                                 mesh.edgeCount() + mesh.faceCount();
+  topology.genus = (2 * topology.componentCount - static_cast<int>(topology.loops.size()) -
+                    topology.eulerCharacteristic) /
+                   2;
+  return topology;
+}
+
+std::vector<DualLoop> handleGenerators(const TriMesh& mesh) {
+  // Boundary loops are filled in: all vertices of a loop count as one, and the loop's own edges are
+  // neither crossed nor needed. What remains after a primal spanning tree and a dual spanning tree
+  // of the rest are exactly 2g edges.
+  Forest forest(mesh.vertexCount());
+  PerEdge<char> isPrimalTree(static_cast<std::size_t>(mesh.edgeCount()), 0);
+  for (EdgeId e : mesh.edges()) {
+    const HalfedgeId h = mesh.halfedge(e);
+    if (!mesh.isBoundary(h)) continue;
+    forest.join(mesh.tail(h).i, mesh.head(h).i);
+    isPrimalTree[e] = 1;
+  }
+  // The dual tree first (breadth-first, so loops stay short), then the primal tree of the rest.
+  const DualTree dual = growDualTree(mesh, isPrimalTree);
+  std::vector<DualLoop> loops;
+  for (EdgeId e : mesh.edges()) {
+    const HalfedgeId h = mesh.halfedge(e);
+    if (isPrimalTree[e] || dual.isCrossed[e]) continue;
+    if (!forest.join(mesh.tail(h).i, mesh.head(h).i)) loops.push_back(closeLoop(mesh, dual, h));
+  }
+  return loops;
+}
+
+std::vector<Component> splitComponents(const MeshData& data, const TriMesh& mesh,
+                                       const Topology& topology) {
+  std::vector<Component> parts(static_cast<std::size_t>(topology.componentCount));
+  for (FaceId f : mesh.faces())
+    parts[static_cast<std::size_t>(topology.component[f])].faceOrigin.push_back(f.i);
+  std::vector<int> local(data.positions.size(), -1);
+  for (Component& part : parts) {
+    for (int f : part.faceOrigin)
+      for (int v : data.triangles[static_cast<std::size_t>(f)]) part.vertexOrigin.push_back(v);
+    std::sort(part.vertexOrigin.begin(), part.vertexOrigin.end());
+    part.vertexOrigin.erase(std::unique(part.vertexOrigin.begin(), part.vertexOrigin.end()),
+                            part.vertexOrigin.end());
+    for (std::size_t n = 0; n < part.vertexOrigin.size(); ++n) {
+      const auto v = static_cast<std::size_t>(part.vertexOrigin[n]);
+      local[v] = static_cast<int>(n);
+      part.mesh.positions.push_back(data.positions[v]);
+    }
+    for (int f : part.faceOrigin) {
+      const auto& t = data.triangles[static_cast<std::size_t>(f)];
+      part.mesh.triangles.push_back({local[static_cast<std::size_t>(t[0])],
+                                     local[static_cast<std::size_t>(t[1])],
+                                     local[static_cast<std::size_t>(t[2])]});
+    }
+  }
+  return parts;
+}
+
+}  // namespace hgp

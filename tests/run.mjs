@@ -1,0 +1,158 @@
+// Runs the stages of scripts/test one after another and adds up what they counted.
+// The last line is always "N passed, N failed, N skipped".
+
+import { spawn, execFileSync } from 'node:child_process';
+import { createWriteStream, existsSync, mkdirSync, readFileSync, readdirSync } from 'node:fs';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { countCtest, countNodeTest } from './support/counts.mjs';
+
+const root = path.dirname(path.dirname(fileURLToPath(import.meta.url)));
+process.chdir(root);
+const full = process.argv.includes('--full');
+const only = process.argv.slice(2).filter((word) => !word.startsWith('--'));
+const data = process.env.HGP_SHARED_MESHES ?? path.join(root, '../shared/meshes');
+const logs = path.join(root, 'build/logs');
+mkdirSync(logs, { recursive: true });
+if (full) process.env.HGP_FULL = '1';
+
+/** Runs a command with its output in the stage's log; resolves to the exit code and the output. */
+function run(log, command, ...args) {
+  return new Promise((resolve) => {
+    const child = spawn(command, args, { stdio: ['ignore', 'pipe', 'pipe'] });
+    let output = '';
+    const take = (chunk) => {
+      output += chunk;
+      log.write(chunk);
+    };
+    log.write(`\n$ ${command} ${args.join(' ')}\n`);
+    child.stdout.on('data', take);
+    child.stderr.on('data', take);
+    child.on('error', (error) => resolve({ code: 127, output: output + error.message }));
+    child.on('close', (code) => resolve({ code: code ?? 1, output }));
+  });
+}
+
+/** A command that must succeed before anything can be counted. */
+async function must(log, ...command) {
+  const { code, output } = await run(log, ...command);
+  if (code !== 0) {
+    throw new Error(`${command.join(' ')} ended with ${code}\n${output.slice(-3000)}`);
+  }
+  return output;
+}
+
+/** Files git knows or could know, of the given endings. */
+function sources(...endings) {
+  const listed = execFileSync('git', ['ls-files', '-co', '--exclude-standard'], {
+    encoding: 'utf8',
+    maxBuffer: 1 << 28,
+  });
+  return listed
+    .split('\n')
+    .filter((name) => endings.some((ending) => name.endsWith(ending)) && existsSync(name));
+}
+
+/** Checks that count one test each. */
+async function checks(log, commands) {
+  const counts = { passed: 0, failed: 0, skipped: 0, notes: [] };
+  for (const command of commands) {
+    const { code, output } = await run(log, ...command);
+    if (code === 0) {
+      counts.passed += 1;
+    } else {
+      counts.failed += 1;
+      counts.notes.push(`${command.slice(0, 3).join(' ')} …\n${output.slice(-3000)}`);
+    }
+  }
+  return counts;
+}
+
+async function build(log, preset) {
+  await must(log, 'cmake', '--preset', preset);
+  await must(log, 'cmake', '--build', '--preset', preset);
+}
+
+async function ctest(log, preset) {
+  await build(log, preset);
+  const { code, output } = await run(log, 'ctest', '--preset', preset);
+  const report = `build/${preset}/Testing/Temporary/LastTest.log`;
+  const counts = countCtest(existsSync(report) ? readFileSync(report, 'utf8') : '');
+  if (code !== 0) {
+    counts.failed = Math.max(counts.failed, 1);
+    counts.notes.push(output.slice(-6000));
+  }
+  return counts;
+}
+
+async function nodeTests(log, folder) {
+  const files = readdirSync(path.join('tests', folder))
+    .filter((name) => name.endsWith('.test.mjs'))
+    .map((name) => path.join('tests', folder, name));
+  const flags = ['--test', '--test-reporter=tap', '--test-concurrency=1'];
+  const { code, output } = await run(log, 'node', ...flags, ...files);
+  const counts = countNodeTest(output);
+  if (code !== 0) counts.failed = Math.max(counts.failed, 1);
+  return counts;
+}
+
+const stages = {
+  lint: (log) =>
+    checks(log, [
+      ['clang-format', '--dry-run', '-Werror', ...sources('.cpp', '.h')],
+      ['node_modules/.bin/prettier', '--check', '.'],
+      ['node_modules/.bin/eslint', '.'],
+      ['node_modules/.bin/tsc', '--noEmit', '-p', 'web'],
+    ]),
+  house: (log) => nodeTests(log, 'house'),
+  'native-release': (log) => ctest(log, 'native-release'),
+  tidy: (log) => checks(log, [['node', 'tests/support/tidy.mjs']]),
+  'native-debug': (log) => ctest(log, 'native-debug'),
+  'wasm-release': (log) => ctest(log, 'wasm-release'),
+  package: (log) => nodeTests(log, 'wasm'),
+  install: (log) => nodeTests(log, 'install'),
+  web: async (log) => {
+    await must(log, 'node_modules/.bin/vite', 'build', 'web');
+    return nodeTests(log, 'web');
+  },
+};
+
+const unknown = only.filter((name) => !(name in stages));
+if (unknown.length > 0) {
+  console.error(`no such stage: ${unknown.join(' ')}; there are ${Object.keys(stages).join(' ')}`);
+  process.exit(2);
+}
+const hasData = existsSync(data);
+if (!hasData) console.log(`SKIPPING tests on real meshes: ${data} is not there`);
+
+const total = { passed: 0, failed: 0, skipped: 0 };
+for (const [name, stage] of Object.entries(stages)) {
+  if (only.length > 0 && !only.includes(name)) continue;
+  const begin = performance.now();
+  const log = createWriteStream(path.join(logs, `${name}.log`));
+  let counts;
+  try {
+    counts = await stage(log);
+    if (counts.passed + counts.failed === 0) {
+      counts = { ...counts, failed: 1, notes: [...counts.notes, 'the stage ran no test at all'] };
+    }
+    if (counts.skipped > 0 && hasData) {
+      counts.failed += 1;
+      counts.notes.push('tests were skipped though the optional data is there');
+    }
+  } catch (error) {
+    counts = { passed: 0, failed: 1, skipped: 0, notes: [error.message] };
+  }
+  log.end();
+  const seconds = ((performance.now() - begin) / 1000).toFixed(1);
+  const { passed, failed, skipped } = counts;
+  console.log(
+    `${failed ? 'FAIL' : 'ok  '} ${name.padEnd(15)} ${seconds.padStart(7)} s   ` +
+      `${passed} passed, ${failed} failed, ${skipped} skipped`,
+  );
+  for (const note of counts.notes) console.log(note.trimEnd().replace(/^/gm, '     | '));
+  for (const key of Object.keys(total)) total[key] += counts[key];
+}
+
+process.exitCode = total.failed > 0 ? 1 : 0;
+console.log(`${total.passed} passed, ${total.failed} failed, ${total.skipped} skipped`);

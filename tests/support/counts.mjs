@@ -1,0 +1,40 @@
+// Reads the real numbers of tests out of what ctest, GoogleTest and node:test print.
+
+const first = (text, pattern) => Number(text.match(pattern)?.[1] ?? 0);
+
+/** @param {string} log  Testing/Temporary/LastTest.log */
+export function countCtest(log) {
+  const counts = { passed: 0, failed: 0, skipped: 0, notes: [] };
+  // A block runs from "3/9 Testing: name" to "Test Passed." or "Test Failed.".
+  for (const block of log.split(/^\d+\/\d+ Testing: /m).slice(1)) {
+    const name = block.slice(0, block.indexOf('\n'));
+    const ended = /^Test Passed\.$/m.test(block);
+    if (!block.includes('[==========]')) {
+      counts[ended ? 'passed' : 'failed'] += 1;
+      continue;
+    }
+    const failed = first(block, /\[ {2}FAILED {2}\] (\d+) tests?, listed below/);
+    counts.passed += first(block, /\[ {2}PASSED {2}\] (\d+) tests?\./);
+    counts.skipped += first(block, /\[ {2}SKIPPED \] (\d+) tests?, listed below/);
+    counts.failed += !ended && failed === 0 ? 1 : failed; // a crash leaves no summary
+    for (const [, reason] of block.matchAll(/Skipped\n([\s\S]*?)\n\[ {2}SKIPPED/g)) {
+      counts.notes.push(`skipped in ${name}: ${reason.trim()}`);
+    }
+  }
+  return counts;
+}
+
+/** @param {string} tap  output of node --test --test-reporter=tap */
+export function countNodeTest(tap) {
+  const counts = {
+    passed: first(tap, /^# pass (\d+)$/m),
+    failed: first(tap, /^# fail (\d+)$/m) + first(tap, /^# cancelled (\d+)$/m),
+    skipped: first(tap, /^# skipped (\d+)$/m) + first(tap, /^# todo (\d+)$/m),
+    notes: [],
+  };
+  for (const [line] of tap.matchAll(/^ *ok .* # SKIP.*$/gm)) counts.notes.push(line.trim());
+  for (const match of tap.matchAll(/^( *)not ok [\s\S]*?\n\1 {2}\.\.\.$/gm)) {
+    counts.notes.push(match[0].slice(0, 3000));
+  }
+  return counts;
+}

@@ -1,0 +1,65 @@
+// Runs clang-tidy over our sources; a file whose text and headers have not changed since it last
+// passed is not looked at again.
+
+import { execFileSync, execFile } from 'node:child_process';
+import { createHash } from 'node:crypto';
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { promisify } from 'node:util';
+
+const root = process.cwd();
+const build = path.join(root, 'build/native-release');
+const cache = path.join(root, 'build/tidy');
+mkdirSync(cache, { recursive: true });
+
+/** Our own files that an object depends on, by object name, from ninja's record. */
+function dependencies() {
+  const text = execFileSync('ninja', ['-C', build, '-t', 'deps'], {
+    encoding: 'utf8',
+    maxBuffer: 1 << 30,
+  });
+  const found = new Map();
+  for (const block of text.split('\n\n')) {
+    const [head, ...lines] = block.split('\n');
+    const files = lines
+      .map((line) => path.resolve(build, line.trim()))
+      .filter((file) => file.startsWith(root + path.sep) && !file.startsWith(build + path.sep));
+    found.set(path.resolve(build, head.split(':')[0].replace(/^ninja.*/, '')), files);
+  }
+  return found;
+}
+
+const settings = readFileSync('.clang-tidy');
+const deps = dependencies();
+const seen = new Set();
+const jobs = [];
+for (const entry of JSON.parse(readFileSync(path.join(build, 'compile_commands.json'), 'utf8'))) {
+  const file = path.relative(root, entry.file);
+  if (!/^(core|examples|bench)\//.test(file) || seen.has(file)) continue;
+  seen.add(file);
+  const object = path.resolve(entry.directory, entry.command.match(/ -o (\S+)/)[1]);
+  const hash = createHash('sha256').update(settings).update(entry.command);
+  for (const name of [entry.file, ...(deps.get(object) ?? [])]) {
+    if (existsSync(name)) hash.update(readFileSync(name));
+  }
+  const stamp = path.join(cache, hash.digest('hex'));
+  if (!existsSync(stamp)) jobs.push({ file, stamp });
+}
+
+let failures = 0;
+async function worker() {
+  for (let job = jobs.pop(); job !== undefined; job = jobs.pop()) {
+    try {
+      await promisify(execFile)('clang-tidy', ['--quiet', '-p', build, job.file], {
+        maxBuffer: 1 << 28,
+      });
+      writeFileSync(job.stamp, job.file);
+    } catch (error) {
+      failures += 1;
+      console.log(error.stdout.replaceAll(root + path.sep, ''));
+    }
+  }
+}
+console.log(`clang-tidy: ${seen.size} files, ${jobs.length} changed`);
+await Promise.all([worker(), worker()]);
+process.exitCode = failures > 0 ? 1 : 0;

@@ -2,17 +2,92 @@
 // Def. C.1. Shares no code with the method; sees only a mesh, the asked angles and uv.
 #pragma once
 
-#include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "hgp/mesh/holonomy_spec.h"
 #include "hgp/mesh/mesh_data.h"
+#include "hgp/verify/angles.h"
+#include "hgp/verify/distortion.h"
+#include "hgp/verify/seams.h"
 
 namespace hgp {
 
-// (contract; completed by the verify room)
-struct Certificate;
+/// The number type that the map is stored in.
+enum class Precision { kFloat64, kFloat32 };
+
+struct CertifyOptions {
+  Precision precision = Precision::kFloat64;  ///< uv are rounded to it before they are judged
+  /// Accepted seam residual relative to max(|u|, |v|); 0 means kSeamUlps ulps of `precision`. Raise
+  /// it only for files whose coordinates were printed with few digits.
+  double tolerance = 0.0;
+  bool isAnyConeAllowed = false;  ///< unlisted vertices may have any k ≥ 1 (asked = measured)
+  int placesPerReason = 20;       ///< how many of the worst places a reason names
+};
+
+/// Rounding both ends of both copies of a seam edge moves them by a few ulps; 16 covers it with room
+/// for the solver's last digit, and is a million times below what an eye or a texel can see.
+inline constexpr double kSeamUlps = 16.0;
+/// Accepted distance of k to an integer, in units of 2π/q, where no seam meets the vertex or its
+/// seam edges are long: angle sums are computed to about 1e-14. A seam tolerance t lets an edge of
+/// length d turn by t/d; that is added, up to kLargestAngleAllowance.
+inline constexpr double kAngleTolerance = 1e-6;
+/// The nearest integer stays beyond doubt.
+inline constexpr double kLargestAngleAllowance = 0.25;
+
+/// What a map must satisfy. Order: from "cannot be judged" to "judged and wrong".
+enum class Rule {
+  kPrescription,  ///< what was asked does not fit this mesh
+  kMalformedUv,   ///< cornerUv has the wrong size or an index out of range
+  kNotFinite,     ///< a used uv is NaN or infinite
+  kOrientation,   ///< a triangle whose signed area is not positive
+  kConeAngle,     ///< an interior angle sum that is not as asked
+  kTurning,       ///< a boundary loop whose turning is not as asked
+  kSeam,          ///< a seam whose sides are not related by a rotation by a multiple of 2π/q
+  kHandle,        ///< a handle whose rotation is not as asked
+  kGaussBonnet,   ///< the measured integers break Lemma 6.2
+  kEuler,         ///< V − E + F ≠ 2c − 2g − m
+};
+/// Short stable name used in JSON ("orientation", "cone-angle", …).
+const char* ruleName(Rule rule);
+
+/// Why a map is not certified.
+struct Reason {
+  Rule rule;
+  int count = 0;              ///< places that break the rule
+  double worst = 0;           ///< measured number at the worst place, in the rule's own unit
+  std::string message;        ///< one sentence: rule, numbers
+  std::vector<Where> where;   ///< the worst places, worst first ("Show worst")
+};
+
+/// Facts first, verdict last. Facts that could not be measured keep their defaults.
+struct Certificate {
+  int vertexCount = 0, edgeCount = 0, faceCount = 0;  ///< vertices that have faces
+  int componentCount = 0, genus = 0, loopCount = 0, eulerCharacteristic = 0;
+  int q = 0;
+  Precision precision = Precision::kFloat64;
+  OrientationFacts orientation;
+  AngleFacts angles;
+  SeamFacts seams;
+  DistortionFacts distortion;
+  /// Gauss–Bonnet from measured integers: Σ(q − k) + Σl = q(2c − 2g − m).
+  long long gaussBonnetHave = 0, gaussBonnetNeed = 0;
+
+  bool isMeasured = false;   ///< uv were well formed and finite, so the facts above are there
+  bool isCertified = false;  ///< every rule holds; then `reasons` is empty
+  bool isUsable = false;     ///< certified, and areaSpan is above the epsilon of `precision`
+  std::vector<Reason> reasons;
+};
+
+/// Judges a map. Never fails: a map that cannot be judged is a certificate that says so.
+///
+/// Certified means: every triangle has exactly positive signed area; every interior angle sum is
+/// 2πk/q with the k asked (k = q where no cone is listed); every given turning index and handle
+/// rotation is as asked; every seam edge is related by a rotation by a multiple of 2π/q. Empty
+/// optionals are measured and not judged; handles are measured on connected surfaces only.
+Certificate certify(const TriMesh& mesh, const HolonomySpec& asked, const UvMap& map,
+                    const CertifyOptions& options = {});
+Certificate certify(const TriMesh& mesh, const CompleteSpec& asked, const UvMap& map,
+                    const CertifyOptions& options = {});
 
 }  // namespace hgp

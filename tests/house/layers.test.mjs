@@ -1,0 +1,101 @@
+// The directions in which rooms may include one another. This table is the law; a change of it is a
+// change of the design and wants a page in docs/decisions.
+
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { filesOf, roomOf, textOf } from './source_tree.mjs';
+
+// The judge shares no code with the judged: verify sees mesh and base and nothing else.
+// io speaks of meshes and nothing else; only api, which is the rim, sees everything.
+const mayInclude = {
+  base: [],
+  linalg: ['base'],
+  mesh: ['base'],
+  verify: ['mesh', 'base'],
+  io: ['mesh', 'base'],
+  field: ['linalg', 'mesh', 'base'],
+  cut: ['field', 'linalg', 'mesh', 'base'],
+  system: ['cut', 'field', 'linalg', 'mesh', 'base'],
+  socp: ['linalg', 'base'],
+  optimize: ['system', 'cut', 'field', 'socp', 'linalg', 'mesh', 'base'],
+};
+mayInclude.parametrize = [...new Set([...Object.keys(mayInclude), 'verify'])].filter(
+  (room) => room !== 'io',
+);
+mayInclude.api = [...Object.keys(mayInclude)];
+
+const sources = filesOf('core/hgp', '.h', '.cpp', '.inc');
+
+/** Rooms that a source file includes, with the line that does it. */
+function includedRooms(file) {
+  return [...textOf(file).matchAll(/^\s*#\s*include\s+["<](hgp\/[^">]+)[">]/gm)].map(
+    ([line, header]) => ({ line: line.trim(), room: roomOf(`core/${header}`) }),
+  );
+}
+
+test('every folder of core/hgp is a room of the plan', () => {
+  const unknown = sources.filter((file) => !(roomOf(file) in mayInclude));
+  assert.deepEqual(unknown, []);
+});
+
+for (const [room, allowed] of Object.entries(mayInclude)) {
+  test(`${room} includes only ${allowed.join(', ') || 'itself'}`, () => {
+    const wrong = [];
+    for (const file of sources.filter((name) => roomOf(name) === room)) {
+      for (const { line, room: other } of includedRooms(file)) {
+        if (other !== room && !allowed.includes(other)) wrong.push(`${file}: ${line}`);
+      }
+    }
+    assert.deepEqual(wrong, []);
+  });
+}
+
+test('targets link only what their room may include', () => {
+  const wrong = [];
+  for (const file of filesOf('core/hgp', 'CMakeLists.txt')) {
+    const text = textOf(file).replace(/#.*/g, '');
+    for (const [, body] of text.matchAll(/hgp_room\(([^)]*)\)/g)) {
+      const words = body.split(/\s+/).filter(Boolean);
+      const room = words[words.indexOf('NAME') + 1];
+      assert.ok(room in mayInclude, `${file}: unknown room ${room}`);
+      let inLinks = false;
+      for (const word of words) {
+        if (/^[A-Z_]+$/.test(word)) inLinks = word.endsWith('LINKS');
+        else if (inLinks && word in mayInclude && !mayInclude[room].includes(word)) {
+          wrong.push(`${room} links ${word}`);
+        }
+      }
+    }
+  }
+  assert.deepEqual(wrong, []);
+});
+
+test('only io reads files of other formats through tinygltf', () => {
+  const users = sources.filter((file) => /#\s*include\s+[<"]tiny_gltf\.h/.test(textOf(file)));
+  assert.deepEqual(
+    users.filter((file) => roomOf(file) !== 'io'),
+    [],
+  );
+});
+
+test('the core knows no file system and no console', () => {
+  const wrong = sources.filter((file) =>
+    /#\s*include\s+<(iostream|filesystem|fstream)>/.test(textOf(file)),
+  );
+  // tinygltf without its file system still needs <fstream> to be seen before it.
+  const excused = (file) => /tiny_gltf\.h/.test(textOf(file)) && !/<iostream>/.test(textOf(file));
+  assert.deepEqual(
+    wrong.filter((file) => !excused(file)),
+    [],
+  );
+});
+
+test('the page imports the package and never the sources', () => {
+  const wrong = [];
+  for (const file of filesOf('web', '.ts', '.js', '.mjs')) {
+    for (const [, from] of textOf(file).matchAll(/\bfrom\s+['"]([^'"]+)['"]/g)) {
+      if (/(^|\/)(core\/hgp|wasm\/(?!package))/.test(from)) wrong.push(`${file}: ${from}`);
+    }
+  }
+  assert.deepEqual(wrong, []);
+});

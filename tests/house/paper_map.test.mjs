@@ -1,0 +1,66 @@
+// docs/paper-map.md leads from each equation of [BCW17] to the function that implements it and to the
+// test that holds it to account. Written as `core/hgp/cut/cut_mesh.h:cutToDisk` and
+// `tests/core/cut/cut_mesh_test.cpp:CutMesh.IsADisk`; these tests keep it from going stale.
+
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { exists, filesOf, textOf } from './source_tree.mjs';
+
+const map = exists('docs/paper-map.md') ? textOf('docs/paper-map.md') : '';
+const references = [
+  ...map.matchAll(
+    /\b((?:core|wasm|examples|tests)\/[\w./-]+\.(?:h|cpp|mjs|js))(?::([A-Za-z_][\w.]*))?/g,
+  ),
+].map(([, file, name]) => ({ file, name: name?.replace(/\.$/, '') }));
+
+test('the map exists and names code and tests', () => {
+  assert.ok(references.some(({ file }) => file.startsWith('core/')));
+  assert.ok(references.some(({ file }) => file.startsWith('tests/')));
+});
+
+test('every function listed exists', () => {
+  const wrong = references
+    .filter(({ file }) => !file.startsWith('tests/'))
+    .filter(({ file, name }) => {
+      if (!exists(file)) return true;
+      return name !== undefined && !new RegExp(`\\b${name.split('.').pop()}\\b`).test(textOf(file));
+    });
+  assert.deepEqual(wrong, []);
+});
+
+test('every test listed exists', () => {
+  const wrong = references
+    .filter(({ file }) => file.startsWith('tests/'))
+    .filter(({ file, name }) => {
+      if (!exists(file)) return true;
+      if (name === undefined) return false;
+      const [suite, law] = name.split('.');
+      const text = textOf(file);
+      if (law === undefined) return !text.includes(suite);
+      return !new RegExp(`TEST(_F|_P)?\\(\\s*${suite},\\s*${law}\\s*\\)`).test(text);
+    });
+  assert.deepEqual(wrong, []);
+});
+
+test('every equation cited in the code is on the map', () => {
+  const missing = new Set();
+  for (const file of filesOf('core/hgp', '.h', '.cpp')) {
+    for (const [, cited] of textOf(file).matchAll(/\[BCW17 ([^\]]+)\]/g)) {
+      for (const [equation] of cited.matchAll(/\(\d+\)/g)) {
+        if (!map.includes(equation)) missing.add(`${equation} in ${file}`);
+      }
+    }
+  }
+  assert.deepEqual([...missing], []);
+});
+
+test('decisions are numbered without gaps', () => {
+  const numbers = filesOf('docs/decisions', '.md')
+    .map((file) => Number(file.match(/\/(\d{3})-[^/]*$/)?.[1]))
+    .filter((number) => !Number.isNaN(number));
+  assert.ok(numbers.length > 0);
+  assert.deepEqual(
+    numbers.sort((a, b) => a - b),
+    numbers.map((_, index) => index + 1),
+  );
+});

@@ -31,6 +31,12 @@ struct Defect {
   std::vector<Where> where;  ///< every place, in ascending order
 };
 
+/// A triangle counts as having no area when its height over the longest edge is below this part of
+/// that edge: a few rounding errors of its coordinates. Thinner than healthy is not a defect.
+inline constexpr double kZeroHeight = 1e-15;
+/// No area in that sense; not-finite corners are another defect and never "no area".
+bool hasNoArea(const Vec3& a, const Vec3& b, const Vec3& c);
+
 /// All defects, one entry per kind that occurs, in the order of the enum. O(|F|).
 std::vector<Defect> findDefects(const MeshData& data);
 

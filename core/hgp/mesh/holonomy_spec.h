@@ -21,7 +21,10 @@ struct HolonomySpec {
   int q = 4;
   std::vector<ConePoint> cones;
   std::vector<std::optional<int>> turning;   ///< l_j per loop of Topology::loops; turning angle 2πl/q
-  std::vector<std::optional<int>> handles;   ///< r per dual loop of handleGenerators, in Z_q
+  /// Per dual loop of handleGenerators, r in Z_q: the sum over the crossed halfedges of the seam
+  /// rotation r_h, where the edge's uv vector seen from the face entered is e^{i2πr_h/q} times the
+  /// one seen from the face left.
+  std::vector<std::optional<int>> handles;
 };
 
 /// Everything decided.
@@ -31,6 +34,21 @@ struct CompleteSpec {
   std::vector<int> turning;
   std::vector<int> handles;       ///< r ∈ {0, …, q − 1}
 };
+
+/// The same with nothing left open.
+HolonomySpec toSpec(const CompleteSpec& spec);
+
+/// Bounds of decisions that hold for every map: 1 ≤ q ≤ kLargestOrder.
+inline constexpr int kLargestOrder = 64;
+/// A cone whose triangles need more than this angle each, on average, is a "poor vertex": warned.
+inline constexpr double kPoorCornerAngle = 2.0;
+
+/// Turning indices that positive triangles can have: lowest ≤ l ≤ highest. With n boundary vertices
+/// and t_v triangles at v:  q/2·Σ(1 − t_v) < l < q·n/2.
+struct TurningRange {
+  long long lowest = 0, highest = 0;
+};
+TurningRange turningRange(const TriMesh& mesh, const BoundaryLoop& loop, int q);
 
 /// Outcome of the exact integer budget, whether or not it balances.
 struct BudgetReport {

@@ -1,0 +1,257 @@
+#include "hgp/mesh/defects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "hgp/base/check.h"
+#include "hgp/mesh/edge_table.h"
+
+namespace hgp {
+namespace {
+
+using Triangles = std::vector<std::array<int, 3>>;
+using Places = std::map<DefectKind, std::vector<Where>>;
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+Where faceAt(int f) { return {Where::Kind::kFace, f}; }
+Where vertexAt(int v) { return {Where::Kind::kVertex, v}; }
+
+/// Faces whose indices or positions make everything else meaningless; returns 1 for each of them.
+std::vector<char> findBrokenFaces(const MeshData& data, Places& places) {
+  const auto vertexCount = static_cast<int>(data.positions.size());
+  std::vector<char> isBroken(data.triangles.size(), 0);
+  for (std::size_t f = 0; f < data.triangles.size(); ++f) {
+    const auto& t = data.triangles[f];
+    const bool isInRange =
+        std::all_of(t.begin(), t.end(), [&](int v) { return v >= 0 && v < vertexCount; });
+    const bool isRepeated = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+    if (!isInRange) {
+      places[DefectKind::kIndexOutOfRange].push_back(faceAt(static_cast<int>(f)));
+    } else if (isRepeated) {
+      places[DefectKind::kRepeatedVertex].push_back(faceAt(static_cast<int>(f)));
+    }
+    isBroken[f] = !isInRange || isRepeated;
+  }
+  return isBroken;
+}
+
+void findVertexDefects(const MeshData& data, Places& places) {
+  std::vector<char> isUsed(data.positions.size(), 0);
+  for (const auto& t : data.triangles)
+    for (int v : t)
+      if (v >= 0 && v < static_cast<int>(data.positions.size())) isUsed[at(v)] = 1;
+  for (std::size_t v = 0; v < data.positions.size(); ++v) {
+    const Vec3& p = data.positions[v];
+    if (!isUsed[v]) {
+      places[DefectKind::kIsolatedVertex].push_back(vertexAt(static_cast<int>(v)));
+    } else if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) {
+      places[DefectKind::kNotFinite].push_back(vertexAt(static_cast<int>(v)));
+    }
+  }
+}
+
+void findDuplicates(const Triangles& triangles, const std::vector<char>& isBroken, int vertexCount,
+                    Places& places) {
+  // Bucketed by smallest vertex; within a bucket, faces with the same other two are equal.
+  std::vector<int> bucket(at(vertexCount) + 1, 0);
+  const auto smallest = [&](std::size_t f) {
+    return *std::min_element(triangles[f].begin(), triangles[f].end());
+  };
+  for (std::size_t f = 0; f < triangles.size(); ++f)
+    if (!isBroken[f]) ++bucket[at(smallest(f)) + 1];
+  for (std::size_t v = 1; v < bucket.size(); ++v) bucket[v] += bucket[v - 1];
+  struct Entry {
+    int mid, high, face;
+  };
+  std::vector<Entry> entries(at(bucket.back()));
+  std::vector<int> fill(bucket.begin(), bucket.end() - 1);
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    if (isBroken[f]) continue;
+    auto t = triangles[f];
+    std::sort(t.begin(), t.end());
+    entries[at(fill[at(t[0])]++)] = {t[1], t[2], static_cast<int>(f)};
+  }
+  auto& found = places[DefectKind::kDuplicateFace];
+  for (int v = 0; v < vertexCount; ++v) {
+    const auto first = entries.begin() + bucket[at(v)], last = entries.begin() + bucket[at(v) + 1];
+    std::sort(first, last, [](const Entry& a, const Entry& b) {
+      if (a.mid != b.mid) return a.mid < b.mid;
+      return a.high != b.high ? a.high < b.high : a.face < b.face;
+    });
+    for (auto e = first; e != last; ++e)
+      if (e != first && e->mid == (e - 1)->mid && e->high == (e - 1)->high)
+        found.push_back(faceAt(e->face));
+  }
+  std::sort(found.begin(), found.end(), [](const Where& a, const Where& b) { return a.id < b.id; });
+}
+
+/// Edges with the wrong number or direction of faces, and vertices with more than one fan. Faces
+/// that meet along an edge belong to one fan however many they are, so that a bad edge is not
+/// reported a second time as two bad vertices.
+void findEdgeDefects(const Triangles& triangles, const std::vector<char>& isBroken, int vertexCount,
+                     Places& places) {
+  const EdgeTable table(triangles, isBroken, vertexCount);
+  DisjointSets fans(static_cast<int>(3 * triangles.size()));
+  std::vector<int> fanCount(at(vertexCount), 0);
+  for (std::size_t f = 0; f < triangles.size(); ++f)
+    for (int v : triangles[f])
+      if (!isBroken[f]) ++fanCount[at(v)];
+
+  const auto cornerAt = [&](int side, int v) {
+    return sideTail(triangles, side) == v ? side : nextSide(side);
+  };
+  for (int e = 0; e < table.edgeCount(); ++e) {
+    const auto [a, b] = table.vertices(e);
+    const int* sides = table.begin(e);
+    const int count = table.faceCount(e);
+    for (int n = 1; n < count; ++n) {
+      fanCount[at(a)] -= fans.join(cornerAt(sides[n - 1], a), cornerAt(sides[n], a));
+      fanCount[at(b)] -= fans.join(cornerAt(sides[n - 1], b), cornerAt(sides[n], b));
+    }
+    const Where where{Where::Kind::kEdge, a, b};
+    if (count > 2) {
+      places[DefectKind::kNonManifoldEdge].push_back(where);
+    } else if (count == 2 && sideTail(triangles, sides[0]) == sideTail(triangles, sides[1])) {
+      places[DefectKind::kInconsistentEdge].push_back(where);
+    }
+  }
+  for (int v = 0; v < vertexCount; ++v)
+    if (fanCount[at(v)] > 1) places[DefectKind::kNonManifoldVertex].push_back(vertexAt(v));
+}
+
+/// "17 edges have more than two faces".
+std::string describe(const Defect& defect) {
+  const std::size_t n = defect.where.size();
+  const bool one = n == 1;
+  const char* text = "";
+  switch (defect.kind) {
+    case DefectKind::kIndexOutOfRange:
+      text = one ? "face names a vertex that does not exist"
+                 : "faces name a vertex that does not exist"; break;
+    case DefectKind::kNotFinite:
+      text = one ? "vertex has a position that is not finite"
+                 : "vertices have a position that is not finite"; break;
+    case DefectKind::kRepeatedVertex:
+      text = one ? "face names one vertex twice" : "faces name one vertex twice"; break;
+    case DefectKind::kZeroArea:
+      text = one ? "face has no area" : "faces have no area"; break;
+    case DefectKind::kDuplicateFace:
+      text = one ? "face repeats another one" : "faces repeat another one"; break;
+    case DefectKind::kNonManifoldEdge:
+      text = one ? "edge has more than two faces" : "edges have more than two faces"; break;
+    case DefectKind::kInconsistentEdge:
+      text = one ? "edge has two faces of opposite orientation"
+                 : "edges have two faces of opposite orientation"; break;
+    case DefectKind::kNonManifoldVertex:
+      text = one ? "vertex joins several fans of faces" : "vertices join several fans of faces";
+      break;
+    case DefectKind::kIsolatedVertex:
+      text = one ? "vertex has no face" : "vertices have no face"; break;
+  }
+  return formatText("%zu %s", n, text);
+}
+
+std::string describePlaces(const Defect& defect) {
+  constexpr std::size_t kShown = 5;
+  std::string list;
+  for (std::size_t n = 0; n < std::min(kShown, defect.where.size()); ++n) {
+    const Where& w = defect.where[n];
+    if (n > 0) list += ", ";
+    list += std::to_string(w.id);
+    if (w.kind == Where::Kind::kEdge) list += "–" + std::to_string(w.other);
+  }
+  return list + (defect.where.size() > kShown ? ", …" : "");
+}
+
+const char* remedy(DefectKind kind) {
+  switch (kind) {
+    case DefectKind::kRepeatedVertex:
+    case DefectKind::kZeroArea:
+    case DefectKind::kDuplicateFace: return "degenerate";
+    case DefectKind::kNonManifoldEdge:
+    case DefectKind::kNonManifoldVertex: return "split";
+    case DefectKind::kInconsistentEdge: return "orient";
+    default: return nullptr;
+  }
+}
+
+}  // namespace
+
+bool hasNoArea(const Vec3& a, const Vec3& b, const Vec3& c) {
+  Vec3 u, v;
+  double scale = 0.0;
+  for (std::size_t n = 0; n < 3; ++n) {
+    u[n] = b[n] - a[n];
+    v[n] = c[n] - a[n];
+    scale = std::max({scale, std::abs(u[n]), std::abs(v[n])});
+  }
+  if (!(scale > 0.0) || !std::isfinite(scale)) return scale == 0.0;
+  const int exponent = std::ilogb(scale);
+  for (std::size_t n = 0; n < 3; ++n) {
+    u[n] = std::scalbn(u[n], -exponent);
+    v[n] = std::scalbn(v[n], -exponent);
+  }
+  const Vec3 cross{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+  const auto dot = [](const Vec3& p, const Vec3& q) {
+    return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+  };
+  const double longest = std::max({dot(u, u), dot(v, v), dot(u, u) + dot(v, v) - 2 * dot(u, v)});
+  return std::sqrt(dot(cross, cross)) <= kZeroHeight * longest;
+}
+
+const char* defectName(DefectKind kind) {
+  switch (kind) {
+    case DefectKind::kIndexOutOfRange: return "index-out-of-range";
+    case DefectKind::kNotFinite: return "not-finite";
+    case DefectKind::kRepeatedVertex: return "repeated-vertex";
+    case DefectKind::kZeroArea: return "zero-area";
+    case DefectKind::kDuplicateFace: return "duplicate-face";
+    case DefectKind::kNonManifoldEdge: return "non-manifold-edge";
+    case DefectKind::kInconsistentEdge: return "inconsistent-edge";
+    case DefectKind::kNonManifoldVertex: return "non-manifold-vertex";
+    case DefectKind::kIsolatedVertex: return "isolated-vertex";
+  }
+  return "unknown";
+}
+
+bool isFatal(DefectKind kind) { return kind != DefectKind::kIsolatedVertex; }
+
+std::vector<Defect> findDefects(const MeshData& data) {
+  const auto vertexCount = static_cast<int>(data.positions.size());
+  Places places;
+  const std::vector<char> isBroken = findBrokenFaces(data, places);
+  findVertexDefects(data, places);
+  for (std::size_t f = 0; f < data.triangles.size(); ++f) {
+    const auto& t = data.triangles[f];
+    if (!isBroken[f] && hasNoArea(data.positions[at(t[0])], data.positions[at(t[1])],
+                                  data.positions[at(t[2])]))
+      places[DefectKind::kZeroArea].push_back(faceAt(static_cast<int>(f)));
+  }
+  findDuplicates(data.triangles, isBroken, vertexCount, places);
+  findEdgeDefects(data.triangles, isBroken, vertexCount, places);
+  std::vector<Defect> defects;
+  for (auto& [kind, where] : places)
+    if (!where.empty()) defects.push_back({kind, std::move(where)});
+  return defects;
+}
+
+Status requireUsable(const std::vector<Defect>& defects) {
+  Failure failure{ErrorCode::kUnsupported, "topology", "", {}};
+  std::string fixes;
+  for (const Defect& defect : defects) {
+    if (!isFatal(defect.kind)) continue;
+    failure.message += (failure.message.empty() ? "" : "; ") + describe(defect) +
+                       (defect.where.size() == 1 ? " (" : " (first: ") + describePlaces(defect) + ")";
+    failure.where.insert(failure.where.end(), defect.where.begin(), defect.where.end());
+    const char* fix = remedy(defect.kind);
+    if (fix && fixes.find(fix) == std::string::npos) fixes += (fixes.empty() ? "" : ",") + std::string(fix);
+  }
+  if (failure.message.empty()) return Done{};
+  if (!fixes.empty()) failure.message += ". Repair with --fix " + fixes;
+  failure.message += ".";
+  return failure;
+}
+
+}  // namespace hgp

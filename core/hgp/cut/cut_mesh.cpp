@@ -1,0 +1,113 @@
+#include "hgp/cut/cut_mesh.h"
+
+#include "hgp/base/check.h"
+
+namespace hgp {
+namespace {
+
+/// A halfedge leaving v from which counterclockwise sectors start: at the boundary the first one,
+/// inside the left side of a seam edge where there is one.
+HalfedgeId firstOfSector(const TriMesh& mesh, const PerEdge<char>& isSeam, VertexId v) {
+  if (!mesh.isBoundary(v))
+    for (HalfedgeId h : outgoingHalfedges(mesh, v))
+      if (isSeam[mesh.edge(h)]) return h;
+  return mesh.outgoing(v);
+}
+
+void makeCopies(const TriMesh& mesh, CutMesh& cut) {
+  cut.copy = PerHalfedge<CutVertexId>(static_cast<std::size_t>(mesh.halfedgeCount()));
+  cut.firstCopy = PerVertex<CutVertexId>(static_cast<std::size_t>(mesh.vertexCount()));
+  std::vector<VertexId> parent;
+  parent.reserve(static_cast<std::size_t>(mesh.vertexCount()));
+  for (VertexId v : mesh.vertices()) {
+    if (mesh.isIsolated(v)) continue;
+    const HalfedgeId first = firstOfSector(mesh, cut.isSeam, v);
+    cut.firstCopy[v] = CutVertexId(static_cast<int>(parent.size()));
+    parent.push_back(v);
+    HalfedgeId h = first;
+    do {
+      if (h != first && cut.isSeam[mesh.edge(h)]) parent.push_back(v);
+      cut.copy[h] = CutVertexId(static_cast<int>(parent.size()) - 1);
+      h = mesh.nextOutgoing(h);
+    } while (h.isValid() && h != first);
+  }
+  cut.parent = PerCutVertex<VertexId>(std::move(parent));
+}
+
+/// Degree in G_s.
+PerVertex<int> seamDegree(const TriMesh& mesh, const PerEdge<char>& isSeam) {
+  PerVertex<int> degree(static_cast<std::size_t>(mesh.vertexCount()), 0);
+  for (EdgeId e : mesh.edges()) {
+    if (!isSeam[e]) continue;
+    ++degree[mesh.tail(mesh.halfedge(e))];
+    ++degree[mesh.head(mesh.halfedge(e))];
+  }
+  return degree;
+}
+
+/// The other seam edge at the head of h, leaving it.
+HalfedgeId continueChain(const TriMesh& mesh, const PerEdge<char>& isSeam, HalfedgeId h) {
+  for (HalfedgeId out : outgoingHalfedges(mesh, mesh.head(h)))
+    if (isSeam[mesh.edge(out)] && mesh.edge(out) != mesh.edge(h)) return out;
+  return {};
+}
+
+void traceChains(const TriMesh& mesh, CutMesh& cut) {
+  cut.chain = PerHalfedge<int>(static_cast<std::size_t>(mesh.halfedgeCount()), -1);
+  for (VertexId v : mesh.vertices()) {
+    if (!cut.isSeamNode[v]) continue;
+    for (HalfedgeId out : outgoingHalfedges(mesh, v)) {
+      if (!cut.isSeam[mesh.edge(out)] || cut.chain[out] >= 0) continue;
+      SeamChain chain;
+      const int id = static_cast<int>(cut.chains.size());
+      for (HalfedgeId h = out;; h = continueChain(mesh, cut.isSeam, h)) {
+        HGP_CHECK(h.isValid(), "a seam chain ends only at a node");
+        chain.left.push_back(h);
+        cut.chain[h] = cut.chain[mesh.twin(h)] = id;
+        if (cut.isSeamNode[mesh.head(h)]) break;
+      }
+      cut.chains.push_back(std::move(chain));
+    }
+  }
+}
+
+}  // namespace
+
+CutMesh cutToDisk(const TriMesh& mesh, PerEdge<char> isSeam, const std::vector<VertexId>& cones) {
+  CutMesh cut;
+  cut.isSeam = std::move(isSeam);
+  makeCopies(mesh, cut);
+  const PerVertex<int> degree = seamDegree(mesh, cut.isSeam);
+  cut.isSeamNode = PerVertex<char>(static_cast<std::size_t>(mesh.vertexCount()), 0);
+  for (VertexId v : mesh.vertices())
+    cut.isSeamNode[v] = degree[v] > 0 && (degree[v] != 2 || mesh.isBoundary(v));
+  for (VertexId v : cones) cut.isSeamNode[v] = 1;
+  traceChains(mesh, cut);
+  return cut;
+}
+
+bool isDisk(const TriMesh& mesh, const CutMesh& cut) {
+  int edges = mesh.edgeCount();
+  for (char s : cut.isSeam) edges += s;
+  if (cut.vertexCount() - edges + mesh.faceCount() != 1) return false;
+  PerFace<char> isSeen(static_cast<std::size_t>(mesh.faceCount()), 0);
+  std::vector<FaceId> stack{FaceId(0)};
+  isSeen[FaceId(0)] = 1;
+  int seen = 1;
+  while (!stack.empty()) {
+    const FaceId f = stack.back();
+    stack.pop_back();
+    for (int k = 0; k < 3; ++k) {
+      const HalfedgeId h = TriMesh::halfedge(f, k);
+      if (mesh.isBoundary(h) || cut.isSeam[mesh.edge(h)]) continue;
+      const FaceId g = TriMesh::face(mesh.twin(h));
+      if (isSeen[g]) continue;
+      isSeen[g] = 1;
+      ++seen;
+      stack.push_back(g);
+    }
+  }
+  return seen == mesh.faceCount();
+}
+
+}  // namespace hgp

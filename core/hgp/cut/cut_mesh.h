@@ -1,0 +1,36 @@
+// S_c: S cut along G_s to a disk.  Role: copies v_i^s and edge copies e⁰, e¹ of [BCW17 §4, App. A].
+#pragma once
+
+#include <vector>
+
+#include "hgp/cut/seam_graph.h"
+
+namespace hgp {
+
+/// A run of seam edges between two seam nodes (vertices whose degree in G_s is not 2, cones, and
+/// boundary vertices). One rotation and one translation serve all its edges.
+struct SeamChain {
+  std::vector<HalfedgeId> left;  ///< consecutive halfedges; their faces see the chain on the left
+};
+
+/// Same faces as S; only corners know which copy of their vertex they use. An interior seam vertex of
+/// degree d has d copies, a boundary vertex of degree d has d + 1.
+struct CutMesh {
+  PerEdge<char> isSeam;
+  PerHalfedge<CutVertexId> copy;       ///< copy of tail(h) used by face(h)
+  PerCutVertex<VertexId> parent;       ///< copies of one vertex are consecutive, counterclockwise
+  PerVertex<CutVertexId> firstCopy;
+  std::vector<SeamChain> chains;
+  PerHalfedge<int> chain;              ///< chain of a seam halfedge, −1 elsewhere
+  PerVertex<char> isSeamNode;
+
+  int vertexCount() const { return parent.size(); }
+};
+
+/// @param isSeam  from seamGraph; @param cones  the terminals that are cones
+CutMesh cutToDisk(const TriMesh& mesh, PerEdge<char> isSeam, const std::vector<VertexId>& cones);
+
+/// |V_c| − |E_c| + |F| = 1 and connected.
+bool isDisk(const TriMesh& mesh, const CutMesh& cut);
+
+}  // namespace hgp

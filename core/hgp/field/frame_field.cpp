@@ -1,0 +1,55 @@
+#include "hgp/field/frame_field.h"
+
+#include <cmath>
+
+namespace hgp {
+namespace {
+
+/// How far the field turns away from transport across h, in radians.
+double adjustment(const TriMesh& mesh, const Geometry& geometry, const FrameField& field,
+                  HalfedgeId h) {
+  const FaceId f = TriMesh::face(h), g = TriMesh::face(mesh.twin(h));
+  const double turned = field.angle[g] + turnAngle(field.matching[h], field.q);
+  return principalAngle(turned - field.angle[f] - transport(mesh, geometry, h));
+}
+
+}  // namespace
+
+int loopHolonomy(const FrameField& field, const DualLoop& loop) {
+  long long sum = 0;
+  for (HalfedgeId h : loop.crossed) sum += field.matching[h];
+  return reduceTurn(sum, field.q);
+}
+
+void matchPrincipally(const TriMesh& mesh, const Geometry& geometry, FrameField& field) {
+  field.matching = PerHalfedge<int>(static_cast<std::size_t>(mesh.halfedgeCount()), 0);
+  for (HalfedgeId h : mesh.halfedges()) {
+    const HalfedgeId twin = mesh.twin(h);
+    if (!twin.isValid() || twin < h) continue;
+    const double gap = field.angle[TriMesh::face(h)] + transport(mesh, geometry, h) -
+                       field.angle[TriMesh::face(twin)];
+    field.matching[h] = static_cast<int>(std::lround(gap * field.q / (2.0 * kPi)));
+    field.matching[twin] = -field.matching[h];
+  }
+}
+
+int inducedAngleIndex(const TriMesh& mesh, const Geometry& geometry, const FrameField& field,
+                      VertexId v) {
+  double sum = curvature(mesh, geometry, v);
+  for (HalfedgeId h : outgoingHalfedges(mesh, v)) sum += adjustment(mesh, geometry, field, mesh.twin(h));
+  return field.q - static_cast<int>(std::lround(sum * field.q / (2.0 * kPi)));
+}
+
+int inducedTurning(const TriMesh& mesh, const Geometry& geometry, const FrameField& field,
+                   const BoundaryLoop& loop) {
+  double sum = 0.0;
+  for (HalfedgeId boundary : loop.halfedges) {
+    const VertexId v = mesh.tail(boundary);
+    sum += curvature(mesh, geometry, v);
+    for (HalfedgeId h : outgoingHalfedges(mesh, v))
+      if (!mesh.isBoundary(h)) sum += adjustment(mesh, geometry, field, mesh.twin(h));
+  }
+  return static_cast<int>(std::lround(sum * field.q / (2.0 * kPi)));
+}
+
+}  // namespace hgp

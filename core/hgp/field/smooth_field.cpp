@@ -1,0 +1,161 @@
+#include "hgp/field/smooth_field.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace hgp {
+namespace {
+
+using SparseC = Eigen::SparseMatrix<Complex>;
+
+/// Inverse iterations: the field only has to be smooth enough to choose cones.
+constexpr int kInverseIterations = 4;
+/// Shift relative to the mean diagonal, so that a surface with an exactly parallel field factors.
+constexpr double kShift = 1e-8;
+
+/// Edge length over the distance of the face centres, clamped: the dual edge's weight.
+double dualWeight(const Geometry& geometry, HalfedgeId h, double areas) {
+  const double length = geometry.length[h];
+  return std::clamp(1.5 * length * length / std::max(areas, 1e-12), 0.05, 20.0);
+}
+
+struct AlignedTerm {
+  FaceId face;
+  double weight;
+  Complex direction;  ///< e^{iqφ}
+};
+
+std::vector<AlignedTerm> boundaryTerms(const TriMesh& mesh, const Geometry& geometry, int q) {
+  std::vector<AlignedTerm> terms;
+  for (HalfedgeId h : mesh.halfedges()) {
+    if (!mesh.isBoundary(h)) continue;
+    const FaceId f = TriMesh::face(h);
+    terms.push_back({f, 2.0 * dualWeight(geometry, h, geometry.area[f]),
+                     std::polar(1.0, q * geometry.direction[h])});
+  }
+  return terms;
+}
+
+SparseC connectionLaplacian(const TriMesh& mesh, const Geometry& geometry, int q,
+                            const std::vector<AlignedTerm>& aligned) {
+  std::vector<Eigen::Triplet<Complex>> entries;
+  entries.reserve(4 * static_cast<std::size_t>(mesh.faceCount()) + 16);
+  std::vector<double> diagonal(static_cast<std::size_t>(mesh.faceCount()), 0.0);
+  for (EdgeId e : mesh.edges()) {
+    const HalfedgeId h = mesh.halfedge(e);
+    if (mesh.isBoundary(h)) continue;
+    const FaceId f = TriMesh::face(h), g = TriMesh::face(mesh.twin(h));
+    const double w = dualWeight(geometry, h, geometry.area[f] + geometry.area[g]);
+    const Complex carried = std::polar(w, q * transport(mesh, geometry, h));
+    entries.emplace_back(g.i, f.i, -carried);
+    entries.emplace_back(f.i, g.i, -std::conj(carried));
+    diagonal[static_cast<std::size_t>(f.i)] += w;
+    diagonal[static_cast<std::size_t>(g.i)] += w;
+  }
+  for (const AlignedTerm& t : aligned) diagonal[static_cast<std::size_t>(t.face.i)] += t.weight;
+  double mean = 0.0;
+  for (double d : diagonal) mean += d / mesh.faceCount();
+  for (FaceId f : mesh.faces())
+    entries.emplace_back(f.i, f.i, diagonal[static_cast<std::size_t>(f.i)] + kShift * mean);
+  SparseC A(mesh.faceCount(), mesh.faceCount());
+  A.setFromTriplets(entries.begin(), entries.end());
+  return A;
+}
+
+/// A start vector that is neither constant nor dependent on anything but the face's number.
+Eigen::VectorXcd startVector(int n) {
+  Eigen::VectorXcd x(n);
+  for (int i = 0; i < n; ++i) x[i] = std::polar(1.0, 2.399963229728653 * i);
+  return x;
+}
+
+}  // namespace
+
+std::vector<AlignedTerm> curvatureTerms(const TriMesh& mesh, const Geometry& geometry, int q);
+
+Result<FrameField> smoothField(const TriMesh& mesh, const FieldContext& context,
+                               const SmoothFieldOptions& options) {
+  const Geometry& geometry = context.geometry;
+  std::vector<AlignedTerm> aligned;
+  if (options.alignToBoundary) aligned = boundaryTerms(mesh, geometry, options.q);
+  if (options.alignToCurvature && options.q % 2 == 0) {
+    const auto more = curvatureTerms(mesh, geometry, options.q);
+    aligned.insert(aligned.end(), more.begin(), more.end());
+  }
+  linalg::MultifrontalCholesky<Complex> factor;
+  if (!linalg::factorOnce(connectionLaplacian(mesh, geometry, options.q, aligned), &factor))
+    return Failure{ErrorCode::kUnsupported, "field",
+                   "The smooth field could not be computed: the surface's geometry is not "
+                   "numerically usable.", {}};
+
+  Eigen::VectorXcd x(mesh.faceCount());
+  if (aligned.empty()) {
+    x = startVector(mesh.faceCount());
+    for (int i = 0; i < kInverseIterations; ++i) {
+      for (FaceId f : mesh.faces()) x[f.i] *= geometry.area[f];
+      x = factor.solve(x);
+      x /= x.norm();
+    }
+  } else {
+    x.setZero();
+    for (const AlignedTerm& t : aligned) x[t.face.i] += t.weight * t.direction;
+    x = factor.solve(x);
+  }
+  FrameField field;
+  field.q = options.q;
+  field.angle = PerFace<double>(static_cast<std::size_t>(mesh.faceCount()), 0.0);
+  for (FaceId f : mesh.faces()) field.angle[f] = std::arg(x[f.i]) / options.q;
+  matchPrincipally(mesh, geometry, field);
+  return field;
+}
+
+namespace {
+
+Vec3 scaled(const Vec3& a, double s) { return {a[0] * s, a[1] * s, a[2] * s}; }
+Vec3 sum(const Vec3& a, const Vec3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Vec3 unit(const Vec3& a) {
+  const double n = std::hypot(a[0], a[1], a[2]);
+  return n > 0 ? scaled(a, 1.0 / n) : a;
+}
+
+}  // namespace
+
+/// Principal directions of the shape operator from vertex normals, weighted by |κ₁ − κ₂| in units
+/// of the mean edge length.
+std::vector<AlignedTerm> curvatureTerms(const TriMesh& mesh, const Geometry& geometry, int q) {
+  const auto edgeVector = [&](HalfedgeId h) {
+    return scaled(sum(mesh.position(mesh.head(h)), scaled(mesh.position(mesh.tail(h)), -1.0)),
+                  1.0 / geometry.unit);
+  };
+  PerVertex<Vec3> normal(static_cast<std::size_t>(mesh.vertexCount()), Vec3{0, 0, 0});
+  for (FaceId f : mesh.faces()) {
+    const Vec3 n = cross(edgeVector(TriMesh::halfedge(f, 0)), edgeVector(TriMesh::halfedge(f, 1)));
+    for (VertexId v : mesh.corners(f)) normal[v] = sum(normal[v], n);
+  }
+  std::vector<AlignedTerm> terms;
+  for (FaceId f : mesh.faces()) {
+    // Least-squares symmetric S with e·(S e) = Δn·e per edge, in the face's own coordinates.
+    Eigen::Matrix3d A;
+    Eigen::Vector3d b;
+    for (int k = 0; k < 3; ++k) {
+      const HalfedgeId h = TriMesh::halfedge(f, k);
+      const Complex e = std::polar(geometry.length[h], geometry.direction[h]);
+      const Vec3 dn = sum(unit(normal[mesh.head(h)]), scaled(unit(normal[mesh.tail(h)]), -1.0));
+      A.row(k) << e.real() * e.real(), 2 * e.real() * e.imag(), e.imag() * e.imag();
+      b[k] = dot(dn, edgeVector(h));
+    }
+    const Eigen::Vector3d s = A.fullPivLu().solve(b);
+    const double weight = std::hypot(s[0] - s[2], 2 * s[1]);
+    if (!std::isfinite(weight) || weight < 1e-3) continue;
+    const double angle = 0.5 * std::atan2(2 * s[1], s[0] - s[2]);
+    terms.push_back({f, std::min(weight, 1.0), std::polar(1.0, q * angle)});
+  }
+  return terms;
+}
+
+}  // namespace hgp

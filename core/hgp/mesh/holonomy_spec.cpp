@@ -203,16 +203,17 @@ Status checkClosed(const Topology& topology, const HolonomySpec& spec, BudgetRep
   }
   const bool isEmptyStratum = topology.genus == 2 && p.q == 2 &&
                               (p.k == std::vector<int>{3, 5} || p.k == std::vector<int>{6});
-  // With q = 2 and {6} the handles decide: all trivial is a translation surface, which exists (it
-  // then reduces to q = 1).
+  // One cone of k=6 and trivial handles is a translation surface, which exists; it reduces to q = 1.
+  const bool isEitherOr = topology.genus == 2 && p.q == 1 && p.k == std::vector<int>{3} &&
+                          p.divisor % 2 == 0 && !p.areHandlesKnown;
+  const char* unless = p.areHandlesKnown || p.divisor == 1
+                           ? "" : ", unless a handle rotates by less than that common divisor";
   if (isEmptyStratum)
-    report.warnings.push_back("No flat metric of genus 2 with q=2 has cones {3,5}, or {6} with a "
-                              "handle that rotates" + reduced + ": expect no map.");
-  if (topology.genus == 2 && p.q == 1 && !p.areHandlesKnown && p.k == std::vector<int>{3} &&
-      p.divisor % 2 == 0)
-    report.warnings.push_back("One cone on genus 2" + reduced +
-                              ": a map exists only when the handles' rotations do not generate "
-                              "half turns alone; 0 for all is safe.");
+    report.warnings.push_back("Closed surfaces of genus 2 have no flat metric with q=2 and cones "
+                              "{3,5} or {6}" + reduced + unless + ": expect no map.");
+  if (isEitherOr)
+    report.warnings.push_back("One cone on a closed surface of genus 2" + reduced + " needs handle "
+                              "rotations that are all 0, or that are not all half turns.");
   return Done{};
 }
 

@@ -5,10 +5,10 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <memory>
-#include <vector>
 
 #include "hgp/linalg/factor_status.h"
 #include "hgp/linalg/ordering.h"
+#include "hgp/linalg/panel_factor.h"
 #include "hgp/linalg/symbolic.h"
 
 namespace hgp::linalg {
@@ -38,7 +38,7 @@ class MultifrontalCholesky {
   /// A⁻¹ B, B of n rows. Only after a successful factor (HGP_CHECK).
   Matrix solve(const Matrix& B) const;
 
-  bool isFactored() const { return factored_; }
+  bool isFactored() const { return panels_.isReady(); }
   /// Flop and memory counts; valid after analyze.
   FactorCost cost() const { return factorCost(*symbolic_); }
   const SymbolicFactor& symbolic() const { return *symbolic_; }
@@ -46,14 +46,8 @@ class MultifrontalCholesky {
 
  private:
   std::shared_ptr<const SymbolicFactor> symbolic_;
-  std::vector<std::size_t> panelStart_;     // offset of each node's (s + r) × s panel
-  std::unique_ptr<Scalar[]> panels_;
-  bool factored_ = false;
+  PanelFactor<Scalar> panels_;
 };
-
-/// One call for a single use: dissect, analyze, factor.
-template <class Scalar>
-FactorStatus factorOnce(const Eigen::SparseMatrix<Scalar>& A, MultifrontalCholesky<Scalar>* out);
 
 extern template class MultifrontalCholesky<double>;
 extern template class MultifrontalCholesky<std::complex<double>>;

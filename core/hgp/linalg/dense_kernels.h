@@ -1,0 +1,53 @@
+// The dense inner loops.  Role: the only code that is compiled per instruction set; everything else
+// calls it through a table of functions.
+#pragma once
+
+#include <cstddef>
+
+namespace hgp::linalg {
+
+/// Matrices are column-major with a leading dimension counted in scalars; complex numbers are
+/// (re, im) pairs of doubles. `work` holds kKernelWorkspace doubles, 64-byte aligned.
+struct KernelTable {
+  const char* name;
+
+  /// C (m × n) := C − A Bᴴ, A m × k, B n × k; `overwrite` starts from C = 0. With `lower` only
+  /// entries on and below the diagonal of C are defined afterwards; those above may hold anything.
+  struct Update {
+    int m, n, k;
+    const double *A, *B;
+    double* C;
+    int lda, ldb, ldc;
+    bool lower, overwrite;
+  };
+  void (*updateReal)(const Update& task, double* work);
+  void (*updateComplex)(const Update& task, double* work);
+
+  /// Factors the first `pivots` columns of a tall panel (rows ≥ pivots) in place: the top square
+  /// becomes L11 (lower; above it anything), the rest L21 = A21 L11⁻ᴴ. Stops at the first pivot that
+  /// is not > threshold[j] and returns j; −1 when all went well.
+  int (*factorPanelReal)(int rows, int pivots, double* panel, int ld, const double* threshold,
+                         double* work);
+  int (*factorPanelComplex)(int rows, int pivots, double* panel, int ld, const double* threshold,
+                            double* work);
+};
+
+inline constexpr int kPackRows = 192;   // rows of A packed at a time: with kPackDepth, half of L2
+inline constexpr int kPackDepth = 256;  // depth of one packed product
+inline constexpr int kPackCols = 1024;  // columns of Bᴴ packed at a time
+inline constexpr std::size_t kKernelWorkspace =
+    static_cast<std::size_t>(kPackRows + kPackCols + 64) * kPackDepth;
+
+/// The fastest table this processor can run; chosen at the first call.
+const KernelTable& kernels();
+
+/// The table of each build, null where this program was compiled without that instruction set. Only
+/// `kernels` knows whether the processor has it.
+const KernelTable* baselineKernels();
+const KernelTable* avx2Kernels();
+const KernelTable* avx512Kernels();
+
+/// All tables that can be run here, slowest first; for tests and benchmarks.
+int runnableKernels(const KernelTable* tables[3]);
+
+}  // namespace hgp::linalg

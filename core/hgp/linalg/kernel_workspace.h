@@ -1,0 +1,24 @@
+// Aligned scratch for the dense kernels.  Role: allocated once per factorization.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "hgp/linalg/dense_kernels.h"
+
+namespace hgp::linalg {
+
+class KernelWorkspace {
+ public:
+  KernelWorkspace() : raw_(new double[kKernelWorkspace + 8]) {}
+  /// kKernelWorkspace doubles at a multiple of 64 bytes.
+  double* data() const {
+    const auto address = reinterpret_cast<std::uintptr_t>(raw_.get());
+    return reinterpret_cast<double*>((address + 63) / 64 * 64);
+  }
+
+ private:
+  std::unique_ptr<double[]> raw_;
+};
+
+}  // namespace hgp::linalg

@@ -1,0 +1,50 @@
+// A convex quadratic program with second-order cones of dimension 3.  Role: standard form of
+// [BCW17 (11)–(13)] after the static unknowns are eliminated.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "hgp/linalg/partial_cholesky.h"
+
+namespace hgp::socp {
+
+/// s = F x − h must lie in Q³ = {(s₀, s₁, s₂): s₀ ≥ √(s₁² + s₂²)}.
+struct ConeConstraint {
+  /// Complex unknowns of the reduced problem; unknown j is the pair x[2j], x[2j + 1].
+  std::vector<int> unknowns;
+  Eigen::Matrix<double, 3, Eigen::Dynamic> F;  ///< 3 × 2·|unknowns|
+  Eigen::Vector3d h = Eigen::Vector3d::Zero();
+};
+
+/// minimise ½ xᵀ H x + cᵀ x  subject to  F_b x − h_b ∈ Q³ for all b.
+///
+/// H is the reduced form of `form`, whose cliques are the constraints' unknowns in the same order.
+struct Problem {
+  linalg::PartialCholesky* form = nullptr;
+  Eigen::VectorXd c;  ///< 2·form->dynamicSize()
+  std::vector<ConeConstraint> constraints;
+};
+
+enum class SolveStatus {
+  kOptimal,         ///< all residuals and the gap below their targets
+  kAlmost,          ///< progress ended close to the targets; judge the point by what it is for
+  kInfeasible,      ///< the constraints contradict each other: y grows while F x − s − h stays
+  kStalled,         ///< steps became too short, or the factorization failed
+  kIterationLimit,
+  kCancelled,
+};
+const char* statusName(SolveStatus status);
+
+/// The last or best iterate, whatever the status.
+struct Solution {
+  Eigen::VectorXd x;
+  std::vector<Eigen::Vector3d> y;  ///< duals; large ones name the constraints that fight
+  SolveStatus status = SolveStatus::kStalled;
+  int iterations = 0;
+  double primalResidual = 0.0;     ///< max |F x − s − h| relative to max |h|
+  double dualResidual = 0.0;       ///< relative
+  double gap = 0.0;                ///< sᵀy relative to the objective's scale
+};
+
+}  // namespace hgp::socp

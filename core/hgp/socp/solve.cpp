@@ -1,0 +1,256 @@
+#include "hgp/socp/solve.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hgp/socp/second_order_cone.h"
+
+namespace hgp::socp {
+
+const char* statusName(SolveStatus status) {
+  switch (status) {
+    case SolveStatus::kOptimal: return "optimal";
+    case SolveStatus::kAlmost: return "almost";
+    case SolveStatus::kInfeasible: return "infeasible";
+    case SolveStatus::kStalled: return "stalled";
+    case SolveStatus::kIterationLimit: return "iteration-limit";
+    case SolveStatus::kCancelled: return "cancelled";
+  }
+  return "stalled";
+}
+
+namespace {
+
+using Slacks = std::vector<Vector3>;
+
+/// Share of the way to the cone's boundary that a step may go.
+constexpr double kStepToBoundary = 0.99;
+/// A residual within this factor of its target is reported "almost".
+constexpr double kAlmostFactor = 1e3;
+constexpr double kTinyStep = 1e-6;
+
+class InteriorPoint {
+ public:
+  InteriorPoint(const Problem& problem, const SolveOptions& options)
+      : p_(problem), o_(options), count_(problem.constraints.size()) {
+    for (const ConeConstraint& b : p_.constraints) scaleH_ = std::max(scaleH_, b.h.norm());
+    if (scaleH_ == 0.0) scaleH_ = 1.0;
+  }
+
+  Solution run() {
+    Solution result;
+    if (!start()) return finish(result, SolveStatus::kStalled);
+    for (int k = 0; k < o_.maxIterations; ++k) {
+      result.iterations = k;
+      computeResiduals();
+      remember();
+      if (o_.progress && !o_.progress(k, measure())) return finish(result, SolveStatus::kCancelled);
+      if (measure() <= 1.0) return finish(result, SolveStatus::kOptimal);
+      if (isInfeasible(k)) return finish(result, SolveStatus::kInfeasible);
+      if (!factorScaled()) return finish(result, SolveStatus::kStalled);
+
+      // Predictor: straight at the solution; how far it gets decides the centring.
+      Slacks target(count_);
+      for (std::size_t b = 0; b < count_; ++b)
+        target[b] = -product(scaling_[b].lambda, scaling_[b].lambda);
+      const Step affine = solveStep(target, 1.0);
+      const double reach = stepAlong(affine, 1.0);
+      const double sigma = std::pow(1.0 - reach, 3);
+
+      // Corrector: second-order term and centring.
+      for (std::size_t b = 0; b < count_; ++b) {
+        target[b] -= product(scaling_[b].inverse * affine.s[b], scaling_[b].W * affine.y[b]);
+        target[b][0] += sigma * mu_;
+      }
+      const Step step = solveStep(target, 1.0 - sigma);
+      const double alpha = std::min(1.0, stepAlong(step, kStepToBoundary));
+      if (!(alpha > kTinyStep) || !step.x.allFinite()) return finish(result, SolveStatus::kStalled);
+      x_ += alpha * step.x;
+      for (std::size_t b = 0; b < count_; ++b) {
+        s_[b] += alpha * step.s[b];
+        y_[b] += alpha * step.y[b];
+      }
+    }
+    result.iterations = o_.maxIterations;
+    computeResiduals();
+    remember();
+    return finish(result, SolveStatus::kIterationLimit);
+  }
+
+ private:
+  struct Step {
+    Eigen::VectorXd x;
+    Slacks s, y;
+  };
+
+  Vector3 apply(std::size_t b, const Eigen::VectorXd& x) const {
+    const ConeConstraint& constraint = p_.constraints[b];
+    Vector3 r = Vector3::Zero();
+    for (std::size_t i = 0; i < constraint.unknowns.size(); ++i) {
+      const auto column = static_cast<Eigen::Index>(2 * i);
+      r += constraint.F.middleCols<2>(column) * x.segment<2>(2 * constraint.unknowns[i]);
+    }
+    return r;
+  }
+  /// out += factor · F_bᵀ v
+  void addTransposed(std::size_t b, const Vector3& v, double factor, Eigen::VectorXd& out) const {
+    const ConeConstraint& constraint = p_.constraints[b];
+    for (std::size_t i = 0; i < constraint.unknowns.size(); ++i) {
+      const auto column = static_cast<Eigen::Index>(2 * i);
+      out.segment<2>(2 * constraint.unknowns[i]) +=
+          factor * constraint.F.middleCols<2>(column).transpose() * v;
+    }
+  }
+
+  /// Factors H + Σ Fᵀ M_b F with the given 3 × 3 metrics.
+  template <class MetricOf>
+  bool factorWith(const MetricOf& metricOf) {
+    values_.resize(p_.form->blockStorage());
+    for (std::size_t b = 0; b < count_; ++b) {
+      const auto& F = p_.constraints[b].F;
+      Eigen::Map<Eigen::MatrixXd> block(values_.data() + p_.form->blockOffset(static_cast<int>(b)),
+                                        F.cols(), F.cols());
+      block.noalias() = F.transpose() * metricOf(b) * F;
+    }
+    return static_cast<bool>(p_.form->factor(values_.data()));
+  }
+  bool factorScaled() {
+    scaling_.resize(count_);
+    for (std::size_t b = 0; b < count_; ++b) {
+      scaling_[b] = ntScaling(s_[b], y_[b]);
+      if (!scaling_[b].inverse.allFinite()) return false;
+    }
+    return factorWith([&](std::size_t b) -> Matrix3 {
+      return scaling_[b].inverse * scaling_[b].inverse;
+    });
+  }
+
+  /// Least-squares start: minimise the objective + ½|F x − h|², then push s and y into the cone.
+  bool start() {
+    Eigen::VectorXd rhs = -p_.c;
+    for (std::size_t b = 0; b < count_; ++b) addTransposed(b, p_.constraints[b].h, 1.0, rhs);
+    x_ = Eigen::VectorXd::Zero(p_.c.size());
+    const bool isFactored = factorWith([](std::size_t) -> Matrix3 { return Matrix3::Identity(); });
+    if (isFactored) x_ = p_.form->solve(rhs);
+    if (!x_.allFinite()) x_.setZero();
+    s_.resize(count_);
+    y_.resize(count_);
+    double needS = 0.0, needY = 0.0;
+    for (std::size_t b = 0; b < count_; ++b) {
+      s_[b] = apply(b, x_) - p_.constraints[b].h;
+      y_[b] = -s_[b];
+      needS = std::max(needS, -depth(s_[b]));
+      needY = std::max(needY, -depth(y_[b]));
+    }
+    for (std::size_t b = 0; b < count_; ++b) {
+      s_[b][0] += needS + scaleH_;
+      y_[b][0] += needY + scaleH_;
+    }
+    return true;
+  }
+
+  void computeResiduals() {
+    const Eigen::VectorXd Hx = p_.form->apply(x_);
+    rx_ = Hx + p_.c;
+    Eigen::VectorXd pull = Eigen::VectorXd::Zero(rx_.size());
+    rs_.resize(count_);
+    primal_ = 0.0;
+    double gap = 0.0;
+    for (std::size_t b = 0; b < count_; ++b) {
+      addTransposed(b, y_[b], -1.0, pull);
+      rs_[b] = s_[b] - apply(b, x_) + p_.constraints[b].h;
+      primal_ = std::max(primal_, rs_[b].norm() / scaleH_);
+      gap += s_[b].dot(y_[b]);
+    }
+    const double scale = std::max({Hx.norm(), p_.c.norm(), pull.norm(), 1e-300});
+    rx_ += pull;
+    dual_ = rx_.norm() / scale;
+    mu_ = count_ ? gap / static_cast<double>(count_) : 0.0;
+    const double objective = 0.5 * x_.dot(Hx) + p_.c.dot(x_);
+    if (firstGap_ < 0.0) firstGap_ = gap;
+    // The objective may be exactly zero (a q-CCM exists): then the gap counts against its start.
+    gap_ = gap / std::max({std::abs(objective), 1e-3 * firstGap_, 1e-300});
+  }
+  double measure() const {
+    return std::max({primal_ / o_.feasibility, dual_ / o_.feasibility, gap_ / o_.gap});
+  }
+
+  /// The primal residual sticks while the duals run away.
+  bool isInfeasible(int k) {
+    history_.push_back(primal_);
+    if (k < 16 || primal_ <= o_.feasibility * kAlmostFactor) return false;
+    return primal_ > 0.96 * history_[history_.size() - 7];
+  }
+
+  /// rhs of the scaled complementarity is `target`; residuals are reduced by `share`.
+  Step solveStep(const Slacks& target, double share) {
+    Step step;
+    Eigen::VectorXd rhs = -share * rx_;
+    Slacks shift(count_);
+    for (std::size_t b = 0; b < count_; ++b) {
+      // W⁻ᵀds + W dy = λ⋄target and ds = F dx − share·r_s give
+      // dy = W⁻²(W(λ⋄target) + share·r_s − F dx).
+      const Matrix3& inverse = scaling_[b].inverse;
+      shift[b] = inverse * (divide(scaling_[b].lambda, target[b]) + inverse * (share * rs_[b]));
+      addTransposed(b, shift[b], 1.0, rhs);
+    }
+    step.x = p_.form->solve(rhs);
+    step.s.resize(count_);
+    step.y.resize(count_);
+    for (std::size_t b = 0; b < count_; ++b) {
+      const Vector3 moved = apply(b, step.x);
+      step.s[b] = moved - share * rs_[b];
+      step.y[b] = shift[b] - scaling_[b].inverse * (scaling_[b].inverse * moved);
+    }
+    return step;
+  }
+
+  double stepAlong(const Step& step, double share) const {
+    double alpha = 1.0 / share;
+    for (std::size_t b = 0; b < count_; ++b) {
+      alpha = std::min(alpha, stepLength(s_[b], step.s[b] * alpha) * alpha);
+      alpha = std::min(alpha, stepLength(y_[b], step.y[b] * alpha) * alpha);
+    }
+    return share * alpha;
+  }
+
+  void remember() {
+    if (!x_.allFinite() || (best_.size() && measure() > bestMeasure_)) return;
+    bestMeasure_ = measure();
+    best_ = x_;
+    bestResiduals_[0] = primal_;
+    bestResiduals_[1] = dual_;
+    bestResiduals_[2] = gap_;
+  }
+
+  Solution& finish(Solution& result, SolveStatus status) {
+    result.x = best_.size() ? best_ : x_;
+    result.y = y_;
+    result.primalResidual = bestResiduals_[0];
+    result.dualResidual = bestResiduals_[1];
+    result.gap = bestResiduals_[2];
+    const bool isClose = best_.size() && bestMeasure_ <= kAlmostFactor;
+    const bool isCutShort = status == SolveStatus::kStalled || status == SolveStatus::kIterationLimit;
+    result.status = isCutShort && isClose ? SolveStatus::kAlmost : status;
+    return result;
+  }
+
+  const Problem& p_;
+  const SolveOptions& o_;
+  std::size_t count_;
+  Eigen::VectorXd x_, rx_, best_;
+  Slacks s_, y_, rs_;
+  std::vector<Scaling> scaling_;
+  std::vector<double> values_, history_;
+  double scaleH_ = 0.0, mu_ = 0.0, firstGap_ = -1.0;
+  double primal_ = 0.0, dual_ = 0.0, gap_ = 0.0;
+  double bestMeasure_ = 0.0, bestResiduals_[3] = {0.0, 0.0, 0.0};
+};
+
+}  // namespace
+
+Solution solve(const Problem& problem, const SolveOptions& options) {
+  return InteriorPoint(problem, options).run();
+}
+
+}  // namespace hgp::socp

@@ -1,0 +1,27 @@
+// Harmonicity of the cut mesh: the rows of L.  Role: §4 of [BCW17]; App. A for seam vertices.
+#pragma once
+
+#include "hgp/system/reduced_unknowns.h"
+#include "hgp/system/weights.h"
+
+namespace hgp {
+
+struct HarmonicSystem {
+  SparseRows rows;                  ///< |rows| × count, over the reduced unknowns
+  std::vector<VertexId> rowVertex;  ///< ascending
+};
+
+/// One complex row per interior vertex of S that is not a cone.
+///
+///   Σ_s Σ_{v_j ∈ N*(v_i^s)} w_ij e^{−i2πr_s/q} (z_i^s − z_j) = 0,  Σ_j w_ij = 1      [BCW17 (14)]
+///
+/// (7) is the case of no seam, (8) of degree 2. (Here r_s turns the first sector into sector s, so
+/// differences are turned back by −r_s; the paper's r_s is the correction itself.) Assembled per
+/// triangle: a seam edge's weight comes half from either side, which is the same row since its two
+/// copies are equal up to the rotation.
+/// Rows annihilate constants (of all copies at once).
+HarmonicSystem harmonicSystem(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,
+                              const ReducedUnknowns& unknowns, int q,
+                              const std::vector<VertexId>& cones);
+
+}  // namespace hgp

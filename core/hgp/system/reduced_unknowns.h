@@ -1,0 +1,30 @@
+// The free unknowns of a seamless map.  Role: (12) holds exactly because nothing else can be
+// expressed; a rotation in Z_q and a translation per seam chain, never a penalty.
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include "hgp/cut/seam_rotation.h"
+
+namespace hgp {
+
+using SparseRows = Eigen::SparseMatrix<Complex, Eigen::RowMajor>;
+
+/// One complex unknown per vertex of S (its first copy) and one translation per seam chain, minus
+/// what the seam nodes decide:
+///   around a non-cone node           the composed translation vanishes;
+///   at a cone with rotation ≠ 1      z = T / (1 − R);
+///   at a cone with rotation 1        T = 0 and z stays free.
+/// Copies follow counterclockwise: z^{s+1} = R z^s + t.
+struct ReducedUnknowns {
+  int count = 0;
+  SparseRows copies;              ///< |V_c| × count: every copy's value
+  PerVertex<int> vertexUnknown;   ///< unknown of a vertex, −1 where it is determined
+  std::vector<int> chainUnknown;  ///< unknown of a chain's translation, −1 where determined
+  PerCutVertex<int> turn;         ///< r_s: copy s turned by e^{i2πr_s/q} against the first (14)
+};
+
+ReducedUnknowns reduceUnknowns(const TriMesh& mesh, const CutMesh& cut, const SeamRotations& seams);
+
+}  // namespace hgp

@@ -1,0 +1,19 @@
+// Mean-value weights.  Role: the positive convex combination weights w_ij of [BCW17 §7, Floater 2003].
+#pragma once
+
+#include <array>
+
+#include "hgp/mesh/geometry.h"
+
+namespace hgp {
+
+/// The part of w_ij that one triangle contributes at its corner tail(h):
+/// tan(α/2)/|v_j − v_i| towards head(h), and the same over the other edge towards the third vertex.
+/// The two triangles of an edge add up to (tan(α/2) + tan(β/2))/|v_j − v_i|. Positive.
+struct CornerWeights {
+  double toHead;
+  double toThird;
+};
+CornerWeights meanValueWeights(const Geometry& geometry, HalfedgeId h);
+
+}  // namespace hgp

@@ -41,6 +41,8 @@ struct Prescription {
   std::vector<PrescribedTurning> boundaries;
   std::vector<PrescribedHandle> handles;
   std::optional<FieldData> field;
+  /// Total angle per vertex in radians (`_Th_hat`), reduced by reduceTotalAngles; otherwise empty.
+  std::vector<double> totalAngles;
   int vertexCount = -1;                       ///< of the mesh it was made for; −1 unknown
   int triangleCount = -1;
   std::string sha256;                         ///< of the file it was made for, or ""

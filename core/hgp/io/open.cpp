@@ -1,0 +1,63 @@
+#include <algorithm>
+#include <cstring>
+
+#include "hgp/base/check.h"
+#include "hgp/io/document.h"
+#include "hgp/io/polygon_document.h"
+#include "hgp/io/text.h"
+
+namespace hgp::io {
+namespace {
+
+std::string extensionOf(const std::string& name) {
+  const std::size_t dot = name.find_last_of('.');
+  const std::size_t slash = name.find_last_of('/');
+  if (dot == std::string::npos || (slash != std::string::npos && slash > dot)) return "";
+  std::string extension = name.substr(dot + 1);
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return extension;
+}
+
+bool hasBinaryStlSize(const Bytes& bytes) {
+  if (bytes.size() < 84) return false;
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < 4; ++i) count |= static_cast<std::uint64_t>(bytes[80 + i]) << (8 * i);
+  return count > 0 && bytes.size() == 84 + 50 * count;
+}
+
+}  // namespace
+
+Result<DocumentPtr> openDocument(FileSet files, const Limits& limits) {
+  if (files.main.size() > limits.maxBytes) {
+    return Failure{ErrorCode::kLimit, "read",
+                   formatText("%zu bytes; the limit is %llu", files.main.size(),
+                              static_cast<unsigned long long>(limits.maxBytes)), {}};
+  }
+  if (files.main.empty()) return malformedByte(0, "the file is empty");
+  std::string_view text = asText(files.main);
+  const auto startsWith = [&](std::string_view start) { return text.substr(0, start.size()) == start; };
+  if (startsWith("glTF")) return readGltf(std::move(files), limits);
+  if (startsWith("ply")) return readPly(std::move(files), limits);
+  if (hasBinaryStlSize(files.main)) return readStl(std::move(files), limits);
+  if (startsWith("\xEF\xBB\xBF")) text.remove_prefix(3);
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  const char c = first == std::string_view::npos ? '\0' : text[first];
+  const std::string extension = extensionOf(files.name);
+  if (c == '{' || extension == "gltf" || extension == "glb") return readGltf(std::move(files), limits);
+  if (c == '<') return malformedByte(first, "this is HTML or XML, not a mesh");
+  if (startsWith("solid") && extension != "obj") return readStl(std::move(files), limits);
+  if (extension == "off" || extension == "stl" || extension == "ply") {
+    if (extension == "off") return readOff(std::move(files), limits);
+    if (extension == "stl") return readStl(std::move(files), limits);
+    return readPly(std::move(files), limits);
+  }
+  WordReader words(text.substr(0, std::min<std::size_t>(text.size(), 4096)));
+  const std::string_view word = words.next();
+  if (extension != "obj" && word.size() >= 3 && word.substr(word.size() - 3) == "OFF") {
+    return readOff(std::move(files), limits);
+  }
+  return readObj(std::move(files), limits);
+}
+
+}  // namespace hgp::io

@@ -1,0 +1,42 @@
+// The header of a PLY file: which numbers follow, and how they are stored.  Role: read by ply.cpp.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hgp/base/result.h"
+
+namespace hgp::io {
+
+enum class PlyEncoding { kText, kLittle, kBig };
+enum class PlyType { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat32, kFloat64 };
+/// What a property means to us.
+enum class PlyRole { kNone, kX, kY, kZ, kU, kV, kCorners, kUvList };
+
+struct PlyProperty {
+  PlyRole role = PlyRole::kNone;
+  PlyType type = PlyType::kFloat32;
+  bool isList = false;
+  PlyType countType = PlyType::kUint8;
+};
+
+struct PlyElement {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<PlyProperty> properties;
+};
+
+struct PlyHeader {
+  PlyEncoding encoding = PlyEncoding::kText;
+  std::vector<PlyElement> elements;
+  std::size_t bodyOffset = 0;
+  int lineCount = 0;   ///< lines before the body
+};
+
+Result<PlyHeader> readPlyHeader(std::string_view text);
+std::size_t plySize(PlyType type);
+/// The value of little-endian bytes.
+double plyNumber(PlyType type, const unsigned char* bytes);
+
+}  // namespace hgp::io

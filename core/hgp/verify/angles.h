@@ -10,6 +10,12 @@
 
 namespace hgp {
 
+/// Accepted distance of a measured angle to an integer, in units of 2π/q. Angle sums are computed to
+/// about 1e-14, so this leaves room and would still see a seam off by a millionth of its length.
+inline constexpr double kAngleTolerance = 1e-6;
+/// With the slack of accepted seam residuals added, the nearest integer stays beyond doubt.
+inline constexpr double kLargestAngleAllowance = 0.25;
+
 /// An interior vertex with its angle sum Θ = 2π(measured + offset)/q, |offset| ≤ ½.
 struct MeasuredCone {
   VertexId vertex;
@@ -24,6 +30,7 @@ struct MeasuredTurning {
   std::optional<int> asked;
   int measured = 0;
   double distance = 0;
+  bool isWrong = false;        ///< not as asked, or too far from the integer
 };
 
 struct AngleFacts {
@@ -34,6 +41,7 @@ struct AngleFacts {
   std::vector<MeasuredTurning> turnings;  ///< every loop
   std::vector<VertexId> overlapping;      ///< boundary vertices with θ_v > 2π: allowed, reported
   double smallestAngle = 0;               ///< of all triangles' corners, radians
+  long long turnSum = 0;                  ///< Σ(q − k) + Σl of what was measured [BCW17 Lemma 6.2]
 };
 
 /// Interior angle at the tail of every halfedge, in [0, π], of the metric induced by uv (a reversed
@@ -49,9 +57,9 @@ struct AskedAngles {
   std::vector<std::optional<int>> turning;   ///< per loop
 };
 
-/// Judges each interior vertex with its own allowance: `allowance[v]` is the largest accepted
-/// distance to the integer (see kAngleTolerance).
+/// @param slack  what the accepted seam residuals at each vertex can turn it by, in units of 2π/q;
+///               comes on top of kAngleTolerance
 AngleFacts measureAngles(const TriMesh& mesh, const Topology& topology, const AskedAngles& asked,
-                         const PerHalfedge<double>& angle, const PerVertex<double>& allowance);
+                         const PerHalfedge<double>& angle, const PerVertex<double>& slack);
 
 }  // namespace hgp

@@ -28,13 +28,6 @@ struct CertifyOptions {
 /// Rounding both ends of both copies of a seam edge moves them by a few ulps; 16 covers it with room
 /// for the solver's last digit, and is a million times below what an eye or a texel can see.
 inline constexpr double kSeamUlps = 16.0;
-/// Accepted distance of k to an integer, in units of 2π/q, where no seam meets the vertex or its
-/// seam edges are long: angle sums are computed to about 1e-14. A seam tolerance t lets an edge of
-/// length d turn by t/d; that is added, up to kLargestAngleAllowance.
-inline constexpr double kAngleTolerance = 1e-6;
-/// The nearest integer stays beyond doubt.
-inline constexpr double kLargestAngleAllowance = 0.25;
-
 /// What a map must satisfy. Order: from "cannot be judged" to "judged and wrong".
 enum class Rule {
   kPrescription,  ///< what was asked does not fit this mesh

@@ -21,6 +21,7 @@ struct DistortionFacts {
   FaceId worstMu, smallestArea;  ///< where the maximum and the smallest area scale are
 };
 
-DistortionFacts measureDistortion(const TriMesh& mesh, const CornerUv& uv);
+DistortionFacts measureDistortion(const TriMesh& mesh, const OrientationFacts& orientation,
+                                  const CornerUv& uv);
 
 }  // namespace hgp

@@ -10,6 +10,10 @@
 
 namespace hgp {
 
+/// A seam's rotation is certain only when its residual is below this part of the distance to the next
+/// multiple of 2π/q; an edge so short that rounding hides its direction has no rotation.
+inline constexpr double kRotationShare = 0.25;
+
 /// An interior edge whose uv on its two sides differ. With f the face of mesh.halfedge(edge), g the
 /// face across, and d the uv vector of the edge along that halfedge:  d_g = e^{i2πr/q} d_f + rest.
 struct MeasuredSeam {
@@ -17,6 +21,7 @@ struct MeasuredSeam {
   int r = 0;                  ///< ∈ {0, …, q − 1}: the rotation that fits best
   double residual = 0;        ///< |rest| in uv units
   double lengthResidual = 0;  ///< | |d_g| − |d_f| | in uv units
+  double length = 0;          ///< min(|d_f|, |d_g|) in uv units
 };
 
 struct MeasuredHandle {
@@ -38,8 +43,13 @@ struct SeamFacts {
   std::vector<MeasuredHandle> handles;
 };
 
-/// @param tolerance  accepted residual in uv units
-SeamFacts measureSeams(const TriMesh& mesh, int q, const CornerUv& uv, double tolerance);
+/// @param relativeTolerance  accepted residual relative to max(|u|, |v|)
+/// @return  everything but `handles`
+SeamFacts measureSeams(const TriMesh& mesh, int q, const CornerUv& uv, double relativeTolerance);
+
+/// By how much the residuals of the seams that were accepted can change the angle sum at each vertex,
+/// in units of 2π/q.
+PerVertex<double> seamSlack(const TriMesh& mesh, int q, const SeamFacts& seams);
 
 /// Σ r along each loop; a loop that crosses a broken seam has none.
 std::vector<MeasuredHandle> measureHandles(const TriMesh& mesh, int q,

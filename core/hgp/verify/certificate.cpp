@@ -1,0 +1,174 @@
+#include "hgp/verify/certificate.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+
+#include "hgp/base/check.h"
+#include "hgp/verify/verdict.h"
+
+namespace hgp {
+namespace {
+
+double unitRoundoff(Precision precision) {
+  return precision == Precision::kFloat32 ? FLT_EPSILON : DBL_EPSILON;
+}
+
+/// The float nearest to x; beyond the range of float that is an infinity, which is then reported.
+double toFloat(double x) {
+  if (std::fabs(x) >= 3.4028235677973366e38) return x > 0 ? HUGE_VAL : -HUGE_VAL;
+  return static_cast<double>(static_cast<float>(x));
+}
+
+/// uv per corner as stored, or the reasons why there is none.
+struct JudgedUv {
+  CornerUv uv;
+  std::vector<Reason> reasons;
+};
+
+JudgedUv gatherUv(const TriMesh& mesh, const UvMap& map, const CertifyOptions& options) {
+  JudgedUv out;
+  const auto faceCount = static_cast<std::size_t>(mesh.faceCount());
+  if (map.cornerUv.size() != faceCount) {
+    out.reasons.push_back({Rule::kMalformedUv, 1, double(map.cornerUv.size()),
+                           formatText("uv indices are given for %zu faces; the mesh has %zu.",
+                                      map.cornerUv.size(), faceCount), {}});
+    return out;
+  }
+  Reason outside{Rule::kMalformedUv, 0, 0.0, "", {}}, infinite{Rule::kNotFinite, 0, 0.0, "", {}};
+  const auto note = [&](Reason& reason, std::size_t f) {
+    if (reason.count++ < options.placesPerReason)
+      reason.where.push_back({Where::Kind::kFace, static_cast<std::int64_t>(f)});
+  };
+  out.uv = CornerUv(3 * faceCount);
+  for (std::size_t f = 0; f < faceCount; ++f) {
+    bool isOutside = false, isFinite = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int n = map.cornerUv[f][k];
+      if (n < 0 || static_cast<std::size_t>(n) >= map.uv.size()) {
+        isOutside = true;
+        continue;
+      }
+      Vec2 p = map.uv[static_cast<std::size_t>(n)];
+      if (options.precision == Precision::kFloat32) p = {toFloat(p[0]), toFloat(p[1])};
+      isFinite = isFinite && std::isfinite(p[0]) && std::isfinite(p[1]);
+      out.uv[HalfedgeId(static_cast<int>(3 * f + k))] = p;
+    }
+    if (isOutside) note(outside, f);
+    if (!isFinite) note(infinite, f);
+  }
+  outside.message = formatText("uv indices of %d faces are out of range.", outside.count);
+  infinite.message = formatText("uv of %d faces are not finite.", infinite.count);
+  for (Reason* reason : {&outside, &infinite})
+    if (reason->count > 0) out.reasons.push_back(std::move(*reason));
+  return out;
+}
+
+/// A power of two that brings the map to ordinary size, so that squares of lengths stay in range:
+/// exact wherever it matters, and 1 for any ordinary map.
+double measuringScale(const CornerUv& uv) {
+  double largest = 0.0;
+  for (const Vec2& p : uv) largest = std::max({largest, std::fabs(p[0]), std::fabs(p[1])});
+  if (largest == 0.0) return 1.0;
+  const int exponent = std::ilogb(largest);
+  return std::abs(exponent) < 100 ? 1.0 : std::scalbn(1.0, std::min(-exponent, 1000));
+}
+
+void toUvUnits(SeamFacts& seams, double scale) {
+  for (auto* list : {&seams.seams, &seams.broken})
+    for (MeasuredSeam& s : *list)
+      for (double* x : {&s.residual, &s.lengthResidual, &s.length}) *x /= scale;
+  for (double* x : {&seams.worstResidual, &seams.worstLengthResidual, &seams.tolerance,
+                    &seams.maxUv, &seams.meanEdge})
+    *x /= scale;
+}
+
+void describeSurface(const TriMesh& mesh, const Topology& topology, Certificate& certificate) {
+  certificate.vertexCount = mesh.vertexCount() - topology.isolatedVertexCount;
+  certificate.edgeCount = mesh.edgeCount();
+  certificate.faceCount = mesh.faceCount();
+  certificate.componentCount = topology.componentCount;
+  certificate.genus = topology.genus;
+  certificate.loopCount = static_cast<int>(topology.loops.size());
+  certificate.eulerCharacteristic =
+      certificate.vertexCount - certificate.edgeCount + certificate.faceCount;
+  certificate.gaussBonnetNeed =
+      static_cast<long long>(certificate.q) *
+      (2 * topology.componentCount - 2 * topology.genus - certificate.loopCount);
+}
+
+void measure(const TriMesh& mesh, const Topology& topology, const AskedMap& asked,
+             const std::vector<DualLoop>& loops, const CornerUv& uv, const CertifyOptions& options,
+             Certificate& certificate) {
+  const int q = certificate.q;
+  certificate.orientation = measureOrientation(mesh, asked.angles.isCone, uv);
+
+  CornerUv scaled;
+  const double scale = measuringScale(uv);
+  if (scale != 1.0) {
+    scaled = uv;
+    for (Vec2& p : scaled.raw()) p = {p[0] * scale, p[1] * scale};
+  }
+  const CornerUv& measured = scale != 1.0 ? scaled : uv;
+  const double relative =
+      options.tolerance > 0.0 ? options.tolerance : kSeamUlps * unitRoundoff(options.precision);
+  certificate.seams = measureSeams(mesh, q, measured, relative);
+  certificate.seams.handles = measureHandles(mesh, q, loops, certificate.seams);
+  for (std::size_t n = 0; n < asked.handles.size(); ++n)
+    certificate.seams.handles[n].asked = asked.handles[n];
+  certificate.angles = measureAngles(mesh, topology, asked.angles, computeUvAngles(mesh, measured),
+                                     seamSlack(mesh, q, certificate.seams));
+  certificate.distortion = measureDistortion(mesh, certificate.orientation, measured);
+  certificate.gaussBonnetHave = certificate.angles.turnSum;
+  certificate.isMeasured = true;
+  certificate.reasons = findReasons(mesh, certificate, measured, loops, options);
+  if (scale != 1.0) toUvUnits(certificate.seams, scale);
+}
+
+}  // namespace
+
+const char* ruleName(Rule rule) {
+  switch (rule) {
+    case Rule::kPrescription: return "prescription";
+    case Rule::kMalformedUv: return "malformed-uv";
+    case Rule::kNotFinite: return "not-finite";
+    case Rule::kOrientation: return "orientation";
+    case Rule::kConeAngle: return "cone-angle";
+    case Rule::kTurning: return "turning";
+    case Rule::kSeam: return "seam";
+    case Rule::kHandle: return "handle";
+    case Rule::kGaussBonnet: return "gauss-bonnet";
+    case Rule::kEuler: return "euler";
+  }
+  return "unknown";
+}
+
+Certificate certify(const TriMesh& mesh, const HolonomySpec& asked, const UvMap& map,
+                    const CertifyOptions& options) {
+  Certificate certificate;
+  certificate.q = asked.q;
+  certificate.precision = options.precision;
+  const Topology topology = computeTopology(mesh);
+  describeSurface(mesh, topology, certificate);
+  const bool hasHandles = topology.componentCount == 1 && topology.genus > 0;
+  const std::vector<DualLoop> loops = hasHandles ? handleGenerators(mesh) : std::vector<DualLoop>{};
+
+  const AskedMap wanted =
+      layOutAsked(mesh, topology, static_cast<int>(loops.size()), asked, options);
+  JudgedUv judged = gatherUv(mesh, map, options);
+  if (judged.reasons.empty() && asked.q >= 1)
+    measure(mesh, topology, wanted, loops, judged.uv, options, certificate);
+  for (auto* more : {&wanted.misfits, static_cast<const std::vector<Reason>*>(&judged.reasons)})
+    certificate.reasons.insert(certificate.reasons.end(), more->begin(), more->end());
+  certificate.isCertified = certificate.isMeasured && certificate.reasons.empty();
+  certificate.isUsable = certificate.isCertified && certificate.distortion.areaSpan >=
+                                                        unitRoundoff(options.precision);
+  return certificate;
+}
+
+Certificate certify(const TriMesh& mesh, const CompleteSpec& asked, const UvMap& map,
+                    const CertifyOptions& options) {
+  return certify(mesh, toSpec(asked), map, options);
+}
+
+}  // namespace hgp

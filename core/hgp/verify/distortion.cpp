@@ -1,0 +1,173 @@
+#include "hgp/verify/distortion.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <vector>
+
+namespace hgp {
+namespace {
+
+/// One triangle's numbers before the global scale is known.
+struct TriangleMap {
+  double area = 0;      ///< on the surface
+  double mu = 0;
+  double logScale = 0;  ///< log₂(uv area / surface area)
+  double uvArea = 0;
+  double stretch = 0;   ///< σ₁² + σ₂²
+  double shrink = 0;    ///< σ₁⁻² + σ₂⁻²
+  FaceId face;
+};
+
+/// 2^−exponent of the largest coordinate difference to the first vertex: keeps squares in range.
+double surfaceScale(const TriMesh& mesh) {
+  double largest = 0.0;
+  const Vec3& origin = mesh.position(VertexId(0));
+  for (VertexId v : mesh.vertices())
+    for (std::size_t n = 0; n < 3; ++n)
+      largest = std::max(largest, std::fabs(mesh.position(v)[n] - origin[n]));
+  return largest > 0.0 && std::isfinite(largest) ? std::scalbn(1.0, -std::ilogb(largest)) : 1.0;
+}
+
+/// f_z and f_z̄ of the triangle laid flat with its first side on the real axis.
+TriangleMap measureTriangle(const TriMesh& mesh, FaceId f, double scale, const CornerUv& uv) {
+  const auto [a, b, c] = mesh.corners(f);
+  Vec3 ab, ac;
+  for (std::size_t n = 0; n < 3; ++n) {
+    ab[n] = (mesh.position(b)[n] - mesh.position(a)[n]) * scale;
+    ac[n] = (mesh.position(c)[n] - mesh.position(a)[n]) * scale;
+  }
+  const auto dot = [](const Vec3& p, const Vec3& q) {
+    return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+  };
+  const Vec3 cross{ab[1] * ac[2] - ab[2] * ac[1], ab[2] * ac[0] - ab[0] * ac[2],
+                   ab[0] * ac[1] - ab[1] * ac[0]};
+  const double base = std::sqrt(dot(ab, ab)), twiceArea = std::sqrt(dot(cross, cross));
+  TriangleMap t;
+  t.face = f;
+  if (!(twiceArea > 0.0)) return t;
+
+  const HalfedgeId h = TriMesh::halfedge(f, 0);
+  const Vec2 &u0 = uv[h], &u1 = uv[TriMesh::next(h)], &u2 = uv[TriMesh::previous(h)];
+  const Vec2 p{u1[0] - u0[0], u1[1] - u0[1]}, q{u2[0] - u0[0], u2[1] - u0[1]};
+  const double height = twiceArea / base, foot = dot(ab, ac) / (base * base);
+  const Vec2 fx{p[0] / base, p[1] / base};
+  const Vec2 fy{(q[0] - foot * p[0]) / height, (q[1] - foot * p[1]) / height};
+  const double conformal = 0.5 * std::sqrt((fx[0] + fy[1]) * (fx[0] + fy[1]) +
+                                           (fx[1] - fy[0]) * (fx[1] - fy[0]));
+  const double anti = 0.5 * std::sqrt((fx[0] - fy[1]) * (fx[0] - fy[1]) +
+                                      (fx[1] + fy[0]) * (fx[1] + fy[0]));
+  const double left = p[0] * q[1], right = p[1] * q[0];
+  // The triangle is known to be positive: an area lost in rounding is below the rounding error.
+  const double rounding = (std::fabs(left) + std::fabs(right)) * (DBL_EPSILON / 2);
+  t.area = 0.5 * twiceArea;
+  t.uvArea = std::max(0.5 * std::max(left - right, rounding), DBL_MIN);
+  t.mu = conformal > 0.0 ? std::min(1.0, anti / conformal) : 1.0;
+  t.logScale = std::log2(t.uvArea / t.area);
+  const double large = std::max(conformal + anti, DBL_MIN), small = t.uvArea / t.area / large;
+  t.stretch = large * large + small * small;
+  t.shrink = 1.0 / (large * large) + 1.0 / (small * small);
+  return t;
+}
+
+/// Smallest value such that values up to it hold `share` of all weight; reorders the pairs. Linear.
+double weightedQuantile(std::vector<std::pair<double, double>>& valueWeight, double share) {
+  double total = 0.0;
+  for (const auto& [value, weight] : valueWeight) total += weight;
+  double rest = share * total;
+  auto first = valueWeight.begin(), last = valueWeight.end();
+  if (first == last) return 0.0;
+  while (last - first > 1) {
+    const auto middle = first + (last - first) / 2;
+    std::nth_element(first, middle, last);
+    double below = 0.0;
+    for (auto it = first; it != middle; ++it) below += it->second;
+    if (below >= rest) {
+      last = middle;
+    } else {
+      rest -= below;
+      first = middle;
+    }
+  }
+  return first->first;
+}
+
+double finite(double x) { return x <= DBL_MAX ? x : DBL_MAX; }
+
+/// Area-weighted sums over all measured triangles.
+struct Sums {
+  double area = 0, uvArea = 0, logScale = 0, mu = 0, stretch = 0, shrink = 0;
+  void add(const TriangleMap& t) {
+    area += t.area;
+    uvArea += t.uvArea;
+    logScale += t.area * t.logScale;
+    mu += t.area * t.mu;
+    stretch += t.area * t.stretch;
+    shrink += t.area * t.shrink;
+  }
+};
+
+/// Everything that needs the best global scale of the logarithms, or an order of the triangles.
+void measureSpread(const std::vector<TriangleMap>& triangles, const Sums& sums,
+                   DistortionFacts& facts) {
+  double squares = 0.0, smallestScale = DBL_MAX, smallestArea = DBL_MAX;
+  std::vector<std::pair<double, double>> mu, logArea;
+  mu.reserve(triangles.size());
+  logArea.reserve(triangles.size());
+  facts.minLogArea = DBL_MAX;
+  facts.maxLogArea = -DBL_MAX;
+  for (const TriangleMap& t : triangles) {
+    const double log = t.logScale - sums.logScale / sums.area;
+    squares += t.area * log * log;
+    mu.emplace_back(t.mu, t.area);
+    logArea.emplace_back(std::fabs(log), t.area);
+    facts.minLogArea = std::min(facts.minLogArea, log);
+    facts.maxLogArea = std::max(facts.maxLogArea, log);
+    smallestArea = std::min(smallestArea, t.uvArea);
+    if (t.mu > facts.maxMu || !facts.worstMu.isValid()) {
+      facts.maxMu = t.mu;
+      facts.worstMu = t.face;
+    }
+    if (t.uvArea / t.area < smallestScale) {
+      smallestScale = t.uvArea / t.area;
+      facts.smallestArea = t.face;
+    }
+  }
+  facts.rmsLogArea = std::sqrt(squares / sums.area);
+  facts.p95Mu = weightedQuantile(mu, 0.95);
+  facts.p95LogArea = weightedQuantile(logArea, 0.95);
+  facts.areaSpan = smallestScale / (sums.uvArea / sums.area);
+  facts.smallestToMeanArea = smallestArea / (sums.uvArea / facts.triangleCount);
+}
+
+}  // namespace
+
+DistortionFacts measureDistortion(const TriMesh& mesh, const OrientationFacts& orientation,
+                                  const CornerUv& uv) {
+  DistortionFacts facts;
+  std::vector<TriangleMap> triangles;
+  triangles.reserve(static_cast<std::size_t>(mesh.faceCount()));
+  const double scale = mesh.vertexCount() > 0 ? surfaceScale(mesh) : 1.0;
+  auto skipped = orientation.notPositive.begin();
+  Sums sums;
+  for (FaceId f : mesh.faces()) {
+    if (skipped != orientation.notPositive.end() && *skipped == f) {
+      ++skipped;
+      continue;
+    }
+    const TriangleMap t = measureTriangle(mesh, f, scale, uv);
+    if (!(t.area > 0.0)) continue;
+    triangles.push_back(t);
+    sums.add(t);
+  }
+  facts.triangleCount = static_cast<int>(triangles.size());
+  if (triangles.empty()) return facts;
+  facts.meanMu = sums.mu / sums.area;
+  // Scaling uv by s turns the energy into s²·stretch + shrink/s², least at 2√(stretch · shrink).
+  facts.symmetricDirichlet = finite(std::max(
+      0.0, 2.0 * std::sqrt(sums.stretch / sums.area) * std::sqrt(sums.shrink / sums.area) - 4.0));
+  measureSpread(triangles, sums, facts);
+  return facts;
+}
+
+}  // namespace hgp

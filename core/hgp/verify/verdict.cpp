@@ -1,0 +1,228 @@
+#include "hgp/verify/verdict.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hgp/base/check.h"
+#include "hgp/base/turns.h"
+
+namespace hgp {
+namespace {
+
+/// A place and how bad it is there.
+struct Place {
+  double badness;
+  Where where;
+};
+
+Where whereVertex(VertexId v) { return {Where::Kind::kVertex, v.i}; }
+Where whereEdge(const TriMesh& mesh, HalfedgeId h) {
+  return {Where::Kind::kEdge, mesh.tail(h).i, mesh.head(h).i};
+}
+
+/// Worst first; equally bad places by their order, so that reports do not depend on the sort.
+std::vector<Where> worstPlaces(std::vector<Place> places, int limit) {
+  const auto shown = std::min(places.size(), static_cast<std::size_t>(std::max(limit, 0)));
+  std::stable_sort(places.begin(), places.end(),
+                   [](const Place& a, const Place& b) { return a.badness > b.badness; });
+  std::vector<Where> where;
+  for (std::size_t n = 0; n < shown; ++n) where.push_back(places[n].where);
+  return where;
+}
+
+const char* plural(std::size_t n) { return n == 1 ? "" : "s"; }
+
+Reason misfit(std::string message, std::vector<Where> where = {}) {
+  const int count = std::max<int>(1, static_cast<int>(where.size()));
+  return {Rule::kPrescription, count, 0.0, std::move(message), std::move(where)};
+}
+
+void checkOrientation(const Certificate& facts, const CornerUv& uv,
+                      const CertifyOptions& options, std::vector<Reason>& reasons) {
+  const OrientationFacts& o = facts.orientation;
+  if (o.notPositive.empty()) return;
+  std::vector<Place> places;
+  double worst = 0.0;
+  for (FaceId f : o.notPositive) {
+    const HalfedgeId h = TriMesh::halfedge(f, 0);
+    const Vec2 &a = uv[h], &b = uv[TriMesh::next(h)], &c = uv[TriMesh::previous(h)];
+    const double area =
+        0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+    worst = std::min(worst, area);
+    places.push_back({-area, {Where::Kind::kFace, f.i}});
+  }
+  // Relative to an equilateral triangle of the mean edge.
+  const double unit = facts.seams.meanEdge * facts.seams.meanEdge * std::sqrt(3.0) / 4.0;
+  const double relative = unit > 0.0 ? worst / unit : 0.0;
+  reasons.push_back(
+      {Rule::kOrientation, static_cast<int>(o.notPositive.size()), relative,
+       formatText("%zu of %d triangles %s not positive: %d reversed, %d without area; the worst has "
+                  "%.3g of a mean triangle's area.",
+                  o.notPositive.size(), facts.faceCount, o.notPositive.size() == 1 ? "is" : "are",
+                  o.negative, o.zero, relative),
+       worstPlaces(std::move(places), options.placesPerReason)});
+}
+
+void checkConeAngles(const Certificate& facts, const CertifyOptions& options,
+                     std::vector<Reason>& reasons) {
+  const std::vector<MeasuredCone>& wrong = facts.angles.wrong;
+  if (wrong.empty()) return;
+  std::vector<Place> places;
+  const MeasuredCone* worst = &wrong[0];
+  const auto error = [](const MeasuredCone& c) {
+    return std::fabs(double(c.measured) - c.asked) + c.distance;
+  };
+  for (const MeasuredCone& c : wrong) {
+    places.push_back({error(c), whereVertex(c.vertex)});
+    if (error(c) > error(*worst)) worst = &c;
+  }
+  reasons.push_back(
+      {Rule::kConeAngle, static_cast<int>(wrong.size()), error(*worst),
+       formatText("%zu interior angle sum%s not as asked; worst at vertex %d: k = %d with distance "
+                  "%.3g to the integer, asked %d (angle 2πk/%d).",
+                  wrong.size(), wrong.size() == 1 ? " is" : "s are", worst->vertex.i,
+                  worst->measured, worst->distance, worst->asked, facts.q),
+       worstPlaces(std::move(places), options.placesPerReason)});
+}
+
+void checkTurnings(const Certificate& facts, const CertifyOptions& options,
+                   std::vector<Reason>& reasons) {
+  std::vector<Place> places;
+  const MeasuredTurning* worst = nullptr;
+  const auto error = [](const MeasuredTurning& t) {
+    return std::fabs(double(t.measured) - t.asked.value_or(t.measured)) + t.distance;
+  };
+  for (const MeasuredTurning& t : facts.angles.turnings) {
+    if (!t.isWrong) continue;
+    places.push_back({error(t), {Where::Kind::kLoop, t.loop.i}});
+    if (!worst || error(t) > error(*worst)) worst = &t;
+  }
+  if (!worst) return;
+  const std::string asked = worst->asked ? std::to_string(*worst->asked) : "an integer";
+  reasons.push_back(
+      {Rule::kTurning, static_cast<int>(places.size()), error(*worst),
+       formatText("%zu boundary loop%s turned otherwise; worst loop %d: l = %d with distance %.3g to "
+                  "the integer, asked %s (turning 2πl/%d).",
+                  places.size(), places.size() == 1 ? " is" : "s are", worst->loop.i,
+                  worst->measured, worst->distance, asked.c_str(), facts.q),
+       worstPlaces(std::move(places), options.placesPerReason)});
+}
+
+void checkSeams(const TriMesh& mesh, const Certificate& facts, const CertifyOptions& options,
+                std::vector<Reason>& reasons) {
+  const std::vector<MeasuredSeam>& broken = facts.seams.broken;
+  if (broken.empty()) return;
+  std::vector<Place> places;
+  double worst = 0.0;
+  for (const MeasuredSeam& s : broken) {
+    places.push_back({s.residual, whereEdge(mesh, mesh.halfedge(s.edge))});
+    worst = std::max(worst, s.residual);
+  }
+  const double relative = facts.seams.maxUv > 0.0 ? worst / facts.seams.maxUv : 0.0;
+  const double meanEdges = facts.seams.meanEdge > 0.0 ? worst / facts.seams.meanEdge : 0.0;
+  reasons.push_back(
+      {Rule::kSeam, static_cast<int>(broken.size()), relative,
+       formatText("%zu of %zu seam edge%s not related by a rotation by a multiple of 2π/%d; the worst "
+                  "is off by %.3g of the largest |uv| (%.3g mean edges), accepted %.3g.",
+                  broken.size(), facts.seams.seams.size(), broken.size() == 1 ? " is" : "s are",
+                  facts.q, relative, meanEdges,
+                  facts.seams.maxUv > 0.0 ? facts.seams.tolerance / facts.seams.maxUv : 0.0),
+       worstPlaces(std::move(places), options.placesPerReason)});
+}
+
+void checkHandles(const TriMesh& mesh, const Certificate& facts, const std::vector<DualLoop>& loops,
+                  const CertifyOptions& options, std::vector<Reason>& reasons) {
+  Reason reason{Rule::kHandle, 0, 0.0, "", {}};
+  for (const MeasuredHandle& h : facts.seams.handles) {
+    if (!h.asked || h.asked == h.measured) continue;
+    if (reason.count++ > 0) continue;
+    const std::string measured = h.measured ? std::to_string(*h.measured) : "no rotation";
+    reason.worst = h.measured ? *h.measured : -1;
+    reason.message = formatText(" not rotated as asked; first is handle %d: measured %s, asked %d "
+                                "(of %d).",
+                                h.index, measured.c_str(), *h.asked, facts.q);
+    for (HalfedgeId c : loops[static_cast<std::size_t>(h.index)].crossed)
+      if (static_cast<int>(reason.where.size()) < options.placesPerReason)
+        reason.where.push_back(whereEdge(mesh, c));
+  }
+  if (reason.count == 0) return;
+  reason.message = formatText("%d handle%s", reason.count, reason.count == 1 ? " is" : "s are") +
+                   reason.message;
+  reasons.push_back(std::move(reason));
+}
+
+void checkIntegers(const Certificate& facts, std::vector<Reason>& reasons) {
+  if (facts.gaussBonnetHave != facts.gaussBonnetNeed)
+    reasons.push_back(
+        {Rule::kGaussBonnet, 1, double(facts.gaussBonnetHave - facts.gaussBonnetNeed),
+         formatText("Gauss–Bonnet (Lemma 6.2) fails for the measured integers: Σ = %lld, need %lld.",
+                    facts.gaussBonnetHave, facts.gaussBonnetNeed),
+         {}});
+  const int expected = 2 * facts.componentCount - 2 * facts.genus - facts.loopCount;
+  if (facts.eulerCharacteristic != expected)
+    reasons.push_back({Rule::kEuler, 1, double(facts.eulerCharacteristic - expected),
+                       formatText("V − E + F = %d, but 2c − 2g − m = %d.",
+                                  facts.eulerCharacteristic, expected),
+                       {}});
+}
+
+}  // namespace
+
+AskedMap layOutAsked(const TriMesh& mesh, const Topology& topology, int handleCount,
+                     const HolonomySpec& asked, const CertifyOptions& options) {
+  AskedMap out;
+  const auto vertexCount = static_cast<std::size_t>(mesh.vertexCount());
+  out.angles.q = asked.q;
+  out.angles.k = PerVertex<int>(vertexCount, asked.q);
+  out.angles.isCone = PerVertex<char>(vertexCount, 0);
+  out.angles.isAnyConeAllowed = options.isAnyConeAllowed;
+  if (asked.q < 1) {
+    out.misfits.push_back(misfit(formatText("q = %d; the order must be at least 1.", asked.q)));
+    return out;
+  }
+  std::vector<Where> strays;
+  for (const ConePoint& c : asked.cones) {
+    const bool isThere = c.vertex.i >= 0 && c.vertex.i < mesh.vertexCount();
+    if (!isThere || mesh.isIsolated(c.vertex) || mesh.isBoundary(c.vertex) ||
+        out.angles.isCone[c.vertex]) {
+      strays.push_back(whereVertex(c.vertex));
+      continue;
+    }
+    out.angles.isCone[c.vertex] = 1;
+    out.angles.k[c.vertex] = c.k;
+  }
+  if (!strays.empty())
+    out.misfits.push_back(misfit(
+        formatText("%zu cone%s given twice or not at an interior vertex.", strays.size(),
+                   strays.size() == 1 ? " is" : "s are"), strays));
+  if (asked.turning.size() == topology.loops.size()) {
+    out.angles.turning = asked.turning;
+  } else if (!asked.turning.empty()) {
+    out.misfits.push_back(misfit(formatText("%zu turning indices are given for %zu boundary loop%s.",
+                                            asked.turning.size(), topology.loops.size(),
+                                            plural(topology.loops.size()))));
+  }
+  if (asked.handles.size() == static_cast<std::size_t>(handleCount)) {
+    out.handles = asked.handles;
+    for (auto& r : out.handles)
+      if (r) r = reduceTurn(*r, asked.q);
+  } else if (!asked.handles.empty()) {
+    out.misfits.push_back(misfit(formatText("%zu handle rotations are given for %d generators.",
+                                            asked.handles.size(), handleCount)));
+  }
+  return out;
+}
+
+std::vector<Reason> findReasons(const TriMesh& mesh, const Certificate& facts, const CornerUv& uv,
+                                const std::vector<DualLoop>& loops, const CertifyOptions& options) {
+  std::vector<Reason> reasons;
+  checkOrientation(facts, uv, options, reasons);
+  checkConeAngles(facts, options, reasons);
+  checkTurnings(facts, options, reasons);
+  checkSeams(mesh, facts, options, reasons);
+  checkHandles(mesh, facts, loops, options, reasons);
+  checkIntegers(facts, reasons);
+  return reasons;
+}
+
+}  // namespace hgp

@@ -8,6 +8,7 @@
 #include "hgp/base/progress.h"
 #include "hgp/base/result.h"
 #include "hgp/mesh/holonomy_spec.h"
+#include "hgp/mesh/field_data.h"
 #include "hgp/mesh/mesh_data.h"
 #include "hgp/verify/certificate.h"
 
@@ -70,7 +71,9 @@ struct SuggestOptions {
 };
 Result<CompleteSpec> suggestCones(const TriMesh& mesh, const SuggestOptions& options);
 
-/// The prescription that a given field has, exactly (stored matchings are the truth).
-Result<CompleteSpec> readHolonomy(const TriMesh& mesh, const struct FieldData& field);
+/// The prescription that a given field has, exactly (stored matchings are the truth). `expected`: cones
+/// that came along; refused when the matchings contradict them.
+Result<CompleteSpec> readHolonomy(const TriMesh& mesh, const FieldData& field,
+                                  const std::vector<ConePoint>& expected = {});
 
 }  // namespace hgp

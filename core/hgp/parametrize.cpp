@@ -1,0 +1,170 @@
+#include "hgp/parametrize.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "hgp/field/cancel_cones.h"
+#include "hgp/field/prescribed_field.h"
+#include "hgp/field/read_holonomy.h"
+#include "hgp/field/smooth_field.h"
+#include "hgp/repair_plan.h"
+#include "hgp/seamless_setup.h"
+
+namespace hgp {
+namespace {
+
+Failure cancelled() { return {ErrorCode::kCancelled, "solve", "Cancelled.", {}}; }
+
+/// One program, laid out as a map and judged.
+struct Attempt {
+  ProgramResult program;
+  UvMap map;
+  Certificate certificate;
+};
+
+Attempt solveAndJudge(const TriMesh& mesh, const SeamlessSetup& setup, const RepairStep& step,
+                      const ParametrizeOptions& options, bool& isCancelled) {
+  ProgramOptions program;
+  program.u = step.u;
+  program.quality = step.quality;
+  program.progress = [&](int iteration, double residual) {
+    const double fraction = 1.0 - 1.0 / (1.0 + 0.25 * iteration);
+    isCancelled = !report(options.progress, {"solve", fraction, iteration, residual});
+    return !isCancelled;
+  };
+  Attempt attempt;
+  attempt.program = solveProgram(mesh, setup.context.geometry, setup.cut, setup.seams,
+                                 setup.unknowns, setup.harmonic, step.frames, program);
+  attempt.map = layOut(mesh, setup, attempt.program.z);
+  attempt.certificate = certify(mesh, setup.field.spec, attempt.map);
+  return attempt;
+}
+
+Round describe(const Attempt& attempt, const RepairStep& step, double seconds) {
+  Round round;
+  round.method = step.method;
+  round.constrainedTriangles = static_cast<int>(step.frames.faces.size());
+  round.iterations = attempt.program.iterations;
+  round.solverStatus = socp::statusName(attempt.program.status);
+  round.flipped = attempt.certificate.orientation.zero + attempt.certificate.orientation.negative;
+  round.wrongAngles = static_cast<int>(attempt.certificate.angles.wrong.size());
+  for (const MeasuredTurning& t : attempt.certificate.angles.turnings) round.wrongAngles += t.isWrong;
+  round.laplacianEnergy = attempt.program.laplacianEnergy;
+  round.seconds = seconds;
+  return round;
+}
+
+/// How far from certified, to keep the best of several maps.
+long long distanceToCertified(const Attempt& attempt) {
+  const Certificate& c = attempt.certificate;
+  if (c.isCertified) return -1;
+  if (!c.isMeasured) return 1LL << 40;
+  return c.orientation.zero + c.orientation.negative + static_cast<long long>(c.angles.wrong.size());
+}
+
+void explain(const SeamlessSetup& setup, Parametrization& result) {
+  const double range = setup.field.scaleRange;
+  if (range > kHopelessScaleRange)
+    result.notes.push_back("These cones stretch the surface by e^" + std::to_string(static_cast<int>(range)) +
+                           ": even a certified map will have areas too small to use. Add cones in "
+                           "the regions that shrink.");
+  else if (range > kHardScaleRange)
+    result.notes.push_back("These cones stretch the surface by e^" + std::to_string(static_cast<int>(range)) +
+                           "; expect strong area distortion. More cones lower it.");
+  if (result.isCertified && !result.isUsable)
+    result.notes.push_back("Certified, but some triangles are too small for practical use "
+                           "(smallest to mean area scale below machine precision).");
+  if (!result.conflict.empty())
+    result.notes.push_back("No map turns all frames as asked: " + std::to_string(result.conflict.size()) +
+                           " constrained triangles work against each other (see conflict).");
+}
+
+using Clock = std::chrono::steady_clock;
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+Result<Parametrization> parametrize(const TriMesh& mesh, const HolonomySpec& spec,
+                                    const ParametrizeOptions& options) {
+  Parametrization result;
+  Result<SeamlessSetup> prepared = prepareSeamless(mesh, spec, options.progress, result.times);
+  if (!prepared) return std::move(prepared).error();
+  const SeamlessSetup& setup = *prepared;
+  result.spec = setup.field.spec;
+  result.notes = setup.warnings;
+
+  const auto start = Clock::now();
+  RepairPlan plan(mesh, setup, options.useQuality);
+  std::optional<Attempt> best;
+  bool bestIsHarmonic = false;
+  for (int round = 0; round < options.maxRounds; ++round) {
+    const std::optional<RepairStep> step = plan.next();
+    if (!step) break;
+    const auto roundStart = Clock::now();
+    bool isCancelled = false;
+    Attempt attempt = solveAndJudge(mesh, setup, *step, options, isCancelled);
+    if (isCancelled) return cancelled();
+    result.rounds.push_back(describe(attempt, *step, secondsSince(roundStart)));
+    plan.learn(attempt.program, attempt.certificate);
+    if (!best || distanceToCertified(attempt) < distanceToCertified(*best)) {
+      best = std::move(attempt);
+      bestIsHarmonic = step->quality == 0.0;
+    }
+    if (best->certificate.isCertified) break;
+  }
+  result.times.push_back({"solve", secondsSince(start)});
+  if (!best) return Failure{ErrorCode::kUsage, "solve", "At least one round is needed.", {}};
+
+  result.map = std::move(best->map);
+  result.copyOf = setup.cut.parent.raw();
+  result.certificate = std::move(best->certificate);
+  result.isCertified = result.certificate.isCertified;
+  result.isUsable = result.certificate.isUsable;
+  result.isHarmonic = bestIsHarmonic;
+  if (!result.isCertified) result.conflict = best->program.conflict;
+  explain(setup, result);
+  return result;
+}
+
+Result<CompleteSpec> suggestCones(const TriMesh& mesh, const SuggestOptions& options) {
+  Result<FieldContext> context = prepareFields(mesh);
+  if (!context) return std::move(context).error();
+  return suggestCones(mesh, *context, options);
+}
+
+Result<CompleteSpec> suggestCones(const TriMesh& mesh, const FieldContext& context,
+                                  const SuggestOptions& options) {
+  if (!report(options.progress, {"field", 0.3})) return cancelled();
+  SmoothFieldOptions smooth;
+  smooth.q = options.q;
+  smooth.alignToCurvature = options.alignToCurvature;
+  Result<FrameField> field = smoothField(mesh, context, smooth);
+  if (!field) return std::move(field).error();
+  const CompleteSpec raw = specOfField(mesh, context, *field);
+  PerVertex<int> defect(static_cast<std::size_t>(mesh.vertexCount()), 0);
+  for (const ConePoint& cone : raw.cones) defect[cone.vertex] = options.q - cone.k;
+  CancelOptions cancel;
+  cancel.targetCount = options.coneCount;
+  HolonomySpec spec;
+  spec.q = options.q;
+  spec.cones = cancelCones(mesh, context.topology, options.q, std::move(defect), cancel);
+  spec.turning.assign(raw.turning.begin(), raw.turning.end());
+  if (Result<BudgetReport> budget = checkPrescription(mesh, context.topology, spec); !budget)
+    return std::move(budget).error();
+  if (!report(options.progress, {"field", 0.8})) return cancelled();
+  Result<PrescribedField> completed = prescribedField(mesh, context, spec);
+  if (!completed) return std::move(completed).error();
+  return completed->spec;
+}
+
+Result<CompleteSpec> readHolonomy(const TriMesh& mesh, const FieldData& field,
+                                  const std::vector<ConePoint>& expected) {
+  Result<FieldContext> context = prepareFields(mesh);
+  if (!context) return std::move(context).error();
+  return specOfFieldData(mesh, *context, field, expected);
+}
+
+}  // namespace hgp

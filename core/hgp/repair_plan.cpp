@@ -1,0 +1,110 @@
+#include "hgp/repair_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hgp {
+namespace {
+
+/// The distortion term of `--quality`, and the lighter one that steadies prescribed cones.
+constexpr double kQuality = 1e-2;
+constexpr double kLightQuality = 1e-3;
+constexpr double kClamp = 5.0;
+constexpr double kNoClamp = 1e9;
+
+double medianOf(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+RepairPlan::RepairPlan(const TriMesh& mesh, const SeamlessSetup& setup, bool useQuality)
+    : mesh_(mesh), setup_(setup) {
+  const double quality = useQuality ? kQuality : 0.0;
+  rungs_ = {{"weighted", kNoClamp, quality, 3, false},
+            {"weighted, light distortion term", kNoClamp, std::max(quality, kLightQuality), 3, false},
+            {"clamped weights", kClamp, quality, 4, false},
+            {"scale of the last map", kNoClamp, std::max(quality, kLightQuality), 4, true}};
+  base_ = coneAndBoundaryFaces(mesh, setup.cones);
+  startRung();
+}
+
+void RepairPlan::startRung() {
+  if (rung_ >= rungs_.size()) return;
+  growth_ = 0;
+  faces_ = base_;
+  u_ = weightsOf(rungs_[rung_]);
+  isFresh_ = true;
+}
+
+PerVertex<double> RepairPlan::weightsOf(const Rung& rung) const {
+  PerVertex<double> u = rung.isFromMap ? scaleOfMap() : setup_.field.u;
+  const double median = medianOf(u.raw());
+  for (double& value : u.raw()) value = std::clamp(value - median, -rung.clamp, rung.clamp);
+  return u;
+}
+
+PerVertex<double> RepairPlan::scaleOfMap() const {
+  if (lastMap_.empty()) return setup_.field.u;
+  PerVertex<double> sum(static_cast<std::size_t>(mesh_.vertexCount()), 0.0), count = sum;
+  for (FaceId f : mesh_.faces()) {
+    const LinearParts parts = linearParts(setup_.context.geometry, f);
+    Complex similarity = 0.0;
+    for (int k = 0; k < 3; ++k)
+      similarity += parts.similarity[static_cast<std::size_t>(k)] *
+                    lastMap_[static_cast<std::size_t>(setup_.cut.copy[TriMesh::halfedge(f, k)].i)];
+    const double log = std::log(std::max(std::abs(similarity), 1e-300));
+    for (VertexId v : mesh_.corners(f)) {
+      sum[v] += log;
+      count[v] += 1.0;
+    }
+  }
+  for (VertexId v : mesh_.vertices())
+    if (count[v] > 0) sum[v] /= count[v];
+  return sum;
+}
+
+std::optional<RepairStep> RepairPlan::next() {
+  if (rung_ >= rungs_.size()) return {};
+  RepairStep step;
+  step.method = rungs_[rung_].name;
+  if (growth_ > 0) step.method += " + growth " + std::to_string(growth_);
+  step.u = u_;
+  step.quality = rungs_[rung_].quality;
+  step.frames = fieldFrames(setup_.seams, faces_);
+  return step;
+}
+
+std::vector<FaceId> RepairPlan::wrongFaces(const Certificate& certificate) const {
+  std::vector<FaceId> faces = certificate.orientation.notPositive;
+  for (const MeasuredCone& cone : certificate.angles.wrong)
+    for (HalfedgeId h : outgoingHalfedges(mesh_, cone.vertex)) faces.push_back(TriMesh::face(h));
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
+void RepairPlan::learn(const ProgramResult& program, const Certificate& certificate) {
+  if (!program.z.empty()) lastMap_ = program.z;
+  const std::vector<FaceId> wrong = certificate.isMeasured ? wrongFaces(certificate) : std::vector<FaceId>();
+  // Growing helps while something new can be constrained and it stays a small part of the mesh.
+  const std::size_t limit = static_cast<std::size_t>(mesh_.faceCount()) / 4 + base_.size();
+  std::vector<FaceId> grown = growFaces(mesh_, wrong, 1);
+  std::vector<FaceId> all;
+  std::set_union(faces_.begin(), faces_.end(), grown.begin(), grown.end(), std::back_inserter(all));
+  const bool canGrow = growth_ < rungs_[rung_].growthRounds && !wrong.empty() &&
+                       all.size() > faces_.size() && all.size() <= limit &&
+                       program.status != socp::SolveStatus::kInfeasible;
+  if (canGrow) {
+    ++growth_;
+    faces_ = std::move(all);
+    return;
+  }
+  ++rung_;
+  startRung();
+}
+
+}  // namespace hgp

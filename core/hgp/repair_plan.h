@@ -1,0 +1,59 @@
+// What to try next when a map is not certified.  Role: the loop of [BCW17 §7], ordered by what
+// helps most often (docs/decisions): weights of the cone metric, growth, clamped weights, new scale.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hgp/optimize/program.h"
+#include "hgp/seamless_setup.h"
+
+namespace hgp {
+
+/// Ranges of log scale (max u − min u) above which success gets rare, and use impossible.
+inline constexpr double kHardScaleRange = 15.0;
+inline constexpr double kHopelessScaleRange = 25.0;
+
+struct RepairStep {
+  std::string method;
+  PerVertex<double> u;
+  Frames frames;
+  double quality = 0.0;
+};
+
+/// A ladder of weightings; on each, the constrained set grows around what is wrong.
+class RepairPlan {
+ public:
+  RepairPlan(const TriMesh& mesh, const SeamlessSetup& setup, bool useQuality);
+
+  /// The next program to solve, or nothing when every idea is used up.
+  std::optional<RepairStep> next();
+  /// What the last program gave.
+  void learn(const ProgramResult& program, const Certificate& certificate);
+
+ private:
+  struct Rung {
+    const char* name;
+    double clamp;         ///< bound on |u − median|
+    double quality;
+    int growthRounds;
+    bool isFromMap;       ///< u from log|f_z| of the last map
+  };
+  void startRung();
+  PerVertex<double> weightsOf(const Rung& rung) const;
+  PerVertex<double> scaleOfMap() const;
+  std::vector<FaceId> wrongFaces(const Certificate& certificate) const;
+
+  const TriMesh& mesh_;
+  const SeamlessSetup& setup_;
+  std::vector<Rung> rungs_;
+  std::size_t rung_ = 0;
+  int growth_ = 0;
+  std::vector<FaceId> base_, faces_;
+  PerVertex<double> u_;
+  std::vector<Complex> lastMap_;
+  bool isFresh_ = true;
+};
+
+}  // namespace hgp

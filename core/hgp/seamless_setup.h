@@ -1,0 +1,40 @@
+// Everything a cone program needs that does not change from round to round.  Role: the first half
+// of the page in parametrize.cpp: holonomy → field → cut → system.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hgp/field/prescribed_field.h"
+#include "hgp/parametrize.h"
+#include "hgp/system/harmonic.h"
+
+namespace hgp {
+
+struct SeamlessSetup {
+  FieldContext context;
+  PrescribedField field;
+  CutMesh cut;
+  SeamRotations seams;
+  ReducedUnknowns unknowns;
+  HarmonicSystem harmonic;
+  std::vector<VertexId> cones;
+  std::vector<std::string> warnings;
+};
+
+/// Checks the prescription, completes it, and sets up the system. Appends the stages' times.
+Result<SeamlessSetup> prepareSeamless(const TriMesh& mesh, const HolonomySpec& spec,
+                                      const Progress& progress, std::vector<StageTime>& times);
+
+/// The map as uv per copy: scaled to the surface's area, its box centred at the origin.
+UvMap layOut(const TriMesh& mesh, const SeamlessSetup& setup, const std::vector<Complex>& z);
+
+/// The same given the pieces (also for maps without seams).
+UvMap layOut(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,
+             const std::vector<Complex>& z);
+
+/// suggestCones with the fields' context at hand.
+Result<CompleteSpec> suggestCones(const TriMesh& mesh, const FieldContext& context,
+                                  const SuggestOptions& options);
+
+}  // namespace hgp

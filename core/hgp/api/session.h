@@ -1,0 +1,134 @@
+// One loaded model from bytes to certified bytes.  Role: the rim. Command line, WASM bindings and
+// bench call this and nothing below; every exception of the core ends here as a Failure.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hgp/base/progress.h"
+#include "hgp/io/document.h"
+#include "hgp/io/prescription.h"
+#include "hgp/mesh/defects.h"
+
+namespace hgp::api {
+
+struct LoadOptions {
+  io::Limits limits;
+  int surface = -1;    ///< which mesh of the file; −1: the one with most triangles
+  double weld = -1.0;  ///< join vertices closer than this; < 0: only what the format needs
+  FixOptions fix;
+};
+
+enum class BoundaryKind { kFree, kConvex };
+enum class Scale {
+  kSolved,  ///< as solved
+  kUnit,    ///< mean uv edge length 1
+  kFit,     ///< uniformly into [0, 1]²
+};
+
+struct SolveOptions {
+  int q = 4;                  ///< for automatic cones; a prescription brings its own
+  int coneCount = 0;          ///< automatic cones: roughly how many, 0 = as the field has them
+  bool alignToCurvature = false;
+  BoundaryKind boundary = BoundaryKind::kFree;
+  int maxRounds = 12;
+  bool useQuality = false;
+  Scale scale = Scale::kSolved;
+  Progress progress;
+};
+
+struct VerifyOptions {
+  int q = 0;               ///< order to judge by when there is no prescription; 0: 4
+  int uvSet = -1;          ///< −1: the first set
+  double tolerance = 0.0;  ///< CertifyOptions::tolerance
+};
+
+struct WriteOptions {
+  int uvSet = -1;                 ///< −1: next free
+  std::string name;               ///< of the main output
+  bool embedCones = false;
+  bool allowUncertified = false;  ///< otherwise write() fails with kNoMap
+};
+
+/// A JSON document with its verdict: usable mesh, valid prescription or certified map.
+struct Verdict {
+  bool isGood = false;
+  std::string json;
+  std::optional<Failure> reason;  ///< where the verdict is bad because of one rule
+};
+
+/// A seam edge of the result: its two sides as uv indices, corresponding ends first, and r ∈ Z_q.
+struct SeamEdge {
+  int a[2] = {-1, -1};
+  int b[2] = {-1, -1};
+  int r = 0;
+};
+
+/// Vertex and triangle ids are those of the loaded surface (welded for glTF and STL, the file's own
+/// otherwise), before any repair. JSON texts follow docs/schema.
+class Session {
+ public:
+  Session();
+  ~Session();
+  Session(Session&&) noexcept;
+  Session& operator=(Session&&) noexcept;
+
+  Status load(io::FileSet files, const LoadOptions& options);
+  /// For meshes that come from no file; write() then makes an OBJ.
+  Status loadArrays(std::vector<Vec3> positions, std::vector<std::array<int, 3>> triangles,
+                    const LoadOptions& options);
+
+  /// hgp-inspect; good means that the mesh can be parametrized.
+  Result<Verdict> inspect() const;
+  /// hgp-check: the exact integer budget of every component; solves nothing.
+  Result<Verdict> check(const io::Prescription& prescription) const;
+  /// Automatic cones as hgp-cones.
+  Result<std::string> suggest(const SolveOptions& options) const;
+  /// Any prescription on this surface as complete hgp-cones with positions (fields are read).
+  Result<std::string> convert(const io::Prescription& prescription) const;
+  /// Cones stored inside the file, or nothing.
+  Result<std::optional<io::Prescription>> embeddedCones() const;
+
+  /// Solves, then judges the map as it would be stored. No prescription: automatic cones. Succeeds
+  /// also when the map is not certified; fails for what cannot be asked, limits and cancellation.
+  Status parametrize(const std::optional<io::Prescription>& prescription,
+                     const SolveOptions& options);
+  /// Judges uv that are in the file: hgp-certificate. Without a prescription any cones are accepted.
+  Result<Verdict> verify(const std::optional<io::Prescription>& prescription,
+                         const VerifyOptions& options) const;
+
+  bool hasResult() const;
+  bool isCertified() const;
+  const std::string& certificateJson() const;  ///< of the result: hgp-certificate
+  const std::string& reportJson() const;       ///< hgp-report; contains the certificate
+  const std::string& conesJson() const;        ///< the completed prescription: hgp-cones
+
+  const std::vector<double>& positions() const;           ///< |V| × 3 of the surface
+  const std::vector<std::uint32_t>& triangles() const;    ///< |F| × 3
+  const std::vector<double>& uv() const;                  ///< 2 per uv vertex, as stored
+  const std::vector<std::uint32_t>& cornerToUv() const;   ///< |F| × 3
+  const std::vector<std::uint32_t>& uvToVertex() const;   ///< "xref": uv vertex → surface vertex
+  const std::vector<SeamEdge>& seams() const;
+
+  /// The original with the result as a uv set.
+  Result<io::Written> write(const WriteOptions& options) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// io::readPrescription behind the rim: cones and fields of every known kind.
+Result<io::Prescription> readPrescription(std::string_view name, std::string_view text, int q);
+
+/// hgp-error: {"code", "stage", "message", "where"}.
+std::string errorJson(const Failure& failure);
+
+/// "1.2.3"
+const char* version();
+
+}  // namespace hgp::api

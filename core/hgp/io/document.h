@@ -30,11 +30,14 @@ struct Limits {
 /// The caller decides what may be seen; io refuses names that leave the folder before asking.
 using Resolver = std::function<Result<Bytes>(const std::string& relativeName)>;
 
+struct GltfDecoders;  // gltf_decoders.h
+
 /// The main file and a way to its companions (a .gltf's .bin). `resolve` may be empty.
 struct FileSet {
   std::string name;   ///< as the user wrote it; only its extension and messages use it
   Bytes main;
   Resolver resolve;
+  std::shared_ptr<const GltfDecoders> decoders;  ///< of compressed glTF; empty: those of this build
 };
 
 /// One mesh of a document as the method sees it.

@@ -1,0 +1,104 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "hgp/linalg/kernel_workspace.h"
+
+namespace hgp::linalg {
+namespace {
+
+std::vector<const KernelTable*> tables() {
+  const KernelTable* found[3];
+  const int count = runnableKernels(found);
+  return {found, found + count};
+}
+
+template <class Matrix>
+double* raw(Matrix& m) {
+  return reinterpret_cast<double*>(m.data());
+}
+
+template <class Matrix>
+double lowerError(const Matrix& a, const Matrix& b, bool lower) {
+  double error = 0;
+  for (int j = 0; j < a.cols(); ++j)
+    for (int i = lower ? j : 0; i < a.rows(); ++i)
+      error = std::max(error, std::abs(a(i, j) - b(i, j)));
+  return error;
+}
+
+template <class Matrix>
+void expectUpdateIsProduct(const KernelTable& table, int m, int n, int k, bool lower,
+                           bool overwrite) {
+  constexpr bool kReal = sizeof(typename Matrix::Scalar) == sizeof(double);
+  const KernelWorkspace work;
+  Matrix A = Matrix::Random(m + 3, k), B = Matrix::Random(n + 1, k), C = Matrix::Random(m + 2, n);
+  const Matrix start = C.topRows(m);
+  const Matrix product = A.topRows(m) * B.topRows(n).adjoint();
+  const Matrix expected = overwrite ? Matrix(-product) : Matrix(start - product);
+  const KernelTable::Update task = {m,     n,     k,     raw(A), raw(B),   raw(C),
+                                    m + 3, n + 1, m + 2, lower,  overwrite};
+  (kReal ? table.updateReal : table.updateComplex)(task, work.data());
+  EXPECT_LT(lowerError<Matrix>(C.topRows(m), expected, lower), 1e-12 * (1 + k))
+      << table.name << " " << m << " " << n << " " << k;
+}
+
+template <class Matrix>
+void expectPanelIsCholesky(const KernelTable& table, int rows, int pivots) {
+  constexpr bool kReal = sizeof(typename Matrix::Scalar) == sizeof(double);
+  const KernelWorkspace work;
+  const Matrix G = Matrix::Random(rows, rows);
+  const Matrix A = G * G.adjoint() + rows * Matrix::Identity(rows, rows);
+  const Matrix L = A.llt().matrixL();
+  Matrix P = A.leftCols(pivots);
+  const Eigen::VectorXd threshold = Eigen::VectorXd::Zero(pivots);
+  const int bad = (kReal ? table.factorPanelReal : table.factorPanelComplex)(
+      rows, pivots, raw(P), rows, threshold.data(), work.data());
+  EXPECT_EQ(bad, -1);
+  EXPECT_LT(lowerError<Matrix>(P, L.leftCols(pivots), true), 1e-12 * rows) << table.name;
+}
+
+TEST(DenseKernels, UpdateSubtractsTheProduct) {
+  for (const KernelTable* table : tables())
+    for (const int m : {1, 2, 5, 24, 49, 200, 430})
+      for (const int k : {1, 3, 8, 65, 300})
+        for (const bool lower : {false, true})
+          for (const bool overwrite : {false, true}) {
+            const int n = lower ? m : m / 2 + 3;
+            expectUpdateIsProduct<Eigen::MatrixXd>(*table, m, n, k, lower, overwrite);
+            expectUpdateIsProduct<Eigen::MatrixXcd>(*table, m, n, k, lower, overwrite);
+          }
+}
+
+TEST(DenseKernels, UpdateCoversMoreColumnsThanOnePack) {
+  for (const KernelTable* table : tables()) {
+    expectUpdateIsProduct<Eigen::MatrixXd>(*table, 1300, 1300, 5, true, false);
+    expectUpdateIsProduct<Eigen::MatrixXcd>(*table, 700, 700, 5, true, true);
+  }
+}
+
+TEST(DenseKernels, PanelIsTheLeftPartOfTheCholeskyFactor) {
+  for (const KernelTable* table : tables())
+    for (const int pivots : {1, 2, 7, 8, 9, 16, 23, 64, 131})
+      for (const int more : {0, 1, 6, 75}) {
+        expectPanelIsCholesky<Eigen::MatrixXd>(*table, pivots + more, pivots);
+        expectPanelIsCholesky<Eigen::MatrixXcd>(*table, pivots + more, pivots);
+      }
+}
+
+TEST(DenseKernels, PanelNamesTheFirstPivotThatIsNotPositive) {
+  const KernelWorkspace work;
+  for (const KernelTable* table : tables())
+    for (const int wrong : {0, 5, 17, 39}) {
+      for (const double value : {-1.0, 0.0, std::nan("")}) {
+        Eigen::MatrixXd P = Eigen::MatrixXd::Identity(50, 40);
+        P(wrong, wrong) = value;
+        const Eigen::VectorXd threshold = Eigen::VectorXd::Constant(40, 1e-14);
+        EXPECT_EQ(table->factorPanelReal(50, 40, P.data(), 50, threshold.data(), work.data()),
+                  wrong);
+      }
+    }
+}
+
+}  // namespace
+}  // namespace hgp::linalg

@@ -1,0 +1,589 @@
+#include "hgp/verify/certificate.h"
+
+#include <gtest/gtest.h>
+
+#include <cfloat>
+#include <cmath>
+#include <random>
+
+#include "hgp/base/turns.h"
+#include "support/maps.h"
+#include "support/shapes.h"
+
+namespace hgp {
+namespace {
+
+using test::developedMap;
+using test::fan;
+using test::Fan;
+using test::flatTorusMap;
+using test::planarMap;
+using test::quarterFan;
+
+bool hasReason(const Certificate& certificate, Rule rule) {
+  for (const Reason& r : certificate.reasons)
+    if (r.rule == rule) return true;
+  return false;
+}
+
+const Reason& onlyReason(const Certificate& certificate) {
+  EXPECT_EQ(certificate.reasons.size(), 1u);
+  static const Reason none{};
+  return certificate.reasons.empty() ? none : certificate.reasons[0];
+}
+
+std::string text(const Certificate& certificate) {
+  std::string all;
+  for (const Reason& r : certificate.reasons) all += std::string(ruleName(r.rule)) + ": " + r.message + "\n";
+  return all;
+}
+
+#define EXPECT_CERTIFIED(c) EXPECT_TRUE((c).isCertified) << text(c)
+
+HolonomySpec regular(int q) {
+  HolonomySpec spec;
+  spec.q = q;
+  return spec;
+}
+
+/// Everything as measured: what a map may be asked to be and pass.
+HolonomySpec askedAsMeasured(const Certificate& certificate) {
+  HolonomySpec spec;
+  spec.q = certificate.q;
+  for (const MeasuredCone& c : certificate.angles.cones) spec.cones.push_back({c.vertex, c.measured});
+  for (const MeasuredTurning& t : certificate.angles.turnings) spec.turning.push_back(t.measured);
+  for (const MeasuredHandle& h : certificate.seams.handles) spec.handles.push_back(h.measured);
+  return spec;
+}
+
+// ---- known good ---------------------------------------------------------------------------------
+
+TEST(Certificate, PassesAnUnfoldedCube) {
+  for (int n : {1, 2, 4}) {
+    const TriMesh mesh = test::cube(n).mesh();
+    HolonomySpec spec = regular(4);
+    for (VertexId v : mesh.vertices()) {
+      const auto& p = mesh.position(v);
+      const auto isEnd = [](double x) { return x == 0.0 || x == 1.0; };
+      if (isEnd(p[0]) && isEnd(p[1]) && isEnd(p[2])) spec.cones.push_back({v, 3});
+    }
+    ASSERT_EQ(spec.cones.size(), 8u);
+    const Certificate c = certify(mesh, spec, developedMap(mesh));
+    EXPECT_CERTIFIED(c);
+    EXPECT_TRUE(c.isUsable);
+    EXPECT_EQ(c.gaussBonnetHave, 8);
+    EXPECT_EQ(c.gaussBonnetNeed, 8);
+    EXPECT_EQ(c.eulerCharacteristic, 2);
+    EXPECT_EQ(c.orientation.positive, mesh.faceCount());
+    EXPECT_EQ(c.seams.worstResidual, 0.0);
+    EXPECT_LT(c.distortion.maxMu, 1e-14);
+    EXPECT_LT(c.distortion.symmetricDirichlet, 1e-13);
+    EXPECT_EQ(c.angles.cones.size(), 8u);
+  }
+}
+
+TEST(Certificate, PassesAFlatTorus) {
+  const TriMesh mesh = test::torus(6, 4).mesh();
+  for (int q : {1, 2, 3, 4, 7}) {
+    HolonomySpec spec = regular(q);
+    spec.handles = {0, 0};
+    const Certificate c = certify(mesh, spec, flatTorusMap(6, 4));
+    EXPECT_CERTIFIED(c);
+    EXPECT_EQ(c.seams.seams.size(), 10u);
+    EXPECT_EQ(c.seams.chartCount, 1);
+    EXPECT_TRUE(c.angles.cones.empty());
+    for (const MeasuredSeam& s : c.seams.seams) EXPECT_EQ(s.r, 0);
+  }
+}
+
+TEST(Certificate, PassesAConvexDisk) {
+  for (const test::Shape& shape : {test::triangle(), test::disk(4), test::grid(3, 5)}) {
+    const TriMesh mesh = shape.mesh();
+    for (int q : {1, 4, 6}) {
+      HolonomySpec spec = regular(q);
+      spec.turning = {q};
+      const Certificate c = certify(mesh, spec, planarMap(mesh));
+      EXPECT_CERTIFIED(c) << shape.name;
+      EXPECT_TRUE(c.angles.overlapping.empty());
+      EXPECT_TRUE(c.seams.seams.empty());
+    }
+  }
+}
+
+TEST(Certificate, PassesAnAnnulusWithTurningsThatCancel) {
+  const TriMesh mesh = test::annulus(12, 3).mesh();
+  HolonomySpec spec = regular(4);
+  spec.turning = {4, -4};
+  Certificate c = certify(mesh, spec, planarMap(mesh));
+  if (!c.isCertified) {  // which loop is the outer one is not the point
+    spec.turning = {-4, 4};
+    c = certify(mesh, spec, planarMap(mesh));
+  }
+  EXPECT_CERTIFIED(c);
+}
+
+TEST(Certificate, PassesFlatConesOfEveryAngle) {
+  for (int q : {1, 2, 3, 5, 6, 7, 64})
+    for (int k = 1; k < 3 * q; k += 1 + q / 7) {
+      const int n = std::max(3, 1 + 3 * k / q);
+      const Fan f = fan(n, turnAngle(k, q));
+      HolonomySpec spec = regular(q);
+      spec.cones = {{VertexId(0), k}};
+      spec.turning = {k};  // Gauss–Bonnet: (q − k) + l = q
+      const Certificate c = certify(f.mesh, spec, f.map);
+      EXPECT_CERTIFIED(c) << "q=" << q << " k=" << k;
+      EXPECT_LT(c.angles.worstDistance, 1e-12);
+    }
+}
+
+TEST(Certificate, PassesDevelopedSurfacesOfEveryGenusWithTheirOwnHolonomy) {
+  for (const test::Shape& shape : {test::cube(2), test::pretzel(1), test::doubleTorus(), test::pretzel(5)}) {
+    const TriMesh mesh = shape.mesh();
+    const UvMap map = developedMap(mesh);
+    CertifyOptions options;
+    options.isAnyConeAllowed = true;
+    const Certificate measured = certify(mesh, regular(4), map, options);
+    EXPECT_CERTIFIED(measured);
+    const HolonomySpec spec = askedAsMeasured(measured);
+    EXPECT_CERTIFIED(certify(mesh, spec, map));
+    EXPECT_EQ(measured.gaussBonnetHave, 4 * shape.eulerCharacteristic());
+    EXPECT_EQ(measured.seams.handles.size(), static_cast<std::size_t>(2 * shape.genus));
+    EXPECT_EQ(measured.genus, shape.genus);
+    // Every prescription that differs in one number is refused for that number.
+    for (std::size_t n = 0; n < spec.handles.size(); ++n) {
+      HolonomySpec other = spec;
+      other.handles[n] = *other.handles[n] + 1;
+      EXPECT_EQ(onlyReason(certify(mesh, other, map)).rule, Rule::kHandle);
+    }
+    for (std::size_t n = 0; n < spec.cones.size(); ++n) {
+      HolonomySpec other = spec;
+      other.cones[n].k += 1;
+      const Reason reason = onlyReason(certify(mesh, other, map));
+      EXPECT_EQ(reason.rule, Rule::kConeAngle);
+      EXPECT_EQ(reason.where[0].id, spec.cones[n].vertex.i);
+    }
+  }
+}
+
+// ---- laws ---------------------------------------------------------------------------------------
+
+TEST(Certificate, SeamRotationsAroundAConeAddUpToMinusK) {
+  const TriMesh mesh = test::doubleTorus().mesh();
+  CertifyOptions options;
+  options.isAnyConeAllowed = true;
+  const Certificate c = certify(mesh, regular(4), developedMap(mesh), options);
+  PerEdge<int> r(static_cast<std::size_t>(mesh.edgeCount()), 0);
+  for (const MeasuredSeam& s : c.seams.seams) r[s.edge] = s.r;
+  PerVertex<int> k(static_cast<std::size_t>(mesh.vertexCount()), 4);
+  for (const MeasuredCone& cone : c.angles.cones) k[cone.vertex] = cone.measured;
+  for (VertexId v : mesh.vertices()) {
+    int sum = 0;
+    // Going round counterclockwise leaves each face through the side that points at v.
+    for (HalfedgeId h : outgoingHalfedges(mesh, v)) {
+      const HalfedgeId crossed = TriMesh::previous(h);
+      const EdgeId e = mesh.edge(crossed);
+      sum += crossed == mesh.halfedge(e) ? r[e] : -r[e];
+    }
+    EXPECT_EQ(reduceTurn(sum, 4), reduceTurn(-k[v], 4));
+  }
+}
+
+TEST(Certificate, DoesNotDependOnRotationScaleOrPlaceOfTheMap) {
+  const TriMesh mesh = test::pretzel(1).mesh();
+  const UvMap map = developedMap(mesh);
+  CertifyOptions options;
+  options.isAnyConeAllowed = true;
+  const HolonomySpec spec = askedAsMeasured(certify(mesh, regular(4), map, options));
+  for (double scale : {1.0, 0x1p-900, 0x1p+900, 0x1p-1060, 1e-3, 3e5})
+    for (double shift : {0.0, 17.0}) {
+      UvMap moved = map;
+      for (Vec2& p : moved.uv) p = {scale * (shift - p[1]), scale * (p[0] - shift)};
+      const Certificate c = certify(mesh, spec, moved);
+      EXPECT_CERTIFIED(c) << scale << " " << shift;
+      EXPECT_NEAR(c.distortion.areaSpan, 1.0, 1e-9);
+    }
+}
+
+TEST(Certificate, WindingAroundAVertexIsCountedExactly) {
+  // Rings of integer points that go round w times, checked by counting crossings in integers.
+  std::mt19937 random(5);
+  for (int round = 0; round < 300; ++round) {
+    const int w = 1 + static_cast<int>(random() % 3), n = 4 * w + static_cast<int>(random() % 9);
+    std::vector<Vec2> spokes;
+    for (int i = 0; i < n; ++i) {
+      const double angle = 2 * kPi * w * (i + 0.3 * (random() % 100) / 100.0) / n;
+      const double radius = 1000.0 + random() % 100000;
+      spokes.push_back({std::round(radius * std::cos(angle)), std::round(radius * std::sin(angle))});
+    }
+    long long crossings = 0;  // of the positive u axis, upwards minus downwards
+    for (std::size_t i = 0; i < spokes.size(); ++i) {
+      const Vec2 &a = spokes[i], &b = spokes[(i + 1) % spokes.size()];
+      const double side = a[0] * b[1] - a[1] * b[0];
+      if (a[1] < 0 && b[1] >= 0 && side > 0) ++crossings;
+      if (a[1] >= 0 && b[1] < 0 && side < 0) --crossings;
+    }
+    ASSERT_EQ(crossings, w);
+    Fan f = quarterFan(n);
+    std::vector<Vec2> corners;
+    for (std::size_t i = 0; i < spokes.size(); ++i) {
+      corners.push_back({0, 0});
+      corners.push_back(spokes[i]);
+      corners.push_back(spokes[(i + 1) % spokes.size()]);
+    }
+    for (int q : {1, 2, 3, 4, 5, 6, 7, 11}) {
+      HolonomySpec spec = regular(q);
+      spec.cones = {{VertexId(0), w * q}};
+      spec.turning = {w * q};
+      const Certificate c = certify(f.mesh, spec, test::mapOfCorners(f.mesh, corners));
+      EXPECT_CERTIFIED(c);
+    }
+  }
+}
+
+TEST(Certificate, SeamsOfIntegerMapsTurnExactly) {
+  // Two unit squares' worth of triangles whose charts are turned by r quarter turns and moved.
+  const TriMesh mesh = test::grid(1, 1).mesh();
+  for (int q : {1, 2, 4})
+    for (int r = 0; r < q; ++r) {
+      UvMap map = planarMap(mesh);
+      const Complex R = rotation(r, q);
+      std::vector<Vec2> corners;
+      for (HalfedgeId h : mesh.halfedges()) {
+        const Vec3& p = mesh.position(mesh.tail(h));
+        Complex z(p[0], p[1]);
+        if (TriMesh::face(h).i == 1) z = R * z + Complex(1000003.0, -77.0);
+        corners.push_back({z.real(), z.imag()});
+      }
+      HolonomySpec spec = regular(q);
+      spec.turning = {q};
+      const Certificate c = certify(mesh, spec, test::mapOfCorners(mesh, corners));
+      EXPECT_CERTIFIED(c);
+      ASSERT_EQ(c.seams.seams.size(), 1u);
+      EXPECT_EQ(c.seams.seams[0].r, r);
+      EXPECT_EQ(c.seams.seams[0].residual, 0.0);
+      EXPECT_EQ(c.seams.chartCount, 2);
+    }
+}
+
+TEST(Certificate, DistortionOfALinearMapIsTheClosedForm) {
+  const TriMesh mesh = test::jittered(test::grid(9, 7), 0.0).mesh();
+  const double a = 3.0, b = 0.5;
+  UvMap map = planarMap(mesh);
+  for (Vec2& p : map.uv) p = {a * p[0], b * p[1]};
+  const DistortionFacts d = certify(mesh, regular(4), map).distortion;
+  const double mu = (a - b) / (a + b);
+  EXPECT_NEAR(d.meanMu, mu, 1e-14);
+  EXPECT_NEAR(d.p95Mu, mu, 1e-14);
+  EXPECT_NEAR(d.maxMu, mu, 1e-14);
+  EXPECT_NEAR(d.rmsLogArea, 0.0, 1e-13);
+  EXPECT_NEAR(d.symmetricDirichlet, 2 * (a / b + b / a) - 4, 1e-12);
+  EXPECT_EQ(d.triangleCount, mesh.faceCount());
+}
+
+TEST(Certificate, QuantileIsWeightedByArea) {
+  // One large triangle with μ = 0 and many small stretched ones holding 4 % of the area.
+  MeshData data;
+  UvMap map;
+  data.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  data.triangles = {{0, 1, 2}};
+  map.uv = {{0, 0}, {1, 0}, {0, 1}};
+  for (int n = 0; n < 10; ++n) {
+    const double x = 10.0 + n, s = std::sqrt(0.04 / 10);
+    const int id = static_cast<int>(data.positions.size());
+    data.positions.insert(data.positions.end(), {{x, 0, 0}, {x + s, 0, 0}, {x, s, 0}});
+    data.triangles.push_back({id, id + 1, id + 2});
+    map.uv.insert(map.uv.end(), {{x, 0}, {x + 3 * s, 0}, {x, s}});
+  }
+  map.cornerUv = data.triangles;
+  const DistortionFacts d = certify(test::meshOf(data), regular(4), map).distortion;
+  EXPECT_EQ(d.p95Mu, 0.0);
+  EXPECT_NEAR(d.maxMu, 0.5, 1e-12);
+  EXPECT_NEAR(d.meanMu, 0.5 * 0.04 / 1.04, 1e-12);
+}
+
+// ---- what must be caught ------------------------------------------------------------------------
+
+TEST(Certificate, CatchesAFlippedTriangleOfArea1e300) {
+  // Two triangles over a diagonal; the fourth corner lies on the wrong side of it.
+  const TriMesh mesh = test::grid(1, 1).mesh();
+  const double s = 1e-150;
+  UvMap map = planarMap(mesh);
+  ASSERT_EQ(map.uv.size(), 4u);
+  for (Vec2& p : map.uv) p = {p[0] * s, p[1] * s};
+  EXPECT_CERTIFIED(certify(mesh, regular(4), map));
+  map.uv[2] = {0.5 * s, 0.499 * s};
+  const Certificate c = certify(mesh, regular(4), map);
+  EXPECT_FALSE(c.isCertified);
+  EXPECT_TRUE(hasReason(c, Rule::kOrientation)) << text(c);
+  EXPECT_EQ(c.orientation.negative, 1);
+  ASSERT_EQ(c.orientation.notPositive.size(), 1u);
+  EXPECT_EQ(c.orientation.notPositive[0], FaceId(1));
+}
+
+TEST(Certificate, CatchesATriangleFlippedByTheLastBit) {
+  const TriMesh mesh = test::disk(5).mesh();
+  UvMap map = planarMap(mesh);
+  // The centre goes to the middle of a side of the hexagon around it, then a last bit outwards.
+  ASSERT_EQ(mesh.corners(FaceId(0))[0], VertexId(0));
+  const Vec2 b = map.uv[1], c = map.uv[2];
+  Vec2& a = map.uv[0];
+  a = {(b[0] + c[0]) / 2, (b[1] + c[1]) / 2};
+  while (orientationSign(a, b, c) >= 0) a[0] = std::nextafter(a[0], 2.0);
+  const Certificate certificate = certify(mesh, regular(4), map);
+  EXPECT_FALSE(certificate.isCertified);
+  EXPECT_TRUE(hasReason(certificate, Rule::kOrientation));
+  EXPECT_EQ(certificate.orientation.negative, 1);
+  EXPECT_GT(certificate.reasons[0].worst, -1e-12);
+  while (orientationSign(a, b, c) <= 0) a[0] = std::nextafter(a[0], -2.0);
+  EXPECT_CERTIFIED(certify(mesh, regular(4), map));
+}
+
+TEST(Certificate, CatchesAZeroAreaTriangle) {
+  const TriMesh mesh = test::grid(1, 1).mesh();
+  UvMap map = planarMap(mesh);
+  map.uv[2] = {0.5, 0.5};  // on the diagonal
+  const Certificate c = certify(mesh, regular(4), map);
+  EXPECT_FALSE(c.isCertified);
+  EXPECT_EQ(c.orientation.zero, 1);
+  EXPECT_TRUE(hasReason(c, Rule::kOrientation));
+  map.uv[2] = map.uv[0];
+  EXPECT_FALSE(certify(mesh, regular(4), map).isCertified);
+  for (Vec2& p : map.uv) p = {0, 0};
+  EXPECT_EQ(certify(mesh, regular(4), map).orientation.zero, 2);
+}
+
+TEST(Certificate, CatchesFourPiWhereTwoPiWasAsked) {
+  const Fan cover = quarterFan(8);
+  for (int q : {1, 2, 4, 5}) {
+    const Certificate c = certify(cover.mesh, regular(q), cover.map);
+    const Reason reason = onlyReason(c);
+    EXPECT_FALSE(c.isCertified);
+    EXPECT_EQ(reason.rule, Rule::kConeAngle) << text(c);
+    EXPECT_EQ(reason.where[0].id, 0);
+    EXPECT_EQ(reason.worst, q);
+    EXPECT_EQ(c.orientation.positive, 8);
+    EXPECT_TRUE(c.seams.seams.empty());
+    ASSERT_EQ(c.angles.cones.size(), 1u);
+    EXPECT_EQ(c.angles.cones[0].measured, 2 * q);
+    HolonomySpec asked = regular(q);
+    asked.cones = {{VertexId(0), 2 * q}};
+    asked.turning = {2 * q};
+    EXPECT_CERTIFIED(certify(cover.mesh, asked, cover.map));
+  }
+}
+
+TEST(Certificate, CatchesASeamOffByAMillionthOfTheMeanEdge) {
+  const TriMesh mesh = test::torus(6, 4).mesh();
+  UvMap map = flatTorusMap(6, 4);
+  EXPECT_CERTIFIED(certify(mesh, regular(4), map));
+  const double mean = certify(mesh, regular(4), map).seams.meanEdge;
+  for (Vec2& p : map.uv)
+    if (p == Vec2{0, 2}) p[1] += 1e-6 * mean;  // the copy at (6, 2) stays
+  const Certificate c = certify(mesh, regular(4), map);
+  EXPECT_FALSE(c.isCertified);
+  const Reason reason = onlyReason(c);
+  EXPECT_EQ(reason.rule, Rule::kSeam) << text(c);
+  EXPECT_EQ(reason.count, 2);
+  EXPECT_NEAR(c.seams.worstResidual, 1e-6 * mean, 1e-12);
+  CertifyOptions coarse;
+  coarse.tolerance = 1e-6;
+  EXPECT_CERTIFIED(certify(mesh, regular(4), map, coarse));
+}
+
+TEST(Certificate, CatchesASeamTurnedByAnAngleThatIsNoMultiple) {
+  const Fan f = fan(5, turnAngle(3, 4));
+  HolonomySpec spec = regular(4);
+  spec.cones = {{VertexId(0), 3}};
+  EXPECT_CERTIFIED(certify(f.mesh, spec, f.map));
+  spec.q = 3;
+  spec.cones[0].k = 2;
+  const Certificate c = certify(f.mesh, spec, f.map);
+  EXPECT_TRUE(hasReason(c, Rule::kSeam));
+  EXPECT_TRUE(hasReason(c, Rule::kConeAngle));
+}
+
+TEST(Certificate, CatchesASeamOfUnequalLength) {
+  const Fan f = fan(5, turnAngle(3, 4));
+  UvMap map = f.map;
+  for (Vec2& p : map.uv)
+    if (p == Vec2{1, 0}) p[0] += 1e-9;
+  HolonomySpec spec = regular(4);
+  spec.cones = {{VertexId(0), 3}};
+  const Certificate c = certify(f.mesh, spec, map);
+  EXPECT_EQ(onlyReason(c).rule, Rule::kSeam) << text(c);
+  EXPECT_NEAR(c.seams.worstLengthResidual, 1e-9, 1e-12);
+}
+
+TEST(Certificate, CatchesATurningIndexOffByOne) {
+  const TriMesh mesh = test::disk(3).mesh();
+  for (int l : {3, 5}) {
+    HolonomySpec spec = regular(4);
+    spec.turning = {l};
+    const Certificate c = certify(mesh, spec, planarMap(mesh));
+    EXPECT_FALSE(c.isCertified);
+    EXPECT_EQ(onlyReason(c).rule, Rule::kTurning);
+    EXPECT_EQ(c.angles.turnings[0].measured, 4);
+  }
+}
+
+TEST(Certificate, CatchesAHandleRotationOffByOne) {
+  const TriMesh mesh = test::torus(6, 4).mesh();
+  HolonomySpec spec = regular(4);
+  spec.handles = {0, 1};
+  const Certificate c = certify(mesh, spec, flatTorusMap(6, 4));
+  EXPECT_EQ(onlyReason(c).rule, Rule::kHandle);
+  spec.handles = {4, -8};  // classes mod q
+  EXPECT_CERTIFIED(certify(mesh, spec, flatTorusMap(6, 4)));
+  spec.handles = {std::nullopt, 0};
+  EXPECT_CERTIFIED(certify(mesh, spec, flatTorusMap(6, 4)));
+}
+
+TEST(Certificate, CatchesAConeThatWasNotAsked) {
+  const TriMesh mesh = test::cube(1).mesh();
+  HolonomySpec spec = regular(4);
+  for (int v = 0; v < 7; ++v) spec.cones.push_back({VertexId(v), 3});
+  const Certificate c = certify(mesh, spec, developedMap(mesh));
+  const Reason reason = onlyReason(c);
+  EXPECT_EQ(reason.rule, Rule::kConeAngle);
+  EXPECT_EQ(reason.where[0].id, 7);
+}
+
+TEST(Certificate, CatchesWhatRoundingToFloatDoes) {
+  const TriMesh mesh = test::grid(1, 1).mesh();
+  UvMap map = planarMap(mesh);
+  map.uv[2] = {0.5, 0.5 + 1e-12};
+  CertifyOptions options;
+  EXPECT_CERTIFIED(certify(mesh, regular(4), map, options));
+  options.precision = Precision::kFloat32;
+  const Certificate c = certify(mesh, regular(4), map, options);
+  EXPECT_FALSE(c.isCertified);
+  EXPECT_EQ(c.orientation.zero, 1);
+  map.uv[2] = {0.5, 1e300};
+  EXPECT_EQ(onlyReason(certify(mesh, regular(4), map, options)).rule, Rule::kNotFinite);
+}
+
+TEST(Certificate, AllowsSeamsOfFloatPrecision) {
+  const Fan f = fan(7, turnAngle(5, 6));
+  UvMap map = f.map;
+  for (Vec2& p : map.uv) p = {double(float(p[0])), double(float(p[1]))};
+  HolonomySpec spec = regular(6);
+  spec.cones = {{VertexId(0), 5}};
+  EXPECT_FALSE(certify(f.mesh, spec, map).isCertified);
+  CertifyOptions options;
+  options.precision = Precision::kFloat32;
+  EXPECT_CERTIFIED(certify(f.mesh, spec, map, options));
+}
+
+TEST(Certificate, HasNoVerdictForASeamTooShortToHaveADirection) {
+  // Both spokes of the seam shrink below the tolerance: no rotation can be read off them.
+  const Fan f = quarterFan(3);
+  UvMap map = f.map;
+  for (Vec2& p : map.uv) p = {p[0] * 1e-17 + 1.0, p[1] * 1e-17};
+  HolonomySpec spec = regular(4);
+  spec.cones = {{VertexId(0), 3}};
+  EXPECT_FALSE(certify(f.mesh, spec, map).isCertified);
+}
+
+TEST(Certificate, CountsOverlappingBoundaryVerticesWithoutRefusingThem) {
+  // Five quarter turns around a boundary vertex.
+  MeshData data;
+  std::vector<Vec2> corners;
+  data.positions.push_back({0, 0, 0});
+  for (int i = 0; i <= 5; ++i) data.positions.push_back({std::cos(i), std::sin(i), double(i)});
+  for (int i = 0; i < 5; ++i) {
+    data.triangles.push_back({0, 1 + i, 2 + i});
+    const Complex a = rotation(i, 4), b = rotation(i + 1, 4);
+    corners.insert(corners.end(), {{0, 0}, {a.real(), a.imag()}, {b.real(), b.imag()}});
+  }
+  const TriMesh mesh = test::meshOf(data);
+  HolonomySpec spec = regular(4);
+  spec.turning = {4};
+  const Certificate c = certify(mesh, spec, test::mapOfCorners(mesh, corners));
+  EXPECT_CERTIFIED(c);
+  EXPECT_EQ(c.angles.overlapping, std::vector<VertexId>{VertexId(0)});
+}
+
+// ---- what cannot be judged ----------------------------------------------------------------------
+
+TEST(Certificate, MalformedMapsAreAFactNotACrash) {
+  const TriMesh mesh = test::disk(2).mesh();
+  const UvMap good = planarMap(mesh);
+  UvMap map = good;
+  map.cornerUv.pop_back();
+  EXPECT_EQ(onlyReason(certify(mesh, regular(4), map)).rule, Rule::kMalformedUv);
+  for (int n : {-1, 1000000, -2147483647 - 1}) {
+    map = good;
+    map.cornerUv[3][1] = n;
+    const Certificate c = certify(mesh, regular(4), map);
+    EXPECT_EQ(onlyReason(c).rule, Rule::kMalformedUv);
+    EXPECT_EQ(c.reasons[0].where[0].id, 3);
+    EXPECT_FALSE(c.isMeasured);
+  }
+  for (double x : {HUGE_VAL, -HUGE_VAL, std::nan("")}) {
+    map = good;
+    map.uv[static_cast<std::size_t>(map.cornerUv[5][2])][1] = x;
+    const Certificate c = certify(mesh, regular(4), map);
+    EXPECT_EQ(onlyReason(c).rule, Rule::kNotFinite);
+    EXPECT_FALSE(c.isCertified);
+  }
+  map = good;
+  map.uv.push_back({std::nan(""), 0});  // not used by any corner
+  EXPECT_CERTIFIED(certify(mesh, regular(4), map));
+  EXPECT_FALSE(certify(mesh, regular(4), UvMap{}).isCertified);
+}
+
+TEST(Certificate, PrescriptionsThatDoNotFitAreReasons) {
+  const TriMesh mesh = test::disk(2).mesh();
+  const UvMap map = planarMap(mesh);
+  HolonomySpec spec = regular(0);
+  EXPECT_EQ(onlyReason(certify(mesh, spec, map)).rule, Rule::kPrescription);
+  for (int v : {-1, 999999, mesh.vertexCount() - 1}) {  // the last vertex is on the boundary
+    spec = regular(4);
+    spec.cones = {{VertexId(v), 4}};
+    EXPECT_EQ(onlyReason(certify(mesh, spec, map)).rule, Rule::kPrescription);
+  }
+  spec = regular(4);
+  spec.cones = {{VertexId(0), 4}, {VertexId(0), 4}};
+  EXPECT_EQ(onlyReason(certify(mesh, spec, map)).rule, Rule::kPrescription);
+  spec = regular(4);
+  spec.turning = {4, 4};
+  EXPECT_EQ(onlyReason(certify(mesh, spec, map)).rule, Rule::kPrescription);
+  spec = regular(4);
+  spec.handles = {0};
+  EXPECT_EQ(onlyReason(certify(mesh, spec, map)).rule, Rule::kPrescription);
+}
+
+TEST(Certificate, AnEmptyMeshIsJudgedWithoutHarm) {
+  EXPECT_TRUE(certify(TriMesh{}, regular(4), UvMap{}).reasons.empty());
+}
+
+TEST(Certificate, SeveralComponentsAreJudgedTogetherWithoutHandles) {
+  const test::Shape a = test::disk(2), b = test::grid(2, 2);
+  MeshData data = a.data;
+  const int shift = static_cast<int>(data.positions.size());
+  for (Vec3 p : b.data.positions) data.positions.push_back({p[0] + 5, p[1], p[2]});
+  for (auto t : b.data.triangles) data.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
+  const TriMesh mesh = test::meshOf(data);
+  HolonomySpec spec = regular(4);
+  spec.turning = {4, 4};
+  const Certificate c = certify(mesh, spec, planarMap(mesh));
+  EXPECT_CERTIFIED(c);
+  EXPECT_EQ(c.componentCount, 2);
+  EXPECT_EQ(c.gaussBonnetHave, 8);
+}
+
+TEST(Certificate, ReasonsNameAsManyPlacesAsAskedWorstFirst) {
+  const TriMesh mesh = test::disk(4).mesh();
+  UvMap map = planarMap(mesh);
+  for (Vec2& p : map.uv) p[0] = -p[0];
+  CertifyOptions options;
+  options.placesPerReason = 7;
+  const Certificate c = certify(mesh, regular(4), map, options);
+  EXPECT_EQ(c.orientation.negative, mesh.faceCount());
+  EXPECT_EQ(c.reasons[0].rule, Rule::kOrientation);
+  EXPECT_EQ(c.reasons[0].where.size(), 7u);
+  EXPECT_EQ(c.reasons[0].count, mesh.faceCount());
+}
+
+}  // namespace
+}  // namespace hgp

@@ -83,8 +83,11 @@ Result<FrameField> smoothField(const TriMesh& mesh, const FieldContext& context,
     const auto more = curvatureTerms(mesh, geometry, options.q);
     aligned.insert(aligned.end(), more.begin(), more.end());
   }
+  const SparseC laplacian = connectionLaplacian(mesh, geometry, options.q, aligned);
+  const linalg::Graph pattern = linalg::graphOf(laplacian);
   linalg::MultifrontalCholesky<Complex> factor;
-  if (!linalg::factorOnce(connectionLaplacian(mesh, geometry, options.q, aligned), &factor))
+  factor.analyze(pattern, linalg::nestedDissection(pattern));
+  if (!factor.factor(laplacian))
     return Failure{ErrorCode::kUnsupported, "field",
                    "The smooth field could not be computed: the surface's geometry is not "
                    "numerically usable.", {}};

@@ -23,7 +23,9 @@ Result<SurfaceLaplacian> SurfaceLaplacian::build(const TriMesh& mesh,
   Eigen::SparseMatrix<double> L(n, n);
   L.setFromTriplets(entries.begin(), entries.end());
   SurfaceLaplacian result;
-  if (linalg::FactorStatus status = linalg::factorOnce(L, &result.factor_); !status)
+  const linalg::Graph pattern = linalg::graphOf(L);
+  result.factor_.analyze(pattern, linalg::nestedDissection(pattern));
+  if (!result.factor_.factor(L))
     return Failure{ErrorCode::kUnsupported, "field",
                    "The Laplacian of the surface could not be factored: its geometry is not "
                    "numerically usable (all points equal, or coordinates of wildly different "

@@ -8,7 +8,7 @@ import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import pngjs from 'pngjs';
 import { serve } from '../../web/serve.mjs';
-import { bumpyDisk } from './disk.mjs';
+import { bumpyDisk } from '../support/disk.mjs';
 
 const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
 const shots = path.join(root, 'build/screenshots');

@@ -1,0 +1,147 @@
+// hgp::api::Session for JavaScript. Every call returns a plain object: its results, or `error` with
+// the JSON of the failure. No exception and no C++ object but the session crosses this line.
+#include <emscripten/bind.h>
+
+#include <array>
+#include <new>
+#include <string>
+
+#include "options.h"
+
+namespace hgp::js {
+namespace {
+
+val failed(const Failure& failure) {
+  val reply = val::object();
+  reply.set("error", api::errorJson(failure));
+  return reply;
+}
+
+val replyJson(const std::string& json) {
+  val reply = val::object();
+  reply.set("json", json);
+  return reply;
+}
+
+val replyVerdict(const Result<api::Verdict>& verdict) {
+  if (!verdict) return failed(verdict.error());
+  val reply = replyJson(verdict->json);
+  reply.set("isGood", verdict->isGood);
+  return reply;
+}
+
+/// Memory may already run out while arguments are copied in, before the core's own rim.
+template <class Call>
+val guarded(const Call& call) {
+  try {
+    return call();
+  } catch (const std::bad_alloc&) {
+    return failed({ErrorCode::kLimit, "memory", "Out of memory: the module may use 4 GB.", {}});
+  } catch (const std::exception& e) {
+    return failed({ErrorCode::kInternal, "bindings", e.what(), {}});
+  }
+}
+
+class Session {
+ public:
+  val load(const std::string& name, const val& names, const val& contents, const val& options) {
+    return guarded([&] {
+      return afterLoad(session_.load(toFileSet(name, names, contents), toLoadOptions(options)));
+    });
+  }
+
+  val loadMesh(const val& positions, const val& triangles, const val& options) {
+    return guarded([&] {
+      return afterLoad(session_.loadArrays(toRows<Vec3>(toVector<double>(positions)),
+                                           toRows<std::array<int, 3>>(toVector<int>(triangles)),
+                                           toLoadOptions(options)));
+    });
+  }
+
+  val inspect() const {
+    return guarded([&] { return replyVerdict(session_.inspect()); });
+  }
+
+  val check(const std::string& cones) const {
+    return guarded([&] {
+      const auto asked = api::readPrescription("cones.json", cones, 0);
+      return asked ? replyVerdict(session_.check(*asked)) : failed(asked.error());
+    });
+  }
+
+  val suggestCones(const val& options, const val& onProgress) const {
+    return guarded([&] {
+      const auto cones = session_.suggest(toSolveOptions(options, onProgress));
+      return cones ? replyJson(*cones) : failed(cones.error());
+    });
+  }
+
+  val parametrize(const std::string& cones, const val& options, const val& onProgress) {
+    return guarded([&] {
+      const MaybePrescription asked = toPrescription(cones);
+      if (!asked) return failed(asked.error());
+      const Status done = session_.parametrize(*asked, toSolveOptions(options, onProgress));
+      return done ? result() : failed(done.error());
+    });
+  }
+
+  val verify(const std::string& cones, const val& options) const {
+    return guarded([&] {
+      const MaybePrescription asked = toPrescription(cones);
+      if (!asked) return failed(asked.error());
+      return replyVerdict(session_.verify(*asked, toVerifyOptions(options)));
+    });
+  }
+
+  val write(const val& options) const {
+    return guarded([&] {
+      const Result<io::Written> written = session_.write(toWriteOptions(options));
+      if (!written) return failed(written.error());
+      val reply = val::object();
+      reply.set("files", toFiles(written->files));
+      reply.set("notes", val::array(written->notes));
+      reply.set("xref", toTypedArray("Int32Array", written->xref));
+      return reply;
+    });
+  }
+
+ private:
+  val afterLoad(const Status& loaded) const {
+    return loaded ? replyVerdict(session_.inspect()) : failed(loaded.error());
+  }
+
+  val result() const {
+    val reply = val::object();
+    reply.set("report", session_.reportJson());
+    reply.set("cones", session_.conesJson());
+    reply.set("certificate", session_.certificateJson());
+    reply.set("positions", toTypedArray("Float64Array", session_.positions()));
+    reply.set("triangles", toTypedArray("Uint32Array", session_.triangles()));
+    reply.set("uv", toTypedArray("Float64Array", session_.uv()));
+    reply.set("cornerToUv", toTypedArray("Uint32Array", session_.cornerToUv()));
+    reply.set("uvToVertex", toTypedArray("Uint32Array", session_.uvToVertex()));
+    reply.set("seams", toSeams(session_.seams()));
+    return reply;
+  }
+
+  api::Session session_;
+};
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(hgp) {
+  emscripten::class_<Session>("Session")
+      .constructor<>()
+      .function("load", &Session::load)
+      .function("loadMesh", &Session::loadMesh)
+      .function("inspect", &Session::inspect)
+      .function("check", &Session::check)
+      .function("suggestCones", &Session::suggestCones)
+      .function("parametrize", &Session::parametrize)
+      .function("verify", &Session::verify)
+      .function("write", &Session::write);
+  emscripten::function("version",
+                       emscripten::optional_override([] { return std::string(api::version()); }));
+}
+
+}  // namespace hgp::js

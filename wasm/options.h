@@ -1,0 +1,85 @@
+// Plain objects of JavaScript as the options of the core. Names are the same on both sides.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "convert.h"
+
+namespace hgp::js {
+
+/// The main file and its companions, all handed over beforehand: nothing is fetched.
+inline io::FileSet toFileSet(const std::string& main, const val& names, const val& contents) {
+  std::map<std::string, io::Bytes> files;
+  const std::vector<std::string> keys = toStrings(names);
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    files[keys[i]] = toVector<std::uint8_t>(contents[i]);
+  }
+  io::FileSet set;
+  set.name = main;
+  set.main = std::move(files[main]);
+  set.resolve = [files = std::move(files)](const std::string& name) -> Result<io::Bytes> {
+    const auto found = files.find(name);
+    if (found != files.end()) return found->second;
+    return Failure{ErrorCode::kMalformed, "read", name + " is missing.", {}};
+  };
+  return set;
+}
+
+inline api::LoadOptions toLoadOptions(const val& options) {
+  api::LoadOptions o;
+  o.surface = option(options, "surface", o.surface);
+  o.weld = option(options, "weld", o.weld);
+  const val fix = option(options, "fix", val::object());
+  o.fix.orient = option(fix, "orient", false);
+  o.fix.split = option(fix, "split", false);
+  o.fix.degenerate = option(fix, "degenerate", false);
+  return o;
+}
+
+inline api::SolveOptions toSolveOptions(const val& options, const val& onProgress) {
+  api::SolveOptions o;
+  o.q = option(options, "q", o.q);
+  o.coneCount = option(options, "count", o.coneCount);
+  o.alignToCurvature = option(options, "alignToCurvature", o.alignToCurvature);
+  const auto boundary = option(options, "boundary", std::string("free"));
+  if (boundary == "convex") o.boundary = api::BoundaryKind::kConvex;
+  o.maxRounds = option(options, "maxRounds", o.maxRounds);
+  o.useQuality = option(options, "quality", o.useQuality);
+  const auto scale = option(options, "scale", std::string("solved"));
+  if (scale == "unit") o.scale = api::Scale::kUnit;
+  if (scale == "fit") o.scale = api::Scale::kFit;
+  o.progress = toProgress(onProgress);
+  return o;
+}
+
+inline api::VerifyOptions toVerifyOptions(const val& options) {
+  api::VerifyOptions o;
+  o.q = option(options, "q", o.q);
+  o.uvSet = option(options, "uvSet", o.uvSet);
+  o.tolerance = option(options, "tolerance", o.tolerance);
+  return o;
+}
+
+inline api::WriteOptions toWriteOptions(const val& options) {
+  api::WriteOptions o;
+  o.uvSet = option(options, "uvSet", o.uvSet);
+  o.name = option(options, "name", o.name);
+  o.embedCones = option(options, "embedCones", o.embedCones);
+  o.allowUncertified = option(options, "allowUncertified", o.allowUncertified);
+  return o;
+}
+
+using MaybePrescription = Result<std::optional<io::Prescription>>;
+
+/// The text of a cone file, or "" for none.
+inline MaybePrescription toPrescription(const std::string& cones) {
+  if (cones.empty()) return MaybePrescription(std::nullopt);
+  auto read = api::readPrescription("cones.json", cones, 0);
+  if (!read) return MaybePrescription(read.error());
+  return MaybePrescription(std::move(*read));
+}
+
+}  // namespace hgp::js

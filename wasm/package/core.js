@@ -1,0 +1,149 @@
+// The solver itself, synchronous: for use inside your own worker. Everything that goes in or comes
+// out is a plain value; the one C++ object, the session with its loaded model, is owned by Core and
+// freed by `free()`.
+
+import createModule from './module.js';
+
+/** An error with the same code on the page, in this package and on the command line. */
+export class HgpError extends Error {
+  constructor({ code, message, stage, where }) {
+    super(message);
+    this.name = 'HgpError';
+    this.code = code;
+    this.details = { stage, where };
+  }
+}
+
+const isNode = typeof process === 'object' && Boolean(process.versions?.node);
+
+/** Compiles hgp.wasm, from wherever the options say; by default the file beside this one. */
+export async function compile({ wasmModule, wasmBinary, wasmUrl } = {}) {
+  if (wasmModule) return wasmModule;
+  if (wasmBinary) return WebAssembly.compile(wasmBinary);
+  if (isNode) {
+    const { readFile } = await import(/* @vite-ignore */ 'node:fs/promises');
+    return WebAssembly.compile(await readFile(wasmUrl ?? new URL('./hgp.wasm', import.meta.url)));
+  }
+  const response = await fetch(wasmUrl ?? new URL('./hgp.wasm', import.meta.url));
+  if (!response.ok) {
+    throw new HgpError({ code: 'wasm-unavailable', message: `hgp.wasm: HTTP ${response.status}` });
+  }
+  // Not every static host serves the type that streaming compilation insists on.
+  if (response.headers.get('Content-Type')?.startsWith('application/wasm')) {
+    return WebAssembly.compileStreaming(response);
+  }
+  return WebAssembly.compile(await response.arrayBuffer());
+}
+
+export async function createCore(options = {}) {
+  const wasmModule = await compile(options);
+  const module = await createModule({
+    // The glue never fetches: it gets the compiled module, which makes one file serve browsers,
+    // workers and Node alike.
+    instantiateWasm(imports, receive) {
+      WebAssembly.instantiate(wasmModule, imports).then((instance) => receive(instance));
+      return {};
+    },
+    print() {},
+    printErr() {},
+  });
+  return new Core(module);
+}
+
+export class Core {
+  #module;
+  #session;
+
+  /** Called with { stage, fraction, iteration, residual }; return false to cancel. */
+  onProgress;
+
+  constructor(module) {
+    this.#module = module;
+    this.#session = new module.Session();
+  }
+
+  get version() {
+    return this.#module.version();
+  }
+
+  /** Bytes of the linear memory; it grows and never shrinks. */
+  get memory() {
+    return this.#module.HEAPU8.length;
+  }
+
+  load({ main, files }, options = {}) {
+    const names = [...files.keys()];
+    return this.#json(this.#live.load(main, names, [...files.values()], options));
+  }
+
+  loadMesh({ positions, triangles }, options = {}) {
+    return this.#json(this.#live.loadMesh(positions, triangles, options));
+  }
+
+  inspect() {
+    return this.#json(this.#live.inspect());
+  }
+
+  suggestCones(options = {}) {
+    return this.#json(this.#live.suggestCones(options, this.#progress()));
+  }
+
+  check(cones) {
+    return this.#json(this.#live.check(JSON.stringify(cones)));
+  }
+
+  parametrize({ cones, ...options } = {}) {
+    const text = cones ? JSON.stringify(cones) : '';
+    const reply = this.#reply(this.#live.parametrize(text, options, this.#progress()));
+    const seams = [];
+    for (let i = 0; i < reply.seams.length; i += 5) {
+      const [a0, a1, b0, b1, r] = reply.seams.subarray(i, i + 5);
+      seams.push({ a: [a0, a1], b: [b0, b1], r });
+    }
+    return {
+      ...reply,
+      seams,
+      certificate: JSON.parse(reply.certificate),
+      cones: JSON.parse(reply.cones),
+      report: JSON.parse(reply.report),
+    };
+  }
+
+  verify({ cones, ...options } = {}) {
+    return this.#json(this.#live.verify(cones ? JSON.stringify(cones) : '', options));
+  }
+
+  write(options = {}) {
+    const { files, notes, xref } = this.#reply(this.#live.write(options));
+    return { name: files[0].name, bytes: files[0].bytes, files, notes, xref };
+  }
+
+  /** Frees the model. The object cannot be used afterwards. */
+  free() {
+    this.#session?.delete();
+    this.#session = undefined;
+  }
+
+  get #live() {
+    if (this.#session) return this.#session;
+    throw new HgpError({ code: 'usage', message: 'this core has been freed' });
+  }
+
+  #progress() {
+    const { onProgress } = this;
+    if (!onProgress) return undefined;
+    return (stage, fraction, iteration, residual) =>
+      onProgress({ stage, fraction, iteration, residual }) !== false;
+  }
+
+  #reply(reply) {
+    if (reply.error !== undefined) throw new HgpError(JSON.parse(reply.error));
+    return reply;
+  }
+
+  #json(reply) {
+    return JSON.parse(this.#reply(reply).json);
+  }
+}
+
+Core.prototype[Symbol.dispose ?? Symbol.for('Symbol.dispose')] = Core.prototype.free;

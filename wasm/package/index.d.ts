@@ -1,0 +1,58 @@
+// Seamless, provably fold-free texture coordinates with cones of your choice.
+
+import type {
+  CheckReport,
+  Cones,
+  Certificate,
+  FileSet,
+  InitOptions,
+  LoadOptions,
+  MeshArrays,
+  ModelInfo,
+  Progress,
+  Result,
+  SolveOptions,
+  SuggestOptions,
+  VerifyOptions,
+  WriteOptions,
+  Written,
+} from './core.js';
+
+export type * from './core.js';
+export { HgpError } from './core.js';
+
+export interface ClientOptions extends InitOptions {
+  /** Makes the worker where a bundler or a Content-Security-Policy must know its URL. */
+  createWorker?: () => Worker;
+}
+
+export interface CallOptions {
+  /** Aborting ends the worker at once; the call rejects with `AbortError`. */
+  signal?: AbortSignal;
+  /** At most ten times a second. */
+  onProgress?(progress: Progress): void;
+}
+
+/** One model in one worker. Calls run one after another, in the order made. */
+export interface Client extends AsyncDisposable {
+  load(
+    source: File | Blob | Uint8Array | FileSet,
+    options?: LoadOptions,
+    call?: CallOptions,
+  ): Promise<ModelInfo>;
+  inspect(call?: CallOptions): Promise<ModelInfo>;
+  suggestCones(options: SuggestOptions, call?: CallOptions): Promise<Cones>;
+  /** The exact integer budget of Gauss–Bonnet; solves nothing. */
+  check(cones: Cones, call?: CallOptions): Promise<CheckReport>;
+  parametrize(options?: SolveOptions, call?: CallOptions): Promise<Result>;
+  /** For meshes that come from no file, such as a three.js geometry. Replaces the loaded model. */
+  parametrizeMesh(mesh: MeshArrays & SolveOptions, call?: CallOptions): Promise<Result>;
+  /** Judges the texture coordinates that are in the file. */
+  verify(options?: VerifyOptions, call?: CallOptions): Promise<Certificate>;
+  /** The original file with the new texture coordinates and nothing else changed. */
+  write(options?: WriteOptions, call?: CallOptions): Promise<Written>;
+  /** Ends the worker and forgets the model; pending calls reject with `AbortError`. */
+  terminate(): void;
+}
+
+export function createClient(options?: ClientOptions): Promise<Client>;

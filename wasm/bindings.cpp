@@ -113,8 +113,6 @@ class Session {
   val result() const {
     val reply = val::object();
     reply.set("report", session_.reportJson());
-    reply.set("cones", session_.conesJson());
-    reply.set("certificate", session_.certificateJson());
     reply.set("positions", toTypedArray("Float64Array", session_.positions()));
     reply.set("triangles", toTypedArray("Uint32Array", session_.triangles()));
     reply.set("uv", toTypedArray("Float64Array", session_.uv()));

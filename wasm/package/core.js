@@ -100,13 +100,8 @@ export class Core {
       const [a0, a1, b0, b1, r] = reply.seams.subarray(i, i + 5);
       seams.push({ a: [a0, a1], b: [b0, b1], r });
     }
-    return {
-      ...reply,
-      seams,
-      certificate: JSON.parse(reply.certificate),
-      cones: JSON.parse(reply.cones),
-      report: JSON.parse(reply.report),
-    };
+    const report = JSON.parse(reply.report);
+    return { ...reply, seams, report, certificate: report.certificate, cones: report.cones };
   }
 
   verify({ cones, ...options } = {}) {

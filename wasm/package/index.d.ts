@@ -18,7 +18,26 @@ import type {
   Written,
 } from './core.js';
 
-export type * from './core.js';
+export type {
+  Certificate,
+  CheckReport,
+  Cones,
+  FileSet,
+  HgpErrorCode,
+  InitOptions,
+  LoadOptions,
+  MeshArrays,
+  ModelInfo,
+  Progress,
+  Report,
+  Result,
+  SolveOptions,
+  SuggestOptions,
+  VerifyOptions,
+  Where,
+  WriteOptions,
+  Written,
+} from './core.js';
 export { HgpError } from './core.js';
 
 export interface ClientOptions extends InitOptions {

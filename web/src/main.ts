@@ -42,9 +42,8 @@ async function open(file: File): Promise<void> {
     element('empty').hidden = true;
     viewer.show(result);
     showCertificate(element('result'), result);
-    const surface = info.surfaces[0];
-    canvas.ariaLabel = `3D view: ${file.name}, ${surface.triangles} triangles, textured`;
-    say(`${file.name}: ${surface.vertices} vertices, ${surface.triangles} triangles`);
+    canvas.ariaLabel = `3D view: ${file.name}, ${info.triangles} triangles, textured`;
+    say(`${file.name}: ${info.vertices} vertices, ${info.triangles} triangles`);
     document.body.dataset.state = 'result';
   } catch (error) {
     if (own !== running) return;

@@ -15,10 +15,10 @@ export async function openAndRun(
   call: { signal: AbortSignal; onProgress(p: Progress): void },
 ): Promise<Document> {
   const info = await client.load(file, {}, call);
-  const surface = info.surfaces[0];
-  const isDisk = surface.genus === 0 && surface.boundaries === 1 && surface.components === 1;
+  if (info.error) throw new Error(info.error.message);
+  const isDisk = info.genus === 0 && info.boundaryLoops === 1 && info.components?.length === 1;
   const result = isDisk
     ? await client.parametrize({ boundary: 'convex' }, call)
-    : await client.parametrize({ cones: await client.suggestCones({ q: 4 }, call) }, call);
+    : await client.parametrize({ q: 4 }, call);
   return { name: file.name, info, result };
 }

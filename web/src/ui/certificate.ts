@@ -3,11 +3,13 @@
 import { html, render } from 'lit';
 import type { Result } from 'hgp';
 
-export function showCertificate(place: HTMLElement, { certificate, stats }: Result): void {
+export function showCertificate(place: HTMLElement, { certificate, report }: Result): void {
   const rows: [string, string][] = [
     ['Triangles', String(certificate.triangles)],
     ['Flipped', String(certificate.flipped)],
-    ['Time', `${stats.seconds.toFixed(2)} s`],
+    ['Wrong angle sums', String(certificate.wrongAngles)],
+    ['Broken seams', String(certificate.brokenSeams)],
+    ['Time', `${report.seconds.toFixed(2)} s`],
   ];
   const verdict = certificate.certified ? 'certified' : 'not certified';
   render(

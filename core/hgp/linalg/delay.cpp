@@ -157,17 +157,18 @@ class DelayPlanner {
       for (int k = tree_.nodeStart[t]; k < tree_.nodeStart[t + 1]; ++k)
         native[t] += touched_[tree_.order[k]];
     const int deepest = depth_.empty() ? 0 : *std::max_element(depth_.begin(), depth_.end());
-    int best = 0;
-    Estimate bestSoFar{std::numeric_limits<double>::infinity(), 0};
+    std::vector<Estimate> estimates;
+    double least = std::numeric_limits<double>::infinity();
     for (int depth = 0; depth <= deepest; ++depth) {
-      const Estimate e = estimate(depth, own, native, boundary);
-      const bool fits = e.bytes <= options_.maxBytes, bestFits = bestSoFar.bytes <= options_.maxBytes;
-      const bool better = fits != bestFits ? fits : fits ? e.work < bestSoFar.work
-                                                         : e.bytes < bestSoFar.bytes;
-      if (depth > 0 && !better) continue;
-      best = depth;
-      bestSoFar = e;
+      estimates.push_back(estimate(depth, own, native, boundary));
+      least = std::min(least, estimates.back().bytes);
     }
+    const double limit = std::max(options_.maxBytes, 1.2 * least);  // the static part alone may exceed what was asked
+    int best = -1;
+    for (int depth = 0; depth <= deepest; ++depth)
+      if (estimates[depth].bytes <= limit &&
+          (best < 0 || estimates[depth].work < estimates[best].work))
+        best = depth;
     return best;
   }
 

@@ -1,5 +1,7 @@
 #include "hgp/linalg/elimination_tree.h"
 
+#include <algorithm>
+
 namespace hgp::linalg {
 
 std::vector<int> eliminationTree(const Graph& pattern, const std::vector<int>& order,
@@ -65,6 +67,16 @@ int findTop(std::vector<int>* up, int v) {
   return v;
 }
 
+// First node, in postorder, of each subtree.
+std::vector<int> firstDescendants(const std::vector<int>& parent) {
+  std::vector<int> first(parent.size(), 0);
+  const int n = static_cast<int>(parent.size());
+  for (int j = 0; j < n; ++j) first[j] = j;
+  for (int j = 0; j < n; ++j)
+    if (parent[j] >= 0) first[parent[j]] = std::min(first[parent[j]], first[j]);
+  return first;
+}
+
 }  // namespace
 
 // The count of column j is the number of row subtrees that contain j. The indicator of a subtree with
@@ -73,15 +85,12 @@ int findTop(std::vector<int>* up, int v) {
 std::vector<int> columnCounts(const Graph& pattern, const std::vector<int>& order,
                               const std::vector<int>& position, const std::vector<int>& parent) {
   const int n = pattern.size();
-  const std::size_t size = parent.size();
-  std::vector<int> firstDescendant(size), count(size, 1), top(size);
-  std::vector<int> latestFirst(size, -1), previousLeaf(size, -1);
-  for (int j = 0; j < n; ++j) firstDescendant[j] = top[j] = j;
+  const std::vector<int> firstDescendant = firstDescendants(parent);
+  std::vector<int> count(parent.size(), 0), top(parent.size(), 0);
+  std::vector<int> latestFirst(parent.size(), -1), previousLeaf(parent.size(), -1);
   for (int j = 0; j < n; ++j) {
-    const int p = parent[j];
-    if (p < 0) continue;
-    count[p] = 0;  // not a leaf of the tree
-    if (firstDescendant[j] < firstDescendant[p]) firstDescendant[p] = firstDescendant[j];
+    top[j] = j;
+    if (firstDescendant[j] == j) count[j] = 1;  // a leaf of the tree
   }
   for (int j = 0; j < n; ++j) {
     if (parent[j] >= 0) --count[parent[j]];

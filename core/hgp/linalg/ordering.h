@@ -29,7 +29,7 @@ struct DissectionOptions {
   /// Larger part ÷ whole that a bisection may leave. Looser finds smaller separators.
   double imbalance = 0.6;
   /// Weight of each vertex in that balance (copies at one vertex, say); empty means all 1.
-  std::vector<int> vertexWeights;
+  std::vector<int> vertexWeights = {};
 };
 
 /// Multilevel nested dissection: heavy-edge matching, Fiduccia–Mattheyses refinement, separators as

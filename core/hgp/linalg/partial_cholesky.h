@@ -24,7 +24,8 @@ struct PartialCholeskyOptions {
   /// Touched unknowns are moved up to ancestors of at most this depth (0: all in one dense root;
   /// a large number: all stay in place). −1: chosen by operation counts.
   int delayDepth = -1;
-  /// Refused depths: those whose factors and caches would exceed this many bytes.
+  /// Depths whose factors and caches would exceed this many bytes are not chosen, unless even the
+  /// leanest does (then up to 1.2 × the leanest).
   double maxBytes = 1.5e9;
 };
 

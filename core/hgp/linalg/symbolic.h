@@ -11,7 +11,7 @@ namespace hgp::linalg {
 struct SymbolicOptions {
   /// Optional class of each unknown (by original index): a supernode never mixes an unknown of class
   /// 0 with others, and class 1 spreads to all ancestors. Empty: everything is class 0.
-  std::vector<char> dynamic;
+  std::vector<char> dynamic = {};
   /// Merge a child node into its parent when the estimated time falls (explicit zeros against
   /// overhead). Off only in tests.
   bool amalgamate = true;

@@ -114,7 +114,7 @@ TEST(SymbolicFactor, CountsAgreeWithDenseElimination) {
   for (const Graph& graph : allGraphs()) {
     if (graph.size() > 800) continue;
     const std::vector<int> order = nestedDissection(graph, {.leafSize = 25}).order;
-    const SymbolicFactor f = analyze(graph, order, {.dynamic = {}, .amalgamate = false});
+    const SymbolicFactor f = analyze(graph, order, {.amalgamate = false});
     const int n = f.size();
     Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic> fill(n, n);
     fill.setConstant(false);
@@ -140,7 +140,7 @@ TEST(SymbolicFactor, CountsAgreeWithDenseElimination) {
 TEST(SymbolicFactor, AmalgamationOnlyAddsRows) {
   const Graph graph = triangulatedGrid(50, 50);
   const std::vector<int> order = nestedDissection(graph).order;
-  const FactorCost exact = factorCost(analyze(graph, order, {.dynamic = {}, .amalgamate = false}));
+  const FactorCost exact = factorCost(analyze(graph, order, {.amalgamate = false}));
   const FactorCost merged = factorCost(analyze(graph, order));
   EXPECT_GE(merged.entries, exact.entries);
   EXPECT_LE(static_cast<double>(merged.entries), 3.0 * static_cast<double>(exact.entries));

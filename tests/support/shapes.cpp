@@ -60,8 +60,10 @@ MeshData voxelSurface(const std::set<Cell>& cells, int n, double scale) {
               return vertex(p);
             };
             const int a = corner(0, 0), b = corner(1, 0), c = corner(1, 1), d = corner(0, 1);
-            if (side) addQuad(data, a, b, c, d);
-            else addQuad(data, a, d, c, b);
+            if (side)
+              addQuad(data, a, b, c, d);
+            else
+              addQuad(data, a, d, c, b);
           }
       }
   return data;
@@ -105,26 +107,30 @@ Shape tetrahedron() {
   return {"tetrahedron",
           {{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
            {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}},
-          0, 0};
+          0,
+          0};
 }
 
 Shape octahedron() {
-  return {"octahedron",
-          {{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
-           {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {1, 0, 5}, {2, 1, 5}, {3, 2, 5}, {0, 3, 5}}},
-          0, 0};
+  return {
+      "octahedron",
+      {{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+       {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {1, 0, 5}, {2, 1, 5}, {3, 2, 5}, {0, 3, 5}}},
+      0,
+      0};
 }
 
 Shape cube(int n) { return {"cube", voxelSurface({{0, 0, 0}}, n, 1.0), 0, 0}; }
 
 Shape icosphere(int n) {
   const double p = (1.0 + std::sqrt(5.0)) / 2.0;
-  const std::vector<Vec3> base{{-1, p, 0}, {1, p, 0}, {-1, -p, 0}, {1, -p, 0}, {0, -1, p}, {0, 1, p},
-                               {0, -1, -p}, {0, 1, -p}, {p, 0, -1}, {p, 0, 1}, {-p, 0, -1}, {-p, 0, 1}};
+  const std::vector<Vec3> base{{-1, p, 0}, {1, p, 0}, {-1, -p, 0}, {1, -p, 0},
+                               {0, -1, p}, {0, 1, p}, {0, -1, -p}, {0, 1, -p},
+                               {p, 0, -1}, {p, 0, 1}, {-p, 0, -1}, {-p, 0, 1}};
   const std::vector<std::array<int, 3>> faces{
-      {0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-      {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
-      {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}};
+      {0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+      {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+      {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
   Shape shape{"icosphere", {}, 0, 0};
   // A vertex is known by its barycentric weights on the corners of the icosahedron.
   Welder<std::vector<std::pair<int, int>>> weld(shape.data);
@@ -239,14 +245,24 @@ Shape jittered(Shape shape, double amount, unsigned seed) {
 }
 
 std::vector<Shape> closed() {
-  return {tetrahedron(), octahedron(), cube(1), cube(3), icosphere(1), icosphere(3), torus(3, 3),
-          torus(8, 5), jittered(torus(12, 7), 0.03), doubleTorus(), pretzel(3, 2), pretzel(5)};
+  return {tetrahedron(), octahedron(),  cube(1),
+          cube(3),       icosphere(1),  icosphere(3),
+          torus(3, 3),   torus(8, 5),   jittered(torus(12, 7), 0.03),
+          doubleTorus(), pretzel(3, 2), pretzel(5)};
 }
 
 std::vector<Shape> withBoundary() {
-  return {triangle(), grid(1, 1), grid(4, 3), disk(1), disk(4), annulus(6, 2), cylinder(5, 3),
-          puncturedTorus(5, 4), withoutFaces(icosphere(3), {0, 60, 120}),
-          withoutFaces(doubleTorus(2), {0, 200}), jittered(disk(5), 0.03)};
+  return {triangle(),
+          grid(1, 1),
+          grid(4, 3),
+          disk(1),
+          disk(4),
+          annulus(6, 2),
+          cylinder(5, 3),
+          puncturedTorus(5, 4),
+          withoutFaces(icosphere(3), {0, 60, 120}),
+          withoutFaces(doubleTorus(2), {0, 200}),
+          jittered(disk(5), 0.03)};
 }
 
 std::vector<Shape> all() {

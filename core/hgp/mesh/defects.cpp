@@ -129,26 +129,34 @@ std::string describe(const Defect& defect) {
   switch (defect.kind) {
     case DefectKind::kIndexOutOfRange:
       text = one ? "face names a vertex that does not exist"
-                 : "faces name a vertex that does not exist"; break;
+                 : "faces name a vertex that does not exist";
+      break;
     case DefectKind::kNotFinite:
       text = one ? "vertex has a position that is not finite"
-                 : "vertices have a position that is not finite"; break;
+                 : "vertices have a position that is not finite";
+      break;
     case DefectKind::kRepeatedVertex:
-      text = one ? "face names one vertex twice" : "faces name one vertex twice"; break;
+      text = one ? "face names one vertex twice" : "faces name one vertex twice";
+      break;
     case DefectKind::kZeroArea:
-      text = one ? "face has no area" : "faces have no area"; break;
+      text = one ? "face has no area" : "faces have no area";
+      break;
     case DefectKind::kDuplicateFace:
-      text = one ? "face repeats another one" : "faces repeat another one"; break;
+      text = one ? "face repeats another one" : "faces repeat another one";
+      break;
     case DefectKind::kNonManifoldEdge:
-      text = one ? "edge has more than two faces" : "edges have more than two faces"; break;
+      text = one ? "edge has more than two faces" : "edges have more than two faces";
+      break;
     case DefectKind::kInconsistentEdge:
       text = one ? "edge has two faces of opposite orientation"
-                 : "edges have two faces of opposite orientation"; break;
+                 : "edges have two faces of opposite orientation";
+      break;
     case DefectKind::kNonManifoldVertex:
       text = one ? "vertex joins several fans of faces" : "vertices join several fans of faces";
       break;
     case DefectKind::kIsolatedVertex:
-      text = one ? "vertex has no face" : "vertices have no face"; break;
+      text = one ? "vertex has no face" : "vertices have no face";
+      break;
   }
   return formatText("%zu %s", n, text);
 }
@@ -169,11 +177,15 @@ const char* remedy(DefectKind kind) {
   switch (kind) {
     case DefectKind::kRepeatedVertex:
     case DefectKind::kZeroArea:
-    case DefectKind::kDuplicateFace: return "degenerate";
+    case DefectKind::kDuplicateFace:
+      return "degenerate";
     case DefectKind::kNonManifoldEdge:
-    case DefectKind::kNonManifoldVertex: return "split";
-    case DefectKind::kInconsistentEdge: return "orient";
-    default: return nullptr;
+    case DefectKind::kNonManifoldVertex:
+      return "split";
+    case DefectKind::kInconsistentEdge:
+      return "orient";
+    default:
+      return nullptr;
   }
 }
 
@@ -203,15 +215,24 @@ bool hasNoArea(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 const char* defectName(DefectKind kind) {
   switch (kind) {
-    case DefectKind::kIndexOutOfRange: return "index-out-of-range";
-    case DefectKind::kNotFinite: return "not-finite";
-    case DefectKind::kRepeatedVertex: return "repeated-vertex";
-    case DefectKind::kZeroArea: return "zero-area";
-    case DefectKind::kDuplicateFace: return "duplicate-face";
-    case DefectKind::kNonManifoldEdge: return "non-manifold-edge";
-    case DefectKind::kInconsistentEdge: return "inconsistent-edge";
-    case DefectKind::kNonManifoldVertex: return "non-manifold-vertex";
-    case DefectKind::kIsolatedVertex: return "isolated-vertex";
+    case DefectKind::kIndexOutOfRange:
+      return "index-out-of-range";
+    case DefectKind::kNotFinite:
+      return "not-finite";
+    case DefectKind::kRepeatedVertex:
+      return "repeated-vertex";
+    case DefectKind::kZeroArea:
+      return "zero-area";
+    case DefectKind::kDuplicateFace:
+      return "duplicate-face";
+    case DefectKind::kNonManifoldEdge:
+      return "non-manifold-edge";
+    case DefectKind::kInconsistentEdge:
+      return "inconsistent-edge";
+    case DefectKind::kNonManifoldVertex:
+      return "non-manifold-vertex";
+    case DefectKind::kIsolatedVertex:
+      return "isolated-vertex";
   }
   return "unknown";
 }
@@ -225,8 +246,8 @@ std::vector<Defect> findDefects(const MeshData& data) {
   findVertexDefects(data, places);
   for (std::size_t f = 0; f < data.triangles.size(); ++f) {
     const auto& t = data.triangles[f];
-    if (!isBroken[f] && hasNoArea(data.positions[at(t[0])], data.positions[at(t[1])],
-                                  data.positions[at(t[2])]))
+    if (!isBroken[f] &&
+        hasNoArea(data.positions[at(t[0])], data.positions[at(t[1])], data.positions[at(t[2])]))
       places[DefectKind::kZeroArea].push_back(faceAt(static_cast<int>(f)));
   }
   findDuplicates(data.triangles, isBroken, vertexCount, places);
@@ -243,10 +264,12 @@ Status requireUsable(const std::vector<Defect>& defects) {
   for (const Defect& defect : defects) {
     if (!isFatal(defect.kind)) continue;
     failure.message += (failure.message.empty() ? "" : "; ") + describe(defect) +
-                       (defect.where.size() == 1 ? " (" : " (first: ") + describePlaces(defect) + ")";
+                       (defect.where.size() == 1 ? " (" : " (first: ") + describePlaces(defect) +
+                       ")";
     failure.where.insert(failure.where.end(), defect.where.begin(), defect.where.end());
     const char* fix = remedy(defect.kind);
-    if (fix && fixes.find(fix) == std::string::npos) fixes += (fixes.empty() ? "" : ",") + std::string(fix);
+    if (fix && fixes.find(fix) == std::string::npos)
+      fixes += (fixes.empty() ? "" : ",") + std::string(fix);
   }
   if (failure.message.empty()) return Done{};
   if (!fixes.empty()) failure.message += ". Repair with --fix " + fixes;

@@ -10,15 +10,15 @@
 namespace hgp {
 
 enum class DefectKind {
-  kIndexOutOfRange,      ///< a corner names a vertex that does not exist
-  kNotFinite,            ///< NaN or infinite position of a used vertex
-  kRepeatedVertex,       ///< a face names one vertex twice
-  kZeroArea,             ///< a face without area (collinear or equal corners)
-  kDuplicateFace,        ///< the same three vertices twice
-  kNonManifoldEdge,      ///< an edge with more than two faces
-  kInconsistentEdge,     ///< two faces run along an edge in the same direction
-  kNonManifoldVertex,    ///< the faces around a vertex form more than one fan
-  kIsolatedVertex,       ///< a vertex without faces: kept in the file, left out of the solve
+  kIndexOutOfRange,    ///< a corner names a vertex that does not exist
+  kNotFinite,          ///< NaN or infinite position of a used vertex
+  kRepeatedVertex,     ///< a face names one vertex twice
+  kZeroArea,           ///< a face without area (collinear or equal corners)
+  kDuplicateFace,      ///< the same three vertices twice
+  kNonManifoldEdge,    ///< an edge with more than two faces
+  kInconsistentEdge,   ///< two faces run along an edge in the same direction
+  kNonManifoldVertex,  ///< the faces around a vertex form more than one fan
+  kIsolatedVertex,     ///< a vertex without faces: kept in the file, left out of the solve
 };
 
 /// Short stable name used in JSON ("non-manifold-edge", …).
@@ -45,16 +45,17 @@ Status requireUsable(const std::vector<Defect>& defects);
 
 /// Opt-in repairs of `--fix orient,split,degenerate`.
 struct FixOptions {
-  bool orient = false;      ///< flip faces so that each orientable component is consistent
-  bool split = false;       ///< duplicate vertices until edges and vertices are manifold
-  bool degenerate = false;  ///< remove zero-area, repeated-vertex and duplicate faces, closing the gaps
+  bool orient = false;  ///< flip faces so that each orientable component is consistent
+  bool split = false;   ///< duplicate vertices until edges and vertices are manifold
+  bool degenerate =
+      false;  ///< remove zero-area, repeated-vertex and duplicate faces, closing the gaps
 };
 
 struct FixResult {
   MeshData mesh;
-  std::vector<int> faceOrigin;    ///< new face → old face; −1 for a face made by a repair
-  std::vector<int> vertexOrigin;  ///< new vertex → old vertex
-  std::vector<std::string> notes; ///< what was done, with counts
+  std::vector<int> faceOrigin;     ///< new face → old face; −1 for a face made by a repair
+  std::vector<int> vertexOrigin;   ///< new vertex → old vertex
+  std::vector<std::string> notes;  ///< what was done, with counts
 };
 
 /// Applies what is asked, in the order degenerate, orient, split. What cannot be repaired stays a

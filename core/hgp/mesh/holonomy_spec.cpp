@@ -54,9 +54,11 @@ Status checkShape(const TriMesh& mesh, const Topology& topology, const HolonomyS
   };
   if (auto bad = selectCones(spec, isMissing); !bad.empty())
     return refuseCones(bad, "at a vertex that does not exist");
-  if (auto bad = selectCones(spec, [&](auto& c) { return mesh.isIsolated(c.vertex); }); !bad.empty())
+  if (auto bad = selectCones(spec, [&](auto& c) { return mesh.isIsolated(c.vertex); });
+      !bad.empty())
     return refuseCones(bad, "at a vertex without faces");
-  if (auto bad = selectCones(spec, [&](auto& c) { return mesh.isBoundary(c.vertex); }); !bad.empty())
+  if (auto bad = selectCones(spec, [&](auto& c) { return mesh.isBoundary(c.vertex); });
+      !bad.empty())
     return refuseCones(bad, "on the boundary, where only a loop's total turning is prescribed");
   std::vector<int> uses(static_cast<std::size_t>(mesh.vertexCount()), 0);
   const auto isRepeated = [&](const ConePoint& c) {
@@ -75,17 +77,19 @@ Status checkBounds(const TriMesh& mesh, const Topology& topology, const Holonomy
     return 2LL * c.k >= static_cast<long long>(spec.q) * mesh.valence(c.vertex);
   };
   if (auto bad = selectCones(spec, isTooWide); !bad.empty())
-    return refuseCones(bad, "with 2k ≥ q·valence; each triangle contributes less than π, so the "
-                            "vertex has too few of them");
+    return refuseCones(bad,
+                       "with 2k ≥ q·valence; each triangle contributes less than π, so the "
+                       "vertex has too few of them");
   for (std::size_t j = 0; j < spec.turning.size(); ++j) {
     if (!spec.turning[j]) continue;
     const TurningRange range = turningRange(mesh, topology.loops[j], spec.q);
     if (*spec.turning[j] < range.lowest || *spec.turning[j] > range.highest)
-      return refuse(formatText("Turning index %d of boundary loop %zu is out of reach: with its %zu "
-                               "vertices and their triangles it lies between %lld and %lld.",
-                               *spec.turning[j], j, topology.loops[j].halfedges.size(),
-                               range.lowest, range.highest),
-                    {{Where::Kind::kLoop, static_cast<std::int64_t>(j)}});
+      return refuse(
+          formatText("Turning index %d of boundary loop %zu is out of reach: with its %zu "
+                     "vertices and their triangles it lies between %lld and %lld.",
+                     *spec.turning[j], j, topology.loops[j].halfedges.size(), range.lowest,
+                     range.highest),
+          {{Where::Kind::kLoop, static_cast<std::int64_t>(j)}});
   }
   return Done{};
 }
@@ -97,9 +101,8 @@ std::string budgetAdvice(long long missing, int q, bool hasLoops) {
                                              : ", or lower turning indices by as much")
                               : "";
   if (missing > 0) {
-    const std::string example =
-        n < q ? formatText("a new cone of k=%lld", q - n)
-              : formatText("%lld new cones of k=%d", n, q - 1);
+    const std::string example = n < q ? formatText("a new cone of k=%lld", q - n)
+                                      : formatText("%lld new cones of k=%d", n, q - 1);
     return formatText("%lld missing: lower the k of cones by %lld in total (%s)%s", n, n,
                       q > 1 ? example.c_str() : "q=1 has no cones of positive curvature", turn);
   }
@@ -190,8 +193,9 @@ Status checkClosed(const Topology& topology, const HolonomySpec& spec, BudgetRep
   const ReducedProblem p = reduceProblem(topology, spec);
   const std::string reduced = reducedText(p);
   if (topology.genus == 1 && p.k.empty() && !p.isHolonomyTrivial)
-    return refuse("A closed torus without cones is flat, and its handles cannot rotate: every "
-                  "handle rotation must be 0.");
+    return refuse(
+        "A closed torus without cones is flat, and its handles cannot rotate: every "
+        "handle rotation must be 0.");
   if (topology.genus == 1 && p.k == std::vector<int>{p.q - 1, p.q + 1}) {
     const std::string text = formatText(
         "A closed torus with exactly two cones, k=%d and k=%d%s, has no map with all rotations "
@@ -199,7 +203,8 @@ Status checkClosed(const Topology& topology, const HolonomySpec& spec, BudgetRep
         p.q - 1, p.q + 1, reduced.c_str(), p.q);
     if (p.divisor == 1 || p.areHandlesKnown) return refuse(text + ": add two more cones.");
     report.warnings.push_back(text + formatText("; a handle rotation that is no multiple of %d is "
-                                                "needed.", p.divisor));
+                                                "needed.",
+                                                p.divisor));
   }
   const bool isEmptyStratum = topology.genus == 2 && p.q == 2 &&
                               (p.k == std::vector<int>{3, 5} || p.k == std::vector<int>{6});
@@ -207,12 +212,16 @@ Status checkClosed(const Topology& topology, const HolonomySpec& spec, BudgetRep
   const bool isEitherOr = topology.genus == 2 && p.q == 1 && p.k == std::vector<int>{3} &&
                           p.divisor % 2 == 0 && !p.areHandlesKnown;
   const char* unless = p.areHandlesKnown || p.divisor == 1
-                           ? "" : ", unless a handle rotates by less than that common divisor";
+                           ? ""
+                           : ", unless a handle rotates by less than that common divisor";
   if (isEmptyStratum)
-    report.warnings.push_back("Closed surfaces of genus 2 have no flat metric with q=2 and cones "
-                              "{3,5} or {6}" + reduced + unless + ": expect no map.");
+    report.warnings.push_back(
+        "Closed surfaces of genus 2 have no flat metric with q=2 and cones "
+        "{3,5} or {6}" +
+        reduced + unless + ": expect no map.");
   if (isEitherOr)
-    report.warnings.push_back("One cone on a closed surface of genus 2" + reduced + " needs handle "
+    report.warnings.push_back("One cone on a closed surface of genus 2" + reduced +
+                              " needs handle "
                               "rotations that are all 0, or that are not all half turns.");
   return Done{};
 }
@@ -224,7 +233,8 @@ void warnPoorVertices(const TriMesh& mesh, const HolonomySpec& spec, BudgetRepor
   const auto poor = selectCones(spec, isPoor);
   if (poor.empty()) return;
   report.warnings.push_back(formatText(
-      "%zu cone%s with few triangles for the angle (more than %.3g rad each on average): vertex %s. "
+      "%zu cone%s with few triangles for the angle (more than %.3g rad each on average): vertex "
+      "%s. "
       "Refining around them helps.",
       poor.size(), poor.size() == 1 ? "" : "s", kPoorCornerAngle, listCones(poor).c_str()));
 }
@@ -241,8 +251,8 @@ HolonomySpec toSpec(const CompleteSpec& spec) {
 TurningRange turningRange(const TriMesh& mesh, const BoundaryLoop& loop, int q) {
   long long slack = 0;  // Σ(1 − t_v)
   for (HalfedgeId h : loop.halfedges) slack += 1 - mesh.valence(mesh.tail(h));
-  const long long low = q * slack, high = static_cast<long long>(q) *
-                                          static_cast<long long>(loop.halfedges.size());
+  const long long low = q * slack,
+                  high = static_cast<long long>(q) * static_cast<long long>(loop.halfedges.size());
   // low < 2l < high in integers; both may be negative or odd.
   const auto floorHalf = [](long long a) { return a >= 0 ? a / 2 : -((1 - a) / 2); };
   return {floorHalf(low) + 1, -(floorHalf(-high) + 1)};
@@ -250,13 +260,15 @@ TurningRange turningRange(const TriMesh& mesh, const BoundaryLoop& loop, int q) 
 
 Result<BudgetReport> checkPrescription(const TriMesh& mesh, const Topology& topology,
                                        const HolonomySpec& spec) {
-  HGP_CHECK(topology.componentCount == 1, "one component expected, got %d", topology.componentCount);
+  HGP_CHECK(topology.componentCount == 1, "one component expected, got %d",
+            topology.componentCount);
   if (Status ok = checkShape(mesh, topology, spec); !ok) return std::move(ok).error();
   if (Status ok = checkBounds(mesh, topology, spec); !ok) return std::move(ok).error();
   const bool isClosed = topology.loops.empty();
   if (isClosed && topology.genus == 0 && spec.q == 1)
-    return refuse("A closed surface of genus 0 has no map with q = 1: cones of positive curvature "
-                  "need angles below 2π. Choose q ≥ 2.");
+    return refuse(
+        "A closed surface of genus 0 has no map with q = 1: cones of positive curvature "
+        "need angles below 2π. Choose q ≥ 2.");
   Result<BudgetReport> report = balance(mesh, topology, spec);
   if (!report) return report;
   if (isClosed)

@@ -20,7 +20,8 @@ struct ConePoint {
 struct HolonomySpec {
   int q = 4;
   std::vector<ConePoint> cones;
-  std::vector<std::optional<int>> turning;   ///< l_j per loop of Topology::loops; turning angle 2πl/q
+  std::vector<std::optional<int>>
+      turning;  ///< l_j per loop of Topology::loops; turning angle 2πl/q
   /// Per dual loop of handleGenerators, r in Z_q: the sum over the crossed halfedges of the seam
   /// rotation r_h, where the edge's uv vector seen from the face entered is e^{i2πr_h/q} times the
   /// one seen from the face left.
@@ -30,9 +31,9 @@ struct HolonomySpec {
 /// Everything decided.
 struct CompleteSpec {
   int q = 4;
-  std::vector<ConePoint> cones;   ///< ascending by vertex, no k = q entries
+  std::vector<ConePoint> cones;  ///< ascending by vertex, no k = q entries
   std::vector<int> turning;
-  std::vector<int> handles;       ///< r ∈ {0, …, q − 1}
+  std::vector<int> handles;  ///< r ∈ {0, …, q − 1}
 };
 
 /// The same with nothing left open.
@@ -52,10 +53,11 @@ TurningRange turningRange(const TriMesh& mesh, const BoundaryLoop& loop, int q);
 
 /// Outcome of the exact integer budget, whether or not it balances.
 struct BudgetReport {
-  long long have = 0;              ///< q|C| − Σk + Σ known l
-  long long need = 0;              ///< q(2 − 2g − m)
-  int openLoops = 0;               ///< loops whose turning is still free
-  std::vector<std::string> warnings;  ///< known-hopeless patterns and poor vertices (decisions 7, 8)
+  long long have = 0;  ///< q|C| − Σk + Σ known l
+  long long need = 0;  ///< q(2 − 2g − m)
+  int openLoops = 0;   ///< loops whose turning is still free
+  std::vector<std::string>
+      warnings;  ///< known-hopeless patterns and poor vertices (decisions 7, 8)
 };
 
 /// Gauss–Bonnet and admissibility in exact integers [BCW17 Lemma 6.2]:

@@ -26,22 +26,22 @@ struct MeasuredCone {
 
 /// A boundary loop with turning angle Σ(π − θ_v) = 2π(measured + offset)/q [BCW17 Def. C.1].
 struct MeasuredTurning {
-  LoopId loop;                 ///< index into Topology::loops
+  LoopId loop;  ///< index into Topology::loops
   std::optional<int> asked;
   int measured = 0;
   double distance = 0;
-  bool isWrong = false;        ///< not as asked, or too far from the integer
+  bool isWrong = false;  ///< not as asked, or too far from the integer
 };
 
 struct AngleFacts {
-  std::vector<MeasuredCone> cones;        ///< asked ones and all with measured ≠ q, ascending
-  std::vector<MeasuredCone> wrong;        ///< not as asked, or too far from the integer, ascending
-  double worstDistance = 0;               ///< over all interior vertices
+  std::vector<MeasuredCone> cones;  ///< asked ones and all with measured ≠ q, ascending
+  std::vector<MeasuredCone> wrong;  ///< not as asked, or too far from the integer, ascending
+  double worstDistance = 0;         ///< over all interior vertices
   VertexId worstVertex;
   std::vector<MeasuredTurning> turnings;  ///< every loop
   std::vector<VertexId> overlapping;      ///< boundary vertices with θ_v > 2π: allowed, reported
   double smallestAngle = 0;               ///< of all triangles' corners, radians
-  long long turnSum = 0;                  ///< Σ(q − k) + Σl of what was measured [BCW17 Lemma 6.2]
+  long long turnSum = 0;  ///< Σ(q − k) + Σl of what was measured [BCW17 Lemma 6.2]
 };
 
 /// Interior angle at the tail of every halfedge, in [0, π], of the metric induced by uv (a reversed
@@ -51,10 +51,10 @@ PerHalfedge<double> computeUvAngles(const TriMesh& mesh, const CornerUv& uv);
 /// What the angles are compared with.
 struct AskedAngles {
   int q = 4;
-  PerVertex<int> k;                          ///< per vertex; q where regular
-  PerVertex<char> isCone;                    ///< 1 where a cone was asked for
-  bool isAnyConeAllowed = false;             ///< where isCone = 0, every measured k ≥ 1 will do
-  std::vector<std::optional<int>> turning;   ///< per loop
+  PerVertex<int> k;                         ///< per vertex; q where regular
+  PerVertex<char> isCone;                   ///< 1 where a cone was asked for
+  bool isAnyConeAllowed = false;            ///< where isCone = 0, every measured k ≥ 1 will do
+  std::vector<std::optional<int>> turning;  ///< per loop
 };
 
 /// @param slack  what the accepted seam residuals at each vertex can turn it by, in units of 2π/q;

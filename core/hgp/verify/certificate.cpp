@@ -30,9 +30,12 @@ JudgedUv gatherUv(const TriMesh& mesh, const UvMap& map, const CertifyOptions& o
   JudgedUv out;
   const auto faceCount = static_cast<std::size_t>(mesh.faceCount());
   if (map.cornerUv.size() != faceCount) {
-    out.reasons.push_back({Rule::kMalformedUv, 1, double(map.cornerUv.size()),
+    out.reasons.push_back({Rule::kMalformedUv,
+                           1,
+                           double(map.cornerUv.size()),
                            formatText("uv indices are given for %zu faces; the mesh has %zu.",
-                                      map.cornerUv.size(), faceCount), {}});
+                                      map.cornerUv.size(), faceCount),
+                           {}});
     return out;
   }
   Reason outside{Rule::kMalformedUv, 0, 0.0, "", {}}, infinite{Rule::kNotFinite, 0, 0.0, "", {}};
@@ -129,16 +132,26 @@ void measure(const TriMesh& mesh, const Topology& topology, const AskedMap& aske
 
 const char* ruleName(Rule rule) {
   switch (rule) {
-    case Rule::kPrescription: return "prescription";
-    case Rule::kMalformedUv: return "malformed-uv";
-    case Rule::kNotFinite: return "not-finite";
-    case Rule::kOrientation: return "orientation";
-    case Rule::kConeAngle: return "cone-angle";
-    case Rule::kTurning: return "turning";
-    case Rule::kSeam: return "seam";
-    case Rule::kHandle: return "handle";
-    case Rule::kGaussBonnet: return "gauss-bonnet";
-    case Rule::kEuler: return "euler";
+    case Rule::kPrescription:
+      return "prescription";
+    case Rule::kMalformedUv:
+      return "malformed-uv";
+    case Rule::kNotFinite:
+      return "not-finite";
+    case Rule::kOrientation:
+      return "orientation";
+    case Rule::kConeAngle:
+      return "cone-angle";
+    case Rule::kTurning:
+      return "turning";
+    case Rule::kSeam:
+      return "seam";
+    case Rule::kHandle:
+      return "handle";
+    case Rule::kGaussBonnet:
+      return "gauss-bonnet";
+    case Rule::kEuler:
+      return "euler";
   }
   return "unknown";
 }
@@ -161,8 +174,8 @@ Certificate certify(const TriMesh& mesh, const HolonomySpec& asked, const UvMap&
   for (auto* more : {&wanted.misfits, static_cast<const std::vector<Reason>*>(&judged.reasons)})
     certificate.reasons.insert(certificate.reasons.end(), more->begin(), more->end());
   certificate.isCertified = certificate.isMeasured && certificate.reasons.empty();
-  certificate.isUsable = certificate.isCertified && certificate.distortion.areaSpan >=
-                                                        unitRoundoff(options.precision);
+  certificate.isUsable =
+      certificate.isCertified && certificate.distortion.areaSpan >= unitRoundoff(options.precision);
   return certificate;
 }
 

@@ -47,10 +47,10 @@ const char* ruleName(Rule rule);
 /// Why a map is not certified.
 struct Reason {
   Rule rule;
-  int count = 0;              ///< places that break the rule
-  double worst = 0;           ///< measured number at the worst place, in the rule's own unit
-  std::string message;        ///< one sentence: rule, numbers
-  std::vector<Where> where;   ///< the worst places, worst first ("Show worst")
+  int count = 0;             ///< places that break the rule
+  double worst = 0;          ///< measured number at the worst place, in the rule's own unit
+  std::string message;       ///< one sentence: rule, numbers
+  std::vector<Where> where;  ///< the worst places, worst first ("Show worst")
 };
 
 /// Facts first, verdict last. Facts that could not be measured keep their defaults.

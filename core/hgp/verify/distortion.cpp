@@ -10,12 +10,12 @@ namespace {
 
 /// One triangle's numbers before the global scale is known.
 struct TriangleMap {
-  double area = 0;      ///< on the surface
+  double area = 0;  ///< on the surface
   double mu = 0;
   double logScale = 0;  ///< log₂(uv area / surface area)
   double uvArea = 0;
-  double stretch = 0;   ///< σ₁² + σ₂²
-  double shrink = 0;    ///< σ₁⁻² + σ₂⁻²
+  double stretch = 0;  ///< σ₁² + σ₂²
+  double shrink = 0;   ///< σ₁⁻² + σ₂⁻²
   FaceId face;
 };
 
@@ -53,10 +53,10 @@ TriangleMap measureTriangle(const TriMesh& mesh, FaceId f, double scale, const C
   const double height = twiceArea / base, foot = dot(ab, ac) / (base * base);
   const Vec2 fx{p[0] / base, p[1] / base};
   const Vec2 fy{(q[0] - foot * p[0]) / height, (q[1] - foot * p[1]) / height};
-  const double conformal = 0.5 * std::sqrt((fx[0] + fy[1]) * (fx[0] + fy[1]) +
-                                           (fx[1] - fy[0]) * (fx[1] - fy[0]));
-  const double anti = 0.5 * std::sqrt((fx[0] - fy[1]) * (fx[0] - fy[1]) +
-                                      (fx[1] + fy[0]) * (fx[1] + fy[0]));
+  const double conformal =
+      0.5 * std::sqrt((fx[0] + fy[1]) * (fx[0] + fy[1]) + (fx[1] - fy[0]) * (fx[1] - fy[0]));
+  const double anti =
+      0.5 * std::sqrt((fx[0] - fy[1]) * (fx[0] - fy[1]) + (fx[1] + fy[0]) * (fx[1] + fy[0]));
   const double left = p[0] * q[1], right = p[1] * q[0];
   // The triangle is known to be positive: an area lost in rounding is below the rounding error.
   const double rounding = (std::fabs(left) + std::fabs(right)) * (DBL_EPSILON / 2);

@@ -118,9 +118,12 @@ OrientationFacts measureOrientation(const TriMesh& mesh, const PerVertex<char>& 
   for (FaceId f : mesh.faces()) {
     const HalfedgeId h = TriMesh::halfedge(f, 0);
     const int sign = orientationSign(uv[h], uv[TriMesh::next(h)], uv[TriMesh::previous(h)]);
-    if (sign > 0) ++facts.positive;
-    else if (sign < 0) ++facts.negative;
-    else ++facts.zero;
+    if (sign > 0)
+      ++facts.positive;
+    else if (sign < 0)
+      ++facts.negative;
+    else
+      ++facts.zero;
     if (sign <= 0) facts.notPositive.push_back(f);
     for (VertexId v : mesh.corners(f)) {
       if (!isCone[v] && !mesh.isBoundary(v)) continue;

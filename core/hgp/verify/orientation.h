@@ -22,8 +22,8 @@ int exactOrientationSign(const Vec2& a, const Vec2& b, const Vec2& c);
 struct OrientationFacts {
   int positive = 0, zero = 0, negative = 0;  ///< add up to |F|
   std::vector<FaceId> notPositive;           ///< every one of them, ascending
-  int constrained = 0;          ///< |F_cb|: triangles with a cone or a boundary vertex
-  int constrainedPositive = 0;  ///< of those
+  int constrained = 0;                       ///< |F_cb|: triangles with a cone or a boundary vertex
+  int constrainedPositive = 0;               ///< of those
 };
 
 /// @param isCone  1 at the cones asked for

@@ -31,15 +31,15 @@ struct MeasuredHandle {
 };
 
 struct SeamFacts {
-  std::vector<MeasuredSeam> seams;    ///< every seam edge, ascending
-  std::vector<MeasuredSeam> broken;   ///< no rotation by a multiple of 2π/q within tolerance
-  int chartCount = 0;                 ///< pieces the seams cut the surface into
-  double worstResidual = 0;           ///< in uv units
-  double worstLengthResidual = 0;     ///< in uv units
-  EdgeId worstEdge;                   ///< of worstResidual
-  double tolerance = 0;               ///< in uv units: what was accepted
-  double maxUv = 0;                   ///< max(|u|, |v|)
-  double meanEdge = 0;                ///< mean uv edge length over all triangle sides
+  std::vector<MeasuredSeam> seams;   ///< every seam edge, ascending
+  std::vector<MeasuredSeam> broken;  ///< no rotation by a multiple of 2π/q within tolerance
+  int chartCount = 0;                ///< pieces the seams cut the surface into
+  double worstResidual = 0;          ///< in uv units
+  double worstLengthResidual = 0;    ///< in uv units
+  EdgeId worstEdge;                  ///< of worstResidual
+  double tolerance = 0;              ///< in uv units: what was accepted
+  double maxUv = 0;                  ///< max(|u|, |v|)
+  double meanEdge = 0;               ///< mean uv edge length over all triangle sides
   std::vector<MeasuredHandle> handles;
 };
 

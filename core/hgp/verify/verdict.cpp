@@ -37,8 +37,8 @@ Reason misfit(std::string message, std::vector<Where> where = {}) {
   return {Rule::kPrescription, count, 0.0, std::move(message), std::move(where)};
 }
 
-void checkOrientation(const Certificate& facts, const CornerUv& uv,
-                      const CertifyOptions& options, std::vector<Reason>& reasons) {
+void checkOrientation(const Certificate& facts, const CornerUv& uv, const CertifyOptions& options,
+                      std::vector<Reason>& reasons) {
   const OrientationFacts& o = facts.orientation;
   if (o.notPositive.empty()) return;
   std::vector<Place> places;
@@ -46,8 +46,7 @@ void checkOrientation(const Certificate& facts, const CornerUv& uv,
   for (FaceId f : o.notPositive) {
     const HalfedgeId h = TriMesh::halfedge(f, 0);
     const Vec2 &a = uv[h], &b = uv[TriMesh::next(h)], &c = uv[TriMesh::previous(h)];
-    const double area =
-        0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+    const double area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
     worst = std::min(worst, area);
     places.push_back({-area, {Where::Kind::kFace, f.i}});
   }
@@ -56,10 +55,11 @@ void checkOrientation(const Certificate& facts, const CornerUv& uv,
   const double relative = unit > 0.0 ? worst / unit : 0.0;
   reasons.push_back(
       {Rule::kOrientation, static_cast<int>(o.notPositive.size()), relative,
-       formatText("%zu of %d triangles %s not positive: %d reversed, %d without area; the worst has "
-                  "%.3g of a mean triangle's area.",
-                  o.notPositive.size(), facts.faceCount, o.notPositive.size() == 1 ? "is" : "are",
-                  o.negative, o.zero, relative),
+       formatText(
+           "%zu of %d triangles %s not positive: %d reversed, %d without area; the worst has "
+           "%.3g of a mean triangle's area.",
+           o.notPositive.size(), facts.faceCount, o.notPositive.size() == 1 ? "is" : "are",
+           o.negative, o.zero, relative),
        worstPlaces(std::move(places), options.placesPerReason)});
 }
 
@@ -101,10 +101,11 @@ void checkTurnings(const Certificate& facts, const CertifyOptions& options,
   const std::string asked = worst->asked ? std::to_string(*worst->asked) : "an integer";
   reasons.push_back(
       {Rule::kTurning, static_cast<int>(places.size()), error(*worst),
-       formatText("%zu boundary loop%s turned otherwise; worst loop %d: l = %d with distance %.3g to "
-                  "the integer, asked %s (turning 2πl/%d).",
-                  places.size(), places.size() == 1 ? " is" : "s are", worst->loop.i,
-                  worst->measured, worst->distance, asked.c_str(), facts.q),
+       formatText(
+           "%zu boundary loop%s turned otherwise; worst loop %d: l = %d with distance %.3g to "
+           "the integer, asked %s (turning 2πl/%d).",
+           places.size(), places.size() == 1 ? " is" : "s are", worst->loop.i, worst->measured,
+           worst->distance, asked.c_str(), facts.q),
        worstPlaces(std::move(places), options.placesPerReason)});
 }
 
@@ -122,11 +123,12 @@ void checkSeams(const TriMesh& mesh, const Certificate& facts, const CertifyOpti
   const double meanEdges = facts.seams.meanEdge > 0.0 ? worst / facts.seams.meanEdge : 0.0;
   reasons.push_back(
       {Rule::kSeam, static_cast<int>(broken.size()), relative,
-       formatText("%zu of %zu seam edge%s not related by a rotation by a multiple of 2π/%d; the worst "
-                  "is off by %.3g of the largest |uv| (%.3g mean edges), accepted %.3g.",
-                  broken.size(), facts.seams.seams.size(), broken.size() == 1 ? " is" : "s are",
-                  facts.q, relative, meanEdges,
-                  facts.seams.maxUv > 0.0 ? facts.seams.tolerance / facts.seams.maxUv : 0.0),
+       formatText(
+           "%zu of %zu seam edge%s not related by a rotation by a multiple of 2π/%d; the worst "
+           "is off by %.3g of the largest |uv| (%.3g mean edges), accepted %.3g.",
+           broken.size(), facts.seams.seams.size(), broken.size() == 1 ? " is" : "s are", facts.q,
+           relative, meanEdges,
+           facts.seams.maxUv > 0.0 ? facts.seams.tolerance / facts.seams.maxUv : 0.0),
        worstPlaces(std::move(places), options.placesPerReason)});
 }
 
@@ -138,32 +140,38 @@ void checkHandles(const TriMesh& mesh, const Certificate& facts, const std::vect
     if (reason.count++ > 0) continue;
     const std::string measured = h.measured ? std::to_string(*h.measured) : "no rotation";
     reason.worst = h.measured ? *h.measured : -1;
-    reason.message = formatText(" not rotated as asked; first is handle %d: measured %s, asked %d "
-                                "(of %d).",
-                                h.index, measured.c_str(), *h.asked, facts.q);
+    reason.message = formatText(
+        " not rotated as asked; first is handle %d: measured %s, asked %d "
+        "(of %d).",
+        h.index, measured.c_str(), *h.asked, facts.q);
     for (HalfedgeId c : loops[static_cast<std::size_t>(h.index)].crossed)
       if (static_cast<int>(reason.where.size()) < options.placesPerReason)
         reason.where.push_back(whereEdge(mesh, c));
   }
   if (reason.count == 0) return;
-  reason.message = formatText("%d handle%s", reason.count, reason.count == 1 ? " is" : "s are") +
-                   reason.message;
+  reason.message =
+      formatText("%d handle%s", reason.count, reason.count == 1 ? " is" : "s are") + reason.message;
   reasons.push_back(std::move(reason));
 }
 
 void checkIntegers(const Certificate& facts, std::vector<Reason>& reasons) {
   if (facts.gaussBonnetHave != facts.gaussBonnetNeed)
     reasons.push_back(
-        {Rule::kGaussBonnet, 1, double(facts.gaussBonnetHave - facts.gaussBonnetNeed),
-         formatText("Gauss–Bonnet (Lemma 6.2) fails for the measured integers: Σ = %lld, need %lld.",
-                    facts.gaussBonnetHave, facts.gaussBonnetNeed),
+        {Rule::kGaussBonnet,
+         1,
+         double(facts.gaussBonnetHave - facts.gaussBonnetNeed),
+         formatText(
+             "Gauss–Bonnet (Lemma 6.2) fails for the measured integers: Σ = %lld, need %lld.",
+             facts.gaussBonnetHave, facts.gaussBonnetNeed),
          {}});
   const int expected = 2 * facts.componentCount - 2 * facts.genus - facts.loopCount;
   if (facts.eulerCharacteristic != expected)
-    reasons.push_back({Rule::kEuler, 1, double(facts.eulerCharacteristic - expected),
-                       formatText("V − E + F = %d, but 2c − 2g − m = %d.",
-                                  facts.eulerCharacteristic, expected),
-                       {}});
+    reasons.push_back(
+        {Rule::kEuler,
+         1,
+         double(facts.eulerCharacteristic - expected),
+         formatText("V − E + F = %d, but 2c − 2g − m = %d.", facts.eulerCharacteristic, expected),
+         {}});
 }
 
 }  // namespace
@@ -192,15 +200,15 @@ AskedMap layOutAsked(const TriMesh& mesh, const Topology& topology, int handleCo
     out.angles.k[c.vertex] = c.k;
   }
   if (!strays.empty())
-    out.misfits.push_back(misfit(
-        formatText("%zu cone%s given twice or not at an interior vertex.", strays.size(),
-                   strays.size() == 1 ? " is" : "s are"), strays));
+    out.misfits.push_back(misfit(formatText("%zu cone%s given twice or not at an interior vertex.",
+                                            strays.size(), strays.size() == 1 ? " is" : "s are"),
+                                 strays));
   if (asked.turning.size() == topology.loops.size()) {
     out.angles.turning = asked.turning;
   } else if (!asked.turning.empty()) {
-    out.misfits.push_back(misfit(formatText("%zu turning indices are given for %zu boundary loop%s.",
-                                            asked.turning.size(), topology.loops.size(),
-                                            plural(topology.loops.size()))));
+    out.misfits.push_back(misfit(
+        formatText("%zu turning indices are given for %zu boundary loop%s.", asked.turning.size(),
+                   topology.loops.size(), plural(topology.loops.size()))));
   }
   if (asked.handles.size() == static_cast<std::size_t>(handleCount)) {
     out.handles = asked.handles;

@@ -34,7 +34,8 @@ const Reason& onlyReason(const Certificate& certificate) {
 
 std::string text(const Certificate& certificate) {
   std::string all;
-  for (const Reason& r : certificate.reasons) all += std::string(ruleName(r.rule)) + ": " + r.message + "\n";
+  for (const Reason& r : certificate.reasons)
+    all += std::string(ruleName(r.rule)) + ": " + r.message + "\n";
   return all;
 }
 
@@ -50,7 +51,8 @@ HolonomySpec regular(int q) {
 HolonomySpec askedAsMeasured(const Certificate& certificate) {
   HolonomySpec spec;
   spec.q = certificate.q;
-  for (const MeasuredCone& c : certificate.angles.cones) spec.cones.push_back({c.vertex, c.measured});
+  for (const MeasuredCone& c : certificate.angles.cones)
+    spec.cones.push_back({c.vertex, c.measured});
   for (const MeasuredTurning& t : certificate.angles.turnings) spec.turning.push_back(t.measured);
   for (const MeasuredHandle& h : certificate.seams.handles) spec.handles.push_back(h.measured);
   return spec;
@@ -137,7 +139,8 @@ TEST(Certificate, PassesFlatConesOfEveryAngle) {
 }
 
 TEST(Certificate, PassesDevelopedSurfacesOfEveryGenusWithTheirOwnHolonomy) {
-  for (const test::Shape& shape : {test::cube(2), test::pretzel(1), test::doubleTorus(), test::pretzel(5)}) {
+  for (const test::Shape& shape :
+       {test::cube(2), test::pretzel(1), test::doubleTorus(), test::pretzel(5)}) {
     const TriMesh mesh = shape.mesh();
     const UvMap map = developedMap(mesh);
     CertifyOptions options;
@@ -213,7 +216,8 @@ TEST(Certificate, WindingAroundAVertexIsCountedExactly) {
     for (int i = 0; i < n; ++i) {
       const double angle = 2 * kPi * w * (i + 0.3 * (random() % 100) / 100.0) / n;
       const double radius = 1000.0 + random() % 100000;
-      spokes.push_back({std::round(radius * std::cos(angle)), std::round(radius * std::sin(angle))});
+      spokes.push_back(
+          {std::round(radius * std::cos(angle)), std::round(radius * std::sin(angle))});
     }
     long long crossings = 0;  // of the positive u axis, upwards minus downwards
     for (std::size_t i = 0; i < spokes.size(); ++i) {
@@ -562,7 +566,8 @@ TEST(Certificate, SeveralComponentsAreJudgedTogetherWithoutHandles) {
   MeshData data = a.data;
   const int shift = static_cast<int>(data.positions.size());
   for (Vec3 p : b.data.positions) data.positions.push_back({p[0] + 5, p[1], p[2]});
-  for (auto t : b.data.triangles) data.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
+  for (auto t : b.data.triangles)
+    data.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
   const TriMesh mesh = test::meshOf(data);
   HolonomySpec spec = regular(4);
   spec.turning = {4, 4};

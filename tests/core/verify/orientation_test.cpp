@@ -17,8 +17,8 @@ struct IntegerPoint {
 };
 
 int exactSign(const IntegerPoint& a, const IntegerPoint& b, const IntegerPoint& c) {
-  const Exact det = static_cast<Exact>(b.x - a.x) * (c.y - a.y) -
-                    static_cast<Exact>(b.y - a.y) * (c.x - a.x);
+  const Exact det =
+      static_cast<Exact>(b.x - a.x) * (c.y - a.y) - static_cast<Exact>(b.y - a.y) * (c.x - a.x);
   return det > 0 ? 1 : det < 0 ? -1 : 0;
 }
 
@@ -43,8 +43,8 @@ Triangle nearlyFlat(std::mt19937_64& random, int bits) {
              {0, 0}};
   const double s = static_cast<double>(random() >> 11) / 9007199254740992.0;
   const auto between = [&](std::int64_t p, std::int64_t q) {
-    return static_cast<std::int64_t>(std::llround((1 - s) * static_cast<double>(p) +
-                                                  s * static_cast<double>(q)));
+    return static_cast<std::int64_t>(
+        std::llround((1 - s) * static_cast<double>(p) + s * static_cast<double>(q)));
   };
   t.c = {between(t.a.x, t.b.x) + static_cast<int>(random() % 3) - 1,
          between(t.a.y, t.b.y) + static_cast<int>(random() % 3) - 1};
@@ -84,7 +84,8 @@ TEST(Orientation, IsAntisymmetricAndCyclicForAnyDoubles) {
     return x;
   };
   for (int round = 0; round < 20000; ++round) {
-    const Vec2 a{anyDouble(), anyDouble()}, b{anyDouble(), anyDouble()}, c{anyDouble(), anyDouble()};
+    const Vec2 a{anyDouble(), anyDouble()}, b{anyDouble(), anyDouble()},
+        c{anyDouble(), anyDouble()};
     const int sign = orientationSign(a, b, c);
     ASSERT_EQ(sign, exactOrientationSign(a, b, c));
     ASSERT_EQ(sign, orientationSign(b, c, a));

@@ -1,0 +1,211 @@
+#include <nlohmann/json.hpp>
+
+#include "hgp/api/json_text.h"
+#include "hgp/api/json_values.h"
+
+namespace hgp::api {
+namespace {
+
+// More entries than this help nobody; the counts are complete.
+constexpr std::size_t kMostListed = 10'000;
+
+const char* precisionName(Precision precision) {
+  return precision == Precision::kFloat32 ? "float32" : "float64";
+}
+
+class PieceJson {
+ public:
+  PieceJson(const Model& model, const Piece& piece, const Certificate& c)
+      : model_(model), piece_(piece), c_(c) {}
+
+  Json make() const {
+    Json json{{"certified", c_.isCertified}, {"usable", c_.isUsable}, {"measured", c_.isMeasured}};
+    json["vertices"] = c_.vertexCount;
+    json["edges"] = c_.edgeCount;
+    json["triangles"] = c_.faceCount;
+    json["eulerCharacteristic"] = c_.eulerCharacteristic;
+    json["genus"] = c_.genus;
+    json["boundaryLoops"] = c_.loopCount;
+    json["orientation"] = orientation();
+    json["angles"] = angles();
+    json["cones"] = cones(c_.angles.cones);
+    json["wrongCones"] = cones(c_.angles.wrong);
+    json["turnings"] = turnings();
+    json["handles"] = handles();
+    json["seams"] = seams();
+    json["gaussBonnet"] = Json{{"have", c_.gaussBonnetHave}, {"need", c_.gaussBonnetNeed}};
+    json["distortion"] = distortion();
+    json["reasons"] = reasons();
+    return json;
+  }
+
+ private:
+  int vertex(VertexId v) const {
+    if (!v.isValid()) return -1;
+    const int inMesh = piece_.vertexOrigin[static_cast<std::size_t>(v.i)];
+    return model_.vertexOrigin[static_cast<std::size_t>(inMesh)];
+  }
+  int face(FaceId f) const {
+    if (!f.isValid()) return -1;
+    const int inMesh = piece_.faceOrigin[static_cast<std::size_t>(f.i)];
+    return model_.faceOrigin[static_cast<std::size_t>(inMesh)];
+  }
+
+  Json orientation() const {
+    const OrientationFacts& o = c_.orientation;
+    Json faces = Json::array();
+    for (FaceId f : o.notPositive) {
+      if (faces.size() < kMostListed) faces.push_back(face(f));
+    }
+    return Json{{"positive", o.positive},       {"zero", o.zero},
+                {"negative", o.negative},       {"constrained", o.constrained},
+                {"constrainedPositive", o.constrainedPositive}, {"notPositive", faces}};
+  }
+
+  Json angles() const {
+    const AngleFacts& a = c_.angles;
+    Json overlapping = Json::array();
+    for (VertexId v : a.overlapping) {
+      if (overlapping.size() < kMostListed) overlapping.push_back(vertex(v));
+    }
+    return Json{{"wrong", a.wrong.size()},
+                {"worstDistance", a.worstDistance},
+                {"worstVertex", vertex(a.worstVertex)},
+                {"smallestAngle", a.smallestAngle},
+                {"overlappingBoundaryVertices", overlapping}};
+  }
+
+  Json cones(const std::vector<MeasuredCone>& list) const {
+    Json out = Json::array();
+    for (const MeasuredCone& m : list) {
+      if (out.size() >= kMostListed) break;
+      out.push_back(Json{{"vertex", vertex(m.vertex)}, {"asked", m.asked},
+                         {"measured", m.measured}, {"distance", m.distance}});
+    }
+    return out;
+  }
+
+  Json turnings() const {
+    Json out = Json::array();
+    for (const MeasuredTurning& t : c_.angles.turnings) {
+      out.push_back(Json{{"loop", piece_.loopOrigin[static_cast<std::size_t>(t.loop.i)]},
+                         {"asked", optionalNumber(t.asked)}, {"measured", t.measured},
+                         {"distance", t.distance}});
+    }
+    return out;
+  }
+
+  Json handles() const {
+    Json out = Json::array();
+    for (const MeasuredHandle& h : c_.seams.handles) {
+      out.push_back(Json{{"generator", piece_.generatorOffset + h.index},
+                         {"asked", optionalNumber(h.asked)}, {"measured", optionalNumber(h.measured)}});
+    }
+    return out;
+  }
+
+  Json seams() const {
+    const SeamFacts& s = c_.seams;
+    Json worst = Json::array();
+    if (s.worstEdge.isValid()) {
+      const HalfedgeId h = piece_.mesh.halfedge(s.worstEdge);
+      worst = {vertex(piece_.mesh.tail(h)), vertex(piece_.mesh.head(h))};
+    }
+    return Json{{"edges", s.seams.size()},
+                {"broken", s.broken.size()},
+                {"charts", s.chartCount},
+                {"worstResidual", s.worstResidual},
+                {"worstLengthResidual", s.worstLengthResidual},
+                {"worstEdge", worst},
+                {"tolerance", s.tolerance},
+                {"largestUv", s.maxUv},
+                {"meanUvEdge", s.meanEdge}};
+  }
+
+  Json distortion() const {
+    const DistortionFacts& d = c_.distortion;
+    return Json{{"meanMu", d.meanMu},
+                {"p95Mu", d.p95Mu},
+                {"maxMu", d.maxMu},
+                {"worstMuTriangle", face(d.worstMu)},
+                {"rmsLogArea", d.rmsLogArea},
+                {"p95LogArea", d.p95LogArea},
+                {"minLogArea", d.minLogArea},
+                {"maxLogArea", d.maxLogArea},
+                {"symmetricDirichlet", d.symmetricDirichlet},
+                {"areaSpan", d.areaSpan},
+                {"smallestToMeanArea", d.smallestToMeanArea},
+                {"smallestTriangle", face(d.smallestArea)}};
+  }
+
+  Json reasons() const {
+    Json out = Json::array();
+    for (const Reason& reason : c_.reasons) {
+      std::vector<Where> where = reason.where;
+      toSurfaceIds(model_, piece_, where);
+      out.push_back(Json{{"rule", ruleName(reason.rule)}, {"count", reason.count},
+                         {"worst", reason.worst}, {"message", reason.message},
+                         {"where", whereJson(where)}});
+    }
+    return out;
+  }
+
+  const Model& model_;
+  const Piece& piece_;
+  const Certificate& c_;
+};
+
+/// The numbers a person looks at first, over all pieces.
+void addSummary(Json& json, const std::vector<Certificate>& certificates) {
+  int triangles = 0, flipped = 0;
+  std::size_t wrongAngles = 0, broken = 0, seams = 0;
+  int wrongTurnings = 0;
+  double coneDistance = 0, turningDistance = 0, seamResidual = 0, seamTolerance = 0;
+  for (const Certificate& c : certificates) {
+    triangles += c.faceCount;
+    flipped += c.orientation.zero + c.orientation.negative;
+    wrongAngles += c.angles.wrong.size();
+    broken += c.seams.broken.size();
+    seams += c.seams.seams.size();
+    coneDistance = std::max(coneDistance, c.angles.worstDistance);
+    for (const MeasuredTurning& t : c.angles.turnings) {
+      turningDistance = std::max(turningDistance, t.distance);
+      wrongTurnings += t.asked && *t.asked != t.measured;
+    }
+    seamResidual = std::max(seamResidual, c.seams.worstResidual);
+    seamTolerance = std::max(seamTolerance, c.seams.tolerance);
+  }
+  json["triangles"] = triangles;
+  json["flipped"] = flipped;
+  json["wrongAngles"] = wrongAngles;
+  json["wrongTurnings"] = wrongTurnings;
+  json["seamEdges"] = seams;
+  json["brokenSeams"] = broken;
+  json["maxConeDistance"] = coneDistance;
+  json["maxTurningDistance"] = turningDistance;
+  json["maxSeamResidual"] = seamResidual;
+  json["seamTolerance"] = seamTolerance;
+}
+
+}  // namespace
+
+std::string certificateText(const Model& model, const std::vector<Certificate>& certificates) {
+  Json json{{"format", "hgp-certificate"}, {"version", 1}};
+  bool isCertified = !certificates.empty(), isUsable = isCertified;
+  for (const Certificate& c : certificates) {
+    isCertified = isCertified && c.isCertified;
+    isUsable = isUsable && c.isUsable;
+  }
+  json["certified"] = isCertified;
+  json["usable"] = isUsable;
+  json["q"] = certificates.empty() ? 0 : certificates[0].q;
+  json["precision"] = certificates.empty() ? "float64" : precisionName(certificates[0].precision);
+  addSummary(json, certificates);
+  Json& components = json["components"] = Json::array();
+  for (std::size_t p = 0; p < certificates.size(); ++p) {
+    components.push_back(PieceJson(model, model.pieces[p], certificates[p]).make());
+  }
+  return textOf(json);
+}
+
+}  // namespace hgp::api

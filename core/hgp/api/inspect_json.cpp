@@ -1,0 +1,152 @@
+#include "hgp/api/json_text.h"
+#include "hgp/api/json_values.h"
+#include "hgp/api/session.h"
+#include "hgp/mesh/geometry.h"
+
+namespace hgp::api {
+namespace {
+
+constexpr std::size_t kMostPlaces = 1000;
+
+Json surfacesJson(const Model& model) {
+  Json out = Json::array();
+  const auto& surfaces = model.document->surfaces();
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const io::Surface& s = surfaces[i];
+    out.push_back(Json{{"index", i}, {"name", s.name}, {"vertices", s.mesh.positions.size()},
+                       {"storedVertices", s.storedVertexCount}, {"welded", s.isWelded},
+                       {"triangles", s.mesh.triangles.size()}, {"uvSets", s.uvSets},
+                       {"notes", s.notes}});
+  }
+  return out;
+}
+
+Json defectsJson(const Model& model) {
+  Json out = Json::array();
+  for (const Defect& defect : model.defects) {
+    std::vector<Where> where = defect.where;
+    if (where.size() > kMostPlaces) where.resize(kMostPlaces);
+    const auto vertex = [&](std::int64_t& v) {
+      if (v >= 0 && v < static_cast<std::int64_t>(model.vertexOrigin.size())) {
+        v = model.vertexOrigin[static_cast<std::size_t>(v)];
+      }
+    };
+    for (Where& w : where) {
+      if (w.kind == Where::Kind::kVertex || w.kind == Where::Kind::kEdge) vertex(w.id);
+      if (w.kind == Where::Kind::kEdge) vertex(w.other);
+      if (w.kind == Where::Kind::kFace && w.id >= 0 &&
+          w.id < static_cast<std::int64_t>(model.faceOrigin.size())) {
+        w.id = model.faceOrigin[static_cast<std::size_t>(w.id)];
+      }
+    }
+    out.push_back(Json{{"kind", defectName(defect.kind)}, {"fatal", isFatal(defect.kind)},
+                       {"count", defect.where.size()}, {"where", whereJson(where, kMostPlaces)}});
+  }
+  return out;
+}
+
+Json loopsJson(const Model& model, const Piece& piece) {
+  Json out = Json::array();
+  if (piece.topology.loops.empty()) return out;
+  const Geometry geometry = computeGeometry(piece.mesh);
+  for (std::size_t j = 0; j < piece.topology.loops.size(); ++j) {
+    const auto& halfedges = piece.topology.loops[j].halfedges;
+    double length = 0, turning = 0;
+    for (HalfedgeId h : halfedges) {
+      length += geometry.length[h] * geometry.unit;
+      turning += curvature(piece.mesh, geometry, piece.mesh.tail(h));
+    }
+    const int first = piece.mesh.tail(halfedges.front()).i;
+    const int inMesh = piece.vertexOrigin[static_cast<std::size_t>(first)];
+    out.push_back(Json{{"loop", piece.loopOrigin[j]},
+                       {"vertices", halfedges.size()},
+                       {"anchor", model.vertexOrigin[static_cast<std::size_t>(inMesh)]},
+                       {"length", length},
+                       {"turningAngle", turning}});
+  }
+  return out;
+}
+
+Json componentsJson(const Model& model) {
+  Json out = Json::array();
+  for (std::size_t p = 0; p < model.pieces.size(); ++p) {
+    const Piece& piece = model.pieces[p];
+    out.push_back(Json{{"component", p},
+                       {"vertices", piece.mesh.vertexCount() - piece.topology.isolatedVertexCount},
+                       {"edges", piece.mesh.edgeCount()},
+                       {"triangles", piece.mesh.faceCount()},
+                       {"eulerCharacteristic", piece.topology.eulerCharacteristic},
+                       {"genus", piece.topology.genus},
+                       {"handleGenerators", Json{{"first", piece.generatorOffset},
+                                                 {"count", 2 * piece.topology.genus}}},
+                       {"boundaryLoops", loopsJson(model, piece)}});
+  }
+  return out;
+}
+
+Json budgetJson(const PieceCheck& check) {
+  if (!check.budget) return Json();
+  const BudgetReport& b = *check.budget;
+  return Json{{"have", b.have}, {"need", b.need}, {"left", b.need - b.have},
+              {"openLoops", b.openLoops}};
+}
+
+}  // namespace
+
+std::string inspectText(const Model& model) {
+  Json json{{"format", "hgp-inspect"}, {"version", 1}, {"usable", !model.unusable}};
+  json["file"] = Json{{"name", model.fileName}, {"format", model.document->format()},
+                      {"bytes", model.byteCount}, {"sha256", model.sha256}};
+  json["surfaces"] = surfacesJson(model);
+  json["surface"] = model.surface;
+  json["vertices"] = model.mesh.positions.size();
+  json["triangles"] = model.mesh.triangles.size();
+  if (!model.unusable) {
+    const Topology& t = model.topology;
+    json["eulerCharacteristic"] = t.eulerCharacteristic;
+    json["genus"] = t.genus;
+    json["boundaryLoops"] = t.loops.size();
+    json["isolatedVertices"] = t.isolatedVertexCount;
+    json["components"] = componentsJson(model);
+  }
+  json["diagonal"] = diagonal(model.mesh.positions);
+  json["defects"] = defectsJson(model);
+  json["notes"] = model.notes;
+  if (model.unusable) json["error"] = failureJson(*model.unusable);
+  return textOf(json);
+}
+
+std::string checkText(const Model& model, const Request& request,
+                      const std::vector<PieceCheck>& checks) {
+  bool isValid = true;
+  Json components = Json::array();
+  for (std::size_t p = 0; p < checks.size(); ++p) {
+    const Piece& piece = model.pieces[p];
+    const HolonomySpec& spec = request.pieces[p].spec;
+    isValid = isValid && !checks[p].refusal;
+    Json entry{{"component", p}, {"valid", !checks[p].refusal},
+               {"automatic", checks[p].isAutomatic}, {"genus", piece.topology.genus},
+               {"boundaryLoops", piece.loopOrigin.size()}, {"cones", spec.cones.size()},
+               {"budget", budgetJson(checks[p])}};
+    entry["warnings"] = checks[p].budget ? checks[p].budget->warnings : std::vector<std::string>();
+    if (checks[p].refusal) entry["error"] = failureJson(*checks[p].refusal);
+    components.push_back(std::move(entry));
+  }
+  Json json{{"format", "hgp-check"}, {"version", 1}, {"valid", isValid}, {"q", request.q},
+            {"components", std::move(components)}, {"notes", request.notes}};
+  return textOf(json);
+}
+
+std::string checkText(const Failure& refusal) {
+  return textOf(Json{{"format", "hgp-check"}, {"version", 1}, {"valid", false},
+                     {"components", Json::array()}, {"notes", Json::array()},
+                     {"error", failureJson(refusal)}});
+}
+
+std::string errorJson(const Failure& failure) {
+  Json json{{"format", "hgp-error"}, {"version", 1}};
+  json.update(failureJson(failure));
+  return textOf(json);
+}
+
+}  // namespace hgp::api

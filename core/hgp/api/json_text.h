@@ -1,0 +1,38 @@
+// The JSON documents of docs/schema.  Role: one spelling of every fact for command line, package,
+// page and bench.
+#pragma once
+
+#include "hgp/api/request.h"
+#include "hgp/api/stored_map.h"
+#include "hgp/parametrize.h"
+
+namespace hgp::api {
+
+std::string inspectText(const Model& model);
+
+/// What was found for one piece; either a budget or the reason why it is refused.
+struct PieceCheck {
+  std::optional<BudgetReport> budget;
+  std::optional<Failure> refusal;
+  bool isAutomatic = false;
+};
+std::string checkText(const Model& model, const Request& request,
+                      const std::vector<PieceCheck>& checks);
+/// The check that ended before any piece could be looked at.
+std::string checkText(const Failure& refusal);
+
+std::string certificateText(const Model& model, const std::vector<Certificate>& certificates);
+
+/// What a run leaves behind besides the map.
+struct RunRecord {
+  SolveOptions options;
+  bool isAutomatic = false;
+  std::vector<Parametrization> pieces;   ///< their maps may be empty
+  std::vector<std::string> notes;
+  double seconds = 0;
+};
+/// certificate and cones are JSON texts that become members of the report.
+std::string reportText(const Model& model, const RunRecord& run, bool isCertified,
+                       const std::string& certificate, const std::string& cones);
+
+}  // namespace hgp::api

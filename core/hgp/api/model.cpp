@@ -1,0 +1,258 @@
+#include "hgp/api/model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "hgp/api/sha256.h"
+#include "hgp/base/check.h"
+#include "hgp/io/polygon_document.h"
+#include "hgp/io/weld.h"
+
+namespace hgp::api {
+namespace {
+
+std::vector<int> identity(std::size_t count) {
+  std::vector<int> ids(count);
+  std::iota(ids.begin(), ids.end(), 0);
+  return ids;
+}
+
+/// Chooses the surface; −1 means the one with most triangles.
+Status chooseSurface(Model& model, int wanted) {
+  const auto& surfaces = model.document->surfaces();
+  if (surfaces.empty()) {
+    return Failure{ErrorCode::kUnsupported, "read", "the file has no triangles", {}};
+  }
+  if (wanted >= static_cast<int>(surfaces.size())) {
+    return Failure{ErrorCode::kUsage, "read",
+                   formatText("mesh %d was asked for; the file has %zu (counted from 0)", wanted,
+                              surfaces.size()), {}};
+  }
+  model.surface = wanted;
+  if (wanted >= 0) return Done{};
+  const auto largest = std::max_element(
+      surfaces.begin(), surfaces.end(), [](const io::Surface& a, const io::Surface& b) {
+        return a.mesh.triangles.size() < b.mesh.triangles.size();
+      });
+  model.surface = static_cast<int>(largest - surfaces.begin());
+  if (surfaces.size() > 1) {
+    model.notes.push_back(formatText("the file has %zu meshes; mesh %d is used", surfaces.size(),
+                                     model.surface));
+  }
+  return Done{};
+}
+
+void weldNearVertices(Model& model, double tolerance) {
+  io::Weld weld = io::weldNear(model.mesh.positions, tolerance);
+  const std::size_t before = model.mesh.positions.size();
+  if (weld.positions.size() == before) return;
+  model.isChanged = true;
+  model.notes.push_back(formatText("weld: %zu vertices became %zu", before, weld.positions.size()));
+  model.mesh.positions = std::move(weld.positions);
+  for (auto& t : model.mesh.triangles) {
+    for (int& v : t) {
+      if (v >= 0 && static_cast<std::size_t>(v) < before) v = weld.welded[static_cast<std::size_t>(v)];
+    }
+  }
+  model.vertexOrigin = std::move(weld.firstStored);
+  model.vertexImage = std::move(weld.welded);
+}
+
+/// Which corner of its original face each corner of a repaired face is.
+std::array<int, 3> matchCorners(const Model& model, const std::array<int, 3>& after,
+                                const std::array<int, 3>& original,
+                                const std::vector<int>& vertexOrigin) {
+  std::array<int, 3> corner{-1, -1, -1};
+  std::array<bool, 3> isTaken{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int v = vertexOrigin[static_cast<std::size_t>(after[k])];
+    for (std::size_t j = 0; j < 3 && corner[k] < 0; ++j) {
+      const int image = model.vertexImage[static_cast<std::size_t>(original[j])];
+      if (isTaken[j] || image < 0 || image != v) continue;
+      corner[k] = static_cast<int>(j);
+      isTaken[j] = true;
+    }
+  }
+  for (int& c : corner) {  // a vertex that was moved into another one
+    for (std::size_t j = 0; j < 3 && c < 0; ++j) {
+      if (!isTaken[j]) {
+        c = static_cast<int>(j);
+        isTaken[j] = true;
+      }
+    }
+  }
+  return corner;
+}
+
+void repair(Model& model, const FixOptions& fix) {
+  FixResult fixed = fixDefects(model.mesh, fix);
+  model.notes.insert(model.notes.end(), fixed.notes.begin(), fixed.notes.end());
+  if (fixed.notes.empty()) return;
+  model.isChanged = true;
+  const auto& original = model.source().mesh.triangles;
+  std::vector<int> cornerOrigin(3 * fixed.faceOrigin.size(), -1);
+  for (std::size_t f = 0; f < fixed.faceOrigin.size(); ++f) {
+    const int old = fixed.faceOrigin[f];
+    if (old < 0) continue;
+    const auto corner = matchCorners(model, fixed.mesh.triangles[f],
+                                     original[static_cast<std::size_t>(old)], fixed.vertexOrigin);
+    for (std::size_t k = 0; k < 3; ++k) cornerOrigin[3 * f + k] = 3 * old + corner[k];
+  }
+  std::vector<int> image(model.mesh.positions.size(), -1);
+  for (std::size_t v = fixed.vertexOrigin.size(); v-- > 0;) {
+    const int old = fixed.vertexOrigin[v];
+    if (old >= 0) image[static_cast<std::size_t>(old)] = static_cast<int>(v);
+  }
+  for (int& v : model.vertexImage) v = v < 0 ? -1 : image[static_cast<std::size_t>(v)];
+  std::vector<int> vertexOrigin;
+  for (int v : fixed.vertexOrigin) {
+    vertexOrigin.push_back(v < 0 ? -1 : model.vertexOrigin[static_cast<std::size_t>(v)]);
+  }
+  model.vertexOrigin = std::move(vertexOrigin);
+  model.faceOrigin = std::move(fixed.faceOrigin);
+  model.cornerOrigin = std::move(cornerOrigin);
+  model.mesh = std::move(fixed.mesh);
+}
+
+Status splitPieces(Model& model) {
+  Result<TriMesh> whole = buildTriMesh(model.mesh);
+  if (!whole) {
+    model.unusable = whole.error();
+    return Done{};
+  }
+  model.topology = computeTopology(*whole);
+  const bool isOne = model.topology.componentCount == 1 && model.topology.isolatedVertexCount == 0;
+  std::vector<std::vector<int>> loopsOf(static_cast<std::size_t>(model.topology.componentCount));
+  for (std::size_t j = 0; j < model.topology.loops.size(); ++j) {
+    const FaceId f = TriMesh::face(model.topology.loops[j].halfedges.front());
+    loopsOf[static_cast<std::size_t>(model.topology.component[f])].push_back(static_cast<int>(j));
+  }
+  if (isOne) {
+    model.pieces.push_back({std::move(*whole), model.topology, identity(model.mesh.positions.size()),
+                            identity(model.mesh.triangles.size()), loopsOf[0], 0});
+    return Done{};
+  }
+  int generators = 0;
+  std::vector<Component> components = splitComponents(model.mesh, *whole, model.topology);
+  for (std::size_t c = 0; c < components.size(); ++c) {
+    Result<TriMesh> mesh = buildTriMesh(components[c].mesh);
+    if (!mesh) return mesh.error();
+    Topology topology = computeTopology(*mesh);
+    const int genus = topology.genus;
+    model.pieces.push_back({std::move(*mesh), std::move(topology),
+                            std::move(components[c].vertexOrigin),
+                            std::move(components[c].faceOrigin), loopsOf[c], generators});
+    generators += 2 * genus;
+  }
+  return Done{};
+}
+
+Status prepare(Model& model, const LoadOptions& options) {
+  if (Status chosen = chooseSurface(model, options.surface); !chosen) return chosen;
+  const MeshData& source = model.source().mesh;
+  if (source.triangles.size() > options.limits.maxTriangles) {
+    return Failure{ErrorCode::kLimit, "read",
+                   formatText("%zu triangles exceed the limit", source.triangles.size()), {}};
+  }
+  model.mesh = source;
+  model.vertexOrigin = identity(source.positions.size());
+  model.vertexImage = model.vertexOrigin;
+  model.faceOrigin = identity(source.triangles.size());
+  model.cornerOrigin = identity(3 * source.triangles.size());
+  if (options.weld >= 0) weldNearVertices(model, options.weld);
+  const FixOptions& fix = options.fix;
+  if (fix.orient || fix.split || fix.degenerate) repair(model, fix);
+  model.defects = findDefects(model.mesh);
+  if (Status usable = requireUsable(model.defects); !usable) {
+    model.unusable = usable.error();
+    return Done{};
+  }
+  return splitPieces(model);
+}
+
+}  // namespace
+
+Result<Model> loadModel(io::FileSet files, const LoadOptions& options) {
+  Model model;
+  model.fileName = files.name;
+  model.byteCount = files.main.size();
+  if (files.main.size() <= options.limits.maxBytes) {
+    model.sha256 = sha256(files.main.data(), files.main.size());
+  }
+  Result<io::DocumentPtr> document = io::openDocument(std::move(files), options.limits);
+  if (!document) return document.error();
+  model.document = std::move(*document);
+  if (Status done = prepare(model, options); !done) return done.error();
+  return model;
+}
+
+Result<Model> modelOfArrays(MeshData arrays, const LoadOptions& options) {
+  const int vertices = static_cast<int>(arrays.positions.size());
+  io::PolygonFile file;
+  for (const auto& t : arrays.triangles) {
+    for (int v : t) {
+      if (v < 0 || v >= vertices) {
+        return Failure{ErrorCode::kMalformed, "read",
+                       formatText("a triangle names vertex %d; there are %d", v, vertices), {}};
+      }
+      file.polygons.cornerVertex.push_back(v);
+    }
+    file.polygons.start.push_back(static_cast<std::uint32_t>(file.polygons.cornerVertex.size()));
+  }
+  file.polygons.positions = std::move(arrays.positions);
+  Result<io::DocumentPtr> document = io::PolygonDocument::make("arrays", std::move(file));
+  if (!document) return document.error();
+  Model model;
+  model.document = std::move(*document);
+  const MeshData& mesh = model.document->surfaces()[0].mesh;
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(mesh.positions.data());
+  model.byteCount = mesh.positions.size() * sizeof(Vec3);
+  model.sha256 = sha256(bytes, static_cast<std::size_t>(model.byteCount));
+  if (Status done = prepare(model, options); !done) return done.error();
+  return model;
+}
+
+void toSurfaceIds(const Model& model, const Piece& piece, std::vector<Where>& where) {
+  const auto vertex = [&](std::int64_t& v) {
+    if (v < 0 || v >= static_cast<std::int64_t>(piece.vertexOrigin.size())) return;
+    const int inMesh = piece.vertexOrigin[static_cast<std::size_t>(v)];
+    v = model.vertexOrigin[static_cast<std::size_t>(inMesh)];
+  };
+  for (Where& w : where) {
+    if (w.kind == Where::Kind::kVertex || w.kind == Where::Kind::kEdge) {
+      vertex(w.id);
+      vertex(w.other);
+    } else if (w.kind == Where::Kind::kFace &&
+               w.id < static_cast<std::int64_t>(piece.faceOrigin.size()) && w.id >= 0) {
+      w.id = model.faceOrigin[static_cast<std::size_t>(
+          piece.faceOrigin[static_cast<std::size_t>(w.id)])];
+    } else if (w.kind == Where::Kind::kLoop &&
+               w.id < static_cast<std::int64_t>(piece.loopOrigin.size()) && w.id >= 0) {
+      w.id = piece.loopOrigin[static_cast<std::size_t>(w.id)];
+    }
+  }
+}
+
+Failure toSurfaceIds(const Model& model, const Piece& piece, Failure failure) {
+  toSurfaceIds(model, piece, failure.where);
+  if (model.pieces.size() > 1) {
+    failure.message = formatText("component %d: ", static_cast<int>(&piece - model.pieces.data())) +
+                      failure.message;
+  }
+  return failure;
+}
+
+double diagonal(const std::vector<Vec3>& positions) {
+  if (positions.empty()) return 0;
+  Vec3 low = positions[0], high = positions[0];
+  for (const Vec3& p : positions) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  }
+  return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+}
+
+}  // namespace hgp::api

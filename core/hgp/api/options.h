@@ -1,0 +1,58 @@
+// What a caller may choose, and the verdicts that come back.  Role: the words of session.h.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "hgp/base/progress.h"
+#include "hgp/io/document.h"
+#include "hgp/mesh/defects.h"
+
+namespace hgp::api {
+
+struct LoadOptions {
+  io::Limits limits;
+  int surface = -1;    ///< which mesh of the file; −1: the one with most triangles
+  double weld = -1.0;  ///< join vertices closer than this; < 0: only what the format needs
+  FixOptions fix;
+};
+
+enum class BoundaryKind { kFree, kConvex };
+enum class Scale {
+  kSolved,  ///< as solved
+  kUnit,    ///< mean uv edge length 1
+  kFit,     ///< uniformly into [0, 1]²
+};
+
+struct SolveOptions {
+  int q = 4;                  ///< for automatic cones; a prescription brings its own
+  int coneCount = 0;          ///< automatic cones: roughly how many, 0 = as the field has them
+  bool alignToCurvature = false;
+  BoundaryKind boundary = BoundaryKind::kFree;
+  int maxRounds = 12;
+  bool useQuality = false;
+  Scale scale = Scale::kSolved;
+  Progress progress;
+};
+
+struct VerifyOptions {
+  int q = 0;               ///< order to judge by when there is no prescription; 0: 4
+  int uvSet = -1;          ///< −1: the first set
+  double tolerance = 0.0;  ///< CertifyOptions::tolerance
+};
+
+struct WriteOptions {
+  int uvSet = -1;                 ///< −1: next free
+  std::string name;               ///< of the main output
+  bool embedCones = false;
+  bool allowUncertified = false;  ///< otherwise write() fails with kNoMap
+};
+
+/// A JSON document with its verdict: usable mesh, valid prescription or certified map.
+struct Verdict {
+  bool isGood = false;
+  std::string json;
+  std::optional<Failure> reason;  ///< where the verdict is bad because of one rule
+};
+
+}  // namespace hgp::api

@@ -1,0 +1,78 @@
+#include "hgp/api/json_text.h"
+#include "hgp/api/json_values.h"
+#include "hgp/api/session.h"
+
+namespace hgp::api {
+namespace {
+
+Json optionsJson(const SolveOptions& o, bool isAutomatic) {
+  Json json{{"rounds", o.maxRounds}, {"quality", o.useQuality}};
+  json["boundary"] = o.boundary == BoundaryKind::kConvex ? "convex" : "free";
+  json["scale"] = o.scale == Scale::kUnit ? "unit" : o.scale == Scale::kFit ? "fit" : "solved";
+  json["automaticCones"] = isAutomatic;
+  if (isAutomatic) {
+    json["q"] = o.q;
+    json["coneCount"] = o.coneCount;
+    json["alignToCurvature"] = o.alignToCurvature;
+  }
+  return json;
+}
+
+Json roundJson(const Round& r) {
+  return Json{{"method", r.method},
+              {"constrainedTriangles", r.constrainedTriangles},
+              {"iterations", r.iterations},
+              {"solverStatus", r.solverStatus},
+              {"flipped", r.flipped},
+              {"wrongAngles", r.wrongAngles},
+              {"laplacianEnergy", r.laplacianEnergy},
+              {"seconds", r.seconds}};
+}
+
+Json pieceJson(const Model& model, const Piece& piece, const Parametrization& run) {
+  Json rounds = Json::array(), times = Json::array();
+  for (const Round& r : run.rounds) rounds.push_back(roundJson(r));
+  for (const StageTime& t : run.times) {
+    times.push_back(Json{{"stage", t.stage}, {"seconds", t.seconds}});
+  }
+  std::vector<Where> conflict;
+  for (FaceId f : run.conflict) conflict.push_back({Where::Kind::kFace, f.i});
+  toSurfaceIds(model, piece, conflict);
+  return Json{{"certifiedBeforeStoring", run.isCertified},
+              {"usable", run.isUsable},
+              {"harmonic", run.isHarmonic},
+              {"cones", run.spec.cones.size()},
+              {"rounds", std::move(rounds)},
+              {"times", std::move(times)},
+              {"conflict", whereJson(conflict)},
+              {"notes", run.notes}};
+}
+
+}  // namespace
+
+std::string reportText(const Model& model, const RunRecord& run, bool isCertified,
+                       const std::string& certificate, const std::string& cones) {
+  Json json{{"format", "hgp-report"}, {"version", 1}};
+  json["program"] = Json{{"name", "hgp"}, {"version", version()}};
+  json["certified"] = isCertified;
+  json["input"] = Json{{"name", model.fileName}, {"format", model.document->format()},
+                       {"bytes", model.byteCount}, {"sha256", model.sha256},
+                       {"surface", model.surface},
+                       {"vertices", model.source().mesh.positions.size()},
+                       {"triangles", model.source().mesh.triangles.size()}};
+  json["options"] = optionsJson(run.options, run.isAutomatic);
+  json["seconds"] = run.seconds;
+  std::vector<std::string> notes = model.source().notes;
+  notes.insert(notes.end(), model.notes.begin(), model.notes.end());
+  notes.insert(notes.end(), run.notes.begin(), run.notes.end());
+  json["notes"] = notes;
+  Json& components = json["components"] = Json::array();
+  for (std::size_t p = 0; p < run.pieces.size(); ++p) {
+    components.push_back(pieceJson(model, model.pieces[p], run.pieces[p]));
+  }
+  json["cones"] = Json::parse(cones);
+  json["certificate"] = Json::parse(certificate);
+  return textOf(json);
+}
+
+}  // namespace hgp::api

@@ -1,0 +1,307 @@
+#include "hgp/api/session.h"
+
+#include <chrono>
+
+#include "hgp/api/json_text.h"
+#include "hgp/api/rim.h"
+#include "hgp/io/cones.h"
+
+#ifndef HGP_VERSION
+#define HGP_VERSION "0.0.0"
+#endif
+
+namespace hgp::api {
+
+struct Session::State {
+  std::optional<Model> model;
+  struct Solved {
+    StoredMap stored;
+    io::Prescription prescription;
+    std::string certificate, report, cones;
+    std::vector<double> uv;
+    std::vector<std::uint32_t> cornerToUv;
+    std::vector<SeamEdge> seams;
+  };
+  std::optional<Solved> solved;
+  std::vector<double> positions;
+  std::vector<std::uint32_t> triangles;
+
+  Status take(Result<Model> loaded);
+  Result<Request> requestFor(const std::optional<io::Prescription>& prescription, int q) const;
+  Status solve(const std::optional<io::Prescription>& prescription, const SolveOptions& options);
+  Result<CompleteSpec> completeAutomatically(const Piece& piece, const SolveOptions& options) const;
+};
+
+namespace {
+
+const std::string kEmpty;
+const std::vector<double> kNoNumbers;
+const std::vector<std::uint32_t> kNoIndices;
+const std::vector<SeamEdge> kNoSeams;
+
+Failure notLoaded() { return {ErrorCode::kUsage, "session", "no model is loaded", {}}; }
+
+Status requirePieces(const std::optional<Model>& model) {
+  if (!model) return notLoaded();
+  if (model->unusable) return *model->unusable;
+  return Done{};
+}
+
+}  // namespace
+
+Session::Session() : state_(std::make_unique<State>()) {}
+Session::~Session() = default;
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+
+Status Session::State::take(Result<Model> loaded) {
+  solved.reset();
+  model.reset();
+  positions.clear();
+  triangles.clear();
+  if (!loaded) return loaded.error();
+  model = std::move(*loaded);
+  const MeshData& mesh = model->source().mesh;
+  positions.reserve(3 * mesh.positions.size());
+  for (const Vec3& p : mesh.positions) positions.insert(positions.end(), p.begin(), p.end());
+  triangles.reserve(3 * mesh.triangles.size());
+  for (const auto& t : mesh.triangles) {
+    for (int v : t) triangles.push_back(static_cast<std::uint32_t>(v));
+  }
+  return Done{};
+}
+
+Status Session::load(io::FileSet files, const LoadOptions& options) {
+  return guarded([&] { return state_->take(loadModel(std::move(files), options)); });
+}
+
+Status Session::loadArrays(std::vector<Vec3> positions, std::vector<std::array<int, 3>> triangles,
+                           const LoadOptions& options) {
+  return guarded([&] {
+    return state_->take(modelOfArrays({std::move(positions), std::move(triangles)}, options));
+  });
+}
+
+Result<Verdict> Session::inspect() const {
+  return guarded([&]() -> Result<Verdict> {
+    if (!state_->model) return notLoaded();
+    return Verdict{!state_->model->unusable, inspectText(*state_->model), state_->model->unusable};
+  });
+}
+
+Result<Verdict> Session::check(const io::Prescription& prescription) const {
+  return guarded([&]() -> Result<Verdict> {
+    if (Status ready = requirePieces(state_->model); !ready) return ready.error();
+    const Model& model = *state_->model;
+    Result<Request> request = resolve(model, prescription);
+    if (!request) return Verdict{false, checkText(request.error()), request.error()};
+    std::vector<PieceCheck> checks;
+    std::optional<Failure> reason;
+    for (std::size_t p = 0; p < model.pieces.size(); ++p) {
+      const PieceRequest& piece = request->pieces[p];
+      PieceCheck check;
+      check.isAutomatic = piece.isAutomatic;
+      if (!piece.isAutomatic) {
+        Result<BudgetReport> budget =
+            checkPrescription(model.pieces[p].mesh, model.pieces[p].topology, piece.spec);
+        if (budget) check.budget = *budget;
+        else check.refusal = toSurfaceIds(model, model.pieces[p], budget.error());
+      }
+      if (check.refusal && !reason) reason = check.refusal;
+      checks.push_back(std::move(check));
+    }
+    return Verdict{!reason, checkText(model, *request, checks), reason};
+  });
+}
+
+Result<CompleteSpec> Session::State::completeAutomatically(const Piece& piece,
+                                                           const SolveOptions& options) const {
+  SuggestOptions suggest;
+  suggest.q = options.q;
+  suggest.coneCount = options.coneCount;
+  suggest.alignToCurvature = options.alignToCurvature;
+  suggest.progress = options.progress;
+  Result<CompleteSpec> spec = suggestCones(piece.mesh, suggest);
+  if (!spec) return toSurfaceIds(*model, piece, spec.error());
+  return spec;
+}
+
+Result<std::string> Session::suggest(const SolveOptions& options) const {
+  return guarded([&]() -> Result<std::string> {
+    if (Status ready = requirePieces(state_->model); !ready) return ready.error();
+    std::vector<HolonomySpec> specs;
+    for (const Piece& piece : state_->model->pieces) {
+      Result<CompleteSpec> spec = state_->completeAutomatically(piece, options);
+      if (!spec) return spec.error();
+      specs.push_back(toSpec(*spec));
+    }
+    return io::writeConesJson(describe(*state_->model, specs));
+  });
+}
+
+Result<std::string> Session::convert(const io::Prescription& prescription) const {
+  return guarded([&]() -> Result<std::string> {
+    if (Status ready = requirePieces(state_->model); !ready) return ready.error();
+    Result<Request> request = resolve(*state_->model, prescription);
+    if (!request) return request.error();
+    std::vector<HolonomySpec> specs;
+    for (const PieceRequest& piece : request->pieces) specs.push_back(piece.spec);
+    return io::writeConesJson(describe(*state_->model, specs));
+  });
+}
+
+Result<std::optional<io::Prescription>> Session::embeddedCones() const {
+  return guarded([&]() -> Result<std::optional<io::Prescription>> {
+    if (!state_->model) return notLoaded();
+    return state_->model->document->embeddedCones(state_->model->surface);
+  });
+}
+
+Status Session::State::solve(const std::optional<io::Prescription>& prescription,
+                             const SolveOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  Result<Request> request = prescription ? resolve(*model, *prescription)
+                                         : Result<Request>(automaticRequest(*model, options.q));
+  if (!request) return request.error();
+  RunRecord run;
+  run.options = options;
+  run.isAutomatic = !prescription && options.boundary == BoundaryKind::kFree;
+  run.notes = request->notes;
+  ParametrizeOptions core;
+  core.maxRounds = options.maxRounds;
+  core.useQuality = options.useQuality;
+  core.progress = options.progress;
+  std::vector<PieceMap> maps;
+  std::vector<HolonomySpec> specs;
+  bool isCertified = true;
+  for (std::size_t p = 0; p < model->pieces.size(); ++p) {
+    const Piece& piece = model->pieces[p];
+    HolonomySpec spec = request->pieces[p].spec;
+    if (request->pieces[p].isAutomatic && options.boundary == BoundaryKind::kFree) {
+      SolveOptions automatic = options;
+      automatic.q = request->q;
+      Result<CompleteSpec> chosen = completeAutomatically(piece, automatic);
+      if (!chosen) return chosen.error();
+      spec = toSpec(*chosen);
+    }
+    Result<Parametrization> solvedPiece = options.boundary == BoundaryKind::kConvex
+                                              ? parametrizeConvex(piece.mesh, core)
+                                              : hgp::parametrize(piece.mesh, spec, core);
+    if (!solvedPiece) return toSurfaceIds(*model, piece, solvedPiece.error());
+    isCertified = isCertified && solvedPiece->isCertified;
+    maps.push_back({std::move(solvedPiece->map), std::move(solvedPiece->copyOf), solvedPiece->spec});
+    specs.push_back(toSpec(solvedPiece->spec));
+    run.pieces.push_back(std::move(*solvedPiece));
+  }
+  Solved result;
+  result.stored = storeMap(*model, maps, options.scale, isCertified);
+  run.notes.insert(run.notes.end(), result.stored.notes.begin(), result.stored.notes.end());
+  result.prescription = describe(*model, specs);
+  result.cones = io::writeConesJson(result.prescription);
+  result.certificate = certificateText(*model, result.stored.certificates);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  run.seconds = seconds.count();
+  result.report =
+      reportText(*model, run, result.stored.isCertified, result.certificate, result.cones);
+  for (const Vec2& p : result.stored.map.uv) result.uv.insert(result.uv.end(), p.begin(), p.end());
+  for (const auto& t : result.stored.map.cornerUv) {
+    for (int i : t) result.cornerToUv.push_back(static_cast<std::uint32_t>(i));
+  }
+  for (std::size_t p = 0; p < model->pieces.size(); ++p) {
+    for (const MeasuredSeam& s : result.stored.certificates[p].seams.seams) {
+      const SeamEnds ends = seamEnds(*model, model->pieces[p], result.stored.map, s.edge);
+      result.seams.push_back({{ends.a[0], ends.a[1]}, {ends.b[0], ends.b[1]}, s.r});
+    }
+  }
+  solved = std::move(result);
+  return Done{};
+}
+
+Status Session::parametrize(const std::optional<io::Prescription>& prescription,
+                            const SolveOptions& options) {
+  return guarded([&]() -> Status {
+    if (Status ready = requirePieces(state_->model); !ready) return ready.error();
+    state_->solved.reset();
+    return state_->solve(prescription, options);
+  });
+}
+
+Result<Verdict> Session::verify(const std::optional<io::Prescription>& prescription,
+                                const VerifyOptions& options) const {
+  return guarded([&]() -> Result<Verdict> {
+    if (Status ready = requirePieces(state_->model); !ready) return ready.error();
+    const Model& model = *state_->model;
+    const std::vector<int>& sets = model.source().uvSets;
+    const int set = options.uvSet >= 0 ? options.uvSet : sets.empty() ? 0 : sets.front();
+    std::optional<UvMap> map = model.document->existingUv(model.surface, set);
+    if (!map) {
+      return Failure{ErrorCode::kUnsupported, "verify",
+                     sets.empty() ? "the file has no texture coordinates"
+                                  : formatText("the file has no uv set %d", set), {}};
+    }
+    Result<Request> request =
+        prescription ? resolve(model, *prescription)
+                     : Result<Request>(automaticRequest(model, options.q > 0 ? options.q : 4));
+    if (!request) return request.error();
+    CertifyOptions judge;
+    judge.tolerance = options.tolerance;
+    const bool isFloat = model.document->uvPrecision() == io::UvPrecision::kFloat32;
+    judge.precision = isFloat ? Precision::kFloat32 : Precision::kFloat64;
+    std::vector<Certificate> certificates;
+    bool isGood = true;
+    for (std::size_t p = 0; p < model.pieces.size(); ++p) {
+      judge.isAnyConeAllowed = request->pieces[p].isAutomatic;
+      certificates.push_back(certify(model.pieces[p].mesh, request->pieces[p].spec,
+                                     mapOfPiece(model, model.pieces[p], *map), judge));
+      isGood = isGood && certificates.back().isCertified;
+    }
+    return Verdict{isGood, certificateText(model, certificates), std::nullopt};
+  });
+}
+
+bool Session::hasResult() const { return state_->solved.has_value(); }
+bool Session::isCertified() const { return hasResult() && state_->solved->stored.isCertified; }
+const std::string& Session::certificateJson() const {
+  return hasResult() ? state_->solved->certificate : kEmpty;
+}
+const std::string& Session::reportJson() const {
+  return hasResult() ? state_->solved->report : kEmpty;
+}
+const std::string& Session::conesJson() const { return hasResult() ? state_->solved->cones : kEmpty; }
+const std::vector<double>& Session::positions() const { return state_->positions; }
+const std::vector<std::uint32_t>& Session::triangles() const { return state_->triangles; }
+const std::vector<double>& Session::uv() const {
+  return hasResult() ? state_->solved->uv : kNoNumbers;
+}
+const std::vector<std::uint32_t>& Session::cornerToUv() const {
+  return hasResult() ? state_->solved->cornerToUv : kNoIndices;
+}
+const std::vector<std::uint32_t>& Session::uvToVertex() const {
+  return hasResult() ? state_->solved->stored.uvToVertex : kNoIndices;
+}
+const std::vector<SeamEdge>& Session::seams() const {
+  return hasResult() ? state_->solved->seams : kNoSeams;
+}
+
+Result<io::Written> Session::write(const WriteOptions& options) const {
+  return guarded([&]() -> Result<io::Written> {
+    if (!hasResult()) return Failure{ErrorCode::kUsage, "write", "there is no result yet", {}};
+    if (!isCertified() && !options.allowUncertified) {
+      return Failure{ErrorCode::kNoMap, "write", "the map is not certified", {}};
+    }
+    io::WriteOptions out;
+    out.uvSet = options.uvSet;
+    out.name = options.name;
+    out.generator = std::string("hgp ") + version();
+    if (options.embedCones) out.cones = io::writeConesJson(state_->solved->prescription, -1);
+    return state_->model->document->write(state_->model->surface, state_->solved->stored.map, out);
+  });
+}
+
+Result<io::Prescription> readPrescription(std::string_view name, std::string_view text, int q) {
+  return guarded([&] { return io::readPrescription(name, text, q); });
+}
+
+const char* version() { return HGP_VERSION; }
+
+}  // namespace hgp::api

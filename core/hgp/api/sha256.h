@@ -1,0 +1,13 @@
+// SHA-256 (FIPS 180-4).  Role: names the input of a report and the mesh of a cone file.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace hgp::api {
+
+/// 64 lower-case hexadecimal digits.
+std::string sha256(const std::uint8_t* bytes, std::size_t size);
+
+}  // namespace hgp::api

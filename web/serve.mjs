@@ -65,6 +65,11 @@ export function serve({ folder = built, port = 8080 } = {}) {
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const port = Number(process.env.PORT ?? 8080);
-  const { url } = await serve({ port });
-  console.log(`hgp is ready: ${url}   (Ctrl+C stops it)`);
+  try {
+    const { url } = await serve({ port });
+    console.log(`hgp is ready: ${url}   (Ctrl+C stops it)`);
+  } catch (error) {
+    console.error(error.code === 'EADDRINUSE' ? `port ${port} is taken; set PORT` : error.message);
+    process.exitCode = 1;
+  }
 }

@@ -1,0 +1,31 @@
+// The checkout holds sources and nothing of the machine it was written on.
+
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { filesOf, textOf } from './source_tree.mjs';
+
+const texts = filesOf('.', '.h', '.cpp', '.mjs', '.js', '.ts', '.md', '.txt', '.cmake', '.json');
+
+test('no path of a particular machine', () => {
+  const path = new RegExp(`(^|[\\s"'=(])/${'(work|home|root)'}/[a-z]`, 'm');
+  assert.deepEqual(
+    texts.filter((file) => path.test(textOf(file))),
+    [],
+  );
+});
+
+test('the lock file holds no download addresses', () => {
+  const lock = JSON.parse(textOf('package-lock.json'));
+  const withAddress = Object.entries(lock.packages).filter(([, entry]) => entry.resolved);
+  assert.deepEqual(withAddress, []);
+});
+
+test('sources say `#pragma once` and end with a line break', () => {
+  const wrong = filesOf('core', '.h').filter(
+    (file) => !/^#pragma once$/m.test(textOf(file)) || !textOf(file).endsWith('}\n'),
+  );
+  assert.deepEqual(
+    wrong.filter((file) => !textOf(file).includes('}  // namespace')),
+    [],
+  );
+});

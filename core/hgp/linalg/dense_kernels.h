@@ -30,6 +30,12 @@ struct KernelTable {
                          double* work);
   int (*factorPanelComplex)(int rows, int pivots, double* panel, int ld, const double* threshold,
                             double* work);
+
+  /// Complex A = L U without pivoting, the panel given twice: P holds the pivot columns of A and Q
+  /// those of Aᴴ, both rows × pivots, lower part. P becomes L (unit diagonal, not stored: P keeps 1),
+  /// Q becomes Uᴴ. Returns the first j whose pivot is not of modulus > threshold[j], or −1.
+  int (*factorPanelLu)(int rows, int pivots, double* P, double* Q, int ld, const double* threshold,
+                       double* work);
 };
 
 inline constexpr int kPackRows = 192;   // rows of A packed at a time: with kPackDepth, half of L2

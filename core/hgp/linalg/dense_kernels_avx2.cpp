@@ -22,7 +22,7 @@ namespace hgp::linalg {
 
 const KernelTable* avx2Kernels() {
   static const KernelTable table = {"AVX2", update<false>, update<true>, factorPanel<false>,
-                                    factorPanel<true>};
+                                    factorPanel<true>, factorPanelLu};
   return &table;
 }
 

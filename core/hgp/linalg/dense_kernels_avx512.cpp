@@ -22,7 +22,7 @@ namespace hgp::linalg {
 
 const KernelTable* avx512Kernels() {
   static const KernelTable table = {"AVX-512", update<false>, update<true>, factorPanel<false>,
-                                    factorPanel<true>};
+                                    factorPanel<true>, factorPanelLu};
   return &table;
 }
 

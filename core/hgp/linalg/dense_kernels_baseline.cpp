@@ -17,7 +17,7 @@ namespace hgp::linalg {
 
 const KernelTable* baselineKernels() {
   static const KernelTable table = {"two doubles", update<false>, update<true>, factorPanel<false>,
-                                    factorPanel<true>};
+                                    factorPanel<true>, factorPanelLu};
   return &table;
 }
 

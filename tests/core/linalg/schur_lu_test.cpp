@@ -1,0 +1,100 @@
+#include "hgp/linalg/schur_lu.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "matrices.h"
+
+namespace hgp::linalg {
+namespace {
+
+using testing::allGraphs;
+using testing::Complex;
+using testing::ComplexSparse;
+using testing::triangulatedGrid;
+
+// Weakly diagonally dominant rows with rotations and unequal weights in the two directions.
+ComplexSparse dominantRows(const Graph& graph, double excess) {
+  std::vector<Eigen::Triplet<Complex>> entries;
+  for (int v = 0; v < graph.size(); ++v) {
+    double sum = excess;
+    for (const int* u = graph.begin(v); u != graph.end(v); ++u) {
+      const double w = 1.0 + 0.9 * std::sin(7.0 * v + 3.0 * *u);
+      sum += w;
+      entries.emplace_back(v, *u, -std::polar(w, 1.3 * std::sin(v + 2.0 * *u)));
+    }
+    entries.emplace_back(v, v, std::polar(sum, 0.3 * v));
+  }
+  ComplexSparse A(graph.size(), graph.size());
+  A.setFromTriplets(entries.begin(), entries.end());
+  return A;
+}
+
+std::vector<int> everyKth(int n, int k) {
+  std::vector<int> kept;
+  for (int v = n - 1; v >= 0; v -= k) kept.push_back(v);
+  return kept;
+}
+
+TEST(SchurLu, ExtensionMakesEliminatedRowsVanishAndSchurGivesTheOthers) {
+  for (const Graph& graph : allGraphs())
+    for (const int k : {1, 7, 90}) {
+      const ComplexSparse A = dominantRows(graph, 0.01);
+      const std::vector<int> kept = everyKth(graph.size(), k);
+      SchurLu lu;
+      ASSERT_TRUE(lu.build(A, kept, nestedDissection(graph, {.leafSize = 25})).ok);
+      const Eigen::MatrixXcd xk = Eigen::MatrixXcd::Random(static_cast<int>(kept.size()), 2);
+      const Eigen::MatrixXcd x = lu.extend(xk), residual = A * x;
+      const Eigen::MatrixXcd expected = lu.schur() * xk;
+      std::vector<char> isKept(static_cast<std::size_t>(graph.size()), 0);
+      for (std::size_t i = 0; i < kept.size(); ++i) {
+        isKept[kept[i]] = 1;
+        const int row = static_cast<int>(i);
+        EXPECT_LT((x.row(kept[i]) - xk.row(row)).norm(), 1e-15);
+        EXPECT_LT((residual.row(kept[i]) - expected.row(row)).norm(), 1e-9);
+      }
+      for (int v = 0; v < graph.size(); ++v) {
+        if (!isKept[v]) {
+          EXPECT_LT(residual.row(v).norm(), 1e-10) << v;
+        }
+      }
+    }
+}
+
+TEST(SchurLu, AgreesWithDenseAlgebra) {
+  const Graph graph = triangulatedGrid(14, 11);
+  const ComplexSparse A = dominantRows(graph, 0.0);
+  const std::vector<int> kept{5, 100, 17, 60};
+  SchurLu lu;
+  ASSERT_TRUE(lu.build(A, kept, nestedDissection(graph, {.leafSize = 10})).ok);
+  const Eigen::MatrixXcd inverse = Eigen::MatrixXcd(A).inverse();
+  Eigen::MatrixXcd block(4, 4);
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) block(i, j) = inverse(kept[i], kept[j]);
+  EXPECT_LT((lu.schur() * block - Eigen::MatrixXcd::Identity(4, 4)).norm(), 1e-10);
+}
+
+TEST(SchurLu, NamesARowThatHoldsNothing) {
+  ComplexSparse A(4, 4);
+  A.insert(0, 0) = 1.0;
+  A.insert(1, 1) = 1.0;
+  A.insert(3, 3) = 1.0;
+  SchurLu lu;
+  const FactorStatus status = lu.build(A, {0}, nestedDissection(graphOf(A)));
+  EXPECT_FALSE(status.ok);
+  EXPECT_EQ(status.badPivot, 2);
+  EXPECT_TRUE(lu.build(A, {2}, nestedDissection(graphOf(A))).ok);
+}
+
+TEST(SchurLu, EstimateCountsWhatIsDone) {
+  const Graph graph = triangulatedGrid(40, 40);
+  const SeparatorTree tree = nestedDissection(graph);
+  const FactorCost few = SchurLu::estimate(graph, everyKth(1600, 400), tree);
+  const FactorCost many = SchurLu::estimate(graph, everyKth(1600, 10), tree);
+  EXPECT_GT(few.multiplyAdds, 0);
+  EXPECT_GT(many.multiplyAdds, few.multiplyAdds);
+}
+
+}  // namespace
+}  // namespace hgp::linalg

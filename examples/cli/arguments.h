@@ -1,0 +1,45 @@
+// What a person typed.  Role: the one place that knows option names; everything behind it sees structs.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hgp/api/options.h"
+
+namespace hgp::cli {
+
+enum class Command { kInspect, kCheck, kCones, kParam, kVerify };
+
+struct Arguments {
+  Command command = Command::kInspect;
+  std::string input;                    ///< "-": standard input
+  std::string format;                   ///< of standard input
+  std::string output;                   ///< -o; "-": standard output
+  std::string json;                     ///< --json; "-": standard output
+  std::string xref;
+  std::string root;
+  bool isQuiet = false, hasNoProgress = false, mayOverwrite = false;
+  std::string color = "auto";
+  api::LoadOptions load;
+
+  std::optional<int> q;
+  std::string cones, field, convert;    ///< files
+  std::vector<std::pair<int, int>> cone, turning, handle;   ///< V:K, L:J, G:R
+  bool ignoresEmbedded = false;
+  api::SolveOptions solve;
+  std::optional<double> timeLimit;
+  api::VerifyOptions verify;
+  api::WriteOptions write;
+};
+
+/// Either arguments, or the exit code with which the program ends at once (help, version, usage); the
+/// text for it has been printed.
+struct Parsed {
+  std::optional<Arguments> arguments;
+  int exitCode = 0;
+};
+Parsed parseArguments(int count, char** words);
+
+}  // namespace hgp::cli

@@ -1,0 +1,265 @@
+#include "commands.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "files.h"
+#include "hgp/api/session.h"
+#include "hgp/base/check.h"
+#include "progress_line.h"
+#include "text_report.h"
+
+namespace hgp::cli {
+namespace {
+
+constexpr int kNoMapExit = 6;
+
+class Run {
+ public:
+  explicit Run(const Arguments& arguments)
+      : a_(arguments), progress_(!a_.isQuiet && !a_.hasNoProgress, a_.timeLimit) {
+    const bool isTerminal = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
+    style_.isColored = a_.color == "always" || (a_.color == "auto" && isTerminal);
+  }
+
+  int run() {
+    if (Status usable = checkNames(); !usable) return fail(usable.error());
+    Result<io::FileSet> files =
+        openFiles(a_.input, a_.format, a_.root, a_.load.limits.maxBytes);
+    if (!files) return fail(files.error());
+    if (Status loaded = session_.load(std::move(*files), a_.load); !loaded) {
+      return fail(loaded.error());
+    }
+    switch (a_.command) {
+      case Command::kInspect: return inspect();
+      case Command::kCheck: return check();
+      case Command::kCones: return cones();
+      case Command::kParam: return param();
+      case Command::kVerify: return verify();
+    }
+    return exitCode(ErrorCode::kInternal);
+  }
+
+ private:
+  /// Says what went wrong, on standard error and as JSON where that was asked for.
+  int fail(const Failure& failure) {
+    progress_.clear();
+    std::fprintf(stderr, "hgp: %s\n", printable(failure.message).c_str());
+    for (std::size_t i = 0; i < failure.where.size() && i < 5; ++i) {
+      const Where& w = failure.where[i];
+      if (w.kind == Where::Kind::kLine || w.kind == Where::Kind::kByte) continue;
+      const char* kind = w.kind == Where::Kind::kVertex ? "vertex"
+                         : w.kind == Where::Kind::kFace ? "triangle"
+                         : w.kind == Where::Kind::kLoop ? "loop" : "edge";
+      std::fprintf(stderr, "     at %s %lld", kind, static_cast<long long>(w.id));
+      if (w.kind == Where::Kind::kEdge) std::fprintf(stderr, "–%lld", static_cast<long long>(w.other));
+      std::fputc('\n', stderr);
+    }
+    if (!a_.json.empty()) {
+      const Status written = writeText(a_.json, api::errorJson(failure));
+      if (!written) std::fprintf(stderr, "hgp: %s\n", printable(written.error().message).c_str());
+    }
+    return exitCode(failure.code);
+  }
+
+  /// The document to --json, the text to standard output unless the document went there.
+  Status publish(const std::string& json, const std::string& text, bool isMessage = false) {
+    progress_.clear();
+    if (!a_.json.empty()) {
+      if (Status written = writeText(a_.json, json); !written) return written;
+    }
+    if (a_.isQuiet || (!isMessage && a_.json == "-")) return Done{};
+    std::fputs(text.c_str(), isMessage ? stderr : stdout);
+    if (std::fflush(isMessage ? stderr : stdout) != 0) {
+      return Failure{ErrorCode::kWriteFailed, "write", "cannot write to standard output", {}};
+    }
+    return Done{};
+  }
+
+  int finish(const Status& status, int good) { return status ? good : fail(status.error()); }
+
+  Status checkNames() const {
+    const bool isFile = !a_.output.empty() && a_.output != "-";
+    for (const std::string& name : {a_.output, a_.json, a_.xref}) {
+      if (name.empty() || name == "-" || a_.mayOverwrite || !isSameFile(name, a_.input)) continue;
+      return Failure{ErrorCode::kUsage, "write",
+                     name + " is the input; --force allows to replace it", {}};
+    }
+    if (isFile && (a_.output == a_.json || a_.output == a_.xref)) {
+      return Failure{ErrorCode::kUsage, "write", a_.output + " is named for two outputs", {}};
+    }
+    return Done{};
+  }
+
+  int inspect() {
+    Result<api::Verdict> verdict = session_.inspect();
+    if (!verdict) return fail(verdict.error());
+    return finish(publish(verdict->json, inspectText(verdict->json, style_)),
+                  verdict->isGood ? 0 : exitCode(ErrorCode::kUnsupported));
+  }
+
+  Result<io::Prescription> readFileOf(const std::string& path) {
+    Result<io::Bytes> bytes = readFile(path, a_.load.limits.maxBytes);
+    if (!bytes) return bytes.error();
+    std::string name = path;
+    if (name.size() > 3 && name.substr(name.size() - 3) == ".gz") name.resize(name.size() - 3);
+    const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    Result<io::Prescription> read = api::readPrescription(name, text, a_.q.value_or(4));
+    if (!read) {
+      Failure failure = read.error();
+      failure.message = path + ": " + failure.message;
+      return failure;
+    }
+    if (a_.q && read->q != *a_.q) {
+      return Failure{ErrorCode::kUsage, "prescription",
+                     formatText("--q %d contradicts %s, which has q = %d", *a_.q, path.c_str(),
+                                read->q), {}};
+    }
+    return read;
+  }
+
+  /// What the options ask for; nothing when they leave everything open.
+  Result<std::optional<io::Prescription>> prescription() {
+    std::optional<io::Prescription> asked;
+    if (!a_.field.empty()) {
+      Result<io::Prescription> field = readFileOf(a_.field);
+      if (!field) return field.error();
+      asked = std::move(*field);
+    }
+    if (!a_.cones.empty()) {
+      Result<io::Prescription> cones = readFileOf(a_.cones);
+      if (!cones) return cones.error();
+      if (asked && asked->q != cones->q) {
+        return Failure{ErrorCode::kUsage, "prescription",
+                       formatText("the field has q = %d, the cones q = %d", asked->q, cones->q), {}};
+      }
+      if (asked) cones->field = std::move(asked->field);
+      asked = std::move(*cones);
+    }
+    const bool isTyped = !a_.cone.empty() || !a_.turning.empty() || !a_.handle.empty();
+    if (!asked && !isTyped && !a_.ignoresEmbedded) {
+      Result<std::optional<io::Prescription>> embedded = session_.embeddedCones();
+      if (!embedded) return embedded.error();
+      if (*embedded && (!a_.q || *a_.q == (*embedded)->q)) {
+        asked = std::move(**embedded);
+        asked->notes.push_back("the cones stored in the input are used");
+      }
+    }
+    if (!asked && isTyped) {
+      asked.emplace();
+      asked->q = a_.q.value_or(4);
+      asked->hasCones = true;
+    }
+    if (!asked) return asked;
+    for (const auto& [v, k] : a_.cone) {
+      asked->hasCones = true;
+      asked->cones.push_back({v, k, std::nullopt});
+    }
+    for (const auto& [loop, l] : a_.turning) asked->boundaries.push_back({loop, l, -1});
+    for (const auto& [g, r] : a_.handle) asked->handles.push_back({g, r});
+    return asked;
+  }
+
+  int check() {
+    Result<std::optional<io::Prescription>> asked = prescription();
+    if (!asked) return fail(asked.error());
+    io::Prescription empty;
+    empty.q = a_.q.value_or(4);
+    Result<api::Verdict> verdict = session_.check(*asked ? **asked : empty);
+    if (!verdict) return fail(verdict.error());
+    return finish(publish(verdict->json, checkText(verdict->json, style_)),
+                  verdict->isGood ? 0 : exitCode(ErrorCode::kPrescription));
+  }
+
+  int cones() {
+    Result<std::string> json = std::string();
+    if (a_.convert.empty()) {
+      api::SolveOptions options = a_.solve;
+      options.progress = progress_.callback();
+      json = session_.suggest(options);
+    } else {
+      Result<io::Prescription> read = readFileOf(a_.convert);
+      if (!read) return fail(read.error());
+      json = session_.convert(*read);
+    }
+    progress_.clear();
+    if (!json) return fail(json.error());
+    const bool isFile = !a_.output.empty() && a_.output != "-";
+    if (!a_.json.empty()) {
+      if (Status done = writeText(a_.json, *json); !done) return fail(done.error());
+    }
+    if (a_.json == "-" && !isFile) return 0;
+    return finish(writeText(isFile ? a_.output : "-", *json), 0);
+  }
+
+  int param() {
+    Result<std::optional<io::Prescription>> asked = std::optional<io::Prescription>();
+    if (a_.solve.boundary == api::BoundaryKind::kFree) asked = prescription();
+    if (!asked) return fail(asked.error());
+    api::SolveOptions options = a_.solve;
+    options.progress = progress_.callback();
+    if (Status solved = session_.parametrize(*asked, options); !solved) {
+      Failure failure = solved.error();
+      if (progress_.isTimedOut()) {
+        failure.code = ErrorCode::kNoMap;
+        failure.message = formatText("no certified map within %g s (--time-limit)", *a_.timeLimit);
+      }
+      return fail(failure);
+    }
+    const std::string& report = session_.reportJson();
+    if (Status done = publish(report, reportText(report, style_), true); !done) {
+      return fail(done.error());
+    }
+    if (!session_.isCertified() && !a_.write.allowUncertified) {
+      std::fprintf(stderr, "hgp: nothing was written; --allow-uncertified writes the map all the same\n");
+      return kNoMapExit;
+    }
+    return writeResult();
+  }
+
+  int writeResult() {
+    api::WriteOptions options = a_.write;
+    options.name = a_.output;
+    Result<io::Written> written = session_.write(options);
+    if (!written) return fail(written.error());
+    if (Status done = writeFiles(a_.output, written->files); !done) return fail(done.error());
+    if (!a_.xref.empty()) {
+      std::string text;
+      if (!written->xref.empty()) {
+        for (int v : written->xref) text += std::to_string(v) + "\n";
+      } else {
+        for (std::uint32_t v : session_.uvToVertex()) text += std::to_string(v) + "\n";
+      }
+      if (Status done = writeText(a_.xref, text); !done) return fail(done.error());
+    }
+    if (!a_.isQuiet) {
+      for (const std::string& note : written->notes) {
+        std::fprintf(stderr, "  note: %s\n", printable(note).c_str());
+      }
+      std::fprintf(stderr, "  wrote %s\n", printable(a_.output).c_str());
+    }
+    return session_.isCertified() ? 0 : kNoMapExit;
+  }
+
+  int verify() {
+    Result<std::optional<io::Prescription>> asked = prescription();
+    if (!asked) return fail(asked.error());
+    Result<api::Verdict> verdict = session_.verify(*asked, a_.verify);
+    if (!verdict) return fail(verdict.error());
+    return finish(publish(verdict->json, certificateText(verdict->json, style_)),
+                  verdict->isGood ? 0 : kNoMapExit);
+  }
+
+  const Arguments& a_;
+  api::Session session_;
+  ProgressLine progress_;
+  Style style_;
+};
+
+}  // namespace
+
+int runCommand(const Arguments& arguments) { return Run(arguments).run(); }
+
+}  // namespace hgp::cli

@@ -1,0 +1,285 @@
+#include "files.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#ifdef HGP_HAS_ZLIB
+#include <zlib.h>
+#endif
+
+#include "hgp/base/check.h"
+
+namespace hgp::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kInterrupted = 130;
+constexpr std::size_t kChunk = std::size_t{1} << 20;
+
+/// Names of half-written files, readable from a signal handler.
+std::array<char[4096], 8> halfWritten;
+volatile sig_atomic_t halfWrittenCount = 0;
+
+void onInterrupt(int) {
+  for (int i = 0; i < halfWrittenCount; ++i) unlink(halfWritten[static_cast<std::size_t>(i)]);
+  constexpr char kText[] = "\nhgp: interrupted\n";
+  const auto ignored = write(STDERR_FILENO, kText, sizeof kText - 1);
+  (void)ignored;
+  _exit(kInterrupted);
+}
+
+/// Signals wait while this lives: the renames of one result belong together.
+class SignalBlock {
+ public:
+  SignalBlock() {
+    sigset_t blocked;
+    sigemptyset(&blocked);
+    sigaddset(&blocked, SIGINT);
+    sigaddset(&blocked, SIGTERM);
+    sigprocmask(SIG_BLOCK, &blocked, &before_);
+  }
+  ~SignalBlock() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+  SignalBlock(const SignalBlock&) = delete;
+  SignalBlock& operator=(const SignalBlock&) = delete;
+
+ private:
+  sigset_t before_;
+};
+
+Failure cannot(ErrorCode code, const char* what, const std::string& path) {
+  return {code, code == ErrorCode::kWriteFailed ? "write" : "read",
+          formatText("cannot %s %s: %s", what, path.c_str(), std::strerror(errno)), {}};
+}
+
+Failure tooLarge(std::uint64_t maxBytes) {
+  return {ErrorCode::kLimit, "read",
+          formatText("the input is larger than %llu bytes (--max-bytes)",
+                     static_cast<unsigned long long>(maxBytes)), {}};
+}
+
+Result<io::Bytes> readAll(int file, const std::string& path, std::uint64_t maxBytes) {
+  io::Bytes bytes;
+  struct stat status{};
+  if (fstat(file, &status) == 0 && S_ISDIR(status.st_mode)) {
+    errno = EISDIR;
+    return cannot(ErrorCode::kMalformed, "read", path);
+  }
+  if (S_ISREG(status.st_mode)) {
+    if (static_cast<std::uint64_t>(status.st_size) > maxBytes) return tooLarge(maxBytes);
+    bytes.reserve(static_cast<std::size_t>(status.st_size) + 1);
+  }
+  for (;;) {
+    const std::size_t size = bytes.size();
+    bytes.resize(std::max(std::min(bytes.capacity(), size + kChunk), size + 1));
+    const ssize_t got = read(file, bytes.data() + size, bytes.size() - size);
+    if (got < 0 && errno == EINTR) {
+      bytes.resize(size);
+      continue;
+    }
+    if (got < 0) return cannot(ErrorCode::kMalformed, "read", path);
+    bytes.resize(size + static_cast<std::size_t>(got));
+    if (got == 0) return bytes;
+    if (bytes.size() > maxBytes) return tooLarge(maxBytes);
+    if (bytes.capacity() == bytes.size()) bytes.reserve(2 * bytes.size());
+  }
+}
+
+bool isGzip(const io::Bytes& bytes) {
+  return bytes.size() > 18 && bytes[0] == 0x1f && bytes[1] == 0x8b;
+}
+
+Result<io::Bytes> unpack(const io::Bytes& packed, std::uint64_t maxBytes) {
+#ifdef HGP_HAS_ZLIB
+  z_stream stream{};
+  if (inflateInit2(&stream, 15 + 16) != Z_OK) {
+    return Failure{ErrorCode::kLimit, "read", "out of memory while unpacking gzip", {}};
+  }
+  io::Bytes out;
+  std::size_t fed = 0;
+  int status = Z_OK;
+  while (status == Z_OK) {
+    if (stream.avail_in == 0 && fed < packed.size()) {
+      const std::size_t piece = std::min<std::size_t>(packed.size() - fed, std::size_t{1} << 30);
+      stream.next_in = const_cast<Bytef*>(packed.data() + fed);
+      stream.avail_in = static_cast<uInt>(piece);
+      fed += piece;
+    }
+    const std::size_t size = out.size();
+    out.resize(size + std::max(kChunk, size / 2));
+    stream.next_out = out.data() + size;
+    stream.avail_out = static_cast<uInt>(std::min<std::size_t>(out.size() - size, 1u << 30));
+    const std::size_t room = stream.avail_out;
+    status = inflate(&stream, Z_NO_FLUSH);
+    out.resize(size + room - stream.avail_out);
+    if (out.size() > maxBytes) break;
+  }
+  inflateEnd(&stream);
+  if (out.size() > maxBytes) return tooLarge(maxBytes);
+  if (status != Z_STREAM_END) {
+    return Failure{ErrorCode::kMalformed, "read", "the gzip data are damaged or cut off", {}};
+  }
+  return out;
+#else
+  (void)packed;
+  (void)maxBytes;
+  return Failure{ErrorCode::kUnsupported, "read", "this build cannot unpack gzip", {}};
+#endif
+}
+
+Status writeAll(int file, const std::string& path, const std::uint8_t* bytes, std::size_t size) {
+  while (size > 0) {
+    const ssize_t done = write(file, bytes, std::min(size, std::size_t{1} << 30));
+    if (done < 0 && errno == EINTR) continue;
+    if (done < 0) return cannot(ErrorCode::kWriteFailed, "write", path);
+    bytes += done;
+    size -= static_cast<std::size_t>(done);
+  }
+  return Done{};
+}
+
+/// A file under a temporary name; removed unless `keep` moves it to its place.
+class HalfFile {
+ public:
+  Status create(const std::string& path, const io::Bytes& bytes) {
+    path_ = path;
+    std::string name = path + ".XXXXXX";
+    if (name.size() >= sizeof halfWritten[0] ||
+        static_cast<std::size_t>(halfWrittenCount) >= halfWritten.size()) {
+      errno = ENAMETOOLONG;
+      return cannot(ErrorCode::kWriteFailed, "write", path);
+    }
+    int file = -1;
+    {
+      SignalBlock block;
+      file = mkstemp(name.data());
+      if (file < 0) return cannot(ErrorCode::kWriteFailed, "write", path);
+      temporary_ = name;
+      std::memcpy(halfWritten[static_cast<std::size_t>(halfWrittenCount)], name.c_str(),
+                  name.size() + 1);
+      halfWrittenCount = halfWrittenCount + 1;
+    }
+    const mode_t mask = umask(0);
+    umask(mask);
+    fchmod(file, 0666 & ~mask);
+    Status done = writeAll(file, path, bytes.data(), bytes.size());
+    if (close(file) != 0 && done) done = cannot(ErrorCode::kWriteFailed, "write", path);
+    return done;
+  }
+  Status keep() {
+    if (rename(temporary_.c_str(), path_.c_str()) != 0) {
+      return cannot(ErrorCode::kWriteFailed, "write", path_);
+    }
+    temporary_.clear();
+    return Done{};
+  }
+  ~HalfFile() {
+    if (!temporary_.empty()) unlink(temporary_.c_str());
+  }
+  HalfFile() = default;
+  HalfFile(const HalfFile&) = delete;
+  HalfFile& operator=(const HalfFile&) = delete;
+
+ private:
+  std::string path_, temporary_;
+};
+
+/// A name that a file may use for its companion: relative, and not upwards.
+bool isInside(const fs::path& root, const fs::path& file) {
+  const fs::path relative = file.lexically_relative(root);
+  return !relative.empty() && *relative.begin() != ".." && relative.is_relative();
+}
+
+}  // namespace
+
+Result<io::Bytes> readFile(const std::string& path, std::uint64_t maxBytes) {
+  const bool isStandardInput = path == "-";
+  const int file = isStandardInput ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return cannot(ErrorCode::kMalformed, "open", path);
+  Result<io::Bytes> bytes = readAll(file, path, maxBytes);
+  if (!isStandardInput) close(file);
+  if (!bytes || !isGzip(*bytes)) return bytes;
+  return unpack(*bytes, maxBytes);
+}
+
+Result<io::FileSet> openFiles(const std::string& path, const std::string& format,
+                              const std::string& root, std::uint64_t maxBytes) {
+  Result<io::Bytes> bytes = readFile(path, maxBytes);
+  if (!bytes) return bytes.error();
+  io::FileSet files;
+  files.name = path == "-" ? "stdin." + format : fs::path(path).filename().string();
+  if (files.name.size() > 3 && files.name.substr(files.name.size() - 3) == ".gz") {
+    files.name.resize(files.name.size() - 3);
+  }
+  files.main = std::move(*bytes);
+  const fs::path folder = path == "-" ? fs::path(".") : fs::path(path).parent_path();
+  const fs::path base = folder.empty() ? fs::path(".") : folder;
+  const fs::path allowed = root.empty() ? base : fs::path(root);
+  files.resolve = [base, allowed, maxBytes](const std::string& name) -> Result<io::Bytes> {
+    std::error_code error;
+    const fs::path file = fs::canonical(base / fs::path(name), error);
+    if (error) {
+      return Failure{ErrorCode::kMalformed, "read", name + " is missing", {}};
+    }
+    const fs::path top = fs::canonical(allowed, error);
+    if (error || fs::path(name).is_absolute() || !isInside(top, file)) {
+      return Failure{ErrorCode::kMalformed, "read",
+                     "this file asks for " + name + ", which is outside its folder; not loaded", {}};
+    }
+    return readFile(file.string(), maxBytes);
+  };
+  return files;
+}
+
+Status writeFiles(const std::string& path, const std::vector<io::OutputFile>& files) {
+  if (path == "-") {
+    if (files.size() != 1) {
+      return Failure{ErrorCode::kUsage, "write", "several files cannot go to standard output", {}};
+    }
+    return writeAll(STDOUT_FILENO, path, files[0].bytes.data(), files[0].bytes.size());
+  }
+  if (files.size() > halfWritten.size() / 2) {
+    return Failure{ErrorCode::kInternal, "write", "too many files for one result", {}};
+  }
+  const fs::path folder = fs::path(path).parent_path();
+  std::array<HalfFile, 4> half;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const std::string name = i == 0 ? path : (folder / fs::path(files[i].name).filename()).string();
+    if (Status done = half[i].create(name, files[i].bytes); !done) return done;
+  }
+  SignalBlock block;
+  for (std::size_t i = files.size(); i-- > 0;) {
+    if (Status done = half[i].keep(); !done) return done;
+  }
+  halfWrittenCount = 0;
+  return Done{};
+}
+
+Status writeText(const std::string& path, std::string_view text) {
+  return writeFiles(path, {{path, io::Bytes(text.begin(), text.end())}});
+}
+
+bool isSameFile(const std::string& a, const std::string& b) {
+  std::error_code error;
+  return fs::equivalent(a, b, error) && !error;
+}
+
+void handleInterrupts() {
+  struct sigaction action{};
+  action.sa_handler = onInterrupt;
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  signal(SIGPIPE, SIG_IGN);
+}
+
+}  // namespace hgp::cli

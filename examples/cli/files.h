@@ -1,0 +1,33 @@
+// Files for a program that must never leave half of one behind.  Role: the command line's only door to
+// the file system.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hgp/io/document.h"
+
+namespace hgp::cli {
+
+/// The whole file, "-" for standard input; gzip is unpacked. Fails with kMalformed (cannot be read)
+/// or kLimit.
+Result<io::Bytes> readFile(const std::string& path, std::uint64_t maxBytes);
+
+/// A document's files: the main one, and a resolver that sees nothing outside `root` ("" = the
+/// folder of `path`), symbolic links followed.
+Result<io::FileSet> openFiles(const std::string& path, const std::string& format,
+                              const std::string& root, std::uint64_t maxBytes);
+
+/// Writes all files beside their final names, then renames them, side files first. "-" as the main
+/// name means standard output. An interruption leaves no half file.
+Status writeFiles(const std::string& path, const std::vector<io::OutputFile>& files);
+Status writeText(const std::string& path, std::string_view text);
+
+/// True when both names mean one file.
+bool isSameFile(const std::string& a, const std::string& b);
+
+/// SIGINT and SIGTERM remove what is half written and end the program with 130.
+void handleInterrupts();
+
+}  // namespace hgp::cli

@@ -1,0 +1,21 @@
+// The command line of HGP.  Role: examples/cli is also the smallest complete use of hgp::api.
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "commands.h"
+#include "files.h"
+
+int main(int count, char** words) {
+  try {
+    hgp::cli::handleInterrupts();
+    const hgp::cli::Parsed parsed = hgp::cli::parseArguments(count, words);
+    return parsed.arguments ? hgp::cli::runCommand(*parsed.arguments) : parsed.exitCode;
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "hgp: out of memory\n");
+    return 8;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "hgp: internal error: %s\n", error.what());
+    return 70;
+  }
+}

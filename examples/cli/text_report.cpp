@@ -1,0 +1,212 @@
+#include "text_report.h"
+
+#include <nlohmann/json.hpp>
+
+#include "hgp/base/check.h"
+
+namespace hgp::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostLines = 8;
+
+std::string text(const Json& value) {
+  return printable(value.is_string() ? value.get<std::string>() : value.dump());
+}
+
+long long integer(const Json& json, const char* key) {
+  const auto it = json.find(key);
+  return it != json.end() && it->is_number() ? it->get<long long>() : 0;
+}
+
+double number(const Json& json, const char* key) {
+  const auto it = json.find(key);
+  return it != json.end() && it->is_number() ? it->get<double>() : 0;
+}
+
+std::string row(const char* label, const std::string& value) {
+  return formatText("  %-20s %s\n", label, value.c_str());
+}
+
+std::string plural(long long count, const char* word) {
+  return formatText("%lld %s%s", count, word, count == 1 ? "" : "s");
+}
+
+std::string notes(const Json& json) {
+  std::string out;
+  const auto it = json.find("notes");
+  if (it == json.end()) return out;
+  for (const Json& note : *it) out += "  note: " + text(note) + "\n";
+  return out;
+}
+
+std::string places(const Json& where) {
+  std::string out;
+  for (std::size_t i = 0; i < where.size() && i < kMostLines; ++i) {
+    const Json& w = where[i];
+    out += i == 0 ? " (" : ", ";
+    out += text(w["kind"]) + " " + w["id"].dump();
+    if (w.contains("other")) out += "–" + w["other"].dump();
+  }
+  if (where.size() > kMostLines) out += ", …";
+  return out.empty() ? out : out + ")";
+}
+
+std::string error(const Json& json) {
+  const auto it = json.find("error");
+  return it == json.end() ? "" : "  " + text((*it)["message"]) + "\n";
+}
+
+std::string measured(const Json& c, const Style& style) {
+  std::string out;
+  const long long flipped = integer(c, "flipped"), triangles = integer(c, "triangles");
+  const auto mark = [&](bool isGood) { return isGood ? style.good("ok ") : style.bad("no "); };
+  const auto line = [&](bool isGood, const char* label, const std::string& value) {
+    out += formatText("  %s %-20s %s\n", mark(isGood).c_str(), label, value.c_str());
+  };
+  line(flipped == 0, "positive triangles", formatText("%lld of %lld", triangles - flipped, triangles));
+  line(integer(c, "wrongAngles") == 0, "angle sums",
+       formatText("%lld wrong, largest distance to the integer %.2g", integer(c, "wrongAngles"),
+                  number(c, "maxConeDistance")));
+  line(integer(c, "wrongTurnings") == 0, "boundary turning",
+       formatText("%lld wrong, largest distance %.2g", integer(c, "wrongTurnings"),
+                  number(c, "maxTurningDistance")));
+  line(integer(c, "brokenSeams") == 0, "seam rotations",
+       formatText("%lld of %lld edges broken, residual %.2g (accepted %.2g)",
+                  integer(c, "brokenSeams"), integer(c, "seamEdges"), number(c, "maxSeamResidual"),
+                  number(c, "seamTolerance")));
+  return out;
+}
+
+std::string distortion(const Json& component) {
+  const Json& d = component["distortion"];
+  return formatText("μ mean %.4f, 95%% %.4f, max %.4f; log₂ area rms %.3f (%.2f … %.2f)",
+                    number(d, "meanMu"), number(d, "p95Mu"), number(d, "maxMu"),
+                    number(d, "rmsLogArea"), number(d, "minLogArea"), number(d, "maxLogArea"));
+}
+
+}  // namespace
+
+std::string printable(const std::string& raw) {
+  std::string out;
+  for (char c : raw) {
+    const unsigned char u = static_cast<unsigned char>(c);
+    out += u < 0x20 || u == 0x7f ? '?' : c;
+  }
+  return out;
+}
+
+std::string Style::good(const std::string& t) const {
+  return isColored ? "\033[32m" + t + "\033[0m" : t;
+}
+std::string Style::bad(const std::string& t) const {
+  return isColored ? "\033[31m" + t + "\033[0m" : t;
+}
+std::string Style::strong(const std::string& t) const {
+  return isColored ? "\033[1m" + t + "\033[0m" : t;
+}
+
+std::string inspectText(const std::string& source, const Style& style) {
+  const Json json = Json::parse(source);
+  const bool isUsable = json["usable"].get<bool>();
+  std::string out = style.strong(text(json["file"]["name"])) + "  " + text(json["file"]["format"]) +
+                    ", " + plural(integer(json["file"], "bytes"), "byte") + "\n";
+  for (const Json& s : json["surfaces"]) {
+    std::string sets = s["uvSets"].empty() ? "no uv" : "uv sets " + s["uvSets"].dump();
+    out += row(("mesh " + s["index"].dump() + (s["index"] == json["surface"] ? " *" : "")).c_str(),
+               text(s["name"]) + (text(s["name"]).empty() ? "" : ": ") +
+                   formatText("%lld stored vertices", integer(s, "storedVertices")) + ", " +
+                   plural(integer(s, "triangles"), "triangle") + ", " + sets);
+    out += notes(s);
+  }
+  out += row("vertices", json["vertices"].dump());
+  out += row("triangles", json["triangles"].dump());
+  if (isUsable) {
+    out += row("components", formatText("%zu", json["components"].size()));
+    out += row("Euler characteristic", json["eulerCharacteristic"].dump());
+    out += row("genus", json["genus"].dump());
+    out += row("boundary loops", json["boundaryLoops"].dump());
+    for (const Json& component : json["components"]) {
+      for (const Json& loop : component["boundaryLoops"]) {
+        out += row(("loop " + loop["loop"].dump()).c_str(),
+                   formatText("%lld vertices, length %.6g, turns by %.1f°", integer(loop, "vertices"),
+                              number(loop, "length"), number(loop, "turningAngle") * 180 / 3.14159265358979));
+      }
+    }
+  }
+  for (const Json& defect : json["defects"]) {
+    out += row(defect["fatal"].get<bool>() ? "defect" : "warning",
+               text(defect["kind"]) + ": " + defect["count"].dump() + places(defect["where"]));
+  }
+  out += notes(json) + error(json);
+  return out + (isUsable ? style.good("usable") : style.bad("not usable as it is")) + "\n";
+}
+
+std::string checkText(const std::string& source, const Style& style) {
+  const Json json = Json::parse(source);
+  std::string out;
+  for (const Json& c : json["components"]) {
+    const Json& budget = c["budget"];
+    std::string line = c["automatic"].get<bool>() ? std::string("cones are chosen automatically")
+                       : budget.is_null()
+                           ? "refused: " + text(c["error"]["message"])
+                           : formatText("Σ(q − k) + Σl = %lld, need %lld (q = %lld, genus %lld, "
+                                        "%lld loops); %lld cones, %lld loops open",
+                                        integer(budget, "have"), integer(budget, "need"),
+                                        integer(json, "q"), integer(c, "genus"),
+                                        integer(c, "boundaryLoops"), integer(c, "cones"),
+                                        integer(budget, "openLoops"));
+    out += row(("component " + c["component"].dump()).c_str(), line);
+    for (const Json& warning : c["warnings"]) out += "  warning: " + text(warning) + "\n";
+  }
+  out += notes(json) + error(json);
+  const bool isValid = json["valid"].get<bool>();
+  return out + (isValid ? style.good("valid") : style.bad("no map can have this")) + "\n";
+}
+
+std::string certificateText(const std::string& source, const Style& style) {
+  const Json json = Json::parse(source);
+  std::string out = measured(json, style);
+  for (std::size_t p = 0; p < json["components"].size(); ++p) {
+    const Json& c = json["components"][p];
+    out += row(json["components"].size() > 1 ? formatText("component %zu", p).c_str() : "distortion",
+               distortion(c));
+    out += row("cones", formatText("%zu measured", c["cones"].size()));
+    for (const Json& reason : c["reasons"]) {
+      out += "  " + style.bad(text(reason["rule"])) + ": " + text(reason["message"]) +
+             places(reason["where"]) + "\n";
+    }
+  }
+  const bool isCertified = json["certified"].get<bool>();
+  out += isCertified ? style.good("certified") : style.bad("not certified");
+  out += formatText(" (q = %lld, %s)", integer(json, "q"), text(json["precision"]).c_str());
+  if (isCertified && !json["usable"].get<bool>()) {
+    out += ", but its areas span more than the precision serves in practice";
+  }
+  return out + "\n";
+}
+
+std::string reportText(const std::string& source, const Style& style) {
+  const Json json = Json::parse(source);
+  std::string out = style.strong(text(json["input"]["name"])) +
+                    formatText("  %lld triangles, %zu cones of q = %lld, %.2f s\n",
+                               integer(json["input"], "triangles"), json["cones"]["cones"].size(),
+                               integer(json["cones"], "q"), number(json, "seconds"));
+  for (const Json& component : json["components"]) {
+    for (const Json& round : component["rounds"]) {
+      out += row("round", formatText("%s: %s, %lld iterations, %lld flipped, %lld wrong angles, %.2f s",
+                                     text(round["method"]).c_str(),
+                                     text(round["solverStatus"]).c_str(), integer(round, "iterations"),
+                                     integer(round, "flipped"), integer(round, "wrongAngles"),
+                                     number(round, "seconds")));
+    }
+    out += notes(component);
+    if (!component["conflict"].empty()) {
+      out += "  triangles that fight:" + places(component["conflict"]) + "\n";
+    }
+  }
+  return out + notes(json) + certificateText(json["certificate"].dump(), style);
+}
+
+}  // namespace hgp::cli

@@ -150,7 +150,7 @@ Result<CompleteSpec> suggestCones(const TriMesh& mesh, const FieldContext& conte
   cancel.targetCount = options.coneCount;
   HolonomySpec spec;
   spec.q = options.q;
-  spec.cones = cancelCones(mesh, context.topology, options.q, std::move(defect), cancel);
+  spec.cones = cancelCones(mesh, context, options.q, std::move(defect), cancel);
   spec.turning.assign(raw.turning.begin(), raw.turning.end());
   if (Result<BudgetReport> budget = checkPrescription(mesh, context.topology, spec); !budget)
     return std::move(budget).error();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/optimize/frame_fixing.h"
+
 namespace hgp {
 namespace {
 
@@ -75,6 +77,9 @@ std::optional<RepairStep> RepairPlan::next() {
   step.u = u_;
   step.quality = rungs_[rung_].quality;
   step.frames = fieldFrames(setup_.seams, faces_);
+  for (const ConePoint& cone : ringCones_)
+    embedSurfaceRing(mesh_, setup_.context.geometry, setup_.seams, cone.vertex, cone.k, step.frames);
+  if (!ringCones_.empty()) step.method += ", " + std::to_string(ringCones_.size()) + " rings embedded";
   return step;
 }
 
@@ -87,7 +92,23 @@ std::vector<FaceId> RepairPlan::wrongFaces(const Certificate& certificate) const
   return faces;
 }
 
+bool RepairPlan::embedConflictingRings(const std::vector<FaceId>& conflict) {
+  PerVertex<char> isHit(static_cast<std::size_t>(mesh_.vertexCount()), 0);
+  for (FaceId f : conflict)
+    for (VertexId v : mesh_.corners(f)) isHit[v] = 1;
+  for (const ConePoint& cone : ringCones_) isHit[cone.vertex] = 0;
+  const std::size_t before = ringCones_.size();
+  for (const ConePoint& cone : setup_.field.spec.cones)
+    if (isHit[cone.vertex]) ringCones_.push_back(cone);
+  return ringCones_.size() > before;
+}
+
 void RepairPlan::learn(const ProgramResult& program, const Certificate& certificate) {
+  if (!program.conflict.empty() && embedConflictingRings(program.conflict)) {
+    growth_ = 0;
+    faces_ = base_;
+    return;
+  }
   if (!program.z.empty()) lastMap_ = program.z;
   const std::vector<FaceId> wrong = certificate.isMeasured ? wrongFaces(certificate) : std::vector<FaceId>();
   // Growing helps while something new can be constrained and it stays a small part of the mesh.

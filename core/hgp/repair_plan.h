@@ -50,7 +50,11 @@ class RepairPlan {
   std::vector<Rung> rungs_;
   std::size_t rung_ = 0;
   int growth_ = 0;
+  /// Cones next to triangles that fight get frames from their own embedded ring; true when new.
+  bool embedConflictingRings(const std::vector<FaceId>& conflict);
+
   std::vector<FaceId> base_, faces_;
+  std::vector<ConePoint> ringCones_;
   PerVertex<double> u_;
   std::vector<Complex> lastMap_;
   bool isFresh_ = true;

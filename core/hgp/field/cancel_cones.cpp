@@ -1,6 +1,7 @@
 #include "hgp/field/cancel_cones.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <queue>
 
@@ -52,14 +53,25 @@ int coneCount(const PerVertex<int>& defect) {
   return count;
 }
 
-void cancelWithin(const TriMesh& mesh, PerVertex<int>& defect, int reach, NearestSearch& search,
-                  int stopAt) {
+/// Whether v may have defect d: its curvature is within what its edges can turn, or nearer than before.
+bool isBearable(const TriMesh& mesh, const FieldContext& context, int q, VertexId v, int before,
+                int d) {
+  const double K = curvature(mesh, context.geometry, v);
+  const double gap = std::abs(turnAngle(d, q) - K);
+  return gap <= kLargestTurnPerEdge * mesh.valence(v) || gap <= std::abs(turnAngle(before, q) - K);
+}
+
+void cancelWithin(const TriMesh& mesh, const FieldContext& context, int q, PerVertex<int>& defect,
+                  int reach, NearestSearch& search, int stopAt) {
   int count = coneCount(defect);
   for (VertexId v : mesh.vertices()) {
     while (defect[v] > 0 && count > stopAt) {
-      const VertexId other = search.find(v, reach, [&](VertexId w) { return defect[w] < 0; });
+      if (!isBearable(mesh, context, q, v, defect[v], defect[v] - 1)) break;
+      const VertexId other = search.find(v, reach, [&](VertexId w) {
+        return defect[w] < 0 && isBearable(mesh, context, q, w, defect[w], defect[w] + 1);
+      });
       if (!other.isValid()) break;
-      const int moved = std::min(defect[v], -defect[other]);
+      const int moved = 1;
       defect[v] -= moved;
       defect[other] += moved;
       count -= (defect[v] == 0) + (defect[other] == 0);
@@ -88,18 +100,19 @@ void spread(const TriMesh& mesh, int q, PerVertex<int>& defect, NearestSearch& s
 
 }  // namespace
 
-std::vector<ConePoint> cancelCones(const TriMesh& mesh, const Topology& topology, int q,
+std::vector<ConePoint> cancelCones(const TriMesh& mesh, const FieldContext& context, int q,
                                    PerVertex<int> defect, const CancelOptions& options) {
+  const Topology& topology = context.topology;
   NearestSearch search(mesh);
-  for (int reach = 1; reach <= options.reach; ++reach) cancelWithin(mesh, defect, reach, search, 0);
+  for (int reach = 1; reach <= options.reach; ++reach) cancelWithin(mesh, context, q, defect, reach, search, 0);
   if (options.targetCount > 0)
     for (int reach = options.reach; coneCount(defect) > options.targetCount && reach < mesh.vertexCount();
          reach += reach / 2 + 1)
-      cancelWithin(mesh, defect, reach, search, options.targetCount);
+      cancelWithin(mesh, context, q, defect, reach, search, options.targetCount);
   spread(mesh, q, defect, search);
   // A closed torus has no map with exactly one cone q − 1 and one q + 1.
   if (topology.genus == 1 && topology.loops.empty() && coneCount(defect) == 2)
-    cancelWithin(mesh, defect, mesh.vertexCount(), search, 0);
+    cancelWithin(mesh, context, q, defect, mesh.vertexCount(), search, 0);
 
   std::vector<ConePoint> cones;
   for (VertexId v : mesh.vertices())

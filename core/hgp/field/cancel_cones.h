@@ -6,6 +6,9 @@
 
 namespace hgp {
 
+/// Radians that frames may turn from one triangle to the next around a vertex, on average.
+inline constexpr double kLargestTurnPerEdge = 0.8;
+
 struct CancelOptions {
   int reach = 6;        ///< opposite cones at most this many edges apart cancel
   int targetCount = 0;  ///< > 0: go on cancelling the closest pairs until about this many are left
@@ -14,7 +17,10 @@ struct CancelOptions {
 /// Defects q − k per interior vertex → cones that pass checkPrescription: opposite ones cancelled,
 /// closest pairs first; k < 1 and k too large for the vertex spread to neighbours; the impossible
 /// torus pair cancelled.
-std::vector<ConePoint> cancelCones(const TriMesh& mesh, const Topology& topology, int q,
+///
+/// A unit stays where taking it away would leave a vertex more than kLargestTurnPerEdge per incident
+/// edge from the curvature it has: a spike needs its cone.
+std::vector<ConePoint> cancelCones(const TriMesh& mesh, const FieldContext& context, int q,
                                    PerVertex<int> defect, const CancelOptions& options);
 
 }  // namespace hgp

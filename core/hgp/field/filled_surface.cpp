@@ -8,8 +8,8 @@ namespace {
 
 /// Weights below this share of a well-shaped edge's (1/√3) would make the Laplacian indefinite or
 /// singular; any positive weights give a valid connection, so clamping costs smoothness only.
-constexpr double kLeastWeight = 1e-3;
-constexpr double kLargestWeight = 1e3;
+constexpr double kLeastWeight = 0.05;
+constexpr double kLargestWeight = 20.0;
 
 double cotangent(const Geometry& geometry, HalfedgeId h) {
   const double angle = geometry.cornerAngle[TriMesh::previous(h)];  // opposite the edge

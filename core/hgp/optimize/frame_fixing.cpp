@@ -8,9 +8,16 @@
 namespace hgp {
 namespace {
 
-/// Angles at the cone, as the map has them, moved by one common step onto the asked sum and kept
-/// inside (0, π): the closest point in the least-squares sense when no bound is active.
-std::vector<double> fittedAngles(std::vector<double> angles, double sum) {
+/// A one-ring to be laid flat: halfedges leaving the centre, counterclockwise; the corner angle and
+/// the length behind each.
+struct Ring {
+  std::vector<HalfedgeId> spokes;
+  std::vector<double> angles, lengths;
+};
+
+/// Moves all angles by one common step onto the asked sum, kept inside (0, π): the closest point in
+/// the least-squares sense when no bound is active.
+void fitAngles(std::vector<double>& angles, double sum) {
   const double n = static_cast<double>(angles.size());
   const double least = 0.05 * sum / n, most = std::min(0.98 * kPi, 20.0 * sum / n);
   for (int pass = 0; pass < 50; ++pass) {
@@ -20,48 +27,75 @@ std::vector<double> fittedAngles(std::vector<double> angles, double sum) {
     if (std::abs(step) < 1e-14) break;
     for (double& a : angles) a = std::clamp(a + step, least, most);
   }
-  return angles;
+}
+
+/// Frame angle of each face of the ring when the first spoke of the first face has uv angle
+/// `heading`; crossing into the next face the uv turns by the seam rotation.
+std::vector<double> ringFrames(const TriMesh& mesh, const Geometry& geometry,
+                               const SeamRotations& seams, const Ring& ring, double heading) {
+  std::vector<double> frames;
+  int turn = 0;
+  for (std::size_t n = 0; n < ring.spokes.size(); ++n) {
+    const HalfedgeId h = ring.spokes[n];
+    if (n > 0) turn += seams.rotation[mesh.twin(h)];
+    const double own = heading + turnAngle(turn, seams.q);
+    std::array<Complex, 3> corner;
+    const auto slot = static_cast<std::size_t>(h.i % 3);
+    corner[slot] = 0.0;
+    corner[(slot + 1) % 3] = std::polar(ring.lengths[n], own);
+    corner[(slot + 2) % 3] =
+        std::polar(ring.lengths[(n + 1) % ring.spokes.size()], own + ring.angles[n]);
+    const LinearParts parts = linearParts(geometry, TriMesh::face(h));
+    Complex similarity = 0.0;
+    for (std::size_t c = 0; c < 3; ++c) similarity += parts.similarity[c] * corner[c];
+    frames.push_back(-std::arg(similarity));
+    heading += ring.angles[n];
+  }
+  return frames;
+}
+
+double& frameOf(Frames& frames, FaceId f) {
+  const auto found = std::lower_bound(frames.faces.begin(), frames.faces.end(), f);
+  HGP_CHECK(found != frames.faces.end() && *found == f, "the ring of a cone is constrained");
+  return frames.angles[static_cast<std::size_t>(found - frames.faces.begin())];
 }
 
 }  // namespace
 
+void embedSurfaceRing(const TriMesh& mesh, const Geometry& geometry, const SeamRotations& seams,
+                      VertexId cone, int k, Frames& frames) {
+  Ring ring;
+  for (HalfedgeId h : outgoingHalfedges(mesh, cone)) {
+    ring.spokes.push_back(h);
+    ring.angles.push_back(geometry.cornerAngle[h] * turnAngle(k, seams.q) / geometry.angleSum[cone]);
+    ring.lengths.push_back(geometry.length[h]);
+  }
+  fitAngles(ring.angles, turnAngle(k, seams.q));
+  const std::vector<double> laid = ringFrames(mesh, geometry, seams, ring, 0.0);
+  Complex mean = 0.0;
+  for (std::size_t n = 0; n < laid.size(); ++n)
+    mean += std::polar(1.0, frameOf(frames, TriMesh::face(ring.spokes[n])) - laid[n]);
+  for (std::size_t n = 0; n < laid.size(); ++n)
+    frameOf(frames, TriMesh::face(ring.spokes[n])) = laid[n] + std::arg(mean);
+}
+
 void embedConeRing(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,
                    const SeamRotations& seams, const std::vector<Complex>& z, VertexId cone, int k,
                    Frames& frames) {
-  std::vector<HalfedgeId> spokes;
-  std::vector<double> angles, lengths;
+  Ring ring;
   const auto at = [&](HalfedgeId h) { return z[static_cast<std::size_t>(cut.copy[h].i)]; };
   for (HalfedgeId h : outgoingHalfedges(mesh, cone)) {
-    spokes.push_back(h);
     const Complex a = at(TriMesh::next(h)) - at(h), b = at(TriMesh::previous(h)) - at(h);
-    angles.push_back(std::abs(std::arg(std::conj(a) * b)));
-    lengths.push_back(std::abs(a));
+    ring.spokes.push_back(h);
+    ring.angles.push_back(std::abs(std::arg(std::conj(a) * b)));
+    ring.lengths.push_back(std::abs(a));
   }
-  angles = fittedAngles(angles, turnAngle(k, seams.q));
-
-  // Lay the ring down from the first triangle as the map has it: `heading` is the angle of the
-  // spoke in that triangle's uv; crossing to the next triangle the uv turns by the seam rotation.
-  double heading = std::arg(at(TriMesh::next(spokes[0])) - at(spokes[0]));
-  int turn = 0;
-  for (std::size_t n = 0; n < spokes.size(); ++n) {
-    const HalfedgeId h = spokes[n];
-    if (n > 0) turn += seams.rotation[mesh.twin(h)];
-    const FaceId f = TriMesh::face(h);
-    const double own = heading + turnAngle(turn, seams.q);
-    const double next = lengths[(n + 1) % spokes.size()];
-    std::array<Complex, 3> corner;
-    const auto slot = static_cast<std::size_t>(h.i % 3);
-    corner[slot] = 0.0;
-    corner[(slot + 1) % 3] = std::polar(lengths[n], own);
-    corner[(slot + 2) % 3] = std::polar(next, own + angles[n]);
-    const LinearParts parts = linearParts(geometry, f);
-    Complex similarity = 0.0;
-    for (std::size_t c = 0; c < 3; ++c) similarity += parts.similarity[c] * corner[c];
-    const auto found = std::lower_bound(frames.faces.begin(), frames.faces.end(), f);
-    HGP_CHECK(found != frames.faces.end() && *found == f, "the ring of a cone is constrained");
-    frames.angles[static_cast<std::size_t>(found - frames.faces.begin())] = -std::arg(similarity);
-    heading += angles[n];
-  }
+  fitAngles(ring.angles, turnAngle(k, seams.q));
+  const HalfedgeId first = ring.spokes[0];
+  const double heading = std::arg(at(TriMesh::next(first)) - at(first));
+  const std::vector<double> laid = ringFrames(mesh, geometry, seams, ring, heading);
+  for (std::size_t n = 0; n < laid.size(); ++n)
+    frameOf(frames, TriMesh::face(ring.spokes[n])) = laid[n];
 }
 
 }  // namespace hgp

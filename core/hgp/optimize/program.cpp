@@ -79,9 +79,7 @@ class ProgramBuilder {
     const int n = unknowns_.count - (pinned_ >= 0 ? 1 : 0);
     c_ = Eigen::VectorXcd::Zero(n);
     // All terms as rows: harmonic rows first, two rows per face of the distortion term behind.
-    std::vector<double> delta(static_cast<std::size_t>(mesh_.faceCount()), o_.quality);
-    for (FaceId f : frames_.faces)
-      delta[static_cast<std::size_t>(f.i)] = std::max(o_.quality, o_.tieBreak);
+    const double delta = std::max(o_.quality, o_.tieBreak);
     std::vector<Eigen::Triplet<Complex>> entries;
     const auto harmonicRows = harmonic_.rows.rows();
     entries.reserve(static_cast<std::size_t>(harmonic_.rows.nonZeros()));
@@ -93,9 +91,8 @@ class ProgramBuilder {
                                weight * it.value());
     }
     int row = static_cast<int>(harmonicRows);
-    for (FaceId f : mesh_.faces())
-      if (delta[static_cast<std::size_t>(f.i)] > 0.0)
-        row = addDistortion(f, delta[static_cast<std::size_t>(f.i)], row, entries);
+    if (delta > 0.0)
+      for (FaceId f : mesh_.faces()) row = addDistortion(f, delta, row, entries);
     SparseC rows(row, n);
     rows.setFromTriplets(entries.begin(), entries.end());
     H_ = rows.adjoint() * rows;

@@ -19,8 +19,10 @@ struct ProgramOptions {
   double margin = 0.05;
   /// δ of the distortion term δ Σ A_f e^{−2u} (|f_z − e^u d_j|² + |f_z̄|²); 0: none.
   double quality = 0.0;
-  /// The same term on constrained triangles only, so small that it merely makes the minimiser unique.
-  double tieBreak = 1e-7;
+  /// The same term with a weight so small that it merely makes the minimiser unique (a disk with a
+  /// free boundary, a flat torus and many others have whole spaces of q-CCMs). It prefers the most
+  /// conformal of them.
+  double tieBreak = 1e-5;
   std::function<bool(int, double)> progress;
 };
 

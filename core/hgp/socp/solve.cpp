@@ -172,13 +172,13 @@ class InteriorPoint {
     gap_ = gap / std::max({std::abs(objective), 1e-3 * firstGap_, 1e-300});
   }
   double measure() const {
-    return std::max({primal_ / o_.feasibility, dual_ / o_.feasibility, gap_ / o_.gap});
+    return std::max({primal_ / o_.primal, dual_ / o_.dual, gap_ / o_.gap});
   }
 
   /// The primal residual sticks while the duals run away.
   bool isInfeasible(int k) {
     history_.push_back(primal_);
-    if (k < 16 || primal_ <= o_.feasibility * kAlmostFactor) return false;
+    if (k < 16 || primal_ <= o_.primal * kAlmostFactor) return false;
     return primal_ > 0.96 * history_[history_.size() - 7];
   }
 

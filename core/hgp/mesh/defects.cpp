@@ -166,9 +166,9 @@ std::string describePlaces(const Defect& defect) {
   std::string list;
   for (std::size_t n = 0; n < std::min(kShown, defect.where.size()); ++n) {
     const Where& w = defect.where[n];
-    if (n > 0) list += ", ";
-    list += std::to_string(w.id);
-    if (w.kind == Where::Kind::kEdge) list += "–" + std::to_string(w.other);
+    if (n > 0) list.append(", ");
+    list.append(std::to_string(w.id));
+    if (w.kind == Where::Kind::kEdge) list.append("–").append(std::to_string(w.other));
   }
   return list + (defect.where.size() > kShown ? ", …" : "");
 }
@@ -263,17 +263,19 @@ Status requireUsable(const std::vector<Defect>& defects) {
   std::string fixes;
   for (const Defect& defect : defects) {
     if (!isFatal(defect.kind)) continue;
-    failure.message += (failure.message.empty() ? "" : "; ") + describe(defect) +
-                       (defect.where.size() == 1 ? " (" : " (first: ") + describePlaces(defect) +
-                       ")";
+    if (!failure.message.empty()) failure.message.append("; ");
+    failure.message.append(describe(defect));
+    failure.message.append(defect.where.size() == 1 ? " (" : " (first: ");
+    failure.message.append(describePlaces(defect)).append(")");
     failure.where.insert(failure.where.end(), defect.where.begin(), defect.where.end());
     const char* fix = remedy(defect.kind);
-    if (fix && fixes.find(fix) == std::string::npos)
-      fixes += (fixes.empty() ? "" : ",") + std::string(fix);
+    if (!fix || fixes.find(fix) != std::string::npos) continue;
+    if (!fixes.empty()) fixes.append(",");
+    fixes.append(fix);
   }
   if (failure.message.empty()) return Done{};
-  if (!fixes.empty()) failure.message += ". Repair with --fix " + fixes;
-  failure.message += ".";
+  if (!fixes.empty()) failure.message.append(". Repair with --fix ").append(fixes);
+  failure.message.append(".");
   return failure;
 }
 

@@ -214,8 +214,9 @@ TEST(Certificate, WindingAroundAVertexIsCountedExactly) {
     const int w = 1 + static_cast<int>(random() % 3), n = 4 * w + static_cast<int>(random() % 9);
     std::vector<Vec2> spokes;
     for (int i = 0; i < n; ++i) {
-      const double angle = 2 * kPi * w * (i + 0.3 * (random() % 100) / 100.0) / n;
-      const double radius = 1000.0 + random() % 100000;
+      const double angle =
+          2 * kPi * w * (i + 0.3 * static_cast<double>(random() % 100) / 100.0) / n;
+      const double radius = 1000.0 + static_cast<double>(random() % 100000);
       spokes.push_back(
           {std::round(radius * std::cos(angle)), std::round(radius * std::sin(angle))});
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hgp/base/check.h"
+#include "hgp/base/float32.h"
 #include "hgp/verify/verdict.h"
 
 namespace hgp {
@@ -12,12 +13,6 @@ namespace {
 
 double unitRoundoff(Precision precision) {
   return precision == Precision::kFloat32 ? FLT_EPSILON : DBL_EPSILON;
-}
-
-/// The float nearest to x; beyond the range of float that is an infinity, which is then reported.
-double toFloat(double x) {
-  if (std::fabs(x) >= 3.4028235677973366e38) return x > 0 ? HUGE_VAL : -HUGE_VAL;
-  return static_cast<double>(static_cast<float>(x));
 }
 
 /// uv per corner as stored, or the reasons why there is none.
@@ -53,7 +48,7 @@ JudgedUv gatherUv(const TriMesh& mesh, const UvMap& map, const CertifyOptions& o
         continue;
       }
       Vec2 p = map.uv[static_cast<std::size_t>(n)];
-      if (options.precision == Precision::kFloat32) p = {toFloat(p[0]), toFloat(p[1])};
+      if (options.precision == Precision::kFloat32) p = {roundToFloat(p[0]), roundToFloat(p[1])};
       isFinite = isFinite && std::isfinite(p[0]) && std::isfinite(p[1]);
       out.uv[HalfedgeId(static_cast<int>(3 * f + k))] = p;
     }

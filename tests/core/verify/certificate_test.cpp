@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "hgp/base/float32.h"
 #include "hgp/base/turns.h"
 #include "support/maps.h"
 #include "support/shapes.h"
@@ -470,7 +471,7 @@ TEST(Certificate, CatchesWhatRoundingToFloatDoes) {
 TEST(Certificate, AllowsSeamsOfFloatPrecision) {
   const Fan f = fan(7, turnAngle(5, 6));
   UvMap map = f.map;
-  for (Vec2& p : map.uv) p = {double(float(p[0])), double(float(p[1]))};
+  for (Vec2& p : map.uv) p = {roundToFloat(p[0]), roundToFloat(p[1])};
   HolonomySpec spec = regular(6);
   spec.cones = {{VertexId(0), 5}};
   EXPECT_FALSE(certify(f.mesh, spec, map).isCertified);

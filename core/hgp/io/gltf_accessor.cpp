@@ -21,7 +21,8 @@ double realAt(ByteView bytes, std::uint64_t k, int componentType, bool isNormali
       const double value = valueAt<std::int8_t>(bytes, k);
       return isNormalized ? std::max(value / 127.0, -1.0) : value;
     }
-    case 5121: return isNormalized ? bytes[k] / 255.0 : bytes[k];
+    case 5121:
+      return isNormalized ? bytes[k] / 255.0 : bytes[k];
     case 5122: {
       const double value = valueAt<std::int16_t>(bytes, k);
       return isNormalized ? std::max(value / 32767.0, -1.0) : value;
@@ -30,8 +31,10 @@ double realAt(ByteView bytes, std::uint64_t k, int componentType, bool isNormali
       const double value = valueAt<std::uint16_t>(bytes, k);
       return isNormalized ? value / 65535.0 : value;
     }
-    case 5125: return valueAt<std::uint32_t>(bytes, k);
-    default: return static_cast<double>(valueAt<float>(bytes, k));
+    case 5125:
+      return valueAt<std::uint32_t>(bytes, k);
+    default:
+      return static_cast<double>(valueAt<float>(bytes, k));
   }
 }
 

@@ -39,8 +39,8 @@ class BufferLoader {
     const JsonText& json = store_.json;
     GltfBuffer& buffer = store_.buffers[index];
     const std::string pointer = json.pointer(node);
-    const auto declared = static_cast<std::uint64_t>(
-        json.integer(json.find(node, "byteLength")).value_or(0));
+    const auto declared =
+        static_cast<std::uint64_t>(json.integer(json.find(node, "byteLength")).value_or(0));
     const int uriNode = json.find(node, "uri");
     if (uriNode >= 0) {
       const std::string uri = json.string(uriNode);
@@ -55,9 +55,9 @@ class BufferLoader {
       return Done{};  // a fallback buffer of meshopt; a view that needs it is refused later
     }
     if (buffer.bytes.size() >= declared) return Done{};
-    return refuse(pointer, formatText("declares %llu bytes, but there are %zu",
-                                      static_cast<unsigned long long>(declared),
-                                      buffer.bytes.size()));
+    return refuse(pointer,
+                  formatText("declares %llu bytes, but there are %zu",
+                             static_cast<unsigned long long>(declared), buffer.bytes.size()));
   }
 
   Status take(const std::string& pointer, std::uint64_t bytes) {

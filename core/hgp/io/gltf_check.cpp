@@ -10,16 +10,23 @@ namespace hgp::io {
 namespace {
 
 /// Extensions that a file may require: decoded here, or without any say over geometry.
-constexpr std::array kKnownExtensions = {
-    std::string_view("KHR_draco_mesh_compression"), std::string_view("EXT_meshopt_compression"),
-    std::string_view("KHR_meshopt_compression"), std::string_view("KHR_mesh_quantization"),
-    std::string_view("EXT_mesh_manifold"), std::string_view("EXT_mesh_gpu_instancing"),
-    std::string_view("KHR_texture_basisu"), std::string_view("KHR_texture_transform"),
-    std::string_view("EXT_texture_webp"), std::string_view("EXT_texture_avif"),
-    std::string_view("MSFT_texture_dds"), std::string_view("KHR_lights_punctual"),
-    std::string_view("KHR_animation_pointer"), std::string_view("KHR_node_visibility"),
-    std::string_view("KHR_xmp_json_ld"), std::string_view("EXT_lights_image_based"),
-    std::string_view("MSFT_lod")};
+constexpr std::array kKnownExtensions = {std::string_view("KHR_draco_mesh_compression"),
+                                         std::string_view("EXT_meshopt_compression"),
+                                         std::string_view("KHR_meshopt_compression"),
+                                         std::string_view("KHR_mesh_quantization"),
+                                         std::string_view("EXT_mesh_manifold"),
+                                         std::string_view("EXT_mesh_gpu_instancing"),
+                                         std::string_view("KHR_texture_basisu"),
+                                         std::string_view("KHR_texture_transform"),
+                                         std::string_view("EXT_texture_webp"),
+                                         std::string_view("EXT_texture_avif"),
+                                         std::string_view("MSFT_texture_dds"),
+                                         std::string_view("KHR_lights_punctual"),
+                                         std::string_view("KHR_animation_pointer"),
+                                         std::string_view("KHR_node_visibility"),
+                                         std::string_view("KHR_xmp_json_ld"),
+                                         std::string_view("EXT_lights_image_based"),
+                                         std::string_view("MSFT_lod")};
 
 bool isKnownExtension(std::string_view name) {
   return name.substr(0, 14) == "KHR_materials_" ||
@@ -192,8 +199,9 @@ int GltfChecker::element(const char* array, int referenceNode) const {
   const auto index = json_.integer(referenceNode);
   if (!index) return -1;
   const std::string_view name = array;
-  const std::vector<int>& list = name == "accessors" ? accessors_
-                                 : name == "bufferViews" ? views_ : buffers_;
+  const std::vector<int>& list = name == "accessors"     ? accessors_
+                                 : name == "bufferViews" ? views_
+                                                         : buffers_;
   return list[static_cast<std::size_t>(*index)];
 }
 
@@ -204,16 +212,16 @@ bool GltfChecker::checkAsset() {
   const auto have = version(json_.string(versionNode));
   if (!have) return fail(asset, "'version' is missing or is not \"2.x\"");
   if ((*have)[0] != 2) {
-    return fail(versionNode, "glTF version " + quoted(json_.string(versionNode)) +
-                                 ", only 2.x is read");
+    return fail(versionNode,
+                "glTF version " + quoted(json_.string(versionNode)) + ", only 2.x is read");
   }
   const int minimum = json_.find(asset, "minVersion");
   if (minimum < 0) return true;
   const auto wanted = version(json_.string(minimum));
   if (!wanted) return fail(minimum, "must be a version such as \"2.0\"");
   if (*wanted > std::array<int, 2>{2, 0}) {
-    return fail(minimum, "needs a reader of glTF " + quoted(json_.string(minimum)) +
-                             ", this one reads 2.0");
+    return fail(minimum,
+                "needs a reader of glTF " + quoted(json_.string(minimum)) + ", this one reads 2.0");
   }
   return true;
 }
@@ -235,6 +243,12 @@ bool GltfChecker::checkExtensionNames() {
 }
 
 bool GltfChecker::checkReferences() {
+  for (const char* name :
+       {"scenes", "nodes", "meshes", "accessors", "bufferViews", "buffers", "materials", "textures",
+        "images", "samplers", "skins", "cameras", "animations"}) {
+    const int list = json_.find(JsonText::kRoot, name);
+    if (list >= 0 && !json_.isArray(list)) return fail(list, "must be an array");
+  }
   for (const Reference& reference : kReferences) {
     if (!checkReference(JsonText::kRoot, reference.path, reference.target)) return false;
   }

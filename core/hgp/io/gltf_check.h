@@ -61,7 +61,7 @@ class GltfChecker {
   const Limits& limits_;
   std::optional<Failure> failure_;
   std::vector<int> buffers_, views_, accessors_, meshes_, nodes_;
-  std::uint64_t zeroBytes_ = 0;       ///< of accessors without data of their own
+  std::uint64_t zeroBytes_ = 0;  ///< of accessors without data of their own
   std::uint64_t sparseElements_ = 0;
   std::uint64_t triangles_ = 0;
 };

@@ -26,8 +26,9 @@ bool GltfChecker::checkBuffers() {
     // 8 · 10⁶ values of 2⁵³ each cannot overflow 2⁶³ before this stops it.
     total += length;
     if (static_cast<std::uint64_t>(total) > limits_.maxBytes) {
-      return fail(buffer, formatText("the buffers declare more than the limit of %llu bytes",
-                                     static_cast<unsigned long long>(limits_.maxBytes)),
+      return fail(buffer,
+                  formatText("the buffers declare more than the limit of %llu bytes",
+                             static_cast<unsigned long long>(limits_.maxBytes)),
                   ErrorCode::kLimit);
     }
   }
@@ -81,19 +82,18 @@ bool GltfChecker::checkMeshopt(int view, int extension, std::int64_t viewLength)
   if (!isVertices && mode != "TRIANGLES" && mode != "INDICES") {
     return fail(extension, "unknown mode " + quoted(mode));
   }
-  const bool isStrideGood = isVertices ? stride >= 4 && stride <= 256 && stride % 4 == 0
-                                       : stride == 2 || stride == 4;
+  const bool isStrideGood =
+      isVertices ? stride >= 4 && stride <= 256 && stride % 4 == 0 : stride == 2 || stride == 4;
   if (!isStrideGood) return fail(extension, "'byteStride' does not suit the mode");
-  const bool isFilterGood = filter == "NONE" ||
-                            (isVertices && filter == "OCTAHEDRAL" && (stride == 4 || stride == 8)) ||
-                            (isVertices && filter == "QUATERNION" && stride == 8) ||
-                            (isVertices && filter == "EXPONENTIAL");
+  const bool isFilterGood =
+      filter == "NONE" || (isVertices && filter == "OCTAHEDRAL" && (stride == 4 || stride == 8)) ||
+      (isVertices && filter == "QUATERNION" && stride == 8) ||
+      (isVertices && filter == "EXPONENTIAL");
   if (!isFilterGood) return fail(extension, "filter " + quoted(filter) + " does not suit the data");
   if (count < 1 || count > viewLength || count * stride != viewLength ||
       (mode == "TRIANGLES" && count % 3 != 0)) {
     return fail(extension, formatText("%lld × %lld bytes do not make the view's %lld",
-                                      static_cast<long long>(count),
-                                      static_cast<long long>(stride),
+                                      static_cast<long long>(count), static_cast<long long>(stride),
                                       static_cast<long long>(viewLength)));
   }
   zeroBytes_ += static_cast<std::uint64_t>(viewLength);
@@ -113,9 +113,9 @@ bool GltfChecker::checkSpan(int place, int view, std::int64_t offset, std::int64
   }
   if (stride == 0) stride = elementSize;
   if (stride < elementSize) {
-    return fail(place, formatText("elements of %lld bytes at a stride of %lld",
-                                  static_cast<long long>(elementSize),
-                                  static_cast<long long>(stride)));
+    return fail(place,
+                formatText("elements of %lld bytes at a stride of %lld",
+                           static_cast<long long>(elementSize), static_cast<long long>(stride)));
   }
   if (offset % componentSize != 0 || viewOffset % componentSize != 0) {
     return fail(place, formatText("not aligned to its components of %lld bytes",
@@ -146,7 +146,8 @@ bool GltfChecker::checkAccessor(int accessor) {
   if (normalized >= 0 && !json_.isTrue(normalized) && !json_.isKind(normalized, JsonKind::kFalse)) {
     return fail(normalized, "must be true or false");
   }
-  if (json_.isTrue(normalized) && (componentType == kGltfFloat || componentType == kGltfUnsignedInt)) {
+  if (json_.isTrue(normalized) &&
+      (componentType == kGltfFloat || componentType == kGltfUnsignedInt)) {
     return fail(normalized, "floats and 32-bit integers cannot be normalized");
   }
   const auto elementSize = static_cast<std::int64_t>(shape.elementSize());
@@ -160,8 +161,10 @@ bool GltfChecker::checkAccessor(int accessor) {
     const bool isHuge = static_cast<std::uint64_t>(count) > limits_.maxBytes;
     zeroBytes_ += isHuge ? limits_.maxBytes + 1 : static_cast<std::uint64_t>(count * elementSize);
     if (zeroBytes_ > limits_.maxBytes) {
-      return fail(accessor, formatText("%lld elements without data of their own exceed the limit "
-                                       "on bytes", static_cast<long long>(count)),
+      return fail(accessor,
+                  formatText("%lld elements without data of their own exceed the limit "
+                             "on bytes",
+                             static_cast<long long>(count)),
                   ErrorCode::kLimit);
     }
   }
@@ -182,7 +185,8 @@ bool GltfChecker::checkSparse(int accessor, int sparse, std::int64_t count,
       !integer(values, "byteOffset", 0, valueOffset)) {
     return false;
   }
-  if (changed < 1 || changed > count) return fail(sparse, "'count' must be from 1 to the accessor's");
+  if (changed < 1 || changed > count)
+    return fail(sparse, "'count' must be from 1 to the accessor's");
   if (indexType != kGltfUnsignedByte && indexType != kGltfUnsignedShort &&
       indexType != kGltfUnsignedInt) {
     return fail(indices, "'componentType' must be an unsigned integer");
@@ -196,8 +200,7 @@ bool GltfChecker::checkSparse(int accessor, int sparse, std::int64_t count,
   if (indexView < 0 || valueView < 0) return fail(sparse, "a bufferView is missing");
   std::int64_t componentType = 0;
   if (!integer(accessor, "componentType", -1, componentType)) return false;
-  const auto indexSize =
-      static_cast<std::int64_t>(gltfComponentSize(static_cast<int>(indexType)));
+  const auto indexSize = static_cast<std::int64_t>(gltfComponentSize(static_cast<int>(indexType)));
   const auto componentSize =
       static_cast<std::int64_t>(gltfComponentSize(static_cast<int>(componentType)));
   sparseElements_ += static_cast<std::uint64_t>(changed * elementSize);

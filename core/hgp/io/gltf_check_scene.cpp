@@ -48,8 +48,9 @@ bool GltfChecker::checkPrimitive(int primitive) {
   if (mode < 4) return true;
   triangles_ += static_cast<std::uint64_t>(mode == 4 ? corners / 3 : corners);
   if (triangles_ <= limits_.maxTriangles) return true;
-  return fail(primitive, formatText("more than the limit of %llu triangles",
-                                    static_cast<unsigned long long>(limits_.maxTriangles)),
+  return fail(primitive,
+              formatText("more than the limit of %llu triangles",
+                         static_cast<unsigned long long>(limits_.maxTriangles)),
               ErrorCode::kLimit);
 }
 
@@ -97,8 +98,8 @@ bool GltfChecker::checkIndices(int primitive, std::int64_t& count) {
 }
 
 bool GltfChecker::checkDraco(int primitive) {
-  const int extension = json_.find(json_.find(primitive, "extensions"),
-                                   "KHR_draco_mesh_compression");
+  const int extension =
+      json_.find(json_.find(primitive, "extensions"), "KHR_draco_mesh_compression");
   if (extension < 0) return true;
   if (json_.find(extension, "bufferView") < 0) return fail(extension, "'bufferView' is missing");
   const int ids = json_.find(extension, "attributes");

@@ -67,7 +67,8 @@ Status decodeView(GltfStore& store, int index, const GltfDecoders& decoders) {
 /// Draco data of one primitive; without a decoder the uncompressed fallback serves, if there is one.
 Status decodeDraco(GltfStore& store, int mesh, int index, const GltfDecoders& decoders) {
   const auto m = static_cast<std::size_t>(mesh);
-  const GltfPrimitive& primitive = store.model.meshes[m].primitives[static_cast<std::size_t>(index)];
+  const GltfPrimitive& primitive =
+      store.model.meshes[m].primitives[static_cast<std::size_t>(index)];
   const auto accessor = [&](int a) -> const GltfAccessor& {
     return store.model.accessors[static_cast<std::size_t>(a)];
   };
@@ -91,7 +92,8 @@ Status decodeDraco(GltfStore& store, int mesh, int index, const GltfDecoders& de
     request.vertexCount = shape.count;
     semantics.push_back(semantic);
   }
-  if (semantics.empty()) return failureAt(ErrorCode::kMalformed, pointer, "Draco data names no attribute");
+  if (semantics.empty())
+    return failureAt(ErrorCode::kMalformed, pointer, "Draco data names no attribute");
   auto decoded = decoders.draco(request);
   if (!decoded) return failureAt(decoded.error().code, pointer, decoded.error().message);
   bool isAsAsked = decoded->indices.size() == request.indexCount &&

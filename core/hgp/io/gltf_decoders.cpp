@@ -50,7 +50,8 @@ bool copyValues(const draco::PointAttribute& attribute, std::uint32_t points, in
   for (std::uint32_t i = 0; i < points; ++i) {
     T values[4] = {};
     const auto index = attribute.mapped_index(draco::PointIndex(i));
-    if (!attribute.ConvertValue<T>(index, static_cast<std::int8_t>(components), values)) return false;
+    if (!attribute.ConvertValue<T>(index, static_cast<std::int8_t>(components), values))
+      return false;
     std::copy_n(reinterpret_cast<const std::uint8_t*>(values), size, out.data() + size * i);
   }
   return true;
@@ -65,12 +66,18 @@ bool copyAttribute(const draco::Mesh& mesh, const DracoAttribute& wanted, Bytes&
   }
   const auto points = mesh.num_points();
   switch (wanted.componentType) {
-    case 5120: return copyValues<std::int8_t>(*attribute, points, wanted.components, out);
-    case 5121: return copyValues<std::uint8_t>(*attribute, points, wanted.components, out);
-    case 5122: return copyValues<std::int16_t>(*attribute, points, wanted.components, out);
-    case 5123: return copyValues<std::uint16_t>(*attribute, points, wanted.components, out);
-    case 5125: return copyValues<std::uint32_t>(*attribute, points, wanted.components, out);
-    default: return copyValues<float>(*attribute, points, wanted.components, out);
+    case 5120:
+      return copyValues<std::int8_t>(*attribute, points, wanted.components, out);
+    case 5121:
+      return copyValues<std::uint8_t>(*attribute, points, wanted.components, out);
+    case 5122:
+      return copyValues<std::int16_t>(*attribute, points, wanted.components, out);
+    case 5123:
+      return copyValues<std::uint16_t>(*attribute, points, wanted.components, out);
+    case 5125:
+      return copyValues<std::uint32_t>(*attribute, points, wanted.components, out);
+    default:
+      return copyValues<float>(*attribute, points, wanted.components, out);
   }
 }
 

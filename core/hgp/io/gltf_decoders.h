@@ -27,7 +27,8 @@ struct DracoAttribute {
 
 struct DracoRequest {
   ByteView source;
-  std::uint64_t vertexCount = 0, indexCount = 0;  ///< what the accessors say; never more is accepted
+  std::uint64_t vertexCount = 0,
+                indexCount = 0;  ///< what the accessors say; never more is accepted
   std::vector<DracoAttribute> attributes;
 };
 

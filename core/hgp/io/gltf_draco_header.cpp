@@ -83,9 +83,9 @@ Status checkDracoHeader(const DracoRequest& request) {
   const bool isEdgebreaker = bytes[8] == 1;
   std::uint64_t faces = 0, vertices = 0;
   std::uint32_t traversal = 0;
-  const bool isGood = isEdgebreaker
-                          ? cursor.byte(traversal) && cursor.varint(vertices) && cursor.varint(faces)
-                          : cursor.varint(faces) && cursor.varint(vertices);
+  const bool isGood =
+      isEdgebreaker ? cursor.byte(traversal) && cursor.varint(vertices) && cursor.varint(faces)
+                    : cursor.varint(faces) && cursor.varint(vertices);
   if (!isGood) return refuse("is cut off");
   if (faces * 3 != request.indexCount || vertices > request.vertexCount) {
     return refuse(formatText("claims %llu vertices and %llu triangles, the accessors say otherwise",

@@ -72,8 +72,8 @@ bool GltfWriter::planManifold() {
     const int reference = json_.find(extension, key);
     GltfNewAccessor fresh;
     fresh.data = wordBytes(words);
-    fresh.members = {{"componentType", "5125"}, {"count", std::to_string(words.size())},
-                     {"type", "\"SCALAR\""}};
+    fresh.members = {
+        {"componentType", "5125"}, {"count", std::to_string(words.size())}, {"type", "\"SCALAR\""}};
     const auto old = json_.integer(reference);
     if (old) {
       setRange(fresh, static_cast<int>(*old), fresh.data);
@@ -103,8 +103,7 @@ bool GltfWriter::planManifold() {
     if (newIndices_.count(run->primitive) == 0) {
       planIndices(*run, writtenIndices(*run), kGltfUnsignedInt);
     }
-    GltfNewAccessor& own =
-        fresh_[static_cast<std::size_t>(newIndices_.at(run->primitive))];
+    GltfNewAccessor& own = fresh_[static_cast<std::size_t>(newIndices_.at(run->primitive))];
     own.members["componentType"] = std::to_string(kGltfUnsignedInt);
     own.data.clear();
     own.sharedWith = shared;

@@ -41,8 +41,8 @@ Result<GltfContainer> openBinary(ByteView file) {
     const std::uint32_t type = word(file, at + 4);
     if (length % 4 != 0) return notGltf(at, "a chunk length is not a multiple of 4");
     if (length > file.size() - at - 8) {
-      return notGltf(at, formatText("a chunk of %zu bytes where %zu are left", length,
-                                    file.size() - at - 8));
+      return notGltf(
+          at, formatText("a chunk of %zu bytes where %zu are left", length, file.size() - at - 8));
     }
     const ByteView content = file.subspan(at + 8, length);
     if ((index == 0) != (type == kJsonChunk)) {
@@ -122,9 +122,10 @@ const char* nameProblem(std::string_view name) {
 
 Result<GltfContainer> openContainer(ByteView file) {
   if (file.size() >= 4 && word(file, 0) == kMagic) return openBinary(file);
-  std::size_t at = file.size() >= 3 && file[0] == 0xEF && file[1] == 0xBB && file[2] == 0xBF ? 3 : 0;
-  while (at < file.size() && (file[at] == ' ' || file[at] == '\n' || file[at] == '\r' ||
-                              file[at] == '\t')) {
+  std::size_t at =
+      file.size() >= 3 && file[0] == 0xEF && file[1] == 0xBB && file[2] == 0xBF ? 3 : 0;
+  while (at < file.size() &&
+         (file[at] == ' ' || file[at] == '\n' || file[at] == '\r' || file[at] == '\t')) {
     ++at;
   }
   if (at == file.size()) return notGltf(at, "it is empty");
@@ -194,8 +195,10 @@ std::string encodeBase64(ByteView bytes) {
 
 Result<std::string> relativeName(std::string_view uri) {
   const auto refuse = [&](const char* why) {
-    return Failure{ErrorCode::kMalformed, "read",
-                   "the file asks for " + quoted(uri, 120) + ", which is not loaded: " + why, {}};
+    return Failure{ErrorCode::kMalformed,
+                   "read",
+                   "the file asks for " + quoted(uri, 120) + ", which is not loaded: " + why,
+                   {}};
   };
   const auto name = percentDecoded(uri);
   if (!name) return refuse("its percent-encoding is broken");

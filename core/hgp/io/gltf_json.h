@@ -16,13 +16,13 @@ enum class JsonKind : std::uint8_t { kNull, kFalse, kTrue, kNumber, kString, kAr
 
 /// One value, in the order of the text; a container's first child is the node behind it.
 struct JsonNode {
-  std::uint32_t begin = 0;     ///< of the value in the text
+  std::uint32_t begin = 0;  ///< of the value in the text
   std::uint32_t end = 0;
   std::uint32_t keyBegin = 0;  ///< of the member's key with its quotes; keyBegin = keyEnd: no key
   std::uint32_t keyEnd = 0;
   std::int32_t parent = -1;
-  std::int32_t next = -1;      ///< next sibling, −1 at the last
-  std::int32_t count = 0;      ///< children
+  std::int32_t next = -1;  ///< next sibling, −1 at the last
+  std::int32_t count = 0;  ///< children
   JsonKind kind = JsonKind::kNull;
 };
 

@@ -29,7 +29,10 @@ std::size_t sequenceLength(const unsigned char* p, const unsigned char* end) {
 class JsonParser {
  public:
   JsonParser(JsonText& out, const JsonLimits& limits)
-      : out_(out), limits_(limits), begin_(out.text_.data()), p_(begin_),
+      : out_(out),
+        limits_(limits),
+        begin_(out.text_.data()),
+        p_(begin_),
         end_(begin_ + out.text_.size()) {}
 
   Status run() {
@@ -51,7 +54,9 @@ class JsonParser {
     if (hasFailed_) return;
     hasFailed_ = true;
     const long long offset = place - begin_;
-    failure_ = {code, "read", formatText("JSON, byte %lld: %s", offset, message.c_str()),
+    failure_ = {code,
+                "read",
+                formatText("JSON, byte %lld: %s", offset, message.c_str()),
                 {{Where::Kind::kByte, offset}}};
   }
 
@@ -198,7 +203,8 @@ class JsonParser {
   /// Leaves p_ on the last character of the escape.
   bool escape() {
     ++p_;
-    if (p_ != end_ && std::string_view("\"\\/bfnrt").find(*p_) != std::string_view::npos) return true;
+    if (p_ != end_ && std::string_view("\"\\/bfnrt").find(*p_) != std::string_view::npos)
+      return true;
     if (p_ != end_ && *p_ == 'u' && end_ - p_ > 4) {
       bool isHex = true;
       for (int k = 1; k <= 4; ++k) {
@@ -262,9 +268,11 @@ class JsonParser {
 
 Result<JsonText> JsonText::parse(std::string text, const JsonLimits& limits) {
   if (text.size() > limits.bytes) {
-    return Failure{ErrorCode::kLimit, "read",
-                   formatText("the JSON text has %zu bytes, the limit is %zu", text.size(),
-                              limits.bytes), {}};
+    return Failure{
+        ErrorCode::kLimit,
+        "read",
+        formatText("the JSON text has %zu bytes, the limit is %zu", text.size(), limits.bytes),
+        {}};
   }
   JsonText out;
   out.text_ = std::move(text);

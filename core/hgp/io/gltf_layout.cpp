@@ -21,8 +21,9 @@ std::pair<std::size_t, std::size_t> spanInBin(const GltfView& view) {
     if (view.meshopt->buffer != 0) return {0, 0};
     return {view.meshopt->offset, view.meshopt->offset + view.meshopt->length};
   }
-  return view.buffer == 0 ? std::pair<std::size_t, std::size_t>(view.offset, view.offset + view.length)
-                          : std::pair<std::size_t, std::size_t>(0, 0);
+  return view.buffer == 0
+             ? std::pair<std::size_t, std::size_t>(view.offset, view.offset + view.length)
+             : std::pair<std::size_t, std::size_t>(0, 0);
 }
 
 }  // namespace
@@ -70,8 +71,8 @@ void GltfLayout::release(const std::set<int>& views) {
         continue;
       }
       const std::size_t stop = next < live.size() ? std::min(end, live[next].first) : end;
-      const bool isNear = !left.empty() && left.back().second >= liveEnd &&
-                          aligned(left.back().second) >= begin;
+      const bool isNear =
+          !left.empty() && left.back().second >= liveEnd && aligned(left.back().second) >= begin;
       if (isNear) {
         left.back().second = stop;  // nothing but padding between them
       } else {
@@ -132,8 +133,8 @@ void GltfLayout::showIn(int view, std::size_t offset, std::size_t size, int targ
 }
 
 int GltfLayout::addView(std::size_t offset, std::size_t size, int target, std::uint64_t stride) {
-  std::string text = formatText("{\"buffer\":%d,\"byteOffset\":%zu,\"byteLength\":%zu", buffer_,
-                                offset, size);
+  std::string text =
+      formatText("{\"buffer\":%d,\"byteOffset\":%zu,\"byteLength\":%zu", buffer_, offset, size);
   if (stride != 0) text += ",\"byteStride\":" + std::to_string(stride);
   if (target != 0) text += ",\"target\":" + std::to_string(target);
   newViews_.push_back(text + "}");
@@ -172,7 +173,8 @@ Result<OutputFile> GltfLayout::finish(const std::string& mainName) {
   } else {
     uri = "data:application/octet-stream;base64," + encodeBase64(bin_);
   }
-  appendAll("buffers", {formatText("{\"byteLength\":%zu,\"uri\":", bin_.size()) + quoteJson(uri) + "}"});
+  appendAll("buffers",
+            {formatText("{\"byteLength\":%zu,\"uri\":", bin_.size()) + quoteJson(uri) + "}"});
   return side;
 }
 

@@ -40,7 +40,7 @@ class GltfLayout {
   Bytes bin_;                                               ///< the chunk, or the new buffer
   std::vector<std::pair<std::size_t, std::size_t>> holes_;  ///< begin, end; ascending
   std::set<int> released_;
-  std::vector<int> views_;                                  ///< nodes of the text
+  std::vector<int> views_;  ///< nodes of the text
   std::vector<std::string> newViews_;
   std::size_t appendedAt_ = 0;
 };

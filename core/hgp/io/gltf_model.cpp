@@ -33,12 +33,16 @@ GltfMeshopt readMeshopt(const JsonText& json, int extension) {
 std::uint64_t gltfComponentSize(int componentType) {
   switch (componentType) {
     case 5120:
-    case 5121: return 1;
+    case 5121:
+      return 1;
     case 5122:
-    case 5123: return 2;
+    case 5123:
+      return 2;
     case 5125:
-    case 5126: return 4;
-    default: return 0;
+    case 5126:
+      return 4;
+    default:
+      return 0;
   }
 }
 
@@ -47,10 +51,9 @@ bool gltfShape(const std::string& type, GltfAccessor& out) {
     const char* name;
     int columns, rows;
   };
-  static constexpr std::array kShapes = {Shape{"SCALAR", 1, 1}, Shape{"VEC2", 1, 2},
-                                         Shape{"VEC3", 1, 3},   Shape{"VEC4", 1, 4},
-                                         Shape{"MAT2", 2, 2},   Shape{"MAT3", 3, 3},
-                                         Shape{"MAT4", 4, 4}};
+  static constexpr std::array kShapes = {
+      Shape{"SCALAR", 1, 1}, Shape{"VEC2", 1, 2}, Shape{"VEC3", 1, 3}, Shape{"VEC4", 1, 4},
+      Shape{"MAT2", 2, 2},   Shape{"MAT3", 3, 3}, Shape{"MAT4", 4, 4}};
   for (const Shape& shape : kShapes) {
     if (type != shape.name) continue;
     out.columns = shape.columns;
@@ -85,8 +88,8 @@ void readGltfExtensions(const JsonText& json, GltfModel& model) {
       GltfPrimitive& primitive = model.meshes[i].primitives[p];
       // tinygltf refuses indices that have no view of their own, as Draco's have.
       primitive.indices = indexOr(json, json.find(primitives[p], "indices"));
-      const int draco = json.find(json.find(primitives[p], "extensions"),
-                                  "KHR_draco_mesh_compression");
+      const int draco =
+          json.find(json.find(primitives[p], "extensions"), "KHR_draco_mesh_compression");
       if (draco < 0) continue;
       primitive.draco.emplace();
       primitive.draco->view = indexOr(json, json.find(draco, "bufferView"));

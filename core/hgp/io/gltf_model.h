@@ -36,10 +36,10 @@ struct GltfSparse {
 };
 
 struct GltfAccessor {
-  int view = -1;             ///< −1: zeros
+  int view = -1;  ///< −1: zeros
   std::uint64_t offset = 0, count = 0;
   int componentType = 0;
-  int columns = 1, rows = 1; ///< VEC3 is one column of three rows
+  int columns = 1, rows = 1;  ///< VEC3 is one column of three rows
   bool isNormalized = false;
   std::optional<GltfSparse> sparse;
 

@@ -109,9 +109,12 @@ GltfAccessor convert(const tinygltf::Accessor& accessor) {
   out.componentType = accessor.componentType;
   out.isNormalized = accessor.normalized;
   const bool isMatrix = accessor.type >= TINYGLTF_TYPE_MAT2 && accessor.type <= TINYGLTF_TYPE_MAT4;
-  const int components = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
-  out.columns = !isMatrix ? 1 : accessor.type == TINYGLTF_TYPE_MAT2 ? 2
-                              : accessor.type == TINYGLTF_TYPE_MAT3 ? 3 : 4;
+  const int components =
+      tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
+  out.columns = !isMatrix                             ? 1
+                : accessor.type == TINYGLTF_TYPE_MAT2 ? 2
+                : accessor.type == TINYGLTF_TYPE_MAT3 ? 3
+                                                      : 4;
   out.rows = components / out.columns;
   if (accessor.sparse.isSparse) {
     out.sparse.emplace();
@@ -180,8 +183,10 @@ Result<GltfModel> readGltfModel(const JsonText& json) {
   for (const auto& accessor : read.accessors) model.accessors.push_back(convert(accessor));
   for (const auto& mesh : read.meshes) model.meshes.push_back(convert(mesh));
   if (!isComplete(json, model)) {
-    return Failure{ErrorCode::kMalformed, "read",
-                   "not a readable glTF file: a mesh could not be understood " + errors, {}};
+    return Failure{ErrorCode::kMalformed,
+                   "read",
+                   "not a readable glTF file: a mesh could not be understood " + errors,
+                   {}};
   }
   readGltfExtensions(json, model);
   return model;

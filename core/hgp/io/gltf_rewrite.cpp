@@ -46,8 +46,8 @@ Bytes GltfWriter::expanded(const Bytes& packed, std::size_t elementSize, int poo
 int GltfWriter::redirect(int old, const std::set<int>& references, GltfNewAccessor fresh) {
   const std::vector<int>& all = accessorReferences_[old];
   const bool isOurs = areReferencesKnown_ && std::all_of(all.begin(), all.end(), [&](int node) {
-    return references.count(node) > 0 || droppedAttributes_.count(node) > 0;
-  });
+                        return references.count(node) > 0 || droppedAttributes_.count(node) > 0;
+                      });
   const int node = accessorNodes_[static_cast<std::size_t>(old)];
   fresh.oldView = accessor(old).view;
   if (isOurs) {
@@ -109,9 +109,11 @@ void GltfWriter::rewriteAttributes(int pool) {
     for (const auto& [name, index] : attributes) {
       const int reference = json_.find(owner, name);
       if (droppedAttributes_.count(reference) > 0) continue;
-      const bool isFromDraco = target < 0 && primitive(p).draco && primitive(p).draco->ids.count(name);
-      auto& source = sources.try_emplace({index, isFromDraco ? name : ""}, Source{p, name, target, {}})
-                         .first->second;
+      const bool isFromDraco =
+          target < 0 && primitive(p).draco && primitive(p).draco->ids.count(name);
+      auto& source =
+          sources.try_emplace({index, isFromDraco ? name : ""}, Source{p, name, target, {}})
+              .first->second;
       source.references.insert(reference);
     }
   };
@@ -123,8 +125,8 @@ void GltfWriter::rewriteAttributes(int pool) {
       add(p, targets[t], primitive(p).targets[t], static_cast<int>(t));
     }
   }
-  const int manifold = json_.find(json_.find(json_.find(meshNode_, "extensions"), "EXT_mesh_manifold"),
-                                  "manifoldPrimitive");
+  const int manifold = json_.find(
+      json_.find(json_.find(meshNode_, "extensions"), "EXT_mesh_manifold"), "manifoldPrimitive");
   const int manifoldPosition = json_.find(json_.find(manifold, "attributes"), "POSITION");
   for (auto& [key, source] : sources) {
     const int old = key.first;
@@ -142,8 +144,9 @@ void GltfWriter::rewriteAttributes(int pool) {
     const std::size_t step = fresh.stride != 0 ? fresh.stride : size;
     fresh.members["count"] = std::to_string(fresh.data.size() / step);
     const int view = accessor(old).view;
-    const bool isDecoded = !key.second.empty() ||
-                           (view >= 0 && store_.model.views[static_cast<std::size_t>(view)].meshopt);
+    const bool isDecoded =
+        !key.second.empty() ||
+        (view >= 0 && store_.model.views[static_cast<std::size_t>(view)].meshopt);
     if (isDecoded) setRange(fresh, old, fresh.data);
     redirect(old, source.references, std::move(fresh));
   }
@@ -151,7 +154,8 @@ void GltfWriter::rewriteAttributes(int pool) {
 
 int GltfWriter::indexTypeFor(int wanted, int vertexCount) const {
   for (int type : {kGltfUnsignedByte, kGltfUnsignedShort}) {
-    if (type >= wanted && static_cast<std::uint32_t>(vertexCount) <= restartValue(type)) return type;
+    if (type >= wanted && static_cast<std::uint32_t>(vertexCount) <= restartValue(type))
+      return type;
   }
   return kGltfUnsignedInt;
 }
@@ -181,8 +185,8 @@ void GltfWriter::rewriteIndices(const GltfRun& run) {
   }
   if (!isChanged) return;
   const GltfSplit& split = splits_.pools[static_cast<std::size_t>(run.pool)];
-  const int wanted = source.indices >= 0 ? accessor(source.indices).componentType
-                                         : kGltfUnsignedShort;
+  const int wanted =
+      source.indices >= 0 ? accessor(source.indices).componentType : kGltfUnsignedShort;
   const int type = indexTypeFor(wanted, pool.vertexCount + static_cast<int>(split.copyOf.size()));
   planIndices(run, writtenIndices(run), type);
   if (source.mode == 4) return;

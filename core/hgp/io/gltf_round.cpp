@@ -9,8 +9,8 @@
 namespace hgp::io {
 namespace {
 
-constexpr int kPasses = 8;   ///< over the triangles that rounding turned over
-constexpr int kReach = 2;    ///< grid steps that a vertex may be moved
+constexpr int kPasses = 8;                  ///< over the triangles that rounding turned over
+constexpr int kReach = 2;                   ///< grid steps that a vertex may be moved
 constexpr double kFloatSteps = 16777216.0;  ///< 2²⁴: integers up to here are exact in float32
 
 /// Grid coordinates are integers up to 2²⁴, so twice an area is exact in a double.
@@ -19,15 +19,15 @@ double doubleArea(const Vec2& a, const Vec2& b, const Vec2& c) {
 }
 
 struct Frame {
-  double scale = 1.0;      ///< a power of two
-  Vec2 shift{0.0, 0.0};    ///< after scaling
+  double scale = 1.0;    ///< a power of two
+  Vec2 shift{0.0, 0.0};  ///< after scaling
 };
 
 struct Candidate {
   std::vector<Vec2> grid;  ///< integers
   double step = 1.0;
-  std::vector<int> broken; ///< triangles that were positive and are not
-  bool isFine = true;      ///< steps are within what seams are judged by
+  std::vector<int> broken;  ///< triangles that were positive and are not
+  bool isFine = true;       ///< steps are within what seams are judged by
 };
 
 class Rounder {
@@ -88,8 +88,8 @@ class Rounder {
 
   static void consider(Candidate& best, Candidate other) {
     if (isGood(best)) return;
-    const bool isBetter = best.isFine == other.isFine ? other.broken.size() < best.broken.size()
-                                                      : other.isFine;
+    const bool isBetter =
+        best.isFine == other.isFine ? other.broken.size() < best.broken.size() : other.isFine;
     if (isBetter) best = std::move(other);
   }
 
@@ -184,7 +184,8 @@ class Rounder {
     if (!firstFace_.empty()) return;
     firstFace_.assign(map_.uv.size() + 1, 0);
     for (int t : positive_) {
-      for (int c : map_.cornerUv[static_cast<std::size_t>(t)]) ++firstFace_[static_cast<std::size_t>(c) + 1];
+      for (int c : map_.cornerUv[static_cast<std::size_t>(t)])
+        ++firstFace_[static_cast<std::size_t>(c) + 1];
     }
     for (std::size_t i = 1; i < firstFace_.size(); ++i) firstFace_[i] += firstFace_[i - 1];
     faces_.resize(static_cast<std::size_t>(firstFace_.back()));

@@ -94,8 +94,8 @@ std::string JsonPatch::text() const {
   }
   const auto insert = [&](int container, const std::vector<std::string>& items) {
     const std::vector<int> children = json_.children(container);
-    const std::size_t at = children.empty() ? json_.node(container).begin + 1
-                                            : json_.node(children.back()).end;
+    const std::size_t at =
+        children.empty() ? json_.node(container).begin + 1 : json_.node(children.back()).end;
     edits.push_back({at, at, joined(container, items)});
   };
   for (const auto& [array, items] : appended_) insert(array, items);

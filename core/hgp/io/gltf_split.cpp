@@ -86,8 +86,10 @@ Result<GltfSplits> splitForUv(const GltfSurface& part, const UvMap& map) {
         std::array<float, 2> uv{};
         if (index >= static_cast<int>(map.uv.size()) ||
             !storedUv(map.uv[static_cast<std::size_t>(index)], uv)) {
-          return unwritable(formatText("triangle %d has a uv that float32 cannot hold; round the map "
-                                       "with asStored first", face));
+          return unwritable(
+              formatText("triangle %d has a uv that float32 cannot hold; round the map "
+                         "with asStored first",
+                         face));
         }
         out.corner[t][k] = splitter.vertexFor(run, part.stored[t][k], uv);
       }

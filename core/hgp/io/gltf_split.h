@@ -10,8 +10,8 @@ namespace hgp::io {
 
 /// One pool after splitting: written vertices 0 … vertexCount − 1 are the stored ones, copies follow.
 struct GltfSplit {
-  std::vector<int> copyOf;   ///< of the copies: index of the stored vertex in the pool
-  std::vector<float> uv;     ///< 2 per written vertex, v from the top
+  std::vector<int> copyOf;  ///< of the copies: index of the stored vertex in the pool
+  std::vector<float> uv;    ///< 2 per written vertex, v from the top
 };
 
 struct GltfSplits {

@@ -32,7 +32,8 @@ Status checkSparseIndices(const GltfStore& store, std::size_t index) {
 
 Status checkPrimitiveIndices(const GltfStore& store, int mesh, int index) {
   const auto m = static_cast<std::size_t>(mesh);
-  const GltfPrimitive& primitive = store.model.meshes[m].primitives[static_cast<std::size_t>(index)];
+  const GltfPrimitive& primitive =
+      store.model.meshes[m].primitives[static_cast<std::size_t>(index)];
   const int position = primitive.attribute("POSITION");
   if (primitive.indices < 0 || position < 0) return Done{};
   const auto indices = readIndices(store, mesh, index);
@@ -43,11 +44,11 @@ Status checkPrimitiveIndices(const GltfStore& store, int mesh, int index) {
   for (std::size_t k = 0; k < indices->size(); ++k) {
     const std::uint32_t value = (*indices)[k];
     if (value < count && (value != restart || primitive.draco)) continue;
-    return malformed(formatText("/meshes/%d/primitives/%d/indices", mesh, index),
-                     formatText(value == restart
-                                    ? "entry %zu is %u, the restart value, which may not be used"
+    return malformed(
+        formatText("/meshes/%d/primitives/%d/indices", mesh, index),
+        formatText(value == restart ? "entry %zu is %u, the restart value, which may not be used"
                                     : "entry %zu is %u, but there are %llu vertices",
-                                k, value, static_cast<unsigned long long>(count)));
+                   k, value, static_cast<unsigned long long>(count)));
   }
   return Done{};
 }
@@ -84,8 +85,7 @@ Status checkGltfData(const GltfStore& store) {
   for (std::size_t m = 0; m < store.model.meshes.size(); ++m) {
     for (std::size_t p = 0; p < store.model.meshes[m].primitives.size(); ++p) {
       if (!store.model.meshes[m].primitives[p].isTriangles()) continue;
-      const Status status =
-          checkPrimitiveIndices(store, static_cast<int>(m), static_cast<int>(p));
+      const Status status = checkPrimitiveIndices(store, static_cast<int>(m), static_cast<int>(p));
       if (!status) return status;
     }
   }

@@ -37,8 +37,8 @@ struct GltfStore {
   JsonText json;
   GltfModel model;
   std::vector<GltfBuffer> buffers;
-  std::map<int, Bytes> decodedViews;                         ///< meshopt views that meshes use
-  std::map<std::pair<int, int>, GltfDracoData> decodedDraco; ///< by mesh and primitive
+  std::map<int, Bytes> decodedViews;                          ///< meshopt views that meshes use
+  std::map<std::pair<int, int>, GltfDracoData> decodedDraco;  ///< by mesh and primitive
   std::vector<std::string> notes;
 
   /// Bytes of a view; empty when they are compressed and no mesh needed them.

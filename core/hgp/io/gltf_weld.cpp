@@ -12,8 +12,9 @@ namespace hgp::io {
 namespace {
 
 const char* modeName(int mode) {
-  static constexpr const char* kNames[] = {"points",    "lines",          "line loops", "line strips",
-                                           "triangles", "triangle strip", "triangle fan"};
+  static constexpr const char* kNames[] = {"points",      "lines",     "line loops",
+                                           "line strips", "triangles", "triangle strip",
+                                           "triangle fan"};
   return kNames[mode];
 }
 
@@ -66,16 +67,16 @@ class GltfWelder {
     const auto pool = poolOf(p);
     if (!pool) return pool.error();
     const auto triangles = primitiveTriangles(source.mode, *indices);
-    const std::size_t raw = source.mode == 4 ? indices->size() / 3
-                                             : std::max<std::size_t>(indices->size(), 2) - 2;
+    const std::size_t raw =
+        source.mode == 4 ? indices->size() / 3 : std::max<std::size_t>(indices->size(), 2) - 2;
     if (source.mode != 4) {
       note(formatText("primitive %d is a %s of %zu triangles (%zu more only join its pieces)", p,
                       modeName(source.mode), triangles.size(), raw - triangles.size()));
     } else if (indices->size() % 3 != 0) {
       note(formatText("primitive %d ends in an incomplete triangle", p));
     }
-    out_.runs.push_back({p, *pool, static_cast<int>(out_.stored.size()),
-                         static_cast<int>(triangles.size())});
+    out_.runs.push_back(
+        {p, *pool, static_cast<int>(out_.stored.size()), static_cast<int>(triangles.size())});
     const int first = out_.pools[static_cast<std::size_t>(*pool)].firstStored;
     for (const auto& t : triangles) {
       out_.stored.push_back({first + static_cast<int>(t[0]), first + static_cast<int>(t[1]),
@@ -86,8 +87,7 @@ class GltfWelder {
 
   Result<int> poolOf(int p) {
     const GltfPrimitive& source = primitive(p);
-    const std::pair key(source.attribute("POSITION"),
-                        source.draco ? source.draco->view : -1);
+    const std::pair key(source.attribute("POSITION"), source.draco ? source.draco->view : -1);
     const auto known = poolOfKey_.find(key);
     if (known != poolOfKey_.end()) {
       out_.pools[static_cast<std::size_t>(known->second)].primitives.push_back(p);
@@ -96,9 +96,11 @@ class GltfWelder {
     const GltfAccessor& shape = store_.model.accessors[static_cast<std::size_t>(key.first)];
     const std::uint64_t total = positions_.size() + shape.count;
     if (total * sizeof(Vec3) > limits_.maxBytes || total > INT32_MAX / 2) {
-      return Failure{ErrorCode::kLimit, "read",
+      return Failure{ErrorCode::kLimit,
+                     "read",
                      formatText("mesh %d has %llu vertices, more than the limit on bytes allows",
-                                out_.mesh, static_cast<unsigned long long>(total)), {}};
+                                out_.mesh, static_cast<unsigned long long>(total)),
+                     {}};
     }
     const int pool = static_cast<int>(out_.pools.size());
     poolOfKey_[key] = pool;
@@ -225,7 +227,7 @@ std::vector<std::array<std::uint32_t, 3>> primitiveTriangles(
   }
   for (std::size_t i = 0; i + 2 < indices.size(); ++i) {
     const std::array<std::uint32_t, 3> t =
-        mode == 6       ? std::array{indices[i + 1], indices[i + 2], indices[0]}
+        mode == 6    ? std::array{indices[i + 1], indices[i + 2], indices[0]}
         : i % 2 == 0 ? std::array{indices[i], indices[i + 1], indices[i + 2]}
                      : std::array{indices[i], indices[i + 2], indices[i + 1]};
     if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) out.push_back(t);

@@ -14,7 +14,7 @@ namespace hgp::io {
 struct GltfPool {
   std::vector<int> primitives;  ///< ascending
   int vertexCount = 0;
-  int firstStored = 0;          ///< stored vertex = firstStored + index into the pool
+  int firstStored = 0;  ///< stored vertex = firstStored + index into the pool
 };
 
 /// A run of surface triangles that come from one primitive.
@@ -25,11 +25,11 @@ struct GltfRun {
 };
 
 struct GltfSurface {
-  int mesh = -1;                             ///< index in the file
+  int mesh = -1;  ///< index in the file
   std::vector<GltfPool> pools;
-  std::vector<GltfRun> runs;                 ///< in the order of the surface's triangles
-  std::vector<std::array<int, 3>> stored;    ///< |F| × 3 stored vertices
-  std::vector<int> welded;                   ///< stored vertex → vertex of the surface
+  std::vector<GltfRun> runs;               ///< in the order of the surface's triangles
+  std::vector<std::array<int, 3>> stored;  ///< |F| × 3 stored vertices
+  std::vector<int> welded;                 ///< stored vertex → vertex of the surface
   Surface surface;
 };
 

@@ -45,12 +45,14 @@ Result<Bytes> packGltf(const GltfStore& store, const std::string& json, ByteView
   appendWord(out, 0x46546C67);
   appendWord(out, 2);
   appendWord(out, 0);
-  appendChunk(out, 0x4E4F534A,
-              {reinterpret_cast<const std::uint8_t*>(json.data()), json.size()}, ' ');
+  appendChunk(out, 0x4E4F534A, {reinterpret_cast<const std::uint8_t*>(json.data()), json.size()},
+              ' ');
   if (store.container.hasBin) appendChunk(out, 0x004E4942, bin, 0);
-  for (const GltfChunk& chunk : store.container.others) appendChunk(out, chunk.type, chunk.bytes, 0);
+  for (const GltfChunk& chunk : store.container.others)
+    appendChunk(out, chunk.type, chunk.bytes, 0);
   const std::uint64_t length = out.size();
-  for (std::size_t k = 0; k < 4; ++k) out[8 + k] = static_cast<std::uint8_t>(length >> 8 * k & 0xFF);
+  for (std::size_t k = 0; k < 4; ++k)
+    out[8 + k] = static_cast<std::uint8_t>(length >> 8 * k & 0xFF);
   return out;
 }
 

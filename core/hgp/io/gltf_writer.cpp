@@ -22,7 +22,11 @@ Bytes asBytes(const std::vector<float>& values) {
 }  // namespace
 
 GltfWriter::GltfWriter(const GltfStore& store, const GltfSurface& part, const WriteOptions& options)
-    : store_(store), json_(store.json), part_(part), options_(options), patch_(store.json),
+    : store_(store),
+      json_(store.json),
+      part_(part),
+      options_(options),
+      patch_(store.json),
       layout_(store, patch_) {
   const auto list = [&](const char* name) {
     return json_.children(json_.find(JsonText::kRoot, name));
@@ -64,8 +68,10 @@ Status GltfWriter::chooseSet() {
     while (isTaken(set_)) ++set_;
   }
   if (set_ <= kHighestSet) return Done{};
-  return Failure{ErrorCode::kUsage, "write",
-                 formatText("uv set %d: sets from 0 to %d can be written", set_, kHighestSet), {}};
+  return Failure{ErrorCode::kUsage,
+                 "write",
+                 formatText("uv set %d: sets from 0 to %d can be written", set_, kHighestSet),
+                 {}};
 }
 
 void GltfWriter::planPool(int pool) {
@@ -104,8 +110,7 @@ void GltfWriter::planUv(int pool) {
   fresh.data = asBytes(split.uv);
   fresh.target = 34962;
   for (int p : part_.pools[static_cast<std::size_t>(pool)].primitives) {
-    const int attributes =
-        json_.find(primitiveNodes_[static_cast<std::size_t>(p)], "attributes");
+    const int attributes = json_.find(primitiveNodes_[static_cast<std::size_t>(p)], "attributes");
     for (int set = 0; set <= set_; ++set) {
       const int old = json_.find(attributes, semantic(set));
       if (old >= 0 && set < set_) continue;
@@ -152,7 +157,8 @@ Status GltfWriter::embedCones() {
   if (!options_.cones) return Done{};
   const auto cones = JsonText::parse(*options_.cones);
   if (!cones || !cones->isObject(JsonText::kRoot)) {
-    return Failure{ErrorCode::kWriteFailed, "write", "the cones to embed are not a JSON object", {}};
+    return Failure{
+        ErrorCode::kWriteFailed, "write", "the cones to embed are not a JSON object", {}};
   }
   const std::string raw(cones->raw(JsonText::kRoot));
   const int extras = json_.find(meshNode_, "extras");

@@ -17,15 +17,15 @@ namespace hgp::io {
 /// New contents of an accessor: of an old one in place when nobody else reads it, of a new one
 /// otherwise.
 struct GltfNewAccessor {
-  int index = -1;               ///< its number in the written file
-  int node = -1;                ///< the old accessor, edited in place; −1: a new one
-  std::string base;             ///< text that a new one starts from; "{}" when there is no model
+  int index = -1;    ///< its number in the written file
+  int node = -1;     ///< the old accessor, edited in place; −1: a new one
+  std::string base;  ///< text that a new one starts from; "{}" when there is no model
   std::map<std::string, std::string> members;  ///< set in either
   Bytes data;
-  int target = 0;               ///< 34962 or 34963
+  int target = 0;  ///< 34962 or 34963
   std::uint64_t stride = 0;
   int oldView = -1;
-  int sharedWith = -1;          ///< position in the plan: data lies inside that accessor's
+  int sharedWith = -1;  ///< position in the plan: data lies inside that accessor's
   std::uint64_t sharedOffset = 0;
   int sparseIndices = -1, sparseValues = -1;  ///< positions in the plan
 };
@@ -88,11 +88,11 @@ class GltfWriter {
   bool areReferencesKnown_ = false;
   std::vector<GltfNewAccessor> fresh_;
   int newAccessorCount_ = 0;
-  std::set<int> freedNodes_;        ///< references to views that the patch takes away
-  int droppedDraco_ = 0;            ///< primitives
-  bool isRewritten_ = false;        ///< some pool has new vertices
-  std::set<int> droppedAttributes_; ///< references to accessors that the patch takes away
-  std::map<int, int> newIndices_;   ///< primitive → position in the plan
+  std::set<int> freedNodes_;         ///< references to views that the patch takes away
+  int droppedDraco_ = 0;             ///< primitives
+  bool isRewritten_ = false;         ///< some pool has new vertices
+  std::set<int> droppedAttributes_;  ///< references to accessors that the patch takes away
+  std::map<int, int> newIndices_;    ///< primitive → position in the plan
   std::vector<std::string> notes_;
 };
 

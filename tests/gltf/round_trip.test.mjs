@@ -1,0 +1,69 @@
+// Read, give uv, write, and read back with somebody else's reader: nothing else has changed. Over
+// every readable file of the optional data and over generated files with every feature.
+
+import assert from 'node:assert/strict';
+import { cpSync, mkdirSync, readdirSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import test from 'node:test';
+import { featureFiles } from './features.mjs';
+import { assertLaw } from './law.mjs';
+import { hasMeshes, isWasm, meshes, runProbe, scratch } from './probe.mjs';
+
+const cones = '{"format":"hgp-cones","version":1,"q":4,"cones":[{"vertex":1,"k":3}]}';
+/** Refused by contract; everything else in the folder must be readable. */
+const broken = ['IndexOutOfRange.gltf', 'invalid-buffer-index.gltf', 'BoxWithInfinites.glb'];
+/** Without a decoder of its own, a build says so; the package brings decoders along. */
+const needsDecoder = (result) => isWasm && result.code === 'unsupported';
+
+const folder = path.join(scratch, 'written');
+mkdirSync(folder, { recursive: true });
+
+async function holdsLaw(file, { target = 0, surface = 0, map, set, extra = {} }) {
+  const out = path.join(folder, `${map}-${set ?? 'next'}-${path.basename(file)}`);
+  const args = ['--write', out, '--map', map, '--surface', `${surface}`, '--cones', cones];
+  if (set !== undefined) args.push('--set', `${set}`);
+  const [result] = runProbe([...args, file]);
+  if (needsDecoder(result)) return null;
+  assert.equal(result.ok, true, JSON.stringify(result));
+  assert.equal(result.sameSurface, true, 'read back, the surface is the same');
+  assert.equal(result.sameUv, true, 'read back, the uv are those that were given');
+  assert.equal(result.stable, true, 'rounding twice is rounding once');
+  const written = set ?? result.set;
+  const lostExtensions = ['KHR_draco_mesh_compression'];
+  await assertLaw(file, out, { target, set: written, lostExtensions, ...extra });
+  return result;
+}
+
+const shared = hasMeshes
+  ? readdirSync(path.join(meshes, 'gltf'), { recursive: true })
+      .filter((name) => /\.(glb|gltf)$/.test(name) && !broken.includes(path.basename(name)))
+      .sort()
+  : [];
+
+test('optional data', { skip: hasMeshes ? false : `${meshes} is not there` }, () => {
+  assert.ok(shared.length >= 10);
+});
+
+for (const name of shared) {
+  const isLarge = name === 'cave.glb';
+  for (const map of isLarge ? ['patches'] : ['vertices', 'patches', 'corners']) {
+    test(`${name}, ${map}`, async () => {
+      // Next to copies of its companions, as a person would have it.
+      const from = path.join(meshes, 'gltf', name);
+      if (name.includes('/')) cpSync(path.dirname(from), folder, { recursive: true });
+      const file = name.includes('/') ? path.join(folder, path.basename(name)) : from;
+      await holdsLaw(file, { map });
+    });
+  }
+}
+
+for (const { name, files, cases } of await featureFiles()) {
+  for (const [file, bytes] of Object.entries(files)) writeFileSync(path.join(folder, file), bytes);
+  for (const options of cases) {
+    test(`${name}: ${options.map}${options.set === undefined ? '' : ` set ${options.set}`}`, async () => {
+      const main = path.join(folder, Object.keys(files)[0]);
+      const result = await holdsLaw(main, options);
+      if (result !== null) options.check?.(result);
+    });
+  }
+}

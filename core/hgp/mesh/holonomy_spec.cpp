@@ -24,6 +24,7 @@ std::string listCones(const std::vector<ConePoint>& cones) {
 
 Failure refuseCones(const std::vector<ConePoint>& cones, const char* rule) {
   std::vector<Where> where;
+  where.reserve(cones.size());
   for (const ConePoint& c : cones) where.push_back({Where::Kind::kVertex, c.vertex.i});
   return refuse(formatText("%zu cone%s %s: vertex %s.", cones.size(), cones.size() == 1 ? "" : "s",
                            rule, listCones(cones).c_str()),
@@ -44,7 +45,7 @@ Status checkShape(const TriMesh& mesh, const Topology& topology, const HolonomyS
   if (!spec.turning.empty() && spec.turning.size() != loops)
     return refuse(formatText("%zu turning indices are given; the surface has %zu boundary loops.",
                              spec.turning.size(), loops));
-  const auto generators = static_cast<std::size_t>(2 * topology.genus);
+  const auto generators = 2 * static_cast<std::size_t>(topology.genus);
   if (!spec.handles.empty() && spec.handles.size() != generators)
     return refuse(formatText("%zu handle rotations are given; a surface of genus %d has %zu.",
                              spec.handles.size(), topology.genus, generators));

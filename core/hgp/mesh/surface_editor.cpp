@@ -103,6 +103,7 @@ bool SurfaceEditor::merge(int kept, int gone) {
   if (shared.empty() || shared.size() > 2) return false;
   if (shared.size() == 2 && isBoundary(kept) && isBoundary(gone)) return false;
   std::vector<int> opposite;
+  opposite.reserve(shared.size());
   for (int f : shared) opposite.push_back(apex(f, kept, gone));
   std::sort(opposite.begin(), opposite.end());
   if (opposite.size() == 2 && opposite[0] == opposite[1]) return false;

@@ -38,8 +38,13 @@ void RepairPlan::startRung() {
   if (rung_ >= rungs_.size()) return;
   growth_ = 0;
   faces_ = base_;
+  const PerVertex<double> before = u_;
   u_ = weightsOf(rungs_[rung_]);
-  isFresh_ = true;
+  // Where nothing is clamped the rung repeats an earlier one.
+  if (rungs_[rung_].clamp < kNoClamp && before.size() && before.raw() == u_.raw()) {
+    ++rung_;
+    startRung();
+  }
 }
 
 PerVertex<double> RepairPlan::weightsOf(const Rung& rung) const {
@@ -79,6 +84,10 @@ std::optional<RepairStep> RepairPlan::next() {
   step.frames = fieldFrames(setup_.seams, faces_);
   for (const ConePoint& cone : ringCones_)
     embedSurfaceRing(mesh_, setup_.context.geometry, setup_.seams, cone.vertex, cone.k, step.frames);
+  for (const ConePoint& cone : fixedCones_)
+    embedConeRing(mesh_, setup_.context.geometry, setup_.cut, setup_.seams, lastMap_, cone.vertex,
+                  cone.k, step.frames);
+  if (!fixedCones_.empty()) step.method += ", frames fixed at " + std::to_string(fixedCones_.size()) + " cones";
   if (!ringCones_.empty()) step.method += ", " + std::to_string(ringCones_.size()) + " rings embedded";
   return step;
 }
@@ -103,12 +112,36 @@ bool RepairPlan::embedConflictingRings(const std::vector<FaceId>& conflict) {
   return ringCones_.size() > before;
 }
 
+bool RepairPlan::fixLifts(const Certificate& certificate) {
+  PerFace<char> isWrong(static_cast<std::size_t>(mesh_.faceCount()), 0);
+  for (FaceId f : certificate.orientation.notPositive) isWrong[f] = 1;
+  bool isChanged = false;
+  for (const MeasuredCone& wrong : certificate.angles.wrong) {
+    const auto& cones = setup_.field.spec.cones;
+    const auto cone = std::find_if(cones.begin(), cones.end(),
+                                   [&](const ConePoint& c) { return c.vertex == wrong.vertex; });
+    bool isPositive = cone != cones.end() && (wrong.measured - wrong.asked) % setup_.seams.q == 0;
+    if (!isPositive) continue;
+    for (HalfedgeId h : outgoingHalfedges(mesh_, wrong.vertex)) isPositive &= !isWrong[TriMesh::face(h)];
+    if (!isPositive) continue;
+    const auto isThis = [&](const ConePoint& c) { return c.vertex == wrong.vertex; };
+    if (std::erase_if(ringCones_, isThis) > 0) {
+      isChanged = true;
+    } else if (std::none_of(fixedCones_.begin(), fixedCones_.end(), isThis)) {
+      fixedCones_.push_back(*cone);
+      isChanged = true;
+    }
+  }
+  return isChanged;
+}
+
 void RepairPlan::learn(const ProgramResult& program, const Certificate& certificate) {
   if (!program.conflict.empty() && embedConflictingRings(program.conflict)) {
     growth_ = 0;
     faces_ = base_;
     return;
   }
+  if (certificate.isMeasured && fixLifts(certificate)) return;
   if (!program.z.empty()) lastMap_ = program.z;
   const std::vector<FaceId> wrong = certificate.isMeasured ? wrongFaces(certificate) : std::vector<FaceId>();
   // Growing helps while something new can be constrained and it stays a small part of the mesh.

@@ -22,7 +22,9 @@ struct RepairStep {
   double quality = 0.0;
 };
 
-/// A ladder of weightings; on each, the constrained set grows around what is wrong.
+/// A ladder of weightings; on each, the constrained set grows around what is wrong. Before that, two
+/// things are mended where they occur: cones whose triangles fight get frames from their own embedded
+/// ring, and cones whose ring is positive but whose angle is off by a multiple of 2π are fixed (§7.1).
 class RepairPlan {
  public:
   RepairPlan(const TriMesh& mesh, const SeamlessSetup& setup, bool useQuality);
@@ -53,11 +55,15 @@ class RepairPlan {
   /// Cones next to triangles that fight get frames from their own embedded ring; true when new.
   bool embedConflictingRings(const std::vector<FaceId>& conflict);
 
+  /// Cones with a positive ring and a wrong angle: back to the connection's own lift or, where that
+  /// was used already, a local embedding of the last map; true when something was changed.
+  bool fixLifts(const Certificate& certificate);
+
   std::vector<FaceId> base_, faces_;
-  std::vector<ConePoint> ringCones_;
+  std::vector<ConePoint> ringCones_;    ///< frames from the surface's embedded ring
+  std::vector<ConePoint> fixedCones_;   ///< frames from the last map's embedded ring
   PerVertex<double> u_;
   std::vector<Complex> lastMap_;
-  bool isFresh_ = true;
 };
 
 }  // namespace hgp

@@ -44,6 +44,10 @@ function(hgp_room)
     add_library(${target} STATIC ${R_SOURCES})
     set(scope PUBLIC)
     hgp_compile_settings(${target})
+    if(EMSCRIPTEN AND R_NAME MATCHES "^(io|api)$")
+      # Read once and cold: what a visitor downloads matters more than how fast it runs.
+      target_compile_options(${target} PRIVATE -Os)
+    endif()
     if(NOT EMSCRIPTEN)  # there it would only slow every global down
       set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
     endif()

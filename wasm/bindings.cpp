@@ -24,10 +24,7 @@ val replyJson(const std::string& json) {
 }
 
 val replyVerdict(const Result<api::Verdict>& verdict) {
-  if (!verdict) return failed(verdict.error());
-  val reply = replyJson(verdict->json);
-  reply.set("isGood", verdict->isGood);
-  return reply;
+  return verdict ? replyJson(verdict->json) : failed(verdict.error());
 }
 
 /// Memory may already run out while arguments are copied in, before the core's own rim.
@@ -66,6 +63,20 @@ class Session {
     return guarded([&] {
       const auto asked = api::readPrescription("cones.json", cones, 0);
       return asked ? replyVerdict(session_.check(*asked)) : failed(asked.error());
+    });
+  }
+
+  /// The loaded surface, usable or not: what vertex and triangle ids refer to.
+  val surface() const {
+    return guarded([&] { return withSurface(val::object()); });
+  }
+
+  /// Any cone file on this surface as hgp-cones; q where the file names none.
+  val readCones(const std::string& name, const std::string& text, int q) const {
+    return guarded([&] {
+      const auto read = api::readPrescription(name, text, q);
+      const auto cones = read ? session_.convert(*read) : Result<std::string>(read.error());
+      return cones ? replyJson(*cones) : failed(cones.error());
     });
   }
 
@@ -110,11 +121,15 @@ class Session {
     return loaded ? replyVerdict(session_.inspect()) : failed(loaded.error());
   }
 
-  val result() const {
-    val reply = val::object();
-    reply.set("report", session_.reportJson());
+  val withSurface(val reply) const {
     reply.set("positions", toTypedArray("Float64Array", session_.positions()));
     reply.set("triangles", toTypedArray("Uint32Array", session_.triangles()));
+    return reply;
+  }
+
+  val result() const {
+    val reply = withSurface(val::object());
+    reply.set("report", session_.reportJson());
     reply.set("uv", toTypedArray("Float64Array", session_.uv()));
     reply.set("cornerToUv", toTypedArray("Uint32Array", session_.cornerToUv()));
     reply.set("uvToVertex", toTypedArray("Uint32Array", session_.uvToVertex()));
@@ -134,6 +149,8 @@ EMSCRIPTEN_BINDINGS(hgp) {
       .function("loadMesh", &Session::loadMesh)
       .function("inspect", &Session::inspect)
       .function("check", &Session::check)
+      .function("surface", &Session::surface)
+      .function("readCones", &Session::readCones)
       .function("suggestCones", &Session::suggestCones)
       .function("parametrize", &Session::parametrize)
       .function("verify", &Session::verify)

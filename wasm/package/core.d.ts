@@ -121,6 +121,22 @@ export interface CheckReport {
   error?: ModelInfo['error'];
 }
 
+/** What vertex and triangle ids refer to. */
+export interface Surface {
+  /** Three per vertex. */
+  positions: Float64Array;
+  /** Three vertices per triangle. */
+  triangles: Uint32Array;
+}
+
+/** hgp-cones JSON, OBJ with `c` and `sm` lines, .sing, curvatures, Th_hat. */
+export interface ConeFile {
+  name: string;
+  text: string;
+  /** Where the file names no order. */
+  q?: number;
+}
+
 export interface SuggestOptions {
   q?: number;
   /** Roughly how many; by default as many as the field has. */
@@ -235,6 +251,8 @@ export class Core {
   load(source: { main: string; files: Map<string, Uint8Array> }, options?: LoadOptions): ModelInfo;
   loadMesh(mesh: MeshArrays, options?: LoadOptions): ModelInfo;
   inspect(): ModelInfo;
+  surface(): Surface;
+  readCones(file: ConeFile): Cones;
   suggestCones(options?: SuggestOptions): Cones;
   check(cones: Cones): CheckReport;
   parametrize(options?: SolveOptions): Result;

@@ -84,6 +84,17 @@ export class Core {
     return this.#json(this.#live.inspect());
   }
 
+  /** The loaded surface, usable or not. */
+  surface() {
+    const { positions, triangles } = this.#reply(this.#live.surface());
+    return { positions, triangles };
+  }
+
+  /** A cone file of any known kind as hgp-cones of the loaded surface. */
+  readCones({ name, text, q = 0 }) {
+    return this.#json(this.#live.readCones(name, text, q));
+  }
+
   suggestCones(options = {}) {
     return this.#json(this.#live.suggestCones(options, this.#progress()));
   }

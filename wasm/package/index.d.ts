@@ -4,6 +4,7 @@ import type {
   CheckReport,
   Cones,
   Certificate,
+  ConeFile,
   FileSet,
   InitOptions,
   LoadOptions,
@@ -13,6 +14,7 @@ import type {
   Result,
   SolveOptions,
   SuggestOptions,
+  Surface,
   VerifyOptions,
   WriteOptions,
   Written,
@@ -21,6 +23,7 @@ import type {
 export type {
   Certificate,
   CheckReport,
+  ConeFile,
   Cones,
   FileSet,
   HgpErrorCode,
@@ -33,6 +36,7 @@ export type {
   Result,
   SolveOptions,
   SuggestOptions,
+  Surface,
   VerifyOptions,
   Where,
   WriteOptions,
@@ -60,6 +64,10 @@ export interface Client extends AsyncDisposable {
     call?: CallOptions,
   ): Promise<ModelInfo>;
   inspect(call?: CallOptions): Promise<ModelInfo>;
+  /** The loaded surface, usable or not: what vertex and triangle ids refer to. */
+  surface(call?: CallOptions): Promise<Surface>;
+  /** A cone file of any known kind as cones of the loaded surface. */
+  readCones(file: ConeFile, call?: CallOptions): Promise<Cones>;
   suggestCones(options: SuggestOptions, call?: CallOptions): Promise<Cones>;
   /** The exact integer budget of Gauss–Bonnet; solves nothing. */
   check(cones: Cones, call?: CallOptions): Promise<CheckReport>;

@@ -97,6 +97,14 @@ class Client {
     return this.#call('inspect', [], call);
   }
 
+  surface(call) {
+    return this.#call('surface', [], call);
+  }
+
+  readCones(file, call) {
+    return this.#call('readCones', [file], call);
+  }
+
   suggestCones(options, call) {
     return this.#call('suggestCones', [options], call);
   }

@@ -12,6 +12,8 @@ const methods = new Set([
   'load',
   'loadMesh',
   'inspect',
+  'surface',
+  'readCones',
   'suggestCones',
   'check',
   'parametrize',

@@ -3,41 +3,13 @@
 #include <emscripten/bind.h>
 
 #include <array>
-#include <new>
 #include <string>
 
 #include "options.h"
+#include "reply.h"
 
 namespace hgp::js {
 namespace {
-
-val failed(const Failure& failure) {
-  val reply = val::object();
-  reply.set("error", api::errorJson(failure));
-  return reply;
-}
-
-val replyJson(const std::string& json) {
-  val reply = val::object();
-  reply.set("json", json);
-  return reply;
-}
-
-val replyVerdict(const Result<api::Verdict>& verdict) {
-  return verdict ? replyJson(verdict->json) : failed(verdict.error());
-}
-
-/// Memory may already run out while arguments are copied in, before the core's own rim.
-template <class Call>
-val guarded(const Call& call) {
-  try {
-    return call();
-  } catch (const std::bad_alloc&) {
-    return failed({ErrorCode::kLimit, "memory", "Out of memory: the module may use 4 GB.", {}});
-  } catch (const std::exception& e) {
-    return failed({ErrorCode::kInternal, "bindings", e.what(), {}});
-  }
-}
 
 class Session {
  public:
@@ -76,14 +48,14 @@ class Session {
     return guarded([&] {
       const auto read = api::readPrescription(name, text, q);
       const auto cones = read ? session_.convert(*read) : Result<std::string>(read.error());
-      return cones ? replyJson(*cones) : failed(cones.error());
+      return replyText(cones);
     });
   }
 
   val suggestCones(const val& options, const val& onProgress) const {
     return guarded([&] {
       const auto cones = session_.suggest(toSolveOptions(options, onProgress));
-      return cones ? replyJson(*cones) : failed(cones.error());
+      return replyText(cones);
     });
   }
 

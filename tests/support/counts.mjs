@@ -34,7 +34,11 @@ export function countNodeTest(tap) {
   };
   for (const [line] of tap.matchAll(/^ *ok .* # SKIP.*$/gm)) counts.notes.push(line.trim());
   for (const match of tap.matchAll(/^( *)not ok [\s\S]*?\n\1 {2}\.\.\.$/gm)) {
-    counts.notes.push(match[0].slice(0, 3000));
+    counts.notes.push(
+      match[0]
+        .replace(/^ *(stack|expected|actual|duration_ms|code|name|operator):[\s\S]*/m, '')
+        .slice(0, 3000),
+    );
   }
   return counts;
 }

@@ -63,6 +63,19 @@ test('load, inspect, parametrize, write, verify', () =>
     assert.equal((await client.verify()).certified, true);
   }));
 
+test('the surface is there before any solve, and cone files of other programs are read on it', () =>
+  withClient(async (client) => {
+    const { vertices } = await client.load(disk(6), { name: 'disk.obj' });
+    const surface = await client.surface();
+    assert.equal(surface.positions.length, 3 * vertices);
+    assert.equal(surface.triangles.length, 3 * 6 * 6 * 6);
+    const cones = await client.readCones({ name: 'cones.obj', text: 'c 1 1.5\n', q: 4 });
+    assert.deepEqual(
+      cones.cones.map(({ vertex, k }) => [vertex, k]),
+      [[0, 3]],
+    );
+  }));
+
 test('the raw-array path gives the same map as the file', () =>
   withClient(async (client) => {
     await client.load(disk(6), { name: 'disk.obj' });

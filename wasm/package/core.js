@@ -53,6 +53,7 @@ export async function createCore(options = {}) {
 export class Core {
   #module;
   #session;
+  #name = 'mesh.obj'; // of what write() makes, where the caller gives none
 
   /** Called with { stage, fraction, iteration, residual }; return false to cancel. */
   onProgress;
@@ -73,10 +74,17 @@ export class Core {
 
   load({ main, files }, options = {}) {
     const names = [...files.keys()];
+    // Formats that can only be read are answered with an OBJ.
+    this.#name =
+      main
+        .split('/')
+        .pop()
+        .replace(/\.(off|ply|stl)$/i, '.obj') || 'mesh.obj';
     return this.#json(this.#live.load(main, names, [...files.values()], options));
   }
 
   loadMesh({ positions, triangles }, options = {}) {
+    this.#name = 'mesh.obj';
     return this.#json(this.#live.loadMesh(positions, triangles, options));
   }
 
@@ -120,7 +128,7 @@ export class Core {
   }
 
   write(options = {}) {
-    const { files, notes, xref } = this.#reply(this.#live.write(options));
+    const { files, notes, xref } = this.#reply(this.#live.write({ name: this.#name, ...options }));
     return { name: files[0].name, bytes: files[0].bytes, files, notes, xref };
   }
 

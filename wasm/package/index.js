@@ -32,7 +32,8 @@ async function startWorker(createWorker) {
   }
   const { Worker: NodeWorker } = await import(/* @vite-ignore */ 'node:worker_threads');
   const script = new URL('./worker.js', import.meta.url);
-  const worker = new NodeWorker(script);
+  // The script's own flags (--input-type, --test …) are not the worker's.
+  const worker = new NodeWorker(script, { execArgv: [] });
   return {
     post: (message) => worker.postMessage(message),
     onMessage: (take) => worker.on('message', take),

@@ -1,0 +1,48 @@
+// What every call answers: a plain object with its results, or with `error`, the JSON of the failure.
+#pragma once
+
+#include <emscripten/val.h>
+
+#include <exception>
+#include <new>
+#include <string>
+
+#include "hgp/api/session.h"
+
+namespace hgp::js {
+
+using emscripten::val;
+
+inline val failed(const Failure& failure) {
+  val reply = val::object();
+  reply.set("error", api::errorJson(failure));
+  return reply;
+}
+
+inline val replyJson(const std::string& json) {
+  val reply = val::object();
+  reply.set("json", json);
+  return reply;
+}
+
+inline val replyVerdict(const Result<api::Verdict>& verdict) {
+  return verdict ? replyJson(verdict->json) : failed(verdict.error());
+}
+
+inline val replyText(const Result<std::string>& json) {
+  return json ? replyJson(*json) : failed(json.error());
+}
+
+/// Memory may already run out while arguments are copied in, before the core's own rim.
+template <class Call>
+val guarded(const Call& call) {
+  try {
+    return call();
+  } catch (const std::bad_alloc&) {
+    return failed({ErrorCode::kLimit, "memory", "Out of memory: the module may use 4 GB.", {}});
+  } catch (const std::exception& e) {
+    return failed({ErrorCode::kInternal, "bindings", e.what(), {}});
+  }
+}
+
+}  // namespace hgp::js

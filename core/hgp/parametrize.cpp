@@ -10,6 +10,7 @@
 #include "hgp/field/smooth_field.h"
 #include "hgp/repair_plan.h"
 #include "hgp/seamless_setup.h"
+#include "hgp/stage_clock.h"
 
 namespace hgp {
 namespace {
@@ -80,6 +81,13 @@ void explain(const SeamlessSetup& setup, Parametrization& result) {
                            " constrained triangles work against each other (see conflict).");
 }
 
+Result<FieldContext> prepareTimed(const TriMesh& mesh, const Progress& progress,
+                                  std::vector<StageTime>& times) {
+  StageClock clock(progress, times);
+  if (!clock.begin("prepare")) return cancelled();
+  return prepareFields(mesh);
+}
+
 using Clock = std::chrono::steady_clock;
 double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -87,10 +95,13 @@ double secondsSince(Clock::time_point start) {
 
 }  // namespace
 
-Result<Parametrization> parametrize(const TriMesh& mesh, const HolonomySpec& spec,
-                                    const ParametrizeOptions& options) {
-  Parametrization result;
-  Result<SeamlessSetup> prepared = prepareSeamless(mesh, spec, options.progress, result.times);
+/// Solve, judge, repair, until certified or out of ideas [BCW17 §7].
+static Result<Parametrization> parametrizePrepared(const TriMesh& mesh, FieldContext context,
+                                                   const HolonomySpec& spec,
+                                                   const ParametrizeOptions& options,
+                                                   Parametrization result) {
+  Result<SeamlessSetup> prepared =
+      prepareSeamless(mesh, std::move(context), spec, options.progress, result.times);
   if (!prepared) return std::move(prepared).error();
   const SeamlessSetup& setup = *prepared;
   result.spec = setup.field.spec;
@@ -127,6 +138,27 @@ Result<Parametrization> parametrize(const TriMesh& mesh, const HolonomySpec& spe
   if (!result.isCertified) result.conflict = best->program.conflict;
   explain(setup, result);
   return result;
+}
+
+Result<Parametrization> parametrize(const TriMesh& mesh, const HolonomySpec& spec,
+                                    const ParametrizeOptions& options) {
+  Parametrization result;
+  Result<FieldContext> context = prepareTimed(mesh, options.progress, result.times);
+  if (!context) return std::move(context).error();
+  return parametrizePrepared(mesh, std::move(*context), spec, options, std::move(result));
+}
+
+Result<Parametrization> parametrizeAutomatically(const TriMesh& mesh, const SuggestOptions& cones,
+                                                 const ParametrizeOptions& options) {
+  Parametrization result;
+  Result<FieldContext> context = prepareTimed(mesh, options.progress, result.times);
+  if (!context) return std::move(context).error();
+  StageClock clock(options.progress, result.times);
+  if (!clock.begin("cones")) return cancelled();
+  Result<CompleteSpec> spec = suggestCones(mesh, *context, cones);
+  if (!spec) return std::move(spec).error();
+  clock.end();
+  return parametrizePrepared(mesh, std::move(*context), toSpec(*spec), options, std::move(result));
 }
 
 Result<CompleteSpec> suggestCones(const TriMesh& mesh, const SuggestOptions& options) {

@@ -71,6 +71,10 @@ struct SuggestOptions {
 };
 Result<CompleteSpec> suggestCones(const TriMesh& mesh, const SuggestOptions& options);
 
+/// suggestCones and parametrize in one run that shares all preparation.
+Result<Parametrization> parametrizeAutomatically(const TriMesh& mesh, const SuggestOptions& cones,
+                                                 const ParametrizeOptions& options);
+
 /// The prescription that a given field has, exactly (stored matchings are the truth). `expected`: cones
 /// that came along; refused when the matchings contradict them.
 Result<CompleteSpec> readHolonomy(const TriMesh& mesh, const FieldData& field,

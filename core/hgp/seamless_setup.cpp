@@ -1,52 +1,25 @@
 #include "hgp/seamless_setup.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "hgp/base/check.h"
+#include "hgp/stage_clock.h"
 
 namespace hgp {
 namespace {
-
-/// Closes a stage's time and reports the next one.
-class StageClock {
- public:
-  StageClock(const Progress& progress, std::vector<StageTime>& times)
-      : progress_(progress), times_(times) {}
-  /// False when the caller cancelled.
-  bool begin(const char* stage) {
-    end();
-    stage_ = stage;
-    start_ = std::chrono::steady_clock::now();
-    return report(progress_, {stage, 0.0});
-  }
-  void end() {
-    if (!stage_) return;
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
-    times_.push_back({stage_, spent.count()});
-    stage_ = nullptr;
-  }
-
- private:
-  const Progress& progress_;
-  std::vector<StageTime>& times_;
-  const char* stage_ = nullptr;
-  std::chrono::steady_clock::time_point start_;
-};
 
 Failure cancelled() { return {ErrorCode::kCancelled, "prepare", "Cancelled.", {}}; }
 
 }  // namespace
 
-Result<SeamlessSetup> prepareSeamless(const TriMesh& mesh, const HolonomySpec& spec,
-                                      const Progress& progress, std::vector<StageTime>& times) {
+Result<SeamlessSetup> prepareSeamless(const TriMesh& mesh, FieldContext context,
+                                      const HolonomySpec& spec, const Progress& progress,
+                                      std::vector<StageTime>& times) {
   StageClock clock(progress, times);
   SeamlessSetup setup;
   if (!clock.begin("field")) return cancelled();
-  Result<FieldContext> context = prepareFields(mesh);
-  if (!context) return std::move(context).error();
-  setup.context = std::move(*context);
+  setup.context = std::move(context);
   Result<BudgetReport> budget = checkPrescription(mesh, setup.context.topology, spec);
   if (!budget) return std::move(budget).error();
   setup.warnings = budget->warnings;

@@ -23,8 +23,10 @@ struct SeamlessSetup {
 };
 
 /// Checks the prescription, completes it, and sets up the system. Appends the stages' times.
-Result<SeamlessSetup> prepareSeamless(const TriMesh& mesh, const HolonomySpec& spec,
-                                      const Progress& progress, std::vector<StageTime>& times);
+/// @param context  prepareFields(mesh)
+Result<SeamlessSetup> prepareSeamless(const TriMesh& mesh, FieldContext context,
+                                      const HolonomySpec& spec, const Progress& progress,
+                                      std::vector<StageTime>& times);
 
 /// The map as uv per copy: scaled to the surface's area, its box centred at the origin.
 UvMap layOut(const TriMesh& mesh, const SeamlessSetup& setup, const std::vector<Complex>& z);

@@ -71,13 +71,15 @@ Result<Parametrization> parametrizeConvex(const TriMesh& mesh, const Parametrize
   const auto start = std::chrono::steady_clock::now();
   const Topology topology = computeTopology(mesh);
   if (topology.componentCount != 1 || topology.genus != 0 || topology.loops.size() != 1)
-    return Failure{ErrorCode::kUnsupported, "topology",
-                   "A convex boundary needs a disk (one component, genus 0, one boundary loop); this "
-                   "surface has " + std::to_string(topology.componentCount) + " components, genus " +
-                       std::to_string(topology.genus) + " and " +
-                       std::to_string(topology.loops.size()) +
-                       " loops. Leave out --boundary convex to use cones.",
-                   {}};
+    return Failure{
+        ErrorCode::kUnsupported,
+        "topology",
+        "A convex boundary needs a disk (one component, genus 0, one boundary loop); this "
+        "surface has " +
+            std::to_string(topology.componentCount) + " components, genus " +
+            std::to_string(topology.genus) + " and " + std::to_string(topology.loops.size()) +
+            " loops. Leave out --boundary convex to use cones.",
+        {}};
   if (!report(options.progress, {"solve", 0.0}))
     return Failure{ErrorCode::kCancelled, "solve", "Cancelled.", {}};
   const Geometry geometry = computeGeometry(mesh);
@@ -85,9 +87,11 @@ Result<Parametrization> parametrizeConvex(const TriMesh& mesh, const Parametrize
       cutToDisk(mesh, PerEdge<char>(static_cast<std::size_t>(mesh.edgeCount()), 0), {});
   PerVertex<Complex> position = circlePositions(mesh, geometry, topology.loops[0]);
   if (!solveInterior(mesh, plainHarmonicSystem(mesh, geometry, cut), position))
-    return Failure{ErrorCode::kUnsupported, "solve",
+    return Failure{ErrorCode::kUnsupported,
+                   "solve",
                    "The harmonic system of this disk is singular: its geometry is not numerically "
-                   "usable.", {}};
+                   "usable.",
+                   {}};
 
   Parametrization result;
   std::vector<Complex> z(static_cast<std::size_t>(cut.vertexCount()));

@@ -50,7 +50,8 @@ Round describe(const Attempt& attempt, const RepairStep& step, double seconds) {
   round.solverStatus = socp::statusName(attempt.program.status);
   round.flipped = attempt.certificate.orientation.zero + attempt.certificate.orientation.negative;
   round.wrongAngles = static_cast<int>(attempt.certificate.angles.wrong.size());
-  for (const MeasuredTurning& t : attempt.certificate.angles.turnings) round.wrongAngles += t.isWrong;
+  for (const MeasuredTurning& t : attempt.certificate.angles.turnings)
+    round.wrongAngles += t.isWrong;
   round.laplacianEnergy = attempt.program.laplacianEnergy;
   round.seconds = seconds;
   return round;
@@ -61,24 +62,29 @@ long long distanceToCertified(const Attempt& attempt) {
   const Certificate& c = attempt.certificate;
   if (c.isCertified) return -1;
   if (!c.isMeasured) return 1LL << 40;
-  return c.orientation.zero + c.orientation.negative + static_cast<long long>(c.angles.wrong.size());
+  return c.orientation.zero + c.orientation.negative +
+         static_cast<long long>(c.angles.wrong.size());
 }
 
 void explain(const SeamlessSetup& setup, Parametrization& result) {
   const double range = setup.field.scaleRange;
   if (range > kHopelessScaleRange)
-    result.notes.push_back("These cones stretch the surface by e^" + std::to_string(static_cast<int>(range)) +
+    result.notes.push_back("These cones stretch the surface by e^" +
+                           std::to_string(static_cast<int>(range)) +
                            ": even a certified map will have areas too small to use. Add cones in "
                            "the regions that shrink.");
   else if (range > kHardScaleRange)
-    result.notes.push_back("These cones stretch the surface by e^" + std::to_string(static_cast<int>(range)) +
+    result.notes.push_back("These cones stretch the surface by e^" +
+                           std::to_string(static_cast<int>(range)) +
                            "; expect strong area distortion. More cones lower it.");
   if (result.isCertified && !result.isUsable)
-    result.notes.push_back("Certified, but some triangles are too small for practical use "
-                           "(smallest to mean area scale below machine precision).");
+    result.notes.push_back(
+        "Certified, but some triangles are too small for practical use "
+        "(smallest to mean area scale below machine precision).");
   if (!result.conflict.empty())
-    result.notes.push_back("No map turns all frames as asked: " + std::to_string(result.conflict.size()) +
-                           " constrained triangles work against each other (see conflict).");
+    result.notes.push_back(
+        "No map turns all frames as asked: " + std::to_string(result.conflict.size()) +
+        " constrained triangles work against each other (see conflict).");
 }
 
 Result<FieldContext> prepareTimed(const TriMesh& mesh, const Progress& progress,

@@ -7,28 +7,28 @@
 
 #include "hgp/base/progress.h"
 #include "hgp/base/result.h"
-#include "hgp/mesh/holonomy_spec.h"
 #include "hgp/mesh/field_data.h"
+#include "hgp/mesh/holonomy_spec.h"
 #include "hgp/mesh/mesh_data.h"
 #include "hgp/verify/certificate.h"
 
 namespace hgp {
 
 struct ParametrizeOptions {
-  int maxRounds = 12;        ///< cone programs at most
-  bool useQuality = false;   ///< add the distortion term: lower μ, no longer harmonic
-  Progress progress;         ///< return false to cancel
+  int maxRounds = 12;       ///< cone programs at most
+  bool useQuality = false;  ///< add the distortion term: lower μ, no longer harmonic
+  Progress progress;        ///< return false to cancel
 };
 
 /// One pass of "solve, judge, repair".
 struct Round {
-  std::string method;           ///< what was tried, in words ("weighted", "growth", "lift", …)
-  int constrainedTriangles = 0; ///< |F_cb| and what growth added
-  int iterations = 0;           ///< of the interior-point method
-  std::string solverStatus;     ///< "optimal", "infeasible", "stalled", …
-  int flipped = 0;              ///< triangles that are not positive
-  int wrongAngles = 0;          ///< vertices and loops with a wrong angle sum
-  double laplacianEnergy = 0.0; ///< ‖Lz‖², a solver statistic
+  std::string method;            ///< what was tried, in words ("weighted", "growth", "lift", …)
+  int constrainedTriangles = 0;  ///< |F_cb| and what growth added
+  int iterations = 0;            ///< of the interior-point method
+  std::string solverStatus;      ///< "optimal", "infeasible", "stalled", …
+  int flipped = 0;               ///< triangles that are not positive
+  int wrongAngles = 0;           ///< vertices and loops with a wrong angle sum
+  double laplacianEnergy = 0.0;  ///< ‖Lz‖², a solver statistic
   double seconds = 0.0;
 };
 
@@ -39,13 +39,13 @@ struct StageTime {
 };
 
 struct Parametrization {
-  UvMap map;                       ///< one uv per copy of a vertex in the cut mesh S_c
-  std::vector<VertexId> copyOf;    ///< uv index → vertex of S ("xref")
-  CompleteSpec spec;               ///< what was asked, completed
-  Certificate certificate;         ///< of `map`, by inspection
+  UvMap map;                     ///< one uv per copy of a vertex in the cut mesh S_c
+  std::vector<VertexId> copyOf;  ///< uv index → vertex of S ("xref")
+  CompleteSpec spec;             ///< what was asked, completed
+  Certificate certificate;       ///< of `map`, by inspection
   bool isCertified = false;
-  bool isUsable = false;           ///< certified, and its areas fit double precision in practice
-  bool isHarmonic = false;         ///< no quality term was used (Theorem 6.1 applies)
+  bool isUsable = false;    ///< certified, and its areas fit double precision in practice
+  bool isHarmonic = false;  ///< no quality term was used (Theorem 6.1 applies)
   std::vector<Round> rounds;
   std::vector<StageTime> times;
   std::vector<std::string> notes;  ///< warnings and explanations for people
@@ -65,8 +65,8 @@ Result<Parametrization> parametrizeConvex(const TriMesh& mesh, const Parametrize
 /// Cones, turning and handles of a smooth field of order q ("automatic cones").
 struct SuggestOptions {
   int q = 4;
-  int coneCount = 0;               ///< roughly how many; 0 = as the field has them after clean-up
-  bool alignToCurvature = false;   ///< follow principal curvature instead of smoothness alone
+  int coneCount = 0;              ///< roughly how many; 0 = as the field has them after clean-up
+  bool alignToCurvature = false;  ///< follow principal curvature instead of smoothness alone
   Progress progress;
 };
 Result<CompleteSpec> suggestCones(const TriMesh& mesh, const SuggestOptions& options);

@@ -26,10 +26,11 @@ double medianOf(std::vector<double> values) {
 RepairPlan::RepairPlan(const TriMesh& mesh, const SeamlessSetup& setup, bool useQuality)
     : mesh_(mesh), setup_(setup) {
   const double quality = useQuality ? kQuality : 0.0;
-  rungs_ = {{"weighted", kNoClamp, quality, 3, false},
-            {"weighted, light distortion term", kNoClamp, std::max(quality, kLightQuality), 3, false},
-            {"clamped weights", kClamp, quality, 4, false},
-            {"scale of the last map", kNoClamp, std::max(quality, kLightQuality), 4, true}};
+  rungs_ = {
+      {"weighted", kNoClamp, quality, 3, false},
+      {"weighted, light distortion term", kNoClamp, std::max(quality, kLightQuality), 3, false},
+      {"clamped weights", kClamp, quality, 4, false},
+      {"scale of the last map", kNoClamp, std::max(quality, kLightQuality), 4, true}};
   base_ = coneAndBoundaryFaces(mesh, setup.cones);
   startRung();
 }
@@ -83,12 +84,15 @@ std::optional<RepairStep> RepairPlan::next() {
   step.quality = rungs_[rung_].quality;
   step.frames = fieldFrames(setup_.seams, faces_);
   for (const ConePoint& cone : ringCones_)
-    embedSurfaceRing(mesh_, setup_.context.geometry, setup_.seams, cone.vertex, cone.k, step.frames);
+    embedSurfaceRing(mesh_, setup_.context.geometry, setup_.seams, cone.vertex, cone.k,
+                     step.frames);
   for (const ConePoint& cone : fixedCones_)
     embedConeRing(mesh_, setup_.context.geometry, setup_.cut, setup_.seams, lastMap_, cone.vertex,
                   cone.k, step.frames);
-  if (!fixedCones_.empty()) step.method += ", frames fixed at " + std::to_string(fixedCones_.size()) + " cones";
-  if (!ringCones_.empty()) step.method += ", " + std::to_string(ringCones_.size()) + " rings embedded";
+  if (!fixedCones_.empty())
+    step.method += ", frames fixed at " + std::to_string(fixedCones_.size()) + " cones";
+  if (!ringCones_.empty())
+    step.method += ", " + std::to_string(ringCones_.size()) + " rings embedded";
   return step;
 }
 
@@ -122,7 +126,8 @@ bool RepairPlan::fixLifts(const Certificate& certificate) {
                                    [&](const ConePoint& c) { return c.vertex == wrong.vertex; });
     bool isPositive = cone != cones.end() && (wrong.measured - wrong.asked) % setup_.seams.q == 0;
     if (!isPositive) continue;
-    for (HalfedgeId h : outgoingHalfedges(mesh_, wrong.vertex)) isPositive &= !isWrong[TriMesh::face(h)];
+    for (HalfedgeId h : outgoingHalfedges(mesh_, wrong.vertex))
+      isPositive &= !isWrong[TriMesh::face(h)];
     if (!isPositive) continue;
     const auto isThis = [&](const ConePoint& c) { return c.vertex == wrong.vertex; };
     if (std::erase_if(ringCones_, isThis) > 0) {
@@ -143,7 +148,8 @@ void RepairPlan::learn(const ProgramResult& program, const Certificate& certific
   }
   if (certificate.isMeasured && fixLifts(certificate)) return;
   if (!program.z.empty()) lastMap_ = program.z;
-  const std::vector<FaceId> wrong = certificate.isMeasured ? wrongFaces(certificate) : std::vector<FaceId>();
+  const std::vector<FaceId> wrong =
+      certificate.isMeasured ? wrongFaces(certificate) : std::vector<FaceId>();
   // Growing helps while something new can be constrained and it stays a small part of the mesh.
   const std::size_t limit = static_cast<std::size_t>(mesh_.faceCount()) / 4 + base_.size();
   std::vector<FaceId> grown = growFaces(mesh_, wrong, 1);

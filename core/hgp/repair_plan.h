@@ -37,10 +37,10 @@ class RepairPlan {
  private:
   struct Rung {
     const char* name;
-    double clamp;         ///< bound on |u − median|
+    double clamp;  ///< bound on |u − median|
     double quality;
     int growthRounds;
-    bool isFromMap;       ///< u from log|f_z| of the last map
+    bool isFromMap;  ///< u from log|f_z| of the last map
   };
   void startRung();
   PerVertex<double> weightsOf(const Rung& rung) const;
@@ -60,8 +60,8 @@ class RepairPlan {
   bool fixLifts(const Certificate& certificate);
 
   std::vector<FaceId> base_, faces_;
-  std::vector<ConePoint> ringCones_;    ///< frames from the surface's embedded ring
-  std::vector<ConePoint> fixedCones_;   ///< frames from the last map's embedded ring
+  std::vector<ConePoint> ringCones_;   ///< frames from the surface's embedded ring
+  std::vector<ConePoint> fixedCones_;  ///< frames from the last map's embedded ring
   PerVertex<double> u_;
   std::vector<Complex> lastMap_;
 };

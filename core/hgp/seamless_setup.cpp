@@ -29,8 +29,9 @@ Result<SeamlessSetup> prepareSeamless(const TriMesh& mesh, FieldContext context,
   for (const ConePoint& cone : setup.field.spec.cones) setup.cones.push_back(cone.vertex);
 
   if (!clock.begin("cut")) return cancelled();
-  setup.cut = cutToDisk(
-      mesh, seamGraph(mesh, setup.context.geometry, setup.context.surface, setup.cones), setup.cones);
+  setup.cut =
+      cutToDisk(mesh, seamGraph(mesh, setup.context.geometry, setup.context.surface, setup.cones),
+                setup.cones);
   HGP_CHECK(isDisk(mesh, setup.cut), "the cut surface is a disk");
   setup.seams = seamRotations(mesh, setup.cut, setup.field.field);
 
@@ -49,7 +50,8 @@ UvMap layOut(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,
   double area = 0.0, surface = 0.0;
   for (FaceId f : mesh.faces()) {
     auto& corners = map.cornerUv[static_cast<std::size_t>(f.i)];
-    for (int k = 0; k < 3; ++k) corners[static_cast<std::size_t>(k)] = cut.copy[TriMesh::halfedge(f, k)].i;
+    for (int k = 0; k < 3; ++k)
+      corners[static_cast<std::size_t>(k)] = cut.copy[TriMesh::halfedge(f, k)].i;
     surface += geometry.area[f] * geometry.unit * geometry.unit;
     if (z.empty()) continue;
     const auto at = [&](std::size_t k) { return z[static_cast<std::size_t>(corners[k])]; };

@@ -33,8 +33,8 @@ void failCheck(const char* condition, const char* file, int line, const char* fo
   const std::string text = formatList(format, args);
   va_end(args);
   const char* name = std::strrchr(file, '/');
-  throw InternalError(formatText("%s:%d: %s (%s)", name ? name + 1 : file, line, text.c_str(),
-                                 condition));
+  throw InternalError(
+      formatText("%s:%d: %s (%s)", name ? name + 1 : file, line, text.c_str(), condition));
 }
 
 }  // namespace hgp

@@ -21,7 +21,7 @@ std::string formatText(const char* format, ...) __attribute__((format(printf, 1,
 }  // namespace hgp
 
 /// HGP_CHECK(cond, "rule broken: %d", value)
-#define HGP_CHECK(cond, ...)                                        \
-  do {                                                              \
+#define HGP_CHECK(cond, ...)                                               \
+  do {                                                                     \
     if (!(cond)) ::hgp::failCheck(#cond, __FILE__, __LINE__, __VA_ARGS__); \
   } while (false)

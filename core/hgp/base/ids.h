@@ -49,12 +49,18 @@ class Per {
   std::vector<T> data_;
 };
 
-template <class T> using PerVertex = Per<VertexId, T>;
-template <class T> using PerFace = Per<FaceId, T>;
-template <class T> using PerHalfedge = Per<HalfedgeId, T>;
-template <class T> using PerEdge = Per<EdgeId, T>;
-template <class T> using PerLoop = Per<LoopId, T>;
-template <class T> using PerCutVertex = Per<CutVertexId, T>;
+template <class T>
+using PerVertex = Per<VertexId, T>;
+template <class T>
+using PerFace = Per<FaceId, T>;
+template <class T>
+using PerHalfedge = Per<HalfedgeId, T>;
+template <class T>
+using PerEdge = Per<EdgeId, T>;
+template <class T>
+using PerLoop = Per<LoopId, T>;
+template <class T>
+using PerCutVertex = Per<CutVertexId, T>;
 
 /// for (VertexId v : idRange<VertexId>(n)) …
 template <class IdType>
@@ -64,7 +70,10 @@ class IdRange {
   struct Iterator {
     int i;
     IdType operator*() const { return IdType(i); }
-    Iterator& operator++() { ++i; return *this; }
+    Iterator& operator++() {
+      ++i;
+      return *this;
+    }
     bool operator!=(const Iterator& other) const { return i != other.i; }
   };
   Iterator begin() const { return {0}; }

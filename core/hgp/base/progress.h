@@ -9,8 +9,8 @@ namespace hgp {
 struct ProgressReport {
   const char* stage = "";
   double fraction = 0.0;
-  int iteration = -1;     ///< solver iteration, −1 outside the solver
-  double residual = -1.0; ///< solver residual relative to its target, −1 outside the solver
+  int iteration = -1;      ///< solver iteration, −1 outside the solver
+  double residual = -1.0;  ///< solver residual relative to its target, −1 outside the solver
 };
 
 /// Called inside every solver iteration and between stages. Return false to cancel.

@@ -11,15 +11,15 @@ namespace hgp {
 
 /// What went wrong, in words a program can branch on. The command line maps these to exit codes.
 enum class ErrorCode {
-  kUsage,        ///< the call contradicts itself                                  exit 2
-  kMalformed,    ///< bytes that are not what they claim to be                     exit 3
-  kUnsupported,  ///< readable, but not an oriented manifold mesh that can be used exit 4
-  kPrescription, ///< cones, turning or holonomy that no map can have              exit 5
-  kNoMap,        ///< no certified map was found                                   exit 6
-  kWriteFailed,  ///< the result could not be stored                               exit 7
-  kLimit,        ///< memory or a stated limit                                     exit 8
-  kInternal,     ///< our bug                                                      exit 70
-  kCancelled,    ///< the caller said stop                                         exit 130
+  kUsage,         ///< the call contradicts itself                                  exit 2
+  kMalformed,     ///< bytes that are not what they claim to be                     exit 3
+  kUnsupported,   ///< readable, but not an oriented manifold mesh that can be used exit 4
+  kPrescription,  ///< cones, turning or holonomy that no map can have              exit 5
+  kNoMap,         ///< no certified map was found                                   exit 6
+  kWriteFailed,   ///< the result could not be stored                               exit 7
+  kLimit,         ///< memory or a stated limit                                     exit 8
+  kInternal,      ///< our bug                                                      exit 70
+  kCancelled,     ///< the caller said stop                                         exit 130
 };
 
 /// Short stable name used in JSON ("malformed", "unsupported", …).
@@ -31,8 +31,8 @@ int exitCode(ErrorCode code);
 struct Where {
   enum class Kind : std::uint8_t { kVertex, kEdge, kFace, kLoop, kLine, kByte };
   Kind kind;
-  std::int64_t id;           ///< vertex / face / loop id, line number or byte offset
-  std::int64_t other = -1;   ///< second vertex of an edge
+  std::int64_t id;          ///< vertex / face / loop id, line number or byte offset
+  std::int64_t other = -1;  ///< second vertex of an edge
 };
 
 /// The rule that was broken, the measured number, where, and what to do next.

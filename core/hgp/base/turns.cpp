@@ -16,10 +16,14 @@ Complex rotation(long long r, int q) {
   const double c = isEighth ? std::numbers::sqrt2 / 2 : std::cos(angle);
   const double s = (rest < 0 ? -1.0 : 1.0) * (isEighth ? c : std::sin(angle));
   switch (quarters % 4) {
-    case 0: return {c, s};
-    case 1: return {-s, c};
-    case 2: return {-c, -s};
-    default: return {s, -c};
+    case 0:
+      return {c, s};
+    case 1:
+      return {-s, c};
+    case 2:
+      return {-c, -s};
+    default:
+      return {s, -c};
   }
 }
 

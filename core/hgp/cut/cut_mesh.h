@@ -17,11 +17,11 @@ struct SeamChain {
 /// degree d has d copies, a boundary vertex of degree d has d + 1.
 struct CutMesh {
   PerEdge<char> isSeam;
-  PerHalfedge<CutVertexId> copy;       ///< copy of tail(h) used by face(h)
-  PerCutVertex<VertexId> parent;       ///< copies of one vertex are consecutive, counterclockwise
+  PerHalfedge<CutVertexId> copy;  ///< copy of tail(h) used by face(h)
+  PerCutVertex<VertexId> parent;  ///< copies of one vertex are consecutive, counterclockwise
   PerVertex<CutVertexId> firstCopy;
   std::vector<SeamChain> chains;
-  PerHalfedge<int> chain;              ///< chain of a seam halfedge, −1 elsewhere
+  PerHalfedge<int> chain;  ///< chain of a seam halfedge, −1 elsewhere
   PerVertex<char> isSeamNode;
 
   int vertexCount() const { return parent.size(); }

@@ -10,7 +10,10 @@ namespace {
 
 /// The nodes of the filled surface with their edges as adjacency lists.
 struct NodeGraph {
-  struct Link { int to; EdgeId edge; };
+  struct Link {
+    int to;
+    EdgeId edge;
+  };
   std::vector<int> start;
   std::vector<Link> links;
 };
@@ -39,8 +42,8 @@ NodeGraph buildNodeGraph(const TriMesh& mesh, const FilledSurface& surface) {
 
 struct ShortestPaths {
   std::vector<double> distance;
-  std::vector<int> source;        ///< nearest source node
-  std::vector<int> previous;      ///< node before this one; −1 at a source
+  std::vector<int> source;    ///< nearest source node
+  std::vector<int> previous;  ///< node before this one; −1 at a source
   std::vector<EdgeId> via;
 };
 
@@ -109,7 +112,11 @@ void markSteinerTree(const TriMesh& mesh, const FilledSurface& surface, const No
                      const PerEdge<double>& length, const std::vector<int>& terminals,
                      PerEdge<char>& isTree) {
   const ShortestPaths paths = shortestPaths(graph, length, terminals);
-  struct Bridge { double length; EdgeId edge; int a, b; };
+  struct Bridge {
+    double length;
+    EdgeId edge;
+    int a, b;
+  };
   std::vector<Bridge> bridges;
   for (EdgeId e : mesh.edges()) {
     const HalfedgeId h = mesh.halfedge(e);
@@ -128,8 +135,7 @@ void markSteinerTree(const TriMesh& mesh, const FilledSurface& surface, const No
       continue;
     isTree[bridge.edge] = 1;
     for (int node : {bridge.a, bridge.b})
-      for (auto n = static_cast<std::size_t>(node);
-           paths.previous[n] >= 0 && !isTree[paths.via[n]];
+      for (auto n = static_cast<std::size_t>(node); paths.previous[n] >= 0 && !isTree[paths.via[n]];
            n = static_cast<std::size_t>(paths.previous[n]))
         isTree[paths.via[n]] = 1;
   }
@@ -140,7 +146,10 @@ void markSteinerTree(const TriMesh& mesh, const FilledSurface& surface, const No
 std::vector<EdgeId> leftoverEdges(const TriMesh& mesh, const FilledSurface& surface,
                                   const PerEdge<double>& length, const PerEdge<char>& isTree,
                                   const ShortestPaths& paths) {
-  struct Crossing { double loop; EdgeId edge; };
+  struct Crossing {
+    double loop;
+    EdgeId edge;
+  };
   std::vector<Crossing> crossings;
   for (EdgeId e : mesh.edges()) {
     const HalfedgeId h = mesh.halfedge(e);
@@ -190,8 +199,8 @@ void trimLeaves(const TriMesh& mesh, const FilledSurface& surface, const NodeGra
 
 }  // namespace
 
-PerEdge<char> seamGraph(const TriMesh& mesh, const Geometry& geometry,
-                        const FilledSurface& surface, const std::vector<VertexId>& cones) {
+PerEdge<char> seamGraph(const TriMesh& mesh, const Geometry& geometry, const FilledSurface& surface,
+                        const std::vector<VertexId>& cones) {
   std::vector<int> terminals = surface.loopNode;
   for (VertexId v : cones) terminals.push_back(surface.node[v]);
   PerEdge<double> length(static_cast<std::size_t>(mesh.edgeCount()));
@@ -213,7 +222,8 @@ PerEdge<char> seamGraph(const TriMesh& mesh, const Geometry& geometry,
   }
   const ShortestPaths paths = shortestPaths(graph, length, sources);
   for (int n = 0; n < surface.nodeCount; ++n)
-    if (paths.previous[static_cast<std::size_t>(n)] >= 0) isSeam[paths.via[static_cast<std::size_t>(n)]] = 1;
+    if (paths.previous[static_cast<std::size_t>(n)] >= 0)
+      isSeam[paths.via[static_cast<std::size_t>(n)]] = 1;
   for (EdgeId e : leftoverEdges(mesh, surface, length, isSeam, paths)) isSeam[e] = 1;
   trimLeaves(mesh, surface, graph, terminals, isSeam);
   return isSeam;

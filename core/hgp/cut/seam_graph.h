@@ -12,7 +12,7 @@ namespace hgp {
 /// to a spanning tree of shortest paths, a dual tree of the rest, and the 2g edges that neither
 /// takes; leaves that are no terminals are trimmed. Path lengths are edge lengths.
 /// @pre one component
-PerEdge<char> seamGraph(const TriMesh& mesh, const Geometry& geometry,
-                        const FilledSurface& surface, const std::vector<VertexId>& cones);
+PerEdge<char> seamGraph(const TriMesh& mesh, const Geometry& geometry, const FilledSurface& surface,
+                        const std::vector<VertexId>& cones);
 
 }  // namespace hgp

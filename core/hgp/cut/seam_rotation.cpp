@@ -29,12 +29,12 @@ SeamRotations seamRotations(const TriMesh& mesh, const CutMesh& cut, const Frame
   for (HalfedgeId h : mesh.halfedges()) {
     if (mesh.isBoundary(h)) continue;
     const FaceId f = TriMesh::face(h), g = TriMesh::face(mesh.twin(h));
-    seams.rotation[h] = reduceTurn(static_cast<long long>(n[f]) + field.matching[h] - n[g], field.q);
+    seams.rotation[h] =
+        reduceTurn(static_cast<long long>(n[f]) + field.matching[h] - n[g], field.q);
     HGP_CHECK(cut.isSeam[mesh.edge(h)] || seams.rotation[h] == 0,
               "a combed field is continuous off the seam (edge %d)", mesh.edge(h).i);
   }
-  for (FaceId f : mesh.faces())
-    seams.frameAngle[f] = field.angle[f] + turnAngle(n[f], field.q);
+  for (FaceId f : mesh.faces()) seams.frameAngle[f] = field.angle[f] + turnAngle(n[f], field.q);
   return seams;
 }
 

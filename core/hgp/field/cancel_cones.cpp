@@ -35,7 +35,10 @@ class NearestSearch {
   }
 
  private:
-  struct Entry { VertexId vertex; int distance; };
+  struct Entry {
+    VertexId vertex;
+    int distance;
+  };
   const TriMesh& mesh_;
   PerVertex<int> stamp_;
   int now_ = 0;
@@ -43,9 +46,7 @@ class NearestSearch {
 };
 
 /// Largest k with 2k < q·valence: above it a corner would need more than π.
-int largestIndex(const TriMesh& mesh, VertexId v, int q) {
-  return (q * mesh.valence(v) - 1) / 2;
-}
+int largestIndex(const TriMesh& mesh, VertexId v, int q) { return (q * mesh.valence(v) - 1) / 2; }
 
 int coneCount(const PerVertex<int>& defect) {
   int count = 0;
@@ -89,7 +90,8 @@ void spread(const TriMesh& mesh, int q, PerVertex<int>& defect, NearestSearch& s
     while (defect[v] != 0 && !fits(v, defect[v])) {
       const int unit = defect[v] > 0 ? 1 : -1;
       const VertexId other = search.find(v, mesh.vertexCount(), [&](VertexId w) {
-        return fits(w, defect[w] + unit) && std::abs(defect[w] + unit) <= std::max(1, std::abs(defect[w]));
+        return fits(w, defect[w] + unit) &&
+               std::abs(defect[w] + unit) <= std::max(1, std::abs(defect[w]));
       });
       if (!other.isValid()) return;
       defect[v] -= unit;
@@ -104,9 +106,11 @@ std::vector<ConePoint> cancelCones(const TriMesh& mesh, const FieldContext& cont
                                    PerVertex<int> defect, const CancelOptions& options) {
   const Topology& topology = context.topology;
   NearestSearch search(mesh);
-  for (int reach = 1; reach <= options.reach; ++reach) cancelWithin(mesh, context, q, defect, reach, search, 0);
+  for (int reach = 1; reach <= options.reach; ++reach)
+    cancelWithin(mesh, context, q, defect, reach, search, 0);
   if (options.targetCount > 0)
-    for (int reach = options.reach; coneCount(defect) > options.targetCount && reach < mesh.vertexCount();
+    for (int reach = options.reach;
+         coneCount(defect) > options.targetCount && reach < mesh.vertexCount();
          reach += reach / 2 + 1)
       cancelWithin(mesh, context, q, defect, reach, search, options.targetCount);
   spread(mesh, q, defect, search);

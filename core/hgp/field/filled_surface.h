@@ -10,10 +10,10 @@
 namespace hgp {
 
 struct FilledSurface {
-  PerVertex<int> node;          ///< node of each vertex; all vertices of a loop share one; −1 isolated
+  PerVertex<int> node;  ///< node of each vertex; all vertices of a loop share one; −1 isolated
   int nodeCount = 0;
-  std::vector<int> loopNode;    ///< per loop of Topology::loops
-  PerEdge<double> weight;       ///< ½(cot α + cot β), clamped positive; 0 on boundary edges
+  std::vector<int> loopNode;      ///< per loop of Topology::loops
+  PerEdge<double> weight;         ///< ½(cot α + cot β), clamped positive; 0 on boundary edges
   std::vector<double> curvature;  ///< per node; Σ = 2π(2 − 2g); a loop has its turning angle + 2π
 
   bool isInterior(const TriMesh& mesh, VertexId v) const {
@@ -21,8 +21,7 @@ struct FilledSurface {
   }
 };
 
-FilledSurface fillBoundary(const TriMesh& mesh, const Topology& topology,
-                           const Geometry& geometry);
+FilledSurface fillBoundary(const TriMesh& mesh, const Topology& topology, const Geometry& geometry);
 
 /// The node's curvature in the flat metric that is asked: 2π(1 − k/q) inside, 2π(1 + l/q) at a loop.
 inline double coneCurvature(double k, int q) { return 2.0 * kPi * (1.0 - k / q); }

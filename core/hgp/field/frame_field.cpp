@@ -36,7 +36,8 @@ void matchPrincipally(const TriMesh& mesh, const Geometry& geometry, FrameField&
 int inducedAngleIndex(const TriMesh& mesh, const Geometry& geometry, const FrameField& field,
                       VertexId v) {
   double sum = curvature(mesh, geometry, v);
-  for (HalfedgeId h : outgoingHalfedges(mesh, v)) sum += adjustment(mesh, geometry, field, mesh.twin(h));
+  for (HalfedgeId h : outgoingHalfedges(mesh, v))
+    sum += adjustment(mesh, geometry, field, mesh.twin(h));
   return field.q - static_cast<int>(std::lround(sum * field.q / (2.0 * kPi)));
 }
 

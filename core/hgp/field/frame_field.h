@@ -12,8 +12,8 @@ namespace hgp {
 /// halfedge h it continues as direction a + matching[h] of the twin's face.
 struct FrameField {
   int q = 4;
-  PerFace<double> angle;        ///< radians, any real
-  PerHalfedge<int> matching;    ///< any integer; matching[twin] = −matching[h]; 0 on the boundary
+  PerFace<double> angle;      ///< radians, any real
+  PerHalfedge<int> matching;  ///< any integer; matching[twin] = −matching[h]; 0 on the boundary
 };
 
 /// Σ of matchings along a dual loop: its holonomy r, reduced to {0, …, q − 1}.

@@ -14,7 +14,8 @@ namespace {
 /// K_asked − K per node for cones and given turning; open loops get nothing.
 Eigen::VectorXd curvatureGap(const FilledSurface& surface, const HolonomySpec& spec) {
   Eigen::VectorXd gap(surface.nodeCount);
-  for (int n = 0; n < surface.nodeCount; ++n) gap[n] = -surface.curvature[static_cast<std::size_t>(n)];
+  for (int n = 0; n < surface.nodeCount; ++n)
+    gap[n] = -surface.curvature[static_cast<std::size_t>(n)];
   for (const ConePoint& cone : spec.cones)
     gap[surface.node[cone.vertex]] += coneCurvature(cone.k, spec.q);
   for (std::size_t j = 0; j < surface.loopNode.size(); ++j)
@@ -36,7 +37,8 @@ std::vector<int> roundWithSum(const std::vector<double>& natural, long long sum,
     double bestCost = 0.0;
     for (std::size_t j = 0; j < natural.size(); ++j) {
       if (rounded[j] + step <= lower[j]) continue;
-      const double cost = std::abs(rounded[j] + step - natural[j]) - std::abs(rounded[j] - natural[j]);
+      const double cost =
+          std::abs(rounded[j] + step - natural[j]) - std::abs(rounded[j] - natural[j]);
       if (best < 0 || cost < bestCost) best = static_cast<int>(j), bestCost = cost;
     }
     if (best < 0) return {};
@@ -64,7 +66,8 @@ Status completeTurning(const TriMesh& mesh, const FieldContext& context, const H
   if (open.empty()) return Done{};
   for (const ConePoint& cone : spec.cones) have += spec.q - cone.k;
   const int m = static_cast<int>(turning.size());
-  const long long rest = static_cast<long long>(spec.q) * (2 - 2 * context.topology.genus - m) - have;
+  const long long rest =
+      static_cast<long long>(spec.q) * (2 - 2 * context.topology.genus - m) - have;
 
   // Fluxes φ at the open loops' nodes with equal u: u = u₀ + G φ there, Σφ fixed.
   const auto n = static_cast<Eigen::Index>(open.size());
@@ -98,11 +101,15 @@ Status completeTurning(const TriMesh& mesh, const FieldContext& context, const H
   }
   const std::vector<int> rounded = roundWithSum(natural, rest, lower);
   if (rounded.empty())
-    return Failure{ErrorCode::kPrescription, "prescription",
-                   "No admissible turning indices balance Gauss–Bonnet (Lemma 6.2) with these cones: "
-                   "the open boundary loops would have to take " + std::to_string(rest) +
-                   " in total, below what their triangles allow.", {}};
-  for (std::size_t i = 0; i < open.size(); ++i) turning[static_cast<std::size_t>(open[i])] = rounded[i];
+    return Failure{
+        ErrorCode::kPrescription,
+        "prescription",
+        "No admissible turning indices balance Gauss–Bonnet (Lemma 6.2) with these cones: "
+        "the open boundary loops would have to take " +
+            std::to_string(rest) + " in total, below what their triangles allow.",
+        {}};
+  for (std::size_t i = 0; i < open.size(); ++i)
+    turning[static_cast<std::size_t>(open[i])] = rounded[i];
   return Done{};
 }
 
@@ -144,8 +151,8 @@ Eigen::VectorXd handleCoefficients(const TriMesh& mesh, const FieldContext& cont
   if (count == 0) return {};
   // A closed torus without cones can only be flat with trivial holonomy; anything else shrinks to
   // a point under the rotation.
-  const bool isFlatTorus = context.topology.genus == 1 && spec.cones.empty() &&
-                           context.topology.loops.empty();
+  const bool isFlatTorus =
+      context.topology.genus == 1 && spec.cones.empty() && context.topology.loops.empty();
   Eigen::VectorXd offset(count), step(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto at = static_cast<std::size_t>(i);
@@ -170,7 +177,8 @@ void integrateField(const TriMesh& mesh, const Geometry& geometry, const PerEdge
   field.matching = PerHalfedge<int>(static_cast<std::size_t>(mesh.halfedgeCount()), 0);
   const auto turned = [&](HalfedgeId h) {
     const double side = mesh.halfedge(mesh.edge(h)) == h ? 1.0 : -1.0;
-    return field.angle[TriMesh::face(h)] + transport(mesh, geometry, h) + side * omega[mesh.edge(h)];
+    return field.angle[TriMesh::face(h)] + transport(mesh, geometry, h) +
+           side * omega[mesh.edge(h)];
   };
   PerFace<char> isSeen(static_cast<std::size_t>(mesh.faceCount()), 0);
   std::vector<FaceId> queue{FaceId(0)};
@@ -210,8 +218,8 @@ Result<PrescribedField> prescribedField(const TriMesh& mesh, const FieldContext&
 
   const FilledSurface& surface = context.surface;
   Eigen::VectorXd gap = curvatureGap(surface, full);
-  HGP_CHECK(std::abs(gap.sum()) < 1e-6 * surface.nodeCount, "Gauss–Bonnet was checked, yet %g is left",
-            gap.sum());
+  HGP_CHECK(std::abs(gap.sum()) < 1e-6 * surface.nodeCount,
+            "Gauss–Bonnet was checked, yet %g is left", gap.sum());
   gap.array() -= gap.mean();
   const Eigen::VectorXd u = context.laplacian.solve(gap);
 
@@ -219,7 +227,8 @@ Result<PrescribedField> prescribedField(const TriMesh& mesh, const FieldContext&
   for (EdgeId e : mesh.edges()) {
     const HalfedgeId h = mesh.halfedge(e);
     if (!mesh.isBoundary(h))
-      omega[e] = surface.weight[e] * (u[surface.node[mesh.head(h)]] - u[surface.node[mesh.tail(h)]]);
+      omega[e] =
+          surface.weight[e] * (u[surface.node[mesh.head(h)]] - u[surface.node[mesh.tail(h)]]);
   }
   const Eigen::VectorXd c = handleCoefficients(mesh, context, omega, spec);
   const PerEdge<double> harmonic = combineForms(mesh, surface, context.handles, c);

@@ -21,11 +21,11 @@ struct FieldContext {
 Result<FieldContext> prepareFields(const TriMesh& mesh);
 
 struct PrescribedField {
-  FrameField field;            ///< matchings realise `spec` exactly
+  FrameField field;  ///< matchings realise `spec` exactly
   CompleteSpec spec;
-  PerVertex<double> u;         ///< log conformal factor of the cone metric, L u = K_asked − K
-  double scaleRange = 0.0;     ///< max u − min u
-  double largestTurn = 0.0;    ///< largest |adjustment| across an edge, radians
+  PerVertex<double> u;       ///< log conformal factor of the cone metric, L u = K_asked − K
+  double scaleRange = 0.0;   ///< max u − min u
+  double largestTurn = 0.0;  ///< largest |adjustment| across an edge, radians
 };
 
 /// Adjustment across h from face(h) to its twin's: ω = w (u_head − u_tail) + w Σ c_i ξ_i, so that

@@ -81,8 +81,8 @@ std::vector<int> liftTurning(const TriMesh& mesh, const FieldContext& context,
   const int q = field.q;
   std::vector<int> turning;
   std::vector<double> natural;
-  long long left = static_cast<long long>(q) *
-                   (2 - 2 * context.topology.genus - static_cast<int>(loops.size()));
+  long long left =
+      static_cast<long long>(q) * (2 - 2 * context.topology.genus - static_cast<int>(loops.size()));
   for (const ConePoint& cone : cones) left -= q - cone.k;
   for (const BoundaryLoop& loop : loops) {
     double turned = 0.0;
@@ -187,7 +187,8 @@ Result<CompleteSpec> specOfFieldData(const TriMesh& mesh, const FieldContext& co
     const int wrong = disagreements(mesh, field, expected);
     const int wrongFlipped = wrong ? disagreements(mesh, flipped, expected) : 0;
     if (wrong && wrongFlipped)
-      return Failure{ErrorCode::kPrescription, "field",
+      return Failure{ErrorCode::kPrescription,
+                     "field",
                      "The matchings contradict the cones at " +
                          std::to_string(std::min(wrong, wrongFlipped)) +
                          " vertices, with either sign: Σ of matchings around a vertex must be −k "

@@ -88,9 +88,11 @@ Result<FrameField> smoothField(const TriMesh& mesh, const FieldContext& context,
   linalg::MultifrontalCholesky<Complex> factor;
   factor.analyze(pattern, linalg::nestedDissection(pattern));
   if (!factor.factor(laplacian))
-    return Failure{ErrorCode::kUnsupported, "field",
+    return Failure{ErrorCode::kUnsupported,
+                   "field",
                    "The smooth field could not be computed: the surface's geometry is not "
-                   "numerically usable.", {}};
+                   "numerically usable.",
+                   {}};
 
   Eigen::VectorXcd x(mesh.faceCount());
   if (aligned.empty()) {

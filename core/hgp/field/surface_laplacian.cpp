@@ -26,7 +26,8 @@ Result<SurfaceLaplacian> SurfaceLaplacian::build(const TriMesh& mesh,
   const linalg::Graph pattern = linalg::graphOf(L);
   result.factor_.analyze(pattern, linalg::nestedDissection(pattern));
   if (!result.factor_.factor(L))
-    return Failure{ErrorCode::kUnsupported, "field",
+    return Failure{ErrorCode::kUnsupported,
+                   "field",
                    "The Laplacian of the surface could not be factored: its geometry is not "
                    "numerically usable (all points equal, or coordinates of wildly different "
                    "size).",
@@ -36,8 +37,7 @@ Result<SurfaceLaplacian> SurfaceLaplacian::build(const TriMesh& mesh,
 
 Eigen::MatrixXd SurfaceLaplacian::solve(const Eigen::MatrixXd& rhs) const {
   Eigen::MatrixXd u = Eigen::MatrixXd::Zero(rhs.rows(), rhs.cols());
-  if (rhs.rows() > 1)
-    u.bottomRows(rhs.rows() - 1) = factor_.solve(rhs.bottomRows(rhs.rows() - 1));
+  if (rhs.rows() > 1) u.bottomRows(rhs.rows() - 1) = factor_.solve(rhs.bottomRows(rhs.rows() - 1));
   return u;
 }
 

@@ -11,13 +11,13 @@ namespace hgp {
 /// Geometry of every triangle laid flat with corner 0 at 0 and corner 1 on the positive real axis.
 /// Lengths are in units of the mean edge length, so that every later constant is scale-free.
 struct Geometry {
-  double unit = 1.0;                          ///< mean edge length in the mesh's own unit
-  PerHalfedge<double> length;                 ///< of the halfedge's edge
-  PerHalfedge<double> cornerAngle;            ///< at the halfedge's tail, radians
-  PerHalfedge<double> direction;              ///< angle of the halfedge in its face's coordinates
-  PerFace<std::array<Complex, 3>> corner;     ///< flat position of each corner
+  double unit = 1.0;                       ///< mean edge length in the mesh's own unit
+  PerHalfedge<double> length;              ///< of the halfedge's edge
+  PerHalfedge<double> cornerAngle;         ///< at the halfedge's tail, radians
+  PerHalfedge<double> direction;           ///< angle of the halfedge in its face's coordinates
+  PerFace<std::array<Complex, 3>> corner;  ///< flat position of each corner
   PerFace<double> area;
-  PerVertex<double> angleSum;                 ///< Θ_v of the surface itself
+  PerVertex<double> angleSum;  ///< Θ_v of the surface itself
 };
 
 /// Slivers are made harmless: heights below `relativeHeight` of the longest edge are raised to it.

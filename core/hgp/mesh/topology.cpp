@@ -128,8 +128,8 @@ Topology computeTopology(const TriMesh& mesh) {
   findComponents(mesh, topology);
   topology.loops = findLoops(mesh);
   for (VertexId v : mesh.vertices()) topology.isolatedVertexCount += mesh.isIsolated(v);
-  topology.eulerCharacteristic = mesh.vertexCount() - topology.isolatedVertexCount -
-                                 mesh.edgeCount() + mesh.faceCount();
+  topology.eulerCharacteristic =
+      mesh.vertexCount() - topology.isolatedVertexCount - mesh.edgeCount() + mesh.faceCount();
   topology.genus = (2 * topology.componentCount - static_cast<int>(topology.loops.size()) -
                     topology.eulerCharacteristic) /
                    2;

@@ -16,10 +16,10 @@ struct BoundaryLoop {
 
 struct Topology {
   int componentCount = 0;
-  PerFace<int> component;            ///< per face
-  int eulerCharacteristic = 0;       ///< V − E + F over vertices that have faces
-  int genus = 0;                     ///< sum over components
-  std::vector<BoundaryLoop> loops;   ///< ascending by smallest halfedge
+  PerFace<int> component;           ///< per face
+  int eulerCharacteristic = 0;      ///< V − E + F over vertices that have faces
+  int genus = 0;                    ///< sum over components
+  std::vector<BoundaryLoop> loops;  ///< ascending by smallest halfedge
   int isolatedVertexCount = 0;
 };
 

@@ -76,7 +76,11 @@ class OutgoingRange {
     HalfedgeId first, current;
     bool isStarted;
     HalfedgeId operator*() const { return current; }
-    Iterator& operator++() { current = mesh->nextOutgoing(current); isStarted = true; return *this; }
+    Iterator& operator++() {
+      current = mesh->nextOutgoing(current);
+      isStarted = true;
+      return *this;
+    }
     bool operator!=(Sentinel) const {
       return current.isValid() && !(isStarted && current == first);
     }

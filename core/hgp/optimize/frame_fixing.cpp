@@ -67,7 +67,8 @@ void embedSurfaceRing(const TriMesh& mesh, const Geometry& geometry, const SeamR
   Ring ring;
   for (HalfedgeId h : outgoingHalfedges(mesh, cone)) {
     ring.spokes.push_back(h);
-    ring.angles.push_back(geometry.cornerAngle[h] * turnAngle(k, seams.q) / geometry.angleSum[cone]);
+    ring.angles.push_back(geometry.cornerAngle[h] * turnAngle(k, seams.q) /
+                          geometry.angleSum[cone]);
     ring.lengths.push_back(geometry.length[h]);
   }
   fitAngles(ring.angles, turnAngle(k, seams.q));

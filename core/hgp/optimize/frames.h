@@ -11,8 +11,8 @@ namespace hgp {
 /// The constrained triangles with one frame direction each: the map shall turn the direction at
 /// `angle` (face coordinates) to within a quarter turn of the real axis, orientation preserved.
 struct Frames {
-  std::vector<FaceId> faces;    ///< ascending
-  std::vector<double> angles;   ///< radians; d_j = e^{−i angle}
+  std::vector<FaceId> faces;   ///< ascending
+  std::vector<double> angles;  ///< radians; d_j = e^{−i angle}
 };
 
 /// Triangles with a cone or a boundary vertex (F_cb); without either, face 0 as the one reference

@@ -20,9 +20,16 @@ class ProgramBuilder {
  public:
   ProgramBuilder(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,
                  const SeamRotations& seams, const ReducedUnknowns& unknowns,
-                 const HarmonicSystem& harmonic, const Frames& frames, const ProgramOptions& options)
-      : mesh_(mesh), geometry_(geometry), cut_(cut), seams_(seams), unknowns_(unknowns),
-        harmonic_(harmonic), frames_(frames), o_(options) {}
+                 const HarmonicSystem& harmonic, const Frames& frames,
+                 const ProgramOptions& options)
+      : mesh_(mesh),
+        geometry_(geometry),
+        cut_(cut),
+        seams_(seams),
+        unknowns_(unknowns),
+        harmonic_(harmonic),
+        frames_(frames),
+        o_(options) {}
 
   ProgramResult run() {
     pinned_ = choosePinned();
@@ -98,7 +105,8 @@ class ProgramBuilder {
     H_ = rows.adjoint() * rows;
   }
 
-  int addDistortion(FaceId f, double delta, int row, std::vector<Eigen::Triplet<Complex>>& entries) {
+  int addDistortion(FaceId f, double delta, int row,
+                    std::vector<Eigen::Triplet<Complex>>& entries) {
     const LinearParts parts = linearParts(geometry_, f);
     const double weight = std::sqrt(delta * geometry_.area[f]) * std::exp(-faceScale(f));
     const Complex turn = std::polar(1.0, seams_.frameAngle[f]);
@@ -108,10 +116,12 @@ class ProgramBuilder {
       for (SparseRows::InnerIterator it(unknowns_.copies, copy.i); it; ++it) {
         if (it.col() == pinned_) continue;
         const int column = index(static_cast<int>(it.col()));
-        const Complex similar = weight * turn * parts.similarity[static_cast<std::size_t>(k)] * it.value();
+        const Complex similar =
+            weight * turn * parts.similarity[static_cast<std::size_t>(k)] * it.value();
         entries.emplace_back(row, column, similar);
-        entries.emplace_back(row + 1, column,
-                             weight * parts.antisimilarity[static_cast<std::size_t>(k)] * it.value());
+        entries.emplace_back(
+            row + 1, column,
+            weight * parts.antisimilarity[static_cast<std::size_t>(k)] * it.value());
         c_[column] -= std::conj(similar) * target;
       }
     }
@@ -127,7 +137,8 @@ class ProgramBuilder {
   std::vector<int> unknownsOf(FaceId f) const {
     std::vector<int> list;
     for (int k = 0; k < 3; ++k)
-      for (SparseRows::InnerIterator it(unknowns_.copies, cut_.copy[TriMesh::halfedge(f, k)].i); it; ++it)
+      for (SparseRows::InnerIterator it(unknowns_.copies, cut_.copy[TriMesh::halfedge(f, k)].i); it;
+           ++it)
         if (it.col() != pinned_) list.push_back(index(static_cast<int>(it.col())));
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
@@ -147,7 +158,8 @@ class ProgramBuilder {
       for (SparseRows::InnerIterator it(unknowns_.copies, copy.i); it; ++it) {
         if (it.col() == pinned_) continue;
         const auto at = static_cast<std::size_t>(
-            std::lower_bound(list.begin(), list.end(), index(static_cast<int>(it.col()))) - list.begin());
+            std::lower_bound(list.begin(), list.end(), index(static_cast<int>(it.col()))) -
+            list.begin());
         similar[at] += scale * turn * parts.similarity[static_cast<std::size_t>(k)] * it.value();
         anti[at] += scale * parts.antisimilarity[static_cast<std::size_t>(k)] * it.value();
       }
@@ -167,12 +179,13 @@ class ProgramBuilder {
   std::vector<FaceId> conflict(const socp::Solution& solution) const {
     std::vector<std::size_t> order(frames_.faces.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return solution.y[a][0] > solution.y[b][0];
-    });
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return solution.y[a][0] > solution.y[b][0]; });
     std::vector<FaceId> faces;
     for (std::size_t j : order) {
-      if (faces.size() >= kConflictCount || solution.y[j][0] < kConflictShare * solution.y[order[0]][0]) break;
+      if (faces.size() >= kConflictCount ||
+          solution.y[j][0] < kConflictShare * solution.y[order[0]][0])
+        break;
       faces.push_back(frames_.faces[j]);
     }
     return faces;

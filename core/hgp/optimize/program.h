@@ -28,11 +28,11 @@ struct ProgramOptions {
 
 /// What one program returned.
 struct ProgramResult {
-  std::vector<Complex> z;            ///< |V_c| positions
+  std::vector<Complex> z;  ///< |V_c| positions
   socp::SolveStatus status = socp::SolveStatus::kStalled;
   int iterations = 0;
-  double laplacianEnergy = 0.0;      ///< ‖Lz‖², rows normalised to Σw = 1
-  std::vector<FaceId> conflict;      ///< constrained triangles with the largest duals, if infeasible
+  double laplacianEnergy = 0.0;  ///< ‖Lz‖², rows normalised to Σw = 1
+  std::vector<FaceId> conflict;  ///< constrained triangles with the largest duals, if infeasible
 };
 
 /// minimise ‖D L z‖² + distortion, over seamless z, subject to

@@ -27,10 +27,10 @@ struct Problem {
 };
 
 enum class SolveStatus {
-  kOptimal,         ///< all residuals and the gap below their targets
-  kAlmost,          ///< progress ended close to the targets; judge the point by what it is for
-  kInfeasible,      ///< the constraints contradict each other: y grows while F x − s − h stays
-  kStalled,         ///< steps became too short, or the factorization failed
+  kOptimal,     ///< all residuals and the gap below their targets
+  kAlmost,      ///< progress ended close to the targets; judge the point by what it is for
+  kInfeasible,  ///< the constraints contradict each other: y grows while F x − s − h stays
+  kStalled,     ///< steps became too short, or the factorization failed
   kIterationLimit,
   kCancelled,
 };
@@ -42,9 +42,9 @@ struct Solution {
   std::vector<Eigen::Vector3d> y;  ///< duals; large ones name the constraints that fight
   SolveStatus status = SolveStatus::kStalled;
   int iterations = 0;
-  double primalResidual = 0.0;     ///< max |F x − s − h| relative to max |h|
-  double dualResidual = 0.0;       ///< relative
-  double gap = 0.0;                ///< sᵀy relative to the objective's scale
+  double primalResidual = 0.0;  ///< max |F x − s − h| relative to max |h|
+  double dualResidual = 0.0;    ///< relative
+  double gap = 0.0;             ///< sᵀy relative to the objective's scale
 };
 
 }  // namespace hgp::socp

@@ -32,7 +32,8 @@ Vector3 product(const Vector3& a, const Vector3& b) {
 }
 
 Vector3 divide(const Vector3& lambda, const Vector3& b) {
-  const double first = (lambda[0] * b[0] - lambda[1] * b[1] - lambda[2] * b[2]) / determinant(lambda);
+  const double first =
+      (lambda[0] * b[0] - lambda[1] * b[1] - lambda[2] * b[2]) / determinant(lambda);
   return {first, (b[1] - first * lambda[1]) / lambda[0], (b[2] - first * lambda[2]) / lambda[0]};
 }
 

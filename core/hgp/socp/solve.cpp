@@ -9,12 +9,18 @@ namespace hgp::socp {
 
 const char* statusName(SolveStatus status) {
   switch (status) {
-    case SolveStatus::kOptimal: return "optimal";
-    case SolveStatus::kAlmost: return "almost";
-    case SolveStatus::kInfeasible: return "infeasible";
-    case SolveStatus::kStalled: return "stalled";
-    case SolveStatus::kIterationLimit: return "iteration-limit";
-    case SolveStatus::kCancelled: return "cancelled";
+    case SolveStatus::kOptimal:
+      return "optimal";
+    case SolveStatus::kAlmost:
+      return "almost";
+    case SolveStatus::kInfeasible:
+      return "infeasible";
+    case SolveStatus::kStalled:
+      return "stalled";
+    case SolveStatus::kIterationLimit:
+      return "iteration-limit";
+    case SolveStatus::kCancelled:
+      return "cancelled";
   }
   return "stalled";
 }
@@ -120,9 +126,8 @@ class InteriorPoint {
       scaling_[b] = ntScaling(s_[b], y_[b]);
       if (!scaling_[b].inverse.allFinite()) return false;
     }
-    return factorWith([&](std::size_t b) -> Matrix3 {
-      return scaling_[b].inverse * scaling_[b].inverse;
-    });
+    return factorWith(
+        [&](std::size_t b) -> Matrix3 { return scaling_[b].inverse * scaling_[b].inverse; });
   }
 
   /// Least-squares start: minimise the objective + ½|F x − h|², then push s and y into the cone.
@@ -171,9 +176,7 @@ class InteriorPoint {
     // The objective may be exactly zero (a q-CCM exists): then the gap counts against its start.
     gap_ = gap / std::max({std::abs(objective), 1e-3 * firstGap_, 1e-300});
   }
-  double measure() const {
-    return std::max({primal_ / o_.primal, dual_ / o_.dual, gap_ / o_.gap});
-  }
+  double measure() const { return std::max({primal_ / o_.primal, dual_ / o_.dual, gap_ / o_.gap}); }
 
   /// The primal residual sticks while the duals run away.
   bool isInfeasible(int k) {
@@ -230,7 +233,8 @@ class InteriorPoint {
     result.dualResidual = bestResiduals_[1];
     result.gap = bestResiduals_[2];
     const bool isClose = best_.size() && bestMeasure_ <= kAlmostFactor;
-    const bool isCutShort = status == SolveStatus::kStalled || status == SolveStatus::kIterationLimit;
+    const bool isCutShort =
+        status == SolveStatus::kStalled || status == SolveStatus::kIterationLimit;
     result.status = isCutShort && isClose ? SolveStatus::kAlmost : status;
     return result;
   }

@@ -32,9 +32,8 @@ HarmonicSystem harmonicSystem(const TriMesh& mesh, const Geometry& geometry, con
   overCopies.setFromTriplets(entries.begin(), entries.end());
   system.rows = overCopies * unknowns.copies;
   // Translations cancel against themselves along a chain; only rounding is left of them.
-  system.rows.prune([](Eigen::Index, Eigen::Index, const Complex& value) {
-    return std::abs(value) > 1e-14;
-  });
+  system.rows.prune(
+      [](Eigen::Index, Eigen::Index, const Complex& value) { return std::abs(value) > 1e-14; });
   return system;
 }
 

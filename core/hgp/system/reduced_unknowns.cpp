@@ -15,7 +15,9 @@ struct CopyValue {
 class Reducer {
  public:
   Reducer(const TriMesh& mesh, const CutMesh& cut, const SeamRotations& seams)
-      : mesh_(mesh), cut_(cut), seams_(seams),
+      : mesh_(mesh),
+        cut_(cut),
+        seams_(seams),
         isLeft_(static_cast<std::size_t>(mesh.halfedgeCount()), 0) {
     for (const SeamChain& chain : cut.chains)
       for (HalfedgeId h : chain.left) isLeft_[h] = 1;
@@ -57,7 +59,10 @@ class Reducer {
     HalfedgeId start = mesh_.outgoing(v);
     if (!mesh_.isBoundary(v))
       for (HalfedgeId h : outgoingHalfedges(mesh_, v))
-        if (cut_.isSeam[mesh_.edge(h)]) { start = h; break; }
+        if (cut_.isSeam[mesh_.edge(h)]) {
+          start = h;
+          break;
+        }
     CopyValue now;
     values_[static_cast<std::size_t>(first.i)] = now;
     HalfedgeId h = mesh_.nextOutgoing(start);
@@ -81,7 +86,8 @@ class Reducer {
     ReducedUnknowns unknowns;
     unknowns.vertexUnknown = PerVertex<int>(static_cast<std::size_t>(mesh_.vertexCount()), -1);
     for (VertexId v : mesh_.vertices())
-      if (!mesh_.isIsolated(v) && closure(v).turn == 0) unknowns.vertexUnknown[v] = unknowns.count++;
+      if (!mesh_.isIsolated(v) && closure(v).turn == 0)
+        unknowns.vertexUnknown[v] = unknowns.count++;
     unknowns.chainUnknown.assign(cut_.chains.size(), -1);
     for (std::size_t c = 0; c < translations_.size(); ++c)
       if (translations_[c].size() == 1 && translations_[c][0].chain == static_cast<int>(c))
@@ -100,7 +106,8 @@ class Reducer {
       } else {
         const Complex scale = R / (1.0 - rotation(closure(v).turn, seams_.q));
         for (const TranslationTerm& t : free(closure(v).shift))
-          entries.emplace_back(c, unknowns.chainUnknown[static_cast<std::size_t>(t.chain)], scale * t.factor);
+          entries.emplace_back(c, unknowns.chainUnknown[static_cast<std::size_t>(t.chain)],
+                               scale * t.factor);
       }
       for (const TranslationTerm& t : free(value.shift))
         entries.emplace_back(c, unknowns.chainUnknown[static_cast<std::size_t>(t.chain)], t.factor);

@@ -18,6 +18,7 @@ using TranslationSum = std::vector<TranslationTerm>;
 /// Solves Σ = 0 for every given sum: each eliminates one translation, chosen to keep the others'
 /// expressions short. Redundant relations are dropped.
 /// @return per chain its expression in the free translations (itself when it is free)
-std::vector<TranslationSum> solveTranslations(int chainCount, std::vector<TranslationSum> relations);
+std::vector<TranslationSum> solveTranslations(int chainCount,
+                                              std::vector<TranslationSum> relations);
 
 }  // namespace hgp

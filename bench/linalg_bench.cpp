@@ -10,6 +10,7 @@
 #include "hgp/linalg/dense_kernels.h"
 #include "hgp/linalg/multifrontal.h"
 #include "hgp/linalg/partial_cholesky.h"
+#include "hgp/linalg/schur_lu.h"
 
 namespace {
 
@@ -142,6 +143,27 @@ void benchPartial(const Eigen::SparseMatrix<Complex>& H, const Graph& graph,
               2e-9 * partial.report().dynamicCost.multiplyAdds / factor, z.norm() * y.norm() > 0 ? "" : "  FAILED");
 }
 
+void benchLu(const Eigen::SparseMatrix<Complex>& L, const Graph& graph, const SeparatorTree& tree,
+             int touched) {
+  std::vector<char> seen(static_cast<std::size_t>(graph.size()), 0);
+  std::vector<int> kept;
+  for (const std::vector<int>& clique : cones(graph, touched, 7))
+    for (const int v : clique)
+      if (!seen[v]) {
+        seen[v] = 1;
+        kept.push_back(v);
+      }
+  SchurLu lu;
+  double start = seconds();
+  const FactorStatus status = lu.build(L, kept, tree);
+  const double build = seconds() - start;
+  const double gflop = 8e-9 * SchurLu::estimate(graph, kept, tree).multiplyAdds;
+  start = seconds();
+  if (status) lu.extend(Eigen::MatrixXcd::Ones(static_cast<int>(kept.size()), 1));
+  std::printf("  LU, kept %5d: build %.3f  extend %.3f s   %.1f GFlop at %.1f GFlop/s%s\n", touched,
+              build, seconds() - start, gflop, gflop / build, status ? "" : "  FAILED");
+}
+
 void benchSize(int vertices) {
   const int side = static_cast<int>(std::sqrt(static_cast<double>(vertices)));
   const Graph graph = triangulatedGrid(side);
@@ -155,6 +177,7 @@ void benchSize(int vertices) {
   benchCholesky("real Laplacian", laplacian<double>(graph, 0.01), narrow);
   const Eigen::SparseMatrix<Complex> L = laplacian<Complex>(graph, 0.01);
   benchCholesky("complex Laplacian", L, narrow);
+  for (const int touched : {60, 500}) benchLu(L, graph, narrow, touched);
   const Eigen::SparseMatrix<Complex> H = L.adjoint() * L;
   benchCholesky("complex squared", H, wide);
   for (const int touched : {60, 500, 4000}) benchPartial(H, graph, wide, touched);

@@ -11,8 +11,10 @@ namespace hgp::linalg {
 namespace {
 
 constexpr int kCoarsest = 48;       // small enough for several trial cuts
-constexpr int kTrials = 5;          // greedy growths tried on the coarsest graph
-constexpr int kMaxPasses = 6;       // FM passes per level; they stop when nothing improves
+constexpr int kTrials = 3;          // greedy growths tried on the coarsest graph,
+constexpr int kTrialsLarge = 8;     // and for parts of more than kLarge vertices, where cuts matter
+constexpr int kLarge = 4000;        // most and trials cost least
+constexpr int kMaxPasses = 4;       // FM passes per level; they stop when nothing improves
 
 struct Move {
   int gain;
@@ -31,7 +33,7 @@ class Refiner {
     for (int v = 0; v < g_.size(); ++v) weight_[static_cast<int>(side_[v])] += g_.vertexWeight[v];
     const std::int64_t total = weight_[0] + weight_[1];
     limit_ = static_cast<std::int64_t>(imbalance * static_cast<double>(total));
-    patience_ = std::clamp(g_.size() / 50, 25, 120);
+    patience_ = std::clamp(g_.size() / 100, 15, 60);
   }
 
   /// `candidates` holds at least every vertex with a neighbour on the other side; on return exactly
@@ -174,7 +176,7 @@ class Refiner {
   std::priority_queue<Move> heap_[2];
   std::int64_t weight_[2] = {0, 0};
   std::int64_t limit_ = 0;
-  int patience_ = 25;
+  int patience_ = 15;
   int pass_ = 0;
 };
 
@@ -230,11 +232,11 @@ std::vector<int> allVertices(int n) {
   return all;
 }
 
-std::vector<char> bestSmallCut(const WeightedGraph& g, double imbalance,
+std::vector<char> bestSmallCut(const WeightedGraph& g, double imbalance, int wantedTrials,
                                std::vector<int>* boundary) {
   std::vector<char> best;
   std::int64_t bestCut = INT64_MAX;
-  const int trials = g.size() > 4 * kCoarsest ? 2 : std::min(kTrials, g.size());
+  const int trials = g.size() > 4 * kCoarsest ? 2 : std::min(wantedTrials, g.size());
   for (int t = 0; t < trials; ++t) {
     const int seed = static_cast<int>((static_cast<std::int64_t>(t) * g.size()) / trials);
     std::vector<char> side = growHalf(g, seed);
@@ -281,7 +283,7 @@ std::vector<char> bisect(const WeightedGraph& graph, double imbalance) {
     coarsest = &levels.back().graph;
   }
   std::vector<int> boundary;
-  std::vector<char> side = bestSmallCut(*coarsest, imbalance, &boundary);
+  std::vector<char> side = bestSmallCut(*coarsest, imbalance, graph.size() > kLarge ? kTrialsLarge : kTrials, &boundary);
   while (!levels.empty()) {
     const std::vector<char> coarseSide = std::move(side);
     boundary = project(levels.back(), coarseSide, boundary, &side);

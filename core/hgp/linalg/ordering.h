@@ -25,7 +25,7 @@ struct DissectionOptions {
   int separatorWidth = 1;
   /// Parts of at most this many vertices are ordered by minimum degree. Larger is faster, with a
   /// little more fill; below about 50 nothing is gained.
-  int leafSize = 120;
+  int leafSize = 200;
   /// Larger part ÷ whole that a bisection may leave. Looser finds smaller separators.
   double imbalance = 0.6;
   /// Weight of each vertex in that balance (copies at one vertex, say); empty means all 1.

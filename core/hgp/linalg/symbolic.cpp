@@ -15,8 +15,8 @@ double multiplyAdds(double s, double r) {
 // Estimated nanoseconds to assemble and eliminate a panel of s pivots and r further rows. Only the
 // ratios matter: fixed cost per node, traffic of the contribution block, thin panels run slower.
 double nodeTime(double s, double r) {
-  return 1500.0 + 1.5 * (s + r) + 0.5 * s * (s + r) + 0.75 * r * r +
-         0.1 * multiplyAdds(s, r) * (1.0 + 6.0 / s);
+  return 200.0 + (s + r) + s * (s + r) + 0.5 * r * r +
+         0.2 * multiplyAdds(s, r) * (1.0 + 4.0 / s);
 }
 
 std::vector<int> inverse(const std::vector<int>& permutation) {

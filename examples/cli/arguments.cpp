@@ -61,11 +61,15 @@ void takeFix(const std::string& text, FixOptions& fix) {
   while (begin <= text.size()) {
     const std::size_t comma = std::min(text.find(',', begin), text.size());
     const std::string word = text.substr(begin, comma - begin);
-    if (word == "orient") fix.orient = true;
-    else if (word == "split") fix.split = true;
-    else if (word == "degenerate") fix.degenerate = true;
+    if (word == "orient")
+      fix.orient = true;
+    else if (word == "split")
+      fix.split = true;
+    else if (word == "degenerate")
+      fix.degenerate = true;
     else if (word != "none") {
-      throw CLI::ValidationError("--fix", "wants a list of orient, split, degenerate; not '" + word + "'");
+      throw CLI::ValidationError("--fix",
+                                 "wants a list of orient, split, degenerate; not '" + word + "'");
     }
     begin = comma + 1;
   }
@@ -73,7 +77,8 @@ void takeFix(const std::string& text, FixOptions& fix) {
 
 class Parser {
  public:
-  Parser() : app_("Seamless, provably fold-free texture coordinates with cones of your choice.", "hgp") {
+  Parser()
+      : app_("Seamless, provably fold-free texture coordinates with cones of your choice.", "hgp") {
     app_.require_subcommand(1);
     app_.set_version_flag("--version", std::string("hgp ") + api::version());
     app_.set_help_flag("-h,--help", "Print this help");
@@ -82,9 +87,10 @@ class Parser {
     addCones();
     addParam();
     addVerify();
-    app_.footer("Exit codes: 0 done (and certified) · 2 usage · 3 unreadable input · 4 unsupported "
-                "geometry ·\n5 cones no map can have · 6 no certified map · 7 write failed · 8 limit or "
-                "memory ·\n70 internal error · 130 interrupted");
+    app_.footer(
+        "Exit codes: 0 done (and certified) · 2 usage · 3 unreadable input · 4 unsupported "
+        "geometry ·\n5 cones no map can have · 6 no certified map · 7 write failed · 8 limit or "
+        "memory ·\n70 internal error · 130 interrupted");
   }
 
   Parsed parse(int count, char** words) {
@@ -115,48 +121,62 @@ class Parser {
     CLI::App* sub = app_.add_subcommand(name, description);
     sub->set_help_flag("-h,--help", "Print this help");
     commands_.push_back({sub, command});
-    sub->add_option("input", out_.input, "OBJ, OFF, PLY, STL, glTF or GLB, also gzipped; - for standard input")
+    sub->add_option("input", out_.input,
+                    "OBJ, OFF, PLY, STL, glTF or GLB, also gzipped; - for standard input")
         ->required();
-    sub->add_option("--format", out_.format, "Format of standard input: obj, off, ply, stl, gltf, glb");
-    sub->add_option("--json", out_.json, "Write the machine-readable report here (- for standard output)");
+    sub->add_option("--format", out_.format,
+                    "Format of standard input: obj, off, ply, stl, gltf, glb");
+    sub->add_option("--json", out_.json,
+                    "Write the machine-readable report here (- for standard output)");
     sub->add_flag("--quiet", out_.isQuiet, "Print errors only");
     sub->add_flag("--no-progress", out_.hasNoProgress, "No progress on standard error");
     sub->add_option("--color", out_.color, "Colour the text: auto, always or never")
         ->check(CLI::IsMember({"auto", "always", "never"}));
-    sub->add_option("--mesh", out_.load.surface, "Which mesh of the file, from 0 (default: the largest)")
+    sub->add_option("--mesh", out_.load.surface,
+                    "Which mesh of the file, from 0 (default: the largest)")
         ->check(CLI::NonNegativeNumber);
     sub->add_option("--weld", weld_, "exact, or join vertices closer than this length");
     sub->add_option("--fix", fix_, "Repairs to make: orient,split,degenerate");
-    sub->add_option("--root", out_.root, "Read side files below this folder only (default: the input's)");
+    sub->add_option("--root", out_.root,
+                    "Read side files below this folder only (default: the input's)");
     sub->add_option("--max-bytes", out_.load.limits.maxBytes, "Refuse larger input");
     sub->add_option("--max-triangles", out_.load.limits.maxTriangles, "Refuse more triangles");
     return sub;
   }
 
   void addPrescription(CLI::App* sub) {
-    sub->add_option("--q", out_.q, "Rotation order: cone angles are multiples of 360°/q (default 4)")
+    sub->add_option("--q", out_.q,
+                    "Rotation order: cone angles are multiples of 360°/q (default 4)")
         ->check(CLI::Range(1, 64));
-    sub->add_option("--cones", out_.cones,
-                    "Cones: hgp-cones JSON, .cones, .sings, curvature list, _Th_hat, OBJ with c lines");
-    sub->add_option("--cone", cone_, "A cone V:K at vertex V (from 0) of angle K·360°/q; repeatable")
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->allow_extra_args(false);
+    sub->add_option(
+        "--cones", out_.cones,
+        "Cones: hgp-cones JSON, .cones, .sings, curvature list, _Th_hat, OBJ with c lines");
+    sub->add_option("--cone", cone_,
+                    "A cone V:K at vertex V (from 0) of angle K·360°/q; repeatable")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->allow_extra_args(false);
     sub->add_option("--turning", turning_, "Turning index L:J of boundary loop L; repeatable")
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->allow_extra_args(false);
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->allow_extra_args(false);
     sub->add_option("--handle", handle_, "Rotation G:R along handle generator G; repeatable")
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->allow_extra_args(false);
-    sub->add_option("--field", out_.field, "Take cones and holonomy from a .rawfield, .rosy or .ffield");
-    sub->add_flag("--ignore-embedded", out_.ignoresEmbedded, "Do not use cones stored in the input");
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->allow_extra_args(false);
+    sub->add_option("--field", out_.field,
+                    "Take cones and holonomy from a .rawfield, .rosy or .ffield");
+    sub->add_flag("--ignore-embedded", out_.ignoresEmbedded,
+                  "Do not use cones stored in the input");
   }
 
   void addInspect() { add("inspect", "Topology, defects, uv sets", Command::kInspect); }
 
   void addCheck() {
-    addPrescription(add("check", "The exact angle budget of a prescription; solves nothing",
-                        Command::kCheck));
+    addPrescription(
+        add("check", "The exact angle budget of a prescription; solves nothing", Command::kCheck));
   }
 
   void addCones() {
-    CLI::App* sub = add("cones", "Choose cones, or convert them to hgp-cones JSON", Command::kCones);
+    CLI::App* sub =
+        add("cones", "Choose cones, or convert them to hgp-cones JSON", Command::kCones);
     sub->add_option("-o,--output", out_.output, "Where to write (default: standard output)");
     sub->add_option("--q", out_.q, "Rotation order (default 4)")->check(CLI::Range(1, 64));
     sub->add_option("--count,--suggest", out_.solve.coneCount, "Roughly how many cones")
@@ -168,12 +188,15 @@ class Parser {
   void addParam() {
     CLI::App* sub = add("param", "Compute and write a certified map", Command::kParam);
     addPrescription(sub);
-    sub->add_option("-o,--output", out_.output, "Where to write (- for standard output)")->required();
-    sub->add_option("--boundary", boundary_, "free, or convex: a disk onto a convex polygon (Tutte)")
+    sub->add_option("-o,--output", out_.output, "Where to write (- for standard output)")
+        ->required();
+    sub->add_option("--boundary", boundary_,
+                    "free, or convex: a disk onto a convex polygon (Tutte)")
         ->check(CLI::IsMember({"free", "convex"}));
     sub->add_option("--count", out_.solve.coneCount, "Automatic cones: roughly how many")
         ->check(CLI::NonNegativeNumber);
-    sub->add_flag("--align", out_.solve.alignToCurvature, "Automatic cones: follow principal curvatures");
+    sub->add_flag("--align", out_.solve.alignToCurvature,
+                  "Automatic cones: follow principal curvatures");
     sub->add_option("--rounds", out_.solve.maxRounds, "Rounds of solve, judge, repair (default 12)")
         ->check(CLI::Range(1, 1000));
     sub->add_flag("--quality", out_.solve.useQuality, "Less distortion, no longer harmonic");
@@ -190,11 +213,13 @@ class Parser {
   }
 
   void addVerify() {
-    CLI::App* sub = add("verify", "Judge the texture coordinates that a file has", Command::kVerify);
+    CLI::App* sub =
+        add("verify", "Judge the texture coordinates that a file has", Command::kVerify);
     addPrescription(sub);
     sub->add_option("--uv-set", uvSet_, "Which set (default: the first)");
-    sub->add_option("--tol", out_.verify.tolerance,
-                    "Accepted seam residual relative to max |uv|, for files printed with few digits")
+    sub->add_option(
+           "--tol", out_.verify.tolerance,
+           "Accepted seam residual relative to max |uv|, for files printed with few digits")
         ->check(CLI::NonNegativeNumber);
   }
 
@@ -226,13 +251,15 @@ class Parser {
 
   void refuseContradictions() const {
     const auto refuse = [](const char* text) { throw CLI::ValidationError(text); };
-    if (!out_.cones.empty() && !out_.cone.empty()) refuse("--cones and --cone contradict each other");
+    if (!out_.cones.empty() && !out_.cone.empty())
+      refuse("--cones and --cone contradict each other");
     const bool isAsked = !out_.cones.empty() || !out_.cone.empty() || !out_.turning.empty() ||
                          !out_.handle.empty() || !out_.field.empty();
     if (isAsked && out_.solve.boundary == api::BoundaryKind::kConvex) {
       refuse("--boundary convex takes no cones, turning, handles or field");
     }
-    if (out_.json == "-" && out_.output == "-") refuse("--json - and -o - cannot share standard output");
+    if (out_.json == "-" && out_.output == "-")
+      refuse("--json - and -o - cannot share standard output");
     if (out_.input == "-" && out_.format.empty()) refuse("standard input needs --format");
   }
 
@@ -274,7 +301,8 @@ class Parser {
       if (!nearest.empty()) text += "; did you mean " + nearest + "?";
       break;
     }
-    return text + "\n     'hgp " + (&app == &app_ ? "" : app.get_name() + " ") + "--help' lists what there is";
+    return text + "\n     'hgp " + (&app == &app_ ? "" : app.get_name() + " ") +
+           "--help' lists what there is";
   }
 
   CLI::App app_;

@@ -14,10 +14,10 @@ enum class Command { kInspect, kCheck, kCones, kParam, kVerify };
 
 struct Arguments {
   Command command = Command::kInspect;
-  std::string input;                    ///< "-": standard input
-  std::string format;                   ///< of standard input
-  std::string output;                   ///< -o; "-": standard output
-  std::string json;                     ///< --json; "-": standard output
+  std::string input;   ///< "-": standard input
+  std::string format;  ///< of standard input
+  std::string output;  ///< -o; "-": standard output
+  std::string json;    ///< --json; "-": standard output
   std::string xref;
   std::string root;
   bool isQuiet = false, hasNoProgress = false, mayOverwrite = false;
@@ -25,8 +25,8 @@ struct Arguments {
   api::LoadOptions load;
 
   std::optional<int> q;
-  std::string cones, field, convert;    ///< files
-  std::vector<std::pair<int, int>> cone, turning, handle;   ///< V:K, L:J, G:R
+  std::string cones, field, convert;                       ///< files
+  std::vector<std::pair<int, int>> cone, turning, handle;  ///< V:K, L:J, G:R
   bool ignoresEmbedded = false;
   api::SolveOptions solve;
   std::optional<double> timeLimit;

@@ -26,18 +26,22 @@ class Run {
 
   int run() {
     if (Status usable = checkNames(); !usable) return fail(usable.error());
-    Result<io::FileSet> files =
-        openFiles(a_.input, a_.format, a_.root, a_.load.limits.maxBytes);
+    Result<io::FileSet> files = openFiles(a_.input, a_.format, a_.root, a_.load.limits.maxBytes);
     if (!files) return fail(files.error());
     if (Status loaded = session_.load(std::move(*files), a_.load); !loaded) {
       return fail(loaded.error());
     }
     switch (a_.command) {
-      case Command::kInspect: return inspect();
-      case Command::kCheck: return check();
-      case Command::kCones: return cones();
-      case Command::kParam: return param();
-      case Command::kVerify: return verify();
+      case Command::kInspect:
+        return inspect();
+      case Command::kCheck:
+        return check();
+      case Command::kCones:
+        return cones();
+      case Command::kParam:
+        return param();
+      case Command::kVerify:
+        return verify();
     }
     return exitCode(ErrorCode::kInternal);
   }
@@ -52,9 +56,11 @@ class Run {
       if (w.kind == Where::Kind::kLine || w.kind == Where::Kind::kByte) continue;
       const char* kind = w.kind == Where::Kind::kVertex ? "vertex"
                          : w.kind == Where::Kind::kFace ? "triangle"
-                         : w.kind == Where::Kind::kLoop ? "loop" : "edge";
+                         : w.kind == Where::Kind::kLoop ? "loop"
+                                                        : "edge";
       std::fprintf(stderr, "     at %s %lld", kind, static_cast<long long>(w.id));
-      if (w.kind == Where::Kind::kEdge) std::fprintf(stderr, "–%lld", static_cast<long long>(w.other));
+      if (w.kind == Where::Kind::kEdge)
+        std::fprintf(stderr, "–%lld", static_cast<long long>(w.other));
       std::fputc('\n', stderr);
     }
     if (!a_.json.empty()) {
@@ -84,8 +90,8 @@ class Run {
     const bool isFile = !a_.output.empty() && a_.output != "-";
     for (const std::string& name : {a_.output, a_.json, a_.xref}) {
       if (name.empty() || name == "-" || a_.mayOverwrite || !isSameFile(name, a_.input)) continue;
-      return Failure{ErrorCode::kUsage, "write",
-                     name + " is the input; --force allows to replace it", {}};
+      return Failure{
+          ErrorCode::kUsage, "write", name + " is the input; --force allows to replace it", {}};
     }
     if (isFile && (a_.output == a_.json || a_.output == a_.xref)) {
       return Failure{ErrorCode::kUsage, "write", a_.output + " is named for two outputs", {}};
@@ -113,9 +119,11 @@ class Run {
       return failure;
     }
     if (a_.q && read->q != *a_.q) {
-      return Failure{ErrorCode::kUsage, "prescription",
-                     formatText("--q %d contradicts %s, which has q = %d", *a_.q, path.c_str(),
-                                read->q), {}};
+      return Failure{
+          ErrorCode::kUsage,
+          "prescription",
+          formatText("--q %d contradicts %s, which has q = %d", *a_.q, path.c_str(), read->q),
+          {}};
     }
     return read;
   }
@@ -132,8 +140,10 @@ class Run {
       Result<io::Prescription> cones = readFileOf(a_.cones);
       if (!cones) return cones.error();
       if (asked && asked->q != cones->q) {
-        return Failure{ErrorCode::kUsage, "prescription",
-                       formatText("the field has q = %d, the cones q = %d", asked->q, cones->q), {}};
+        return Failure{ErrorCode::kUsage,
+                       "prescription",
+                       formatText("the field has q = %d, the cones q = %d", asked->q, cones->q),
+                       {}};
       }
       if (asked) cones->field = std::move(asked->field);
       asked = std::move(*cones);
@@ -213,7 +223,8 @@ class Run {
       return fail(done.error());
     }
     if (!session_.isCertified() && !a_.write.allowUncertified) {
-      std::fprintf(stderr, "hgp: nothing was written; --allow-uncertified writes the map all the same\n");
+      std::fprintf(stderr,
+                   "hgp: nothing was written; --allow-uncertified writes the map all the same\n");
       return kNoMapExit;
     }
     return writeResult();

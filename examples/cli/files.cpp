@@ -57,19 +57,23 @@ class SignalBlock {
 };
 
 Failure cannot(ErrorCode code, const char* what, const std::string& path) {
-  return {code, code == ErrorCode::kWriteFailed ? "write" : "read",
-          formatText("cannot %s %s: %s", what, path.c_str(), std::strerror(errno)), {}};
+  return {code,
+          code == ErrorCode::kWriteFailed ? "write" : "read",
+          formatText("cannot %s %s: %s", what, path.c_str(), std::strerror(errno)),
+          {}};
 }
 
 Failure tooLarge(std::uint64_t maxBytes) {
-  return {ErrorCode::kLimit, "read",
+  return {ErrorCode::kLimit,
+          "read",
           formatText("the input is larger than %llu bytes (--max-bytes)",
-                     static_cast<unsigned long long>(maxBytes)), {}};
+                     static_cast<unsigned long long>(maxBytes)),
+          {}};
 }
 
 Result<io::Bytes> readAll(int file, const std::string& path, std::uint64_t maxBytes) {
   io::Bytes bytes;
-  struct stat status{};
+  struct stat status {};
   if (fstat(file, &status) == 0 && S_ISDIR(status.st_mode)) {
     errno = EISDIR;
     return cannot(ErrorCode::kMalformed, "read", path);
@@ -232,8 +236,10 @@ Result<io::FileSet> openFiles(const std::string& path, const std::string& format
     }
     const fs::path top = fs::canonical(allowed, error);
     if (error || fs::path(name).is_absolute() || !isInside(top, file)) {
-      return Failure{ErrorCode::kMalformed, "read",
-                     "this file asks for " + name + ", which is outside its folder; not loaded", {}};
+      return Failure{ErrorCode::kMalformed,
+                     "read",
+                     "this file asks for " + name + ", which is outside its folder; not loaded",
+                     {}};
     }
     return readFile(file.string(), maxBytes);
   };
@@ -274,7 +280,7 @@ bool isSameFile(const std::string& a, const std::string& b) {
 }
 
 void handleInterrupts() {
-  struct sigaction action{};
+  struct sigaction action {};
   action.sa_handler = onInterrupt;
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);

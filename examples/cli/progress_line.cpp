@@ -15,8 +15,11 @@ constexpr int kBarWidth = 24;
 }  // namespace
 
 ProgressLine::ProgressLine(bool isShown, std::optional<double> timeLimit)
-    : isShown_(isShown), isTerminal_(isatty(STDERR_FILENO) == 1), timeLimit_(timeLimit),
-      start_(Clock::now()), last_(start_ - std::chrono::hours(1)) {}
+    : isShown_(isShown),
+      isTerminal_(isatty(STDERR_FILENO) == 1),
+      timeLimit_(timeLimit),
+      start_(Clock::now()),
+      last_(start_ - std::chrono::hours(1)) {}
 
 ProgressLine::~ProgressLine() { clear(); }
 
@@ -31,11 +34,14 @@ Progress ProgressLine::callback() {
     if (!isShown_) return true;
     const bool isNewStage = stage_ != report.stage;
     const double pause = std::chrono::duration<double>(now - last_).count();
-    if (pause < (isTerminal_ ? kBarSeconds : kLineSeconds) && !(isNewStage && !isTerminal_)) return true;
+    if (pause < (isTerminal_ ? kBarSeconds : kLineSeconds) && !(isNewStage && !isTerminal_))
+      return true;
     stage_ = report.stage;
     last_ = now;
-    if (isTerminal_) draw(report);
-    else printLine(report);
+    if (isTerminal_)
+      draw(report);
+    else
+      printLine(report);
     return true;
   };
 }

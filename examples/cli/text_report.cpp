@@ -65,7 +65,8 @@ std::string measured(const Json& c, const Style& style) {
   const auto line = [&](bool isGood, const char* label, const std::string& value) {
     out += formatText("  %s %-20s %s\n", mark(isGood).c_str(), label, value.c_str());
   };
-  line(flipped == 0, "positive triangles", formatText("%lld of %lld", triangles - flipped, triangles));
+  line(flipped == 0, "positive triangles",
+       formatText("%lld of %lld", triangles - flipped, triangles));
   line(integer(c, "wrongAngles") == 0, "angle sums",
        formatText("%lld wrong, largest distance to the integer %.2g", integer(c, "wrongAngles"),
                   number(c, "maxConeDistance")));
@@ -130,8 +131,9 @@ std::string inspectText(const std::string& source, const Style& style) {
     for (const Json& component : json["components"]) {
       for (const Json& loop : component["boundaryLoops"]) {
         out += row(("loop " + loop["loop"].dump()).c_str(),
-                   formatText("%lld vertices, length %.6g, turns by %.1f°", integer(loop, "vertices"),
-                              number(loop, "length"), number(loop, "turningAngle") * 180 / 3.14159265358979));
+                   formatText("%lld vertices, length %.6g, turns by %.1f°",
+                              integer(loop, "vertices"), number(loop, "length"),
+                              number(loop, "turningAngle") * 180 / 3.14159265358979));
       }
     }
   }
@@ -148,15 +150,16 @@ std::string checkText(const std::string& source, const Style& style) {
   std::string out;
   for (const Json& c : json["components"]) {
     const Json& budget = c["budget"];
-    std::string line = c["automatic"].get<bool>() ? std::string("cones are chosen automatically")
-                       : budget.is_null()
-                           ? "refused: " + text(c["error"]["message"])
-                           : formatText("Σ(q − k) + Σl = %lld, need %lld (q = %lld, genus %lld, "
-                                        "%lld loops); %lld cones, %lld loops open",
-                                        integer(budget, "have"), integer(budget, "need"),
-                                        integer(json, "q"), integer(c, "genus"),
-                                        integer(c, "boundaryLoops"), integer(c, "cones"),
-                                        integer(budget, "openLoops"));
+    std::string line =
+        c["automatic"].get<bool>() ? std::string("cones are chosen automatically")
+        : budget.is_null()
+            ? "refused: " + text(c["error"]["message"])
+            : formatText(
+                  "Σ(q − k) + Σl = %lld, need %lld (q = %lld, genus %lld, "
+                  "%lld loops); %lld cones, %lld loops open",
+                  integer(budget, "have"), integer(budget, "need"), integer(json, "q"),
+                  integer(c, "genus"), integer(c, "boundaryLoops"), integer(c, "cones"),
+                  integer(budget, "openLoops"));
     out += row(("component " + c["component"].dump()).c_str(), line);
     for (const Json& warning : c["warnings"]) out += "  warning: " + text(warning) + "\n";
   }
@@ -170,8 +173,9 @@ std::string certificateText(const std::string& source, const Style& style) {
   std::string out = measured(json, style);
   for (std::size_t p = 0; p < json["components"].size(); ++p) {
     const Json& c = json["components"][p];
-    out += row(json["components"].size() > 1 ? formatText("component %zu", p).c_str() : "distortion",
-               distortion(c));
+    out +=
+        row(json["components"].size() > 1 ? formatText("component %zu", p).c_str() : "distortion",
+            distortion(c));
     out += row("cones", formatText("%zu measured", c["cones"].size()));
     for (const Json& reason : c["reasons"]) {
       out += "  " + style.bad(text(reason["rule"])) + ": " + text(reason["message"]) +
@@ -195,11 +199,11 @@ std::string reportText(const std::string& source, const Style& style) {
                                integer(json["cones"], "q"), number(json, "seconds"));
   for (const Json& component : json["components"]) {
     for (const Json& round : component["rounds"]) {
-      out += row("round", formatText("%s: %s, %lld iterations, %lld flipped, %lld wrong angles, %.2f s",
-                                     text(round["method"]).c_str(),
-                                     text(round["solverStatus"]).c_str(), integer(round, "iterations"),
-                                     integer(round, "flipped"), integer(round, "wrongAngles"),
-                                     number(round, "seconds")));
+      out += row("round",
+                 formatText("%s: %s, %lld iterations, %lld flipped, %lld wrong angles, %.2f s",
+                            text(round["method"]).c_str(), text(round["solverStatus"]).c_str(),
+                            integer(round, "iterations"), integer(round, "flipped"),
+                            integer(round, "wrongAngles"), number(round, "seconds")));
     }
     out += notes(component);
     if (!component["conflict"].empty()) {

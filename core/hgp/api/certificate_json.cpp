@@ -57,9 +57,12 @@ class PieceJson {
     for (FaceId f : o.notPositive) {
       if (faces.size() < kMostListed) faces.push_back(face(f));
     }
-    return Json{{"positive", o.positive},       {"zero", o.zero},
-                {"negative", o.negative},       {"constrained", o.constrained},
-                {"constrainedPositive", o.constrainedPositive}, {"notPositive", faces}};
+    return Json{{"positive", o.positive},
+                {"zero", o.zero},
+                {"negative", o.negative},
+                {"constrained", o.constrained},
+                {"constrainedPositive", o.constrainedPositive},
+                {"notPositive", faces}};
   }
 
   Json angles() const {
@@ -79,8 +82,10 @@ class PieceJson {
     Json out = Json::array();
     for (const MeasuredCone& m : list) {
       if (out.size() >= kMostListed) break;
-      out.push_back(Json{{"vertex", vertex(m.vertex)}, {"asked", m.asked},
-                         {"measured", m.measured}, {"distance", m.distance}});
+      out.push_back(Json{{"vertex", vertex(m.vertex)},
+                         {"asked", m.asked},
+                         {"measured", m.measured},
+                         {"distance", m.distance}});
     }
     return out;
   }
@@ -89,7 +94,8 @@ class PieceJson {
     Json out = Json::array();
     for (const MeasuredTurning& t : c_.angles.turnings) {
       out.push_back(Json{{"loop", piece_.loopOrigin[static_cast<std::size_t>(t.loop.i)]},
-                         {"asked", optionalNumber(t.asked)}, {"measured", t.measured},
+                         {"asked", optionalNumber(t.asked)},
+                         {"measured", t.measured},
                          {"distance", t.distance}});
     }
     return out;
@@ -99,7 +105,8 @@ class PieceJson {
     Json out = Json::array();
     for (const MeasuredHandle& h : c_.seams.handles) {
       out.push_back(Json{{"generator", piece_.generatorOffset + h.index},
-                         {"asked", optionalNumber(h.asked)}, {"measured", optionalNumber(h.measured)}});
+                         {"asked", optionalNumber(h.asked)},
+                         {"measured", optionalNumber(h.measured)}});
     }
     return out;
   }
@@ -143,8 +150,10 @@ class PieceJson {
     for (const Reason& reason : c_.reasons) {
       std::vector<Where> where = reason.where;
       toSurfaceIds(model_, piece_, where);
-      out.push_back(Json{{"rule", ruleName(reason.rule)}, {"count", reason.count},
-                         {"worst", reason.worst}, {"message", reason.message},
+      out.push_back(Json{{"rule", ruleName(reason.rule)},
+                         {"count", reason.count},
+                         {"worst", reason.worst},
+                         {"message", reason.message},
                          {"where", whereJson(where)}});
     }
     return out;

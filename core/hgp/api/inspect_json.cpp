@@ -13,9 +13,13 @@ Json surfacesJson(const Model& model) {
   const auto& surfaces = model.document->surfaces();
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const io::Surface& s = surfaces[i];
-    out.push_back(Json{{"index", i}, {"name", s.name}, {"vertices", s.mesh.positions.size()},
-                       {"storedVertices", s.storedVertexCount}, {"welded", s.isWelded},
-                       {"triangles", s.mesh.triangles.size()}, {"uvSets", s.uvSets},
+    out.push_back(Json{{"index", i},
+                       {"name", s.name},
+                       {"vertices", s.mesh.positions.size()},
+                       {"storedVertices", s.storedVertexCount},
+                       {"welded", s.isWelded},
+                       {"triangles", s.mesh.triangles.size()},
+                       {"uvSets", s.uvSets},
                        {"notes", s.notes}});
   }
   return out;
@@ -39,8 +43,10 @@ Json defectsJson(const Model& model) {
         w.id = model.faceOrigin[static_cast<std::size_t>(w.id)];
       }
     }
-    out.push_back(Json{{"kind", defectName(defect.kind)}, {"fatal", isFatal(defect.kind)},
-                       {"count", defect.where.size()}, {"where", whereJson(where, kMostPlaces)}});
+    out.push_back(Json{{"kind", defectName(defect.kind)},
+                       {"fatal", isFatal(defect.kind)},
+                       {"count", defect.where.size()},
+                       {"where", whereJson(where, kMostPlaces)}});
   }
   return out;
 }
@@ -87,16 +93,18 @@ Json componentsJson(const Model& model) {
 Json budgetJson(const PieceCheck& check) {
   if (!check.budget) return Json();
   const BudgetReport& b = *check.budget;
-  return Json{{"have", b.have}, {"need", b.need}, {"left", b.need - b.have},
-              {"openLoops", b.openLoops}};
+  return Json{
+      {"have", b.have}, {"need", b.need}, {"left", b.need - b.have}, {"openLoops", b.openLoops}};
 }
 
 }  // namespace
 
 std::string inspectText(const Model& model) {
   Json json{{"format", "hgp-inspect"}, {"version", 1}, {"usable", !model.unusable}};
-  json["file"] = Json{{"name", model.fileName}, {"format", model.document->format()},
-                      {"bytes", model.byteCount}, {"sha256", model.sha256}};
+  json["file"] = Json{{"name", model.fileName},
+                      {"format", model.document->format()},
+                      {"bytes", model.byteCount},
+                      {"sha256", model.sha256}};
   json["surfaces"] = surfacesJson(model);
   json["surface"] = model.surface;
   json["vertices"] = model.mesh.positions.size();
@@ -124,22 +132,32 @@ std::string checkText(const Model& model, const Request& request,
     const Piece& piece = model.pieces[p];
     const HolonomySpec& spec = request.pieces[p].spec;
     isValid = isValid && !checks[p].refusal;
-    Json entry{{"component", p}, {"valid", !checks[p].refusal},
-               {"automatic", checks[p].isAutomatic}, {"genus", piece.topology.genus},
-               {"boundaryLoops", piece.loopOrigin.size()}, {"cones", spec.cones.size()},
+    Json entry{{"component", p},
+               {"valid", !checks[p].refusal},
+               {"automatic", checks[p].isAutomatic},
+               {"genus", piece.topology.genus},
+               {"boundaryLoops", piece.loopOrigin.size()},
+               {"cones", spec.cones.size()},
                {"budget", budgetJson(checks[p])}};
     entry["warnings"] = checks[p].budget ? checks[p].budget->warnings : std::vector<std::string>();
     if (checks[p].refusal) entry["error"] = failureJson(*checks[p].refusal);
     components.push_back(std::move(entry));
   }
-  Json json{{"format", "hgp-check"}, {"version", 1}, {"valid", isValid}, {"q", request.q},
-            {"components", std::move(components)}, {"notes", request.notes}};
+  Json json{{"format", "hgp-check"},
+            {"version", 1},
+            {"valid", isValid},
+            {"q", request.q},
+            {"components", std::move(components)},
+            {"notes", request.notes}};
   return textOf(json);
 }
 
 std::string checkText(const Failure& refusal) {
-  return textOf(Json{{"format", "hgp-check"}, {"version", 1}, {"valid", false},
-                     {"components", Json::array()}, {"notes", Json::array()},
+  return textOf(Json{{"format", "hgp-check"},
+                     {"version", 1},
+                     {"valid", false},
+                     {"components", Json::array()},
+                     {"notes", Json::array()},
                      {"error", failureJson(refusal)}});
 }
 

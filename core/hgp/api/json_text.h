@@ -27,7 +27,7 @@ std::string certificateText(const Model& model, const std::vector<Certificate>& 
 struct RunRecord {
   SolveOptions options;
   bool isAutomatic = false;
-  std::vector<Parametrization> pieces;   ///< their maps may be empty
+  std::vector<Parametrization> pieces;  ///< their maps may be empty
   std::vector<std::string> notes;
   double seconds = 0;
 };

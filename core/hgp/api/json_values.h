@@ -13,12 +13,18 @@ using Json = nlohmann::ordered_json;
 
 inline const char* whereName(Where::Kind kind) {
   switch (kind) {
-    case Where::Kind::kVertex: return "vertex";
-    case Where::Kind::kEdge: return "edge";
-    case Where::Kind::kFace: return "triangle";
-    case Where::Kind::kLoop: return "loop";
-    case Where::Kind::kLine: return "line";
-    case Where::Kind::kByte: return "byte";
+    case Where::Kind::kVertex:
+      return "vertex";
+    case Where::Kind::kEdge:
+      return "edge";
+    case Where::Kind::kFace:
+      return "triangle";
+    case Where::Kind::kLoop:
+      return "loop";
+    case Where::Kind::kLine:
+      return "line";
+    case Where::Kind::kByte:
+      return "byte";
   }
   return "vertex";
 }

@@ -25,20 +25,22 @@ Status chooseSurface(Model& model, int wanted) {
     return Failure{ErrorCode::kUnsupported, "read", "the file has no triangles", {}};
   }
   if (wanted >= static_cast<int>(surfaces.size())) {
-    return Failure{ErrorCode::kUsage, "read",
+    return Failure{ErrorCode::kUsage,
+                   "read",
                    formatText("mesh %d was asked for; the file has %zu (counted from 0)", wanted,
-                              surfaces.size()), {}};
+                              surfaces.size()),
+                   {}};
   }
   model.surface = wanted;
   if (wanted >= 0) return Done{};
-  const auto largest = std::max_element(
-      surfaces.begin(), surfaces.end(), [](const io::Surface& a, const io::Surface& b) {
-        return a.mesh.triangles.size() < b.mesh.triangles.size();
-      });
+  const auto largest = std::max_element(surfaces.begin(), surfaces.end(),
+                                        [](const io::Surface& a, const io::Surface& b) {
+                                          return a.mesh.triangles.size() < b.mesh.triangles.size();
+                                        });
   model.surface = static_cast<int>(largest - surfaces.begin());
   if (surfaces.size() > 1) {
-    model.notes.push_back(formatText("the file has %zu meshes; mesh %d is used", surfaces.size(),
-                                     model.surface));
+    model.notes.push_back(
+        formatText("the file has %zu meshes; mesh %d is used", surfaces.size(), model.surface));
   }
   return Done{};
 }
@@ -52,7 +54,8 @@ void weldNearVertices(Model& model, double tolerance) {
   model.mesh.positions = std::move(weld.positions);
   for (auto& t : model.mesh.triangles) {
     for (int& v : t) {
-      if (v >= 0 && static_cast<std::size_t>(v) < before) v = weld.welded[static_cast<std::size_t>(v)];
+      if (v >= 0 && static_cast<std::size_t>(v) < before)
+        v = weld.welded[static_cast<std::size_t>(v)];
     }
   }
   model.vertexOrigin = std::move(weld.firstStored);
@@ -129,7 +132,8 @@ Status splitPieces(Model& model) {
     loopsOf[static_cast<std::size_t>(model.topology.component[f])].push_back(static_cast<int>(j));
   }
   if (isOne) {
-    model.pieces.push_back({std::move(*whole), model.topology, identity(model.mesh.positions.size()),
+    model.pieces.push_back({std::move(*whole), model.topology,
+                            identity(model.mesh.positions.size()),
                             identity(model.mesh.triangles.size()), loopsOf[0], 0});
     return Done{};
   }
@@ -152,8 +156,10 @@ Status prepare(Model& model, const LoadOptions& options) {
   if (Status chosen = chooseSurface(model, options.surface); !chosen) return chosen;
   const MeshData& source = model.source().mesh;
   if (source.triangles.size() > options.limits.maxTriangles) {
-    return Failure{ErrorCode::kLimit, "read",
-                   formatText("%zu triangles exceed the limit", source.triangles.size()), {}};
+    return Failure{ErrorCode::kLimit,
+                   "read",
+                   formatText("%zu triangles exceed the limit", source.triangles.size()),
+                   {}};
   }
   model.mesh = source;
   model.vertexOrigin = identity(source.positions.size());
@@ -193,8 +199,10 @@ Result<Model> modelOfArrays(MeshData arrays, const LoadOptions& options) {
   for (const auto& t : arrays.triangles) {
     for (int v : t) {
       if (v < 0 || v >= vertices) {
-        return Failure{ErrorCode::kMalformed, "read",
-                       formatText("a triangle names vertex %d; there are %d", v, vertices), {}};
+        return Failure{ErrorCode::kMalformed,
+                       "read",
+                       formatText("a triangle names vertex %d; there are %d", v, vertices),
+                       {}};
       }
       file.polygons.cornerVertex.push_back(v);
     }

@@ -11,30 +11,30 @@ namespace hgp::api {
 struct Piece {
   TriMesh mesh;
   Topology topology;
-  std::vector<int> vertexOrigin;   ///< piece vertex → vertex of Model::mesh
-  std::vector<int> faceOrigin;     ///< piece face → face of Model::mesh; ascending
-  std::vector<int> loopOrigin;     ///< piece loop → loop of Model::topology
-  int generatorOffset = 0;         ///< handle generators are numbered through all pieces
+  std::vector<int> vertexOrigin;  ///< piece vertex → vertex of Model::mesh
+  std::vector<int> faceOrigin;    ///< piece face → face of Model::mesh; ascending
+  std::vector<int> loopOrigin;    ///< piece loop → loop of Model::topology
+  int generatorOffset = 0;        ///< handle generators are numbered through all pieces
 };
 
 struct Model {
   io::DocumentPtr document;
   std::string fileName;
-  std::string sha256;              ///< of the main file
+  std::string sha256;  ///< of the main file
   std::uint64_t byteCount = 0;
   int surface = 0;
 
-  MeshData mesh;                   ///< after welding and repairs
-  std::vector<int> vertexOrigin;   ///< vertex of `mesh` → a vertex of the surface
-  std::vector<int> vertexImage;    ///< vertex of the surface → a vertex of `mesh`, −1 when removed
-  std::vector<int> faceOrigin;     ///< face of `mesh` → face of the surface, −1 made by a repair
+  MeshData mesh;                  ///< after welding and repairs
+  std::vector<int> vertexOrigin;  ///< vertex of `mesh` → a vertex of the surface
+  std::vector<int> vertexImage;  ///< vertex of the surface → a vertex of `mesh`, −1 when removed
+  std::vector<int> faceOrigin;   ///< face of `mesh` → face of the surface, −1 made by a repair
   std::vector<int> cornerOrigin;   ///< corner 3f + k of `mesh` → corner of the surface, −1
   bool isChanged = false;          ///< a weld or a repair did something
   std::vector<std::string> notes;  ///< what weld and repairs did
 
-  std::vector<Defect> defects;     ///< of `mesh`
-  std::optional<Failure> unusable; ///< why there are no pieces
-  Topology topology;               ///< of the whole `mesh`
+  std::vector<Defect> defects;      ///< of `mesh`
+  std::optional<Failure> unusable;  ///< why there are no pieces
+  Topology topology;                ///< of the whole `mesh`
   std::vector<Piece> pieces;
 
   const io::Surface& source() const {

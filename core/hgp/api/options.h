@@ -25,8 +25,8 @@ enum class Scale {
 };
 
 struct SolveOptions {
-  int q = 4;                  ///< for automatic cones; a prescription brings its own
-  int coneCount = 0;          ///< automatic cones: roughly how many, 0 = as the field has them
+  int q = 4;          ///< for automatic cones; a prescription brings its own
+  int coneCount = 0;  ///< automatic cones: roughly how many, 0 = as the field has them
   bool alignToCurvature = false;
   BoundaryKind boundary = BoundaryKind::kFree;
   int maxRounds = 12;
@@ -42,8 +42,8 @@ struct VerifyOptions {
 };
 
 struct WriteOptions {
-  int uvSet = -1;                 ///< −1: next free
-  std::string name;               ///< of the main output
+  int uvSet = -1;    ///< −1: next free
+  std::string name;  ///< of the main output
   bool embedCones = false;
   bool allowUncertified = false;  ///< otherwise write() fails with kNoMap
 };

@@ -55,8 +55,10 @@ std::string reportText(const Model& model, const RunRecord& run, bool isCertifie
   Json json{{"format", "hgp-report"}, {"version", 1}};
   json["program"] = Json{{"name", "hgp"}, {"version", version()}};
   json["certified"] = isCertified;
-  json["input"] = Json{{"name", model.fileName}, {"format", model.document->format()},
-                       {"bytes", model.byteCount}, {"sha256", model.sha256},
+  json["input"] = Json{{"name", model.fileName},
+                       {"format", model.document->format()},
+                       {"bytes", model.byteCount},
+                       {"sha256", model.sha256},
                        {"surface", model.surface},
                        {"vertices", model.source().mesh.positions.size()},
                        {"triangles", model.source().mesh.triangles.size()}};

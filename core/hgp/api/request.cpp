@@ -67,8 +67,9 @@ class Resolver {
       const bool isThere = v >= 0 && v < count && distance(v, *cone.position) <= reach();
       if (!isThere) v = nearest(*cone.position);
       if (v < 0) {
-        return refusal(formatText("no vertex within %.3g of the cone at (%.9g, %.9g, %.9g)", reach(),
-                                  (*cone.position)[0], (*cone.position)[1], (*cone.position)[2]));
+        return refusal(formatText("no vertex within %.3g of the cone at (%.9g, %.9g, %.9g)",
+                                  reach(), (*cone.position)[0], (*cone.position)[1],
+                                  (*cone.position)[2]));
       }
     }
     if (v < 0 || v >= count) {
@@ -142,7 +143,8 @@ class Resolver {
   }
 
   int loopAt(int surfaceVertex) const {
-    if (surfaceVertex < 0 || surfaceVertex >= static_cast<int>(model_.vertexImage.size())) return -1;
+    if (surfaceVertex < 0 || surfaceVertex >= static_cast<int>(model_.vertexImage.size()))
+      return -1;
     const int v = model_.vertexImage[static_cast<std::size_t>(surfaceVertex)];
     if (v < 0) return -1;
     const Local local = pieceOf_[static_cast<std::size_t>(v)];
@@ -182,8 +184,9 @@ class Resolver {
                                 triangles.size()));
     }
     if (model_.isChanged) {
-      return refusal("a field cannot be used on a mesh that was repaired or welded; repair the mesh "
-                     "and its field together");
+      return refusal(
+          "a field cannot be used on a mesh that was repaired or welded; repair the mesh "
+          "and its field together");
     }
     if (Status done = io::completeMatchings(field, triangles); !done) return done.error();
     std::vector<Local> faceOf(triangles.size());
@@ -230,19 +233,23 @@ class Resolver {
       for (const ConePoint& c : found.cones) k[c.vertex] = c.k;
       for (const ConePoint& c : spec.cones) {
         if (k[c.vertex] != c.k) {
-          return toSurfaceIds(model_, piece,
-                              refusal(formatText("the stored matchings give k = %d where the list of "
-                                                 "cones says %d", k[c.vertex], c.k),
-                                      {{Where::Kind::kVertex, c.vertex.i}}));
+          return toSurfaceIds(
+              model_, piece,
+              refusal(formatText("the stored matchings give k = %d where the list of "
+                                 "cones says %d",
+                                 k[c.vertex], c.k),
+                      {{Where::Kind::kVertex, c.vertex.i}}));
         }
         k[c.vertex] = found.q;
       }
       for (VertexId v : piece.mesh.vertices()) {
         if (k[v] == found.q) continue;
-        return toSurfaceIds(model_, piece,
-                            refusal(formatText("the stored matchings have a cone of k = %d that the "
-                                               "list of cones lacks", k[v]),
-                                    {{Where::Kind::kVertex, v.i}}));
+        return toSurfaceIds(
+            model_, piece,
+            refusal(formatText("the stored matchings have a cone of k = %d that the "
+                               "list of cones lacks",
+                               k[v]),
+                    {{Where::Kind::kVertex, v.i}}));
       }
     }
     for (std::size_t j = 0; j < spec.turning.size(); ++j) {
@@ -268,8 +275,10 @@ class Resolver {
       } else if (out_.pieces.size() > 1 &&
                  !checkPrescription(model_.pieces[p].mesh, model_.pieces[p].topology, piece.spec)) {
         piece.isAutomatic = true;
-        out_.notes.push_back(formatText("component %zu has no cones in the list; they are chosen "
-                                        "automatically", p));
+        out_.notes.push_back(
+            formatText("component %zu has no cones in the list; they are chosen "
+                       "automatically",
+                       p));
       }
     }
   }
@@ -308,36 +317,6 @@ Request automaticRequest(const Model& model, int q) {
     request.pieces.push_back(std::move(piece));
   }
   return request;
-}
-
-io::Prescription describe(const Model& model, const std::vector<HolonomySpec>& specs) {
-  io::Prescription out;
-  out.hasCones = true;
-  out.sha256 = model.sha256;
-  out.vertexCount = static_cast<int>(model.source().mesh.positions.size());
-  out.triangleCount = static_cast<int>(model.source().mesh.triangles.size());
-  for (std::size_t p = 0; p < specs.size(); ++p) {
-    const Piece& piece = model.pieces[p];
-    const auto surfaceVertex = [&](VertexId v) {
-      const int inMesh = piece.vertexOrigin[static_cast<std::size_t>(v.i)];
-      return model.vertexOrigin[static_cast<std::size_t>(inMesh)];
-    };
-    out.q = specs[p].q;
-    for (const ConePoint& c : specs[p].cones) {
-      out.cones.push_back({surfaceVertex(c.vertex), c.k, piece.mesh.position(c.vertex)});
-    }
-    for (std::size_t j = 0; j < specs[p].turning.size(); ++j) {
-      if (!specs[p].turning[j]) continue;
-      const HalfedgeId first = piece.topology.loops[j].halfedges.front();
-      out.boundaries.push_back(
-          {piece.loopOrigin[j], *specs[p].turning[j], surfaceVertex(piece.mesh.tail(first))});
-    }
-    for (std::size_t j = 0; j < specs[p].handles.size(); ++j) {
-      if (!specs[p].handles[j]) continue;
-      out.handles.push_back({piece.generatorOffset + static_cast<int>(j), *specs[p].handles[j]});
-    }
-  }
-  return out;
 }
 
 }  // namespace hgp::api

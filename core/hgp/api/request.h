@@ -9,7 +9,7 @@ namespace hgp::api {
 
 struct PieceRequest {
   HolonomySpec spec;
-  bool isAutomatic = false;   ///< nothing was asked of this piece: choose its cones
+  bool isAutomatic = false;  ///< nothing was asked of this piece: choose its cones
 };
 
 struct Request {

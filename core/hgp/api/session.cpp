@@ -29,6 +29,9 @@ struct Session::State {
   Status take(Result<Model> loaded);
   Result<Request> requestFor(const std::optional<io::Prescription>& prescription, int q) const;
   Status solve(const std::optional<io::Prescription>& prescription, const SolveOptions& options);
+  Result<Parametrization> solvePiece(std::size_t p, const PieceRequest& request,
+                                     const SolveOptions& options) const;
+  void flatten(Solved& result) const;
   Result<CompleteSpec> completeAutomatically(const Piece& piece, const SolveOptions& options) const;
 };
 
@@ -104,8 +107,10 @@ Result<Verdict> Session::check(const io::Prescription& prescription) const {
       if (!piece.isAutomatic) {
         Result<BudgetReport> budget =
             checkPrescription(model.pieces[p].mesh, model.pieces[p].topology, piece.spec);
-        if (budget) check.budget = *budget;
-        else check.refusal = toSurfaceIds(model, model.pieces[p], budget.error());
+        if (budget)
+          check.budget = *budget;
+        else
+          check.refusal = toSurfaceIds(model, model.pieces[p], budget.error());
       }
       if (check.refusal && !reason) reason = check.refusal;
       checks.push_back(std::move(check));
@@ -157,6 +162,44 @@ Result<std::optional<io::Prescription>> Session::embeddedCones() const {
   });
 }
 
+Result<Parametrization> Session::State::solvePiece(std::size_t p, const PieceRequest& request,
+                                                   const SolveOptions& options) const {
+  const Piece& piece = model->pieces[p];
+  ParametrizeOptions core;
+  core.maxRounds = options.maxRounds;
+  core.useQuality = options.useQuality;
+  core.progress = options.progress;
+  if (options.boundary == BoundaryKind::kConvex) {
+    Result<Parametrization> run = parametrizeConvex(piece.mesh, core);
+    return run ? std::move(run) : toSurfaceIds(*model, piece, run.error());
+  }
+  HolonomySpec spec = request.spec;
+  if (request.isAutomatic) {
+    SolveOptions automatic = options;
+    automatic.q = request.spec.q;
+    Result<CompleteSpec> chosen = completeAutomatically(piece, automatic);
+    if (!chosen) return chosen.error();
+    spec = toSpec(*chosen);
+  }
+  Result<Parametrization> run = hgp::parametrize(piece.mesh, spec, core);
+  return run ? std::move(run) : toSurfaceIds(*model, piece, run.error());
+}
+
+/// The result as the flat arrays that leave the session.
+void Session::State::flatten(Solved& result) const {
+  const StoredMap& stored = result.stored;
+  for (const Vec2& p : stored.map.uv) result.uv.insert(result.uv.end(), p.begin(), p.end());
+  for (const auto& t : stored.map.cornerUv) {
+    for (int i : t) result.cornerToUv.push_back(static_cast<std::uint32_t>(i));
+  }
+  for (std::size_t p = 0; p < model->pieces.size(); ++p) {
+    for (const MeasuredSeam& s : stored.certificates[p].seams.seams) {
+      const SeamEnds ends = seamEnds(*model, model->pieces[p], stored.map, s.edge);
+      result.seams.push_back({{ends.a[0], ends.a[1]}, {ends.b[0], ends.b[1]}, s.r});
+    }
+  }
+}
+
 Status Session::State::solve(const std::optional<io::Prescription>& prescription,
                              const SolveOptions& options) {
   const auto start = std::chrono::steady_clock::now();
@@ -167,31 +210,16 @@ Status Session::State::solve(const std::optional<io::Prescription>& prescription
   run.options = options;
   run.isAutomatic = !prescription && options.boundary == BoundaryKind::kFree;
   run.notes = request->notes;
-  ParametrizeOptions core;
-  core.maxRounds = options.maxRounds;
-  core.useQuality = options.useQuality;
-  core.progress = options.progress;
   std::vector<PieceMap> maps;
   std::vector<HolonomySpec> specs;
   bool isCertified = true;
   for (std::size_t p = 0; p < model->pieces.size(); ++p) {
-    const Piece& piece = model->pieces[p];
-    HolonomySpec spec = request->pieces[p].spec;
-    if (request->pieces[p].isAutomatic && options.boundary == BoundaryKind::kFree) {
-      SolveOptions automatic = options;
-      automatic.q = request->q;
-      Result<CompleteSpec> chosen = completeAutomatically(piece, automatic);
-      if (!chosen) return chosen.error();
-      spec = toSpec(*chosen);
-    }
-    Result<Parametrization> solvedPiece = options.boundary == BoundaryKind::kConvex
-                                              ? parametrizeConvex(piece.mesh, core)
-                                              : hgp::parametrize(piece.mesh, spec, core);
-    if (!solvedPiece) return toSurfaceIds(*model, piece, solvedPiece.error());
-    isCertified = isCertified && solvedPiece->isCertified;
-    maps.push_back({std::move(solvedPiece->map), std::move(solvedPiece->copyOf), solvedPiece->spec});
-    specs.push_back(toSpec(solvedPiece->spec));
-    run.pieces.push_back(std::move(*solvedPiece));
+    Result<Parametrization> piece = solvePiece(p, request->pieces[p], options);
+    if (!piece) return piece.error();
+    isCertified = isCertified && piece->isCertified;
+    maps.push_back({std::move(piece->map), std::move(piece->copyOf), piece->spec});
+    specs.push_back(toSpec(piece->spec));
+    run.pieces.push_back(std::move(*piece));
   }
   Solved result;
   result.stored = storeMap(*model, maps, options.scale, isCertified);
@@ -203,16 +231,7 @@ Status Session::State::solve(const std::optional<io::Prescription>& prescription
   run.seconds = seconds.count();
   result.report =
       reportText(*model, run, result.stored.isCertified, result.certificate, result.cones);
-  for (const Vec2& p : result.stored.map.uv) result.uv.insert(result.uv.end(), p.begin(), p.end());
-  for (const auto& t : result.stored.map.cornerUv) {
-    for (int i : t) result.cornerToUv.push_back(static_cast<std::uint32_t>(i));
-  }
-  for (std::size_t p = 0; p < model->pieces.size(); ++p) {
-    for (const MeasuredSeam& s : result.stored.certificates[p].seams.seams) {
-      const SeamEnds ends = seamEnds(*model, model->pieces[p], result.stored.map, s.edge);
-      result.seams.push_back({{ends.a[0], ends.a[1]}, {ends.b[0], ends.b[1]}, s.r});
-    }
-  }
+  flatten(result);
   solved = std::move(result);
   return Done{};
 }
@@ -235,9 +254,11 @@ Result<Verdict> Session::verify(const std::optional<io::Prescription>& prescript
     const int set = options.uvSet >= 0 ? options.uvSet : sets.empty() ? 0 : sets.front();
     std::optional<UvMap> map = model.document->existingUv(model.surface, set);
     if (!map) {
-      return Failure{ErrorCode::kUnsupported, "verify",
+      return Failure{ErrorCode::kUnsupported,
+                     "verify",
                      sets.empty() ? "the file has no texture coordinates"
-                                  : formatText("the file has no uv set %d", set), {}};
+                                  : formatText("the file has no uv set %d", set),
+                     {}};
     }
     Result<Request> request =
         prescription ? resolve(model, *prescription)
@@ -267,7 +288,9 @@ const std::string& Session::certificateJson() const {
 const std::string& Session::reportJson() const {
   return hasResult() ? state_->solved->report : kEmpty;
 }
-const std::string& Session::conesJson() const { return hasResult() ? state_->solved->cones : kEmpty; }
+const std::string& Session::conesJson() const {
+  return hasResult() ? state_->solved->cones : kEmpty;
+}
 const std::vector<double>& Session::positions() const { return state_->positions; }
 const std::vector<std::uint32_t>& Session::triangles() const { return state_->triangles; }
 const std::vector<double>& Session::uv() const {

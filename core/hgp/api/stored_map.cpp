@@ -33,8 +33,8 @@ Box boxOf(const std::vector<Vec2>& uv) {
 /// A map on the corners of Model::mesh with the mesh vertex of every uv.
 struct MeshMap {
   std::vector<Vec2> uv;
-  std::vector<int> cornerUv;   ///< 3 per face of Model::mesh
-  std::vector<int> copyOf;     ///< uv → mesh vertex
+  std::vector<int> cornerUv;  ///< 3 per face of Model::mesh
+  std::vector<int> copyOf;    ///< uv → mesh vertex
 };
 
 /// One row of pieces from left to right; a single piece stays exactly where it is.
@@ -60,7 +60,8 @@ MeshMap joinPieces(const Model& model, const std::vector<PieceMap>& pieces) {
     }
     for (std::size_t f = 0; f < pieces[p].map.cornerUv.size(); ++f) {
       const std::size_t at = 3 * static_cast<std::size_t>(piece.faceOrigin[f]);
-      for (std::size_t k = 0; k < 3; ++k) out.cornerUv[at + k] = first + pieces[p].map.cornerUv[f][k];
+      for (std::size_t k = 0; k < 3; ++k)
+        out.cornerUv[at + k] = first + pieces[p].map.cornerUv[f][k];
     }
   }
   return out;
@@ -116,7 +117,8 @@ UvMap onSurface(const Model& model, const MeshMap& from) {
       if (anyCopy.empty()) {
         anyCopy.assign(model.mesh.positions.size(), -1);
         for (std::size_t i = 0; i < from.copyOf.size(); ++i) {
-          if (from.copyOf[i] >= 0) anyCopy[static_cast<std::size_t>(from.copyOf[i])] = static_cast<int>(i);
+          if (from.copyOf[i] >= 0)
+            anyCopy[static_cast<std::size_t>(from.copyOf[i])] = static_cast<int>(i);
         }
       }
       const int v = triangles[t][k];
@@ -138,7 +140,8 @@ std::vector<std::uint32_t> verticesOfUv(const Model& model, const UvMap& map) {
   const auto& triangles = model.source().mesh.triangles;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
-      out[static_cast<std::size_t>(map.cornerUv[t][k])] = static_cast<std::uint32_t>(triangles[t][k]);
+      out[static_cast<std::size_t>(map.cornerUv[t][k])] =
+          static_cast<std::uint32_t>(triangles[t][k]);
     }
   }
   return out;
@@ -175,14 +178,16 @@ StoredMap storeMap(const Model& model, const std::vector<PieceMap>& pieces, Scal
       moveAndScale(moved.uv, centre, factor);
       StoredMap again = judge(model, pieces, onSurface(model, moved));
       if (!again.isCertified) continue;
-      again.notes.push_back("the map was moved and scaled so that it survives the rounding of the "
-                            "format");
+      again.notes.push_back(
+          "the map was moved and scaled so that it survives the rounding of the "
+          "format");
       first = std::move(again);
       break;
     }
     if (!first.isCertified) {
-      first.notes.push_back("the map was certified before the rounding of the format, and is not "
-                            "after it");
+      first.notes.push_back(
+          "the map was certified before the rounding of the format, and is not "
+          "after it");
     }
   }
   first.uvToVertex = verticesOfUv(model, first.map);

@@ -11,14 +11,14 @@ namespace hgp::api {
 /// A map per piece (on piece faces) with what was asked of it.
 struct PieceMap {
   UvMap map;
-  std::vector<VertexId> copyOf;   ///< uv → piece vertex
+  std::vector<VertexId> copyOf;  ///< uv → piece vertex
   CompleteSpec spec;
 };
 
 struct StoredMap {
-  UvMap map;                               ///< on the surface's triangles, as stored
-  std::vector<std::uint32_t> uvToVertex;   ///< uv → surface vertex
-  std::vector<Certificate> certificates;   ///< per piece, of the stored values
+  UvMap map;                              ///< on the surface's triangles, as stored
+  std::vector<std::uint32_t> uvToVertex;  ///< uv → surface vertex
+  std::vector<Certificate> certificates;  ///< per piece, of the stored values
   std::vector<std::string> notes;
   bool isCertified = false;
 };

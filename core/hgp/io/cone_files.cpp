@@ -42,9 +42,11 @@ class HgpLines {
       for (std::size_t i = 0; i + 1 < list.size(); ++i) {
         const Matching &a = list[i], &b = list[i + 1];
         if (a.tail == b.head && a.head == b.tail && (a.turn + b.turn) % 4 != 0) {
-          return Failure{ErrorCode::kMalformed, "cones",
-                         formatText("the two sm lines of edge %d–%d contradict each other", a.tail + 1,
-                                    a.head + 1), {{Where::Kind::kEdge, a.tail, a.head}}};
+          return Failure{ErrorCode::kMalformed,
+                         "cones",
+                         formatText("the two sm lines of edge %d–%d contradict each other",
+                                    a.tail + 1, a.head + 1),
+                         {{Where::Kind::kEdge, a.tail, a.head}}};
         }
       }
       list.erase(std::unique(list.begin(), list.end(),
@@ -112,8 +114,11 @@ Result<Prescription> readUnnamedList(std::string_view text, int q) {
   WordReader words(text);
   double first = 0, second = 0;
   if (!words.nextDouble(first)) {
-    return Failure{ErrorCode::kMalformed, "cones", "not a file of cones or of a field that is known "
-                   "here (see docs/cli.md for the list)", {}};
+    return Failure{ErrorCode::kMalformed,
+                   "cones",
+                   "not a file of cones or of a field that is known "
+                   "here (see docs/cli.md for the list)",
+                   {}};
   }
   const int firstLine = words.line();
   if (!words.nextDouble(second) || words.line() != firstLine) return readTotalAngles(text, q);

@@ -61,7 +61,8 @@ class ListReader {
 };
 
 Failure notAnInteger(std::int64_t line, const char* letter, double value, int q) {
-  return {ErrorCode::kPrescription, "cones",
+  return {ErrorCode::kPrescription,
+          "cones",
           formatText("line %lld: the angle is %.9g · 2π/%d; %s must be an integer",
                      static_cast<long long>(line), value, q, letter),
           {{Where::Kind::kLine, line}}};
@@ -170,9 +171,11 @@ Result<Prescription> reduceTotalAngles(const Prescription& angles, const TriMesh
   const double unit = 2 * kPi / angles.q;
   for (VertexId v : mesh.vertices()) {
     if (static_cast<std::size_t>(lineOf(v)) >= angles.totalAngles.size()) {
-      return Failure{ErrorCode::kPrescription, "cones",
+      return Failure{ErrorCode::kPrescription,
+                     "cones",
                      formatText("%zu total angles for a mesh of %d vertices",
-                                angles.totalAngles.size(), mesh.vertexCount()), {}};
+                                angles.totalAngles.size(), mesh.vertexCount()),
+                     {}};
     }
     if (mesh.isIsolated(v) || mesh.isBoundary(v)) continue;
     const double k = angles.totalAngles[static_cast<std::size_t>(lineOf(v))] / unit;
@@ -197,7 +200,8 @@ Result<Prescription> reduceTotalAngles(const Prescription& angles, const TriMesh
   if (!topology.loops.empty()) {
     out.notes.push_back(
         formatText("the angles of boundary vertices were reduced to the turning index of each of "
-                   "the %zu loops", topology.loops.size()));
+                   "the %zu loops",
+                   topology.loops.size()));
   }
   return out;
 }

@@ -20,8 +20,10 @@ bool isTooDeep(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
     if (isInString) {
-      if (c == '\\') ++i;
-      else if (c == '"') isInString = false;
+      if (c == '\\')
+        ++i;
+      else if (c == '"')
+        isInString = false;
     } else if (c == '"') {
       isInString = true;
     } else if (c == '[' || c == '{') {
@@ -43,9 +45,8 @@ class Members {
     const auto it = object.find(key);
     if (it == object.end()) return isRequired ? wrong(key, "is missing") : false;
     if (!it->is_number_integer()) return wrong(key, "must be an integer");
-    const bool isSmall = it->is_number_unsigned()
-                             ? it->get<std::uint64_t>() <= INT32_MAX
-                             : it->get<std::int64_t>() >= INT32_MIN;
+    const bool isSmall = it->is_number_unsigned() ? it->get<std::uint64_t>() <= INT32_MAX
+                                                  : it->get<std::int64_t>() >= INT32_MIN;
     if (!isSmall) return wrong(key, "is out of range");
     out = it->get<int>();
     return true;
@@ -207,8 +208,8 @@ std::string writeConesJson(const Prescription& p, int indent) {
   if (p.field && p.field->hasMatchings) {
     Json& matchings = json["matchings"] = Json::array();
     for (const Matching& m : p.field->matchings) {
-      matchings.push_back(Json{{"from", m.from}, {"to", m.to}, {"tail", m.tail}, {"head", m.head},
-                               {"turn", m.turn}});
+      matchings.push_back(Json{
+          {"from", m.from}, {"to", m.to}, {"tail", m.tail}, {"head", m.head}, {"turn", m.turn}});
     }
   }
   return json.dump(indent, ' ', false, Json::error_handler_t::replace) + (indent < 0 ? "" : "\n");

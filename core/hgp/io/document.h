@@ -34,7 +34,7 @@ struct GltfDecoders;  // gltf_decoders.h
 
 /// The main file and a way to its companions (a .gltf's .bin). `resolve` may be empty.
 struct FileSet {
-  std::string name;   ///< as the user wrote it; only its extension and messages use it
+  std::string name;  ///< as the user wrote it; only its extension and messages use it
   Bytes main;
   Resolver resolve;
   std::shared_ptr<const GltfDecoders> decoders;  ///< of compressed glTF; empty: those of this build
@@ -53,22 +53,22 @@ struct Surface {
 enum class UvPrecision { kFloat32, kFloat64 };
 
 struct WriteOptions {
-  int uvSet = -1;                     ///< −1: next free; otherwise the set to add or replace
-  std::string name;                   ///< of the main output; names of side files derive from it
-  std::string generator;              ///< stamped into a comment where the format has one, or ""
-  std::optional<std::string> cones;   ///< hgp-cones JSON to embed for re-opening
-  bool writeManifold = false;         ///< glTF: reserved for EXT_mesh_manifold
+  int uvSet = -1;                    ///< −1: next free; otherwise the set to add or replace
+  std::string name;                  ///< of the main output; names of side files derive from it
+  std::string generator;             ///< stamped into a comment where the format has one, or ""
+  std::optional<std::string> cones;  ///< hgp-cones JSON to embed for re-opening
+  bool writeManifold = false;        ///< glTF: reserved for EXT_mesh_manifold
 };
 
 struct OutputFile {
-  std::string name;   ///< relative to the main output's folder; [0] is the main file
+  std::string name;  ///< relative to the main output's folder; [0] is the main file
   Bytes bytes;
 };
 
 struct Written {
   std::vector<OutputFile> files;
-  std::vector<std::string> notes;     ///< what changed besides the uv ("TANGENT dropped …")
-  std::vector<int> xref;              ///< written vertex → stored vertex; empty when identical
+  std::vector<std::string> notes;  ///< what changed besides the uv ("TANGENT dropped …")
+  std::vector<int> xref;           ///< written vertex → stored vertex; empty when identical
 };
 
 /// A loaded file. Immutable; all vertex and triangle ids are those of `surfaces()[surface].mesh`.

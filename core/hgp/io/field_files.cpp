@@ -105,7 +105,7 @@ class FFieldReader {
   Status readFrames() {
     std::int64_t faces = 0;
     if (!words_.nextInt(faces) || faces < 1 || faces > kMaxFaces) return notANumber(words_);
-    words_.next();          // "k1", the first word of the header line
+    words_.next();  // "k1", the first word of the header line
     words_.restOfLine();
     for (std::int64_t f = 0; f < faces; ++f) {
       double curvature = 0;
@@ -178,8 +178,9 @@ Result<Prescription> readRawField(std::string_view text) {
     }
     if (!isRosy(directions)) {
       return fieldFailure(words, formatText("face %lld: its %lld vectors are not rotations of one "
-                                            "another by 2π/%lld", static_cast<long long>(f),
-                                            static_cast<long long>(N), static_cast<long long>(N)));
+                                            "another by 2π/%lld",
+                                            static_cast<long long>(f), static_cast<long long>(N),
+                                            static_cast<long long>(N)));
     }
     out.field->directions.push_back(directions[0]);
   }
@@ -226,15 +227,19 @@ Status completeMatchings(FieldData& field, const std::vector<std::array<int, 3>>
   for (Matching m : field.matchings) {
     const int from = faceOf[key(m.tail, m.head)], to = faceOf[key(m.head, m.tail)];
     if (from < 0 && to < 0) {
-      return Failure{ErrorCode::kPrescription, "field",
+      return Failure{ErrorCode::kPrescription,
+                     "field",
                      formatText("a matching names the edge %d–%d, which the mesh does not have",
-                                m.tail, m.head), {{Where::Kind::kEdge, m.tail, m.head}}};
+                                m.tail, m.head),
+                     {{Where::Kind::kEdge, m.tail, m.head}}};
     }
     if (from < 0 || to < 0) continue;  // a boundary edge matches nothing
     if ((m.from >= 0 && m.from != from) || (m.to >= 0 && m.to != to)) {
-      return Failure{ErrorCode::kPrescription, "field",
+      return Failure{ErrorCode::kPrescription,
+                     "field",
                      formatText("a matching names faces %d and %d beside the edge %d→%d; the mesh "
-                                "has %d and %d there", m.from, m.to, m.tail, m.head, from, to),
+                                "has %d and %d there",
+                                m.from, m.to, m.tail, m.head, from, to),
                      {{Where::Kind::kEdge, m.tail, m.head}}};
     }
     m.from = from;

@@ -41,8 +41,10 @@ class ObjPatch {
         patchElement(places_.elementLines[element++]);
       } else {
         isEmbeddedOpen = false;
-        if (options_.cones) position_ = places_.embedded.end;
-        else copyUntil(places_.embedded.end);
+        if (options_.cones)
+          position_ = places_.embedded.end;
+        else
+          copyUntil(places_.embedded.end);
       }
     }
     return std::move(out_);
@@ -168,9 +170,11 @@ class ObjDocument final : public PolygonDocument {
 
 Result<DocumentPtr> readObj(FileSet files, const Limits& limits) {
   if (files.main.size() > limits.maxBytes) {
-    return Failure{ErrorCode::kLimit, "read",
+    return Failure{ErrorCode::kLimit,
+                   "read",
                    formatText("%zu bytes; the limit is %llu", files.main.size(),
-                              static_cast<unsigned long long>(limits.maxBytes)), {}};
+                              static_cast<unsigned long long>(limits.maxBytes)),
+                   {}};
   }
   auto document = std::make_unique<ObjDocument>();
   if (Status done = document->read(std::move(files.main), limits.maxTriangles); !done) {

@@ -35,8 +35,8 @@ class ObjScanner {
       if (!takeLine()) return std::move(failure_);
     }
     if (out_.polygons.positions.empty() || out_.polygons.polygonCount() == 0) {
-      return Failure{ErrorCode::kMalformed, "read",
-                     "not an OBJ mesh: there are no v and f lines", {}};
+      return Failure{
+          ErrorCode::kMalformed, "read", "not an OBJ mesh: there are no v and f lines", {}};
     }
     if (!checkRanges()) return std::move(failure_);
     if (!hasUv_) out_.cornerUv.clear();
@@ -195,23 +195,26 @@ class ObjScanner {
           return false;
         }
       }
-      if (p != end && !isBlank(*p) && *p != '#') return fail("a corner of this f line is not v/vt/vn");
+      if (p != end && !isBlank(*p) && *p != '#')
+        return fail("a corner of this f line is not v/vt/vn");
       polygons.cornerVertex.push_back(v);
       out_.cornerUv.push_back(vt);
     }
     const std::size_t corners = polygons.cornerVertex.size() - first;
     if (corners < 3) return fail(formatText("a face of %zu corners", corners));
     if (corners > static_cast<std::size_t>(kMaxPolygonCorners)) {
-      return fail(formatText("a face of %zu corners; at most %d are read", corners,
-                             kMaxPolygonCorners));
+      return fail(
+          formatText("a face of %zu corners; at most %d are read", corners, kMaxPolygonCorners));
     }
     polygons.start.push_back(static_cast<std::uint32_t>(polygons.cornerVertex.size()));
     out_.faceLines.push_back(span);
     triangles_ += corners - 2;
     if (triangles_ <= maxTriangles_) return true;
-    failure_ = {ErrorCode::kLimit, "read",
+    failure_ = {ErrorCode::kLimit,
+                "read",
                 formatText("more than %llu triangles (the limit)",
-                           static_cast<unsigned long long>(maxTriangles_)), {}};
+                           static_cast<unsigned long long>(maxTriangles_)),
+                {}};
     return false;
   }
 
@@ -239,8 +242,10 @@ class ObjScanner {
     const auto& start = out_.polygons.start;
     for (std::size_t p = 0; p + 1 < start.size(); ++p) large += start[p + 1] - start[p] > 3;
     if (large > 0) {
-      out_.notes.push_back(formatText("%d polygons are solved as triangles and kept whole in the "
-                                      "file", large));
+      out_.notes.push_back(
+          formatText("%d polygons are solved as triangles and kept whole in the "
+                     "file",
+                     large));
     }
     if (hasCommands_) out_.notes.push_back("call and csh lines are not executed");
   }

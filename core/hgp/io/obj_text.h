@@ -17,13 +17,13 @@ struct TextSpan {
 
 struct ObjText {
   PolygonMesh polygons;
-  std::vector<Vec2> uv;                 ///< vt lines in order
-  std::vector<int> cornerUv;            ///< per polygon corner, −1 none; empty when no corner has one
-  std::vector<TextSpan> faceLines;      ///< one per polygon, continuations and line end included
-  std::vector<TextSpan> uvLines;        ///< runs of vt lines
-  std::vector<TextSpan> elementLines;   ///< l lines that name a vt
-  std::vector<TextSpan> coneLines;      ///< c and sm lines of the HGP format
-  TextSpan embedded;                    ///< our "# hgp-cones {…}" line, or empty
+  std::vector<Vec2> uv;             ///< vt lines in order
+  std::vector<int> cornerUv;        ///< per polygon corner, −1 none; empty when no corner has one
+  std::vector<TextSpan> faceLines;  ///< one per polygon, continuations and line end included
+  std::vector<TextSpan> uvLines;    ///< runs of vt lines
+  std::vector<TextSpan> elementLines;  ///< l lines that name a vt
+  std::vector<TextSpan> coneLines;     ///< c and sm lines of the HGP format
+  TextSpan embedded;                   ///< our "# hgp-cones {…}" line, or empty
   std::vector<std::string> notes;
 };
 

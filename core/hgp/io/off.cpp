@@ -63,8 +63,10 @@ class OffReader {
       }
       Vec2 uv{};
       if (hasUv_ && (!words_.nextDouble(uv[0]) || !words_.nextDouble(uv[1]))) return failNumber();
-      if (hasUv_) file_.uv.push_back(uv);
-      else words_.restOfLine();  // colours and the like
+      if (hasUv_)
+        file_.uv.push_back(uv);
+      else
+        words_.restOfLine();  // colours and the like
     }
     return true;
   }
@@ -92,9 +94,11 @@ class OffReader {
           static_cast<std::uint32_t>(file_.polygons.cornerVertex.size()));
       triangles += static_cast<std::uint64_t>(corners) - 2;
       if (triangles > maxTriangles_) {
-        failure_ = {ErrorCode::kLimit, "read",
+        failure_ = {ErrorCode::kLimit,
+                    "read",
                     formatText("more than %llu triangles (the limit)",
-                               static_cast<unsigned long long>(maxTriangles_)), {}};
+                               static_cast<unsigned long long>(maxTriangles_)),
+                    {}};
         return false;
       }
     }

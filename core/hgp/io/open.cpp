@@ -30,13 +30,17 @@ bool hasBinaryStlSize(const Bytes& bytes) {
 
 Result<DocumentPtr> openDocument(FileSet files, const Limits& limits) {
   if (files.main.size() > limits.maxBytes) {
-    return Failure{ErrorCode::kLimit, "read",
+    return Failure{ErrorCode::kLimit,
+                   "read",
                    formatText("%zu bytes; the limit is %llu", files.main.size(),
-                              static_cast<unsigned long long>(limits.maxBytes)), {}};
+                              static_cast<unsigned long long>(limits.maxBytes)),
+                   {}};
   }
   if (files.main.empty()) return malformedByte(0, "the file is empty");
   std::string_view text = asText(files.main);
-  const auto startsWith = [&](std::string_view start) { return text.substr(0, start.size()) == start; };
+  const auto startsWith = [&](std::string_view start) {
+    return text.substr(0, start.size()) == start;
+  };
   if (startsWith("glTF")) return readGltf(std::move(files), limits);
   if (startsWith("ply")) return readPly(std::move(files), limits);
   if (hasBinaryStlSize(files.main)) return readStl(std::move(files), limits);
@@ -44,7 +48,8 @@ Result<DocumentPtr> openDocument(FileSet files, const Limits& limits) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   const char c = first == std::string_view::npos ? '\0' : text[first];
   const std::string extension = extensionOf(files.name);
-  if (c == '{' || extension == "gltf" || extension == "glb") return readGltf(std::move(files), limits);
+  if (c == '{' || extension == "gltf" || extension == "glb")
+    return readGltf(std::move(files), limits);
   if (c == '<') return malformedByte(first, "this is HTML or XML, not a mesh");
   if (startsWith("solid") && extension != "obj") return readStl(std::move(files), limits);
   if (extension == "off" || extension == "stl" || extension == "ply") {

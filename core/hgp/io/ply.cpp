@@ -11,7 +11,8 @@ namespace {
 /// Numbers of the body, one after the other, in whichever of the three encodings.
 class PlyBody {
  public:
-  PlyBody(std::string_view body, PlyEncoding encoding) : text_(body), body_(body), encoding_(encoding) {}
+  PlyBody(std::string_view body, PlyEncoding encoding)
+      : text_(body), body_(body), encoding_(encoding) {}
 
   bool next(PlyType type, double& out) {
     if (encoding_ == PlyEncoding::kText) return text_.nextDouble(out);
@@ -70,9 +71,8 @@ class PlyReader {
 
   bool take(PlyType type, double& out) {
     if (body_->next(type, out)) return true;
-    return header_.encoding == PlyEncoding::kText
-               ? fail("expected a number, not " + body_->word())
-               : fail("the file ends inside its data");
+    return header_.encoding == PlyEncoding::kText ? fail("expected a number, not " + body_->word())
+                                                  : fail("the file ends inside its data");
   }
 
   bool takeElement(const PlyElement& element) {
@@ -114,8 +114,8 @@ class PlyReader {
     double length = 0;
     list_.clear();
     if (!take(property.countType, length)) return false;
-    const double most = property.role == PlyRole::kUvList ? 2.0 * kMaxPolygonCorners
-                                                          : 1.0 * kMaxPolygonCorners;
+    const double most =
+        property.role == PlyRole::kUvList ? 2.0 * kMaxPolygonCorners : 1.0 * kMaxPolygonCorners;
     if (!(length >= 0 && length <= most)) return fail(formatText("a list of %g entries", length));
     for (int i = 0; i < static_cast<int>(length); ++i) {
       double x = 0;
@@ -153,7 +153,8 @@ class PlyReader {
 
   bool takeCorners() {
     for (double v : list_) {
-      if (!(v >= 0 && v <= 2147483647.0 && v == static_cast<double>(static_cast<std::int64_t>(v)))) {
+      if (!(v >= 0 && v <= 2147483647.0 &&
+            v == static_cast<double>(static_cast<std::int64_t>(v)))) {
         return fail("a face names a vertex that cannot be");
       }
       file_.polygons.cornerVertex.push_back(static_cast<int>(v));

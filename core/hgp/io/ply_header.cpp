@@ -13,10 +13,10 @@ bool typeOf(std::string_view name, PlyType& out) {
     PlyType type;
   };
   static constexpr Name kNames[] = {
-      {"char", PlyType::kInt8},      {"int8", PlyType::kInt8},      {"uchar", PlyType::kUint8},
-      {"uint8", PlyType::kUint8},    {"short", PlyType::kInt16},    {"int16", PlyType::kInt16},
-      {"ushort", PlyType::kUint16},  {"uint16", PlyType::kUint16},  {"int", PlyType::kInt32},
-      {"int32", PlyType::kInt32},    {"uint", PlyType::kUint32},    {"uint32", PlyType::kUint32},
+      {"char", PlyType::kInt8},      {"int8", PlyType::kInt8},       {"uchar", PlyType::kUint8},
+      {"uint8", PlyType::kUint8},    {"short", PlyType::kInt16},     {"int16", PlyType::kInt16},
+      {"ushort", PlyType::kUint16},  {"uint16", PlyType::kUint16},   {"int", PlyType::kInt32},
+      {"int32", PlyType::kInt32},    {"uint", PlyType::kUint32},     {"uint32", PlyType::kUint32},
       {"float", PlyType::kFloat32},  {"float32", PlyType::kFloat32}, {"double", PlyType::kFloat64},
       {"float64", PlyType::kFloat64}};
   for (const Name& n : kNames) {
@@ -58,10 +58,14 @@ bool takeLine(std::string_view line, PlyHeader& header) {
   const std::string_view keyword = words.next();
   if (keyword == "format") {
     const std::string_view encoding = words.next();
-    if (encoding == "ascii") header.encoding = PlyEncoding::kText;
-    else if (encoding == "binary_little_endian") header.encoding = PlyEncoding::kLittle;
-    else if (encoding == "binary_big_endian") header.encoding = PlyEncoding::kBig;
-    else return false;
+    if (encoding == "ascii")
+      header.encoding = PlyEncoding::kText;
+    else if (encoding == "binary_little_endian")
+      header.encoding = PlyEncoding::kLittle;
+    else if (encoding == "binary_big_endian")
+      header.encoding = PlyEncoding::kBig;
+    else
+      return false;
     return true;
   }
   if (keyword == "element") {
@@ -111,24 +115,36 @@ Result<PlyHeader> readPlyHeader(std::string_view text) {
 std::size_t plySize(PlyType type) {
   switch (type) {
     case PlyType::kInt8:
-    case PlyType::kUint8: return 1;
+    case PlyType::kUint8:
+      return 1;
     case PlyType::kInt16:
-    case PlyType::kUint16: return 2;
-    case PlyType::kFloat64: return 8;
-    default: return 4;
+    case PlyType::kUint16:
+      return 2;
+    case PlyType::kFloat64:
+      return 8;
+    default:
+      return 4;
   }
 }
 
 double plyNumber(PlyType type, const unsigned char* bytes) {
   switch (type) {
-    case PlyType::kInt8: return numberAs<std::int8_t>(bytes);
-    case PlyType::kUint8: return numberAs<std::uint8_t>(bytes);
-    case PlyType::kInt16: return numberAs<std::int16_t>(bytes);
-    case PlyType::kUint16: return numberAs<std::uint16_t>(bytes);
-    case PlyType::kInt32: return numberAs<std::int32_t>(bytes);
-    case PlyType::kUint32: return numberAs<std::uint32_t>(bytes);
-    case PlyType::kFloat32: return numberAs<float>(bytes);
-    default: return numberAs<double>(bytes);
+    case PlyType::kInt8:
+      return numberAs<std::int8_t>(bytes);
+    case PlyType::kUint8:
+      return numberAs<std::uint8_t>(bytes);
+    case PlyType::kInt16:
+      return numberAs<std::int16_t>(bytes);
+    case PlyType::kUint16:
+      return numberAs<std::uint16_t>(bytes);
+    case PlyType::kInt32:
+      return numberAs<std::int32_t>(bytes);
+    case PlyType::kUint32:
+      return numberAs<std::uint32_t>(bytes);
+    case PlyType::kFloat32:
+      return numberAs<float>(bytes);
+    default:
+      return numberAs<double>(bytes);
   }
 }
 

@@ -31,7 +31,7 @@ struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::kText;
   std::vector<PlyElement> elements;
   std::size_t bodyOffset = 0;
-  int lineCount = 0;   ///< lines before the body
+  int lineCount = 0;  ///< lines before the body
 };
 
 Result<PlyHeader> readPlyHeader(std::string_view text);

@@ -11,10 +11,10 @@ namespace hgp::io {
 /// What a polygon format's reader found.
 struct PolygonFile {
   PolygonMesh polygons;
-  std::vector<Vec2> uv;                 ///< may be empty
-  std::vector<int> cornerUv;            ///< per polygon corner, −1 none; empty when there is no uv
+  std::vector<Vec2> uv;       ///< may be empty
+  std::vector<int> cornerUv;  ///< per polygon corner, −1 none; empty when there is no uv
   std::vector<std::string> notes;
-  int storedVertexCount = -1;           ///< before welding; −1: as many as there are positions
+  int storedVertexCount = -1;  ///< before welding; −1: as many as there are positions
 };
 
 class PolygonDocument : public Document {

@@ -35,8 +35,9 @@ Vec3 newellNormal(const std::vector<Vec3>& p) {
 std::vector<Vec2> flatten(const std::vector<Vec3>& p) {
   const Vec3 n = newellNormal(p);
   const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-  const std::size_t axis = std::abs(n[0]) < std::abs(n[1]) ? (std::abs(n[0]) < std::abs(n[2]) ? 0 : 2)
-                                                           : (std::abs(n[1]) < std::abs(n[2]) ? 1 : 2);
+  const std::size_t axis = std::abs(n[0]) < std::abs(n[1])
+                               ? (std::abs(n[0]) < std::abs(n[2]) ? 0 : 2)
+                               : (std::abs(n[1]) < std::abs(n[2]) ? 1 : 2);
   Vec3 e{0, 0, 0};
   e[axis] = 1;
   // x = e × n, y = n × x, both unit up to a common scale.
@@ -47,8 +48,8 @@ std::vector<Vec2> flatten(const std::vector<Vec3>& p) {
   flat.reserve(p.size());
   for (const Vec3& q : p) {
     const Vec3 d{q[0] - p[0][0], q[1] - p[0][1], q[2] - p[0][2]};
-    flat.push_back({d[0] * x[0] + d[1] * x[1] + d[2] * x[2],
-                    d[0] * y[0] + d[1] * y[1] + d[2] * y[2]});
+    flat.push_back(
+        {d[0] * x[0] + d[1] * x[1] + d[2] * x[2], d[0] * y[0] + d[1] * y[1] + d[2] * y[2]});
   }
   return flat;
 }
@@ -164,9 +165,11 @@ Result<TriangleCorners> triangulate(const PolygonMesh& polygons) {
       corners.push_back({first + t[0], first + t[1], first + t[2]});
     }
     if (tests > kMaxTests) {
-      return Failure{ErrorCode::kLimit, "read",
+      return Failure{ErrorCode::kLimit,
+                     "read",
                      "the polygons of this file are too large to be cut into triangles; "
-                     "triangulate them first", {}};
+                     "triangulate them first",
+                     {}};
     }
   }
   return corners;

@@ -15,12 +15,10 @@ namespace hgp::io {
 struct PolygonMesh {
   std::vector<Vec3> positions;
   std::vector<int> cornerVertex;
-  std::vector<std::uint32_t> start{0};   ///< |P| + 1
+  std::vector<std::uint32_t> start{0};  ///< |P| + 1
 
   int polygonCount() const { return static_cast<int>(start.size()) - 1; }
-  int triangleCount() const {
-    return static_cast<int>(cornerVertex.size()) - 2 * polygonCount();
-  }
+  int triangleCount() const { return static_cast<int>(cornerVertex.size()) - 2 * polygonCount(); }
   bool isTriangles() const {
     return cornerVertex.size() == 3 * static_cast<std::size_t>(polygonCount());
   }
@@ -50,7 +48,7 @@ MeshData triangleMesh(const PolygonMesh& polygons, const TriangleCorners& corner
 /// motion, so that the seam moves to the polygon's sides. Unused uv are dropped.
 struct PolygonUv {
   UvMap map;
-  std::vector<int> cornerUv;      ///< |corners|, index into map.uv
+  std::vector<int> cornerUv;  ///< |corners|, index into map.uv
   int carriedPolygons = 0;
 };
 PolygonUv keepPolygonsWhole(const PolygonMesh& polygons, const TriangleCorners& corners,

@@ -103,10 +103,8 @@ class PolygonKeeper {
     }
     const Complex b0 = toComplex(uv(given(t)[k0])), b1 = toComplex(uv(given(t)[k1]));
     const Complex motion = snapped((toComplex(uv(a1)) - toComplex(uv(a0))) / (b1 - b0));
-    const Complex z =
-        toComplex(uv(a0)) + motion * (toComplex(uv(given(t)[open])) - b0);
-    cornerUv(c) = copyAt(polygons_.cornerVertex[static_cast<std::size_t>(c)],
-                         {z.real(), z.imag()});
+    const Complex z = toComplex(uv(a0)) + motion * (toComplex(uv(given(t)[open])) - b0);
+    cornerUv(c) = copyAt(polygons_.cornerVertex[static_cast<std::size_t>(c)], {z.real(), z.imag()});
     return true;
   }
 

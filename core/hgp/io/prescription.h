@@ -36,17 +36,17 @@ struct PrescribedHandle {
 /// leave open; stored matchings must be realised.
 struct Prescription {
   int q = 4;
-  bool hasCones = false;                      ///< the list of cones is complete (it may be empty)
+  bool hasCones = false;  ///< the list of cones is complete (it may be empty)
   std::vector<PrescribedCone> cones;
   std::vector<PrescribedTurning> boundaries;
   std::vector<PrescribedHandle> handles;
   std::optional<FieldData> field;
   /// Total angle per vertex in radians (`_Th_hat`), reduced by reduceTotalAngles; otherwise empty.
   std::vector<double> totalAngles;
-  int vertexCount = -1;                       ///< of the mesh it was made for; −1 unknown
+  int vertexCount = -1;  ///< of the mesh it was made for; −1 unknown
   int triangleCount = -1;
-  std::string sha256;                         ///< of the file it was made for, or ""
-  std::vector<std::string> notes;             ///< what was read, and what was reduced
+  std::string sha256;              ///< of the file it was made for, or ""
+  std::vector<std::string> notes;  ///< what was read, and what was reduced
 };
 
 }  // namespace hgp::io

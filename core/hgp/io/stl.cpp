@@ -72,11 +72,12 @@ Result<DocumentPtr> readStl(FileSet files, const Limits& limits) {
                         (bytes.size() - kHeaderBytes) % kTriangleBytes == 0;
   if (!isBinary && asText(bytes).substr(0, 5) != "solid") {
     return malformedByte(80, formatText("not an STL file, or a truncated one: %zu triangles are "
-                                        "announced in %zu bytes", announced, bytes.size()));
+                                        "announced in %zu bytes",
+                                        announced, bytes.size()));
   }
   if (isBinary && announced > limits.maxTriangles) {
-    return Failure{ErrorCode::kLimit, "read", formatText("%zu triangles exceed the limit", announced),
-                   {}};
+    return Failure{
+        ErrorCode::kLimit, "read", formatText("%zu triangles exceed the limit", announced), {}};
   }
   Result<std::vector<Vec3>> corners =
       isBinary ? readBinary(bytes, announced) : readText(asText(bytes));

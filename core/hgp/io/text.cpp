@@ -178,13 +178,15 @@ std::string quoted(std::string_view text, std::size_t limit) {
 }
 
 Failure malformedLine(std::int64_t line, const std::string& message) {
-  return {ErrorCode::kMalformed, "read",
+  return {ErrorCode::kMalformed,
+          "read",
           formatText("line %lld: ", static_cast<long long>(line)) + message,
           {{Where::Kind::kLine, line}}};
 }
 
 Failure malformedByte(std::uint64_t offset, const std::string& message) {
-  return {ErrorCode::kMalformed, "read",
+  return {ErrorCode::kMalformed,
+          "read",
           formatText("byte %llu: ", static_cast<unsigned long long>(offset)) + message,
           {{Where::Kind::kByte, static_cast<std::int64_t>(offset)}}};
 }

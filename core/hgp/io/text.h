@@ -11,7 +11,9 @@
 namespace hgp::io {
 
 /// Blank inside a line.
-constexpr bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+constexpr bool isBlank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
 constexpr bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 inline void skipBlanks(const char*& p, const char* end) {

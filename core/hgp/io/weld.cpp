@@ -47,7 +47,8 @@ Weld weldExact(const std::vector<Vec3>& positions) {
   std::vector<int> slots(capacity, -1);
   for (std::size_t i = 0; i < positions.size(); ++i) {
     std::size_t s = hashOf(positions[i]) & (capacity - 1);
-    while (slots[s] >= 0 && !isSame(out.positions[static_cast<std::size_t>(slots[s])], positions[i])) {
+    while (slots[s] >= 0 &&
+           !isSame(out.positions[static_cast<std::size_t>(slots[s])], positions[i])) {
       s = (s + 1) & (capacity - 1);
     }
     if (slots[s] < 0) {
@@ -74,7 +75,8 @@ Weld weldNear(const std::vector<Vec3>& positions, double tolerance) {
     }
     int found = -1;
     for (int n = 0; n < 27 && found < 0; ++n) {
-      const auto it = grid.find({cell[0] + n % 3 - 1, cell[1] + n / 3 % 3 - 1, cell[2] + n / 9 - 1});
+      const auto it =
+          grid.find({cell[0] + n % 3 - 1, cell[1] + n / 3 % 3 - 1, cell[2] + n / 9 - 1});
       if (it == grid.end()) continue;
       for (int j : it->second) {
         const Vec3& r = out.positions[static_cast<std::size_t>(j)];

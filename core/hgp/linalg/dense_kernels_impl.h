@@ -1,6 +1,7 @@
 // Body of the dense kernels.  Role: included once by each dense_kernels_<set>.cpp after it has
 // defined, in an unnamed namespace, the vector type of its instruction set:
 //   V, kWidth (doubles in V), kTileVectors × kTileCols (register tile), multiplyAdd(a, b, c) = a b + c.
+// budget: one body for every instruction set; splitting it would hide that it is one.
 // Everything here has internal linkage and uses no library templates, so that nothing compiled for
 // one instruction set can be picked by the linker for another.
 #include "hgp/linalg/dense_kernels.h"

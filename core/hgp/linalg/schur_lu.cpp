@@ -31,6 +31,14 @@ std::unique_ptr<double[]> allocate(std::size_t complexNumbers) {
   return std::unique_ptr<double[]>(new double[2 * complexNumbers]);  // not zeroed
 }
 
+// One front: pivot columns of A and of Aᴴ side by side, and the full square complement.
+struct Front {
+  int s, r;
+  std::vector<Complex> L;
+  Complex* U;
+  std::unique_ptr<double[]> complement;
+};
+
 }  // namespace
 
 struct SchurLu::State {
@@ -45,17 +53,11 @@ struct SchurLu::State {
   void layOut();
   FactorStatus eliminate(const Sparse& A, const Sparse& At);
   void addToSchur(int t, const Complex* complement);
+  void fillPanels(int t, const Sparse& A, const Sparse& At, const std::vector<int>& local,
+                  Front* front, std::vector<double>* threshold) const;
 };
 
 namespace {
-
-// One front: pivot columns of A and of Aᴴ side by side, and the full square complement.
-struct Front {
-  int s, r;
-  std::vector<Complex> L;
-  Complex* U;
-  std::unique_ptr<double[]> complement;
-};
 
 // Adds column j of A (or of Aᴴ) to the panel's column k.
 void addColumn(const Sparse& A, int unknown, int position, const SymbolicFactor& f,
@@ -117,6 +119,24 @@ void SchurLu::State::addToSchur(int t, const Complex* complement) {
       schur(keptAt[rows[i]], keptAt[rows[j]]) += complement[static_cast<std::size_t>(j) * r + i];
 }
 
+// Pivot columns of A and of Aᴴ into the front's zeroed panels.
+void SchurLu::State::fillPanels(int t, const Sparse& A, const Sparse& At,
+                                const std::vector<int>& local, Front* front,
+                                std::vector<double>* threshold) const {
+  const int s = front->s, rows = s + front->r, first = symbolic.nodeStart[t];
+  const std::size_t entries = static_cast<std::size_t>(s) * rows;
+  front->L.assign(entries, Complex(0));
+  std::fill(front->U, front->U + entries, Complex(0));
+  threshold->resize(static_cast<std::size_t>(s));
+  for (int k = 0; k < s; ++k) {
+    const int v = symbolic.order[first + k];
+    (*threshold)[k] = kPivotTolerance * std::abs(A.coeff(v, v));
+    const std::size_t column = static_cast<std::size_t>(k) * rows;
+    addColumn(A, v, first + k, symbolic, local, false, front->L.data() + column);
+    addColumn(At, v, first + k, symbolic, local, true, front->U + column);
+  }
+}
+
 FactorStatus SchurLu::State::eliminate(const Sparse& A, const Sparse& At) {
   const SymbolicFactor& f = symbolic;
   const KernelWorkspace work;
@@ -124,27 +144,16 @@ FactorStatus SchurLu::State::eliminate(const Sparse& A, const Sparse& At) {
   std::vector<std::vector<int>> children(held.size());
   std::vector<int> local(f.order.size());
   std::vector<double> threshold;
-  Front front;
+  const auto values = [&](int c) { return reinterpret_cast<const Complex*>(held[c].get()); };
   for (int t = 0; t < f.nodeCount(); ++t) {
     if (f.dynamicNode[t]) continue;
-    const int s = front.s = f.pivots(t), r = front.r = f.rowCount(t), first = f.nodeStart[t];
-    const int rows = s + r;
+    const int s = f.pivots(t), r = f.rowCount(t), rows = s + r, first = f.nodeStart[t];
+    Front front{s, r, {}, panel(t), nullptr};
     for (int k = 0; k < s; ++k) local[first + k] = k;
     for (int i = 0; i < r; ++i) local[f.rowsOf(t)[i]] = s + i;
-    front.L.assign(static_cast<std::size_t>(s) * rows, Complex(0));
-    front.U = panel(t);
-    std::fill(front.U, front.U + static_cast<std::size_t>(s) * rows, Complex(0));
-    threshold.resize(static_cast<std::size_t>(s));
-    for (int k = 0; k < s; ++k) {
-      const int v = f.order[first + k];
-      threshold[k] = kPivotTolerance * std::abs(A.coeff(v, v));
-      const std::size_t column = static_cast<std::size_t>(k) * rows;
-      addColumn(A, v, first + k, f, local, false, front.L.data() + column);
-      addColumn(At, v, first + k, f, local, true, front.U + column);
-    }
-    const auto childValues = [&](int c) { return reinterpret_cast<const Complex*>(held[c].get()); };
+    fillPanels(t, A, At, local, &front, &threshold);
     for (const int c : children[t])
-      extendAdd(f.rowsOf(c), f.rowCount(c), childValues(c), local, true, &front);
+      extendAdd(f.rowsOf(c), f.rowCount(c), values(c), local, true, &front);
     const int bad = kernels().factorPanelLu(rows, s, raw(front.L.data()), raw(front.U), rows,
                                             threshold.data(), work.data());
     if (bad >= 0) return {false, f.order[first + bad], 0.0};
@@ -154,17 +163,17 @@ FactorStatus SchurLu::State::eliminate(const Sparse& A, const Sparse& At) {
                              front.complement.get(), rows, rows, r, false, true},
                             work.data());
     for (const int c : children[t]) {
-      extendAdd(f.rowsOf(c), f.rowCount(c), childValues(c), local, false, &front);
+      extendAdd(f.rowsOf(c), f.rowCount(c), values(c), local, false, &front);
       held[c].reset();
     }
+    held[t] = std::move(front.complement);
     const int p = f.parent[t];
-    if (f.dynamicNode[p]) {
-      addToSchur(t, reinterpret_cast<const Complex*>(front.complement.get()));
-      front.complement.reset();
-    } else {
-      held[t] = std::move(front.complement);
+    if (!f.dynamicNode[p]) {
       children[p].push_back(t);
+      continue;
     }
+    addToSchur(t, values(t));
+    held[t].reset();
   }
   return {};
 }

@@ -163,7 +163,9 @@ Status GltfWriter::embedCones() {
   const std::string raw(cones->raw(JsonText::kRoot));
   const int extras = json_.find(meshNode_, "extras");
   if (extras < 0) {
-    patch_.set(meshNode_, "extras", "{" + quoteJson(kGltfConesKey) + ":" + raw + "}");
+    patch_.set(
+        meshNode_, "extras",
+        std::string("{").append(quoteJson(kGltfConesKey)).append(":").append(raw).append("}"));
   } else if (json_.isObject(extras)) {
     patch_.set(extras, kGltfConesKey, raw);
   } else {

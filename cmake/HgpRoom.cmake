@@ -48,6 +48,10 @@ function(hgp_room)
       # Read once and cold: what a visitor downloads matters more than how fast it runs.
       target_compile_options(${target} PRIVATE -Os)
     endif()
+    if(R_NAME STREQUAL "linalg" AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+      # Its inner loops combine comparisons without branches on purpose.
+      target_compile_options(${target} PRIVATE -Wno-bitwise-instead-of-logical)
+    endif()
     if(NOT EMSCRIPTEN)  # there it would only slow every global down
       set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
     endif()

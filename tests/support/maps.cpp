@@ -56,7 +56,7 @@ UvMap planarMap(const TriMesh& mesh) {
   return map;
 }
 
-UvMap developedMap(const TriMesh& mesh) {
+UvMap developedMap(const TriMesh& mesh, FaceId root) {
   // Position of the third corner relative to the side before it: rational in the coordinates.
   const auto apex = [&](HalfedgeId h) {
     const Vec3 &a = mesh.position(mesh.tail(h)), &b = mesh.position(mesh.head(h)),
@@ -82,8 +82,8 @@ UvMap developedMap(const TriMesh& mesh) {
     isPlaced[static_cast<std::size_t>(TriMesh::face(h).i)] = 1;
   };
   std::queue<FaceId> queue;
-  place(HalfedgeId(0), 0.0, 1.0);
-  queue.push(FaceId(0));
+  place(TriMesh::halfedge(root, 0), 0.0, 1.0);
+  queue.push(root);
   while (!queue.empty()) {
     const FaceId f = queue.front();
     queue.pop();

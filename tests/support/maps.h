@@ -14,7 +14,7 @@ UvMap mapOfCorners(const TriMesh& mesh, const std::vector<Vec2>& cornerUv);
 UvMap planarMap(const TriMesh& mesh);
 /// Triangles laid down one by one along a breadth-first tree of faces, with their own shapes: the
 /// global parametrization of a surface that is flat but for cones. Exact for surfaces of unit cubes.
-UvMap developedMap(const TriMesh& mesh);
+UvMap developedMap(const TriMesh& mesh, FaceId root = FaceId(0));
 /// torus(m, n) onto the rectangle m × n, cut along i = 0 and j = 0.
 UvMap flatTorusMap(int m, int n);
 

@@ -18,17 +18,7 @@ double angleBetween(const Vec2& a, const Vec2& b) {
   return std::atan2(std::fabs(a[0] * b[1] - a[1] * b[0]), a[0] * b[0] + a[1] * b[1]);
 }
 
-/// Brings the sides of one triangle to a size whose squares neither under- nor overflow.
-void normalise(Vec2 (&side)[3]) {
-  constexpr double kSmall = 1e-120, kLarge = 1e120;
-  const double size = std::max({largest(side[0]), largest(side[1]), largest(side[2])});
-  if ((size > kSmall && size < kLarge) || size == 0.0) return;
-  const int exponent = std::ilogb(size);
-  for (Vec2& s : side)
-    for (double& x : s) x = std::scalbn(x, -exponent);
-}
-
-/// The same for two sides whose lengths may differ by hundreds of decades.
+/// The same for sides so short that products of their coordinates underflow.
 double angleBetweenAny(const Vec2& p, const Vec2& q) {
   Vec2 a = p, b = q;
   for (Vec2* v : {&a, &b}) {
@@ -39,6 +29,10 @@ double angleBetweenAny(const Vec2& p, const Vec2& q) {
   }
   return angleBetween(a, b);
 }
+
+/// Sides above this have products far from underflow; overflow is out of reach because maps are brought
+/// to ordinary size before they are measured.
+constexpr double kSafeLength = 1e-120;
 
 struct NearestInteger {
   int value;
@@ -59,11 +53,10 @@ PerHalfedge<double> computeUvAngles(const TriMesh& mesh, const CornerUv& uv) {
   for (FaceId f : mesh.faces()) {
     const HalfedgeId h[3] = {TriMesh::halfedge(f, 0), TriMesh::halfedge(f, 1),
                              TriMesh::halfedge(f, 2)};
-    Vec2 side[3] = {subtract(uv[h[1]], uv[h[0]]), subtract(uv[h[2]], uv[h[1]]),
-                    subtract(uv[h[0]], uv[h[2]])};
-    normalise(side);
+    const Vec2 side[3] = {subtract(uv[h[1]], uv[h[0]]), subtract(uv[h[2]], uv[h[1]]),
+                          subtract(uv[h[0]], uv[h[2]])};
     const double smallest = std::min({largest(side[0]), largest(side[1]), largest(side[2])});
-    const auto between = smallest > 1e-120 ? angleBetween : angleBetweenAny;
+    const auto between = smallest > kSafeLength ? angleBetween : angleBetweenAny;
     for (int k = 0; k < 3; ++k) {
       const Vec2& in = side[(k + 2) % 3];
       angle[h[k]] = between(side[k], {-in[0], -in[1]});

@@ -115,21 +115,24 @@ void checkSeams(const TriMesh& mesh, const Certificate& facts, const CertifyOpti
   if (broken.empty()) return;
   std::vector<Place> places;
   double worst = 0.0;
+  int shortCount = 0;
   for (const MeasuredSeam& s : broken) {
     places.push_back({s.residual, whereEdge(mesh, mesh.halfedge(s.edge))});
     worst = std::max(worst, s.residual);
+    shortCount += s.residual <= facts.seams.tolerance;
   }
-  const double relative = facts.seams.maxUv > 0.0 ? worst / facts.seams.maxUv : 0.0;
-  const double meanEdges = facts.seams.meanEdge > 0.0 ? worst / facts.seams.meanEdge : 0.0;
-  reasons.push_back(
-      {Rule::kSeam, static_cast<int>(broken.size()), relative,
-       formatText(
-           "%zu of %zu seam edge%s not related by a rotation by a multiple of 2π/%d; the worst "
-           "is off by %.3g of the largest |uv| (%.3g mean edges), accepted %.3g.",
-           broken.size(), facts.seams.seams.size(), broken.size() == 1 ? " is" : "s are", facts.q,
-           relative, meanEdges,
-           facts.seams.maxUv > 0.0 ? facts.seams.tolerance / facts.seams.maxUv : 0.0),
-       worstPlaces(std::move(places), options.placesPerReason)});
+  const auto per = [&](double unit) { return unit > 0.0 ? worst / unit : 0.0; };
+  std::string message = formatText(
+      "%zu of %zu seam edge%s not related by a rotation by a multiple of 2π/%d; the worst is off "
+      "by "
+      "%.3g of the largest |uv| (%.3g mean edges), accepted %.3g",
+      broken.size(), facts.seams.seams.size(), broken.size() == 1 ? " is" : "s are", facts.q,
+      per(facts.seams.maxUv), per(facts.seams.meanEdge),
+      facts.seams.maxUv > 0.0 ? facts.seams.tolerance / facts.seams.maxUv : 0.0);
+  if (shortCount > 0)
+    message += formatText("; %d are too short for rounding to leave them a direction", shortCount);
+  reasons.push_back({Rule::kSeam, static_cast<int>(broken.size()), per(facts.seams.maxUv),
+                     message + ".", worstPlaces(std::move(places), options.placesPerReason)});
 }
 
 void checkHandles(const TriMesh& mesh, const Certificate& facts, const std::vector<DualLoop>& loops,

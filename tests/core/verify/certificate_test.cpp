@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cfloat>
 #include <cmath>
 #include <random>
 
 #include "hgp/base/float32.h"
 #include "hgp/base/turns.h"
+#include "hgp/verify/verdict.h"
 #include "support/maps.h"
 #include "support/shapes.h"
 
@@ -192,6 +194,34 @@ TEST(Certificate, SeamRotationsAroundAConeAddUpToMinusK) {
   }
 }
 
+TEST(Certificate, HandleRotationsAreTheTransportOfUvAlongTheLoop) {
+  for (int genus : {1, 2, 3}) {
+    // Developed from the far end, so that loops cross many seams in both directions.
+    const TriMesh mesh = test::pretzel(genus).mesh();
+    const UvMap map = developedMap(mesh, FaceId(mesh.faceCount() - 1));
+    const auto side = [&](HalfedgeId h) {  // the uv vector of h in its own face
+      const auto at = [&](HalfedgeId c) {
+        const Vec2& p = map.uv[static_cast<std::size_t>(
+            map.cornerUv[static_cast<std::size_t>(c.i / 3)][static_cast<std::size_t>(c.i % 3)])];
+        return Complex(p[0], p[1]);
+      };
+      return at(TriMesh::next(h)) - at(h);
+    };
+    const std::vector<DualLoop> loops = handleGenerators(mesh);
+    const Certificate c = certify(mesh, regular(4), map);
+    ASSERT_EQ(c.seams.handles.size(), loops.size());
+    bool isAnyRotated = false;
+    for (std::size_t n = 0; n < loops.size(); ++n) {
+      Complex turned = 1.0;
+      for (HalfedgeId h : loops[n].crossed) turned *= -side(mesh.twin(h)) / side(h);
+      ASSERT_TRUE(c.seams.handles[n].measured.has_value());
+      EXPECT_NEAR(std::abs(turned - rotation(*c.seams.handles[n].measured, 4)), 0.0, 1e-12);
+      isAnyRotated = isAnyRotated || *c.seams.handles[n].measured % 2 == 1;
+    }
+    EXPECT_TRUE(isAnyRotated) << "a loop with an odd rotation tells r from −r";
+  }
+}
+
 TEST(Certificate, DoesNotDependOnRotationScaleOrPlaceOfTheMap) {
   const TriMesh mesh = test::pretzel(1).mesh();
   const UvMap map = developedMap(mesh);
@@ -205,6 +235,11 @@ TEST(Certificate, DoesNotDependOnRotationScaleOrPlaceOfTheMap) {
       const Certificate c = certify(mesh, spec, moved);
       EXPECT_CERTIFIED(c) << scale << " " << shift;
       EXPECT_NEAR(c.distortion.areaSpan, 1.0, 1e-9);
+      const double mean = (2.0 + std::sqrt(2.0)) / 3.0 * scale;
+      EXPECT_NEAR(c.seams.meanEdge / mean, 1.0, 1e-9);
+      if (scale > 1e-290) {
+        EXPECT_NEAR(c.seams.tolerance / c.seams.maxUv, 16 * DBL_EPSILON, 1e-16);
+      }
     }
 }
 
@@ -284,6 +319,50 @@ TEST(Certificate, DistortionOfALinearMapIsTheClosedForm) {
   EXPECT_NEAR(d.rmsLogArea, 0.0, 1e-13);
   EXPECT_NEAR(d.symmetricDirichlet, 2 * (a / b + b / a) - 4, 1e-12);
   EXPECT_EQ(d.triangleCount, mesh.faceCount());
+}
+
+TEST(Certificate, DistortionAgreesWithSingularValuesAndASortedList) {
+  const TriMesh mesh = test::jittered(test::grid(13, 11), 0.1).mesh();
+  UvMap map = planarMap(mesh);
+  for (Vec2& p : map.uv) p = {std::exp(0.1 * p[0]) + 0.05 * p[1], p[1] * (1 + 0.05 * p[0])};
+  const DistortionFacts d = certify(mesh, regular(4), map).distortion;
+  ASSERT_EQ(d.triangleCount, mesh.faceCount());
+  // Singular values from the metric tensors, in another way than the judge's.
+  std::vector<std::pair<double, double>> mu;
+  double total = 0, sum = 0;
+  for (FaceId f : mesh.faces()) {
+    const auto t = mesh.corners(f);
+    double G[3] = {}, H[3] = {};
+    const auto uv = [&](int k) {
+      return map.uv[static_cast<std::size_t>(t[static_cast<std::size_t>(k)].i)];
+    };
+    for (std::size_t n = 0; n < 3; ++n) {
+      const double p = mesh.position(t[1])[n] - mesh.position(t[0])[n];
+      const double q = mesh.position(t[2])[n] - mesh.position(t[0])[n];
+      G[0] += p * p, G[1] += p * q, G[2] += q * q;
+    }
+    for (std::size_t n = 0; n < 2; ++n) {
+      const double p = uv(1)[n] - uv(0)[n], q = uv(2)[n] - uv(0)[n];
+      H[0] += p * p, H[1] += p * q, H[2] += q * q;
+    }
+    const double det = G[0] * G[2] - G[1] * G[1];
+    const double trace = (H[0] * G[2] - 2 * H[1] * G[1] + H[2] * G[0]) / det;
+    const double product = std::sqrt((H[0] * H[2] - H[1] * H[1]) / det);
+    const double plus = std::sqrt(trace + 2 * product), minus = std::sqrt(trace - 2 * product);
+    mu.emplace_back(minus / plus, 0.5 * std::sqrt(det));
+    total += mu.back().second;
+    sum += mu.back().first * mu.back().second;
+  }
+  EXPECT_NEAR(d.meanMu, sum / total, 1e-12);
+  std::sort(mu.begin(), mu.end());
+  EXPECT_NEAR(d.maxMu, mu.back().first, 1e-12);
+  double below = 0, p95 = 0;
+  for (const auto& [value, weight] : mu) {
+    below += weight;
+    p95 = value;
+    if (below >= 0.95 * total) break;
+  }
+  EXPECT_NEAR(d.p95Mu, p95, 1e-12);
 }
 
 TEST(Certificate, QuantileIsWeightedByArea) {
@@ -481,13 +560,86 @@ TEST(Certificate, AllowsSeamsOfFloatPrecision) {
 }
 
 TEST(Certificate, HasNoVerdictForASeamTooShortToHaveADirection) {
-  // Both spokes of the seam shrink below the tolerance: no rotation can be read off them.
+  // A seam as long as the tolerance, off by half of it: any rotation would do as well.
   const Fan f = quarterFan(3);
-  UvMap map = f.map;
-  for (Vec2& p : map.uv) p = {p[0] * 1e-17 + 1.0, p[1] * 1e-17};
   HolonomySpec spec = regular(4);
   spec.cones = {{VertexId(0), 3}};
-  EXPECT_FALSE(certify(f.mesh, spec, map).isCertified);
+  UvMap map = f.map;
+  const auto shrink = [&](double size) {
+    map = f.map;
+    for (Vec2& p : map.uv) p = {1.0 + p[0] * size, p[1] * size};
+    for (Vec2& p : map.uv)
+      if (p[0] > 1.0) p[0] += 0x1p-49;
+    return certify(f.mesh, spec, map);
+  };
+  EXPECT_CERTIFIED(shrink(0x1p-30));
+  const Certificate c = shrink(0x1p-48);
+  EXPECT_LE(c.seams.worstResidual, c.seams.tolerance);
+  EXPECT_TRUE(hasReason(c, Rule::kSeam));
+}
+
+TEST(Certificate, ShortSeamsMayTurnAVertexByTheirResidual) {
+  // Accepted by the seam rule; at the vertex it shows as a distance beyond kAngleTolerance.
+  const Fan f = quarterFan(3);
+  UvMap map = f.map;
+  for (Vec2& p : map.uv) p = {1.0 + p[0] * 0x1p-40, p[1] * 0x1p-40 + (p[0] == 1.0 ? 0x1p-49 : 0.0)};
+  HolonomySpec spec = regular(4);
+  spec.cones = {{VertexId(0), 3}};
+  const Certificate c = certify(f.mesh, spec, map);
+  EXPECT_CERTIFIED(c);
+  EXPECT_GT(c.angles.worstDistance, 100 * kAngleTolerance);
+}
+
+TEST(Seams, SlackIsTheAngleThatAResidualCanMake) {
+  const TriMesh mesh = test::grid(2, 2).mesh();
+  SeamFacts seams;
+  seams.tolerance = 1e-3;
+  MeasuredSeam seam;
+  for (EdgeId e : mesh.edges())
+    if (!mesh.isBoundary(mesh.halfedge(e))) seam.edge = e;
+  seam.residual = 1e-3;
+  seam.length = 2.0;
+  seams.seams = {seam};
+  const VertexId v = mesh.tail(mesh.halfedge(seam.edge));
+  const double slack = seamSlack(mesh, 6, seams)[v];
+  EXPECT_GE(slack, std::asin(0.5e-3) * 6 / (2 * kPi));
+  EXPECT_LE(slack, 2 * std::asin(0.5e-3) * 6 / (2 * kPi));
+  seams.tolerance = 1e-4;  // broken seams excuse nothing
+  EXPECT_EQ(seamSlack(mesh, 6, seams)[v], 0.0);
+}
+
+TEST(Angles, HoldAcrossHundredsOfDecades) {
+  // Spokes of length 1 and 1e−200 in turn: squares underflow, angles do not.
+  const Fan f = quarterFan(4);
+  UvMap map = f.map;
+  for (Vec2& p : map.uv) p[1] *= 1e-200;
+  HolonomySpec spec = regular(4);
+  EXPECT_CERTIFIED(certify(f.mesh, spec, map));
+  // A tiny piece beside an ordinary one.
+  MeshData data{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}},
+                {{0, 1, 2}, {3, 4, 5}}};
+  map.uv = {{0, 0}, {1e-170, 0}, {0, 1e-170}, {5, 0}, {6, 0}, {5, 1}};
+  map.cornerUv = data.triangles;
+  spec.turning = {4, 4};
+  const Certificate c = certify(test::meshOf(data), spec, map);
+  EXPECT_CERTIFIED(c);
+  EXPECT_NEAR(c.angles.smallestAngle, kPi / 4, 1e-15);
+  EXPECT_FALSE(c.isUsable);
+}
+
+TEST(Verdict, GaussBonnetAndEulerAreCheckedInIntegers) {
+  Certificate facts;
+  facts.componentCount = 1;
+  facts.eulerCharacteristic = 2;
+  facts.gaussBonnetHave = facts.gaussBonnetNeed = 8;
+  EXPECT_TRUE(findReasons(TriMesh{}, facts, CornerUv(), {}, {}).empty());
+  facts.gaussBonnetHave = 7;
+  facts.eulerCharacteristic = 1;
+  const std::vector<Reason> reasons = findReasons(TriMesh{}, facts, CornerUv(), {}, {});
+  ASSERT_EQ(reasons.size(), 2u);
+  EXPECT_EQ(reasons[0].rule, Rule::kGaussBonnet);
+  EXPECT_EQ(reasons[0].worst, -1);
+  EXPECT_EQ(reasons[1].rule, Rule::kEuler);
 }
 
 TEST(Certificate, CountsOverlappingBoundaryVerticesWithoutRefusingThem) {
@@ -517,7 +669,7 @@ TEST(Certificate, MalformedMapsAreAFactNotACrash) {
   UvMap map = good;
   map.cornerUv.pop_back();
   EXPECT_EQ(onlyReason(certify(mesh, regular(4), map)).rule, Rule::kMalformedUv);
-  for (int n : {-1, 1000000, -2147483647 - 1}) {
+  for (int n : {-1, static_cast<int>(good.uv.size()), 1000000, -2147483647 - 1}) {
     map = good;
     map.cornerUv[3][1] = n;
     const Certificate c = certify(mesh, regular(4), map);

@@ -72,6 +72,31 @@ TEST(Orientation, AgreesWithExactIntegersOnNearlyFlatTriangles) {
   for (int count : seen) EXPECT_GT(count, 100);
 }
 
+TEST(Orientation, AgreesWithExactIntegersWhereDifferencesAreRounded) {
+  // 53 significant bits at different heights: b − a is no double any more.
+  std::mt19937_64 random(13);
+  const auto anyPoint = [&] {
+    const auto coordinate = [&] { return randomInteger(random, 53) * (1LL << (random() % 8)); };
+    return IntegerPoint{coordinate(), coordinate()};
+  };
+  int disagreements = 0;
+  for (int round = 0; round < 200000; ++round) {
+    Triangle t{anyPoint(), anyPoint(), {0, 0}};
+    const double s = static_cast<double>(random() >> 11) / 9007199254740992.0;
+    const auto nearest = [&](std::int64_t p, std::int64_t q) {  // a double again
+      return static_cast<std::int64_t>(static_cast<double>(p) +
+                                       s * (static_cast<double>(q) - static_cast<double>(p)));
+    };
+    t.c = {nearest(t.a.x, t.b.x), nearest(t.a.y, t.b.y)};
+    const Vec2 a = scaled(t.a, 0, 0), b = scaled(t.b, 0, 0), c = scaled(t.c, 0, 0);
+    const int expected = exactSign(t.a, t.b, t.c);
+    ASSERT_EQ(orientationSign(a, b, c), expected);
+    const double plain = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    disagreements += (plain > 0) - (plain < 0) != expected;
+  }
+  EXPECT_GT(disagreements, 100) << "the cases are hard enough to fool plain arithmetic";
+}
+
 TEST(Orientation, IsAntisymmetricAndCyclicForAnyDoubles) {
   std::mt19937_64 random(11);
   const auto anyDouble = [&] {

@@ -1,0 +1,115 @@
+// corpus DIR: every mesh below a folder with automatic cones, as a table.  Role: the number that this
+// project is judged by. One failure is a bug, and the last lines say how to see it again.
+
+#include <fnmatch.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+#include "corpus_run.h"
+#include "corpus_table.h"
+#include "files.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace hgp::bench;
+
+struct Arguments {
+  std::string folder, json, markdown;
+  std::vector<std::string> only, skip;
+  CorpusOptions options;
+  std::uint64_t largestFile = 0;
+};
+
+bool isMesh(const fs::path& file) {
+  fs::path name = file.filename();
+  if (name.extension() == ".gz") name = name.stem();
+  static const char* const kKinds[] = {".obj", ".off", ".ply", ".stl", ".glb", ".gltf"};
+  const std::string kind = name.extension().string();
+  return std::any_of(std::begin(kKinds), std::end(kKinds),
+                     [&](const char* k) { return kind == k; });
+}
+
+bool matchesOneOf(const std::vector<std::string>& globs, const std::string& name) {
+  return std::any_of(globs.begin(), globs.end(), [&](const std::string& g) {
+    return fnmatch(g.c_str(), name.c_str(), 0) == 0;
+  });
+}
+
+/// Smallest first, so that a table begins at once.
+std::vector<fs::path> meshesBelow(const Arguments& a) {
+  std::vector<std::pair<std::uintmax_t, fs::path>> found;
+  for (const auto& entry : fs::recursive_directory_iterator(a.folder)) {
+    if (!entry.is_regular_file() || !isMesh(entry.path())) continue;
+    const std::string name = entry.path().lexically_relative(a.folder).generic_string();
+    if (!a.only.empty() && !matchesOneOf(a.only, name)) continue;
+    if (matchesOneOf(a.skip, name)) continue;
+    if (a.largestFile > 0 && entry.file_size() > a.largestFile) continue;
+    found.emplace_back(entry.file_size(), entry.path());
+  }
+  std::sort(found.begin(), found.end());
+  std::vector<fs::path> files;
+  for (auto& [size, path] : found) files.push_back(std::move(path));
+  return files;
+}
+
+bool save(const std::string& path, const std::string& text) {
+  const hgp::Status saved =
+      path.empty() ? hgp::Status(hgp::Done{}) : hgp::cli::writeText(path, text);
+  if (!saved) std::fprintf(stderr, "corpus: %s\n", saved.error().message.c_str());
+  return saved.hasValue();
+}
+
+int run(const Arguments& a) {
+  std::vector<CorpusRow> rows;
+  std::string failures, table = tableHead();
+  bool isSaved = true;
+  std::fputs(table.c_str(), stdout);
+  for (const fs::path& file : meshesBelow(a)) {
+    const std::string name = file.lexically_relative(a.folder).generic_string();
+    std::fprintf(stderr, "%s …\n", name.c_str());
+    rows.push_back(runMesh(file.string(), name, a.options));
+    const std::string line = tableRow(rows.back());
+    table += line;
+    std::fputs(line.c_str(), stdout);
+    std::fflush(stdout);
+    if (rows.back().outcome == Outcome::kFailed) {
+      failures += reproduction(file.string(), a.options) + "\n";
+    }
+    // After every mesh: a table that ends early still says how far it came.
+    isSaved = save(a.json, toJson(rows, a.options)) && isSaved;
+  }
+  const std::string sums = "\n" + totals(rows);
+  std::fputs((sums + (failures.empty() ? "" : "\nTo see the failures again:\n" + failures)).c_str(),
+             stdout);
+  isSaved = save(a.markdown, table + sums) && isSaved;
+  return !failures.empty() ? 6 : isSaved ? 0 : 7;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments a;
+  CLI::App app("Maps every mesh below a folder with automatic cones and prints a table.", "corpus");
+  if (const char* shared = std::getenv("HGP_SHARED_MESHES")) a.folder = shared;
+  app.add_option("dir", a.folder, "folder (default: $HGP_SHARED_MESHES)");
+  app.add_option("--q", a.options.q, "order of the cones")->check(CLI::Range(1, 64));
+  app.add_flag("--quality", a.options.useQuality, "with the distortion term");
+  app.add_option("--only", a.only, "names to take, as a pattern: '*torus*'");
+  app.add_option("--skip", a.skip, "names to leave out");
+  app.add_option("--largest", a.largestFile, "leave out files of more bytes");
+  app.add_option("--time-limit", a.options.timeLimit, "seconds per mesh");
+  app.add_option("--json", a.json, "also write the rows as JSON");
+  app.add_option("--markdown", a.markdown, "also write the table");
+  CLI11_PARSE(app, argc, argv);
+  std::error_code error;
+  if (!fs::is_directory(a.folder, error)) {
+    std::fprintf(stderr, "corpus: name a folder of meshes, or set HGP_SHARED_MESHES\n");
+    return 2;
+  }
+  return run(a);
+}

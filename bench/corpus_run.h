@@ -1,0 +1,46 @@
+// One mesh of a corpus, from its file to its row in the table.  Role: the measurement of bench/corpus.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hgp/api/options.h"
+
+namespace hgp::bench {
+
+struct CorpusOptions {
+  int q = 4;
+  bool useQuality = false;
+  double timeLimit = 0.0;  ///< seconds per mesh; 0 = none
+};
+
+enum class Outcome {
+  kCertified,
+  kRefused,  ///< not an oriented manifold, or not a mesh at all: nothing was tried
+  kFailed,   ///< a valid mesh without a certified map
+};
+const char* outcomeName(Outcome outcome);
+
+/// Numbers over all components: counts and times are sums, μ and area distortion are weighted by
+/// triangles, p95 and maximum are those of the worst component.
+struct CorpusRow {
+  std::string name;  ///< relative to the folder
+  int vertices = 0, triangles = 0, components = 0, genus = 0, loops = 0;
+  int cones = 0, rounds = 0, flipped = 0;
+  Outcome outcome = Outcome::kFailed;
+  std::string reason;  ///< why not certified
+  double meanMu = 0, p95Mu = 0, maxMu = 0, rmsLogArea = 0;
+  double readSeconds = 0;   ///< file, unpacking, welding, topology
+  double fieldSeconds = 0;  ///< cones and field
+  double cutSeconds = 0;    ///< cut and assembly of the system
+  double solveSeconds = 0;  ///< every round: cone program, judge, repair
+  double totalSeconds = 0;  ///< all of it, with judging the stored map and writing the report
+  double peakMegabytes = 0;
+};
+
+CorpusRow runMesh(const std::string& file, const std::string& name, const CorpusOptions& options);
+
+/// The command that shows the same again.
+std::string reproduction(const std::string& file, const CorpusOptions& options);
+
+}  // namespace hgp::bench

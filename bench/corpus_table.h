@@ -1,0 +1,18 @@
+// Rows as text for people and as JSON for programs.  Role: what bench/corpus prints.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "corpus_run.h"
+
+namespace hgp::bench {
+
+/// Header of the Markdown table, one row of it, and the sums below it.
+std::string tableHead();
+std::string tableRow(const CorpusRow& row);
+std::string totals(const std::vector<CorpusRow>& rows);
+
+std::string toJson(const std::vector<CorpusRow>& rows, const CorpusOptions& options);
+
+}  // namespace hgp::bench

@@ -5,12 +5,15 @@
 namespace hgp {
 namespace {
 
-/// How far the field turns away from transport across h, in radians.
+/// How far the field turns away from transport across h, in radians. Antisymmetric also where it is
+/// half a turn, which has no nearest side: else the sums of a field would not balance Lemma 6.2.
 double adjustment(const TriMesh& mesh, const Geometry& geometry, const FrameField& field,
                   HalfedgeId h) {
-  const FaceId f = TriMesh::face(h), g = TriMesh::face(mesh.twin(h));
-  const double turned = field.angle[g] + turnAngle(field.matching[h], field.q);
-  return principalAngle(turned - field.angle[f] - transport(mesh, geometry, h));
+  const HalfedgeId own = mesh.halfedge(mesh.edge(h));
+  const FaceId f = TriMesh::face(own), g = TriMesh::face(mesh.twin(own));
+  const double turned = field.angle[g] + turnAngle(field.matching[own], field.q);
+  const double angle = principalAngle(turned - field.angle[f] - transport(mesh, geometry, own));
+  return own == h ? angle : -angle;
 }
 
 }  // namespace

@@ -1,0 +1,225 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "hgp/io/gltf_decoders.h"
+#include "hgp/io/gltf_file.h"
+#include "io_support.h"
+
+namespace hgp::io::test {
+namespace {
+
+/// A square of two triangles as a .gltf with its data inside; `replace` edits the text.
+std::string squareText(
+    std::initializer_list<std::pair<std::string, std::string>> replacements = {}) {
+  const float positions[] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+  const std::uint16_t indices[] = {0, 1, 2, 0, 2, 3};
+  Bytes bytes(sizeof positions + sizeof indices);
+  std::memcpy(bytes.data(), positions, sizeof positions);
+  std::memcpy(bytes.data() + sizeof positions, indices, sizeof indices);
+  std::string text = R"({
+  "asset" : { "version" : "2.0", "generator" : "by hand" },
+  "buffers" : [ { "byteLength" : 60, "uri" : "data:;base64,BYTES" } ],
+  "bufferViews" : [
+    { "buffer" : 0, "byteLength" : 48 },
+    { "buffer" : 0, "byteOffset" : 48, "byteLength" : 12 }
+  ],
+  "accessors" : [
+    { "bufferView" : 0, "componentType" : 5126, "count" : 4, "type" : "VEC3",
+      "min" : [ 0.0, 0, 0e0 ], "max" : [ 1.00, 1, 0 ] },
+    { "bufferView" : 1, "componentType" : 5123, "count" : 6, "type" : "SCALAR" }
+  ],
+  "meshes" : [ { "primitives" : [ { "attributes" : { "POSITION" : 0 }, "indices" : 1 } ] } ],
+  "extras" : [ 9007199254740993, null, 1e400, 0.10 ]
+}
+)";
+  text.replace(text.find("BYTES"), 5, encodeBase64(bytes));
+  for (const auto& [from, to] : replacements) {
+    EXPECT_NE(text.find(from), std::string::npos) << from;
+    text.replace(text.find(from), from.size(), to);
+  }
+  return text;
+}
+
+DocumentPtr opened(const std::string& text) {
+  auto document = openText("square.gltf", text);
+  EXPECT_TRUE(document.hasValue()) << (document ? "" : document.error().message);
+  return document ? std::move(*document) : nullptr;
+}
+
+std::string written(const Document& document, const UvMap& map, const WriteOptions& options) {
+  auto result = document.write(0, document.asStored(0, map), options);
+  EXPECT_TRUE(result.hasValue()) << (result ? "" : result.error().message);
+  return result ? textOf(result->files[0].bytes) : "";
+}
+
+/// `after` without what follows in `parts`, which must be there in this order.
+void expectOnlyInserted(const std::string& before, const std::string& after) {
+  // Every byte of the old text is still there, in order.
+  std::size_t at = 0;
+  for (char c : after) {
+    if (at < before.size() && c == before[at]) ++at;
+  }
+  EXPECT_EQ(at, before.size());
+}
+
+TEST(GltfDocument, MapWithoutSeamsOnlyAddsText) {
+  const std::string text = squareText();
+  const DocumentPtr document = opened(text);
+  ASSERT_TRUE(document);
+  const MeshData& mesh = document->surfaces()[0].mesh;
+  EXPECT_EQ(mesh.positions.size(), 4u);
+  const std::string out = written(*document, vertexMap(mesh), {});
+  expectOnlyInserted(text, out);
+  EXPECT_NE(out.find("\"POSITION\" : 0, \"TEXCOORD_0\":2 }"), std::string::npos) << out;
+  EXPECT_NE(out.find("[ 0.0, 0, 0e0 ]"), std::string::npos);
+  const DocumentPtr again = opened(out);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->surfaces()[0].uvSets, std::vector<int>{0});
+}
+
+TEST(GltfDocument, UvComeBackAsStoredWhereVerticesSplit) {
+  const DocumentPtr document = opened(squareText());
+  ASSERT_TRUE(document);
+  const UvMap map = document->asStored(0, cornerMap(document->surfaces()[0].mesh));
+  const auto result = document->write(0, map, {});
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->xref, (std::vector<int>{0, 1, 2, 3, 0, 2}));
+  const DocumentPtr again = opened(textOf(result->files[0].bytes));
+  ASSERT_TRUE(again);
+  const auto uv = again->existingUv(0, 0);
+  ASSERT_TRUE(uv);
+  for (std::size_t t = 0; t < map.cornerUv.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_EQ(uv->uv[static_cast<std::size_t>(uv->cornerUv[t][k])],
+                map.uv[static_cast<std::size_t>(map.cornerUv[t][k])]);
+    }
+  }
+  EXPECT_EQ(again->surfaces()[0].mesh.positions, document->surfaces()[0].mesh.positions);
+}
+
+TEST(GltfDocument, ConesTravelInTheExtrasOfTheMesh) {
+  WriteOptions options;
+  options.cones = R"({"format":"hgp-cones","version":1,"q":6,"cones":[{"vertex":2,"k":5}]})";
+  for (const char* extras :
+       {"", ", \"extras\" : {\"mine\" : 1}", ", \"extras\" : {\"hgp\" : {\"old\" : 1}}"}) {
+    const DocumentPtr document = opened(squareText(
+        {{"\"indices\" : 1 } ] }", std::string("\"indices\" : 1 } ]") + extras + " }"}}));
+    ASSERT_TRUE(document);
+    const std::string out = written(*document, vertexMap(document->surfaces()[0].mesh), options);
+    const DocumentPtr again = opened(out);
+    ASSERT_TRUE(again);
+    const auto cones = again->embeddedCones(0);
+    ASSERT_TRUE(cones.hasValue() && cones->has_value()) << extras;
+    EXPECT_EQ((*cones)->q, 6);
+    EXPECT_EQ((*cones)->cones.at(0).vertex, 2);
+  }
+  options.cones = "not json";
+  const DocumentPtr document = opened(squareText());
+  const auto failed =
+      document->write(0, document->asStored(0, vertexMap(document->surfaces()[0].mesh)), options);
+  ASSERT_FALSE(failed);
+  EXPECT_EQ(failed.error().code, ErrorCode::kWriteFailed);
+}
+
+TEST(GltfDocument, MapsThatFloat32CannotHoldAreRefused) {
+  const DocumentPtr document = opened(squareText());
+  ASSERT_TRUE(document);
+  UvMap map = vertexMap(document->surfaces()[0].mesh);
+  map.uv[0] = {0.1, 0.2};
+  const auto result = document->write(0, map, {});
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::kWriteFailed);
+  map.cornerUv.pop_back();
+  EXPECT_FALSE(document->write(0, map, {}));
+}
+
+TEST(GltfDocument, CornersWithoutUvTakeAnyCopy) {
+  const DocumentPtr document = opened(squareText());
+  ASSERT_TRUE(document);
+  UvMap map = document->asStored(0, vertexMap(document->surfaces()[0].mesh));
+  map.cornerUv[1] = {-1, -1, -1};
+  const auto result = document->write(0, map, {});
+  ASSERT_TRUE(result);
+  EXPECT_TRUE(result->xref.empty());
+}
+
+TEST(GltfDocument, CompressedDataGoThroughTheDecodersGiven) {
+  // The positions' view as if it were compressed; the "decoder" hands out the real numbers.
+  const std::string text = squareText(
+      {{"{ \"buffer\" : 0, \"byteLength\" : 48 }",
+        "{ \"buffer\" : 0, \"byteLength\" : 48, \"byteStride\" : 12, \"extensions\" : { "
+        "\"EXT_meshopt_compression\" : { \"buffer\" : 0, \"byteOffset\" : 4, \"byteLength\" : 8, "
+        "\"byteStride\" : 12, \"count\" : 4, \"mode\" : \"ATTRIBUTES\" } } }"},
+       {"\"asset\"", "\"extensionsUsed\" : [ \"EXT_meshopt_compression\" ], \"asset\""}});
+  EXPECT_TRUE(gltfNeeds(bytesOf(text)).meshopt);
+  EXPECT_FALSE(gltfNeeds(bytesOf(text)).draco);
+
+  auto decoders = std::make_shared<GltfDecoders>();
+  FileSet files = fileSet("packed.gltf", text);
+  files.decoders = decoders;
+  auto none = readGltf(files, {});
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().code, ErrorCode::kUnsupported);
+
+  decoders->meshopt = [](const MeshoptRequest& request) -> Result<Bytes> {
+    EXPECT_EQ(request.source.size(), 8u);
+    EXPECT_EQ(request.mode, "ATTRIBUTES");
+    const float positions[] = {0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0};
+    Bytes out(request.count * request.stride);
+    std::memcpy(out.data(), positions, sizeof positions);
+    return out;
+  };
+  const auto document = readGltf(files, {});
+  ASSERT_TRUE(document) << document.error().message;
+  EXPECT_EQ((*document)->surfaces()[0].mesh.positions[2], (Vec3{2, 2, 0}));
+
+  decoders->meshopt = [](const MeshoptRequest&) -> Result<Bytes> { return Bytes(5); };
+  const auto wrong = readGltf(files, {});
+  ASSERT_FALSE(wrong);
+  EXPECT_EQ(wrong.error().code, ErrorCode::kMalformed);
+}
+
+TEST(GltfDocument, SideFilesComeFromTheResolverAlone) {
+  const std::string text = squareText();
+  const std::size_t begin = text.find("data:"), end = text.find('"', begin);
+  FileSet files = fileSet("a.gltf", text.substr(0, begin) + "part%20one.bin" + text.substr(end));
+  std::vector<std::string> asked;
+  const auto bytes = decodeBase64(text.substr(begin + 13, end - begin - 13));
+  ASSERT_TRUE(bytes);
+  files.resolve = [&](const std::string& name) -> Result<Bytes> {
+    asked.push_back(name);
+    return *bytes;
+  };
+  const auto document = readGltf(files, {});
+  ASSERT_TRUE(document) << document.error().message;
+  EXPECT_EQ(asked, std::vector<std::string>{"part one.bin"});
+  WriteOptions options;
+  options.name = "out.gltf";
+  const UvMap map = (*document)->asStored(0, vertexMap((*document)->surfaces()[0].mesh));
+  const auto result = (*document)->write(0, map, options);
+  ASSERT_TRUE(result);
+  ASSERT_EQ(result->files.size(), 2u);
+  EXPECT_EQ(result->files[1].name, "out-uv.bin");
+  EXPECT_EQ(result->files[1].bytes.size(), 4u * 8u);
+}
+
+TEST(GltfDocument, CaveIsReadWhole) {
+  std::string text;
+  if (!readShared("gltf/cave.glb", text)) GTEST_SKIP() << sharedMeshes() << " is not there";
+  FileSet files;
+  files.name = "cave.glb";
+  files.main = bytesOf(text);
+  const auto document = readGltf(files, {});
+  if (!builtInDecoders().draco) {
+    ASSERT_FALSE(document);
+    EXPECT_EQ(document.error().code, ErrorCode::kUnsupported);
+    return;
+  }
+  ASSERT_TRUE(document) << document.error().message;
+  EXPECT_EQ((*document)->surfaces()[0].mesh.triangles.size(), 595410u);
+  EXPECT_EQ((*document)->surfaces()[0].mesh.positions.size(), 296677u);
+}
+
+}  // namespace
+}  // namespace hgp::io::test

@@ -112,7 +112,8 @@ void describeSurface(CorpusRow& row, const api::Session& session) {
     row.reason = verdict->reason ? verdict->reason->message : "not usable";
     return;
   }
-  for (const Json& component : Json::parse(verdict->json)["components"]) {
+  const Json facts = Json::parse(verdict->json);
+  for (const Json& component : facts["components"]) {
     ++row.components;
     row.genus += component.value("genus", 0);
     row.loops += static_cast<int>(component["boundaryLoops"].size());

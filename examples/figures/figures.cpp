@@ -1,0 +1,228 @@
+// figures NAME [-o FILE] [--small]: the pictures of the paper again, with models of our own.
+
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <functional>
+
+#include "../models/models.h"
+#include "../models/vectors.h"
+#include "mapped.h"
+
+namespace {
+
+using namespace hgp;
+using namespace hgp::figures;
+using picture::Camera;
+using picture::Image;
+using picture::sideBySide;
+
+struct Request {
+  std::string output;
+  bool isSmall = false;  ///< coarse models: what the tests run
+};
+
+/// Nothing was drawn when a map is missing; the caller still says so.
+struct Drawing {
+  std::vector<Image> rows;
+  bool isCertified = true;
+};
+
+bool take(const std::optional<Mapped>& m, Drawing& drawing) {
+  drawing.isCertified = drawing.isCertified && m && m->result.isCertified;
+  return m.has_value();
+}
+
+// Fig. 1: four models that are hard for older methods, with the map as a pattern and μ as colours.
+Drawing hardModels(const Request& request) {
+  const bool isSmall = request.isSmall;
+  const std::pair<const char*, MeshData> models[] = {
+      {"knot", isSmall ? models::knot(10, 90) : models::knot(24, 300)},
+      {"lattice", isSmall ? models::pretzel(26) : models::lattice(72)},
+      {"colander", isSmall ? models::colander(3) : models::colander(5)},
+      {"creature", isSmall ? models::creature(30) : models::creature(80)}};
+  const Camera cameras[] = {{20, 70, 1}, {28, 24, 1}, {20, 12, 1}, {38, 14, 1}};
+  Drawing drawing;
+  std::vector<Image> patterns, heats;
+  for (int i = 0; i < 4; ++i) {
+    const std::optional<Mapped> m = mapped(models[i].first, models[i].second, {});
+    if (!take(m, drawing)) continue;
+    picture::Scene scene = surfaceScene(*m, 34);
+    scene.dotRadius = 2;
+    scene.paint = gridPaint(4);
+    patterns.push_back(render(scene, cameras[i], 190, 190));
+    const std::vector<double> mu = muPerFace(*m);
+    scene.paint = [&](const picture::Spot& spot) { return heat(mu[spot.face], 0.5); };
+    heats.push_back(render(scene, cameras[i], 190, 190));
+  }
+  drawing.rows = {sideBySide(patterns), sideBySide(heats)};
+  return drawing;
+}
+
+VertexId nearestVertex(const MeshData& data, const Vec3& p) {
+  using namespace hgp::models;
+  int best = 0;
+  for (int v = 0; v < static_cast<int>(data.positions.size()); ++v) {
+    if (norm(data.positions[v] - p) < norm(data.positions[best] - p)) best = v;
+  }
+  return VertexId(best);
+}
+
+/// uv turned, scaled and moved so that cone images lie on lattice points: three cones of 2π/3 make
+/// the sphere two equal triangles, and then the pattern itself continues across every seam.
+void alignToCones(const Mapped& m, picture::Scene& scene, int cells) {
+  std::vector<Vec2> images;
+  std::vector<char> isSeen(m.data.positions.size(), 0);
+  for (std::size_t i = 0; i < m.result.map.uv.size(); ++i) {
+    const VertexId v = m.result.copyOf[i];
+    for (const ConePoint& c : m.result.spec.cones) {
+      if (c.vertex == v && !isSeen[v.i]) {
+        isSeen[v.i] = 1;
+        images.push_back(m.result.map.uv[i]);
+      }
+    }
+  }
+  if (images.size() < 2) return;
+  const double dx = images[1][0] - images[0][0], dy = images[1][1] - images[0][1];
+  // Lines are at distance 1, so lattice points are 2/√3 apart.
+  const double f = cells * 2 / std::sqrt(3.0) / (dx * dx + dy * dy);
+  scene.uv = cornerUv(m, 1);
+  for (auto& corners : scene.uv) {
+    for (Vec2& p : corners) {
+      const double x = p[0] - images[0][0], y = p[1] - images[0][1];
+      p = {f * (dx * x + dy * y), f * (dx * y - dy * x)};
+    }
+  }
+}
+
+// Fig. 2: q = 6, three cones of 2π/3 on spheres.
+Drawing hexagonal(const Request& request) {
+  Drawing drawing;
+  std::vector<Image> panels;
+  const MeshData round = models::sphere(request.isSmall ? 3 : 5);
+  const MeshData cube = models::cube(request.isSmall ? 16 : 40);
+  for (const auto& [name, data] : {std::pair{"sphere", round}, std::pair{"cube", cube}}) {
+    Order order;
+    HolonomySpec spec;
+    spec.q = 6;
+    for (int i = 0; i < 3; ++i) {
+      const double a = 2.0944 * i + 0.5;
+      spec.cones.push_back({nearestVertex(data, {std::sin(a), 0.35, std::cos(a)}), 2});
+    }
+    order.q = 6;
+    order.spec = spec;
+    const std::optional<Mapped> m = mapped(name, data, order);
+    if (!take(m, drawing)) continue;
+    picture::Scene scene = surfaceScene(*m, 20);
+    scene.paint = gridPaint(6);
+    alignToCones(*m, scene, 12);
+    panels.push_back(render(scene, {25, 35, 0.95}, 200, 200));
+    panels.push_back(render(scene, {85, -15, 0.95}, 200, 200));
+  }
+  drawing.rows = {sideBySide(panels)};
+  return drawing;
+}
+
+// Fig. 3: about a million triangles.
+Drawing largeModel(const Request& request) {
+  Drawing drawing;
+  const MeshData data = request.isSmall ? models::creature(40) : models::byName("million");
+  const std::optional<Mapped> m = mapped("million", data, {});
+  if (!take(m, drawing)) return drawing;
+  picture::Scene scene = surfaceScene(*m, 60);
+  scene.paint = gridPaint(4);
+  scene.dotRadius = 2.5;
+  drawing.rows = {
+      sideBySide({render(scene, {38, 14, 1}, 400, 380), render(scene, {-60, 20, 1}, 400, 380)})};
+  return drawing;
+}
+
+// Fig. 6: the surface, the map, and the two sides of every seam in one colour.
+Drawing twinSeams(const Request& request) {
+  Drawing drawing;
+  Order order;
+  order.coneCount = 12;
+  const MeshData data = models::pretzel(request.isSmall ? 30 : 60);
+  const std::optional<Mapped> m = mapped("pretzel", data, order);
+  if (!take(m, drawing)) return drawing;
+  picture::Scene surface = surfaceScene(*m, 24), plane = planeScene(*m, 24);
+  surface.paint = plane.paint = gridPaint(4, {0.97, 0.97, 0.97});
+  surface.lineWidth = plane.lineWidth = 3.5;
+  drawSeams(*m, surface, &plane);
+  drawing.rows = {
+      sideBySide({render(surface, {20, 50, 1}, 400, 380), render(plane, {}, 400, 380)})};
+  return drawing;
+}
+
+// Fig. 9: conformal distortion, harmonic and with the distortion term.
+Drawing distortion(const Request& request) {
+  Drawing drawing;
+  const MeshData data = models::creature(request.isSmall ? 36 : 70);
+  std::vector<Image> panels;
+  for (bool useQuality : {false, true}) {
+    Order order;
+    order.useQuality = useQuality;
+    const std::optional<Mapped> m =
+        mapped(useQuality ? "with the distortion term" : "harmonic", data, order);
+    if (!take(m, drawing)) continue;
+    picture::Scene scene = surfaceScene(*m, 40);
+    const std::vector<double> mu = muPerFace(*m);
+    scene.paint = [&](const picture::Spot& spot) { return heat(mu[spot.face], 0.3); };
+    panels.push_back(render(scene, {38, 14, 1}, 400, 380));
+  }
+  Image scale(60, 380);
+  for (int y = 30; y < 350; ++y) {
+    for (int x = 20; x < 36; ++x) scale.at(x, y) = heat((350 - y) / 320.0, 1);
+  }
+  panels.push_back(scale);
+  drawing.rows = {sideBySide(panels)};
+  return drawing;
+}
+
+struct Figure {
+  const char* name;
+  const char* about;
+  std::function<Drawing(const Request&)> draw;
+};
+
+const std::vector<Figure>& all() {
+  static const std::vector<Figure> kFigures = {
+      {"fig1", "four hard models, pattern and distortion", hardModels},
+      {"fig2", "q = 6, three cones of 2π/3", hexagonal},
+      {"fig3", "a million triangles", largeModel},
+      {"fig6", "the two sides of every seam in one colour", twinSeams},
+      {"fig9", "conformal distortion, 0 (pale) to 0.3 (dark), without and with --quality",
+       distortion}};
+  return kFigures;
+}
+
+int usage() {
+  std::fprintf(stderr, "usage: figures NAME [-o FILE.png] [--small]\n");
+  for (const Figure& f : all()) std::fprintf(stderr, "  %s  %s\n", f.name, f.about);
+  return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Request request;
+  const Figure* figure = nullptr;
+  for (int i = 1; i < argc; ++i) {
+    if (std::strcmp(argv[i], "--small") == 0) {
+      request.isSmall = true;
+    } else if (std::strcmp(argv[i], "-o") == 0 && i + 1 < argc) {
+      request.output = argv[++i];
+    } else {
+      for (const Figure& f : all()) figure = std::strcmp(argv[i], f.name) == 0 ? &f : figure;
+      if (!figure) return usage();
+    }
+  }
+  if (!figure) return usage();
+  if (request.output.empty()) request.output = std::string(figure->name) + ".png";
+  const Drawing drawing = figure->draw(request);
+  if (!drawing.rows.empty() && !writePng(request.output, picture::stacked(drawing.rows))) {
+    std::fprintf(stderr, "figures: cannot write %s\n", request.output.c_str());
+    return 7;
+  }
+  return drawing.isCertified ? 0 : 6;
+}

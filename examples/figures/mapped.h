@@ -1,0 +1,52 @@
+// A model with its map, and the scenes one can make of it.  Role: what every figure has in common.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "../picture/render.h"
+#include "hgp/parametrize.h"
+
+namespace hgp::figures {
+
+/// A solved and judged model.
+struct Mapped {
+  MeshData data;
+  TriMesh mesh;
+  Parametrization result;
+};
+
+struct Order {
+  int q = 4;
+  std::optional<HolonomySpec> spec;  ///< nothing: automatic cones
+  int coneCount = 0;
+  bool useQuality = false;
+  int maxRounds = 12;
+};
+
+/// Solves, and prints one line of what came out. Nothing when it could not be asked.
+std::optional<Mapped> mapped(const std::string& name, const MeshData& data, const Order& order);
+
+/// uv of every triangle corner, times `scale`.
+std::vector<std::array<Vec2, 3>> cornerUv(const Mapped& m, double scale);
+
+/// The surface with its uv and cones as dots; `paint` is left to the caller.
+/// @param cells  roughly how many pattern cells go along the square root of the surface's area
+picture::Scene surfaceScene(const Mapped& m, double cells);
+/// The map itself: the plane with the cut surface laid out in it.
+picture::Scene planeScene(const Mapped& m, double cells);
+
+/// Seams as lines of both scenes; the two sides of one seam have one colour, and every seam between
+/// two junctions its own.
+void drawSeams(const Mapped& m, picture::Scene& surface, picture::Scene* plane);
+
+/// μ = |f_z̄| / |f_z| of every triangle.
+std::vector<double> muPerFace(const Mapped& m);
+
+/// Grid lines at integers, in q/2 directions: q = 4 squares, q = 6 triangles.
+picture::Paint gridPaint(int q, picture::Colour background = {0.93, 0.95, 0.98});
+/// Colours from 0 (pale) to `top` (dark).
+picture::Colour heat(double value, double top);
+picture::Colour coneColour(int k, int q);
+
+}  // namespace hgp::figures

@@ -1,0 +1,35 @@
+// The models of the figures, each by a formula.  Role: data without anybody else's copyright.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hgp/mesh/mesh_data.h"
+
+namespace hgp::models {
+
+/// The icosahedron with every triangle cut into 4^levels, on the unit sphere.
+MeshData sphere(int levels);
+/// A sphere with twelve holes.
+MeshData colander(int levels);
+/// A torus of revolution, radii 1 and 0.4.
+MeshData torus(int around, int along);
+/// A tube along the trefoil.
+MeshData knot(int around, int along);
+/// A fluted vase without a bottom: two boundary loops.
+MeshData vase(int around, int along);
+/// A rounded cube.
+MeshData cube(int cells);
+/// A slab with three holes.
+MeshData pretzel(int cells);
+/// Body, legs, horns and a tail, grown together.
+MeshData creature(int cells);
+/// A twisted cubic lattice of rods, genus 28.
+MeshData lattice(int cells);
+
+/// All of the above in a size for pictures, and `million`, a creature of about 10⁶ triangles.
+const std::vector<std::string>& names();
+/// Empty when there is no such model.
+MeshData byName(const std::string& name);
+
+}  // namespace hgp::models

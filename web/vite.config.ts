@@ -1,11 +1,55 @@
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import path from 'node:path';
-import { defineConfig } from 'vite';
+import { defineConfig, type Plugin } from 'vite';
+import { examples } from './examples.mjs';
+import { guidePage } from './guide.mjs';
 
 const built = path.resolve(import.meta.dirname, '../build/package');
+
+/** The example models as files beside the page, and what the page says about them as a module. */
+function exampleModels(): Plugin {
+  const id = 'virtual:examples';
+  const made = examples();
+  return {
+    name: 'hgp-examples',
+    resolveId: (source) => (source === id ? `\0${id}` : undefined),
+    load(source) {
+      if (source !== `\0${id}`) return undefined;
+      const about = made.map(({ bytes: _, ...rest }) => rest);
+      return `export const examples = ${JSON.stringify(about)};`;
+    },
+    generateBundle() {
+      for (const { file, bytes } of made) {
+        this.emitFile({ type: 'asset', fileName: `examples/${file}`, source: bytes });
+      }
+    },
+  };
+}
+
+/** docs/guide.md as a page beside this one, in the same style. */
+function guide(): Plugin {
+  const docs = path.resolve(import.meta.dirname, '../docs');
+  return {
+    name: 'hgp-guide',
+    generateBundle(_, bundle) {
+      const stylesheet = Object.keys(bundle).find((name) => name.endsWith('.css')) ?? '';
+      const markdown = readFileSync(path.join(docs, 'guide.md'), 'utf8');
+      const source = guidePage(markdown, stylesheet);
+      this.emitFile({ type: 'asset', fileName: 'guide.html', source });
+      const images = path.join(docs, 'images');
+      for (const name of existsSync(images) ? readdirSync(images) : []) {
+        if (!name.startsWith('guide-')) continue;
+        const bytes = readFileSync(path.join(images, name));
+        this.emitFile({ type: 'asset', fileName: `images/${name}`, source: bytes });
+      }
+    },
+  };
+}
 
 export default defineConfig({
   root: import.meta.dirname,
   base: './', // any path on any static host
+  plugins: [exampleModels(), guide()],
   resolve: {
     alias: [
       { find: /^hgp$/, replacement: path.join(built, 'index.js') },

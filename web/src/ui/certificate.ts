@@ -1,28 +1,201 @@
-// The certificate as rows of words and numbers.
+// The certificate row by row: value, tolerance, verdict, and where it is worst.
 
-import { html, render } from 'lit';
-import type { Result } from 'hgp';
+import { html, nothing, type TemplateResult } from 'lit';
+import type { Certificate, Where } from 'hgp';
+import type { App } from '../state/app';
+import { quantile } from '../state/measure';
+import type { Solved } from '../state/solved';
+import type { Controls } from './controls';
+import { icon } from './icons';
 
-export function showCertificate(place: HTMLElement, { certificate, report }: Result): void {
-  const rows: [string, string][] = [
-    ['Triangles', String(certificate.triangles)],
-    ['Flipped', String(certificate.flipped)],
-    ['Wrong angle sums', String(certificate.wrongAngles)],
-    ['Broken seams', String(certificate.brokenSeams)],
+interface Part {
+  orientation?: { notPositive?: number[]; zero?: number; negative?: number };
+  angles?: { worstVertex?: number; smallestAngle?: number };
+  wrongCones?: { vertex: number }[];
+  distortion?: { worstMuTriangle?: number; maxLogArea?: number; smallestTriangle?: number };
+  seams?: { worstEdge?: number[]; charts?: number };
+  handles?: unknown[];
+  turnings?: unknown[];
+  reasons?: { message: string; where?: Where[] }[];
+}
+
+const partsOf = (certificate: Certificate): Part[] => certificate.components as Part[];
+const small = (x: number): string => (x === 0 ? '0' : x.toExponential(1).replace('e-', 'e−'));
+const face = (id: number | undefined): Where[] =>
+  id === undefined || id < 0 ? [] : [{ kind: 'face', id }];
+
+interface Row {
+  name: string;
+  value: string;
+  tolerance: string;
+  isGood: boolean;
+  where: Where[];
+}
+
+function rows({ certificate }: Solved['result']): Row[] {
+  const c = certificate;
+  const parts = partsOf(c);
+  const worst = parts[0]?.angles?.worstVertex ?? -1;
+  const edge = parts.map(({ seams }) => seams?.worstEdge ?? []).find((ends) => ends.length === 2);
+  const flipped = parts.flatMap(({ orientation }) => orientation?.notPositive ?? []);
+  const smallest = parts[0]?.distortion?.smallestTriangle;
+  const made: Row[] = [
+    {
+      name: 'Flipped triangles',
+      value: `${c.flipped} of ${c.triangles}`,
+      tolerance: 'exactly 0, exact sign',
+      isGood: c.flipped === 0,
+      where: flipped.length > 0 ? flipped.map((id) => face(id)[0]) : face(smallest),
+    },
+    {
+      name: 'Cone angles',
+      value: `${c.wrongAngles} wrong`,
+      tolerance: `off by ≤ ${small(c.maxConeDistance)}`,
+      isGood: c.wrongAngles === 0,
+      where: worst < 0 ? [] : [{ kind: 'vertex', id: worst }],
+    },
+    {
+      name: 'Seams',
+      value: `${c.brokenSeams} broken of ${c.seamEdges}`,
+      tolerance: `${small(c.maxSeamResidual)} ≤ ${small(c.seamTolerance)}`,
+      isGood: c.brokenSeams === 0,
+      where: edge ? [{ kind: 'edge', id: edge[0], other: edge[1] }] : [],
+    },
+  ];
+  if (parts.some(({ turnings }) => (turnings?.length ?? 0) > 0)) {
+    made.splice(2, 0, {
+      name: 'Boundary turning',
+      value: `${c.wrongTurnings} wrong`,
+      tolerance: `off by ≤ ${small(c.maxTurningDistance)}`,
+      isGood: c.wrongTurnings === 0,
+      where: [],
+    });
+  }
+  return made;
+}
+
+function verdict(app: App, solved: Solved): TemplateResult {
+  const isStale = app.current !== solved;
+  const title = solved.isCertified ? 'Certified' : 'Not certified';
+  const text = solved.isCertified
+    ? 'Every triangle keeps its orientation, every angle is the integer you asked, every seam fits.'
+    : 'This map does not pass. You may look at it and download it as it is.';
+  return html`<div class="verdict ${solved.isCertified ? 'good' : 'bad'} ${isStale ? 'stale' : ''}">
+    ${icon(solved.isCertified ? 'check' : 'cross')}
+    <div>
+      <b id="verdict">${title}</b>
+      <p>${isStale ? 'For the previous cones. ' : ''}${text}</p>
+    </div>
+  </div>`;
+}
+
+function certificateTable(solved: Solved, ui: Controls): TemplateResult {
+  return html`<table id="certificate">
+    <thead class="unseen">
+      <tr>
+        <th scope="col">Check</th>
+        <th scope="col">Value</th>
+        <th scope="col">Passed</th>
+      </tr>
+    </thead>
+    <tbody>
+      ${rows(solved.result).map(
+        ({ name, value, tolerance, isGood, where }) =>
+          html`<tr class=${isGood ? '' : 'bad'}>
+            <th scope="row">${name}<small>${tolerance}</small></th>
+            <td>${value}</td>
+            <td class="passed">
+              ${icon(isGood ? 'check' : 'cross')}<span class="unseen"
+                >${isGood ? 'passed' : 'failed'}</span
+              >
+            </td>
+            <td>
+              ${
+                where.length > 0
+                  ? html`<button
+                      type="button"
+                      class="small"
+                      aria-label="Show worst: ${name}"
+                      @click=${() => ui.showPlaces(where)}
+                    >
+                      Show worst
+                    </button>`
+                  : nothing
+              }
+            </td>
+          </tr>`,
+      )}
+      <tr class=${solved.isSameAsFile ? '' : 'bad'}>
+        <th scope="row">
+          Preview is the file<small
+            >read back from ${(solved.written.bytes.length / 1024).toFixed(0)} KB</small
+          >
+        </th>
+        <td>${solved.isSameAsFile ? 'same map' : 'differs'}</td>
+        <td class="passed">
+          ${icon(solved.isSameAsFile ? 'check' : 'cross')}<span class="unseen"
+            >${solved.isSameAsFile ? 'passed' : 'failed'}</span
+          >
+        </td>
+        <td></td>
+      </tr>
+    </tbody>
+  </table>`;
+}
+
+function statistics({ distortion, overlap, result }: Solved): [string, string][] {
+  const { report, certificate } = result;
+  const rounds = report.components.flatMap(
+    (one) => (one.rounds as { iterations: number; laplacianEnergy?: number }[]) ?? [],
+  );
+  const energy = rounds.at(-1)?.laplacianEnergy;
+  const log = [0.05, 0.95].map((part) => quantile(distortion.area, part).toFixed(1));
+  return [
+    [
+      'Stretch σ₁/σ₂, middle · 95 %',
+      [0.5, 0.95].map((x) => quantile(distortion.conformal, x).toFixed(2)).join(' · '),
+    ],
+    ['log₂ area, 5 % · 95 %', log.join(' · ')],
+    [
+      'Map on top of itself',
+      overlap < 0.001 ? 'nowhere' : `${(100 * overlap).toFixed(0)} % (allowed)`,
+    ],
+    ...(energy === undefined ? [] : [['Energy ‖Lz‖²', small(energy)] as [string, string]]),
+    [
+      'Rounds · iterations',
+      `${rounds.length} · ${rounds.reduce((sum, { iterations }) => sum + iterations, 0)}`,
+    ],
+    ['Stored as', certificate.precision],
     ['Time', `${report.seconds.toFixed(2)} s`],
   ];
-  const verdict = certificate.certified ? 'certified' : 'not certified';
-  render(
-    html`
-      <dt>Map</dt>
-      <dd class=${certificate.certified ? 'good' : 'bad'}>${verdict}</dd>
-      ${rows.map(
-        ([label, value]) =>
-          html`<dt>${label}</dt>
-            <dd>${value}</dd>`,
+}
+
+export function result(app: App, ui: Controls): TemplateResult {
+  const solved = app.shown!;
+  const reasons = partsOf(solved.result.certificate).flatMap(({ reasons: list }) => list ?? []);
+  return html`<details open id="panel-result" class=${app.current === solved ? '' : 'stale'}>
+    <summary>Result</summary>
+    ${verdict(app, solved)} ${certificateTable(solved, ui)}
+    ${
+      solved.isCertified
+        ? nothing
+        : reasons.map(
+            ({ message, where = [] }) =>
+              html`<p class="note bad">
+                ${message}
+                ${where.length > 0 ? html`<button type="button" class="small" @click=${() => ui.showPlaces(where)}>Show</button>` : nothing}
+              </p>`,
+          )
+    }
+    <dl class="facts">
+      ${statistics(solved).map(
+        ([name, value]) =>
+          html`<div>
+            <dt>${name}</dt>
+            <dd>${value}</dd>
+          </div>`,
       )}
-    `,
-    place,
-  );
-  place.hidden = false;
+    </dl>
+    ${[...solved.written.notes, ...solved.result.report.notes].map((note) => html`<p class="note">${note}</p>`)}
+  </details>`;
 }

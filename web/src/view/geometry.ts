@@ -1,64 +1,189 @@
-// From the solver's arrays to what WebGL draws: one vertex per triangle corner, so that texture
-// coordinates may differ on the two sides of a seam.
+// From arrays to what WebGL draws: one vertex per triangle corner, so that texture coordinates and
+// overlays may differ on the two sides of an edge.
 
 import { BufferAttribute, BufferGeometry } from 'three';
+import type { Overlay } from '../state/app';
+import { quantile } from '../state/measure';
+import type { Solved } from '../state/solved';
+import type { Surface } from '../state/surface';
 
-export interface TexturedMesh {
-  positions: Float64Array;
-  triangles: Uint32Array;
-  uv?: Float64Array;
-  cornerToUv?: Uint32Array;
-}
-
-/** Smooth normals, weighted by area, per vertex of the surface: seams of uv must not show in them. */
-function vertexNormals(positions: Float64Array, triangles: Uint32Array): Float64Array {
-  const normals = new Float64Array(positions.length);
-  for (let t = 0; t < triangles.length; t += 3) {
-    const [a, b, c] = [3 * triangles[t], 3 * triangles[t + 1], 3 * triangles[t + 2]];
-    const e = [0, 1, 2].map((i) => positions[b + i] - positions[a + i]);
-    const f = [0, 1, 2].map((i) => positions[c + i] - positions[a + i]);
-    const n = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
-    for (const corner of [a, b, c]) for (let i = 0; i < 3; i++) normals[corner + i] += n[i];
-  }
-  return normals;
-}
-
-/** Scales uv so that `tiles` unit squares have the area of the whole surface. */
-function uvScale(mesh: Required<TexturedMesh>, tiles: number): number {
-  let area = 0;
-  for (let t = 0; t < mesh.cornerToUv.length; t += 3) {
-    const [a, b, c] = [0, 1, 2].map((k) => 2 * mesh.cornerToUv[t + k]);
-    const { uv } = mesh;
-    const [ax, ay, bx, by] = [uv[a], uv[a + 1], uv[b] - uv[a], uv[b + 1] - uv[a + 1]];
-    area += Math.abs(bx * (uv[c + 1] - ay) - by * (uv[c] - ax)) / 2;
-  }
-  return area > 0 ? Math.sqrt(tiles / area) : 1;
-}
-
-export function toGeometry(mesh: TexturedMesh, tiles: number): BufferGeometry {
-  const corners = mesh.triangles.length;
-  const position = new Float32Array(3 * corners);
-  const normal = new Float32Array(3 * corners);
-  const normals = vertexNormals(mesh.positions, mesh.triangles);
-  for (let c = 0; c < corners; c++) {
-    const v = 3 * mesh.triangles[c];
-    const length = Math.hypot(normals[v], normals[v + 1], normals[v + 2]) || 1;
+export function cornerGeometry(surface: Surface, solved?: Solved): BufferGeometry {
+  const { triangles, positions, normals } = surface;
+  const count = triangles.length;
+  const position = new Float32Array(3 * count);
+  const normal = new Float32Array(3 * count);
+  for (let c = 0; c < count; c++) {
     for (let i = 0; i < 3; i++) {
-      position[3 * c + i] = mesh.positions[v + i];
-      normal[3 * c + i] = normals[v + i] / length;
+      position[3 * c + i] = positions[3 * triangles[c] + i];
+      normal[3 * c + i] = normals[3 * triangles[c] + i];
     }
   }
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(position, 3));
   geometry.setAttribute('normal', new BufferAttribute(normal, 3));
-  if (mesh.uv && mesh.cornerToUv) {
-    const scale = uvScale(mesh as Required<TexturedMesh>, tiles);
-    const uv = new Float32Array(2 * corners);
-    for (let c = 0; c < corners; c++) {
-      uv[2 * c] = mesh.uv[2 * mesh.cornerToUv[c]] * scale;
-      uv[2 * c + 1] = mesh.uv[2 * mesh.cornerToUv[c] + 1] * scale;
-    }
-    geometry.setAttribute('uv', new BufferAttribute(uv, 2));
-  }
+  const uv = solved?.corners.uv ?? new Float32Array(2 * count);
+  geometry.setAttribute('uv', new BufferAttribute(uv, 2));
+  geometry.setAttribute('tint', new BufferAttribute(new Uint8Array(4 * count), 4, true));
   return geometry;
+}
+
+/** The map laid flat. */
+export function flatGeometry(solved: Solved): BufferGeometry {
+  const { uv } = solved.corners;
+  const count = uv.length / 2;
+  const position = new Float32Array(3 * count);
+  const normal = new Float32Array(3 * count);
+  for (let c = 0; c < count; c++) {
+    position[3 * c] = uv[2 * c];
+    position[3 * c + 1] = uv[2 * c + 1];
+    normal[3 * c + 2] = 1;
+  }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(position, 3));
+  geometry.setAttribute('normal', new BufferAttribute(normal, 3));
+  geometry.setAttribute('uv', new BufferAttribute(uv, 2));
+  geometry.setAttribute('tint', new BufferAttribute(new Uint8Array(4 * count), 4, true));
+  return geometry;
+}
+
+type Rgb = [number, number, number];
+
+// Cividis-like and vermilion–blue ramps: both are told apart without red and green.
+const sequential: Rgb[] = [
+  [0, 34, 78],
+  [66, 78, 108],
+  [125, 124, 120],
+  [187, 175, 113],
+  [254, 232, 56],
+];
+const diverging: Rgb[] = [
+  [33, 102, 172],
+  [146, 197, 222],
+  [247, 247, 247],
+  [244, 165, 130],
+  [178, 24, 43],
+];
+
+function ramp(colours: Rgb[], x: number): Rgb {
+  const at = Math.min(Math.max(x, 0), 1) * (colours.length - 1);
+  const i = Math.min(Math.floor(at), colours.length - 2);
+  const mix = (k: number): number =>
+    Math.round(colours[i][k] + (at - i) * (colours[i + 1][k] - colours[i][k]));
+  return [mix(0), mix(1), mix(2)];
+}
+
+export interface Legend {
+  title: string;
+  low: string;
+  middle: string;
+  high: string;
+  kind: 'sequential' | 'diverging';
+}
+
+/** What the colours of an overlay mean, in numbers; values beyond the last percent are clamped. */
+export function legendOf(solved: Solved, overlay: Overlay): Legend | undefined {
+  if (overlay === 'angle') {
+    const most = Math.max(quantile(solved.distortion.conformal, 0.99), 1.001);
+    const [middle, high] = [(1 + most) / 2, most].map((x) => x.toFixed(2));
+    return { title: 'Stretch σ₁/σ₂', low: '1', middle, high: `≥ ${high}`, kind: 'sequential' };
+  }
+  if (overlay !== 'area') return undefined;
+  const high = areaLimit(solved);
+  const factor = (2 ** high).toPrecision(2);
+  return { title: 'Area', low: `÷ ${factor}`, middle: '1', high: `× ${factor}`, kind: 'diverging' };
+}
+
+function areaLimit({ distortion }: Solved): number {
+  const sizes = distortion.area.map(Math.abs);
+  return Math.max(quantile(sizes, 0.99), 0.01);
+}
+
+/** Colour per corner: the overlay, and red where a triangle is folded over. */
+export function paint(
+  geometry: BufferGeometry,
+  solved: Solved | undefined,
+  overlay: Overlay,
+): void {
+  const tint = geometry.getAttribute('tint') as BufferAttribute;
+  const out = tint.array as Uint8Array;
+  out.fill(0);
+  tint.needsUpdate = true;
+  if (!solved) return;
+  const { conformal, area, flipped } = solved.distortion;
+  const set = (t: number, [r, g, b]: Rgb, alpha: number): void => {
+    for (let k = 0; k < 3; k++) out.set([r, g, b, alpha], 12 * t + 4 * k);
+  };
+  if (overlay === 'angle') {
+    const most = Math.max(quantile(conformal, 0.99), 1.001);
+    conformal.forEach((x, t) => set(t, ramp(sequential, (x - 1) / (most - 1)), 225));
+  } else if (overlay === 'area') {
+    const most = areaLimit(solved);
+    area.forEach((x, t) => set(t, ramp(diverging, 0.5 + x / (2 * most)), 225));
+  } else if (overlay === 'flips') {
+    for (let t = 0; t < area.length; t++) set(t, [205, 212, 220], 225);
+  }
+  for (const t of flipped) set(t, [214, 39, 40], 255);
+}
+
+/** Crosses whose arms follow u and v: they look the same whatever lines do across a seam. */
+export function crosses(
+  surface: Surface,
+  solved: Solved,
+  spacing: number,
+  q: number,
+  isFlat: boolean,
+): Float32Array {
+  const { positions: p, triangles } = surface;
+  const { uv } = solved.corners;
+  const { uvArea, surfaceArea } = solved.distortion;
+  const arm = 0.46 * spacing * Math.sqrt(uvArea / surfaceArea); // in uv
+  const lift = 0.0015 * surface.diagonal;
+  const out: number[] = [];
+  let owed = 0.5;
+  const random = sequence();
+  for (let t = 0; t < triangles.length; t += 3) {
+    const [a, b, c] = [3 * triangles[t], 3 * triangles[t + 1], 3 * triangles[t + 2]];
+    const e = [0, 1, 2].map((i) => p[b + i] - p[a + i]);
+    const f = [0, 1, 2].map((i) => p[c + i] - p[a + i]);
+    const n = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
+    const size = Math.hypot(n[0], n[1], n[2]);
+    owed += size / 2 / (spacing * spacing);
+    if (owed < 1 || !(size > 0)) continue;
+    const [ux, uy] = [uv[2 * t + 2] - uv[2 * t], uv[2 * t + 3] - uv[2 * t + 1]];
+    const [vx, vy] = [uv[2 * t + 4] - uv[2 * t], uv[2 * t + 5] - uv[2 * t + 1]];
+    const det = ux * vy - uy * vx;
+    for (; owed >= 1; owed -= 1) {
+      let [s, r] = [random(), random()];
+      if (s + r > 1) [s, r] = [1 - s, 1 - r];
+      for (let k = 0; k < q; k++) {
+        const turn = (2 * Math.PI * k) / q;
+        const [x, y] = [arm * Math.cos(turn), arm * Math.sin(turn)];
+        if (isFlat) {
+          const [cx, cy] = [uv[2 * t] + s * ux + r * vx, uv[2 * t + 1] + s * uy + r * vy];
+          out.push(cx, cy, 0.002, cx + x, cy + y, 0.002);
+          continue;
+        }
+        const [ds, dr] = [(x * vy - y * vx) / det, (ux * y - uy * x) / det];
+        for (const [i, j] of [
+          [s, r],
+          [s + ds, r + dr],
+        ]) {
+          for (let m = 0; m < 3; m++) {
+            out.push(p[a + m] + i * e[m] + j * f[m] + (lift * n[m]) / size);
+          }
+        }
+      }
+    }
+  }
+  return new Float32Array(out);
+}
+
+/** Evenly spread numbers that are the same every time. */
+function sequence(): () => number {
+  let [n, isSecond] = [0, false];
+  return () => {
+    isSecond = !isSecond;
+    if (isSecond) n += 1;
+    return (n * (isSecond ? 0.7548776662466927 : 0.5698402909980532)) % 1;
+  };
 }

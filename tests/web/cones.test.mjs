@@ -1,0 +1,143 @@
+// Cones by mouse and by keyboard, the budget, undo, and what survives a reload.
+
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { cubeMesh, toObj } from '../support/meshes.mjs';
+import { download, drop, settled, state, statusText, useBrowser } from './support.mjs';
+
+const it = useBrowser();
+const rows = () => it.page.locator('#cones tbody tr[data-cone]').count();
+const kOf = (i) => it.page.locator(`tr[data-cone="${i}"] input`).inputValue();
+const vertexOf = (i) => it.page.locator(`tr[data-cone="${i}"] td`).first().innerText();
+
+async function openCube() {
+  await drop(it, { 'cube.obj': toObj(cubeMesh(8)) });
+  await state(it.page, 'ready');
+  await settled(it.page);
+}
+
+test('by mouse: place, select, drag, delete, undo, redo', async () => {
+  await openCube();
+  await it.page.click('#tool-place');
+  const box = await it.page.locator('#view').boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await it.page.mouse.click(x, y);
+  await it.page.waitForSelector('tr[data-cone="0"].selected');
+  const vertex = await vertexOf(0);
+  await it.page.mouse.click(x + 90, y + 20);
+  await it.page.waitForSelector('tr[data-cone="1"].selected');
+  const second = await vertexOf(1);
+  assert.notEqual(second, vertex);
+
+  // Drag the second cone along the surface: one step of undo, and the camera stays.
+  await settled(it.page);
+  await it.page.mouse.move(x + 90, y + 20);
+  const { left, top } = await it.page.evaluate(() =>
+    document.querySelector('#view').getBoundingClientRect(),
+  );
+  assert.ok(left >= 0 && top >= 0);
+  await it.page.mouse.down();
+  for (let i = 1; i <= 6; i++) await it.page.mouse.move(x + 90, y + 20 - 15 * i);
+  await it.page.mouse.up();
+  const moved = await vertexOf(1);
+  assert.notEqual(moved, second);
+  await it.page.keyboard.press('Control+z');
+  assert.equal(await vertexOf(1), second);
+  await it.page.keyboard.press('Control+Shift+z');
+  assert.equal(await vertexOf(1), moved);
+
+  await it.page.click('tr[data-cone="1"] [aria-label$="delete"]');
+  assert.equal(await rows(), 1);
+  await it.page.click('#undo');
+  assert.equal(await rows(), 2);
+});
+
+test('by keyboard alone: open an example, place three cones, run, download', async () => {
+  const { page } = it;
+  await page.locator('[data-card="sphere"]').focus();
+  await page.keyboard.press('Enter');
+  await state(page, 'ready');
+  await page.locator('#clear-cones').focus();
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('.budget[data-left="12"]');
+  await page.locator('#view').focus();
+  await page.keyboard.press('c');
+  await page.waitForFunction(() =>
+    /vertex \d+, valence/.test(document.querySelector('#status').textContent),
+  );
+  for (let cone = 0; cone < 3; cone++) {
+    await page.keyboard.press('Enter');
+    await page.keyboard.press('2');
+    for (let i = 0; i < 8; i++) await page.keyboard.press(cone === 0 ? 'ArrowLeft' : 'ArrowDown');
+  }
+  assert.equal(await rows(), 3);
+  for (let i = 0; i < 3; i++) assert.equal(await kOf(i), '2');
+  await page.waitForSelector('.budget.good');
+  // Tab leaves the view: no trap.
+  await page.keyboard.press('Tab');
+  assert.notEqual(await page.evaluate(() => document.activeElement.id), 'view');
+  await page.keyboard.press('Control+Enter');
+  await state(page, 'certified');
+  await page.keyboard.press('Control+s');
+  const { name } = await download(page, () => page.keyboard.press('Enter'));
+  assert.equal(name, 'sphere.glb');
+});
+
+test('the budget says what is left and how to spend it; q converts where that is exact', async () => {
+  const { page } = it;
+  await page.click('[data-card="cube"]');
+  await state(page, 'ready');
+  assert.equal(await rows(), 8);
+  await page.waitForSelector('.budget.good');
+  await page.click('tr[data-cone="0"] [aria-label$="larger k"]');
+  await page.waitForSelector('.budget[data-left="1"]');
+  assert.match(
+    await page.locator('.budget').innerText(),
+    /have|7 of q·χ = 8[\s\S]*1 left[\s\S]*k = 3/,
+  );
+  assert.equal(await page.locator('#run').getAttribute('aria-disabled'), 'true');
+  assert.match(await page.locator('#run-why').textContent(), /1 left/);
+  await page.click('tr[data-cone="0"] .link');
+  await page.click('#rest');
+  await page.waitForSelector('.budget.good');
+  await page.selectOption('#q', '8');
+  assert.equal(await kOf(0), '6');
+  await page.selectOption('#q', '3'); // 6·3/8 is no integer
+  assert.match(await statusText(page), /no whole multiples/);
+  assert.equal(await kOf(0), '6');
+  await page.keyboard.press('Control+z');
+  assert.equal(await kOf(0), '3');
+});
+
+test('export, clear, import; and cones are offered again after a reload', async () => {
+  const { page } = it;
+  await openCube();
+  await page.click('#suggest');
+  await page.waitForSelector('#cones');
+  const count = await rows();
+  const file = await download(page, () => page.click('#export-cones'));
+  await page.click('#clear-cones');
+  await page.waitForSelector('#cones', { state: 'detached' });
+  await drop(it, { 'mine.cones.json': file.bytes });
+  await page.waitForSelector('#cones');
+  assert.equal(await rows(), count);
+  page.on('dialog', (dialog) => void dialog.accept());
+  await page.reload();
+  await state(page, 'empty');
+  await openCube();
+  await page.click('footer button:has-text("Restore")');
+  assert.equal(await rows(), count);
+});
+
+test('a stale result says so, and undo brings its map back without a run', async () => {
+  const { page } = it;
+  await page.click('[data-card="cube"]');
+  await state(page, 'ready');
+  await page.click('#run');
+  await state(page, 'certified');
+  await page.click('tr[data-cone="0"] [aria-label$="larger k"]');
+  await state(page, 'stale');
+  assert.match(await page.locator('.badge').innerText(), /previous cones/);
+  await page.click('#undo');
+  await state(page, 'certified');
+});

@@ -1,0 +1,89 @@
+// Every format that the page takes, dropped as a person drops it.
+
+import assert from 'node:assert/strict';
+import path from 'node:path';
+import test from 'node:test';
+import { zipSync } from 'fflate';
+import { cubeMesh, toGlb, toGltf, toObj, toOff, toPly, toStl } from '../support/meshes.mjs';
+import { drop, dropPaths, state, statusText, useBrowser } from './support.mjs';
+
+const it = useBrowser();
+const cube = cubeMesh(4);
+const shown = async () => {
+  await state(it.page, 'ready');
+  await it.page.waitForFunction(
+    () => Number(document.querySelector('#view').dataset.triangles) > 0,
+  );
+  return it.page.locator('#panel-model').innerText();
+};
+
+test('OBJ, OFF, PLY, STL and GLB one after another', async () => {
+  const files = {
+    'cube.obj': `mtllib cube.mtl\n${toObj(cube)}`,
+    'cube.off': toOff(cube),
+    'cube.ply': toPly(cube),
+    'cube.stl': toStl(cube),
+    'cube.glb': toGlb([cube]),
+  };
+  for (const [name, content] of Object.entries(files)) {
+    await drop(it, { [name]: content });
+    await it.page.waitForSelector(`.file[title="${name}"]`);
+    assert.match(await shown(), /Triangles\s*192/, name);
+    assert.match(
+      await it.page.locator('#panel-model').innerText(),
+      /Vertices\s*(98|576 → 98)/,
+      name,
+    );
+  }
+});
+
+test('a folder with a glTF, its buffer and its image', async () => {
+  const { json, bin } = toGltf([cube], { buffer: 'data/cube%20one.bin', image: 'wood.png' });
+  await drop(it, {
+    'model/cube.gltf': JSON.stringify(json),
+    'model/data/cube one.bin': bin,
+    'model/wood.png': Buffer.from('not really an image'),
+  });
+  await state(it.page, 'pick-mesh', 'ready', 'needs-files');
+  await dropPaths(it, [path.join(it.folder, 'model')]);
+  assert.match(await shown(), /Triangles\s*192/);
+});
+
+test('a glTF without its files asks for them; a second drop brings them', async () => {
+  const { json, bin } = toGltf([cube], { image: 'wood.png' });
+  await drop(it, { 'cube.gltf': JSON.stringify(json) });
+  await state(it.page, 'needs-files');
+  const dialog = it.page.locator('#needs-files');
+  assert.match(await dialog.innerText(), /cube\.bin[\s\S]*wood\.png/);
+  assert.equal(await it.page.locator('#without-images').count(), 0);
+  await drop(it, { 'cube.bin': bin });
+  await it.page.waitForSelector('#without-images');
+  assert.doesNotMatch(await dialog.innerText(), /cube\.bin/);
+  await it.page.click('#without-images');
+  assert.match(await shown(), /Triangles\s*192/);
+});
+
+test('a ZIP; one that names files outside its folder is refused', async () => {
+  const text = new TextEncoder().encode(toObj(cube));
+  await drop(it, { 'evil.zip': zipSync({ '../cube.obj': text }) });
+  await it.page.waitForSelector('#status.error');
+  assert.match(await statusText(it.page), /outside its folder/);
+  await drop(it, { 'cube.zip': zipSync({ 'a/cube.obj': text, 'a/readme.txt': text.slice(0, 5) }) });
+  assert.match(await shown(), /Triangles\s*192/);
+});
+
+test('several meshes: a chooser with the largest suggested', async () => {
+  await drop(it, { 'two.glb': toGlb([cubeMesh(2), cube]) });
+  await state(it.page, 'pick-mesh');
+  const suggested = it.page.locator('#pick-mesh button[aria-current="true"]');
+  assert.match(await suggested.innerText(), /mesh 1[\s\S]*192/);
+  await it.page.click('[data-mesh="0"]');
+  assert.match(await shown(), /Triangles\s*48/);
+});
+
+test('a path that leaves the folder is refused by name', async () => {
+  const { json } = toGltf([cube], { buffer: '../../secret.bin' });
+  await drop(it, { 'cube.gltf': JSON.stringify(json) });
+  await it.page.waitForSelector('#status.error');
+  assert.match(await statusText(it.page), /secret\.bin|outside/);
+});

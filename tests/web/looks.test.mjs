@@ -1,0 +1,91 @@
+// Accessibility in every state and both themes; no sideways scrolling at 320 pixels; pictures.
+
+import assert from 'node:assert/strict';
+import path from 'node:path';
+import test from 'node:test';
+import { cubeMesh, toGlb, toGltf, toObj } from '../support/meshes.mjs';
+import { drop, settled, shots, state, useBrowser, violations } from './support.mjs';
+
+const it = useBrowser({ viewport: { width: 1440, height: 900 } });
+
+async function check(name) {
+  await settled(it.page);
+  await it.page.screenshot({ path: path.join(shots, `${name}.png`) });
+  assert.deepEqual(await violations(it.page), [], name);
+}
+
+test('axe finds nothing in any state', async () => {
+  const { page } = it;
+  await check('state-empty');
+  await page.click('#examples');
+  await check('state-menu');
+  await page.click('[data-example="cube"]');
+  await state(page, 'ready');
+  await check('state-ready');
+  await page.click('tr[data-cone="2"] [aria-label$="larger k"]');
+  await state(page, 'unbalanced');
+  await check('state-unbalanced');
+  await page.click('#undo');
+  await page.click('#run');
+  await state(page, 'certified');
+  await page.selectOption('#overlay', 'angle');
+  await check('state-certified');
+  await page.click('#download');
+  await check('state-download');
+  await page.keyboard.press('Escape');
+  await page.click('#help');
+  await check('state-help');
+  await page.keyboard.press('Escape');
+  await page.click('tr[data-cone="2"] [aria-label$="delete"]');
+  await state(page, 'stale');
+  await check('state-stale');
+});
+
+test('axe finds nothing where files are missing, several, or not usable; in the dark', async () => {
+  const { page } = it;
+  await page.emulateMedia({ colorScheme: 'dark', reducedMotion: 'reduce' });
+  const { json } = toGltf([cubeMesh(2)], { image: 'wood.png' });
+  await drop(it, { 'cube.gltf': JSON.stringify(json) });
+  await state(page, 'needs-files');
+  await check('dark-needs-files');
+  await drop(it, { 'two.glb': toGlb([cubeMesh(2), cubeMesh(3)]) });
+  await state(page, 'pick-mesh');
+  await check('dark-pick-mesh');
+  await page.keyboard.press('Escape');
+  await drop(it, { 'open.obj': `${toObj(cubeMesh(2))}f 1 9 10\n` });
+  await state(page, 'invalid');
+  await check('dark-invalid');
+  await drop(it, { 'cube.obj': toObj(cubeMesh(6)) });
+  await state(page, 'ready');
+  await page.click('#run');
+  await state(page, 'certified');
+  await check('dark-certified');
+});
+
+test('three sizes, and 320 pixels without sideways scrolling', async () => {
+  const { page } = it;
+  await page.click('[data-card="sphere"]');
+  await state(page, 'ready');
+  await page.click('#run');
+  await state(page, 'certified');
+  for (const [width, height] of [
+    [1440, 900],
+    [1024, 768],
+    [390, 844],
+    [320, 640],
+  ]) {
+    await page.setViewportSize({ width, height });
+    await settled(page);
+    await page.screenshot({ path: path.join(shots, `size-${width}.png`) });
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+    assert.ok(wide <= width, `${width}: ${wide}`);
+  }
+  assert.deepEqual(await violations(page), []);
+});
+
+test('the guide is a page of its own', async () => {
+  const { page } = it;
+  await page.goto(`${it.url}guide.html`);
+  assert.match(await page.locator('h1').innerText(), /Guide/);
+  assert.deepEqual(await violations(page), []);
+});

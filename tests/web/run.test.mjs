@@ -1,0 +1,137 @@
+// Drop, Run, Download: three actions without any knowledge. And what is then on the screen.
+
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { existsSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import test from 'node:test';
+import { NodeIO } from '@gltf-transform/core';
+import { cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
+import {
+  download,
+  drop,
+  pixels,
+  root,
+  settled,
+  state,
+  statusText,
+  useBrowser,
+} from './support.mjs';
+
+const it = useBrowser();
+const cube = cubeMesh(8);
+
+/** The command line as an independent judge, where it has been built. */
+function certify(name, bytes) {
+  const program = path.join(root, 'build/native-release/bin/hgp');
+  if (!existsSync(program)) return;
+  const file = path.join(it.folder, name);
+  writeFileSync(file, bytes);
+  const { status, stdout, stderr } = spawnSync(program, ['verify', file], { encoding: 'utf8' });
+  assert.equal(status, 0, stdout + stderr);
+}
+
+const save = (format) =>
+  download(it.page, async () => {
+    await it.page.click('#download');
+    await it.page.click(`[data-format="${format}"]`);
+  });
+
+test('drop, Run, Download: a GLB comes back with a certified map that another reader finds', async () => {
+  await drop(it, { 'cube.glb': toGlb([cube]) });
+  await state(it.page, 'ready');
+  assert.match(await statusText(it.page), /Run suggests them/);
+  await it.page.click('#run');
+  await state(it.page, 'certified');
+  assert.match(await statusText(it.page), /Certified.*suggested/);
+  assert.match(
+    await it.page.locator('#certificate').innerText(),
+    /Flipped triangles[\s\S]*0 of 768[\s\S]*same map/,
+  );
+  const { name, bytes } = await save('same');
+  assert.equal(name, 'cube.glb');
+  const document = await new NodeIO().readBinary(new Uint8Array(bytes));
+  const [primitive] = document.getRoot().listMeshes()[0].listPrimitives();
+  const uv = primitive.getAttribute('TEXCOORD_0').getArray();
+  const position = primitive.getAttribute('POSITION').getArray();
+  const index = primitive.getIndices().getArray();
+  assert.equal(index.length, 3 * 768);
+  // v points down in glTF: a map without flips is clockwise there, everywhere.
+  for (let t = 0; t < index.length; t += 3) {
+    const [a, b, c] = [0, 1, 2].map((k) => [uv[2 * index[t + k]], uv[2 * index[t + k] + 1]]);
+    const area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    assert.ok(area < 0, `triangle ${t / 3}`);
+  }
+  assert.equal(position.length / 3, uv.length / 2);
+  certify('cube.glb', bytes);
+
+  // Dropped again, the cones are there and the map is the same.
+  const before = await it.page.locator('#cones tbody').innerText();
+  await drop(it, { 'again.glb': bytes });
+  await it.page.waitForSelector('.file[title="again.glb"]');
+  await state(it.page, 'ready');
+  assert.match(await statusText(it.page), /came with the file/);
+  assert.equal(await it.page.locator('#cones tbody').innerText(), before);
+});
+
+test('the other formats hold the same map', async () => {
+  await drop(it, { 'cube.obj': toObj(cube) });
+  await state(it.page, 'ready');
+  await it.page.click('#run');
+  await state(it.page, 'certified');
+  const same = await save('same');
+  assert.equal(same.name, 'cube.obj');
+  certify('same.obj', same.bytes);
+  const glb = await save('glb');
+  const json = await new NodeIO().readBinary(new Uint8Array(glb.bytes));
+  assert.equal(json.getRoot().listMeshes()[0].listPrimitives()[0].getIndices().getCount(), 3 * 768);
+  const obj = await save('obj');
+  assert.match(String(obj.bytes), /^vt /m);
+  certify('plain.obj', obj.bytes);
+  const report = JSON.parse(String((await save('report')).bytes));
+  assert.equal(report.certificate.certified, true);
+  const cones = JSON.parse(String((await save('cones')).bytes));
+  assert.equal(cones.format, 'hgp-cones');
+  assert.match(String((await save('svg')).bytes), /^<svg /);
+  assert.equal((await save('zip')).bytes.readUInt32LE(0), 0x04034b50);
+});
+
+/** Share of pixels that pass a test of their colour. */
+const share = ({ data }, passes) => {
+  let count = 0;
+  for (let i = 0; i < data.length; i += 4)
+    if (passes(data[i], data[i + 1], data[i + 2])) count += 1;
+  return count / (data.length / 4);
+};
+
+test('the checker is on the mesh and in the map; overlays have their colours and numbers', async () => {
+  await it.page.click('[data-card="cube"]');
+  await state(it.page, 'ready');
+  await it.page.click('#run');
+  await state(it.page, 'certified');
+  await it.page.selectOption('#pattern', 'checker');
+  await settled(it.page);
+  for (const view of ['#view', '#map']) {
+    const seen = await pixels(it.page, view, `checker${view.replace('#', '-')}`);
+    const amber = share(seen, (r, g, b) => r > b + 60 && g > b + 30);
+    const navy = share(seen, (r, g, b) => b > r + 15 && b < 140);
+    assert.ok(amber > 0.03 && navy > 0.03, `${view}: ${amber} ${navy}`);
+  }
+  await it.page.selectOption('#overlay', 'area');
+  assert.match(await it.page.locator('.legend').innerText(), /Area[\s\S]*÷[\s\S]*×/);
+  await it.page.selectOption('#overlay', 'flips');
+  assert.match(await it.page.locator('.legend').innerText(), /No triangle is folded/);
+  await settled(it.page);
+  const red = share(await pixels(it.page, '#view'), (r, g, b) => r > 170 && g < 70 && b < 70);
+  assert.equal(red, 0);
+});
+
+test('nothing is drawn while nothing changes', async () => {
+  await it.page.click('[data-card="sphere"]');
+  await state(it.page, 'ready');
+  await settled(it.page);
+  const frames = () => it.page.evaluate(() => document.querySelector('#view').dataset.frames);
+  const before = await frames();
+  await it.page.waitForTimeout(600);
+  assert.equal(await frames(), before);
+});

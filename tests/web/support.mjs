@@ -1,0 +1,123 @@
+// A browser for the tests of the page: real Chromium, real files, and no message of the console
+// forgiven — violations of the Content-Security-Policy arrive there.
+
+import assert from 'node:assert/strict';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { after, afterEach, before, beforeEach } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { chromium } from 'playwright-core';
+import pngjs from 'pngjs';
+import { serve } from '../../web/serve.mjs';
+
+export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
+export const shots = path.join(root, 'build/screenshots');
+const axe = readFileSync(path.join(root, 'node_modules/axe-core/axe.min.js'), 'utf8');
+
+/** Sets up hooks and returns an object that has the page of the current test. */
+export function useBrowser({ viewport = { width: 1200, height: 760 } } = {}) {
+  const it = { allowed: [] };
+  let server, browser, context, problems;
+  before(async () => {
+    mkdirSync(shots, { recursive: true });
+    it.folder = mkdtempSync(path.join(tmpdir(), 'hgp-web-'));
+    ({ server, url: it.url } = await serve({ port: 0 }));
+    const executablePath = ['/usr/bin/chromium', '/usr/bin/google-chrome'].find(existsSync);
+    const args = ['--no-sandbox', '--disable-background-networking', '--disable-dev-shm-usage'];
+    browser = await chromium.launch({ executablePath, args });
+  });
+  after(async () => {
+    await browser?.close();
+    server?.close();
+    rmSync(it.folder, { recursive: true, force: true });
+  });
+  beforeEach(async () => {
+    problems = [];
+    it.allowed = [];
+    context = await browser.newContext({ viewport, acceptDownloads: true });
+    it.page = await context.newPage();
+    it.page.setDefaultTimeout(30000);
+    it.page.on('console', (message) => message.type() === 'error' && problems.push(message.text()));
+    it.page.on('pageerror', (error) => problems.push(error.message));
+    it.page.on('request', (request) => {
+      const target = new URL(request.url());
+      const isOwn = ['blob:', 'data:'].includes(target.protocol);
+      if (!isOwn && target.origin !== new URL(it.url).origin) {
+        problems.push(`request to ${target.origin}`);
+      }
+    });
+    await it.page.goto(it.url);
+    await state(it.page, 'empty');
+  });
+  afterEach(async () => {
+    await context?.close();
+    const unexpected = problems.filter((text) => !it.allowed.some((pattern) => pattern.test(text)));
+    assert.deepEqual(unexpected, []);
+  });
+  return it;
+}
+
+export const state = (page, ...names) =>
+  page.waitForSelector(names.map((name) => `body[data-state="${name}"]`).join(','));
+
+export const statusText = (page) => page.locator('#status').innerText();
+
+/** Writes files and drops them on the page through the browser's own drag and drop. */
+export async function drop(it, files) {
+  const paths = Object.entries(files).map(([name, content]) => {
+    const file = path.join(it.folder, name);
+    mkdirSync(path.dirname(file), { recursive: true });
+    writeFileSync(file, content);
+    return file;
+  });
+  await dropPaths(it, paths);
+}
+
+export async function dropPaths(it, paths) {
+  const session = await it.page.context().newCDPSession(it.page);
+  const data = { items: [], files: paths, dragOperationsMask: 1 };
+  for (const type of ['dragEnter', 'dragOver', 'drop']) {
+    await session.send('Input.dispatchDragEvent', { type, x: 400, y: 400, data });
+  }
+  await session.detach();
+}
+
+/** What axe finds wrong; through the debugger, so that the policy of the page stays in force. */
+export async function violations(page) {
+  await page.evaluate(axe);
+  const found = await page.evaluate(() =>
+    globalThis.axe.run({ runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa', 'wcag22aa', 'best-practice'] }),
+  );
+  return found.violations.map(
+    ({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 160)).join(' | ')}`,
+  );
+}
+
+/** The picture of an element as { data, width, height }. */
+export async function pixels(page, selector, name) {
+  const png = await page.locator(selector).screenshot();
+  if (name) writeFileSync(path.join(shots, `${name}.png`), png);
+  return pngjs.PNG.sync.read(png);
+}
+
+/** Waits until nothing has been drawn for a while. */
+export async function settled(page) {
+  await page.waitForFunction(
+    () => {
+      const frames = document.querySelector('#view')?.dataset.frames;
+      const now = performance.now();
+      if (globalThis.lastFrames !== frames)
+        [globalThis.lastFrames, globalThis.lastTime] = [frames, now];
+      return now - globalThis.lastTime > 350;
+    },
+    undefined,
+    { polling: 60 },
+  );
+}
+
+/** Saves what a click downloads; resolves to its name and bytes. */
+export async function download(page, click) {
+  const [saved] = await Promise.all([page.waitForEvent('download'), click()]);
+  return { name: saved.suggestedFilename(), bytes: readFileSync(await saved.path()) };
+}

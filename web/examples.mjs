@@ -1,0 +1,232 @@
+// The five examples of the page: surfaces of our own making as compact GLBs, with the cones that go
+// with them. Run by the build; nothing is copied from anywhere.
+
+const tau = 2 * Math.PI;
+
+/** Subdivides each triangle in four, n times; `place` puts new vertices where they belong. */
+function subdivide(mesh, times, place) {
+  let { vertices, triangles } = mesh;
+  for (let i = 0; i < times; i++) {
+    const middles = new Map();
+    const points = [...vertices];
+    const middle = (a, b) => {
+      const key = Math.min(a, b) * 1e6 + Math.max(a, b);
+      if (!middles.has(key)) {
+        middles.set(key, points.length);
+        points.push(place(points[a].map((x, k) => (x + points[b][k]) / 2)));
+      }
+      return middles.get(key);
+    };
+    triangles = triangles.flatMap(([a, b, c]) => {
+      const [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
+      return [
+        [a, ab, ca],
+        [ab, b, bc],
+        [ca, bc, c],
+        [ab, bc, ca],
+      ];
+    });
+    vertices = points;
+  }
+  return { vertices, triangles };
+}
+
+const unit = (p) => p.map((x) => x / Math.hypot(...p));
+
+function icosphere(times) {
+  const t = (1 + Math.sqrt(5)) / 2;
+  const vertices = [
+    [-1, t, 0], [1, t, 0], [-1, -t, 0], [1, -t, 0],
+    [0, -1, t], [0, 1, t], [0, -1, -t], [0, 1, -t],
+    [t, 0, -1], [t, 0, 1], [-t, 0, -1], [-t, 0, 1],
+  ].map(unit); // prettier-ignore
+  const triangles = [
+    [0, 11, 5], [0, 5, 1], [0, 1, 7], [0, 7, 10], [0, 10, 11],
+    [1, 5, 9], [5, 11, 4], [11, 10, 2], [10, 7, 6], [7, 1, 8],
+    [3, 9, 4], [3, 4, 2], [3, 2, 6], [3, 6, 8], [3, 8, 9],
+    [4, 9, 5], [2, 4, 11], [6, 2, 10], [8, 6, 7], [9, 8, 1],
+  ]; // prettier-ignore
+  return subdivide({ vertices, triangles }, times, unit);
+}
+
+/** A surface over a grid that closes up in the given directions. */
+function sheet(rows, columns, isClosed, at) {
+  const [closedRows, closedColumns] = isClosed;
+  const [high, wide] = [closedRows ? rows : rows + 1, closedColumns ? columns : columns + 1];
+  const vertices = [];
+  for (let j = 0; j < high; j++)
+    for (let i = 0; i < wide; i++) vertices.push(at(i / columns, j / rows));
+  const index = (i, j) => (j % high) * wide + (i % wide);
+  const triangles = [];
+  for (let j = 0; j < rows; j++) {
+    for (let i = 0; i < columns; i++) {
+      const [a, b, c, d] = [index(i, j), index(i + 1, j), index(i + 1, j + 1), index(i, j + 1)];
+      if ((i + j) % 2) triangles.push([a, b, c], [a, c, d]);
+      else triangles.push([a, b, d], [b, c, d]);
+    }
+  }
+  return { vertices, triangles };
+}
+
+function sphere() {
+  return icosphere(4);
+}
+
+/** A cube blown up a little: its corners stay where a person sees them. */
+function cube() {
+  const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((i) =>
+    [i & 1, (i >> 1) & 1, i >> 2].map((x) => 2 * x - 1),
+  );
+  const faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]; // prettier-ignore
+  const start = {
+    vertices: [
+      ...corners,
+      ...faces.map((face) =>
+        face.reduce((sum, v) => sum.map((x, k) => x + corners[v][k] / 4), [0, 0, 0]),
+      ),
+    ],
+    triangles: faces.flatMap((face, f) => face.map((v, k) => [v, face[(k + 1) % 4], 8 + f])),
+  };
+  const mesh = subdivide(start, 4, (p) => p);
+  const round = (p) => {
+    const q = 5;
+    const size = p.reduce((sum, x) => sum + Math.abs(x) ** q, 0) ** (1 / q);
+    return p.map((x) => x / size);
+  };
+  return { ...mesh, vertices: mesh.vertices.map(round) };
+}
+
+function torus() {
+  return sheet(32, 72, [true, true], (u, v) => {
+    const [a, b] = [tau * u, tau * v];
+    const r = 1 + 0.42 * Math.cos(b);
+    return [r * Math.cos(a), 0.42 * Math.sin(b) + 0.12 * Math.sin(3 * a), r * Math.sin(a)];
+  });
+}
+
+/** A bent, flaring pipe: two boundaries. */
+function pipe() {
+  return sheet(56, 48, [false, true], (u, v) => {
+    const turn = (v - 0.5) * 2.2;
+    const radius = 0.34 + 0.2 * v ** 3 + 0.1 * (1 - v) ** 4 + 0.035 * Math.cos(4 * tau * u) * v;
+    const [x, y] = [radius * Math.cos(-tau * u), radius * Math.sin(-tau * u)];
+    const center = [1.3 * Math.sin(turn), 1.3 * Math.cos(turn) - 1];
+    return [center[0] + x * Math.sin(turn), center[1] + x * Math.cos(turn), y];
+  });
+}
+
+/** Something grown: a sphere pushed and pulled by soft bumps. */
+function pebble() {
+  const bumps = [
+    [[0.2, 0.9, 0.1], 0.85, 5],
+    [[-0.8, 0.35, 0.45], 0.7, 6],
+    [[0.75, 0.3, 0.6], 0.62, 6],
+    [[-0.35, -0.8, 0.5], 0.55, 7],
+    [[0.45, -0.75, -0.5], 0.6, 7],
+    [[-0.1, 0.1, -1], 0.5, 5],
+    [[0.9, -0.1, -0.4], -0.25, 6],
+    [[-0.6, -0.2, -0.7], -0.2, 6],
+  ].map(([at, height, width]) => [unit(at), height, width]);
+  const grow = (p) => {
+    const r = bumps.reduce((sum, [at, height, width]) => {
+      const cosine = at.reduce((s, x, k) => s + x * p[k], 0);
+      return sum + height * Math.exp(width * (cosine - 1));
+    }, 0.75);
+    return p.map((x) => x * r);
+  };
+  const mesh = icosphere(4);
+  return { ...mesh, vertices: mesh.vertices.map(grow) };
+}
+
+function glb({ vertices, triangles }, name) {
+  const positions = new Float32Array(vertices.flat());
+  const wide = vertices.length > 65534;
+  const indices = wide ? new Uint32Array(triangles.flat()) : new Uint16Array(triangles.flat());
+  const low = [0, 1, 2].map((k) =>
+    Math.fround(Math.min(...vertices.map((p) => Math.fround(p[k])))),
+  );
+  const high = [0, 1, 2].map((k) =>
+    Math.fround(Math.max(...vertices.map((p) => Math.fround(p[k])))),
+  );
+  const length = Math.ceil(indices.byteLength / 4) * 4;
+  const json = JSON.stringify({
+    asset: { version: '2.0', generator: 'hgp examples' },
+    scene: 0,
+    scenes: [{ nodes: [0] }],
+    nodes: [{ mesh: 0, name }],
+    meshes: [{ name, primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }],
+    accessors: [
+      {
+        bufferView: 0,
+        componentType: 5126,
+        count: vertices.length,
+        type: 'VEC3',
+        min: low,
+        max: high,
+      },
+      { bufferView: 1, componentType: wide ? 5125 : 5123, count: indices.length, type: 'SCALAR' },
+    ],
+    bufferViews: [
+      { buffer: 0, byteOffset: 0, byteLength: positions.byteLength, target: 34962 },
+      {
+        buffer: 0,
+        byteOffset: positions.byteLength,
+        byteLength: indices.byteLength,
+        target: 34963,
+      },
+    ],
+    buffers: [{ byteLength: positions.byteLength + length }],
+  });
+  const text = Buffer.from(json.padEnd(Math.ceil(json.length / 4) * 4));
+  const head = Buffer.alloc(20);
+  [
+    0x46546c67,
+    2,
+    28 + text.length + positions.byteLength + length,
+    text.length,
+    0x4e4f534a,
+  ].forEach((n, i) => head.writeUInt32LE(n, 4 * i));
+  const chunk = Buffer.alloc(8);
+  chunk.writeUInt32LE(positions.byteLength + length, 0);
+  chunk.writeUInt32LE(0x004e4942, 4);
+  const rest = Buffer.alloc(length);
+  Buffer.from(indices.buffer).copy(rest);
+  return Buffer.concat([head, text, chunk, Buffer.from(positions.buffer), rest]);
+}
+
+/** The vertex nearest to a direction or point. */
+function nearest(vertices, p) {
+  const distances = vertices.map((v) => Math.hypot(...v.map((x, k) => x - p[k])));
+  return distances.indexOf(Math.min(...distances));
+}
+
+export function examples() {
+  const made = [
+    { id: 'sphere', title: 'Sphere', hint: '3 cones, q = 6', q: 6, mesh: sphere() },
+    { id: 'cube', title: 'Cube', hint: '8 cones, q = 4', q: 4, mesh: cube() },
+    { id: 'torus', title: 'Torus', hint: 'no cones', q: 4, mesh: torus() },
+    { id: 'pipe', title: 'Pipe', hint: 'two boundaries', q: 4, mesh: pipe() },
+    { id: 'pebble', title: 'Pebble', hint: 'cones are suggested', q: 4, mesh: pebble() },
+  ];
+  const cones = {
+    sphere: ({ vertices }) =>
+      [0, 1, 2].map((i) => ({
+        vertex: nearest(vertices, [
+          Math.sin((tau * i) / 3 + 0.6),
+          0.1,
+          Math.cos((tau * i) / 3 + 0.6),
+        ]),
+        k: 2,
+      })),
+    cube: () => Array.from({ length: 8 }, (_, vertex) => ({ vertex, k: 3 })),
+    torus: () => [],
+    pipe: () => [],
+  };
+  return made.map(({ mesh, ...about }) => ({
+    ...about,
+    file: `${about.id}.glb`,
+    bytes: glb(mesh, about.id),
+    triangles: mesh.triangles.length,
+    cones: cones[about.id]?.(mesh) ?? null,
+  }));
+}

@@ -1,0 +1,1 @@
+export function guidePage(markdown: string, stylesheet: string): string;

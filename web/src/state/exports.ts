@@ -1,0 +1,184 @@
+// What Download offers beside the patched original: made from the same map, by writers of our own.
+
+import { zipSync } from 'fflate';
+import type { App } from './app';
+import { safeName } from './files';
+import { boxOf } from './measure';
+import { toCones } from './prescription';
+import type { Solved } from './solved';
+
+export interface Download {
+  name: string;
+  bytes: Uint8Array;
+  type: string;
+}
+
+export type Format = 'same' | 'glb' | 'zip' | 'obj' | 'cones' | 'report' | 'svg';
+
+export const formats: { format: Format; label: string; hint: string }[] = [
+  { format: 'same', label: 'Same as the input', hint: 'patched, everything else untouched' },
+  { format: 'glb', label: 'GLB', hint: 'the mesh with its texture coordinates' },
+  { format: 'zip', label: 'glTF in a ZIP', hint: '.gltf and .bin' },
+  { format: 'obj', label: 'OBJ', hint: 'v, vt and f' },
+  { format: 'cones', label: 'Cones (JSON)', hint: 'to use again, here or on the command line' },
+  { format: 'report', label: 'Report (JSON)', hint: 'options, rounds, certificate' },
+  { format: 'svg', label: 'UV layout (SVG)', hint: 'every edge of the flattened mesh' },
+];
+
+const encode = (text: string): Uint8Array => new TextEncoder().encode(text);
+const stem = (app: App): string => safeName(app.main).replace(/\.[^.]*$/, '') || 'model';
+
+interface Gltf {
+  json: Record<string, unknown>;
+  bin: Uint8Array;
+}
+
+function toGltf({ result }: Solved): Gltf {
+  const { positions, uv, uvToVertex, cornerToUv } = result;
+  const count = uvToVertex.length;
+  const bin = new ArrayBuffer(20 * count + 4 * cornerToUv.length);
+  const p = new Float32Array(bin, 0, 3 * count);
+  const t = new Float32Array(bin, 12 * count, 2 * count);
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < count; i++) {
+    for (let k = 0; k < 3; k++) {
+      const x = Math.fround(positions[3 * uvToVertex[i] + k]);
+      p[3 * i + k] = x;
+      low[k] = Math.min(low[k], x);
+      high[k] = Math.max(high[k], x);
+    }
+    t[2 * i] = uv[2 * i];
+    t[2 * i + 1] = 1 - uv[2 * i + 1];
+  }
+  new Uint32Array(bin, 20 * count).set(cornerToUv);
+  const view = (byteOffset: number, byteLength: number, target: number): object => ({
+    ...{ buffer: 0, byteOffset, byteLength, target },
+  });
+  const json = {
+    asset: { version: '2.0', generator: 'hgp' },
+    scene: 0,
+    scenes: [{ nodes: [0] }],
+    nodes: [{ mesh: 0 }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0, TEXCOORD_0: 1 }, indices: 2 }] }],
+    accessors: [
+      { bufferView: 0, componentType: 5126, count, type: 'VEC3', min: low, max: high },
+      { bufferView: 1, componentType: 5126, count, type: 'VEC2' },
+      { bufferView: 2, componentType: 5125, count: cornerToUv.length, type: 'SCALAR' },
+    ],
+    bufferViews: [
+      view(0, 12 * count, 34962),
+      view(12 * count, 8 * count, 34962),
+      view(20 * count, 4 * cornerToUv.length, 34963),
+    ],
+    buffers: [{ byteLength: bin.byteLength }],
+  };
+  return { json, bin: new Uint8Array(bin) };
+}
+
+function toGlb(solved: Solved): Uint8Array {
+  const { json, bin } = toGltf(solved);
+  const text = encode(JSON.stringify(json));
+  const length = Math.ceil(text.length / 4) * 4;
+  const out = new Uint8Array(28 + length + bin.length).fill(0x20, 20, 20 + length);
+  const view = new DataView(out.buffer);
+  [0x46546c67, 2, out.length, length, 0x4e4f534a].forEach((n, i) => view.setUint32(4 * i, n, true));
+  out.set(text, 20);
+  view.setUint32(20 + length, bin.length, true);
+  view.setUint32(24 + length, 0x004e4942, true);
+  out.set(bin, 28 + length);
+  return out;
+}
+
+function toGltfZip(solved: Solved, name: string): Uint8Array {
+  const { json, bin } = toGltf(solved);
+  (json.buffers as { uri?: string }[])[0].uri = `${name}.bin`;
+  return zipSync({ [`${name}.gltf`]: encode(JSON.stringify(json)), [`${name}.bin`]: bin });
+}
+
+function toObj({ result }: Solved): Uint8Array {
+  const { positions, triangles, uv, cornerToUv } = result;
+  const lines = ['# hgp'];
+  for (let i = 0; i < positions.length; i += 3) {
+    lines.push(`v ${positions[i]} ${positions[i + 1]} ${positions[i + 2]}`);
+  }
+  for (let i = 0; i < uv.length; i += 2) lines.push(`vt ${uv[i]} ${uv[i + 1]}`);
+  for (let c = 0; c < triangles.length; c += 3) {
+    const word = (k: number): string => `${triangles[c + k] + 1}/${cornerToUv[c + k] + 1}`;
+    lines.push(`f ${word(0)} ${word(1)} ${word(2)}`);
+  }
+  return encode(`${lines.join('\n')}\n`);
+}
+
+/** Every edge once, seams in a second path, v upwards. */
+function toSvg({ result }: Solved): Uint8Array {
+  const { uv, cornerToUv, seams } = result;
+  const box = boxOf(uv);
+  const size = 1000 / Math.max(box.width, box.height, 1e-30);
+  const point = (i: number): string =>
+    `${((uv[2 * i] - box.x) * size).toFixed(2)} ${((box.y + box.height - uv[2 * i + 1]) * size).toFixed(2)}`;
+  const edges = new Set<string>();
+  for (let c = 0; c < cornerToUv.length; c++) {
+    const a = cornerToUv[c];
+    const b = cornerToUv[c % 3 === 2 ? c - 2 : c + 1];
+    edges.add(a < b ? `M${point(a)}L${point(b)}` : `M${point(b)}L${point(a)}`);
+  }
+  const sides = seams.flatMap(({ a, b }) => [a, b].map(([i, j]) => `M${point(i)}L${point(j)}`));
+  const [width, height] = [box.width * size, box.height * size].map((n) => n.toFixed(2));
+  return encode(
+    `<svg xmlns="http://www.w3.org/2000/svg" viewBox="-5 -5 ${+width + 10} ${+height + 10}" ` +
+      `fill="none" stroke-linecap="round"><path stroke="#55606c" stroke-width=".5" ` +
+      `d="${[...edges].join('')}"/><path stroke="#b3261e" stroke-width="2" ` +
+      `d="${sides.join('')}"/></svg>\n`,
+  );
+}
+
+/** The bytes for a format; the patched original is the very bytes that the preview shows. */
+export function make(app: App, solved: Solved, format: Format): Download {
+  const name = stem(app);
+  switch (format) {
+    case 'same': {
+      const { files } = solved.written;
+      const main = safeName(files[0].name || app.main);
+      if (files.length === 1 && !/\.gltf$/i.test(main)) {
+        return { name: main, bytes: files[0].bytes, type: 'application/octet-stream' };
+      }
+      const entries = Object.fromEntries(files.map((file) => [file.name, file.bytes]));
+      return { name: `${name}.zip`, bytes: zipSync(entries), type: 'application/zip' };
+    }
+    case 'glb':
+      return { name: `${name}.glb`, bytes: toGlb(solved), type: 'model/gltf-binary' };
+    case 'zip':
+      return { name: `${name}.zip`, bytes: toGltfZip(solved, name), type: 'application/zip' };
+    case 'obj':
+      return { name: `${name}.obj`, bytes: toObj(solved), type: 'text/plain' };
+    case 'cones':
+      return coneFile(app);
+    case 'report': {
+      const bytes = encode(`${JSON.stringify(solved.result.report, null, 1)}\n`);
+      return { name: `${name}.report.json`, bytes, type: 'application/json' };
+    }
+    case 'svg':
+      return { name: `${name}.svg`, bytes: toSvg(solved), type: 'image/svg+xml' };
+  }
+}
+
+export function coneFile(app: App): Download {
+  const { vertices = 0, triangles = 0, file } = app.info ?? {};
+  const cones = {
+    ...{ format: 'hgp-cones', version: 1 },
+    mesh: { vertices, triangles, sha256: file?.sha256 },
+    ...toCones(app.asked, app.surface?.positions),
+  };
+  const bytes = encode(`${JSON.stringify(cones, null, 1)}\n`);
+  return { name: `${stem(app)}.cones.json`, bytes, type: 'application/json' };
+}
+
+export function save({ name, bytes, type }: Download): void {
+  const url = URL.createObjectURL(new Blob([bytes as BlobPart], { type }));
+  const link = document.createElement('a');
+  link.href = url;
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(url), 10_000);
+}

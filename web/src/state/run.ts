@@ -1,0 +1,154 @@
+// Suggest and Run: the two calls that take time. Cancel ends the worker at once.
+
+import { HgpError, type Progress as Report } from 'hgp';
+import type { App } from './app';
+import { replaceAsked } from './edit';
+import { explain } from './open';
+import { fromCones, toCones } from './prescription';
+import { finish } from './solved';
+
+// Where each stage begins and ends within the whole.
+const spans: Record<string, [number, number]> = {
+  read: [0, 0.02],
+  weld: [0.02, 0.04],
+  topology: [0.04, 0.06],
+  field: [0.06, 0.22],
+  cut: [0.22, 0.26],
+  assemble: [0.26, 0.3],
+  solve: [0.3, 0.9],
+  verify: [0.9, 0.95],
+  write: [0.95, 1],
+};
+
+const stageNames: Record<string, string> = {
+  read: 'Reading',
+  field: 'Smooth field',
+  cut: 'Cutting',
+  assemble: 'Assembling',
+  solve: 'Solving',
+  verify: 'Checking',
+  write: 'Writing',
+};
+
+export const stageName = (stage: string): string => stageNames[stage] ?? stage;
+
+export const isAbort = (error: unknown): boolean => (error as Error).name === 'AbortError';
+
+/** Progress that only goes forward. */
+export function follow(app: App, own: AbortController): (report: Report) => void {
+  return ({ stage, fraction, iteration, residual }) => {
+    if (own !== app.running || !app.progress) return;
+    const [from, to] = spans[stage] ?? [app.progress.fraction, app.progress.fraction];
+    const whole = from + (to - from) * Math.min(Math.max(fraction, 0), 1);
+    const gap = residual > 0 ? ` · gap ${residual.toPrecision(1)}` : '';
+    app.progress = {
+      ...app.progress,
+      stage,
+      detail: iteration > 0 ? `iteration ${iteration}${gap}` : '',
+      fraction: Math.max(app.progress.fraction, whole),
+    };
+    app.changed();
+  };
+}
+
+/** Does one long thing with progress, Cancel and every way it can end. */
+async function busy(
+  app: App,
+  title: string,
+  work: (call: { signal: AbortSignal; onProgress(p: Report): void }) => Promise<void>,
+): Promise<void> {
+  app.running?.abort();
+  const own = (app.running = new AbortController());
+  app.phase = 'running';
+  app.message = undefined;
+  app.progress = { title, stage: 'field', detail: '', fraction: 0, begin: performance.now() };
+  app.changed();
+  // Free at once, whatever the worker still does.
+  own.signal.addEventListener('abort', () => {
+    if (own !== app.running) return;
+    app.phase = 'editing';
+    app.progress = undefined;
+    app.changed();
+  });
+  try {
+    await work({ signal: own.signal, onProgress: follow(app, own) });
+  } catch (error) {
+    if (own !== app.running) return;
+    if (isAbort(error)) app.say('Cancelled. Your cones are untouched.');
+    else sayFailure(app, error);
+  } finally {
+    if (own === app.running) {
+      app.running = undefined;
+      app.progress = undefined;
+      app.phase = app.info ? 'editing' : 'empty';
+      app.changed();
+    }
+  }
+}
+
+function sayFailure(app: App, error: unknown): void {
+  const text = explain(error, app.main);
+  const lost = error instanceof HgpError && error.code === 'worker-lost';
+  if (lost) {
+    app.say(`${text} Your cones and history are intact.`, 'error', [
+      { label: 'Run again', do: () => void run(app) },
+    ]);
+    return;
+  }
+  const advice = 'Try: move a cone to a vertex with more triangles, or another q.';
+  const isNoMap = error instanceof HgpError && error.code === 'no-map';
+  app.say(isNoMap ? `${text} ${advice}` : text, 'error', [
+    { label: 'Suggest cones', do: () => void suggest(app) },
+  ]);
+}
+
+/** Puts suggested cones in place; an edit like any other. */
+export async function suggest(app: App, count?: number): Promise<void> {
+  const { q, turnings, handles } = app.asked;
+  await busy(app, 'Suggesting cones', async (call) => {
+    const cones = await app.client!.suggestCones({ q, count }, call);
+    app.phase = 'editing';
+    replaceAsked(app, fromCones(cones, turnings.length, handles.length), 'suggest cones');
+    app.say(`${cones.cones.length} cones suggested for q = ${q}.`, 'good');
+  });
+}
+
+/** Without cones there is nothing to say yet: they are suggested first. */
+const needsCones = (app: App): boolean =>
+  app.asked.cones.length === 0 && (!app.isExplicit || !app.budget?.isReady);
+
+export function canRun(app: App): boolean {
+  if (app.phase !== 'editing' || !app.info?.usable || !app.client) return false;
+  return needsCones(app) || Boolean(app.budget?.isReady);
+}
+
+export async function run(app: App): Promise<void> {
+  if (!canRun(app)) return;
+  const { q, turnings, handles } = app.asked;
+  await busy(app, 'Running', async (call) => {
+    app.hasSuggested = needsCones(app);
+    if (app.hasSuggested) {
+      app.progress!.title = 'Suggesting cones, then running';
+      const cones = await app.client!.suggestCones({ q }, call);
+      app.phase = 'editing';
+      replaceAsked(app, fromCones(cones, turnings.length, handles.length), 'suggest cones');
+      app.phase = 'running';
+    }
+    const asked = app.asked;
+    const result = await app.client!.parametrize({ cones: toCones(asked) }, call);
+    call.onProgress({ stage: 'write', fraction: 0, iteration: -1, residual: -1 });
+    const written = await app.client!.write({ allowUncertified: true, embedCones: true }, call);
+    const solved = finish(app, asked, result, written);
+    app.results = [...app.results.slice(-2), solved];
+    app.isUnsaved = true;
+    const count = asked.cones.length;
+    const chosen = app.hasSuggested ? ` ${count} cones were suggested for you.` : '';
+    if (solved.isCertified) app.say(`Certified: no triangle is folded.${chosen}`, 'good');
+    else app.say(`Not certified. The map can be viewed; see the certificate.${chosen}`, 'error');
+  });
+}
+
+export function cancel(app: App): void {
+  app.running?.abort();
+  app.say('Cancelled. Your cones are untouched.');
+}

@@ -1,0 +1,117 @@
+// One finished run: the map, the bytes that Download saves, and what the panels say about them.
+
+import type { Result, Written } from 'hgp';
+import type { App } from './app';
+import { measure, overlapShare, type Distortion } from './measure';
+import type { Prescription } from './prescription';
+import { readBack, type Corners } from './readback';
+
+export interface Seam {
+  /** Ends as uv vertices, corresponding ends first. */
+  a: [number, number];
+  b: [number, number];
+  r: number;
+}
+
+export interface Solved {
+  asked: Prescription;
+  result: Result;
+  isCertified: boolean;
+  written: Written;
+  /** Texture coordinates read back from the written bytes, in triangle order. */
+  corners: Corners;
+  /** The bytes hold the very map that was judged. */
+  isSameAsFile: boolean;
+  distortion: Distortion;
+  /** Part of the covered uv area that is covered more than once. */
+  overlap: number;
+  seams: Seam[];
+  /** Colour group of each seam edge: the two sides of a chain have the same. */
+  chains: Uint32Array;
+  /** Edge of the surface (smaller vertex × |V| + larger) → seam. */
+  seamAt: Map<number, number>;
+}
+
+function cornersOf({ positions, triangles, uv, cornerToUv }: Result): Corners {
+  const out = {
+    positions: new Float32Array(3 * triangles.length),
+    uv: new Float32Array(2 * triangles.length),
+  };
+  for (let c = 0; c < triangles.length; c++) {
+    for (let i = 0; i < 3; i++) out.positions[3 * c + i] = positions[3 * triangles[c] + i];
+    for (let i = 0; i < 2; i++) out.uv[2 * c + i] = uv[2 * cornerToUv[c] + i];
+  }
+  return out;
+}
+
+function isSame(a: Corners, b: Corners): boolean {
+  if (a.uv.length !== b.uv.length) return false;
+  const largest = (values: Float32Array): number =>
+    values.reduce((most, x) => Math.max(most, Math.abs(x)), 1e-30);
+  const near = (x: Float32Array, y: Float32Array): boolean => {
+    const tolerance = 2e-6 * Math.max(1, largest(y));
+    return x.every((value, i) => Math.abs(value - y[i]) <= tolerance);
+  };
+  return near(a.uv, b.uv) && near(a.positions, b.positions);
+}
+
+/** Seam edges that follow one another with the same r get one colour. */
+function chainsOf(seams: Seam[], uvToVertex: Uint32Array): Uint32Array {
+  const chains = new Uint32Array(seams.length);
+  const at = new Map<number, number[]>();
+  seams.forEach(({ a }, i) => {
+    for (const end of a) {
+      const v = uvToVertex[end];
+      at.set(v, [...(at.get(v) ?? []), i]);
+    }
+  });
+  let count = 0;
+  const done = new Uint8Array(seams.length);
+  for (let first = 0; first < seams.length; first++) {
+    if (done[first]) continue;
+    count += 1;
+    const waiting = [first];
+    done[first] = 1;
+    while (waiting.length > 0) {
+      const i = waiting.pop()!;
+      chains[i] = count - 1;
+      for (const end of seams[i].a) {
+        const around = at.get(uvToVertex[end])!;
+        if (around.length !== 2) continue; // a branch or an end of the cut
+        for (const j of around) {
+          if (done[j] || seams[j].r !== seams[i].r) continue;
+          done[j] = 1;
+          waiting.push(j);
+        }
+      }
+    }
+  }
+  return chains;
+}
+
+export function finish(app: App, asked: Prescription, result: Result, written: Written): Solved {
+  const { seams, uvToVertex } = result;
+  const own = cornersOf(result);
+  let corners = own;
+  let isSameAsFile = false;
+  try {
+    const read = readBack(written.files, app.info?.surface ?? 0);
+    isSameAsFile = isSame(read, own);
+    if (isSameAsFile) corners = read;
+  } catch {
+    // A file that cannot be read back is shown as such in the certificate.
+  }
+  const count = result.positions.length / 3;
+  const seamAt = new Map<number, number>();
+  seams.forEach(({ a }, i) => {
+    const [v, w] = [uvToVertex[a[0]], uvToVertex[a[1]]];
+    seamAt.set(Math.min(v, w) * count + Math.max(v, w), i);
+  });
+  return {
+    ...{ asked, result, written, corners, isSameAsFile, seams, seamAt },
+    isCertified: result.certificate.certified,
+    distortion: measure(own),
+    overlap: overlapShare(own.uv),
+    chains: chainsOf(seams, uvToVertex),
+  };
+}

@@ -1,0 +1,62 @@
+// ZIP files, unpacked while they are read and stopped as soon as they ask for too much.
+
+import { Unzip, UnzipInflate } from 'fflate';
+
+const caps = { bytes: 2 ** 30, ratio: 200, entries: 10_000 };
+
+function isSafe(name: string): boolean {
+  return !/^[/\\]|^[a-z]:|\\|\0/i.test(name) && !name.split('/').includes('..');
+}
+
+export async function unzip(archive: Blob): Promise<Map<string, Uint8Array>> {
+  const found = new Map<string, Uint8Array>();
+  let total = 0;
+  let entries = 0;
+  let failure: Error | undefined;
+  const fail = (message: string): void => {
+    failure ??= new Error(message);
+  };
+  const reader = new Unzip((entry) => {
+    if (failure || entry.name.endsWith('/')) return;
+    if (++entries > caps.entries) return fail(`This ZIP has more than ${caps.entries} files.`);
+    if (!isSafe(entry.name)) return fail(`This ZIP names a file outside its folder: ${entry.name}`);
+    if (/\.zip$/i.test(entry.name)) return; // no archives in archives
+    const chunks: Uint8Array[] = [];
+    let size = 0;
+    entry.ondata = (error, chunk, isLast) => {
+      if (error) fail(`${entry.name} cannot be unpacked: ${error.message}`);
+      if (failure) return;
+      size += chunk.length;
+      total += chunk.length;
+      if (total > caps.bytes || total > caps.ratio * Math.max(archive.size, 4096)) {
+        entry.terminate();
+        return fail('This ZIP unpacks to far more than it should. Not loaded.');
+      }
+      chunks.push(chunk);
+      if (!isLast) return;
+      const bytes = new Uint8Array(size);
+      let at = 0;
+      for (const part of chunks) {
+        bytes.set(part, at);
+        at += part.length;
+      }
+      found.set(entry.name, bytes);
+    };
+    entry.start();
+  });
+  reader.register(UnzipInflate);
+  const stream = archive.stream().getReader();
+  for (;;) {
+    const { done, value } = await stream.read();
+    try {
+      reader.push(value ?? new Uint8Array(0), done);
+    } catch (error) {
+      fail(`This ZIP cannot be read: ${(error as Error).message}`);
+    }
+    if (failure) {
+      await stream.cancel();
+      throw failure;
+    }
+    if (done) return found;
+  }
+}

@@ -1,0 +1,59 @@
+// A canvas with a scene that is drawn only when something has changed.
+
+import { Color, Scene, WebGLRenderer, type Camera } from 'three';
+
+export abstract class Stage {
+  readonly canvas: HTMLCanvasElement;
+  readonly scene = new Scene();
+  readonly renderer: WebGLRenderer;
+  abstract readonly camera: Camera;
+  #isPending = false;
+  #before: (() => void)[] = [];
+
+  constructor(canvas: HTMLCanvasElement) {
+    this.canvas = canvas;
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setClearColor(new Color(0), 0);
+    new ResizeObserver(() => this.resize()).observe(canvas);
+    canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
+    canvas.addEventListener('webglcontextrestored', () => this.draw());
+  }
+
+  /** Something that must be up to date in every picture. */
+  beforeDraw(step: () => void): void {
+    this.#before.push(step);
+  }
+
+  draw(): void {
+    if (this.#isPending) return;
+    this.#isPending = true;
+    requestAnimationFrame(() => {
+      this.#isPending = false;
+      if (this.canvas.clientWidth === 0) return;
+      for (const step of this.#before) step();
+      this.renderer.render(this.scene, this.camera);
+      this.canvas.dataset.triangles = String(this.renderer.info.render.triangles);
+      this.canvas.dataset.frames = String(this.renderer.info.render.frame);
+    });
+  }
+
+  resize(): void {
+    const { clientWidth, clientHeight } = this.canvas;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.onResize(clientWidth, clientHeight);
+    this.draw();
+  }
+
+  protected abstract onResize(width: number, height: number): void;
+
+  /** Position of a pointer as WebGL counts it: −1 … 1. */
+  pointer(event: { clientX: number; clientY: number }): { x: number; y: number } {
+    const box = this.canvas.getBoundingClientRect();
+    return {
+      x: (2 * (event.clientX - box.left)) / box.width - 1,
+      y: 1 - (2 * (event.clientY - box.top)) / box.height,
+    };
+  }
+}

@@ -19,6 +19,11 @@ if(NOT TARGET gtest_main)
   endforeach()
 endif()
 
+# The test programs are scripts of the old kind; the package.json at the top says "module".
+if(EMSCRIPTEN)
+  file(WRITE "${CMAKE_BINARY_DIR}/package.json" "{ \"type\": \"commonjs\" }\n")
+endif()
+
 # hgp_add_tests(field smooth_field_test.cpp … LINKS field [cut …])
 #
 # One test program, tests_<name>, and one ctest entry for all its tests. Sources may include

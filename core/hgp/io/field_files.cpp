@@ -27,15 +27,15 @@ Failure notANumber(const WordReader& words) {
 
 double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// The directions must make the angles 2πj/N with the first one, each as often as an N-RoSy does.
-bool isRosy(const std::vector<Vec3>& directions) {
+/// Seen from direction `from` the others must be at the angles 2πj/N, each as often as in an N-RoSy.
+bool isEvenFrom(const std::vector<Vec3>& directions, const Vec3& from, std::vector<int>& found) {
   const int N = static_cast<int>(directions.size());
-  const double first = std::sqrt(dot(directions[0], directions[0]));
-  std::vector<int> found(directions.size(), 0);
+  const double length = std::sqrt(dot(from, from));
+  found.assign(directions.size(), 0);
   for (const Vec3& d : directions) {
-    const double length = std::sqrt(dot(d, d));
-    if (!(first > 0 && length > 0)) return false;
-    const double c = std::max(-1.0, std::min(1.0, dot(d, directions[0]) / (first * length)));
+    const double other = std::sqrt(dot(d, d));
+    if (!(length > 0 && other > 0)) return false;
+    const double c = std::max(-1.0, std::min(1.0, dot(d, from) / (length * other)));
     const double turns = std::acos(c) * N / (2 * kPi);
     if (std::abs(turns - std::round(turns)) > kRosyTolerance * N) return false;
     ++found[static_cast<std::size_t>(std::lround(turns)) % directions.size()];
@@ -43,6 +43,15 @@ bool isRosy(const std::vector<Vec3>& directions) {
   for (int j = 0; j <= N / 2; ++j) {
     const int want = j == 0 || 2 * j == N ? 1 : 2;
     if (found[static_cast<std::size_t>(j)] != want) return false;
+  }
+  return true;
+}
+
+/// Every direction must see the same star.
+bool isRosy(const std::vector<Vec3>& directions) {
+  std::vector<int> found;
+  for (const Vec3& d : directions) {
+    if (!isEvenFrom(directions, d, found)) return false;
   }
   return true;
 }

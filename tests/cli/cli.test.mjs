@@ -1,0 +1,411 @@
+// The command line from outside: exit codes, streams, files and documents.
+import assert from 'node:assert/strict';
+import { spawn, spawnSync } from 'node:child_process';
+import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import test, { after } from 'node:test';
+import { gzipSync } from 'node:zlib';
+import { problems } from './schema.mjs';
+
+const hgp =
+  process.env.HGP_BIN ?? path.join(import.meta.dirname, '../../build/native-release/bin/hgp');
+const shared =
+  process.env.HGP_SHARED_MESHES ?? path.join(import.meta.dirname, '../../../shared/meshes');
+const folder = mkdtempSync(path.join(os.tmpdir(), 'hgp-cli-'));
+after(() => rmSync(folder, { recursive: true }));
+
+const at = (name) => path.join(folder, name);
+const read = (name) => readFileSync(at(name), 'utf8');
+const put = (name, text) => {
+  writeFileSync(at(name), text);
+  return at(name);
+};
+
+function run(args, options = {}) {
+  const result = spawnSync(hgp, args, { encoding: 'utf8', cwd: folder, ...options });
+  return { code: result.status, out: result.stdout, err: result.stderr };
+}
+
+function isValid(name, text) {
+  const value = JSON.parse(text);
+  assert.deepEqual(problems(name, value).slice(0, 5), []);
+  return value;
+}
+
+/** An octahedron with every triangle cut n × n, pushed out to the sphere. */
+function sphere(n) {
+  const corners = [
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+    [-1, 0, 0],
+    [0, -1, 0],
+    [0, 0, -1],
+  ];
+  const faces = [
+    [0, 1, 2],
+    [1, 3, 2],
+    [3, 4, 2],
+    [4, 0, 2],
+    [1, 0, 5],
+    [3, 1, 5],
+    [4, 3, 5],
+    [0, 4, 5],
+  ];
+  const ids = new Map();
+  const lines = ['# a sphere', 'g ball'];
+  const triangles = [];
+  const vertex = (p) => {
+    const length = Math.hypot(...p);
+    const key = p.map((x) => (x / n).toFixed(9)).join(' ');
+    if (!ids.has(key)) {
+      ids.set(key, ids.size);
+      lines.push(`v ${p.map((x) => x / length).join(' ')}`);
+    }
+    return ids.get(key);
+  };
+  for (const [a, b, c] of faces) {
+    const point = (i, j) =>
+      vertex(
+        [0, 1, 2].map((k) => corners[a][k] * (n - i - j) + corners[b][k] * i + corners[c][k] * j),
+      );
+    for (let i = 0; i < n; i++) {
+      for (let j = 0; i + j < n; j++) {
+        triangles.push([point(i, j), point(i + 1, j), point(i, j + 1)]);
+        if (i + j + 1 < n) triangles.push([point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)]);
+      }
+    }
+  }
+  for (const t of triangles) lines.push(`f ${t.map((v) => v + 1).join(' ')}`);
+  return lines.join('\n') + '\n';
+}
+
+const disk = (() => {
+  const lines = ['v 0 0 0'];
+  const rings = 4;
+  for (let r = 1; r <= rings; r++) {
+    for (let i = 0; i < 12; i++) {
+      lines.push(
+        `v ${r * Math.cos((i * Math.PI) / 6)} ${r * Math.sin((i * Math.PI) / 6)} ${0.1 * r * r}`,
+      );
+    }
+  }
+  const id = (r, i) => (r === 0 ? 1 : 2 + (r - 1) * 12 + (i % 12));
+  for (let i = 0; i < 12; i++) {
+    lines.push(`f 1 ${id(1, i)} ${id(1, i + 1)}`);
+    for (let r = 1; r < rings; r++) {
+      lines.push(`f ${id(r, i)} ${id(r + 1, i)} ${id(r + 1, i + 1)} ${id(r, i + 1)}`);
+    }
+  }
+  return lines.join('\n') + '\n';
+})();
+
+put('ball.obj', sphere(6));
+put('disk.obj', disk);
+const sixCones = [0, 1, 2, 3, 4, 5].map((i) => ({ i }));
+const conesOf = (q, list) =>
+  JSON.stringify({
+    format: 'hgp-cones',
+    version: 1,
+    q,
+    cones: list.map(([vertex, k]) => ({ vertex, k })),
+  });
+/** The six corners of the octahedron, wherever the generator has put them. */
+const corners = (() => {
+  const found = [];
+  sphere(6)
+    .split('\n')
+    .filter((line) => line.startsWith('v '))
+    .forEach((line, i) => {
+      if (
+        line
+          .split(' ')
+          .slice(1)
+          .filter((x) => Math.abs(Number(x)) === 1).length === 1
+      )
+        found.push(i);
+    });
+  return found;
+})();
+const six = corners.map((v, i) => [v, i < 4 ? 3 : 2]);
+put('cones.json', conesOf(4, six));
+put('ball.cones', `q 4\ncones 6\n${six.map((pair) => pair.join(' ')).join('\n')}\n`);
+
+test('the sample has six corners', () => assert.equal(corners.length, sixCones.length));
+
+test('help and version go to standard output and end with 0', () => {
+  for (const args of [['--help'], ['param', '--help'], ['--version']]) {
+    const { code, out, err } = run(args);
+    assert.equal(code, 0);
+    assert.notEqual(out, '');
+    assert.equal(err, '');
+  }
+});
+
+test('usage errors end with 2, say so on standard error and suggest', () => {
+  const cases = [
+    [[], ''],
+    [['parm', 'ball.obj'], 'param'],
+    [['param', 'ball.obj'], ''],
+    [['param', 'ball.obj', '-o', 'x.obj', '--conse', 'c'], '--cone'],
+    [['param', 'ball.obj', '-o', 'x.obj', '--q', '4', '--q', '6'], ''],
+    [['inspect', 'ball.obj', '--quiet', '--quiet'], ''],
+    [['param', 'ball.obj', '-o', 'x.obj', '--q', '0'], ''],
+    [['param', 'ball.obj', '-o', 'x.obj', '--cone', '3'], ''],
+    [['param', 'ball.obj', '-o', 'x.obj', '--cone', '3:x'], ''],
+    [['param', 'ball.obj', '-o', 'x.obj', '--fix', 'nothing'], ''],
+    [['param', 'ball.obj', '-o', 'x.obj', '--cones', 'cones.json', '--cone', '1:2'], ''],
+    [['param', 'ball.obj', '-o', 'x.obj', '--cones', 'cones.json', '--q', '6'], ''],
+    [['param', 'ball.obj', '-o', '-', '--json', '-'], ''],
+    [['param', 'ball.obj', '-o', 'ball.obj'], ''],
+    [['param', 'ball.obj', '-o', './ball.obj'], ''],
+    [['inspect', '-'], ''],
+    [['inspect', 'ball.obj', '--mesh', '7'], ''],
+  ];
+  for (const [args, hint] of cases) {
+    const { code, out, err } = run(args);
+    assert.equal(code, 2, `${args.join(' ')}\n${err}`);
+    assert.equal(out, '', args.join(' '));
+    assert.match(err, /^hgp: /);
+    assert.ok(err.includes(hint), `${hint} in ${err}`);
+  }
+  assert.ok(!existsSync(at('x.obj')));
+  assert.equal(read('ball.obj'), sphere(6));
+});
+
+test('input that cannot be read ends with 3', () => {
+  put('broken.obj', 'v 0 0 0\nf 1 2 3\n');
+  put('page.obj', '<html>');
+  put('empty.obj', '');
+  put('cut.obj.gz', gzipSync(Buffer.from(sphere(4))).subarray(0, 200));
+  for (const name of ['missing.obj', 'broken.obj', 'page.obj', 'empty.obj', 'cut.obj.gz', '.']) {
+    const { code, err } = run(['inspect', name]);
+    assert.equal(code, 3, `${name}: ${err}`);
+  }
+  const { code, err, out } = run(['inspect', 'broken.obj', '--json', '-']);
+  assert.equal(code, 3);
+  assert.match(err, /line 2/);
+  const error = isValid('hgp-error', out);
+  assert.equal(error.code, 'malformed');
+});
+
+test('limits end with 8', () => {
+  assert.equal(run(['inspect', 'ball.obj', '--max-triangles', '10']).code, 8);
+  assert.equal(run(['inspect', 'ball.obj', '--max-bytes', '10']).code, 8);
+});
+
+test('inspect prints text, or JSON alone where that goes to standard output', () => {
+  const text = run(['inspect', 'ball.obj']);
+  assert.equal(text.code, 0);
+  assert.match(text.out, /genus +0/);
+  assert.equal(text.err, '');
+  const json = run(['inspect', 'ball.obj', '--json', '-']);
+  const report = isValid('hgp-inspect', json.out);
+  assert.equal(report.eulerCharacteristic, 2);
+  assert.equal(report.triangles, 288);
+  assert.equal(run(['inspect', 'ball.obj', '--quiet']).out, '');
+});
+
+test('inspect of unusable geometry ends with 4 and says where; --fix repairs it', () => {
+  const lines = sphere(6).split('\n');
+  const first = lines.findIndex((line) => line.startsWith('f '));
+  const [f, a, b, c] = lines[first].split(' ');
+  lines[first] = [f, b, a, c].join(' ');
+  put('flipped.obj', lines.join('\n'));
+  const { code, out } = run(['inspect', 'flipped.obj', '--json', '-']);
+  assert.equal(code, 4);
+  const report = isValid('hgp-inspect', out);
+  assert.ok(report.defects.some((d) => d.fatal && d.where.length > 0));
+  assert.equal(run(['param', 'flipped.obj', '-o', 'x.obj']).code, 4);
+  const fixed = run(['inspect', 'flipped.obj', '--fix', 'orient', '--json', '-']);
+  assert.equal(fixed.code, 0);
+  assert.ok(isValid('hgp-inspect', fixed.out).notes.length > 0);
+});
+
+test('gzip and standard input are read', () => {
+  put('ball.obj.gz', gzipSync(Buffer.from(sphere(6))));
+  assert.equal(run(['inspect', 'ball.obj.gz']).code, 0);
+  assert.equal(run(['inspect', '-', '--format', 'obj'], { input: sphere(3) }).code, 0);
+});
+
+test('check ends with 0 or 5', () => {
+  const good = run(['check', 'ball.obj', '--cones', 'cones.json', '--json', '-']);
+  assert.equal(good.code, 0, good.err);
+  assert.equal(isValid('hgp-check', good.out).components[0].budget.left, 0);
+  const bad = run(['check', 'ball.obj', '--cone', '3:3', '--json', '-']);
+  assert.equal(bad.code, 5);
+  assert.equal(isValid('hgp-check', bad.out).valid, false);
+  assert.equal(run(['check', 'ball.obj', '--cone', '99999:3']).code, 5);
+  assert.equal(run(['param', 'ball.obj', '--cone', '3:3', '-o', 'x.obj']).code, 5);
+});
+
+const paramRuns = {
+  json: ['--q', '4', '--cones', 'cones.json'],
+  text: ['--cones', 'ball.cones'],
+  typed: ['--q', '4', ...six.flatMap(([v, k]) => ['--cone', `${v}:${k}`])],
+  automatic: [],
+};
+for (const [name, options] of Object.entries(paramRuns)) {
+  test(`param with ${name} cones: certified, lossless, and verify agrees`, () => {
+    const args = ['param', 'ball.obj', ...options, '-o', `${name}.obj`, '--json', `${name}.json`];
+    const { code, out, err } = run(args);
+    assert.equal(code, 0, err);
+    assert.equal(out, '');
+    const report = isValid('hgp-report', read(`${name}.json`));
+    assert.equal(report.certified, true);
+    assert.equal(report.certificate.flipped, 0);
+    const kept = (text) => text.split('\n').filter((line) => !/^(vt|f) /.test(line));
+    assert.deepEqual(kept(read(`${name}.obj`)), kept(read('ball.obj')));
+    put(`${name}.cones.json`, JSON.stringify(report.cones));
+    const judged = run(['verify', `${name}.obj`, '--cones', `${name}.cones.json`, '--json', '-']);
+    assert.equal(judged.code, 0, judged.out);
+    isValid('hgp-certificate', judged.out);
+  });
+}
+
+test('verify ends with 6 for a broken map and names the rule', () => {
+  run(['param', 'ball.obj', '--cones', 'cones.json', '-o', 'good.obj']);
+  const lines = read('good.obj').split('\n');
+  const i = lines.findIndex((line) => line.startsWith('vt '));
+  lines[i] = 'vt 100 100';
+  put('bad.obj', lines.join('\n'));
+  const { code, out } = run(['verify', 'bad.obj', '--cones', 'cones.json', '--json', '-']);
+  assert.equal(code, 6);
+  const certificate = isValid('hgp-certificate', out);
+  assert.ok(certificate.components[0].reasons.length > 0);
+  const other = run(['verify', 'good.obj', '--cone', `${corners[0]}:3`]);
+  assert.notEqual(other.code, 0);
+  assert.equal(run(['verify', 'ball.obj']).code, 4, 'no uv at all');
+});
+
+test('param --boundary convex maps a disk with polygons', () => {
+  const { code, err } = run(['param', 'disk.obj', '--boundary', 'convex', '-o', 'flat.obj']);
+  assert.equal(code, 0, err);
+  assert.match(read('flat.obj'), /\nf \d+\/\d+ \d+\/\d+ \d+\/\d+ \d+\/\d+\n/);
+  assert.equal(run(['verify', 'flat.obj']).code, 0);
+  assert.equal(run(['param', 'ball.obj', '--boundary', 'convex', '-o', 'x.obj']).code, 4);
+});
+
+test('cones are chosen and converted', () => {
+  const chosen = run(['cones', 'ball.obj', '-o', 'chosen.json']);
+  assert.equal(chosen.code, 0, chosen.err);
+  isValid('hgp-cones', read('chosen.json'));
+  assert.equal(run(['check', 'ball.obj', '--cones', 'chosen.json']).code, 0);
+  const converted = run(['cones', 'ball.obj', '--convert', 'ball.cones']);
+  assert.equal(converted.code, 0, converted.err);
+  const cones = isValid('hgp-cones', converted.out);
+  assert.deepEqual(
+    cones.cones.map((c) => [c.vertex, c.k]),
+    [...six].sort((a, b) => a[0] - b[0]).sort((a, b) => six.indexOf(a) - six.indexOf(b)),
+  );
+});
+
+test('xref names the input vertex of every output vertex', () => {
+  const { code } = run([
+    'param',
+    'ball.obj',
+    '--cones',
+    'cones.json',
+    '-o',
+    'a.obj',
+    '--xref',
+    'a.txt',
+  ]);
+  assert.equal(code, 0);
+  const xref = read('a.txt').trim().split('\n').map(Number);
+  const lines = read('a.obj').split('\n');
+  assert.equal(xref.length, lines.filter((line) => line.startsWith('vt ')).length);
+  for (const line of lines.filter((l) => l.startsWith('f '))) {
+    for (const corner of line.slice(2).split(' ')) {
+      const [v, vt] = corner.split('/').map(Number);
+      assert.equal(xref[vt - 1], v - 1);
+    }
+  }
+});
+
+test('the same run gives the same bytes', () => {
+  for (const name of ['one.obj', 'two.obj']) {
+    assert.equal(run(['param', 'ball.obj', '--cones', 'cones.json', '-o', name]).code, 0);
+  }
+  assert.equal(read('one.obj'), read('two.obj'));
+});
+
+test('embedded cones are used again', () => {
+  const args = [
+    'param',
+    'ball.obj',
+    '--cones',
+    'cones.json',
+    '--embed-cones',
+    '-o',
+    'embedded.obj',
+  ];
+  assert.equal(run(args).code, 0);
+  const again = run(['check', 'embedded.obj', '--json', '-']);
+  assert.equal(isValid('hgp-check', again.out).components[0].cones, 6);
+});
+
+test('the input is replaced with --force only, and a failed write ends with 7', () => {
+  put('own.obj', sphere(4));
+  assert.equal(run(['param', 'own.obj', '-o', 'own.obj']).code, 2);
+  assert.equal(run(['param', 'own.obj', '-o', 'own.obj', '--force']).code, 0);
+  assert.match(read('own.obj'), /\nvt /);
+  assert.equal(run(['param', 'ball.obj', '-o', 'no/such/folder/x.obj']).code, 7);
+});
+
+test('standard output carries the map alone', () => {
+  const { code, out } = run(['param', 'ball.obj', '--cones', 'cones.json', '-o', '-']);
+  assert.equal(code, 0);
+  assert.match(out, /^# a sphere\n/);
+});
+
+test('an interrupted run leaves nothing behind and ends with 130', async () => {
+  put('large.obj', sphere(150));
+  const before = readdirSync(folder).sort();
+  const child = spawn(hgp, ['param', 'large.obj', '-o', 'large.out.obj'], { cwd: folder });
+  await new Promise((resolve) => child.stderr.once('data', resolve));
+  child.kill('SIGINT');
+  const code = await new Promise((resolve) => child.on('close', (c) => resolve(c)));
+  assert.equal(code, 130);
+  assert.deepEqual(readdirSync(folder).sort(), before);
+});
+
+test('control bytes from a file never reach the terminal', () => {
+  put('evil.obj', 'v 0 0 \x1b[31mred\n');
+  const { err } = run(['inspect', 'evil.obj']);
+  assert.ok(!err.includes('\x1b'));
+});
+
+test(
+  'the field problems of the shared meshes',
+  { skip: !existsSync(shared) && 'no data folder' },
+  () => {
+    const cases = [
+      ['Directional/torus.obj', 'cones/Directional__torus-hex.cones', 0],
+      ['Directional/torus.obj', 'cones/Directional__torus_twosings.cones', 5],
+      ['Directional/train-station.off', 'cones/Directional__train-station-5.cones', 0],
+      ['Directional/vase.off', 'cones/Directional__vase-7.cones', 0],
+    ];
+    for (const [mesh, cones, expected] of cases) {
+      const { code, err } = run([
+        'check',
+        path.join(shared, mesh),
+        '--cones',
+        path.join(shared, cones),
+      ]);
+      assert.equal(code, expected, `${cones}: ${err}`);
+    }
+    const aircraft = path.join(shared, 'ConformalIdealDelaunay/aircraft');
+    const { code, err, out } = run([
+      'check',
+      `${aircraft}.obj`,
+      '--cones',
+      `${aircraft}_Th_hat`,
+      '--json',
+      '-',
+    ]);
+    assert.equal(code, 0, err);
+    assert.equal(JSON.parse(out).components[0].cones, 41);
+  },
+);

@@ -1,0 +1,234 @@
+#include "hgp/api/session.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "hgp/api/sha256.h"
+#include "hgp/io/cones.h"
+#include "support/shapes.h"
+
+namespace hgp::api {
+namespace {
+
+using hgp::test::Shape;
+
+io::FileSet fileSet(const std::string& name, const io::Bytes& bytes) {
+  io::FileSet files;
+  files.name = name;
+  files.main = bytes;
+  return files;
+}
+
+io::Bytes objOf(const MeshData& mesh) { return io::writePlainObj(mesh, {}, ""); }
+
+/// Two surfaces in one file, the second moved aside.
+MeshData together(const MeshData& a, const MeshData& b) {
+  MeshData out = a;
+  const int first = static_cast<int>(a.positions.size());
+  for (Vec3 p : b.positions) out.positions.push_back({p[0] + 10, p[1], p[2]});
+  for (auto t : b.triangles) out.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  return out;
+}
+
+Session loaded(const MeshData& mesh, const LoadOptions& options = {}) {
+  Session session;
+  const Status done = session.load(fileSet("mesh.obj", objOf(mesh)), options);
+  EXPECT_TRUE(done.hasValue()) << (done ? "" : done.error().message);
+  return session;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Sha256, AgreesWithTheStandard) {
+  EXPECT_EQ(sha256(nullptr, 0), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  const std::string abc = "abc";
+  EXPECT_EQ(sha256(reinterpret_cast<const std::uint8_t*>(abc.data()), 3),
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  const std::string million(1000000, 'a');
+  EXPECT_EQ(sha256(reinterpret_cast<const std::uint8_t*>(million.data()), million.size()),
+            "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+TEST(Session, NothingWorksBeforeLoading) {
+  Session session;
+  EXPECT_FALSE(session.inspect().hasValue());
+  EXPECT_FALSE(session.parametrize(std::nullopt, {}).hasValue());
+  EXPECT_FALSE(session.write({}).hasValue());
+  EXPECT_TRUE(session.uv().empty());
+}
+
+TEST(Session, InspectKnowsTheTopologyOfEveryShape) {
+  for (const Shape& shape : hgp::test::all()) {
+    const Session session = loaded(shape.data);
+    Result<Verdict> verdict = session.inspect();
+    ASSERT_TRUE(verdict.hasValue());
+    EXPECT_TRUE(verdict->isGood) << shape.name;
+    EXPECT_TRUE(contains(verdict->json, "\"genus\": " + std::to_string(shape.genus))) << shape.name;
+    EXPECT_TRUE(contains(verdict->json, "\"boundaryLoops\": " + std::to_string(shape.loops)));
+  }
+}
+
+TEST(Session, AnUnusableMeshIsInspectedAndNotSolved) {
+  MeshData mesh = hgp::test::cube().data;
+  std::swap(mesh.triangles[0][0], mesh.triangles[0][1]);
+  Session session = loaded(mesh);
+  Result<Verdict> verdict = session.inspect();
+  ASSERT_TRUE(verdict.hasValue());
+  EXPECT_FALSE(verdict->isGood);
+  EXPECT_TRUE(contains(verdict->json, "inconsistent-edge"));
+  const Status solved = session.parametrize(std::nullopt, {});
+  ASSERT_FALSE(solved.hasValue());
+  EXPECT_EQ(solved.error().code, ErrorCode::kUnsupported);
+  LoadOptions fix;
+  fix.fix.orient = true;
+  EXPECT_TRUE(loaded(mesh, fix).inspect()->isGood);
+}
+
+TEST(Session, CheckCountsTheBudget) {
+  const Session session = loaded(hgp::test::icosphere(3).data);
+  io::Prescription cones;
+  cones.q = 4;
+  cones.hasCones = true;
+  for (int v : {0, 1, 2, 3, 4, 5, 6, 7}) cones.cones.push_back({v, 3, {}});
+  EXPECT_TRUE(session.check(cones)->isGood);
+  cones.cones.pop_back();
+  Result<Verdict> verdict = session.check(cones);
+  ASSERT_TRUE(verdict.hasValue());
+  EXPECT_FALSE(verdict->isGood);
+  EXPECT_EQ(verdict->reason->code, ErrorCode::kPrescription);
+  cones.cones.push_back({123456, 3, {}});
+  EXPECT_FALSE(session.check(cones)->isGood);
+  cones.q = 0;
+  EXPECT_FALSE(session.check(cones)->isGood);
+}
+
+/// Solves, writes, reads again and judges what was read: the law of the whole program.
+void expectRoundTrip(const MeshData& mesh, const std::optional<io::Prescription>& asked,
+                     const SolveOptions& options = {}) {
+  Session session = loaded(mesh);
+  const Status solved = session.parametrize(asked, options);
+  ASSERT_TRUE(solved.hasValue()) << solved.error().message;
+  ASSERT_TRUE(session.isCertified()) << session.certificateJson();
+  EXPECT_EQ(session.cornerToUv().size(), 3 * mesh.triangles.size());
+  EXPECT_EQ(session.uv().size(), 2 * session.uvToVertex().size());
+  for (std::size_t c = 0; c < session.cornerToUv().size(); ++c) {
+    ASSERT_EQ(session.uvToVertex()[session.cornerToUv()[c]], session.triangles()[c]);
+  }
+  WriteOptions out;
+  out.name = "out.obj";
+  Result<io::Written> written = session.write(out);
+  ASSERT_TRUE(written.hasValue());
+  Session again;
+  ASSERT_TRUE(again.load(fileSet("out.obj", written->files[0].bytes), {}).hasValue());
+  Result<io::Prescription> cones = readPrescription("c.json", session.conesJson(), 4);
+  ASSERT_TRUE(cones.hasValue()) << session.conesJson();
+  Result<Verdict> verdict = again.verify(*cones, {});
+  ASSERT_TRUE(verdict.hasValue()) << verdict.error().message;
+  EXPECT_TRUE(verdict->isGood) << verdict->json;
+}
+
+TEST(Session, WhatIsWrittenIsCertifiedAgainAfterReading) {
+  io::Prescription cones;
+  cones.hasCones = true;
+  for (int v = 0; v < 8; ++v) cones.cones.push_back({v, 3, {}});
+  expectRoundTrip(hgp::test::icosphere(3).data, cones);
+}
+
+TEST(Session, AutomaticConesNeedNothing) { expectRoundTrip(hgp::test::cube(4).data, std::nullopt); }
+
+TEST(Session, ADiskGoesOntoAConvexPolygon) {
+  SolveOptions options;
+  options.boundary = BoundaryKind::kConvex;
+  expectRoundTrip(hgp::test::disk(4).data, std::nullopt, options);
+}
+
+TEST(Session, SeveralComponentsAreSolvedApartAndDoNotOverlap) {
+  const MeshData mesh = together(hgp::test::disk(3).data, hgp::test::grid(3, 4).data);
+  expectRoundTrip(mesh, std::nullopt);
+  Session session = loaded(mesh);
+  ASSERT_TRUE(session.parametrize(std::nullopt, {}).hasValue());
+  const std::size_t split = hgp::test::disk(3).data.positions.size();
+  double right = -1e300, left = 1e300;
+  for (std::size_t i = 0; i < session.uvToVertex().size(); ++i) {
+    const double u = session.uv()[2 * i];
+    if (session.uvToVertex()[i] < split)
+      right = std::max(right, u);
+    else
+      left = std::min(left, u);
+  }
+  EXPECT_LT(right, left);
+}
+
+TEST(Session, ScalesAsAsked) {
+  Session session = loaded(hgp::test::disk(3).data);
+  SolveOptions options;
+  options.boundary = BoundaryKind::kConvex;
+  options.scale = Scale::kFit;
+  ASSERT_TRUE(session.parametrize(std::nullopt, options).hasValue());
+  EXPECT_TRUE(session.isCertified());
+  for (double x : session.uv()) {
+    EXPECT_GE(x, 0);
+    EXPECT_LE(x, 1);
+  }
+}
+
+TEST(Session, CancellingIsAFailureOfItsOwn) {
+  Session session = loaded(hgp::test::icosphere(4).data);
+  SolveOptions options;
+  options.progress = [](const ProgressReport&) { return false; };
+  const Status solved = session.parametrize(std::nullopt, options);
+  ASSERT_FALSE(solved.hasValue());
+  EXPECT_EQ(solved.error().code, ErrorCode::kCancelled);
+}
+
+TEST(Session, ConesFollowTheirPositionsToAChangedFile) {
+  MeshData mesh = hgp::test::icosphere(2).data;
+  const Session first = loaded(mesh);
+  io::Prescription cones;
+  cones.hasCones = true;
+  for (int v = 0; v < 8; ++v) cones.cones.push_back({v, 3, {}});
+  Result<std::string> json = first.convert(cones);
+  ASSERT_TRUE(json.hasValue());
+  std::reverse(mesh.positions.begin(), mesh.positions.end());
+  const int last = static_cast<int>(mesh.positions.size()) - 1;
+  for (auto& t : mesh.triangles) {
+    for (int& v : t) v = last - v;
+  }
+  const Session second = loaded(mesh);
+  Result<io::Prescription> read = readPrescription("c.json", *json, 4);
+  ASSERT_TRUE(read.hasValue());
+  Result<std::string> moved = second.convert(*read);
+  ASSERT_TRUE(moved.hasValue());
+  Result<io::Prescription> found = readPrescription("c.json", *moved, 4);
+  ASSERT_EQ(found->cones.size(), 8u);
+  for (const io::PrescribedCone& c : found->cones) EXPECT_GE(c.vertex, last - 7);
+  read->cones[0].position = Vec3{5, 5, 5};
+  EXPECT_FALSE(second.convert(*read).hasValue());
+}
+
+TEST(Session, RawArraysAreAModelToo) {
+  const MeshData mesh = hgp::test::icosphere(2).data;
+  Session session;
+  ASSERT_TRUE(session.loadArrays(mesh.positions, mesh.triangles, {}).hasValue());
+  ASSERT_TRUE(session.parametrize(std::nullopt, {}).hasValue());
+  EXPECT_TRUE(session.isCertified());
+  EXPECT_FALSE(Session().loadArrays(mesh.positions, {{0, 1, 99999}}, {}).hasValue());
+}
+
+TEST(Session, AnUncertifiedMapIsOnlyWrittenOnRequest) {
+  Session session = loaded(hgp::test::disk(2).data);
+  EXPECT_EQ(session.write({}).error().code, ErrorCode::kUsage);
+}
+
+TEST(ErrorJson, NamesCodePlaceAndMessage) {
+  const std::string json = errorJson(
+      {ErrorCode::kPrescription, "prescription", "Σ = 7 \xff", {{Where::Kind::kEdge, 3, 9}}});
+  EXPECT_TRUE(contains(json, "\"code\": \"prescription\""));
+  EXPECT_TRUE(contains(json, "\"other\": 9"));
+}
+
+}  // namespace
+}  // namespace hgp::api

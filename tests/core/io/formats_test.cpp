@@ -1,0 +1,212 @@
+#include <cstring>
+
+#include "hgp/io/weld.h"
+#include "io_support.h"
+
+namespace hgp::io {
+namespace {
+
+using test::openText;
+using test::textOf;
+using test::vertexMap;
+
+const char kOff[] =
+    "OFF # comment\n4 2 5\n0 0 0\n1 0 0 255 0 0\n1 1 0\n0 1 0\n4 0 1 2 3 0.5 0.5 0.5\n3 0 2 1\n";
+
+void putFloat(std::string& out, float x, bool isBig = false) {
+  char b[4];
+  std::memcpy(b, &x, 4);
+  for (int i = 0; i < 4; ++i) out += b[isBig ? 3 - i : i];
+}
+void putInt(std::string& out, std::int32_t x, bool isBig = false) {
+  for (int i = 0; i < 4; ++i) out += static_cast<char>(x >> (8 * (isBig ? 3 - i : i)));
+}
+
+std::string binaryPly(bool isBig) {
+  std::string out = std::string("ply\nformat binary_") + (isBig ? "big" : "little") +
+                    "_endian 1.0\ncomment x\nelement vertex 4\nproperty float x\nproperty float y\n"
+                    "property float z\nproperty uchar red\nelement face 2\n"
+                    "property list uchar int vertex_indices\nend_header\n";
+  const float p[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0.5f}};
+  for (const auto& v : p) {
+    for (float x : v) putFloat(out, x, isBig);
+    out += '\x10';
+  }
+  out += '\3';
+  for (int i : {0, 1, 2}) putInt(out, i, isBig);
+  out += '\3';
+  for (int i : {0, 2, 3}) putInt(out, i, isBig);
+  return out;
+}
+
+const char kPly[] =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty "
+    "double z\n"
+    "property float s\nproperty float t\nelement face 1\nproperty list uchar int vertex_index\n"
+    "end_header\n0 0 0 0.25 0.5\n1 0 0 1 0\n1 1 0 1 1\n0 1 0 0 1\n4 0 1 2 3\n";
+
+std::string binaryStl() {
+  std::string out(80, ' ');
+  putInt(out, 2);
+  const float t[2][9] = {{0, 0, 0, 1, 0, 0, 1, 1, 0}, {-0.0f, 0, 0, 1, 1, 0, 0, 1, 0}};
+  for (const auto& triangle : t) {
+    for (int i = 0; i < 3; ++i) putFloat(out, 0);
+    for (float x : triangle) putFloat(out, x);
+    out += std::string(2, '\0');
+  }
+  return out;
+}
+
+const char kTextStl[] =
+    "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 "
+    "0\nendloop\nendfacet\n"
+    "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 1 0\nvertex 0 1 "
+    "0\nendloop\nendfacet\nendsolid x\n";
+
+TEST(Off, ReadsPolygonsCommentsAndColours) {
+  Result<DocumentPtr> document = openText("a.off", kOff);
+  ASSERT_TRUE(document.hasValue()) << document.error().message;
+  EXPECT_STREQ((*document)->format(), "off");
+  EXPECT_EQ((*document)->surfaces()[0].mesh.positions.size(), 4u);
+  EXPECT_EQ((*document)->surfaces()[0].mesh.triangles.size(), 3u);
+}
+
+TEST(Off, IsKnownByContent) { EXPECT_TRUE(openText("noname", kOff).hasValue()); }
+
+TEST(Ply, ReadsTextAndBothByteOrders) {
+  Result<DocumentPtr> little = openText("a.ply", binaryPly(false));
+  Result<DocumentPtr> big = openText("a.ply", binaryPly(true));
+  ASSERT_TRUE(little.hasValue()) << little.error().message;
+  ASSERT_TRUE(big.hasValue()) << big.error().message;
+  EXPECT_EQ((*little)->surfaces()[0].mesh.positions, (*big)->surfaces()[0].mesh.positions);
+  EXPECT_EQ((*little)->surfaces()[0].mesh.triangles, (*big)->surfaces()[0].mesh.triangles);
+  EXPECT_EQ((*big)->surfaces()[0].mesh.positions[3], (Vec3{0, 1, 0.5}));
+  Result<DocumentPtr> text = openText("a.ply", kPly);
+  ASSERT_TRUE(text.hasValue()) << text.error().message;
+  const std::optional<UvMap> uv = (*text)->existingUv(0, 0);
+  ASSERT_TRUE(uv.has_value());
+  EXPECT_EQ(uv->uv[0], (Vec2{0.25, 0.5}));
+}
+
+TEST(Stl, WeldsEqualPositionsIncludingMinusZero) {
+  for (const std::string& text : {binaryStl(), std::string(kTextStl)}) {
+    Result<DocumentPtr> document = openText("a.stl", text);
+    ASSERT_TRUE(document.hasValue()) << document.error().message;
+    const Surface& s = (*document)->surfaces()[0];
+    EXPECT_EQ(s.mesh.positions.size(), 4u);
+    EXPECT_EQ(s.storedVertexCount, 6);
+    EXPECT_TRUE(s.isWelded);
+    EXPECT_EQ(s.mesh.triangles[1], (std::array<int, 3>{0, 2, 3}));
+  }
+}
+
+TEST(PlainObj, IsWhatOtherFormatsAreWrittenAs) {
+  Result<DocumentPtr> document = openText("a.off", kOff);
+  ASSERT_TRUE(document.hasValue());
+  const UvMap map = vertexMap((*document)->surfaces()[0].mesh);
+  Result<Written> out = (*document)->write(0, (*document)->asStored(0, map), {});
+  ASSERT_TRUE(out.hasValue());
+  const std::string text = textOf(out->files[0].bytes);
+  Result<DocumentPtr> again = openText("a.obj", text);
+  ASSERT_TRUE(again.hasValue()) << text;
+  EXPECT_EQ((*again)->surfaces()[0].mesh.positions, (*document)->surfaces()[0].mesh.positions);
+  EXPECT_EQ((*again)->surfaces()[0].mesh.triangles, (*document)->surfaces()[0].mesh.triangles);
+  EXPECT_NE(text.find("f 1/1 2/2 3/3 4/4\n"), std::string::npos) << "polygons stay whole";
+}
+
+TEST(Weld, NearJoinsAcrossCellBorders) {
+  const std::vector<Vec3> p = {
+      {0.999, 0, 0}, {1.001, 0, 0}, {2, 0, 0}, {-1e-4, 0, 0}, {1e-4, 0, 0}};
+  const Weld weld = weldNear(p, 0.01);
+  EXPECT_EQ(weld.welded, (std::vector<int>{0, 0, 1, 2, 2}));
+  EXPECT_EQ(weld.firstStored, (std::vector<int>{0, 2, 3}));
+}
+
+TEST(HostileFormats, EndInAFailureAndNothingElse) {
+  const std::string ply = binaryPly(false), stl = binaryStl();
+  const std::vector<std::pair<std::string, std::string>> files = {
+      {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"},
+      {"a.off", "OFF\n999999999 999999999 0\n"},
+      {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 nan\n3 0 1 2\n"},
+      {"a.off", "OFF BINARY\n\1\2\3"},
+      {"a.off", "OFF\n-3 1 0\n"},
+      {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n"},
+      {"a.off", "OFF\n"},
+      {"a.ply", "ply\n"},
+      {"a.ply",
+       "ply\nformat ascii 1.0\nelement vertex 99999999999999\nproperty float x\nend_header\n"},
+      {"a.ply", "ply\nformat ascii 1.0\nelement vertex -1\nend_header\n"},
+      {"a.ply", "ply\nformat binary_little_endian 1.0\nproperty float x\nend_header\n"},
+      {"a.ply", ply.substr(0, ply.size() - 3)},
+      {"a.ply", ply.substr(0, ply.size() - 4) + std::string(4, '\x7f')},
+      {"a.ply", std::string(kPly).substr(0, std::string(kPly).size() - 4)},
+      {"a.stl", stl.substr(0, stl.size() - 1)},
+      {"a.stl", "solid x\nfacet\nouter loop\nvertex 0 0 0\nendloop\n"},
+      {"a.stl", "solid x\nendsolid x\n"},
+      {"a.stl", std::string(84, '\xff')},
+      {"a.stl", "nonsense"},
+  };
+  for (const auto& [name, text] : files) {
+    Result<DocumentPtr> document = openText(name, text);
+    ASSERT_FALSE(document.hasValue()) << name << ": " << text.substr(0, 60);
+    EXPECT_TRUE(document.error().code == ErrorCode::kMalformed ||
+                document.error().code == ErrorCode::kLimit);
+    EXPECT_FALSE(document.error().message.empty());
+  }
+}
+
+TEST(HostileFormats, EveryPrefixAndEveryFlippedByteIsSurvived) {
+  for (const std::string& good : {std::string(kOff), binaryPly(false), std::string(kPly),
+                                  binaryStl(), std::string(kTextStl)}) {
+    const std::string name = good.substr(0, 3) == "ply" ? "a.ply"
+                             : good[0] == 'O'           ? "a.off"
+                                                        : "a.stl";
+    for (std::size_t n = 0; n < good.size(); ++n) {
+      (void)openText(name, good.substr(0, n));
+      std::string bad = good;
+      bad[n] = static_cast<char>(bad[n] ^ 0x81);
+      (void)openText(name, bad);
+      bad[n] = '9';
+      (void)openText(name, bad);
+    }
+  }
+}
+
+TEST(SharedMeshes, AreReadWithTheirCounts) {
+  struct Known {
+    const char* name;
+    std::size_t vertices, triangles;
+  };
+  const Known known[] = {{"ConformalIdealDelaunay/aircraft.obj", 2349, 4656},
+                         {"Directional/eight.off", 5544, 11092},
+                         {"geometry-central/bob_small.ply", 250, 500},
+                         {"geometry-central/lego.ply", 1649, 3072},
+                         {"geometry-central/moebius.obj", 280, 448},
+                         {"OptCuts/multiComp.obj", 4081, 7942}};
+  for (const Known& k : known) {
+    std::string text;
+    if (!test::readShared(k.name, text))
+      GTEST_SKIP() << "no data folder at " << test::sharedMeshes();
+    Result<DocumentPtr> document = openText(k.name, text);
+    ASSERT_TRUE(document.hasValue()) << k.name << ": " << document.error().message;
+    const Surface& s = (*document)->surfaces()[0];
+    EXPECT_EQ(s.mesh.positions.size(), k.vertices) << k.name;
+    if (std::string(k.name).find("bob") == std::string::npos &&
+        std::string(k.name).find("moebius") == std::string::npos) {
+      EXPECT_EQ(s.mesh.triangles.size(), k.triangles) << k.name;
+    }
+    const UvMap stored = (*document)->asStored(0, vertexMap(s.mesh));
+    Result<Written> out = (*document)->write(0, stored, {});
+    ASSERT_TRUE(out.hasValue());
+    Result<DocumentPtr> again = openText("x.obj", textOf(out->files[0].bytes));
+    ASSERT_TRUE(again.hasValue());
+    const std::optional<UvMap> back = (*again)->existingUv(0, 0);
+    ASSERT_TRUE(back.has_value());
+    EXPECT_EQ(back->uv, stored.uv);
+    EXPECT_EQ(back->cornerUv, stored.cornerUv);
+    EXPECT_EQ((*again)->surfaces()[0].mesh.triangles, s.mesh.triangles);
+  }
+}
+
+}  // namespace
+}  // namespace hgp::io

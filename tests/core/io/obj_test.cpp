@@ -1,0 +1,271 @@
+#include <algorithm>
+#include <chrono>
+#include <sstream>
+
+#include "hgp/io/text.h"
+#include "io_support.h"
+
+namespace hgp::io {
+namespace {
+
+using test::cornerMap;
+using test::openText;
+using test::textOf;
+using test::vertexMap;
+
+const char kMixed[] =
+    "# a comment\r\n"
+    "mtllib things.mtl\r\n"
+    "o first\r\n"
+    "v 0 0 0\r\nv 1 0 0 0.5 0.5 0.5\r\nv 1 1 0\r\nv 0 1 0\r\n"
+    "vt 0 0\r\nvt 1 0\r\n"
+    "vn 0 0 1\r\n"
+    "usemtl red\r\n"
+    "s off\r\n"
+    "f 1/1/1 2/2/1 3/1/1 4/2/1   # a quad\r\n"
+    "v 0 0 1\n"
+    "g second\n"
+    "f -1 -5//1 \\\n  -4//1\n"
+    "l 1/1 2/2 3\n"
+    "weird stuff 1 2 3\n"
+    "f 1// 5 4";
+
+std::string written(const Document& document, const UvMap& map, const WriteOptions& options = {}) {
+  Result<Written> out = document.write(0, document.asStored(0, map), options);
+  EXPECT_TRUE(out.hasValue());
+  return out ? textOf(out->files[0].bytes) : "";
+}
+
+void expectSameMap(const UvMap& a, const UvMap& b) {
+  ASSERT_EQ(a.cornerUv.size(), b.cornerUv.size());
+  for (std::size_t t = 0; t < a.cornerUv.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_EQ(a.uv[static_cast<std::size_t>(a.cornerUv[t][k])],
+                b.uv[static_cast<std::size_t>(b.cornerUv[t][k])]);
+    }
+  }
+}
+
+TEST(Obj, ReadsPolygonsRelativeIndicesAndContinuations) {
+  Result<DocumentPtr> document = openText("a.obj", kMixed);
+  ASSERT_TRUE(document.hasValue()) << document.error().message;
+  const MeshData& mesh = (*document)->surfaces()[0].mesh;
+  EXPECT_EQ(mesh.positions.size(), 5u);
+  ASSERT_EQ(mesh.triangles.size(), 4u);
+  EXPECT_EQ(mesh.triangles[2], (std::array<int, 3>{4, 0, 1}));
+  EXPECT_EQ(mesh.triangles[3], (std::array<int, 3>{0, 4, 3}));
+  EXPECT_FALSE((*document)->existingUv(0, 0).has_value()) << "some corners have no vt";
+}
+
+TEST(Obj, WritingTouchesNothingButFacesAndTextureCoordinates) {
+  Result<DocumentPtr> document = openText("a.obj", kMixed);
+  ASSERT_TRUE(document.hasValue());
+  const UvMap map = vertexMap((*document)->surfaces()[0].mesh);
+  const std::string text = written(**document, map);
+  const auto keptLines = [](const std::string& source) {
+    std::vector<std::string> lines;
+    std::istringstream in(source);
+    for (std::string line; std::getline(in, line);) {
+      const bool isOurs = line[0] == 'f' || line.compare(0, 2, "vt") == 0 || line[0] == 'l' ||
+                          line.compare(0, 2, "  ") == 0;
+      if (!isOurs) lines.push_back(line);
+    }
+    return lines;
+  };
+  EXPECT_EQ(keptLines(text), keptLines(kMixed));
+  EXPECT_NE(text.find("   # a quad\r\n"), std::string::npos);
+  EXPECT_NE(text.find("/1 \\\n  -4/"), std::string::npos) << "normals and relative spelling stay";
+  EXPECT_NE(text.find("l 1 2 3\n"), std::string::npos) << text;
+}
+
+TEST(Obj, ReadOfWriteIsTheSameMapBitForBit) {
+  Result<DocumentPtr> document = openText("a.obj", kMixed);
+  ASSERT_TRUE(document.hasValue());
+  const UvMap stored = (*document)->asStored(0, vertexMap((*document)->surfaces()[0].mesh));
+  const std::string text = written(**document, stored);
+  Result<DocumentPtr> again = openText("b.obj", text);
+  ASSERT_TRUE(again.hasValue()) << again.error().message;
+  const std::optional<UvMap> back = (*again)->existingUv(0, 0);
+  ASSERT_TRUE(back.has_value());
+  expectSameMap(*back, stored);
+  EXPECT_EQ((*again)->surfaces()[0].mesh.triangles, (*document)->surfaces()[0].mesh.triangles);
+  EXPECT_EQ(written(**again, *back), text) << "writing twice changes nothing more";
+}
+
+TEST(Obj, TrianglesKeepEveryCornersOwnUv) {
+  Result<DocumentPtr> document =
+      openText("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n");
+  ASSERT_TRUE(document.hasValue());
+  const UvMap map = cornerMap((*document)->surfaces()[0].mesh);
+  Result<DocumentPtr> again = openText("t.obj", written(**document, map));
+  ASSERT_TRUE(again.hasValue());
+  expectSameMap(*(*again)->existingUv(0, 0), map);
+}
+
+TEST(Obj, ASeamOnADiagonalMovesToThePolygonsSides) {
+  // Two quads; the inner diagonal of the first one is a seam turned by a quarter.
+  Result<DocumentPtr> document = openText(
+      "q.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nf 1 2 3 4\nf 2 5 6 3\n");
+  ASSERT_TRUE(document.hasValue());
+  const MeshData& mesh = (*document)->surfaces()[0].mesh;
+  UvMap map;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    map.cornerUv.push_back({});
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& p = mesh.positions[static_cast<std::size_t>(mesh.triangles[t][k])];
+      map.cornerUv[t][k] = static_cast<int>(map.uv.size());
+      map.uv.push_back(t == 1 ? Vec2{-p[1] + 5, p[0] + 7} : Vec2{p[0], p[1]});
+    }
+  }
+  const UvMap stored = (*document)->asStored(0, map);
+  for (std::size_t t = 0; t < 2; ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& p = mesh.positions[static_cast<std::size_t>(mesh.triangles[t][k])];
+      EXPECT_EQ(stored.uv[static_cast<std::size_t>(stored.cornerUv[t][k])], (Vec2{p[0], p[1]}));
+    }
+  }
+  EXPECT_LE(stored.uv.size(), 4u + 6u);
+  Result<DocumentPtr> again = openText("q.obj", written(**document, map));
+  ASSERT_TRUE(again.hasValue());
+  expectSameMap(*(*again)->existingUv(0, 0), stored);
+}
+
+TEST(Obj, ConcavePolygonsAreCutInside) {
+  // An L with its reflex corner at (1, 1), in the plane z = x.
+  Result<DocumentPtr> document = openText("l.obj",
+                                          "v 0 0 0\nv 2 0 2\nv 2 1 2\nv 1 1 1\nv 1 2 1\nv 0 2 0\n"
+                                          "f 1 2 3 4 5 6\n");
+  ASSERT_TRUE(document.hasValue());
+  const MeshData& mesh = (*document)->surfaces()[0].mesh;
+  ASSERT_EQ(mesh.triangles.size(), 4u);
+  double area = 0;
+  for (const auto& t : mesh.triangles) {
+    const auto at = [&](std::size_t k) { return mesh.positions[static_cast<std::size_t>(t[k])]; };
+    const double cross = (at(1)[0] - at(0)[0]) * (at(2)[1] - at(0)[1]) -
+                         (at(1)[1] - at(0)[1]) * (at(2)[0] - at(0)[0]);
+    EXPECT_GT(cross, 0);
+    area += cross / 2;
+  }
+  EXPECT_DOUBLE_EQ(area, 3);
+}
+
+TEST(Obj, EmbeddedConesComeBackAndAreReplaced) {
+  Result<DocumentPtr> document = openText("a.obj", kMixed);
+  ASSERT_TRUE(document.hasValue());
+  WriteOptions options;
+  options.cones = R"({"format":"hgp-cones","version":1,"q":6,"cones":[{"vertex":2,"k":5}]})";
+  const UvMap map = vertexMap((*document)->surfaces()[0].mesh);
+  const std::string text = written(**document, map, options);
+  Result<DocumentPtr> again = openText("b.obj", text);
+  ASSERT_TRUE(again.hasValue());
+  Result<std::optional<Prescription>> cones = (*again)->embeddedCones(0);
+  ASSERT_TRUE(cones.hasValue() && cones->has_value());
+  EXPECT_EQ((*cones)->q, 6);
+  EXPECT_EQ((*cones)->cones[0].k, 5);
+  EXPECT_EQ(written(**again, map, options), text);
+}
+
+struct Hostile {
+  const char* name;
+  std::string text;
+  ErrorCode code;
+  int line;  ///< expected in the message, 0 when there is none
+};
+
+class HostileObj : public ::testing::TestWithParam<Hostile> {};
+
+TEST_P(HostileObj, IsRefusedWithItsLine) {
+  Result<DocumentPtr> document = openText("hostile.obj", GetParam().text);
+  ASSERT_FALSE(document.hasValue());
+  EXPECT_EQ(document.error().code, GetParam().code) << document.error().message;
+  if (GetParam().line > 0) {
+    const std::string expected = "line " + std::to_string(GetParam().line) + ":";
+    EXPECT_NE(document.error().message.find(expected), std::string::npos)
+        << document.error().message;
+  }
+}
+
+std::string longPolygon(int corners) {
+  std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf";
+  for (int i = 0; i < corners; ++i) text += " 1";
+  return text + "\n";
+}
+
+const std::string kThree = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+INSTANTIATE_TEST_SUITE_P(
+    Table, HostileObj,
+    ::testing::Values(
+        Hostile{"index0", kThree + "f 0 1 2\n", ErrorCode::kMalformed, 4},
+        Hostile{"outOfRange", kThree + "f 1 2 3\nf 1 2 4\n", ErrorCode::kMalformed, 5},
+        Hostile{"vtOutOfRange", kThree + "f 1/1 2/1 3/1\n", ErrorCode::kMalformed, 4},
+        Hostile{"relativeBefore", "v 0 0 0\nf -1 -2 -3\n", ErrorCode::kMalformed, 2},
+        Hostile{"huge", kThree + "f 1 2 99999999999999999999\n", ErrorCode::kMalformed, 4},
+        Hostile{"twoCorners", kThree + "f 1 2\n", ErrorCode::kMalformed, 4},
+        Hostile{"million", longPolygon(300000), ErrorCode::kMalformed, 4},
+        Hostile{"tooManyCorners", longPolygon(10001), ErrorCode::kMalformed, 4},
+        Hostile{"longLine", kThree + "f " + std::string(std::size_t{1} << 21, ' ') + "1 2 3\n",
+                ErrorCode::kMalformed, 4},
+        Hostile{"comma", "v 0,5 0,5 0,5\n", ErrorCode::kMalformed, 1},
+        Hostile{"nan", "v 0 0 nan\n", ErrorCode::kMalformed, 1},
+        Hostile{"inf", "v 0 0 1e999\n", ErrorCode::kMalformed, 1},
+        Hostile{"twoNumbers", "v 0 0\n", ErrorCode::kMalformed, 1},
+        Hostile{"letters", kThree + "f a b c\n", ErrorCode::kMalformed, 4},
+        Hostile{"tail", kThree + "f 1x 2 3\n", ErrorCode::kMalformed, 4},
+        Hostile{"continued", kThree + "f 1 2 \\\n 0\n", ErrorCode::kMalformed, 4},
+        Hostile{"empty", "", ErrorCode::kMalformed, 0},
+        Hostile{"html", "<html></html>", ErrorCode::kMalformed, 0},
+        Hostile{"nothing", "hello world\n", ErrorCode::kMalformed, 0},
+        Hostile{"nul", kThree + std::string("f 1 2 3\0\n", 9), ErrorCode::kMalformed, 0},
+        Hostile{"badVt", kThree + "vt a\nf 1 2 3\n", ErrorCode::kMalformed, 4}),
+    [](const ::testing::TestParamInfo<Hostile>& file) { return std::string(file.param.name); });
+
+TEST(Obj, LimitsAreKept) {
+  Limits limits;
+  limits.maxTriangles = 1;
+  Result<DocumentPtr> document =
+      readObj(test::fileSet("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 2\n"), limits);
+  ASSERT_FALSE(document.hasValue());
+  EXPECT_EQ(document.error().code, ErrorCode::kLimit);
+  limits.maxBytes = 10;
+  EXPECT_EQ(readObj(test::fileSet("a.obj", kMixed), limits).error().code, ErrorCode::kLimit);
+}
+
+TEST(Obj, AMillionFacesAreReadAndWrittenInAMoment) {
+  const int n = 708;
+  std::string text;
+  text.reserve(std::size_t{60} << 20);
+  for (int i = 0; i <= n; ++i) {
+    for (int j = 0; j <= n; ++j) {
+      text += "v ";
+      appendDouble(text, 0.001234567 * i);
+      text += ' ';
+      appendDouble(text, 0.00198765 * j);
+      text += " -0.123456\n";
+    }
+  }
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      const int a = i * (n + 1) + j + 1;
+      text += "f " + std::to_string(a) + " " + std::to_string(a + n + 1) + " " +
+              std::to_string(a + 1) + "\nf " + std::to_string(a + 1) + " " +
+              std::to_string(a + n + 1) + " " + std::to_string(a + n + 2) + "\n";
+    }
+  }
+  const auto start = std::chrono::steady_clock::now();
+  Result<DocumentPtr> document = openText("large.obj", text);
+  const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - start;
+  ASSERT_TRUE(document.hasValue());
+  EXPECT_GE((*document)->surfaces()[0].mesh.triangles.size(), 1000000u);
+  const UvMap map = vertexMap((*document)->surfaces()[0].mesh);
+  const auto middle = std::chrono::steady_clock::now();
+  Result<Written> out = (*document)->write(0, map, {});
+  const std::chrono::duration<double> writing = std::chrono::steady_clock::now() - middle;
+  ASSERT_TRUE(out.hasValue());
+  std::printf("read %.3f s, write %.3f s\n", reading.count(), writing.count());
+  EXPECT_LT(reading.count(), 20) << "not a benchmark: only a guard against something quadratic";
+  EXPECT_LT(writing.count(), 20);
+}
+
+}  // namespace
+}  // namespace hgp::io

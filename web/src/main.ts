@@ -1,7 +1,7 @@
 // Starts the page: the document, the solver, the two views, and what connects them.
 
 import { render } from 'lit';
-import { Color } from 'three';
+import { Color, type Group } from 'three';
 import { App } from './state/app';
 import { filesOfDrop } from './state/files';
 import { open } from './state/open';
@@ -14,6 +14,7 @@ import { page } from './ui/page';
 import { Pointer } from './ui/pointer';
 import { listenToSplitter } from './ui/splitter';
 import { MapView } from './view/map_view';
+import { loadOriginal } from './view/original';
 import { SurfaceView } from './view/surface_view';
 import type { Palette } from './view/material';
 
@@ -31,6 +32,22 @@ function draw(): void {
   document.body.dataset.state = app.state;
   for (const dialog of root.querySelectorAll('dialog')) if (!dialog.open) dialog.showModal();
   updateViews();
+}
+
+let original: { of: unknown; group?: Group } | undefined;
+
+/** Reads the written file with its materials, once, when that is what should be seen. */
+function updateOriginal(): void {
+  const { shown, look, info, files } = app;
+  if (look.pattern !== 'material' || !shown) return ui.surfaceView!.setOriginal(undefined);
+  if (original?.of === shown) return ui.surfaceView!.setOriginal(original.group);
+  const own: typeof original = (original = { of: shown });
+  loadOriginal(shown.written.files, files, info?.surface ?? 0)
+    .then((group) => {
+      own.group = group;
+      app.changed();
+    })
+    .catch((error: Error) => app.say(`The materials cannot be shown: ${error.message}`, 'error'));
 }
 
 let known = {} as { surface?: unknown; shown?: unknown; look?: unknown; key?: string };
@@ -53,6 +70,7 @@ function updateViews(): void {
     surfaceView.setLook(look, q, isStale, palette);
     mapView.setLook(look, q, isStale, palette);
   }
+  updateOriginal();
   const cones = JSON.stringify([asked.cones, asked.q, selected, budget?.cones]);
   if (isOther || cones !== knownCones) {
     const bad = budget?.cones.map(({ isGood }) => !isGood) ?? [];

@@ -33,10 +33,11 @@ export class History<T> {
     return this.#steps[this.#at + 1]?.kind.split(':')[0] ?? '';
   }
 
-  /** `kind` is "verb: field"; the same kind soon after merges into one step. */
+  /** `kind` is "verb: field"; the same kind soon after merges into one step, a drag always. */
   push(value: T, kind: string, now = performance.now()): void {
     const top = this.#steps[this.#at];
-    const isMerged = this.#at > 0 && top.kind === kind && now - top.time < mergeTime;
+    const isSoon = now - top.time < mergeTime || kind.startsWith('move cone: ');
+    const isMerged = this.#at > 0 && top.kind === kind && isSoon;
     this.#steps.length = this.#at + 1;
     if (isMerged) this.#steps[this.#at] = { value, kind, time: now };
     else {

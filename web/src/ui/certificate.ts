@@ -21,6 +21,7 @@ interface Part {
 
 const partsOf = (certificate: Certificate): Part[] => certificate.components as Part[];
 const small = (x: number): string => (x === 0 ? '0' : x.toExponential(1).replace('e-', 'e−'));
+const signed = (x: number): string => (x < 0 ? `−${(-x).toFixed(2)}` : x.toFixed(2));
 const face = (id: number | undefined): Where[] =>
   id === undefined || id < 0 ? [] : [{ kind: 'face', id }];
 
@@ -89,6 +90,33 @@ function verdict(app: App, solved: Solved): TemplateResult {
   </div>`;
 }
 
+function certificateRow(
+  { name, value, tolerance, isGood, where }: Row,
+  ui: Controls,
+): TemplateResult {
+  return html`<tr class=${isGood ? '' : 'bad'}>
+    <th scope="row">${name}<small>${tolerance}</small></th>
+    <td>
+      ${value}
+      ${
+        where.length > 0
+          ? html`<button
+              type="button"
+              class="link"
+              aria-label="Show worst: ${name}"
+              @click=${() => ui.showPlaces(where)}
+            >
+              Show worst
+            </button>`
+          : nothing
+      }
+    </td>
+    <td class="passed">
+      ${icon(isGood ? 'check' : 'cross')}<span class="unseen">${isGood ? 'passed' : 'failed'}</span>
+    </td>
+  </tr>`;
+}
+
 function certificateTable(solved: Solved, ui: Controls): TemplateResult {
   return html`<table id="certificate">
     <thead class="unseen">
@@ -99,46 +127,17 @@ function certificateTable(solved: Solved, ui: Controls): TemplateResult {
       </tr>
     </thead>
     <tbody>
-      ${rows(solved.result).map(
-        ({ name, value, tolerance, isGood, where }) =>
-          html`<tr class=${isGood ? '' : 'bad'}>
-            <th scope="row">${name}<small>${tolerance}</small></th>
-            <td>${value}</td>
-            <td class="passed">
-              ${icon(isGood ? 'check' : 'cross')}<span class="unseen"
-                >${isGood ? 'passed' : 'failed'}</span
-              >
-            </td>
-            <td>
-              ${
-                where.length > 0
-                  ? html`<button
-                      type="button"
-                      class="small"
-                      aria-label="Show worst: ${name}"
-                      @click=${() => ui.showPlaces(where)}
-                    >
-                      Show worst
-                    </button>`
-                  : nothing
-              }
-            </td>
-          </tr>`,
+      ${rows(solved.result).map((row) => certificateRow(row, ui))}
+      ${certificateRow(
+        {
+          name: 'Preview is the file',
+          value: solved.isSameAsFile ? 'same map' : 'differs',
+          tolerance: `read back from ${(solved.written.bytes.length / 1024).toFixed(0)} KB`,
+          isGood: solved.isSameAsFile,
+          where: [],
+        },
+        ui,
       )}
-      <tr class=${solved.isSameAsFile ? '' : 'bad'}>
-        <th scope="row">
-          Preview is the file<small
-            >read back from ${(solved.written.bytes.length / 1024).toFixed(0)} KB</small
-          >
-        </th>
-        <td>${solved.isSameAsFile ? 'same map' : 'differs'}</td>
-        <td class="passed">
-          ${icon(solved.isSameAsFile ? 'check' : 'cross')}<span class="unseen"
-            >${solved.isSameAsFile ? 'passed' : 'failed'}</span
-          >
-        </td>
-        <td></td>
-      </tr>
     </tbody>
   </table>`;
 }
@@ -149,13 +148,13 @@ function statistics({ distortion, overlap, result }: Solved): [string, string][]
     (one) => (one.rounds as { iterations: number; laplacianEnergy?: number }[]) ?? [],
   );
   const energy = rounds.at(-1)?.laplacianEnergy;
-  const log = [0.05, 0.95].map((part) => quantile(distortion.area, part).toFixed(1));
+  const log = [0.05, 0.95].map((part) => signed(quantile(distortion.area, part)));
   return [
     [
-      'Stretch σ₁/σ₂, middle · 95 %',
+      'Stretch σ₁/σ₂, 50 · 95 %',
       [0.5, 0.95].map((x) => quantile(distortion.conformal, x).toFixed(2)).join(' · '),
     ],
-    ['log₂ area, 5 % · 95 %', log.join(' · ')],
+    ['log₂ area, 5 · 95 %', log.join(' · ')],
     [
       'Map on top of itself',
       overlap < 0.001 ? 'nowhere' : `${(100 * overlap).toFixed(0)} % (allowed)`,

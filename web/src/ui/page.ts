@@ -140,7 +140,7 @@ export function page(app: App, ui: Controls): TemplateResult {
         <p class="hover" ?hidden=${ui.hover === ''}>${ui.hover}</p>
         ${legend(app)}
         ${
-          app.shown && app.look.pattern !== 'plain'
+          app.shown && !['plain', 'material'].includes(app.look.pattern)
             ? html`<p class="honest">
                 Directions and spacing continue across seams; lines may shift, because the cone
                 points are not on an integer grid.

@@ -6,6 +6,7 @@ import type { Overlay } from '../state/app';
 import { quantile } from '../state/measure';
 import type { Solved } from '../state/solved';
 import type { Surface } from '../state/surface';
+import { spread } from './spread';
 
 export function cornerGeometry(surface: Surface, solved?: Solved): BufferGeometry {
   const { triangles, positions, normals } = surface;
@@ -136,54 +137,30 @@ export function crosses(
   const { positions: p, triangles } = surface;
   const { uv } = solved.corners;
   const { uvArea, surfaceArea } = solved.distortion;
-  const arm = 0.46 * spacing * Math.sqrt(uvArea / surfaceArea); // in uv
+  const arm = 0.42 * spacing * Math.sqrt(uvArea / surfaceArea); // in uv
   const lift = 0.0015 * surface.diagonal;
   const out: number[] = [];
-  let owed = 0.5;
-  const random = sequence();
-  for (let t = 0; t < triangles.length; t += 3) {
-    const [a, b, c] = [3 * triangles[t], 3 * triangles[t + 1], 3 * triangles[t + 2]];
-    const e = [0, 1, 2].map((i) => p[b + i] - p[a + i]);
-    const f = [0, 1, 2].map((i) => p[c + i] - p[a + i]);
-    const n = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
-    const size = Math.hypot(n[0], n[1], n[2]);
-    owed += size / 2 / (spacing * spacing);
-    if (owed < 1 || !(size > 0)) continue;
-    const [ux, uy] = [uv[2 * t + 2] - uv[2 * t], uv[2 * t + 3] - uv[2 * t + 1]];
-    const [vx, vy] = [uv[2 * t + 4] - uv[2 * t], uv[2 * t + 5] - uv[2 * t + 1]];
+  for (const { triangle: t, s, r, e, f, n } of spread(surface, spacing)) {
+    const [ux, uy] = [uv[6 * t + 2] - uv[6 * t], uv[6 * t + 3] - uv[6 * t + 1]];
+    const [vx, vy] = [uv[6 * t + 4] - uv[6 * t], uv[6 * t + 5] - uv[6 * t + 1]];
     const det = ux * vy - uy * vx;
-    for (; owed >= 1; owed -= 1) {
-      let [s, r] = [random(), random()];
-      if (s + r > 1) [s, r] = [1 - s, 1 - r];
-      for (let k = 0; k < q; k++) {
-        const turn = (2 * Math.PI * k) / q;
-        const [x, y] = [arm * Math.cos(turn), arm * Math.sin(turn)];
-        if (isFlat) {
-          const [cx, cy] = [uv[2 * t] + s * ux + r * vx, uv[2 * t + 1] + s * uy + r * vy];
-          out.push(cx, cy, 0.002, cx + x, cy + y, 0.002);
-          continue;
-        }
-        const [ds, dr] = [(x * vy - y * vx) / det, (ux * y - uy * x) / det];
-        for (const [i, j] of [
-          [s, r],
-          [s + ds, r + dr],
-        ]) {
-          for (let m = 0; m < 3; m++) {
-            out.push(p[a + m] + i * e[m] + j * f[m] + (lift * n[m]) / size);
-          }
-        }
+    for (let k = 0; k < q; k++) {
+      const turn = (2 * Math.PI * k) / q;
+      const [x, y] = [arm * Math.cos(turn), arm * Math.sin(turn)];
+      if (isFlat) {
+        const [cx, cy] = [uv[6 * t] + s * ux + r * vx, uv[6 * t + 1] + s * uy + r * vy];
+        out.push(cx, cy, 0.002, cx + x, cy + y, 0.002);
+        continue;
+      }
+      const [ds, dr] = [(x * vy - y * vx) / det, (ux * y - uy * x) / det];
+      const a = 3 * triangles[3 * t];
+      for (const [i, j] of [
+        [s, r],
+        [s + ds, r + dr],
+      ]) {
+        for (let m = 0; m < 3; m++) out.push(p[a + m] + i * e[m] + j * f[m] + lift * n[m]);
       }
     }
   }
   return new Float32Array(out);
-}
-
-/** Evenly spread numbers that are the same every time. */
-function sequence(): () => number {
-  let [n, isSecond] = [0, false];
-  return () => {
-    isSecond = !isSecond;
-    if (isSecond) n += 1;
-    return (n * (isSecond ? 0.7548776662466927 : 0.5698402909980532)) % 1;
-  };
 }

@@ -79,6 +79,7 @@ export class Markers extends Group {
         });
         const sprite = new Sprite(material);
         sprite.position.copy(marker.at);
+        sprite.userData.at = marker.at;
         sprite.renderOrder = isHidden ? 5 : 10;
         sprite.userData.size = marker.isSelected ? 1.25 : 1;
         this.add(sprite);
@@ -91,6 +92,14 @@ export class Markers extends Group {
   resize(pixels: number): void {
     this.#scale = pixels;
     for (const sprite of this.children) sprite.scale.setScalar(this.#scale * sprite.userData.size);
+  }
+
+  /** Lifts markers towards the eye, so that the surface around them does not cut into them. */
+  lift(eye: Vector3, by: number): void {
+    for (const sprite of this.children) {
+      const at = sprite.userData.at as Vector3;
+      sprite.position.copy(eye).sub(at).setLength(by).add(at);
+    }
   }
 
   #clear(): void {

@@ -10,6 +10,7 @@ export class Orbit {
   readonly #camera: PerspectiveCamera;
   #radius = 1;
   #center = new Vector3();
+  #isTouched = false;
 
   constructor(camera: PerspectiveCamera, canvas: HTMLCanvasElement, onChange: () => void) {
     this.#camera = camera;
@@ -17,15 +18,22 @@ export class Orbit {
     this.controls.enableDamping = false;
     this.controls.zoomToCursor = true;
     this.controls.addEventListener('change', onChange);
+    this.controls.addEventListener('start', () => (this.#isTouched = true));
   }
 
   frame(center: Vector3, radius: number, keepDirection = false): void {
     this.#center = center.clone();
     this.#radius = radius || 1;
+    this.#isTouched = false;
     const direction = keepDirection
       ? this.#camera.position.clone().sub(this.controls.target).normalize()
       : startFrom;
     this.#place(direction);
+  }
+
+  /** The view has another shape: fits again, unless someone has chosen where to look from. */
+  reshaped(): void {
+    if (!this.#isTouched) this.fit();
   }
 
   reset(): void {
@@ -39,7 +47,7 @@ export class Orbit {
   #place(direction: Vector3): void {
     const half = MathUtils.degToRad(this.#camera.fov / 2);
     const narrow = Math.atan(Math.tan(half) * Math.min(1, this.#camera.aspect));
-    const distance = (1.06 * this.#radius) / Math.sin(narrow);
+    const distance = (1.12 * this.#radius) / Math.sin(narrow);
     this.controls.target.copy(this.#center);
     this.#camera.position.copy(direction).multiplyScalar(distance).add(this.#center);
     this.#camera.near = this.#radius / 200;
@@ -50,6 +58,7 @@ export class Orbit {
 
   /** Radians around and up; factor of the distance. */
   move(around: number, up: number, factor = 1): void {
+    this.#isTouched = true;
     const { target } = this.controls;
     const offset = this.#camera.position.clone().sub(target);
     const at = new Spherical().setFromVector3(offset);
@@ -62,6 +71,7 @@ export class Orbit {
 
   /** Parts of the view's height. */
   pan(x: number, y: number): void {
+    this.#isTouched = true;
     const { target } = this.controls;
     const distance = this.#camera.position.distanceTo(target);
     const height = 2 * distance * Math.tan(MathUtils.degToRad(this.#camera.fov / 2));
@@ -81,6 +91,7 @@ export class Orbit {
   fromText(text: string): void {
     const numbers = text.split(',').map(Number);
     if (numbers.length !== 6 || !numbers.every(Number.isFinite)) return;
+    this.#isTouched = true;
     this.#camera.position.fromArray(numbers);
     this.controls.target.fromArray(numbers, 3);
     this.controls.update();

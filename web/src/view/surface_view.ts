@@ -3,6 +3,7 @@
 import {
   BufferGeometry,
   Color,
+  type Group,
   Mesh,
   PerspectiveCamera,
   Raycaster,
@@ -48,12 +49,16 @@ export class SurfaceView extends Stage {
   #palette?: Palette;
   #height = 1;
   #image?: ImageBitmap;
+  #original?: Group;
 
   constructor(canvas: HTMLCanvasElement) {
     super(canvas);
     this.scene.add(this.#mesh, this.#wire, this.#crosses, this.#seams);
     this.scene.add(this.#light, this.#cursor, this.#markers);
     this.#mesh.visible = false;
+    this.beforeDraw(() =>
+      this.#markers.lift(this.camera.position, 0.04 * (this.#surface?.diagonal ?? 1)),
+    );
     this.orbit = new Orbit(this.camera, canvas, () => this.draw());
   }
 
@@ -61,6 +66,7 @@ export class SurfaceView extends Stage {
     this.#height = height;
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
+    this.orbit.reshaped();
     this.#markers.resize(this.#markerSize());
   }
 
@@ -139,6 +145,16 @@ export class SurfaceView extends Stage {
       const { array } = this.#mesh.geometry.attributes.position;
       this.#wire.set(edgesOfCorners(array), this.#palette!.ink);
     } else this.#wire.visible = false;
+  }
+
+  /** The model with its own materials in place of the pattern; nothing to have the pattern back. */
+  setOriginal(original: Group | undefined): void {
+    if (original === this.#original) return;
+    this.#original?.removeFromParent();
+    this.#original = original;
+    if (original) this.scene.add(original);
+    this.#mesh.visible = this.#surface !== undefined && original === undefined;
+    this.draw();
   }
 
   setCones(asked: Prescription, bad: boolean[], selected: number): void {

@@ -139,7 +139,8 @@ CorpusRow runMesh(const std::string& file, const std::string& name, const Corpus
   row.name = name;
   resetPeakMemory();
   const auto start = Clock::now();
-  const api::LoadOptions load;
+  api::LoadOptions load;
+  load.fix.degenerate = options.fixDegenerate;
   api::Session session;
   Result<io::FileSet> files = cli::openFiles(file, "", "", load.limits.maxBytes);
   Status loaded = files ? session.load(std::move(*files), load) : Status(files.error());
@@ -160,6 +161,7 @@ std::string reproduction(const std::string& file, const CorpusOptions& options) 
   std::string command = "hgp param " + file + " -o out.obj";
   if (options.q != 4) command += " --q " + std::to_string(options.q);
   if (options.useQuality) command += " --quality";
+  if (options.fixDegenerate) command += " --fix degenerate";
   return command;
 }
 

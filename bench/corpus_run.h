@@ -11,7 +11,8 @@ namespace hgp::bench {
 struct CorpusOptions {
   int q = 4;
   bool useQuality = false;
-  double timeLimit = 0.0;  ///< seconds per mesh; 0 = none
+  double timeLimit = 0.0;      ///< seconds per mesh; 0 = none
+  bool fixDegenerate = false;  ///< remove triangles without area first
 };
 
 enum class Outcome {

@@ -37,8 +37,8 @@ bool take(const std::optional<Mapped>& m, Drawing& drawing) {
 Drawing hardModels(const Request& request) {
   const bool isSmall = request.isSmall;
   const std::pair<const char*, MeshData> models[] = {
-      {"knot", isSmall ? models::knot(10, 90) : models::knot(24, 300)},
-      {"lattice", isSmall ? models::pretzel(26) : models::lattice(72)},
+      {"knot", isSmall ? models::knot(10, 90) : models::knot(12, 110)},
+      {"lattice", isSmall ? models::pretzel(26) : models::lattice(44)},
       {"colander", isSmall ? models::colander(3) : models::colander(5)},
       {"creature", isSmall ? models::creature(30) : models::creature(80)}};
   const Camera cameras[] = {{20, 70, 1}, {28, 24, 1}, {20, 12, 1}, {38, 14, 1}};
@@ -154,6 +154,59 @@ Drawing twinSeams(const Request& request) {
   return drawing;
 }
 
+/// The pattern with lines `spacing` apart at vertex v; elsewhere as the map has it.
+void scaleAt(const Mapped& m, VertexId v, double spacing, picture::Scene& scene) {
+  using namespace hgp::models;
+  double uvLength = 0, length = 0;
+  for (HalfedgeId h : outgoingHalfedges(m.mesh, v)) {
+    const auto& corners = m.result.map.cornerUv[h.i / 3];
+    const Vec2 &a = m.result.map.uv[corners[h.i % 3]], &b = m.result.map.uv[corners[(h.i + 1) % 3]];
+    uvLength += std::hypot(b[0] - a[0], b[1] - a[1]);
+    length += norm(m.mesh.position(m.mesh.head(h)) - m.mesh.position(v));
+  }
+  scene.uv = cornerUv(m, length / uvLength / spacing);
+}
+
+/// Eight strong cones on a coarse model. The first program gives 5π at one of them away: 3π there,
+/// 4π at a regular neighbour, and not a triangle flipped.
+HolonomySpec hardCones(const MeshData& data) {
+  const std::pair<Vec3, int> cones[] = {
+      {{-0.410, -0.083, 0.293}, 8}, {{-0.401, 0.063, -0.278}, 10}, {{-0.419, -0.019, -0.292}, 1},
+      {{-0.797, 0.570, 0.159}, 1},  {{-0.533, -0.209, -0.078}, 1}, {{-0.739, 0.074, 0.063}, 1},
+      {{-0.349, -0.789, 0.313}, 1}, {{-0.702, -0.042, 0.051}, 1}};
+  HolonomySpec spec;
+  for (const auto& [place, k] : cones) spec.cones.push_back({nearestVertex(data, place), k});
+  return spec;
+}
+
+// Fig. 8: the first program, with wrong angles (yellow where they should not be), and frames fixed.
+Drawing frameFixing(const Request&) {
+  Drawing drawing;
+  const MeshData data = models::creature(26);
+  Order order;
+  order.spec = hardCones(data);
+  const VertexId hard = order.spec->cones[1].vertex;
+  Camera camera{190, 15, 7, data.positions[hard.i]};
+  std::vector<Image> panels;
+  for (int rounds : {1, 12}) {
+    order.maxRounds = rounds;
+    const std::optional<Mapped> m = mapped(rounds == 1 ? "before" : "after", data, order);
+    if (!m) return {{}, false};
+    drawing.isCertified = m->result.isCertified;
+    picture::Scene scene = surfaceScene(*m, 1);
+    for (const MeasuredCone& wrong : m->result.certificate.angles.wrong) {
+      if (wrong.asked == m->result.spec.q) {
+        scene.dots.push_back({m->mesh.position(wrong.vertex), {0.95, 0.8, 0.2}});
+      }
+    }
+    scaleAt(*m, hard, 0.02, scene);
+    scene.paint = gridPaint(4);
+    panels.push_back(render(scene, camera, 380, 340));
+  }
+  drawing.rows = {sideBySide(panels)};
+  return drawing;
+}
+
 // Fig. 9: conformal distortion, harmonic and with the distortion term.
 Drawing distortion(const Request& request) {
   Drawing drawing;
@@ -191,6 +244,7 @@ const std::vector<Figure>& all() {
       {"fig2", "q = 6, three cones of 2π/3", hexagonal},
       {"fig3", "a million triangles", largeModel},
       {"fig6", "the two sides of every seam in one colour", twinSeams},
+      {"fig8", "wrong cone angles, and frames fixed", frameFixing},
       {"fig9", "conformal distortion, 0 (pale) to 0.3 (dark), without and with --quality",
        distortion}};
   return kFigures;

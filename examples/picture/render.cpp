@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "../models/vectors.h"
 
@@ -30,7 +31,7 @@ class View {
       toEye_ = {std::sin(a) * std::cos(b), std::sin(b), std::cos(a) * std::cos(b)};
       up_ = cross(toEye_, right_);
     }
-    frame(scene.mesh.positions, camera.zoom);
+    frame(scene.mesh.positions, camera);
   }
 
   Seen see(const Vec3& p) const {
@@ -50,7 +51,7 @@ class View {
 
  private:
   /// Center and scale that make the picture of all points fill the frame.
-  void frame(const std::vector<Vec3>& points, double zoom) {
+  void frame(const std::vector<Vec3>& points, const Camera& camera) {
     Vec3 low = points[0], high = points[0];
     for (const Vec3& p : points) {
       for (int i = 0; i < 3; ++i) {
@@ -69,9 +70,14 @@ class View {
       top = std::min(top, s.y);
       bottom = std::max(bottom, s.y);
     }
-    scale_ = 0.93 * zoom * std::min(width_ / (right - left), height_ / (bottom - top));
-    middleX_ = width_ / 2.0 - scale_ * (left + right) / 2;
-    middleY_ = height_ / 2.0 - scale_ * (top + bottom) / 2;
+    scale_ = 0.93 * camera.zoom * std::min(width_ / (right - left), height_ / (bottom - top));
+    // Seen with scale 1 and the middle at 0.
+    Seen middle{(left + right) / 2, (top + bottom) / 2, 0};
+    const double scale = std::exchange(scale_, 1.0);
+    if (camera.focus) middle = see(*camera.focus);
+    scale_ = scale;
+    middleX_ = width_ / 2.0 - scale_ * middle.x;
+    middleY_ = height_ / 2.0 - scale_ * middle.y;
   }
 
   bool isFlat_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "hgp/mesh/mesh_data.h"
@@ -40,6 +41,7 @@ struct Scene {
 struct Camera {
   double turn = 30, lift = 20;  ///< degrees around the vertical axis, and upwards
   double zoom = 1;              ///< 1: the whole model fills the picture
+  std::optional<Vec3> focus{};  ///< in the middle; nothing: the middle of the model
 };
 
 Image render(const Scene& scene, const Camera& camera, int width, int height);

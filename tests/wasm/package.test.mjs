@@ -69,7 +69,11 @@ test('the surface is there before any solve, and cone files of other programs ar
     const surface = await client.surface();
     assert.equal(surface.positions.length, 3 * vertices);
     assert.equal(surface.triangles.length, 3 * 6 * 6 * 6);
-    const cones = await client.readCones({ name: 'cones.obj', text: 'c 1 1.5\n', q: 4 });
+    const cones = await client.readCones({
+      name: 'cones.obj',
+      text: `${bumpyDisk(6)}c 1 1.5\n`,
+      q: 4,
+    });
     assert.deepEqual(
       cones.cones.map(({ vertex, k }) => [vertex, k]),
       [[0, 3]],

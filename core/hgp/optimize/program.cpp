@@ -63,7 +63,7 @@ class ProgramBuilder {
 
  private:
   /// Unknowns without the pinned one.
-  int index(int unknown) const { return unknown - (unknown > pinned_ ? 1 : 0); }
+  int index(int unknown) const { return unknown - (pinned_ >= 0 && unknown > pinned_ ? 1 : 0); }
 
   /// Translations of the whole map are free: hold one vertex of a constrained triangle at 0.
   int choosePinned() const {
@@ -72,6 +72,11 @@ class ProgramBuilder {
         if (unknowns_.vertexUnknown[v] >= 0) return unknowns_.vertexUnknown[v];
     for (VertexId v : mesh_.vertices())
       if (unknowns_.vertexUnknown[v] >= 0) return unknowns_.vertexUnknown[v];
+    // Every vertex is a cone that its chains decide: moving the map changes the translation of each
+    // chain that rotates, so one of those is held.
+    for (std::size_t c = 0; c < cut_.chains.size(); ++c)
+      if (unknowns_.chainUnknown[c] >= 0 && seams_.rotation[cut_.chains[c].left[0]] != 0)
+        return unknowns_.chainUnknown[c];
     return -1;
   }
 

@@ -1,0 +1,213 @@
+#include "hgp/optimize/program.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/optimize/solved.h"
+
+namespace hgp {
+namespace {
+
+using socp::SolveStatus;
+
+/// Problems of several kinds that the weighted program certifies at once.
+std::vector<test::SeamlessProblem> easyProblems() {
+  std::vector<test::SeamlessProblem> problems;
+  problems.push_back(test::sphereProblem(4, 4, {3, 3, 3, 3, 3, 3, 3, 3}));
+  problems.push_back(test::sphereProblem(4, 6, {4, 4, 4, 4, 5, 5, 5, 5}));
+  for (const test::Shape& shape : {test::doubleTorus(2), test::cube(3)}) {
+    const TriMesh mesh = shape.mesh();
+    const Geometry geometry = computeGeometry(mesh);
+    HolonomySpec spec;
+    for (VertexId v : mesh.vertices()) {
+      const int k = static_cast<int>(std::lround(geometry.angleSum[v] * 2 / kPi));
+      if (k != 4) spec.cones.push_back({v, k});
+    }
+    problems.push_back(test::problemOf(*test::cutSurface(shape.name, mesh, spec)));
+  }
+  problems.push_back(test::problemOf(*test::cutSurface("disk", test::disk(5).mesh(), {})));
+  problems.push_back(
+      test::problemOf(*test::cutSurface("annulus", test::annulus(12, 3).mesh(), {})));
+  problems.push_back(test::problemOf(*test::cutSurface("torus", test::torus(12, 8).mesh(), {})));
+  return problems;
+}
+
+TEST(Program, FulfilsEveryFrameConditionAndEverySeam) {
+  for (const test::SeamlessProblem& p : easyProblems()) {
+    const Frames frames = p.frames();
+    const ProgramOptions options = p.weightedOptions();
+    const ProgramResult result = p.solve(frames, options);
+    EXPECT_EQ(result.status, SolveStatus::kOptimal) << p.surface.name;
+    ASSERT_EQ(static_cast<int>(result.z.size()), p.surface.cut.vertexCount());
+    for (std::size_t j = 0; j < frames.faces.size(); ++j) {
+      const auto [similarity, antisimilarity] = p.partsOf(frames.faces[j], result.z);
+      double scale = 0.0;
+      for (VertexId v : p.surface.mesh.corners(frames.faces[j])) scale += options.u[v] / 3;
+      const double left =
+          (similarity * std::polar(1.0, frames.angles[j])).real() - std::abs(antisimilarity);
+      EXPECT_GT(left, 0.999 * options.margin * std::exp(scale)) << p.surface.name;
+    }
+    double extent = 0.0;
+    for (const Complex& value : result.z) extent = std::max(extent, std::abs(value));
+    const CutMesh& cut = p.surface.cut;
+    for (HalfedgeId h : p.surface.mesh.halfedges()) {
+      if (p.surface.mesh.isBoundary(h)) continue;
+      const auto at = [&](HalfedgeId g) {
+        return result.z[static_cast<std::size_t>(cut.copy[g].i)];
+      };
+      const HalfedgeId twin = p.surface.mesh.twin(h);
+      const Complex turned =
+          rotation(p.surface.seams.rotation[h], p.surface.seams.q) * (at(TriMesh::next(h)) - at(h));
+      EXPECT_LT(std::abs(at(twin) - at(TriMesh::next(twin)) - turned), 1e-12 * extent)
+          << p.surface.name;
+    }
+    EXPECT_TRUE(p.judge(result.z).isCertified) << p.surface.name;
+  }
+}
+
+TEST(Program, ReportsTheLaplacianEnergyOfItsMap) {
+  // ‖Lz‖² row by row, from the map alone: (14) over the copies.
+  for (const test::SeamlessProblem& p : easyProblems()) {
+    const ProgramResult result = p.solve(p.frames(), p.weightedOptions());
+    const Geometry& geometry = p.surface.context.geometry;
+    double energy = 0.0;
+    for (VertexId v : p.harmonic.rowVertex) {
+      Complex sum = 0.0;
+      double total = 0.0;
+      for (HalfedgeId h : outgoingHalfedges(p.surface.mesh, v)) {
+        const auto at = [&](HalfedgeId g) {
+          return result.z[static_cast<std::size_t>(p.surface.cut.copy[g].i)];
+        };
+        const CornerWeights w = meanValueWeights(geometry, h);
+        const Complex back = rotation(-p.unknowns.turn[p.surface.cut.copy[h]], p.surface.seams.q);
+        sum += back * (w.toHead * (at(h) - at(TriMesh::next(h))) +
+                       w.toThird * (at(h) - at(TriMesh::previous(h))));
+        total += w.toHead + w.toThird;
+      }
+      energy += std::norm(sum / total);
+    }
+    EXPECT_NEAR(result.laplacianEnergy, energy, 1e-9 * (1e-6 + energy)) << p.surface.name;
+  }
+}
+
+TEST(Program, IsHarmonicWhereAHarmonicMapExists) {
+  // Three cones on a sphere, a disk, a torus: the printed program has minimum 0.
+  std::vector<test::SeamlessProblem> problems;
+  problems.push_back(test::sphereProblem(4, 3, {1, 1, 1}));
+  problems.push_back(test::problemOf(*test::cutSurface("disk", test::disk(4).mesh(), {})));
+  problems.push_back(test::problemOf(*test::cutSurface("torus", test::torus(9, 6).mesh(), {})));
+  for (const test::SeamlessProblem& p : problems) {
+    ProgramOptions options = p.plainOptions();
+    options.tieBreak = 1e-9;
+    const ProgramResult result = p.solve(p.frames(), options);
+    double size = 0.0;
+    for (FaceId f : p.surface.mesh.faces()) size += std::norm(p.partsOf(f, result.z).first);
+    EXPECT_LT(result.laplacianEnergy, 1e-8 * size) << p.surface.name;
+  }
+}
+
+TEST(Program, ScalesWithTheConformalFactor) {
+  // u + c everywhere: the map becomes e^c times larger, nothing else.
+  const test::SeamlessProblem p = test::sphereProblem(3, 4, {3, 3, 3, 3, 3, 3, 3, 3});
+  ProgramOptions options = p.weightedOptions();
+  const ProgramResult small = p.solve(p.frames(), options);
+  for (double& value : options.u.raw()) value += std::log(7.0);
+  const ProgramResult large = p.solve(p.frames(), options);
+  const Complex origin = small.z[0], far = large.z[0];
+  double extent = 0.0;
+  for (const Complex& value : large.z) extent = std::max(extent, std::abs(value - far));
+  for (std::size_t c = 0; c < small.z.size(); ++c)
+    EXPECT_LT(std::abs(7.0 * (small.z[c] - origin) - (large.z[c] - far)), 1e-4 * extent);
+}
+
+TEST(Program, NoFeasibleNeighbourIsBetter) {
+  // A convex program: moving towards any other feasible map must not lower the objective.
+  const test::SeamlessProblem p = test::sphereProblem(3, 4, {2, 3, 3, 3, 3, 3, 3});
+  ProgramOptions options = p.plainOptions();
+  options.quality = 1e-2;
+  const ProgramResult best = p.solve(p.frames(), options);
+  ASSERT_EQ(best.status, SolveStatus::kOptimal);
+  const auto objective = [&](const std::vector<Complex>& z) {
+    double value = 0.0;
+    for (FaceId f : p.surface.mesh.faces()) {
+      const auto [similarity, antisimilarity] = p.partsOf(f, z);
+      value += 0.5 * options.quality * p.surface.context.geometry.area[f] *
+               (std::norm(similarity * std::polar(1.0, p.surface.seams.frameAngle[f]) - 1.0) +
+                std::norm(antisimilarity));
+    }
+    Eigen::VectorXcd x = Eigen::VectorXcd::Zero(p.unknowns.count);
+    for (VertexId v : p.surface.mesh.vertices())
+      if (p.unknowns.vertexUnknown[v] >= 0)
+        x[p.unknowns.vertexUnknown[v]] = z[static_cast<std::size_t>(p.surface.cut.firstCopy[v].i)];
+    for (std::size_t c = 0; c < p.surface.cut.chains.size(); ++c) {
+      if (p.unknowns.chainUnknown[c] < 0) continue;
+      const HalfedgeId h = p.surface.cut.chains[c].left[0];
+      const HalfedgeId twin = p.surface.mesh.twin(h);
+      x[p.unknowns.chainUnknown[c]] =
+          z[static_cast<std::size_t>(p.surface.cut.copy[TriMesh::next(twin)].i)] -
+          rotation(p.surface.seams.rotation[h], p.surface.seams.q) *
+              z[static_cast<std::size_t>(p.surface.cut.copy[h].i)];
+    }
+    return value + 0.5 * (p.harmonic.rows * x).squaredNorm();
+  };
+  const double minimum = objective(best.z);
+  for (double other : {1e-4, 1e-3, 0.1, 1.0}) {
+    ProgramOptions different = options;
+    different.quality = other;
+    const ProgramResult rival = p.solve(p.frames(), different);
+    for (double share : {1e-3, 0.1, 1.0}) {
+      std::vector<Complex> mixed = best.z;
+      for (std::size_t c = 0; c < mixed.size(); ++c) mixed[c] += share * (rival.z[c] - best.z[c]);
+      EXPECT_GE(objective(mixed), minimum * (1 - 1e-6)) << other << " " << share;
+    }
+  }
+}
+
+TEST(Program, FramesThatContradictEachOtherAreNotCalledSolved) {
+  // Two faces of one flat piece asked to turn into opposite directions, with all between them.
+  const test::SeamlessProblem p =
+      test::problemOf(*test::cutSurface("disk", test::disk(3).mesh(), {}));
+  Frames frames;
+  for (FaceId f : p.surface.mesh.faces()) {
+    frames.faces.push_back(f);
+    frames.angles.push_back(p.surface.seams.frameAngle[f]);
+  }
+  // Around the centre the frames turn once more than the plane does.
+  int n = 0;
+  for (HalfedgeId h : outgoingHalfedges(p.surface.mesh, VertexId(0)))
+    frames.angles[static_cast<std::size_t>(TriMesh::face(h).i)] += 2 * kPi * (n++) / 6;
+  const ProgramResult result = p.solve(frames, p.plainOptions());
+  EXPECT_NE(result.status, SolveStatus::kOptimal);
+  EXPECT_NE(result.status, SolveStatus::kAlmost);
+  if (result.status != SolveStatus::kInfeasible) return;  // a short step may end it first
+  ASSERT_FALSE(result.conflict.empty());
+  int near = 0;
+  for (FaceId f : result.conflict)
+    for (VertexId v : p.surface.mesh.corners(f)) near += v == VertexId(0);
+  EXPECT_GT(near, 0);
+}
+
+TEST(Program, SolvesASurfaceWhoseVerticesAreAllCones) {
+  // No vertex is free to be held: four corners of π, the tetrahedron's own, unfold isometrically.
+  HolonomySpec spec;
+  for (int i = 0; i < 4; ++i) spec.cones.push_back({VertexId(i), 2});
+  const test::SeamlessProblem p =
+      test::problemOf(*test::cutSurface("tetrahedron", test::tetrahedron().mesh(), spec));
+  for (VertexId v : p.surface.mesh.vertices()) ASSERT_LT(p.unknowns.vertexUnknown[v], 0);
+  const ProgramResult result = p.solve(p.frames(), p.plainOptions());
+  EXPECT_EQ(result.status, SolveStatus::kOptimal) << socp::statusName(result.status);
+  const Certificate certificate = p.judge(result.z);
+  EXPECT_TRUE(certificate.isCertified);
+  EXPECT_LT(certificate.distortion.maxMu, 1e-3);
+}
+
+TEST(Program, CancelIsReported) {
+  const test::SeamlessProblem p = test::sphereProblem(3, 4, {3, 3, 3, 3, 3, 3, 3, 3});
+  ProgramOptions options = p.plainOptions();
+  options.progress = [](int iteration, double) { return iteration < 1; };
+  EXPECT_EQ(p.solve(p.frames(), options).status, SolveStatus::kCancelled);
+}
+
+}  // namespace
+}  // namespace hgp

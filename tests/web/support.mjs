@@ -105,7 +105,7 @@ export async function pixels(page, selector, name) {
 export async function settled(page) {
   await page.waitForFunction(
     () => {
-      const frames = document.querySelector('#view')?.dataset.frames;
+      const frames = document.querySelector('#view')?.dataset.frames ?? 'none';
       const now = performance.now();
       if (globalThis.lastFrames !== frames)
         [globalThis.lastFrames, globalThis.lastTime] = [frames, now];

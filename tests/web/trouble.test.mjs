@@ -66,17 +66,16 @@ test('a worker that dies is replaced; cones and history are intact', async () =>
   await it.page.waitForSelector('#cones');
   const cones = await it.page.locator('#cones tbody tr[data-cone]').count();
   it.allowed = [/the end/];
-  await it.page.evaluate(() => document.querySelector('#run').click());
-  await state(it.page, 'running');
-  const [worker] = it.page.workers().slice(-1);
-  await worker
-    .evaluate(
-      () =>
-        void setTimeout(() => {
-          throw new Error('the end');
-        }, 0),
-    )
-    .catch(() => {});
+  const workers = await Promise.all(
+    it.page.workers().map(async (worker) => [worker, await worker.evaluate(() => self.name)]),
+  );
+  const [solver] = workers.find(([, name]) => name === 'hgp solver');
+  await solver.evaluate(() =>
+    self.addEventListener('message', () => {
+      throw new Error('the end');
+    }),
+  );
+  await it.page.click('#run');
   const text = await failed();
   assert.match(text, /stopped unexpectedly/);
   assert.equal(await it.page.locator('#cones tbody tr[data-cone]').count(), cones);

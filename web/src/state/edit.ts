@@ -15,6 +15,7 @@ export function replaceAsked(app: App, asked: Prescription, kind: string): void 
     return;
   }
   app.history.push(asked, kind);
+  if (app.message?.kind !== 'note') app.message = undefined; // it was about what is now past
   app.isExplicit = true;
   app.isUnsaved = true;
   if (app.selected >= asked.cones.length) app.selected = -1;
@@ -169,12 +170,14 @@ export async function importCones(app: App, name: string, text: string): Promise
 export function undo(app: App): void {
   if (app.phase === 'running') return;
   app.history.undo();
+  app.message = undefined;
   app.selected = -1;
   app.changed();
 }
 export function redo(app: App): void {
   if (app.phase === 'running') return;
   app.history.redo();
+  app.message = undefined;
   app.selected = -1;
   app.changed();
 }

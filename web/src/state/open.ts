@@ -128,9 +128,7 @@ export async function load(app: App, surface?: number): Promise<void> {
       : info.surfaces.length > 1 && surface === undefined
         ? 'pick-mesh'
         : 'editing';
-    app.message = info.usable
-      ? undefined
-      : { kind: 'error', text: info.error?.message ?? 'This mesh cannot be used as it is.' };
+    app.message = info.usable ? undefined : { kind: 'error', text: inWords(info.error?.message) };
     if (info.usable) await findCones(app);
   } catch (error) {
     if (own !== app.running) return;
@@ -145,6 +143,10 @@ export async function load(app: App, surface?: number): Promise<void> {
     }
   }
 }
+
+/** The page has buttons where the command line has options. */
+const inWords = (message = 'This mesh cannot be used as it is.'): string =>
+  message.replace(/Repair with --fix.*$/, 'Repairs are offered beside each defect.');
 
 /** Cones stored in the file, or offered from an earlier session. */
 async function findCones(app: App): Promise<void> {

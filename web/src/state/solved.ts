@@ -56,7 +56,9 @@ function isSame(a: Corners, b: Corners): boolean {
 }
 
 /** Seam edges that follow one another with the same r get one colour. */
-function chainsOf(seams: Seam[], uvToVertex: Uint32Array): Uint32Array {
+function chainsOf(seams: Seam[], uvToVertex: Uint32Array, q: number): Uint32Array {
+  // Which side is called a is arbitrary, so r and q − r are the same turn.
+  const turn = ({ r }: Seam): number => Math.min(r, (q - r) % q);
   const chains = new Uint32Array(seams.length);
   const at = new Map<number, number[]>();
   seams.forEach(({ a }, i) => {
@@ -79,7 +81,7 @@ function chainsOf(seams: Seam[], uvToVertex: Uint32Array): Uint32Array {
         const around = at.get(uvToVertex[end])!;
         if (around.length !== 2) continue; // a branch or an end of the cut
         for (const j of around) {
-          if (done[j] || seams[j].r !== seams[i].r) continue;
+          if (done[j] || turn(seams[j]) !== turn(seams[i])) continue;
           done[j] = 1;
           waiting.push(j);
         }
@@ -112,6 +114,6 @@ export function finish(app: App, asked: Prescription, result: Result, written: W
     isCertified: result.certificate.certified,
     distortion: measure(own),
     overlap: overlapShare(own.uv),
-    chains: chainsOf(seams, uvToVertex),
+    chains: chainsOf(seams, uvToVertex, asked.q),
   };
 }

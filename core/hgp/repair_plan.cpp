@@ -146,8 +146,8 @@ void RepairPlan::learn(const ProgramResult& program, const Certificate& certific
     faces_ = base_;
     return;
   }
+  if (!program.z.empty()) lastMap_ = program.z;  // what rings are embedded from
   if (certificate.isMeasured && fixLifts(certificate)) return;
-  if (!program.z.empty()) lastMap_ = program.z;
   const std::vector<FaceId> wrong =
       certificate.isMeasured ? wrongFaces(certificate) : std::vector<FaceId>();
   // Growing helps while something new can be constrained and it stays a small part of the mesh.

@@ -80,12 +80,13 @@ void benchCholesky(const char* name, const Eigen::SparseMatrix<Scalar>& A,
   const double solve = seconds() - start;
   const double gflop = cholesky.cost().multiplyAdds * (sizeof(Scalar) == 8 ? 2e-9 : 8e-9);
   const double mega = 1e-6 * sizeof(Scalar);
-  std::printf("  %-22s analyze %.3f  factor %.3f  solve %.3f s   %.1f GFlop at %.1f GFlop/s, "
-              "factor %.0f MB, peak %.0f MB, residual %.1e%s\n",
-              name, analysis, factor, solve, gflop, gflop / factor,
-              mega * static_cast<double>(cholesky.cost().entries),
-              mega * static_cast<double>(cholesky.cost().peakEntries),
-              (A * X - B).norm() / B.norm(), status ? "" : "  FAILED");
+  std::printf(
+      "  %-22s analyze %.3f  factor %.3f  solve %.3f s   %.1f GFlop at %.1f GFlop/s, "
+      "factor %.0f MB, peak %.0f MB, residual %.1e%s\n",
+      name, analysis, factor, solve, gflop, gflop / factor,
+      mega * static_cast<double>(cholesky.cost().entries),
+      mega * static_cast<double>(cholesky.cost().peakEntries), (A * X - B).norm() / B.norm(),
+      status ? "" : "  FAILED");
 }
 
 // Cliques of three neighbouring unknowns, clustered in groups of about eight like cones and their
@@ -135,12 +136,13 @@ void benchPartial(const Eigen::SparseMatrix<Complex>& H, const Graph& graph,
   const double apply = seconds() - start;
   start = seconds();
   const Eigen::VectorXcd z = partial.extend(x, Eigen::VectorXcd::Zero(partial.size()));
-  std::printf("  touched %5d: build %.3f  factor %.4f  solve %.4f  apply %.4f  extend %.3f s   "
-              "depth %d, dynamic %d, %.2f GFlop at %.1f GFlop/s per factor%s\n",
-              touched, build, factor, solve, apply, seconds() - start,
-              partial.report().delayDepth, partial.dynamicSize(),
-              2e-9 * partial.report().dynamicCost.multiplyAdds,
-              2e-9 * partial.report().dynamicCost.multiplyAdds / factor, z.norm() * y.norm() > 0 ? "" : "  FAILED");
+  std::printf(
+      "  touched %5d: build %.3f  factor %.4f  solve %.4f  apply %.4f  extend %.3f s   "
+      "depth %d, dynamic %d, %.2f GFlop at %.1f GFlop/s per factor%s\n",
+      touched, build, factor, solve, apply, seconds() - start, partial.report().delayDepth,
+      partial.dynamicSize(), 2e-9 * partial.report().dynamicCost.multiplyAdds,
+      2e-9 * partial.report().dynamicCost.multiplyAdds / factor,
+      z.norm() * y.norm() > 0 ? "" : "  FAILED");
 }
 
 void benchLu(const Eigen::SparseMatrix<Complex>& L, const Graph& graph, const SeparatorTree& tree,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <climits>
 #include <cstdint>
+#include <numeric>
 #include <queue>
 
 #include "hgp/linalg/coarsening.h"
@@ -10,11 +11,11 @@
 namespace hgp::linalg {
 namespace {
 
-constexpr int kCoarsest = 48;       // small enough for several trial cuts
-constexpr int kTrials = 3;          // greedy growths tried on the coarsest graph,
-constexpr int kTrialsLarge = 8;     // and for parts of more than kLarge vertices, where cuts matter
-constexpr int kLarge = 4000;        // most and trials cost least
-constexpr int kMaxPasses = 4;       // FM passes per level; they stop when nothing improves
+constexpr int kCoarsest = 48;    // small enough for several trial cuts
+constexpr int kTrials = 3;       // greedy growths tried on the coarsest graph,
+constexpr int kTrialsLarge = 8;  // and for parts of more than kLarge vertices, where cuts matter
+constexpr int kLarge = 4000;     // most and trials cost least
+constexpr int kMaxPasses = 4;    // FM passes per level; they stop when nothing improves
 
 struct Move {
   int gain;
@@ -141,7 +142,7 @@ class Refiner {
       moveAndUpdate(v);
       moved.push_back(v);
       const std::int64_t over = excess(), spread = std::abs(weight_[0] - weight_[1]);
-      const bool better = over != bestExcess  ? over < bestExcess
+      const bool better = over != bestExcess   ? over < bestExcess
                           : gained != bestGain ? gained > bestGain
                                                : spread < bestSpread;
       if (!better) continue;
@@ -269,27 +270,29 @@ std::vector<int> project(const CoarseLevel& level, const std::vector<char>& coar
 
 }  // namespace
 
-std::vector<char> bisect(const WeightedGraph& graph, double imbalance) {
+std::vector<char> bisect(Part* part, double imbalance) {
+  const WeightedGraph& graph = part->graph;
+  std::vector<CoarseLevel>& levels = part->levels;
   if (graph.size() < 2) return std::vector<char>(static_cast<std::size_t>(graph.size()), 0);
-  std::int64_t total = 0;
-  for (const int w : graph.vertexWeight) total += w;
+  const std::int64_t total =
+      std::accumulate(graph.vertexWeight.begin(), graph.vertexWeight.end(), std::int64_t{0});
   const int maxCluster = static_cast<int>(std::max<std::int64_t>(2, total / 12));
-  std::vector<CoarseLevel> levels;
-  const WeightedGraph* coarsest = &graph;
-  while (coarsest->size() > kCoarsest) {
-    CoarseLevel level = coarsen(*coarsest, maxCluster);
-    if (level.graph.size() > coarsest->size() * 19 / 20) break;  // stars and isolated vertices
+  const auto graphAt = [&](std::size_t level) -> const WeightedGraph& {
+    return level == 0 ? graph : levels[level - 1].graph;
+  };
+  while (graphAt(levels.size()).size() > kCoarsest) {
+    const WeightedGraph& finest = graphAt(levels.size());
+    CoarseLevel level = coarsen(finest, maxCluster);
+    if (level.graph.size() > finest.size() * 19 / 20) break;  // stars and isolated vertices
     levels.push_back(std::move(level));
-    coarsest = &levels.back().graph;
   }
   std::vector<int> boundary;
-  std::vector<char> side = bestSmallCut(*coarsest, imbalance, graph.size() > kLarge ? kTrialsLarge : kTrials, &boundary);
-  while (!levels.empty()) {
+  std::vector<char> side = bestSmallCut(graphAt(levels.size()), imbalance,
+                                        graph.size() > kLarge ? kTrialsLarge : kTrials, &boundary);
+  for (std::size_t l = levels.size(); l > 0; --l) {
     const std::vector<char> coarseSide = std::move(side);
-    boundary = project(levels.back(), coarseSide, boundary, &side);
-    levels.pop_back();
-    const WeightedGraph& fine = levels.empty() ? graph : levels.back().graph;
-    Refiner(fine, imbalance, &side).refine(&boundary);
+    boundary = project(levels[l - 1], coarseSide, boundary, &side);
+    Refiner(graphAt(l - 1), imbalance, &side).refine(&boundary);
   }
   return side;
 }

@@ -17,17 +17,29 @@ struct WeightedGraph {
   int size() const { return static_cast<int>(start.size()) - 1; }
 };
 
-/// Side 0 or 1 of every vertex such that the weight of the edges across is small and neither side
-/// weighs more than `imbalance` × the whole (as far as the weights allow). Multilevel: heavy-edge
-/// matching down to a few dozen clusters, greedy growth, Fiduccia–Mattheyses on the way back.
-/// Deterministic. A graph of fewer than two vertices leaves side 1 empty.
-std::vector<char> bisect(const WeightedGraph& graph, double imbalance);
+/// A coarser copy of a graph.
+struct CoarseLevel {
+  WeightedGraph graph;
+  std::vector<int> cluster;  ///< vertex of the finer graph → vertex here
+};
 
 /// A part of a larger graph: `vertex` names the part's vertices there.
 struct Part {
   WeightedGraph graph;
   std::vector<int> vertex;
+  std::vector<CoarseLevel> levels;  ///< ever coarser copies; a part may inherit them from its whole
+  int inherited = 0;                ///< how many times they were
 };
+
+/// Side 0 or 1 of every vertex such that the weight of the edges across is small and neither side
+/// weighs more than `imbalance` × the whole (as far as the weights allow). Multilevel: heavy-edge
+/// matching down to a few dozen clusters, greedy growth, Fiduccia–Mattheyses on the way back.
+/// Deterministic. A graph of fewer than two vertices leaves side 1 empty. Completes part->levels.
+std::vector<char> bisect(Part* part, double imbalance);
+
+/// The vertices of one side. Coarser copies are cut along and inherited for a few generations, which
+/// is much cheaper than coarsening afresh.
+Part subPart(const Part& whole, const std::vector<char>& side, char which);
 
 /// The smallest set that meets every pair (a on side 0, b on side 1) at distance ≤ width in the whole
 /// graph (1 or 2; the path may run outside the part): minimum vertex cover of those pairs, by

@@ -17,7 +17,8 @@ int bestPartner(const WeightedGraph& g, int v, const std::vector<int>& cluster, 
   const int room = maxWeight - g.vertexWeight[v];
   for (int e = g.start[v]; e < g.start[v + 1]; ++e) {
     const int u = g.neighbours[e];
-    const std::int64_t score = (static_cast<std::int64_t>(g.edgeWeight[e]) << 32) - g.vertexWeight[u];
+    const std::int64_t score =
+        (static_cast<std::int64_t>(g.edgeWeight[e]) << 32) - g.vertexWeight[u];
     const bool better = (cluster[u] < 0) & (g.vertexWeight[u] <= room) & (score > bestScore);
     best = better ? u : best;
     bestScore = better ? score : bestScore;

@@ -1,16 +1,9 @@
 // Merging matched vertices.  Role: the downward half of a multilevel bisection.
 #pragma once
 
-#include <vector>
-
 #include "hgp/linalg/bisection.h"
 
 namespace hgp::linalg {
-
-struct CoarseLevel {
-  WeightedGraph graph;
-  std::vector<int> cluster;  ///< fine vertex → coarse vertex
-};
 
 /// One round of heavy-edge matching and contraction; clusters heavier than maxWeight are not formed.
 CoarseLevel coarsen(const WeightedGraph& fine, int maxWeight);

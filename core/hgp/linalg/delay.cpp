@@ -163,7 +163,8 @@ class DelayPlanner {
       estimates.push_back(estimate(depth, own, native, boundary));
       least = std::min(least, estimates.back().bytes);
     }
-    const double limit = std::max(options_.maxBytes, 1.2 * least);  // the static part alone may exceed what was asked
+    const double limit = std::max(options_.maxBytes,
+                                  1.2 * least);  // the static part alone may exceed what was asked
     int best = -1;
     for (int depth = 0; depth <= deepest; ++depth)
       if (estimates[depth].bytes <= limit &&
@@ -175,8 +176,8 @@ class DelayPlanner {
   const Graph& pattern_;
   const SeparatorTree& tree_;
   const DelayOptions& options_;
-  std::vector<int> node_;     // tree node that eliminates each unknown
-  std::vector<int> depth_;    // of each tree node
+  std::vector<int> node_;   // tree node that eliminates each unknown
+  std::vector<int> depth_;  // of each tree node
   std::vector<char> touched_;
 };
 

@@ -8,8 +8,8 @@
 namespace hgp::linalg {
 
 struct DelayOptions {
-  int iterations = 12;    ///< how often the dynamic part is expected to be factored
-  int depth = -1;         ///< ≥ 0: take this depth; −1: choose by estimated work
+  int iterations = 12;  ///< how often the dynamic part is expected to be factored
+  int depth = -1;       ///< ≥ 0: take this depth; −1: choose by estimated work
   double maxBytes = 1.5e9;
 };
 

@@ -21,8 +21,8 @@ inline V pairSigns() { return V{1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0, -1.0}; }
 namespace hgp::linalg {
 
 const KernelTable* avx512Kernels() {
-  static const KernelTable table = {"AVX-512", update<false>, update<true>, factorPanel<false>,
-                                    factorPanel<true>, factorPanelLu};
+  static const KernelTable table = {"AVX-512",          update<false>,     update<true>,
+                                    factorPanel<false>, factorPanel<true>, factorPanelLu};
   return &table;
 }
 

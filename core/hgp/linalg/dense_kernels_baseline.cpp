@@ -16,8 +16,8 @@ inline V pairSigns() { return V{1.0, -1.0}; }
 namespace hgp::linalg {
 
 const KernelTable* baselineKernels() {
-  static const KernelTable table = {"two doubles", update<false>, update<true>, factorPanel<false>,
-                                    factorPanel<true>, factorPanelLu};
+  static const KernelTable table = {"two doubles",      update<false>,     update<true>,
+                                    factorPanel<false>, factorPanel<true>, factorPanelLu};
   return &table;
 }
 

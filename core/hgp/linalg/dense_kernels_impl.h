@@ -28,8 +28,7 @@ void packRows(const double* A, int lda, int m, int k, double* out) {
     for (int p = 0; p < k; ++p, out += kTileRows) {
       const double* column = A + i + static_cast<std::ptrdiff_t>(p) * lda;
       if (rows == kTileRows) {
-        for (int v = 0; v < kTileVectors; ++v)
-          store(out + v * kWidth, load(column + v * kWidth));
+        for (int v = 0; v < kTileVectors; ++v) store(out + v * kWidth, load(column + v * kWidth));
       } else {
         for (int r = 0; r < kTileRows; ++r) out[r] = r < rows ? column[r] : 0.0;
       }
@@ -90,8 +89,7 @@ inline void subtractTile(const Tile& tile, int rows, int cols, bool overwrite, d
     }
     if (rows == kTileRows) {
       for (int v = 0; v < kTileVectors; ++v)
-        store(column + v * kWidth,
-              (overwrite ? V{} : load(column + v * kWidth)) - result[v]);
+        store(column + v * kWidth, (overwrite ? V{} : load(column + v * kWidth)) - result[v]);
     } else {
       double values[kTileRows];
       for (int v = 0; v < kTileVectors; ++v) store(values + v * kWidth, result[v]);
@@ -115,8 +113,8 @@ void multiplyPacked(int m, int n, int k, const double* a, const double* b, doubl
       if (row > 0) first = row / kTileRows * kTileRows;
     }
     for (int i = first; i < m; i += kTileRows) {
-      multiplyTile(k, a + static_cast<std::ptrdiff_t>(i) * k, b + static_cast<std::ptrdiff_t>(j) * k,
-                   &tile);
+      multiplyTile(k, a + static_cast<std::ptrdiff_t>(i) * k,
+                   b + static_cast<std::ptrdiff_t>(j) * k, &tile);
       subtractTile<kComplex>(tile, minimum(kTileRows, m - i), cols, overwrite,
                              C + i + static_cast<std::ptrdiff_t>(j / kStep) * ldc, ldc);
     }
@@ -137,10 +135,11 @@ void update(const KernelTable::Update& t, double* work) {
       packCols(t.B + kStep * j + static_cast<std::ptrdiff_t>(p) * ldb, ldb, kStep * n, k, packedB);
       for (int i = t.lower ? j / kRows * kRows : 0; i < t.m; i += kRows) {
         const int m = minimum(kRows, t.m - i);
-        packRows(t.A + kStep * i + static_cast<std::ptrdiff_t>(p) * lda, lda, kStep * m, k, packedA);
+        packRows(t.A + kStep * i + static_cast<std::ptrdiff_t>(p) * lda, lda, kStep * m, k,
+                 packedA);
         multiplyPacked<kComplex>(kStep * m, kStep * n, k, packedA, packedB,
-                                 t.C + kStep * i + static_cast<std::ptrdiff_t>(j) * ldc, ldc, t.lower,
-                                 i - j, t.overwrite && p == 0);
+                                 t.C + kStep * i + static_cast<std::ptrdiff_t>(j) * ldc, ldc,
+                                 t.lower, i - j, t.overwrite && p == 0);
       }
     }
   }

@@ -46,8 +46,8 @@ FactorStatus MultifrontalCholesky<Scalar>::factor(const Sparse& A, double shift)
     const int v = symbolic_->order[k];
     diagonal[k] = std::abs(A.coeff(v, v)) + std::abs(shift);
   }
-  FactorStatus status = panels_.eliminate(matrixSource<Scalar>(A, *symbolic_, shift), diagonal,
-                                          nullptr);
+  FactorStatus status =
+      panels_.eliminate(matrixSource<Scalar>(A, *symbolic_, shift), diagonal, nullptr);
   if (!status) status.badPivot = symbolic_->order[status.badPivot];
   return status;
 }

@@ -12,7 +12,9 @@ namespace {
 class Dissector {
  public:
   Dissector(const Graph& graph, const DissectionOptions& options)
-      : g_(graph), options_(options), local_(static_cast<std::size_t>(graph.size()), -1),
+      : g_(graph),
+        options_(options),
+        local_(static_cast<std::size_t>(graph.size()), -1),
         denseDegree_(denseDegree(graph.size())) {}
 
   SeparatorTree run() {
@@ -75,34 +77,10 @@ class Dissector {
     return part;
   }
 
-  static Part subPart(const Part& whole, const std::vector<char>& side, char which) {
-    Part part;
-    const int n = whole.graph.size();
-    std::vector<int> name(static_cast<std::size_t>(n), -1);
-    for (int v = 0; v < n; ++v)
-      if (side[v] == which) {
-        name[v] = static_cast<int>(part.vertex.size());
-        part.vertex.push_back(whole.vertex[v]);
-        part.graph.vertexWeight.push_back(whole.graph.vertexWeight[v]);
-      }
-    part.graph.start.reserve(part.vertex.size() + 1);
-    part.graph.neighbours.reserve(whole.graph.neighbours.size() * 11 / 20);
-    for (int v = 0; v < n; ++v) {
-      if (name[v] < 0) continue;
-      for (int e = whole.graph.start[v]; e < whole.graph.start[v + 1]; ++e) {
-        const int u = name[whole.graph.neighbours[e]];
-        if (u >= 0) part.graph.neighbours.push_back(u);
-      }
-      part.graph.start.push_back(static_cast<int>(part.graph.neighbours.size()));
-    }
-    part.graph.edgeWeight.assign(part.graph.neighbours.size(), 1);
-    return part;
-  }
-
   // Returns the node at the top of this part; nodes are numbered as they are finished: postorder.
   int dissect(Part part) {
     if (part.graph.size() <= options_.leafSize) return leaf(part.vertex);
-    std::vector<char> side = bisect(part.graph, options_.imbalance);
+    std::vector<char> side = bisect(&part, options_.imbalance);
     coverCut(g_, part, options_.separatorWidth, &local_, &side);
     std::vector<int> separator;
     for (int v = 0; v < part.graph.size(); ++v)

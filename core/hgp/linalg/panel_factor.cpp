@@ -79,8 +79,7 @@ FactorStatus PanelFactor<Scalar>::eliminate(const FrontSource<Scalar>& source,
     for (int i = 0; i < r; ++i) local[f.rowsOf(t)[i]] = s + i;
     std::fill(P, P + static_cast<std::size_t>(s) * (s + r), Scalar(0));
     source.addToPanel(t, local.data(), P, s + r);
-    for (const int c : children_[t])
-      extendAdd(c, held[c], local.data(), s, P, s + r, nullptr, r);
+    for (const int c : children_[t]) extendAdd(c, held[c], local.data(), s, P, s + r, nullptr, r);
     const int bad = factorPanel(P, s + r, s, threshold.data(), work.data());
     if (bad >= 0) {
       panels_.reset();

@@ -107,9 +107,9 @@ FactorStatus PartialCholesky::factor(const std::vector<Eigen::MatrixXd>& blocks)
   std::vector<double> values(blockStorage());
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const std::size_t from = blockOffset(static_cast<int>(b));
-    HGP_CHECK(static_cast<std::size_t>(blocks[b].size()) ==
-                  blockOffset(static_cast<int>(b) + 1) - from,
-              "block %zu has %d numbers", b, static_cast<int>(blocks[b].size()));
+    HGP_CHECK(
+        static_cast<std::size_t>(blocks[b].size()) == blockOffset(static_cast<int>(b) + 1) - from,
+        "block %zu has %d numbers", b, static_cast<int>(blocks[b].size()));
     Eigen::Map<Eigen::MatrixXd>(values.data() + from, blocks[b].rows(), blocks[b].cols()) =
         blocks[b];
   }
@@ -118,8 +118,7 @@ FactorStatus PartialCholesky::factor(const std::vector<Eigen::MatrixXd>& blocks)
 
 FactorStatus PartialCholesky::factor(const double* values) {
   FactorStatus status = state_->reduced.factor(values);
-  if (!status)
-    status.badPivot = state_->symbolic->order[state_->reduced.place(status.badPivot)];
+  if (!status) status.badPivot = state_->symbolic->order[state_->reduced.place(status.badPivot)];
   return status;
 }
 

@@ -7,8 +7,7 @@
 namespace hgp::linalg {
 
 void ReducedSystem::build(const SymbolicFactor& full, const ComplexSparse& H,
-                          const Cliques& cliques,
-                          std::vector<Contribution<Complex>> complements) {
+                          const Cliques& cliques, std::vector<Contribution<Complex>> complements) {
   numberUnknowns(full);
   doubleSymbolic(full);
   takePieces(full, std::move(complements));
@@ -198,7 +197,8 @@ void ReducedSystem::fillPanel(int t, const int* local, double* panel, int rows,
     panel[blockEntries_.entries[e].target] += values[blockEntries_.entries[e].source];
   if (lift > 0)
     for (int k = 0; k < symbolic_->pivots(t); ++k)
-      panel[static_cast<std::size_t>(k) * rows + k] += lift * diagonal_[symbolic_->nodeStart[t] + k];
+      panel[static_cast<std::size_t>(k) * rows + k] +=
+          lift * diagonal_[symbolic_->nodeStart[t] + k];
   addPieces(t, local, panel, nullptr);
 }
 

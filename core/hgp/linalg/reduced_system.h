@@ -43,8 +43,8 @@ class ReducedSystem {
  private:
   using Complex = std::complex<double>;
   struct Piece {
-    std::vector<int> index;  // dynamic unknowns, ascending
-    Eigen::MatrixXcd values; // lower triangle
+    std::vector<int> index;   // dynamic unknowns, ascending
+    Eigen::MatrixXcd values;  // lower triangle
   };
   struct Entry {
     int target;  // offset within the panel of its node
@@ -72,10 +72,10 @@ class ReducedSystem {
   void addPieces(int t, const int* local, double* panel, double* complement) const;
 
   std::vector<int> place_, index_, nodeOf_;  // nodeOf_: dynamic node of each dynamic unknown
-  std::vector<int> nodeName_;                // node of the full factor → dynamic node, −1 if static
-  std::shared_ptr<SymbolicFactor> symbolic_; // of the doubled real problem
-  ComplexSparse H_;                          // between dynamic unknowns, both triangles
-  std::vector<std::vector<Piece>> pieces_;   // by dynamic node
+  std::vector<int> nodeName_;  // node of the full factor → dynamic node, −1 if static
+  std::shared_ptr<SymbolicFactor> symbolic_;  // of the doubled real problem
+  ComplexSparse H_;                           // between dynamic unknowns, both triangles
+  std::vector<std::vector<Piece>> pieces_;    // by dynamic node
   std::vector<double> matrixValues_;
   EntryList matrixEntries_, blockEntries_;
   std::vector<std::size_t> offset_{0};

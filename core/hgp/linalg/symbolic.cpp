@@ -15,14 +15,12 @@ double multiplyAdds(double s, double r) {
 // Estimated nanoseconds to assemble and eliminate a panel of s pivots and r further rows. Only the
 // ratios matter: fixed cost per node, traffic of the contribution block, thin panels run slower.
 double nodeTime(double s, double r) {
-  return 200.0 + (s + r) + s * (s + r) + 0.5 * r * r +
-         0.2 * multiplyAdds(s, r) * (1.0 + 4.0 / s);
+  return 200.0 + (s + r) + s * (s + r) + 0.5 * r * r + 0.2 * multiplyAdds(s, r) * (1.0 + 4.0 / s);
 }
 
 std::vector<int> inverse(const std::vector<int>& permutation) {
   std::vector<int> result(permutation.size(), -1);
-  for (std::size_t k = 0; k < permutation.size(); ++k)
-    result[permutation[k]] = static_cast<int>(k);
+  for (std::size_t k = 0; k < permutation.size(); ++k) result[permutation[k]] = static_cast<int>(k);
   return result;
 }
 

@@ -38,9 +38,9 @@ struct SymbolicFactor {
 
 /// Cost of a Cholesky factorization. One multiply-add is 2 flops in real, 8 in complex arithmetic.
 struct FactorCost {
-  double multiplyAdds = 0;        ///< Σ over panels of s³/6 + s²r/2 + s r²/2
-  std::int64_t entries = 0;       ///< stored numbers of the factor (full panels)
-  std::int64_t peakEntries = 0;   ///< factor + live contribution blocks at the worst moment
+  double multiplyAdds = 0;       ///< Σ over panels of s³/6 + s²r/2 + s r²/2
+  std::int64_t entries = 0;      ///< stored numbers of the factor (full panels)
+  std::int64_t peakEntries = 0;  ///< factor + live contribution blocks at the worst moment
 };
 
 /// Elimination tree, column counts, supernodes, relaxed amalgamation and row structure of a

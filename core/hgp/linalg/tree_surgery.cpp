@@ -27,7 +27,9 @@ std::vector<std::vector<int>> membersOf(const SeparatorTree& tree) {
 class Appender {
  public:
   Appender(const SeparatorTree& tree, int count)
-      : tree_(tree), members_(membersOf(tree)), node_(static_cast<std::size_t>(count), -1),
+      : tree_(tree),
+        members_(membersOf(tree)),
+        node_(static_cast<std::size_t>(count), -1),
         depth_(tree.parent.size(), 0) {
     for (int t = 0; t < tree.nodeCount(); ++t)
       for (const int v : members_[t]) node_[v] = t;

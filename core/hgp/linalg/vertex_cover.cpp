@@ -18,8 +18,13 @@ class PairFinder {
  public:
   PairFinder(const Graph& whole, const Part& part, const std::vector<int>& local, int maxDegree,
              const std::vector<char>& side)
-      : whole_(whole), part_(part), local_(local), maxDegree_(maxDegree), side_(side),
-        rightIndex_(side.size(), -1), seen_(side.size(), -1) {}
+      : whole_(whole),
+        part_(part),
+        local_(local),
+        maxDegree_(maxDegree),
+        side_(side),
+        rightIndex_(side.size(), -1),
+        seen_(side.size(), -1) {}
 
   CutPairs find(int width) {
     const int n = part_.graph.size();

@@ -55,7 +55,9 @@ inline Graph randomGraph(int n, int edgeCount, unsigned seed) {
   return graphFromEdges(n, edges);
 }
 
-inline double weightOf(int a, int b) { return 1.0 + 0.5 * std::sin(3.0 * std::min(a, b) + std::max(a, b)); }
+inline double weightOf(int a, int b) {
+  return 1.0 + 0.5 * std::sin(3.0 * std::min(a, b) + std::max(a, b));
+}
 
 /// Weighted graph Laplacian + ε; for complex numbers each edge also rotates.
 template <class Scalar>

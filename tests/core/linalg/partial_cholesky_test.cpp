@@ -54,8 +54,7 @@ Eigen::MatrixXd realForm(const Eigen::MatrixXcd& H) {
 }
 
 Eigen::VectorXd realForm(const Eigen::VectorXcd& x) {
-  return Eigen::Map<const Eigen::VectorXd>(reinterpret_cast<const double*>(x.data()),
-                                           2 * x.size());
+  return Eigen::Map<const Eigen::VectorXd>(reinterpret_cast<const double*>(x.data()), 2 * x.size());
 }
 
 // The minimiser of ½ xᴴHx + ½ Σ xᵀ D x + Re(cᴴx), by dense algebra and by reduction.

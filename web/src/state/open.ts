@@ -27,6 +27,17 @@ const bytesOfAll = (files: Files): number =>
 const megabytes = (bytes: number): string =>
   `${(bytes / 2 ** 20).toFixed(bytes < 2 ** 20 ? 2 : 0)} MB`;
 const mostBytes = 512 * 2 ** 20;
+const mostTriangles = 2_000_000;
+
+/** From the solver's own measurements: about 4 KB of memory and a tenth of a millisecond each. */
+function tooMany(name: string, triangles: number): string {
+  const gigabytes = ((triangles * 4096) / 2 ** 30).toFixed(0);
+  const millions = (triangles / 1e6).toFixed(1);
+  return (
+    `${millions} million triangles would need about ${gigabytes} GB; a page may use 4. ` +
+    `The command line has no such limit: hgp param "${name}" -o mapped`
+  );
+}
 
 /** New files: a model, a cone file for the model that is open, or what was missing. */
 export async function open(app: App, dropped: Files): Promise<void> {
@@ -114,6 +125,7 @@ export async function load(app: App, surface?: number): Promise<void> {
     const call = { signal: own.signal, onProgress: follow(app, own) };
     const { weld, fix } = app.settings;
     const info = await app.client!.load(source, { name: app.main, surface, weld, fix }, call);
+    if (info.triangles > mostTriangles) throw new Error(tooMany(app.main, info.triangles));
     const arrays = await app.client!.surface(call);
     if (own !== app.running) return;
     app.info = info;

@@ -1,5 +1,6 @@
 // Generated glTF files that use every feature the patch writer must carry through.
 
+import assert from 'node:assert/strict';
 import draco3d from 'draco3dgltf';
 import { MeshoptEncoder } from 'meshoptimizer/encoder';
 import { concat, packChunks, chunkType, packGlb } from './container.mjs';
@@ -636,12 +637,49 @@ async function draco() {
   return asset.glb();
 }
 
-const maps = (list, more = {}) => list.map((map) => ({ map, ...more }));
+// The unknown extension and the compressed data are beyond the validator; all else must be faultless.
+const maps = (list, more = {}) =>
+  list.map((map) => ({ map, ...more, extra: { isClean: true, ...more.extra } }));
 const all = ['vertices', 'patches', 'corners'];
+
+const primitives = (file, mesh = 0) => file.json.meshes[mesh].primitives;
+
+/** Every halfedge of the manifold has its one partner, and merges keep positions. */
+function isStillManifold({ document, json }) {
+  const { manifoldPrimitive, mergeIndices, mergeValues } =
+    json.meshes[0].extensions.EXT_mesh_manifold;
+  const accessors = document.getRoot().listAccessors();
+  const index = accessors[manifoldPrimitive.indices].getArray();
+  const halfedges = new Set();
+  for (let i = 0; i < index.length; i += 1) {
+    const next = i % 3 === 2 ? i - 2 : i + 1;
+    const name = `${index[i]} ${index[next]}`;
+    assert.ok(!halfedges.has(name), 'one halfedge each way');
+    halfedges.add(name);
+  }
+  for (const name of halfedges) assert.ok(halfedges.has(name.split(' ').reverse().join(' ')));
+  const [where, values] = [mergeIndices, mergeValues].map((a) => accessors[a].getArray());
+  where.forEach((k, i) => assert.equal(index[k], values[i]));
+  const { sparse, bufferView } = json.accessors[manifoldPrimitive.indices];
+  assert.equal(sparse.count, where.length);
+  for (const { indices, attributes } of primitives({ json })) {
+    assert.equal(json.accessors[indices].bufferView, bufferView, 'the same buffer view');
+    assert.equal(attributes.POSITION, manifoldPrimitive.attributes.POSITION);
+  }
+}
+
+function hasNoTangents(file, notes) {
+  assert.equal(primitives(file)[0].attributes.TANGENT, undefined);
+  assert.ok(notes.some((note) => note.includes('TANGENT dropped')));
+}
 
 /** @returns {Promise<{name: string, files: Record<string, Uint8Array|string>, cases: object[]}[]>} */
 export async function featureFiles() {
-  const replaced = { set: 0, extra: { replaced: true, lostTangents: true } };
+  const replaced = {
+    set: 0,
+    extra: { replaced: true, lostTangents: true },
+    check: hasNoTangents,
+  };
   return [
     {
       name: 'everything',
@@ -656,18 +694,66 @@ export async function featureFiles() {
     {
       name: 'everything and an unknown extension',
       files: { 'vendor.glb': everything({ vendor: true }) },
-      cases: [...maps(all), ...maps(['patches'], replaced)],
+      cases: [
+        ...maps(all, {
+          // Nobody knows what an unknown extension points at, so nothing old is edited.
+          check: ({ json }) => assert.equal(json.accessors[2].count, 42),
+        }),
+        ...maps(['patches'], replaced),
+      ],
     },
     { name: 'interleaved and quantized', files: { 'woven.glb': interleaved() }, cases: maps(all) },
     { name: 'strip, fan, no indices', files: modes(), cases: maps(all) },
     {
       name: 'index promotion, data URI',
       files: { 'promotion.gltf': promotion() },
-      cases: [...maps(all), ...maps(['patches', 'corners'], { surface: 1, target: 1 })],
+      cases: [
+        ...maps(all),
+        ...maps(['corners'], {
+          check: ({ json }) =>
+            assert.equal(json.accessors[primitives({ json })[0].indices].componentType, 5123),
+        }),
+        ...maps(['patches', 'corners'], {
+          surface: 1,
+          target: 1,
+          check: ({ json }) =>
+            assert.equal(json.accessors[primitives({ json }, 1)[0].indices].componentType, 5125),
+        }),
+      ],
     },
     { name: 'uneven uv sets', files: { 'uneven.glb': unevenSets() }, cases: maps(all) },
-    { name: 'EXT_mesh_manifold', files: { 'manifold.glb': manifold() }, cases: maps(all) },
-    { name: 'meshopt', files: { 'meshopt.glb': await meshopt() }, cases: maps(all) },
-    { name: 'Draco', files: { 'draco.glb': await draco() }, cases: maps(all) },
+    {
+      name: 'EXT_mesh_manifold',
+      files: { 'manifold.glb': manifold() },
+      cases: maps(all, { check: isStillManifold }),
+    },
+    {
+      name: 'meshopt',
+      files: { 'meshopt.glb': await meshopt() },
+      cases: [
+        ...maps(all),
+        ...maps(['corners'], {
+          check: ({ json }) => {
+            const view = (mesh, name) =>
+              json.bufferViews[
+                json.accessors[primitives({ json }, mesh)[0].attributes[name]].bufferView
+              ];
+            assert.equal(view(0, 'NORMAL').extensions, undefined, 'stored uncompressed');
+            assert.ok(view(1, 'NORMAL').extensions, 'others stay as they were');
+          },
+        }),
+      ],
+    },
+    {
+      name: 'Draco',
+      files: { 'draco.glb': await draco() },
+      cases: maps(all, {
+        check: ({ json }) => {
+          assert.ok(primitives({ json }, 0).every((p) => p.extensions === undefined));
+          assert.ok(primitives({ json }, 1)[0].extensions.KHR_draco_mesh_compression);
+          assert.deepEqual(json.extensionsRequired, ['KHR_draco_mesh_compression']);
+        },
+      }),
+    },
   ];
 }

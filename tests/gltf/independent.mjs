@@ -1,7 +1,7 @@
 // Reads a glTF file without any of our code: glTF-Transform, after Draco and meshopt data have been
 // unpacked with their own JavaScript decoders.
 
-import { NodeIO } from '@gltf-transform/core';
+import { Logger, NodeIO } from '@gltf-transform/core';
 import draco3d from 'draco3dgltf';
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
@@ -29,7 +29,9 @@ export async function readIndependently(file) {
     return index === 0 && bin ? bin : null;
   });
   const plain = unpack(structuredClone(json), [...buffers]);
-  const document = await new NodeIO().readJSON(plain);
+  const document = await new NodeIO()
+    .setLogger(new Logger(Logger.Verbosity.SILENT))
+    .readJSON(plain);
   return { bytes, text, json, buffers, others, document };
 }
 

@@ -1,0 +1,62 @@
+// node run.mjs PROGRAM SCRATCH: fuzzes for about ten seconds, or five minutes under HGP_FULL. The
+// corpus is made of the generated files of tests/gltf and of small texts.
+
+import { spawnSync } from 'node:child_process';
+import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { featureFiles } from '../gltf/features.mjs';
+import { harmlessFiles, hostileFiles } from '../gltf/hostile_files.mjs';
+
+const [program, scratch] = process.argv.slice(2);
+const seconds = process.env.HGP_FULL ? 300 : 10;
+const target = path.basename(program).replace('fuzz_', '');
+const here = path.dirname(fileURLToPath(import.meta.url));
+
+const texts = {
+  obj: [
+    'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n',
+    'mtllib a.mtl\ng a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf -3/1/1 -2/1/1 -1/1/1\n',
+    'v 0 0 0\nv 1 0 0\nv 0 1 0 # end\nf 1 2 \\\n3\nl 1 2\nc 1 1.5\nsm 1 2 3\n',
+  ],
+  cones: [
+    '{"format":"hgp-cones","version":1,"q":4,"cones":[{"vertex":3,"k":3,"position":[0,1,2]}],"boundaries":[{"loop":0,"anchor":7,"l":4}],"handles":[{"generator":0,"r":1}]}',
+    'q 4\ncones 2\n0 3\n5 5\nmatchings 1\n0 1 2 3 1\n',
+    '4 2\n0 1\n7 -1\n',
+    '0 1.5707963267948966\n4 -1.5707963267948966\n',
+    '6.283185307179586\n4.71238898038469\n',
+    '4 1\n1 0 0 0 1 0 -1 0 0 0 -1 0\n',
+    '1\n4\n1 0 0\n',
+  ],
+};
+
+async function seeds() {
+  if (texts[target]) return texts[target].map((text, i) => [`seed${i}`, text]);
+  const wanted = target === 'gltf' ? '.gltf' : '.glb';
+  const files = [...hostileFiles(), ...harmlessFiles()].map(({ name, bytes }) => [name, bytes]);
+  for (const { files: made } of await featureFiles()) files.push(...Object.entries(made));
+  return files.filter(([name, bytes]) => name.endsWith(wanted) && bytes.length < 100_000);
+}
+
+const [seedFolder, found] = ['seeds', 'found'].map((name) => path.join(scratch, target, name));
+rmSync(path.join(scratch, target), { recursive: true, force: true });
+for (const folder of [seedFolder, found]) mkdirSync(folder, { recursive: true });
+for (const [name, bytes] of await seeds()) writeFileSync(path.join(seedFolder, name), bytes);
+
+const ended = spawnSync(
+  program,
+  [
+    found,
+    seedFolder,
+    `-max_total_time=${seconds}`,
+    '-timeout=25',
+    '-rss_limit_mb=3000',
+    '-malloc_limit_mb=1000',
+    '-max_len=65536',
+    '-print_final_stats=1',
+    `-artifact_prefix=${path.join(scratch, target)}/`,
+    ...(target === 'obj' || target === 'cones' ? [] : [`-dict=${path.join(here, 'gltf.dict')}`]),
+  ],
+  { stdio: 'inherit', timeout: (seconds + 120) * 1000 },
+);
+process.exit(ended.status ?? 1);

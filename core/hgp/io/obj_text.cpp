@@ -25,9 +25,8 @@ class ObjScanner {
       : text_(text), maxTriangles_(maxTriangles) {}
 
   Result<ObjText> scan() {
-    if (const void* nul = std::memchr(text_.data(), 0, text_.size())) {
-      return malformedByte(static_cast<std::uint64_t>(static_cast<const char*>(nul) - text_.data()),
-                           "a NUL byte; this is not an OBJ text");
+    if (const std::size_t nul = text_.find('\0'); nul != std::string_view::npos) {
+      return malformedByte(nul, "a NUL byte; this is not an OBJ text");
     }
     reserve();
     if (text_.substr(0, 3) == "\xEF\xBB\xBF") position_ = 3;

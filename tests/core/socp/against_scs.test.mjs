@@ -66,7 +66,7 @@ test('minimisers agree with those of SCS', { skip: !isInstalled && 'no scs-solve
       refused += 1;
       continue;
     }
-    assert.equal(problem.status, 'optimal', `program ${problem.seed}`);
+    assert.match(problem.status, /^(optimal|almost)$/, `program ${problem.seed}`);
     const size = Math.hypot(...problem.x);
     const distance = Math.hypot(...problem.x.map((value, i) => value - theirs.x[i]));
     assert.ok(distance <= 1e-5 * (1 + size), `program ${problem.seed}: ${distance} of ${size}`);

@@ -34,6 +34,9 @@ constexpr double kStepToBoundary = 0.99;
 /// A residual within this factor of its target is reported "almost".
 constexpr double kAlmostFactor = 1e3;
 constexpr double kTinyStep = 1e-6;
+/// |Fᵀy| against hᵀy below which y proves infeasibility, and the weaker bound after a stall.
+constexpr double kCertificateShare = 1e-8;
+constexpr double kStalledCertificateShare = 1e-3;
 
 class InteriorPoint {
  public:
@@ -178,11 +181,25 @@ class InteriorPoint {
   }
   double measure() const { return std::max({primal_ / o_.primal, dual_ / o_.dual, gap_ / o_.gap}); }
 
+  /// Farkas: y in the cone with Fᵀy = 0 and hᵀy > 0 proves that no x has F x − h in the cone. Judged
+  /// by size, since y only tends to such a direction.
+  bool isCertificate(double share) const {
+    Eigen::VectorXd pull = Eigen::VectorXd::Zero(x_.size());
+    double gain = 0.0, size = 0.0;
+    for (std::size_t b = 0; b < count_; ++b) {
+      addTransposed(b, y_[b], 1.0, pull);
+      gain += p_.constraints[b].h.dot(y_[b]);
+      size += scaleH_ * y_[b].norm();
+    }
+    return gain > share * size && scaleH_ * pull.norm() <= share * gain;
+  }
+
   /// The primal residual sticks while the duals run away.
   bool isInfeasible(int k) {
     history_.push_back(primal_);
-    if (k < 16 || primal_ <= o_.primal * kAlmostFactor) return false;
-    return primal_ > 0.96 * history_[history_.size() - 7];
+    if (primal_ <= o_.primal * kAlmostFactor) return false;
+    if (k >= 16 && primal_ > 0.96 * history_[history_.size() - 7]) return true;
+    return isCertificate(kCertificateShare);
   }
 
   /// rhs of the scaled complementarity is `target`; residuals are reduced by `share`.
@@ -232,6 +249,9 @@ class InteriorPoint {
     result.primalResidual = bestResiduals_[0];
     result.dualResidual = bestResiduals_[1];
     result.gap = bestResiduals_[2];
+    if (status == SolveStatus::kStalled && primal_ > o_.primal * kAlmostFactor && !y_.empty() &&
+        isCertificate(kStalledCertificateShare))
+      status = SolveStatus::kInfeasible;
     const bool isClose = best_.size() && bestMeasure_ <= kAlmostFactor;
     const bool isCutShort =
         status == SolveStatus::kStalled || status == SolveStatus::kIterationLimit;

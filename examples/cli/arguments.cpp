@@ -216,7 +216,7 @@ class Parser {
     CLI::App* sub =
         add("verify", "Judge the texture coordinates that a file has", Command::kVerify);
     addPrescription(sub);
-    sub->add_option("--uv-set", uvSet_, "Which set (default: the first)");
+    sub->add_option("--uv-set", uvSet_, "Which set (default: the last, where param writes)");
     sub->add_option(
            "--tol", out_.verify.tolerance,
            "Accepted seam residual relative to max |uv|, for files printed with few digits")

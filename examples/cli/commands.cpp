@@ -205,6 +205,7 @@ class Run {
   }
 
   int param() {
+    if (Status possible = session_.canWrite(a_.output); !possible) return fail(possible.error());
     Result<std::optional<io::Prescription>> asked = std::optional<io::Prescription>();
     if (a_.solve.boundary == api::BoundaryKind::kFree) asked = prescription();
     if (!asked) return fail(asked.error());

@@ -184,7 +184,8 @@ std::string certificateText(const std::string& source, const Style& style) {
   }
   const bool isCertified = json["certified"].get<bool>();
   out += isCertified ? style.good("certified") : style.bad("not certified");
-  out += formatText(" (q = %lld, %s)", integer(json, "q"), text(json["precision"]).c_str());
+  out += formatText(" (q = %lld, %s%s)", integer(json, "q"), text(json["precision"]).c_str(),
+                    json.contains("uvSet") ? (", uv set " + json["uvSet"].dump()).c_str() : "");
   if (isCertified && !json["usable"].get<bool>()) {
     out += ", but its areas span more than the precision serves in practice";
   }

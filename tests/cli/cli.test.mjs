@@ -161,6 +161,8 @@ test('usage errors end with 2, say so on standard error and suggest', () => {
     [['param', 'ball.obj', '-o', 'ball.obj'], ''],
     [['param', 'ball.obj', '-o', './ball.obj'], ''],
     [['inspect', '-'], ''],
+    [['param', 'ball.obj', '-o', 'x.glb'], 'obj'],
+    [['param', 'ball.obj', '-o', 'x.obj.gz'], 'obj'],
     [['inspect', 'ball.obj', '--mesh', '7'], ''],
   ];
   for (const [args, hint] of cases) {
@@ -359,6 +361,30 @@ test('standard output carries the map alone', () => {
   assert.equal(code, 0);
   assert.match(out, /^# a sphere\n/);
 });
+
+test('a GLB stays a GLB', { skip: !existsSync(shared) && 'no data folder' }, () => {
+  const torus = path.join(shared, 'gltf/torus.glb');
+  assert.equal(run(['param', torus, '-o', 'torus.obj']).code, 2);
+  const { code, err } = run(['param', torus, '--embed-cones', '-o', 'torus.glb']);
+  assert.equal(code, 0, err);
+  assert.equal(run(['verify', 'torus.glb', '--uv-set', '1']).code, 0);
+});
+
+test(
+  'the field problems come out alike from every format',
+  {
+    skip: !existsSync(shared) && 'no data folder',
+  },
+  () => {
+    const mesh = path.join(shared, 'Directional/eight.off');
+    const convert = (file) => run(['cones', mesh, '--convert', file]);
+    const text = convert(path.join(shared, 'cones/Directional__eight.cones'));
+    assert.equal(text.code, 0, text.err);
+    assert.equal(convert(path.join(shared, 'Directional/eight.rawfield.gz')).out, text.out);
+    const sings = JSON.parse(convert(path.join(shared, 'Directional/eight.sings')).out);
+    assert.deepEqual(sings.cones, JSON.parse(text.out).cones);
+  },
+);
 
 test('an interrupted run leaves nothing behind and ends with 130', async () => {
   put('large.obj', sphere(150));

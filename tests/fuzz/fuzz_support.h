@@ -84,6 +84,13 @@ inline UvMap madeUpMap(const MeshData& mesh) {
   return map;
 }
 
+inline bool isFinite(const UvMap& map) {
+  for (const Vec2& uv : map.uv) {
+    if (!std::isfinite(uv[0]) || !std::isfinite(uv[1])) return false;
+  }
+  return true;
+}
+
 inline bool isSameMap(const UvMap& a, const UvMap& b) {
   if (a.cornerUv.size() != b.cornerUv.size()) return false;
   for (std::size_t t = 0; t < a.cornerUv.size(); ++t) {

@@ -221,7 +221,9 @@ function compareMesh(before, after, allowed) {
 
 /** Issues by code, errors and warnings only. */
 async function issues(file, bytes) {
-  const report = await validator.validateBytes(bytes, {
+  // The validator stops at a byte order mark, which we carry through; it shall see what follows.
+  const hasMark = bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf;
+  const report = await validator.validateBytes(hasMark ? bytes.subarray(3) : bytes, {
     maxIssues: 0,
     externalResourceFunction: async (uri) =>
       new Uint8Array(readFileSync(path.join(path.dirname(file), decodeURIComponent(uri)))),

@@ -198,7 +198,8 @@ void addSummary(Json& json, const std::vector<Certificate>& certificates) {
 
 }  // namespace
 
-std::string certificateText(const Model& model, const std::vector<Certificate>& certificates) {
+std::string certificateText(const Model& model, const std::vector<Certificate>& certificates,
+                            int uvSet) {
   Json json{{"format", "hgp-certificate"}, {"version", 1}};
   bool isCertified = !certificates.empty(), isUsable = isCertified;
   for (const Certificate& c : certificates) {
@@ -209,6 +210,7 @@ std::string certificateText(const Model& model, const std::vector<Certificate>& 
   json["usable"] = isUsable;
   json["q"] = certificates.empty() ? 0 : certificates[0].q;
   json["precision"] = certificates.empty() ? "float64" : precisionName(certificates[0].precision);
+  if (uvSet >= 0) json["uvSet"] = uvSet;
   addSummary(json, certificates);
   Json& components = json["components"] = Json::array();
   for (std::size_t p = 0; p < certificates.size(); ++p) {

@@ -21,7 +21,9 @@ std::string checkText(const Model& model, const Request& request,
 /// The check that ended before any piece could be looked at.
 std::string checkText(const Failure& refusal);
 
-std::string certificateText(const Model& model, const std::vector<Certificate>& certificates);
+/// @param uvSet  the set of the file that was judged; −1: a map not yet written
+std::string certificateText(const Model& model, const std::vector<Certificate>& certificates,
+                            int uvSet = -1);
 
 /// What a run leaves behind besides the map.
 struct RunRecord {

@@ -37,7 +37,7 @@ struct SolveOptions {
 
 struct VerifyOptions {
   int q = 0;               ///< order to judge by when there is no prescription; 0: 4
-  int uvSet = -1;          ///< −1: the first set
+  int uvSet = -1;          ///< −1: the last set, which is where param writes
   double tolerance = 0.0;  ///< CertifyOptions::tolerance
 };
 

@@ -1,9 +1,7 @@
 #include "hgp/api/session.h"
 
-#include <chrono>
-
-#include "hgp/api/json_text.h"
 #include "hgp/api/rim.h"
+#include "hgp/api/session_state.h"
 #include "hgp/io/cones.h"
 
 #ifndef HGP_VERSION
@@ -11,36 +9,25 @@
 #endif
 
 namespace hgp::api {
-
-struct Session::State {
-  std::optional<Model> model;
-  struct Solved {
-    StoredMap stored;
-    io::Prescription prescription;
-    std::string certificate, report, cones;
-    std::vector<double> uv;
-    std::vector<std::uint32_t> cornerToUv;
-    std::vector<SeamEdge> seams;
-  };
-  std::optional<Solved> solved;
-  std::vector<double> positions;
-  std::vector<std::uint32_t> triangles;
-
-  Status take(Result<Model> loaded);
-  Result<Request> requestFor(const std::optional<io::Prescription>& prescription, int q) const;
-  Status solve(const std::optional<io::Prescription>& prescription, const SolveOptions& options);
-  Result<Parametrization> solvePiece(std::size_t p, const PieceRequest& request,
-                                     const SolveOptions& options) const;
-  void flatten(Solved& result) const;
-  Result<CompleteSpec> completeAutomatically(const Piece& piece, const SolveOptions& options) const;
-};
-
 namespace {
 
 const std::string kEmpty;
 const std::vector<double> kNoNumbers;
 const std::vector<std::uint32_t> kNoIndices;
 const std::vector<SeamEdge> kNoSeams;
+
+/// Lower case, without the dot.
+std::string extensionOf(const std::string& name) {
+  const std::size_t dot = name.find_last_of("./\\");
+  if (dot == std::string::npos || name[dot] != '.') return "";
+  std::string extension = name.substr(dot + 1);
+  for (char& c : extension) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+  }
+  return extension;
+}
+
+}  // namespace
 
 Failure notLoaded() { return {ErrorCode::kUsage, "session", "no model is loaded", {}}; }
 
@@ -49,8 +36,6 @@ Status requirePieces(const std::optional<Model>& model) {
   if (model->unusable) return *model->unusable;
   return Done{};
 }
-
-}  // namespace
 
 Session::Session() : state_(std::make_unique<State>()) {}
 Session::~Session() = default;
@@ -119,18 +104,6 @@ Result<Verdict> Session::check(const io::Prescription& prescription) const {
   });
 }
 
-Result<CompleteSpec> Session::State::completeAutomatically(const Piece& piece,
-                                                           const SolveOptions& options) const {
-  SuggestOptions suggest;
-  suggest.q = options.q;
-  suggest.coneCount = options.coneCount;
-  suggest.alignToCurvature = options.alignToCurvature;
-  suggest.progress = options.progress;
-  Result<CompleteSpec> spec = suggestCones(piece.mesh, suggest);
-  if (!spec) return toSurfaceIds(*model, piece, spec.error());
-  return spec;
-}
-
 Result<std::string> Session::suggest(const SolveOptions& options) const {
   return guarded([&]() -> Result<std::string> {
     if (Status ready = requirePieces(state_->model); !ready) return ready.error();
@@ -162,80 +135,6 @@ Result<std::optional<io::Prescription>> Session::embeddedCones() const {
   });
 }
 
-Result<Parametrization> Session::State::solvePiece(std::size_t p, const PieceRequest& request,
-                                                   const SolveOptions& options) const {
-  const Piece& piece = model->pieces[p];
-  ParametrizeOptions core;
-  core.maxRounds = options.maxRounds;
-  core.useQuality = options.useQuality;
-  core.progress = options.progress;
-  if (options.boundary == BoundaryKind::kConvex) {
-    Result<Parametrization> run = parametrizeConvex(piece.mesh, core);
-    return run ? std::move(run) : toSurfaceIds(*model, piece, run.error());
-  }
-  HolonomySpec spec = request.spec;
-  if (request.isAutomatic) {
-    SolveOptions automatic = options;
-    automatic.q = request.spec.q;
-    Result<CompleteSpec> chosen = completeAutomatically(piece, automatic);
-    if (!chosen) return chosen.error();
-    spec = toSpec(*chosen);
-  }
-  Result<Parametrization> run = hgp::parametrize(piece.mesh, spec, core);
-  return run ? std::move(run) : toSurfaceIds(*model, piece, run.error());
-}
-
-/// The result as the flat arrays that leave the session.
-void Session::State::flatten(Solved& result) const {
-  const StoredMap& stored = result.stored;
-  for (const Vec2& p : stored.map.uv) result.uv.insert(result.uv.end(), p.begin(), p.end());
-  for (const auto& t : stored.map.cornerUv) {
-    for (int i : t) result.cornerToUv.push_back(static_cast<std::uint32_t>(i));
-  }
-  for (std::size_t p = 0; p < model->pieces.size(); ++p) {
-    for (const MeasuredSeam& s : stored.certificates[p].seams.seams) {
-      const SeamEnds ends = seamEnds(*model, model->pieces[p], stored.map, s.edge);
-      result.seams.push_back({{ends.a[0], ends.a[1]}, {ends.b[0], ends.b[1]}, s.r});
-    }
-  }
-}
-
-Status Session::State::solve(const std::optional<io::Prescription>& prescription,
-                             const SolveOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
-  Result<Request> request = prescription ? resolve(*model, *prescription)
-                                         : Result<Request>(automaticRequest(*model, options.q));
-  if (!request) return request.error();
-  RunRecord run;
-  run.options = options;
-  run.isAutomatic = !prescription && options.boundary == BoundaryKind::kFree;
-  run.notes = request->notes;
-  std::vector<PieceMap> maps;
-  std::vector<HolonomySpec> specs;
-  bool isCertified = true;
-  for (std::size_t p = 0; p < model->pieces.size(); ++p) {
-    Result<Parametrization> piece = solvePiece(p, request->pieces[p], options);
-    if (!piece) return piece.error();
-    isCertified = isCertified && piece->isCertified;
-    maps.push_back({std::move(piece->map), std::move(piece->copyOf), piece->spec});
-    specs.push_back(toSpec(piece->spec));
-    run.pieces.push_back(std::move(*piece));
-  }
-  Solved result;
-  result.stored = storeMap(*model, maps, options.scale, isCertified);
-  run.notes.insert(run.notes.end(), result.stored.notes.begin(), result.stored.notes.end());
-  result.prescription = describe(*model, specs);
-  result.cones = io::writeConesJson(result.prescription);
-  result.certificate = certificateText(*model, result.stored.certificates);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  run.seconds = seconds.count();
-  result.report =
-      reportText(*model, run, result.stored.isCertified, result.certificate, result.cones);
-  flatten(result);
-  solved = std::move(result);
-  return Done{};
-}
-
 Status Session::parametrize(const std::optional<io::Prescription>& prescription,
                             const SolveOptions& options) {
   return guarded([&]() -> Status {
@@ -251,7 +150,7 @@ Result<Verdict> Session::verify(const std::optional<io::Prescription>& prescript
     if (Status ready = requirePieces(state_->model); !ready) return ready.error();
     const Model& model = *state_->model;
     const std::vector<int>& sets = model.source().uvSets;
-    const int set = options.uvSet >= 0 ? options.uvSet : sets.empty() ? 0 : sets.front();
+    const int set = options.uvSet >= 0 ? options.uvSet : sets.empty() ? 0 : sets.back();
     std::optional<UvMap> map = model.document->existingUv(model.surface, set);
     if (!map) {
       return Failure{ErrorCode::kUnsupported,
@@ -276,7 +175,7 @@ Result<Verdict> Session::verify(const std::optional<io::Prescription>& prescript
                                      mapOfPiece(model, model.pieces[p], *map), judge));
       isGood = isGood && certificates.back().isCertified;
     }
-    return Verdict{isGood, certificateText(model, certificates), std::nullopt};
+    return Verdict{isGood, certificateText(model, certificates, set), std::nullopt};
   });
 }
 
@@ -306,18 +205,34 @@ const std::vector<SeamEdge>& Session::seams() const {
   return hasResult() ? state_->solved->seams : kNoSeams;
 }
 
+Status Session::canWrite(const std::string& name) const {
+  return guarded([&]() -> Status {
+    if (!state_->model) return notLoaded();
+    const std::string wanted = extensionOf(name);
+    const std::string given = state_->model->document->outputFormat();
+    const bool isKnown = wanted == "obj" || wanted == "off" || wanted == "ply" || wanted == "stl" ||
+                         wanted == "gltf" || wanted == "glb" || wanted == "gz";
+    if (!isKnown || wanted == given) return Done{};
+    return Failure{
+        ErrorCode::kUsage, "write", "the result is written as " + given + ", not as " + wanted, {}};
+  });
+}
+
 Result<io::Written> Session::write(const WriteOptions& options) const {
   return guarded([&]() -> Result<io::Written> {
     if (!hasResult()) return Failure{ErrorCode::kUsage, "write", "there is no result yet", {}};
     if (!isCertified() && !options.allowUncertified) {
       return Failure{ErrorCode::kNoMap, "write", "the map is not certified", {}};
     }
+    if (Status possible = canWrite(options.name); !possible) return possible.error();
+    const Model& model = *state_->model;
+    const StoredMap& stored = state_->solved->stored;
     io::WriteOptions out;
     out.uvSet = options.uvSet;
     out.name = options.name;
     out.generator = std::string("hgp ") + version();
     if (options.embedCones) out.cones = io::writeConesJson(state_->solved->prescription, -1);
-    return state_->model->document->write(state_->model->surface, state_->solved->stored.map, out);
+    return model.document->write(model.surface, stored.map, out);
   });
 }
 

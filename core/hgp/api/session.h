@@ -68,6 +68,8 @@ class Session {
   const std::vector<std::uint32_t>& uvToVertex() const;  ///< "xref": uv vertex → surface vertex
   const std::vector<SeamEdge>& seams() const;
 
+  /// Whether write() can make a file of this name: glTF stays glTF, everything else becomes OBJ.
+  Status canWrite(const std::string& name) const;
   /// The original with the result as a uv set.
   Result<io::Written> write(const WriteOptions& options) const;
 

@@ -1,0 +1,94 @@
+#include <chrono>
+
+#include "hgp/api/session_state.h"
+#include "hgp/io/cones.h"
+
+namespace hgp::api {
+
+Result<CompleteSpec> Session::State::completeAutomatically(const Piece& piece,
+                                                           const SolveOptions& options) const {
+  SuggestOptions suggest;
+  suggest.q = options.q;
+  suggest.coneCount = options.coneCount;
+  suggest.alignToCurvature = options.alignToCurvature;
+  suggest.progress = options.progress;
+  Result<CompleteSpec> spec = suggestCones(piece.mesh, suggest);
+  if (!spec) return toSurfaceIds(*model, piece, spec.error());
+  return spec;
+}
+
+Result<Parametrization> Session::State::solvePiece(std::size_t p, const PieceRequest& request,
+                                                   const SolveOptions& options) const {
+  const Piece& piece = model->pieces[p];
+  ParametrizeOptions core;
+  core.maxRounds = options.maxRounds;
+  core.useQuality = options.useQuality;
+  core.progress = options.progress;
+  if (options.boundary == BoundaryKind::kConvex) {
+    Result<Parametrization> run = parametrizeConvex(piece.mesh, core);
+    return run ? std::move(run) : toSurfaceIds(*model, piece, run.error());
+  }
+  HolonomySpec spec = request.spec;
+  if (request.isAutomatic) {
+    SolveOptions automatic = options;
+    automatic.q = request.spec.q;
+    Result<CompleteSpec> chosen = completeAutomatically(piece, automatic);
+    if (!chosen) return chosen.error();
+    spec = toSpec(*chosen);
+  }
+  Result<Parametrization> run = hgp::parametrize(piece.mesh, spec, core);
+  return run ? std::move(run) : toSurfaceIds(*model, piece, run.error());
+}
+
+/// The result as the flat arrays that leave the session.
+void Session::State::flatten(Solved& result) const {
+  const StoredMap& stored = result.stored;
+  for (const Vec2& p : stored.map.uv) result.uv.insert(result.uv.end(), p.begin(), p.end());
+  for (const auto& t : stored.map.cornerUv) {
+    for (int i : t) result.cornerToUv.push_back(static_cast<std::uint32_t>(i));
+  }
+  for (std::size_t p = 0; p < model->pieces.size(); ++p) {
+    for (const MeasuredSeam& s : stored.certificates[p].seams.seams) {
+      const SeamEnds ends = seamEnds(*model, model->pieces[p], stored.map, s.edge);
+      result.seams.push_back({{ends.a[0], ends.a[1]}, {ends.b[0], ends.b[1]}, s.r});
+    }
+  }
+}
+
+Status Session::State::solve(const std::optional<io::Prescription>& prescription,
+                             const SolveOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  Result<Request> request = prescription ? resolve(*model, *prescription)
+                                         : Result<Request>(automaticRequest(*model, options.q));
+  if (!request) return request.error();
+  RunRecord run;
+  run.options = options;
+  run.isAutomatic = !prescription && options.boundary == BoundaryKind::kFree;
+  run.notes = request->notes;
+  std::vector<PieceMap> maps;
+  std::vector<HolonomySpec> specs;
+  bool isCertified = true;
+  for (std::size_t p = 0; p < model->pieces.size(); ++p) {
+    Result<Parametrization> piece = solvePiece(p, request->pieces[p], options);
+    if (!piece) return piece.error();
+    isCertified = isCertified && piece->isCertified;
+    maps.push_back({std::move(piece->map), std::move(piece->copyOf), piece->spec});
+    specs.push_back(toSpec(piece->spec));
+    run.pieces.push_back(std::move(*piece));
+  }
+  Solved result;
+  result.stored = storeMap(*model, maps, options.scale, isCertified);
+  run.notes.insert(run.notes.end(), result.stored.notes.begin(), result.stored.notes.end());
+  result.prescription = describe(*model, specs);
+  result.cones = io::writeConesJson(result.prescription);
+  result.certificate = certificateText(*model, result.stored.certificates);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  run.seconds = seconds.count();
+  result.report =
+      reportText(*model, run, result.stored.isCertified, result.certificate, result.cones);
+  flatten(result);
+  solved = std::move(result);
+  return Done{};
+}
+
+}  // namespace hgp::api

@@ -1,0 +1,127 @@
+// What is refused, cancelled or explained instead of solved.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "hgp/parametrize.h"
+#include "support/prescriptions.h"
+#include "support/shapes.h"
+
+namespace hgp {
+namespace {
+
+HolonomySpec withCones(int q, std::vector<ConePoint> cones) {
+  HolonomySpec spec;
+  spec.q = q;
+  spec.cones = std::move(cones);
+  return spec;
+}
+
+void expectRefused(const TriMesh& mesh, const HolonomySpec& spec, const std::string& word) {
+  const Result<Parametrization> p = parametrize(mesh, spec, {});
+  ASSERT_FALSE(p) << word;
+  EXPECT_EQ(p.error().code, ErrorCode::kPrescription);
+  EXPECT_NE(p.error().message.find(word), std::string::npos) << p.error().message;
+}
+
+TEST(Refusals, ATorusWithOneConeOfThreeAndOneOfFiveHasNoMap) {
+  const TriMesh mesh = test::torus(12, 8).mesh();
+  expectRefused(mesh, withCones(4, {{VertexId(3), 3}, {VertexId(50), 5}}), "torus");
+  expectRefused(mesh, withCones(6, {{VertexId(3), 5}, {VertexId(50), 7}}), "torus");
+}
+
+TEST(Refusals, GaussBonnetIsCheckedInIntegersBeforeAnythingIsSolved) {
+  expectRefused(test::icosphere(3).mesh(), withCones(4, {{VertexId(0), 3}}), "Lemma 6.2");
+  HolonomySpec disk = withCones(4, {{VertexId(0), 3}});
+  disk.turning = {4};
+  expectRefused(test::disk(4).mesh(), disk, "Lemma 6.2");
+}
+
+TEST(Refusals, AConeFreeTorusCannotRotate) {
+  HolonomySpec spec;
+  spec.handles = {1, 0};
+  expectRefused(test::torus(12, 8).mesh(), spec, "torus");
+}
+
+TEST(Refusals, ASphereNeedsAnOrderOfTwoOrMore) {
+  expectRefused(test::icosphere(2).mesh(), withCones(1, {}), "q");
+}
+
+TEST(Refusals, ConvexBoundaryNeedsADisk) {
+  for (const test::Shape& shape :
+       {test::icosphere(2), test::annulus(8, 3), test::puncturedTorus(6, 5)}) {
+    const Result<Parametrization> p = parametrizeConvex(shape.mesh(), {});
+    ASSERT_FALSE(p);
+    EXPECT_EQ(p.error().code, ErrorCode::kUnsupported);
+  }
+}
+
+TEST(Refusals, NoRoundsIsACallThatContradictsItself) {
+  ParametrizeOptions options;
+  options.maxRounds = 0;
+  const Result<Parametrization> p = parametrize(test::disk(3).mesh(), {}, options);
+  ASSERT_FALSE(p);
+  EXPECT_EQ(p.error().code, ErrorCode::kUsage);
+}
+
+TEST(Cancel, EndsEveryStageAtOnce) {
+  const TriMesh mesh = test::icosphere(4).mesh();
+  HolonomySpec spec;
+  for (VertexId v : test::spreadVertices(mesh, 8)) spec.cones.push_back({v, 3});
+  std::set<std::string> stages;
+  ParametrizeOptions options;
+  options.progress = [&](const ProgressReport& r) {
+    stages.insert(r.stage);
+    return true;
+  };
+  ASSERT_TRUE(parametrize(mesh, spec, options));
+  for (const char* stage : {"field", "cut", "assemble", "solve"})
+    EXPECT_TRUE(stages.count(stage)) << stage;
+  for (const std::string& stage : stages) {
+    int after = 0;
+    bool isOver = false;
+    options.progress = [&](const ProgressReport& r) {
+      if (isOver) ++after;
+      isOver |= r.stage == stage;
+      return !isOver;
+    };
+    const Result<Parametrization> p = parametrize(mesh, spec, options);
+    ASSERT_FALSE(p) << stage;
+    EXPECT_EQ(p.error().code, ErrorCode::kCancelled) << stage;
+    EXPECT_EQ(after, 0) << stage;
+  }
+}
+
+TEST(Progress, FractionsStayBetweenZeroAndOneAndIterationsCount) {
+  ParametrizeOptions options;
+  int last = -1, solves = 0;
+  options.progress = [&](const ProgressReport& r) {
+    EXPECT_GE(r.fraction, 0.0);
+    EXPECT_LE(r.fraction, 1.0);
+    if (std::string(r.stage) == "solve" && r.iteration >= 0) {
+      EXPECT_TRUE(r.iteration == last + 1 || r.iteration == 0);
+      last = r.iteration;
+      ++solves;
+    }
+    return true;
+  };
+  ASSERT_TRUE(parametrize(test::disk(4).mesh(), {}, options));
+  EXPECT_GT(solves, 2);
+}
+
+TEST(Notes, SayWhenConesStretchTheSurfaceTooFar) {
+  // A long tube rolled out as an annulus: e^(length · 2π / girth) between its ends.
+  const TriMesh mesh = test::cylinder(8, 40).mesh();
+  HolonomySpec spec;
+  spec.turning = {4, -4};
+  ParametrizeOptions options;
+  options.maxRounds = 1;
+  const Result<Parametrization> p = parametrize(mesh, spec, options);
+  ASSERT_TRUE(p) << p.error().message;
+  bool isSaid = false;
+  for (const std::string& note : p->notes) isSaid |= note.find("stretch") != std::string::npos;
+  EXPECT_TRUE(isSaid);
+}
+
+}  // namespace
+}  // namespace hgp

@@ -98,7 +98,7 @@ function cube() {
 
 function torus() {
   return sheet(32, 72, [true, true], (u, v) => {
-    const [a, b] = [tau * u, tau * v];
+    const [a, b] = [-tau * u, tau * v];
     const r = 1 + 0.42 * Math.cos(b);
     return [r * Math.cos(a), 0.42 * Math.sin(b) + 0.12 * Math.sin(3 * a), r * Math.sin(a)];
   });
@@ -109,7 +109,7 @@ function pipe() {
   return sheet(56, 48, [false, true], (u, v) => {
     const turn = (v - 0.5) * 2.2;
     const radius = 0.34 + 0.2 * v ** 3 + 0.1 * (1 - v) ** 4 + 0.035 * Math.cos(4 * tau * u) * v;
-    const [x, y] = [radius * Math.cos(-tau * u), radius * Math.sin(-tau * u)];
+    const [x, y] = [radius * Math.cos(tau * u), radius * Math.sin(tau * u)];
     const center = [1.3 * Math.sin(turn), 1.3 * Math.cos(turn) - 1];
     return [center[0] + x * Math.sin(turn), center[1] + x * Math.cos(turn), y];
   });

@@ -138,9 +138,8 @@ export function crosses(
   const { uv } = solved.corners;
   const { uvArea, surfaceArea } = solved.distortion;
   const arm = 0.42 * spacing * Math.sqrt(uvArea / surfaceArea); // in uv
-  const lift = 0.0015 * surface.diagonal;
   const out: number[] = [];
-  for (const { triangle: t, s, r, e, f, n } of spread(surface, spacing)) {
+  for (const { triangle: t, s, r, e, f } of spread(surface, spacing)) {
     const [ux, uy] = [uv[6 * t + 2] - uv[6 * t], uv[6 * t + 3] - uv[6 * t + 1]];
     const [vx, vy] = [uv[6 * t + 4] - uv[6 * t], uv[6 * t + 5] - uv[6 * t + 1]];
     const det = ux * vy - uy * vx;
@@ -158,7 +157,7 @@ export function crosses(
         [s, r],
         [s + ds, r + dr],
       ]) {
-        for (let m = 0; m < 3; m++) out.push(p[a + m] + i * e[m] + j * f[m] + lift * n[m]);
+        for (let m = 0; m < 3; m++) out.push(p[a + m] + i * e[m] + j * f[m]);
       }
     }
   }

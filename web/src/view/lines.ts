@@ -1,6 +1,6 @@
 // Line segments with a width in pixels: seams, crosses, highlights, wireframe.
 
-import { Color } from 'three';
+import { Color, type Vector3 } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
@@ -21,6 +21,12 @@ export class Lines extends LineSegments2 {
     this.renderOrder = options.order ?? 2;
     this.frustumCulled = false;
     this.visible = false;
+  }
+
+  /** A little nearer to the eye, which leaves it where it is in the picture: seen from either side. */
+  lift(eye: Vector3, by: number): void {
+    this.scale.setScalar(1 - by);
+    this.position.copy(eye).multiplyScalar(by);
   }
 
   /** Pairs of points; one colour for all, or one per segment. */
@@ -59,13 +65,10 @@ export const chainColour = (chain: number): Color => new Color(hues[chain % hues
 /** Seams on the surface: one segment per seam edge. */
 export function seamsOnSurface(surface: Surface, { seams, chains, result }: Solved) {
   const points = new Float32Array(6 * seams.length);
-  const lift = 0.001 * surface.diagonal;
   seams.forEach(({ a }, s) => {
     a.forEach((end, k) => {
       const v = 3 * result.uvToVertex[end];
-      for (let i = 0; i < 3; i++) {
-        points[6 * s + 3 * k + i] = surface.positions[v + i] + lift * surface.normals[v + i];
-      }
+      for (let i = 0; i < 3; i++) points[6 * s + 3 * k + i] = surface.positions[v + i];
     });
   });
   return { points, colours: seams.map((_, s) => chainColour(chains[s])) };

@@ -33,6 +33,7 @@ export class MapView extends Stage {
   #reach = 0.6;
   #image?: ImageBitmap;
   #size = { width: 1, height: 1 };
+  #isTouched = false;
 
   constructor(canvas: HTMLCanvasElement) {
     super(canvas);
@@ -44,7 +45,8 @@ export class MapView extends Stage {
 
   protected onResize(width: number, height: number): void {
     this.#size = { width, height };
-    this.#aim();
+    if (this.#isTouched) this.#aim();
+    else this.fit();
   }
 
   #aim(): void {
@@ -62,7 +64,8 @@ export class MapView extends Stage {
   }
 
   fit(): void {
-    if (!this.#solved) return;
+    this.#isTouched = false;
+    if (!this.#solved) return this.#aim();
     const { x, y, width, height } = boxOf(this.#solved.corners.uv);
     this.#center = { x: x + width / 2, y: y + height / 2 };
     const aspect = this.#size.width / this.#size.height;
@@ -71,12 +74,14 @@ export class MapView extends Stage {
   }
 
   zoom(factor: number): void {
+    this.#isTouched = true;
     this.#reach *= factor;
     this.#aim();
   }
 
   /** Parts of the visible height. */
   pan(x: number, y: number): void {
+    this.#isTouched = true;
     this.#center.x += 2 * this.#reach * x;
     this.#center.y += 2 * this.#reach * y;
     this.#aim();
@@ -88,6 +93,7 @@ export class MapView extends Stage {
       'wheel',
       (event) => {
         event.preventDefault();
+        this.#isTouched = true;
         const before = this.#toUv(event);
         this.#reach *= Math.exp(Math.max(-1, Math.min(1, event.deltaY / 400)));
         this.#aim();

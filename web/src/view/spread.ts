@@ -4,12 +4,11 @@ import type { Surface } from '../state/surface';
 
 export interface Sample {
   triangle: number;
-  /** Position = first corner + s·e + r·f; n is the unit normal. */
+  /** Position = first corner + s·e + r·f. */
   s: number;
   r: number;
   e: [number, number, number];
   f: [number, number, number];
-  n: [number, number, number];
 }
 
 type Vector = [number, number, number];
@@ -51,7 +50,6 @@ class Sieve {
 interface Face {
   e: Vector;
   f: Vector;
-  n: Vector;
   area: number;
 }
 
@@ -65,7 +63,7 @@ function faceOf({ positions: p, triangles }: Surface, t: number): Face {
     e[0] * f[1] - e[1] * f[0],
   ];
   const size = Math.hypot(...n);
-  return { e, f, n: n.map((x) => x / (size || 1)) as Vector, area: size / 2 };
+  return { e, f, area: size / 2 };
 }
 
 export function spread(surface: Surface, spacing: number): Sample[] {
@@ -78,14 +76,14 @@ export function spread(surface: Surface, spacing: number): Sample[] {
   const candidates: { sample: Sample; at: Vector; order: number }[] = [];
   let owed = 0.5;
   for (let t = 0; t < count; t++) {
-    const { e, f, n, area: own } = faces[t];
+    const { e, f, area: own } = faces[t];
     owed += (own / area) * wanted;
     for (; owed >= 1; owed -= 1) {
       let [s, r] = [random(), random()];
       if (s + r > 1) [s, r] = [1 - s, 1 - r];
       const a = 3 * triangles[3 * t];
       const at = [0, 1, 2].map((m) => positions[a + m] + s * e[m] + r * f[m]) as Vector;
-      candidates.push({ sample: { triangle: t, s, r, e, f, n }, at, order: random() });
+      candidates.push({ sample: { triangle: t, s, r, e, f }, at, order: random() });
     }
   }
   candidates.sort((x, y) => x.order - y.order);

@@ -56,9 +56,11 @@ export class SurfaceView extends Stage {
     this.scene.add(this.#mesh, this.#wire, this.#crosses, this.#seams);
     this.scene.add(this.#light, this.#cursor, this.#markers);
     this.#mesh.visible = false;
-    this.beforeDraw(() =>
-      this.#markers.lift(this.camera.position, 0.04 * (this.#surface?.diagonal ?? 1)),
-    );
+    this.beforeDraw(() => {
+      const eye = this.camera.position;
+      this.#markers.lift(eye, 0.04 * (this.#surface?.diagonal ?? 1));
+      for (const lines of [this.#seams, this.#crosses, this.#wire]) lines.lift(eye, 0.003);
+    });
     this.orbit = new Orbit(this.camera, canvas, () => this.draw());
   }
 

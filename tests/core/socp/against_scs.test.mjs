@@ -41,7 +41,7 @@ function solveWithScs(SCS, { H, c, F, h }) {
   const cone = { z: 0, l: 0, q: Array(h.length / 3).fill(3), qsize: h.length / 3 };
   const settings = new SCS.ScsSettings();
   SCS.setDefaultSettings(settings);
-  Object.assign(settings, { epsAbs: 1e-10, epsRel: 1e-10, maxIters: 200_000, verbose: 0 });
+  Object.assign(settings, { epsAbs: 1e-8, epsRel: 1e-8, maxIters: 20_000, verbose: 0 });
   return SCS.solve(data, cone, settings);
 }
 

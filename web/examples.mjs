@@ -98,7 +98,7 @@ function cube() {
 
 function torus() {
   return sheet(32, 72, [true, true], (u, v) => {
-    const [a, b] = [tau * u, tau * v];
+    const [a, b] = [-tau * u, tau * v];
     const r = 1 + 0.42 * Math.cos(b);
     return [r * Math.cos(a), 0.42 * Math.sin(b) + 0.12 * Math.sin(3 * a), r * Math.sin(a)];
   });

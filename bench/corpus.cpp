@@ -7,9 +7,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
 
-#include "corpus_run.h"
+#include "corpus_process.h"
 #include "corpus_table.h"
 #include "files.h"
 
@@ -53,6 +54,7 @@ std::vector<fs::path> meshesBelow(const Arguments& a) {
   }
   std::sort(found.begin(), found.end());
   std::vector<fs::path> files;
+  files.reserve(found.size());
   for (auto& [size, path] : found) files.push_back(std::move(path));
   return files;
 }
@@ -72,7 +74,7 @@ int run(const Arguments& a) {
   for (const fs::path& file : meshesBelow(a)) {
     const std::string name = file.lexically_relative(a.folder).generic_string();
     std::fprintf(stderr, "%s …\n", name.c_str());
-    rows.push_back(runMesh(file.string(), name, a.options));
+    rows.push_back(runMeshApart(file.string(), name, a.options));
     const std::string line = tableRow(rows.back());
     table += line;
     std::fputs(line.c_str(), stdout);
@@ -90,9 +92,7 @@ int run(const Arguments& a) {
   return !failures.empty() ? 6 : isSaved ? 0 : 7;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int runProgram(int argc, char** argv) {
   Arguments a;
   CLI::App app("Maps every mesh below a folder with automatic cones and prints a table.", "corpus");
   if (const char* shared = std::getenv("HGP_SHARED_MESHES")) a.folder = shared;
@@ -113,4 +113,15 @@ int main(int argc, char** argv) {
     return 2;
   }
   return run(a);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return runProgram(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "corpus: %s\n", error.what());
+    return 70;
+  }
 }

@@ -1,9 +1,5 @@
 #include "corpus_run.h"
 
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
-
 #include <algorithm>
 #include <chrono>
 #include <fstream>
@@ -21,15 +17,6 @@ using Json = nlohmann::json;
 
 double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// Makes VmHWM count from here on. What the last mesh left in the allocator goes back first, or it
-/// would be counted again.
-void resetPeakMemory() {
-#ifdef __GLIBC__
-  malloc_trim(0);
-#endif
-  std::ofstream("/proc/self/clear_refs") << 5;
 }
 
 /// 0 where the system does not say.
@@ -137,7 +124,6 @@ const char* outcomeName(Outcome outcome) {
 CorpusRow runMesh(const std::string& file, const std::string& name, const CorpusOptions& options) {
   CorpusRow row;
   row.name = name;
-  resetPeakMemory();
   const auto start = Clock::now();
   api::LoadOptions load;
   load.fix.degenerate = options.fixDegenerate;

@@ -8,6 +8,8 @@
 namespace hgp::bench {
 namespace {
 
+using Json = nlohmann::json;
+
 /// A cell must not end its row.
 std::string asCell(std::string text) {
   std::replace(text.begin(), text.end(), '|', '/');
@@ -15,6 +17,38 @@ std::string asCell(std::string text) {
   constexpr std::size_t kLongest = 140;
   if (text.size() > kLongest) text = text.substr(0, kLongest) + " …";
   return text;
+}
+
+// Calls visit(name, member) for every column: one list for writing and reading.
+template <class Row, class Visit>
+void eachColumn(Row& r, const Visit& visit) {
+  visit("name", r.name);
+  visit("vertices", r.vertices);
+  visit("triangles", r.triangles);
+  visit("components", r.components);
+  visit("genus", r.genus);
+  visit("boundaryLoops", r.loops);
+  visit("cones", r.cones);
+  visit("rounds", r.rounds);
+  visit("flipped", r.flipped);
+  visit("reason", r.reason);
+  visit("meanMu", r.meanMu);
+  visit("p95Mu", r.p95Mu);
+  visit("maxMu", r.maxMu);
+  visit("rmsLogArea", r.rmsLogArea);
+  visit("readSeconds", r.readSeconds);
+  visit("fieldSeconds", r.fieldSeconds);
+  visit("cutSeconds", r.cutSeconds);
+  visit("solveSeconds", r.solveSeconds);
+  visit("totalSeconds", r.totalSeconds);
+  visit("peakMegabytes", r.peakMegabytes);
+}
+
+Json rowToJson(const CorpusRow& row) {
+  Json out;
+  eachColumn(row, [&](const char* name, const auto& member) { out[name] = member; });
+  out["verdict"] = outcomeName(row.outcome);
+  return out;
 }
 
 }  // namespace
@@ -61,35 +95,26 @@ std::string totals(const std::vector<CorpusRow>& rows) {
 }
 
 std::string toJson(const std::vector<CorpusRow>& rows, const CorpusOptions& options) {
-  using Json = nlohmann::json;
   Json out{{"format", "hgp-corpus"}, {"version", 1}};
   out["q"] = options.q;
   out["quality"] = options.useQuality;
   Json& list = out["meshes"] = Json::array();
-  for (const CorpusRow& r : rows) {
-    list.push_back(Json{{"name", r.name},
-                        {"vertices", r.vertices},
-                        {"triangles", r.triangles},
-                        {"components", r.components},
-                        {"genus", r.genus},
-                        {"boundaryLoops", r.loops},
-                        {"cones", r.cones},
-                        {"rounds", r.rounds},
-                        {"flipped", r.flipped},
-                        {"verdict", outcomeName(r.outcome)},
-                        {"reason", r.reason},
-                        {"meanMu", r.meanMu},
-                        {"p95Mu", r.p95Mu},
-                        {"maxMu", r.maxMu},
-                        {"rmsLogArea", r.rmsLogArea},
-                        {"readSeconds", r.readSeconds},
-                        {"fieldSeconds", r.fieldSeconds},
-                        {"cutSeconds", r.cutSeconds},
-                        {"solveSeconds", r.solveSeconds},
-                        {"totalSeconds", r.totalSeconds},
-                        {"peakMegabytes", r.peakMegabytes}});
-  }
+  for (const CorpusRow& r : rows) list.push_back(rowToJson(r));
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string toJson(const CorpusRow& row) {
+  return rowToJson(row).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+CorpusRow rowFromJson(const std::string& text) {
+  const Json in = Json::parse(text);
+  CorpusRow row;
+  eachColumn(row, [&](const char* name, auto& member) { in.at(name).get_to(member); });
+  for (const Outcome o : {Outcome::kCertified, Outcome::kRefused, Outcome::kFailed}) {
+    if (in.at("verdict") == outcomeName(o)) row.outcome = o;
+  }
+  return row;
 }
 
 }  // namespace hgp::bench

@@ -15,4 +15,8 @@ std::string totals(const std::vector<CorpusRow>& rows);
 
 std::string toJson(const std::vector<CorpusRow>& rows, const CorpusOptions& options);
 
+/// One row as a line of JSON, and back.
+std::string toJson(const CorpusRow& row);
+CorpusRow rowFromJson(const std::string& text);
+
 }  // namespace hgp::bench

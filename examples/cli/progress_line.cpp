@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace hgp::cli {
@@ -48,7 +49,7 @@ Progress ProgressLine::callback() {
 
 void ProgressLine::draw(const ProgressReport& report) {
   const double fraction = std::clamp(report.fraction, 0.0, 1.0);
-  const int full = static_cast<int>(fraction * kBarWidth + 0.5);
+  const int full = static_cast<int>(std::lround(fraction * kBarWidth));
   const std::string bar = std::string(static_cast<std::size_t>(full), '#') +
                           std::string(static_cast<std::size_t>(kBarWidth - full), '.');
   const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();

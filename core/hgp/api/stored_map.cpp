@@ -147,7 +147,7 @@ std::vector<std::uint32_t> verticesOfUv(const Model& model, const UvMap& map) {
   return out;
 }
 
-StoredMap judge(const Model& model, const std::vector<PieceMap>& pieces, UvMap surfaceMap) {
+StoredMap judge(const Model& model, const std::vector<PieceMap>& pieces, const UvMap& surfaceMap) {
   StoredMap out;
   out.map = model.document->asStored(model.surface, surfaceMap);
   CertifyOptions options;

@@ -101,7 +101,7 @@ using DocumentPtr = std::unique_ptr<Document>;
 Result<DocumentPtr> readObj(FileSet files, const Limits& limits);
 Result<DocumentPtr> readOff(FileSet files, const Limits& limits);
 Result<DocumentPtr> readPly(FileSet files, const Limits& limits);
-Result<DocumentPtr> readStl(FileSet files, const Limits& limits);
+Result<DocumentPtr> readStl(const FileSet& files, const Limits& limits);
 /// .glb and .gltf, told apart by content.
 Result<DocumentPtr> readGltf(FileSet files, const Limits& limits);
 

@@ -43,7 +43,7 @@ Result<DocumentPtr> openDocument(FileSet files, const Limits& limits) {
   };
   if (startsWith("glTF")) return readGltf(std::move(files), limits);
   if (startsWith("ply")) return readPly(std::move(files), limits);
-  if (hasBinaryStlSize(files.main)) return readStl(std::move(files), limits);
+  if (hasBinaryStlSize(files.main)) return readStl(files, limits);
   if (startsWith("\xEF\xBB\xBF")) text.remove_prefix(3);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   const char c = first == std::string_view::npos ? '\0' : text[first];
@@ -51,10 +51,10 @@ Result<DocumentPtr> openDocument(FileSet files, const Limits& limits) {
   if (c == '{' || extension == "gltf" || extension == "glb")
     return readGltf(std::move(files), limits);
   if (c == '<') return malformedByte(first, "this is HTML or XML, not a mesh");
-  if (startsWith("solid") && extension != "obj") return readStl(std::move(files), limits);
+  if (startsWith("solid") && extension != "obj") return readStl(files, limits);
   if (extension == "off" || extension == "stl" || extension == "ply") {
     if (extension == "off") return readOff(std::move(files), limits);
-    if (extension == "stl") return readStl(std::move(files), limits);
+    if (extension == "stl") return readStl(files, limits);
     return readPly(std::move(files), limits);
   }
   WordReader words(text.substr(0, std::min<std::size_t>(text.size(), 4096)));

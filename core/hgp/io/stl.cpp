@@ -64,7 +64,7 @@ Result<std::vector<Vec3>> readText(std::string_view text) {
 
 }  // namespace
 
-Result<DocumentPtr> readStl(FileSet files, const Limits& limits) {
+Result<DocumentPtr> readStl(const FileSet& files, const Limits& limits) {
   const Bytes& bytes = files.main;
   const std::size_t announced = bytes.size() < kHeaderBytes ? 0 : littleUint32(bytes.data() + 80);
   const bool isBinary = bytes.size() >= kHeaderBytes &&

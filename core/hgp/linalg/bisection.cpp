@@ -31,7 +31,7 @@ class Refiner {
  public:
   Refiner(const WeightedGraph& graph, double imbalance, std::vector<char>* side)
       : g_(graph), side_(*side), gain_(side->size(), 0), stamp_(side->size(), 0) {
-    for (int v = 0; v < g_.size(); ++v) weight_[static_cast<int>(side_[v])] += g_.vertexWeight[v];
+    for (int v = 0; v < g_.size(); ++v) weight_[side_[v] == 0 ? 0 : 1] += g_.vertexWeight[v];
     const std::int64_t total = weight_[0] + weight_[1];
     limit_ = static_cast<std::int64_t>(imbalance * static_cast<double>(total));
     patience_ = std::clamp(g_.size() / 100, 15, 60);
@@ -62,7 +62,7 @@ class Refiner {
   void keepBoundary(std::vector<int>* candidates) const {
     std::erase_if(*candidates, [&](int v) { return !isBoundary(v); });
   }
-  void push(int v) { heap_[static_cast<int>(side_[v])].push({gain_[v], v}); }
+  void push(int v) { heap_[side_[v] == 0 ? 0 : 1].push({gain_[v], v}); }
 
   // Drops outdated entries; −1 when the heap is empty.
   int top(int s) {
@@ -93,7 +93,7 @@ class Refiner {
   }
 
   void move(int v) {
-    const int from = side_[v];
+    const int from = side_[v] == 0 ? 0 : 1;
     side_[v] = static_cast<char>(1 - from);
     weight_[from] -= g_.vertexWeight[v];
     weight_[1 - from] += g_.vertexWeight[v];

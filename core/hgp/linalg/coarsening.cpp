@@ -19,7 +19,8 @@ int bestPartner(const WeightedGraph& g, int v, const std::vector<int>& cluster, 
     const int u = g.neighbours[e];
     const std::int64_t score =
         (static_cast<std::int64_t>(g.edgeWeight[e]) << 32) - g.vertexWeight[u];
-    const bool better = (cluster[u] < 0) & (g.vertexWeight[u] <= room) & (score > bestScore);
+    const bool better =
+        (int{cluster[u] < 0} & int{g.vertexWeight[u] <= room} & int{score > bestScore}) != 0;
     best = better ? u : best;
     bestScore = better ? score : bestScore;
   }

@@ -1,6 +1,7 @@
 #include "hgp/linalg/panel_factor.h"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "hgp/base/check.h"
 #include "hgp/linalg/kernel_workspace.h"
@@ -32,9 +33,13 @@ void startComplement(Scalar* panel, int pivots, int rows, Scalar* complement, do
     kernels().updateComplex(task, work);
 }
 
+// How many doubles one entry takes.
+template <class Scalar>
+constexpr std::size_t kDoubles = std::is_same_v<Scalar, double> ? 1 : 2;
+
 template <class Scalar>
 Contribution<Scalar> allocate(std::size_t count) {
-  return {std::unique_ptr<double[]>(new double[count * (sizeof(Scalar) / sizeof(double))])};
+  return {std::unique_ptr<double[]>(new double[count * kDoubles<Scalar>])};
 }
 
 }  // namespace
@@ -62,7 +67,7 @@ FactorStatus PanelFactor<Scalar>::eliminate(const FrontSource<Scalar>& source,
                                             std::vector<Contribution<Scalar>>* left) {
   const SymbolicFactor& f = *symbolic_;
   ready_ = false;
-  if (!panels_) panels_.reset(new double[start_.back() * (sizeof(Scalar) / sizeof(double)) + 1]);
+  if (!panels_) panels_.reset(new double[start_.back() * kDoubles<Scalar> + 1]);
   const KernelWorkspace work;
   std::vector<Contribution<Scalar>> held(static_cast<std::size_t>(f.nodeCount()));
   std::vector<int> local(static_cast<std::size_t>(f.size()));

@@ -38,7 +38,7 @@ PartialCholesky::~PartialCholesky() = default;
 PartialCholesky::PartialCholesky(PartialCholesky&&) noexcept = default;
 PartialCholesky& PartialCholesky::operator=(PartialCholesky&&) noexcept = default;
 
-FactorStatus PartialCholesky::build(const ComplexSparse& H, Cliques cliques,
+FactorStatus PartialCholesky::build(const ComplexSparse& H, const Cliques& cliques,
                                     const PartialCholeskyOptions& options) {
   HGP_CHECK(H.rows() == H.cols(), "H is %d × %d", static_cast<int>(H.rows()),
             static_cast<int>(H.cols()));

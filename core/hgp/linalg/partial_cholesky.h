@@ -47,7 +47,7 @@ class PartialCholesky {
   /// @param H        n × n Hermitian positive semidefinite, stored in full (both triangles)
   /// @param cliques  complex unknowns of each changing block, distinct within a block
   /// @return not ok with the unknown where H is singular on the static unknowns (nothing pins it)
-  FactorStatus build(const Eigen::SparseMatrix<std::complex<double>>& H, Cliques cliques,
+  FactorStatus build(const Eigen::SparseMatrix<std::complex<double>>& H, const Cliques& cliques,
                      const PartialCholeskyOptions& options = {});
 
   int size() const;

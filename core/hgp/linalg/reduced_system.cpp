@@ -247,6 +247,8 @@ FactorStatus ReducedSystem::factor(const double* values) {
   return status;
 }
 
+// A Ref is a view: taken by value so that blocks of a matrix can be passed.
+// NOLINTNEXTLINE(performance-unnecessary-value-param)
 void ReducedSystem::solveInPlace(Eigen::Ref<Eigen::MatrixXd> x) const {
   panels_.forward(x);
   panels_.backward(x);

@@ -457,8 +457,8 @@ function unevenSets() {
   return asset.glb();
 }
 
-/** Two materials on one closed surface, joined by EXT_mesh_manifold. */
-function manifold() {
+/** Two materials on one closed surface, joined by EXT_mesh_manifold; `edit` may break the joint. */
+function manifold(edit = () => {}) {
   const asset = new Asset();
   const { json } = asset;
   // An octahedron whose equator is split: 4 + 4 + 1 + 1 vertices.
@@ -504,7 +504,13 @@ function manifold() {
   json.extensionsUsed = ['EXT_mesh_manifold'];
   json.nodes = [{ mesh: 0 }];
   json.scenes = [{ nodes: [0] }];
+  edit(json);
   return asset.glb();
+}
+
+/** Merges that are all zero because they have no buffer view: legal, and wrong. */
+function zeroMerges(json) {
+  delete json.accessors[4].bufferView;
 }
 
 /** EXT_meshopt_compression: filtered normals, triangles, and a view of another mesh. */
@@ -726,6 +732,11 @@ export async function featureFiles() {
       name: 'EXT_mesh_manifold',
       files: { 'manifold.glb': manifold() },
       cases: maps(all, { check: isStillManifold }),
+    },
+    {
+      name: 'EXT_mesh_manifold with merges of zeros',
+      files: { 'zero-merges.glb': manifold(zeroMerges) },
+      cases: maps(all),
     },
     {
       name: 'meshopt',

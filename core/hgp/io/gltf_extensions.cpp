@@ -145,10 +145,15 @@ void GltfWriter::placeAccessors() {
   layout_.release(free);
   // What others point at comes first; what has no old view of its own takes what is left over.
   std::vector<std::size_t> order(fresh_.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::set<int> isPointedAt;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    order[i] = i;
+    isPointedAt.insert({fresh_[i].sparseIndices, fresh_[i].sparseValues});
+  }
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     const auto rank = [&](std::size_t i) {
       const GltfNewAccessor& fresh = fresh_[i];
+      if (isPointedAt.count(static_cast<int>(i)) > 0) return 0;
       return fresh.sharedWith >= 0 ? 2 : fresh.sparseIndices >= 0 ? 1 : fresh.oldView < 0 ? 3 : 0;
     };
     return rank(a) < rank(b);

@@ -6,17 +6,25 @@ const first = (text, pattern) => Number(text.match(pattern)?.[1] ?? 0);
 export function countCtest(log) {
   const counts = { passed: 0, failed: 0, skipped: 0, notes: [] };
   // A block runs from "3/9 Testing: name" to "Test Passed." or "Test Failed.".
-  for (const block of log.split(/^\d+\/\d+ Testing: /m).slice(1)) {
+  // GoogleTest colours its output where it takes the pipe for a terminal (WebAssembly does).
+  // eslint-disable-next-line no-control-regex
+  const plain = log.replace(/\x1b\[[\d;]*m/g, '');
+  for (const block of plain.split(/^\d+\/\d+ Testing: /m).slice(1)) {
     const name = block.slice(0, block.indexOf('\n'));
     const ended = /^Test Passed\.$/m.test(block);
     if (!block.includes('[==========]')) {
       counts[ended ? 'passed' : 'failed'] += 1;
       continue;
     }
+    const before = counts.passed + counts.failed + counts.skipped;
     const failed = first(block, /\[ {2}FAILED {2}\] (\d+) tests?, listed below/);
     counts.passed += first(block, /\[ {2}PASSED {2}\] (\d+) tests?\./);
     counts.skipped += first(block, /\[ {2}SKIPPED \] (\d+) tests?, listed below/);
     counts.failed += !ended && failed === 0 ? 1 : failed; // a crash leaves no summary
+    if (counts.passed + counts.failed + counts.skipped === before) {
+      counts.failed += 1;
+      counts.notes.push(`${name}: no test was counted`);
+    }
     for (const [, reason] of block.matchAll(/Skipped\n([\s\S]*?)\n\[ {2}SKIPPED/g)) {
       counts.notes.push(`skipped in ${name}: ${reason.trim()}`);
     }

@@ -31,9 +31,6 @@ function(hgp_room)
   endif()
   hgp_named_targets(links "room ${R_NAME}" ${R_LINKS})
   hgp_named_targets(private_links "room ${R_NAME}" ${R_PRIVATE_LINKS})
-  if(links STREQUAL "MISSING" OR private_links STREQUAL "MISSING")
-    return()
-  endif()
 
   set(target hgp_${R_NAME})
   if(R_HEADER_ONLY)
@@ -47,10 +44,6 @@ function(hgp_room)
     if(EMSCRIPTEN AND R_NAME MATCHES "^(io|api)$")
       # Read once and cold: what a visitor downloads matters more than how fast it runs.
       target_compile_options(${target} PRIVATE -Os)
-    endif()
-    if(R_NAME STREQUAL "linalg" AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
-      # Its inner loops combine comparisons without branches on purpose.
-      target_compile_options(${target} PRIVATE -Wno-bitwise-instead-of-logical)
     endif()
     if(NOT EMSCRIPTEN)  # there it would only slow every global down
       set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
@@ -66,14 +59,12 @@ function(hgp_room)
   set_property(GLOBAL APPEND PROPERTY HGP_ROOM_TARGETS ${target})
 endfunction()
 
-# Turns names into targets; "MISSING" when one of them is not in the house.
+# Turns names into targets; it is an error when one of them is not in the house.
 function(hgp_named_targets out who)
   set(targets "")
   foreach(name IN LISTS ARGN)
     if(NOT TARGET hgp::${name})
-      message(WARNING "${who} is left out: it needs '${name}', which is not here")
-      set(${out} "MISSING" PARENT_SCOPE)
-      return()
+      message(FATAL_ERROR "${who}: '${name}' is not here")
     endif()
     list(APPEND targets hgp::${name})
   endforeach()

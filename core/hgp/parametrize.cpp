@@ -29,6 +29,8 @@ Attempt solveAndJudge(const TriMesh& mesh, const SeamlessSetup& setup, const Rep
   ProgramOptions program;
   program.u = step.u;
   program.quality = step.quality;
+  program.isExact = step.isExact;
+  program.vertexTree = &setup.context.tree;
   program.progress = [&](int iteration, double residual) {
     const double fraction = 1.0 - 1.0 / (1.0 + 0.25 * iteration);
     isCancelled = !report(options.progress, {"solve", fraction, iteration, residual});
@@ -105,7 +107,7 @@ double secondsSince(Clock::time_point start) {
 static Result<Parametrization> parametrizePrepared(const TriMesh& mesh, FieldContext context,
                                                    const HolonomySpec& spec,
                                                    const ParametrizeOptions& options,
-                                                   Parametrization result) {
+                                                   bool isAutomatic, Parametrization result) {
   Result<SeamlessSetup> prepared =
       prepareSeamless(mesh, std::move(context), spec, options.progress, result.times);
   if (!prepared) return std::move(prepared).error();
@@ -114,7 +116,8 @@ static Result<Parametrization> parametrizePrepared(const TriMesh& mesh, FieldCon
   result.notes = setup.warnings;
 
   const auto start = Clock::now();
-  RepairPlan plan(mesh, setup, options.useQuality);
+  const bool isDisk = setup.context.topology.genus == 0 && setup.context.topology.loops.size() == 1;
+  RepairPlan plan(mesh, setup, options.useQuality, isAutomatic || isDisk);
   std::optional<Attempt> best;
   bool bestIsHarmonic = false;
   for (int round = 0; round < options.maxRounds; ++round) {
@@ -151,7 +154,7 @@ Result<Parametrization> parametrize(const TriMesh& mesh, const HolonomySpec& spe
   Parametrization result;
   Result<FieldContext> context = prepareTimed(mesh, options.progress, result.times);
   if (!context) return std::move(context).error();
-  return parametrizePrepared(mesh, std::move(*context), spec, options, std::move(result));
+  return parametrizePrepared(mesh, std::move(*context), spec, options, false, std::move(result));
 }
 
 Result<Parametrization> parametrizeAutomatically(const TriMesh& mesh, const SuggestOptions& cones,
@@ -164,7 +167,8 @@ Result<Parametrization> parametrizeAutomatically(const TriMesh& mesh, const Sugg
   Result<CompleteSpec> spec = suggestCones(mesh, *context, cones);
   if (!spec) return std::move(spec).error();
   clock.end();
-  return parametrizePrepared(mesh, std::move(*context), toSpec(*spec), options, std::move(result));
+  return parametrizePrepared(mesh, std::move(*context), toSpec(*spec), options, true,
+                             std::move(result));
 }
 
 Result<CompleteSpec> suggestCones(const TriMesh& mesh, const SuggestOptions& options) {

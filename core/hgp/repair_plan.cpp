@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hgp/optimize/frame_fixing.h"
+#include "hgp/optimize/program_form.h"
 
 namespace hgp {
 namespace {
@@ -23,7 +24,8 @@ double medianOf(std::vector<double> values) {
 
 }  // namespace
 
-RepairPlan::RepairPlan(const TriMesh& mesh, const SeamlessSetup& setup, bool useQuality)
+RepairPlan::RepairPlan(const TriMesh& mesh, const SeamlessSetup& setup, bool useQuality,
+                       bool isNatural)
     : mesh_(mesh), setup_(setup) {
   const double quality = useQuality ? kQuality : 0.0;
   rungs_ = {
@@ -32,7 +34,19 @@ RepairPlan::RepairPlan(const TriMesh& mesh, const SeamlessSetup& setup, bool use
       {"clamped weights", kClamp, quality, 4, false},
       {"scale of the last map", kNoClamp, std::max(quality, kLightQuality), 4, true}};
   base_ = coneAndBoundaryFaces(mesh, setup.cones);
+  if (isNatural && !useQuality && touchedUnknowns() <= kLargestExactRoot)
+    rungs_.insert(rungs_.begin(), {"exactly harmonic", kNoClamp, 0.0, 1, false, true});
   startRung();
+}
+
+int RepairPlan::touchedUnknowns() const {
+  PerVertex<char> isTouched(static_cast<std::size_t>(mesh_.vertexCount()), 0);
+  for (FaceId f : base_)
+    for (VertexId v : mesh_.corners(f)) isTouched[v] = 1;
+  return static_cast<int>(std::count(isTouched.raw().begin(), isTouched.raw().end(), 1) +
+                          std::count_if(setup_.unknowns.chainUnknown.begin(),
+                                        setup_.unknowns.chainUnknown.end(),
+                                        [](int unknown) { return unknown >= 0; }));
 }
 
 void RepairPlan::startRung() {
@@ -82,6 +96,7 @@ std::optional<RepairStep> RepairPlan::next() {
   if (growth_ > 0) step.method += " + growth " + std::to_string(growth_);
   step.u = u_;
   step.quality = rungs_[rung_].quality;
+  step.isExact = rungs_[rung_].isExact;
   step.frames = fieldFrames(setup_.seams, faces_);
   for (const ConePoint& cone : ringCones_)
     embedSurfaceRing(mesh_, setup_.context.geometry, setup_.seams, cone.vertex, cone.k,

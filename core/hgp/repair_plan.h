@@ -20,6 +20,7 @@ struct RepairStep {
   PerVertex<double> u;
   Frames frames;
   double quality = 0.0;
+  bool isExact = false;
 };
 
 /// A ladder of weightings; on each, the constrained set grows around what is wrong. Before that, two
@@ -27,7 +28,9 @@ struct RepairStep {
 /// ring, and cones whose ring is positive but whose angle is off by a multiple of 2π are fixed (§7.1).
 class RepairPlan {
  public:
-  RepairPlan(const TriMesh& mesh, const SeamlessSetup& setup, bool useQuality);
+  /// @param isNatural  the cones are the surface's own: a map that is exactly harmonic away from
+  ///                   them most likely exists, and is tried first
+  RepairPlan(const TriMesh& mesh, const SeamlessSetup& setup, bool useQuality, bool isNatural);
 
   /// The next program to solve, or nothing when every idea is used up.
   std::optional<RepairStep> next();
@@ -41,8 +44,10 @@ class RepairPlan {
     double quality;
     int growthRounds;
     bool isFromMap;  ///< u from log|f_z| of the last map
+    bool isExact = false;
   };
   void startRung();
+  int touchedUnknowns() const;
   PerVertex<double> weightsOf(const Rung& rung) const;
   PerVertex<double> scaleOfMap() const;
   std::vector<FaceId> wrongFaces(const Certificate& certificate) const;

@@ -5,14 +5,22 @@
 
 namespace hgp::api {
 
-Result<CompleteSpec> Session::State::completeAutomatically(const Piece& piece,
-                                                           const SolveOptions& options) const {
+namespace {
+
+SuggestOptions suggestOptions(int q, const SolveOptions& options) {
   SuggestOptions suggest;
-  suggest.q = options.q;
+  suggest.q = q;
   suggest.coneCount = options.coneCount;
   suggest.alignToCurvature = options.alignToCurvature;
   suggest.progress = options.progress;
-  Result<CompleteSpec> spec = suggestCones(piece.mesh, suggest);
+  return suggest;
+}
+
+}  // namespace
+
+Result<CompleteSpec> Session::State::completeAutomatically(const Piece& piece,
+                                                           const SolveOptions& options) const {
+  Result<CompleteSpec> spec = suggestCones(piece.mesh, suggestOptions(options.q, options));
   if (!spec) return toSurfaceIds(*model, piece, spec.error());
   return spec;
 }
@@ -28,15 +36,12 @@ Result<Parametrization> Session::State::solvePiece(std::size_t p, const PieceReq
     Result<Parametrization> run = parametrizeConvex(piece.mesh, core);
     return run ? std::move(run) : toSurfaceIds(*model, piece, run.error());
   }
-  HolonomySpec spec = request.spec;
   if (request.isAutomatic) {
-    SolveOptions automatic = options;
-    automatic.q = request.spec.q;
-    Result<CompleteSpec> chosen = completeAutomatically(piece, automatic);
-    if (!chosen) return chosen.error();
-    spec = toSpec(*chosen);
+    Result<Parametrization> run =
+        parametrizeAutomatically(piece.mesh, suggestOptions(request.spec.q, options), core);
+    return run ? std::move(run) : toSurfaceIds(*model, piece, run.error());
   }
-  Result<Parametrization> run = hgp::parametrize(piece.mesh, spec, core);
+  Result<Parametrization> run = hgp::parametrize(piece.mesh, request.spec, core);
   return run ? std::move(run) : toSurfaceIds(*model, piece, run.error());
 }
 

@@ -7,6 +7,7 @@
 #include <queue>
 
 #include "hgp/base/check.h"
+#include "hgp/field/mesh_trees.h"
 
 namespace hgp {
 namespace {
@@ -134,8 +135,9 @@ Result<FieldContext> prepareFields(const TriMesh& mesh) {
   HGP_CHECK(context.topology.componentCount == 1, "one component, not %d",
             context.topology.componentCount);
   context.geometry = computeGeometry(mesh);
+  context.tree = vertexTree(mesh);
   context.surface = fillBoundary(mesh, context.topology, context.geometry);
-  Result<SurfaceLaplacian> laplacian = SurfaceLaplacian::build(mesh, context.surface);
+  Result<SurfaceLaplacian> laplacian = SurfaceLaplacian::build(mesh, context.surface, context.tree);
   if (!laplacian) return std::move(laplacian).error();
   context.laplacian = std::move(*laplacian);
   context.handles = computeHandleBasis(mesh, context.surface, context.laplacian);

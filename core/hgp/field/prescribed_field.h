@@ -14,6 +14,7 @@ namespace hgp {
 struct FieldContext {
   Topology topology;
   Geometry geometry;
+  linalg::SeparatorTree tree;  ///< of the vertices
   FilledSurface surface;
   SurfaceLaplacian laplacian;
   HandleBasis handles;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/field/mesh_trees.h"
+
 namespace hgp {
 namespace {
 
@@ -84,9 +86,8 @@ Result<FrameField> smoothField(const TriMesh& mesh, const FieldContext& context,
     aligned.insert(aligned.end(), more.begin(), more.end());
   }
   const SparseC laplacian = connectionLaplacian(mesh, geometry, options.q, aligned);
-  const linalg::Graph pattern = linalg::graphOf(laplacian);
   linalg::MultifrontalCholesky<Complex> factor;
-  factor.analyze(pattern, linalg::nestedDissection(pattern));
+  factor.analyze(linalg::graphOf(laplacian), faceTree(mesh, context.tree));
   if (!factor.factor(laplacian))
     return Failure{ErrorCode::kUnsupported,
                    "field",

@@ -1,9 +1,12 @@
 #include "hgp/field/surface_laplacian.h"
 
+#include "hgp/field/mesh_trees.h"
+
 namespace hgp {
 
 Result<SurfaceLaplacian> SurfaceLaplacian::build(const TriMesh& mesh,
-                                                 const FilledSurface& surface) {
+                                                 const FilledSurface& surface,
+                                                 const linalg::SeparatorTree& tree) {
   const int n = surface.nodeCount - 1;
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(4 * static_cast<std::size_t>(mesh.edgeCount()));
@@ -23,8 +26,7 @@ Result<SurfaceLaplacian> SurfaceLaplacian::build(const TriMesh& mesh,
   Eigen::SparseMatrix<double> L(n, n);
   L.setFromTriplets(entries.begin(), entries.end());
   SurfaceLaplacian result;
-  const linalg::Graph pattern = linalg::graphOf(L);
-  result.factor_.analyze(pattern, linalg::nestedDissection(pattern));
+  result.factor_.analyze(linalg::graphOf(L), nodeTree(mesh, surface, tree));
   if (!result.factor_.factor(L))
     return Failure{ErrorCode::kUnsupported,
                    "field",

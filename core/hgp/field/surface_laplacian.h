@@ -15,7 +15,9 @@ namespace hgp {
 class SurfaceLaplacian {
  public:
   /// Fails with kUnsupported when the weights are not finite.
-  static Result<SurfaceLaplacian> build(const TriMesh& mesh, const FilledSurface& surface);
+  /// @param tree  vertexTree(mesh)
+  static Result<SurfaceLaplacian> build(const TriMesh& mesh, const FilledSurface& surface,
+                                        const linalg::SeparatorTree& tree);
 
   /// u with L u = rhs (columns; Σ of each column must vanish) and u_0 = 0.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) const;

@@ -216,6 +216,16 @@ FactorCost SchurLu::estimate(const Graph& pattern, const std::vector<int>& kept,
 
 const Eigen::MatrixXcd& SchurLu::schur() const { return state_->schur; }
 
+Eigen::MatrixXcd SchurLu::gram(const Eigen::VectorXd& weight) const {
+  const Eigen::MatrixXcd B = (weight.asDiagonal() * state_->schur).adjoint();
+  const int n = static_cast<int>(B.rows());
+  Eigen::MatrixXcd C(n, n);
+  const KernelWorkspace work;
+  const auto* from = reinterpret_cast<const double*>(B.data());
+  kernels().updateComplex({n, n, n, from, from, raw(C.data()), n, n, n, true, true}, work.data());
+  return -C;
+}
+
 Eigen::MatrixXcd SchurLu::extend(const Eigen::MatrixXcd& xKept) const {
   const SymbolicFactor& f = state_->symbolic;
   HGP_CHECK(xKept.rows() == static_cast<int>(state_->kept.size()), "%d rows for %d kept unknowns",

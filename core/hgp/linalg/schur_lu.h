@@ -42,6 +42,8 @@ class SchurLu {
 
   /// |kept| × |kept|, rows and columns in the order of `kept`.
   const Eigen::MatrixXcd& schur() const;
+  /// Sᴴ D² S with D = diag(weight) over the kept rows; only the lower triangle is defined.
+  Eigen::MatrixXcd gram(const Eigen::VectorXd& weight) const;
   /// All n unknowns from the kept ones; kept.size() × any columns.
   Eigen::MatrixXcd extend(const Eigen::MatrixXcd& xKept) const;
 

@@ -23,6 +23,10 @@ struct ProgramOptions {
   /// free boundary, a flat torus and many others have whole spaces of q-CCMs). It prefers the most
   /// conformal of them.
   double tieBreak = 1e-5;
+  /// Harmonicity exact where no frame condition reaches, instead of minimised everywhere (see
+  /// exactForm). Needs `vertexTree`.
+  bool isExact = false;
+  const linalg::SeparatorTree* vertexTree = nullptr;
   std::function<bool(int, double)> progress;
 };
 

@@ -1,0 +1,147 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "hgp/base/check.h"
+#include "hgp/linalg/schur_lu.h"
+#include "hgp/optimize/program_form.h"
+
+namespace hgp {
+namespace {
+
+using SparseC = Eigen::SparseMatrix<Complex>;
+
+class ExactForm : public ProgramForm {
+ public:
+  ExactForm(const ProgramInput& in, int pinned) : in_(in), pinned_(pinned) {}
+  int place(int unknown) const override { return place_[static_cast<std::size_t>(unknown)]; }
+
+  Eigen::VectorXcd expand(const Eigen::VectorXcd& x) const override {
+    Eigen::VectorXcd all(static_cast<Eigen::Index>(kept_.size()));
+    for (std::size_t i = 0; i < kept_.size(); ++i)
+      all[static_cast<Eigen::Index>(i)] = kept_[i] == pinned_ ? 0.0 : x[place(kept_[i])];
+    return lu_.extend(all);
+  }
+
+  bool build() {
+    HGP_CHECK(in_.options.vertexTree != nullptr, "the exact form needs the vertices' tree");
+    chooseKept();
+    if (static_cast<int>(kept_.size()) > kLargestExactRoot) return false;
+    if (!lu_.build(harmonicMatrix(), kept_, unknownTree())) return false;
+    return buildRoot();
+  }
+
+ private:
+  /// Touched by a frame, or without a harmonic row of its own: translations, boundary, cones.
+  void chooseKept() {
+    std::vector<char> isKept(static_cast<std::size_t>(in_.unknowns.count), 1);
+    for (VertexId v : in_.harmonic.rowVertex) {
+      const int unknown = in_.unknowns.vertexUnknown[v];
+      HGP_CHECK(unknown >= 0, "vertex %d has a harmonic row and no unknown", v.i);
+      isKept[static_cast<std::size_t>(unknown)] = 0;
+    }
+    if (pinned_ >= 0) isKept[static_cast<std::size_t>(pinned_)] = 1;
+    FaceRows rows;
+    for (FaceId f : in_.frames.faces) {
+      faceRows(in_, -1, f, rows);
+      for (int unknown : rows.unknowns) isKept[static_cast<std::size_t>(unknown)] = 1;
+    }
+    place_.assign(isKept.size(), -1);
+    for (std::size_t i = 0; i < isKept.size(); ++i) {
+      if (!isKept[i]) continue;
+      const int unknown = static_cast<int>(i);
+      kept_.push_back(unknown);
+      if (unknown != pinned_) place_[i] = count_++;
+    }
+  }
+
+  SparseC harmonicMatrix() const {
+    std::vector<Eigen::Triplet<Complex>> entries;
+    entries.reserve(static_cast<std::size_t>(in_.harmonic.rows.nonZeros()));
+    for (std::size_t r = 0; r < in_.harmonic.rowVertex.size(); ++r) {
+      const int row = in_.unknowns.vertexUnknown[in_.harmonic.rowVertex[r]];
+      for (SparseRows::InnerIterator it(in_.harmonic.rows, static_cast<Eigen::Index>(r)); it; ++it)
+        entries.emplace_back(row, static_cast<int>(it.col()), it.value());
+    }
+    SparseC A(in_.unknowns.count, in_.unknowns.count);
+    A.setFromTriplets(entries.begin(), entries.end());
+    return A;
+  }
+
+  /// Every unknown that is no vertex is kept, and kept ones come last anyway.
+  linalg::SeparatorTree unknownTree() const {
+    linalg::SeparatorTree tree =
+        linalg::restrictTree(*in_.options.vertexTree, in_.unknowns.vertexUnknown.raw());
+    std::vector<char> isVertex(static_cast<std::size_t>(in_.unknowns.count), 0);
+    for (int unknown : tree.order) isVertex[static_cast<std::size_t>(unknown)] = 1;
+    for (int unknown = 0; unknown < in_.unknowns.count; ++unknown)
+      if (!isVertex[static_cast<std::size_t>(unknown)]) tree.order.push_back(unknown);
+    tree.nodeStart.back() = in_.unknowns.count;
+    return tree;
+  }
+
+  /// H = SᴴD²S + the distortion of the constrained faces, which makes the minimiser unique.
+  bool buildRoot() {
+    Eigen::VectorXd weight = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(kept_.size()));
+    for (VertexId v : in_.mesh.vertices()) {
+      const int unknown = in_.unknowns.vertexUnknown[v];
+      if (unknown < 0) continue;
+      const auto at = std::lower_bound(kept_.begin(), kept_.end(), unknown);
+      if (at != kept_.end() && *at == unknown)
+        weight[at - kept_.begin()] = std::exp(-in_.options.u[v]);
+    }
+    const Eigen::MatrixXcd gram = lu_.gram(weight);
+    Eigen::MatrixXcd H(count_, count_);
+    for (std::size_t j = 0; j < kept_.size(); ++j)
+      for (std::size_t i = j; i < kept_.size(); ++i) {
+        if (kept_[i] == pinned_ || kept_[j] == pinned_) continue;
+        const Complex value = gram(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+        H(place(kept_[i]), place(kept_[j])) = value;
+        H(place(kept_[j]), place(kept_[i])) = std::conj(value);
+      }
+    c = Eigen::VectorXcd::Zero(count_);
+    linalg::Cliques cliques;
+    FaceRows rows;
+    const double delta = std::max(in_.options.quality, in_.options.tieBreak);
+    for (FaceId f : in_.frames.faces) {
+      faceRows(in_, pinned_, f, rows);
+      for (int& unknown : rows.unknowns) unknown = place(unknown);
+      addDistortion(rows, distortionRows(in_, f, delta), H);
+      cliques.push_back(rows.unknowns);
+    }
+    linalg::SeparatorTree root;
+    root.order.resize(static_cast<std::size_t>(count_));
+    std::iota(root.order.begin(), root.order.end(), 0);
+    root.nodeStart = {0, count_};
+    root.parent = {-1};
+    linalg::PartialCholeskyOptions options;
+    options.tree = &root;
+    options.delayDepth = 0;
+    return static_cast<bool>(cholesky.build(H.sparseView(), cliques, options));
+  }
+
+  void addDistortion(const FaceRows& rows, const DistortionRows& d, Eigen::MatrixXcd& H) {
+    for (std::size_t i = 0; i < rows.unknowns.size(); ++i) {
+      const Complex similar = d.first * rows.similar[i], anti = d.second * rows.anti[i];
+      c[rows.unknowns[i]] -= std::conj(similar) * d.target;
+      for (std::size_t j = 0; j < rows.unknowns.size(); ++j)
+        H(rows.unknowns[i], rows.unknowns[j]) += std::conj(similar) * (d.first * rows.similar[j]) +
+                                                 std::conj(anti) * (d.second * rows.anti[j]);
+    }
+  }
+
+  const ProgramInput& in_;
+  int pinned_, count_ = 0;
+  std::vector<int> kept_, place_;
+  linalg::SchurLu lu_;
+};
+
+}  // namespace
+
+std::unique_ptr<ProgramForm> exactForm(const ProgramInput& in, int pinned) {
+  auto form = std::make_unique<ExactForm>(in, pinned);
+  if (!form->build()) return nullptr;
+  return form;
+}
+
+}  // namespace hgp

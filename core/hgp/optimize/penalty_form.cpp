@@ -1,0 +1,77 @@
+#include <algorithm>
+#include <cmath>
+
+#include "hgp/optimize/program_form.h"
+
+namespace hgp {
+namespace {
+
+using SparseC = Eigen::SparseMatrix<Complex>;
+
+class PenaltyForm : public ProgramForm {
+ public:
+  PenaltyForm(int pinned, int count) : pinned_(pinned), count_(count) {}
+  int place(int unknown) const override {
+    return unknown - (pinned_ >= 0 && unknown > pinned_ ? 1 : 0);
+  }
+  Eigen::VectorXcd expand(const Eigen::VectorXcd& x) const override {
+    Eigen::VectorXcd full(count_);
+    for (int i = 0; i < count_; ++i) full[i] = i == pinned_ ? 0.0 : x[place(i)];
+    return full;
+  }
+
+ private:
+  int pinned_, count_;
+};
+
+}  // namespace
+
+std::unique_ptr<ProgramForm> penaltyForm(const ProgramInput& in, int pinned) {
+  auto form = std::make_unique<PenaltyForm>(pinned, in.unknowns.count);
+  const int n = in.unknowns.count - (pinned >= 0 ? 1 : 0);
+  form->c = Eigen::VectorXcd::Zero(n);
+  // All terms as rows: harmonic rows first, two rows per face of the distortion term behind.
+  std::vector<Eigen::Triplet<Complex>> entries;
+  const SparseRows& harmonic = in.harmonic.rows;
+  entries.reserve(static_cast<std::size_t>(harmonic.nonZeros()) +
+                  8 * static_cast<std::size_t>(in.mesh.faceCount()));
+  for (Eigen::Index r = 0; r < harmonic.rows(); ++r) {
+    const VertexId v = in.harmonic.rowVertex[static_cast<std::size_t>(r)];
+    const double weight = std::exp(-in.options.u[v]);
+    for (SparseRows::InnerIterator it(harmonic, r); it; ++it)
+      if (it.col() != pinned)
+        entries.emplace_back(static_cast<int>(r), form->place(static_cast<int>(it.col())),
+                             weight * it.value());
+  }
+  int row = static_cast<int>(harmonic.rows());
+  const double delta = std::max(in.options.quality, in.options.tieBreak);
+  FaceRows rows;
+  for (FaceId f : in.mesh.faces()) {
+    if (delta <= 0.0) break;
+    faceRows(in, pinned, f, rows);
+    const DistortionRows d = distortionRows(in, f, delta);
+    for (std::size_t i = 0; i < rows.unknowns.size(); ++i) {
+      const int column = form->place(rows.unknowns[i]);
+      const Complex similar = d.first * rows.similar[i];
+      entries.emplace_back(row, column, similar);
+      entries.emplace_back(row + 1, column, d.second * rows.anti[i]);
+      form->c[column] -= std::conj(similar) * d.target;
+    }
+    row += 2;
+  }
+  SparseC all(row, n);
+  all.setFromTriplets(entries.begin(), entries.end());
+  entries = {};
+  const SparseC H = all.adjoint() * all;
+
+  linalg::Cliques cliques;
+  for (FaceId f : in.frames.faces) {
+    faceRows(in, pinned, f, rows);
+    for (int& unknown : rows.unknowns) unknown = form->place(unknown);
+    cliques.push_back(rows.unknowns);
+  }
+  if (!form->cholesky.build(H, cliques)) return nullptr;
+  return form;
+}
+
+}  // namespace hgp

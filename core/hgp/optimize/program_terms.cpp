@@ -1,0 +1,71 @@
+#include "hgp/optimize/program_terms.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hgp {
+
+int pinnedUnknown(const ProgramInput& in) {
+  for (FaceId f : in.frames.faces)
+    for (VertexId v : in.mesh.corners(f))
+      if (in.unknowns.vertexUnknown[v] >= 0) return in.unknowns.vertexUnknown[v];
+  for (VertexId v : in.mesh.vertices())
+    if (in.unknowns.vertexUnknown[v] >= 0) return in.unknowns.vertexUnknown[v];
+  // Every vertex is a cone that its chains decide: moving the map changes the translation of each
+  // chain that rotates, so one of those is held.
+  for (std::size_t c = 0; c < in.cut.chains.size(); ++c)
+    if (in.unknowns.chainUnknown[c] >= 0 && in.seams.rotation[in.cut.chains[c].left[0]] != 0)
+      return in.unknowns.chainUnknown[c];
+  return -1;
+}
+
+double faceScale(const ProgramInput& in, FaceId f) {
+  double sum = 0.0;
+  for (VertexId v : in.mesh.corners(f)) sum += in.options.u[v] / 3.0;
+  return sum;
+}
+
+void faceRows(const ProgramInput& in, int pinned, FaceId f, FaceRows& rows) {
+  rows.unknowns.clear();
+  const SparseRows& copies = in.unknowns.copies;
+  for (int k = 0; k < 3; ++k)
+    for (SparseRows::InnerIterator it(copies, in.cut.copy[TriMesh::halfedge(f, k)].i); it; ++it)
+      if (it.col() != pinned) rows.unknowns.push_back(static_cast<int>(it.col()));
+  std::sort(rows.unknowns.begin(), rows.unknowns.end());
+  rows.unknowns.erase(std::unique(rows.unknowns.begin(), rows.unknowns.end()), rows.unknowns.end());
+  rows.similar.assign(rows.unknowns.size(), 0.0);
+  rows.anti.assign(rows.unknowns.size(), 0.0);
+  const LinearParts parts = linearParts(in.geometry, f);
+  for (int k = 0; k < 3; ++k)
+    for (SparseRows::InnerIterator it(copies, in.cut.copy[TriMesh::halfedge(f, k)].i); it; ++it) {
+      if (it.col() == pinned) continue;
+      const auto at = static_cast<std::size_t>(
+          std::find(rows.unknowns.begin(), rows.unknowns.end(), static_cast<int>(it.col())) -
+          rows.unknowns.begin());
+      rows.similar[at] += parts.similarity[static_cast<std::size_t>(k)] * it.value();
+      rows.anti[at] += parts.antisimilarity[static_cast<std::size_t>(k)] * it.value();
+    }
+}
+
+socp::ConeConstraint frameCondition(const ProgramInput& in, const FaceRows& rows, std::size_t j) {
+  const double scale = std::exp(-faceScale(in, in.frames.faces[j]));
+  const Complex turn = std::polar(scale, in.frames.angles[j]);
+  socp::ConeConstraint constraint;
+  constraint.F.resize(3, static_cast<Eigen::Index>(2 * rows.unknowns.size()));
+  for (std::size_t i = 0; i < rows.unknowns.size(); ++i) {
+    const Complex similar = turn * rows.similar[i], anti = scale * rows.anti[i];
+    const auto column = static_cast<Eigen::Index>(2 * i);
+    constraint.F.col(column) << similar.real(), anti.real(), anti.imag();
+    constraint.F.col(column + 1) << -similar.imag(), -anti.imag(), anti.real();
+  }
+  constraint.h[0] = in.options.margin;
+  return constraint;
+}
+
+DistortionRows distortionRows(const ProgramInput& in, FaceId f, double delta) {
+  const double target = std::sqrt(delta * in.geometry.area[f]);  // weight · e^u
+  const double weight = target * std::exp(-faceScale(in, f));
+  return {std::polar(weight, in.seams.frameAngle[f]), weight, target};
+}
+
+}  // namespace hgp

@@ -1,0 +1,51 @@
+// The rows that [BCW17 (11)–(13)] is made of.  Role: what the two ways of reducing the program to its
+// constrained triangles share.
+#pragma once
+
+#include <vector>
+
+#include "hgp/optimize/program.h"
+
+namespace hgp {
+
+/// Everything one program is stated with; references live as long as the call of solveProgram.
+struct ProgramInput {
+  const TriMesh& mesh;
+  const Geometry& geometry;
+  const CutMesh& cut;
+  const SeamRotations& seams;
+  const ReducedUnknowns& unknowns;
+  const HarmonicSystem& harmonic;
+  const Frames& frames;
+  const ProgramOptions& options;
+};
+
+/// Translations of the whole map are free: the unknown that is held at 0, −1 when there is none.
+int pinnedUnknown(const ProgramInput& in);
+
+/// Mean of u over a face's corners: its triangle's local scale is e^u.
+double faceScale(const ProgramInput& in, FaceId f);
+
+/// f_z = Σ similar_i x_i and f_z̄ = Σ anti_i x_i over the free unknowns (the pinned one left out),
+/// ascending.
+struct FaceRows {
+  std::vector<int> unknowns;
+  std::vector<Complex> similar, anti;
+};
+/// Into `rows`, whose storage is used again.
+void faceRows(const ProgramInput& in, int pinned, FaceId f, FaceRows& rows);
+
+/// Frame j's condition s = (Re(f_z d̄) − ε, Re f_z̄, Im f_z̄) / e^u over faceRows' unknowns;
+/// `unknowns` of the result is left empty.
+socp::ConeConstraint frameCondition(const ProgramInput& in, const FaceRows& rows, std::size_t j);
+
+/// The distortion term of one face as two rows over faceRows' unknowns:
+///   δ A e^{−2u} (|f_z − e^u d|² + |f_z̄|²) = |first·x − target|² + |second·x|²,  target real.
+struct DistortionRows {
+  Complex first;  ///< factor of `similar`
+  double second;  ///< factor of `anti`
+  double target;
+};
+DistortionRows distortionRows(const ProgramInput& in, FaceId f, double delta);
+
+}  // namespace hgp

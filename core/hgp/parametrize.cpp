@@ -4,10 +4,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "hgp/field/cancel_cones.h"
 #include "hgp/field/prescribed_field.h"
-#include "hgp/field/read_holonomy.h"
-#include "hgp/field/smooth_field.h"
 #include "hgp/repair_plan.h"
 #include "hgp/seamless_setup.h"
 #include "hgp/stage_clock.h"
@@ -30,6 +27,8 @@ Attempt solveAndJudge(const TriMesh& mesh, const SeamlessSetup& setup, const Rep
   program.u = step.u;
   program.quality = step.quality;
   program.isExact = step.isExact;
+  program.pulled = step.pulled;
+  program.pull = step.pull;
   program.vertexTree = &setup.context.tree;
   program.progress = [&](int iteration, double residual) {
     const double fraction = 1.0 - 1.0 / (1.0 + 0.25 * iteration);
@@ -89,13 +88,6 @@ void explain(const SeamlessSetup& setup, Parametrization& result) {
         " constrained triangles work against each other (see conflict).");
 }
 
-Result<FieldContext> prepareTimed(const TriMesh& mesh, const Progress& progress,
-                                  std::vector<StageTime>& times) {
-  StageClock clock(progress, times);
-  if (!clock.begin("prepare")) return cancelled();
-  return prepareFields(mesh);
-}
-
 using Clock = std::chrono::steady_clock;
 double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -152,61 +144,27 @@ static Result<Parametrization> parametrizePrepared(const TriMesh& mesh, FieldCon
 Result<Parametrization> parametrize(const TriMesh& mesh, const HolonomySpec& spec,
                                     const ParametrizeOptions& options) {
   Parametrization result;
-  Result<FieldContext> context = prepareTimed(mesh, options.progress, result.times);
+  StageClock clock(options.progress, result.times);
+  if (!clock.begin("prepare")) return cancelled();
+  Result<FieldContext> context = prepareFields(mesh);
   if (!context) return std::move(context).error();
+  clock.end();
   return parametrizePrepared(mesh, std::move(*context), spec, options, false, std::move(result));
 }
 
 Result<Parametrization> parametrizeAutomatically(const TriMesh& mesh, const SuggestOptions& cones,
                                                  const ParametrizeOptions& options) {
   Parametrization result;
-  Result<FieldContext> context = prepareTimed(mesh, options.progress, result.times);
-  if (!context) return std::move(context).error();
   StageClock clock(options.progress, result.times);
+  if (!clock.begin("prepare")) return cancelled();
+  FieldContext context = prepareSurface(mesh);
   if (!clock.begin("cones")) return cancelled();
-  Result<CompleteSpec> spec = suggestCones(mesh, *context, cones);
+  Result<HolonomySpec> spec = chooseCones(mesh, context, cones);
   if (!spec) return std::move(spec).error();
+  if (!clock.begin("connection")) return cancelled();
+  if (Status done = prepareConnection(mesh, context); !done) return std::move(done).error();
   clock.end();
-  return parametrizePrepared(mesh, std::move(*context), toSpec(*spec), options, true,
-                             std::move(result));
-}
-
-Result<CompleteSpec> suggestCones(const TriMesh& mesh, const SuggestOptions& options) {
-  Result<FieldContext> context = prepareFields(mesh);
-  if (!context) return std::move(context).error();
-  return suggestCones(mesh, *context, options);
-}
-
-Result<CompleteSpec> suggestCones(const TriMesh& mesh, const FieldContext& context,
-                                  const SuggestOptions& options) {
-  if (!report(options.progress, {"field", 0.3})) return cancelled();
-  SmoothFieldOptions smooth;
-  smooth.q = options.q;
-  smooth.alignToCurvature = options.alignToCurvature;
-  Result<FrameField> field = smoothField(mesh, context, smooth);
-  if (!field) return std::move(field).error();
-  const CompleteSpec raw = specOfField(mesh, context, *field);
-  PerVertex<int> defect(static_cast<std::size_t>(mesh.vertexCount()), 0);
-  for (const ConePoint& cone : raw.cones) defect[cone.vertex] = options.q - cone.k;
-  CancelOptions cancel;
-  cancel.targetCount = options.coneCount;
-  HolonomySpec spec;
-  spec.q = options.q;
-  spec.cones = cancelCones(mesh, context, options.q, std::move(defect), cancel);
-  spec.turning.assign(raw.turning.begin(), raw.turning.end());
-  if (Result<BudgetReport> budget = checkPrescription(mesh, context.topology, spec); !budget)
-    return std::move(budget).error();
-  if (!report(options.progress, {"field", 0.8})) return cancelled();
-  Result<PrescribedField> completed = prescribedField(mesh, context, spec);
-  if (!completed) return std::move(completed).error();
-  return completed->spec;
-}
-
-Result<CompleteSpec> readHolonomy(const TriMesh& mesh, const FieldData& field,
-                                  const std::vector<ConePoint>& expected) {
-  Result<FieldContext> context = prepareFields(mesh);
-  if (!context) return std::move(context).error();
-  return specOfFieldData(mesh, *context, field, expected);
+  return parametrizePrepared(mesh, std::move(context), *spec, options, true, std::move(result));
 }
 
 }  // namespace hgp

@@ -12,6 +12,9 @@ namespace {
 /// The distortion term of `--quality`, and the lighter one that steadies prescribed cones.
 constexpr double kQuality = 1e-2;
 constexpr double kLightQuality = 1e-3;
+/// Weight of frames that pull instead of bind, of the order of the harmonic rows' own (0.1 to 1 do
+/// equally well).
+constexpr double kPull = 0.3;
 constexpr double kClamp = 5.0;
 constexpr double kNoClamp = 1e9;
 
@@ -34,8 +37,11 @@ RepairPlan::RepairPlan(const TriMesh& mesh, const SeamlessSetup& setup, bool use
       {"clamped weights", kClamp, quality, 4, false},
       {"scale of the last map", kNoClamp, std::max(quality, kLightQuality), 4, true}};
   base_ = coneAndBoundaryFaces(mesh, setup.cones);
-  if (isNatural && !useQuality && touchedUnknowns() <= kLargestExactRoot)
-    rungs_.insert(rungs_.begin(), {"exactly harmonic", kNoClamp, 0.0, 1, false, true});
+  if (isNatural) {
+    const bool isExact = !useQuality && touchedUnknowns() <= kLargestExactRoot;
+    rungs_.insert(rungs_.begin(), {isExact ? "linear, exactly harmonic" : "linear", kNoClamp,
+                                   quality, 3, false, isExact, kPull});
+  }
   startRung();
 }
 
@@ -52,7 +58,7 @@ int RepairPlan::touchedUnknowns() const {
 void RepairPlan::startRung() {
   if (rung_ >= rungs_.size()) return;
   growth_ = 0;
-  faces_ = base_;
+  faces_ = rungs_[rung_].pull > 0.0 ? std::vector<FaceId>() : base_;
   const PerVertex<double> before = u_;
   u_ = weightsOf(rungs_[rung_]);
   // Where nothing is clamped the rung repeats an earlier one.
@@ -97,6 +103,8 @@ std::optional<RepairStep> RepairPlan::next() {
   step.u = u_;
   step.quality = rungs_[rung_].quality;
   step.isExact = rungs_[rung_].isExact;
+  step.pull = rungs_[rung_].pull;
+  if (step.pull > 0.0) step.pulled = base_;
   step.frames = fieldFrames(setup_.seams, faces_);
   for (const ConePoint& cone : ringCones_)
     embedSurfaceRing(mesh_, setup_.context.geometry, setup_.seams, cone.vertex, cone.k,
@@ -162,7 +170,8 @@ void RepairPlan::learn(const ProgramResult& program, const Certificate& certific
     return;
   }
   if (!program.z.empty()) lastMap_ = program.z;  // what rings are embedded from
-  if (certificate.isMeasured && fixLifts(certificate)) return;
+  const bool isBound = rungs_[rung_].pull == 0.0;
+  if (isBound && certificate.isMeasured && fixLifts(certificate)) return;
   const std::vector<FaceId> wrong =
       certificate.isMeasured ? wrongFaces(certificate) : std::vector<FaceId>();
   // Growing helps while something new can be constrained and it stays a small part of the mesh.

@@ -21,6 +21,8 @@ struct RepairStep {
   Frames frames;
   double quality = 0.0;
   bool isExact = false;
+  std::vector<FaceId> pulled;  ///< see ProgramOptions
+  double pull = 0.0;
 };
 
 /// A ladder of weightings; on each, the constrained set grows around what is wrong. Before that, two
@@ -45,6 +47,7 @@ class RepairPlan {
     int growthRounds;
     bool isFromMap;  ///< u from log|f_z| of the last map
     bool isExact = false;
+    double pull = 0.0;  ///< > 0: frames pull instead of bind; only what went wrong is bound
   };
   void startRung();
   int touchedUnknowns() const;

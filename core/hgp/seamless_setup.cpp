@@ -26,6 +26,9 @@ Result<SeamlessSetup> prepareSeamless(const TriMesh& mesh, FieldContext context,
   Result<PrescribedField> field = prescribedField(mesh, setup.context, spec);
   if (!field) return std::move(field).error();
   setup.field = std::move(*field);
+  // The next factorizations need the room of the last ones.
+  setup.context.laplacian = {};
+  setup.context.handles.potential.resize(0, 0);
   for (const ConePoint& cone : setup.field.spec.cones) setup.cones.push_back(cone.vertex);
 
   if (!clock.begin("cut")) return cancelled();

@@ -35,8 +35,9 @@ UvMap layOut(const TriMesh& mesh, const SeamlessSetup& setup, const std::vector<
 UvMap layOut(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,
              const std::vector<Complex>& z);
 
-/// suggestCones with the fields' context at hand.
-Result<CompleteSpec> suggestCones(const TriMesh& mesh, const FieldContext& context,
-                                  const SuggestOptions& options);
+/// Cones and turning of a smooth field; handles are left open.
+/// @param context  prepareSurface(mesh)
+Result<HolonomySpec> chooseCones(const TriMesh& mesh, const FieldContext& context,
+                                 const SuggestOptions& options);
 
 }  // namespace hgp

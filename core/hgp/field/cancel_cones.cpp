@@ -106,7 +106,9 @@ std::vector<ConePoint> cancelCones(const TriMesh& mesh, const FieldContext& cont
                                    PerVertex<int> defect, const CancelOptions& options) {
   const Topology& topology = context.topology;
   NearestSearch search(mesh);
-  for (int reach = 1; reach <= options.reach; ++reach)
+  const int few = mesh.vertexCount() / kNoiseShare;
+  for (int reach = 1;
+       reach <= options.reach || (reach <= options.noiseReach && coneCount(defect) > few); ++reach)
     cancelWithin(mesh, context, q, defect, reach, search, 0);
   if (options.targetCount > 0)
     for (int reach = options.reach;

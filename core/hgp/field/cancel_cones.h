@@ -9,8 +9,12 @@ namespace hgp {
 /// Radians that frames may turn from one triangle to the next around a vertex, on average.
 inline constexpr double kLargestTurnPerEdge = 0.8;
 
+/// Vertices per cone below which cones are the triangulation's noise rather than the surface's.
+inline constexpr int kNoiseShare = 50;
+
 struct CancelOptions {
-  int reach = 6;        ///< opposite cones at most this many edges apart cancel
+  int reach = 2;        ///< opposite cones at most this many edges apart cancel
+  int noiseReach = 6;   ///< … and this many while more than every kNoiseShare-th vertex is a cone
   int targetCount = 0;  ///< > 0: go on cancelling the closest pairs until about this many are left
 };
 

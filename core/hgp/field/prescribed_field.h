@@ -10,7 +10,8 @@
 
 namespace hgp {
 
-/// What every field of one surface is computed from; build once per surface.
+/// What every field of one surface is computed from; build once per surface. A smooth field needs
+/// the first four; a prescribed one all.
 struct FieldContext {
   Topology topology;
   Geometry geometry;
@@ -19,6 +20,11 @@ struct FieldContext {
   SurfaceLaplacian laplacian;
   HandleBasis handles;
 };
+/// All but the Laplacian and the handles, which take most of the memory.
+FieldContext prepareSurface(const TriMesh& mesh);
+/// Adds what prepareSurface leaves out.
+Status prepareConnection(const TriMesh& mesh, FieldContext& context);
+/// Both at once.
 Result<FieldContext> prepareFields(const TriMesh& mesh);
 
 struct PrescribedField {

@@ -12,7 +12,7 @@ namespace {
 using SparseC = Eigen::SparseMatrix<Complex>;
 
 /// Inverse iterations: the field only has to be smooth enough to choose cones.
-constexpr int kInverseIterations = 4;
+constexpr int kInverseIterations = 2;
 /// Shift relative to the mean diagonal, so that a surface with an exactly parallel field factors.
 constexpr double kShift = 1e-8;
 

@@ -4,8 +4,7 @@
 
 namespace hgp {
 
-Result<SurfaceLaplacian> SurfaceLaplacian::build(const TriMesh& mesh,
-                                                 const FilledSurface& surface,
+Result<SurfaceLaplacian> SurfaceLaplacian::build(const TriMesh& mesh, const FilledSurface& surface,
                                                  const linalg::SeparatorTree& tree) {
   const int n = surface.nodeCount - 1;
   std::vector<Eigen::Triplet<double>> entries;

@@ -42,10 +42,12 @@ class ExactForm : public ProgramForm {
     }
     if (pinned_ >= 0) isKept[static_cast<std::size_t>(pinned_)] = 1;
     FaceRows rows;
-    for (FaceId f : in_.frames.faces) {
+    const auto keep = [&](FaceId f) {
       faceRows(in_, -1, f, rows);
       for (int unknown : rows.unknowns) isKept[static_cast<std::size_t>(unknown)] = 1;
-    }
+    };
+    for (FaceId f : in_.frames.faces) keep(f);
+    for (FaceId f : in_.options.pulled) keep(f);
     place_.assign(isKept.size(), -1);
     for (std::size_t i = 0; i < isKept.size(); ++i) {
       if (!isKept[i]) continue;
@@ -102,12 +104,18 @@ class ExactForm : public ProgramForm {
     c = Eigen::VectorXcd::Zero(count_);
     linalg::Cliques cliques;
     FaceRows rows;
-    const double delta = std::max(in_.options.quality, in_.options.tieBreak);
-    for (FaceId f : in_.frames.faces) {
+    const auto placedRows = [&](FaceId f) {
       faceRows(in_, pinned_, f, rows);
       for (int& unknown : rows.unknowns) unknown = place(unknown);
-      addDistortion(rows, distortionRows(in_, f, delta), H);
+    };
+    for (FaceId f : in_.frames.faces) {
+      placedRows(f);
+      addDistortion(rows, distortionRows(in_, f, in_.options.tieBreak), H);
       cliques.push_back(rows.unknowns);
+    }
+    for (FaceId f : in_.options.pulled) {
+      placedRows(f);
+      addDistortion(rows, distortionRows(in_, f, in_.options.pull), H);
     }
     linalg::SeparatorTree root;
     root.order.resize(static_cast<std::size_t>(count_));

@@ -44,12 +44,14 @@ std::unique_ptr<ProgramForm> penaltyForm(const ProgramInput& in, int pinned) {
                              weight * it.value());
   }
   int row = static_cast<int>(harmonic.rows());
-  const double delta = std::max(in.options.quality, in.options.tieBreak);
+  PerFace<double> delta(static_cast<std::size_t>(in.mesh.faceCount()),
+                        std::max(in.options.quality, in.options.tieBreak));
+  for (FaceId f : in.options.pulled) delta[f] = std::max(delta[f], in.options.pull);
   FaceRows rows;
   for (FaceId f : in.mesh.faces()) {
-    if (delta <= 0.0) break;
+    if (delta[f] <= 0.0) continue;
     faceRows(in, pinned, f, rows);
-    const DistortionRows d = distortionRows(in, f, delta);
+    const DistortionRows d = distortionRows(in, f, delta[f]);
     for (std::size_t i = 0; i < rows.unknowns.size(); ++i) {
       const int column = form->place(rows.unknowns[i]);
       const Complex similar = d.first * rows.similar[i];

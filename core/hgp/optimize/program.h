@@ -27,6 +27,10 @@ struct ProgramOptions {
   /// exactForm). Needs `vertexTree`.
   bool isExact = false;
   const linalg::SeparatorTree* vertexTree = nullptr;
+  /// Faces whose distortion term weighs `pull` instead: frame conditions that may be broken. With
+  /// no other frames the program is one linear system.
+  std::vector<FaceId> pulled;
+  double pull = 0.0;
   std::function<bool(int, double)> progress;
 };
 

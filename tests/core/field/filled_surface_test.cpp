@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "hgp/field/mesh_trees.h"
 #include "hgp/field/prescribed_field.h"
 #include "support/prescriptions.h"
 #include "support/shapes.h"
@@ -59,7 +60,8 @@ TEST(SurfaceLaplacian, SolvesItsEquationWithNodeZeroHeld) {
   for (const test::Shape& shape : test::all()) {
     const TriMesh mesh = shape.mesh();
     const FilledSurface surface = fillBoundary(mesh, computeTopology(mesh), computeGeometry(mesh));
-    const Result<SurfaceLaplacian> laplacian = SurfaceLaplacian::build(mesh, surface);
+    const Result<SurfaceLaplacian> laplacian =
+        SurfaceLaplacian::build(mesh, surface, vertexTree(mesh));
     ASSERT_TRUE(laplacian) << shape.name;
     Eigen::MatrixXd rhs(surface.nodeCount, 2);
     for (Eigen::Index i = 0; i < rhs.size(); ++i) rhs.data()[i] = test::randomReal(random);

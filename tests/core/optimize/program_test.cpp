@@ -66,6 +66,71 @@ TEST(Program, FulfilsEveryFrameConditionAndEverySeam) {
   }
 }
 
+/// L z at the rows whose vertex no face of `frames` touches, the largest of them.
+double residualAway(const test::SeamlessProblem& p, const std::vector<FaceId>& faces,
+                    const std::vector<Complex>& z) {
+  PerVertex<char> isTouched(static_cast<std::size_t>(p.surface.mesh.vertexCount()), 0);
+  for (FaceId f : faces)
+    for (VertexId v : p.surface.mesh.corners(f)) isTouched[v] = 1;
+  double largest = 0.0;
+  for (VertexId v : p.harmonic.rowVertex) {
+    if (isTouched[v]) continue;
+    Complex sum = 0.0;
+    double total = 0.0;
+    for (HalfedgeId h : outgoingHalfedges(p.surface.mesh, v)) {
+      const auto at = [&](HalfedgeId g) {
+        return z[static_cast<std::size_t>(p.surface.cut.copy[g].i)];
+      };
+      const CornerWeights w = meanValueWeights(p.surface.context.geometry, h);
+      const Complex back = rotation(-p.unknowns.turn[p.surface.cut.copy[h]], p.surface.seams.q);
+      sum += back * (w.toHead * (at(h) - at(TriMesh::next(h))) +
+                     w.toThird * (at(h) - at(TriMesh::previous(h))));
+      total += w.toHead + w.toThird;
+    }
+    largest = std::max(largest, std::abs(sum) / total);
+  }
+  return largest;
+}
+
+double extentOf(const std::vector<Complex>& z) {
+  double extent = 0.0;
+  for (const Complex& value : z) extent = std::max(extent, std::abs(value));
+  return extent;
+}
+
+TEST(Program, TheExactFormIsHarmonicWhereNoFrameReaches) {
+  for (const test::SeamlessProblem& p : easyProblems()) {
+    const Frames frames = p.frames();
+    ProgramOptions options = p.weightedOptions();
+    options.isExact = true;
+    options.vertexTree = &p.surface.context.tree;
+    const ProgramResult result = p.solve(frames, options);
+    ASSERT_FALSE(result.z.empty()) << p.surface.name;
+    EXPECT_LT(residualAway(p, frames.faces, result.z), 1e-11 * extentOf(result.z))
+        << p.surface.name;
+    EXPECT_TRUE(p.judge(result.z).isCertified) << p.surface.name;
+  }
+}
+
+TEST(Program, FramesThatPullNeedNoIteration) {
+  for (const test::SeamlessProblem& p : easyProblems()) {
+    const std::vector<FaceId> faces = p.frames().faces;
+    for (const bool isExact : {false, true}) {
+      ProgramOptions options = p.weightedOptions();
+      options.isExact = isExact;
+      options.vertexTree = &p.surface.context.tree;
+      options.pulled = faces;
+      options.pull = 0.3;
+      const ProgramResult result = p.solve({}, options);
+      ASSERT_FALSE(result.z.empty()) << p.surface.name;
+      EXPECT_LE(result.iterations, 1) << p.surface.name;
+      if (isExact) {
+        EXPECT_LT(residualAway(p, faces, result.z), 1e-11 * extentOf(result.z)) << p.surface.name;
+      }
+    }
+  }
+}
+
 TEST(Program, ReportsTheLaplacianEnergyOfItsMap) {
   // ‖Lz‖² row by row, from the map alone: (14) over the copies.
   for (const test::SeamlessProblem& p : easyProblems()) {

@@ -1,0 +1,54 @@
+#include "hgp/field/cancel_cones.h"
+#include "hgp/field/read_holonomy.h"
+#include "hgp/field/smooth_field.h"
+#include "hgp/parametrize.h"
+#include "hgp/seamless_setup.h"
+
+namespace hgp {
+namespace {
+
+Failure cancelled() { return {ErrorCode::kCancelled, "cones", "Cancelled.", {}}; }
+
+}  // namespace
+
+Result<HolonomySpec> chooseCones(const TriMesh& mesh, const FieldContext& context,
+                                 const SuggestOptions& options) {
+  if (!report(options.progress, {"field", 0.3})) return cancelled();
+  SmoothFieldOptions smooth;
+  smooth.q = options.q;
+  smooth.alignToCurvature = options.alignToCurvature;
+  Result<FrameField> field = smoothField(mesh, context, smooth);
+  if (!field) return std::move(field).error();
+  const CompleteSpec raw = specOfField(mesh, context, *field);
+  PerVertex<int> defect(static_cast<std::size_t>(mesh.vertexCount()), 0);
+  for (const ConePoint& cone : raw.cones) defect[cone.vertex] = options.q - cone.k;
+  CancelOptions cancel;
+  cancel.targetCount = options.coneCount;
+  HolonomySpec spec;
+  spec.q = options.q;
+  spec.cones = cancelCones(mesh, context, options.q, std::move(defect), cancel);
+  spec.turning.assign(raw.turning.begin(), raw.turning.end());
+  if (Result<BudgetReport> budget = checkPrescription(mesh, context.topology, spec); !budget)
+    return std::move(budget).error();
+  if (!report(options.progress, {"field", 0.8})) return cancelled();
+  return spec;
+}
+
+Result<CompleteSpec> suggestCones(const TriMesh& mesh, const SuggestOptions& options) {
+  FieldContext context = prepareSurface(mesh);
+  Result<HolonomySpec> spec = chooseCones(mesh, context, options);
+  if (!spec) return std::move(spec).error();
+  if (Status done = prepareConnection(mesh, context); !done) return std::move(done).error();
+  Result<PrescribedField> completed = prescribedField(mesh, context, *spec);
+  if (!completed) return std::move(completed).error();
+  return completed->spec;
+}
+
+Result<CompleteSpec> readHolonomy(const TriMesh& mesh, const FieldData& field,
+                                  const std::vector<ConePoint>& expected) {
+  Result<FieldContext> context = prepareFields(mesh);
+  if (!context) return std::move(context).error();
+  return specOfFieldData(mesh, *context, field, expected);
+}
+
+}  // namespace hgp

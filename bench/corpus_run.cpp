@@ -36,7 +36,8 @@ void addStages(CorpusRow& row, const Json& component) {
   }
   row.cutSeconds += seconds["cut"] + seconds["assemble"];
   row.solveSeconds += seconds["solve"];
-  row.fieldSeconds += seconds["prepare"] + seconds["cones"] + seconds["field"];
+  row.fieldSeconds +=
+      seconds["prepare"] + seconds["cones"] + seconds["connection"] + seconds["field"];
 }
 
 void addMeasures(CorpusRow& row, const Json& component) {
@@ -83,6 +84,19 @@ void solve(CorpusRow& row, api::Session& session, const CorpusOptions& options) 
     row.outcome = Outcome::kCertified;
     row.reason.clear();
   }
+}
+
+void writeMap(CorpusRow& row, const api::Session& session, const CorpusOptions& options) {
+  const auto start = Clock::now();
+  api::WriteOptions write;
+  write.name = options.output;
+  const Result<io::Written> written = session.write(write);
+  const Status saved = written ? cli::writeFiles(options.output, written->files) : written.error();
+  if (!saved) {
+    row.outcome = Outcome::kFailed;
+    row.reason = saved.error().message;
+  }
+  row.writeSeconds = secondsSince(start);
 }
 
 void describeSurface(CorpusRow& row, const api::Session& session) {
@@ -137,6 +151,8 @@ CorpusRow runMesh(const std::string& file, const std::string& name, const Corpus
   } else {
     describeSurface(row, session);
     if (row.outcome != Outcome::kRefused) solve(row, session, options);
+    if (row.outcome == Outcome::kCertified && !options.output.empty())
+      writeMap(row, session, options);
   }
   row.totalSeconds = secondsSince(start);
   row.peakMegabytes = peakMegabytes();

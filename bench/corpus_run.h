@@ -13,6 +13,7 @@ struct CorpusOptions {
   bool useQuality = false;
   double timeLimit = 0.0;      ///< seconds per mesh; 0 = none
   bool fixDegenerate = false;  ///< remove triangles without area first
+  std::string output;          ///< where the certified map is written; empty: nowhere
 };
 
 enum class Outcome {
@@ -35,6 +36,7 @@ struct CorpusRow {
   double fieldSeconds = 0;  ///< cones and field
   double cutSeconds = 0;    ///< cut and assembly of the system
   double solveSeconds = 0;  ///< every round: cone program, judge, repair
+  double writeSeconds = 0;  ///< the certified file; only where CorpusOptions::output names one
   double totalSeconds = 0;  ///< all of it, with judging the stored map and writing the report
   double peakMegabytes = 0;
 };

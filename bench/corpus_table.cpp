@@ -40,6 +40,7 @@ void eachColumn(Row& r, const Visit& visit) {
   visit("fieldSeconds", r.fieldSeconds);
   visit("cutSeconds", r.cutSeconds);
   visit("solveSeconds", r.solveSeconds);
+  visit("writeSeconds", r.writeSeconds);
   visit("totalSeconds", r.totalSeconds);
   visit("peakMegabytes", r.peakMegabytes);
 }

@@ -85,6 +85,15 @@ double pretzelField(const Vec3& p) {
   return smoothMin(two, ring(0, 0.5), 0.08);
 }
 
+double ringsField(const Vec3& p) {
+  double distance = 1e30;
+  for (double x : {-0.72, -0.36, 0.0, 0.36, 0.72}) {
+    const double across = std::hypot(p[0] - x, p[2]) - 0.19;
+    distance = smoothMin(distance, std::hypot(across, p[1]) - 0.075, 0.04);
+  }
+  return distance;
+}
+
 double cubeField(const Vec3& p) {
   double sum = 0;
   for (double x : p) sum += std::pow(x / 0.8, 6);
@@ -195,8 +204,20 @@ MeshData knot(int around, int along) { return gridSurface(around, along, true, k
 MeshData vase(int around, int along) { return gridSurface(around, along, false, vasePoint); }
 MeshData cube(int cells) { return surfaceOf(cubeField, 1, cells); }
 MeshData pretzel(int cells) { return surfaceOf(pretzelField, 1.1, cells); }
+MeshData rings(int cells) { return surfaceOf(ringsField, 1.05, cells); }
 MeshData creature(int cells) { return surfaceOf(creatureField, 1.05, cells); }
 MeshData lattice(int cells) { return surfaceOf(latticeField, 1.05, cells); }
+
+MeshData creatureOfAMillion() {
+  MeshData mesh = subdivide(creature(290));
+  project(mesh, creatureField, 0.01);
+  return mesh;
+}
+MeshData ringsOfAMillion() {
+  MeshData mesh = subdivide(rings(420));
+  project(mesh, ringsField, 0.01);
+  return mesh;
+}
 
 const std::vector<std::string>& names() {
   static const std::vector<std::string> kNames = {"sphere",  "cube",    "torus",    "knot",
@@ -215,10 +236,8 @@ MeshData byName(const std::string& name) {
   if (name == "colander") return colander(5);
   if (name == "creature") return creature(80);
   if (name == "lattice") return lattice(72);
-  if (name != "million") return {};
-  MeshData mesh = subdivide(creature(290));
-  project(mesh, creatureField, 0.01);
-  return mesh;
+  if (name == "million") return creatureOfAMillion();
+  return {};
 }
 
 }  // namespace hgp::models

@@ -26,6 +26,11 @@ MeshData pretzel(int cells);
 MeshData creature(int cells);
 /// A twisted cubic lattice of rods, genus 28.
 MeshData lattice(int cells);
+/// Five rings grown together in a row, genus 5.
+MeshData rings(int cells);
+/// About 10⁶ triangles of genus 0 and 5.
+MeshData creatureOfAMillion();
+MeshData ringsOfAMillion();
 
 /// All of the above in a size for pictures, and `million`, a creature of about 10⁶ triangles.
 const std::vector<std::string>& names();

@@ -65,6 +65,15 @@ SparseC connectionLaplacian(const TriMesh& mesh, const Geometry& geometry, int q
   return A;
 }
 
+/// The vertices' separators with leaves for faces.
+void analyze(const TriMesh& mesh, const FieldContext& context, const SparseC& laplacian,
+             linalg::MultifrontalCholesky<Complex>& factor) {
+  const linalg::Graph pattern = linalg::graphOf(laplacian);
+  linalg::SeparatorTree tree = faceTree(mesh, context.tree);
+  linalg::orderLeaves(pattern, &tree);
+  factor.analyze(pattern, tree);
+}
+
 /// A start vector that is neither constant nor dependent on anything but the face's number.
 Eigen::VectorXcd startVector(int n) {
   Eigen::VectorXcd x(n);
@@ -87,7 +96,7 @@ Result<FrameField> smoothField(const TriMesh& mesh, const FieldContext& context,
   }
   const SparseC laplacian = connectionLaplacian(mesh, geometry, options.q, aligned);
   linalg::MultifrontalCholesky<Complex> factor;
-  factor.analyze(linalg::graphOf(laplacian), faceTree(mesh, context.tree));
+  analyze(mesh, context, laplacian, factor);
   if (!factor.factor(laplacian))
     return Failure{ErrorCode::kUnsupported,
                    "field",

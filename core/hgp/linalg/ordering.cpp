@@ -4,7 +4,7 @@
 
 #include "hgp/base/check.h"
 #include "hgp/linalg/bisection.h"
-#include "hgp/linalg/minimum_degree.h"
+#include "hgp/linalg/leaf_order.h"
 
 namespace hgp::linalg {
 namespace {
@@ -15,7 +15,8 @@ class Dissector {
       : g_(graph),
         options_(options),
         local_(static_cast<std::size_t>(graph.size()), -1),
-        denseDegree_(denseDegree(graph.size())) {}
+        denseDegree_(denseDegree(graph.size())),
+        leafOrder_(graph, options.separatorWidth, denseDegree_) {}
 
   SeparatorTree run() {
     tree_.order.reserve(static_cast<std::size_t>(g_.size()));
@@ -105,29 +106,9 @@ class Dissector {
     return tree_.nodeCount() - 1;
   }
 
-  // local_ names the leaf's vertices first, then its halo as it is met.
   int leaf(const std::vector<int>& vertices) {
-    std::vector<int> named = vertices;
-    for (std::size_t i = 0; i < named.size(); ++i) local_[named[i]] = static_cast<int>(i);
-    std::vector<std::pair<int, int>> edges;
-    const auto couple = [&](int i, int u) {
-      if (local_[u] < 0) {
-        local_[u] = static_cast<int>(named.size());
-        named.push_back(u);
-      }
-      if (local_[u] != i) edges.emplace_back(i, local_[u]);
-    };
-    for (int i = 0; i < static_cast<int>(vertices.size()); ++i)
-      for (const int* u = g_.begin(vertices[i]); u != g_.end(vertices[i]); ++u) {
-        couple(i, *u);
-        if (options_.separatorWidth < 2 || g_.degree(*u) > denseDegree_) continue;
-        for (const int* w = g_.begin(*u); w != g_.end(*u); ++w) couple(i, *w);
-      }
-    for (const int v : named) local_[v] = -1;
-    BitGraph bits(static_cast<int>(named.size()));
-    for (const auto& [a, b] : edges) bits.connect(a, b);
-    for (const int i : minimumDegreeOrder(&bits, static_cast<int>(vertices.size())))
-      tree_.order.push_back(vertices[i]);
+    const std::vector<int> ordered = leafOrder_.order(vertices);
+    tree_.order.insert(tree_.order.end(), ordered.begin(), ordered.end());
     return closeNode();
   }
 
@@ -135,6 +116,7 @@ class Dissector {
   const DissectionOptions& options_;
   std::vector<int> local_;
   int denseDegree_;
+  LeafOrder leafOrder_;
   SeparatorTree tree_;
 };
 

@@ -14,6 +14,8 @@ namespace {
 
 Failure cancelled() { return {ErrorCode::kCancelled, "solve", "Cancelled.", {}}; }
 
+constexpr double kClosedTieBreak = 1e-9;
+
 /// One program, laid out as a map and judged.
 struct Attempt {
   ProgramResult program;
@@ -26,6 +28,8 @@ Attempt solveAndJudge(const TriMesh& mesh, const SeamlessSetup& setup, const Rep
   ProgramOptions program;
   program.u = step.u;
   program.quality = step.quality;
+  // A boundary leaves a whole space of maps to choose from; without one the choice is among few.
+  if (setup.context.topology.loops.empty()) program.tieBreak = kClosedTieBreak;
   program.isExact = step.isExact;
   program.pulled = step.pulled;
   program.pull = step.pull;

@@ -175,7 +175,9 @@ void RepairPlan::learn(const ProgramResult& program, const Certificate& certific
   const std::vector<FaceId> wrong =
       certificate.isMeasured ? wrongFaces(certificate) : std::vector<FaceId>();
   // Growing helps while something new can be constrained and it stays a small part of the mesh.
-  const std::size_t limit = static_cast<std::size_t>(mesh_.faceCount()) / 4 + base_.size();
+  // Frames that pull grow to no more than what the next rung would bind anyway.
+  const std::size_t limit =
+      isBound ? static_cast<std::size_t>(mesh_.faceCount()) / 4 + base_.size() : base_.size();
   std::vector<FaceId> grown = growFaces(mesh_, wrong, 1);
   std::vector<FaceId> all;
   std::set_union(faces_.begin(), faces_.end(), grown.begin(), grown.end(), std::back_inserter(all));

@@ -65,7 +65,7 @@ async function toFileSet(source, name) {
 export async function createClient(options = {}) {
   const wasmModule = await compile(options);
   const client = new Client(wasmModule, options);
-  await client.ready();
+  await client.ready({ warmUp: options.warmUp ?? true });
   return client;
 }
 
@@ -83,8 +83,10 @@ class Client {
     this.#options = options;
   }
 
-  ready() {
-    return this.#call('ready', [], {});
+  /** Warms up behind the answer; later workers profit, for they run the same compiled module. */
+  async ready({ warmUp }) {
+    await this.#call('ready', [], {});
+    if (warmUp) this.#running.post({ id: 0, method: 'warmUp', args: [] });
   }
 
   async load(source, options = {}, call = {}) {
@@ -104,6 +106,10 @@ class Client {
 
   readCones(file, call) {
     return this.#call('readCones', [file], call);
+  }
+
+  embeddedCones(call) {
+    return this.#call('embeddedCones', [], call);
   }
 
   suggestCones(options, call) {

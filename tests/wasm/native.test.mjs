@@ -50,7 +50,13 @@ const cases = [
   ['disk onto a polygon', { 'flat.obj': bumpyDisk(10) }, { boundary: 'convex' }],
   ['two components', { 'two.obj': toObj(beside(cubeMesh(4), blocks(ring))) }, { q: 4 }],
 ];
-const real = ['BFF/teapot.obj', 'gltf/torus.glb', 'Directional/vase.off'];
+const real = [
+  'gltf/torus.glb',
+  'Directional/vase.off',
+  'odedstein-meshes/spot_low_resolution.obj',
+  'geometry-central/bob_small.ply',
+  'OptCuts/torus_with_holes.obj',
+];
 if (hasShared) {
   for (const name of real) {
     const files = { [path.basename(name)]: readFileSync(path.join(shared, name)) };
@@ -70,29 +76,46 @@ function runNative(main, { cones, q, boundary }, out) {
   if (boundary) args.push('--boundary', boundary);
   const { status, stderr } = spawnSync(native, args, { encoding: 'utf8', cwd: folder });
   assert.equal(status, 0, stderr);
-  return { report: JSON.parse(readFileSync(report, 'utf8')), bytes: readFileSync(out) };
+  const files = [out];
+  if (out.endsWith('.gltf')) {
+    const { buffers } = JSON.parse(readFileSync(out, 'utf8'));
+    files.push(...buffers.map(({ uri }) => path.join(folder, uri)));
+  }
+  return {
+    report: JSON.parse(readFileSync(report, 'utf8')),
+    files: files.map((name) => ({
+      name: path.basename(name),
+      bytes: new Uint8Array(readFileSync(name)),
+    })),
+  };
 }
 
-/** All texture coordinates of an OBJ or of the first mesh of a glTF, and the corners that use them. */
+/** The texture coordinates of every corner of an OBJ, or of every vertex of a glTF's first mesh. */
 function mapOf(name, files) {
   const main = files[0].bytes;
   if (name.endsWith('.obj')) {
     const lines = new TextDecoder().decode(main).split('\n');
+    const rows = (word) =>
+      lines.filter((l) => l.startsWith(`${word} `)).map((l) => l.split(' ').slice(1));
+    const uv = rows('vt').map((row) => row.map(Number));
+    const corners = rows('f').flat();
     return {
-      uv: lines
-        .filter((l) => l.startsWith('vt '))
-        .flatMap((l) => l.slice(3).split(' ').map(Number)),
-      corners: lines.filter((l) => l.startsWith('f ')),
+      uv: corners.flatMap((corner) => uv[corner.split('/')[1] - 1]),
+      corners: corners.map((corner) => corner.split('/')[0]),
     };
   }
   const isBinary = name.endsWith('.glb');
   const view = new DataView(main.buffer, main.byteOffset, main.length);
   const size = isBinary ? view.getUint32(12, true) : 0;
   const json = JSON.parse(new TextDecoder().decode(isBinary ? main.subarray(20, 20 + size) : main));
-  const bin = isBinary ? main.subarray(28 + size) : files[1].bytes;
+  const bufferOf = (view) =>
+    isBinary
+      ? main.subarray(28 + size)
+      : files.find(({ name: file }) => file === json.buffers[view.buffer].uri).bytes;
   const read = (index, Type) => {
     const { bufferView, byteOffset = 0, count, type } = json.accessors[index];
     const start = (json.bufferViews[bufferView].byteOffset ?? 0) + byteOffset;
+    const bin = bufferOf(json.bufferViews[bufferView]);
     const width = { SCALAR: 1, VEC2: 2 }[type] * Type.BYTES_PER_ELEMENT * count;
     return [...new Type(bin.slice(start, start + width).buffer)];
   };
@@ -146,14 +169,13 @@ for (const [what, files, options] of cases) {
     assert.deepEqual(integers(result.certificate), integers(other.report.certificate));
     assertNear(distortions(result.certificate), distortions(other.report.certificate), 1e-6, 'μ');
 
-    const sides = written.files.slice(1).map(({ name }) => ({
-      bytes: readFileSync(path.join(folder, name)),
-    }));
     const ours = mapOf(written.name, written.files);
-    const theirs = mapOf(written.name, [{ bytes: other.bytes }, ...sides]);
+    const theirs = mapOf(written.name, other.files);
     assert.deepEqual(ours.corners, theirs.corners);
     const isFloat = /\.gl(b|tf)$/.test(written.name);
-    assertNear(ours.uv, theirs.uv, isFloat ? 1e-6 : 1e-9, 'uv');
+    // Scanned and modelled meshes have worse triangles, which cost the solver a digit.
+    const tolerance = isFloat ? 1e-6 : what.includes('/') ? 1e-8 : 1e-9;
+    assertNear(ours.uv, theirs.uv, tolerance, 'uv');
   });
 }
 

@@ -63,10 +63,7 @@ async function toFileSet(source, name) {
 }
 
 export async function createClient(options = {}) {
-  const wasmModule = await compile(options);
-  const client = new Client(wasmModule, options);
-  await client.ready({ warmUp: options.warmUp ?? true });
-  return client;
+  return Client.start(await compile(options), options);
 }
 
 class Client {
@@ -83,10 +80,12 @@ class Client {
     this.#options = options;
   }
 
-  /** Warms up behind the answer; later workers profit, for they run the same compiled module. */
-  async ready({ warmUp }) {
-    await this.#call('ready', [], {});
-    if (warmUp) this.#running.post({ id: 0, method: 'warmUp', args: [] });
+  static async start(wasmModule, options) {
+    const client = new Client(wasmModule, options);
+    await client.#call('ready', []);
+    // Behind the answer. Later workers profit too, for they run the same compiled module.
+    if (options.warmUp ?? true) client.#running.post({ id: 0, method: 'warmUp', args: [] });
+    return client;
   }
 
   async load(source, options = {}, call = {}) {

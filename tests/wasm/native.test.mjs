@@ -96,7 +96,7 @@ function mapOf(name, files) {
   if (name.endsWith('.obj')) {
     const lines = new TextDecoder().decode(main).split('\n');
     const rows = (word) =>
-      lines.filter((l) => l.startsWith(`${word} `)).map((l) => l.split(' ').slice(1));
+      lines.filter((l) => l.startsWith(`${word} `)).map((l) => l.trim().split(/\s+/).slice(1));
     const uv = rows('vt').map((row) => row.map(Number));
     const corners = rows('f').flat();
     return {

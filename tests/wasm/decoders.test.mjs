@@ -6,9 +6,7 @@ import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import test from 'node:test';
 import { featureFiles } from '../gltf/features.mjs';
-import { hostileFiles } from '../gltf/hostile_files.mjs';
 import {
-  asFiles,
   bytesOf,
   createCore,
   hasShared,
@@ -79,24 +77,6 @@ test('nothing is loaded for files that need no decoder', async () => {
     assert.equal(asked.length, 0);
   } finally {
     WebAssembly.instantiate = instantiate;
-  }
-});
-
-test('damaged compressed data end in the promised code, and the core goes on', async () => {
-  const core = await createCore();
-  const hostile = hostileFiles().filter(({ name }) => /^(draco|meshopt)/.test(name));
-  assert.ok(hostile.length > 5);
-  for (const { name, bytes, code, message } of hostile) {
-    const files = asFiles(name, new Uint8Array(bytes));
-    await core.prepare(files);
-    assert.throws(
-      () => core.load(files, { limits: { bytes: 256 << 20, triangles: 2e6 } }),
-      (error) => {
-        assert.equal(error.code, code, `${name}: ${error.message}`);
-        assert.match(error.message, message, name);
-        return true;
-      },
-    );
   }
 });
 

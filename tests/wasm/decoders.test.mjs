@@ -6,14 +6,7 @@ import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import test from 'node:test';
 import { featureFiles } from '../gltf/features.mjs';
-import {
-  bytesOf,
-  createCore,
-  hasShared,
-  HgpError,
-  shared,
-  withClient,
-} from './support.mjs';
+import { bytesOf, createCore, hasShared, HgpError, shared, withClient } from './support.mjs';
 
 const features = await featureFiles();
 const compressed = features.filter(({ name }) => /draco|meshopt/i.test(name));

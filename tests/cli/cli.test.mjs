@@ -588,3 +588,71 @@ test('an OBJ may ask for any material file: none is opened', () => {
   assert.equal(run(['param', 'mtl.obj', '-o', 'mtl.out.obj']).code, 0);
   assert.match(read('mtl.out.obj'), /^mtllib \/etc\/shadow\nmtllib \.\.\/\.\.\/x\.mtl\n/);
 });
+
+/** A long strip per turn count, mapped around the origin: locally injective, on top of itself from one turn on. */
+function strips(...turns) {
+  const lines = [];
+  const faces = [];
+  const [length, width] = [60, 3];
+  turns.forEach((turn, component) => {
+    const id = (i, j) => 1 + component * (length + 1) * (width + 1) + i * (width + 1) + j;
+    for (let i = 0; i <= length; i++) {
+      for (let j = 0; j <= width; j++) {
+        const angle = (2 * Math.PI * turn * i) / length;
+        const radius = 2 - j / width;
+        lines.push(`v ${i} ${j} ${10 * component}`);
+        lines.push(`vt ${radius * Math.cos(angle)} ${radius * Math.sin(angle)}`);
+        if (i === length || j === width) continue;
+        const quad = [id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)];
+        for (const [a, b, c] of [
+          [0, 1, 2],
+          [0, 2, 3],
+        ]) {
+          faces.push(`f ${[quad[a], quad[b], quad[c]].map((v) => `${v}/${v}`).join(' ')}`);
+        }
+      }
+    }
+  });
+  return [...lines, ...faces, ''].join('\n');
+}
+
+test('verify judges what others made, component by component, and says what overlaps', () => {
+  const judge = (name, ...args) => {
+    const { code, out, err } = run(['verify', name, '--json', '-', ...args]);
+    return { code, err, ...isValid('hgp-certificate', out) };
+  };
+  put('strips.obj', strips(0.75, 1.5));
+  const good = judge('strips.obj');
+  assert.equal(good.code, 0, good.err);
+  assert.deepEqual(
+    good.components.map(({ overlap }) => overlap.layers),
+    [1, 2],
+  );
+  assert.equal(good.components[0].overlap.share, 0);
+  assert.ok(Math.abs(good.components[1].overlap.share - 0.5) < 0.02);
+  assert.match(run(['verify', 'strips.obj']).out, /overlap +\d+\.\d % lie on top/);
+
+  const folded = read('strips.obj').split('\n');
+  const last = folded.findLastIndex((line) => line.startsWith('vt '));
+  folded[last - 10] = 'vt 0 0';
+  put('folded.obj', folded.join('\n'));
+  const bad = judge('folded.obj');
+  assert.equal(bad.code, 6);
+  assert.deepEqual(
+    bad.components.map(({ certified }) => certified),
+    [true, false],
+  );
+  assert.ok(bad.components[1].reasons.some(({ rule }) => rule === 'orientation'));
+});
+
+test('verify --tol is for files printed with few digits', () => {
+  assert.equal(run(['param', 'ball.obj', '--cones', 'cones.json', '-o', 'exact.obj']).code, 0);
+  const rounded = read('exact.obj').replace(
+    /^vt (\S+) (\S+)/gm,
+    (_, u, v) => `vt ${Number(u).toFixed(5)} ${Number(v).toFixed(5)}`,
+  );
+  put('rounded.obj', rounded);
+  const args = ['verify', 'rounded.obj', '--cones', 'cones.json'];
+  assert.equal(run(args).code, 6);
+  assert.equal(run([...args, '--tol', '1e-4']).code, 0, run([...args, '--tol', '1e-4']).out);
+});

@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import path from 'node:path';
 import test from 'node:test';
 import { zipSync } from 'fflate';
+import { featureFiles } from '../gltf/features.mjs';
 import { cubeMesh, toGlb, toGltf, toObj, toOff, toPly, toStl } from '../support/meshes.mjs';
 import { drop, dropPaths, state, statusText, useBrowser } from './support.mjs';
 
@@ -86,4 +87,15 @@ test('a path that leaves the folder is refused by name', async () => {
   await drop(it, { 'cube.gltf': JSON.stringify(json) });
   await it.page.waitForSelector('#status.error');
   assert.match(await statusText(it.page), /secret\.bin|outside/);
+});
+
+test('Draco and meshopt are decoded in the worker, and come back uncompressed', async () => {
+  const features = await featureFiles();
+  for (const kind of ['Draco', 'meshopt']) {
+    const { files } = features.find(({ name }) => name === kind);
+    await drop(it, files);
+    await state(it.page, 'pick-mesh');
+    await it.page.click('[data-mesh="0"]');
+    assert.match(await shown(), /Triangles\s*\d+/, kind);
+  }
 });

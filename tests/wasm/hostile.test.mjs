@@ -16,7 +16,11 @@ async function load(name, bytes) {
   return core.load(files, { limits });
 }
 
+// The largest are judged by the native suite, and here with scripts/test --full.
+const most = process.env.HGP_FULL ? Infinity : 10e6;
+
 for (const { name, bytes, code, message } of hostileFiles()) {
+  if (bytes.length > most) continue;
   test(name, async () => {
     await assert.rejects(load(name, bytes), (error) => {
       assert.ok(error instanceof HgpError, error.stack);

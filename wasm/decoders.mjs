@@ -1,5 +1,5 @@
 // node decoders.mjs NODE_MODULES OUT: puts the decoders of compressed glTF beside the package, as ES
-// modules that find nothing by themselves (docs/decisions/015).
+// modules that find nothing by themselves (docs/decisions/014).
 
 import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';

@@ -135,7 +135,7 @@ async function open(folder) {
   const server = await serve(folder);
   ended.push(() => server.close());
   const browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+    executablePath: ['/usr/bin/chromium', '/usr/bin/google-chrome'].find(existsSync),
     args: ['--no-sandbox', '--disable-gpu', '--disable-background-networking'],
   });
   ended.push(() => browser.close());

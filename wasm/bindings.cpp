@@ -5,6 +5,7 @@
 #include <array>
 #include <string>
 
+#include "decoders.h"
 #include "options.h"
 #include "reply.h"
 
@@ -13,9 +14,12 @@ namespace {
 
 class Session {
  public:
-  val load(const std::string& name, const val& names, const val& contents, const val& options) {
+  val load(const std::string& name, const val& names, const val& contents, const val& decoders,
+           const val& options) {
     return guarded([&] {
-      return afterLoad(session_.load(toFileSet(name, names, contents), toLoadOptions(options)));
+      io::FileSet files = toFileSet(name, names, contents);
+      files.decoders = toDecoders(decoders);
+      return afterLoad(session_.load(std::move(files), toLoadOptions(options)));
     });
   }
 
@@ -49,6 +53,15 @@ class Session {
       const auto read = api::readPrescription(name, text, q);
       const auto cones = read ? session_.convert(*read) : Result<std::string>(read.error());
       return replyText(cones);
+    });
+  }
+
+  /// The cones stored inside the file as hgp-cones; an empty reply where it has none.
+  val embeddedCones() const {
+    return guarded([&] {
+      const auto stored = session_.embeddedCones();
+      if (!stored) return failed(stored.error());
+      return *stored ? replyText(session_.convert(**stored)) : val::object();
     });
   }
 
@@ -123,10 +136,12 @@ EMSCRIPTEN_BINDINGS(hgp) {
       .function("check", &Session::check)
       .function("surface", &Session::surface)
       .function("readCones", &Session::readCones)
+      .function("embeddedCones", &Session::embeddedCones)
       .function("suggestCones", &Session::suggestCones)
       .function("parametrize", &Session::parametrize)
       .function("verify", &Session::verify)
       .function("write", &Session::write);
+  emscripten::function("neededDecoders", &neededDecoders);
   emscripten::function("version",
                        emscripten::optional_override([] { return std::string(api::version()); }));
 }

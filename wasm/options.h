@@ -36,6 +36,12 @@ inline api::LoadOptions toLoadOptions(const val& options) {
   o.fix.orient = option(fix, "orient", false);
   o.fix.split = option(fix, "split", false);
   o.fix.degenerate = option(fix, "degenerate", false);
+  const val limits = option(options, "limits", val::object());
+  const auto limit = [&](const char* name, std::uint64_t otherwise) {
+    return static_cast<std::uint64_t>(option(limits, name, static_cast<double>(otherwise)));
+  };
+  o.limits.maxBytes = limit("bytes", o.limits.maxBytes);
+  o.limits.maxTriangles = limit("triangles", o.limits.maxTriangles);
   return o;
 }
 

@@ -3,10 +3,9 @@
 
 #include <emscripten/val.h>
 
-#include <exception>
-#include <new>
 #include <string>
 
+#include "hgp/api/rim.h"
 #include "hgp/api/session.h"
 
 namespace hgp::js {
@@ -38,10 +37,8 @@ template <class Call>
 val guarded(const Call& call) {
   try {
     return call();
-  } catch (const std::bad_alloc&) {
-    return failed({ErrorCode::kLimit, "memory", "Out of memory: the module may use 4 GB.", {}});
-  } catch (const std::exception& e) {
-    return failed({ErrorCode::kInternal, "bindings", e.what(), {}});
+  } catch (...) {
+    return failed(api::caughtFailure());
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 
 #include "hgp/api/session.h"
@@ -54,6 +55,18 @@ std::pair<int, int> takePair(const std::string& text, const char* option) {
   } catch (const std::logic_error&) {
   }
   throw CLI::ValidationError(option, "wants two integers like 12:3, not '" + text + "'");
+}
+
+/// CLI11's own range checks print the largest double, and let NaN through.
+CLI::Validator atLeast(double low, bool isOpen = false) {
+  const auto check = [low, isOpen](const std::string& text) {
+    double value = 0;
+    const bool isNumber = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+    if (isNumber && (isOpen ? value > low : value >= low)) return std::string();
+    return "wants a number " + std::string(isOpen ? "> " : "≥ ") + (low == 0 ? "0" : "1") +
+           ", not '" + text + "'";
+  };
+  return CLI::Validator(check, "");
 }
 
 void takeFix(const std::string& text, FixOptions& fix) {
@@ -134,13 +147,15 @@ class Parser {
         ->check(CLI::IsMember({"auto", "always", "never"}));
     sub->add_option("--mesh", out_.load.surface,
                     "Which mesh of the file, from 0 (default: the largest)")
-        ->check(CLI::NonNegativeNumber);
+        ->check(atLeast(0));
     sub->add_option("--weld", weld_, "exact, or join vertices closer than this length");
     sub->add_option("--fix", fix_, "Repairs to make: orient,split,degenerate");
     sub->add_option("--root", out_.root,
                     "Read side files below this folder only (default: the input's)");
-    sub->add_option("--max-bytes", out_.load.limits.maxBytes, "Refuse larger input");
-    sub->add_option("--max-triangles", out_.load.limits.maxTriangles, "Refuse more triangles");
+    sub->add_option("--max-bytes", out_.load.limits.maxBytes, "Refuse larger input")
+        ->check(atLeast(1));
+    sub->add_option("--max-triangles", out_.load.limits.maxTriangles, "Refuse more triangles")
+        ->check(atLeast(1));
     return sub;
   }
 
@@ -180,7 +195,7 @@ class Parser {
     sub->add_option("-o,--output", out_.output, "Where to write (default: standard output)");
     sub->add_option("--q", out_.q, "Rotation order (default 4)")->check(CLI::Range(1, 64));
     sub->add_option("--count,--suggest", out_.solve.coneCount, "Roughly how many cones")
-        ->check(CLI::NonNegativeNumber);
+        ->check(atLeast(0));
     sub->add_flag("--align", out_.solve.alignToCurvature, "Follow the principal curvatures");
     sub->add_option("--convert", out_.convert, "Convert this file of cones or of a field instead");
   }
@@ -194,7 +209,7 @@ class Parser {
                     "free, or convex: a disk onto a convex polygon (Tutte)")
         ->check(CLI::IsMember({"free", "convex"}));
     sub->add_option("--count", out_.solve.coneCount, "Automatic cones: roughly how many")
-        ->check(CLI::NonNegativeNumber);
+        ->check(atLeast(0));
     sub->add_flag("--align", out_.solve.alignToCurvature,
                   "Automatic cones: follow principal curvatures");
     sub->add_option("--rounds", out_.solve.maxRounds, "Rounds of solve, judge, repair (default 12)")
@@ -204,7 +219,7 @@ class Parser {
         ->check(CLI::IsMember({"solved", "unit", "fit"}));
     sub->add_option("--uv-set", uvSet_, "next, or the number of the set to write");
     sub->add_option("--time-limit", out_.timeLimit, "Give up after so many seconds")
-        ->check(CLI::PositiveNumber);
+        ->check(atLeast(0, true));
     sub->add_flag("--embed-cones", out_.write.embedCones, "Store the cones in the output");
     sub->add_flag("--allow-uncertified", out_.write.allowUncertified,
                   "Write the map even when it is not certified (exit code 6 all the same)");
@@ -220,7 +235,7 @@ class Parser {
     sub->add_option(
            "--tol", out_.verify.tolerance,
            "Accepted seam residual relative to max |uv|, for files printed with few digits")
-        ->check(CLI::NonNegativeNumber);
+        ->check(atLeast(0));
   }
 
   void finish() {
@@ -228,7 +243,8 @@ class Parser {
     if (weld_ == "exact") {
       out_.load.weld = 0;
     } else if (!weld_.empty()) {
-      if (!CLI::detail::lexical_cast(weld_, out_.load.weld) || !(out_.load.weld >= 0)) {
+      if (!CLI::detail::lexical_cast(weld_, out_.load.weld) || !(out_.load.weld >= 0) ||
+          !std::isfinite(out_.load.weld)) {
         throw CLI::ValidationError("--weld", "wants 'exact' or a length, not '" + weld_ + "'");
       }
     }

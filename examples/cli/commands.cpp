@@ -25,7 +25,10 @@ class Run {
   }
 
   int run() {
-    if (Status usable = checkNames(); !usable) return fail(usable.error());
+    if (Status usable = checkNames(); !usable) {
+      // The name of the report may be what is wrong: it is not written to.
+      return fail(usable.error(), a_.json == "-");
+    }
     Result<io::FileSet> files = openFiles(a_.input, a_.format, a_.root, a_.load.limits.maxBytes);
     if (!files) return fail(files.error());
     if (Status loaded = session_.load(std::move(*files), a_.load); !loaded) {
@@ -48,7 +51,7 @@ class Run {
 
  private:
   /// Says what went wrong, on standard error and as JSON where that was asked for.
-  int fail(const Failure& failure) {
+  int fail(const Failure& failure, bool isReported = true) {
     progress_.clear();
     std::fprintf(stderr, "hgp: %s\n", printable(failure.message).c_str());
     for (std::size_t i = 0; i < failure.where.size() && i < 5; ++i) {
@@ -63,7 +66,7 @@ class Run {
         std::fprintf(stderr, "–%lld", static_cast<long long>(w.other));
       std::fputc('\n', stderr);
     }
-    if (!a_.json.empty()) {
+    if (!a_.json.empty() && isReported) {
       const Status written = writeText(a_.json, api::errorJson(failure));
       if (!written) std::fprintf(stderr, "hgp: %s\n", printable(written.error().message).c_str());
     }
@@ -86,15 +89,26 @@ class Run {
 
   int finish(const Status& status, int good) { return status ? good : fail(status.error()); }
 
+  /// No output replaces what was read, or another output. Only the map may replace the mesh.
   Status checkNames() const {
-    const bool isFile = !a_.output.empty() && a_.output != "-";
-    for (const std::string& name : {a_.output, a_.json, a_.xref}) {
-      if (name.empty() || name == "-" || a_.mayOverwrite || !isSameFile(name, a_.input)) continue;
-      return Failure{
-          ErrorCode::kUsage, "write", name + " is the input; --force allows to replace it", {}};
-    }
-    if (isFile && (a_.output == a_.json || a_.output == a_.xref)) {
-      return Failure{ErrorCode::kUsage, "write", a_.output + " is named for two outputs", {}};
+    const auto refuse = [](const std::string& text) {
+      return Failure{ErrorCode::kUsage, "write", text, {}};
+    };
+    const std::vector<std::string> outputs = {a_.output, a_.json, a_.xref};
+    const bool mayReplace = a_.mayOverwrite && a_.command == Command::kParam;
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+      for (const std::string& input : {a_.input, a_.cones, a_.field, a_.convert}) {
+        if (!isSameFile(outputs[i], input)) continue;
+        if (i == 0 && mayReplace && input == a_.input) continue;
+        const bool isMap = i == 0 && a_.command == Command::kParam && input == a_.input;
+        return refuse(outputs[i] + (isMap ? " is the input; --force allows to replace it"
+                                          : " is read; it cannot be written, too"));
+      }
+      for (std::size_t j = i + 1; j < outputs.size(); ++j) {
+        if (isSameFile(outputs[i], outputs[j])) {
+          return refuse(outputs[i] + " is named for two outputs");
+        }
+      }
     }
     return Done{};
   }

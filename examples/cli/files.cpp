@@ -197,6 +197,28 @@ class HalfFile {
   std::string path_, temporary_;
 };
 
+/// Devices, pipes and sockets are written to, never replaced by a file; so is nothing else.
+bool isSpecial(const std::string& path) {
+  struct stat status {};
+  return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
+}
+
+Status writeInto(const std::string& path, const io::Bytes& bytes) {
+  const int file = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (file < 0) return cannot(ErrorCode::kWriteFailed, "write", path);
+  Status done = writeAll(file, path, bytes.data(), bytes.size());
+  if (close(file) != 0 && done) done = cannot(ErrorCode::kWriteFailed, "write", path);
+  return done;
+}
+
+/// Where a symbolic link leads: the link stays, what it names is replaced.
+std::string linkTarget(const std::string& path) {
+  std::error_code error;
+  if (!fs::is_symlink(path, error)) return path;
+  const fs::path target = fs::canonical(path, error);
+  return error ? path : target.string();
+}
+
 /// A name that a file may use for its companion: relative, and not upwards.
 bool isInside(const fs::path& root, const fs::path& file) {
   const fs::path relative = file.lexically_relative(root);
@@ -241,6 +263,9 @@ Result<io::FileSet> openFiles(const std::string& path, const std::string& format
                      "this file asks for " + name + ", which is outside its folder; not loaded",
                      {}};
     }
+    if (!fs::is_regular_file(file, error)) {  // a pipe would be waited for
+      return Failure{ErrorCode::kMalformed, "read", name + " is not a regular file", {}};
+    }
     return readFile(file.string(), maxBytes);
   };
   return files;
@@ -253,6 +278,10 @@ Status writeFiles(const std::string& path, const std::vector<io::OutputFile>& fi
     }
     return writeAll(STDOUT_FILENO, path, files[0].bytes.data(), files[0].bytes.size());
   }
+  if (isSpecial(path)) {
+    if (files.size() == 1) return writeInto(path, files[0].bytes);
+    return Failure{ErrorCode::kUsage, "write", "several files cannot go to " + path, {}};
+  }
   if (files.size() > halfWritten.size() / 2) {
     return Failure{ErrorCode::kInternal, "write", "too many files for one result", {}};
   }
@@ -260,7 +289,11 @@ Status writeFiles(const std::string& path, const std::vector<io::OutputFile>& fi
   std::array<HalfFile, 4> half;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string name = i == 0 ? path : (folder / fs::path(files[i].name).filename()).string();
-    if (Status done = half[i].create(name, files[i].bytes); !done) return done;
+    if (isSpecial(name)) {
+      errno = EEXIST;
+      return cannot(ErrorCode::kWriteFailed, "write", name);
+    }
+    if (Status done = half[i].create(linkTarget(name), files[i].bytes); !done) return done;
   }
   SignalBlock block;
   for (std::size_t i = files.size(); i-- > 0;) {
@@ -275,8 +308,16 @@ Status writeText(const std::string& path, std::string_view text) {
 }
 
 bool isSameFile(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty() || a == "-" || b == "-") return false;
+  if (isSpecial(a) || isSpecial(b)) return false;  // may well be used twice
   std::error_code error;
-  return fs::equivalent(a, b, error) && !error;
+  if (fs::equivalent(a, b, error) && !error) return true;
+  const auto place = [](const std::string& name) {  // of a file that need not exist
+    std::error_code unknown;
+    const fs::path whole = fs::absolute(name, unknown);
+    return fs::weakly_canonical(whole.parent_path(), unknown) / whole.filename();
+  };
+  return place(a) == place(b);
 }
 
 void handleInterrupts() {

@@ -20,11 +20,12 @@ Result<io::FileSet> openFiles(const std::string& path, const std::string& format
                               const std::string& root, std::uint64_t maxBytes);
 
 /// Writes all files beside their final names, then renames them, side files first. "-" as the main
-/// name means standard output. An interruption leaves no half file.
+/// name means standard output. An interruption leaves no half file. Devices and pipes are written to
+/// and stay what they are; symbolic links stay links.
 Status writeFiles(const std::string& path, const std::vector<io::OutputFile>& files);
 Status writeText(const std::string& path, std::string_view text);
 
-/// True when both names mean one file.
+/// True when both names mean one regular file, there already or not. "" and "-" mean none.
 bool isSameFile(const std::string& a, const std::string& b);
 
 /// SIGINT and SIGTERM remove what is half written and end the program with 130.

@@ -177,6 +177,12 @@ std::string certificateText(const std::string& source, const Style& style) {
         row(json["components"].size() > 1 ? formatText("component %zu", p).c_str() : "distortion",
             distortion(c));
     out += row("cones", formatText("%zu measured", c["cones"].size()));
+    const Json& overlap = c["overlap"];
+    if (integer(overlap, "layers") > 1) {
+      out +=
+          row("overlap", formatText("%.1f %% lie on top of one another, up to %lld deep (allowed)",
+                                    100 * number(overlap, "share"), integer(overlap, "layers")));
+    }
     for (const Json& reason : c["reasons"]) {
       out += "  " + style.bad(text(reason["rule"])) + ": " + text(reason["message"]) +
              places(reason["where"]) + "\n";

@@ -1,11 +1,24 @@
 // The command line from outside: exit codes, streams, files and documents.
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import {
+  existsSync,
+  lstatSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  readdirSync,
+  rmSync,
+  statSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs';
+import { readFile } from 'node:fs/promises';
 import os from 'node:os';
 import path from 'node:path';
 import test, { after } from 'node:test';
 import { gzipSync } from 'node:zlib';
+import { cubeMesh, toGltf } from '../support/meshes.mjs';
 import { problems } from './schema.mjs';
 
 const hgp =
@@ -435,3 +448,211 @@ test(
     assert.equal(JSON.parse(out).components[0].cones, 41);
   },
 );
+
+test('nothing that was read is ever written over, not even by a refusal', () => {
+  put('own-cones.json', read('cones.json'));
+  const before = new Map(['ball.obj', 'own-cones.json'].map((name) => [name, read(name)]));
+  const cones = ['--cones', 'own-cones.json'];
+  for (const args of [
+    ['param', 'ball.obj', '-o', 'x.obj', '--json', 'ball.obj'],
+    ['param', 'ball.obj', '-o', 'x.obj', '--xref', './ball.obj', '--force'],
+    ['param', 'ball.obj', ...cones, '-o', 'x.obj', '--json', 'own-cones.json'],
+    ['check', 'ball.obj', ...cones, '--json', `${folder}/own-cones.json`],
+    ['cones', 'ball.obj', '--convert', 'own-cones.json', '-o', 'own-cones.json'],
+    ['inspect', 'ball.obj', '--json', 'ball.obj'],
+    ['inspect', 'missing.obj', '--json', './missing.obj'],
+    ['param', 'ball.obj', '-o', 'y.obj', '--json', './y.obj'],
+    ['param', 'ball.obj', '-o', 'y.obj', '--json', 'z', '--xref', './z'],
+  ]) {
+    const { code, err } = run(args);
+    assert.equal(code, 2, `${args.join(' ')}: ${err}`);
+    for (const [name, text] of before) assert.equal(read(name), text, args.join(' '));
+  }
+  assert.ok(!existsSync(at('y.obj')) && !existsSync(at('z')) && !existsSync(at('missing.obj')));
+});
+
+test('devices and pipes are written to and stay what they are, links stay links', async () => {
+  symlinkSync('/dev/null', at('sink.obj'));
+  assert.equal(run(['param', 'ball.obj', '-o', 'sink.obj', '--json', 'sink.obj']).code, 0);
+  assert.ok(lstatSync(at('sink.obj')).isSymbolicLink());
+  assert.ok(statSync('/dev/null').isCharacterDevice());
+
+  mkdirSync(at('elsewhere'));
+  put('elsewhere/real.obj', 'old');
+  symlinkSync('elsewhere/real.obj', at('link.obj'));
+  assert.equal(run(['param', 'ball.obj', '-o', 'link.obj']).code, 0);
+  assert.ok(lstatSync(at('link.obj')).isSymbolicLink());
+  assert.match(read('elsewhere/real.obj'), /\nvt /);
+
+  assert.equal(spawnSync('mkfifo', [at('pipe.obj')]).status, 0);
+  const child = spawn(hgp, ['param', 'ball.obj', '-o', 'pipe.obj', '--quiet'], { cwd: folder });
+  const ended = new Promise((resolve) => child.once('close', resolve));
+  const got = await readFile(at('pipe.obj'), 'utf8');
+  assert.equal(await ended, 0);
+  assert.match(got, /\nvt /);
+  assert.ok(statSync(at('pipe.obj')).isFIFO());
+  assert.equal(run(['param', 'ball.obj', '-o', 'elsewhere']).code, 7, 'a folder');
+});
+
+test('numbers that are none, or out of range, are usage errors in few words', () => {
+  for (const [option, value] of [
+    ['--time-limit', 'nan'],
+    ['--time-limit', '0'],
+    ['--time-limit', '-1'],
+    ['--weld', 'nan'],
+    ['--weld', 'inf'],
+    ['--weld', '-1'],
+    ['--count', '-5'],
+    ['--mesh', '-1'],
+    ['--max-bytes', '-1'],
+    ['--max-bytes', '0'],
+    ['--max-triangles', 'many'],
+    ['--uv-set', '-2'],
+  ]) {
+    const { code, err } = run(['param', 'ball.obj', '-o', 'x.obj', option, value]);
+    assert.equal(code, 2, `${option} ${value}: ${err}`);
+    assert.ok(err.split('\n')[0].length < 120, err);
+  }
+  for (const tolerance of ['nan', 'inf', '-1']) {
+    assert.equal(run(['verify', 'ball.obj', '--tol', tolerance]).code, 2, tolerance);
+  }
+  assert.equal(run(['inspect', 'ball.obj', '--max-triangles', '288']).code, 0);
+});
+
+/** Files of a hostile neighbour, each with its exit code and what is said. */
+const hostile = {
+  'nan.obj': ['v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n', 3, /line 1/],
+  'inf.obj': ['v 1e999 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n', 3, /finite/],
+  'far.obj': ['v 0 0 0\nv 1e19 0 0\nv 0 1e19 0\nf 1 2 3\n', 4, /too large or too small/],
+  'near.obj': ['v 0 0 0\nv 1e-310 0 0\nv 0 1e-310 0\nf 1 2 3\n', 4, /too large or too small/],
+  'point.obj': ['v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n', 4, /no area/],
+  'zero.obj': ['v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n', 3, /line 4/],
+  'early.obj': ['v 0 0 0\nv 1 0 0\nf -1 -2 -3\nv 0 1 0\n', 3, /line 3/],
+  'comma.obj': ['v 0,5 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n', 3, /line 1/],
+  'long.obj': [`v 0 0 0\nf ${'1 '.repeat(600_000)}\n`, 3, /longer than 1 MiB/],
+  'nul.obj': ['v 0 0 0\0\n', 3, /NUL/],
+  'utf16.obj': [Buffer.from('\ufeffv 0 0 0\n', 'utf16le'), 3, /NUL/],
+  'count.off': ['OFF\n2000000000 2000000000 0\n', 3, /counts/],
+  'negative.off': ['OFF\n-1 -5 0\n', 3, /counts/],
+  'count.ply': [
+    'ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n',
+    3,
+    /count/,
+  ],
+  'count.stl': [Buffer.concat([Buffer.alloc(80), Buffer.alloc(4, 255)]), 3, /announced/],
+  'deep.gltf': [`{"a":${'['.repeat(200_000)}`, 3, /nested/],
+  'escape.gltf': [
+    JSON.stringify({ ...toGltf([cubeMesh(2)], { buffer: '../../../../etc/passwd' }).json }),
+    3,
+    /leaves the folder/,
+  ],
+  'encoded.gltf': [
+    JSON.stringify({ ...toGltf([cubeMesh(2)], { buffer: '..%2f..%2fetc%2fpasswd' }).json }),
+    3,
+    /leaves the folder/,
+  ],
+  'network.gltf': [
+    JSON.stringify({ ...toGltf([cubeMesh(2)], { buffer: 'http://localhost/x.bin' }).json }),
+    3,
+    /http/,
+  ],
+  'linked.gltf': [
+    JSON.stringify({ ...toGltf([cubeMesh(2)], { buffer: 'linked.bin' }).json }),
+    3,
+    /outside its folder/,
+  ],
+  'waiting.gltf': [
+    JSON.stringify({ ...toGltf([cubeMesh(2)], { buffer: 'waiting.bin' }).json }),
+    3,
+    /not a regular file/,
+  ],
+};
+test('hostile files end in their exit codes, without waiting', () => {
+  symlinkSync('/etc/passwd', at('linked.bin'));
+  spawnSync('mkfifo', [at('waiting.bin')]);
+  for (const [name, [text, exit, message]] of Object.entries(hostile)) {
+    put(name, text);
+    const { code, err } = run(['param', name, '-o', 'x.obj'], { timeout: 20_000 });
+    assert.equal(code, exit, `${name}: ${err}`);
+    assert.match(err, message, name);
+  }
+  put('\u001b[31mred.obj', 'v 0 0 x\n');
+  assert.ok(!run(['inspect', '\u001b[31mno such file']).err.includes('\u001b'));
+});
+
+test('an OBJ may ask for any material file: none is opened', () => {
+  put(
+    'mtl.obj',
+    `mtllib /etc/shadow\nmtllib ../../x.mtl\nmtllib http://localhost/a.mtl\n${sphere(3)}`,
+  );
+  assert.equal(run(['param', 'mtl.obj', '-o', 'mtl.out.obj']).code, 0);
+  assert.match(read('mtl.out.obj'), /^mtllib \/etc\/shadow\nmtllib \.\.\/\.\.\/x\.mtl\n/);
+});
+
+/** A long strip per turn count, mapped around the origin: locally injective, on top of itself from one turn on. */
+function strips(...turns) {
+  const lines = [];
+  const faces = [];
+  const [length, width] = [60, 3];
+  turns.forEach((turn, component) => {
+    const id = (i, j) => 1 + component * (length + 1) * (width + 1) + i * (width + 1) + j;
+    for (let i = 0; i <= length; i++) {
+      for (let j = 0; j <= width; j++) {
+        const angle = (2 * Math.PI * turn * i) / length;
+        const radius = 2 - j / width;
+        lines.push(`v ${i} ${j} ${10 * component}`);
+        lines.push(`vt ${radius * Math.cos(angle)} ${radius * Math.sin(angle)}`);
+        if (i === length || j === width) continue;
+        const quad = [id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)];
+        for (const [a, b, c] of [
+          [0, 1, 2],
+          [0, 2, 3],
+        ]) {
+          faces.push(`f ${[quad[a], quad[b], quad[c]].map((v) => `${v}/${v}`).join(' ')}`);
+        }
+      }
+    }
+  });
+  return [...lines, ...faces, ''].join('\n');
+}
+
+test('verify judges what others made, component by component, and says what overlaps', () => {
+  const judge = (name, ...args) => {
+    const { code, out, err } = run(['verify', name, '--json', '-', ...args]);
+    return { code, err, ...isValid('hgp-certificate', out) };
+  };
+  put('strips.obj', strips(0.75, 1.5));
+  const good = judge('strips.obj');
+  assert.equal(good.code, 0, good.err);
+  assert.deepEqual(
+    good.components.map(({ overlap }) => overlap.layers),
+    [1, 2],
+  );
+  assert.equal(good.components[0].overlap.share, 0);
+  assert.ok(Math.abs(good.components[1].overlap.share - 0.5) < 0.02);
+  assert.match(run(['verify', 'strips.obj']).out, /overlap +\d+\.\d % lie on top/);
+
+  const folded = read('strips.obj').split('\n');
+  const last = folded.findLastIndex((line) => line.startsWith('vt '));
+  folded[last - 10] = 'vt 0 0';
+  put('folded.obj', folded.join('\n'));
+  const bad = judge('folded.obj');
+  assert.equal(bad.code, 6);
+  assert.deepEqual(
+    bad.components.map(({ certified }) => certified),
+    [true, false],
+  );
+  assert.ok(bad.components[1].reasons.some(({ rule }) => rule === 'orientation'));
+});
+
+test('verify --tol is for files printed with few digits', () => {
+  assert.equal(run(['param', 'ball.obj', '--cones', 'cones.json', '-o', 'exact.obj']).code, 0);
+  const rounded = read('exact.obj').replace(
+    /^vt (\S+) (\S+)/gm,
+    (_, u, v) => `vt ${Number(u).toFixed(5)} ${Number(v).toFixed(5)}`,
+  );
+  put('rounded.obj', rounded);
+  const args = ['verify', 'rounded.obj', '--cones', 'cones.json'];
+  assert.equal(run(args).code, 6);
+  assert.equal(run([...args, '--tol', '1e-4']).code, 0, run([...args, '--tol', '1e-4']).out);
+});

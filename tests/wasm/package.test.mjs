@@ -1,30 +1,20 @@
 // The package as its users have it: build/package, in Node.
 
 import assert from 'node:assert/strict';
-import { execFileSync, spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { spawnSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import test from 'node:test';
-import { fileURLToPath } from 'node:url';
+import { problems } from '../cli/schema.mjs';
+import { blocks, ring } from '../support/blocks.mjs';
 import { bumpyDisk } from '../support/disk.mjs';
+import { cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
+import { built, bytesOf, createClient, createCore, HgpError, withClient } from './support.mjs';
 
-const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
-const built = path.join(root, 'build/package');
-const { createClient, HgpError } = await import(path.join(built, 'index.js'));
-const { createCore } = await import(path.join(built, 'core.js'));
-
-const bytes = (text) => new TextEncoder().encode(text);
+const bytes = bytesOf;
 const disk = (n) => bytes(bumpyDisk(n));
-
-/** Runs with a client of its own, which is ended whatever happens. */
-async function withClient(use) {
-  const client = await createClient();
-  try {
-    return await use(client);
-  } finally {
-    client.terminate();
-  }
-}
+const isValid = (schema, value) =>
+  assert.deepEqual(problems(schema, value).slice(0, 5), [], schema);
 
 test('types name exactly what is exported', async () => {
   for (const entry of ['index', 'core']) {
@@ -38,13 +28,61 @@ test('types name exactly what is exported', async () => {
   }
 });
 
-test('every file of package.json is there', () => {
-  const { files, exports } = JSON.parse(readFileSync(path.join(built, 'package.json'), 'utf8'));
-  const named = Object.values(exports).flatMap((entry) =>
-    typeof entry === 'string' ? [entry] : Object.values(entry),
-  );
-  for (const file of [...files, ...named]) assert.ok(existsSync(path.join(built, file)), file);
+test('types name exactly the methods that are there', async () => {
+  const declared = (file, name) => {
+    const text = readFileSync(path.join(built, file), 'utf8');
+    const [, body] = text.match(new RegExp(`(?:interface|class) ${name}\\b[^{]*{\\n([^]*?)\\n}`));
+    return [...body.matchAll(/^ {2}(\w+)\(/gm)].map((match) => match[1]).sort();
+  };
+  const own = (prototype) =>
+    Object.entries(Object.getOwnPropertyDescriptors(prototype))
+      .filter(([name, { value }]) => typeof value === 'function' && name !== 'constructor')
+      .map(([name]) => name)
+      .sort();
+  const core = await createCore();
+  assert.deepEqual(own(Object.getPrototypeOf(core)), declared('core.d.ts', 'Core'));
+  core.free();
+  await withClient((client) => {
+    assert.deepEqual(own(Object.getPrototypeOf(client)), declared('index.d.ts', 'Client'));
+  });
 });
+
+test('every document follows the schema that the command line uses', () =>
+  withClient(async (client) => {
+    isValid('hgp-inspect', await client.load(bytes(toObj(blocks(ring))), { name: 'ring.obj' }));
+    const cones = await client.suggestCones({ q: 4 });
+    isValid('hgp-cones', cones);
+    isValid('hgp-check', await client.check(cones));
+    isValid('hgp-check', await client.check({ ...cones, cones: [{ vertex: 0, k: 1 }] }));
+    const { report, certificate } = await client.parametrize({ cones });
+    isValid('hgp-report', report);
+    isValid('hgp-certificate', certificate);
+    isValid('hgp-cones', report.cones);
+    const { bytes: mapped, name } = await client.write();
+    await client.load(mapped, { name });
+    isValid('hgp-certificate', await client.verify({ cones }));
+    const failure = await client.load(bytes('v 1'), { name: 'x.obj' }).catch((error) => error);
+    const { code, message, details } = failure;
+    isValid('hgp-error', { format: 'hgp-error', version: 1, code, message, ...details });
+  }));
+
+test('cones travel inside the file and are found again', () =>
+  withClient(async (client) => {
+    for (const [name, file] of [
+      ['cube.glb', new Uint8Array(toGlb([cubeMesh(4)]))],
+      ['cube.obj', bytes(toObj(cubeMesh(4)))],
+    ]) {
+      await client.load(file, { name });
+      assert.equal(await client.embeddedCones(), null, name);
+      const { cones } = await client.parametrize({ q: 4 });
+      const written = await client.write({ embedCones: true });
+      await client.load(written.bytes, { name });
+      const found = await client.embeddedCones();
+      isValid('hgp-cones', found);
+      assert.deepEqual(found.cones, cones.cones, name);
+      assert.equal((await client.verify({ cones: found })).certified, true, name);
+    }
+  }));
 
 test('load, inspect, parametrize, write, verify', () =>
   withClient(async (client) => {
@@ -107,18 +145,46 @@ test('a call without a model is a usage error, not an end', () =>
 
 test('cancel in the middle of a solve: AbortError, and the next call works', () =>
   withClient(async (client) => {
-    await client.load(disk(120), { name: 'disk.obj' });
+    const { triangles } = await client.load(disk(60), { name: 'disk.obj' });
     const controller = new AbortController();
-    const solving = client.parametrize(
-      { boundary: 'convex' },
-      { signal: controller.signal, onProgress: () => controller.abort() },
-    );
-    setTimeout(() => controller.abort(), 50);
+    const seen = [];
+    let aborted;
+    const onProgress = (progress) => {
+      seen.push(progress);
+      if (progress.iteration < 0 || aborted) return; // until the solver itself is at work
+      aborted = performance.now();
+      controller.abort();
+    };
+    const solving = client.parametrize({ q: 4 }, { signal: controller.signal, onProgress });
     await assert.rejects(solving, { name: 'AbortError' });
     const begin = performance.now();
-    const info = await client.inspect(); // a fresh worker has the model again
-    assert.ok(info);
+    assert.ok(begin - aborted < 100, 'at once');
+    const last = seen.at(-1);
+    assert.ok(last.iteration >= 0 && last.residual >= 0 && last.stage.length > 0);
+    assert.equal((await client.inspect()).triangles, triangles); // a fresh worker has the model again
     assert.ok(performance.now() - begin < 5000);
+    await client.load(disk(4), { name: 'disk.obj' });
+    assert.equal((await client.parametrize({ boundary: 'convex' })).certificate.certified, true);
+  }));
+
+test('progress goes through the stages, at most ten times a second', () =>
+  withClient(async (client) => {
+    await client.load(disk(50), { name: 'disk.obj' });
+    const times = [];
+    const stages = new Set();
+    const begin = performance.now();
+    await client.parametrize(
+      { q: 4 },
+      {
+        onProgress: ({ stage, fraction }) => {
+          assert.ok(fraction >= 0 && fraction <= 1, `${fraction}`);
+          stages.add(stage);
+          times.push(performance.now());
+        },
+      },
+    );
+    assert.ok(stages.size >= 2, [...stages].join());
+    assert.ok(times.length <= 2 + (performance.now() - begin) / 100, `${times.length} reports`);
   }));
 
 test('an aborted call that still waits leaves the running one alone', () =>
@@ -153,22 +219,6 @@ test('two clients at once do not mix', async () => {
   b.terminate();
 });
 
-test('memory is flat over fifty runs', async () => {
-  const core = await createCore();
-  const files = { main: 'disk.obj', files: new Map([['disk.obj', disk(30)]]) };
-  const run = () => {
-    core.load(files);
-    core.parametrize({ boundary: 'convex' });
-    core.write();
-  };
-  for (let i = 0; i < 5; i++) run();
-  const settled = core.memory;
-  for (let i = 0; i < 45; i++) run();
-  assert.equal(core.memory, settled);
-  core.free();
-  assert.throws(() => core.inspect(), HgpError);
-});
-
 test('an idle client does not keep a script alive', () => {
   const script = `import { createClient } from ${JSON.stringify(path.join(built, 'index.js'))};
     await createClient(); console.log('done');`;
@@ -178,34 +228,4 @@ test('an idle client does not keep a script alive', () => {
   });
   assert.equal(status, 0);
   assert.equal(stdout, 'done\n');
-});
-
-test('the Node example of the README runs as printed', () => {
-  const folder = path.join(root, 'build/readme-example');
-  rmSync(folder, { recursive: true, force: true });
-  mkdirSync(path.join(folder, 'node_modules'), { recursive: true });
-  symlinkSync(built, path.join(folder, 'node_modules/hgp'));
-  const readme = readFileSync(path.join(built, 'README.md'), 'utf8');
-  const [, example] = readme.match(/In Node:\n\n```js\n([\s\S]*?)```/);
-  writeFileSync(path.join(folder, 'example.mjs'), example);
-  writeFileSync(path.join(folder, 'disk.obj'), bumpyDisk(8));
-  const printed = execFileSync('node', ['example.mjs'], { cwd: folder, encoding: 'utf8' });
-  assert.equal(printed.trim(), 'true');
-  assert.match(readFileSync(path.join(folder, 'mapped.obj'), 'utf8'), /^vt /m);
-});
-
-test('the browser example of the README runs as printed', () => {
-  const folder = path.join(root, 'build/readme-example');
-  const readme = readFileSync(path.join(built, 'README.md'), 'utf8');
-  const [, example] = readme.match(/In a browser[\s\S]*?```js\n([\s\S]*?)```/);
-  const around = `import { readFileSync } from 'node:fs';
-    const file = new File([readFileSync('disk.obj')], 'disk.obj');
-    ${example}
-    console.log(uv.length > 0 && cornerToUv.length > 0 && bytes.length > 0, name, info !== null);
-    console.log(typeof certificate.certified);`;
-  writeFileSync(path.join(folder, 'browser.mjs'), around.replace(/(import[^;]*'hgp';)/, '$1'));
-  const script = ["import { File } from 'node:buffer';", around].join('\n');
-  writeFileSync(path.join(folder, 'browser.mjs'), script);
-  const printed = execFileSync('node', ['browser.mjs'], { cwd: folder, encoding: 'utf8' });
-  assert.match(printed, /^true disk\.obj true\nboolean\n$/);
 });

@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import path from 'node:path';
 import test from 'node:test';
 import { zipSync } from 'fflate';
+import { featureFiles } from '../gltf/features.mjs';
 import { cubeMesh, toGlb, toGltf, toObj, toOff, toPly, toStl } from '../support/meshes.mjs';
 import { drop, dropPaths, state, statusText, useBrowser } from './support.mjs';
 
@@ -86,4 +87,19 @@ test('a path that leaves the folder is refused by name', async () => {
   await drop(it, { 'cube.gltf': JSON.stringify(json) });
   await it.page.waitForSelector('#status.error');
   assert.match(await statusText(it.page), /secret\.bin|outside/);
+});
+
+test('Draco and meshopt are decoded in the worker', async () => {
+  const features = await featureFiles();
+  // The generated meshes are made to be awkward; what counts is that their triangles are there.
+  for (const [kind, reached, triangles] of [
+    ['Draco', 'invalid', 92],
+    ['meshopt', 'pick-mesh', 144],
+  ]) {
+    const { files } = features.find(({ name }) => name === kind);
+    await drop(it, files);
+    await state(it.page, reached);
+    const text = await it.page.locator('#panel-model').innerText();
+    assert.match(text, new RegExp(`Triangles\\s*${triangles}\\b`), kind);
+  }
 });

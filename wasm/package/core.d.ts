@@ -21,6 +21,8 @@ export interface LoadOptions {
   surface?: number;
   /** Join vertices closer than this; by default only what the format needs. */
   weld?: number;
+  /** Larger files end with the code `limit`; by default 2 GiB and 16 million triangles. */
+  limits?: { bytes?: number; triangles?: number };
   fix?: { orient?: boolean; split?: boolean; degenerate?: boolean };
 }
 
@@ -248,11 +250,16 @@ export class Core {
   readonly version: string;
   /** Bytes of linear memory in use; it never shrinks. */
   readonly memory: number;
+  /** Makes the engine optimize the solver (about 0.3 s), so that the first solve is not slow. */
+  warmUp(): void;
+  /** Loads the decoders of compressed glTF, where the file needs any. Before load(). */
+  prepare(source: { main: string; files: Map<string, Uint8Array> }): Promise<void>;
   load(source: { main: string; files: Map<string, Uint8Array> }, options?: LoadOptions): ModelInfo;
   loadMesh(mesh: MeshArrays, options?: LoadOptions): ModelInfo;
   inspect(): ModelInfo;
   surface(): Surface;
   readCones(file: ConeFile): Cones;
+  embeddedCones(): Cones | null;
   suggestCones(options?: SuggestOptions): Cones;
   check(cones: Cones): CheckReport;
   parametrize(options?: SolveOptions): Result;

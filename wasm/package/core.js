@@ -2,7 +2,9 @@
 // out is a plain value; the one C++ object, the session with its loaded model, is owned by Core and
 // freed by `free()`.
 
+import { decodersFor } from './decoders.js';
 import createModule from './module.js';
+import { warmUpMesh } from './warm_up.js';
 
 /** An error with the same code on the page, in this package and on the command line. */
 export class HgpError extends Error {
@@ -35,6 +37,19 @@ export async function compile({ wasmModule, wasmBinary, wasmUrl } = {}) {
   return WebAssembly.compile(await response.arrayBuffer());
 }
 
+/** The text of a glTF, the first chunk of a GLB; nothing for files of other kinds. */
+function gltfJson(bytes) {
+  if (!bytes) return undefined;
+  const starts = (text, at) => [...text].every((c, i) => bytes[at + i] === c.charCodeAt(0));
+  if (starts('glTF', 0)) {
+    const size = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+    return bytes.length < 20 ? undefined : bytes.subarray(20, 20 + size.getUint32(12, true));
+  }
+  let first = bytes[0] === 0xef ? 3 : 0; // a byte order mark
+  while (first < 1024 && ' \t\r\n'.includes(String.fromCharCode(bytes[first]))) first++;
+  return starts('{', first) ? bytes : undefined;
+}
+
 export async function createCore(options = {}) {
   const wasmModule = await compile(options);
   const module = await createModule({
@@ -53,6 +68,7 @@ export async function createCore(options = {}) {
 export class Core {
   #module;
   #session;
+  #decoders = {};
   #name = 'mesh.obj'; // of what write() makes, where the caller gives none
 
   /** Called with { stage, fraction, iteration, residual }; return false to cancel. */
@@ -72,6 +88,27 @@ export class Core {
     return this.#module.HEAPU8.length;
   }
 
+  /** Loads the decoders that the file needs, if any; load() itself never waits. */
+  async prepare({ main, files }) {
+    const json = gltfJson(files.get(main));
+    if (!json) return;
+    const needs = this.#reply(this.#module.neededDecoders(json));
+    try {
+      this.#decoders = await decodersFor(needs);
+    } catch (error) {
+      const message = `A decoder of compressed glTF could not be loaded: ${error.message}`;
+      throw new HgpError({ code: 'wasm-unavailable', message });
+    }
+  }
+
+  /** Makes the engine optimize the solver, by a small solve beside the loaded model. */
+  warmUp() {
+    const other = new Core(this.#module);
+    other.loadMesh(warmUpMesh());
+    other.parametrize();
+    other.free();
+  }
+
   load({ main, files }, options = {}) {
     const names = [...files.keys()];
     // Formats that can only be read are answered with an OBJ.
@@ -80,7 +117,7 @@ export class Core {
         .split('/')
         .pop()
         .replace(/\.(off|ply|stl)$/i, '.obj') || 'mesh.obj';
-    return this.#json(this.#live.load(main, names, [...files.values()], options));
+    return this.#json(this.#live.load(main, names, [...files.values()], this.#decoders, options));
   }
 
   loadMesh({ positions, triangles }, options = {}) {
@@ -101,6 +138,12 @@ export class Core {
   /** A cone file of any known kind as hgp-cones of the loaded surface. */
   readCones({ name, text, q = 0 }) {
     return this.#json(this.#live.readCones(name, text, q));
+  }
+
+  /** The cones that are stored inside the file, or null. */
+  embeddedCones() {
+    const { json } = this.#reply(this.#live.embeddedCones());
+    return json === undefined ? null : JSON.parse(json);
   }
 
   suggestCones(options = {}) {

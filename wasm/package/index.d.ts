@@ -47,6 +47,11 @@ export { HgpError } from './core.js';
 export interface ClientOptions extends InitOptions {
   /** Makes the worker where a bundler or a Content-Security-Policy must know its URL. */
   createWorker?: () => Worker;
+  /**
+   * Whether the worker solves a small model first, while nothing else is asked of it, so that the
+   * engine has optimized the solver by the first call. Takes about 0.3 s; by default true.
+   */
+  warmUp?: boolean;
 }
 
 export interface CallOptions {
@@ -68,6 +73,8 @@ export interface Client extends AsyncDisposable {
   surface(call?: CallOptions): Promise<Surface>;
   /** A cone file of any known kind as cones of the loaded surface. */
   readCones(file: ConeFile, call?: CallOptions): Promise<Cones>;
+  /** The cones that are stored inside the file, or null. */
+  embeddedCones(call?: CallOptions): Promise<Cones | null>;
   suggestCones(options: SuggestOptions, call?: CallOptions): Promise<Cones>;
   /** The exact integer budget of Gauss–Bonnet; solves nothing. */
   check(cones: Cones, call?: CallOptions): Promise<CheckReport>;

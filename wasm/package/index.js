@@ -63,10 +63,7 @@ async function toFileSet(source, name) {
 }
 
 export async function createClient(options = {}) {
-  const wasmModule = await compile(options);
-  const client = new Client(wasmModule, options);
-  await client.ready();
-  return client;
+  return Client.start(await compile(options), options);
 }
 
 class Client {
@@ -83,8 +80,12 @@ class Client {
     this.#options = options;
   }
 
-  ready() {
-    return this.#call('ready', [], {});
+  static async start(wasmModule, options) {
+    const client = new Client(wasmModule, options);
+    await client.#call('ready', []);
+    // Behind the answer. Later workers profit too, for they run the same compiled module.
+    if (options.warmUp ?? true) client.#running.post({ id: 0, method: 'warmUp', args: [] });
+    return client;
   }
 
   async load(source, options = {}, call = {}) {
@@ -104,6 +105,10 @@ class Client {
 
   readCones(file, call) {
     return this.#call('readCones', [file], call);
+  }
+
+  embeddedCones(call) {
+    return this.#call('embeddedCones', [], call);
   }
 
   suggestCones(options, call) {

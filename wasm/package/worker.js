@@ -14,6 +14,7 @@ const methods = new Set([
   'inspect',
   'surface',
   'readCones',
+  'embeddedCones',
   'suggestCones',
   'check',
   'parametrize',
@@ -51,12 +52,14 @@ async function handle(post, { id, method, args, wantsProgress }) {
     }
     const ready = await core;
     if (method === 'ready') return post({ id, result: true }, []);
+    if (method === 'warmUp') return ready.warmUp();
     if (!methods.has(method)) {
       throw new HgpError({ code: 'usage', message: `no such call: ${method}` });
     }
     ready.onProgress = wantsProgress
       ? throttled((progress) => post({ id, progress }, []))
       : undefined;
+    if (method === 'load') await ready.prepare(args[0]);
     const result = ready[method](...args);
     if (id !== 0) post({ id, result }, [...buffersOf(result)]);
   } catch (error) {
@@ -76,9 +79,9 @@ if (isBrowser) {
   const take = listen((message, buffers) => globalThis.postMessage(message, buffers));
   globalThis.addEventListener('message', ({ data }) => take(data));
 } else {
-  const { parentPort } = await import(/* @vite-ignore */ 'node:worker_threads');
-  parentPort.on(
-    'message',
-    listen((message, buffers) => parentPort.postMessage(message, buffers)),
-  );
+  // Not awaited: bundlers that make classic scripts of workers know no `await` at the top.
+  import(/* @vite-ignore */ 'node:worker_threads').then(({ parentPort }) => {
+    const take = listen((message, buffers) => parentPort.postMessage(message, buffers));
+    parentPort.on('message', take);
+  });
 }

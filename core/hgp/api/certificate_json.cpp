@@ -35,6 +35,7 @@ class PieceJson {
     json["seams"] = seams();
     json["gaussBonnet"] = Json{{"have", c_.gaussBonnetHave}, {"need", c_.gaussBonnetNeed}};
     json["distortion"] = distortion();
+    json["overlap"] = Json{{"share", c_.overlap.share}, {"layers", c_.overlap.layers}};
     json["reasons"] = reasons();
     return json;
   }

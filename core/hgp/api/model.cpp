@@ -195,6 +195,9 @@ Result<Model> loadModel(io::FileSet files, const LoadOptions& options) {
 
 Result<Model> modelOfArrays(MeshData arrays, const LoadOptions& options) {
   const int vertices = static_cast<int>(arrays.positions.size());
+  if (arrays.triangles.empty()) {
+    return Failure{ErrorCode::kMalformed, "read", "there are no triangles", {}};
+  }
   io::PolygonFile file;
   for (const auto& t : arrays.triangles) {
     for (int v : t) {

@@ -171,8 +171,10 @@ Result<Verdict> Session::verify(const std::optional<io::Prescription>& prescript
     bool isGood = true;
     for (std::size_t p = 0; p < model.pieces.size(); ++p) {
       judge.isAnyConeAllowed = request->pieces[p].isAutomatic;
-      certificates.push_back(certify(model.pieces[p].mesh, request->pieces[p].spec,
-                                     mapOfPiece(model, model.pieces[p], *map), judge));
+      const UvMap pieceMap = mapOfPiece(model, model.pieces[p], *map);
+      certificates.push_back(
+          certify(model.pieces[p].mesh, request->pieces[p].spec, pieceMap, judge));
+      certificates.back().overlap = measureOverlap(pieceMap);
       isGood = isGood && certificates.back().isCertified;
     }
     return Verdict{isGood, certificateText(model, certificates, set), std::nullopt};

@@ -19,7 +19,8 @@ constexpr std::array<std::uint32_t, 64> kConstants = {
 
 using Hash = std::array<std::uint32_t, 8>;
 
-void addBlock(Hash& hash, const std::uint8_t* block) {
+/// Never inlined: engines optimize WebAssembly between calls, not inside a loop that is running.
+[[gnu::noinline]] void addBlock(Hash& hash, const std::uint8_t* block) {
   std::array<std::uint32_t, 64> w;
   for (std::size_t i = 0; i < 16; ++i) {
     w[i] = static_cast<std::uint32_t>(block[4 * i]) << 24 |
@@ -32,16 +33,25 @@ void addBlock(Hash& hash, const std::uint8_t* block) {
     w[i] = w[i - 16] + (std::rotr(a, 7) ^ std::rotr(a, 18) ^ (a >> 3)) + w[i - 7] +
            (std::rotr(b, 17) ^ std::rotr(b, 19) ^ (b >> 10));
   }
-  Hash h = hash;
+  // In scalars: kept in an array, clang's vectorizer shuffles them through SIMD lanes, ten times slower.
+  std::uint32_t h0 = hash[0], h1 = hash[1], h2 = hash[2], h3 = hash[3];
+  std::uint32_t h4 = hash[4], h5 = hash[5], h6 = hash[6], h7 = hash[7];
   for (std::size_t i = 0; i < 64; ++i) {
-    const std::uint32_t s1 = std::rotr(h[4], 6) ^ std::rotr(h[4], 11) ^ std::rotr(h[4], 25);
-    const std::uint32_t choice = (h[4] & h[5]) ^ (~h[4] & h[6]);
-    const std::uint32_t t1 = h[7] + s1 + choice + kConstants[i] + w[i];
-    const std::uint32_t s0 = std::rotr(h[0], 2) ^ std::rotr(h[0], 13) ^ std::rotr(h[0], 22);
-    const std::uint32_t majority = (h[0] & h[1]) ^ (h[0] & h[2]) ^ (h[1] & h[2]);
-    h = {t1 + s0 + majority, h[0], h[1], h[2], h[3] + t1, h[4], h[5], h[6]};
+    const std::uint32_t s1 = std::rotr(h4, 6) ^ std::rotr(h4, 11) ^ std::rotr(h4, 25);
+    const std::uint32_t t1 = h7 + s1 + ((h4 & h5) ^ (~h4 & h6)) + kConstants[i] + w[i];
+    const std::uint32_t s0 = std::rotr(h0, 2) ^ std::rotr(h0, 13) ^ std::rotr(h0, 22);
+    const std::uint32_t t2 = s0 + ((h0 & h1) ^ (h0 & h2) ^ (h1 & h2));
+    h7 = h6;
+    h6 = h5;
+    h5 = h4;
+    h4 = h3 + t1;
+    h3 = h2;
+    h2 = h1;
+    h1 = h0;
+    h0 = t1 + t2;
   }
-  for (std::size_t i = 0; i < 8; ++i) hash[i] += h[i];
+  const Hash added = {h0, h1, h2, h3, h4, h5, h6, h7};
+  for (std::size_t i = 0; i < 8; ++i) hash[i] += added[i];
 }
 
 }  // namespace

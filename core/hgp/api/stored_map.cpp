@@ -190,6 +190,9 @@ StoredMap storeMap(const Model& model, const std::vector<PieceMap>& pieces, Scal
           "after it");
     }
   }
+  for (std::size_t p = 0; p < model.pieces.size(); ++p) {
+    first.certificates[p].overlap = measureOverlap(mapOfPiece(model, model.pieces[p], first.map));
+  }
   first.uvToVertex = verticesOfUv(model, first.map);
   return first;
 }

@@ -37,6 +37,30 @@ std::vector<char> findBrokenFaces(const MeshData& data, Places& places) {
   return isBroken;
 }
 
+/// The two vertices that are farthest apart along an axis, where that is too far or too near. All
+/// positions equal is another defect: faces without area.
+void findExtent(const MeshData& data, const std::vector<char>& isUsed, Places& places) {
+  double extent = 0.0;
+  std::size_t ends[2] = {0, 0};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::size_t low = data.positions.size(), high = low;
+    for (std::size_t v = 0; v < data.positions.size(); ++v) {
+      const double x = data.positions[v][axis];
+      if (!isUsed[v] || !std::isfinite(x)) continue;
+      if (low == data.positions.size() || x < data.positions[low][axis]) low = v;
+      if (high == data.positions.size() || x > data.positions[high][axis]) high = v;
+    }
+    if (low == data.positions.size()) continue;
+    const double side = data.positions[high][axis] - data.positions[low][axis];
+    if (side <= extent) continue;
+    extent = side;
+    ends[0] = low;
+    ends[1] = high;
+  }
+  if (extent == 0.0 || (extent >= kSmallestExtent && extent <= kLargestExtent)) return;
+  for (std::size_t v : ends) places[DefectKind::kExtent].push_back(vertexAt(static_cast<int>(v)));
+}
+
 void findVertexDefects(const MeshData& data, Places& places) {
   std::vector<char> isUsed(data.positions.size(), 0);
   for (const auto& t : data.triangles)
@@ -50,6 +74,7 @@ void findVertexDefects(const MeshData& data, Places& places) {
       places[DefectKind::kNotFinite].push_back(vertexAt(static_cast<int>(v)));
     }
   }
+  findExtent(data, isUsed, places);
 }
 
 void findDuplicates(const Triangles& triangles, const std::vector<char>& isBroken, int vertexCount,
@@ -135,6 +160,8 @@ std::string describe(const Defect& defect) {
       text = one ? "vertex has a position that is not finite"
                  : "vertices have a position that is not finite";
       break;
+    case DefectKind::kExtent:
+      return "the mesh is too large or too small to compute with (1e-100 to 1e18)";
     case DefectKind::kRepeatedVertex:
       text = one ? "face names one vertex twice" : "faces name one vertex twice";
       break;
@@ -219,6 +246,8 @@ const char* defectName(DefectKind kind) {
       return "index-out-of-range";
     case DefectKind::kNotFinite:
       return "not-finite";
+    case DefectKind::kExtent:
+      return "extent";
     case DefectKind::kRepeatedVertex:
       return "repeated-vertex";
     case DefectKind::kZeroArea:

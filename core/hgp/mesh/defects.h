@@ -12,6 +12,7 @@ namespace hgp {
 enum class DefectKind {
   kIndexOutOfRange,    ///< a corner names a vertex that does not exist
   kNotFinite,          ///< NaN or infinite position of a used vertex
+  kExtent,             ///< larger or smaller than double arithmetic on squares can carry
   kRepeatedVertex,     ///< a face names one vertex twice
   kZeroArea,           ///< a face without area (collinear or equal corners)
   kDuplicateFace,      ///< the same three vertices twice
@@ -36,6 +37,9 @@ struct Defect {
 inline constexpr double kZeroHeight = 1e-15;
 /// No area in that sense; not-finite corners are another defect and never "no area".
 bool hasNoArea(const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// Extents (the longest side of the bounding box of used vertices) that can be worked with.
+inline constexpr double kLargestExtent = 1e18, kSmallestExtent = 1e-100;
 
 /// All defects, one entry per kind that occurs, in the order of the enum. O(|F|).
 std::vector<Defect> findDefects(const MeshData& data);

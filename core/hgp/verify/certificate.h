@@ -9,6 +9,7 @@
 #include "hgp/mesh/mesh_data.h"
 #include "hgp/verify/angles.h"
 #include "hgp/verify/distortion.h"
+#include "hgp/verify/overlap.h"
 #include "hgp/verify/seams.h"
 
 namespace hgp {
@@ -63,6 +64,7 @@ struct Certificate {
   AngleFacts angles;
   SeamFacts seams;
   DistortionFacts distortion;
+  OverlapFacts overlap;  ///< filled by who ships the map: it costs more than it tells a solver
   /// Gauss–Bonnet from measured integers: Σ(q − k) + Σl = q(2c − 2g − m).
   long long gaussBonnetHave = 0, gaussBonnetNeed = 0;
 

@@ -20,6 +20,7 @@ const defectNames: Record<string, string> = {
   'repeated-vertex': 'Triangles that use a vertex twice',
   'isolated-vertex': 'Vertices without triangles',
   'not-finite': 'Positions that are no numbers',
+  extent: 'Too large or too small to compute with',
   'index-out-of-range': 'Triangles naming missing vertices',
 };
 

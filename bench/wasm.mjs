@@ -1,0 +1,76 @@
+// node bench/wasm.mjs [--runs N] [FACES …]: WebAssembly against the native program without run-time
+// dispatch, in one run, as the table of bench/WASM.md. Needs build/package and
+//   cmake --preset native-baseline && cmake --build --preset native-baseline
+
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { parseArgs } from 'node:util';
+import { blocks, ring } from '../tests/support/blocks.mjs';
+import { bumpyDisk } from '../tests/support/disk.mjs';
+import { cubeMesh, toObj } from '../tests/support/meshes.mjs';
+
+const root = path.dirname(import.meta.dirname);
+const native = path.join(root, 'build/native-baseline/bin/hgp');
+const packaged = path.join(root, 'build/package/index.js');
+for (const file of [native, packaged]) {
+  if (!existsSync(file)) {
+    console.error(`${path.relative(root, file)} is not built`);
+    process.exit(1);
+  }
+}
+const { values, positionals } = parseArgs({
+  options: { runs: { type: 'string', default: '3' } },
+  allowPositionals: true,
+});
+const sizes = positionals.length > 0 ? positionals.map(Number) : [10_000, 100_000];
+const folder = path.join(root, 'build/bench-wasm');
+mkdirSync(folder, { recursive: true });
+
+const kinds = {
+  sphere: (faces) => toObj(cubeMesh(Math.round(Math.sqrt(faces / 12)))),
+  disk: (faces) => bumpyDisk(Math.round(Math.sqrt(faces / 6))),
+  'genus 1': (faces) => toObj(blocks(ring, { n: Math.round(Math.sqrt(faces / 64)) })),
+};
+
+/** The report of `hgp param`. The program states the seconds of the solve itself, as the package does. */
+function runNative(file) {
+  const report = path.join(folder, 'report.json');
+  const out = path.join(folder, 'out.obj');
+  const args = ['param', file, '-o', out, '--json', report, '--quiet', '--force'];
+  execFileSync(native, [...args, '--q', '4', '--allow-uncertified']);
+  return JSON.parse(readFileSync(report, 'utf8'));
+}
+
+const { createClient } = await import(packaged);
+const client = await createClient();
+await new Promise((done) => setTimeout(done, 1000)); // it warms up meanwhile
+
+console.log('| mesh | faces | native s | WASM first s | WASM s | ratio | same result |');
+console.log('|---|--:|--:|--:|--:|--:|---|');
+let worst = 0;
+for (const faces of sizes) {
+  for (const [kind, make] of Object.entries(kinds)) {
+    const text = make(faces);
+    const file = path.join(folder, 'mesh.obj');
+    writeFileSync(file, text);
+    const { triangles } = await client.load(new TextEncoder().encode(text), { name: 'mesh.obj' });
+    const seconds = { native: [], wasm: [] };
+    let isSame = true;
+    // Turn and turn about, so that whatever else the machine does hits both.
+    for (let i = 0; i < Number(values.runs); i++) {
+      const a = runNative(file);
+      const b = (await client.parametrize({ q: 4 })).report;
+      seconds.native.push(a.seconds);
+      seconds.wasm.push(b.seconds);
+      isSame &&= a.certified === b.certified;
+      isSame &&= JSON.stringify(a.cones.cones) === JSON.stringify(b.cones.cones);
+    }
+    const [n, w] = [Math.min(...seconds.native), Math.min(...seconds.wasm)];
+    worst = Math.max(worst, w / n);
+    const cells = [kind, triangles, n.toFixed(2), seconds.wasm[0].toFixed(2), w.toFixed(2)];
+    console.log(`| ${[...cells, (w / n).toFixed(2), isSame ? 'yes' : 'NO'].join(' | ')} |`);
+  }
+}
+client.terminate();
+console.log(`\nworst ratio ${worst.toFixed(2)} (wanted: at most 2.0)`);

@@ -1,0 +1,104 @@
+// Compressed glTF in the package: decoded by draco3dgltf and meshoptimizer, which are loaded when the
+// first file needs them, and never believed.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import path from 'node:path';
+import test from 'node:test';
+import { featureFiles } from '../gltf/features.mjs';
+import { bytesOf, createCore, hasShared, HgpError, shared, withClient } from './support.mjs';
+
+const features = await featureFiles();
+const compressed = features.filter(({ name }) => /draco|meshopt/i.test(name));
+const setOf = (files) => {
+  const map = new Map(Object.entries(files).map(([name, bytes]) => [name, new Uint8Array(bytes)]));
+  return { main: [...map.keys()][0], files: map };
+};
+
+test('the generated files have both kinds', () => {
+  for (const kind of [/draco/i, /meshopt/i]) {
+    assert.ok(
+      compressed.some(({ name }) => kind.test(name)),
+      `${kind}`,
+    );
+  }
+});
+
+for (const { name, files } of compressed) {
+  test(`${name} is read, mapped and written`, () =>
+    withClient(async (client) => {
+      const info = await client.load(setOf(files));
+      assert.ok(info.triangles > 0);
+      if (!info.usable) return;
+      await client.parametrize();
+      const written = await client.write({ allowUncertified: true });
+      const again = new Map(written.files.map((file) => [file.name, file.bytes]));
+      const reread = await client.load({ main: written.name, files: again });
+      assert.equal(reread.triangles, info.triangles);
+    }));
+}
+
+test('a core without decoders says what is missing; prepare() brings them', async () => {
+  const core = await createCore();
+  const files = setOf(compressed.find(({ name }) => /draco/i.test(name)).files);
+  const load = () => core.load(files);
+  const before = (() => {
+    try {
+      return load();
+    } catch (error) {
+      return error;
+    }
+  })();
+  // A file may carry an uncompressed copy of everything; the generated ones do not.
+  assert.ok(before instanceof HgpError);
+  assert.equal(before.code, 'unsupported');
+  assert.match(before.message, /no decoder/);
+  await core.prepare(files);
+  assert.ok(load().triangles > 0);
+});
+
+test('nothing is loaded for files that need no decoder', async () => {
+  const core = await createCore();
+  const asked = [];
+  const { instantiate } = WebAssembly;
+  WebAssembly.instantiate = (...args) => (asked.push(args), instantiate(...args));
+  try {
+    const plain = features.find(({ files }) => Object.keys(files)[0].endsWith('.glb')).files;
+    for (const files of [setOf({ 'a.obj': bytesOf('v 0 0 0\n') }), setOf(plain)]) {
+      await core.prepare(files);
+    }
+    assert.equal(asked.length, 0);
+  } finally {
+    WebAssembly.instantiate = instantiate;
+  }
+});
+
+test('every byte of a Draco and of a meshopt file may be wrong', async () => {
+  const core = await createCore();
+  for (const { name, files } of compressed) {
+    const set = setOf(files);
+    await core.prepare(set);
+    const main = set.files.get(set.main);
+    const begin = main.length - Math.min(main.length, 600);
+    for (let at = begin; at < main.length; at += 7) {
+      const changed = main.slice();
+      changed[at] ^= 0x41;
+      try {
+        core.load({ main: set.main, files: new Map([...set.files, [set.main, changed]]) });
+      } catch (error) {
+        assert.ok(error instanceof HgpError, `${name} byte ${at}: ${error.stack}`);
+        assert.notEqual(error.code, 'internal', `${name} byte ${at}: ${error.message}`);
+      }
+    }
+  }
+});
+
+test('real compressed files', { skip: hasShared ? false : `${shared} is not there` }, () =>
+  withClient(async (client) => {
+    for (const name of ['Box_Draco.glb', 'BoxMeshopt.glb']) {
+      const info = await client.load(readFileSync(path.join(shared, 'gltf', name)), { name });
+      assert.equal(info.triangles, 12, name);
+      assert.equal((await client.parametrize()).certificate.certified, true, name);
+    }
+  }),
+);

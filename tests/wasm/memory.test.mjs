@@ -1,0 +1,108 @@
+// Memory: flat over many runs, and running out of it is an error like any other.
+
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { blocks, ring } from '../support/blocks.mjs';
+import { bumpyDisk } from '../support/disk.mjs';
+import { cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
+import { asFiles, bytesOf, compile, createCore, HgpError } from './support.mjs';
+
+test('memory is flat over fifty runs of every kind of call', async () => {
+  const core = await createCore();
+  const disk = asFiles('disk.obj', bytesOf(bumpyDisk(20)));
+  const cube = asFiles('cube.glb', new Uint8Array(toGlb([cubeMesh(5)])));
+  const broken = asFiles('x.obj', bytesOf('v 0 0 0\nf 1 2 3\n'));
+  const cancelled = asFiles('ring.obj', bytesOf(toObj(blocks(ring, { n: 3 }))));
+  const run = () => {
+    assert.throws(() => core.load(broken), HgpError);
+    core.load(disk);
+    core.parametrize({ boundary: 'convex' });
+    core.write();
+    core.load(cube);
+    const cones = core.suggestCones({ q: 4 });
+    core.check(cones);
+    core.parametrize({ cones });
+    core.write({ embedCones: true });
+    core.load(cancelled);
+    core.onProgress = () => false;
+    assert.throws(() => core.parametrize(), { code: 'cancelled' });
+    core.onProgress = undefined;
+  };
+  for (let i = 0; i < 5; i++) run();
+  const settled = core.memory;
+  for (let i = 0; i < 45; i++) run();
+  assert.equal(core.memory, settled);
+  core.free();
+  assert.throws(() => core.inspect(), HgpError);
+});
+
+test('loading again frees the model before it', async () => {
+  const core = await createCore();
+  const load = () => core.load(asFiles('disk.obj', bytesOf(bumpyDisk(60))));
+  load();
+  const settled = core.memory;
+  for (let i = 0; i < 20; i++) load();
+  assert.equal(core.memory, settled);
+});
+
+/** Runs with a memory that may grow by `bytes` and no further. */
+function withRoom(bytes, use) {
+  const { grow } = WebAssembly.Memory.prototype;
+  let left = bytes;
+  WebAssembly.Memory.prototype.grow = function (pages) {
+    left -= 65536 * pages;
+    if (left < 0) throw new RangeError('no more memory');
+    return grow.call(this, pages);
+  };
+  try {
+    return use();
+  } finally {
+    WebAssembly.Memory.prototype.grow = grow;
+  }
+}
+
+test('a failed allocation is the error `limit`, wherever it happens, and the core goes on', async () => {
+  const wasmModule = await compile();
+  const disk = bytesOf(bumpyDisk(70));
+  const stages = new Set();
+  for (const room of [0, 4, 8, 12, 20, 28, 36].map((mb) => mb * 2 ** 20)) {
+    const core = await createCore({ wasmModule });
+    const work = () => {
+      core.load(asFiles('disk.obj', disk));
+      core.onProgress = ({ stage }) => void stages.add(stage);
+      core.parametrize({ q: 4 });
+      core.write({ allowUncertified: true });
+    };
+    try {
+      withRoom(room, work);
+    } catch (error) {
+      assert.ok(error instanceof HgpError, `${error.stack}`);
+      assert.equal(error.code, 'limit', error.message);
+      assert.match(error.message, /memory/);
+      core.load(asFiles('small.obj', bytesOf(bumpyDisk(4))));
+      assert.equal(core.parametrize({ boundary: 'convex' }).certificate.certified, true);
+    }
+    core.free();
+  }
+  assert.ok(stages.size > 2, `the memory ran out before ${[...stages]}`);
+});
+
+test('more than four gigabytes are refused before anything is read', async () => {
+  const core = await createCore();
+  for (const length of [6e8, 4e9]) {
+    const positions = Object.assign(new Float64Array(0), {});
+    Object.defineProperty(positions, 'length', { value: length });
+    assert.throws(() => core.loadMesh({ positions, triangles: new Uint32Array(3) }), {
+      code: 'limit',
+    });
+  }
+  core.load(asFiles('small.obj', bytesOf(bumpyDisk(4))));
+});
+
+test('limits of the caller are kept', async () => {
+  const core = await createCore();
+  const files = asFiles('disk.obj', bytesOf(bumpyDisk(10)));
+  assert.throws(() => core.load(files, { limits: { triangles: 100 } }), { code: 'limit' });
+  assert.throws(() => core.load(files, { limits: { bytes: 100 } }), { code: 'limit' });
+  core.load(files, { limits: { triangles: 600 } });
+});

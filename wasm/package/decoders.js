@@ -1,0 +1,119 @@
+// Decoders of compressed glTF: draco3dgltf and meshoptimizer, loaded when the first file needs them.
+// Sizes are checked by the core, before and after.
+
+const isNode = typeof process === 'object' && Boolean(process.versions?.node);
+
+/** A decoder answers with its result or with { error }: no exception crosses WebAssembly frames. */
+const answering = (decode) => (request) => {
+  try {
+    return decode(request);
+  } catch (error) {
+    return { error: String(error?.message ?? error) };
+  }
+};
+
+// Whole files of their own, named by URL: no bundler has to split the worker for them.
+const importFrom = (url) => import(/* @vite-ignore */ /* webpackIgnore: true */ url.href);
+
+async function bytesFrom(url) {
+  if (isNode && url.protocol === 'file:') {
+    const { readFile } = await import(/* @vite-ignore */ 'node:fs/promises');
+    return readFile(url);
+  }
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`${url.pathname}: HTTP ${response.status}`);
+  return response.arrayBuffer();
+}
+
+async function loadMeshopt() {
+  const { MeshoptDecoder } = await importFrom(
+    new URL('./decoders/meshopt_decoder.js', import.meta.url),
+  );
+  await MeshoptDecoder.ready;
+  return answering(({ source, count, stride, mode, filter }) => {
+    const bytes = new Uint8Array(count * stride);
+    MeshoptDecoder.decodeGltfBuffer(bytes, count, stride, source, mode, filter);
+    return { bytes };
+  });
+}
+
+/** glTF's component types as Draco names them. */
+const dracoTypes = {
+  5120: ['DT_INT8', 1],
+  5121: ['DT_UINT8', 1],
+  5122: ['DT_INT16', 2],
+  5123: ['DT_UINT16', 2],
+  5125: ['DT_UINT32', 4],
+  5126: ['DT_FLOAT32', 4],
+};
+
+function decodeDraco(draco, { source, vertexCount, indexCount, attributes }) {
+  const decoder = new draco.Decoder();
+  const buffer = new draco.DecoderBuffer();
+  const mesh = new draco.Mesh();
+  let at = 0;
+  /** Bytes that Draco writes into its own memory, copied out. */
+  const taken = (size, write) => {
+    at = draco._malloc(size);
+    if (!at) throw new Error('out of memory');
+    const isWritten = write(at, size);
+    const bytes = isWritten ? draco.HEAPU8.slice(at, at + size) : undefined;
+    draco._free(at);
+    at = 0;
+    if (!bytes) throw new Error('an attribute is not of the stated type');
+    return bytes;
+  };
+  try {
+    buffer.Init(source, source.length);
+    const status = decoder.DecodeBufferToMesh(buffer, mesh);
+    if (!status.ok()) throw new Error(status.error_msg());
+    if (mesh.num_points() !== vertexCount || 3 * mesh.num_faces() !== indexCount) {
+      throw new Error(`it has ${mesh.num_points()} vertices and ${mesh.num_faces()} triangles`);
+    }
+    const indices = taken(4 * indexCount, (to, size) =>
+      decoder.GetTrianglesUInt32Array(mesh, size, to),
+    );
+    return {
+      indices: new Uint32Array(indices.buffer),
+      attributes: attributes.map(({ uniqueId, componentType, components }) => {
+        const [type, width] = dracoTypes[componentType];
+        const attribute = decoder.GetAttributeByUniqueId(mesh, uniqueId);
+        if (!attribute.ptr || attribute.num_components() !== components) {
+          throw new Error(`there is no attribute ${uniqueId} of the stated type`);
+        }
+        return taken(vertexCount * components * width, (to, size) =>
+          decoder.GetAttributeDataArrayForAllPoints(mesh, attribute, draco[type], size, to),
+        );
+      }),
+    };
+  } finally {
+    if (at) draco._free(at);
+    for (const object of [mesh, buffer, decoder]) draco.destroy(object);
+  }
+}
+
+async function loadDraco() {
+  const [{ default: createDraco }, wasmBinary] = await Promise.all([
+    importFrom(new URL('./decoders/draco_decoder.js', import.meta.url)),
+    bytesFrom(new URL('./decoders/draco_decoder.wasm', import.meta.url)),
+  ]);
+  const draco = await createDraco({ wasmBinary });
+  return answering((request) => decodeDraco(draco, request));
+}
+
+const loaders = { draco: loadDraco, meshopt: loadMeshopt };
+const loaded = {}; // promises
+
+/** { draco, meshopt } with the functions that `needs` asks for and those that are there already. */
+export async function decodersFor(needs) {
+  for (const kind of Object.keys(loaders)) {
+    if (needs[kind]) {
+      loaded[kind] ??= loaders[kind]().catch((error) => {
+        delete loaded[kind]; // so that the next file may try again
+        throw error;
+      });
+    }
+  }
+  const entries = Object.entries(loaded).map(async ([kind, decode]) => [kind, await decode]);
+  return Object.fromEntries(await Promise.all(entries));
+}

@@ -58,7 +58,10 @@ function updateViews(): void {
   const { surface, shown, look, asked, selected, budget } = app;
   const q = shown?.asked.q ?? asked.q;
   const isStale = app.state === 'stale';
-  if (surface !== known.surface) keyboard.reset();
+  if (surface !== known.surface) {
+    keyboard.reset();
+    ui.handlesShown = false;
+  }
   const isOther = surface !== known.surface || shown !== known.shown;
   if (isOther) {
     surfaceView.setModel(surface, shown);
@@ -97,7 +100,7 @@ function applyAddress(): void {
   const asked = readAddress(location.hash);
   const { pattern = app.look.pattern, overlay = app.look.overlay, tiles = app.look.tiles } = asked;
   app.look = { ...app.look, pattern, overlay, tiles };
-  if (asked.q) app.history.push({ ...app.asked, q: asked.q }, 'address');
+  if (asked.q) app.begin({ ...app.asked, q: asked.q });
   const { cones, camera, q } = asked;
   if (!cones && !camera) return;
   let isApplied = false;

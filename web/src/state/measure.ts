@@ -1,4 +1,4 @@
-// Distortion of each triangle and how much of the map lies on top of itself.
+// Distortion of each triangle, and sizes.
 
 import type { Corners } from './readback';
 
@@ -67,37 +67,4 @@ export function boxOf(uv: ArrayLike<number>): Box {
     y1 = Math.max(y1, uv[i + 1]);
   }
   return { x: x0, y: y0, width: x1 - x0, height: y1 - y0 };
-}
-
-/** Samples the map on a grid and counts places that more than one triangle covers. */
-export function overlapShare(uv: Float32Array, size = 384): number {
-  const { x, y, width, height } = boxOf(uv);
-  const step = Math.max(width, height) / size || 1;
-  const counts = new Uint8Array((size + 1) * (size + 1));
-  for (let t = 0; t < uv.length; t += 6) {
-    const q = [0, 1, 2].map((k) => [(uv[t + 2 * k] - x) / step, (uv[t + 2 * k + 1] - y) / step]);
-    const rows = [Math.min(q[0][1], q[1][1], q[2][1]), Math.max(q[0][1], q[1][1], q[2][1])];
-    for (let j = Math.ceil(rows[0] - 0.5); j + 0.5 < rows[1]; j++) {
-      // Where the row through the centres crosses the triangle.
-      let [from, to] = [Infinity, -Infinity];
-      for (let k = 0; k < 3; k++) {
-        const [[ax, ay], [bx, by]] = [q[k], q[(k + 1) % 3]];
-        if (ay > j + 0.5 === by > j + 0.5) continue;
-        const at = ax + ((j + 0.5 - ay) / (by - ay)) * (bx - ax);
-        from = Math.min(from, at);
-        to = Math.max(to, at);
-      }
-      for (let i = Math.ceil(from - 0.5); i + 0.5 < to; i++) {
-        const cell = j * (size + 1) + i;
-        if (counts[cell] < 255) counts[cell] += 1;
-      }
-    }
-  }
-  let covered = 0;
-  let twice = 0;
-  for (const count of counts) {
-    if (count > 0) covered += 1;
-    if (count > 1) twice += 1;
-  }
-  return covered === 0 ? 0 : twice / covered;
 }

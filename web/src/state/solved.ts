@@ -2,9 +2,11 @@
 
 import type { Result, Written } from 'hgp';
 import type { App } from './app';
-import { measure, overlapShare, type Distortion } from './measure';
+import { measure, type Distortion } from './measure';
+import { findOverlaps, type Overlaps } from './overlaps';
 import type { Prescription } from './prescription';
 import { readBack, type Corners } from './readback';
+import { distanceToSeams } from './seam_distance';
 
 export interface Seam {
   /** Ends as uv vertices, corresponding ends first. */
@@ -13,8 +15,24 @@ export interface Seam {
   r: number;
 }
 
-export interface Solved {
+/** Where and how the map goes into the file. */
+export interface Output {
+  /** glTF: the set to write; without it the next free one. */
+  uvSet?: number;
+  scale: 'solved' | 'unit' | 'fit';
+  embedCones: boolean;
+}
+
+export const plainOutput: Output = { scale: 'solved', embedCones: true };
+
+/** What a result is the result of. */
+export interface Order {
   asked: Prescription;
+  quality: boolean;
+  output: Output;
+}
+
+export interface Solved extends Order {
   result: Result;
   isCertified: boolean;
   written: Written;
@@ -23,8 +41,10 @@ export interface Solved {
   /** The bytes hold the very map that was judged. */
   isSameAsFile: boolean;
   distortion: Distortion;
-  /** Part of the covered uv area that is covered more than once. */
-  overlap: number;
+  /** Triangles that lie on top of others, which is allowed. */
+  overlaps: Overlaps;
+  /** From each vertex to the nearest seam along edges. */
+  seamDistance: Float32Array;
   seams: Seam[];
   /** Colour group of each seam edge: the two sides of a chain have the same. */
   chains: Uint32Array;
@@ -91,9 +111,18 @@ function chainsOf(seams: Seam[], uvToVertex: Uint32Array, q: number): Uint32Arra
   return chains;
 }
 
-export function finish(app: App, asked: Prescription, result: Result, written: Written): Solved {
+/** Lets the page breathe: no step of what follows may hold it up. */
+const pause = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
+
+export async function finish(
+  app: App,
+  { asked, quality, output }: Order,
+  result: Result,
+  written: Written,
+): Promise<Solved> {
   const { seams, uvToVertex } = result;
   const own = cornersOf(result);
+  await pause();
   let corners = own;
   let isSameAsFile = false;
   try {
@@ -103,6 +132,11 @@ export function finish(app: App, asked: Prescription, result: Result, written: W
   } catch {
     // A file that cannot be read back is shown as such in the certificate.
   }
+  await pause();
+  const distortion = measure(own);
+  await pause();
+  const overlaps = findOverlaps(own.uv, result.cornerToUv);
+  await pause();
   const count = result.positions.length / 3;
   const seamAt = new Map<number, number>();
   seams.forEach(({ a }, i) => {
@@ -110,10 +144,10 @@ export function finish(app: App, asked: Prescription, result: Result, written: W
     seamAt.set(Math.min(v, w) * count + Math.max(v, w), i);
   });
   return {
-    ...{ asked, result, written, corners, isSameAsFile, seams, seamAt },
+    ...{ asked, quality, output, result, written, corners, isSameAsFile, seams, seamAt },
+    ...{ distortion, overlaps },
     isCertified: result.certificate.certified,
-    distortion: measure(own),
-    overlap: overlapShare(own.uv),
     chains: chainsOf(seams, uvToVertex, asked.q),
+    seamDistance: distanceToSeams(app.surface!, seams, uvToVertex),
   };
 }

@@ -4,6 +4,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { examples } from 'virtual:examples';
 import type { App } from '../state/app';
 import { redo, undo } from '../state/edit';
+import { load } from '../state/load';
 import { openExample } from '../state/open';
 import { cancel, canRun, run } from '../state/run';
 import type { Controls } from './controls';
@@ -72,7 +73,7 @@ export function header(app: App, ui: Controls): TemplateResult {
       ${icon('redo')}
     </button>
     <p class="file" title=${app.info ? app.main : ''}>${app.info ? app.main : ''}</p>
-    ${runButton(app)} ${downloadButton(app, ui)}
+    ${meshChooser(app)} ${runButton(app)} ${downloadButton(app, ui)}
     <button
       type="button"
       id="help"
@@ -93,6 +94,25 @@ export function header(app: App, ui: Controls): TemplateResult {
       ${icon('theme')}
     </button>
   </header>`;
+}
+
+/** Another mesh of the same file. */
+function meshChooser(app: App): TemplateResult | typeof nothing {
+  const { info } = app;
+  if (!info || info.surfaces.length < 2) return nothing;
+  return html`<select
+    id="mesh"
+    aria-label="Mesh of this file"
+    ?disabled=${app.phase !== 'editing' && app.phase !== 'invalid'}
+    @change=${(event: Event) => void load(app, Number((event.target as HTMLSelectElement).value))}
+  >
+    ${info.surfaces.map(
+      ({ index, name }) =>
+        html`<option value=${index} ?selected=${index === info.surface}>
+          ${name || `Mesh ${index}`}
+        </option>`,
+    )}
+  </select>`;
 }
 
 function runButton(app: App): TemplateResult {

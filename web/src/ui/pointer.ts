@@ -76,7 +76,7 @@ export class Pointer {
     if (cone >= 0 && view === this.#ui.surfaceView) {
       this.#ui.surfaceView.orbit.controls.enabled = false;
       view.canvas.setPointerCapture(event.pointerId);
-    }
+    } else if (cone >= 0) this.#ui.mapView!.isPanning = false;
     if (event.pointerType === 'touch') {
       this.#timer = setTimeout(() => this.#place(view, event, reach.touch), longPress);
     }
@@ -130,6 +130,7 @@ export class Pointer {
     clearTimeout(this.#timer);
     this.#down = undefined;
     if (this.#ui.surfaceView) this.#ui.surfaceView.orbit.controls.enabled = true;
+    if (this.#ui.mapView) this.#ui.mapView.isPanning = true;
   }
 
   #leave(): void {

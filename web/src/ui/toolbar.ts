@@ -20,6 +20,7 @@ const overlayNames: Record<Overlay, string> = {
   none: 'No overlay',
   angle: 'Angle distortion',
   area: 'Area distortion',
+  seams: 'Distance to seams',
   flips: 'Flips',
 };
 

@@ -6,7 +6,7 @@ import { App } from './state/app';
 import { filesOfDrop } from './state/files';
 import { open } from './state/open';
 import { replaceAsked } from './state/edit';
-import { createSolver } from './state/solver';
+import { createSolver, keepOffline } from './state/solver';
 import { addressOf, readAddress } from './state/url';
 import { Controls } from './ui/controls';
 import { Keyboard } from './ui/keyboard';
@@ -158,6 +158,7 @@ async function start(): Promise<void> {
   try {
     app.client = await createSolver();
     app.phase = 'empty';
+    keepOffline();
   } catch (error) {
     app.say(`The solver could not start: ${(error as Error).message}`, 'error');
   }

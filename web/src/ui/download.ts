@@ -85,8 +85,11 @@ export function downloads(app: App, ui: Controls, solved: Solved): TemplateResul
             </p>`
       }
       <p class="note">
-        ${stored} vertices → ${solved.result.uvToVertex.length} with the seams split.
-        ${notes.length > 0 ? `${notes.join('; ')}.` : ''}
+        ${
+          notes.length > 0
+            ? `${notes.join('; ')}. All else in the file stays as it was.`
+            : `${stored} vertices; ${solved.result.uvToVertex.length} texture vertices, as seams are split.`
+        }
       </p>
       <ul class="list" aria-busy=${isBusy}>
         ${formats.map(({ format, label, hint }) => {

@@ -28,8 +28,10 @@ export abstract class Stage {
   draw(): void {
     if (this.#isPending) return;
     this.#isPending = true;
+    this.canvas.dataset.pending = '';
     requestAnimationFrame(() => {
       this.#isPending = false;
+      delete this.canvas.dataset.pending;
       if (this.canvas.clientWidth === 0) return;
       for (const step of this.#before) step();
       this.renderer.render(this.scene, this.camera);

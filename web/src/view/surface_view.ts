@@ -175,6 +175,7 @@ export class SurfaceView extends Stage {
     this.#original?.removeFromParent();
     this.#original = original;
     if (original) this.scene.add(original);
+    this.canvas.dataset.original = original ? 'shown' : 'none';
     this.#mesh.visible = this.#surface !== undefined && original === undefined;
     this.draw();
   }

@@ -132,9 +132,11 @@ export async function suggest(app: App, count?: number): Promise<void> {
   });
 }
 
-/** Without cones there is nothing to say yet: they are suggested first. */
+/** Where nothing has been said yet, cones are suggested first; a turning index is something said. */
 const needsCones = (app: App): boolean =>
-  app.asked.cones.length === 0 && (!app.isExplicit || !app.budget?.isReady);
+  app.asked.cones.length === 0 &&
+  app.asked.turnings.every((l) => l === null) &&
+  (!app.isExplicit || !app.budget?.isReady);
 
 export function canRun(app: App): boolean {
   if (app.phase !== 'editing' || !app.info?.usable || !app.client) return false;

@@ -12,7 +12,7 @@ const patternNames: Record<Pattern, string> = {
   hex: 'Hexagons',
   circles: 'Circles',
   image: 'Your image…',
-  material: 'Original material',
+  material: 'Original',
   plain: 'None',
 };
 

@@ -105,6 +105,7 @@ test('wireframe, seams, parallel projection and overlays answer to their keys', 
   await solvedCube();
   await page.selectOption('#pattern', 'plain');
   await page.locator('#view').focus();
+  await page.keyboard.press('Shift'); // the ring of the focus is there from now on
   const plain = await look();
   await page.keyboard.press('l');
   const wire = await look('key-wire');

@@ -18,6 +18,7 @@ const axe = readFileSync(path.join(root, 'node_modules/axe-core/axe.min.js'), 'u
 /** Sets up hooks and returns an object that has the page of the current test. */
 export function useBrowser({
   viewport = { width: 1100, height: 700 },
+  flags = [],
   serviceWorkers = 'block', // precaching would only slow the other tests down
   ...more
 } = {}) {
@@ -29,6 +30,7 @@ export function useBrowser({
     ({ server, url: it.url } = await serve({ port: 0 }));
     const executablePath = ['/usr/bin/chromium', '/usr/bin/google-chrome'].find(existsSync);
     const args = ['--no-sandbox', '--disable-background-networking', '--disable-dev-shm-usage'];
+    args.push(...flags);
     browser = await chromium.launch({ executablePath, args });
   });
   after(async () => {
@@ -40,7 +42,7 @@ export function useBrowser({
     problems = [];
     it.allowed = [];
     context = await browser.newContext({
-      ...{ viewport, serviceWorkers, acceptDownloads: true },
+      ...{ viewport, serviceWorkers, acceptDownloads: true, reducedMotion: 'reduce' },
       ...more,
     });
     it.context = context;

@@ -16,6 +16,7 @@ import { listenToSplitter } from './ui/splitter';
 import { MapView } from './view/map_view';
 import { loadOriginal } from './view/original';
 import { SurfaceView } from './view/surface_view';
+import { oneOfEach } from './view/warm';
 import type { Palette } from './view/material';
 
 const app = new App();
@@ -137,6 +138,15 @@ function listenToDrops(): void {
   });
 }
 
+/** While nobody waits for anything. */
+function warmViews(): void {
+  const idle = globalThis.requestIdleCallback ?? ((act: () => void) => setTimeout(act, 300));
+  idle(() => {
+    ui.surfaceView!.warm(oneOfEach(true));
+    idle(() => ui.mapView!.warm(oneOfEach(false)));
+  });
+}
+
 let keyboard: Keyboard;
 
 async function start(): Promise<void> {
@@ -158,7 +168,9 @@ async function start(): Promise<void> {
   try {
     app.client = await createSolver();
     app.phase = 'empty';
+    performance.mark('hgp-ready');
     keepOffline();
+    warmViews();
   } catch (error) {
     app.say(`The solver could not start: ${(error as Error).message}`, 'error');
   }

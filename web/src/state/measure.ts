@@ -1,5 +1,6 @@
 // Distortion of each triangle, and sizes.
 
+import { inSteps } from './breath';
 import type { Corners } from './readback';
 
 export interface Distortion {
@@ -12,18 +13,18 @@ export interface Distortion {
   surfaceArea: number;
 }
 
-export function measure({ positions: p, uv }: Corners): Distortion {
+export async function measure({ positions: p, uv }: Corners): Promise<Distortion> {
   const count = uv.length / 6;
   const conformal = new Float32Array(count);
   const area = new Float32Array(count);
   const flipped: number[] = [];
   let uvArea = 0;
   let surfaceArea = 0;
-  for (let t = 0; t < count; t++) {
+  await inSteps(count, (t) => {
     const [a, b, c] = [9 * t, 9 * t + 3, 9 * t + 6];
     const e = [p[b] - p[a], p[b + 1] - p[a + 1], p[b + 2] - p[a + 2]];
     const f = [p[c] - p[a], p[c + 1] - p[a + 1], p[c + 2] - p[a + 2]];
-    const length = Math.hypot(e[0], e[1], e[2]);
+    const length = Math.sqrt(e[0] ** 2 + e[1] ** 2 + e[2] ** 2);
     const x = (e[0] * f[0] + e[1] * f[1] + e[2] * f[2]) / length;
     const y = Math.sqrt(Math.max(0, f[0] ** 2 + f[1] ** 2 + f[2] ** 2 - x * x));
     const [ux, uy] = [uv[6 * t + 2] - uv[6 * t], uv[6 * t + 3] - uv[6 * t + 1]];
@@ -31,15 +32,15 @@ export function measure({ positions: p, uv }: Corners): Distortion {
     // The derivative: columns d/dx and d/dy in the plane of the triangle.
     const [j00, j10] = [ux / length, uy / length];
     const [j01, j11] = [(vx - x * j00) / y, (vy - x * j10) / y];
-    const similar = Math.hypot(j00 + j11, j10 - j01) / 2;
-    const anti = Math.hypot(j00 - j11, j10 + j01) / 2;
+    const similar = Math.sqrt((j00 + j11) ** 2 + (j10 - j01) ** 2) / 2;
+    const anti = Math.sqrt((j00 - j11) ** 2 + (j10 + j01) ** 2) / 2;
     const signed = (ux * vy - uy * vx) / 2;
     conformal[t] = (similar + anti) / Math.max(Math.abs(similar - anti), 1e-12);
     area[t] = Math.log2(Math.max(Math.abs(signed), 1e-30) / Math.max((length * y) / 2, 1e-30));
     if (!(signed > 0)) flipped.push(t);
     uvArea += Math.abs(signed);
     surfaceArea += (length * y) / 2;
-  }
+  });
   const mean = Math.log2(uvArea / surfaceArea);
   for (let t = 0; t < count; t++) area[t] -= mean;
   return { conformal, area, flipped, uvArea, surfaceArea };

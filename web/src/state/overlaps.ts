@@ -1,6 +1,7 @@
 // Which triangles of the map lie on top of others. Local injectivity allows that: neighbours never
 // overlap, distant parts may.
 
+import { inSteps } from './breath';
 import { boxOf } from './measure';
 
 export interface Overlaps {
@@ -13,29 +14,30 @@ export interface Overlaps {
 
 const mostPairs = 200_000;
 
-/** Whether two counter-clockwise or clockwise triangles share area: no edge of either separates them. */
-function sharesArea(uv: Float32Array, s: number, t: number, slack: number): boolean {
-  for (const [one, other] of [
-    [s, t],
-    [t, s],
-  ]) {
-    for (let k = 0; k < 3; k++) {
-      const a = 6 * one + 2 * k;
-      const b = 6 * one + 2 * ((k + 1) % 3);
-      const c = 6 * one + 2 * ((k + 2) % 3);
-      const [nx, ny] = [uv[a + 1] - uv[b + 1], uv[b] - uv[a]];
-      const length = Math.hypot(nx, ny) || 1;
-      const height = (i: number): number =>
-        (nx * (uv[i] - uv[a]) + ny * (uv[i + 1] - uv[a + 1])) / length;
-      const inside = Math.sign(height(c));
-      const o = 6 * other;
-      if ([o, o + 2, o + 4].every((i) => inside * height(i) <= slack)) return false;
+/** Whether an edge of triangle s has all of triangle t on its outer side. */
+function isSeparated(uv: Float32Array, s: number, t: number, slack: number): boolean {
+  for (let k = 0; k < 3; k++) {
+    const a = 6 * s + 2 * k;
+    const b = 6 * s + 2 * ((k + 1) % 3);
+    const c = 6 * s + 2 * ((k + 2) % 3);
+    const [x, y] = [uv[a], uv[a + 1]];
+    const [nx, ny] = [y - uv[b + 1], uv[b] - x];
+    const inner = nx * (uv[c] - x) + ny * (uv[c + 1] - y) < 0 ? -1 : 1;
+    const limit = slack * Math.sqrt(nx * nx + ny * ny);
+    let outside = 0;
+    for (let o = 6 * t; o < 6 * t + 6; o += 2) {
+      if (inner * (nx * (uv[o] - x) + ny * (uv[o + 1] - y)) <= limit) outside += 1;
     }
+    if (outside === 3) return true;
   }
-  return true;
+  return false;
 }
 
-export function findOverlaps(uv: Float32Array, cornerToUv: Uint32Array): Overlaps {
+/** Two triangles share area where no edge of either separates them. */
+const sharesArea = (uv: Float32Array, s: number, t: number, slack: number): boolean =>
+  !isSeparated(uv, s, t, slack) && !isSeparated(uv, t, s, slack);
+
+export async function findOverlaps(uv: Float32Array, cornerToUv: Uint32Array): Promise<Overlaps> {
   const count = uv.length / 6;
   const { x, y, width, height } = boxOf(uv);
   const size = Math.max(width, height) || 1;
@@ -54,7 +56,8 @@ export function findOverlaps(uv: Float32Array, cornerToUv: Uint32Array): Overlap
   }
   const isIn = new Uint8Array(count);
   let pairs = 0;
-  for (let t = 0; t < count && pairs < mostPairs; t++) {
+  await inSteps(count, (t) => {
+    if (pairs >= mostPairs) return;
     for (let j = first[2 * t + 1]; j <= last[2 * t + 1]; j++) {
       for (let i = first[2 * t]; i <= last[2 * t]; i++) {
         const key = j * (side + 2) + i;
@@ -74,7 +77,7 @@ export function findOverlaps(uv: Float32Array, cornerToUv: Uint32Array): Overlap
         known.push(t);
       }
     }
-  }
+  });
   const triangles: number[] = [];
   isIn.forEach((is, t) => is && triangles.push(t));
   return { pairs, triangles, isMore: pairs >= mostPairs };

@@ -57,11 +57,8 @@ export function distanceToSeams(
     if (d > distance[v]) continue;
     for (let n = starts[v]; n < starts[v + 1]; n++) {
       const w = neighbours[n];
-      const along = Math.hypot(
-        p[3 * w] - p[3 * v],
-        p[3 * w + 1] - p[3 * v + 1],
-        p[3 * w + 2] - p[3 * v + 2],
-      );
+      const [x, y, z] = [0, 1, 2].map((i) => p[3 * w + i] - p[3 * v + i]);
+      const along = Math.sqrt(x * x + y * y + z * z);
       const next = Math.fround(d + along);
       if (next >= distance[w]) continue;
       distance[w] = next;

@@ -2,6 +2,7 @@
 
 import type { Result, Written } from 'hgp';
 import type { App } from './app';
+import { pause } from './breath';
 import { measure, type Distortion } from './measure';
 import { findOverlaps, type Overlaps } from './overlaps';
 import type { Prescription } from './prescription';
@@ -111,9 +112,6 @@ function chainsOf(seams: Seam[], uvToVertex: Uint32Array, q: number): Uint32Arra
   return chains;
 }
 
-/** Lets the page breathe: no step of what follows may hold it up. */
-const pause = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
-
 export async function finish(
   app: App,
   { asked, quality, output }: Order,
@@ -126,16 +124,18 @@ export async function finish(
   let corners = own;
   let isSameAsFile = false;
   try {
-    const read = readBack(written.files, app.info?.surface ?? 0);
+    const read = await readBack(written.files, app.info?.surface ?? 0, output.uvSet);
     isSameAsFile = isSame(read, own);
     if (isSameAsFile) corners = read;
   } catch {
     // A file that cannot be read back is shown as such in the certificate.
   }
   await pause();
-  const distortion = measure(own);
+  const distortion = await measure(own);
+  const overlaps = await findOverlaps(own.uv, result.cornerToUv);
+  const seamDistance = distanceToSeams(app.surface!, seams, uvToVertex);
   await pause();
-  const overlaps = findOverlaps(own.uv, result.cornerToUv);
+  const chains = chainsOf(seams, uvToVertex, asked.q);
   await pause();
   const count = result.positions.length / 3;
   const seamAt = new Map<number, number>();
@@ -145,9 +145,7 @@ export async function finish(
   });
   return {
     ...{ asked, quality, output, result, written, corners, isSameAsFile, seams, seamAt },
-    ...{ distortion, overlaps },
+    ...{ distortion, overlaps, seamDistance, chains },
     isCertified: result.certificate.certified,
-    chains: chainsOf(seams, uvToVertex, asked.q),
-    seamDistance: distanceToSeams(app.surface!, seams, uvToVertex),
   };
 }

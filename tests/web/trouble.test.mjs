@@ -128,8 +128,13 @@ test('a map that is not certified can be seen, is named as such, and saved under
     'Download uncertified result',
   );
   await settled(page);
-  const isRed = (r, g, b) => r > 140 && g < 80 && b < 80 && r > 2 * b;
-  assert.ok(share(await pixels(page, '#map', 'not-certified-map'), isRed) > 0.0005);
+  await page.selectOption('#overlay', 'flips');
+  assert.match(await page.locator('.legend').innerText(), /[1-9]\d* folded, in red/);
+  await page.click('[aria-label="Show worst: Flipped triangles"]');
+  await settled(page);
+  assert.ok(share(await pixels(page, '#view'), isPink) > 0.001);
+  const isRed = (r, g, b) => r > 120 && g < 90 && b < 90;
+  assert.ok(share(await pixels(page, '#view'), isRed) > 0.0005);
   await page.screenshot({ path: path.join(shots, 'not-certified.png') });
   await page.click('#panel-result .note.bad button');
   assert.match(await statusText(page), /shown|Shown/);

@@ -90,18 +90,25 @@ export class Orbit {
     return (0.003 * tangent(this.#camera.fov)) / tangent(usual);
   }
 
-  /** Brings a point to the middle, softly where that is welcome. */
-  lookAt(point: Vector3): void {
-    const step = point.clone().sub(this.controls.target);
+  /** Brings a point to the middle, softly where that is welcome; goes round where it faces away. */
+  lookAt(point: Vector3, normal: Vector3): void {
+    const { position } = this.#camera;
+    const { target } = this.controls;
+    const back = position.clone().sub(target);
+    const isAway = normal.lengthSq() > 0 && normal.dot(back) < 0.15 * back.length();
+    // Not straight from above, where up has no meaning.
+    const front = normal.clone().addScaledVector(startFrom, 0.35);
+    const wanted = isAway ? front.setLength(back.length()) : back;
+    const aim = point.clone().sub(target);
+    const move = point.clone().add(wanted).sub(position);
     const isStill = matchMedia('(prefers-reduced-motion: reduce)').matches;
     const begin = performance.now();
     let done = 0;
     const go = (): void => {
       const part = isStill ? 1 : Math.min(1, (performance.now() - begin) / glideTime);
-      const now = step.clone().multiplyScalar(part - done);
+      target.addScaledVector(aim, part - done);
+      position.addScaledVector(move, part - done);
       done = part;
-      this.controls.target.add(now);
-      this.#camera.position.add(now);
       this.controls.update();
       if (part < 1) requestAnimationFrame(go);
     };

@@ -266,7 +266,8 @@ export class SurfaceView extends Stage {
 
   /** Brings a vertex to the middle. */
   lookAt(vertex: number): void {
-    this.orbit.lookAt(this.point(vertex));
+    const normal = new Vector3().fromArray(this.#surface!.normals, 3 * vertex);
+    this.orbit.lookAt(this.point(vertex), normal);
     this.draw();
   }
 

@@ -31,3 +31,14 @@ export function torusMesh(a, b) {
   }
   return { vertices, triangles };
 }
+
+/** On cubeMesh(2), 48 triangles: cones that no map of its vertices can have. */
+export const uncertifiable = {
+  q: 2,
+  cones: [
+    { vertex: 18, k: 4 },
+    { vertex: 13, k: 3 },
+    { vertex: 20, k: 5 },
+    ...[12, 25, 22, 5, 3, 8, 19, 9, 4, 15].map((vertex) => ({ vertex, k: 1 })),
+  ],
+};

@@ -71,6 +71,9 @@ export function useBrowser({
 export const state = (page, ...names) =>
   page.waitForSelector(names.map((name) => `body[data-state="${name}"]`).join(','));
 
+/** The worker that solves: the newest, where a cancelled one has not gone yet. */
+export const solverOf = (page) => page.workers().at(-1);
+
 export const statusText = (page) => page.locator('#status').innerText();
 
 /** Writes files and drops them on the page through the browser's own drag and drop. */

@@ -6,6 +6,7 @@ import { bumpyDisk } from '../support/disk.mjs';
 import { closeSync, openSync, ftruncateSync, writeSync } from 'node:fs';
 import path from 'node:path';
 import { cubeMesh, toGlb, toGltf, toObj } from '../support/meshes.mjs';
+import { uncertifiable } from './shapes.mjs';
 import {
   download,
   drop,
@@ -15,6 +16,7 @@ import {
   settled,
   share,
   shots,
+  solverOf,
   state,
   statusText,
   useBrowser,
@@ -82,11 +84,7 @@ test('a worker that dies is replaced; cones and history are intact', async () =>
   await it.page.waitForSelector('#cones');
   const cones = await it.page.locator('#cones tbody tr[data-cone]').count();
   it.allowed = [/the end/];
-  const workers = await Promise.all(
-    it.page.workers().map(async (worker) => [worker, await worker.evaluate(() => self.name)]),
-  );
-  const [solver] = workers.find(([, name]) => name === 'hgp solver');
-  await solver.evaluate(() =>
+  await solverOf(it.page).evaluate(() =>
     self.addEventListener('message', () => {
       throw new Error('the end');
     }),
@@ -99,20 +97,13 @@ test('a worker that dies is replaced; cones and history are intact', async () =>
   await state(it.page, 'certified', 'not-certified');
 });
 
-// On this cube of 48 triangles, cones that no map of its vertices can have.
-const impossible = {
-  ...{ format: 'hgp-cones', version: 1, q: 2 },
-  cones: [
-    ...[[18, 4], [13, 3], [20, 5]],
-    ...[12, 25, 22, 5, 3, 8, 19, 9, 4, 15].map((vertex) => [vertex, 1]),
-  ].map(([vertex, k]) => ({ vertex, k })),
-}; // prettier-ignore
-
 test('a map that is not certified can be seen, is named as such, and saved under that name', async () => {
   const { page } = it;
   await drop(it, { 'cube.obj': toObj(cubeMesh(2)) });
   await state(page, 'ready');
-  await drop(it, { 'hard.cones.json': JSON.stringify(impossible) });
+  await drop(it, {
+    'hard.cones.json': JSON.stringify({ format: 'hgp-cones', version: 1, ...uncertifiable }),
+  });
   await page.waitForSelector('#cones');
   await page.click('#run');
   await state(page, 'not-certified');

@@ -14,7 +14,7 @@ export function header(app: App, ui: Controls): TemplateResult {
   const { canUndo, canRedo, undoKind, redoKind } = app.history;
   const isBusy = app.phase === 'running' || app.phase === 'loading';
   return html`<header>
-    <h1><span class="mark" aria-hidden="true"></span>hgp</h1>
+    <h1><span class="mark" aria-hidden="true"></span><span class="name">hgp</span></h1>
     <button type="button" id="open" @click=${() => ui.chooseFiles()} title="Open (Ctrl+O)">
       ${icon('open')}<span class="wide">Open</span>
     </button>
@@ -22,11 +22,12 @@ export function header(app: App, ui: Controls): TemplateResult {
       <button
         type="button"
         id="examples"
+        aria-label="Examples"
         aria-haspopup="true"
         aria-expanded=${ui.menu === 'examples'}
         @click=${() => ui.toggleMenu('examples')}
       >
-        Examples ${icon('more')}
+        <span class="wide">Examples</span>${icon('more')}
       </button>
       ${
         ui.menu === 'examples'

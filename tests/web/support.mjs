@@ -47,7 +47,7 @@ export function useBrowser({
     });
     it.context = context;
     it.page = await context.newPage();
-    it.page.setDefaultTimeout(30000);
+    it.page.setDefaultTimeout(Number(process.env.HGP_TIMEOUT ?? 20_000));
     it.page.on('console', (message) => message.type() === 'error' && problems.push(message.text()));
     it.page.on('pageerror', (error) => problems.push(error.message));
     it.page.on('request', (request) => {

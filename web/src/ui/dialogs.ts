@@ -189,6 +189,11 @@ function help(ui: Controls): TemplateResult {
           Single-key shortcuts</label
         >
       </p>
+      <p>
+        <button type="button" class="small" @click=${() => ui.nextTheme()}>
+          Theme: ${ui.theme}
+        </button>
+      </p>
       <p><a href="./guide.html">Guide: cones, certificate, Blender, three.js, quads</a></p>
       <p class="row end">
         <button type="button" class="strong" autofocus @click=${close}>Close</button>

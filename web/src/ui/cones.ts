@@ -1,6 +1,7 @@
 // Cones: how many, where, how strong, and what is left of the budget.
 
 import { html, nothing, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
 import type { App } from '../state/app';
 import type { PartBudget } from '../state/budget';
 import { waysToSpend } from '../state/budget';
@@ -30,7 +31,7 @@ function chooser(app: App): TemplateResult {
   };
   return html`<div class="row field">
     <label for="q">Symmetry q</label>
-    <select id="q" @change=${set}>
+    <select id="q" .value=${live(String(q))} @change=${set}>
       ${orders.map(([n, name]) => html`<option value=${n} ?selected=${n === q}>${name}</option>`)}
       ${isKnown ? nothing : html`<option value=${q} selected>${q}</option>`}
     </select>
@@ -40,7 +41,7 @@ function chooser(app: App): TemplateResult {
       min="1"
       max="64"
       aria-label="Symmetry q as a number"
-      .value=${String(q)}
+      .value=${live(String(q))}
       @change=${set}
     />
   </div>`;
@@ -106,7 +107,7 @@ function row(app: App, ui: Controls, i: number): TemplateResult {
             min="1"
             inputmode="numeric"
             aria-label="${name}: k"
-            .value=${String(k)}
+            .value=${live(String(k))}
             @change=${(event: Event) => setK(app, i, Number((event.target as HTMLInputElement).value))}
           />
           <button type="button" aria-label="${name}: larger k" @click=${() => setK(app, i, k + 1)}>

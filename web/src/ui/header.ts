@@ -1,6 +1,7 @@
 // The bar at the top: open, examples, undo, Run, Download.
 
 import { html, nothing, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
 import { examples } from 'virtual:examples';
 import type { App } from '../state/app';
 import { redo, undo } from '../state/edit';
@@ -105,6 +106,7 @@ function meshChooser(app: App): TemplateResult | typeof nothing {
     id="mesh"
     aria-label="Mesh of this file"
     ?disabled=${app.phase !== 'editing' && app.phase !== 'invalid'}
+    .value=${live(String(info.surface))}
     @change=${(event: Event) => void load(app, Number((event.target as HTMLSelectElement).value))}
   >
     ${info.surfaces.map(

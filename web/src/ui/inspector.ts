@@ -1,6 +1,7 @@
 // The column at the side: model, cones, boundaries and handles, result.
 
 import { html, nothing, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
 import type { App } from '../state/app';
 import { change } from '../state/load';
 import { result } from './certificate';
@@ -59,7 +60,7 @@ function weld(app: App): TemplateResult {
       step="any"
       placeholder="exact"
       title="In units of the file, for example ${example}"
-      .value=${app.loaded.weld === undefined ? '' : String(app.loaded.weld)}
+      .value=${live(app.loaded.weld === undefined ? '' : String(app.loaded.weld))}
       @change=${set}
     />
   </div>`;

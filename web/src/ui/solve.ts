@@ -1,6 +1,7 @@
 // How Run is done, what it will take, and the command line that does the same.
 
 import { html, nothing, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
 import type { App, SolveSettings } from '../state/app';
 import { commandOf, estimateOf } from '../state/estimate';
 
@@ -36,7 +37,7 @@ export function solve(app: App): TemplateResult {
         type="number"
         min="1"
         max="100"
-        .value=${String(rounds)}
+        .value=${live(String(rounds))}
         @change=${(event: Event) => set({ rounds: whole(event, 1, 100) ?? rounds })}
       />
       <small>of solve, judge, repair</small>
@@ -48,7 +49,7 @@ export function solve(app: App): TemplateResult {
         type="number"
         min="1"
         placeholder="none"
-        .value=${timeLimit === undefined ? '' : String(timeLimit)}
+        .value=${live(timeLimit === undefined ? '' : String(timeLimit))}
         @change=${(event: Event) => set({ timeLimit: whole(event, 1, 86_400) })}
       />
       <small>seconds; what is not done by then is given up</small>

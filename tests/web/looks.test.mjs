@@ -7,7 +7,7 @@ import { cubeMesh, toGlb, toGltf, toObj } from '../support/meshes.mjs';
 import { uncertifiable } from './shapes.mjs';
 import { drop, settled, shots, solverOf, state, useBrowser, violations } from './support.mjs';
 
-const it = useBrowser({ viewport: { width: 1440, height: 900 } });
+const it = useBrowser({ viewport: { width: 1440, height: 900 }, deviceScaleFactor: 1 });
 
 async function check(name) {
   await settled(it.page);

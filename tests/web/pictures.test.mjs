@@ -17,7 +17,7 @@ import {
   useBrowser,
 } from './support.mjs';
 
-const it = useBrowser();
+const it = useBrowser({ deviceScaleFactor: 1 });
 const isInk = (r, g, b) => b > r + 15 && b < 140;
 
 async function solvedCube() {

@@ -19,7 +19,7 @@ import {
   useBrowser,
 } from './support.mjs';
 
-const it = useBrowser();
+const it = useBrowser({ deviceScaleFactor: 1 });
 const cube = cubeMesh(8);
 
 /** The command line as an independent judge, where it has been built. */

@@ -19,6 +19,7 @@ const axe = readFileSync(path.join(root, 'node_modules/axe-core/axe.min.js'), 'u
 export function useBrowser({
   viewport = { width: 1100, height: 700 },
   flags = [],
+  deviceScaleFactor = 0.5, // a quarter of the pixels that software has to paint
   serviceWorkers = 'block', // precaching would only slow the other tests down
   ...more
 } = {}) {
@@ -43,7 +44,7 @@ export function useBrowser({
     it.allowed = [];
     context = await browser.newContext({
       ...{ viewport, serviceWorkers, acceptDownloads: true, reducedMotion: 'reduce' },
-      ...more,
+      ...{ deviceScaleFactor, ...more },
     });
     it.context = context;
     it.page = await context.newPage();

@@ -6,7 +6,12 @@ import test from 'node:test';
 import { cubeMesh, toObj } from '../support/meshes.mjs';
 import { pixels, settled, shots, state, useBrowser } from './support.mjs';
 
-const it = useBrowser({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+const it = useBrowser({
+  viewport: { width: 390, height: 844 },
+  deviceScaleFactor: 1,
+  hasTouch: true,
+  isMobile: true,
+});
 
 test('by finger: turn, hold to place, tap to select, run', async () => {
   const { page } = it;

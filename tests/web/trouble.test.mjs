@@ -124,7 +124,7 @@ test('a map that is not certified can be seen, is named as such, and saved under
   await page.click('[aria-label="Show worst: Flipped triangles"]');
   await settled(page);
   assert.ok(share(await pixels(page, '#view'), isPink) > 0.001);
-  const isRed = (r, g, b) => r > 120 && g < 90 && b < 90;
+  const isRed = (r, g, b) => r > g + 60 && Math.abs(g - b) < 30;
   assert.ok(share(await pixels(page, '#view'), isRed) > 0.0005);
   await page.screenshot({ path: path.join(shots, 'not-certified.png') });
   await page.click('#panel-result .note.bad button');

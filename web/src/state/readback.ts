@@ -105,10 +105,9 @@ async function readGltf(files: OutputFile[], mesh: number, uvSet?: number): Prom
 }
 
 async function readObj(bytes: Uint8Array): Promise<Corners> {
-  const lines = new TextDecoder()
-    .decode(bytes)
-    .replace(/\\\r?\n/g, ' ')
-    .split('\n');
+  const text = new TextDecoder().decode(bytes);
+  await pause();
+  const lines = text.replace(/\\\r?\n/g, ' ').split('\n');
   await pause();
   const v: number[] = [];
   const vt: number[] = [];

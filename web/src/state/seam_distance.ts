@@ -1,5 +1,6 @@
 // How far each vertex is from the nearest seam, along edges: Dijkstra from all seams at once.
 
+import { Breath } from './breath';
 import type { Seam } from './solved';
 import type { Surface } from './surface';
 
@@ -37,11 +38,11 @@ class Heap {
   }
 }
 
-export function distanceToSeams(
+export async function distanceToSeams(
   { positions: p, starts, neighbours, vertexCount }: Surface,
   seams: Seam[],
   uvToVertex: Uint32Array,
-): Float32Array {
+): Promise<Float32Array> {
   const distance = new Float32Array(vertexCount).fill(Infinity);
   const heap = new Heap();
   for (const { a } of seams) {
@@ -52,12 +53,16 @@ export function distanceToSeams(
       heap.push(v, 0);
     }
   }
+  const breath = new Breath();
   while (!heap.isEmpty) {
+    if (breath.isDue) await breath.take();
     const { v, d } = heap.pop();
     if (d > distance[v]) continue;
     for (let n = starts[v]; n < starts[v + 1]; n++) {
       const w = neighbours[n];
-      const [x, y, z] = [0, 1, 2].map((i) => p[3 * w + i] - p[3 * v + i]);
+      const x = p[3 * w] - p[3 * v];
+      const y = p[3 * w + 1] - p[3 * v + 1];
+      const z = p[3 * w + 2] - p[3 * v + 2];
       const along = Math.sqrt(x * x + y * y + z * z);
       const next = Math.fround(d + along);
       if (next >= distance[w]) continue;

@@ -2,7 +2,7 @@
 
 import type { Result, Written } from 'hgp';
 import type { App } from './app';
-import { pause } from './breath';
+import { inSteps, pause } from './breath';
 import { measure, type Distortion } from './measure';
 import { findOverlaps, type Overlaps } from './overlaps';
 import type { Prescription } from './prescription';
@@ -53,19 +53,19 @@ export interface Solved extends Order {
   seamAt: Map<number, number>;
 }
 
-function cornersOf({ positions, triangles, uv, cornerToUv }: Result): Corners {
+async function cornersOf({ positions, triangles, uv, cornerToUv }: Result): Promise<Corners> {
   const out = {
     positions: new Float32Array(3 * triangles.length),
     uv: new Float32Array(2 * triangles.length),
   };
-  for (let c = 0; c < triangles.length; c++) {
+  await inSteps(triangles.length, (c) => {
     for (let i = 0; i < 3; i++) out.positions[3 * c + i] = positions[3 * triangles[c] + i];
     for (let i = 0; i < 2; i++) out.uv[2 * c + i] = uv[2 * cornerToUv[c] + i];
-  }
+  });
   return out;
 }
 
-function isSame(a: Corners, b: Corners): boolean {
+async function isSame(a: Corners, b: Corners): Promise<boolean> {
   if (a.uv.length !== b.uv.length) return false;
   const largest = (values: Float32Array): number =>
     values.reduce((most, x) => Math.max(most, Math.abs(x)), 1e-30);
@@ -73,7 +73,9 @@ function isSame(a: Corners, b: Corners): boolean {
     const tolerance = 2e-6 * Math.max(1, largest(y));
     return x.every((value, i) => Math.abs(value - y[i]) <= tolerance);
   };
-  return near(a.uv, b.uv) && near(a.positions, b.positions);
+  const isSameUv = near(a.uv, b.uv);
+  await pause();
+  return isSameUv && near(a.positions, b.positions);
 }
 
 /** Seam edges that follow one another with the same r get one colour. */
@@ -119,13 +121,12 @@ export async function finish(
   written: Written,
 ): Promise<Solved> {
   const { seams, uvToVertex } = result;
-  const own = cornersOf(result);
-  await pause();
+  const own = await cornersOf(result);
   let corners = own;
   let isSameAsFile = false;
   try {
     const read = await readBack(written.files, app.info?.surface ?? 0, output.uvSet);
-    isSameAsFile = isSame(read, own);
+    isSameAsFile = await isSame(read, own);
     if (isSameAsFile) corners = read;
   } catch {
     // A file that cannot be read back is shown as such in the certificate.
@@ -133,7 +134,7 @@ export async function finish(
   await pause();
   const distortion = await measure(own);
   const overlaps = await findOverlaps(own.uv, result.cornerToUv);
-  const seamDistance = distanceToSeams(app.surface!, seams, uvToVertex);
+  const seamDistance = await distanceToSeams(app.surface!, seams, uvToVertex);
   await pause();
   const chains = chainsOf(seams, uvToVertex, asked.q);
   await pause();

@@ -16,6 +16,7 @@ const types = {
   '.wasm': 'application/wasm',
   '.svg': 'image/svg+xml',
   '.png': 'image/png',
+  '.webmanifest': 'application/manifest+json',
   '.glb': 'model/gltf-binary',
   '.obj': 'text/plain; charset=utf-8',
 };
@@ -23,7 +24,7 @@ const types = {
 export const headers = {
   'Content-Security-Policy':
     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; " +
-    "img-src 'self' blob: data:; connect-src 'self' blob:; worker-src 'self'; " +
+    "img-src 'self' blob: data:; connect-src 'self' blob:; worker-src 'self'; manifest-src 'self'; " +
     "require-trusted-types-for 'script'; trusted-types lit-html hgp; " +
     "frame-ancestors 'none'; base-uri 'none'; form-action 'none'",
   'X-Content-Type-Options': 'nosniff',

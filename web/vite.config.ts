@@ -3,6 +3,8 @@ import path from 'node:path';
 import { defineConfig, type Plugin } from 'vite';
 import { examples } from './examples.mjs';
 import { guidePage } from './guide.mjs';
+import { serviceWorker } from './offline.mjs';
+import { headers } from './serve.mjs';
 
 const built = path.resolve(import.meta.dirname, '../build/package');
 
@@ -46,10 +48,31 @@ function guide(): Plugin {
   };
 }
 
+/** The service worker with the names of all files, and the headers for hosts that read `_headers`. */
+function offline(): Plugin {
+  return {
+    name: 'hgp-offline',
+    enforce: 'post',
+    generateBundle(_, bundle) {
+      const files = new Map<string, string | Uint8Array>();
+      for (const [name, part] of Object.entries(bundle)) {
+        if (name.startsWith('images/')) continue; // pictures of the guide
+        files.set(name, part.type === 'chunk' ? part.code : part.source);
+      }
+      for (const name of ['icon.svg', 'hgp.webmanifest']) {
+        files.set(name, readFileSync(path.join(import.meta.dirname, 'public', name)));
+      }
+      this.emitFile({ type: 'asset', fileName: 'sw.js', source: serviceWorker(files) });
+      const lines = Object.entries(headers).map(([name, value]) => `  ${name}: ${value}`);
+      this.emitFile({ type: 'asset', fileName: '_headers', source: `/*\n${lines.join('\n')}\n` });
+    },
+  };
+}
+
 export default defineConfig({
   root: import.meta.dirname,
   base: './', // any path on any static host
-  plugins: [exampleModels(), guide()],
+  plugins: [exampleModels(), guide(), offline()],
   resolve: {
     alias: [
       { find: /^hgp$/, replacement: path.join(built, 'index.js') },

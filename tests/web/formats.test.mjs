@@ -6,7 +6,7 @@ import test from 'node:test';
 import { zipSync } from 'fflate';
 import { featureFiles } from '../gltf/features.mjs';
 import { cubeMesh, toGlb, toGltf, toObj, toOff, toPly, toStl } from '../support/meshes.mjs';
-import { drop, dropPaths, state, statusText, useBrowser } from './support.mjs';
+import { download, drop, dropPaths, pngOf, state, statusText, useBrowser } from './support.mjs';
 
 const it = useBrowser();
 const cube = cubeMesh(4);
@@ -73,13 +73,43 @@ test('a ZIP; one that names files outside its folder is refused', async () => {
   assert.match(await shown(), /Triangles\s*192/);
 });
 
-test('several meshes: a chooser with the largest suggested', async () => {
-  await drop(it, { 'two.glb': toGlb([cubeMesh(2), cube]) });
-  await state(it.page, 'pick-mesh');
-  const suggested = it.page.locator('#pick-mesh button[aria-current="true"]');
-  assert.match(await suggested.innerText(), /mesh 1[\s\S]*192/);
-  await it.page.click('[data-mesh="0"]');
+test('several meshes: what each is good for, the largest good one suggested', async () => {
+  const { page } = it;
+  const broken = cubeMesh(6);
+  broken.triangles.push([0, 8, 20], [0, 8, 30]);
+  await drop(it, { 'three.glb': toGlb([cubeMesh(2), broken, cube]) });
+  await state(page, 'pick-mesh');
+  const table = await page.locator('#meshes').innerText();
+  assert.match(table, /mesh 0\s+48\s+1\s+yes/);
+  assert.match(table, /mesh 1\s+434\s+–\s+no: non manifold edge/);
+  assert.match(table, /mesh 2\s*suggested\s+192\s+1\s+yes/);
+  await page.click('[data-mesh="0"]');
   assert.match(await shown(), /Triangles\s*48/);
+  // And from there to another one, by the chooser beside the name of the file.
+  await page.selectOption('#mesh', '2');
+  await page.waitForFunction(() =>
+    /Triangles\s*192/.test(document.querySelector('#panel-model').innerText),
+  );
+  await page.selectOption('#mesh', '1');
+  await state(page, 'invalid');
+});
+
+test('an OBJ with its .mtl and image, dropped together', async () => {
+  const mtl = 'newmtl wood\nmap_Kd wood.png\n';
+  await drop(it, {
+    'desk.obj': `mtllib desk.mtl\nusemtl wood\n${toObj(cube)}`,
+    'desk.mtl': mtl,
+    'wood.png': pngOf([[150, 90, 40]]),
+  });
+  assert.match(await shown(), /Triangles\s*192/);
+  await it.page.click('#run');
+  await state(it.page, 'certified');
+  const saved = await download(it.page, async () => {
+    await it.page.click('#download');
+    await it.page.click('[data-format="same"]');
+  });
+  assert.equal(saved.name, 'desk.obj');
+  assert.match(String(saved.bytes), /^mtllib desk\.mtl\nusemtl wood\n/m);
 });
 
 test('a path that leaves the folder is refused by name', async () => {

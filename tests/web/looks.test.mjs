@@ -4,14 +4,25 @@ import assert from 'node:assert/strict';
 import path from 'node:path';
 import test from 'node:test';
 import { cubeMesh, toGlb, toGltf, toObj } from '../support/meshes.mjs';
-import { drop, settled, shots, state, useBrowser, violations } from './support.mjs';
+import { uncertifiable } from './shapes.mjs';
+import { drop, settled, shots, solverOf, state, useBrowser, violations } from './support.mjs';
 
-const it = useBrowser({ viewport: { width: 1440, height: 900 } });
+const it = useBrowser({ viewport: { width: 1440, height: 900 }, deviceScaleFactor: 1 });
 
 async function check(name) {
   await settled(it.page);
   await it.page.screenshot({ path: path.join(shots, `${name}.png`) });
   assert.deepEqual(await violations(it.page), [], name);
+}
+
+/** Buttons under 24 pixels. */
+function tooSmall() {
+  return [...document.querySelectorAll('button, select, input:not([hidden])')]
+    .filter((element) => element.checkVisibility())
+    .map((element) => [element.id || element.textContent.trim(), element.getBoundingClientRect()])
+    .filter(([, box]) => box.width > 1 && (box.width < 24 || box.height < 24))
+    .filter(([, box]) => box.width !== box.height || box.width < 16) // ticks have their label
+    .map(([name, box]) => `${name}: ${box.width} × ${box.height}`);
 }
 
 test('axe finds nothing in any state', async () => {
@@ -62,6 +73,56 @@ test('axe finds nothing where files are missing, several, or not usable; in the 
   await check('dark-certified');
 });
 
+/** Holds the solver up, so that what lies between can be looked at. */
+function hold(milliseconds) {
+  const busy = (time) => {
+    const end = Date.now() + time;
+    while (Date.now() < end);
+  };
+  void solverOf(it.page)
+    .evaluate(busy, milliseconds)
+    .catch(() => {}); // Cancel ends it
+}
+
+test('axe finds nothing while loading, while running, without its worker, without a certificate', async () => {
+  const { page } = it;
+  hold(20_000);
+  await drop(it, { 'cube.obj': toObj(cubeMesh(2)) });
+  await state(page, 'loading');
+  await check('state-loading');
+  await page.click('#cancel');
+  await state(page, 'empty');
+  await drop(it, { 'cube.obj': toObj(cubeMesh(2)) });
+  await state(page, 'ready');
+  hold(20_000);
+  await page.click('#run');
+  await state(page, 'running');
+  // What is edited now is refused, with a way out.
+  await page.locator('#q').selectOption('6');
+  assert.equal(await page.locator('#q').inputValue(), '4');
+  await page.waitForSelector('footer button:has-text("Cancel and edit")');
+  await check('state-running');
+  await page.click('#cancel');
+  await state(page, 'ready');
+  await drop(it, {
+    'hard.cones.json': JSON.stringify({ format: 'hgp-cones', version: 1, ...uncertifiable }),
+  });
+  await page.waitForSelector('#cones');
+  await page.click('#run');
+  await state(page, 'not-certified');
+  await check('state-not-certified');
+  it.allowed = [/the end/];
+  await solverOf(page).evaluate(() =>
+    self.addEventListener('message', () => {
+      throw new Error('the end');
+    }),
+  );
+  await page.click('#run');
+  await page.waitForSelector('#status.error');
+  assert.match(await page.locator('#status').innerText(), /stopped unexpectedly/);
+  await check('state-worker-lost');
+});
+
 test('three sizes, and 320 pixels without sideways scrolling', async () => {
   const { page } = it;
   await page.click('[data-card="sphere"]');
@@ -79,6 +140,9 @@ test('three sizes, and 320 pixels without sideways scrolling', async () => {
     await page.screenshot({ path: path.join(shots, `size-${width}.png`) });
     const wide = await page.evaluate(() => document.documentElement.scrollWidth);
     assert.ok(wide <= width, `${width}: ${wide}`);
+    // Everything that can be pressed is large enough to be hit, and the model is not covered.
+    const small = await page.evaluate(tooSmall);
+    assert.deepEqual(small, [], `${width}`);
   }
   assert.deepEqual(await violations(page), []);
 });

@@ -14,12 +14,13 @@ import {
   pixels,
   root,
   settled,
+  share,
   state,
   statusText,
   useBrowser,
 } from './support.mjs';
 
-const it = useBrowser();
+const it = useBrowser({ deviceScaleFactor: 1 });
 const cube = cubeMesh(8);
 
 /** The command line as an independent judge, where it has been built. */
@@ -96,14 +97,6 @@ test('the other formats hold the same map', async () => {
   assert.match(String((await save('svg')).bytes), /^<svg /);
   assert.equal((await save('zip')).bytes.readUInt32LE(0), 0x04034b50);
 });
-
-/** Share of pixels that pass a test of their colour. */
-const share = ({ data }, passes) => {
-  let count = 0;
-  for (let i = 0; i < data.length; i += 4)
-    if (passes(data[i], data[i + 1], data[i + 2])) count += 1;
-  return count / (data.length / 4);
-};
 
 test('the checker is on the mesh and in the map; overlays have their colours and numbers', async () => {
   await it.page.click('[data-card="cube"]');

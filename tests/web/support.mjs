@@ -16,7 +16,13 @@ export const shots = path.join(root, 'build/screenshots');
 const axe = readFileSync(path.join(root, 'node_modules/axe-core/axe.min.js'), 'utf8');
 
 /** Sets up hooks and returns an object that has the page of the current test. */
-export function useBrowser({ viewport = { width: 1200, height: 760 } } = {}) {
+export function useBrowser({
+  viewport = { width: 1100, height: 700 },
+  flags = [],
+  deviceScaleFactor = 0.5, // a quarter of the pixels that software has to paint
+  serviceWorkers = 'block', // precaching would only slow the other tests down
+  ...more
+} = {}) {
   const it = { allowed: [] };
   let server, browser, context, problems;
   before(async () => {
@@ -25,6 +31,7 @@ export function useBrowser({ viewport = { width: 1200, height: 760 } } = {}) {
     ({ server, url: it.url } = await serve({ port: 0 }));
     const executablePath = ['/usr/bin/chromium', '/usr/bin/google-chrome'].find(existsSync);
     const args = ['--no-sandbox', '--disable-background-networking', '--disable-dev-shm-usage'];
+    args.push(...flags);
     browser = await chromium.launch({ executablePath, args });
   });
   after(async () => {
@@ -35,9 +42,13 @@ export function useBrowser({ viewport = { width: 1200, height: 760 } } = {}) {
   beforeEach(async () => {
     problems = [];
     it.allowed = [];
-    context = await browser.newContext({ viewport, acceptDownloads: true });
+    context = await browser.newContext({
+      ...{ viewport, serviceWorkers, acceptDownloads: true, reducedMotion: 'reduce' },
+      ...{ deviceScaleFactor, ...more },
+    });
+    it.context = context;
     it.page = await context.newPage();
-    it.page.setDefaultTimeout(30000);
+    it.page.setDefaultTimeout(Number(process.env.HGP_TIMEOUT ?? 20_000));
     it.page.on('console', (message) => message.type() === 'error' && problems.push(message.text()));
     it.page.on('pageerror', (error) => problems.push(error.message));
     it.page.on('request', (request) => {
@@ -60,6 +71,9 @@ export function useBrowser({ viewport = { width: 1200, height: 760 } } = {}) {
 
 export const state = (page, ...names) =>
   page.waitForSelector(names.map((name) => `body[data-state="${name}"]`).join(','));
+
+/** The worker that solves: the newest, where a cancelled one has not gone yet. */
+export const solverOf = (page) => page.workers().at(-1);
 
 export const statusText = (page) => page.locator('#status').innerText();
 
@@ -85,9 +99,12 @@ export async function dropPaths(it, paths) {
 
 /** What axe finds wrong; through the debugger, so that the policy of the page stays in force. */
 export async function violations(page) {
-  await page.evaluate(axe);
+  if (!(await page.evaluate(() => 'axe' in globalThis))) await page.evaluate(axe);
   const found = await page.evaluate(() =>
-    globalThis.axe.run({ runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa', 'wcag22aa', 'best-practice'] }),
+    globalThis.axe.run({
+      resultTypes: ['violations'],
+      runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa', 'wcag22aa', 'best-practice'],
+    }),
   );
   return found.violations.map(
     ({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 160)).join(' | ')}`,
@@ -101,19 +118,38 @@ export async function pixels(page, selector, name) {
   return pngjs.PNG.sync.read(png);
 }
 
-/** Waits until nothing has been drawn for a while. */
+/** Waits until three frames have gone by with nothing left to draw. */
 export async function settled(page) {
-  await page.waitForFunction(
-    () => {
-      const frames = document.querySelector('#view')?.dataset.frames ?? 'none';
-      const now = performance.now();
-      if (globalThis.lastFrames !== frames)
-        [globalThis.lastFrames, globalThis.lastTime] = [frames, now];
-      return now - globalThis.lastTime > 350;
-    },
-    undefined,
-    { polling: 60 },
-  );
+  await page.evaluate(async () => {
+    const frame = () => new Promise((resolve) => requestAnimationFrame(resolve));
+    for (let still = 0; still < 3;) {
+      await frame();
+      still = document.querySelector('canvas[data-pending]') ? 0 : still + 1;
+    }
+  });
+}
+
+/** Share of pixels that pass a test of their colour. */
+export function share({ data }, passes) {
+  let count = 0;
+  for (let i = 0; i < data.length; i += 4)
+    if (passes(data[i], data[i + 1], data[i + 2])) count += 1;
+  return count / (data.length / 4);
+}
+
+/** The colour of highlights. */
+export const isPink = (r, g, b) => r > 220 && g < 110 && b > 100 && b < 200;
+
+/** A one-coloured PNG, or one with four fields. */
+export function pngOf(colours, size = 16) {
+  const png = new pngjs.PNG({ width: size, height: size });
+  for (let y = 0; y < size; y++) {
+    for (let x = 0; x < size; x++) {
+      const field = (x < size / 2 ? 0 : 1) + (y < size / 2 ? 0 : 2);
+      png.data.set([...colours[field % colours.length], 255], 4 * (y * size + x));
+    }
+  }
+  return pngjs.PNG.sync.write(png);
 }
 
 /** Saves what a click downloads; resolves to its name and bytes. */

@@ -27,7 +27,7 @@ export interface LoadOptions {
 }
 
 export interface Where {
-  kind: 'vertex' | 'edge' | 'face' | 'loop' | 'line' | 'byte';
+  kind: 'vertex' | 'edge' | 'triangle' | 'loop' | 'line' | 'byte';
   id: number;
   other?: number;
 }

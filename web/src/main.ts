@@ -6,7 +6,7 @@ import { App } from './state/app';
 import { filesOfDrop } from './state/files';
 import { open } from './state/open';
 import { replaceAsked } from './state/edit';
-import { createSolver } from './state/solver';
+import { createSolver, keepOffline } from './state/solver';
 import { addressOf, readAddress } from './state/url';
 import { Controls } from './ui/controls';
 import { Keyboard } from './ui/keyboard';
@@ -16,6 +16,7 @@ import { listenToSplitter } from './ui/splitter';
 import { MapView } from './view/map_view';
 import { loadOriginal } from './view/original';
 import { SurfaceView } from './view/surface_view';
+import { oneOfEach } from './view/warm';
 import type { Palette } from './view/material';
 
 const app = new App();
@@ -58,7 +59,10 @@ function updateViews(): void {
   const { surface, shown, look, asked, selected, budget } = app;
   const q = shown?.asked.q ?? asked.q;
   const isStale = app.state === 'stale';
-  if (surface !== known.surface) keyboard.reset();
+  if (surface !== known.surface) {
+    keyboard.reset();
+    ui.handlesShown = false;
+  }
   const isOther = surface !== known.surface || shown !== known.shown;
   if (isOther) {
     surfaceView.setModel(surface, shown);
@@ -97,7 +101,7 @@ function applyAddress(): void {
   const asked = readAddress(location.hash);
   const { pattern = app.look.pattern, overlay = app.look.overlay, tiles = app.look.tiles } = asked;
   app.look = { ...app.look, pattern, overlay, tiles };
-  if (asked.q) app.history.push({ ...app.asked, q: asked.q }, 'address');
+  if (asked.q) app.begin({ ...app.asked, q: asked.q });
   const { cones, camera, q } = asked;
   if (!cones && !camera) return;
   let isApplied = false;
@@ -134,6 +138,15 @@ function listenToDrops(): void {
   });
 }
 
+/** While nobody waits for anything. */
+function warmViews(): void {
+  const idle = globalThis.requestIdleCallback ?? ((act: () => void) => setTimeout(act, 300));
+  idle(() => {
+    ui.surfaceView!.warm(oneOfEach(true));
+    idle(() => ui.mapView!.warm(oneOfEach(false)));
+  });
+}
+
 let keyboard: Keyboard;
 
 async function start(): Promise<void> {
@@ -155,6 +168,9 @@ async function start(): Promise<void> {
   try {
     app.client = await createSolver();
     app.phase = 'empty';
+    performance.mark('hgp-ready');
+    keepOffline();
+    warmViews();
   } catch (error) {
     app.say(`The solver could not start: ${(error as Error).message}`, 'error');
   }

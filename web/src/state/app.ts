@@ -1,13 +1,14 @@
 // What the page is about, in one place: files, surface, what is asked, results. Panels and views read
 // it and are told when it changes; the files beside this one change it.
 
-import type { Client, ModelInfo } from 'hgp';
+import type { Client, ModelInfo, Result, Where } from 'hgp';
 import { computeBudget, type Budget } from './budget';
 import type { Files, Missing } from './files';
 import { History } from './history';
 import { emptyPrescription, sameAsked, type Prescription } from './prescription';
 import type { Solved } from './solved';
 import type { Surface } from './surface';
+import type { MeshSurvey } from './survey';
 
 export type Phase =
   | 'starting'
@@ -35,7 +36,7 @@ export interface Progress {
 
 export type Pattern =
   'cross' | 'grid' | 'checker' | 'hex' | 'circles' | 'image' | 'material' | 'plain';
-export type Overlay = 'none' | 'angle' | 'area' | 'flips';
+export type Overlay = 'none' | 'angle' | 'area' | 'seams' | 'flips';
 
 export interface Look {
   pattern: Pattern;
@@ -57,12 +58,34 @@ export const patterns: Pattern[] = [
   'material',
   'plain',
 ];
-export const overlays: Overlay[] = ['none', 'angle', 'area', 'flips'];
+export const overlays: Overlay[] = ['none', 'angle', 'area', 'seams', 'flips'];
 
 export interface LoadSettings {
-  weld?: number;
-  fix: { orient?: boolean; split?: boolean; degenerate?: boolean };
+  readonly weld?: number;
+  readonly fix: {
+    readonly orient?: boolean;
+    readonly split?: boolean;
+    readonly degenerate?: boolean;
+  };
 }
+
+/** What undo goes back and forth over. */
+export interface Step {
+  readonly asked: Prescription;
+  readonly settings: LoadSettings;
+}
+
+/** How Run is done; what is asked of the map is elsewhere. */
+export interface SolveSettings {
+  rounds: number;
+  quality: boolean;
+  /** In seconds; without it a run takes as long as it takes. */
+  timeLimit?: number;
+}
+
+const plainSettings: LoadSettings = { fix: {} };
+
+const mostLog = 200;
 
 export class App {
   phase: Phase = 'starting';
@@ -72,18 +95,30 @@ export class App {
   missing: Missing[] = [];
   /** Several models were dropped: which one? */
   candidates: string[] = [];
-  settings: LoadSettings = { fix: {} };
   info?: ModelInfo;
+  /** What `info` and `surface` were loaded with; undo may be ahead of it. */
+  loaded: LoadSettings = plainSettings;
+  /** Of each mesh of a file that holds several. */
+  survey: MeshSurvey[] = [];
   surface?: Surface;
-  history = new History<Prescription>(emptyPrescription(4, 0, 0));
+  history = new History<Step>({ asked: emptyPrescription(4, 0, 0), settings: plainSettings });
+  solve: SolveSettings = { rounds: 12, quality: false };
   /** The user has said what the cones are, even if that is none. */
   isExplicit = false;
   keepsBalanced = false;
+  /** Vertices of cones, the one edited last at the end. */
+  editOrder: number[] = [];
   /** Index of the selected cone, −1 for none. */
   selected = -1;
   /** Up to three, the newest last: undo finds the map that belongs to it. */
   results: Solved[] = [];
+  /** The map that the worker holds, and can write again without solving. */
+  inWorker?: Result;
+  /** Outlines places; there once the views are. */
+  showPlaces?: (where: Where[]) => void;
   message?: Message;
+  /** What has been said since the page was opened, the newest last. */
+  readonly log: { time: Date; text: string }[] = [];
   progress?: Progress;
   /** What was chosen without being asked, so that the page can say so. */
   hasSuggested = false;
@@ -94,7 +129,17 @@ export class App {
   #isTelling = false;
 
   get asked(): Prescription {
-    return this.history.value;
+    return this.history.value.asked;
+  }
+
+  get settings(): LoadSettings {
+    return this.history.value.settings;
+  }
+
+  /** A new beginning that undo does not cross. */
+  begin(asked: Prescription, settings: LoadSettings = this.settings): void {
+    this.history = new History<Step>({ asked, settings });
+    this.editOrder = [];
   }
 
   get budget(): Budget | undefined {
@@ -104,7 +149,10 @@ export class App {
 
   /** The result of exactly what is asked now. */
   get current(): Solved | undefined {
-    return this.results.findLast(({ asked }) => sameAsked(asked, this.asked));
+    const { quality } = this.solve;
+    return this.results.findLast(
+      (one) => one.quality === quality && sameAsked(one.asked, this.asked),
+    );
   }
 
   /** What the views show: the current result, or the last one, which is then stale. */
@@ -136,6 +184,8 @@ export class App {
 
   say(text: string, kind: Message['kind'] = 'note', actions?: Message['actions']): void {
     this.message = { kind, text, actions };
+    this.log.push({ time: new Date(), text });
+    if (this.log.length > mostLog) this.log.shift();
     this.changed();
   }
 
@@ -150,8 +200,10 @@ export class App {
     this.isExplicit = false;
     this.hasSuggested = false;
     this.isUnsaved = false;
-    this.settings = { fix: {} };
+    this.survey = [];
+    this.inWorker = undefined;
+    this.loaded = plainSettings;
     this.message = undefined;
-    this.history = new History(emptyPrescription(this.asked.q, 0, 0));
+    this.begin(emptyPrescription(this.asked.q, 0, 0), plainSettings);
   }
 }

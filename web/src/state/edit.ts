@@ -1,9 +1,10 @@
 // Every change a person can make to what is asked. Each is one step of undo.
 
 import type { App } from './app';
-import { bestK } from './budget';
+import { bestK, largestK } from './budget';
 import { fromCones, withOrder, type Cone, type Prescription } from './prescription';
-import { explain } from './open';
+import { explain } from './explain';
+import { reload } from './load';
 import { save } from './autosave';
 
 /** The one way to change what is asked. `kind` is "verb: field" for undo. */
@@ -14,7 +15,7 @@ export function replaceAsked(app: App, asked: Prescription, kind: string): void 
     ]);
     return;
   }
-  app.history.push(asked, kind);
+  app.history.push({ asked, settings: app.settings }, kind);
   if (app.message?.kind !== 'note') app.message = undefined; // it was about what is now past
   app.isExplicit = true;
   app.isUnsaved = true;
@@ -25,7 +26,12 @@ export function replaceAsked(app: App, asked: Prescription, kind: string): void 
 
 const withCones = (app: App, cones: readonly Cone[]): Prescription => ({ ...app.asked, cones });
 
-/** Lets the cone that was not touched take up the change, by whole steps, where that is wanted. */
+/** The vertex was edited just now. */
+function touch(app: App, vertex: number): void {
+  app.editOrder = [...app.editOrder.filter((v) => v !== vertex), vertex];
+}
+
+/** Lets the cone that was edited longest ago take up the change, by whole steps, where that is wanted. */
 function balanced(app: App, cones: readonly Cone[], touched: number): readonly Cone[] {
   if (!app.keepsBalanced || cones.length < 2 || !app.info) return cones;
   const isOpen = app.asked.turnings.some((l) => l === null);
@@ -37,11 +43,20 @@ function balanced(app: App, cones: readonly Cone[], touched: number): readonly C
     turnings -
     cones.reduce((sum, { k }) => sum + q - k, 0);
   if (left === 0) return cones;
-  const other = cones.findIndex((_, i) => i !== touched);
-  const k = cones[other].k - left;
-  if (k < 1) return cones;
-  app.say(`Cone ${other + 1} is now k = ${k}, which keeps the balance.`);
-  return cones.map((cone, i) => (i === other ? { ...cone, k } : cone));
+  const age = ({ vertex }: Cone): number => app.editOrder.indexOf(vertex); // −1: never edited
+  const fits = ({ vertex, k }: Cone): boolean =>
+    k - left >= 1 && k - left <= largestK(q, app.surface?.valence[vertex] ?? 0);
+  const [other] = cones
+    .map((cone, i) => ({ cone, i }))
+    .filter(({ cone, i }) => i !== touched && fits(cone))
+    .sort((x, y) => age(x.cone) - age(y.cone));
+  if (!other) {
+    app.say(`No other cone can take up ${left}: the budget is open.`);
+    return cones;
+  }
+  const k = other.cone.k - left;
+  app.say(`Cone ${other.i + 1} is now k = ${k}, which keeps the balance.`);
+  return cones.map((cone, i) => (i === other.i ? { ...cone, k } : cone));
 }
 
 /** Adds a cone where there is none, with the k that suits the shape; selects it otherwise. */
@@ -57,6 +72,7 @@ export function placeOrSelect(app: App, vertex: number): void {
   }
   const k = bestK(app.surface, vertex, app.asked.q);
   const cones = [...app.asked.cones, { vertex, k }];
+  touch(app, vertex);
   replaceAsked(app, withCones(app, balanced(app, cones, cones.length - 1)), 'add cone');
   if (app.phase !== 'running') select(app, cones.length - 1);
 }
@@ -75,6 +91,7 @@ export function setK(app: App, index: number, k: number): void {
   const cone = app.asked.cones[index];
   if (!cone || !Number.isInteger(k) || k < 1 || k === cone.k) return;
   const cones = app.asked.cones.map((one, i) => (i === index ? { ...one, k } : one));
+  touch(app, cone.vertex);
   replaceAsked(app, withCones(app, balanced(app, cones, index)), `change k: ${cone.vertex}`);
 }
 
@@ -84,6 +101,7 @@ export function moveCone(app: App, index: number, vertex: number, drag: string):
   if (!cone || cone.vertex === vertex || !app.surface || app.surface.isBoundary[vertex]) return;
   if (app.asked.cones.some((other) => other.vertex === vertex)) return;
   const cones = app.asked.cones.map((one, i) => (i === index ? { ...one, vertex } : one));
+  touch(app, vertex);
   replaceAsked(app, withCones(app, cones), `move cone: ${drag}`);
 }
 
@@ -94,7 +112,11 @@ export function deleteCone(app: App, index: number): void {
     app,
     withCones(
       app,
-      app.asked.cones.filter((_, i) => i !== index),
+      balanced(
+        app,
+        app.asked.cones.filter((_, i) => i !== index),
+        -1,
+      ),
     ),
     'delete cone',
   );
@@ -167,17 +189,13 @@ export async function importCones(app: App, name: string, text: string): Promise
   }
 }
 
-export function undo(app: App): void {
-  if (app.phase === 'running') return;
-  app.history.undo();
+function step(app: App, move: () => void): void {
+  if (app.phase === 'running' || app.phase === 'loading') return;
+  move();
   app.message = undefined;
   app.selected = -1;
+  if (app.settings !== app.loaded && app.info) void reload(app); // a repair or a weld was undone
   app.changed();
 }
-export function redo(app: App): void {
-  if (app.phase === 'running') return;
-  app.history.redo();
-  app.message = undefined;
-  app.selected = -1;
-  app.changed();
-}
+export const undo = (app: App): void => step(app, () => app.history.undo());
+export const redo = (app: App): void => step(app, () => app.history.redo());

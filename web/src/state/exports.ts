@@ -13,13 +13,14 @@ export interface Download {
   type: string;
 }
 
-export type Format = 'same' | 'glb' | 'zip' | 'obj' | 'cones' | 'report' | 'svg';
+export type Format = 'same' | 'glb' | 'zip' | 'obj' | 'flat' | 'cones' | 'report' | 'svg';
 
 export const formats: { format: Format; label: string; hint: string }[] = [
   { format: 'same', label: 'Same as the input', hint: 'patched, all else kept' },
   { format: 'glb', label: 'GLB', hint: 'the mesh with its texture coordinates' },
   { format: 'zip', label: 'glTF in a ZIP', hint: '.gltf and .bin' },
   { format: 'obj', label: 'OBJ', hint: 'v, vt and f' },
+  { format: 'flat', label: 'Flat OBJ', hint: 'the map itself as a flat mesh' },
   { format: 'cones', label: 'Cones (JSON)', hint: 'to use again, here or on the command line' },
   { format: 'report', label: 'Report (JSON)', hint: 'options, rounds, certificate' },
   { format: 'svg', label: 'UV layout (SVG)', hint: 'every edge of the flattened mesh' },
@@ -110,6 +111,19 @@ function toObj({ result }: Solved): Uint8Array {
   return encode(`${lines.join('\n')}\n`);
 }
 
+/** The map as geometry: programs that show no texture coordinates show this. */
+function toFlatObj({ result }: Solved): Uint8Array {
+  const { uv, cornerToUv } = result;
+  const lines = ['# hgp: the map laid flat'];
+  for (let i = 0; i < uv.length; i += 2) lines.push(`v ${uv[i]} ${uv[i + 1]} 0`);
+  for (let i = 0; i < uv.length; i += 2) lines.push(`vt ${uv[i]} ${uv[i + 1]}`);
+  for (let c = 0; c < cornerToUv.length; c += 3) {
+    const word = (k: number): string => `${cornerToUv[c + k] + 1}/${cornerToUv[c + k] + 1}`;
+    lines.push(`f ${word(0)} ${word(1)} ${word(2)}`);
+  }
+  return encode(`${lines.join('\n')}\n`);
+}
+
 /** Every edge once, seams in a second path, v upwards. */
 function toSvg({ result }: Solved): Uint8Array {
   const { uv, cornerToUv, seams } = result;
@@ -152,6 +166,8 @@ export function make(app: App, solved: Solved, format: Format): Download {
       return { name: `${name}.zip`, bytes: toGltfZip(solved, name), type: 'application/zip' };
     case 'obj':
       return { name: `${name}.obj`, bytes: toObj(solved), type: 'text/plain' };
+    case 'flat':
+      return { name: `${name}.flat.obj`, bytes: toFlatObj(solved), type: 'text/plain' };
     case 'cones':
       return coneFile(app);
     case 'report': {

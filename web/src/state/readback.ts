@@ -1,6 +1,8 @@
 // Reads texture coordinates back from the very bytes that Download saves. A reader of its own: what
 // the preview shows is what is in the file.
 
+import { inSteps, pause } from './breath';
+
 export interface Corners {
   /** Per triangle corner, three numbers. */
   positions: Float32Array;
@@ -80,7 +82,7 @@ function readAccessor({ json, buffers }: ReturnType<typeof openGltf>, index: num
 }
 
 /** Corners of one mesh; the uv set is the highest that all primitives have, which is the new one. */
-function readGltf(files: OutputFile[], mesh: number, uvSet?: number): Corners {
+async function readGltf(files: OutputFile[], mesh: number, uvSet?: number): Promise<Corners> {
   const file = openGltf(files);
   const positions: number[] = [];
   const uv: number[] = [];
@@ -90,21 +92,23 @@ function readGltf(files: OutputFile[], mesh: number, uvSet?: number): Corners {
     if (uvSet === undefined) while (attributes[`TEXCOORD_${set + 1}`] !== undefined) set += 1;
     if (attributes[`TEXCOORD_${set}`] === undefined) continue;
     const p = readAccessor(file, attributes.POSITION);
+    await pause();
     const t = readAccessor(file, attributes[`TEXCOORD_${set}`]);
-    const corners =
-      indices === undefined
-        ? p.map((_, i) => i).slice(0, p.length / 3)
-        : readAccessor(file, indices);
-    for (const v of corners) {
+    const corners = indices === undefined ? undefined : readAccessor(file, indices);
+    await inSteps(corners?.length ?? p.length / 3, (c) => {
+      const v = corners ? corners[c] : c;
       positions.push(p[3 * v], p[3 * v + 1], p[3 * v + 2]);
       uv.push(t[2 * v], 1 - t[2 * v + 1]);
-    }
+    });
   }
   return { positions: new Float32Array(positions), uv: new Float32Array(uv) };
 }
 
-function readObj(bytes: Uint8Array): Corners {
-  const text = new TextDecoder().decode(bytes).replace(/\\\r?\n/g, ' ');
+async function readObj(bytes: Uint8Array): Promise<Corners> {
+  const text = new TextDecoder().decode(bytes);
+  await pause();
+  const lines = text.replace(/\\\r?\n/g, ' ').split('\n');
+  await pause();
   const v: number[] = [];
   const vt: number[] = [];
   const positions: number[] = [];
@@ -113,27 +117,29 @@ function readObj(bytes: Uint8Array): Corners {
     const n = Number(word);
     return n < 0 ? count + n : n - 1;
   };
-  for (const line of text.split('\n')) {
-    if (!/^(v|vt|f)[ \t]/.test(line)) continue;
+  const readFace = (words: string[]): void => {
+    for (let k = 2; k < words.length; k++) {
+      for (const word of [words[0], words[k - 1], words[k]]) {
+        const parts = word.split('/');
+        const p = 3 * at(parts[0], v.length / 3);
+        const t = 2 * at(parts[1], vt.length / 2);
+        positions.push(v[p], v[p + 1], v[p + 2]);
+        uv.push(vt[t], vt[t + 1]);
+      }
+    }
+  };
+  await inSteps(lines.length, (i) => {
+    const line = lines[i];
+    if (!/^(v|vt|f)[ \t]/.test(line)) return;
     const [key, ...words] = line.trim().split(/[ \t]+/);
     if (key === 'v') v.push(+words[0], +words[1], +words[2]);
     else if (key === 'vt') vt.push(+words[0], +(words[1] ?? 0));
-    else {
-      for (let k = 2; k < words.length; k++) {
-        for (const word of [words[0], words[k - 1], words[k]]) {
-          const parts = word.split('/');
-          const p = 3 * at(parts[0], v.length / 3);
-          const t = 2 * at(parts[1], vt.length / 2);
-          positions.push(v[p], v[p + 1], v[p + 2]);
-          uv.push(vt[t], vt[t + 1]);
-        }
-      }
-    }
-  }
+    else readFace(words);
+  });
   return { positions: new Float32Array(positions), uv: new Float32Array(uv) };
 }
 
-export function readBack(files: OutputFile[], mesh: number, uvSet?: number): Corners {
+export function readBack(files: OutputFile[], mesh: number, uvSet?: number): Promise<Corners> {
   const isObj = files[0].name.toLowerCase().endsWith('.obj');
   return isObj ? readObj(files[0].bytes) : readGltf(files, mesh, uvSet);
 }

@@ -1,11 +1,11 @@
 // Suggest and Run: the two calls that take time. Cancel ends the worker at once.
 
-import { HgpError, type Progress as Report } from 'hgp';
+import { HgpError, type Progress as Report, type WriteOptions } from 'hgp';
 import type { App } from './app';
 import { replaceAsked } from './edit';
-import { explain } from './open';
+import { explain } from './explain';
 import { fromCones, toCones } from './prescription';
-import { finish } from './solved';
+import { finish, type Output, plainOutput, type Solved } from './solved';
 
 // Where each stage begins and ends within the whole.
 const spans: Record<string, [number, number]> = {
@@ -63,6 +63,8 @@ async function busy(
   app.message = undefined;
   app.progress = { title, stage: 'field', detail: '', fraction: 0, begin: performance.now() };
   app.changed();
+  const { timeLimit } = app.solve;
+  const timer = timeLimit && setTimeout(() => stopLate(app, own, timeLimit), 1000 * timeLimit);
   // Free at once, whatever the worker still does.
   own.signal.addEventListener('abort', () => {
     if (own !== app.running) return;
@@ -73,10 +75,11 @@ async function busy(
   try {
     await work({ signal: own.signal, onProgress: follow(app, own) });
   } catch (error) {
-    if (own !== app.running) return;
+    if (own !== app.running || isLate(own)) return;
     if (isAbort(error)) app.say('Cancelled. Your cones are untouched.');
     else sayFailure(app, error);
   } finally {
+    clearTimeout(timer || undefined);
     if (own === app.running) {
       app.running = undefined;
       app.progress = undefined;
@@ -84,6 +87,19 @@ async function busy(
       app.changed();
     }
   }
+}
+
+const isLate = ({ signal }: AbortController): boolean =>
+  signal.aborted && (signal.reason as Error).name === 'TimeoutError';
+
+function stopLate(app: App, own: AbortController, seconds: number): void {
+  if (own !== app.running) return;
+  own.abort(new DOMException('too late', 'TimeoutError'));
+  app.say(
+    `No certified map within ${seconds} s, the limit you set. Your cones are untouched. ` +
+      'Try: more time in the Solve panel, fewer triangles, or the command line.',
+    'error',
+  );
 }
 
 function sayFailure(app: App, error: unknown): void {
@@ -97,7 +113,10 @@ function sayFailure(app: App, error: unknown): void {
   }
   const advice = 'Try: move a cone to a vertex with more triangles, or another q.';
   const isNoMap = error instanceof HgpError && error.code === 'no-map';
+  const where = error instanceof HgpError ? (error.details.where ?? []) : [];
+  const show = where.length > 0 ? [{ label: 'Show', do: () => app.showPlaces?.(where) }] : [];
   app.say(isNoMap ? `${text} ${advice}` : text, 'error', [
+    ...show,
     { label: 'Suggest cones', do: () => void suggest(app) },
   ]);
 }
@@ -113,13 +132,52 @@ export async function suggest(app: App, count?: number): Promise<void> {
   });
 }
 
-/** Without cones there is nothing to say yet: they are suggested first. */
+/** Where nothing has been said yet, cones are suggested first; a turning index is something said. */
 const needsCones = (app: App): boolean =>
-  app.asked.cones.length === 0 && (!app.isExplicit || !app.budget?.isReady);
+  app.asked.cones.length === 0 &&
+  app.asked.turnings.every((l) => l === null) &&
+  (!app.isExplicit || !app.budget?.isReady);
 
 export function canRun(app: App): boolean {
   if (app.phase !== 'editing' || !app.info?.usable || !app.client) return false;
   return needsCones(app) || Boolean(app.budget?.isReady);
+}
+
+type Call = Parameters<Parameters<typeof busy>[2]>[0];
+
+/** Solves what is asked and writes the file; what is shown is read back from that file. */
+async function solve(app: App, output: Output, call: Call): Promise<Solved> {
+  const { asked } = app;
+  const { rounds, quality } = app.solve;
+  const { scale } = output;
+  const options = { cones: toCones(asked), maxRounds: rounds, quality, scale };
+  const result = await app.client!.parametrize(options, call);
+  call.onProgress({ stage: 'write', fraction: 0, iteration: -1, residual: -1 });
+  const written = await app.client!.write(writeOptions(output), call);
+  app.inWorker = result;
+  return finish(app, { asked, quality, output }, result, written);
+}
+
+const writeOptions = ({ uvSet, embedCones }: Output): WriteOptions => ({
+  ...{ allowUncertified: true, embedCones },
+  ...(uvSet === undefined ? {} : { uvSet }),
+});
+
+/** The same map in another place or size of the file: solved again only where it must be. */
+export async function rewrite(app: App, old: Solved, output: Output): Promise<void> {
+  await busy(app, 'Writing', async (call) => {
+    const isThere = app.inWorker === old.result && old.output.scale === output.scale;
+    const solved = isThere
+      ? await finish(
+          app,
+          { ...old, output },
+          old.result,
+          await app.client!.write(writeOptions(output), call),
+        )
+      : await solve(app, output, call);
+    app.results = app.results.map((one) => (one === old ? solved : one));
+    app.isUnsaved = true;
+  });
 }
 
 export async function run(app: App): Promise<void> {
@@ -134,14 +192,10 @@ export async function run(app: App): Promise<void> {
       replaceAsked(app, fromCones(cones, turnings.length, handles.length), 'suggest cones');
       app.phase = 'running';
     }
-    const asked = app.asked;
-    const result = await app.client!.parametrize({ cones: toCones(asked) }, call);
-    call.onProgress({ stage: 'write', fraction: 0, iteration: -1, residual: -1 });
-    const written = await app.client!.write({ allowUncertified: true, embedCones: true }, call);
-    const solved = finish(app, asked, result, written);
+    const solved = await solve(app, app.shown?.output ?? plainOutput, call);
     app.results = [...app.results.slice(-2), solved];
     app.isUnsaved = true;
-    const count = asked.cones.length;
+    const count = solved.asked.cones.length;
     const chosen = app.hasSuggested ? ` ${count} cones were suggested for you.` : '';
     if (solved.isCertified) app.say(`Certified: no triangle is folded.${chosen}`, 'good');
     else app.say(`Not certified. The map can be viewed; see the certificate.${chosen}`, 'error');

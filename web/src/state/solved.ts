@@ -2,9 +2,12 @@
 
 import type { Result, Written } from 'hgp';
 import type { App } from './app';
-import { measure, overlapShare, type Distortion } from './measure';
+import { inSteps, pause } from './breath';
+import { measure, type Distortion } from './measure';
+import { findOverlaps, type Overlaps } from './overlaps';
 import type { Prescription } from './prescription';
 import { readBack, type Corners } from './readback';
+import { distanceToSeams } from './seam_distance';
 
 export interface Seam {
   /** Ends as uv vertices, corresponding ends first. */
@@ -13,8 +16,24 @@ export interface Seam {
   r: number;
 }
 
-export interface Solved {
+/** Where and how the map goes into the file. */
+export interface Output {
+  /** glTF: the set to write; without it the next free one. */
+  uvSet?: number;
+  scale: 'solved' | 'unit' | 'fit';
+  embedCones: boolean;
+}
+
+export const plainOutput: Output = { scale: 'solved', embedCones: true };
+
+/** What a result is the result of. */
+export interface Order {
   asked: Prescription;
+  quality: boolean;
+  output: Output;
+}
+
+export interface Solved extends Order {
   result: Result;
   isCertified: boolean;
   written: Written;
@@ -23,8 +42,10 @@ export interface Solved {
   /** The bytes hold the very map that was judged. */
   isSameAsFile: boolean;
   distortion: Distortion;
-  /** Part of the covered uv area that is covered more than once. */
-  overlap: number;
+  /** Triangles that lie on top of others, which is allowed. */
+  overlaps: Overlaps;
+  /** From each vertex to the nearest seam along edges. */
+  seamDistance: Float32Array;
   seams: Seam[];
   /** Colour group of each seam edge: the two sides of a chain have the same. */
   chains: Uint32Array;
@@ -32,19 +53,19 @@ export interface Solved {
   seamAt: Map<number, number>;
 }
 
-function cornersOf({ positions, triangles, uv, cornerToUv }: Result): Corners {
+async function cornersOf({ positions, triangles, uv, cornerToUv }: Result): Promise<Corners> {
   const out = {
     positions: new Float32Array(3 * triangles.length),
     uv: new Float32Array(2 * triangles.length),
   };
-  for (let c = 0; c < triangles.length; c++) {
+  await inSteps(triangles.length, (c) => {
     for (let i = 0; i < 3; i++) out.positions[3 * c + i] = positions[3 * triangles[c] + i];
     for (let i = 0; i < 2; i++) out.uv[2 * c + i] = uv[2 * cornerToUv[c] + i];
-  }
+  });
   return out;
 }
 
-function isSame(a: Corners, b: Corners): boolean {
+async function isSame(a: Corners, b: Corners): Promise<boolean> {
   if (a.uv.length !== b.uv.length) return false;
   const largest = (values: Float32Array): number =>
     values.reduce((most, x) => Math.max(most, Math.abs(x)), 1e-30);
@@ -52,7 +73,9 @@ function isSame(a: Corners, b: Corners): boolean {
     const tolerance = 2e-6 * Math.max(1, largest(y));
     return x.every((value, i) => Math.abs(value - y[i]) <= tolerance);
   };
-  return near(a.uv, b.uv) && near(a.positions, b.positions);
+  const isSameUv = near(a.uv, b.uv);
+  await pause();
+  return isSameUv && near(a.positions, b.positions);
 }
 
 /** Seam edges that follow one another with the same r get one colour. */
@@ -91,18 +114,30 @@ function chainsOf(seams: Seam[], uvToVertex: Uint32Array, q: number): Uint32Arra
   return chains;
 }
 
-export function finish(app: App, asked: Prescription, result: Result, written: Written): Solved {
+export async function finish(
+  app: App,
+  { asked, quality, output }: Order,
+  result: Result,
+  written: Written,
+): Promise<Solved> {
   const { seams, uvToVertex } = result;
-  const own = cornersOf(result);
+  const own = await cornersOf(result);
   let corners = own;
   let isSameAsFile = false;
   try {
-    const read = readBack(written.files, app.info?.surface ?? 0);
-    isSameAsFile = isSame(read, own);
+    const read = await readBack(written.files, app.info?.surface ?? 0, output.uvSet);
+    isSameAsFile = await isSame(read, own);
     if (isSameAsFile) corners = read;
   } catch {
     // A file that cannot be read back is shown as such in the certificate.
   }
+  await pause();
+  const distortion = await measure(own);
+  const overlaps = await findOverlaps(own.uv, result.cornerToUv);
+  const seamDistance = await distanceToSeams(app.surface!, seams, uvToVertex);
+  await pause();
+  const chains = chainsOf(seams, uvToVertex, asked.q);
+  await pause();
   const count = result.positions.length / 3;
   const seamAt = new Map<number, number>();
   seams.forEach(({ a }, i) => {
@@ -110,10 +145,8 @@ export function finish(app: App, asked: Prescription, result: Result, written: W
     seamAt.set(Math.min(v, w) * count + Math.max(v, w), i);
   });
   return {
-    ...{ asked, result, written, corners, isSameAsFile, seams, seamAt },
+    ...{ asked, quality, output, result, written, corners, isSameAsFile, seams, seamAt },
+    ...{ distortion, overlaps, seamDistance, chains },
     isCertified: result.certificate.certified,
-    distortion: measure(own),
-    overlap: overlapShare(own.uv),
-    chains: chainsOf(seams, uvToVertex, asked.q),
   };
 }

@@ -1,28 +1,20 @@
-// The page's connection to the solver in its worker.
+// The page's connection to the solver in its worker, and what keeps the page working offline.
 
 import { createClient, type Client } from 'hgp';
-import workerUrl from 'hgp/worker?worker&url';
-
-// The one place where this page makes a URL that may run script.
-const policy = (
-  globalThis as { trustedTypes?: { createPolicy(name: string, rules: object): Policy } }
-).trustedTypes?.createPolicy('hgp', {
-  createScriptURL(url: string): string {
-    if (url !== workerUrl) throw new TypeError(`not a script of this page: ${url}`);
-    return url;
-  },
-});
-
-interface Policy {
-  createScriptURL(url: string): unknown;
-}
+import { offlineUrl, scriptUrl, workerUrl } from './scripts';
 
 export function createSolver(): Promise<Client> {
   return createClient({
-    createWorker: () =>
-      new Worker((policy?.createScriptURL(workerUrl) ?? workerUrl) as string, {
-        type: 'module',
-        name: 'hgp solver',
-      }),
+    createWorker: () => new Worker(scriptUrl(workerUrl), { type: 'module', name: 'hgp solver' }),
   });
+}
+
+/** After everything else; where it is not allowed, the page works with a network only. */
+export function keepOffline(): void {
+  if (import.meta.env.DEV || !('serviceWorker' in navigator)) return;
+  const register = (): void => {
+    navigator.serviceWorker.register(scriptUrl(offlineUrl)).catch(() => undefined);
+  };
+  if ('requestIdleCallback' in globalThis) requestIdleCallback(register, { timeout: 5000 });
+  else setTimeout(register, 2000);
 }

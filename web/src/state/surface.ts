@@ -27,10 +27,12 @@ function cross(p: Float64Array, a: number, b: number, c: number): [number, numbe
   return [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
 }
 
-function cornerAngle(p: Float64Array, a: number, b: number, c: number): number {
-  const [ux, uy, uz] = [p[b] - p[a], p[b + 1] - p[a + 1], p[b + 2] - p[a + 2]];
-  const [vx, vy, vz] = [p[c] - p[a], p[c + 1] - p[a + 1], p[c + 2] - p[a + 2]];
-  return Math.atan2(Math.hypot(...cross(p, a, b, c)), ux * vx + uy * vy + uz * vz);
+/** Angle at a, where `area` is twice the area of the triangle. */
+function cornerAngle(p: Float64Array, a: number, b: number, c: number, area: number): number {
+  const x = (p[b] - p[a]) * (p[c] - p[a]);
+  const y = (p[b + 1] - p[a + 1]) * (p[c + 1] - p[a + 1]);
+  const z = (p[b + 2] - p[a + 2]) * (p[c + 2] - p[a + 2]);
+  return Math.atan2(area, x + y + z);
 }
 
 /** Halfedges by undirected edge: the boundary is where an edge has only one. */
@@ -87,9 +89,10 @@ export function makeSurface({ positions, triangles }: SurfaceArrays): Surface {
     const n = cross(positions, a, b, c);
     for (const v of [a, b, c]) for (let i = 0; i < 3; i++) sums[v + i] += n[i];
     for (let k = 0; k < 3; k++) valence[triangles[t + k]] += 1;
-    angle[a / 3] += cornerAngle(positions, a, b, c);
-    angle[b / 3] += cornerAngle(positions, b, c, a);
-    angle[c / 3] += cornerAngle(positions, c, a, b);
+    const area = Math.sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    angle[a / 3] += cornerAngle(positions, a, b, c, area);
+    angle[b / 3] += cornerAngle(positions, b, c, a, area);
+    angle[c / 3] += cornerAngle(positions, c, a, b, area);
   }
   const normals = new Float32Array(positions.length);
   for (let v = 0; v < positions.length; v += 3) {

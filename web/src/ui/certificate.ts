@@ -3,7 +3,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Certificate, Where } from 'hgp';
 import type { App } from '../state/app';
-import { quantile } from '../state/measure';
+import { boxOf, quantile } from '../state/measure';
 import type { Solved } from '../state/solved';
 import type { Controls } from './controls';
 import { icon } from './icons';
@@ -142,8 +142,38 @@ function certificateTable(solved: Solved, ui: Controls): TemplateResult {
   </table>`;
 }
 
-function statistics({ distortion, overlap, result }: Solved): [string, string][] {
+/** On the surface, in the units of the file. */
+function seamLength({ seams, result: { positions: p, uvToVertex } }: Solved): number {
+  return seams.reduce((sum, { a }) => {
+    const [v, w] = a.map((end) => 3 * uvToVertex[end]);
+    return sum + Math.hypot(p[w] - p[v], p[w + 1] - p[v + 1], p[w + 2] - p[v + 2]);
+  }, 0);
+}
+
+function overlapLine({ overlaps }: Solved, ui: Controls): TemplateResult {
+  const { pairs, triangles, isMore } = overlaps;
+  const number = `${isMore ? 'over ' : ''}${pairs}`;
+  return html`<p class="row note" id="overlaps">
+    ${
+      pairs === 0
+        ? 'Overlaps: 0 pairs of triangles. The flat map lies nowhere on top of itself.'
+        : html`Overlaps: ${number} pairs of triangles lie on top of each other in the flat map. That
+            is allowed: neighbours never do, distant parts may.
+            <button
+              type="button"
+              class="small"
+              @click=${() => ui.showPlaces(triangles.map((id) => ({ kind: 'face', id })))}
+            >
+              Show
+            </button>`
+    }
+  </p>`;
+}
+
+function statistics(solved: Solved): [string, string][] {
+  const { distortion, result } = solved;
   const { report, certificate } = result;
+  const box = boxOf(result.uv);
   const rounds = report.components.flatMap(
     (one) => (one.rounds as { iterations: number; laplacianEnergy?: number }[]) ?? [],
   );
@@ -155,10 +185,8 @@ function statistics({ distortion, overlap, result }: Solved): [string, string][]
       [0.5, 0.95].map((x) => quantile(distortion.conformal, x).toFixed(2)).join(' · '),
     ],
     ['log₂ area, 5 · 95 %', log.join(' · ')],
-    [
-      'Map on top of itself',
-      overlap < 0.001 ? 'nowhere' : `${(100 * overlap).toFixed(0)} % (allowed)`,
-    ],
+    ['Map, width × height', `${box.width.toPrecision(3)} × ${box.height.toPrecision(3)}`],
+    ['Seam length', seamLength(solved).toPrecision(3)],
     ...(energy === undefined ? [] : [['Energy ‖Lz‖²', small(energy)] as [string, string]]),
     [
       'Rounds · iterations',
@@ -195,6 +223,7 @@ export function result(app: App, ui: Controls): TemplateResult {
           </div>`,
       )}
     </dl>
+    ${overlapLine(solved, ui)}
     ${[...solved.written.notes, ...solved.result.report.notes].map((note) => html`<p class="note">${note}</p>`)}
   </details>`;
 }

@@ -1,6 +1,7 @@
 // Cones: how many, where, how strong, and what is left of the budget.
 
 import { html, nothing, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
 import type { App } from '../state/app';
 import type { PartBudget } from '../state/budget';
 import { waysToSpend } from '../state/budget';
@@ -30,7 +31,7 @@ function chooser(app: App): TemplateResult {
   };
   return html`<div class="row field">
     <label for="q">Symmetry q</label>
-    <select id="q" @change=${set}>
+    <select id="q" .value=${live(String(q))} @change=${set}>
       ${orders.map(([n, name]) => html`<option value=${n} ?selected=${n === q}>${name}</option>`)}
       ${isKnown ? nothing : html`<option value=${q} selected>${q}</option>`}
     </select>
@@ -40,7 +41,7 @@ function chooser(app: App): TemplateResult {
       min="1"
       max="64"
       aria-label="Symmetry q as a number"
-      .value=${String(q)}
+      .value=${live(String(q))}
       @change=${set}
     />
   </div>`;
@@ -75,7 +76,7 @@ function bar(app: App, budget: PartBudget, isOnly: boolean): TemplateResult {
   </div>`;
 }
 
-function row(app: App, i: number): TemplateResult {
+function row(app: App, ui: Controls, i: number): TemplateResult {
   const { q, cones: list } = app.asked;
   const { vertex, k } = list[i];
   const state = app.budget?.cones[i] ?? { isGood: true, text: '' };
@@ -106,7 +107,7 @@ function row(app: App, i: number): TemplateResult {
             min="1"
             inputmode="numeric"
             aria-label="${name}: k"
-            .value=${String(k)}
+            .value=${live(String(k))}
             @change=${(event: Event) => setK(app, i, Number((event.target as HTMLInputElement).value))}
           />
           <button type="button" aria-label="${name}: larger k" @click=${() => setK(app, i, k + 1)}>
@@ -115,7 +116,16 @@ function row(app: App, i: number): TemplateResult {
         </span>
       </td>
       <td class="angle">${angleText(k, q)}<small>index ${indexText(k, q)}</small></td>
-      <td>
+      <td class="acts">
+        <button
+          type="button"
+          class="only-icon plain"
+          aria-label="${name}: frame"
+          title="Look at it"
+          @click=${() => ui.lookAt(i)}
+        >
+          ${icon('frame')}
+        </button>
         <button
           type="button"
           class="only-icon plain"
@@ -135,11 +145,30 @@ function row(app: App, i: number): TemplateResult {
     }`;
 }
 
+/** Indices of the cones in the order of the table. */
+function sorted({ asked }: App, { sort }: Controls): number[] {
+  const order = asked.cones.map((_, i) => i);
+  const { cones: list } = asked;
+  if (sort.by === 'vertex') order.sort((a, b) => list[a].vertex - list[b].vertex);
+  if (sort.by === 'k') order.sort((a, b) => list[a].k - list[b].k || a - b);
+  return sort.isDown ? order.reverse() : order;
+}
+
+function column(ui: Controls, by: Controls['sort']['by'], title: string): TemplateResult {
+  const { sort } = ui;
+  const direction = sort.by !== by ? 'none' : sort.isDown ? 'descending' : 'ascending';
+  return html`<th scope="col" aria-sort=${direction}>
+    <button type="button" class="link" data-sort=${by} @click=${() => ui.sortBy(by)}>
+      ${title}${direction === 'none' ? '' : sort.isDown ? ' ↓' : ' ↑'}
+    </button>
+  </th>`;
+}
+
 export function cones(app: App, ui: Controls): TemplateResult {
   const list = app.asked.cones;
   const parts = app.budget?.parts ?? [];
   const isUnbalanced = parts.some(({ isBalanced }) => !isBalanced);
-  const shown = list.slice(0, ui.mostRows);
+  const shown = sorted(app, ui).slice(0, ui.mostRows);
   return html`<details open id="panel-cones">
     <summary>Cones<span class="count">${list.length}</span></summary>
     ${chooser(app)}
@@ -171,15 +200,14 @@ export function cones(app: App, ui: Controls): TemplateResult {
             <table id="cones">
               <thead>
                 <tr>
-                  <th scope="col">#</th>
-                  <th scope="col">Vertex</th>
-                  <th scope="col">k</th>
+                  ${column(ui, 'number', '#')} ${column(ui, 'vertex', 'Vertex')}
+                  ${column(ui, 'k', 'k')}
                   <th scope="col">Angle</th>
                   <td></td>
                 </tr>
               </thead>
               <tbody>
-                ${shown.map((_, i) => row(app, i))}
+                ${shown.map((i) => row(app, ui, i))}
               </tbody>
             </table>
           </div>`

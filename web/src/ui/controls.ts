@@ -3,7 +3,8 @@
 import type { Where } from 'hgp';
 import { overlays, patterns, type App, type Look, type Pattern } from '../state/app';
 import { bytesOf } from '../state/files';
-import { importCones } from '../state/edit';
+import { importCones, select } from '../state/edit';
+import { handleLoops, loopSegments } from '../state/handles';
 import type { MapView } from '../view/map_view';
 import type { SurfaceView } from '../view/surface_view';
 import { placesOf } from './places';
@@ -30,6 +31,7 @@ export class Controls {
   /** Width of the 3D view in percent of both. */
   split = 58;
   mostRows = 60;
+  sort: { by: 'number' | 'vertex' | 'k'; isDown: boolean } = { by: 'number', isDown: false };
   surfaceView?: SurfaceView;
   mapView?: MapView;
   readonly #app: App;
@@ -39,6 +41,7 @@ export class Controls {
     const theme = stored('hgp-theme') as (typeof themes)[number];
     if (themes.includes(theme)) this.theme = theme;
     this.#applyTheme();
+    app.showPlaces = (where) => this.showPlaces(where);
   }
 
   #changed(): void {
@@ -77,6 +80,18 @@ export class Controls {
     this.split = Math.round(Math.min(80, Math.max(20, percent)));
     document.documentElement.style.setProperty('--part', String(this.split / 100));
     this.#changed();
+  }
+  sortBy(by: Controls['sort']['by']): void {
+    this.sort = { by, isDown: this.sort.by === by && !this.sort.isDown };
+    this.#changed();
+  }
+  /** Selects a cone and brings it to the middle. */
+  lookAt(index: number): void {
+    const cone = this.#app.asked.cones[index];
+    if (!cone) return;
+    select(this.#app, index);
+    this.surfaceView?.lookAt(cone.vertex);
+    this.setTab('surface');
   }
   showMoreRows(): void {
     this.mostRows = Infinity;
@@ -168,6 +183,16 @@ export class Controls {
     const count = where.length;
     this.#app.say(count === 1 ? `Shown: ${places.text}.` : `${count} places shown, in pink.`);
     this.setTab('surface');
+  }
+
+  handlesShown = false;
+  /** The loops around handles, in the colours of their rows. */
+  showHandles(isOn: boolean): void {
+    this.handlesShown = isOn;
+    const { surface } = this.#app;
+    const loops = isOn && surface ? handleLoops(surface) : [];
+    this.surfaceView?.setHandles(loops.map((loop) => loopSegments(surface!, loop)));
+    this.#changed();
   }
 
   /** What a screen reader says of the 3D view. */

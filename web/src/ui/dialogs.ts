@@ -2,11 +2,17 @@
 
 import { html, nothing, type TemplateResult } from 'lit';
 import type { App } from '../state/app';
-import { formats, make, save } from '../state/exports';
-import { load, loadWithoutImages, openMain, supply } from '../state/open';
+import { load } from '../state/load';
+import { loadWithoutImages, openMain, supply } from '../state/open';
 import type { Controls } from './controls';
+import { downloads } from './download';
 
-function frame(id: string, title: string, body: TemplateResult, close: () => void): TemplateResult {
+export function frame(
+  id: string,
+  title: string,
+  body: TemplateResult,
+  close: () => void,
+): TemplateResult {
   return html`<dialog id=${id} aria-labelledby="${id}-title" @cancel=${close} @close=${close}>
     <h2 id="${id}-title">${title}</h2>
     ${body}
@@ -100,66 +106,44 @@ function whichMesh(app: App): TemplateResult {
     html`<p>
         The file holds ${info.surfaces.length} meshes. Primitives of one mesh are one surface.
       </p>
-      <ul class="list">
-        ${info.surfaces.map(
-          ({ index, name, triangles, vertices }) =>
-            html`<li>
-              <button
-                type="button"
-                class="wide-button"
-                data-mesh=${index}
-                aria-current=${index === info.surface}
-                ?autofocus=${index === info.surface}
-                @click=${() => (index === info.surface ? keep() : void load(app, index))}
-              >
-                <b>${name || `Mesh ${index}`}</b>
-                <small
-                  >${triangles} triangles, ${vertices}
-                  vertices${index === info.surface ? ' · suggested' : ''}</small
-                >
-              </button>
-            </li>`,
-        )}
-      </ul>`,
+      <div class="scroll">
+        <table id="meshes">
+          <thead>
+            <tr>
+              <th scope="col">Mesh</th>
+              <th scope="col">Triangles</th>
+              <th scope="col">Parts</th>
+              <th scope="col">Manifold</th>
+            </tr>
+          </thead>
+          <tbody>
+            ${info.surfaces.map(({ index, name, triangles, notes }) => {
+              const seen = app.survey.find((one) => one.index === index);
+              const isBest = index === info.surface;
+              return html`<tr class=${isBest ? 'selected' : ''}>
+                <th scope="row">
+                  <button
+                    type="button"
+                    class="wide-button"
+                    data-mesh=${index}
+                    aria-current=${isBest}
+                    ?autofocus=${isBest}
+                    @click=${() => (isBest ? keep() : void load(app, index))}
+                  >
+                    ${name || `Mesh ${index}`}${isBest ? html`<small>suggested</small>` : nothing}
+                  </button>
+                  ${notes.length > 0 ? html`<small>${notes.join('; ')}</small>` : nothing}
+                </th>
+                <td>${triangles}</td>
+                <td>${seen?.parts || '–'}</td>
+                <td>${seen ? (seen.isUsable ? 'yes' : `no: ${seen.why}`) : '–'}</td>
+              </tr>`;
+            })}
+          </tbody>
+        </table>
+      </div>
+      <p class="row end"><button type="button" @click=${keep}>Use the suggested one</button></p>`,
     keep,
-  );
-}
-
-function downloads(app: App, ui: Controls): TemplateResult {
-  const solved = app.current;
-  const close = (): void => ui.show('');
-  if (!solved) return html``;
-  const { info } = app;
-  const stored = info?.surfaces[info.surface]?.storedVertices ?? 0;
-  return frame(
-    'downloads',
-    solved.isCertified ? 'Download' : 'Download uncertified result',
-    html`<p class="note">
-        ${stored} stored vertices; ${solved.result.uvToVertex.length} texture vertices, since seams
-        are split. The cones are embedded, so that the file opens here again as it is.
-      </p>
-      <ul class="list">
-        ${formats.map(({ format, label, hint }) => {
-          const name = format === 'same' ? solved.written.files[0].name : hint;
-          return html`<li>
-            <button
-              type="button"
-              class="wide-button"
-              data-format=${format}
-              ?autofocus=${format === 'same'}
-              @click=${() => {
-                save(make(app, solved, format));
-                app.isUnsaved = false;
-                close();
-              }}
-            >
-              <b>${label}</b><small>${format === 'same' ? `${name} · ${hint}` : hint}</small>
-            </button>
-          </li>`;
-        })}
-      </ul>
-      <p class="row end"><button type="button" @click=${close}>Close</button></p>`,
-    close,
   );
 }
 
@@ -176,7 +160,7 @@ const keys: [string, string][] = [
   ['Delete', 'remove the cone'],
   ['F, R', 'frame, reset the camera'],
   ['G, H', 'next pattern, next overlay'],
-  ['L, S', 'wireframe, seams'],
+  ['L, S, O', 'wireframe, seams, parallel projection'],
   ['U', 'UV view'],
 ];
 
@@ -205,7 +189,34 @@ function help(ui: Controls): TemplateResult {
           Single-key shortcuts</label
         >
       </p>
+      <p>
+        <button type="button" class="small" @click=${() => ui.nextTheme()}>
+          Theme: ${ui.theme}
+        </button>
+      </p>
       <p><a href="./guide.html">Guide: cones, certificate, Blender, three.js, quads</a></p>
+      <p class="row end">
+        <button type="button" class="strong" autofocus @click=${close}>Close</button>
+      </p>`,
+    close,
+  );
+}
+
+function log(app: App, ui: Controls): TemplateResult {
+  const close = (): void => ui.show('');
+  return frame(
+    'log-dialog',
+    'Log',
+    html`<ol class="log" tabindex="0" aria-label="Messages, the newest first">
+        ${app.log
+          .toReversed()
+          .map(
+            ({ time, text }) =>
+              html`<li>
+                <time datetime=${time.toISOString()}>${time.toLocaleTimeString()}</time> ${text}
+              </li>`,
+          )}
+      </ol>
       <p class="row end">
         <button type="button" class="strong" autofocus @click=${close}>Close</button>
       </p>`,
@@ -217,7 +228,8 @@ export function dialogs(app: App, ui: Controls): TemplateResult | typeof nothing
   if (app.phase === 'needs-files') return missingFiles(app);
   if (app.phase === 'pick-mesh')
     return app.candidates.length > 0 ? whichModel(app) : whichMesh(app);
-  if (ui.dialog === 'download' && app.current) return downloads(app, ui);
+  if (ui.dialog === 'download' && app.current) return downloads(app, ui, app.current);
+  if (ui.dialog === 'log') return log(app, ui);
   if (ui.dialog === 'help') return help(ui);
   return nothing;
 }

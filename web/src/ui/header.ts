@@ -1,9 +1,11 @@
 // The bar at the top: open, examples, undo, Run, Download.
 
 import { html, nothing, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
 import { examples } from 'virtual:examples';
 import type { App } from '../state/app';
 import { redo, undo } from '../state/edit';
+import { load } from '../state/load';
 import { openExample } from '../state/open';
 import { cancel, canRun, run } from '../state/run';
 import type { Controls } from './controls';
@@ -13,7 +15,7 @@ export function header(app: App, ui: Controls): TemplateResult {
   const { canUndo, canRedo, undoKind, redoKind } = app.history;
   const isBusy = app.phase === 'running' || app.phase === 'loading';
   return html`<header>
-    <h1><span class="mark" aria-hidden="true"></span>hgp</h1>
+    <h1><span class="mark" aria-hidden="true"></span><span class="name">hgp</span></h1>
     <button type="button" id="open" @click=${() => ui.chooseFiles()} title="Open (Ctrl+O)">
       ${icon('open')}<span class="wide">Open</span>
     </button>
@@ -21,11 +23,12 @@ export function header(app: App, ui: Controls): TemplateResult {
       <button
         type="button"
         id="examples"
+        aria-label="Examples"
         aria-haspopup="true"
         aria-expanded=${ui.menu === 'examples'}
         @click=${() => ui.toggleMenu('examples')}
       >
-        Examples ${icon('more')}
+        <span class="wide">Examples</span>${icon('more')}
       </button>
       ${
         ui.menu === 'examples'
@@ -72,7 +75,7 @@ export function header(app: App, ui: Controls): TemplateResult {
       ${icon('redo')}
     </button>
     <p class="file" title=${app.info ? app.main : ''}>${app.info ? app.main : ''}</p>
-    ${runButton(app)} ${downloadButton(app, ui)}
+    ${meshChooser(app)} ${runButton(app)} ${downloadButton(app, ui)}
     <button
       type="button"
       id="help"
@@ -93,6 +96,26 @@ export function header(app: App, ui: Controls): TemplateResult {
       ${icon('theme')}
     </button>
   </header>`;
+}
+
+/** Another mesh of the same file. */
+function meshChooser(app: App): TemplateResult | typeof nothing {
+  const { info } = app;
+  if (!info || info.surfaces.length < 2) return nothing;
+  return html`<select
+    id="mesh"
+    aria-label="Mesh of this file"
+    ?disabled=${app.phase !== 'editing' && app.phase !== 'invalid'}
+    .value=${live(String(info.surface))}
+    @change=${(event: Event) => void load(app, Number((event.target as HTMLSelectElement).value))}
+  >
+    ${info.surfaces.map(
+      ({ index, name }) =>
+        html`<option value=${index} ?selected=${index === info.surface}>
+          ${name || `Mesh ${index}`}
+        </option>`,
+    )}
+  </select>`;
 }
 
 function runButton(app: App): TemplateResult {

@@ -1,11 +1,13 @@
 // The column at the side: model, cones, boundaries and handles, result.
 
 import { html, nothing, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
 import type { App } from '../state/app';
-import { load } from '../state/open';
+import { change } from '../state/load';
 import { result } from './certificate';
 import { cones } from './cones';
 import type { Controls } from './controls';
+import { solve } from './solve';
 import { turnings } from './turnings';
 
 const number = new Intl.NumberFormat('en');
@@ -33,6 +35,38 @@ const fixes: Record<string, ['split' | 'orient' | 'degenerate', string]> = {
   'duplicate-face': ['degenerate', 'Remove them'],
 };
 
+const repairNames = {
+  split: 'split non-manifold places',
+  orient: 'turn triangles round',
+  degenerate: 'remove degenerate triangles',
+};
+
+function weld(app: App): TemplateResult {
+  const set = (event: Event): void => {
+    const text = (event.target as HTMLInputElement).value.trim();
+    const length = text === '' ? undefined : Number(text);
+    if (length !== undefined && !(length >= 0)) return;
+    if (length === app.loaded.weld) return;
+    const kind = length === undefined ? 'weld as the format needs' : `weld closer than ${length}`;
+    void change(app, { ...app.loaded, weld: length }, kind);
+  };
+  const example = (1e-6 * (app.info?.diagonal ?? 1)).toPrecision(1);
+  return html`<div class="row field">
+    <label for="weld">Join vertices closer than</label>
+    <input
+      id="weld"
+      class="length"
+      type="number"
+      min="0"
+      step="any"
+      placeholder="exact"
+      title="In units of the file, for example ${example}"
+      .value=${live(app.loaded.weld === undefined ? '' : String(app.loaded.weld))}
+      @change=${set}
+    />
+  </div>`;
+}
+
 function defects(app: App, ui: Controls): TemplateResult | typeof nothing {
   const list = app.info?.defects ?? [];
   if (list.length === 0) return nothing;
@@ -57,8 +91,9 @@ function defects(app: App, ui: Controls): TemplateResult | typeof nothing {
                   class="small"
                   data-fix=${fix[0]}
                   @click=${() => {
-                    app.settings.fix = { ...app.settings.fix, [fix[0]]: true };
-                    void load(app, app.info!.surface);
+                    const settings = app.loaded;
+                    const more = { ...settings, fix: { ...settings.fix, [fix[0]]: true } };
+                    void change(app, more, repairNames[fix[0]]);
                   }}
                 >
                   ${fix[1]}
@@ -81,6 +116,7 @@ function model(app: App, ui: Controls): TemplateResult {
   const rows: [string, string | number][] = [
     ['Vertices', vertices],
     ['Triangles', count(info.triangles)],
+    ['Diagonal', info.diagonal.toPrecision(4)],
   ];
   if (info.usable) {
     rows.push(
@@ -101,7 +137,7 @@ function model(app: App, ui: Controls): TemplateResult {
           </div>`,
       )}
     </dl>
-    ${defects(app, ui)}
+    ${defects(app, ui)} ${weld(app)}
     ${[...(surface?.notes ?? []), ...info.notes].map((note) => html`<p class="note">${note}</p>`)}
   </details>`;
 }
@@ -110,7 +146,8 @@ export function inspector(app: App, ui: Controls): TemplateResult {
   const isUsable = app.info?.usable ?? false;
   return html`
     ${app.shown ? result(app, ui) : nothing} ${isUsable ? cones(app, ui) : nothing}
-    ${isUsable ? turnings(app, ui) : nothing} ${app.info ? model(app, ui) : nothing}
+    ${isUsable ? turnings(app, ui) : nothing} ${isUsable ? solve(app) : nothing}
+    ${app.info ? model(app, ui) : nothing}
     <p class="note guide">
       <a href="./guide.html">How cones work, and what to do with the result</a>
     </p>

@@ -98,6 +98,7 @@ export class Keyboard {
       r: () => ui.surfaceView?.orbit.reset(),
       l: () => ui.setLook({ hasWire: !look.hasWire }),
       s: () => ui.setLook({ hasSeams: !look.hasSeams }),
+      o: () => ui.surfaceView?.toggleParallel(),
       g: () => ui.nextPattern(),
       h: () => ui.nextOverlay(),
       u: () => ui.setTab(ui.tab === 'map' ? 'surface' : 'map'),

@@ -47,7 +47,7 @@ function emptyState(app: App, ui: Controls): TemplateResult {
   </section>`;
 }
 
-function statusLine(app: App): TemplateResult {
+function statusLine(app: App, ui: Controls): TemplateResult {
   const { progress, message } = app;
   const seconds = progress ? (performance.now() - progress.begin) / 1000 : 0;
   const left =
@@ -75,6 +75,9 @@ function statusLine(app: App): TemplateResult {
             <span class="detail clock" aria-hidden="true">${seconds.toFixed(0)} s${left}</span>`
         : nothing
     }
+    <button type="button" class="small log-button" id="log" @click=${() => ui.show('log')}>
+      Log
+    </button>
   </footer>`;
 }
 
@@ -178,7 +181,7 @@ export function page(app: App, ui: Controls): TemplateResult {
       </section>
       ${hasModel ? html`<aside aria-label="Inspector">${inspector(app, ui)}</aside>` : emptyState(app, ui)}
     </main>
-    ${statusLine(app)} ${dialogs(app, ui)}
+    ${statusLine(app, ui)} ${dialogs(app, ui)}
     <input
       id="file"
       type="file"

@@ -7,7 +7,7 @@ import type { Hit } from '../view/surface_view';
 import type { Controls } from './controls';
 
 const reach = { mouse: 12, pen: 16, touch: 24 } as const;
-const markerReach = 18;
+const markerReach = { mouse: 18, pen: 22, touch: 28 } as const;
 const clickMoves = 4; // pixels: further is an orbit
 const longPress = 400; // milliseconds
 
@@ -39,16 +39,17 @@ export class Pointer {
   #coneNear(view: View, event: PointerEvent): number {
     const surfaceView = this.#ui.surfaceView!;
     const { cones } = this.#app.asked;
+    const within = markerReach[event.pointerType as keyof typeof markerReach] ?? markerReach.mouse;
     if (view !== surfaceView) {
       const hit = view.pick(event);
-      return hit && hit.pixels < markerReach
+      return hit && hit.pixels < within
         ? cones.findIndex(({ vertex }) => vertex === hit.vertex)
         : -1;
     }
     const box = view.canvas.getBoundingClientRect();
     const front = view.pick(event);
     let best = -1;
-    let nearest = markerReach;
+    let nearest: number = within;
     cones.forEach(({ vertex }, i) => {
       const at = surfaceView.toScreen(vertex);
       const pixels = Math.hypot(at.x - event.clientX + box.left, at.y - event.clientY + box.top);
@@ -76,7 +77,7 @@ export class Pointer {
     if (cone >= 0 && view === this.#ui.surfaceView) {
       this.#ui.surfaceView.orbit.controls.enabled = false;
       view.canvas.setPointerCapture(event.pointerId);
-    }
+    } else if (cone >= 0) this.#ui.mapView!.isPanning = false;
     if (event.pointerType === 'touch') {
       this.#timer = setTimeout(() => this.#place(view, event, reach.touch), longPress);
     }
@@ -130,6 +131,7 @@ export class Pointer {
     clearTimeout(this.#timer);
     this.#down = undefined;
     if (this.#ui.surfaceView) this.#ui.surfaceView.orbit.controls.enabled = true;
+    if (this.#ui.mapView) this.#ui.mapView.isPanning = true;
   }
 
   #leave(): void {

@@ -1,6 +1,7 @@
 // What lies over the 3D view: tools, pattern, overlay, scale.
 
 import { html, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
 import { overlays, patterns, type App, type Overlay, type Pattern } from '../state/app';
 import type { Controls } from './controls';
 import { icon } from './icons';
@@ -12,7 +13,7 @@ const patternNames: Record<Pattern, string> = {
   hex: 'Hexagons',
   circles: 'Circles',
   image: 'Your image…',
-  material: 'Original material',
+  material: 'Original',
   plain: 'None',
 };
 
@@ -20,6 +21,7 @@ const overlayNames: Record<Overlay, string> = {
   none: 'No overlay',
   angle: 'Angle distortion',
   area: 'Area distortion',
+  seams: 'Distance to seams',
   flips: 'Flips',
 };
 
@@ -76,7 +78,7 @@ export function toolbar(app: App, ui: Controls): TemplateResult {
       <select
         id="pattern"
         aria-label="Pattern"
-        .value=${look.pattern}
+        .value=${live(look.pattern)}
         @change=${(event: Event) => ui.choosePattern((event.target as HTMLSelectElement).value as Pattern)}
       >
         ${patterns
@@ -94,6 +96,7 @@ export function toolbar(app: App, ui: Controls): TemplateResult {
       <select
         id="overlay"
         aria-label="Overlay"
+        .value=${live(look.overlay)}
         @change=${(event: Event) => ui.setLook({ overlay: (event.target as HTMLSelectElement).value as Overlay })}
       >
         ${overlays.map(
@@ -111,7 +114,7 @@ export function toolbar(app: App, ui: Controls): TemplateResult {
           min="0"
           max="100"
           step="1"
-          .value=${String(ui.sliderOf(look.tiles))}
+          .value=${live(String(ui.sliderOf(look.tiles)))}
           aria-valuetext="${look.tiles.toFixed(0)} tiles across"
           @input=${(event: Event) => ui.setSlider(Number((event.target as HTMLInputElement).value))}
         />

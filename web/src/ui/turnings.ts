@@ -1,6 +1,7 @@
 // Boundaries and handles: turning indices l and rotations r, automatic unless someone says otherwise.
 
 import { html, nothing, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
 import type { App } from '../state/app';
 import { setHandle, setTurning } from '../state/edit';
 import { angleText } from '../state/prescription';
@@ -30,7 +31,7 @@ function stepper(
       type="number"
       aria-label=${name}
       placeholder="auto"
-      .value=${value === null ? '' : String(value)}
+      .value=${live(value === null ? '' : String(value))}
       @change=${change}
     />
     <button
@@ -54,7 +55,7 @@ export function turnings(app: App, ui: Controls): TemplateResult | typeof nothin
     <summary>
       Boundaries and handles<span class="count">${list.length + handles.length}</span>
     </summary>
-    ${loops.slice(0, 40).map(({ loop, vertices, turningAngle, anchor }) => {
+    ${loops.slice(0, 40).map(({ loop, vertices, length, turningAngle, anchor }) => {
       const natural = Math.round((turningAngle / (2 * Math.PI)) * q);
       const l = list[loop];
       const solved = asSolved.get(loop);
@@ -69,7 +70,7 @@ export function turnings(app: App, ui: Controls): TemplateResult | typeof nothin
         </button>
         ${stepper(`Turning index l of boundary ${loop + 1}`, l, natural, (n) => setTurning(app, loop, n))}
         <small
-          >${vertices} vertices · by shape
+          >${vertices} vertices · length ${length.toPrecision(3)} · by shape
           ${natural}${
             l === null
               ? solved === undefined
@@ -83,7 +84,15 @@ export function turnings(app: App, ui: Controls): TemplateResult | typeof nothin
     ${handles.slice(0, 40).map((r, generator) => {
       const solved = rSolved.get(generator);
       return html`<div class="row field" data-handle=${generator}>
-        <span>Handle loop ${generator + 1}</span>
+        <button
+          type="button"
+          class="link"
+          title="Show"
+          aria-pressed=${ui.handlesShown}
+          @click=${() => ui.showHandles(!ui.handlesShown)}
+        >
+          <i class="swatch" data-hue=${generator % 8}></i>Handle loop ${generator + 1}
+        </button>
         ${stepper(`Rotation r of handle loop ${generator + 1}`, r, solved ?? 0, (n) => setHandle(app, generator, n))}
         <small
           >${r === null ? (solved === undefined ? 'from the smooth field' : `solved with ${solved}`) : angleText(r, q)}</small

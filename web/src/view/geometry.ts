@@ -88,10 +88,21 @@ export function legendOf(solved: Solved, overlay: Overlay): Legend | undefined {
     const [middle, high] = [(1 + most) / 2, most].map((x) => x.toFixed(2));
     return { title: 'Stretch σ₁/σ₂', low: '1', middle, high: `≥ ${high}`, kind: 'sequential' };
   }
+  if (overlay === 'seams') {
+    const high = seamLimit(solved);
+    const [middle, end] = [high / 2, high].map((x) => x.toPrecision(2));
+    return { title: 'Distance to a seam', low: '0', middle, high: `≥ ${end}`, kind: 'sequential' };
+  }
   if (overlay !== 'area') return undefined;
   const high = areaLimit(solved);
   const factor = (2 ** high).toPrecision(2);
   return { title: 'Area', low: `÷ ${factor}`, middle: '1', high: `× ${factor}`, kind: 'diverging' };
+}
+
+/** Without seams there is no distance to one. */
+function seamLimit({ seamDistance }: Solved): number {
+  const most = quantile(seamDistance, 0.99);
+  return Number.isFinite(most) && most > 0 ? most : 1;
 }
 
 function areaLimit({ distortion }: Solved): number {
@@ -120,6 +131,12 @@ export function paint(
   } else if (overlay === 'area') {
     const most = areaLimit(solved);
     area.forEach((x, t) => set(t, ramp(diverging, 0.5 + x / (2 * most)), 225));
+  } else if (overlay === 'seams') {
+    const most = seamLimit(solved);
+    solved.result.triangles.forEach((v, c) => {
+      const d = solved.seamDistance[v] / most;
+      out.set([...ramp(sequential, Number.isFinite(d) ? d : 1), 225], 4 * c);
+    });
   } else if (overlay === 'flips') {
     for (let t = 0; t < area.length; t++) set(t, [205, 212, 220], 225);
   }

@@ -1,11 +1,12 @@
 // Line segments with a width in pixels: seams, crosses, highlights, wireframe.
 
-import { Color, type Vector3 } from 'three';
+import type { Color, Vector3 } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import type { Solved } from '../state/solved';
 import type { Surface } from '../state/surface';
+import { chainColour } from './ticks';
 
 export class Lines extends LineSegments2 {
   constructor(width: number, options: { depth?: boolean; order?: number; bias?: number } = {}) {
@@ -48,19 +49,6 @@ export class Lines extends LineSegments2 {
     this.geometry = geometry;
   }
 }
-
-// Colours that are told apart on both grounds and by most eyes; chains beyond them repeat.
-const hues = [
-  '#e4572e',
-  '#1b998b',
-  '#8f5bd6',
-  '#d1247c',
-  '#2e86de',
-  '#7a9e1f',
-  '#b8741a',
-  '#00a6c7',
-];
-export const chainColour = (chain: number): Color => new Color(hues[chain % hues.length]);
 
 /** Seams on the surface: one segment per seam edge. */
 export function seamsOnSurface(surface: Surface, { seams, chains, result }: Solved) {

@@ -9,6 +9,7 @@ import type { Solved } from '../state/solved';
 import type { Surface } from '../state/surface';
 import { crosses, flatGeometry, paint } from './geometry';
 import { edgesOfCorners, Lines, seamsInMap } from './lines';
+import { ticksInMap } from './ticks';
 import { Markers } from './markers';
 import { setImage, setPalette, setPattern, surfaceMaterial, type Palette } from './material';
 import { Stage } from './stage';
@@ -21,6 +22,7 @@ export class MapView extends Stage {
   readonly #mesh = new Mesh(new BufferGeometry(), surfaceMaterial(false));
   readonly #markers = new Markers();
   readonly #seams = new Lines(2.5, { order: 3, depth: false });
+  readonly #ticks = new Lines(2, { order: 3, depth: false });
   readonly #crosses = new Lines(1.5, { order: 1, depth: false });
   readonly #wire = new Lines(0.7, { order: 1, depth: false });
   readonly #light = new Lines(4, { order: 6, depth: false });
@@ -34,11 +36,13 @@ export class MapView extends Stage {
   #image?: ImageBitmap;
   #size = { width: 1, height: 1 };
   #isTouched = false;
+  /** Off while a cone is dragged. */
+  isPanning = true;
 
   constructor(canvas: HTMLCanvasElement) {
     super(canvas);
     this.scene.add(this.#square, this.#mesh, this.#wire, this.#crosses, this.#seams);
-    this.scene.add(this.#light, this.#markers);
+    this.scene.add(this.#ticks, this.#light, this.#markers);
     this.#mesh.visible = false;
     this.#listen();
   }
@@ -106,7 +110,7 @@ export class MapView extends Stage {
     );
     canvas.addEventListener('pointerdown', (event) => canvas.setPointerCapture(event.pointerId));
     canvas.addEventListener('pointermove', (event) => {
-      if (event.buttons === 0) return;
+      if (event.buttons === 0 || !this.isPanning) return;
       this.pan(-event.movementX / this.#size.height, event.movementY / this.#size.height);
     });
   }
@@ -124,9 +128,9 @@ export class MapView extends Stage {
     this.#bvh = undefined;
     this.#mesh.geometry.dispose();
     this.#mesh.visible = solved !== undefined;
-    for (const lines of [this.#seams, this.#crosses, this.#wire, this.#light, this.#square]) {
+    for (const lines of [this.#seams, this.#ticks, this.#crosses, this.#wire])
       lines.visible = false;
-    }
+    this.#light.visible = this.#square.visible = false;
     this.#mesh.geometry = solved ? flatGeometry(solved) : new BufferGeometry();
     if (solved) this.fit();
     this.draw();
@@ -153,7 +157,11 @@ export class MapView extends Stage {
     if (look.hasSeams) {
       const { points, colours } = seamsInMap(solved);
       this.#seams.set(points, colours);
-    } else this.#seams.visible = false;
+      const box = boxOf(solved.corners.uv);
+      const half = 0.012 * Math.max(box.width, box.height);
+      const ticks = ticksInMap(solved, half);
+      this.#ticks.set(ticks.points, ticks.colours);
+    } else this.#seams.visible = this.#ticks.visible = false;
     if (look.hasWire) {
       this.#wire.set(edgesOfCorners(this.#mesh.geometry.attributes.position.array), palette.ink);
     } else this.#wire.visible = false;

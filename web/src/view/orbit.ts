@@ -3,6 +3,10 @@
 import { MathUtils, PerspectiveCamera, Spherical, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
+const usual = 32; // degrees of the field of view
+const parallel = 1; // so narrow that lines which are parallel look parallel
+const glideTime = 150; // milliseconds
+
 const startFrom = new Vector3(0.5, 0.38, 0.78).normalize();
 
 export class Orbit {
@@ -17,7 +21,10 @@ export class Orbit {
     this.controls = new OrbitControls(camera, canvas);
     this.controls.enableDamping = false;
     this.controls.zoomToCursor = true;
-    this.controls.addEventListener('change', onChange);
+    this.controls.addEventListener('change', () => {
+      this.#setDepth();
+      onChange();
+    });
     this.controls.addEventListener('start', () => (this.#isTouched = true));
   }
 
@@ -50,10 +57,62 @@ export class Orbit {
     const distance = (1.12 * this.#radius) / Math.sin(narrow);
     this.controls.target.copy(this.#center);
     this.#camera.position.copy(direction).multiplyScalar(distance).add(this.#center);
-    this.#camera.near = this.#radius / 200;
+    this.controls.update();
+    this.#setDepth();
+  }
+
+  #setDepth(): void {
+    const distance = this.#camera.position.distanceTo(this.controls.target);
+    this.#camera.near = Math.max(this.#radius / 200, distance - this.#radius * 40);
     this.#camera.far = distance + this.#radius * 40;
     this.#camera.updateProjectionMatrix();
+  }
+
+  get isParallel(): boolean {
+    return this.#camera.fov < usual;
+  }
+
+  /** Parallel projection and back; what is in the middle keeps its size. */
+  setParallel(isOn: boolean): void {
+    if (isOn === this.isParallel) return;
+    const before = Math.tan(MathUtils.degToRad(this.#camera.fov / 2));
+    this.#camera.fov = isOn ? parallel : usual;
+    const factor = before / Math.tan(MathUtils.degToRad(this.#camera.fov / 2));
+    const { target } = this.controls;
+    this.#camera.position.sub(target).multiplyScalar(factor).add(target);
+    this.#setDepth();
     this.controls.update();
+  }
+
+  /** How much nearer lines are drawn, so that they are in front by the same depth at any field. */
+  get lift(): number {
+    const tangent = (degrees: number): number => Math.tan(MathUtils.degToRad(degrees / 2));
+    return (0.003 * tangent(this.#camera.fov)) / tangent(usual);
+  }
+
+  /** Brings a point to the middle, softly where that is welcome; goes round where it faces away. */
+  lookAt(point: Vector3, normal: Vector3): void {
+    const { position } = this.#camera;
+    const { target } = this.controls;
+    const back = position.clone().sub(target);
+    const isAway = normal.lengthSq() > 0 && normal.dot(back) < 0.15 * back.length();
+    // Not straight from above, where up has no meaning.
+    const front = normal.clone().addScaledVector(startFrom, 0.35);
+    const wanted = isAway ? front.setLength(back.length()) : back;
+    const aim = point.clone().sub(target);
+    const move = point.clone().add(wanted).sub(position);
+    const isStill = matchMedia('(prefers-reduced-motion: reduce)').matches;
+    const begin = performance.now();
+    let done = 0;
+    const go = (): void => {
+      const part = isStill ? 1 : Math.min(1, (performance.now() - begin) / glideTime);
+      target.addScaledVector(aim, part - done);
+      position.addScaledVector(move, part - done);
+      done = part;
+      this.controls.update();
+      if (part < 1) requestAnimationFrame(go);
+    };
+    go();
   }
 
   /** Radians around and up; factor of the distance. */

@@ -1,6 +1,6 @@
 // A canvas with a scene that is drawn only when something has changed.
 
-import { Color, Scene, WebGLRenderer, type Camera } from 'three';
+import { Color, type Object3D, Scene, WebGLRenderer, type Camera } from 'three';
 
 export abstract class Stage {
   readonly canvas: HTMLCanvasElement;
@@ -25,11 +25,30 @@ export abstract class Stage {
     this.#before.push(step);
   }
 
+  /**
+   * Draws one of each thing once, before any is needed: compiling the programs of the graphics card
+   * takes long, and would hold the page up in the middle of a run.
+   */
+  warm(things: Object3D[]): void {
+    const scene = new Scene();
+    scene.add(...things);
+    for (const thing of things) {
+      thing.frustumCulled = false;
+      thing.position.z = -1;
+    }
+    this.renderer.setSize(16, 16, false);
+    this.renderer.render(scene, this.camera);
+    this.renderer.clear();
+    this.resize();
+  }
+
   draw(): void {
     if (this.#isPending) return;
     this.#isPending = true;
+    this.canvas.dataset.pending = '';
     requestAnimationFrame(() => {
       this.#isPending = false;
+      delete this.canvas.dataset.pending;
       if (this.canvas.clientWidth === 0) return;
       for (const step of this.#before) step();
       this.renderer.render(this.scene, this.camera);

@@ -18,6 +18,7 @@ import type { Solved } from '../state/solved';
 import type { Surface } from '../state/surface';
 import { cornerGeometry, crosses, paint } from './geometry';
 import { edgesOfCorners, Lines, seamsOnSurface } from './lines';
+import { chainColour, ticksOnSurface } from './ticks';
 import { Markers } from './markers';
 import { setImage, setPalette, setPattern, surfaceMaterial, type Palette } from './material';
 import { Orbit } from './orbit';
@@ -38,6 +39,8 @@ export class SurfaceView extends Stage {
   readonly #mesh = new Mesh(new BufferGeometry(), surfaceMaterial(true));
   readonly #markers = new Markers();
   readonly #seams = new Lines(3.5, { order: 3, bias: 2 });
+  readonly #ticks = new Lines(2.5, { order: 3, bias: 2 });
+  readonly #handles = new Lines(4, { order: 4, bias: 2 });
   readonly #crosses = new Lines(2, { order: 1, bias: 1 });
   readonly #wire = new Lines(0.8, { order: 1, bias: 1 });
   readonly #light = new Lines(4.5, { order: 6, depth: false });
@@ -53,13 +56,15 @@ export class SurfaceView extends Stage {
 
   constructor(canvas: HTMLCanvasElement) {
     super(canvas);
-    this.scene.add(this.#mesh, this.#wire, this.#crosses, this.#seams);
-    this.scene.add(this.#light, this.#cursor, this.#markers);
+    this.scene.add(this.#mesh, this.#wire, this.#crosses, this.#seams, this.#ticks);
+    this.scene.add(this.#handles, this.#light, this.#cursor, this.#markers);
     this.#mesh.visible = false;
     this.beforeDraw(() => {
       const eye = this.camera.position;
       this.#markers.lift(eye, 0.04 * (this.#surface?.diagonal ?? 1));
-      for (const lines of [this.#seams, this.#crosses, this.#wire]) lines.lift(eye, 0.003);
+      for (const lines of [this.#seams, this.#crosses, this.#wire, this.#ticks, this.#handles]) {
+        lines.lift(eye, this.orbit.lift);
+      }
     });
     this.orbit = new Orbit(this.camera, canvas, () => this.draw());
   }
@@ -86,9 +91,10 @@ export class SurfaceView extends Stage {
     this.#crossKey = '';
     this.#mesh.geometry.dispose();
     this.#mesh.visible = surface !== undefined;
-    for (const lines of [this.#seams, this.#crosses, this.#wire, this.#light, this.#cursor]) {
+    for (const lines of [this.#seams, this.#ticks, this.#crosses, this.#wire, this.#light]) {
       lines.visible = false;
     }
+    if (isNew) this.#cursor.visible = this.#handles.visible = false;
     if (!surface) {
       this.#mesh.geometry = new BufferGeometry();
       this.#markers.show([], 0, true);
@@ -142,11 +148,25 @@ export class SurfaceView extends Stage {
     if (solved && look.hasSeams) {
       const { points, colours } = seamsOnSurface(surface, solved);
       this.#seams.set(points, colours);
-    } else this.#seams.visible = false;
+      const ticks = ticksOnSurface(surface, solved);
+      this.#ticks.set(ticks.points, ticks.colours);
+    } else this.#seams.visible = this.#ticks.visible = false;
     if (look.hasWire) {
       const { array } = this.#mesh.geometry.attributes.position;
       this.#wire.set(edgesOfCorners(array), this.#palette!.ink);
     } else this.#wire.visible = false;
+  }
+
+  /** Loops around handles, each in the colour that the panel gives it. */
+  setHandles(loops: Float32Array[]): void {
+    const points: number[] = [];
+    const colours: Color[] = [];
+    loops.forEach((loop, i) => {
+      points.push(...loop);
+      for (let s = 0; s < loop.length; s += 6) colours.push(chainColour(i));
+    });
+    this.#handles.set(points, colours);
+    this.draw();
   }
 
   /** The model with its own materials in place of the pattern; nothing to have the pattern back. */
@@ -155,6 +175,7 @@ export class SurfaceView extends Stage {
     this.#original?.removeFromParent();
     this.#original = original;
     if (original) this.scene.add(original);
+    this.canvas.dataset.original = original ? 'shown' : 'none';
     this.#mesh.visible = this.#surface !== undefined && original === undefined;
     this.draw();
   }
@@ -245,10 +266,14 @@ export class SurfaceView extends Stage {
 
   /** Brings a vertex to the middle. */
   lookAt(vertex: number): void {
-    const step = this.point(vertex).sub(this.orbit.controls.target);
-    this.orbit.controls.target.add(step);
-    this.camera.position.add(step);
-    this.orbit.controls.update();
+    const normal = new Vector3().fromArray(this.#surface!.normals, 3 * vertex);
+    this.orbit.lookAt(this.point(vertex), normal);
+    this.draw();
+  }
+
+  toggleParallel(): void {
+    this.orbit.setParallel(!this.orbit.isParallel);
+    this.#markers.resize(this.#markerSize());
     this.draw();
   }
 }

@@ -1,0 +1,243 @@
+// The inspector: repairs and welds with undo, boundaries and handles, Solve, the table of cones, the
+// choices of Download.
+
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { existsSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import test from 'node:test';
+import { NodeIO } from '@gltf-transform/core';
+import { cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
+import { flatSquare, torusMesh } from './shapes.mjs';
+import {
+  download,
+  drop,
+  pixels,
+  root,
+  settled,
+  share,
+  shots,
+  state,
+  statusText,
+  useBrowser,
+} from './support.mjs';
+
+const it = useBrowser({ permissions: ['clipboard-read', 'clipboard-write'] });
+const program = path.join(root, 'build/native-release/bin/hgp');
+const kOf = (i) => it.page.locator(`tr[data-cone="${i}"] input`).inputValue();
+const model = () => it.page.locator('#panel-model').innerText();
+
+async function openMesh(mesh, name = 'mesh.obj') {
+  await drop(it, { [name]: toObj(mesh) });
+  await state(it.page, 'ready', 'unbalanced');
+}
+
+/** A cube whose sides have seams of their own: vertices doubled along one edge by a little. */
+function crackedCube() {
+  const { vertices, triangles } = cubeMesh(3);
+  const doubles = new Map();
+  const cracked = triangles.map((triangle) => {
+    const isUp = triangle.every((v) => vertices[v][2] > 0.9);
+    return triangle.map((v) => {
+      if (!isUp) return v;
+      if (!doubles.has(v)) {
+        doubles.set(v, vertices.length);
+        vertices.push(vertices[v].map((x) => x + 1e-5));
+      }
+      return doubles.get(v);
+    });
+  });
+  return { vertices, triangles: cracked };
+}
+
+test('a weld and a repair are steps of undo like any other', async () => {
+  const { page } = it;
+  await openMesh(crackedCube());
+  const before = await model();
+  assert.match(before, /Parts\s*2[\s\S]*Boundaries\s*2/);
+  await page.locator('#weld').fill('0.001');
+  await page.locator('#weld').press('Enter');
+  await page.waitForFunction(() =>
+    /Parts\s*1/.test(document.querySelector('#panel-model').innerText),
+  );
+  assert.match(await model(), /Boundaries\s*0/);
+  await page.click('#undo');
+  await page.waitForFunction(() =>
+    /Parts\s*2/.test(document.querySelector('#panel-model').innerText),
+  );
+  assert.equal(await page.locator('#weld').inputValue(), '');
+  await page.click('#redo');
+  await page.waitForFunction(() =>
+    /Parts\s*1/.test(document.querySelector('#panel-model').innerText),
+  );
+
+  const { vertices, triangles } = cubeMesh(3);
+  const fin = [...triangles, [triangles[0][0], triangles[0][1], vertices.length]];
+  await drop(it, { 'fin.obj': toObj({ vertices: [...vertices, [-2, -2, -2]], triangles: fin }) });
+  await state(page, 'invalid');
+  await page.click('[data-fix="split"]');
+  await state(page, 'ready', 'unbalanced');
+  await page.click('#undo');
+  await state(page, 'invalid');
+  await page.click('#redo');
+  await state(page, 'ready', 'unbalanced');
+});
+
+test('turning indices: by stepper, in the budget, and as they were solved', async () => {
+  const { page } = it;
+  const square = flatSquare(8);
+  await openMesh(square);
+  const loop = page.locator('[data-loop="0"]');
+  assert.match(await loop.innerText(), /Boundary 1[\s\S]*32 vertices · length 8[\s\S]*by shape 4/);
+  await loop.locator('button[aria-label$="larger"]').click();
+  assert.equal(await loop.locator('input').inputValue(), '4');
+  await loop.locator('button[aria-label$="larger"]').click();
+  assert.match(await page.locator('#run-why').textContent(), /1 too much/);
+  await page.locator('#panel-cones').scrollIntoViewIfNeeded();
+  await loop.locator('button[aria-label$="smaller"]').click();
+  await page.click('#run');
+  await state(page, 'certified');
+  assert.match(await page.locator('#certificate').innerText(), /Boundary turning\s*[\s\S]*0 wrong/);
+  await loop.locator('button.link').click();
+  assert.match(await statusText(page), /boundary 1/);
+  await loop.locator('input').fill('');
+  await loop.locator('input').press('Enter');
+  await state(page, 'stale', 'ready');
+});
+
+test('handle loops have rows, steppers and colours on the surface', async () => {
+  const { page } = it;
+  await openMesh(torusMesh(24, 12));
+  assert.match(await model(), /Genus g\s*1/);
+  await page.click('#run');
+  await state(page, 'certified');
+  assert.match(await page.locator('[data-handle="0"]').innerText(), /0°/);
+  await page.selectOption('#pattern', 'plain');
+  await page.click('#seams');
+  const isRed = (r, g, b) => r > 200 && g < 130 && b < 90;
+  const isTeal = (r, g, b) => g > 120 && r < 80 && b > 100;
+  await page.locator('[data-handle="0"] button.link').click();
+  await page.click('[aria-label="Frame all"]');
+  await settled(page);
+  const seen = await pixels(page, '#view', 'handles');
+  assert.ok(share(seen, isRed) + share(seen, isTeal) > 0.001);
+  await page.locator('[data-handle="1"] button.link').click();
+  await settled(page);
+  assert.ok(share(await pixels(page, '#view'), isRed) < 0.0001);
+  // A torus without cones cannot turn along a handle: refused, with the reason.
+  await page.locator('[data-handle="0"] [aria-label$="larger"]').click();
+  assert.match(await page.locator('[data-handle="0"]').innerText(), /90°/);
+  await page.click('#run');
+  await page.waitForSelector('#status.error');
+  assert.match(await statusText(page), /handle|holonomy|rotation/i);
+});
+
+test('Keep balanced: the cone edited longest ago takes up a change, and it is said', async () => {
+  const { page } = it;
+  await page.click('[data-card="cube"]');
+  await state(page, 'ready');
+  await page.click('tr[data-cone="0"] [aria-label$="larger k"]');
+  await page.click('tr[data-cone="0"] [aria-label$="smaller k"]');
+  await page.check('#keep-balanced');
+  await page.click('tr[data-cone="3"] [aria-label$="larger k"]');
+  assert.equal(await kOf(0), '3'); // edited, so not the first to change
+  assert.equal(await kOf(1), '2');
+  assert.match(await statusText(page), /Cone 2 is now k = 2/);
+  await page.waitForSelector('.budget.good');
+  await page.click('tr[data-cone="5"] [aria-label$="delete"]');
+  await page.waitForSelector('.budget.good');
+  await page.click('#undo');
+  await page.click('#undo');
+  assert.equal(await kOf(1), '3');
+});
+
+test('the table of cones is sorted by its columns, and a cone is brought to the middle', async () => {
+  const { page } = it;
+  await page.click('[data-card="cube"]');
+  await state(page, 'ready');
+  await page.click('tr[data-cone="2"] [aria-label$="smaller k"]');
+  const first = () => page.locator('#cones tbody tr').first().getAttribute('data-cone');
+  await page.click('[data-sort="k"]');
+  assert.equal(await first(), '2');
+  assert.equal(
+    await page.locator('#cones th[aria-sort="ascending"]').innerText(),
+    await page.locator('[data-sort="k"]').innerText(),
+  );
+  await page.click('[data-sort="vertex"]');
+  await page.click('[data-sort="vertex"]');
+  assert.equal(await first(), '7');
+  await settled(page);
+  const before = await pixels(page, '#view');
+  await page.click('tr[data-cone="7"] [aria-label$="frame"]');
+  await settled(page);
+  const after = await pixels(page, '#view');
+  assert.notDeepEqual(before.data, after.data);
+  assert.equal(await page.locator('tr.selected').getAttribute('data-cone'), '7');
+});
+
+test('Solve: the estimate, the time limit, and the command line that does the same', async () => {
+  const { page } = it;
+  await openMesh(cubeMesh(8), "it's a cube.obj");
+  await page.click('#suggest');
+  await page.waitForSelector('#cones');
+  await page.click('#panel-solve summary');
+  assert.match(await page.locator('#estimate').innerText(), /Memory[\s\S]*\d+ MB[\s\S]*Time/);
+  await page.click('#copy-command');
+  await page.waitForSelector('#status.good');
+  const command = await page.evaluate(() => navigator.clipboard.readText());
+  assert.match(command, /^hgp param 'it'\\''s a cube\.obj' --q 4 --cone \d+:\d+/);
+  await page.screenshot({ path: path.join(shots, 'panel-solve.png') });
+  if (existsSync(program)) {
+    writeFileSync(path.join(it.folder, 'run.sh'), command.replace(/^hgp/, `"${program}"`));
+    const run = spawnSync('sh', ['run.sh'], { cwd: it.folder, encoding: 'utf8' });
+    assert.equal(run.status, 0, run.stderr);
+    assert.ok(existsSync(path.join(it.folder, "it's a cube.mapped.obj")));
+  }
+  await page.click('#log');
+  assert.match(await page.locator('#log-dialog').innerText(), /Copied[\s\S]*suggested/);
+});
+
+test('Download: another uv set, another scale, without cones; each is judged again', async () => {
+  const { page } = it;
+  await drop(it, { 'cube.glb': toGlb([cubeMesh(4)]) });
+  await state(page, 'ready');
+  await page.click('#run');
+  await state(page, 'certified');
+  const idle = () => page.waitForSelector('#downloads ul:not([aria-busy="true"])');
+  await page.click('#download');
+  await page.uncheck('#embed-cones');
+  await idle();
+  const saved = await download(page, () => page.click('[data-format="same"]'));
+  // The file now has a set: the next run takes the next one, or replaces it on request.
+  await drop(it, { 'again.glb': saved.bytes });
+  await page.waitForSelector('.file[title="again.glb"]');
+  await state(page, 'ready');
+  assert.equal(await page.locator('#cones').count(), 0); // they were not embedded
+  await page.click('#run');
+  await state(page, 'certified');
+  const sets = async () => {
+    const { bytes } = await download(page, () => page.click('[data-format="same"]'));
+    const document = await new NodeIO().readBinary(new Uint8Array(bytes));
+    const mesh = document.getRoot().listMeshes()[0];
+    const [primitive] = mesh.listPrimitives();
+    return { primitive, extras: mesh.getExtras(), names: primitive.listSemantics() };
+  };
+  await page.click('#download');
+  const next = await sets();
+  assert.equal(next.extras.hgp?.q, 4);
+  assert.deepEqual(next.names.filter((name) => name.startsWith('TEXCOORD')), ['TEXCOORD_0', 'TEXCOORD_1']); // prettier-ignore
+  await page.click('#download');
+  await page.selectOption('#uv-set', '0');
+  await idle();
+  await page.waitForFunction(() => document.querySelector('#uv-set')?.value === '0');
+  await page.selectOption('#uv-scale', 'fit');
+  await idle();
+  await page.screenshot({ path: path.join(shots, 'download-choices.png') });
+  const replaced = await sets();
+  assert.deepEqual(replaced.names.filter((name) => name.startsWith('TEXCOORD')), ['TEXCOORD_0']); // prettier-ignore
+  const uv = replaced.primitive.getAttribute('TEXCOORD_0').getArray();
+  assert.ok(Math.min(...uv) >= -1e-6 && Math.max(...uv) <= 1 + 1e-6);
+  assert.ok(Math.max(...uv) > 0.9);
+  await state(page, 'certified');
+  assert.match(await page.locator('#certificate').innerText(), /same map/);
+});

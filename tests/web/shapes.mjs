@@ -1,0 +1,44 @@
+/** A flat square of n × n fields in the plane z = 0, seen from +z; the middle vertex where n is even. */
+export function flatSquare(n) {
+  const vertices = [];
+  const triangles = [];
+  for (let j = 0; j <= n; j++)
+    for (let i = 0; i <= n; i++) vertices.push([(2 * i) / n - 1, (2 * j) / n - 1, 0]);
+  const at = (i, j) => j * (n + 1) + i;
+  for (let j = 0; j < n; j++) {
+    for (let i = 0; i < n; i++) {
+      const [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+      if ((i + j) % 2) triangles.push([a, b, c], [a, c, d]);
+      else triangles.push([a, b, d], [b, c, d]);
+    }
+  }
+  return { vertices, triangles, middle: at(n / 2, n / 2) };
+}
+
+/** A torus of a × b fields around the z axis. */
+export function torusMesh(a, b) {
+  const vertices = [];
+  const triangles = [];
+  const at = (i, j) => (j % b) * a + (i % a);
+  for (let j = 0; j < b; j++) {
+    for (let i = 0; i < a; i++) {
+      const [u, v] = [(2 * Math.PI * i) / a, (2 * Math.PI * j) / b];
+      const r = 1 + 0.4 * Math.cos(v);
+      vertices.push([r * Math.cos(u), r * Math.sin(u), 0.4 * Math.sin(v)]);
+      const [p, q, s, t] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+      triangles.push([p, q, s], [p, s, t]);
+    }
+  }
+  return { vertices, triangles };
+}
+
+/** On cubeMesh(2), 48 triangles: cones that no map of its vertices can have. */
+export const uncertifiable = {
+  q: 2,
+  cones: [
+    { vertex: 18, k: 4 },
+    { vertex: 13, k: 3 },
+    { vertex: 20, k: 5 },
+    ...[12, 25, 22, 5, 3, 8, 19, 9, 4, 15].map((vertex) => ({ vertex, k: 1 })),
+  ],
+};

@@ -1,0 +1,1 @@
+export function serviceWorker(files: Map<string, string | Uint8Array>): string;

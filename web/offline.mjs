@@ -1,0 +1,44 @@
+// The service worker that keeps the page working without a network: made by the build, which knows
+// the names of all files. Cache first; a new version takes over when its page is opened anew.
+
+import { createHash } from 'node:crypto';
+
+const script = (
+  files,
+  version,
+) => `// Keeps this page working offline. Nothing else is cached, and nothing is sent.
+const name = 'hgp-${version}';
+const files = ${JSON.stringify(files)};
+const scope = new URL('./', location.href);
+self.addEventListener('install', (event) => {
+  const add = (cache) => cache.addAll(files.map((file) => new Request(file, { cache: 'no-cache' })));
+  event.waitUntil(caches.open(name).then(add));
+});
+self.addEventListener('activate', (event) => {
+  const old = (key) => key.startsWith('hgp-') && key !== name;
+  event.waitUntil(
+    caches.keys().then((keys) => Promise.all(keys.filter(old).map((key) => caches.delete(key)))),
+  );
+});
+self.addEventListener('fetch', (event) => {
+  const { method, url } = event.request;
+  if (method !== 'GET' || !url.startsWith(scope.href)) return;
+  const find = async () => {
+    const cache = await caches.open(name);
+    const page = url.split(/[?#]/)[0];
+    return (await cache.match(page === scope.href ? './index.html' : page)) ?? fetch(event.request);
+  };
+  event.respondWith(find());
+});
+`;
+
+/** `files`: name → content, all that the page needs once it is open. */
+export function serviceWorker(files) {
+  const names = [...files.keys()].sort();
+  const hash = createHash('sha256');
+  for (const file of names) hash.update(file).update(files.get(file));
+  return script(
+    names.map((file) => `./${file}`),
+    hash.digest('hex').slice(0, 16),
+  );
+}

@@ -1,0 +1,40 @@
+// What each mesh of a file with several is good for, so that a person can choose with open eyes.
+
+import type { ModelInfo } from 'hgp';
+
+export interface MeshSurvey {
+  index: number;
+  isUsable: boolean;
+  parts: number;
+  /** Why it cannot be used, in a few words. */
+  why: string;
+}
+
+const mostMeshes = 24;
+const mostTriangles = 400_000; // all together: beyond, looking at each would take too long
+
+/** Reads the meshes one by one; the best is the largest that can be used. */
+export async function surveyMeshes(
+  info: ModelInfo,
+  read: (index: number) => Promise<ModelInfo>,
+): Promise<{ survey: MeshSurvey[]; best: number }> {
+  const total = info.surfaces.reduce((sum, { triangles }) => sum + triangles, 0);
+  if (info.surfaces.length > mostMeshes || total > mostTriangles) {
+    return { survey: [], best: info.surface };
+  }
+  const survey: MeshSurvey[] = [];
+  for (const { index } of info.surfaces) {
+    try {
+      const { usable, components, defects } = await read(index);
+      const why = defects.find(({ fatal }) => fatal)?.kind.replaceAll('-', ' ') ?? 'not usable';
+      survey.push({ index, isUsable: usable, parts: components?.length ?? 0, why });
+    } catch (error) {
+      if ((error as Error).name === 'AbortError') throw error;
+      survey.push({ index, isUsable: false, parts: 0, why: (error as Error).message });
+    }
+  }
+  const size = (index: number): number => info.surfaces[index].triangles;
+  const usable = survey.filter(({ isUsable }) => isUsable).map(({ index }) => index);
+  const best = usable.sort((a, b) => size(b) - size(a) || a - b)[0] ?? info.surface;
+  return { survey, best };
+}

@@ -1,0 +1,22 @@
+// One of each thing that the views draw.
+
+import { BufferAttribute, BufferGeometry, Color, Mesh, type Object3D, Vector3 } from 'three';
+import { Lines } from './lines';
+import { Markers } from './markers';
+import { surfaceMaterial } from './material';
+
+export function oneOfEach(isLit: boolean): Object3D[] {
+  const geometry = new BufferGeometry();
+  for (const [name, size] of Object.entries({ position: 3, normal: 3, uv: 2, tint: 4 })) {
+    const values = Float32Array.from({ length: 3 * size }, (_, i) => (i * 0.37) % 1);
+    geometry.setAttribute(name, new BufferAttribute(values, size));
+  }
+  const plain = new Lines(2);
+  plain.set([0, 0, 0, 1, 1, 0], new Color(0));
+  const coloured = new Lines(2);
+  coloured.set([0, 0, 0, 1, 1, 0], [new Color(0)]);
+  const markers = new Markers();
+  const marker = { at: new Vector3(), k: 1, q: 4, isSelected: false, isBad: false };
+  markers.show([marker], 0.1, isLit);
+  return [new Mesh(geometry, surfaceMaterial(isLit)), plain, coloured, markers];
+}

@@ -23,7 +23,7 @@ const partsOf = (certificate: Certificate): Part[] => certificate.components as 
 const small = (x: number): string => (x === 0 ? '0' : x.toExponential(1).replace('e-', 'e−'));
 const signed = (x: number): string => (x < 0 ? `−${(-x).toFixed(2)}` : x.toFixed(2));
 const face = (id: number | undefined): Where[] =>
-  id === undefined || id < 0 ? [] : [{ kind: 'face', id }];
+  id === undefined || id < 0 ? [] : [{ kind: 'triangle', id }];
 
 interface Row {
   name: string;
@@ -162,7 +162,7 @@ function overlapLine({ overlaps }: Solved, ui: Controls): TemplateResult {
             <button
               type="button"
               class="small"
-              @click=${() => ui.showPlaces(triangles.map((id) => ({ kind: 'face', id })))}
+              @click=${() => ui.showPlaces(triangles.map((id) => ({ kind: 'triangle', id })))}
             >
               Show
             </button>`

@@ -46,7 +46,7 @@ function loopThrough(surface: Surface, start: number): [number, number][] {
 export function placesOf(where: Where[], surface: Surface, solved?: Solved): Places {
   const places: Places = { triangles: [], edges: [], uvEdges: [], first: -1, text: '' };
   for (const { kind, id, other } of where.slice(0, 500)) {
-    if ((kind as string) === 'triangle' || kind === 'face') {
+    if (kind === 'triangle') {
       places.triangles.push(id);
       if (places.first < 0) places.first = surface.triangles[3 * id] ?? -1;
       places.text = `triangle ${id}`;

@@ -80,6 +80,7 @@ void measure(const std::string& name, const std::string& file, const std::string
   }
   const auto of = [&](double CorpusRow::*column) {
     std::vector<double> values;
+    values.reserve(rows.size());
     for (const CorpusRow& row : rows) values.push_back(row.*column);
     return median(values);
   };

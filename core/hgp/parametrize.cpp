@@ -28,8 +28,10 @@ Attempt solveAndJudge(const TriMesh& mesh, const SeamlessSetup& setup, const Rep
   ProgramOptions program;
   program.u = step.u;
   program.quality = step.quality;
-  // A boundary leaves a whole space of maps to choose from; without one the choice is among few.
-  if (setup.context.topology.loops.empty()) program.tieBreak = kClosedTieBreak;
+  // A boundary leaves a whole space of maps to choose from, and so does a flat torus; closed surfaces
+  // with cones leave few.
+  if (setup.context.topology.loops.empty() && !setup.cones.empty())
+    program.tieBreak = kClosedTieBreak;
   program.isExact = step.isExact;
   program.pulled = step.pulled;
   program.pull = step.pull;
@@ -113,7 +115,8 @@ static Result<Parametrization> parametrizePrepared(const TriMesh& mesh, FieldCon
 
   const auto start = Clock::now();
   const bool isDisk = setup.context.topology.genus == 0 && setup.context.topology.loops.size() == 1;
-  RepairPlan plan(mesh, setup, options.useQuality, isAutomatic || isDisk);
+  const bool isFlatTorus = setup.cones.empty() && setup.context.topology.loops.empty();
+  RepairPlan plan(mesh, setup, options.useQuality, (isAutomatic && !isFlatTorus) || isDisk);
   std::optional<Attempt> best;
   bool bestIsHarmonic = false;
   for (int round = 0; round < options.maxRounds; ++round) {
@@ -167,6 +170,7 @@ Result<Parametrization> parametrizeAutomatically(const TriMesh& mesh, const Sugg
   if (!spec) return std::move(spec).error();
   if (!clock.begin("connection")) return cancelled();
   if (Status done = prepareConnection(mesh, context); !done) return std::move(done).error();
+  if (isNearlyFlatTorus(context)) spec->cones.clear();
   clock.end();
   return parametrizePrepared(mesh, std::move(context), *spec, options, true, std::move(result));
 }

@@ -34,11 +34,21 @@ Result<HolonomySpec> chooseCones(const TriMesh& mesh, const FieldContext& contex
   return spec;
 }
 
+bool isNearlyFlatTorus(const FieldContext& context) {
+  if (context.topology.genus != 1 || !context.topology.loops.empty()) return false;
+  const std::vector<double>& K = context.surface.curvature;
+  Eigen::VectorXd gap = -Eigen::Map<const Eigen::VectorXd>(K.data(), context.surface.nodeCount);
+  gap.array() -= gap.mean();
+  const Eigen::VectorXd u = context.laplacian.solve(gap);
+  return u.maxCoeff() - u.minCoeff() <= kFlatScaleRange;
+}
+
 Result<CompleteSpec> suggestCones(const TriMesh& mesh, const SuggestOptions& options) {
   FieldContext context = prepareSurface(mesh);
   Result<HolonomySpec> spec = chooseCones(mesh, context, options);
   if (!spec) return std::move(spec).error();
   if (Status done = prepareConnection(mesh, context); !done) return std::move(done).error();
+  if (isNearlyFlatTorus(context)) spec->cones.clear();
   Result<PrescribedField> completed = prescribedField(mesh, context, *spec);
   if (!completed) return std::move(completed).error();
   return completed->spec;

@@ -1,6 +1,7 @@
 // generate DIR [NAME …]: the models of this folder as OBJ files. `million` only when named.
 
 #include <cstdio>
+#include <filesystem>
 
 #include "hgp/io/document.h"
 #include "hgp/mesh/topology.h"
@@ -33,10 +34,12 @@ bool generate(const std::string& folder, const std::string& name) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 2) {
+  if (argc < 2 || argv[1][0] == '-') {
     std::fprintf(stderr, "usage: generate DIR [NAME …]\n");
     return 2;
   }
+  std::error_code ignored;  // what cannot be written is said per file
+  std::filesystem::create_directories(argv[1], ignored);
   bool isGood = true;
   for (int i = 2; i < argc; ++i) isGood = generate(argv[1], argv[i]) && isGood;
   for (const std::string& name : hgp::models::names()) {

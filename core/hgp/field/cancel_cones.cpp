@@ -106,7 +106,7 @@ std::vector<ConePoint> cancelCones(const TriMesh& mesh, const FieldContext& cont
                                    PerVertex<int> defect, const CancelOptions& options) {
   const Topology& topology = context.topology;
   NearestSearch search(mesh);
-  const int few = mesh.vertexCount() / kNoiseShare;
+  const int few = std::max(mesh.vertexCount() / kNoiseShare, kNeverNoise);
   for (int reach = 1;
        reach <= options.reach || (reach <= options.noiseReach && coneCount(defect) > few); ++reach)
     cancelWithin(mesh, context, q, defect, reach, search, 0);

@@ -11,6 +11,8 @@ inline constexpr double kLargestTurnPerEdge = 0.8;
 
 /// Vertices per cone below which cones are the triangulation's noise rather than the surface's.
 inline constexpr int kNoiseShare = 50;
+/// So few cones are no noise however coarse the mesh.
+inline constexpr int kNeverNoise = 24;
 
 struct CancelOptions {
   int reach = 2;        ///< opposite cones at most this many edges apart cancel

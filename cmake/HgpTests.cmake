@@ -42,7 +42,7 @@ function(hgp_add_tests name)
     HGP_SHARED_MESHES_DEFAULT="${PROJECT_SOURCE_DIR}/../shared/meshes")
   target_link_libraries(${target} PRIVATE ${links} gtest_main)
   # Optimizing the tests' own code doubles the time they take to compile and gains nothing.
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> $<$<CONFIG:Debug>:-O0>)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   if(EMSCRIPTEN)
     # -O1: binaryen's passes cost twenty seconds a link and gain nothing here.
     target_link_options(${target} PRIVATE -O1 -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB

@@ -222,7 +222,7 @@ MeshData ringsOfAMillion() {
 const std::vector<std::string>& names() {
   static const std::vector<std::string> kNames = {"sphere",  "cube",    "torus",    "knot",
                                                   "vase",    "pretzel", "colander", "creature",
-                                                  "lattice", "million"};
+                                                  "lattice", "rings",   "million"};
   return kNames;
 }
 
@@ -236,6 +236,8 @@ MeshData byName(const std::string& name) {
   if (name == "colander") return colander(5);
   if (name == "creature") return creature(80);
   if (name == "lattice") return lattice(72);
+  if (name == "rings") return rings(120);
+  if (name == "million-rings") return ringsOfAMillion();
   if (name == "million") return creatureOfAMillion();
   return {};
 }

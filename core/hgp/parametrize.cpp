@@ -14,8 +14,6 @@ namespace {
 
 Failure cancelled() { return {ErrorCode::kCancelled, "solve", "Cancelled.", {}}; }
 
-constexpr double kClosedTieBreak = 1e-9;
-
 /// One program, laid out as a map and judged.
 struct Attempt {
   ProgramResult program;
@@ -28,10 +26,6 @@ Attempt solveAndJudge(const TriMesh& mesh, const SeamlessSetup& setup, const Rep
   ProgramOptions program;
   program.u = step.u;
   program.quality = step.quality;
-  // A boundary leaves a whole space of maps to choose from, and so does a flat torus; closed surfaces
-  // with cones leave few.
-  if (setup.context.topology.loops.empty() && !setup.cones.empty())
-    program.tieBreak = kClosedTieBreak;
   program.isExact = step.isExact;
   program.pulled = step.pulled;
   program.pull = step.pull;

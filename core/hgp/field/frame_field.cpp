@@ -5,6 +5,10 @@
 namespace hgp {
 namespace {
 
+/// Symmetric surfaces have directions exactly between two others. So near a tie the lower is taken,
+/// or rounding noise, which differs from build to build, would choose the cones.
+constexpr double kTieShare = 1e-7;
+
 /// How far the field turns away from transport across h, in radians. Antisymmetric also where it is
 /// half a turn, which has no nearest side: else the sums of a field would not balance Lemma 6.2.
 double adjustment(const TriMesh& mesh, const Geometry& geometry, const FrameField& field,
@@ -31,7 +35,7 @@ void matchPrincipally(const TriMesh& mesh, const Geometry& geometry, FrameField&
     if (!twin.isValid() || twin < h) continue;
     const double gap = field.angle[TriMesh::face(h)] + transport(mesh, geometry, h) -
                        field.angle[TriMesh::face(twin)];
-    field.matching[h] = static_cast<int>(std::lround(gap * field.q / (2.0 * kPi)));
+    field.matching[h] = static_cast<int>(std::floor(gap * field.q / (2.0 * kPi) + 0.5 - kTieShare));
     field.matching[twin] = -field.matching[h];
   }
 }

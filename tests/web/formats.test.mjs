@@ -121,9 +121,9 @@ test('a path that leaves the folder is refused by name', async () => {
 
 test('Draco and meshopt are decoded in the worker', async () => {
   const features = await featureFiles();
-  // The generated meshes are made to be awkward; what counts is that their triangles are there.
+  // The generated meshes are made to be awkward; the largest usable one is suggested.
   for (const [kind, reached, triangles] of [
-    ['Draco', 'invalid', 92],
+    ['Draco', 'pick-mesh', 32],
     ['meshopt', 'pick-mesh', 144],
   ]) {
     const { files } = features.find(({ name }) => name === kind);

@@ -65,7 +65,7 @@ Geometry computeGeometry(const TriMesh& mesh, double relativeHeight) {
       const auto at = [&](int n) { return p[static_cast<std::size_t>(n % 3)]; };
       const HalfedgeId h = TriMesh::halfedge(f, k);
       const Complex edge = at(k + 1) - at(k);
-      g.length[h] = std::abs(edge);
+      g.length[h] = std::sqrt(std::norm(edge));  // not std::abs, which is std::hypot: see norm()
       g.direction[h] = std::arg(edge);
       g.cornerAngle[h] = std::arg(std::conj(edge) * (at(k + 2) - at(k)));
       g.angleSum[mesh.tail(h)] += g.cornerAngle[h];

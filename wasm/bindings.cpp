@@ -42,9 +42,20 @@ class Session {
     });
   }
 
-  /// The loaded surface, usable or not: what vertex and triangle ids refer to.
+  /// The loaded surface, usable or not: what vertex and triangle ids refer to; and what welds and
+  /// repairs made of it.
   val surface() const {
-    return guarded([&] { return withSurface(val::object()); });
+    return guarded([&] {
+      val reply = withSurface(val::object());
+      if (const auto repaired = session_.repaired()) {
+        val mesh = val::object();
+        mesh.set("triangles", toTypedArray("Uint32Array", repaired->triangles));
+        mesh.set("vertexOrigin", toTypedArray("Int32Array", repaired->vertexOrigin));
+        mesh.set("vertexImage", toTypedArray("Int32Array", repaired->vertexImage));
+        reply.set("repaired", mesh);
+      }
+      return reply;
+    });
   }
 
   /// Any cone file on this surface as hgp-cones; q where the file names none.

@@ -124,7 +124,7 @@ export async function settled(page) {
     const frame = () => new Promise((resolve) => requestAnimationFrame(resolve));
     for (let still = 0; still < 3;) {
       await frame();
-      still = document.querySelector('canvas[data-pending]') ? 0 : still + 1;
+      still = document.querySelector('[data-pending]') ? 0 : still + 1;
     }
   });
 }

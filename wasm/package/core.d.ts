@@ -129,6 +129,14 @@ export interface Surface {
   positions: Float64Array;
   /** Three vertices per triangle. */
   triangles: Uint32Array;
+  /** What a weld or repairs made of it, where they changed anything; this is what is solved. */
+  repaired?: {
+    triangles: Uint32Array;
+    /** Its vertex → a vertex of the surface. */
+    vertexOrigin: Int32Array;
+    /** Vertex of the surface → its vertex, −1 where a repair removed it. */
+    vertexImage: Int32Array;
+  };
 }
 
 /** hgp-cones JSON, OBJ with `c` and `sm` lines, .sing, curvatures, Th_hat. */
@@ -228,6 +236,8 @@ export interface Result {
   certificate: Certificate;
   cones: Cones;
   report: Report;
+  /** Bytes of linear memory that were in use at most; it never shrinks. */
+  memory: number;
 }
 
 export interface MeshArrays {

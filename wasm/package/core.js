@@ -131,8 +131,7 @@ export class Core {
 
   /** The loaded surface, usable or not. */
   surface() {
-    const { positions, triangles } = this.#reply(this.#live.surface());
-    return { positions, triangles };
+    return this.#reply(this.#live.surface());
   }
 
   /** A cone file of any known kind as hgp-cones of the loaded surface. */
@@ -163,7 +162,8 @@ export class Core {
       seams.push({ a: [a0, a1], b: [b0, b1], r });
     }
     const report = JSON.parse(reply.report);
-    return { ...reply, seams, report, certificate: report.certificate, cones: report.cones };
+    const { certificate, cones: solved } = report;
+    return { ...reply, seams, report, certificate, cones: solved, memory: this.memory };
   }
 
   verify({ cones, ...options } = {}) {

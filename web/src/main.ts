@@ -1,7 +1,6 @@
 // Starts the page: the document, the solver, the two views, and what connects them.
 
 import { render } from 'lit';
-import { Color, type Group } from 'three';
 import { App } from './state/app';
 import { filesOfDrop } from './state/files';
 import { open } from './state/open';
@@ -13,84 +12,30 @@ import { Keyboard } from './ui/keyboard';
 import { page } from './ui/page';
 import { Pointer } from './ui/pointer';
 import { listenToSplitter } from './ui/splitter';
+import { Views } from './ui/views';
 import { MapView } from './view/map_view';
-import { loadOriginal } from './view/original';
 import { SurfaceView } from './view/surface_view';
 import { oneOfEach } from './view/warm';
-import type { Palette } from './view/material';
 
 const app = new App();
 const ui = new Controls(app);
 const root = document.getElementById('page')!;
 
-const palettes: Record<'light' | 'dark', Palette> = {
-  light: { paper: new Color('#e9edf2'), ink: new Color('#1d3f63'), second: new Color('#f3b63f') },
-  dark: { paper: new Color('#b9c4d0'), ink: new Color('#14304d'), second: new Color('#f0b038') },
-};
-
 function draw(): void {
   render(page(app, ui), root);
   document.body.dataset.state = app.state;
   for (const dialog of root.querySelectorAll('dialog')) if (!dialog.open) dialog.showModal();
-  updateViews();
-}
-
-let original: { of: unknown; group?: Group } | undefined;
-
-/** Reads the written file with its materials, once, when that is what should be seen. */
-function updateOriginal(): void {
-  const { shown, look, info, files } = app;
-  if (look.pattern !== 'material' || !shown) return ui.surfaceView!.setOriginal(undefined);
-  if (original?.of === shown) return ui.surfaceView!.setOriginal(original.group);
-  const own: typeof original = (original = { of: shown });
-  loadOriginal(shown.written.files, files, info?.surface ?? 0)
-    .then((group) => {
-      own.group = group;
-      app.changed();
-    })
-    .catch((error: Error) => app.say(`The materials cannot be shown: ${error.message}`, 'error'));
-}
-
-let known = {} as { surface?: unknown; shown?: unknown; look?: unknown; key?: string };
-
-function updateViews(): void {
-  const { surfaceView, mapView } = ui;
-  if (!surfaceView || !mapView) return;
-  const { surface, shown, look, asked, selected, budget } = app;
-  const q = shown?.asked.q ?? asked.q;
-  const isStale = app.state === 'stale';
-  if (surface !== known.surface) {
-    keyboard.reset();
-    ui.handlesShown = false;
-  }
-  const isOther = surface !== known.surface || shown !== known.shown;
-  if (isOther) {
-    surfaceView.setModel(surface, shown);
-    mapView.setModel(surface, shown);
-  }
-  const key = `${isStale} ${q} ${ui.isDark}`;
-  if (isOther || look !== known.look || key !== known.key) {
-    const palette = palettes[ui.isDark ? 'dark' : 'light'];
-    surfaceView.setLook(look, q, isStale, palette);
-    mapView.setLook(look, q, isStale, palette);
-  }
-  updateOriginal();
-  const cones = JSON.stringify([asked.cones, asked.q, selected, budget?.cones]);
-  if (isOther || cones !== knownCones) {
-    const bad = budget?.cones.map(({ isGood }) => !isGood) ?? [];
-    surfaceView.setCones(asked, bad, selected);
-    mapView.setCones(asked, bad, selected);
-    knownCones = cones;
-  }
-  known = { surface, shown, look, key };
+  views?.update();
   rememberAddress();
 }
-let knownCones = '';
 
+let hadSurface = false;
 let addressTimer: ReturnType<typeof setTimeout> | undefined;
 function rememberAddress(): void {
-  if (!app.surface) return;
   clearTimeout(addressTimer);
+  if (app.phase === 'empty' && hadSurface) history.replaceState(null, '', location.pathname);
+  hadSurface = app.surface !== undefined;
+  if (!hadSurface) return;
   addressTimer = setTimeout(() => {
     history.replaceState(null, '', addressOf(app, ui.surfaceView?.orbit.toText()));
   }, 400);
@@ -147,13 +92,17 @@ function warmViews(): void {
   });
 }
 
-let keyboard: Keyboard;
+let views: Views | undefined;
 
 async function start(): Promise<void> {
   draw();
   ui.surfaceView = new SurfaceView(root.querySelector<HTMLCanvasElement>('#view')!);
   ui.mapView = new MapView(root.querySelector<HTMLCanvasElement>('#map')!);
-  keyboard = new Keyboard(app, ui);
+  const keyboard = new Keyboard(app, ui);
+  views = new Views(app, ui, () => {
+    keyboard.reset();
+    ui.handlesShown = false;
+  });
   new Pointer(app, ui);
   listenToSplitter(root.querySelector<HTMLElement>('#splitter')!, ui);
   listenToDrops();

@@ -192,6 +192,15 @@ const std::string& Session::reportJson() const {
 const std::string& Session::conesJson() const {
   return hasResult() ? state_->solved->cones : kEmpty;
 }
+std::optional<Repaired> Session::repaired() const {
+  if (!state_->model || !state_->model->isChanged) return std::nullopt;
+  const Model& model = *state_->model;
+  Repaired out{{}, model.vertexOrigin, model.vertexImage};
+  for (const auto& t : model.mesh.triangles) {
+    for (int v : t) out.triangles.push_back(static_cast<std::uint32_t>(v));
+  }
+  return out;
+}
 const std::vector<double>& Session::positions() const { return state_->positions; }
 const std::vector<std::uint32_t>& Session::triangles() const { return state_->triangles; }
 const std::vector<double>& Session::uv() const {

@@ -22,6 +22,13 @@ struct SeamEdge {
   int r = 0;
 };
 
+/// What welds and repairs made of the surface; its vertex ids are its own.
+struct Repaired {
+  std::vector<std::uint32_t> triangles;  ///< × 3
+  std::vector<int> vertexOrigin;         ///< vertex → a vertex of the surface
+  std::vector<int> vertexImage;          ///< vertex of the surface → vertex, −1 when removed
+};
+
 /// Vertex and triangle ids are those of the loaded surface (welded for glTF and STL, the file's own
 /// otherwise), before any repair. JSON texts follow docs/schema.
 class Session {
@@ -63,6 +70,7 @@ class Session {
 
   const std::vector<double>& positions() const;          ///< |V| × 3 of the surface
   const std::vector<std::uint32_t>& triangles() const;   ///< |F| × 3
+  std::optional<Repaired> repaired() const;  ///< nothing where the surface is used as it is
   const std::vector<double>& uv() const;                 ///< 2 per uv vertex, as stored
   const std::vector<std::uint32_t>& cornerToUv() const;  ///< |F| × 3
   const std::vector<std::uint32_t>& uvToVertex() const;  ///< "xref": uv vertex → surface vertex

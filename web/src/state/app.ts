@@ -101,6 +101,8 @@ export class App {
   /** Of each mesh of a file that holds several. */
   survey: MeshSurvey[] = [];
   surface?: Surface;
+  /** The model that was open before, where it had cones: a new version of it takes them over. */
+  previous?: { main: string; asked: Prescription; surface: Surface; info: ModelInfo };
   history = new History<Step>({ asked: emptyPrescription(4, 0, 0), settings: plainSettings });
   solve: SolveSettings = { rounds: 12, quality: false };
   /** The user has said what the cones are, even if that is none. */
@@ -120,8 +122,8 @@ export class App {
   /** What has been said since the page was opened, the newest last. */
   readonly log: { time: Date; text: string }[] = [];
   progress?: Progress;
-  /** What was chosen without being asked, so that the page can say so. */
-  hasSuggested = false;
+  /** What the solver chooses for this surface by itself, by q, as far as that is known. */
+  natural = new Map<number, Prescription>();
   look: Look = { pattern: 'cross', overlay: 'none', tiles: 24, hasSeams: true, hasWire: false };
   running?: AbortController;
   isUnsaved = false;
@@ -153,6 +155,12 @@ export class App {
     return this.results.findLast(
       (one) => one.quality === quality && sameAsked(one.asked, this.asked),
     );
+  }
+
+  /** What is asked is what the solver would choose by itself. */
+  get isNatural(): boolean {
+    const natural = this.natural.get(this.asked.q);
+    return natural !== undefined && sameAsked(natural, this.asked);
   }
 
   /** What the views show: the current result, or the last one, which is then stale. */
@@ -191,6 +199,9 @@ export class App {
 
   forgetModel(): void {
     this.running?.abort();
+    const { main, asked, surface, info } = this;
+    const isWorth = surface && info?.usable && asked.cones.length > 0;
+    this.previous = isWorth ? { main, asked, surface, info } : undefined;
     this.info = undefined;
     this.surface = undefined;
     this.results = [];
@@ -198,7 +209,7 @@ export class App {
     this.missing = [];
     this.candidates = [];
     this.isExplicit = false;
-    this.hasSuggested = false;
+    this.natural.clear();
     this.isUnsaved = false;
     this.survey = [];
     this.inWorker = undefined;

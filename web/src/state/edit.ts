@@ -60,8 +60,10 @@ function balanced(app: App, cones: readonly Cone[], touched: number): readonly C
 }
 
 /** Adds a cone where there is none, with the k that suits the shape; selects it otherwise. */
-export function placeOrSelect(app: App, vertex: number): void {
+export function placeOrSelect(app: App, picked: number): void {
   if (!app.surface || !app.info?.usable) return;
+  const vertex = app.surface.meaning[picked];
+  if (vertex < 0) return app.say(`Vertex ${picked} was removed by a repair.`, 'error');
   const there = app.asked.cones.findIndex((cone) => cone.vertex === vertex);
   if (there >= 0) return select(app, there);
   if (app.surface.isBoundary[vertex]) {
@@ -96,9 +98,10 @@ export function setK(app: App, index: number, k: number): void {
 }
 
 /** `drag` names one drag, which is one step of undo however far it goes. */
-export function moveCone(app: App, index: number, vertex: number, drag: string): void {
+export function moveCone(app: App, index: number, picked: number, drag: string): void {
   const cone = app.asked.cones[index];
-  if (!cone || cone.vertex === vertex || !app.surface || app.surface.isBoundary[vertex]) return;
+  const vertex = app.surface?.meaning[picked] ?? -1;
+  if (!cone || cone.vertex === vertex || vertex < 0 || app.surface!.isBoundary[vertex]) return;
   if (app.asked.cones.some((other) => other.vertex === vertex)) return;
   const cones = app.asked.cones.map((one, i) => (i === index ? { ...one, vertex } : one));
   touch(app, vertex);

@@ -19,7 +19,7 @@ export interface Estimate {
   isTight: boolean;
 }
 
-const memoryText = (bytes: number): string =>
+export const memoryText = (bytes: number): string =>
   bytes < 2 ** 30
     ? `${Math.max(10, Math.round(bytes / 2 ** 20 / 10) * 10)} MB`
     : `${(bytes / 2 ** 30).toFixed(1)} GB`;

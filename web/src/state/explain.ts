@@ -23,5 +23,5 @@ export function explain(error: unknown, name: string): string {
 }
 
 /** The page has buttons where the command line has options. */
-export const inWords = (message = 'This mesh cannot be used as it is.'): string =>
+export const inButtons = (message = 'This mesh cannot be used as it is.'): string =>
   message.replace(/Repair with --fix.*$/, 'Repairs are offered beside each defect.');

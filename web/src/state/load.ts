@@ -2,12 +2,13 @@
 // came with it.
 
 import type { ModelInfo } from 'hgp';
-import type { App, LoadSettings } from './app';
-import { restorable } from './autosave';
+import type { App, LoadSettings, Step } from './app';
+import { restorable, save } from './autosave';
+import { carry, inWords } from './carry';
 import { replaceAsked } from './edit';
 import { estimateOf, mostTriangles, tooMany } from './estimate';
-import { bytesOfAll, explain, inWords, megabytes } from './explain';
-import { embeddedCones } from './files';
+import { bytesOfAll, explain, inButtons, megabytes } from './explain';
+import { embeddedCones, instancesOf } from './files';
 import { emptyPrescription, fromCones, type Prescription } from './prescription';
 import { follow, isAbort } from './run';
 import { surveyMeshes } from './survey';
@@ -61,20 +62,27 @@ async function take(
     app.client!.load(source, { name: app.main, surface: index, weld, fix }, call);
   let info = await read(surface);
   if (surface === undefined && info.surfaces.length > 1) {
-    const { survey, best } = await surveyMeshes(info, (index) => read(index));
+    const { survey, best } = await surveyMeshes(
+      info,
+      await instancesOf(app.files, app.main),
+      (index) => read(index),
+    );
     app.survey = survey;
     info = await read(best);
   }
   if (info.triangles > mostTriangles) throw new Error(tooMany(app.main, info.triangles));
   const arrays = await app.client!.surface(call);
   call.signal.throwIfAborted();
+  const made = await makeSurface(arrays);
+  call.signal.throwIfAborted();
   app.info = info;
-  app.surface = makeSurface(arrays);
+  app.surface = made;
   app.loaded = settings;
   app.results = [];
+  app.natural.clear();
   app.selected = -1;
   app.phase = info.usable ? 'editing' : 'invalid';
-  app.message = info.usable ? undefined : { kind: 'error', text: inWords(info.error?.message) };
+  app.message = info.usable ? undefined : { kind: 'error', text: inButtons(info.error?.message) };
   return info;
 }
 
@@ -95,21 +103,35 @@ export async function load(app: App, surface?: number): Promise<void> {
 
 /** The same mesh with other repairs or another weld: one step of undo. */
 export async function change(app: App, settings: LoadSettings, kind: string): Promise<void> {
-  const hadCones = app.asked.cones.length;
+  const { asked } = app;
+  const old = { surface: app.surface!, info: app.info! };
   await loading(app, async (call) => {
     const info = await take(app, settings, app.info!.surface, call);
-    app.history.push({ asked: emptyFor(app, info), settings }, kind);
-    app.isExplicit = false;
+    const carried = carry(asked, old, { surface: app.surface!, info }, true);
+    app.history.push({ asked: carried.asked, settings }, kind);
+    app.isExplicit &&= isSaid(carried.asked);
     if (!info.usable) return;
-    const gone = hadCones > 0 ? ' Vertices may have other numbers now: the cones are cleared.' : '';
-    app.say(`Done: ${kind}.${gone} Undo takes it back.`, 'good');
+    void save(info.file.sha256, carried.asked);
+    app.say(`Done: ${kind}.${inWords(carried)} Undo takes it back.`, 'good');
   });
 }
+
+const isSaid = ({ cones, turnings, handles }: Prescription): boolean =>
+  cones.length > 0 || [...turnings, ...handles].some((n) => n !== null);
 
 /** Undo and redo went to a step with other repairs: the surface follows. */
 export async function reload(app: App): Promise<void> {
   await loading(app, async (call) => {
     await take(app, app.settings, app.info!.surface, call);
+  });
+}
+
+/** What was closed, as it was. */
+export async function reopen(app: App, surface: number, { asked, settings }: Step): Promise<void> {
+  await loading(app, async (call) => {
+    await take(app, settings, surface, call);
+    app.begin(asked, settings);
+    app.say(`${app.main} is open again, with its cones.`);
   });
 }
 
@@ -119,7 +141,21 @@ function warnOfSize(app: App): void {
     app.say(`This mesh needs about ${needed}: see the Solve panel before running it here.`);
   }
 }
-/** Cones stored in the file, or offered from an earlier session. */
+/** Another version of the file that was open: the cones go along, as one step of undo. */
+function carryOver(app: App): boolean {
+  const { previous, surface, info } = app;
+  app.previous = undefined;
+  if (!previous || previous.main !== app.main || !surface || !info) return false;
+  if (previous.info.file.sha256 === info.file.sha256) return false;
+  if (info.surfaces.length > 1 && previous.info.surface !== info.surface) return false;
+  const carried = carry(previous.asked, previous, { surface, info }, false);
+  if (carried.kept === 0) return false;
+  replaceAsked(app, carried.asked, 'carry cones over');
+  app.say(`Another version of ${app.main}.${inWords(carried)} Undo takes them off.`);
+  return true;
+}
+
+/** Cones stored in the file, those of its last version, or offered from an earlier session. */
 async function findCones(app: App): Promise<void> {
   const info = app.info!;
   const text = await embeddedCones(app.files, app.main, info.surface).catch(() => undefined);
@@ -136,6 +172,7 @@ async function findCones(app: App): Promise<void> {
       return;
     }
   }
+  if (carryOver(app)) return;
   const saved = await restorable(info.file.sha256);
   if (!saved || saved.asked.cones.length === 0) return;
   const count = saved.asked.cones.length;

@@ -4,7 +4,8 @@ import type { App } from './app';
 import { coneFileOf, findMissing, meshesOf, unpack, bytesOf, type Files } from './files';
 import { emptyPrescription } from './prescription';
 import { importCones } from './edit';
-import { load } from './load';
+import { save } from './autosave';
+import { load, reopen } from './load';
 import { bytesOfAll, megabytes } from './explain';
 
 const mostBytes = 512 * 2 ** 20;
@@ -80,6 +81,29 @@ export async function supply(app: App, files: Files): Promise<void> {
 export async function loadWithoutImages(app: App): Promise<void> {
   app.missing = [];
   await load(app);
+}
+
+/** Back to the beginning. What was made stays within reach: the cones by themselves, all by one click. */
+export function close(app: App): void {
+  const { files, main, asked, settings, info, isExplicit } = app;
+  if (!info) return;
+  if (asked.cones.length > 0) void save(info.file.sha256, asked);
+  app.forgetModel();
+  app.previous = undefined;
+  app.client?.terminate(); // its memory never shrinks; the next call starts another worker
+  app.files = new Map();
+  app.main = '';
+  app.phase = 'empty';
+  const openAgain = (): void => {
+    app.files = files;
+    app.main = main;
+    app.isExplicit = isExplicit;
+    void reopen(app, info.surface, { asked, settings });
+  };
+  const kept = asked.cones.length > 0 ? ' Its cones are kept in this browser.' : '';
+  app.say(`Closed ${main}.${kept}`, 'note', [
+    { label: 'Open it again', do: openAgain },
+  ]);
 }
 
 /** One click: the example with its cones. */

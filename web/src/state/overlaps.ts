@@ -1,7 +1,7 @@
 // Which triangles of the map lie on top of others. Local injectivity allows that: neighbours never
 // overlap, distant parts may.
 
-import { inSteps } from './breath';
+import { inSteps, pause } from './breath';
 import { boxOf } from './measure';
 
 export interface Overlaps {
@@ -20,8 +20,10 @@ function isSeparated(uv: Float32Array, s: number, t: number, slack: number): boo
     const a = 6 * s + 2 * k;
     const b = 6 * s + 2 * ((k + 1) % 3);
     const c = 6 * s + 2 * ((k + 2) % 3);
-    const [x, y] = [uv[a], uv[a + 1]];
-    const [nx, ny] = [y - uv[b + 1], uv[b] - x];
+    const x = uv[a];
+    const y = uv[a + 1];
+    const nx = y - uv[b + 1];
+    const ny = uv[b] - x;
     const inner = nx * (uv[c] - x) + ny * (uv[c + 1] - y) < 0 ? -1 : 1;
     const limit = slack * Math.sqrt(nx * nx + ny * ny);
     let outside = 0;
@@ -40,6 +42,7 @@ const sharesArea = (uv: Float32Array, s: number, t: number, slack: number): bool
 export async function findOverlaps(uv: Float32Array, cornerToUv: Uint32Array): Promise<Overlaps> {
   const count = uv.length / 6;
   const { x, y, width, height } = boxOf(uv);
+  await pause();
   const size = Math.max(width, height) || 1;
   const side = Math.max(1, Math.min(1024, Math.floor(Math.sqrt(count))));
   const step = size / side;
@@ -47,13 +50,16 @@ export async function findOverlaps(uv: Float32Array, cornerToUv: Uint32Array): P
   const cells = new Map<number, number[]>();
   const first = new Int32Array(2 * count); // cell of each triangle's lowest column and row
   const last = new Int32Array(2 * count);
-  for (let t = 0; t < count; t++) {
-    for (const [axis, from] of [x, y].entries()) {
-      const [a, b, c] = [uv[6 * t + axis], uv[6 * t + 2 + axis], uv[6 * t + 4 + axis]];
+  await inSteps(count, (t) => {
+    for (let axis = 0; axis < 2; axis++) {
+      const from = axis === 0 ? x : y;
+      const a = uv[6 * t + axis];
+      const b = uv[6 * t + 2 + axis];
+      const c = uv[6 * t + 4 + axis];
       first[2 * t + axis] = Math.floor((Math.min(a, b, c) - from) / step);
       last[2 * t + axis] = Math.floor((Math.max(a, b, c) - from) / step);
     }
-  }
+  });
   const isIn = new Uint8Array(count);
   let pairs = 0;
   await inSteps(count, (t) => {

@@ -107,7 +107,8 @@ async function readGltf(files: OutputFile[], mesh: number, uvSet?: number): Prom
 async function readObj(bytes: Uint8Array): Promise<Corners> {
   const text = new TextDecoder().decode(bytes);
   await pause();
-  const lines = text.replace(/\\\r?\n/g, ' ').split('\n');
+  const joined = text.includes('\\') ? text.replace(/\\\r?\n/g, ' ') : text;
+  const lines = joined.split('\n');
   await pause();
   const v: number[] = [];
   const vt: number[] = [];

@@ -127,7 +127,9 @@ export async function suggest(app: App, count?: number): Promise<void> {
   await busy(app, 'Suggesting cones', async (call) => {
     const cones = await app.client!.suggestCones({ q, count }, call);
     app.phase = 'editing';
-    replaceAsked(app, fromCones(cones, turnings.length, handles.length), 'suggest cones');
+    const asked = fromCones(cones, turnings.length, handles.length);
+    if (count === undefined) app.natural.set(q, asked);
+    replaceAsked(app, asked, 'suggest cones');
     app.say(`${cones.cones.length} cones suggested for q = ${q}.`, 'good');
   });
 }
@@ -145,13 +147,21 @@ export function canRun(app: App): boolean {
 
 type Call = Parameters<Parameters<typeof busy>[2]>[0];
 
-/** Solves what is asked and writes the file; what is shown is read back from that file. */
+/**
+ * Solves what is asked and writes the file; what is shown is read back from that file. The surface's
+ * own cones are chosen by the solver, as on the command line: it has a shorter road to them.
+ */
 async function solve(app: App, output: Output, call: Call): Promise<Solved> {
-  const { asked } = app;
   const { rounds, quality } = app.solve;
-  const { scale } = output;
-  const options = { cones: toCones(asked), maxRounds: rounds, quality, scale };
-  const result = await app.client!.parametrize(options, call);
+  const { turnings, handles, q } = app.asked;
+  const isNatural = needsCones(app) || app.isNatural;
+  const options = { maxRounds: rounds, quality, scale: output.scale };
+  const what = isNatural ? { q } : { cones: toCones(app.asked) };
+  const result = await app.client!.parametrize({ ...what, ...options }, call);
+  const asked = isNatural
+    ? fromCones(result.cones, turnings.length, handles.length)
+    : app.asked;
+  if (isNatural) app.natural.set(q, asked);
   call.onProgress({ stage: 'write', fraction: 0, iteration: -1, residual: -1 });
   const written = await app.client!.write(writeOptions(output), call);
   app.inWorker = result;
@@ -182,21 +192,16 @@ export async function rewrite(app: App, old: Solved, output: Output): Promise<vo
 
 export async function run(app: App): Promise<void> {
   if (!canRun(app)) return;
-  const { q, turnings, handles } = app.asked;
-  await busy(app, 'Running', async (call) => {
-    app.hasSuggested = needsCones(app);
-    if (app.hasSuggested) {
-      app.progress!.title = 'Suggesting cones, then running';
-      const cones = await app.client!.suggestCones({ q }, call);
-      app.phase = 'editing';
-      replaceAsked(app, fromCones(cones, turnings.length, handles.length), 'suggest cones');
-      app.phase = 'running';
-    }
+  const isOpen = needsCones(app);
+  await busy(app, isOpen ? 'Choosing cones and running' : 'Running', async (call) => {
     const solved = await solve(app, app.shown?.output ?? plainOutput, call);
+    call.signal.throwIfAborted();
+    app.phase = 'editing';
+    if (isOpen) replaceAsked(app, solved.asked, 'suggest cones');
     app.results = [...app.results.slice(-2), solved];
     app.isUnsaved = true;
     const count = solved.asked.cones.length;
-    const chosen = app.hasSuggested ? ` ${count} cones were suggested for you.` : '';
+    const chosen = isOpen ? ` ${count} cones were suggested for you.` : '';
     if (solved.isCertified) app.say(`Certified: no triangle is folded.${chosen}`, 'good');
     else app.say(`Not certified. The map can be viewed; see the certificate.${chosen}`, 'error');
   });

@@ -3,11 +3,12 @@
 import type { Result, Written } from 'hgp';
 import type { App } from './app';
 import { inSteps, pause } from './breath';
-import { measure, type Distortion } from './measure';
+import { leastArea, measure, type Distortion, type LeastArea } from './measure';
 import { findOverlaps, type Overlaps } from './overlaps';
 import type { Prescription } from './prescription';
 import { readBack, type Corners } from './readback';
 import { distanceToSeams } from './seam_distance';
+import { prepareSpread, spacingOf } from './spread';
 
 export interface Seam {
   /** Ends as uv vertices, corresponding ends first. */
@@ -42,6 +43,7 @@ export interface Solved extends Order {
   /** The bytes hold the very map that was judged. */
   isSameAsFile: boolean;
   distortion: Distortion;
+  least: LeastArea;
   /** Triangles that lie on top of others, which is allowed. */
   overlaps: Overlaps;
   /** From each vertex to the nearest seam along edges. */
@@ -66,16 +68,18 @@ async function cornersOf({ positions, triangles, uv, cornerToUv }: Result): Prom
 }
 
 async function isSame(a: Corners, b: Corners): Promise<boolean> {
-  if (a.uv.length !== b.uv.length) return false;
-  const largest = (values: Float32Array): number =>
-    values.reduce((most, x) => Math.max(most, Math.abs(x)), 1e-30);
-  const near = (x: Float32Array, y: Float32Array): boolean => {
-    const tolerance = 2e-6 * Math.max(1, largest(y));
-    return x.every((value, i) => Math.abs(value - y[i]) <= tolerance);
+  const near = async (x: Float32Array, y: Float32Array): Promise<boolean> => {
+    if (x.length !== y.length) return false;
+    let largest = 1;
+    let apart = 0;
+    await inSteps(x.length, (i) => {
+      largest = Math.max(largest, Math.abs(y[i]));
+      const far = Math.abs(x[i] - y[i]);
+      if (!(far <= apart)) apart = Number.isNaN(far) ? Infinity : far;
+    });
+    return apart <= 2e-6 * largest;
   };
-  const isSameUv = near(a.uv, b.uv);
-  await pause();
-  return isSameUv && near(a.positions, b.positions);
+  return (await near(a.uv, b.uv)) && (await near(a.positions, b.positions));
 }
 
 /** Seam edges that follow one another with the same r get one colour. */
@@ -133,11 +137,12 @@ export async function finish(
   }
   await pause();
   const distortion = await measure(own);
+  const least = await leastArea(result);
   const overlaps = await findOverlaps(own.uv, result.cornerToUv);
   const seamDistance = await distanceToSeams(app.surface!, seams, uvToVertex);
   await pause();
   const chains = chainsOf(seams, uvToVertex, asked.q);
-  await pause();
+  await prepareSpread(app.surface!, spacingOf(app.surface!, app.look.tiles));
   const count = result.positions.length / 3;
   const seamAt = new Map<number, number>();
   seams.forEach(({ a }, i) => {
@@ -146,7 +151,7 @@ export async function finish(
   });
   return {
     ...{ asked, quality, output, result, written, corners, isSameAsFile, seams, seamAt },
-    ...{ distortion, overlaps, seamDistance, chains },
+    ...{ distortion, least, overlaps, seamDistance, chains },
     isCertified: result.certificate.certified,
   };
 }

@@ -1,11 +1,23 @@
-// The loaded surface with what picking, walking and the budget need to know about it. Computed once.
+// The loaded surface with what picking, walking and the budget need to know about it. Computed once,
+// in steps. Vertex ids are those of the file; what is known about them is what welds and repairs made
+// of them, for that is what is solved.
+
+import { inSteps } from './breath';
+import { edgesOf, partsOf } from './connect';
 
 export interface SurfaceArrays {
   positions: Float64Array;
   triangles: Uint32Array;
+  repaired?: {
+    triangles: Uint32Array;
+    vertexOrigin: Int32Array;
+    vertexImage: Int32Array;
+  };
 }
 
-export interface Surface extends SurfaceArrays {
+export interface Surface {
+  positions: Float64Array;
+  triangles: Uint32Array;
   vertexCount: number;
   /** Triangles at each vertex. */
   valence: Uint16Array;
@@ -19,13 +31,18 @@ export interface Surface extends SurfaceArrays {
   neighbours: Uint32Array;
   normals: Float32Array;
   diagonal: number;
+  /** A ball around it. */
+  center: [number, number, number];
+  radius: number;
+  /** The vertex that a vertex is one with, itself in most cases; −1 where it was removed. */
+  meaning: Int32Array;
 }
 
-function cross(p: Float64Array, a: number, b: number, c: number): [number, number, number] {
-  const [ux, uy, uz] = [p[b] - p[a], p[b + 1] - p[a + 1], p[b + 2] - p[a + 2]];
-  const [vx, vy, vz] = [p[c] - p[a], p[c + 1] - p[a + 1], p[c + 2] - p[a + 2]];
-  return [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-}
+type Mesh = Pick<Surface, 'positions' | 'triangles' | 'vertexCount'>;
+type Facts = Pick<
+  Surface,
+  'valence' | 'isBoundary' | 'part' | 'angle' | 'starts' | 'neighbours' | 'normals'
+>;
 
 /** Angle at a, where `area` is twice the area of the triangle. */
 function cornerAngle(p: Float64Array, a: number, b: number, c: number, area: number): number {
@@ -35,93 +52,132 @@ function cornerAngle(p: Float64Array, a: number, b: number, c: number, area: num
   return Math.atan2(area, x + y + z);
 }
 
-/** Halfedges by undirected edge: the boundary is where an edge has only one. */
-function readEdges(triangles: Uint32Array, vertexCount: number): Map<number, number> {
-  const count = new Map<number, number>();
-  for (let c = 0; c < triangles.length; c++) {
-    const a = triangles[c];
-    const b = triangles[c % 3 === 2 ? c - 2 : c + 1];
-    const key = Math.min(a, b) * vertexCount + Math.max(a, b);
-    count.set(key, (count.get(key) ?? 0) + 1);
-  }
-  return count;
-}
-
-function partsOf(triangles: Uint32Array, vertexCount: number): Int32Array {
-  const root = Int32Array.from({ length: vertexCount }, (_, v) => v);
-  const find = (v: number): number => {
-    while (root[v] !== v) v = root[v] = root[root[v]];
-    return v;
-  };
-  for (let t = 0; t < triangles.length; t += 3) {
-    const a = find(triangles[t]);
-    root[find(triangles[t + 1])] = a;
-    root[find(triangles[t + 2])] = a;
-  }
-  const numbers = new Map<number, number>();
-  const part = new Int32Array(vertexCount).fill(-1);
-  for (const v of triangles) {
-    const r = find(v);
-    if (!numbers.has(r)) numbers.set(r, numbers.size);
-    part[v] = numbers.get(r)!;
-  }
-  return part;
-}
-
-function diagonalOf(positions: Float64Array): number {
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < positions.length; i++) {
-    if (!Number.isFinite(positions[i])) continue;
-    low[i % 3] = Math.min(low[i % 3], positions[i]);
-    high[i % 3] = Math.max(high[i % 3], positions[i]);
-  }
-  return Math.hypot(...high.map((h, i) => h - low[i])) || 1;
-}
-
-export function makeSurface({ positions, triangles }: SurfaceArrays): Surface {
-  const vertexCount = positions.length / 3;
+async function shapeOf({
+  positions: p,
+  triangles,
+  vertexCount,
+}: Mesh): Promise<Pick<Facts, 'valence' | 'angle' | 'normals'>> {
   const valence = new Uint16Array(vertexCount);
   const angle = new Float64Array(vertexCount);
-  const sums = new Float64Array(positions.length);
-  for (let t = 0; t < triangles.length; t += 3) {
-    const [a, b, c] = [3 * triangles[t], 3 * triangles[t + 1], 3 * triangles[t + 2]];
-    const n = cross(positions, a, b, c);
-    for (const v of [a, b, c]) for (let i = 0; i < 3; i++) sums[v + i] += n[i];
-    for (let k = 0; k < 3; k++) valence[triangles[t + k]] += 1;
-    const area = Math.sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    angle[a / 3] += cornerAngle(positions, a, b, c, area);
-    angle[b / 3] += cornerAngle(positions, b, c, a, area);
-    angle[c / 3] += cornerAngle(positions, c, a, b, area);
-  }
-  const normals = new Float32Array(positions.length);
-  for (let v = 0; v < positions.length; v += 3) {
-    const length = Math.hypot(sums[v], sums[v + 1], sums[v + 2]) || 1;
-    for (let i = 0; i < 3; i++) normals[v + i] = sums[v + i] / length;
-  }
-  const edges = readEdges(triangles, vertexCount);
-  const isBoundary = new Uint8Array(vertexCount);
-  const starts = new Uint32Array(vertexCount + 1);
-  for (const [key, count] of edges) {
-    const [a, b] = [Math.floor(key / vertexCount), key % vertexCount];
-    starts[a + 1] += 1;
-    starts[b + 1] += 1;
-    if (count === 1) isBoundary[a] = isBoundary[b] = 1;
-  }
-  for (let v = 0; v < vertexCount; v++) starts[v + 1] += starts[v];
-  const next = starts.slice();
-  const neighbours = new Uint32Array(2 * edges.size);
-  for (const key of edges.keys()) {
-    const [a, b] = [Math.floor(key / vertexCount), key % vertexCount];
-    neighbours[next[a]++] = b;
-    neighbours[next[b]++] = a;
-  }
-  const part = partsOf(triangles, vertexCount);
-  const diagonal = diagonalOf(positions);
-  return {
-    ...{ positions, triangles, vertexCount, valence, isBoundary, part, angle },
-    ...{ starts, neighbours, normals, diagonal },
+  const sums = new Float64Array(p.length);
+  await inSteps(triangles.length / 3, (t) => {
+    const a = 3 * triangles[3 * t];
+    const b = 3 * triangles[3 * t + 1];
+    const c = 3 * triangles[3 * t + 2];
+    const ux = p[b] - p[a];
+    const uy = p[b + 1] - p[a + 1];
+    const uz = p[b + 2] - p[a + 2];
+    const vx = p[c] - p[a];
+    const vy = p[c + 1] - p[a + 1];
+    const vz = p[c + 2] - p[a + 2];
+    const x = uy * vz - uz * vy;
+    const y = uz * vx - ux * vz;
+    const z = ux * vy - uy * vx;
+    for (let k = 0; k < 3; k++) {
+      const v = triangles[3 * t + k];
+      sums[3 * v] += x;
+      sums[3 * v + 1] += y;
+      sums[3 * v + 2] += z;
+      valence[v] += 1;
+    }
+    const area = Math.sqrt(x * x + y * y + z * z);
+    angle[a / 3] += cornerAngle(p, a, b, c, area);
+    angle[b / 3] += cornerAngle(p, b, c, a, area);
+    angle[c / 3] += cornerAngle(p, c, a, b, area);
+  });
+  const normals = new Float32Array(p.length);
+  await inSteps(vertexCount, (i) => {
+    const v = 3 * i;
+    const length = Math.sqrt(sums[v] ** 2 + sums[v + 1] ** 2 + sums[v + 2] ** 2) || 1;
+    for (let k = 0; k < 3; k++) normals[v + k] = sums[v + k] / length;
+  });
+  return { valence, angle, normals };
+}
+
+async function ballOf(p: Float64Array): Promise<Pick<Surface, 'center' | 'radius' | 'diagonal'>> {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  await inSteps(p.length / 3, (v) => {
+    for (let k = 0; k < 3; k++) {
+      const x = p[3 * v + k];
+      if (!Number.isFinite(x)) continue;
+      if (x < low[k]) low[k] = x;
+      if (x > high[k]) high[k] = x;
+    }
+  });
+  const center = low.map((x, k) => (x + high[k]) / 2) as [number, number, number];
+  let most = 0;
+  await inSteps(p.length / 3, (v) => {
+    const far =
+      (p[3 * v] - center[0]) ** 2 +
+      (p[3 * v + 1] - center[1]) ** 2 +
+      (p[3 * v + 2] - center[2]) ** 2;
+    if (far > most) most = far;
+  });
+  const diagonal = Math.hypot(...high.map((x, k) => x - low[k])) || 1;
+  return { center, diagonal, radius: Math.sqrt(most) || diagonal / 2 };
+}
+
+async function factsOf(mesh: Mesh): Promise<Facts> {
+  const { valence, angle, normals } = await shapeOf(mesh);
+  const { starts, neighbours, isBoundary } = await edgesOf(mesh.triangles, mesh.vertexCount);
+  const part = await partsOf(mesh.triangles, mesh.vertexCount);
+  return { valence, angle, normals, starts, neighbours, isBoundary, part };
+}
+
+/** What is known about a repaired mesh, said of the vertices of the file. */
+function pulledBack(
+  { valence, angle, normals, starts, neighbours, isBoundary, part }: Facts,
+  { vertexOrigin, vertexImage }: Required<SurfaceArrays>['repaired'],
+): Facts & Pick<Surface, 'meaning'> {
+  const count = vertexImage.length;
+  const own: Facts = {
+    valence: new Uint16Array(count),
+    angle: new Float64Array(count),
+    normals: new Float32Array(3 * count),
+    isBoundary: new Uint8Array(count),
+    part: new Int32Array(count).fill(-1),
+    starts: new Uint32Array(count + 1),
+    neighbours: new Uint32Array(0),
   };
+  const around: number[] = [];
+  const meaning = new Int32Array(count).fill(-1);
+  for (let v = 0; v < count; v++) {
+    const m = vertexImage[v];
+    own.starts[v + 1] = own.starts[v];
+    if (m < 0) continue;
+    meaning[v] = vertexOrigin[m];
+    own.valence[v] = valence[m];
+    own.angle[v] = angle[m];
+    own.isBoundary[v] = isBoundary[m];
+    own.part[v] = part[m];
+    own.normals.set(normals.subarray(3 * m, 3 * m + 3), 3 * v);
+    for (let n = starts[m]; n < starts[m + 1]; n++) around.push(vertexOrigin[neighbours[n]]);
+    own.starts[v + 1] = around.length;
+  }
+  return { ...own, neighbours: Uint32Array.from(around), meaning };
+}
+
+export async function makeSurface({
+  positions,
+  triangles,
+  repaired,
+}: SurfaceArrays): Promise<Surface> {
+  const vertexCount = positions.length / 3;
+  const own = { positions, triangles, vertexCount, ...(await ballOf(positions)) };
+  if (!repaired) {
+    const meaning = Int32Array.from({ length: vertexCount }, (_, v) => v);
+    return { ...own, ...(await factsOf(own)), meaning };
+  }
+  const { vertexOrigin } = repaired;
+  const moved = new Float64Array(3 * vertexOrigin.length);
+  vertexOrigin.forEach((v, m) => moved.set(positions.subarray(3 * v, 3 * v + 3), 3 * m));
+  const facts = await factsOf({
+    positions: moved,
+    triangles: repaired.triangles,
+    vertexCount: vertexOrigin.length,
+  });
+  return { ...own, ...pulledBack(facts, repaired) };
 }
 
 /** What bends at v, in degrees: positive on a corner of a cube, negative on a saddle. */

@@ -4,6 +4,8 @@ import type { ModelInfo } from 'hgp';
 
 export interface MeshSurvey {
   index: number;
+  /** Nodes that use the mesh; nothing where the format has no nodes. */
+  instances?: number;
   isUsable: boolean;
   parts: number;
   /** Why it cannot be used, in a few words. */
@@ -16,6 +18,7 @@ const mostTriangles = 400_000; // all together: beyond, looking at each would ta
 /** Reads the meshes one by one; the best is the largest that can be used. */
 export async function surveyMeshes(
   info: ModelInfo,
+  instances: number[] | undefined,
   read: (index: number) => Promise<ModelInfo>,
 ): Promise<{ survey: MeshSurvey[]; best: number }> {
   const total = info.surfaces.reduce((sum, { triangles }) => sum + triangles, 0);
@@ -27,10 +30,12 @@ export async function surveyMeshes(
     try {
       const { usable, components, defects } = await read(index);
       const why = defects.find(({ fatal }) => fatal)?.kind.replaceAll('-', ' ') ?? 'not usable';
-      survey.push({ index, isUsable: usable, parts: components?.length ?? 0, why });
+      const parts = components?.length ?? 0;
+      survey.push({ index, isUsable: usable, parts, why, instances: instances?.[index] });
     } catch (error) {
       if ((error as Error).name === 'AbortError') throw error;
-      survey.push({ index, isUsable: false, parts: 0, why: (error as Error).message });
+      const why = (error as Error).message;
+      survey.push({ index, isUsable: false, parts: 0, why, instances: instances?.[index] });
     }
   }
   const size = (index: number): number => info.surfaces[index].triangles;

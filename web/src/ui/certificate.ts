@@ -5,6 +5,7 @@ import type { Certificate, Where } from 'hgp';
 import type { App } from '../state/app';
 import { boxOf, quantile } from '../state/measure';
 import type { Solved } from '../state/solved';
+import { memoryText } from '../state/estimate';
 import type { Controls } from './controls';
 import { icon } from './icons';
 
@@ -20,7 +21,8 @@ interface Part {
 }
 
 const partsOf = (certificate: Certificate): Part[] => certificate.components as Part[];
-const small = (x: number): string => (x === 0 ? '0' : x.toExponential(1).replace('e-', 'e−'));
+const small = (x: number): string =>
+  x === 0 ? '0' : x.toExponential(1).replace('e+0', '').replaceAll('-', '−');
 const signed = (x: number): string => (x < 0 ? `−${(-x).toFixed(2)}` : x.toFixed(2));
 const face = (id: number | undefined): Where[] =>
   id === undefined || id < 0 ? [] : [{ kind: 'triangle', id }];
@@ -33,7 +35,7 @@ interface Row {
   where: Where[];
 }
 
-function rows({ certificate }: Solved['result']): Row[] {
+function rows({ least, result: { certificate } }: Solved): Row[] {
   const c = certificate;
   const parts = partsOf(c);
   const worst = parts[0]?.angles?.worstVertex ?? -1;
@@ -47,6 +49,13 @@ function rows({ certificate }: Solved['result']): Row[] {
       tolerance: 'exactly 0, exact sign',
       isGood: c.flipped === 0,
       where: flipped.length > 0 ? flipped.map((id) => face(id)[0]) : face(smallest),
+    },
+    {
+      name: 'Smallest signed area',
+      value: small(least.area),
+      tolerance: `above 0; ${small(least.area / least.mean)} of the mean`,
+      isGood: c.flipped === 0,
+      where: face(least.triangle),
     },
     {
       name: 'Cone angles',
@@ -127,7 +136,7 @@ function certificateTable(solved: Solved, ui: Controls): TemplateResult {
       </tr>
     </thead>
     <tbody>
-      ${rows(solved.result).map((row) => certificateRow(row, ui))}
+      ${rows(solved).map((row) => certificateRow(row, ui))}
       ${certificateRow(
         {
           name: 'Preview is the file',
@@ -194,6 +203,7 @@ function statistics(solved: Solved): [string, string][] {
     ],
     ['Stored as', certificate.precision],
     ['Time', `${report.seconds.toFixed(2)} s`],
+    ['Memory at most', memoryText(result.memory)],
   ];
 }
 

@@ -112,6 +112,7 @@ function whichMesh(app: App): TemplateResult {
             <tr>
               <th scope="col">Mesh</th>
               <th scope="col">Triangles</th>
+              <th scope="col">Instances</th>
               <th scope="col">Parts</th>
               <th scope="col">Manifold</th>
             </tr>
@@ -135,6 +136,7 @@ function whichMesh(app: App): TemplateResult {
                   ${notes.length > 0 ? html`<small>${notes.join('; ')}</small>` : nothing}
                 </th>
                 <td>${triangles}</td>
+                <td>${seen?.instances ?? '–'}</td>
                 <td>${seen?.parts || '–'}</td>
                 <td>${seen ? (seen.isUsable ? 'yes' : `no: ${seen.why}`) : '–'}</td>
               </tr>`;

@@ -6,7 +6,7 @@ import { examples } from 'virtual:examples';
 import type { App } from '../state/app';
 import { redo, undo } from '../state/edit';
 import { load } from '../state/load';
-import { openExample } from '../state/open';
+import { close, openExample } from '../state/open';
 import { cancel, canRun, run } from '../state/run';
 import type { Controls } from './controls';
 import { icon } from './icons';
@@ -75,7 +75,7 @@ export function header(app: App, ui: Controls): TemplateResult {
       ${icon('redo')}
     </button>
     <p class="file" title=${app.info ? app.main : ''}>${app.info ? app.main : ''}</p>
-    ${meshChooser(app)} ${runButton(app)} ${downloadButton(app, ui)}
+    ${closeButton(app)} ${meshChooser(app)} ${runButton(app)} ${downloadButton(app, ui)}
     <button
       type="button"
       id="help"
@@ -96,6 +96,20 @@ export function header(app: App, ui: Controls): TemplateResult {
       ${icon('theme')}
     </button>
   </header>`;
+}
+
+function closeButton(app: App): TemplateResult | typeof nothing {
+  if (!app.info) return nothing;
+  return html`<button
+    type="button"
+    id="close"
+    class="only-icon plain"
+    aria-label="Close ${app.main}"
+    title="Close"
+    @click=${() => close(app)}
+  >
+    ${icon('cross')}
+  </button>`;
 }
 
 /** Another mesh of the same file. */

@@ -1,31 +1,47 @@
 // From arrays to what WebGL draws: one vertex per triangle corner, so that texture coordinates and
 // overlays may differ on the two sides of an edge.
 
-import { BufferAttribute, BufferGeometry } from 'three';
+import { BufferAttribute, BufferGeometry, Sphere, Vector3 } from 'three';
 import type { Overlay } from '../state/app';
-import { quantile } from '../state/measure';
+import { boxOf, quantile } from '../state/measure';
 import type { Solved } from '../state/solved';
+import { spread } from '../state/spread';
 import type { Surface } from '../state/surface';
-import { spread } from './spread';
 
-export function cornerGeometry(surface: Surface, solved?: Solved): BufferGeometry {
-  const { triangles, positions, normals } = surface;
-  const count = triangles.length;
-  const position = new Float32Array(3 * count);
-  const normal = new Float32Array(3 * count);
-  for (let c = 0; c < count; c++) {
-    for (let i = 0; i < 3; i++) {
-      position[3 * c + i] = positions[3 * triangles[c] + i];
-      normal[3 * c + i] = normals[3 * triangles[c] + i];
-    }
-  }
+/** `same` is a geometry of the same surface, whose places are taken over. */
+export function cornerGeometry(
+  surface: Surface,
+  solved?: Solved,
+  same?: BufferGeometry,
+): BufferGeometry {
+  const count = surface.triangles.length;
   const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(position, 3));
-  geometry.setAttribute('normal', new BufferAttribute(normal, 3));
+  if (same) {
+    geometry.setAttribute('position', same.getAttribute('position'));
+    geometry.setAttribute('normal', same.getAttribute('normal'));
+  } else setPlaces(geometry, surface);
+  geometry.boundingSphere = new Sphere(new Vector3(...surface.center), surface.radius);
   const uv = solved?.corners.uv ?? new Float32Array(2 * count);
   geometry.setAttribute('uv', new BufferAttribute(uv, 2));
   geometry.setAttribute('tint', new BufferAttribute(new Uint8Array(4 * count), 4, true));
   return geometry;
+}
+
+function setPlaces(
+  geometry: BufferGeometry,
+  { triangles, positions, normals }: Surface,
+): void {
+  const position = new Float32Array(3 * triangles.length);
+  const normal = new Float32Array(3 * triangles.length);
+  for (let c = 0; c < triangles.length; c++) {
+    const v = 3 * triangles[c];
+    for (let i = 0; i < 3; i++) {
+      position[3 * c + i] = positions[v + i];
+      normal[3 * c + i] = normals[v + i];
+    }
+  }
+  geometry.setAttribute('position', new BufferAttribute(position, 3));
+  geometry.setAttribute('normal', new BufferAttribute(normal, 3));
 }
 
 /** The map laid flat. */
@@ -40,6 +56,9 @@ export function flatGeometry(solved: Solved): BufferGeometry {
     normal[3 * c + 2] = 1;
   }
   const geometry = new BufferGeometry();
+  const { x, y, width, height } = boxOf(uv);
+  const center = new Vector3(x + width / 2, y + height / 2, 0);
+  geometry.boundingSphere = new Sphere(center, Math.hypot(width, height) / 2);
   geometry.setAttribute('position', new BufferAttribute(position, 3));
   geometry.setAttribute('normal', new BufferAttribute(normal, 3));
   geometry.setAttribute('uv', new BufferAttribute(uv, 2));
@@ -106,8 +125,7 @@ function seamLimit({ seamDistance }: Solved): number {
 }
 
 function areaLimit({ distortion }: Solved): number {
-  const sizes = distortion.area.map(Math.abs);
-  return Math.max(quantile(sizes, 0.99), 0.01);
+  return Math.max(quantile(distortion.areaSize, 0.99), 0.01);
 }
 
 /** Colour per corner: the overlay, and red where a triangle is folded over. */

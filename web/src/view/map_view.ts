@@ -6,6 +6,7 @@ import type { Look } from '../state/app';
 import { boxOf } from '../state/measure';
 import type { Prescription } from '../state/prescription';
 import type { Solved } from '../state/solved';
+import { spacingOf } from '../state/spread';
 import type { Surface } from '../state/surface';
 import { crosses, flatGeometry, paint } from './geometry';
 import { edgesOfCorners, Lines, seamsInMap } from './lines';
@@ -44,6 +45,7 @@ export class MapView extends Stage {
     this.scene.add(this.#square, this.#mesh, this.#wire, this.#crosses, this.#seams);
     this.scene.add(this.#ticks, this.#light, this.#markers);
     this.#mesh.visible = false;
+    this.#mesh.frustumCulled = false;
     this.#listen();
   }
 
@@ -151,7 +153,7 @@ export class MapView extends Stage {
     paint(this.#mesh.geometry, solved, look.overlay);
     this.#square.set(unitSquare, palette.ink);
     if (look.pattern === 'cross' && look.overlay !== 'flips') {
-      const spacing = surface.diagonal / (look.tiles * 1.3);
+      const spacing = spacingOf(surface, look.tiles);
       this.#crosses.set(crosses(surface, solved, spacing, q, true), palette.ink);
     } else this.#crosses.visible = false;
     if (look.hasSeams) {

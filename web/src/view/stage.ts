@@ -1,23 +1,42 @@
-// A canvas with a scene that is drawn only when something has changed.
+// A canvas with a scene that is drawn only when something has changed; and what happens when the
+// graphics card takes it away.
 
 import { Color, type Object3D, Scene, WebGLRenderer, type Camera } from 'three';
+
+/** The frame in which some stage has been drawn: the other one waits, so that each task is short. */
+let lastFrame = -1;
 
 export abstract class Stage {
   readonly canvas: HTMLCanvasElement;
   readonly scene = new Scene();
   readonly renderer: WebGLRenderer;
   abstract readonly camera: Camera;
+  /** Told when the picture is lost, and when it is back. */
+  onContext?: (isLost: boolean) => void;
   #isPending = false;
+  #isLost = false;
   #before: (() => void)[] = [];
 
   constructor(canvas: HTMLCanvasElement) {
     this.canvas = canvas;
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    // Asking whether a program compiled waits until it has; nobody could act on the answer.
+    this.renderer.debug.checkShaderErrors = import.meta.env.DEV;
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.setClearColor(new Color(0), 0);
     new ResizeObserver(() => this.resize()).observe(canvas);
-    canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
-    canvas.addEventListener('webglcontextrestored', () => this.draw());
+    // Prevented, so that the browser gives the context back as soon as it can; the renderer then
+    // makes everything anew by itself.
+    canvas.addEventListener('webglcontextlost', (event) => {
+      event.preventDefault();
+      this.#isLost = true;
+      this.onContext?.(true);
+    });
+    canvas.addEventListener('webglcontextrestored', () => {
+      this.#isLost = false;
+      this.onContext?.(false);
+      this.draw();
+    });
   }
 
   /** Something that must be up to date in every picture. */
@@ -46,15 +65,21 @@ export abstract class Stage {
     if (this.#isPending) return;
     this.#isPending = true;
     this.canvas.dataset.pending = '';
-    requestAnimationFrame(() => {
+    const frame = (time: number): void => {
+      if (time === lastFrame) {
+        requestAnimationFrame(frame);
+        return;
+      }
+      lastFrame = time;
       this.#isPending = false;
       delete this.canvas.dataset.pending;
-      if (this.canvas.clientWidth === 0) return;
+      if (this.canvas.clientWidth === 0 || this.#isLost) return;
       for (const step of this.#before) step();
       this.renderer.render(this.scene, this.camera);
       this.canvas.dataset.triangles = String(this.renderer.info.render.triangles);
       this.canvas.dataset.frames = String(this.renderer.info.render.frame);
-    });
+    };
+    requestAnimationFrame(frame);
   }
 
   resize(): void {

@@ -7,7 +7,6 @@ import {
   Mesh,
   PerspectiveCamera,
   Raycaster,
-  Sphere,
   Vector2,
   Vector3,
 } from 'three';
@@ -15,6 +14,7 @@ import { MeshBVH } from 'three-mesh-bvh';
 import type { Look } from '../state/app';
 import type { Prescription } from '../state/prescription';
 import type { Solved } from '../state/solved';
+import { spacingOf } from '../state/spread';
 import type { Surface } from '../state/surface';
 import { cornerGeometry, crosses, paint } from './geometry';
 import { edgesOfCorners, Lines, seamsOnSurface } from './lines';
@@ -59,6 +59,7 @@ export class SurfaceView extends Stage {
     this.scene.add(this.#mesh, this.#wire, this.#crosses, this.#seams, this.#ticks);
     this.scene.add(this.#handles, this.#light, this.#cursor, this.#markers);
     this.#mesh.visible = false;
+    this.#mesh.frustumCulled = false; // it is what the camera looks at
     this.beforeDraw(() => {
       const eye = this.camera.position;
       this.#markers.lift(eye, 0.04 * (this.#surface?.diagonal ?? 1));
@@ -89,7 +90,8 @@ export class SurfaceView extends Stage {
     this.#surface = surface;
     this.#solved = solved;
     this.#crossKey = '';
-    this.#mesh.geometry.dispose();
+    const before = this.#mesh.geometry;
+    before.dispose();
     this.#mesh.visible = surface !== undefined;
     for (const lines of [this.#seams, this.#ticks, this.#crosses, this.#wire, this.#light]) {
       lines.visible = false;
@@ -100,19 +102,10 @@ export class SurfaceView extends Stage {
       this.#markers.show([], 0, true);
       return this.draw();
     }
-    this.#mesh.geometry = cornerGeometry(surface, solved);
+    this.#mesh.geometry = cornerGeometry(surface, solved, isNew ? undefined : before);
     if (isNew) {
       this.#bvh = undefined;
-      const sphere = new Sphere();
-      this.#mesh.geometry.computeBoundingBox();
-      this.#mesh.geometry.boundingBox!.getBoundingSphere(sphere);
-      let radius = 0;
-      const at = new Vector3();
-      const { position } = this.#mesh.geometry.attributes;
-      for (let i = 0; i < position.count; i += 3) {
-        radius = Math.max(radius, at.fromBufferAttribute(position, i).distanceTo(sphere.center));
-      }
-      this.orbit.frame(sphere.center, radius || sphere.radius);
+      this.orbit.frame(new Vector3(...surface.center), surface.radius);
     }
     this.draw();
   }
@@ -140,7 +133,7 @@ export class SurfaceView extends Stage {
     const solved = this.#solved;
     const key = `${look.tiles} ${q} ${this.#palette!.ink.getHex()}`;
     if (hasCrosses && solved && key !== this.#crossKey) {
-      const spacing = surface.diagonal / (look.tiles * 1.3);
+      const spacing = spacingOf(surface, look.tiles);
       this.#crosses.set(crosses(surface, solved, spacing, q, false), this.#palette!.ink);
       this.#crossKey = key;
     }

@@ -1,0 +1,160 @@
+// Points spread evenly over a surface, the same every time: none nearer to another than the spacing.
+
+import { inSteps } from './breath';
+import type { Surface } from './surface';
+
+export interface Sample {
+  triangle: number;
+  /** Position = first corner + s·e + r·f. */
+  s: number;
+  r: number;
+  e: [number, number, number];
+  f: [number, number, number];
+}
+
+type Vector = [number, number, number];
+
+const tries = 5; // candidates per point that fits
+const mostCandidates = 60_000;
+
+/** Evenly spread numbers in (0, 1) from a seed. */
+function sequence(seed: number): () => number {
+  let x = seed | 0;
+  return () => {
+    x = (Math.imul(x, 1664525) + 1013904223) | 0;
+    return (x >>> 8) / 2 ** 24;
+  };
+}
+
+/** Accepts points that keep their distance, with a hash of cells to find the neighbours. */
+class Sieve {
+  readonly #cells = new Map<number, number[]>();
+  readonly #size: number;
+  constructor(distance: number) {
+    this.#size = distance;
+  }
+  // Cells far apart may share a number: that costs a comparison and nothing else.
+  #key(i: number, j: number, k: number): number {
+    return (i * 73856093) ^ (j * 19349663) ^ (k * 83492791);
+  }
+  accepts(x: number, y: number, z: number): boolean {
+    const size = this.#size;
+    const [i, j, k] = [Math.floor(x / size), Math.floor(y / size), Math.floor(z / size)];
+    for (let n = 0; n < 27; n++) {
+      const key = this.#key(
+        i + (n % 3) - 1,
+        j + (Math.floor(n / 3) % 3) - 1,
+        k + Math.floor(n / 9) - 1,
+      );
+      const near = this.#cells.get(key);
+      for (let m = 0; near && m < near.length; m += 3) {
+        const far = (near[m] - x) ** 2 + (near[m + 1] - y) ** 2 + (near[m + 2] - z) ** 2;
+        if (far < size * size) return false;
+      }
+    }
+    const own = this.#cells.get(this.#key(i, j, k));
+    if (own) own.push(x, y, z);
+    else this.#cells.set(this.#key(i, j, k), [x, y, z]);
+    return true;
+  }
+}
+
+function sidesOf({ positions: p, triangles }: Surface, t: number): { e: Vector; f: Vector } {
+  const [a, b, c] = [3 * triangles[3 * t], 3 * triangles[3 * t + 1], 3 * triangles[3 * t + 2]];
+  return {
+    e: [p[b] - p[a], p[b + 1] - p[a + 1], p[b + 2] - p[a + 2]],
+    f: [p[c] - p[a], p[c + 1] - p[a + 1], p[c + 2] - p[a + 2]],
+  };
+}
+
+function areaOf({ positions: p, triangles }: Surface, t: number): number {
+  const a = 3 * triangles[3 * t];
+  const b = 3 * triangles[3 * t + 1];
+  const c = 3 * triangles[3 * t + 2];
+  const ux = p[b] - p[a];
+  const uy = p[b + 1] - p[a + 1];
+  const uz = p[b + 2] - p[a + 2];
+  const vx = p[c] - p[a];
+  const vy = p[c + 1] - p[a + 1];
+  const vz = p[c + 2] - p[a + 2];
+  const x = uy * vz - uz * vy;
+  const y = uz * vx - ux * vz;
+  const z = ux * vy - uy * vx;
+  return Math.sqrt(x * x + y * y + z * z) / 2;
+}
+
+let last: { surface: Surface; spacing: number; samples: Sample[] } | undefined;
+
+/** Between two crosses, where so many tiles lie along the diagonal. */
+export const spacingOf = ({ diagonal }: Surface, tiles: number): number =>
+  diagonal / (tiles * 1.3);
+
+/** Both views ask for the same points one after the other. */
+export function spread(surface: Surface, spacing: number): Sample[] {
+  if (last?.surface !== surface || last.spacing !== spacing) {
+    const chooser = new Chooser(surface, spacing);
+    for (let t = 0; t < chooser.count; t++) chooser.propose(t);
+    last = { surface, spacing, samples: chooser.sorted().filter((one) => chooser.accepts(one)) };
+  }
+  return last.samples;
+}
+
+/** The same in steps, so that `spread` finds them there. */
+export async function prepareSpread(surface: Surface, spacing: number): Promise<void> {
+  if (last?.surface === surface && last.spacing === spacing) return;
+  const chooser = new Chooser(surface, spacing);
+  await inSteps(chooser.count, (t) => chooser.propose(t));
+  const all = chooser.sorted();
+  const samples: Sample[] = [];
+  await inSteps(all.length, (i) => chooser.accepts(all[i]) && samples.push(all[i]));
+  last = { surface, spacing, samples };
+}
+
+/** Proposes points by area and lets through those that keep their distance. */
+class Chooser {
+  readonly count: number;
+  readonly #surface: Surface;
+  readonly #areas: Float64Array;
+  readonly #each: number; // candidates per unit of area
+  readonly #random = sequence(7);
+  readonly #sieve: Sieve;
+  readonly #candidates: { sample: Sample; order: number }[] = [];
+  #owed = 0.5;
+
+  constructor(surface: Surface, spacing: number) {
+    this.#surface = surface;
+    this.count = surface.triangles.length / 3;
+    this.#areas = new Float64Array(this.count);
+    let area = 0;
+    for (let t = 0; t < this.count; t++) area += this.#areas[t] = areaOf(surface, t);
+    const wanted = Math.min((tries * area) / (spacing * spacing), mostCandidates);
+    this.#each = area > 0 ? wanted / area : 0;
+    this.#sieve = new Sieve(0.85 * spacing);
+  }
+
+  propose(t: number): void {
+    this.#owed += this.#areas[t] * this.#each;
+    if (this.#owed < 1) return;
+    const { e, f } = sidesOf(this.#surface, t);
+    for (; this.#owed >= 1; this.#owed -= 1) {
+      let [s, r] = [this.#random(), this.#random()];
+      if (s + r > 1) [s, r] = [1 - s, 1 - r];
+      this.#candidates.push({ sample: { triangle: t, s, r, e, f }, order: this.#random() });
+    }
+  }
+
+  /** In an order of chance, the same every time. */
+  sorted(): Sample[] {
+    return this.#candidates.sort((x, y) => x.order - y.order).map(({ sample }) => sample);
+  }
+
+  accepts({ triangle, s, r, e, f }: Sample): boolean {
+    const { positions: p, triangles } = this.#surface;
+    const a = 3 * triangles[3 * triangle];
+    return this.#sieve.accepts(
+      p[a] + s * e[0] + r * f[0],
+      p[a + 1] + s * e[1] + r * f[1],
+      p[a + 2] + s * e[2] + r * f[2],
+    );
+  }
+}

@@ -85,15 +85,25 @@ async function ctest(log, preset) {
   return counts;
 }
 
-async function nodeTests(log, folder) {
-  const files = readdirSync(path.join('tests', folder))
-    .filter((name) => name.endsWith('.test.mjs'))
-    .map((name) => path.join('tests', folder, name));
-  const flags = ['--test', '--test-reporter=tap', '--test-concurrency=1'];
-  const { code, output } = await run(log, 'node', ...flags, ...files);
-  const counts = countNodeTest(output);
-  if (code !== 0) counts.failed = Math.max(counts.failed, 1);
-  return counts;
+/** Test files of a folder, several at once where they may be; those that measure time come last, alone. */
+async function nodeTests(log, folder, { atOnce = 1, alone = [] } = {}) {
+  const all = readdirSync(path.join('tests', folder)).filter((name) => name.endsWith('.test.mjs'));
+  const groups = [
+    [atOnce, all.filter((name) => !alone.includes(name))],
+    [1, all.filter((name) => alone.includes(name))],
+  ];
+  const total = { passed: 0, failed: 0, skipped: 0, notes: [] };
+  for (const [width, names] of groups) {
+    if (names.length === 0) continue;
+    const flags = ['--test', '--test-reporter=tap', `--test-concurrency=${width}`];
+    const files = names.map((name) => path.join('tests', folder, name));
+    const { code, output } = await run(log, 'node', ...flags, ...files);
+    const counts = countNodeTest(output);
+    if (code !== 0) counts.failed = Math.max(counts.failed, 1);
+    for (const key of ['passed', 'failed', 'skipped']) total[key] += counts[key];
+    total.notes.push(...counts.notes);
+  }
+  return total;
 }
 
 const stages = {
@@ -113,7 +123,7 @@ const stages = {
   install: (log) => nodeTests(log, 'install'),
   web: async (log) => {
     await must(log, 'node_modules/.bin/vite', 'build', 'web');
-    return nodeTests(log, 'web');
+    return nodeTests(log, 'web', { atOnce: 2, alone: ['speed.test.mjs'] });
   },
 };
 

@@ -3,16 +3,25 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { cubeMesh, toObj } from '../support/meshes.mjs';
-import { download, drop, settled, state, statusText, useBrowser } from './support.mjs';
+import {
+  coneCount,
+  download,
+  drop,
+  example,
+  kOf,
+  openFiles,
+  run,
+  settled,
+  state,
+  statusText,
+  useBrowser,
+} from './support.mjs';
 
 const it = useBrowser();
-const rows = () => it.page.locator('#cones tbody tr[data-cone]').count();
-const kOf = (i) => it.page.locator(`tr[data-cone="${i}"] input`).inputValue();
 const vertexOf = (i) => it.page.locator(`tr[data-cone="${i}"] td`).first().innerText();
 
 async function openCube() {
-  await drop(it, { 'cube.obj': toObj(cubeMesh(8)) });
-  await state(it.page, 'ready');
+  await openFiles(it, { 'cube.obj': toObj(cubeMesh(8)) });
   await settled(it.page);
 }
 
@@ -47,9 +56,9 @@ test('by mouse: place, select, drag, delete, undo, redo', async () => {
   assert.equal(await vertexOf(1), moved);
 
   await it.page.click('tr[data-cone="1"] [aria-label$="delete"]');
-  assert.equal(await rows(), 1);
+  assert.equal(await coneCount(it), 1);
   await it.page.click('#undo');
-  assert.equal(await rows(), 2);
+  assert.equal(await coneCount(it), 2);
 });
 
 test('by keyboard alone: open an example, place three cones, run, download', async () => {
@@ -70,8 +79,8 @@ test('by keyboard alone: open an example, place three cones, run, download', asy
     await page.keyboard.press('2');
     for (let i = 0; i < 8; i++) await page.keyboard.press(cone === 0 ? 'ArrowLeft' : 'ArrowDown');
   }
-  assert.equal(await rows(), 3);
-  for (let i = 0; i < 3; i++) assert.equal(await kOf(i), '2');
+  assert.equal(await coneCount(it), 3);
+  for (let i = 0; i < 3; i++) assert.equal(await kOf(it, i), '2');
   await page.waitForSelector('.budget.good');
   // Tab leaves the view: no trap.
   await page.keyboard.press('Tab');
@@ -85,9 +94,8 @@ test('by keyboard alone: open an example, place three cones, run, download', asy
 
 test('the budget says what is left and how to spend it; q converts where that is exact', async () => {
   const { page } = it;
-  await page.click('[data-card="cube"]');
-  await state(page, 'ready');
-  assert.equal(await rows(), 8);
+  await example(it, 'cube');
+  assert.equal(await coneCount(it), 8);
   await page.waitForSelector('.budget.good');
   await page.click('tr[data-cone="0"] [aria-label$="larger k"]');
   await page.waitForSelector('.budget[data-left="1"]');
@@ -101,12 +109,12 @@ test('the budget says what is left and how to spend it; q converts where that is
   await page.click('#rest');
   await page.waitForSelector('.budget.good');
   await page.selectOption('#q', '8');
-  assert.equal(await kOf(0), '6');
+  assert.equal(await kOf(it, 0), '6');
   await page.selectOption('#q', '3'); // 6·3/8 is no integer
   assert.match(await statusText(page), /no whole multiples/);
-  assert.equal(await kOf(0), '6');
+  assert.equal(await kOf(it, 0), '6');
   await page.keyboard.press('Control+z');
-  assert.equal(await kOf(0), '3');
+  assert.equal(await kOf(it, 0), '3');
 });
 
 test('export, clear, import; and cones are offered again after a reload', async () => {
@@ -114,27 +122,25 @@ test('export, clear, import; and cones are offered again after a reload', async 
   await openCube();
   await page.click('#suggest');
   await page.waitForSelector('#cones');
-  const count = await rows();
+  const count = await coneCount(it);
   const file = await download(page, () => page.click('#export-cones'));
   await page.click('#clear-cones');
   await page.waitForSelector('#cones', { state: 'detached' });
   await drop(it, { 'mine.cones.json': file.bytes });
   await page.waitForSelector('#cones');
-  assert.equal(await rows(), count);
+  assert.equal(await coneCount(it), count);
   page.on('dialog', (dialog) => void dialog.accept());
   await page.reload();
   await state(page, 'empty');
   await openCube();
   await page.click('footer button:has-text("Restore")');
-  assert.equal(await rows(), count);
+  assert.equal(await coneCount(it), count);
 });
 
 test('a stale result says so, and undo brings its map back without a run', async () => {
   const { page } = it;
-  await page.click('[data-card="cube"]');
-  await state(page, 'ready');
-  await page.click('#run');
-  await state(page, 'certified');
+  await example(it, 'cube');
+  await run(it);
   await page.click('tr[data-cone="0"] [aria-label$="larger k"]');
   await state(page, 'stale');
   assert.match(await page.locator('.badge').innerText(), /previous cones/);

@@ -6,7 +6,19 @@ import test from 'node:test';
 import { zipSync } from 'fflate';
 import { featureFiles } from '../gltf/features.mjs';
 import { cubeMesh, toGlb, toGltf, toObj, toOff, toPly, toStl } from '../support/meshes.mjs';
-import { download, drop, dropPaths, pngOf, state, statusText, useBrowser } from './support.mjs';
+import {
+  drop,
+  dropPaths,
+  failure,
+  model,
+  modelSays,
+  openFiles,
+  pngOf,
+  run,
+  saveAs,
+  state,
+  useBrowser,
+} from './support.mjs';
 
 const it = useBrowser();
 const cube = cubeMesh(4);
@@ -15,7 +27,7 @@ const shown = async () => {
   await it.page.waitForFunction(
     () => Number(document.querySelector('#view').dataset.triangles) > 0,
   );
-  return it.page.locator('#panel-model').innerText();
+  return model(it);
 };
 
 test('OBJ, OFF, PLY, STL and GLB one after another', async () => {
@@ -30,11 +42,7 @@ test('OBJ, OFF, PLY, STL and GLB one after another', async () => {
     await drop(it, { [name]: content });
     await it.page.waitForSelector(`.file[title="${name}"]`);
     assert.match(await shown(), /Triangles\s*192/, name);
-    assert.match(
-      await it.page.locator('#panel-model').innerText(),
-      /Vertices\s*(98|576 → 98)/,
-      name,
-    );
+    assert.match(await model(it), /Vertices\s*(98|576 → 98)/, name);
   }
 });
 
@@ -67,8 +75,7 @@ test('a glTF without its files asks for them; a second drop brings them', async 
 test('a ZIP; one that names files outside its folder is refused', async () => {
   const text = new TextEncoder().encode(toObj(cube));
   await drop(it, { 'evil.zip': zipSync({ '../cube.obj': text }) });
-  await it.page.waitForSelector('#status.error');
-  assert.match(await statusText(it.page), /outside its folder/);
+  assert.match(await failure(it), /outside its folder/);
   await drop(it, { 'cube.zip': zipSync({ 'a/cube.obj': text, 'a/readme.txt': text.slice(0, 5) }) });
   assert.match(await shown(), /Triangles\s*192/);
 });
@@ -77,19 +84,21 @@ test('several meshes: what each is good for, the largest good one suggested', as
   const { page } = it;
   const broken = cubeMesh(6);
   broken.triangles.push([0, 8, 20], [0, 8, 30]);
-  await drop(it, { 'three.glb': toGlb([cubeMesh(2), broken, cube]) });
-  await state(page, 'pick-mesh');
+  const { json, bin } = toGltf([cubeMesh(2), broken, cube]);
+  json.nodes.push({ mesh: 2 }, { mesh: 2 }); // used three times
+  json.nodes = json.nodes.filter(({ mesh }) => mesh !== 1); // and this one never
+  json.scenes[0].nodes = json.nodes.map((_, i) => i);
+  const name = json.buffers[0].uri;
+  await openFiles(it, { 'three.gltf': JSON.stringify(json), [name]: bin }, 'pick-mesh');
   const table = await page.locator('#meshes').innerText();
-  assert.match(table, /mesh 0\s+48\s+1\s+yes/);
-  assert.match(table, /mesh 1\s+434\s+–\s+no: non manifold edge/);
-  assert.match(table, /mesh 2\s*suggested\s+192\s+1\s+yes/);
+  assert.match(table, /mesh 0\s+48\s+1\s+1\s+yes/);
+  assert.match(table, /mesh 1\s+434\s+0\s+–\s+no: non manifold edge/);
+  assert.match(table, /mesh 2\s*suggested\s+192\s+3\s+1\s+yes/);
   await page.click('[data-mesh="0"]');
   assert.match(await shown(), /Triangles\s*48/);
   // And from there to another one, by the chooser beside the name of the file.
   await page.selectOption('#mesh', '2');
-  await page.waitForFunction(() =>
-    /Triangles\s*192/.test(document.querySelector('#panel-model').innerText),
-  );
+  await modelSays(it, /Triangles\s*192/);
   await page.selectOption('#mesh', '1');
   await state(page, 'invalid');
 });
@@ -102,12 +111,8 @@ test('an OBJ with its .mtl and image, dropped together', async () => {
     'wood.png': pngOf([[150, 90, 40]]),
   });
   assert.match(await shown(), /Triangles\s*192/);
-  await it.page.click('#run');
-  await state(it.page, 'certified');
-  const saved = await download(it.page, async () => {
-    await it.page.click('#download');
-    await it.page.click('[data-format="same"]');
-  });
+  await run(it);
+  const saved = await saveAs(it, 'same');
   assert.equal(saved.name, 'desk.obj');
   assert.match(String(saved.bytes), /^mtllib desk\.mtl\nusemtl wood\n/m);
 });
@@ -115,8 +120,7 @@ test('an OBJ with its .mtl and image, dropped together', async () => {
 test('a path that leaves the folder is refused by name', async () => {
   const { json } = toGltf([cube], { buffer: '../../secret.bin' });
   await drop(it, { 'cube.gltf': JSON.stringify(json) });
-  await it.page.waitForSelector('#status.error');
-  assert.match(await statusText(it.page), /secret\.bin|outside/);
+  assert.match(await failure(it), /secret\.bin|outside/);
 });
 
 test('Draco and meshopt are decoded in the worker', async () => {
@@ -129,7 +133,7 @@ test('Draco and meshopt are decoded in the worker', async () => {
     const { files } = features.find(({ name }) => name === kind);
     await drop(it, files);
     await state(it.page, reached);
-    const text = await it.page.locator('#panel-model').innerText();
+    const text = await model(it);
     assert.match(text, new RegExp(`Triangles\\s*${triangles}\\b`), kind);
   }
 });

@@ -5,7 +5,19 @@ import path from 'node:path';
 import test from 'node:test';
 import { cubeMesh, toGlb, toGltf, toObj } from '../support/meshes.mjs';
 import { uncertifiable } from './shapes.mjs';
-import { drop, settled, shots, solverOf, state, useBrowser, violations } from './support.mjs';
+import {
+  drop,
+  example,
+  killSolver,
+  openFiles,
+  run,
+  settled,
+  shots,
+  solverOf,
+  state,
+  useBrowser,
+  violations,
+} from './support.mjs';
 
 const it = useBrowser({ viewport: { width: 1440, height: 900 }, deviceScaleFactor: 1 });
 
@@ -37,8 +49,7 @@ test('axe finds nothing in any state', async () => {
   await state(page, 'unbalanced');
   await check('state-unbalanced');
   await page.click('#undo');
-  await page.click('#run');
-  await state(page, 'certified');
+  await run(it);
   await page.selectOption('#overlay', 'angle');
   await check('state-certified');
   await page.click('#download');
@@ -63,13 +74,10 @@ test('axe finds nothing where files are missing, several, or not usable; in the 
   await state(page, 'pick-mesh');
   await check('dark-pick-mesh');
   await page.keyboard.press('Escape');
-  await drop(it, { 'open.obj': `${toObj(cubeMesh(2))}f 1 9 10\n` });
-  await state(page, 'invalid');
+  await openFiles(it, { 'open.obj': `${toObj(cubeMesh(2))}f 1 9 10\n` }, 'invalid');
   await check('dark-invalid');
-  await drop(it, { 'cube.obj': toObj(cubeMesh(6)) });
-  await state(page, 'ready');
-  await page.click('#run');
-  await state(page, 'certified');
+  await openFiles(it, { 'cube.obj': toObj(cubeMesh(6)) });
+  await run(it);
   await check('dark-certified');
 });
 
@@ -92,11 +100,9 @@ test('axe finds nothing while loading, while running, without its worker, withou
   await check('state-loading');
   await page.click('#cancel');
   await state(page, 'empty');
-  await drop(it, { 'cube.obj': toObj(cubeMesh(2)) });
-  await state(page, 'ready');
+  await openFiles(it, { 'cube.obj': toObj(cubeMesh(2)) });
   hold(20_000);
-  await page.click('#run');
-  await state(page, 'running');
+  await run(it, 'running');
   // What is edited now is refused, with a way out.
   await page.locator('#q').selectOption('6');
   assert.equal(await page.locator('#q').inputValue(), '4');
@@ -108,15 +114,9 @@ test('axe finds nothing while loading, while running, without its worker, withou
     'hard.cones.json': JSON.stringify({ format: 'hgp-cones', version: 1, ...uncertifiable }),
   });
   await page.waitForSelector('#cones');
-  await page.click('#run');
-  await state(page, 'not-certified');
+  await run(it, 'not-certified');
   await check('state-not-certified');
-  it.allowed = [/the end/];
-  await solverOf(page).evaluate(() =>
-    self.addEventListener('message', () => {
-      throw new Error('the end');
-    }),
-  );
+  await killSolver(it);
   await page.click('#run');
   await page.waitForSelector('#status.error');
   assert.match(await page.locator('#status').innerText(), /stopped unexpectedly/);
@@ -125,10 +125,8 @@ test('axe finds nothing while loading, while running, without its worker, withou
 
 test('three sizes, and 320 pixels without sideways scrolling', async () => {
   const { page } = it;
-  await page.click('[data-card="sphere"]');
-  await state(page, 'ready');
-  await page.click('#run');
-  await state(page, 'certified');
+  await example(it, 'sphere');
+  await run(it);
   for (const [width, height] of [
     [1440, 900],
     [1024, 768],

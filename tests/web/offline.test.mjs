@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import test from 'node:test';
 import { headers } from '../../web/serve.mjs';
-import { root, state, useBrowser } from './support.mjs';
+import { example, root, run, state, useBrowser } from './support.mjs';
 
 const it = useBrowser({ serviceWorkers: 'allow' });
 
@@ -15,10 +15,8 @@ test('opened once, it opens, solves and shows its guide without a network', asyn
   await context.setOffline(true);
   await page.reload();
   await state(page, 'empty');
-  await page.click('[data-card="sphere"]');
-  await state(page, 'ready');
-  await page.click('#run');
-  await state(page, 'certified');
+  await example(it, 'sphere');
+  await run(it);
   await page.goto(`${it.url}guide.html`, { waitUntil: 'domcontentloaded' });
   assert.match(await page.locator('h1').innerText(), /Guide/);
   it.allowed = [/ERR_(INTERNET_DISCONNECTED|FAILED)/]; // the guide's picture is not kept

@@ -8,12 +8,20 @@ import path from 'node:path';
 import test from 'node:test';
 import { NodeIO } from '@gltf-transform/core';
 import { cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
-import { flatSquare, torusMesh } from './shapes.mjs';
+import { crackedCube, flatSquare, torusMesh } from './shapes.mjs';
 import {
+  certificate,
   download,
   drop,
+  example,
+  kOf,
+  model,
+  modelSays,
+  openFiles,
+  openMesh,
   pixels,
   root,
+  run,
   settled,
   share,
   shots,
@@ -24,57 +32,29 @@ import {
 
 const it = useBrowser({ permissions: ['clipboard-read', 'clipboard-write'] });
 const program = path.join(root, 'build/native-release/bin/hgp');
-const kOf = (i) => it.page.locator(`tr[data-cone="${i}"] input`).inputValue();
-const model = () => it.page.locator('#panel-model').innerText();
-
-async function openMesh(mesh, name = 'mesh.obj') {
-  await drop(it, { [name]: toObj(mesh) });
-  await state(it.page, 'ready', 'unbalanced');
-}
-
-/** A cube whose sides have seams of their own: vertices doubled along one edge by a little. */
-function crackedCube() {
-  const { vertices, triangles } = cubeMesh(3);
-  const doubles = new Map();
-  const cracked = triangles.map((triangle) => {
-    const isUp = triangle.every((v) => vertices[v][2] > 0.9);
-    return triangle.map((v) => {
-      if (!isUp) return v;
-      if (!doubles.has(v)) {
-        doubles.set(v, vertices.length);
-        vertices.push(vertices[v].map((x) => x + 1e-5));
-      }
-      return doubles.get(v);
-    });
-  });
-  return { vertices, triangles: cracked };
-}
 
 test('a weld and a repair are steps of undo like any other', async () => {
   const { page } = it;
-  await openMesh(crackedCube());
-  const before = await model();
+  await openMesh(it, crackedCube());
+  const before = await model(it);
   assert.match(before, /Parts\s*2[\s\S]*Boundaries\s*2/);
   await page.locator('#weld').fill('0.001');
   await page.locator('#weld').press('Enter');
-  await page.waitForFunction(() =>
-    /Parts\s*1/.test(document.querySelector('#panel-model').innerText),
-  );
-  assert.match(await model(), /Boundaries\s*0/);
+  await modelSays(it, /Parts\s*1/);
+  assert.match(await model(it), /Boundaries\s*0/);
   await page.click('#undo');
-  await page.waitForFunction(() =>
-    /Parts\s*2/.test(document.querySelector('#panel-model').innerText),
-  );
+  await modelSays(it, /Parts\s*2/);
   assert.equal(await page.locator('#weld').inputValue(), '');
   await page.click('#redo');
-  await page.waitForFunction(() =>
-    /Parts\s*1/.test(document.querySelector('#panel-model').innerText),
-  );
+  await modelSays(it, /Parts\s*1/);
 
   const { vertices, triangles } = cubeMesh(3);
   const fin = [...triangles, [triangles[0][0], triangles[0][1], vertices.length]];
-  await drop(it, { 'fin.obj': toObj({ vertices: [...vertices, [-2, -2, -2]], triangles: fin }) });
-  await state(page, 'invalid');
+  await openFiles(
+    it,
+    { 'fin.obj': toObj({ vertices: [...vertices, [-2, -2, -2]], triangles: fin }) },
+    'invalid',
+  );
   await page.click('[data-fix="split"]');
   await state(page, 'ready', 'unbalanced');
   await page.click('#undo');
@@ -86,7 +66,7 @@ test('a weld and a repair are steps of undo like any other', async () => {
 test('turning indices: by stepper, in the budget, and as they were solved', async () => {
   const { page } = it;
   const square = flatSquare(8);
-  await openMesh(square);
+  await openMesh(it, square);
   const loop = page.locator('[data-loop="0"]');
   assert.match(await loop.innerText(), /Boundary 1[\s\S]*32 vertices · length 8[\s\S]*by shape 4/);
   await loop.locator('button[aria-label$="larger"]').click();
@@ -95,9 +75,8 @@ test('turning indices: by stepper, in the budget, and as they were solved', asyn
   assert.match(await page.locator('#run-why').textContent(), /1 too much/);
   await page.locator('#panel-cones').scrollIntoViewIfNeeded();
   await loop.locator('button[aria-label$="smaller"]').click();
-  await page.click('#run');
-  await state(page, 'certified');
-  assert.match(await page.locator('#certificate').innerText(), /Boundary turning\s*[\s\S]*0 wrong/);
+  await run(it);
+  assert.match(await certificate(it), /Boundary turning\s*[\s\S]*0 wrong/);
   await loop.locator('button.link').click();
   assert.match(await statusText(page), /boundary 1/);
   await loop.locator('input').fill('');
@@ -107,10 +86,9 @@ test('turning indices: by stepper, in the budget, and as they were solved', asyn
 
 test('handle loops have rows, steppers and colours on the surface', async () => {
   const { page } = it;
-  await openMesh(torusMesh(24, 12));
-  assert.match(await model(), /Genus g\s*1/);
-  await page.click('#run');
-  await state(page, 'certified');
+  await openMesh(it, torusMesh(24, 12));
+  assert.match(await model(it), /Genus g\s*1/);
+  await run(it);
   assert.match(await page.locator('[data-handle="0"]').innerText(), /0°/);
   await page.selectOption('#pattern', 'plain');
   await page.click('#seams');
@@ -132,29 +110,52 @@ test('handle loops have rows, steppers and colours on the surface', async () => 
   assert.match(await statusText(page), /handle|holonomy|rotation/i);
 });
 
+test('the line between the views is moved with the arrow keys, and dragged', async () => {
+  const { page } = it;
+  await example(it, 'cube');
+  const width = async () => (await page.locator('#view').boundingBox()).width;
+  const before = await width();
+  const splitter = page.locator('#splitter');
+  const value = async () => Number(await splitter.getAttribute('aria-valuenow'));
+  const from = await value();
+  await splitter.focus();
+  for (let i = 0; i < 3; i++) await page.keyboard.press('ArrowLeft');
+  assert.equal(await value(), from - 12);
+  const narrow = await width();
+  assert.ok(narrow < before - 60, `${narrow} of ${before}`);
+  for (let i = 0; i < 40; i++) await page.keyboard.press('ArrowRight');
+  assert.equal(await value(), 80); // neither view can be pushed away
+  assert.ok((await width()) > before + 60);
+  const box = await splitter.boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + 100);
+  await page.mouse.down();
+  await page.mouse.move(box.x - 150, box.y + 100, { steps: 4 });
+  await page.mouse.up();
+  assert.ok((await value()) < 70);
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'splitter');
+});
+
 test('Keep balanced: the cone edited longest ago takes up a change, and it is said', async () => {
   const { page } = it;
-  await page.click('[data-card="cube"]');
-  await state(page, 'ready');
+  await example(it, 'cube');
   await page.click('tr[data-cone="0"] [aria-label$="larger k"]');
   await page.click('tr[data-cone="0"] [aria-label$="smaller k"]');
   await page.check('#keep-balanced');
   await page.click('tr[data-cone="3"] [aria-label$="larger k"]');
-  assert.equal(await kOf(0), '3'); // edited, so not the first to change
-  assert.equal(await kOf(1), '2');
+  assert.equal(await kOf(it, 0), '3'); // edited, so not the first to change
+  assert.equal(await kOf(it, 1), '2');
   assert.match(await statusText(page), /Cone 2 is now k = 2/);
   await page.waitForSelector('.budget.good');
   await page.click('tr[data-cone="5"] [aria-label$="delete"]');
   await page.waitForSelector('.budget.good');
   await page.click('#undo');
   await page.click('#undo');
-  assert.equal(await kOf(1), '3');
+  assert.equal(await kOf(it, 1), '3');
 });
 
 test('the table of cones is sorted by its columns, and a cone is brought to the middle', async () => {
   const { page } = it;
-  await page.click('[data-card="cube"]');
-  await state(page, 'ready');
+  await example(it, 'cube');
   await page.click('tr[data-cone="2"] [aria-label$="smaller k"]');
   const first = () => page.locator('#cones tbody tr').first().getAttribute('data-cone');
   await page.click('[data-sort="k"]');
@@ -177,7 +178,7 @@ test('the table of cones is sorted by its columns, and a cone is brought to the 
 
 test('Solve: the estimate, the time limit, and the command line that does the same', async () => {
   const { page } = it;
-  await openMesh(cubeMesh(8), "it's a cube.obj");
+  await openMesh(it, cubeMesh(8), "it's a cube.obj");
   await page.click('#suggest');
   await page.waitForSelector('#cones');
   await page.click('#panel-solve summary');
@@ -189,8 +190,8 @@ test('Solve: the estimate, the time limit, and the command line that does the sa
   await page.screenshot({ path: path.join(shots, 'panel-solve.png') });
   if (existsSync(program)) {
     writeFileSync(path.join(it.folder, 'run.sh'), command.replace(/^hgp/, `"${program}"`));
-    const run = spawnSync('sh', ['run.sh'], { cwd: it.folder, encoding: 'utf8' });
-    assert.equal(run.status, 0, run.stderr);
+    const made = spawnSync('sh', ['run.sh'], { cwd: it.folder, encoding: 'utf8' });
+    assert.equal(made.status, 0, made.stderr);
     assert.ok(existsSync(path.join(it.folder, "it's a cube.mapped.obj")));
   }
   await page.click('#log');
@@ -199,10 +200,8 @@ test('Solve: the estimate, the time limit, and the command line that does the sa
 
 test('Download: another uv set, another scale, without cones; each is judged again', async () => {
   const { page } = it;
-  await drop(it, { 'cube.glb': toGlb([cubeMesh(4)]) });
-  await state(page, 'ready');
-  await page.click('#run');
-  await state(page, 'certified');
+  await openFiles(it, { 'cube.glb': toGlb([cubeMesh(4)]) });
+  await run(it);
   const idle = () => page.waitForSelector('#downloads ul:not([aria-busy="true"])');
   await page.click('#download');
   await page.uncheck('#embed-cones');
@@ -213,8 +212,7 @@ test('Download: another uv set, another scale, without cones; each is judged aga
   await page.waitForSelector('.file[title="again.glb"]');
   await state(page, 'ready');
   assert.equal(await page.locator('#cones').count(), 0); // they were not embedded
-  await page.click('#run');
-  await state(page, 'certified');
+  await run(it);
   const sets = async () => {
     const { bytes } = await download(page, () => page.click('[data-format="same"]'));
     const document = await new NodeIO().readBinary(new Uint8Array(bytes));
@@ -239,5 +237,5 @@ test('Download: another uv set, another scale, without cones; each is judged aga
   assert.ok(Math.min(...uv) >= -1e-6 && Math.max(...uv) <= 1 + 1e-6);
   assert.ok(Math.max(...uv) > 0.9);
   await state(page, 'certified');
-  assert.match(await page.locator('#certificate').innerText(), /same map/);
+  assert.match(await certificate(it), /same map/);
 });

@@ -6,10 +6,11 @@ import test from 'node:test';
 import { cubeMesh, toGltf, toObj } from '../support/meshes.mjs';
 import { flatSquare } from './shapes.mjs';
 import {
-  drop,
   isPink,
+  openFiles,
   pixels,
   pngOf,
+  run,
   settled,
   share,
   state,
@@ -21,10 +22,8 @@ const it = useBrowser({ deviceScaleFactor: 1 });
 const isInk = (r, g, b) => b > r + 15 && b < 140;
 
 async function solvedCube() {
-  await drop(it, { 'cube.obj': toObj(cubeMesh(6)) });
-  await state(it.page, 'ready');
-  await it.page.click('#run');
-  await state(it.page, 'certified');
+  await openFiles(it, { 'cube.obj': toObj(cubeMesh(6)) });
+  await run(it);
 }
 
 async function look(name) {
@@ -85,14 +84,12 @@ test('an image of your own repeats on the mesh; what is no image is refused by n
 test('the original material, as the written file has it', async () => {
   const { page } = it;
   const { json, bin } = toGltf([cubeMesh(4)], { image: 'leaf.png' });
-  await drop(it, {
+  await openFiles(it, {
     'cube.gltf': JSON.stringify(json),
     'cube.bin': bin,
     'leaf.png': pngOf([[20, 190, 40]]),
   });
-  await state(page, 'ready');
-  await page.click('#run');
-  await state(page, 'certified');
+  await run(it);
   await page.selectOption('#pattern', 'material');
   await page.waitForFunction(() => document.querySelector('#view').dataset.original === 'shown');
   const picture = await look('pattern-material');
@@ -174,12 +171,10 @@ test('the address brings cones, camera and pattern; lines go on across the seam'
   await page.goto(`${it.url}#q=4&pattern=grid&tiles=34&camera=0,0,3.9,0,0,0&cones=${cones}`);
   await page.reload();
   await state(page, 'empty');
-  await drop(it, { 'square.obj': toObj(square) });
-  await state(page, 'ready');
+  await openFiles(it, { 'square.obj': toObj(square) });
   assert.equal(await page.locator('tr[data-cone="0"] input').inputValue(), '3');
   assert.equal(await page.locator('#pattern').inputValue(), 'grid');
-  await page.click('#run');
-  await state(page, 'certified');
+  await run(it);
   const withSeams = await look('seam-shown');
   await page.click('#seams');
   const picture = await look('seam-hidden');

@@ -9,10 +9,14 @@ import { NodeIO } from '@gltf-transform/core';
 import { problems } from '../cli/schema.mjs';
 import { cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
 import {
-  download,
+  certificate,
   drop,
+  example,
+  openFiles,
   pixels,
   root,
+  run,
+  saveAs,
   settled,
   share,
   state,
@@ -33,24 +37,13 @@ function certify(name, bytes) {
   assert.equal(status, 0, stdout + stderr);
 }
 
-const save = (format) =>
-  download(it.page, async () => {
-    await it.page.click('#download');
-    await it.page.click(`[data-format="${format}"]`);
-  });
-
 test('drop, Run, Download: a GLB comes back with a certified map that another reader finds', async () => {
-  await drop(it, { 'cube.glb': toGlb([cube]) });
-  await state(it.page, 'ready');
+  await openFiles(it, { 'cube.glb': toGlb([cube]) });
   assert.match(await statusText(it.page), /Run suggests them/);
-  await it.page.click('#run');
-  await state(it.page, 'certified');
+  await run(it);
   assert.match(await statusText(it.page), /Certified.*suggested/);
-  assert.match(
-    await it.page.locator('#certificate').innerText(),
-    /Flipped triangles[\s\S]*0 of 768[\s\S]*same map/,
-  );
-  const { name, bytes } = await save('same');
+  assert.match(await certificate(it), /Flipped triangles[\s\S]*0 of 768[\s\S]*same map/);
+  const { name, bytes } = await saveAs(it, 'same');
   assert.equal(name, 'cube.glb');
   const document = await new NodeIO().readBinary(new Uint8Array(bytes));
   const [primitive] = document.getRoot().listMeshes()[0].listPrimitives();
@@ -77,32 +70,28 @@ test('drop, Run, Download: a GLB comes back with a certified map that another re
 });
 
 test('the other formats hold the same map', async () => {
-  await drop(it, { 'cube.obj': toObj(cube) });
-  await state(it.page, 'ready');
-  await it.page.click('#run');
-  await state(it.page, 'certified');
-  const same = await save('same');
+  await openFiles(it, { 'cube.obj': toObj(cube) });
+  await run(it);
+  const same = await saveAs(it, 'same');
   assert.equal(same.name, 'cube.obj');
   certify('same.obj', same.bytes);
-  const glb = await save('glb');
+  const glb = await saveAs(it, 'glb');
   const json = await new NodeIO().readBinary(new Uint8Array(glb.bytes));
   assert.equal(json.getRoot().listMeshes()[0].listPrimitives()[0].getIndices().getCount(), 3 * 768);
-  const obj = await save('obj');
+  const obj = await saveAs(it, 'obj');
   assert.match(String(obj.bytes), /^vt /m);
   certify('plain.obj', obj.bytes);
-  const report = JSON.parse(String((await save('report')).bytes));
+  const report = JSON.parse(String((await saveAs(it, 'report')).bytes));
   assert.equal(report.certificate.certified, true);
-  const cones = JSON.parse(String((await save('cones')).bytes));
+  const cones = JSON.parse(String((await saveAs(it, 'cones')).bytes));
   assert.deepEqual(problems('hgp-cones', cones), []);
-  assert.match(String((await save('svg')).bytes), /^<svg /);
-  assert.equal((await save('zip')).bytes.readUInt32LE(0), 0x04034b50);
+  assert.match(String((await saveAs(it, 'svg')).bytes), /^<svg /);
+  assert.equal((await saveAs(it, 'zip')).bytes.readUInt32LE(0), 0x04034b50);
 });
 
 test('the checker is on the mesh and in the map; overlays have their colours and numbers', async () => {
-  await it.page.click('[data-card="cube"]');
-  await state(it.page, 'ready');
-  await it.page.click('#run');
-  await state(it.page, 'certified');
+  await example(it, 'cube');
+  await run(it);
   await it.page.selectOption('#pattern', 'checker');
   await settled(it.page);
   for (const view of ['#view', '#map']) {
@@ -121,11 +110,12 @@ test('the checker is on the mesh and in the map; overlays have their colours and
 });
 
 test('nothing is drawn while nothing changes', async () => {
-  await it.page.click('[data-card="sphere"]');
-  await state(it.page, 'ready');
+  await example(it, 'sphere');
   await settled(it.page);
   const frames = () => it.page.evaluate(() => document.querySelector('#view').dataset.frames);
   const before = await frames();
-  await it.page.waitForTimeout(600);
+  await it.page.evaluate(async () => {
+    for (let i = 0; i < 30; i++) await new Promise((resolve) => requestAnimationFrame(resolve));
+  });
   assert.equal(await frames(), before);
 });

@@ -1,3 +1,5 @@
+import { cubeMesh } from '../support/meshes.mjs';
+
 /** A flat square of n × n fields in the plane z = 0, seen from +z; the middle vertex where n is even. */
 export function flatSquare(n) {
   const vertices = [];
@@ -42,3 +44,21 @@ export const uncertifiable = {
     ...[12, 25, 22, 5, 3, 8, 19, 9, 4, 15].map((vertex) => ({ vertex, k: 1 })),
   ],
 };
+
+/** A cube whose sides have seams of their own: vertices doubled along one edge by a little. */
+export function crackedCube() {
+  const { vertices, triangles } = cubeMesh(3);
+  const doubles = new Map();
+  const cracked = triangles.map((triangle) => {
+    const isUp = triangle.every((v) => vertices[v][2] > 0.9);
+    return triangle.map((v) => {
+      if (!isUp) return v;
+      if (!doubles.has(v)) {
+        doubles.set(v, vertices.length);
+        vertices.push(vertices[v].map((x) => x + 1e-5));
+      }
+      return doubles.get(v);
+    });
+  });
+  return { vertices, triangles: cracked };
+}

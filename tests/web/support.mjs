@@ -10,12 +10,28 @@ import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import pngjs from 'pngjs';
 import { serve } from '../../web/serve.mjs';
+import { toObj } from '../support/meshes.mjs';
 
 export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
 export const shots = path.join(root, 'build/screenshots');
 const axe = readFileSync(path.join(root, 'node_modules/axe-core/axe.min.js'), 'utf8');
 
-/** Sets up hooks and returns an object that has the page of the current test. */
+/** What tests of one file may leave behind, taken away: storage, size, colours, a lost network. */
+async function clean(page, context, { origin, viewport }) {
+  page.removeAllListeners('dialog');
+  await context.setOffline(false);
+  await page.emulateMedia({ colorScheme: 'light', reducedMotion: 'reduce' });
+  if (viewport) await page.setViewportSize(viewport);
+  const session = await context.newCDPSession(page);
+  const storageTypes = 'local_storage,indexeddb';
+  await session.send('Storage.clearDataForOrigin', { origin, storageTypes });
+  await session.detach();
+}
+
+/**
+ * Sets up hooks and returns an object that has the page of the current test: one page for a whole file,
+ * opened anew for each test.
+ */
 export function useBrowser({
   viewport = { width: 1100, height: 700 },
   flags = [],
@@ -24,7 +40,8 @@ export function useBrowser({
   ...more
 } = {}) {
   const it = { allowed: [] };
-  let server, browser, context, problems;
+  let server, browser;
+  let problems = [];
   before(async () => {
     mkdirSync(shots, { recursive: true });
     it.folder = mkdtempSync(path.join(tmpdir(), 'hgp-web-'));
@@ -33,21 +50,11 @@ export function useBrowser({
     const args = ['--no-sandbox', '--disable-background-networking', '--disable-dev-shm-usage'];
     args.push(...flags);
     browser = await chromium.launch({ executablePath, args });
-  });
-  after(async () => {
-    await browser?.close();
-    server?.close();
-    rmSync(it.folder, { recursive: true, force: true });
-  });
-  beforeEach(async () => {
-    problems = [];
-    it.allowed = [];
-    context = await browser.newContext({
+    it.context = await browser.newContext({
       ...{ viewport, serviceWorkers, acceptDownloads: true, reducedMotion: 'reduce' },
       ...{ deviceScaleFactor, ...more },
     });
-    it.context = context;
-    it.page = await context.newPage();
+    it.page = await it.context.newPage();
     it.page.setDefaultTimeout(Number(process.env.HGP_TIMEOUT ?? 20_000));
     it.page.on('console', (message) => message.type() === 'error' && problems.push(message.text()));
     it.page.on('pageerror', (error) => problems.push(error.message));
@@ -58,11 +65,20 @@ export function useBrowser({
         problems.push(`request to ${target.origin}`);
       }
     });
+  });
+  after(async () => {
+    await browser?.close();
+    server?.close();
+    rmSync(it.folder, { recursive: true, force: true });
+  });
+  beforeEach(async () => {
+    await clean(it.page, it.context, { origin: new URL(it.url).origin, viewport });
     await it.page.goto(it.url);
+    problems = [];
+    it.allowed = [];
     await state(it.page, 'empty');
   });
-  afterEach(async () => {
-    await context?.close();
+  afterEach(() => {
     const unexpected = problems.filter((text) => !it.allowed.some((pattern) => pattern.test(text)));
     assert.deepEqual(unexpected, []);
   });
@@ -86,6 +102,60 @@ export async function drop(it, files) {
     return file;
   });
   await dropPaths(it, paths);
+}
+
+/** Drops files and waits for what comes of it. */
+export async function openFiles(it, files, ...states) {
+  await drop(it, files);
+  await state(it.page, ...(states.length > 0 ? states : ['ready']));
+}
+
+export const openMesh = (it, mesh, name = 'mesh.obj') =>
+  openFiles(it, { [name]: toObj(mesh) }, 'ready', 'unbalanced');
+
+export async function example(it, name) {
+  await it.page.click(`[data-card="${name}"]`);
+  await state(it.page, 'ready');
+}
+
+export async function run(it, ...states) {
+  await it.page.click('#run');
+  await state(it.page, ...(states.length > 0 ? states : ['certified']));
+}
+
+export const model = (it) => it.page.locator('#panel-model').innerText();
+export const certificate = (it) => it.page.locator('#certificate').innerText();
+export const coneCount = (it) => it.page.locator('#cones tbody tr[data-cone]').count();
+export const kOf = (it, i) => it.page.locator(`tr[data-cone="${i}"] input`).inputValue();
+
+/** Waits until the panel of the model says something. */
+export const modelSays = (it, pattern) =>
+  it.page.waitForFunction(
+    (source) => new RegExp(source).test(document.querySelector('#panel-model')?.innerText),
+    pattern.source,
+  );
+
+/** The worker's next message kills it. */
+export async function killSolver(it) {
+  it.allowed = [/the end/];
+  await solverOf(it.page).evaluate(() =>
+    self.addEventListener('message', () => {
+      throw new Error('the end');
+    }),
+  );
+}
+
+/** Saves in a format of the Download dialog. */
+export const saveAs = (it, format) =>
+  download(it.page, async () => {
+    await it.page.click('#download');
+    await it.page.click(`[data-format="${format}"]`);
+  });
+
+/** The text of the status line, once it is an error. */
+export async function failure(it) {
+  await it.page.waitForSelector('#status.error');
+  return statusText(it.page);
 }
 
 export async function dropPaths(it, paths) {

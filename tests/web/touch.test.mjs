@@ -1,10 +1,11 @@
-// Fingers: one turns the model, a long press places, a tap selects; targets are large.
+// Fingers: one turns the model, a long press places, a tap selects, two zoom; targets are large, and
+// the panels are a sheet.
 
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import test from 'node:test';
 import { cubeMesh, toObj } from '../support/meshes.mjs';
-import { pixels, settled, shots, state, useBrowser } from './support.mjs';
+import { pixels, run, settled, shots, state, useBrowser, violations } from './support.mjs';
 
 const it = useBrowser({
   viewport: { width: 390, height: 844 },
@@ -13,17 +14,29 @@ const it = useBrowser({
   isMobile: true,
 });
 
+/** Sends touches as a screen does. */
+async function fingers() {
+  const session = await it.context.newCDPSession(it.page);
+  return (type, ...points) =>
+    session.send('Input.dispatchTouchEvent', {
+      type,
+      touchPoints: points.map(([x, y], id) => ({ x, y, id })),
+    });
+}
+
+async function openCube() {
+  const buffer = Buffer.from(toObj(cubeMesh(10)));
+  await it.page.setInputFiles('#file', { name: 'cube.obj', mimeType: 'text/plain', buffer });
+  await state(it.page, 'ready');
+  await settled(it.page);
+}
+
 test('by finger: turn, hold to place, tap to select, run', async () => {
   const { page } = it;
-  const buffer = Buffer.from(toObj(cubeMesh(10)));
-  await page.setInputFiles('#file', { name: 'cube.obj', mimeType: 'text/plain', buffer });
-  await state(page, 'ready');
-  await settled(page);
+  await openCube();
   const box = await page.locator('#view').boundingBox();
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-  const session = await it.context.newCDPSession(page);
-  const touch = (type, ...points) =>
-    session.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([a, b]) => ({ x: a, y: b })) }); // prettier-ignore
+  const touch = await fingers();
   const before = await pixels(page, '#view');
   await touch('touchStart', [x, y]);
   for (let i = 1; i <= 5; i++) await touch('touchMove', [x + 12 * i, y]);
@@ -49,10 +62,112 @@ test('by finger: turn, hold to place, tap to select, run', async () => {
   await page.click('#clear-cones');
   await page.click('#suggest');
   await page.waitForSelector('#cones');
-  await page.click('#run');
-  await state(page, 'certified');
+  await run(it);
   await page.click('#tab-map');
   await settled(page);
   await page.screenshot({ path: path.join(shots, 'touch-map.png') });
   assert.ok(await page.locator('#map').isVisible());
+});
+
+/** Where what is not background begins and ends, in pixels of the picture. */
+function extent({ data, width, height }) {
+  const edge = 4; // pixels
+  const corner = 4 * (edge * width + edge);
+  const paper = [...data.subarray(corner, corner + 3)];
+  let [left, right, top, bottom] = [width, 0, height, 0];
+  for (let y = edge; y < height - edge; y++) {
+    for (let x = edge; x < width - edge; x++) {
+      const at = 4 * (y * width + x);
+      if (paper.every((colour, k) => Math.abs(data[at + k] - colour) < 12)) continue;
+      [left, right] = [Math.min(left, x), Math.max(right, x)];
+      [top, bottom] = [Math.min(top, y), Math.max(bottom, y)];
+    }
+  }
+  return {
+    width: right - left,
+    height: bottom - top,
+    x: (left + right) / 2,
+    y: (top + bottom) / 2,
+  };
+}
+
+test('two fingers in the UV view: together they move it, apart they enlarge it', async () => {
+  const { page } = it;
+  await openCube();
+  await run(it);
+  await page.selectOption('#pattern', 'plain');
+  await page.click('#tab-map');
+  await settled(page);
+  const touch = await fingers();
+  const box = await page.locator('#map').boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const before = extent(await pixels(page, '#map'));
+  // Towards each other first, so that all of the map stays in sight.
+  await touch('touchStart', [x - 80, y], [x + 80, y]);
+  for (let i = 1; i <= 8; i++) await touch('touchMove', [x - 80 + 5 * i, y], [x + 80 - 5 * i, y]);
+  await touch('touchEnd');
+  await settled(page);
+  const smaller = extent(await pixels(page, '#map'));
+  assert.ok(
+    Math.abs(smaller.width / before.width - 0.5) < 0.08,
+    `${smaller.width} of ${before.width}`,
+  );
+  await touch('touchStart', [x - 40, y], [x + 40, y]);
+  for (let i = 1; i <= 6; i++) await touch('touchMove', [x - 40 + 5 * i, y - 5 * i], [x + 40 + 5 * i, y - 5 * i]); // prettier-ignore
+  await touch('touchEnd');
+  await settled(page);
+  const moved = extent(await pixels(page, '#map', 'touch-pinch'));
+  assert.ok(Math.abs(moved.width / smaller.width - 1) < 0.05);
+  assert.ok(Math.abs(moved.x - smaller.x - 30) < 4, `${moved.x - smaller.x}`);
+  assert.ok(Math.abs(moved.y - smaller.y + 30) < 4, `${moved.y - smaller.y}`);
+  // What was placed or selected meanwhile: nothing.
+  assert.equal(await page.locator('tr.selected').count(), 0);
+});
+
+test('the panels are a sheet: pressed or dragged to three heights; Run is always there', async () => {
+  const { page } = it;
+  await openCube();
+  const height = async () => (await page.locator('aside').boundingBox()).height;
+  const isRunSeen = async () => {
+    const box = await page.locator('#run').boundingBox();
+    return box.y >= 0 && box.y + box.height <= 844;
+  };
+  const half = await height();
+  assert.ok(half > 250 && half < 450, `${half}`);
+  const view = (await page.locator('#view').boundingBox()).height;
+  await page.screenshot({ path: path.join(shots, 'sheet-half.png') });
+  await page.click('#sheet');
+  const full = await height();
+  assert.ok(full > 600, `${full}`);
+  assert.ok(await isRunSeen());
+  await page.screenshot({ path: path.join(shots, 'sheet-full.png') });
+  await page.click('#sheet');
+  assert.ok((await height()) < 60);
+  assert.equal(await page.locator('#sheet').getAttribute('aria-expanded'), 'false');
+  assert.equal(await page.locator('#suggest').isVisible(), false);
+  assert.ok((await page.locator('#view').boundingBox()).height > view + 200);
+  await settled(page);
+  await page.screenshot({ path: path.join(shots, 'sheet-peek.png') });
+  assert.deepEqual(await violations(page), []);
+  // A finger pulls it up: a little is half, far is all.
+  const touch = await fingers();
+  const handle = await page.locator('#sheet').boundingBox();
+  const [x, y] = [handle.x + handle.width / 2, handle.y + handle.height / 2];
+  const pull = async (from, to) => {
+    await touch('touchStart', [x, from]);
+    for (let i = 1; i <= 5; i++) await touch('touchMove', [x, from + ((to - from) * i) / 5]);
+    await touch('touchEnd');
+  };
+  await pull(y, y - 300);
+  await page.waitForSelector('main[data-sheet="half"]');
+  assert.ok(Math.abs((await height()) - half) < 2);
+  const top = (await page.locator('#sheet').boundingBox()).y + 20;
+  await pull(top, top - 320);
+  await page.waitForSelector('main[data-sheet="full"]');
+  // And by keyboard.
+  await page.locator('#sheet').focus();
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('main[data-sheet="peek"]');
+  assert.ok(await isRunSeen());
+  await run(it);
 });

@@ -8,40 +8,42 @@ import path from 'node:path';
 import { cubeMesh, toGlb, toGltf, toObj } from '../support/meshes.mjs';
 import { uncertifiable } from './shapes.mjs';
 import {
+  certificate,
+  coneCount,
   download,
   drop,
   dropPaths,
+  example,
+  failure,
   isPink,
+  kOf,
+  killSolver,
+  openFiles,
   pixels,
+  run,
+  saveAs,
   settled,
   share,
   shots,
-  solverOf,
   state,
   statusText,
   useBrowser,
 } from './support.mjs';
 
 const it = useBrowser();
-const failed = async () => {
-  await it.page.waitForSelector('#status.error');
-  return statusText(it.page);
-};
 
 test('a hostile name, an empty file and no mesh at all', async () => {
   const name = '<img src=x onerror=alert(1)>.glb';
-  await drop(it, { [name]: toGlb([cubeMesh(3)]) });
-  await state(it.page, 'ready');
+  await openFiles(it, { [name]: toGlb([cubeMesh(3)]) });
   assert.equal(await it.page.locator('img').count(), 0);
   assert.equal(await it.page.locator('.file').innerText(), name);
   await drop(it, { 'nothing.obj': '' });
-  assert.match(await failed(), /nothing\.obj/);
+  assert.match(await failure(it), /nothing\.obj/);
   await drop(it, { 'page.glb': '<!doctype html><title>not found</title>' });
-  assert.match(await failed(), /page\.glb/);
+  assert.match(await failure(it), /page\.glb/);
   await drop(it, { 'notes.txt': 'hello' });
-  assert.match(await failed(), /holds no mesh/);
-  await drop(it, { 'cube.obj': toObj(cubeMesh(3)) });
-  await state(it.page, 'ready');
+  assert.match(await failure(it), /holds no mesh/);
+  await openFiles(it, { 'cube.obj': toObj(cubeMesh(3)) });
 });
 
 test('a non-manifold mesh is shown, its defects are listed, and splitting them is offered', async () => {
@@ -50,8 +52,11 @@ test('a non-manifold mesh is shown, its defects are listed, and splitting them i
     ...triangles,
     [0, triangles[0][1] === 0 ? triangles[0][2] : triangles[0][1], vertices.length],
   ];
-  await drop(it, { 'fin.obj': toObj({ vertices: [...vertices, [-2, -2, -2]], triangles: fin }) });
-  await state(it.page, 'invalid');
+  await openFiles(
+    it,
+    { 'fin.obj': toObj({ vertices: [...vertices, [-2, -2, -2]], triangles: fin }) },
+    'invalid',
+  );
   assert.match(await it.page.locator('.defects').innerText(), /more than two triangles/);
   assert.equal(await it.page.locator('#run').getAttribute('aria-disabled'), 'true');
   await it.page.click('[data-show="non-manifold-edge"]');
@@ -61,58 +66,30 @@ test('a non-manifold mesh is shown, its defects are listed, and splitting them i
   await state(it.page, 'ready', 'unbalanced');
 });
 
-test('Cancel in the middle of a solve frees the page within 300 ms', async () => {
-  await drop(it, { 'disk.obj': bumpyDisk(129) }); // 100 thousand triangles
-  await state(it.page, 'ready');
-  await it.page.click('#run');
-  await state(it.page, 'running');
-  await it.page.waitForFunction(() => document.querySelector('#progress')?.value > 0);
-  const elapsed = await it.page.evaluate(async () => {
-    const begin = performance.now();
-    document.querySelector('#cancel').click();
-    while (document.body.dataset.state === 'running') await new Promise((r) => setTimeout(r, 5));
-    return performance.now() - begin;
-  });
-  assert.ok(elapsed <= 300, `${elapsed} ms`);
-  assert.match(await statusText(it.page), /Cancelled/);
-});
-
 test('a worker that dies is replaced; cones and history are intact', async () => {
-  await drop(it, { 'cube.obj': toObj(cubeMesh(16)) });
-  await state(it.page, 'ready');
+  await openFiles(it, { 'cube.obj': toObj(cubeMesh(16)) });
   await it.page.click('#suggest');
   await it.page.waitForSelector('#cones');
-  const cones = await it.page.locator('#cones tbody tr[data-cone]').count();
-  it.allowed = [/the end/];
-  await solverOf(it.page).evaluate(() =>
-    self.addEventListener('message', () => {
-      throw new Error('the end');
-    }),
-  );
+  const cones = await coneCount(it);
+  await killSolver(it);
   await it.page.click('#run');
-  const text = await failed();
+  const text = await failure(it);
   assert.match(text, /stopped unexpectedly/);
-  assert.equal(await it.page.locator('#cones tbody tr[data-cone]').count(), cones);
-  await it.page.click('#run');
-  await state(it.page, 'certified', 'not-certified');
+  assert.equal(await coneCount(it), cones);
+  await run(it, 'certified', 'not-certified');
 });
 
 test('a map that is not certified can be seen, is named as such, and saved under that name', async () => {
   const { page } = it;
-  await drop(it, { 'cube.obj': toObj(cubeMesh(2)) });
-  await state(page, 'ready');
+  await openFiles(it, { 'cube.obj': toObj(cubeMesh(2)) });
   await drop(it, {
     'hard.cones.json': JSON.stringify({ format: 'hgp-cones', version: 1, ...uncertifiable }),
   });
   await page.waitForSelector('#cones');
-  await page.click('#run');
-  await state(page, 'not-certified');
+  await run(it, 'not-certified');
   assert.equal(await page.locator('#verdict').innerText(), 'Not certified');
   assert.match(await statusText(page), /Not certified.*can be viewed/);
-  assert.match(
-    await page.locator('#certificate').innerText(),
-    /Flipped triangles[\s\S]*[1-9]\d* of 48/,
-  );
+  assert.match(await certificate(it), /Flipped triangles[\s\S]*[1-9]\d* of 48/);
   assert.equal(await page.locator('#certificate tr.bad .passed').first().innerText(), 'failed');
   assert.equal(
     await page.locator('#download').getAttribute('aria-label'),
@@ -137,13 +114,12 @@ test('a map that is not certified can be seen, is named as such, and saved under
 
 test('a run that takes longer than allowed is given up, and says so', async () => {
   const { page } = it;
-  await drop(it, { 'disk.obj': bumpyDisk(100) });
-  await state(page, 'ready');
+  await openFiles(it, { 'disk.obj': bumpyDisk(100) });
   await page.click('#panel-solve summary');
   await page.locator('#time-limit').fill('1');
   await page.locator('#time-limit').press('Enter');
   await page.click('#run');
-  assert.match(await failed(), /within 1 s/);
+  assert.match(await failure(it), /within 1 s/);
   await state(page, 'ready');
 });
 
@@ -178,10 +154,69 @@ test('a file of 200 MB is read; one of 600 MB is refused with the numbers', asyn
     () => document.body.dataset.state !== 'empty' || document.querySelector('#status.error'),
   );
   await state(page, 'ready');
-  await page.click('#run');
-  await state(page, 'certified');
+  await run(it);
   await dropPaths(it, [writeHuge('huge.glb', 600 * 2 ** 20)]);
-  assert.match(await failed(), /599 MB.*up to 512 MB.*hgp param/);
-  await drop(it, { 'cube.obj': toObj(cubeMesh(3)) });
-  await state(page, 'ready');
+  assert.match(await failure(it), /599 MB.*up to 512 MB.*hgp param/);
+  await openFiles(it, { 'cube.obj': toObj(cubeMesh(3)) });
+});
+
+/** Takes the graphics card away from a view, or gives it back. */
+const context = (act, id) =>
+  it.page.evaluate(
+    ([name, canvas]) => {
+      const gl = document.querySelector(canvas).getContext('webgl2');
+      const lose = (globalThis.lose ??= new Map());
+      if (!lose.has(canvas)) lose.set(canvas, gl.getExtension('WEBGL_lose_context'));
+      lose.get(canvas)[name]();
+    },
+    [act, id],
+  );
+
+test('a lost picture is said, comes back by itself, and shows the same', async () => {
+  const { page } = it;
+  await example(it, 'cube');
+  await run(it);
+  await settled(page);
+  const isLine = (r, g, b) => b > r + 15 && b < 140;
+  for (const view of ['#view', '#map']) {
+    const before = share(await pixels(page, view), isLine);
+    assert.ok(before > 0.01, `${view}: ${before}`);
+    await context('loseContext', view);
+    assert.match(await failure(it), /took the picture away/);
+    // Edits go on meanwhile.
+    await page.click('tr[data-cone="0"] [aria-label$="larger k"]');
+    await state(page, 'stale');
+    await page.click('#undo');
+    await state(page, 'certified');
+    await context('restoreContext', view);
+    await page.waitForFunction(() => /picture is back/.test(document.querySelector('#status').textContent)); // prettier-ignore
+    await settled(page);
+    const after = share(await pixels(page, view, `restored${view.replace('#', '-')}`), isLine);
+    assert.ok(Math.abs(after - before) < 0.2 * before, `${view}: ${before} → ${after}`);
+  }
+});
+
+test('leaving asks once where something would be lost, and only there', async () => {
+  const { page } = it;
+  /** Whether the page would ask. */
+  const asks = () =>
+    page.evaluate(() => !dispatchEvent(new Event('beforeunload', { cancelable: true })));
+  await example(it, 'cube');
+  assert.equal(await asks(), false); // the example is as it came
+  await page.click('tr[data-cone="0"] [aria-label$="larger k"]');
+  assert.equal(await asks(), true);
+  // The browser's own question, once; whoever stays has everything.
+  const seen = [];
+  page.on('dialog', (dialog) => {
+    seen.push(dialog.type());
+    void dialog.dismiss();
+  });
+  await page.evaluate(() => void setTimeout(() => location.reload()));
+  await page.waitForEvent('dialog');
+  assert.deepEqual(seen, ['beforeunload']);
+  assert.equal(await kOf(it, 0), '4');
+  await page.click('#undo');
+  await run(it);
+  await saveAs(it, 'same');
+  assert.equal(await asks(), false);
 });

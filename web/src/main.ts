@@ -94,10 +94,17 @@ function warmViews(): void {
 
 let views: Views | undefined;
 
+/** The graphics card may take a picture away at any time; it comes back by itself. */
+function sayContext(isLost: boolean): void {
+  if (isLost) app.say('The graphics card took the picture away. It comes back by itself.', 'error');
+  else app.say('The picture is back. Cones, result and history were never lost.', 'good');
+}
+
 async function start(): Promise<void> {
   draw();
   ui.surfaceView = new SurfaceView(root.querySelector<HTMLCanvasElement>('#view')!);
   ui.mapView = new MapView(root.querySelector<HTMLCanvasElement>('#map')!);
+  for (const view of [ui.surfaceView, ui.mapView]) view.onContext = sayContext;
   const keyboard = new Keyboard(app, ui);
   views = new Views(app, ui, () => {
     keyboard.reset();

@@ -101,9 +101,7 @@ export function close(app: App): void {
     void reopen(app, info.surface, { asked, settings });
   };
   const kept = asked.cones.length > 0 ? ' Its cones are kept in this browser.' : '';
-  app.say(`Closed ${main}.${kept}`, 'note', [
-    { label: 'Open it again', do: openAgain },
-  ]);
+  app.say(`Closed ${main}.${kept}`, 'note', [{ label: 'Open it again', do: openAgain }]);
 }
 
 /** One click: the example with its cones. */

@@ -158,9 +158,7 @@ async function solve(app: App, output: Output, call: Call): Promise<Solved> {
   const options = { maxRounds: rounds, quality, scale: output.scale };
   const what = isNatural ? { q } : { cones: toCones(app.asked) };
   const result = await app.client!.parametrize({ ...what, ...options }, call);
-  const asked = isNatural
-    ? fromCones(result.cones, turnings.length, handles.length)
-    : app.asked;
+  const asked = isNatural ? fromCones(result.cones, turnings.length, handles.length) : app.asked;
   if (isNatural) app.natural.set(q, asked);
   call.onProgress({ stage: 'write', fraction: 0, iteration: -1, residual: -1 });
   const written = await app.client!.write(writeOptions(output), call);

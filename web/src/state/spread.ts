@@ -86,8 +86,7 @@ function areaOf({ positions: p, triangles }: Surface, t: number): number {
 let last: { surface: Surface; spacing: number; samples: Sample[] } | undefined;
 
 /** Between two crosses, where so many tiles lie along the diagonal. */
-export const spacingOf = ({ diagonal }: Surface, tiles: number): number =>
-  diagonal / (tiles * 1.3);
+export const spacingOf = ({ diagonal }: Surface, tiles: number): number => diagonal / (tiles * 1.3);
 
 /** Both views ask for the same points one after the other. */
 export function spread(surface: Surface, spacing: number): Sample[] {

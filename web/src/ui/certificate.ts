@@ -51,9 +51,9 @@ function rows({ least, result: { certificate } }: Solved): Row[] {
       where: flipped.length > 0 ? flipped.map((id) => face(id)[0]) : face(smallest),
     },
     {
-      name: 'Smallest signed area',
+      name: 'Smallest area',
       value: small(least.area),
-      tolerance: `above 0; ${small(least.area / least.mean)} of the mean`,
+      tolerance: `signed, above 0; the mean is ${small(least.mean)}`,
       isGood: c.flipped === 0,
       where: face(least.triangle),
     },

@@ -8,6 +8,7 @@ import { handleLoops, loopSegments } from '../state/handles';
 import type { MapView } from '../view/map_view';
 import type { SurfaceView } from '../view/surface_view';
 import { placesOf } from './places';
+import type { Sheet } from './sheet';
 
 const few = 2; // log₁₀ of the range of the scale: from 3 tiles to 300
 const themes = ['auto', 'light', 'dark'] as const;
@@ -23,6 +24,7 @@ function stored(key: string): string | null {
 export class Controls {
   tool: 'orbit' | 'place' = 'orbit';
   tab: 'surface' | 'map' = 'surface';
+  sheet: Sheet = 'half';
   menu = '';
   dialog = '';
   hover = '';
@@ -56,6 +58,10 @@ export class Controls {
   }
   setTab(tab: 'surface' | 'map'): void {
     this.tab = tab;
+    this.#changed();
+  }
+  setSheet(sheet: Sheet): void {
+    this.sheet = sheet;
     this.#changed();
   }
   toggleMenu(menu: string): void {

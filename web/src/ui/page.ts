@@ -12,6 +12,7 @@ import { picture } from './icons';
 import { inspector } from './inspector';
 import { dialogs } from './dialogs';
 import { legend } from './legend';
+import { sheetHandle } from './sheet';
 import { toolbar } from './toolbar';
 
 function emptyState(app: App, ui: Controls): TemplateResult {
@@ -106,7 +107,7 @@ export function page(app: App, ui: Controls): TemplateResult {
   const hasModel = app.surface !== undefined;
   return html`
     ${header(app, ui)}
-    <main id="drop" class=${hasModel ? 'has-model' : 'no-model'}>
+    <main id="drop" class=${hasModel ? 'has-model' : 'no-model'} data-sheet=${ui.sheet}>
       <div class="tabs" role="tablist" aria-label="Views" ?hidden=${!hasModel}>
         ${(['surface', 'map'] as const).map(
           (name) =>
@@ -179,7 +180,7 @@ export function page(app: App, ui: Controls): TemplateResult {
         ></canvas>
         ${app.shown ? nothing : html`<p class="hint">The flat map appears here after Run.</p>`}
       </section>
-      ${hasModel ? html`<aside aria-label="Inspector">${inspector(app, ui)}</aside>` : emptyState(app, ui)}
+      ${hasModel ? html`<aside aria-label="Inspector">${sheetHandle(ui)} ${inspector(app, ui)}</aside>` : emptyState(app, ui)}
     </main>
     ${statusLine(app, ui)} ${dialogs(app, ui)}
     <input

@@ -27,10 +27,7 @@ export function cornerGeometry(
   return geometry;
 }
 
-function setPlaces(
-  geometry: BufferGeometry,
-  { triangles, positions, normals }: Surface,
-): void {
+function setPlaces(geometry: BufferGeometry, { triangles, positions, normals }: Surface): void {
   const position = new Float32Array(3 * triangles.length);
   const normal = new Float32Array(3 * triangles.length);
   for (let c = 0; c < triangles.length; c++) {

@@ -16,6 +16,8 @@ import { setImage, setPalette, setPattern, surfaceMaterial, type Palette } from 
 import { Stage } from './stage';
 import type { Hit } from './surface_view';
 
+type Place = { clientX: number; clientY: number };
+
 const unitSquare = [0, 0, 0, 1, 0, 0, 1, 0, 0, 1, 1, 0, 1, 1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0];
 
 export class MapView extends Stage {
@@ -110,11 +112,47 @@ export class MapView extends Stage {
       },
       { passive: false },
     );
-    canvas.addEventListener('pointerdown', (event) => canvas.setPointerCapture(event.pointerId));
-    canvas.addEventListener('pointermove', (event) => {
-      if (event.buttons === 0 || !this.isPanning) return;
-      this.pan(-event.movementX / this.#size.height, event.movementY / this.#size.height);
+    const fingers = new Map<number, { clientX: number; clientY: number }>();
+    const forget = (event: PointerEvent): void => void fingers.delete(event.pointerId);
+    canvas.addEventListener('pointerdown', (event) => {
+      canvas.setPointerCapture(event.pointerId);
+      fingers.set(event.pointerId, event);
     });
+    canvas.addEventListener('pointermove', (event) => {
+      const before = fingers.get(event.pointerId);
+      if (!before || event.buttons === 0) return;
+      const other = [...fingers].find(([id]) => id !== event.pointerId)?.[1];
+      fingers.set(event.pointerId, event);
+      if (other) this.#pinch(before, event, other);
+      else if (this.isPanning) this.#drag(before, event);
+    });
+    for (const end of ['pointerup', 'pointercancel'] as const) canvas.addEventListener(end, forget);
+  }
+
+  /** What was under the pointer stays under it. */
+  #drag(before: Place, after: Place): void {
+    this.#isTouched = true;
+    const [from, to] = [this.#toUv(before), this.#toUv(after)];
+    this.#center.x += from.x - to.x;
+    this.#center.y += from.y - to.y;
+    this.#aim();
+  }
+
+  /** One of two fingers moves: what lies under their middle goes along, and is as much larger. */
+  #pinch(before: Place, after: Place, other: Place): void {
+    const middle = (finger: Place): Place => ({
+      clientX: (finger.clientX + other.clientX) / 2,
+      clientY: (finger.clientY + other.clientY) / 2,
+    });
+    const apart = (finger: Place): number =>
+      Math.max(20, Math.hypot(finger.clientX - other.clientX, finger.clientY - other.clientY));
+    const from = this.#toUv(middle(before));
+    this.#reach *= apart(before) / apart(after);
+    const to = this.#toUv(middle(after));
+    this.#isTouched = true;
+    this.#center.x += from.x - to.x;
+    this.#center.y += from.y - to.y;
+    this.#aim();
   }
 
   #toUv(event: { clientX: number; clientY: number }): { x: number; y: number } {

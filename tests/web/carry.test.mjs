@@ -1,0 +1,162 @@
+// What was asked goes along when the surface is read again: welded, repaired, in another version; and
+// what remains when the model is closed.
+
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { cubeMesh, toObj } from '../support/meshes.mjs';
+import { crackedCube, flatSquare } from './shapes.mjs';
+import {
+  coneCount,
+  drop,
+  example,
+  kOf,
+  model,
+  modelSays,
+  openFiles,
+  openMesh,
+  run,
+  state,
+  statusText,
+  useBrowser,
+} from './support.mjs';
+
+const it = useBrowser();
+const vertices = () => it.page.locator('tr[data-cone] td:nth-of-type(1)').allInnerTexts();
+
+const coneFile = (q, cones, more = {}) => ({
+  'mine.cones.json': JSON.stringify({ format: 'hgp-cones', version: 1, q, cones, ...more }),
+});
+
+async function weld(length) {
+  await it.page.locator('#weld').fill(length);
+  await it.page.locator('#weld').press('Enter');
+}
+
+test('cones go along through a weld; what had its own boundary is inside now; undo takes both back', async () => {
+  const { page } = it;
+  const mesh = crackedCube();
+  await openMesh(it, mesh);
+  // The lid lies a hair above the box: its corners are there twice.
+  const inner = mesh.vertices.findIndex((p, v) => v >= 8 && p[2] > 0.95);
+  const double = mesh.vertices.findLastIndex((p) =>
+    p.every((x, i) => Math.abs(x - mesh.vertices[inner][i]) < 1e-4),
+  );
+  assert.notEqual(double, inner);
+  const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((vertex) => ({ vertex, k: 3 }));
+  const cones = [...corners, { vertex: inner, k: 4 }, { vertex: double, k: 4 }];
+  await drop(it, coneFile(4, cones));
+  await page.waitForSelector('#cones');
+  assert.equal(await coneCount(it), 10);
+  assert.match(await page.locator('#cones').innerText(), /on the boundary/);
+  await weld('0.001');
+  await modelSays(it, /Parts\s*1/);
+  await page.waitForSelector('#status.good');
+  assert.match(
+    await statusText(page),
+    /weld closer than 0\.001\. 9 cones went along; what could not: cone 10 \(now one with cone 9\)/,
+  );
+  assert.deepEqual(await vertices(), [0, 1, 2, 3, 4, 5, 6, 7, inner].map(String));
+  assert.doesNotMatch(await page.locator('#cones').innerText(), /boundary/);
+  await run(it);
+  await page.click('#undo');
+  await modelSays(it, /Parts\s*2/);
+  assert.equal(await coneCount(it), 10);
+  await page.click('#redo');
+  await modelSays(it, /Parts\s*1/);
+  assert.equal(await coneCount(it), 9);
+});
+
+test('a repair keeps the cones that still have their vertex', async () => {
+  const { page } = it;
+  const { vertices: points, triangles } = cubeMesh(3);
+  const fin = [...triangles, [triangles[0][0], triangles[0][1], points.length]];
+  const mesh = { vertices: [...points, [-2, -2, -2]], triangles: fin };
+  await openFiles(it, { 'fin.obj': toObj(mesh) }, 'invalid');
+  await page.click('[data-fix="split"]');
+  await state(page, 'ready', 'unbalanced');
+  const corners = [0, 1, 2, 3, 4, 5, 6, 7];
+  await drop(
+    it,
+    coneFile(
+      4,
+      corners.map((vertex) => ({ vertex, k: 3 })),
+    ),
+  );
+  await page.waitForSelector('#cones');
+  const before = await vertices();
+  await weld('0.0001');
+  await page.waitForSelector('#status.good');
+  assert.match(await statusText(page), /8 cones went along/);
+  assert.deepEqual(await vertices(), before);
+});
+
+test('a turning index goes along with its boundary', async () => {
+  const { page } = it;
+  const square = flatSquare(8);
+  await openMesh(it, square);
+  await page.locator('[data-loop="0"] button[aria-label$="larger"]').click();
+  assert.equal(await page.locator('[data-loop="0"] input').inputValue(), '4');
+  await weld('0.0001');
+  await page.waitForSelector('#status.good');
+  assert.equal(await page.locator('[data-loop="0"] input').inputValue(), '4');
+});
+
+test('another version of the file takes over the cones that have their place in it', async () => {
+  const { page } = it;
+  await openFiles(it, { 'part.obj': toObj(cubeMesh(4)) });
+  const coarse = cubeMesh(4);
+  const corner = 0;
+  const middle = coarse.vertices.findIndex(
+    ([x, y, z], v) => v >= 8 && x !== y && z < -0.9 && x < -0.1,
+  );
+  await drop(it, coneFile(4, [{ vertex: corner, k: 3 }, { vertex: middle, k: 5 }])); // prettier-ignore
+  await page.waitForSelector('#cones');
+  // In the next version the vertices have other numbers, and the one in the middle is gone.
+  const fine = cubeMesh(6);
+  const last = fine.vertices.length - 1;
+  const turned = {
+    vertices: fine.vertices.toReversed(),
+    triangles: fine.triangles.map((t) => t.map((v) => last - v)),
+  };
+  await drop(it, { 'part.obj': toObj(turned) });
+  await modelSays(it, /Triangles\s*432/);
+  assert.match(
+    await statusText(page),
+    /Another version of part\.obj\. 1 cone went along; what could not: cone 2 \(no vertex is there now\)/,
+  );
+  assert.deepEqual(await vertices(), [String(last - corner)]);
+  assert.equal(await kOf(it, 0), '3');
+  await page.click('#undo');
+  assert.equal(await coneCount(it), 0);
+  // A file of another name is another model.
+  await page.click('#redo');
+  await openFiles(it, { 'other.obj': toObj(cubeMesh(3)) });
+  assert.equal(await coneCount(it), 0);
+});
+
+test('Close goes back to the beginning, and one click brings everything back', async () => {
+  const { page } = it;
+  await example(it, 'cube');
+  await page.click('tr[data-cone="0"] [aria-label$="larger k"]');
+  await page.click('tr[data-cone="1"] [aria-label$="smaller k"]');
+  const before = await page.locator('#cones tbody').innerText();
+  await page.waitForFunction(() => location.hash.includes('cones='));
+  await page.click('#close');
+  await state(page, 'empty');
+  assert.equal(await page.locator('#close').count(), 0);
+  assert.equal(await page.locator('.file').innerText(), '');
+  assert.match(await statusText(page), /Closed cube\.glb\. Its cones are kept/);
+  await page.waitForFunction(() => location.hash === '');
+  assert.equal(await page.locator('#undo').isDisabled(), true);
+  await page.click('footer button:has-text("Open it again")');
+  await state(page, 'ready');
+  assert.equal(await page.locator('#cones tbody').innerText(), before);
+  assert.match(await model(it), /Triangles/);
+  // Closed while it runs: nothing comes back by itself.
+  await page.click('#run');
+  await page.click('#close');
+  await state(page, 'empty');
+  await example(it, 'sphere');
+  assert.match(await page.locator('.file').innerText(), /sphere/);
+  await run(it);
+});

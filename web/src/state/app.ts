@@ -9,6 +9,7 @@ import { emptyPrescription, sameAsked, type Prescription } from './prescription'
 import type { Solved } from './solved';
 import type { Surface } from './surface';
 import type { MeshSurvey } from './survey';
+import type { Validation } from './validate';
 
 export type Phase =
   | 'starting'
@@ -116,6 +117,7 @@ export class App {
   results: Solved[] = [];
   /** The map that the worker holds, and can write again without solving. */
   inWorker?: Result;
+  validation?: Validation;
   /** Outlines places; there once the views are. */
   showPlaces?: (where: Where[]) => void;
   message?: Message;

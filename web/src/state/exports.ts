@@ -3,8 +3,10 @@
 import { zipSync } from 'fflate';
 import type { App } from './app';
 import { safeName } from './files';
-import { boxOf } from './measure';
+import { withGrid } from './grid';
+import { boxOf, tilesPerUnit } from './measure';
 import { toCones } from './prescription';
+import type { OutputFile } from './readback';
 import type { Solved } from './solved';
 
 export interface Download {
@@ -91,10 +93,18 @@ function toGlb(solved: Solved): Uint8Array {
   return out;
 }
 
-function toGltfZip(solved: Solved, name: string): Uint8Array {
+function toGltfFiles(solved: Solved, name: string): OutputFile[] {
   const { json, bin } = toGltf(solved);
   (json.buffers as { uri?: string }[])[0].uri = `${name}.bin`;
-  return zipSync({ [`${name}.gltf`]: encode(JSON.stringify(json)), [`${name}.bin`]: bin });
+  return [
+    { name: `${name}.gltf`, bytes: encode(JSON.stringify(json)) },
+    { name: `${name}.bin`, bytes: bin },
+  ];
+}
+
+function withChosenGrid(app: App, { output, result }: Solved, files: OutputFile[]): OutputFile[] {
+  if (!output.hasGrid) return files;
+  return withGrid(files, { mesh: 0, uvSet: 0, tiles: tilesPerUnit(app, result) });
 }
 
 function toObj({ result }: Solved): Uint8Array {
@@ -152,7 +162,7 @@ export function make(app: App, solved: Solved, format: Format): Download {
   const name = stem(app);
   switch (format) {
     case 'same': {
-      const { files } = solved.written;
+      const { files } = solved;
       const main = safeName(files[0].name || app.main);
       if (files.length === 1 && !/\.gltf$/i.test(main)) {
         return { name: main, bytes: files[0].bytes, type: 'application/octet-stream' };
@@ -160,10 +170,15 @@ export function make(app: App, solved: Solved, format: Format): Download {
       const entries = Object.fromEntries(files.map((file) => [file.name, file.bytes]));
       return { name: `${name}.zip`, bytes: zipSync(entries), type: 'application/zip' };
     }
-    case 'glb':
-      return { name: `${name}.glb`, bytes: toGlb(solved), type: 'model/gltf-binary' };
-    case 'zip':
-      return { name: `${name}.zip`, bytes: toGltfZip(solved, name), type: 'application/zip' };
+    case 'glb': {
+      const made = withChosenGrid(app, solved, [{ name: `${name}.glb`, bytes: toGlb(solved) }]);
+      return { ...made[0], type: 'model/gltf-binary' };
+    }
+    case 'zip': {
+      const made = withChosenGrid(app, solved, toGltfFiles(solved, name));
+      const entries = Object.fromEntries(made.map((file) => [file.name, file.bytes]));
+      return { name: `${name}.zip`, bytes: zipSync(entries), type: 'application/zip' };
+    }
     case 'obj':
       return { name: `${name}.obj`, bytes: toObj(solved), type: 'text/plain' };
     case 'flat':

@@ -13,7 +13,7 @@ export interface Missing {
 
 const meshEnding = /\.(glb|gltf|obj|off|ply|stl)$/i;
 const imageEnding = /\.(png|jpe?g|webp|ktx2)$/i;
-const coneEnding = /\.(sing|sings|curvatures|th_hat)$|cones?\.json$/i;
+const coneEnding = /\.(sing|sings|curvatures|th_hat|rawfield|rosy|ffield)$|cones?\.json$/i;
 
 async function readFolder(entry: FileSystemDirectoryEntry, into: Files): Promise<void> {
   const reader = entry.createReader();
@@ -160,6 +160,24 @@ function resolve(files: Files, folder: string, name: string): boolean {
     [...files].find(([other]) => baseName(other) === baseName(name))?.[1];
   if (found) files.set(name, found);
   return found !== undefined;
+}
+
+/** What the main one of some files names and does not bring: buffers and images that were there before. */
+export async function sideFiles(
+  files: Files,
+  written: { name: string; bytes: Uint8Array }[],
+): Promise<{ name: string; bytes: Uint8Array }[]> {
+  const [main] = written;
+  if (!/\.gltf$/i.test(main.name)) return [];
+  const { buffers = [], images = [] } = await readGltfJson(main.name, main.bytes);
+  const found = new Map<string, Uint8Array>();
+  for (const { uri } of [...buffers, ...images]) {
+    const name = uri === undefined || uri.startsWith('data:') ? undefined : relativeName(uri);
+    if (name === undefined || written.some((file) => file.name === name)) continue;
+    const file = files.get(name);
+    if (file) found.set(name, await bytesOf(file));
+  }
+  return [...found].map(([name, bytes]) => ({ name, bytes }));
 }
 
 /** How often each mesh of a glTF is used by its nodes. */

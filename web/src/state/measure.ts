@@ -1,5 +1,6 @@
 // Distortion of each triangle, and sizes.
 
+import type { Result } from 'hgp';
 import { inSteps, pause } from './breath';
 import type { Corners } from './readback';
 
@@ -70,6 +71,27 @@ export function quantile(values: Float32Array, part: number): number {
   let sorted = sortedOf.get(values);
   if (!sorted) sortedOf.set(values, (sorted = values.slice().sort()));
   return sorted[Math.min(sorted.length - 1, Math.floor(part * sorted.length))];
+}
+
+/** As many tiles per unit of uv as the page shows of its patterns. */
+export function tilesPerUnit(
+  { surface, look }: { surface?: { diagonal: number }; look: { tiles: number } },
+  { positions: p, triangles, uv, cornerToUv }: Result,
+): number {
+  let [onSurface, inMap] = [0, 0];
+  for (let c = 0; c < triangles.length; c += 3) {
+    const a = 3 * triangles[c];
+    const [e, f] = [1, 2].map((k) => {
+      const b = 3 * triangles[c + k];
+      return [p[b] - p[a], p[b + 1] - p[a + 1], p[b + 2] - p[a + 2]];
+    });
+    const n = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
+    onSurface += Math.sqrt(n[0] ** 2 + n[1] ** 2 + n[2] ** 2);
+    const [i, j, k] = cornerToUv.subarray(c, c + 3);
+    const across = (uv[2 * j] - uv[2 * i]) * (uv[2 * k + 1] - uv[2 * i + 1]);
+    inMap += Math.abs(across - (uv[2 * j + 1] - uv[2 * i + 1]) * (uv[2 * k] - uv[2 * i]));
+  }
+  return look.tiles / (Math.sqrt(inMap / onSurface) * (surface?.diagonal ?? 1));
 }
 
 export interface LeastArea {

@@ -1,9 +1,17 @@
 // Suggest and Run: the two calls that take time. Cancel ends the worker at once.
 
-import { HgpError, type Progress as Report, type WriteOptions } from 'hgp';
+import {
+  HgpError,
+  type Progress as Report,
+  type Result,
+  type WriteOptions,
+  type Written,
+} from 'hgp';
 import type { App } from './app';
 import { replaceAsked } from './edit';
 import { explain } from './explain';
+import { withGrid } from './grid';
+import { tilesPerUnit } from './measure';
 import { fromCones, toCones } from './prescription';
 import { finish, type Output, plainOutput, type Solved } from './solved';
 
@@ -161,9 +169,17 @@ async function solve(app: App, output: Output, call: Call): Promise<Solved> {
   const asked = isNatural ? fromCones(result.cones, turnings.length, handles.length) : app.asked;
   if (isNatural) app.natural.set(q, asked);
   call.onProgress({ stage: 'write', fraction: 0, iteration: -1, residual: -1 });
-  const written = await app.client!.write(writeOptions(output), call);
+  const written = await write(app, result, output, call);
   app.inWorker = result;
   return finish(app, { asked, quality, output }, result, written);
+}
+
+async function write(app: App, result: Result, output: Output, call: Call): Promise<Written> {
+  const written = await app.client!.write(writeOptions(output), call);
+  if (!output.hasGrid) return written;
+  const asked = { mesh: app.info!.surface, uvSet: output.uvSet, tiles: tilesPerUnit(app, result) };
+  const files = withGrid(written.files, asked);
+  return { ...written, ...files[0], files };
 }
 
 const writeOptions = ({ uvSet, embedCones }: Output): WriteOptions => ({
@@ -180,7 +196,7 @@ export async function rewrite(app: App, old: Solved, output: Output): Promise<vo
           app,
           { ...old, output },
           old.result,
-          await app.client!.write(writeOptions(output), call),
+          await write(app, old.result, output, call),
         )
       : await solve(app, output, call);
     app.results = app.results.map((one) => (one === old ? solved : one));

@@ -1,8 +1,9 @@
-// The one place where this page makes URLs that may run script: its worker and its service worker.
+// The one place where this page makes URLs that may run script: its workers and its service worker.
 
 import workerUrl from 'hgp/worker?worker&url';
+import validatorUrl from '../work/validator?worker&url';
 
-export { workerUrl };
+export { validatorUrl, workerUrl };
 export const offlineUrl = './sw.js';
 
 interface Policy {
@@ -13,7 +14,7 @@ const policy = (
   globalThis as { trustedTypes?: { createPolicy(name: string, rules: object): Policy } }
 ).trustedTypes?.createPolicy('hgp', {
   createScriptURL(url: string): string {
-    if (url !== workerUrl && url !== offlineUrl) {
+    if (![workerUrl, validatorUrl, offlineUrl].includes(url)) {
       throw new TypeError(`not a script of this page: ${url}`);
     }
     return url;

@@ -5,8 +5,9 @@ import type { App } from './app';
 import { inSteps, pause } from './breath';
 import { leastArea, measure, type Distortion, type LeastArea } from './measure';
 import { findOverlaps, type Overlaps } from './overlaps';
+import { sideFiles } from './files';
 import type { Prescription } from './prescription';
-import { readBack, type Corners } from './readback';
+import { readBack, type Corners, type OutputFile } from './readback';
 import { distanceToSeams } from './seam_distance';
 import { prepareSpread, spacingOf } from './spread';
 
@@ -23,9 +24,11 @@ export interface Output {
   uvSet?: number;
   scale: 'solved' | 'unit' | 'fit';
   embedCones: boolean;
+  /** glTF: the mesh gets a grid as its material. */
+  hasGrid: boolean;
 }
 
-export const plainOutput: Output = { scale: 'solved', embedCones: true };
+export const plainOutput: Output = { scale: 'solved', embedCones: true, hasGrid: false };
 
 /** What a result is the result of. */
 export interface Order {
@@ -38,6 +41,8 @@ export interface Solved extends Order {
   result: Result;
   isCertified: boolean;
   written: Written;
+  /** What was written, and what it names beside that. */
+  files: OutputFile[];
   /** Texture coordinates read back from the written bytes, in triangle order. */
   corners: Corners;
   /** The bytes hold the very map that was judged. */
@@ -128,8 +133,9 @@ export async function finish(
   const own = await cornersOf(result);
   let corners = own;
   let isSameAsFile = false;
+  const files = [...written.files, ...(await sideFiles(app.files, written.files))];
   try {
-    const read = await readBack(written.files, app.info?.surface ?? 0, output.uvSet);
+    const read = await readBack(files, app.info?.surface ?? 0, output.uvSet);
     isSameAsFile = await isSame(read, own);
     if (isSameAsFile) corners = read;
   } catch {
@@ -150,7 +156,7 @@ export async function finish(
     seamAt.set(Math.min(v, w) * count + Math.max(v, w), i);
   });
   return {
-    ...{ asked, quality, output, result, written, corners, isSameAsFile, seams, seamAt },
+    ...{ asked, quality, output, result, written, files, corners, isSameAsFile, seams, seamAt },
     ...{ distortion, least, overlaps, seamDistance, chains },
     isCertified: result.certificate.certified,
   };

@@ -5,6 +5,7 @@ import type { App } from '../state/app';
 import { formats, make, save } from '../state/exports';
 import { rewrite } from '../state/run';
 import type { Output, Solved } from '../state/solved';
+import { validate } from '../state/validate';
 import type { Controls } from './controls';
 import { frame } from './dialogs';
 
@@ -65,6 +66,42 @@ function choices(app: App, solved: Solved): TemplateResult {
       />
       Embed the cones, to edit them again
     </label>
+    <label class="tick">
+      <input
+        type="checkbox"
+        id="grid-material"
+        .checked=${output.hasGrid}
+        @change=${(event: Event) => set({ hasGrid: (event.target as HTMLInputElement).checked })}
+      />
+      Assign a grid as material <small>(glTF)</small>
+    </label>
+  </div>`;
+}
+
+/** Khronos' validator, on request. */
+function validation(app: App, solved: Solved, isBusy: boolean): TemplateResult {
+  const seen = app.validation?.of === solved ? app.validation : undefined;
+  const isIt = /\.(glb|gltf)$/i.test(solved.written.files[0].name);
+  return html`<div class="validation">
+    <button
+      type="button"
+      class="small"
+      id="validate"
+      ?disabled=${isBusy}
+      @click=${() => void validate(app, solved)}
+    >
+      Validate ${isIt ? 'output' : 'the GLB'}
+    </button>
+    <p class="note ${seen && !seen.isGood ? 'bad' : ''}" role="status" id="validation">
+      ${seen?.text ?? ''}
+    </p>
+    ${
+      seen && seen.issues.length > 0
+        ? html`<ul class="note">
+            ${seen.issues.map((text) => html`<li>${text}</li>`)}
+          </ul>`
+        : nothing
+    }
   </div>`;
 }
 
@@ -112,7 +149,7 @@ export function downloads(app: App, ui: Controls, solved: Solved): TemplateResul
           </li>`;
         })}
       </ul>
-      ${choices(app, solved)}
+      ${choices(app, solved)} ${validation(app, solved, isBusy)}
       <p class="row end"><button type="button" @click=${close}>Close</button></p>`,
     close,
   );

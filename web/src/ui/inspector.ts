@@ -146,7 +146,7 @@ export function inspector(app: App, ui: Controls): TemplateResult {
   const isUsable = app.info?.usable ?? false;
   return html`
     ${app.shown ? result(app, ui) : nothing} ${isUsable ? cones(app, ui) : nothing}
-    ${isUsable ? turnings(app, ui) : nothing} ${isUsable ? solve(app) : nothing}
+    ${isUsable ? turnings(app, ui) : nothing} ${isUsable ? solve(app, ui) : nothing}
     ${app.info ? model(app, ui) : nothing}
     <p class="note guide">
       <a href="./guide.html">How cones work, and what to do with the result</a>

@@ -4,6 +4,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import type { App, SolveSettings } from '../state/app';
 import { commandOf, estimateOf } from '../state/estimate';
+import type { Controls } from './controls';
 
 async function copy(app: App): Promise<void> {
   const command = commandOf(app);
@@ -17,7 +18,7 @@ async function copy(app: App): Promise<void> {
   }
 }
 
-export function solve(app: App): TemplateResult {
+export function solve(app: App, ui: Controls): TemplateResult {
   const { needed, takes, isTight } = estimateOf(app);
   const set = (part: Partial<SolveSettings>): void => {
     app.solve = { ...app.solve, ...part };
@@ -53,6 +54,16 @@ export function solve(app: App): TemplateResult {
         @change=${(event: Event) => set({ timeLimit: whole(event, 1, 86_400) })}
       />
       <small>seconds; what is not done by then is given up</small>
+    </div>
+    <div class="row field">
+      <label for="field-file">Frames</label>
+      <button type="button" class="small" id="field-file" @click=${() => ui.chooseConeFile()}>
+        Of a field file…
+      </button>
+      <small
+        >follow the cones by themselves; a cross field (.rawfield, .rosy, .ffield) brings its cones
+        and its turns along boundaries and handles</small
+      >
     </div>
     <p>
       <label class="tick">

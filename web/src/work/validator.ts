@@ -1,0 +1,29 @@
+// The worker in which Khronos' own validator reads a file. Fetched when someone asks for it.
+
+import { validateBytes, type ValidatorReport } from 'gltf-validator';
+
+export interface ToValidate {
+  main: string;
+  files: Map<string, Uint8Array>;
+}
+
+const mostIssues = 100;
+
+async function validate({ main, files }: ToValidate): Promise<ValidatorReport> {
+  return validateBytes(files.get(main)!, {
+    uri: main,
+    maxIssues: mostIssues,
+    writeTimestamp: false,
+    externalResourceFunction: (uri) => {
+      const found = files.get(decodeURIComponent(uri));
+      return found ? Promise.resolve(found) : Promise.reject(new Error(`${uri} is not here`));
+    },
+  });
+}
+
+addEventListener('message', ({ data }: MessageEvent<ToValidate>) => {
+  validate(data).then(
+    (report) => postMessage({ report }),
+    (error: Error) => postMessage({ error: String(error.message ?? error) }),
+  );
+});

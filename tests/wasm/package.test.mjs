@@ -93,6 +93,7 @@ test('load, inspect, parametrize, write, verify', () =>
     assert.equal(result.triangles.length, 3 * 6 * 12 * 12);
     assert.equal(result.cornerToUv.length, result.triangles.length);
     assert.equal(result.uvToVertex.length, result.uv.length / 2);
+    assert.ok(result.memory >= 32 * 2 ** 20 && result.memory % 65536 === 0, `${result.memory}`);
     for (let c = 0; c < result.triangles.length; c++) {
       assert.equal(result.uvToVertex[result.cornerToUv[c]], result.triangles[c]);
     }
@@ -116,6 +117,23 @@ test('the surface is there before any solve, and cone files of other programs ar
       cones.cones.map(({ vertex, k }) => [vertex, k]),
       [[0, 3]],
     );
+  }));
+
+test('what a repair made of the surface is told, and nothing where there was none', () =>
+  withClient(async (client) => {
+    const { vertices, triangles } = cubeMesh(3);
+    const fin = [...triangles, [triangles[0][0], triangles[0][1], vertices.length]];
+    const mesh = { vertices: [...vertices, [-2, -2, -2]], triangles: fin };
+    const file = bytes(toObj(mesh));
+    await client.load(file, { name: 'fin.obj' });
+    assert.equal((await client.surface()).repaired, undefined);
+    await client.load(file, { name: 'fin.obj', fix: { split: true } });
+    const { repaired } = await client.surface();
+    assert.equal(repaired.triangles.length, 3 * fin.length);
+    assert.ok(repaired.vertexOrigin.length > mesh.vertices.length);
+    assert.equal(repaired.vertexImage.length, mesh.vertices.length);
+    repaired.triangles.forEach((m, c) => assert.equal(repaired.vertexOrigin[m], fin.flat()[c]));
+    repaired.vertexImage.forEach((m, v) => assert.equal(repaired.vertexOrigin[m], v));
   }));
 
 test('the raw-array path gives the same map as the file', () =>

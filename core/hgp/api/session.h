@@ -68,10 +68,10 @@ class Session {
   const std::string& reportJson() const;       ///< hgp-report; contains the certificate
   const std::string& conesJson() const;        ///< the completed prescription: hgp-cones
 
-  const std::vector<double>& positions() const;          ///< |V| × 3 of the surface
-  const std::vector<std::uint32_t>& triangles() const;   ///< |F| × 3
+  const std::vector<double>& positions() const;         ///< |V| × 3 of the surface
+  const std::vector<std::uint32_t>& triangles() const;  ///< |F| × 3
   std::optional<Repaired> repaired() const;  ///< nothing where the surface is used as it is
-  const std::vector<double>& uv() const;                 ///< 2 per uv vertex, as stored
+  const std::vector<double>& uv() const;     ///< 2 per uv vertex, as stored
   const std::vector<std::uint32_t>& cornerToUv() const;  ///< |F| × 3
   const std::vector<std::uint32_t>& uvToVertex() const;  ///< "xref": uv vertex → surface vertex
   const std::vector<SeamEdge>& seams() const;

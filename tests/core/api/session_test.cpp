@@ -87,6 +87,32 @@ TEST(Session, AnUnusableMeshIsInspectedAndNotSolved) {
   EXPECT_TRUE(loaded(mesh, fix).inspect()->isGood);
 }
 
+TEST(Session, WhatAWeldMadeOfTheSurfaceIsHandedOut) {
+  MeshData mesh = hgp::test::cube().data;
+  EXPECT_FALSE(loaded(mesh).repaired().has_value());
+  // The first triangle gets corners of its own, a hair away.
+  const int count = static_cast<int>(mesh.positions.size());
+  const auto first = mesh.triangles[0];
+  for (int& v : mesh.triangles[0]) {
+    Vec3 p = mesh.positions[static_cast<std::size_t>(v)];
+    p[0] += 1e-7;
+    mesh.positions.push_back(p);
+    v = static_cast<int>(mesh.positions.size()) - 1;
+  }
+  LoadOptions weld;
+  weld.weld = 1e-5;
+  const auto repaired = loaded(mesh, weld).repaired();
+  ASSERT_TRUE(repaired.has_value());
+  EXPECT_EQ(repaired->triangles.size(), 3 * mesh.triangles.size());
+  EXPECT_EQ(repaired->vertexOrigin.size(), static_cast<std::size_t>(count));
+  ASSERT_EQ(repaired->vertexImage.size(), mesh.positions.size());
+  for (int k = 0; k < 3; ++k) {
+    const auto was = static_cast<std::size_t>(first[static_cast<std::size_t>(k)]);
+    EXPECT_EQ(repaired->vertexImage[was],
+              repaired->vertexImage[static_cast<std::size_t>(count + k)]);
+  }
+}
+
 TEST(Session, CheckCountsTheBudget) {
   const Session session = loaded(hgp::test::icosphere(3).data);
   io::Prescription cones;

@@ -42,18 +42,11 @@ class Session {
     });
   }
 
-  /// The loaded surface, usable or not: what vertex and triangle ids refer to; and what welds and
-  /// repairs made of it.
+  /// The loaded surface, usable or not: what ids refer to; and what welds and repairs made of it.
   val surface() const {
     return guarded([&] {
       val reply = withSurface(val::object());
-      if (const auto repaired = session_.repaired()) {
-        val mesh = val::object();
-        mesh.set("triangles", toTypedArray("Uint32Array", repaired->triangles));
-        mesh.set("vertexOrigin", toTypedArray("Int32Array", repaired->vertexOrigin));
-        mesh.set("vertexImage", toTypedArray("Int32Array", repaired->vertexImage));
-        reply.set("repaired", mesh);
-      }
+      if (const auto mesh = session_.repaired()) reply.set("repaired", toRepaired(*mesh));
       return reply;
     });
   }
@@ -62,8 +55,7 @@ class Session {
   val readCones(const std::string& name, const std::string& text, int q) const {
     return guarded([&] {
       const auto read = api::readPrescription(name, text, q);
-      const auto cones = read ? session_.convert(*read) : Result<std::string>(read.error());
-      return replyText(cones);
+      return replyText(read ? session_.convert(*read) : Result<std::string>(read.error()));
     });
   }
 
@@ -77,10 +69,8 @@ class Session {
   }
 
   val suggestCones(const val& options, const val& onProgress) const {
-    return guarded([&] {
-      const auto cones = session_.suggest(toSolveOptions(options, onProgress));
-      return replyText(cones);
-    });
+    return guarded(
+        [&] { return replyText(session_.suggest(toSolveOptions(options, onProgress))); });
   }
 
   val parametrize(const std::string& cones, const val& options, const val& onProgress) {

@@ -78,6 +78,15 @@ inline val toSeams(const std::vector<api::SeamEdge>& seams) {
   return toTypedArray("Int32Array", flat);
 }
 
+/// What a weld or repairs made of the surface.
+inline val toRepaired(const api::Repaired& mesh) {
+  val out = val::object();
+  out.set("triangles", toTypedArray("Uint32Array", mesh.triangles));
+  out.set("vertexOrigin", toTypedArray("Int32Array", mesh.vertexOrigin));
+  out.set("vertexImage", toTypedArray("Int32Array", mesh.vertexImage));
+  return out;
+}
+
 /// Files as { name, bytes }.
 inline val toFiles(const std::vector<io::OutputFile>& files) {
   val list = val::array();

@@ -13,6 +13,7 @@
 #include "corpus_process.h"
 #include "corpus_table.h"
 #include "files.h"
+#include "process_memory.h"
 
 namespace {
 
@@ -118,6 +119,7 @@ int runProgram(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  hgp::cli::keepFreedMemory();
   try {
     return runProgram(argc, argv);
   } catch (const std::exception& error) {

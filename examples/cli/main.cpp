@@ -5,8 +5,10 @@
 
 #include "commands.h"
 #include "files.h"
+#include "process_memory.h"
 
 int main(int count, char** words) {
+  hgp::cli::keepFreedMemory();
   try {
     hgp::cli::handleInterrupts();
     const hgp::cli::Parsed parsed = hgp::cli::parseArguments(count, words);

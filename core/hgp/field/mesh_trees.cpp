@@ -1,6 +1,5 @@
 #include "hgp/field/mesh_trees.h"
 
-#include <algorithm>
 #include <numeric>
 
 namespace hgp {
@@ -28,34 +27,6 @@ Graph edgeGraph(const TriMesh& mesh) {
   });
   return graph;
 }
-
-/// Where each vertex is eliminated, and the tree's nodes as intervals: the descendants of t are
-/// first[t] … t.
-struct Places {
-  std::vector<int> position, node, first;
-
-  explicit Places(const SeparatorTree& tree)
-      : position(tree.order.size()), node(tree.order.size()), first(tree.parent.size()) {
-    std::iota(first.begin(), first.end(), 0);
-    for (int t = 0; t < tree.nodeCount(); ++t) {
-      const auto at = static_cast<std::size_t>(t);
-      for (int k = tree.nodeStart[at]; k < tree.nodeStart[at + 1]; ++k) {
-        const auto v = static_cast<std::size_t>(tree.order[static_cast<std::size_t>(k)]);
-        position[v] = k;
-        node[v] = t;
-      }
-      const int p = tree.parent[at];
-      if (p >= 0) {
-        int& least = first[static_cast<std::size_t>(p)];
-        least = std::min(least, first[at]);
-      }
-    }
-  }
-
-  bool isAncestor(int above, int below) const {
-    return first[static_cast<std::size_t>(above)] <= below && below <= above;
-  }
-};
 
 }  // namespace
 
@@ -86,45 +57,6 @@ SeparatorTree nodeTree(const TriMesh& mesh, const FilledSurface& surface,
   for (int node = 0; node < surface.nodeCount; ++node)
     name[static_cast<std::size_t>(inTree(node))] = node - 1;  // node 0 is held: −1
   return linalg::restrictTree(nodes, name);
-}
-
-SeparatorTree faceTree(const TriMesh& mesh, const SeparatorTree& tree) {
-  const Places places(tree);
-  const auto position = [&](VertexId v) { return places.position[static_cast<std::size_t>(v.i)]; };
-  const auto nodeAt = [&](int k) {
-    return places.node[static_cast<std::size_t>(tree.order[static_cast<std::size_t>(k)])];
-  };
-  PerFace<int> first(static_cast<std::size_t>(mesh.faceCount()), 0), node = first;
-  for (FaceId f : mesh.faces()) {
-    const auto v = mesh.corners(f);
-    first[f] = std::min({position(v[0]), position(v[1]), position(v[2])});
-    node[f] = nodeAt(first[f]);
-  }
-  const PerFace<int> lowest = node;
-  for (EdgeId e : mesh.edges()) {
-    const HalfedgeId h = mesh.halfedge(e);
-    if (mesh.isBoundary(h)) continue;
-    const FaceId f = TriMesh::face(h), g = TriMesh::face(mesh.twin(h));
-    if (places.isAncestor(lowest[f], lowest[g]) || places.isAncestor(lowest[g], lowest[f]))
-      continue;
-    // Always the one in the earlier branch, so that one side of a separator moves.
-    const FaceId moved = lowest[f] < lowest[g] ? f : g;
-    first[moved] = std::min(position(mesh.tail(h)), position(mesh.head(h)));
-    node[moved] = nodeAt(first[moved]);
-  }
-  std::vector<int> order(static_cast<std::size_t>(mesh.faceCount()));
-  std::iota(order.begin(), order.end(), 0);
-  // Positions grow with nodes: sorting by the first eliminated vertex sorts by node as well.
-  std::sort(order.begin(), order.end(), [&](int f, int g) {
-    return std::pair(first[FaceId(f)], f) < std::pair(first[FaceId(g)], g);
-  });
-  SeparatorTree faces;
-  faces.parent = tree.parent;
-  faces.nodeStart.assign(tree.parent.size() + 1, 0);
-  for (FaceId f : mesh.faces()) ++faces.nodeStart[static_cast<std::size_t>(node[f]) + 1];
-  std::partial_sum(faces.nodeStart.begin(), faces.nodeStart.end(), faces.nodeStart.begin());
-  faces.order = std::move(order);
-  return faces;
 }
 
 }  // namespace hgp

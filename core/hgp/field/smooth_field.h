@@ -12,7 +12,8 @@ struct SmoothFieldOptions {
 };
 
 /// Minimises Σ_e w_e |x_g − e^{iqρ} x_f|² for x = e^{iqθ} per face, |x| = 1 on average (smallest
-/// eigenvector, by inverse iteration), or with alignment the regularised linear problem.
+/// eigenvector, by inverse iteration), or with alignment the regularised linear problem; on large
+/// meshes first on patches of parallel faces (docs/decisions/017), so that time grows with |F|.
 /// Matchings are principal.
 /// Fails with kUnsupported where the matrix cannot be factored.
 Result<FrameField> smoothField(const TriMesh& mesh, const FieldContext& context,

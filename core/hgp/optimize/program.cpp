@@ -1,6 +1,7 @@
 #include "hgp/optimize/program.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "hgp/base/check.h"
@@ -13,6 +14,12 @@ namespace {
 /// largest, at most this many.
 constexpr double kConflictShare = 0.1;
 constexpr std::size_t kConflictCount = 50;
+
+/// Proximal steps at most, the relative change that ends them, and the share of the harmonic energy
+/// below which it counts as gone.
+constexpr int kProximalSteps = 8;
+constexpr double kProximalChange = 1e-13;
+constexpr double kVanishedEnergy = 1e-6;
 
 std::vector<FaceId> conflict(const Frames& frames, const socp::Solution& solution) {
   std::vector<std::size_t> order(frames.faces.size());
@@ -29,6 +36,52 @@ std::vector<FaceId> conflict(const Frames& frames, const socp::Solution& solutio
   return faces;
 }
 
+Eigen::VectorXd reducedLinear(const ProgramForm& form, const Eigen::VectorXcd& c) {
+  const Eigen::VectorXcd reduced = form.cholesky.reduceLinear(c);
+  return Eigen::Map<const Eigen::VectorXd>(reinterpret_cast<const double*>(reduced.data()),
+                                           2 * reduced.size());
+}
+
+/// Half the gradient of ‖D L z‖² in the form's unknowns, and the energy itself.
+double harmonicGradient(const ProgramInput& in, const ProgramForm& form, const Eigen::VectorXcd& x,
+                        int pinned, Eigen::VectorXcd& gradient) {
+  Eigen::VectorXcd residual = in.harmonic.rows * form.expand(x);
+  double energy = 0.0;
+  for (Eigen::Index r = 0; r < residual.size(); ++r) {
+    const VertexId v = in.harmonic.rowVertex[static_cast<std::size_t>(r)];
+    const double weight = std::exp(-2.0 * in.options.u[v]);
+    energy += weight * std::norm(residual[r]);
+    residual[r] *= weight;
+  }
+  const Eigen::VectorXcd all = in.harmonic.rows.adjoint() * residual;
+  gradient = Eigen::VectorXcd::Zero(x.size());
+  for (int unknown = 0; unknown < in.unknowns.count; ++unknown)
+    if (unknown != pinned) gradient[form.place(unknown)] = all[unknown];
+  return energy;
+}
+
+/// The tie-break chooses among exactly harmonic maps, but also draws the map δ away from them. Each
+/// proximal step (the minimiser with the distortion term drawn to the last map instead of the frames)
+/// takes away most of that, by the same factor. Where the energy does not vanish, x stays as it is:
+/// there is no such map, and the steps would only shrink it.
+void removeTieBreak(const ProgramInput& in, const ProgramForm& form, int pinned,
+                    const socp::Problem& problem, Eigen::VectorXd root, Eigen::VectorXcd& x) {
+  Eigen::VectorXcd moved = x, gradient;
+  double first = -1.0;
+  for (int step = 0; step <= kProximalSteps; ++step) {
+    const double energy = harmonicGradient(in, form, moved, pinned, gradient);
+    if (step == 0) first = energy;
+    if (energy <= kVanishedEnergy * first) x = moved;
+    const Eigen::VectorXd change =
+        form.cholesky.solve(Eigen::VectorXd(-reducedLinear(form, gradient)));
+    root += change;
+    if (!root.allFinite() || !socp::isFulfilled(problem, root)) return;
+    const Eigen::VectorXcd all = form.cholesky.extend(change, gradient);
+    moved += all;
+    if (all.norm() <= kProximalChange * moved.norm()) return;
+  }
+}
+
 }  // namespace
 
 ProgramResult solveProgram(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,
@@ -43,12 +96,10 @@ ProgramResult solveProgram(const TriMesh& mesh, const Geometry& geometry, const 
       options.isExact ? exactForm(in, pinned) : penaltyForm(in, pinned);
   if (!form) return result;
   linalg::PartialCholesky& cholesky = form->cholesky;
-  const Eigen::VectorXcd reduced = cholesky.reduceLinear(form->c);
 
   socp::Problem problem;
   problem.form = &cholesky;
-  problem.c = Eigen::Map<const Eigen::VectorXd>(reinterpret_cast<const double*>(reduced.data()),
-                                                2 * reduced.size());
+  problem.c = reducedLinear(*form, form->c);
   FaceRows rows;
   for (std::size_t j = 0; j < frames.faces.size(); ++j) {
     faceRows(in, pinned, frames.faces[j], rows);
@@ -62,7 +113,11 @@ ProgramResult solveProgram(const TriMesh& mesh, const Geometry& geometry, const 
 
   result.status = solution.status;
   result.iterations = solution.iterations;
-  const Eigen::VectorXcd full = form->expand(cholesky.extend(solution.x, form->c));
+  Eigen::VectorXcd x = cholesky.extend(solution.x, form->c);
+  const bool isTieBroken = !options.isExact && options.quality == 0.0 && options.pulled.empty();
+  if (isTieBroken && (solution.isFree || frames.faces.empty()))
+    removeTieBreak(in, *form, pinned, problem, solution.x, x);
+  const Eigen::VectorXcd full = form->expand(x);
   const Eigen::VectorXcd z = unknowns.copies * full;
   result.z.assign(z.data(), z.data() + z.size());
   result.laplacianEnergy = (harmonic.rows * full).squaredNorm();

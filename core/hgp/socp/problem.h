@@ -42,6 +42,7 @@ struct Solution {
   std::vector<Eigen::Vector3d> y;  ///< duals; large ones name the constraints that fight
   SolveStatus status = SolveStatus::kStalled;
   int iterations = 0;
+  bool isFree = false;          ///< no constraint binds: the minimiser of the objective alone
   double primalResidual = 0.0;  ///< max |F x − s − h| relative to max |h|
   double dualResidual = 0.0;    ///< relative
   double gap = 0.0;             ///< sᵀy relative to the objective's scale

@@ -29,6 +29,16 @@ namespace {
 
 using Slacks = std::vector<Vector3>;
 
+/// F_b x
+Vector3 image(const ConeConstraint& constraint, const Eigen::VectorXd& x) {
+  Vector3 r = Vector3::Zero();
+  for (std::size_t i = 0; i < constraint.unknowns.size(); ++i) {
+    const auto column = static_cast<Eigen::Index>(2 * i);
+    r += constraint.F.middleCols<2>(column) * x.segment<2>(2 * constraint.unknowns[i]);
+  }
+  return r;
+}
+
 /// Share of the way to the cone's boundary that a step may go.
 constexpr double kStepToBoundary = 0.99;
 /// A residual within this factor of its target is reported "almost".
@@ -93,13 +103,7 @@ class InteriorPoint {
   };
 
   Vector3 apply(std::size_t b, const Eigen::VectorXd& x) const {
-    const ConeConstraint& constraint = p_.constraints[b];
-    Vector3 r = Vector3::Zero();
-    for (std::size_t i = 0; i < constraint.unknowns.size(); ++i) {
-      const auto column = static_cast<Eigen::Index>(2 * i);
-      r += constraint.F.middleCols<2>(column) * x.segment<2>(2 * constraint.unknowns[i]);
-    }
-    return r;
+    return image(p_.constraints[b], x);
   }
   /// out += factor · F_bᵀ v
   void addTransposed(std::size_t b, const Vector3& v, double factor, Eigen::VectorXd& out) const {
@@ -133,8 +137,27 @@ class InteriorPoint {
         [&](std::size_t b) -> Matrix3 { return scaling_[b].inverse * scaling_[b].inverse; });
   }
 
+  /// The minimiser without constraints, if it fulfils them all: then it is the solution.
+  bool startUnconstrained() {
+    if (count_ == 0 || !factorWith([](std::size_t) -> Matrix3 { return Matrix3::Zero(); }))
+      return false;
+    x_ = p_.form->solve(Eigen::VectorXd(-p_.c));
+    if (!x_.allFinite()) return false;
+    s_.resize(count_);
+    for (std::size_t b = 0; b < count_; ++b) {
+      s_[b] = apply(b, x_) - p_.constraints[b].h;
+      if (depth(s_[b]) < 0.0) return false;
+    }
+    y_.assign(count_, Vector3::Zero());
+    computeResiduals();
+    firstGap_ = -1.0;
+    isFree_ = measure() <= 1.0;
+    return isFree_;
+  }
+
   /// Least-squares start: minimise the objective + ½|F x − h|², then push s and y into the cone.
   bool start() {
+    if (startUnconstrained()) return true;
     Eigen::VectorXd rhs = -p_.c;
     for (std::size_t b = 0; b < count_; ++b) addTransposed(b, p_.constraints[b].h, 1.0, rhs);
     x_ = Eigen::VectorXd::Zero(p_.c.size());
@@ -246,6 +269,7 @@ class InteriorPoint {
   Solution& finish(Solution& result, SolveStatus status) {
     result.x = best_.size() ? best_ : x_;
     result.y = y_;
+    result.isFree = isFree_;
     result.primalResidual = bestResiduals_[0];
     result.dualResidual = bestResiduals_[1];
     result.gap = bestResiduals_[2];
@@ -266,12 +290,19 @@ class InteriorPoint {
   Slacks s_, y_, rs_;
   std::vector<Scaling> scaling_;
   std::vector<double> values_, history_;
+  bool isFree_ = false;
   double scaleH_ = 0.0, mu_ = 0.0, firstGap_ = -1.0;
   double primal_ = 0.0, dual_ = 0.0, gap_ = 0.0;
   double bestMeasure_ = 0.0, bestResiduals_[3] = {0.0, 0.0, 0.0};
 };
 
 }  // namespace
+
+bool isFulfilled(const Problem& problem, const Eigen::VectorXd& x) {
+  return std::all_of(
+      problem.constraints.begin(), problem.constraints.end(),
+      [&](const ConeConstraint& b) { return depth(Vector3(image(b, x) - b.h)) >= 0.0; });
+}
 
 Solution solve(const Problem& problem, const SolveOptions& options) {
   return InteriorPoint(problem, options).run();

@@ -18,8 +18,12 @@ struct SolveOptions {
   std::function<bool(int, double)> progress;
 };
 
-/// Mehrotra's predictor–corrector with Nesterov–Todd scaling. Starts anywhere; never throws on bad
+/// A minimiser that no constraint binds is returned at once, with zero iterations and zero duals.
+/// Otherwise Mehrotra's predictor–corrector with Nesterov–Todd scaling. Never throws on bad
 /// numbers: an infeasible or badly scaled program ends with its best iterate and a status.
 Solution solve(const Problem& problem, const SolveOptions& options = {});
+
+/// F_b x − h_b ∈ Q³ for all b.
+bool isFulfilled(const Problem& problem, const Eigen::VectorXd& x);
 
 }  // namespace hgp::socp

@@ -48,11 +48,9 @@ TEST(MeshTrees, NeighboursAreNeverInSeparateBranches) {
   for (const test::Shape& shape : shapes()) {
     const TriMesh mesh = shape.mesh();
     const SeparatorTree vertices = vertexTree(mesh);
-    const SeparatorTree faces = faceTree(mesh, vertices);
     const FilledSurface surface = fillBoundary(mesh, computeTopology(mesh), computeGeometry(mesh));
     const SeparatorTree nodes = nodeTree(mesh, surface, vertices);
     const std::vector<int> atVertex = nodesOf(vertices, mesh.vertexCount());
-    const std::vector<int> atFace = nodesOf(faces, mesh.faceCount());
     const std::vector<int> atNode = nodesOf(nodes, surface.nodeCount - 1);
     for (EdgeId e : mesh.edges()) {
       const HalfedgeId h = mesh.halfedge(e);
@@ -62,23 +60,7 @@ TEST(MeshTrees, NeighboursAreNeverInSeparateBranches) {
       if (m >= 0 && n >= 0) {
         ASSERT_TRUE(areRelated(nodes, atNode[m], atNode[n])) << shape.name;
       }
-      if (!mesh.isBoundary(h)) {
-        const int f = TriMesh::face(h).i, g = TriMesh::face(mesh.twin(h)).i;
-        ASSERT_TRUE(areRelated(faces, atFace[f], atFace[g])) << shape.name;
-      }
     }
-  }
-}
-
-TEST(MeshTrees, ASeparatorHoldsAboutAsManyFacesAsItHasVertices) {
-  for (const test::Shape& shape : {test::icosphere(24), test::torus(80, 60)}) {
-    const TriMesh mesh = shape.mesh();
-    const SeparatorTree vertices = vertexTree(mesh), faces = faceTree(mesh, vertices);
-    const int root = vertices.nodeCount() - 1;
-    const int vertexCount = vertices.nodeStart[root + 1] - vertices.nodeStart[root];
-    const int faceCount = faces.nodeStart[root + 1] - faces.nodeStart[root];
-    EXPECT_GT(vertexCount, 0) << shape.name;
-    EXPECT_LE(faceCount, vertexCount + 10) << shape.name;
   }
 }
 

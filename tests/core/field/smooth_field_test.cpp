@@ -38,6 +38,13 @@ TEST(SmoothField, HasTheSmallestConesThatASphereOrACubeNeeds) {
     EXPECT_EQ(s.spec.cones.size(), 2u * static_cast<std::size_t>(q)) << q;
     for (const ConePoint& cone : s.spec.cones) EXPECT_EQ(cone.k, q - 1);
   }
+  // Large enough to be solved on patches of triangles.
+  for (int q : {3, 4}) {
+    const Smooth s = smoothOf(test::jittered(test::icosphere(32), 0.004), q);
+    EXPECT_GT(s.mesh.faceCount(), 20000);
+    EXPECT_EQ(s.spec.cones.size(), 2u * static_cast<std::size_t>(q)) << q;
+    for (const ConePoint& cone : s.spec.cones) EXPECT_EQ(cone.k, q - 1);
+  }
   const Smooth cube = smoothOf(test::cube(4), 4);
   ASSERT_EQ(cube.spec.cones.size(), 8u);
   for (const ConePoint& cone : cube.spec.cones)

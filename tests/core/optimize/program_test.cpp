@@ -270,8 +270,23 @@ TEST(Program, SolvesASurfaceWhoseVerticesAreAllCones) {
 TEST(Program, CancelIsReported) {
   const test::SeamlessProblem p = test::sphereProblem(3, 4, {3, 3, 3, 3, 3, 3, 3, 3});
   ProgramOptions options = p.plainOptions();
+  options.progress = [](int, double) { return false; };
+  EXPECT_EQ(p.solve(p.frames(), options).status, SolveStatus::kCancelled);
+  options.margin = 0.9;  // binds: iterations are needed
   options.progress = [](int iteration, double) { return iteration < 1; };
   EXPECT_EQ(p.solve(p.frames(), options).status, SolveStatus::kCancelled);
+}
+
+TEST(Program, TheTieBreakLeavesNoTraceWhereAnExactlyHarmonicMapExists) {
+  for (const test::SeamlessProblem& p :
+       {test::sphereProblem(3, 4, {2, 2, 2, 2}), test::sphereProblem(3, 2, {1, 1, 1, 1})}) {
+    ProgramOptions options = p.weightedOptions();
+    const ProgramResult light = p.solve(p.frames(), options);
+    options.tieBreak *= 10.0;
+    const ProgramResult heavy = p.solve(p.frames(), options);
+    EXPECT_LT(light.laplacianEnergy, 1e-20) << p.surface.name;
+    EXPECT_LT(heavy.laplacianEnergy, 1e-20) << p.surface.name;
+  }
 }
 
 }  // namespace

@@ -78,9 +78,8 @@ TEST(Orbifold, OfThreeConesIsCertifiedAndEqualToTheLinearSolution) {
       // Closest similarity image of the linear solution: a combination of the kernel.
       const Eigen::VectorXcd fit = linear * linear.colPivHouseholderQr().solve(z);
       const double extent = (z.array() - z.mean()).abs().maxCoeff();
-      // As close as the tie-break of weight 1e-5 lets it be.
-      EXPECT_LT((fit - z).cwiseAbs().maxCoeff(), 1e-4 * extent);
-      EXPECT_LT(energyOf(*p), 1e-8);
+      EXPECT_LT((fit - z).cwiseAbs().maxCoeff(), 1e-11 * extent);
+      EXPECT_LT(energyOf(*p), 1e-20);
     }
   }
 }

@@ -105,10 +105,11 @@ TEST(Progress, FractionsStayBetweenZeroAndOneAndIterationsCount) {
     }
     return true;
   };
-  // Prescribed cones on a closed surface: a cone program with iterations.
+  // Cones that strain their surface: a cone program with iterations.
+  const TriMesh mesh = test::pretzel(2, 3).mesh();
   HolonomySpec spec;
-  for (int v = 0; v < 8; ++v) spec.cones.push_back({VertexId(7 * v), 3});
-  ASSERT_TRUE(parametrize(test::icosphere(3).mesh(), spec, options));
+  for (int v = 0; v < 8; ++v) spec.cones.push_back({VertexId(7 * v), 5});
+  ASSERT_TRUE(parametrize(mesh, spec, options));
   EXPECT_GT(solves, 2);
 }
 

@@ -35,13 +35,16 @@ void expectCertified(const TriMesh& mesh, const Result<Parametrization>& p,
 TEST(Parametrize, FlatTorusWithoutConesIsCertifiedAndConformalWhereItCanBe) {
   for (const test::Shape& shape : {test::torus(12, 8), test::jittered(test::torus(14, 9), 0.02)}) {
     const TriMesh mesh = shape.mesh();
+    const bool isSymmetric = shape.name == test::torus(12, 8).name;
     for (int q : {1, 4, 6}) {
       HolonomySpec spec;
       spec.q = q;
       const Result<Parametrization> p = parametrize(mesh, spec, {});
       expectCertified(mesh, p, shape.name);
       EXPECT_EQ(p->spec.handles, (std::vector<int>{0, 0}));
-      EXPECT_LT(p->rounds.back().laplacianEnergy, 1e-5);
+      // With symmetric weights an exactly harmonic map exists; otherwise the weights' left kernel is
+      // real, and an exact one would squeeze the torus into a line.
+      EXPECT_LT(p->rounds.back().laplacianEnergy, isSymmetric ? 1e-20 : 1e-5);
     }
   }
 }

@@ -66,6 +66,19 @@ TEST(ConeProgram, WithoutConstraintsIsOneLinearSolve) {
   EXPECT_NEAR(solved.x[1], 4.0, 1e-12);
 }
 
+TEST(ConeProgram, AMinimiserThatNothingBindsIsExact) {
+  const Eigen::MatrixXd disk = rows({0, 0, 1, 0, 0, 1});
+  const test::Solved inside = test::solveProgram(projection({1, 0.5}, {disk}, {{-2, 0, 0}}));
+  EXPECT_EQ(inside.solution.status, SolveStatus::kOptimal);
+  EXPECT_TRUE(inside.solution.isFree);
+  EXPECT_EQ(inside.solution.iterations, 0);
+  EXPECT_NEAR(inside.x[0], 1.0, 1e-15);
+  EXPECT_NEAR(inside.x[1], 0.5, 1e-15);
+  const test::Solved outside = test::solveProgram(projection({3, 4}, {disk}, {{-2, 0, 0}}));
+  EXPECT_FALSE(outside.solution.isFree);
+  EXPECT_GT(outside.solution.iterations, 0);
+}
+
 TEST(ConeProgram, ContradictionIsReportedInfeasible) {
   const Eigen::MatrixXd right = rows({1, 0, 0, 1, 0, 0}), left = rows({-1, 0, 0, 1, 0, 0});
   const test::Solved solved =

@@ -1,0 +1,37 @@
+// The quadratic energy whose minimiser is the smooth field, on faces or on patches of faces.  Role:
+// a field that is smooth is nearly parallel on patches, so most of it can be found there.
+#pragma once
+
+#include <vector>
+
+#include "hgp/base/turns.h"
+
+namespace hgp {
+
+/// ½ xᴴ A x − Re(bᴴ x) with the Hermitian A of Σ_e w_e |x_g − c_e x_f|², |c_e| = 1, by rows.
+struct FieldSystem {
+  std::vector<int> start{0};  ///< row i couples to other[start[i]] … other[start[i + 1] − 1]
+  std::vector<int> other;
+  std::vector<Complex> coupling;  ///< A_ij, j ≠ i
+  std::vector<double> strength;   ///< Σ w of the edges behind it
+  std::vector<double> diagonal;   ///< A_ii
+  std::vector<double> mass;       ///< area
+  std::vector<Complex> pull;      ///< b
+  int size() const { return static_cast<int>(start.size()) - 1; }
+};
+
+/// Fine unknown i is turn[i] times the unknown of its patch.
+struct Patches {
+  std::vector<int> patch;
+  std::vector<Complex> turn;
+};
+
+/// Pairs each unknown with the free neighbour it couples to most strongly and keeps the pair
+/// parallel: Galerkin's projection of the energy. `patches` says which became which. Deterministic,
+/// and the same on every platform as long as the strengths are.
+FieldSystem pairUp(const FieldSystem& fine, Patches& patches);
+
+/// Gauss–Seidel sweeps, forwards and backwards in turn.
+void smoothSweeps(const FieldSystem& system, int sweeps, std::vector<Complex>& x);
+
+}  // namespace hgp

@@ -1,0 +1,22 @@
+#include "process_memory.h"
+
+#include <cstdlib>  // also says which C library this is
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+
+#include <climits>
+#endif
+
+namespace hgp::cli {
+
+void keepFreedMemory() {
+#if defined(__GLIBC__)
+  // Everything from one heap that does not shrink. If it cannot grow, malloc falls back to mmap.
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, INT_MAX);
+  mallopt(M_TOP_PAD, 8 << 20);
+#endif
+}
+
+}  // namespace hgp::cli

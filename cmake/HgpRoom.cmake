@@ -41,7 +41,7 @@ function(hgp_room)
     add_library(${target} STATIC ${R_SOURCES})
     set(scope PUBLIC)
     hgp_compile_settings(${target})
-    if(EMSCRIPTEN AND R_NAME MATCHES "^(io|api)$")
+    if(EMSCRIPTEN AND R_NAME MATCHES "^(io|api|parametrize|cut)$")
       # Read once and cold: what a visitor downloads matters more than how fast it runs.
       target_compile_options(${target} PRIVATE -Os)
     endif()

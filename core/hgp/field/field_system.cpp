@@ -14,11 +14,15 @@ std::vector<std::array<int, 2>> matchStrongest(const FieldSystem& fine, std::vec
   members.reserve(static_cast<std::size_t>(n) * 6 / 10);
   for (int i = 0; i < n; ++i) {
     if (patch[i] >= 0) continue;
-    int best = -1;
-    for (int e = fine.start[i]; e < fine.start[i + 1]; ++e)
-      if (patch[fine.other[e]] < 0 && (best < 0 || fine.strength[e] > fine.strength[best]))
-        best = e;
-    const int mate = best < 0 ? -1 : fine.other[best];
+    int mate = -1;
+    double best = 0.0;
+    for (int e = fine.start[i]; e < fine.start[i + 1]; ++e) {
+      const int j = fine.other[e];
+      const double score = fine.strength[e] / fine.faces[j];
+      if (patch[j] >= 0 || score <= best) continue;
+      best = score;
+      mate = j;
+    }
     patch[i] = static_cast<int>(members.size());
     if (mate >= 0) patch[mate] = patch[i];
     members.push_back({i, mate});
@@ -43,6 +47,7 @@ FieldSystem pairUp(const FieldSystem& fine, Patches& patches) {
   FieldSystem coarse;
   coarse.start.reserve(n + 1);
   coarse.diagonal.assign(n, 0.0);
+  coarse.faces.assign(n, 0);
   coarse.mass.assign(n, 0.0);
   coarse.pull.assign(n, 0.0);
   std::vector<int> place(n, -1);  // where the current row holds a patch
@@ -52,6 +57,7 @@ FieldSystem pairUp(const FieldSystem& fine, Patches& patches) {
       if (i < 0) continue;
       const Complex back = std::conj(patches.turn[i]);
       coarse.diagonal[c] += fine.diagonal[i];
+      coarse.faces[c] += fine.faces[i];
       coarse.mass[c] += fine.mass[i];
       coarse.pull[c] += back * fine.pull[i];
       for (int e = fine.start[i]; e < fine.start[i + 1]; ++e) {

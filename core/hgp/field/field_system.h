@@ -15,6 +15,7 @@ struct FieldSystem {
   std::vector<Complex> coupling;  ///< A_ij, j ≠ i
   std::vector<double> strength;   ///< Σ w of the edges behind it
   std::vector<double> diagonal;   ///< A_ii
+  std::vector<int> faces;         ///< how many an unknown stands for
   std::vector<double> mass;       ///< area
   std::vector<Complex> pull;      ///< b
   int size() const { return static_cast<int>(start.size()) - 1; }
@@ -26,9 +27,10 @@ struct Patches {
   std::vector<Complex> turn;
 };
 
-/// Pairs each unknown with the free neighbour it couples to most strongly and keeps the pair
-/// parallel: Galerkin's projection of the energy. `patches` says which became which. Deterministic,
-/// and the same on every platform as long as the strengths are.
+/// Pairs each unknown with the free neighbour that it couples to most strongly for its size, and keeps
+/// the pair parallel: Galerkin's projection of the energy. (Without the size, one patch swallows its
+/// surroundings and pairs are no longer found.) `patches` says which became which. Deterministic, and
+/// the same on every platform as long as the strengths are.
 FieldSystem pairUp(const FieldSystem& fine, Patches& patches);
 
 /// Gauss–Seidel sweeps, forwards and backwards in turn.

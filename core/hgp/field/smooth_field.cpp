@@ -18,6 +18,8 @@ constexpr int kInverseIterations = 2;
 /// 2 to 10 choose equally good cones.
 constexpr int kDirectSize = 5000;
 constexpr int kSweeps = 6;
+/// Where pairing leaves more than this share (stars of many arms), it ends.
+constexpr double kLeastShrinking = 0.9;
 /// Shift relative to the mean diagonal, so that a surface with an exactly parallel field factors.
 constexpr double kShift = 1e-8;
 
@@ -53,6 +55,7 @@ FieldSystem fieldSystem(const TriMesh& mesh, const Geometry& geometry, int q,
   system.coupling.reserve(3 * n);
   system.strength.reserve(3 * n);
   system.diagonal.assign(n, 0.0);
+  system.faces.assign(n, 1);
   system.mass = geometry.area.raw();
   system.pull.assign(n, 0.0);
   double mean = 0.0;
@@ -124,7 +127,9 @@ std::vector<Complex> minimiseDirectly(const FieldSystem& system, bool isPulled) 
 std::vector<Complex> minimise(const FieldSystem& system, bool isPulled) {
   if (system.size() <= kDirectSize) return minimiseDirectly(system, isPulled);
   Patches patches;
-  const std::vector<Complex> onPatches = minimise(pairUp(system, patches), isPulled);
+  const FieldSystem coarse = pairUp(system, patches);
+  if (coarse.size() > kLeastShrinking * system.size()) return minimiseDirectly(system, isPulled);
+  const std::vector<Complex> onPatches = minimise(coarse, isPulled);
   if (onPatches.empty()) return {};
   std::vector<Complex> x(patches.turn);
   for (std::size_t i = 0; i < x.size(); ++i) x[i] *= onPatches[patches.patch[i]];

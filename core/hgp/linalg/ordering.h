@@ -44,10 +44,6 @@ SeparatorTree nestedDissection(const Graph& graph, const DissectionOptions& opti
 /// `tree` orders the first |V| vertices of `graph`. Costs O(edges × depth) at worst.
 SeparatorTree appendVertices(const SeparatorTree& tree, const Graph& graph);
 
-/// Orders the leaves anew by minimum degree in `graph`: for a tree that was made for another graph.
-/// Leaves of more than `largest` vertices stay as they are.
-void orderLeaves(const Graph& graph, SeparatorTree* tree, int largest = 1000);
-
 /// Restricts a tree to the vertices with keep[v] ≥ 0 and renames v to keep[v] (0 … count − 1).
 SeparatorTree restrictTree(const SeparatorTree& tree, const std::vector<int>& keep);
 

@@ -84,21 +84,6 @@ SeparatorTree appendVertices(const SeparatorTree& tree, const Graph& graph) {
   return appender.finish();
 }
 
-void orderLeaves(const Graph& graph, SeparatorTree* tree, int largest) {
-  HGP_CHECK(static_cast<int>(tree->order.size()) == graph.size(), "tree of %d for %d vertices",
-            static_cast<int>(tree->order.size()), graph.size());
-  LeafOrder leafOrder(graph, 1, graph.size());
-  for (int t = 0; t < tree->nodeCount(); ++t) {
-    // Postorder: a node has children exactly when the one before it is one.
-    if (t > 0 && tree->parent[t - 1] == t) continue;
-    const auto first = tree->order.begin() + tree->nodeStart[t];
-    const auto last = tree->order.begin() + tree->nodeStart[t + 1];
-    if (last - first > largest) continue;
-    const std::vector<int> ordered = leafOrder.order({first, last});
-    std::copy(ordered.begin(), ordered.end(), first);
-  }
-}
-
 SeparatorTree restrictTree(const SeparatorTree& tree, const std::vector<int>& keep) {
   HGP_CHECK(keep.size() == tree.order.size(), "%d names for %d vertices",
             static_cast<int>(keep.size()), static_cast<int>(tree.order.size()));

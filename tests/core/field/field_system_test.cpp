@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace hgp {
@@ -20,6 +21,7 @@ FieldSystem ring(int n, double turn) {
       s.diagonal.back() += s.strength.back();
     }
     s.start.push_back(static_cast<int>(s.other.size()));
+    s.faces.push_back(1);
     s.mass.push_back(1.0 + 0.1 * (i % 3));
     s.pull.push_back(std::polar(0.1, 0.7 * i));
   }
@@ -83,6 +85,43 @@ TEST(FieldSystem, PairsAreNeighboursAndParallel) {
     EXPECT_TRUE(isJoined);
   }
   EXPECT_GT(pairs, 10);
+}
+
+TEST(FieldSystem, PairingGoesOnDownToAFewPatches) {
+  // An uneven grid whose lines close: by strength alone one patch swallows its surroundings.
+  const int side = 160;
+  FieldSystem system;
+  for (int i = 0; i < side * side; ++i) {
+    const int row = i / side, column = i % side;
+    for (const int j :
+         {row * side + (column + 1) % side, row * side + (column + side - 1) % side,
+          (row + 1) % side * side + column, (row + side - 1) % side * side + column}) {
+      system.other.push_back(j);
+      const int a = std::min(i, j), b = std::max(i, j);
+      system.strength.push_back(std::exp((a * 7919 + b * 104729) % 31 / 4.0));
+      system.coupling.push_back(-system.strength.back());
+    }
+    system.start.push_back(static_cast<int>(system.other.size()));
+    system.diagonal.push_back(1e4);
+    system.mass.push_back(1.0);
+    system.pull.push_back(0.0);
+    system.faces.push_back(1);
+  }
+  int levels = 0;
+  while (system.size() > 64 && ++levels < 40) {
+    Patches patches;
+    const FieldSystem coarse = pairUp(system, patches);
+    EXPECT_LT(coarse.size(), 0.7 * system.size());
+    system = coarse;
+  }
+  EXPECT_LE(system.size(), 64);
+  int faces = 0, largest = 0;
+  for (const int n : system.faces) {
+    faces += n;
+    largest = std::max(largest, n);
+  }
+  EXPECT_EQ(faces, side * side);
+  EXPECT_LT(largest, 8 * side * side / system.size());
 }
 
 TEST(FieldSystem, SweepsLowerTheEnergyAndStopAtTheMinimiser) {

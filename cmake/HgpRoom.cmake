@@ -42,7 +42,7 @@ function(hgp_room)
     set(scope PUBLIC)
     hgp_compile_settings(${target})
     if(EMSCRIPTEN AND R_NAME MATCHES "^(io|api|parametrize|cut)$")
-      # Read once and cold: what a visitor downloads matters more than how fast it runs.
+      # Cold, or a small part of a run: what a visitor downloads matters more than how fast it runs.
       target_compile_options(${target} PRIVATE -Os)
     endif()
     if(NOT EMSCRIPTEN)  # there it would only slow every global down

@@ -30,7 +30,11 @@ Graph edgeGraph(const TriMesh& mesh) {
 
 }  // namespace
 
-SeparatorTree vertexTree(const TriMesh& mesh) { return linalg::nestedDissection(edgeGraph(mesh)); }
+SeparatorTree vertexTree(const TriMesh& mesh, int separatorWidth) {
+  linalg::DissectionOptions options;
+  options.separatorWidth = separatorWidth;
+  return linalg::nestedDissection(edgeGraph(mesh), options);
+}
 
 SeparatorTree nodeTree(const TriMesh& mesh, const FilledSurface& surface,
                        const SeparatorTree& tree) {

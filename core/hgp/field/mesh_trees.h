@@ -7,8 +7,9 @@
 
 namespace hgp {
 
-/// Vertices of the mesh, dissected along its edges; |V| entries.
-linalg::SeparatorTree vertexTree(const TriMesh& mesh);
+/// Vertices of the mesh, dissected along its edges; |V| entries. Separators of width 2 serve matrices
+/// that also couple the neighbours of a vertex with each other (LᴴL).
+linalg::SeparatorTree vertexTree(const TriMesh& mesh, int separatorWidth = 1);
 
 /// The nodes of the filled surface but node 0: entry n − 1 stands for node n.
 /// @param tree  vertexTree(mesh)

@@ -2,6 +2,7 @@
 
 import { inSteps } from './breath';
 import type { Surface } from './surface';
+import { areaVector, lengthOf } from './triangle';
 
 export interface Sample {
   triangle: number;
@@ -67,20 +68,11 @@ function sidesOf({ positions: p, triangles }: Surface, t: number): { e: Vector; 
   };
 }
 
+const vector = new Float64Array(3);
+
 function areaOf({ positions: p, triangles }: Surface, t: number): number {
-  const a = 3 * triangles[3 * t];
-  const b = 3 * triangles[3 * t + 1];
-  const c = 3 * triangles[3 * t + 2];
-  const ux = p[b] - p[a];
-  const uy = p[b + 1] - p[a + 1];
-  const uz = p[b + 2] - p[a + 2];
-  const vx = p[c] - p[a];
-  const vy = p[c + 1] - p[a + 1];
-  const vz = p[c + 2] - p[a + 2];
-  const x = uy * vz - uz * vy;
-  const y = uz * vx - ux * vz;
-  const z = ux * vy - uy * vx;
-  return Math.sqrt(x * x + y * y + z * z) / 2;
+  areaVector(p, 3 * triangles[3 * t], 3 * triangles[3 * t + 1], 3 * triangles[3 * t + 2], vector);
+  return lengthOf(vector) / 2;
 }
 
 let last: { surface: Surface; spacing: number; samples: Sample[] } | undefined;

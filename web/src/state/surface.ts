@@ -4,6 +4,7 @@
 
 import { inSteps } from './breath';
 import { edgesOf, partsOf } from './connect';
+import { areaVector, lengthOf } from './triangle';
 
 export interface SurfaceArrays {
   positions: Float64Array;
@@ -60,27 +61,18 @@ async function shapeOf({
   const valence = new Uint16Array(vertexCount);
   const angle = new Float64Array(vertexCount);
   const sums = new Float64Array(p.length);
+  const normal = new Float64Array(3);
   await inSteps(triangles.length / 3, (t) => {
     const a = 3 * triangles[3 * t];
     const b = 3 * triangles[3 * t + 1];
     const c = 3 * triangles[3 * t + 2];
-    const ux = p[b] - p[a];
-    const uy = p[b + 1] - p[a + 1];
-    const uz = p[b + 2] - p[a + 2];
-    const vx = p[c] - p[a];
-    const vy = p[c + 1] - p[a + 1];
-    const vz = p[c + 2] - p[a + 2];
-    const x = uy * vz - uz * vy;
-    const y = uz * vx - ux * vz;
-    const z = ux * vy - uy * vx;
+    areaVector(p, a, b, c, normal);
     for (let k = 0; k < 3; k++) {
       const v = triangles[3 * t + k];
-      sums[3 * v] += x;
-      sums[3 * v + 1] += y;
-      sums[3 * v + 2] += z;
+      for (let i = 0; i < 3; i++) sums[3 * v + i] += normal[i];
       valence[v] += 1;
     }
-    const area = Math.sqrt(x * x + y * y + z * z);
+    const area = lengthOf(normal);
     angle[a / 3] += cornerAngle(p, a, b, c, area);
     angle[b / 3] += cornerAngle(p, b, c, a, area);
     angle[c / 3] += cornerAngle(p, c, a, b, area);

@@ -1,0 +1,22 @@
+/** Twice the area vector of the triangle whose corners begin at a, b and c in `p`, into `out`: these
+ * loops run over every triangle and must not allocate. */
+export function areaVector(
+  p: ArrayLike<number>,
+  a: number,
+  b: number,
+  c: number,
+  out: Float64Array,
+): void {
+  const ux = p[b] - p[a];
+  const uy = p[b + 1] - p[a + 1];
+  const uz = p[b + 2] - p[a + 2];
+  const vx = p[c] - p[a];
+  const vy = p[c + 1] - p[a + 1];
+  const vz = p[c + 2] - p[a + 2];
+  out[0] = uy * vz - uz * vy;
+  out[1] = uz * vx - ux * vz;
+  out[2] = ux * vy - uy * vx;
+}
+
+export const lengthOf = (v: Float64Array): number =>
+  Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);

@@ -513,6 +513,11 @@ function zeroMerges(json) {
   delete json.accessors[4].bufferView;
 }
 
+/** A manifold whose indices are not the primitives': read or kept, it would weld otherwise each time. */
+function foreignIndices(json) {
+  json.meshes[0].extensions.EXT_mesh_manifold.manifoldPrimitive.indices = 4;
+}
+
 /** EXT_meshopt_compression: filtered normals, triangles, and a view of another mesh. */
 async function meshopt() {
   await MeshoptEncoder.ready;
@@ -737,6 +742,15 @@ export async function featureFiles() {
       name: 'EXT_mesh_manifold with merges of zeros',
       files: { 'zero-merges.glb': manifold(zeroMerges) },
       cases: maps(all),
+    },
+    {
+      name: 'EXT_mesh_manifold with indices of its own',
+      files: { 'foreign-indices.glb': manifold(foreignIndices) },
+      cases: [
+        ...maps(['vertices']),
+        // It cannot be kept true where vertices split: dropped, and the surface stays the same.
+        ...maps(['patches', 'corners'], { extra: { lostExtensions: ['EXT_mesh_manifold'] } }),
+      ],
     },
     {
       name: 'meshopt',

@@ -39,23 +39,18 @@ void GltfWriter::dropManifold(const char* why) {
 /// hold; what changes is the array below them and which entries differ from it.
 bool GltfWriter::planManifold() {
   const auto& manifold = store_.model.meshes[static_cast<std::size_t>(part_.mesh)].manifold;
-  if (!manifold || manifold->indices < 0 || part_.pools.size() != 1) return false;
+  if (!manifold || part_.pools.size() != 1) return false;
+  const auto starts = manifoldStarts(store_, part_.mesh, part_.runs);
+  if (!starts) return false;
   const GltfAccessor& whole = accessor(manifold->indices);
   std::vector<std::uint32_t> base(whole.count, UINT32_MAX);
   std::vector<std::pair<const GltfRun*, std::size_t>> places;
-  for (const GltfRun& run : part_.runs) {
-    const GltfPrimitive& source = primitive(run.primitive);
-    if (source.indices < 0 || source.mode != 4) return false;
-    const GltfAccessor& own = accessor(source.indices);
-    if (own.view != whole.view || own.componentType != whole.componentType || own.sparse ||
-        own.offset < whole.offset) {
-      return false;
-    }
-    const std::size_t start = (own.offset - whole.offset) / whole.componentSize();
-    const std::vector<std::uint32_t> indices = writtenIndices(run);
-    if (start > base.size() || indices.size() > base.size() - start) return false;
+  for (std::size_t r = 0; r < part_.runs.size(); ++r) {
+    const std::vector<std::uint32_t> indices = writtenIndices(part_.runs[r]);
+    const std::size_t start = (*starts)[r];
+    if (indices.size() > base.size() - start) return false;
     std::copy(indices.begin(), indices.end(), base.begin() + static_cast<std::ptrdiff_t>(start));
-    places.emplace_back(&run, start);
+    places.emplace_back(&part_.runs[r], start);
   }
   if (std::find(base.begin(), base.end(), UINT32_MAX) != base.end()) return false;
 

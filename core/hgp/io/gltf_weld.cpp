@@ -136,6 +136,9 @@ class GltfWelder {
          accessor.componentType != kGltfUnsignedInt)) {
       return ignoreExtension("its indices are no indices");
     }
+    if (!manifoldStarts(store_, out_.mesh, out_.runs)) {
+      return ignoreExtension("its indices are not those of the primitives");
+    }
     std::vector<int> parent(positions_.size());
     std::iota(parent.begin(), parent.end(), 0);
     const auto root = [&](int v) {
@@ -233,6 +236,33 @@ std::vector<std::array<std::uint32_t, 3>> primitiveTriangles(
     if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) out.push_back(t);
   }
   return out;
+}
+
+std::optional<std::vector<std::size_t>> manifoldStarts(const GltfStore& store, int mesh,
+                                                       const std::vector<GltfRun>& runs) {
+  const auto accessorAt = [&](int index) -> const GltfAccessor& {
+    return store.model.accessors[static_cast<std::size_t>(index)];
+  };
+  const GltfMesh& source = store.model.meshes[static_cast<std::size_t>(mesh)];
+  if (!source.manifold || source.manifold->indices < 0) return {};
+  const GltfAccessor& whole = accessorAt(source.manifold->indices);
+  std::vector<char> isCovered(whole.count, 0);
+  std::vector<std::size_t> starts;
+  for (const GltfRun& run : runs) {
+    const GltfPrimitive& primitive = source.primitives[static_cast<std::size_t>(run.primitive)];
+    if (primitive.indices < 0 || primitive.mode != 4) return {};
+    const GltfAccessor& own = accessorAt(primitive.indices);
+    if (own.view != whole.view || own.componentType != whole.componentType || own.sparse ||
+        own.offset < whole.offset) {
+      return {};
+    }
+    const std::size_t start = (own.offset - whole.offset) / whole.componentSize();
+    if (start > isCovered.size() || own.count > isCovered.size() - start) return {};
+    std::fill_n(isCovered.begin() + static_cast<std::ptrdiff_t>(start), own.count, char(1));
+    starts.push_back(start);
+  }
+  if (std::find(isCovered.begin(), isCovered.end(), char(0)) != isCovered.end()) return {};
+  return starts;
 }
 
 Result<GltfSurface> weldGltfMesh(const GltfStore& store, int mesh, const Limits& limits) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "hgp/io/document.h"
@@ -36,6 +37,11 @@ struct GltfSurface {
 /// The surface of mesh number `mesh`; without triangles it has no runs. EXT_mesh_manifold decides
 /// the weld where it is there and holds; exact position otherwise.
 Result<GltfSurface> weldGltfMesh(const GltfStore& store, int mesh, const Limits& limits);
+
+/// Where each run's indices begin in the array of EXT_mesh_manifold. Nothing unless that array is made
+/// of the primitives' own indices and nothing else: then the extension is neither read nor kept.
+std::optional<std::vector<std::size_t>> manifoldStarts(const GltfStore& store, int mesh,
+                                                       const std::vector<GltfRun>& runs);
 
 /// Triangles of a primitive as stored vertex indices 0 … n − 1; strips lose the triangles that
 /// repeat an index, lists keep everything.

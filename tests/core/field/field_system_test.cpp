@@ -98,7 +98,7 @@ TEST(FieldSystem, PairingGoesOnDownToAFewPatches) {
           (row + 1) % side * side + column, (row + side - 1) % side * side + column}) {
       system.other.push_back(j);
       const int a = std::min(i, j), b = std::max(i, j);
-      system.strength.push_back(std::exp((a * 7919 + b * 104729) % 31 / 4.0));
+      system.strength.push_back(std::exp(static_cast<int>((a * 7919LL + b * 104729LL) % 31) / 4.0));
       system.coupling.push_back(-system.strength.back());
     }
     system.start.push_back(static_cast<int>(system.other.size()));

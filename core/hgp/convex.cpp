@@ -5,6 +5,7 @@
 
 #include "hgp/parametrize.h"
 #include "hgp/seamless_setup.h"
+#include "hgp/stage_clock.h"
 
 namespace hgp {
 namespace {
@@ -80,8 +81,7 @@ Result<Parametrization> parametrizeConvex(const TriMesh& mesh, const Parametrize
             std::to_string(topology.genus) + " and " + std::to_string(topology.loops.size()) +
             " loops. Leave out --boundary convex to use cones.",
         {}};
-  if (!report(options.progress, {"solve", 0.0}))
-    return Failure{ErrorCode::kCancelled, "solve", "Cancelled.", {}};
+  if (!report(options.progress, {"solve", 0.0})) return cancelled("solve");
   const Geometry geometry = computeGeometry(mesh);
   const CutMesh cut =
       cutToDisk(mesh, PerEdge<char>(static_cast<std::size_t>(mesh.edgeCount()), 0), {});

@@ -12,8 +12,6 @@
 namespace hgp {
 namespace {
 
-Failure cancelled() { return {ErrorCode::kCancelled, "solve", "Cancelled.", {}}; }
-
 /// One program, laid out as a map and judged.
 struct Attempt {
   ProgramResult program;
@@ -119,7 +117,7 @@ static Result<Parametrization> parametrizePrepared(const TriMesh& mesh, FieldCon
     const auto roundStart = Clock::now();
     bool isCancelled = false;
     Attempt attempt = solveAndJudge(mesh, setup, *step, options, isCancelled);
-    if (isCancelled) return cancelled();
+    if (isCancelled) return cancelled("solve");
     result.rounds.push_back(describe(attempt, *step, secondsSince(roundStart)));
     plan.learn(attempt.program, attempt.certificate);
     if (!best || distanceToCertified(attempt) < distanceToCertified(*best)) {
@@ -146,7 +144,7 @@ Result<Parametrization> parametrize(const TriMesh& mesh, const HolonomySpec& spe
                                     const ParametrizeOptions& options) {
   Parametrization result;
   StageClock clock(options.progress, result.times);
-  if (!clock.begin("prepare")) return cancelled();
+  if (!clock.begin("prepare")) return cancelled("solve");
   Result<FieldContext> context = prepareFields(mesh);
   if (!context) return std::move(context).error();
   clock.end();
@@ -157,12 +155,12 @@ Result<Parametrization> parametrizeAutomatically(const TriMesh& mesh, const Sugg
                                                  const ParametrizeOptions& options) {
   Parametrization result;
   StageClock clock(options.progress, result.times);
-  if (!clock.begin("prepare")) return cancelled();
+  if (!clock.begin("prepare")) return cancelled("solve");
   FieldContext context = prepareSurface(mesh);
-  if (!clock.begin("cones")) return cancelled();
+  if (!clock.begin("cones")) return cancelled("solve");
   Result<HolonomySpec> spec = chooseCones(mesh, context, cones);
   if (!spec) return std::move(spec).error();
-  if (!clock.begin("connection")) return cancelled();
+  if (!clock.begin("connection")) return cancelled("solve");
   if (Status done = prepareConnection(mesh, context); !done) return std::move(done).error();
   if (isNearlyFlatTorus(context)) spec->cones.clear();
   clock.end();

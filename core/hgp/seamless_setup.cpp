@@ -7,18 +7,14 @@
 #include "hgp/stage_clock.h"
 
 namespace hgp {
-namespace {
-
-Failure cancelled() { return {ErrorCode::kCancelled, "prepare", "Cancelled.", {}}; }
-
-}  // namespace
+namespace {}  // namespace
 
 Result<SeamlessSetup> prepareSeamless(const TriMesh& mesh, FieldContext context,
                                       const HolonomySpec& spec, const Progress& progress,
                                       std::vector<StageTime>& times) {
   StageClock clock(progress, times);
   SeamlessSetup setup;
-  if (!clock.begin("field")) return cancelled();
+  if (!clock.begin("field")) return cancelled("prepare");
   setup.context = std::move(context);
   Result<BudgetReport> budget = checkPrescription(mesh, setup.context.topology, spec);
   if (!budget) return std::move(budget).error();
@@ -31,14 +27,14 @@ Result<SeamlessSetup> prepareSeamless(const TriMesh& mesh, FieldContext context,
   setup.context.handles.potential.resize(0, 0);
   for (const ConePoint& cone : setup.field.spec.cones) setup.cones.push_back(cone.vertex);
 
-  if (!clock.begin("cut")) return cancelled();
+  if (!clock.begin("cut")) return cancelled("prepare");
   setup.cut =
       cutToDisk(mesh, seamGraph(mesh, setup.context.geometry, setup.context.surface, setup.cones),
                 setup.cones);
   HGP_CHECK(isDisk(mesh, setup.cut), "the cut surface is a disk");
   setup.seams = seamRotations(mesh, setup.cut, setup.field.field);
 
-  if (!clock.begin("assemble")) return cancelled();
+  if (!clock.begin("assemble")) return cancelled("prepare");
   setup.unknowns = reduceUnknowns(mesh, setup.cut, setup.seams);
   setup.harmonic = harmonicSystem(mesh, setup.context.geometry, setup.cut, setup.unknowns,
                                   setup.seams.q, setup.cones);

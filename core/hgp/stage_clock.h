@@ -5,9 +5,15 @@
 #include <vector>
 
 #include "hgp/base/progress.h"
+#include "hgp/base/result.h"
 #include "hgp/parametrize.h"
 
 namespace hgp {
+
+/// What a stage returns when its caller cancelled.
+inline Failure cancelled(const char* stage) {
+  return {ErrorCode::kCancelled, stage, "Cancelled.", {}};
+}
 
 /// Closes a stage's time and reports the next one.
 class StageClock {

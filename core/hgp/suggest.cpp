@@ -3,17 +3,14 @@
 #include "hgp/field/smooth_field.h"
 #include "hgp/parametrize.h"
 #include "hgp/seamless_setup.h"
+#include "hgp/stage_clock.h"
 
 namespace hgp {
-namespace {
-
-Failure cancelled() { return {ErrorCode::kCancelled, "cones", "Cancelled.", {}}; }
-
-}  // namespace
+namespace {}  // namespace
 
 Result<HolonomySpec> chooseCones(const TriMesh& mesh, const FieldContext& context,
                                  const SuggestOptions& options) {
-  if (!report(options.progress, {"field", 0.3})) return cancelled();
+  if (!report(options.progress, {"field", 0.3})) return cancelled("cones");
   SmoothFieldOptions smooth;
   smooth.q = options.q;
   smooth.alignToCurvature = options.alignToCurvature;
@@ -30,7 +27,7 @@ Result<HolonomySpec> chooseCones(const TriMesh& mesh, const FieldContext& contex
   spec.turning.assign(raw.turning.begin(), raw.turning.end());
   if (Result<BudgetReport> budget = checkPrescription(mesh, context.topology, spec); !budget)
     return std::move(budget).error();
-  if (!report(options.progress, {"field", 0.8})) return cancelled();
+  if (!report(options.progress, {"field", 0.8})) return cancelled("cones");
   return spec;
 }
 

@@ -13,7 +13,7 @@ namespace hgp {
 namespace {
 
 const std::vector<test::CutSurface>& surfaces() {
-  static const std::vector<test::CutSurface> all = test::cutSurfaces(109);
+  static const std::vector<test::CutSurface> all = test::makeCutSurfaces(109);
   return all;
 }
 

@@ -58,7 +58,7 @@ inline std::optional<CutSurface> cutSurface(const std::string& name, const TriMe
 
 /// Small shapes of every topology with random prescriptions, among them cones with k ≡ 0 (mod q),
 /// no cones at all, and branched seams.
-inline std::vector<CutSurface> cutSurfaces(unsigned seed = 43) {
+inline std::vector<CutSurface> makeCutSurfaces(unsigned seed) {
   std::mt19937 random(seed);
   std::vector<CutSurface> surfaces;
   for (const Shape& shape : all()) {
@@ -72,6 +72,12 @@ inline std::vector<CutSurface> cutSurfaces(unsigned seed = 43) {
       if (s) surfaces.push_back(std::move(*s));
     }
   }
+  return surfaces;
+}
+
+/// Those of most tests, made once in a program.
+inline const std::vector<CutSurface>& cutSurfaces() {
+  static const std::vector<CutSurface> surfaces = makeCutSurfaces(43);
   return surfaces;
 }
 

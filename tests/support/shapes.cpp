@@ -11,8 +11,6 @@
 namespace hgp::test {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// Vertices shared by a key, so that pieces glue where keys agree.
 template <class Key>
 class Welder {

@@ -77,7 +77,8 @@ Status Session::State::solve(const std::optional<io::Prescription>& prescription
     Result<Parametrization> piece = solvePiece(p, request->pieces[p], options);
     if (!piece) return piece.error();
     isCertified = isCertified && piece->isCertified;
-    maps.push_back({std::move(piece->map), std::move(piece->copyOf), piece->spec});
+    maps.push_back(
+        {std::move(piece->map), std::move(piece->copyOf), piece->spec, piece->certificate});
     specs.push_back(toSpec(piece->spec));
     run.pieces.push_back(std::move(*piece));
   }

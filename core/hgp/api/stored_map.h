@@ -13,6 +13,7 @@ struct PieceMap {
   UvMap map;
   std::vector<VertexId> copyOf;  ///< uv → piece vertex
   CompleteSpec spec;
+  Certificate certificate;  ///< of `map`, in double precision
 };
 
 struct StoredMap {

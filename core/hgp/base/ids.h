@@ -4,6 +4,7 @@
 
 #include <compare>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,9 @@ using EdgeId = Id<struct EdgeTag>;
 using LoopId = Id<struct LoopTag>;
 /// A vertex of the cut mesh S_c: one copy of a vertex of S.
 using CutVertexId = Id<struct CutVertexTag>;
+
+/// A number that is never negative, as the standard containers want it.
+constexpr std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 /// A vector indexed by one kind of id only.
 template <class IdType, class T>

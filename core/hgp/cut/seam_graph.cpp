@@ -170,6 +170,31 @@ std::vector<EdgeId> leftoverEdges(const TriMesh& mesh, const FilledSurface& surf
   return rest;
 }
 
+/// Adds to a Steiner tree what opens the handles: a spanning tree that contains it (its edges cost
+/// nothing, everything else is reached by shortest paths from it) and the edges left over.
+void markHandles(const TriMesh& mesh, const FilledSurface& surface, const NodeGraph& graph,
+                 const PerEdge<double>& length, std::vector<int> sources, PerEdge<char>& isSeam) {
+  if (sources.empty()) sources.push_back(0);
+  for (EdgeId e : mesh.edges()) {
+    if (!isSeam[e]) continue;
+    const HalfedgeId h = mesh.halfedge(e);
+    sources.push_back(surface.node[mesh.tail(h)]);
+    sources.push_back(surface.node[mesh.head(h)]);
+  }
+  const ShortestPaths paths = shortestPaths(graph, length, sources);
+  for (int n = 0; n < surface.nodeCount; ++n)
+    if (paths.previous[static_cast<std::size_t>(n)] >= 0)
+      isSeam[paths.via[static_cast<std::size_t>(n)]] = 1;
+  for (EdgeId e : leftoverEdges(mesh, surface, length, isSeam, paths)) isSeam[e] = 1;
+}
+
+/// Of the filled surface: 2 − 2g.
+int eulerCharacteristic(const TriMesh& mesh, const FilledSurface& surface) {
+  int edges = 0;
+  for (EdgeId e : mesh.edges()) edges += !mesh.isBoundary(mesh.halfedge(e));
+  return surface.nodeCount - edges + mesh.faceCount();
+}
+
 /// Removes edges ending at a node that is no terminal and has no other seam edge.
 void trimLeaves(const TriMesh& mesh, const FilledSurface& surface, const NodeGraph& graph,
                 const std::vector<int>& terminals, PerEdge<char>& isSeam) {
@@ -210,21 +235,8 @@ PerEdge<char> seamGraph(const TriMesh& mesh, const Geometry& geometry, const Fil
   PerEdge<char> isSeam(static_cast<std::size_t>(mesh.edgeCount()), 0);
   if (terminals.size() > 1) markSteinerTree(mesh, surface, graph, length, terminals, isSeam);
 
-  // A spanning tree that contains the Steiner tree: its edges cost nothing, everything else is
-  // reached by shortest paths from it.
-  std::vector<int> sources = terminals;
-  if (sources.empty()) sources.push_back(0);
-  for (EdgeId e : mesh.edges()) {
-    if (!isSeam[e]) continue;
-    const HalfedgeId h = mesh.halfedge(e);
-    sources.push_back(surface.node[mesh.tail(h)]);
-    sources.push_back(surface.node[mesh.head(h)]);
-  }
-  const ShortestPaths paths = shortestPaths(graph, length, sources);
-  for (int n = 0; n < surface.nodeCount; ++n)
-    if (paths.previous[static_cast<std::size_t>(n)] >= 0)
-      isSeam[paths.via[static_cast<std::size_t>(n)]] = 1;
-  for (EdgeId e : leftoverEdges(mesh, surface, length, isSeam, paths)) isSeam[e] = 1;
+  if (eulerCharacteristic(mesh, surface) != 2)
+    markHandles(mesh, surface, graph, length, terminals, isSeam);
   trimLeaves(mesh, surface, graph, terminals, isSeam);
   return isSeam;
 }

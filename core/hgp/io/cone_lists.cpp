@@ -17,20 +17,20 @@ class ListReader {
     std::int64_t value = 0;
     if (!isFine()) return 0;
     if (!words_.nextInt(value) || value < INT32_MIN || value > INT32_MAX) {
-      wrong(formatText("%s must be an integer, not %s", what, quoted(words_.word()).c_str()));
+      wrong(formatText("%s must be an integer, not %s", what, inQuotes(words_.word()).c_str()));
     }
     return static_cast<int>(value);
   }
   double number(const char* what) {
     double value = 0;
     if (isFine() && !words_.nextDouble(value)) {
-      wrong(formatText("%s must be a number, not %s", what, quoted(words_.word()).c_str()));
+      wrong(formatText("%s must be a number, not %s", what, inQuotes(words_.word()).c_str()));
     }
     return value;
   }
   void keyword(const char* word) {
     if (isFine() && words_.next() != word) {
-      wrong(formatText("expected '%s', not %s", word, quoted(words_.word()).c_str()));
+      wrong(formatText("expected '%s', not %s", word, inQuotes(words_.word()).c_str()));
     }
   }
   int count(const char* what) {

@@ -6,6 +6,7 @@
 #include "hgp/base/turns.h"
 #include "hgp/io/cones.h"
 #include "hgp/io/text.h"
+#include "hgp/mesh/vectors.h"
 
 namespace hgp::io {
 namespace {
@@ -22,10 +23,8 @@ Failure fieldFailure(const WordReader& words, const std::string& message) {
 }
 
 Failure notANumber(const WordReader& words) {
-  return fieldFailure(words, "expected a number, not " + quoted(words.word()));
+  return fieldFailure(words, "expected a number, not " + inQuotes(words.word()));
 }
-
-double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// Seen from direction `from` the others must be at the angles 2πj/N, each as often as in an N-RoSy.
 bool isEvenFrom(const std::vector<Vec3>& directions, const Vec3& from, std::vector<int>& found) {
@@ -94,7 +93,7 @@ class FFieldReader {
       } else if (block.find("matchings") != std::string::npos) {
         done = readMatchings();
       } else {
-        return fieldFailure(words_, "unknown block " + quoted(block));
+        return fieldFailure(words_, "unknown block " + inQuotes(block));
       }
       if (!done) return done.error();
     }

@@ -94,7 +94,7 @@ class BufferLoader {
     const Status fits = take(pointer, declared);
     if (!fits) return fits;
     if (!resolve_) {
-      return refuse(pointer, "needs the file " + quoted(*name, 120) + ", which was not given");
+      return refuse(pointer, "needs the file " + inQuotes(*name, 120) + ", which was not given");
     }
     auto bytes = resolve_(*name);
     if (!bytes) {

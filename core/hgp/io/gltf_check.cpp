@@ -213,7 +213,7 @@ bool GltfChecker::checkAsset() {
   if (!have) return fail(asset, "'version' is missing or is not \"2.x\"");
   if ((*have)[0] != 2) {
     return fail(versionNode,
-                "glTF version " + quoted(json_.string(versionNode)) + ", only 2.x is read");
+                "glTF version " + inQuotes(json_.string(versionNode)) + ", only 2.x is read");
   }
   const int minimum = json_.find(asset, "minVersion");
   if (minimum < 0) return true;
@@ -221,7 +221,7 @@ bool GltfChecker::checkAsset() {
   if (!wanted) return fail(minimum, "must be a version such as \"2.0\"");
   if (*wanted > std::array<int, 2>{2, 0}) {
     return fail(minimum,
-                "needs a reader of glTF " + quoted(json_.string(minimum)) + ", this one reads 2.0");
+                "needs a reader of glTF " + inQuotes(json_.string(minimum)) + ", this one reads 2.0");
   }
   return true;
 }
@@ -234,7 +234,7 @@ bool GltfChecker::checkExtensionNames() {
     for (int name : json_.children(array)) {
       if (!json_.isString(name)) return fail(name, "must be a string");
       if (std::string_view(list) == "extensionsRequired" && !isKnownExtension(json_.string(name))) {
-        return fail(name, "the file requires the extension " + quoted(json_.string(name), 80) +
+        return fail(name, "the file requires the extension " + inQuotes(json_.string(name), 80) +
                               ", which this reader does not know");
       }
     }

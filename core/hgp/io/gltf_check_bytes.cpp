@@ -80,7 +80,7 @@ bool GltfChecker::checkMeshopt(int view, int extension, std::int64_t viewLength)
   const std::string filter = filterNode < 0 ? "NONE" : json_.string(filterNode);
   const bool isVertices = mode == "ATTRIBUTES";
   if (!isVertices && mode != "TRIANGLES" && mode != "INDICES") {
-    return fail(extension, "unknown mode " + quoted(mode));
+    return fail(extension, "unknown mode " + inQuotes(mode));
   }
   const bool isStrideGood =
       isVertices ? stride >= 4 && stride <= 256 && stride % 4 == 0 : stride == 2 || stride == 4;
@@ -89,7 +89,7 @@ bool GltfChecker::checkMeshopt(int view, int extension, std::int64_t viewLength)
       filter == "NONE" || (isVertices && filter == "OCTAHEDRAL" && (stride == 4 || stride == 8)) ||
       (isVertices && filter == "QUATERNION" && stride == 8) ||
       (isVertices && filter == "EXPONENTIAL");
-  if (!isFilterGood) return fail(extension, "filter " + quoted(filter) + " does not suit the data");
+  if (!isFilterGood) return fail(extension, "filter " + inQuotes(filter) + " does not suit the data");
   if (count < 1 || count > viewLength || count * stride != viewLength ||
       (mode == "TRIANGLES" && count % 3 != 0)) {
     return fail(extension, formatText("%lld × %lld bytes do not make the view's %lld",
@@ -141,7 +141,7 @@ bool GltfChecker::checkAccessor(int accessor) {
   shape.componentType = componentType < 10'000 ? static_cast<int>(componentType) : 0;
   if (shape.componentSize() == 0) return fail(accessor, "unknown componentType");
   const std::string type = json_.string(json_.find(accessor, "type"));
-  if (!gltfShape(type, shape)) return fail(accessor, "unknown type " + quoted(type));
+  if (!gltfShape(type, shape)) return fail(accessor, "unknown type " + inQuotes(type));
   const int normalized = json_.find(accessor, "normalized");
   if (normalized >= 0 && !json_.isTrue(normalized) && !json_.isKind(normalized, JsonKind::kFalse)) {
     return fail(normalized, "must be true or false");

@@ -197,7 +197,7 @@ Result<std::string> relativeName(std::string_view uri) {
   const auto refuse = [&](const char* why) {
     return Failure{ErrorCode::kMalformed,
                    "read",
-                   "the file asks for " + quoted(uri, 120) + ", which is not loaded: " + why,
+                   "the file asks for " + inQuotes(uri, 120) + ", which is not loaded: " + why,
                    {}};
   };
   const auto name = percentDecoded(uri);

@@ -13,7 +13,7 @@ namespace {
 /// Filling every set below a chosen one must stay reasonable.
 constexpr int kHighestSet = 15;
 
-Bytes asBytes(const std::vector<float>& values) {
+Bytes bytesOf(const std::vector<float>& values) {
   Bytes out(values.size() * sizeof(float));
   if (!values.empty()) std::memcpy(out.data(), values.data(), out.size());
   return out;
@@ -107,7 +107,7 @@ void GltfWriter::planUv(int pool) {
   fresh.members = {{"componentType", "5126"},
                    {"count", std::to_string(split.uv.size() / 2)},
                    {"type", "\"VEC2\""}};
-  fresh.data = asBytes(split.uv);
+  fresh.data = bytesOf(split.uv);
   fresh.target = 34962;
   for (int p : part_.pools[static_cast<std::size_t>(pool)].primitives) {
     const int attributes = json_.find(primitiveNodes_[static_cast<std::size_t>(p)], "attributes");

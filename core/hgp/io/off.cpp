@@ -23,7 +23,7 @@ class OffReader {
     failure_ = malformedLine(words_.line(), message);
     return false;
   }
-  bool failNumber() { return fail("expected a number, not " + quoted(words_.word())); }
+  bool failNumber() { return fail("expected a number, not " + inQuotes(words_.word())); }
 
   bool takeHeader() {
     std::string keyword(words_.next());

@@ -29,7 +29,7 @@ class PlyBody {
   }
   std::size_t offset() const { return offset_; }
   int line() const { return text_.line(); }
-  std::string word() const { return quoted(text_.word()); }
+  std::string word() const { return inQuotes(text_.word()); }
 
  private:
   WordReader text_;

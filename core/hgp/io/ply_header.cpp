@@ -106,7 +106,7 @@ Result<PlyHeader> readPlyHeader(std::string_view text) {
       return header;
     }
     if (!takeLine(line, header)) {
-      return malformedLine(header.lineCount, "PLY header: " + quoted(line));
+      return malformedLine(header.lineCount, "PLY header: " + inQuotes(line));
     }
   }
   return malformedByte(position, "the PLY header has no end");

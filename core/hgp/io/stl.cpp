@@ -46,7 +46,7 @@ Result<std::vector<Vec3>> readText(std::string_view text) {
       Vec3 p{};
       for (double& x : p) {
         if (!words.nextDouble(x)) {
-          return malformedLine(words.line(), "expected a number, not " + quoted(words.word()));
+          return malformedLine(words.line(), "expected a number, not " + inQuotes(words.word()));
         }
       }
       corners.push_back(p);
@@ -55,7 +55,7 @@ Result<std::vector<Vec3>> readText(std::string_view text) {
     } else if (word == "solid" || word == "endsolid" || word == "facet") {
       words.restOfLine();
     } else if (word != "outer" && word != "loop" && word != "endfacet") {
-      return malformedLine(words.line(), "unexpected word " + quoted(word));
+      return malformedLine(words.line(), "unexpected word " + inQuotes(word));
     }
   }
   if (corners.size() % 3 != 0) return malformedLine(words.line(), "the last facet is not complete");

@@ -169,7 +169,7 @@ std::int64_t lineAt(std::string_view text, std::size_t offset) {
   return 1 + std::count(text.begin(), stop, '\n');
 }
 
-std::string quoted(std::string_view text, std::size_t limit) {
+std::string inQuotes(std::string_view text, std::size_t limit) {
   std::string out = "'";
   for (char c : text.substr(0, limit)) {
     out += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;

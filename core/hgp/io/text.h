@@ -69,7 +69,7 @@ class WordReader {
 std::int64_t lineAt(std::string_view text, std::size_t offset);
 
 /// At most `limit` bytes of text from a file for a message, control bytes replaced.
-std::string quoted(std::string_view text, std::size_t limit = 40);
+std::string inQuotes(std::string_view text, std::size_t limit = 40);
 
 /// A kMalformed failure of the reading stage that names a line.
 Failure malformedLine(std::int64_t line, const std::string& message);

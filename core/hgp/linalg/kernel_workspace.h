@@ -1,12 +1,17 @@
 // Aligned scratch for the dense kernels.  Role: allocated once per factorization.
 #pragma once
 
+#include <complex>
 #include <cstdint>
 #include <memory>
 
 #include "hgp/linalg/dense_kernels.h"
 
 namespace hgp::linalg {
+
+/// Scalars as the kernels take them: complex numbers as pairs.
+inline double* raw(double* p) { return p; }
+inline double* raw(std::complex<double>* p) { return reinterpret_cast<double*>(p); }
 
 class KernelWorkspace {
  public:

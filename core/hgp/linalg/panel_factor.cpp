@@ -9,8 +9,6 @@
 namespace hgp::linalg {
 namespace {
 
-double* raw(double* p) { return p; }
-double* raw(std::complex<double>* p) { return reinterpret_cast<double*>(p); }
 
 int factorPanel(double* panel, int rows, int pivots, const double* threshold, double* work) {
   return kernels().factorPanelReal(rows, pivots, panel, rows, threshold, work);

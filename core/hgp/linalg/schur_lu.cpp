@@ -9,7 +9,8 @@ namespace hgp::linalg {
 namespace {
 
 using Complex = std::complex<double>;
-using Sparse = Eigen::SparseMatrix<Complex>;
+using SparseRows = SchurLu::SparseRows;
+using SparseColumns = Eigen::SparseMatrix<Complex>;
 
 // Kept unknowns last, the others as the tree says.
 SymbolicFactor analyzeKeptLast(const Graph& pattern, const std::vector<int>& kept,
@@ -24,8 +25,6 @@ SymbolicFactor analyzeKeptLast(const Graph& pattern, const std::vector<int>& kep
   order.insert(order.end(), kept.begin(), kept.end());
   return analyze(pattern, order, options);
 }
-
-double* raw(Complex* p) { return reinterpret_cast<double*>(p); }
 
 std::unique_ptr<double[]> allocate(std::size_t complexNumbers) {
   return std::unique_ptr<double[]>(new double[2 * complexNumbers]);  // not zeroed
@@ -51,21 +50,26 @@ struct SchurLu::State {
 
   Complex* panel(int t) const { return reinterpret_cast<Complex*>(panels.get()) + panelStart[t]; }
   void layOut();
-  FactorStatus eliminate(const Sparse& A, const Sparse& At);
+  FactorStatus eliminate(const SparseRows& A, const SparseColumns& columns);
   void addToSchur(int t, const Complex* complement);
-  void fillPanels(int t, const Sparse& A, const Sparse& At, const std::vector<int>& local,
-                  Front* front, std::vector<double>* threshold) const;
+  void fillPanels(int t, const SparseRows& A, const SparseColumns& columns,
+                  const std::vector<int>& local, Front* front,
+                  std::vector<double>* threshold) const;
 };
 
 namespace {
 
-// Adds column j of A (or of Aᴴ) to the panel's column k.
-void addColumn(const Sparse& A, int unknown, int position, const SymbolicFactor& f,
-               const std::vector<int>& local, bool conjugate, Complex* column) {
-  for (Sparse::InnerIterator it(A, unknown); it; ++it) {
-    const int p = f.position[it.row()];
-    if (p >= position) column[local[p]] += conjugate ? std::conj(it.value()) : it.value();
+// Adds a column of A, or a row of it conjugated, to a column of the panel; returns |A_jj|.
+template <class Matrix>
+double addColumn(const Matrix& A, int unknown, int position, const SymbolicFactor& f,
+                 const std::vector<int>& local, Complex* column) {
+  double diagonal = 0.0;
+  for (typename Matrix::InnerIterator it(A, unknown); it; ++it) {
+    const int p = f.position[it.index()];
+    if (p == position) diagonal = std::abs(it.value());
+    if (p >= position) column[local[p]] += Matrix::IsRowMajor ? std::conj(it.value()) : it.value();
   }
+  return diagonal;
 }
 
 // A child's complement into the front: its pivot columns to L, its pivot rows (conjugated) to U, the
@@ -120,7 +124,7 @@ void SchurLu::State::addToSchur(int t, const Complex* complement) {
 }
 
 // Pivot columns of A and of Aᴴ into the front's zeroed panels.
-void SchurLu::State::fillPanels(int t, const Sparse& A, const Sparse& At,
+void SchurLu::State::fillPanels(int t, const SparseRows& A, const SparseColumns& columns,
                                 const std::vector<int>& local, Front* front,
                                 std::vector<double>* threshold) const {
   const int s = front->s, rows = s + front->r, first = symbolic.nodeStart[t];
@@ -130,14 +134,14 @@ void SchurLu::State::fillPanels(int t, const Sparse& A, const Sparse& At,
   threshold->resize(static_cast<std::size_t>(s));
   for (int k = 0; k < s; ++k) {
     const int v = symbolic.order[first + k];
-    (*threshold)[k] = kPivotTolerance * std::abs(A.coeff(v, v));
     const std::size_t column = static_cast<std::size_t>(k) * rows;
-    addColumn(A, v, first + k, symbolic, local, false, front->L.data() + column);
-    addColumn(At, v, first + k, symbolic, local, true, front->U + column);
+    addColumn(columns, v, first + k, symbolic, local, front->L.data() + column);
+    (*threshold)[k] =
+        kPivotTolerance * addColumn(A, v, first + k, symbolic, local, front->U + column);
   }
 }
 
-FactorStatus SchurLu::State::eliminate(const Sparse& A, const Sparse& At) {
+FactorStatus SchurLu::State::eliminate(const SparseRows& A, const SparseColumns& columns) {
   const SymbolicFactor& f = symbolic;
   const KernelWorkspace work;
   std::vector<std::unique_ptr<double[]>> held(static_cast<std::size_t>(f.nodeCount()));
@@ -151,7 +155,7 @@ FactorStatus SchurLu::State::eliminate(const Sparse& A, const Sparse& At) {
     Front front{s, r, {}, panel(t), nullptr};
     for (int k = 0; k < s; ++k) local[first + k] = k;
     for (int i = 0; i < r; ++i) local[f.rowsOf(t)[i]] = s + i;
-    fillPanels(t, A, At, local, &front, &threshold);
+    fillPanels(t, A, columns, local, &front, &threshold);
     for (const int c : children[t])
       extendAdd(f.rowsOf(c), f.rowCount(c), values(c), local, true, &front);
     const int bad = kernels().factorPanelLu(rows, s, raw(front.L.data()), raw(front.U), rows,
@@ -183,23 +187,23 @@ SchurLu::~SchurLu() = default;
 SchurLu::SchurLu(SchurLu&&) noexcept = default;
 SchurLu& SchurLu::operator=(SchurLu&&) noexcept = default;
 
-FactorStatus SchurLu::build(const Sparse& A, const std::vector<int>& kept,
+FactorStatus SchurLu::build(const SparseRows& A, const std::vector<int>& kept,
                             const SeparatorTree& tree) {
   HGP_CHECK(A.rows() == A.cols() && static_cast<std::size_t>(A.rows()) == tree.order.size(),
             "matrix %d × %d, tree of %d", static_cast<int>(A.rows()), static_cast<int>(A.cols()),
             static_cast<int>(tree.order.size()));
   state_ = std::make_unique<State>();
   state_->kept = kept;
-  state_->symbolic = analyzeKeptLast(graphOf(A), kept, tree);
+  const SparseColumns columns = A;
+  state_->symbolic = analyzeKeptLast(graphOf(columns), kept, tree);
   state_->layOut();
-  const Sparse At = A.transpose();
-  const FactorStatus status = state_->eliminate(A, At);
+  const FactorStatus status = state_->eliminate(A, columns);
   if (!status) {
     state_ = std::make_unique<State>();
     return status;
   }
   for (const int v : kept)
-    for (Sparse::InnerIterator it(A, v); it; ++it) {
+    for (SparseColumns::InnerIterator it(columns, v); it; ++it) {
       const int row = state_->keptAt[state_->symbolic.position[it.row()]];
       const int column = state_->keptAt[state_->symbolic.position[v]];
       if (row >= 0) state_->schur(row, column) += it.value();

@@ -23,7 +23,7 @@ namespace hgp::linalg {
 class SchurLu {
  public:
   using Complex = std::complex<double>;
-  using Sparse = Eigen::SparseMatrix<Complex>;
+  using SparseRows = Eigen::SparseMatrix<Complex, Eigen::RowMajor>;
 
   SchurLu();
   ~SchurLu();
@@ -34,7 +34,7 @@ class SchurLu {
   /// @param kept  distinct unknowns, at any place of the tree; S is dense over them
   /// @param tree  orders the unknowns (dissect the graph of A: width 1)
   /// @return not ok with the unknown whose pivot is not above kPivotTolerance × |A_jj|
-  FactorStatus build(const Sparse& A, const std::vector<int>& kept, const SeparatorTree& tree);
+  FactorStatus build(const SparseRows& A, const std::vector<int>& kept, const SeparatorTree& tree);
 
   /// Costs and memory before doing it: complex multiply-adds (LU: twice Cholesky's) and entries.
   static FactorCost estimate(const Graph& pattern, const std::vector<int>& kept,

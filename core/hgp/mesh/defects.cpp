@@ -5,6 +5,7 @@
 #include <map>
 
 #include "hgp/base/check.h"
+#include "hgp/base/ids.h"
 #include "hgp/mesh/edge_table.h"
 
 namespace hgp {
@@ -12,8 +13,6 @@ namespace {
 
 using Triangles = std::vector<std::array<int, 3>>;
 using Places = std::map<DefectKind, std::vector<Where>>;
-
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 Where faceAt(int f) { return {Where::Kind::kFace, f}; }
 Where vertexAt(int v) { return {Where::Kind::kVertex, v}; }

@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "hgp/base/ids.h"
+
 namespace hgp {
-namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
 
 EdgeTable::EdgeTable(const std::vector<std::array<int, 3>>& triangles,
                      const std::vector<char>& isSkipped, int vertexCount) {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/mesh/vectors.h"
+
 namespace hgp {
 namespace {
 
-Vec3 subtract(const Vec3& a, const Vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 /// Written out, because libraries round std::hypot of three differently: shortest paths, and with
 /// them the cut, must not depend on the platform.
 double norm(const Vec3& a) {
@@ -15,9 +15,6 @@ double norm(const Vec3& a) {
   const double m = std::max({x, y, z});
   if (!(m > 0)) return m;
   return m * std::sqrt((x / m) * (x / m) + (y / m) * (y / m) + (z / m) * (z / m));
-}
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 /// Lays the triangle flat, in units of the mean edge length. The flat triangle of a sliver is

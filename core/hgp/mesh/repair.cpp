@@ -3,13 +3,12 @@
 #include <queue>
 
 #include "hgp/base/check.h"
+#include "hgp/base/ids.h"
 #include "hgp/mesh/edge_table.h"
 #include "hgp/mesh/repair_steps.h"
 
 namespace hgp {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Edge of every side, for tables that are walked from face to face.
 std::vector<int> edgeOfSide(const EdgeTable& table, std::size_t sideCount) {

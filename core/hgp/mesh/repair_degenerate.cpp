@@ -5,13 +5,12 @@
 #include <set>
 
 #include "hgp/base/check.h"
+#include "hgp/base/ids.h"
 #include "hgp/mesh/repair_steps.h"
 #include "hgp/mesh/surface_editor.h"
 
 namespace hgp {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 struct Counts {
   int repeated = 0, duplicate = 0, merged = 0, flipped = 0, removed = 0, nudged = 0, left = 0;

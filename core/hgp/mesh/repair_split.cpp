@@ -3,19 +3,13 @@
 #include <map>
 
 #include "hgp/base/check.h"
+#include "hgp/base/ids.h"
 #include "hgp/mesh/edge_table.h"
 #include "hgp/mesh/repair_steps.h"
+#include "hgp/mesh/vectors.h"
 
 namespace hgp {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-Vec3 subtract(const Vec3& a, const Vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 /// Direction in which the face leaves the edge, perpendicular to it and of length 1.
 Vec3 leavingDirection(const MeshData& mesh, int side, const Vec3& along) {

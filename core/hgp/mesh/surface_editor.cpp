@@ -4,12 +4,11 @@
 #include <iterator>
 #include <utility>
 
+#include "hgp/base/ids.h"
 #include "hgp/mesh/defects.h"
 
 namespace hgp {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 Vec3 normal(const MeshData& mesh, const std::array<int, 3>& t) {
   const Vec3 &a = mesh.positions[at(t[0])], &b = mesh.positions[at(t[1])],

@@ -9,8 +9,6 @@
 namespace hgp {
 namespace {
 
-using SparseC = Eigen::SparseMatrix<Complex>;
-
 class ExactForm : public ProgramForm {
  public:
   ExactForm(const ProgramInput& in, int pinned) : in_(in), pinned_(pinned) {}
@@ -57,17 +55,19 @@ class ExactForm : public ProgramForm {
     }
   }
 
-  SparseC harmonicMatrix() const {
-    std::vector<Eigen::Triplet<Complex>> entries;
-    entries.reserve(static_cast<std::size_t>(in_.harmonic.rows.nonZeros()));
+  /// The harmonic rows, each at its vertex' own unknown; the rows between are empty.
+  SparseRows harmonicMatrix() const {
+    const SparseRows& rows = in_.harmonic.rows;
+    std::vector<int> start(static_cast<std::size_t>(in_.unknowns.count) + 1, 0);
     for (std::size_t r = 0; r < in_.harmonic.rowVertex.size(); ++r) {
-      const int row = in_.unknowns.vertexUnknown[in_.harmonic.rowVertex[r]];
-      for (SparseRows::InnerIterator it(in_.harmonic.rows, static_cast<Eigen::Index>(r)); it; ++it)
-        entries.emplace_back(row, static_cast<int>(it.col()), it.value());
+      const int unknown = in_.unknowns.vertexUnknown[in_.harmonic.rowVertex[r]];
+      start[static_cast<std::size_t>(unknown) + 1] =
+          static_cast<int>(rows.outerIndexPtr()[r + 1] - rows.outerIndexPtr()[r]);
     }
-    SparseC A(in_.unknowns.count, in_.unknowns.count);
-    A.setFromTriplets(entries.begin(), entries.end());
-    return A;
+    // Unknowns ascend with their vertices, so the entries stay where they are.
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    return Eigen::Map<const SparseRows>(in_.unknowns.count, in_.unknowns.count, rows.nonZeros(),
+                                        start.data(), rows.innerIndexPtr(), rows.valuePtr());
   }
 
   /// Every unknown that is no vertex is kept, and kept ones come last anyway.

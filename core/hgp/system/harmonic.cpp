@@ -1,6 +1,14 @@
 #include "hgp/system/harmonic.h"
 
+#include "hgp/system/row_builder.h"
+
 namespace hgp {
+namespace {
+
+/// Translations cancel against themselves along a chain; only rounding is left of them.
+constexpr double kLeastWeight = 1e-14;
+
+}  // namespace
 
 HarmonicSystem harmonicSystem(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,
                               const ReducedUnknowns& unknowns, int q,
@@ -9,31 +17,33 @@ HarmonicSystem harmonicSystem(const TriMesh& mesh, const Geometry& geometry, con
   for (VertexId v : cones) isCone[v] = 1;
 
   HarmonicSystem system;
-  std::vector<Eigen::Triplet<Complex>> entries;
-  entries.reserve(7 * static_cast<std::size_t>(mesh.vertexCount()));
+  RowBuilder builder(unknowns.count, mesh.vertexCount(),
+                     7 * static_cast<std::size_t>(mesh.vertexCount()));
+  const auto addCopy = [&](HalfedgeId h, const Complex& factor) {
+    for (SparseRows::InnerIterator it(unknowns.copies, cut.copy[h].i); it; ++it)
+      builder.add(static_cast<int>(it.col()), factor * it.value());
+  };
+  std::vector<CornerWeights> weights;
   for (VertexId v : mesh.vertices()) {
     if (mesh.isIsolated(v) || mesh.isBoundary(v) || isCone[v]) continue;
-    const int row = static_cast<int>(system.rowVertex.size());
     system.rowVertex.push_back(v);
+    weights.clear();
     double total = 0.0;
     for (HalfedgeId h : outgoingHalfedges(mesh, v)) {
-      const CornerWeights w = meanValueWeights(geometry, h);
-      total += w.toHead + w.toThird;
+      weights.push_back(meanValueWeights(geometry, h));
+      total += weights.back().toHead + weights.back().toThird;
     }
+    auto w = weights.begin();
     for (HalfedgeId h : outgoingHalfedges(mesh, v)) {
-      const CornerWeights w = meanValueWeights(geometry, h);
       const Complex back = rotation(-unknowns.turn[cut.copy[h]], q) / total;
-      entries.emplace_back(row, cut.copy[h].i, back * (w.toHead + w.toThird));
-      entries.emplace_back(row, cut.copy[TriMesh::next(h)].i, -back * w.toHead);
-      entries.emplace_back(row, cut.copy[TriMesh::previous(h)].i, -back * w.toThird);
+      addCopy(h, back * (w->toHead + w->toThird));
+      addCopy(TriMesh::next(h), -back * w->toHead);
+      addCopy(TriMesh::previous(h), -back * w->toThird);
+      ++w;
     }
+    builder.endRow(kLeastWeight);
   }
-  SparseRows overCopies(static_cast<Eigen::Index>(system.rowVertex.size()), cut.vertexCount());
-  overCopies.setFromTriplets(entries.begin(), entries.end());
-  system.rows = overCopies * unknowns.copies;
-  // Translations cancel against themselves along a chain; only rounding is left of them.
-  system.rows.prune(
-      [](Eigen::Index, Eigen::Index, const Complex& value) { return std::abs(value) > 1e-14; });
+  system.rows = builder.take();
   return system;
 }
 

@@ -1,10 +1,14 @@
 #include "hgp/system/reduced_unknowns.h"
 
 #include "hgp/base/check.h"
+#include "hgp/system/row_builder.h"
 #include "hgp/system/translations.h"
 
 namespace hgp {
 namespace {
+
+/// Below it a sum of unit numbers has cancelled.
+constexpr double kLeastSum = 1e-13;
 
 /// z = e^{i2π turn/q} z_v + Σ factor · t
 struct CopyValue {
@@ -94,29 +98,25 @@ class Reducer {
         unknowns.chainUnknown[c] = unknowns.count++;
 
     unknowns.turn = PerCutVertex<int>(static_cast<std::size_t>(cut_.vertexCount()), 0);
-    std::vector<Eigen::Triplet<Complex>> entries;
-    entries.reserve(static_cast<std::size_t>(cut_.vertexCount()) * 2);
+    RowBuilder builder(unknowns.count, cut_.vertexCount(),
+                       static_cast<std::size_t>(cut_.vertexCount()));
     for (int c = 0; c < cut_.vertexCount(); ++c) {
       const VertexId v = cut_.parent[CutVertexId(c)];
       const CopyValue& value = values_[static_cast<std::size_t>(c)];
       unknowns.turn[CutVertexId(c)] = value.turn;
       const Complex R = rotation(value.turn, seams_.q);
       if (unknowns.vertexUnknown[v] >= 0) {
-        entries.emplace_back(c, unknowns.vertexUnknown[v], R);
+        builder.add(unknowns.vertexUnknown[v], R);
       } else {
         const Complex scale = R / (1.0 - rotation(closure(v).turn, seams_.q));
         for (const TranslationTerm& t : free(closure(v).shift))
-          entries.emplace_back(c, unknowns.chainUnknown[static_cast<std::size_t>(t.chain)],
-                               scale * t.factor);
+          builder.add(unknowns.chainUnknown[static_cast<std::size_t>(t.chain)], scale * t.factor);
       }
       for (const TranslationTerm& t : free(value.shift))
-        entries.emplace_back(c, unknowns.chainUnknown[static_cast<std::size_t>(t.chain)], t.factor);
+        builder.add(unknowns.chainUnknown[static_cast<std::size_t>(t.chain)], t.factor);
+      builder.endRow(kLeastSum);
     }
-    unknowns.copies.resize(cut_.vertexCount(), unknowns.count);
-    unknowns.copies.setFromTriplets(entries.begin(), entries.end());
-    unknowns.copies.prune([](Eigen::Index, Eigen::Index, const Complex& value) {
-      return std::abs(value) > 1e-13;  // sums of unit numbers that cancelled
-    });
+    unknowns.copies = builder.take();
     return unknowns;
   }
 

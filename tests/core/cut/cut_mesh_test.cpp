@@ -11,14 +11,9 @@
 namespace hgp {
 namespace {
 
-const std::vector<test::CutSurface>& surfaces() {
-  static const std::vector<test::CutSurface> all = test::cutSurfaces();
-  return all;
-}
-
 TEST(CutMesh, IsADisk) {
-  EXPECT_GT(surfaces().size(), 80u);
-  for (const test::CutSurface& s : surfaces()) {
+  EXPECT_GT(test::cutSurfaces().size(), 80u);
+  for (const test::CutSurface& s : test::cutSurfaces()) {
     EXPECT_TRUE(isDisk(s.mesh, s.cut)) << s.name;
     // And the boundary of S_c is one closed curve through every copy of the seam.
     std::map<int, int> after;
@@ -52,7 +47,7 @@ TEST(CutMesh, WithoutASeamIsNoDiskUnlessTheSurfaceIsOne) {
 
 TEST(CutMesh, InteriorSeamVertexOfDegreeDHasDCopies) {
   int branched = 0;
-  for (const test::CutSurface& s : surfaces()) {
+  for (const test::CutSurface& s : test::cutSurfaces()) {
     PerVertex<int> copies(static_cast<std::size_t>(s.mesh.vertexCount()), 0);
     for (VertexId v : s.cut.parent) ++copies[v];
     for (VertexId v : s.mesh.vertices()) {
@@ -67,7 +62,7 @@ TEST(CutMesh, InteriorSeamVertexOfDegreeDHasDCopies) {
 
 TEST(CutMesh, BoundaryVertexOfDegreeDHasDPlusOneCopies) {
   int cut = 0;
-  for (const test::CutSurface& s : surfaces()) {
+  for (const test::CutSurface& s : test::cutSurfaces()) {
     PerVertex<int> copies(static_cast<std::size_t>(s.mesh.vertexCount()), 0);
     for (VertexId v : s.cut.parent) ++copies[v];
     for (VertexId v : s.mesh.vertices()) {
@@ -80,7 +75,7 @@ TEST(CutMesh, BoundaryVertexOfDegreeDHasDPlusOneCopies) {
 }
 
 TEST(CutMesh, CornersShareACopyExactlyWithinASector) {
-  for (const test::CutSurface& s : surfaces()) {
+  for (const test::CutSurface& s : test::cutSurfaces()) {
     for (HalfedgeId h : s.mesh.halfedges()) {
       EXPECT_EQ(s.cut.parent[s.cut.copy[h]], s.mesh.tail(h));
       const HalfedgeId twin = s.mesh.twin(h);
@@ -98,7 +93,7 @@ TEST(CutMesh, CornersShareACopyExactlyWithinASector) {
 }
 
 TEST(CutMesh, CopiesFollowCounterclockwise) {
-  for (const test::CutSurface& s : surfaces()) {
+  for (const test::CutSurface& s : test::cutSurfaces()) {
     for (VertexId v : s.mesh.vertices()) {
       const int count = std::max(1, s.seamDegree(v) + (s.mesh.isBoundary(v) ? 1 : 0));
       for (HalfedgeId h : outgoingHalfedges(s.mesh, v)) {
@@ -114,7 +109,7 @@ TEST(CutMesh, CopiesFollowCounterclockwise) {
 }
 
 TEST(SeamGraph, PassesEveryConeAndEveryLoopAndEndsNowhereElse) {
-  for (const test::CutSurface& s : surfaces()) {
+  for (const test::CutSurface& s : test::cutSurfaces()) {
     for (VertexId v : s.cones) EXPECT_GT(s.seamDegree(v), 0) << s.name;
     const auto& loops = s.context.topology.loops;
     const bool isDiskAlready =
@@ -149,7 +144,7 @@ TEST(SeamGraph, IsNoLongerThanSpanningTheTerminalsOneByOne) {
 }
 
 TEST(CutMesh, ChainsCoverTheSeamOnceAndEndAtNodes) {
-  for (const test::CutSurface& s : surfaces()) {
+  for (const test::CutSurface& s : test::cutSurfaces()) {
     std::vector<int> uses(static_cast<std::size_t>(s.mesh.edgeCount()), 0);
     for (std::size_t c = 0; c < s.cut.chains.size(); ++c) {
       const auto& left = s.cut.chains[c].left;

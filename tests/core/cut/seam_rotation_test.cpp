@@ -9,13 +9,8 @@
 namespace hgp {
 namespace {
 
-const std::vector<test::CutSurface>& surfaces() {
-  static const std::vector<test::CutSurface> all = test::cutSurfaces();
-  return all;
-}
-
 TEST(SeamRotations, AreOppositeOnTheTwoSidesAndZeroOffTheSeam) {
-  for (const test::CutSurface& s : surfaces()) {
+  for (const test::CutSurface& s : test::cutSurfaces()) {
     for (HalfedgeId h : s.mesh.halfedges()) {
       const int r = s.seams.rotation[h];
       EXPECT_GE(r, 0);
@@ -29,7 +24,7 @@ TEST(SeamRotations, AreOppositeOnTheTwoSidesAndZeroOffTheSeam) {
 }
 
 TEST(SeamRotations, AroundAVertexAddUpToMinusKAndAroundALoopToL) {
-  for (const test::CutSurface& s : surfaces()) {
+  for (const test::CutSurface& s : test::cutSurfaces()) {
     const auto counterclockwise = [&](VertexId v) {
       long long sum = 0;
       for (HalfedgeId h : outgoingHalfedges(s.mesh, v))
@@ -52,7 +47,7 @@ TEST(SeamRotations, AroundAVertexAddUpToMinusKAndAroundALoopToL) {
 }
 
 TEST(SeamRotations, AlongEveryGeneratorAddUpToThePrescribedHolonomy) {
-  for (const test::CutSurface& s : surfaces()) {
+  for (const test::CutSurface& s : test::cutSurfaces()) {
     for (std::size_t i = 0; i < s.context.handles.loops.size(); ++i) {
       long long sum = 0;
       for (HalfedgeId h : s.context.handles.loops[i].crossed) sum += s.seams.rotation[h];
@@ -62,14 +57,14 @@ TEST(SeamRotations, AlongEveryGeneratorAddUpToThePrescribedHolonomy) {
 }
 
 TEST(SeamRotations, AreConstantAlongAChain) {
-  for (const test::CutSurface& s : surfaces())
+  for (const test::CutSurface& s : test::cutSurfaces())
     for (const SeamChain& chain : s.cut.chains)
       for (HalfedgeId h : chain.left)
         EXPECT_EQ(s.seams.rotation[h], s.seams.rotation[chain.left[0]]) << s.name;
 }
 
 TEST(SeamRotations, FramesAreTheFieldAndContinueAcrossTheSeamTurnedByR) {
-  for (const test::CutSurface& s : surfaces()) {
+  for (const test::CutSurface& s : test::cutSurfaces()) {
     const int q = s.seams.q;
     for (FaceId f : s.mesh.faces()) {  // one of the q directions of the field
       const double steps = (s.seams.frameAngle[f] - s.field.field.angle[f]) * q / (2 * kPi);

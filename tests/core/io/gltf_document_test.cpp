@@ -6,8 +6,10 @@
 #include "hgp/io/gltf_file.h"
 #include "io_support.h"
 
-namespace hgp::io::test {
+namespace hgp::io {
 namespace {
+
+using namespace test;
 
 /// A square of two triangles as a .gltf with its data inside; `replace` edits the text.
 std::string squareText(
@@ -47,12 +49,6 @@ DocumentPtr opened(const std::string& text) {
   return document ? std::move(*document) : nullptr;
 }
 
-std::string written(const Document& document, const UvMap& map, const WriteOptions& options) {
-  auto result = document.write(0, document.asStored(0, map), options);
-  EXPECT_TRUE(result.hasValue()) << (result ? "" : result.error().message);
-  return result ? textOf(result->files[0].bytes) : "";
-}
-
 /// `after` without what follows in `parts`, which must be there in this order.
 void expectOnlyInserted(const std::string& before, const std::string& after) {
   // Every byte of the old text is still there, in order.
@@ -69,7 +65,7 @@ TEST(GltfDocument, MapWithoutSeamsOnlyAddsText) {
   ASSERT_TRUE(document);
   const MeshData& mesh = document->surfaces()[0].mesh;
   EXPECT_EQ(mesh.positions.size(), 4u);
-  const std::string out = written(*document, vertexMap(mesh), {});
+  const std::string out = written(*document, vertexMap(mesh));
   expectOnlyInserted(text, out);
   EXPECT_NE(out.find("\"POSITION\" : 0, \"TEXCOORD_0\":2 }"), std::string::npos) << out;
   EXPECT_NE(out.find("[ 0.0, 0, 0e0 ]"), std::string::npos);
@@ -222,4 +218,4 @@ TEST(GltfDocument, CaveIsReadWhole) {
 }
 
 }  // namespace
-}  // namespace hgp::io::test
+}  // namespace hgp::io

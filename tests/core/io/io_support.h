@@ -10,7 +10,9 @@
 
 #include "hgp/io/document.h"
 
-namespace hgp::io::test {
+namespace hgp::test {
+
+using namespace io;
 
 inline Bytes bytesOf(const std::string& text) { return Bytes(text.begin(), text.end()); }
 inline std::string textOf(const Bytes& bytes) { return std::string(bytes.begin(), bytes.end()); }
@@ -61,4 +63,12 @@ inline UvMap vertexMap(const MeshData& mesh) {
   return map;
 }
 
-}  // namespace hgp::io::test
+/// The text of what a document writes for a map.
+inline std::string written(const Document& document, const UvMap& map,
+                           const WriteOptions& options = {}) {
+  Result<Written> out = document.write(0, document.asStored(0, map), options);
+  EXPECT_TRUE(out.hasValue()) << (out ? "" : out.error().message);
+  return out ? textOf(out->files[0].bytes) : "";
+}
+
+}  // namespace hgp::test

@@ -30,12 +30,6 @@ const char kMixed[] =
     "weird stuff 1 2 3\n"
     "f 1// 5 4";
 
-std::string written(const Document& document, const UvMap& map, const WriteOptions& options = {}) {
-  Result<Written> out = document.write(0, document.asStored(0, map), options);
-  EXPECT_TRUE(out.hasValue());
-  return out ? textOf(out->files[0].bytes) : "";
-}
-
 void expectSameMap(const UvMap& a, const UvMap& b) {
   ASSERT_EQ(a.cornerUv.size(), b.cornerUv.size());
   for (std::size_t t = 0; t < a.cornerUv.size(); ++t) {
@@ -61,7 +55,7 @@ TEST(Obj, WritingTouchesNothingButFacesAndTextureCoordinates) {
   Result<DocumentPtr> document = openText("a.obj", kMixed);
   ASSERT_TRUE(document.hasValue());
   const UvMap map = vertexMap((*document)->surfaces()[0].mesh);
-  const std::string text = written(**document, map);
+  const std::string text = test::written(**document, map);
   const auto keptLines = [](const std::string& source) {
     std::vector<std::string> lines;
     std::istringstream in(source);
@@ -82,14 +76,14 @@ TEST(Obj, ReadOfWriteIsTheSameMapBitForBit) {
   Result<DocumentPtr> document = openText("a.obj", kMixed);
   ASSERT_TRUE(document.hasValue());
   const UvMap stored = (*document)->asStored(0, vertexMap((*document)->surfaces()[0].mesh));
-  const std::string text = written(**document, stored);
+  const std::string text = test::written(**document, stored);
   Result<DocumentPtr> again = openText("b.obj", text);
   ASSERT_TRUE(again.hasValue()) << again.error().message;
   const std::optional<UvMap> back = (*again)->existingUv(0, 0);
   ASSERT_TRUE(back.has_value());
   expectSameMap(*back, stored);
   EXPECT_EQ((*again)->surfaces()[0].mesh.triangles, (*document)->surfaces()[0].mesh.triangles);
-  EXPECT_EQ(written(**again, *back), text) << "writing twice changes nothing more";
+  EXPECT_EQ(test::written(**again, *back), text) << "writing twice changes nothing more";
 }
 
 TEST(Obj, TrianglesKeepEveryCornersOwnUv) {
@@ -97,7 +91,7 @@ TEST(Obj, TrianglesKeepEveryCornersOwnUv) {
       openText("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n");
   ASSERT_TRUE(document.hasValue());
   const UvMap map = cornerMap((*document)->surfaces()[0].mesh);
-  Result<DocumentPtr> again = openText("t.obj", written(**document, map));
+  Result<DocumentPtr> again = openText("t.obj", test::written(**document, map));
   ASSERT_TRUE(again.hasValue());
   expectSameMap(*(*again)->existingUv(0, 0), map);
 }
@@ -125,7 +119,7 @@ TEST(Obj, ASeamOnADiagonalMovesToThePolygonsSides) {
     }
   }
   EXPECT_LE(stored.uv.size(), 4u + 6u);
-  Result<DocumentPtr> again = openText("q.obj", written(**document, map));
+  Result<DocumentPtr> again = openText("q.obj", test::written(**document, map));
   ASSERT_TRUE(again.hasValue());
   expectSameMap(*(*again)->existingUv(0, 0), stored);
 }
@@ -155,14 +149,14 @@ TEST(Obj, EmbeddedConesComeBackAndAreReplaced) {
   WriteOptions options;
   options.cones = R"({"format":"hgp-cones","version":1,"q":6,"cones":[{"vertex":2,"k":5}]})";
   const UvMap map = vertexMap((*document)->surfaces()[0].mesh);
-  const std::string text = written(**document, map, options);
+  const std::string text = test::written(**document, map, options);
   Result<DocumentPtr> again = openText("b.obj", text);
   ASSERT_TRUE(again.hasValue());
   Result<std::optional<Prescription>> cones = (*again)->embeddedCones(0);
   ASSERT_TRUE(cones.hasValue() && cones->has_value());
   EXPECT_EQ((*cones)->q, 6);
   EXPECT_EQ((*cones)->cones[0].k, 5);
-  EXPECT_EQ(written(**again, map, options), text);
+  EXPECT_EQ(test::written(**again, map, options), text);
 }
 
 struct Hostile {

@@ -84,8 +84,8 @@ TEST(ReadInt, RefusesOverflow) {
 }
 
 TEST(Quoted, HidesControlBytesAndLength) {
-  EXPECT_EQ(quoted("a\x1b[31m"), "'a?[31m'");
-  EXPECT_EQ(quoted(std::string(100, 'x'), 3), "'xxx…'");
+  EXPECT_EQ(inQuotes("a\x1b[31m"), "'a?[31m'");
+  EXPECT_EQ(inQuotes(std::string(100, 'x'), 3), "'xxx…'");
 }
 
 }  // namespace

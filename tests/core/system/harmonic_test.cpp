@@ -25,8 +25,8 @@ System systemOf(const test::CutSurface& s) {
 }
 
 const std::vector<System>& systems() {
-  static const std::vector<test::CutSurface> surfaces = test::cutSurfaces();
-  static const std::vector<System> all = [] {
+  const std::vector<test::CutSurface>& surfaces = test::cutSurfaces();
+  static const std::vector<System> all = [&] {
     std::vector<System> list;
     for (const test::CutSurface& s : surfaces) list.push_back(systemOf(s));
     return list;

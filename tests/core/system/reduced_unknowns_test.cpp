@@ -15,8 +15,8 @@ struct Reduced {
 };
 
 const std::vector<Reduced>& reducedSurfaces() {
-  static const std::vector<test::CutSurface> surfaces = test::cutSurfaces();
-  static const std::vector<Reduced> all = [] {
+  const std::vector<test::CutSurface>& surfaces = test::cutSurfaces();
+  static const std::vector<Reduced> all = [&] {
     std::vector<Reduced> list;
     for (const test::CutSurface& s : surfaces)
       list.push_back({&s, reduceUnknowns(s.mesh, s.cut, s.seams)});

@@ -1,0 +1,16 @@
+// Vectors of space as far as the rooms need them.  Role: written once, rounded the same everywhere.
+#pragma once
+
+#include "hgp/mesh/mesh_data.h"
+
+namespace hgp {
+
+inline Vec3 subtract(const Vec3& a, const Vec3& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+inline double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+}  // namespace hgp

@@ -220,8 +220,8 @@ bool GltfChecker::checkAsset() {
   const auto wanted = version(json_.string(minimum));
   if (!wanted) return fail(minimum, "must be a version such as \"2.0\"");
   if (*wanted > std::array<int, 2>{2, 0}) {
-    return fail(minimum,
-                "needs a reader of glTF " + inQuotes(json_.string(minimum)) + ", this one reads 2.0");
+    return fail(minimum, "needs a reader of glTF " + inQuotes(json_.string(minimum)) +
+                             ", this one reads 2.0");
   }
   return true;
 }

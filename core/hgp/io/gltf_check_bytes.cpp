@@ -89,7 +89,8 @@ bool GltfChecker::checkMeshopt(int view, int extension, std::int64_t viewLength)
       filter == "NONE" || (isVertices && filter == "OCTAHEDRAL" && (stride == 4 || stride == 8)) ||
       (isVertices && filter == "QUATERNION" && stride == 8) ||
       (isVertices && filter == "EXPONENTIAL");
-  if (!isFilterGood) return fail(extension, "filter " + inQuotes(filter) + " does not suit the data");
+  if (!isFilterGood)
+    return fail(extension, "filter " + inQuotes(filter) + " does not suit the data");
   if (count < 1 || count > viewLength || count * stride != viewLength ||
       (mode == "TRIANGLES" && count % 3 != 0)) {
     return fail(extension, formatText("%lld × %lld bytes do not make the view's %lld",

@@ -9,7 +9,6 @@
 namespace hgp::linalg {
 namespace {
 
-
 int factorPanel(double* panel, int rows, int pivots, const double* threshold, double* work) {
   return kernels().factorPanelReal(rows, pivots, panel, rows, threshold, work);
 }

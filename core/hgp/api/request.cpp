@@ -216,6 +216,7 @@ class Resolver {
         part.matchings.push_back(m);
       }
       if (Status done = readPieceField(p, part); !done) return done.error();
+      out_.pieces[p].field = std::move(part);
     }
     return Done{};
   }

@@ -41,9 +41,10 @@ Status directionAngles(const TriMesh& mesh, const std::vector<Vec3>& directions,
     if (!isDirection) without.push_back({Where::Kind::kFace, f.i});
   }
   if (without.empty()) return Done{};
-  Failure failure = malformed("The field has no direction on " + std::to_string(without.size()) +
-                              " triangles: a direction must be finite and have a part in the "
-                              "triangle's plane.");
+  Failure failure = malformed(
+      formatText("The field has no direction on %zu triangles: a direction must be finite and have "
+                 "a part in the triangle's plane.",
+                 without.size()));
   failure.where = std::move(without);
   return failure;
 }

@@ -84,6 +84,8 @@ Status Session::State::solve(const std::optional<io::Prescription>& prescription
   run.options = options;
   run.isAutomatic = !prescription && options.boundary == BoundaryKind::kFree;
   run.notes = request->notes;
+  if (options.frames == FrameSource::kFile)
+    run.notes.push_back("the frames are the directions of the field");
   std::vector<PieceMap> maps;
   std::vector<HolonomySpec> specs;
   bool isCertified = true;

@@ -23,8 +23,9 @@ Status compareCones(const TriMesh& mesh, const CompleteSpec& has, const Holonomy
     if (k[v] != want[v]) where.push_back({Where::Kind::kVertex, v.i});
   if (where.empty()) return Done{};
   const VertexId v(static_cast<int>(where[0].id));
-  const std::string text = formatText(
-      "they turn to k = %d where k = %d is asked (%zu such vertices)", k[v], want[v], where.size());
+  const std::string text =
+      formatText("they turn to k = %d where k = %d is asked (vertices that differ: %zu)", k[v],
+                 want[v], where.size());
   return contradiction(text, std::move(where));
 }
 

@@ -42,9 +42,9 @@ Status directionAngles(const TriMesh& mesh, const std::vector<Vec3>& directions,
   }
   if (without.empty()) return Done{};
   Failure failure = malformed(
-      formatText("The field has no direction on %zu triangles: a direction must be finite and have "
-                 "a part in the triangle's plane.",
-                 without.size()));
+      formatText("The field has triangles without a direction (%zu of %d): a direction must be "
+                 "finite and have a part in its triangle's plane.",
+                 without.size(), mesh.faceCount()));
   failure.where = std::move(without);
   return failure;
 }

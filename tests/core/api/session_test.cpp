@@ -220,6 +220,7 @@ TEST(Session, FramesOfAFieldAreTakenForEveryComponent) {
   ASSERT_TRUE(done.hasValue()) << done.error().message;
   EXPECT_TRUE(session.isCertified());
   EXPECT_TRUE(contains(session.reportJson(), "\"frames\": \"file\""));
+  EXPECT_TRUE(contains(session.reportJson(), "the frames are the directions of the field"));
   options.frames = FrameSource::kAuto;
   ASSERT_TRUE(session.parametrize(field, options).hasValue());
   EXPECT_TRUE(contains(session.reportJson(), "\"frames\": \"auto\""));

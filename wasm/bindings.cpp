@@ -75,7 +75,7 @@ class Session {
 
   val parametrize(const std::string& cones, const val& options, const val& onProgress) {
     return guarded([&] {
-      const MaybePrescription asked = toPrescription(cones);
+      const MaybePrescription asked = toPrescription(cones, options);
       if (!asked) return failed(asked.error());
       const Status done = session_.parametrize(*asked, toSolveOptions(options, onProgress));
       return done ? result() : failed(done.error());
@@ -84,7 +84,7 @@ class Session {
 
   val verify(const std::string& cones, const val& options) const {
     return guarded([&] {
-      const MaybePrescription asked = toPrescription(cones);
+      const MaybePrescription asked = toPrescription(cones, options);
       if (!asked) return failed(asked.error());
       return replyVerdict(session_.verify(*asked, toVerifyOptions(options)));
     });

@@ -54,6 +54,8 @@ inline api::SolveOptions toSolveOptions(const val& options, const val& onProgres
   if (boundary == "convex") o.boundary = api::BoundaryKind::kConvex;
   o.maxRounds = option(options, "maxRounds", o.maxRounds);
   o.useQuality = option(options, "quality", o.useQuality);
+  const auto frames = option(options, "frames", std::string("auto"));
+  if (frames == "file") o.frames = api::FrameSource::kFile;
   const auto scale = option(options, "scale", std::string("solved"));
   if (scale == "unit") o.scale = api::Scale::kUnit;
   if (scale == "fit") o.scale = api::Scale::kFit;
@@ -80,12 +82,23 @@ inline api::WriteOptions toWriteOptions(const val& options) {
 
 using MaybePrescription = Result<std::optional<io::Prescription>>;
 
-/// The text of a cone file, or "" for none.
-inline MaybePrescription toPrescription(const std::string& cones) {
-  if (cones.empty()) return MaybePrescription(std::nullopt);
-  auto read = api::readPrescription("cones.json", cones, 0);
-  if (!read) return MaybePrescription(read.error());
-  return MaybePrescription(std::move(*read));
+/// The text of a cone file, or "" for none, with the field file options.field = {name, text}.
+inline MaybePrescription toPrescription(const std::string& cones, const val& options) {
+  std::optional<io::Prescription> asked;
+  if (!cones.empty()) {
+    auto read = api::readPrescription("cones.json", cones, 0);
+    if (!read) return MaybePrescription(read.error());
+    asked = std::move(*read);
+  }
+  const val file = option(options, "field", val::undefined());
+  if (!file.isUndefined()) {
+    auto field = api::readPrescription(file["name"].as<std::string>(),
+                                       file["text"].as<std::string>(), option(file, "q", 0));
+    if (field && asked) field = api::withField(std::move(*asked), std::move(*field));
+    if (!field) return MaybePrescription(field.error());
+    asked = std::move(*field);
+  }
+  return MaybePrescription(std::move(asked));
 }
 
 }  // namespace hgp::js

@@ -70,6 +70,8 @@ HarmonicSystem plainHarmonicSystem(const TriMesh& mesh, const Geometry& geometry
 
 Result<Parametrization> parametrizeConvex(const TriMesh& mesh, const ParametrizeOptions& options) {
   const auto start = std::chrono::steady_clock::now();
+  if (options.frames)
+    return Failure{ErrorCode::kUsage, "field", "A convex boundary takes no given frames.", {}};
   const Topology topology = computeTopology(mesh);
   if (topology.componentCount != 1 || topology.genus != 0 || topology.loops.size() != 1)
     return Failure{

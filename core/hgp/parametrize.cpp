@@ -65,7 +65,7 @@ long long distanceToCertified(const Attempt& attempt) {
          static_cast<long long>(c.angles.wrong.size());
 }
 
-void explain(const SeamlessSetup& setup, Parametrization& result) {
+void explain(const SeamlessSetup& setup, bool hasGivenFrames, Parametrization& result) {
   const double range = setup.field.scaleRange;
   if (range > kHopelessScaleRange)
     result.notes.push_back("These cones stretch the surface by e^" +
@@ -84,6 +84,10 @@ void explain(const SeamlessSetup& setup, Parametrization& result) {
     result.notes.push_back(
         "No map turns all frames as asked: " + std::to_string(result.conflict.size()) +
         " constrained triangles work against each other (see conflict).");
+  if (!result.isCertified && hasGivenFrames)
+    result.notes.push_back(
+        "The frames were those of the given field, as asked. Automatic frames have the same cones, "
+        "turning and handles but turn evenly, and may be certified where these are not.");
 }
 
 using Clock = std::chrono::steady_clock;
@@ -99,7 +103,7 @@ static Result<Parametrization> parametrizePrepared(const TriMesh& mesh, FieldCon
                                                    const ParametrizeOptions& options,
                                                    bool isAutomatic, Parametrization result) {
   Result<SeamlessSetup> prepared =
-      prepareSeamless(mesh, std::move(context), spec, options.progress, result.times);
+      prepareSeamless(mesh, std::move(context), spec, options, result.times);
   if (!prepared) return std::move(prepared).error();
   const SeamlessSetup& setup = *prepared;
   result.spec = setup.field.spec;
@@ -136,7 +140,7 @@ static Result<Parametrization> parametrizePrepared(const TriMesh& mesh, FieldCon
   result.isUsable = result.certificate.isUsable;
   result.isHarmonic = bestIsHarmonic;
   if (!result.isCertified) result.conflict = best->program.conflict;
-  explain(setup, result);
+  explain(setup, options.frames.has_value(), result);
   return result;
 }
 
@@ -153,6 +157,11 @@ Result<Parametrization> parametrize(const TriMesh& mesh, const HolonomySpec& spe
 
 Result<Parametrization> parametrizeAutomatically(const TriMesh& mesh, const SuggestOptions& cones,
                                                  const ParametrizeOptions& options) {
+  if (options.frames)
+    return Failure{ErrorCode::kUsage,
+                   "field",
+                   "Given frames come with cones of their own; here the cones are chosen.",
+                   {}};
   Parametrization result;
   StageClock clock(options.progress, result.times);
   if (!clock.begin("prepare")) return cancelled("solve");

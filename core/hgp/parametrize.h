@@ -2,6 +2,7 @@
 // [BCW17]; the only loop over "try, judge, repair".
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,11 @@ namespace hgp {
 struct ParametrizeOptions {
   int maxRounds = 12;       ///< cone programs at most
   bool useQuality = false;  ///< add the distortion term: lower μ, no longer harmonic
-  Progress progress;        ///< return false to cancel
+  /// Directions (and matchings, where stored) to take as the frames d_j of (13) and as seam
+  /// rotations, instead of our own smooth connection with the same holonomy. They must realise the
+  /// prescription exactly, and decide what it leaves open.
+  std::optional<FieldData> frames;
+  Progress progress;  ///< return false to cancel
 };
 
 /// One pass of "solve, judge, repair".
@@ -53,13 +58,14 @@ struct Parametrization {
 };
 
 /// Solves and judges one connected surface. A map that is not certified is a successful return with
-/// isCertified = false; failures are prescriptions that cannot be, limits and cancellation.
+/// isCertified = false; failures are prescriptions that cannot be, given frames that contradict the
+/// prescription (kPrescription) or are none (kUsage, kMalformed), limits and cancellation.
 /// @pre mesh has one component
 Result<Parametrization> parametrize(const TriMesh& mesh, const HolonomySpec& spec,
                                     const ParametrizeOptions& options);
 
 /// Tutte/Floater: a disk onto a convex polygon (regular, vertices by arc length) with mean-value
-/// weights. Fails with kUnsupported when the surface is not a disk.
+/// weights. Fails with kUnsupported when the surface is not a disk, with kUsage for given frames.
 Result<Parametrization> parametrizeConvex(const TriMesh& mesh, const ParametrizeOptions& options);
 
 /// Cones, turning and handles of a smooth field of order q ("automatic cones").
@@ -71,7 +77,8 @@ struct SuggestOptions {
 };
 Result<CompleteSpec> suggestCones(const TriMesh& mesh, const SuggestOptions& options);
 
-/// suggestCones and parametrize in one run that shares all preparation.
+/// suggestCones and parametrize in one run that shares all preparation. Given frames are refused
+/// (kUsage): they come with cones of their own.
 Result<Parametrization> parametrizeAutomatically(const TriMesh& mesh, const SuggestOptions& cones,
                                                  const ParametrizeOptions& options);
 

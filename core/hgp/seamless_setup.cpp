@@ -4,24 +4,50 @@
 #include <cmath>
 
 #include "hgp/base/check.h"
+#include "hgp/field/given_frames.h"
 #include "hgp/stage_clock.h"
 
 namespace hgp {
-namespace {}  // namespace
+namespace {
+
+/// Checks the prescription, completes it and finds its field: ours, or the given one.
+Status setUpField(const TriMesh& mesh, const HolonomySpec& spec,
+                  const std::optional<FieldData>& frames, SeamlessSetup& setup) {
+  Result<BudgetReport> budget = checkPrescription(mesh, setup.context.topology, spec);
+  if (!budget) return std::move(budget).error();
+  HolonomySpec asked = spec;
+  std::optional<ReadField> given;
+  if (frames) {
+    Result<ReadField> read = givenFrames(mesh, setup.context, *frames, spec);
+    if (!read) return std::move(read).error();
+    given = std::move(*read);
+    asked = toSpec(given->spec);
+    budget = checkPrescription(mesh, setup.context.topology, asked);
+    if (!budget) return std::move(budget).error();
+  }
+  setup.warnings = budget->warnings;
+  Result<PrescribedField> field = prescribedField(mesh, setup.context, asked);
+  if (!field) return std::move(field).error();
+  setup.field = std::move(*field);
+  if (!given) return Done{};
+  HGP_CHECK(setup.field.spec.turning == given->spec.turning &&
+                setup.field.spec.handles == given->spec.handles,
+            "given frames have the holonomy of the connection that weighs them");
+  setup.field.field = std::move(given->field);
+  return Done{};
+}
+
+}  // namespace
 
 Result<SeamlessSetup> prepareSeamless(const TriMesh& mesh, FieldContext context,
-                                      const HolonomySpec& spec, const Progress& progress,
+                                      const HolonomySpec& spec, const ParametrizeOptions& options,
                                       std::vector<StageTime>& times) {
-  StageClock clock(progress, times);
+  StageClock clock(options.progress, times);
   SeamlessSetup setup;
   if (!clock.begin("field")) return cancelled("prepare");
   setup.context = std::move(context);
-  Result<BudgetReport> budget = checkPrescription(mesh, setup.context.topology, spec);
-  if (!budget) return std::move(budget).error();
-  setup.warnings = budget->warnings;
-  Result<PrescribedField> field = prescribedField(mesh, setup.context, spec);
-  if (!field) return std::move(field).error();
-  setup.field = std::move(*field);
+  if (Status done = setUpField(mesh, spec, options.frames, setup); !done)
+    return std::move(done).error();
   // The next factorizations need the room of the last ones.
   setup.context.laplacian = {};
   setup.context.handles.potential.resize(0, 0);

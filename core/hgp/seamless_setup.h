@@ -24,8 +24,9 @@ struct SeamlessSetup {
 
 /// Checks the prescription, completes it, and sets up the system. Appends the stages' times.
 /// @param context  prepareFields(mesh)
+/// @param options  its frames, whose field is then used (the cone metric stays our own); progress
 Result<SeamlessSetup> prepareSeamless(const TriMesh& mesh, FieldContext context,
-                                      const HolonomySpec& spec, const Progress& progress,
+                                      const HolonomySpec& spec, const ParametrizeOptions& options,
                                       std::vector<StageTime>& times);
 
 /// The map as uv per copy: scaled to the surface's area, its box centred at the origin.

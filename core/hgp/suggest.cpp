@@ -6,8 +6,6 @@
 #include "hgp/stage_clock.h"
 
 namespace hgp {
-namespace {}  // namespace
-
 Result<HolonomySpec> chooseCones(const TriMesh& mesh, const FieldContext& context,
                                  const SuggestOptions& options) {
   if (!report(options.progress, {"field", 0.3})) return cancelled("cones");

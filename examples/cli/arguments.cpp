@@ -212,6 +212,9 @@ class Parser {
         ->check(atLeast(0));
     sub->add_flag("--align", out_.solve.alignToCurvature,
                   "Automatic cones: follow principal curvatures");
+    sub->add_option("--frames", frames_,
+                    "auto: a smooth field of our own; file: the directions of --field")
+        ->check(CLI::IsMember({"auto", "file"}));
     sub->add_option("--rounds", out_.solve.maxRounds, "Rounds of solve, judge, repair (default 12)")
         ->check(CLI::Range(1, 1000));
     sub->add_flag("--quality", out_.solve.useQuality, "Less distortion, no longer harmonic");
@@ -259,6 +262,7 @@ class Parser {
     for (const std::string& t : turning_) out_.turning.push_back(takePair(t, "--turning"));
     for (const std::string& h : handle_) out_.handle.push_back(takePair(h, "--handle"));
     if (boundary_ == "convex") out_.solve.boundary = api::BoundaryKind::kConvex;
+    if (frames_ == "file") out_.solve.frames = api::FrameSource::kFile;
     if (scale_ == "unit") out_.solve.scale = api::Scale::kUnit;
     if (scale_ == "fit") out_.solve.scale = api::Scale::kFit;
     if (out_.q) out_.solve.q = out_.verify.q = *out_.q;
@@ -274,6 +278,8 @@ class Parser {
     if (isAsked && out_.solve.boundary == api::BoundaryKind::kConvex) {
       refuse("--boundary convex takes no cones, turning, handles or field");
     }
+    if (out_.solve.frames == api::FrameSource::kFile && out_.field.empty())
+      refuse("--frames file needs --field");
     if (out_.json == "-" && out_.output == "-")
       refuse("--json - and -o - cannot share standard output");
     if (out_.input == "-" && out_.format.empty()) refuse("standard input needs --format");
@@ -324,7 +330,7 @@ class Parser {
   CLI::App app_;
   Arguments out_;
   std::vector<std::pair<CLI::App*, Command>> commands_;
-  std::string weld_, fix_ = "none", boundary_, scale_, uvSet_;
+  std::string weld_, fix_ = "none", boundary_, frames_, scale_, uvSet_;
   std::vector<std::string> cone_, turning_, handle_;
 };
 

@@ -153,13 +153,8 @@ class Run {
     if (!a_.cones.empty()) {
       Result<io::Prescription> cones = readFileOf(a_.cones);
       if (!cones) return cones.error();
-      if (asked && asked->q != cones->q) {
-        return Failure{ErrorCode::kUsage,
-                       "prescription",
-                       formatText("the field has q = %d, the cones q = %d", asked->q, cones->q),
-                       {}};
-      }
-      if (asked) cones->field = std::move(asked->field);
+      if (asked) cones = api::withField(std::move(*cones), std::move(*asked));
+      if (!cones) return cones.error();
       asked = std::move(*cones);
     }
     const bool isTyped = !a_.cone.empty() || !a_.turning.empty() || !a_.handle.empty();

@@ -399,6 +399,98 @@ test(
   },
 );
 
+/** A flat square of n × n squares. */
+function square(n) {
+  const lines = [];
+  for (let j = 0; j <= n; j++) for (let i = 0; i <= n; i++) lines.push(`v ${i} ${j} 0`);
+  for (let j = 0; j < n; j++) {
+    for (let i = 0; i < n; i++) {
+      const a = j * (n + 1) + i + 1;
+      lines.push(`f ${a} ${a + 1} ${a + n + 2}`, `f ${a} ${a + n + 2} ${a + n + 1}`);
+    }
+  }
+  return `${lines.join('\n')}\n`;
+}
+
+/** The same cross on every triangle of the plane, its arm at `angle`. */
+const crosses = (count, angle) =>
+  `4 ${count}\n${Array(count)
+    .fill([0, 1, 2, 3].map((a) => angle + (a * Math.PI) / 2))
+    .map((arms) => arms.map((a) => `${Math.cos(a)} ${Math.sin(a)} 0`).join(' '))
+    .join('\n')}\n`;
+
+test('frames of a field file decide how the map is turned', () => {
+  put('square.obj', square(6));
+  const turned = (angle, frames) => {
+    put('turned.rawfield', crosses(72, angle));
+    const args = ['--field', 'turned.rawfield', '--frames', frames, '-o', 'turned.obj'];
+    const { code, out, err } = run([
+      'param',
+      'square.obj',
+      ...args,
+      '--json',
+      '-',
+      '--scale',
+      'unit',
+    ]);
+    assert.equal(code, 0, err);
+    const report = isValid('hgp-report', out);
+    assert.equal(report.options.frames, frames);
+    const uv = read('turned.obj').match(/^vt .*$/gm).map((line) => line.split(' ').slice(1).map(Number)); // prettier-ignore
+    const at = new Map(
+      [...read('turned.obj').matchAll(/(\d+)\/(\d+)/g)].map(([, v, vt]) => [Number(v), uv[vt - 1]]),
+    );
+    const [a, b] = [at.get(1), at.get(7)]; // the lower edge, along x
+    return Math.atan2(b[1] - a[1], b[0] - a[0]);
+  };
+  for (const angle of [0, 0.3, -0.6]) {
+    assert.ok(Math.abs(turned(angle, 'file') + angle) < 1e-6, `${angle}`);
+  }
+  assert.equal(turned(0, 'auto'), turned(0.3, 'auto'));
+});
+
+test('frames that a file does not have, or that contradict the cones, are refused', () => {
+  put('square.obj', square(6));
+  put('turned.rawfield', crosses(72, 0.3));
+  put('matched.cones', 'q 4\ncones 0\nmatchings 1\n0 1 0 8 4\n');
+  const param = (...args) => run(['param', 'square.obj', ...args, '-o', 'never.obj']);
+  const file = ['--frames', 'file'];
+  for (const [args, code, text] of [
+    [file, 2, /--frames file needs --field/],
+    [['--frames', 'yes', '--field', 'turned.rawfield'], 2, /--frames/],
+    [[...file, '--field', 'matched.cones'], 2, /no directions/],
+    [[...file, '--field', 'turned.rawfield', '--cone', '16:3'], 5, /k = 3|cones/],
+    [[...file, '--field', 'turned.rawfield', '--turning', '0:3'], 5, /l = 4 where l = 3|Lemma 6.2/],
+  ]) {
+    const { code: found, err } = param(...args);
+    assert.equal(found, code, `${args.join(' ')}: ${err}`);
+    assert.match(err, text);
+  }
+  put('short.rawfield', crosses(71, 0.3));
+  const short = param(...file, '--field', 'short.rawfield');
+  assert.equal(short.code, 5);
+  assert.match(short.err, /71 faces, the mesh 72/);
+});
+
+test(
+  'the fields of the shared meshes are certified with their own frames',
+  { skip: !existsSync(shared) && 'no data folder' },
+  () => {
+    for (const [mesh, field] of [
+      ['eight.off', 'eight.rawfield.gz'],
+      ['torus.obj', 'torus-hex.rawfield'],
+      ['train-station.off', 'train-station-5.rawfield'],
+      ['vase.off', 'vase-7.rawfield'],
+    ]) {
+      const [model, crossed] = [mesh, field].map((name) => path.join(shared, 'Directional', name));
+      const asked = ['--field', crossed];
+      const solved = run(['param', model, ...asked, '--frames', 'file', '-o', 'framed.obj']);
+      assert.equal(solved.code, 0, `${field}: ${solved.err}`);
+      assert.equal(run(['verify', 'framed.obj', ...asked]).code, 0, field);
+    }
+  },
+);
+
 test('an interrupted run leaves nothing behind and ends with 130', async () => {
   put('large.obj', sphere(150));
   const before = readdirSync(folder).sort();

@@ -62,6 +62,45 @@ TEST(ConeFiles, HexTorusWithoutConesIsCertified) {
   expectSolvedAsAsked("Directional/torus.obj", "cones/Directional__torus-hex.cones", 6);
 }
 
+/// Directions alone, as the file has them, both for the holonomy and as frames.
+void expectCertifiedWithOwnFrames(const std::string& meshName, const std::string& fieldName) {
+  SCOPED_TRACE(fieldName);
+  if (!test::hasFile(fieldName) || !test::hasFile(meshName))
+    GTEST_SKIP() << "SKIPPED: " << test::corpusFolder() << "/" << fieldName << " is not there";
+  const TriMesh mesh = test::meshOfFile(meshName);
+  const auto file = io::readRawField(test::textOf(fieldName));
+  ASSERT_TRUE(file) << file.error().message;
+  const Result<CompleteSpec> spec = readHolonomy(mesh, *file->field);
+  ASSERT_TRUE(spec) << spec.error().message;
+  ParametrizeOptions options;
+  options.frames = file->field;
+  const Result<Parametrization> p = parametrize(mesh, toSpec(*spec), options);
+  ASSERT_TRUE(p) << p.error().message;
+  EXPECT_TRUE(p->isCertified);
+  EXPECT_EQ(p->rounds.size(), 1U);
+  EXPECT_EQ(p->spec.handles, spec->handles);
+  EXPECT_LT(p->certificate.distortion.meanMu, 0.2);
+}
+
+TEST(FieldFiles, TrainStationOfOrderFiveIsCertifiedWithItsOwnFrames) {
+  expectCertifiedWithOwnFrames("Directional/train-station.off",
+                               "Directional/train-station-5.rawfield");
+}
+
+TEST(FieldFiles, VaseOfOrderSevenIsCertifiedWithItsOwnFrames) {
+  expectCertifiedWithOwnFrames("Directional/vase.off", "Directional/vase-7.rawfield");
+}
+
+TEST(FieldFiles, HexTorusIsCertifiedWithItsOwnFrames) {
+  expectCertifiedWithOwnFrames("Directional/torus.obj", "Directional/torus-hex.rawfield");
+}
+
+#ifndef __EMSCRIPTEN__  // the field is packed
+TEST(FieldFiles, EightIsCertifiedWithItsOwnFrames) {
+  expectCertifiedWithOwnFrames("Directional/eight.off", "Directional/eight.rawfield.gz");
+}
+#endif
+
 TEST(ConeFiles, TorusWithAThreeAndAFiveIsRefusedWithTheReason) {
   const std::string name = "cones/Directional__torus_twosings.cones";
   if (!test::hasFile(name))

@@ -37,6 +37,16 @@ export function cubeMesh(n = 8) {
   return { vertices, triangles };
 }
 
+/** A cross field along the edges of cubeMesh: one direction per triangle, as .rosy has it. */
+export function cubeCrosses({ vertices, triangles }) {
+  const rows = triangles.map((t) => {
+    const middle = [0, 1, 2].map((i) => t.reduce((sum, v) => sum + vertices[v][i], 0));
+    const axis = middle.map(Math.abs).indexOf(Math.max(...middle.map(Math.abs)));
+    return [0, 1, 2].map((i) => (i === (axis + 1) % 3 ? 1 : 0)).join(' ');
+  });
+  return `${triangles.length}\n4\n${rows.join('\n')}\n`;
+}
+
 export const toObj = ({ vertices, triangles }) =>
   [
     ...vertices.map((p) => `v ${p.join(' ')}`),

@@ -8,7 +8,7 @@ import test from 'node:test';
 import { problems } from '../cli/schema.mjs';
 import { blocks, ring } from '../support/blocks.mjs';
 import { bumpyDisk } from '../support/disk.mjs';
-import { cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
+import { cubeCrosses, cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
 import { built, bytesOf, createClient, createCore, HgpError, withClient } from './support.mjs';
 
 const bytes = bytesOf;
@@ -100,6 +100,62 @@ test('load, inspect, parametrize, write, verify', () =>
     const written = await client.write();
     await client.load(written.bytes, { name: written.name });
     assert.equal((await client.verify()).certified, true);
+  }));
+
+test('a field brings its cones, and on request its directions as frames', () =>
+  withClient(async (client) => {
+    const mesh = cubeMesh(4);
+    const field = { name: 'cube.rosy', text: cubeCrosses(mesh) };
+    await client.load(bytes(toObj(mesh)), { name: 'cube.obj' });
+    for (const frames of ['auto', 'file']) {
+      const { certificate, cones, report } = await client.parametrize({ field, frames });
+      assert.equal(certificate.certified, true, frames);
+      assert.equal(report.options.frames, frames);
+      isValid('hgp-report', report);
+      assert.deepEqual(
+        cones.cones.map(({ k }) => k),
+        Array(8).fill(3),
+      );
+    }
+    const { bytes: mapped, name } = await client.write();
+    await client.load(mapped, { name });
+    assert.equal((await client.verify({ field })).certified, true);
+    // A flat square whose crosses all stand at 0.3: the map turns them onto its axes.
+    const square = {
+      positions: new Float64Array([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0]),
+      triangles: new Uint32Array([0, 1, 2, 0, 2, 3]),
+    };
+    const arms = `${Math.cos(0.3)} ${Math.sin(0.3)} 0\n`;
+    const turned = { name: 'square.rosy', text: `2\n4\n${arms}${arms}` };
+    const { uv, uvToVertex } = await client.parametrizeMesh({
+      ...square,
+      field: turned,
+      frames: 'file',
+    });
+    const at = (v) => uv.subarray(2 * uvToVertex.indexOf(v), 2 * uvToVertex.indexOf(v) + 2);
+    const angle = Math.atan2(at(1)[1] - at(0)[1], at(1)[0] - at(0)[0]);
+    assert.ok(Math.abs(angle + 0.3) < 1e-6, `${angle}`);
+  }));
+
+test('frames that are not there, or contradict the cones, are refused', () =>
+  withClient(async (client) => {
+    const mesh = cubeMesh(2);
+    await client.load(bytes(toObj(mesh)), { name: 'cube.obj' });
+    const field = { name: 'cube.rosy', text: cubeCrosses(mesh) };
+    const nowhere = { q: 4, cones: [8, 9].map((vertex) => ({ vertex, k: 3 })) };
+    const bare = { name: 'bare.cones', text: 'q 4\ncones 0\nmatchings 0\n' };
+    for (const [options, code, text] of [
+      [{ field, frames: 'yes' }, 'usage', /'auto' or 'file', not yes/],
+      [{ frames: 'file' }, 'usage', /needs the field/],
+      [{ field: { name: 'cube.rosy' }, frames: 'file' }, 'usage', /text of a field file/],
+      [{ field: bare, frames: 'file' }, 'prescription', /./],
+      [{ field, frames: 'file', cones: nowhere }, 'prescription', /k = 4 where the list of cones says 3/],
+    ]) {
+      const failure = await client.parametrize(options).catch((error) => error);
+      assert.ok(failure instanceof HgpError);
+      assert.equal(failure.code, code, failure.message);
+      assert.match(failure.message, text);
+    }
   }));
 
 test('the surface is there before any solve, and cone files of other programs are read on it', () =>

@@ -8,7 +8,7 @@ import { Logger, NodeIO } from '@gltf-transform/core';
 import { unzipSync } from 'fflate';
 import pngjs from 'pngjs';
 import validator from 'gltf-validator';
-import { cubeMesh, toGlb, toGltf, toObj } from '../support/meshes.mjs';
+import { cubeCrosses, cubeMesh, toGlb, toGltf, toObj } from '../support/meshes.mjs';
 import {
   certificate,
   coneCount,
@@ -22,11 +22,12 @@ import {
   settled,
   share,
   shots,
+  state,
   statusText,
   useBrowser,
 } from './support.mjs';
 
-const it = useBrowser();
+const it = useBrowser({ permissions: ['clipboard-read', 'clipboard-write'] });
 
 async function validate() {
   const { page } = it;
@@ -151,23 +152,33 @@ test('the grid in a glTF of several files, and in the GLB of an OBJ', async () =
 
 test('a cross field of another program brings its cones', async () => {
   const { page } = it;
-  const { vertices, triangles } = cubeMesh(4);
-  await openMesh(it, { vertices, triangles });
-  // Along the edges of the cube: one direction per triangle, as .rosy has it.
-  const rows = triangles.map((t) => {
-    const middle = [0, 1, 2].map((i) => t.reduce((sum, v) => sum + vertices[v][i], 0));
-    const axis = middle.map(Math.abs).indexOf(Math.max(...middle.map(Math.abs)));
-    return [0, 1, 2].map((i) => (i === (axis + 1) % 3 ? 1 : 0)).join(' ');
-  });
-  await drop(it, { 'cube.rosy': `${triangles.length}\n4\n${rows.join('\n')}\n` });
+  const mesh = cubeMesh(4);
+  await openMesh(it, mesh);
+  await drop(it, { 'cube.rosy': cubeCrosses(mesh) });
   await page.waitForSelector('#cones');
   assert.match(await statusText(page), /8 cones imported from cube\.rosy/);
   assert.equal(await coneCount(it), 8);
   for (let i = 0; i < 8; i++) assert.equal(await kOf(it, i), '3');
   await run(it);
-  // The same by the button in the panel.
-  await page.click('#clear-cones');
+  // And its directions as frames, on request: another run, which belongs to that choice.
   await page.click('#panel-solve summary');
+  await page.selectOption('#frames', 'file');
+  await state(page, 'stale');
+  await run(it);
+  await page.selectOption('#frames', 'auto');
+  await state(page, 'certified');
+  await page.selectOption('#frames', 'file');
+  await page.click('#copy-command');
+  await page.waitForFunction(() => /Copied/.test(document.querySelector('#status')?.textContent));
+  const command = await page.evaluate(() => navigator.clipboard.readText());
+  assert.match(command, /--field cube\.rosy --frames file/);
+  // Without the field's cones: refused, with a way out.
+  await page.click('#clear-cones');
+  await page.click('#run');
+  await page.waitForSelector('#status.error');
+  assert.match(await statusText(page), /field has a cone of k = 3/);
+  assert.ok(await page.getByRole('button', { name: 'Run with automatic frames' }).isVisible());
+  // The same by the button in the panel.
   const [chooser] = await Promise.all([
     page.waitForEvent('filechooser'),
     page.click('#field-file'),

@@ -139,7 +139,7 @@ export interface Surface {
   };
 }
 
-/** hgp-cones JSON, OBJ with `c` and `sm` lines, .sing, curvatures, Th_hat. */
+/** hgp-cones JSON, OBJ with `c` and `sm` lines, .sing, curvatures, Th_hat, .rawfield, .rosy, .ffield. */
 export interface ConeFile {
   name: string;
   text: string;
@@ -157,6 +157,14 @@ export interface SuggestOptions {
 export interface SolveOptions extends SuggestOptions {
   /** Without cones, they are chosen. */
   cones?: Cones;
+  /** A direction field (.rawfield, .rosy, .ffield): it decides what `cones` leave open, and must have them. */
+  field?: ConeFile;
+  /**
+   * `auto`: a smooth field of our own with the asked cones, turning and handles. `file`: the directions
+   * of `field`, which must have them exactly; anything else rejects with `prescription` or, where there
+   * is no field with directions, with `usage`.
+   */
+  frames?: 'auto' | 'file';
   /** `convex`: a disk without cones onto a convex polygon. */
   boundary?: 'free' | 'convex';
   maxRounds?: number;
@@ -167,6 +175,8 @@ export interface SolveOptions extends SuggestOptions {
 
 export interface VerifyOptions {
   cones?: Cones;
+  /** As in SolveOptions. */
+  field?: ConeFile;
   q?: number;
   uvSet?: number;
   tolerance?: number;

@@ -50,6 +50,19 @@ function gltfJson(bytes) {
   return starts('{', first) ? bytes : undefined;
 }
 
+/** `field` and `frames` as the session takes them. */
+function fieldOptions({ field, frames = 'auto' }) {
+  const refuse = (message) => {
+    throw new HgpError({ code: 'usage', message });
+  };
+  if (frames !== 'auto' && frames !== 'file') refuse(`frames is 'auto' or 'file', not ${frames}`);
+  if (frames === 'file' && !field) refuse("frames: 'file' needs the field it comes from (field)");
+  if (!field) return {};
+  const { name = '', text, q = 0 } = field;
+  if (typeof text !== 'string') refuse('field needs the text of a field file: { name, text }');
+  return { field: { name, text, q }, frames };
+}
+
 export async function createCore(options = {}) {
   const wasmModule = await compile(options);
   const module = await createModule({
@@ -153,8 +166,9 @@ export class Core {
     return this.#json(this.#live.check(JSON.stringify(cones)));
   }
 
-  parametrize({ cones, ...options } = {}) {
+  parametrize({ cones, field, frames, ...rest } = {}) {
     const text = cones ? JSON.stringify(cones) : '';
+    const options = { ...rest, ...fieldOptions({ field, frames }) };
     const reply = this.#reply(this.#live.parametrize(text, options, this.#progress()));
     const seams = [];
     for (let i = 0; i < reply.seams.length; i += 5) {
@@ -166,7 +180,8 @@ export class Core {
     return { ...reply, seams, report, certificate, cones: solved, memory: this.memory };
   }
 
-  verify({ cones, ...options } = {}) {
+  verify({ cones, field, ...rest } = {}) {
+    const options = { ...rest, ...fieldOptions({ field }) };
     return this.#json(this.#live.verify(cones ? JSON.stringify(cones) : '', options));
   }
 

@@ -18,6 +18,10 @@ struct LoadOptions {
 };
 
 enum class BoundaryKind { kFree, kConvex };
+enum class FrameSource {
+  kAuto,  ///< our own smooth connection with the prescribed holonomy
+  kFile,  ///< the directions of the field that came with the prescription
+};
 enum class Scale {
   kSolved,  ///< as solved
   kUnit,    ///< mean uv edge length 1
@@ -31,6 +35,7 @@ struct SolveOptions {
   BoundaryKind boundary = BoundaryKind::kFree;
   int maxRounds = 12;
   bool useQuality = false;
+  FrameSource frames = FrameSource::kAuto;
   Scale scale = Scale::kSolved;
   Progress progress;
 };

@@ -9,6 +9,7 @@ Json optionsJson(const SolveOptions& o, bool isAutomatic) {
   Json json{{"rounds", o.maxRounds}, {"quality", o.useQuality}};
   json["boundary"] = o.boundary == BoundaryKind::kConvex ? "convex" : "free";
   json["scale"] = o.scale == Scale::kUnit ? "unit" : o.scale == Scale::kFit ? "fit" : "solved";
+  json["frames"] = o.frames == FrameSource::kFile ? "file" : "auto";
   json["automaticCones"] = isAutomatic;
   if (isAutomatic) {
     json["q"] = o.q;

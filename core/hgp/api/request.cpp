@@ -216,6 +216,7 @@ class Resolver {
         part.matchings.push_back(m);
       }
       if (Status done = readPieceField(p, part); !done) return done.error();
+      out_.pieces[p].field = std::move(part);
     }
     return Done{};
   }
@@ -235,8 +236,7 @@ class Resolver {
         if (k[c.vertex] != c.k) {
           return toSurfaceIds(
               model_, piece,
-              refusal(formatText("the stored matchings give k = %d where the list of "
-                                 "cones says %d",
+              refusal(formatText("the field gives k = %d where the list of cones says %d",
                                  k[c.vertex], c.k),
                       {{Where::Kind::kVertex, c.vertex.i}}));
         }
@@ -246,9 +246,7 @@ class Resolver {
         if (k[v] == found.q) continue;
         return toSurfaceIds(
             model_, piece,
-            refusal(formatText("the stored matchings have a cone of k = %d that the "
-                               "list of cones lacks",
-                               k[v]),
+            refusal(formatText("the field has a cone of k = %d that the list of cones lacks", k[v]),
                     {{Where::Kind::kVertex, v.i}}));
       }
     }

@@ -9,7 +9,8 @@ namespace hgp::api {
 
 struct PieceRequest {
   HolonomySpec spec;
-  bool isAutomatic = false;  ///< nothing was asked of this piece: choose its cones
+  bool isAutomatic = false;        ///< nothing was asked of this piece: choose its cones
+  std::optional<FieldData> field;  ///< its part of the field that was read, in its own ids
 };
 
 struct Request {

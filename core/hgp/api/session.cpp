@@ -251,6 +251,17 @@ Result<io::Prescription> readPrescription(std::string_view name, std::string_vie
   return guarded([&] { return io::readPrescription(name, text, q); });
 }
 
+Result<io::Prescription> withField(io::Prescription cones, io::Prescription field) {
+  if (field.q != cones.q) {
+    return Failure{ErrorCode::kUsage,
+                   "prescription",
+                   formatText("the field has q = %d, the cones q = %d", field.q, cones.q),
+                   {}};
+  }
+  cones.field = std::move(field.field);
+  return cones;
+}
+
 const char* version() { return HGP_VERSION; }
 
 }  // namespace hgp::api

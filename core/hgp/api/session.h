@@ -89,6 +89,9 @@ class Session {
 /// io::readPrescription behind the rim: cones and fields of every known kind.
 Result<io::Prescription> readPrescription(std::string_view name, std::string_view text, int q);
 
+/// `cones` with the field of `field`, which decides what they leave open. kUsage where q differs.
+Result<io::Prescription> withField(io::Prescription cones, io::Prescription field);
+
 /// hgp-error: {"code", "stage", "message", "where"}.
 std::string errorJson(const Failure& failure);
 

@@ -16,6 +16,13 @@ SuggestOptions suggestOptions(int q, const SolveOptions& options) {
   return suggest;
 }
 
+Failure noField() {
+  return {ErrorCode::kUsage,
+          "field",
+          "Frames from a file need a field file (.rawfield, .rosy or .ffield).",
+          {}};
+}
+
 }  // namespace
 
 Result<CompleteSpec> Session::State::completeAutomatically(const Piece& piece,
@@ -32,6 +39,10 @@ Result<Parametrization> Session::State::solvePiece(std::size_t p, const PieceReq
   core.maxRounds = options.maxRounds;
   core.useQuality = options.useQuality;
   core.progress = options.progress;
+  if (options.frames == FrameSource::kFile) {
+    core.frames = request.field;
+    if (!core.frames) return noField();
+  }
   if (options.boundary == BoundaryKind::kConvex) {
     Result<Parametrization> run = parametrizeConvex(piece.mesh, core);
     return run ? std::move(run) : toSurfaceIds(*model, piece, run.error());
@@ -66,10 +77,15 @@ Status Session::State::solve(const std::optional<io::Prescription>& prescription
   Result<Request> request = prescription ? resolve(*model, *prescription)
                                          : Result<Request>(automaticRequest(*model, options.q));
   if (!request) return request.error();
+  if (options.frames == FrameSource::kAuto) {
+    for (PieceRequest& piece : request->pieces) piece.field.reset();
+  }
   RunRecord run;
   run.options = options;
   run.isAutomatic = !prescription && options.boundary == BoundaryKind::kFree;
   run.notes = request->notes;
+  if (options.frames == FrameSource::kFile)
+    run.notes.push_back("the frames are the directions of the field");
   std::vector<PieceMap> maps;
   std::vector<HolonomySpec> specs;
   bool isCertified = true;

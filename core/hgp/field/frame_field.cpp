@@ -60,4 +60,15 @@ int inducedTurning(const TriMesh& mesh, const Geometry& geometry, const FrameFie
   return static_cast<int>(std::lround(sum * field.q / (2.0 * kPi)));
 }
 
+double squaredTurn(const TriMesh& mesh, const Geometry& geometry, const FrameField& field) {
+  double sum = 0.0;
+  for (EdgeId e : mesh.edges()) {
+    const HalfedgeId h = mesh.halfedge(e);
+    if (mesh.isBoundary(h)) continue;
+    const double turn = adjustment(mesh, geometry, field, h);
+    sum += turn * turn;
+  }
+  return sum;
+}
+
 }  // namespace hgp

@@ -32,4 +32,8 @@ int inducedAngleIndex(const TriMesh& mesh, const Geometry& geometry, const Frame
 int inducedTurning(const TriMesh& mesh, const Geometry& geometry, const FrameField& field,
                    const BoundaryLoop& loop);
 
+/// How far the field is from transport: Σ over interior edges of the squared adjustment, each in
+/// (−π, π] radians.
+double squaredTurn(const TriMesh& mesh, const Geometry& geometry, const FrameField& field);
+
 }  // namespace hgp

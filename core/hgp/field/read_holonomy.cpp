@@ -1,6 +1,8 @@
 #include "hgp/field/read_holonomy.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "hgp/base/check.h"
 
@@ -12,8 +14,10 @@ Failure malformed(const std::string& message) {
 }
 
 /// Angles of 3D directions in each face's own coordinates (corner 0 → corner 1 is angle 0).
-PerFace<double> directionAngles(const TriMesh& mesh, const std::vector<Vec3>& directions) {
-  PerFace<double> angle(static_cast<std::size_t>(mesh.faceCount()), 0.0);
+Status directionAngles(const TriMesh& mesh, const std::vector<Vec3>& directions,
+                       PerFace<double>& angle) {
+  angle = PerFace<double>(static_cast<std::size_t>(mesh.faceCount()), 0.0);
+  std::vector<Where> without;
   for (FaceId f : mesh.faces()) {
     const auto [a, b, c] = mesh.corners(f);
     const auto edge = [&](VertexId from, VertexId to) {
@@ -31,9 +35,18 @@ PerFace<double> directionAngles(const TriMesh& mesh, const std::vector<Vec3>& di
     for (std::size_t i = 0; i < 3; ++i) axis[i] = e2[i] - e1[i] * dot(e1, e2) / (length * length);
     const double height = std::sqrt(dot(axis, axis));
     const Vec3& d = directions[static_cast<std::size_t>(f.i)];
-    angle[f] = std::atan2(dot(d, axis) / height, dot(d, e1) / length);
+    const double x = dot(d, e1) / length, y = dot(d, axis) / height;
+    angle[f] = std::atan2(y, x);
+    const bool isDirection = std::isfinite(x) && std::isfinite(y) && (x != 0.0 || y != 0.0);
+    if (!isDirection) without.push_back({Where::Kind::kFace, f.i});
   }
-  return angle;
+  if (without.empty()) return Done{};
+  Failure failure = malformed(
+      formatText("The field has triangles without a direction (%zu of %d): a direction must be "
+                 "finite and have a part in its triangle's plane.",
+                 without.size(), mesh.faceCount()));
+  failure.where = std::move(without);
+  return failure;
 }
 
 Status storeMatchings(const TriMesh& mesh, const std::vector<Matching>& matchings, int sign,
@@ -131,6 +144,15 @@ CompleteSpec specWithCones(const TriMesh& mesh, const FieldContext& context,
   return spec;
 }
 
+/// Interior vertices where the cones differ.
+int differences(const TriMesh& mesh, int q, const std::vector<ConePoint>& a,
+                const std::vector<ConePoint>& b) {
+  PerVertex<int> k(static_cast<std::size_t>(mesh.vertexCount()), 0);
+  for (const ConePoint& cone : a) k[cone.vertex] += cone.k - q;
+  for (const ConePoint& cone : b) k[cone.vertex] -= cone.k - q;
+  return mesh.vertexCount() - static_cast<int>(std::count(k.raw().begin(), k.raw().end(), 0));
+}
+
 /// The nearest cones in the matchings' classes when no directions tell more.
 std::vector<ConePoint> conesOfClasses(const TriMesh& mesh, const FrameField& field) {
   std::vector<ConePoint> cones;
@@ -140,6 +162,38 @@ std::vector<ConePoint> conesOfClasses(const TriMesh& mesh, const FrameField& fie
     if (c != 0) cones.push_back({v, 2 * c < field.q ? c + field.q : c});
   }
   return cones;
+}
+
+/// How badly one sign of stored matchings fits.
+struct Fit {
+  int wrong = 0;      ///< vertices whose class is not that of the expected cones
+  int foreign = 0;    ///< cones that the directions see elsewhere
+  double turn = 0.0;  ///< squaredTurn
+
+  /// Distance from transport decides between what is alike otherwise, where it is clear: a field that
+  /// turns wildly is not close to transport with either sign, and is then taken as stored.
+  bool isClearlyBetterThan(const Fit& other) const {
+    const auto key = std::pair(wrong, foreign), otherKey = std::pair(other.wrong, other.foreign);
+    return key < otherKey || (key == otherKey && turn < 0.5 * other.turn);
+  }
+};
+
+/// Reads the prescription on the way. Of the expected cones the directions tell the loops' lifts,
+/// unless they see other cones.
+Fit fitOf(const TriMesh& mesh, const FieldContext& context, ReadField& read,
+          const std::vector<ConePoint>& expected) {
+  const FrameField& field = read.field;
+  const int wrong = expected.empty() ? 0 : disagreements(mesh, field, expected);
+  if (field.angle.size() == 0) {
+    const bool isGiven = !expected.empty();
+    read.spec =
+        specWithCones(mesh, context, field, isGiven ? expected : conesOfClasses(mesh, field));
+    return {wrong, 0, 0.0};
+  }
+  read.spec = specOfField(mesh, context, field);
+  const int foreign = differences(mesh, field.q, read.spec.cones, expected);
+  if (foreign > 0 && !expected.empty()) read.spec = specWithCones(mesh, context, field, expected);
+  return {wrong, foreign, squaredTurn(mesh, context.geometry, field)};
 }
 
 }  // namespace
@@ -160,10 +214,10 @@ CompleteSpec specOfField(const TriMesh& mesh, const FieldContext& context,
   return spec;
 }
 
-Result<CompleteSpec> specOfFieldData(const TriMesh& mesh, const FieldContext& context,
-                                     const FieldData& data,
-                                     const std::vector<ConePoint>& expected) {
-  FrameField field;
+Result<ReadField> fieldOfFieldData(const TriMesh& mesh, const FieldContext& context,
+                                   const FieldData& data, const std::vector<ConePoint>& expected) {
+  ReadField read;
+  FrameField& field = read.field;
   field.q = data.order;
   const bool hasDirections = !data.directions.empty();
   if (hasDirections && static_cast<int>(data.directions.size()) != mesh.faceCount())
@@ -171,34 +225,39 @@ Result<CompleteSpec> specOfFieldData(const TriMesh& mesh, const FieldContext& co
                      " faces, the mesh " + std::to_string(mesh.faceCount()) + ".");
   if (!hasDirections && !data.hasMatchings)
     return malformed("The field has neither directions nor matchings.");
-  if (hasDirections) field.angle = directionAngles(mesh, data.directions);
+  if (hasDirections) {
+    if (Status done = directionAngles(mesh, data.directions, field.angle); !done)
+      return std::move(done).error();
+  }
   if (!data.hasMatchings) {
     matchPrincipally(mesh, context.geometry, field);
-    return specOfField(mesh, context, field);
+    read.spec = specOfField(mesh, context, field);
+    return read;
   }
-  // Files differ in the sign of a matching; the one that reproduces the cones (or, without cones,
-  // that stays closer to transport) is meant.
   if (Status stored = storeMatchings(mesh, data.matchings, 1, field); !stored)
     return std::move(stored).error();
-  FrameField flipped = field;
-  for (int& r : flipped.matching.raw()) r = -r;
-  if (!expected.empty() || !hasDirections) {
-    if (expected.empty()) return specWithCones(mesh, context, field, conesOfClasses(mesh, field));
-    const int wrong = disagreements(mesh, field, expected);
-    const int wrongFlipped = wrong ? disagreements(mesh, flipped, expected) : 0;
-    if (wrong && wrongFlipped)
-      return Failure{ErrorCode::kPrescription,
-                     "field",
-                     "The matchings contradict the cones at " +
-                         std::to_string(std::min(wrong, wrongFlipped)) +
-                         " vertices, with either sign: Σ of matchings around a vertex must be −k "
-                         "(mod q). Is this the mesh they belong to?",
-                     {}};
-    return specWithCones(mesh, context, wrong ? flipped : field, expected);
-  }
-  const CompleteSpec asStored = specOfField(mesh, context, field);
-  const CompleteSpec asFlipped = specOfField(mesh, context, flipped);
-  return asStored.cones.size() <= asFlipped.cones.size() ? asStored : asFlipped;
+  ReadField flipped = read;
+  for (int& r : flipped.field.matching.raw()) r = -r;
+  const Fit fit = fitOf(mesh, context, read, expected);
+  const Fit flippedFit = fitOf(mesh, context, flipped, expected);
+  const bool isFlipped = flippedFit.isClearlyBetterThan(fit);
+  const int wrong = isFlipped ? flippedFit.wrong : fit.wrong;
+  if (wrong > 0)
+    return Failure{ErrorCode::kPrescription,
+                   "field",
+                   "The matchings contradict the cones at " + std::to_string(wrong) +
+                       " vertices, with either sign: Σ of matchings around a vertex must be −k "
+                       "(mod q). Is this the mesh they belong to?",
+                   {}};
+  return isFlipped ? std::move(flipped) : std::move(read);
+}
+
+Result<CompleteSpec> specOfFieldData(const TriMesh& mesh, const FieldContext& context,
+                                     const FieldData& data,
+                                     const std::vector<ConePoint>& expected) {
+  Result<ReadField> read = fieldOfFieldData(mesh, context, data, expected);
+  if (!read) return std::move(read).error();
+  return std::move(read->spec);
 }
 
 }  // namespace hgp

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "hgp/api/sha256.h"
 #include "hgp/io/cones.h"
@@ -199,6 +200,70 @@ TEST(Session, ScalesAsAsked) {
     EXPECT_GE(x, 0);
     EXPECT_LE(x, 1);
   }
+}
+
+/// A direction per triangle of a flat surface.
+io::Prescription crosses(std::size_t faces, double angle) {
+  io::Prescription field;
+  field.field.emplace();
+  field.field->directions.assign(faces, Vec3{std::cos(angle), std::sin(angle), 0});
+  return field;
+}
+
+TEST(Session, FramesOfAFieldAreTakenForEveryComponent) {
+  const MeshData mesh = together(hgp::test::grid(4, 3).data, hgp::test::annulus(12, 3).data);
+  Session session = loaded(mesh);
+  SolveOptions options;
+  options.frames = FrameSource::kFile;
+  const io::Prescription field = crosses(mesh.triangles.size(), 0.3);
+  const Status done = session.parametrize(field, options);
+  ASSERT_TRUE(done.hasValue()) << done.error().message;
+  EXPECT_TRUE(session.isCertified());
+  EXPECT_TRUE(contains(session.reportJson(), "\"frames\": \"file\""));
+  EXPECT_TRUE(contains(session.reportJson(), "the frames are the directions of the field"));
+  options.frames = FrameSource::kAuto;
+  ASSERT_TRUE(session.parametrize(field, options).hasValue());
+  EXPECT_TRUE(contains(session.reportJson(), "\"frames\": \"auto\""));
+}
+
+TEST(Session, FramesOfAFileNeedAFieldWithDirections) {
+  const MeshData mesh = hgp::test::grid(4, 4).data;
+  Session session = loaded(mesh);
+  SolveOptions options;
+  options.frames = FrameSource::kFile;
+  io::Prescription bare;
+  bare.hasCones = true;
+  io::Prescription matched = bare;
+  matched.field.emplace();
+  matched.field->hasMatchings = true;
+  const std::vector<std::optional<io::Prescription>> without = {std::nullopt, bare, matched};
+  for (const auto& asked : without) {
+    const Status done = session.parametrize(asked, options);
+    ASSERT_FALSE(done.hasValue());
+    EXPECT_EQ(done.error().code, ErrorCode::kUsage) << done.error().message;
+  }
+  options.boundary = BoundaryKind::kConvex;
+  EXPECT_FALSE(session.parametrize(crosses(mesh.triangles.size(), 0), options).hasValue());
+}
+
+TEST(Session, ConesThatTheFieldDoesNotHaveAreRefusedWhereTheyAre) {
+  const MeshData mesh = hgp::test::grid(4, 4).data;
+  Session session = loaded(mesh);
+  SolveOptions options;
+  options.frames = FrameSource::kFile;
+  io::Prescription cones;
+  cones.hasCones = true;
+  cones.cones = {{12, 3, std::nullopt}};
+  const auto asked = withField(cones, crosses(mesh.triangles.size(), 0));
+  ASSERT_TRUE(asked.hasValue());
+  const Status done = session.parametrize(*asked, options);
+  ASSERT_FALSE(done.hasValue());
+  EXPECT_EQ(done.error().code, ErrorCode::kPrescription);
+  ASSERT_EQ(done.error().where.size(), 1U);
+  EXPECT_EQ(done.error().where[0].id, 12);
+  io::Prescription other = cones;
+  other.q = 6;
+  EXPECT_FALSE(withField(other, crosses(mesh.triangles.size(), 0)).hasValue());
 }
 
 TEST(Session, CancellingIsAFailureOfItsOwn) {

@@ -2,52 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
+#include "support/fields.h"
 #include "support/prescriptions.h"
 #include "support/shapes.h"
 
 namespace hgp {
 namespace {
-
-/// The field as a file would hold it: matchings of interior edges, either sign.
-FieldData matchingsOf(const TriMesh& mesh, const FrameField& field, int sign) {
-  FieldData data;
-  data.order = field.q;
-  data.hasMatchings = true;
-  for (EdgeId e : mesh.edges()) {
-    const HalfedgeId h = mesh.halfedge(e);
-    if (mesh.isBoundary(h) || field.matching[h] == 0) continue;
-    data.matchings.push_back({TriMesh::face(h).i, TriMesh::face(mesh.twin(h)).i, mesh.tail(h).i,
-                              mesh.head(h).i, sign * field.matching[h]});
-  }
-  return data;
-}
-
-/// Each face's direction 0 as a vector in space.
-std::vector<Vec3> directionsOf(const TriMesh& mesh, const FrameField& field) {
-  const auto minus = [](const Vec3& a, const Vec3& b) {
-    return Vec3{a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-  };
-  const auto dot = [](const Vec3& a, const Vec3& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  };
-  const auto scaled = [](const Vec3& a, double s) { return Vec3{a[0] * s, a[1] * s, a[2] * s}; };
-  std::vector<Vec3> directions;
-  for (FaceId f : mesh.faces()) {
-    const auto [a, b, c] = mesh.corners(f);
-    Vec3 x = minus(mesh.position(b), mesh.position(a));
-    x = scaled(x, 1 / std::sqrt(dot(x, x)));
-    Vec3 y = minus(mesh.position(c), mesh.position(a));
-    y = minus(y, scaled(x, dot(x, y)));
-    y = scaled(y, 1 / std::sqrt(dot(y, y)));
-    const double angle = field.angle[f];
-    Vec3 d{};
-    for (std::size_t i = 0; i < 3; ++i) d[i] = std::cos(angle) * x[i] + std::sin(angle) * y[i];
-    directions.push_back(d);
-  }
-  return directions;
-}
 
 bool sameCones(const std::vector<ConePoint>& a, const std::vector<ConePoint>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
@@ -104,8 +64,8 @@ TEST(ReadHolonomy, MatchingsGiveBackThePrescriptionWithEitherSign) {
         for (int sign : {1, -1}) {
           if (sign < 0 && !isChiral(made.spec)) continue;
           chiral += sign < 0;
-          const Result<CompleteSpec> read =
-              specOfFieldData(mesh, context, matchingsOf(mesh, made.field, sign), made.spec.cones);
+          const Result<CompleteSpec> read = specOfFieldData(
+              mesh, context, test::matchingsOf(mesh, made.field, sign), made.spec.cones);
           ASSERT_TRUE(read) << read.error().message;
           expectSame(*read, made.spec);
         }
@@ -119,8 +79,8 @@ TEST(ReadHolonomy, DirectionsTellTheLiftOfStoredMatchings) {
   forRandomFields(
       [&](const TriMesh& mesh, const FieldContext& context, const PrescribedField& made) {
         if (made.largestTurn > 3.0 || !isChiral(made.spec)) return;
-        FieldData data = matchingsOf(mesh, made.field, 1);
-        data.directions = directionsOf(mesh, made.field);
+        FieldData data = test::matchingsOf(mesh, made.field, 1);
+        data.directions = test::directionsOf(mesh, made.field);
         const Result<CompleteSpec> read = specOfFieldData(mesh, context, data);
         ASSERT_TRUE(read) << read.error().message;
         EXPECT_TRUE(sameCones(read->cones, made.spec.cones));
@@ -138,7 +98,7 @@ TEST(ReadHolonomy, DirectionsAloneGiveThePrescriptionWhereTheyTurnByLessThanHalf
         if (made.largestTurn > 0.95 * kPi / made.spec.q) return;
         FieldData data;
         data.order = made.spec.q;
-        data.directions = directionsOf(mesh, made.field);
+        data.directions = test::directionsOf(mesh, made.field);
         const Result<CompleteSpec> read = specOfFieldData(mesh, context, data);
         ASSERT_TRUE(read) << read.error().message;
         EXPECT_TRUE(sameCones(read->cones, made.spec.cones));
@@ -181,7 +141,7 @@ TEST(ReadHolonomy, ConesThatContradictTheMatchingsAreRefused) {
   std::vector<ConePoint> moved = made->spec.cones;
   moved[0].vertex = mesh.head(mesh.outgoing(moved[0].vertex));
   const Result<CompleteSpec> read =
-      specOfFieldData(mesh, *context, matchingsOf(mesh, made->field, 1), moved);
+      specOfFieldData(mesh, *context, test::matchingsOf(mesh, made->field, 1), moved);
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().code, ErrorCode::kPrescription);
 }
@@ -205,6 +165,55 @@ TEST(ReadHolonomy, DataThatDoesNotFitTheMeshIsMalformed) {
     const Result<CompleteSpec> read = specOfFieldData(mesh, *context, data);
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().code, ErrorCode::kMalformed) << read.error().message;
+  }
+}
+
+TEST(ReadHolonomy, WithoutConesTheSignIsTheOneCloserToTransport) {
+  // Handle rotations of a cone-free surface look alike with either sign; directions tell.
+  const TriMesh mesh = test::puncturedTorus(12, 10).mesh();
+  const Result<FieldContext> context = prepareFields(mesh);
+  HolonomySpec spec;
+  spec.handles = {1, 0};
+  const Result<PrescribedField> made = prescribedField(mesh, *context, spec);
+  ASSERT_TRUE(made) << made.error().message;
+  ASSERT_TRUE(made->spec.cones.empty());
+  ASSERT_LT(made->largestTurn, 3.0);
+  for (int sign : {1, -1}) {
+    const Result<CompleteSpec> read =
+        specOfFieldData(mesh, *context, test::dataOf(mesh, made->field, sign));
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_TRUE(read->cones.empty());
+    EXPECT_EQ(read->handles, made->spec.handles) << sign;
+  }
+}
+
+TEST(ReadHolonomy, DirectionsTellTheTurningOfLoopsAlsoBesideTheCones) {
+  int count = 0;
+  forRandomFields(
+      [&](const TriMesh& mesh, const FieldContext& context, const PrescribedField& made) {
+        if (made.largestTurn > 3.0 || made.spec.turning.size() < 2) return;
+        const Result<CompleteSpec> read =
+            specOfFieldData(mesh, context, test::dataOf(mesh, made.field), made.spec.cones);
+        ASSERT_TRUE(read) << read.error().message;
+        EXPECT_EQ(read->turning, made.spec.turning);
+        ++count;
+      });
+  EXPECT_GT(count, 5);
+}
+
+TEST(ReadHolonomy, ATriangleWithoutDirectionIsMalformedAndNamed) {
+  const TriMesh mesh = test::grid(3, 3).mesh();
+  const Result<FieldContext> context = prepareFields(mesh);
+  FieldData data;
+  data.directions.assign(static_cast<std::size_t>(mesh.faceCount()), Vec3{1, 0, 0});
+  EXPECT_TRUE(specOfFieldData(mesh, *context, data));
+  for (const Vec3& bad : {Vec3{0, 0, 0}, Vec3{0, 0, 1}, Vec3{0, std::nan(""), 0}}) {
+    data.directions[5] = bad;
+    const Result<CompleteSpec> read = specOfFieldData(mesh, *context, data);
+    ASSERT_FALSE(read);
+    EXPECT_EQ(read.error().code, ErrorCode::kMalformed);
+    ASSERT_EQ(read.error().where.size(), 1U);
+    EXPECT_EQ(read.error().where[0].id, 5);
   }
 }
 

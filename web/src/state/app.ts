@@ -80,6 +80,8 @@ export interface Step {
 export interface SolveSettings {
   rounds: number;
   quality: boolean;
+  /** `file`: the directions of the imported field, instead of a smooth field of the solver's own. */
+  frames: 'auto' | 'file';
   /** In seconds; without it a run takes as long as it takes. */
   timeLimit?: number;
 }
@@ -105,7 +107,9 @@ export class App {
   /** The model that was open before, where it had cones: a new version of it takes them over. */
   previous?: { main: string; asked: Prescription; surface: Surface; info: ModelInfo };
   history = new History<Step>({ asked: emptyPrescription(4, 0, 0), settings: plainSettings });
-  solve: SolveSettings = { rounds: 12, quality: false };
+  solve: SolveSettings = { rounds: 12, quality: false, frames: 'auto' };
+  /** The direction field that the cones were imported from last, as it was read. */
+  field?: { name: string; text: string };
   /** The user has said what the cones are, even if that is none. */
   isExplicit = false;
   keepsBalanced = false;
@@ -153,9 +157,9 @@ export class App {
 
   /** The result of exactly what is asked now. */
   get current(): Solved | undefined {
-    const { quality } = this.solve;
+    const { quality, frames } = this.solve;
     return this.results.findLast(
-      (one) => one.quality === quality && sameAsked(one.asked, this.asked),
+      (one) => one.quality === quality && one.frames === frames && sameAsked(one.asked, this.asked),
     );
   }
 
@@ -176,6 +180,12 @@ export class App {
     if (this.current) return this.current.isCertified ? 'certified' : 'not-certified';
     if (this.results.length > 0) return 'stale';
     return this.budget?.isReady || this.asked.cones.length === 0 ? 'ready' : 'unbalanced';
+  }
+
+  /** Frames can come from a file only where one with directions was imported. */
+  takeField(field?: { name: string; text: string }): void {
+    this.field = field;
+    if (!field) this.solve = { ...this.solve, frames: 'auto' };
   }
 
   subscribe(listener: () => void): void {
@@ -215,6 +225,7 @@ export class App {
     this.isUnsaved = false;
     this.survey = [];
     this.inWorker = undefined;
+    this.takeField();
     this.loaded = plainSettings;
     this.message = undefined;
     this.begin(emptyPrescription(this.asked.q, 0, 0), plainSettings);

@@ -4,6 +4,7 @@ import type { App } from './app';
 import { bestK, largestK } from './budget';
 import { fromCones, withOrder, type Cone, type Prescription } from './prescription';
 import { explain } from './explain';
+import { hasDirections } from './files';
 import { reload } from './load';
 import { save } from './autosave';
 
@@ -186,6 +187,7 @@ export async function importCones(app: App, name: string, text: string): Promise
     const cones = await app.client!.readCones({ name, text, q: app.asked.q });
     const { turnings, handles } = app.asked;
     replaceAsked(app, fromCones(cones, turnings.length, handles.length), 'import cones');
+    app.takeField(hasDirections(name) ? { name, text } : undefined);
     app.say(`${cones.cones.length} cones imported from ${name}.`);
   } catch (error) {
     app.say(explain(error, name), 'error');

@@ -58,7 +58,7 @@ const mostInline = 40; // cones; beyond, they go into a file
 
 /** Exactly this run, on the command line. */
 export function commandOf(app: App): string {
-  const { main, info, asked, loaded, solve } = app;
+  const { main, info, asked, loaded, solve, field } = app;
   const stem = main.replace(/^.*\//, '').replace(/\.[^.]*$/, '');
   const ending = /\.(glb|gltf)$/i.exec(main)?.[0] ?? '.obj';
   const words = ['hgp', 'param', quoted(main)];
@@ -74,6 +74,8 @@ export function commandOf(app: App): string {
   if (loaded.weld !== undefined) words.push('--weld', String(loaded.weld));
   const fixes = Object.entries(loaded.fix).flatMap(([name, isOn]) => (isOn ? [name] : []));
   if (fixes.length > 0) words.push('--fix', fixes.join(','));
+  if (field && solve.frames === 'file')
+    words.push('--field', quoted(field.name), '--frames', 'file');
   if (solve.rounds !== 12) words.push('--rounds', String(solve.rounds));
   if (solve.quality) words.push('--quality');
   if (solve.timeLimit !== undefined) words.push('--time-limit', String(solve.timeLimit));

@@ -15,6 +15,9 @@ const meshEnding = /\.(glb|gltf|obj|off|ply|stl)$/i;
 const imageEnding = /\.(png|jpe?g|webp|ktx2)$/i;
 const coneEnding = /\.(sing|sings|curvatures|th_hat|rawfield|rosy|ffield)$|cones?\.json$/i;
 
+/** Other files of cones have matchings at most. */
+export const hasDirections = (name: string): boolean => /\.(rawfield|rosy|ffield)$/i.test(name);
+
 async function readFolder(entry: FileSystemDirectoryEntry, into: Files): Promise<void> {
   const reader = entry.createReader();
   for (;;) {

@@ -123,8 +123,14 @@ function sayFailure(app: App, error: unknown): void {
   const isNoMap = error instanceof HgpError && error.code === 'no-map';
   const where = error instanceof HgpError ? (error.details.where ?? []) : [];
   const show = where.length > 0 ? [{ label: 'Show', do: () => app.showPlaces?.(where) }] : [];
+  const auto = (): void => {
+    app.solve = { ...app.solve, frames: 'auto' };
+    void run(app);
+  };
+  const other = usesField(app) ? [{ label: 'Run with automatic frames', do: auto }] : [];
   app.say(isNoMap ? `${text} ${advice}` : text, 'error', [
     ...show,
+    ...other,
     { label: 'Suggest cones', do: () => void suggest(app) },
   ]);
 }
@@ -141,6 +147,8 @@ export async function suggest(app: App, count?: number): Promise<void> {
     app.say(`${cones.cones.length} cones suggested for q = ${q}.`, 'good');
   });
 }
+
+const usesField = (app: App): boolean => app.solve.frames === 'file' && app.field !== undefined;
 
 /** Where nothing has been said yet, cones are suggested first; a turning index is something said. */
 const needsCones = (app: App): boolean =>
@@ -160,18 +168,19 @@ type Call = Parameters<Parameters<typeof busy>[2]>[0];
  * own cones are chosen by the solver, as on the command line: it has a shorter road to them.
  */
 async function solve(app: App, output: Output, call: Call): Promise<Solved> {
-  const { rounds, quality } = app.solve;
+  const { rounds, quality, frames } = app.solve;
   const { turnings, handles, q } = app.asked;
-  const isNatural = needsCones(app) || app.isNatural;
+  const isNatural = !usesField(app) && (needsCones(app) || app.isNatural);
   const options = { maxRounds: rounds, quality, scale: output.scale };
-  const what = isNatural ? { q } : { cones: toCones(app.asked) };
+  const framed = usesField(app) ? { frames, field: app.field } : {};
+  const what = isNatural ? { q } : { cones: toCones(app.asked), ...framed };
   const result = await app.client!.parametrize({ ...what, ...options }, call);
   const asked = isNatural ? fromCones(result.cones, turnings.length, handles.length) : app.asked;
   if (isNatural) app.natural.set(q, asked);
   call.onProgress({ stage: 'write', fraction: 0, iteration: -1, residual: -1 });
   const written = await write(app, result, output, call);
   app.inWorker = result;
-  return finish(app, { asked, quality, output }, result, written);
+  return finish(app, { asked, quality, frames, output }, result, written);
 }
 
 async function write(app: App, result: Result, output: Output, call: Call): Promise<Written> {
@@ -206,7 +215,7 @@ export async function rewrite(app: App, old: Solved, output: Output): Promise<vo
 
 export async function run(app: App): Promise<void> {
   if (!canRun(app)) return;
-  const isOpen = needsCones(app);
+  const isOpen = needsCones(app) && !usesField(app);
   await busy(app, isOpen ? 'Choosing cones and running' : 'Running', async (call) => {
     const solved = await solve(app, app.shown?.output ?? plainOutput, call);
     call.signal.throwIfAborted();
@@ -217,7 +226,11 @@ export async function run(app: App): Promise<void> {
     const count = solved.asked.cones.length;
     const chosen = isOpen ? ` ${count} cones were suggested for you.` : '';
     if (solved.isCertified) app.say(`Certified: no triangle is folded.${chosen}`, 'good');
-    else app.say(`Not certified. The map can be viewed; see the certificate.${chosen}`, 'error');
+    else {
+      const other = solved.frames === 'file' ? ' Automatic frames may do better.' : '';
+      const see = 'The map can be viewed; see the certificate.';
+      app.say(`Not certified. ${see}${other}${chosen}`, 'error');
+    }
   });
 }
 

@@ -34,6 +34,7 @@ export const plainOutput: Output = { scale: 'solved', embedCones: true, hasGrid:
 export interface Order {
   asked: Prescription;
   quality: boolean;
+  frames: 'auto' | 'file';
   output: Output;
 }
 
@@ -125,7 +126,7 @@ function chainsOf(seams: Seam[], uvToVertex: Uint32Array, q: number): Uint32Arra
 
 export async function finish(
   app: App,
-  { asked, quality, output }: Order,
+  { asked, quality, frames, output }: Order,
   result: Result,
   written: Written,
 ): Promise<Solved> {
@@ -156,7 +157,8 @@ export async function finish(
     seamAt.set(Math.min(v, w) * count + Math.max(v, w), i);
   });
   return {
-    ...{ asked, quality, output, result, written, files, corners, isSameAsFile, seams, seamAt },
+    ...{ asked, quality, frames, output, result, written, files, corners, isSameAsFile },
+    ...{ seams, seamAt },
     ...{ distortion, least, overlaps, seamDistance, chains },
     isCertified: result.certificate.certified,
   };

@@ -28,7 +28,7 @@ export function solve(app: App, ui: Controls): TemplateResult {
     const n = Number((event.target as HTMLInputElement).value);
     return Number.isFinite(n) && n >= low ? Math.min(Math.round(n), high) : undefined;
   };
-  const { rounds, quality, timeLimit } = app.solve;
+  const { rounds, quality, frames, timeLimit } = app.solve;
   return html`<details id="panel-solve">
     <summary>Solve</summary>
     <div class="row field">
@@ -56,13 +56,21 @@ export function solve(app: App, ui: Controls): TemplateResult {
       <small>seconds; what is not done by then is given up</small>
     </div>
     <div class="row field">
-      <label for="field-file">Frames</label>
+      <label for="frames">Frames</label>
+      <select
+        id="frames"
+        ?disabled=${!app.field}
+        @change=${(event: Event) => set({ frames: (event.target as HTMLSelectElement).value as SolveSettings['frames'] })}
+      >
+        <option value="auto" .selected=${live(frames === 'auto')}>Auto</option>
+        <option value="file" .selected=${live(frames === 'file')}>From file</option>
+      </select>
       <button type="button" class="small" id="field-file" @click=${() => ui.chooseConeFile()}>
-        Of a field file…
+        Field file…
       </button>
       <small
-        >follow the cones by themselves; a cross field (.rawfield, .rosy, .ffield) brings its cones
-        and its turns along boundaries and handles</small
+        >Auto follows the cones; a cross field (.rawfield, .rosy, .ffield) brings its cones and its
+        turns along boundaries and handles, and From file takes its directions, too</small
       >
     </div>
     <p>

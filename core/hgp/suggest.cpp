@@ -6,6 +6,7 @@
 #include "hgp/stage_clock.h"
 
 namespace hgp {
+
 Result<HolonomySpec> chooseCones(const TriMesh& mesh, const FieldContext& context,
                                  const SuggestOptions& options) {
   if (!report(options.progress, {"field", 0.3})) return cancelled("cones");

@@ -2,7 +2,6 @@
 // what remains when the model is closed.
 
 import assert from 'node:assert/strict';
-import test from 'node:test';
 import { cubeMesh, toObj } from '../support/meshes.mjs';
 import { crackedCube, flatSquare } from './shapes.mjs';
 import {
@@ -21,6 +20,7 @@ import {
 } from './support.mjs';
 
 const it = useBrowser();
+const { test } = it;
 const vertices = () => it.page.locator('tr[data-cone] td:nth-of-type(1)').allInnerTexts();
 
 const coneFile = (q, cones, more = {}) => ({

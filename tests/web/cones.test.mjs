@@ -1,7 +1,6 @@
 // Cones by mouse and by keyboard, the budget, undo, and what survives a reload.
 
 import assert from 'node:assert/strict';
-import test from 'node:test';
 import { cubeMesh, toObj } from '../support/meshes.mjs';
 import {
   coneCount,
@@ -18,6 +17,7 @@ import {
 } from './support.mjs';
 
 const it = useBrowser();
+const { test } = it;
 const vertexOf = (i) => it.page.locator(`tr[data-cone="${i}"] td`).first().innerText();
 
 async function openCube() {

@@ -2,7 +2,6 @@
 
 import assert from 'node:assert/strict';
 import path from 'node:path';
-import test from 'node:test';
 import { zipSync } from 'fflate';
 import { featureFiles } from '../gltf/features.mjs';
 import { cubeMesh, toGlb, toGltf, toObj, toOff, toPly, toStl } from '../support/meshes.mjs';
@@ -21,6 +20,7 @@ import {
 } from './support.mjs';
 
 const it = useBrowser();
+const { test } = it;
 const cube = cubeMesh(4);
 const shown = async () => {
   await state(it.page, 'ready');

@@ -2,7 +2,6 @@
 
 import assert from 'node:assert/strict';
 import path from 'node:path';
-import test from 'node:test';
 import { cubeMesh, toGlb, toGltf, toObj } from '../support/meshes.mjs';
 import { uncertifiable } from './shapes.mjs';
 import {
@@ -19,6 +18,7 @@ import {
 } from './support.mjs';
 
 const it = useBrowser({ viewport: { width: 1440, height: 900 } });
+const { test } = it;
 
 async function check(name) {
   await settled(it.page);

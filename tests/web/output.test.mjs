@@ -3,7 +3,6 @@
 
 import assert from 'node:assert/strict';
 import path from 'node:path';
-import test from 'node:test';
 import { Logger, NodeIO } from '@gltf-transform/core';
 import { unzipSync } from 'fflate';
 import pngjs from 'pngjs';
@@ -27,6 +26,7 @@ import {
 } from './support.mjs';
 
 const it = useBrowser();
+const { test } = it;
 
 async function validate() {
   const { page } = it;

@@ -2,7 +2,6 @@
 // the texture goes on in the same direction across a seam.
 
 import assert from 'node:assert/strict';
-import test from 'node:test';
 import { cubeMesh, toGltf, toObj } from '../support/meshes.mjs';
 import { flatSquare } from './shapes.mjs';
 import {
@@ -19,6 +18,7 @@ import {
 } from './support.mjs';
 
 const it = useBrowser({ deviceScaleFactor: 1 });
+const { test } = it;
 const isInk = (r, g, b) => b > r + 15 && b < 140;
 
 async function solvedCube() {

@@ -216,6 +216,20 @@ test('an aborted call that still waits leaves the running one alone', () =>
     assert.equal((await first).certificate.certified, true);
   }));
 
+test('ready starts a worker ahead of the call, with the model where there is one', () =>
+  withClient(async (client) => {
+    await client.load(disk(8), { name: 'disk.obj' });
+    const controller = new AbortController();
+    const solving = client.parametrize({ q: 4 }, { signal: controller.signal });
+    controller.abort();
+    await assert.rejects(solving, { name: 'AbortError' });
+    await client.ready();
+    assert.equal((await client.inspect()).usable, true);
+    client.terminate();
+    await client.ready();
+    await assert.rejects(client.inspect(), HgpError); // the model was forgotten
+  }));
+
 test('terminate rejects what is pending', async () => {
   const client = await createClient();
   const loading = client.load(disk(60), { name: 'disk.obj' });

@@ -7,6 +7,7 @@ import { importCones } from './edit';
 import { save } from './autosave';
 import { load, reopen } from './load';
 import { bytesOfAll, megabytes } from './explain';
+import { wake } from './solver';
 
 const mostBytes = 512 * 2 ** 20;
 
@@ -90,7 +91,8 @@ export function close(app: App): void {
   if (asked.cones.length > 0) void save(info.file.sha256, asked);
   app.forgetModel();
   app.previous = undefined;
-  app.client?.terminate(); // its memory never shrinks; the next call starts another worker
+  app.client?.terminate(); // its memory never shrinks
+  wake(app);
   app.files = new Map();
   app.main = '';
   app.phase = 'empty';

@@ -3,6 +3,7 @@
 
 import type { Client, ModelInfo, Result, Where } from 'hgp';
 import { computeBudget, type Budget } from './budget';
+import type { Objection } from './check';
 import type { Files, Missing } from './files';
 import { History } from './history';
 import { emptyPrescription, sameAsked, type Prescription } from './prescription';
@@ -118,6 +119,8 @@ export class App {
   /** The map that the worker holds, and can write again without solving. */
   inWorker?: Result;
   validation?: Validation;
+  /** What the solver says of cones that add up. */
+  objection?: Objection;
   /** Outlines places; there once the views are. */
   showPlaces?: (where: Where[]) => void;
   message?: Message;
@@ -131,6 +134,8 @@ export class App {
   isUnsaved = false;
   #listeners = new Set<() => void>();
   #isTelling = false;
+  /** Computed once for what it is the budget of. */
+  #budget?: { of: unknown[]; budget: Budget };
 
   get asked(): Prescription {
     return this.history.value.asked;
@@ -147,14 +152,32 @@ export class App {
   }
 
   get budget(): Budget | undefined {
-    if (!this.surface || !this.info?.usable) return undefined;
-    return computeBudget(this.asked, this.surface, this.info);
+    const { asked, surface, info } = this;
+    if (!surface || !info?.usable) return undefined;
+    const of = [asked, surface, info, this.objectionNow];
+    if (this.#budget?.of.every((one, i) => one === of[i])) return this.#budget.budget;
+    const budget = computeBudget(asked, surface, info);
+    const { text, warnings = [] } = this.objectionNow ?? {};
+    Object.assign(budget, text ? { isReady: false, text, warnings } : { warnings });
+    this.#budget = { of, budget };
+    return budget;
+  }
+
+  get objectionNow(): Objection | undefined {
+    const { objection, asked, surface } = this;
+    return objection?.asked === asked && objection.surface === surface ? objection : undefined;
+  }
+
+  /** Results on the surface as it is now, which repairs and welds make another. */
+  get fitting(): Solved[] {
+    const now = JSON.stringify(this.loaded);
+    return this.results.filter(({ settings }) => JSON.stringify(settings) === now);
   }
 
   /** The result of exactly what is asked now. */
   get current(): Solved | undefined {
     const { quality } = this.solve;
-    return this.results.findLast(
+    return this.fitting.findLast(
       (one) => one.quality === quality && sameAsked(one.asked, this.asked),
     );
   }
@@ -167,15 +190,22 @@ export class App {
 
   /** What the views show: the current result, or the last one, which is then stale. */
   get shown(): Solved | undefined {
-    return this.current ?? this.results.at(-1);
+    return this.current ?? this.fitting.at(-1);
+  }
+
+  /** Run suggests cones where nothing has been said: a turning or a rotation is something said. */
+  get needsCones(): boolean {
+    const { cones, turnings, handles } = this.asked;
+    const isSilent = cones.length === 0 && [...turnings, ...handles].every((n) => n === null);
+    return isSilent && (!this.isExplicit || !this.budget?.isReady);
   }
 
   /** The state of the page in one word. */
   get state(): string {
     if (this.phase !== 'editing') return this.phase;
     if (this.current) return this.current.isCertified ? 'certified' : 'not-certified';
-    if (this.results.length > 0) return 'stale';
-    return this.budget?.isReady || this.asked.cones.length === 0 ? 'ready' : 'unbalanced';
+    if (this.shown) return 'stale';
+    return this.budget?.isReady || this.needsCones ? 'ready' : 'unbalanced';
   }
 
   subscribe(listener: () => void): void {

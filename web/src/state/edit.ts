@@ -5,13 +5,14 @@ import { bestK, largestK } from './budget';
 import { fromCones, withOrder, type Cone, type Prescription } from './prescription';
 import { explain } from './explain';
 import { reload } from './load';
+import { cancel } from './run';
 import { save } from './autosave';
 
 /** The one way to change what is asked. `kind` is "verb: field" for undo. */
 export function replaceAsked(app: App, asked: Prescription, kind: string): void {
   if (app.phase === 'running') {
     app.say('The cones are locked while the solver runs.', 'note', [
-      { label: 'Cancel and edit', do: () => app.running?.abort() },
+      { label: 'Cancel and edit', do: () => cancel(app) },
     ]);
     return;
   }

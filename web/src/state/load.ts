@@ -78,7 +78,7 @@ async function take(
   app.info = info;
   app.surface = made;
   app.loaded = settings;
-  app.results = [];
+  app.inWorker = undefined;
   app.natural.clear();
   app.selected = -1;
   app.phase = info.usable ? 'editing' : 'invalid';
@@ -94,6 +94,7 @@ export async function load(app: App, surface?: number): Promise<void> {
   const isDone = await loading(app, async (call) => {
     const settings: LoadSettings = { fix: {} };
     const info = await take(app, settings, surface, call);
+    app.results = [];
     app.begin(emptyFor(app, info), settings);
     if (info.surfaces.length > 1 && surface === undefined) app.phase = 'pick-mesh';
     if (info.usable) await findCones(app);

@@ -9,10 +9,12 @@ import {
 } from 'hgp';
 import type { App } from './app';
 import { replaceAsked } from './edit';
+import { copyCommand } from './estimate';
 import { explain } from './explain';
 import { withGrid } from './grid';
 import { tilesPerUnit } from './measure';
 import { fromCones, toCones } from './prescription';
+import { wake } from './solver';
 import { finish, type Output, plainOutput, type Solved } from './solved';
 
 // Where each stage begins and ends within the whole.
@@ -103,6 +105,7 @@ const isLate = ({ signal }: AbortController): boolean =>
 function stopLate(app: App, own: AbortController, seconds: number): void {
   if (own !== app.running) return;
   own.abort(new DOMException('too late', 'TimeoutError'));
+  wake(app);
   app.say(
     `No certified map within ${seconds} s, the limit you set. Your cones are untouched. ` +
       'Try: more time in the Solve panel, fewer triangles, or the command line.',
@@ -114,9 +117,14 @@ function sayFailure(app: App, error: unknown): void {
   const text = explain(error, app.main);
   const lost = error instanceof HgpError && error.code === 'worker-lost';
   if (lost) {
+    wake(app);
     app.say(`${text} Your cones and history are intact.`, 'error', [
       { label: 'Run again', do: () => void run(app) },
     ]);
+    return;
+  }
+  if (error instanceof HgpError && error.code === 'limit') {
+    app.say(text, 'error', [{ label: 'Copy the command', do: () => void copyCommand(app) }]);
     return;
   }
   const advice = 'Try: move a cone to a vertex with more triangles, or another q.';
@@ -142,15 +150,9 @@ export async function suggest(app: App, count?: number): Promise<void> {
   });
 }
 
-/** Where nothing has been said yet, cones are suggested first; a turning index is something said. */
-const needsCones = (app: App): boolean =>
-  app.asked.cones.length === 0 &&
-  app.asked.turnings.every((l) => l === null) &&
-  (!app.isExplicit || !app.budget?.isReady);
-
 export function canRun(app: App): boolean {
   if (app.phase !== 'editing' || !app.info?.usable || !app.client) return false;
-  return needsCones(app) || Boolean(app.budget?.isReady);
+  return app.needsCones || Boolean(app.budget?.isReady);
 }
 
 type Call = Parameters<Parameters<typeof busy>[2]>[0];
@@ -162,7 +164,7 @@ type Call = Parameters<Parameters<typeof busy>[2]>[0];
 async function solve(app: App, output: Output, call: Call): Promise<Solved> {
   const { rounds, quality } = app.solve;
   const { turnings, handles, q } = app.asked;
-  const isNatural = needsCones(app) || app.isNatural;
+  const isNatural = app.needsCones || app.isNatural;
   const options = { maxRounds: rounds, quality, scale: output.scale };
   const what = isNatural ? { q } : { cones: toCones(app.asked) };
   const result = await app.client!.parametrize({ ...what, ...options }, call);
@@ -171,7 +173,7 @@ async function solve(app: App, output: Output, call: Call): Promise<Solved> {
   call.onProgress({ stage: 'write', fraction: 0, iteration: -1, residual: -1 });
   const written = await write(app, result, output, call);
   app.inWorker = result;
-  return finish(app, { asked, quality, output }, result, written);
+  return finish(app, { asked, settings: app.loaded, quality, output }, result, written);
 }
 
 async function write(app: App, result: Result, output: Output, call: Call): Promise<Written> {
@@ -206,7 +208,7 @@ export async function rewrite(app: App, old: Solved, output: Output): Promise<vo
 
 export async function run(app: App): Promise<void> {
   if (!canRun(app)) return;
-  const isOpen = needsCones(app);
+  const isOpen = app.needsCones;
   await busy(app, isOpen ? 'Choosing cones and running' : 'Running', async (call) => {
     const solved = await solve(app, app.shown?.output ?? plainOutput, call);
     call.signal.throwIfAborted();
@@ -223,5 +225,6 @@ export async function run(app: App): Promise<void> {
 
 export function cancel(app: App): void {
   app.running?.abort();
+  wake(app);
   app.say('Cancelled. Your cones are untouched.');
 }

@@ -33,13 +33,17 @@ export class Controls {
   /** Width of the 3D view in percent of both. */
   split = 58;
   mostRows = 60;
+  /** Puts back a cone that is being dragged; whether there was one. */
+  stopDrag?: () => boolean;
   sort: { by: 'number' | 'vertex' | 'k'; isDown: boolean } = { by: 'number', isDown: false };
   surfaceView?: SurfaceView;
   mapView?: MapView;
   readonly #app: App;
+  readonly #phone = matchMedia('(max-width: 640px)'); // as in small.css
 
   constructor(app: App) {
     this.#app = app;
+    this.#phone.addEventListener('change', () => app.changed());
     const theme = stored('hgp-theme') as (typeof themes)[number];
     if (themes.includes(theme)) this.theme = theme;
     this.#applyTheme();
@@ -112,6 +116,9 @@ export class Controls {
   }
   #applyTheme(): void {
     document.documentElement.dataset.theme = this.theme;
+  }
+  get isPhone(): boolean {
+    return this.#phone.matches;
   }
   get isDark(): boolean {
     if (this.theme !== 'auto') return this.theme === 'dark';

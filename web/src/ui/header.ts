@@ -75,7 +75,8 @@ export function header(app: App, ui: Controls): TemplateResult {
       ${icon('redo')}
     </button>
     <p class="file" title=${app.info ? app.main : ''}>${app.info ? app.main : ''}</p>
-    ${closeButton(app)} ${meshChooser(app)} ${runButton(app)} ${downloadButton(app, ui)}
+    ${closeButton(app)} ${meshChooser(app)} ${ui.isPhone ? nothing : runButton(app)}
+    ${downloadButton(app, ui)}
     <button
       type="button"
       id="help"
@@ -132,7 +133,8 @@ function meshChooser(app: App): TemplateResult | typeof nothing {
   </select>`;
 }
 
-function runButton(app: App): TemplateResult {
+/** In the bar at the top; on a phone in the one at the bottom, under the thumb whatever the sheet does. */
+export function runButton(app: App): TemplateResult {
   if (app.phase === 'running' || app.phase === 'loading') {
     return html`<button type="button" id="cancel" class="strong" @click=${() => cancel(app)}>
       ${icon('cross')}Cancel

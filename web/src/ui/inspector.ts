@@ -103,6 +103,13 @@ function defects(app: App, ui: Controls): TemplateResult | typeof nothing {
         </span>
       </li>`;
     })}
+    ${
+      app.info?.usable
+        ? nothing
+        : html`<li>
+            <button type="button" class="small" @click=${() => ui.chooseFiles()}>Other file</button>
+          </li>`
+    }
   </ul>`;
 }
 

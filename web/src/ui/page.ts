@@ -7,7 +7,7 @@ import { open, openExample } from '../state/open';
 import { filesOfInput } from '../state/files';
 import { stageName } from '../state/run';
 import type { Controls } from './controls';
-import { header } from './header';
+import { header, runButton } from './header';
 import { picture } from './icons';
 import { inspector } from './inspector';
 import { dialogs } from './dialogs';
@@ -60,6 +60,7 @@ function statusLine(app: App, ui: Controls): TemplateResult {
     : (message?.text ?? resting(app));
   return html`<footer>
     <p id="status" role="status" class=${progress ? '' : (message?.kind ?? '')}>${said}</p>
+    <p id="aside" role="status">${progress ? message?.text : ''}</p>
     ${message?.actions?.map(
       ({ label, do: act }) =>
         html`<button type="button" class="small" @click=${act}>${label}</button>`,
@@ -79,6 +80,7 @@ function statusLine(app: App, ui: Controls): TemplateResult {
     <button type="button" class="small log-button" id="log" @click=${() => ui.show('log')}>
       Log
     </button>
+    ${ui.isPhone ? runButton(app) : nothing}
   </footer>`;
 }
 

@@ -77,6 +77,7 @@ test('turning indices: by stepper, in the budget, and as they were solved', asyn
   await loop.locator('button[aria-label$="smaller"]').click();
   await run(it);
   assert.match(await certificate(it), /Boundary turning\s*[\s\S]*0 wrong/);
+  await page.waitForFunction(() => location.hash.includes('turnings='));
   await loop.locator('button.link').click();
   assert.match(await statusText(page), /boundary 1/);
   await loop.locator('input').fill('');
@@ -136,6 +137,13 @@ test('the line between the views is moved with the arrow keys, and dragged', asy
   await page.mouse.move(box.x - 150, box.y + 100, { steps: 4 });
   await page.mouse.up();
   assert.ok((await value()) < 70);
+  // Without dragging: one click after another.
+  const now = await splitter.boundingBox();
+  await page.mouse.click(now.x + now.width / 2, now.y + 200);
+  const first = await value();
+  const then = await splitter.boundingBox();
+  await page.mouse.click(then.x + then.width / 2, then.y + 200);
+  assert.notEqual(await value(), first);
   assert.equal(await page.evaluate(() => document.activeElement.id), 'splitter');
 });
 

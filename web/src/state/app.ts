@@ -7,7 +7,7 @@ import type { Objection } from './check';
 import type { Files, Missing } from './files';
 import { History } from './history';
 import { emptyPrescription, sameAsked, type Prescription } from './prescription';
-import type { Solved } from './solved';
+import type { Output, Solved } from './solved';
 import type { Surface } from './surface';
 import type { MeshSurvey } from './survey';
 import type { Validation } from './validate';
@@ -118,6 +118,8 @@ export class App {
   results: Solved[] = [];
   /** The map that the worker holds, and can write again without solving. */
   inWorker?: Result;
+  /** How the file shall be written, while it is. */
+  wanted?: Output;
   validation?: Validation;
   /** What the solver says of cones that add up. */
   objection?: Objection;
@@ -131,6 +133,8 @@ export class App {
   natural = new Map<number, Prescription>();
   look: Look = { pattern: 'cross', overlay: 'none', tiles: 24, hasSeams: true, hasWire: false };
   running?: AbortController;
+  /** Counts what has been dropped, chosen or closed: what was asked for last is what is opened. */
+  openings = 0;
   isUnsaved = false;
   #listeners = new Set<() => void>();
   #isTelling = false;
@@ -230,7 +234,9 @@ export class App {
   }
 
   forgetModel(): void {
-    this.running?.abort();
+    const before = this.running;
+    this.running = this.progress = undefined; // what it still has to say is about a closed model
+    before?.abort();
     const { main, asked, surface, info } = this;
     const isWorth = surface && info?.usable && asked.cones.length > 0;
     this.previous = isWorth ? { main, asked, surface, info } : undefined;

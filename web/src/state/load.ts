@@ -5,7 +5,7 @@ import type { ModelInfo } from 'hgp';
 import type { App, LoadSettings, Step } from './app';
 import { restorable, save } from './autosave';
 import { carry, inWords } from './carry';
-import { replaceAsked } from './edit';
+import { isLocked, replaceAsked } from './edit';
 import { estimateOf, mostTriangles, tooMany } from './estimate';
 import { bytesOfAll, explain, inButtons, megabytes } from './explain';
 import { embeddedCones, instancesOf } from './files';
@@ -104,6 +104,7 @@ export async function load(app: App, surface?: number): Promise<void> {
 
 /** The same mesh with other repairs or another weld: one step of undo. */
 export async function change(app: App, settings: LoadSettings, kind: string): Promise<void> {
+  if (isLocked(app)) return app.changed(); // and the field shows what it was
   const { asked } = app;
   const old = { surface: app.surface!, info: app.info! };
   await loading(app, async (call) => {
@@ -121,8 +122,8 @@ const isSaid = ({ cones, turnings, handles }: Prescription): boolean =>
   cones.length > 0 || [...turnings, ...handles].some((n) => n !== null);
 
 /** Undo and redo went to a step with other repairs: the surface follows. */
-export async function reload(app: App): Promise<void> {
-  await loading(app, async (call) => {
+export function reload(app: App): Promise<boolean> {
+  return loading(app, async (call) => {
     await take(app, app.settings, app.info!.surface, call);
   });
 }

@@ -8,7 +8,7 @@ import {
   type Written,
 } from 'hgp';
 import type { App } from './app';
-import { replaceAsked } from './edit';
+import { isLocked, replaceAsked } from './edit';
 import { copyCommand } from './estimate';
 import { explain } from './explain';
 import { withGrid } from './grid';
@@ -22,6 +22,7 @@ const spans: Record<string, [number, number]> = {
   read: [0, 0.02],
   weld: [0.02, 0.04],
   topology: [0.04, 0.06],
+  cones: [0.06, 0.14],
   field: [0.06, 0.22],
   cut: [0.22, 0.26],
   assemble: [0.26, 0.3],
@@ -32,6 +33,7 @@ const spans: Record<string, [number, number]> = {
 
 const stageNames: Record<string, string> = {
   read: 'Reading',
+  cones: 'Choosing cones',
   field: 'Smooth field',
   cut: 'Cutting',
   assemble: 'Assembling',
@@ -85,6 +87,7 @@ async function busy(
   try {
     await work({ signal: own.signal, onProgress: follow(app, own) });
   } catch (error) {
+    if (own.signal.aborted || isLost(error)) app.inWorker = undefined; // gone with its worker
     if (own !== app.running || isLate(own)) return;
     if (isAbort(error)) app.say('Cancelled. Your cones are untouched.');
     else sayFailure(app, error);
@@ -113,10 +116,12 @@ function stopLate(app: App, own: AbortController, seconds: number): void {
   );
 }
 
+const isLost = (error: unknown): boolean =>
+  error instanceof HgpError && error.code === 'worker-lost';
+
 function sayFailure(app: App, error: unknown): void {
   const text = explain(error, app.main);
-  const lost = error instanceof HgpError && error.code === 'worker-lost';
-  if (lost) {
+  if (isLost(error)) {
     wake(app);
     app.say(`${text} Your cones and history are intact.`, 'error', [
       { label: 'Run again', do: () => void run(app) },
@@ -139,6 +144,7 @@ function sayFailure(app: App, error: unknown): void {
 
 /** Puts suggested cones in place; an edit like any other. */
 export async function suggest(app: App, count?: number): Promise<void> {
+  if (isLocked(app)) return;
   const { q, turnings, handles } = app.asked;
   await busy(app, 'Suggesting cones', async (call) => {
     const cones = await app.client!.suggestCones({ q, count }, call);
@@ -190,7 +196,7 @@ const writeOptions = ({ uvSet, embedCones }: Output): WriteOptions => ({
 });
 
 /** The same map in another place or size of the file: solved again only where it must be. */
-export async function rewrite(app: App, old: Solved, output: Output): Promise<void> {
+async function writeAs(app: App, old: Solved, output: Output): Promise<void> {
   await busy(app, 'Writing', async (call) => {
     const isThere = app.inWorker === old.result && old.output.scale === output.scale;
     const solved = isThere
@@ -204,6 +210,21 @@ export async function rewrite(app: App, old: Solved, output: Output): Promise<vo
     app.results = app.results.map((one) => (one === old ? solved : one));
     app.isUnsaved = true;
   });
+}
+
+/** What is chosen while the file is written is taken up afterwards. */
+export async function rewrite(app: App, part: Partial<Output>): Promise<void> {
+  if (!app.current) return;
+  app.wanted = { ...(app.wanted ?? app.current.output), ...part };
+  if (app.phase === 'running') return;
+  for (let old: Solved | undefined = app.current; old && app.wanted; old = app.current) {
+    const output: Output = app.wanted;
+    await writeAs(app, old, output);
+    // Done, or cancelled, or failed; unless something else was chosen meanwhile.
+    if (app.wanted === output || app.current === old) app.wanted = undefined;
+  }
+  app.wanted = undefined;
+  app.changed();
 }
 
 export async function run(app: App): Promise<void> {

@@ -21,6 +21,15 @@ function stored(key: string): string | null {
   }
 }
 
+/** Storage may be forbidden: then it is forgotten. */
+function store(key: string, value: string): void {
+  try {
+    localStorage.setItem(key, value);
+  } catch {
+    // Nothing to do.
+  }
+}
+
 export class Controls {
   tool: 'orbit' | 'place' = 'orbit';
   tab: 'surface' | 'map' = 'surface';
@@ -83,7 +92,7 @@ export class Controls {
   }
   setKeys(isOn: boolean): void {
     this.hasKeys = isOn;
-    localStorage.setItem('hgp-keys', isOn ? 'on' : 'off');
+    store('hgp-keys', isOn ? 'on' : 'off');
     this.#changed();
   }
   setSplit(percent: number): void {
@@ -110,7 +119,7 @@ export class Controls {
 
   nextTheme(): void {
     this.theme = themes[(themes.indexOf(this.theme) + 1) % themes.length];
-    localStorage.setItem('hgp-theme', this.theme);
+    store('hgp-theme', this.theme);
     this.#applyTheme();
     this.#changed();
   }

@@ -17,10 +17,10 @@ const scales: [Output['scale'], string][] = [
 
 /** The choices that change the written file; each is written, read back and judged again. */
 function choices(app: App, solved: Solved): TemplateResult {
-  const { output } = solved;
+  const output = app.wanted ?? solved.output;
   const surface = app.info?.surfaces[app.info.surface];
   const isGltf = /^(glb|gltf)$/.test(app.info?.file.format ?? '');
-  const set = (part: Partial<Output>): void => void rewrite(app, solved, { ...output, ...part });
+  const set = (part: Partial<Output>): void => void rewrite(app, part);
   const value = (event: Event): string => (event.target as HTMLSelectElement).value;
   const sets = surface?.uvSets ?? [];
   return html`<div class="choices">

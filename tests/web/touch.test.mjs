@@ -153,6 +153,11 @@ test('the panels are a sheet: pressed or dragged to three heights; Run is always
   await settled(page);
   await page.screenshot({ path: path.join(shots, 'sheet-peek.png') });
   assert.deepEqual(await violations(page), []);
+  // A dialog is in the middle: nothing widens the page unseen.
+  await page.click('#help');
+  const dialog = await page.locator('#help-dialog').boundingBox();
+  assert.ok(Math.abs(dialog.x + dialog.width / 2 - 195) < 2, `${dialog.x}`);
+  await page.keyboard.press('Escape');
   // A finger pulls it up: a little is half, far is all.
   const touch = await fingers();
   const handle = await page.locator('#sheet').boundingBox();

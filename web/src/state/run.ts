@@ -238,7 +238,7 @@ export async function run(app: App): Promise<void> {
     app.results = [...app.results.slice(-2), solved];
     app.isUnsaved = true;
     const count = solved.asked.cones.length;
-    const chosen = isOpen ? ` ${count} cones were suggested for you.` : '';
+    const chosen = isOpen && count > 0 ? ` ${count} cones were suggested for you.` : '';
     if (solved.isCertified) app.say(`Certified: no triangle is folded.${chosen}`, 'good');
     else app.say(`Not certified. The map can be viewed; see the certificate.${chosen}`, 'error');
   });

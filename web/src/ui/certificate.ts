@@ -205,7 +205,7 @@ function statistics(solved: Solved): [string, string][] {
     ...(mu
       ? [
           [
-            'Distortion μ, mean · 95 % · most',
+            'μ, mean · 95 % · most',
             [mu.meanMu, mu.p95Mu, mu.maxMu].map((x) => x.toFixed(3)).join(' · '),
           ] as [string, string],
         ]

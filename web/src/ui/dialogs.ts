@@ -196,6 +196,7 @@ function help(ui: Controls): TemplateResult {
         <button type="button" class="small" @click=${() => ui.nextTheme()}>
           Theme: ${ui.theme}
         </button>
+        <button type="button" class="small" @click=${() => ui.show('log')}>Log</button>
       </p>
       <p><a href="./guide.html">Guide: cones, certificate, Blender, three.js, quads</a></p>
       <p class="row end">

@@ -73,7 +73,10 @@ function choices(app: App, solved: Solved): TemplateResult {
         .checked=${output.hasGrid}
         @change=${(event: Event) => set({ hasGrid: (event.target as HTMLInputElement).checked })}
       />
-      Assign a grid as material <small>(an OBJ is then a ZIP, with its .mtl and image)</small>
+      <span
+        >Assign a grid as material
+        <small>An OBJ is then a ZIP, with its .mtl and image.</small></span
+      >
     </label>
   </div>`;
 }

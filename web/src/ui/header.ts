@@ -74,9 +74,7 @@ export function header(app: App, ui: Controls): TemplateResult {
     >
       ${icon('redo')}
     </button>
-    <p class="file" title=${app.info ? app.main : ''}>${app.info ? app.main : ''}</p>
-    ${closeButton(app)} ${meshChooser(app)} ${ui.isPhone ? nothing : runButton(app)}
-    ${downloadButton(app, ui)}
+    ${ui.isPhone ? nothing : html`${fileParts(app)} ${runButton(app)}`} ${downloadButton(app, ui)}
     <button
       type="button"
       id="help"
@@ -97,6 +95,13 @@ export function header(app: App, ui: Controls): TemplateResult {
       ${icon('theme')}
     </button>
   </header>`;
+}
+
+/** Which file, which mesh of it, and Close: in the bar at the top, or beside the tabs of a phone. */
+export function fileParts(app: App): TemplateResult {
+  const name = app.info ? app.main : '';
+  return html`<p class="file" title=${name}>${name}</p>
+    ${meshChooser(app)} ${closeButton(app)}`;
 }
 
 function closeButton(app: App): TemplateResult | typeof nothing {

@@ -17,7 +17,7 @@ import {
   useBrowser,
 } from './support.mjs';
 
-const it = useBrowser({ deviceScaleFactor: 1 });
+const it = useBrowser({ viewport: { width: 1150, height: 700 }, deviceScaleFactor: 1 });
 const { test } = it;
 const isInk = (r, g, b) => b > r + 15 && b < 140;
 

@@ -94,14 +94,19 @@ export async function dropPaths(it, paths) {
   await session.detach();
 }
 
-/** What axe finds wrong; through the debugger, so that the policy of the page stays in force. */
-export async function violations(page) {
+/**
+ * What axe finds wrong, in all of the page or in some parts; through the debugger, so that the policy
+ * of the page stays in force.
+ */
+export async function violations(page, ...parts) {
   if (!(await page.evaluate(() => 'axe' in globalThis))) await page.evaluate(axe);
-  const found = await page.evaluate(() =>
-    globalThis.axe.run({
-      resultTypes: ['violations'],
-      runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa', 'wcag22aa', 'best-practice'],
-    }),
+  const found = await page.evaluate(
+    (include) =>
+      globalThis.axe.run(include.length > 0 ? { include } : document, {
+        resultTypes: ['violations'],
+        runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa', 'wcag22aa', 'best-practice'],
+      }),
+    parts,
   );
   return found.violations.map(
     ({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 160)).join(' | ')}`,

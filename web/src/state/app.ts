@@ -98,6 +98,8 @@ export class App {
   /** Several models were dropped: which one? */
   candidates: string[] = [];
   info?: ModelInfo;
+  /** About the mesh that is open: how it is used, what it has already. */
+  remarks: string[] = [];
   /** What `info` and `surface` were loaded with; undo may be ahead of it. */
   loaded: LoadSettings = plainSettings;
   /** Of each mesh of a file that holds several. */

@@ -8,11 +8,12 @@ import { carry, inWords } from './carry';
 import { isLocked, replaceAsked } from './edit';
 import { estimateOf, mostTriangles, tooMany } from './estimate';
 import { bytesOfAll, explain, inButtons, megabytes } from './explain';
-import { embeddedCones, instancesOf } from './files';
+import { embeddedCones } from './files';
 import { emptyPrescription, fromCones, type Prescription } from './prescription';
 import { follow, isAbort } from './run';
 import { surveyMeshes } from './survey';
 import { makeSurface } from './surface';
+import { remarksOn, usesOf } from './uses';
 
 interface LoadCall {
   signal: AbortSignal;
@@ -61,12 +62,9 @@ async function take(
   const read = (index?: number): Promise<ModelInfo> =>
     app.client!.load(source, { name: app.main, surface: index, weld, fix }, call);
   let info = await read(surface);
+  const uses = await usesOf(app.files, app.main);
   if (surface === undefined && info.surfaces.length > 1) {
-    const { survey, best } = await surveyMeshes(
-      info,
-      await instancesOf(app.files, app.main),
-      (index) => read(index),
-    );
+    const { survey, best } = await surveyMeshes(info, uses, (index) => read(index));
     app.survey = survey;
     info = await read(best);
   }
@@ -76,6 +74,7 @@ async function take(
   const made = await makeSurface(arrays);
   call.signal.throwIfAborted();
   app.info = info;
+  app.remarks = remarksOn(info, uses?.[info.surface]);
   app.surface = made;
   app.loaded = settings;
   app.inWorker = undefined;

@@ -145,7 +145,7 @@ function model(app: App, ui: Controls): TemplateResult {
       )}
     </dl>
     ${defects(app, ui)} ${weld(app)}
-    ${[...(surface?.notes ?? []), ...info.notes].map((note) => html`<p class="note">${note}</p>`)}
+    ${[...app.remarks, ...(surface?.notes ?? []), ...info.notes].map((note) => html`<p class="note">${note}</p>`)}
   </details>`;
 }
 

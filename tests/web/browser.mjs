@@ -54,6 +54,8 @@ function isPlain() {
 /** Puts back what tests often change, by the same controls. */
 async function tidy(page) {
   if (await page.$('#downloads, #help-dialog, #log-dialog')) await page.keyboard.press('Escape');
+  if (await page.isVisible('#tab-surface')) await page.click('#tab-surface');
+  if (!(await page.isVisible('#pattern'))) return;
   const usual = { '#pattern': 'cross', '#overlay': 'none' };
   for (const [select, value] of Object.entries(usual)) {
     const now = await page.$eval(select, (one) => one.value);

@@ -96,8 +96,9 @@ function listenToDrops(): void {
 function warmViews(): void {
   const idle = globalThis.requestIdleCallback ?? ((act: () => void) => setTimeout(act, 300));
   idle(() => {
-    ui.surfaceView!.warm(oneOfEach(true));
-    idle(() => ui.mapView!.warm(oneOfEach(false)));
+    void ui
+      .surfaceView!.warm(oneOfEach(true))
+      .then(() => idle(() => void ui.mapView!.warm(oneOfEach(false))));
   });
 }
 

@@ -125,7 +125,17 @@ const nodeTests = (log, folder) =>
  */
 async function webTests(log) {
   const alone = 'tests/web/speed.test.mjs';
-  const long = ['pictures', 'looks', 'panels', 'output', 'cones', 'trouble', 'run', 'touch'];
+  const long = [
+    'pictures',
+    'looks',
+    'panels',
+    'output',
+    'cones',
+    'trouble',
+    'hurry',
+    'run',
+    'touch',
+  ];
   const rank = (file) => (long.indexOf(path.basename(file, '.test.mjs')) + 99) % 99;
   const files = testFiles('web').filter((file) => file !== alone);
   files.sort((a, b) => rank(a) - rank(b));

@@ -2,7 +2,16 @@
 // The last line is always "N passed, N failed, N skipped".
 
 import { spawn, execFileSync } from 'node:child_process';
-import { createWriteStream, existsSync, mkdirSync, readFileSync, readdirSync } from 'node:fs';
+import {
+  createWriteStream,
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  readdirSync,
+  rmSync,
+} from 'node:fs';
+import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { countCtest, countNodeTest } from './support/counts.mjs';
@@ -85,25 +94,59 @@ async function ctest(log, preset) {
   return counts;
 }
 
-/** Test files of a folder, several at once where they may be; those that measure time come last, alone. */
-async function nodeTests(log, folder, { atOnce = 1, alone = [] } = {}) {
-  const all = readdirSync(path.join('tests', folder)).filter((name) => name.endsWith('.test.mjs'));
-  const groups = [
-    [atOnce, all.filter((name) => !alone.includes(name))],
-    [1, all.filter((name) => alone.includes(name))],
-  ];
+/** Runs test files by `node` with these arguments, and counts. */
+async function counted(log, ...args) {
+  const { code, output } = await run(log, 'node', '--test-reporter=tap', ...args);
+  const counts = countNodeTest(output);
+  if (code !== 0) counts.failed = Math.max(counts.failed, 1);
+  return counts;
+}
+
+function sum(all) {
   const total = { passed: 0, failed: 0, skipped: 0, notes: [] };
-  for (const [width, names] of groups) {
-    if (names.length === 0) continue;
-    const flags = ['--test', '--test-reporter=tap', `--test-concurrency=${width}`];
-    const files = names.map((name) => path.join('tests', folder, name));
-    const { code, output } = await run(log, 'node', ...flags, ...files);
-    const counts = countNodeTest(output);
-    if (code !== 0) counts.failed = Math.max(counts.failed, 1);
+  for (const counts of all) {
     for (const key of ['passed', 'failed', 'skipped']) total[key] += counts[key];
     total.notes.push(...counts.notes);
   }
   return total;
+}
+
+const testFiles = (folder) =>
+  readdirSync(path.join('tests', folder))
+    .filter((name) => name.endsWith('.test.mjs'))
+    .map((name) => path.join('tests', folder, name));
+
+const nodeTests = (log, folder) =>
+  counted(log, '--test', '--test-concurrency=1', ...testFiles(folder));
+
+/**
+ * The page's tests: two lanes that take file after file, each with one browser; then, alone, what
+ * measures time. Long files first, so that both lanes end at about the same time.
+ */
+async function webTests(log) {
+  const alone = 'tests/web/speed.test.mjs';
+  const long = [
+    'pictures',
+    'looks',
+    'panels',
+    'output',
+    'cones',
+    'trouble',
+    'hurry',
+    'run',
+    'touch',
+  ];
+  const rank = (file) => (long.indexOf(path.basename(file, '.test.mjs')) + 99) % 99;
+  const files = testFiles('web').filter((file) => file !== alone);
+  files.sort((a, b) => rank(a) - rank(b));
+  const claims = mkdtempSync(path.join(tmpdir(), 'hgp-lanes-'));
+  const lane = () => counted(log, 'tests/support/lane.mjs', claims, ...files);
+  const both = await Promise.all([lane(), lane()]);
+  rmSync(claims, { recursive: true });
+  // A lane counts one test more per file: that it came to its end.
+  const ends = sum(both);
+  ends.passed -= files.length;
+  return sum([ends, await counted(log, '--test', alone)]);
 }
 
 const stages = {
@@ -123,7 +166,7 @@ const stages = {
   install: (log) => nodeTests(log, 'install'),
   web: async (log) => {
     await must(log, 'node_modules/.bin/vite', 'build', 'web');
-    return nodeTests(log, 'web', { atOnce: 2, alone: ['speed.test.mjs'] });
+    return webTests(log);
   },
 };
 

@@ -149,7 +149,11 @@ test('frames that are not there, or contradict the cones, are refused', () =>
       [{ frames: 'file' }, 'usage', /needs the field/],
       [{ field: { name: 'cube.rosy' }, frames: 'file' }, 'usage', /text of a field file/],
       [{ field: bare, frames: 'file' }, 'prescription', /./],
-      [{ field, frames: 'file', cones: nowhere }, 'prescription', /k = 4 where the list of cones says 3/],
+      [
+        { field, frames: 'file', cones: nowhere },
+        'prescription',
+        /k = 4 where the list of cones says 3/,
+      ],
     ]) {
       const failure = await client.parametrize(options).catch((error) => error);
       assert.ok(failure instanceof HgpError);
@@ -270,6 +274,20 @@ test('an aborted call that still waits leaves the running one alone', () =>
     controller.abort();
     await assert.rejects(second, { name: 'AbortError' });
     assert.equal((await first).certificate.certified, true);
+  }));
+
+test('ready starts a worker ahead of the call, with the model where there is one', () =>
+  withClient(async (client) => {
+    await client.load(disk(8), { name: 'disk.obj' });
+    const controller = new AbortController();
+    const solving = client.parametrize({ q: 4 }, { signal: controller.signal });
+    controller.abort();
+    await assert.rejects(solving, { name: 'AbortError' });
+    await client.ready();
+    assert.equal((await client.inspect()).usable, true);
+    client.terminate();
+    await client.ready();
+    await assert.rejects(client.inspect(), HgpError); // the model was forgotten
   }));
 
 test('terminate rejects what is pending', async () => {

@@ -1,7 +1,6 @@
 // Cones by mouse and by keyboard, the budget, undo, and what survives a reload.
 
 import assert from 'node:assert/strict';
-import test from 'node:test';
 import { cubeMesh, toObj } from '../support/meshes.mjs';
 import {
   coneCount,
@@ -18,6 +17,7 @@ import {
 } from './support.mjs';
 
 const it = useBrowser();
+const { test } = it;
 const vertexOf = (i) => it.page.locator(`tr[data-cone="${i}"] td`).first().innerText();
 
 async function openCube() {
@@ -55,6 +55,21 @@ test('by mouse: place, select, drag, delete, undo, redo', async () => {
   await it.page.keyboard.press('Control+Shift+z');
   assert.equal(await vertexOf(1), moved);
 
+  // Escape in the middle of a drag puts the cone back.
+  await settled(it.page);
+  await it.page.mouse.move(x + 90, y - 70);
+  await it.page.click('tr[data-cone="1"] [aria-label$="frame"]');
+  await settled(it.page);
+  await it.page.mouse.move(x, y);
+  await it.page.mouse.down();
+  for (let i = 1; i <= 6; i++) await it.page.mouse.move(x - 15 * i, y + 5 * i);
+  assert.notEqual(await vertexOf(1), moved);
+  await it.page.keyboard.press('Escape');
+  assert.equal(await vertexOf(1), moved);
+  await it.page.mouse.move(x - 100, y - 100);
+  await it.page.mouse.up();
+  assert.equal(await vertexOf(1), moved);
+
   await it.page.click('tr[data-cone="1"] [aria-label$="delete"]');
   assert.equal(await coneCount(it), 1);
   await it.page.click('#undo');
@@ -82,9 +97,15 @@ test('by keyboard alone: open an example, place three cones, run, download', asy
   assert.equal(await coneCount(it), 3);
   for (let i = 0; i < 3; i++) assert.equal(await kOf(it, i), '2');
   await page.waitForSelector('.budget.good');
+  // U goes to the other view and back.
+  const focused = () => page.evaluate(() => document.activeElement.id);
+  await page.keyboard.press('u');
+  await page.waitForFunction(() => document.activeElement.id === 'map');
+  await page.keyboard.press('u');
+  await page.waitForFunction(() => document.activeElement.id === 'view');
   // Tab leaves the view: no trap.
   await page.keyboard.press('Tab');
-  assert.notEqual(await page.evaluate(() => document.activeElement.id), 'view');
+  assert.notEqual(await focused(), 'view');
   await page.keyboard.press('Control+Enter');
   await state(page, 'certified');
   await page.keyboard.press('Control+s');

@@ -2,7 +2,6 @@
 
 import assert from 'node:assert/strict';
 import path from 'node:path';
-import test from 'node:test';
 import { zipSync } from 'fflate';
 import { featureFiles } from '../gltf/features.mjs';
 import { cubeMesh, toGlb, toGltf, toObj, toOff, toPly, toStl } from '../support/meshes.mjs';
@@ -21,6 +20,7 @@ import {
 } from './support.mjs';
 
 const it = useBrowser();
+const { test } = it;
 const cube = cubeMesh(4);
 const shown = async () => {
   await state(it.page, 'ready');
@@ -88,6 +88,8 @@ test('several meshes: what each is good for, the largest good one suggested', as
   json.nodes.push({ mesh: 2 }, { mesh: 2 }); // used three times
   json.nodes = json.nodes.filter(({ mesh }) => mesh !== 1); // and this one never
   json.scenes[0].nodes = json.nodes.map((_, i) => i);
+  json.nodes[0].scale = [1, -1, 1];
+  json.nodes.push({ children: [0], scale: [2, 2, 2] });
   const name = json.buffers[0].uri;
   await openFiles(it, { 'three.gltf': JSON.stringify(json), [name]: bin }, 'pick-mesh');
   const table = await page.locator('#meshes').innerText();
@@ -96,9 +98,12 @@ test('several meshes: what each is good for, the largest good one suggested', as
   assert.match(table, /mesh 2\s*suggested\s+192\s+3\s+1\s+yes/);
   await page.click('[data-mesh="0"]');
   assert.match(await shown(), /Triangles\s*48/);
+  assert.match(await model(it), /A node mirrors it/);
   // And from there to another one, by the chooser beside the name of the file.
   await page.selectOption('#mesh', '2');
   await modelSays(it, /Triangles\s*192/);
+  assert.match(await model(it), /Used 3 times/);
+  assert.doesNotMatch(await model(it), /mirrors/);
   await page.selectOption('#mesh', '1');
   await state(page, 'invalid');
 });

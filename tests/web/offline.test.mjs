@@ -3,11 +3,11 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
-import test from 'node:test';
 import { headers } from '../../web/serve.mjs';
 import { example, root, run, state, useBrowser } from './support.mjs';
 
 const it = useBrowser({ serviceWorkers: 'allow' });
+const { test } = it;
 
 test('opened once, it opens, solves and shows its guide without a network', async () => {
   const { page, context } = it;

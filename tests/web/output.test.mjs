@@ -3,7 +3,6 @@
 
 import assert from 'node:assert/strict';
 import path from 'node:path';
-import test from 'node:test';
 import { Logger, NodeIO } from '@gltf-transform/core';
 import { unzipSync } from 'fflate';
 import pngjs from 'pngjs';
@@ -28,6 +27,7 @@ import {
 } from './support.mjs';
 
 const it = useBrowser({ permissions: ['clipboard-read', 'clipboard-write'] });
+const { test } = it;
 
 async function validate() {
   const { page } = it;
@@ -127,6 +127,8 @@ test('the grid in a glTF of several files, and in the GLB of an OBJ', async () =
   await run(it);
   await chooseGrid();
   assert.match(await certificate(it), /same map/);
+  // The download brings the buffer along: nobody is asked to keep it.
+  assert.doesNotMatch(await it.page.locator('#panel-result').innerText(), /keep cube\.bin/);
   const files = unzipSync(new Uint8Array((await saveAs(it, 'same')).bytes));
   assert.deepEqual(Buffer.from(files['cube.bin']), bin); // what the glTF names comes along
   const [main] = Object.keys(files).filter((name) => name.endsWith('.gltf'));
@@ -148,6 +150,41 @@ test('the grid in a glTF of several files, and in the GLB of an OBJ', async () =
   const zip = unzipSync(new Uint8Array((await saveAs(it, 'zip')).bytes));
   assert.match(String(Buffer.from(zip['cube.gltf'])), /data:image\/png;base64,/);
   assert.match(await validate(), /Validate the GLB[\s\S]*0 errors/);
+});
+
+test('the grid as material of an OBJ: in a ZIP with its .mtl; other lines keep their bytes', async () => {
+  const { page } = it;
+  // Carriage returns, a name that is no UTF-8, groups: whatever is in the file stays.
+  const head = Buffer.from('# caf\xe9\r\nmtllib desk.mtl\r\n', 'latin1');
+  const middle = Buffer.from('g one\nusemtl wood\n');
+  const [vertices, faces] = toObj(cubeMesh(3)).split(/(?=f )(.*)/s);
+  const source = Buffer.concat([head, Buffer.from(vertices), middle, Buffer.from(faces)]);
+  await openFiles(it, { 'my desk.obj': source });
+  await run(it);
+  const before = await saveAs(it, 'same');
+  await chooseGrid();
+  assert.match(await certificate(it), /same map/);
+  await page.click('#download');
+  assert.match(await page.locator('[data-format="same"]').innerText(), /my_desk\.zip/);
+  await page.keyboard.press('Escape');
+  const { name, bytes } = await saveAs(it, 'same');
+  assert.equal(name, 'my_desk.zip');
+  const files = unzipSync(new Uint8Array(bytes));
+  assert.deepEqual(Object.keys(files), ['my desk.obj', 'my_desk.grid.mtl', 'my_desk.grid.png']);
+  const obj = Buffer.from(files['my desk.obj']).toString('latin1');
+  assert.match(obj, /^mtllib my_desk\.grid\.mtl\nusemtl hgp_grid\n/);
+  const undone = obj.replace(/^mtllib .*\nusemtl .*\n/, '').replace(/^# (?=usemtl|mtllib)/gm, '');
+  assert.equal(undone, before.bytes.toString('latin1'));
+  assert.equal(obj.match(/^usemtl/gm).length, 1);
+  const mtl = Buffer.from(files['my_desk.grid.mtl']).toString();
+  const [, scale, image] = mtl.match(/^map_Kd -s ([\d.]+) \1 1 (.*)$/m);
+  assert.ok(scale > 0.1 && scale < 100, scale);
+  assert.equal(pngjs.PNG.sync.read(Buffer.from(files[image])).width, 64);
+  // The plain OBJ has it, too; and the page reads back what it made.
+  const plain = unzipSync(new Uint8Array((await saveAs(it, 'obj')).bytes));
+  assert.match(Buffer.from(plain['my_desk.obj']).toString(), /^mtllib my_desk\.grid\.mtl/);
+  await openFiles(it, { 'again.zip': bytes });
+  await page.waitForSelector('.file[title="my desk.obj"]');
 });
 
 test('a cross field of another program brings its cones', async () => {

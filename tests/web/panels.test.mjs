@@ -5,7 +5,6 @@ import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { existsSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
-import test from 'node:test';
 import { NodeIO } from '@gltf-transform/core';
 import { cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
 import { crackedCube, flatSquare, torusMesh } from './shapes.mjs';
@@ -31,6 +30,7 @@ import {
 } from './support.mjs';
 
 const it = useBrowser({ permissions: ['clipboard-read', 'clipboard-write'] });
+const { test } = it;
 const program = path.join(root, 'build/native-release/bin/hgp');
 
 test('a weld and a repair are steps of undo like any other', async () => {
@@ -77,6 +77,7 @@ test('turning indices: by stepper, in the budget, and as they were solved', asyn
   await loop.locator('button[aria-label$="smaller"]').click();
   await run(it);
   assert.match(await certificate(it), /Boundary turning\s*[\s\S]*0 wrong/);
+  await page.waitForFunction(() => location.hash.includes('turnings='));
   await loop.locator('button.link').click();
   assert.match(await statusText(page), /boundary 1/);
   await loop.locator('input').fill('');
@@ -102,12 +103,16 @@ test('handle loops have rows, steppers and colours on the surface', async () => 
   await page.locator('[data-handle="1"] button.link').click();
   await settled(page);
   assert.ok(share(await pixels(page, '#view'), isRed) < 0.0001);
-  // A torus without cones cannot turn along a handle: refused, with the reason.
+  // A torus without cones cannot turn along a handle: refused before Run, with the reason.
   await page.locator('[data-handle="0"] [aria-label$="larger"]').click();
   assert.match(await page.locator('[data-handle="0"]').innerText(), /90°/);
-  await page.click('#run');
   await page.waitForSelector('#status.error');
-  assert.match(await statusText(page), /handle|holonomy|rotation/i);
+  assert.match(await statusText(page), /handles cannot rotate/);
+  await state(page, 'stale');
+  assert.equal(await page.locator('#run').getAttribute('aria-disabled'), 'true');
+  assert.match(await page.locator('#run-why').textContent(), /handles cannot rotate/);
+  await page.click('#undo');
+  await state(page, 'certified');
 });
 
 test('the line between the views is moved with the arrow keys, and dragged', async () => {
@@ -132,6 +137,13 @@ test('the line between the views is moved with the arrow keys, and dragged', asy
   await page.mouse.move(box.x - 150, box.y + 100, { steps: 4 });
   await page.mouse.up();
   assert.ok((await value()) < 70);
+  // Without dragging: one click after another.
+  const now = await splitter.boundingBox();
+  await page.mouse.click(now.x + now.width / 2, now.y + 200);
+  const first = await value();
+  const then = await splitter.boundingBox();
+  await page.mouse.click(then.x + then.width / 2, then.y + 200);
+  assert.notEqual(await value(), first);
   assert.equal(await page.evaluate(() => document.activeElement.id), 'splitter');
 });
 

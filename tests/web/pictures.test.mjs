@@ -2,7 +2,6 @@
 // the texture goes on in the same direction across a seam.
 
 import assert from 'node:assert/strict';
-import test from 'node:test';
 import { cubeMesh, toGltf, toObj } from '../support/meshes.mjs';
 import { flatSquare } from './shapes.mjs';
 import {
@@ -18,7 +17,8 @@ import {
   useBrowser,
 } from './support.mjs';
 
-const it = useBrowser({ deviceScaleFactor: 1 });
+const it = useBrowser({ viewport: { width: 1150, height: 700 }, deviceScaleFactor: 1 });
+const { test } = it;
 const isInk = (r, g, b) => b > r + 15 && b < 140;
 
 async function solvedCube() {
@@ -141,6 +141,16 @@ test('pointing at one view outlines the same triangle in the other; a seam names
   }
   assert.match(text, /^Seam: turns by \d·360°\/4 = \d+°, shifts by \(/);
   assert.ok(share(await pixels(page, '#view', 'hover-seam'), isPink) > 0.0001);
+  // A double click brings a place to the middle: no one has to drag.
+  for (const [view, at] of [
+    ['#view', [box.x + box.width / 2 + 60, box.y + box.height / 2 + 40]],
+    ['#map', [map.x + map.width / 2, map.y + map.height / 2]],
+  ]) {
+    const before = await pixels(page, view);
+    await page.mouse.dblclick(...at);
+    await settled(page);
+    assert.ok(difference(await pixels(page, view), before) > 0.01, view);
+  }
   await page.mouse.move(5, 5);
   await page.waitForSelector('.hover[hidden]', { state: 'attached' });
 });

@@ -4,7 +4,6 @@ import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { existsSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
-import test from 'node:test';
 import { NodeIO } from '@gltf-transform/core';
 import { problems } from '../cli/schema.mjs';
 import { cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
@@ -25,6 +24,7 @@ import {
 } from './support.mjs';
 
 const it = useBrowser({ deviceScaleFactor: 1 });
+const { test } = it;
 const cube = cubeMesh(8);
 
 /** The command line as an independent judge, where it has been built. */

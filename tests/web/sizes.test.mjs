@@ -2,10 +2,10 @@
 
 import assert from 'node:assert/strict';
 import path from 'node:path';
-import test from 'node:test';
 import { example, run, settled, shots, useBrowser, violations } from './support.mjs';
 
 const it = useBrowser({ viewport: { width: 1440, height: 900 }, deviceScaleFactor: 1 });
+const { test } = it;
 
 /** Buttons under 24 pixels. */
 function tooSmall() {

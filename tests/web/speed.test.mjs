@@ -3,7 +3,6 @@
 import assert from 'node:assert/strict';
 import { readdirSync, statSync } from 'node:fs';
 import path from 'node:path';
-import test from 'node:test';
 import { createCore } from '../../build/package/core.js';
 import { bumpyDisk } from '../support/disk.mjs';
 import { openFiles, root, run, settled, state, statusText, useBrowser } from './support.mjs';
@@ -12,6 +11,7 @@ import { openFiles, root, run, settled, state, statusText, useBrowser } from './
 // back on the page's main thread, which no user's browser does.
 const flags = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'];
 const it = useBrowser({ flags, deviceScaleFactor: 1 });
+const { test } = it;
 const built = path.join(root, 'build/page');
 
 // Times are printed always and judged under --full only: a shared machine stalls at any moment.

@@ -1,134 +1,16 @@
-// A browser for the tests of the page: real Chromium, real files, and no message of the console
-// forgiven — violations of the Content-Security-Policy arrive there.
+// What the tests of the page do as a person does: drop files, press Run, look at the picture.
 
-import assert from 'node:assert/strict';
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { after, afterEach, before, beforeEach } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { chromium } from 'playwright-core';
 import pngjs from 'pngjs';
-import { serve } from '../../web/serve.mjs';
 import { toObj } from '../support/meshes.mjs';
+
+export { useBrowser } from './browser.mjs';
 
 export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
 export const shots = path.join(root, 'build/screenshots');
 const axe = readFileSync(path.join(root, 'node_modules/axe-core/axe.min.js'), 'utf8');
-
-/** What tests of one file may leave behind, taken away: storage, size, colours, a lost network. */
-async function clean(page, context, { origin, viewport }) {
-  page.removeAllListeners('dialog');
-  await context.setOffline(false);
-  await page.emulateMedia({ colorScheme: 'light', reducedMotion: 'reduce' });
-  if (viewport) await page.setViewportSize(viewport);
-  const session = await context.newCDPSession(page);
-  const storageTypes = 'local_storage,indexeddb';
-  await session.send('Storage.clearDataForOrigin', { origin, storageTypes });
-  await session.detach();
-}
-
-/** Whether everything that outlives a model is as on a fresh page. */
-function isPlain() {
-  const find = (selector) => document.querySelector(selector);
-  const values = {
-    ...{ pattern: 'cross', overlay: 'none', scale: '45', q: '4', rounds: '12', 'time-limit': '' },
-    'q-custom': '4',
-  };
-  const isValue = ([id, value]) => find(`#${id}`)?.value === value;
-  const pressed = [...document.querySelectorAll('.toolbar [aria-pressed="true"]')].map(
-    ({ id }) => id,
-  );
-  return (
-    find('#close') !== null &&
-    find('dialog, #cancel, .popup, input:checked, th[aria-sort$="scending"]') === null &&
-    Object.entries(values).every(isValue) &&
-    `${pressed}` === 'tool-orbit,seams' &&
-    find('#tab-surface').ariaSelected === 'true' &&
-    find('#splitter').ariaValueNow === '58' &&
-    find('main').dataset.sheet === 'half' &&
-    document.documentElement.dataset.theme === 'auto'
-  );
-}
-
-/**
- * Closes the model as a person does, which is as good as another page where nothing else was changed;
- * otherwise does nothing and says so.
- */
-async function closed(page) {
-  if (!page.url().startsWith('http') || !(await page.evaluate(isPlain).catch(() => false)))
-    return false;
-  await page.mouse.move(0, 0);
-  await page.click('#close');
-  await state(page, 'empty');
-  // What Close keeps in the browser is kept by then.
-  await page.evaluate(
-    () =>
-      new Promise((resolve) => {
-        const opening = indexedDB.open('hgp');
-        opening.onsuccess = opening.onerror = () => resolve(opening.result?.close());
-      }),
-  );
-  return true;
-}
-
-/**
- * Sets up hooks and returns an object that has the page of the current test: one page for a whole file,
- * opened anew, or closed and empty, for each test.
- */
-export function useBrowser({
-  viewport = { width: 1100, height: 700 },
-  flags = [],
-  deviceScaleFactor = 0.5, // a quarter of the pixels that software has to paint
-  serviceWorkers = 'block', // precaching would only slow the other tests down
-  ...more
-} = {}) {
-  const it = { allowed: [] };
-  let server, browser;
-  let problems = [];
-  before(async () => {
-    mkdirSync(shots, { recursive: true });
-    it.folder = mkdtempSync(path.join(tmpdir(), 'hgp-web-'));
-    ({ server, url: it.url } = await serve({ port: 0 }));
-    const executablePath = ['/usr/bin/chromium', '/usr/bin/google-chrome'].find(existsSync);
-    const args = ['--no-sandbox', '--disable-background-networking', '--disable-dev-shm-usage'];
-    args.push(...flags);
-    browser = await chromium.launch({ executablePath, args });
-    it.context = await browser.newContext({
-      ...{ viewport, serviceWorkers, acceptDownloads: true, reducedMotion: 'reduce' },
-      ...{ deviceScaleFactor, ...more },
-    });
-    it.page = await it.context.newPage();
-    it.page.setDefaultTimeout(Number(process.env.HGP_TIMEOUT ?? 20_000));
-    it.page.on('console', (message) => message.type() === 'error' && problems.push(message.text()));
-    it.page.on('pageerror', (error) => problems.push(error.message));
-    it.page.on('request', (request) => {
-      const target = new URL(request.url());
-      const isOwn = ['blob:', 'data:'].includes(target.protocol);
-      if (!isOwn && target.origin !== new URL(it.url).origin) {
-        problems.push(`request to ${target.origin}`);
-      }
-    });
-  });
-  after(async () => {
-    await browser?.close();
-    server?.close();
-    rmSync(it.folder, { recursive: true, force: true });
-  });
-  beforeEach(async () => {
-    const isClosed = await closed(it.page);
-    await clean(it.page, it.context, { origin: new URL(it.url).origin, viewport });
-    if (!isClosed) await it.page.goto(it.url);
-    problems = [];
-    it.allowed = [];
-    await state(it.page, 'empty');
-  });
-  afterEach(() => {
-    const unexpected = problems.filter((text) => !it.allowed.some((pattern) => pattern.test(text)));
-    assert.deepEqual(unexpected, []);
-  });
-  return it;
-}
 
 export const state = (page, ...names) =>
   page.waitForSelector(names.map((name) => `body[data-state="${name}"]`).join(','));
@@ -212,14 +94,19 @@ export async function dropPaths(it, paths) {
   await session.detach();
 }
 
-/** What axe finds wrong; through the debugger, so that the policy of the page stays in force. */
-export async function violations(page) {
+/**
+ * What axe finds wrong, in all of the page or in some parts; through the debugger, so that the policy
+ * of the page stays in force.
+ */
+export async function violations(page, ...parts) {
   if (!(await page.evaluate(() => 'axe' in globalThis))) await page.evaluate(axe);
-  const found = await page.evaluate(() =>
-    globalThis.axe.run({
-      resultTypes: ['violations'],
-      runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa', 'wcag22aa', 'best-practice'],
-    }),
+  const found = await page.evaluate(
+    (include) =>
+      globalThis.axe.run(include.length > 0 ? { include } : document, {
+        resultTypes: ['violations'],
+        runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa', 'wcag22aa', 'best-practice'],
+      }),
+    parts,
   );
   return found.violations.map(
     ({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 160)).join(' | ')}`,

@@ -1,7 +1,6 @@
 // What goes wrong is named, and the page goes on.
 
 import assert from 'node:assert/strict';
-import test from 'node:test';
 import { bumpyDisk } from '../support/disk.mjs';
 import { closeSync, openSync, ftruncateSync, writeSync } from 'node:fs';
 import path from 'node:path';
@@ -31,6 +30,7 @@ import {
 } from './support.mjs';
 
 const it = useBrowser();
+const { test } = it;
 
 test('a hostile name, an empty file and no mesh at all', async () => {
   const name = '<img src=x onerror=alert(1)>.glb';

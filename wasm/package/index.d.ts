@@ -63,6 +63,8 @@ export interface CallOptions {
 
 /** One model in one worker. Calls run one after another, in the order made. */
 export interface Client extends AsyncDisposable {
+  /** Starts the worker where there is none, with the model, so that the next call need not wait. */
+  ready(call?: CallOptions): Promise<void>;
   load(
     source: File | Blob | Uint8Array | FileSet,
     options?: LoadOptions,

@@ -88,6 +88,11 @@ class Client {
     return client;
   }
 
+  /** Starts the worker where there is none, with the model, so that the next call need not wait. */
+  async ready(call) {
+    await this.#call('ready', [], call);
+  }
+
   async load(source, options = {}, call = {}) {
     const args = [await toFileSet(source, options.name), options];
     const info = await this.#call('load', args, call);

@@ -4,6 +4,7 @@ import { render } from 'lit';
 import { App } from './state/app';
 import { filesOfDrop } from './state/files';
 import { open } from './state/open';
+import { watchCones } from './state/check';
 import { replaceAsked } from './state/edit';
 import { createSolver, keepOffline } from './state/solver';
 import { addressOf, readAddress } from './state/url';
@@ -47,15 +48,23 @@ function applyAddress(): void {
   const { pattern = app.look.pattern, overlay = app.look.overlay, tiles = app.look.tiles } = asked;
   app.look = { ...app.look, pattern, overlay, tiles };
   if (asked.q) app.begin({ ...app.asked, q: asked.q });
-  const { cones, camera, q } = asked;
-  if (!cones && !camera) return;
+  const { cones, camera, q, turnings = [], handles = [] } = asked;
+  const isAsking = cones !== undefined || turnings.length + handles.length > 0;
+  if (!isAsking && !camera) return;
   let isApplied = false;
   app.subscribe(() => {
     if (isApplied || !app.surface || app.phase !== 'editing') return;
     isApplied = true;
-    const isFitting = cones?.every(({ vertex }) => vertex < app.surface!.vertexCount);
-    if (cones && isFitting && app.asked.cones.length === 0) {
-      replaceAsked(app, { ...app.asked, q: q ?? app.asked.q, cones }, 'cones of the address');
+    const isFitting = (cones ?? []).every(({ vertex }) => vertex < app.surface!.vertexCount);
+    if (isAsking && isFitting && app.asked.cones.length === 0) {
+      const from = (pairs: [number, number][], list: readonly (number | null)[]) =>
+        list.map((n, i) => pairs.find(([at]) => at === i)?.[1] ?? n);
+      const more = {
+        turnings: from(turnings, app.asked.turnings),
+        handles: from(handles, app.asked.handles),
+      };
+      const all = { q: q ?? app.asked.q, cones: cones ?? [], ...more };
+      replaceAsked(app, all, 'cones of the address');
     }
     if (camera) ui.surfaceView?.orbit.fromText(camera);
   });
@@ -87,8 +96,9 @@ function listenToDrops(): void {
 function warmViews(): void {
   const idle = globalThis.requestIdleCallback ?? ((act: () => void) => setTimeout(act, 300));
   idle(() => {
-    ui.surfaceView!.warm(oneOfEach(true));
-    idle(() => ui.mapView!.warm(oneOfEach(false)));
+    void ui
+      .surfaceView!.warm(oneOfEach(true))
+      .then(() => idle(() => void ui.mapView!.warm(oneOfEach(false))));
   });
 }
 
@@ -115,6 +125,7 @@ async function start(): Promise<void> {
   listenToDrops();
   ui.surfaceView.orbit.controls.addEventListener('end', rememberAddress);
   app.subscribe(draw);
+  watchCones(app);
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => app.changed());
   addEventListener('beforeunload', (event) => {
     if (app.phase === 'running' || app.isUnsaved) event.preventDefault();

@@ -38,7 +38,8 @@ inline bool readInt(const char*& p, const char* end, std::int64_t& out) {
   return true;
 }
 
-/// Shortest decimal text that reads back as exactly this double.
+/// Decimal text that reads back as exactly this finite double: 17 digits at most, nearly always the
+/// fewest possible.
 void appendDouble(std::string& out, double value);
 void appendInt(std::string& out, std::int64_t value);
 

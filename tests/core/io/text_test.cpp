@@ -29,8 +29,13 @@ TEST(ReadDouble, IsTheNearestDoubleForEveryPrintedOne) {
     appendDouble(text, x);
     ASSERT_TRUE(readsAs(text, x)) << text;
     char buffer[64];
+    int exponent = 0;
     std::snprintf(buffer, sizeof buffer, "%.17g", x);
     ASSERT_TRUE(readsAs(buffer, x)) << buffer;
+    // Ordinary sizes at every number of digits: integers do these.
+    const double ordinary = std::ldexp(std::frexp(x, &exponent), exponent % 60);
+    std::snprintf(buffer, sizeof buffer, "%.*g", 15 + i % 5, ordinary);
+    ASSERT_TRUE(readsAs(buffer, std::strtod(buffer, nullptr))) << buffer;
     std::snprintf(buffer, sizeof buffer, "%.6f", std::fmod(x, 1000.0));
     ASSERT_TRUE(readsAs(buffer, std::strtod(buffer, nullptr))) << buffer;
   }
@@ -45,6 +50,11 @@ TEST(ReadDouble, TakesEverySpelling) {
   EXPECT_TRUE(readsAs("1e3", 1000));
   EXPECT_TRUE(readsAs("1E-3", 0.001));
   EXPECT_TRUE(readsAs("9007199254740993", 9007199254740992.0));
+  EXPECT_TRUE(readsAs("9007199254740995", 9007199254740996.0));
+  EXPECT_TRUE(readsAs("9007199254740993e-1", 900719925474099.3));
+  EXPECT_TRUE(readsAs("1.2345678901234567e-10", 1.2345678901234567e-10));
+  EXPECT_TRUE(readsAs("9999999999999999999e27", 9999999999999999999e27));
+  EXPECT_TRUE(readsAs("9999999999999999999e-27", 9999999999999999999e-27));
   EXPECT_TRUE(readsAs("123456789012345678901234567890", 123456789012345678901234567890.0));
   EXPECT_TRUE(readsAs("0.1000000000000000055511151231257827021181583404541015625", 0.1));
   EXPECT_TRUE(readsAs("4.9406564584124654e-324", std::numeric_limits<double>::denorm_min()));

@@ -3,10 +3,11 @@
 
 import type { Client, ModelInfo, Result, Where } from 'hgp';
 import { computeBudget, type Budget } from './budget';
+import type { Objection } from './check';
 import type { Files, Missing } from './files';
 import { History } from './history';
 import { emptyPrescription, sameAsked, type Prescription } from './prescription';
-import type { Solved } from './solved';
+import type { Output, Solved } from './solved';
 import type { Surface } from './surface';
 import type { MeshSurvey } from './survey';
 import type { Validation } from './validate';
@@ -99,6 +100,8 @@ export class App {
   /** Several models were dropped: which one? */
   candidates: string[] = [];
   info?: ModelInfo;
+  /** About the mesh that is open: how it is used, what it has already. */
+  remarks: string[] = [];
   /** What `info` and `surface` were loaded with; undo may be ahead of it. */
   loaded: LoadSettings = plainSettings;
   /** Of each mesh of a file that holds several. */
@@ -121,7 +124,11 @@ export class App {
   results: Solved[] = [];
   /** The map that the worker holds, and can write again without solving. */
   inWorker?: Result;
+  /** How the file shall be written, while it is. */
+  wanted?: Output;
   validation?: Validation;
+  /** What the solver says of cones that add up. */
+  objection?: Objection;
   /** Outlines places; there once the views are. */
   showPlaces?: (where: Where[]) => void;
   message?: Message;
@@ -132,9 +139,13 @@ export class App {
   natural = new Map<number, Prescription>();
   look: Look = { pattern: 'cross', overlay: 'none', tiles: 24, hasSeams: true, hasWire: false };
   running?: AbortController;
+  /** Counts what has been dropped, chosen or closed: what was asked for last is what is opened. */
+  openings = 0;
   isUnsaved = false;
   #listeners = new Set<() => void>();
   #isTelling = false;
+  /** Computed once for what it is the budget of. */
+  #budget?: { of: unknown[]; budget: Budget };
 
   get asked(): Prescription {
     return this.history.value.asked;
@@ -151,14 +162,32 @@ export class App {
   }
 
   get budget(): Budget | undefined {
-    if (!this.surface || !this.info?.usable) return undefined;
-    return computeBudget(this.asked, this.surface, this.info);
+    const { asked, surface, info } = this;
+    if (!surface || !info?.usable) return undefined;
+    const of = [asked, surface, info, this.objectionNow];
+    if (this.#budget?.of.every((one, i) => one === of[i])) return this.#budget.budget;
+    const budget = computeBudget(asked, surface, info);
+    const { text, warnings = [] } = this.objectionNow ?? {};
+    Object.assign(budget, text ? { isReady: false, text, warnings } : { warnings });
+    this.#budget = { of, budget };
+    return budget;
+  }
+
+  get objectionNow(): Objection | undefined {
+    const { objection, asked, surface } = this;
+    return objection?.asked === asked && objection.surface === surface ? objection : undefined;
+  }
+
+  /** Results on the surface as it is now, which repairs and welds make another. */
+  get fitting(): Solved[] {
+    const now = JSON.stringify(this.loaded);
+    return this.results.filter(({ settings }) => JSON.stringify(settings) === now);
   }
 
   /** The result of exactly what is asked now. */
   get current(): Solved | undefined {
     const { quality, frames } = this.solve;
-    return this.results.findLast(
+    return this.fitting.findLast(
       (one) => one.quality === quality && one.frames === frames && sameAsked(one.asked, this.asked),
     );
   }
@@ -171,15 +200,22 @@ export class App {
 
   /** What the views show: the current result, or the last one, which is then stale. */
   get shown(): Solved | undefined {
-    return this.current ?? this.results.at(-1);
+    return this.current ?? this.fitting.at(-1);
+  }
+
+  /** Run suggests cones where nothing has been said: a turning or a rotation is something said. */
+  get needsCones(): boolean {
+    const { cones, turnings, handles } = this.asked;
+    const isSilent = cones.length === 0 && [...turnings, ...handles].every((n) => n === null);
+    return isSilent && (!this.isExplicit || !this.budget?.isReady);
   }
 
   /** The state of the page in one word. */
   get state(): string {
     if (this.phase !== 'editing') return this.phase;
     if (this.current) return this.current.isCertified ? 'certified' : 'not-certified';
-    if (this.results.length > 0) return 'stale';
-    return this.budget?.isReady || this.asked.cones.length === 0 ? 'ready' : 'unbalanced';
+    if (this.shown) return 'stale';
+    return this.budget?.isReady || this.needsCones ? 'ready' : 'unbalanced';
   }
 
   /** Frames can come from a file only where one with directions was imported. */
@@ -210,7 +246,9 @@ export class App {
   }
 
   forgetModel(): void {
-    this.running?.abort();
+    const before = this.running;
+    this.running = this.progress = undefined; // what it still has to say is about a closed model
+    before?.abort();
     const { main, asked, surface, info } = this;
     const isWorth = surface && info?.usable && asked.cones.length > 0;
     this.previous = isWorth ? { main, asked, surface, info } : undefined;

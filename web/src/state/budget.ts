@@ -26,6 +26,8 @@ export interface Budget {
   isReady: boolean;
   /** One sentence: what is missing and what would settle it. */
   text: string;
+  /** Nothing forbids these cones, but they are known to be hard. */
+  warnings?: string[];
 }
 
 /** Largest k that leaves every corner of the triangles at the vertex below 180°. */
@@ -43,7 +45,7 @@ function judge(asked: Prescription, surface: Surface, i: number): ConeState {
   const most = largestK(asked.q, surface.valence[vertex]);
   if (k > most) {
     return bad(
-      `${surface.valence[vertex]} triangles: a corner above 180°. Largest k here: ${most}`,
+      `${surface.valence[vertex]} triangles; k = ${k} would need a corner above 180°. Largest k here: ${most}`,
     );
   }
   if (k === asked.q) return { isGood: true, text: 'no effect (k = q)' };
@@ -69,9 +71,13 @@ export function waysToSpend(left: number, q: number): string {
   return ways.join(' or ');
 }
 
-function sentence(parts: PartBudget[], cones: ConeState[], q: number): string {
+function sentence(
+  parts: PartBudget[],
+  cones: ConeState[],
+  { q, cones: list }: Prescription,
+): string {
   const wrong = cones.findIndex(({ isGood }) => !isGood);
-  if (wrong >= 0) return `Cone ${wrong + 1}: ${cones[wrong].text}.`;
+  if (wrong >= 0) return `Cone ${wrong + 1} (v ${list[wrong].vertex}): ${cones[wrong].text}.`;
   const open = parts.find(({ isBalanced }) => !isBalanced);
   if (!open) return parts.length === 1 ? 'Balance 0' : `Balance 0 in all ${parts.length} parts`;
   const where = parts.length > 1 ? ` in part ${open.part + 1}` : '';
@@ -106,7 +112,7 @@ export function computeBudget(asked: Prescription, surface: Surface, info: Model
   });
   const cones = asked.cones.map((_, i) => judge(asked, surface, i));
   return {
-    ...{ parts, cones, text: sentence(parts, cones, asked.q) },
+    ...{ parts, cones, text: sentence(parts, cones, asked) },
     isReady: parts.every(({ isBalanced }) => isBalanced) && cones.every(({ isGood }) => isGood),
   };
 }

@@ -6,16 +6,21 @@ import { fromCones, withOrder, type Cone, type Prescription } from './prescripti
 import { explain } from './explain';
 import { hasDirections } from './files';
 import { reload } from './load';
+import { cancel } from './run';
 import { save } from './autosave';
+
+/** Whether nothing can be edited now; says so, with a way out. */
+export function isLocked(app: App): boolean {
+  if (app.phase !== 'running') return false;
+  app.say('The cones are locked while the solver runs.', 'note', [
+    { label: 'Cancel and edit', do: () => cancel(app) },
+  ]);
+  return true;
+}
 
 /** The one way to change what is asked. `kind` is "verb: field" for undo. */
 export function replaceAsked(app: App, asked: Prescription, kind: string): void {
-  if (app.phase === 'running') {
-    app.say('The cones are locked while the solver runs.', 'note', [
-      { label: 'Cancel and edit', do: () => app.running?.abort() },
-    ]);
-    return;
-  }
+  if (isLocked(app)) return;
   app.history.push({ asked, settings: app.settings }, kind);
   if (app.message?.kind !== 'note') app.message = undefined; // it was about what is now past
   app.isExplicit = true;
@@ -183,6 +188,7 @@ export function putRestOnSelected(app: App): void {
 }
 
 export async function importCones(app: App, name: string, text: string): Promise<void> {
+  if (isLocked(app)) return;
   try {
     const cones = await app.client!.readCones({ name, text, q: app.asked.q });
     const { turnings, handles } = app.asked;
@@ -194,13 +200,23 @@ export async function importCones(app: App, name: string, text: string): Promise
   }
 }
 
-function step(app: App, move: () => void): void {
-  if (app.phase === 'running' || app.phase === 'loading') return;
+function step(app: App, move: () => void, back: () => void): void {
+  if (app.phase === 'loading' || isLocked(app)) return;
+  const { history } = app;
   move();
   app.message = undefined;
   app.selected = -1;
-  if (app.settings !== app.loaded && app.info) void reload(app); // a repair or a weld was undone
+  if (app.settings !== app.loaded && app.info) {
+    // A repair or a weld was undone; or not, where reading the file again was cancelled.
+    void reload(app).then((isDone) => {
+      if (isDone || history !== app.history) return;
+      back();
+      app.changed();
+    });
+  }
   app.changed();
 }
-export const undo = (app: App): void => step(app, () => app.history.undo());
-export const redo = (app: App): void => step(app, () => app.history.redo());
+const goBack = (app: App) => (): void => app.history.undo();
+const goOn = (app: App) => (): void => app.history.redo();
+export const undo = (app: App): void => step(app, goBack(app), goOn(app));
+export const redo = (app: App): void => step(app, goOn(app), goBack(app));

@@ -82,3 +82,15 @@ export function commandOf(app: App): string {
   words.push('--embed-cones', '-o', quoted(`${stem}.mapped${ending}`));
   return words.join(' ');
 }
+
+export async function copyCommand(app: App): Promise<void> {
+  const command = commandOf(app);
+  const isFile = command.includes('--cones ');
+  const also = isFile ? ' It reads the cones from the file that Export saves.' : '';
+  try {
+    await navigator.clipboard.writeText(command);
+    app.say(`Copied: the command that does this run.${also}`, 'good');
+  } catch {
+    app.say(`The browser does not let this page copy. The command: ${command}`);
+  }
+}

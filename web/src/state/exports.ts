@@ -157,40 +157,62 @@ function toSvg({ result }: Solved): Uint8Array {
   );
 }
 
-/** The bytes for a format; the patched original is the very bytes that the preview shows. */
-export function make(app: App, solved: Solved, format: Format): Download {
+/** A glTF is several files, even where its buffer is written inside. */
+const isOneFile = ({ files }: Solved): boolean =>
+  files.length === 1 && !/\.gltf$/i.test(files[0].name);
+
+/** What a download of this format is called. */
+export function nameOf(app: App, solved: Solved, format: Format): string {
   const name = stem(app);
   switch (format) {
-    case 'same': {
-      const { files } = solved;
-      const main = safeName(files[0].name || app.main);
-      if (files.length === 1 && !/\.gltf$/i.test(main)) {
-        return { name: main, bytes: files[0].bytes, type: 'application/octet-stream' };
-      }
-      const entries = Object.fromEntries(files.map((file) => [file.name, file.bytes]));
-      return { name: `${name}.zip`, bytes: zipSync(entries), type: 'application/zip' };
-    }
+    case 'same':
+      return isOneFile(solved) ? safeName(solved.files[0].name || app.main) : `${name}.zip`;
+    case 'obj':
+      return solved.output.hasGrid ? `${name}.zip` : `${name}.obj`;
+    case 'flat':
+      return `${name}.flat.obj`;
+    case 'cones':
+    case 'report':
+      return `${name}.${format}.json`;
+    default:
+      return `${name}.${format}`;
+  }
+}
+
+function zipped(name: string, files: OutputFile[]): Download {
+  const entries = Object.fromEntries(files.map((file) => [file.name, file.bytes]));
+  return { name, bytes: zipSync(entries), type: 'application/zip' };
+}
+
+/** The bytes for a format; the patched original is the very bytes that the preview shows. */
+export function make(app: App, solved: Solved, format: Format): Download {
+  const name = nameOf(app, solved, format);
+  switch (format) {
+    case 'same':
+      return isOneFile(solved)
+        ? { name, bytes: solved.files[0].bytes, type: 'application/octet-stream' }
+        : zipped(name, solved.files);
     case 'glb': {
-      const made = withChosenGrid(app, solved, [{ name: `${name}.glb`, bytes: toGlb(solved) }]);
+      const made = withChosenGrid(app, solved, [{ name, bytes: toGlb(solved) }]);
       return { ...made[0], type: 'model/gltf-binary' };
     }
-    case 'zip': {
-      const made = withChosenGrid(app, solved, toGltfFiles(solved, name));
-      const entries = Object.fromEntries(made.map((file) => [file.name, file.bytes]));
-      return { name: `${name}.zip`, bytes: zipSync(entries), type: 'application/zip' };
+    case 'zip':
+      return zipped(name, withChosenGrid(app, solved, toGltfFiles(solved, stem(app))));
+    case 'obj': {
+      const main = { name: `${stem(app)}.obj`, bytes: toObj(solved) };
+      const made = withChosenGrid(app, solved, [main]);
+      return made.length > 1 ? zipped(name, made) : { ...main, type: 'text/plain' };
     }
-    case 'obj':
-      return { name: `${name}.obj`, bytes: toObj(solved), type: 'text/plain' };
     case 'flat':
-      return { name: `${name}.flat.obj`, bytes: toFlatObj(solved), type: 'text/plain' };
+      return { name, bytes: toFlatObj(solved), type: 'text/plain' };
     case 'cones':
       return coneFile(app);
     case 'report': {
       const bytes = encode(`${JSON.stringify(solved.result.report, null, 1)}\n`);
-      return { name: `${name}.report.json`, bytes, type: 'application/json' };
+      return { name, bytes, type: 'application/json' };
     }
     case 'svg':
-      return { name: `${name}.svg`, bytes: toSvg(solved), type: 'image/svg+xml' };
+      return { name, bytes: toSvg(solved), type: 'image/svg+xml' };
   }
 }
 

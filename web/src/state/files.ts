@@ -94,11 +94,6 @@ interface GltfLike {
   buffers?: { uri?: string }[];
   images?: { uri?: string }[];
   meshes?: { extras?: { hgp?: unknown } }[];
-  nodes?: {
-    mesh?: number;
-    extensions?: { EXT_mesh_gpu_instancing?: { attributes?: Record<string, number> } };
-  }[];
-  accessors?: { count?: number }[];
 }
 
 /** The JSON of a .glb or .gltf, or nothing when it is no such file (the solver says why). */
@@ -181,19 +176,6 @@ export async function sideFiles(
     if (file) found.set(name, await bytesOf(file));
   }
   return [...found].map(([name, bytes]) => ({ name, bytes }));
-}
-
-/** How often each mesh of a glTF is used by its nodes. */
-export async function instancesOf(files: Files, main: string): Promise<number[] | undefined> {
-  if (!isGltf(main)) return undefined;
-  const { meshes = [], nodes = [], accessors = [] } = await readGltfJson(main, files.get(main)!);
-  const counts = meshes.map(() => 0);
-  for (const { mesh, extensions } of nodes) {
-    if (mesh === undefined || counts[mesh] === undefined) continue;
-    const [many] = Object.values(extensions?.EXT_mesh_gpu_instancing?.attributes ?? {});
-    counts[mesh] += many === undefined ? 1 : (accessors[many]?.count ?? 1);
-  }
-  return counts;
 }
 
 /** Cones stored in the file by an earlier run. */

@@ -1,73 +1,10 @@
 // A grid as the material of the mapped mesh, so that the map is seen wherever the file is opened. All
 // else in the file keeps its bytes.
 
-import { zlibSync } from 'fflate';
+import { gridImage, joined } from './grid_image';
+import { withObjGrid } from './grid_obj';
 import { Splice, type Place } from './json_places';
 import type { OutputFile } from './readback';
-
-const side = 64; // pixels of the image, which shows two by two tiles
-const lineWidth = 3;
-const colours = [
-  [233, 237, 242],
-  [205, 214, 224],
-  [29, 63, 99],
-]; // paper, shade, lines
-
-const crcTable = Int32Array.from({ length: 256 }, (_, n) => {
-  let c = n;
-  for (let k = 0; k < 8; k++) c = c & 1 ? (c >>> 1) ^ 0xedb88320 : c >>> 1;
-  return c;
-});
-
-function chunk(kind: string, data: Uint8Array): Uint8Array {
-  const out = new Uint8Array(12 + data.length);
-  const view = new DataView(out.buffer);
-  view.setUint32(0, data.length);
-  out.set(new TextEncoder().encode(kind), 4);
-  out.set(data, 8);
-  let crc = -1;
-  for (const byte of out.subarray(4, 8 + data.length)) {
-    crc = (crc >>> 8) ^ crcTable[(crc ^ byte) & 255];
-  }
-  view.setUint32(8 + data.length, ~crc >>> 0);
-  return out;
-}
-
-/** As a PNG with a palette. */
-function gridImage(): Uint8Array {
-  const half = side / 2;
-  const rows = new Uint8Array(side * (side + 1)); // each with a filter byte of 0
-  for (let y = 0; y < side; y++) {
-    for (let x = 0; x < side; x++) {
-      const isLine = x % half < lineWidth || y % half < lineWidth;
-      const isShade = Math.floor(x / half) !== Math.floor(y / half);
-      rows[y * (side + 1) + 1 + x] = isLine ? 2 : isShade ? 1 : 0;
-    }
-  }
-  const head = new Uint8Array(13);
-  const view = new DataView(head.buffer);
-  view.setUint32(0, side);
-  view.setUint32(4, side);
-  head.set([8, 3, 0, 0, 0], 8); // eight bits, palette
-  const parts = [
-    new Uint8Array([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]),
-    chunk('IHDR', head),
-    chunk('PLTE', Uint8Array.from(colours.flat())),
-    chunk('IDAT', zlibSync(rows, { level: 9 })),
-    chunk('IEND', new Uint8Array(0)),
-  ];
-  return joined(parts);
-}
-
-function joined(parts: Uint8Array[]): Uint8Array {
-  const out = new Uint8Array(parts.reduce((sum, part) => sum + part.length, 0));
-  let at = 0;
-  for (const part of parts) {
-    out.set(part, at);
-    at += part.length;
-  }
-  return out;
-}
 
 interface Asked {
   mesh: number;
@@ -160,9 +97,11 @@ function inGltf(bytes: Uint8Array, asked: Asked): Uint8Array {
   return new TextEncoder().encode(splice.result);
 }
 
-/** Files of a glTF, the main one first, with the grid; other formats as they are. */
+/** Files, the main one first, with the grid. */
 export function withGrid(files: OutputFile[], asked: Asked): OutputFile[] {
-  const [{ name, bytes }, ...others] = files;
+  const [main, ...others] = files;
+  const { name, bytes } = main;
+  if (/\.obj$/i.test(name)) return [...withObjGrid(main, asked.tiles), ...others];
   const isGlb = /\.glb$/i.test(name);
   if (!isGlb && !/\.gltf$/i.test(name)) return files;
   return [{ name, bytes: isGlb ? inGlb(bytes, asked) : inGltf(bytes, asked) }, ...others];

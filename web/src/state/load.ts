@@ -5,14 +5,15 @@ import type { ModelInfo } from 'hgp';
 import type { App, LoadSettings, Step } from './app';
 import { restorable, save } from './autosave';
 import { carry, inWords } from './carry';
-import { replaceAsked } from './edit';
+import { isLocked, replaceAsked } from './edit';
 import { estimateOf, mostTriangles, tooMany } from './estimate';
 import { bytesOfAll, explain, inButtons, megabytes } from './explain';
-import { embeddedCones, instancesOf } from './files';
+import { embeddedCones } from './files';
 import { emptyPrescription, fromCones, type Prescription } from './prescription';
 import { follow, isAbort } from './run';
 import { surveyMeshes } from './survey';
 import { makeSurface } from './surface';
+import { remarksOn, usesOf } from './uses';
 
 interface LoadCall {
   signal: AbortSignal;
@@ -61,12 +62,9 @@ async function take(
   const read = (index?: number): Promise<ModelInfo> =>
     app.client!.load(source, { name: app.main, surface: index, weld, fix }, call);
   let info = await read(surface);
+  const uses = await usesOf(app.files, app.main);
   if (surface === undefined && info.surfaces.length > 1) {
-    const { survey, best } = await surveyMeshes(
-      info,
-      await instancesOf(app.files, app.main),
-      (index) => read(index),
-    );
+    const { survey, best } = await surveyMeshes(info, uses, (index) => read(index));
     app.survey = survey;
     info = await read(best);
   }
@@ -76,9 +74,10 @@ async function take(
   const made = await makeSurface(arrays);
   call.signal.throwIfAborted();
   app.info = info;
+  app.remarks = remarksOn(info, uses?.[info.surface]);
   app.surface = made;
   app.loaded = settings;
-  app.results = [];
+  app.inWorker = undefined;
   app.natural.clear();
   app.selected = -1;
   app.phase = info.usable ? 'editing' : 'invalid';
@@ -94,6 +93,7 @@ export async function load(app: App, surface?: number): Promise<void> {
   const isDone = await loading(app, async (call) => {
     const settings: LoadSettings = { fix: {} };
     const info = await take(app, settings, surface, call);
+    app.results = [];
     app.begin(emptyFor(app, info), settings);
     if (info.surfaces.length > 1 && surface === undefined) app.phase = 'pick-mesh';
     if (info.usable) await findCones(app);
@@ -103,6 +103,7 @@ export async function load(app: App, surface?: number): Promise<void> {
 
 /** The same mesh with other repairs or another weld: one step of undo. */
 export async function change(app: App, settings: LoadSettings, kind: string): Promise<void> {
+  if (isLocked(app)) return app.changed(); // and the field shows what it was
   const { asked } = app;
   const old = { surface: app.surface!, info: app.info! };
   await loading(app, async (call) => {
@@ -120,8 +121,8 @@ const isSaid = ({ cones, turnings, handles }: Prescription): boolean =>
   cones.length > 0 || [...turnings, ...handles].some((n) => n !== null);
 
 /** Undo and redo went to a step with other repairs: the surface follows. */
-export async function reload(app: App): Promise<void> {
-  await loading(app, async (call) => {
+export function reload(app: App): Promise<boolean> {
+  return loading(app, async (call) => {
     await take(app, app.settings, app.info!.surface, call);
   });
 }

@@ -7,12 +7,14 @@ import { importCones } from './edit';
 import { save } from './autosave';
 import { load, reopen } from './load';
 import { bytesOfAll, megabytes } from './explain';
+import { wake } from './solver';
 
 const mostBytes = 512 * 2 ** 20;
 
 /** New files: a model, a cone file for the model that is open, or what was missing. */
 export async function open(app: App, dropped: Files): Promise<void> {
   if (dropped.size === 0) return;
+  const own = ++app.openings;
   const coneFile = app.surface ? coneFileOf(dropped) : undefined;
   if (coneFile) {
     const text = new TextDecoder().decode(await bytesOf(dropped.get(coneFile)!));
@@ -24,13 +26,14 @@ export async function open(app: App, dropped: Files): Promise<void> {
   } catch (error) {
     return app.say((error as Error).message, 'error');
   }
+  if (own !== app.openings) return;
   const meshes = meshesOf(files);
   if (app.phase === 'needs-files' && meshes.length === 0) return supply(app, files);
   app.forgetModel();
   app.files = files;
   if (meshes.length === 0) {
     app.phase = 'empty';
-    const name = [...files.keys()][0] ?? '';
+    const name = [...files.keys(), ...dropped.keys()][0];
     return app.say(
       `“${name}” holds no mesh. Drop a GLB, glTF, OBJ, PLY, STL or OFF file.`,
       'error',
@@ -45,6 +48,7 @@ export async function open(app: App, dropped: Files): Promise<void> {
 }
 
 export async function openMain(app: App, main: string): Promise<void> {
+  const own = ++app.openings;
   app.candidates = [];
   app.main = main;
   const size = bytesOfAll(app.files);
@@ -57,6 +61,7 @@ export async function openMain(app: App, main: string): Promise<void> {
     );
   }
   const { missing, refused } = await findMissing(app.files, main);
+  if (own !== app.openings) return;
   if (refused.length > 0) {
     app.say(
       `This file asks for “${refused[0]}”, which is outside the dropped folder. Not loaded.`,
@@ -87,10 +92,12 @@ export async function loadWithoutImages(app: App): Promise<void> {
 export function close(app: App): void {
   const { files, main, asked, settings, info, isExplicit } = app;
   if (!info) return;
+  app.openings += 1;
   if (asked.cones.length > 0) void save(info.file.sha256, asked);
   app.forgetModel();
   app.previous = undefined;
-  app.client?.terminate(); // its memory never shrinks; the next call starts another worker
+  app.client?.terminate(); // its memory never shrinks
+  wake(app);
   app.files = new Map();
   app.main = '';
   app.phase = 'empty';
@@ -109,14 +116,16 @@ export async function openExample(
   app: App,
   example: { file: string; q: number; cones: { vertex: number; k: number }[] | null },
 ): Promise<void> {
+  const own = ++app.openings;
   const response = await fetch(`./examples/${example.file}`);
   if (!response.ok) return app.say(`The example could not be read (${response.status}).`, 'error');
   const bytes = new Uint8Array(await response.arrayBuffer());
+  if (own !== app.openings) return;
   app.forgetModel();
   app.begin(emptyPrescription(example.q, 0, 0));
   app.files = new Map([[example.file, bytes]]);
   await openMain(app, example.file);
-  if (!app.surface || !example.cones) return;
+  if (!app.surface || !example.cones || app.main !== example.file) return;
   app.isExplicit = true;
   app.message = undefined;
   app.begin({ ...app.asked, q: example.q, cones: example.cones });

@@ -8,11 +8,13 @@ import {
   type Written,
 } from 'hgp';
 import type { App } from './app';
-import { replaceAsked } from './edit';
+import { isLocked, replaceAsked } from './edit';
+import { copyCommand } from './estimate';
 import { explain } from './explain';
 import { withGrid } from './grid';
 import { tilesPerUnit } from './measure';
 import { fromCones, toCones } from './prescription';
+import { wake } from './solver';
 import { finish, type Output, plainOutput, type Solved } from './solved';
 
 // Where each stage begins and ends within the whole.
@@ -20,6 +22,7 @@ const spans: Record<string, [number, number]> = {
   read: [0, 0.02],
   weld: [0.02, 0.04],
   topology: [0.04, 0.06],
+  cones: [0.06, 0.14],
   field: [0.06, 0.22],
   cut: [0.22, 0.26],
   assemble: [0.26, 0.3],
@@ -30,6 +33,7 @@ const spans: Record<string, [number, number]> = {
 
 const stageNames: Record<string, string> = {
   read: 'Reading',
+  cones: 'Choosing cones',
   field: 'Smooth field',
   cut: 'Cutting',
   assemble: 'Assembling',
@@ -83,6 +87,7 @@ async function busy(
   try {
     await work({ signal: own.signal, onProgress: follow(app, own) });
   } catch (error) {
+    if (own.signal.aborted || isLost(error)) app.inWorker = undefined; // gone with its worker
     if (own !== app.running || isLate(own)) return;
     if (isAbort(error)) app.say('Cancelled. Your cones are untouched.');
     else sayFailure(app, error);
@@ -103,6 +108,7 @@ const isLate = ({ signal }: AbortController): boolean =>
 function stopLate(app: App, own: AbortController, seconds: number): void {
   if (own !== app.running) return;
   own.abort(new DOMException('too late', 'TimeoutError'));
+  wake(app);
   app.say(
     `No certified map within ${seconds} s, the limit you set. Your cones are untouched. ` +
       'Try: more time in the Solve panel, fewer triangles, or the command line.',
@@ -110,13 +116,20 @@ function stopLate(app: App, own: AbortController, seconds: number): void {
   );
 }
 
+const isLost = (error: unknown): boolean =>
+  error instanceof HgpError && error.code === 'worker-lost';
+
 function sayFailure(app: App, error: unknown): void {
   const text = explain(error, app.main);
-  const lost = error instanceof HgpError && error.code === 'worker-lost';
-  if (lost) {
+  if (isLost(error)) {
+    wake(app);
     app.say(`${text} Your cones and history are intact.`, 'error', [
       { label: 'Run again', do: () => void run(app) },
     ]);
+    return;
+  }
+  if (error instanceof HgpError && error.code === 'limit') {
+    app.say(text, 'error', [{ label: 'Copy the command', do: () => void copyCommand(app) }]);
     return;
   }
   const advice = 'Try: move a cone to a vertex with more triangles, or another q.';
@@ -137,6 +150,7 @@ function sayFailure(app: App, error: unknown): void {
 
 /** Puts suggested cones in place; an edit like any other. */
 export async function suggest(app: App, count?: number): Promise<void> {
+  if (isLocked(app)) return;
   const { q, turnings, handles } = app.asked;
   await busy(app, 'Suggesting cones', async (call) => {
     const cones = await app.client!.suggestCones({ q, count }, call);
@@ -150,15 +164,9 @@ export async function suggest(app: App, count?: number): Promise<void> {
 
 const usesField = (app: App): boolean => app.solve.frames === 'file' && app.field !== undefined;
 
-/** Where nothing has been said yet, cones are suggested first; a turning index is something said. */
-const needsCones = (app: App): boolean =>
-  app.asked.cones.length === 0 &&
-  app.asked.turnings.every((l) => l === null) &&
-  (!app.isExplicit || !app.budget?.isReady);
-
 export function canRun(app: App): boolean {
   if (app.phase !== 'editing' || !app.info?.usable || !app.client) return false;
-  return needsCones(app) || Boolean(app.budget?.isReady);
+  return app.needsCones || Boolean(app.budget?.isReady);
 }
 
 type Call = Parameters<Parameters<typeof busy>[2]>[0];
@@ -170,7 +178,7 @@ type Call = Parameters<Parameters<typeof busy>[2]>[0];
 async function solve(app: App, output: Output, call: Call): Promise<Solved> {
   const { rounds, quality, frames } = app.solve;
   const { turnings, handles, q } = app.asked;
-  const isNatural = !usesField(app) && (needsCones(app) || app.isNatural);
+  const isNatural = !usesField(app) && (app.needsCones || app.isNatural);
   const options = { maxRounds: rounds, quality, scale: output.scale };
   const framed = usesField(app) ? { frames, field: app.field } : {};
   const what = isNatural ? { q } : { cones: toCones(app.asked), ...framed };
@@ -180,7 +188,8 @@ async function solve(app: App, output: Output, call: Call): Promise<Solved> {
   call.onProgress({ stage: 'write', fraction: 0, iteration: -1, residual: -1 });
   const written = await write(app, result, output, call);
   app.inWorker = result;
-  return finish(app, { asked, quality, frames, output }, result, written);
+  const order = { asked, settings: app.loaded, quality, frames, output };
+  return finish(app, order, result, written);
 }
 
 async function write(app: App, result: Result, output: Output, call: Call): Promise<Written> {
@@ -197,7 +206,7 @@ const writeOptions = ({ uvSet, embedCones }: Output): WriteOptions => ({
 });
 
 /** The same map in another place or size of the file: solved again only where it must be. */
-export async function rewrite(app: App, old: Solved, output: Output): Promise<void> {
+async function writeAs(app: App, old: Solved, output: Output): Promise<void> {
   await busy(app, 'Writing', async (call) => {
     const isThere = app.inWorker === old.result && old.output.scale === output.scale;
     const solved = isThere
@@ -213,9 +222,24 @@ export async function rewrite(app: App, old: Solved, output: Output): Promise<vo
   });
 }
 
+/** What is chosen while the file is written is taken up afterwards. */
+export async function rewrite(app: App, part: Partial<Output>): Promise<void> {
+  if (!app.current) return;
+  app.wanted = { ...(app.wanted ?? app.current.output), ...part };
+  if (app.phase === 'running') return;
+  for (let old: Solved | undefined = app.current; old && app.wanted; old = app.current) {
+    const output: Output = app.wanted;
+    await writeAs(app, old, output);
+    // Done, or cancelled, or failed; unless something else was chosen meanwhile.
+    if (app.wanted === output || app.current === old) app.wanted = undefined;
+  }
+  app.wanted = undefined;
+  app.changed();
+}
+
 export async function run(app: App): Promise<void> {
   if (!canRun(app)) return;
-  const isOpen = needsCones(app) && !usesField(app);
+  const isOpen = app.needsCones && !usesField(app);
   await busy(app, isOpen ? 'Choosing cones and running' : 'Running', async (call) => {
     const solved = await solve(app, app.shown?.output ?? plainOutput, call);
     call.signal.throwIfAborted();
@@ -224,7 +248,7 @@ export async function run(app: App): Promise<void> {
     app.results = [...app.results.slice(-2), solved];
     app.isUnsaved = true;
     const count = solved.asked.cones.length;
-    const chosen = isOpen ? ` ${count} cones were suggested for you.` : '';
+    const chosen = isOpen && count > 0 ? ` ${count} cones were suggested for you.` : '';
     if (solved.isCertified) app.say(`Certified: no triangle is folded.${chosen}`, 'good');
     else {
       const other = solved.frames === 'file' ? ' Automatic frames may do better.' : '';
@@ -236,5 +260,6 @@ export async function run(app: App): Promise<void> {
 
 export function cancel(app: App): void {
   app.running?.abort();
+  wake(app);
   app.say('Cancelled. Your cones are untouched.');
 }

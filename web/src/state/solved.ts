@@ -1,11 +1,12 @@
 // One finished run: the map, the bytes that Download saves, and what the panels say about them.
 
 import type { Result, Written } from 'hgp';
-import type { App } from './app';
+import type { App, LoadSettings } from './app';
 import { inSteps, pause } from './breath';
 import { leastArea, measure, type Distortion, type LeastArea } from './measure';
 import { findOverlaps, type Overlaps } from './overlaps';
 import { sideFiles } from './files';
+import { keptIn } from './kept';
 import type { Prescription } from './prescription';
 import { readBack, type Corners, type OutputFile } from './readback';
 import { distanceToSeams } from './seam_distance';
@@ -33,6 +34,8 @@ export const plainOutput: Output = { scale: 'solved', embedCones: true, hasGrid:
 /** What a result is the result of. */
 export interface Order {
   asked: Prescription;
+  /** Welds and repairs of the surface that it is the map of. */
+  settings: LoadSettings;
   quality: boolean;
   frames: 'auto' | 'file';
   output: Output;
@@ -42,6 +45,10 @@ export interface Solved extends Order {
   result: Result;
   isCertified: boolean;
   written: Written;
+  /** What the writer has to say. */
+  notes: string[];
+  /** What else is in the file and stays: "3 materials, 1 skin". */
+  kept: string;
   /** What was written, and what it names beside that. */
   files: OutputFile[];
   /** Texture coordinates read back from the written bytes, in triangle order. */
@@ -124,9 +131,13 @@ function chainsOf(seams: Seam[], uvToVertex: Uint32Array, q: number): Uint32Arra
   return chains;
 }
 
+/** The writer asks to keep a file beside the new one: the download brings it along. */
+const isSettled = (note: string, files: OutputFile[]): boolean =>
+  files.some(({ name }) => note === `keep ${name} next to the new file`);
+
 export async function finish(
   app: App,
-  { asked, quality, frames, output }: Order,
+  { asked, settings, quality, frames, output }: Order,
   result: Result,
   written: Written,
 ): Promise<Solved> {
@@ -135,6 +146,8 @@ export async function finish(
   let corners = own;
   let isSameAsFile = false;
   const files = [...written.files, ...(await sideFiles(app.files, written.files))];
+  const notes = written.notes.filter((note) => !isSettled(note, files));
+  const kept = await keptIn(files[0]);
   try {
     const read = await readBack(files, app.info?.surface ?? 0, output.uvSet);
     isSameAsFile = await isSame(read, own);
@@ -157,9 +170,9 @@ export async function finish(
     seamAt.set(Math.min(v, w) * count + Math.max(v, w), i);
   });
   return {
-    ...{ asked, quality, frames, output, result, written, files, corners, isSameAsFile },
-    ...{ seams, seamAt },
-    ...{ distortion, least, overlaps, seamDistance, chains },
+    ...{ asked, settings, quality, frames, output, result, written, notes, kept, files, corners },
+    ...{ isSameAsFile, seams },
+    ...{ distortion, least, overlaps, seamDistance, chains, seamAt },
     isCertified: result.certificate.certified,
   };
 }

@@ -9,6 +9,11 @@ export function createSolver(): Promise<Client> {
   });
 }
 
+/** Starts another worker where one was ended, so that whatever comes next need not wait for it. */
+export function wake({ client }: { client?: Client }): void {
+  client?.ready().catch(() => undefined); // the next call says what is wrong
+}
+
 /** After everything else; where it is not allowed, the page works with a network only. */
 export function keepOffline(): void {
   if (import.meta.env.DEV || !('serviceWorker' in navigator)) return;

@@ -1,6 +1,7 @@
 // What each mesh of a file with several is good for, so that a person can choose with open eyes.
 
 import type { ModelInfo } from 'hgp';
+import type { Use } from './uses';
 
 export interface MeshSurvey {
   index: number;
@@ -18,7 +19,7 @@ const mostTriangles = 400_000; // all together: beyond, looking at each would ta
 /** Reads the meshes one by one; the best is the largest that can be used. */
 export async function surveyMeshes(
   info: ModelInfo,
-  instances: number[] | undefined,
+  uses: Use[] | undefined,
   read: (index: number) => Promise<ModelInfo>,
 ): Promise<{ survey: MeshSurvey[]; best: number }> {
   const total = info.surfaces.reduce((sum, { triangles }) => sum + triangles, 0);
@@ -31,11 +32,11 @@ export async function surveyMeshes(
       const { usable, components, defects } = await read(index);
       const why = defects.find(({ fatal }) => fatal)?.kind.replaceAll('-', ' ') ?? 'not usable';
       const parts = components?.length ?? 0;
-      survey.push({ index, isUsable: usable, parts, why, instances: instances?.[index] });
+      survey.push({ index, isUsable: usable, parts, why, instances: uses?.[index]?.instances });
     } catch (error) {
       if ((error as Error).name === 'AbortError') throw error;
       const why = (error as Error).message;
-      survey.push({ index, isUsable: false, parts: 0, why, instances: instances?.[index] });
+      survey.push({ index, isUsable: false, parts: 0, why, instances: uses?.[index]?.instances });
     }
   }
   const size = (index: number): number => info.surfaces[index].triangles;

@@ -11,6 +11,9 @@ export interface Asked {
   tiles?: number;
   camera?: string;
   cones?: { vertex: number; k: number }[];
+  /** Pairs: the loop and its l, the generator and its r. */
+  turnings?: [number, number][];
+  handles?: [number, number][];
 }
 
 const integer = (text: string | null, low: number, high: number): number | undefined => {
@@ -18,19 +21,23 @@ const integer = (text: string | null, low: number, high: number): number | undef
   return Number.isInteger(n) && n >= low && n <= high ? n : undefined;
 };
 
-function conesOf(text: string | null): Asked['cones'] {
+/** Pairs of whole numbers, or nothing at all. */
+function pairsOf(text: string | null): [number, number][] | undefined {
   if (!text || text.length > mostText || !/^[\w-]+$/.test(text)) return undefined;
   try {
     const list: unknown = JSON.parse(atob(text.replaceAll('-', '+').replaceAll('_', '/')));
-    if (!Array.isArray(list)) return undefined;
-    const cones = list.map((pair) => ({ vertex: Number(pair?.[0]), k: Number(pair?.[1]) }));
-    const isFine = cones.every(
-      ({ vertex, k }) => Number.isInteger(vertex) && vertex >= 0 && Number.isInteger(k) && k >= 1,
-    );
-    return isFine ? cones : undefined;
+    const isPair = (one: unknown): boolean =>
+      Array.isArray(one) && one.length === 2 && one.every((n) => Number.isSafeInteger(n));
+    return Array.isArray(list) && list.every(isPair) ? (list as [number, number][]) : undefined;
   } catch {
     return undefined;
   }
+}
+
+function conesOf(text: string | null): Asked['cones'] {
+  const pairs = pairsOf(text);
+  if (!pairs?.every(([vertex, k]) => vertex >= 0 && k >= 1)) return undefined;
+  return pairs.map(([vertex, k]) => ({ vertex, k }));
 }
 
 export function readAddress(hash: string): Asked {
@@ -48,6 +55,8 @@ export function readAddress(hash: string): Asked {
     tiles: tiles >= 1 && tiles <= 1000 ? tiles : undefined,
     camera: words.get('camera') ?? undefined,
     cones: conesOf(words.get('cones')),
+    turnings: pairsOf(words.get('turnings')),
+    handles: pairsOf(words.get('handles')),
   };
 }
 
@@ -60,8 +69,18 @@ export function addressOf(app: App, camera: string | undefined): string {
   if (look.overlay !== 'none') words.set('overlay', look.overlay);
   words.set('tiles', look.tiles.toFixed(0));
   if (camera) words.set('camera', camera);
-  const list = JSON.stringify(asked.cones.map(({ vertex, k }) => [vertex, k]));
-  const cones = btoa(list).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
-  if (asked.cones.length > 0 && cones.length <= mostText) words.set('cones', cones);
+  const set = (key: string, pairs: number[][]): void => {
+    const text = btoa(JSON.stringify(pairs));
+    const safe = text.replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
+    if (pairs.length > 0 && safe.length <= mostText) words.set(key, safe);
+  };
+  const said = (list: readonly (number | null)[]): number[][] =>
+    list.flatMap((n, i) => (n === null ? [] : [[i, n]]));
+  set(
+    'cones',
+    asked.cones.map(({ vertex, k }) => [vertex, k]),
+  );
+  set('turnings', said(asked.turnings));
+  set('handles', said(asked.handles));
   return `#${words}`;
 }

@@ -12,6 +12,7 @@ export async function unzip(archive: Blob): Promise<Map<string, Uint8Array>> {
   const found = new Map<string, Uint8Array>();
   let total = 0;
   let entries = 0;
+  let unfinished = '';
   let failure: Error | undefined;
   const fail = (message: string): void => {
     failure ??= new Error(message);
@@ -23,6 +24,7 @@ export async function unzip(archive: Blob): Promise<Map<string, Uint8Array>> {
     if (/\.zip$/i.test(entry.name)) return; // no archives in archives
     const chunks: Uint8Array[] = [];
     let size = 0;
+    unfinished = entry.name;
     entry.ondata = (error, chunk, isLast) => {
       if (error) fail(`${entry.name} cannot be unpacked: ${error.message}`);
       if (failure) return;
@@ -41,6 +43,7 @@ export async function unzip(archive: Blob): Promise<Map<string, Uint8Array>> {
         at += part.length;
       }
       found.set(entry.name, bytes);
+      unfinished = '';
     };
     entry.start();
   });
@@ -53,6 +56,7 @@ export async function unzip(archive: Blob): Promise<Map<string, Uint8Array>> {
     } catch (error) {
       fail(`This ZIP cannot be read: ${(error as Error).message}`);
     }
+    if (done && unfinished) fail(`This ZIP ends in the middle of ${unfinished}.`);
     if (failure) {
       await stream.cancel();
       throw failure;

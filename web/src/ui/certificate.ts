@@ -3,6 +3,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Certificate, Where } from 'hgp';
 import type { App } from '../state/app';
+import { make, save } from '../state/exports';
 import { boxOf, quantile } from '../state/measure';
 import type { Solved } from '../state/solved';
 import { memoryText } from '../state/estimate';
@@ -13,7 +14,7 @@ interface Part {
   orientation?: { notPositive?: number[]; zero?: number; negative?: number };
   angles?: { worstVertex?: number; smallestAngle?: number };
   wrongCones?: { vertex: number }[];
-  distortion?: { worstMuTriangle?: number; maxLogArea?: number; smallestTriangle?: number };
+  distortion?: Record<string, number>;
   seams?: { worstEdge?: number[]; charts?: number };
   handles?: unknown[];
   turnings?: unknown[];
@@ -35,9 +36,11 @@ interface Row {
   where: Where[];
 }
 
-function rows({ least, result: { certificate } }: Solved): Row[] {
-  const c = certificate;
+function rows(solved: Solved): Row[] {
+  const { least, result } = solved;
+  const c = result.certificate;
   const parts = partsOf(c);
+  const wrongCones = parts.reduce((sum, part) => sum + (part.wrongCones?.length ?? 0), 0);
   const worst = parts[0]?.angles?.worstVertex ?? -1;
   const edge = parts.map(({ seams }) => seams?.worstEdge ?? []).find((ends) => ends.length === 2);
   const flipped = parts.flatMap(({ orientation }) => orientation?.notPositive ?? []);
@@ -58,11 +61,20 @@ function rows({ least, result: { certificate } }: Solved): Row[] {
       where: face(least.triangle),
     },
     {
-      name: 'Cone angles',
-      value: `${c.wrongAngles} wrong`,
-      tolerance: `off by ≤ ${small(c.maxConeDistance)}`,
-      isGood: c.wrongAngles === 0,
+      name: 'Regular vertices',
+      value: `${c.wrongAngles - wrongCones} wrong`,
+      tolerance: 'every angle sum is 360°',
+      isGood: c.wrongAngles === wrongCones,
       where: worst < 0 ? [] : [{ kind: 'vertex', id: worst }],
+    },
+    {
+      name: 'Cone angles',
+      value: `${wrongCones} of ${solved.asked.cones.length} wrong`,
+      tolerance: `off by ≤ ${small(c.maxConeDistance)}`,
+      isGood: wrongCones === 0,
+      where: parts
+        .flatMap((part) => part.wrongCones ?? [])
+        .map(({ vertex: id }) => ({ kind: 'vertex', id })),
     },
     {
       name: 'Seams',
@@ -187,13 +199,23 @@ function statistics(solved: Solved): [string, string][] {
     (one) => (one.rounds as { iterations: number; laplacianEnergy?: number }[]) ?? [],
   );
   const energy = rounds.at(-1)?.laplacianEnergy;
-  const log = [0.05, 0.95].map((part) => signed(quantile(distortion.area, part)));
+  const log = [0, 0.05, 0.95, 1].map((part) => signed(quantile(distortion.area, part)));
+  const [{ distortion: mu }] = partsOf(certificate);
   return [
+    ...(mu
+      ? [
+          [
+            'μ, mean · 95 % · most',
+            [mu.meanMu, mu.p95Mu, mu.maxMu].map((x) => x.toFixed(3)).join(' · '),
+          ] as [string, string],
+        ]
+      : []),
     [
       'Stretch σ₁/σ₂, 50 · 95 %',
       [0.5, 0.95].map((x) => quantile(distortion.conformal, x).toFixed(2)).join(' · '),
     ],
-    ['log₂ area, 5 · 95 %', log.join(' · ')],
+    ['log₂ area, 5 · 95 %', `${log[1]} · ${log[2]}`],
+    ['log₂ area, least · most', `${log[0]} · ${log[3]}`],
     ['Map, width × height', `${box.width.toPrecision(3)} × ${box.height.toPrecision(3)}`],
     ['Seam length', seamLength(solved).toPrecision(3)],
     ...(energy === undefined ? [] : [['Energy ‖Lz‖²', small(energy)] as [string, string]]),
@@ -234,6 +256,16 @@ export function result(app: App, ui: Controls): TemplateResult {
       )}
     </dl>
     ${overlapLine(solved, ui)}
-    ${[...solved.written.notes, ...solved.result.report.notes].map((note) => html`<p class="note">${note}</p>`)}
+    <p class="row">
+      <button
+        type="button"
+        class="small"
+        id="save-report"
+        @click=${() => save(make(app, solved, 'report'))}
+      >
+        Save report
+      </button>
+    </p>
+    ${[...solved.notes, ...solved.result.report.notes].map((note) => html`<p class="note">${note}</p>`)}
   </details>`;
 }

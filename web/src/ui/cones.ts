@@ -179,6 +179,7 @@ export function cones(app: App, ui: Controls): TemplateResult {
             No cones yet. <b>Run</b> suggests them; or click the surface with the Place tool (C).
           </p>`
     }
+    ${(app.budget?.warnings ?? []).map((text) => html`<p class="note warn">${text}</p>`)}
     <p class="row">
       <button type="button" class="small" id="suggest" @click=${() => void suggest(app)}>
         Suggest cones

@@ -21,6 +21,15 @@ function stored(key: string): string | null {
   }
 }
 
+/** Storage may be forbidden: then it is forgotten. */
+function store(key: string, value: string): void {
+  try {
+    localStorage.setItem(key, value);
+  } catch {
+    // Nothing to do.
+  }
+}
+
 export class Controls {
   tool: 'orbit' | 'place' = 'orbit';
   tab: 'surface' | 'map' = 'surface';
@@ -33,13 +42,17 @@ export class Controls {
   /** Width of the 3D view in percent of both. */
   split = 58;
   mostRows = 60;
+  /** Puts back a cone that is being dragged; whether there was one. */
+  stopDrag?: () => boolean;
   sort: { by: 'number' | 'vertex' | 'k'; isDown: boolean } = { by: 'number', isDown: false };
   surfaceView?: SurfaceView;
   mapView?: MapView;
   readonly #app: App;
+  readonly #phone = matchMedia('(max-width: 640px)'); // as in small.css
 
   constructor(app: App) {
     this.#app = app;
+    this.#phone.addEventListener('change', () => app.changed());
     const theme = stored('hgp-theme') as (typeof themes)[number];
     if (themes.includes(theme)) this.theme = theme;
     this.#applyTheme();
@@ -79,7 +92,7 @@ export class Controls {
   }
   setKeys(isOn: boolean): void {
     this.hasKeys = isOn;
-    localStorage.setItem('hgp-keys', isOn ? 'on' : 'off');
+    store('hgp-keys', isOn ? 'on' : 'off');
     this.#changed();
   }
   setSplit(percent: number): void {
@@ -106,12 +119,15 @@ export class Controls {
 
   nextTheme(): void {
     this.theme = themes[(themes.indexOf(this.theme) + 1) % themes.length];
-    localStorage.setItem('hgp-theme', this.theme);
+    store('hgp-theme', this.theme);
     this.#applyTheme();
     this.#changed();
   }
   #applyTheme(): void {
     document.documentElement.dataset.theme = this.theme;
+  }
+  get isPhone(): boolean {
+    return this.#phone.matches;
   }
   get isDark(): boolean {
     if (this.theme !== 'auto') return this.theme === 'dark';

@@ -153,17 +153,18 @@ const keys: [string, string][] = [
   ['Ctrl+O', 'open'],
   ['Ctrl+Enter', 'run'],
   ['Ctrl+S', 'download'],
-  ['Ctrl+Z, Ctrl+Shift+Z', 'undo, redo'],
-  ['Escape', 'deselect; cancel a run'],
+  ['Ctrl+Z, Ctrl+Shift+Z or Ctrl+Y', 'undo, redo'],
+  ['Escape', 'put a dragged cone back, deselect; twice: cancel a run'],
   ['C', 'Place tool: arrows walk over the vertices, Enter places'],
   ['Arrows', 'orbit; with Shift pan; Page Up, Page Down zoom'],
   ['N, P', 'next, previous cone'],
   ['1–9, +, −', 'set k, change k'],
   ['Delete', 'remove the cone'],
-  ['F, R', 'frame, reset the camera'],
+  ['F, R', 'frame the selected cone or all; reset the camera'],
   ['G, H', 'next pattern, next overlay'],
   ['L, S, O', 'wireframe, seams, parallel projection'],
-  ['U', 'UV view'],
+  ['U', 'to the UV view and back'],
+  ['Double click', 'bring that place to the middle'],
 ];
 
 function help(ui: Controls): TemplateResult {
@@ -195,6 +196,7 @@ function help(ui: Controls): TemplateResult {
         <button type="button" class="small" @click=${() => ui.nextTheme()}>
           Theme: ${ui.theme}
         </button>
+        <button type="button" class="small" @click=${() => ui.show('log')}>Log</button>
       </p>
       <p><a href="./guide.html">Guide: cones, certificate, Blender, three.js, quads</a></p>
       <p class="row end">

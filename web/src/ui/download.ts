@@ -2,7 +2,7 @@
 
 import { html, nothing, type TemplateResult } from 'lit';
 import type { App } from '../state/app';
-import { formats, make, save } from '../state/exports';
+import { formats, make, nameOf, save } from '../state/exports';
 import { rewrite } from '../state/run';
 import type { Output, Solved } from '../state/solved';
 import { validate } from '../state/validate';
@@ -17,10 +17,10 @@ const scales: [Output['scale'], string][] = [
 
 /** The choices that change the written file; each is written, read back and judged again. */
 function choices(app: App, solved: Solved): TemplateResult {
-  const { output } = solved;
+  const output = app.wanted ?? solved.output;
   const surface = app.info?.surfaces[app.info.surface];
   const isGltf = /^(glb|gltf)$/.test(app.info?.file.format ?? '');
-  const set = (part: Partial<Output>): void => void rewrite(app, solved, { ...output, ...part });
+  const set = (part: Partial<Output>): void => void rewrite(app, part);
   const value = (event: Event): string => (event.target as HTMLSelectElement).value;
   const sets = surface?.uvSets ?? [];
   return html`<div class="choices">
@@ -73,7 +73,10 @@ function choices(app: App, solved: Solved): TemplateResult {
         .checked=${output.hasGrid}
         @change=${(event: Event) => set({ hasGrid: (event.target as HTMLInputElement).checked })}
       />
-      Assign a grid as material <small>(glTF)</small>
+      <span
+        >Assign a grid as material
+        <small>An OBJ is then a ZIP, with its .mtl and image.</small></span
+      >
     </label>
   </div>`;
 }
@@ -110,7 +113,7 @@ export function downloads(app: App, ui: Controls, solved: Solved): TemplateResul
   const isBusy = app.phase !== 'editing';
   const { info } = app;
   const stored = info?.surfaces[info.surface]?.storedVertices ?? 0;
-  const { notes } = solved.written;
+  const { notes } = solved;
   return frame(
     'downloads',
     solved.isCertified ? 'Download' : 'Download uncertified result',
@@ -124,13 +127,12 @@ export function downloads(app: App, ui: Controls, solved: Solved): TemplateResul
       <p class="note">
         ${
           notes.length > 0
-            ? `${notes.join('; ')}. All else in the file stays as it was.`
+            ? `${notes.join('; ')}. All else in the file stays as it was${solved.kept ? `: ${solved.kept}` : ''}.`
             : `${stored} vertices; ${solved.result.uvToVertex.length} texture vertices, as seams are split.`
         }
       </p>
       <ul class="list" aria-busy=${isBusy}>
         ${formats.map(({ format, label, hint }) => {
-          const name = solved.written.files[0].name;
           return html`<li>
             <button
               type="button"
@@ -144,7 +146,7 @@ export function downloads(app: App, ui: Controls, solved: Solved): TemplateResul
                 close();
               }}
             >
-              <b>${label}</b><small>${format === 'same' ? `${name} · ${hint}` : hint}</small>
+              <b>${label}</b><small>${nameOf(app, solved, format)} · ${hint}</small>
             </button>
           </li>`;
         })}

@@ -74,8 +74,7 @@ export function header(app: App, ui: Controls): TemplateResult {
     >
       ${icon('redo')}
     </button>
-    <p class="file" title=${app.info ? app.main : ''}>${app.info ? app.main : ''}</p>
-    ${closeButton(app)} ${meshChooser(app)} ${runButton(app)} ${downloadButton(app, ui)}
+    ${ui.isPhone ? nothing : html`${fileParts(app)} ${runButton(app)}`} ${downloadButton(app, ui)}
     <button
       type="button"
       id="help"
@@ -96,6 +95,13 @@ export function header(app: App, ui: Controls): TemplateResult {
       ${icon('theme')}
     </button>
   </header>`;
+}
+
+/** Which file, which mesh of it, and Close: in the bar at the top, or beside the tabs of a phone. */
+export function fileParts(app: App): TemplateResult {
+  const name = app.info ? app.main : '';
+  return html`<p class="file" title=${name}>${name}</p>
+    ${meshChooser(app)} ${closeButton(app)}`;
 }
 
 function closeButton(app: App): TemplateResult | typeof nothing {
@@ -132,7 +138,8 @@ function meshChooser(app: App): TemplateResult | typeof nothing {
   </select>`;
 }
 
-function runButton(app: App): TemplateResult {
+/** In the bar at the top; on a phone in the one at the bottom, under the thumb whatever the sheet does. */
+export function runButton(app: App): TemplateResult {
   if (app.phase === 'running' || app.phase === 'loading') {
     return html`<button type="button" id="cancel" class="strong" @click=${() => cancel(app)}>
       ${icon('cross')}Cancel

@@ -103,6 +103,13 @@ function defects(app: App, ui: Controls): TemplateResult | typeof nothing {
         </span>
       </li>`;
     })}
+    ${
+      app.info?.usable
+        ? nothing
+        : html`<li>
+            <button type="button" class="small" @click=${() => ui.chooseFiles()}>Other file</button>
+          </li>`
+    }
   </ul>`;
 }
 
@@ -138,7 +145,7 @@ function model(app: App, ui: Controls): TemplateResult {
       )}
     </dl>
     ${defects(app, ui)} ${weld(app)}
-    ${[...(surface?.notes ?? []), ...info.notes].map((note) => html`<p class="note">${note}</p>`)}
+    ${[...app.remarks, ...(surface?.notes ?? []), ...info.notes].map((note) => html`<p class="note">${note}</p>`)}
   </details>`;
 }
 

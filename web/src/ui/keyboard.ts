@@ -75,14 +75,25 @@ export class Keyboard {
 
   #escape(): boolean {
     const app = this.#app;
+    if (document.querySelector('dialog[open]')) return false; // it closes by itself
     if (this.#ui.menu) this.#ui.toggleMenu('');
-    else if (app.phase === 'running' || app.phase === 'loading') cancel(app);
+    else if (this.#ui.stopDrag?.()) return true;
     else if (app.selected >= 0) select(app, -1);
+    else if (app.phase === 'running') this.#askCancel();
+    else if (app.phase === 'loading') cancel(app);
     else {
       this.#ui.surfaceView?.highlight([]);
       this.#ui.mapView?.highlight([]);
     }
-    return false; // dialogs close by themselves
+    return false;
+  }
+
+  /** A run may have taken minutes: one key pressed by mistake does not end it. */
+  #askCancel(): void {
+    const app = this.#app;
+    const question = 'Escape once more cancels the run.';
+    if (app.message?.text === question) cancel(app);
+    else app.say(question, 'note', [{ label: 'Cancel the run', do: () => cancel(app) }]);
   }
 
   #letter(key: string): boolean {
@@ -94,14 +105,14 @@ export class Keyboard {
         if (ui.tool === 'place') this.#start();
         else this.reset();
       },
-      f: () => ui.frame(),
+      f: () => this.#frame(),
       r: () => ui.surfaceView?.orbit.reset(),
       l: () => ui.setLook({ hasWire: !look.hasWire }),
       s: () => ui.setLook({ hasSeams: !look.hasSeams }),
       o: () => ui.surfaceView?.toggleParallel(),
       g: () => ui.nextPattern(),
       h: () => ui.nextOverlay(),
-      u: () => ui.setTab(ui.tab === 'map' ? 'surface' : 'map'),
+      u: () => this.#otherView(),
       n: () => this.#next(1),
       p: () => this.#next(-1),
       '?': () => ui.show('help'),
@@ -109,6 +120,20 @@ export class Keyboard {
     const act = acts[key.toLowerCase()];
     act?.();
     return act !== undefined;
+  }
+
+  /** The selected cone, or all. */
+  #frame(): void {
+    const { selected } = this.#app;
+    if (selected >= 0) this.#ui.lookAt(selected);
+    else this.#ui.frame();
+  }
+
+  /** The keys go to the other view, which in a narrow window takes the place of this one. */
+  #otherView(): void {
+    const isMap = document.activeElement?.id === 'map';
+    this.#ui.setTab(isMap ? 'surface' : 'map');
+    queueMicrotask(() => document.querySelector<HTMLElement>(isMap ? '#view' : '#map')?.focus());
   }
 
   #next(direction: 1 | -1): void {

@@ -7,7 +7,7 @@ import { open, openExample } from '../state/open';
 import { filesOfInput } from '../state/files';
 import { stageName } from '../state/run';
 import type { Controls } from './controls';
-import { header } from './header';
+import { fileParts, header, runButton } from './header';
 import { picture } from './icons';
 import { inspector } from './inspector';
 import { dialogs } from './dialogs';
@@ -60,6 +60,7 @@ function statusLine(app: App, ui: Controls): TemplateResult {
     : (message?.text ?? resting(app));
   return html`<footer>
     <p id="status" role="status" class=${progress ? '' : (message?.kind ?? '')}>${said}</p>
+    <p id="aside" role="status">${progress ? message?.text : ''}</p>
     ${message?.actions?.map(
       ({ label, do: act }) =>
         html`<button type="button" class="small" @click=${act}>${label}</button>`,
@@ -79,6 +80,7 @@ function statusLine(app: App, ui: Controls): TemplateResult {
     <button type="button" class="small log-button" id="log" @click=${() => ui.show('log')}>
       Log
     </button>
+    ${ui.isPhone ? runButton(app) : nothing}
   </footer>`;
 }
 
@@ -97,8 +99,10 @@ function resting(app: App): string {
     default: {
       const count = app.asked.cones.length;
       if (count === 0 && !app.isExplicit) return 'No cones yet: Run suggests them first.';
-      const cones = `${count} ${count === 1 ? 'cone' : 'cones'}`;
-      return `${app.budget?.text ?? ''} · ${cones}${app.budget?.isReady ? ' · ready' : ''}`;
+      const text = app.budget?.text ?? '';
+      return app.budget?.isReady
+        ? `${text} · ${count} ${count === 1 ? 'cone' : 'cones'} · ready`
+        : text;
     }
   }
 }
@@ -108,20 +112,23 @@ export function page(app: App, ui: Controls): TemplateResult {
   return html`
     ${header(app, ui)}
     <main id="drop" class=${hasModel ? 'has-model' : 'no-model'} data-sheet=${ui.sheet}>
-      <div class="tabs" role="tablist" aria-label="Views" ?hidden=${!hasModel}>
-        ${(['surface', 'map'] as const).map(
-          (name) =>
-            html`<button
-              type="button"
-              role="tab"
-              id="tab-${name}"
-              aria-controls="pane-${name}"
-              aria-selected=${ui.tab === name}
-              @click=${() => ui.setTab(name)}
-            >
-              ${name === 'surface' ? '3D view' : 'UV view'}
-            </button>`,
-        )}
+      <div class="tabs" ?hidden=${!hasModel}>
+        <div role="tablist" aria-label="Views">
+          ${(['surface', 'map'] as const).map(
+            (name) =>
+              html`<button
+                type="button"
+                role="tab"
+                id="tab-${name}"
+                aria-controls="pane-${name}"
+                aria-selected=${ui.tab === name}
+                @click=${() => ui.setTab(name)}
+              >
+                ${name === 'surface' ? '3D view' : 'UV view'}
+              </button>`,
+          )}
+        </div>
+        ${ui.isPhone ? fileParts(app) : nothing}
       </div>
       <section
         class="pane"

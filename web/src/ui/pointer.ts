@@ -1,7 +1,7 @@
 // Mouse, pen and touch on the two views: place, select, drag, and what lies under the pointer.
 
 import type { App } from '../state/app';
-import { moveCone, placeOrSelect, select } from '../state/edit';
+import { moveCone, placeOrSelect, select, undo } from '../state/edit';
 import { defectDegrees } from '../state/surface';
 import type { Hit } from '../view/surface_view';
 import type { Controls } from './controls';
@@ -11,18 +11,31 @@ const markerReach = { mouse: 18, pen: 22, touch: 28 } as const;
 const clickMoves = 4; // pixels: further is an orbit
 const longPress = 400; // milliseconds
 
-type View = { canvas: HTMLCanvasElement; pick(event: PointerEvent): Hit | undefined };
+type View = {
+  canvas: HTMLCanvasElement;
+  pick(event: PointerEvent): Hit | undefined;
+  centre(event: MouseEvent): void;
+};
 
 export class Pointer {
   readonly #app: App;
   readonly #ui: Controls;
-  #down?: { x: number; y: number; view: View; cone: number; time: number; isDrag: boolean };
+  #down?: {
+    x: number;
+    y: number;
+    view: View;
+    cone: number;
+    from?: number;
+    time: number;
+    isDrag: boolean;
+  };
   #timer?: ReturnType<typeof setTimeout>;
   #hoverPending = false;
 
   constructor(app: App, ui: Controls) {
     this.#app = app;
     this.#ui = ui;
+    ui.stopDrag = () => this.#putBack();
     for (const view of [ui.surfaceView!, ui.mapView!]) {
       const { canvas } = view;
       // Before the orbiting: a cone that is dragged must not turn the model.
@@ -33,6 +46,10 @@ export class Pointer {
       canvas.addEventListener('pointerup', (event) => this.#release(view, event));
       canvas.addEventListener('pointercancel', () => this.#forget());
       canvas.addEventListener('pointerleave', () => this.#leave());
+      // What dragging turns and moves, without dragging.
+      canvas.addEventListener('dblclick', (event) => {
+        if (ui.tool === 'orbit') view.centre(event);
+      });
     }
   }
 
@@ -73,7 +90,8 @@ export class Pointer {
     if (!event.isPrimary || event.button !== 0 || !this.#app.surface) return this.#forget();
     const cone = this.#app.info?.usable ? this.#coneNear(view, event) : -1;
     const { clientX: x, clientY: y } = event;
-    this.#down = { x, y, view, cone, time: performance.now(), isDrag: false };
+    const from = this.#app.asked.cones[cone]?.vertex;
+    this.#down = { x, y, view, cone, from, time: performance.now(), isDrag: false };
     if (cone >= 0 && view === this.#ui.surfaceView) {
       this.#ui.surfaceView.orbit.controls.enabled = false;
       view.canvas.setPointerCapture(event.pointerId);
@@ -127,6 +145,16 @@ export class Pointer {
     if (hit) placeOrSelect(this.#app, hit.vertex);
   }
 
+  /** The cone that is being dragged, to where it was. */
+  #putBack(): boolean {
+    const down = this.#down;
+    if (!down?.isDrag || down.cone < 0) return false;
+    this.#forget();
+    const isMoved = this.#app.asked.cones[down.cone]?.vertex !== down.from;
+    if (isMoved) undo(this.#app);
+    return true;
+  }
+
   #forget(): void {
     clearTimeout(this.#timer);
     this.#down = undefined;
@@ -139,6 +167,7 @@ export class Pointer {
     this.#ui.setHover('');
     this.#ui.surfaceView?.highlight([]);
     this.#ui.mapView?.highlight([]);
+    if (this.#ui.tool === 'place') this.#ui.surfaceView?.setCursor(-1);
   }
 
   /** The same triangle in both views; the twin of a seam; what a click would place. */
@@ -158,6 +187,7 @@ export class Pointer {
       uvEdges.push(a, b);
       text = `Seam: turns by ${r}·360°/${current.asked.q} = ${((360 * r) / current.asked.q).toFixed(0)}°, shifts by ${shift(uv, a, b, r, current.asked.q)}`;
     }
+    if (this.#ui.tool === 'place') this.#ui.surfaceView!.setCursor(hit.vertex);
     this.#ui.surfaceView!.highlight([hit.triangle], edges);
     this.#ui.mapView!.highlight([hit.triangle], uvEdges);
     this.#ui.setHover(text);

@@ -3,20 +3,8 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import type { App, SolveSettings } from '../state/app';
-import { commandOf, estimateOf } from '../state/estimate';
+import { copyCommand, estimateOf } from '../state/estimate';
 import type { Controls } from './controls';
-
-async function copy(app: App): Promise<void> {
-  const command = commandOf(app);
-  const isFile = command.includes('--cones ');
-  const also = isFile ? ' It reads the cones from the file that Export saves.' : '';
-  try {
-    await navigator.clipboard.writeText(command);
-    app.say(`Copied: the command that does this run.${also}`, 'good');
-  } catch {
-    app.say(`The browser does not let this page copy. The command: ${command}`);
-  }
-}
 
 export function solve(app: App, ui: Controls): TemplateResult {
   const { needed, takes, isTight } = estimateOf(app);
@@ -103,7 +91,7 @@ export function solve(app: App, ui: Controls): TemplateResult {
         : nothing
     }
     <p>
-      <button type="button" class="small" id="copy-command" @click=${() => void copy(app)}>
+      <button type="button" class="small" id="copy-command" @click=${() => void copyCommand(app)}>
         Copy the command that does this
       </button>
     </p>

@@ -1,12 +1,22 @@
-// The line between the two views: dragged, or moved with the arrow keys.
+// The line between the two views: dragged, moved with the arrow keys, or clicked.
 
 import type { Controls } from './controls';
 
+const places = [30, 58, 80]; // percent, one click after another
+
 export function listenToSplitter(splitter: HTMLElement, ui: Controls): void {
   const panes = splitter.parentElement!;
-  splitter.addEventListener('pointerdown', (event) => splitter.setPointerCapture(event.pointerId));
+  let isDragged = false;
+  splitter.addEventListener('pointerdown', (event) => {
+    splitter.setPointerCapture(event.pointerId);
+    isDragged = false;
+  });
+  splitter.addEventListener('click', () => {
+    if (!isDragged) ui.setSplit(places.find((one) => one > ui.split) ?? places[0]);
+  });
   splitter.addEventListener('pointermove', (event) => {
     if (event.buttons === 0) return;
+    isDragged = true;
     const left = panes.querySelector('#pane-surface')!.getBoundingClientRect().left;
     const right = panes.querySelector('#pane-map')!.getBoundingClientRect().right;
     ui.setSplit((100 * (event.clientX - left)) / (right - left));

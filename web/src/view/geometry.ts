@@ -183,7 +183,11 @@ export function crosses(
         out.push(cx, cy, 0.002, cx + x, cy + y, 0.002);
         continue;
       }
-      const [ds, dr] = [(x * vy - y * vx) / det, (ux * y - uy * x) / det];
+      let [ds, dr] = [(x * vy - y * vx) / det, (ux * y - uy * x) / det];
+      // Where the map is nearly flat the arm would leave the picture, and hide it.
+      const far = Math.hypot(...e.map((_, m) => ds * e[m] + dr * f[m]));
+      const part = Math.min(1, spacing / far);
+      [ds, dr] = [part * ds, part * dr];
       const a = 3 * triangles[3 * t];
       for (const [i, j] of [
         [s, r],

@@ -9,7 +9,7 @@ import type { Solved } from '../state/solved';
 import { spacingOf } from '../state/spread';
 import type { Surface } from '../state/surface';
 import { crosses, flatGeometry, paint } from './geometry';
-import { edgesOfCorners, Lines, seamsInMap } from './lines';
+import { Lines, seamsInMap, Wire } from './lines';
 import { ticksInMap } from './ticks';
 import { Markers } from './markers';
 import { setImage, setPalette, setPattern, surfaceMaterial, type Palette } from './material';
@@ -27,7 +27,7 @@ export class MapView extends Stage {
   readonly #seams = new Lines(2.5, { order: 3, depth: false });
   readonly #ticks = new Lines(2, { order: 3, depth: false });
   readonly #crosses = new Lines(1.5, { order: 1, depth: false });
-  readonly #wire = new Lines(0.7, { order: 1, depth: false });
+  readonly #wire = new Wire(1, false);
   readonly #light = new Lines(4, { order: 6, depth: false });
   readonly #square = new Lines(1.2, { order: 0, depth: false });
   #surface?: Surface;
@@ -85,6 +85,12 @@ export class MapView extends Stage {
     this.#isTouched = true;
     this.#reach *= factor;
     this.#aim();
+  }
+
+  /** Brings what is under a pointer to the middle, twice as large. */
+  centre(event: Place): void {
+    this.#center = this.#toUv(event);
+    this.zoom(0.5);
   }
 
   /** Parts of the visible height. */
@@ -202,9 +208,8 @@ export class MapView extends Stage {
       const ticks = ticksInMap(solved, half);
       this.#ticks.set(ticks.points, ticks.colours);
     } else this.#seams.visible = this.#ticks.visible = false;
-    if (look.hasWire) {
-      this.#wire.set(edgesOfCorners(this.#mesh.geometry.attributes.position.array), palette.ink);
-    } else this.#wire.visible = false;
+    if (look.hasWire) this.#wire.set(this.#mesh.geometry, palette.ink);
+    else this.#wire.visible = false;
     this.draw();
   }
 

@@ -46,15 +46,17 @@ export abstract class Stage {
 
   /**
    * Draws one of each thing once, before any is needed: compiling the programs of the graphics card
-   * takes long, and would hold the page up in the middle of a run.
+   * takes long, and would hold the page up in the middle of a run. Nobody waits for it here, either.
    */
-  warm(things: Object3D[]): void {
+  async warm(things: Object3D[]): Promise<void> {
     const scene = new Scene();
     scene.add(...things);
     for (const thing of things) {
       thing.frustumCulled = false;
       thing.position.z = -1;
     }
+    await this.renderer.compileAsync(scene, this.camera);
+    if (this.canvas.clientWidth > 0) return; // someone is quicker: what is shown stays
     this.renderer.setSize(16, 16, false);
     this.renderer.render(scene, this.camera);
     this.renderer.clear();

@@ -17,7 +17,7 @@ import type { Solved } from '../state/solved';
 import { spacingOf } from '../state/spread';
 import type { Surface } from '../state/surface';
 import { cornerGeometry, crosses, paint } from './geometry';
-import { edgesOfCorners, Lines, seamsOnSurface } from './lines';
+import { Lines, seamsOnSurface, Wire } from './lines';
 import { chainColour, ticksOnSurface } from './ticks';
 import { Markers } from './markers';
 import { setImage, setPalette, setPattern, surfaceMaterial, type Palette } from './material';
@@ -42,7 +42,7 @@ export class SurfaceView extends Stage {
   readonly #ticks = new Lines(2.5, { order: 3, bias: 2 });
   readonly #handles = new Lines(4, { order: 4, bias: 2 });
   readonly #crosses = new Lines(2, { order: 1, bias: 1 });
-  readonly #wire = new Lines(0.8, { order: 1, bias: 1 });
+  readonly #wire = new Wire(1, true);
   readonly #light = new Lines(4.5, { order: 6, depth: false });
   readonly #cursor = new Lines(3, { order: 7, depth: false });
   #surface?: Surface;
@@ -144,10 +144,8 @@ export class SurfaceView extends Stage {
       const ticks = ticksOnSurface(surface, solved);
       this.#ticks.set(ticks.points, ticks.colours);
     } else this.#seams.visible = this.#ticks.visible = false;
-    if (look.hasWire) {
-      const { array } = this.#mesh.geometry.attributes.position;
-      this.#wire.set(edgesOfCorners(array), this.#palette!.ink);
-    } else this.#wire.visible = false;
+    if (look.hasWire) this.#wire.set(this.#mesh.geometry, this.#palette!.ink);
+    else this.#wire.visible = false;
   }
 
   /** Loops around handles, each in the colour that the panel gives it. */
@@ -262,6 +260,12 @@ export class SurfaceView extends Stage {
     const normal = new Vector3().fromArray(this.#surface!.normals, 3 * vertex);
     this.orbit.lookAt(this.point(vertex), normal);
     this.draw();
+  }
+
+  /** Brings what is under a pointer to the middle. */
+  centre(event: { clientX: number; clientY: number }): void {
+    const hit = this.pick(event);
+    if (hit) this.lookAt(hit.vertex);
   }
 
   toggleParallel(): void {

@@ -1,7 +1,7 @@
 // One of each thing that the views draw.
 
 import { BufferAttribute, BufferGeometry, Color, Mesh, type Object3D, Vector3 } from 'three';
-import { Lines } from './lines';
+import { Lines, Wire } from './lines';
 import { Markers } from './markers';
 import { surfaceMaterial } from './material';
 
@@ -11,12 +11,12 @@ export function oneOfEach(isLit: boolean): Object3D[] {
     const values = Float32Array.from({ length: 3 * size }, (_, i) => (i * 0.37) % 1);
     geometry.setAttribute(name, new BufferAttribute(values, size));
   }
-  const plain = new Lines(2);
-  plain.set([0, 0, 0, 1, 1, 0], new Color(0));
-  const coloured = new Lines(2);
-  coloured.set([0, 0, 0, 1, 1, 0], [new Color(0)]);
+  const lines = new Lines(2);
+  lines.set([0, 0, 0, 1, 1, 0], new Color(0));
+  const wire = new Wire(1, isLit);
+  wire.set(geometry, new Color(0));
   const markers = new Markers();
   const marker = { at: new Vector3(), k: 1, q: 4, isSelected: false, isBad: false };
   markers.show([marker], 0.1, isLit);
-  return [new Mesh(geometry, surfaceMaterial(isLit)), plain, coloured, markers];
+  return [new Mesh(geometry, surfaceMaterial(isLit)), lines, wire, markers];
 }

@@ -1,0 +1,198 @@
+// A browser for the tests of the page: real Chromium, and no message of the console forgiven —
+// violations of the Content-Security-Policy arrive there. Starting a browser and compiling the solver
+// takes longer than most tests, so tests of one process share pages that are alike.
+
+import assert from 'node:assert/strict';
+import { existsSync, mkdirSync, mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import nodeTest, { after } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { chromium } from 'playwright-core';
+import { serve } from '../../web/serve.mjs';
+
+const shots = fileURLToPath(new URL('../../build/screenshots', import.meta.url));
+const isEmpty = (page) => page.waitForSelector('body[data-state="empty"]');
+
+/** What a test may leave behind, taken away: storage, size, colours, a lost network. */
+async function clean(page, context, { origin, viewport }) {
+  page.removeAllListeners('dialog');
+  await context.setOffline(false);
+  await page.emulateMedia({ colorScheme: 'light', reducedMotion: 'reduce' });
+  if (viewport) await page.setViewportSize(viewport);
+  const session = await context.newCDPSession(page);
+  const storageTypes = 'local_storage,indexeddb';
+  await session.send('Storage.clearDataForOrigin', { origin, storageTypes });
+  await session.detach();
+}
+
+/** Whether everything that outlives a model is as on a fresh page. */
+function isPlain() {
+  const find = (selector) => document.querySelector(selector);
+  const values = {
+    ...{ pattern: 'cross', overlay: 'none', scale: '45', q: '4', rounds: '12', 'time-limit': '' },
+    'q-custom': '4',
+  };
+  const isValue = ([id, value]) => find(`#${id}`)?.value === value;
+  const pressed = [...document.querySelectorAll('.toolbar [aria-pressed="true"]')].map(
+    ({ id }) => id,
+  );
+  const sorted = find('th[aria-sort$="scending"]');
+  return (
+    find('#close') !== null &&
+    find('dialog, #cancel, .popup, input:checked, th[aria-sort="descending"]') === null &&
+    (sorted === null || sorted.contains(find('[data-sort="number"]'))) &&
+    Object.entries(values).every(isValue) &&
+    `${pressed}` === 'tool-orbit,seams' &&
+    find('#tab-surface').ariaSelected === 'true' &&
+    find('#splitter').ariaValueNow === '58' &&
+    find('main').dataset.sheet === 'half' &&
+    document.documentElement.dataset.theme === 'auto'
+  );
+}
+
+/** Puts back what tests often change, by the same controls. */
+async function tidy(page) {
+  if (await page.$('#downloads, #help-dialog, #log-dialog')) await page.keyboard.press('Escape');
+  if (await page.isVisible('#tab-surface')) await page.click('#tab-surface');
+  if (!(await page.isVisible('#pattern'))) return;
+  const usual = { '#pattern': 'cross', '#overlay': 'none' };
+  for (const [select, value] of Object.entries(usual)) {
+    const now = await page.$eval(select, (one) => one.value);
+    if (now !== value) await page.selectOption(select, value);
+  }
+  for (const [button, pressed] of [
+    ['#wire', 'false'],
+    ['#seams', 'true'],
+    ['#tool-orbit', 'true'],
+  ]) {
+    // prettier-ignore
+    if ((await page.getAttribute(button, 'aria-pressed')) !== pressed) await page.click(button);
+  }
+  if ((await page.inputValue('#scale')) !== '45') await page.locator('#scale').fill('45');
+}
+
+/**
+ * Closes the model as a person does, which is as good as another page where nothing else was changed;
+ * otherwise does nothing and says so.
+ */
+async function closed(page) {
+  if (!page.url().startsWith('http')) return false;
+  if (await page.$('#close')) await tidy(page);
+  if (!(await page.evaluate(isPlain).catch(() => false))) return false;
+  await page.mouse.move(0, 0);
+  await page.click('#close');
+  await isEmpty(page);
+  // What Close keeps in the browser is kept by then.
+  await page.evaluate(
+    () =>
+      new Promise((resolve) => {
+        const opening = indexedDB.open('hgp');
+        opening.onsuccess = opening.onerror = () => resolve(opening.result?.close());
+      }),
+  );
+  return true;
+}
+
+/** Where the page is served and files are written, once for the process. */
+let place;
+function open() {
+  place ??= (async () => {
+    mkdirSync(shots, { recursive: true });
+    const folder = mkdtempSync(path.join(tmpdir(), 'hgp-web-'));
+    return { folder, ...(await serve({ port: 0 })) };
+  })();
+  return place;
+}
+
+const browsers = new Map();
+function browserWith(flags) {
+  const executablePath = ['/usr/bin/chromium', '/usr/bin/google-chrome'].find(existsSync);
+  const args = ['--no-sandbox', '--disable-background-networking', '--disable-dev-shm-usage'];
+  const key = flags.join(' ');
+  if (!browsers.has(key)) {
+    browsers.set(key, chromium.launch({ executablePath, args: [...args, ...flags] }));
+  }
+  return browsers.get(key);
+}
+
+/** Collects what must not happen. */
+function watch(page, url, problems) {
+  page.on('console', (message) => message.type() === 'error' && problems.push(message.text()));
+  page.on('pageerror', (error) => problems.push(error.message));
+  page.on('request', (request) => {
+    const target = new URL(request.url());
+    const isOwn = ['blob:', 'data:'].includes(target.protocol);
+    if (!isOwn && target.origin !== new URL(url).origin) {
+      problems.push(`request to ${target.origin}`);
+    }
+  });
+}
+
+const pages = new Map();
+async function openPage(flags, options) {
+  const { url } = await open();
+  const browser = await browserWith(flags);
+  const context = await browser.newContext({
+    ...{ acceptDownloads: true, reducedMotion: 'reduce', ...options },
+  });
+  const page = await context.newPage();
+  page.setDefaultTimeout(Number(process.env.HGP_TIMEOUT ?? 20_000));
+  const problems = [];
+  watch(page, url, problems);
+  return { context, page, problems };
+}
+
+async function closeAll() {
+  for (const browser of browsers.values()) await (await browser).close();
+  if (!place) return;
+  const { server, folder } = await place;
+  server.close();
+  rmSync(folder, { recursive: true, force: true });
+}
+// With one file, after its tests; in a lane, after its files.
+if (globalThis.atEnd) globalThis.atEnd.push(closeAll);
+else after(closeAll);
+
+/**
+ * Returns an object with `test`, and with the page of the current test: the same for all tests that
+ * want the same kind, opened anew, or closed and empty, for each.
+ */
+export function useBrowser({
+  viewport = { width: 1100, height: 700 },
+  flags = [],
+  deviceScaleFactor = 0.5, // a quarter of the pixels that software has to paint
+  serviceWorkers = 'block', // precaching would only slow the other tests down
+  ...more
+} = {}) {
+  const it = { allowed: [] };
+  const options = { deviceScaleFactor, serviceWorkers, ...more };
+  const key = JSON.stringify([flags, options]);
+  const prepare = async () => {
+    const { url, folder } = await open();
+    if (!pages.has(key)) pages.set(key, await openPage(flags, { viewport, ...options }));
+    const { page, context, problems } = pages.get(key);
+    Object.assign(it, { url, folder, page, context, allowed: [] });
+    const isClosed = await closed(page);
+    await clean(page, context, { origin: new URL(url).origin, viewport });
+    if (!isClosed) await page.goto(url);
+    problems.length = 0;
+    await isEmpty(page);
+    return problems;
+  };
+  it.test = (name, body) =>
+    nodeTest(name, async (t) => {
+      try {
+        const problems = await prepare();
+        await body(t);
+        const isAllowed = (text) => it.allowed.some((pattern) => pattern.test(text));
+        assert.deepEqual(problems.filter((text) => !isAllowed(text)), []); // prettier-ignore
+      } catch (error) {
+        // Nothing of what went wrong here shall reach the next test.
+        await it.context?.close().catch(() => {});
+        pages.delete(key);
+        throw error;
+      }
+    });
+  return it;
+}

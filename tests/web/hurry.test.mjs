@@ -1,0 +1,114 @@
+// A person in a hurry: drops, runs, edits and closes while other things are under way.
+
+import assert from 'node:assert/strict';
+import { zipSync } from 'fflate';
+import { bumpyDisk } from '../support/disk.mjs';
+import { cubeMesh, toObj } from '../support/meshes.mjs';
+import {
+  certificate,
+  coneCount,
+  drop,
+  example,
+  failure,
+  openFiles,
+  run,
+  saveAs,
+  state,
+  statusText,
+  useBrowser,
+} from './support.mjs';
+
+const it = useBrowser();
+const { test } = it;
+const opened = (name) => it.page.waitForSelector(`.file[title="${name}"]`);
+
+test('of two files dropped one after the other the second is opened', async () => {
+  await drop(it, { 'large.obj': bumpyDisk(60) });
+  await drop(it, { 'small.obj': toObj(cubeMesh(3)) });
+  await opened('small.obj');
+  await state(it.page, 'ready');
+  await run(it);
+  assert.match(await certificate(it), /of 108/);
+});
+
+test('while it runs: nothing is edited, nothing is run twice; another file ends it', async () => {
+  const { page } = it;
+  await openFiles(it, { 'disk.obj': bumpyDisk(100) });
+  // Twice, before the page can answer the first.
+  await page.evaluate(() => [1, 2].forEach(() => document.querySelector('#run').click()));
+  await state(page, 'running');
+  for (const key of ['z', 'Shift+z', 'z', 'y', 'Enter'])
+    await page.keyboard.press(`Control+${key}`);
+  await page.click('#suggest');
+  await page.locator('#weld').fill('0.01');
+  await page.locator('#weld').press('Enter');
+  await page.waitForSelector('footer button:has-text("Cancel and edit")');
+  assert.equal(await page.locator('#weld').inputValue(), '');
+  await state(page, 'running');
+  // Escape closes the dialog and nothing else.
+  await page.click('#help');
+  await page.keyboard.press('Escape');
+  await page.waitForSelector('#help-dialog', { state: 'detached' });
+  await state(page, 'running');
+  await openFiles(it, { 'cube.obj': toObj(cubeMesh(3)) });
+  await opened('cube.obj');
+  assert.equal(await coneCount(it), 0);
+  await run(it);
+});
+
+test('closed while it runs or reads, everything is still one click away', async () => {
+  const { page } = it;
+  await openFiles(it, { 'disk.obj': bumpyDisk(60) });
+  await run(it, 'running');
+  await page.click('#close');
+  await state(page, 'empty');
+  await page.click('footer button:has-text("Open it again")');
+  await state(page, 'ready');
+  await page.locator('#weld').fill('0.0001');
+  await page.locator('#weld').press('Enter');
+  await page.click('#close');
+  await state(page, 'empty');
+  assert.match(await statusText(page), /Closed disk\.obj/);
+});
+
+test('choices of Download made faster than they are written: the last of each holds', async () => {
+  const { page } = it;
+  await example(it, 'cube');
+  await run(it);
+  await page.click('#download');
+  await page.selectOption('#uv-scale', 'unit');
+  await page.selectOption('#uv-scale', 'fit');
+  await page.uncheck('#embed-cones');
+  await page.selectOption('#uv-scale', 'unit');
+  await page.waitForSelector('#downloads ul:not([aria-busy="true"])');
+  assert.equal(await page.locator('#uv-scale').inputValue(), 'unit');
+  assert.equal(await page.locator('#embed-cones').isChecked(), false);
+  await page.keyboard.press('Escape');
+  await state(page, 'certified');
+  const { bytes } = await saveAs(it, 'same');
+  assert.doesNotMatch(bytes.toString('latin1'), /"hgp":/);
+  const report = JSON.parse(String((await saveAs(it, 'report')).bytes));
+  assert.equal(report.options.scale, 'unit');
+});
+
+test('ZIP files that are none, empty, cut short, or full of archives', async () => {
+  const text = new TextEncoder().encode(toObj(cubeMesh(2)));
+  const zip = Buffer.from(zipSync({ 'a.obj': text }));
+  const unknown = Buffer.from(zip);
+  unknown[8] = 12; // a compression that nobody here knows
+  for (const [name, content, answer] of [
+    ['none.zip', 'no archive at all', /“none\.zip” holds no mesh/],
+    ['empty.zip', zipSync({}), /“empty\.zip” holds no mesh/],
+    ['cut.zip', zip.subarray(0, zip.length / 2), /ZIP (cannot be read|ends in the middle)/],
+    ['unknown.zip', unknown, /a\.obj cannot be unpacked/],
+    ['inner.zip', zipSync({ 'b.zip': zip }), /“inner\.zip” holds no mesh/],
+    ['back.zip', zipSync({ '..\\a.obj': text }), /outside its folder/],
+    ['bomb.zip', zipSync({ 'a.obj': new Uint8Array(3e7) }), /far more than it should/],
+  ]) {
+    await drop(it, { [name]: content });
+    await it.page.waitForFunction((pattern) => new RegExp(pattern).test(document.querySelector('#status.error')?.textContent), answer.source); // prettier-ignore
+  }
+  assert.match(await failure(it), /far more/);
+  await openFiles(it, { 'names.zip': zipSync({ '__proto__/constructor.obj': text }) });
+  await opened('constructor.obj');
+});

@@ -20,9 +20,9 @@ constexpr std::array<std::uint32_t, 64> kConstants = {
 using Hash = std::array<std::uint32_t, 8>;
 
 /// One round of the standard, which leaves the new first value in h and the new fifth in d.
-inline void turn(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t& d,
-                 std::uint32_t e, std::uint32_t f, std::uint32_t g, std::uint32_t& h,
-                 std::uint32_t added) {
+[[gnu::always_inline]] inline void turn(std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                                        std::uint32_t& d, std::uint32_t e, std::uint32_t f,
+                                        std::uint32_t g, std::uint32_t& h, std::uint32_t added) {
   const std::uint32_t s1 = std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25);
   const std::uint32_t first = h + s1 + (g ^ (e & (f ^ g))) + added;
   const std::uint32_t s0 = std::rotr(a, 2) ^ std::rotr(a, 13) ^ std::rotr(a, 22);

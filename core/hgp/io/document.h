@@ -18,6 +18,11 @@
 namespace hgp::io {
 
 using Bytes = std::vector<std::uint8_t>;
+/// Never byte by byte: texts of a million triangles are long.
+inline Bytes asBytes(const std::string& text) {
+  const auto* first = reinterpret_cast<const std::uint8_t*>(text.data());
+  return Bytes(first, first + text.size());
+}
 using ByteView = std::span<const std::uint8_t>;
 
 /// What a reader may take before it ends with kLimit. Checked before memory is asked for.

@@ -23,8 +23,6 @@ void appendChunk(Bytes& out, std::uint32_t type, ByteView content, std::uint8_t 
   out.insert(out.end(), padded - content.size(), padding);
 }
 
-Bytes toBytes(const std::string& text) { return Bytes(text.begin(), text.end()); }
-
 }  // namespace
 
 Result<Written> writeGltf(const GltfStore& store, const GltfSurface& part, const UvMap& map,
@@ -34,7 +32,7 @@ Result<Written> writeGltf(const GltfStore& store, const GltfSurface& part, const
 }
 
 Result<Bytes> packGltf(const GltfStore& store, const std::string& json, ByteView bin) {
-  if (!store.container.isBinary) return toBytes(json);
+  if (!store.container.isBinary) return asBytes(json);
   Bytes out;
   std::uint64_t total = 12 + 8 + json.size() + 3 + 8 + bin.size() + 3;
   for (const GltfChunk& chunk : store.container.others) total += 8 + chunk.bytes.size();

@@ -57,6 +57,5 @@ void appendEmbeddedCones(std::string& out, const WriteOptions& options, std::str
 inline std::string_view asText(ByteView bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
-inline Bytes asBytes(const std::string& text) { return Bytes(text.begin(), text.end()); }
 
 }  // namespace hgp::io

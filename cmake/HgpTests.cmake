@@ -41,6 +41,8 @@ function(hgp_add_tests name)
     HGP_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     HGP_SHARED_MESHES_DEFAULT="${PROJECT_SOURCE_DIR}/../shared/meshes")
   target_link_libraries(${target} PRIVATE ${links} gtest_main)
+  # As one unit in every build: half of the time of a test file is GoogleTest and Eigen.
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
   # Optimizing the tests' own code doubles the time they take to compile and gains nothing.
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   if(EMSCRIPTEN)

@@ -1,11 +1,13 @@
 // Tutte/Floater on a disk [BCW17 §3.1, Thm 3.1]: a fixed convex boundary needs no cone program.
-#include <Eigen/SparseLU>
 #include <chrono>
 #include <cmath>
 
+#include "hgp/field/mesh_trees.h"
+#include "hgp/linalg/schur_lu.h"
 #include "hgp/parametrize.h"
 #include "hgp/seamless_setup.h"
 #include "hgp/stage_clock.h"
+#include "hgp/system/row_builder.h"
 
 namespace hgp {
 namespace {
@@ -24,33 +26,33 @@ PerVertex<Complex> circlePositions(const TriMesh& mesh, const Geometry& geometry
   return position;
 }
 
-/// Rows of (7) for interior vertices, boundary values moved to the right-hand side.
+/// Rows of (7) for interior vertices. What the boundary adds to a row is a number times one more
+/// unknown, which is 1: the only one that the elimination keeps.
 bool solveInterior(const TriMesh& mesh, const HarmonicSystem& harmonic,
                    PerVertex<Complex>& position) {
   PerVertex<int> unknown(static_cast<std::size_t>(mesh.vertexCount()), -1);
-  int count = 0;
-  for (VertexId v : harmonic.rowVertex) unknown[v] = count++;
-  std::vector<Eigen::Triplet<double>> entries;
-  Eigen::MatrixXd rhs = Eigen::MatrixXd::Zero(count, 2);
-  for (int row = 0; row < count; ++row) {
+  int boundary = 0;
+  for (VertexId v : harmonic.rowVertex) unknown[v] = boundary++;
+  RowBuilder builder(boundary + 1, boundary + 1,
+                     static_cast<std::size_t>(harmonic.rows.nonZeros()));
+  for (int row = 0; row < boundary; ++row) {
     for (SparseRows::InnerIterator it(harmonic.rows, row); it; ++it) {
       const VertexId v(static_cast<int>(it.col()));
-      const double w = it.value().real();
-      if (unknown[v] >= 0) {
-        entries.emplace_back(row, unknown[v], w);
-      } else {
-        rhs(row, 0) -= w * position[v].real();
-        rhs(row, 1) -= w * position[v].imag();
-      }
+      if (unknown[v] >= 0)
+        builder.add(unknown[v], it.value());
+      else
+        builder.add(boundary, it.value() * position[v]);
     }
+    builder.endRow(0.0);
   }
-  if (count == 0) return true;
-  Eigen::SparseMatrix<double> L(count, count);
-  L.setFromTriplets(entries.begin(), entries.end());
-  Eigen::SparseLU<Eigen::SparseMatrix<double>> lu(L);
-  if (lu.info() != Eigen::Success) return false;
-  const Eigen::MatrixXd x = lu.solve(rhs);
-  for (VertexId v : harmonic.rowVertex) position[v] = {x(unknown[v], 0), x(unknown[v], 1)};
+  builder.endRow(0.0);
+  linalg::SeparatorTree tree = linalg::restrictTree(vertexTree(mesh), unknown.raw());
+  tree.order.push_back(boundary);
+  tree.nodeStart.back() = boundary + 1;
+  linalg::SchurLu lu;
+  if (!lu.build(builder.take(), {boundary}, tree)) return false;
+  const Eigen::MatrixXcd x = lu.extend(Eigen::MatrixXcd::Ones(1, 1));
+  for (VertexId v : harmonic.rowVertex) position[v] = x(unknown[v], 0);
   return true;
 }
 

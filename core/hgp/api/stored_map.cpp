@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace hgp::api {
@@ -148,15 +147,14 @@ std::vector<std::uint32_t> verticesOfUv(const Model& model, const UvMap& map) {
   return out;
 }
 
-/// To the bit, at every corner.
+/// The same numbers at every corner.
 bool isSame(const UvMap& a, const UvMap& b) {
   if (a.cornerUv.size() != b.cornerUv.size()) return false;
   for (std::size_t f = 0; f < a.cornerUv.size(); ++f)
     for (std::size_t k = 0; k < 3; ++k) {
       const int i = a.cornerUv[f][k], j = b.cornerUv[f][k];
       if (i < 0 || j < 0) return false;
-      const Vec2 &p = a.uv[static_cast<std::size_t>(i)], &q = b.uv[static_cast<std::size_t>(j)];
-      if (std::memcmp(p.data(), q.data(), sizeof p) != 0) return false;
+      if (a.uv[static_cast<std::size_t>(i)] != b.uv[static_cast<std::size_t>(j)]) return false;
     }
   return true;
 }

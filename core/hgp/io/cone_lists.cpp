@@ -18,6 +18,7 @@ class ListReader {
     if (!isFine()) return 0;
     if (!words_.nextInt(value) || value < INT32_MIN || value > INT32_MAX) {
       wrong(formatText("%s must be an integer, not %s", what, inQuotes(words_.word()).c_str()));
+      return 0;
     }
     return static_cast<int>(value);
   }
@@ -115,7 +116,12 @@ Result<Prescription> readSings(std::string_view text) {
     PrescribedCone cone;
     cone.vertex = in.integer("a vertex");
     const int index = in.integer("a singularity index");
-    cone.k = out.q - index;
+    const std::int64_t k = std::int64_t{out.q} - index;
+    if (k < INT32_MIN || k > INT32_MAX) {
+      in.wrong(formatText("a singularity index of %d is out of range", index));
+      break;
+    }
+    cone.k = static_cast<int>(k);
     if (index != 0) out.cones.push_back(cone);
   }
   in.atEnd();

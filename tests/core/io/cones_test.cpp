@@ -97,6 +97,15 @@ TEST(Sings, KIsOrderMinusIndex) {
   EXPECT_NE(broken.error().message.find("line"), std::string::npos);
 }
 
+TEST(Sings, NumbersThatNoIntHoldsAreRefused) {
+  for (const char* text : {"1963793227 1\n5 -1231582227\n", "4 1\n1532679322831853 1\n"}) {
+    Result<Prescription> p = read("a.sings", text);
+    ASSERT_FALSE(p.hasValue()) << text;
+    EXPECT_EQ(p.error().code, ErrorCode::kMalformed);
+    EXPECT_EQ(p.error().where.at(0).id, 2);
+  }
+}
+
 TEST(Curvatures, AreExactOrRefused) {
   Result<Prescription> p = read("a.txt", "# x\n3 1.5707963267948966\n4 -1.5707963267948966\n5 0\n");
   ASSERT_TRUE(p.hasValue()) << p.error().message;

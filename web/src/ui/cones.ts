@@ -11,6 +11,7 @@ import { angleText, indexText } from '../state/prescription';
 import { suggest } from '../state/run';
 import type { Controls } from './controls';
 import { icon } from './icons';
+import { typed } from './typed';
 
 const orders: [number, string][] = [
   [1, '1 · no turns'],
@@ -41,7 +42,7 @@ function chooser(app: App): TemplateResult {
       min="1"
       max="64"
       aria-label="Symmetry q as a number"
-      .value=${live(String(q))}
+      .value=${typed(String(q))}
       @change=${set}
     />
   </div>`;
@@ -107,7 +108,7 @@ function row(app: App, ui: Controls, i: number): TemplateResult {
             min="1"
             inputmode="numeric"
             aria-label="${name}: k"
-            .value=${live(String(k))}
+            .value=${typed(String(k))}
             @change=${(event: Event) => setK(app, i, Number((event.target as HTMLInputElement).value))}
           />
           <button type="button" aria-label="${name}: larger k" @click=${() => setK(app, i, k + 1)}>

@@ -1,7 +1,6 @@
 // The column at the side: model, cones, boundaries and handles, result.
 
 import { html, nothing, type TemplateResult } from 'lit';
-import { live } from 'lit/directives/live.js';
 import type { App } from '../state/app';
 import { change } from '../state/load';
 import { result } from './certificate';
@@ -9,6 +8,7 @@ import { cones } from './cones';
 import type { Controls } from './controls';
 import { solve } from './solve';
 import { turnings } from './turnings';
+import { typed } from './typed';
 
 const number = new Intl.NumberFormat('en');
 const count = (n: number | undefined): string => number.format(n ?? 0).replaceAll(',', ' ');
@@ -61,7 +61,7 @@ function weld(app: App): TemplateResult {
       step="any"
       placeholder="exact"
       title="In units of the file, for example ${example}"
-      .value=${live(app.loaded.weld === undefined ? '' : String(app.loaded.weld))}
+      .value=${typed(app.loaded.weld === undefined ? '' : String(app.loaded.weld))}
       @change=${set}
     />
   </div>`;

@@ -5,6 +5,7 @@ import { live } from 'lit/directives/live.js';
 import type { App, SolveSettings } from '../state/app';
 import { copyCommand, estimateOf } from '../state/estimate';
 import type { Controls } from './controls';
+import { typed } from './typed';
 
 export function solve(app: App, ui: Controls): TemplateResult {
   const { needed, takes, isTight } = estimateOf(app);
@@ -26,7 +27,7 @@ export function solve(app: App, ui: Controls): TemplateResult {
         type="number"
         min="1"
         max="100"
-        .value=${live(String(rounds))}
+        .value=${typed(String(rounds))}
         @change=${(event: Event) => set({ rounds: whole(event, 1, 100) ?? rounds })}
       />
       <small>of solve, judge, repair</small>
@@ -38,7 +39,7 @@ export function solve(app: App, ui: Controls): TemplateResult {
         type="number"
         min="1"
         placeholder="none"
-        .value=${live(timeLimit === undefined ? '' : String(timeLimit))}
+        .value=${typed(timeLimit === undefined ? '' : String(timeLimit))}
         @change=${(event: Event) => set({ timeLimit: whole(event, 1, 86_400) })}
       />
       <small>seconds; what is not done by then is given up</small>

@@ -1,11 +1,11 @@
 // Boundaries and handles: turning indices l and rotations r, automatic unless someone says otherwise.
 
 import { html, nothing, type TemplateResult } from 'lit';
-import { live } from 'lit/directives/live.js';
 import type { App } from '../state/app';
 import { setHandle, setTurning } from '../state/edit';
 import { angleText } from '../state/prescription';
 import type { Controls } from './controls';
+import { typed } from './typed';
 
 /** A stepper that may also stand on "auto". */
 function stepper(
@@ -31,7 +31,7 @@ function stepper(
       type="number"
       aria-label=${name}
       placeholder="auto"
-      .value=${live(value === null ? '' : String(value))}
+      .value=${typed(value === null ? '' : String(value))}
       @change=${change}
     />
     <button

@@ -55,6 +55,13 @@ export const certificate = (it) => it.page.locator('#certificate').innerText();
 export const coneCount = (it) => it.page.locator('#cones tbody tr[data-cone]').count();
 export const kOf = (it, i) => it.page.locator(`tr[data-cone="${i}"] input`).inputValue();
 
+/** Waits until the status line says something: a failure before this one may still stand there. */
+export const statusSays = (it, pattern) =>
+  it.page.waitForFunction(
+    (source) => new RegExp(source).test(document.querySelector('#status')?.innerText),
+    pattern.source,
+  );
+
 /** Waits until the panel of the model says something. */
 export const modelSays = (it, pattern) =>
   it.page.waitForFunction(

@@ -25,6 +25,7 @@ import {
   share,
   shots,
   state,
+  statusSays,
   statusText,
   useBrowser,
 } from './support.mjs';
@@ -38,11 +39,11 @@ test('a hostile name, an empty file and no mesh at all', async () => {
   assert.equal(await it.page.locator('img').count(), 0);
   assert.equal(await it.page.locator('.file').innerText(), name);
   await drop(it, { 'nothing.obj': '' });
-  assert.match(await failure(it), /nothing\.obj/);
+  await statusSays(it, /nothing\.obj/);
   await drop(it, { 'page.glb': '<!doctype html><title>not found</title>' });
-  assert.match(await failure(it), /page\.glb/);
+  await statusSays(it, /page\.glb/);
   await drop(it, { 'notes.txt': 'hello' });
-  assert.match(await failure(it), /holds no mesh/);
+  await statusSays(it, /holds no mesh/);
   await openFiles(it, { 'cube.obj': toObj(cubeMesh(3)) });
 });
 

@@ -16,6 +16,9 @@ if(NOT TARGET gtest_main)
   foreach(target gtest gtest_main)
     get_target_property(dirs ${target} INTERFACE_INCLUDE_DIRECTORIES)
     set_target_properties(${target} PROPERTIES INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${dirs}")
+    # Neither fast nor looked at by sanitizers: it is not ours, and a fifth of the time to compile.
+    target_compile_options(${target} PRIVATE -O0
+      $<$<CXX_COMPILER_ID:Clang>:-fno-sanitize=all>)
   endforeach()
 endif()
 

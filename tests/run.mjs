@@ -158,6 +158,11 @@ const stages = {
       ['node_modules/.bin/tsc', '--noEmit', '-p', 'web'],
     ]),
   house: (log) => nodeTests(log, 'house'),
+  files: (log) =>
+    checks(log, [
+      ['cmake', '--preset', 'native-files'],
+      ['cmake', '--build', '--preset', 'native-files'],
+    ]),
   'native-release': (log) => ctest(log, 'native-release'),
   'native-debug': (log) => ctest(log, 'native-debug'),
   tidy: (log) => checks(log, [['node', 'tests/support/tidy.mjs']]),
@@ -170,6 +175,9 @@ const stages = {
   },
 };
 
+/** Every file compiled alone, so that none takes an include from its neighbour: by name or in full. */
+const isLong = (name) => name === 'files';
+
 const unknown = only.filter((name) => !(name in stages));
 if (unknown.length > 0) {
   console.error(`no such stage: ${unknown.join(' ')}; there are ${Object.keys(stages).join(' ')}`);
@@ -180,7 +188,7 @@ if (!hasData) console.log(`SKIPPING tests on real meshes: ${data} is not there`)
 
 const total = { passed: 0, failed: 0, skipped: 0 };
 for (const [name, stage] of Object.entries(stages)) {
-  if (only.length > 0 && !only.includes(name)) continue;
+  if (only.length > 0 ? !only.includes(name) : isLong(name) && !full) continue;
   const begin = performance.now();
   const log = createWriteStream(path.join(logs, `${name}.log`));
   let counts;

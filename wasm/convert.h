@@ -61,11 +61,12 @@ inline std::vector<std::string> toStrings(const val& array) {
   return strings;
 }
 
-/// callback(stage, fraction, iteration, residual) → true to go on; nothing where it is undefined.
+/// callback(stage, fraction, iteration, residual, round, maxRounds) → true to go on; nothing where it is undefined.
 inline Progress toProgress(const val& callback) {
   if (callback.isUndefined()) return {};
   return [callback](const ProgressReport& r) {
-    return callback(std::string(r.stage), r.fraction, r.iteration, r.residual).as<bool>();
+    return callback(std::string(r.stage), r.fraction, r.iteration, r.residual, r.round, r.maxRounds)
+        .as<bool>();
   };
 }
 

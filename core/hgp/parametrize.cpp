@@ -20,7 +20,7 @@ struct Attempt {
 };
 
 Attempt solveAndJudge(const TriMesh& mesh, const SeamlessSetup& setup, const RepairStep& step,
-                      const ParametrizeOptions& options, bool& isCancelled) {
+                      int round, const ParametrizeOptions& options, bool& isCancelled) {
   ProgramOptions program;
   program.u = step.u;
   program.quality = step.quality;
@@ -30,7 +30,8 @@ Attempt solveAndJudge(const TriMesh& mesh, const SeamlessSetup& setup, const Rep
   program.vertexTree = &setup.context.tree;
   program.progress = [&](int iteration, double residual) {
     const double fraction = 1.0 - 1.0 / (1.0 + 0.25 * iteration);
-    isCancelled = !report(options.progress, {"solve", fraction, iteration, residual});
+    isCancelled = !report(options.progress,
+                          {"solve", fraction, iteration, residual, round, options.maxRounds});
     return !isCancelled;
   };
   Attempt attempt;
@@ -115,12 +116,14 @@ static Result<Parametrization> parametrizePrepared(const TriMesh& mesh, FieldCon
   RepairPlan plan(mesh, setup, options.useQuality, (isAutomatic && !isFlatTorus) || isDisk);
   std::optional<Attempt> best;
   bool bestIsHarmonic = false;
-  for (int round = 0; round < options.maxRounds; ++round) {
+  for (int round = 1; round <= options.maxRounds; ++round) {
     const std::optional<RepairStep> step = plan.next();
     if (!step) break;
+    if (!report(options.progress, {"solve", 0.0, -1, -1.0, round, options.maxRounds}))
+      return cancelled("solve");
     const auto roundStart = Clock::now();
     bool isCancelled = false;
-    Attempt attempt = solveAndJudge(mesh, setup, *step, options, isCancelled);
+    Attempt attempt = solveAndJudge(mesh, setup, *step, round, options, isCancelled);
     if (isCancelled) return cancelled("solve");
     result.rounds.push_back(describe(attempt, *step, secondsSince(roundStart)));
     plan.learn(attempt.program, attempt.certificate);

@@ -55,6 +55,7 @@ void ProgressLine::draw(const ProgressReport& report) {
   const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
   std::fprintf(stderr, "\r\033[K[%s] %3.0f%%  %-12s %5.1f s", bar.c_str(), 100 * fraction,
                report.stage, elapsed);
+  if (report.round > 0) std::fprintf(stderr, "  round %d of %d", report.round, report.maxRounds);
   if (report.iteration >= 0) std::fprintf(stderr, "  iteration %d", report.iteration);
   if (report.residual >= 0) std::fprintf(stderr, "  gap %.1e", report.residual);
   std::fflush(stderr);
@@ -64,6 +65,7 @@ void ProgressLine::draw(const ProgressReport& report) {
 void ProgressLine::printLine(const ProgressReport& report) {
   const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
   std::fprintf(stderr, "hgp: %6.1f s  %s", elapsed, report.stage);
+  if (report.round > 0) std::fprintf(stderr, ", round %d of %d", report.round, report.maxRounds);
   if (report.iteration >= 0) std::fprintf(stderr, ", iteration %d", report.iteration);
   std::fputc('\n', stderr);
 }

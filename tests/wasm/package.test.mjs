@@ -239,6 +239,7 @@ test('cancel in the middle of a solve: AbortError, and the next call works', () 
     assert.ok(begin - aborted < 100, 'at once');
     const last = seen.at(-1);
     assert.ok(last.iteration >= 0 && last.residual >= 0 && last.stage.length > 0);
+    assert.ok(last.round >= 1 && last.maxRounds >= last.round);
     assert.equal((await client.inspect()).triangles, triangles); // a fresh worker has the model again
     assert.ok(performance.now() - begin < 5000);
     await client.load(disk(4), { name: 'disk.obj' });

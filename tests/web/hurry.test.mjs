@@ -56,6 +56,24 @@ test('while it runs: nothing is edited, nothing is run twice; another file ends 
   await run(it);
 });
 
+test('a number half typed stays while the page draws itself anew', async () => {
+  const { page } = it;
+  await openFiles(it, { 'disk.obj': bumpyDisk(80) });
+  await page.click('#panel-solve summary');
+  await page.click('#run');
+  await state(page, 'running');
+  const rounds = page.locator('#rounds');
+  await rounds.fill('7'); // typed, not left
+  await page.waitForFunction(() =>
+    /round 1 of 12/.test(document.querySelector('footer .detail')?.textContent ?? ''),
+  );
+  await state(page, 'certified');
+  assert.equal(await rounds.inputValue(), '7');
+  await rounds.press('Tab');
+  await page.locator('#quality').check();
+  assert.equal(await rounds.inputValue(), '7');
+});
+
 test('closed while it runs or reads, everything is still one click away', async () => {
   const { page } = it;
   await openFiles(it, { 'disk.obj': bumpyDisk(60) });

@@ -196,6 +196,9 @@ export interface Progress {
   /** Of the solver; -1 outside it, and so is the residual. */
   iteration: number;
   residual: number;
+  /** Of solve, judge, repair: from 1 to at most maxRounds; both are 0 outside it. */
+  round: number;
+  maxRounds: number;
 }
 
 /** hgp-certificate: what was measured on the map as it is stored. */

@@ -84,7 +84,7 @@ export class Core {
   #decoders = {};
   #name = 'mesh.obj'; // of what write() makes, where the caller gives none
 
-  /** Called with { stage, fraction, iteration, residual }; return false to cancel. */
+  /** Called with { stage, fraction, iteration, residual, round, maxRounds }; return false to cancel. */
   onProgress;
 
   constructor(module) {
@@ -204,8 +204,8 @@ export class Core {
   #progress() {
     const { onProgress } = this;
     if (!onProgress) return undefined;
-    return (stage, fraction, iteration, residual) =>
-      onProgress({ stage, fraction, iteration, residual }) !== false;
+    return (stage, fraction, iteration, residual, round, maxRounds) =>
+      onProgress({ stage, fraction, iteration, residual, round, maxRounds }) !== false;
   }
 
   #reply(reply) {

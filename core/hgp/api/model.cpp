@@ -118,13 +118,10 @@ void repair(Model& model, const FixOptions& fix) {
   model.mesh = std::move(fixed.mesh);
 }
 
+/// @pre model.defects has nothing fatal
 Status splitPieces(Model& model) {
-  Result<TriMesh> whole = buildTriMesh(model.mesh);
-  if (!whole) {
-    model.unusable = whole.error();
-    return Done{};
-  }
-  model.topology = computeTopology(*whole);
+  TriMesh whole = buildUsableMesh(model.mesh);
+  model.topology = computeTopology(whole);
   const bool isOne = model.topology.componentCount == 1 && model.topology.isolatedVertexCount == 0;
   std::vector<std::vector<int>> loopsOf(static_cast<std::size_t>(model.topology.componentCount));
   for (std::size_t j = 0; j < model.topology.loops.size(); ++j) {
@@ -132,14 +129,14 @@ Status splitPieces(Model& model) {
     loopsOf[static_cast<std::size_t>(model.topology.component[f])].push_back(static_cast<int>(j));
   }
   if (isOne) {
-    model.pieces.push_back({std::move(*whole), model.topology,
-                            identity(model.mesh.positions.size()),
+    model.pieces.push_back({std::move(whole), model.topology, identity(model.mesh.positions.size()),
                             identity(model.mesh.triangles.size()), loopsOf[0], 0});
     return Done{};
   }
   int generators = 0;
-  std::vector<Component> components = splitComponents(model.mesh, *whole, model.topology);
+  std::vector<Component> components = splitComponents(model.mesh, whole, model.topology);
   for (std::size_t c = 0; c < components.size(); ++c) {
+    // Judged again: alone it may be too small to compute with.
     Result<TriMesh> mesh = buildTriMesh(components[c].mesh);
     if (!mesh) return mesh.error();
     Topology topology = computeTopology(*mesh);

@@ -226,8 +226,9 @@ bool hasNoArea(const Vec3& a, const Vec3& b, const Vec3& c) {
     scale = std::max({scale, std::abs(u[n]), std::abs(v[n])});
   }
   if (!(scale > 0.0) || !std::isfinite(scale)) return scale == 0.0;
-  const int exponent = std::ilogb(scale);
-  for (std::size_t n = 0; n < 3; ++n) {
+  // Scaled by a power of two, which rounds nothing, where fourth powers would leave the range.
+  const int exponent = scale > 1e-60 && scale < 1e60 ? 0 : std::ilogb(scale);
+  for (std::size_t n = 0; exponent != 0 && n < 3; ++n) {
     u[n] = std::scalbn(u[n], -exponent);
     v[n] = std::scalbn(v[n], -exponent);
   }

@@ -54,6 +54,10 @@ int TriMesh::valence(VertexId v) const {
 
 Result<TriMesh> buildTriMesh(const MeshData& data) {
   if (Status usable = requireUsable(findDefects(data)); !usable) return std::move(usable).error();
+  return buildUsableMesh(data);
+}
+
+TriMesh buildUsableMesh(const MeshData& data) {
   TriMesh mesh;
   const auto faceCount = data.triangles.size();
   mesh.positions_ = PerVertex<Vec3>(data.positions);

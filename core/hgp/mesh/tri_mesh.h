@@ -56,7 +56,7 @@ class TriMesh {
   const Vec3& position(VertexId v) const { return positions_[v]; }
 
  private:
-  friend Result<TriMesh> buildTriMesh(const MeshData& data);
+  friend TriMesh buildUsableMesh(const MeshData& data);
   PerVertex<Vec3> positions_;
   PerHalfedge<VertexId> corner_;
   PerHalfedge<HalfedgeId> twin_;
@@ -97,5 +97,7 @@ inline OutgoingRange outgoingHalfedges(const TriMesh& mesh, VertexId v) { return
 /// Builds S. Fails with kUnsupported, a count and the places, when the data is not an oriented
 /// manifold (see defects.h for the full list a user may want to see).
 Result<TriMesh> buildTriMesh(const MeshData& data);
+/// The same for data whose defects are known. @pre findDefects(data) names nothing fatal
+TriMesh buildUsableMesh(const MeshData& data);
 
 }  // namespace hgp

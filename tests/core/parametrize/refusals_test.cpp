@@ -92,12 +92,15 @@ TEST(Cancel, EndsEveryStageAtOnce) {
   }
 }
 
-TEST(Progress, FractionsStayBetweenZeroAndOneAndIterationsCount) {
+TEST(Progress, FractionsStayBetweenZeroAndOneAndIterationsAndRoundsCount) {
   ParametrizeOptions options;
-  int last = -1, solves = 0;
+  int last = -1, solves = 0, rounds = 0;
   options.progress = [&](const ProgressReport& r) {
     EXPECT_GE(r.fraction, 0.0);
     EXPECT_LE(r.fraction, 1.0);
+    EXPECT_TRUE(r.round == rounds || (r.round == rounds + 1 && r.iteration < 0)) << r.round;
+    EXPECT_EQ(r.maxRounds, r.round > 0 ? options.maxRounds : 0);
+    rounds = r.round;
     if (std::string(r.stage) == "solve" && r.iteration >= 0) {
       EXPECT_TRUE(r.iteration == last + 1 || r.iteration == 0);
       last = r.iteration;
@@ -109,8 +112,10 @@ TEST(Progress, FractionsStayBetweenZeroAndOneAndIterationsCount) {
   const TriMesh mesh = test::pretzel(2, 3).mesh();
   HolonomySpec spec;
   for (int v = 0; v < 8; ++v) spec.cones.push_back({VertexId(7 * v), 5});
-  ASSERT_TRUE(parametrize(mesh, spec, options));
+  const Result<Parametrization> p = parametrize(mesh, spec, options);
+  ASSERT_TRUE(p);
   EXPECT_GT(solves, 2);
+  EXPECT_EQ(rounds, static_cast<int>(p->rounds.size()));
 }
 
 TEST(Notes, SayWhenConesStretchTheSurfaceTooFar) {

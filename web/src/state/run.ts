@@ -46,17 +46,30 @@ export const stageName = (stage: string): string => stageNames[stage] ?? stage;
 
 export const isAbort = (error: unknown): boolean => (error as Error).name === 'AbortError';
 
+const beginning = (stage: string): Report => ({
+  stage,
+  fraction: 0,
+  iteration: -1,
+  residual: -1,
+  round: 0,
+  maxRounds: 0,
+});
+
 /** Progress that only goes forward. */
 export function follow(app: App, own: AbortController): (report: Report) => void {
-  return ({ stage, fraction, iteration, residual }) => {
+  return ({ stage, fraction, iteration, residual, round, maxRounds }) => {
     if (own !== app.running || !app.progress) return;
     const [from, to] = spans[stage] ?? [app.progress.fraction, app.progress.fraction];
     const whole = from + (to - from) * Math.min(Math.max(fraction, 0), 1);
-    const gap = residual > 0 ? ` · gap ${residual.toPrecision(1)}` : '';
+    const detail = [
+      round > 0 ? `round ${round} of ${maxRounds}` : '',
+      iteration > 0 ? `step ${iteration}` : '',
+      residual > 0 ? `gap ${residual.toPrecision(1)}` : '',
+    ];
     app.progress = {
       ...app.progress,
       stage,
-      detail: iteration > 0 ? `iteration ${iteration}${gap}` : '',
+      detail: detail.filter(Boolean).join(' · '),
       fraction: Math.max(app.progress.fraction, whole),
     };
     app.changed();
@@ -185,7 +198,7 @@ async function solve(app: App, output: Output, call: Call): Promise<Solved> {
   const result = await app.client!.parametrize({ ...what, ...options }, call);
   const asked = isNatural ? fromCones(result.cones, turnings.length, handles.length) : app.asked;
   if (isNatural) app.natural.set(q, asked);
-  call.onProgress({ stage: 'write', fraction: 0, iteration: -1, residual: -1 });
+  call.onProgress(beginning('write'));
   const written = await write(app, result, output, call);
   app.inWorker = result;
   const order = { asked, settings: app.loaded, quality, frames, output };

@@ -366,6 +366,27 @@ function interleaved() {
   return asset.glb();
 }
 
+/** One primitive draws all vertices there are, without indices; another one, with them, some again. */
+function sharedSoup() {
+  const asset = new Asset();
+  const { json } = asset;
+  const corners = [
+    [0, 0, 0],
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+  ];
+  const drawn = [0, 2, 1, 0, 1, 3, 0, 3, 2];
+  const POSITION = asset.positions(Float32Array.from(drawn.flatMap((v) => corners[v])));
+  const indices = asset.indices(Uint16Array.from([2, 1, 5])); // the face opposite corner 0
+  json.meshes = [
+    { primitives: [{ attributes: { POSITION } }, { attributes: { POSITION }, indices }] },
+  ];
+  json.nodes = [{ mesh: 0 }];
+  json.scenes = [{ nodes: [0] }];
+  return asset.glb();
+}
+
 /** Strip, fan and a list without indices, each of its own vertices, in a .gltf printed in lines. */
 function modes() {
   const asset = new Asset();
@@ -518,12 +539,22 @@ function foreignIndices(json) {
   json.meshes[0].extensions.EXT_mesh_manifold.manifoldPrimitive.indices = 4;
 }
 
-/** EXT_meshopt_compression: filtered normals, triangles, and a view of another mesh. */
-async function meshopt() {
+/** Two primitives that draw the same indices, which are the manifold's: two cannot be written there. */
+function oneForTwo(json) {
+  delete json.accessors[2].byteOffset;
+  json.meshes[0].extensions.EXT_mesh_manifold.manifoldPrimitive.indices = 2;
+}
+
+/**
+ * EXT_meshopt_compression: filtered normals, triangles, and a view of another mesh. `edit` may change
+ * the positions.
+ */
+export async function meshopt(edit = () => {}) {
   await MeshoptEncoder.ready;
   const asset = new Asset();
   const { json } = asset;
   const g = grid(9, 8);
+  edit(g.position);
   json.buffers.push({ byteLength: 0, extensions: { EXT_meshopt_compression: { fallback: true } } });
   const view = (source, count, stride, mode, more = {}, filter) => {
     const packed = MeshoptEncoder.encodeGltfBuffer(source, count, stride, mode);
@@ -715,6 +746,7 @@ export async function featureFiles() {
     },
     { name: 'interleaved and quantized', files: { 'woven.glb': interleaved() }, cases: maps(all) },
     { name: 'strip, fan, no indices', files: modes(), cases: maps(all) },
+    { name: 'indices in part', files: { 'in-part.glb': sharedSoup() }, cases: maps(all) },
     {
       name: 'index promotion, data URI',
       files: { 'promotion.gltf': promotion() },
@@ -749,6 +781,14 @@ export async function featureFiles() {
       cases: [
         ...maps(['vertices']),
         // It cannot be kept true where vertices split: dropped, and the surface stays the same.
+        ...maps(['patches', 'corners'], { extra: { lostExtensions: ['EXT_mesh_manifold'] } }),
+      ],
+    },
+    {
+      name: 'EXT_mesh_manifold with one array for two primitives',
+      files: { 'one-for-two.glb': manifold(oneForTwo) },
+      cases: [
+        ...maps(['vertices']),
         ...maps(['patches', 'corners'], { extra: { lostExtensions: ['EXT_mesh_manifold'] } }),
       ],
     },

@@ -2,10 +2,11 @@
 // every readable file of the optional data and over generated files with every feature.
 
 import assert from 'node:assert/strict';
-import { cpSync, mkdirSync, readdirSync, writeFileSync } from 'node:fs';
+import { cpSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import test from 'node:test';
-import { featureFiles } from './features.mjs';
+import { openFile } from './container.mjs';
+import { featureFiles, meshopt } from './features.mjs';
 import { assertLaw } from './law.mjs';
 import { hasMeshes, isWasm, meshes, runProbe, scratch } from './probe.mjs';
 
@@ -67,3 +68,16 @@ for (const { name, files, cases } of await featureFiles()) {
     });
   }
 }
+
+test('bounds are numbers where positions are none: what was written can be read', async () => {
+  const file = path.join(folder, 'infinite.glb');
+  const infinite = (position) => position.set([Infinity, -Infinity, NaN], 3);
+  writeFileSync(file, await meshopt(infinite));
+  const out = path.join(folder, 'bounds.glb');
+  const [result] = runProbe(['--write', out, '--map', 'corners', file]);
+  if (needsDecoder(result)) return;
+  assert.equal(result.ok, true, JSON.stringify(result));
+  const json = JSON.parse(openFile(readFileSync(out)).text);
+  const { min, max } = json.accessors[json.meshes[0].primitives[0].attributes.POSITION];
+  assert.ok([...min, ...max].every(Number.isFinite), `${min} … ${max}`);
+});

@@ -1,5 +1,6 @@
 // Attributes and indices of pools whose vertices change, and where all new data goes.
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -66,7 +67,7 @@ int GltfWriter::redirect(int old, const std::set<int>& references, GltfNewAccess
   return static_cast<int>(fresh_.size()) - 1;
 }
 
-/// min and max of what is really stored, where the accessor states them.
+/// min and max of what is really stored, where the accessor states them; JSON has no infinity.
 void GltfWriter::setRange(GltfNewAccessor& fresh, int old, ByteView data) const {
   GltfAccessor shape = accessor(old);
   const auto type = fresh.members.find("componentType");
@@ -80,10 +81,13 @@ void GltfWriter::setRange(GltfNewAccessor& fresh, int old, ByteView data) const 
   for (std::size_t at = 0; at + shape.elementSize() <= data.size(); at += stride) {
     const std::vector<double> element = realNumbers(shape, data.subspan(at, shape.elementSize()));
     for (std::size_t k = 0; k < width; ++k) {
+      if (!std::isfinite(element[k])) continue;
       low[k] = std::min(low[k], element[k]);
       high[k] = std::max(high[k], element[k]);
     }
   }
+  for (std::size_t k = 0; k < width; ++k)
+    if (low[k] > high[k]) low[k] = high[k] = 0.0;
   const auto text = [](const std::vector<double>& values) {
     std::string out = "[";
     for (double value : values) {
@@ -176,7 +180,9 @@ std::vector<std::uint32_t> GltfWriter::writtenIndices(const GltfRun& run) const 
 void GltfWriter::rewriteIndices(const GltfRun& run) {
   const GltfPool& pool = part_.pools[static_cast<std::size_t>(run.pool)];
   const GltfPrimitive& source = primitive(run.primitive);
-  bool isChanged = source.draco.has_value();
+  const GltfSplit& split = splits_.pools[static_cast<std::size_t>(run.pool)];
+  // Without indices a primitive draws all vertices there are, copies for another primitive as well.
+  bool isChanged = source.draco.has_value() || (source.indices < 0 && !split.copyOf.empty());
   for (int face = run.firstTriangle; face < run.firstTriangle + run.triangleCount; ++face) {
     const auto t = static_cast<std::size_t>(face);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -184,7 +190,6 @@ void GltfWriter::rewriteIndices(const GltfRun& run) {
     }
   }
   if (!isChanged) return;
-  const GltfSplit& split = splits_.pools[static_cast<std::size_t>(run.pool)];
   const int wanted =
       source.indices >= 0 ? accessor(source.indices).componentType : kGltfUnsignedShort;
   const int type = indexTypeFor(wanted, pool.vertexCount + static_cast<int>(split.copyOf.size()));

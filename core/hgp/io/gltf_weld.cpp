@@ -258,7 +258,10 @@ std::optional<std::vector<std::size_t>> manifoldStarts(const GltfStore& store, i
     }
     const std::size_t start = (own.offset - whole.offset) / whole.componentSize();
     if (start > isCovered.size() || own.count > isCovered.size() - start) return {};
-    std::fill_n(isCovered.begin() + static_cast<std::ptrdiff_t>(start), own.count, char(1));
+    const auto first = isCovered.begin() + static_cast<std::ptrdiff_t>(start);
+    const auto last = first + static_cast<std::ptrdiff_t>(own.count);
+    if (std::find(first, last, char(1)) != last) return {};  // two cannot be written there
+    std::fill(first, last, char(1));
     starts.push_back(start);
   }
   if (std::find(isCovered.begin(), isCovered.end(), char(0)) != isCovered.end()) return {};

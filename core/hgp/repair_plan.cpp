@@ -15,6 +15,10 @@ constexpr double kLightQuality = 1e-3;
 /// Weight of frames that pull instead of bind, of the order of the harmonic rows' own (0.1 to 1 do
 /// equally well).
 constexpr double kPull = 0.3;
+/// What one linear system leaves wrong is mended within this many rings around it, while that is at
+/// most this share of the faces.
+constexpr int kPatchRings = 6;
+constexpr double kPatchShare = 0.25;
 constexpr double kClamp = 5.0;
 constexpr double kNoClamp = 1e9;
 
@@ -58,6 +62,7 @@ int RepairPlan::touchedUnknowns() const {
 void RepairPlan::startRung() {
   if (rung_ >= rungs_.size()) return;
   growth_ = 0;
+  patch_.clear();
   faces_ = rungs_[rung_].pull > 0.0 ? std::vector<FaceId>() : base_;
   const PerVertex<double> before = u_;
   u_ = weightsOf(rungs_[rung_]);
@@ -105,7 +110,16 @@ std::optional<RepairStep> RepairPlan::next() {
   step.isExact = rungs_[rung_].isExact;
   step.pull = rungs_[rung_].pull;
   if (step.pull > 0.0) step.pulled = base_;
-  step.frames = fieldFrames(setup_.seams, faces_);
+  std::vector<FaceId> bound = faces_;
+  if (!patch_.empty()) {
+    step.method += ", locally";
+    step.isExact = false;
+    step.local = partOf(patch_);
+    bound.clear();
+    std::set_intersection(faces_.begin(), faces_.end(), patch_.begin(), patch_.end(),
+                          std::back_inserter(bound));
+  }
+  step.frames = fieldFrames(setup_.seams, std::move(bound));
   for (const ConePoint& cone : ringCones_)
     embedSurfaceRing(mesh_, setup_.context.geometry, setup_.seams, cone.vertex, cone.k,
                      step.frames);
@@ -119,6 +133,17 @@ std::optional<RepairStep> RepairPlan::next() {
   return step;
 }
 
+LocalPart RepairPlan::partOf(const std::vector<FaceId>& patch) const {
+  LocalPart part{std::vector<char>(static_cast<std::size_t>(setup_.unknowns.count), 0),
+                 lastUnknowns_};
+  for (FaceId f : patch)
+    for (VertexId v : mesh_.corners(f)) {
+      const int unknown = setup_.unknowns.vertexUnknown[v];
+      if (unknown >= 0) part.isFree[static_cast<std::size_t>(unknown)] = 1;
+    }
+  return part;
+}
+
 std::vector<FaceId> RepairPlan::wrongFaces(const Certificate& certificate) const {
   std::vector<FaceId> faces = certificate.orientation.notPositive;
   for (const MeasuredCone& cone : certificate.angles.wrong)
@@ -126,6 +151,13 @@ std::vector<FaceId> RepairPlan::wrongFaces(const Certificate& certificate) const
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   return faces;
+}
+
+std::vector<FaceId> RepairPlan::smallPatchAround(const std::vector<FaceId>& faces) const {
+  if (lastUnknowns_.size() == 0 || !lastUnknowns_.allFinite()) return {};
+  std::vector<FaceId> patch = growFaces(mesh_, faces, kPatchRings);
+  if (static_cast<double>(patch.size()) > kPatchShare * mesh_.faceCount()) patch.clear();
+  return patch;
 }
 
 bool RepairPlan::embedConflictingRings(const std::vector<FaceId>& conflict) {
@@ -164,12 +196,14 @@ bool RepairPlan::fixLifts(const Certificate& certificate) {
 }
 
 void RepairPlan::learn(const ProgramResult& program, const Certificate& certificate) {
+  patch_.clear();
   if (!program.conflict.empty() && embedConflictingRings(program.conflict)) {
     growth_ = 0;
     faces_ = base_;
     return;
   }
   if (!program.z.empty()) lastMap_ = program.z;  // what rings are embedded from
+  lastUnknowns_ = program.x;
   const bool isBound = rungs_[rung_].pull == 0.0;
   if (isBound && certificate.isMeasured && fixLifts(certificate)) return;
   const std::vector<FaceId> wrong =
@@ -178,13 +212,13 @@ void RepairPlan::learn(const ProgramResult& program, const Certificate& certific
   // Frames that pull grow to no more than what the next rung would bind anyway.
   const std::size_t limit =
       isBound ? static_cast<std::size_t>(mesh_.faceCount()) / 4 + base_.size() : base_.size();
-  std::vector<FaceId> grown = growFaces(mesh_, wrong, 1);
+  const std::vector<FaceId> grown = growFaces(mesh_, wrong, 1);
   std::vector<FaceId> all;
   std::set_union(faces_.begin(), faces_.end(), grown.begin(), grown.end(), std::back_inserter(all));
-  const bool canGrow = growth_ < rungs_[rung_].growthRounds && !wrong.empty() &&
-                       all.size() > faces_.size() && all.size() <= limit &&
+  const bool mayGrow = growth_ < rungs_[rung_].growthRounds && !wrong.empty() &&
                        program.status != socp::SolveStatus::kInfeasible;
-  if (canGrow) {
+  if (mayGrow && !isBound) patch_ = smallPatchAround(grown);
+  if (mayGrow && (!patch_.empty() || (all.size() > faces_.size() && all.size() <= limit))) {
     ++growth_;
     faces_ = std::move(all);
     return;

@@ -23,9 +23,11 @@ struct RepairStep {
   bool isExact = false;
   std::vector<FaceId> pulled;  ///< see ProgramOptions
   double pull = 0.0;
+  std::optional<LocalPart> local;  ///< only this part is solved for again
 };
 
-/// A ladder of weightings; on each, the constrained set grows around what is wrong. Before that, two
+/// A ladder of weightings; on each, the constrained set grows around what is wrong (where frames
+/// pull, only a patch around that is solved for again: the rest is harmonic already). Before that, two
 /// things are mended where they occur: cones whose triangles fight get frames from their own embedded
 /// ring, and cones whose ring is positive but whose angle is off by a multiple of 2π are fixed (§7.1).
 class RepairPlan {
@@ -54,6 +56,9 @@ class RepairPlan {
   PerVertex<double> weightsOf(const Rung& rung) const;
   PerVertex<double> scaleOfMap() const;
   std::vector<FaceId> wrongFaces(const Certificate& certificate) const;
+  LocalPart partOf(const std::vector<FaceId>& patch) const;
+  /// Empty when it would be a large part of the mesh, or there is nothing to hold the rest at.
+  std::vector<FaceId> smallPatchAround(const std::vector<FaceId>& faces) const;
 
   const TriMesh& mesh_;
   const SeamlessSetup& setup_;
@@ -68,10 +73,12 @@ class RepairPlan {
   bool fixLifts(const Certificate& certificate);
 
   std::vector<FaceId> base_, faces_;
+  std::vector<FaceId> patch_;          ///< what the next program solves for; empty: everything
   std::vector<ConePoint> ringCones_;   ///< frames from the surface's embedded ring
   std::vector<ConePoint> fixedCones_;  ///< frames from the last map's embedded ring
   PerVertex<double> u_;
   std::vector<Complex> lastMap_;
+  Eigen::VectorXcd lastUnknowns_;
 };
 
 }  // namespace hgp

@@ -11,13 +11,13 @@ namespace {
 
 class ExactForm : public ProgramForm {
  public:
-  ExactForm(const ProgramInput& in, int pinned) : in_(in), pinned_(pinned) {}
+  ExactForm(const ProgramInput& in, const HeldUnknowns& held) : in_(in), held_(held) {}
   int place(int unknown) const override { return place_[static_cast<std::size_t>(unknown)]; }
 
   Eigen::VectorXcd expand(const Eigen::VectorXcd& x) const override {
     Eigen::VectorXcd all(static_cast<Eigen::Index>(kept_.size()));
     for (std::size_t i = 0; i < kept_.size(); ++i)
-      all[static_cast<Eigen::Index>(i)] = kept_[i] == pinned_ ? 0.0 : x[place(kept_[i])];
+      all[static_cast<Eigen::Index>(i)] = isHeld(kept_[i]) ? 0.0 : x[place(kept_[i])];
     return lu_.extend(all);
   }
 
@@ -38,10 +38,11 @@ class ExactForm : public ProgramForm {
       HGP_CHECK(unknown >= 0, "vertex %d has a harmonic row and no unknown", v.i);
       isKept[static_cast<std::size_t>(unknown)] = 0;
     }
-    if (pinned_ >= 0) isKept[static_cast<std::size_t>(pinned_)] = 1;
+    for (std::size_t i = 0; i < isKept.size(); ++i)
+      if (held_.isHeld[i]) isKept[i] = 1;
     FaceRows rows;
     const auto keep = [&](FaceId f) {
-      faceRows(in_, -1, f, rows);
+      faceRows(in_, held_, f, rows);
       for (int unknown : rows.unknowns) isKept[static_cast<std::size_t>(unknown)] = 1;
     };
     for (FaceId f : in_.frames.faces) keep(f);
@@ -51,7 +52,7 @@ class ExactForm : public ProgramForm {
       if (!isKept[i]) continue;
       const int unknown = static_cast<int>(i);
       kept_.push_back(unknown);
-      if (unknown != pinned_) place_[i] = count_++;
+      if (!held_.isHeld[i]) place_[i] = count_++;
     }
   }
 
@@ -96,7 +97,7 @@ class ExactForm : public ProgramForm {
     Eigen::MatrixXcd H(count_, count_);
     for (std::size_t j = 0; j < kept_.size(); ++j)
       for (std::size_t i = j; i < kept_.size(); ++i) {
-        if (kept_[i] == pinned_ || kept_[j] == pinned_) continue;
+        if (isHeld(kept_[i]) || isHeld(kept_[j])) continue;
         const Complex value = gram(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
         H(place(kept_[i]), place(kept_[j])) = value;
         H(place(kept_[j]), place(kept_[i])) = std::conj(value);
@@ -105,7 +106,7 @@ class ExactForm : public ProgramForm {
     linalg::Cliques cliques;
     FaceRows rows;
     const auto placedRows = [&](FaceId f) {
-      faceRows(in_, pinned_, f, rows);
+      faceRows(in_, held_, f, rows);
       for (int& unknown : rows.unknowns) unknown = place(unknown);
     };
     for (FaceId f : in_.frames.faces) {
@@ -131,23 +132,26 @@ class ExactForm : public ProgramForm {
   void addDistortion(const FaceRows& rows, const DistortionRows& d, Eigen::MatrixXcd& H) {
     for (std::size_t i = 0; i < rows.unknowns.size(); ++i) {
       const Complex similar = d.first * rows.similar[i], anti = d.second * rows.anti[i];
-      c[rows.unknowns[i]] -= std::conj(similar) * d.target;
+      c[rows.unknowns[i]] += std::conj(similar) * d.heldFirst(rows);
       for (std::size_t j = 0; j < rows.unknowns.size(); ++j)
         H(rows.unknowns[i], rows.unknowns[j]) += std::conj(similar) * (d.first * rows.similar[j]) +
                                                  std::conj(anti) * (d.second * rows.anti[j]);
     }
   }
 
+  bool isHeld(int unknown) const { return held_.isHeld[static_cast<std::size_t>(unknown)] != 0; }
+
   const ProgramInput& in_;
-  int pinned_, count_ = 0;
+  const HeldUnknowns& held_;  // the pinned one, at 0
+  int count_ = 0;
   std::vector<int> kept_, place_;
   linalg::SchurLu lu_;
 };
 
 }  // namespace
 
-std::unique_ptr<ProgramForm> exactForm(const ProgramInput& in, int pinned) {
-  auto form = std::make_unique<ExactForm>(in, pinned);
+std::unique_ptr<ProgramForm> exactForm(const ProgramInput& in, const HeldUnknowns& held) {
+  auto form = std::make_unique<ExactForm>(in, held);
   if (!form->build()) return nullptr;
   return form;
 }

@@ -11,65 +11,111 @@ using SparseC = Eigen::SparseMatrix<Complex>;
 
 class PenaltyForm : public ProgramForm {
  public:
-  PenaltyForm(int pinned, int count) : pinned_(pinned), count_(count) {}
-  int place(int unknown) const override {
-    return unknown - (pinned_ >= 0 && unknown > pinned_ ? 1 : 0);
+  explicit PenaltyForm(const HeldUnknowns& held) : held_(held), place_(held.isHeld.size(), -1) {
+    for (std::size_t i = 0; i < place_.size(); ++i)
+      if (!held.isHeld[i]) place_[i] = count++;
+    c = Eigen::VectorXcd::Zero(count);
   }
+  int place(int unknown) const override { return place_[static_cast<std::size_t>(unknown)]; }
   Eigen::VectorXcd expand(const Eigen::VectorXcd& x) const override {
-    Eigen::VectorXcd full(count_);
-    for (int i = 0; i < count_; ++i) full[i] = i == pinned_ ? 0.0 : x[place(i)];
+    Eigen::VectorXcd full = held_.value;
+    for (std::size_t i = 0; i < place_.size(); ++i)
+      if (place_[i] >= 0) full[static_cast<Eigen::Index>(i)] = x[place_[i]];
     return full;
   }
 
+  int count = 0;
+
  private:
-  int pinned_, count_;
+  const HeldUnknowns& held_;
+  std::vector<int> place_;
 };
 
-/// All terms as rows: harmonic rows first, two rows per face of the distortion term behind; and the
-/// linear term that belongs to them.
-SparseC allRows(const ProgramInput& in, PenaltyForm& form, int pinned, int columns) {
-  std::vector<Eigen::Triplet<Complex>> entries;
+/// |row x + constant|² per row, gathered as the matrix of all rows and the linear term.
+class RowList {
+ public:
+  RowList(PenaltyForm& form, std::size_t expected) : form_(form) { entries_.reserve(expected); }
+  void add(int unknown, const Complex& value) {
+    entries_.emplace_back(count_, form_.place(unknown), value);
+  }
+  void endRow(const Complex& constant) {
+    for (; done_ < entries_.size(); ++done_)
+      form_.c[entries_[done_].col()] += std::conj(entries_[done_].value()) * constant;
+    ++count_;
+  }
+  SparseC take() {
+    SparseC all(count_, form_.count);
+    all.setFromTriplets(entries_.begin(), entries_.end());
+    entries_ = {};
+    return all;
+  }
+
+ private:
+  PenaltyForm& form_;
+  std::vector<Eigen::Triplet<Complex>> entries_;
+  std::size_t done_ = 0;
+  int count_ = 0;
+};
+
+void addHarmonicRows(const ProgramInput& in, const HeldUnknowns& held, const PenaltyForm& form,
+                     RowList& list) {
   const SparseRows& harmonic = in.harmonic.rows;
-  entries.reserve(static_cast<std::size_t>(harmonic.nonZeros()) +
-                  8 * static_cast<std::size_t>(in.mesh.faceCount()));
   for (Eigen::Index r = 0; r < harmonic.rows(); ++r) {
+    bool isEmpty = true;
+    for (SparseRows::InnerIterator it(harmonic, r); it && isEmpty; ++it)
+      isEmpty = form.place(static_cast<int>(it.col())) < 0;
+    if (isEmpty) continue;
     const VertexId v = in.harmonic.rowVertex[static_cast<std::size_t>(r)];
     const double weight = std::exp(-in.options.u[v]);
-    for (SparseRows::InnerIterator it(harmonic, r); it; ++it)
-      if (it.col() != pinned)
-        entries.emplace_back(static_cast<int>(r), form.place(static_cast<int>(it.col())),
-                             weight * it.value());
+    Complex constant = 0.0;
+    for (SparseRows::InnerIterator it(harmonic, r); it; ++it) {
+      const auto unknown = static_cast<int>(it.col());
+      if (form.place(unknown) < 0)
+        constant += weight * it.value() * held.value[unknown];
+      else
+        list.add(unknown, weight * it.value());
+    }
+    list.endRow(constant);
   }
-  int row = static_cast<int>(harmonic.rows());
+}
+
+/// Two rows per face.
+void addDistortion(const ProgramInput& in, const HeldUnknowns& held, RowList& list) {
   PerFace<double> delta(static_cast<std::size_t>(in.mesh.faceCount()),
                         std::max(in.options.quality, in.options.tieBreak));
   for (FaceId f : in.options.pulled) delta[f] = std::max(delta[f], in.options.pull);
   FaceRows rows;
   for (FaceId f : in.mesh.faces()) {
     if (delta[f] <= 0.0) continue;
-    faceRows(in, pinned, f, rows);
+    faceRows(in, held, f, rows);
+    if (rows.unknowns.empty()) continue;
     const DistortionRows d = distortionRows(in, f, delta[f]);
-    for (std::size_t i = 0; i < rows.unknowns.size(); ++i) {
-      const int column = form.place(rows.unknowns[i]);
-      const Complex similar = d.first * rows.similar[i];
-      entries.emplace_back(row, column, similar);
-      entries.emplace_back(row + 1, column, d.second * rows.anti[i]);
-      form.c[column] -= std::conj(similar) * d.target;
-    }
-    row += 2;
+    for (std::size_t i = 0; i < rows.unknowns.size(); ++i)
+      list.add(rows.unknowns[i], d.first * rows.similar[i]);
+    list.endRow(d.heldFirst(rows));
+    for (std::size_t i = 0; i < rows.unknowns.size(); ++i)
+      list.add(rows.unknowns[i], d.second * rows.anti[i]);
+    list.endRow(d.heldSecond(rows));
   }
-  SparseC all(row, columns);
-  all.setFromTriplets(entries.begin(), entries.end());
-  return all;
+}
+
+/// All terms as rows: the harmonic ones, then the distortion term; and their linear term.
+SparseC allRows(const ProgramInput& in, const HeldUnknowns& held, PenaltyForm& form) {
+  const std::size_t share = in.options.local != nullptr ? 10 : 1;  // a guess
+  RowList list(form, (static_cast<std::size_t>(in.harmonic.rows.nonZeros()) +
+                      8 * static_cast<std::size_t>(in.mesh.faceCount())) /
+                         share);
+  addHarmonicRows(in, held, form, list);
+  addDistortion(in, held, list);
+  return list.take();
 }
 
 /// The mesh dissected with separators of width 2, as a tree of H: a third of the time that H's own
 /// graph takes. Translations couple to whole seams and are placed where that fits.
-linalg::SeparatorTree treeOf(const ProgramInput& in, const PenaltyForm& form, int pinned,
-                             const SparseC& H) {
+linalg::SeparatorTree treeOf(const ProgramInput& in, const PenaltyForm& form, const SparseC& H) {
   std::vector<int> keep = in.unknowns.vertexUnknown.raw();
   for (int& unknown : keep)
-    if (unknown >= 0) unknown = unknown == pinned ? -1 : form.place(unknown);
+    if (unknown >= 0) unknown = form.place(unknown);
   const linalg::SeparatorTree vertices = linalg::restrictTree(vertexTree(in.mesh, 2), keep);
   // Only the appended ones' neighbours are looked at.
   linalg::Graph appended;
@@ -84,25 +130,26 @@ linalg::SeparatorTree treeOf(const ProgramInput& in, const PenaltyForm& form, in
 
 }  // namespace
 
-std::unique_ptr<ProgramForm> penaltyForm(const ProgramInput& in, int pinned) {
-  auto form = std::make_unique<PenaltyForm>(pinned, in.unknowns.count);
-  const int n = in.unknowns.count - (pinned >= 0 ? 1 : 0);
-  form->c = Eigen::VectorXcd::Zero(n);
+std::unique_ptr<ProgramForm> penaltyForm(const ProgramInput& in, const HeldUnknowns& held) {
+  auto form = std::make_unique<PenaltyForm>(held);
   SparseC H;
   {  // the rows go before the factor comes
-    const SparseC all = allRows(in, *form, pinned, n);
+    const SparseC all = allRows(in, held, *form);
     H = all.adjoint() * all;
   }
   linalg::Cliques cliques;
   FaceRows rows;
   for (FaceId f : in.frames.faces) {
-    faceRows(in, pinned, f, rows);
+    faceRows(in, held, f, rows);
     for (int& unknown : rows.unknowns) unknown = form->place(unknown);
     cliques.push_back(rows.unknowns);
   }
-  const linalg::SeparatorTree tree = treeOf(in, *form, pinned, H);
   linalg::PartialCholeskyOptions options;
-  options.tree = &tree;
+  linalg::SeparatorTree tree;
+  if (in.options.local == nullptr) {  // a part is small: its own graph is dissected
+    tree = treeOf(in, *form, H);
+    options.tree = &tree;
+  }
   if (!form->cholesky.build(H, cliques, options)) return nullptr;
   return form;
 }

@@ -44,7 +44,7 @@ Eigen::VectorXd reducedLinear(const ProgramForm& form, const Eigen::VectorXcd& c
 
 /// Half the gradient of ‖D L z‖² in the form's unknowns, and the energy itself.
 double harmonicGradient(const ProgramInput& in, const ProgramForm& form, const Eigen::VectorXcd& x,
-                        int pinned, Eigen::VectorXcd& gradient) {
+                        const HeldUnknowns& held, Eigen::VectorXcd& gradient) {
   Eigen::VectorXcd residual = in.harmonic.rows * form.expand(x);
   double energy = 0.0;
   for (Eigen::Index r = 0; r < residual.size(); ++r) {
@@ -56,7 +56,8 @@ double harmonicGradient(const ProgramInput& in, const ProgramForm& form, const E
   const Eigen::VectorXcd all = in.harmonic.rows.adjoint() * residual;
   gradient = Eigen::VectorXcd::Zero(x.size());
   for (int unknown = 0; unknown < in.unknowns.count; ++unknown)
-    if (unknown != pinned) gradient[form.place(unknown)] = all[unknown];
+    if (!held.isHeld[static_cast<std::size_t>(unknown)])
+      gradient[form.place(unknown)] = all[unknown];
   return energy;
 }
 
@@ -64,12 +65,12 @@ double harmonicGradient(const ProgramInput& in, const ProgramForm& form, const E
 /// proximal step (the minimiser with the distortion term drawn to the last map instead of the frames)
 /// takes away most of that, by the same factor. Where the energy does not vanish, x stays as it is:
 /// there is no such map, and the steps would only shrink it.
-void removeTieBreak(const ProgramInput& in, const ProgramForm& form, int pinned,
+void removeTieBreak(const ProgramInput& in, const ProgramForm& form, const HeldUnknowns& held,
                     const socp::Problem& problem, Eigen::VectorXd root, Eigen::VectorXcd& x) {
   Eigen::VectorXcd moved = x, gradient;
   double first = -1.0;
   for (int step = 0; step <= kProximalSteps; ++step) {
-    const double energy = harmonicGradient(in, form, moved, pinned, gradient);
+    const double energy = harmonicGradient(in, form, moved, held, gradient);
     if (step == 0) first = energy;
     if (energy <= kVanishedEnergy * first) x = moved;
     const Eigen::VectorXd change =
@@ -90,10 +91,10 @@ ProgramResult solveProgram(const TriMesh& mesh, const Geometry& geometry, const 
                            const ProgramOptions& options) {
   HGP_CHECK(frames.faces.size() == frames.angles.size(), "one direction per frame");
   const ProgramInput in{mesh, geometry, cut, seams, unknowns, harmonic, frames, options};
-  const int pinned = pinnedUnknown(in);
+  const HeldUnknowns held = heldUnknowns(in);
   ProgramResult result;
   const std::unique_ptr<ProgramForm> form =
-      options.isExact ? exactForm(in, pinned) : penaltyForm(in, pinned);
+      options.isExact ? exactForm(in, held) : penaltyForm(in, held);
   if (!form) return result;
   linalg::PartialCholesky& cholesky = form->cholesky;
 
@@ -102,7 +103,7 @@ ProgramResult solveProgram(const TriMesh& mesh, const Geometry& geometry, const 
   problem.c = reducedLinear(*form, form->c);
   FaceRows rows;
   for (std::size_t j = 0; j < frames.faces.size(); ++j) {
-    faceRows(in, pinned, frames.faces[j], rows);
+    faceRows(in, held, frames.faces[j], rows);
     problem.constraints.push_back(frameCondition(in, rows, j));
     for (int unknown : rows.unknowns)
       problem.constraints.back().unknowns.push_back(cholesky.dynamicIndex(form->place(unknown)));
@@ -116,11 +117,11 @@ ProgramResult solveProgram(const TriMesh& mesh, const Geometry& geometry, const 
   Eigen::VectorXcd x = cholesky.extend(solution.x, form->c);
   const bool isTieBroken = !options.isExact && options.quality == 0.0 && options.pulled.empty();
   if (isTieBroken && (solution.isFree || frames.faces.empty()))
-    removeTieBreak(in, *form, pinned, problem, solution.x, x);
-  const Eigen::VectorXcd full = form->expand(x);
-  const Eigen::VectorXcd z = unknowns.copies * full;
+    removeTieBreak(in, *form, held, problem, solution.x, x);
+  result.x = form->expand(x);
+  const Eigen::VectorXcd z = unknowns.copies * result.x;
   result.z.assign(z.data(), z.data() + z.size());
-  result.laplacianEnergy = (harmonic.rows * full).squaredNorm();
+  result.laplacianEnergy = (harmonic.rows * result.x).squaredNorm();
   if (solution.status == socp::SolveStatus::kInfeasible)
     result.conflict = conflict(frames, solution);
   return result;

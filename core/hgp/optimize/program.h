@@ -10,6 +10,12 @@
 
 namespace hgp {
 
+/// A part of a map to solve for again, everything else left where it is.
+struct LocalPart {
+  std::vector<char> isFree;  ///< by unknown of ReducedUnknowns
+  Eigen::VectorXcd x;        ///< all unknowns; those that are not free keep these values
+};
+
 struct ProgramOptions {
   /// log conformal factor that rows and frame conditions are weighted by (recipe: scale weighting);
   /// all zero is the program as printed.
@@ -31,12 +37,15 @@ struct ProgramOptions {
   /// no other frames the program is one linear system.
   std::vector<FaceId> pulled;
   double pull = 0.0;
+  /// Solve for the free unknowns only; never with `isExact`.
+  const LocalPart* local = nullptr;
   std::function<bool(int, double)> progress;
 };
 
 /// What one program returned.
 struct ProgramResult {
   std::vector<Complex> z;  ///< |V_c| positions
+  Eigen::VectorXcd x;      ///< the unknowns they come from
   socp::SolveStatus status = socp::SolveStatus::kStalled;
   int iterations = 0;
   double laplacianEnergy = 0.0;  ///< ‖Lz‖², rows normalised to Σw = 1
@@ -45,6 +54,7 @@ struct ProgramResult {
 
 /// minimise ‖D L z‖² + distortion, over seamless z, subject to
 ///   Re(f_z d̄_j) − |f_z̄| ≥ ε e^{u_f} on the frames' faces [BCW17 (13)],  D = diag(e^{−u_v}).
+/// With `local`, over its free unknowns alone; each frame's triangle must have one.
 ProgramResult solveProgram(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,
                            const SeamRotations& seams, const ReducedUnknowns& unknowns,
                            const HarmonicSystem& harmonic, const Frames& frames,

@@ -14,7 +14,7 @@ class ProgramForm {
  public:
   virtual ~ProgramForm() = default;
 
-  /// Number of an unknown (of ReducedUnknowns, not the pinned one) in `cholesky`.
+  /// Number of an unknown (of ReducedUnknowns, not a held one) in `cholesky`.
   virtual int place(int unknown) const = 0;
   /// All unknowns of ReducedUnknowns from those of the form.
   virtual Eigen::VectorXcd expand(const Eigen::VectorXcd& x) const = 0;
@@ -25,13 +25,13 @@ class ProgramForm {
 
 /// (11) as printed: harmonic residuals and the distortion term of all faces are minimised.
 /// Null when the form is singular.
-std::unique_ptr<ProgramForm> penaltyForm(const ProgramInput& in, int pinned);
+std::unique_ptr<ProgramForm> penaltyForm(const ProgramInput& in, const HeldUnknowns& held);
 
 /// Harmonicity exact at every vertex that no frame condition touches; what is minimised is the
 /// residual at the touched ones. Half the factor's size and a fraction of its cost, for maps that
 /// have harmonic neighbours: automatic cones and disks. Its root is dense.
 /// Null when rows are singular, or more than kLargestExactRoot unknowns are touched.
-std::unique_ptr<ProgramForm> exactForm(const ProgramInput& in, int pinned);
+std::unique_ptr<ProgramForm> exactForm(const ProgramInput& in, const HeldUnknowns& held);
 inline constexpr int kLargestExactRoot = 1200;
 
 }  // namespace hgp

@@ -25,25 +25,48 @@ double faceScale(const ProgramInput& in, FaceId f) {
   return sum;
 }
 
-void faceRows(const ProgramInput& in, int pinned, FaceId f, FaceRows& rows) {
+HeldUnknowns heldUnknowns(const ProgramInput& in) {
+  const auto count = static_cast<std::size_t>(in.unknowns.count);
+  if (const LocalPart* local = in.options.local) {
+    HeldUnknowns held{std::vector<char>(count), local->x};
+    for (std::size_t i = 0; i < count; ++i) held.isHeld[i] = !local->isFree[i];
+    return held;
+  }
+  HeldUnknowns held{std::vector<char>(count, 0), Eigen::VectorXcd::Zero(in.unknowns.count)};
+  const int pinned = pinnedUnknown(in);
+  if (pinned >= 0) held.isHeld[static_cast<std::size_t>(pinned)] = 1;
+  return held;
+}
+
+void faceRows(const ProgramInput& in, const HeldUnknowns& held, FaceId f, FaceRows& rows) {
   rows.unknowns.clear();
   const SparseRows& copies = in.unknowns.copies;
+  const auto isHeld = [&](Eigen::Index unknown) {
+    return held.isHeld[static_cast<std::size_t>(unknown)] != 0;
+  };
   for (int k = 0; k < 3; ++k)
     for (SparseRows::InnerIterator it(copies, in.cut.copy[TriMesh::halfedge(f, k)].i); it; ++it)
-      if (it.col() != pinned) rows.unknowns.push_back(static_cast<int>(it.col()));
+      if (!isHeld(it.col())) rows.unknowns.push_back(static_cast<int>(it.col()));
   std::sort(rows.unknowns.begin(), rows.unknowns.end());
   rows.unknowns.erase(std::unique(rows.unknowns.begin(), rows.unknowns.end()), rows.unknowns.end());
   rows.similar.assign(rows.unknowns.size(), 0.0);
   rows.anti.assign(rows.unknowns.size(), 0.0);
+  rows.heldSimilar = rows.heldAnti = 0.0;
   const LinearParts parts = linearParts(in.geometry, f);
   for (int k = 0; k < 3; ++k)
     for (SparseRows::InnerIterator it(copies, in.cut.copy[TriMesh::halfedge(f, k)].i); it; ++it) {
-      if (it.col() == pinned) continue;
+      const Complex similar = parts.similarity[static_cast<std::size_t>(k)] * it.value();
+      const Complex anti = parts.antisimilarity[static_cast<std::size_t>(k)] * it.value();
+      if (isHeld(it.col())) {
+        rows.heldSimilar += similar * held.value[it.col()];
+        rows.heldAnti += anti * held.value[it.col()];
+        continue;
+      }
       const auto at = static_cast<std::size_t>(
           std::find(rows.unknowns.begin(), rows.unknowns.end(), static_cast<int>(it.col())) -
           rows.unknowns.begin());
-      rows.similar[at] += parts.similarity[static_cast<std::size_t>(k)] * it.value();
-      rows.anti[at] += parts.antisimilarity[static_cast<std::size_t>(k)] * it.value();
+      rows.similar[at] += similar;
+      rows.anti[at] += anti;
     }
 }
 
@@ -58,7 +81,8 @@ socp::ConeConstraint frameCondition(const ProgramInput& in, const FaceRows& rows
     constraint.F.col(column) << similar.real(), anti.real(), anti.imag();
     constraint.F.col(column + 1) << -similar.imag(), -anti.imag(), anti.real();
   }
-  constraint.h[0] = in.options.margin;
+  const Complex anti = scale * rows.heldAnti;
+  constraint.h << in.options.margin - (turn * rows.heldSimilar).real(), -anti.real(), -anti.imag();
   return constraint;
 }
 

@@ -23,17 +23,26 @@ struct ProgramInput {
 /// Translations of the whole map are free: the unknown that is held at 0, −1 when there is none.
 int pinnedUnknown(const ProgramInput& in);
 
+/// Unknowns that a program does not solve for, and where they stay.
+struct HeldUnknowns {
+  std::vector<char> isHeld;  ///< by unknown
+  Eigen::VectorXcd value;    ///< by unknown; used where held
+};
+/// The pinned unknown or, of a local part, everything that is not free.
+HeldUnknowns heldUnknowns(const ProgramInput& in);
+
 /// Mean of u over a face's corners: its triangle's local scale is e^u.
 double faceScale(const ProgramInput& in, FaceId f);
 
-/// f_z = Σ similar_i x_i and f_z̄ = Σ anti_i x_i over the free unknowns (the pinned one left out),
-/// ascending.
+/// f_z = Σ similar_i x_i + heldSimilar and f_z̄ = Σ anti_i x_i + heldAnti over the unknowns that are
+/// not held, ascending.
 struct FaceRows {
   std::vector<int> unknowns;
   std::vector<Complex> similar, anti;
+  Complex heldSimilar, heldAnti;
 };
 /// Into `rows`, whose storage is used again.
-void faceRows(const ProgramInput& in, int pinned, FaceId f, FaceRows& rows);
+void faceRows(const ProgramInput& in, const HeldUnknowns& held, FaceId f, FaceRows& rows);
 
 /// Frame j's condition s = (Re(f_z d̄) − ε, Re f_z̄, Im f_z̄) / e^u over faceRows' unknowns;
 /// `unknowns` of the result is left empty.
@@ -45,6 +54,8 @@ struct DistortionRows {
   Complex first;  ///< factor of `similar`
   double second;  ///< factor of `anti`
   double target;
+  Complex heldFirst(const FaceRows& rows) const { return first * rows.heldSimilar - target; }
+  Complex heldSecond(const FaceRows& rows) const { return second * rows.heldAnti; }
 };
 DistortionRows distortionRows(const ProgramInput& in, FaceId f, double delta);
 

@@ -131,6 +131,63 @@ TEST(Program, FramesThatPullNeedNoIteration) {
   }
 }
 
+/// The vertices within `rings` of the middle one.
+LocalPart partAround(const test::SeamlessProblem& p, int rings, const Eigen::VectorXcd& x) {
+  LocalPart part{std::vector<char>(static_cast<std::size_t>(p.unknowns.count), 0), x};
+  const FaceId middle(p.surface.mesh.faceCount() / 2);
+  for (FaceId f : growFaces(p.surface.mesh, {middle}, rings))
+    for (VertexId v : p.surface.mesh.corners(f))
+      if (p.unknowns.vertexUnknown[v] >= 0)
+        part.isFree[static_cast<std::size_t>(p.unknowns.vertexUnknown[v])] = 1;
+  return part;
+}
+
+TEST(Program, ADisturbedPartReturnsToTheMinimumAndTheRestStays) {
+  for (const test::SeamlessProblem& p : easyProblems()) {
+    for (const bool isBound : {false, true}) {
+      ProgramOptions options = p.weightedOptions();
+      Frames frames = p.frames();
+      if (!isBound) {
+        options.pulled = frames.faces;
+        options.pull = 0.3;
+        frames = {};
+      } else {
+        options.quality = 1e-2;
+      }
+      const ProgramResult whole = p.solve(frames, options);
+      LocalPart part = partAround(p, 1, whole.x);
+      int freeCount = 0;
+      for (std::size_t i = 0; i < part.isFree.size(); ++i) {
+        if (!part.isFree[i]) continue;
+        part.x[static_cast<Eigen::Index>(i)] += Complex(0.3 * (freeCount % 3), -0.2);
+        ++freeCount;
+      }
+      ASSERT_GT(freeCount, 0) << p.surface.name;
+      ASSERT_LT(freeCount, p.unknowns.count) << p.surface.name;
+      options.local = &part;
+      Frames within;
+      for (std::size_t j = 0; j < frames.faces.size(); ++j) {
+        bool isTouched = false;
+        for (VertexId v : p.surface.mesh.corners(frames.faces[j])) {
+          const int unknown = p.unknowns.vertexUnknown[v];
+          isTouched |= unknown >= 0 && part.isFree[static_cast<std::size_t>(unknown)];
+        }
+        if (!isTouched) continue;
+        within.faces.push_back(frames.faces[j]);
+        within.angles.push_back(frames.angles[j]);
+      }
+      const ProgramResult again = p.solve(within, options);
+      const double extent = extentOf(whole.z), tolerance = isBound ? 1e-4 : 1e-10;
+      for (int i = 0; i < p.unknowns.count; ++i) {
+        if (part.isFree[static_cast<std::size_t>(i)])
+          EXPECT_LT(std::abs(again.x[i] - whole.x[i]), tolerance * extent) << p.surface.name;
+        else
+          EXPECT_EQ(again.x[i], whole.x[i]) << p.surface.name;
+      }
+    }
+  }
+}
+
 TEST(Program, ReportsTheLaplacianEnergyOfItsMap) {
   // ‖Lz‖² row by row, from the map alone: (14) over the copies.
   for (const test::SeamlessProblem& p : easyProblems()) {

@@ -86,6 +86,19 @@ TEST(Parametrize, AutomaticConesAreCertifiedOnEveryShapeForEveryOrder) {
   EXPECT_GE(certified, all - all / 20) << "not certified:" << failed;
 }
 
+TEST(Parametrize, WhatOneLinearSystemLeavesWrongIsMendedWhereItIs) {
+  int local = 0;
+  for (const test::Shape& base : {test::cube(12), test::annulus(48, 12), test::pretzel(2, 6)}) {
+    const test::Shape shape = test::jittered(base, 0.1);
+    const TriMesh mesh = shape.mesh();
+    const Result<Parametrization> p = parametrizeAutomatically(mesh, {}, {});
+    expectCertified(mesh, p, shape.name);
+    const std::string& last = p->rounds.back().method;
+    local += last == "linear, exactly harmonic + growth 1, locally";
+  }
+  EXPECT_GE(local, 2);
+}
+
 TEST(Parametrize, OwnConesOfGenusTwoAndThreeGiveNearIsometries) {
   for (const test::Shape& shape : {test::doubleTorus(2), test::pretzel(3, 2), test::cube(3)}) {
     const TriMesh mesh = shape.mesh();

@@ -10,10 +10,10 @@ namespace hgp::socp {
 
 struct SolveOptions {
   int maxIterations = 60;
-  double primal = 1e-8;  ///< target of max |F x − s − h| / max |h|
+  double primal = 1e-5;  ///< target of max |F x − s − h| / max |h|
   double dual =
       1e-5;  ///< target of |H x + c − Fᵀy| relative to its largest term; rounding leaves 1e-7
-  double gap = 1e-6;  ///< target of sᵀy against the objective's scale
+  double gap = 1e-5;  ///< target of sᵀy against the objective's scale
   /// Called every iteration with (iteration, largest residual / target); false cancels.
   std::function<bool(int, double)> progress;
 };

@@ -59,5 +59,12 @@ TEST(Turns, PrincipalAnglesLieInTheHalfOpenInterval) {
   EXPECT_EQ(principalAngle(-kPi), kPi);
 }
 
+TEST(Turns, PrincipalAngleIsTheRemainderToTheLastBit) {
+  for (double angle = -11.0; angle < 11.0; angle += 0.00037) {
+    const double exact = std::remainder(angle, 2 * kPi);
+    EXPECT_EQ(principalAngle(angle), exact <= -kPi ? exact + 2 * kPi : exact) << angle;
+  }
+}
+
 }  // namespace
 }  // namespace hgp

@@ -42,7 +42,9 @@ Vector3 image(const ConeConstraint& constraint, const Eigen::VectorXd& x) {
 /// Share of the way to the cone's boundary that a step may go.
 constexpr double kStepToBoundary = 0.99;
 /// A residual within this factor of its target is reported "almost".
-constexpr double kAlmostFactor = 1e3;
+constexpr double kAlmostFactor = 100.0;
+/// A start that misses a cone by this many times |h| is drawn closer to all of them first.
+constexpr double kFarOutside = 30.0;
 constexpr double kTinyStep = 1e-6;
 /// |Fᵀy| against hᵀy below which y proves infeasibility, and the weaker bound after a stall.
 constexpr double kCertificateShare = 1e-8;
@@ -162,13 +164,9 @@ class InteriorPoint {
     return isFree_;
   }
 
-  /// Least-squares start: minimise the objective + ½ρ|F x − h|², then push s and y = −ρs into the
-  /// cone. ρ is what the objective itself resists a change of F x with, xᵀHx / |F x|² at the
-  /// minimiser without constraints: s and y start at their own scales (a third fewer iterations
-  /// than with ρ = 1).
-  bool start() {
-    if (startUnconstrained()) return true;
-    const double rho = stiffness_;
+  /// The minimiser of the objective + ½ρ|F x − h|², with s and y = −ρs pushed into the cone. Returns
+  /// how far s had to be pushed.
+  double startWith(double rho) {
     Eigen::VectorXd rhs = -p_.c;
     for (std::size_t b = 0; b < count_; ++b) addTransposed(b, p_.constraints[b].h, rho, rhs);
     x_ = Eigen::VectorXd::Zero(p_.c.size());
@@ -189,6 +187,16 @@ class InteriorPoint {
       s_[b][0] += needS + scaleH_;
       y_[b][0] += needY + rho * scaleH_;
     }
+    return needS;
+  }
+
+  bool start() {
+    if (startUnconstrained()) return true;
+    // ρ is what the objective itself resists a change of F x with, xᵀHx / |F x|² at the minimiser
+    // without constraints: s and y start at their own scales. Where that minimiser is far outside
+    // the cones, its scale says little.
+    double rho = std::clamp(stiffness_, 1e-8, 1.0);
+    while (startWith(rho) > kFarOutside * scaleH_ && rho < 1.0) rho = std::min(1.0, 100.0 * rho);
     return true;
   }
 

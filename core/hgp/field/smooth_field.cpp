@@ -79,8 +79,7 @@ std::vector<FaceId> nearbyOrder(const TriMesh& mesh, const linalg::SeparatorTree
 
 /// Unknown i is that of face order[i].
 FieldSystem fieldSystem(const TriMesh& mesh, const Geometry& geometry, int q,
-                        const std::vector<FaceId>& order,
-                        const std::vector<AlignedTerm>& aligned) {
+                        const std::vector<FaceId>& order, const std::vector<AlignedTerm>& aligned) {
   const auto n = static_cast<std::size_t>(mesh.faceCount());
   FieldSystem system;
   system.start.reserve(n + 1);

@@ -15,9 +15,10 @@ constexpr double kLightQuality = 1e-3;
 /// Weight of frames that pull instead of bind, of the order of the harmonic rows' own (0.1 to 1 do
 /// equally well).
 constexpr double kPull = 0.3;
-/// What one linear system leaves wrong is mended within this many rings around it, while that is at
-/// most this share of the faces.
+/// What one linear system leaves wrong is mended within this many rings around it, and within the
+/// larger number where that made it worse, while the patch is at most this share of the faces.
 constexpr int kPatchRings = 6;
+constexpr int kWidePatchRings = 24;
 constexpr double kPatchShare = 0.25;
 constexpr double kClamp = 5.0;
 constexpr double kNoClamp = 1e9;
@@ -63,6 +64,7 @@ void RepairPlan::startRung() {
   if (rung_ >= rungs_.size()) return;
   growth_ = 0;
   patch_.clear();
+  patchRings_ = kPatchRings;
   faces_ = rungs_[rung_].pull > 0.0 ? std::vector<FaceId>() : base_;
   const PerVertex<double> before = u_;
   u_ = weightsOf(rungs_[rung_]);
@@ -112,7 +114,7 @@ std::optional<RepairStep> RepairPlan::next() {
   if (step.pull > 0.0) step.pulled = base_;
   std::vector<FaceId> bound = faces_;
   if (!patch_.empty()) {
-    step.method += ", locally";
+    step.method += patchRings_ == kPatchRings ? ", locally" : ", on a wide patch";
     step.isExact = false;
     step.local = partOf(patch_);
     bound.clear();
@@ -155,7 +157,7 @@ std::vector<FaceId> RepairPlan::wrongFaces(const Certificate& certificate) const
 
 std::vector<FaceId> RepairPlan::smallPatchAround(const std::vector<FaceId>& faces) const {
   if (lastUnknowns_.size() == 0 || !lastUnknowns_.allFinite()) return {};
-  std::vector<FaceId> patch = growFaces(mesh_, faces, kPatchRings);
+  std::vector<FaceId> patch = growFaces(mesh_, faces, patchRings_);
   if (static_cast<double>(patch.size()) > kPatchShare * mesh_.faceCount()) patch.clear();
   return patch;
 }
@@ -196,6 +198,7 @@ bool RepairPlan::fixLifts(const Certificate& certificate) {
 }
 
 void RepairPlan::learn(const ProgramResult& program, const Certificate& certificate) {
+  const bool wasLocal = !patch_.empty();
   patch_.clear();
   if (!program.conflict.empty() && embedConflictingRings(program.conflict)) {
     growth_ = 0;
@@ -203,11 +206,23 @@ void RepairPlan::learn(const ProgramResult& program, const Certificate& certific
     return;
   }
   if (!program.z.empty()) lastMap_ = program.z;  // what rings are embedded from
-  lastUnknowns_ = program.x;
   const bool isBound = rungs_[rung_].pull == 0.0;
   if (isBound && certificate.isMeasured && fixLifts(certificate)) return;
   const std::vector<FaceId> wrong =
       certificate.isMeasured ? wrongFaces(certificate) : std::vector<FaceId>();
+  if (wasLocal && wrong.size() > wrong_.size()) {
+    // Held too close: once more from the map before, with more of it free.
+    const bool canWiden = patchRings_ == kPatchRings;
+    patchRings_ = kWidePatchRings;
+    if (canWiden) patch_ = smallPatchAround(growFaces(mesh_, wrong_, 1));
+    if (patch_.empty()) {
+      ++rung_;
+      startRung();
+    }
+    return;
+  }
+  wrong_ = wrong;
+  lastUnknowns_ = program.x;
   // Growing helps while something new can be constrained and it stays a small part of the mesh.
   // Frames that pull grow to no more than what the next rung would bind anyway.
   const std::size_t limit =

@@ -79,6 +79,8 @@ class RepairPlan {
   PerVertex<double> u_;
   std::vector<Complex> lastMap_;
   Eigen::VectorXcd lastUnknowns_;
+  std::vector<FaceId> wrong_;  ///< of that map
+  int patchRings_ = 0;
 };
 
 }  // namespace hgp

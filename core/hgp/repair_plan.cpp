@@ -117,9 +117,7 @@ std::optional<RepairStep> RepairPlan::next() {
     step.method += patchRings_ == kPatchRings ? ", locally" : ", on a wide patch";
     step.isExact = false;
     step.local = partOf(patch_);
-    bound.clear();
-    std::set_intersection(faces_.begin(), faces_.end(), patch_.begin(), patch_.end(),
-                          std::back_inserter(bound));
+    std::erase_if(bound, [&](FaceId f) { return !isTouched(f, *step.local); });
   }
   step.frames = fieldFrames(setup_.seams, std::move(bound));
   for (const ConePoint& cone : ringCones_)
@@ -144,6 +142,15 @@ LocalPart RepairPlan::partOf(const std::vector<FaceId>& patch) const {
       if (unknown >= 0) part.isFree[static_cast<std::size_t>(unknown)] = 1;
     }
   return part;
+}
+
+/// Whether a corner may move; where all three are cones, none can.
+bool RepairPlan::isTouched(FaceId f, const LocalPart& part) const {
+  const auto corners = mesh_.corners(f);
+  return std::any_of(corners.begin(), corners.end(), [&](VertexId v) {
+    const int unknown = setup_.unknowns.vertexUnknown[v];
+    return unknown >= 0 && part.isFree[static_cast<std::size_t>(unknown)];
+  });
 }
 
 std::vector<FaceId> RepairPlan::wrongFaces(const Certificate& certificate) const {

@@ -57,6 +57,7 @@ class RepairPlan {
   PerVertex<double> scaleOfMap() const;
   std::vector<FaceId> wrongFaces(const Certificate& certificate) const;
   LocalPart partOf(const std::vector<FaceId>& patch) const;
+  bool isTouched(FaceId f, const LocalPart& part) const;
   /// Empty when it would be a large part of the mesh, or there is nothing to hold the rest at.
   std::vector<FaceId> smallPatchAround(const std::vector<FaceId>& faces) const;
 

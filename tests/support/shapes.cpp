@@ -242,6 +242,27 @@ Shape jittered(Shape shape, double amount, unsigned seed) {
   return shape;
 }
 
+Shape scattered(Shape shape, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto shuffle = [&](auto& items) {
+    for (std::size_t i = items.size(); i > 1; --i) std::swap(items[i - 1], items[random() % i]);
+  };
+  shuffle(shape.data.triangles);
+  std::vector<int> old(shape.data.positions.size());
+  for (std::size_t v = 0; v < old.size(); ++v) old[v] = static_cast<int>(v);
+  shuffle(old);
+  const MeshData before = shape.data;
+  std::vector<int> now(old.size());
+  for (std::size_t v = 0; v < old.size(); ++v) {
+    now[static_cast<std::size_t>(old[v])] = static_cast<int>(v);
+    shape.data.positions[v] = before.positions[static_cast<std::size_t>(old[v])];
+  }
+  for (auto& t : shape.data.triangles)
+    for (int& v : t) v = now[static_cast<std::size_t>(v)];
+  shape.name += "-scattered";
+  return shape;
+}
+
 std::vector<Shape> closed() {
   return {tetrahedron(), octahedron(),  cube(1),
           cube(3),       icosphere(1),  icosphere(3),

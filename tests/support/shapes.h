@@ -51,6 +51,8 @@ Shape puncturedTorus(int m, int n);
 Shape withoutFaces(Shape shape, const std::vector<int>& faces);
 /// Vertices moved by at most `amount` at random (fixed seed), connectivity kept.
 Shape jittered(Shape shape, double amount, unsigned seed = 1);
+/// Triangles and vertices in random order (fixed seed).
+Shape scattered(Shape shape, unsigned seed = 1);
 
 /// Families for laws.
 std::vector<Shape> closed();

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "hgp/api/json_text.h"
@@ -52,34 +53,39 @@ class PieceJson {
     return model_.faceOrigin[static_cast<std::size_t>(inMesh)];
   }
 
+  static Json listed(std::vector<int> ids) {
+    std::sort(ids.begin(), ids.end());
+    if (ids.size() > kMostListed) ids.resize(kMostListed);
+    return Json(std::move(ids));
+  }
+
   Json orientation() const {
     const OrientationFacts& o = c_.orientation;
-    Json faces = Json::array();
-    for (FaceId f : o.notPositive) {
-      if (faces.size() < kMostListed) faces.push_back(face(f));
-    }
+    std::vector<int> faces;
+    for (FaceId f : o.notPositive) faces.push_back(face(f));
     return Json{{"positive", o.positive},
                 {"zero", o.zero},
                 {"negative", o.negative},
                 {"constrained", o.constrained},
                 {"constrainedPositive", o.constrainedPositive},
-                {"notPositive", faces}};
+                {"notPositive", listed(std::move(faces))}};
   }
 
   Json angles() const {
     const AngleFacts& a = c_.angles;
-    Json overlapping = Json::array();
-    for (VertexId v : a.overlapping) {
-      if (overlapping.size() < kMostListed) overlapping.push_back(vertex(v));
-    }
+    std::vector<int> overlapping;
+    for (VertexId v : a.overlapping) overlapping.push_back(vertex(v));
     return Json{{"wrong", a.wrong.size()},
                 {"worstDistance", a.worstDistance},
                 {"worstVertex", vertex(a.worstVertex)},
                 {"smallestAngle", a.smallestAngle},
-                {"overlappingBoundaryVertices", overlapping}};
+                {"overlappingBoundaryVertices", listed(std::move(overlapping))}};
   }
 
-  Json cones(const std::vector<MeasuredCone>& list) const {
+  Json cones(std::vector<MeasuredCone> list) const {
+    std::sort(list.begin(), list.end(), [&](const MeasuredCone& a, const MeasuredCone& b) {
+      return vertex(a.vertex) < vertex(b.vertex);
+    });
     Json out = Json::array();
     for (const MeasuredCone& m : list) {
       if (out.size() >= kMostListed) break;

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "hgp/api/request.h"
 
 namespace hgp::api {
@@ -15,9 +17,12 @@ io::Prescription describe(const Model& model, const std::vector<HolonomySpec>& s
       return model.vertexOrigin[static_cast<std::size_t>(inMesh)];
     };
     out.q = specs[p].q;
+    const auto told = static_cast<std::ptrdiff_t>(out.cones.size());
     for (const ConePoint& c : specs[p].cones) {
       out.cones.push_back({surfaceVertex(c.vertex), c.k, piece.mesh.position(c.vertex)});
     }
+    std::sort(out.cones.begin() + told, out.cones.end(),
+              [](const auto& a, const auto& b) { return a.vertex < b.vertex; });
     for (std::size_t j = 0; j < specs[p].turning.size(); ++j) {
       if (!specs[p].turning[j]) continue;
       const HalfedgeId first = piece.topology.loops[j].halfedges.front();

@@ -8,6 +8,7 @@
 #include "hgp/base/check.h"
 #include "hgp/io/polygon_document.h"
 #include "hgp/io/weld.h"
+#include "hgp/mesh/nearby_order.h"
 
 namespace hgp::api {
 namespace {
@@ -118,6 +119,18 @@ void repair(Model& model, const FixOptions& fix) {
   model.mesh = std::move(fixed.mesh);
 }
 
+/// A piece in scattered order gets numbers of its own.
+void bringNeighboursTogether(Piece& piece) {
+  if (!isScattered(piece.mesh)) return;
+  Numbering numbering = nearbyNumbering(piece.mesh);
+  piece.mesh = renumbered(piece.mesh, numbering);
+  piece.topology = computeTopology(piece.mesh);
+  for (int& v : numbering.vertices) v = piece.vertexOrigin[static_cast<std::size_t>(v)];
+  for (int& f : numbering.faces) f = piece.faceOrigin[static_cast<std::size_t>(f)];
+  piece.vertexOrigin = std::move(numbering.vertices);
+  piece.faceOrigin = std::move(numbering.faces);
+}
+
 /// @pre model.defects has nothing fatal
 Status splitPieces(Model& model) {
   TriMesh whole = buildUsableMesh(model.mesh);
@@ -131,6 +144,7 @@ Status splitPieces(Model& model) {
   if (isOne) {
     model.pieces.push_back({std::move(whole), model.topology, identity(model.mesh.positions.size()),
                             identity(model.mesh.triangles.size()), loopsOf[0], 0});
+    bringNeighboursTogether(model.pieces.back());
     return Done{};
   }
   int generators = 0;
@@ -144,6 +158,7 @@ Status splitPieces(Model& model) {
     model.pieces.push_back({std::move(*mesh), std::move(topology),
                             std::move(components[c].vertexOrigin),
                             std::move(components[c].faceOrigin), loopsOf[c], generators});
+    bringNeighboursTogether(model.pieces.back());
     generators += 2 * genus;
   }
   return Done{};

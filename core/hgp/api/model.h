@@ -7,12 +7,13 @@
 
 namespace hgp::api {
 
-/// One connected piece of the surface.
+/// One connected piece of the surface. Its numbers are its own; its loops and generators are told
+/// by those of the file (TriMesh::givenFace).
 struct Piece {
   TriMesh mesh;
   Topology topology;
   std::vector<int> vertexOrigin;  ///< piece vertex → vertex of Model::mesh
-  std::vector<int> faceOrigin;    ///< piece face → face of Model::mesh; ascending
+  std::vector<int> faceOrigin;    ///< piece face → face of Model::mesh
   std::vector<int> loopOrigin;    ///< piece loop → loop of Model::topology
   int generatorOffset = 0;        ///< handle generators are numbered through all pieces
 };

@@ -20,9 +20,6 @@ constexpr int kDirectSize = 5000;
 constexpr int kSweeps = 6;
 /// Where pairing leaves more than this share (stars of many arms), it ends.
 constexpr double kLeastShrinking = 0.9;
-/// Mean distance of neighbours in the file's order, relative to the number of faces, above which
-/// another order is worth its making.
-constexpr double kScattered = 0.1;
 /// Shift relative to the mean diagonal, so that a surface with an exactly parallel field factors.
 constexpr double kShift = 1e-8;
 
@@ -49,37 +46,8 @@ std::vector<AlignedTerm> boundaryTerms(const TriMesh& mesh, const Geometry& geom
   return terms;
 }
 
-/// Whether neighbours lie far apart: a mesh file in random order has a third of the faces between.
-bool isScattered(const TriMesh& mesh) {
-  double apart = 0.0;
-  for (HalfedgeId h : mesh.halfedges())
-    if (!mesh.isBoundary(h)) apart += std::abs(TriMesh::face(h).i - TriMesh::face(mesh.twin(h)).i);
-  return apart > kScattered * mesh.faceCount() * mesh.halfedgeCount();
-}
-
-/// The file's own order where that keeps neighbours close together in memory; else the faces around
-/// one vertex after another of a dissection.
-std::vector<FaceId> nearbyOrder(const TriMesh& mesh, const linalg::SeparatorTree& tree) {
-  std::vector<FaceId> order;
-  order.reserve(static_cast<std::size_t>(mesh.faceCount()));
-  if (!isScattered(mesh)) {
-    for (FaceId f : mesh.faces()) order.push_back(f);
-    return order;
-  }
-  PerFace<char> isTaken(static_cast<std::size_t>(mesh.faceCount()), 0);
-  for (const int v : tree.order)
-    for (HalfedgeId h : outgoingHalfedges(mesh, VertexId(v))) {
-      const FaceId f = TriMesh::face(h);
-      if (isTaken[f]) continue;
-      isTaken[f] = 1;
-      order.push_back(f);
-    }
-  return order;
-}
-
-/// Unknown i is that of face order[i].
 FieldSystem fieldSystem(const TriMesh& mesh, const Geometry& geometry, int q,
-                        const std::vector<FaceId>& order, const std::vector<AlignedTerm>& aligned) {
+                        const std::vector<AlignedTerm>& aligned) {
   const auto n = static_cast<std::size_t>(mesh.faceCount());
   FieldSystem system;
   system.start.reserve(n + 1);
@@ -88,29 +56,25 @@ FieldSystem fieldSystem(const TriMesh& mesh, const Geometry& geometry, int q,
   system.strength.reserve(3 * n);
   system.diagonal.assign(n, 0.0);
   system.faces.assign(n, 1);
-  system.mass.reserve(n);
+  system.mass = geometry.area.raw();
   system.pull.assign(n, 0.0);
-  PerFace<int> unknown(n, -1);
-  for (std::size_t i = 0; i < n; ++i) unknown[order[i]] = static_cast<int>(i);
   double mean = 0.0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const FaceId f = order[i];
-    system.mass.push_back(geometry.area[f]);
+  for (FaceId f : mesh.faces()) {
     for (int k = 0; k < 3; ++k) {
       const HalfedgeId h = TriMesh::halfedge(f, k);
       if (mesh.isBoundary(h)) continue;
       const FaceId g = TriMesh::face(mesh.twin(h));
       const double w = dualWeight(geometry, h, geometry.area[f] + geometry.area[g]);
-      system.other.push_back(unknown[g]);
+      system.other.push_back(g.i);
       system.coupling.push_back(-std::polar(w, -q * transport(mesh, geometry, h)));
       system.strength.push_back(w);
-      system.diagonal[i] += w;
+      system.diagonal[f.i] += w;
     }
     system.start.push_back(static_cast<int>(system.other.size()));
   }
   for (const AlignedTerm& t : aligned) {
-    system.diagonal[unknown[t.face]] += t.weight;
-    system.pull[unknown[t.face]] += t.weight * t.direction;
+    system.diagonal[t.face.i] += t.weight;
+    system.pull[t.face.i] += t.weight * t.direction;
   }
   for (double d : system.diagonal) mean += d / mesh.faceCount();
   for (double& d : system.diagonal) d += kShift * mean;
@@ -186,9 +150,8 @@ Result<FrameField> smoothField(const TriMesh& mesh, const FieldContext& context,
     const auto more = curvatureTerms(mesh, geometry, options.q);
     aligned.insert(aligned.end(), more.begin(), more.end());
   }
-  const std::vector<FaceId> order = nearbyOrder(mesh, context.tree);
-  const std::vector<Complex> x =
-      minimise(fieldSystem(mesh, geometry, options.q, order, aligned), !aligned.empty());
+  std::vector<Complex> x =
+      minimise(fieldSystem(mesh, geometry, options.q, aligned), !aligned.empty());
   if (x.empty())
     return Failure{ErrorCode::kUnsupported,
                    "field",
@@ -198,7 +161,8 @@ Result<FrameField> smoothField(const TriMesh& mesh, const FieldContext& context,
   FrameField field;
   field.q = options.q;
   field.angle = PerFace<double>(static_cast<std::size_t>(mesh.faceCount()), 0.0);
-  for (std::size_t i = 0; i < x.size(); ++i) field.angle[order[i]] = std::arg(x[i]) / options.q;
+  for (FaceId f : mesh.faces())
+    field.angle[f] = std::arg(x[static_cast<std::size_t>(f.i)]) / options.q;
   matchPrincipally(mesh, geometry, field);
   return field;
 }

@@ -33,7 +33,8 @@ void findComponents(const TriMesh& mesh, Topology& topology) {
 std::vector<BoundaryLoop> findLoops(const TriMesh& mesh) {
   std::vector<BoundaryLoop> loops;
   PerHalfedge<char> isSeen(static_cast<std::size_t>(mesh.halfedgeCount()), 0);
-  for (HalfedgeId start : mesh.halfedges()) {
+  for (int n = 0; n < mesh.halfedgeCount(); ++n) {
+    const HalfedgeId start = mesh.givenHalfedge(n);
     if (!mesh.isBoundary(start) || isSeen[start]) continue;
     BoundaryLoop loop;
     for (HalfedgeId h = start; !isSeen[h]; h = mesh.outgoing(mesh.head(h))) {
@@ -81,8 +82,8 @@ DualTree growDualTree(const TriMesh& mesh, const PerEdge<char>& isPrimalTree) {
                 PerFace<int>(static_cast<std::size_t>(mesh.faceCount()), -1),
                 PerEdge<char>(static_cast<std::size_t>(mesh.edgeCount()), 0)};
   std::queue<FaceId> queue;
-  tree.depth[FaceId(0)] = 0;
-  queue.push(FaceId(0));
+  tree.depth[mesh.givenFace(0)] = 0;
+  queue.push(mesh.givenFace(0));
   while (!queue.empty()) {
     const FaceId f = queue.front();
     queue.pop();
@@ -151,9 +152,11 @@ std::vector<DualLoop> handleGenerators(const TriMesh& mesh) {
   // The dual tree first (breadth-first, so loops stay short), then the primal tree of the rest.
   const DualTree dual = growDualTree(mesh, isPrimalTree);
   std::vector<DualLoop> loops;
-  for (EdgeId e : mesh.edges()) {
-    const HalfedgeId h = mesh.halfedge(e);
+  for (int n = 0; n < mesh.halfedgeCount(); ++n) {
+    const HalfedgeId h = mesh.givenHalfedge(n);
+    const EdgeId e = mesh.edge(h);
     if (isPrimalTree[e] || dual.isCrossed[e]) continue;
+    isPrimalTree[e] = 1;  // an edge is seen from both sides, and counts once
     if (!forest.join(mesh.tail(h).i, mesh.head(h).i)) loops.push_back(closeLoop(mesh, dual, h));
   }
   return loops;

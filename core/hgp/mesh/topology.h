@@ -9,7 +9,7 @@
 namespace hgp {
 
 /// One boundary component B_j: boundary halfedges in order, head of each = tail of the next, the
-/// surface on their left. Starts at the halfedge of smallest index.
+/// surface on their left. Starts at the first halfedge as given (TriMesh::givenHalfedge).
 struct BoundaryLoop {
   std::vector<HalfedgeId> halfedges;
 };
@@ -19,7 +19,7 @@ struct Topology {
   PerFace<int> component;           ///< per face
   int eulerCharacteristic = 0;      ///< V − E + F over vertices that have faces
   int genus = 0;                    ///< sum over components
-  std::vector<BoundaryLoop> loops;  ///< ascending by smallest halfedge
+  std::vector<BoundaryLoop> loops;  ///< ascending by first halfedge as given
   int isolatedVertexCount = 0;
 };
 
@@ -32,8 +32,8 @@ struct DualLoop {
 };
 
 /// 2g dual loops generating the handles' homology of a connected S with its boundary loops filled
-/// in (tree–cotree). Deterministic: they depend on connectivity alone, so that generator i means the
-/// same in every run and file. Precondition: one component.
+/// in (tree–cotree). Deterministic: they depend on connectivity and the given order of faces alone, so
+/// that generator i means the same in every run and file. Precondition: one component.
 std::vector<DualLoop> handleGenerators(const TriMesh& mesh);
 
 /// A connected piece of a mesh as a mesh of its own.

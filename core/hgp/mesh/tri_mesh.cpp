@@ -57,8 +57,9 @@ Result<TriMesh> buildTriMesh(const MeshData& data) {
   return buildUsableMesh(data);
 }
 
-TriMesh buildUsableMesh(const MeshData& data) {
+TriMesh buildUsableMesh(const MeshData& data, std::vector<FaceId> givenFace) {
   TriMesh mesh;
+  mesh.givenFace_ = std::move(givenFace);
   const auto faceCount = data.triangles.size();
   mesh.positions_ = PerVertex<Vec3>(data.positions);
   mesh.corner_ = PerHalfedge<VertexId>(3 * faceCount);

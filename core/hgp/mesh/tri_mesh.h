@@ -38,6 +38,13 @@ class TriMesh {
     return {corner_[halfedge(f, 0)], corner_[halfedge(f, 1)], corner_[halfedge(f, 2)]};
   }
 
+  /// The n-th face of the surface as it was given. Where faces are numbered otherwise
+  /// (nearby_order.h), loops and generators are still found, and so numbered, in this order.
+  FaceId givenFace(int n) const {
+    return givenFace_.empty() ? FaceId(n) : givenFace_[static_cast<std::size_t>(n)];
+  }
+  HalfedgeId givenHalfedge(int n) const { return halfedge(givenFace(n / 3), n % 3); }
+
   EdgeId edge(HalfedgeId h) const { return edge_[h]; }
   /// The halfedge of smaller index on this edge.
   HalfedgeId halfedge(EdgeId e) const { return edgeHalfedge_[e]; }
@@ -56,7 +63,7 @@ class TriMesh {
   const Vec3& position(VertexId v) const { return positions_[v]; }
 
  private:
-  friend TriMesh buildUsableMesh(const MeshData& data);
+  friend TriMesh buildUsableMesh(const MeshData& data, std::vector<FaceId> givenFace);
   PerVertex<Vec3> positions_;
   PerHalfedge<VertexId> corner_;
   PerHalfedge<HalfedgeId> twin_;
@@ -64,6 +71,7 @@ class TriMesh {
   PerEdge<HalfedgeId> edgeHalfedge_;
   PerVertex<HalfedgeId> outgoing_;
   PerVertex<char> isBoundaryVertex_;
+  std::vector<FaceId> givenFace_;  ///< empty: as numbered
 };
 
 /// for (HalfedgeId h : outgoingHalfedges(mesh, v)): the halfedges leaving v, counterclockwise.
@@ -98,6 +106,7 @@ inline OutgoingRange outgoingHalfedges(const TriMesh& mesh, VertexId v) { return
 /// manifold (see defects.h for the full list a user may want to see).
 Result<TriMesh> buildTriMesh(const MeshData& data);
 /// The same for data whose defects are known. @pre findDefects(data) names nothing fatal
-TriMesh buildUsableMesh(const MeshData& data);
+/// @param givenFace  see TriMesh::givenFace; empty for the order of the data
+TriMesh buildUsableMesh(const MeshData& data, std::vector<FaceId> givenFace = {});
 
 }  // namespace hgp

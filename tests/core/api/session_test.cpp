@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "hgp/api/sha256.h"
 #include "hgp/io/cones.h"
+#include "hgp/mesh/nearby_order.h"
+#include "hgp/mesh/topology.h"
 #include "support/shapes.h"
 
 namespace hgp::api {
@@ -264,6 +267,109 @@ TEST(Session, ConesThatTheFieldDoesNotHaveAreRefusedWhereTheyAre) {
   io::Prescription other = cones;
   other.q = 6;
   EXPECT_FALSE(withField(other, crosses(mesh.triangles.size(), 0)).hasValue());
+}
+
+/// Large enough to be solved under numbers of its own; the loop is that of the triangle taken out.
+Shape scatteredTorus() {
+  Shape torus = hgp::test::torus(102, 100);
+  return hgp::test::scattered(hgp::test::withoutFaces(torus, {4321}));
+}
+
+int vertexAt(const TriMesh& mesh, const Vec3& p) {
+  const auto distance = [&](VertexId v) {
+    const Vec3& q = mesh.position(v);
+    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  };
+  VertexId best(0);
+  for (VertexId v : mesh.vertices())
+    if (distance(v) < distance(best)) best = v;
+  return best.i;
+}
+
+TEST(Session, AFileInScatteredOrderIsToldByItsOwnNumbers) {
+  const Shape torus = scatteredTorus();
+  const TriMesh mesh = torus.mesh();
+  ASSERT_TRUE(isScattered(mesh));
+  Session session = loaded(torus.data);
+  io::Prescription asked;
+  asked.hasCones = true;
+  // Outside and inside of the tube, where the surface itself bends that way.
+  for (const double x : {1.4, -1.4}) asked.cones.push_back({vertexAt(mesh, {x, 0, 0}), 3, {}});
+  for (const double y : {0.6, -0.6}) asked.cones.push_back({vertexAt(mesh, {0, y, 0}), 5, {}});
+  std::sort(asked.cones.begin(), asked.cones.end(),
+            [](const auto& a, const auto& b) { return a.vertex < b.vertex; });
+  asked.boundaries = {{0, -4, -1}};
+  asked.handles = {{0, 1}, {1, 0}};
+  const Status done = session.parametrize(asked, {});
+  ASSERT_TRUE(done.hasValue()) << done.error().message;
+  EXPECT_TRUE(session.isCertified());
+
+  // Every triangle of the file is there, under its own vertices, and the right way up.
+  const auto& triangles = session.triangles();
+  ASSERT_EQ(session.cornerToUv().size(), triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); t += 3) {
+    double uv[3][2];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t i = session.cornerToUv()[t + k];
+      ASSERT_EQ(session.uvToVertex()[i], triangles[t + k]);
+      ASSERT_EQ(static_cast<int>(triangles[t + k]), torus.data.triangles[t / 3][k]);
+      for (std::size_t x = 0; x < 2; ++x) uv[k][x] = session.uv()[2 * i + x];
+    }
+    EXPECT_GT((uv[1][0] - uv[0][0]) * (uv[2][1] - uv[0][1]) -
+                  (uv[1][1] - uv[0][1]) * (uv[2][0] - uv[0][0]),
+              0);
+  }
+  const auto told = io::readPrescription("cones.json", session.conesJson(), 4);
+  ASSERT_TRUE(told.hasValue());
+  ASSERT_EQ(told->cones.size(), asked.cones.size());
+  for (std::size_t i = 0; i < asked.cones.size(); ++i) {
+    EXPECT_EQ(told->cones[i].vertex, asked.cones[i].vertex);
+    EXPECT_EQ(told->cones[i].k, asked.cones[i].k);
+    ASSERT_TRUE(told->cones[i].position.has_value());
+    EXPECT_NEAR((*told->cones[i].position)[0], mesh.position(VertexId(asked.cones[i].vertex))[0],
+                1e-6);
+  }
+  ASSERT_EQ(told->boundaries.size(), 1u);
+  EXPECT_TRUE(mesh.isBoundary(VertexId(told->boundaries[0].anchor)));
+
+  // The rotations along the file's own generators, summed over the seams they cross.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> rotation;
+  for (const SeamEdge& s : session.seams()) {
+    const auto end = [&](int i) { return session.uvToVertex()[static_cast<std::size_t>(i)]; };
+    rotation[{end(s.a[0]), end(s.a[1])}] = s.r;
+    rotation[{end(s.a[1]), end(s.a[0])}] = -s.r;
+  }
+  const auto generators = handleGenerators(mesh);
+  ASSERT_EQ(generators.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    int sum = 0;
+    for (HalfedgeId h : generators[i].crossed) {
+      const auto seam = rotation.find({static_cast<std::uint32_t>(mesh.tail(h).i),
+                                       static_cast<std::uint32_t>(mesh.head(h).i)});
+      if (seam != rotation.end()) sum += seam->second;
+    }
+    EXPECT_EQ(((sum % 4) + 4) % 4, asked.handles[i].r) << "generator " << i;
+  }
+}
+
+TEST(Session, AFieldInScatteredOrderStaysOnItsTriangles) {
+  const Shape torus = scatteredTorus();
+  io::Prescription field;
+  field.field.emplace();
+  for (const auto& t : torus.data.triangles) {
+    Vec3 c{0, 0, 0};
+    for (int v : t)
+      for (std::size_t k = 0; k < 3; ++k)
+        c[k] += torus.data.positions[static_cast<std::size_t>(v)][k] / 3;
+    field.field->directions.push_back({-c[1], c[0], 0});  // around the axis: no cone anywhere
+  }
+  const auto text = loaded(torus.data).convert(field);
+  ASSERT_TRUE(text.hasValue()) << text.error().message;
+  const auto read = io::readPrescription("cones.json", *text, 4);
+  ASSERT_TRUE(read.hasValue());
+  EXPECT_TRUE(read->cones.empty());
+  ASSERT_EQ(read->handles.size(), 2u);
+  for (const auto& h : read->handles) EXPECT_EQ(h.r, 0);
 }
 
 TEST(Session, CancellingIsAFailureOfItsOwn) {

@@ -52,19 +52,6 @@ TEST(SmoothField, HasTheSmallestConesThatASphereOrACubeNeeds) {
     EXPECT_NEAR(cube.context.geometry.angleSum[cone.vertex], 1.5 * kPi, 1e-9);
 }
 
-TEST(SmoothField, HasAsFewConesWhereTheFileScattersItsFaces) {
-  // Neighbours a third of the file apart: the system is numbered anew, and the angles must find
-  // their way back to their faces. A field laid on wrong faces would have cones everywhere.
-  test::Shape shape = test::jittered(test::icosphere(32), 0.004);
-  std::vector<std::array<int, 3>> scattered;
-  const std::size_t n = shape.data.triangles.size(), step = 7919;  // prime, and no divisor of n
-  for (std::size_t i = 0; i < n; ++i) scattered.push_back(shape.data.triangles[i * step % n]);
-  shape.data.triangles = scattered;
-  const Smooth s = smoothOf(shape, 4);
-  EXPECT_EQ(s.spec.cones.size(), 8u);
-  for (const ConePoint& cone : s.spec.cones) EXPECT_EQ(cone.k, 3);
-}
-
 TEST(SmoothField, FollowsTheBoundaryWhereThatIsPossible) {
   const Smooth s = smoothOf(test::grid(5, 3), 4);
   EXPECT_TRUE(s.spec.cones.empty());

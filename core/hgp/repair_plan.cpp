@@ -30,12 +30,6 @@ double medianOf(std::vector<double> values) {
   return *middle;
 }
 
-std::vector<FaceId> unionOf(const std::vector<FaceId>& a, const std::vector<FaceId>& b) {
-  std::vector<FaceId> both;
-  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
-  return both;
-}
-
 }  // namespace
 
 RepairPlan::RepairPlan(const TriMesh& mesh, const SeamlessSetup& setup, bool useQuality,
@@ -71,7 +65,6 @@ void RepairPlan::startRung() {
   growth_ = 0;
   patch_.clear();
   patchRings_ = kPatchRings;
-  bindsCones_ = false;
   faces_ = rungs_[rung_].pull > 0.0 ? std::vector<FaceId>() : base_;
   const PerVertex<double> before = u_;
   u_ = weightsOf(rungs_[rung_]);
@@ -122,10 +115,8 @@ std::optional<RepairStep> RepairPlan::next() {
   std::vector<FaceId> bound = faces_;
   if (!patch_.empty()) {
     step.method += patchRings_ == kPatchRings ? ", locally" : ", on a wide patch";
-    if (bindsCones_) step.method += " with its cones";
     step.isExact = false;
     step.local = partOf(patch_);
-    if (bindsCones_) bound = unionOf(bound, base_);
     std::erase_if(bound, [&](FaceId f) { return !isTouched(f, *step.local); });
   }
   step.frames = fieldFrames(setup_.seams, std::move(bound));
@@ -213,22 +204,6 @@ bool RepairPlan::fixLifts(const Certificate& certificate) {
   return isChanged;
 }
 
-/// Whether the place that was solved for is to be solved for again from the map before, or given up.
-bool RepairPlan::tryPatchAgain(const std::vector<FaceId>& wrong) {
-  const bool isWorse = wrong.size() > wrong_.size();
-  if (!isWorse && (bindsCones_ || wrong.empty())) return false;
-  // Worse: held too close. Better: what is left wrong has moved towards cones that only pull.
-  const bool canWiden = patchRings_ == kPatchRings;
-  if (isWorse) patchRings_ = kWidePatchRings;
-  bindsCones_ = true;
-  if (!isWorse || canWiden) patch_ = smallPatchAround(growFaces(mesh_, wrong_, 1));
-  if (patch_.empty()) {
-    ++rung_;
-    startRung();
-  }
-  return true;
-}
-
 void RepairPlan::learn(const ProgramResult& program, const Certificate& certificate) {
   const bool wasLocal = !patch_.empty();
   patch_.clear();
@@ -242,15 +217,29 @@ void RepairPlan::learn(const ProgramResult& program, const Certificate& certific
   if (isBound && certificate.isMeasured && fixLifts(certificate)) return;
   const std::vector<FaceId> wrong =
       certificate.isMeasured ? wrongFaces(certificate) : std::vector<FaceId>();
-  if (wasLocal && tryPatchAgain(wrong)) return;
+  const std::size_t wrongCount =
+      certificate.orientation.notPositive.size() + certificate.angles.wrong.size();
+  if (wasLocal && wrongCount > wrongCount_) {
+    // Held too close: once more from the map before, with more of it free.
+    const bool canWiden = patchRings_ == kPatchRings;
+    patchRings_ = kWidePatchRings;
+    if (canWiden) patch_ = smallPatchAround(growFaces(mesh_, wrong_, 1));
+    if (patch_.empty()) {
+      ++rung_;
+      startRung();
+    }
+    return;
+  }
   wrong_ = wrong;
+  wrongCount_ = wrongCount;
   lastUnknowns_ = program.x;
   // Growing helps while something new can be constrained and it stays a small part of the mesh.
   // Frames that pull grow to no more than what the next rung would bind anyway.
   const std::size_t limit =
       isBound ? static_cast<std::size_t>(mesh_.faceCount()) / 4 + base_.size() : base_.size();
   const std::vector<FaceId> grown = growFaces(mesh_, wrong, 1);
-  std::vector<FaceId> all = unionOf(faces_, grown);
+  std::vector<FaceId> all;
+  std::set_union(faces_.begin(), faces_.end(), grown.begin(), grown.end(), std::back_inserter(all));
   const bool mayGrow = growth_ < rungs_[rung_].growthRounds && !wrong.empty() &&
                        program.status != socp::SolveStatus::kInfeasible;
   if (mayGrow && !isBound) patch_ = smallPatchAround(grown);

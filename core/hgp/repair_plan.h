@@ -61,8 +61,6 @@ class RepairPlan {
   /// Empty when it would be a large part of the mesh, or there is nothing to hold the rest at.
   std::vector<FaceId> smallPatchAround(const std::vector<FaceId>& faces) const;
 
-  bool tryPatchAgain(const std::vector<FaceId>& wrong);
-
   const TriMesh& mesh_;
   const SeamlessSetup& setup_;
   std::vector<Rung> rungs_;
@@ -83,8 +81,8 @@ class RepairPlan {
   std::vector<Complex> lastMap_;
   Eigen::VectorXcd lastUnknowns_;
   std::vector<FaceId> wrong_;  ///< of that map
+  std::size_t wrongCount_ = 0;
   int patchRings_ = 0;
-  bool bindsCones_ = false;  ///< frames of cones in the patch bind as well
 };
 
 }  // namespace hgp

@@ -23,6 +23,11 @@ constexpr double kPatchShare = 0.25;
 constexpr double kClamp = 5.0;
 constexpr double kNoClamp = 1e9;
 
+/// Unknowns whose dense system costs a fraction of the sparse one, which grows like |V|^1.5.
+int cheapRoot(const TriMesh& mesh) {
+  return static_cast<int>(2.0 * std::sqrt(static_cast<double>(mesh.vertexCount())));
+}
+
 double medianOf(std::vector<double> values) {
   if (values.empty()) return 0.0;
   auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -43,16 +48,20 @@ RepairPlan::RepairPlan(const TriMesh& mesh, const SeamlessSetup& setup, bool use
       {"scale of the last map", kNoClamp, std::max(quality, kLightQuality), 4, true}};
   base_ = coneAndBoundaryFaces(mesh, setup.cones);
   if (isNatural) {
-    const bool isExact = !useQuality && touchedUnknowns() <= kLargestExactRoot;
+    const bool isExact = !useQuality && touchedUnknowns(base_) <= kLargestExactRoot;
+    pulled_ = base_;
+    std::vector<FaceId> more = growFaces(mesh, base_, 1);
+    if (isExact && touchedUnknowns(more) <= std::min(cheapRoot(mesh), kLargestExactRoot))
+      pulled_ = std::move(more);
     rungs_.insert(rungs_.begin(), {isExact ? "linear, exactly harmonic" : "linear", kNoClamp,
                                    quality, 3, false, isExact, kPull});
   }
   startRung();
 }
 
-int RepairPlan::touchedUnknowns() const {
+int RepairPlan::touchedUnknowns(const std::vector<FaceId>& faces) const {
   PerVertex<char> isTouched(static_cast<std::size_t>(mesh_.vertexCount()), 0);
-  for (FaceId f : base_)
+  for (FaceId f : faces)
     for (VertexId v : mesh_.corners(f)) isTouched[v] = 1;
   return static_cast<int>(std::count(isTouched.raw().begin(), isTouched.raw().end(), 1) +
                           std::count_if(setup_.unknowns.chainUnknown.begin(),
@@ -111,7 +120,7 @@ std::optional<RepairStep> RepairPlan::next() {
   step.quality = rungs_[rung_].quality;
   step.isExact = rungs_[rung_].isExact;
   step.pull = rungs_[rung_].pull;
-  if (step.pull > 0.0) step.pulled = base_;
+  if (step.pull > 0.0) step.pulled = pulled_;
   std::vector<FaceId> bound = faces_;
   if (!patch_.empty()) {
     step.method += patchRings_ == kPatchRings ? ", locally" : ", on a wide patch";

@@ -52,7 +52,7 @@ class RepairPlan {
     double pull = 0.0;  ///< > 0: frames pull instead of bind; only what went wrong is bound
   };
   void startRung();
-  int touchedUnknowns() const;
+  int touchedUnknowns(const std::vector<FaceId>& faces) const;
   PerVertex<double> weightsOf(const Rung& rung) const;
   PerVertex<double> scaleOfMap() const;
   std::vector<FaceId> wrongFaces(const Certificate& certificate) const;
@@ -74,6 +74,7 @@ class RepairPlan {
   bool fixLifts(const Certificate& certificate);
 
   std::vector<FaceId> base_, faces_;
+  std::vector<FaceId> pulled_;  ///< base_, and a ring around it where that costs little
   std::vector<FaceId> patch_;          ///< what the next program solves for; empty: everything
   std::vector<ConePoint> ringCones_;   ///< frames from the surface's embedded ring
   std::vector<ConePoint> fixedCones_;  ///< frames from the last map's embedded ring

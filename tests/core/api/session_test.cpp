@@ -344,8 +344,8 @@ TEST(Session, AFileInScatteredOrderIsToldByItsOwnNumbers) {
   for (std::size_t i = 0; i < 2; ++i) {
     int sum = 0;
     for (HalfedgeId h : generators[i].crossed) {
-      const auto seam = rotation.find({static_cast<std::uint32_t>(mesh.tail(h).i),
-                                       static_cast<std::uint32_t>(mesh.head(h).i)});
+      const auto seam = rotation.find(
+          {static_cast<std::uint32_t>(mesh.tail(h).i), static_cast<std::uint32_t>(mesh.head(h).i)});
       if (seam != rotation.end()) sum += seam->second;
     }
     EXPECT_EQ(((sum % 4) + 4) % 4, asked.handles[i].r) << "generator " << i;

@@ -73,7 +73,8 @@ TEST(NearbyOrder, NumbersComponentsAndIsolatedVerticesOnce) {
   MeshData data = test::icosphere(3).data;
   const int count = static_cast<int>(data.positions.size());
   data.positions.push_back({9, 9, 9});
-  for (const Vec3& p : test::cube(2).data.positions) data.positions.push_back({p[0] + 5, p[1], p[2]});
+  for (const Vec3& p : test::cube(2).data.positions)
+    data.positions.push_back({p[0] + 5, p[1], p[2]});
   for (auto t : test::cube(2).data.triangles)
     data.triangles.push_back({t[0] + count + 1, t[1] + count + 1, t[2] + count + 1});
   const TriMesh mesh = buildUsableMesh(data);

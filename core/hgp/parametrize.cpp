@@ -19,8 +19,9 @@ struct Attempt {
   Certificate certificate;
 };
 
-Attempt solveAndJudge(const TriMesh& mesh, const SeamlessSetup& setup, const RepairStep& step,
-                      int round, const ParametrizeOptions& options, bool& isCancelled) {
+Attempt solveAndJudge(const TriMesh& mesh, const SeamlessSetup& setup, const Judge& judge,
+                      const RepairStep& step, int round, const ParametrizeOptions& options,
+                      bool& isCancelled) {
   ProgramOptions program;
   program.u = step.u;
   program.quality = step.quality;
@@ -39,7 +40,7 @@ Attempt solveAndJudge(const TriMesh& mesh, const SeamlessSetup& setup, const Rep
   attempt.program = solveProgram(mesh, setup.context.geometry, setup.cut, setup.seams,
                                  setup.unknowns, setup.harmonic, step.frames, program);
   attempt.map = layOut(mesh, setup, attempt.program.z);
-  attempt.certificate = certify(mesh, setup.field.spec, attempt.map);
+  attempt.certificate = judge.certify(toSpec(setup.field.spec), attempt.map);
   return attempt;
 }
 
@@ -115,6 +116,7 @@ static Result<Parametrization> parametrizePrepared(const TriMesh& mesh, FieldCon
   const bool isDisk = setup.context.topology.genus == 0 && setup.context.topology.loops.size() == 1;
   const bool isFlatTorus = setup.cones.empty() && setup.context.topology.loops.empty();
   RepairPlan plan(mesh, setup, options.useQuality, (isAutomatic && !isFlatTorus) || isDisk);
+  const Judge judge(mesh);
   std::optional<Attempt> best;
   bool bestIsHarmonic = false;
   for (int round = 1; round <= options.maxRounds; ++round) {
@@ -124,7 +126,7 @@ static Result<Parametrization> parametrizePrepared(const TriMesh& mesh, FieldCon
       return cancelled("solve");
     const auto roundStart = Clock::now();
     bool isCancelled = false;
-    Attempt attempt = solveAndJudge(mesh, setup, *step, round, options, isCancelled);
+    Attempt attempt = solveAndJudge(mesh, setup, judge, *step, round, options, isCancelled);
     if (isCancelled) return cancelled("solve");
     result.rounds.push_back(describe(attempt, *step, secondsSince(roundStart)));
     plan.learn(attempt.program, attempt.certificate);

@@ -151,27 +151,32 @@ const char* ruleName(Rule rule) {
   return "unknown";
 }
 
-Certificate certify(const TriMesh& mesh, const HolonomySpec& asked, const UvMap& map,
-                    const CertifyOptions& options) {
+Judge::Judge(const TriMesh& mesh) : mesh_(mesh), topology_(computeTopology(mesh)) {
+  if (topology_.componentCount == 1 && topology_.genus > 0) generators_ = handleGenerators(mesh);
+}
+
+Certificate Judge::certify(const HolonomySpec& asked, const UvMap& map,
+                           const CertifyOptions& options) const {
   Certificate certificate;
   certificate.q = asked.q;
   certificate.precision = options.precision;
-  const Topology topology = computeTopology(mesh);
-  describeSurface(mesh, topology, certificate);
-  const bool hasHandles = topology.componentCount == 1 && topology.genus > 0;
-  const std::vector<DualLoop> loops = hasHandles ? handleGenerators(mesh) : std::vector<DualLoop>{};
-
+  describeSurface(mesh_, topology_, certificate);
   const AskedMap wanted =
-      layOutAsked(mesh, topology, static_cast<int>(loops.size()), asked, options);
-  JudgedUv judged = gatherUv(mesh, map, options);
+      layOutAsked(mesh_, topology_, static_cast<int>(generators_.size()), asked, options);
+  JudgedUv judged = gatherUv(mesh_, map, options);
   if (judged.reasons.empty() && asked.q >= 1)
-    measure(mesh, topology, wanted, loops, judged.uv, options, certificate);
+    measure(mesh_, topology_, wanted, generators_, judged.uv, options, certificate);
   for (auto* more : {&wanted.misfits, static_cast<const std::vector<Reason>*>(&judged.reasons)})
     certificate.reasons.insert(certificate.reasons.end(), more->begin(), more->end());
   certificate.isCertified = certificate.isMeasured && certificate.reasons.empty();
   certificate.isUsable =
       certificate.isCertified && certificate.distortion.areaSpan >= unitRoundoff(options.precision);
   return certificate;
+}
+
+Certificate certify(const TriMesh& mesh, const HolonomySpec& asked, const UvMap& map,
+                    const CertifyOptions& options) {
+  return Judge(mesh).certify(asked, map, options);
 }
 
 Certificate certify(const TriMesh& mesh, const CompleteSpec& asked, const UvMap& map,

@@ -7,6 +7,7 @@
 
 #include "hgp/mesh/holonomy_spec.h"
 #include "hgp/mesh/mesh_data.h"
+#include "hgp/mesh/topology.h"
 #include "hgp/verify/angles.h"
 #include "hgp/verify/distortion.h"
 #include "hgp/verify/overlap.h"
@@ -74,12 +75,26 @@ struct Certificate {
   std::vector<Reason> reasons;
 };
 
-/// Judges a map. Never fails: a map that cannot be judged is a certificate that says so.
+/// Judges maps of one mesh. Never fails: a map that cannot be judged is a certificate that says so.
 ///
 /// Certified means: every triangle has exactly positive signed area; every interior angle sum is
 /// 2πk/q with the k asked (k = q where no cone is listed); every given turning index and handle
 /// rotation is as asked; every seam edge is related by a rotation by a multiple of 2π/q. Empty
 /// optionals are measured and not judged; handles are measured on connected surfaces only.
+class Judge {
+ public:
+  /// What depends on the mesh alone is found once. Keeps a reference to it.
+  explicit Judge(const TriMesh& mesh);
+  Certificate certify(const HolonomySpec& asked, const UvMap& map,
+                      const CertifyOptions& options = {}) const;
+
+ private:
+  const TriMesh& mesh_;
+  Topology topology_;
+  std::vector<DualLoop> generators_;  ///< none where they are not measured
+};
+
+/// One map, judged.
 Certificate certify(const TriMesh& mesh, const HolonomySpec& asked, const UvMap& map,
                     const CertifyOptions& options = {});
 Certificate certify(const TriMesh& mesh, const CompleteSpec& asked, const UvMap& map,

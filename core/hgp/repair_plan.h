@@ -74,7 +74,7 @@ class RepairPlan {
   bool fixLifts(const Certificate& certificate);
 
   std::vector<FaceId> base_, faces_;
-  std::vector<FaceId> pulled_;  ///< base_, and a ring around it where that costs little
+  std::vector<FaceId> pulled_;         ///< base_, and a ring around it where that costs little
   std::vector<FaceId> patch_;          ///< what the next program solves for; empty: everything
   std::vector<ConePoint> ringCones_;   ///< frames from the surface's embedded ring
   std::vector<ConePoint> fixedCones_;  ///< frames from the last map's embedded ring

@@ -87,6 +87,22 @@ TEST(Certificate, PassesAnUnfoldedCube) {
   }
 }
 
+TEST(Certificate, OneJudgeRemembersNothingOfTheMapsBefore) {
+  const TriMesh mesh = test::cube(2).mesh();
+  CertifyOptions any;
+  any.isAnyConeAllowed = true;
+  const UvMap right = developedMap(mesh);
+  const HolonomySpec spec = askedAsMeasured(certify(mesh, regular(4), right, any));
+  UvMap mirrored = right;
+  for (Vec2& p : mirrored.uv) p[0] = -p[0];
+  const Judge judge(mesh);
+  for (int round = 0; round < 2; ++round) {
+    EXPECT_CERTIFIED(judge.certify(spec, right));
+    EXPECT_TRUE(hasReason(judge.certify(spec, mirrored), Rule::kOrientation));
+    EXPECT_TRUE(hasReason(judge.certify(regular(4), right), Rule::kConeAngle));
+  }
+}
+
 TEST(Certificate, PassesAFlatTorus) {
   const TriMesh mesh = test::torus(6, 4).mesh();
   for (int q : {1, 2, 3, 4, 7}) {

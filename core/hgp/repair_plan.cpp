@@ -16,7 +16,7 @@ constexpr double kLightQuality = 1e-3;
 /// equally well).
 constexpr double kPull = 0.3;
 /// What one linear system leaves wrong is mended within this many rings around it, and within the
-/// larger number where that made it worse, while the patch is at most this share of the faces.
+/// larger number where that was not enough, while the patch is at most this share of the faces.
 constexpr int kPatchRings = 6;
 constexpr int kWidePatchRings = 24;
 constexpr double kPatchShare = 0.25;
@@ -228,11 +228,11 @@ void RepairPlan::learn(const ProgramResult& program, const Certificate& certific
       certificate.isMeasured ? wrongFaces(certificate) : std::vector<FaceId>();
   const std::size_t wrongCount =
       certificate.orientation.notPositive.size() + certificate.angles.wrong.size();
+  const bool wasWide = patchRings_ == kWidePatchRings;
+  if (wasLocal) patchRings_ = kWidePatchRings;
   if (wasLocal && wrongCount > wrongCount_) {
     // Held too close: once more from the map before, with more of it free.
-    const bool canWiden = patchRings_ == kPatchRings;
-    patchRings_ = kWidePatchRings;
-    if (canWiden) patch_ = smallPatchAround(growFaces(mesh_, wrong_, 1));
+    if (!wasWide) patch_ = smallPatchAround(growFaces(mesh_, wrong_, 1));
     if (patch_.empty()) {
       ++rung_;
       startRung();

@@ -93,6 +93,19 @@ TEST(RepairPlan, MendsAPatchWidensItWhereThatMadeItWorseAndThenBindsEverything) 
   EXPECT_EQ(all->frames.faces, on.coneFaces);
 }
 
+TEST(RepairPlan, WidensWhatAPatchLeftWrongAndStartsFromIt) {
+  const Prepared on = sphere(32);
+  RepairPlan plan(on.mesh, on.setup, false, true);
+  plan.next();
+  tell(plan, on, 5, 1.0);
+  EXPECT_TRUE(endsWith(plan.next()->method, "growth 1, locally"));
+  tell(plan, on, 2, 2.0);  // better
+  const std::optional<RepairStep> wide = plan.next();
+  ASSERT_TRUE(wide && wide->local);
+  EXPECT_TRUE(endsWith(wide->method, "growth 2, on a wide patch")) << wide->method;
+  EXPECT_EQ(wide->local->x[0], 2.0);
+}
+
 TEST(RepairPlan, HasNoPatchOfALargePartOfTheMesh) {
   const Prepared on = sphere(4);
   RepairPlan plan(on.mesh, on.setup, false, true);

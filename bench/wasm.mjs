@@ -46,8 +46,10 @@ const { createClient } = await import(packaged);
 const client = await createClient();
 await new Promise((done) => setTimeout(done, 1000)); // it warms up meanwhile
 
-console.log('| mesh | faces | native s | WASM first s | WASM s | ratio | same result |');
-console.log('|---|--:|--:|--:|--:|--:|---|');
+const stages = ['prepare', 'cones', 'connection', 'field', 'cut', 'assemble', 'solve'];
+const head = ['mesh', 'faces', 'native s', 'WASM first s', 'WASM s', 'ratio', 'same result'];
+console.log(`| ${[...head, ...stages, 'MB'].join(' | ')} |`);
+console.log(`|---|--:|--:|--:|--:|--:|---|${'--:|'.repeat(stages.length + 1)}`);
 let worst = 0;
 for (const faces of sizes) {
   for (const [kind, make] of Object.entries(kinds)) {
@@ -56,6 +58,7 @@ for (const faces of sizes) {
     writeFileSync(file, text);
     const { triangles } = await client.load(new TextEncoder().encode(text), { name: 'mesh.obj' });
     const seconds = { native: [], wasm: [] };
+    let times = [];
     let isSame = true;
     // Turn and turn about, so that whatever else the machine does hits both.
     for (let i = 0; i < Number(values.runs); i++) {
@@ -63,13 +66,18 @@ for (const faces of sizes) {
       const b = (await client.parametrize({ q: 4 })).report;
       seconds.native.push(a.seconds);
       seconds.wasm.push(b.seconds);
+      if (b.seconds === Math.min(...seconds.wasm)) times = b.components[0].times;
       isSame &&= a.certified === b.certified;
       isSame &&= JSON.stringify(a.cones.cones) === JSON.stringify(b.cones.cones);
     }
     const [n, w] = [Math.min(...seconds.native), Math.min(...seconds.wasm)];
     worst = Math.max(worst, w / n);
     const cells = [kind, triangles, n.toFixed(2), seconds.wasm[0].toFixed(2), w.toFixed(2)];
-    console.log(`| ${[...cells, (w / n).toFixed(2), isSame ? 'yes' : 'NO'].join(' | ')} |`);
+    const spent = (stage) => times.find((t) => t.stage === stage)?.seconds.toFixed(2) ?? '';
+    // Of the whole process, so that it never falls from one row to the next.
+    const peak = Math.round((process.resourceUsage().maxRSS * 1024) / 1e6);
+    cells.push((w / n).toFixed(2), isSame ? 'yes' : 'NO', ...stages.map(spent), peak);
+    console.log(`| ${cells.join(' | ')} |`);
   }
 }
 client.terminate();

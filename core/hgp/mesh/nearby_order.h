@@ -1,5 +1,5 @@
 // A numbering that keeps neighbours close together in memory.  Role: files whose triangles lie in
-// scattered order cost every stage a cache miss a neighbour; a fifth of a run at 100 000 triangles.
+// scattered order cost every stage a cache miss a neighbour (docs/decisions/024).
 #pragma once
 
 #include <vector>

@@ -31,9 +31,9 @@ namespace {
 
 std::string readAll(int in) {
   std::string text;
-  char piece[4096];
-  for (ssize_t n = 0; (n = read(in, piece, sizeof piece)) > 0;) {
-    text.append(piece, static_cast<std::size_t>(n));
+  char component[4096];
+  for (ssize_t n = 0; (n = read(in, component, sizeof component)) > 0;) {
+    text.append(component, static_cast<std::size_t>(n));
   }
   return text;
 }

@@ -7,10 +7,10 @@
 #include <ctime>
 #include <random>
 
-#include "hgp/linalg/dense_kernels.h"
-#include "hgp/linalg/multifrontal.h"
-#include "hgp/linalg/partial_cholesky.h"
-#include "hgp/linalg/schur_lu.h"
+#include "hgp/linalg/factor/multifrontal.h"
+#include "hgp/linalg/factor/partial_cholesky.h"
+#include "hgp/linalg/factor/schur_lu.h"
+#include "hgp/linalg/kernels/dense_kernels.h"
 
 namespace {
 

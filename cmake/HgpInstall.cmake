@@ -1,7 +1,7 @@
 # `cmake --install`: libraries, headers and what find_package(hgp) needs.
 
 include(CMakePackageConfigHelpers)
-get_property(HGP_INSTALLED GLOBAL PROPERTY HGP_ROOM_TARGETS)
+get_property(HGP_INSTALLED GLOBAL PROPERTY HGP_MODULE_TARGETS)
 if(HGP_INSTALLED AND NOT EMSCRIPTEN)
   set(HGP_PACKAGE_DIR lib/cmake/hgp)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/core/hgp" DESTINATION include

@@ -2,7 +2,7 @@
 #
 # Found by path and never through the packages' own CMake files: those are invisible under the
 # Emscripten toolchain, whose find root is its own sysroot. Installed with the library, so that the
-# exported rooms find the same names again.
+# exported modules find the same names again.
 
 # Under Emscripten /usr/include must never be on the include path (glibc's headers would shadow
 # musl's), so single headers are linked into a folder of the build tree.

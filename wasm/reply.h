@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "hgp/api/rim.h"
+#include "hgp/api/guard.h"
 #include "hgp/api/session.h"
 
 namespace hgp::js {
@@ -32,7 +32,7 @@ inline val replyText(const Result<std::string>& json) {
   return json ? replyJson(*json) : failed(json.error());
 }
 
-/// Memory may already run out while arguments are copied in, before the core's own rim.
+/// Memory may already run out while arguments are copied in, before the core's own API boundary.
 template <class Call>
 val guarded(const Call& call) {
   try {

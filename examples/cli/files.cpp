@@ -113,10 +113,11 @@ Result<io::Bytes> unpack(const io::Bytes& packed, std::uint64_t maxBytes) {
   int status = Z_OK;
   while (status == Z_OK) {
     if (stream.avail_in == 0 && fed < packed.size()) {
-      const std::size_t piece = std::min<std::size_t>(packed.size() - fed, std::size_t{1} << 30);
+      const std::size_t component =
+          std::min<std::size_t>(packed.size() - fed, std::size_t{1} << 30);
       stream.next_in = const_cast<Bytef*>(packed.data() + fed);
-      stream.avail_in = static_cast<uInt>(piece);
-      fed += piece;
+      stream.avail_in = static_cast<uInt>(component);
+      fed += component;
     }
     const std::size_t size = out.size();
     out.resize(size + std::max(kChunk, size / 2));

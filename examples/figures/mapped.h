@@ -5,7 +5,7 @@
 #include <string>
 
 #include "../picture/render.h"
-#include "hgp/parametrize.h"
+#include "hgp/parametrize/parametrize.h"
 
 namespace hgp::figures {
 

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "hgp/base/check.h"
-#include "hgp/io/cones.h"
+#include "hgp/io/cone_files.h"
 #include "hgp/io/document.h"
-#include "hgp/parametrize.h"
+#include "hgp/parametrize/parametrize.h"
 
 namespace hgp::test {
 

@@ -1,6 +1,6 @@
 // Any text as a cone or field file, under every name that readers go by; cones JSON comes back.
 #include "fuzz_support.h"
-#include "hgp/io/cones.h"
+#include "hgp/io/cone_files.h"
 
 using namespace hgp;
 

@@ -1,18 +1,20 @@
-// The directions in which rooms may include one another. This table is the law; a change of it is a
+// The directions in which modules may include one another. This table is the law; a change of it is a
 // change of the design and wants a page in docs/decisions.
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { filesOf, roomOf, textOf } from './source_tree.mjs';
+import { filesOf, moduleOf, textOf } from './source_tree.mjs';
 
 // The judge shares no code with the judged: verify sees mesh and base and nothing else.
-// io speaks of meshes and nothing else; only api, which is the rim, sees everything.
+// io speaks of meshes and prescriptions and nothing else; only api, the API boundary, sees everything.
 const mayInclude = {
   base: [],
   linalg: ['base'],
   mesh: ['base'],
   verify: ['mesh', 'base'],
-  io: ['mesh', 'base'],
+  text: ['base'],
+  prescription: ['text', 'mesh', 'base'],
+  io: ['prescription', 'text', 'mesh', 'base'],
   field: ['linalg', 'mesh', 'base'],
   cut: ['field', 'linalg', 'mesh', 'base'],
   system: ['cut', 'field', 'linalg', 'mesh', 'base'],
@@ -20,49 +22,49 @@ const mayInclude = {
   optimize: ['system', 'cut', 'field', 'socp', 'linalg', 'mesh', 'base'],
 };
 mayInclude.parametrize = [...new Set([...Object.keys(mayInclude), 'verify'])].filter(
-  (room) => room !== 'io',
+  (module) => !['io', 'prescription', 'text'].includes(module),
 );
 mayInclude.api = [...Object.keys(mayInclude)];
 
 const sources = filesOf('core/hgp', '.h', '.cpp', '.inc');
 
-/** Rooms that a source file includes, with the line that does it. */
-function includedRooms(file) {
+/** Modules that a source file includes, with the line that does it. */
+function includedModules(file) {
   return [...textOf(file).matchAll(/^\s*#\s*include\s+["<](hgp\/[^">]+)[">]/gm)].map(
-    ([line, header]) => ({ line: line.trim(), room: roomOf(`core/${header}`) }),
+    ([line, header]) => ({ line: line.trim(), module: moduleOf(`core/${header}`) }),
   );
 }
 
-test('every folder of core/hgp is a room of the plan', () => {
-  const unknown = sources.filter((file) => !(roomOf(file) in mayInclude));
+test('every folder of core/hgp is a module of the plan', () => {
+  const unknown = sources.filter((file) => !(moduleOf(file) in mayInclude));
   assert.deepEqual(unknown, []);
 });
 
-for (const [room, allowed] of Object.entries(mayInclude)) {
-  test(`${room} includes only ${allowed.join(', ') || 'itself'}`, () => {
+for (const [module, allowed] of Object.entries(mayInclude)) {
+  test(`${module} includes only ${allowed.join(', ') || 'itself'}`, () => {
     const wrong = [];
-    for (const file of sources.filter((name) => roomOf(name) === room)) {
-      for (const { line, room: other } of includedRooms(file)) {
-        if (other !== room && !allowed.includes(other)) wrong.push(`${file}: ${line}`);
+    for (const file of sources.filter((name) => moduleOf(name) === module)) {
+      for (const { line, module: other } of includedModules(file)) {
+        if (other !== module && !allowed.includes(other)) wrong.push(`${file}: ${line}`);
       }
     }
     assert.deepEqual(wrong, []);
   });
 }
 
-test('targets link only what their room may include', () => {
+test('targets link only what their module may include', () => {
   const wrong = [];
   for (const file of filesOf('core/hgp', 'CMakeLists.txt')) {
     const text = textOf(file).replace(/#.*/g, '');
-    for (const [, body] of text.matchAll(/hgp_room\(([^)]*)\)/g)) {
+    for (const [, body] of text.matchAll(/hgp_module\(([^)]*)\)/g)) {
       const words = body.split(/\s+/).filter(Boolean);
-      const room = words[words.indexOf('NAME') + 1];
-      assert.ok(room in mayInclude, `${file}: unknown room ${room}`);
+      const module = words[words.indexOf('NAME') + 1];
+      assert.ok(module in mayInclude, `${file}: unknown module ${module}`);
       let inLinks = false;
       for (const word of words) {
         if (/^[A-Z_]+$/.test(word)) inLinks = word.endsWith('LINKS');
-        else if (inLinks && word in mayInclude && !mayInclude[room].includes(word)) {
-          wrong.push(`${room} links ${word}`);
+        else if (inLinks && word in mayInclude && !mayInclude[module].includes(word)) {
+          wrong.push(`${module} links ${word}`);
         }
       }
     }
@@ -73,7 +75,7 @@ test('targets link only what their room may include', () => {
 test('only io reads files of other formats through tinygltf', () => {
   const users = sources.filter((file) => /#\s*include\s+[<"]tiny_gltf\.h/.test(textOf(file)));
   assert.deepEqual(
-    users.filter((file) => roomOf(file) !== 'io'),
+    users.filter((file) => moduleOf(file) !== 'io'),
     [],
   );
 });

@@ -1,4 +1,4 @@
-// What the house tests look at: the text of our sources, room by room.
+// What the house tests look at: the text of our sources, module by module.
 
 import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
@@ -23,8 +23,8 @@ export function filesOf(folder, ...endings) {
 export const textOf = (file) => readFileSync(path.join(root, file), 'utf8');
 export const exists = (file) => existsSync(path.join(root, file));
 
-/** "core/hgp/cut/x.h" → "cut"; files directly in core/hgp are the room parametrize. */
-export function roomOf(file) {
-  const match = file.match(/^core\/hgp\/(?:([^/]+)\/)?[^/]+$/);
-  return match ? (match[1] ?? 'parametrize') : null;
+/** "core/hgp/cut/x.h" and "core/hgp/cut/folder/x.h" → "cut"; null outside of the modules. */
+export function moduleOf(file) {
+  const match = file.match(/^core\/hgp\/([^/]+)\//);
+  return match ? match[1] : null;
 }

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "hgp/optimize/program.h"
-#include "hgp/seamless_setup.h"
+#include "hgp/parametrize/seamless_setup.h"
 #include "hgp/verify/certificate.h"
 #include "paper/branched_cover.h"
 #include "support/shapes.h"

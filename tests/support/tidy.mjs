@@ -1,5 +1,5 @@
 // Runs clang-tidy over our sources; a unit whose text and headers have not changed since it last
-// passed is not looked at again. Rooms are looked at as the sanitizer build compiles them, as a whole:
+// passed is not looked at again. Modules are looked at as the sanitizer build compiles them, as a whole:
 // most of the time goes into the headers of Eigen and of the standard library, once a unit.
 
 import { execFileSync, execFile } from 'node:child_process';

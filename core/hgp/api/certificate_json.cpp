@@ -14,10 +14,10 @@ const char* precisionName(Precision precision) {
   return precision == Precision::kFloat32 ? "float32" : "float64";
 }
 
-class PieceJson {
+class ComponentJson {
  public:
-  PieceJson(const Model& model, const Piece& piece, const Certificate& c)
-      : model_(model), piece_(piece), c_(c) {}
+  ComponentJson(const Model& model, const ModelComponent& component, const Certificate& c)
+      : model_(model), piece_(component), c_(c) {}
 
   Json make() const {
     Json json{{"certified", c_.isCertified}, {"usable", c_.isUsable}, {"measured", c_.isMeasured}};
@@ -167,11 +167,11 @@ class PieceJson {
   }
 
   const Model& model_;
-  const Piece& piece_;
+  const ModelComponent& piece_;
   const Certificate& c_;
 };
 
-/// The numbers a person looks at first, over all pieces.
+/// The numbers a person looks at first, over all components.
 void addSummary(Json& json, const std::vector<Certificate>& certificates) {
   int triangles = 0, flipped = 0;
   std::size_t wrongAngles = 0, broken = 0, seams = 0;
@@ -221,7 +221,7 @@ std::string certificateText(const Model& model, const std::vector<Certificate>& 
   addSummary(json, certificates);
   Json& components = json["components"] = Json::array();
   for (std::size_t p = 0; p < certificates.size(); ++p) {
-    components.push_back(PieceJson(model, model.pieces[p], certificates[p]).make());
+    components.push_back(ComponentJson(model, model.components[p], certificates[p]).make());
   }
   return textOf(json);
 }

@@ -51,20 +51,20 @@ Json defectsJson(const Model& model) {
   return out;
 }
 
-Json loopsJson(const Model& model, const Piece& piece) {
+Json loopsJson(const Model& model, const ModelComponent& component) {
   Json out = Json::array();
-  if (piece.topology.loops.empty()) return out;
-  const Geometry geometry = computeGeometry(piece.mesh);
-  for (std::size_t j = 0; j < piece.topology.loops.size(); ++j) {
-    const auto& halfedges = piece.topology.loops[j].halfedges;
+  if (component.topology.loops.empty()) return out;
+  const Geometry geometry = computeGeometry(component.mesh);
+  for (std::size_t j = 0; j < component.topology.loops.size(); ++j) {
+    const auto& halfedges = component.topology.loops[j].halfedges;
     double length = 0, turning = 0;
     for (HalfedgeId h : halfedges) {
       length += geometry.length[h] * geometry.unit;
-      turning += curvature(piece.mesh, geometry, piece.mesh.tail(h));
+      turning += curvature(component.mesh, geometry, component.mesh.tail(h));
     }
-    const int first = piece.mesh.tail(halfedges.front()).i;
-    const int inMesh = piece.vertexOrigin[static_cast<std::size_t>(first)];
-    out.push_back(Json{{"loop", piece.loopOrigin[j]},
+    const int first = component.mesh.tail(halfedges.front()).i;
+    const int inMesh = component.vertexOrigin[static_cast<std::size_t>(first)];
+    out.push_back(Json{{"loop", component.loopOrigin[j]},
                        {"vertices", halfedges.size()},
                        {"anchor", model.vertexOrigin[static_cast<std::size_t>(inMesh)]},
                        {"length", length},
@@ -75,22 +75,23 @@ Json loopsJson(const Model& model, const Piece& piece) {
 
 Json componentsJson(const Model& model) {
   Json out = Json::array();
-  for (std::size_t p = 0; p < model.pieces.size(); ++p) {
-    const Piece& piece = model.pieces[p];
-    out.push_back(Json{{"component", p},
-                       {"vertices", piece.mesh.vertexCount() - piece.topology.isolatedVertexCount},
-                       {"edges", piece.mesh.edgeCount()},
-                       {"triangles", piece.mesh.faceCount()},
-                       {"eulerCharacteristic", piece.topology.eulerCharacteristic},
-                       {"genus", piece.topology.genus},
-                       {"handleGenerators", Json{{"first", piece.generatorOffset},
-                                                 {"count", 2 * piece.topology.genus}}},
-                       {"boundaryLoops", loopsJson(model, piece)}});
+  for (std::size_t p = 0; p < model.components.size(); ++p) {
+    const ModelComponent& component = model.components[p];
+    out.push_back(
+        Json{{"component", p},
+             {"vertices", component.mesh.vertexCount() - component.topology.isolatedVertexCount},
+             {"edges", component.mesh.edgeCount()},
+             {"triangles", component.mesh.faceCount()},
+             {"eulerCharacteristic", component.topology.eulerCharacteristic},
+             {"genus", component.topology.genus},
+             {"handleGenerators",
+              Json{{"first", component.generatorOffset}, {"count", 2 * component.topology.genus}}},
+             {"boundaryLoops", loopsJson(model, component)}});
   }
   return out;
 }
 
-Json budgetJson(const PieceCheck& check) {
+Json budgetJson(const ComponentCheck& check) {
   if (!check.budget) return Json();
   const BudgetReport& b = *check.budget;
   return Json{
@@ -125,18 +126,18 @@ std::string inspectText(const Model& model) {
 }
 
 std::string checkText(const Model& model, const Request& request,
-                      const std::vector<PieceCheck>& checks) {
+                      const std::vector<ComponentCheck>& checks) {
   bool isValid = true;
   Json components = Json::array();
   for (std::size_t p = 0; p < checks.size(); ++p) {
-    const Piece& piece = model.pieces[p];
-    const HolonomySpec& spec = request.pieces[p].spec;
+    const ModelComponent& component = model.components[p];
+    const HolonomySpec& spec = request.components[p].spec;
     isValid = isValid && !checks[p].refusal;
     Json entry{{"component", p},
                {"valid", !checks[p].refusal},
                {"automatic", checks[p].isAutomatic},
-               {"genus", piece.topology.genus},
-               {"boundaryLoops", piece.loopOrigin.size()},
+               {"genus", component.topology.genus},
+               {"boundaryLoops", component.loopOrigin.size()},
                {"cones", spec.cones.size()},
                {"budget", budgetJson(checks[p])}};
     entry["warnings"] = checks[p].budget ? checks[p].budget->warnings : std::vector<std::string>();

@@ -4,21 +4,21 @@
 
 #include "hgp/api/request.h"
 #include "hgp/api/stored_map.h"
-#include "hgp/parametrize.h"
+#include "hgp/parametrize/parametrize.h"
 
 namespace hgp::api {
 
 std::string inspectText(const Model& model);
 
-/// What was found for one piece; either a budget or the reason why it is refused.
-struct PieceCheck {
+/// What was found for one component; either a budget or the reason why it is refused.
+struct ComponentCheck {
   std::optional<BudgetReport> budget;
   std::optional<Failure> refusal;
   bool isAutomatic = false;
 };
 std::string checkText(const Model& model, const Request& request,
-                      const std::vector<PieceCheck>& checks);
-/// The check that ended before any piece could be looked at.
+                      const std::vector<ComponentCheck>& checks);
+/// The check that ended before any component could be looked at.
 std::string checkText(const Failure& refusal);
 
 /// @param uvSet  the set of the file that was judged; −1: a map not yet written
@@ -29,7 +29,7 @@ std::string certificateText(const Model& model, const std::vector<Certificate>& 
 struct RunRecord {
   SolveOptions options;
   bool isAutomatic = false;
-  std::vector<Parametrization> pieces;  ///< their maps may be empty
+  std::vector<Parametrization> components;  ///< their maps may be empty
   std::vector<std::string> notes;
   double seconds = 0;
 };

@@ -6,7 +6,7 @@
 
 #include "hgp/api/sha256.h"
 #include "hgp/base/check.h"
-#include "hgp/io/polygon_document.h"
+#include "hgp/io/polygon/polygon_document.h"
 #include "hgp/io/weld.h"
 #include "hgp/mesh/nearby_order.h"
 
@@ -119,20 +119,20 @@ void repair(Model& model, const FixOptions& fix) {
   model.mesh = std::move(fixed.mesh);
 }
 
-/// A piece in scattered order gets numbers of its own.
-void bringNeighboursTogether(Piece& piece) {
-  if (!isScattered(piece.mesh)) return;
-  Numbering numbering = nearbyNumbering(piece.mesh);
-  piece.mesh = renumbered(piece.mesh, numbering);
-  piece.topology = computeTopology(piece.mesh);
-  for (int& v : numbering.vertices) v = piece.vertexOrigin[static_cast<std::size_t>(v)];
-  for (int& f : numbering.faces) f = piece.faceOrigin[static_cast<std::size_t>(f)];
-  piece.vertexOrigin = std::move(numbering.vertices);
-  piece.faceOrigin = std::move(numbering.faces);
+/// A component in scattered order gets numbers of its own.
+void bringNeighboursTogether(ModelComponent& component) {
+  if (!isScattered(component.mesh)) return;
+  Numbering numbering = nearbyNumbering(component.mesh);
+  component.mesh = renumbered(component.mesh, numbering);
+  component.topology = computeTopology(component.mesh);
+  for (int& v : numbering.vertices) v = component.vertexOrigin[static_cast<std::size_t>(v)];
+  for (int& f : numbering.faces) f = component.faceOrigin[static_cast<std::size_t>(f)];
+  component.vertexOrigin = std::move(numbering.vertices);
+  component.faceOrigin = std::move(numbering.faces);
 }
 
 /// @pre model.defects has nothing fatal
-Status splitPieces(Model& model) {
+Status splitIntoComponents(Model& model) {
   TriMesh whole = buildUsableMesh(model.mesh);
   model.topology = computeTopology(whole);
   const bool isOne = model.topology.componentCount == 1 && model.topology.isolatedVertexCount == 0;
@@ -142,9 +142,10 @@ Status splitPieces(Model& model) {
     loopsOf[static_cast<std::size_t>(model.topology.component[f])].push_back(static_cast<int>(j));
   }
   if (isOne) {
-    model.pieces.push_back({std::move(whole), model.topology, identity(model.mesh.positions.size()),
-                            identity(model.mesh.triangles.size()), loopsOf[0], 0});
-    bringNeighboursTogether(model.pieces.back());
+    model.components.push_back({std::move(whole), model.topology,
+                                identity(model.mesh.positions.size()),
+                                identity(model.mesh.triangles.size()), loopsOf[0], 0});
+    bringNeighboursTogether(model.components.back());
     return Done{};
   }
   int generators = 0;
@@ -155,10 +156,10 @@ Status splitPieces(Model& model) {
     if (!mesh) return mesh.error();
     Topology topology = computeTopology(*mesh);
     const int genus = topology.genus;
-    model.pieces.push_back({std::move(*mesh), std::move(topology),
-                            std::move(components[c].vertexOrigin),
-                            std::move(components[c].faceOrigin), loopsOf[c], generators});
-    bringNeighboursTogether(model.pieces.back());
+    model.components.push_back({std::move(*mesh), std::move(topology),
+                                std::move(components[c].vertexOrigin),
+                                std::move(components[c].faceOrigin), loopsOf[c], generators});
+    bringNeighboursTogether(model.components.back());
     generators += 2 * genus;
   }
   return Done{};
@@ -186,7 +187,7 @@ Status prepare(Model& model, const LoadOptions& options) {
     model.unusable = usable.error();
     return Done{};
   }
-  return splitPieces(model);
+  return splitIntoComponents(model);
 }
 
 }  // namespace
@@ -236,10 +237,10 @@ Result<Model> modelOfArrays(MeshData arrays, const LoadOptions& options) {
   return model;
 }
 
-void toSurfaceIds(const Model& model, const Piece& piece, std::vector<Where>& where) {
+void toSurfaceIds(const Model& model, const ModelComponent& component, std::vector<Where>& where) {
   const auto vertex = [&](std::int64_t& v) {
-    if (v < 0 || v >= static_cast<std::int64_t>(piece.vertexOrigin.size())) return;
-    const int inMesh = piece.vertexOrigin[static_cast<std::size_t>(v)];
+    if (v < 0 || v >= static_cast<std::int64_t>(component.vertexOrigin.size())) return;
+    const int inMesh = component.vertexOrigin[static_cast<std::size_t>(v)];
     v = model.vertexOrigin[static_cast<std::size_t>(inMesh)];
   };
   for (Where& w : where) {
@@ -247,21 +248,22 @@ void toSurfaceIds(const Model& model, const Piece& piece, std::vector<Where>& wh
       vertex(w.id);
       vertex(w.other);
     } else if (w.kind == Where::Kind::kFace &&
-               w.id < static_cast<std::int64_t>(piece.faceOrigin.size()) && w.id >= 0) {
+               w.id < static_cast<std::int64_t>(component.faceOrigin.size()) && w.id >= 0) {
       w.id = model.faceOrigin[static_cast<std::size_t>(
-          piece.faceOrigin[static_cast<std::size_t>(w.id)])];
+          component.faceOrigin[static_cast<std::size_t>(w.id)])];
     } else if (w.kind == Where::Kind::kLoop &&
-               w.id < static_cast<std::int64_t>(piece.loopOrigin.size()) && w.id >= 0) {
-      w.id = piece.loopOrigin[static_cast<std::size_t>(w.id)];
+               w.id < static_cast<std::int64_t>(component.loopOrigin.size()) && w.id >= 0) {
+      w.id = component.loopOrigin[static_cast<std::size_t>(w.id)];
     }
   }
 }
 
-Failure toSurfaceIds(const Model& model, const Piece& piece, Failure failure) {
-  toSurfaceIds(model, piece, failure.where);
-  if (model.pieces.size() > 1) {
-    failure.message = formatText("component %d: ", static_cast<int>(&piece - model.pieces.data())) +
-                      failure.message;
+Failure toSurfaceIds(const Model& model, const ModelComponent& component, Failure failure) {
+  toSurfaceIds(model, component, failure.where);
+  if (model.components.size() > 1) {
+    failure.message =
+        formatText("component %d: ", static_cast<int>(&component - model.components.data())) +
+        failure.message;
   }
   return failure;
 }

@@ -1,4 +1,4 @@
-// A loaded surface made ready: repaired where asked, checked, split into connected pieces, with the
+// A loaded surface made ready: repaired where asked, checked, split into connected components, with the
 // ways back to the file's ids.  Role: what every call of a session works on.
 #pragma once
 
@@ -7,15 +7,15 @@
 
 namespace hgp::api {
 
-/// One connected piece of the surface. Its numbers are its own; its loops and generators are told
+/// One connected component of the surface. Its numbers are its own; its loops and generators are told
 /// by those of the file (TriMesh::givenFace).
-struct Piece {
+struct ModelComponent {
   TriMesh mesh;
   Topology topology;
-  std::vector<int> vertexOrigin;  ///< piece vertex → vertex of Model::mesh
-  std::vector<int> faceOrigin;    ///< piece face → face of Model::mesh
-  std::vector<int> loopOrigin;    ///< piece loop → loop of Model::topology
-  int generatorOffset = 0;        ///< handle generators are numbered through all pieces
+  std::vector<int> vertexOrigin;  ///< component vertex → vertex of Model::mesh
+  std::vector<int> faceOrigin;    ///< component face → face of Model::mesh
+  std::vector<int> loopOrigin;    ///< component loop → loop of Model::topology
+  int generatorOffset = 0;        ///< handle generators are numbered through all components
 };
 
 struct Model {
@@ -34,9 +34,9 @@ struct Model {
   std::vector<std::string> notes;  ///< what weld and repairs did
 
   std::vector<Defect> defects;      ///< of `mesh`
-  std::optional<Failure> unusable;  ///< why there are no pieces
+  std::optional<Failure> unusable;  ///< why there are no components
   Topology topology;                ///< of the whole `mesh`
-  std::vector<Piece> pieces;
+  std::vector<ModelComponent> components;
 
   const io::Surface& source() const {
     return document->surfaces()[static_cast<std::size_t>(surface)];
@@ -48,9 +48,9 @@ struct Model {
 Result<Model> loadModel(io::FileSet files, const LoadOptions& options);
 Result<Model> modelOfArrays(MeshData arrays, const LoadOptions& options);
 
-/// Ids of a piece in `where` become ids of the surface.
-Failure toSurfaceIds(const Model& model, const Piece& piece, Failure failure);
-void toSurfaceIds(const Model& model, const Piece& piece, std::vector<Where>& where);
+/// Ids of a component in `where` become ids of the surface.
+Failure toSurfaceIds(const Model& model, const ModelComponent& component, Failure failure);
+void toSurfaceIds(const Model& model, const ModelComponent& component, std::vector<Where>& where);
 
 /// Extent of the positions, for relative tolerances.
 double diagonal(const std::vector<Vec3>& positions);

@@ -30,7 +30,8 @@ Json roundJson(const Round& r) {
               {"seconds", r.seconds}};
 }
 
-Json pieceJson(const Model& model, const Piece& piece, const Parametrization& run) {
+Json componentJson(const Model& model, const ModelComponent& component,
+                   const Parametrization& run) {
   Json rounds = Json::array(), times = Json::array();
   for (const Round& r : run.rounds) rounds.push_back(roundJson(r));
   for (const StageTime& t : run.times) {
@@ -38,7 +39,7 @@ Json pieceJson(const Model& model, const Piece& piece, const Parametrization& ru
   }
   std::vector<Where> conflict;
   for (FaceId f : run.conflict) conflict.push_back({Where::Kind::kFace, f.i});
-  toSurfaceIds(model, piece, conflict);
+  toSurfaceIds(model, component, conflict);
   return Json{{"certifiedBeforeStoring", run.isCertified},
               {"usable", run.isUsable},
               {"harmonic", run.isHarmonic},
@@ -70,8 +71,8 @@ std::string reportText(const Model& model, const RunRecord& run, bool isCertifie
   notes.insert(notes.end(), run.notes.begin(), run.notes.end());
   json["notes"] = notes;
   Json& components = json["components"] = Json::array();
-  for (std::size_t p = 0; p < run.pieces.size(); ++p) {
-    components.push_back(pieceJson(model, model.pieces[p], run.pieces[p]));
+  for (std::size_t p = 0; p < run.components.size(); ++p) {
+    components.push_back(componentJson(model, model.components[p], run.components[p]));
   }
   json["cones"] = Json::parse(cones);
   json["certificate"] = Json::parse(certificate);

@@ -4,8 +4,8 @@
 
 #include "hgp/base/check.h"
 #include "hgp/base/turns.h"
-#include "hgp/io/cones.h"
-#include "hgp/parametrize.h"
+#include "hgp/parametrize/parametrize.h"
+#include "hgp/prescription/cones.h"
 
 namespace hgp::api {
 namespace {
@@ -23,17 +23,17 @@ class Resolver {
     out_.q = asked.q;
     out_.notes = asked.notes;
     pieceOf_.assign(model.mesh.positions.size(), {-1, -1});
-    for (std::size_t p = 0; p < model.pieces.size(); ++p) {
-      const Piece& piece = model.pieces[p];
-      for (std::size_t v = 0; v < piece.vertexOrigin.size(); ++v) {
-        pieceOf_[static_cast<std::size_t>(piece.vertexOrigin[v])] = {static_cast<int>(p),
-                                                                     static_cast<int>(v)};
+    for (std::size_t p = 0; p < model.components.size(); ++p) {
+      const ModelComponent& component = model.components[p];
+      for (std::size_t v = 0; v < component.vertexOrigin.size(); ++v) {
+        pieceOf_[static_cast<std::size_t>(component.vertexOrigin[v])] = {static_cast<int>(p),
+                                                                         static_cast<int>(v)};
       }
-      PieceRequest request;
+      ComponentRequest request;
       request.spec.q = asked.q;
-      request.spec.turning.resize(piece.loopOrigin.size());
-      request.spec.handles.resize(static_cast<std::size_t>(2 * piece.topology.genus));
-      out_.pieces.push_back(std::move(request));
+      request.spec.turning.resize(component.loopOrigin.size());
+      request.spec.handles.resize(static_cast<std::size_t>(2 * component.topology.genus));
+      out_.components.push_back(std::move(request));
     }
   }
 
@@ -48,14 +48,14 @@ class Resolver {
     if (asked_.field) {
       if (Status done = readField(); !done) return done.error();
     } else {
-      leaveEmptyPiecesOpen();
+      leaveEmptyComponentsOpen();
     }
     return std::move(out_);
   }
 
  private:
   struct Local {
-    int piece = -1;
+    int component = -1;
     int vertex = -1;
   };
 
@@ -77,7 +77,7 @@ class Resolver {
     }
     const int image = model_.vertexImage[static_cast<std::size_t>(v)];
     const Local local = image < 0 ? Local() : pieceOf_[static_cast<std::size_t>(image)];
-    if (local.piece < 0) {
+    if (local.component < 0) {
       return refusal(formatText("cone at vertex %d, which has no triangles", v),
                      {{Where::Kind::kVertex, v}});
     }
@@ -108,7 +108,7 @@ class Resolver {
     for (const io::PrescribedCone& cone : asked_.cones) {
       Result<Local> local = locate(cone);
       if (!local) return local.error();
-      HolonomySpec& spec = out_.pieces[static_cast<std::size_t>(local->piece)].spec;
+      HolonomySpec& spec = out_.components[static_cast<std::size_t>(local->component)].spec;
       spec.cones.push_back({VertexId(local->vertex), cone.k});
     }
     return Done{};
@@ -121,11 +121,11 @@ class Resolver {
       const int anchored = loopAt(t.anchor);
       if (anchored >= 0) loop = anchored;
       bool isFound = false;
-      for (std::size_t p = 0; p < model_.pieces.size(); ++p) {
-        const std::vector<int>& loops = model_.pieces[p].loopOrigin;
+      for (std::size_t p = 0; p < model_.components.size(); ++p) {
+        const std::vector<int>& loops = model_.components[p].loopOrigin;
         for (std::size_t j = 0; j < loops.size(); ++j) {
           if (loops[j] != loop) continue;
-          auto& turning = out_.pieces[p].spec.turning[j];
+          auto& turning = out_.components[p].spec.turning[j];
           if (turning && *turning != t.l) {
             return refusal(formatText("boundary loop %d is given two turning indices", loop),
                            {{Where::Kind::kLoop, loop}});
@@ -148,11 +148,11 @@ class Resolver {
     const int v = model_.vertexImage[static_cast<std::size_t>(surfaceVertex)];
     if (v < 0) return -1;
     const Local local = pieceOf_[static_cast<std::size_t>(v)];
-    if (local.piece < 0) return -1;
-    const Piece& piece = model_.pieces[static_cast<std::size_t>(local.piece)];
-    for (std::size_t j = 0; j < piece.topology.loops.size(); ++j) {
-      for (HalfedgeId h : piece.topology.loops[j].halfedges) {
-        if (piece.mesh.tail(h).i == local.vertex) return piece.loopOrigin[j];
+    if (local.component < 0) return -1;
+    const ModelComponent& component = model_.components[static_cast<std::size_t>(local.component)];
+    for (std::size_t j = 0; j < component.topology.loops.size(); ++j) {
+      for (HalfedgeId h : component.topology.loops[j].halfedges) {
+        if (component.mesh.tail(h).i == local.vertex) return component.loopOrigin[j];
       }
     }
     return -1;
@@ -160,15 +160,15 @@ class Resolver {
 
   Status placeHandles() {
     int count = 0;
-    for (const Piece& piece : model_.pieces) count += 2 * piece.topology.genus;
+    for (const ModelComponent& component : model_.components) count += 2 * component.topology.genus;
     for (const io::PrescribedHandle& h : asked_.handles) {
       if (h.generator < 0 || h.generator >= count) {
         return refusal(formatText("handle generator %d: the mesh has %d (counted from 0)",
                                   h.generator, count));
       }
-      for (std::size_t p = 0; p < model_.pieces.size(); ++p) {
-        const int local = h.generator - model_.pieces[p].generatorOffset;
-        auto& handles = out_.pieces[p].spec.handles;
+      for (std::size_t p = 0; p < model_.components.size(); ++p) {
+        const int local = h.generator - model_.components[p].generatorOffset;
+        auto& handles = out_.components[p].spec.handles;
         if (local < 0 || local >= static_cast<int>(handles.size())) continue;
         handles[static_cast<std::size_t>(local)] = reduceTurn(h.r, asked_.q);
       }
@@ -190,62 +190,62 @@ class Resolver {
     }
     if (Status done = io::completeMatchings(field, triangles); !done) return done.error();
     std::vector<Local> faceOf(triangles.size());
-    for (std::size_t p = 0; p < model_.pieces.size(); ++p) {
-      const auto& faces = model_.pieces[p].faceOrigin;
+    for (std::size_t p = 0; p < model_.components.size(); ++p) {
+      const auto& faces = model_.components[p].faceOrigin;
       for (std::size_t f = 0; f < faces.size(); ++f) {
         faceOf[static_cast<std::size_t>(faces[f])] = {static_cast<int>(p), static_cast<int>(f)};
       }
     }
-    for (std::size_t p = 0; p < model_.pieces.size(); ++p) {
-      const Piece& piece = model_.pieces[p];
+    for (std::size_t p = 0; p < model_.components.size(); ++p) {
+      const ModelComponent& component = model_.components[p];
       FieldData part;
       part.order = field.order;
       part.hasMatchings = field.hasMatchings;
       if (!field.directions.empty()) {
-        for (int f : piece.faceOrigin) {
+        for (int f : component.faceOrigin) {
           part.directions.push_back(field.directions[static_cast<std::size_t>(f)]);
         }
       }
       for (Matching m : field.matchings) {
         const Local face = faceOf[static_cast<std::size_t>(m.from)];
-        if (face.piece != static_cast<int>(p)) continue;
+        if (face.component != static_cast<int>(p)) continue;
         m.from = face.vertex;
         m.to = faceOf[static_cast<std::size_t>(m.to)].vertex;
         m.tail = pieceOf_[static_cast<std::size_t>(m.tail)].vertex;
         m.head = pieceOf_[static_cast<std::size_t>(m.head)].vertex;
         part.matchings.push_back(m);
       }
-      if (Status done = readPieceField(p, part); !done) return done.error();
-      out_.pieces[p].field = std::move(part);
+      if (Status done = readComponentField(p, part); !done) return done.error();
+      out_.components[p].field = std::move(part);
     }
     return Done{};
   }
 
-  Status readPieceField(std::size_t p, const FieldData& part) {
-    const Piece& piece = model_.pieces[p];
-    HolonomySpec& spec = out_.pieces[p].spec;
+  Status readComponentField(std::size_t p, const FieldData& part) {
+    const ModelComponent& component = model_.components[p];
+    HolonomySpec& spec = out_.components[p].spec;
     const std::vector<ConePoint> expected = asked_.hasCones ? spec.cones : std::vector<ConePoint>();
-    Result<CompleteSpec> read = readHolonomy(piece.mesh, part, expected);
-    if (!read) return toSurfaceIds(model_, piece, read.error());
+    Result<CompleteSpec> read = readHolonomy(component.mesh, part, expected);
+    if (!read) return toSurfaceIds(model_, component, read.error());
     HolonomySpec found = toSpec(*read);
     if (asked_.hasCones) {
       // A sign convention the cones cannot tell apart must still end in these very cones.
-      PerVertex<int> k(static_cast<std::size_t>(piece.mesh.vertexCount()), found.q);
+      PerVertex<int> k(static_cast<std::size_t>(component.mesh.vertexCount()), found.q);
       for (const ConePoint& c : found.cones) k[c.vertex] = c.k;
       for (const ConePoint& c : spec.cones) {
         if (k[c.vertex] != c.k) {
           return toSurfaceIds(
-              model_, piece,
+              model_, component,
               refusal(formatText("the field gives k = %d where the list of cones says %d",
                                  k[c.vertex], c.k),
                       {{Where::Kind::kVertex, c.vertex.i}}));
         }
         k[c.vertex] = found.q;
       }
-      for (VertexId v : piece.mesh.vertices()) {
+      for (VertexId v : component.mesh.vertices()) {
         if (k[v] == found.q) continue;
         return toSurfaceIds(
-            model_, piece,
+            model_, component,
             refusal(formatText("the field has a cone of k = %d that the list of cones lacks", k[v]),
                     {{Where::Kind::kVertex, v.i}}));
       }
@@ -260,19 +260,20 @@ class Resolver {
     return Done{};
   }
 
-  /// Of several pieces one without any wish gets automatic cones, unless none at all will do.
-  void leaveEmptyPiecesOpen() {
-    for (std::size_t p = 0; p < out_.pieces.size(); ++p) {
-      PieceRequest& piece = out_.pieces[p];
-      bool isEmpty = piece.spec.cones.empty();
-      for (const auto& l : piece.spec.turning) isEmpty = isEmpty && !l;
-      for (const auto& r : piece.spec.handles) isEmpty = isEmpty && !r;
+  /// Of several components one without any wish gets automatic cones, unless none at all will do.
+  void leaveEmptyComponentsOpen() {
+    for (std::size_t p = 0; p < out_.components.size(); ++p) {
+      ComponentRequest& component = out_.components[p];
+      bool isEmpty = component.spec.cones.empty();
+      for (const auto& l : component.spec.turning) isEmpty = isEmpty && !l;
+      for (const auto& r : component.spec.handles) isEmpty = isEmpty && !r;
       if (!isEmpty) continue;
       if (!asked_.hasCones) {
-        piece.isAutomatic = true;
-      } else if (out_.pieces.size() > 1 &&
-                 !checkPrescription(model_.pieces[p].mesh, model_.pieces[p].topology, piece.spec)) {
-        piece.isAutomatic = true;
+        component.isAutomatic = true;
+      } else if (out_.components.size() > 1 &&
+                 !checkPrescription(model_.components[p].mesh, model_.components[p].topology,
+                                    component.spec)) {
+        component.isAutomatic = true;
         out_.notes.push_back(
             formatText("component %zu has no cones in the list; they are chosen "
                        "automatically",
@@ -308,11 +309,11 @@ Result<Request> resolve(const Model& model, const io::Prescription& prescription
 Request automaticRequest(const Model& model, int q) {
   Request request;
   request.q = q;
-  for (std::size_t p = 0; p < model.pieces.size(); ++p) {
-    PieceRequest piece;
-    piece.spec.q = q;
-    piece.isAutomatic = true;
-    request.pieces.push_back(std::move(piece));
+  for (std::size_t p = 0; p < model.components.size(); ++p) {
+    ComponentRequest component;
+    component.spec.q = q;
+    component.isAutomatic = true;
+    request.components.push_back(std::move(component));
   }
   return request;
 }

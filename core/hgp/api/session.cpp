@@ -1,8 +1,8 @@
 #include "hgp/api/session.h"
 
-#include "hgp/api/rim.h"
+#include "hgp/api/guard.h"
 #include "hgp/api/session_state.h"
-#include "hgp/io/cones.h"
+#include "hgp/io/cone_files.h"
 
 #ifndef HGP_VERSION
 #define HGP_VERSION "0.0.0"
@@ -31,7 +31,7 @@ std::string extensionOf(const std::string& name) {
 
 Failure notLoaded() { return {ErrorCode::kUsage, "session", "no model is loaded", {}}; }
 
-Status requirePieces(const std::optional<Model>& model) {
+Status requireComponents(const std::optional<Model>& model) {
   if (!model) return notLoaded();
   if (model->unusable) return *model->unusable;
   return Done{};
@@ -79,23 +79,23 @@ Result<Verdict> Session::inspect() const {
 
 Result<Verdict> Session::check(const io::Prescription& prescription) const {
   return guarded([&]() -> Result<Verdict> {
-    if (Status ready = requirePieces(state_->model); !ready) return ready.error();
+    if (Status ready = requireComponents(state_->model); !ready) return ready.error();
     const Model& model = *state_->model;
     Result<Request> request = resolve(model, prescription);
     if (!request) return Verdict{false, checkText(request.error()), request.error()};
-    std::vector<PieceCheck> checks;
+    std::vector<ComponentCheck> checks;
     std::optional<Failure> reason;
-    for (std::size_t p = 0; p < model.pieces.size(); ++p) {
-      const PieceRequest& piece = request->pieces[p];
-      PieceCheck check;
-      check.isAutomatic = piece.isAutomatic;
-      if (!piece.isAutomatic) {
-        Result<BudgetReport> budget =
-            checkPrescription(model.pieces[p].mesh, model.pieces[p].topology, piece.spec);
+    for (std::size_t p = 0; p < model.components.size(); ++p) {
+      const ComponentRequest& component = request->components[p];
+      ComponentCheck check;
+      check.isAutomatic = component.isAutomatic;
+      if (!component.isAutomatic) {
+        Result<BudgetReport> budget = checkPrescription(
+            model.components[p].mesh, model.components[p].topology, component.spec);
         if (budget)
           check.budget = *budget;
         else
-          check.refusal = toSurfaceIds(model, model.pieces[p], budget.error());
+          check.refusal = toSurfaceIds(model, model.components[p], budget.error());
       }
       if (check.refusal && !reason) reason = check.refusal;
       checks.push_back(std::move(check));
@@ -106,10 +106,10 @@ Result<Verdict> Session::check(const io::Prescription& prescription) const {
 
 Result<std::string> Session::suggest(const SolveOptions& options) const {
   return guarded([&]() -> Result<std::string> {
-    if (Status ready = requirePieces(state_->model); !ready) return ready.error();
+    if (Status ready = requireComponents(state_->model); !ready) return ready.error();
     std::vector<HolonomySpec> specs;
-    for (const Piece& piece : state_->model->pieces) {
-      Result<CompleteSpec> spec = state_->completeAutomatically(piece, options);
+    for (const ModelComponent& component : state_->model->components) {
+      Result<CompleteSpec> spec = state_->completeAutomatically(component, options);
       if (!spec) return spec.error();
       specs.push_back(toSpec(*spec));
     }
@@ -119,11 +119,11 @@ Result<std::string> Session::suggest(const SolveOptions& options) const {
 
 Result<std::string> Session::convert(const io::Prescription& prescription) const {
   return guarded([&]() -> Result<std::string> {
-    if (Status ready = requirePieces(state_->model); !ready) return ready.error();
+    if (Status ready = requireComponents(state_->model); !ready) return ready.error();
     Result<Request> request = resolve(*state_->model, prescription);
     if (!request) return request.error();
     std::vector<HolonomySpec> specs;
-    for (const PieceRequest& piece : request->pieces) specs.push_back(piece.spec);
+    for (const ComponentRequest& component : request->components) specs.push_back(component.spec);
     return io::writeConesJson(describe(*state_->model, specs));
   });
 }
@@ -138,7 +138,7 @@ Result<std::optional<io::Prescription>> Session::embeddedCones() const {
 Status Session::parametrize(const std::optional<io::Prescription>& prescription,
                             const SolveOptions& options) {
   return guarded([&]() -> Status {
-    if (Status ready = requirePieces(state_->model); !ready) return ready.error();
+    if (Status ready = requireComponents(state_->model); !ready) return ready.error();
     state_->solved.reset();
     return state_->solve(prescription, options);
   });
@@ -147,7 +147,7 @@ Status Session::parametrize(const std::optional<io::Prescription>& prescription,
 Result<Verdict> Session::verify(const std::optional<io::Prescription>& prescription,
                                 const VerifyOptions& options) const {
   return guarded([&]() -> Result<Verdict> {
-    if (Status ready = requirePieces(state_->model); !ready) return ready.error();
+    if (Status ready = requireComponents(state_->model); !ready) return ready.error();
     const Model& model = *state_->model;
     const std::vector<int>& sets = model.source().uvSets;
     const int set = options.uvSet >= 0 ? options.uvSet : sets.empty() ? 0 : sets.back();
@@ -169,12 +169,12 @@ Result<Verdict> Session::verify(const std::optional<io::Prescription>& prescript
     judge.precision = isFloat ? Precision::kFloat32 : Precision::kFloat64;
     std::vector<Certificate> certificates;
     bool isGood = true;
-    for (std::size_t p = 0; p < model.pieces.size(); ++p) {
-      judge.isAnyConeAllowed = request->pieces[p].isAutomatic;
-      const UvMap pieceMap = mapOfPiece(model, model.pieces[p], *map);
+    for (std::size_t p = 0; p < model.components.size(); ++p) {
+      judge.isAnyConeAllowed = request->components[p].isAutomatic;
+      const UvMap componentMap = mapOfComponent(model, model.components[p], *map);
       certificates.push_back(
-          certify(model.pieces[p].mesh, request->pieces[p].spec, pieceMap, judge));
-      certificates.back().overlap = measureOverlap(pieceMap);
+          certify(model.components[p].mesh, request->components[p].spec, componentMap, judge));
+      certificates.back().overlap = measureOverlap(componentMap);
       isGood = isGood && certificates.back().isCertified;
     }
     return Verdict{isGood, certificateText(model, certificates, set), std::nullopt};

@@ -1,4 +1,4 @@
-// One loaded model from bytes to certified bytes.  Role: the rim. Command line, WASM bindings and
+// One loaded model from bytes to certified bytes.  Role: the API boundary. Command line, WASM bindings and
 // bench call this and nothing below; every exception of the core ends here as a Failure.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 #include "hgp/api/options.h"
 #include "hgp/io/document.h"
-#include "hgp/io/prescription.h"
+#include "hgp/prescription/prescription.h"
 
 namespace hgp::api {
 
@@ -86,7 +86,7 @@ class Session {
   std::unique_ptr<State> state_;
 };
 
-/// io::readPrescription behind the rim: cones and fields of every known kind.
+/// io::readPrescription behind the API boundary: cones and fields of every known kind.
 Result<io::Prescription> readPrescription(std::string_view name, std::string_view text, int q);
 
 /// `cones` with the field of `field`, which decides what they leave open. kUsage where q differs.

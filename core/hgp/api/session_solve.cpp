@@ -1,7 +1,7 @@
 #include <chrono>
 
 #include "hgp/api/session_state.h"
-#include "hgp/io/cones.h"
+#include "hgp/prescription/cones.h"
 
 namespace hgp::api {
 
@@ -25,16 +25,17 @@ Failure noField() {
 
 }  // namespace
 
-Result<CompleteSpec> Session::State::completeAutomatically(const Piece& piece,
+Result<CompleteSpec> Session::State::completeAutomatically(const ModelComponent& component,
                                                            const SolveOptions& options) const {
-  Result<CompleteSpec> spec = suggestCones(piece.mesh, suggestOptions(options.q, options));
-  if (!spec) return toSurfaceIds(*model, piece, spec.error());
+  Result<CompleteSpec> spec = suggestCones(component.mesh, suggestOptions(options.q, options));
+  if (!spec) return toSurfaceIds(*model, component, spec.error());
   return spec;
 }
 
-Result<Parametrization> Session::State::solvePiece(std::size_t p, const PieceRequest& request,
-                                                   const SolveOptions& options) const {
-  const Piece& piece = model->pieces[p];
+Result<Parametrization> Session::State::solveComponent(std::size_t p,
+                                                       const ComponentRequest& request,
+                                                       const SolveOptions& options) const {
+  const ModelComponent& component = model->components[p];
   ParametrizeOptions core;
   core.maxRounds = options.maxRounds;
   core.useQuality = options.useQuality;
@@ -44,16 +45,16 @@ Result<Parametrization> Session::State::solvePiece(std::size_t p, const PieceReq
     if (!core.frames) return noField();
   }
   if (options.boundary == BoundaryKind::kConvex) {
-    Result<Parametrization> run = parametrizeConvex(piece.mesh, core);
-    return run ? std::move(run) : toSurfaceIds(*model, piece, run.error());
+    Result<Parametrization> run = parametrizeConvex(component.mesh, core);
+    return run ? std::move(run) : toSurfaceIds(*model, component, run.error());
   }
   if (request.isAutomatic) {
     Result<Parametrization> run =
-        parametrizeAutomatically(piece.mesh, suggestOptions(request.spec.q, options), core);
-    return run ? std::move(run) : toSurfaceIds(*model, piece, run.error());
+        parametrizeAutomatically(component.mesh, suggestOptions(request.spec.q, options), core);
+    return run ? std::move(run) : toSurfaceIds(*model, component, run.error());
   }
-  Result<Parametrization> run = hgp::parametrize(piece.mesh, request.spec, core);
-  return run ? std::move(run) : toSurfaceIds(*model, piece, run.error());
+  Result<Parametrization> run = hgp::parametrize(component.mesh, request.spec, core);
+  return run ? std::move(run) : toSurfaceIds(*model, component, run.error());
 }
 
 /// The result as the flat arrays that leave the session.
@@ -63,9 +64,9 @@ void Session::State::flatten(Solved& result) const {
   for (const auto& t : stored.map.cornerUv) {
     for (int i : t) result.cornerToUv.push_back(static_cast<std::uint32_t>(i));
   }
-  for (std::size_t p = 0; p < model->pieces.size(); ++p) {
+  for (std::size_t p = 0; p < model->components.size(); ++p) {
     for (const MeasuredSeam& s : stored.certificates[p].seams.seams) {
-      const SeamEnds ends = seamEnds(*model, model->pieces[p], stored.map, s.edge);
+      const SeamEnds ends = seamEnds(*model, model->components[p], stored.map, s.edge);
       result.seams.push_back({{ends.a[0], ends.a[1]}, {ends.b[0], ends.b[1]}, s.r});
     }
   }
@@ -78,7 +79,7 @@ Status Session::State::solve(const std::optional<io::Prescription>& prescription
                                          : Result<Request>(automaticRequest(*model, options.q));
   if (!request) return request.error();
   if (options.frames == FrameSource::kAuto) {
-    for (PieceRequest& piece : request->pieces) piece.field.reset();
+    for (ComponentRequest& component : request->components) component.field.reset();
   }
   RunRecord run;
   run.options = options;
@@ -86,17 +87,17 @@ Status Session::State::solve(const std::optional<io::Prescription>& prescription
   run.notes = request->notes;
   if (options.frames == FrameSource::kFile)
     run.notes.push_back("the frames are the directions of the field");
-  std::vector<PieceMap> maps;
+  std::vector<ComponentMap> maps;
   std::vector<HolonomySpec> specs;
   bool isCertified = true;
-  for (std::size_t p = 0; p < model->pieces.size(); ++p) {
-    Result<Parametrization> piece = solvePiece(p, request->pieces[p], options);
-    if (!piece) return piece.error();
-    isCertified = isCertified && piece->isCertified;
-    maps.push_back(
-        {std::move(piece->map), std::move(piece->copyOf), piece->spec, piece->certificate});
-    specs.push_back(toSpec(piece->spec));
-    run.pieces.push_back(std::move(*piece));
+  for (std::size_t p = 0; p < model->components.size(); ++p) {
+    Result<Parametrization> component = solveComponent(p, request->components[p], options);
+    if (!component) return component.error();
+    isCertified = isCertified && component->isCertified;
+    maps.push_back({std::move(component->map), std::move(component->copyOf), component->spec,
+                    component->certificate});
+    specs.push_back(toSpec(component->spec));
+    run.components.push_back(std::move(*component));
   }
   Solved result;
   result.stored = storeMap(*model, maps, options.scale, isCertified);

@@ -23,13 +23,14 @@ struct Session::State {
   Status take(Result<Model> loaded);
   Result<Request> requestFor(const std::optional<io::Prescription>& prescription, int q) const;
   Status solve(const std::optional<io::Prescription>& prescription, const SolveOptions& options);
-  Result<Parametrization> solvePiece(std::size_t p, const PieceRequest& request,
-                                     const SolveOptions& options) const;
+  Result<Parametrization> solveComponent(std::size_t p, const ComponentRequest& request,
+                                         const SolveOptions& options) const;
   void flatten(Solved& result) const;
-  Result<CompleteSpec> completeAutomatically(const Piece& piece, const SolveOptions& options) const;
+  Result<CompleteSpec> completeAutomatically(const ModelComponent& component,
+                                             const SolveOptions& options) const;
 };
 
 Failure notLoaded();
-Status requirePieces(const std::optional<Model>& model);
+Status requireComponents(const std::optional<Model>& model);
 
 }  // namespace hgp::api

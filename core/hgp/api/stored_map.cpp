@@ -9,7 +9,7 @@ namespace {
 
 // Scales tried in turn when rounding to float32 breaks a map; powers of two would change nothing.
 constexpr double kRetryScales[] = {1.0, 1.1875, 1.375, 1.625, 1.8125, 0.9375, 1.0625, 1.53125};
-// Space between two pieces, relative to the width of the wider one.
+// Space between two components, relative to the width of the wider one.
 constexpr double kGap = 0.05;
 
 struct Box {
@@ -37,31 +37,31 @@ struct MeshMap {
   std::vector<int> copyOf;    ///< uv → mesh vertex
 };
 
-/// One row of pieces from left to right; a single piece stays exactly where it is.
-MeshMap joinPieces(const Model& model, const std::vector<PieceMap>& pieces) {
+/// One row of components from left to right; a single component stays exactly where it is.
+MeshMap joinComponents(const Model& model, const std::vector<ComponentMap>& components) {
   MeshMap out;
   out.cornerUv.assign(3 * model.mesh.triangles.size(), -1);
   double right = 0, width = 0;
-  for (std::size_t p = 0; p < pieces.size(); ++p) {
-    const Piece& piece = model.pieces[p];
-    const Box box = boxOf(pieces[p].map.uv);
+  for (std::size_t p = 0; p < components.size(); ++p) {
+    const ModelComponent& component = model.components[p];
+    const Box box = boxOf(components[p].map.uv);
     width = std::max(width, box.size(0));
     Vec2 shift{0, 0};
-    if (p > 0 && !pieces[p].map.uv.empty()) {
+    if (p > 0 && !components[p].map.uv.empty()) {
       shift = {right + kGap * width - box.low[0], -box.low[1]};
     }
-    if (!pieces[p].map.uv.empty()) right = box.high[0] + shift[0];
+    if (!components[p].map.uv.empty()) right = box.high[0] + shift[0];
     const int first = static_cast<int>(out.uv.size());
-    for (std::size_t i = 0; i < pieces[p].map.uv.size(); ++i) {
-      const Vec2& q = pieces[p].map.uv[i];
+    for (std::size_t i = 0; i < components[p].map.uv.size(); ++i) {
+      const Vec2& q = components[p].map.uv[i];
       out.uv.push_back({q[0] + shift[0], q[1] + shift[1]});
-      const int v = pieces[p].copyOf[i].i;
-      out.copyOf.push_back(v < 0 ? -1 : piece.vertexOrigin[static_cast<std::size_t>(v)]);
+      const int v = components[p].copyOf[i].i;
+      out.copyOf.push_back(v < 0 ? -1 : component.vertexOrigin[static_cast<std::size_t>(v)]);
     }
-    for (std::size_t f = 0; f < pieces[p].map.cornerUv.size(); ++f) {
-      const std::size_t at = 3 * static_cast<std::size_t>(piece.faceOrigin[f]);
+    for (std::size_t f = 0; f < components[p].map.cornerUv.size(); ++f) {
+      const std::size_t at = 3 * static_cast<std::size_t>(component.faceOrigin[f]);
       for (std::size_t k = 0; k < 3; ++k)
-        out.cornerUv[at + k] = first + pieces[p].map.cornerUv[f][k];
+        out.cornerUv[at + k] = first + components[p].map.cornerUv[f][k];
     }
   }
   return out;
@@ -159,20 +159,21 @@ bool isSame(const UvMap& a, const UvMap& b) {
   return true;
 }
 
-/// A piece whose numbers the format leaves as they are has been judged already.
-StoredMap judge(const Model& model, const std::vector<PieceMap>& pieces, const UvMap& surfaceMap) {
+/// A component whose numbers the format leaves as they are has been judged already.
+StoredMap judge(const Model& model, const std::vector<ComponentMap>& components,
+                const UvMap& surfaceMap) {
   StoredMap out;
   out.map = model.document->asStored(model.surface, surfaceMap);
   CertifyOptions options;
   const bool isFloat = model.document->uvPrecision() == io::UvPrecision::kFloat32;
   options.precision = isFloat ? Precision::kFloat32 : Precision::kFloat64;
   out.isCertified = true;
-  for (std::size_t p = 0; p < pieces.size(); ++p) {
-    const UvMap stored = mapOfPiece(model, model.pieces[p], out.map);
+  for (std::size_t p = 0; p < components.size(); ++p) {
+    const UvMap stored = mapOfComponent(model, model.components[p], out.map);
     out.certificates.push_back(
-        !isFloat && isSame(stored, pieces[p].map)
-            ? pieces[p].certificate
-            : certify(model.pieces[p].mesh, pieces[p].spec, stored, options));
+        !isFloat && isSame(stored, components[p].map)
+            ? components[p].certificate
+            : certify(model.components[p].mesh, components[p].spec, stored, options));
     out.isCertified = out.isCertified && out.certificates.back().isCertified;
   }
   return out;
@@ -180,11 +181,11 @@ StoredMap judge(const Model& model, const std::vector<PieceMap>& pieces, const U
 
 }  // namespace
 
-StoredMap storeMap(const Model& model, const std::vector<PieceMap>& pieces, Scale scale,
+StoredMap storeMap(const Model& model, const std::vector<ComponentMap>& components, Scale scale,
                    bool wasCertified) {
-  MeshMap joined = joinPieces(model, pieces);
+  MeshMap joined = joinComponents(model, components);
   applyScale(joined, scale);
-  StoredMap first = judge(model, pieces, onSurface(model, joined));
+  StoredMap first = judge(model, components, onSurface(model, joined));
   const bool mayMove = wasCertified && scale == Scale::kSolved;
   if (!first.isCertified && mayMove) {
     const Box box = boxOf(joined.uv);
@@ -192,7 +193,7 @@ StoredMap storeMap(const Model& model, const std::vector<PieceMap>& pieces, Scal
     for (double factor : kRetryScales) {
       MeshMap moved = joined;
       moveAndScale(moved.uv, centre, factor);
-      StoredMap again = judge(model, pieces, onSurface(model, moved));
+      StoredMap again = judge(model, components, onSurface(model, moved));
       if (!again.isCertified) continue;
       again.notes.push_back(
           "the map was moved and scaled so that it survives the rounding of the "
@@ -206,20 +207,21 @@ StoredMap storeMap(const Model& model, const std::vector<PieceMap>& pieces, Scal
           "after it");
     }
   }
-  for (std::size_t p = 0; p < model.pieces.size(); ++p) {
-    first.certificates[p].overlap = measureOverlap(mapOfPiece(model, model.pieces[p], first.map));
+  for (std::size_t p = 0; p < model.components.size(); ++p) {
+    first.certificates[p].overlap =
+        measureOverlap(mapOfComponent(model, model.components[p], first.map));
   }
   first.uvToVertex = verticesOfUv(model, first.map);
   return first;
 }
 
-UvMap mapOfPiece(const Model& model, const Piece& piece, const UvMap& surfaceMap) {
+UvMap mapOfComponent(const Model& model, const ModelComponent& component, const UvMap& surfaceMap) {
   UvMap out;
   out.uv = surfaceMap.uv;
-  out.cornerUv.resize(piece.faceOrigin.size());
+  out.cornerUv.resize(component.faceOrigin.size());
   std::vector<int> anyCopy;
-  for (std::size_t f = 0; f < piece.faceOrigin.size(); ++f) {
-    const std::size_t inMesh = static_cast<std::size_t>(piece.faceOrigin[f]);
+  for (std::size_t f = 0; f < component.faceOrigin.size(); ++f) {
+    const std::size_t inMesh = static_cast<std::size_t>(component.faceOrigin[f]);
     for (std::size_t k = 0; k < 3; ++k) {
       const int origin = model.cornerOrigin[3 * inMesh + k];
       if (origin >= 0) {
@@ -243,16 +245,17 @@ UvMap mapOfPiece(const Model& model, const Piece& piece, const UvMap& surfaceMap
   return out;
 }
 
-SeamEnds seamEnds(const Model& model, const Piece& piece, const UvMap& surfaceMap, EdgeId edge) {
+SeamEnds seamEnds(const Model& model, const ModelComponent& component, const UvMap& surfaceMap,
+                  EdgeId edge) {
   const auto uvAt = [&](HalfedgeId corner) {
-    const int inMesh = piece.faceOrigin[static_cast<std::size_t>(corner.i / 3)];
+    const int inMesh = component.faceOrigin[static_cast<std::size_t>(corner.i / 3)];
     const int origin = model.cornerOrigin[static_cast<std::size_t>(3 * inMesh + corner.i % 3)];
     return origin < 0 ? -1
                       : surfaceMap.cornerUv[static_cast<std::size_t>(origin / 3)]
                                            [static_cast<std::size_t>(origin % 3)];
   };
-  const HalfedgeId h = piece.mesh.halfedge(edge);
-  const HalfedgeId twin = piece.mesh.twin(h);
+  const HalfedgeId h = component.mesh.halfedge(edge);
+  const HalfedgeId twin = component.mesh.twin(h);
   SeamEnds out;
   out.a[0] = uvAt(h);
   out.a[1] = uvAt(TriMesh::next(h));

@@ -1,4 +1,4 @@
-// The map of all pieces on the file's own triangles, as it will be stored, and its certificates.
+// The map of all components on the file's own triangles, as it will be stored, and its certificates.
 // Role: certify what is shipped.
 #pragma once
 
@@ -8,10 +8,10 @@
 
 namespace hgp::api {
 
-/// A map per piece (on piece faces) with what was asked of it.
-struct PieceMap {
+/// A map per component (on component faces) with what was asked of it.
+struct ComponentMap {
   UvMap map;
-  std::vector<VertexId> copyOf;  ///< uv → piece vertex
+  std::vector<VertexId> copyOf;  ///< uv → component vertex
   CompleteSpec spec;
   Certificate certificate;  ///< of `map`, in double precision
 };
@@ -19,26 +19,27 @@ struct PieceMap {
 struct StoredMap {
   UvMap map;                              ///< on the surface's triangles, as stored
   std::vector<std::uint32_t> uvToVertex;  ///< uv → surface vertex
-  std::vector<Certificate> certificates;  ///< per piece, of the stored values
+  std::vector<Certificate> certificates;  ///< per component, of the stored values
   std::vector<std::string> notes;
   bool isCertified = false;
 };
 
-/// Sets the pieces side by side, scales, rounds as the format does and judges. When rounding breaks
-/// a piece that was certified, other scales and origins are tried before the verdict stands.
-/// @param wasCertified  the pieces were certified before rounding: worth trying again
-StoredMap storeMap(const Model& model, const std::vector<PieceMap>& pieces, Scale scale,
+/// Sets the components side by side, scales, rounds as the format does and judges. When rounding breaks
+/// a component that was certified, other scales and origins are tried before the verdict stands.
+/// @param wasCertified  the components were certified before rounding: worth trying again
+StoredMap storeMap(const Model& model, const std::vector<ComponentMap>& components, Scale scale,
                    bool wasCertified);
 
-/// A map on the surface's triangles as piece `p` sees it. A face made by a repair takes, at each
+/// A map on the surface's triangles as component `p` sees it. A face made by a repair takes, at each
 /// corner, a uv of that vertex from the faces beside it.
-UvMap mapOfPiece(const Model& model, const Piece& piece, const UvMap& surfaceMap);
+UvMap mapOfComponent(const Model& model, const ModelComponent& component, const UvMap& surfaceMap);
 
 /// The uv indices of both sides of a seam edge, corresponding ends first.
 struct SeamEnds {
   int a[2] = {-1, -1};
   int b[2] = {-1, -1};
 };
-SeamEnds seamEnds(const Model& model, const Piece& piece, const UvMap& surfaceMap, EdgeId edge);
+SeamEnds seamEnds(const Model& model, const ModelComponent& component, const UvMap& surfaceMap,
+                  EdgeId edge);
 
 }  // namespace hgp::api

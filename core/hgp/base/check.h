@@ -6,7 +6,7 @@
 
 namespace hgp {
 
-/// Thrown by HGP_CHECK; caught only at the rim (api/), where it becomes ErrorCode::kInternal.
+/// Thrown by HGP_CHECK; caught only at the API boundary (api/), where it becomes ErrorCode::kInternal.
 class InternalError : public std::logic_error {
  public:
   using std::logic_error::logic_error;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "hgp/field/filled_surface.h"
-#include "hgp/linalg/ordering.h"
+#include "hgp/linalg/ordering/ordering.h"
 
 namespace hgp {
 

@@ -1,9 +1,10 @@
+#include "hgp/io/cone_files.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "hgp/base/check.h"
-#include "hgp/io/cones.h"
-#include "hgp/io/text.h"
+#include "hgp/text/text.h"
 
 namespace hgp::io {
 namespace {

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "hgp/base/result.h"
-#include "hgp/io/prescription.h"
 #include "hgp/mesh/mesh_data.h"
+#include "hgp/prescription/prescription.h"
 
 namespace hgp::io {
 

@@ -3,8 +3,8 @@
 
 #include "hgp/base/check.h"
 #include "hgp/io/document.h"
-#include "hgp/io/polygon_document.h"
-#include "hgp/io/text.h"
+#include "hgp/io/polygon/polygon_document.h"
+#include "hgp/text/text.h"
 
 namespace hgp::io {
 namespace {

@@ -1,4 +1,4 @@
-// Vectors of space as far as the rooms need them.  Role: written once, rounded the same everywhere.
+// Vectors of space as far as the modules need them.  Role: written once, rounded the same everywhere.
 #pragma once
 
 #include "hgp/mesh/mesh_data.h"

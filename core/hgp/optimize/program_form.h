@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "hgp/linalg/partial_cholesky.h"
+#include "hgp/linalg/factor/partial_cholesky.h"
 #include "hgp/optimize/program_terms.h"
 
 namespace hgp {

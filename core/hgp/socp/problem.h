@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "hgp/linalg/partial_cholesky.h"
+#include "hgp/linalg/factor/partial_cholesky.h"
 
 namespace hgp::socp {
 

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "hgp/api/sha256.h"
-#include "hgp/io/cones.h"
+#include "hgp/io/cone_files.h"
 #include "hgp/mesh/nearby_order.h"
 #include "hgp/mesh/topology.h"
 #include "support/shapes.h"

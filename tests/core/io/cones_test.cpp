@@ -1,8 +1,7 @@
-#include "hgp/io/cones.h"
-
 #include <cmath>
 
 #include "hgp/base/turns.h"
+#include "hgp/io/cone_files.h"
 #include "io_support.h"
 
 namespace hgp::io {

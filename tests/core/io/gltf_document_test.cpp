@@ -2,8 +2,8 @@
 
 #include <cstring>
 
-#include "hgp/io/gltf_decoders.h"
-#include "hgp/io/gltf_file.h"
+#include "hgp/io/gltf/gltf_decoders.h"
+#include "hgp/io/gltf/gltf_file.h"
 #include "io_support.h"
 
 namespace hgp::io {

@@ -1,4 +1,4 @@
-#include "hgp/io/gltf_file.h"
+#include "hgp/io/gltf/gltf_file.h"
 
 #include <gtest/gtest.h>
 

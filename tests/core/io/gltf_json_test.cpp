@@ -1,8 +1,8 @@
-#include "hgp/io/gltf_json.h"
+#include "hgp/io/gltf/gltf_json.h"
 
 #include <gtest/gtest.h>
 
-#include "hgp/io/gltf_splice.h"
+#include "hgp/io/gltf/gltf_splice.h"
 
 namespace hgp::io {
 namespace {

@@ -1,5 +1,5 @@
 // What glTF stores of a map: float32 with v from the top, exactly what a certificate must judge.
-#include "hgp/io/gltf_round.h"
+#include "hgp/io/gltf/gltf_round.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include <chrono>
 #include <sstream>
 
-#include "hgp/io/text.h"
+#include "hgp/text/text.h"
 #include "io_support.h"
 
 namespace hgp::io {

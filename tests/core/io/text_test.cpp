@@ -1,4 +1,4 @@
-#include "hgp/io/text.h"
+#include "hgp/text/text.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <Eigen/Dense>
 
-#include "hgp/linalg/kernel_workspace.h"
+#include "hgp/linalg/kernels/kernel_workspace.h"
 
 namespace hgp::linalg {
 namespace {

@@ -1,4 +1,4 @@
-// Graphs and matrices for the tests of this room.
+// Graphs and matrices for the tests of this module.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "hgp/linalg/graph.h"
+#include "hgp/linalg/graph/graph.h"
 
 namespace hgp::linalg::testing {
 

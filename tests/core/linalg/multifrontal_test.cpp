@@ -1,4 +1,4 @@
-#include "hgp/linalg/multifrontal.h"
+#include "hgp/linalg/factor/multifrontal.h"
 
 #include <gtest/gtest.h>
 

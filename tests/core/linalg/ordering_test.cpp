@@ -1,10 +1,10 @@
-#include "hgp/linalg/ordering.h"
+#include "hgp/linalg/ordering/ordering.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "hgp/linalg/symbolic.h"
+#include "hgp/linalg/factor/symbolic.h"
 #include "matrices.h"
 
 namespace hgp::linalg {

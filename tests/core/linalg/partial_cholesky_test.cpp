@@ -1,4 +1,4 @@
-#include "hgp/linalg/partial_cholesky.h"
+#include "hgp/linalg/factor/partial_cholesky.h"
 
 #include <gtest/gtest.h>
 

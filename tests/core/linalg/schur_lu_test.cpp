@@ -1,4 +1,4 @@
-#include "hgp/linalg/schur_lu.h"
+#include "hgp/linalg/factor/schur_lu.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "hgp/mesh/geometry.h"
-#include "hgp/parametrize.h"
+#include "hgp/parametrize/parametrize.h"
 #include "support/shapes.h"
 
 namespace hgp {

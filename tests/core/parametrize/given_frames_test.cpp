@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "hgp/field/prescribed_field.h"
-#include "hgp/parametrize.h"
+#include "hgp/parametrize/parametrize.h"
 #include "support/fields.h"
 #include "support/prescriptions.h"
 #include "support/shapes.h"

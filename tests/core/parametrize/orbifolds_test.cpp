@@ -5,8 +5,8 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "hgp/parametrize.h"
-#include "hgp/seamless_setup.h"
+#include "hgp/parametrize/parametrize.h"
+#include "hgp/parametrize/seamless_setup.h"
 #include "support/prescriptions.h"
 #include "support/shapes.h"
 

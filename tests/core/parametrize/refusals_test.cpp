@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "hgp/parametrize.h"
+#include "hgp/parametrize/parametrize.h"
 #include "support/prescriptions.h"
 #include "support/shapes.h"
 

@@ -1,4 +1,4 @@
-#include "hgp/repair_plan.h"
+#include "hgp/parametrize/repair_plan.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // A square with a raised middle, mapped onto a convex polygon and judged.
 #include <hgp/mesh/tri_mesh.h>
-#include <hgp/parametrize.h>
+#include <hgp/parametrize/parametrize.h>
 
 #include <cstdio>
 

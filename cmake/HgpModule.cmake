@@ -1,0 +1,72 @@
+# One static library per module of core/hgp, linked exactly as the plan of the house allows.
+
+# Adds a directory of this project if it is there.
+function(hgp_add_directory dir)
+  if(EXISTS "${PROJECT_SOURCE_DIR}/${dir}/CMakeLists.txt")
+    add_subdirectory("${PROJECT_SOURCE_DIR}/${dir}" "${PROJECT_BINARY_DIR}/${dir}")
+  endif()
+endfunction()
+
+# The compile settings of all our own code. No fused multiply-add: native and WebAssembly must agree
+# bit for bit, and the exact predicates of verify/ rely on every operation being rounded once.
+function(hgp_compile_settings target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion
+    -Wno-sign-conversion $<$<BOOL:${HGP_WERROR}>:-Werror>)
+  if(EMSCRIPTEN)
+    # Iterators count in 32 bits there; the native builds judge conversions.
+    target_compile_options(${target} PRIVATE -Wno-shorten-64-to-32)
+  endif()
+endfunction()
+
+# hgp_module(NAME field SOURCES a.cpp b.cpp LINKS base mesh [PRIVATE_LINKS eigen] [HEADER_ONLY])
+#
+# LINKS and PRIVATE_LINKS take module names and third-party names (eigen, json, tinygltf, cli11 …, see
+# HgpThirdParty.cmake). Makes hgp_<name>, alias hgp::<name>; include root is core/.
+function(hgp_module)
+  cmake_parse_arguments(R "HEADER_ONLY" "NAME" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  if(R_UNPARSED_ARGUMENTS OR NOT R_NAME)
+    message(FATAL_ERROR "hgp_module: bad arguments: ${ARGN}")
+  endif()
+  hgp_named_targets(links "module ${R_NAME}" ${R_LINKS})
+  hgp_named_targets(private_links "module ${R_NAME}" ${R_PRIVATE_LINKS})
+
+  set(target hgp_${R_NAME})
+  if(R_HEADER_ONLY)
+    add_library(${target} INTERFACE)
+    set(scope INTERFACE)
+    target_compile_features(${target} INTERFACE cxx_std_20)
+  else()
+    add_library(${target} STATIC ${R_SOURCES})
+    set(scope PUBLIC)
+    hgp_compile_settings(${target})
+    if(EMSCRIPTEN AND R_NAME MATCHES "^(io|prescription|api|parametrize|cut)$")
+      # Cold, or a small part of a run: what a visitor downloads matters more than how fast it runs.
+      target_compile_options(${target} PRIVATE -Os)
+    endif()
+    if(NOT EMSCRIPTEN)  # there it would only slow every global down
+      set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    endif()
+    target_link_libraries(${target} PRIVATE ${private_links})
+  endif()
+  add_library(hgp::${R_NAME} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${R_NAME})
+  target_include_directories(${target} ${scope}
+    "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/core>" "$<INSTALL_INTERFACE:include>")
+  target_link_libraries(${target} ${scope} ${links})
+  install(TARGETS ${target} EXPORT hgpTargets ARCHIVE DESTINATION lib)
+  set_property(GLOBAL APPEND PROPERTY HGP_MODULE_TARGETS ${target})
+endfunction()
+
+# Turns names into targets; it is an error when one of them is not in the house.
+function(hgp_named_targets out who)
+  set(targets "")
+  foreach(name IN LISTS ARGN)
+    if(NOT TARGET hgp::${name})
+      message(FATAL_ERROR "${who}: '${name}' is not here")
+    endif()
+    list(APPEND targets hgp::${name})
+  endforeach()
+  set(${out} "${targets}" PARENT_SCOPE)
+endfunction()

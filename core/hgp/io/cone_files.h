@@ -1,0 +1,20 @@
+// Files that prescribe cones, opened by name and content.  Role: bytes ↔ Prescription, the formats of
+// the module prescription and the OBJ dialect of HGP.
+#pragma once
+
+#include <string_view>
+
+#include "hgp/io/polygon/obj_text.h"
+#include "hgp/prescription/cones.h"
+
+namespace hgp::io {
+
+/// Chooses by content and name. `q` is the order for files that give angles only (curvature lists,
+/// `_Th_hat`); files that state their own order keep it.
+Result<Prescription> readPrescription(std::string_view name, std::string_view text, int q);
+
+/// HGP's `c V A` (k = A·q/2) and `sm F V R` lines of an OBJ; q = 4.
+Result<Prescription> readHgpConeLines(std::string_view text, const std::vector<TextSpan>& lines,
+                                      const PolygonMesh& polygons, const TriangleCorners& corners);
+
+}  // namespace hgp::io

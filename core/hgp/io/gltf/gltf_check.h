@@ -1,0 +1,69 @@
+// What a glTF text must satisfy before anything else looks at it.  Role: trusts nothing; every
+// refusal names the value by JSON pointer.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hgp/io/document.h"
+#include "hgp/io/gltf/gltf_json.h"
+
+namespace hgp::io {
+
+/// Structure, extensions, references, spans, node tree and primitives, judged by the text alone:
+/// buffers are as long as they declare. kMalformed for what is wrong, kLimit for what would take
+/// more than `limits` (decoded or zero-filled accessors, triangles).
+Status checkGltf(const JsonText& json, const Limits& limits);
+
+/// Every value of a checked text that is an index into the top-level array `target` ("accessors" or
+/// "bufferViews"), wherever the core and the extensions known here keep one.
+std::vector<int> gltfReferences(const JsonText& json, std::string_view target);
+/// False when the file uses an extension whose references gltfReferences cannot know.
+bool areGltfReferencesKnown(const JsonText& json);
+
+/// Collects the first thing that is wrong. Every check returns false once something is.
+class GltfChecker {
+ public:
+  GltfChecker(const JsonText& json, const Limits& limits) : json_(json), limits_(limits) {}
+  Status run();
+
+ private:
+  // gltf_check.cpp: the asset, extensions and references
+  bool checkAsset();
+  bool checkExtensionNames();
+  bool checkReferences();
+  bool checkReference(int node, std::string_view path, const char* target);
+  // gltf_check_bytes.cpp: buffers, views and accessors
+  bool checkBuffers();
+  bool checkView(int view);
+  bool checkMeshopt(int view, int extension, std::int64_t viewLength);
+  bool checkAccessor(int accessor);
+  bool checkSparse(int accessor, int sparse, std::int64_t count, std::int64_t elementSize);
+  bool checkSpan(int place, int view, std::int64_t offset, std::int64_t count,
+                 std::int64_t elementSize, std::int64_t componentSize, bool isSparse);
+  // gltf_check_scene.cpp: nodes, meshes and primitives
+  bool checkNodes();
+  bool checkMesh(int mesh);
+  bool checkPrimitive(int primitive);
+  bool checkVertexAttributes(int attributes, std::int64_t& count, bool isTarget);
+  bool checkIndices(int primitive, std::int64_t& count);
+  bool checkDraco(int primitive);
+
+  bool fail(int place, const std::string& message, ErrorCode code = ErrorCode::kMalformed);
+  /// A non-negative integer member; `fallback` when it is missing, required when that is −1.
+  bool integer(int object, const char* key, std::int64_t fallback, std::int64_t& out);
+  /// The i-th element of a top-level array whose reference has been checked.
+  int element(const char* array, int referenceNode) const;
+
+  const JsonText& json_;
+  const Limits& limits_;
+  std::optional<Failure> failure_;
+  std::vector<int> buffers_, views_, accessors_, meshes_, nodes_;
+  std::uint64_t zeroBytes_ = 0;  ///< of accessors without data of their own
+  std::uint64_t sparseElements_ = 0;
+  std::uint64_t triangles_ = 0;
+};
+
+}  // namespace hgp::io

@@ -1,0 +1,111 @@
+#include "hgp/io/gltf/gltf_document.h"
+
+#include <map>
+
+#include "hgp/base/check.h"
+#include "hgp/io/gltf/gltf_accessor.h"
+#include "hgp/io/gltf/gltf_round.h"
+#include "hgp/io/gltf/gltf_write.h"
+#include "hgp/prescription/cones.h"
+
+namespace hgp::io {
+namespace {
+
+/// Copies of one vertex with the same uv become one; glTF also splits for reasons other than uv.
+void joinEqualCopies(const MeshData& mesh, UvMap& map) {
+  std::vector<int> head(mesh.positions.size(), -1), next, kept(map.uv.size(), -1);
+  std::vector<Vec2> uv;
+  for (std::size_t t = 0; t < map.cornerUv.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      int& corner = map.cornerUv[t][k];
+      const auto old = static_cast<std::size_t>(corner);
+      int& first = head[static_cast<std::size_t>(mesh.triangles[t][k])];
+      for (int c = first; kept[old] < 0 && c >= 0; c = next[static_cast<std::size_t>(c)]) {
+        if (uv[static_cast<std::size_t>(c)] == map.uv[old]) kept[old] = c;
+      }
+      if (kept[old] < 0) {
+        kept[old] = static_cast<int>(uv.size());
+        uv.push_back(map.uv[old]);
+        next.push_back(first);
+        first = kept[old];
+      }
+      corner = kept[old];
+    }
+  }
+  map.uv = std::move(uv);
+}
+
+}  // namespace
+
+GltfDocument::GltfDocument(std::unique_ptr<GltfStore> store, std::vector<GltfSurface> parts)
+    : store_(std::move(store)), parts_(std::move(parts)) {
+  for (GltfSurface& part : parts_) surfaces_.push_back(std::move(part.surface));
+}
+
+std::optional<UvMap> GltfDocument::existingUv(int surface, int set) const {
+  const GltfSurface& part = parts_[static_cast<std::size_t>(surface)];
+  const std::string semantic = formatText("TEXCOORD_%d", set);
+  const auto& primitives = store_->model.meshes[static_cast<std::size_t>(part.mesh)].primitives;
+  UvMap map;
+  std::map<std::pair<int, int>, int> baseOf;  // pool and accessor → first uv
+  for (const GltfRun& run : part.runs) {
+    const int accessor = primitives[static_cast<std::size_t>(run.primitive)].attribute(semantic);
+    if (accessor < 0) return std::nullopt;
+    const GltfPool& pool = part.pools[static_cast<std::size_t>(run.pool)];
+    const auto [base, isNew] =
+        baseOf.try_emplace({run.pool, accessor}, static_cast<int>(map.uv.size()));
+    if (isNew) {
+      const std::vector<double> numbers =
+          realNumbers(store_->model.accessors[static_cast<std::size_t>(accessor)],
+                      packedAttribute(*store_, part.mesh, run.primitive, semantic));
+      for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) {
+        map.uv.push_back({numbers[i], 1.0 - numbers[i + 1]});
+      }
+    }
+    const int shift = base->second - pool.firstStored;
+    for (int t = run.firstTriangle; t < run.firstTriangle + run.triangleCount; ++t) {
+      const auto& corners = part.stored[static_cast<std::size_t>(t)];
+      map.cornerUv.push_back({corners[0] + shift, corners[1] + shift, corners[2] + shift});
+    }
+  }
+  joinEqualCopies(surfaces_[static_cast<std::size_t>(surface)].mesh, map);
+  return map;
+}
+
+UvMap GltfDocument::asStored(int surface, const UvMap& map) const {
+  return quantizeForGltf(surfaces_[static_cast<std::size_t>(surface)].mesh, map);
+}
+
+Result<std::optional<Prescription>> GltfDocument::embeddedCones(int surface) const {
+  const JsonText& json = store_->json;
+  const std::vector<int> meshes = json.children(json.find(JsonText::kRoot, "meshes"));
+  const int mesh = meshes[static_cast<std::size_t>(parts_[static_cast<std::size_t>(surface)].mesh)];
+  const int cones = json.find(json.find(mesh, "extras"), kGltfConesKey);
+  if (!json.isObject(cones)) return std::optional<Prescription>();
+  auto read = readConesJson(json.raw(cones));
+  if (!read) return read.error();
+  return std::optional<Prescription>(std::move(*read));
+}
+
+Result<Written> GltfDocument::write(int surface, const UvMap& map,
+                                    const WriteOptions& options) const {
+  return writeGltf(*store_, parts_[static_cast<std::size_t>(surface)], map, options);
+}
+
+Result<DocumentPtr> readGltf(FileSet files, const Limits& limits) {
+  const GltfDecoders decoders = files.decoders ? *files.decoders : builtInDecoders();
+  auto store = loadGltf(std::move(files), limits, decoders);
+  if (!store) return store.error();
+  std::vector<GltfSurface> parts;
+  for (std::size_t m = 0; m < (*store)->model.meshes.size(); ++m) {
+    auto part = weldGltfMesh(**store, static_cast<int>(m), limits);
+    if (!part) return part.error();
+    if (!part->runs.empty()) parts.push_back(std::move(*part));
+  }
+  if (parts.empty()) {
+    return Failure{ErrorCode::kUnsupported, "read", "the file has no mesh with triangles", {}};
+  }
+  return DocumentPtr(std::make_unique<GltfDocument>(std::move(*store), std::move(parts)));
+}
+
+}  // namespace hgp::io

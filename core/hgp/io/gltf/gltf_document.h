@@ -1,0 +1,32 @@
+// A glTF asset as a Document.  Role: surfaces out, uv in; the store stays as it was read.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "hgp/io/document.h"
+#include "hgp/io/gltf/gltf_store.h"
+#include "hgp/io/gltf/gltf_weld.h"
+
+namespace hgp::io {
+
+class GltfDocument : public Document {
+ public:
+  GltfDocument(std::unique_ptr<GltfStore> store, std::vector<GltfSurface> parts);
+
+  const char* format() const override { return store_->container.isBinary ? "glb" : "gltf"; }
+  const char* outputFormat() const override { return format(); }
+  const std::vector<Surface>& surfaces() const override { return surfaces_; }
+  UvPrecision uvPrecision() const override { return UvPrecision::kFloat32; }
+  std::optional<UvMap> existingUv(int surface, int set) const override;
+  UvMap asStored(int surface, const UvMap& map) const override;
+  Result<std::optional<Prescription>> embeddedCones(int surface) const override;
+  Result<Written> write(int surface, const UvMap& map, const WriteOptions& options) const override;
+
+ private:
+  std::unique_ptr<GltfStore> store_;
+  std::vector<GltfSurface> parts_;  ///< without their `surface`, which is in surfaces_
+  std::vector<Surface> surfaces_;
+};
+
+}  // namespace hgp::io

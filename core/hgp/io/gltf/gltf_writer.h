@@ -1,0 +1,102 @@
+// The plan of one patch.  Role: decides which accessors change and how, then lets layout and splice
+// carry it out.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "hgp/io/gltf/gltf_layout.h"
+#include "hgp/io/gltf/gltf_splice.h"
+#include "hgp/io/gltf/gltf_split.h"
+
+namespace hgp::io {
+
+/// New contents of an accessor: of an old one in place when nobody else reads it, of a new one
+/// otherwise.
+struct GltfNewAccessor {
+  int index = -1;    ///< its number in the written file
+  int node = -1;     ///< the old accessor, edited in place; −1: a new one
+  std::string base;  ///< text that a new one starts from; "{}" when there is no model
+  std::map<std::string, std::string> members;  ///< set in either
+  Bytes data;
+  int target = 0;  ///< 34962 or 34963
+  std::uint64_t stride = 0;
+  int oldView = -1;
+  int sharedWith = -1;  ///< position in the plan: data lies inside that accessor's
+  std::uint64_t sharedOffset = 0;
+  int sparseIndices = -1, sparseValues = -1;  ///< positions in the plan
+};
+
+class GltfWriter {
+ public:
+  GltfWriter(const GltfStore& store, const GltfSurface& part, const WriteOptions& options);
+  Result<Written> run(const UvMap& map);
+
+ private:
+  // gltf_writer.cpp
+  Status chooseSet();
+  void planPool(int pool);
+  void planUv(int pool);
+  void dropTangents(int primitive);
+  bool isNormalMapFed(int primitive) const;
+  Status embedCones();
+  Result<Written> finish();
+  // gltf_rewrite.cpp: attributes and indices of a pool whose vertices change
+  void rewriteAttributes(int pool);
+  void rewriteIndices(const GltfRun& run);
+  Bytes expanded(const Bytes& packed, std::size_t elementSize, int pool) const;
+  int redirect(int accessor, const std::set<int>& references, GltfNewAccessor fresh);
+  void setRange(GltfNewAccessor& fresh, int accessor, ByteView data) const;
+  void dropDraco(int primitive);
+  int indexTypeFor(int wanted, int vertexCount) const;
+  std::vector<std::uint32_t> writtenIndices(const GltfRun& run) const;
+  void planIndices(const GltfRun& run, const std::vector<std::uint32_t>& indices, int type);
+  // gltf_extensions.cpp: EXT_mesh_manifold, and names of extensions that nobody uses any more
+  void rewriteManifold();
+  bool planManifold();
+  void dropManifold(const char* why);
+  void dropUnusedExtensions();
+  void dropName(const char* extension);
+  void placeAccessors();
+  std::string editedAccessor(const GltfNewAccessor& fresh) const;
+
+  const GltfPrimitive& primitive(int p) const {
+    return store_.model.meshes[static_cast<std::size_t>(part_.mesh)]
+        .primitives[static_cast<std::size_t>(p)];
+  }
+  const GltfAccessor& accessor(int a) const {
+    return store_.model.accessors[static_cast<std::size_t>(a)];
+  }
+  std::string semantic(int set) const { return "TEXCOORD_" + std::to_string(set); }
+  bool isDraco(int pool) const;
+  void note(std::string text) { notes_.push_back(std::move(text)); }
+
+  const GltfStore& store_;
+  const JsonText& json_;
+  const GltfSurface& part_;
+  const WriteOptions& options_;
+  JsonPatch patch_;
+  GltfLayout layout_;
+  GltfSplits splits_;
+  int set_ = 0;
+  int meshNode_ = -1;
+  std::vector<int> primitiveNodes_, accessorNodes_;
+  std::map<int, std::vector<int>> accessorReferences_;  ///< by accessor
+  bool areReferencesKnown_ = false;
+  std::vector<GltfNewAccessor> fresh_;
+  int newAccessorCount_ = 0;
+  std::set<int> freedNodes_;         ///< references to views that the patch takes away
+  int droppedDraco_ = 0;             ///< primitives
+  bool isRewritten_ = false;         ///< some pool has new vertices
+  std::set<int> droppedAttributes_;  ///< references to accessors that the patch takes away
+  std::map<int, int> newIndices_;    ///< primitive → position in the plan
+  std::vector<std::string> notes_;
+};
+
+/// The file around the patched text: the text itself, or a GLB with every other chunk kept.
+Result<Bytes> packGltf(const GltfStore& store, const std::string& json, ByteView bin);
+
+}  // namespace hgp::io

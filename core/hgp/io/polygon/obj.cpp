@@ -1,0 +1,186 @@
+#include <algorithm>
+
+#include "hgp/base/check.h"
+#include "hgp/io/cone_files.h"
+#include "hgp/io/polygon/obj_text.h"
+#include "hgp/io/polygon/polygon_document.h"
+#include "hgp/text/text.h"
+
+namespace hgp::io {
+namespace {
+
+/// The original text with new vt lines; f lines name them, and nothing else changes.
+class ObjPatch {
+ public:
+  ObjPatch(std::string_view text, const ObjText& places, const UvMap& map,
+           const std::vector<int>& cornerUv, const WriteOptions& options)
+      : text_(text), places_(places), map_(map), cornerUv_(cornerUv), options_(options) {}
+
+  std::string make() {
+    out_.reserve(text_.size() + map_.uv.size() * 42 + cornerUv_.size() * 8);
+    const std::size_t firstLine = text_.find('\n');
+    if (firstLine != std::string_view::npos && firstLine > 0 && text_[firstLine - 1] == '\r') {
+      lineEnd_ = "\r\n";
+    }
+    std::size_t face = 0, uvRun = 0, element = 0;
+    bool isEmbeddedOpen = places_.embedded.end > 0;
+    for (;;) {
+      const std::size_t f = beginOf(places_.faceLines, face);
+      const std::size_t u = beginOf(places_.uvLines, uvRun);
+      const std::size_t e = beginOf(places_.elementLines, element);
+      const std::size_t c = isEmbeddedOpen ? places_.embedded.begin : text_.size();
+      const std::size_t next = std::min({f, u, e, c});
+      copyUntil(next);
+      if (next == text_.size()) break;
+      if (next == f || next == u) insertUv();
+      if (next == f) {
+        patchFace(places_.faceLines[face++]);
+      } else if (next == u) {
+        position_ = places_.uvLines[uvRun++].end;
+      } else if (next == e) {
+        patchElement(places_.elementLines[element++]);
+      } else {
+        isEmbeddedOpen = false;
+        if (options_.cones)
+          position_ = places_.embedded.end;
+        else
+          copyUntil(places_.embedded.end);
+      }
+    }
+    return std::move(out_);
+  }
+
+ private:
+  std::size_t beginOf(const std::vector<TextSpan>& spans, std::size_t i) const {
+    return i < spans.size() ? spans[i].begin : text_.size();
+  }
+  void copyUntil(std::size_t end) {
+    out_.append(text_.substr(position_, end - position_));
+    position_ = end;
+  }
+  void insertUv() {
+    if (isInserted_) return;
+    isInserted_ = true;
+    appendEmbeddedCones(out_, options_, lineEnd_);
+    appendUvLines(out_, map_.uv, lineEnd_);
+  }
+
+  static bool isSeparator(char c) { return isBlank(c) || c == '\n' || c == '\\'; }
+
+  /// Copies a line and hands every word behind the keyword to `rewrite`.
+  template <class Rewrite>
+  void patchWords(const TextSpan& line, Rewrite rewrite) {
+    const char* p = text_.data() + line.begin;
+    const char* end = text_.data() + line.end;
+    const auto copyWhile = [&](auto accept) {
+      const char* begin = p;
+      while (p != end && accept(*p)) ++p;
+      out_.append(begin, p);
+    };
+    copyWhile(isSeparator);
+    copyWhile([](char c) { return !isSeparator(c); });
+    while (p != end) {
+      copyWhile(isSeparator);
+      ObjCorner corner;
+      if (p == end || *p == '#' || !takeObjCorner(p, end, corner)) break;
+      rewrite(corner);
+    }
+    out_.append(p, end);
+    position_ = line.end;
+  }
+
+  void patchFace(const TextSpan& line) {
+    patchWords(line, [&](const ObjCorner& corner) {
+      out_ += corner.vertex;
+      out_ += '/';
+      appendInt(out_, cornerUv_[corner_++] + 1);
+      if (corner.normal.empty()) return;
+      out_ += '/';
+      out_ += corner.normal;
+    });
+  }
+  /// A polyline's vt would point at vt lines that are gone.
+  void patchElement(const TextSpan& line) {
+    patchWords(line, [&](const ObjCorner& corner) { out_ += corner.vertex; });
+  }
+
+  std::string_view text_;
+  const ObjText& places_;
+  const UvMap& map_;
+  const std::vector<int>& cornerUv_;
+  const WriteOptions& options_;
+  std::string out_;
+  std::string_view lineEnd_ = "\n";
+  std::size_t position_ = 0;
+  std::size_t corner_ = 0;
+  bool isInserted_ = false;
+};
+
+class ObjDocument final : public PolygonDocument {
+ public:
+  ObjDocument() : PolygonDocument("obj") {}
+
+  Status read(Bytes text, std::uint64_t maxTriangles) {
+    text_ = std::move(text);
+    Result<ObjText> scanned = scanObj(asText(text_), maxTriangles);
+    if (!scanned) return scanned.error();
+    places_ = std::move(*scanned);
+    PolygonFile file{std::move(places_.polygons), std::move(places_.uv),
+                     std::move(places_.cornerUv), std::move(places_.notes), -1};
+    return take(std::move(file));
+  }
+
+  Result<std::optional<Prescription>> embeddedCones(int) const override {
+    const std::string_view text = asText(text_);
+    if (places_.embedded.end > 0) {
+      const std::size_t begin = places_.embedded.begin;
+      std::string_view line = text.substr(begin, places_.embedded.end - begin);
+      line.remove_prefix(line.find(kEmbeddedConesMark) + kEmbeddedConesMark.size());
+      Result<Prescription> cones = readConesJson(line);
+      if (!cones) return cones.error();
+      return std::optional<Prescription>(std::move(*cones));
+    }
+    if (places_.coneLines.empty()) return std::optional<Prescription>();
+    Result<Prescription> cones = readHgpConeLines(text, places_.coneLines, polygons_, corners_);
+    if (!cones) return cones.error();
+    return std::optional<Prescription>(std::move(*cones));
+  }
+
+  Result<Written> write(int, const UvMap& map, const WriteOptions& options) const override {
+    const std::vector<int> cornerUv = polygonCornerUv(map);
+    if (cornerUv.empty()) {
+      return Failure{ErrorCode::kInternal, "write", "the map does not fit this document", {}};
+    }
+    Written written;
+    const std::string text = ObjPatch(asText(text_), places_, map, cornerUv, options).make();
+    written.files.push_back({options.name, asBytes(text)});
+    if (!places_.uvLines.empty()) written.notes.push_back("the old vt lines were replaced");
+    if (!places_.elementLines.empty()) {
+      written.notes.push_back("polylines (l) lost their references to the old vt lines");
+    }
+    return written;
+  }
+
+ private:
+  Bytes text_;
+  ObjText places_;  ///< its mesh has moved into the base class
+};
+
+}  // namespace
+
+Result<DocumentPtr> readObj(FileSet files, const Limits& limits) {
+  if (files.main.size() > limits.maxBytes) {
+    return Failure{ErrorCode::kLimit,
+                   "read",
+                   formatText("%zu bytes; the limit is %llu", files.main.size(),
+                              static_cast<unsigned long long>(limits.maxBytes)),
+                   {}};
+  }
+  auto document = std::make_unique<ObjDocument>();
+  if (Status done = document->read(std::move(files.main), limits.maxTriangles); !done) {
+    return done.error();
+  }
+  return DocumentPtr(std::move(document));
+}
+
+}  // namespace hgp::io

@@ -1,0 +1,282 @@
+#include "hgp/io/polygon/obj_text.h"
+
+#include <cstring>
+
+#include "hgp/base/check.h"
+#include "hgp/text/text.h"
+
+namespace hgp::io {
+namespace {
+
+constexpr std::size_t kMaxLine = std::size_t{1} << 20;
+
+bool takeIndexText(const char*& p, const char* end, std::string_view& out) {
+  const char* begin = p;
+  if (p != end && (*p == '-' || *p == '+')) ++p;
+  const char* digits = p;
+  while (p != end && isDigit(*p)) ++p;
+  out = std::string_view(begin, static_cast<std::size_t>(p - begin));
+  return p != digits;
+}
+
+class ObjScanner {
+ public:
+  ObjScanner(std::string_view text, std::uint64_t maxTriangles)
+      : text_(text), maxTriangles_(maxTriangles) {}
+
+  Result<ObjText> scan() {
+    if (const std::size_t nul = text_.find('\0'); nul != std::string_view::npos) {
+      return malformedByte(nul, "a NUL byte; this is not an OBJ text");
+    }
+    reserve();
+    if (text_.substr(0, 3) == "\xEF\xBB\xBF") position_ = 3;
+    while (position_ < text_.size()) {
+      if (!takeLine()) return std::move(failure_);
+    }
+    if (out_.polygons.positions.empty() || out_.polygons.polygonCount() == 0) {
+      return Failure{
+          ErrorCode::kMalformed, "read", "not an OBJ mesh: there are no v and f lines", {}};
+    }
+    if (!checkRanges()) return std::move(failure_);
+    if (!hasUv_) out_.cornerUv.clear();
+    addNotes();
+    return std::move(out_);
+  }
+
+ private:
+  void reserve() {
+    // About 30 bytes a line; half the faces are vertices. A wrong guess only costs a copy.
+    const std::size_t lines = text_.size() / 40;
+    out_.polygons.positions.reserve(lines / 3);
+    out_.polygons.cornerVertex.reserve(2 * lines);
+    out_.polygons.start.reserve(2 * lines / 3);
+    out_.faceLines.reserve(2 * lines / 3);
+  }
+
+  bool fail(const std::string& message) {
+    failure_ = malformedLine(lineAt(text_, lineBegin_), message);
+    return false;
+  }
+
+  /// One logical line; a backslash before the line end joins the next one.
+  bool takeLine() {
+    lineBegin_ = position_;
+    const char* begin = text_.data() + position_;
+    const char* end = lineEnd(begin);
+    if (!isContinued(begin, end)) {
+      position_ = nextLine(end);
+      return takeStatement(begin, end, begin);
+    }
+    const char* first = begin;
+    while (isContinued(begin, end) && nextLine(end) < text_.size()) {
+      begin = text_.data() + nextLine(end);
+      end = lineEnd(begin);
+    }
+    position_ = nextLine(end);
+    joined_.assign(first, end);  // same offsets as the original, line ends blanked
+    for (char& c : joined_) {
+      if (c == '\n' || c == '\\') c = ' ';
+    }
+    return takeStatement(joined_.data(), joined_.data() + joined_.size(), first);
+  }
+
+  const char* lineEnd(const char* p) const {
+    const char* stop = text_.data() + text_.size();
+    const void* found = std::memchr(p, '\n', static_cast<std::size_t>(stop - p));
+    return found ? static_cast<const char*>(found) : stop;
+  }
+  std::size_t nextLine(const char* end) const {
+    const std::size_t offset = static_cast<std::size_t>(end - text_.data());
+    return offset < text_.size() ? offset + 1 : offset;
+  }
+  static bool isContinued(const char* begin, const char* end) {
+    if (end != begin && end[-1] == '\r') --end;
+    return end != begin && end[-1] == '\\';
+  }
+
+  bool takeStatement(const char* p, const char* end, const char* original) {
+    skipBlanks(p, end);
+    if (p == end) return true;
+    if (*p == '#') return takeComment(p, end, original);
+    if (static_cast<std::size_t>(end - p) > kMaxLine) return fail("the line is longer than 1 MiB");
+    const char* word = p;
+    while (p != end && !isBlank(*p)) ++p;
+    const std::size_t length = static_cast<std::size_t>(p - word);
+    const TextSpan span{lineBegin_, position_};
+    if (length == 1 && *word == 'v') return takeVertex(p, end);
+    if (length == 2 && word[0] == 'v' && word[1] == 't') return takeUv(p, end, span);
+    if ((length == 1 && *word == 'f') || (length == 2 && word[0] == 'f' && word[1] == 'o')) {
+      return takeFace(p, end, span);
+    }
+    if (length == 1 && *word == 'l' && std::memchr(p, '/', static_cast<std::size_t>(end - p))) {
+      out_.elementLines.push_back(span);
+    } else if ((length == 1 && *word == 'c') || (length == 2 && word[0] == 's' && word[1] == 'm')) {
+      out_.coneLines.push_back(span);
+    } else if ((length == 4 && std::memcmp(word, "call", 4) == 0) ||
+               (length == 3 && std::memcmp(word, "csh", 3) == 0)) {
+      hasCommands_ = true;
+    }
+    return true;
+  }
+
+  bool takeComment(const char* p, const char* end, const char* original) {
+    const std::string_view rest(p, static_cast<std::size_t>(end - p));
+    if (rest.substr(0, kEmbeddedConesMark.size()) == kEmbeddedConesMark &&
+        original == text_.data() + lineBegin_) {
+      out_.embedded = {lineBegin_, position_};
+    }
+    return true;
+  }
+
+  bool takeVertex(const char* p, const char* end) {
+    Vec3 v;
+    for (double& x : v) {
+      skipBlanks(p, end);
+      if (!takeNumber(p, end, x)) return fail("a v line needs three finite decimal numbers");
+    }
+    out_.polygons.positions.push_back(v);
+    return true;
+  }
+
+  /// A number must be followed by a blank, so that "1,5" is not read as 1.
+  static bool takeNumber(const char*& p, const char* end, double& out) {
+    return readDouble(p, end, out) && (p == end || isBlank(*p) || *p == '#');
+  }
+
+  bool takeUv(const char* p, const char* end, const TextSpan& span) {
+    Vec2 uv{0, 0};
+    skipBlanks(p, end);
+    if (!takeNumber(p, end, uv[0])) return fail("a vt line needs finite decimal numbers");
+    skipBlanks(p, end);
+    if (p != end && *p != '#' && !takeNumber(p, end, uv[1])) {
+      return fail("a vt line needs finite decimal numbers");
+    }
+    out_.uv.push_back(uv);
+    if (!out_.uvLines.empty() && out_.uvLines.back().end == span.begin) {
+      out_.uvLines.back().end = span.end;
+    } else {
+      out_.uvLines.push_back(span);
+    }
+    return true;
+  }
+
+  /// One index of a corner, made absolute and 0-based.
+  bool takeIndex(const char*& p, const char* end, std::size_t count, int& out) {
+    std::int64_t index = 0;
+    if (!readInt(p, end, index)) return fail("a corner of this f line is not a number");
+    if (index == 0) return fail("index 0; OBJ counts from 1");
+    if (index < 0) {
+      index += static_cast<std::int64_t>(count);
+      if (index < 0) return fail("a relative index points before the first definition");
+    } else {
+      --index;
+    }
+    if (index > INT32_MAX) return fail("an index is out of range");
+    out = static_cast<int>(index);
+    return true;
+  }
+
+  bool takeFace(const char* p, const char* end, const TextSpan& span) {
+    PolygonMesh& polygons = out_.polygons;
+    const std::size_t first = polygons.cornerVertex.size();
+    for (skipBlanks(p, end); p != end && *p != '#'; skipBlanks(p, end)) {
+      int v = -1, vt = -1, vn = -1;
+      if (!takeIndex(p, end, polygons.positions.size(), v)) return false;
+      if (p != end && *p == '/') {
+        ++p;
+        if (p != end && *p != '/' && !isBlank(*p)) {
+          if (!takeIndex(p, end, out_.uv.size(), vt)) return false;
+          hasUv_ = true;
+        }
+        // vn lines are not counted: a relative normal is kept as it is spelled.
+        if (p != end && *p == '/' && ++p != end && !isBlank(*p) &&
+            !takeIndex(p, end, INT32_MAX, vn)) {
+          return false;
+        }
+      }
+      if (p != end && !isBlank(*p) && *p != '#')
+        return fail("a corner of this f line is not v/vt/vn");
+      polygons.cornerVertex.push_back(v);
+      out_.cornerUv.push_back(vt);
+    }
+    const std::size_t corners = polygons.cornerVertex.size() - first;
+    if (corners < 3) return fail(formatText("a face of %zu corners", corners));
+    if (corners > static_cast<std::size_t>(kMaxPolygonCorners)) {
+      return fail(
+          formatText("a face of %zu corners; at most %d are read", corners, kMaxPolygonCorners));
+    }
+    polygons.start.push_back(static_cast<std::uint32_t>(polygons.cornerVertex.size()));
+    out_.faceLines.push_back(span);
+    triangles_ += corners - 2;
+    if (triangles_ <= maxTriangles_) return true;
+    failure_ = {ErrorCode::kLimit,
+                "read",
+                formatText("more than %llu triangles (the limit)",
+                           static_cast<unsigned long long>(maxTriangles_)),
+                {}};
+    return false;
+  }
+
+  /// Positive indices may point forwards, so they are checked at the end.
+  bool checkRanges() {
+    const PolygonMesh& polygons = out_.polygons;
+    const int vertices = static_cast<int>(polygons.positions.size());
+    const int uvs = static_cast<int>(out_.uv.size());
+    for (std::size_t p = 0; p + 1 < polygons.start.size(); ++p) {
+      for (std::size_t c = polygons.start[p]; c < polygons.start[p + 1]; ++c) {
+        const bool isVertex = polygons.cornerVertex[c] < vertices;
+        if (isVertex && out_.cornerUv[c] < uvs) continue;
+        lineBegin_ = out_.faceLines[p].begin;
+        return isVertex ? fail(formatText("vt %d is out of range (there are %d)",
+                                          out_.cornerUv[c] + 1, uvs))
+                        : fail(formatText("vertex %d is out of range (there are %d)",
+                                          polygons.cornerVertex[c] + 1, vertices));
+      }
+    }
+    return true;
+  }
+
+  void addNotes() {
+    int large = 0;
+    const auto& start = out_.polygons.start;
+    for (std::size_t p = 0; p + 1 < start.size(); ++p) large += start[p + 1] - start[p] > 3;
+    if (large > 0) {
+      out_.notes.push_back(
+          formatText("%d polygons are solved as triangles and kept whole in the "
+                     "file",
+                     large));
+    }
+    if (hasCommands_) out_.notes.push_back("call and csh lines are not executed");
+  }
+
+  std::string_view text_;
+  std::uint64_t maxTriangles_;
+  ObjText out_;
+  Failure failure_;
+  std::string joined_;
+  std::size_t position_ = 0;
+  std::size_t lineBegin_ = 0;
+  std::uint64_t triangles_ = 0;
+  bool hasUv_ = false;
+  bool hasCommands_ = false;
+};
+
+}  // namespace
+
+Result<ObjText> scanObj(std::string_view text, std::uint64_t maxTriangles) {
+  return ObjScanner(text, maxTriangles).scan();
+}
+
+bool takeObjCorner(const char*& p, const char* end, ObjCorner& corner) {
+  corner = {};
+  if (!takeIndexText(p, end, corner.vertex)) return false;
+  if (p == end || *p != '/') return true;
+  ++p;
+  if (p != end && *p != '/') takeIndexText(p, end, corner.uv);
+  if (p == end || *p != '/') return true;
+  ++p;
+  takeIndexText(p, end, corner.normal);
+  return true;
+}
+
+}  // namespace hgp::io

@@ -1,0 +1,46 @@
+// An OBJ text taken apart, with the places that a patch has to touch.  Role: one pass at the speed
+// of memory; every line stays where it is.
+#pragma once
+
+#include <string_view>
+
+#include "hgp/io/document.h"
+#include "hgp/io/polygon/polygon_mesh.h"
+
+namespace hgp::io {
+
+/// A run of bytes [begin, end) of the original text.
+struct TextSpan {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+struct ObjText {
+  PolygonMesh polygons;
+  std::vector<Vec2> uv;             ///< vt lines in order
+  std::vector<int> cornerUv;        ///< per polygon corner, −1 none; empty when no corner has one
+  std::vector<TextSpan> faceLines;  ///< one per polygon, continuations and line end included
+  std::vector<TextSpan> uvLines;    ///< runs of vt lines
+  std::vector<TextSpan> elementLines;  ///< l lines that name a vt
+  std::vector<TextSpan> coneLines;     ///< c and sm lines of the HGP format
+  TextSpan embedded;                   ///< our "# hgp-cones {…}" line, or empty
+  std::vector<std::string> notes;
+};
+
+/// Comment that carries cones inside an OBJ.
+inline constexpr std::string_view kEmbeddedConesMark = "# hgp-cones ";
+
+/// Fails with kMalformed and a line number for: index 0, out of range or relative before its
+/// definition; fewer than 3 corners or more than kMaxPolygonCorners; a line above 1 MiB; anything
+/// but finite decimal numbers; with kLimit above `maxTriangles`.
+Result<ObjText> scanObj(std::string_view text, std::uint64_t maxTriangles);
+
+/// One corner "v", "v/vt", "v//vn" or "v/vt/vn" of a face line, as spelled.
+struct ObjCorner {
+  std::string_view vertex, uv, normal;
+};
+
+/// Takes the next corner at p; false when there is none or it is not well formed.
+bool takeObjCorner(const char*& p, const char* end, ObjCorner& corner);
+
+}  // namespace hgp::io

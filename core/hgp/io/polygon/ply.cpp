@@ -1,0 +1,203 @@
+#include <cstring>
+
+#include "hgp/base/check.h"
+#include "hgp/io/polygon/ply_header.h"
+#include "hgp/io/polygon/polygon_document.h"
+#include "hgp/text/text.h"
+
+namespace hgp::io {
+namespace {
+
+/// Numbers of the body, one after the other, in whichever of the three encodings.
+class PlyBody {
+ public:
+  PlyBody(std::string_view body, PlyEncoding encoding)
+      : text_(body), body_(body), encoding_(encoding) {}
+
+  bool next(PlyType type, double& out) {
+    if (encoding_ == PlyEncoding::kText) return text_.nextDouble(out);
+    const std::size_t size = plySize(type);
+    if (body_.size() - offset_ < size) return false;
+    unsigned char raw[8] = {};
+    for (std::size_t i = 0; i < size; ++i) {
+      const std::size_t from = encoding_ == PlyEncoding::kLittle ? i : size - 1 - i;
+      raw[i] = static_cast<unsigned char>(body_[offset_ + from]);
+    }
+    offset_ += size;
+    out = plyNumber(type, raw);
+    return true;
+  }
+  std::size_t offset() const { return offset_; }
+  int line() const { return text_.line(); }
+  std::string word() const { return inQuotes(text_.word()); }
+
+ private:
+  WordReader text_;
+  std::string_view body_;
+  PlyEncoding encoding_;
+  std::size_t offset_ = 0;
+};
+
+class PlyReader {
+ public:
+  PlyReader(std::string_view text, std::uint64_t maxTriangles)
+      : text_(text), maxTriangles_(maxTriangles) {}
+
+  Result<DocumentPtr> read() {
+    Result<PlyHeader> header = readPlyHeader(text_);
+    if (!header) return header.error();
+    header_ = std::move(*header);
+    PlyBody body(text_.substr(header_.bodyOffset), header_.encoding);
+    body_ = &body;
+    for (const PlyElement& element : header_.elements) {
+      if (!takeElement(element)) return std::move(failure_);
+    }
+    if (file_.polygons.positions.empty() || file_.polygons.polygonCount() == 0) {
+      return malformedByte(header_.bodyOffset, "there are no vertices or no faces");
+    }
+    if (!finishUv()) return std::move(failure_);
+    return PolygonDocument::make("ply", std::move(file_));
+  }
+
+ private:
+  bool fail(const std::string& message) {
+    if (header_.encoding == PlyEncoding::kText) {
+      failure_ = malformedLine(header_.lineCount + body_->line(), message);
+    } else {
+      failure_ = malformedByte(header_.bodyOffset + body_->offset(), message);
+    }
+    return false;
+  }
+
+  bool take(PlyType type, double& out) {
+    if (body_->next(type, out)) return true;
+    return header_.encoding == PlyEncoding::kText ? fail("expected a number, not " + body_->word())
+                                                  : fail("the file ends inside its data");
+  }
+
+  bool takeElement(const PlyElement& element) {
+    // A row takes at least one byte per property: a count above that is a lie.
+    if (element.properties.empty()) return true;
+    if (element.count > text_.size()) return fail("an element count does not fit the file's size");
+    for (std::uint64_t row = 0; row < element.count; ++row) {
+      if (element.name == "vertex" ? !takeVertex(element) : !takeRow(element)) return false;
+    }
+    return true;
+  }
+
+  bool takeVertex(const PlyElement& element) {
+    Vec3 p{};
+    Vec2 uv{};
+    bool hasUv[2] = {false, false};
+    for (const PlyProperty& property : element.properties) {
+      if (property.isList) {
+        if (!takeList(property)) return false;
+        continue;
+      }
+      double x = 0;
+      if (!take(property.type, x)) return false;
+      const PlyRole role = property.role;
+      if (role == PlyRole::kX || role == PlyRole::kY || role == PlyRole::kZ) {
+        p[static_cast<std::size_t>(role) - static_cast<std::size_t>(PlyRole::kX)] = x;
+      } else if (role == PlyRole::kU || role == PlyRole::kV) {
+        const std::size_t k = role == PlyRole::kU ? 0 : 1;
+        uv[k] = x;
+        hasUv[k] = true;
+      }
+    }
+    file_.polygons.positions.push_back(p);
+    if (hasUv[0] && hasUv[1]) vertexUv_.push_back(uv);
+    return true;
+  }
+
+  bool takeList(const PlyProperty& property) {
+    double length = 0;
+    list_.clear();
+    if (!take(property.countType, length)) return false;
+    const double most =
+        property.role == PlyRole::kUvList ? 2.0 * kMaxPolygonCorners : 1.0 * kMaxPolygonCorners;
+    if (!(length >= 0 && length <= most)) return fail(formatText("a list of %g entries", length));
+    for (int i = 0; i < static_cast<int>(length); ++i) {
+      double x = 0;
+      if (!take(property.type, x)) return false;
+      list_.push_back(x);
+    }
+    return true;
+  }
+
+  bool takeRow(const PlyElement& element) {
+    const bool isFace = element.name == "face";
+    std::size_t corners = 0;
+    std::vector<double> uv;
+    for (const PlyProperty& property : element.properties) {
+      double ignored = 0;
+      if (!property.isList) {
+        if (!take(property.type, ignored)) return false;
+        continue;
+      }
+      if (!takeList(property)) return false;
+      if (isFace && property.role == PlyRole::kUvList) uv = list_;
+      if (!isFace || property.role != PlyRole::kCorners) continue;
+      if (list_.size() < 3) return fail(formatText("a face of %zu corners", list_.size()));
+      corners = list_.size();
+      if (!takeCorners()) return false;
+    }
+    if (uv.size() == 2 * corners && corners > 0) {
+      for (std::size_t c = 0; c < corners; ++c) {
+        file_.cornerUv.push_back(static_cast<int>(file_.uv.size()));
+        file_.uv.push_back({uv[2 * c], uv[2 * c + 1]});
+      }
+    }
+    return true;
+  }
+
+  bool takeCorners() {
+    for (double v : list_) {
+      if (!(v >= 0 && v <= 2147483647.0 &&
+            v == static_cast<double>(static_cast<std::int64_t>(v)))) {
+        return fail("a face names a vertex that cannot be");
+      }
+      file_.polygons.cornerVertex.push_back(static_cast<int>(v));
+      largest_ = std::max(largest_, static_cast<int>(v));
+    }
+    file_.polygons.start.push_back(static_cast<std::uint32_t>(file_.polygons.cornerVertex.size()));
+    triangles_ += list_.size() - 2;
+    if (triangles_ <= maxTriangles_) return true;
+    failure_ = {ErrorCode::kLimit, "read", "more triangles than the limit allows", {}};
+    return false;
+  }
+
+  bool finishUv() {
+    const std::size_t vertices = file_.polygons.positions.size();
+    if (static_cast<std::size_t>(largest_) >= vertices) {
+      return fail(formatText("a face names vertex %d (there are %zu)", largest_, vertices));
+    }
+    if (file_.cornerUv.size() == file_.polygons.cornerVertex.size()) return true;
+    file_.uv.clear();
+    file_.cornerUv.clear();
+    if (vertexUv_.size() == vertices) {
+      file_.uv = std::move(vertexUv_);
+      file_.cornerUv = file_.polygons.cornerVertex;
+    }
+    return true;
+  }
+
+  std::string_view text_;
+  std::uint64_t maxTriangles_;
+  PlyHeader header_;
+  PlyBody* body_ = nullptr;
+  PolygonFile file_;
+  Failure failure_;
+  std::vector<double> list_;
+  std::vector<Vec2> vertexUv_;
+  int largest_ = -1;
+  std::uint64_t triangles_ = 0;
+};
+
+}  // namespace
+
+Result<DocumentPtr> readPly(FileSet files, const Limits& limits) {
+  return PlyReader(asText(files.main), limits.maxTriangles).read();
+}
+
+}  // namespace hgp::io

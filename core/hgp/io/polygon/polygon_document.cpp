@@ -1,0 +1,149 @@
+#include "hgp/io/polygon/polygon_document.h"
+
+#include <algorithm>
+
+#include "hgp/base/check.h"
+#include "hgp/io/polygon/obj_text.h"
+#include "hgp/text/text.h"
+
+namespace hgp::io {
+
+Result<DocumentPtr> PolygonDocument::make(const char* format, PolygonFile file) {
+  std::unique_ptr<PolygonDocument> document(new PolygonDocument(format));
+  if (Status taken = document->take(std::move(file)); !taken) return taken.error();
+  return DocumentPtr(std::move(document));
+}
+
+Status PolygonDocument::take(PolygonFile file) {
+  polygons_ = std::move(file.polygons);
+  uv_ = std::move(file.uv);
+  cornerUv_ = std::move(file.cornerUv);
+  Result<TriangleCorners> corners = triangulate(polygons_);
+  if (!corners) return corners.error();
+  corners_ = std::move(*corners);
+  Surface surface;
+  surface.mesh = triangleMesh(polygons_, corners_);
+  surface.isWelded = file.storedVertexCount >= 0;
+  surface.storedVertexCount =
+      surface.isWelded ? file.storedVertexCount : static_cast<int>(polygons_.positions.size());
+  surface.notes = std::move(file.notes);
+  const bool isComplete = std::find(cornerUv_.begin(), cornerUv_.end(), -1) == cornerUv_.end();
+  if (!cornerUv_.empty() && isComplete) surface.uvSets = {0};
+  if (!cornerUv_.empty() && !isComplete) {
+    surface.notes.push_back("some corners have no texture coordinates; the set cannot be judged");
+  }
+  surfaces_.push_back(std::move(surface));
+  return Done{};
+}
+
+std::optional<UvMap> PolygonDocument::existingUv(int surface, int set) const {
+  if (surface != 0 || set != 0 || surfaces_[0].uvSets.empty()) return std::nullopt;
+  UvMap map;
+  map.uv = uv_;
+  map.cornerUv.resize(static_cast<std::size_t>(polygons_.triangleCount()));
+  for (std::size_t t = 0; t < map.cornerUv.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t c = corners_.empty() ? 3 * t + k : static_cast<std::size_t>(corners_[t][k]);
+      map.cornerUv[t][k] = cornerUv_[c];
+    }
+  }
+  return map;
+}
+
+UvMap PolygonDocument::asStored(int, const UvMap& map) const {
+  return keepPolygonsWhole(polygons_, corners_, map).map;
+}
+
+Result<std::optional<Prescription>> PolygonDocument::embeddedCones(int) const {
+  return std::optional<Prescription>();
+}
+
+std::vector<int> PolygonDocument::polygonCornerUv(const UvMap& map) const {
+  if (map.cornerUv.size() != static_cast<std::size_t>(polygons_.triangleCount())) return {};
+  std::vector<int> cornerUv(polygons_.cornerVertex.size(), -1);
+  const int count = static_cast<int>(map.uv.size());
+  for (std::size_t t = 0; t < map.cornerUv.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int i = map.cornerUv[t][k];
+      const std::size_t c = corners_.empty() ? 3 * t + k : static_cast<std::size_t>(corners_[t][k]);
+      if (i < 0 || i >= count || (cornerUv[c] >= 0 && cornerUv[c] != i)) return {};
+      cornerUv[c] = i;
+    }
+  }
+  return cornerUv;
+}
+
+Result<Written> PolygonDocument::write(int, const UvMap& map, const WriteOptions& options) const {
+  const std::vector<int> cornerUv = polygonCornerUv(map);
+  if (cornerUv.empty()) {
+    return Failure{ErrorCode::kInternal, "write", "the map does not fit this document", {}};
+  }
+  Written written;
+  written.files.push_back({options.name, writePolygonObj(polygons_, map.uv, cornerUv, options)});
+  written.notes.push_back("written as OBJ");
+  return written;
+}
+
+void appendUvLines(std::string& out, const std::vector<Vec2>& uv, std::string_view lineEnd) {
+  for (const Vec2& p : uv) {
+    out += "vt ";
+    appendDouble(out, p[0]);
+    out += ' ';
+    appendDouble(out, p[1]);
+    out += lineEnd;
+  }
+}
+
+void appendEmbeddedCones(std::string& out, const WriteOptions& options, std::string_view lineEnd) {
+  if (!options.cones) return;
+  out += kEmbeddedConesMark;
+  for (char c : *options.cones) out += c == '\n' || c == '\r' ? ' ' : c;
+  out += lineEnd;
+}
+
+Bytes writePolygonObj(const PolygonMesh& polygons, const std::vector<Vec2>& uv,
+                      const std::vector<int>& cornerUv, const WriteOptions& options) {
+  std::string out;
+  out.reserve(polygons.positions.size() * 56 + uv.size() * 42 + polygons.cornerVertex.size() * 14);
+  if (!options.generator.empty()) out += "# " + options.generator + "\n";
+  appendEmbeddedCones(out, options, "\n");
+  for (const Vec3& p : polygons.positions) {
+    out += 'v';
+    for (double x : p) {
+      out += ' ';
+      appendDouble(out, x);
+    }
+    out += '\n';
+  }
+  appendUvLines(out, uv, "\n");
+  for (std::size_t p = 0; p + 1 < polygons.start.size(); ++p) {
+    out += 'f';
+    for (std::size_t c = polygons.start[p]; c < polygons.start[p + 1]; ++c) {
+      out += ' ';
+      appendInt(out, polygons.cornerVertex[c] + 1);
+      if (cornerUv.empty()) continue;
+      out += '/';
+      appendInt(out, cornerUv[c] + 1);
+    }
+    out += '\n';
+  }
+  return asBytes(out);
+}
+
+Bytes writePlainObj(const MeshData& mesh, const UvMap& map, const std::string& generator) {
+  PolygonMesh polygons;
+  polygons.positions = mesh.positions;
+  std::vector<int> cornerUv;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      polygons.cornerVertex.push_back(mesh.triangles[t][k]);
+      if (!map.cornerUv.empty()) cornerUv.push_back(map.cornerUv[t][k]);
+    }
+    polygons.start.push_back(static_cast<std::uint32_t>(3 * (t + 1)));
+  }
+  WriteOptions options;
+  options.generator = generator;
+  return writePolygonObj(polygons, map.uv, cornerUv, options);
+}
+
+}  // namespace hgp::io

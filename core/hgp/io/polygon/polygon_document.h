@@ -1,0 +1,61 @@
+// A document of one surface made of polygons, written as OBJ.  Role: what OBJ, OFF, PLY and STL share.
+#pragma once
+
+#include <string_view>
+
+#include "hgp/io/document.h"
+#include "hgp/io/polygon/polygon_mesh.h"
+
+namespace hgp::io {
+
+/// What a polygon format's reader found.
+struct PolygonFile {
+  PolygonMesh polygons;
+  std::vector<Vec2> uv;       ///< may be empty
+  std::vector<int> cornerUv;  ///< per polygon corner, −1 none; empty when there is no uv
+  std::vector<std::string> notes;
+  int storedVertexCount = -1;  ///< before welding; −1: as many as there are positions
+};
+
+class PolygonDocument : public Document {
+ public:
+  const char* format() const override { return format_; }
+  const char* outputFormat() const override { return "obj"; }
+  const std::vector<Surface>& surfaces() const override { return surfaces_; }
+  UvPrecision uvPrecision() const override { return UvPrecision::kFloat64; }
+  std::optional<UvMap> existingUv(int surface, int set) const override;
+  UvMap asStored(int surface, const UvMap& map) const override;
+  Result<std::optional<Prescription>> embeddedCones(int surface) const override;
+  Result<Written> write(int surface, const UvMap& map, const WriteOptions& options) const override;
+
+  /// Triangulates; fails with kLimit when the polygons are beyond reason.
+  static Result<DocumentPtr> make(const char* format, PolygonFile file);
+
+ protected:
+  explicit PolygonDocument(const char* format) : format_(format) {}
+  Status take(PolygonFile file);
+  /// uv index per polygon corner of a map that keeps polygons whole; empty when it does not fit.
+  std::vector<int> polygonCornerUv(const UvMap& map) const;
+
+  const char* format_;
+  PolygonMesh polygons_;
+  TriangleCorners corners_;
+  std::vector<Vec2> uv_;
+  std::vector<int> cornerUv_;
+  std::vector<Surface> surfaces_;
+};
+
+/// OBJ text of polygons with a uv index per corner (both empty: no vt).
+Bytes writePolygonObj(const PolygonMesh& polygons, const std::vector<Vec2>& uv,
+                      const std::vector<int>& cornerUv, const WriteOptions& options);
+
+/// The lines "vt u v" of a map.
+void appendUvLines(std::string& out, const std::vector<Vec2>& uv, std::string_view lineEnd);
+/// The comment that carries cones inside an OBJ.
+void appendEmbeddedCones(std::string& out, const WriteOptions& options, std::string_view lineEnd);
+
+inline std::string_view asText(ByteView bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+}  // namespace hgp::io

@@ -1,0 +1,258 @@
+#include "hgp/linalg/factor/schur_lu.h"
+
+#include <algorithm>
+
+#include "hgp/base/check.h"
+#include "hgp/linalg/kernels/kernel_workspace.h"
+
+namespace hgp::linalg {
+namespace {
+
+using Complex = std::complex<double>;
+using SparseRows = SchurLu::SparseRows;
+using SparseColumns = Eigen::SparseMatrix<Complex>;
+
+// Kept unknowns last, the others as the tree says.
+SymbolicFactor analyzeKeptLast(const Graph& pattern, const std::vector<int>& kept,
+                               const SeparatorTree& tree) {
+  SymbolicOptions options;
+  options.dynamic.assign(static_cast<std::size_t>(pattern.size()), 0);
+  for (const int v : kept) options.dynamic[v] = 1;
+  std::vector<int> order;
+  order.reserve(tree.order.size());
+  for (const int v : tree.order)
+    if (!options.dynamic[v]) order.push_back(v);
+  order.insert(order.end(), kept.begin(), kept.end());
+  return analyze(pattern, order, options);
+}
+
+std::unique_ptr<double[]> allocate(std::size_t complexNumbers) {
+  return std::unique_ptr<double[]>(new double[2 * complexNumbers]);  // not zeroed
+}
+
+// One front: pivot columns of A and of Aᴴ side by side, and the full square complement.
+struct Front {
+  int s, r;
+  std::vector<Complex> L;
+  Complex* U;
+  std::unique_ptr<double[]> complement;
+};
+
+}  // namespace
+
+struct SchurLu::State {
+  SymbolicFactor symbolic;
+  std::vector<int> kept;
+  std::vector<int> keptAt;              // position → index in kept, −1
+  std::vector<std::size_t> panelStart;  // of eliminated nodes; Uᴴ panels, (s + r) × s
+  std::unique_ptr<double[]> panels;
+  Eigen::MatrixXcd schur;
+
+  Complex* panel(int t) const { return reinterpret_cast<Complex*>(panels.get()) + panelStart[t]; }
+  void layOut();
+  FactorStatus eliminate(const SparseRows& A, const SparseColumns& columns);
+  void addToSchur(int t, const Complex* complement);
+  void fillPanels(int t, const SparseRows& A, const SparseColumns& columns,
+                  const std::vector<int>& local, Front* front,
+                  std::vector<double>* threshold) const;
+};
+
+namespace {
+
+// Adds a column of A, or a row of it conjugated, to a column of the panel; returns |A_jj|.
+template <class Matrix>
+double addColumn(const Matrix& A, int unknown, int position, const SymbolicFactor& f,
+                 const std::vector<int>& local, Complex* column) {
+  double diagonal = 0.0;
+  for (typename Matrix::InnerIterator it(A, unknown); it; ++it) {
+    const int p = f.position[it.index()];
+    if (p == position) diagonal = std::abs(it.value());
+    if (p >= position) column[local[p]] += Matrix::IsRowMajor ? std::conj(it.value()) : it.value();
+  }
+  return diagonal;
+}
+
+// A child's complement into the front: its pivot columns to L, its pivot rows (conjugated) to U, the
+// rest to the complement. Rows ascend, so the first `inner` of them are the pivots.
+void extendAdd(const int* childRows, int count, const Complex* values,
+               const std::vector<int>& local, bool toPanels, Front* front) {
+  const int s = front->s, rows = s + front->r;
+  int inner = 0;
+  while (inner < count && local[childRows[inner]] < s) ++inner;
+  if (toPanels) {
+    for (int j = 0; j < inner; ++j) {
+      const int column = local[childRows[j]];
+      Complex* L = front->L.data() + static_cast<std::size_t>(column) * rows;
+      Complex* U = front->U + static_cast<std::size_t>(column) * rows;
+      for (int i = j; i < count; ++i) {
+        const int row = local[childRows[i]];
+        L[row] += values[static_cast<std::size_t>(j) * count + i];
+        U[row] += std::conj(values[static_cast<std::size_t>(i) * count + j]);
+      }
+    }
+    return;
+  }
+  Complex* const C = reinterpret_cast<Complex*>(front->complement.get());
+  for (int j = inner; j < count; ++j) {
+    Complex* column = C + static_cast<std::size_t>(local[childRows[j]] - s) * front->r - s;
+    const Complex* source = values + static_cast<std::size_t>(j) * count;
+    for (int i = inner; i < count; ++i) column[local[childRows[i]]] += source[i];
+  }
+}
+
+}  // namespace
+
+void SchurLu::State::layOut() {
+  panelStart.assign(1, 0);
+  keptAt.assign(symbolic.order.size(), -1);
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    keptAt[symbolic.position[kept[i]]] = static_cast<int>(i);
+  for (int t = 0; t < symbolic.nodeCount(); ++t) {
+    const std::size_t s = symbolic.pivots(t), r = symbolic.rowCount(t);
+    panelStart.push_back(panelStart.back() + (symbolic.dynamicNode[t] ? 0 : s * (s + r)));
+  }
+  panels = allocate(panelStart.back() + 1);
+  schur.setZero(static_cast<int>(kept.size()), static_cast<int>(kept.size()));
+}
+
+void SchurLu::State::addToSchur(int t, const Complex* complement) {
+  const int r = symbolic.rowCount(t);
+  const int* rows = symbolic.rowsOf(t);
+  for (int j = 0; j < r; ++j)
+    for (int i = 0; i < r; ++i)
+      schur(keptAt[rows[i]], keptAt[rows[j]]) += complement[static_cast<std::size_t>(j) * r + i];
+}
+
+// Pivot columns of A and of Aᴴ into the front's zeroed panels.
+void SchurLu::State::fillPanels(int t, const SparseRows& A, const SparseColumns& columns,
+                                const std::vector<int>& local, Front* front,
+                                std::vector<double>* threshold) const {
+  const int s = front->s, rows = s + front->r, first = symbolic.nodeStart[t];
+  const std::size_t entries = static_cast<std::size_t>(s) * rows;
+  front->L.assign(entries, Complex(0));
+  std::fill(front->U, front->U + entries, Complex(0));
+  threshold->resize(static_cast<std::size_t>(s));
+  for (int k = 0; k < s; ++k) {
+    const int v = symbolic.order[first + k];
+    const std::size_t column = static_cast<std::size_t>(k) * rows;
+    addColumn(columns, v, first + k, symbolic, local, front->L.data() + column);
+    (*threshold)[k] =
+        kPivotTolerance * addColumn(A, v, first + k, symbolic, local, front->U + column);
+  }
+}
+
+FactorStatus SchurLu::State::eliminate(const SparseRows& A, const SparseColumns& columns) {
+  const SymbolicFactor& f = symbolic;
+  const KernelWorkspace work;
+  std::vector<std::unique_ptr<double[]>> held(static_cast<std::size_t>(f.nodeCount()));
+  std::vector<std::vector<int>> children(held.size());
+  std::vector<int> local(f.order.size());
+  std::vector<double> threshold;
+  const auto values = [&](int c) { return reinterpret_cast<const Complex*>(held[c].get()); };
+  for (int t = 0; t < f.nodeCount(); ++t) {
+    if (f.dynamicNode[t]) continue;
+    const int s = f.pivots(t), r = f.rowCount(t), rows = s + r, first = f.nodeStart[t];
+    Front front{s, r, {}, panel(t), nullptr};
+    for (int k = 0; k < s; ++k) local[first + k] = k;
+    for (int i = 0; i < r; ++i) local[f.rowsOf(t)[i]] = s + i;
+    fillPanels(t, A, columns, local, &front, &threshold);
+    for (const int c : children[t])
+      extendAdd(f.rowsOf(c), f.rowCount(c), values(c), local, true, &front);
+    const int bad = kernels().factorPanelLu(rows, s, raw(front.L.data()), raw(front.U), rows,
+                                            threshold.data(), work.data());
+    if (bad >= 0) return {false, f.order[first + bad], 0.0};
+    if (r == 0) continue;
+    front.complement = allocate(static_cast<std::size_t>(r) * r);
+    kernels().updateComplex({r, r, s, raw(front.L.data() + s), raw(front.U + s),
+                             front.complement.get(), rows, rows, r, false, true},
+                            work.data());
+    for (const int c : children[t]) {
+      extendAdd(f.rowsOf(c), f.rowCount(c), values(c), local, false, &front);
+      held[c].reset();
+    }
+    held[t] = std::move(front.complement);
+    const int p = f.parent[t];
+    if (!f.dynamicNode[p]) {
+      children[p].push_back(t);
+      continue;
+    }
+    addToSchur(t, values(t));
+    held[t].reset();
+  }
+  return {};
+}
+
+SchurLu::SchurLu() : state_(std::make_unique<State>()) {}
+SchurLu::~SchurLu() = default;
+SchurLu::SchurLu(SchurLu&&) noexcept = default;
+SchurLu& SchurLu::operator=(SchurLu&&) noexcept = default;
+
+FactorStatus SchurLu::build(const SparseRows& A, const std::vector<int>& kept,
+                            const SeparatorTree& tree) {
+  HGP_CHECK(A.rows() == A.cols() && static_cast<std::size_t>(A.rows()) == tree.order.size(),
+            "matrix %d × %d, tree of %d", static_cast<int>(A.rows()), static_cast<int>(A.cols()),
+            static_cast<int>(tree.order.size()));
+  state_ = std::make_unique<State>();
+  state_->kept = kept;
+  const SparseColumns columns = A;
+  state_->symbolic = analyzeKeptLast(graphOf(columns), kept, tree);
+  state_->layOut();
+  const FactorStatus status = state_->eliminate(A, columns);
+  if (!status) {
+    state_ = std::make_unique<State>();
+    return status;
+  }
+  for (const int v : kept)
+    for (SparseColumns::InnerIterator it(columns, v); it; ++it) {
+      const int row = state_->keptAt[state_->symbolic.position[it.row()]];
+      const int column = state_->keptAt[state_->symbolic.position[v]];
+      if (row >= 0) state_->schur(row, column) += it.value();
+    }
+  return status;
+}
+
+FactorCost SchurLu::estimate(const Graph& pattern, const std::vector<int>& kept,
+                             const SeparatorTree& tree) {
+  FactorCost cost = factorCost(analyzeKeptLast(pattern, kept, tree), 0);
+  cost.multiplyAdds *= 2.0;
+  return cost;
+}
+
+const Eigen::MatrixXcd& SchurLu::schur() const { return state_->schur; }
+
+Eigen::MatrixXcd SchurLu::gram(const Eigen::VectorXd& weight) const {
+  const Eigen::MatrixXcd B = (weight.asDiagonal() * state_->schur).adjoint();
+  const int n = static_cast<int>(B.rows());
+  Eigen::MatrixXcd C(n, n);
+  const KernelWorkspace work;
+  const auto* from = reinterpret_cast<const double*>(B.data());
+  kernels().updateComplex({n, n, n, from, from, raw(C.data()), n, n, n, true, true}, work.data());
+  return -C;
+}
+
+Eigen::MatrixXcd SchurLu::extend(const Eigen::MatrixXcd& xKept) const {
+  const SymbolicFactor& f = state_->symbolic;
+  HGP_CHECK(xKept.rows() == static_cast<int>(state_->kept.size()), "%d rows for %d kept unknowns",
+            static_cast<int>(xKept.rows()), static_cast<int>(state_->kept.size()));
+  Eigen::MatrixXcd x(f.size(), xKept.cols()), below;
+  for (int k = 0; k < f.size(); ++k)
+    if (state_->keptAt[k] >= 0) x.row(k) = xKept.row(state_->keptAt[k]);
+  for (int t = f.nodeCount() - 1; t >= 0; --t) {
+    if (f.dynamicNode[t]) continue;
+    const int s = f.pivots(t), r = f.rowCount(t);
+    const Eigen::Map<const Eigen::MatrixXcd> U(state_->panel(t), s + r, s);
+    auto top = x.middleRows(f.nodeStart[t], s);
+    below.resize(r, x.cols());
+    for (int i = 0; i < r; ++i) below.row(i) = x.row(f.rowsOf(t)[i]);
+    if (r > 0)
+      top.noalias() = -(U.bottomRows(r).adjoint() * below);
+    else
+      top.setZero();
+    U.topRows(s).triangularView<Eigen::Lower>().adjoint().solveInPlace(top);
+  }
+  Eigen::MatrixXcd result(f.size(), x.cols());
+  for (int k = 0; k < f.size(); ++k) result.row(f.order[k]) = x.row(k);
+  return result;
+}
+
+}  // namespace hgp::linalg

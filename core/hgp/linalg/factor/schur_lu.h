@@ -1,0 +1,55 @@
+// Eliminating complex rows exactly, down to a dense Schur complement.  Role: harmonic rows that hold
+// exactly; what is left lives on a few kept unknowns.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+#include <complex>
+#include <memory>
+#include <vector>
+
+#include "hgp/linalg/factor/factor_status.h"
+#include "hgp/linalg/factor/symbolic.h"
+#include "hgp/linalg/ordering/ordering.h"
+
+namespace hgp::linalg {
+
+/// With the unknowns split into eliminated e and kept k,
+///
+///   A_ee x_e + A_ek x_k = 0 exactly,     S x_k = (A x)_k = (A_kk − A_ke A_ee⁻¹ A_ek) x_k.
+///
+/// Multifrontal LU without pivoting, for rows that are weakly diagonally dominant (then no pivot
+/// grows); the pattern is treated as symmetric. Only U is kept: right-hand sides are zero.
+class SchurLu {
+ public:
+  using Complex = std::complex<double>;
+  using SparseRows = Eigen::SparseMatrix<Complex, Eigen::RowMajor>;
+
+  SchurLu();
+  ~SchurLu();
+  SchurLu(SchurLu&&) noexcept;
+  SchurLu& operator=(SchurLu&&) noexcept;
+
+  /// @param A     n × n; rows of kept unknowns may be anything, also empty
+  /// @param kept  distinct unknowns, at any place of the tree; S is dense over them
+  /// @param tree  orders the unknowns (dissect the graph of A: width 1)
+  /// @return not ok with the unknown whose pivot is not above kPivotTolerance × |A_jj|
+  FactorStatus build(const SparseRows& A, const std::vector<int>& kept, const SeparatorTree& tree);
+
+  /// Costs and memory before doing it: complex multiply-adds (LU: twice Cholesky's) and entries.
+  static FactorCost estimate(const Graph& pattern, const std::vector<int>& kept,
+                             const SeparatorTree& tree);
+
+  /// |kept| × |kept|, rows and columns in the order of `kept`.
+  const Eigen::MatrixXcd& schur() const;
+  /// Sᴴ D² S with D = diag(weight) over the kept rows; only the lower triangle is defined.
+  Eigen::MatrixXcd gram(const Eigen::VectorXd& weight) const;
+  /// All n unknowns from the kept ones; kept.size() × any columns.
+  Eigen::MatrixXcd extend(const Eigen::MatrixXcd& xKept) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace hgp::linalg

@@ -1,0 +1,25 @@
+#include "hgp/linalg/kernels/dense_kernels.h"
+
+namespace hgp::linalg {
+
+int runnableKernels(const KernelTable* tables[3]) {
+  int count = 0;
+  tables[count++] = baselineKernels();
+#if (defined(__x86_64__) || defined(__i386__)) && !defined(HGP_NO_DISPATCH)
+  const bool fused = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  if (avx2Kernels() && fused) tables[count++] = avx2Kernels();
+  if (avx512Kernels() && fused && __builtin_cpu_supports("avx512f"))
+    tables[count++] = avx512Kernels();
+#endif
+  return count;
+}
+
+const KernelTable& kernels() {
+  static const KernelTable* const best = [] {
+    const KernelTable* tables[3];
+    return tables[runnableKernels(tables) - 1];
+  }();
+  return *best;
+}
+
+}  // namespace hgp::linalg

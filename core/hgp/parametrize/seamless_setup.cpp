@@ -1,0 +1,106 @@
+#include "hgp/parametrize/seamless_setup.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hgp/base/check.h"
+#include "hgp/field/given_frames.h"
+#include "hgp/parametrize/stage_clock.h"
+
+namespace hgp {
+namespace {
+
+/// Checks the prescription, completes it and finds its field: ours, or the given one.
+Status setUpField(const TriMesh& mesh, const HolonomySpec& spec,
+                  const std::optional<FieldData>& frames, SeamlessSetup& setup) {
+  Result<BudgetReport> budget = checkPrescription(mesh, setup.context.topology, spec);
+  if (!budget) return std::move(budget).error();
+  HolonomySpec asked = spec;
+  std::optional<ReadField> given;
+  if (frames) {
+    Result<ReadField> read = givenFrames(mesh, setup.context, *frames, spec);
+    if (!read) return std::move(read).error();
+    given = std::move(*read);
+    asked = toSpec(given->spec);
+    budget = checkPrescription(mesh, setup.context.topology, asked);
+    if (!budget) return std::move(budget).error();
+  }
+  setup.warnings = budget->warnings;
+  Result<PrescribedField> field = prescribedField(mesh, setup.context, asked);
+  if (!field) return std::move(field).error();
+  setup.field = std::move(*field);
+  if (!given) return Done{};
+  HGP_CHECK(setup.field.spec.turning == given->spec.turning &&
+                setup.field.spec.handles == given->spec.handles,
+            "given frames have the holonomy of the connection that weighs them");
+  setup.field.field = std::move(given->field);
+  return Done{};
+}
+
+}  // namespace
+
+Result<SeamlessSetup> prepareSeamless(const TriMesh& mesh, FieldContext context,
+                                      const HolonomySpec& spec, const ParametrizeOptions& options,
+                                      std::vector<StageTime>& times) {
+  StageClock clock(options.progress, times);
+  SeamlessSetup setup;
+  if (!clock.begin("field")) return cancelled("prepare");
+  setup.context = std::move(context);
+  if (Status done = setUpField(mesh, spec, options.frames, setup); !done)
+    return std::move(done).error();
+  // The next factorizations need the room of the last ones.
+  setup.context.laplacian = {};
+  setup.context.handles.potential.resize(0, 0);
+  for (const ConePoint& cone : setup.field.spec.cones) setup.cones.push_back(cone.vertex);
+
+  if (!clock.begin("cut")) return cancelled("prepare");
+  setup.cut =
+      cutToDisk(mesh, seamGraph(mesh, setup.context.geometry, setup.context.surface, setup.cones),
+                setup.cones);
+  HGP_CHECK(isDisk(mesh, setup.cut), "the cut surface is a disk");
+  setup.seams = seamRotations(mesh, setup.cut, setup.field.field);
+
+  if (!clock.begin("assemble")) return cancelled("prepare");
+  setup.unknowns = reduceUnknowns(mesh, setup.cut, setup.seams);
+  setup.harmonic = harmonicSystem(mesh, setup.context.geometry, setup.cut, setup.unknowns,
+                                  setup.seams.q, setup.cones);
+  clock.end();
+  return setup;
+}
+
+UvMap layOut(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,
+             const std::vector<Complex>& z) {
+  UvMap map;
+  map.cornerUv.resize(static_cast<std::size_t>(mesh.faceCount()));
+  double area = 0.0, surface = 0.0;
+  for (FaceId f : mesh.faces()) {
+    auto& corners = map.cornerUv[static_cast<std::size_t>(f.i)];
+    for (int k = 0; k < 3; ++k)
+      corners[static_cast<std::size_t>(k)] = cut.copy[TriMesh::halfedge(f, k)].i;
+    surface += geometry.area[f] * geometry.unit * geometry.unit;
+    if (z.empty()) continue;
+    const auto at = [&](std::size_t k) { return z[static_cast<std::size_t>(corners[k])]; };
+    area += 0.5 * std::imag(std::conj(at(1) - at(0)) * (at(2) - at(0)));
+  }
+  map.uv.assign(static_cast<std::size_t>(cut.vertexCount()), Vec2{0.0, 0.0});
+  if (z.empty()) return map;
+  double scale = area > 0.0 ? std::sqrt(surface / area) : 1.0;
+  if (!std::isfinite(scale)) scale = 1.0;
+  Vec2 low{z[0].real(), z[0].imag()}, high = low;
+  for (const Complex& p : z) {
+    low = {std::min(low[0], p.real()), std::min(low[1], p.imag())};
+    high = {std::max(high[0], p.real()), std::max(high[1], p.imag())};
+  }
+  const Complex centre(0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]));
+  for (std::size_t c = 0; c < z.size(); ++c) {
+    const Complex p = scale * (z[c] - centre);
+    map.uv[c] = {p.real(), p.imag()};
+  }
+  return map;
+}
+
+UvMap layOut(const TriMesh& mesh, const SeamlessSetup& setup, const std::vector<Complex>& z) {
+  return layOut(mesh, setup.context.geometry, setup.cut, z);
+}
+
+}  // namespace hgp

@@ -1,0 +1,50 @@
+// Everything a cone program needs that does not change from round to round.  Role: the first half
+// of the page in parametrize.cpp: holonomy → field → cut → system.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hgp/field/prescribed_field.h"
+#include "hgp/parametrize/parametrize.h"
+#include "hgp/system/harmonic.h"
+
+namespace hgp {
+
+struct SeamlessSetup {
+  FieldContext context;
+  PrescribedField field;
+  CutMesh cut;
+  SeamRotations seams;
+  ReducedUnknowns unknowns;
+  HarmonicSystem harmonic;
+  std::vector<VertexId> cones;
+  std::vector<std::string> warnings;
+};
+
+/// Checks the prescription, completes it, and sets up the system. Appends the stages' times.
+/// @param context  prepareFields(mesh)
+/// @param options  its frames, whose field is then used (the cone metric stays our own); progress
+Result<SeamlessSetup> prepareSeamless(const TriMesh& mesh, FieldContext context,
+                                      const HolonomySpec& spec, const ParametrizeOptions& options,
+                                      std::vector<StageTime>& times);
+
+/// The map as uv per copy: scaled to the surface's area, its box centred at the origin.
+UvMap layOut(const TriMesh& mesh, const SeamlessSetup& setup, const std::vector<Complex>& z);
+
+/// The same given the pieces (also for maps without seams).
+UvMap layOut(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,
+             const std::vector<Complex>& z);
+
+/// Cones and turning of a smooth field; handles are left open.
+/// @param context  prepareSurface(mesh)
+Result<HolonomySpec> chooseCones(const TriMesh& mesh, const FieldContext& context,
+                                 const SuggestOptions& options);
+
+/// Whether a closed torus is flat enough without any cone: its scale then varies by at most
+/// e^kFlatScaleRange. Every torus is conformally flat, so that cones would only add distortion.
+/// @param context  complete (prepareConnection)
+bool isNearlyFlatTorus(const FieldContext& context);
+inline constexpr double kFlatScaleRange = 1.2;
+
+}  // namespace hgp

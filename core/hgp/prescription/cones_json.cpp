@@ -1,0 +1,218 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "hgp/base/check.h"
+#include "hgp/prescription/cones.h"
+#include "hgp/text/text.h"
+
+namespace hgp::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kMaxDepth = 64;
+constexpr std::size_t kMaxJson = std::size_t{64} << 20;
+
+/// Depth before parsing: a parser's stack is not the place to find out.
+bool isTooDeep(std::string_view text) {
+  int depth = 0;
+  bool isInString = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (isInString) {
+      if (c == '\\')
+        ++i;
+      else if (c == '"')
+        isInString = false;
+    } else if (c == '"') {
+      isInString = true;
+    } else if (c == '[' || c == '{') {
+      if (++depth > kMaxDepth) return true;
+    } else if (c == ']' || c == '}') {
+      --depth;
+    }
+  }
+  return false;
+}
+
+/// Reads members and remembers the first thing that is wrong.
+class Members {
+ public:
+  explicit Members(std::string path) : path_(std::move(path)) {}
+
+  /// False when absent (and fine when optional) or wrong.
+  bool integer(const Json& object, const char* key, int& out, bool isRequired) {
+    const auto it = object.find(key);
+    if (it == object.end()) return isRequired ? wrong(key, "is missing") : false;
+    if (!it->is_number_integer()) return wrong(key, "must be an integer");
+    const bool isSmall = it->is_number_unsigned() ? it->get<std::uint64_t>() <= INT32_MAX
+                                                  : it->get<std::int64_t>() >= INT32_MIN;
+    if (!isSmall) return wrong(key, "is out of range");
+    out = it->get<int>();
+    return true;
+  }
+
+  bool position(const Json& object, std::optional<Vec3>& out) {
+    const auto it = object.find("position");
+    if (it == object.end() || it->is_null()) return false;
+    if (!it->is_array() || it->size() != 3) return wrong("position", "must be three numbers");
+    Vec3 p{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!(*it)[k].is_number()) return wrong("position", "must be three numbers");
+      p[k] = (*it)[k].get<double>();
+    }
+    out = p;
+    return true;
+  }
+
+  /// The objects of a list, or nothing.
+  const Json* list(const Json& object, const char* key) {
+    const auto it = object.find(key);
+    if (it == object.end() || it->is_null()) return nullptr;
+    if (!it->is_array()) {
+      wrong(key, "must be a list");
+      return nullptr;
+    }
+    if (it->size() > static_cast<std::size_t>(kMaxCones)) wrong(key, "has too many entries");
+    for (const Json& entry : *it) {
+      if (!entry.is_object()) wrong(key, "must hold objects");
+    }
+    return message_.empty() ? &*it : nullptr;
+  }
+
+  void enter(const char* key, std::size_t i) { path_ = formatText("/%s/%zu", key, i); }
+  bool wrong(const char* key, const char* what) {
+    if (message_.empty()) message_ = path_ + "/" + key + " " + what;
+    return false;
+  }
+  bool isFine() const { return message_.empty(); }
+  Failure failure() const {
+    return {ErrorCode::kMalformed, "cones", "cones JSON: " + message_, {}};
+  }
+
+ private:
+  std::string path_, message_;
+};
+
+void readHeader(const Json& json, Members& m, Prescription& out) {
+  if (const auto format = json.find("format"); format != json.end() && *format != "hgp-cones") {
+    m.wrong("format", "must be \"hgp-cones\"");
+  }
+  int version = 1;
+  if (m.integer(json, "version", version, false) && version != 1) {
+    m.wrong("version", "must be 1; this file is from a newer program");
+  }
+  m.integer(json, "q", out.q, true);
+  const auto mesh = json.find("mesh");
+  if (mesh == json.end() || !mesh->is_object()) return;
+  m.integer(*mesh, "vertices", out.vertexCount, false);
+  m.integer(*mesh, "triangles", out.triangleCount, false);
+  const auto sha = mesh->find("sha256");
+  if (sha != mesh->end() && sha->is_string()) out.sha256 = sha->get<std::string>();
+}
+
+void readLists(const Json& json, Members& m, Prescription& out) {
+  if (const Json* cones = m.list(json, "cones")) {
+    out.hasCones = true;
+    for (std::size_t i = 0; i < cones->size(); ++i) {
+      m.enter("cones", i);
+      PrescribedCone cone;
+      m.integer((*cones)[i], "vertex", cone.vertex, true);
+      m.integer((*cones)[i], "k", cone.k, true);
+      m.position((*cones)[i], cone.position);
+      out.cones.push_back(cone);
+    }
+  }
+  if (const Json* boundaries = m.list(json, "boundaries")) {
+    for (std::size_t i = 0; i < boundaries->size(); ++i) {
+      m.enter("boundaries", i);
+      PrescribedTurning turning;
+      m.integer((*boundaries)[i], "loop", turning.loop, true);
+      m.integer((*boundaries)[i], "l", turning.l, true);
+      m.integer((*boundaries)[i], "anchor", turning.anchor, false);
+      out.boundaries.push_back(turning);
+    }
+  }
+  if (const Json* handles = m.list(json, "handles")) {
+    for (std::size_t i = 0; i < handles->size(); ++i) {
+      m.enter("handles", i);
+      PrescribedHandle handle;
+      m.integer((*handles)[i], "generator", handle.generator, true);
+      m.integer((*handles)[i], "r", handle.r, true);
+      out.handles.push_back(handle);
+    }
+  }
+}
+
+void readMatchings(const Json& json, Members& m, Prescription& out) {
+  const Json* matchings = m.list(json, "matchings");
+  if (!matchings) return;
+  out.field.emplace();
+  out.field->order = out.q;
+  out.field->hasMatchings = true;
+  for (std::size_t i = 0; i < matchings->size(); ++i) {
+    m.enter("matchings", i);
+    Matching matching;
+    m.integer((*matchings)[i], "from", matching.from, true);
+    m.integer((*matchings)[i], "to", matching.to, false);
+    m.integer((*matchings)[i], "tail", matching.tail, true);
+    m.integer((*matchings)[i], "head", matching.head, true);
+    m.integer((*matchings)[i], "turn", matching.turn, true);
+    out.field->matchings.push_back(matching);
+  }
+}
+
+}  // namespace
+
+Result<Prescription> readConesJson(std::string_view text) {
+  if (text.size() > kMaxJson || isTooDeep(text)) {
+    return Failure{ErrorCode::kLimit, "cones", "cones JSON: too large or nested too deep", {}};
+  }
+  const Json json = Json::parse(text.begin(), text.end(), nullptr, false);
+  if (json.is_discarded() || !json.is_object()) {
+    return Failure{ErrorCode::kMalformed, "cones", "cones JSON: not a JSON object", {}};
+  }
+  Members members("");
+  Prescription out;
+  readHeader(json, members, out);
+  readLists(json, members, out);
+  readMatchings(json, members, out);
+  if (!members.isFine()) return members.failure();
+  return out;
+}
+
+std::string writeConesJson(const Prescription& p, int indent) {
+  Json json{{"format", "hgp-cones"}, {"version", 1}, {"q", p.q}};
+  if (p.vertexCount >= 0 || !p.sha256.empty()) {
+    Json& mesh = json["mesh"] = Json::object();
+    if (p.vertexCount >= 0) mesh["vertices"] = p.vertexCount;
+    if (p.triangleCount >= 0) mesh["triangles"] = p.triangleCount;
+    if (!p.sha256.empty()) mesh["sha256"] = p.sha256;
+  }
+  Json& cones = json["cones"] = Json::array();
+  for (const PrescribedCone& c : p.cones) {
+    Json cone{{"vertex", c.vertex}, {"k", c.k}};
+    if (c.position) cone["position"] = *c.position;
+    cones.push_back(std::move(cone));
+  }
+  if (!p.boundaries.empty()) json["boundaries"] = Json::array();
+  for (const PrescribedTurning& t : p.boundaries) {
+    Json loop{{"loop", t.loop}, {"l", t.l}};
+    if (t.anchor >= 0) loop["anchor"] = t.anchor;
+    json["boundaries"].push_back(std::move(loop));
+  }
+  if (!p.handles.empty()) json["handles"] = Json::array();
+  for (const PrescribedHandle& h : p.handles) {
+    json["handles"].push_back(Json{{"generator", h.generator}, {"r", h.r}});
+  }
+  if (p.field && p.field->hasMatchings) {
+    Json& matchings = json["matchings"] = Json::array();
+    for (const Matching& m : p.field->matchings) {
+      matchings.push_back(Json{
+          {"from", m.from}, {"to", m.to}, {"tail", m.tail}, {"head", m.head}, {"turn", m.turn}});
+    }
+  }
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace) + (indent < 0 ? "" : "\n");
+}
+
+}  // namespace hgp::io

@@ -119,6 +119,28 @@ const testFiles = (folder) =>
 const nodeTests = (log, folder) =>
   counted(log, '--test', '--test-concurrency=1', ...testFiles(folder));
 
+/** Test files in one process, which takes `claims` of those that no other lane has begun. */
+async function lane(log, claims, files, ...args) {
+  return counted(log, ...args, 'tests/support/lane.mjs', claims, ...files);
+}
+
+/** Makes a folder for the claims of lanes, and counts what they ran of `files`. */
+async function inLanes(files, run) {
+  const claims = mkdtempSync(path.join(tmpdir(), 'hgp-lanes-'));
+  const counts = sum(await Promise.all(run(claims)));
+  rmSync(claims, { recursive: true });
+  // A lane counts one test more per file: that it came to its end.
+  counts.passed -= files.length;
+  return counts;
+}
+
+/** The page's TypeScript without a browser: one process, as most of the time goes into starting it. */
+function unitTests(log) {
+  const files = testFiles('web/units');
+  const hooks = '--import=./tests/support/typescript.mjs';
+  return inLanes(files, (claims) => [lane(log, claims, files, hooks)]);
+}
+
 /**
  * The page's tests: two lanes that take file after file, each with one browser; then, alone, what
  * measures time. Long files first, so that both lanes end at about the same time.
@@ -139,14 +161,11 @@ async function webTests(log) {
   const rank = (file) => (long.indexOf(path.basename(file, '.test.mjs')) + 99) % 99;
   const files = testFiles('web').filter((file) => file !== alone);
   files.sort((a, b) => rank(a) - rank(b));
-  const claims = mkdtempSync(path.join(tmpdir(), 'hgp-lanes-'));
-  const lane = () => counted(log, 'tests/support/lane.mjs', claims, ...files);
-  const both = await Promise.all([lane(), lane()]);
-  rmSync(claims, { recursive: true });
-  // A lane counts one test more per file: that it came to its end.
-  const ends = sum(both);
-  ends.passed -= files.length;
-  return sum([ends, await counted(log, '--test', alone)]);
+  const both = await inLanes(files, (claims) => [
+    lane(log, claims, files),
+    lane(log, claims, files),
+  ]);
+  return sum([both, await counted(log, '--test', alone)]);
 }
 
 const stages = {
@@ -168,6 +187,7 @@ const stages = {
   tidy: (log) => checks(log, [['node', 'tests/support/tidy.mjs']]),
   'wasm-release': (log) => ctest(log, 'wasm-release'),
   package: (log) => nodeTests(log, 'wasm'),
+  units: unitTests,
   install: (log) => nodeTests(log, 'install'),
   web: async (log) => {
     await must(log, 'node_modules/.bin/vite', 'build', 'web');

@@ -10,6 +10,7 @@ import { cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
 import { crackedCube, flatSquare, torusMesh } from './shapes.mjs';
 import {
   certificate,
+  commandLine,
   download,
   drop,
   example,
@@ -19,7 +20,6 @@ import {
   openFiles,
   openMesh,
   pixels,
-  root,
   run,
   settled,
   share,
@@ -31,7 +31,6 @@ import {
 
 const it = useBrowser({ permissions: ['clipboard-read', 'clipboard-write'] });
 const { test } = it;
-const program = path.join(root, 'build/native-release/bin/hgp');
 
 test('a weld and a repair are steps of undo like any other', async () => {
   const { page } = it;
@@ -188,7 +187,7 @@ test('the table of cones is sorted by its columns, and a cone is brought to the 
   assert.equal(await page.locator('tr.selected').getAttribute('data-cone'), '7');
 });
 
-test('Solve: the estimate, the time limit, and the command line that does the same', async () => {
+test('Solve: the estimate, the time limit, and the command line that does the same', async (t) => {
   const { page } = it;
   await openMesh(it, cubeMesh(8), "it's a cube.obj");
   await page.click('#suggest');
@@ -200,7 +199,8 @@ test('Solve: the estimate, the time limit, and the command line that does the sa
   const command = await page.evaluate(() => navigator.clipboard.readText());
   assert.match(command, /^hgp param 'it'\\''s a cube\.obj' --q 4 --cone \d+:\d+/);
   await page.screenshot({ path: path.join(shots, 'panel-solve.png') });
-  if (existsSync(program)) {
+  const program = commandLine(t);
+  if (program) {
     writeFileSync(path.join(it.folder, 'run.sh'), command.replace(/^hgp/, `"${program}"`));
     const made = spawnSync('sh', ['run.sh'], { cwd: it.folder, encoding: 'utf8' });
     assert.equal(made.status, 0, made.stderr);

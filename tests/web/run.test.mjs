@@ -2,18 +2,18 @@
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { existsSync, writeFileSync } from 'node:fs';
+import { writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { NodeIO } from '@gltf-transform/core';
 import { problems } from '../cli/schema.mjs';
 import { cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
 import {
   certificate,
+  commandLine,
   drop,
   example,
   openFiles,
   pixels,
-  root,
   run,
   saveAs,
   settled,
@@ -27,17 +27,16 @@ const it = useBrowser({ deviceScaleFactor: 1 });
 const { test } = it;
 const cube = cubeMesh(8);
 
-/** The command line as an independent judge, where it has been built. */
-function certify(name, bytes) {
-  const program = path.join(root, 'build/native-release/bin/hgp');
-  if (!existsSync(program)) return;
+function certify(t, name, bytes) {
+  const program = commandLine(t);
+  if (!program) return;
   const file = path.join(it.folder, name);
   writeFileSync(file, bytes);
   const { status, stdout, stderr } = spawnSync(program, ['verify', file], { encoding: 'utf8' });
   assert.equal(status, 0, stdout + stderr);
 }
 
-test('drop, Run, Download: a GLB comes back with a certified map that another reader finds', async () => {
+test('drop, Run, Download: a GLB comes back with a certified map that another reader finds', async (t) => {
   await openFiles(it, { 'cube.glb': toGlb([cube]) });
   assert.match(await statusText(it.page), /Run suggests them/);
   await run(it);
@@ -58,7 +57,7 @@ test('drop, Run, Download: a GLB comes back with a certified map that another re
     assert.ok(area < 0, `triangle ${t / 3}`);
   }
   assert.equal(position.length / 3, uv.length / 2);
-  certify('cube.glb', bytes);
+  certify(t, 'cube.glb', bytes);
 
   // Dropped again, the cones are there and the map is the same.
   const before = await it.page.locator('#cones tbody').innerText();
@@ -69,18 +68,18 @@ test('drop, Run, Download: a GLB comes back with a certified map that another re
   assert.equal(await it.page.locator('#cones tbody').innerText(), before);
 });
 
-test('the other formats hold the same map', async () => {
+test('the other formats hold the same map', async (t) => {
   await openFiles(it, { 'cube.obj': toObj(cube) });
   await run(it);
   const same = await saveAs(it, 'same');
   assert.equal(same.name, 'cube.obj');
-  certify('same.obj', same.bytes);
+  certify(t, 'same.obj', same.bytes);
   const glb = await saveAs(it, 'glb');
   const json = await new NodeIO().readBinary(new Uint8Array(glb.bytes));
   assert.equal(json.getRoot().listMeshes()[0].listPrimitives()[0].getIndices().getCount(), 3 * 768);
   const obj = await saveAs(it, 'obj');
   assert.match(String(obj.bytes), /^vt /m);
-  certify('plain.obj', obj.bytes);
+  certify(t, 'plain.obj', obj.bytes);
   const report = JSON.parse(String((await saveAs(it, 'report')).bytes));
   assert.equal(report.certificate.certified, true);
   const cones = JSON.parse(String((await saveAs(it, 'cones')).bytes));

@@ -1,6 +1,6 @@
 // What the tests of the page do as a person does: drop files, press Run, look at the picture.
 
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import pngjs from 'pngjs';
@@ -19,6 +19,15 @@ export const state = (page, ...names) =>
 export const solverOf = (page) => page.workers().at(-1);
 
 export const statusText = (page) => page.locator('#status').innerText();
+
+const program = path.join(root, 'build/native-release/bin/hgp');
+
+/** The command line, which judges what the page wrote; where it is not built, the test says so. */
+export function commandLine(t) {
+  if (existsSync(program)) return program;
+  t.skip(`${path.relative(root, program)} is not built: part of this test is left out`);
+  return undefined;
+}
 
 /** Writes files and drops them on the page through the browser's own drag and drop. */
 export async function drop(it, files) {

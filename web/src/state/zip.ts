@@ -4,6 +4,9 @@ import { Unzip, UnzipInflate } from 'fflate';
 
 const caps = { bytes: 2 ** 30, ratio: 200, entries: 10_000 };
 
+/** The reader calls itself once for every file that begins in what it is given at once. */
+const sliceSize = 16384;
+
 function isSafe(name: string): boolean {
   return !/^[/\\]|^[a-z]:|\\|\0/i.test(name) && !name.split('/').includes('..');
 }
@@ -52,7 +55,10 @@ export async function unzip(archive: Blob): Promise<Map<string, Uint8Array>> {
   for (;;) {
     const { done, value } = await stream.read();
     try {
-      reader.push(value ?? new Uint8Array(0), done);
+      for (let at = 0; value && at < value.length && !failure; at += sliceSize) {
+        reader.push(value.subarray(at, at + sliceSize));
+      }
+      if (done) reader.push(new Uint8Array(0), true);
     } catch (error) {
       fail(`This ZIP cannot be read: ${(error as Error).message}`);
     }

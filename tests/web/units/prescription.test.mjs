@@ -1,0 +1,118 @@
+// The values of the page: what is asked, its budget, its history, and its place in the address.
+
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { largestK, waysToSpend } from '../../../web/src/state/budget.ts';
+import { History } from '../../../web/src/state/history.ts';
+import {
+  angleText,
+  emptyPrescription,
+  fromCones,
+  indexText,
+  toCones,
+  withOrder,
+} from '../../../web/src/state/prescription.ts';
+import { readAddress } from '../../../web/src/state/url.ts';
+
+const asked = {
+  ...emptyPrescription(4, 2, 2),
+  cones: [
+    { vertex: 7, k: 3 },
+    { vertex: 9, k: 6 },
+  ],
+  turnings: [null, -4],
+  handles: [2, null],
+};
+
+test('hgp-cones and back is the same prescription; places past the end are left out', () => {
+  const cones = toCones(asked, [...Array(30).keys()]);
+  assert.deepEqual(cones.cones[0], { vertex: 7, k: 3, position: [21, 22, 23] });
+  assert.deepEqual(cones.boundaries, [{ loop: 1, l: -4 }]);
+  assert.deepEqual(fromCones(cones, 2, 2), asked);
+  assert.deepEqual(fromCones(cones, 1, 0), { ...asked, turnings: [null], handles: [] });
+});
+
+test('another q keeps every angle or is refused', () => {
+  const eighths = withOrder(asked, 8);
+  assert.deepEqual(
+    eighths.cones.map(({ k }) => k),
+    [6, 12],
+  );
+  assert.deepEqual(
+    [eighths.turnings, eighths.handles],
+    [
+      [null, -8],
+      [4, null],
+    ],
+  );
+  assert.deepEqual(withOrder(eighths, 4), asked);
+  assert.equal(withOrder(asked, 2), undefined);
+});
+
+test('indices and angles in words', () => {
+  assert.deepEqual(
+    [4, 3, 6, 2, 8, 12].map((k) => indexText(k, 4)),
+    ['0', '+1/4', '−1/2', '+1/2', '−1', '−2'],
+  );
+  assert.deepEqual([angleText(3, 4), angleText(1, 7)], ['270°', '51.4°']);
+});
+
+test('the largest k leaves every corner below 180°', () => {
+  for (let q = 1; q <= 12; q++) {
+    for (let valence = 3; valence <= 9; valence++) {
+      const corner = (k) => (360 * k) / q / valence;
+      assert.ok(corner(largestK(q, valence)) < 180 && corner(largestK(q, valence) + 1) >= 180);
+    }
+  }
+});
+
+test('every way to spend what is left spends exactly that', () => {
+  for (let q = 1; q <= 8; q++) {
+    for (const left of [-9, -4, -1, 1, 2, 5, 8]) {
+      for (const way of waysToSpend(left, q).split(' or ').filter(Boolean)) {
+        const [, count, k] = way.match(/^(one cone|\d+ cones) with k = (\d+)$/);
+        const n = count === 'one cone' ? 1 : Number.parseInt(count);
+        assert.equal(n * (q - Number(k)), left, `q = ${q}: ${way}`);
+      }
+    }
+  }
+});
+
+test('undo takes back one step; edits of one kind soon after one another are one', () => {
+  const history = new History(0);
+  history.push(1, 'k: cone 1', 1000);
+  history.push(2, 'k: cone 1', 1499);
+  history.push(3, 'k: cone 1', 2100);
+  history.push(4, 'k: cone 2', 2101);
+  const seen = [];
+  while (history.canUndo) {
+    history.undo();
+    seen.push(history.value);
+  }
+  assert.deepEqual(seen, [3, 2, 0]);
+  history.redo();
+  history.push(9, 'add: cone', 9000);
+  assert.deepEqual([history.value, history.canRedo, history.undoKind], [9, false, 'add']);
+});
+
+test('an address gives numbers and known words or nothing', () => {
+  const pairs = (list) => btoa(JSON.stringify(list)).replaceAll('=', '');
+  assert.deepEqual(readAddress(`#q=6&cones=${pairs([[5, 3]])}`).cones, [{ vertex: 5, k: 3 }]);
+  assert.deepEqual(readAddress(`#turnings=${pairs([[0, -4]])}`).turnings, [[0, -4]]);
+  const bad = ['', '!', pairs({}), pairs([[1]]), pairs([[1, 2, 3]]), pairs([[-1, 3]]), pairs([[1, 0]])]; // prettier-ignore
+  for (const text of [...bad, pairs([[1.5, 3]]), pairs([['1', 3]]), 'A'.repeat(8193)]) {
+    assert.equal(readAddress(`#cones=${text}`).cones, undefined, text.slice(0, 20));
+  }
+  for (const word of [
+    'q=0',
+    'q=65',
+    'q=1.5',
+    'pattern=image',
+    'overlay=x',
+    'tiles=0',
+    'tiles=1e9',
+  ]) {
+    const { q, pattern, overlay, tiles } = readAddress(`#${word}`);
+    assert.deepEqual([q, pattern, overlay, tiles], Array(4).fill(undefined), word);
+  }
+});

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "../models/vectors.h"
+#include "hgp/field/prepared_surface.h"
 
 namespace hgp::figures {
 
@@ -95,8 +96,15 @@ std::optional<Mapped> mapped(const std::string& name, const MeshData& data, cons
   SuggestOptions cones;
   cones.q = order.q;
   cones.coneCount = order.coneCount;
-  Result<Parametrization> result = order.spec ? parametrize(*mesh, *order.spec, options)
-                                              : parametrizeAutomatically(*mesh, cones, options);
+  PreparedSurface surface(*mesh);
+  Result<CompleteSpec> chosen =
+      order.spec ? Result<CompleteSpec>(CompleteSpec{}) : suggestCones(surface, cones);
+  if (!chosen) {
+    std::fprintf(stderr, "%s: %s\n", name.c_str(), chosen.error().message.c_str());
+    return {};
+  }
+  Result<Parametrization> result =
+      parametrize(surface, order.spec ? *order.spec : toSpec(*chosen), options);
   if (!result) {
     std::fprintf(stderr, "%s: %s\n", name.c_str(), result.error().message.c_str());
     return {};

@@ -26,16 +26,15 @@ Example exampleOf(const test::Shape& shape, const HolonomySpec& spec) {
   Example e;
   e.mesh = shape.mesh();
   std::vector<StageTime> times;
-  Result<FieldContext> context = prepareFields(e.mesh);
-  EXPECT_TRUE(context);
-  Result<SeamlessSetup> setup = prepareSeamless(e.mesh, std::move(*context), spec, {}, times);
+  PreparedSurface surface(e.mesh);
+  Result<SeamlessSetup> setup = prepareSeamless(surface, spec, {}, times);
   EXPECT_TRUE(setup) << setup.error().message;
   e.setup = std::move(*setup);
   ProgramOptions options;
   options.u = e.setup.field.u;
   const Frames frames = fieldFrames(e.setup.seams, coneAndBoundaryFaces(e.mesh, e.setup.cones));
-  e.z = solveProgram(e.mesh, e.setup.context.geometry, e.setup.cut, e.setup.seams, e.setup.unknowns,
-                     e.setup.harmonic, frames, options)
+  e.z = solveProgram(e.mesh, e.setup.context->geometry, e.setup.cut, e.setup.seams,
+                     e.setup.unknowns, e.setup.harmonic, frames, options)
             .z;
   e.certificate = certify(e.mesh, e.setup.field.spec, layOut(e.mesh, e.setup, e.z));
   EXPECT_TRUE(e.certificate.isCertified);

@@ -44,6 +44,7 @@ Session& Session::operator=(Session&&) noexcept = default;
 
 Status Session::State::take(Result<Model> loaded) {
   solved.reset();
+  prepared.clear();
   model.reset();
   positions.clear();
   triangles.clear();
@@ -108,9 +109,10 @@ Result<std::string> Session::suggest(const SolveOptions& options) const {
   return guarded([&]() -> Result<std::string> {
     if (Status ready = requireComponents(state_->model); !ready) return ready.error();
     std::vector<HolonomySpec> specs;
-    for (const ModelComponent& component : state_->model->components) {
-      Result<CompleteSpec> spec = state_->completeAutomatically(component, options);
+    for (std::size_t p = 0; p < state_->model->components.size(); ++p) {
+      Result<CompleteSpec> spec = state_->chooseCones(p, options);
       if (!spec) return spec.error();
+      state_->dropLarge(p);
       specs.push_back(toSpec(*spec));
     }
     return io::writeConesJson(describe(*state_->model, specs));

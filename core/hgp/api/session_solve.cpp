@@ -1,6 +1,7 @@
 #include <chrono>
 
 #include "hgp/api/session_state.h"
+#include "hgp/parametrize/stage_clock.h"
 #include "hgp/prescription/cones.h"
 
 namespace hgp::api {
@@ -16,6 +17,9 @@ SuggestOptions suggestOptions(int q, const SolveOptions& options) {
   return suggest;
 }
 
+/// Surfaces of more triangles are prepared anew by every call: memory goes to the solve.
+constexpr int kKeptFaces = 200'000;
+
 Failure noField() {
   return {ErrorCode::kUsage,
           "field",
@@ -25,16 +29,28 @@ Failure noField() {
 
 }  // namespace
 
-Result<CompleteSpec> Session::State::completeAutomatically(const ModelComponent& component,
-                                                           const SolveOptions& options) const {
-  Result<CompleteSpec> spec = suggestCones(component.mesh, suggestOptions(options.q, options));
-  if (!spec) return toSurfaceIds(*model, component, spec.error());
+/// What the solves of a component share; kept where it is not large beside the factors of a program.
+PreparedSurface& Session::State::surfaceOf(std::size_t p) {
+  prepared.resize(model->components.size());
+  if (!prepared[p]) prepared[p] = std::make_unique<PreparedSurface>(model->components[p].mesh);
+  return *prepared[p];
+}
+
+void Session::State::dropLarge(std::size_t p) {
+  if (model->components[p].mesh.faceCount() > kKeptFaces) prepared[p].reset();
+}
+
+Result<CompleteSpec> Session::State::chooseCones(std::size_t p, const SolveOptions& options,
+                                                 std::vector<StageTime>* times) {
+  Result<CompleteSpec> spec = suggestCones(surfaceOf(p), suggestOptions(options.q, options), times);
+  if (!spec) return toSurfaceIds(*model, model->components[p], spec.error());
   return spec;
 }
 
+/// One road for all cones: those that are chosen are completed first and then asked for.
 Result<Parametrization> Session::State::solveComponent(std::size_t p,
                                                        const ComponentRequest& request,
-                                                       const SolveOptions& options) const {
+                                                       const SolveOptions& options) {
   const ModelComponent& component = model->components[p];
   ParametrizeOptions core;
   core.maxRounds = options.maxRounds;
@@ -48,13 +64,24 @@ Result<Parametrization> Session::State::solveComponent(std::size_t p,
     Result<Parametrization> run = parametrizeConvex(component.mesh, core);
     return run ? std::move(run) : toSurfaceIds(*model, component, run.error());
   }
+  std::vector<StageTime> times;
+  StageClock clock(options.progress, times);
+  if (!clock.begin("prepare")) return cancelled("prepare");
+  surfaceOf(p);
+  clock.end();
+  HolonomySpec spec = request.spec;
   if (request.isAutomatic) {
-    Result<Parametrization> run =
-        parametrizeAutomatically(component.mesh, suggestOptions(request.spec.q, options), core);
-    return run ? std::move(run) : toSurfaceIds(*model, component, run.error());
+    SolveOptions choice = options;
+    choice.q = request.spec.q;
+    Result<CompleteSpec> chosen = chooseCones(p, choice, &times);
+    if (!chosen) return chosen.error();
+    spec = toSpec(*chosen);
   }
-  Result<Parametrization> run = hgp::parametrize(component.mesh, request.spec, core);
-  return run ? std::move(run) : toSurfaceIds(*model, component, run.error());
+  Result<Parametrization> run = hgp::parametrize(surfaceOf(p), spec, core);
+  dropLarge(p);
+  if (!run) return toSurfaceIds(*model, component, run.error());
+  run->times.insert(run->times.begin(), times.begin(), times.end());
+  return run;
 }
 
 /// The result as the flat arrays that leave the session.

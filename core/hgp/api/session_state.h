@@ -3,11 +3,13 @@
 
 #include "hgp/api/json_text.h"
 #include "hgp/api/session.h"
+#include "hgp/field/prepared_surface.h"
 
 namespace hgp::api {
 
 struct Session::State {
   std::optional<Model> model;
+  std::vector<std::unique_ptr<PreparedSurface>> prepared;  ///< per component, made when needed
   struct Solved {
     StoredMap stored;
     io::Prescription prescription;
@@ -21,13 +23,15 @@ struct Session::State {
   std::vector<std::uint32_t> triangles;
 
   Status take(Result<Model> loaded);
-  Result<Request> requestFor(const std::optional<io::Prescription>& prescription, int q) const;
   Status solve(const std::optional<io::Prescription>& prescription, const SolveOptions& options);
   Result<Parametrization> solveComponent(std::size_t p, const ComponentRequest& request,
-                                         const SolveOptions& options) const;
+                                         const SolveOptions& options);
   void flatten(Solved& result) const;
-  Result<CompleteSpec> completeAutomatically(const ModelComponent& component,
-                                             const SolveOptions& options) const;
+  /// Automatic cones of component p, completed; appends the stages' times where asked.
+  Result<CompleteSpec> chooseCones(std::size_t p, const SolveOptions& options,
+                                   std::vector<StageTime>* times = nullptr);
+  PreparedSurface& surfaceOf(std::size_t p);
+  void dropLarge(std::size_t p);
 };
 
 Failure notLoaded();

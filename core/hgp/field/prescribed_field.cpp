@@ -156,29 +156,59 @@ Result<FieldContext> prepareFields(const TriMesh& mesh) {
 
 namespace {
 
+/// Transport along each generator without the harmonic part.
+Eigen::VectorXd coexactTransport(const TriMesh& mesh, const FieldContext& context,
+                                 const PerEdge<double>& coexact) {
+  Eigen::VectorXd natural =
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(context.handles.loops.size()));
+  for (Eigen::Index i = 0; i < natural.size(); ++i)
+    for (HalfedgeId h : context.handles.loops[static_cast<std::size_t>(i)].crossed) {
+      const double side = mesh.halfedge(mesh.edge(h)) == h ? 1.0 : -1.0;
+      natural[i] += transport(mesh, context.geometry, h) + side * coexact[mesh.edge(h)];
+    }
+  return natural;
+}
+
+/// What each generator's transport is to be changed by; open ones are decided, and written into
+/// `handles`, by the smoothest connection.
+Eigen::VectorXd handleCorrections(const Eigen::MatrixXd& periods, const Eigen::VectorXd& natural,
+                                  int q, std::vector<std::optional<int>>& handles) {
+  const Eigen::Index count = natural.size();
+  Eigen::VectorXd offset(count), step(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const std::optional<int>& r = handles[static_cast<std::size_t>(i)];
+    offset[i] = turnAngle(r.value_or(0), q) - natural[i];
+    step[i] = 2.0 * kPi / (r ? 1 : q);
+  }
+  const Eigen::VectorXd correction = nearestPlane(periods, offset, step);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    std::optional<int>& r = handles[static_cast<std::size_t>(i)];
+    if (!r)
+      r = reduceTurn(static_cast<int>(std::lround((natural[i] + correction[i]) * q / (2.0 * kPi))),
+                     q);
+  }
+  return correction;
+}
+
 /// Coefficients c of the harmonic forms that give generator j the transport 2π r_j/q.
 Eigen::VectorXd handleCoefficients(const TriMesh& mesh, const FieldContext& context,
                                    const PerEdge<double>& coexact, const HolonomySpec& spec) {
-  const auto count = static_cast<Eigen::Index>(context.handles.loops.size());
+  const std::size_t count = context.handles.loops.size();
   if (count == 0) return {};
   // A closed torus without cones can only be flat with trivial holonomy; anything else shrinks to
   // a point under the rotation.
   const bool isFlatTorus =
       context.topology.genus == 1 && spec.cones.empty() && context.topology.loops.empty();
-  Eigen::VectorXd offset(count), step(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    double natural = 0.0;
-    for (HalfedgeId h : context.handles.loops[at].crossed) {
-      const double side = mesh.halfedge(mesh.edge(h)) == h ? 1.0 : -1.0;
-      natural += transport(mesh, context.geometry, h) + side * coexact[mesh.edge(h)];
-    }
-    const bool isGiven = isFlatTorus || (at < spec.handles.size() && spec.handles[at]);
-    const int r = isGiven && !isFlatTorus ? *spec.handles[at] : 0;
-    offset[i] = turnAngle(r, spec.q) - natural;
-    step[i] = 2.0 * kPi / (isGiven ? 1 : spec.q);
-  }
-  return context.handles.periods.ldlt().solve(nearestPlane(context.handles.periods, offset, step));
+  std::vector<std::optional<int>> handles = spec.handles;
+  handles.resize(count);
+  if (isFlatTorus) handles.assign(count, 0);
+  const Eigen::MatrixXd& periods = context.handles.periods;
+  const Eigen::VectorXd natural = coexactTransport(mesh, context, coexact);
+  const bool isComplete =
+      std::all_of(handles.begin(), handles.end(), [](const auto& r) { return r.has_value(); });
+  if (!isComplete) handleCorrections(periods, natural, spec.q, handles);
+  // From the completed rotations even where they were open: asked for again, they give the same bits.
+  return periods.ldlt().solve(handleCorrections(periods, natural, spec.q, handles));
 }
 
 /// Lays the field along a breadth-first dual tree and reads the matchings, which the connection

@@ -4,9 +4,9 @@
 #include <chrono>
 #include <cmath>
 
-#include "hgp/field/prescribed_field.h"
 #include "hgp/parametrize/repair_plan.h"
 #include "hgp/parametrize/seamless_setup.h"
+#include "hgp/parametrize/solution.h"
 #include "hgp/parametrize/stage_clock.h"
 
 namespace hgp {
@@ -28,7 +28,7 @@ Attempt solveAndJudge(const TriMesh& mesh, const SeamlessSetup& setup, const Jud
   program.isExact = step.isExact;
   program.pulled = step.pulled;
   program.pull = step.pull;
-  program.vertexTree = &setup.context.tree;
+  program.vertexTree = &setup.context->tree;
   if (step.local) program.local = &*step.local;
   program.progress = [&](int iteration, double residual) {
     const double fraction = 1.0 - 1.0 / (1.0 + 0.25 * iteration);
@@ -37,7 +37,7 @@ Attempt solveAndJudge(const TriMesh& mesh, const SeamlessSetup& setup, const Jud
     return !isCancelled;
   };
   Attempt attempt;
-  attempt.program = solveProgram(mesh, setup.context.geometry, setup.cut, setup.seams,
+  attempt.program = solveProgram(mesh, setup.context->geometry, setup.cut, setup.seams,
                                  setup.unknowns, setup.harmonic, step.frames, program);
   attempt.map = layOut(mesh, setup, attempt.program.z);
   attempt.certificate = judge.certify(toSpec(setup.field.spec), attempt.map);
@@ -93,6 +93,13 @@ void explain(const SeamlessSetup& setup, bool hasGivenFrames, Parametrization& r
         "turning and handles but turn evenly, and may be certified where these are not.");
 }
 
+/// The best of several, with what it was judged by.
+struct Judged {
+  Solution solution;
+  UvMap map;
+  Certificate certificate;
+};
+
 using Clock = std::chrono::steady_clock;
 double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -101,24 +108,12 @@ double secondsSince(Clock::time_point start) {
 }  // namespace
 
 /// Solve, judge, repair, until certified or out of ideas [BCW17 §7].
-static Result<Parametrization> parametrizePrepared(const TriMesh& mesh, FieldContext context,
-                                                   const HolonomySpec& spec,
-                                                   const ParametrizeOptions& options,
-                                                   bool isAutomatic, Parametrization result) {
-  Result<SeamlessSetup> prepared =
-      prepareSeamless(mesh, std::move(context), spec, options, result.times);
-  if (!prepared) return std::move(prepared).error();
-  const SeamlessSetup& setup = *prepared;
-  result.spec = setup.field.spec;
-  result.notes = setup.warnings;
-
-  const auto start = Clock::now();
-  const bool isDisk = setup.context.topology.genus == 0 && setup.context.topology.loops.size() == 1;
-  const bool isFlatTorus = setup.cones.empty() && setup.context.topology.loops.empty();
-  RepairPlan plan(mesh, setup, options.useQuality, (isAutomatic && !isFlatTorus) || isDisk);
+static Result<Judged> solve(const TriMesh& mesh, std::shared_ptr<const SeamlessSetup> setup,
+                            const ParametrizeOptions& options, Parametrization& result) {
+  RepairPlan plan(mesh, *setup, options.useQuality);
   const Judge judge(mesh);
   std::optional<Attempt> best;
-  bool bestIsHarmonic = false;
+  Solution solution;
   for (int round = 1; round <= options.maxRounds; ++round) {
     const std::optional<RepairStep> step = plan.next();
     if (!step) break;
@@ -126,60 +121,60 @@ static Result<Parametrization> parametrizePrepared(const TriMesh& mesh, FieldCon
       return cancelled("solve");
     const auto roundStart = Clock::now();
     bool isCancelled = false;
-    Attempt attempt = solveAndJudge(mesh, setup, judge, *step, round, options, isCancelled);
+    Attempt attempt = solveAndJudge(mesh, *setup, judge, *step, round, options, isCancelled);
     if (isCancelled) return cancelled("solve");
     result.rounds.push_back(describe(attempt, *step, secondsSince(roundStart)));
     plan.learn(attempt.program, attempt.certificate);
     if (!best || distanceToCertified(attempt) < distanceToCertified(*best)) {
       best = std::move(attempt);
-      bestIsHarmonic = step->quality == 0.0;
+      solution = {setup, std::move(best->program.x), step->u, step->frames};
+      result.isHarmonic = step->quality == 0.0;
     }
     if (best->certificate.isCertified) break;
   }
-  result.times.push_back({"solve", secondsSince(start)});
   if (!best) return Failure{ErrorCode::kUsage, "solve", "At least one round is needed.", {}};
+  if (!best->certificate.isCertified) result.conflict = best->program.conflict;
+  return Judged{std::move(solution), std::move(best->map), std::move(best->certificate)};
+}
+
+Result<Parametrization> parametrize(PreparedSurface& surface, const HolonomySpec& spec,
+                                    const ParametrizeOptions& options) {
+  const TriMesh& mesh = surface.mesh();
+  Parametrization result;
+  Result<SeamlessSetup> prepared = prepareSeamless(surface, spec, options, result.times);
+  if (!prepared) return std::move(prepared).error();
+  const auto setup = std::make_shared<const SeamlessSetup>(std::move(*prepared));
+  result.spec = setup->field.spec;
+  result.notes = setup->warnings;
+
+  const auto start = Clock::now();
+  Result<Judged> best = solve(mesh, setup, options, result);
+  if (!best) return std::move(best).error();
+  if (best->certificate.isCertified && finish(mesh, options, best->solution)) {
+    best->map = layOut(mesh, best->solution);
+    best->certificate = certify(mesh, result.spec, best->map);
+  }
+  result.times.push_back({"solve", secondsSince(start)});
 
   result.map = std::move(best->map);
-  result.copyOf = setup.cut.parent.raw();
+  result.copyOf = setup->cut.parent.raw();
   result.certificate = std::move(best->certificate);
   result.isCertified = result.certificate.isCertified;
   result.isUsable = result.certificate.isUsable;
-  result.isHarmonic = bestIsHarmonic;
-  if (!result.isCertified) result.conflict = best->program.conflict;
-  explain(setup, options.frames.has_value(), result);
+  explain(*setup, options.frames.has_value(), result);
   return result;
 }
 
 Result<Parametrization> parametrize(const TriMesh& mesh, const HolonomySpec& spec,
                                     const ParametrizeOptions& options) {
-  Parametrization result;
-  StageClock clock(options.progress, result.times);
-  if (!clock.begin("prepare")) return cancelled("solve");
-  Result<FieldContext> context = prepareFields(mesh);
-  if (!context) return std::move(context).error();
+  std::vector<StageTime> times;
+  StageClock clock(options.progress, times);
+  if (!clock.begin("prepare")) return cancelled("prepare");
+  PreparedSurface surface(mesh);
   clock.end();
-  return parametrizePrepared(mesh, std::move(*context), spec, options, false, std::move(result));
-}
-
-Result<Parametrization> parametrizeAutomatically(const TriMesh& mesh, const SuggestOptions& cones,
-                                                 const ParametrizeOptions& options) {
-  if (options.frames)
-    return Failure{ErrorCode::kUsage,
-                   "field",
-                   "Given frames come with cones of their own; here the cones are chosen.",
-                   {}};
-  Parametrization result;
-  StageClock clock(options.progress, result.times);
-  if (!clock.begin("prepare")) return cancelled("solve");
-  FieldContext context = prepareSurface(mesh);
-  if (!clock.begin("cones")) return cancelled("solve");
-  Result<HolonomySpec> spec = chooseCones(mesh, context, cones);
-  if (!spec) return std::move(spec).error();
-  if (!clock.begin("connection")) return cancelled("solve");
-  if (Status done = prepareConnection(mesh, context); !done) return std::move(done).error();
-  if (isNearlyFlatTorus(context)) spec->cones.clear();
-  clock.end();
-  return parametrizePrepared(mesh, std::move(context), *spec, options, true, std::move(result));
+  Result<Parametrization> result = parametrize(surface, spec, options);
+  if (result) result->times.insert(result->times.begin(), times.begin(), times.end());
+  return result;
 }
 
 }  // namespace hgp

@@ -60,6 +60,7 @@ struct Parametrization {
 /// Solves and judges one connected surface. A map that is not certified is a successful return with
 /// isCertified = false; failures are prescriptions that cannot be, given frames that contradict the
 /// prescription (kPrescription) or are none (kUsage, kMalformed), limits and cancellation.
+/// The road depends on mesh, prescription and options alone.
 /// @pre mesh has one component
 Result<Parametrization> parametrize(const TriMesh& mesh, const HolonomySpec& spec,
                                     const ParametrizeOptions& options);
@@ -77,10 +78,13 @@ struct SuggestOptions {
 };
 Result<CompleteSpec> suggestCones(const TriMesh& mesh, const SuggestOptions& options);
 
-/// suggestCones and parametrize in one run that shares all preparation. Given frames are refused
-/// (kUsage): they come with cones of their own.
-Result<Parametrization> parametrizeAutomatically(const TriMesh& mesh, const SuggestOptions& cones,
-                                                 const ParametrizeOptions& options);
+/// Both again for a surface that is kept: what one run prepared, the next ones use. What was suggested
+/// and is then solved gives the map of the same cones named by anybody else, to the last bit.
+class PreparedSurface;
+Result<CompleteSpec> suggestCones(PreparedSurface& surface, const SuggestOptions& options,
+                                  std::vector<StageTime>* times = nullptr);
+Result<Parametrization> parametrize(PreparedSurface& surface, const HolonomySpec& spec,
+                                    const ParametrizeOptions& options);
 
 /// The prescription that a given field has, exactly (stored matchings are the truth). `expected`: cones
 /// that came along; refused when the matchings contradict them.

@@ -21,11 +21,24 @@ constexpr int kPatchRings = 6;
 constexpr int kWidePatchRings = 24;
 constexpr double kPatchShare = 0.25;
 constexpr double kClamp = 5.0;
+constexpr double kLinearScaleRange = 8.0;
 constexpr double kNoClamp = 1e9;
 
 /// Unknowns whose dense system costs a fraction of the sparse one, which grows like |V|^1.5.
 int cheapRoot(const TriMesh& mesh) {
   return static_cast<int>(2.0 * std::sqrt(static_cast<double>(mesh.vertexCount())));
+}
+
+/// Whether one linear system most likely does: on disks, and where the cone metric asks for little
+/// (automatic cones: 0.9 to 5.6 on all meshes we have). Flat tori and orbifolds of the sphere have an
+/// exactly harmonic map, which frames that bind find.
+bool suitsLinear(const SeamlessSetup& setup) {
+  const Topology& topology = setup.context->topology;
+  if (topology.genus == 0 && topology.loops.size() == 1) return true;
+  const bool isClosed = topology.loops.empty();
+  if (isClosed && (setup.cones.empty() || (topology.genus == 0 && setup.cones.size() <= 4)))
+    return false;
+  return setup.field.scaleRange <= kLinearScaleRange;
 }
 
 double medianOf(std::vector<double> values) {
@@ -37,8 +50,7 @@ double medianOf(std::vector<double> values) {
 
 }  // namespace
 
-RepairPlan::RepairPlan(const TriMesh& mesh, const SeamlessSetup& setup, bool useQuality,
-                       bool isNatural)
+RepairPlan::RepairPlan(const TriMesh& mesh, const SeamlessSetup& setup, bool useQuality)
     : mesh_(mesh), setup_(setup) {
   const double quality = useQuality ? kQuality : 0.0;
   rungs_ = {
@@ -47,7 +59,7 @@ RepairPlan::RepairPlan(const TriMesh& mesh, const SeamlessSetup& setup, bool use
       {"clamped weights", kClamp, quality, 4, false},
       {"scale of the last map", kNoClamp, std::max(quality, kLightQuality), 4, true}};
   base_ = coneAndBoundaryFaces(mesh, setup.cones);
-  if (isNatural) {
+  if (suitsLinear(setup)) {
     const bool isExact = !useQuality && touchedUnknowns(base_) <= kLargestExactRoot;
     pulled_ = base_;
     std::vector<FaceId> more = growFaces(mesh, base_, 1);
@@ -95,7 +107,7 @@ PerVertex<double> RepairPlan::scaleOfMap() const {
   if (lastMap_.empty()) return setup_.field.u;
   PerVertex<double> sum(static_cast<std::size_t>(mesh_.vertexCount()), 0.0), count = sum;
   for (FaceId f : mesh_.faces()) {
-    const LinearParts parts = linearParts(setup_.context.geometry, f);
+    const LinearParts parts = linearParts(setup_.context->geometry, f);
     Complex similarity = 0.0;
     for (int k = 0; k < 3; ++k)
       similarity += parts.similarity[static_cast<std::size_t>(k)] *
@@ -130,10 +142,10 @@ std::optional<RepairStep> RepairPlan::next() {
   }
   step.frames = fieldFrames(setup_.seams, std::move(bound));
   for (const ConePoint& cone : ringCones_)
-    embedSurfaceRing(mesh_, setup_.context.geometry, setup_.seams, cone.vertex, cone.k,
+    embedSurfaceRing(mesh_, setup_.context->geometry, setup_.seams, cone.vertex, cone.k,
                      step.frames);
   for (const ConePoint& cone : fixedCones_)
-    embedConeRing(mesh_, setup_.context.geometry, setup_.cut, setup_.seams, lastMap_, cone.vertex,
+    embedConeRing(mesh_, setup_.context->geometry, setup_.cut, setup_.seams, lastMap_, cone.vertex,
                   cone.k, step.frames);
   if (!fixedCones_.empty())
     step.method += ", frames fixed at " + std::to_string(fixedCones_.size()) + " cones";

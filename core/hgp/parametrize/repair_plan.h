@@ -32,9 +32,7 @@ struct RepairStep {
 /// ring, and cones whose ring is positive but whose angle is off by a multiple of 2π are fixed (§7.1).
 class RepairPlan {
  public:
-  /// @param isNatural  the cones are the surface's own: a map that is exactly harmonic away from
-  ///                   them most likely exists, and is tried first
-  RepairPlan(const TriMesh& mesh, const SeamlessSetup& setup, bool useQuality, bool isNatural);
+  RepairPlan(const TriMesh& mesh, const SeamlessSetup& setup, bool useQuality);
 
   /// The next program to solve, or nothing when every idea is used up.
   std::optional<RepairStep> next();

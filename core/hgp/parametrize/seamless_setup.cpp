@@ -10,23 +10,28 @@
 namespace hgp {
 namespace {
 
+/// Factors of larger surfaces are not kept beside those of the program.
+constexpr int kKeptFaces = 200'000;
+
 /// Checks the prescription, completes it and finds its field: ours, or the given one.
-Status setUpField(const TriMesh& mesh, const HolonomySpec& spec,
+Status setUpField(PreparedSurface& surface, const HolonomySpec& spec,
                   const std::optional<FieldData>& frames, SeamlessSetup& setup) {
-  Result<BudgetReport> budget = checkPrescription(mesh, setup.context.topology, spec);
+  const TriMesh& mesh = surface.mesh();
+  Result<BudgetReport> budget = checkPrescription(mesh, surface.topology(), spec);
   if (!budget) return std::move(budget).error();
   HolonomySpec asked = spec;
   std::optional<ReadField> given;
   if (frames) {
-    Result<ReadField> read = givenFrames(mesh, setup.context, *frames, spec);
+    if (Status done = surface.requireConnection(); !done) return done;
+    Result<ReadField> read = givenFrames(mesh, surface.context(), *frames, spec);
     if (!read) return std::move(read).error();
     given = std::move(*read);
     asked = toSpec(given->spec);
-    budget = checkPrescription(mesh, setup.context.topology, asked);
+    budget = checkPrescription(mesh, surface.topology(), asked);
     if (!budget) return std::move(budget).error();
   }
   setup.warnings = budget->warnings;
-  Result<PrescribedField> field = prescribedField(mesh, setup.context, asked);
+  Result<PrescribedField> field = surface.field(asked);
   if (!field) return std::move(field).error();
   setup.field = std::move(*field);
   if (!given) return Done{};
@@ -39,31 +44,30 @@ Status setUpField(const TriMesh& mesh, const HolonomySpec& spec,
 
 }  // namespace
 
-Result<SeamlessSetup> prepareSeamless(const TriMesh& mesh, FieldContext context,
-                                      const HolonomySpec& spec, const ParametrizeOptions& options,
+Result<SeamlessSetup> prepareSeamless(PreparedSurface& surface, const HolonomySpec& spec,
+                                      const ParametrizeOptions& options,
                                       std::vector<StageTime>& times) {
+  const TriMesh& mesh = surface.mesh();
   StageClock clock(options.progress, times);
   SeamlessSetup setup;
-  if (!clock.begin("field")) return cancelled("prepare");
-  setup.context = std::move(context);
-  if (Status done = setUpField(mesh, spec, options.frames, setup); !done)
+  setup.context = surface.share();
+  if (!clock.begin("field")) return cancelled("field");
+  if (Status done = setUpField(surface, spec, options.frames, setup); !done)
     return std::move(done).error();
-  // The next factorizations need the room of the last ones.
-  setup.context.laplacian = {};
-  setup.context.handles.potential.resize(0, 0);
+  if (mesh.faceCount() > kKeptFaces) surface.releaseConnection();
   for (const ConePoint& cone : setup.field.spec.cones) setup.cones.push_back(cone.vertex);
 
-  if (!clock.begin("cut")) return cancelled("prepare");
+  const FieldContext& context = *setup.context;
+  if (!clock.begin("cut")) return cancelled("cut");
   setup.cut =
-      cutToDisk(mesh, seamGraph(mesh, setup.context.geometry, setup.context.surface, setup.cones),
-                setup.cones);
+      cutToDisk(mesh, seamGraph(mesh, context.geometry, context.surface, setup.cones), setup.cones);
   HGP_CHECK(isDisk(mesh, setup.cut), "the cut surface is a disk");
   setup.seams = seamRotations(mesh, setup.cut, setup.field.field);
 
-  if (!clock.begin("assemble")) return cancelled("prepare");
+  if (!clock.begin("assemble")) return cancelled("assemble");
   setup.unknowns = reduceUnknowns(mesh, setup.cut, setup.seams);
-  setup.harmonic = harmonicSystem(mesh, setup.context.geometry, setup.cut, setup.unknowns,
-                                  setup.seams.q, setup.cones);
+  setup.harmonic =
+      harmonicSystem(mesh, context.geometry, setup.cut, setup.unknowns, setup.seams.q, setup.cones);
   clock.end();
   return setup;
 }
@@ -100,7 +104,7 @@ UvMap layOut(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,
 }
 
 UvMap layOut(const TriMesh& mesh, const SeamlessSetup& setup, const std::vector<Complex>& z) {
-  return layOut(mesh, setup.context.geometry, setup.cut, z);
+  return layOut(mesh, setup.context->geometry, setup.cut, z);
 }
 
 }  // namespace hgp

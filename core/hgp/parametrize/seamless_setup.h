@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "hgp/field/prescribed_field.h"
+#include "hgp/field/prepared_surface.h"
 #include "hgp/parametrize/parametrize.h"
 #include "hgp/system/harmonic.h"
 
 namespace hgp {
 
 struct SeamlessSetup {
-  FieldContext context;
+  std::shared_ptr<const FieldContext> context;  ///< its Laplacian and handles may be gone
   PrescribedField field;
   CutMesh cut;
   SeamRotations seams;
@@ -23,10 +23,9 @@ struct SeamlessSetup {
 };
 
 /// Checks the prescription, completes it, and sets up the system. Appends the stages' times.
-/// @param context  prepareFields(mesh)
 /// @param options  its frames, whose field is then used (the cone metric stays our own); progress
-Result<SeamlessSetup> prepareSeamless(const TriMesh& mesh, FieldContext context,
-                                      const HolonomySpec& spec, const ParametrizeOptions& options,
+Result<SeamlessSetup> prepareSeamless(PreparedSurface& surface, const HolonomySpec& spec,
+                                      const ParametrizeOptions& options,
                                       std::vector<StageTime>& times);
 
 /// The map as uv per copy: scaled to the surface's area, its box centred at the origin.

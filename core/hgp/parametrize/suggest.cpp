@@ -39,15 +39,24 @@ bool isNearlyFlatTorus(const FieldContext& context) {
   return u.maxCoeff() - u.minCoeff() <= kFlatScaleRange;
 }
 
-Result<CompleteSpec> suggestCones(const TriMesh& mesh, const SuggestOptions& options) {
-  FieldContext context = prepareSurface(mesh);
-  Result<HolonomySpec> spec = chooseCones(mesh, context, options);
+Result<CompleteSpec> suggestCones(PreparedSurface& surface, const SuggestOptions& options,
+                                  std::vector<StageTime>* times) {
+  std::vector<StageTime> unused;
+  StageClock clock(options.progress, times != nullptr ? *times : unused);
+  if (!clock.begin("cones")) return cancelled("cones");
+  Result<HolonomySpec> spec = chooseCones(surface.mesh(), surface.context(), options);
   if (!spec) return std::move(spec).error();
-  if (Status done = prepareConnection(mesh, context); !done) return std::move(done).error();
-  if (isNearlyFlatTorus(context)) spec->cones.clear();
-  Result<PrescribedField> completed = prescribedField(mesh, context, *spec);
+  if (!clock.begin("connection")) return cancelled("connection");
+  if (Status done = surface.requireConnection(); !done) return std::move(done).error();
+  if (isNearlyFlatTorus(surface.context())) spec->cones.clear();
+  Result<PrescribedField> completed = surface.field(*spec);
   if (!completed) return std::move(completed).error();
   return completed->spec;
+}
+
+Result<CompleteSpec> suggestCones(const TriMesh& mesh, const SuggestOptions& options) {
+  PreparedSurface surface(mesh);
+  return suggestCones(surface, options);
 }
 
 Result<CompleteSpec> readHolonomy(const TriMesh& mesh, const FieldData& field,

@@ -169,6 +169,27 @@ TEST(Session, WhatIsWrittenIsCertifiedAgainAfterReading) {
 
 TEST(Session, AutomaticConesNeedNothing) { expectRoundTrip(hgp::test::cube(4).data, std::nullopt); }
 
+TEST(Session, SuggestedConesGiveTheMapOfAutomaticOnesByteForByte) {
+  for (const MeshData& mesh :
+       {hgp::test::jittered(hgp::test::pretzel(2, 4), 0.1).data, hgp::test::disk(6).data,
+        together(hgp::test::torus(16, 8).data, hgp::test::cube(4).data)}) {
+    Session automatic = loaded(mesh);
+    ASSERT_TRUE(automatic.parametrize(std::nullopt, {}));
+    Session named = loaded(mesh);
+    const Result<std::string> cones = named.suggest({});
+    ASSERT_TRUE(cones);
+    const auto prescription = readPrescription("cones.json", *cones, 4);
+    ASSERT_TRUE(prescription);
+    ASSERT_TRUE(named.parametrize(*prescription, {}));
+    EXPECT_EQ(automatic.uv(), named.uv());
+    EXPECT_EQ(automatic.cornerToUv(), named.cornerToUv());
+    EXPECT_EQ(automatic.conesJson(), *cones);
+    // A session that solved before gives the same.
+    ASSERT_TRUE(named.parametrize(std::nullopt, {}));
+    EXPECT_EQ(automatic.uv(), named.uv());
+  }
+}
+
 TEST(Session, ADiskGoesOntoAConvexPolygon) {
   SolveOptions options;
   options.boundary = BoundaryKind::kConvex;

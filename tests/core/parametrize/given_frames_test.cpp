@@ -183,13 +183,10 @@ TEST(GivenFrames, WhatIsNoDirectionOnEveryTriangleIsRefused) {
   }
 }
 
-TEST(GivenFrames, ConesThatAreChosenAndConvexBoundariesTakeNone) {
+TEST(GivenFrames, ConvexBoundariesTakeNone) {
   const TriMesh mesh = test::disk(4).mesh();
   FieldData data;
   data.directions.assign(static_cast<std::size_t>(mesh.faceCount()), Vec3{1, 0, 0});
-  const Result<Parametrization> chosen = parametrizeAutomatically(mesh, {}, withFrames(data));
-  ASSERT_FALSE(chosen);
-  EXPECT_EQ(chosen.error().code, ErrorCode::kUsage);
   const Result<Parametrization> convex = parametrizeConvex(mesh, withFrames(data));
   ASSERT_FALSE(convex);
   EXPECT_EQ(convex.error().code, ErrorCode::kUsage);

@@ -66,10 +66,8 @@ TEST(Orbifold, OfThreeConesIsCertifiedAndEqualToTheLinearSolution) {
       EXPECT_EQ(p->rounds.size(), 1u);
 
       std::vector<StageTime> times;
-      Result<FieldContext> context = prepareFields(mesh);
-      ASSERT_TRUE(context);
-      const Result<SeamlessSetup> setup =
-          prepareSeamless(mesh, std::move(*context), spec, {}, times);
+      PreparedSurface surface(mesh);
+      const Result<SeamlessSetup> setup = prepareSeamless(surface, spec, {}, times);
       ASSERT_TRUE(setup);
       const Eigen::MatrixXcd linear = harmonicMaps(*setup);
       ASSERT_EQ(linear.cols(), 2) << "one map up to similarity";

@@ -23,7 +23,8 @@ Prepared sphere(int n) {
   HolonomySpec spec;
   for (VertexId v : test::spreadVertices(out.mesh, 8)) spec.cones.push_back({v, 3});
   std::vector<StageTime> times;
-  auto setup = prepareSeamless(out.mesh, *prepareFields(out.mesh), spec, {}, times);
+  PreparedSurface surface(out.mesh);
+  auto setup = prepareSeamless(surface, spec, {}, times);
   EXPECT_TRUE(setup) << setup.error().message;
   out.setup = std::move(*setup);
   out.coneFaces = coneAndBoundaryFaces(out.mesh, out.setup.cones);
@@ -52,15 +53,15 @@ bool endsWith(const std::string& text, const std::string& end) {
 
 TEST(RepairPlan, PullsARingMoreWhereTheDenseSystemStaysSmall) {
   const Prepared small = sphere(8), large = sphere(32);
-  RepairPlan forSmall(small.mesh, small.setup, false, true);
+  RepairPlan forSmall(small.mesh, small.setup, false);
   EXPECT_EQ(forSmall.next()->pulled, small.coneFaces);
-  RepairPlan forLarge(large.mesh, large.setup, false, true);
+  RepairPlan forLarge(large.mesh, large.setup, false);
   EXPECT_EQ(forLarge.next()->pulled, growFaces(large.mesh, large.coneFaces, 1));
 }
 
 TEST(RepairPlan, MendsAPatchWidensItWhereThatMadeItWorseAndThenBindsEverything) {
   const Prepared on = sphere(32);
-  RepairPlan plan(on.mesh, on.setup, false, true);
+  RepairPlan plan(on.mesh, on.setup, false);
   EXPECT_FALSE(plan.next()->local);
   tell(plan, on, 2, 1.0);
 
@@ -95,7 +96,7 @@ TEST(RepairPlan, MendsAPatchWidensItWhereThatMadeItWorseAndThenBindsEverything) 
 
 TEST(RepairPlan, WidensWhatAPatchLeftWrongAndStartsFromIt) {
   const Prepared on = sphere(32);
-  RepairPlan plan(on.mesh, on.setup, false, true);
+  RepairPlan plan(on.mesh, on.setup, false);
   plan.next();
   tell(plan, on, 5, 1.0);
   EXPECT_TRUE(endsWith(plan.next()->method, "growth 1, locally"));
@@ -108,7 +109,7 @@ TEST(RepairPlan, WidensWhatAPatchLeftWrongAndStartsFromIt) {
 
 TEST(RepairPlan, HasNoPatchOfALargePartOfTheMesh) {
   const Prepared on = sphere(4);
-  RepairPlan plan(on.mesh, on.setup, false, true);
+  RepairPlan plan(on.mesh, on.setup, false);
   plan.next();
   tell(plan, on, 2, 1.0);
   int steps = 0;

@@ -1,0 +1,48 @@
+#include "hgp/field/prepared_surface.h"
+
+#include <algorithm>
+
+namespace hgp {
+namespace {
+
+/// Whether `asked` says all that `found` says, and nothing else.
+bool isExactly(const HolonomySpec& asked, const CompleteSpec& found) {
+  if (asked.q != found.q || asked.cones.size() != found.cones.size()) return false;
+  if (asked.turning.size() != found.turning.size()) return false;
+  if (asked.handles.size() != found.handles.size()) return false;
+  const auto isSame = [](const ConePoint& a, const ConePoint& b) {
+    return a.vertex == b.vertex && a.k == b.k;
+  };
+  return std::equal(asked.cones.begin(), asked.cones.end(), found.cones.begin(), isSame) &&
+         std::equal(asked.turning.begin(), asked.turning.end(), found.turning.begin()) &&
+         std::equal(asked.handles.begin(), asked.handles.end(), found.handles.begin());
+}
+
+}  // namespace
+
+PreparedSurface::PreparedSurface(const TriMesh& mesh)
+    : mesh_(&mesh), context_(std::make_shared<FieldContext>(prepareSurface(mesh))) {}
+
+Status PreparedSurface::requireConnection() {
+  if (hasConnection_) return Done{};
+  if (Status done = prepareConnection(*mesh_, *context_); !done) return done;
+  hasConnection_ = true;
+  return Done{};
+}
+
+void PreparedSurface::releaseConnection() {
+  context_->laplacian = {};
+  context_->handles = {};
+  hasConnection_ = false;
+}
+
+Result<PrescribedField> PreparedSurface::field(const HolonomySpec& spec) {
+  if (last_ && isExactly(spec, last_->spec)) return *last_;
+  last_.reset();
+  if (Status done = requireConnection(); !done) return std::move(done).error();
+  Result<PrescribedField> made = prescribedField(*mesh_, *context_, spec);
+  if (made) last_ = *made;
+  return made;
+}
+
+}  // namespace hgp

@@ -1,0 +1,27 @@
+// What the strategy ends with, before it is laid out and judged.  Role: the one value that everything
+// after the solve takes and returns: improve → align to the grid → snap.
+#pragma once
+
+#include "hgp/optimize/frames.h"
+#include "hgp/parametrize/seamless_setup.h"
+
+namespace hgp {
+
+/// A seamless map as its reduced unknowns. Whatever x is, seams are exact; positions of the copies are
+/// z = setup->unknowns.copies · x.
+struct Solution {
+  std::shared_ptr<const SeamlessSetup> setup;
+  Eigen::VectorXcd x;   ///< setup->unknowns.count
+  PerVertex<double> u;  ///< log scale that the last program was weighted with
+  Frames frames;        ///< its hard constraints
+};
+
+/// Everything that is done to a certified solution before the certificate that counts, in the order
+/// improve → align → snap. A step that changes it must keep it locally injective. True when something
+/// changed: it is then laid out and judged again.
+bool finish(const TriMesh& mesh, const ParametrizeOptions& options, Solution& solution);
+
+/// Its positions, scaled to the surface's area and centred at the origin.
+UvMap layOut(const TriMesh& mesh, const Solution& solution);
+
+}  // namespace hgp

@@ -12,10 +12,7 @@
 #include <cstring>
 #include <filesystem>
 
-#ifdef HGP_HAS_ZLIB
-#include <zlib.h>
-#endif
-
+#include "gzip.h"
 #include "hgp/base/check.h"
 
 namespace hgp::cli {
@@ -25,6 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr int kInterrupted = 130;
 constexpr std::size_t kChunk = std::size_t{1} << 20;
+constexpr std::size_t kPackedChunk = std::size_t{1} << 16;
 
 /// Names of half-written files, readable from a signal handler.
 std::array<char[4096], 8> halfWritten;
@@ -46,6 +44,7 @@ class SignalBlock {
     sigemptyset(&blocked);
     sigaddset(&blocked, SIGINT);
     sigaddset(&blocked, SIGTERM);
+    sigaddset(&blocked, SIGHUP);
     sigprocmask(SIG_BLOCK, &blocked, &before_);
   }
   ~SignalBlock() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
@@ -63,82 +62,70 @@ Failure cannot(ErrorCode code, const char* what, const std::string& path) {
           {}};
 }
 
-Failure tooLarge(std::uint64_t maxBytes) {
-  return {ErrorCode::kLimit,
-          "read",
-          formatText("the input is larger than %llu bytes (--max-bytes)",
-                     static_cast<unsigned long long>(maxBytes)),
-          {}};
+/// What read() gives, again when a signal came between; −1 and errno otherwise.
+ssize_t readSome(int file, std::uint8_t* to, std::size_t size) {
+  for (;;) {
+    const ssize_t got = read(file, to, size);
+    if (got >= 0 || errno != EINTR) return got;
+  }
 }
 
-Result<io::Bytes> readAll(int file, const std::string& path, std::uint64_t maxBytes) {
+/// The bytes of an open file as they are stored; `bytes` may hold its beginning already.
+Status readPlain(int file, const std::string& path, std::uint64_t maxBytes, io::Bytes& bytes) {
+  for (;;) {
+    const std::size_t size = bytes.size();
+    bytes.resize(std::max(std::min(bytes.capacity(), size + kChunk), size + 1));
+    const ssize_t got = readSome(file, bytes.data() + size, bytes.size() - size);
+    if (got < 0) return cannot(ErrorCode::kMalformed, "read", path);
+    bytes.resize(size + static_cast<std::size_t>(got));
+    if (got == 0) return Done{};
+    if (bytes.size() > maxBytes) return tooLarge(maxBytes);
+    if (bytes.capacity() == bytes.size()) bytes.reserve(2 * bytes.size());
+  }
+}
+
+/// Unpacks while it reads: the packed bytes are never held, and what is too large ends early.
+Status readPacked(int file, const std::string& path, std::uint64_t maxBytes, io::Bytes& bytes,
+                  std::vector<std::string>* notes) {
+  Gunzip gunzip(maxBytes);
+  io::Bytes packed = std::move(bytes);
+  bytes.clear();
+  while (!packed.empty()) {
+    if (Status done = gunzip.take(packed, bytes); !done) return done;
+    packed.resize(kPackedChunk);
+    const ssize_t got = readSome(file, packed.data(), packed.size());
+    if (got < 0) return cannot(ErrorCode::kMalformed, "read", path);
+    packed.resize(static_cast<std::size_t>(got));
+  }
+  Status done = gunzip.finish();
+  if (notes != nullptr && !gunzip.note().empty()) notes->push_back(gunzip.note());
+  return done;
+}
+
+Result<io::Bytes> readAll(int file, const std::string& path, std::uint64_t maxBytes,
+                          std::vector<std::string>* notes) {
   io::Bytes bytes;
   struct stat status {};
   if (fstat(file, &status) == 0 && S_ISDIR(status.st_mode)) {
     errno = EISDIR;
     return cannot(ErrorCode::kMalformed, "read", path);
   }
+  while (bytes.size() < 2) {  // a pipe may hand over one byte at a time
+    std::uint8_t next = 0;
+    const ssize_t got = readSome(file, &next, 1);
+    if (got < 0) return cannot(ErrorCode::kMalformed, "read", path);
+    if (got == 0) return bytes;
+    bytes.push_back(next);
+  }
+  const bool isPacked = bytes[0] == 0x1f && bytes[1] == 0x8b;
   if (S_ISREG(status.st_mode)) {
     if (static_cast<std::uint64_t>(status.st_size) > maxBytes) return tooLarge(maxBytes);
-    bytes.reserve(static_cast<std::size_t>(status.st_size) + 1);
+    if (!isPacked) bytes.reserve(static_cast<std::size_t>(status.st_size) + 1);
   }
-  for (;;) {
-    const std::size_t size = bytes.size();
-    bytes.resize(std::max(std::min(bytes.capacity(), size + kChunk), size + 1));
-    const ssize_t got = read(file, bytes.data() + size, bytes.size() - size);
-    if (got < 0 && errno == EINTR) {
-      bytes.resize(size);
-      continue;
-    }
-    if (got < 0) return cannot(ErrorCode::kMalformed, "read", path);
-    bytes.resize(size + static_cast<std::size_t>(got));
-    if (got == 0) return bytes;
-    if (bytes.size() > maxBytes) return tooLarge(maxBytes);
-    if (bytes.capacity() == bytes.size()) bytes.reserve(2 * bytes.size());
-  }
-}
-
-bool isGzip(const io::Bytes& bytes) {
-  return bytes.size() > 18 && bytes[0] == 0x1f && bytes[1] == 0x8b;
-}
-
-Result<io::Bytes> unpack(const io::Bytes& packed, std::uint64_t maxBytes) {
-#ifdef HGP_HAS_ZLIB
-  z_stream stream{};
-  if (inflateInit2(&stream, 15 + 16) != Z_OK) {
-    return Failure{ErrorCode::kLimit, "read", "out of memory while unpacking gzip", {}};
-  }
-  io::Bytes out;
-  std::size_t fed = 0;
-  int status = Z_OK;
-  while (status == Z_OK) {
-    if (stream.avail_in == 0 && fed < packed.size()) {
-      const std::size_t component =
-          std::min<std::size_t>(packed.size() - fed, std::size_t{1} << 30);
-      stream.next_in = const_cast<Bytef*>(packed.data() + fed);
-      stream.avail_in = static_cast<uInt>(component);
-      fed += component;
-    }
-    const std::size_t size = out.size();
-    out.resize(size + std::max(kChunk, size / 2));
-    stream.next_out = out.data() + size;
-    stream.avail_out = static_cast<uInt>(std::min<std::size_t>(out.size() - size, 1u << 30));
-    const std::size_t room = stream.avail_out;
-    status = inflate(&stream, Z_NO_FLUSH);
-    out.resize(size + room - stream.avail_out);
-    if (out.size() > maxBytes) break;
-  }
-  inflateEnd(&stream);
-  if (out.size() > maxBytes) return tooLarge(maxBytes);
-  if (status != Z_STREAM_END) {
-    return Failure{ErrorCode::kMalformed, "read", "the gzip data are damaged or cut off", {}};
-  }
-  return out;
-#else
-  (void)packed;
-  (void)maxBytes;
-  return Failure{ErrorCode::kUnsupported, "read", "this build cannot unpack gzip", {}};
-#endif
+  Status done = isPacked ? readPacked(file, path, maxBytes, bytes, notes)
+                         : readPlain(file, path, maxBytes, bytes);
+  if (!done) return done.error();
+  return bytes;
 }
 
 Status writeAll(int file, const std::string& path, const std::uint8_t* bytes, std::size_t size) {
@@ -228,21 +215,21 @@ bool isInside(const fs::path& root, const fs::path& file) {
 
 }  // namespace
 
-Result<io::Bytes> readFile(const std::string& path, std::uint64_t maxBytes) {
+Result<io::Bytes> readFile(const std::string& path, std::uint64_t maxBytes,
+                           std::vector<std::string>* notes) {
   const bool isStandardInput = path == "-";
   const int file = isStandardInput ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return cannot(ErrorCode::kMalformed, "open", path);
-  Result<io::Bytes> bytes = readAll(file, path, maxBytes);
+  Result<io::Bytes> bytes = readAll(file, path, maxBytes, notes);
   if (!isStandardInput) close(file);
-  if (!bytes || !isGzip(*bytes)) return bytes;
-  return unpack(*bytes, maxBytes);
+  return bytes;
 }
 
 Result<io::FileSet> openFiles(const std::string& path, const std::string& format,
                               const std::string& root, std::uint64_t maxBytes) {
-  Result<io::Bytes> bytes = readFile(path, maxBytes);
-  if (!bytes) return bytes.error();
   io::FileSet files;
+  Result<io::Bytes> bytes = readFile(path, maxBytes, &files.notes);
+  if (!bytes) return bytes.error();
   files.name = path == "-" ? "stdin." + format : fs::path(path).filename().string();
   if (files.name.size() > 3 && files.name.substr(files.name.size() - 3) == ".gz") {
     files.name.resize(files.name.size() - 3);
@@ -327,6 +314,7 @@ void handleInterrupts() {
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  sigaction(SIGHUP, &action, nullptr);
   signal(SIGPIPE, SIG_IGN);
 }
 

@@ -10,9 +10,10 @@
 
 namespace hgp::cli {
 
-/// The whole file, "-" for standard input; gzip is unpacked. Fails with kMalformed (cannot be read)
-/// or kLimit.
-Result<io::Bytes> readFile(const std::string& path, std::uint64_t maxBytes);
+/// The whole file, "-" for standard input; gzip (of any number of members) is unpacked while it is
+/// read. Fails with kMalformed (cannot be read) or kLimit. `notes` takes what a person should know.
+Result<io::Bytes> readFile(const std::string& path, std::uint64_t maxBytes,
+                           std::vector<std::string>* notes = nullptr);
 
 /// A document's files: the main one, and a resolver that sees nothing outside `root` ("" = the
 /// folder of `path`), symbolic links followed.
@@ -28,7 +29,7 @@ Status writeText(const std::string& path, std::string_view text);
 /// True when both names mean one regular file, there already or not. "" and "-" mean none.
 bool isSameFile(const std::string& a, const std::string& b);
 
-/// SIGINT and SIGTERM remove what is half written and end the program with 130.
+/// SIGINT, SIGTERM and SIGHUP remove what is half written and end the program with 130.
 void handleInterrupts();
 
 }  // namespace hgp::cli

@@ -165,8 +165,19 @@ Status splitIntoComponents(Model& model) {
   return Done{};
 }
 
+/// Cones inside a file are an offer: where they cannot be read, the rest of the file still can.
+void takeEmbeddedCones(Model& model) {
+  Result<std::optional<io::Prescription>> cones = model.document->embeddedCones(model.surface);
+  if (cones) {
+    model.embeddedCones = std::move(*cones);
+  } else {
+    model.notes.push_back("the cones stored in the file are not used: " + cones.error().message);
+  }
+}
+
 Status prepare(Model& model, const LoadOptions& options) {
   if (Status chosen = chooseSurface(model, options.surface); !chosen) return chosen;
+  takeEmbeddedCones(model);
   const MeshData& source = model.source().mesh;
   if (source.triangles.size() > options.limits.maxTriangles) {
     return Failure{ErrorCode::kLimit,
@@ -195,6 +206,7 @@ Status prepare(Model& model, const LoadOptions& options) {
 Result<Model> loadModel(io::FileSet files, const LoadOptions& options) {
   Model model;
   model.fileName = files.name;
+  model.notes = std::move(files.notes);
   model.byteCount = files.main.size();
   if (files.main.size() <= options.limits.maxBytes) {
     model.sha256 = sha256(files.main.data(), files.main.size());

@@ -31,7 +31,9 @@ struct Model {
   std::vector<int> faceOrigin;   ///< face of `mesh` → face of the surface, −1 made by a repair
   std::vector<int> cornerOrigin;   ///< corner 3f + k of `mesh` → corner of the surface, −1
   bool isChanged = false;          ///< a weld or a repair did something
-  std::vector<std::string> notes;  ///< what weld and repairs did
+  std::vector<std::string> notes;  ///< what reading, weld and repairs did
+  std::optional<io::Prescription>
+      embeddedCones;  ///< stored in the file; broken ones are only noted
 
   std::vector<Defect> defects;      ///< of `mesh`
   std::optional<Failure> unusable;  ///< why there are no components

@@ -133,7 +133,7 @@ Result<std::string> Session::convert(const io::Prescription& prescription) const
 Result<std::optional<io::Prescription>> Session::embeddedCones() const {
   return guarded([&]() -> Result<std::optional<io::Prescription>> {
     if (!state_->model) return notLoaded();
-    return state_->model->document->embeddedCones(state_->model->surface);
+    return state_->model->embeddedCones;
   });
 }
 

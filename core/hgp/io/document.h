@@ -42,6 +42,7 @@ struct FileSet {
   std::string name;  ///< as the user wrote it; only its extension and messages use it
   Bytes main;
   Resolver resolve;
+  std::vector<std::string> notes;  ///< what the one who opened the files wants to be told with them
   std::shared_ptr<const GltfDecoders> decoders;  ///< of compressed glTF; empty: those of this build
 };
 

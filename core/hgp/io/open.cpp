@@ -37,21 +37,20 @@ Result<DocumentPtr> openDocument(FileSet files, const Limits& limits) {
                    {}};
   }
   if (files.main.empty()) return malformedByte(0, "the file is empty");
-  std::string_view text = asText(files.main);
+  const std::string_view text = withoutByteOrderMark(asText(files.main));
   const auto startsWith = [&](std::string_view start) {
     return text.substr(0, start.size()) == start;
   };
   if (startsWith("glTF")) return readGltf(std::move(files), limits);
   if (startsWith("ply")) return readPly(std::move(files), limits);
   if (hasBinaryStlSize(files.main)) return readStl(files, limits);
-  if (startsWith("\xEF\xBB\xBF")) text.remove_prefix(3);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   const char c = first == std::string_view::npos ? '\0' : text[first];
   const std::string extension = extensionOf(files.name);
   if (c == '{' || extension == "gltf" || extension == "glb")
     return readGltf(std::move(files), limits);
   if (c == '<') return malformedByte(first, "this is HTML or XML, not a mesh");
-  if (startsWith("solid") && extension != "obj") return readStl(files, limits);
+  if (isStlText(text) && extension != "obj") return readStl(files, limits);
   if (extension == "off" || extension == "stl" || extension == "ply") {
     if (extension == "off") return readOff(std::move(files), limits);
     if (extension == "stl") return readStl(files, limits);

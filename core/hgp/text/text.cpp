@@ -157,12 +157,17 @@ void appendInt(std::string& out, std::int64_t value) {
   out.append(buffer, answer.ptr);
 }
 
+char lineEndOf(std::string_view text) {
+  const bool isOld = text.find('\n') == std::string_view::npos;
+  return isOld && text.find('\r') != std::string_view::npos ? '\r' : '\n';
+}
+
 void WordReader::skip() {
   for (; p_ != end_; ++p_) {
-    if (*p_ == '\n') {
+    if (*p_ == lineEnd_) {
       ++line_;
     } else if (*p_ == '#') {
-      while (p_ != end_ && *p_ != '\n') ++p_;
+      while (p_ != end_ && *p_ != lineEnd_) ++p_;
       if (p_ == end_) return;
       ++line_;
     } else if (!isBlank(*p_)) {
@@ -199,13 +204,13 @@ bool WordReader::nextInt(std::int64_t& out) {
 
 std::string_view WordReader::restOfLine() {
   const char* begin = p_;
-  while (p_ != end_ && *p_ != '\n') ++p_;
+  while (p_ != end_ && *p_ != lineEnd_) ++p_;
   return std::string_view(begin, static_cast<std::size_t>(p_ - begin));
 }
 
 std::int64_t lineAt(std::string_view text, std::size_t offset) {
   const auto stop = text.begin() + static_cast<std::ptrdiff_t>(std::min(offset, text.size()));
-  return 1 + std::count(text.begin(), stop, '\n');
+  return 1 + std::count(text.begin(), stop, lineEndOf(text));
 }
 
 std::string inQuotes(std::string_view text, std::size_t limit) {

@@ -43,10 +43,14 @@ inline bool readInt(const char*& p, const char* end, std::int64_t& out) {
 void appendDouble(std::string& out, double value);
 void appendInt(std::string& out, std::int64_t value);
 
+/// The byte that ends a line: '\n', or '\r' in a text that has no '\n' at all (old Macintosh files).
+char lineEndOf(std::string_view text);
+
 /// Walks over the words of a text, blanks and line ends alike, with '#' comments skipped.
 class WordReader {
  public:
-  explicit WordReader(std::string_view text) : p_(text.data()), end_(text.data() + text.size()) {}
+  explicit WordReader(std::string_view text)
+      : p_(text.data()), end_(text.data() + text.size()), lineEnd_(lineEndOf(text)) {}
   /// The next word, or an empty view at the end.
   std::string_view next();
   /// The next word as a number; false when it is not one, and `word` then holds it.
@@ -62,6 +66,7 @@ class WordReader {
   void skip();
   const char* p_;
   const char* end_;
+  char lineEnd_;
   int line_ = 1;
   std::string_view word_;
 };

@@ -21,6 +21,8 @@ class ObjPatch {
     const std::size_t firstLine = text_.find('\n');
     if (firstLine != std::string_view::npos && firstLine > 0 && text_[firstLine - 1] == '\r') {
       lineEnd_ = "\r\n";
+    } else if (lineEndOf(text_) == '\r') {
+      lineEnd_ = "\r";
     }
     std::size_t face = 0, uvRun = 0, element = 0;
     bool isEmbeddedOpen = places_.embedded.end > 0;
@@ -156,7 +158,8 @@ class ObjDocument final : public PolygonDocument {
     written.files.push_back({options.name, asBytes(text)});
     if (!places_.uvLines.empty()) written.notes.push_back("the old vt lines were replaced");
     if (!places_.elementLines.empty()) {
-      written.notes.push_back("polylines (l) lost their references to the old vt lines");
+      written.notes.push_back(
+          "polylines (l) and skipped faces lost their references to the old vt lines");
     }
     return written;
   }

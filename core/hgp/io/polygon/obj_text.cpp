@@ -22,7 +22,7 @@ bool takeIndexText(const char*& p, const char* end, std::string_view& out) {
 class ObjScanner {
  public:
   ObjScanner(std::string_view text, std::uint64_t maxTriangles)
-      : text_(text), maxTriangles_(maxTriangles) {}
+      : text_(text), maxTriangles_(maxTriangles), eol_(lineEndOf(text)) {}
 
   Result<ObjText> scan() {
     if (const std::size_t nul = text_.find('\0'); nul != std::string_view::npos) {
@@ -58,7 +58,7 @@ class ObjScanner {
     return false;
   }
 
-  /// One logical line; a backslash before the line end joins the next one.
+  /// One logical line; a backslash before the line end joins the next one, but not inside a comment.
   bool takeLine() {
     lineBegin_ = position_;
     const char* begin = text_.data() + position_;
@@ -75,14 +75,14 @@ class ObjScanner {
     position_ = nextLine(end);
     joined_.assign(first, end);  // same offsets as the original, line ends blanked
     for (char& c : joined_) {
-      if (c == '\n' || c == '\\') c = ' ';
+      if (c == eol_ || c == '\\') c = ' ';
     }
     return takeStatement(joined_.data(), joined_.data() + joined_.size(), first);
   }
 
   const char* lineEnd(const char* p) const {
     const char* stop = text_.data() + text_.size();
-    const void* found = std::memchr(p, '\n', static_cast<std::size_t>(stop - p));
+    const void* found = std::memchr(p, eol_, static_cast<std::size_t>(stop - p));
     return found ? static_cast<const char*>(found) : stop;
   }
   std::size_t nextLine(const char* end) const {
@@ -91,17 +91,22 @@ class ObjScanner {
   }
   static bool isContinued(const char* begin, const char* end) {
     if (end != begin && end[-1] == '\r') --end;
-    return end != begin && end[-1] == '\\';
+    if (end == begin || end[-1] != '\\') return false;
+    return std::memchr(begin, '#', static_cast<std::size_t>(end - begin)) == nullptr;
   }
 
   bool takeStatement(const char* p, const char* end, const char* original) {
     skipBlanks(p, end);
     if (p == end) return true;
     if (*p == '#') return takeComment(p, end, original);
-    if (static_cast<std::size_t>(end - p) > kMaxLine) return fail("the line is longer than 1 MiB");
     const char* word = p;
     while (p != end && !isBlank(*p)) ++p;
     const std::size_t length = static_cast<std::size_t>(p - word);
+    // Names (o, g, usemtl …) may be as long as they like: they are not read.
+    const bool isRead = length <= 2 && *word != 'o' && *word != 'g';
+    if (isRead && static_cast<std::size_t>(end - p) > kMaxLine) {
+      return fail("the line is longer than 1 MiB");
+    }
     const TextSpan span{lineBegin_, position_};
     if (length == 1 && *word == 'v') return takeVertex(p, end);
     if (length == 2 && word[0] == 'v' && word[1] == 't') return takeUv(p, end, span);
@@ -176,22 +181,33 @@ class ObjScanner {
     return true;
   }
 
+  /// A vt that is not there counts as none (forward ones are looked at in the end).
+  bool takeUvIndex(const char*& p, const char* end, int& out) {
+    std::int64_t index = 0;
+    if (!readInt(p, end, index)) return fail("a corner of this f line is not a number");
+    index += index < 0 ? static_cast<std::int64_t>(out_.uv.size()) : -1;
+    const bool isThere = index >= 0 && index <= INT32_MAX;
+    out = isThere ? static_cast<int>(index) : -1;
+    missingUv_ += !isThere;
+    hasUv_ = hasUv_ || isThere;
+    return true;
+  }
+
   bool takeFace(const char* p, const char* end, const TextSpan& span) {
     PolygonMesh& polygons = out_.polygons;
     const std::size_t first = polygons.cornerVertex.size();
     for (skipBlanks(p, end); p != end && *p != '#'; skipBlanks(p, end)) {
-      int v = -1, vt = -1, vn = -1;
+      int v = -1, vt = -1;
+      std::int64_t vn = 0;
       if (!takeIndex(p, end, polygons.positions.size(), v)) return false;
       if (p != end && *p == '/') {
         ++p;
         if (p != end && *p != '/' && !isBlank(*p)) {
-          if (!takeIndex(p, end, out_.uv.size(), vt)) return false;
-          hasUv_ = true;
+          if (!takeUvIndex(p, end, vt)) return false;
         }
-        // vn lines are not counted: a relative normal is kept as it is spelled.
-        if (p != end && *p == '/' && ++p != end && !isBlank(*p) &&
-            !takeIndex(p, end, INT32_MAX, vn)) {
-          return false;
+        // vn lines are not counted: a normal is kept as it is spelled.
+        if (p != end && *p == '/' && ++p != end && !isBlank(*p) && !readInt(p, end, vn)) {
+          return fail("a corner of this f line is not a number");
         }
       }
       if (p != end && !isBlank(*p) && *p != '#')
@@ -200,7 +216,7 @@ class ObjScanner {
       out_.cornerUv.push_back(vt);
     }
     const std::size_t corners = polygons.cornerVertex.size() - first;
-    if (corners < 3) return fail(formatText("a face of %zu corners", corners));
+    if (corners < 3) return skipFace(first, span);
     if (corners > static_cast<std::size_t>(kMaxPolygonCorners)) {
       return fail(
           formatText("a face of %zu corners; at most %d are read", corners, kMaxPolygonCorners));
@@ -217,6 +233,16 @@ class ObjScanner {
     return false;
   }
 
+  /// A face without an inside: the line stays in the file, without the vt that are going to be replaced.
+  bool skipFace(std::size_t first, const TextSpan& span) {
+    out_.polygons.cornerVertex.resize(first);
+    out_.cornerUv.resize(first);
+    const std::string_view line = text_.substr(span.begin, span.end - span.begin);
+    if (line.find('/') != std::string_view::npos) out_.elementLines.push_back(span);
+    ++skippedFaces_;
+    return true;
+  }
+
   /// Positive indices may point forwards, so they are checked at the end.
   bool checkRanges() {
     const PolygonMesh& polygons = out_.polygons;
@@ -224,13 +250,14 @@ class ObjScanner {
     const int uvs = static_cast<int>(out_.uv.size());
     for (std::size_t p = 0; p + 1 < polygons.start.size(); ++p) {
       for (std::size_t c = polygons.start[p]; c < polygons.start[p + 1]; ++c) {
-        const bool isVertex = polygons.cornerVertex[c] < vertices;
-        if (isVertex && out_.cornerUv[c] < uvs) continue;
+        if (out_.cornerUv[c] >= uvs) {  // will be replaced anyway
+          out_.cornerUv[c] = -1;
+          ++missingUv_;
+        }
+        if (polygons.cornerVertex[c] < vertices) continue;
         lineBegin_ = out_.faceLines[p].begin;
-        return isVertex ? fail(formatText("vt %d is out of range (there are %d)",
-                                          out_.cornerUv[c] + 1, uvs))
-                        : fail(formatText("vertex %d is out of range (there are %d)",
-                                          polygons.cornerVertex[c] + 1, vertices));
+        return fail(formatText("vertex %d is out of range (there are %d)",
+                               polygons.cornerVertex[c] + 1, vertices));
       }
     }
     return true;
@@ -247,10 +274,20 @@ class ObjScanner {
                      large));
     }
     if (hasCommands_) out_.notes.push_back("call and csh lines are not executed");
+    if (skippedFaces_ > 0) {
+      out_.notes.push_back(
+          formatText("%d f lines with fewer than three corners are skipped", skippedFaces_));
+    }
+    if (missingUv_ > 0) {
+      out_.notes.push_back(
+          formatText("%d corners name a vt that is not there; they count as without", missingUv_));
+    }
+    if (eol_ == '\r') out_.notes.push_back("the lines end in CR alone");
   }
 
   std::string_view text_;
   std::uint64_t maxTriangles_;
+  char eol_;
   ObjText out_;
   Failure failure_;
   std::string joined_;
@@ -259,6 +296,7 @@ class ObjScanner {
   std::uint64_t triangles_ = 0;
   bool hasUv_ = false;
   bool hasCommands_ = false;
+  int skippedFaces_ = 0, missingUv_ = 0;
 };
 
 }  // namespace

@@ -21,7 +21,7 @@ struct ObjText {
   std::vector<int> cornerUv;        ///< per polygon corner, −1 none; empty when no corner has one
   std::vector<TextSpan> faceLines;  ///< one per polygon, continuations and line end included
   std::vector<TextSpan> uvLines;    ///< runs of vt lines
-  std::vector<TextSpan> elementLines;  ///< l lines that name a vt
+  std::vector<TextSpan> elementLines;  ///< l lines and skipped f lines that name a vt
   std::vector<TextSpan> coneLines;     ///< c and sm lines of the HGP format
   TextSpan embedded;                   ///< our "# hgp-cones {…}" line, or empty
   std::vector<std::string> notes;
@@ -30,9 +30,10 @@ struct ObjText {
 /// Comment that carries cones inside an OBJ.
 inline constexpr std::string_view kEmbeddedConesMark = "# hgp-cones ";
 
-/// Fails with kMalformed and a line number for: index 0, out of range or relative before its
-/// definition; fewer than 3 corners or more than kMaxPolygonCorners; a line above 1 MiB; anything
-/// but finite decimal numbers; with kLimit above `maxTriangles`.
+/// Fails with kMalformed and a line number for: a vertex index 0, out of range or relative before its
+/// definition; more than kMaxPolygonCorners corners; a line above 1 MiB; anything but finite decimal
+/// numbers; with kLimit above `maxTriangles`. With a note: faces of fewer than three corners are
+/// skipped, a vt out of range counts as none, a text without any '\n' has lines that end in '\r'.
 Result<ObjText> scanObj(std::string_view text, std::uint64_t maxTriangles);
 
 /// One corner "v", "v/vt", "v//vn" or "v/vt/vn" of a face line, as spelled.

@@ -5,17 +5,22 @@
 namespace hgp::io {
 namespace {
 
-/// "[ST][C][N]OFF", the counts, the vertices, the faces; numbers are free-form.
+/// "[ST][C][N]OFF", the counts, the vertices, the faces; numbers are free-form. The keyword, the count
+/// of edges and what follows a vertex may be missing or vary, as they do in the files of many programs.
 class OffReader {
  public:
   OffReader(std::string_view text, std::uint64_t maxTriangles)
       : words_(text), size_(text.size()), maxTriangles_(maxTriangles) {}
 
   Result<DocumentPtr> read() {
-    if (takeHeader() && takeVertices() && takeFaces()) {
-      return PolygonDocument::make("off", std::move(file_));
+    if (!takeHeader() || !takeCounts() || !takeVertices() || !takeFaces()) {
+      return std::move(failure_);
     }
-    return std::move(failure_);
+    if (skippedFaces_ > 0) {
+      file_.notes.push_back(formatText("%lld faces with fewer than three corners are skipped",
+                                       static_cast<long long>(skippedFaces_)));
+    }
+    return PolygonDocument::make("off", std::move(file_));
   }
 
  private:
@@ -26,6 +31,7 @@ class OffReader {
   bool failNumber() { return fail("expected a number, not " + inQuotes(words_.word())); }
 
   bool takeHeader() {
+    WordReader start = words_;
     std::string keyword(words_.next());
     const auto takePrefix = [&](const char* prefix) {
       const std::string p(prefix);
@@ -36,12 +42,24 @@ class OffReader {
     hasUv_ = takePrefix("ST");
     hasColor_ = takePrefix("C");
     hasNormal_ = takePrefix("N");
-    if (keyword != "OFF") return fail("not an OFF file (the first word must be OFF)");
-    std::int64_t edges = 0;
+    isHomogeneous_ = keyword == "4OFF" && takePrefix("4");
+    if (keyword == "OFF") return true;
+    std::int64_t count = 0;
+    WordReader counts = start;
+    if (hasUv_ || hasColor_ || hasNormal_ || isHomogeneous_ || !counts.nextInt(count)) {
+      return fail("not an OFF file (the first word must be OFF)");
+    }
+    words_ = start;
+    file_.notes.push_back("the keyword OFF is missing");
+    return true;
+  }
+
+  bool takeCounts() {
     if (!words_.nextInt(vertices_)) {
       return words_.word() == "BINARY" ? fail("binary OFF files are not read") : failNumber();
     }
-    if (!words_.nextInt(faces_) || !words_.nextInt(edges)) return failNumber();
+    if (!words_.nextInt(faces_)) return failNumber();
+    takeEdgeCount();
     // Every row takes at least a few bytes, so a count above the file's size is a lie.
     const std::int64_t most = static_cast<std::int64_t>(size_);
     if (vertices_ < 0 || faces_ < 0 || vertices_ > most || faces_ > most) {
@@ -50,24 +68,55 @@ class OffReader {
     return true;
   }
 
+  /// The number of edges: behind the other two, alone on a line of its own, or not there at all.
+  void takeEdgeCount() {
+    std::int64_t ignored = 0;
+    WordReader rest(words_.restOfLine());
+    if (!rest.isAtEnd()) return;
+    WordReader ahead = words_;
+    if (!ahead.nextInt(ignored)) return;
+    WordReader behind(ahead.restOfLine());
+    if (behind.isAtEnd()) words_ = ahead;
+  }
+
   bool takeVertices() {
     for (std::int64_t i = 0; i < vertices_; ++i) {
       Vec3 p{};
       for (double& x : p) {
         if (!words_.nextDouble(x)) return failNumber();
       }
+      double w = 1;
+      if (isHomogeneous_ && !words_.nextDouble(w)) return failNumber();
+      if (w == 0) return fail("a vertex at infinity (the fourth coordinate is 0)");
+      if (isHomogeneous_) p = {p[0] / w, p[1] / w, p[2] / w};
       file_.polygons.positions.push_back(p);
+      if (!takeExtras()) return false;
+    }
+    return true;
+  }
+
+  /// What follows a position: normal, colour (three or four numbers), texture coordinates. By the line;
+  /// where that is too short, by the count that the keyword announces.
+  bool takeExtras() {
+    WordReader line(words_.restOfLine());
+    if (!hasUv_) {
+      const bool isCut = (hasColor_ || hasNormal_) && line.isAtEnd();
       double ignored = 0;
-      for (int k = 0; k < (hasColor_ ? 4 : 0) + (hasNormal_ ? 3 : 0); ++k) {
+      for (int k = 0; isCut && k < (hasColor_ ? 4 : 0) + (hasNormal_ ? 3 : 0); ++k) {
         if (!words_.nextDouble(ignored)) return failNumber();
       }
-      Vec2 uv{};
-      if (hasUv_ && (!words_.nextDouble(uv[0]) || !words_.nextDouble(uv[1]))) return failNumber();
-      if (hasUv_)
-        file_.uv.push_back(uv);
-      else
-        words_.restOfLine();  // colours and the like
+      return true;
     }
+    std::vector<double> numbers;
+    double x = 0;
+    while (line.nextDouble(x)) numbers.push_back(x);
+    const std::size_t announced = (hasColor_ ? 4 : 0) + (hasNormal_ ? 3 : 0) + 2;
+    const bool isWhole = numbers.size() >= announced - (hasColor_ ? 1 : 0);
+    while (!isWhole && numbers.size() < announced) {
+      if (!words_.nextDouble(x)) return failNumber();
+      numbers.push_back(x);
+    }
+    file_.uv.push_back({numbers[numbers.size() - 2], numbers.back()});
     return true;
   }
 
@@ -76,8 +125,13 @@ class OffReader {
     for (std::int64_t f = 0; f < faces_; ++f) {
       std::int64_t corners = 0;
       if (!words_.nextInt(corners)) return failNumber();
-      if (corners < 3 || corners > kMaxPolygonCorners) {
+      if (corners < 0 || corners > kMaxPolygonCorners) {
         return fail(formatText("a face of %lld corners", static_cast<long long>(corners)));
+      }
+      if (corners < 3) {
+        words_.restOfLine();
+        ++skippedFaces_;
+        continue;
       }
       for (std::int64_t c = 0; c < corners; ++c) {
         std::int64_t v = 0;
@@ -102,7 +156,7 @@ class OffReader {
         return false;
       }
     }
-    if (faces_ == 0) return fail("there are no faces");
+    if (file_.polygons.polygonCount() == 0) return fail("there are no faces");
     return true;
   }
 
@@ -112,13 +166,14 @@ class OffReader {
   PolygonFile file_;
   Failure failure_;
   std::int64_t vertices_ = 0, faces_ = 0;
-  bool hasUv_ = false, hasColor_ = false, hasNormal_ = false;
+  std::int64_t skippedFaces_ = 0;
+  bool hasUv_ = false, hasColor_ = false, hasNormal_ = false, isHomogeneous_ = false;
 };
 
 }  // namespace
 
 Result<DocumentPtr> readOff(FileSet files, const Limits& limits) {
-  return OffReader(asText(files.main), limits.maxTriangles).read();
+  return OffReader(withoutByteOrderMark(asText(files.main)), limits.maxTriangles).read();
 }
 
 }  // namespace hgp::io

@@ -15,7 +15,7 @@ class PlyBody {
       : text_(body), body_(body), encoding_(encoding) {}
 
   bool next(PlyType type, double& out) {
-    if (encoding_ == PlyEncoding::kText) return text_.nextDouble(out);
+    if (encoding_ == PlyEncoding::kText) return nextWord(out);
     const std::size_t size = plySize(type);
     if (body_.size() - offset_ < size) return false;
     unsigned char raw[8] = {};
@@ -32,6 +32,15 @@ class PlyBody {
   std::string word() const { return inQuotes(text_.word()); }
 
  private:
+  /// Some writers leave comments between the rows.
+  bool nextWord(double& out) {
+    while (!text_.nextDouble(out)) {
+      if (text_.word() != "comment" && text_.word() != "obj_info") return false;
+      text_.restOfLine();
+    }
+    return true;
+  }
+
   WordReader text_;
   std::string_view body_;
   PlyEncoding encoding_;
@@ -53,9 +62,13 @@ class PlyReader {
       if (!takeElement(element)) return std::move(failure_);
     }
     if (file_.polygons.positions.empty() || file_.polygons.polygonCount() == 0) {
-      return malformedByte(header_.bodyOffset, "there are no vertices or no faces");
+      return malformedByte(
+          header_.bodyOffset,
+          formatText("%zu vertices and %d faces: not a surface (a point cloud?)",
+                     file_.polygons.positions.size(), file_.polygons.polygonCount()));
     }
     if (!finishUv()) return std::move(failure_);
+    addNotes();
     return PolygonDocument::make("ply", std::move(file_));
   }
 
@@ -114,8 +127,9 @@ class PlyReader {
     double length = 0;
     list_.clear();
     if (!take(property.countType, length)) return false;
-    const double most =
-        property.role == PlyRole::kUvList ? 2.0 * kMaxPolygonCorners : 1.0 * kMaxPolygonCorners;
+    const double most = isStrip_                            ? static_cast<double>(text_.size())
+                        : property.role == PlyRole::kUvList ? 2.0 * kMaxPolygonCorners
+                                                            : 1.0 * kMaxPolygonCorners;
     if (!(length >= 0 && length <= most)) return fail(formatText("a list of %g entries", length));
     for (int i = 0; i < static_cast<int>(length); ++i) {
       double x = 0;
@@ -127,6 +141,7 @@ class PlyReader {
 
   bool takeRow(const PlyElement& element) {
     const bool isFace = element.name == "face";
+    isStrip_ = element.name == "tristrips";
     std::size_t corners = 0;
     std::vector<double> uv;
     for (const PlyProperty& property : element.properties) {
@@ -137,8 +152,12 @@ class PlyReader {
       }
       if (!takeList(property)) return false;
       if (isFace && property.role == PlyRole::kUvList) uv = list_;
+      if (isStrip_ && property.role == PlyRole::kCorners && !takeStrips()) return false;
       if (!isFace || property.role != PlyRole::kCorners) continue;
-      if (list_.size() < 3) return fail(formatText("a face of %zu corners", list_.size()));
+      if (list_.size() < 3) {
+        ++skippedFaces_;
+        continue;
+      }
       corners = list_.size();
       if (!takeCorners()) return false;
     }
@@ -167,6 +186,32 @@ class PlyReader {
     return false;
   }
 
+  /// Triangle strips in one list, each ended by a negative number; every other triangle turns around.
+  /// Triangles that name a vertex twice only join strips.
+  bool takeStrips() {
+    const std::vector<double> strip = std::move(list_);
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < strip.size(); ++i) {
+      if (strip[i] < 0) begin = i + 1;
+      if (i < begin + 2) continue;
+      const double a = strip[i - 2], b = strip[i - 1], c = strip[i];
+      if (a == b || b == c || c == a) continue;
+      const bool isTurned = (i - begin) % 2 == 1;
+      list_ = {isTurned ? b : a, isTurned ? a : b, c};
+      if (!takeCorners()) return false;
+    }
+    ++strips_;
+    return true;
+  }
+
+  void addNotes() {
+    if (strips_ > 0) file_.notes.push_back("triangle strips are read as triangles");
+    if (skippedFaces_ > 0) {
+      file_.notes.push_back(
+          formatText("%d faces with fewer than three corners are skipped", skippedFaces_));
+    }
+  }
+
   bool finishUv() {
     const std::size_t vertices = file_.polygons.positions.size();
     if (static_cast<std::size_t>(largest_) >= vertices) {
@@ -190,14 +235,15 @@ class PlyReader {
   Failure failure_;
   std::vector<double> list_;
   std::vector<Vec2> vertexUv_;
-  int largest_ = -1;
+  int largest_ = -1, strips_ = 0, skippedFaces_ = 0;
+  bool isStrip_ = false;
   std::uint64_t triangles_ = 0;
 };
 
 }  // namespace
 
 Result<DocumentPtr> readPly(FileSet files, const Limits& limits) {
-  return PlyReader(asText(files.main), limits.maxTriangles).read();
+  return PlyReader(withoutByteOrderMark(asText(files.main)), limits.maxTriangles).read();
 }
 
 }  // namespace hgp::io

@@ -93,9 +93,14 @@ double numberAs(const unsigned char* bytes) {
 Result<PlyHeader> readPlyHeader(std::string_view text) {
   PlyHeader header;
   if (text.substr(0, 3) != "ply") return malformedByte(0, "not a PLY file");
+  // A binary body may hold any byte: the first line says how lines end.
+  const std::size_t first = text.find_first_of("\r\n");
+  const bool isOld =
+      first != std::string_view::npos && text[first] == '\r' && text.substr(first + 1, 1) != "\n";
+  const char lineEnd = isOld ? '\r' : '\n';
   std::size_t position = 0;
   while (position < text.size()) {
-    const std::size_t end = text.find('\n', position);
+    const std::size_t end = text.find(lineEnd, position);
     if (end == std::string_view::npos || position > (std::size_t{1} << 20)) break;
     std::string_view line = text.substr(position, end - position);
     ++header.lineCount;

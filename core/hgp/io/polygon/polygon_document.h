@@ -58,4 +58,12 @@ inline std::string_view asText(ByteView bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
+/// Whether a text begins as an STL text does: comments, then the word "solid" in any case.
+bool isStlText(std::string_view text);
+
+/// The text behind a UTF-8 byte order mark, where there is one.
+inline std::string_view withoutByteOrderMark(std::string_view text) {
+  return text.substr(0, 3) == "\xEF\xBB\xBF" ? text.substr(3) : text;
+}
+
 }  // namespace hgp::io

@@ -1,4 +1,6 @@
 #include <cstring>
+#include <optional>
+#include <string>
 
 #include "hgp/base/check.h"
 #include "hgp/io/polygon/polygon_document.h"
@@ -35,13 +37,22 @@ Result<std::vector<Vec3>> readBinary(const Bytes& bytes, std::size_t count) {
   return corners;
 }
 
+/// The word in small letters: some programs write capitals.
+std::string lower(std::string_view word) {
+  std::string out(word);
+  for (char& c : out) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+  }
+  return out;
+}
+
 Result<std::vector<Vec3>> readText(std::string_view text) {
   WordReader words(text);
-  if (words.next() != "solid") return malformedLine(words.line(), "not an STL file");
+  if (lower(words.next()) != "solid") return malformedLine(words.line(), "not an STL file");
   words.restOfLine();
   std::vector<Vec3> corners;
   while (!words.isAtEnd()) {
-    const std::string_view word = words.next();
+    const std::string word = lower(words.next());
     if (word == "vertex") {
       Vec3 p{};
       for (double& x : p) {
@@ -52,7 +63,7 @@ Result<std::vector<Vec3>> readText(std::string_view text) {
       corners.push_back(p);
     } else if (word == "endloop") {
       if (corners.size() % 3 != 0) return malformedLine(words.line(), "a loop without 3 vertices");
-    } else if (word == "solid" || word == "endsolid" || word == "facet") {
+    } else if (word == "solid" || word == "endsolid" || word == "facet" || word == "color") {
       words.restOfLine();
     } else if (word != "outer" && word != "loop" && word != "endfacet") {
       return malformedLine(words.line(), "unexpected word " + inQuotes(word));
@@ -62,32 +73,56 @@ Result<std::vector<Vec3>> readText(std::string_view text) {
   return corners;
 }
 
+/// How many triangles a binary file holds, or nothing where it is text or cut off. Writers that stream
+/// leave the count 0, others put something behind the last triangle.
+std::optional<std::size_t> binaryCount(const Bytes& bytes, std::vector<std::string>& notes) {
+  if (bytes.size() < kHeaderBytes) return std::nullopt;
+  const std::size_t announced = littleUint32(bytes.data() + 80);
+  const std::size_t room = (bytes.size() - kHeaderBytes) / kTriangleBytes;
+  const std::size_t left = bytes.size() - kHeaderBytes - room * kTriangleBytes;
+  if (announced > 0 && announced == room && left == 0) return announced;
+  if (isStlText(asText(bytes))) return std::nullopt;
+  if (announced == 0 && room > 0 && left == 0) {
+    notes.push_back(formatText("the count in the header is 0; the file holds %zu triangles", room));
+    return room;
+  }
+  if (announced == 0 || announced > room) return std::nullopt;
+  notes.push_back(formatText("%zu bytes behind the last triangle are ignored",
+                             bytes.size() - kHeaderBytes - announced * kTriangleBytes));
+  return announced;
+}
+
 }  // namespace
+
+bool isStlText(std::string_view text) {
+  WordReader words(withoutByteOrderMark(text.substr(0, 4096)));
+  if (lower(words.next()) != "solid") return false;
+  // A binary header may begin with "solid", too: its triangles hold a zero byte soon.
+  return text.substr(0, 512).find('\0') == std::string_view::npos;
+}
 
 Result<DocumentPtr> readStl(const FileSet& files, const Limits& limits) {
   const Bytes& bytes = files.main;
-  const std::size_t announced = bytes.size() < kHeaderBytes ? 0 : littleUint32(bytes.data() + 80);
-  const bool isBinary = bytes.size() >= kHeaderBytes &&
-                        announced == (bytes.size() - kHeaderBytes) / kTriangleBytes &&
-                        (bytes.size() - kHeaderBytes) % kTriangleBytes == 0;
-  if (!isBinary && asText(bytes).substr(0, 5) != "solid") {
+  PolygonFile file;
+  const std::optional<std::size_t> count = binaryCount(bytes, file.notes);
+  if (!count && !isStlText(asText(bytes))) {
+    const std::size_t announced = bytes.size() < kHeaderBytes ? 0 : littleUint32(&bytes[80]);
     return malformedByte(80, formatText("not an STL file, or a truncated one: %zu triangles are "
                                         "announced in %zu bytes",
                                         announced, bytes.size()));
   }
-  if (isBinary && announced > limits.maxTriangles) {
+  if (count && *count > limits.maxTriangles) {
     return Failure{
-        ErrorCode::kLimit, "read", formatText("%zu triangles exceed the limit", announced), {}};
+        ErrorCode::kLimit, "read", formatText("%zu triangles exceed the limit", *count), {}};
   }
   Result<std::vector<Vec3>> corners =
-      isBinary ? readBinary(bytes, announced) : readText(asText(bytes));
+      count ? readBinary(bytes, *count) : readText(withoutByteOrderMark(asText(bytes)));
   if (!corners) return corners.error();
   if (corners->empty()) return malformedByte(bytes.size(), "there are no triangles");
   if (corners->size() / 3 > limits.maxTriangles) {
     return Failure{ErrorCode::kLimit, "read", "more triangles than the limit allows", {}};
   }
   Weld weld = weldExact(*corners);
-  PolygonFile file;
   file.storedVertexCount = static_cast<int>(corners->size());
   file.polygons.positions = std::move(weld.positions);
   file.polygons.cornerVertex = std::move(weld.welded);

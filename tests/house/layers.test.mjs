@@ -21,6 +21,7 @@ const mayInclude = {
   socp: ['linalg', 'base'],
   optimize: ['system', 'cut', 'field', 'socp', 'linalg', 'mesh', 'base'],
 };
+mayInclude.improve = ['optimize', ...mayInclude.optimize, 'verify'];
 mayInclude.parametrize = [...new Set([...Object.keys(mayInclude), 'verify'])].filter(
   (module) => !['io', 'prescription', 'text'].includes(module),
 );

@@ -1,0 +1,57 @@
+#include "hgp/improve/best_scale.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hgp {
+namespace {
+
+constexpr int kScaleSteps = 60;
+constexpr double kScaleTolerance = 1e-7;
+
+}  // namespace
+
+double meanEnergy(const EnergyExponents& exponents, const FaceTerms& terms, const FaceParts& parts,
+                  double scale) {
+  double sum = 0.0;
+  for (std::size_t f = 0; f < parts.similar.size(); ++f)
+    sum += terms.weight(static_cast<int>(f)) *
+           energy(exponents, parts.similar[f] / scale, parts.anti[f] / scale);
+  return sum;
+}
+
+double bestScale(const EnergyExponents& exponents, const FaceTerms& terms, const FaceParts& parts,
+                 double start) {
+  // ψ = K^a D^b; with v = log σ₁σ₂ − 2τ: D = cosh v, ∂ψ/∂τ = −2bψ tanh v,
+  // ∂²ψ/∂τ² = 4bψ (b tanh² v + 1 − tanh² v).
+  double grown = 0.0, shrunk = 0.0;
+  std::vector<double> shape(parts.similar.size()), logArea(parts.similar.size());
+  for (std::size_t f = 0; f < shape.size(); ++f) {
+    const double p = std::norm(parts.similar[f]), m = std::norm(parts.anti[f]);
+    const double d = p - m;
+    const double K = (p + m) / d;
+    shape[f] = terms.weight(static_cast<int>(f)) *
+               (exponents.angle == 1.0 ? K : std::pow(K, exponents.angle));
+    logArea[f] = std::log(d);
+    grown += shape[f] * d;
+    shrunk += shape[f] / d;
+  }
+  if (exponents.area == 1.0) return std::pow(grown / shrunk, 0.25);
+  double tau = std::log(start);
+  for (int step = 0; step < kScaleSteps; ++step) {
+    double gradient = 0.0, curvature = 0.0;
+    for (std::size_t f = 0; f < shape.size(); ++f) {
+      const double v = logArea[f] - 2.0 * tau, tanh = std::tanh(v);
+      const double psi = shape[f] * std::pow(std::cosh(v), exponents.area);
+      gradient -= psi * tanh;
+      curvature += 2.0 * psi * (1.0 + (exponents.area - 1.0) * tanh * tanh);
+    }
+    const double change = -gradient / curvature;
+    if (!std::isfinite(change)) break;
+    tau += std::clamp(change, -2.0, 2.0);
+    if (std::fabs(change) < kScaleTolerance) break;
+  }
+  return std::exp(tau);
+}
+
+}  // namespace hgp

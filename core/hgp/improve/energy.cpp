@@ -1,0 +1,95 @@
+#include "hgp/improve/energy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hgp {
+namespace {
+
+/// Negative and vanishing eigenvalues become this share of the largest, so that turning and scaling the
+/// whole map, which cost nothing, leave the system regular.
+constexpr double kSmallestCurvature = 1e-5;
+/// Floors of the exponents at either end of the family.
+constexpr double kAreaFloor = 1e-3;
+constexpr double kAngleFloor = 0.05;
+
+/// log ψ and its derivatives in s = |p|² and t = |m|².
+struct LogEnergy {
+  double value, s, t, ss, st, tt;
+};
+
+LogEnergy logEnergy(const EnergyExponents& e, double s, double t, double d) {
+  const double sum = s + t, inverse = 1.0 / d;
+  // log D and its derivatives in d, written so that neither end overflows.
+  const double big = std::max(d, inverse), small2 = 1.0 / (big * big);
+  const double logD = std::log(0.5 * big) + std::log1p(small2);
+  const double sign = d >= 1.0 ? 1.0 : -1.0;
+  const double slope = sign * (1.0 - small2) / (1.0 + small2) * inverse;
+  // (−d⁴ + 4d² + 1)/(d³ + d)² = (−1 + 4/d² + 1/d⁴)/(d² (1 + 1/d²)²), with d² taken out of what is large.
+  const double numerator =
+      d >= 1.0 ? -1.0 + small2 * (4.0 + small2) : 1.0 + small2 * (4.0 - small2);
+  const double bend = numerator / ((1.0 + small2) * (1.0 + small2)) * inverse * inverse;
+  const double a = e.angle, b = e.area;
+  LogEnergy log;
+  log.value = a * (std::log(sum) - std::log(d)) + b * logD;
+  log.s = a * (1.0 / sum - inverse) + b * slope;
+  log.t = a * (1.0 / sum + inverse) - b * slope;
+  log.ss = log.tt = a * (inverse * inverse - 1.0 / (sum * sum)) + b * bend;
+  log.st = -a * (inverse * inverse + 1.0 / (sum * sum)) - b * bend;
+  return log;
+}
+
+/// Faster than std::abs, which guards against overflow that maps of this scale are far from.
+double length(const Complex& z) { return std::sqrt(std::norm(z)); }
+
+/// |p|² − |m|², with as little cancellation as |p| and |m| allow.
+double determinant(double absP, double absM) { return (absP - absM) * (absP + absM); }
+
+}  // namespace
+
+EnergyExponents exponentsAt(double balance) {
+  const double to = std::clamp(balance, -1.0, 1.0);
+  return {std::max(kAngleFloor, std::min(1.0, 1.0 - to)),
+          std::max(kAreaFloor, std::min(1.0, 1.0 + to))};
+}
+
+double energy(const EnergyExponents& e, const Complex& p, const Complex& m) {
+  const double absP = length(p), absM = length(m), d = determinant(absP, absM);
+  if (!(d > 0.0) || !std::isfinite(d)) return std::numeric_limits<double>::infinity();
+  const double K = (absP * absP + absM * absM) / d, D = 0.5 * (d + 1.0 / d);
+  if (e.angle == 1.0 && e.area == 1.0) return K * D;
+  return std::pow(K, e.angle) * std::pow(D, e.area);
+}
+
+EnergyJet energyJet(const EnergyExponents& exponents, const Complex& p, const Complex& m) {
+  const double absP = length(p), absM = length(m), s = absP * absP, t = absM * absM;
+  const LogEnergy log = logEnergy(exponents, s, t, determinant(absP, absM));
+  EnergyJet jet;
+  jet.value = std::exp(log.value);
+  const double ps = jet.value * log.s, pt = jet.value * log.t;
+  const double pss = jet.value * (log.ss + log.s * log.s);
+  const double ptt = jet.value * (log.tt + log.t * log.t);
+  const double pst = jet.value * (log.st + log.s * log.t);
+  jet.gradientP = 2.0 * ps * p;
+  jet.gradientM = 2.0 * pt * m;
+
+  const Complex unitP = p / absP, unitM = absM > 0.0 ? m / absM : Complex(1.0);
+  const Complex i(0.0, 1.0);
+  const double a = 2.0 * ps + 4.0 * s * pss, c = 2.0 * pt + 4.0 * t * ptt;
+  const double b = 4.0 * absP * absM * pst;
+  // The eigenvectors of [a b; b c] by the angle of the larger one.
+  const double half = 0.5 * (a - c), middle = 0.5 * (a + c),
+               radius = std::sqrt(half * half + b * b);
+  const double angle = 0.5 * std::atan2(b, half);
+  const double cosine = std::cos(angle), sine = std::sin(angle);
+  jet.curvature = {2.0 * ps, 2.0 * pt, middle + radius, middle - radius};
+  jet.alongP = {i * unitP, 0.0, cosine * unitP, -sine * unitP};
+  jet.alongM = {0.0, i * unitM, sine * unitM, cosine * unitM};
+  const double largest = *std::max_element(jet.curvature.begin(), jet.curvature.end());
+  for (double& curvature : jet.curvature)
+    curvature = std::max(curvature, kSmallestCurvature * largest);
+  return jet;
+}
+
+}  // namespace hgp

@@ -1,0 +1,48 @@
+// How much one triangle is distorted, and the derivatives of that.  Role: the family of energies that
+// a map is improved by, from angles to areas with symmetric Dirichlet in the middle.
+#pragma once
+
+#include <array>
+
+#include "hgp/base/turns.h"
+
+namespace hgp {
+
+/// Exponents of the family (Degener, Meseth and Klein 2003)
+///
+///   ψ = K^angle · D^area,   K = ½ (σ₁/σ₂ + σ₂/σ₁),   D = ½ (σ₁σ₂ + 1/(σ₁σ₂)),
+///
+/// both factors 1 at an isometry and infinite where the triangle degenerates. angle = area = 1 is
+/// symmetric Dirichlet, ¼ (σ₁² + σ₂² + σ₁⁻² + σ₂⁻²) = K · D.
+struct EnergyExponents {
+  double angle = 1.0;
+  double area = 1.0;
+};
+
+/// The exponents at a point of the line from angles (−1) by isometry (0) to areas (+1):
+/// angle = min(1, 1 − balance), area = min(1, 1 + balance), neither below a small floor that keeps the
+/// other distortion bounded where it would be free.
+EnergyExponents exponentsAt(double balance);
+
+/// ψ of a triangle with f_z = p and f_z̄ = m; +∞ unless |p| > |m|.
+///   K = (|p|² + |m|²)/(|p|² − |m|²),  σ₁σ₂ = |p|² − |m|²
+double energy(const EnergyExponents& exponents, const Complex& p, const Complex& m);
+
+/// Gradient and a positive semidefinite Hessian of ψ as a function of (p, m) ∈ ℝ⁴.
+struct EnergyJet {
+  double value;
+  Complex gradientP, gradientM;  ///< ∂ψ/∂Re + i ∂ψ/∂Im
+  /// Σ curvature_k (Re(conj(alongP_k) dp) + Re(conj(alongM_k) dm))²: the eigenvalues and the
+  /// eigenvectors of the Hessian, negative eigenvalues replaced by small positive ones.
+  std::array<double, 4> curvature;
+  std::array<Complex, 4> alongP, alongM;
+};
+
+/// The Hessian of an isotropic energy in closed form (Smith, de Goes and Kim 2019). In p and m it is
+/// simplest: with s = |p|², t = |m|² the directions ip/|p| and im/|m| are eigenvectors with
+/// eigenvalues 2ψ_s and 2ψ_t; the directions p/|p| and m/|m| carry the 2 × 2 block
+///   [ 2ψ_s + 4sψ_ss   4√(st) ψ_st ; 4√(st) ψ_st   2ψ_t + 4tψ_tt ].
+/// @pre |p| > |m|
+EnergyJet energyJet(const EnergyExponents& exponents, const Complex& p, const Complex& m);
+
+}  // namespace hgp

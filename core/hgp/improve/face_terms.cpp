@@ -1,0 +1,102 @@
+#include "hgp/improve/face_terms.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hgp/optimize/frames.h"
+
+namespace hgp {
+
+FaceTerms::FaceTerms(const ReducedMap& map, const std::vector<char>& isHeld,
+                     const Eigen::VectorXcd& x) {
+  std::vector<int> place(isHeld.size(), -1);
+  for (std::size_t i = 0; i < isHeld.size(); ++i)
+    if (!isHeld[i]) {
+      place[i] = freeCount();
+      unknownOf_.push_back(static_cast<int>(i));
+    }
+  const auto faces = static_cast<std::size_t>(map.mesh.faceCount());
+  start_.reserve(faces + 1);
+  start_.push_back(0);
+  terms_.reserve(3 * faces + faces / 8);
+  weight_.reserve(faces);
+  held_.reserve(faces);
+  double surface = 0.0;
+  for (FaceId f : map.mesh.faces()) surface += map.geometry.area[f];
+  for (FaceId f : map.mesh.faces()) {
+    const LinearParts parts = linearParts(map.geometry, f);
+    std::array<Complex, 2> held{};
+    for (int k = 0; k < 3; ++k)
+      for (SparseRows::InnerIterator it(map.unknowns.copies,
+                                        map.cut.copy[TriMesh::halfedge(f, k)].i);
+           it; ++it) {
+        const Complex similar = parts.similarity[at(k)] * it.value();
+        const Complex anti = parts.antisimilarity[at(k)] * it.value();
+        const int unknown = place[at(it.col())];
+        if (unknown < 0) {
+          held[0] += similar * x[it.col()];
+          held[1] += anti * x[it.col()];
+          continue;
+        }
+        const auto first = terms_.begin() + static_cast<std::ptrdiff_t>(start_.back());
+        const auto same = std::find_if(first, terms_.end(),
+                                       [&](const Term& term) { return term.unknown == unknown; });
+        if (same == terms_.end()) {
+          terms_.push_back({unknown, similar, anti});
+        } else {
+          same->similar += similar;
+          same->anti += anti;
+        }
+      }
+    start_.push_back(terms_.size());
+    weight_.push_back(map.geometry.area[f] / surface);
+    held_.push_back(held);
+  }
+}
+
+Eigen::VectorXcd FaceTerms::gather(const Eigen::VectorXcd& x) const {
+  Eigen::VectorXcd free(freeCount());
+  for (int i = 0; i < freeCount(); ++i) free[i] = x[unknownOf_[at(i)]];
+  return free;
+}
+
+void FaceTerms::scatter(const Eigen::VectorXcd& free, Eigen::VectorXcd& x) const {
+  for (int i = 0; i < freeCount(); ++i) x[unknownOf_[at(i)]] = free[i];
+}
+
+void evaluateParts(const FaceTerms& terms, const Eigen::VectorXcd& y, bool isChange,
+                   FaceParts& parts) {
+  parts.similar.resize(at(terms.faceCount()));
+  parts.anti.resize(at(terms.faceCount()));
+  for (int f = 0; f < terms.faceCount(); ++f) {
+    Complex p = isChange ? Complex(0.0) : terms.heldSimilar(f);
+    Complex m = isChange ? Complex(0.0) : terms.heldAnti(f);
+    for (const FaceTerms::Term& term : terms.terms(f)) {
+      p += term.similar * y[term.unknown];
+      m += term.anti * y[term.unknown];
+    }
+    parts.similar[at(f)] = p;
+    parts.anti[at(f)] = m;
+  }
+}
+
+double stepToDegeneracy(const FaceParts& parts, const FaceParts& change, double limit) {
+  double least = limit;
+  const auto dot = [](const Complex& a, const Complex& b) {
+    return a.real() * b.real() + a.imag() * b.imag();
+  };
+  for (std::size_t f = 0; f < parts.similar.size(); ++f) {
+    const Complex &p = parts.similar[f], &m = parts.anti[f];
+    const Complex &dp = change.similar[f], &dm = change.anti[f];
+    // c + 2bα + aα², c > 0. The least positive root is c/(−b + √(b² − ac)): no cancellation when b < 0.
+    const double c = std::norm(p) - std::norm(m), b = dot(p, dp) - dot(m, dm);
+    const double a = std::norm(dp) - std::norm(dm);
+    const double discriminant = b * b - a * c;
+    if (discriminant < 0.0) continue;
+    const double below = std::sqrt(discriminant) - b;
+    if (below > 0.0 && c < least * below) least = c / below;
+  }
+  return least;
+}
+
+}  // namespace hgp

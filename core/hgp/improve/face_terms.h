@@ -1,0 +1,70 @@
+// f_z and f_z̄ of every triangle over the unknowns of a seamless map.  Role: where the energies of
+// this module meet the reduced unknowns, so that seams and cones hold whatever is done to these.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "hgp/mesh/geometry.h"
+#include "hgp/system/reduced_unknowns.h"
+
+namespace hgp {
+
+/// Everything that a reduced map x of a surface is stated with; references must outlive their users.
+struct ReducedMap {
+  const TriMesh& mesh;
+  const Geometry& geometry;
+  const CutMesh& cut;
+  const ReducedUnknowns& unknowns;
+};
+
+/// f_z = Σ similar_i x_i + heldSimilar, f_z̄ = Σ anti_i x_i + heldAnti per triangle, over the unknowns
+/// that are free. Triangles without a free unknown are kept: their energy counts, their rows are empty.
+class FaceTerms {
+ public:
+  struct Term {
+    int unknown;  ///< among the free ones
+    Complex similar, anti;
+  };
+
+  /// @param isHeld  by unknown of ReducedUnknowns; held ones stay as in x
+  FaceTerms(const ReducedMap& map, const std::vector<char>& isHeld, const Eigen::VectorXcd& x);
+
+  int faceCount() const { return static_cast<int>(weight_.size()); }
+  int freeCount() const { return static_cast<int>(unknownOf_.size()); }
+  /// The unknown of ReducedUnknowns behind a free one.
+  const std::vector<int>& unknownOf() const { return unknownOf_; }
+
+  std::span<const Term> terms(int face) const {
+    return {terms_.data() + start_[at(face)], start_[at(face) + 1] - start_[at(face)]};
+  }
+  /// Surface area of the triangle, as a share of all.
+  double weight(int face) const { return weight_[at(face)]; }
+  Complex heldSimilar(int face) const { return held_[at(face)][0]; }
+  Complex heldAnti(int face) const { return held_[at(face)][1]; }
+
+  /// The free part of x and back; what is held keeps its place in x.
+  Eigen::VectorXcd gather(const Eigen::VectorXcd& x) const;
+  void scatter(const Eigen::VectorXcd& free, Eigen::VectorXcd& x) const;
+
+ private:
+  std::vector<std::size_t> start_;
+  std::vector<Term> terms_;
+  std::vector<double> weight_;
+  std::vector<std::array<Complex, 2>> held_;
+  std::vector<int> unknownOf_;
+};
+
+/// f_z and f_z̄ of every triangle.
+struct FaceParts {
+  std::vector<Complex> similar, anti;
+};
+/// At the free unknowns y; with `isChange`, of a change of them (what is held contributes nothing).
+void evaluateParts(const FaceTerms& terms, const Eigen::VectorXcd& y, bool isChange,
+                   FaceParts& parts);
+
+/// The largest step in [0, limit] along `change` such that no triangle degenerates before it: the
+/// least positive root of |p + αdp|² = |m + αdm|² over all triangles (Smith and Schaefer 2015).
+double stepToDegeneracy(const FaceParts& parts, const FaceParts& change, double limit);
+
+}  // namespace hgp

@@ -1,0 +1,137 @@
+#include "hgp/improve/improve.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hgp/base/check.h"
+#include "hgp/improve/best_scale.h"
+#include "hgp/improve/newton_system.h"
+#include "hgp/verify/orientation.h"
+
+namespace hgp {
+namespace {
+
+/// Of the step to the first degenerate triangle, at most this share is taken.
+constexpr double kDegeneracyShare = 0.8;
+/// Armijo's condition, and when a step is too short to go on.
+constexpr double kSufficientDecrease = 1e-4;
+constexpr double kShortestStep = 1e-8;
+/// Below this excess a map is an isometry as far as doubles can tell.
+constexpr double kNoExcess = 1e-12;
+
+/// Whether every triangle of z = copies · x is positive, exactly.
+bool isInjective(const ReducedMap& map, const Eigen::VectorXcd& x) {
+  const Eigen::VectorXcd z = map.unknowns.copies * x;
+  const auto corner = [&](FaceId f, int k) {
+    const Complex& p = z[map.cut.copy[TriMesh::halfedge(f, k)].i];
+    return Vec2{p.real(), p.imag()};
+  };
+  for (FaceId f : map.mesh.faces())
+    if (orientationSign(corner(f, 0), corner(f, 1), corner(f, 2)) <= 0) return false;
+  return true;
+}
+
+/// The state of one descent.
+class Descent {
+ public:
+  Descent(const ReducedMap& map, const linalg::SeparatorTree& tree, const Eigen::VectorXcd& x,
+          double balance, const std::vector<char>& isHeld)
+      : map_(map),
+        exponents_(exponentsAt(balance)),
+        terms_(map, isHeld, x),
+        system_(map, terms_, tree),
+        x_(x),
+        free_(terms_.gather(x)) {
+    evaluateParts(terms_, free_, false, parts_);
+    trial_ = parts_;
+    measure();
+  }
+
+  double excess() const { return energy_ - 1.0; }
+  const Eigen::VectorXcd& x() const { return x_; }
+
+  /// False when the Hessian cannot be factored.
+  bool assemble() { return system_.assemble(exponents_, parts_, scale_); }
+
+  /// One step along the Newton direction of the last assembly; its length, 0 when there is no descent.
+  double descend() {
+    const auto [direction, slope] = system_.direction();
+    if (!direction.allFinite() || !(slope < 0.0)) return 0.0;
+    evaluateParts(terms_, direction, true, change_);
+    double length = std::min(1.0, kDegeneracyShare * stepToDegeneracy(parts_, change_, 2.0));
+    for (; length > kShortestStep; length *= 0.5) {
+      for (std::size_t f = 0; f < parts_.similar.size(); ++f) {
+        trial_.similar[f] = parts_.similar[f] + length * change_.similar[f];
+        trial_.anti[f] = parts_.anti[f] + length * change_.anti[f];
+      }
+      const double value = meanEnergy(exponents_, terms_, trial_, scale_);
+      if (!(value <= energy_ + kSufficientDecrease * length * slope)) continue;
+      Eigen::VectorXcd moved = x_;
+      terms_.scatter(free_ + length * direction, moved);
+      if (!isInjective(map_, moved)) continue;
+      x_ = std::move(moved);
+      free_ += length * direction;
+      evaluateParts(terms_, free_, false, parts_);
+      measure();
+      return length;
+    }
+    return 0.0;
+  }
+
+ private:
+  void measure() {
+    scale_ = bestScale(exponents_, terms_, parts_, scale_);
+    energy_ = meanEnergy(exponents_, terms_, parts_, scale_);
+  }
+
+  const ReducedMap& map_;
+  EnergyExponents exponents_;
+  FaceTerms terms_;
+  NewtonSystem system_;
+  Eigen::VectorXcd x_, free_;
+  FaceParts parts_, change_, trial_;
+  double scale_ = 1.0, energy_ = 0.0;
+};
+
+/// Steps until one of the reasons to end; which one.
+const char* run(Descent& descent, const ImproveOptions& options, const Progress& progress,
+                std::vector<ImproveStep>& steps) {
+  if (!std::isfinite(descent.excess())) return "not injective";
+  for (int n = 0; n < options.maxSteps; ++n) {
+    const double excess = descent.excess();
+    const double fraction = static_cast<double>(n) / options.maxSteps;
+    if (!report(progress, {"improve", fraction, n, excess})) return "cancelled";
+    if (excess <= kNoExcess) return "nothing to gain";
+    if (!descent.assemble()) return "singular";
+    const double length = descent.descend();
+    if (length <= 0.0) return "no descent";
+    steps.push_back({descent.excess(), length});
+    if (excess - descent.excess() <= options.relativeDecrease * excess) return "converged";
+  }
+  return "step limit";
+}
+
+}  // namespace
+
+Improvement improve(const ReducedMap& map, const linalg::SeparatorTree& tree,
+                    const Eigen::VectorXcd& x, const ImproveOptions& options,
+                    const std::vector<char>& isHeld, const Progress& progress) {
+  HGP_CHECK(x.size() == map.unknowns.count, "%d values for %d unknowns", static_cast<int>(x.size()),
+            map.unknowns.count);
+  Improvement result;
+  result.x = x;
+  if (!isInjective(map, x)) {
+    result.outcome = "not injective";
+    return result;
+  }
+  std::vector<char> held = isHeld;
+  held.resize(static_cast<std::size_t>(map.unknowns.count), 0);
+  Descent descent(map, tree, x, options.balance, held);
+  result.excessBefore = descent.excess();
+  result.outcome = run(descent, options, progress, result.steps);
+  result.excessAfter = descent.excess();
+  result.x = descent.x();
+  return result;
+}
+
+}  // namespace hgp

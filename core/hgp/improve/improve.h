@@ -1,0 +1,49 @@
+// Less distortion for a map that has no flips.  Role: the descent between solving and storing; what
+// makes a map seamless holds by construction, what makes it injective by the line search.
+#pragma once
+
+#include <vector>
+
+#include "hgp/base/progress.h"
+#include "hgp/improve/face_terms.h"
+#include "hgp/linalg/ordering/ordering.h"
+
+namespace hgp {
+
+struct ImproveOptions {
+  /// −1: angles (as conformal as the cones allow), 0: isometric (symmetric Dirichlet), +1: areas; see
+  /// exponentsAt.
+  double balance = 0.0;
+  /// Ends when a step lowers the energy's excess over an isometry by less than this share of it.
+  double relativeDecrease = 0.01;
+  int maxSteps = 40;
+};
+
+/// One Newton step.
+struct ImproveStep {
+  double excess = 0.0;  ///< mean ψ − 1 over the surface afterwards, at the best global scale
+  double length = 0.0;  ///< accepted step length; 1 is the full Newton step
+};
+
+struct Improvement {
+  Eigen::VectorXcd x;  ///< the improved unknowns; as given when nothing was gained
+  double excessBefore = 0.0, excessAfter = 0.0;  ///< mean ψ − 1, as in ImproveStep
+  std::vector<ImproveStep> steps;
+  /// Why it ended: "converged", "nothing to gain", "no descent", "step limit", "singular",
+  /// "not injective" (x as given has triangles that are not positive) or "cancelled".
+  const char* outcome = "";
+};
+
+/// Projected Newton on the mean Σ A_f ψ_f / Σ A_f over the unknowns, from a map without flips: A_f is
+/// surface area, ψ is measured at the best global scale. No triangle degenerates on the whole way from
+/// the given map to the returned one, so that angle sums and turning numbers, which are integers there,
+/// stay what they were; orientation is checked exactly after every step. The energy never grows.
+/// @param tree  dissection of the mesh's vertices along its edges (vertexTree)
+/// @param isHeld  by unknown of ReducedUnknowns: 1 where x must stay (the integers of a grid, or all
+///                but a patch); empty: none
+/// @param progress  stage "improve", the excess as `residual`; return false to cancel
+Improvement improve(const ReducedMap& map, const linalg::SeparatorTree& tree,
+                    const Eigen::VectorXcd& x, const ImproveOptions& options,
+                    const std::vector<char>& isHeld = {}, const Progress& progress = {});
+
+}  // namespace hgp

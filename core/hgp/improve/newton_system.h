@@ -1,0 +1,38 @@
+// The quadratic model of the mean energy.  Role: assembled anew in every step, ordered and analyzed once.
+#pragma once
+
+#include "hgp/improve/energy.h"
+#include "hgp/improve/face_terms.h"
+#include "hgp/linalg/factor/partial_cholesky.h"
+#include "hgp/linalg/ordering/ordering.h"
+
+namespace hgp {
+
+/// H d = −g for H = Σ A_f Hessian(ψ_f), positive semidefinite per triangle, over the free unknowns as
+/// real pairs. A general real form of complex unknowns: it is not complex Hermitian.
+class NewtonSystem {
+ public:
+  /// @param tree  of the mesh's vertices; free unknowns are ordered by it, translations appended
+  NewtonSystem(const ReducedMap& map, const FaceTerms& terms, const linalg::SeparatorTree& tree);
+
+  /// Gradient and Hessian of the mean energy of the map divided by `scale`; false when the Hessian
+  /// cannot be factored.
+  bool assemble(const EnergyExponents& exponents, const FaceParts& parts, double scale);
+
+  /// Where the quadratic model of the last assembly is least.
+  struct Direction {
+    Eigen::VectorXcd change;  ///< −H⁻¹ g, by free unknown
+    double slope;             ///< −gᵀ H⁻¹ g < 0: derivative of the mean energy along it
+  };
+  Direction direction() const;
+
+ private:
+  const FaceTerms& terms_;
+  std::vector<int> blockOf_;  ///< clique of a face, −1 when nothing of it is free
+  linalg::PartialCholesky cholesky_;
+  std::vector<double> values_;
+  double scale_ = 1.0;
+  Eigen::VectorXcd gradient_;  ///< of the map divided by scale_, ∂/∂Re + i ∂/∂Im
+};
+
+}  // namespace hgp

@@ -12,7 +12,7 @@ import { cubeMesh, toObj } from '../tests/support/meshes.mjs';
 
 const root = path.dirname(import.meta.dirname);
 const native = path.join(root, 'build/native-baseline/bin/hgp');
-const packaged = path.join(root, 'build/package/index.js');
+const packaged = path.join(root, 'build/package/node/index.js');
 for (const file of [native, packaged]) {
   if (!existsSync(file)) {
     console.error(`${path.relative(root, file)} is not built`);

@@ -175,6 +175,7 @@ const stages = {
       ['node_modules/.bin/prettier', '--check', '.'],
       ['node_modules/.bin/eslint', '.'],
       ['node_modules/.bin/tsc', '--noEmit', '-p', 'web'],
+      ['node_modules/.bin/tsc', '--noEmit', '-p', 'wasm'],
     ]),
   house: (log) => nodeTests(log, 'house'),
   files: (log) =>

@@ -11,7 +11,7 @@ export const limits = { raw: 1.5e6, brotli: 450e3, instantiation: 100 };
 /** Bytes of hgp.wasm, raw and compressed, and the milliseconds from its bytes to a first call. */
 export async function measure(folder) {
   const wasmBinary = readFileSync(path.join(folder, 'hgp.wasm'));
-  const { createCore } = await import(pathToFileURL(path.join(folder, 'core.js')));
+  const { createCore } = await import(pathToFileURL(path.join(folder, 'node/core.js')));
   let instantiation = Infinity;
   for (let i = 0; i < 3; i++) {
     const begin = performance.now();

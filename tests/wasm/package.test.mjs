@@ -145,9 +145,9 @@ test('frames that are not there, or contradict the cones, are refused', () =>
     const nowhere = { q: 4, cones: [8, 9].map((vertex) => ({ vertex, k: 3 })) };
     const bare = { name: 'bare.cones', text: 'q 4\ncones 0\nmatchings 0\n' };
     for (const [options, code, text] of [
-      [{ field, frames: 'yes' }, 'usage', /'auto' or 'file', not yes/],
+      [{ field, frames: 'yes' }, 'usage', /'auto' or 'file', not 'yes'/],
       [{ frames: 'file' }, 'usage', /needs the field/],
-      [{ field: { name: 'cube.rosy' }, frames: 'file' }, 'usage', /text of a field file/],
+      [{ field: { name: 'cube.rosy' }, frames: 'file' }, 'usage', /field is \{ name, text \}/],
       [{ field: bare, frames: 'file' }, 'prescription', /./],
       [
         { field, frames: 'file', cones: nowhere },
@@ -313,7 +313,7 @@ test('two clients at once do not mix', async () => {
 });
 
 test('an idle client does not keep a script alive', () => {
-  const script = `import { createClient } from ${JSON.stringify(path.join(built, 'index.js'))};
+  const script = `import { createClient } from ${JSON.stringify(path.join(built, 'node/index.js'))};
     await createClient(); console.log('done');`;
   const { stdout, status } = spawnSync('node', ['--input-type=module', '-e', script], {
     encoding: 'utf8',

@@ -9,8 +9,8 @@ export const native = process.env.HGP_BIN ?? path.join(root, 'build/native-relea
 export const shared = process.env.HGP_SHARED_MESHES ?? path.join(root, '../shared/meshes');
 export const hasShared = existsSync(shared);
 
-export const { createClient, HgpError } = await import(path.join(built, 'index.js'));
-export const { compile, createCore } = await import(path.join(built, 'core.js'));
+export const { createClient, HgpError } = await import(path.join(built, 'node/index.js'));
+export const { compile, createCore } = await import(path.join(built, 'node/core.js'));
 
 export const bytesOf = (text) => new TextEncoder().encode(text);
 export const asFiles = (name, bytes) => ({ main: name, files: new Map([[name, bytes]]) });

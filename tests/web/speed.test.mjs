@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readdirSync, statSync } from 'node:fs';
 import path from 'node:path';
-import { createCore } from '../../build/package/core.js';
+import { createCore } from '../../build/package/node/core.js';
 import { bumpyDisk } from '../support/disk.mjs';
 import { openFiles, root, run, settled, state, statusText, useBrowser } from './support.mjs';
 

@@ -1,17 +1,27 @@
 // The solver itself, synchronous: for use inside your own worker. The JSON documents are those of the
-// command line; their schemas are in the repository under docs/schema.
+// command line; their types are made from the schemas in hgp/schema.
+
+import type { Certificate, CheckReport, ModelInfo, Report, Where as Places } from './documents.js';
+
+export type { Certificate, CheckReport, ModelInfo, Report } from './documents.js';
+
+/** A place on the mesh (ids of the surface) or in the file. */
+export type Where = Places[number];
 
 export interface InitOptions {
-  /** Where hgp.wasm is; by default beside this file. */
+  /** Where hgp.wasm is; by default in this package. In Node also a path. */
   wasmUrl?: string | URL;
   wasmBinary?: BufferSource;
   wasmModule?: WebAssembly.Module;
 }
 
+/** A File or Blob, or its bytes; gzip is decompressed. */
+export type FileSource = File | Blob | ArrayBuffer | ArrayBufferView;
+
 /** Relative names only; `main` is one of them. */
 export interface FileSet {
   main: string;
-  files: Map<string, Blob | Uint8Array>;
+  files: Map<string, FileSource> | Record<string, FileSource>;
 }
 
 export interface LoadOptions {
@@ -26,10 +36,15 @@ export interface LoadOptions {
   fix?: { orient?: boolean; split?: boolean; degenerate?: boolean };
 }
 
-export interface Where {
-  kind: 'vertex' | 'edge' | 'triangle' | 'loop' | 'line' | 'byte';
-  id: number;
-  other?: number;
+/** What load() takes of these for a mesh that comes from no file. */
+export interface MeshLoadOptions {
+  /**
+   * Join vertices closer than this; by default 0, those at the same place, as renderers split vertices
+   * along normals and texture coordinates. `false`: the triangles share just the vertices they name.
+   */
+  weld?: number | false;
+  limits?: LoadOptions['limits'];
+  fix?: LoadOptions['fix'];
 }
 
 export type HgpErrorCode =
@@ -51,76 +66,12 @@ export class HgpError extends Error {
   readonly details: { stage?: string; where?: Where[] };
 }
 
-/** hgp-inspect */
-export interface ModelInfo {
-  usable: boolean;
-  file: { name: string; format: string; bytes: number; sha256: string };
-  surfaces: {
-    index: number;
-    name: string;
-    vertices: number;
-    storedVertices: number;
-    welded: boolean;
-    triangles: number;
-    uvSets: number[];
-    notes: string[];
-  }[];
-  surface: number;
-  vertices: number;
-  triangles: number;
-  diagonal: number;
-  defects: { kind: string; fatal: boolean; count: number; where: Where[] }[];
-  notes: string[];
-  /** Where the mesh is usable: */
-  eulerCharacteristic?: number;
-  genus?: number;
-  boundaryLoops?: number;
-  isolatedVertices?: number;
-  components?: {
-    component: number;
-    vertices: number;
-    edges: number;
-    triangles: number;
-    eulerCharacteristic: number;
-    genus: number;
-    handleGenerators: { first: number; count: number };
-    boundaryLoops: {
-      loop: number;
-      vertices: number;
-      anchor: number;
-      length: number;
-      turningAngle: number;
-    }[];
-  }[];
-  /** Where it is not: */
-  error?: { code: HgpErrorCode; stage: string; message: string; where: Where[] };
-}
-
 /** hgp-cones: cone angles are 2πk/q, turning angles 2πl/q, handle rotations 2πr/q. */
 export interface Cones {
   q: number;
   cones: { vertex: number; k: number; position?: [number, number, number] }[];
   boundaries?: { loop: number; l: number; anchor?: number }[];
   handles?: { generator: number; r: number }[];
-}
-
-/** hgp-check: the budget of Gauss–Bonnet in exact integers. */
-export interface CheckReport {
-  valid: boolean;
-  q?: number;
-  components: {
-    component: number;
-    valid: boolean;
-    automatic: boolean;
-    genus: number;
-    boundaryLoops: number;
-    cones: number;
-    budget: { have: number; need: number; left: number; openLoops: number } | null;
-    warnings: string[];
-    error?: ModelInfo['error'];
-  }[];
-  notes: string[];
-  error?: ModelInfo['error'];
 }
 
 /** What vertex and triangle ids refer to. */
@@ -201,38 +152,6 @@ export interface Progress {
   maxRounds: number;
 }
 
-/** hgp-certificate: what was measured on the map as it is stored. */
-export interface Certificate {
-  certified: boolean;
-  usable: boolean;
-  q: number;
-  precision: 'float32' | 'float64';
-  triangles: number;
-  flipped: number;
-  wrongAngles: number;
-  wrongTurnings: number;
-  seamEdges: number;
-  brokenSeams: number;
-  maxConeDistance: number;
-  maxTurningDistance: number;
-  maxSeamResidual: number;
-  seamTolerance: number;
-  components: Record<string, unknown>[];
-}
-
-/** hgp-report: options, input, rounds of the solver, times; contains cones and certificate. */
-export interface Report {
-  program: { name: string; version: string };
-  certified: boolean;
-  input: Record<string, unknown>;
-  options: Record<string, unknown>;
-  seconds: number;
-  notes: string[];
-  components: Record<string, unknown>[];
-  cones: Cones;
-  certificate: Certificate;
-}
-
 export interface Result {
   /** Three per surface vertex. */
   positions: Float64Array;
@@ -254,8 +173,10 @@ export interface Result {
 }
 
 export interface MeshArrays {
-  positions: ArrayLike<number> & (Float32Array | Float64Array);
-  triangles: Uint32Array | Uint16Array | Int32Array;
+  /** Three per vertex. */
+  positions: ArrayLike<number>;
+  /** Three vertices per triangle; left out: every three vertices are one. */
+  triangles?: ArrayLike<number> | null;
 }
 
 export interface Written {
@@ -268,6 +189,12 @@ export interface Written {
   xref: Int32Array;
 }
 
+/** Files as bytes; `main` is one of their names. */
+export interface CoreFiles {
+  main: string;
+  files: Map<string, Uint8Array>;
+}
+
 export class Core {
   onProgress?: (progress: Progress) => boolean | void;
   readonly version: string;
@@ -275,10 +202,13 @@ export class Core {
   readonly memory: number;
   /** Makes the engine optimize the solver (about 0.3 s), so that the first solve is not slow. */
   warmUp(): void;
-  /** Loads the decoders of compressed glTF, where the file needs any. Before load(). */
-  prepare(source: { main: string; files: Map<string, Uint8Array> }): Promise<void>;
-  load(source: { main: string; files: Map<string, Uint8Array> }, options?: LoadOptions): ModelInfo;
-  loadMesh(mesh: MeshArrays, options?: LoadOptions): ModelInfo;
+  /**
+   * Before load(), which waits for nothing: decompresses gzip, and loads the decoders of compressed
+   * glTF. Resolves to the files to load.
+   */
+  prepare(source: CoreFiles, options?: LoadOptions): Promise<CoreFiles>;
+  load(source: CoreFiles, options?: LoadOptions): ModelInfo;
+  loadMesh(mesh: MeshArrays, options?: MeshLoadOptions): ModelInfo;
   inspect(): ModelInfo;
   surface(): Surface;
   readCones(file: ConeFile): Cones;

@@ -6,9 +6,11 @@ import type {
   Certificate,
   ConeFile,
   FileSet,
+  FileSource,
   InitOptions,
   LoadOptions,
   MeshArrays,
+  MeshLoadOptions,
   ModelInfo,
   Progress,
   Result,
@@ -26,10 +28,12 @@ export type {
   ConeFile,
   Cones,
   FileSet,
+  FileSource,
   HgpErrorCode,
   InitOptions,
   LoadOptions,
   MeshArrays,
+  MeshLoadOptions,
   ModelInfo,
   Progress,
   Report,
@@ -48,6 +52,11 @@ export interface ClientOptions extends InitOptions {
   /** Makes the worker where a bundler or a Content-Security-Policy must know its URL. */
   createWorker?: () => Worker;
   /**
+   * Where worker.js of this package is, for bundlers that do not follow it and for other origins: then
+   * a script of the page's own origin imports it.
+   */
+  workerUrl?: string | URL;
+  /**
    * Whether the worker solves a small model first, while nothing else is asked of it, so that the
    * engine has optimized the solver by the first call. Takes about 0.3 s; by default true.
    */
@@ -55,9 +64,9 @@ export interface ClientOptions extends InitOptions {
 }
 
 export interface CallOptions {
-  /** Aborting ends the worker at once; the call rejects with `AbortError`. */
+  /** Aborting ends the worker at once; the call rejects with the signal's reason. */
   signal?: AbortSignal;
-  /** At most ten times a second. */
+  /** At most ten times a second. What it throws ends the call. */
   onProgress?(progress: Progress): void;
 }
 
@@ -65,11 +74,7 @@ export interface CallOptions {
 export interface Client extends AsyncDisposable {
   /** Starts the worker where there is none, with the model, so that the next call need not wait. */
   ready(call?: CallOptions): Promise<void>;
-  load(
-    source: File | Blob | Uint8Array | FileSet,
-    options?: LoadOptions,
-    call?: CallOptions,
-  ): Promise<ModelInfo>;
+  load(source: FileSource | FileSet, options?: LoadOptions, call?: CallOptions): Promise<ModelInfo>;
   inspect(call?: CallOptions): Promise<ModelInfo>;
   /** The loaded surface, usable or not: what vertex and triangle ids refer to. */
   surface(call?: CallOptions): Promise<Surface>;
@@ -77,12 +82,18 @@ export interface Client extends AsyncDisposable {
   readCones(file: ConeFile, call?: CallOptions): Promise<Cones>;
   /** The cones that are stored inside the file, or null. */
   embeddedCones(call?: CallOptions): Promise<Cones | null>;
-  suggestCones(options: SuggestOptions, call?: CallOptions): Promise<Cones>;
+  suggestCones(options?: SuggestOptions, call?: CallOptions): Promise<Cones>;
   /** The exact integer budget of Gauss–Bonnet; solves nothing. */
   check(cones: Cones, call?: CallOptions): Promise<CheckReport>;
   parametrize(options?: SolveOptions, call?: CallOptions): Promise<Result>;
-  /** For meshes that come from no file, such as a three.js geometry. Replaces the loaded model. */
-  parametrizeMesh(mesh: MeshArrays & SolveOptions, call?: CallOptions): Promise<Result>;
+  /**
+   * For meshes that come from no file, such as a three.js geometry. Replaces the loaded model. Vertices
+   * at the same place are joined first (`weld`).
+   */
+  parametrizeMesh(
+    mesh: MeshArrays & MeshLoadOptions & SolveOptions,
+    call?: CallOptions,
+  ): Promise<Result>;
   /** Judges the texture coordinates that are in the file. */
   verify(options?: VerifyOptions, call?: CallOptions): Promise<Certificate>;
   /** The original file with the new texture coordinates and nothing else changed. */

@@ -9,7 +9,7 @@ import { findOverlaps } from '../../../web/src/state/overlaps.ts';
 import { cubeMesh, toObj } from '../../support/meshes.mjs';
 import { torusMesh } from '../shapes.mjs';
 
-const core = path.resolve(import.meta.dirname, '../../../build/package/core.js');
+const core = path.resolve(import.meta.dirname, '../../../build/package/node/core.js');
 const skip = existsSync(core) ? false : 'build/package is not there: build hgp_package first';
 const { createCore } = skip ? {} : await import(core);
 

@@ -1,8 +1,6 @@
 // Decoders of compressed glTF: draco3dgltf and meshoptimizer, loaded when the first file needs them.
 // Sizes are checked by the core, before and after.
 
-const isNode = typeof process === 'object' && Boolean(process.versions?.node);
-
 /** A decoder answers with its result or with { error }: no exception crosses WebAssembly frames. */
 const answering = (decode) => (request) => {
   try {
@@ -12,22 +10,9 @@ const answering = (decode) => (request) => {
   }
 };
 
-// Whole files of their own, named by URL: no bundler has to split the worker for them.
-const importFrom = (url) => import(/* @vite-ignore */ /* webpackIgnore: true */ url.href);
-
-async function bytesFrom(url) {
-  if (isNode && url.protocol === 'file:') {
-    const { readFile } = await import(/* @vite-ignore */ 'node:fs/promises');
-    return readFile(url);
-  }
-  const response = await fetch(url);
-  if (!response.ok) throw new Error(`${url.pathname}: HTTP ${response.status}`);
-  return response.arrayBuffer();
-}
-
-async function loadMeshopt() {
-  const { MeshoptDecoder } = await importFrom(
-    new URL('./decoders/meshopt_decoder.js', import.meta.url),
+async function loadMeshopt({ importFile }) {
+  const { MeshoptDecoder } = await importFile(
+    new URL('../decoders/meshopt_decoder.js', import.meta.url),
   );
   await MeshoptDecoder.ready;
   return answering(({ source, count, stride, mode, filter }) => {
@@ -92,10 +77,10 @@ function decodeDraco(draco, { source, vertexCount, indexCount, attributes }) {
   }
 }
 
-async function loadDraco() {
+async function loadDraco({ importFile, readFile }) {
   const [{ default: createDraco }, wasmBinary] = await Promise.all([
-    importFrom(new URL('./decoders/draco_decoder.js', import.meta.url)),
-    bytesFrom(new URL('./decoders/draco_decoder.wasm', import.meta.url)),
+    importFile(new URL('../decoders/draco_decoder.js', import.meta.url)),
+    readFile(new URL('../decoders/draco_decoder.wasm', import.meta.url)),
   ]);
   const draco = await createDraco({ wasmBinary });
   return answering((request) => decodeDraco(draco, request));
@@ -105,10 +90,10 @@ const loaders = { draco: loadDraco, meshopt: loadMeshopt };
 const loaded = {}; // promises
 
 /** { draco, meshopt } with the functions that `needs` asks for and those that are there already. */
-export async function decodersFor(needs) {
+export async function decodersFor(needs, platform) {
   for (const kind of Object.keys(loaders)) {
     if (needs[kind]) {
-      loaded[kind] ??= loaders[kind]().catch((error) => {
+      loaded[kind] ??= loaders[kind](platform).catch((error) => {
         delete loaded[kind]; // so that the next file may try again
         throw error;
       });

@@ -1,0 +1,167 @@
+// What a caller can get wrong is said by the call that was wrong, before the worker sees it.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import path from 'node:path';
+import test from 'node:test';
+import { gzipSync } from 'node:zlib';
+import { bumpyDisk } from '../support/disk.mjs';
+import { cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
+import { built, bytesOf, createClient, HgpError, root, withClient } from './support.mjs';
+
+const { optionsOf } = await import(path.join(built, 'lib/options.js'));
+const disk = bytesOf(bumpyDisk(4));
+const cube = cubeMesh(3);
+
+/** Rejects with a usage error that says what was wrong; the client then still works. */
+async function refused(client, call, message) {
+  const error = await call().then(
+    () => assert.fail(`accepted, but should say ${message}`),
+    (reason) => reason,
+  );
+  assert.ok(error instanceof HgpError, String(error?.stack ?? error));
+  assert.equal(error.code, 'usage', error.message);
+  assert.match(error.message, message);
+  assert.doesNotMatch(error.message, /--[a-z]/, 'no flags of the command line');
+}
+
+test('wrong arguments are usage errors, and the model stays loaded', () =>
+  withClient(async (client) => {
+    await client.load(disk, { name: 'disk.obj' });
+    const { positions, triangles } = await client.surface();
+    const big = BigInt64Array.from([0n, 1n, 2n]);
+    for (const [call, message] of [
+      [() => client.load(null), /not null/],
+      [() => client.load('disk.obj'), /not 'disk.obj'/],
+      [() => client.load([1, 2, 3]), /not an array/],
+      [() => client.load({ main: 'a.obj', files: new Map() }), /no 'a.obj'/],
+      [() => client.load(disk, { nmae: 'x.obj' }), /no option 'nmae'/],
+      [() => client.load(disk, { weld: '1' }), /weld is a number of at least 0, not '1'/],
+      [() => client.load(disk, { fix: { orientt: true } }), /fix.orientt/],
+      [() => client.parametrize({ Q: 6 }), /did you mean 'q'/],
+      [() => client.parametrize({ cone: { q: 4, cones: [] } }), /did you mean 'cones'/],
+      [() => client.parametrize({ q: '6' }), /q is an integer from 1 to 64, not '6'/],
+      [() => client.parametrize({ q: 4.5 }), /not 4.5/],
+      [() => client.parametrize({ cones: [{ vertex: 1, k: 3 }] }), /cones is \{ q, cones/],
+      [() => client.parametrize({ boundary: 'round' }), /'free' or 'convex', not 'round'/],
+      [() => client.parametrize(4), /an object, not 4/],
+      [() => client.check([]), /not an array/],
+      [() => client.readCones({ name: 'x.cones' }), /\{ name, text \}/],
+      [() => client.verify({ tolerance: -1 }), /tolerance/],
+      [() => client.write({ uvSet: 'last' }), /uvSet/],
+      [() => client.parametrizeMesh(), /\{ positions, triangles/],
+      [() => client.parametrizeMesh({ triangles }), /positions are numbers/],
+      [() => client.parametrizeMesh({ positions: positions.subarray(1), triangles }), /there are/],
+      [() => client.parametrizeMesh({ positions, triangles: [0, 1, 2, 3] }), /4 indices/],
+      [() => client.parametrizeMesh({ positions, triangles: big }), /BigInt64Array/],
+      [() => client.parametrizeMesh({ positions, triangles: [0, 1, 10n] }), /an array/],
+      [() => client.parametrizeMesh({ positions, triangles: [0, 1, 1e6] }), /vertex 1000000/],
+      [() => client.parametrizeMesh({ positions, triangles, qs: 4 }), /did you mean 'q'/],
+    ]) {
+      await refused(client, call, message);
+    }
+    assert.equal((await client.inspect()).file.name, 'disk.obj');
+  }));
+
+test('the options that are checked are those that are declared, and those that the core reads', () => {
+  const types = readFileSync(path.join(built, 'core.d.ts'), 'utf8');
+  const declared = (name) => {
+    const [, base, body] = types.match(
+      new RegExp(`interface ${name}(?: extends (\\w+))? {\\n([^]*?)\\n}`),
+    );
+    const own = [...body.matchAll(/^ {2}(\w+)\?:/gm)].map((match) => match[1]);
+    return [...own, ...(base ? declared(base) : [])].sort();
+  };
+  const checked = (call) => Object.keys(optionsOf[call]).sort();
+  assert.deepEqual(checked('load'), declared('LoadOptions'));
+  assert.deepEqual(checked('suggestCones'), declared('SuggestOptions'));
+  assert.deepEqual(checked('parametrize'), declared('SolveOptions'));
+  assert.deepEqual(checked('verify'), declared('VerifyOptions'));
+  assert.deepEqual(checked('write'), declared('WriteOptions'));
+
+  const core = readFileSync(path.join(root, 'wasm/options.h'), 'utf8');
+  const read = new Set([...core.matchAll(/option\(options, "(\w+)"/g)].map((match) => match[1]));
+  const known = Object.values(optionsOf).flatMap((fields) => Object.keys(fields));
+  assert.deepEqual([...read].filter((name) => !known.includes(name)).sort(), []);
+  const elsewhere = ['cones']; // handed over as a text of its own
+  assert.deepEqual(
+    [...new Set(known)].filter((name) => !read.has(name) && !elsewhere.includes(name)),
+    [],
+  );
+});
+
+test('files come as whatever people have', () =>
+  withClient(async (client) => {
+    const glb = toGlb([cube]);
+    const buffer = glb.buffer.slice(glb.byteOffset, glb.byteOffset + glb.byteLength);
+    for (const source of [glb, buffer, new DataView(buffer), new Blob([glb])]) {
+      await client.load(source);
+      await client.parametrize();
+      // Bytes have no name; what is written is called after what they were.
+      assert.match((await client.write()).name, /\.glb$/);
+    }
+    const files = { 'cube.obj': bytesOf(toObj(cube)) };
+    assert.equal((await client.load({ main: 'cube.obj', files })).triangles, 108);
+  }));
+
+test('gzip is decompressed, every member of it, up to the limit', () =>
+  withClient(async (client) => {
+    const text = toObj(cube);
+    const half = text.indexOf('\nf ') + 1;
+    const parts = [text.slice(0, half), text.slice(half)].map((part) => gzipSync(part));
+    const info = await client.load(new Uint8Array(Buffer.concat(parts)), { name: 'cube.obj.gz' });
+    assert.equal(info.file.name, 'cube.obj');
+    assert.equal(info.triangles, 108);
+    const bomb = gzipSync(Buffer.alloc(1 << 24, ' '));
+    await assert.rejects(client.load(bomb, { limits: { bytes: 1 << 20 } }), { code: 'limit' });
+    await assert.rejects(client.load(gzipSync(text).subarray(0, 60)), { code: 'malformed' });
+  }));
+
+test('arrays: vertices at the same place are joined, unless that is not wanted', () =>
+  withClient(async (client) => {
+    const soup = cube.triangles.flat().flatMap((v) => cube.vertices[v]);
+    const joined = await client.parametrizeMesh({ positions: soup });
+    assert.equal(joined.certificate.components.length, 1);
+    assert.equal(joined.triangles.length, soup.length / 3);
+    const apart = await client.parametrizeMesh({ positions: soup, weld: false });
+    assert.equal(apart.certificate.components.length, 108);
+  }));
+
+test('a signal rejects with its own reason', () =>
+  withClient(async (client) => {
+    await client.load(disk, { name: 'disk.obj' });
+    const reason = new Error('the user left');
+    await assert.rejects(client.inspect({ signal: AbortSignal.abort(reason) }), reason);
+    await client.load(bytesOf(bumpyDisk(60)), { name: 'large.obj' });
+    await assert.rejects(client.parametrize({}, { signal: AbortSignal.timeout(20) }), {
+      name: 'TimeoutError',
+    });
+  }));
+
+test('a throw in onProgress rejects the call, and the next call works', () =>
+  withClient(async (client) => {
+    await client.load(bytesOf(bumpyDisk(40)), { name: 'large.obj' });
+    const onProgress = () => {
+      throw new RangeError('my own mistake');
+    };
+    await assert.rejects(client.parametrize({}, { onProgress }), RangeError);
+    assert.equal((await client.inspect()).usable, true);
+  }));
+
+test('WebAssembly that cannot be had is an error and not a silence', async () => {
+  const unavailable = { code: 'wasm-unavailable' };
+  await assert.rejects(createClient({ wasmUrl: 'file:///no/such/hgp.wasm' }), unavailable);
+  await assert.rejects(createClient({ wasmBinary: bytesOf('no wasm') }), unavailable);
+  // A module that compiles, but is another one: it lacks what the glue wants of it.
+  const empty = new WebAssembly.Module(Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0));
+  const { createCore } = await import(path.join(built, 'node/core.js'));
+  await assert.rejects(createCore({ wasmModule: empty }), unavailable);
+});
+
+test('hgp.wasm by URL, as a string as well', async () => {
+  const url = new URL(`file://${path.join(built, 'hgp.wasm')}`);
+  for (const wasmUrl of [url, url.href, path.join(built, 'hgp.wasm')]) {
+    const client = await createClient({ wasmUrl, warmUp: false });
+    client.terminate();
+  }
+});

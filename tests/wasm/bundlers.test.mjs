@@ -1,0 +1,193 @@
+// The package in the hands of bundlers and servers: built as the README says, without a warning, and
+// run in a browser under a strict Content-Security-Policy.
+
+import assert from 'node:assert/strict';
+import { cpSync, existsSync, readFileSync, readdirSync } from 'node:fs';
+import path from 'node:path';
+import test from 'node:test';
+import { featureFiles } from '../gltf/features.mjs';
+import { bumpyDisk } from '../support/disk.mjs';
+import { cubeMesh, toGlb } from '../support/meshes.mjs';
+import { createProject, example, open, policy, serve } from './project.mjs';
+
+const { folder: project, put } = createProject('bundlers');
+const installed = path.join(project, 'node_modules/hgp');
+
+/** The example of the README with more behind it; says in the title what came of it. */
+const page = (program) => `
+const fetchFile = async (name) => new File([await (await fetch(name)).arrayBuffer()], name);
+const file = await fetchFile('cube.glb');
+${program}
+const counts = [certificate.certified, uv.length > 0, cornerToUv.length, bytes.length > 0, name];
+for (const other of ['draco.glb', 'meshopt.glb']) {
+  counts.push((await client.load(await fetchFile(other))).triangles > 0);
+}
+// Cancelled in the middle, and alive afterwards.
+const stop = new AbortController();
+await client.load(await fetchFile('large.obj.gz'));
+const onProgress = () => stop.abort();
+counts.push(await client.parametrize({}, { signal: stop.signal, onProgress }).catch((e) => e.name));
+counts.push((await client.inspect()).triangles);
+client.terminate();
+document.title = JSON.stringify(counts);`;
+const expected = [true, true, 3 * 12 * 36, true, 'cube.glb', true, true, 'AbortError', 15000];
+const html = '<!doctype html><script type="module" src="./main.js"></script>';
+const plainExample = example('In a browser');
+/** The example with the options that a section of the README gives to createClient(). */
+const exampleWith = (options) =>
+  plainExample.replace(/const client = await createClient\(\);/, () =>
+    options.replace(/^import.*\n/gm, ''),
+  );
+
+/** What the page fetches, beside it. */
+async function putAssets(folder) {
+  const { gzipSync } = await import('node:zlib');
+  put(`${folder}/cube.glb`, toGlb([cubeMesh(6)]));
+  put(`${folder}/large.obj.gz`, gzipSync(bumpyDisk(50)));
+  for (const { name, files } of await featureFiles()) {
+    if (/^(draco|meshopt)$/i.test(name)) {
+      put(`${folder}/${name.toLowerCase()}.glb`, Object.values(files)[0]);
+    }
+  }
+}
+
+async function runs(folder, security) {
+  const { title, trouble } = await open(path.join(project, folder), security);
+  assert.deepEqual(trouble, []);
+  assert.deepEqual(JSON.parse(title), expected);
+}
+
+for (const version of ['vite', 'vite6']) {
+  test(`${version}, with no settings at all`, async () => {
+    put(`${version}/index.html`, html);
+    put(`${version}/main.js`, page(plainExample));
+    await putAssets(`${version}/public`);
+    const { build, createLogger } = await import(version);
+    const warnings = [];
+    const customLogger = { ...createLogger('silent'), warn: (text) => warnings.push(text) };
+    await build({
+      root: path.join(project, version),
+      configFile: false,
+      customLogger,
+      // Top-level await is the example's own.
+      build: { target: 'es2022', chunkSizeWarningLimit: 2000 },
+    });
+    assert.deepEqual(warnings, []);
+    await runs(`${version}/dist`);
+  });
+}
+
+for (const mode of ['production', 'development']) {
+  test(`webpack 5, ${mode}, with no settings but the entry`, async () => {
+    const folder = `webpack-${mode}`;
+    put(`${folder}/entry.js`, page(plainExample));
+    put(`${folder}/dist/index.html`, html);
+    await putAssets(`${folder}/dist`);
+    const { default: webpack } = await import('webpack');
+    const stats = await new Promise((resolve, reject) =>
+      webpack(
+        {
+          mode,
+          context: path.join(project, folder),
+          entry: './entry.js',
+          output: { path: path.join(project, folder, 'dist'), filename: 'main.js' },
+          // Its default for development is eval(), which the policy forbids; and it finds any
+          // WebAssembly too large.
+          devtool: false,
+          performance: { hints: false },
+        },
+        (error, done) => (error ? reject(error) : resolve(done.toJson())),
+      ),
+    );
+    assert.deepEqual(stats.errors, []);
+    assert.deepEqual(stats.warnings, []);
+    await runs(`${folder}/dist`);
+  });
+}
+
+/** Bundlers that do not follow workers: the package is copied beside the bundle. */
+const copied = exampleWith(example('copy the package'));
+
+test('esbuild, with the package copied beside the bundle', async () => {
+  put('esbuild/entry.js', page(copied));
+  put('esbuild/dist/index.html', html);
+  await putAssets('esbuild/dist');
+  cpSync(installed, path.join(project, 'esbuild/dist/hgp'), { recursive: true });
+  const { build } = await import('esbuild');
+  const { errors, warnings } = await build({
+    entryPoints: [path.join(project, 'esbuild/entry.js')],
+    bundle: true,
+    format: 'esm',
+    outfile: path.join(project, 'esbuild/dist/main.js'),
+    logLevel: 'silent',
+  });
+  assert.deepEqual([...errors, ...warnings], []);
+  await runs('esbuild/dist');
+});
+
+test('rollup, with the package copied beside the bundle', async () => {
+  put('rollup/entry.js', page(copied));
+  put('rollup/dist/index.html', html);
+  await putAssets('rollup/dist');
+  cpSync(installed, path.join(project, 'rollup/dist/hgp'), { recursive: true });
+  const { rollup } = await import('rollup');
+  const { default: nodeResolve } = await import('@rollup/plugin-node-resolve');
+  const warnings = [];
+  const bundle = await rollup({
+    input: path.join(project, 'rollup/entry.js'),
+    plugins: [nodeResolve({ browser: true })],
+    onwarn: ({ message }) => warnings.push(message),
+  });
+  await bundle.write({ file: path.join(project, 'rollup/dist/main.js'), format: 'es' });
+  assert.deepEqual(warnings, []);
+  await runs('rollup/dist');
+});
+
+test('no bundler at all', async () => {
+  put('plain/index.html', html);
+  put('plain/main.js', page(plainExample.replace("from 'hgp'", "from './hgp/index.js'")));
+  await putAssets('plain');
+  cpSync(installed, path.join(project, 'plain/hgp'), { recursive: true });
+  await runs('plain');
+});
+
+test('from another origin (a CDN)', async () => {
+  const cdn = await serve(path.join(project, 'node_modules'), {
+    'Access-Control-Allow-Origin': '*',
+  });
+  try {
+    put('cdn/index.html', html);
+    const source = plainExample.replace("from 'hgp'", `from '${cdn.origin}/hgp/index.js'`);
+    put('cdn/main.js', page(source));
+    await putAssets('cdn');
+    const security = policy
+      .replace("script-src 'self'", `script-src 'self' ${cdn.origin}`)
+      .replace("connect-src 'self'", `connect-src 'self' ${cdn.origin}`)
+      .replace("worker-src 'self'", `worker-src blob: ${cdn.origin}`);
+    await runs('cdn', security);
+  } finally {
+    cdn.close();
+  }
+});
+
+test('under Trusted Types, by the recipe', async () => {
+  put('trusted/index.html', html);
+  const recipe = exampleWith(example('Trusted Types'));
+  put('trusted/main.js', page(recipe.replace("from 'hgp'", "from './hgp/index.js'")));
+  await putAssets('trusted');
+  cpSync(installed, path.join(project, 'trusted/hgp'), { recursive: true });
+  await runs('trusted', `${policy}; require-trusted-types-for 'script'; trusted-types hgp`);
+});
+
+test('no file for browsers names a module of Node, and none the binary by an old name', () => {
+  const files = readdirSync(installed, { recursive: true, encoding: 'utf8' }).filter(
+    (name) => name.endsWith('.js') && !name.startsWith('node/'),
+  );
+  assert.ok(files.includes('index.js') && files.includes(path.join('lib', 'core.js')));
+  for (const name of files) {
+    const text = readFileSync(path.join(installed, name), 'utf8');
+    if (!name.startsWith('decoders')) assert.doesNotMatch(text, /['"]node:/, name);
+    assert.doesNotMatch(text, /module\.wasm/, name);
+  }
+  assert.ok(existsSync(path.join(installed, 'hgp.wasm')));
+});

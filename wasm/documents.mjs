@@ -1,0 +1,47 @@
+// node documents.mjs: writes package/documents.d.ts, the TypeScript of the JSON documents, from the
+// schemas that the command line follows as well. `npm run types` calls it; a test compares.
+
+import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { compile } from 'json-schema-to-typescript';
+import prettier from 'prettier';
+
+const names = {
+  'hgp-certificate.schema.json': 'Certificate',
+  'hgp-check.schema.json': 'CheckReport',
+  'hgp-cones.schema.json': 'ConesDocument',
+  'hgp-error.schema.json': 'Failure',
+  'hgp-inspect.schema.json': 'ModelInfo',
+  'hgp-report.schema.json': 'Report',
+};
+const nameOf = (file) => names[file] ?? file.replace(/\W+(\w)/g, (_, c) => c.toUpperCase());
+
+/** One declaration per schema of the folder, and Where, which several share. */
+export async function declareDocuments(folder) {
+  const declare = (schema, name) =>
+    compile(schema, name, {
+      additionalProperties: false,
+      bannerComment: '',
+      cwd: folder + path.sep,
+      customName: ({ $id }) => ($id ? nameOf(path.basename($id)) : undefined),
+      declareExternallyReferenced: false,
+      format: false,
+    });
+  const read = (file) => JSON.parse(readFileSync(path.join(folder, file), 'utf8'));
+  const parts = [
+    '// Made from schema/*.schema.json by wasm/documents.mjs: the JSON documents of calls and files.\n',
+    await declare(read('hgp-error.schema.json').$defs.where, 'Where'),
+  ];
+  for (const file of readdirSync(folder).sort()) {
+    parts.push(await declare(read(file), nameOf(file)));
+  }
+  return prettier.format(parts.join('\n'), { ...style, parser: 'typescript' });
+}
+
+const root = path.resolve(import.meta.dirname, '..');
+const style = await prettier.resolveConfig(path.join(root, 'package.json'));
+
+if (import.meta.filename === process.argv[1]) {
+  const text = await declareDocuments(path.join(root, 'docs/schema'));
+  writeFileSync(path.join(root, 'wasm/package/documents.d.ts'), text);
+}

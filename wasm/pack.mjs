@@ -1,0 +1,29 @@
+// node pack.mjs MODULE_DIR OUT: the npm package, from its sources, the module that Emscripten linked,
+// the schemas and the decoders. What was in OUT before is removed.
+
+import { copyFileSync, cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { packDecoders } from './decoders.mjs';
+
+const [moduleDir, out] = process.argv.slice(2).map((name) => path.resolve(name));
+const root = path.resolve(import.meta.dirname, '..');
+
+/** Emscripten's glue names its binary where bundlers look for files; it is handed over instead. */
+function withoutBinaryName(glue) {
+  const name = /new URL\("module\.wasm",\s*import\.meta\.url\)\.toString\(\)/g;
+  const count = glue.match(name)?.length ?? 0;
+  if (count !== 1) throw new Error(`module.js names module.wasm ${count} times, not once`);
+  return glue.replace(name, '""').replaceAll('module.wasm', 'hgp.wasm');
+}
+
+rmSync(out, { recursive: true, force: true });
+mkdirSync(out, { recursive: true });
+cpSync(path.join(root, 'wasm/package'), out, { recursive: true });
+cpSync(path.join(root, 'docs/schema'), path.join(out, 'schema'), { recursive: true });
+for (const name of ['LICENSE', 'THIRD_PARTY_NOTICES.md']) {
+  copyFileSync(path.join(root, name), path.join(out, name));
+}
+packDecoders(path.join(root, 'node_modules'), path.join(out, 'decoders'));
+const glue = readFileSync(path.join(moduleDir, 'module.js'), 'utf8');
+writeFileSync(path.join(out, 'module.js'), withoutBinaryName(glue));
+copyFileSync(path.join(moduleDir, 'module.wasm'), path.join(out, 'hgp.wasm'));

@@ -1,0 +1,484 @@
+// Made from schema/*.schema.json by wasm/documents.mjs: the JSON documents of calls and files.
+
+/**
+ * Places on the mesh (ids of the surface) or in the file
+ */
+export type Where = {
+  kind: 'vertex' | 'edge' | 'triangle' | 'loop' | 'line' | 'byte';
+  id: number;
+  /**
+   * second vertex of an edge
+   */
+  other?: number;
+}[];
+
+/**
+ * What a map is, by inspection of the stored values alone. Certified: every triangle has exactly positive area, every interior angle sum and every boundary turning is as asked, every seam is a rotation by a multiple of 2π/q.
+ */
+export interface Certificate {
+  format: 'hgp-certificate';
+  version: 1;
+  certified: boolean;
+  /**
+   * certified, and the areas fit the precision in practice
+   */
+  usable: boolean;
+  q: number;
+  /**
+   * the set of the file that was judged
+   */
+  uvSet?: number;
+  precision: 'float32' | 'float64';
+  triangles: number;
+  /**
+   * triangles that are not positive
+   */
+  flipped: number;
+  wrongAngles: number;
+  wrongTurnings: number;
+  seamEdges: number;
+  brokenSeams: number;
+  maxConeDistance: number;
+  maxTurningDistance: number;
+  maxSeamResidual: number;
+  seamTolerance: number;
+  components: {
+    certified: boolean;
+    usable: boolean;
+    /**
+     * uv were well formed and finite, so that the facts are there
+     */
+    measured: boolean;
+    vertices: number;
+    edges: number;
+    triangles: number;
+    eulerCharacteristic: number;
+    genus: number;
+    boundaryLoops: number;
+    orientation: {
+      positive: number;
+      zero: number;
+      negative: number;
+      constrained: number;
+      constrainedPositive: number;
+      /**
+       * triangles, at most 10 000
+       */
+      notPositive: number[];
+    };
+    angles: {
+      wrong: number;
+      worstDistance: number;
+      worstVertex: number;
+      smallestAngle: number;
+      overlappingBoundaryVertices: number[];
+    };
+    /**
+     * asked ones and every vertex that is one
+     */
+    cones: {
+      vertex: number;
+      asked: number;
+      measured: number;
+      /**
+       * of the angle to the measured integer, in units of 2π/q
+       */
+      distance: number;
+    }[];
+    wrongCones: {
+      vertex: number;
+      asked: number;
+      measured: number;
+      /**
+       * of the angle to the measured integer, in units of 2π/q
+       */
+      distance: number;
+    }[];
+    turnings: {
+      loop: number;
+      asked: number | null;
+      measured: number;
+      distance: number;
+    }[];
+    handles: {
+      generator: number;
+      asked: number | null;
+      measured: number | null;
+    }[];
+    seams: {
+      edges: number;
+      broken: number;
+      charts: number;
+      worstResidual: number;
+      worstLengthResidual: number;
+      worstEdge: number[];
+      /**
+       * accepted residual in uv units
+       */
+      tolerance: number;
+      largestUv: number;
+      meanUvEdge: number;
+    };
+    gaussBonnet: {
+      have: number;
+      need: number;
+    };
+    /**
+     * How much of the map lies on top of itself, counted on a grid of 512 × 512 points; reported, not judged
+     */
+    overlap: {
+      /**
+       * of the covered plane, 0 to 1
+       */
+      share: number;
+      /**
+       * most triangles over one point
+       */
+      layers: number;
+    };
+    distortion: {
+      /**
+       * μ = |f_z̄|/|f_z|, weighted by surface area
+       */
+      meanMu: number;
+      p95Mu: number;
+      maxMu: number;
+      worstMuTriangle: number;
+      /**
+       * log₂ of the area ratio at the best global scale
+       */
+      rmsLogArea: number;
+      p95LogArea: number;
+      minLogArea: number;
+      maxLogArea: number;
+      /**
+       * excess over an isometry at the best global scale
+       */
+      symmetricDirichlet: number;
+      areaSpan: number;
+      smallestToMeanArea: number;
+      smallestTriangle: number;
+    };
+    /**
+     * why this component is not certified
+     */
+    reasons: {
+      rule:
+        | 'prescription'
+        | 'malformed-uv'
+        | 'not-finite'
+        | 'orientation'
+        | 'cone-angle'
+        | 'turning'
+        | 'seam'
+        | 'handle'
+        | 'gauss-bonnet'
+        | 'euler';
+      count: number;
+      worst: number;
+      message: string;
+      where: Where;
+    }[];
+  }[];
+}
+
+/**
+ * The exact integer budget q|C| − Σk + Σl = q(2 − 2g − m) of every component; nothing is solved.
+ */
+export interface CheckReport {
+  format: 'hgp-check';
+  version: 1;
+  valid: boolean;
+  q?: number;
+  components: {
+    component: number;
+    valid: boolean;
+    /**
+     * nothing was asked of it; its cones will be chosen
+     */
+    automatic: boolean;
+    genus: number;
+    boundaryLoops: number;
+    cones: number;
+    budget: null | {
+      have: number;
+      need: number;
+      left: number;
+      openLoops: number;
+    };
+    warnings: string[];
+    error?: Error;
+  }[];
+  /**
+   * Sentences for people
+   */
+  notes: string[];
+  error?: Error;
+}
+
+/**
+ * What is asked of a map: rotation order q, cones, turning of boundaries, rotation of handles. Cone angles are 2πk/q; interior vertices that are not listed have k = q. What is left out is completed by the program; an absent list of cones means automatic cones, an empty one means none.
+ */
+export interface ConesDocument {
+  format?: 'hgp-cones';
+  version?: 1;
+  /**
+   * rotation order
+   */
+  q: number;
+  /**
+   * The mesh that the ids belong to
+   */
+  mesh?: {
+    vertices?: number;
+    triangles?: number;
+    /**
+     * of the file; where it differs, positions decide
+     */
+    sha256?: string;
+  };
+  cones?: {
+    /**
+     * 0-based; the file's own id for OBJ, OFF and PLY, the welded id for glTF and STL
+     */
+    vertex: number;
+    /**
+     * angle index
+     */
+    k: number;
+    /**
+     * @minItems 3
+     * @maxItems 3
+     */
+    position?: [number, number, number];
+  }[];
+  boundaries?: {
+    /**
+     * index of the boundary loop as inspect lists them
+     */
+    loop: number;
+    /**
+     * turning index: total turning 2πl/q
+     */
+    l: number;
+    /**
+     * a vertex on that loop; decides when given
+     */
+    anchor?: number;
+  }[];
+  handles?: {
+    /**
+     * index of the handle generator
+     */
+    generator: number;
+    /**
+     * rotation by 2πr/q along it
+     */
+    r: number;
+  }[];
+  /**
+   * Where present, edges that are not listed have turn 0, and the map realises exactly this holonomy
+   */
+  matchings?: {
+    /**
+     * triangle whose counterclockwise boundary contains tail → head
+     */
+    from: number;
+    /**
+     * triangle on the other side
+     */
+    to?: number;
+    tail: number;
+    head: number;
+    /**
+     * direction a of `from` continues as a + turn (mod q) in `to`
+     */
+    turn: number;
+  }[];
+}
+
+/**
+ * Why a command ended without its result. The same codes on the command line, in the package and on the page.
+ */
+export interface Failure {
+  format: 'hgp-error';
+  version: 1;
+  code:
+    | 'usage'
+    | 'malformed'
+    | 'unsupported'
+    | 'prescription'
+    | 'no-map'
+    | 'write-failed'
+    | 'limit'
+    | 'internal'
+    | 'cancelled';
+  stage: string;
+  message: string;
+  where: Where;
+}
+
+/**
+ * What a file holds and whether it can be parametrized.
+ */
+export interface ModelInfo {
+  format: 'hgp-inspect';
+  version: 1;
+  usable: boolean;
+  file: {
+    name: string;
+    format: 'obj' | 'off' | 'ply' | 'stl' | 'gltf' | 'glb' | 'arrays';
+    bytes: number;
+    sha256: string;
+  };
+  surfaces: {
+    index: number;
+    name: string;
+    /**
+     * after welding
+     */
+    vertices: number;
+    storedVertices: number;
+    welded: boolean;
+    triangles: number;
+    uvSets: number[];
+    /**
+     * Sentences for people
+     */
+    notes: string[];
+  }[];
+  /**
+   * the one that is used
+   */
+  surface: number;
+  /**
+   * after repairs
+   */
+  vertices: number;
+  triangles: number;
+  eulerCharacteristic?: number;
+  genus?: number;
+  boundaryLoops?: number;
+  isolatedVertices?: number;
+  components?: {
+    component: number;
+    vertices: number;
+    edges: number;
+    triangles: number;
+    eulerCharacteristic: number;
+    genus: number;
+    handleGenerators: {
+      first: number;
+      count: number;
+    };
+    boundaryLoops: {
+      loop: number;
+      vertices: number;
+      /**
+       * a vertex on the loop
+       */
+      anchor: number;
+      length: number;
+      /**
+       * Σ (π − θ) in radians of the surface itself
+       */
+      turningAngle: number;
+    }[];
+  }[];
+  diagonal: number;
+  defects: {
+    kind:
+      | 'index-out-of-range'
+      | 'not-finite'
+      | 'extent'
+      | 'repeated-vertex'
+      | 'zero-area'
+      | 'duplicate-face'
+      | 'non-manifold-edge'
+      | 'inconsistent-edge'
+      | 'non-manifold-vertex'
+      | 'isolated-vertex';
+    fatal: boolean;
+    count: number;
+    where: Where;
+  }[];
+  /**
+   * Sentences for people
+   */
+  notes: string[];
+  error?: Error;
+}
+
+/**
+ * A whole run: input, options, every round of every component, the completed prescription and the certificate of what is written.
+ */
+export interface Report {
+  format: 'hgp-report';
+  version: 1;
+  program: {
+    name: 'hgp';
+    version: string;
+  };
+  certified: boolean;
+  input: {
+    name: string;
+    format: string;
+    bytes: number;
+    sha256: string;
+    surface: number;
+    vertices: number;
+    triangles: number;
+  };
+  options: {
+    rounds: number;
+    quality: boolean;
+    boundary: 'free' | 'convex';
+    scale: 'solved' | 'unit' | 'fit';
+    /**
+     * auto: our own smooth connection; file: the directions of the given field
+     */
+    frames: 'auto' | 'file';
+    automaticCones: boolean;
+    q?: number;
+    coneCount?: number;
+    alignToCurvature?: boolean;
+  };
+  seconds: number;
+  /**
+   * Sentences for people
+   */
+  notes: string[];
+  components: {
+    certifiedBeforeStoring: boolean;
+    usable: boolean;
+    /**
+     * no quality term was used
+     */
+    harmonic: boolean;
+    cones: number;
+    rounds: {
+      method: string;
+      constrainedTriangles: number;
+      iterations: number;
+      solverStatus: string;
+      flipped: number;
+      wrongAngles: number;
+      /**
+       * ‖Lz‖², a statistic of the solver
+       */
+      laplacianEnergy: number;
+      seconds: number;
+    }[];
+    times: {
+      stage: string;
+      seconds: number;
+    }[];
+    conflict: Where;
+    /**
+     * Sentences for people
+     */
+    notes: string[];
+  }[];
+  cones: ConesDocument;
+  certificate: Certificate;
+}

@@ -1,0 +1,53 @@
+// What differs from platform to platform, for browsers: workers and the files of this package. The
+// same names are in node/platform.js; no file that a browser loads names a module of Node.
+
+import { unavailable } from './error.js';
+
+/** A whole file of its own, named by URL: no bundler has to split the worker for it. */
+export const importFile = (url) => import(/* @vite-ignore */ /* webpackIgnore: true */ url.href);
+
+export async function readFile(url) {
+  const response = await fetch(url);
+  if (!response.ok) throw unavailable(`${url}: HTTP ${response.status}`);
+  return response.arrayBuffer();
+}
+
+export async function compileFile(url) {
+  const response = await fetch(url);
+  if (!response.ok) throw unavailable(`${url}: HTTP ${response.status}`);
+  // Not every static host serves the type that streaming compilation insists on.
+  if (response.headers.get('Content-Type')?.startsWith('application/wasm')) {
+    return WebAssembly.compileStreaming(response);
+  }
+  return WebAssembly.compile(await response.arrayBuffer());
+}
+
+/** A worker of another origin, such as a CDN, is started by a script of this one that imports it. */
+function workerAt(url) {
+  const isElsewhere = new URL(String(url), location.href).origin !== location.origin;
+  if (!isElsewhere) return new Worker(url, { type: 'module' });
+  const script = new Blob([`import ${JSON.stringify(String(url))};`], { type: 'text/javascript' });
+  const local = URL.createObjectURL(script);
+  const worker = new Worker(local, { type: 'module' });
+  worker.addEventListener('message', () => URL.revokeObjectURL(local), { once: true });
+  return worker;
+}
+
+/** Starts a worker and gives it one face: post, onMessage, onLost, idle, busy, terminate. */
+export async function startWorker({ createWorker, workerUrl }, createDefault) {
+  let worker;
+  if (createWorker) worker = createWorker();
+  else if (workerUrl) worker = workerAt(workerUrl);
+  else worker = createDefault(workerAt);
+  return {
+    post: (message) => worker.postMessage(message),
+    onMessage: (take) => worker.addEventListener('message', ({ data }) => take(data)),
+    onLost: (take) => {
+      worker.addEventListener('error', (event) => take(event.message ?? 'script error'));
+      worker.addEventListener('messageerror', () => take('unreadable message'));
+    },
+    idle() {},
+    busy() {},
+    terminate: () => worker.terminate(),
+  };
+}

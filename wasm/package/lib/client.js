@@ -1,0 +1,238 @@
+// The client: every call runs in a worker, can be cancelled and reports progress. What differs between
+// browsers and Node is in the platform that is handed in.
+
+import { compileWith } from './compile.js';
+import { HgpError, unavailable, usage } from './error.js';
+import { checkConeFile, checkCones, checkOptions } from './options.js';
+import { toFileSet, toMeshArrays } from './sources.js';
+
+/** What a cancelled call rejects with: the signal's own reason, as everywhere on the web. */
+const cancelled = () => new DOMException('The operation was cancelled.', 'AbortError');
+
+export async function startClient(platform, options = {}) {
+  return Client.start(platform, await compileWith(platform, options), options);
+}
+
+class Client {
+  #platform;
+  #wasmModule;
+  #options;
+  #worker; // a promise while it starts
+  #queue = [];
+  #current;
+  #nextId = 1;
+  #source; // what the last successful load or parametrizeMesh took; a fresh worker needs it again
+
+  constructor(platform, wasmModule, options) {
+    this.#platform = platform;
+    this.#wasmModule = wasmModule;
+    this.#options = options;
+  }
+
+  static async start(platform, wasmModule, options) {
+    const client = new Client(platform, wasmModule, options);
+    await client.#call('ready', []).catch((error) => {
+      client.terminate();
+      throw error.code === 'worker-lost' ? unavailable(error.message, error) : error;
+    });
+    // Behind the answer. Later workers profit too, for they run the same compiled module.
+    if (options.warmUp ?? true) client.#running.post({ id: 0, method: 'warmUp', args: [] });
+    return client;
+  }
+
+  /** Starts the worker where there is none, with the model, so that the next call need not wait. */
+  async ready(call) {
+    await this.#call('ready', [], call);
+  }
+
+  async load(source, options = {}, call = {}) {
+    checkOptions('load', options);
+    const args = [await toFileSet(source, options.name), options];
+    const info = await this.#call('load', args, call);
+    this.#source = ['load', args];
+    return info;
+  }
+
+  inspect(call) {
+    return this.#call('inspect', [], call);
+  }
+
+  surface(call) {
+    return this.#call('surface', [], call);
+  }
+
+  async readCones(file, call) {
+    checkConeFile('readCones', file);
+    return this.#call('readCones', [file], call);
+  }
+
+  embeddedCones(call) {
+    return this.#call('embeddedCones', [], call);
+  }
+
+  async suggestCones(options = {}, call) {
+    checkOptions('suggestCones', options);
+    return this.#call('suggestCones', [options], call);
+  }
+
+  async check(cones, call) {
+    checkCones('check', cones);
+    return this.#call('check', [cones], call);
+  }
+
+  async parametrize(options = {}, call) {
+    checkOptions('parametrize', options);
+    return this.#call('parametrize', [options], call);
+  }
+
+  async parametrizeMesh(mesh, call) {
+    if (mesh === null || typeof mesh !== 'object') {
+      throw usage('parametrizeMesh takes { positions, triangles, … }');
+    }
+    const { positions, triangles, weld, fix, limits, ...options } = mesh;
+    checkOptions('parametrize', options);
+    checkOptions('load', { weld: weld === false ? undefined : weld, fix, limits });
+    const args = [toMeshArrays({ positions, triangles }), { weld, fix, limits }];
+    await this.#call('loadMesh', args, call);
+    this.#source = ['loadMesh', args];
+    return this.#call('parametrize', [options], call);
+  }
+
+  async verify(options = {}, call) {
+    checkOptions('verify', options);
+    return this.#call('verify', [options], call);
+  }
+
+  async write(options = {}, call) {
+    checkOptions('write', options);
+    return this.#call('write', [options], call);
+  }
+
+  /** Ends the worker, forgets the model and rejects whatever is pending. */
+  terminate() {
+    this.#stopWorker();
+    this.#source = undefined;
+    const pending = [this.#current, ...this.#queue];
+    this.#current = undefined;
+    this.#queue = [];
+    for (const job of pending) job?.reject(cancelled());
+  }
+
+  async [Symbol.asyncDispose ?? Symbol.for('Symbol.asyncDispose')]() {
+    this.terminate();
+  }
+
+  /** @param {import('../index.js').CallOptions} [call] */
+  #call(method, args, call = {}) {
+    const { signal, onProgress } = call;
+    return new Promise((resolve, reject) => {
+      if (signal?.aborted) return reject(signal.reason);
+      const job = { id: this.#nextId++, method, args, onProgress };
+      const onAbort = () => this.#abort(job, signal?.reason);
+      const settled = (settle) => (value) => {
+        signal?.removeEventListener('abort', onAbort);
+        settle(value);
+      };
+      job.resolve = settled(resolve);
+      job.reject = settled(reject);
+      signal?.addEventListener('abort', onAbort, { once: true });
+      this.#queue.push(job);
+      this.#next();
+    });
+  }
+
+  /** One call at a time: a waiting call is cancelled without hurting the running one. */
+  #next() {
+    if (this.#current || this.#queue.length === 0) return;
+    const job = (this.#current = this.#queue.shift());
+    this.#send(job).catch((error) => {
+      if (this.#current === job) this.#stopWorker();
+      this.#finish(job, job.reject, error);
+    });
+  }
+
+  async #send(job) {
+    const isFresh = this.#worker === undefined;
+    this.#worker ??= this.#start();
+    const worker = await this.#worker;
+    if (this.#current !== job) return; // cancelled while the worker started
+    worker.busy();
+    if (isFresh && this.#source && !job.method.startsWith('load')) {
+      const [method, args] = this.#source;
+      worker.post({ id: 0, method, args });
+    }
+    const { id, method, args, onProgress } = job;
+    worker.post({ id, method, args, wantsProgress: onProgress !== undefined });
+  }
+
+  async #start() {
+    const worker = await this.#platform.startWorker(this.#options);
+    const isCurrent = () => this.#running === worker;
+    this.#running = worker;
+    worker.onMessage((message) => isCurrent() && this.#receive(message));
+    worker.onLost((reason) => isCurrent() && this.#lost(reason));
+    worker.post({ id: 0, method: 'init', args: [this.#wasmModule] });
+    return worker;
+  }
+  #running;
+
+  #receive({ id, result, error, progress }) {
+    const job = this.#current;
+    if (id === 0) {
+      if (error) this.#lost(error.message);
+      return;
+    }
+    if (job?.id !== id) return;
+    if (progress) {
+      this.#report(job, progress);
+    } else if (error) {
+      this.#finish(job, job.reject, new HgpError(error));
+    } else {
+      this.#finish(job, job.resolve, result);
+    }
+  }
+
+  /** A callback that throws ends its call, as if the call itself had thrown. */
+  #report(job, progress) {
+    try {
+      job.onProgress?.(progress);
+    } catch (error) {
+      this.#abort(job, error);
+    }
+  }
+
+  #finish(job, settle, value) {
+    if (this.#current === job) this.#current = undefined;
+    this.#running?.idle();
+    settle(value);
+    this.#next();
+  }
+
+  #abort(job, reason) {
+    if (this.#current === job) {
+      // WebAssembly reads no messages while it works: cancelling means ending the worker.
+      this.#stopWorker();
+      this.#finish(job, job.reject, reason);
+    } else {
+      this.#queue = this.#queue.filter((other) => other !== job);
+      job.reject(reason);
+    }
+  }
+
+  #lost(reason) {
+    const job = this.#current;
+    this.#stopWorker();
+    const message = `The solver stopped unexpectedly (${reason}). The next call starts a new one.`;
+    if (job) this.#finish(job, job.reject, new HgpError({ code: 'worker-lost', message }));
+  }
+
+  #stopWorker() {
+    const starting = this.#worker;
+    this.#running = undefined;
+    this.#worker = undefined;
+    starting?.then(
+      (worker) => worker.terminate(),
+      () => {},
+    );
+  }
+}

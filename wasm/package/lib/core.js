@@ -1,0 +1,233 @@
+// The solver itself, synchronous: for use inside your own worker. Everything that goes in or comes
+// out is a plain value; the one C++ object, the session with its loaded model, is owned by Core and
+// freed by `free()`.
+
+import createModule from '../module.js';
+import { decodersFor } from './decoders.js';
+import { HgpError, unavailable, usage } from './error.js';
+import { decompressed } from './gzip.js';
+import { checkConeFile, checkCones, checkOptions } from './options.js';
+import { toMeshArrays } from './sources.js';
+import { warmUpMesh } from './warm_up.js';
+
+/** The text of a glTF, the first chunk of a GLB; nothing for files of other kinds. */
+function gltfJson(bytes) {
+  if (!bytes) return undefined;
+  const starts = (text, at) => [...text].every((c, i) => bytes[at + i] === c.charCodeAt(0));
+  if (starts('glTF', 0)) {
+    const size = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+    return bytes.length < 20 ? undefined : bytes.subarray(20, 20 + size.getUint32(12, true));
+  }
+  let first = bytes[0] === 0xef ? 3 : 0; // a byte order mark
+  while (first < 1024 && ' \t\r\n'.includes(String.fromCharCode(bytes[first]))) first++;
+  return starts('{', first) ? bytes : undefined;
+}
+
+/**
+ * Makes a Core of a compiled module. Rejects with `wasm-unavailable` where it cannot be instantiated.
+ * @param platform  how files of this package are read (see ../core.js and ../node/core.js)
+ */
+export async function coreOf(wasmModule, platform) {
+  const module = await new Promise((resolve, reject) => {
+    createModule({
+      // The glue never fetches: it gets the compiled module, which makes one file serve browsers,
+      // workers and Node alike. It would wait for ever where that fails.
+      instantiateWasm(imports, receive) {
+        WebAssembly.instantiate(wasmModule, imports).then(receive).catch(reject);
+        return {};
+      },
+      print() {},
+      printErr() {},
+      onAbort: reject,
+    }).then(resolve, reject);
+  }).catch((error) => {
+    throw unavailable(`The solver could not be started: ${error?.message ?? error}`, error);
+  });
+  return new Core(module, platform);
+}
+
+/** What write() calls its result by default: formats that can only be read are answered with an OBJ. */
+function nameFor(main, format) {
+  const stem = main.split('/').pop();
+  if (format === 'glb' || format === 'gltf') return stem || `mesh.${format}`;
+  return stem.replace(/\.(off|ply|stl)$/i, '.obj') || 'mesh.obj';
+}
+
+/**
+ * The field file as the session takes it: all three members, q 0 where the file's own holds.
+ * @param {{ field?: import('../core.js').ConeFile, [option: string]: unknown }} options
+ */
+function withField({ field, ...options }) {
+  if (!field) return options;
+  const { name = '', text, q = 0 } = field;
+  return { ...options, field: { name, text, q } };
+}
+
+export class Core {
+  #module;
+  #platform;
+  #session;
+  #decoders = {};
+  #name = 'mesh.obj'; // of what write() makes, where the caller gives none
+
+  /** Called with { stage, fraction, iteration, residual, round, maxRounds }; return false to cancel. */
+  onProgress;
+
+  /** Not for callers: createCore() makes them. */
+  constructor(module, platform) {
+    this.#module = module;
+    this.#platform = platform;
+    this.#session = new module.Session();
+  }
+
+  get version() {
+    return this.#module.version();
+  }
+
+  /** Bytes of the linear memory; it grows and never shrinks. */
+  get memory() {
+    return this.#module.HEAPU8.length;
+  }
+
+  /**
+   * Whatever load() cannot wait for: decompresses gzip, and loads the decoders that the file needs.
+   * @param {import('../core.js').CoreFiles} given
+   * @param {import('../core.js').LoadOptions} [options]
+   * @return the files to load
+   */
+  async prepare(given, { limits } = {}) {
+    const prepared = await decompressed(given, limits?.bytes, this.#platform);
+    const json = gltfJson(prepared.files.get(prepared.main));
+    if (!json) return prepared;
+    const needs = this.#reply(this.#module.neededDecoders(json));
+    try {
+      this.#decoders = await decodersFor(needs, this.#platform);
+    } catch (error) {
+      const message = `A decoder of compressed glTF could not be loaded: ${error.message}`;
+      throw unavailable(message, error);
+    }
+    return prepared;
+  }
+
+  /** Makes the engine optimize the solver, by a small solve beside the loaded model. */
+  warmUp() {
+    const other = new Core(this.#module, this.#platform);
+    other.loadMesh(warmUpMesh());
+    other.parametrize();
+    other.free();
+  }
+
+  load({ main, files }, options = {}) {
+    checkOptions('load', options);
+    const names = [...files.keys()];
+    const info = this.#json(
+      this.#live.load(main, names, [...files.values()], this.#decoders, options),
+    );
+    this.#name = nameFor(main, info.file.format);
+    return info;
+  }
+
+  /**
+   * Arrays that come from no file. Vertices at the same place are joined unless `weld` is false.
+   * @param {import('../core.js').MeshArrays} mesh
+   * @param {import('../core.js').MeshLoadOptions} [options]
+   */
+  loadMesh(mesh, { weld = 0, ...options } = {}) {
+    const { positions, triangles } = toMeshArrays(mesh);
+    const rest = weld === false ? options : { ...options, weld };
+    checkOptions('load', rest);
+    const info = this.#json(this.#live.loadMesh(positions, triangles, rest));
+    this.#name = 'mesh.obj';
+    return info;
+  }
+
+  inspect() {
+    return this.#json(this.#live.inspect());
+  }
+
+  /** The loaded surface, usable or not. */
+  surface() {
+    return this.#reply(this.#live.surface());
+  }
+
+  /** A cone file of any known kind as hgp-cones of the loaded surface. */
+  readCones(file) {
+    checkConeFile('readCones', file);
+    const { name = '', text, q = 0 } = file;
+    return this.#json(this.#live.readCones(name, text, q));
+  }
+
+  /** The cones that are stored inside the file, or null. */
+  embeddedCones() {
+    const { json } = this.#reply(this.#live.embeddedCones());
+    return json === undefined ? null : JSON.parse(json);
+  }
+
+  suggestCones(options = {}) {
+    checkOptions('suggestCones', options);
+    return this.#json(this.#live.suggestCones(options, this.#progress()));
+  }
+
+  check(cones) {
+    checkCones('check', cones);
+    return this.#json(this.#live.check(JSON.stringify(cones)));
+  }
+
+  /** @param {import('../core.js').SolveOptions} [options] */
+  parametrize(options = {}) {
+    checkOptions('parametrize', options);
+    const { cones, ...rest } = options;
+    const text = cones ? JSON.stringify(cones) : '';
+    const reply = this.#reply(this.#live.parametrize(text, withField(rest), this.#progress()));
+    const seams = [];
+    for (let i = 0; i < reply.seams.length; i += 5) {
+      const [a0, a1, b0, b1, r] = reply.seams.subarray(i, i + 5);
+      seams.push({ a: [a0, a1], b: [b0, b1], r });
+    }
+    const report = JSON.parse(reply.report);
+    const { certificate, cones: completed } = report;
+    return { ...reply, seams, report, certificate, cones: completed, memory: this.memory };
+  }
+
+  /** @param {import('../core.js').VerifyOptions} [options] */
+  verify(options = {}) {
+    checkOptions('verify', options);
+    const { cones, ...rest } = options;
+    return this.#json(this.#live.verify(cones ? JSON.stringify(cones) : '', withField(rest)));
+  }
+
+  write(options = {}) {
+    checkOptions('write', options);
+    const { files, notes, xref } = this.#reply(this.#live.write({ name: this.#name, ...options }));
+    return { name: files[0].name, bytes: files[0].bytes, files, notes, xref };
+  }
+
+  /** Frees the model. The object cannot be used afterwards. */
+  free() {
+    this.#session?.delete();
+    this.#session = undefined;
+  }
+
+  get #live() {
+    if (this.#session) return this.#session;
+    throw usage('this core has been freed');
+  }
+
+  #progress() {
+    const { onProgress } = this;
+    if (!onProgress) return undefined;
+    return (stage, fraction, iteration, residual, round, maxRounds) =>
+      onProgress({ stage, fraction, iteration, residual, round, maxRounds }) !== false;
+  }
+
+  #reply(reply) {
+    if (reply.error !== undefined) throw new HgpError(JSON.parse(reply.error));
+    return reply;
+  }
+
+  #json(reply) {
+    return JSON.parse(this.#reply(reply).json);
+  }
+}
+
+Core.prototype[Symbol.dispose ?? Symbol.for('Symbol.dispose')] = Core.prototype.free;

@@ -2,6 +2,11 @@
 
 set(HGP_GTEST_SOURCES "/usr/src/googletest" CACHE PATH "GoogleTest's source tree")
 set(HGP_TEST_TIMEOUT 600 CACHE STRING "Seconds one test program may take")
+set(HGP_TEST_SET all CACHE STRING "Tests that are built and run: all, units or integration")
+set_property(CACHE HGP_TEST_SET PROPERTY STRINGS all units integration)
+if(NOT HGP_TEST_SET MATCHES "^(all|units|integration)$")
+  message(FATAL_ERROR "HGP_TEST_SET is all, units or integration, not '${HGP_TEST_SET}'")
+endif()
 
 if(NOT TARGET gtest_main)
   if(NOT EXISTS "${HGP_GTEST_SOURCES}/CMakeLists.txt")
@@ -27,13 +32,18 @@ if(EMSCRIPTEN)
   file(WRITE "${CMAKE_BINARY_DIR}/package.json" "{ \"type\": \"commonjs\" }\n")
 endif()
 
-# hgp_add_tests(field smooth_field_test.cpp … LINKS field [cut …])
+# hgp_add_tests(field smooth_field_test.cpp … LINKS field [cut …] [EVERY_BUILD | INTEGRATION]
+#               [DENSE])
 #
 # One test program, tests_<name>, and one ctest entry for all its tests. Sources may include
 # "support/….h" from tests/. HGP_SHARED_MESHES (environment) overrides where optional data is looked
 # for; tests that need it must GTEST_SKIP() aloud when it is absent.
+#
+# Unit tests run once, where they say most: under sanitizers (HGP_TEST_SET=units). The released and the
+# WebAssembly build run integration tests, and those marked EVERY_BUILD, whose outcome may depend on
+# the compiler or the processor, such as rounding. What is left out can still be built by name.
 function(hgp_add_tests name)
-  cmake_parse_arguments(T "" "" "LINKS" ${ARGN})
+  cmake_parse_arguments(T "EVERY_BUILD;INTEGRATION;DENSE" "" "LINKS" ${ARGN})
   hgp_named_targets(links "tests of ${name}" ${T_LINKS})
   set(target tests_${name})
   add_executable(${target} ${T_UNPARSED_ARGUMENTS})
@@ -46,12 +56,24 @@ function(hgp_add_tests name)
   target_link_libraries(${target} PRIVATE ${links} gtest_main)
   # As one unit in every build: half of the time of a test file is GoogleTest and Eigen.
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
-  # Optimizing the tests' own code doubles the time they take to compile and gains nothing.
+  # Optimizing the tests' own code doubles the time they take to compile and gains nothing, except
+  # where they compare with dense algebra of their own (DENSE).
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  if(NOT T_DENSE)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O0>)
+  endif()
   if(EMSCRIPTEN)
     # -O1: binaryen's passes cost twenty seconds a link and gain nothing here.
     target_link_options(${target} PRIVATE -O1 -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB
       -sNODERAWFS=1 -sEXIT_RUNTIME=1 --pre-js "${PROJECT_SOURCE_DIR}/cmake/node_environment.js")
+  endif()
+  set(kind units)
+  if(T_INTEGRATION)
+    set(kind integration)
+  endif()
+  if(NOT HGP_TEST_SET MATCHES "all|${kind}" AND NOT T_EVERY_BUILD)
+    set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON)
+    return()
   endif()
   add_test(NAME ${name} COMMAND ${target} --gtest_brief=0)
   set_tests_properties(${name} PROPERTIES TIMEOUT ${HGP_TEST_TIMEOUT})

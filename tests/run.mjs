@@ -1,4 +1,4 @@
-// Runs the stages of scripts/test one after another and adds up what they counted.
+// Runs the stages of scripts/test and adds up what they counted.
 // The last line is always "N passed, N failed, N skipped".
 
 import { spawn, execFileSync } from 'node:child_process';
@@ -15,6 +15,7 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { countCtest, countNodeTest } from './support/counts.mjs';
+import { runInOrder } from './support/schedule.mjs';
 
 const root = path.dirname(path.dirname(fileURLToPath(import.meta.url)));
 process.chdir(root);
@@ -77,8 +78,11 @@ async function checks(log, commands) {
   return counts;
 }
 
+/** With --full all tests run in every build, otherwise those that the preset names. */
 async function build(log, preset) {
-  await must(log, 'cmake', '--preset', preset);
+  const presets = JSON.parse(readFileSync('CMakePresets.json', 'utf8')).configurePresets;
+  const { HGP_TEST_SET } = presets.find(({ name }) => name === preset).cacheVariables;
+  await must(log, 'cmake', '--preset', preset, `-DHGP_TEST_SET=${full ? 'all' : HGP_TEST_SET}`);
   await must(log, 'cmake', '--build', '--preset', preset);
 }
 
@@ -168,36 +172,47 @@ async function webTests(log) {
   return sum([both, await counted(log, '--test', alone)]);
 }
 
-const stages = {
-  lint: (log) =>
-    checks(log, [
-      ['clang-format', '--dry-run', '-Werror', ...sources('.cpp', '.h')],
-      ['node_modules/.bin/prettier', '--check', '.'],
-      ['node_modules/.bin/eslint', '.'],
-      ['node_modules/.bin/tsc', '--noEmit', '-p', 'web'],
-      ['node_modules/.bin/tsc', '--noEmit', '-p', 'wasm'],
-    ]),
-  house: (log) => nodeTests(log, 'house'),
-  files: (log) =>
-    checks(log, [
-      ['cmake', '--preset', 'native-files'],
-      ['cmake', '--build', '--preset', 'native-files'],
-    ]),
-  'native-release': (log) => ctest(log, 'native-release'),
-  'native-debug': (log) => ctest(log, 'native-debug'),
-  tidy: (log) => checks(log, [['node', 'tests/support/tidy.mjs']]),
-  'wasm-release': (log) => ctest(log, 'wasm-release'),
-  package: (log) => nodeTests(log, 'wasm'),
-  units: unitTests,
-  install: (log) => nodeTests(log, 'install'),
-  web: async (log) => {
-    await must(log, 'node_modules/.bin/vite', 'build', 'web');
-    return webTests(log);
-  },
-};
+/** Every file compiled alone, so that none takes an include from its neighbour. */
+const compileFiles = (log) =>
+  checks(log, [
+    ['cmake', '--preset', 'native-files'],
+    ['cmake', '--build', '--preset', 'native-files'],
+  ]);
 
-/** Every file compiled alone, so that none takes an include from its neighbour: by name or in full. */
-const isLong = (name) => name === 'files';
+const lint = (log) =>
+  checks(log, [
+    ['clang-format', '--dry-run', '-Werror', ...sources('.cpp', '.h')],
+    ['node_modules/.bin/prettier', '--check', '.'],
+    ['node_modules/.bin/eslint', '.'],
+    ['node_modules/.bin/tsc', '--noEmit', '-p', 'web'],
+    ['node_modules/.bin/tsc', '--noEmit', '-p', 'wasm'],
+  ]);
+
+async function web(log) {
+  await must(log, 'node_modules/.bin/vite', 'build', 'web');
+  return webTests(log);
+}
+
+/** `isLong`: by name or in full; `isAlone`: it measures time. */
+const stages = {
+  lint: { run: lint },
+  'native-debug': { run: (log) => ctest(log, 'native-debug') },
+  house: { run: (log) => nodeTests(log, 'house') },
+  'native-release': { run: (log) => ctest(log, 'native-release') },
+  files: { run: compileFiles, isLong: true },
+  'wasm-release': { run: (log) => ctest(log, 'wasm-release') },
+  install: { run: (log) => nodeTests(log, 'install'), after: ['native-release'] },
+  tidy: {
+    run: (log) => checks(log, [['node', 'tests/support/tidy.mjs']]),
+    after: ['native-debug', 'native-release'],
+  },
+  units: { run: unitTests, after: ['wasm-release'] },
+  package: {
+    run: (log) => nodeTests(log, 'wasm'),
+    ...{ after: ['native-release', 'wasm-release'], isAlone: true },
+  },
+  web: { run: web, after: ['native-release', 'wasm-release'], isAlone: true },
+};
 
 const unknown = only.filter((name) => !(name in stages));
 if (unknown.length > 0) {
@@ -208,13 +223,13 @@ const hasData = existsSync(data);
 if (!hasData) console.log(`SKIPPING tests on real meshes: ${data} is not there`);
 
 const total = { passed: 0, failed: 0, skipped: 0 };
-for (const [name, stage] of Object.entries(stages)) {
-  if (only.length > 0 ? !only.includes(name) : isLong(name) && !full) continue;
+
+async function runStage(name) {
   const begin = performance.now();
   const log = createWriteStream(path.join(logs, `${name}.log`));
   let counts;
   try {
-    counts = await stage(log);
+    counts = await stages[name].run(log);
     if (counts.passed + counts.failed === 0) {
       counts = { ...counts, failed: 1, notes: [...counts.notes, 'the stage ran no test at all'] };
     }
@@ -235,6 +250,9 @@ for (const [name, stage] of Object.entries(stages)) {
   for (const note of counts.notes) console.log(note.trimEnd().replace(/^/gm, '     | '));
   for (const key of Object.keys(total)) total[key] += counts[key];
 }
+
+const isChosen = ([name, { isLong }]) => (only.length > 0 ? only.includes(name) : full || !isLong);
+await runInOrder(new Map(Object.entries(stages).filter(isChosen)), runStage);
 
 process.exitCode = total.failed > 0 ? 1 : 0;
 console.log(`${total.passed} passed, ${total.failed} failed, ${total.skipped} skipped`);

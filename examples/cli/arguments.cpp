@@ -235,9 +235,10 @@ class Parser {
         add("verify", "Judge the texture coordinates that a file has", Command::kVerify);
     addPrescription(sub);
     sub->add_option("--uv-set", uvSet_, "Which set (default: the last, where param writes)");
-    sub->add_option(
-           "--tol", out_.verify.tolerance,
-           "Accepted seam residual relative to max |uv|, for files printed with few digits")
+    sub->add_option("--tol", out_.verify.tolerance,
+                    "Accept seams within this part of each edge's length and angles within this "
+                    "many radians "
+                    "(default 1e-6), for files printed with few digits")
         ->check(atLeast(0));
   }
 

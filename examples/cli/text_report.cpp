@@ -1,5 +1,6 @@
 #include "text_report.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "hgp/base/check.h"
@@ -68,15 +69,16 @@ std::string measured(const Json& c, const Style& style) {
   line(flipped == 0, "positive triangles",
        formatText("%lld of %lld", triangles - flipped, triangles));
   line(integer(c, "wrongAngles") == 0, "angle sums",
-       formatText("%lld wrong, largest distance to the integer %.2g", integer(c, "wrongAngles"),
+       formatText("%lld wrong, the worst is off by %.2g rad", integer(c, "wrongAngles"),
                   number(c, "maxConeDistance")));
   line(integer(c, "wrongTurnings") == 0, "boundary turning",
-       formatText("%lld wrong, largest distance %.2g", integer(c, "wrongTurnings"),
+       formatText("%lld wrong, the worst is off by %.2g rad", integer(c, "wrongTurnings"),
                   number(c, "maxTurningDistance")));
   line(integer(c, "brokenSeams") == 0, "seam rotations",
-       formatText("%lld of %lld edges broken, residual %.2g (accepted %.2g)",
-                  integer(c, "brokenSeams"), integer(c, "seamEdges"), number(c, "maxSeamResidual"),
-                  number(c, "seamTolerance")));
+       formatText(
+           "%lld of %lld edges broken, the worst is off by %.2g of its length (accepted %.2g)",
+           integer(c, "brokenSeams"), integer(c, "seamEdges"), number(c, "maxSeamResidual"),
+           number(c, "seamTolerance")));
   return out;
 }
 
@@ -192,8 +194,12 @@ std::string certificateText(const std::string& source, const Style& style) {
   out += isCertified ? style.good("certified") : style.bad("not certified");
   out += formatText(" (q = %lld, %s%s)", integer(json, "q"), text(json["precision"]).c_str(),
                     json.contains("uvSet") ? (", uv set " + json["uvSet"].dump()).c_str() : "");
-  if (isCertified && !json["usable"].get<bool>()) {
-    out += ", but its areas span more than the precision serves in practice";
+  const Json& needed = json["needed"];
+  if (!isCertified && needed["sufficient"].get<bool>()) {
+    const double seam = number(needed, "seam"), angle = number(needed, "angle");
+    out += formatText(
+        "\n  would be certified with --tol %.2g (seams need %.2g of their length, angles %.2g rad)",
+        std::max(seam, angle) * 1.01, seam, angle);
   }
   return out + "\n";
 }

@@ -130,6 +130,7 @@ export interface VerifyOptions {
   field?: ConeFile;
   q?: number;
   uvSet?: number;
+  /** Of each seam edge's own length, and radians for angles; 1e-6 where none is given. */
   tolerance?: number;
 }
 

@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "hgp/api/json_text.h"
 #include "hgp/api/json_values.h"
+#include "hgp/verify/needed_tolerance.h"
 
 namespace hgp::api {
 namespace {
@@ -12,6 +14,22 @@ constexpr std::size_t kMostListed = 10'000;
 
 const char* precisionName(Precision precision) {
   return precision == Precision::kFloat32 ? "float32" : "float64";
+}
+
+/// JSON has no infinity.
+double finite(double x) { return std::min(x, std::numeric_limits<double>::max()); }
+
+/// Of the edge's own length.
+double allowed(const MeasuredSeam& seam) {
+  return seam.length > 0 ? seam.allowed / seam.length : 0;
+}
+
+Json thresholds(const Certificate& c) {
+  return Json{{"seam", c.thresholds.tolerance},
+              {"angle", c.thresholds.tolerance},
+              {"rounding", c.thresholds.rounding},
+              {"largestRounding", c.thresholds.largestRounding},
+              {"areaSpan", c.thresholds.smallestAreaSpan}};
 }
 
 class ComponentJson {
@@ -37,6 +55,7 @@ class ComponentJson {
     json["gaussBonnet"] = Json{{"have", c_.gaussBonnetHave}, {"need", c_.gaussBonnetNeed}};
     json["distortion"] = distortion();
     json["overlap"] = Json{{"share", c_.overlap.share}, {"layers", c_.overlap.layers}};
+    json["thresholds"] = thresholds(c_);
     json["reasons"] = reasons();
     return json;
   }
@@ -78,6 +97,7 @@ class ComponentJson {
     return Json{{"wrong", a.wrong.size()},
                 {"worstDistance", a.worstDistance},
                 {"worstVertex", vertex(a.worstVertex)},
+                {"allowed", a.allowedThere},
                 {"smallestAngle", a.smallestAngle},
                 {"overlappingBoundaryVertices", listed(std::move(overlapping))}};
   }
@@ -92,7 +112,8 @@ class ComponentJson {
       out.push_back(Json{{"vertex", vertex(m.vertex)},
                          {"asked", m.asked},
                          {"measured", m.measured},
-                         {"distance", m.distance}});
+                         {"distance", m.distance},
+                         {"allowed", m.allowed}});
     }
     return out;
   }
@@ -103,7 +124,8 @@ class ComponentJson {
       out.push_back(Json{{"loop", piece_.loopOrigin[static_cast<std::size_t>(t.loop.i)]},
                          {"asked", optionalNumber(t.asked)},
                          {"measured", t.measured},
-                         {"distance", t.distance}});
+                         {"distance", t.distance},
+                         {"allowed", t.allowed}});
     }
     return out;
   }
@@ -121,17 +143,17 @@ class ComponentJson {
   Json seams() const {
     const SeamFacts& s = c_.seams;
     Json worst = Json::array();
-    if (s.worstEdge.isValid()) {
-      const HalfedgeId h = piece_.mesh.halfedge(s.worstEdge);
+    if (s.worst) {
+      const HalfedgeId h = piece_.mesh.halfedge(s.worst->edge);
       worst = {vertex(piece_.mesh.tail(h)), vertex(piece_.mesh.head(h))};
     }
     return Json{{"edges", s.seams.size()},
                 {"broken", s.broken.size()},
                 {"charts", s.chartCount},
-                {"worstResidual", s.worstResidual},
-                {"worstLengthResidual", s.worstLengthResidual},
+                {"worstResidual", s.worst ? finite(s.worst->relativeResidual()) : 0},
+                {"allowed", s.worst ? allowed(*s.worst) : 0},
                 {"worstEdge", worst},
-                {"tolerance", s.tolerance},
+                {"worstLengthResidual", s.worstLengthResidual},
                 {"largestUv", s.maxUv},
                 {"meanUvEdge", s.meanEdge}};
   }
@@ -159,7 +181,7 @@ class ComponentJson {
       toSurfaceIds(model_, piece_, where);
       out.push_back(Json{{"rule", ruleName(reason.rule)},
                          {"count", reason.count},
-                         {"worst", reason.worst},
+                         {"worst", finite(reason.worst)},
                          {"message", reason.message},
                          {"where", whereJson(where)}});
     }
@@ -176,7 +198,8 @@ void addSummary(Json& json, const std::vector<Certificate>& certificates) {
   int triangles = 0, flipped = 0;
   std::size_t wrongAngles = 0, broken = 0, seams = 0;
   int wrongTurnings = 0;
-  double coneDistance = 0, turningDistance = 0, seamResidual = 0, seamTolerance = 0;
+  double coneDistance = 0, turningDistance = 0;
+  const MeasuredSeam* worst = nullptr;
   for (const Certificate& c : certificates) {
     triangles += c.faceCount;
     flipped += c.orientation.zero + c.orientation.negative;
@@ -186,10 +209,9 @@ void addSummary(Json& json, const std::vector<Certificate>& certificates) {
     coneDistance = std::max(coneDistance, c.angles.worstDistance);
     for (const MeasuredTurning& t : c.angles.turnings) {
       turningDistance = std::max(turningDistance, t.distance);
-      wrongTurnings += t.asked && *t.asked != t.measured;
+      wrongTurnings += t.isWrong;
     }
-    seamResidual = std::max(seamResidual, c.seams.worstResidual);
-    seamTolerance = std::max(seamTolerance, c.seams.tolerance);
+    if (c.seams.worst && (!worst || isWorse(*c.seams.worst, *worst))) worst = &*c.seams.worst;
   }
   json["triangles"] = triangles;
   json["flipped"] = flipped;
@@ -199,8 +221,11 @@ void addSummary(Json& json, const std::vector<Certificate>& certificates) {
   json["brokenSeams"] = broken;
   json["maxConeDistance"] = coneDistance;
   json["maxTurningDistance"] = turningDistance;
-  json["maxSeamResidual"] = seamResidual;
-  json["seamTolerance"] = seamTolerance;
+  json["maxSeamResidual"] = worst ? finite(worst->relativeResidual()) : 0;
+  json["seamTolerance"] = worst ? allowed(*worst) : 0;
+  const NeededTolerance needed = neededTolerance(certificates);
+  json["needed"] = Json{
+      {"seam", finite(needed.seam)}, {"angle", needed.angle}, {"sufficient", needed.isSufficient}};
 }
 
 }  // namespace
@@ -208,12 +233,9 @@ void addSummary(Json& json, const std::vector<Certificate>& certificates) {
 std::string certificateText(const Model& model, const std::vector<Certificate>& certificates,
                             int uvSet) {
   Json json{{"format", "hgp-certificate"}, {"version", 1}};
-  bool isCertified = !certificates.empty(), isUsable = isCertified;
-  for (const Certificate& c : certificates) {
-    isCertified = isCertified && c.isCertified;
-    isUsable = isUsable && c.isUsable;
-  }
-  json["certified"] = isCertified;
+  bool isUsable = !certificates.empty();
+  for (const Certificate& c : certificates) isUsable = isUsable && c.isUsable;
+  json["certified"] = areCertified(certificates);
   json["usable"] = isUsable;
   json["q"] = certificates.empty() ? 0 : certificates[0].q;
   json["precision"] = certificates.empty() ? "float64" : precisionName(certificates[0].precision);

@@ -193,6 +193,15 @@ Status prepare(Model& model, const LoadOptions& options) {
   if (options.weld >= 0) weldNearVertices(model, options.weld);
   const FixOptions& fix = options.fix;
   if (fix.orient || fix.split || fix.degenerate) repair(model, fix);
+  if (model.mesh.triangles.empty()) {
+    model.unusable = Failure{ErrorCode::kUnsupported,
+                             "topology",
+                             formatText("nothing is left to parametrize: none of the %zu triangles "
+                                        "has an area of its own",
+                                        source.triangles.size()),
+                             {}};
+    return Done{};
+  }
   model.defects = findDefects(model.mesh);
   if (Status usable = requireUsable(model.defects); !usable) {
     model.unusable = usable.error();

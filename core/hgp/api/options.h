@@ -43,7 +43,7 @@ struct SolveOptions {
 struct VerifyOptions {
   int q = 0;               ///< order to judge by when there is no prescription; 0: 4
   int uvSet = -1;          ///< −1: the last set, which is where param writes
-  double tolerance = 0.0;  ///< CertifyOptions::tolerance
+  double tolerance = 0.0;  ///< CertifyOptions::tolerance: of a seam edge's length; radians
 };
 
 struct WriteOptions {

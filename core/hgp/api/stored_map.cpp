@@ -167,19 +167,31 @@ StoredMap judge(const Model& model, const std::vector<ComponentMap>& components,
   CertifyOptions options;
   const bool isFloat = model.document->uvPrecision() == io::UvPrecision::kFloat32;
   options.precision = isFloat ? Precision::kFloat32 : Precision::kFloat64;
-  out.isCertified = true;
+  options.gridStep = isFloat ? gridStep(out.map) : 0.0;
   for (std::size_t p = 0; p < components.size(); ++p) {
     const UvMap stored = mapOfComponent(model, model.components[p], out.map);
     out.certificates.push_back(
         !isFloat && isSame(stored, components[p].map)
             ? components[p].certificate
             : certify(model.components[p].mesh, components[p].spec, stored, options));
-    out.isCertified = out.isCertified && out.certificates.back().isCertified;
   }
+  out.isCertified = areCertified(out.certificates);
   return out;
 }
 
 }  // namespace
+
+double gridStep(const UvMap& map) {
+  // What stores v as 1 − v rounds that.
+  double largest = 0;
+  for (const auto& corners : map.cornerUv)
+    for (int i : corners) {
+      if (i < 0 || i >= static_cast<int>(map.uv.size())) continue;
+      const Vec2& p = map.uv[static_cast<std::size_t>(i)];
+      largest = std::max({largest, std::abs(p[0]), std::abs(p[1]), std::abs(1 - p[1])});
+    }
+  return largest > 0 && std::isfinite(largest) ? std::scalbn(1.0, std::ilogb(largest) - 23) : 0;
+}
 
 StoredMap storeMap(const Model& model, const std::vector<ComponentMap>& components, Scale scale,
                    bool wasCertified) {

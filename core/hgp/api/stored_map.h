@@ -30,6 +30,10 @@ struct StoredMap {
 StoredMap storeMap(const Model& model, const std::vector<ComponentMap>& components, Scale scale,
                    bool wasCertified);
 
+/// The distance between neighbouring float32 around the largest |u|, |v| or |1 − v| of a map: glTF
+/// stores u and 1 − v, and its writer rounds all of a map to one grid.
+double gridStep(const UvMap& map);
+
 /// A map on the surface's triangles as component `p` sees it. A face made by a repair takes, at each
 /// corner, a uv of that vertex from the faces beside it.
 UvMap mapOfComponent(const Model& model, const ModelComponent& component, const UvMap& surfaceMap);

@@ -79,10 +79,6 @@ void explain(const SeamlessSetup& setup, bool hasGivenFrames, Parametrization& r
     result.notes.push_back("These cones stretch the surface by e^" +
                            std::to_string(static_cast<int>(range)) +
                            "; expect strong area distortion. More cones lower it.");
-  if (result.isCertified && !result.isUsable)
-    result.notes.push_back(
-        "Certified, but some triangles are too small for practical use "
-        "(smallest to mean area scale below machine precision).");
   if (!result.conflict.empty())
     result.notes.push_back(
         "No map turns all frames as asked: " + std::to_string(result.conflict.size()) +

@@ -49,7 +49,7 @@ struct Parametrization {
   CompleteSpec spec;             ///< what was asked, completed
   Certificate certificate;       ///< of `map`, by inspection
   bool isCertified = false;
-  bool isUsable = false;    ///< certified, and its areas fit double precision in practice
+  bool isUsable = false;    ///< its areas fit double precision; certified maps are
   bool isHarmonic = false;  ///< no quality term was used (Theorem 6.1 applies)
   std::vector<Round> rounds;
   std::vector<StageTime> times;

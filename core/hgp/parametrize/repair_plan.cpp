@@ -209,7 +209,9 @@ bool RepairPlan::fixLifts(const Certificate& certificate) {
     const auto& cones = setup_.field.spec.cones;
     const auto cone = std::find_if(cones.begin(), cones.end(),
                                    [&](const ConePoint& c) { return c.vertex == wrong.vertex; });
-    bool isPositive = cone != cones.end() && (wrong.measured - wrong.asked) % setup_.seams.q == 0;
+    // An angle that is as asked, but not exactly enough, has no wrong lift.
+    const int off = wrong.measured - wrong.asked;
+    bool isPositive = cone != cones.end() && off != 0 && off % setup_.seams.q == 0;
     if (!isPositive) continue;
     for (HalfedgeId h : outgoingHalfedges(mesh_, wrong.vertex))
       isPositive &= !isWrong[TriMesh::face(h)];

@@ -34,16 +34,20 @@ double angleBetweenAny(const Vec2& p, const Vec2& q) {
 /// to ordinary size before they are measured.
 constexpr double kSafeLength = 1e-120;
 
-struct NearestInteger {
-  int value;
-  double distance;
-};
+/// The integer n with 2πn/q nearest to an angle; far beyond int only for nonsense, which the cast must
+/// survive.
+int nearestTurn(double angle, int q) {
+  return static_cast<int>(std::clamp(std::nearbyint(angle * q / (2.0 * kPi)), -2e9, 2e9));
+}
 
-/// Θ in units of 2π/q; far beyond int only for nonsense, which the cast must survive.
-NearestInteger nearestTurn(double angle, int q) {
-  const double x = angle * q / (2.0 * kPi);
-  const double rounded = std::clamp(std::nearbyint(x), -2e9, 2e9);
-  return {static_cast<int>(rounded), std::fabs(x - rounded)};
+AngleDistance compare(double angle, int turn, int q, const AngleRule& rule, double rounding,
+                      double explained) {
+  AngleDistance out;
+  out.distance = std::fabs(angle - turnAngle(turn, q));
+  const double excused = std::min(rule.tolerance + rounding, rule.largestRounding);
+  out.allowed = std::min(std::max(rule.tolerance, excused), turnAngle(kLargestAngleAllowance, q));
+  out.isExplained = out.distance <= rule.tolerance + explained;
+  return out;
 }
 
 }  // namespace
@@ -66,7 +70,7 @@ PerHalfedge<double> computeUvAngles(const TriMesh& mesh, const CornerUv& uv) {
 }
 
 AngleFacts measureAngles(const TriMesh& mesh, const Topology& topology, const AskedAngles& asked,
-                         const PerHalfedge<double>& angle, const PerVertex<double>& slack) {
+                         const PerHalfedge<double>& angle, const AngleRule& rule) {
   AngleFacts facts;
   PerVertex<double> sum(static_cast<std::size_t>(mesh.vertexCount()), 0.0);
   facts.smallestAngle = mesh.faceCount() > 0 ? kPi : 0.0;
@@ -77,33 +81,35 @@ AngleFacts measureAngles(const TriMesh& mesh, const Topology& topology, const As
   for (VertexId v : mesh.vertices()) {
     if (mesh.isIsolated(v)) continue;
     if (mesh.isBoundary(v)) {
-      if (sum[v] > 2.0 * kPi + kAngleTolerance) facts.overlapping.push_back(v);
+      if (sum[v] > 2.0 * kPi + rule.tolerance) facts.overlapping.push_back(v);
       continue;
     }
-    const NearestInteger k = nearestTurn(sum[v], asked.q);
-    MeasuredCone cone{v, asked.k[v], k.value, k.distance};
-    if (asked.isAnyConeAllowed && !asked.isCone[v]) cone.asked = std::max(1, k.value);
-    if (asked.isCone[v] || k.value != asked.q) facts.cones.push_back(cone);
-    const double allowance = std::min(kAngleTolerance + slack[v], kLargestAngleAllowance);
-    if (cone.measured != cone.asked || !(cone.distance <= allowance)) facts.wrong.push_back(cone);
-    facts.turnSum += asked.q - k.value;
-    if (k.distance > facts.worstDistance || !facts.worstVertex.isValid()) {
-      facts.worstDistance = k.distance;
+    const int k = nearestTurn(sum[v], asked.q);
+    MeasuredCone cone{compare(sum[v], k, asked.q, rule, rule.rounding[v], rule.explained[v]), v,
+                      asked.k[v], k};
+    if (asked.isAnyConeAllowed && !asked.isCone[v]) cone.asked = std::max(1, k);
+    if (asked.isCone[v] || k != asked.q) facts.cones.push_back(cone);
+    if (cone.measured != cone.asked || cone.isTooFar()) facts.wrong.push_back(cone);
+    facts.turnSum += asked.q - k;
+    if (cone.distance > facts.worstDistance || !facts.worstVertex.isValid()) {
+      facts.worstDistance = cone.distance;
       facts.worstVertex = v;
+      facts.allowedThere = cone.allowed;
     }
   }
   for (std::size_t j = 0; j < topology.loops.size(); ++j) {
-    double turning = 0.0, loopSlack = 0.0;
+    double turning = 0.0, rounding = 0.0, explained = 0.0;
     for (HalfedgeId h : topology.loops[j].halfedges) {
       turning += kPi - sum[mesh.tail(h)];
-      loopSlack += slack[mesh.tail(h)];
+      rounding += rule.rounding[mesh.tail(h)];
+      explained += rule.explained[mesh.tail(h)];
     }
-    const NearestInteger l = nearestTurn(turning, asked.q);
-    MeasuredTurning measured{LoopId(static_cast<int>(j)), {}, l.value, l.distance, false};
+    const int l = nearestTurn(turning, asked.q);
+    MeasuredTurning measured{compare(turning, l, asked.q, rule, rounding, explained),
+                             LoopId(static_cast<int>(j)), std::nullopt, l, false};
     if (j < asked.turning.size()) measured.asked = asked.turning[j];
-    const double allowance = std::min(kAngleTolerance + loopSlack, kLargestAngleAllowance);
-    measured.isWrong = !(l.distance <= allowance) || measured.asked.value_or(l.value) != l.value;
-    facts.turnSum += l.value;
+    measured.isWrong = measured.isTooFar() || measured.asked.value_or(l) != l;
+    facts.turnSum += l;
     facts.turnings.push_back(measured);
   }
   return facts;

@@ -10,34 +10,46 @@
 
 namespace hgp {
 
-/// Accepted distance of a measured angle to an integer, in units of 2π/q. Angle sums are computed to
-/// about 1e-14, so this leaves room and would still see a seam off by a millionth of its length.
-inline constexpr double kAngleTolerance = 1e-6;
-/// With the slack of accepted seam residuals added, the nearest integer stays beyond doubt.
+/// What the distance of a measured angle to the nearest multiple of 2π/q is compared with, in radians.
+struct AngleRule {
+  double tolerance = 0;         ///< accepted without further ado
+  double largestRounding = 0;   ///< most that rounding may excuse
+  PerVertex<double> rounding;   ///< how far storing can turn the sum at a vertex; 0 without seams
+  PerVertex<double> explained;  ///< how far the number type explains it to be turned
+};
+/// However coarse a tolerance: the nearest integer stays beyond doubt. In units of 2π/q.
 inline constexpr double kLargestAngleAllowance = 0.25;
 
-/// An interior vertex with its angle sum Θ = 2π(measured + offset)/q, |offset| ≤ ½.
-struct MeasuredCone {
-  VertexId vertex;
-  int asked = 0;        ///< k; q where no cone was asked for
-  int measured = 0;     ///< the nearest integer
-  double distance = 0;  ///< |offset|: distance to that integer
+/// An angle compared with the nearest multiple of 2π/q, in radians.
+struct AngleDistance {
+  double distance = 0;       ///< to 2π·measured/q
+  double allowed = 0;        ///< largest accepted distance here
+  bool isExplained = false;  ///< the number type explains it: AngleRule::explained
+
+  bool isTooFar() const { return !(distance <= allowed); }
 };
 
-/// A boundary loop with turning angle Σ(π − θ_v) = 2π(measured + offset)/q [BCW17 Def. C.1].
-struct MeasuredTurning {
+/// An interior vertex with angle sum Θ = 2πk/q, k as measured, up to `distance`.
+struct MeasuredCone : AngleDistance {
+  VertexId vertex;
+  int asked = 0;     ///< k; q where no cone was asked for
+  int measured = 0;  ///< the nearest integer
+};
+
+/// A boundary loop with turning angle Σ(π − θ_v) = 2πl/q, up to `distance` [BCW17 Def. C.1].
+struct MeasuredTurning : AngleDistance {
   LoopId loop;  ///< index into Topology::loops
   std::optional<int> asked;
   int measured = 0;
-  double distance = 0;
   bool isWrong = false;  ///< not as asked, or too far from the integer
 };
 
 struct AngleFacts {
   std::vector<MeasuredCone> cones;  ///< asked ones and all with measured ≠ q, ascending
   std::vector<MeasuredCone> wrong;  ///< not as asked, or too far from the integer, ascending
-  double worstDistance = 0;         ///< over all interior vertices
+  double worstDistance = 0;         ///< over all interior vertices, radians
   VertexId worstVertex;
+  double allowedThere = 0;                ///< at worstVertex, radians
   std::vector<MeasuredTurning> turnings;  ///< every loop
   std::vector<VertexId> overlapping;      ///< boundary vertices with θ_v > 2π: allowed, reported
   double smallestAngle = 0;               ///< of all triangles' corners, radians
@@ -57,9 +69,7 @@ struct AskedAngles {
   std::vector<std::optional<int>> turning;  ///< per loop
 };
 
-/// @param slack  what the accepted seam residuals at each vertex can turn it by, in units of 2π/q;
-///               comes on top of kAngleTolerance
 AngleFacts measureAngles(const TriMesh& mesh, const Topology& topology, const AskedAngles& asked,
-                         const PerHalfedge<double>& angle, const PerVertex<double>& slack);
+                         const PerHalfedge<double>& angle, const AngleRule& rule);
 
 }  // namespace hgp

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <numbers>
 
 #include "hgp/base/check.h"
 #include "hgp/base/float32.h"
@@ -65,20 +66,21 @@ JudgedUv gatherUv(const TriMesh& mesh, const UvMap& map, const CertifyOptions& o
 /// A power of two that brings the map to ordinary size, so that squares of lengths stay in range:
 /// exact wherever it matters, and 1 for any ordinary map.
 double measuringScale(const CornerUv& uv) {
-  double largest = 0.0;
-  for (const Vec2& p : uv) largest = std::max({largest, std::fabs(p[0]), std::fabs(p[1])});
+  const double largest = largestCoordinate(uv);
   if (largest == 0.0) return 1.0;
   const int exponent = std::ilogb(largest);
   return std::abs(exponent) < 100 ? 1.0 : std::scalbn(1.0, std::min(-exponent, 1000));
 }
 
+void toUvUnits(MeasuredSeam& seam, double scale) {
+  for (double* x : {&seam.residual, &seam.lengthResidual, &seam.length, &seam.allowed}) *x /= scale;
+}
+
 void toUvUnits(SeamFacts& seams, double scale) {
   for (auto* list : {&seams.seams, &seams.broken})
-    for (MeasuredSeam& s : *list)
-      for (double* x : {&s.residual, &s.lengthResidual, &s.length}) *x /= scale;
-  for (double* x : {&seams.worstResidual, &seams.worstLengthResidual, &seams.tolerance,
-                    &seams.maxUv, &seams.meanEdge})
-    *x /= scale;
+    for (MeasuredSeam& s : *list) toUvUnits(s, scale);
+  if (seams.worst) toUvUnits(*seams.worst, scale);
+  for (double* x : {&seams.worstLengthResidual, &seams.maxUv, &seams.meanEdge}) *x /= scale;
 }
 
 void describeSurface(const TriMesh& mesh, const Topology& topology, Certificate& certificate) {
@@ -95,6 +97,28 @@ void describeSurface(const TriMesh& mesh, const Topology& topology, Certificate&
       (2 * topology.componentCount - 2 * topology.genus - certificate.loopCount);
 }
 
+/// The distance between neighbouring floats around x.
+double floatStep(double x) {
+  return std::scalbn(
+      1.0, std::max(x > 0.0 ? std::ilogb(x) : FLT_MIN_EXP, FLT_MIN_EXP - 1) - (FLT_MANT_DIG - 1));
+}
+
+/// @param scale  what the coordinates were multiplied by for measuring
+SeamRule seamRule(const CornerUv& uv, double scale, const CertifyOptions& options) {
+  SeamRule rule;
+  rule.tolerance = options.tolerance > 0.0 ? options.tolerance : kTolerance;
+  const double largest = largestCoordinate(uv);
+  if (options.precision == Precision::kFloat32) {
+    const double step =
+        options.gridStep > 0.0 ? options.gridStep * scale : floatStep(largest / scale) * scale;
+    // Four corners, each moved by up to half a step in u and in v.
+    rule.rounding = 4.0 * step * std::numbers::sqrt2 / 2.0;
+    rule.largestRounding = std::max(kLargestRounding, rule.tolerance);
+  }
+  rule.computing = kSeamUlps * DBL_EPSILON * largest + rule.rounding;
+  return rule;
+}
+
 void measure(const TriMesh& mesh, const Topology& topology, const AskedMap& asked,
              const std::vector<DualLoop>& loops, const CornerUv& uv, const CertifyOptions& options,
              Certificate& certificate) {
@@ -108,14 +132,17 @@ void measure(const TriMesh& mesh, const Topology& topology, const AskedMap& aske
     for (Vec2& p : scaled.raw()) p = {p[0] * scale, p[1] * scale};
   }
   const CornerUv& measured = scale != 1.0 ? scaled : uv;
-  const double relative =
-      options.tolerance > 0.0 ? options.tolerance : kSeamUlps * unitRoundoff(options.precision);
-  certificate.seams = measureSeams(mesh, q, measured, relative);
+  const SeamRule rule = seamRule(measured, scale, options);
+  certificate.thresholds = {rule.tolerance, rule.rounding / scale, rule.largestRounding,
+                            unitRoundoff(options.precision)};
+  certificate.seams = measureSeams(mesh, q, measured, rule);
   certificate.seams.handles = measureHandles(mesh, q, loops, certificate.seams);
   for (std::size_t n = 0; n < asked.handles.size(); ++n)
     certificate.seams.handles[n].asked = asked.handles[n];
+  SeamTurns turns = seamTurns(mesh, certificate.seams, rule);
   certificate.angles = measureAngles(mesh, topology, asked.angles, computeUvAngles(mesh, measured),
-                                     seamSlack(mesh, q, certificate.seams));
+                                     {rule.tolerance, rule.largestRounding,
+                                      std::move(turns.rounding), std::move(turns.explained)});
   certificate.distortion = measureDistortion(mesh, certificate.orientation, measured);
   certificate.gaussBonnetHave = certificate.angles.turnSum;
   certificate.isMeasured = true;
@@ -147,6 +174,10 @@ const char* ruleName(Rule rule) {
       return "gauss-bonnet";
     case Rule::kEuler:
       return "euler";
+    case Rule::kRange:
+      return "range";
+    case Rule::kEmpty:
+      return "empty";
   }
   return "unknown";
 }
@@ -164,14 +195,21 @@ Certificate Judge::certify(const HolonomySpec& asked, const UvMap& map,
   const AskedMap wanted =
       layOutAsked(mesh_, topology_, static_cast<int>(generators_.size()), asked, options);
   JudgedUv judged = gatherUv(mesh_, map, options);
-  if (judged.reasons.empty() && asked.q >= 1)
+  if (mesh_.faceCount() == 0)
+    certificate.reasons.push_back({Rule::kEmpty, 1, 0.0, "There is no triangle to judge.", {}});
+  else if (judged.reasons.empty() && asked.q >= 1)
     measure(mesh_, topology_, wanted, generators_, judged.uv, options, certificate);
   for (auto* more : {&wanted.misfits, static_cast<const std::vector<Reason>*>(&judged.reasons)})
     certificate.reasons.insert(certificate.reasons.end(), more->begin(), more->end());
   certificate.isCertified = certificate.isMeasured && certificate.reasons.empty();
-  certificate.isUsable =
-      certificate.isCertified && certificate.distortion.areaSpan >= unitRoundoff(options.precision);
+  certificate.isUsable = certificate.isMeasured &&
+                         certificate.distortion.areaSpan >= certificate.thresholds.smallestAreaSpan;
   return certificate;
+}
+
+bool areCertified(const std::vector<Certificate>& components) {
+  return !components.empty() && std::all_of(components.begin(), components.end(),
+                                            [](const Certificate& c) { return c.isCertified; });
 }
 
 Certificate certify(const TriMesh& mesh, const HolonomySpec& asked, const UvMap& map,

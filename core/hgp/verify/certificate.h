@@ -12,24 +12,10 @@
 #include "hgp/verify/distortion.h"
 #include "hgp/verify/overlap.h"
 #include "hgp/verify/seams.h"
+#include "hgp/verify/thresholds.h"
 
 namespace hgp {
 
-/// The number type that the map is stored in.
-enum class Precision { kFloat64, kFloat32 };
-
-struct CertifyOptions {
-  Precision precision = Precision::kFloat64;  ///< uv are rounded to it before they are judged
-  /// Accepted seam residual relative to max(|u|, |v|); 0 means kSeamUlps ulps of `precision`. Raise
-  /// it only for files whose coordinates were printed with few digits.
-  double tolerance = 0.0;
-  bool isAnyConeAllowed = false;  ///< unlisted vertices may have any k ≥ 1 (asked = measured)
-  int placesPerReason = 20;       ///< how many of the worst places a reason names
-};
-
-/// Rounding both ends of both copies of a seam edge moves them by a few ulps; 16 covers it with room
-/// for the solver's last digit, and is a million times below what an eye or a texel can see.
-inline constexpr double kSeamUlps = 16.0;
 /// What a map must satisfy. Order: from "cannot be judged" to "judged and wrong".
 enum class Rule {
   kPrescription,  ///< what was asked does not fit this mesh
@@ -42,6 +28,10 @@ enum class Rule {
   kHandle,        ///< a handle whose rotation is not as asked
   kGaussBonnet,   ///< the measured integers break Lemma 6.2
   kEuler,         ///< V − E + F ≠ 2c − 2g − m
+  /// As asked up to what the number type explains, which is more than the tolerance; or areas that
+  /// span more than it resolves
+  kRange,
+  kEmpty,  ///< there is no triangle
 };
 /// Short stable name used in JSON ("orientation", "cone-angle", …).
 const char* ruleName(Rule rule);
@@ -61,6 +51,7 @@ struct Certificate {
   int componentCount = 0, genus = 0, loopCount = 0, eulerCharacteristic = 0;
   int q = 0;
   Precision precision = Precision::kFloat64;
+  Thresholds thresholds;
   OrientationFacts orientation;
   AngleFacts angles;
   SeamFacts seams;
@@ -71,15 +62,16 @@ struct Certificate {
 
   bool isMeasured = false;   ///< uv were well formed and finite, so the facts above are there
   bool isCertified = false;  ///< every rule holds; then `reasons` is empty
-  bool isUsable = false;     ///< certified, and areaSpan is above the epsilon of `precision`
+  bool isUsable = false;     ///< areaSpan is above the epsilon of `precision`; certified maps are
   std::vector<Reason> reasons;
 };
 
 /// Judges maps of one mesh. Never fails: a map that cannot be judged is a certificate that says so.
 ///
-/// Certified means: every triangle has exactly positive signed area; every interior angle sum is
-/// 2πk/q with the k asked (k = q where no cone is listed); every given turning index and handle
-/// rotation is as asked; every seam edge is related by a rotation by a multiple of 2π/q. Empty
+/// Certified means: there are triangles, and every one has exactly positive signed area; every interior
+/// angle sum is 2πk/q with the k asked (k = q where no cone is listed); every given turning index and
+/// handle rotation is as asked; every seam edge is related by a rotation by a multiple of 2π/q; each of
+/// them within `Thresholds`; and the areas span no more than the number type resolves. Empty
 /// optionals are measured and not judged; handles are measured on connected surfaces only.
 class Judge {
  public:
@@ -93,6 +85,10 @@ class Judge {
   Topology topology_;
   std::vector<DualLoop> generators_;  ///< none where they are not measured
 };
+
+/// Do these certificates, one per component, certify a whole map? The only place that decides it:
+/// every component is certified, and there is one.
+bool areCertified(const std::vector<Certificate>& components);
 
 /// One map, judged.
 Certificate certify(const TriMesh& mesh, const HolonomySpec& asked, const UvMap& map,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "hgp/base/turns.h"
 #include "hgp/mesh/edge_table.h"
@@ -35,9 +36,13 @@ MeasuredSeam measureSeam(EdgeId e, int q, const TwoSides& d) {
   return seam;
 }
 
-bool isAccepted(const MeasuredSeam& seam, int q, double tolerance) {
+void judge(MeasuredSeam& seam, int q, const SeamRule& rule) {
   const double toNext = 2.0 * std::sin(kPi / std::max(q, 2)) * seam.length;
-  return seam.residual <= tolerance && seam.residual < kRotationShare * toNext;
+  seam.hasRotation = seam.residual < kRotationShare * toNext;
+  const double strict = rule.tolerance * seam.length;
+  seam.allowed =
+      std::max(strict, std::min(strict + rule.rounding, rule.largestRounding * seam.length));
+  seam.isExplained = seam.residual <= rule.computing;
 }
 
 void measureSizes(const TriMesh& mesh, const CornerUv& uv, SeamFacts& facts) {
@@ -45,17 +50,32 @@ void measureSizes(const TriMesh& mesh, const CornerUv& uv, SeamFacts& facts) {
   for (HalfedgeId h : mesh.halfedges()) {
     const Vec2 d = along(uv, h, TriMesh::next(h));
     sum += std::sqrt(d[0] * d[0] + d[1] * d[1]);
-    facts.maxUv = std::max({facts.maxUv, std::fabs(uv[h][0]), std::fabs(uv[h][1])});
   }
+  facts.maxUv = largestCoordinate(uv);
   if (mesh.halfedgeCount() > 0) facts.meanEdge = sum / mesh.halfedgeCount();
 }
 
 }  // namespace
 
-SeamFacts measureSeams(const TriMesh& mesh, int q, const CornerUv& uv, double relativeTolerance) {
+double MeasuredSeam::relativeResidual() const {
+  if (residual == 0.0) return 0.0;
+  return length > 0.0 ? residual / length : std::numeric_limits<double>::infinity();
+}
+
+bool isWorse(const MeasuredSeam& a, const MeasuredSeam& b) {
+  if (a.isBroken() != b.isBroken()) return a.isBroken();
+  return a.residual * b.allowed > b.residual * a.allowed;
+}
+
+double largestCoordinate(const CornerUv& uv) {
+  double largest = 0.0;
+  for (const Vec2& p : uv) largest = std::max({largest, std::fabs(p[0]), std::fabs(p[1])});
+  return largest;
+}
+
+SeamFacts measureSeams(const TriMesh& mesh, int q, const CornerUv& uv, const SeamRule& rule) {
   SeamFacts facts;
   measureSizes(mesh, uv, facts);
-  facts.tolerance = relativeTolerance * facts.maxUv;
   DisjointSets charts(mesh.faceCount());
   facts.chartCount = mesh.faceCount();
   for (EdgeId e : mesh.edges()) {
@@ -66,29 +86,34 @@ SeamFacts measureSeams(const TriMesh& mesh, int q, const CornerUv& uv, double re
       facts.chartCount -= charts.join(TriMesh::face(h).i, TriMesh::face(twin).i);
       continue;
     }
-    const MeasuredSeam seam = measureSeam(e, q, {along(uv, h, next), along(uv, twinNext, twin)});
+    MeasuredSeam seam = measureSeam(e, q, {along(uv, h, next), along(uv, twinNext, twin)});
+    judge(seam, q, rule);
     facts.seams.push_back(seam);
-    if (!isAccepted(seam, q, facts.tolerance)) facts.broken.push_back(seam);
+    if (seam.isBroken()) facts.broken.push_back(seam);
     facts.worstLengthResidual = std::max(facts.worstLengthResidual, seam.lengthResidual);
-    if (seam.residual > facts.worstResidual || !facts.worstEdge.isValid()) {
-      facts.worstResidual = seam.residual;
-      facts.worstEdge = e;
-    }
+    facts.largestRelativeResidual =
+        std::max(facts.largestRelativeResidual, seam.relativeResidual());
+    if (!facts.worst || isWorse(seam, *facts.worst)) facts.worst = seam;
   }
   return facts;
 }
 
-PerVertex<double> seamSlack(const TriMesh& mesh, int q, const SeamFacts& seams) {
-  // An edge with residual ρ and length d is turned by at most asin(ρ/d) ≤ π/2 · ρ/d.
-  PerVertex<double> slack(static_cast<std::size_t>(mesh.vertexCount()), 0.0);
+SeamTurns seamTurns(const TriMesh& mesh, const SeamFacts& seams, const SeamRule& rule) {
+  // A vector of length d that is off by ρ is turned by at most asin(ρ/d); two sides that are off by ρ
+  // and σ by at most asin((ρ + σ)/d), because asin is convex.
+  const auto turn = [](double residual, double length) {
+    return residual < length ? std::asin(residual / length) : kPi;
+  };
+  const auto count = static_cast<std::size_t>(mesh.vertexCount());
+  SeamTurns out{PerVertex<double>(count, 0.0), PerVertex<double>(count, 0.0)};
   for (const MeasuredSeam& seam : seams.seams) {
-    if (!isAccepted(seam, q, seams.tolerance)) continue;
-    const double turned = 0.25 * q * seam.residual / seam.length;
     const HalfedgeId h = mesh.halfedge(seam.edge);
-    slack[mesh.tail(h)] += turned;
-    slack[mesh.head(h)] += turned;
+    for (VertexId v : {mesh.tail(h), mesh.head(h)}) {
+      if (rule.rounding > 0.0) out.rounding[v] += turn(rule.rounding, seam.length);
+      if (seam.isExplained) out.explained[v] += turn(seam.residual, seam.length);
+    }
   }
-  return slack;
+  return out;
 }
 
 std::vector<MeasuredHandle> measureHandles(const TriMesh& mesh, int q,
@@ -96,8 +121,8 @@ std::vector<MeasuredHandle> measureHandles(const TriMesh& mesh, int q,
                                            const SeamFacts& seams) {
   constexpr int kBroken = -1;
   PerEdge<int> rotationOf(static_cast<std::size_t>(mesh.edgeCount()), 0);
-  for (const MeasuredSeam& seam : seams.seams) rotationOf[seam.edge] = seam.r;
-  for (const MeasuredSeam& seam : seams.broken) rotationOf[seam.edge] = kBroken;
+  for (const MeasuredSeam& seam : seams.seams)
+    rotationOf[seam.edge] = seam.hasRotation ? seam.r : kBroken;
   std::vector<MeasuredHandle> handles;
   for (const DualLoop& loop : loops) {
     MeasuredHandle handle{static_cast<int>(handles.size()), {}, {}};

@@ -63,25 +63,37 @@ void checkOrientation(const Certificate& facts, const CornerUv& uv, const Certif
        worstPlaces(std::move(places), options.placesPerReason)});
 }
 
+/// The integer is as asked, and the number type explains why the angle is off.
+bool isOutOfRange(const MeasuredCone& c) { return c.measured == c.asked && c.isExplained; }
+bool isOutOfRange(const MeasuredTurning& t) {
+  return t.asked.value_or(t.measured) == t.measured && t.isExplained;
+}
+
+const char* typeName(const Certificate& facts) {
+  return facts.precision == Precision::kFloat32 ? "float32" : "float64";
+}
+
+constexpr const char* kWayOut = "Cones in the part that shrinks bring it into range";
+
 void checkConeAngles(const Certificate& facts, const CertifyOptions& options,
                      std::vector<Reason>& reasons) {
-  const std::vector<MeasuredCone>& wrong = facts.angles.wrong;
-  if (wrong.empty()) return;
   std::vector<Place> places;
-  const MeasuredCone* worst = &wrong[0];
-  const auto error = [](const MeasuredCone& c) {
-    return std::fabs(double(c.measured) - c.asked) + c.distance;
+  const MeasuredCone* worst = nullptr;
+  const auto error = [&](const MeasuredCone& c) {
+    return std::fabs(double(c.measured) - c.asked) + c.distance / turnAngle(1, facts.q);
   };
-  for (const MeasuredCone& c : wrong) {
+  for (const MeasuredCone& c : facts.angles.wrong) {
+    if (isOutOfRange(c)) continue;
     places.push_back({error(c), whereVertex(c.vertex)});
-    if (error(c) > error(*worst)) worst = &c;
+    if (!worst || error(c) > error(*worst)) worst = &c;
   }
+  if (!worst) return;
   reasons.push_back(
-      {Rule::kConeAngle, static_cast<int>(wrong.size()), error(*worst),
-       formatText("%zu interior angle sum%s not as asked; worst at vertex %d: k = %d with distance "
-                  "%.3g to the integer, asked %d (angle 2πk/%d).",
-                  wrong.size(), wrong.size() == 1 ? " is" : "s are", worst->vertex.i,
-                  worst->measured, worst->distance, worst->asked, facts.q),
+      {Rule::kConeAngle, static_cast<int>(places.size()), error(*worst),
+       formatText("%zu interior angle sum%s not as asked; worst at vertex %d: k = %d, off by %.3g "
+                  "rad (accepted %.3g), asked %d (angle 2πk/%d).",
+                  places.size(), places.size() == 1 ? " is" : "s are", worst->vertex.i,
+                  worst->measured, worst->distance, worst->allowed, worst->asked, facts.q),
        worstPlaces(std::move(places), options.placesPerReason)});
 }
 
@@ -89,11 +101,12 @@ void checkTurnings(const Certificate& facts, const CertifyOptions& options,
                    std::vector<Reason>& reasons) {
   std::vector<Place> places;
   const MeasuredTurning* worst = nullptr;
-  const auto error = [](const MeasuredTurning& t) {
-    return std::fabs(double(t.measured) - t.asked.value_or(t.measured)) + t.distance;
+  const auto error = [&](const MeasuredTurning& t) {
+    return std::fabs(double(t.measured) - t.asked.value_or(t.measured)) +
+           t.distance / turnAngle(1, facts.q);
   };
   for (const MeasuredTurning& t : facts.angles.turnings) {
-    if (!t.isWrong) continue;
+    if (!t.isWrong || isOutOfRange(t)) continue;
     places.push_back({error(t), {Where::Kind::kLoop, t.loop.i}});
     if (!worst || error(t) > error(*worst)) worst = &t;
   }
@@ -101,38 +114,74 @@ void checkTurnings(const Certificate& facts, const CertifyOptions& options,
   const std::string asked = worst->asked ? std::to_string(*worst->asked) : "an integer";
   reasons.push_back(
       {Rule::kTurning, static_cast<int>(places.size()), error(*worst),
-       formatText(
-           "%zu boundary loop%s turned otherwise; worst loop %d: l = %d with distance %.3g to "
-           "the integer, asked %s (turning 2πl/%d).",
-           places.size(), places.size() == 1 ? " is" : "s are", worst->loop.i, worst->measured,
-           worst->distance, asked.c_str(), facts.q),
+       formatText("%zu boundary loop%s turned otherwise; worst loop %d: l = %d, off by %.3g rad "
+                  "(accepted %.3g), asked %s (turning 2πl/%d).",
+                  places.size(), places.size() == 1 ? " is" : "s are", worst->loop.i,
+                  worst->measured, worst->distance, worst->allowed, asked.c_str(), facts.q),
        worstPlaces(std::move(places), options.placesPerReason)});
 }
 
 void checkSeams(const TriMesh& mesh, const Certificate& facts, const CertifyOptions& options,
                 std::vector<Reason>& reasons) {
-  const std::vector<MeasuredSeam>& broken = facts.seams.broken;
-  if (broken.empty()) return;
+  std::vector<Place> places;
+  double worst = 0.0, allowed = 0.0;
+  for (const MeasuredSeam& s : facts.seams.broken) {
+    if (s.isExplained) continue;
+    places.push_back({s.relativeResidual(), whereEdge(mesh, mesh.halfedge(s.edge))});
+    if (places.size() > 1 && s.relativeResidual() <= worst) continue;
+    worst = s.relativeResidual();
+    allowed = s.length > 0.0 ? s.allowed / s.length : 0.0;
+  }
+  if (places.empty()) return;
+  reasons.push_back(
+      {Rule::kSeam, static_cast<int>(places.size()), worst,
+       formatText("%zu of %zu seam edge%s not related by a rotation by a multiple of 2π/%d; the "
+                  "worst is off by %.3g of its own length, accepted %.3g.",
+                  places.size(), facts.seams.seams.size(), places.size() == 1 ? " is" : "s are",
+                  facts.q, worst, allowed),
+       worstPlaces(std::move(places), options.placesPerReason)});
+}
+
+/// Seams and angles that are off by no more than what the number type explains.
+void checkCoordinates(const TriMesh& mesh, const Certificate& facts, const CertifyOptions& options,
+                      std::vector<Reason>& reasons) {
   std::vector<Place> places;
   double worst = 0.0;
-  int shortCount = 0;
-  for (const MeasuredSeam& s : broken) {
-    places.push_back({s.residual, whereEdge(mesh, mesh.halfedge(s.edge))});
-    worst = std::max(worst, s.residual);
-    shortCount += s.residual <= facts.seams.tolerance;
-  }
-  const auto per = [&](double unit) { return unit > 0.0 ? worst / unit : 0.0; };
-  std::string message = formatText(
-      "%zu of %zu seam edge%s not related by a rotation by a multiple of 2π/%d; the worst is off "
-      "by "
-      "%.3g of the largest |uv| (%.3g mean edges), accepted %.3g",
-      broken.size(), facts.seams.seams.size(), broken.size() == 1 ? " is" : "s are", facts.q,
-      per(facts.seams.maxUv), per(facts.seams.meanEdge),
-      facts.seams.maxUv > 0.0 ? facts.seams.tolerance / facts.seams.maxUv : 0.0);
-  if (shortCount > 0)
-    message += formatText("; %d are too short for rounding to leave them a direction", shortCount);
-  reasons.push_back({Rule::kSeam, static_cast<int>(broken.size()), per(facts.seams.maxUv),
-                     message + ".", worstPlaces(std::move(places), options.placesPerReason)});
+  std::size_t edges = 0, sums = 0;
+  const auto note = [&](double error, const Where& where) {
+    places.push_back({error, where});
+    worst = std::max(worst, error);
+  };
+  for (const MeasuredSeam& s : facts.seams.broken)
+    if (s.isExplained && ++edges)
+      note(s.relativeResidual(), whereEdge(mesh, mesh.halfedge(s.edge)));
+  for (const MeasuredCone& c : facts.angles.wrong)
+    if (isOutOfRange(c) && ++sums) note(c.distance, whereVertex(c.vertex));
+  for (const MeasuredTurning& t : facts.angles.turnings)
+    if (t.isWrong && isOutOfRange(t) && ++sums) note(t.distance, {Where::Kind::kLoop, t.loop.i});
+  if (places.empty()) return;
+  reasons.push_back(
+      {Rule::kRange, static_cast<int>(places.size()), worst,
+       formatText("The range of the map is beyond %s: its coordinates go up to %.3g, and %zu seam "
+                  "edge%s and %zu angle sum%s too small beside that to be stored to %.3g of "
+                  "their own size; the worst is off by %.3g. %s.",
+                  typeName(facts), facts.seams.maxUv, edges, plural(edges), sums,
+                  sums == 1 ? " is" : "s are", facts.thresholds.tolerance, worst, kWayOut),
+       worstPlaces(std::move(places), options.placesPerReason)});
+}
+
+void checkAreas(const Certificate& facts, std::vector<Reason>& reasons) {
+  const DistortionFacts& d = facts.distortion;
+  // Areas of other signs have been refused; without any there is nothing to compare.
+  if (d.triangleCount == 0 || d.areaSpan >= facts.thresholds.smallestAreaSpan) return;
+  reasons.push_back(
+      {Rule::kRange,
+       1,
+       d.areaSpan,
+       formatText("The range of the map is beyond %s: the smallest area scale is %.3g of the mean, "
+                  "needed is %.3g. %s.",
+                  typeName(facts), d.areaSpan, facts.thresholds.smallestAreaSpan, kWayOut),
+       {{Where::Kind::kFace, d.smallestArea.i}}});
 }
 
 void checkHandles(const TriMesh& mesh, const Certificate& facts, const std::vector<DualLoop>& loops,
@@ -233,6 +282,8 @@ std::vector<Reason> findReasons(const TriMesh& mesh, const Certificate& facts, c
   checkSeams(mesh, facts, options, reasons);
   checkHandles(mesh, facts, loops, options, reasons);
   checkIntegers(facts, reasons);
+  checkCoordinates(mesh, facts, options, reasons);
+  checkAreas(facts, reasons);
   return reasons;
 }
 

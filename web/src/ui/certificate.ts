@@ -70,7 +70,7 @@ function rows(solved: Solved): Row[] {
     {
       name: 'Cone angles',
       value: `${wrongCones} of ${solved.asked.cones.length} wrong`,
-      tolerance: `off by ≤ ${small(c.maxConeDistance)}`,
+      tolerance: `off by ≤ ${small(c.maxConeDistance)} rad`,
       isGood: wrongCones === 0,
       where: parts
         .flatMap((part) => part.wrongCones ?? [])
@@ -79,7 +79,7 @@ function rows(solved: Solved): Row[] {
     {
       name: 'Seams',
       value: `${c.brokenSeams} broken of ${c.seamEdges}`,
-      tolerance: `${small(c.maxSeamResidual)} ≤ ${small(c.seamTolerance)}`,
+      tolerance: `${small(c.maxSeamResidual)} ≤ ${small(c.seamTolerance)} of its length`,
       isGood: c.brokenSeams === 0,
       where: edge ? [{ kind: 'edge', id: edge[0], other: edge[1] }] : [],
     },
@@ -88,7 +88,7 @@ function rows(solved: Solved): Row[] {
     made.splice(2, 0, {
       name: 'Boundary turning',
       value: `${c.wrongTurnings} wrong`,
-      tolerance: `off by ≤ ${small(c.maxTurningDistance)}`,
+      tolerance: `off by ≤ ${small(c.maxTurningDistance)} rad`,
       isGood: c.wrongTurnings === 0,
       where: [],
     });

@@ -1,0 +1,20 @@
+// Which tolerance a map would pass.  Role: what `verify` says about other people's files.
+#pragma once
+
+#include <vector>
+
+#include "hgp/verify/certificate.h"
+
+namespace hgp {
+
+/// The smallest CertifyOptions::tolerance that the seams and the angles of this map would pass, each.
+struct NeededTolerance {
+  double seam = 0;            ///< of the edge's own length; infinite where an edge has none
+  double angle = 0;           ///< radians
+  bool isSufficient = false;  ///< with the larger one every rule holds
+};
+NeededTolerance neededTolerance(const Certificate& certificate);
+/// Of all components together.
+NeededTolerance neededTolerance(const std::vector<Certificate>& components);
+
+}  // namespace hgp

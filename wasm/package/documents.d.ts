@@ -13,14 +13,14 @@ export type Where = {
 }[];
 
 /**
- * What a map is, by inspection of the stored values alone. Certified: every triangle has exactly positive area, every interior angle sum and every boundary turning is as asked, every seam is a rotation by a multiple of 2π/q.
+ * What a map is, by inspection of the stored values alone. Certified: there are triangles, each has exactly positive area, every interior angle sum and every boundary turning is as asked, every seam is a rotation by a multiple of 2π/q, each within the thresholds, and the areas span no more than the number type resolves.
  */
 export interface Certificate {
   format: 'hgp-certificate';
   version: 1;
   certified: boolean;
   /**
-   * certified, and the areas fit the precision in practice
+   * the areas fit the precision; a certified map always is
    */
   usable: boolean;
   q: number;
@@ -38,10 +38,39 @@ export interface Certificate {
   wrongTurnings: number;
   seamEdges: number;
   brokenSeams: number;
+  /**
+   * largest distance of an interior angle sum to a multiple of 2π/q, radians
+   */
   maxConeDistance: number;
+  /**
+   * the same of a boundary loop, radians
+   */
   maxTurningDistance: number;
+  /**
+   * of the seam edge that is worst beside what it is allowed, relative to its own length
+   */
   maxSeamResidual: number;
+  /**
+   * accepted at that edge, relative to its own length
+   */
   seamTolerance: number;
+  /**
+   * The tolerances that this map would pass
+   */
+  needed: {
+    /**
+     * of each seam edge's own length
+     */
+    seam: number;
+    /**
+     * radians
+     */
+    angle: number;
+    /**
+     * with the larger of the two as tolerance every rule holds
+     */
+    sufficient: boolean;
+  };
   components: {
     certified: boolean;
     usable: boolean;
@@ -68,8 +97,15 @@ export interface Certificate {
     };
     angles: {
       wrong: number;
+      /**
+       * radians
+       */
       worstDistance: number;
       worstVertex: number;
+      /**
+       * accepted at worstVertex, radians
+       */
+      allowed: number;
       smallestAngle: number;
       overlappingBoundaryVertices: number[];
     };
@@ -81,24 +117,39 @@ export interface Certificate {
       asked: number;
       measured: number;
       /**
-       * of the angle to the measured integer, in units of 2π/q
+       * of the angle to that multiple of 2π/q, radians
        */
       distance: number;
+      /**
+       * accepted distance here, radians
+       */
+      allowed: number;
     }[];
     wrongCones: {
       vertex: number;
       asked: number;
       measured: number;
       /**
-       * of the angle to the measured integer, in units of 2π/q
+       * of the angle to that multiple of 2π/q, radians
        */
       distance: number;
+      /**
+       * accepted distance here, radians
+       */
+      allowed: number;
     }[];
     turnings: {
       loop: number;
       asked: number | null;
       measured: number;
+      /**
+       * radians
+       */
       distance: number;
+      /**
+       * radians
+       */
+      allowed: number;
     }[];
     handles: {
       generator: number;
@@ -109,13 +160,22 @@ export interface Certificate {
       edges: number;
       broken: number;
       charts: number;
+      /**
+       * at worstEdge, relative to its own length
+       */
       worstResidual: number;
-      worstLengthResidual: number;
+      /**
+       * accepted there, relative to its own length
+       */
+      allowed: number;
+      /**
+       * the edge that is worst beside what it is allowed
+       */
       worstEdge: number[];
       /**
-       * accepted residual in uv units
+       * uv units
        */
-      tolerance: number;
+      worstLengthResidual: number;
       largestUv: number;
       meanUvEdge: number;
     };
@@ -160,6 +220,31 @@ export interface Certificate {
       smallestTriangle: number;
     };
     /**
+     * What the verdict was made with
+     */
+    thresholds: {
+      /**
+       * accepted residual of a seam edge, relative to its own length
+       */
+      seam: number;
+      /**
+       * accepted distance of an angle sum or a turning, radians
+       */
+      angle: number;
+      /**
+       * what storing can add to the residual of any seam edge, in uv units; 0 where nothing was rounded
+       */
+      rounding: number;
+      /**
+       * most that rounding may excuse, relative to a seam edge's own length and in radians
+       */
+      largestRounding: number;
+      /**
+       * least accepted ratio of the smallest to the mean area scale
+       */
+      areaSpan: number;
+    };
+    /**
      * why this component is not certified
      */
     reasons: {
@@ -173,7 +258,9 @@ export interface Certificate {
         | 'seam'
         | 'handle'
         | 'gauss-bonnet'
-        | 'euler';
+        | 'euler'
+        | 'range'
+        | 'empty';
       count: number;
       worst: number;
       message: string;

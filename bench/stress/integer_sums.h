@@ -1,0 +1,23 @@
+// Integer vectors with a given sum, uniformly.  Role: cone indices that satisfy Gauss–Bonnet, each as
+// likely as any other.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "random.h"
+
+namespace hgp::stress {
+
+/// One component's allowed values: low … high without `hole`.
+struct IntegerRange {
+  int low = 0, high = 0;
+  std::optional<int> hole;
+};
+
+/// x with x_i in ranges[i] and Σ x_i = sum, uniform over all such x (the numbers of completions are
+/// counted from the back); nothing where there is none.
+std::optional<std::vector<int>> drawWithSum(const std::vector<IntegerRange>& ranges, int sum,
+                                            Random& random);
+
+}  // namespace hgp::stress

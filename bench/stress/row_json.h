@@ -1,0 +1,13 @@
+// Rows as JSON and back.  Role: what crosses from the child process, and what --json keeps.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "stress_run.h"
+
+namespace hgp::stress {
+
+nlohmann::json toJson(const Row& row);
+Row rowFromJson(const nlohmann::json& in);
+
+}  // namespace hgp::stress

@@ -161,22 +161,28 @@ bool save(const std::string& path, const std::string& text) {
   return saved.hasValue();
 }
 
+std::string asJson(const Arguments& a, const std::vector<Row>& rows) {
+  nlohmann::json all{{"format", "hgp-stress"}, {"version", 1}, {"seed", a.seed}};
+  nlohmann::json& list = all["runs"] = nlohmann::json::array();
+  for (const Row& row : rows) list.push_back(toJson(row));
+  return all.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
 int run(const Arguments& a) {
   Stress stress(a);
-  for (const NamedSurface& s : a.folder.empty() ? generatedSurfaces(a) : readSurfaces(a))
+  std::string text;
+  bool isSaved = true;
+  for (const NamedSurface& s : a.folder.empty() ? generatedSurfaces(a) : readSurfaces(a)) {
     a.isDamaged ? stress.onDamaged(s) : stress.onWhole(s);
-  std::string text = a.isDamaged ? harmTable(stress.rows()) : familyTable(stress.rows());
-  text += "\n" + stretchTable(stress.rows());
-  if (!stress.reproducers().empty())
-    text += "\nTo see the failures again:\n" + stress.reproducers();
+    text = a.isDamaged ? harmTable(stress.rows()) : familyTable(stress.rows());
+    text += "\n" + stretchTable(stress.rows());
+    if (!stress.reproducers().empty())
+      text += "\nTo see the failures again:\n" + stress.reproducers();
+    // After every surface: tables that end early still say how far they came.
+    isSaved = save(a.json, asJson(a, stress.rows())) && save(a.markdown, text) && isSaved;
+  }
   std::fputs(text.c_str(), stdout);
-  nlohmann::json rows = nlohmann::json::array();
-  for (const Row& row : stress.rows()) rows.push_back(toJson(row));
-  const nlohmann::json all{
-      {"format", "hgp-stress"}, {"version", 1}, {"seed", a.seed}, {"runs", rows}};
-  const bool isSaved =
-      save(a.json, all.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-  return save(a.markdown, text) && isSaved ? 0 : 7;
+  return isSaved ? 0 : 7;
 }
 
 int runProgram(int argc, char** argv) {

@@ -229,7 +229,7 @@ class Run {
       return fail(failure);
     }
     const std::string& report = session_.reportJson();
-    if (Status done = publish(report, reportText(report, style_), true); !done) {
+    if (Status done = publish(report, a_.isQuiet ? "" : reportText(report, style_), true); !done) {
       return fail(done.error());
     }
     if (!session_.isCertified() && !a_.write.allowUncertified) {

@@ -11,6 +11,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostLines = 8;
+constexpr std::size_t kMostComponents = 20;  ///< that are told one by one when nothing is wrong
 
 std::string text(const Json& value) {
   return printable(value.is_string() ? value.get<std::string>() : value.dump());
@@ -87,6 +88,45 @@ std::string distortion(const Json& component) {
   return formatText("μ mean %.4f, 95%% %.4f, max %.4f; log₂ area rms %.3f (%.2f … %.2f)",
                     number(d, "meanMu"), number(d, "p95Mu"), number(d, "maxMu"),
                     number(d, "rmsLogArea"), number(d, "minLogArea"), number(d, "maxLogArea"));
+}
+
+std::string certificate(const Json& json, const Style& style) {
+  std::string out = measured(json, style);
+  std::size_t untold = 0;
+  for (std::size_t p = 0; p < json["components"].size(); ++p) {
+    const Json& c = json["components"][p];
+    if (p >= kMostComponents && c["reasons"].empty()) {
+      ++untold;
+      continue;
+    }
+    out +=
+        row(json["components"].size() > 1 ? formatText("component %zu", p).c_str() : "distortion",
+            distortion(c));
+    out += row("cones", formatText("%zu measured", c["cones"].size()));
+    const Json& overlap = c["overlap"];
+    if (integer(overlap, "layers") > 1) {
+      out +=
+          row("overlap", formatText("%.1f %% lie on top of one another, up to %lld deep (allowed)",
+                                    100 * number(overlap, "share"), integer(overlap, "layers")));
+    }
+    for (const Json& reason : c["reasons"]) {
+      out += "  " + style.bad(text(reason["rule"])) + ": " + text(reason["message"]) +
+             places(reason["where"]) + "\n";
+    }
+  }
+  if (untold > 0) out += formatText("  … and %zu components more, all as asked\n", untold);
+  const bool isCertified = json["certified"].get<bool>();
+  out += isCertified ? style.good("certified") : style.bad("not certified");
+  out += formatText(" (q = %lld, %s%s)", integer(json, "q"), text(json["precision"]).c_str(),
+                    json.contains("uvSet") ? (", uv set " + json["uvSet"].dump()).c_str() : "");
+  const Json& needed = json["needed"];
+  if (!isCertified && needed["sufficient"].get<bool>()) {
+    const double seam = number(needed, "seam"), angle = number(needed, "angle");
+    out += formatText(
+        "\n  would be certified with --tol %.2g (seams need %.2g of their length, angles %.2g rad)",
+        std::max(seam, angle) * 1.01, seam, angle);
+  }
+  return out + "\n";
 }
 
 }  // namespace
@@ -171,37 +211,7 @@ std::string checkText(const std::string& source, const Style& style) {
 }
 
 std::string certificateText(const std::string& source, const Style& style) {
-  const Json json = Json::parse(source);
-  std::string out = measured(json, style);
-  for (std::size_t p = 0; p < json["components"].size(); ++p) {
-    const Json& c = json["components"][p];
-    out +=
-        row(json["components"].size() > 1 ? formatText("component %zu", p).c_str() : "distortion",
-            distortion(c));
-    out += row("cones", formatText("%zu measured", c["cones"].size()));
-    const Json& overlap = c["overlap"];
-    if (integer(overlap, "layers") > 1) {
-      out +=
-          row("overlap", formatText("%.1f %% lie on top of one another, up to %lld deep (allowed)",
-                                    100 * number(overlap, "share"), integer(overlap, "layers")));
-    }
-    for (const Json& reason : c["reasons"]) {
-      out += "  " + style.bad(text(reason["rule"])) + ": " + text(reason["message"]) +
-             places(reason["where"]) + "\n";
-    }
-  }
-  const bool isCertified = json["certified"].get<bool>();
-  out += isCertified ? style.good("certified") : style.bad("not certified");
-  out += formatText(" (q = %lld, %s%s)", integer(json, "q"), text(json["precision"]).c_str(),
-                    json.contains("uvSet") ? (", uv set " + json["uvSet"].dump()).c_str() : "");
-  const Json& needed = json["needed"];
-  if (!isCertified && needed["sufficient"].get<bool>()) {
-    const double seam = number(needed, "seam"), angle = number(needed, "angle");
-    out += formatText(
-        "\n  would be certified with --tol %.2g (seams need %.2g of their length, angles %.2g rad)",
-        std::max(seam, angle) * 1.01, seam, angle);
-  }
-  return out + "\n";
+  return certificate(Json::parse(source), style);
 }
 
 std::string reportText(const std::string& source, const Style& style) {
@@ -210,7 +220,9 @@ std::string reportText(const std::string& source, const Style& style) {
                     formatText("  %lld triangles, %zu cones of q = %lld, %.2f s\n",
                                integer(json["input"], "triangles"), json["cones"]["cones"].size(),
                                integer(json["cones"], "q"), number(json, "seconds"));
-  for (const Json& component : json["components"]) {
+  for (std::size_t p = 0; p < json["components"].size(); ++p) {
+    const Json& component = json["components"][p];
+    if (p >= kMostComponents && component["certifiedBeforeStoring"].get<bool>()) continue;
     for (const Json& round : component["rounds"]) {
       out += row("round",
                  formatText("%s: %s, %lld iterations, %lld flipped, %lld wrong angles, %.2f s",
@@ -223,7 +235,7 @@ std::string reportText(const std::string& source, const Style& style) {
       out += "  triangles that fight:" + places(component["conflict"]) + "\n";
     }
   }
-  return out + notes(json) + certificateText(json["certificate"].dump(), style);
+  return out + notes(json) + certificate(json["certificate"], style);
 }
 
 }  // namespace hgp::cli

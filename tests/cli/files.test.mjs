@@ -6,6 +6,7 @@ import os from 'node:os';
 import path from 'node:path';
 import test, { after } from 'node:test';
 import { gzipSync } from 'node:zlib';
+import { cubeMesh, toGlb } from '../support/meshes.mjs';
 
 const hgp =
   process.env.HGP_BIN ?? path.join(import.meta.dirname, '../../build/native-release/bin/hgp');
@@ -70,6 +71,59 @@ test('a small file that unpacks to gigabytes is refused before it has', () => {
   assert.equal(status, 8, String(stderr));
   assert.match(String(stderr), /unpack to more than \d+; where that is right, unpack the file/);
   assert.equal(run(['inspect', bomb, '--max-bytes', '1000']).code, 8);
+});
+
+/** Spheres of a hundred sizes and some flat, thin ones: float32 in one row is too coarse for them. */
+function manySpheres(count) {
+  const vertices = [];
+  const triangles = [];
+  for (let c = 0; c < count; c++) {
+    const { vertices: points, triangles: faces } = cubeMesh(2 + (c % 3));
+    const size = 10 ** ((c % 7) - 3);
+    const first = vertices.length;
+    points.forEach(([x, y, z]) =>
+      vertices.push([size * (x + 3.017 * c), size * (y + 0.0131 * c), size * z * (c % 5 ? 1 : 1e-3)]),
+    );
+    faces.forEach((t) => triangles.push(t.map((v) => v + first)));
+  }
+  return { vertices, triangles };
+}
+
+test('of many components in float32 every one keeps its certificate', () => {
+  writeFileSync(at('spheres.glb'), toGlb([manySpheres(120)]));
+  const { code, err, out } = run(['param', 'spheres.glb', '-o', 'many.glb', '--json', '-']);
+  assert.equal(code, 0, err);
+  const { components, certified } = JSON.parse(out).certificate;
+  assert.equal(components.length, 120);
+  assert.ok(certified);
+  assert.equal(run(['verify', 'many.glb']).code, 0);
+  // What is told of them fits a screen.
+  const told = run(['param', 'spheres.glb', '-o', 'many.glb']).err.split('\n');
+  assert.ok(told.length < 150, `${told.length} lines`);
+});
+
+test('what a component costs does not grow with their number', () => {
+  const seconds = [500, 4000].map((count) => {
+    const lines = [];
+    for (let c = 0; c < count; c++) {
+      const [vertices, faces] = octahedron.split(/(?=f 1 2 3)/);
+      lines.push(vertices.replaceAll(/v (\S+)/g, (_, x) => `v ${Number(x) + 3 * c}`));
+      lines.push(faces.replaceAll(/\d+/g, (v) => Number(v) + 6 * c));
+    }
+    put('row.obj', lines.join(''));
+    // Twice, as others use the machine, too; user time of the program alone.
+    const times = [0, 1].map(() => {
+      const args = ['param', 'row.obj', '-o', 'row_out.obj', '--quiet'];
+      const timed = spawnSync('/bin/bash', ['-c', 'TIMEFORMAT=%U; time "$0" "$@"', hgp, ...args], {
+        cwd: folder,
+      });
+      assert.equal(timed.status, 0);
+      return Number(String(timed.stderr).trim());
+    });
+    return Math.min(...times);
+  });
+  // Eight times the components: quadratic cost would be 64 times the time.
+  assert.ok(seconds[1] < 16 * (seconds[0] + 0.02), seconds.join(' and '));
 });
 
 test('broken c and sm lines are noted where cones are automatic, refused where asked for', () => {

@@ -169,11 +169,11 @@ Result<Verdict> Session::verify(const std::optional<io::Prescription>& prescript
     judge.tolerance = options.tolerance;
     const bool isFloat = model.document->uvPrecision() == io::UvPrecision::kFloat32;
     judge.precision = isFloat ? Precision::kFloat32 : Precision::kFloat64;
-    if (isFloat) judge.gridStep = gridStep(*map);
     std::vector<Certificate> certificates;
     for (std::size_t p = 0; p < model.components.size(); ++p) {
       judge.isAnyConeAllowed = request->components[p].isAutomatic;
       const UvMap componentMap = mapOfComponent(model, model.components[p], *map);
+      if (isFloat) judge.gridStep = gridStep(componentMap);
       certificates.push_back(
           certify(model.components[p].mesh, request->components[p].spec, componentMap, judge));
       certificates.back().overlap = measureOverlap(componentMap);

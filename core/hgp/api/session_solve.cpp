@@ -116,18 +116,16 @@ Status Session::State::solve(const std::optional<io::Prescription>& prescription
     run.notes.push_back("the frames are the directions of the field");
   std::vector<ComponentMap> maps;
   std::vector<HolonomySpec> specs;
-  bool isCertified = true;
   for (std::size_t p = 0; p < model->components.size(); ++p) {
     Result<Parametrization> component = solveComponent(p, request->components[p], options);
     if (!component) return component.error();
-    isCertified = isCertified && component->isCertified;
     maps.push_back({std::move(component->map), std::move(component->copyOf), component->spec,
-                    component->certificate});
+                    component->certificate, 0});
     specs.push_back(toSpec(component->spec));
     run.components.push_back(std::move(*component));
   }
   Solved result;
-  result.stored = storeMap(*model, maps, options.scale, isCertified);
+  result.stored = storeMap(*model, maps, options.scale);
   run.notes.insert(run.notes.end(), result.stored.notes.begin(), result.stored.notes.end());
   result.prescription = describe(*model, specs);
   result.cones = io::writeConesJson(result.prescription);

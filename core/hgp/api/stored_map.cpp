@@ -2,33 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "hgp/api/pack_components.h"
+#include "hgp/base/check.h"
 
 namespace hgp::api {
 namespace {
 
-// Scales tried in turn when rounding to float32 breaks a map; powers of two would change nothing.
-constexpr double kRetryScales[] = {1.0, 1.1875, 1.375, 1.625, 1.8125, 0.9375, 1.0625, 1.53125};
-// Space between two components, relative to the width of the wider one.
-constexpr double kGap = 0.05;
+// Factors tried in turn when rounding to float32 breaks a component, after its place has been tried;
+// powers of two would change nothing.
+constexpr double kRetryFactors[] = {1.0, 1.1875, 1.375, 1.625, 1.8125, 0.9375, 1.0625, 1.53125};
 
-struct Box {
-  Vec2 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  Vec2 high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  void add(const Vec2& p) {
-    for (std::size_t k = 0; k < 2; ++k) {
-      low[k] = std::min(low[k], p[k]);
-      high[k] = std::max(high[k], p[k]);
-    }
-  }
-  double size(std::size_t k) const { return high[k] >= low[k] ? high[k] - low[k] : 0; }
+/// What is done to a component before it is stored: uv ↦ factor · uv + shift.
+struct Placement {
+  double factor = 1;
+  Vec2 shift{0, 0};
 };
-
-Box boxOf(const std::vector<Vec2>& uv) {
-  Box box;
-  for (const Vec2& p : uv) box.add(p);
-  return box;
-}
 
 /// A map on the corners of Model::mesh with the mesh vertex of every uv.
 struct MeshMap {
@@ -37,24 +26,37 @@ struct MeshMap {
   std::vector<int> copyOf;    ///< uv → mesh vertex
 };
 
-/// One row of components from left to right; a single component stays exactly where it is.
-MeshMap joinComponents(const Model& model, const std::vector<ComponentMap>& components) {
+std::vector<Placement> packed(const std::vector<ComponentMap>& components) {
+  std::vector<UvBox> boxes;
+  double unit = 0;
+  for (const ComponentMap& component : components) {
+    boxes.push_back(boxOf(component.map.uv));
+    unit = std::max(unit, component.shiftUnit);
+  }
+  const std::vector<Vec2> shifts = packBoxes(boxes, unit);
+  std::vector<Placement> out;
+  for (const Vec2& shift : shifts) out.push_back({1, shift});
+  return out;
+}
+
+/// Alone around the origin, where most digits are left for it. (Overlapping others is no defect.)
+Placement centred(const ComponentMap& component, double factor) {
+  UvBox box = boxOf(component.map.uv);
+  for (Vec2* p : {&box.low, &box.high}) *p = {factor * (*p)[0], factor * (*p)[1]};
+  return {factor, centringShift(box, component.shiftUnit)};
+}
+
+MeshMap joinComponents(const Model& model, const std::vector<ComponentMap>& components,
+                       const std::vector<Placement>& placements) {
   MeshMap out;
   out.cornerUv.assign(3 * model.mesh.triangles.size(), -1);
-  double right = 0, width = 0;
   for (std::size_t p = 0; p < components.size(); ++p) {
     const ModelComponent& component = model.components[p];
-    const Box box = boxOf(components[p].map.uv);
-    width = std::max(width, box.size(0));
-    Vec2 shift{0, 0};
-    if (p > 0 && !components[p].map.uv.empty()) {
-      shift = {right + kGap * width - box.low[0], -box.low[1]};
-    }
-    if (!components[p].map.uv.empty()) right = box.high[0] + shift[0];
+    const auto& [factor, shift] = placements[p];
     const int first = static_cast<int>(out.uv.size());
     for (std::size_t i = 0; i < components[p].map.uv.size(); ++i) {
       const Vec2& q = components[p].map.uv[i];
-      out.uv.push_back({q[0] + shift[0], q[1] + shift[1]});
+      out.uv.push_back({factor * q[0] + shift[0], factor * q[1] + shift[1]});
       const int v = components[p].copyOf[i].i;
       out.copyOf.push_back(v < 0 ? -1 : component.vertexOrigin[static_cast<std::size_t>(v)]);
     }
@@ -90,8 +92,8 @@ void applyScale(MeshMap& map, Scale scale) {
     const double mean = meanUvEdge(map);
     if (mean > 0) moveAndScale(map.uv, {0, 0}, 1 / mean);
   } else if (scale == Scale::kFit) {
-    const Box box = boxOf(map.uv);
-    const double size = std::max(box.size(0), box.size(1));
+    const UvBox box = boxOf(map.uv);
+    const double size = box.extent();
     // Rounding must not push the far side beyond 1.
     if (size > 0) moveAndScale(map.uv, box.low, (1 - 1e-7) / size);
   }
@@ -159,24 +161,81 @@ bool isSame(const UvMap& a, const UvMap& b) {
   return true;
 }
 
-/// A component whose numbers the format leaves as they are has been judged already.
-StoredMap judge(const Model& model, const std::vector<ComponentMap>& components,
-                const UvMap& surfaceMap) {
-  StoredMap out;
-  out.map = model.document->asStored(model.surface, surfaceMap);
+CertifyOptions judgeOf(const Model& model) {
   CertifyOptions options;
   const bool isFloat = model.document->uvPrecision() == io::UvPrecision::kFloat32;
   options.precision = isFloat ? Precision::kFloat32 : Precision::kFloat64;
-  options.gridStep = isFloat ? gridStep(out.map) : 0.0;
+  return options;
+}
+
+/// The components side by side as the format has them, judged. A component whose numbers are those
+/// that were judged already, before storing or in `earlier`, is not judged again.
+StoredMap store(const Model& model, const std::vector<ComponentMap>& components,
+                const std::vector<Placement>& placements, Scale scale, const StoredMap* earlier) {
+  MeshMap joined = joinComponents(model, components, placements);
+  applyScale(joined, scale);
+  StoredMap out;
+  out.map = model.document->asStored(model.surface, onSurface(model, joined));
+  CertifyOptions options = judgeOf(model);
   for (std::size_t p = 0; p < components.size(); ++p) {
-    const UvMap stored = mapOfComponent(model, model.components[p], out.map);
-    out.certificates.push_back(
-        !isFloat && isSame(stored, components[p].map)
-            ? components[p].certificate
-            : certify(model.components[p].mesh, components[p].spec, stored, options));
+    const ModelComponent& component = model.components[p];
+    const UvMap stored = mapOfComponent(model, component, out.map);
+    const bool isFloat = options.precision == Precision::kFloat32;
+    options.gridStep = isFloat ? gridStep(stored) : 0.0;
+    if (earlier && isSame(stored, mapOfComponent(model, component, earlier->map))) {
+      out.certificates.push_back(earlier->certificates[p]);
+    } else if (!isFloat && isSame(stored, components[p].map)) {
+      out.certificates.push_back(components[p].certificate);
+    } else {
+      out.certificates.push_back(certify(component.mesh, components[p].spec, stored, options));
+    }
   }
   out.isCertified = areCertified(out.certificates);
   return out;
+}
+
+std::vector<std::size_t> brokenByStoring(const std::vector<ComponentMap>& components,
+                                         const StoredMap& stored) {
+  std::vector<std::size_t> out;
+  for (std::size_t p = 0; p < components.size(); ++p) {
+    if (components[p].certificate.isCertified && !stored.certificates[p].isCertified)
+      out.push_back(p);
+  }
+  return out;
+}
+
+/// Other places and scales for the components that rounding broke; the others stay as they are.
+void mend(const Model& model, const std::vector<ComponentMap>& components,
+          std::vector<Placement> placements, StoredMap& stored) {
+  std::vector<std::size_t> broken = brokenByStoring(components, stored);
+  const std::size_t before = broken.size();
+  const std::vector<Placement> packedThere = placements;
+  for (double factor : kRetryFactors) {
+    if (broken.empty()) break;
+    for (std::size_t p : broken) placements[p] = centred(components[p], factor);
+    stored = store(model, components, placements, Scale::kSolved, &stored);
+    broken = brokenByStoring(components, stored);
+  }
+  if (!broken.empty()) {
+    for (std::size_t p : broken) placements[p] = packedThere[p];
+    stored = store(model, components, placements, Scale::kSolved, &stored);
+  }
+  if (broken.size() < before) {
+    stored.notes.push_back(formatText(
+        "%zu of %zu components were moved or scaled, so that they survive the rounding of "
+        "the format",
+        before - broken.size(), components.size()));
+  }
+}
+
+/// Cells for measureOverlap: 512 a side, fewer for few triangles.
+int overlapCells(const UvMap& map) {
+  int size = 32;
+  while (size < 512 && static_cast<std::size_t>(size) * static_cast<std::size_t>(size) <
+                           256 * map.cornerUv.size()) {
+    size *= 2;
+  }
+  return size;
 }
 
 }  // namespace
@@ -193,43 +252,53 @@ double gridStep(const UvMap& map) {
   return largest > 0 && std::isfinite(largest) ? std::scalbn(1.0, std::ilogb(largest) - 23) : 0;
 }
 
-StoredMap storeMap(const Model& model, const std::vector<ComponentMap>& components, Scale scale,
-                   bool wasCertified) {
-  MeshMap joined = joinComponents(model, components);
-  applyScale(joined, scale);
-  StoredMap first = judge(model, components, onSurface(model, joined));
-  const bool mayMove = wasCertified && scale == Scale::kSolved;
-  if (!first.isCertified && mayMove) {
-    const Box box = boxOf(joined.uv);
-    const Vec2 centre{(box.low[0] + box.high[0]) / 2, (box.low[1] + box.high[1]) / 2};
-    for (double factor : kRetryScales) {
-      MeshMap moved = joined;
-      moveAndScale(moved.uv, centre, factor);
-      StoredMap again = judge(model, components, onSurface(model, moved));
-      if (!again.isCertified) continue;
-      again.notes.push_back(
-          "the map was moved and scaled so that it survives the rounding of the "
-          "format");
-      first = std::move(again);
-      break;
-    }
-    if (!first.isCertified) {
-      first.notes.push_back(
-          "the map was certified before the rounding of the format, and is not "
-          "after it");
-    }
+StoredMap storeMap(const Model& model, const std::vector<ComponentMap>& components, Scale scale) {
+  const std::vector<Placement> placements = packed(components);
+  StoredMap out = store(model, components, placements, scale, nullptr);
+  if (scale == Scale::kSolved) mend(model, components, placements, out);
+  if (const std::size_t broken = brokenByStoring(components, out).size(); broken > 0) {
+    out.notes.push_back(formatText(
+        "%zu of %zu components were certified before the rounding of the format, and are "
+        "not after it",
+        broken, components.size()));
   }
   for (std::size_t p = 0; p < model.components.size(); ++p) {
-    first.certificates[p].overlap =
-        measureOverlap(mapOfComponent(model, model.components[p], first.map));
+    const UvMap map = mapOfComponent(model, model.components[p], out.map);
+    out.certificates[p].overlap = measureOverlap(map, overlapCells(map));
   }
-  first.uvToVertex = verticesOfUv(model, first.map);
-  return first;
+  out.uvToVertex = verticesOfUv(model, out.map);
+  return out;
 }
+
+namespace {
+
+/// Gives `map` the uv that its corners name, and numbers of its own: what a component costs must not
+/// grow with the others.
+void takeUsed(const std::vector<Vec2>& uv, UvMap& map) {
+  const int count = static_cast<int>(uv.size());
+  std::vector<int> used;
+  used.reserve(3 * map.cornerUv.size());
+  for (const auto& corners : map.cornerUv)
+    for (int i : corners)
+      if (i >= 0 && i < count) used.push_back(i);
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  for (auto& corners : map.cornerUv)
+    for (int& i : corners) {
+      if (i < 0 || i >= count) {
+        i = -1;
+      } else {
+        i = static_cast<int>(std::lower_bound(used.begin(), used.end(), i) - used.begin());
+      }
+    }
+  map.uv.reserve(used.size());
+  for (int i : used) map.uv.push_back(uv[static_cast<std::size_t>(i)]);
+}
+
+}  // namespace
 
 UvMap mapOfComponent(const Model& model, const ModelComponent& component, const UvMap& surfaceMap) {
   UvMap out;
-  out.uv = surfaceMap.uv;
   out.cornerUv.resize(component.faceOrigin.size());
   std::vector<int> anyCopy;
   for (std::size_t f = 0; f < component.faceOrigin.size(); ++f) {
@@ -254,6 +323,7 @@ UvMap mapOfComponent(const Model& model, const ModelComponent& component, const 
       out.cornerUv[f][k] = v < 0 ? -1 : anyCopy[static_cast<std::size_t>(v)];
     }
   }
+  takeUsed(surfaceMap.uv, out);
   return out;
 }
 

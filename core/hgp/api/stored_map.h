@@ -14,6 +14,7 @@ struct ComponentMap {
   std::vector<VertexId> copyOf;  ///< uv → component vertex
   CompleteSpec spec;
   Certificate certificate;  ///< of `map`, in double precision
+  double shiftUnit = 0;     ///< 0, or a power of two that every shift must be a multiple of
 };
 
 struct StoredMap {
@@ -24,17 +25,17 @@ struct StoredMap {
   bool isCertified = false;
 };
 
-/// Sets the components side by side, scales, rounds as the format does and judges. When rounding breaks
-/// a component that was certified, other scales and origins are tried before the verdict stands.
-/// @param wasCertified  the components were certified before rounding: worth trying again
-StoredMap storeMap(const Model& model, const std::vector<ComponentMap>& components, Scale scale,
-                   bool wasCertified);
+/// Packs the components beside each other, scales, rounds as the format does and judges. Components
+/// are independent: one that was certified and that rounding breaks is tried around the origin, then
+/// with other factors; the others stay as they are. Shifts are multiples of powers of two.
+StoredMap storeMap(const Model& model, const std::vector<ComponentMap>& components, Scale scale);
 
-/// The distance between neighbouring float32 around the largest |u|, |v| or |1 − v| of a map: glTF
-/// stores u and 1 − v, and its writer rounds all of a map to one grid.
+/// The distance between neighbouring float32 around the largest |u|, |v| or |1 − v| of a component: glTF
+/// stores u and 1 − v, and its writer rounds each component to one grid.
 double gridStep(const UvMap& map);
 
-/// A map on the surface's triangles as component `p` sees it. A face made by a repair takes, at each
+/// A map on the surface's triangles as one component sees it, with uv numbers of its own. A face made by
+/// a repair takes, at each
 /// corner, a uv of that vertex from the faces beside it.
 UvMap mapOfComponent(const Model& model, const ModelComponent& component, const UvMap& surfaceMap);
 

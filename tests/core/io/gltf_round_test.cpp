@@ -133,5 +133,28 @@ TEST(GltfRound, LeavesWhatCannotBeRounded) {
   EXPECT_TRUE(quantizeForGltf(mesh, map).cornerUv.empty());
 }
 
+/// A disk of tiny triangles far from the origin, where its neighbours' grid is far too coarse.
+TEST(GltfRound, AComponentIsRoundedAsIfItWereAlone) {
+  const MeshData one = test::disk(8).data;
+  MeshData mesh = one;
+  const auto first = static_cast<int>(one.positions.size());
+  for (Vec3 p : one.positions) mesh.positions.push_back({p[0], p[1], 1.0});
+  for (auto t : one.triangles) mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  const auto place = [](const Vec3& p) {
+    return p[2] == 1.0 ? Vec2{1e-5 * p[0] + 3e-6, 1e-5 * p[1]} : Vec2{1e5 * p[0] + 3e7, 1e5 * p[1]};
+  };
+  const UvMap both = quantizeForGltf(mesh, mapOf(mesh, place));
+  EXPECT_EQ(flipped(both), 0);
+  expectExact(both);
+  const UvMap alone = quantizeForGltf(one, mapOf(one, [](const Vec3& p) {
+                                        return Vec2{1e-5 * p[0] + 3e-6, 1e-5 * p[1]};
+                                      }));
+  for (std::size_t i = 0; i < alone.uv.size(); ++i) {
+    EXPECT_EQ(both.uv[static_cast<std::size_t>(first) + i], alone.uv[i]);
+  }
+  const UvMap again = quantizeForGltf(mesh, both);
+  EXPECT_EQ(again.uv, both.uv);
+}
+
 }  // namespace
 }  // namespace hgp::io

@@ -80,6 +80,13 @@ std::string measured(const Json& c, const Style& style) {
            "%lld of %lld edges broken, the worst is off by %.2g of its length (accepted %.2g)",
            integer(c, "brokenSeams"), integer(c, "seamEdges"), number(c, "maxSeamResidual"),
            number(c, "seamTolerance")));
+  const long long seams = integer(c, "seamEdges");
+  if (!c["exactSeams"].is_null() && seams > 0) {
+    const long long exact = integer(c, "exactSeams"), whole = integer(c, "integerSeams");
+    line(exact == seams, "exact seams",
+         formatText("%lld of %lld, bit for bit%s", exact, seams,
+                    whole == seams ? "; integer translations: unit grids meet" : ""));
+  }
   return out;
 }
 

@@ -20,6 +20,7 @@ const mayInclude = {
   system: ['cut', 'field', 'linalg', 'mesh', 'base'],
   socp: ['linalg', 'base'],
   optimize: ['system', 'cut', 'field', 'socp', 'linalg', 'mesh', 'base'],
+  grid: ['verify', 'socp', 'linalg', 'mesh', 'base'],
 };
 mayInclude.improve = ['optimize', ...mayInclude.optimize, 'verify'];
 mayInclude.parametrize = [...new Set([...Object.keys(mayInclude), 'verify'])].filter(

@@ -39,6 +39,14 @@ export interface Certificate {
   seamEdges: number;
   brokenSeams: number;
   /**
+   * seam edges whose two sides satisfy z' = i^r z + t exactly in the stored numbers; null unless q is 1, 2 or 4
+   */
+  exactSeams: number | null;
+  /**
+   * of exactSeams, those with an integer translation: a grid of unit squares continues across them
+   */
+  integerSeams: number | null;
+  /**
    * largest distance of an interior angle sum to a multiple of 2π/q, radians
    */
   maxConeDistance: number;
@@ -159,6 +167,14 @@ export interface Certificate {
     seams: {
       edges: number;
       broken: number;
+      /**
+       * edges that hold bit for bit; null unless q is 1, 2 or 4
+       */
+      exact?: number | null;
+      /**
+       * of those, with an integer translation
+       */
+      integer?: number | null;
       charts: number;
       /**
        * at worstEdge, relative to its own length

@@ -142,6 +142,7 @@ class ComponentJson {
 
   Json seams() const {
     const SeamFacts& s = c_.seams;
+    const bool isExact = c_.exactSeams.isApplicable;
     Json worst = Json::array();
     if (s.worst) {
       const HalfedgeId h = piece_.mesh.halfedge(s.worst->edge);
@@ -149,6 +150,8 @@ class ComponentJson {
     }
     return Json{{"edges", s.seams.size()},
                 {"broken", s.broken.size()},
+                {"exact", isExact ? Json(c_.exactSeams.exact) : Json()},
+                {"integer", isExact ? Json(c_.exactSeams.integer) : Json()},
                 {"charts", s.chartCount},
                 {"worstResidual", s.worst ? finite(s.worst->relativeResidual()) : 0},
                 {"allowed", s.worst ? allowed(*s.worst) : 0},
@@ -197,7 +200,8 @@ class ComponentJson {
 void addSummary(Json& json, const std::vector<Certificate>& certificates) {
   int triangles = 0, flipped = 0;
   std::size_t wrongAngles = 0, broken = 0, seams = 0;
-  int wrongTurnings = 0;
+  int wrongTurnings = 0, exact = 0, integer = 0;
+  bool isExactApplicable = !certificates.empty();
   double coneDistance = 0, turningDistance = 0;
   const MeasuredSeam* worst = nullptr;
   for (const Certificate& c : certificates) {
@@ -206,6 +210,9 @@ void addSummary(Json& json, const std::vector<Certificate>& certificates) {
     wrongAngles += c.angles.wrong.size();
     broken += c.seams.broken.size();
     seams += c.seams.seams.size();
+    exact += c.exactSeams.exact;
+    integer += c.exactSeams.integer;
+    isExactApplicable = isExactApplicable && c.exactSeams.isApplicable;
     coneDistance = std::max(coneDistance, c.angles.worstDistance);
     for (const MeasuredTurning& t : c.angles.turnings) {
       turningDistance = std::max(turningDistance, t.distance);
@@ -219,6 +226,8 @@ void addSummary(Json& json, const std::vector<Certificate>& certificates) {
   json["wrongTurnings"] = wrongTurnings;
   json["seamEdges"] = seams;
   json["brokenSeams"] = broken;
+  json["exactSeams"] = isExactApplicable ? Json(exact) : Json();
+  json["integerSeams"] = isExactApplicable ? Json(integer) : Json();
   json["maxConeDistance"] = coneDistance;
   json["maxTurningDistance"] = turningDistance;
   json["maxSeamResidual"] = worst ? finite(worst->relativeResidual()) : 0;

@@ -4,14 +4,17 @@
 #include <cmath>
 
 #include "hgp/api/pack_components.h"
+#include "hgp/api/snap_components.h"
 #include "hgp/base/check.h"
 
 namespace hgp::api {
 namespace {
 
 // Factors tried in turn when rounding to float32 breaks a component, after its place has been tried;
-// powers of two would change nothing.
-constexpr double kRetryFactors[] = {1.0, 1.1875, 1.375, 1.625, 1.8125, 0.9375, 1.0625, 1.53125};
+// 0 stands for the power of two that makes it 64 to 128 units large: beside 1 − v, what is small has
+// fewer digits.
+constexpr double kRetryFactors[] = {1.0,    0.0,    1.1875, 1.375,  1.625,
+                                    1.8125, 0.9375, 1.0625, 1.53125};
 
 /// What is done to a component before it is stored: uv ↦ factor · uv + shift.
 struct Placement {
@@ -42,6 +45,8 @@ std::vector<Placement> packed(const std::vector<ComponentMap>& components) {
 /// Alone around the origin, where most digits are left for it. (Overlapping others is no defect.)
 Placement centred(const ComponentMap& component, double factor) {
   UvBox box = boxOf(component.map.uv);
+  if (component.shiftUnit > 0) factor = 1.0;  // aligned: its unit stays 1
+  if (factor == 0.0) factor = box.extent() > 0 ? std::scalbn(1.0, 6 - std::ilogb(box.extent())) : 1;
   for (Vec2* p : {&box.low, &box.high}) *p = {factor * (*p)[0], factor * (*p)[1]};
   return {factor, centringShift(box, component.shiftUnit)};
 }
@@ -168,12 +173,19 @@ CertifyOptions judgeOf(const Model& model) {
   return options;
 }
 
-/// The components side by side as the format has them, judged. A component whose numbers are those
+StoredNumbers numbersOf(const Model& model) {
+  const bool isFloat = model.document->uvPrecision() == io::UvPrecision::kFloat32;
+  return {isFloat ? 24 : 53, isFloat};
+}
+
+/// The components side by side as the format has them, seams exact, judged. A component whose numbers are those
 /// that were judged already, before storing or in `earlier`, is not judged again.
 StoredMap store(const Model& model, const std::vector<ComponentMap>& components,
-                const std::vector<Placement>& placements, Scale scale, const StoredMap* earlier) {
+                const std::vector<Placement>& placements, Scale scale,
+                const ComponentSnapper& snapper, const StoredMap* earlier) {
   MeshMap joined = joinComponents(model, components, placements);
   applyScale(joined, scale);
+  snapper.snap(numbersOf(model), joined.uv);
   StoredMap out;
   out.map = model.document->asStored(model.surface, onSurface(model, joined));
   CertifyOptions options = judgeOf(model);
@@ -206,19 +218,19 @@ std::vector<std::size_t> brokenByStoring(const std::vector<ComponentMap>& compon
 
 /// Other places and scales for the components that rounding broke; the others stay as they are.
 void mend(const Model& model, const std::vector<ComponentMap>& components,
-          std::vector<Placement> placements, StoredMap& stored) {
+          const ComponentSnapper& snapper, std::vector<Placement> placements, StoredMap& stored) {
   std::vector<std::size_t> broken = brokenByStoring(components, stored);
   const std::size_t before = broken.size();
   const std::vector<Placement> packedThere = placements;
   for (double factor : kRetryFactors) {
     if (broken.empty()) break;
     for (std::size_t p : broken) placements[p] = centred(components[p], factor);
-    stored = store(model, components, placements, Scale::kSolved, &stored);
+    stored = store(model, components, placements, Scale::kSolved, snapper, &stored);
     broken = brokenByStoring(components, stored);
   }
   if (!broken.empty()) {
     for (std::size_t p : broken) placements[p] = packedThere[p];
-    stored = store(model, components, placements, Scale::kSolved, &stored);
+    stored = store(model, components, placements, Scale::kSolved, snapper, &stored);
   }
   if (broken.size() < before) {
     stored.notes.push_back(formatText(
@@ -254,8 +266,14 @@ double gridStep(const UvMap& map) {
 
 StoredMap storeMap(const Model& model, const std::vector<ComponentMap>& components, Scale scale) {
   const std::vector<Placement> placements = packed(components);
-  StoredMap out = store(model, components, placements, scale, nullptr);
-  if (scale == Scale::kSolved) mend(model, components, placements, out);
+  ComponentSnapper snapper(model, components);
+  StoredMap out = store(model, components, placements, scale, snapper, nullptr);
+  if (scale == Scale::kSolved) mend(model, components, snapper, placements, out);
+  if (const auto broken = brokenByStoring(components, out); !broken.empty()) {
+    for (std::size_t p : broken) snapper.leave(p);
+    out = store(model, components, placements, scale, snapper, &out);
+    if (scale == Scale::kSolved) mend(model, components, snapper, placements, out);
+  }
   if (const std::size_t broken = brokenByStoring(components, out).size(); broken > 0) {
     out.notes.push_back(formatText(
         "%zu of %zu components were certified before the rounding of the format, and are "

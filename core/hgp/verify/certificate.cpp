@@ -136,6 +136,7 @@ void measure(const TriMesh& mesh, const Topology& topology, const AskedMap& aske
   certificate.thresholds = {rule.tolerance, rule.rounding / scale, rule.largestRounding,
                             unitRoundoff(options.precision)};
   certificate.seams = measureSeams(mesh, q, measured, rule);
+  certificate.exactSeams = measureExactSeams(mesh, q, uv, certificate.seams);
   certificate.seams.handles = measureHandles(mesh, q, loops, certificate.seams);
   for (std::size_t n = 0; n < asked.handles.size(); ++n)
     certificate.seams.handles[n].asked = asked.handles[n];

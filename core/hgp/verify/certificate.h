@@ -10,6 +10,7 @@
 #include "hgp/mesh/topology.h"
 #include "hgp/verify/angles.h"
 #include "hgp/verify/distortion.h"
+#include "hgp/verify/exact_seams.h"
 #include "hgp/verify/overlap.h"
 #include "hgp/verify/seams.h"
 #include "hgp/verify/thresholds.h"
@@ -55,6 +56,7 @@ struct Certificate {
   OrientationFacts orientation;
   AngleFacts angles;
   SeamFacts seams;
+  ExactSeamFacts exactSeams;  ///< a fact: nothing is judged by it
   DistortionFacts distortion;
   OverlapFacts overlap;  ///< filled by who ships the map: it costs more than it tells a solver
   /// Gauss–Bonnet from measured integers: Σ(q − k) + Σl = q(2c − 2g − m).

@@ -84,6 +84,14 @@ function rows(solved: Solved): Row[] {
       where: edge ? [{ kind: 'edge', id: edge[0], other: edge[1] }] : [],
     },
   ];
+  if (c.exactSeams !== null && c.seamEdges > 0)
+    made.push({
+      name: 'Exact seams',
+      value: `${c.exactSeams} of ${c.seamEdges}`,
+      tolerance: 'bit for bit',
+      isGood: c.exactSeams === c.seamEdges,
+      where: [],
+    });
   if (parts.some(({ turnings }) => (turnings?.length ?? 0) > 0)) {
     made.splice(2, 0, {
       name: 'Boundary turning',

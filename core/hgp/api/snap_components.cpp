@@ -1,0 +1,36 @@
+#include "hgp/api/snap_components.h"
+
+#include <algorithm>
+
+namespace hgp::api {
+
+ComponentSnapper::ComponentSnapper(const Model& model, const std::vector<ComponentMap>& components)
+    : components_(components) {
+  for (std::size_t p = 0; p < components.size(); ++p) {
+    std::vector<VertexId> cones;
+    for (const ConePoint& cone : components[p].spec.cones) cones.push_back(cone.vertex);
+    snappers_.push_back(SeamSnapper::make(model.components[p].mesh, components[p].map,
+                                          components[p].spec.q, cones));
+  }
+}
+
+void ComponentSnapper::snap(const StoredNumbers& numbers, std::vector<Vec2>& uv) const {
+  std::ptrdiff_t first = 0;
+  for (std::size_t p = 0; p < components_.size(); ++p) {
+    const auto begin = uv.begin() + first;
+    const auto count = static_cast<std::ptrdiff_t>(components_[p].map.uv.size());
+    first += count;
+    if (!snappers_[p]) continue;
+    const std::vector<Vec2> part(begin, begin + count);
+    // Rounded copies may end beyond the largest number that is exact: once more on a coarser grid.
+    for (int exponent = gridExponent(part, numbers), last = exponent + 1; exponent <= last;
+         ++exponent) {
+      const std::optional<SnappedMap> snapped = snappers_[p]->snap(part, exponent, numbers);
+      if (!snapped) continue;
+      std::copy(snapped->uv.begin(), snapped->uv.end(), begin);
+      break;
+    }
+  }
+}
+
+}  // namespace hgp::api

@@ -1,0 +1,55 @@
+// A map moved onto a dyadic grid so that its seams hold exactly.  Role: (12) of [BCW17] bit for bit in
+// what is stored: both sides of every seam satisfy z' = i^r z + t without any rounding.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "hgp/grid/seam_structure.h"
+
+namespace hgp {
+
+/// What a stored number type can hold exactly.
+struct StoredNumbers {
+  int digits = 53;            ///< of the significand: 53 for float64, 24 for float32
+  bool holdsFlipped = false;  ///< 1 − v is stored (glTF): it must be exact, too
+};
+
+/// The smallest e for which multiples of 2^e as large as these uv are exact in the stored type, with v
+/// and 1 − v where both are needed.
+int gridExponent(const std::vector<Vec2>& uv, const StoredNumbers& numbers);
+
+struct SnappedMap {
+  std::vector<Vec2> uv;
+  std::vector<FaceId> notPositive;  ///< triangles that are not positive after all repairs
+  int moved = 0;                    ///< vertices that were moved to keep triangles positive
+};
+
+/// Rounds maps of one surface with the same seams: as solved, moved or scaled.
+class SeamSnapper {
+ public:
+  /// @param map    positive and seamless up to rounding; @param q  1, 2 or 4
+  /// @param cones  vertices with a prescribed cone angle
+  /// @return nothing where q does not allow it or copies do not follow seams (see readSeams)
+  static std::optional<SeamSnapper> make(const TriMesh& mesh, const UvMap& map, int q,
+                                         const std::vector<VertexId>& cones);
+
+  /// Vertices to multiples of 2^exponent, translations to multiples of twice that (integers stay what
+  /// they are), copies and cones z = T/(1 − i^r) from them in integers. A triangle that this turns over
+  /// is mended by moving all copies of one of its vertices together, a few steps.
+  /// @param uv  the map's, moved or scaled; finite
+  /// @return nothing where a number is not exact at this exponent: try the next one
+  std::optional<SnappedMap> snap(const std::vector<Vec2>& uv, int exponent,
+                                 const StoredNumbers& numbers) const;
+
+ private:
+  SeamSnapper(const TriMesh& mesh, SeamStructure seams, IntegerBasis basis);
+  std::vector<Gaussian> round(const std::vector<Vec2>& uv, int exponent) const;
+
+  const TriMesh* mesh_;
+  SeamStructure seams_;
+  IntegerBasis basis_;
+  PerVertex<int> closureOf_;  ///< −1 where a vertex is free
+};
+
+}  // namespace hgp

@@ -1,17 +1,30 @@
 # Third-party code under names of our own (hgp::eigen, hgp::json …), as SYSTEM includes.
 #
-# Found by path and never through the packages' own CMake files: those are invisible under the
-# Emscripten toolchain, whose find root is its own sysroot. Installed with the library, so that the
-# exported modules find the same names again.
+# In this order: a target that the project around us has made, the package's own CMake files, the path of
+# its header. Under Emscripten only the path: its toolchain's find root is its own sysroot. Installed with
+# the library, so that the exported modules find the same names again.
 
 # Under Emscripten /usr/include must never be on the include path (glibc's headers would shadow
 # musl's), so single headers are linked into a folder of the build tree.
+#
+# hgp_third_party_header(eigen Eigen/Core [PACKAGE Eigen3] [TARGET Eigen3::Eigen] [SUFFIX eigen3])
 function(hgp_third_party_header name header)
+  cmake_parse_arguments(T "" "PACKAGE;TARGET;SUFFIX" "" ${ARGN})
   if(TARGET hgp::${name})
     return()
   endif()
-  find_path(HGP_${name}_DIR NAMES ${header} PATHS /usr/include /usr/local/include ${ARGN}
-    NO_CMAKE_FIND_ROOT_PATH)
+  if(T_PACKAGE AND NOT EMSCRIPTEN)
+    if(NOT TARGET ${T_TARGET})
+      find_package(${T_PACKAGE} QUIET CONFIG)
+    endif()
+    if(TARGET ${T_TARGET})
+      add_library(hgp::${name} INTERFACE IMPORTED GLOBAL)
+      set_target_properties(hgp::${name} PROPERTIES INTERFACE_LINK_LIBRARIES ${T_TARGET})
+      return()
+    endif()
+  endif()
+  find_path(HGP_${name}_DIR NAMES ${header} PATHS /usr/include /usr/local/include
+    PATH_SUFFIXES ${T_SUFFIX} NO_CMAKE_FIND_ROOT_PATH)
   if(NOT HGP_${name}_DIR)
     message(STATUS "third party: ${name} not found (${header})")
     return()
@@ -36,18 +49,38 @@ function(hgp_third_party_library name header library)
     return()
   endif()
   find_library(HGP_${name}_LIBRARY NAMES ${library})
-  hgp_third_party_header(${name} ${header} ${ARGN})
+  hgp_third_party_header(${name} ${header})
   if(TARGET hgp::${name} AND HGP_${name}_LIBRARY)
     set_target_properties(hgp::${name} PROPERTIES
       INTERFACE_LINK_LIBRARIES "${HGP_${name}_LIBRARY}")
   endif()
 endfunction()
 
-hgp_third_party_header(eigen Eigen/Core /usr/include/eigen3 /usr/local/include/eigen3)
-hgp_third_party_header(json nlohmann/json.hpp)
+hgp_third_party_header(eigen Eigen/Core PACKAGE Eigen3 TARGET Eigen3::Eigen SUFFIX eigen3)
+hgp_third_party_header(json nlohmann/json.hpp
+  PACKAGE nlohmann_json TARGET nlohmann_json::nlohmann_json)
 hgp_third_party_header(tinygltf tiny_gltf.h)
-hgp_third_party_header(cli11 CLI/CLI.hpp)
+hgp_third_party_header(cli11 CLI/CLI.hpp PACKAGE CLI11 TARGET CLI11::CLI11)
 hgp_third_party_library(draco draco/compression/decode.h draco)
 hgp_third_party_library(meshoptimizer meshoptimizer.h meshoptimizer)
 hgp_third_party_library(cholmod suitesparse/cholmod.h cholmod)
 hgp_third_party_library(metis metis.h metis)
+
+# What the library cannot do without, with the names of its packages; empty where all is there.
+function(hgp_missing_third_party out)
+  set(missing "")
+  foreach(one "eigen|Eigen 3.4|libeigen3-dev|eigen|eigen3"
+              "json|nlohmann/json 3.11|nlohmann-json3-dev|nlohmann-json|nlohmann-json"
+              "tinygltf|tinygltf 2.7|libtinygltf-dev|-|tinygltf")
+    string(REPLACE "|" ";" one "${one}")
+    list(GET one 0 name)
+    if(NOT TARGET hgp::${name})
+      list(GET one 1 title)
+      list(GET one 2 debian)
+      list(GET one 3 brew)
+      list(GET one 4 vcpkg)
+      string(APPEND missing "\n  ${title}: Debian ${debian}, Homebrew ${brew}, vcpkg ${vcpkg}")
+    endif()
+  endforeach()
+  set(${out} "${missing}" PARENT_SCOPE)
+endfunction()

@@ -82,7 +82,11 @@ function manySpheres(count) {
     const size = 10 ** ((c % 7) - 3);
     const first = vertices.length;
     points.forEach(([x, y, z]) =>
-      vertices.push([size * (x + 3.017 * c), size * (y + 0.0131 * c), size * z * (c % 5 ? 1 : 1e-3)]),
+      vertices.push([
+        size * (x + 3.017 * c),
+        size * (y + 0.0131 * c),
+        size * z * (c % 5 ? 1 : 1e-3),
+      ]),
     );
     faces.forEach((t) => triangles.push(t.map((v) => v + first)));
   }

@@ -27,6 +27,8 @@ mayInclude.parametrize = [...new Set([...Object.keys(mayInclude), 'verify'])].fi
   (module) => !['io', 'prescription', 'text'].includes(module),
 );
 mayInclude.api = [...Object.keys(mayInclude)];
+// Headers of the library as a whole, beside the modules; no sources.
+mayInclude.hgp = [...Object.keys(mayInclude)];
 
 const sources = filesOf('core/hgp', '.h', '.cpp', '.inc');
 
@@ -40,6 +42,14 @@ function includedModules(file) {
 test('every folder of core/hgp is a module of the plan', () => {
   const unknown = sources.filter((file) => !(moduleOf(file) in mayInclude));
   assert.deepEqual(unknown, []);
+});
+
+test('what lies beside the modules is headers for programs', () => {
+  const beside = sources.filter((file) => moduleOf(file) === 'hgp');
+  assert.deepEqual(
+    beside.filter((file) => !file.endsWith('.h')),
+    [],
+  );
 });
 
 for (const [module, allowed] of Object.entries(mayInclude)) {

@@ -23,8 +23,8 @@ export function filesOf(folder, ...endings) {
 export const textOf = (file) => readFileSync(path.join(root, file), 'utf8');
 export const exists = (file) => existsSync(path.join(root, file));
 
-/** "core/hgp/cut/x.h" and "core/hgp/cut/folder/x.h" → "cut"; null outside of the modules. */
+/** "core/hgp/cut/x.h" and "core/hgp/cut/folder/x.h" → "cut"; "core/hgp/x.h" → "hgp", the whole; else null. */
 export function moduleOf(file) {
-  const match = file.match(/^core\/hgp\/([^/]+)\//);
-  return match ? match[1] : null;
+  const match = file.match(/^core\/hgp\/(?:([^/]+)\/)?/);
+  return match ? (match[1] ?? 'hgp') : null;
 }

@@ -10,7 +10,7 @@ namespace {
 typedef double V __attribute__((vector_size(32)));
 constexpr int kWidth = 4, kTileVectors = 3, kTileCols = 4;
 inline V multiplyAdd(V a, V b, V c) { return _mm256_fmadd_pd(a, b, c); }
-inline V swapPairs(V a) { return __builtin_shufflevector(a, a, 1, 0, 3, 2); }
+inline V swapPairs(V a) { return _mm256_permute_pd(a, 0x5); }
 inline V pairSigns() { return V{1.0, -1.0, 1.0, -1.0}; }
 
 }  // namespace

@@ -5,7 +5,7 @@ namespace {
 typedef double V __attribute__((vector_size(16)));
 constexpr int kWidth = 2, kTileVectors = 2, kTileCols = 4;
 inline V multiplyAdd(V a, V b, V c) { return a * b + c; }
-inline V swapPairs(V a) { return __builtin_shufflevector(a, a, 1, 0); }
+inline V swapPairs(V a) { return V{a[1], a[0]}; }
 inline V pairSigns() { return V{1.0, -1.0}; }
 
 }  // namespace

@@ -1,0 +1,19 @@
+// The manual page and the completions of shells, from the options themselves.  Role: `hgp manual` and
+// `hgp completion SHELL`, whose output the build installs.
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace hgp::cli {
+
+/// hgp.1 in the macros of man(7).
+std::string manualPage(const CLI::App& app, const std::string& version);
+
+/// For "bash", "zsh" or "fish"; empty for any other word.
+std::string completionScript(const CLI::App& app, const std::string& shell);
+
+}  // namespace hgp::cli

@@ -10,6 +10,7 @@ namespace hgp::cli {
 namespace {
 
 constexpr double kBarSeconds = 0.1;   // between two drawings of the bar
+constexpr int kStageLines = 30;  // at every change of stage; by time alone after that
 constexpr double kLineSeconds = 5.0;  // between two plain lines of one stage
 constexpr int kBarWidth = 24;
 
@@ -33,7 +34,8 @@ Progress ProgressLine::callback() {
       return false;
     }
     if (!isShown_) return true;
-    const bool isNewStage = stage_ != report.stage;
+    // Of many small components not every stage of every one is worth a line.
+    const bool isNewStage = stage_ != report.stage && lineCount_ < kStageLines;
     const double pause = std::chrono::duration<double>(now - last_).count();
     if (pause < (isTerminal_ ? kBarSeconds : kLineSeconds) && !(isNewStage && !isTerminal_))
       return true;
@@ -63,6 +65,7 @@ void ProgressLine::draw(const ProgressReport& report) {
 }
 
 void ProgressLine::printLine(const ProgressReport& report) {
+  ++lineCount_;
   const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
   std::fprintf(stderr, "hgp: %6.1f s  %s", elapsed, report.stage);
   if (report.round > 0) std::fprintf(stderr, ", round %d of %d", report.round, report.maxRounds);

@@ -32,6 +32,7 @@ class ProgressLine {
   std::optional<double> timeLimit_;
   bool isTimedOut_ = false, isDrawn_ = false;
   std::string stage_;
+  int lineCount_ = 0;
   Clock::time_point start_, last_;
 };
 

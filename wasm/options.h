@@ -32,7 +32,9 @@ inline api::LoadOptions toLoadOptions(const val& options) {
   api::LoadOptions o;
   o.surface = option(options, "surface", o.surface);
   o.weld = option(options, "weld", o.weld);
+  // Repairs that are named, even none of them, are those that are made.
   const val fix = option(options, "fix", val::object());
+  o.isStrict = option(options, "strict", !option(options, "fix", val::undefined()).isUndefined());
   o.fix.orient = option(fix, "orient", false);
   o.fix.split = option(fix, "split", false);
   o.fix.degenerate = option(fix, "degenerate", false);

@@ -6,41 +6,12 @@
 #include <iostream>
 
 #include "hgp/api/session.h"
+#include "nearest.h"
 
 namespace hgp::cli {
 namespace {
 
 constexpr int kUsage = 2;
-
-/// Levenshtein distance, for "did you mean".
-std::size_t editDistance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t corner = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above = row[j];
-      row[j] = std::min({above + 1, row[j - 1] + 1, corner + (a[i - 1] != b[j - 1])});
-      corner = above;
-    }
-  }
-  return row[b.size()];
-}
-
-std::string nearestOf(const std::string& word, const std::vector<std::string>& names) {
-  std::string best;
-  std::size_t bestDistance = std::max<std::size_t>(2, word.size() / 3) + 1;
-  for (const std::string& name : names) {
-    const bool isStart = word.size() >= 4 && name.compare(0, word.size(), word) == 0;
-    const std::size_t d = isStart ? 1 : editDistance(word, name);
-    if (d < bestDistance) {
-      best = name;
-      bestDistance = d;
-    }
-  }
-  return best;
-}
 
 /// "12:3"
 std::pair<int, int> takePair(const std::string& text, const char* option) {
@@ -148,8 +119,12 @@ class Parser {
     sub->add_option("--mesh", out_.load.surface,
                     "Which mesh of the file, from 0 (default: the largest)")
         ->check(atLeast(0));
-    sub->add_option("--weld", weld_, "exact, or join vertices closer than this length");
-    sub->add_option("--fix", fix_, "Repairs to make: orient,split,degenerate");
+    sub->add_option("--weld", weld_,
+                    "exact, none, or join vertices closer than this length (default: exact where "
+                    "every face is a component of its own)");
+    sub->add_option("--fix", fix_,
+                    "Repairs to make: orient,split,degenerate or none (default: what is needed)");
+    sub->add_flag("--strict", out_.load.isStrict, "Repair and join nothing; refuse what needs it");
     sub->add_option("--root", out_.root,
                     "Read side files below this folder only (default: the input's)");
     sub->add_option("--max-bytes", out_.load.limits.maxBytes, "Refuse larger input")
@@ -243,13 +218,17 @@ class Parser {
   }
 
   void finish() {
-    takeFix(fix_, out_.load.fix);
+    if (!fix_.empty()) takeFix(fix_, out_.load.fix);
+    if (fix_ == "none") out_.load.isStrict = true;
     if (weld_ == "exact") {
       out_.load.weld = 0;
+    } else if (weld_ == "none") {
+      out_.load.weld = api::LoadOptions::kWeldNever;
     } else if (!weld_.empty()) {
       if (!CLI::detail::lexical_cast(weld_, out_.load.weld) || !(out_.load.weld >= 0) ||
           !std::isfinite(out_.load.weld)) {
-        throw CLI::ValidationError("--weld", "wants 'exact' or a length, not '" + weld_ + "'");
+        throw CLI::ValidationError("--weld",
+                                   "wants 'exact', 'none' or a length, not '" + weld_ + "'");
       }
     }
     if (!uvSet_.empty() && uvSet_ != "next") {
@@ -272,6 +251,9 @@ class Parser {
 
   void refuseContradictions() const {
     const auto refuse = [](const char* text) { throw CLI::ValidationError(text); };
+    if (out_.load.isStrict &&
+        (out_.load.fix.orient || out_.load.fix.split || out_.load.fix.degenerate))
+      refuse("--strict and --fix contradict each other");
     if (!out_.cones.empty() && !out_.cone.empty())
       refuse("--cones and --cone contradict each other");
     const bool isAsked = !out_.cones.empty() || !out_.cone.empty() || !out_.turning.empty() ||
@@ -331,7 +313,7 @@ class Parser {
   CLI::App app_;
   Arguments out_;
   std::vector<std::pair<CLI::App*, Command>> commands_;
-  std::string weld_, fix_ = "none", boundary_, frames_, scale_, uvSet_;
+  std::string weld_, fix_, boundary_, frames_, scale_, uvSet_;
   std::vector<std::string> cone_, turning_, handle_;
 };
 

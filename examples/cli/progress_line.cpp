@@ -10,7 +10,7 @@ namespace hgp::cli {
 namespace {
 
 constexpr double kBarSeconds = 0.1;   // between two drawings of the bar
-constexpr int kStageLines = 30;  // at every change of stage; by time alone after that
+constexpr int kStageLines = 30;       // at every change of stage; by time alone after that
 constexpr double kLineSeconds = 5.0;  // between two plain lines of one stage
 constexpr int kBarWidth = 24;
 

@@ -222,17 +222,22 @@ test('inspect prints text, or JSON alone where that goes to standard output', ()
   assert.equal(run(['inspect', 'ball.obj', '--quiet']).out, '');
 });
 
-test('inspect of unusable geometry ends with 4 and says where; --fix repairs it', () => {
+test('unusable geometry is repaired, or with --strict refused (4) with the place', () => {
   const lines = sphere(6).split('\n');
   const first = lines.findIndex((line) => line.startsWith('f '));
   const [f, a, b, c] = lines[first].split(' ');
   lines[first] = [f, b, a, c].join(' ');
   put('flipped.obj', lines.join('\n'));
-  const { code, out } = run(['inspect', 'flipped.obj', '--json', '-']);
+  const { code, out } = run(['inspect', 'flipped.obj', '--strict', '--json', '-']);
   assert.equal(code, 4);
   const report = isValid('hgp-inspect', out);
   assert.ok(report.defects.some((d) => d.fatal && d.where.length > 0));
-  assert.equal(run(['param', 'flipped.obj', '-o', 'x.obj']).code, 4);
+  assert.equal(run(['param', 'flipped.obj', '-o', 'x.obj', '--strict']).code, 4);
+  const repaired = run(['param', 'flipped.obj', '-o', 'x.obj']);
+  assert.equal(repaired.code, 0);
+  assert.match(repaired.err, /repaired: 3 edges have two faces of opposite orientation/);
+  assert.equal(run(['verify', 'x.obj']).code, 0);
+  assert.equal(run(['param', 'ball.obj', '-o', 'x.obj', '--strict', '--fix', 'split']).code, 2);
   const fixed = run(['inspect', 'flipped.obj', '--fix', 'orient', '--json', '-']);
   assert.equal(fixed.code, 0);
   assert.ok(isValid('hgp-inspect', fixed.out).notes.length > 0);

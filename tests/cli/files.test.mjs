@@ -73,6 +73,89 @@ test('a small file that unpacks to gigabytes is refused before it has', () => {
   assert.equal(run(['inspect', bomb, '--max-bytes', '1000']).code, 8);
 });
 
+/** Every corner its own vertex, moved apart by about `gap`. */
+function soup(gap) {
+  const { vertices, triangles } = cubeMesh(3);
+  const lines = triangles.flatMap((t, i) => [
+    ...t.map(
+      (v, k) => `v ${vertices[v].map((x, n) => x + gap * Math.sin(7 * i + 3 * k + n)).join(' ')}`,
+    ),
+    `f ${3 * i + 1} ${3 * i + 2} ${3 * i + 3}`,
+  ]);
+  return `${lines.join('\n')}\n`;
+}
+
+test('a soup is joined, two halves are told about, a crack names the length that closes it', () => {
+  const inspect = (name, ...options) => {
+    const { out } = run(['inspect', name, ...options, '--json', '-']);
+    const { components, notes } = JSON.parse(out);
+    return { components: components.length, notes: notes.join('\n') };
+  };
+  put('soup.obj', soup(0));
+  const joined = inspect('soup.obj');
+  assert.equal(joined.components, 1);
+  assert.match(joined.notes, /equal positions were joined, and 108 components became 1/);
+  assert.equal(inspect('soup.obj', '--weld', 'none').components, 108);
+  assert.equal(inspect('soup.obj', '--strict').components, 108);
+  assert.equal(run(['param', 'soup.obj', '-o', 'soup_out.obj']).code, 0);
+  assert.equal(run(['verify', 'soup_out.obj']).code, 0);
+
+  put('crack.obj', soup(1e-6));
+  const cracked = inspect('crack.obj');
+  assert.equal(cracked.components, 108);
+  const [, vertices, gap, length] =
+    /a crack: (\d+) boundary vertices lie within (\S+) of another one; --weld (\S+)/.exec(
+      cracked.notes,
+    );
+  assert.equal(Number(vertices), 324);
+  assert.ok(Number(gap) > 1e-7 && Number(gap) < 4e-6 && Number(length) < 2 * Number(gap));
+  assert.equal(inspect('crack.obj', '--weld', length).components, 1);
+
+  const halves = octahedron.replace(
+    /f (4 2 6|5 4 6|1 5 6|2 1 6)/g,
+    (_, t) =>
+      `f ${t
+        .split(' ')
+        .map((v) => (v === '6' ? v : Number(v) + 6))
+        .join(' ')}`,
+  );
+  const copies = 'v 1 0 0\nv 0 1 0\nv 9 9 9\nv -1 0 0\nv 0 -1 0\n';
+  put('halves.obj', halves.replace('f', `${copies}f`));
+  const apart = inspect('halves.obj');
+  assert.equal(apart.components, 2);
+  assert.match(apart.notes, /4 vertices share their position .* join 2 components into 1/);
+
+  put(
+    'junction.obj',
+    'v 0 0 0\nv 2 0 0\nv 1 2 0\nv 1 0 0\nv 0 -1 0\nv 2 -1 0\nf 1 2 3\nf 1 5 4\nf 4 6 2\n',
+  );
+  assert.match(inspect('junction.obj').notes, /T-junctions: 1 boundary vertices/);
+});
+
+test('advice never names what was given', () => {
+  const band = Array.from({ length: 9 }, (_, i) => {
+    const a = (2 * Math.PI * i) / 9;
+    return [-0.3, 0.3].map((w) => {
+      const r = 1 + w * Math.cos(a / 2);
+      return `v ${r * Math.cos(a)} ${r * Math.sin(a)} ${w * Math.sin(a / 2)}\n`;
+    });
+  }).flat();
+  const faces = Array.from({ length: 9 }, (_, i) => {
+    const [a, b] = [2 * i + 1, 2 * i + 2];
+    const [c, d] = i < 8 ? [a + 2, a + 3] : [2, 1];
+    return `f ${a} ${c} ${b}\nf ${b} ${c} ${d}\n`;
+  });
+  put('moebius.obj', [...band, ...faces].join(''));
+  const strict = run(['param', 'moebius.obj', '-o', 'out.obj', '--strict']);
+  assert.equal(strict.code, 4);
+  const oriented = run(['param', 'moebius.obj', '-o', 'out.obj', '--fix', 'orient']);
+  assert.equal(oriented.code, 4);
+  assert.doesNotMatch(oriented.err, /Repair with --fix orient/);
+  const { code, err } = run(['param', 'moebius.obj', '-o', 'out.obj']);
+  assert.equal(code, 0, err);
+  assert.match(err, /1 one-sided components cut along 1 edges/);
+});
+
 /** Spheres of a hundred sizes and some flat, thin ones: float32 in one row is too coarse for them. */
 function manySpheres(count) {
   const vertices = [];

@@ -29,11 +29,17 @@ export interface LoadOptions {
   name?: string;
   /** Which mesh of the file; by default the one with most triangles. */
   surface?: number;
-  /** Join vertices closer than this; by default only what the format needs. */
+  /**
+   * Join vertices closer than this; by default what the format needs, and vertices at equal positions
+   * where every face is a component of its own.
+   */
   weld?: number;
   /** Larger files end with the code `limit`; by default 2 GiB and 16 million triangles. */
   limits?: { bytes?: number; triangles?: number };
+  /** Repairs to make, and no others; by default those that the defects of the mesh ask for. */
   fix?: { orient?: boolean; split?: boolean; degenerate?: boolean };
+  /** Make no repairs: refuse a mesh that needs one. */
+  strict?: boolean;
 }
 
 /** What load() takes of these for a mesh that comes from no file. */
@@ -45,6 +51,7 @@ export interface MeshLoadOptions {
   weld?: number | false;
   limits?: LoadOptions['limits'];
   fix?: LoadOptions['fix'];
+  strict?: LoadOptions['strict'];
 }
 
 export type HgpErrorCode =

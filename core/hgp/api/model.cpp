@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "hgp/api/mending.h"
 #include "hgp/api/sha256.h"
 #include "hgp/base/check.h"
 #include "hgp/io/polygon/polygon_document.h"
@@ -175,6 +176,83 @@ void takeEmbeddedCones(Model& model) {
   }
 }
 
+void append(std::vector<std::string>& notes, std::vector<std::string> more) {
+  notes.insert(notes.end(), std::make_move_iterator(more.begin()),
+               std::make_move_iterator(more.end()));
+}
+
+/// The surface as the file has it.
+void takeSource(Model& model) {
+  model.mesh = model.source().mesh;
+  model.vertexOrigin = identity(model.mesh.positions.size());
+  model.vertexImage = model.vertexOrigin;
+  model.faceOrigin = identity(model.mesh.triangles.size());
+  model.cornerOrigin = identity(3 * model.mesh.triangles.size());
+}
+
+/// Copies what repairs change.
+void keepSurface(const Model& from, Model& to) {
+  to.mesh = from.mesh;
+  to.vertexOrigin = from.vertexOrigin;
+  to.vertexImage = from.vertexImage;
+  to.faceOrigin = from.faceOrigin;
+  to.cornerOrigin = from.cornerOrigin;
+  to.isChanged = from.isChanged;
+  to.notes = from.notes;
+}
+
+void weld(Model& model, const LoadOptions& options) {
+  if (options.weld >= 0) return weldNearVertices(model, options.weld);
+  const WeldFacts facts = weldFacts(model.mesh);
+  const bool joins = facts.isSoup && options.weld != LoadOptions::kWeldNever && !options.isStrict;
+  if (joins) weldNearVertices(model, 0);
+  append(model.notes, weldNotes(facts, joins));
+}
+
+bool isAny(const FixOptions& fix) { return fix.orient || fix.split || fix.degenerate; }
+
+/// Repairs, then says in `unusable` what is still wrong.
+void judgeRepaired(Model& model, const FixOptions& fix) {
+  if (isAny(fix)) repair(model, fix);
+  model.unusable.reset();
+  if (model.mesh.triangles.empty()) {
+    model.unusable = Failure{ErrorCode::kUnsupported,
+                             "topology",
+                             formatText("nothing is left to parametrize: none of the %zu triangles "
+                                        "has an area of its own",
+                                        model.source().mesh.triangles.size()),
+                             {}};
+    return;
+  }
+  model.defects = findDefects(model.mesh);
+  if (Status usable = requireUsable(model.defects); !usable) model.unusable = usable.error();
+}
+
+/// With repairs named, those; otherwise those that the defects ask for, and all of them where one
+/// defect was hidden by another.
+void mend(Model& model, const LoadOptions& options) {
+  const bool isAutomatic = !isAny(options.fix) && !options.isStrict;
+  FixOptions fix = options.fix;
+  if (isAutomatic) {
+    const std::vector<Defect> defects = findDefects(model.mesh);
+    fix = neededRepairs(defects);
+    if (isAny(fix)) {
+      model.notes.push_back("repaired: " + withoutAdvice(requireUsable(defects).error().message));
+    }
+  }
+  const bool mayTryAll = isAutomatic && isAny(fix) && !(fix.orient && fix.split && fix.degenerate);
+  Model before;
+  if (mayTryAll) keepSurface(model, before);
+  judgeRepaired(model, fix);
+  if (model.unusable && mayTryAll) {
+    keepSurface(before, model);
+    judgeRepaired(model, {true, true, true});
+  }
+  if (model.unusable && !options.isStrict) {
+    model.unusable->message = withoutGiven(model.unusable->message, fix, isAutomatic);
+  }
+}
+
 Status prepare(Model& model, const LoadOptions& options) {
   if (Status chosen = chooseSurface(model, options.surface); !chosen) return chosen;
   takeEmbeddedCones(model);
@@ -185,28 +263,12 @@ Status prepare(Model& model, const LoadOptions& options) {
                    formatText("%zu triangles exceed the limit", source.triangles.size()),
                    {}};
   }
-  model.mesh = source;
-  model.vertexOrigin = identity(source.positions.size());
-  model.vertexImage = model.vertexOrigin;
-  model.faceOrigin = identity(source.triangles.size());
-  model.cornerOrigin = identity(3 * source.triangles.size());
-  if (options.weld >= 0) weldNearVertices(model, options.weld);
-  const FixOptions& fix = options.fix;
-  if (fix.orient || fix.split || fix.degenerate) repair(model, fix);
-  if (model.mesh.triangles.empty()) {
-    model.unusable = Failure{ErrorCode::kUnsupported,
-                             "topology",
-                             formatText("nothing is left to parametrize: none of the %zu triangles "
-                                        "has an area of its own",
-                                        source.triangles.size()),
-                             {}};
-    return Done{};
-  }
-  model.defects = findDefects(model.mesh);
-  if (Status usable = requireUsable(model.defects); !usable) {
-    model.unusable = usable.error();
-    return Done{};
-  }
+  takeSource(model);
+  weld(model, options);
+  mend(model, options);
+  if (model.unusable) return Done{};
+  if (!options.isStrict && options.weld < 0)
+    append(model.notes, crackNotes(crackFacts(model.mesh)));
   return splitIntoComponents(model);
 }
 
@@ -256,49 +318,6 @@ Result<Model> modelOfArrays(MeshData arrays, const LoadOptions& options) {
   model.sha256 = sha256(bytes, static_cast<std::size_t>(model.byteCount));
   if (Status done = prepare(model, options); !done) return done.error();
   return model;
-}
-
-void toSurfaceIds(const Model& model, const ModelComponent& component, std::vector<Where>& where) {
-  const auto vertex = [&](std::int64_t& v) {
-    if (v < 0 || v >= static_cast<std::int64_t>(component.vertexOrigin.size())) return;
-    const int inMesh = component.vertexOrigin[static_cast<std::size_t>(v)];
-    v = model.vertexOrigin[static_cast<std::size_t>(inMesh)];
-  };
-  for (Where& w : where) {
-    if (w.kind == Where::Kind::kVertex || w.kind == Where::Kind::kEdge) {
-      vertex(w.id);
-      vertex(w.other);
-    } else if (w.kind == Where::Kind::kFace &&
-               w.id < static_cast<std::int64_t>(component.faceOrigin.size()) && w.id >= 0) {
-      w.id = model.faceOrigin[static_cast<std::size_t>(
-          component.faceOrigin[static_cast<std::size_t>(w.id)])];
-    } else if (w.kind == Where::Kind::kLoop &&
-               w.id < static_cast<std::int64_t>(component.loopOrigin.size()) && w.id >= 0) {
-      w.id = component.loopOrigin[static_cast<std::size_t>(w.id)];
-    }
-  }
-}
-
-Failure toSurfaceIds(const Model& model, const ModelComponent& component, Failure failure) {
-  toSurfaceIds(model, component, failure.where);
-  if (model.components.size() > 1) {
-    failure.message =
-        formatText("component %d: ", static_cast<int>(&component - model.components.data())) +
-        failure.message;
-  }
-  return failure;
-}
-
-double diagonal(const std::vector<Vec3>& positions) {
-  if (positions.empty()) return 0;
-  Vec3 low = positions[0], high = positions[0];
-  for (const Vec3& p : positions) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], p[k]);
-      high[k] = std::max(high[k], p[k]);
-    }
-  }
-  return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
 }
 
 }  // namespace hgp::api

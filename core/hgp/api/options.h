@@ -12,9 +12,13 @@ namespace hgp::api {
 
 struct LoadOptions {
   io::Limits limits;
-  int surface = -1;    ///< which mesh of the file; −1: the one with most triangles
-  double weld = -1.0;  ///< join vertices closer than this; < 0: only what the format needs
-  FixOptions fix;
+  int surface = -1;  ///< which mesh of the file; −1: the one with most triangles
+  /// Join vertices closer than this. kWeldAutomatic: what the format needs, and equal positions where
+  /// every face is a component of its own; kWeldNever: what the format needs.
+  double weld = kWeldAutomatic;
+  static constexpr double kWeldAutomatic = -1.0, kWeldNever = -2.0;
+  FixOptions fix;         ///< repairs to make; none: those that the defects ask for
+  bool isStrict = false;  ///< with no repairs named: make none, refuse what needs one
 };
 
 enum class BoundaryKind { kFree, kConvex };

@@ -75,10 +75,14 @@ TEST(Session, InspectKnowsTheTopologyOfEveryShape) {
   }
 }
 
-TEST(Session, AnUnusableMeshIsInspectedAndNotSolved) {
+TEST(Session, AnUnusableMeshIsRepairedOrWhereStrictInspectedAndNotSolved) {
   MeshData mesh = hgp::test::cube().data;
   std::swap(mesh.triangles[0][0], mesh.triangles[0][1]);
-  Session session = loaded(mesh);
+  EXPECT_TRUE(loaded(mesh).inspect()->isGood);
+  EXPECT_TRUE(contains(loaded(mesh).inspect()->json, "repaired: 3 edges"));
+  LoadOptions strict;
+  strict.isStrict = true;
+  Session session = loaded(mesh, strict);
   Result<Verdict> verdict = session.inspect();
   ASSERT_TRUE(verdict.hasValue());
   EXPECT_FALSE(verdict->isGood);

@@ -89,10 +89,10 @@ class Client {
     if (mesh === null || typeof mesh !== 'object') {
       throw usage('parametrizeMesh takes { positions, triangles, … }');
     }
-    const { positions, triangles, weld, fix, limits, ...options } = mesh;
+    const { positions, triangles, weld, fix, strict, limits, ...options } = mesh;
     checkOptions('parametrize', options);
-    checkOptions('load', { weld: weld === false ? undefined : weld, fix, limits });
-    const args = [toMeshArrays({ positions, triangles }), { weld, fix, limits }];
+    checkOptions('load', { weld: weld === false ? undefined : weld, fix, strict, limits });
+    const args = [toMeshArrays({ positions, triangles }), { weld, fix, strict, limits }];
     await this.#call('loadMesh', args, call);
     this.#source = ['loadMesh', args];
     return this.#call('parametrize', [options], call);

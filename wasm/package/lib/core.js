@@ -63,6 +63,9 @@ function withField({ field, ...options }) {
   return { ...options, field: { name, text, q } };
 }
 
+/** LoadOptions::kWeldNever of the core. */
+const neverWeld = -2;
+
 export class Core {
   #module;
   #platform;
@@ -136,7 +139,8 @@ export class Core {
     const { positions, triangles } = toMeshArrays(mesh);
     const rest = weld === false ? options : { ...options, weld };
     checkOptions('load', rest);
-    const info = this.#json(this.#live.loadMesh(positions, triangles, rest));
+    const asked = weld === false ? { ...options, weld: neverWeld } : rest;
+    const info = this.#json(this.#live.loadMesh(positions, triangles, asked));
     this.#name = 'mesh.obj';
     return info;
   }

@@ -59,6 +59,7 @@ export const optionsOf = {
     weld: number,
     limits: record({ bytes: positive, triangles: positive }),
     fix: record({ orient: boolean, split: boolean, degenerate: boolean }),
+    strict: boolean,
   },
   suggestCones: { q: order, count: integer(0), alignToCurvature: boolean },
   verify: { cones, field: coneFile, q: integer(0, 64), uvSet: integer(-1), tolerance: number },

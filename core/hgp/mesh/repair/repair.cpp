@@ -86,7 +86,7 @@ bool hasIndexOutOfRange(const MeshData& mesh) {
 
 }  // namespace
 
-void orientFaces(FixResult& result) {
+int orientFaces(FixResult& result, bool isCutLater) {
   MeshData& mesh = result.mesh;
   std::vector<char> isSkipped(mesh.triangles.size(), 0);
   for (std::size_t f = 0; f < isSkipped.size(); ++f) {
@@ -103,7 +103,7 @@ void orientFaces(FixResult& result) {
         walkComponent(mesh, table, edge, static_cast<int>(seed), isSeen, isFlipped);
     if (component.isOneSided) {
       ++oneSidedCount;
-      continue;
+      if (!isCutLater) continue;
     }
     const auto turned = std::count_if(component.faces.begin(), component.faces.end(),
                                       [&](int f) { return isFlipped[at(f)] != 0; });
@@ -118,9 +118,10 @@ void orientFaces(FixResult& result) {
   }
   if (flippedCount > 0)
     result.notes.push_back(formatText("orient: %d faces turned over", flippedCount));
-  if (oneSidedCount > 0)
-    result.notes.push_back(
-        formatText("orient: %d one-sided components cannot be oriented", oneSidedCount));
+  if (oneSidedCount > 0 && !isCutLater)
+    result.notes.push_back(formatText(
+        "orient: %d one-sided components cannot be oriented without a cut (split)", oneSidedCount));
+  return oneSidedCount;
 }
 
 FixResult fixDefects(const MeshData& data, const FixOptions& options) {
@@ -135,8 +136,9 @@ FixResult fixDefects(const MeshData& data, const FixOptions& options) {
     return result;
   }
   if (options.degenerate) removeDegenerate(result);
-  if (options.orient) orientFaces(result);
-  if (options.split) splitNonManifold(result);
+  int oneSided = 0;
+  if (options.orient) oneSided = orientFaces(result, options.split);
+  if (options.split) splitNonManifold(result, oneSided);
   return result;
 }
 

@@ -60,11 +60,12 @@ std::vector<std::pair<int, int>> pairSides(const MeshData& mesh, const EdgeTable
 struct SplitCount {
   int copies = 0;
   int badEdges = 0;
+  int cutEdges = 0;
 };
 
 /// One pass. With isCutOpen, faces on an edge with more than two are not paired at all: each corner
 /// link is then cut at every such edge, after which no copy of the edge has more than two faces.
-SplitCount splitOnce(FixResult& result, bool isCutOpen) {
+SplitCount splitOnce(FixResult& result, bool isCutOpen, bool cutsInconsistent) {
   MeshData& mesh = result.mesh;
   std::vector<char> isSkipped(mesh.triangles.size(), 0);
   for (std::size_t f = 0; f < isSkipped.size(); ++f) {
@@ -82,7 +83,14 @@ SplitCount splitOnce(FixResult& result, bool isCutOpen) {
   };
   SplitCount count;
   for (int e = 0; e < table.edgeCount(); ++e) {
-    if (table.faceCount(e) == 2) join(e, table.begin(e)[0], table.begin(e)[1]);
+    if (table.faceCount(e) == 2) {
+      const int s = table.begin(e)[0], t = table.begin(e)[1];
+      const bool isConsistent = sideTail(mesh.triangles, s) != sideTail(mesh.triangles, t);
+      if (isConsistent || !cutsInconsistent)
+        join(e, s, t);
+      else
+        ++count.cutEdges;
+    }
     if (table.faceCount(e) <= 2) continue;
     ++count.badEdges;
     if (isCutOpen) continue;
@@ -111,11 +119,16 @@ SplitCount splitOnce(FixResult& result, bool isCutOpen) {
 
 }  // namespace
 
-void splitNonManifold(FixResult& result) {
-  const SplitCount paired = splitOnce(result, false);
+void splitNonManifold(FixResult& result, int oneSided) {
+  const SplitCount paired = splitOnce(result, false, oneSided > 0);
   int copies = paired.copies;
   // Where pairing brought both ends of an edge back together, cut it open instead.
-  if (paired.badEdges > 0) copies += splitOnce(result, true).copies;
+  if (paired.badEdges > 0) copies += splitOnce(result, true, oneSided > 0).copies;
+  // A cut whose ends lie on no boundary leaves an edge with both its ends shared: cut there again.
+  int cut = paired.cutEdges;
+  if (oneSided > 0)
+    result.notes.push_back(
+        formatText("orient: %d one-sided components cut along %d edges", oneSided, cut));
   if (copies > 0)
     result.notes.push_back(
         formatText("split: %d vertices duplicated (%d edges had more than two "

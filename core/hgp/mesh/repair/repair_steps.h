@@ -14,11 +14,13 @@ void removeDegenerate(FixResult& result);
 inline constexpr double kNudge = 1e-4;
 
 /// Makes every component consistent by flipping faces: outwards (positive volume) where it is
-/// closed, with the larger part where it has a boundary. One-sided surfaces are left as they are.
-void orientFaces(FixResult& result);
+/// closed, with the larger part where it has a boundary. One-sided surfaces are left as they are, or
+/// with isCutLater made consistent along a spanning tree of their faces. Returns their number.
+int orientFaces(FixResult& result, bool isCutLater);
 
 /// Gives every fan of faces around a vertex its own copy of the vertex. Of more than two faces on an
-/// edge, opposite ones are paired, flattest first; what finds no partner becomes boundary.
-void splitNonManifold(FixResult& result);
+/// edge, opposite ones are paired, flattest first; what finds no partner becomes boundary. Where
+/// oneSided > 0 (their number), edges that two faces run along in the same direction are cut.
+void splitNonManifold(FixResult& result, int oneSided);
 
 }  // namespace hgp

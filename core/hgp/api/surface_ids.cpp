@@ -1,0 +1,52 @@
+#include <algorithm>
+#include <cmath>
+
+#include "hgp/api/model.h"
+#include "hgp/base/check.h"
+
+namespace hgp::api {
+
+void toSurfaceIds(const Model& model, const ModelComponent& component, std::vector<Where>& where) {
+  const auto vertex = [&](std::int64_t& v) {
+    if (v < 0 || v >= static_cast<std::int64_t>(component.vertexOrigin.size())) return;
+    const int inMesh = component.vertexOrigin[static_cast<std::size_t>(v)];
+    v = model.vertexOrigin[static_cast<std::size_t>(inMesh)];
+  };
+  for (Where& w : where) {
+    if (w.kind == Where::Kind::kVertex || w.kind == Where::Kind::kEdge) {
+      vertex(w.id);
+      vertex(w.other);
+    } else if (w.kind == Where::Kind::kFace &&
+               w.id < static_cast<std::int64_t>(component.faceOrigin.size()) && w.id >= 0) {
+      w.id = model.faceOrigin[static_cast<std::size_t>(
+          component.faceOrigin[static_cast<std::size_t>(w.id)])];
+    } else if (w.kind == Where::Kind::kLoop &&
+               w.id < static_cast<std::int64_t>(component.loopOrigin.size()) && w.id >= 0) {
+      w.id = component.loopOrigin[static_cast<std::size_t>(w.id)];
+    }
+  }
+}
+
+Failure toSurfaceIds(const Model& model, const ModelComponent& component, Failure failure) {
+  toSurfaceIds(model, component, failure.where);
+  if (model.components.size() > 1) {
+    failure.message =
+        formatText("component %d: ", static_cast<int>(&component - model.components.data())) +
+        failure.message;
+  }
+  return failure;
+}
+
+double diagonal(const std::vector<Vec3>& positions) {
+  if (positions.empty()) return 0;
+  Vec3 low = positions[0], high = positions[0];
+  for (const Vec3& p : positions) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  }
+  return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+}
+
+}  // namespace hgp::api

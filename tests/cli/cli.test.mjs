@@ -622,7 +622,7 @@ const hostile = {
   'inf.obj': ['v 1e999 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n', 3, /finite/],
   'far.obj': ['v 0 0 0\nv 1e19 0 0\nv 0 1e19 0\nf 1 2 3\n', 4, /too large or too small/],
   'near.obj': ['v 0 0 0\nv 1e-310 0 0\nv 0 1e-310 0\nf 1 2 3\n', 4, /too large or too small/],
-  'point.obj': ['v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n', 4, /no area/],
+  'point.obj': ['v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n', 4, /nothing is left to parametrize/],
   'zero.obj': ['v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n', 3, /line 4/],
   'early.obj': ['v 0 0 0\nv 1 0 0\nf -1 -2 -3\nv 0 1 0\n', 3, /line 3/],
   'comma.obj': ['v 0,5 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n', 3, /line 1/],

@@ -345,23 +345,4 @@ UvMap mapOfComponent(const Model& model, const ModelComponent& component, const 
   return out;
 }
 
-SeamEnds seamEnds(const Model& model, const ModelComponent& component, const UvMap& surfaceMap,
-                  EdgeId edge) {
-  const auto uvAt = [&](HalfedgeId corner) {
-    const int inMesh = component.faceOrigin[static_cast<std::size_t>(corner.i / 3)];
-    const int origin = model.cornerOrigin[static_cast<std::size_t>(3 * inMesh + corner.i % 3)];
-    return origin < 0 ? -1
-                      : surfaceMap.cornerUv[static_cast<std::size_t>(origin / 3)]
-                                           [static_cast<std::size_t>(origin % 3)];
-  };
-  const HalfedgeId h = component.mesh.halfedge(edge);
-  const HalfedgeId twin = component.mesh.twin(h);
-  SeamEnds out;
-  out.a[0] = uvAt(h);
-  out.a[1] = uvAt(TriMesh::next(h));
-  out.b[0] = uvAt(TriMesh::next(twin));
-  out.b[1] = uvAt(twin);
-  return out;
-}
-
 }  // namespace hgp::api

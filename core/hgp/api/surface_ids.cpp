@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "hgp/api/model.h"
+#include "hgp/api/stored_map.h"
 #include "hgp/base/check.h"
 
 namespace hgp::api {
@@ -47,6 +48,25 @@ double diagonal(const std::vector<Vec3>& positions) {
     }
   }
   return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+}
+
+SeamEnds seamEnds(const Model& model, const ModelComponent& component, const UvMap& surfaceMap,
+                  EdgeId edge) {
+  const auto uvAt = [&](HalfedgeId corner) {
+    const int inMesh = component.faceOrigin[static_cast<std::size_t>(corner.i / 3)];
+    const int origin = model.cornerOrigin[static_cast<std::size_t>(3 * inMesh + corner.i % 3)];
+    return origin < 0 ? -1
+                      : surfaceMap.cornerUv[static_cast<std::size_t>(origin / 3)]
+                                           [static_cast<std::size_t>(origin % 3)];
+  };
+  const HalfedgeId h = component.mesh.halfedge(edge);
+  const HalfedgeId twin = component.mesh.twin(h);
+  SeamEnds out;
+  out.a[0] = uvAt(h);
+  out.a[1] = uvAt(TriMesh::next(h));
+  out.b[0] = uvAt(TriMesh::next(twin));
+  out.b[1] = uvAt(twin);
+  return out;
 }
 
 }  // namespace hgp::api

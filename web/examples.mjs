@@ -1,4 +1,4 @@
-// The five examples of the page: surfaces of our own making as compact GLBs, with the cones that go
+// The examples of the page: surfaces of our own making as compact GLBs, with the cones that go
 // with them. Run by the build; nothing is copied from anywhere.
 
 const tau = 2 * Math.PI;
@@ -138,6 +138,99 @@ function pebble() {
   return { ...mesh, vertices: mesh.vertices.map(grow) };
 }
 
+/**
+ * The zero set of a function, negative inside: one vertex per cell that it passes through, moved onto
+ * it, and a quad per edge of the grid that it crosses (surface nets).
+ */
+function levelSet(f, [low, high], cells) {
+  const step = high.map((x, i) => (x - low[i]) / cells[i]);
+  const at = (i, j, k) => [low[0] + i * step[0], low[1] + j * step[1], low[2] + k * step[2]];
+  const [a, b, c] = cells.map((n) => n + 1);
+  const index = (i, j, k) => (k * b + j) * a + i;
+  const values = new Float64Array(a * b * c);
+  for (let k = 0; k < c; k++)
+    for (let j = 0; j < b; j++) for (let i = 0; i < a; i++) values[index(i, j, k)] = f(at(i, j, k));
+  const gradient = (p) =>
+    [0, 1, 2].map((m) => {
+      const h = 1e-4;
+      const [x, y] = [-h, h].map((d) => f(p.map((t, n) => (n === m ? t + d : t))));
+      return (y - x) / (2 * h);
+    });
+  const vertices = [];
+  const vertexOf = new Map();
+  const vertex = (i, j, k) => {
+    const key = index(i, j, k);
+    if (!vertexOf.has(key)) {
+      let p = at(i + 0.5, j + 0.5, k + 0.5);
+      for (let n = 0; n < 12; n++) {
+        const g = gradient(p);
+        const far = f(p) / g.reduce((sum, x) => sum + x * x, 1e-12);
+        p = p.map((x, m) => x - 0.6 * far * g[m]);
+      }
+      vertexOf.set(key, vertices.length);
+      vertices.push(p);
+    }
+    return vertexOf.get(key);
+  };
+  const triangles = [];
+  const quad = (ring, isOut) => {
+    const [p, q, r, s] = isOut ? ring : ring.toReversed();
+    triangles.push([p, q, r], [p, r, s]);
+  };
+  for (let k = 1; k < c - 1; k++)
+    for (let j = 1; j < b - 1; j++)
+      for (let i = 1; i < a - 1; i++) {
+        const here = values[index(i, j, k)] < 0;
+        const crosses = (x, y, z) => here !== values[index(x, y, z)] < 0;
+        const around = (cells_) => cells_.map(([x, y, z]) => vertex(x, y, z));
+        if (crosses(i + 1, j, k)) quad(around([[i, j - 1, k - 1], [i, j, k - 1], [i, j, k], [i, j - 1, k]]), here); // prettier-ignore
+        if (crosses(i, j + 1, k)) quad(around([[i - 1, j, k - 1], [i - 1, j, k], [i, j, k], [i, j, k - 1]]), here); // prettier-ignore
+        if (crosses(i, j, k + 1)) quad(around([[i - 1, j - 1, k], [i, j - 1, k], [i, j, k], [i - 1, j, k]]), here); // prettier-ignore
+      }
+  return { vertices, triangles };
+}
+
+/** Two rings grown together: genus 2. */
+function rings() {
+  const ring = (cx, tilt) => (p) => {
+    const [x, y, z] = [p[0] - cx, p[1], p[2] - tilt * (p[0] - cx)];
+    return Math.hypot(Math.hypot(x, y) - 0.66, z) - 0.27;
+  };
+  const parts = [ring(-0.72, 0.25), ring(0.72, -0.25)];
+  const soft = 14;
+  const f = (p) => -Math.log(parts.reduce((sum, one) => sum + Math.exp(-soft * one(p)), 0)) / soft;
+  return levelSet(f, [[-1.9, -1.2, -0.75], [1.9, 1.2, 0.75]], [60, 38, 24]); // prettier-ignore
+}
+
+/** A small person with arms and legs. */
+function figure() {
+  const capsule =
+    (a, b, r, s = r) =>
+    (p) => {
+      const d = b.map((x, i) => x - a[i]);
+      const e = p.map((x, i) => x - a[i]);
+      const dot = d.reduce((sum, x, i) => sum + x * e[i], 0);
+      const t = Math.min(1, Math.max(0, dot / d.reduce((sum, x) => sum + x * x, 0)));
+      return Math.hypot(...e.map((x, i) => x - t * d[i])) - (r + t * (s - r));
+    };
+  const parts = [
+    capsule([0, 0.1, 0], [0, 0.62, 0.02], 0.26, 0.24),
+    capsule([0, 1.12, 0.03], [0, 1.2, 0.05], 0.27),
+    capsule([0, 0.8, 0], [0, 0.95, 0.02], 0.12),
+    ...[-1, 1].flatMap((side) => [
+      capsule([side * 0.2, 0.66, 0], [side * 0.62, 0.48, 0.06], 0.12, 0.095),
+      capsule([side * 0.62, 0.48, 0.06], [side * 0.78, 0.82 - 0.5 * (side > 0), 0.2], 0.095, 0.1),
+      capsule([side * 0.15, 0.02, 0], [side * 0.24, -0.5, 0.05], 0.16, 0.12),
+      capsule([side * 0.24, -0.5, 0.05], [side * 0.27, -0.98, 0], 0.12, 0.1),
+      capsule([side * 0.27, -1.0, 0], [side * 0.3, -1.03, 0.2], 0.11, 0.1),
+    ]),
+  ];
+  const soft = 26;
+  const f = (p) =>
+    -Math.log(parts.reduce((sum, part) => sum + Math.exp(-soft * part(p)), 0)) / soft;
+  return levelSet(f, [[-1.05, -1.3, -0.5], [1.05, 1.65, 0.55]], [50, 70, 25]); // prettier-ignore
+}
+
 function glb({ vertices, triangles }, name) {
   const positions = new Float32Array(vertices.flat());
   const wide = vertices.length > 65534;
@@ -207,6 +300,8 @@ export function examples() {
     { id: 'torus', title: 'Torus', hint: 'no cones', q: 4, mesh: torus() },
     { id: 'pipe', title: 'Pipe', hint: 'two boundaries', q: 4, mesh: pipe() },
     { id: 'pebble', title: 'Pebble', hint: 'cones are suggested', q: 4, mesh: pebble() },
+    { id: 'rings', title: 'Rings', hint: 'two holes', q: 4, mesh: rings() },
+    { id: 'figure', title: 'Figure', hint: 'arms and legs', q: 4, mesh: figure() },
   ];
   const cones = {
     sphere: ({ vertices }) =>

@@ -18,6 +18,7 @@ const types = {
   '.png': 'image/png',
   '.webmanifest': 'application/manifest+json',
   '.glb': 'model/gltf-binary',
+  '.bin': 'application/octet-stream',
   '.obj': 'text/plain; charset=utf-8',
 };
 

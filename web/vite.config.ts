@@ -3,6 +3,7 @@ import path from 'node:path';
 import { defineConfig, type Plugin } from 'vite';
 import { examples } from './examples.mjs';
 import { guidePage } from './guide.mjs';
+import { heroModel } from './hero.mjs';
 import { serviceWorker } from './offline.mjs';
 import { headers } from './serve.mjs';
 
@@ -20,7 +21,8 @@ function exampleModels(): Plugin {
       const about = made.map(({ bytes: _, ...rest }) => rest);
       return `export const examples = ${JSON.stringify(about)};`;
     },
-    generateBundle() {
+    async generateBundle() {
+      this.emitFile({ type: 'asset', fileName: 'hero.bin', source: await heroModel() });
       for (const { file, bytes } of made) {
         this.emitFile({ type: 'asset', fileName: `examples/${file}`, source: bytes });
       }
@@ -59,7 +61,9 @@ function offline(): Plugin {
         if (name.startsWith('images/')) continue; // pictures of the guide
         files.set(name, part.type === 'chunk' ? part.code : part.source);
       }
-      for (const name of ['icon.svg', 'hgp.webmanifest']) {
+      const thumbnails = readdirSync(path.join(import.meta.dirname, 'public/thumbnails'));
+      const fixed = ['icon.svg', 'hgp.webmanifest', 'grid.png'];
+      for (const name of [...fixed, ...thumbnails.map((one) => `thumbnails/${one}`)]) {
         files.set(name, readFileSync(path.join(import.meta.dirname, 'public', name)));
       }
       this.emitFile({ type: 'asset', fileName: 'sw.js', source: serviceWorker(files) });

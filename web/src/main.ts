@@ -1,147 +1,191 @@
-// Starts the page: the document, the solver, the two views, and what connects them.
+// Starts the page: the document, the workers, the two views, and what connects them.
 
-import { render } from 'lit';
-import { App } from './state/app';
-import { filesOfDrop } from './state/files';
-import { open } from './state/open';
-import { watchCones } from './state/check';
-import { replaceAsked } from './state/edit';
-import { createSolver, keepOffline } from './state/solver';
-import { addressOf, readAddress } from './state/url';
-import { Controls } from './ui/controls';
-import { Keyboard } from './ui/keyboard';
-import { page } from './ui/page';
-import { Pointer } from './ui/pointer';
-import { listenToSplitter } from './ui/splitter';
-import { Views } from './ui/views';
-import { MapView } from './view/map_view';
-import { SurfaceView } from './view/surface_view';
-import { oneOfEach } from './view/warm';
+import { effect, untracked } from '@preact/signals-core';
+import type { App } from './actions/app';
+import { attempt } from './actions/app';
+import { watchCones } from './actions/check_cones';
+import { setPrescription } from './actions/edit_cones';
+import { exampleById, openExample } from './actions/open';
+import { setLook } from './actions/view';
+import { readHash, writeHash, type HashState } from './formats/hash_state';
+import { listenToDrops } from './input/drop';
+import { Keyboard } from './input/keyboard';
+import { Pointer } from './input/pointer';
+import { listenToSplitter } from './input/splitter';
+import { Document } from './model/document';
+import { UiState } from './model/ui_state';
+import { GeometryClient } from './services/geometry_client';
+import { createSolver, keepOffline } from './services/solver';
+import { ModelView } from './views/model_view';
+import { oneOfEach } from './views/shader_warmup';
+import { UvView } from './views/uv_view';
+import { ViewUpdates } from './views/view_updates';
+import { isCertified } from './model/verdict';
+import type { Panel } from './panels/panel';
+import './panels/app_page';
+import './panels/top_bar';
 
-const app = new App();
-const ui = new Controls(app);
-const root = document.getElementById('page')!;
+const app: App = {
+  doc: new Document(),
+  ui: new UiState(),
+  geometry: new GeometryClient(),
+  client: undefined,
+  views: undefined,
+};
+const { doc, ui } = app;
 
-function draw(): void {
-  render(page(app, ui), root);
-  document.body.dataset.state = app.state;
-  for (const dialog of root.querySelectorAll('dialog')) if (!dialog.open) dialog.showModal();
-  views?.update();
-  rememberAddress();
-}
-
-let hadSurface = false;
-let addressTimer: ReturnType<typeof setTimeout> | undefined;
-function rememberAddress(): void {
-  clearTimeout(addressTimer);
-  if (app.phase === 'empty' && hadSurface) history.replaceState(null, '', location.pathname);
-  hadSurface = app.surface !== undefined;
-  if (!hadSurface) return;
-  addressTimer = setTimeout(() => {
-    history.replaceState(null, '', addressOf(app, ui.surfaceView?.orbit.toText()));
-  }, 400);
+/** The address says what is seen, so that it can be sent to somebody. */
+function rememberState(): void {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  let hadModel = false;
+  const remember = (): void => {
+    const { model, look, prescription } = doc;
+    const camera = app.views?.model.orbit.toText();
+    const stem = model?.main.replace(/\.glb$/, '');
+    const example = exampleById(stem)?.id;
+    if (model) history.replaceState(null, '', writeHash({ example, look, prescription, camera }));
+  };
+  const soon = (): void => {
+    clearTimeout(timer);
+    timer = setTimeout(remember, 400);
+  };
+  effect(() => {
+    const { model } = doc;
+    void [doc.look, doc.prescription];
+    clearTimeout(timer);
+    if (!model && hadModel) history.replaceState(null, '', location.pathname);
+    hadModel = model !== undefined;
+    if (model) soon();
+  });
+  app.views?.model.orbit.controls.addEventListener('end', soon);
 }
 
 /** What the address asked for, once there is a model that it can be about. */
-function applyAddress(): void {
-  const asked = readAddress(location.hash);
-  const { pattern = app.look.pattern, overlay = app.look.overlay, tiles = app.look.tiles } = asked;
-  app.look = { ...app.look, pattern, overlay, tiles };
-  if (asked.q) app.begin({ ...app.asked, q: asked.q });
-  const { cones, camera, q, turnings = [], handles = [] } = asked;
+function applyHash(state: HashState): void {
+  const { pattern = doc.look.pattern, overlay = doc.look.overlay, tiles = doc.look.tiles } = state;
+  setLook(app, { pattern, overlay, tiles });
+  if (state.q) doc.begin({ ...doc.prescription, q: state.q });
+  const { cones, camera, q, turnings = [], handles = [] } = state;
   const isAsking = cones !== undefined || turnings.length + handles.length > 0;
   if (!isAsking && !camera) return;
-  let isApplied = false;
-  app.subscribe(() => {
-    if (isApplied || !app.surface || app.phase !== 'editing') return;
-    isApplied = true;
-    const isFitting = (cones ?? []).every(({ vertex }) => vertex < app.surface!.vertexCount);
-    if (isAsking && isFitting && app.asked.cones.length === 0) {
-      const from = (pairs: [number, number][], list: readonly (number | null)[]) =>
-        list.map((n, i) => pairs.find(([at]) => at === i)?.[1] ?? n);
-      const more = {
-        turnings: from(turnings, app.asked.turnings),
-        handles: from(handles, app.asked.handles),
-      };
-      const all = { q: q ?? app.asked.q, cones: cones ?? [], ...more };
-      replaceAsked(app, all, 'cones of the address');
-    }
-    if (camera) ui.surfaceView?.orbit.fromText(camera);
-  });
-}
-
-function listenToDrops(): void {
-  let depth = 0;
-  const mark = (): void => void document.body.classList.toggle('over', depth > 0);
-  document.addEventListener('dragenter', () => {
-    depth += 1;
-    mark();
-  });
-  document.addEventListener('dragleave', () => {
-    depth -= 1;
-    mark();
-  });
-  document.addEventListener('dragover', (event) => event.preventDefault());
-  document.addEventListener('drop', (event) => {
-    event.preventDefault();
-    depth = 0;
-    mark();
-    if (event.dataTransfer && app.client) {
-      void filesOfDrop(event.dataTransfer).then((files) => open(app, files));
-    }
+  const dispose = effect(() => {
+    const model = doc.usableModel;
+    if (!model || doc.isBusy) return;
+    queueMicrotask(() => dispose());
+    untracked(() => {
+      const isFitting = (cones ?? []).every(({ vertex }) => vertex < model.surface.vertexCount);
+      if (isAsking && isFitting && doc.prescription.cones.length === 0) {
+        const from = (pairs: [number, number][], list: readonly (number | null)[]) =>
+          list.map((n, i) => pairs.find(([at]) => at === i)?.[1] ?? n);
+        const { prescription } = doc;
+        const more = {
+          turnings: from(turnings, prescription.turnings),
+          handles: from(handles, prescription.handles),
+        };
+        const all = { q: q ?? prescription.q, cones: cones ?? [], ...more };
+        setPrescription(app, all, 'cones of the address');
+      }
+      if (camera) setTimeout(() => app.views?.model.orbit.fromText(camera), 50);
+    });
   });
 }
 
 /** While nobody waits for anything. */
-function warmViews(): void {
+function warmViews({ model, uv }: NonNullable<App['views']>): void {
   const idle = globalThis.requestIdleCallback ?? ((act: () => void) => setTimeout(act, 300));
+  const warmUv = (): void => void uv.warm(oneOfEach(false)).catch(() => undefined);
   idle(() => {
-    void ui
-      .surfaceView!.warm(oneOfEach(true))
-      .then(() => idle(() => void ui.mapView!.warm(oneOfEach(false))));
+    model.warm(oneOfEach(true)).then(
+      () => idle(warmUv),
+      () => undefined,
+    );
   });
 }
-
-let views: Views | undefined;
 
 /** The graphics card may take a picture away at any time; it comes back by itself. */
 function sayContext(isLost: boolean): void {
-  if (isLost) app.say('The graphics card took the picture away. It comes back by itself.', 'error');
-  else app.say('The picture is back. Cones, result and history were never lost.', 'good');
+  if (isLost) doc.say('The graphics card took the picture away. It comes back by itself.', 'error');
+  else doc.say('The picture is back. Cones, result and history were never lost.', 'good');
+}
+
+/** Who looks at another tab is told when a long run ends. */
+function notifyAtEnd(): void {
+  let running: { title: string; begin: number } | undefined;
+  const title = document.title;
+  addEventListener('focus', () => (document.title = title));
+  effect(() => {
+    const { job } = doc;
+    if (job?.kind === 'run') running = { title: job.title, begin: job.begin };
+    if (job || !running) return;
+    const seconds = (performance.now() - running.begin) / 1000;
+    running = undefined;
+    if (!document.hidden) return;
+    const { current, message } = untracked(() => ({ current: doc.current, message: doc.message }));
+    const text = current && isCertified(current) ? 'Certified' : (message?.text ?? 'Done');
+    document.title = `● ${text} · hgp`;
+    if (seconds < 10 || !('Notification' in globalThis)) return;
+    if (Notification.permission === 'granted') new Notification('hgp', { body: text });
+  });
+}
+
+function connectViews(page: Panel): void {
+  const model = new ModelView(page.querySelector<HTMLCanvasElement>('#view')!);
+  const uv = new UvView(page.querySelector<HTMLCanvasElement>('#map')!);
+  model.onContext = uv.onContext = sayContext;
+  app.views = { model, uv };
+  const keyboard = new Keyboard(app);
+  const onSurface = (): void => {
+    keyboard.reset();
+    ui.handlesShown = false;
+  };
+  new ViewUpdates({ doc, ui, geometry: app.geometry, model, uv, onSurface });
+  new Pointer(app, model, uv);
+  listenToSplitter(page.querySelector<HTMLElement>('#splitter')!, ui);
+}
+
+/** What nobody has caught is said all the same. */
+function catchTheRest(): void {
+  addEventListener('unhandledrejection', (event) => {
+    const reason: unknown = event.reason;
+    doc.say(
+      `Something went wrong: ${reason instanceof Error ? reason.message : String(reason)}`,
+      'error',
+    );
+  });
 }
 
 async function start(): Promise<void> {
-  draw();
-  ui.surfaceView = new SurfaceView(root.querySelector<HTMLCanvasElement>('#view')!);
-  ui.mapView = new MapView(root.querySelector<HTMLCanvasElement>('#map')!);
-  for (const view of [ui.surfaceView, ui.mapView]) view.onContext = sayContext;
-  const keyboard = new Keyboard(app, ui);
-  views = new Views(app, ui, () => {
-    keyboard.reset();
-    ui.handlesShown = false;
-  });
-  new Pointer(app, ui);
-  listenToSplitter(root.querySelector<HTMLElement>('#splitter')!, ui);
-  listenToDrops();
-  ui.surfaceView.orbit.controls.addEventListener('end', rememberAddress);
-  app.subscribe(draw);
+  catchTheRest();
+  const page = document.createElement('hgp-page') as Panel;
+  page.app = app;
+  document.getElementById('page')!.append(page);
+  effect(() => void (document.body.dataset.state = doc.stateName));
+  await page.updateComplete;
+  connectViews(page);
+  listenToDrops(app);
+  rememberState();
+  notifyAtEnd();
   watchCones(app);
-  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => app.changed());
   addEventListener('beforeunload', (event) => {
-    if (app.phase === 'running' || app.isUnsaved) event.preventDefault();
+    if (doc.job?.kind === 'run' || doc.isUnsaved) event.preventDefault();
   });
-  setInterval(() => app.progress && app.changed(), 1000); // the clock of a run
-  applyAddress();
+  setInterval(() => doc.job && (ui.now = performance.now()), 500); // the clock of a run
+  const asked = readHash(location.hash);
+  applyHash(asked);
   try {
     app.client = await createSolver();
-    app.phase = 'empty';
-    performance.mark('hgp-ready');
-    keepOffline();
-    warmViews();
   } catch (error) {
-    app.say(`The solver could not start: ${(error as Error).message}`, 'error');
+    doc.state = { kind: 'failed' };
+    const advice =
+      'Another browser, or a newer version of this one, may do; the command line needs none.';
+    return doc.say(`The solver could not start: ${(error as Error).message}. ${advice}`, 'error');
   }
-  app.changed();
+  doc.state = { kind: 'empty' };
+  performance.mark('hgp-ready');
+  keepOffline();
+  warmViews(app.views!);
+  const example = exampleById(asked.example);
+  if (example) await attempt(app, () => openExample(app, example));
 }
 
 void start();

@@ -4,5 +4,6 @@ declare module 'hgp/worker?worker&url' {
   export default url;
 }
 declare module 'virtual:examples' {
-  export const examples: import('../examples.mjs').Example[];
+  export type Example = import('../examples.mjs').Example;
+  export const examples: Example[];
 }

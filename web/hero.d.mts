@@ -1,0 +1,1 @@
+export function heroModel(): Promise<Uint8Array>;

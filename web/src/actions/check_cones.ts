@@ -1,0 +1,32 @@
+// What the solver knows about balanced cones without solving anything: the few that no map can have
+// although they add up, and those known to be out of its reach. Said before Run, not after.
+
+import { effect } from '@preact/signals-core';
+import { toCones, type Prescription } from '../model/prescription';
+import type { Surface } from '../model/types';
+import { solverOf, type App } from './app';
+
+async function check(app: App, prescription: Prescription, surface: Surface): Promise<void> {
+  const { doc } = app;
+  const { components, error } = await solverOf(app).check(toCones(prescription));
+  if (prescription !== doc.prescription || surface !== doc.model?.surface || doc.isBusy) return;
+  const text = components.find((one) => one.error)?.error?.message ?? error?.message ?? '';
+  const warnings = components.flatMap((one) => one.warnings);
+  doc.objection = { prescription, surface, text, warnings };
+  if (text !== '') doc.say(text, 'error');
+}
+
+/** Asks after every change, which takes milliseconds. */
+export function watchCones(app: App): () => void {
+  const { doc } = app;
+  let last: { prescription?: Prescription; surface?: Surface } = {};
+  return effect(() => {
+    const { prescription, usableModel, hasUserCones, budget, isBusy, objection } = doc;
+    if (isBusy || !usableModel || !hasUserCones || !budget) return;
+    const { surface } = usableModel;
+    if (objection?.prescription === prescription && objection.surface === surface) return;
+    if (!budget.isReady || (last.prescription === prescription && last.surface === surface)) return;
+    last = { prescription, surface };
+    check(app, prescription, surface).catch(() => undefined); // Run says what is wrong
+  });
+}

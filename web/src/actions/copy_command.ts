@@ -1,0 +1,17 @@
+// The command line of what the page would do, on the clipboard.
+
+import { cliCommand } from '../text/cli_command';
+import type { App } from './app';
+
+export async function copyCommand({ doc }: App): Promise<void> {
+  if (!doc.model) return;
+  const command = cliCommand(doc.model, doc.prescription, doc.solve, doc.field);
+  const isFile = command.includes('--cones ');
+  const also = isFile ? ' It reads the cones from the file that Export saves.' : '';
+  try {
+    await navigator.clipboard.writeText(command);
+    doc.say(`Copied: the command that does this run.${also}`, 'good');
+  } catch {
+    doc.say(`The browser does not let this page copy. The command: ${command}`);
+  }
+}

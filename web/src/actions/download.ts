@@ -1,0 +1,38 @@
+// What is saved, and how it leaves the page.
+
+import {
+  coneFile,
+  makeDownload,
+  type Download,
+  type ExportSource,
+  type Format,
+} from '../formats/exports';
+import type { App } from './app';
+import { tilesPerUnit } from './solve';
+
+/** Nothing where there is no map of what is prescribed. */
+export function exportSource(app: App): ExportSource | undefined {
+  const { model, current: solution, prescription } = app.doc;
+  if (!model || !solution) return undefined;
+  return { model, solution, prescription, tiles: tilesPerUnit(app, model, solution.distortion) };
+}
+
+export function saveFile({ name, bytes, type }: Download): void {
+  const url = URL.createObjectURL(new Blob([bytes as BlobPart], { type }));
+  const link = document.createElement('a');
+  link.href = url;
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(url), 10_000);
+}
+
+export async function download(app: App, format: Format): Promise<void> {
+  const source = exportSource(app);
+  if (!source) return;
+  saveFile(await makeDownload(source, format));
+  if (format !== 'report' && format !== 'cones') app.doc.isUnsaved = false;
+}
+
+export function exportCones({ doc }: App): void {
+  if (doc.model) saveFile(coneFile({ model: doc.model, prescription: doc.prescription }));
+}

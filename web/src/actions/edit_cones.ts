@@ -1,0 +1,170 @@
+// Every change a person can make to what is prescribed. Each is one step of undo.
+
+import { leftAt, suggestedK } from '../model/gauss_bonnet';
+import { fromCones, orders, withOrder, type Cone, type Prescription } from '../model/prescription';
+import { hasDirections } from '../formats/file_set';
+import { saveCones } from '../services/cone_storage';
+import { describeError } from '../text/error_messages';
+import { plural } from '../text/format';
+import { solverOf, type App } from './app';
+import { isLocked } from './job';
+
+/** The one way to change what is prescribed. `kind` is "verb: field" for undo. */
+export function setPrescription(app: App, prescription: Prescription, kind: string): boolean {
+  if (isLocked(app)) return false;
+  const { doc } = app;
+  doc.history = doc.history.push({ prescription, settings: doc.settings }, kind);
+  if (doc.message?.kind !== 'note') doc.message = undefined; // it was about what is now past
+  doc.hasUserCones = true;
+  doc.isUnsaved = true;
+  if (doc.selected >= prescription.cones.length) doc.selected = -1;
+  if (doc.model) void saveCones(doc.model.info.file.sha256, prescription);
+  return true;
+}
+
+const setCones = (app: App, cones: readonly Cone[], kind: string): boolean =>
+  setPrescription(app, { ...app.doc.prescription, cones }, kind);
+
+/** The cone that a click at a vertex would place; nothing where it cannot be one. */
+export function coneToPlace({ doc }: App, picked: number): Cone | undefined {
+  const model = doc.usableModel;
+  const vertex = model?.surface.meaning[picked] ?? -1;
+  if (!model || vertex < 0 || model.surface.isBoundary[vertex]) return undefined;
+  const { surface } = model;
+  const left = leftAt(doc.budget, surface, vertex);
+  return { vertex, k: suggestedK(surface, vertex, doc.prescription.q, left) };
+}
+
+/** Adds a cone where there is none, with the k that suits the place; selects it otherwise. */
+export function placeOrSelect(app: App, picked: number): void {
+  const { doc } = app;
+  const model = doc.usableModel;
+  if (!model) return;
+  const vertex = model.surface.meaning[picked];
+  if (vertex < 0) return doc.say(`Vertex ${picked} was removed by a repair.`, 'error');
+  const { cones } = doc.prescription;
+  const there = cones.findIndex((cone) => cone.vertex === vertex);
+  if (there >= 0) return select(app, there);
+  const cone = coneToPlace(app, picked);
+  if (!cone) {
+    const rule = 'Boundaries have a turning index instead of cones.';
+    return doc.say(`Vertex ${vertex} is on the boundary. ${rule}`, 'error');
+  }
+  if (setCones(app, [...cones, cone], 'add cone')) select(app, cones.length);
+}
+
+export function select({ doc }: App, index: number): void {
+  doc.selected = index;
+}
+
+export function selectNext({ doc }: App, step: 1 | -1): void {
+  const count = doc.prescription.cones.length;
+  if (count > 0) doc.selected = (Math.max(doc.selected, step > 0 ? -1 : 0) + step + count) % count;
+}
+
+export function setK(app: App, index: number, k: number): void {
+  const { cones } = app.doc.prescription;
+  const cone = cones[index];
+  if (!cone || k === cone.k) return;
+  if (!Number.isInteger(k) || k < 1) {
+    return app.doc.say(`k must be a whole number from 1, not ${k}.`, 'error');
+  }
+  const changed = cones.map((one, i) => (i === index ? { ...one, k } : one));
+  setCones(app, changed, `change k: ${cone.vertex}`);
+}
+
+/** `drag` names one drag, which is one step of undo however far it goes. */
+export function moveCone(app: App, index: number, picked: number, drag: string): void {
+  const { cones } = app.doc.prescription;
+  const surface = app.doc.usableModel?.surface;
+  const cone = cones[index];
+  const vertex = surface?.meaning[picked] ?? -1;
+  if (!cone || cone.vertex === vertex || vertex < 0 || surface!.isBoundary[vertex]) return;
+  if (cones.some((other) => other.vertex === vertex)) return;
+  const changed = cones.map((one, i) => (i === index ? { ...one, vertex } : one));
+  setCones(app, changed, `move cone: ${drag}`);
+}
+
+export function deleteCone(app: App, index: number): void {
+  const { cones } = app.doc.prescription;
+  if (!cones[index] || isLocked(app)) return;
+  app.doc.selected = -1;
+  const rest = cones.filter((_, i) => i !== index);
+  setCones(app, rest, 'delete cone');
+}
+
+export function clearCones(app: App): void {
+  if (setCones(app, [], 'clear cones')) app.doc.selected = -1;
+}
+
+/** Adds the cones that are missing where they cost least. */
+export async function balance(app: App): Promise<void> {
+  const { doc, geometry } = app;
+  const model = doc.usableModel;
+  const { prescription, budget } = doc;
+  if (!model || !budget || isLocked(app)) return;
+  const left = budget.components
+    .filter(({ isBalanced }) => !isBalanced)
+    .map((one): [number, number] => [one.component, one.left]);
+  if (left.length === 0) return doc.say('The cones are balanced already.');
+  const { q, cones } = prescription;
+  const added = await geometry.call('balance', [model.surface.id, q, cones, left]);
+  if (doc.prescription !== prescription) return; // edited meanwhile
+  if (added.length === 0) {
+    return doc.say('There is no vertex that can carry what is missing.', 'error');
+  }
+  if (!setCones(app, [...cones, ...added], 'balance')) return;
+  const kinds = [...new Set(added.map(({ k }) => `k = ${k}`))].join(' and ');
+  doc.say(`${plural(added.length, 'cone')} with ${kinds} added. Undo takes them back.`, 'good');
+}
+
+export function setTurning(app: App, loop: number, l: number | null): void {
+  if (l !== null && !Number.isInteger(l)) return;
+  const { prescription } = app.doc;
+  const turnings = prescription.turnings.map((old, i) => (i === loop ? l : old));
+  setPrescription(app, { ...prescription, turnings }, `change turning: ${loop}`);
+}
+
+export function setHandle(app: App, generator: number, r: number | null): void {
+  const { prescription } = app.doc;
+  const { q } = prescription;
+  const inRange = r === null || !Number.isInteger(r) ? null : ((r % q) + q) % q;
+  const handles = prescription.handles.map((old, i) => (i === generator ? inRange : old));
+  setPrescription(app, { ...prescription, handles }, `change handle: ${generator}`);
+}
+
+/** Converts what is there where that is exact; otherwise says so and offers to start again. */
+export function setOrder(app: App, q: number): void {
+  const { doc } = app;
+  const { prescription, hasUserCones } = doc;
+  if (q === prescription.q) return;
+  if (!Number.isInteger(q) || q < orders.min || q > orders.max) {
+    const range = `a whole number from ${orders.min} to ${orders.max}`;
+    return doc.say(`The symmetry q is ${range}, not ${q}. It stays ${prescription.q}.`, 'error');
+  }
+  const converted = withOrder(prescription, q);
+  if (converted) {
+    if (setPrescription(app, converted, 'change q')) doc.hasUserCones = hasUserCones;
+    return;
+  }
+  const { turnings, handles } = prescription;
+  const none = { turnings: turnings.map(() => null), handles: handles.map(() => null) };
+  const clear = (): unknown => setPrescription(app, { q, cones: [], ...none }, 'change q');
+  doc.say(`These cones are no whole multiples of 360°/${q}.`, 'error', [
+    { label: `Clear them and use q = ${q}`, run: clear },
+  ]);
+}
+
+export async function importCones(app: App, name: string, text: string): Promise<void> {
+  const { doc } = app;
+  if (isLocked(app)) return;
+  try {
+    const cones = await solverOf(app).readCones({ name, text, q: doc.prescription.q });
+    const { turnings, handles } = doc.prescription;
+    setPrescription(app, fromCones(cones, turnings.length, handles.length), 'import cones');
+    doc.takeField(hasDirections(name) ? { name, text } : undefined);
+    doc.say(`${cones.cones.length} cones imported from ${name}.`);
+  } catch (error) {
+    doc.say(describeError(error, name), 'error');
+  }
+}

@@ -1,0 +1,106 @@
+// One long thing at a time, with progress, Cancel and every way it can end.
+
+import type { Progress } from 'hgp';
+import type { Job } from '../model/types';
+import { ensureWorker } from '../services/solver';
+import { isAbort } from '../text/error_messages';
+import { stageName, wholeFraction } from '../text/stages';
+import { TimeLeft } from '../text/time_left';
+import { solverOf, type App } from './app';
+
+export interface JobCall {
+  signal: AbortSignal;
+  onProgress(progress: Progress): void;
+}
+
+export interface JobOptions {
+  kind: Job['kind'];
+  title: string;
+  detail?: string;
+  /** In seconds. */
+  timeLimit?: number;
+  /** Told of every failure but a cancelled one. */
+  onFailure(error: unknown): void;
+  onTimeout?(): void;
+}
+
+/** Progress that only goes forward. */
+function reportProgress({ doc }: App, controller: AbortController): JobCall['onProgress'] {
+  const clock = new TimeLeft();
+  return ({ stage, fraction, round }) => {
+    const { job } = doc;
+    if (job?.controller !== controller) return;
+    const isNew = !job.entered.includes(stage);
+    const whole = wholeFraction(stage, fraction, job.fraction);
+    const [begin, now] = [job.begin / 1000, performance.now() / 1000];
+    doc.job = {
+      ...job,
+      stage,
+      entered: isNew ? [...job.entered, stage] : job.entered,
+      detail: round > 1 ? `round ${round}` : '',
+      fraction: whole,
+      secondsLeft: clock.update(stage, fraction, whole, begin, now),
+    };
+  };
+}
+
+export const stageStart = (stage: string): Progress => ({
+  ...{ stage, fraction: 0, iteration: -1, residual: -1, round: 0, maxRounds: 0 },
+});
+
+const isTimeout = ({ signal }: AbortController): boolean =>
+  signal.aborted && (signal.reason as Error).name === 'TimeoutError';
+
+/** Whether the work came to its end. What another job has replaced ends without a word. */
+export async function runJob(
+  app: App,
+  { kind, title, detail = '', timeLimit, onFailure, onTimeout }: JobOptions,
+  work: (call: JobCall) => Promise<void>,
+): Promise<boolean> {
+  const { doc } = app;
+  doc.job?.controller.abort();
+  const controller = new AbortController();
+  const isOwn = (): boolean => doc.job?.controller === controller;
+  const begin = performance.now();
+  doc.job = { kind, title, stage: 'read', entered: [], detail, fraction: 0, begin, controller };
+  doc.message = undefined;
+  const stopLate = (): void => controller.abort(new DOMException('too late', 'TimeoutError'));
+  const timer = timeLimit ? setTimeout(stopLate, 1000 * timeLimit) : undefined;
+  // Free at once, whatever the worker still does.
+  controller.signal.addEventListener('abort', () => isOwn() && (doc.job = undefined));
+  try {
+    await work({ signal: controller.signal, onProgress: reportProgress(app, controller) });
+    return isOwn();
+  } catch (error) {
+    if (controller.signal.aborted) doc.resultInWorker = undefined; // gone with its worker
+    if (isTimeout(controller)) onTimeout?.();
+    else if (isOwn() && !isAbort(error)) onFailure(error);
+    return false;
+  } finally {
+    clearTimeout(timer);
+    if (isOwn()) doc.job = undefined;
+  }
+}
+
+/** Whether nothing can be edited now; says so, with a way out. */
+export function isLocked(app: App): boolean {
+  const { doc } = app;
+  if (doc.job?.kind !== 'run') return false;
+  doc.say('The cones are locked while the solver runs.', 'note', [
+    { label: 'Cancel and edit', run: () => cancel(app) },
+  ]);
+  return true;
+}
+
+export function cancel(app: App): void {
+  const { doc } = app;
+  const { job } = doc;
+  if (!job) return;
+  job.controller.abort();
+  ensureWorker(solverOf(app));
+  doc.say(
+    job.kind === 'load'
+      ? 'Cancelled.'
+      : `Cancelled while ${stageName(job.stage).toLowerCase()}. Your cones are untouched.`,
+  );
+}

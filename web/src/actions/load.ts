@@ -1,0 +1,233 @@
+// From a set of files to a surface that can be worked on: read, welded, repaired, with the cones that
+// came with it.
+
+import type { ModelInfo } from 'hgp';
+import { identity, instancesOf, remarksOn } from '../formats/mesh_instances';
+import { plainSettings, type MeshWork } from '../model/document';
+import { emptyPrescription, fromCones, isSilent, type Prescription } from '../model/prescription';
+import { describeTransfer, transferPrescription } from '../model/transfer_cones';
+import type { LoadSettings, Model, Step } from '../model/types';
+import { restorable, saveCones } from '../services/cone_storage';
+import { describeError, withoutCliAdvice } from '../text/error_messages';
+import { estimateFor, mostTriangles, tooMany } from '../text/estimate';
+import { bytesOfAll, megabytes } from '../text/format';
+import { solverOf, type App } from './app';
+import { setPrescription } from './edit_cones';
+import { surveyMeshes } from './inspect_meshes';
+import { isLocked, runJob, type JobCall } from './job';
+
+type Source = Pick<Model, 'main' | 'files'>;
+
+/** Does one load; what was open stays where it fails. */
+function loading(app: App, source: Source, work: (call: JobCall) => Promise<void>) {
+  const { doc } = app;
+  const options = {
+    kind: 'load' as const,
+    title: `Reading ${source.main}`,
+    detail: megabytes(bytesOfAll(source.files)),
+    onFailure: (error: unknown) => {
+      if (doc.state.kind !== 'open') doc.state = { kind: 'empty' };
+      doc.say(describeError(error, source.main), 'error');
+    },
+  };
+  return runJob(app, options, work);
+}
+
+/** Reads one mesh of the files with the given settings, and opens it. */
+async function readMesh(
+  app: App,
+  { main, files }: Source,
+  settings: LoadSettings,
+  surfaceIndex: number | undefined,
+  call: JobCall,
+): Promise<Model> {
+  const { doc, geometry } = app;
+  const client = solverOf(app);
+  const { weld, fix } = settings;
+  const read = (surface?: number): Promise<ModelInfo> =>
+    client.load({ main, files }, { name: main, surface, weld, fix }, call);
+  let info = await read(surfaceIndex);
+  const instances = await instancesOf(files, main);
+  if (surfaceIndex === undefined && info.surfaces.length > 1) {
+    const { summaries, best } = await surveyMeshes(info, instances, read);
+    call.signal.throwIfAborted();
+    doc.summaries = summaries;
+    info = await read(best);
+  }
+  if (info.triangles > mostTriangles) throw new Error(tooMany(main, info.triangles));
+  const arrays = await client.surface(call);
+  call.signal.throwIfAborted();
+  const matrix = instances?.[info.surface]?.matrix ?? identity;
+  const surface = await geometry.surface(arrays, matrix);
+  call.signal.throwIfAborted();
+  const remarks = remarksOn(info, instances?.[info.surface]);
+  const model = { main, files, info, surface, loaded: settings, remarks, matrix };
+  doc.state = { kind: 'open', model };
+  doc.resultInWorker = undefined;
+  doc.suggested = new Map();
+  doc.selected = -1;
+  const problem = withoutCliAdvice(info.error?.message);
+  doc.message = info.usable ? undefined : { kind: 'error', text: problem };
+  return model;
+}
+
+const emptyFor = (q: number, info: ModelInfo): Prescription =>
+  emptyPrescription(q, info.boundaryLoops ?? 0, 2 * (info.genus ?? 0));
+
+/** A model that is new to the page, or another mesh of the same file for the first time. */
+export async function loadMesh(app: App, source: Source, surface?: number): Promise<void> {
+  const { doc } = app;
+  const isDone = await loading(app, source, async (call) => {
+    const model = await readMesh(app, source, plainSettings, surface, call);
+    doc.solutions = [];
+    doc.begin(emptyFor(doc.prescription.q, model.info), plainSettings);
+    if (model.info.usable) await findCones(app, model);
+  });
+  if (isDone && doc.usableModel) warnOfSize(app, doc.usableModel);
+}
+
+/** Another mesh of the file that is open; what was made of this one waits. */
+export async function switchMesh(app: App, index: number): Promise<void> {
+  const { doc } = app;
+  const { work, model } = doc;
+  if (!work || !model || isLocked(app) || index === model.info.surface) return;
+  const meshes = new Map(doc.meshes).set(model.info.surface, work);
+  const waiting = meshes.get(index);
+  meshes.delete(index);
+  const { isUnsaved } = doc;
+  if (waiting) await restoreMesh(app, waiting);
+  else {
+    doc.clearMesh();
+    await loadMesh(app, model, index);
+  }
+  // Where it could not be read, the mesh is still the one that was open.
+  if (doc.model?.info.surface === index) doc.meshes = meshes;
+  else restoreWork(app, work);
+  doc.isUnsaved = isUnsaved;
+}
+
+function restoreWork(
+  { doc }: App,
+  { history, solutions, suggested, hasUserCones }: MeshWork,
+): void {
+  doc.history = history;
+  doc.solutions = solutions;
+  doc.suggested = suggested;
+  doc.hasUserCones = hasUserCones;
+}
+
+/** A mesh that was worked on before: the solver reads it again, the rest is as it was left. */
+async function restoreMesh(app: App, work: MeshWork): Promise<void> {
+  const { doc } = app;
+  const { model } = work;
+  await loading(app, model, async (call) => {
+    const { weld, fix } = model.loaded;
+    const options = { name: model.main, surface: model.info.surface, weld, fix };
+    await solverOf(app).load({ main: model.main, files: model.files }, options, call);
+    doc.clearMesh();
+    doc.state = { kind: 'open', model };
+    restoreWork(app, work);
+  });
+}
+
+/** The same mesh with other repairs or another weld: one step of undo. */
+export async function reloadWith(app: App, settings: LoadSettings, kind: string): Promise<boolean> {
+  const { doc } = app;
+  const old = doc.model;
+  if (!old || isLocked(app)) return false;
+  const { prescription, hasUserCones } = doc;
+  return loading(app, old, async (call) => {
+    const model = await readMesh(app, old, settings, old.info.surface, call);
+    const moved = transferPrescription(prescription, old, model, true);
+    doc.history = doc.history.push({ prescription: moved.prescription, settings }, kind);
+    doc.hasUserCones = hasUserCones && !isSilent(moved.prescription);
+    if (!model.info.usable) return;
+    void saveCones(model.info.file.sha256, moved.prescription);
+    doc.say(`Done: ${kind}.${describeTransfer(moved)} Undo takes it back.`, 'good');
+  });
+}
+
+/** Undo and redo went to a step with other repairs: the surface follows. */
+export function reloadForStep(app: App, model: Model): Promise<boolean> {
+  return loading(app, model, async (call) => {
+    await readMesh(app, model, app.doc.settings, model.info.surface, call);
+  });
+}
+
+/** What was closed, as it was. */
+export async function reopen(
+  app: App,
+  source: Source,
+  surface: number,
+  { prescription, settings }: Step,
+): Promise<void> {
+  const { doc } = app;
+  await loading(app, source, async (call) => {
+    await readMesh(app, source, settings, surface, call);
+    doc.begin(prescription, settings);
+    doc.say(`${source.main} is open again, with its cones.`);
+  });
+}
+
+function warnOfSize({ doc }: App, { info }: Model): void {
+  const { needed, isTight } = estimateFor(info);
+  if (!isTight || doc.message) return;
+  doc.say(`This mesh needs about ${needed}: see the Solve panel before running it here.`);
+}
+
+/** Another version of the file that was open: the cones go along, as one step of undo. */
+function transferFromPrevious(app: App, model: Model): boolean {
+  const { doc } = app;
+  const { previous } = doc;
+  doc.previous = undefined;
+  if (!previous || previous.model.main !== model.main) return false;
+  const { info } = previous.model;
+  if (info.file.sha256 === model.info.file.sha256) return false;
+  if (model.info.surfaces.length > 1 && info.surface !== model.info.surface) return false;
+  const moved = transferPrescription(previous.prescription, previous.model, model, false);
+  if (moved.kept === 0) return false;
+  return setWhileLoading(app, moved.prescription, 'carry cones over', () =>
+    doc.say(`Another version of ${model.main}.${describeTransfer(moved)} Undo takes them off.`),
+  );
+}
+
+/** The job that loads locks nothing. */
+function setWhileLoading(app: App, to: Prescription, kind: string, say: () => void): boolean {
+  setPrescription(app, to, kind);
+  say();
+  return true;
+}
+
+/** Cones stored in the file, those of its last version, or offered from an earlier session. */
+async function findCones(app: App, model: Model): Promise<void> {
+  const { doc } = app;
+  const { turnings, handles } = doc.prescription;
+  const embedded = await solverOf(app)
+    .embeddedCones()
+    .catch(() => null);
+  if (embedded && embedded.cones.length > 0) {
+    doc.begin(fromCones(embedded, turnings.length, handles.length));
+    doc.hasUserCones = true;
+    doc.message = { kind: 'note', text: `${embedded.cones.length} cones came with the file.` };
+    return;
+  }
+  if (transferFromPrevious(app, model)) return;
+  await offerSaved(app, model);
+}
+
+async function offerSaved(app: App, model: Model): Promise<void> {
+  const { doc } = app;
+  const saved = await restorable(model.info.file.sha256);
+  const count = saved?.prescription.cones.length ?? 0;
+  if (!saved || count === 0) return;
+  const when = new Date(saved.time).toLocaleDateString(undefined, { dateStyle: 'medium' });
+  const restore = (): void => {
+    setPrescription(app, saved.prescription, 'restore cones');
+    doc.say(`${count} cones restored.`);
+  };
+  doc.message = {
+    kind: 'note',
+    text: `You placed ${count} cones on this file (${when}).`,
+    actions: [{ label: `Restore ${count} cones`, run: restore }],
+  };
+}

@@ -1,0 +1,138 @@
+// From files to a model on screen: which model, what is missing, which mesh, what is wrong with it.
+
+import { examples, type Example } from 'virtual:examples';
+import { coneFileOf, findMissing, meshesOf, unpack } from '../formats/file_set';
+import { bytesOf } from '../formats/glb';
+import { emptyPrescription } from '../model/prescription';
+import type { Files } from '../model/types';
+import { saveCones } from '../services/cone_storage';
+import { ensureWorker } from '../services/solver';
+import { bytesOfAll, megabytes } from '../text/format';
+import { solverOf, type App } from './app';
+import { importCones } from './edit_cones';
+import { loadMesh, reopen } from './load';
+
+const mostBytes = 512 * 2 ** 20;
+
+/** New files: a model, a cone file for the model that is open, or what was missing. */
+export async function open(app: App, dropped: Files): Promise<void> {
+  if (dropped.size === 0) return;
+  const { doc } = app;
+  const own = ++doc.openRequestId;
+  const coneFile = doc.model ? coneFileOf(dropped) : undefined;
+  if (coneFile) {
+    const text = new TextDecoder().decode(await bytesOf(dropped.get(coneFile)!));
+    return importCones(app, coneFile, text);
+  }
+  const files = await unpack(dropped);
+  if (own !== doc.openRequestId) return;
+  const meshes = meshesOf(files);
+  if (doc.state.kind === 'needs-files' && meshes.length === 0) return supply(app, files);
+  doc.clearModel();
+  if (meshes.length === 0) {
+    const name = [...files.keys(), ...dropped.keys()][0];
+    const kinds = 'Drop a GLB, glTF, OBJ, PLY, STL or OFF file.';
+    return doc.say(`“${name}” holds no mesh. ${kinds}`, 'error');
+  }
+  if (meshes.length > 1) doc.state = { kind: 'pick-model', files, candidates: meshes };
+  else await openMain(app, files, meshes[0]);
+}
+
+export async function openMain(app: App, files: Files, main: string): Promise<void> {
+  const { doc } = app;
+  const own = ++doc.openRequestId;
+  doc.state = { kind: 'empty' };
+  const size = bytesOfAll(files);
+  if (size > mostBytes) {
+    return doc.say(
+      `These files have ${megabytes(size)}; this page takes up to ${megabytes(mostBytes)}. ` +
+        'The command line has no such limit: hgp param.',
+      'error',
+    );
+  }
+  const { missing, refused } = await findMissing(files, main);
+  if (own !== doc.openRequestId) return;
+  if (refused.length > 0) {
+    const outside = `This file asks for “${refused[0]}”, which is outside the dropped folder.`;
+    doc.say(`${outside} Not loaded.`, 'error');
+  }
+  if (missing.length > 0) doc.state = { kind: 'needs-files', files, main, missing };
+  else await loadMesh(app, { main, files });
+}
+
+/** Files that were missing, from a second drop or a Browse button. */
+export async function supply(app: App, more: Files): Promise<void> {
+  const { state } = app.doc;
+  if (state.kind !== 'needs-files') return;
+  await openMain(app, new Map([...state.files, ...more]), state.main);
+}
+
+/** Goes on without images; geometry cannot be left out. */
+export async function loadWithoutImages(app: App): Promise<void> {
+  const { state } = app.doc;
+  if (state.kind !== 'needs-files') return;
+  app.doc.state = { kind: 'empty' };
+  await loadMesh(app, state);
+}
+
+/** The question is not answered: back to the beginning. */
+export function giveUp({ doc }: App): void {
+  if (doc.state.kind === 'needs-files' || doc.state.kind === 'pick-model') {
+    doc.state = { kind: 'empty' };
+  }
+}
+
+/** Back to the beginning. What was made stays within reach: the cones by themselves, all by one click. */
+export function close(app: App): void {
+  const { doc } = app;
+  const { model, prescription, settings, hasUserCones } = doc;
+  if (!model) return;
+  doc.openRequestId += 1;
+  if (prescription.cones.length > 0) void saveCones(model.info.file.sha256, prescription);
+  doc.clearModel();
+  doc.previous = undefined;
+  const client = solverOf(app);
+  client.terminate(); // its memory never shrinks
+  ensureWorker(client);
+  const openAgain = (): Promise<void> => {
+    doc.hasUserCones = hasUserCones;
+    return reopen(app, model, model.info.surface, { prescription, settings });
+  };
+  const kept = prescription.cones.length > 0 ? ' Its cones are kept in this browser.' : '';
+  const again = { label: 'Open it again', run: openAgain };
+  doc.say(`Closed ${model.main}.${kept}`, 'note', [again]);
+}
+
+async function fetchExample(file: string): Promise<Uint8Array> {
+  const failure = (why: string): Error =>
+    new Error(
+      `The example could not be read (${why}). It needs the network once; your own files never do.`,
+    );
+  let response: Response;
+  try {
+    response = await fetch(`./examples/${file}`);
+  } catch (error) {
+    throw failure((error as Error).message);
+  }
+  if (!response.ok) throw failure(String(response.status));
+  return new Uint8Array(await response.arrayBuffer());
+}
+
+/** One click: the example with its cones. */
+export async function openExample(app: App, example: Example): Promise<void> {
+  const { doc } = app;
+  const own = ++doc.openRequestId;
+  const bytes = await fetchExample(example.file);
+  if (own !== doc.openRequestId) return;
+  doc.clearModel();
+  doc.begin(emptyPrescription(example.q, 0, 0));
+  await openMain(app, new Map([[example.file, bytes]]), example.file);
+  const { model } = doc;
+  if (!model || !example.cones || model.main !== example.file) return;
+  doc.hasUserCones = true;
+  doc.message = undefined;
+  doc.begin({ ...doc.prescription, q: example.q, cones: example.cones });
+}
+
+export const exampleById = (id: string | undefined): Example | undefined =>
+  examples.find((one) => one.id === id);

@@ -1,0 +1,32 @@
+// Every mesh of a file, one after the other; what cannot be used is left and said.
+
+import { isCertified } from '../model/verdict';
+import { plural } from '../text/format';
+import type { App } from './app';
+import { switchMesh } from './load';
+import { repairAndRun } from './repair';
+import { run } from './solve';
+
+export async function runAll(app: App): Promise<void> {
+  const { doc } = app;
+  const { model } = doc;
+  if (!model) return;
+  const request = doc.openRequestId;
+  const first = model.info.surface;
+  const done: number[] = [];
+  const left: string[] = [];
+  for (const { index, name } of model.info.surfaces) {
+    await switchMesh(app, index);
+    if (doc.openRequestId !== request || doc.model?.info.surface !== index) return;
+    if (!doc.current) await (doc.usableModel ? run(app) : repairAndRun(app));
+    if (doc.message?.text.startsWith('Cancelled')) return;
+    if (doc.current && isCertified(doc.current)) done.push(index);
+    else left.push(name || `Mesh ${index}`);
+  }
+  await switchMesh(app, first);
+  const rest = left.length > 0 ? ` Not certified: ${left.join(', ')}.` : '';
+  doc.say(
+    `${plural(done.length, 'mesh', 'meshes')} certified.${rest}`,
+    left.length ? 'error' : 'good',
+  );
+}

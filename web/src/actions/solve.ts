@@ -1,0 +1,259 @@
+// Asking the solver for cones and for maps, and what becomes of the answer.
+
+import { HgpError, type Result, type WriteOptions, type Written } from 'hgp';
+import { relativeName } from '../formats/file_set';
+import { bytesOf } from '../formats/glb';
+import { withGrid } from '../formats/grid_material';
+import { plainOutput } from '../model/document';
+import { fromCones, toCones } from '../model/prescription';
+import type { Model, Output, OutputFile, Solution, SolveRequest } from '../model/types';
+import { isCertified } from '../model/verdict';
+import { ensureWorker } from '../services/solver';
+import { describeError } from '../text/error_messages';
+import { plural } from '../text/format';
+import { solverOf, type App } from './app';
+import { copyCommand } from './copy_command';
+import { setPrescription } from './edit_cones';
+import { isLocked, runJob, stageStart, type JobCall } from './job';
+import { showPlaces } from './view';
+
+const isLost = (error: unknown): boolean =>
+  error instanceof HgpError && error.code === 'worker-lost';
+
+function sayRunFailure(app: App, error: unknown): void {
+  const { doc } = app;
+  const text = describeError(error, doc.model?.main ?? '');
+  if (isLost(error)) {
+    doc.resultInWorker = undefined;
+    ensureWorker(solverOf(app));
+    const again = { label: 'Run again', run: () => run(app) };
+    return doc.say(`${text} Your cones and history are intact.`, 'error', [again]);
+  }
+  if (error instanceof HgpError && error.code === 'limit') {
+    const copy = { label: 'Copy the command', run: () => copyCommand(app) };
+    return doc.say(text, 'error', [copy]);
+  }
+  const advice = 'Try: move a cone to a vertex with more triangles, or another q.';
+  const isNoMap = error instanceof HgpError && error.code === 'no-map';
+  const where = error instanceof HgpError ? (error.details.where ?? []) : [];
+  const runAutomatic = (): unknown => {
+    doc.solve = { ...doc.solve, frames: 'auto' };
+    return run(app);
+  };
+  doc.say(isNoMap ? `${text} ${advice}` : text, 'error', [
+    ...(where.length > 0 ? [{ label: 'Show', run: () => showPlaces(app, where) }] : []),
+    ...(usesField(app) ? [{ label: 'Run with automatic frames', run: runAutomatic }] : []),
+    { label: 'Suggest cones', run: () => suggestCones(app) },
+  ]);
+}
+
+function sayTimeout({ doc, client }: App): void {
+  if (client) ensureWorker(client);
+  doc.say(
+    `No certified map within ${doc.solve.timeLimit} s, the limit you set. Your cones are untouched. ` +
+      'Try: more time in the Solve panel, fewer triangles, or the command line.',
+    'error',
+  );
+}
+
+function running(app: App, title: string, work: (call: JobCall) => Promise<void>) {
+  const { timeLimit } = app.doc.solve;
+  const onFailure = (error: unknown): void => sayRunFailure(app, error);
+  const onTimeout = (): void => sayTimeout(app);
+  return runJob(app, { kind: 'run', title, timeLimit, onFailure, onTimeout }, work);
+}
+
+/** Puts suggested cones in place; an edit like any other. */
+export async function suggestCones(app: App, count?: number): Promise<void> {
+  if (isLocked(app)) return;
+  const { doc } = app;
+  const { q, turnings, handles } = doc.prescription;
+  await running(app, 'Suggesting cones', async (call) => {
+    const cones = await solverOf(app).suggestCones({ q, count }, call);
+    doc.job = undefined;
+    const prescription = fromCones(cones, turnings.length, handles.length);
+    if (count === undefined) doc.suggested = new Map(doc.suggested).set(q, prescription);
+    setPrescription(app, prescription, 'suggest cones');
+    doc.say(`${plural(cones.cones.length, 'cone')} suggested for q = ${q}.`, 'good');
+  });
+}
+
+const usesField = ({ doc }: App): boolean => doc.solve.frames === 'file' && doc.field !== undefined;
+
+/** Why Run cannot be pressed; empty where it can. */
+export function whyNotRun({ doc, client }: App): string {
+  if (!client || !doc.model) return 'Open a model first.';
+  if (doc.isBusy) return 'Something is running already.';
+  if (!doc.usableModel) return 'This mesh cannot be parametrized as it is.';
+  if (doc.needsCones || doc.budget?.isReady) return '';
+  return doc.budget?.text ?? 'The cones are not balanced.';
+}
+
+/**
+ * Solves what is prescribed and writes the file; what is shown is read back from that file. The
+ * surface's own cones are chosen by the solver, as on the command line: it has a shorter road to them.
+ */
+async function solve(app: App, model: Model, output: Output, call: JobCall): Promise<Solution> {
+  const { doc } = app;
+  const { rounds, quality, frames } = doc.solve;
+  const { turnings, handles, q } = doc.prescription;
+  const isAutomatic = !usesField(app) && (doc.needsCones || doc.isSuggested);
+  const options = { maxRounds: rounds, quality, scale: output.scale };
+  const framed = usesField(app) ? { frames, field: doc.field } : {};
+  const what = isAutomatic ? { q } : { cones: toCones(doc.prescription), ...framed };
+  const result = await solverOf(app).parametrize({ ...what, ...options }, call);
+  const prescription = isAutomatic
+    ? fromCones(result.cones, turnings.length, handles.length)
+    : doc.prescription;
+  if (isAutomatic) doc.suggested = new Map(doc.suggested).set(q, prescription);
+  const request = { prescription, settings: model.loaded, quality, frames, output };
+  return writeSolution(app, model, request, result, call);
+}
+
+const writeOptions = ({ uvSet, embedCones }: Output): WriteOptions => ({
+  ...{ allowUncertified: true, embedCones },
+  ...(uvSet === undefined ? {} : { uvSet }),
+});
+
+/** As many tiles per unit of uv as the page shows of its patterns. */
+export function tilesPerUnit(
+  { doc }: App,
+  { surface }: Model,
+  { uvArea, surfaceArea }: { uvArea: number; surfaceArea: number },
+): number {
+  return doc.look.tiles / (Math.sqrt(uvArea / surfaceArea) * surface.diagonal);
+}
+
+/** What a written .gltf names and does not bring: buffers and images that were there before. */
+async function sideFiles(app: App, { files }: Model, written: OutputFile[]): Promise<OutputFile[]> {
+  const [main] = written;
+  if (!/\.gltf$/i.test(main.name)) return [];
+  const answer = await app.geometry.call('urisOf', [main]);
+  const found = new Map<string, Uint8Array>();
+  for (const uri of answer.uris) {
+    const name = relativeName(uri);
+    const file = name === undefined ? undefined : files.get(name);
+    if (!name || !file || written.some((one) => one.name === name)) continue;
+    // A copy: it is lent to the worker that reads it back.
+    found.set(name, (await bytesOf(file)).slice());
+  }
+  return [...found].map(([name, bytes]) => ({ name, bytes }));
+}
+
+/** The writer asks to keep a file beside the new one: the download brings it along. */
+const isSettled = (note: string, files: OutputFile[]): boolean =>
+  files.some(({ name }) => note === `keep ${name} next to the new file`);
+
+const edgeKey = (v: number, w: number, count: number): number =>
+  Math.min(v, w) * count + Math.max(v, w);
+
+/** Writes the map, reads it back and finds out what the panels say about it. */
+async function writeSolution(
+  app: App,
+  model: Model,
+  request: SolveRequest,
+  solved: Result,
+  call: JobCall,
+): Promise<Solution> {
+  const { doc, geometry } = app;
+  const { output, prescription } = request;
+  call.onProgress(stageStart('write'));
+  const written = await solverOf(app).write(writeOptions(output), call);
+  const { info, surface } = model;
+  const where = { mesh: info.surface, uvSet: output.uvSet, q: prescription.q };
+  let all = [...written.files, ...(await sideFiles(app, model, written.files))];
+  let read = await geometry.analyse(surface, solved, all, where);
+  if (output.hasGrid) {
+    const tiles = tilesPerUnit(app, model, read.analysis.distortion);
+    all = await withGrid(read.files, { mesh: info.surface, uvSet: output.uvSet, tiles });
+    read = await geometry.analyse(surface, read.result, all, where);
+  }
+  call.signal.throwIfAborted();
+  const { analysis, preserved, result, files } = read;
+  doc.resultInWorker = result;
+  const { seams, uvToVertex } = result;
+  const seamAt = new Map<number, number>();
+  seams.forEach(({ a }, i) => {
+    seamAt.set(edgeKey(uvToVertex[a[0]], uvToVertex[a[1]], surface.vertexCount), i);
+  });
+  const newest: Written = { ...written, ...files[0], files: files.slice(0, written.files.length) };
+  const notes = written.notes.filter((note) => !isSettled(note, files));
+  return {
+    ...request,
+    ...analysis,
+    result,
+    written: newest,
+    notes,
+    preserved,
+    files,
+    seams,
+    seamAt,
+  };
+}
+
+/** The same map in another place or size of the file: solved again only where it must be. */
+async function writeAs(app: App, old: Solution, output: Output): Promise<void> {
+  const { doc } = app;
+  const { model } = doc;
+  if (!model) return;
+  await running(app, 'Writing', async (call) => {
+    const isThere = doc.resultInWorker === old.result && old.output.scale === output.scale;
+    const solution = isThere
+      ? await writeSolution(app, model, { ...requestOf(old), output }, old.result, call)
+      : await solve(app, model, output, call);
+    doc.solutions = doc.solutions.map((one) => (one === old ? solution : one));
+    doc.isUnsaved = true;
+  });
+}
+
+const requestOf = ({
+  prescription,
+  settings,
+  quality,
+  frames,
+  output,
+}: Solution): SolveRequest => ({
+  ...{ prescription, settings, quality, frames, output },
+});
+
+/** What is chosen while the file is written is taken up afterwards. */
+export async function rewrite(app: App, part: Partial<Output>): Promise<void> {
+  const { doc } = app;
+  if (!doc.current) return;
+  doc.pendingOutput = { ...(doc.pendingOutput ?? doc.current.output), ...part };
+  if (doc.isBusy) return;
+  for (let old: Solution | undefined = doc.current; old && doc.pendingOutput; old = doc.current) {
+    const output: Output = doc.pendingOutput;
+    await writeAs(app, old, output);
+    // Done, or cancelled, or failed; unless something else was chosen meanwhile.
+    if (doc.pendingOutput === output || doc.current === old) doc.pendingOutput = undefined;
+  }
+  doc.pendingOutput = undefined;
+}
+
+function sayVerdict({ doc }: App, solution: Solution, isOpen: boolean): void {
+  const count = solution.prescription.cones.length;
+  const chosen = isOpen && count > 0 ? ` ${plural(count, 'cone')} were suggested for you.` : '';
+  if (isCertified(solution)) {
+    return doc.say(`Certified: no triangle is folded.${chosen}`, 'good');
+  }
+  const other = solution.frames === 'file' ? ' Automatic frames may do better.' : '';
+  const see = 'The map can be viewed; see the certificate.';
+  doc.say(`Not certified. ${see}${other}${chosen}`, 'error');
+}
+
+export async function run(app: App): Promise<void> {
+  const { doc } = app;
+  const reason = whyNotRun(app);
+  if (reason) return doc.say(reason, 'error');
+  const model = doc.usableModel!;
+  const isOpen = doc.needsCones && !usesField(app);
+  await running(app, isOpen ? 'Choosing cones and running' : 'Running', async (call) => {
+    const solution = await solve(app, model, doc.displayed?.output ?? plainOutput, call);
+    doc.job = undefined;
+    if (isOpen) setPrescription(app, solution.prescription, 'suggest cones');
+    doc.solutions = [...doc.solutions.slice(-2), solution];
+    doc.isUnsaved = true;
+    sayVerdict(app, solution, isOpen);
+  });
+}

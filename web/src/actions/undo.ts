@@ -1,0 +1,24 @@
+// Undo and redo, over cones and over repairs.
+
+import type { App } from './app';
+import { isLocked } from './job';
+import { reloadForStep } from './load';
+
+async function step(app: App, forward: boolean): Promise<void> {
+  const { doc } = app;
+  if (doc.job?.kind === 'load' || isLocked(app)) return;
+  const before = doc.history;
+  const after = forward ? before.redo() : before.undo();
+  if (after === before) return;
+  doc.history = after;
+  doc.message = undefined;
+  doc.selected = -1;
+  const { model } = doc;
+  if (!model || doc.settings === model.loaded) return;
+  // A repair or a weld was undone; or not, where reading the file again was cancelled.
+  const isDone = await reloadForStep(app, model);
+  if (!isDone && doc.history === after) doc.history = before;
+}
+
+export const undo = (app: App): Promise<void> => step(app, false);
+export const redo = (app: App): Promise<void> => step(app, true);

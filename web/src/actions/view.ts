@@ -1,0 +1,108 @@
+// What is seen: places, loops, patterns, projections. Nothing here changes what is prescribed.
+
+import type { Where } from 'hgp';
+import { overlays, patterns, type Look, type Pattern } from '../model/types';
+import { highlightTargets } from '../views/highlight_targets';
+import type { App } from './app';
+import { select } from './edit_cones';
+
+export function setLook({ doc }: App, part: Partial<Look>): void {
+  doc.look = { ...doc.look, ...part };
+}
+
+/** Patterns that need nothing more to be shown. */
+const plainPatterns: readonly Pattern[] = patterns.filter(
+  (name) => name !== 'image' && name !== 'material',
+);
+
+export function nextPattern(app: App): void {
+  const at = plainPatterns.indexOf(app.doc.look.pattern);
+  setLook(app, { pattern: plainPatterns[(at + 1) % plainPatterns.length] });
+}
+
+export function nextOverlay(app: App): void {
+  const at = overlays.indexOf(app.doc.look.overlay);
+  setLook(app, { overlay: overlays[(at + 1) % overlays.length] });
+}
+
+const decades = 2; // log₁₀ of the range of the scale: from 3 tiles to 300
+export const sliderOf = (tiles: number): number =>
+  Math.round((100 / decades) * Math.log10(tiles / 3));
+export const tilesOf = (slider: number): number => 3 * 10 ** ((decades * slider) / 100);
+
+/** Asks for one file. */
+export function chooseFile(accept: string): Promise<File | undefined> {
+  const input = document.createElement('input');
+  input.type = 'file';
+  input.accept = accept;
+  return new Promise((resolve) => {
+    input.addEventListener('change', () => resolve(input.files?.[0]));
+    input.addEventListener('cancel', () => resolve(undefined));
+    input.click();
+  });
+}
+
+export async function choosePattern(app: App, pattern: Pattern): Promise<void> {
+  if (pattern !== 'image') return setLook(app, { pattern });
+  const file = await chooseFile('image/png,image/jpeg,image/webp');
+  if (!file) return setLook(app, {}); // and the list shows what it was
+  try {
+    const image = await createImageBitmap(file, { imageOrientation: 'flipY' });
+    setLook(app, { pattern: 'image', image });
+  } catch {
+    app.doc.say(`“${file.name}” is no image that this browser can read.`, 'error');
+    setLook(app, {});
+  }
+}
+
+/** Brings a cone to the middle and selects it. */
+export function lookAtCone(app: App, index: number): void {
+  const cone = app.doc.prescription.cones[index];
+  if (!cone) return;
+  select(app, index);
+  app.views?.model.lookAt(cone.vertex);
+  app.ui.tab = 'surface';
+}
+
+/** The selected cone, or all. */
+export function frame(app: App): void {
+  const { doc, views } = app;
+  if (doc.selected >= 0) return lookAtCone(app, doc.selected);
+  views?.model.orbit.fit();
+  views?.uv.fit();
+  views?.model.draw();
+}
+
+/** Outlines places in both views and brings the first to the middle. */
+export function showPlaces({ doc, ui, views }: App, where: Where[]): void {
+  const { model, displayed } = doc;
+  if (!model) return;
+  const targets = highlightTargets(where, model.surface, displayed);
+  views?.model.highlight(targets.triangles, targets.edges);
+  views?.uv.highlight(targets.triangles, targets.uvEdges);
+  if (targets.first >= 0) views?.model.lookAt(targets.first);
+  doc.say(
+    where.length === 1 ? `Shown: ${targets.text}.` : `${where.length} places shown, in pink.`,
+  );
+  ui.tab = 'surface';
+}
+
+export function clearHighlight({ views }: App): void {
+  views?.model.highlight([]);
+  views?.uv.highlight([]);
+}
+
+/** The loops around handles, in the colours of their rows. */
+export async function showHandles({ doc, ui, geometry, views }: App, isOn: boolean): Promise<void> {
+  ui.handlesShown = isOn;
+  const { model } = doc;
+  const loops = isOn && model ? await geometry.call('handleLoops', [model.surface.id]) : [];
+  if (doc.model === model) views?.model.setHandles(loops);
+}
+
+/** The keys go to the other view, which in a narrow window takes the place of this one. */
+export function otherView({ ui }: App): void {
+  const isMap = document.activeElement?.id === 'map';
+  ui.tab = isMap ? 'surface' : 'map';
+  setTimeout(() => document.querySelector<HTMLElement>(isMap ? '#view' : '#map')?.focus());
+}

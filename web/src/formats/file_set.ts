@@ -1,0 +1,137 @@
+// From what was dropped or chosen to one set of files with relative names, its candidates for the
+// main file, and what is still missing. Nothing is ever fetched.
+
+import type { Files, Missing } from '../model/types';
+import { gltfOf, isGltf, objectsIn } from './glb';
+import { unzip } from './zip';
+
+const meshEnding = /\.(glb|gltf|obj|off|ply|stl)$/i;
+const coneEnding = /\.(sing|sings|curvatures|th_hat|rawfield|rosy|ffield)$|cones?\.json$/i;
+
+/** Other files of cones have matchings at most. */
+export const hasDirections = (name: string): boolean => /\.(rawfield|rosy|ffield)$/i.test(name);
+
+async function readFolder(entry: FileSystemDirectoryEntry, into: Files): Promise<void> {
+  const reader = entry.createReader();
+  for (;;) {
+    // A call returns a hundred entries at most: ask until there are none.
+    const batch = await new Promise<FileSystemEntry[]>((resolve, reject) =>
+      reader.readEntries(resolve, reject),
+    );
+    if (batch.length === 0) return;
+    for (const child of batch) await readEntry(child, into);
+  }
+}
+
+async function readEntry(entry: FileSystemEntry, into: Files): Promise<void> {
+  if (entry.isDirectory) return readFolder(entry as FileSystemDirectoryEntry, into);
+  const file = await new Promise<File>((resolve, reject) =>
+    (entry as FileSystemFileEntry).file(resolve, reject),
+  );
+  into.set(entry.fullPath.replace(/^\//, ''), file);
+}
+
+/** Must be called inside the event: the browser empties the list afterwards. */
+export function filesOfDrop(transfer: DataTransfer): Promise<Files> {
+  const files: Files = new Map();
+  const entries = [...transfer.items].map((item) => item.webkitGetAsEntry?.() ?? null);
+  const plain = [...transfer.files];
+  return (async () => {
+    if (entries.some((entry) => entry?.isDirectory)) {
+      for (const entry of entries) if (entry) await readEntry(entry, files);
+    } else {
+      for (const file of plain) files.set(file.name, file);
+    }
+    return files;
+  })();
+}
+
+export function filesOfInput(list: Iterable<File>): Files {
+  return new Map([...list].map((file) => [file.webkitRelativePath || file.name, file]));
+}
+
+/** ZIPs unpacked, the folder that everything is in taken away. */
+export async function unpack(files: Files): Promise<Files> {
+  const all: Files = new Map();
+  for (const [name, file] of files) {
+    if (/\.zip$/i.test(name) && file instanceof Blob) {
+      for (const [inner, bytes] of await unzip(file)) all.set(inner, bytes);
+    } else all.set(name, file);
+  }
+  const names = [...all.keys()].filter((name) => !/(^|\/)(\.|__MACOSX)/.test(name));
+  const folder = names[0]?.includes('/') ? `${names[0].split('/')[0]}/` : '';
+  const isCommon = folder !== '' && names.every((name) => name.startsWith(folder));
+  return new Map(
+    names.map((name) => [isCommon ? name.slice(folder.length) : name, all.get(name)!]),
+  );
+}
+
+export const meshesOf = (files: Files): string[] =>
+  [...files.keys()].filter((name) => meshEnding.test(name));
+
+/** An existing model and a cone file: an import, not a new model. */
+export const coneFileOf = (files: Files): string | undefined =>
+  files.size === 1 ? [...files.keys()].find((name) => coneEnding.test(name)) : undefined;
+
+/** Relative, inside the folder, decoded once; undefined for everything else. */
+export function relativeName(uri: string): string | undefined {
+  let name: string;
+  try {
+    name = decodeURIComponent(uri);
+  } catch {
+    return undefined;
+  }
+  if (/^[a-z][a-z0-9+.-]*:|^[/\\]|\\|\0/i.test(name)) return undefined;
+  const parts = name.split('/').filter((part) => part !== '.');
+  return parts.includes('..') ? undefined : parts.join('/');
+}
+
+const baseName = (name: string): string => name.slice(name.lastIndexOf('/') + 1);
+
+/** The relative uris of buffers and images, with whether geometry needs them. */
+export async function urisIn(
+  files: Files,
+  main: string,
+): Promise<[uri: string, isNeeded: boolean][]> {
+  const { buffers, images } = await gltfOf(files, main);
+  const named = (list: unknown, isNeeded: boolean): [string, boolean][] =>
+    objectsIn(list).flatMap(({ uri }) =>
+      typeof uri !== 'string' || uri.startsWith('data:') ? [] : [[uri, isNeeded]],
+    );
+  return [...named(buffers, true), ...named(images, false)];
+}
+
+/** Finds what the main file names; files dropped without their folders are matched by name. */
+export async function findMissing(
+  files: Files,
+  main: string,
+): Promise<{ missing: Missing[]; refused: string[] }> {
+  if (!isGltf(main)) return { missing: [], refused: [] };
+  const missing = new Map<string, Missing>();
+  const refused: string[] = [];
+  const folder = main.includes('/') ? main.slice(0, main.lastIndexOf('/') + 1) : '';
+  for (const [uri, isNeeded] of await urisIn(files, main)) {
+    const name = relativeName(uri);
+    if (name === undefined) refused.push(uri);
+    else if (!resolve(files, folder, name)) missing.set(name, { name, isNeeded });
+  }
+  return { missing: [...missing.values()], refused };
+}
+
+/** Makes the set answer to `name` when it holds that file, perhaps in another folder. */
+function resolve(files: Files, folder: string, name: string): boolean {
+  if (files.has(name)) return true;
+  const found =
+    files.get(folder + name) ??
+    [...files].find(([other]) => baseName(other) === baseName(name))?.[1];
+  if (found) files.set(name, found);
+  return found !== undefined;
+}
+
+/** Safe as the name of a download. */
+export function safeName(name: string): string {
+  const safe = baseName(name)
+    .replace(/[^\w.-]+/g, '_')
+    .replace(/^\.+/, '');
+  return safe.slice(-80) || 'model';
+}

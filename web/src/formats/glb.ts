@@ -1,0 +1,104 @@
+// glTF in its two shapes: the chunks of a GLB, and the JSON document, parsed once per file. What is in
+// the JSON is anybody's guess: every reader here takes it as `unknown`.
+
+import type { Files, OutputFile } from '../model/types';
+
+const magic = { file: 0x46546c67, json: 0x4e4f534a, bin: 0x004e4942 };
+
+export interface GlbChunks {
+  json: Uint8Array;
+  bin: Uint8Array;
+  /** Chunks of other kinds, with their heads. */
+  rest: Uint8Array;
+}
+
+/** Nothing where the bytes are no GLB with a JSON chunk that is all there. */
+export function splitGlb(bytes: Uint8Array): GlbChunks | undefined {
+  if (bytes.length < 20) return undefined;
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  if (view.getUint32(0, true) !== magic.file) return undefined;
+  const binAt = 20 + view.getUint32(12, true);
+  if (binAt > bytes.length) return undefined;
+  const json = bytes.subarray(20, binAt);
+  if (binAt + 8 > bytes.length) return { json, bin: new Uint8Array(0), rest: new Uint8Array(0) };
+  const end = binAt + 8 + view.getUint32(binAt, true);
+  return { json, bin: bytes.subarray(binAt + 8, end), rest: bytes.subarray(end) };
+}
+
+const padded = (bytes: Uint8Array, filler: number): Uint8Array => {
+  const out = new Uint8Array(Math.ceil(bytes.length / 4) * 4).fill(filler);
+  out.set(bytes);
+  return out;
+};
+
+const words = (...numbers: number[]): Uint8Array => {
+  const view = new DataView(new ArrayBuffer(4 * numbers.length));
+  numbers.forEach((n, i) => view.setUint32(4 * i, n, true));
+  return new Uint8Array(view.buffer);
+};
+
+export function concatBytes(parts: Uint8Array[]): Uint8Array {
+  const out = new Uint8Array(parts.reduce((sum, part) => sum + part.length, 0));
+  let at = 0;
+  for (const part of parts) {
+    out.set(part, at);
+    at += part.length;
+  }
+  return out;
+}
+
+export function makeGlb(
+  text: string,
+  bin: Uint8Array,
+  rest: Uint8Array = new Uint8Array(0),
+): Uint8Array {
+  const json = padded(new TextEncoder().encode(text), 0x20);
+  const data = padded(bin, 0);
+  const total = 28 + json.length + data.length + rest.length;
+  const head = words(magic.file, 2, total, json.length, magic.json);
+  return concatBytes([head, json, words(data.length, magic.bin), data, rest]);
+}
+
+export const isGltf = (name: string): boolean => /\.(glb|gltf)$/i.test(name);
+
+export async function bytesOf(file: Blob | Uint8Array): Promise<Uint8Array> {
+  return file instanceof Uint8Array ? file : new Uint8Array(await file.arrayBuffer());
+}
+
+export type Json = Readonly<Record<string, unknown>>;
+
+export const isObject = (value: unknown): value is Json =>
+  typeof value === 'object' && value !== null && !Array.isArray(value);
+
+/** The items of a list that are objects; others stay as empty objects, so that indices hold. */
+export const objectsIn = (value: unknown): Json[] =>
+  Array.isArray(value) ? value.map((one) => (isObject(one) ? one : {})) : [];
+
+/** The document of a .glb or .gltf; an empty one where it is none, for the solver says why. */
+export function parseGltf({ name, bytes }: OutputFile): Json {
+  try {
+    const text = /\.glb$/i.test(name) ? (splitGlb(bytes)?.json ?? new Uint8Array(0)) : bytes;
+    const json: unknown = JSON.parse(new TextDecoder().decode(text));
+    return isObject(json) ? json : {};
+  } catch {
+    return {};
+  }
+}
+
+const parsed = new WeakMap<Blob | Uint8Array, Promise<Json>>();
+const mostHead = 64 * 2 ** 20; // bytes of a GLB in which its JSON ends
+
+/** The same for a file that was dropped: read and parsed the first time only. */
+export function gltfOf(files: Files, name: string): Promise<Json> {
+  const file = files.get(name);
+  if (!file || !isGltf(name)) return Promise.resolve({});
+  let json = parsed.get(file);
+  if (!json) {
+    const isLong = file instanceof Blob && /\.glb$/i.test(name);
+    json = bytesOf(isLong ? file.slice(0, mostHead) : file).then((bytes) =>
+      parseGltf({ name, bytes }),
+    );
+    parsed.set(file, json);
+  }
+  return json;
+}

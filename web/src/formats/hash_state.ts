@@ -1,0 +1,97 @@
+// The address of the page: q, pattern, overlay, scale, camera, cones. Numbers and known words only.
+
+import type { Prescription } from '../model/prescription';
+import { overlays, patterns, type Look, type Overlay, type Pattern } from '../model/types';
+
+const mostText = 8192;
+
+export interface HashState {
+  example?: string;
+  q?: number;
+  pattern?: Pattern;
+  overlay?: Overlay;
+  tiles?: number;
+  camera?: string;
+  cones?: { vertex: number; k: number }[];
+  /** Pairs: the loop and its l, the generator and its r. */
+  turnings?: [number, number][];
+  handles?: [number, number][];
+}
+
+const integer = (text: string | null, low: number, high: number): number | undefined => {
+  const n = text === null ? NaN : Number(text);
+  return Number.isInteger(n) && n >= low && n <= high ? n : undefined;
+};
+
+/** Pairs of whole numbers, or nothing at all. */
+function pairsOf(text: string | null): [number, number][] | undefined {
+  if (!text || text.length > mostText || !/^[\w-]+$/.test(text)) return undefined;
+  try {
+    const list: unknown = JSON.parse(atob(text.replaceAll('-', '+').replaceAll('_', '/')));
+    const isPair = (one: unknown): boolean =>
+      Array.isArray(one) && one.length === 2 && one.every((n) => Number.isSafeInteger(n));
+    return Array.isArray(list) && list.every(isPair) ? (list as [number, number][]) : undefined;
+  } catch {
+    return undefined;
+  }
+}
+
+function conesOf(text: string | null): HashState['cones'] {
+  const pairs = pairsOf(text);
+  if (!pairs?.every(([vertex, k]) => vertex >= 0 && k >= 1)) return undefined;
+  return pairs.map(([vertex, k]) => ({ vertex, k }));
+}
+
+export function readHash(hash: string): HashState {
+  const words = new URLSearchParams(hash.replace(/^#/, ''));
+  const known = <T>(list: readonly T[], key: string): T | undefined =>
+    list.find((word) => word === words.get(key));
+  const tiles = Number(words.get('tiles'));
+  return {
+    example: /^[a-z0-9-]{1,40}$/.exec(words.get('example') ?? '')?.[0],
+    q: integer(words.get('q'), 1, 64),
+    pattern: known(
+      patterns.filter((name) => name !== 'image' && name !== 'material'),
+      'pattern',
+    ),
+    overlay: known(overlays, 'overlay'),
+    tiles: tiles >= 1 && tiles <= 1000 ? tiles : undefined,
+    camera: words.get('camera') ?? undefined,
+    cones: conesOf(words.get('cones')),
+    turnings: pairsOf(words.get('turnings')),
+    handles: pairsOf(words.get('handles')),
+  };
+}
+
+export interface HashSource {
+  /** Which example is open, where one is. */
+  example?: string;
+  look: Look;
+  prescription: Prescription;
+  camera?: string;
+}
+
+/** What is different from a fresh page. */
+export function writeHash({ example, look, prescription, camera }: HashSource): string {
+  const words = new URLSearchParams();
+  if (example) words.set('example', example);
+  words.set('q', String(prescription.q));
+  words.set('pattern', look.pattern);
+  if (look.overlay !== 'none') words.set('overlay', look.overlay);
+  words.set('tiles', look.tiles.toFixed(0));
+  if (camera) words.set('camera', camera);
+  const set = (key: string, pairs: number[][]): void => {
+    const text = btoa(JSON.stringify(pairs));
+    const safe = text.replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
+    if (pairs.length > 0 && safe.length <= mostText) words.set(key, safe);
+  };
+  const said = (list: readonly (number | null)[]): number[][] =>
+    list.flatMap((n, i) => (n === null ? [] : [[i, n]]));
+  set(
+    'cones',
+    prescription.cones.map(({ vertex, k }) => [vertex, k]),
+  );
+  set('turnings', said(prescription.turnings));
+  set('handles', said(prescription.handles));
+  return `#${words}`;
+}

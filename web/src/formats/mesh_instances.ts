@@ -1,0 +1,106 @@
+// How the nodes of a glTF use its meshes: how often, where, and whether mirrored. A map is made once,
+// for the mesh; what nodes do with it is said.
+
+import type { ModelInfo } from 'hgp';
+import { Matrix4, Quaternion, Vector3 } from 'three';
+import type { Files } from '../model/types';
+import { gltfOf, isGltf, isObject, objectsIn, type Json } from './glb';
+
+export interface MeshInstances {
+  count: number;
+  isMirrored: boolean;
+  /** Of the first, column by column. */
+  matrix: readonly number[];
+}
+
+export const identity: readonly number[] = new Matrix4().toArray();
+
+const numbersIn = (value: unknown): number[] | undefined =>
+  Array.isArray(value) && value.every((x) => typeof x === 'number') ? value : undefined;
+
+function localMatrix({ matrix, translation, rotation, scale }: Json): Matrix4 {
+  const m = numbersIn(matrix);
+  if (m?.length === 16) return new Matrix4().fromArray(m);
+  const [t, r, s] = [translation, rotation, scale].map(numbersIn);
+  return new Matrix4().compose(
+    t?.length === 3 ? new Vector3().fromArray(t) : new Vector3(),
+    r?.length === 4 ? new Quaternion().fromArray(r) : new Quaternion(),
+    s?.length === 3 ? new Vector3().fromArray(s) : new Vector3(1, 1, 1),
+  );
+}
+
+/** Of a node with all that are above it; a file may name itself as its own child. */
+function worldMatrix(nodes: Json[], parents: Map<number, number>, start: number): Matrix4 {
+  const world = new Matrix4();
+  const seen = new Set<number>();
+  for (let i: number | undefined = start; i !== undefined && !seen.has(i); i = parents.get(i)) {
+    seen.add(i);
+    world.premultiply(localMatrix(nodes[i] ?? {}));
+  }
+  return world;
+}
+
+/** A skinned mesh is where its joints are; at rest the first of them tells where. */
+function skinMatrix(json: Json, node: Json, world: (i: number) => Matrix4): Matrix4 | undefined {
+  const skin = typeof node.skin === 'number' ? objectsIn(json.skins)[node.skin] : undefined;
+  const [joint] = numbersIn(skin?.joints) ?? [];
+  return joint === undefined ? undefined : world(joint);
+}
+
+/** Copies that EXT_mesh_gpu_instancing makes of one node; 1 without it. */
+function copiesOf({ extensions }: Json, accessors: Json[]): number {
+  const instancing = isObject(extensions) ? extensions.EXT_mesh_gpu_instancing : undefined;
+  const attributes = isObject(instancing) ? instancing.attributes : undefined;
+  const [first] = isObject(attributes) ? Object.values(attributes) : [];
+  const count = typeof first === 'number' ? accessors[first]?.count : undefined;
+  return typeof count === 'number' ? count : 1;
+}
+
+/** By mesh; nothing where the format has no nodes. */
+export async function instancesOf(
+  files: Files,
+  main: string,
+): Promise<MeshInstances[] | undefined> {
+  if (!isGltf(main)) return undefined;
+  const json = await gltfOf(files, main);
+  const nodes = objectsIn(json.nodes);
+  const accessors = objectsIn(json.accessors);
+  const parents = new Map(
+    nodes.flatMap(({ children }, i) => (numbersIn(children) ?? []).map((c) => [c, i])),
+  );
+  const meshes = objectsIn(json.meshes).map((): MeshInstances => ({
+    ...{ count: 0, isMirrored: false, matrix: identity },
+  }));
+  nodes.forEach((node, i) => {
+    const mesh = typeof node.mesh === 'number' ? meshes[node.mesh] : undefined;
+    if (!mesh) return;
+    mesh.count += copiesOf(node, accessors);
+    const world = (n: number): Matrix4 => worldMatrix(nodes, parents, n);
+    const own = world(i);
+    const isFinite = own.elements.every(Number.isFinite) && own.determinant() !== 0;
+    if (mesh.matrix === identity && isFinite) {
+      mesh.matrix = (skinMatrix(json, node, world) ?? own).toArray();
+    }
+    mesh.isMirrored ||= own.determinant() < 0;
+  });
+  return meshes;
+}
+
+/** What there is to know about the loaded mesh before its texture coordinates are made. */
+export function remarksOn(
+  { surfaces, surface }: ModelInfo,
+  instances: MeshInstances | undefined,
+): string[] {
+  const remarks: string[] = [];
+  const sets = surfaces[surface]?.uvSets ?? [];
+  if (instances && instances.count > 1) {
+    remarks.push(`Used ${instances.count} times in the scene: each shows the same map.`);
+  }
+  if (instances?.isMirrored) {
+    remarks.push('A node mirrors it: seen there, the map is mirrored, too.');
+  }
+  if (sets.length === 0) return remarks;
+  const names = sets.map((n) => `TEXCOORD_${n}`).join(', ');
+  const isKept = `It has ${names}: kept, unless Download is told to replace one.`;
+  return [...remarks, instances ? isKept : 'It has texture coordinates: they are replaced.'];
+}

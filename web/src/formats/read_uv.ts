@@ -1,0 +1,146 @@
+// Reads texture coordinates back from the very bytes that Download saves. A reader of its own, which
+// shares nothing with the writer: what the preview shows is what is in the file.
+
+import type { OutputFile } from '../model/types';
+import { isGltf, parseGltf, splitGlb } from './glb';
+
+export interface Corners {
+  /** Per triangle corner, three numbers. */
+  positions: Float64Array;
+  /** Per triangle corner, two numbers, v pointing up. */
+  uv: Float64Array;
+}
+
+interface Accessor {
+  bufferView?: number;
+  byteOffset?: number;
+  componentType: number;
+  count: number;
+  type: string;
+}
+interface Primitive {
+  attributes: Record<string, number>;
+  indices?: number;
+  mode?: number;
+}
+interface Gltf {
+  accessors: Accessor[];
+  bufferViews: { buffer: number; byteOffset?: number; byteStride?: number }[];
+  buffers: { uri?: string }[];
+  meshes: { primitives: Primitive[] }[];
+}
+
+const widths: Record<string, number> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
+const readers: Record<number, [number, (v: DataView, at: number) => number]> = {
+  5120: [1, (v, at) => v.getInt8(at)],
+  5121: [1, (v, at) => v.getUint8(at)],
+  5122: [2, (v, at) => v.getInt16(at, true)],
+  5123: [2, (v, at) => v.getUint16(at, true)],
+  5125: [4, (v, at) => v.getUint32(at, true)],
+  5126: [4, (v, at) => v.getFloat32(at, true)],
+};
+
+interface OpenGltf {
+  json: Gltf;
+  buffers: Uint8Array[];
+}
+
+/** The writer made these files, so their shape is known; anything else throws. */
+function openGltf(files: OutputFile[]): OpenGltf {
+  const [main] = files;
+  const json = parseGltf(main) as unknown as Gltf;
+  const own = /\.glb$/i.test(main.name) ? splitGlb(main.bytes)!.bin : new Uint8Array(0);
+  const buffers = json.buffers.map(({ uri }) => {
+    if (uri === undefined) return own;
+    const file = files.find((one) => one.name === decodeURIComponent(uri));
+    if (file) return file.bytes;
+    const data = atob(uri.slice(uri.indexOf(',') + 1));
+    return Uint8Array.from(data, (c) => c.charCodeAt(0));
+  });
+  return { json, buffers };
+}
+
+function readAccessor({ json, buffers }: OpenGltf, index: number): Float64Array {
+  const { bufferView, byteOffset = 0, componentType, count, type } = json.accessors[index];
+  const width = widths[type];
+  const out = new Float64Array(count * width);
+  if (bufferView === undefined) return out;
+  const { buffer, byteOffset: start = 0, byteStride } = json.bufferViews[bufferView];
+  const bytes = buffers[buffer];
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const [size, get] = readers[componentType];
+  const stride = byteStride ?? size * width;
+  for (let i = 0; i < count; i++) {
+    for (let k = 0; k < width; k++) {
+      out[i * width + k] = get(view, start + byteOffset + i * stride + k * size);
+    }
+  }
+  return out;
+}
+
+/** Corners of the triangles of a primitive, whatever its mode; points and lines have none. */
+function cornerIndices(list: Float64Array, mode: number): number[] {
+  if (mode === 4) return Array.from(list);
+  const out: number[] = [];
+  for (let i = 2; i < list.length; i++) {
+    if (mode === 5) out.push(...(i % 2 ? [list[i - 1], list[i - 2]] : [list[i - 2], list[i - 1]]), list[i]); // prettier-ignore
+    if (mode === 6) out.push(list[0], list[i - 1], list[i]);
+  }
+  return out;
+}
+
+/** Corners of one mesh; the uv set is the highest that a primitive has, which is the new one. */
+function readGltf(files: OutputFile[], mesh: number, uvSet?: number): Corners {
+  const file = openGltf(files);
+  const positions: number[] = [];
+  const uv: number[] = [];
+  for (const { attributes, indices, mode = 4 } of file.json.meshes[mesh].primitives) {
+    let set = uvSet ?? 0;
+    if (uvSet === undefined) while (attributes[`TEXCOORD_${set + 1}`] !== undefined) set += 1;
+    if (attributes[`TEXCOORD_${set}`] === undefined) continue;
+    const p = readAccessor(file, attributes.POSITION);
+    const t = readAccessor(file, attributes[`TEXCOORD_${set}`]);
+    const all = Float64Array.from({ length: p.length / 3 }, (_, i) => i);
+    const list = indices === undefined ? all : readAccessor(file, indices);
+    for (const v of mode === 4 ? list : cornerIndices(list, mode)) {
+      positions.push(p[3 * v], p[3 * v + 1], p[3 * v + 2]);
+      uv.push(t[2 * v], 1 - t[2 * v + 1]);
+    }
+  }
+  return { positions: new Float64Array(positions), uv: new Float64Array(uv) };
+}
+
+function readObj(bytes: Uint8Array): Corners {
+  const text = new TextDecoder().decode(bytes);
+  const joined = text.includes('\\') ? text.replace(/\\\r?\n/g, ' ') : text;
+  const v: number[] = [];
+  const vt: number[] = [];
+  const positions: number[] = [];
+  const uv: number[] = [];
+  const at = (word: string | undefined, count: number): number => {
+    const n = Number(word);
+    return n < 0 ? count + n : n - 1;
+  };
+  const readFace = (words: string[]): void => {
+    for (let k = 2; k < words.length; k++) {
+      for (const word of [words[0], words[k - 1], words[k]]) {
+        const parts = word.split('/');
+        const p = 3 * at(parts[0], v.length / 3);
+        const t = 2 * at(parts[1], vt.length / 2);
+        positions.push(v[p], v[p + 1], v[p + 2]);
+        uv.push(vt[t], vt[t + 1]);
+      }
+    }
+  };
+  for (const line of joined.split('\n')) {
+    if (!/^(v|vt|f)[ \t]/.test(line)) continue;
+    const [key, ...words] = line.trim().split(/[ \t]+/);
+    if (key === 'v') v.push(+words[0], +words[1], +words[2]);
+    else if (key === 'vt') vt.push(+words[0], +(words[1] ?? 0));
+    else readFace(words);
+  }
+  return { positions: new Float64Array(positions), uv: new Float64Array(uv) };
+}
+
+export const readUv = (files: OutputFile[], mesh: number, uvSet?: number): Corners =>
+  isGltf(files[0].name) ? readGltf(files, mesh, uvSet) : readObj(files[0].bytes);

@@ -1,0 +1,255 @@
+// Mouse, pen and touch on the two views: place, select, drag, and what lies under the pointer.
+
+import { attempt, type App } from '../actions/app';
+import { coneToPlace, moveCone, placeOrSelect, select } from '../actions/edit_cones';
+import { undo } from '../actions/undo';
+import { clearHighlight } from '../actions/view';
+import { defectDegrees } from '../model/surface';
+import type { Surface } from '../model/types';
+import type { Hit } from '../views/canvas_view';
+import type { ModelView } from '../views/model_view';
+import type { UvView } from '../views/uv_view';
+
+const reach = { mouse: 12, pen: 16, touch: 24 } as const;
+const markerReach = { mouse: 18, pen: 22, touch: 28 } as const;
+const clickMoves = 4; // pixels: further is an orbit
+const longPress = 400; // milliseconds
+
+type View = ModelView | UvView;
+
+export class Pointer {
+  readonly #app: App;
+  readonly #model: ModelView;
+  readonly #uv: UvView;
+  #down?: {
+    x: number;
+    y: number;
+    view: View;
+    cone: number;
+    from?: number;
+    time: number;
+    isDrag: boolean;
+  };
+  #timer?: ReturnType<typeof setTimeout>;
+  #hoverPending = false;
+
+  constructor(app: App, model: ModelView, uv: UvView) {
+    this.#app = app;
+    this.#model = model;
+    this.#uv = uv;
+    app.ui.stopDrag = () => this.#putBack();
+    for (const view of [model, uv]) {
+      const { canvas } = view;
+      // Before the orbiting: a cone that is dragged must not turn the model.
+      canvas.addEventListener('pointerdown', (event) => this.#press(view, event), {
+        capture: true,
+      });
+      canvas.addEventListener('pointermove', (event) => this.#move(view, event));
+      canvas.addEventListener('pointerup', (event) => this.#release(view, event));
+      canvas.addEventListener('pointercancel', () => this.#forget());
+      canvas.addEventListener('pointerleave', () => this.#leave());
+      // What dragging turns and moves, without dragging.
+      canvas.addEventListener('dblclick', (event) => {
+        if (app.ui.tool === 'orbit') view.centre(event);
+      });
+    }
+  }
+
+  #coneNear(view: View, event: PointerEvent): number {
+    const surfaceView = this.#model;
+    const { cones } = this.#app.doc.prescription;
+    const within = markerReach[event.pointerType as keyof typeof markerReach] ?? markerReach.mouse;
+    if (view !== surfaceView) {
+      const hit = view.pick(event);
+      return hit && hit.pixels < within
+        ? cones.findIndex(({ vertex }) => vertex === hit.vertex)
+        : -1;
+    }
+    const box = view.canvas.getBoundingClientRect();
+    const front = view.pick(event);
+    let best = -1;
+    let nearest: number = within;
+    cones.forEach(({ vertex }, i) => {
+      const at = surfaceView.toScreen(vertex);
+      const pixels = Math.hypot(at.x - event.clientX + box.left, at.y - event.clientY + box.top);
+      if (pixels >= nearest || (front && this.#isBehind(vertex, front))) return;
+      [best, nearest] = [i, pixels];
+    });
+    return best;
+  }
+
+  /** Whether the surface under the pointer hides a vertex. */
+  #isBehind(vertex: number, front: Hit): boolean {
+    const surfaceView = this.#model;
+    const { position } = surfaceView.camera;
+    const slack = 0.03 * this.#surface!.diagonal;
+    const far = surfaceView.point(vertex).distanceTo(position);
+    return far > surfaceView.point(front.vertex).distanceTo(position) + slack;
+  }
+
+  #press(view: View, event: PointerEvent): void {
+    view.canvas.focus({ preventScroll: true });
+    if (!event.isPrimary || event.button !== 0 || !this.#surface) return this.#forget();
+    const cone = this.#app.doc.usableModel ? this.#coneNear(view, event) : -1;
+    const { clientX: x, clientY: y } = event;
+    const from = this.#app.doc.prescription.cones[cone]?.vertex;
+    this.#down = { x, y, view, cone, from, time: performance.now(), isDrag: false };
+    if (cone >= 0 && view === this.#model) {
+      this.#model.orbit.controls.enabled = false;
+      view.canvas.setPointerCapture(event.pointerId);
+    } else if (cone >= 0) this.#uv.controls.enabled = false;
+    if (event.pointerType === 'touch') {
+      this.#timer = setTimeout(() => this.#place(view, event, reach.touch), longPress);
+    }
+  }
+
+  #place(view: View, event: PointerEvent, within: number): void {
+    const hit = view.pick(event);
+    if (hit && hit.pixels <= within * 2.5) this.#placeAt(hit);
+    this.#forget();
+  }
+
+  #move(view: View, event: PointerEvent): void {
+    const down = this.#down;
+    if (down && event.buttons !== 0) {
+      const far = Math.hypot(event.clientX - down.x, event.clientY - down.y) > clickMoves;
+      if (far) {
+        clearTimeout(this.#timer);
+        down.isDrag = true;
+      }
+      if (down.isDrag && down.cone >= 0) {
+        const hit = view.pick(event);
+        if (hit) {
+          void attempt(this.#app, () =>
+            moveCone(this.#app, down.cone, hit.vertex, String(down.time)),
+          );
+        }
+        if (this.#app.doc.selected !== down.cone) select(this.#app, down.cone);
+      }
+      return;
+    }
+    if (this.#hoverPending || event.pointerType === 'touch') return;
+    this.#hoverPending = true;
+    requestAnimationFrame(() => {
+      this.#hoverPending = false;
+      this.#hover(view, event);
+    });
+  }
+
+  #release(view: View, event: PointerEvent): void {
+    const down = this.#down;
+    clearTimeout(this.#timer);
+    this.#forget();
+    if (!down || down.isDrag || down.view !== view) return;
+    if (down.cone >= 0) return select(this.#app, down.cone);
+    if (this.#app.ui.tool !== 'place' || event.pointerType === 'touch') {
+      if (this.#app.doc.selected >= 0) select(this.#app, -1);
+      return;
+    }
+    // In a coarse triangle no vertex is near: the nearest of the three is meant all the same.
+    const hit = view.pick(event);
+    if (hit) this.#placeAt(hit);
+  }
+
+  /** The cone that is being dragged, to where it was. */
+  #putBack(): boolean {
+    const down = this.#down;
+    if (!down?.isDrag || down.cone < 0) return false;
+    this.#forget();
+    const isMoved = this.#app.doc.prescription.cones[down.cone]?.vertex !== down.from;
+    if (isMoved) void attempt(this.#app, () => undo(this.#app));
+    return true;
+  }
+
+  #forget(): void {
+    clearTimeout(this.#timer);
+    this.#down = undefined;
+    this.#model.orbit.controls.enabled = true;
+    this.#uv.controls.enabled = true;
+  }
+
+  #leave(): void {
+    const { ui } = this.#app;
+    if (ui.hover === '') return;
+    ui.hover = '';
+    clearHighlight(this.#app);
+    this.#model.setGhost(undefined);
+  }
+
+  #placeAt(hit: Hit): void {
+    this.#model.setGhost(undefined);
+    void attempt(this.#app, () => placeOrSelect(this.#app, hit.vertex));
+  }
+
+  /** The same triangle in both views; the twin of a seam; what a click would place. */
+  #hover(view: View, event: PointerEvent): void {
+    const { doc, ui } = this.#app;
+    const surface = this.#surface;
+    if (!surface || doc.isBusy) return;
+    const hit = view.pick(event);
+    if (!hit) return this.#leave();
+    const seam = this.#seamOf(hit);
+    const { current } = doc;
+    const ends = seam === undefined || !current ? undefined : current.seams[seam];
+    const edges = ends ? [ends.a.map((end) => current!.result.uvToVertex[end])] : [];
+    const isPlacing = ui.tool === 'place' && view === this.#model;
+    const cone = isPlacing ? coneToPlace(this.#app, hit.vertex) : undefined;
+    const isTaken = doc.prescription.cones.some(({ vertex }) => vertex === cone?.vertex);
+    this.#model.setGhost(isTaken ? undefined : cone, doc.prescription.q);
+    const isOutlined = !isPlacing;
+    this.#model.highlight(isOutlined ? [hit.triangle] : [], edges as [number, number][]);
+    this.#uv.highlight([hit.triangle], ends ? [ends.a, ends.b] : []);
+    ui.hover = ends ? this.#seamText(seam!) : this.#vertexText(hit.vertex, surface);
+  }
+
+  get #surface(): Surface | undefined {
+    return this.#app.doc.model?.surface;
+  }
+
+  #seamOf(hit: Hit): number | undefined {
+    const { current, look } = this.#app.doc;
+    const surface = this.#surface;
+    if (!current || !surface || !look.hasSeams) return undefined;
+    const [x, y, z] = surface.triangles.subarray(3 * hit.triangle, 3 * hit.triangle + 3);
+    const { seamAt } = current;
+    for (const [v, w] of [
+      [x, y],
+      [y, z],
+      [z, x],
+    ]) {
+      const seam = seamAt.get(Math.min(v, w) * surface.vertexCount + Math.max(v, w));
+      if (seam !== undefined) return seam;
+    }
+    return undefined;
+  }
+
+  #seamText(seam: number): string {
+    const { seams, result, prescription } = this.#app.doc.current!;
+    const { a, b, r } = seams[seam];
+    const { q } = prescription;
+    const by = shiftAcross(result.uv, a, b, r, q);
+    return `Seam: turns by ${r}·360°/${q} = ${((360 * r) / q).toFixed(0)}°, shifts by ${by}`;
+  }
+
+  #vertexText(vertex: number, surface: Surface): string {
+    const cone = this.#app.doc.prescription.cones.findIndex((one) => one.vertex === vertex);
+    const at = cone >= 0 ? `Cone ${cone + 1} · v` : 'v';
+    const degrees = defectDegrees(surface, vertex).toFixed(0).replace('-', '−');
+    return `${at} ${vertex} · valence ${surface.valence[vertex]} · curvature ${degrees}°`;
+  }
+}
+
+/** b = turn(a) + t: the translation t. */
+function shiftAcross(
+  uv: Float64Array,
+  [a]: [number, number],
+  [b]: [number, number],
+  r: number,
+  q: number,
+): string {
+  const turn = (2 * Math.PI * r) / q;
+  const [x, y] = [uv[2 * a], uv[2 * a + 1]];
+  const dx = uv[2 * b] - (x * Math.cos(turn) - y * Math.sin(turn));
+  const dy = uv[2 * b + 1] - (x * Math.sin(turn) + y * Math.cos(turn));
+  return `(${dx.toPrecision(3)}, ${dy.toPrecision(3)})`;
+}

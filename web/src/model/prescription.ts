@@ -1,0 +1,99 @@
+// What the user asks for: cones, turnings and handles in exact integers. Values never change; every
+// edit makes a new one, which is what undo keeps.
+
+import type { Cones } from 'hgp';
+
+export interface Cone {
+  readonly vertex: number;
+  readonly k: number;
+}
+
+export interface Prescription {
+  readonly q: number;
+  readonly cones: readonly Cone[];
+  /** By boundary loop; null: the solver takes what is left of the budget. */
+  readonly turnings: readonly (number | null)[];
+  /** By handle generator; null: from the smooth field. */
+  readonly handles: readonly (number | null)[];
+}
+
+export const orders = { min: 1, max: 64 };
+
+export function emptyPrescription(q: number, loops: number, generators: number): Prescription {
+  const nothing = (count: number): null[] => Array.from({ length: count }, () => null);
+  return { q, cones: [], turnings: nothing(loops), handles: nothing(generators) };
+}
+
+/** As hgp-cones; positions are added where they are known, so that the file survives remeshing. */
+export function toCones(prescription: Prescription, positions?: ArrayLike<number>): Cones {
+  const position = (v: number): [number, number, number] | undefined =>
+    positions && [positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]];
+  const listed = <T>(values: readonly (number | null)[], make: (i: number, n: number) => T): T[] =>
+    values.flatMap((n, i) => (n === null ? [] : [make(i, n)]));
+  return {
+    q: prescription.q,
+    cones: prescription.cones.map(({ vertex, k }) => ({ vertex, k, position: position(vertex) })),
+    boundaries: listed(prescription.turnings, (loop, l) => ({ loop, l })),
+    handles: listed(prescription.handles, (generator, r) => ({ generator, r })),
+  };
+}
+
+export function fromCones(cones: Cones, loops: number, generators: number): Prescription {
+  const made = emptyPrescription(cones.q, loops, generators);
+  const turnings = [...made.turnings];
+  const handles = [...made.handles];
+  for (const { loop, l } of cones.boundaries ?? []) if (loop < loops) turnings[loop] = l;
+  for (const { generator, r } of cones.handles ?? []) {
+    if (generator < generators) handles[generator] = r;
+  }
+  return {
+    q: cones.q,
+    cones: cones.cones.map(({ vertex, k }) => ({ vertex, k })),
+    turnings,
+    handles,
+  };
+}
+
+/** k·q′/q for everything, or undefined where that is not an integer. */
+export function withOrder(prescription: Prescription, q: number): Prescription | undefined {
+  const convert = (n: number): number => (n * q) / prescription.q;
+  const cones = prescription.cones.map(({ vertex, k }) => ({ vertex, k: convert(k) }));
+  const turnings = prescription.turnings.map((l) => (l === null ? null : convert(l)));
+  const handles = prescription.handles.map((r) => (r === null ? null : convert(r)));
+  const all = [...cones.map(({ k }) => k), ...turnings, ...handles];
+  if (!all.every((n) => n === null || Number.isInteger(n))) return undefined;
+  return { q, cones, turnings, handles };
+}
+
+const sameList = <T>(a: readonly T[], b: readonly T[], isSame: (x: T, y: T) => boolean): boolean =>
+  a === b || (a.length === b.length && a.every((x, i) => isSame(x, b[i])));
+
+export function samePrescription(a: Prescription, b: Prescription): boolean {
+  if (a === b) return true;
+  return (
+    a.q === b.q &&
+    sameList(a.cones, b.cones, (x, y) => x.vertex === y.vertex && x.k === y.k) &&
+    sameList(a.turnings, b.turnings, Object.is) &&
+    sameList(a.handles, b.handles, Object.is)
+  );
+}
+
+/** Whether nothing at all has been said. */
+export const isSilent = ({ cones, turnings, handles }: Prescription): boolean =>
+  cones.length === 0 && [...turnings, ...handles].every((n) => n === null);
+
+/** "¾" is read out badly; "+1/4" is not. */
+export function indexText(k: number, q: number): string {
+  let [n, d] = [q - k, q];
+  if (n === 0) return '0';
+  const gcd = (a: number, b: number): number => (b === 0 ? Math.abs(a) : gcd(b, a % b));
+  const common = gcd(n, d);
+  [n, d] = [n / common, d / common];
+  const sign = n > 0 ? '+' : '−';
+  return d === 1 ? `${sign}${Math.abs(n)}` : `${sign}${Math.abs(n)}/${d}`;
+}
+
+export function angleText(k: number, q: number): string {
+  const degrees = (360 * k) / q;
+  return `${Number.isInteger(degrees) ? degrees : degrees.toFixed(1)}°`;
+}

@@ -1,0 +1,41 @@
+// Questions about a surface that are answered at once.
+
+import type { Surface } from './types';
+
+/** What bends at v, in degrees: positive on a corner of a cube, negative on a saddle. */
+export function defectDegrees(surface: Surface, v: number): number {
+  return (defect(surface, v) * 180) / Math.PI;
+}
+
+function defect(surface: Surface, v: number): number {
+  return (surface.isBoundary[v] ? Math.PI : 2 * Math.PI) - surface.angle[v];
+}
+
+const reach = 0.03; // of the diagonal
+const mostVertices = 600;
+
+/** Vertices within a small distance along edges, the vertex itself first. */
+export function neighbourhood(surface: Surface, vertex: number): number[] {
+  const { positions: p, starts, neighbours, diagonal } = surface;
+  const seen = new Set([vertex]);
+  const found = [vertex];
+  const far = (v: number): number =>
+    Math.hypot(...[0, 1, 2].map((i) => p[3 * v + i] - p[3 * vertex + i]));
+  for (let at = 0; at < found.length && found.length < mostVertices; at++) {
+    for (let n = starts[found[at]]; n < starts[found[at] + 1]; n++) {
+      const w = neighbours[n];
+      const isFirstRing = at === 0;
+      if (seen.has(w) || (!isFirstRing && far(w) > reach * diagonal)) continue;
+      seen.add(w);
+      found.push(w);
+    }
+  }
+  return found;
+}
+
+/** What bends around v, in radians: the sum over a neighbourhood, where noise cancels. */
+export function curvatureAround(surface: Surface, vertex: number): number {
+  return neighbourhood(surface, vertex)
+    .filter((v) => !surface.isBoundary[v])
+    .reduce((sum, v) => sum + defect(surface, v), 0);
+}

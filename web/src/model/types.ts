@@ -1,0 +1,295 @@
+// What the parts of the page hand to one another. Types only.
+
+import type { ModelInfo, Result, Where, Written } from 'hgp';
+import type { Prescription } from './prescription';
+
+/** By relative name. */
+export type Files = Map<string, Blob | Uint8Array>;
+
+export interface OutputFile {
+  name: string;
+  bytes: Uint8Array;
+}
+
+export interface Missing {
+  name: string;
+  /** Geometry cannot be read without it; images can be left out. */
+  isNeeded: boolean;
+}
+
+/** The loaded surface: ids are those of the file, facts are those of what repairs and welds made of it. */
+export interface Surface {
+  /** Names it in the geometry worker. */
+  id: number;
+  positions: Float64Array;
+  triangles: Uint32Array;
+  vertexCount: number;
+  /** Triangles at each vertex. */
+  valence: Uint16Array;
+  isBoundary: Uint8Array;
+  /** Connected component of each vertex, numbered by their smallest triangle. */
+  component: Int32Array;
+  /** Sum of the triangle angles at each vertex, in radians. */
+  angle: Float64Array;
+  /** Neighbours of v: neighbours[starts[v]] … neighbours[starts[v + 1] − 1]. */
+  starts: Uint32Array;
+  neighbours: Uint32Array;
+  diagonal: number;
+  /** Where the model is seen: positions and normals moved by the first node that uses the mesh. */
+  places: Float64Array;
+  normals: Float32Array;
+  /** That node turns left hands into right ones. */
+  isMirrored: boolean;
+  /** A ball around it, where it is seen. */
+  center: [number, number, number];
+  radius: number;
+  /** The vertex that a vertex is one with, itself in most cases; −1 where it was removed. */
+  meaning: Int32Array;
+  /** Three numbers per triangle corner, ready to be drawn. */
+  cornerPositions: Float32Array;
+  cornerNormals: Float32Array;
+}
+
+export interface LoadSettings {
+  readonly weld?: number;
+  readonly fix: {
+    readonly orient?: boolean;
+    readonly split?: boolean;
+    readonly degenerate?: boolean;
+  };
+}
+
+/** What undo goes back and forth over. */
+export interface Step {
+  readonly prescription: Prescription;
+  readonly settings: LoadSettings;
+}
+
+/** How Run is done; what is asked of the map is the prescription. */
+export interface SolveSettings {
+  rounds: number;
+  quality: boolean;
+  /** `file`: the directions of the imported field, instead of a smooth field of the solver's own. */
+  frames: 'auto' | 'file';
+  /** In seconds; without it a run takes as long as it takes. */
+  timeLimit?: number;
+}
+
+export interface Seam {
+  /** Ends as uv vertices, corresponding ends first. */
+  a: [number, number];
+  b: [number, number];
+  r: number;
+}
+
+/** Where and how the map goes into the file. */
+export interface Output {
+  /** glTF: the set to write; without it the next free one. */
+  uvSet?: number;
+  scale: 'solved' | 'unit' | 'fit';
+  embedCones: boolean;
+  /** glTF: the mesh gets a grid as its material. */
+  hasGrid: boolean;
+}
+
+/** What a solution is the solution of. */
+export interface SolveRequest {
+  prescription: Prescription;
+  /** Welds and repairs of the surface that it is the map of. */
+  settings: LoadSettings;
+  quality: boolean;
+  frames: 'auto' | 'file';
+  output: Output;
+}
+
+/** Values at 0, 5, 50, 95, 99 and 100 percent. */
+export interface Quantiles {
+  min: number;
+  p5: number;
+  median: number;
+  p95: number;
+  p99: number;
+  max: number;
+}
+
+export interface Distortion {
+  /** Ratio of singular values, 1 = angles kept. */
+  stretch: Quantiles;
+  /** log₂ of the area scaling relative to the whole. */
+  area: Quantiles;
+  /** Its absolute value. */
+  areaSize: Quantiles;
+  seamDistance: Quantiles;
+  /** Triangles that are not positive in the map. */
+  flipped: Uint32Array;
+  uvArea: number;
+  surfaceArea: number;
+}
+
+export interface LeastArea {
+  /** In the map, of the triangle that has least of it; negative where it is folded over. */
+  area: number;
+  /** Of all triangles. */
+  mean: number;
+  triangle: number;
+}
+
+export interface Overlaps {
+  /** Pairs of triangles that share area and no corner. */
+  pairs: number;
+  triangles: Uint32Array;
+  /** There are so many that counting stopped. */
+  isMore: boolean;
+}
+
+/** What the geometry worker finds out about a map. */
+export interface Analysis {
+  /** Names it in the geometry worker. */
+  id: number;
+  /** The written bytes hold the very map that was certified. */
+  isSameAsFile: boolean;
+  /** Why not, where they do not. */
+  difference: string;
+  /** Two numbers per triangle corner, v pointing up: from the file where it is the same. */
+  cornerUv: Float32Array;
+  /** The map laid flat, three numbers per corner. */
+  flatPositions: Float32Array;
+  distortion: Distortion;
+  least: LeastArea;
+  /** Triangles that lie on top of others, which is allowed. */
+  overlaps: Overlaps;
+  /** Colour group of each seam edge: the two sides of a chain have the same. */
+  chains: Uint32Array;
+  box: Box;
+}
+
+export interface Box {
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+}
+
+/** One finished run: the map, the bytes that Download saves, and what is known about them. */
+export interface Solution extends SolveRequest, Analysis {
+  result: Result;
+  written: Written;
+  /** What the writer has to say. */
+  notes: string[];
+  /** What else is in the file and stays: "3 materials, 1 skin". */
+  preserved: string;
+  /** What was written, and what it names beside that. */
+  files: OutputFile[];
+  seams: Seam[];
+  /** Edge of the surface (smaller vertex × |V| + larger) → seam. */
+  seamAt: Map<number, number>;
+}
+
+export interface MeshSummary {
+  index: number;
+  /** Nodes that use the mesh; nothing where the format has no nodes. */
+  instances?: number;
+  isUsable: boolean;
+  components: number;
+  /** Why it cannot be used, in a few words. */
+  why: string;
+}
+
+/** A file that is open, with the mesh of it that is worked on. */
+export interface Model {
+  readonly main: string;
+  readonly files: Files;
+  readonly info: ModelInfo;
+  readonly surface: Surface;
+  /** What it was loaded with; undo may be ahead of it. */
+  readonly loaded: LoadSettings;
+  /** About the mesh: how it is used, what it has already. */
+  readonly remarks: string[];
+  /** From the mesh to where its first node puts it, column by column. */
+  readonly matrix: readonly number[];
+}
+
+/** What the solver says of cones that add up. */
+export interface Objection {
+  prescription: Prescription;
+  surface: Surface;
+  /** Empty where there is none. */
+  text: string;
+  warnings: string[];
+}
+
+export interface Validation {
+  of: Solution;
+  isGood: boolean;
+  text: string;
+  /** The most severe first. */
+  issues: string[];
+}
+
+export interface MessageAction {
+  label: string;
+  run(): unknown;
+}
+
+export interface Message {
+  kind: 'note' | 'good' | 'error';
+  text: string;
+  actions?: MessageAction[];
+  /** What is worth reading only when someone asks. */
+  details?: string;
+}
+
+export interface Job {
+  kind: 'load' | 'run';
+  title: string;
+  stage: string;
+  /** Stages that have been entered, in order. */
+  entered: string[];
+  detail: string;
+  fraction: number;
+  /** Where it can be said honestly. */
+  secondsLeft?: number;
+  begin: number;
+  controller: AbortController;
+}
+
+export type Pattern =
+  | 'checker'
+  | 'grid'
+  | 'brick'
+  | 'wood'
+  | 'plaid'
+  | 'cross'
+  | 'hex'
+  | 'circles'
+  | 'image'
+  | 'material'
+  | 'plain';
+export type Overlay = 'none' | 'angle' | 'area' | 'seams' | 'flips';
+
+export interface Look {
+  pattern: Pattern;
+  overlay: Overlay;
+  /** Tiles along the diagonal of the bounding box. */
+  tiles: number;
+  hasSeams: boolean;
+  hasWire: boolean;
+  image?: ImageBitmap;
+}
+
+export const patterns: readonly Pattern[] = [
+  'checker',
+  'grid',
+  'brick',
+  'wood',
+  'plaid',
+  'cross',
+  'hex',
+  'circles',
+  'image',
+  'material',
+  'plain',
+];
+export const overlays: readonly Overlay[] = ['none', 'angle', 'area', 'seams', 'flips'];
+
+export type ShowPlaces = (where: Where[]) => void;

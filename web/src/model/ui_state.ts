@@ -1,0 +1,104 @@
+// What the page knows beside the document: tool, tab, theme, dialog, what the pointer is over.
+
+import { storeOf } from './store';
+
+export type Tool = 'orbit' | 'place';
+export type Tab = 'surface' | 'map';
+export type Sheet = 'peek' | 'half' | 'full';
+export type Dialog = '' | 'download' | 'help' | 'log' | 'palette';
+export type SortKey = 'number' | 'vertex' | 'k';
+
+const themes = ['auto', 'light', 'dark'] as const;
+export type Theme = (typeof themes)[number];
+
+function stored(key: string): string | null {
+  try {
+    return localStorage.getItem(key);
+  } catch {
+    return null;
+  }
+}
+
+/** Storage may be forbidden: then it is forgotten. */
+function keep(key: string, value: string): void {
+  try {
+    localStorage.setItem(key, value);
+  } catch {
+    // Nothing to do.
+  }
+}
+
+interface Fields {
+  tool: Tool;
+  tab: Tab;
+  sheet: Sheet;
+  dialog: Dialog;
+  hover: string;
+  theme: Theme;
+  hasKeys: boolean;
+  /** Width of the 3D view in percent of both. */
+  split: number;
+  mostRows: number;
+  sort: { by: SortKey; isDown: boolean };
+  isPhone: boolean;
+  isSystemDark: boolean;
+  handlesShown: boolean;
+  /** Where the wipe between before and after stands, in percent from the left; 0: only after. */
+  wipe: number;
+  /** Changes every second while something runs: the clock. */
+  now: number;
+}
+
+export class UiState extends storeOf<Fields>() {
+  /** Puts back a cone that is being dragged; whether there was one. */
+  stopDrag?: () => boolean;
+
+  constructor() {
+    const phone = matchMedia('(max-width: 640px)'); // as in narrow.css
+    const dark = matchMedia('(prefers-color-scheme: dark)');
+    super({
+      tool: 'orbit',
+      tab: 'surface',
+      sheet: 'half',
+      dialog: '',
+      hover: '',
+      theme: themes.find((theme) => theme === stored('hgp-theme')) ?? 'auto',
+      hasKeys: stored('hgp-keys') !== 'off',
+      split: 58,
+      mostRows: 60,
+      sort: { by: 'number', isDown: false },
+      isPhone: phone.matches,
+      isSystemDark: dark.matches,
+      handlesShown: false,
+      wipe: 0,
+      now: performance.now(),
+    });
+    phone.addEventListener('change', ({ matches }) => (this.isPhone = matches));
+    dark.addEventListener('change', ({ matches }) => (this.isSystemDark = matches));
+    document.documentElement.dataset.theme = this.theme;
+  }
+
+  get isDark(): boolean {
+    return this.theme === 'auto' ? this.isSystemDark : this.theme === 'dark';
+  }
+
+  setKeys(isOn: boolean): void {
+    this.hasKeys = isOn;
+    keep('hgp-keys', isOn ? 'on' : 'off');
+  }
+
+  nextTheme(): void {
+    this.theme = themes[(themes.indexOf(this.theme) + 1) % themes.length];
+    keep('hgp-theme', this.theme);
+    document.documentElement.dataset.theme = this.theme;
+  }
+
+  setSplit(percent: number): void {
+    this.split = Math.round(Math.min(80, Math.max(20, percent)));
+    document.documentElement.style.setProperty('--part', String(this.split / 100));
+  }
+
+  sortBy(by: SortKey): void {
+    this.sort = { by, isDown: this.sort.by === by && !this.sort.isDown };
+  }
+}

@@ -1,0 +1,153 @@
+// The one verdict on a map. Banner, status, state of the page and Download follow from all rows; each
+// row's tick is computed from the number that the row shows.
+
+import type { Certificate, Where } from 'hgp';
+import type { Solution } from './types';
+
+export interface VerdictRow {
+  name: string;
+  value: string;
+  tolerance: string;
+  isGood: boolean;
+  where: Where[];
+}
+
+interface ComponentCertificate {
+  orientation?: { notPositive?: number[] };
+  angles?: { worstVertex?: number };
+  wrongCones?: { vertex: number }[];
+  distortion?: Record<string, number>;
+  seams?: { worstEdge?: number[] };
+  turnings?: unknown[];
+  reasons?: { message: string; where?: Where[] }[];
+}
+
+export const componentsOf = ({ components }: Certificate): ComponentCertificate[] =>
+  components as ComponentCertificate[];
+
+/** "1.2e−7" */
+export const shortNumber = (x: number): string =>
+  x === 0 ? '0' : x.toExponential(1).replace('e+0', '').replaceAll('-', '−');
+
+const triangles = (ids: Iterable<number>): Where[] =>
+  Array.from(ids, (id): Where => ({ kind: 'triangle', id }));
+
+function orientationRows({ result, least, distortion }: Solution): VerdictRow[] {
+  const { certificate } = result;
+  const components = componentsOf(certificate);
+  const reported = components.flatMap(({ orientation }) => orientation?.notPositive ?? []);
+  const folded = reported.length > 0 ? reported : distortion.flipped;
+  const smallest = components[0]?.distortion?.smallestTriangle ?? -1;
+  return [
+    {
+      name: 'Flipped triangles',
+      value: `${certificate.flipped} of ${certificate.triangles}`,
+      tolerance: 'exactly 0, exact sign',
+      isGood: certificate.flipped === 0,
+      where: folded.length > 0 ? triangles(folded) : triangles(smallest < 0 ? [] : [smallest]),
+    },
+    {
+      name: 'Smallest area',
+      value: shortNumber(least.area),
+      tolerance: `of the stored triangles, above 0; the mean is ${shortNumber(least.mean)}`,
+      isGood: least.area > 0,
+      where: triangles(least.triangle < 0 ? [] : [least.triangle]),
+    },
+  ];
+}
+
+function turningRow({ certificate }: Solution['result']): VerdictRow[] {
+  if (!componentsOf(certificate).some(({ turnings }) => (turnings?.length ?? 0) > 0)) return [];
+  return [
+    {
+      name: 'Boundary turning',
+      value: `${certificate.wrongTurnings} wrong`,
+      tolerance: `off by ≤ ${shortNumber(certificate.maxTurningDistance)}`,
+      isGood: certificate.wrongTurnings === 0,
+      where: [],
+    },
+  ];
+}
+
+function angleRows({ result: { certificate }, prescription }: Solution): VerdictRow[] {
+  const components = componentsOf(certificate);
+  const wrongCones = components.flatMap((one) => one.wrongCones ?? []);
+  const worst = components[0]?.angles?.worstVertex ?? -1;
+  const wrongRegular = certificate.wrongAngles - wrongCones.length;
+  return [
+    {
+      name: 'Regular vertices',
+      value: `${wrongRegular} wrong`,
+      tolerance: 'every angle sum is 360°',
+      isGood: wrongRegular === 0,
+      where: worst < 0 ? [] : [{ kind: 'vertex', id: worst }],
+    },
+    {
+      name: 'Cone angles',
+      value: `${wrongCones.length} of ${prescription.cones.length} wrong`,
+      tolerance: `off by ≤ ${shortNumber(certificate.maxConeDistance)}`,
+      isGood: wrongCones.length === 0,
+      where: wrongCones.map(({ vertex: id }) => ({ kind: 'vertex', id })),
+    },
+  ];
+}
+
+function seamRows({ certificate }: Solution['result']): VerdictRow[] {
+  const { brokenSeams, seamEdges, maxSeamResidual, seamTolerance } = certificate;
+  const edge = componentsOf(certificate)
+    .map(({ seams }) => seams?.worstEdge ?? [])
+    .find((ends) => ends.length === 2);
+  return [
+    {
+      name: 'Seams',
+      value: `${brokenSeams} broken of ${seamEdges}`,
+      tolerance: `${shortNumber(maxSeamResidual)} ≤ ${shortNumber(seamTolerance)}`,
+      isGood: brokenSeams === 0,
+      where: edge ? [{ kind: 'edge', id: edge[0], other: edge[1] }] : [],
+    },
+  ];
+}
+
+/** The bytes were read again by a reader that shares no code with the writer. */
+function readBackRow({ isSameAsFile, difference, written }: Solution): VerdictRow {
+  return {
+    name: 'The file holds this map',
+    value: isSameAsFile ? 'same map' : 'differs',
+    tolerance: difference || `read back from ${(written.bytes.length / 1024).toFixed(0)} KB`,
+    isGood: isSameAsFile,
+    where: [],
+  };
+}
+
+/** Whatever the solver refuses for a reason that has no row of its own. */
+function otherRow({ certificate }: Solution['result'], rows: VerdictRow[]): VerdictRow[] {
+  if (certificate.certified || rows.some(({ isGood }) => !isGood)) return [];
+  const value = 'not passed';
+  const tolerance = 'see the reasons below';
+  return [{ name: 'All other checks', value, tolerance, isGood: false, where: [] }];
+}
+
+export function verdictRows(solution: Solution): VerdictRow[] {
+  const { result } = solution;
+  const rows = [
+    ...orientationRows(solution),
+    ...turningRow(result),
+    ...angleRows(solution),
+    ...seamRows(result),
+    readBackRow(solution),
+  ];
+  return [...rows, ...otherRow(result, rows)];
+}
+
+const known = new WeakMap<Solution, boolean>();
+
+/** True when every row is. */
+export function isCertified(solution: Solution): boolean {
+  let is = known.get(solution);
+  if (is === undefined)
+    known.set(solution, (is = verdictRows(solution).every((row) => row.isGood)));
+  return is;
+}
+
+export const reasonsOf = ({ result }: Solution): { message: string; where?: Where[] }[] =>
+  componentsOf(result.certificate).flatMap(({ reasons }) => reasons ?? []);

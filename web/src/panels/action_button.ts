@@ -1,0 +1,40 @@
+// A button for an action: name, key, picture, and why it cannot be pressed come from the registry.
+
+import { html, nothing, type TemplateResult } from 'lit';
+import type { App } from '../actions/app';
+import { actions, labelOf, perform, whyNotOf, type ActionId } from '../actions/registry';
+import { icon } from './icons';
+
+export interface ButtonOptions {
+  /** Instead of the name of the action. */
+  text?: string | TemplateResult;
+  /** Of the element, where tests and styles find it; the action's own by default. */
+  domId?: string;
+  className?: string;
+  isIconOnly?: boolean;
+  hasIcon?: boolean;
+}
+
+export function actionButton(
+  app: App,
+  id: ActionId,
+  { text, domId = id, className = '', isIconOnly = false, hasIcon = true }: ButtonOptions = {},
+): TemplateResult {
+  const action = actions[id];
+  const label = labelOf(app, id);
+  const why = whyNotOf(app, id);
+  const key = action.keys?.[0];
+  const title = why || (key ? `${label} (${key})` : label);
+  return html`<button
+    type="button"
+    id=${domId}
+    class="${isIconOnly ? 'only-icon ' : ''}${className}"
+    ?disabled=${why !== ''}
+    aria-label=${isIconOnly || typeof text === 'object' ? label : nothing}
+    aria-pressed=${action.isOn ? String(action.isOn(app)) : nothing}
+    title=${title}
+    @click=${() => void perform(app, id)}
+  >
+    ${action.icon && hasIcon ? icon(action.icon) : nothing}${isIconOnly ? nothing : (text ?? label)}
+  </button>`;
+}

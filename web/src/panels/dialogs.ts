@@ -1,0 +1,255 @@
+// Everything that asks: missing files, which model, all actions, help, the log.
+
+import { html, nothing, type TemplateResult } from 'lit';
+import { attempt, type App } from '../actions/app';
+import { giveUp, loadWithoutImages, openMain, supply } from '../actions/open';
+import {
+  actionIds,
+  actions,
+  labelOf,
+  perform,
+  whyNotOf,
+  type ActionGroup,
+  type ActionId,
+} from '../actions/registry';
+import type { DocumentState } from '../model/document';
+import { actionButton } from './action_button';
+import { downloadDialog } from './download_dialog';
+import { dialogFrame } from './dialog_frame';
+import { icon } from './icons';
+import { Panel } from './panel';
+import './dialogs.css';
+
+type StateOf<K extends DocumentState['kind']> = Extract<DocumentState, { kind: K }>;
+
+function missingFiles(app: App, { main, missing }: StateOf<'needs-files'>): TemplateResult {
+  const isNeeded = missing.some((file) => file.isNeeded);
+  const browse = (name: string) => (event: Event) => {
+    const file = (event.target as HTMLInputElement).files?.[0];
+    if (file) void attempt(app, () => supply(app, new Map([[name, file]])));
+  };
+  const stop = (): void => giveUp(app);
+  const items = missing.map(
+    ({ name, isNeeded: must }) =>
+      html`<li>
+        <span><code>${name}</code><small>${must ? 'needed' : 'image'}</small></span>
+        <label class="button small"
+          >Browse<input
+            type="file"
+            class="visually-hidden"
+            aria-label="Browse for ${name}"
+            @change=${browse(name)}
+        /></label>
+      </li>`,
+  );
+  const goOn = html`<button
+    type="button"
+    class="primary"
+    id="without-images"
+    @click=${() => void attempt(app, () => loadWithoutImages(app))}
+  >
+    Continue without images
+  </button>`;
+  return dialogFrame(
+    'needs-files',
+    'Some files are missing',
+    html`<p>“${main}” names files that are not here. Drop them on the page, or browse:</p>
+      <ul class="list">
+        ${items}
+      </ul>
+      <p class="row end">
+        <button type="button" @click=${stop}>Cancel</button>
+        ${isNeeded ? nothing : goOn}
+      </p>`,
+    stop,
+  );
+}
+
+function whichModel(app: App, { files, candidates }: StateOf<'pick-model'>): TemplateResult {
+  const stop = (): void => giveUp(app);
+  return dialogFrame(
+    'pick-model',
+    'Which model?',
+    html`<ul class="list">
+        ${candidates.map(
+          (name) =>
+            html`<li>
+              <button
+                type="button"
+                class="wide-button"
+                @click=${() => void attempt(app, () => openMain(app, files, name))}
+              >
+                ${name}
+              </button>
+            </li>`,
+        )}
+      </ul>
+      <p class="row end"><button type="button" @click=${stop}>Cancel</button></p>`,
+    stop,
+  );
+}
+
+/** What has no entry among the actions: it is said of a place, not of the page. */
+const gestures: [string, string][] = [
+  ['Arrows', 'orbit; with Shift pan; Page Up, Page Down zoom'],
+  ['Arrows, Enter', 'with the Place tool: walk over the vertices, place'],
+  ['1–9', 'k of the selected cone'],
+  ['Escape', 'put a dragged cone back, deselect; twice: cancel a run'],
+  ['Double click', 'bring that place to the middle'],
+];
+
+function help(app: App): TemplateResult {
+  const { ui } = app;
+  const close = (): void => void (ui.dialog = '');
+  const keyed = actionIds.filter((id) => actions[id].keys);
+  const rows: [string, string][] = keyed.map((id) => [
+    actions[id].keys!.join(' or '),
+    labelOf(app, id),
+  ]);
+  return dialogFrame(
+    'help-dialog',
+    'Keys',
+    html`<p class="note">Single keys work while a view has the focus.</p>
+      <dl class="keys">
+        ${[...rows, ...gestures].map(
+          ([key, what]) =>
+            html`<div>
+              <dt><kbd>${key}</kbd></dt>
+              <dd>${what}</dd>
+            </div>`,
+        )}
+      </dl>
+      <p>
+        <label class="tick"
+          ><input
+            type="checkbox"
+            .checked=${ui.hasKeys}
+            @change=${(event: Event) => ui.setKeys((event.target as HTMLInputElement).checked)}
+          />
+          Single-key shortcuts</label
+        >
+      </p>
+      <p class="row">
+        ${actionButton(app, 'theme', { domId: 'help-theme', className: 'small' })}
+        ${actionButton(app, 'log', { domId: 'help-log', className: 'small' })}
+        ${actionButton(app, 'palette', { domId: 'help-palette', className: 'small' })}
+      </p>
+      <p><a href="./guide.html">Guide: cones, certificate, Blender, three.js, quads</a></p>
+      <p class="row end">
+        <button type="button" class="primary" autofocus @click=${close}>Close</button>
+      </p>`,
+    close,
+  );
+}
+
+function log({ doc, ui }: App): TemplateResult {
+  const close = (): void => void (ui.dialog = '');
+  return dialogFrame(
+    'log-dialog',
+    'Log',
+    html`<ol class="log" tabindex="0" aria-label="Messages, the newest first">
+        ${doc.log
+          .toReversed()
+          .map(
+            ({ time, text }) =>
+              html`<li>
+                <time datetime=${time.toISOString()}>${time.toLocaleTimeString()}</time> ${text}
+              </li>`,
+          )}
+      </ol>
+      <p class="row end">
+        <button type="button" class="primary" autofocus @click=${close}>Close</button>
+      </p>`,
+    close,
+  );
+}
+
+const groups: ActionGroup[] = ['Run', 'File', 'Cones', 'View', 'Page'];
+
+class Dialogs extends Panel {
+  #query = '';
+
+  override render(): TemplateResult | typeof nothing {
+    const { doc, ui } = this.app;
+    const { state } = doc;
+    if (state.kind === 'needs-files') return missingFiles(this.app, state);
+    if (state.kind === 'pick-model') return whichModel(this.app, state);
+    if (ui.dialog === 'download' && doc.current) return downloadDialog(this.app, doc.current);
+    if (ui.dialog === 'log') return log(this.app);
+    if (ui.dialog === 'help') return help(this.app);
+    if (ui.dialog === 'palette') return this.#palette();
+    return nothing;
+  }
+
+  override updated(): void {
+    for (const dialog of this.querySelectorAll('dialog')) if (!dialog.open) dialog.showModal();
+  }
+
+  /** Those that the words typed so far are part of. */
+  #found(): ActionId[] {
+    const words = this.#query.toLowerCase().split(/\s+/);
+    const isFound = (id: ActionId): boolean =>
+      words.every((word) => labelOf(this.app, id).toLowerCase().includes(word));
+    return groups.flatMap((group) =>
+      actionIds.filter((id) => actions[id].group === group && id !== 'palette' && isFound(id)),
+    );
+  }
+
+  #palette(): TemplateResult {
+    const { app } = this;
+    const close = (): void => {
+      this.#query = '';
+      app.ui.dialog = '';
+    };
+    const choose = (id: ActionId): void => {
+      close();
+      void perform(app, id);
+    };
+    const type = (event: Event): void => {
+      this.#query = (event.target as HTMLInputElement).value;
+      this.requestUpdate();
+    };
+    const found = this.#found();
+    const first = found.find((id) => whyNotOf(app, id) === '');
+    const enter = (event: KeyboardEvent): void => {
+      if (event.key !== 'Enter' || !first) return;
+      event.preventDefault();
+      choose(first);
+    };
+    return dialogFrame(
+      'palette-dialog',
+      'All actions',
+      html`<input
+          type="search"
+          id="palette-query"
+          aria-label="Find an action"
+          placeholder="Type to find"
+          autofocus
+          @input=${type}
+          @keydown=${enter}
+        />
+        <ul class="list palette">
+          ${found.map(
+            (id) =>
+              html`<li>
+                <button
+                  type="button"
+                  class="wide-button ${id === first ? 'first' : ''}"
+                  data-action=${id}
+                  ?disabled=${whyNotOf(app, id) !== ''}
+                  title=${whyNotOf(app, id)}
+                  @click=${() => choose(id)}
+                >
+                  <span class="row"
+                    >${actions[id].icon ? icon(actions[id].icon) : nothing}${labelOf(app, id)}</span
+                  >
+                  <small><kbd>${actions[id].keys?.[0] ?? ''}</kbd></small>
+                </button>
+              </li>`,
+          )}
+        </ul>`,
+      close,
+    );
+  }
+}
+customElements.define('hgp-dialogs', Dialogs);

@@ -1,0 +1,191 @@
+// What is saved: one button for where it is used next; every format and choice under More.
+
+import { html, nothing, type TemplateResult } from 'lit';
+import { attempt, type App } from '../actions/app';
+import { download, exportSource } from '../actions/download';
+import { perform } from '../actions/registry';
+import { rewrite } from '../actions/solve';
+import { formats, nameOf, type ExportSource, type Format } from '../formats/exports';
+import type { Output, Solution } from '../model/types';
+import { isCertified } from '../model/verdict';
+import { dialogFrame } from './dialog_frame';
+import { icon } from './icons';
+
+const scales: [Output['scale'], string][] = [
+  ['solved', 'As solved'],
+  ['unit', 'Average edge 1'],
+  ['fit', 'Into the unit square'],
+];
+
+const valueOf = (event: Event): string => (event.target as HTMLSelectElement).value;
+const isChecked = (event: Event): boolean => (event.target as HTMLInputElement).checked;
+
+/** glTF: whether the textures of the file shall use the new coordinates, or keep the old. */
+function setChooser(app: App, output: Output): TemplateResult | typeof nothing {
+  const { info } = app.doc.model!;
+  const sets = info.surfaces[info.surface]?.uvSets ?? [];
+  if (!/^(glb|gltf)$/.test(info.file.format) || sets.length === 0) return nothing;
+  const set = (event: Event): void => {
+    const uvSet = valueOf(event) === 'next' ? undefined : Number(valueOf(event));
+    void attempt(app, () => rewrite(app, { uvSet }));
+  };
+  return html`<label
+    >The file’s own textures
+    <select id="uv-set" @change=${set}>
+      <option value="next" ?selected=${output.uvSet === undefined}>
+        keep their coordinates; the new are TEXCOORD_${sets.length}
+      </option>
+      ${sets.map(
+        (n) =>
+          html`<option value=${n} ?selected=${output.uvSet === n}>
+            use the new ones: replace TEXCOORD_${n}
+          </option>`,
+      )}
+    </select>
+  </label>`;
+}
+
+/** The choices that change the written file; each is written, read back and judged again. */
+function choices(app: App, solution: Solution): TemplateResult {
+  const output = app.doc.pendingOutput ?? solution.output;
+  const set = (part: Partial<Output>): void => void attempt(app, () => rewrite(app, part));
+  return html`<div class="choices">
+    <label
+      >Scale
+      <select
+        id="uv-scale"
+        @change=${(event: Event) => set({ scale: valueOf(event) as Output['scale'] })}
+      >
+        ${scales.map(
+          ([scale, name]) =>
+            html`<option value=${scale} ?selected=${output.scale === scale}>${name}</option>`,
+        )}
+      </select>
+    </label>
+    <label class="tick">
+      <input
+        type="checkbox"
+        id="embed-cones"
+        .checked=${output.embedCones}
+        @change=${(event: Event) => set({ embedCones: isChecked(event) })}
+      />
+      Embed the cones, to edit them again
+    </label>
+    <label class="tick">
+      <input
+        type="checkbox"
+        id="grid-material"
+        .checked=${output.hasGrid}
+        @change=${(event: Event) => set({ hasGrid: isChecked(event) })}
+      />
+      <span
+        >Assign a grid as material
+        <small>An OBJ is then a ZIP, with its .mtl and image.</small></span
+      >
+    </label>
+  </div>`;
+}
+
+/** Khronos' validator, on request. */
+function validation(app: App, solution: Solution): TemplateResult {
+  const { doc } = app;
+  const seen = doc.validation?.of === solution ? doc.validation : undefined;
+  const isIt = /\.(glb|gltf)$/i.test(solution.written.files[0].name);
+  return html`<div class="validation">
+    <button
+      type="button"
+      class="small"
+      id="validate"
+      ?disabled=${doc.isBusy}
+      @click=${() => void perform(app, 'validate')}
+    >
+      Validate ${isIt ? 'output' : 'the GLB'}
+    </button>
+    <p class="note ${seen && !seen.isGood ? 'bad' : ''}" role="status" id="validation">
+      ${seen?.text ?? ''}
+    </p>
+    ${
+      seen && seen.issues.length > 0
+        ? html`<ul class="note">
+            ${seen.issues.map((text) => html`<li>${text}</li>`)}
+          </ul>`
+        : nothing
+    }
+  </div>`;
+}
+
+function formatButton(
+  app: App,
+  source: ExportSource,
+  { format, label, hint }: (typeof formats)[number],
+): TemplateResult {
+  return html`<li>
+    <button
+      type="button"
+      class="wide-button"
+      data-format=${format}
+      ?disabled=${app.doc.isBusy}
+      @click=${() => void save(app, format)}
+    >
+      <b>${label}</b><small>${nameOf(source, format)} · ${hint}</small>
+    </button>
+  </li>`;
+}
+
+function save(app: App, format: Format): Promise<void> {
+  return attempt(app, async () => {
+    await download(app, format);
+    app.ui.dialog = '';
+  });
+}
+
+function summary(app: App, { notes, preserved, result }: Solution): string {
+  const { info } = app.doc.model!;
+  const stored = info.surfaces[info.surface]?.storedVertices ?? 0;
+  const rest = `All else in the file stays as it was${preserved ? `: ${preserved}` : ''}.`;
+  if (notes.length > 0) return `${notes.join('; ')}. ${rest}`;
+  return `${stored} vertices; ${result.uvToVertex.length} texture vertices, as seams are split.`;
+}
+
+export function downloadDialog(app: App, solution: Solution): TemplateResult {
+  const close = (): void => void (app.ui.dialog = '');
+  const source = exportSource(app);
+  if (!source) return html``;
+  const isGood = isCertified(solution);
+  const { isBusy } = app.doc;
+  const [same, ...others] = formats;
+  return dialogFrame(
+    'downloads',
+    isGood ? 'Download' : 'Download uncertified result',
+    html`${
+        isGood
+          ? nothing
+          : html`<p class="note bad">
+              This map does not pass its checks; see the certificate for which.
+            </p>`
+      }
+      <p>
+        <button
+          type="button"
+          class="primary big"
+          data-format=${same.format}
+          autofocus
+          ?disabled=${isBusy}
+          @click=${() => void save(app, same.format)}
+        >
+          ${icon('download')} Save ${nameOf(source, same.format)}
+        </button>
+      </p>
+      ${setChooser(app, app.doc.pendingOutput ?? solution.output)}
+      <p class="note">${summary(app, solution)}</p>
+      <details id="more-formats">
+        <summary>More: other formats, scale, validation</summary>
+        <ul class="list" aria-busy=${isBusy}>
+          ${others.map((one) => formatButton(app, source, one))}
+        </ul>
+        ${choices(app, solution)} ${validation(app, solution)}
+      </details>
+      <p class="row end"><button type="button" @click=${close}>Close</button></p>`,
+    close,
+  );
+}

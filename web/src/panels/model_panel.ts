@@ -1,0 +1,142 @@
+// The model: what it is, what is wrong with it, and what settles that.
+
+import { html, nothing, type TemplateResult } from 'lit';
+import { attempt } from '../actions/app';
+import { reloadWith } from '../actions/load';
+import { repair, repairFor, type Repair } from '../actions/repair';
+import { showPlaces } from '../actions/view';
+import type { Model } from '../model/types';
+import { count } from '../text/format';
+import { actionButton } from './action_button';
+import { keepWhileTyping } from './keep_while_typing';
+import { Panel } from './panel';
+
+const defectNames: Record<string, string> = {
+  'non-manifold-edge': 'Edges with more than two triangles',
+  'non-manifold-vertex': 'Vertices where fans of triangles touch',
+  'inconsistent-edge': 'Edges between triangles of opposite orientation',
+  'zero-area': 'Triangles without area',
+  'duplicate-face': 'Duplicate triangles',
+  'repeated-vertex': 'Triangles that use a vertex twice',
+  'isolated-vertex': 'Vertices without triangles',
+  'not-finite': 'Positions that are no numbers',
+  extent: 'Too large or too small to compute with',
+  'index-out-of-range': 'Triangles naming missing vertices',
+};
+
+const repairLabels: Record<Repair, string> = {
+  split: 'Split them',
+  orient: 'Turn triangles round',
+  degenerate: 'Remove them',
+};
+
+class ModelPanel extends Panel {
+  override render(): TemplateResult | typeof nothing {
+    const { model } = this.app.doc;
+    if (!model) return nothing;
+    const { info, remarks } = model;
+    const notes = [...remarks, ...(info.surfaces[info.surface]?.notes ?? []), ...info.notes];
+    return html`<details open id="panel-model">
+      <summary>Model</summary>
+      ${this.#facts(model)} ${this.#defects(model)} ${this.#weld(model)}
+      ${notes.map((note) => html`<p class="note">${note}</p>`)}
+    </details>`;
+  }
+
+  #facts({ info }: Model): TemplateResult {
+    const stored = info.surfaces[info.surface]?.storedVertices ?? info.vertices;
+    const isWelded = stored !== info.vertices;
+    const rows: [string, string | number][] = [
+      ['Vertices', isWelded ? `${count(stored)} → ${count(info.vertices)}` : count(info.vertices)],
+      ['Triangles', count(info.triangles)],
+      ['Diagonal', info.diagonal.toPrecision(4)],
+    ];
+    if (info.usable) {
+      rows.push(
+        ['Components', info.components?.length ?? 1],
+        ['Genus g', info.genus ?? 0],
+        ['Boundaries', info.boundaryLoops ?? 0],
+        ['Euler χ', info.eulerCharacteristic ?? 0],
+      );
+    }
+    return html`<dl class="facts">
+      ${rows.map(
+        ([name, value]) =>
+          html`<div>
+            <dt>${name}</dt>
+            <dd>${value}</dd>
+          </div>`,
+      )}
+    </dl>`;
+  }
+
+  #defects({ info }: Model): TemplateResult | typeof nothing {
+    const { app } = this;
+    if (info.defects.length === 0) return nothing;
+    return html`<ul class="defects">
+      ${info.defects.map(({ kind, count: found, where, fatal }) => {
+        const fix = fatal ? repairFor[kind] : undefined;
+        return html`<li class=${fatal ? 'fatal' : ''}>
+          <span><b>${count(found)}</b> ${defectNames[kind] ?? kind.replaceAll('-', ' ')}</span>
+          <span class="row">
+            <button
+              type="button"
+              class="small"
+              data-show=${kind}
+              @click=${() => showPlaces(app, where)}
+            >
+              Show
+            </button>
+            ${
+              fix
+                ? html`<button
+                    type="button"
+                    class="small"
+                    data-fix=${fix}
+                    @click=${() => void attempt(app, () => repair(app, [fix]))}
+                  >
+                    ${repairLabels[fix]}
+                  </button>`
+                : nothing
+            }
+          </span>
+        </li>`;
+      })}
+      ${
+        info.usable
+          ? nothing
+          : html`<li>
+              ${actionButton(app, 'open', { domId: 'other-file', className: 'small', text: 'Other file' })}
+            </li>`
+      }
+    </ul>`;
+  }
+
+  #weld({ info, loaded }: Model): TemplateResult {
+    const { app } = this;
+    const set = (event: Event): void => {
+      const text = (event.target as HTMLInputElement).value.trim();
+      const weld = text === '' ? undefined : Number(text);
+      if ((weld !== undefined && !(weld >= 0)) || weld === loaded.weld) return;
+      const kind = weld === undefined ? 'weld as the format needs' : `weld closer than ${weld}`;
+      void attempt(app, () => reloadWith(app, { ...loaded, weld }, kind));
+      this.requestUpdate();
+    };
+    const example = (1e-6 * info.diagonal).toPrecision(1);
+    return html`<div class="row field">
+      <label for="weld">Join vertices closer than</label>
+      <input
+        id="weld"
+        class="length"
+        type="number"
+        min="0"
+        step="any"
+        placeholder="exact"
+        title="In units of the file, for example ${example}"
+        .value=${keepWhileTyping(loaded.weld === undefined ? '' : String(loaded.weld))}
+        @change=${set}
+      />
+    </div>`;
+  }
+}
+customElements.define('hgp-model-panel', ModelPanel);

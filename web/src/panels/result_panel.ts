@@ -1,0 +1,184 @@
+// The verdict, two numbers that a person understands, and everything else on request.
+
+import { html, nothing, type TemplateResult } from 'lit';
+import type { Where } from 'hgp';
+import { showPlaces } from '../actions/view';
+import type { Solution } from '../model/types';
+import {
+  componentsOf,
+  isCertified,
+  reasonsOf,
+  shortNumber,
+  verdictRows,
+  type VerdictRow,
+} from '../model/verdict';
+import { count, memoryText, signed } from '../text/format';
+import { actionButton } from './action_button';
+import { icon } from './icons';
+import { Panel } from './panel';
+import './result_panel.css';
+
+type Fact = [name: string, value: string];
+
+/** On the surface, in the units of the file. */
+function seamLength({ seams, result: { positions: p, uvToVertex } }: Solution): number {
+  return seams.reduce((sum, { a }) => {
+    const [v, w] = a.map((end) => 3 * uvToVertex[end]);
+    return sum + Math.hypot(p[w] - p[v], p[w + 1] - p[v + 1], p[w + 2] - p[v + 2]);
+  }, 0);
+}
+
+function statistics(solution: Solution): Fact[] {
+  const { distortion, result, box } = solution;
+  const { report, certificate } = result;
+  const rounds = report.components.flatMap(
+    (one) => (one.rounds as { iterations: number; laplacianEnergy?: number }[]) ?? [],
+  );
+  const energy = rounds.at(-1)?.laplacianEnergy;
+  const mu = componentsOf(certificate)[0]?.distortion;
+  const { stretch, area } = distortion;
+  const iterations = rounds.reduce((sum, one) => sum + one.iterations, 0);
+  const facts: (Fact | undefined)[] = [
+    mu && ['μ, mean · 95 % · most', [mu.meanMu, mu.p95Mu, mu.maxMu].map((x) => x.toFixed(3)).join(' · ')], // prettier-ignore
+    ['Stretch σ₁/σ₂, 50 · 95 %', `${stretch.median.toFixed(2)} · ${stretch.p95.toFixed(2)}`],
+    ['log₂ area, 5 · 95 %', `${signed(area.p5)} · ${signed(area.p95)}`],
+    ['log₂ area, least · most', `${signed(area.min)} · ${signed(area.max)}`],
+    ['Map, width × height', `${box.width.toPrecision(3)} × ${box.height.toPrecision(3)}`],
+    ['Seam length', seamLength(solution).toPrecision(3)],
+    energy === undefined ? undefined : ['Energy ‖Lz‖²', shortNumber(energy)],
+    ['Rounds · iterations', `${rounds.length} · ${iterations}`],
+    ['Stored as', certificate.precision],
+    ['Time', `${report.seconds.toFixed(2)} s`],
+    ['Memory at most', memoryText(result.memory)],
+  ];
+  return facts.filter((one) => one !== undefined);
+}
+
+const factList = (facts: Fact[]): TemplateResult =>
+  html`<dl class="facts">
+    ${facts.map(
+      ([name, value]) =>
+        html`<div>
+          <dt>${name}</dt>
+          <dd>${value}</dd>
+        </div>`,
+    )}
+  </dl>`;
+
+class ResultPanel extends Panel {
+  override render(): TemplateResult | typeof nothing {
+    const { doc } = this.app;
+    const solution = doc.displayed;
+    if (!solution) return nothing;
+    const isGood = isCertified(solution);
+    return html`<details open id="panel-result" class=${doc.current === solution ? '' : 'stale'}>
+      <summary>Result</summary>
+      ${this.#banner(solution, isGood)} ${this.#twoNumbers(solution)}
+      ${isGood ? nothing : this.#reasons(solution)}
+      <details id="result-details" ?open=${!isGood}>
+        <summary>Details</summary>
+        ${this.#table(solution)} ${factList(statistics(solution))}
+        <p class="row">${actionButton(this.app, 'save-report', { className: 'small' })}</p>
+        ${[...solution.notes, ...solution.result.report.notes].map(
+          (note) => html`<p class="note">${note}</p>`,
+        )}
+      </details>
+    </details>`;
+  }
+
+  #banner(solution: Solution, isGood: boolean): TemplateResult {
+    const isStale = this.app.doc.current !== solution;
+    const text = isGood
+      ? 'No triangle is folded, every angle is the one you asked for, every seam fits.'
+      : 'This map does not pass. You may look at it and download it as it is.';
+    return html`<div class="verdict ${isGood ? 'good' : 'bad'} ${isStale ? 'stale' : ''}">
+      ${icon(isGood ? 'check' : 'cross')}
+      <div>
+        <b id="verdict">${isGood ? 'Certified' : 'Not certified'}</b>
+        <p>${isStale ? 'For the previous cones. ' : ''}${text}</p>
+      </div>
+    </div>`;
+  }
+
+  /** How much the texture is stretched, and whether parts of the map lie on others. */
+  #twoNumbers({ distortion, overlaps }: Solution): TemplateResult {
+    const percent = 100 * (distortion.stretch.median - 1);
+    const { pairs, triangles, isMore } = overlaps;
+    const places = Array.from(triangles, (id): Where => ({ kind: 'triangle', id }));
+    return html`<dl class="facts plain">
+      <div title="Of the triangle in the middle: how much longer one direction is than the other">
+        <dt>Typical stretch</dt>
+        <dd id="stretch">${percent < 10 ? percent.toFixed(1) : percent.toFixed(0)} %</dd>
+      </div>
+      <div title="Distant parts of the map may lie on top of each other; neighbours never do">
+        <dt>Overlaps in the flat map</dt>
+        <dd id="overlaps">
+          ${
+            pairs === 0
+              ? 'none'
+              : html`${isMore ? 'over ' : ''}${count(pairs)} pairs
+                  <button type="button" class="link" @click=${() => showPlaces(this.app, places)}>
+                    Show
+                  </button>`
+          }
+        </dd>
+      </div>
+    </dl>`;
+  }
+
+  #reasons(solution: Solution): TemplateResult[] {
+    return reasonsOf(solution).map(
+      ({ message, where = [] }) =>
+        html`<p class="note bad">
+          ${message}
+          ${
+            where.length > 0
+              ? html`<button
+                  type="button"
+                  class="small"
+                  @click=${() => showPlaces(this.app, where)}
+                >
+                  Show
+                </button>`
+              : nothing
+          }
+        </p>`,
+    );
+  }
+
+  #table(solution: Solution): TemplateResult {
+    return html`<table id="certificate">
+      <thead class="visually-hidden">
+        <tr>
+          <th scope="col">Check</th>
+          <th scope="col">Value</th>
+          <th scope="col">Passed</th>
+        </tr>
+      </thead>
+      <tbody>
+        ${verdictRows(solution).map((row) => this.#row(row))}
+      </tbody>
+    </table>`;
+  }
+
+  #row({ name, value, tolerance, isGood, where }: VerdictRow): TemplateResult {
+    const show = html`<button
+      type="button"
+      class="link"
+      aria-label="Show worst: ${name}"
+      @click=${() => showPlaces(this.app, where)}
+    >
+      Show worst
+    </button>`;
+    return html`<tr class=${isGood ? '' : 'bad'}>
+      <th scope="row">${name}<small>${tolerance}</small></th>
+      <td>${value} ${where.length > 0 && !isGood ? show : nothing}</td>
+      <td class="passed">
+        ${icon(isGood ? 'check' : 'cross')}<span class="visually-hidden"
+          >${isGood ? 'passed' : 'failed'}</span
+        >
+      </td>
+    </tr>`;
+  }
+}
+customElements.define('hgp-result-panel', ResultPanel);

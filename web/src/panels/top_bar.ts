@@ -1,0 +1,93 @@
+// The bar at the top: open, examples, undo, Run, Download.
+
+import { html, nothing, type TemplateResult } from 'lit';
+import { examples } from 'virtual:examples';
+import { attempt, type App } from '../actions/app';
+import { openExample } from '../actions/open';
+import { labelOf, perform, whyNotOf } from '../actions/registry';
+import { repairsFor } from '../actions/repair';
+import { actionButton } from './action_button';
+import { icon } from './icons';
+import { Panel } from './panel';
+import './top_bar.css';
+
+/** Which file and Close: in the bar at the top, or beside the tabs of a phone. */
+export function fileParts(app: App): TemplateResult {
+  const name = app.doc.model?.main ?? '';
+  const close = actionButton(app, 'close', { className: 'plain', isIconOnly: true });
+  return html`<p class="file" title=${name}>${name}</p>
+    ${app.doc.model ? close : nothing}`;
+}
+
+/** In the bar at the top; on a phone in the one at the bottom, under the thumb whatever the sheet does. */
+export function runButton(app: App): TemplateResult {
+  const { doc } = app;
+  if (doc.isBusy) return actionButton(app, 'cancel', { className: 'primary' });
+  if (doc.model && repairsFor(doc.model).length > 0) {
+    return actionButton(app, 'repair-and-run', { className: 'primary' });
+  }
+  const why = whyNotOf(app, 'run');
+  // Not `disabled`: a person must be able to reach the button and read why.
+  return html`<button
+      type="button"
+      id="run"
+      class=${doc.stateName === 'certified' ? '' : 'primary'}
+      aria-disabled=${why !== ''}
+      aria-describedby=${why ? 'run-why' : nothing}
+      title=${why || 'Run (Ctrl+Enter)'}
+      @click=${() => void perform(app, 'run')}
+    >
+      ${icon('run')}Run
+    </button>
+    <span id="run-why" class="visually-hidden">${why}</span>`;
+}
+
+class TopBar extends Panel {
+  override render(): TemplateResult {
+    const { app } = this;
+    const { doc, ui } = app;
+    const isCertified = doc.stateName === 'certified';
+    const isUncertified = doc.stateName === 'not-certified';
+    return html`<header>
+      <h1><span class="mark" aria-hidden="true"></span><span class="name">hgp</span></h1>
+      ${actionButton(app, 'open', { text: html`<span class="wide">Open</span>` })}
+      <button type="button" id="examples" aria-label="Examples" popovertarget="example-list">
+        <span class="wide">Examples</span>${icon('more')}
+      </button>
+      ${this.#exampleList()} ${actionButton(app, 'undo', { isIconOnly: true })}
+      ${actionButton(app, 'redo', { isIconOnly: true })}
+      ${ui.isPhone ? nothing : html`${fileParts(app)} ${runButton(app)}`}
+      <button
+        type="button"
+        id="download"
+        class=${isCertified ? 'primary' : ''}
+        ?disabled=${whyNotOf(app, 'download') !== ''}
+        aria-label=${labelOf(app, 'download')}
+        title="${labelOf(app, 'download')} (Ctrl+S)"
+        @click=${() => void perform(app, 'download')}
+      >
+        ${icon('download')}<span class="wide">${isUncertified ? 'Download…' : 'Download'}</span>
+      </button>
+      ${actionButton(app, 'help', { isIconOnly: true })}
+      ${actionButton(app, 'theme', { isIconOnly: true })}
+    </header>`;
+  }
+
+  #exampleList(): TemplateResult {
+    const open = (i: number): void => {
+      this.querySelector<HTMLElement>('#example-list')?.hidePopover();
+      void attempt(this.app, () => openExample(this.app, examples[i]));
+    };
+    return html`<ul class="popup" id="example-list" popover aria-label="Examples">
+      ${examples.map(
+        (example, i) =>
+          html`<li>
+            <button type="button" data-example=${example.id} @click=${() => open(i)}>
+              ${example.title}<small>${example.hint}</small>
+            </button>
+          </li>`,
+      )}
+    </ul>`;
+  }
+}
+customElements.define('hgp-top-bar', TopBar);

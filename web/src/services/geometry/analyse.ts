@@ -1,0 +1,145 @@
+// What the page wants to know of a map, from the written file and from the numbers that were
+// certified. Runs in the geometry worker.
+
+import type { Result } from 'hgp';
+import { objectsIn, parseGltf } from '../../formats/glb';
+import { isGltf } from '../../formats/glb';
+import { summarizePreserved } from '../../formats/preserved_content';
+import { readUv, type Corners } from '../../formats/read_uv';
+import type { Analysis, OutputFile, Seam } from '../../model/types';
+import {
+  boxOf,
+  leastArea,
+  measureDistortion,
+  quantilesOf,
+  type FaceDistortion,
+} from './distortion';
+import { forEachIndex } from './loops';
+import { findOverlaps } from './overlaps';
+import { seamChains } from './seam_chains';
+import { distanceToSeams } from './seam_distance';
+
+export type MapArrays = Pick<
+  Result,
+  'positions' | 'triangles' | 'uv' | 'cornerToUv' | 'uvToVertex' | 'seams'
+>;
+
+export interface AnalysisRequest {
+  map: MapArrays;
+  /** What was written and what it names, the main one first. */
+  files: OutputFile[];
+  mesh: number;
+  uvSet?: number;
+  q: number;
+}
+
+/** Per triangle and per vertex: what overlays are painted from. */
+export interface FaceValues extends FaceDistortion {
+  seamDistance: Float32Array;
+}
+
+export type Analysed = Omit<Analysis, 'id'> & { preserved: string };
+
+function cornersOf({ positions, triangles, uv, cornerToUv }: MapArrays): Corners {
+  const out = {
+    positions: new Float64Array(3 * triangles.length),
+    uv: new Float64Array(2 * triangles.length),
+  };
+  forEachIndex(triangles.length, (c) => {
+    for (let i = 0; i < 3; i++) out.positions[3 * c + i] = positions[3 * triangles[c] + i];
+    for (let i = 0; i < 2; i++) out.uv[2 * c + i] = uv[2 * cornerToUv[c] + i];
+  });
+  return out;
+}
+
+const slack = 2e-6; // of the largest number: float32 positions and 1 − v
+
+/** Why two sets of corners are not the same; empty where they are. */
+export function differenceOf(file: Corners, map: Corners): string {
+  const far = (x: Float64Array, y: Float64Array): number => {
+    let largest = 1;
+    let apart = 0;
+    for (let i = 0; i < x.length; i++) {
+      largest = Math.max(largest, Math.abs(y[i]));
+      const d = Math.abs(x[i] - y[i]);
+      if (!(d <= apart)) apart = Number.isNaN(d) ? Infinity : d;
+    }
+    return apart / largest;
+  };
+  if (file.uv.length !== map.uv.length) {
+    return `${file.uv.length / 6} triangles with the map are in the file, not ${map.uv.length / 6}`;
+  }
+  const uv = far(file.uv, map.uv);
+  if (uv > slack) return `coordinates are off by ${uv.toExponential(1)} of their size`;
+  const positions = far(file.positions, map.positions);
+  return positions > slack ? `positions are off by ${positions.toExponential(1)}` : '';
+}
+
+/** The file's corners, and why they are not those of the map; without corners where it cannot be read. */
+function readBack({ files, mesh, uvSet }: AnalysisRequest, map: Corners): [string, Corners?] {
+  try {
+    const read = readUv(files, mesh, uvSet);
+    return [differenceOf(read, map), read];
+  } catch (error) {
+    return [`the written file cannot be read back: ${(error as Error).message}`];
+  }
+}
+
+function flatten(uv: Float32Array): Float32Array {
+  const flat = new Float32Array((uv.length / 2) * 3);
+  for (let c = 0; c < uv.length / 2; c++) {
+    flat[3 * c] = uv[2 * c];
+    flat[3 * c + 1] = uv[2 * c + 1];
+  }
+  return flat;
+}
+
+interface Edges {
+  starts: Uint32Array;
+  neighbours: Uint32Array;
+  vertexCount: number;
+}
+
+export function analyse(
+  request: AnalysisRequest,
+  edges: Edges,
+): { analysis: Analysed; values: FaceValues } {
+  const { map, files, q } = request;
+  const own = cornersOf(map);
+  const [difference, read] = readBack(request, own);
+  const isSameAsFile = difference === '';
+  const cornerUv = Float32Array.from(isSameAsFile ? read!.uv : own.uv);
+  const faces = measureDistortion(own.positions, own.uv);
+  const surface = { ...edges, positions: map.positions };
+  const seamDistance = distanceToSeams(surface, map.seams as Seam[], map.uvToVertex);
+  const { flipped, uvArea, surfaceArea } = faces;
+  const analysis: Analysed = {
+    isSameAsFile,
+    difference,
+    cornerUv,
+    flatPositions: flatten(cornerUv),
+    distortion: {
+      stretch: quantilesOf(faces.conformal),
+      area: quantilesOf(faces.area),
+      areaSize: quantilesOf(faces.areaSize),
+      seamDistance: quantilesOf(seamDistance),
+      ...{ flipped, uvArea, surfaceArea },
+    },
+    // Of what the file holds, where that could be read.
+    least: leastArea(read && read.uv.length === own.uv.length ? read.uv : own.uv),
+    overlaps: findOverlaps(Float32Array.from(own.uv), map.cornerToUv),
+    chains: seamChains(map.seams as Seam[], map.uvToVertex, q),
+    box: boxOf(map.uv),
+    preserved: isGltf(files[0].name) ? summarizePreserved(parseGltf(files[0])) : '',
+  };
+  return { analysis, values: { ...faces, seamDistance } };
+}
+
+/** What a written .gltf names beside itself. */
+export function urisOf(main: OutputFile): string[] {
+  if (!/\.gltf$/i.test(main.name)) return [];
+  const { buffers, images } = parseGltf(main);
+  return [...objectsIn(buffers), ...objectsIn(images)].flatMap(({ uri }) =>
+    typeof uri === 'string' && !uri.startsWith('data:') ? [uri] : [],
+  );
+}

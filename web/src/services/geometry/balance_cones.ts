@@ -1,0 +1,118 @@
+// Where cones that are missing cost least. The scale of the map is e^u with Δu = K − Σ 2π(q − kᵢ)/q δᵢ
+// (curvature that cones do not take up has to be stretched away), so a cone of the missing sign goes
+// to where u is most extreme; one after another, for each changes u.
+
+import type { Cone } from '../../model/prescription';
+import { largestK } from '../../model/gauss_bonnet';
+import type { Surface } from '../../model/types';
+
+type Graph = Pick<
+  Surface,
+  'starts' | 'neighbours' | 'angle' | 'isBoundary' | 'component' | 'valence' | 'meaning'
+>;
+
+const mostSteps = 400; // of conjugate gradients
+const accuracy = 1e-4; // of the residual at the beginning
+const mostCones = 256;
+
+/** out = L x with the combinatorial Laplacian. */
+function laplacian({ starts, neighbours }: Graph, x: Float64Array, out: Float64Array): void {
+  for (let v = 0; v + 1 < starts.length; v++) {
+    let sum = 0;
+    for (let n = starts[v]; n < starts[v + 1]; n++) sum += x[v] - x[neighbours[n]];
+    out[v] = sum;
+  }
+}
+
+const dot = (a: Float64Array, b: Float64Array): number => {
+  let sum = 0;
+  for (let i = 0; i < a.length; i++) sum += a[i] * b[i];
+  return sum;
+};
+
+/** L u = b by conjugate gradients from u; b adds up to zero on every component. */
+function solve(graph: Graph, b: Float64Array, u: Float64Array): void {
+  const r = new Float64Array(b.length);
+  const lp = new Float64Array(b.length);
+  laplacian(graph, u, r);
+  for (let i = 0; i < r.length; i++) r[i] = b[i] - r[i];
+  const p = r.slice();
+  let rr = dot(r, r);
+  const enough = accuracy ** 2 * dot(b, b);
+  for (let step = 0; step < mostSteps && rr > enough; step++) {
+    laplacian(graph, p, lp);
+    const alpha = rr / dot(p, lp);
+    for (let i = 0; i < u.length; i++) {
+      u[i] += alpha * p[i];
+      r[i] -= alpha * lp[i];
+    }
+    const next = dot(r, r);
+    const beta = next / rr;
+    rr = next;
+    for (let i = 0; i < p.length; i++) p[i] = r[i] + beta * p[i];
+  }
+}
+
+/** Curvature that cones do not take up, with the mean of each component taken away. */
+function rightHandSide(graph: Graph, q: number, cones: readonly Cone[]): Float64Array {
+  const { angle, isBoundary, component, starts } = graph;
+  const b = new Float64Array(angle.length);
+  const isThere = (v: number): boolean => starts[v + 1] > starts[v];
+  for (let v = 0; v < b.length; v++) {
+    if (isThere(v) && !isBoundary[v]) b[v] = 2 * Math.PI - angle[v];
+  }
+  for (const { vertex, k } of cones) b[vertex] -= (2 * Math.PI * (q - k)) / q;
+  const sums = new Map<number, [sum: number, count: number]>();
+  for (let v = 0; v < b.length; v++) {
+    if (!isThere(v)) continue;
+    const entry = sums.get(component[v]) ?? [0, 0];
+    sums.set(component[v], [entry[0] + b[v], entry[1] + 1]);
+  }
+  for (let v = 0; v < b.length; v++) {
+    const [sum, count] = sums.get(component[v]) ?? [0, 1];
+    if (isThere(v)) b[v] -= sum / count;
+  }
+  return b;
+}
+
+/** Vertices that no other cone may share a triangle with. */
+function takenBy({ starts, neighbours }: Graph, cones: readonly Cone[]): Set<number> {
+  const taken = new Set<number>();
+  for (const { vertex } of cones) {
+    taken.add(vertex);
+    for (let n = starts[vertex]; n < starts[vertex + 1]; n++) taken.add(neighbours[n]);
+  }
+  return taken;
+}
+
+/** `left`: what each component has to spend. What is returned are the cones to add. */
+export function balancingCones(
+  graph: Graph,
+  q: number,
+  cones: readonly Cone[],
+  left: ReadonlyMap<number, number>,
+): Cone[] {
+  const added: Cone[] = [];
+  const u = new Float64Array(graph.angle.length);
+  const open = new Map(left);
+  while (added.length < mostCones) {
+    const next = [...open].find(([, n]) => n !== 0);
+    if (!next) break;
+    const [component, n] = next;
+    const sign = Math.sign(n);
+    const all = [...cones, ...added];
+    solve(graph, rightHandSide(graph, q, all), u);
+    const taken = takenBy(graph, all);
+    const k = q - sign;
+    let best = -1;
+    for (let v = 0; v < u.length; v++) {
+      if (graph.component[v] !== component || graph.isBoundary[v] || taken.has(v)) continue;
+      if (graph.meaning[v] !== v || k > largestK(q, graph.valence[v])) continue;
+      if (best < 0 || sign * u[v] > sign * u[best]) best = v;
+    }
+    if (k < 1 || best < 0) break;
+    added.push({ vertex: best, k });
+    open.set(component, n - sign);
+  }
+  return added;
+}

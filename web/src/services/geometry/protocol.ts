@@ -1,0 +1,57 @@
+// What the page asks of the geometry worker, call by call.
+
+import type { Cone } from '../../model/prescription';
+import type { Analysis, OutputFile, Overlay, Surface } from '../../model/types';
+import type { AnalysisRequest, MapArrays } from './analyse';
+import type { SurfaceArrays } from './surface_facts';
+
+export interface SerializedBvh {
+  roots: ArrayBuffer[];
+  index: null;
+  indirectBuffer: Uint32Array | Uint16Array | null;
+}
+
+export interface GeometryCalls {
+  /** Everything about a surface; the worker keeps it under its id. */
+  surface(id: number, arrays: SurfaceArrays, matrix: readonly number[]): Surface;
+  /** Everything about a map of a surface; what was lent comes back. */
+  analyse(
+    id: number,
+    surface: number,
+    request: AnalysisRequest,
+  ): { analysis: Analysis; preserved: string; map: MapArrays; files: OutputFile[] };
+  /** Relative names in a written .gltf, and the areas in uv and on the surface; both for writing. */
+  urisOf(main: OutputFile): { uris: string[]; main: OutputFile };
+  overlay(id: number, overlay: Overlay): Uint8Array;
+  crosses(id: number, tiles: number, q: number): { onSurface: Float32Array; inMap: Float32Array };
+  handleLoops(surface: number): Float32Array[];
+  /** For picking: over the triangles of a surface, or of the flat map. */
+  surfaceBvh(surface: number): SerializedBvh;
+  mapBvh(id: number): SerializedBvh;
+  balance(surface: number, q: number, cones: readonly Cone[], left: [number, number][]): Cone[];
+  forget(surfaces: number[], maps: number[]): void;
+}
+
+export type GeometryMethod = keyof GeometryCalls;
+
+export interface GeometryMessage {
+  call: number;
+  method: GeometryMethod;
+  args: unknown[];
+}
+
+export interface GeometryAnswer {
+  call: number;
+  result?: unknown;
+  error?: string;
+}
+
+/** The buffers of all typed arrays in a value: they move instead of being copied. */
+export function buffersIn(value: unknown, found = new Set<ArrayBuffer>()): Set<ArrayBuffer> {
+  if (value instanceof ArrayBuffer) found.add(value);
+  else if (ArrayBuffer.isView(value)) found.add(value.buffer as ArrayBuffer);
+  else if (typeof value === 'object' && value !== null) {
+    for (const part of Object.values(value)) buffersIn(part, found);
+  }
+  return found;
+}

@@ -1,0 +1,80 @@
+// The page's side of the geometry worker: calls that return promises. Arrays that are lent move to
+// the worker and come back with the answer, so that nothing large is copied on the main thread.
+
+import type { Result } from 'hgp';
+import type { Analysis, OutputFile, Surface } from '../model/types';
+import type { AnalysisRequest } from './geometry/analyse';
+import {
+  buffersIn,
+  type GeometryAnswer,
+  type GeometryCalls,
+  type GeometryMethod,
+} from './geometry/protocol';
+import type { SurfaceArrays } from './geometry/surface_facts';
+import { geometryUrl, scriptUrl } from './trusted_types';
+
+interface Pending {
+  resolve(result: never): void;
+  reject(error: Error): void;
+}
+
+export class GeometryClient {
+  #worker?: Worker;
+  #pending = new Map<number, Pending>();
+  #calls = 0;
+  #ids = 0;
+
+  #start(): Worker {
+    const worker = new Worker(scriptUrl(geometryUrl), { type: 'module', name: 'geometry' });
+    worker.addEventListener('message', ({ data }: MessageEvent<GeometryAnswer>) => {
+      const { call, result, error } = data;
+      const pending = this.#pending.get(call);
+      this.#pending.delete(call);
+      if (error === undefined) pending?.resolve(result as never);
+      else pending?.reject(new Error(error));
+    });
+    worker.addEventListener('error', ({ message }) => this.#lose(message ?? 'it did not start'));
+    return worker;
+  }
+
+  /** Out of memory, or not to be had: what waits fails, the next call starts another. */
+  #lose(reason: string): void {
+    const pending = [...this.#pending.values()];
+    this.#pending.clear();
+    this.#worker?.terminate();
+    this.#worker = undefined;
+    for (const { reject } of pending) reject(new Error(`The geometry worker stopped (${reason}).`));
+  }
+
+  call<M extends GeometryMethod>(
+    method: M,
+    args: Parameters<GeometryCalls[M]>,
+    lent: unknown = undefined,
+  ): Promise<ReturnType<GeometryCalls[M]>> {
+    this.#worker ??= this.#start();
+    const call = ++this.#calls;
+    return new Promise((resolve, reject) => {
+      this.#pending.set(call, { resolve, reject });
+      this.#worker!.postMessage({ call, method, args }, [...buffersIn(lent)]);
+    });
+  }
+
+  surface(arrays: SurfaceArrays, matrix: readonly number[]): Promise<Surface> {
+    return this.call('surface', [++this.#ids, arrays, matrix], arrays);
+  }
+
+  /** `result` and `files` are given back with other arrays of the same content. */
+  async analyse(
+    surface: Surface,
+    result: Result,
+    files: OutputFile[],
+    where: Pick<AnalysisRequest, 'mesh' | 'uvSet' | 'q'>,
+  ): Promise<{ analysis: Analysis; preserved: string; result: Result; files: OutputFile[] }> {
+    const { positions, triangles, uv, cornerToUv, uvToVertex, seams } = result;
+    const map = { positions, triangles, uv, cornerToUv, uvToVertex, seams };
+    const request = { ...where, map, files };
+    const answer = await this.call('analyse', [++this.#ids, surface.id, request], request);
+    const { analysis, preserved } = answer;
+    return { analysis, preserved, result: { ...result, ...answer.map }, files: answer.files };
+  }
+}

@@ -1,0 +1,145 @@
+// The worker for everything about surfaces and maps that takes long and is not solving: facts for the
+// panels, what the written file holds, colours, crosses, and trees to pick with.
+
+import { BufferAttribute, BufferGeometry } from 'three';
+import { MeshBVH } from 'three-mesh-bvh';
+import type { Surface } from '../model/types';
+import { analyse, urisOf, type FaceValues } from './geometry/analyse';
+import { balancingCones } from './geometry/balance_cones';
+import { flatCrosses, surfaceCrosses } from './geometry/cross_lines';
+import { handleLoops, loopSegments } from './geometry/handle_loops';
+import { overlayColours } from './geometry/overlay_colours';
+import { poissonSamples, spacingOf, type Sample } from './geometry/poisson_samples';
+import {
+  buffersIn,
+  type GeometryCalls,
+  type GeometryMessage,
+  type SerializedBvh,
+} from './geometry/protocol';
+import { placed, surfaceFacts } from './geometry/surface_facts';
+import type { Analysis } from '../model/types';
+
+interface KnownMap {
+  surface: number;
+  triangles: Uint32Array;
+  cornerUv: Float32Array;
+  flatPositions: Float32Array;
+  distortion: Analysis['distortion'];
+  values: FaceValues;
+}
+
+const surfaces = new Map<number, Surface>();
+const maps = new Map<number, KnownMap>();
+let lastSamples: { surface: number; spacing: number; samples: Sample[] } | undefined;
+
+function surfaceOf(id: number): Surface {
+  const found = surfaces.get(id);
+  if (!found) throw new Error('this surface is not known any more');
+  return found;
+}
+function mapOf(id: number): KnownMap {
+  const found = maps.get(id);
+  if (!found) throw new Error('this map is not known any more');
+  return found;
+}
+
+/** Arrays of a surface that are kept here while the page has its own. */
+const copied = (surface: Surface): Surface =>
+  Object.fromEntries(
+    Object.entries(surface).map(([key, value]) => [
+      key,
+      ArrayBuffer.isView(value) ? (value as Float32Array).slice() : value,
+    ]),
+  ) as unknown as Surface;
+
+function cornersOf(values: ArrayLike<number>, triangles: Uint32Array): Float32Array {
+  const out = new Float32Array(3 * triangles.length);
+  for (let c = 0; c < triangles.length; c++) {
+    const v = 3 * triangles[c];
+    out[3 * c] = values[v];
+    out[3 * c + 1] = values[v + 1];
+    out[3 * c + 2] = values[v + 2];
+  }
+  return out;
+}
+
+const samplesOn = ({ places: positions, triangles }: Surface, spacing: number): Sample[] =>
+  poissonSamples({ positions, triangles }, spacing);
+
+function samplesOf(id: number, spacing: number): Sample[] {
+  if (lastSamples?.surface !== id || lastSamples.spacing !== spacing) {
+    lastSamples = { surface: id, spacing, samples: samplesOn(surfaceOf(id), spacing) };
+  }
+  return lastSamples.samples;
+}
+
+function bvhOf(positions: Float32Array): SerializedBvh {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(positions, 3));
+  const bvh = new MeshBVH(geometry, { indirect: true, maxLeafSize: 10 });
+  return MeshBVH.serialize(bvh, { cloneBuffers: false }) as unknown as SerializedBvh;
+}
+
+const calls: GeometryCalls = {
+  surface(id, arrays, matrix) {
+    const facts = placed(surfaceFacts(arrays), matrix);
+    const cornerPositions = cornersOf(facts.places, facts.triangles);
+    const cornerNormals = cornersOf(facts.normals, facts.triangles);
+    const surface = { id, ...facts, cornerPositions, cornerNormals };
+    surfaces.set(id, copied({ ...surface, cornerNormals: new Float32Array(0) }));
+    return surface;
+  },
+  analyse(id, surface, request) {
+    const { map, files } = request;
+    const { analysis, values } = analyse(request, surfaceOf(surface));
+    const { preserved, ...rest } = analysis;
+    maps.set(id, {
+      surface,
+      triangles: map.triangles.slice(),
+      cornerUv: rest.cornerUv.slice(),
+      flatPositions: rest.flatPositions.slice(),
+      distortion: rest.distortion,
+      values: { ...values, flipped: values.flipped.slice() },
+    });
+    return { analysis: { id, ...rest }, preserved, map, files };
+  },
+  urisOf: (main) => ({ uris: urisOf(main), main }),
+  overlay(id, overlay) {
+    const { values, distortion, triangles } = mapOf(id);
+    return overlayColours(overlay, values, distortion, triangles);
+  },
+  crosses(id, tiles, q) {
+    const { surface: surfaceId, cornerUv, distortion } = mapOf(id);
+    const surface = surfaceOf(surfaceId);
+    const spacing = spacingOf(surface, tiles);
+    const seen = (spacing * 2 * surface.radius) / surface.diagonal; // where the model is seen
+    const samples = samplesOf(surfaceId, seen);
+    const arm = 0.42 * spacing * Math.sqrt(distortion.uvArea / distortion.surfaceArea);
+    const { places: positions, triangles } = surface;
+    const input = { positions, triangles, cornerUv, samples, arm, spacing: seen, q };
+    return { onSurface: surfaceCrosses(input), inMap: flatCrosses(input) };
+  },
+  handleLoops(id) {
+    const surface = surfaceOf(id);
+    const { places: positions, triangles } = surface;
+    return handleLoops(surface).map((loop) => loopSegments({ positions, triangles }, loop));
+  },
+  surfaceBvh: (id) => bvhOf(surfaceOf(id).cornerPositions),
+  mapBvh: (id) => bvhOf(mapOf(id).flatPositions),
+  balance: (id, q, cones, left) => balancingCones(surfaceOf(id), q, cones, new Map(left)),
+  forget(oldSurfaces, oldMaps) {
+    for (const id of oldSurfaces) surfaces.delete(id);
+    for (const id of oldMaps) maps.delete(id);
+    lastSamples = undefined;
+  },
+};
+
+addEventListener('message', ({ data }: MessageEvent<GeometryMessage>) => {
+  const { call, method, args } = data;
+  try {
+    const result = (calls[method] as (...all: unknown[]) => unknown)(...args);
+    postMessage({ call, result }, { transfer: [...buffersIn(result)] });
+  } catch (error) {
+    postMessage({ call, error: (error as Error).message });
+  }
+});

@@ -1,0 +1,26 @@
+// The one place where this page makes URLs that may run script: its workers and its service worker.
+
+import workerUrl from 'hgp/worker?worker&url';
+import geometryUrl from './geometry_worker?worker&url';
+import validatorUrl from './validator_worker?worker&url';
+
+export { geometryUrl, validatorUrl, workerUrl };
+export const offlineUrl = './sw.js';
+
+interface Policy {
+  createScriptURL(url: string): unknown;
+}
+
+const policy = (
+  globalThis as { trustedTypes?: { createPolicy(name: string, rules: object): Policy } }
+).trustedTypes?.createPolicy('hgp', {
+  createScriptURL(url: string): string {
+    if (![workerUrl, geometryUrl, validatorUrl, offlineUrl].includes(url)) {
+      throw new TypeError(`not a script of this page: ${url}`);
+    }
+    return url;
+  },
+});
+
+/** Trusted where the browser knows Trusted Types. */
+export const scriptUrl = (url: string): string => (policy?.createScriptURL(url) ?? url) as string;

@@ -1,0 +1,59 @@
+// The command line that does what the page does.
+
+import type { Prescription } from '../model/prescription';
+import type { Model, SolveSettings } from '../model/types';
+
+/** For a POSIX shell; never an option, whatever a file is called. */
+export function quoted(word: string): string {
+  const name = word.startsWith('-') ? `./${word}` : word;
+  return /^[\w./:,=-]+$/.test(name) ? name : `'${name.replaceAll("'", "'\\''")}'`;
+}
+
+const mostInline = 40; // cones; beyond, they go into a file
+
+function coneWords({ q, cones, turnings, handles }: Prescription, stem: string): string[] {
+  const words = ['--q', String(q)];
+  if (cones.length > mostInline) return [...words, '--cones', quoted(`${stem}.cones.json`)];
+  for (const { vertex, k } of cones) words.push('--cone', `${vertex}:${k}`);
+  turnings.forEach((l, loop) => l !== null && words.push('--turning', `${loop}:${l}`));
+  handles.forEach((r, generator) => r !== null && words.push('--handle', `${generator}:${r}`));
+  return words;
+}
+
+function meshWords({ info, loaded }: Model): string[] {
+  const words: string[] = [];
+  if (info.surfaces.length > 1) words.push('--mesh', String(info.surface));
+  if (loaded.weld !== undefined) words.push('--weld', String(loaded.weld));
+  const fixes = Object.entries(loaded.fix).flatMap(([name, isOn]) => (isOn ? [name] : []));
+  if (fixes.length > 0) words.push('--fix', fixes.join(','));
+  return words;
+}
+
+function solveWords(solve: SolveSettings, field: { name: string } | undefined): string[] {
+  const words: string[] = [];
+  if (field && solve.frames === 'file')
+    words.push('--field', quoted(field.name), '--frames', 'file');
+  if (solve.rounds !== 12) words.push('--rounds', String(solve.rounds));
+  if (solve.quality) words.push('--quality');
+  if (solve.timeLimit !== undefined) words.push('--time-limit', String(solve.timeLimit));
+  return words;
+}
+
+/** Exactly this run. */
+export function cliCommand(
+  model: Model,
+  prescription: Prescription,
+  solve: SolveSettings,
+  field: { name: string } | undefined,
+): string {
+  const { main } = model;
+  const stem = main.replace(/^.*\//, '').replace(/\.[^.]*$/, '');
+  const ending = /\.(glb|gltf)$/i.exec(main)?.[0] ?? '.obj';
+  return [
+    ...['hgp', 'param', quoted(main)],
+    ...coneWords(prescription, stem),
+    ...meshWords(model),
+    ...solveWords(solve, field),
+    ...['--embed-cones', '-o', quoted(`${stem}.mapped${ending}`)],
+  ].join(' ');
+}

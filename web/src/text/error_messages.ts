@@ -1,0 +1,21 @@
+// Failures in words a person can act on: the rule, the number, what next.
+
+import { HgpError } from 'hgp';
+import { quoted } from './cli_command';
+
+export const isAbort = (error: unknown): boolean => (error as Error)?.name === 'AbortError';
+
+export function describeError(error: unknown, name: string): string {
+  const message = error instanceof Error ? error.message : String(error);
+  if (!(error instanceof HgpError)) return message;
+  if (error.code === 'limit') {
+    const command = `hgp param ${quoted(name)}`;
+    return `${message} Your cones are saved. The command line may use more memory: ${command}`;
+  }
+  if (error.code === 'malformed') return `“${name}” cannot be read: ${message}`;
+  return message;
+}
+
+/** The page has buttons where the command line has options. */
+export const withoutCliAdvice = (message = 'This mesh cannot be used as it is.'): string =>
+  message.replace(/Repair with --fix.*$/, '').trim();

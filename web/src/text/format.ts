@@ -1,0 +1,27 @@
+// Numbers as people read them.
+
+import type { Files } from '../model/types';
+
+export const bytesOfAll = (files: Files): number =>
+  [...files.values()].reduce(
+    (sum, file) => sum + (file instanceof Uint8Array ? file.length : file.size),
+    0,
+  );
+
+export const megabytes = (bytes: number): string =>
+  `${(bytes / 2 ** 20).toFixed(bytes < 2 ** 20 ? 2 : 0)} MB`;
+
+export const memoryText = (bytes: number): string =>
+  bytes < 2 ** 30
+    ? `${Math.max(10, Math.round(bytes / 2 ** 20 / 10) * 10)} MB`
+    : `${(bytes / 2 ** 30).toFixed(1)} GB`;
+
+const grouped = new Intl.NumberFormat('en');
+
+/** "12 345", with a thin space. */
+export const count = (n: number | undefined): string => grouped.format(n ?? 0).replaceAll(',', ' ');
+
+export const plural = (n: number, one: string, many = `${one}s`): string =>
+  `${count(n)} ${n === 1 ? one : many}`;
+
+export const signed = (x: number): string => (x < 0 ? `−${(-x).toFixed(2)}` : x.toFixed(2));

@@ -1,0 +1,45 @@
+// The stages of a run as steps, and what may be said about the time that is left.
+
+const spans: Record<string, [from: number, to: number]> = {
+  read: [0, 0.02],
+  weld: [0.02, 0.04],
+  topology: [0.04, 0.06],
+  cones: [0.06, 0.14],
+  field: [0.06, 0.22],
+  cut: [0.22, 0.26],
+  assemble: [0.26, 0.3],
+  solve: [0.3, 0.9],
+  verify: [0.9, 0.95],
+  write: [0.95, 1],
+};
+
+const names: Record<string, string> = {
+  read: 'Reading',
+  weld: 'Reading',
+  topology: 'Reading',
+  cones: 'Choosing cones',
+  field: 'Smooth field',
+  cut: 'Cutting',
+  assemble: 'Assembling',
+  solve: 'Solving',
+  verify: 'Checking',
+  write: 'Writing',
+};
+
+/** The steps that a run shows, in order. */
+export const runSteps = ['field', 'cut', 'solve', 'verify', 'write'] as const;
+const stepOf: Record<string, (typeof runSteps)[number]> = {
+  ...{ read: 'field', weld: 'field', topology: 'field', cones: 'field', field: 'field' },
+  ...{ cut: 'cut', assemble: 'cut', solve: 'solve', verify: 'verify', write: 'write' },
+};
+
+export const stageName = (stage: string): string => names[stage] ?? stage;
+
+/** Which of the steps a stage is part of. */
+export const stepIndex = (stage: string): number => runSteps.indexOf(stepOf[stage] ?? 'field');
+
+/** How far the whole is when a stage is so far. */
+export function wholeFraction(stage: string, fraction: number, before: number): number {
+  const [from, to] = spans[stage] ?? [before, before];
+  return Math.max(before, from + (to - from) * Math.min(Math.max(fraction, 0), 1));
+}

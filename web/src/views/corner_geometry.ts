@@ -1,0 +1,62 @@
+// From arrays to what WebGL draws: one vertex per triangle corner, so that texture coordinates and
+// overlays may differ on the two sides of an edge.
+
+import { BufferAttribute, BufferGeometry, Sphere, Vector3 } from 'three';
+import { MeshBVH, type SerializedBVH } from 'three-mesh-bvh';
+import type { Solution, Surface } from '../model/types';
+import type { SerializedBvh } from '../services/geometry/protocol';
+
+function withTint(geometry: BufferGeometry, count: number): BufferGeometry {
+  geometry.setAttribute('tint', new BufferAttribute(new Uint8Array(4 * count), 4, true));
+  return geometry;
+}
+
+/** `same` is a geometry of the same surface, whose places are taken over. */
+export function surfaceGeometry(
+  surface: Surface,
+  solution?: Solution,
+  same?: BufferGeometry,
+): BufferGeometry {
+  const count = surface.triangles.length;
+  const geometry = new BufferGeometry();
+  const position = same?.getAttribute('position');
+  const normal = same?.getAttribute('normal');
+  geometry.setAttribute('position', position ?? new BufferAttribute(surface.cornerPositions, 3));
+  geometry.setAttribute('normal', normal ?? new BufferAttribute(surface.cornerNormals, 3));
+  geometry.boundingSphere = new Sphere(new Vector3(...surface.center), surface.radius);
+  const uv = solution?.cornerUv ?? new Float32Array(2 * count);
+  geometry.setAttribute('uv', new BufferAttribute(uv, 2));
+  return withTint(geometry, count);
+}
+
+/** The map laid flat; it faces the viewer everywhere, so it needs no light. */
+export function flatGeometry({ cornerUv, flatPositions, box }: Solution): BufferGeometry {
+  const geometry = new BufferGeometry();
+  const center = new Vector3(box.x + box.width / 2, box.y + box.height / 2, 0);
+  geometry.boundingSphere = new Sphere(center, Math.hypot(box.width, box.height) / 2);
+  const position = new BufferAttribute(flatPositions, 3);
+  geometry.setAttribute('position', position);
+  geometry.setAttribute('normal', position); // not lit: any will do
+  geometry.setAttribute('uv', new BufferAttribute(cornerUv, 2));
+  return withTint(geometry, cornerUv.length / 2);
+}
+
+export function setTint(geometry: BufferGeometry, colours: Uint8Array): void {
+  const tint = geometry.getAttribute('tint') as BufferAttribute;
+  if (tint.array.length !== colours.length) return; // of another model
+  (tint.array as Uint8Array).set(colours);
+  tint.needsUpdate = true;
+}
+
+/** A tree to pick with, built in the geometry worker over the same corners. */
+export function bvhFrom(serialized: SerializedBvh, geometry: BufferGeometry): MeshBVH {
+  return MeshBVH.deserialize(serialized as unknown as SerializedBVH, geometry, { setIndex: false });
+}
+
+const smallest = 30_000; // corners: a tree over so few is built at once
+
+/** Over a small geometry without waiting; nothing where it would take long. */
+export const bvhAtOnce = (geometry: BufferGeometry): MeshBVH | undefined =>
+  geometry.getAttribute('position').count <= smallest
+    ? new MeshBVH(geometry, { indirect: true, maxLeafSize: 10 })
+    : undefined;

@@ -1,0 +1,92 @@
+// The model with its own materials, as three.js reads a glTF: one mesh of it, where its first node
+// puts it. Fetched only when there is a glTF.
+
+import {
+  AmbientLight,
+  type BufferGeometry,
+  DirectionalLight,
+  Group,
+  HemisphereLight,
+  LoadingManager,
+  type Material,
+  Matrix4,
+  Mesh,
+  type Object3D,
+  type Texture,
+} from 'three';
+import type { Files, OutputFile } from '../model/types';
+
+interface Source {
+  /** The main file first. */
+  written: OutputFile[];
+  files: Files;
+  mesh: number;
+  /** Column by column: from the mesh to where it is seen. */
+  matrix: readonly number[];
+}
+
+/** Images and buffers come from the files at hand and from nowhere else. */
+function managerOf({ files, written }: Source): [LoadingManager, () => void] {
+  const manager = new LoadingManager();
+  const urls: string[] = [];
+  manager.setURLModifier((url) => {
+    if (/^(blob|data):/.test(url)) return url;
+    const name = decodeURIComponent(url.replace(/^(\.\/)+/, ''));
+    const found = written.find((file) => file.name === name)?.bytes ?? files.get(name);
+    const blob = found instanceof Blob ? found : new Blob(found ? [found as BlobPart] : []);
+    urls.push(URL.createObjectURL(blob));
+    return urls.at(-1)!;
+  });
+  return [manager, () => urls.forEach((url) => URL.revokeObjectURL(url))];
+}
+
+/** Skins and morph targets stay at rest: what is parametrized is the base shape. */
+function atRest(object: Object3D, matrix: Matrix4): Group {
+  const group = new Group();
+  object.traverse((part) => {
+    const { geometry, material } = part as Partial<Mesh<BufferGeometry, Material>>;
+    if (!geometry || !material || !(part as Mesh).isMesh) return;
+    geometry.morphAttributes = {};
+    const mesh = new Mesh(geometry, material);
+    for (const one of [material].flat()) one.side = 2;
+    mesh.frustumCulled = false;
+    mesh.matrixAutoUpdate = false;
+    mesh.matrix.copy(matrix);
+    group.add(mesh);
+  });
+  return group;
+}
+
+export async function loadGltfMesh(source: Source): Promise<Group> {
+  const { GLTFLoader } = await import('three/addons/loaders/GLTFLoader.js');
+  const { MeshoptDecoder } = await import('three/addons/libs/meshopt_decoder.module.js');
+  const [manager, free] = managerOf(source);
+  try {
+    const { bytes } = source.written[0];
+    const loader = new GLTFLoader(manager).setMeshoptDecoder(MeshoptDecoder);
+    const gltf = await loader.parseAsync(bytes.slice().buffer, '');
+    const object = (await gltf.parser.getDependency('mesh', source.mesh)) as Object3D;
+    const group = atRest(object, new Matrix4().fromArray(source.matrix));
+    const light = new DirectionalLight(0xffffff, 2);
+    light.position.set(0.4, 0.8, 1);
+    const sky = new HemisphereLight(0xffffff, 0x8d8d8d, 1.2);
+    group.add(new AmbientLight(0xffffff, 0.7), sky, light);
+    return group;
+  } finally {
+    free();
+  }
+}
+
+/** What it holds on the graphics card. */
+export function disposeScene(group: Group | undefined): void {
+  group?.traverse((part) => {
+    const { geometry, material } = part as Partial<Mesh<BufferGeometry, Material>>;
+    geometry?.dispose();
+    for (const one of material ? [material].flat() : []) {
+      for (const value of Object.values(one)) {
+        if ((value as Texture | undefined)?.isTexture) (value as Texture).dispose();
+      }
+      one.dispose();
+    }
+  });
+}

@@ -1,0 +1,205 @@
+// Line segments with a width in pixels: seams, crosses, highlights; and a wireframe of thin ones.
+//
+// Every segment is two triangles of its own instead of an instance of one: drawing instances costs
+// software renderers (a browser without a graphics card) about as much each as a whole call.
+
+import {
+  BufferAttribute,
+  BufferGeometry,
+  type Color,
+  GLSL3,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  ShaderMaterial,
+  Vector2,
+  type Vector3,
+  type WebGLRenderer,
+} from 'three';
+import type { Solution, Surface } from '../model/types';
+import { chainColour } from './seam_marks';
+
+const vertexShader = /* glsl */ `
+in vec3 from;
+in vec3 to;
+in vec3 tint;
+uniform vec2 size; // of the view, in pixels
+uniform float width;
+out vec2 at; // along the segment and across it, in pixels
+flat out float reach;
+out vec3 vTint;
+
+// What lies behind the eye has no place in the picture: the segment ends just before.
+void cut(inout vec4 behind, vec4 before) {
+  float near = -0.5 * projectionMatrix[3][2] / projectionMatrix[2][2];
+  behind.xyz = mix(before.xyz, behind.xyz, (near - before.z) / (behind.z - before.z));
+}
+
+void main() {
+  vec4 a = modelViewMatrix * vec4(from, 1.0);
+  vec4 b = modelViewMatrix * vec4(to, 1.0);
+  if (projectionMatrix[2][3] == -1.0) {
+    if (a.z < 0.0 && b.z >= 0.0) cut(b, a);
+    else if (b.z < 0.0 && a.z >= 0.0) cut(a, b);
+  }
+  a = projectionMatrix * a;
+  b = projectionMatrix * b;
+  a.xyz /= a.w;
+  b.xyz /= b.w;
+  vec2 along = 0.5 * size * (b.xy - a.xy);
+  reach = length(along);
+  along = reach > 0.0 ? along / reach : vec2(1.0, 0.0);
+  bool isEnd = (gl_VertexID & 2) != 0;
+  float beyond = isEnd ? 0.5 * width : -0.5 * width;
+  float side = (gl_VertexID & 1) != 0 ? 0.5 * width : -0.5 * width;
+  at = vec2(isEnd ? reach + beyond : beyond, side);
+  vec3 place = isEnd ? b.xyz : a.xyz;
+  place.xy += 2.0 * (along * beyond + vec2(-along.y, along.x) * side) / size;
+  gl_Position = vec4(place, 1.0);
+  vTint = tint;
+}`;
+
+const fragmentShader = /* glsl */ `
+in vec2 at;
+flat in float reach;
+in vec3 vTint;
+uniform float width;
+uniform vec3 colour;
+uniform bool isTinted;
+layout(location = 0) out vec4 seen;
+void main() {
+  float beyond = max(max(-at.x, at.x - reach), 0.0); // the ends are round
+  if (beyond * beyond + at.y * at.y > 0.25 * width * width) discard;
+  seen = linearToOutputTexel(vec4(isTinted ? vTint : colour, 1.0));
+}`;
+
+const corners = [0, 2, 1, 1, 2, 3]; // of the two triangles of one segment
+
+/** Each item of `width` numbers four times. */
+function fourTimes(values: ArrayLike<number>, width: number, step: number, from: number) {
+  const count = values.length / step;
+  const out = new Float32Array(4 * width * count);
+  for (let s = 0; s < count; s++) {
+    for (let corner = 0; corner < 4; corner++) {
+      for (let i = 0; i < width; i++) {
+        out[width * (4 * s + corner) + i] = values[step * s + from + i];
+      }
+    }
+  }
+  return new BufferAttribute(out, width);
+}
+
+function geometryOf(points: ArrayLike<number>, colours: Color[] | undefined): BufferGeometry {
+  const geometry = new BufferGeometry();
+  const count = points.length / 6;
+  geometry.setAttribute('from', fourTimes(points, 3, 6, 0));
+  geometry.setAttribute('to', fourTimes(points, 3, 6, 3));
+  if (colours) {
+    const flat = colours.flatMap(({ r, g, b }) => [r, g, b]);
+    geometry.setAttribute('tint', fourTimes(flat, 3, 3, 0));
+  }
+  const index = new Uint32Array(6 * count);
+  for (let i = 0; i < index.length; i++) index[i] = 4 * Math.floor(i / 6) + corners[i % 6];
+  geometry.setIndex(new BufferAttribute(index, 1));
+  return geometry;
+}
+
+/** A little nearer to the eye, which leaves it where it is in the picture: seen from either side. */
+function lift(thing: Mesh | LineSegments, eye: Vector3, by: number): void {
+  thing.scale.setScalar(1 - by);
+  thing.position.copy(eye).multiplyScalar(by);
+}
+
+export class Lines extends Mesh<BufferGeometry, ShaderMaterial> {
+  constructor(width: number, options: { depth?: boolean; order?: number; bias?: number } = {}) {
+    const uniforms = {
+      ...{ size: { value: new Vector2(1, 1) }, width: { value: width } },
+      ...{ colour: { value: undefined as Color | undefined }, isTinted: { value: false } },
+    };
+    const material = new ShaderMaterial({
+      ...{ glslVersion: GLSL3, vertexShader, fragmentShader, uniforms },
+      ...{ depthTest: options.depth ?? true, depthWrite: false },
+    });
+    if (options.bias) {
+      material.polygonOffset = true;
+      material.polygonOffsetFactor = -options.bias;
+      material.polygonOffsetUnits = -options.bias;
+    }
+    super(new BufferGeometry(), material);
+    this.renderOrder = options.order ?? 2;
+    this.frustumCulled = false;
+    this.visible = false;
+    this.onBeforeRender = (renderer: WebGLRenderer) => renderer.getSize(uniforms.size.value);
+  }
+
+  lift(eye: Vector3, by: number): void {
+    lift(this, eye, by);
+  }
+
+  /** Pairs of points; one colour for all, or one per segment. */
+  set(points: ArrayLike<number>, colours: Color | Color[]): void {
+    this.geometry.dispose();
+    this.visible = points.length > 0;
+    if (!this.visible) return;
+    const isTinted = Array.isArray(colours);
+    this.geometry = geometryOf(points, isTinted ? colours : undefined);
+    this.material.uniforms.isTinted.value = isTinted;
+    this.material.uniforms.colour.value = isTinted ? colours[0] : colours;
+    this.material.uniformsNeedUpdate = true;
+  }
+}
+
+/** The edges of all triangles, as thin as the screen can draw. */
+export class Wire extends LineSegments<BufferGeometry, LineBasicMaterial> {
+  constructor(order: number, hasDepth: boolean) {
+    super(new BufferGeometry(), new LineBasicMaterial({ depthTest: hasDepth, depthWrite: false }));
+    this.renderOrder = order;
+    this.frustumCulled = false;
+    this.visible = false;
+  }
+
+  lift(eye: Vector3, by: number): void {
+    lift(this, eye, by);
+  }
+
+  /** Shares the corners that the triangles are drawn from. */
+  set(triangles: BufferGeometry, colour: Color): void {
+    this.visible = true;
+    this.material.color.copy(colour);
+    const position = triangles.getAttribute('position');
+    if (this.geometry.getAttribute('position') === position) return;
+    this.geometry.dispose();
+    this.geometry = new BufferGeometry().setAttribute('position', position);
+    const index = new Uint32Array(2 * position.count);
+    for (let c = 0; c < position.count; c++) {
+      index[2 * c] = c;
+      index[2 * c + 1] = c % 3 === 2 ? c - 2 : c + 1;
+    }
+    this.geometry.setIndex(new BufferAttribute(index, 1));
+  }
+}
+
+/** Seams on the surface: one segment per seam edge. */
+export function seamsOnSurface(surface: Surface, { seams, chains, result }: Solution) {
+  const points = new Float32Array(6 * seams.length);
+  seams.forEach(({ a }, s) => {
+    a.forEach((end, k) => {
+      const v = 3 * result.uvToVertex[end];
+      for (let i = 0; i < 3; i++) points[6 * s + 3 * k + i] = surface.places[v + i];
+    });
+  });
+  return { points, colours: seams.map((_, s) => chainColour(chains[s])) };
+}
+
+/** Both sides of every seam edge, the twins in one colour. */
+export function seamsInMap({ seams, chains, result: { uv } }: Solution) {
+  const points: number[] = [];
+  const colours: Color[] = [];
+  seams.forEach(({ a, b }, s) => {
+    for (const [i, j] of [a, b]) {
+      points.push(uv[2 * i], uv[2 * i + 1], 0.001, uv[2 * j], uv[2 * j + 1], 0.001);
+      colours.push(chainColour(chains[s]));
+    }
+  });
+  return { points: new Float32Array(points), colours };
+}

@@ -1,0 +1,224 @@
+// One material for everything: patterns drawn from (u, v) itself, so that they are sharp at any
+// scale; overlays as a colour per corner; light from the viewer.
+
+import {
+  Color,
+  DataTexture,
+  DoubleSide,
+  GLSL3,
+  RepeatWrapping,
+  ShaderMaterial,
+  SRGBColorSpace,
+  Texture,
+} from 'three';
+import type { Pattern } from '../model/types';
+
+const vertexShader = /* glsl */ `
+in vec4 tint;
+out vec2 vUv;
+out vec3 vNormal;
+out vec3 vEye;
+out vec4 vTint;
+void main() {
+  vUv = uv;
+  vTint = tint;
+  vec4 eye = modelViewMatrix * vec4(position, 1.0);
+  vEye = eye.xyz;
+  vNormal = normalMatrix * normal;
+  gl_Position = projectionMatrix * eye;
+}`;
+
+const fragmentShader = /* glsl */ `
+in vec2 vUv;
+in vec3 vNormal;
+in vec3 vEye;
+in vec4 vTint;
+uniform int pattern;
+uniform int q;
+uniform float scale;
+uniform float lit;
+uniform float dim;
+uniform bool isMirrored;
+uniform vec3 paper;
+uniform vec3 ink;
+uniform vec3 second;
+uniform sampler2D image;
+out vec4 colour;
+
+// Coverage of lines of a given width at whole values of x; fades to its mean where it gets too fine.
+float lines(float x, float width) {
+  float w = fwidth(x);
+  float d = abs(fract(x - 0.5) - 0.5);
+  float line = 1.0 - smoothstep(width - w * 0.7, width + w * 0.7, d);
+  return mix(line, 2.0 * width, smoothstep(0.35, 0.8, w));
+}
+float fold(float x) {
+  float w = fwidth(x);
+  float d = abs(fract(x) - 0.5) - 0.25;
+  return mix(smoothstep(-w, w, d), 0.5, smoothstep(0.4, 0.9, w));
+}
+const float s3 = 1.7320508;
+
+float hash(vec2 c) {
+  return fract(sin(dot(mod(c, 256.0), vec2(127.1, 311.7))) * 43758.5453);
+}
+float noise(vec2 p) {
+  vec2 c = floor(p), f = fract(p);
+  f = f * f * (3.0 - 2.0 * f);
+  return mix(mix(hash(c), hash(c + vec2(1, 0)), f.x), mix(hash(c + vec2(0, 1)), hash(c + 1.0), f.x), f.y);
+}
+// Two courses and one and a half bricks a tile, so that it goes on by whole tiles.
+vec3 brick(vec2 p) {
+  vec2 b = vec2(p.x, p.y * 2.0);
+  float row = floor(b.y);
+  b.x += 0.5 * mod(row, 2.0);
+  vec2 cell = vec2(floor(b.x), row);
+  float w = fwidth(p.x) + fwidth(p.y);
+  vec2 d = vec2(abs(fract(b.x - 0.5) - 0.5), abs(fract(b.y - 0.5) - 0.5) * 0.5);
+  float joint = 1.0 - smoothstep(0.025 - w * 0.4, 0.025 + w * 0.7, min(d.x, d.y));
+  float tone = 0.82 + 0.3 * hash(cell) + 0.12 * (noise(p * 24.0) - 0.5) * (1.0 - smoothstep(0.02, 0.06, w));
+  vec3 clay = vec3(0.44, 0.115, 0.065) * tone;
+  return mix(mix(clay, vec3(0.52, 0.49, 0.45), joint), vec3(0.44, 0.16, 0.11), smoothstep(0.4, 1.2, w));
+}
+vec3 wood(vec2 p) {
+  float plank = floor(p.y * 3.0);
+  float w = fwidth(p.x) + fwidth(p.y);
+  float shift = hash(vec2(plank, 3.0)) * 7.0;
+  float grain = noise(vec2(p.x * 1.5 + shift, p.y * 26.0)) + 0.5 * noise(vec2(p.x * 4.0 + shift, p.y * 70.0));
+  float ring = 0.5 + 0.5 * sin(6.2831853 * (p.y * 5.0 + 0.5 * noise(vec2(p.x * 0.8 + shift, p.y * 2.0))));
+  float fine = 1.0 - smoothstep(0.03, 0.15, w);
+  vec3 base = mix(vec3(0.36, 0.17, 0.065), vec3(0.56, 0.32, 0.14), 0.5 + fine * (0.35 * grain + 0.25 * ring - 0.45));
+  base *= 0.88 + 0.22 * hash(vec2(plank, 9.0));
+  float d = abs(fract(p.y * 3.0 - 0.5) - 0.5) / 3.0;
+  float gap = 1.0 - smoothstep(0.006, 0.006 + w, d);
+  return mix(base, vec3(0.1, 0.05, 0.025), gap * (1.0 - smoothstep(0.1, 0.4, w)));
+}
+float band(float x, float centre, float half_) {
+  float w = fwidth(x);
+  float d = abs(fract(x - centre + 0.5) - 0.5);
+  return mix(1.0 - smoothstep(half_ - w, half_ + w, d), 2.0 * half_, smoothstep(0.35, 0.9, w));
+}
+// The same along u and v: it goes on across a quarter turn.
+vec3 plaid(vec2 p) {
+  float a = band(p.x, 0.25, 0.17), b = band(p.y, 0.25, 0.17);
+  float c = band(p.x, 0.75, 0.035), d = band(p.y, 0.75, 0.035);
+  float e = band(p.x, 0.62, 0.015), f = band(p.y, 0.62, 0.015);
+  vec3 red = vec3(0.42, 0.035, 0.045), navy = vec3(0.025, 0.05, 0.14), gold = vec3(0.86, 0.62, 0.16);
+  vec3 colour = mix(red, navy, 0.5 * (a + b));
+  colour = mix(colour, gold, 0.5 * (c + d));
+  return mix(colour, vec3(0.9), 0.4 * (e + f));
+}
+
+vec3 shade(vec2 p) {
+  if (pattern == 2) { // grid: squares, or triangles where q asks for them
+    float c;
+    if (q % 3 == 0) {
+      c = max(lines(p.y * 2.0 / s3, 0.04), max(lines(p.x - p.y / s3, 0.04), lines(p.x + p.y / s3, 0.04)));
+    } else {
+      c = max(lines(p.x, 0.05), lines(p.y, 0.05));
+    }
+    return mix(paper, ink, c);
+  }
+  if (pattern == 3) {
+    float a = fold(p.x * 0.5), b = fold(p.y * 0.5);
+    return mix(second, ink, a + b - 2.0 * a * b);
+  }
+  if (pattern == 4) { // hexagons with their centres on a triangular lattice
+    vec2 s = vec2(1.0, s3);
+    vec2 a = mod(p, s) - s * 0.5;
+    vec2 b = mod(p - s * 0.5, s) - s * 0.5;
+    vec2 h = abs(dot(a, a) < dot(b, b) ? a : b);
+    float d = 0.5 - max(h.x, h.x * 0.5 + h.y * s3 * 0.5);
+    float w = fwidth(p.x) + fwidth(p.y);
+    float c = 1.0 - smoothstep(0.05, 0.05 + w, d);
+    return mix(paper, ink, mix(c, 0.2, smoothstep(0.4, 1.0, w)));
+  }
+  if (pattern == 5) {
+    float d = length(fract(p) - 0.5);
+    float w = fwidth(p.x) + fwidth(p.y);
+    float ring = smoothstep(0.30 - w, 0.30, d) - smoothstep(0.40, 0.40 + w, d);
+    return mix(paper, ink, mix(ring, 0.22, smoothstep(0.4, 1.0, w)));
+  }
+  if (pattern == 6) return texture(image, vec2(p.x, p.y)).rgb;
+  if (pattern == 7) return brick(p);
+  if (pattern == 8) return wood(p);
+  if (pattern == 9) return plaid(p);
+  return paper;
+}
+
+void main() {
+  vec3 base = shade(vUv * scale);
+  base = mix(base, vTint.rgb, vTint.a);
+  bool isBack = gl_FrontFacing == isMirrored;
+  vec3 n = normalize(vNormal + vec3(0.0, 0.0, 1e-12)) * (isBack ? -1.0 : 1.0);
+  float key = max(dot(n, normalize(vec3(0.35, 0.55, 0.75))), 0.0);
+  float fill = 0.5 + 0.5 * n.y;
+  float light = mix(1.0, 0.42 + 0.5 * key + 0.16 * fill, lit);
+  if (lit > 0.5 && isBack) light *= 0.55;
+  base *= light;
+  float grey = dot(base, vec3(0.3, 0.6, 0.1));
+  base = mix(base, mix(vec3(grey), paper, 0.55), dim);
+  colour = vec4(base, 1.0);
+  #include <colorspace_fragment>
+}`;
+
+const numbers: Record<Pattern, number> = {
+  ...{ plain: 0, material: 0, cross: 1, grid: 2, checker: 3, hex: 4, circles: 5, image: 6 },
+  ...{ brick: 7, wood: 8, plaid: 9 },
+};
+
+export interface Palette {
+  paper: Color;
+  ink: Color;
+  second: Color;
+}
+
+const blank = new DataTexture(new Uint8Array([200, 200, 200, 255]), 1, 1);
+blank.needsUpdate = true;
+
+export function surfaceMaterial(isLit: boolean): ShaderMaterial {
+  return new ShaderMaterial({
+    glslVersion: GLSL3,
+    vertexShader,
+    fragmentShader: fragmentShader
+      .replace('out vec4 colour;', 'layout(location = 0) out vec4 colour;')
+      .replace('#include <colorspace_fragment>', 'colour = linearToOutputTexel(colour);'),
+    side: DoubleSide,
+    polygonOffset: true,
+    polygonOffsetFactor: 1,
+    polygonOffsetUnits: 1,
+    uniforms: {
+      pattern: { value: 0 },
+      q: { value: 4 },
+      scale: { value: 1 },
+      lit: { value: isLit ? 1 : 0 },
+      dim: { value: 0 },
+      isMirrored: { value: false },
+      paper: { value: new Color(0xdfe5ec) },
+      ink: { value: new Color(0x17324d) },
+      second: { value: new Color(0xf5b642) },
+      image: { value: blank as Texture },
+    },
+  });
+}
+
+export function setPattern(material: ShaderMaterial, pattern: Pattern, q: number): void {
+  material.uniforms.pattern.value = numbers[pattern];
+  material.uniforms.q.value = q;
+}
+
+export function setPalette(material: ShaderMaterial, { paper, ink, second }: Palette): void {
+  Object.assign(material.uniforms, { paper: { value: paper }, ink: { value: ink } });
+  material.uniforms.second = { value: second };
+}
+
+export function setImage(material: ShaderMaterial, image: ImageBitmap): void {
+  const texture = new Texture(image);
+  texture.wrapS = texture.wrapT = RepeatWrapping;
+  texture.colorSpace = SRGBColorSpace;
+  texture.generateMipmaps = true;
+  texture.anisotropy = 4;
+  texture.needsUpdate = true;
+  (material.uniforms.image.value as Texture).dispose();
+  material.uniforms.image.value = texture;
+}

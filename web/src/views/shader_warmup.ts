@@ -1,0 +1,21 @@
+// One of each thing that the views draw.
+
+import { BufferAttribute, BufferGeometry, Color, Mesh, type Object3D } from 'three';
+import { Lines, Wire } from './lines';
+import { ConeMarkers } from './cone_markers';
+import { surfaceMaterial } from './pattern_material';
+
+export function oneOfEach(isLit: boolean): Object3D[] {
+  const geometry = new BufferGeometry();
+  for (const [name, size] of Object.entries({ position: 3, normal: 3, uv: 2, tint: 4 })) {
+    const values = Float32Array.from({ length: 3 * size }, (_, i) => (i * 0.37) % 1);
+    geometry.setAttribute(name, new BufferAttribute(values, size));
+  }
+  const lines = new Lines(2);
+  lines.set([0, 0, 0, 1, 1, 0], new Color(0));
+  const wire = new Wire(1, isLit);
+  wire.set(geometry, new Color(0));
+  const markers = new ConeMarkers(isLit);
+  markers.show([{ at: [0, 0, 0], k: 1, q: 4, isSelected: false, isBad: false }]);
+  return [new Mesh(geometry, surfaceMaterial(isLit)), lines, wire, markers];
+}

@@ -1,0 +1,266 @@
+// Keeps the two views up to date with the document: what has changed, in order, in a task of its own.
+// What fails is said, and the rest goes on.
+
+import { effect } from '@preact/signals-core';
+import { Color, type Group } from 'three';
+import type { Document } from '../model/document';
+import type { Solution } from '../model/types';
+import type { UiState } from '../model/ui_state';
+import type { GeometryClient } from '../services/geometry_client';
+import { isGltf } from '../formats/glb';
+import { disposeScene, loadGltfMesh } from './gltf_scene';
+import type { ModelView } from './model_view';
+import type { Palette } from './pattern_material';
+import type { UvView } from './uv_view';
+
+const palettes: Record<'light' | 'dark', Palette> = {
+  light: { paper: new Color('#e9edf2'), ink: new Color('#1d3f63'), second: new Color('#f3b63f') },
+  dark: { paper: new Color('#b9c4d0'), ink: new Color('#14304d'), second: new Color('#f0b038') },
+};
+
+const mostAtOnce = 10_000; // triangles: over so few a tree to pick with is built at once
+const mostForMaterials = 300_000; // triangles: beyond, own materials are shown on request only
+
+export interface ViewSources {
+  doc: Document;
+  ui: UiState;
+  geometry: GeometryClient;
+  model: ModelView;
+  uv: UvView;
+  /** Told of another surface. */
+  onSurface(): void;
+}
+
+/** One thing that the views show: what it depends on, and how it is shown. */
+interface Concern {
+  key(): unknown[];
+  show(): unknown;
+}
+
+const isSameKey = (a: unknown[] | undefined, b: unknown[]): boolean =>
+  a !== undefined && a.every((one, i) => Object.is(one, b[i]));
+
+export class ViewUpdates {
+  readonly #in: ViewSources;
+  readonly #concerns: Concern[];
+  readonly #shown = new Map<Concern, unknown[]>();
+  readonly #waiting = new Set<unknown>();
+  #isScheduled = false;
+  #original?: { of: unknown; group?: Group };
+
+  constructor(sources: ViewSources) {
+    this.#in = sources;
+    this.#concerns = [
+      this.#models(),
+      this.#looks(),
+      this.#overlays(),
+      this.#crosses(),
+      this.#cones(),
+      this.#originals(),
+      this.#wipe(),
+    ];
+    effect(() => {
+      for (const concern of this.#concerns) concern.key();
+      this.#schedule();
+    });
+  }
+
+  #schedule(): void {
+    if (this.#isScheduled) return;
+    this.#isScheduled = true;
+    document.body.dataset.pending = '';
+    setTimeout(() => {
+      this.#isScheduled = false;
+      for (const concern of this.#concerns) this.#update(concern);
+      this.#settle();
+    });
+  }
+
+  #update(concern: Concern): void {
+    const key = concern.key();
+    if (isSameKey(this.#shown.get(concern), key)) return;
+    this.#shown.set(concern, key);
+    try {
+      const done = concern.show();
+      if (done instanceof Promise) this.#waitFor(done);
+    } catch (error) {
+      this.#say(error);
+    }
+  }
+
+  #waitFor(work: Promise<unknown>): void {
+    this.#waiting.add(work);
+    void work
+      .catch((error: unknown) => this.#say(error))
+      .finally(() => {
+        this.#waiting.delete(work);
+        this.#settle();
+      });
+  }
+
+  #settle(): void {
+    if (!this.#isScheduled && this.#waiting.size === 0) delete document.body.dataset.pending;
+  }
+
+  #say(error: unknown): void {
+    console.warn(error);
+    this.#in.doc.say(`The view could not be updated: ${(error as Error).message}`, 'error');
+  }
+
+  get #palette(): Palette {
+    return palettes[this.#in.ui.isDark ? 'dark' : 'light'];
+  }
+  get #q(): number {
+    const { displayed, prescription } = this.#in.doc;
+    return displayed?.prescription.q ?? prescription.q;
+  }
+
+  #models(): Concern {
+    const { doc, geometry, model, uv, onSurface } = this.#in;
+    let last: unknown;
+    return {
+      key: () => [doc.model?.surface, doc.displayed],
+      show: () => {
+        const surface = doc.model?.surface;
+        const solution = doc.displayed;
+        const isNew = surface !== last;
+        last = surface;
+        if (isNew) onSurface();
+        model.setModel(surface, solution);
+        uv.setModel(surface, solution);
+        if (!surface || surface.triangles.length / 3 <= mostAtOnce) return undefined;
+        const trees: Promise<void>[] = [];
+        if (isNew) {
+          trees.push(
+            geometry.call('surfaceBvh', [surface.id]).then((tree) => model.setBvh(surface, tree)),
+          );
+        }
+        if (solution) {
+          trees.push(
+            geometry.call('mapBvh', [solution.id]).then((tree) => uv.setBvh(solution, tree)),
+          );
+        }
+        return Promise.all(trees);
+      },
+    };
+  }
+
+  #looks(): Concern {
+    const { doc, model, uv } = this.#in;
+    const isStale = (): boolean => doc.displayed !== undefined && doc.displayed !== doc.current;
+    return {
+      key: () => [doc.look, doc.model?.surface, doc.displayed, isStale(), this.#q, this.#palette],
+      show: () => {
+        model.setLook(doc.look, this.#q, isStale(), this.#palette);
+        uv.setLook(doc.look, this.#q, isStale(), this.#palette);
+      },
+    };
+  }
+
+  #overlays(): Concern {
+    const { doc, geometry, model, uv } = this.#in;
+    return {
+      key: () => [doc.displayed, doc.look.overlay],
+      show: async () => {
+        const { displayed, look } = doc;
+        if (!displayed || (look.overlay === 'none' && !this.#isTinted(displayed))) return;
+        const colours = await geometry.call('overlay', [displayed.id, look.overlay]);
+        if (doc.displayed !== displayed || doc.look.overlay !== look.overlay) return;
+        model.setOverlay(colours);
+        uv.setOverlay(colours);
+        this.#tinted = displayed;
+      },
+    };
+  }
+  #tinted?: Solution;
+  /** Folded triangles are red without any overlay; and what was painted before must go. */
+  #isTinted(solution: Solution): boolean {
+    return this.#tinted === solution || solution.distortion.flipped.length > 0;
+  }
+
+  #crosses(): Concern {
+    const { doc, geometry, model, uv } = this.#in;
+    const isShown = (): boolean => doc.look.pattern === 'cross' && doc.look.overlay !== 'flips';
+    return {
+      key: () => [doc.displayed, isShown(), doc.look.tiles, this.#q, this.#palette],
+      show: async () => {
+        const { displayed, look } = doc;
+        const none = new Float32Array(0);
+        if (!displayed || !isShown()) {
+          model.setCrosses(none, this.#palette);
+          return uv.setCrosses(none, this.#palette);
+        }
+        const lines = await geometry.call('crosses', [displayed.id, look.tiles, this.#q]);
+        if (doc.displayed !== displayed || doc.look.tiles !== look.tiles || !isShown()) return;
+        model.setCrosses(lines.onSurface, this.#palette);
+        uv.setCrosses(lines.inMap, this.#palette);
+      },
+    };
+  }
+
+  #cones(): Concern {
+    const { doc, model, uv } = this.#in;
+    return {
+      key: () => [doc.prescription, doc.selected, doc.budget, doc.model?.surface, doc.displayed],
+      show: () => {
+        const bad = doc.budget?.cones.map(({ isGood }) => !isGood) ?? [];
+        for (const view of [model, uv]) view.setCones(doc.prescription, bad, doc.selected);
+      },
+    };
+  }
+
+  /** What own materials are read from: the file as it came, or as it was written. */
+  #originalSource(): { key: unknown; isShown: boolean } | undefined {
+    const { doc } = this.#in;
+    const { model, displayed, look } = doc;
+    if (!model || !isGltf(model.main)) return undefined;
+    if (look.pattern === 'material') return { key: displayed ?? model, isShown: true };
+    const isSmall = model.info.triangles <= mostForMaterials;
+    return isSmall ? { key: model, isShown: displayed === undefined } : undefined;
+  }
+
+  #originals(): Concern {
+    const { doc, model: view } = this.#in;
+    return {
+      key: () => {
+        const source = this.#originalSource();
+        return [source?.key, source?.isShown];
+      },
+      show: async () => {
+        const source = this.#originalSource();
+        const old = this.#original;
+        if (old && old.of === source?.key) return view.setOriginal(old.group, source!.isShown);
+        const own: { of: unknown; group?: Group } = { of: source?.key };
+        this.#original = own;
+        view.setOriginal(undefined, false);
+        disposeScene(old?.group);
+        const { model, displayed } = doc;
+        if (!source || !model) return;
+        const isWritten = displayed !== undefined && source.key === displayed;
+        const file = model.files.get(model.main)!;
+        const bytes = file instanceof Blob ? new Uint8Array(await file.arrayBuffer()) : file;
+        const written = isWritten ? displayed.files : [{ name: model.main, bytes }];
+        const mesh = model.info.surface;
+        const { files, matrix } = model;
+        try {
+          const group = await loadGltfMesh({ written, files, mesh, matrix });
+          if (this.#original !== own) return disposeScene(group);
+          own.group = group;
+          view.setOriginal(group, this.#originalSource()?.isShown ?? false);
+        } catch (error) {
+          // Nobody has asked for it: the shape without materials is seen instead.
+          if (doc.look.pattern !== 'material') return;
+          doc.say(`The materials cannot be shown: ${(error as Error).message}`, 'error');
+        }
+      },
+    };
+  }
+
+  #wipe(): Concern {
+    const { ui, model, doc } = this.#in;
+    return {
+      key: () => [ui.wipe, doc.displayed],
+      show: () => model.setWipe(doc.displayed ? ui.wipe / 100 : 0),
+    };
+  }
+}

@@ -1,6 +1,6 @@
 // The model that turns on the empty page, with a map made by the solver itself while the page is built.
 
-import { createCore } from '../build/package/core.js';
+import { createCore } from '../build/package/node/core.js';
 import { examples } from './examples.mjs';
 
 function vertexNormals(positions, triangles) {

@@ -30,8 +30,8 @@ async function clean(page, context, { origin, viewport }) {
 function isPlain() {
   const find = (selector) => document.querySelector(selector);
   const values = {
-    ...{ pattern: 'cross', overlay: 'none', scale: '45', q: '4', rounds: '12', 'time-limit': '' },
-    'q-custom': '4',
+    ...{ q: '4', rounds: '12', 'time-limit': '', 'q-custom': '4' },
+    ...(find('#pattern') ? { pattern: 'checker', overlay: 'none', scale: '45', wipe: '0' } : {}),
   };
   const isValue = ([id, value]) => find(`#${id}`)?.value === value;
   const pressed = [...document.querySelectorAll('.toolbar [aria-pressed="true"]')].map(
@@ -40,7 +40,7 @@ function isPlain() {
   const sorted = find('th[aria-sort$="scending"]');
   return (
     find('#close') !== null &&
-    find('dialog, #cancel, .popup, input:checked, th[aria-sort="descending"]') === null &&
+    find('dialog, #cancel, :popover-open, input:checked, th[aria-sort="descending"]') === null &&
     (sorted === null || sorted.contains(find('[data-sort="number"]'))) &&
     Object.entries(values).every(isValue) &&
     `${pressed}` === 'tool-orbit,seams' &&
@@ -55,9 +55,10 @@ function isPlain() {
 async function tidy(page) {
   if (await page.$('#downloads, #help-dialog, #log-dialog')) await page.keyboard.press('Escape');
   if (await page.isVisible('#tab-surface')) await page.click('#tab-surface');
-  if (!(await page.isVisible('#pattern'))) return;
-  const usual = { '#pattern': 'cross', '#overlay': 'none' };
+  if (!(await page.isVisible('#wire'))) return;
+  const usual = { '#pattern': 'checker', '#overlay': 'none' };
   for (const [select, value] of Object.entries(usual)) {
+    if (!(await page.isVisible(select))) continue;
     const now = await page.$eval(select, (one) => one.value);
     if (now !== value) await page.selectOption(select, value);
   }
@@ -69,7 +70,9 @@ async function tidy(page) {
     // prettier-ignore
     if ((await page.getAttribute(button, 'aria-pressed')) !== pressed) await page.click(button);
   }
+  if (!(await page.isVisible('#scale'))) return;
   if ((await page.inputValue('#scale')) !== '45') await page.locator('#scale').fill('45');
+  if ((await page.inputValue('#wipe')) !== '0') await page.locator('#wipe').fill('0');
 }
 
 /**

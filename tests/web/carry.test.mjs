@@ -11,6 +11,7 @@ import {
   kOf,
   model,
   modelSays,
+  openDetails,
   openFiles,
   openMesh,
   run,
@@ -49,7 +50,7 @@ test('cones go along through a weld; what had its own boundary is inside now; un
   assert.equal(await coneCount(it), 10);
   assert.match(await page.locator('#cones').innerText(), /on the boundary/);
   await weld('0.001');
-  await modelSays(it, /Parts\s*1/);
+  await modelSays(it, /Components\s*1/);
   await page.waitForSelector('#status.good');
   assert.match(
     await statusText(page),
@@ -59,17 +60,18 @@ test('cones go along through a weld; what had its own boundary is inside now; un
   assert.doesNotMatch(await page.locator('#cones').innerText(), /boundary/);
   await run(it);
   await page.click('#undo');
-  await modelSays(it, /Parts\s*2/);
+  await modelSays(it, /Components\s*2/);
   assert.equal(await coneCount(it), 10);
   assert.equal(await page.locator('#verdict').count(), 0); // that map was of another surface
   await page.click('#redo');
-  await modelSays(it, /Parts\s*1/);
+  await modelSays(it, /Components\s*1/);
   assert.equal(await coneCount(it), 9);
   await state(page, 'certified'); // without another run
   // The worker has read the file again: a choice of Download finds its way all the same.
   await page.click('#download');
+  await openDetails(page, '#more-formats');
   await page.selectOption('#uv-scale', 'fit');
-  await page.waitForSelector('#downloads ul:not([aria-busy="true"])');
+  await page.waitForSelector('#downloads ul:not([aria-busy="true"])', { state: 'attached' });
   assert.equal(await page.locator('#uv-scale').inputValue(), 'fit');
   await state(page, 'certified');
 });
@@ -165,7 +167,8 @@ test('Close goes back to the beginning, and one click brings everything back', a
   await page.click('#close');
   await state(page, 'empty');
   // Another worker is there before anyone needs it.
-  while (page.workers().length !== 1) await page.waitForTimeout(20);
+  while (page.workers().filter((one) => !/geometry/.test(one.url())).length !== 1)
+    await page.waitForTimeout(20);
   await example(it, 'sphere');
   assert.match(await page.locator('.file').innerText(), /sphere/);
   await run(it);

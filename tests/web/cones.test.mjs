@@ -126,8 +126,12 @@ test('the budget says what is left and how to spend it; q converts where that is
   );
   assert.equal(await page.locator('#run').getAttribute('aria-disabled'), 'true');
   assert.match(await page.locator('#run-why').textContent(), /1 left/);
-  await page.click('tr[data-cone="0"] .link');
-  await page.click('#rest');
+  await page.click('#balance');
+  await page.waitForSelector('.budget.good');
+  assert.equal(await coneCount(it), 9);
+  assert.match(await statusText(page), /1 cone with k = 3 added/);
+  await page.click('#undo');
+  await page.click('tr[data-cone="0"] [aria-label$="smaller k"]');
   await page.waitForSelector('.budget.good');
   await page.selectOption('#q', '8');
   assert.equal(await kOf(it, 0), '6');

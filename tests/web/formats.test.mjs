@@ -53,7 +53,7 @@ test('a folder with a glTF, its buffer and its image', async () => {
     'model/data/cube one.bin': bin,
     'model/wood.png': Buffer.from('not really an image'),
   });
-  await state(it.page, 'pick-mesh', 'ready', 'needs-files');
+  await state(it.page, 'ready', 'needs-files');
   await dropPaths(it, [path.join(it.folder, 'model')]);
   assert.match(await shown(), /Triangles\s*192/);
 });
@@ -91,20 +91,20 @@ test('several meshes: what each is good for, the largest good one suggested', as
   json.nodes[0].scale = [1, -1, 1];
   json.nodes.push({ children: [0], scale: [2, 2, 2] });
   const name = json.buffers[0].uri;
-  await openFiles(it, { 'three.gltf': JSON.stringify(json), [name]: bin }, 'pick-mesh');
-  const table = await page.locator('#meshes').innerText();
-  assert.match(table, /mesh 0\s+48\s+1\s+1\s+yes/);
-  assert.match(table, /mesh 1\s+434\s+0\s+–\s+no: non manifold edge/);
-  assert.match(table, /mesh 2\s*suggested\s+192\s+3\s+1\s+yes/);
+  await openFiles(it, { 'three.gltf': JSON.stringify(json), [name]: bin });
+  const mesh = (i) => page.locator(`[data-mesh="${i}"]`);
+  assert.equal(await mesh(2).getAttribute('aria-current'), 'true');
+  assert.equal(await mesh(1).getAttribute('data-mesh-state'), 'unusable');
+  assert.match(await mesh(1).getAttribute('title'), /434 triangles, non manifold edge/);
   await page.click('[data-mesh="0"]');
-  assert.match(await shown(), /Triangles\s*48/);
+  await modelSays(it, /Triangles\s*48/);
   assert.match(await model(it), /A node mirrors it/);
-  // And from there to another one, by the chooser beside the name of the file.
-  await page.selectOption('#mesh', '2');
+  // And from there to another one.
+  await page.click('[data-mesh="2"]');
   await modelSays(it, /Triangles\s*192/);
   assert.match(await model(it), /Used 3 times/);
   assert.doesNotMatch(await model(it), /mirrors/);
-  await page.selectOption('#mesh', '1');
+  await page.click('[data-mesh="1"]');
   await state(page, 'invalid');
 });
 
@@ -132,8 +132,8 @@ test('Draco and meshopt are decoded in the worker', async () => {
   const features = await featureFiles();
   // The generated meshes are made to be awkward; the largest usable one is suggested.
   for (const [kind, reached, triangles] of [
-    ['Draco', 'pick-mesh', 32],
-    ['meshopt', 'pick-mesh', 144],
+    ['Draco', 'ready', 32],
+    ['meshopt', 'ready', 144],
   ]) {
     const { files } = features.find(({ name }) => name === kind);
     await drop(it, files);

@@ -10,6 +10,7 @@ import {
   drop,
   example,
   failure,
+  openDetails,
   openFiles,
   run,
   saveAs,
@@ -33,7 +34,7 @@ test('of two files dropped one after the other the second is opened', async () =
 
 test('while it runs: nothing is edited, nothing is run twice; another file ends it', async () => {
   const { page } = it;
-  await openFiles(it, { 'disk.obj': bumpyDisk(100) });
+  await openFiles(it, { 'disk.obj': bumpyDisk(150) });
   // Twice, before the page can answer the first.
   await page.evaluate(() => [1, 2].forEach(() => document.querySelector('#run').click()));
   await state(page, 'running');
@@ -65,7 +66,7 @@ test('a number half typed stays while the page draws itself anew', async () => {
   const rounds = page.locator('#rounds');
   await rounds.fill('7'); // typed, not left
   await page.waitForFunction(() =>
-    /round 1 of 12/.test(document.querySelector('footer .detail')?.textContent ?? ''),
+    /Solving/.test(document.querySelector('footer .steps .now')?.textContent ?? ''),
   );
   await state(page, 'certified');
   assert.equal(await rounds.inputValue(), '7');
@@ -94,11 +95,12 @@ test('choices of Download made faster than they are written: the last of each ho
   await example(it, 'cube');
   await run(it);
   await page.click('#download');
+  await openDetails(page, '#more-formats');
   await page.selectOption('#uv-scale', 'unit');
   await page.selectOption('#uv-scale', 'fit');
   await page.uncheck('#embed-cones');
   await page.selectOption('#uv-scale', 'unit');
-  await page.waitForSelector('#downloads ul:not([aria-busy="true"])');
+  await page.waitForSelector('#downloads ul:not([aria-busy="true"])', { state: 'attached' });
   assert.equal(await page.locator('#uv-scale').inputValue(), 'unit');
   assert.equal(await page.locator('#embed-cones').isChecked(), false);
   await page.keyboard.press('Escape');

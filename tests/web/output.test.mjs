@@ -24,6 +24,7 @@ import {
   state,
   statusText,
   useBrowser,
+  openDetails,
 } from './support.mjs';
 
 const it = useBrowser({ permissions: ['clipboard-read', 'clipboard-write'] });
@@ -32,6 +33,7 @@ const { test } = it;
 async function validate() {
   const { page } = it;
   await page.click('#download');
+  await openDetails(page, '#more-formats');
   await page.click('#validate');
   await page.waitForFunction(() => document.querySelector('#validation').textContent.trim() !== '');
   const text = await page.locator('.validation').innerText();
@@ -46,6 +48,7 @@ const errorsOf = async (bytes, more = {}) =>
 async function chooseGrid() {
   const { page } = it;
   await page.click('#download');
+  await openDetails(page, '#more-formats');
   await page.check('#grid-material');
   await page.waitForSelector('#downloads ul:not([aria-busy="true"])');
   await page.waitForFunction(() => document.querySelector('#grid-material').checked);

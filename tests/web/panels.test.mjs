@@ -27,6 +27,8 @@ import {
   state,
   statusText,
   useBrowser,
+  openDetails,
+  coneCount,
 } from './support.mjs';
 
 const it = useBrowser({ permissions: ['clipboard-read', 'clipboard-write'] });
@@ -36,16 +38,16 @@ test('a weld and a repair are steps of undo like any other', async () => {
   const { page } = it;
   await openMesh(it, crackedCube());
   const before = await model(it);
-  assert.match(before, /Parts\s*2[\s\S]*Boundaries\s*2/);
+  assert.match(before, /Components\s*2[\s\S]*Boundaries\s*2/);
   await page.locator('#weld').fill('0.001');
   await page.locator('#weld').press('Enter');
-  await modelSays(it, /Parts\s*1/);
+  await modelSays(it, /Components\s*1/);
   assert.match(await model(it), /Boundaries\s*0/);
   await page.click('#undo');
-  await modelSays(it, /Parts\s*2/);
+  await modelSays(it, /Components\s*2/);
   assert.equal(await page.locator('#weld').inputValue(), '');
   await page.click('#redo');
-  await modelSays(it, /Parts\s*1/);
+  await modelSays(it, /Components\s*1/);
 
   const { vertices, triangles } = cubeMesh(3);
   const fin = [...triangles, [triangles[0][0], triangles[0][1], vertices.length]];
@@ -89,6 +91,7 @@ test('handle loops have rows, steppers and colours on the surface', async () => 
   await openMesh(it, torusMesh(24, 12));
   assert.match(await model(it), /Genus g\s*1/);
   await run(it);
+  await openDetails(page, '#panel-turnings');
   assert.match(await page.locator('[data-handle="0"]').innerText(), /0°/);
   await page.selectOption('#pattern', 'plain');
   await page.click('#seams');
@@ -146,22 +149,24 @@ test('the line between the views is moved with the arrow keys, and dragged', asy
   assert.equal(await page.evaluate(() => document.activeElement.id), 'splitter');
 });
 
-test('Keep balanced: the cone edited longest ago takes up a change, and it is said', async () => {
+test('Balance for me adds what is missing where it costs least, as one step of undo', async () => {
   const { page } = it;
-  await example(it, 'cube');
-  await page.click('tr[data-cone="0"] [aria-label$="larger k"]');
-  await page.click('tr[data-cone="0"] [aria-label$="smaller k"]');
-  await page.check('#keep-balanced');
-  await page.click('tr[data-cone="3"] [aria-label$="larger k"]');
-  assert.equal(await kOf(it, 0), '3'); // edited, so not the first to change
-  assert.equal(await kOf(it, 1), '2');
-  assert.match(await statusText(page), /Cone 2 is now k = 2/);
+  await openMesh(it, cubeMesh(8));
+  // One corner by hand: what a click places is a cone of the missing sign.
+  await page.click('#tool-place');
+  const box = await page.locator('#view').boundingBox();
+  await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  await page.waitForSelector('tr[data-cone="0"]');
+  assert.equal(await kOf(it, 0), '3');
+  await page.click('#balance');
   await page.waitForSelector('.budget.good');
-  await page.click('tr[data-cone="5"] [aria-label$="delete"]');
-  await page.waitForSelector('.budget.good');
+  assert.equal(await coneCount(it), 8);
+  // The corners of the cube are where the curvature is: vertices 0 to 7.
+  const vertices = await page.locator('tr[data-cone] td:nth-of-type(1)').allInnerTexts();
+  assert.ok(vertices.slice(1).every((v) => Number(v) < 8), `${vertices}`); // prettier-ignore
   await page.click('#undo');
-  await page.click('#undo');
-  assert.equal(await kOf(it, 1), '3');
+  assert.equal(await coneCount(it), 1);
+  await page.click('#tool-orbit');
 });
 
 test('the table of cones is sorted by its columns, and a cone is brought to the middle', async () => {
@@ -214,8 +219,10 @@ test('Download: another uv set, another scale, without cones; each is judged aga
   const { page } = it;
   await openFiles(it, { 'cube.glb': toGlb([cubeMesh(4)]) });
   await run(it);
-  const idle = () => page.waitForSelector('#downloads ul:not([aria-busy="true"])');
+  const idle = () =>
+    page.waitForSelector('#downloads ul:not([aria-busy="true"])', { state: 'attached' });
   await page.click('#download');
+  await openDetails(page, '#more-formats');
   await page.uncheck('#embed-cones');
   await idle();
   const saved = await download(page, () => page.click('[data-format="same"]'));
@@ -240,6 +247,7 @@ test('Download: another uv set, another scale, without cones; each is judged aga
   await page.selectOption('#uv-set', '0');
   await idle();
   await page.waitForFunction(() => document.querySelector('#uv-set')?.value === '0');
+  await openDetails(page, '#more-formats');
   await page.selectOption('#uv-scale', 'fit');
   await idle();
   await page.screenshot({ path: path.join(shots, 'download-choices.png') });

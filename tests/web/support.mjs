@@ -16,7 +16,8 @@ export const state = (page, ...names) =>
   page.waitForSelector(names.map((name) => `body[data-state="${name}"]`).join(','));
 
 /** The worker that solves: the newest, where a cancelled one has not gone yet. */
-export const solverOf = (page) => page.workers().at(-1);
+export const solverOf = (page) =>
+  page.workers().findLast((worker) => !/geometry|validator/.test(worker.url()));
 
 export const statusText = (page) => page.locator('#status').innerText();
 
@@ -60,7 +61,17 @@ export async function run(it, ...states) {
 }
 
 export const model = (it) => it.page.locator('#panel-model').innerText();
-export const certificate = (it) => it.page.locator('#certificate').innerText();
+/** All rows of the verdict, which are under Details. */
+export async function certificate(it) {
+  await openDetails(it.page, '#result-details');
+  return it.page.locator('#certificate').innerText();
+}
+
+/** Opens a section as a person does, where it is closed. */
+export async function openDetails(page, selector) {
+  if ((await page.getAttribute(selector, 'open')) === null)
+    await page.click(`${selector} > summary`);
+}
 export const coneCount = (it) => it.page.locator('#cones tbody tr[data-cone]').count();
 export const kOf = (it, i) => it.page.locator(`tr[data-cone="${i}"] input`).inputValue();
 
@@ -92,6 +103,7 @@ export async function killSolver(it) {
 export const saveAs = (it, format) =>
   download(it.page, async () => {
     await it.page.click('#download');
+    if (format !== 'same') await openDetails(it.page, '#more-formats');
     await it.page.click(`[data-format="${format}"]`);
   });
 

@@ -17,6 +17,7 @@ import {
   isPink,
   kOf,
   killSolver,
+  openDetails,
   openFiles,
   pixels,
   run,
@@ -59,12 +60,103 @@ test('a non-manifold mesh is shown, its defects are listed, and splitting them i
     'invalid',
   );
   assert.match(await it.page.locator('.defects').innerText(), /more than two triangles/);
-  assert.equal(await it.page.locator('#run').getAttribute('aria-disabled'), 'true');
+  assert.equal(await it.page.locator('#run').count(), 0); // repairs come first
+  assert.equal(await it.page.locator('#repair-and-run').isEnabled(), true);
   await it.page.click('[data-show="non-manifold-edge"]');
   await settled(it.page);
   assert.ok(share(await pixels(it.page, '#view', 'defects'), isPink) > 0.0005);
   await it.page.click('[data-fix="split"]');
   await state(it.page, 'ready', 'unbalanced');
+});
+
+test('a mesh that is refused has a map after one click: repaired, run, and undone step by step', async () => {
+  const { page } = it;
+  const { vertices, triangles } = cubeMesh(4);
+  const turned = triangles.map(([a, b, c], t) => (t === 5 ? [a, c, b] : [a, b, c]));
+  const mesh = { vertices, triangles: [...turned, triangles[9]] }; // and one twice
+  await openFiles(it, { 'bad.obj': toObj(mesh) }, 'invalid');
+  assert.match(await page.locator('.defects').innerText(), /opposite orientation|Duplicate/);
+  await page.click('#repair-and-run');
+  await state(page, 'certified', 'not-certified');
+  // Banner, status and every row agree, whatever they say.
+  const isGood = (await page.locator('#verdict').innerText()) === 'Certified';
+  await certificate(it);
+  const failed = await page.locator('#certificate tr.bad').count();
+  assert.equal(isGood, failed === 0);
+  assert.equal(await page.locator('#status.good').count(), isGood ? 1 : 0);
+  const label = await page.locator('#download').getAttribute('aria-label');
+  assert.equal(label, isGood ? 'Download' : 'Download uncertified result');
+});
+
+test('what is thrown inside a view is said, and the views go on', async () => {
+  const { page } = it;
+  await example(it, 'cube');
+  await settled(page);
+  // Markers cannot be drawn once.
+  await page.evaluate(() => {
+    const { prototype } = CanvasRenderingContext2D;
+    const { fillText } = prototype;
+    prototype.fillText = () => {
+      prototype.fillText = fillText;
+      throw new Error('no ink');
+    };
+  });
+  await page.click('tr[data-cone="0"] [aria-label$="larger k"]');
+  assert.match(await failure(it), /view could not be updated: no ink/);
+  const frames = () => page.$eval('#view', (view) => Number(view.dataset.frames));
+  const before = await frames();
+  await page.click('tr[data-cone="1"] [aria-label$="larger k"]');
+  await settled(page);
+  assert.ok((await frames()) > before);
+});
+
+test('files that are JSON and no glTF are refused by the solver, not by a crash', async () => {
+  const { page } = it;
+  for (const text of ['null', '[]', '{"buffers":[null]}', '{"images":[null],"meshes":[null]}']) {
+    await drop(it, { 'odd.gltf': text });
+    await page.waitForSelector('#status.error');
+    assert.match(await statusText(page), /odd\.gltf/, text);
+    await openFiles(it, { 'cube.obj': toObj(cubeMesh(2)) });
+  }
+});
+
+test('an example that cannot be fetched is said, with the reason', async () => {
+  const { page } = it;
+  it.allowed = [/ERR_FAILED|Failed to load/];
+  await page.route('**/examples/*', (route) => route.abort());
+  await page.click('[data-card="torus"]');
+  assert.match(await failure(it), /example could not be read/);
+  await page.unroute('**/examples/*');
+  await example(it, 'torus');
+});
+
+test('WebAssembly that cannot start is said, with a way out', async () => {
+  const { page } = it;
+  it.allowed = [/./];
+  await page.route('**/*.wasm', (route) => route.fulfill({ body: 'no module', contentType: 'application/wasm' })); // prettier-ignore
+  await page.goto('about:blank');
+  await page.goto(it.url);
+  await state(page, 'failed');
+  assert.match(await failure(it), /solver could not start/);
+  await page.unroute('**/*.wasm');
+});
+
+test('behind a dialog nothing happens: no undo, no run, no key of the view', async () => {
+  const { page } = it;
+  await example(it, 'cube');
+  await page.click('tr[data-cone="0"] [aria-label$="larger k"]');
+  await page.click('#help');
+  for (const key of ['Control+z', 'Control+Enter', 'Control+k']) await page.keyboard.press(key);
+  assert.equal(await kOf(it, 0), '4');
+  assert.equal(await page.locator('#palette-dialog').count(), 0);
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Control+z');
+  assert.equal(await kOf(it, 0), '3');
+  // A symmetry that there is none of is refused aloud.
+  await page.locator('#q-custom').fill('65');
+  await page.locator('#q-custom').press('Enter');
+  assert.match(await failure(it), /from 1 to 64, not 65/);
+  assert.equal(await page.locator('#q-custom').inputValue(), '4');
 });
 
 test('a worker that dies is replaced; cones and history are intact', async () => {
@@ -99,6 +191,7 @@ test('a map that is not certified can be seen, is named as such, and saved under
   await settled(page);
   await page.selectOption('#overlay', 'flips');
   assert.match(await page.locator('.legend').innerText(), /[1-9]\d* folded, in red/);
+  await openDetails(page, '#result-details');
   await page.click('[aria-label="Show worst: Flipped triangles"]');
   await settled(page);
   assert.ok(share(await pixels(page, '#view'), isPink) > 0.001);
@@ -109,6 +202,7 @@ test('a map that is not certified can be seen, is named as such, and saved under
   assert.match(await statusText(page), /shown|Shown/);
   await page.click('#download');
   assert.match(await page.locator('#downloads h2').innerText(), /uncertified/);
+  await openDetails(page, '#more-formats');
   const { bytes } = await download(page, () => page.click('[data-format="report"]'));
   assert.equal(JSON.parse(String(bytes)).certified, false);
 });

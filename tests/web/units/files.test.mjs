@@ -1,13 +1,8 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import {
-  embeddedCones,
-  findMissing,
-  readGltfJson,
-  relativeName,
-  safeName,
-  unpack,
-} from '../../../web/src/state/files.ts';
+import { findMissing, relativeName, safeName, unpack } from '../../../web/src/formats/file_set.ts';
+import { gltfOf, makeGlb, splitGlb } from '../../../web/src/formats/glb.ts';
+import { instancesOf } from '../../../web/src/formats/mesh_instances.ts';
 
 const bytes = (text) => new TextEncoder().encode(text);
 const gltf = (json) => bytes(JSON.stringify(json));
@@ -61,8 +56,10 @@ test('what is no glTF at all has no JSON: the solver says why', async () => {
     ['x.glb', 'glTF and then nothing of use to anybody'],
     ['x.gltf', '{'],
     ['x.gltf', ''],
+    ['x.gltf', 'null'],
+    ['x.gltf', '[1]'],
   ]) {
-    assert.deepEqual(await readGltfJson(name, bytes(text)), {}, text);
+    assert.deepEqual(await gltfOf(new Map([[name, bytes(text)]]), name), {}, text);
   }
 });
 
@@ -72,16 +69,51 @@ test('the folder that everything is in is taken away, and what systems leave beh
   assert.deepEqual([...found.keys()], ['a.obj', 'b/c.mtl']);
 });
 
-test('cones in a file are found where an earlier run left them', async () => {
-  const cones = { q: 4, cones: [] };
-  const glb = gltf({ meshes: [{}, { extras: { hgp: cones } }] });
-  const files = new Map([
-    ['a.gltf', glb],
-    ['b.obj', bytes('v 0 0 0\n# hgp-cones {}\n')],
-    ['c.obj', bytes('v 0 0 0\n')],
-  ]);
-  assert.deepEqual(JSON.parse(await embeddedCones(files, 'a.gltf', 1)), cones);
-  assert.equal(await embeddedCones(files, 'a.gltf', 0), undefined);
-  assert.match(await embeddedCones(files, 'b.obj', 0), /hgp-cones/);
-  assert.equal(await embeddedCones(files, 'c.obj', 0), undefined);
+test('lists of a glTF may hold anything at all: nothing is missing, nothing throws', async () => {
+  for (const json of [
+    { buffers: [null] },
+    { images: [null, 3, 'x', []] },
+    { buffers: 'x', images: {} },
+    { buffers: [{ uri: 3 }] },
+    { meshes: [null], nodes: [null, 3, { mesh: 0, children: [0, 'a'], matrix: ['x'], skin: 9 }] },
+    {
+      meshes: [{}],
+      nodes: [{ mesh: 0, extensions: { EXT_mesh_gpu_instancing: null } }],
+      skins: null,
+    },
+  ]) {
+    const files = new Map([['x.gltf', gltf(json)]]);
+    const text = JSON.stringify(json);
+    assert.deepEqual(await findMissing(files, 'x.gltf'), { missing: [], refused: [] }, text);
+    assert.ok(Array.isArray(await instancesOf(files, 'x.gltf')), text);
+  }
+});
+
+test('a mesh is where its nodes put it: all that are above count, a skin is where its joints are', async () => {
+  const json = {
+    meshes: [{}, {}, {}],
+    skins: [{ joints: [4] }],
+    nodes: [
+      { mesh: 0, translation: [1, 2, 3] },
+      { children: [0], scale: [2, 2, -2] },
+      { mesh: 1 },
+      { mesh: 2, skin: 0, translation: [9, 9, 9] },
+      { translation: [0, 5, 0] },
+    ],
+  };
+  const found = await instancesOf(new Map([['x.gltf', gltf(json)]]), 'x.gltf');
+  assert.deepEqual(found[0].matrix.slice(12, 15), [2, 4, -6]);
+  assert.equal(found[0].isMirrored, true);
+  assert.deepEqual([found[1].count, found[1].isMirrored], [1, false]);
+  assert.deepEqual(found[2].matrix.slice(12, 15), [0, 5, 0]);
+});
+
+test('a GLB comes apart and together again; one cut short is none', () => {
+  const glb = makeGlb('{"a":1}', bytes('abcde'));
+  const { json, bin, rest } = splitGlb(glb);
+  assert.equal(String.fromCharCode(...json).trim(), '{"a":1}');
+  assert.equal(String.fromCharCode(...bin.subarray(0, 5)), 'abcde');
+  assert.equal(rest.length, 0);
+  assert.equal(new DataView(glb.buffer).getUint32(8, true), glb.length);
+  for (const length of [0, 10, 19, 22]) assert.equal(splitGlb(glb.subarray(0, length)), undefined);
 });

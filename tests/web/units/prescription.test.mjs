@@ -2,8 +2,9 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { largestK, waysToSpend } from '../../../web/src/state/budget.ts';
-import { History } from '../../../web/src/state/history.ts';
+import { readHash } from '../../../web/src/formats/hash_state.ts';
+import { computeBudget, largestK, waysToSpend } from '../../../web/src/model/gauss_bonnet.ts';
+import { History } from '../../../web/src/model/history.ts';
 import {
   angleText,
   emptyPrescription,
@@ -11,8 +12,7 @@ import {
   indexText,
   toCones,
   withOrder,
-} from '../../../web/src/state/prescription.ts';
-import { readAddress } from '../../../web/src/state/url.ts';
+} from '../../../web/src/model/prescription.ts';
 
 const asked = {
   ...emptyPrescription(4, 2, 2),
@@ -79,29 +79,28 @@ test('every way to spend what is left spends exactly that', () => {
 });
 
 test('undo takes back one step; edits of one kind soon after one another are one', () => {
-  const history = new History(0);
-  history.push(1, 'k: cone 1', 1000);
-  history.push(2, 'k: cone 1', 1499);
-  history.push(3, 'k: cone 1', 2100);
-  history.push(4, 'k: cone 2', 2101);
+  let history = History.of(0)
+    .push(1, 'k: cone 1', 1000)
+    .push(2, 'k: cone 1', 1499)
+    .push(3, 'k: cone 1', 2100)
+    .push(4, 'k: cone 2', 2101);
   const seen = [];
   while (history.canUndo) {
-    history.undo();
+    history = history.undo();
     seen.push(history.value);
   }
   assert.deepEqual(seen, [3, 2, 0]);
-  history.redo();
-  history.push(9, 'add: cone', 9000);
+  history = history.redo().push(9, 'add: cone', 9000);
   assert.deepEqual([history.value, history.canRedo, history.undoKind], [9, false, 'add']);
 });
 
 test('an address gives numbers and known words or nothing', () => {
   const pairs = (list) => btoa(JSON.stringify(list)).replaceAll('=', '');
-  assert.deepEqual(readAddress(`#q=6&cones=${pairs([[5, 3]])}`).cones, [{ vertex: 5, k: 3 }]);
-  assert.deepEqual(readAddress(`#turnings=${pairs([[0, -4]])}`).turnings, [[0, -4]]);
+  assert.deepEqual(readHash(`#q=6&cones=${pairs([[5, 3]])}`).cones, [{ vertex: 5, k: 3 }]);
+  assert.deepEqual(readHash(`#turnings=${pairs([[0, -4]])}`).turnings, [[0, -4]]);
   const bad = ['', '!', pairs({}), pairs([[1]]), pairs([[1, 2, 3]]), pairs([[-1, 3]]), pairs([[1, 0]])]; // prettier-ignore
   for (const text of [...bad, pairs([[1.5, 3]]), pairs([['1', 3]]), 'A'.repeat(8193)]) {
-    assert.equal(readAddress(`#cones=${text}`).cones, undefined, text.slice(0, 20));
+    assert.equal(readHash(`#cones=${text}`).cones, undefined, text.slice(0, 20));
   }
   for (const word of [
     'q=0',
@@ -112,7 +111,57 @@ test('an address gives numbers and known words or nothing', () => {
     'tiles=0',
     'tiles=1e9',
   ]) {
-    const { q, pattern, overlay, tiles } = readAddress(`#${word}`);
+    const { q, pattern, overlay, tiles } = readHash(`#${word}`);
     assert.deepEqual([q, pattern, overlay, tiles], Array(4).fill(undefined), word);
   }
+});
+
+/** A surface of one component in which vertex v has the neighbours v − 1 and v + 1. */
+function chain(count) {
+  const all = (value) => new Array(count).fill(value);
+  return {
+    vertexCount: count,
+    valence: all(6),
+    isBoundary: all(0),
+    component: all(0),
+    starts: Array.from({ length: count + 1 }, (_, v) => 2 * v),
+    neighbours: Array.from({ length: 2 * count }, (_, i) => (i >> 1) + (i & 1 ? 1 : -1)),
+  };
+}
+const closed = { components: [{ component: 0, eulerCharacteristic: 2, boundaryLoops: [] }] };
+
+test('what is wrong with a cone is said of that cone: the second of two, neighbours, k that is too large', () => {
+  const cones = [
+    { vertex: 5, k: 3 },
+    { vertex: 6, k: 3 },
+    { vertex: 5, k: 3 },
+    { vertex: 90, k: 12 },
+    { vertex: 400, k: 3 },
+  ];
+  const { cones: states, isReady } = computeBudget(
+    { q: 4, cones, turnings: [], handles: [] },
+    chain(100),
+    closed,
+  );
+  assert.deepEqual(
+    states.map(({ text }) => text.split('.')[0].slice(0, 32)),
+    ['shares a triangle with cone 2', 'shares a triangle with cone 1', 'duplicate', '6 triangles; k = 12 would need a', 'no such vertex'], // prettier-ignore
+  );
+  assert.equal(isReady, false);
+});
+
+test('ten times the cones take about ten times as long to judge', () => {
+  const time = (count) => {
+    const cones = Array.from({ length: count }, (_, i) => ({ vertex: 3 * i, k: 3 }));
+    const surface = chain(3 * count + 3);
+    const begin = performance.now();
+    for (let i = 0; i < 3; i++) {
+      computeBudget({ q: 4, cones, turnings: [], handles: [] }, surface, closed);
+    }
+    return performance.now() - begin;
+  };
+  time(3000);
+  const few = Math.min(time(3000), time(3000));
+  const many = Math.min(time(30_000), time(30_000));
+  assert.ok(many < 40 * Math.max(few, 0.5), `${few} ms, then ${many} ms`);
 });

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { zipSync } from 'fflate';
-import { unzip } from '../../../web/src/state/zip.ts';
+import { unzip } from '../../../web/src/formats/zip.ts';
 
 const text = new TextEncoder().encode('v 0 0 0\n'.repeat(40));
 const open = (bytes) => unzip(new Blob([bytes]));

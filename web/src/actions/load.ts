@@ -64,7 +64,6 @@ async function readMesh(
   const model = { main, files, info, surface, loaded: settings, remarks, matrix };
   doc.state = { kind: 'open', model };
   doc.resultInWorker = undefined;
-  doc.suggested = new Map();
   doc.selected = -1;
   const problem = withoutCliAdvice(info.error?.message);
   doc.message = info.usable ? undefined : { kind: 'error', text: problem };
@@ -106,13 +105,9 @@ export async function switchMesh(app: App, index: number): Promise<void> {
   doc.isUnsaved = isUnsaved;
 }
 
-function restoreWork(
-  { doc }: App,
-  { history, solutions, suggested, hasUserCones }: MeshWork,
-): void {
+function restoreWork({ doc }: App, { history, solutions, hasUserCones }: MeshWork): void {
   doc.history = history;
   doc.solutions = solutions;
-  doc.suggested = suggested;
   doc.hasUserCones = hasUserCones;
 }
 

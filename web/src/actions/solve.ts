@@ -72,7 +72,6 @@ export async function suggestCones(app: App, count?: number): Promise<void> {
     const cones = await solverOf(app).suggestCones({ q, count }, call);
     doc.job = undefined;
     const prescription = fromCones(cones, turnings.length, handles.length);
-    if (count === undefined) doc.suggested = new Map(doc.suggested).set(q, prescription);
     setPrescription(app, prescription, 'suggest cones');
     doc.say(`${plural(cones.cones.length, 'cone')} suggested for q = ${q}.`, 'good');
   });
@@ -91,13 +90,13 @@ export function whyNotRun({ doc, client }: App): string {
 
 /**
  * Solves what is prescribed and writes the file; what is shown is read back from that file. The
- * surface's own cones are chosen by the solver, as on the command line: it has a shorter road to them.
+ * same road is gone for cones that were prescribed and for those that the solver chooses.
  */
 async function solve(app: App, model: Model, output: Output, call: JobCall): Promise<Solution> {
   const { doc } = app;
   const { rounds, quality, frames } = doc.solve;
   const { turnings, handles, q } = doc.prescription;
-  const isAutomatic = !usesField(app) && (doc.needsCones || doc.isSuggested);
+  const isAutomatic = !usesField(app) && doc.needsCones;
   const options = { maxRounds: rounds, quality, scale: output.scale };
   const framed = usesField(app) ? { frames, field: doc.field } : {};
   const what = isAutomatic ? { q } : { cones: toCones(doc.prescription), ...framed };
@@ -105,7 +104,6 @@ async function solve(app: App, model: Model, output: Output, call: JobCall): Pro
   const prescription = isAutomatic
     ? fromCones(result.cones, turnings.length, handles.length)
     : doc.prescription;
-  if (isAutomatic) doc.suggested = new Map(doc.suggested).set(q, prescription);
   const request = { prescription, settings: model.loaded, quality, frames, output };
   return writeSolution(app, model, request, result, call);
 }

@@ -11,42 +11,76 @@ export interface Corners {
   uv: Float64Array;
 }
 
-interface Accessor {
+interface Place {
   bufferView?: number;
   byteOffset?: number;
   componentType: number;
+}
+interface Accessor extends Place {
   count: number;
   type: string;
+  normalized?: boolean;
+  sparse?: { count: number; indices: Place; values: Place };
 }
 interface Primitive {
   attributes: Record<string, number>;
   indices?: number;
   mode?: number;
 }
+interface Meshopt {
+  buffer: number;
+  byteOffset?: number;
+  byteLength: number;
+  byteStride: number;
+  count: number;
+  mode: string;
+  filter?: string;
+}
+interface BufferView {
+  buffer: number;
+  byteOffset?: number;
+  byteStride?: number;
+  extensions?: Record<string, unknown>;
+}
 interface Gltf {
   accessors: Accessor[];
-  bufferViews: { buffer: number; byteOffset?: number; byteStride?: number }[];
+  bufferViews: BufferView[];
   buffers: { uri?: string }[];
   meshes: { primitives: Primitive[] }[];
 }
 
+/** What of a file stays compressed is decoded by the decoder that is handed in, which must be ready. */
+export interface MeshoptDecoder {
+  decodeGltfBuffer(
+    target: Uint8Array,
+    count: number,
+    size: number,
+    source: Uint8Array,
+    mode: string,
+    filter?: string,
+  ): void;
+}
+const meshoptNames = ['EXT_meshopt_compression', 'KHR_meshopt_compression'];
+
 const widths: Record<string, number> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
-const readers: Record<number, [number, (v: DataView, at: number) => number]> = {
-  5120: [1, (v, at) => v.getInt8(at)],
-  5121: [1, (v, at) => v.getUint8(at)],
-  5122: [2, (v, at) => v.getInt16(at, true)],
-  5123: [2, (v, at) => v.getUint16(at, true)],
-  5125: [4, (v, at) => v.getUint32(at, true)],
-  5126: [4, (v, at) => v.getFloat32(at, true)],
+/** By component type: size, largest value where normalized, reader. */
+const readers: Record<number, [number, number, (v: DataView, at: number) => number]> = {
+  5120: [1, 127, (v, at) => v.getInt8(at)],
+  5121: [1, 255, (v, at) => v.getUint8(at)],
+  5122: [2, 32767, (v, at) => v.getInt16(at, true)],
+  5123: [2, 65535, (v, at) => v.getUint16(at, true)],
+  5125: [4, 1, (v, at) => v.getUint32(at, true)],
+  5126: [4, 1, (v, at) => v.getFloat32(at, true)],
 };
 
 interface OpenGltf {
   json: Gltf;
   buffers: Uint8Array[];
+  decoder?: MeshoptDecoder;
 }
 
 /** The writer made these files, so their shape is known; anything else throws. */
-function openGltf(files: OutputFile[]): OpenGltf {
+function openGltf(files: OutputFile[], decoder: MeshoptDecoder | undefined): OpenGltf {
   const [main] = files;
   const json = parseGltf(main) as unknown as Gltf;
   const own = /\.glb$/i.test(main.name) ? splitGlb(main.bytes)!.bin : new Uint8Array(0);
@@ -57,25 +91,65 @@ function openGltf(files: OutputFile[]): OpenGltf {
     const data = atob(uri.slice(uri.indexOf(',') + 1));
     return Uint8Array.from(data, (c) => c.charCodeAt(0));
   });
-  return { json, buffers };
+  return { json, buffers, decoder };
 }
 
-function readAccessor({ json, buffers }: OpenGltf, index: number): Float64Array {
-  const { bufferView, byteOffset = 0, componentType, count, type } = json.accessors[index];
-  const width = widths[type];
+const meshoptOf = ({ extensions = {} }: BufferView): Meshopt | undefined =>
+  meshoptNames.map((name) => extensions[name] as Meshopt | undefined).find(Boolean);
+
+export const isMeshoptUsed = (main: OutputFile): boolean => {
+  const { extensionsUsed } = parseGltf(main);
+  return Array.isArray(extensionsUsed) && meshoptNames.some((one) => extensionsUsed.includes(one));
+};
+
+/** The bytes of a buffer view, and how far apart its items are where it says so. */
+function viewOf({ json, buffers, decoder }: OpenGltf, index: number): [DataView, number?] {
+  const view = json.bufferViews[index];
+  const packed = meshoptOf(view);
+  if (packed) {
+    const { buffer, byteOffset = 0, byteLength, byteStride, count, mode, filter } = packed;
+    const source = buffers[buffer].subarray(byteOffset, byteOffset + byteLength);
+    const target = new Uint8Array(count * byteStride);
+    if (!decoder) throw new Error('it is compressed');
+    decoder.decodeGltfBuffer(target, count, byteStride, source, mode, filter);
+    return [new DataView(target.buffer), view.byteStride ?? byteStride];
+  }
+  const bytes = buffers[view.buffer];
+  const start = bytes.byteOffset + (view.byteOffset ?? 0);
+  return [new DataView(bytes.buffer, start), view.byteStride];
+}
+
+/** Item by item, from one place. */
+function readItems(
+  file: OpenGltf,
+  { bufferView, byteOffset = 0, componentType }: Place,
+  count: number,
+  width: number,
+): Float64Array {
   const out = new Float64Array(count * width);
   if (bufferView === undefined) return out;
-  const { buffer, byteOffset: start = 0, byteStride } = json.bufferViews[bufferView];
-  const bytes = buffers[buffer];
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  const [size, get] = readers[componentType];
+  const [view, byteStride] = viewOf(file, bufferView);
+  const [size, , get] = readers[componentType];
   const stride = byteStride ?? size * width;
   for (let i = 0; i < count; i++) {
-    for (let k = 0; k < width; k++) {
-      out[i * width + k] = get(view, start + byteOffset + i * stride + k * size);
-    }
+    for (let k = 0; k < width; k++)
+      out[i * width + k] = get(view, byteOffset + i * stride + k * size);
   }
   return out;
+}
+
+function readAccessor(file: OpenGltf, index: number): Float64Array {
+  const accessor = file.json.accessors[index];
+  const { count, type, sparse, normalized, componentType } = accessor;
+  const width = widths[type];
+  const out = readItems(file, accessor, count, width);
+  if (sparse) {
+    const at = readItems(file, sparse.indices, sparse.count, 1);
+    const values = readItems(file, { ...sparse.values, componentType }, sparse.count, width);
+    at.forEach((item, i) => out.set(values.subarray(width * i, width * (i + 1)), width * item));
+  }
+  const most = readers[componentType][1];
+  return normalized ? out.map((x) => Math.max(x / most, -1)) : out;
 }
 
 /** Corners of the triangles of a primitive, whatever its mode; points and lines have none. */
@@ -90,8 +164,13 @@ function cornerIndices(list: Float64Array, mode: number): number[] {
 }
 
 /** Corners of one mesh; the uv set is the highest that a primitive has, which is the new one. */
-function readGltf(files: OutputFile[], mesh: number, uvSet?: number): Corners {
-  const file = openGltf(files);
+function readGltf(
+  files: OutputFile[],
+  mesh: number,
+  uvSet: number | undefined,
+  decoder: MeshoptDecoder | undefined,
+): Corners {
+  const file = openGltf(files, decoder);
   const positions: number[] = [];
   const uv: number[] = [];
   for (const { attributes, indices, mode = 4 } of file.json.meshes[mesh].primitives) {
@@ -142,5 +221,10 @@ function readObj(bytes: Uint8Array): Corners {
   return { positions: new Float64Array(positions), uv: new Float64Array(uv) };
 }
 
-export const readUv = (files: OutputFile[], mesh: number, uvSet?: number): Corners =>
-  isGltf(files[0].name) ? readGltf(files, mesh, uvSet) : readObj(files[0].bytes);
+export const readUv = (
+  files: OutputFile[],
+  mesh: number,
+  uvSet?: number,
+  decoder?: MeshoptDecoder,
+): Corners =>
+  isGltf(files[0].name) ? readGltf(files, mesh, uvSet, decoder) : readObj(files[0].bytes);

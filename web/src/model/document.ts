@@ -45,7 +45,6 @@ export interface MeshWork {
   readonly model: Model;
   readonly history: History<Step>;
   readonly solutions: readonly Solution[];
-  readonly suggested: ReadonlyMap<number, Prescription>;
   readonly hasUserCones: boolean;
 }
 
@@ -59,8 +58,6 @@ interface Fields {
   meshes: ReadonlyMap<number, MeshWork>;
   /** What each mesh of the file is good for, where that is known. */
   summaries: readonly MeshSummary[];
-  /** What the solver chooses for this surface by itself, by q, as far as that is known. */
-  suggested: ReadonlyMap<number, Prescription>;
   solve: SolveSettings;
   /** The direction field that the cones were imported from last, as it was read. */
   field: { name: string; text: string } | undefined;
@@ -109,7 +106,6 @@ export class Document extends storeOf<Fields>() {
       solutions: [],
       meshes: new Map(),
       summaries: [],
-      suggested: new Map(),
       solve: { rounds: 12, quality: false, frames: 'auto' },
       field: undefined,
       hasUserCones: false,
@@ -185,12 +181,6 @@ export class Document extends storeOf<Fields>() {
     return this.#displayed.value;
   }
 
-  /** What is prescribed is what the solver would choose by itself. */
-  get isSuggested(): boolean {
-    const suggested = this.suggested.get(this.prescription.q);
-    return suggested !== undefined && samePrescription(suggested, this.prescription);
-  }
-
   /** Run suggests cones where nothing has been said: a turning or a rotation is something said. */
   get needsCones(): boolean {
     return isSilent(this.prescription) && (!this.hasUserCones || !this.budget?.isReady);
@@ -228,15 +218,14 @@ export class Document extends storeOf<Fields>() {
 
   /** The mesh that is open, to come back to. */
   get work(): MeshWork | undefined {
-    const { model, history, solutions, suggested, hasUserCones } = this;
-    return model && { model, history, solutions, suggested, hasUserCones };
+    const { model, history, solutions, hasUserCones } = this;
+    return model && { model, history, solutions, hasUserCones };
   }
 
   /** Nothing is left of the mesh that was open; the file may be. */
   clearMesh(): void {
     this.solutions = [];
     this.selected = -1;
-    this.suggested = new Map();
     this.hasUserCones = false;
     this.resultInWorker = undefined;
     this.validation = undefined;

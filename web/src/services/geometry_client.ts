@@ -50,7 +50,7 @@ export class GeometryClient {
     method: M,
     args: Parameters<GeometryCalls[M]>,
     lent: unknown = undefined,
-  ): Promise<ReturnType<GeometryCalls[M]>> {
+  ): Promise<Awaited<ReturnType<GeometryCalls[M]>>> {
     this.#worker ??= this.#start();
     const call = ++this.#calls;
     return new Promise((resolve, reject) => {

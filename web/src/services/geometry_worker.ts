@@ -3,7 +3,9 @@
 
 import { BufferAttribute, BufferGeometry } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
-import type { Surface } from '../model/types';
+import { isGltf } from '../formats/glb';
+import type { Analysis, OutputFile, Surface } from '../model/types';
+import { isMeshoptUsed, type MeshoptDecoder } from '../formats/read_uv';
 import { analyse, urisOf, type FaceValues } from './geometry/analyse';
 import { balancingCones } from './geometry/balance_cones';
 import { flatCrosses, surfaceCrosses } from './geometry/cross_lines';
@@ -17,7 +19,6 @@ import {
   type SerializedBvh,
 } from './geometry/protocol';
 import { placed, surfaceFacts } from './geometry/surface_facts';
-import type { Analysis } from '../model/types';
 
 interface KnownMap {
   surface: number;
@@ -76,8 +77,16 @@ function samplesOf(id: number, spacing: number): Sample[] {
 function bvhOf(positions: Float32Array): SerializedBvh {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
-  const bvh = new MeshBVH(geometry, { indirect: true, maxLeafSize: 10 });
+  const bvh = new MeshBVH(geometry, { indirect: true, targetLeafSize: 10 });
   return MeshBVH.serialize(bvh, { cloneBuffers: false }) as unknown as SerializedBvh;
+}
+
+/** Fetched when the first file needs it. */
+async function decoderFor(main: OutputFile): Promise<MeshoptDecoder | undefined> {
+  if (!isGltf(main.name) || !isMeshoptUsed(main)) return undefined;
+  const { MeshoptDecoder: decoder } = await import('three/addons/libs/meshopt_decoder.module.js');
+  await decoder.ready;
+  return decoder as MeshoptDecoder;
 }
 
 const calls: GeometryCalls = {
@@ -89,9 +98,10 @@ const calls: GeometryCalls = {
     surfaces.set(id, copied({ ...surface, cornerNormals: new Float32Array(0) }));
     return surface;
   },
-  analyse(id, surface, request) {
+  async analyse(id, surface, request) {
     const { map, files } = request;
-    const { analysis, values } = analyse(request, surfaceOf(surface));
+    const decoder = await decoderFor(files[0]);
+    const { analysis, values } = analyse(request, surfaceOf(surface), decoder);
     const { preserved, ...rest } = analysis;
     maps.set(id, {
       surface,
@@ -134,10 +144,10 @@ const calls: GeometryCalls = {
   },
 };
 
-addEventListener('message', ({ data }: MessageEvent<GeometryMessage>) => {
+addEventListener('message', async ({ data }: MessageEvent<GeometryMessage>) => {
   const { call, method, args } = data;
   try {
-    const result = (calls[method] as (...all: unknown[]) => unknown)(...args);
+    const result = await (calls[method] as (...all: unknown[]) => unknown)(...args);
     postMessage({ call, result }, { transfer: [...buffersIn(result)] });
   } catch (error) {
     postMessage({ call, error: (error as Error).message });

@@ -16,6 +16,12 @@ export function describeError(error: unknown, name: string): string {
   return message;
 }
 
-/** The page has buttons where the command line has options. */
+/**
+ * One sentence: the page has buttons where the command line has options, and outlines places where it
+ * lists their numbers.
+ */
 export const withoutCliAdvice = (message = 'This mesh cannot be used as it is.'): string =>
-  message.replace(/Repair with --fix.*$/, '').trim();
+  message
+    .replace(/Repair with --fix.*$/, '')
+    .replace(/ \((?:first: )?\d[\d–, …]*\)/g, '')
+    .trim();

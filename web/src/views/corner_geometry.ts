@@ -58,5 +58,5 @@ const smallest = 30_000; // corners: a tree over so few is built at once
 /** Over a small geometry without waiting; nothing where it would take long. */
 export const bvhAtOnce = (geometry: BufferGeometry): MeshBVH | undefined =>
   geometry.getAttribute('position').count <= smallest
-    ? new MeshBVH(geometry, { indirect: true, maxLeafSize: 10 })
+    ? new MeshBVH(geometry, { indirect: true, targetLeafSize: 10 })
     : undefined;

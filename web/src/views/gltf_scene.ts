@@ -25,16 +25,41 @@ interface Source {
   matrix: readonly number[];
 }
 
+// One white pixel, in place of an image that is missing or none.
+const blankImage =
+  'data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGP4DwABAQEAsTj2FAAAAABJRU5ErkJggg==';
+const imageEnding = /\.(png|jpe?g|webp|avif)$/i;
+
+/** By its first bytes: what ends like an image may be anything. */
+async function isImage(file: Blob): Promise<boolean> {
+  const head = new Uint8Array(await file.slice(0, 12).arrayBuffer());
+  const text = String.fromCharCode(...head);
+  return /^\x89PNG|^\xff\xd8\xff|^RIFF....WEBP|^....ftypavif/s.test(text);
+}
+
+async function usableFiles({ files, written }: Source): Promise<Map<string, Blob>> {
+  const found = new Map<string, Blob>();
+  const all: [string, Blob | Uint8Array][] = [
+    ...files,
+    ...written.slice(1).map(({ name, bytes }): [string, Uint8Array] => [name, bytes]),
+  ];
+  for (const [name, file] of all) {
+    const blob = file instanceof Blob ? file : new Blob([file as BlobPart]);
+    if (!imageEnding.test(name) || (await isImage(blob))) found.set(name, blob);
+  }
+  return found;
+}
+
 /** Images and buffers come from the files at hand and from nowhere else. */
-function managerOf({ files, written }: Source): [LoadingManager, () => void] {
+function managerOf(files: Map<string, Blob>): [LoadingManager, () => void] {
   const manager = new LoadingManager();
   const urls: string[] = [];
   manager.setURLModifier((url) => {
     if (/^(blob|data):/.test(url)) return url;
     const name = decodeURIComponent(url.replace(/^(\.\/)+/, ''));
-    const found = written.find((file) => file.name === name)?.bytes ?? files.get(name);
-    const blob = found instanceof Blob ? found : new Blob(found ? [found as BlobPart] : []);
-    urls.push(URL.createObjectURL(blob));
+    const blob = files.get(name);
+    if (!blob && imageEnding.test(name)) return blankImage;
+    urls.push(URL.createObjectURL(blob ?? new Blob()));
     return urls.at(-1)!;
   });
   return [manager, () => urls.forEach((url) => URL.revokeObjectURL(url))];
@@ -60,7 +85,7 @@ function atRest(object: Object3D, matrix: Matrix4): Group {
 export async function loadGltfMesh(source: Source): Promise<Group> {
   const { GLTFLoader } = await import('three/addons/loaders/GLTFLoader.js');
   const { MeshoptDecoder } = await import('three/addons/libs/meshopt_decoder.module.js');
-  const [manager, free] = managerOf(source);
+  const [manager, free] = managerOf(await usableFiles(source));
   try {
     const { bytes } = source.written[0];
     const loader = new GLTFLoader(manager).setMeshoptDecoder(MeshoptDecoder);

@@ -67,7 +67,7 @@ export class TurningView {
     this.#mesh.position.copy(center).negate();
     this.#camera.position
       .set(0, 0.55, 1)
-      .setLength((1.06 * radius) / Math.sin((14 * Math.PI) / 180));
+      .setLength((0.94 * radius) / Math.sin((14 * Math.PI) / 180));
     this.#camera.lookAt(0, 0, 0);
     this.#resize();
   }

@@ -2,10 +2,9 @@
 // certified. Runs in the geometry worker.
 
 import type { Result } from 'hgp';
-import { objectsIn, parseGltf } from '../../formats/glb';
-import { isGltf } from '../../formats/glb';
+import { isGltf, objectsIn, parseGltf } from '../../formats/glb';
 import { summarizePreserved } from '../../formats/preserved_content';
-import { readUv, type Corners } from '../../formats/read_uv';
+import { readUv, type Corners, type MeshoptDecoder } from '../../formats/read_uv';
 import type { Analysis, OutputFile, Seam } from '../../model/types';
 import {
   boxOf,
@@ -76,9 +75,13 @@ export function differenceOf(file: Corners, map: Corners): string {
 }
 
 /** The file's corners, and why they are not those of the map; without corners where it cannot be read. */
-function readBack({ files, mesh, uvSet }: AnalysisRequest, map: Corners): [string, Corners?] {
+function readBack(
+  { files, mesh, uvSet }: AnalysisRequest,
+  map: Corners,
+  decoder: MeshoptDecoder | undefined,
+): [string, Corners?] {
   try {
-    const read = readUv(files, mesh, uvSet);
+    const read = readUv(files, mesh, uvSet, decoder);
     return [differenceOf(read, map), read];
   } catch (error) {
     return [`the written file cannot be read back: ${(error as Error).message}`];
@@ -103,10 +106,11 @@ interface Edges {
 export function analyse(
   request: AnalysisRequest,
   edges: Edges,
+  decoder?: MeshoptDecoder,
 ): { analysis: Analysed; values: FaceValues } {
   const { map, files, q } = request;
   const own = cornersOf(map);
-  const [difference, read] = readBack(request, own);
+  const [difference, read] = readBack(request, own, decoder);
   const isSameAsFile = difference === '';
   const cornerUv = Float32Array.from(isSameAsFile ? read!.uv : own.uv);
   const faces = measureDistortion(own.positions, own.uv);

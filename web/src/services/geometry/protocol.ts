@@ -19,7 +19,7 @@ export interface GeometryCalls {
     id: number,
     surface: number,
     request: AnalysisRequest,
-  ): { analysis: Analysis; preserved: string; map: MapArrays; files: OutputFile[] };
+  ): Promise<{ analysis: Analysis; preserved: string; map: MapArrays; files: OutputFile[] }>;
   /** Relative names in a written .gltf, and the areas in uv and on the surface; both for writing. */
   urisOf(main: OutputFile): { uris: string[]; main: OutputFile };
   overlay(id: number, overlay: Overlay): Uint8Array;

@@ -1,11 +1,11 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { placesIn, Splice } from '../../../web/src/state/json_places.ts';
+import { JsonEditor, spansIn } from '../../../web/src/formats/json_edit.ts';
 
 const text = '{ "big" : 9007199254740993, "x\\"{" : [1.50, {"a":[]} , "]" ],\n\t"e": {} }';
 
 test('every value is where its text is', () => {
-  const root = placesIn(text);
+  const root = spansIn(text);
   const at = ({ start, end }) => text.slice(start, end);
   assert.equal(at(root), text);
   assert.equal(at(root.members.get('big')), '9007199254740993');
@@ -16,7 +16,7 @@ test('every value is where its text is', () => {
 });
 
 test('what is not changed keeps its bytes', () => {
-  const edit = new Splice(text);
+  const edit = new JsonEditor(text);
   edit.set(edit.root, 'new', [1]);
   edit.set(edit.root.members.get('e'), 'f', 'g');
   edit.replace(edit.root.members.get('x"{').items[0], 2);
@@ -27,7 +27,7 @@ test('what is not changed keeps its bytes', () => {
 });
 
 test('additions to one place keep their order; a list that is missing is made', () => {
-  const edit = new Splice('{"images":[{}]}');
+  const edit = new JsonEditor('{"images":[{}]}');
   assert.equal(edit.add('images', 'a'), 1);
   assert.equal(edit.add('samplers', 'b'), 0);
   edit.set(edit.root, 'c', 3);

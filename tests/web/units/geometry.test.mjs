@@ -4,8 +4,8 @@ import assert from 'node:assert/strict';
 import { existsSync } from 'node:fs';
 import path from 'node:path';
 import test from 'node:test';
-import { handleLoops } from '../../../web/src/state/handles.ts';
-import { findOverlaps } from '../../../web/src/state/overlaps.ts';
+import { handleLoops } from '../../../web/src/services/geometry/handle_loops.ts';
+import { findOverlaps } from '../../../web/src/services/geometry/overlaps.ts';
 import { cubeMesh, toObj } from '../../support/meshes.mjs';
 import { torusMesh } from '../shapes.mjs';
 
@@ -40,7 +40,7 @@ test(
       const { seams, cornerToUv, triangles, certificate } = core.parametrize({ cones: { q, cones, handles } }); // prettier-ignore
       assert.equal(certificate.brokenSeams, 0);
       const vertexCount = mesh.vertices.length;
-      const loops = handleLoops({ triangles, vertexCount, part: new Int32Array(vertexCount) });
+      const loops = handleLoops({ triangles, vertexCount, component: new Int32Array(vertexCount) });
       assert.equal(loops.length, 2);
       const turns = loops.map((crossed) => {
         let turn = 0;
@@ -70,7 +70,7 @@ test(
     };
     assert.equal((await count([0, 0])).pairs, 0);
     assert.equal((await count([0, 0], [1, 0], [0, 1], [1, 1])).pairs, 0); // they touch
-    assert.deepEqual(await count([0, 0], [0.5, 0.25]), { pairs: 3, triangles: [0, 1, 2, 3], isMore: false }); // prettier-ignore
+    assert.deepEqual(await count([0, 0], [0.5, 0.25]), { pairs: 3, triangles: Uint32Array.of(0, 1, 2, 3), isMore: false }); // prettier-ignore
     assert.equal((await count([0, 0], [0, 0], [0, 0])).pairs, 6);
     // The net of a cube lies nowhere on itself.
     const core = await open(cubeMesh(4));

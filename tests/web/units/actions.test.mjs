@@ -1,0 +1,88 @@
+// Sentences, commands and clocks that need no browser; and the store that the page is drawn from.
+
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { effect } from '@preact/signals-core';
+import { Document } from '../../../web/src/model/document.ts';
+import { suggestedK } from '../../../web/src/model/gauss_bonnet.ts';
+import { balancingCones } from '../../../web/src/services/geometry/balance_cones.ts';
+import { surfaceFacts } from '../../../web/src/services/geometry/surface_facts.ts';
+import { cliCommand, quoted } from '../../../web/src/text/cli_command.ts';
+import { TimeLeft } from '../../../web/src/text/time_left.ts';
+import { cubeMesh } from '../../support/meshes.mjs';
+
+test('a name in a command is a name, whatever a file is called', () => {
+  assert.equal(quoted('a b.obj'), "'a b.obj'");
+  assert.equal(quoted('a$(touch x)`id`.obj'), "'a$(touch x)`id`.obj'");
+  assert.equal(quoted("it's.obj"), "'it'\\''s.obj'");
+  assert.equal(quoted('-o.obj'), './-o.obj');
+  assert.equal(quoted('--help x'), "'./--help x'");
+  const model = {
+    main: '-x.glb',
+    info: { surfaces: [{}], surface: 0 },
+    loaded: { fix: { split: true } },
+  };
+  const prescription = { q: 4, cones: [{ vertex: 1, k: 3 }], turnings: [], handles: [] };
+  assert.equal(
+    cliCommand(model, prescription, { rounds: 12, quality: false, frames: 'auto' }, undefined),
+    'hgp param ./-x.glb --q 4 --cone 1:3 --fix split --embed-cones -o ./-x.mapped.glb',
+  );
+});
+
+test('no seconds before one stage ended when it had promised; never more than was said', () => {
+  const clock = new TimeLeft();
+  const at = (stage, fraction, whole, now) => clock.update(stage, fraction, whole, 0, now);
+  assert.equal(at('field', 0.1, 0.05, 1), undefined);
+  assert.equal(at('field', 0.5, 0.1, 5), undefined);
+  assert.equal(at('field', 1, 0.2, 10), undefined);
+  assert.equal(at('solve', 0, 0.2, 10), 40); // as promised: believed from here on
+  const said = at('solve', 0.3, 0.5, 22);
+  assert.ok(said <= 28, `${said}`);
+  // It takes longer: nothing is promised any more, instead of more and more.
+  assert.equal(at('solve', 0.3, 0.5, 60), undefined);
+  const wrong = new TimeLeft();
+  wrong.update('field', 0.5, 0.1, 0, 2);
+  wrong.update('field', 1, 0.2, 0, 30);
+  assert.equal(wrong.update('solve', 0, 0.2, 0, 30), undefined);
+});
+
+test('who has read a value is told of another; derived values follow', () => {
+  const doc = new Document();
+  const seen = [];
+  effect(() => void seen.push(doc.stateName));
+  doc.state = { kind: 'empty' };
+  const controller = new AbortController();
+  doc.job = { kind: 'load', title: '', stage: 'read', entered: [], detail: '', fraction: 0, begin: 0, controller }; // prettier-ignore
+  doc.look = { ...doc.look, tiles: 9 }; // about something else
+  doc.job = undefined;
+  assert.deepEqual(seen, ['starting', 'empty', 'loading', 'empty']);
+});
+
+function cubeSurface(n) {
+  const { vertices, triangles } = cubeMesh(n);
+  const positions = Float64Array.from(vertices.flat());
+  return surfaceFacts({ positions, triangles: Uint32Array.from(triangles.flat()) });
+}
+
+test('a click on a flat side means a cone of the sign that is missing, not noise', () => {
+  const surface = cubeSurface(8);
+  surface.angle = surface.angle.slice();
+  const flat =
+    8 + surface.angle.subarray(8).findIndex((angle) => Math.abs(angle - 2 * Math.PI) < 1e-9);
+  surface.angle[flat] += 0.02; // a saddle, by a degree
+  assert.equal(suggestedK(surface, flat, 4, 8), 3);
+  assert.equal(suggestedK(surface, flat, 4, -1), 5);
+  assert.equal(suggestedK(surface, 0, 4, 8), 3); // a corner of the cube
+  assert.equal(suggestedK(surface, 0, 6, 12), 5); // 270° are k = 4.5 for q = 6
+});
+
+test('the corners of a cube are where missing cones cost least', () => {
+  const surface = cubeSurface(6);
+  const added = balancingCones(surface, 4, [{ vertex: 3, k: 3 }], new Map([[0, 7]]));
+  assert.deepEqual(added.map(({ k }) => k), [3, 3, 3, 3, 3, 3, 3]); // prettier-ignore
+  const at = added.map(({ vertex }) => vertex).sort((a, b) => a - b);
+  assert.deepEqual(at, [0, 1, 2, 4, 5, 6, 7]);
+  // Too much of one kind is made up for by the other.
+  const nine = Array.from({ length: 9 }, (_, vertex) => ({ vertex, k: 3 }));
+  assert.deepEqual(balancingCones(surface, 4, nine, new Map([[0, -1]])).map(({ k }) => k), [5]); // prettier-ignore
+});

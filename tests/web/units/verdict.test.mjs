@@ -1,0 +1,96 @@
+// One verdict from all rows: a face is flipped, a vertex split, a file cut; the tick follows the number.
+
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { isCertified, verdictRows } from '../../../web/src/model/verdict.ts';
+import { analyse } from '../../../web/src/services/geometry/analyse.ts';
+import { edgesOf } from '../../../web/src/services/geometry/adjacency.ts';
+
+/** A square of four triangles around a middle vertex, mapped onto itself. */
+function square() {
+  const positions = Float64Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0.5, 0.5, 0);
+  const triangles = Uint32Array.of(0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4);
+  const uv = Float64Array.of(0, 0, 1, 0, 1, 1, 0, 1, 0.5, 0.5);
+  const uvToVertex = Uint32Array.of(0, 1, 2, 3, 4);
+  return { positions, triangles, uv, cornerToUv: triangles.slice(), uvToVertex, seams: [] };
+}
+
+const certificate = {
+  ...{ certified: true, usable: true, q: 4, precision: 'float64', triangles: 4, flipped: 0 },
+  ...{ wrongAngles: 0, wrongTurnings: 0, seamEdges: 0, brokenSeams: 0, maxConeDistance: 0 },
+  ...{ maxTurningDistance: 0, maxSeamResidual: 0, seamTolerance: 1e-9, components: [] },
+};
+
+function objOf({ positions, triangles, uv, cornerToUv }) {
+  const lines = [];
+  for (let v = 0; v < positions.length; v += 3)
+    lines.push(`v ${positions.slice(v, v + 3).join(' ')}`);
+  for (let i = 0; i < uv.length; i += 2) lines.push(`vt ${uv[i]} ${uv[i + 1]}`);
+  for (let c = 0; c < triangles.length; c += 3) {
+    const corner = (k) => `${triangles[c + k] + 1}/${cornerToUv[c + k] + 1}`;
+    lines.push(`f ${corner(0)} ${corner(1)} ${corner(2)}`);
+  }
+  return new TextEncoder().encode(lines.join('\n'));
+}
+
+/** The page's solution for a map and the file that was written for it. */
+function solutionOf(map, bytes = objOf(map)) {
+  const files = [{ name: 'square.obj', bytes }];
+  const edges = { ...edgesOf(map.triangles, 5), vertexCount: 5 };
+  const { analysis } = analyse({ map, files, mesh: 0, q: 4 }, edges);
+  const prescription = { q: 4, cones: [], turnings: [], handles: [] };
+  return { ...analysis, prescription, written: { bytes }, files, result: { ...map, certificate } };
+}
+
+const failed = (solution) => verdictRows(solution).filter((row) => !row.isGood);
+
+test('a map that is in the file as it was certified passes every row', () => {
+  const solution = solutionOf(square());
+  assert.deepEqual(failed(solution), []);
+  assert.equal(isCertified(solution), true);
+});
+
+test('one face turned round: its own number is negative, its row fails, and so does the verdict', () => {
+  const map = square();
+  for (const list of [map.triangles, map.cornerToUv]) [list[4], list[5]] = [list[5], list[4]];
+  const solution = solutionOf(map);
+  const [row] = failed(solution);
+  assert.equal(row.name, 'Smallest area');
+  assert.match(row.value, /^−2\.5e−1$/);
+  assert.deepEqual(row.where, [{ kind: 'triangle', id: 1 }]);
+  assert.deepEqual([...solution.distortion.flipped], [1]);
+  assert.equal(isCertified(solution), false); // whatever the certificate says
+});
+
+test('one vertex split in the file: the file does not hold the map, and the verdict says so', () => {
+  const map = square();
+  const torn = {
+    ...map,
+    uv: Float64Array.of(...map.uv, 0.7, 0.4),
+    cornerToUv: map.cornerToUv.slice(),
+  };
+  torn.cornerToUv[2] = 5;
+  const solution = solutionOf(map, objOf(torn));
+  const [row] = failed(solution);
+  assert.equal(row.name, 'The file holds this map');
+  assert.match(row.tolerance, /coordinates are off by 2\.0e-1/);
+  assert.equal(isCertified(solution), false);
+});
+
+test('a file with a face less, or none that can be read, is no file with this map', () => {
+  const bytes = objOf(square());
+  const text = new TextDecoder().decode(bytes);
+  const less = new TextEncoder().encode(text.slice(0, text.lastIndexOf('f ')));
+  assert.match(failed(solutionOf(square(), less))[0].tolerance, /3 triangles.*not 4/);
+  const files = [{ name: 'x.glb', bytes: new Uint8Array(4) }];
+  const edges = { ...edgesOf(square().triangles, 5), vertexCount: 5 };
+  const { analysis } = analyse({ map: square(), files, mesh: 0, q: 4 }, edges);
+  assert.match(analysis.difference, /cannot be read back/);
+  assert.equal(analysis.isSameAsFile, false);
+});
+
+test('what the solver refuses for a reason without a row is a row', () => {
+  const solution = solutionOf(square());
+  solution.result.certificate = { ...certificate, certified: false };
+  assert.deepEqual(failed(solution).map(({ name }) => name), ['All other checks']); // prettier-ignore
+});

@@ -1,0 +1,46 @@
+// Renders the pictures of the examples that the empty page shows: node web/thumbnails.mjs, after the
+// page was built. The pictures are committed.
+
+import { mkdirSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { chromium } from 'playwright-core';
+import { examples } from './examples.mjs';
+import { serve } from './serve.mjs';
+
+const folder = path.join(import.meta.dirname, 'public/thumbnails');
+const patterns = { sphere: 'hex', cube: 'brick', torus: 'wood', pipe: 'brick', pebble: 'checker', rings: 'grid', figure: 'plaid' }; // prettier-ignore
+const tiles = { sphere: 16, cube: 10, torus: 9, pipe: 14, pebble: 16, rings: 22, figure: 12 };
+
+mkdirSync(folder, { recursive: true });
+const { url, server } = await serve({ port: 0 });
+const args = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+const browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args });
+const page = await browser.newPage({ viewport: { width: 1100, height: 700 }, reducedMotion: 'reduce', serviceWorkers: 'block' }); // prettier-ignore
+for (const { id } of examples()) {
+  await page.goto(`${url}#pattern=${patterns[id]}&tiles=${tiles[id]}`);
+  await page.reload();
+  await page.waitForSelector('body[data-state="empty"]');
+  await page.click(`[data-card="${id}"]`);
+  await page.waitForSelector('body[data-state="ready"]');
+  await page.click('#run');
+  await page.waitForSelector('body[data-state="certified"]');
+  await page.click('#seams');
+  await page.evaluate(() => {
+    const view = document.querySelector('#view');
+    for (const one of document.body.querySelectorAll('*')) {
+      if (one.contains(view)) one.style.background = 'transparent';
+      else if (!view.contains(one)) one.style.visibility = 'hidden';
+    }
+    document.documentElement.style.background = document.body.style.background = 'transparent';
+    Object.assign(view.style, { position: 'fixed', inset: '0', width: '240px', height: '240px', zIndex: 99 }); // prettier-ignore
+  });
+  await page.waitForTimeout(900);
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))); // prettier-ignore
+  const clip = { x: 0, y: 0, width: 240, height: 240 };
+  writeFileSync(
+    path.join(folder, `${id}.png`),
+    await page.screenshot({ clip, omitBackground: true }),
+  );
+}
+await browser.close();
+server.close();

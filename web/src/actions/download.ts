@@ -8,6 +8,7 @@ import {
   type Format,
 } from '../formats/exports';
 import type { App } from './app';
+import { filesWithAllMaps, mappedMeshes } from './download_all';
 import { tilesPerUnit } from './solve';
 
 /** Nothing where there is no map of what is prescribed. */
@@ -29,7 +30,12 @@ export function saveFile({ name, bytes, type }: Download): void {
 export async function download(app: App, format: Format): Promise<void> {
   const source = exportSource(app);
   if (!source) return;
-  saveFile(await makeDownload(source, format));
+  if (format === 'same' && mappedMeshes(app).length > 1) {
+    const files = await filesWithAllMaps(app);
+    if (!files) return;
+    const solution = { ...source.solution, files };
+    saveFile(await makeDownload({ ...source, solution }, format));
+  } else saveFile(await makeDownload(source, format));
   if (format !== 'report' && format !== 'cones') app.doc.isUnsaved = false;
 }
 

@@ -62,7 +62,7 @@ function turningRow({ certificate }: Solution['result']): VerdictRow[] {
     {
       name: 'Boundary turning',
       value: `${certificate.wrongTurnings} wrong`,
-      tolerance: `off by ≤ ${shortNumber(certificate.maxTurningDistance)}`,
+      tolerance: `off by ≤ ${shortNumber(certificate.maxTurningDistance)} rad`,
       isGood: certificate.wrongTurnings === 0,
       where: [],
     },
@@ -85,7 +85,7 @@ function angleRows({ result: { certificate }, prescription }: Solution): Verdict
     {
       name: 'Cone angles',
       value: `${wrongCones.length} of ${prescription.cones.length} wrong`,
-      tolerance: `off by ≤ ${shortNumber(certificate.maxConeDistance)}`,
+      tolerance: `off by ≤ ${shortNumber(certificate.maxConeDistance)} rad`,
       isGood: wrongCones.length === 0,
       where: wrongCones.map(({ vertex: id }) => ({ kind: 'vertex', id })),
     },
@@ -101,10 +101,19 @@ function seamRows({ certificate }: Solution['result']): VerdictRow[] {
     {
       name: 'Seams',
       value: `${brokenSeams} broken of ${seamEdges}`,
-      tolerance: `${shortNumber(maxSeamResidual)} ≤ ${shortNumber(seamTolerance)}`,
+      tolerance: `${shortNumber(maxSeamResidual)} ≤ ${shortNumber(seamTolerance)} of its length`,
       isGood: brokenSeams === 0,
       where: edge ? [{ kind: 'edge', id: edge[0], other: edge[1] }] : [],
     },
+  ];
+}
+
+/** Areas may span so much that the number type cannot tell them from zero. */
+function rangeRow({ certificate }: Solution['result']): VerdictRow[] {
+  if (certificate.usable) return [];
+  const tolerance = `they span more than ${certificate.precision} resolves`;
+  return [
+    { name: 'Areas in the file', value: 'too far apart', tolerance, isGood: false, where: [] },
   ];
 }
 
@@ -134,6 +143,7 @@ export function verdictRows(solution: Solution): VerdictRow[] {
     ...turningRow(result),
     ...angleRows(solution),
     ...seamRows(result),
+    ...rangeRow(result),
     readBackRow(solution),
   ];
   return [...rows, ...otherRow(result, rows)];

@@ -3,6 +3,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { attempt, type App } from '../actions/app';
 import { download, exportSource } from '../actions/download';
+import { mappedMeshes } from '../actions/download_all';
 import { perform } from '../actions/registry';
 import { rewrite } from '../actions/solve';
 import { formats, nameOf, type ExportSource, type Format } from '../formats/exports';
@@ -140,6 +141,9 @@ function save(app: App, format: Format): Promise<void> {
 }
 
 function summary(app: App, { notes, preserved, result }: Solution): string {
+  const meshes = mappedMeshes(app).length;
+  if (meshes > 1)
+    return `One file with the new coordinates of ${meshes} meshes; all else stays as it was.`;
   const { info } = app.doc.model!;
   const stored = info.surfaces[info.surface]?.storedVertices ?? 0;
   const rest = `All else in the file stays as it was${preserved ? `: ${preserved}` : ''}.`;

@@ -63,6 +63,16 @@ export class GeometryClient {
     return this.call('surface', [++this.#ids, arrays, matrix], arrays);
   }
 
+  /** Why a file does not hold a map; empty where it does. */
+  compare(
+    { positions, triangles, uv, cornerToUv, uvToVertex, seams }: Result,
+    files: OutputFile[],
+    where: Pick<AnalysisRequest, 'mesh' | 'uvSet'>,
+  ): Promise<{ difference: string }> {
+    const map = { positions, triangles, uv, cornerToUv, uvToVertex, seams };
+    return this.call('compare', [{ ...where, map, files }]);
+  }
+
   /** `result` and `files` are given back with other arrays of the same content. */
   async analyse(
     surface: Surface,

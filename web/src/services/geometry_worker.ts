@@ -6,7 +6,7 @@ import { MeshBVH } from 'three-mesh-bvh';
 import { isGltf } from '../formats/glb';
 import type { Analysis, OutputFile, Surface } from '../model/types';
 import { isMeshoptUsed, type MeshoptDecoder } from '../formats/read_uv';
-import { analyse, urisOf, type FaceValues } from './geometry/analyse';
+import { analyse, compareWithFile, urisOf, type FaceValues } from './geometry/analyse';
 import { balancingCones } from './geometry/balance_cones';
 import { flatCrosses, surfaceCrosses } from './geometry/cross_lines';
 import { handleLoops, loopSegments } from './geometry/handle_loops';
@@ -112,6 +112,9 @@ const calls: GeometryCalls = {
       values: { ...values, flipped: values.flipped.slice() },
     });
     return { analysis: { id, ...rest }, preserved, map, files };
+  },
+  async compare(request) {
+    return { difference: compareWithFile(request, await decoderFor(request.files[0])) };
   },
   urisOf: (main) => ({ uris: urisOf(main), main }),
   overlay(id, overlay) {

@@ -88,6 +88,7 @@ export class TurningView {
       ? 0.6
       : (2 * Math.PI * (performance.now() % turnTime)) / turnTime;
     this.#renderer.render(this.#scene, this.#camera);
+    if (this.#mesh.geometry.index) this.#renderer.domElement.dataset.drawn = '';
     if (!isStill && !this.#isDisposed) this.#frame = requestAnimationFrame(() => this.#draw());
   }
 

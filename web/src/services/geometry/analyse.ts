@@ -76,7 +76,7 @@ export function differenceOf(file: Corners, map: Corners): string {
 
 /** The file's corners, and why they are not those of the map; without corners where it cannot be read. */
 function readBack(
-  { files, mesh, uvSet }: AnalysisRequest,
+  { files, mesh, uvSet }: Omit<AnalysisRequest, 'q'>,
   map: Corners,
   decoder: MeshoptDecoder | undefined,
 ): [string, Corners?] {
@@ -87,6 +87,12 @@ function readBack(
     return [`the written file cannot be read back: ${(error as Error).message}`];
   }
 }
+
+/** Why a file does not hold a map; empty where it does. */
+export const compareWithFile = (
+  request: Omit<AnalysisRequest, 'q'>,
+  decoder: MeshoptDecoder | undefined,
+): string => readBack(request, cornersOf(request.map), decoder)[0];
 
 function flatten(uv: Float32Array): Float32Array {
   const flat = new Float32Array((uv.length / 2) * 3);

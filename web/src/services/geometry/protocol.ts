@@ -20,6 +20,8 @@ export interface GeometryCalls {
     surface: number,
     request: AnalysisRequest,
   ): Promise<{ analysis: Analysis; preserved: string; map: MapArrays; files: OutputFile[] }>;
+  /** Why a file does not hold a map, empty where it does. Nothing is lent. */
+  compare(request: Omit<AnalysisRequest, 'q'>): Promise<{ difference: string }>;
   /** Relative names in a written .gltf, and the areas in uv and on the surface; both for writing. */
   urisOf(main: OutputFile): { uris: string[]; main: OutputFile };
   overlay(id: number, overlay: Overlay): Uint8Array;

@@ -1,0 +1,177 @@
+// A file of several meshes, a file of many cones, and ways through the page without a mouse.
+
+import assert from 'node:assert/strict';
+import { NodeIO } from '@gltf-transform/core';
+import { cubeMesh, toGlb, toGltf, toObj } from '../support/meshes.mjs';
+import { torusMesh } from './shapes.mjs';
+import {
+  coneCount,
+  drop,
+  example,
+  openFiles,
+  pixels,
+  pngOf,
+  run,
+  saveAs,
+  settled,
+  share,
+  state,
+  statusSays,
+  useBrowser,
+} from './support.mjs';
+
+const it = useBrowser();
+const { test } = it;
+const meshState = (i) => it.page.locator(`[data-mesh="${i}"]`).getAttribute('data-mesh-state');
+
+test('all meshes of a file: run, kept while another is looked at, and in one download', async () => {
+  const { page } = it;
+  await openFiles(it, { 'two.glb': toGlb([cubeMesh(3), torusMesh(16, 8)]) });
+  assert.equal(await page.locator('[data-mesh="1"]').getAttribute('aria-current'), 'true');
+  await page.click('#run-all');
+  await statusSays(it, /2 meshes certified/);
+  assert.deepEqual([await meshState(0), await meshState(1)], ['certified', 'certified']);
+  // The map of the other is there at once, with its cones and its history.
+  await page.click('[data-mesh="0"]');
+  await state(page, 'certified');
+  assert.ok((await coneCount(it)) > 0);
+  await page.click('#undo');
+  assert.equal(await coneCount(it), 0);
+  await page.click('#redo');
+  const { bytes } = await saveAs(it, 'same');
+  const document = await new NodeIO().readBinary(new Uint8Array(bytes));
+  const meshes = document.getRoot().listMeshes();
+  for (const mesh of meshes) {
+    const [primitive] = mesh.listPrimitives();
+    assert.ok(primitive.getAttribute('TEXCOORD_0'), mesh.getName());
+    assert.equal(mesh.getExtras().hgp?.q, 4);
+  }
+  await statusSays(it, /2 meshes in one file, all certified/);
+});
+
+test('a model is shown with its own materials at once, where its nodes put it', async () => {
+  const { page } = it;
+  const { json, bin } = toGltf([cubeMesh(4)], { image: 'leaf.png' });
+  const mesh = json.nodes.findIndex((node) => node.mesh === 0);
+  json.nodes[mesh].scale = [0.2, 3, 0.2]; // a pillar
+  await openFiles(it, {
+    'pillar.gltf': JSON.stringify(json),
+    'cube.bin': bin,
+    'leaf.png': pngOf([[20, 190, 40]]),
+  });
+  await page.waitForFunction(() => document.querySelector('#view').dataset.original === 'shown');
+  await settled(page);
+  const isGreen = (r, g, b) => g > r + 30 && g > b + 30;
+  const own = await pixels(page, '#view', 'own-material');
+  const columns = new Set();
+  const rows = new Set();
+  for (let i = 0; i < own.data.length; i += 4) {
+    if (!isGreen(own.data[i], own.data[i + 1], own.data[i + 2])) continue;
+    columns.add((i / 4) % own.width);
+    rows.add(Math.floor(i / 4 / own.width));
+  }
+  assert.ok(rows.size > 3 * columns.size, `${columns.size} × ${rows.size}`);
+  await run(it);
+  await settled(page);
+  assert.equal(await page.getAttribute('#view', 'data-original'), 'none');
+  const after = await pixels(page, '#view', 'own-mapped');
+  assert.ok(share(after, isGreen) < 0.001);
+  // Before and after, side by side.
+  await page.locator('#wipe').fill('50');
+  await settled(page);
+  const half = share(await pixels(page, '#view', 'wipe'), isGreen);
+  assert.ok(half > 0.3 * share(own, isGreen) && half < 0.8 * share(own, isGreen), `${half}`);
+  await page.locator('#wipe').fill('0');
+});
+
+test('hundreds of cones are two draw calls', async () => {
+  const { page } = it;
+  await page.evaluate(() => {
+    const { prototype } = WebGL2RenderingContext;
+    globalThis.calls = 0;
+    for (const name of ['drawElements', 'drawArrays']) {
+      const draw = prototype[name];
+      prototype[name] = function (...args) {
+        globalThis.calls += 1;
+        return draw.apply(this, args);
+      };
+    }
+  });
+  const mesh = cubeMesh(12);
+  await openFiles(it, { 'cube.obj': toObj(mesh) });
+  const cones = Array.from({ length: 400 }, (_, i) => ({ vertex: 8 + 2 * i, k: i % 2 ? 3 : 5 }));
+  const file = { format: 'hgp-cones', version: 1, q: 4, cones };
+  await drop(it, { 'many.cones.json': JSON.stringify(file) });
+  await page.waitForSelector('#cones');
+  await settled(page);
+  await page.evaluate(() => (globalThis.calls = 0));
+  await page.locator('#view').focus();
+  await page.keyboard.press('ArrowLeft');
+  await settled(page);
+  const frames = await page.evaluate(() => globalThis.calls);
+  assert.ok(frames > 0 && frames <= 12, `${frames} draw calls for one step of the camera`);
+});
+
+test('the toolbar is one stop of Tab and arrows move in it; tabs, too', async () => {
+  const { page } = it;
+  await example(it, 'cube');
+  const focused = () => page.evaluate(() => document.activeElement.id);
+  await page.locator('#tool-orbit').focus();
+  await page.keyboard.press('ArrowRight');
+  assert.equal(await focused(), 'tool-place');
+  await page.keyboard.press('End');
+  await page.keyboard.press('Home');
+  assert.equal(await focused(), 'tool-orbit');
+  await page.keyboard.press('ArrowLeft');
+  assert.equal(await focused(), 'seams');
+  await page.keyboard.press('Tab');
+  assert.equal(await focused(), 'view');
+  await page.setViewportSize({ width: 900, height: 700 });
+  await page.locator('#tab-surface').focus();
+  await page.keyboard.press('ArrowRight');
+  assert.equal(await focused(), 'tab-map');
+  assert.equal(await page.getAttribute('#tab-map', 'aria-selected'), 'true');
+  await page.click('#tab-surface');
+});
+
+test('every action is in the palette; Ctrl+K, a few letters, Enter', async () => {
+  const { page } = it;
+  await example(it, 'cube');
+  await page.keyboard.press('Control+k');
+  assert.ok((await page.locator('[data-action]').count()) > 25);
+  assert.equal(await page.locator('[data-action="download"]').isDisabled(), true);
+  await page.keyboard.type('wire');
+  await page.keyboard.press('Enter');
+  assert.equal(await page.getAttribute('#wire', 'aria-pressed'), 'true');
+  assert.equal(await page.locator('#palette-dialog').count(), 0);
+  await page.click('#wire');
+  // The menu of examples goes away by itself.
+  await page.click('#examples');
+  await page.waitForSelector('#example-list:popover-open');
+  await page.mouse.click(600, 400);
+  await page.waitForSelector('#example-list:popover-open', { state: 'detached' });
+});
+
+test('an address opens its example, with cones and all', async () => {
+  const { page } = it;
+  await page.goto('about:blank');
+  await page.goto(`${it.url}#example=cube&pattern=brick`);
+  await state(page, 'ready');
+  assert.equal(await coneCount(it), 8);
+  await run(it);
+  assert.equal(await page.inputValue('#pattern'), 'brick');
+  await page.waitForFunction(() => location.hash.includes('example=cube'));
+});
+
+test('a click shows before what it would place', async () => {
+  const { page } = it;
+  await openFiles(it, { 'cube.obj': toObj(cubeMesh(8)) });
+  await settled(page);
+  await page.click('#tool-place');
+  const box = await page.locator('#view').boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.waitForSelector('#view[data-ghost="3"]');
+  await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  assert.equal(await coneCount(it), 1);
+  await page.click('#tool-orbit');
+});

@@ -9,6 +9,8 @@ export interface VerdictRow {
   value: string;
   tolerance: string;
   isGood: boolean;
+  /** A fact that is shown beside the checks and decides nothing. */
+  isFact?: boolean;
   where: Where[];
 }
 
@@ -108,6 +110,17 @@ function seamRows({ certificate }: Solution['result']): VerdictRow[] {
   ];
 }
 
+/** Both sides of a seam may agree to the last bit: more than a certified map needs. */
+function exactRow({ certificate }: Solution['result']): VerdictRow[] {
+  const { exactSeams, seamEdges } = certificate;
+  if (exactSeams === null || exactSeams === undefined || seamEdges === 0) return [];
+  const value = `${exactSeams} of ${seamEdges}`;
+  const isGood = exactSeams === seamEdges;
+  return [
+    { name: 'Exact seams', value, tolerance: 'bit for bit', isGood, isFact: true, where: [] },
+  ];
+}
+
 /** Areas may span so much that the number type cannot tell them from zero. */
 function rangeRow({ certificate }: Solution['result']): VerdictRow[] {
   if (certificate.usable) return [];
@@ -130,7 +143,7 @@ function readBackRow({ isSameAsFile, difference, written }: Solution): VerdictRo
 
 /** Whatever the solver refuses for a reason that has no row of its own. */
 function otherRow({ certificate }: Solution['result'], rows: VerdictRow[]): VerdictRow[] {
-  if (certificate.certified || rows.some(({ isGood }) => !isGood)) return [];
+  if (certificate.certified || rows.some(({ isGood, isFact }) => !isGood && !isFact)) return [];
   const value = 'not passed';
   const tolerance = 'see the reasons below';
   return [{ name: 'All other checks', value, tolerance, isGood: false, where: [] }];
@@ -143,6 +156,7 @@ export function verdictRows(solution: Solution): VerdictRow[] {
     ...turningRow(result),
     ...angleRows(solution),
     ...seamRows(result),
+    ...exactRow(result),
     ...rangeRow(result),
     readBackRow(solution),
   ];
@@ -155,7 +169,7 @@ const known = new WeakMap<Solution, boolean>();
 export function isCertified(solution: Solution): boolean {
   let is = known.get(solution);
   if (is === undefined)
-    known.set(solution, (is = verdictRows(solution).every((row) => row.isGood)));
+    known.set(solution, (is = verdictRows(solution).every((row) => row.isGood || row.isFact)));
   return is;
 }
 

@@ -161,7 +161,10 @@ class ResultPanel extends Panel {
     </table>`;
   }
 
-  #row({ name, value, tolerance, isGood, where }: VerdictRow): TemplateResult {
+  #row({ name, value, tolerance, isGood, isFact, where }: VerdictRow): TemplateResult {
+    const passed = html`${icon(isGood ? 'check' : 'cross')}<span class="visually-hidden"
+        >${isGood ? 'passed' : 'failed'}</span
+      >`;
     const show = html`<button
       type="button"
       class="link"
@@ -170,14 +173,10 @@ class ResultPanel extends Panel {
     >
       Show worst
     </button>`;
-    return html`<tr class=${isGood ? '' : 'bad'}>
+    return html`<tr class=${isGood || isFact ? '' : 'bad'}>
       <th scope="row">${name}<small>${tolerance}</small></th>
       <td>${value} ${where.length > 0 && !isGood ? show : nothing}</td>
-      <td class="passed">
-        ${icon(isGood ? 'check' : 'cross')}<span class="visually-hidden"
-          >${isGood ? 'passed' : 'failed'}</span
-        >
-      </td>
+      <td class="passed">${isFact && !isGood ? '–' : passed}</td>
     </tr>`;
   }
 }

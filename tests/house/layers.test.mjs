@@ -2,6 +2,7 @@
 // change of the design and wants a page in docs/decisions.
 
 import assert from 'node:assert/strict';
+import path from 'node:path';
 import test from 'node:test';
 import { filesOf, moduleOf, textOf } from './source_tree.mjs';
 
@@ -82,6 +83,78 @@ test('targets link only what their module may include', () => {
     }
   }
   assert.deepEqual(wrong, []);
+});
+
+// Folders inside a module, lowest first: a folder includes itself and those before it. '' is the
+// module's own folder; files of it that put the others together stand in `assembles`.
+const folders = {
+  mesh: { order: ['', 'repair'] },
+  linalg: { order: ['graph', 'kernels', 'ordering', 'factor'] },
+  io: { order: ['', 'polygon', 'gltf'], apart: [['polygon', 'gltf']] },
+  parametrize: { order: ['', 'moves'] },
+};
+const assembles = [
+  'core/hgp/io/open.cpp',
+  'core/hgp/io/cone_files.h',
+  'core/hgp/io/cone_files.cpp',
+];
+const folderOf = (file) => path.posix.dirname(file).split('/').slice(3).join('/');
+
+test('folders of a module include only those below them', () => {
+  const wrong = [];
+  for (const file of sources.filter((name) => !assembles.includes(name))) {
+    const module = moduleOf(file);
+    const { order = [''], apart = [] } = folders[module] ?? {};
+    const own = order.indexOf(folderOf(file));
+    if (own < 0) wrong.push(`${file}: a folder that the table does not know`);
+    for (const [, header] of textOf(file).matchAll(/^\s*#\s*include\s+"(hgp\/[^"]+)"/gm)) {
+      if (moduleOf(`core/${header}`) !== module || assembles.includes(`core/${header}`)) continue;
+      const other = folderOf(`core/${header}`);
+      const areApart = apart.some((two) => two.includes(other) && two.includes(folderOf(file)) && other !== folderOf(file)); // prettier-ignore
+      if (order.indexOf(other) > own || areApart) wrong.push(`${file}: ${header}`);
+    }
+  }
+  assert.deepEqual(wrong, []);
+});
+
+/** Groups of nodes that lead back to one another (Tarjan). */
+function circles(edges) {
+  const found = [];
+  const [index, low, stack] = [new Map(), new Map(), []];
+  const visit = (node) => {
+    index.set(node, index.size);
+    low.set(node, index.get(node));
+    stack.push(node);
+    for (const next of edges.get(node) ?? []) {
+      if (!index.has(next)) visit(next);
+      if (stack.includes(next)) low.set(node, Math.min(low.get(node), low.get(next)));
+    }
+    if (low.get(node) !== index.get(node)) return;
+    const group = stack.splice(stack.indexOf(node));
+    if (group.length > 1) found.push(group.sort().join(' '));
+  };
+  for (const node of edges.keys()) if (!index.has(node)) visit(node);
+  return found.sort();
+}
+
+test('circles are found', () => {
+  const edges = (list) => new Map(list.map(([from, ...to]) => [from, to]));
+  assert.deepEqual(circles(edges([['a', 'b', 'c'], ['b', 'c'], ['c']])), []); // prettier-ignore
+  assert.deepEqual(circles(edges([['d', 'a'], ['a', 'b'], ['b', 'c'], ['c', 'a']])), ['a b c']); // prettier-ignore
+});
+
+test('no circle of files: a source and its header count as one', () => {
+  // x_state.h is what x.h hides.
+  const unit = (file) => file.replace(/(_state)?\.(h|cpp|inc)$/, '').replace(/^core\/hgp\//, '');
+  const edges = new Map();
+  for (const file of sources) {
+    const from = unit(file);
+    if (!edges.has(from)) edges.set(from, new Set());
+    for (const [, header] of textOf(file).matchAll(/^\s*#\s*include\s+"(hgp\/[^"]+)"/gm)) {
+      if (unit(`core/${header}`) !== from) edges.get(from).add(unit(`core/${header}`));
+    }
+  }
+  assert.deepEqual(circles(edges), []);
 });
 
 test('only io reads files of other formats through tinygltf', () => {

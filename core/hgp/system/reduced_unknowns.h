@@ -2,14 +2,12 @@
 // expressed; a rotation in Z_q and a translation per seam chain, never a penalty.
 #pragma once
 
-#include <Eigen/SparseCore>
 #include <vector>
 
 #include "hgp/cut/seam_rotation.h"
+#include "hgp/system/row_builder.h"
 
 namespace hgp {
-
-using SparseRows = Eigen::SparseMatrix<Complex, Eigen::RowMajor>;
 
 /// One complex unknown per vertex of S (its first copy) and one translation per seam chain, minus
 /// what the seam nodes decide:

@@ -1,11 +1,14 @@
 // Sparse rows appended one after another.  Role: rows made of short sums, without sorting triplets.
 #pragma once
 
+#include <Eigen/SparseCore>
 #include <vector>
 
-#include "hgp/system/reduced_unknowns.h"
+#include "hgp/base/turns.h"
 
 namespace hgp {
+
+using SparseRows = Eigen::SparseMatrix<Complex, Eigen::RowMajor>;
 
 /// Terms of one column add up in the order they come; a row's columns ascend in the end.
 class RowBuilder {

@@ -2,7 +2,7 @@
 // refused before a decoder allocates for it.
 #pragma once
 
-#include "hgp/io/gltf/gltf_decoders.h"
+#include "hgp/io/gltf/gltf_compression.h"
 
 namespace hgp::io {
 

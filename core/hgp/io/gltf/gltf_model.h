@@ -13,6 +13,9 @@
 
 namespace hgp::io {
 
+/// Member of a mesh's extras that holds hgp-cones JSON.
+inline constexpr const char* kGltfConesKey = "hgp";
+
 /// EXT_meshopt_compression or KHR_meshopt_compression of a buffer view.
 struct GltfMeshopt {
   int buffer = -1;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "hgp/io/document.h"
-#include "hgp/io/gltf/gltf_decoders.h"
+#include "hgp/io/gltf/gltf_compression.h"
 #include "hgp/io/gltf/gltf_file.h"
 #include "hgp/io/gltf/gltf_model.h"
 
@@ -57,7 +57,7 @@ Result<std::unique_ptr<GltfStore>> loadGltf(FileSet files, const Limits& limits,
 Status loadGltfBuffers(GltfStore& store, const Resolver& resolve, const Limits& limits);
 /// gltf_compressed.cpp: decodes what triangle primitives need.
 Status decodeGltf(GltfStore& store, const GltfDecoders& decoders);
-/// Indices and sparse indices inside their ranges; no restart values.
+/// gltf_check_data.cpp: indices and sparse indices inside their ranges; no restart values.
 Status checkGltfData(const GltfStore& store);
 
 }  // namespace hgp::io

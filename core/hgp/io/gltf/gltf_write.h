@@ -7,9 +7,6 @@
 
 namespace hgp::io {
 
-/// Member of a mesh's extras that holds hgp-cones JSON.
-inline constexpr const char* kGltfConesKey = "hgp";
-
 /// One xref (written vertex → stored vertex) drives every attribute, morph target, joint, weight and
 /// colour: old vertices keep their numbers, copies at seams follow behind. Accessors that anybody
 /// else uses are cloned, indices promoted when they must, Draco primitives stored uncompressed, lower

@@ -5,7 +5,6 @@
 
 #include "hgp/base/check.h"
 #include "hgp/io/gltf/gltf_check.h"
-#include "hgp/io/gltf/gltf_write.h"
 
 namespace hgp::io {
 namespace {

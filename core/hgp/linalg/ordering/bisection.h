@@ -4,24 +4,9 @@
 #include <vector>
 
 #include "hgp/linalg/graph/graph.h"
+#include "hgp/linalg/ordering/weighted_graph.h"
 
 namespace hgp::linalg {
-
-/// A graph whose vertices stand for clusters: weights count what they stand for.
-struct WeightedGraph {
-  std::vector<int> start{0};
-  std::vector<int> neighbours;
-  std::vector<int> edgeWeight;    ///< beside neighbours
-  std::vector<int> vertexWeight;  ///< |V|
-
-  int size() const { return static_cast<int>(start.size()) - 1; }
-};
-
-/// A coarser copy of a graph.
-struct CoarseLevel {
-  WeightedGraph graph;
-  std::vector<int> cluster;  ///< vertex of the finer graph → vertex here
-};
 
 /// A part of a larger graph: `vertex` names the part's vertices there.
 struct Part {

@@ -1,7 +1,7 @@
 // Merging matched vertices.  Role: the downward half of a multilevel bisection.
 #pragma once
 
-#include "hgp/linalg/ordering/bisection.h"
+#include "hgp/linalg/ordering/weighted_graph.h"
 
 namespace hgp::linalg {
 

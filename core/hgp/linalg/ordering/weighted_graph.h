@@ -1,0 +1,24 @@
+// A graph of clusters.  Role: what multilevel bisection coarsens, cuts and refines.
+#pragma once
+
+#include <vector>
+
+namespace hgp::linalg {
+
+/// A graph whose vertices stand for clusters: weights count what they stand for.
+struct WeightedGraph {
+  std::vector<int> start{0};
+  std::vector<int> neighbours;
+  std::vector<int> edgeWeight;    ///< beside neighbours
+  std::vector<int> vertexWeight;  ///< |V|
+
+  int size() const { return static_cast<int>(start.size()) - 1; }
+};
+
+/// A coarser copy of a graph.
+struct CoarseLevel {
+  WeightedGraph graph;
+  std::vector<int> cluster;  ///< vertex of the finer graph → vertex here
+};
+
+}  // namespace hgp::linalg

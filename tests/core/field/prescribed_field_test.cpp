@@ -121,6 +121,27 @@ TEST(TrivialConnection, HolonomyAlongEveryGeneratorIsAsPrescribed) {
   });
 }
 
+TEST(TrivialConnection, OpenLoopsOfAFlatDomainTurnAsTheyDoInThePlane) {
+  // Without cones u = 0 everywhere is the metric that open loops are read from: the outer loop turns
+  // by one turn, every hole by one turn backwards, however large it is.
+  for (const std::vector<int>& holes : {std::vector<int>{30}, {12, 40, 61}, {9, 33, 57, 75}}) {
+    const TriMesh mesh = test::withoutFaces(test::grid(9, 5), holes).mesh();
+    const Result<FieldContext> context = prepareFields(mesh);
+    ASSERT_TRUE(context);
+    ASSERT_EQ(context->topology.loops.size(), holes.size() + 1);
+    for (int q : {1, 3, 4}) {
+      HolonomySpec spec;
+      spec.q = q;
+      const Result<PrescribedField> field = prescribedField(mesh, *context, spec);
+      ASSERT_TRUE(field) << field.error().message;
+      for (std::size_t j = 0; j < context->topology.loops.size(); ++j) {
+        const bool isOuter = context->topology.loops[j].halfedges.size() > 3;
+        EXPECT_EQ(field->spec.turning[j], isOuter ? q : -q) << "q = " << q << ", loop " << j;
+      }
+    }
+  }
+}
+
 TEST(TrivialConnection, CompletedTurningBalancesLemma62AndKeepsWhatWasGiven) {
   forAllFields([](const TriMesh& mesh, const FieldContext& context, const HolonomySpec& asked,
                   const PrescribedField& result) {

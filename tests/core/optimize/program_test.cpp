@@ -112,6 +112,53 @@ TEST(Program, TheExactFormIsHarmonicWhereNoFrameReaches) {
   }
 }
 
+/// What the exact form minimises: ‖D L z‖² + the tie-break's distortion of the frames' faces.
+double exactObjective(const test::SeamlessProblem& p, const Frames& frames,
+                      const ProgramOptions& options, const Eigen::VectorXcd& x) {
+  double value = 0.0;
+  const Eigen::VectorXcd residual = p.harmonic.rows * x;
+  for (Eigen::Index r = 0; r < residual.size(); ++r)
+    value += std::exp(-2.0 * options.u[p.harmonic.rowVertex[static_cast<std::size_t>(r)]]) *
+             std::norm(residual[r]);
+  const Eigen::VectorXcd copies = p.unknowns.copies * x;
+  const std::vector<Complex> z(copies.data(), copies.data() + copies.size());
+  for (FaceId f : frames.faces) {
+    double u = 0.0;
+    for (VertexId v : p.surface.mesh.corners(f)) u += options.u[v] / 3.0;
+    const auto [similar, anti] = p.partsOf(f, z);
+    const Complex turned = similar * std::polar(1.0, p.surface.seams.frameAngle[f]);
+    value += options.tieBreak * p.surface.context.geometry.area[f] * std::exp(-2.0 * u) *
+             (std::norm(turned - std::exp(u)) + std::norm(anti));
+  }
+  return value;
+}
+
+TEST(Program, NoFeasibleNeighbourOfTheExactFormIsBetter) {
+  // Cones of very different angle, so that u, by which rows are weighted, ranges widely.
+  const test::SeamlessProblem p = test::sphereProblem(4, 4, {1, 2, 3, 3, 5, 6, 3, 1});
+  const Frames frames = p.frames();
+  ProgramOptions options = p.weightedOptions();
+  options.isExact = true;
+  options.vertexTree = &p.surface.context.tree;
+  const ProgramResult best = p.solve(frames, options);
+  ASSERT_EQ(best.status, SolveStatus::kOptimal);
+  const double minimum = exactObjective(p, frames, options, best.x);
+  for (double factor : {1.2, 2.0}) {
+    for (double tieBreak : {1e-6, 1e-3, 1e-1}) {
+      ProgramOptions other = options;
+      other.margin *= factor;
+      other.tieBreak = tieBreak;
+      const ProgramResult rival = p.solve(frames, other);
+      ASSERT_EQ(rival.status, SolveStatus::kOptimal);
+      for (double share : {1e-2, 0.1, 1.0}) {
+        const Eigen::VectorXcd mixed = best.x + share * (rival.x - best.x);
+        EXPECT_GE(exactObjective(p, frames, options, mixed), minimum * (1 - 1e-5))
+            << factor << " " << tieBreak << " " << share;
+      }
+    }
+  }
+}
+
 TEST(Program, FramesThatPullNeedNoIteration) {
   for (const test::SeamlessProblem& p : easyProblems()) {
     const std::vector<FaceId> faces = p.frames().faces;

@@ -1,0 +1,183 @@
+// Faults of one line that the tests must notice: signs, off-by-one, tolerances × 1000, rows dropped,
+// options ignored, repairs that do nothing. `find` stands exactly once in the file; where it no longer
+// does, scripts/mutate fails and the fault wants to be looked at again.
+//
+// Each names the test programs that see it, the likeliest first; without a name, that of its module.
+// Those of `short` are planted by every scripts/test.
+
+const fault = (file, find, put, more = {}) => ({ file: `core/hgp/${file}`, find, put, ...more });
+const short = { short: true };
+
+export const faults = [
+  // base, text
+  fault('base/turns.cpp', 'case 1:\n      return {-s, c};', 'case 1:\n      return {s, c};', short),
+  fault('base/turns.cpp', 'return a <= -kPi ?', 'return a < -kPi ?'),
+  fault('base/float32.cpp', 'return static_cast<double>(rounded);', 'return (void)rounded, x;'),
+  fault('text/text.cpp', 'kept % 2 == 1', 'kept % 2 == 0', short),
+  fault('text/text.cpp', '(hasMore || kept', '(kept'),
+
+  // mesh
+  fault('mesh/topology.cpp', 'loop.crossed.push_back(h);', '', { programs: ['mesh', 'field'] }),
+  fault('mesh/topology.cpp', 'if (!mesh.isBoundary(start) || isSeen[start])', 'if (isSeen[start])'),
+  fault('mesh/geometry.cpp', '+ kPi - geometry.direction[h]', '- geometry.direction[h]', short),
+  fault('mesh/holonomy_spec.cpp', 'report.have += *l;', 'report.have -= *l;', short),
+  fault('mesh/holonomy_spec.cpp', 'return {floorHalf(low) + 1,', 'return {floorHalf(low),'),
+  fault('mesh/holonomy_spec.cpp', '2LL * c.k >=', '2LL * c.k >'),
+  fault('mesh/defects.cpp', 'if (fanCount[at(v)] > 1)', 'if (fanCount[at(v)] > 2)'),
+  fault('mesh/repair/repair.cpp', 'isFlipped) < 0.0', 'isFlipped) > 0.0'),
+  fault('mesh/repair/repair.cpp', 'if (options.split) splitNonManifold(result);', '', short),
+  fault('mesh/repair/repair.cpp', 'if (options.orient) orientFaces(result);', ''),
+  fault('mesh/repair/repair.cpp', 'if (options.degenerate) removeDegenerate(result);', ''),
+  fault('mesh/repair/repair_split.cpp', 'if (owner[at(v)] == fan) continue;', 'continue;'),
+
+  // linalg
+  fault('linalg/factor/schur_lu.cpp', 'L[row] += values', 'L[row] -= values', short),
+  fault(
+    'linalg/factor/schur_lu.cpp',
+    'kPivotTolerance * addColumn',
+    '1e3 * kPivotTolerance * addColumn',
+  ),
+  fault('linalg/factor/partial_cholesky.cpp', 'x(k, 0) = -c[', 'x(k, 0) = c['),
+  fault(
+    'linalg/ordering/minimum_degree.cpp',
+    'for (std::size_t i = 1; i < left.size(); ++i) {',
+    'for (std::size_t i = left.size(); i < left.size(); ++i) {',
+  ),
+
+  // field
+  fault('field/prescribed_field.cpp', 'coneCurvature(-*spec', 'coneCurvature(*spec', short),
+  fault(
+    'field/prescribed_field.cpp',
+    'omega[e] += surface.weight[e]',
+    'omega[e] -= surface.weight[e]',
+  ),
+  fault(
+    'field/prescribed_field.cpp',
+    'std::round((center - d[i]) / step[i])',
+    'std::floor((center - d[i]) / step[i])',
+  ),
+  fault(
+    'field/prescribed_field.cpp',
+    'b[i - 1] = u(anchor, 0) - u(node, 0);',
+    'b[i - 1] = u(node, 0) - u(anchor, 0);',
+  ),
+  fault('field/frame_field.cpp', 'return own == h ? angle : -angle;', 'return angle;'),
+  fault('field/frame_field.cpp', '+ 0.5 - kTieShare', '+ 0.5 - 1e3 * kTieShare - 0.2'),
+  fault(
+    'field/filled_surface.cpp',
+    '[static_cast<std::size_t>(node)] = 2.0 * kPi;',
+    '[static_cast<std::size_t>(node)] = 0.0;',
+  ),
+  fault(
+    'field/read_holonomy.cpp',
+    'field.matching[mesh.twin(found)] = -sign * m.turn;',
+    'field.matching[mesh.twin(found)] = sign * m.turn;',
+  ),
+  fault('field/cancel_cones.cpp', 'defect[other] += moved;', ''),
+  fault('field/cancel_cones.cpp', 'spread(mesh, q, defect, search);', ''),
+
+  // cut, system
+  fault('cut/seam_rotation.cpp', 'n[f] + field.matching[h]', 'n[f] - field.matching[h]', short),
+  fault(
+    'cut/seam_graph.cpp',
+    'trimLeaves(mesh, surface, graph, terminals, isSeam);\n  return',
+    'return',
+  ),
+  fault('cut/seam_graph.cpp', 'x.loop > y.loop', 'x.loop < y.loop'),
+  fault('cut/cut_mesh.cpp', '(degree[v] != 2 || mesh.isBoundary(v))', 'degree[v] != 2'),
+  fault('system/harmonic.cpp', 'rotation(-unknowns.turn', 'rotation(unknowns.turn', short),
+  fault('system/harmonic.cpp', '|| isCone[v]', ''),
+  fault('system/reduced_unknowns.cpp', 'isLeft_[out] ? -R', 'isLeft_[out] ? R'),
+  fault(
+    'system/reduced_unknowns.cpp',
+    'relations.push_back(closed.shift);',
+    'if (!relations.empty()) relations.push_back(closed.shift);',
+  ),
+  fault('system/weights.cpp', 'std::tan(0.5 *', 'std::tan(0.49 *'),
+  fault(
+    'system/translations.cpp',
+    'sum.push_back({other, -value});',
+    'sum.push_back({other, value});',
+  ),
+
+  // socp
+  fault(
+    'socp/second_order_cone.cpp',
+    'Vector3 reflect(const Vector3& s) { return {s[0], -s[1], -s[2]}; }',
+    'Vector3 reflect(const Vector3& s) { return {s[0], -s[1], s[2]}; }',
+    short,
+  ),
+  fault('socp/second_order_cone.cpp', 'if (ds[0] < 0.0)', 'if (ds[0] > 0.0)'),
+
+  // optimize
+  fault(
+    'optimize/exact_form.cpp',
+    'std::exp(-in_.options.u[v])',
+    'std::exp(in_.options.u[v])',
+    short,
+  ),
+  fault('optimize/penalty_form.cpp', 'std::exp(-in.options.u[v])', 'std::exp(in.options.u[v])'),
+  fault(
+    'optimize/program_terms.cpp',
+    'constraint.h << in.options.margin',
+    'constraint.h << -in.options.margin',
+  ),
+  fault(
+    'optimize/program_terms.cpp',
+    'std::polar(weight, in.seams.frameAngle[f])',
+    'std::polar(weight, -in.seams.frameAngle[f])',
+  ),
+  fault('optimize/frames.cpp', 'if (isMarked[v] || mesh.isBoundary(v)) {', 'if (isMarked[v]) {'),
+  fault(
+    'optimize/frame_fixing.cpp',
+    'turn += seams.rotation[mesh.twin(h)];',
+    'turn += seams.rotation[h];',
+  ),
+  fault(
+    'optimize/program.cpp',
+    'solution.y[a][0] > solution.y[b][0]',
+    'solution.y[a][0] < solution.y[b][0]',
+  ),
+
+  // verify: the certificate's own rules
+  fault(
+    'verify/orientation.cpp',
+    'sum.add(a[1], c[0], false);',
+    'sum.add(a[1], c[0], true);',
+    short,
+  ),
+  fault('verify/orientation.cpp', 'if (det > bound) return 1;', 'if (det > 0) return 1;'),
+  fault('verify/overlap.cpp', 'twice += count > 1;', 'twice += count > 2;'),
+
+  // prescription, io
+  fault(
+    'prescription/cone_lists.cpp',
+    'const double k = q * (1 - curvature',
+    'const double k = q * (1 + curvature',
+    { programs: ['io', 'prescription'], ...short },
+  ),
+  fault('prescription/cone_lists.cpp', 'if (index != 0) out.cones', 'if (index > 0) out.cones', {
+    programs: ['io', 'prescription'],
+  }),
+  fault(
+    'prescription/cones_json.cpp',
+    'm.integer((*cones)[i], "k", cone.k, true);',
+    'm.integer((*cones)[i], "k", cone.k, false);',
+    { programs: ['io', 'prescription'] },
+  ),
+  fault('io/weld.cpp', 'if (d <= tolerance) {', 'if (d <= 1000 * tolerance) {', short),
+  fault('io/gltf/gltf_round.cpp', 'if (candidate > bestArea) {', 'if (candidate < bestArea) {'),
+  fault('io/polygon/polygon_uv.cpp', '< kQuarterTurn)', '< 1000 * kQuarterTurn)'),
+
+  // parametrize, api
+  fault(
+    'parametrize/parametrize.cpp',
+    'distanceToCertified(attempt) < distanceToCertified(*best)',
+    'true',
+  ),
+  fault('parametrize/convex.cpp', 'walked += geometry.length[h];', 'walked += 1.0;'),
+  fault('api/stored_map.cpp', '(1 - 1e-7) / size', '1.001 / size', short),
+  fault('api/stored_map.cpp', 'if (mean > 0) moveAndScale(map.uv, {0, 0}, 1 / mean);', ''),
+  fault('api/request.cpp', 'reduceTurn(h.r, asked_.q)', 'reduceTurn(-h.r, asked_.q)'),
+  fault('api/request.cpp', 'if (anchored >= 0) loop = anchored;', ''),
+];

@@ -7,9 +7,7 @@
 #include <ctime>
 #include <random>
 
-#include "hgp/linalg/factor/multifrontal.h"
-#include "hgp/linalg/factor/partial_cholesky.h"
-#include "hgp/linalg/factor/schur_lu.h"
+#include "hgp/linalg/factor/factor.h"
 #include "hgp/linalg/kernels/dense_kernels.h"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "hgp/field/field_system.h"
-#include "hgp/linalg/factor/multifrontal.h"
+#include "hgp/linalg/factor/factor.h"
 
 namespace hgp {
 namespace {

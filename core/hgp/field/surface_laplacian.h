@@ -6,7 +6,7 @@
 
 #include "hgp/base/result.h"
 #include "hgp/field/filled_surface.h"
-#include "hgp/linalg/factor/multifrontal.h"
+#include "hgp/linalg/factor/factor.h"
 
 namespace hgp {
 

@@ -3,7 +3,7 @@
 
 #include "hgp/improve/energy.h"
 #include "hgp/improve/face_terms.h"
-#include "hgp/linalg/factor/partial_cholesky.h"
+#include "hgp/linalg/factor/factor.h"
 #include "hgp/linalg/ordering/ordering.h"
 
 namespace hgp {

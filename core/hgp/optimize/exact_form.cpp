@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "hgp/base/check.h"
-#include "hgp/linalg/factor/schur_lu.h"
+#include "hgp/linalg/factor/factor.h"
 #include "hgp/optimize/program_form.h"
 
 namespace hgp {

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "hgp/linalg/factor/partial_cholesky.h"
+#include "hgp/linalg/factor/factor.h"
 #include "hgp/optimize/program_terms.h"
 
 namespace hgp {

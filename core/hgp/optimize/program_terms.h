@@ -4,7 +4,10 @@
 
 #include <vector>
 
-#include "hgp/optimize/program.h"
+#include "hgp/optimize/frames.h"
+#include "hgp/optimize/program_options.h"
+#include "hgp/socp/problem.h"
+#include "hgp/system/harmonic.h"
 
 namespace hgp {
 

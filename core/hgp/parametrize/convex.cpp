@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "hgp/field/mesh_trees.h"
-#include "hgp/linalg/factor/schur_lu.h"
+#include "hgp/linalg/factor/factor.h"
 #include "hgp/parametrize/parametrize.h"
 #include "hgp/parametrize/seamless_setup.h"
 #include "hgp/parametrize/stage_clock.h"

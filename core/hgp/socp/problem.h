@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "hgp/linalg/factor/partial_cholesky.h"
+#include "hgp/linalg/factor/factor.h"
 
 namespace hgp::socp {
 

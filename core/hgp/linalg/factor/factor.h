@@ -1,0 +1,8 @@
+// The factorizations of this module in one header.  Role: what other modules include.
+#pragma once
+
+#include "hgp/linalg/factor/multifrontal.h"
+#include "hgp/linalg/factor/partial_cholesky.h"
+#include "hgp/linalg/factor/schur_lu.h"
+
+namespace hgp::linalg {}  // namespace hgp::linalg

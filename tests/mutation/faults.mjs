@@ -45,7 +45,7 @@ export const faults = [
   ),
 
   // field
-  fault('field/prescribed_field.cpp', 'coneCurvature(-*spec', 'coneCurvature(*spec', short),
+  fault('field/open_turning.cpp', 'coneCurvature(-*spec', 'coneCurvature(*spec', short),
   fault(
     'field/prescribed_field.cpp',
     'omega[e] += surface.weight[e]',
@@ -57,7 +57,7 @@ export const faults = [
     'std::floor((center - d[i]) / step[i])',
   ),
   fault(
-    'field/prescribed_field.cpp',
+    'field/open_turning.cpp',
     'b[i - 1] = u(anchor, 0) - u(node, 0);',
     'b[i - 1] = u(node, 0) - u(anchor, 0);',
   ),

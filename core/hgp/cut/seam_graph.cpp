@@ -5,6 +5,8 @@
 #include <numeric>
 #include <queue>
 
+#include "hgp/base/disjoint_sets.h"
+
 namespace hgp {
 namespace {
 
@@ -80,31 +82,6 @@ ShortestPaths shortestPaths(const NodeGraph& graph, const PerEdge<double>& cost,
   return paths;
 }
 
-class Forest {
- public:
-  explicit Forest(int count) : parent_(static_cast<std::size_t>(count)) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  bool join(int a, int b) {
-    a = root(a);
-    b = root(b);
-    if (a == b) return false;
-    parent_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-    return true;
-  }
-
- private:
-  int root(int a) {
-    auto at = static_cast<std::size_t>(a);
-    while (parent_[at] != static_cast<int>(at)) {
-      parent_[at] = parent_[static_cast<std::size_t>(parent_[at])];
-      at = static_cast<std::size_t>(parent_[at]);
-    }
-    return static_cast<int>(at);
-  }
-  std::vector<int> parent_;
-};
-
 /// Mehlhorn's Steiner tree: the minimum spanning tree of the terminals' Voronoi adjacencies, each
 /// adjacency drawn as the shortest path through it. Overlapping paths never close a cycle, since
 /// they follow one shortest-path forest plus one crossing edge per tree edge.
@@ -128,7 +105,7 @@ void markSteinerTree(const TriMesh& mesh, const FilledSurface& surface, const No
   std::sort(bridges.begin(), bridges.end(), [](const Bridge& x, const Bridge& y) {
     return x.length != y.length ? x.length < y.length : x.edge < y.edge;
   });
-  Forest forest(surface.nodeCount);
+  DisjointSets forest(surface.nodeCount);
   for (const Bridge& bridge : bridges) {
     if (!forest.join(paths.source[static_cast<std::size_t>(bridge.a)],
                      paths.source[static_cast<std::size_t>(bridge.b)]))
@@ -161,7 +138,7 @@ std::vector<EdgeId> leftoverEdges(const TriMesh& mesh, const FilledSurface& surf
   std::sort(crossings.begin(), crossings.end(), [](const Crossing& x, const Crossing& y) {
     return x.loop != y.loop ? x.loop > y.loop : x.edge < y.edge;
   });
-  Forest forest(mesh.faceCount());
+  DisjointSets forest(mesh.faceCount());
   std::vector<EdgeId> rest;
   for (const Crossing& c : crossings) {
     const HalfedgeId h = mesh.halfedge(c.edge);

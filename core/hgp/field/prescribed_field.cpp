@@ -3,116 +3,12 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <queue>
 
 #include "hgp/base/check.h"
-#include "hgp/field/mesh_trees.h"
+#include "hgp/field/open_turning.h"
 
 namespace hgp {
 namespace {
-
-/// K_asked − K per node for cones and given turning; open loops get nothing.
-Eigen::VectorXd curvatureGap(const FilledSurface& surface, const HolonomySpec& spec) {
-  Eigen::VectorXd gap(surface.nodeCount);
-  for (int n = 0; n < surface.nodeCount; ++n)
-    gap[n] = -surface.curvature[static_cast<std::size_t>(n)];
-  for (const ConePoint& cone : spec.cones)
-    gap[surface.node[cone.vertex]] += coneCurvature(cone.k, spec.q);
-  for (std::size_t j = 0; j < surface.loopNode.size(); ++j)
-    if (j < spec.turning.size() && spec.turning[j])
-      gap[surface.loopNode[j]] += coneCurvature(-*spec.turning[j], spec.q);
-  return gap;
-}
-
-/// Integers nearest to `natural` with the given sum and l > bound below (decision: q/2·Σ(1 − t_v)).
-std::vector<int> roundWithSum(const std::vector<double>& natural, long long sum,
-                              const std::vector<double>& lower) {
-  std::vector<int> rounded(natural.size());
-  for (std::size_t j = 0; j < natural.size(); ++j)
-    rounded[j] = static_cast<int>(std::max(std::round(natural[j]), std::floor(lower[j]) + 1.0));
-  long long left = sum - std::accumulate(rounded.begin(), rounded.end(), 0LL);
-  while (left != 0 && !rounded.empty()) {
-    const int step = left > 0 ? 1 : -1;
-    int best = -1;
-    double bestCost = 0.0;
-    for (std::size_t j = 0; j < natural.size(); ++j) {
-      if (rounded[j] + step <= lower[j]) continue;
-      const double cost =
-          std::abs(rounded[j] + step - natural[j]) - std::abs(rounded[j] - natural[j]);
-      if (best < 0 || cost < bestCost) best = static_cast<int>(j), bestCost = cost;
-    }
-    if (best < 0) return {};
-    rounded[static_cast<std::size_t>(best)] += step;
-    left -= step;
-  }
-  return rounded;
-}
-
-/// l_j of open loops: those of the cone metric in which u is equal on all of them, rounded.
-Status completeTurning(const TriMesh& mesh, const FieldContext& context, const HolonomySpec& spec,
-                       std::vector<int>& turning) {
-  const FilledSurface& surface = context.surface;
-  std::vector<int> open;
-  long long have = 0;
-  turning.assign(surface.loopNode.size(), 0);
-  for (std::size_t j = 0; j < turning.size(); ++j) {
-    if (j < spec.turning.size() && spec.turning[j]) {
-      turning[j] = *spec.turning[j];
-      have += turning[j];
-    } else {
-      open.push_back(static_cast<int>(j));
-    }
-  }
-  if (open.empty()) return Done{};
-  for (const ConePoint& cone : spec.cones) have += spec.q - cone.k;
-  const int m = static_cast<int>(turning.size());
-  const long long rest =
-      static_cast<long long>(spec.q) * (2 - 2 * context.topology.genus - m) - have;
-
-  // Fluxes φ at the open loops' nodes with equal u: u = u₀ + G φ there, Σφ fixed.
-  const auto n = static_cast<Eigen::Index>(open.size());
-  Eigen::VectorXd gap = curvatureGap(surface, spec);
-  const double total = -gap.sum();
-  Eigen::MatrixXd rhs = Eigen::MatrixXd::Zero(surface.nodeCount, n);
-  const int anchor = surface.loopNode[static_cast<std::size_t>(open[0])];
-  rhs.col(0) = gap;
-  rhs(anchor, 0) += total;
-  for (Eigen::Index i = 1; i < n; ++i) {
-    rhs(anchor, i) = -1.0;
-    rhs(surface.loopNode[static_cast<std::size_t>(open[static_cast<std::size_t>(i)])], i) = 1.0;
-  }
-  const Eigen::MatrixXd u = context.laplacian.solve(rhs);
-  Eigen::MatrixXd G(n - 1, n - 1);
-  Eigen::VectorXd b(n - 1);
-  for (Eigen::Index i = 1; i < n; ++i) {
-    const int node = surface.loopNode[static_cast<std::size_t>(open[static_cast<std::size_t>(i)])];
-    b[i - 1] = u(anchor, 0) - u(node, 0);
-    for (Eigen::Index k = 1; k < n; ++k) G(i - 1, k - 1) = u(node, k) - u(anchor, k);
-  }
-  const Eigen::VectorXd flux = n > 1 ? Eigen::VectorXd(G.ldlt().solve(b)) : Eigen::VectorXd(0);
-  std::vector<double> natural(open.size()), lower(open.size());
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    const double phi = i > 0 ? flux[i - 1] : total - flux.sum();
-    natural[at] = spec.q * (phi / (2.0 * kPi) - 1.0);
-    lower[at] = 0.0;
-    for (HalfedgeId h : context.topology.loops[static_cast<std::size_t>(open[at])].halfedges)
-      lower[at] += 0.5 * spec.q * (1 - mesh.valence(mesh.tail(h)));
-  }
-  const std::vector<int> rounded = roundWithSum(natural, rest, lower);
-  if (rounded.empty())
-    return Failure{
-        ErrorCode::kPrescription,
-        "prescription",
-        "No admissible turning indices balance Gauss–Bonnet (Lemma 6.2) with these cones: "
-        "the open boundary loops would have to take " +
-            std::to_string(rest) + " in total, below what their triangles allow.",
-        {}};
-  for (std::size_t i = 0; i < open.size(); ++i)
-    turning[static_cast<std::size_t>(open[i])] = rounded[i];
-  return Done{};
-}
 
 /// Integers n that nearly minimise (offset + step∘n)ᵀ M⁻¹ (offset + step∘n): Babai's nearest plane.
 Eigen::VectorXd nearestPlane(const Eigen::MatrixXd& M, const Eigen::VectorXd& offset,
@@ -126,35 +22,6 @@ Eigen::VectorXd nearestPlane(const Eigen::MatrixXd& M, const Eigen::VectorXd& of
   }
   return d;
 }
-
-}  // namespace
-
-FieldContext prepareSurface(const TriMesh& mesh) {
-  FieldContext context;
-  context.topology = computeTopology(mesh);
-  HGP_CHECK(context.topology.componentCount == 1, "one component, not %d",
-            context.topology.componentCount);
-  context.geometry = computeGeometry(mesh);
-  context.tree = vertexTree(mesh);
-  context.surface = fillBoundary(mesh, context.topology, context.geometry);
-  return context;
-}
-
-Status prepareConnection(const TriMesh& mesh, FieldContext& context) {
-  Result<SurfaceLaplacian> laplacian = SurfaceLaplacian::build(mesh, context.surface, context.tree);
-  if (!laplacian) return std::move(laplacian).error();
-  context.laplacian = std::move(*laplacian);
-  context.handles = computeHandleBasis(mesh, context.surface, context.laplacian);
-  return Done{};
-}
-
-Result<FieldContext> prepareFields(const TriMesh& mesh) {
-  FieldContext context = prepareSurface(mesh);
-  if (Status done = prepareConnection(mesh, context); !done) return std::move(done).error();
-  return context;
-}
-
-namespace {
 
 /// Transport along each generator without the harmonic part.
 Eigen::VectorXd coexactTransport(const TriMesh& mesh, const FieldContext& context,
@@ -253,10 +120,9 @@ Result<PrescribedField> prescribedField(const TriMesh& mesh, const FieldContext&
                                         const HolonomySpec& spec) {
   PrescribedField result;
   HolonomySpec full = spec;
-  std::vector<int> turning;
-  if (Status done = completeTurning(mesh, context, spec, turning); !done)
-    return std::move(done).error();
-  full.turning.assign(turning.begin(), turning.end());
+  const Result<std::vector<int>> turning = completeTurning(mesh, context, spec);
+  if (!turning) return turning.error();
+  full.turning.assign(turning->begin(), turning->end());
 
   const FilledSurface& surface = context.surface;
   Eigen::VectorXd gap = curvatureGap(surface, full);
@@ -282,7 +148,7 @@ Result<PrescribedField> prescribedField(const TriMesh& mesh, const FieldContext&
   result.field.q = spec.q;
   integrateField(mesh, context.geometry, omega, result.field);
   result.spec.q = spec.q;
-  result.spec.turning = turning;
+  result.spec.turning = *turning;
   for (const ConePoint& cone : spec.cones)
     if (cone.k != spec.q) result.spec.cones.push_back(cone);
   std::sort(result.spec.cones.begin(), result.spec.cones.end(),

@@ -4,28 +4,11 @@
 #pragma once
 
 #include "hgp/base/progress.h"
+#include "hgp/field/field_context.h"
 #include "hgp/field/frame_field.h"
-#include "hgp/field/handle_basis.h"
 #include "hgp/mesh/holonomy_spec.h"
 
 namespace hgp {
-
-/// What every field of one surface is computed from; build once per surface. A smooth field needs
-/// the first four; a prescribed one all.
-struct FieldContext {
-  Topology topology;
-  Geometry geometry;
-  linalg::SeparatorTree tree;  ///< of the vertices
-  FilledSurface surface;
-  SurfaceLaplacian laplacian;
-  HandleBasis handles;
-};
-/// All but the Laplacian and the handles, which take most of the memory.
-FieldContext prepareSurface(const TriMesh& mesh);
-/// Adds what prepareSurface leaves out.
-Status prepareConnection(const TriMesh& mesh, FieldContext& context);
-/// Both at once.
-Result<FieldContext> prepareFields(const TriMesh& mesh);
 
 struct PrescribedField {
   FrameField field;  ///< matchings realise `spec` exactly

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hgp/base/check.h"
+#include "hgp/mesh/vectors.h"
 
 namespace hgp {
 namespace {
@@ -20,15 +21,8 @@ Status directionAngles(const TriMesh& mesh, const std::vector<Vec3>& directions,
   std::vector<Where> without;
   for (FaceId f : mesh.faces()) {
     const auto [a, b, c] = mesh.corners(f);
-    const auto edge = [&](VertexId from, VertexId to) {
-      Vec3 e{};
-      for (std::size_t i = 0; i < 3; ++i) e[i] = mesh.position(to)[i] - mesh.position(from)[i];
-      return e;
-    };
-    const auto dot = [](const Vec3& x, const Vec3& y) {
-      return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    };
-    const Vec3 e1 = edge(a, b), e2 = edge(a, c);
+    const Vec3 e1 = subtract(mesh.position(b), mesh.position(a));
+    const Vec3 e2 = subtract(mesh.position(c), mesh.position(a));
     const double length = std::sqrt(dot(e1, e1));
     // The second axis is e2 without its part along e1.
     Vec3 axis{};

@@ -6,6 +6,7 @@
 
 #include "hgp/field/field_system.h"
 #include "hgp/linalg/factor/factor.h"
+#include "hgp/mesh/vectors.h"
 
 namespace hgp {
 namespace {
@@ -169,12 +170,6 @@ Result<FrameField> smoothField(const TriMesh& mesh, const FieldContext& context,
 
 namespace {
 
-Vec3 scaled(const Vec3& a, double s) { return {a[0] * s, a[1] * s, a[2] * s}; }
-Vec3 sum(const Vec3& a, const Vec3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 Vec3 unit(const Vec3& a) {
   const double n = std::hypot(a[0], a[1], a[2]);
   return n > 0 ? scaled(a, 1.0 / n) : a;
@@ -186,13 +181,13 @@ Vec3 unit(const Vec3& a) {
 /// of the mean edge length.
 std::vector<AlignedTerm> curvatureTerms(const TriMesh& mesh, const Geometry& geometry, int q) {
   const auto edgeVector = [&](HalfedgeId h) {
-    return scaled(sum(mesh.position(mesh.head(h)), scaled(mesh.position(mesh.tail(h)), -1.0)),
+    return scaled(subtract(mesh.position(mesh.head(h)), mesh.position(mesh.tail(h))),
                   1.0 / geometry.unit);
   };
   PerVertex<Vec3> normal(static_cast<std::size_t>(mesh.vertexCount()), Vec3{0, 0, 0});
   for (FaceId f : mesh.faces()) {
     const Vec3 n = cross(edgeVector(TriMesh::halfedge(f, 0)), edgeVector(TriMesh::halfedge(f, 1)));
-    for (VertexId v : mesh.corners(f)) normal[v] = sum(normal[v], n);
+    for (VertexId v : mesh.corners(f)) normal[v] = add(normal[v], n);
   }
   std::vector<AlignedTerm> terms;
   for (FaceId f : mesh.faces()) {
@@ -202,7 +197,7 @@ std::vector<AlignedTerm> curvatureTerms(const TriMesh& mesh, const Geometry& geo
     for (int k = 0; k < 3; ++k) {
       const HalfedgeId h = TriMesh::halfedge(f, k);
       const Complex e = std::polar(geometry.length[h], geometry.direction[h]);
-      const Vec3 dn = sum(unit(normal[mesh.head(h)]), scaled(unit(normal[mesh.tail(h)]), -1.0));
+      const Vec3 dn = subtract(unit(normal[mesh.head(h)]), unit(normal[mesh.tail(h)]));
       A.row(k) << e.real() * e.real(), 2 * e.real() * e.imag(), e.imag() * e.imag();
       b[k] = dot(dn, edgeVector(h));
     }

@@ -63,7 +63,6 @@ struct WriteOptions {
   std::string name;                  ///< of the main output; names of side files derive from it
   std::string generator;             ///< stamped into a comment where the format has one, or ""
   std::optional<std::string> cones;  ///< hgp-cones JSON to embed for re-opening
-  bool writeManifold = false;        ///< glTF: reserved for EXT_mesh_manifold
 };
 
 struct OutputFile {

@@ -49,21 +49,4 @@ EdgeTable::EdgeTable(const std::vector<std::array<int, 3>>& triangles,
   start_.push_back(static_cast<int>(entries.size()));
 }
 
-DisjointSets::DisjointSets(int count) : parent_(at(count)) {
-  std::iota(parent_.begin(), parent_.end(), 0);
-}
-
-int DisjointSets::root(int a) {
-  while (parent_[at(a)] != a) a = parent_[at(a)] = parent_[at(parent_[at(a)])];
-  return a;
-}
-
-bool DisjointSets::join(int a, int b) {
-  a = root(a);
-  b = root(b);
-  if (a == b) return false;
-  parent_[at(std::max(a, b))] = std::min(a, b);
-  return true;
-}
-
 }  // namespace hgp

@@ -37,16 +37,4 @@ inline int sideTail(const std::vector<std::array<int, 3>>& triangles, int side) 
   return triangles[static_cast<std::size_t>(side / 3)][static_cast<std::size_t>(side % 3)];
 }
 
-/// Disjoint sets with path halving; the smallest member is the root.
-class DisjointSets {
- public:
-  explicit DisjointSets(int count);
-  int root(int a);
-  /// False when they were joined already.
-  bool join(int a, int b);
-
- private:
-  std::vector<int> parent_;
-};
-
 }  // namespace hgp

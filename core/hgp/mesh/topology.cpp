@@ -1,10 +1,10 @@
 #include "hgp/mesh/topology.h"
 
 #include <algorithm>
-#include <numeric>
 #include <queue>
 
 #include "hgp/base/check.h"
+#include "hgp/base/disjoint_sets.h"
 
 namespace hgp {
 namespace {
@@ -45,29 +45,6 @@ std::vector<BoundaryLoop> findLoops(const TriMesh& mesh) {
   }
   return loops;
 }
-
-/// Disjoint sets with path halving.
-class Forest {
- public:
-  explicit Forest(int count) : parent_(static_cast<std::size_t>(count)) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  int root(int a) {
-    while (at(a) != a) a = at(a) = at(at(a));
-    return a;
-  }
-  bool join(int a, int b) {
-    a = root(a);
-    b = root(b);
-    if (a == b) return false;
-    at(std::max(a, b)) = std::min(a, b);
-    return true;
-  }
-
- private:
-  int& at(int a) { return parent_[static_cast<std::size_t>(a)]; }
-  std::vector<int> parent_;
-};
 
 /// The halfedge through which breadth-first search over faces first entered each face (the crossed
 /// halfedge of the parent face); primal tree edges are not crossed.
@@ -141,7 +118,7 @@ std::vector<DualLoop> handleGenerators(const TriMesh& mesh) {
   // Boundary loops are filled in: all vertices of a loop count as one, and the loop's own edges are
   // neither crossed nor needed. What remains after a primal spanning tree and a dual spanning tree
   // of the rest are exactly 2g edges.
-  Forest forest(mesh.vertexCount());
+  DisjointSets forest(mesh.vertexCount());
   PerEdge<char> isPrimalTree(static_cast<std::size_t>(mesh.edgeCount()), 0);
   for (EdgeId e : mesh.edges()) {
     const HalfedgeId h = mesh.halfedge(e);

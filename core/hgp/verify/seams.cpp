@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "hgp/base/disjoint_sets.h"
 #include "hgp/base/turns.h"
-#include "hgp/mesh/edge_table.h"
 
 namespace hgp {
 namespace {

@@ -7,7 +7,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "hgp/mesh/edge_table.h"
+#include "hgp/base/disjoint_sets.h"
+
 
 namespace hgp::io {
 namespace {

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "hgp/base/check.h"
+#include "hgp/base/disjoint_sets.h"
 #include "hgp/io/gltf/gltf_accessor.h"
 #include "hgp/io/weld.h"
 
@@ -139,16 +140,7 @@ class GltfWelder {
     if (!manifoldStarts(store_, out_.mesh, out_.runs)) {
       return ignoreExtension("its indices are not those of the primitives");
     }
-    std::vector<int> parent(positions_.size());
-    std::iota(parent.begin(), parent.end(), 0);
-    const auto root = [&](int v) {
-      while (parent[static_cast<std::size_t>(v)] != v) {
-        const int up = parent[static_cast<std::size_t>(v)];
-        parent[static_cast<std::size_t>(v)] = parent[static_cast<std::size_t>(up)];
-        v = parent[static_cast<std::size_t>(v)];
-      }
-      return v;
-    };
+    DisjointSets merged(static_cast<int>(positions_.size()));
     if (accessor.sparse) {
       const GltfSparse& sparse = *accessor.sparse;
       const ByteView base = store_.accessorBytes(accessor);
@@ -164,13 +156,12 @@ class GltfWelder {
             positions_[from] != positions_[to]) {
           return ignoreExtension("it merges vertices that are not at the same place");
         }
-        const int a = root(static_cast<int>(from)), b = root(static_cast<int>(to));
-        parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+        merged.join(static_cast<int>(from), static_cast<int>(to));
       }
     }
     std::vector<int> id(positions_.size(), -1);
     for (std::size_t v = 0; v < positions_.size(); ++v) {
-      int& vertex = id[static_cast<std::size_t>(root(static_cast<int>(v)))];
+      int& vertex = id[static_cast<std::size_t>(merged.root(static_cast<int>(v)))];
       if (vertex < 0) {
         vertex = static_cast<int>(out_.surface.mesh.positions.size());
         out_.surface.mesh.positions.push_back(positions_[v]);

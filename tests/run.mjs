@@ -188,6 +188,17 @@ const lint = (log) =>
     ['node_modules/.bin/tsc', '--noEmit', '-p', 'wasm'],
   ]);
 
+/** Planted faults count as tests: caught is passed. */
+async function mutate(log) {
+  const { code, output } = await run(log, 'scripts/mutate', ...(full ? [] : ['--short']));
+  const [, caught = 0, missed = 0] =
+    output.match(/^(\d+) of \d+ faults caught, (\d+) missed$/m) ?? [];
+  const notes = output.split('\n').filter((line) => /^(WRONG|no test noticed)/.test(line));
+  // In full a few may be missed; how many, scripts/mutate knows.
+  const failed = code === 0 ? 0 : Math.max(1, Number(missed));
+  return { passed: Number(caught), failed, skipped: 0, notes };
+}
+
 async function web(log) {
   await must(log, 'node_modules/.bin/vite', 'build', 'web');
   return webTests(log);
@@ -206,6 +217,7 @@ const stages = {
     run: (log) => checks(log, [['node', 'tests/support/tidy.mjs']]),
     after: ['native-debug', 'native-release'],
   },
+  mutate: { run: mutate, after: ['native-debug'] },
   units: { run: unitTests, after: ['wasm-release'] },
   package: {
     run: (log) => nodeTests(log, 'wasm'),

@@ -64,3 +64,10 @@ test('decisions are numbered without gaps', () => {
     numbers.map((_, index) => index + 1),
   );
 });
+
+test('decisions have a number, a title and a status', () => {
+  const wrong = filesOf('docs/decisions', '.md')
+    .filter((file) => !file.endsWith('README.md'))
+    .filter((file) => !/^# \d{3} [·—] \S/.test(textOf(file)) || !/^\*\*Status/m.test(textOf(file)));
+  assert.deepEqual(wrong, []);
+});

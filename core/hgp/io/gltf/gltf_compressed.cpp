@@ -1,5 +1,6 @@
 // What triangle primitives need decoded, decoded once; results are never trusted.
 #include "hgp/base/check.h"
+#include "hgp/io/gltf/gltf_decoders.h"
 #include "hgp/io/gltf/gltf_store.h"
 
 namespace hgp::io {

@@ -4,6 +4,7 @@
 
 #include "hgp/base/check.h"
 #include "hgp/io/gltf/gltf_accessor.h"
+#include "hgp/io/gltf/gltf_decoders.h"
 #include "hgp/io/gltf/gltf_round.h"
 #include "hgp/io/gltf/gltf_write.h"
 #include "hgp/prescription/cones.h"

@@ -143,6 +143,18 @@ TEST(SeamGraph, IsNoLongerThanSpanningTheTerminalsOneByOne) {
   EXPECT_EQ(edges, 11 * 6) << "a tree along the icosahedron's edges";
 }
 
+TEST(SeamGraph, HandlesAreOpenedAlongShortLoops) {
+  // A torus of radii 1 and 0.4: once around the tube (2π · 0.4) and once around the hole (2π · 0.6).
+  const TriMesh mesh = test::torus(40, 20).mesh();
+  const Result<FieldContext> context = prepareFields(mesh);
+  const Geometry& geometry = context->geometry;
+  const PerEdge<char> seam = seamGraph(mesh, geometry, context->surface, {});
+  double length = 0.0;
+  for (EdgeId e : mesh.edges())
+    if (seam[e]) length += geometry.length[mesh.halfedge(e)] * geometry.unit;
+  EXPECT_LT(length, 1.3 * 2 * kPi * (0.4 + 0.6));
+}
+
 TEST(CutMesh, ChainsCoverTheSeamOnceAndEndAtNodes) {
   for (const test::CutSurface& s : test::cutSurfaces()) {
     std::vector<int> uses(static_cast<std::size_t>(s.mesh.edgeCount()), 0);

@@ -9,7 +9,6 @@
 
 #include "hgp/base/disjoint_sets.h"
 
-
 namespace hgp::io {
 namespace {
 

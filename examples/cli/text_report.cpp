@@ -97,8 +97,25 @@ std::string distortion(const Json& component) {
                     number(d, "rmsLogArea"), number(d, "minLogArea"), number(d, "maxLogArea"));
 }
 
+/// What the certificate does not speak of; nothing where it speaks of every triangle as it is stored.
+std::string outside(const Json& stored) {
+  std::string list;
+  const auto add = [&](const char* key, const char* text) {
+    if (const long long n = integer(stored, key))
+      list += (list.empty() ? "" : ", ") + formatText("%lld %s", n, text);
+  };
+  add("duplicates", "copies of judged ones, with their uv");
+  if (integer(stored, "differing") > 0)
+    list += formatText(" but for %lld", integer(stored, "differing"));
+  add("zeroArea", "without surface");
+  add("reversed", "judged wound the other way");
+  if (list.empty()) return list;
+  return row("outside",
+             formatText("of %lld stored triangles %s", integer(stored, "triangles"), list.c_str()));
+}
+
 std::string certificate(const Json& json, const Style& style) {
-  std::string out = measured(json, style);
+  std::string out = measured(json, style) + outside(json["stored"]);
   std::size_t untold = 0;
   for (std::size_t p = 0; p < json["components"].size(); ++p) {
     const Json& c = json["components"][p];

@@ -63,6 +63,33 @@ export interface Certificate {
    */
   seamTolerance: number;
   /**
+   * All triangles of the surface as they are stored: judged, or outside the certificate and why
+   */
+  stored: {
+    triangles: number;
+    judged: number;
+    /**
+     * outside: copies of a judged triangle, with its uv
+     */
+    duplicates: number;
+    /**
+     * of those, with other uv; never in what was written here
+     */
+    differing: number;
+    /**
+     * outside: a vertex named twice, or of a component in which no triangle has an area
+     */
+    zeroArea: number;
+    /**
+     * judged wound the other way than they are stored
+     */
+    reversed: number;
+    /**
+     * copies of vertices that the judged surface has and the file does not
+     */
+    splitVertices: number;
+  };
+  /**
    * The tolerances that this map would pass
    */
   needed: {

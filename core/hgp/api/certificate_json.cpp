@@ -240,7 +240,7 @@ void addSummary(Json& json, const std::vector<Certificate>& certificates) {
 }  // namespace
 
 std::string certificateText(const Model& model, const std::vector<Certificate>& certificates,
-                            int uvSet) {
+                            const OutsideFacts& outside, int uvSet) {
   Json json{{"format", "hgp-certificate"}, {"version", 1}};
   bool isUsable = !certificates.empty();
   for (const Certificate& c : certificates) isUsable = isUsable && c.isUsable;
@@ -250,6 +250,10 @@ std::string certificateText(const Model& model, const std::vector<Certificate>& 
   json["precision"] = certificates.empty() ? "float64" : precisionName(certificates[0].precision);
   if (uvSet >= 0) json["uvSet"] = uvSet;
   addSummary(json, certificates);
+  json["stored"] = Json{{"triangles", outside.stored},           {"judged", outside.judged},
+                        {"duplicates", outside.duplicates},      {"differing", outside.differing},
+                        {"zeroArea", outside.zeroArea},          {"reversed", outside.reversed},
+                        {"splitVertices", outside.splitVertices}};
   Json& components = json["components"] = Json::array();
   for (std::size_t p = 0; p < certificates.size(); ++p) {
     components.push_back(ComponentJson(model, model.components[p], certificates[p]).make());

@@ -44,7 +44,7 @@ Json defectsJson(const Model& model) {
       }
     }
     out.push_back(Json{{"kind", defectName(defect.kind)},
-                       {"fatal", isFatal(defect.kind)},
+                       {"fatal", isFatal(defect.kind, !model.unusable)},
                        {"count", defect.where.size()},
                        {"where", whereJson(where, kMostPlaces)}});
   }

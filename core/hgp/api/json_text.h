@@ -2,6 +2,7 @@
 // page and bench.
 #pragma once
 
+#include "hgp/api/outside.h"
 #include "hgp/api/request.h"
 #include "hgp/api/stored_map.h"
 #include "hgp/parametrize/parametrize.h"
@@ -23,7 +24,7 @@ std::string checkText(const Failure& refusal);
 
 /// @param uvSet  the set of the file that was judged; −1: a map not yet written
 std::string certificateText(const Model& model, const std::vector<Certificate>& certificates,
-                            int uvSet = -1);
+                            const OutsideFacts& outside, int uvSet = -1);
 
 /// What a run leaves behind besides the map.
 struct RunRecord {

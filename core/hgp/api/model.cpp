@@ -64,7 +64,7 @@ void weldNearVertices(Model& model, double tolerance) {
   model.vertexImage = std::move(weld.welded);
 }
 
-/// Which corner of its original face each corner of a repaired face is.
+/// Which corner of its original face each corner of a repaired face is. (No face has a vertex twice.)
 std::array<int, 3> matchCorners(const Model& model, const std::array<int, 3>& after,
                                 const std::array<int, 3>& original,
                                 const std::vector<int>& vertexOrigin) {
@@ -79,14 +79,6 @@ std::array<int, 3> matchCorners(const Model& model, const std::array<int, 3>& af
       isTaken[j] = true;
     }
   }
-  for (int& c : corner) {  // a vertex that was moved into another one
-    for (std::size_t j = 0; j < 3 && c < 0; ++j) {
-      if (!isTaken[j]) {
-        c = static_cast<int>(j);
-        isTaken[j] = true;
-      }
-    }
-  }
   return corner;
 }
 
@@ -99,10 +91,12 @@ void repair(Model& model, const FixOptions& fix) {
   std::vector<int> cornerOrigin(3 * fixed.faceOrigin.size(), -1);
   for (std::size_t f = 0; f < fixed.faceOrigin.size(); ++f) {
     const int old = fixed.faceOrigin[f];
-    if (old < 0) continue;
     const auto corner = matchCorners(model, fixed.mesh.triangles[f],
                                      original[static_cast<std::size_t>(old)], fixed.vertexOrigin);
-    for (std::size_t k = 0; k < 3; ++k) cornerOrigin[3 * f + k] = 3 * old + corner[k];
+    for (std::size_t k = 0; k < 3; ++k) {
+      HGP_CHECK(corner[k] >= 0, "repairs keep the corners of a face");
+      cornerOrigin[3 * f + k] = 3 * old + corner[k];
+    }
   }
   std::vector<int> image(model.mesh.positions.size(), -1);
   for (std::size_t v = fixed.vertexOrigin.size(); v-- > 0;) {
@@ -117,6 +111,9 @@ void repair(Model& model, const FixOptions& fix) {
   model.vertexOrigin = std::move(vertexOrigin);
   model.faceOrigin = std::move(fixed.faceOrigin);
   model.cornerOrigin = std::move(cornerOrigin);
+  model.leftOut = std::move(fixed.leftOut);
+  model.splitVertices =
+      static_cast<int>(fixed.mesh.positions.size()) - static_cast<int>(model.mesh.positions.size());
   model.mesh = std::move(fixed.mesh);
 }
 
@@ -152,8 +149,9 @@ Status splitIntoComponents(Model& model) {
   int generators = 0;
   std::vector<Component> components = splitComponents(model.mesh, whole, model.topology);
   for (std::size_t c = 0; c < components.size(); ++c) {
-    // Judged again: alone it may be too small to compute with.
-    Result<TriMesh> mesh = buildTriMesh(components[c].mesh);
+    // Judged again: alone it may be too small to compute with. Triangles without area were allowed, or
+    // have been refused.
+    Result<TriMesh> mesh = buildTriMesh(components[c].mesh, true);
     if (!mesh) return mesh.error();
     Topology topology = computeTopology(*mesh);
     const int genus = topology.genus;
@@ -197,6 +195,8 @@ void keepSurface(const Model& from, Model& to) {
   to.vertexImage = from.vertexImage;
   to.faceOrigin = from.faceOrigin;
   to.cornerOrigin = from.cornerOrigin;
+  to.leftOut = from.leftOut;
+  to.splitVertices = from.splitVertices;
   to.isChanged = from.isChanged;
   to.notes = from.notes;
 }
@@ -225,7 +225,17 @@ void judgeRepaired(Model& model, const FixOptions& fix) {
     return;
   }
   model.defects = findDefects(model.mesh);
-  if (Status usable = requireUsable(model.defects); !usable) model.unusable = usable.error();
+  if (Status usable = requireUsable(model.defects, fix.degenerate); !usable) {
+    model.unusable = usable.error();
+    return;
+  }
+  for (const Defect& defect : model.defects) {
+    if (defect.kind != DefectKind::kZeroArea) continue;
+    model.notes.push_back(
+        formatText("%zu triangle%s no area: all edges are taken a little longer, so that every "
+                   "triangle has one",
+                   defect.where.size(), defect.where.size() == 1 ? " has" : "s have"));
+  }
 }
 
 /// With repairs named, those; otherwise those that the defects ask for, and all of them where one

@@ -28,10 +28,12 @@ struct Model {
   MeshData mesh;                  ///< after welding and repairs
   std::vector<int> vertexOrigin;  ///< vertex of `mesh` → a vertex of the surface
   std::vector<int> vertexImage;  ///< vertex of the surface → a vertex of `mesh`, −1 when removed
-  std::vector<int> faceOrigin;   ///< face of `mesh` → face of the surface, −1 made by a repair
-  std::vector<int> cornerOrigin;   ///< corner 3f + k of `mesh` → corner of the surface, −1
-  bool isChanged = false;          ///< a weld or a repair did something
-  std::vector<std::string> notes;  ///< what reading, weld and repairs did
+  std::vector<int> faceOrigin;   ///< face of `mesh` → face of the surface
+  std::vector<int> cornerOrigin;     ///< corner 3f + k of `mesh` → corner of the surface
+  std::vector<LeftOutFace> leftOut;  ///< faces of the surface that are not in `mesh`
+  int splitVertices = 0;             ///< vertices that repairs added
+  bool isChanged = false;            ///< a weld or a repair did something
+  std::vector<std::string> notes;    ///< what reading, weld and repairs did
   std::optional<io::Prescription>
       embeddedCones;  ///< stored in the file; broken ones are only noted
 

@@ -178,7 +178,8 @@ Result<Verdict> Session::verify(const std::optional<io::Prescription>& prescript
           certify(model.components[p].mesh, request->components[p].spec, componentMap, judge));
       certificates.back().overlap = measureOverlap(componentMap);
     }
-    return Verdict{areCertified(certificates), certificateText(model, certificates, set),
+    return Verdict{areCertified(certificates),
+                   certificateText(model, certificates, measureOutside(model, *map), set),
                    std::nullopt};
   });
 }

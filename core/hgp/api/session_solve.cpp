@@ -129,7 +129,8 @@ Status Session::State::solve(const std::optional<io::Prescription>& prescription
   run.notes.insert(run.notes.end(), result.stored.notes.begin(), result.stored.notes.end());
   result.prescription = describe(*model, specs);
   result.cones = io::writeConesJson(result.prescription);
-  result.certificate = certificateText(*model, result.stored.certificates);
+  result.certificate = certificateText(*model, result.stored.certificates,
+                                       measureOutside(*model, result.stored.map));
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   run.seconds = seconds.count();
   result.report =

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/api/outside.h"
 #include "hgp/api/pack_components.h"
 #include "hgp/api/snap_components.h"
 #include "hgp/base/check.h"
@@ -104,41 +105,16 @@ void applyScale(MeshMap& map, Scale scale) {
   }
 }
 
-/// Corners of faces that the solve did not see take any uv of their vertex.
 UvMap onSurface(const Model& model, const MeshMap& from) {
   UvMap out;
   out.uv = from.uv;
-  const auto& triangles = model.source().mesh.triangles;
-  out.cornerUv.assign(triangles.size(), {-1, -1, -1});
+  out.cornerUv.assign(model.source().mesh.triangles.size(), {-1, -1, -1});
   for (std::size_t c = 0; c < from.cornerUv.size(); ++c) {
     const int origin = model.cornerOrigin[c];
-    if (origin < 0) continue;
     out.cornerUv[static_cast<std::size_t>(origin / 3)][static_cast<std::size_t>(origin % 3)] =
         from.cornerUv[c];
   }
-  std::vector<int> anyCopy;
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      int& slot = out.cornerUv[t][k];
-      if (slot >= 0) continue;
-      if (anyCopy.empty()) {
-        anyCopy.assign(model.mesh.positions.size(), -1);
-        for (std::size_t i = 0; i < from.copyOf.size(); ++i) {
-          if (from.copyOf[i] >= 0)
-            anyCopy[static_cast<std::size_t>(from.copyOf[i])] = static_cast<int>(i);
-        }
-      }
-      const int v = triangles[t][k];
-      const int image = v < 0 || v >= static_cast<int>(model.vertexImage.size())
-                            ? -1
-                            : model.vertexImage[static_cast<std::size_t>(v)];
-      slot = image < 0 ? -1 : anyCopy[static_cast<std::size_t>(image)];
-      if (slot < 0) {
-        slot = static_cast<int>(out.uv.size());
-        out.uv.push_back({0, 0});
-      }
-    }
-  }
+  fillOutside(model, out);
   return out;
 }
 
@@ -318,27 +294,13 @@ void takeUsed(const std::vector<Vec2>& uv, UvMap& map) {
 UvMap mapOfComponent(const Model& model, const ModelComponent& component, const UvMap& surfaceMap) {
   UvMap out;
   out.cornerUv.resize(component.faceOrigin.size());
-  std::vector<int> anyCopy;
   for (std::size_t f = 0; f < component.faceOrigin.size(); ++f) {
     const std::size_t inMesh = static_cast<std::size_t>(component.faceOrigin[f]);
     for (std::size_t k = 0; k < 3; ++k) {
       const int origin = model.cornerOrigin[3 * inMesh + k];
-      if (origin >= 0) {
-        out.cornerUv[f][k] = surfaceMap.cornerUv[static_cast<std::size_t>(origin / 3)]
-                                                [static_cast<std::size_t>(origin % 3)];
-        continue;
-      }
-      if (anyCopy.empty()) {
-        anyCopy.assign(model.source().mesh.positions.size(), -1);
-        for (std::size_t t = 0; t < surfaceMap.cornerUv.size(); ++t) {
-          for (std::size_t j = 0; j < 3; ++j) {
-            const int v = model.source().mesh.triangles[t][j];
-            anyCopy[static_cast<std::size_t>(v)] = surfaceMap.cornerUv[t][j];
-          }
-        }
-      }
-      const int v = model.vertexOrigin[static_cast<std::size_t>(model.mesh.triangles[inMesh][k])];
-      out.cornerUv[f][k] = v < 0 ? -1 : anyCopy[static_cast<std::size_t>(v)];
+      out.cornerUv[f][k] =
+          surfaceMap
+              .cornerUv[static_cast<std::size_t>(origin / 3)][static_cast<std::size_t>(origin % 3)];
     }
   }
   takeUsed(surfaceMap.uv, out);

@@ -34,9 +34,7 @@ StoredMap storeMap(const Model& model, const std::vector<ComponentMap>& componen
 /// stores u and 1 − v, and its writer rounds each component to one grid.
 double gridStep(const UvMap& map);
 
-/// A map on the surface's triangles as one component sees it, with uv numbers of its own. A face made by
-/// a repair takes, at each
-/// corner, a uv of that vertex from the faces beside it.
+/// A map on the surface's triangles as one component sees it, with uv numbers of its own.
 UvMap mapOfComponent(const Model& model, const ModelComponent& component, const UvMap& surfaceMap);
 
 /// The uv indices of both sides of a seam edge, corresponding ends first.

@@ -6,6 +6,7 @@
 
 #include "hgp/field/field_system.h"
 #include "hgp/linalg/factor/factor.h"
+#include "hgp/mesh/defects.h"
 #include "hgp/mesh/vectors.h"
 
 namespace hgp {
@@ -191,6 +192,8 @@ std::vector<AlignedTerm> curvatureTerms(const TriMesh& mesh, const Geometry& geo
   }
   std::vector<AlignedTerm> terms;
   for (FaceId f : mesh.faces()) {
+    const auto [i, j, l] = mesh.corners(f);
+    if (hasNoArea(mesh.position(i), mesh.position(j), mesh.position(l))) continue;
     // Least-squares symmetric S with e·(S e) = Δn·e per edge, in the face's own coordinates.
     Eigen::Matrix3d A;
     Eigen::Vector3d b;

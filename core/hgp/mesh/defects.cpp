@@ -267,7 +267,10 @@ const char* defectName(DefectKind kind) {
   return "unknown";
 }
 
-bool isFatal(DefectKind kind) { return kind != DefectKind::kIsolatedVertex; }
+bool isFatal(DefectKind kind, bool allowsZeroArea) {
+  if (kind == DefectKind::kZeroArea) return !allowsZeroArea;
+  return kind != DefectKind::kIsolatedVertex;
+}
 
 std::vector<Defect> findDefects(const MeshData& data) {
   const auto vertexCount = static_cast<int>(data.positions.size());
@@ -288,11 +291,11 @@ std::vector<Defect> findDefects(const MeshData& data) {
   return defects;
 }
 
-Status requireUsable(const std::vector<Defect>& defects) {
+Status requireUsable(const std::vector<Defect>& defects, bool allowsZeroArea) {
   Failure failure{ErrorCode::kUnsupported, "topology", "", {}};
   std::string fixes;
   for (const Defect& defect : defects) {
-    if (!isFatal(defect.kind)) continue;
+    if (!isFatal(defect.kind, allowsZeroArea)) continue;
     if (!failure.message.empty()) failure.message.append("; ");
     failure.message.append(describe(defect));
     failure.message.append(defect.where.size() == 1 ? " (" : " (first: ");

@@ -24,8 +24,9 @@ enum class DefectKind {
 
 /// Short stable name used in JSON ("non-manifold-edge", …).
 const char* defectName(DefectKind kind);
-/// Isolated vertices are only worth a warning; everything else refuses the mesh.
-bool isFatal(DefectKind kind);
+/// Isolated vertices are only worth a warning, and so are faces without area where they are allowed
+/// (computeGeometry gives them lengths); everything else refuses the mesh.
+bool isFatal(DefectKind kind, bool allowsZeroArea = false);
 
 struct Defect {
   DefectKind kind;
@@ -45,24 +46,38 @@ inline constexpr double kLargestExtent = 1e18, kSmallestExtent = 1e-100;
 std::vector<Defect> findDefects(const MeshData& data);
 
 /// One sentence for the first fatal defects: "17 edges have more than two faces (first: 3–9, …)".
-Status requireUsable(const std::vector<Defect>& defects);
+Status requireUsable(const std::vector<Defect>& defects, bool allowsZeroArea = false);
 
 /// Opt-in repairs of `--fix orient,split,degenerate`.
 struct FixOptions {
   bool orient = false;  ///< flip faces so that each orientable component is consistent
   bool split = false;   ///< duplicate vertices until edges and vertices are manifold
-  bool degenerate =
-      false;  ///< remove zero-area, repeated-vertex and duplicate faces, closing the gaps
+  /// Allow faces without area; leave out copies of faces and what is no surface.
+  bool degenerate = false;
+};
+
+/// Why a face is no part of the surface.
+enum class LeftOut {
+  kDuplicate,  ///< it has the corners of another face, its twin
+  kZeroArea,   ///< it names a vertex twice, or no face of its component has an area
+};
+struct LeftOutFace {
+  int face;  ///< as it was given
+  LeftOut why;
+  int twin = -1;  ///< of kDuplicate: the face with the same corners that stays
 };
 
 struct FixResult {
   MeshData mesh;
-  std::vector<int> faceOrigin;     ///< new face → old face; −1 for a face made by a repair
-  std::vector<int> vertexOrigin;   ///< new vertex → old vertex
+  std::vector<int>
+      faceOrigin;  ///< new face → old face, with its corners in the same or reverse order
+  std::vector<int> vertexOrigin;  ///< new vertex → old vertex
+  std::vector<LeftOutFace> leftOut;
   std::vector<std::string> notes;  ///< what was done, with counts
 };
 
-/// Applies what is asked, in the order degenerate, orient, split. What cannot be repaired stays a
+/// Applies what is asked. No connection between faces changes but at split vertices, no point moves.
+/// In the order degenerate, orient, split. What cannot be repaired stays a
 /// defect for findDefects to report (a Möbius band has no orientation).
 FixResult fixDefects(const MeshData& data, const FixOptions& options);
 

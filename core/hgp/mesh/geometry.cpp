@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
+#include "hgp/mesh/defects.h"
 #include "hgp/mesh/vectors.h"
 
 namespace hgp {
@@ -35,6 +37,44 @@ std::array<Complex, 3> layFlat(const TriMesh& mesh, FaceId f, double unit, doubl
   return {Complex(0, 0), Complex(length, 0), Complex(x, height)};
 }
 
+using Lengths = std::array<double, 3>;  // of sides 0–1, 1–2, 2–0
+
+/// In units of the mean edge length.
+Lengths lengthsOf(const TriMesh& mesh, FaceId f, double unit) {
+  const auto [a, b, c] = mesh.corners(f);
+  return {norm(subtract(mesh.position(b), mesh.position(a))) / unit,
+          norm(subtract(mesh.position(c), mesh.position(b))) / unit,
+          norm(subtract(mesh.position(a), mesh.position(c))) / unit};
+}
+
+/// The ε of [SC20 §4.5], or 0 where every face has an area.
+double findMollification(const TriMesh& mesh, double unit) {
+  bool isNeeded = false;
+  for (FaceId f : mesh.faces()) {
+    const auto [a, b, c] = mesh.corners(f);
+    isNeeded = isNeeded || hasNoArea(mesh.position(a), mesh.position(b), mesh.position(c));
+  }
+  if (!isNeeded) return 0.0;
+  double epsilon = 0.0;
+  for (FaceId f : mesh.faces()) {
+    const Lengths l = lengthsOf(mesh, f, unit);
+    for (std::size_t k = 0; k < 3; ++k)
+      epsilon = std::max(epsilon, kMollify - (l[k] + l[(k + 1) % 3] - l[(k + 2) % 3]));
+  }
+  return epsilon;
+}
+
+/// The triangle with these sides; Kahan's form of Heron's area loses nothing in thin ones.
+std::array<Complex, 3> layFlat(const Lengths& l) {
+  Lengths sorted = l;
+  std::sort(sorted.begin(), sorted.end(), std::greater<>());
+  const auto [a, b, c] = sorted;
+  const double sixteenAreas = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
+  const double height = 0.5 * std::sqrt(std::max(sixteenAreas, 0.0)) / l[0];
+  const double x = (l[0] * l[0] + (l[2] - l[1]) * (l[2] + l[1])) / (2.0 * l[0]);
+  return {Complex(0, 0), Complex(l[0], 0), Complex(x, height)};
+}
+
 }  // namespace
 
 Geometry computeGeometry(const TriMesh& mesh, double relativeHeight) {
@@ -46,6 +86,8 @@ Geometry computeGeometry(const TriMesh& mesh, double relativeHeight) {
   }
   if (mesh.edgeCount() > 0 && sum > 0) g.unit = sum / mesh.edgeCount();
 
+  g.mollified = findMollification(mesh, g.unit);
+
   const auto halfedges = static_cast<std::size_t>(mesh.halfedgeCount());
   const auto faces = static_cast<std::size_t>(mesh.faceCount());
   g.length = PerHalfedge<double>(halfedges);
@@ -55,7 +97,14 @@ Geometry computeGeometry(const TriMesh& mesh, double relativeHeight) {
   g.area = PerFace<double>(faces);
   g.angleSum = PerVertex<double>(static_cast<std::size_t>(mesh.vertexCount()), 0.0);
   for (FaceId f : mesh.faces()) {
-    const auto p = layFlat(mesh, f, g.unit, relativeHeight);
+    auto p = std::array<Complex, 3>{};
+    if (g.mollified > 0.0) {
+      Lengths l = lengthsOf(mesh, f, g.unit);
+      for (double& x : l) x += g.mollified;
+      p = layFlat(l);
+    } else {
+      p = layFlat(mesh, f, g.unit, relativeHeight);
+    }
     g.corner[f] = p;
     g.area[f] = 0.5 * std::imag(std::conj(p[1] - p[0]) * (p[2] - p[0]));
     for (int k = 0; k < 3; ++k) {

@@ -8,9 +8,12 @@
 
 namespace hgp {
 
+inline constexpr double kMollify = 1e-6;
+
 /// Geometry of every triangle laid flat with corner 0 at 0 and corner 1 on the positive real axis.
 /// Lengths are in units of the mean edge length, so that every later constant is scale-free.
 struct Geometry {
+  double mollified = 0.0;                  ///< ε above, in units of `unit`
   double unit = 1.0;                       ///< mean edge length in the mesh's own unit
   PerHalfedge<double> length;              ///< of the halfedge's edge
   PerHalfedge<double> cornerAngle;         ///< at the halfedge's tail, radians
@@ -20,7 +23,10 @@ struct Geometry {
   PerVertex<double> angleSum;  ///< Θ_v of the surface itself
 };
 
-/// Slivers are made harmless: heights below `relativeHeight` of the longest edge are raised to it.
+/// Where a face has no area (hasNoArea), lengths are mollified [SC20 §4.5]: the same ε is added to all
+/// edges, the least with which l_ij + l_jk − l_ki ≥ kMollify · (mean length) at every corner. The metric
+/// stays one, and no connection changes. Otherwise ε = 0, lengths
+/// are those of the positions, and heights below `relativeHeight` of the longest edge are raised to it.
 Geometry computeGeometry(const TriMesh& mesh, double relativeHeight = 1e-6);
 
 /// 2π − Θ_v inside, π − Θ_v on the boundary.

@@ -52,8 +52,9 @@ int TriMesh::valence(VertexId v) const {
   return count;
 }
 
-Result<TriMesh> buildTriMesh(const MeshData& data) {
-  if (Status usable = requireUsable(findDefects(data)); !usable) return std::move(usable).error();
+Result<TriMesh> buildTriMesh(const MeshData& data, bool allowsZeroArea) {
+  if (Status usable = requireUsable(findDefects(data), allowsZeroArea); !usable)
+    return std::move(usable).error();
   return buildUsableMesh(data);
 }
 

@@ -104,7 +104,8 @@ inline OutgoingRange outgoingHalfedges(const TriMesh& mesh, VertexId v) { return
 
 /// Builds S. Fails with kUnsupported, a count and the places, when the data is not an oriented
 /// manifold (see defects.h for the full list a user may want to see).
-Result<TriMesh> buildTriMesh(const MeshData& data);
+/// @param allowsZeroArea  accept faces without area; a length is found for them in computeGeometry
+Result<TriMesh> buildTriMesh(const MeshData& data, bool allowsZeroArea = false);
 /// The same for data whose defects are known. @pre findDefects(data) names nothing fatal
 /// @param givenFace  see TriMesh::givenFace; empty for the order of the data
 TriMesh buildUsableMesh(const MeshData& data, std::vector<FaceId> givenFace = {});

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "hgp/mesh/defects.h"
+
 namespace hgp {
 namespace {
 
@@ -45,7 +47,9 @@ TriangleMap measureTriangle(const TriMesh& mesh, FaceId f, double scale, const C
   const double base = std::sqrt(dot(ab, ab)), twiceArea = std::sqrt(dot(cross, cross));
   TriangleMap t;
   t.face = f;
-  if (!(twiceArea > 0.0)) return t;
+  // What has no area on the surface has no distortion.
+  if (!(twiceArea > 0.0) || hasNoArea(mesh.position(a), mesh.position(b), mesh.position(c)))
+    return t;
 
   const HalfedgeId h = TriMesh::halfedge(f, 0);
   const Vec2 &u0 = uv[h], &u1 = uv[TriMesh::next(h)], &u2 = uv[TriMesh::previous(h)];

@@ -163,10 +163,11 @@ void checkCoordinates(const TriMesh& mesh, const Certificate& facts, const Certi
   reasons.push_back(
       {Rule::kRange, static_cast<int>(places.size()), worst,
        formatText("The range of the map is beyond %s: its coordinates go up to %.3g, and %zu seam "
-                  "edge%s and %zu angle sum%s too small beside that to be stored to %.3g of "
-                  "their own size; the worst is off by %.3g. %s.",
-                  typeName(facts), facts.seams.maxUv, edges, plural(edges), sums,
-                  sums == 1 ? " is" : "s are", facts.thresholds.tolerance, worst, kWayOut),
+                  "edge%s and %zu angle sum%s cannot be stored to %.3g of their own size beside "
+                  "that; the worst is off by %.3g. %s.",
+                  typeName(facts), facts.seams.maxUv, edges, plural(edges), sums, plural(sums),
+                  std::max(facts.thresholds.tolerance, facts.thresholds.largestRounding), worst,
+                  kWayOut),
        worstPlaces(std::move(places), options.placesPerReason)});
 }
 

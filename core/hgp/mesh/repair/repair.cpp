@@ -135,7 +135,7 @@ FixResult fixDefects(const MeshData& data, const FixOptions& options) {
     result.notes.push_back("nothing was repaired: a face names a vertex that does not exist");
     return result;
   }
-  if (options.degenerate) removeDegenerate(result);
+  if (options.degenerate) leaveOut(result);
   int oneSided = 0;
   if (options.orient) oneSided = orientFaces(result, options.split);
   if (options.split) splitNonManifold(result, oneSided);

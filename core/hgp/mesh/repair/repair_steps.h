@@ -5,13 +5,11 @@
 
 namespace hgp {
 
-/// Drops faces that name a vertex twice, extra copies of faces, and faces without area. A needle (two
-/// corners in one place) is closed by merging them; in a cap (a corner on the opposite side) that
-/// side is flipped into the neighbour, which splits the neighbour where the corner lies. Neither
-/// moves a point or opens a gap. What both would damage is nudged apart by kNudge of its length.
-/// Vertices keep their numbers; merged ones stay behind without faces.
-void removeDegenerate(FixResult& result);
-inline constexpr double kNudge = 1e-4;
+/// Leaves out what is no part of a surface: faces that name a vertex twice (their other sides run along
+/// one edge in opposite directions: leaving them out glues their neighbours), all but one of faces with
+/// the same corners (the one that fits its neighbours' direction best stays), and components in which
+/// no face has an area. Other faces without area stay: computeGeometry gives them lengths.
+void leaveOut(FixResult& result);
 
 /// Makes every component consistent by flipping faces: outwards (positive volume) where it is
 /// closed, with the larger part where it has a boundary. One-sided surfaces are left as they are, or

@@ -102,6 +102,7 @@ test('the checker is on the mesh and in the map; overlays have their colours and
   await it.page.selectOption('#overlay', 'area');
   assert.match(await it.page.locator('.legend').innerText(), /Area[\s\S]*÷[\s\S]*×/);
   // Flips are offered where there are any.
+  await it.page.selectOption('#overlay', 'none');
   assert.equal(await it.page.locator('#overlay option[value="flips"]').count(), 0);
   await settled(it.page);
   const red = share(await pixels(it.page, '#view'), (r, g, b) => r > 170 && g < 70 && b < 70);

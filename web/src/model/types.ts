@@ -47,7 +47,8 @@ export interface Surface {
   meaning: Int32Array;
   /** Three numbers per triangle corner, ready to be drawn. */
   cornerPositions: Float32Array;
-  cornerNormals: Float32Array;
+  /** Four bytes per corner, 127 for 1: a graphics card takes long to be given more. */
+  cornerNormals: Int8Array;
 }
 
 export interface LoadSettings {

@@ -64,6 +64,15 @@ function cornersOf(values: ArrayLike<number>, triangles: Uint32Array): Float32Ar
   return out;
 }
 
+function packedNormals(normals: Float32Array, triangles: Uint32Array): Int8Array {
+  const out = new Int8Array(4 * triangles.length);
+  for (let c = 0; c < triangles.length; c++) {
+    const v = 3 * triangles[c];
+    for (let i = 0; i < 3; i++) out[4 * c + i] = Math.round(127 * normals[v + i]);
+  }
+  return out;
+}
+
 const samplesOn = ({ places: positions, triangles }: Surface, spacing: number): Sample[] =>
   poissonSamples({ positions, triangles }, spacing);
 
@@ -93,9 +102,9 @@ const calls: GeometryCalls = {
   surface(id, arrays, matrix) {
     const facts = placed(surfaceFacts(arrays), matrix);
     const cornerPositions = cornersOf(facts.places, facts.triangles);
-    const cornerNormals = cornersOf(facts.normals, facts.triangles);
+    const cornerNormals = packedNormals(facts.normals, facts.triangles);
     const surface = { id, ...facts, cornerPositions, cornerNormals };
-    surfaces.set(id, copied({ ...surface, cornerNormals: new Float32Array(0) }));
+    surfaces.set(id, copied({ ...surface, cornerNormals: new Int8Array(0) }));
     return surface;
   },
   async analyse(id, surface, request) {

@@ -6,27 +6,20 @@ import { MeshBVH, type SerializedBVH } from 'three-mesh-bvh';
 import type { Solution, Surface } from '../model/types';
 import type { SerializedBvh } from '../services/geometry/protocol';
 
-function withTint(geometry: BufferGeometry, count: number): BufferGeometry {
-  geometry.setAttribute('tint', new BufferAttribute(new Uint8Array(4 * count), 4, true));
-  return geometry;
-}
-
 /** `same` is a geometry of the same surface, whose places are taken over. */
 export function surfaceGeometry(
   surface: Surface,
   solution?: Solution,
   same?: BufferGeometry,
 ): BufferGeometry {
-  const count = surface.triangles.length;
   const geometry = new BufferGeometry();
   const position = same?.getAttribute('position');
   const normal = same?.getAttribute('normal');
   geometry.setAttribute('position', position ?? new BufferAttribute(surface.cornerPositions, 3));
-  geometry.setAttribute('normal', normal ?? new BufferAttribute(surface.cornerNormals, 3));
+  geometry.setAttribute('normal', normal ?? new BufferAttribute(surface.cornerNormals, 4, true));
   geometry.boundingSphere = new Sphere(new Vector3(...surface.center), surface.radius);
-  const uv = solution?.cornerUv ?? new Float32Array(2 * count);
-  geometry.setAttribute('uv', new BufferAttribute(uv, 2));
-  return withTint(geometry, count);
+  if (solution) geometry.setAttribute('uv', new BufferAttribute(solution.cornerUv, 2));
+  return geometry;
 }
 
 /** The map laid flat; it faces the viewer everywhere, so it needs no light. */
@@ -36,14 +29,14 @@ export function flatGeometry({ cornerUv, flatPositions, box }: Solution): Buffer
   geometry.boundingSphere = new Sphere(center, Math.hypot(box.width, box.height) / 2);
   const position = new BufferAttribute(flatPositions, 3);
   geometry.setAttribute('position', position);
-  geometry.setAttribute('normal', position); // not lit: any will do
   geometry.setAttribute('uv', new BufferAttribute(cornerUv, 2));
-  return withTint(geometry, cornerUv.length / 2);
+  return geometry;
 }
 
 export function setTint(geometry: BufferGeometry, colours: Uint8Array): void {
-  const tint = geometry.getAttribute('tint') as BufferAttribute;
-  if (tint.array.length !== colours.length) return; // of another model
+  if (colours.length !== 4 * geometry.getAttribute('position').count) return; // of another model
+  const tint = geometry.getAttribute('tint') as BufferAttribute | undefined;
+  if (!tint) return void geometry.setAttribute('tint', new BufferAttribute(colours, 4, true));
   (tint.array as Uint8Array).set(colours);
   tint.needsUpdate = true;
 }

@@ -177,7 +177,7 @@ const blank = new DataTexture(new Uint8Array([200, 200, 200, 255]), 1, 1);
 blank.needsUpdate = true;
 
 export function surfaceMaterial(isLit: boolean): ShaderMaterial {
-  return new ShaderMaterial({
+  const material = new ShaderMaterial({
     glslVersion: GLSL3,
     vertexShader,
     fragmentShader: fragmentShader
@@ -200,6 +200,10 @@ export function surfaceMaterial(isLit: boolean): ShaderMaterial {
       image: { value: blank as Texture },
     },
   });
+  // What a geometry does not have is not sent to the graphics card, either.
+  const absent = { tint: [0, 0, 0, 0], uv: [0, 0], normal: [0, 0, 1] };
+  material.defaultAttributeValues = absent as unknown as typeof material.defaultAttributeValues;
+  return material;
 }
 
 export function setPattern(material: ShaderMaterial, pattern: Pattern, q: number): void {

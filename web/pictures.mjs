@@ -1,5 +1,5 @@
-// Renders the pictures of the examples that the empty page shows: node web/thumbnails.mjs, after the
-// page was built. The pictures are committed.
+// Renders the pictures of the examples that the empty page shows, and those of the page in README and
+// guide: node web/pictures.mjs, after the page was built. The pictures are committed.
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -8,6 +8,7 @@ import { examples } from './examples.mjs';
 import { serve } from './serve.mjs';
 
 const folder = path.join(import.meta.dirname, 'public/thumbnails');
+const images = path.join(import.meta.dirname, '../docs/images');
 const patterns = { sphere: 'hex', cube: 'brick', torus: 'wood', pipe: 'brick', pebble: 'checker', rings: 'grid', figure: 'plaid' }; // prettier-ignore
 const tiles = { sphere: 16, cube: 10, torus: 9, pipe: 14, pebble: 16, rings: 22, figure: 12 };
 
@@ -42,5 +43,19 @@ for (const { id } of examples()) {
     await page.screenshot({ clip, omitBackground: true }),
   );
 }
+
+/** The page as it is after Run. */
+async function wholePage(id, hash, file) {
+  await page.setViewportSize({ width: 1440, height: 860 });
+  await page.goto('about:blank');
+  await page.goto(`${url}#example=${id}${hash}`);
+  await page.waitForSelector('body[data-state="ready"]');
+  await page.click('#run');
+  await page.waitForSelector('body[data-state="certified"]');
+  await page.waitForTimeout(1500);
+  writeFileSync(path.join(images, file), await page.screenshot());
+}
+await wholePage('figure', '&pattern=plaid&tiles=20', 'page.png');
+await wholePage('cube', '&pattern=checker', 'guide-result.png');
 await browser.close();
 server.close();

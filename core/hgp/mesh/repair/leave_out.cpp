@@ -3,6 +3,7 @@
 #include <map>
 
 #include "hgp/base/check.h"
+#include "hgp/base/disjoint_sets.h"
 #include "hgp/base/ids.h"
 #include "hgp/mesh/edge_table.h"
 #include "hgp/mesh/repair/repair_steps.h"

@@ -147,6 +147,23 @@ export const faults = [
     short,
   ),
   fault('verify/orientation.cpp', 'if (det > bound) return 1;', 'if (det > 0) return 1;'),
+  fault(
+    'verify/angles.cpp',
+    'cone.measured != cone.asked || cone.isTooFar()',
+    'cone.measured != cone.asked',
+  ),
+  fault('verify/angles.cpp', 'measured.isWrong = measured.isTooFar() ||', 'measured.isWrong ='),
+  fault('verify/angles.cpp', 'out.allowed = std::min(', 'out.allowed = 1e3 * std::min(', short),
+  fault('verify/angles.cpp', 'turning += kPi - sum', 'turning += sum', short),
+  fault('verify/angles.cpp', 'facts.turnSum += l;', ''),
+  fault(
+    'verify/seams.cpp',
+    'const double strict = rule.tolerance',
+    'const double strict = 1e3 * rule.tolerance',
+  ),
+  fault('verify/seams.cpp', 'seam.residual < kRotationShare * toNext', 'seam.residual >= 0'),
+  fault('verify/verdict.cpp', 'checkHandles(mesh, facts, loops, options, reasons);\n', '\n'),
+  fault('verify/verdict.cpp', 'checkIntegers(facts, reasons);\n', '\n'),
   fault('verify/overlap.cpp', 'twice += count > 1;', 'twice += count > 2;'),
 
   // prescription, io
@@ -154,27 +171,22 @@ export const faults = [
     'prescription/cone_lists.cpp',
     'const double k = q * (1 - curvature',
     'const double k = q * (1 + curvature',
-    { programs: ['io', 'prescription'], ...short },
+    { programs: ['io'], ...short },
   ),
   fault('prescription/cone_lists.cpp', 'if (index != 0) out.cones', 'if (index > 0) out.cones', {
-    programs: ['io', 'prescription'],
+    programs: ['io'],
   }),
   fault(
     'prescription/cones_json.cpp',
     'm.integer((*cones)[i], "k", cone.k, true);',
     'm.integer((*cones)[i], "k", cone.k, false);',
-    { programs: ['io', 'prescription'] },
+    { programs: ['io'] },
   ),
   fault('io/weld.cpp', 'if (d <= tolerance) {', 'if (d <= 1000 * tolerance) {', short),
   fault('io/gltf/gltf_round.cpp', 'if (candidate > bestArea) {', 'if (candidate < bestArea) {'),
   fault('io/polygon/polygon_uv.cpp', '< kQuarterTurn)', '< 1000 * kQuarterTurn)'),
 
   // parametrize, api
-  fault(
-    'parametrize/parametrize.cpp',
-    'distanceToCertified(attempt) < distanceToCertified(*best)',
-    'true',
-  ),
   fault('parametrize/convex.cpp', 'walked += geometry.length[h];', 'walked += 1.0;'),
   fault('api/stored_map.cpp', '(1 - 1e-7) / size', '1.001 / size', short),
   fault('api/stored_map.cpp', 'if (mean > 0) moveAndScale(map.uv, {0, 0}, 1 / mean);', ''),

@@ -41,7 +41,8 @@ function run(command, { cwd = build, seconds = 600 } = {}) {
       'sh',
       ['-c', `ulimit -t ${seconds}; exec ${command}`],
       { cwd, env, ...limits },
-      (error, stdout, stderr) => resolve({ code: error ? error.code : 0, output: stdout + stderr }),
+      (error, stdout, stderr) =>
+        resolve({ code: error ? error.code : 0, signal: error?.signal, output: stdout + stderr }),
     ),
   );
 }
@@ -101,7 +102,8 @@ async function outcome(file, text, program, id) {
   });
   rmSync(out);
   if (ran.code === 0) return { kind: 'passed' };
-  if (ran.code === null) return { kind: 'endless', by: `${program} does not end` };
+  if (ran.signal === 'SIGXCPU' || ran.signal === 'SIGKILL')
+    return { kind: 'endless', by: `${program} does not end` };
   const [, by] = ran.output.match(/\[ {2}FAILED {2}\] (\S+)/) ?? [];
   return { kind: 'failed', by: by ?? `${program} stops: ${ran.output.trim().slice(-200)}` };
 }

@@ -357,6 +357,30 @@ TEST(Program, FramesThatContradictEachOtherAreNotCalledSolved) {
   EXPECT_GT(near, 0);
 }
 
+TEST(Program, AConflictNamesTheFramesThatContradictEachOtherAndNoOthers) {
+  // Two neighbours asked to turn their common edge in opposite directions, and one frame far away.
+  const test::SeamlessProblem p =
+      test::problemOf(*test::cutSurface("disk", test::disk(4).mesh(), {}));
+  const TriMesh& mesh = p.surface.mesh;
+  const HalfedgeId h = mesh.outgoing(VertexId(0));
+  std::vector<FaceId> opposed{TriMesh::face(h), TriMesh::face(mesh.twin(h))};
+  std::sort(opposed.begin(), opposed.end());
+  FaceId far(0);
+  for (FaceId f : mesh.faces())
+    for (VertexId v : mesh.corners(f))
+      if (mesh.isBoundary(v)) far = f;
+  Frames frames;
+  frames.faces = {opposed[0], opposed[1], far};
+  std::sort(frames.faces.begin(), frames.faces.end());
+  for (FaceId f : frames.faces)
+    frames.angles.push_back(p.surface.seams.frameAngle[f] + (f == opposed[0] ? kPi : 0.0));
+  const ProgramResult result = p.solve(frames, p.plainOptions());
+  ASSERT_EQ(result.status, SolveStatus::kInfeasible) << socp::statusName(result.status);
+  std::vector<FaceId> conflict = result.conflict;
+  std::sort(conflict.begin(), conflict.end());
+  EXPECT_EQ(conflict, opposed);
+}
+
 TEST(Program, SolvesASurfaceWhoseVerticesAreAllCones) {
   // No vertex is free to be held: four corners of π, the tetrahedron's own, unfold isometrically.
   HolonomySpec spec;

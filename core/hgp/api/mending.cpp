@@ -7,6 +7,7 @@
 #include <map>
 
 #include "hgp/base/check.h"
+#include "hgp/base/disjoint_sets.h"
 #include "hgp/io/weld.h"
 #include "hgp/mesh/edge_table.h"
 

@@ -172,6 +172,10 @@ test('Balance for me adds what is missing where it costs least, as one step of u
 test('the table of cones is sorted by its columns, and a cone is brought to the middle', async () => {
   const { page } = it;
   await example(it, 'cube');
+  // All of each row is in sight, the last button included.
+  const side = await page.locator('aside').boundingBox();
+  const last = await page.locator('tr[data-cone="7"] [aria-label$="delete"]').boundingBox();
+  assert.ok(last.x + last.width <= side.x + side.width, `${last.x + last.width}`);
   await page.click('tr[data-cone="2"] [aria-label$="smaller k"]');
   const first = () => page.locator('#cones tbody tr').first().getAttribute('data-cone');
   await page.click('[data-sort="k"]');

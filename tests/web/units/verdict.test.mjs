@@ -15,10 +15,16 @@ function square() {
   return { positions, triangles, uv, cornerToUv: triangles.slice(), uvToVertex, seams: [] };
 }
 
+const counts = (some) => ({
+  ...{ triangles: 4, judged: 4, duplicates: 0, differing: 0, zeroArea: 0, reversed: 0 },
+  ...{ splitVertices: 0, ...some },
+});
+
 const certificate = {
   ...{ certified: true, usable: true, q: 4, precision: 'float64', triangles: 4, flipped: 0 },
   ...{ wrongAngles: 0, wrongTurnings: 0, seamEdges: 0, brokenSeams: 0, maxConeDistance: 0 },
   ...{ maxTurningDistance: 0, maxSeamResidual: 0, seamTolerance: 1e-9, components: [] },
+  ...{ exactSeams: null, stored: counts({}) },
 };
 
 function objOf({ positions, triangles, uv, cornerToUv }) {
@@ -60,6 +66,25 @@ test('one face turned round: its own number is negative, its row fails, and so d
   assert.deepEqual(row.where, [{ kind: 'triangle', id: 1 }]);
   assert.deepEqual([...solution.distortion.flipped], [1]);
   assert.equal(isCertified(solution), false); // whatever the certificate says
+});
+
+test('what the certificate counts as wound the other way is said, so many and no more', () => {
+  const turn = (map, c) => {
+    for (const list of [map.triangles, map.cornerToUv])
+      [list[c], list[c + 1]] = [list[c + 1], list[c]];
+  };
+  const map = square();
+  turn(map, 4);
+  const counted = () => {
+    const solution = solutionOf(map);
+    solution.result.certificate = { ...certificate, stored: counts({ reversed: 1 }) };
+    return solution;
+  };
+  assert.equal(isCertified(counted()), true);
+  const row = verdictRows(counted()).find(({ name }) => name === 'Triangles in the file');
+  assert.match(row.tolerance, /1 wound the other way in the file/);
+  turn(map, 7);
+  assert.deepEqual(failed(counted()).map(({ name }) => name), ['Smallest area']); // prettier-ignore
 });
 
 test('one vertex split in the file: the file does not hold the map, and the verdict says so', () => {

@@ -133,6 +133,11 @@ export interface LeastArea {
   /** Of all triangles. */
   mean: number;
   triangle: number;
+  /** How many are below zero, and how many are zero. */
+  negative: number;
+  zero: number;
+  /** The smallest that is above zero. */
+  smallestPositive: number;
 }
 
 export interface Overlaps {

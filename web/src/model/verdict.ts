@@ -2,7 +2,7 @@
 // row's tick is computed from the number that the row shows.
 
 import type { Certificate, Where } from 'hgp';
-import type { Solution } from './types';
+import type { LeastArea, Solution } from './types';
 
 export interface VerdictRow {
   name: string;
@@ -48,12 +48,51 @@ function orientationRows({ result, least, distortion }: Solution): VerdictRow[] 
       isGood: certificate.flipped === 0,
       where: folded.length > 0 ? triangles(folded) : triangles(smallest < 0 ? [] : [smallest]),
     },
+    areaRow(certificate, least),
+    ...outsideRow(certificate),
+  ];
+}
+
+/**
+ * Of the triangles as the file stores them. What the certificate counts as wound the other way, as a
+ * copy or without area in space may be at or below zero here, so many and no more.
+ */
+function areaRow({ stored }: Certificate, least: LeastArea): VerdictRow {
+  const { negative, zero, area, smallestPositive, mean, triangle } = least;
+  const isCounted =
+    negative <= stored.reversed + stored.duplicates && zero <= stored.zeroArea + stored.duplicates;
+  const smallest = isCounted ? smallestPositive : area;
+  const isGood = smallest > 0 && Number.isFinite(smallest);
+  return {
+    name: 'Smallest area',
+    value: shortNumber(smallest),
+    tolerance: `of the stored triangles, above 0; the mean is ${shortNumber(mean)}`,
+    isGood,
+    where: triangles(triangle < 0 || isGood ? [] : [triangle]),
+  };
+}
+
+/** What is in the file and was judged otherwise, or not at all. */
+function outsideRow({ stored }: Certificate): VerdictRow[] {
+  const { triangles: all, judged, duplicates, zeroArea, reversed, splitVertices } = stored;
+  const counts: [number, string][] = [
+    [reversed, 'wound the other way in the file'],
+    [duplicates, 'copies of others'],
+    [zeroArea, 'without area'],
+    [splitVertices, 'vertices judged as several'],
+  ];
+  const told = counts.filter(([count]) => count > 0).map(([count, what]) => `${count} ${what}`);
+  if (told.length === 0) return [];
+  const value = `${judged} of ${all} judged`;
+  const isGood = judged === all;
+  return [
     {
-      name: 'Smallest area',
-      value: shortNumber(least.area),
-      tolerance: `of the stored triangles, above 0; the mean is ${shortNumber(least.mean)}`,
-      isGood: least.area > 0,
-      where: triangles(least.triangle < 0 ? [] : [least.triangle]),
+      name: 'Triangles in the file',
+      value,
+      tolerance: told.join(', '),
+      isGood,
+      isFact: true,
+      where: [],
     },
   ];
 }

@@ -72,14 +72,18 @@ export function leastArea(uv: Float64Array): LeastArea {
   let area = Infinity;
   let triangle = -1;
   let sum = 0;
+  let [negative, zero, smallestPositive] = [0, 0, Infinity];
   forEachIndex(count, (t) => {
     const a = 6 * t;
     const across = (uv[a + 2] - uv[a]) * (uv[a + 5] - uv[a + 1]);
     const signed = (across - (uv[a + 3] - uv[a + 1]) * (uv[a + 4] - uv[a])) / 2;
     sum += signed;
     if (signed < area) [area, triangle] = [signed, t];
+    if (signed > 0) smallestPositive = Math.min(smallestPositive, signed);
+    else if (signed < 0) negative += 1;
+    else zero += 1;
   });
-  return { area, mean: sum / count, triangle };
+  return { area, mean: sum / count, triangle, negative, zero, smallestPositive };
 }
 
 export function boxOf(uv: ArrayLike<number>): Box {

@@ -11,6 +11,7 @@ const names = {
   'hgp-check.schema.json': 'CheckReport',
   'hgp-cones.schema.json': 'ConesDocument',
   'hgp-error.schema.json': 'Failure',
+  'hgp-file.schema.json': 'FileReport',
   'hgp-inspect.schema.json': 'ModelInfo',
   'hgp-report.schema.json': 'Report',
 };

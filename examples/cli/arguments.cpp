@@ -116,9 +116,9 @@ class Parser {
     sub->add_flag("--no-progress", out_.hasNoProgress, "No progress on standard error");
     sub->add_option("--color", out_.color, "Colour the text: auto, always or never")
         ->check(CLI::IsMember({"auto", "always", "never"}));
-    sub->add_option("--mesh", out_.load.surface,
-                    "Which mesh of the file, from 0 (default: the largest)")
-        ->check(atLeast(0));
+    sub->add_option("--mesh", mesh_,
+                    "all, largest, or which mesh of the file, from 0 (default: all for param and "
+                    "verify without cones, the largest otherwise)");
     sub->add_option("--weld", weld_,
                     "exact, none, or join vertices closer than this length (default: exact where "
                     "every face is a component of its own)");
@@ -201,6 +201,8 @@ class Parser {
     sub->add_flag("--embed-cones", out_.write.embedCones, "Store the cones in the output");
     sub->add_flag("--allow-uncertified", out_.write.allowUncertified,
                   "Write the map even when it is not certified (exit code 6 all the same)");
+    sub->add_flag("--keep-going", out_.solve.keepsGoing,
+                  "Write what is certified; what is not keeps its uv or lies flat (exit code 6)");
     sub->add_option("--xref", out_.xref, "Write which input vertex every output vertex is");
     sub->add_flag("--force", out_.mayOverwrite, "Allow the output to replace the input");
   }
@@ -220,6 +222,7 @@ class Parser {
   void finish() {
     if (!fix_.empty()) takeFix(fix_, out_.load.fix);
     if (fix_ == "none") out_.load.isStrict = true;
+    takeMesh();
     if (weld_ == "exact") {
       out_.load.weld = 0;
     } else if (weld_ == "none") {
@@ -247,6 +250,21 @@ class Parser {
     if (scale_ == "fit") out_.solve.scale = api::Scale::kFit;
     if (out_.q) out_.solve.q = out_.verify.q = *out_.q;
     refuseContradictions();
+  }
+
+  void takeMesh() {
+    const bool isAsked = !out_.cones.empty() || !cone_.empty() || !turning_.empty() ||
+                         !handle_.empty() || !out_.field.empty() || !out_.xref.empty();
+    out_.isEveryMesh = mesh_ == "all" || (mesh_.empty() && !isAsked);
+    if (mesh_ == "all" && isAsked) {
+      throw CLI::ValidationError("--mesh all",
+                                 "takes no cones, field or xref: they are of one mesh");
+    }
+    if (mesh_.empty() || mesh_ == "all" || mesh_ == "largest") return;
+    if (!CLI::detail::lexical_cast(mesh_, out_.load.surface) || out_.load.surface < 0) {
+      throw CLI::ValidationError("--mesh",
+                                 "wants 'all', 'largest' or a number, not '" + mesh_ + "'");
+    }
   }
 
   void refuseContradictions() const {
@@ -313,7 +331,7 @@ class Parser {
   CLI::App app_;
   Arguments out_;
   std::vector<std::pair<CLI::App*, Command>> commands_;
-  std::string weld_, fix_, boundary_, frames_, scale_, uvSet_;
+  std::string mesh_, weld_, fix_, boundary_, frames_, scale_, uvSet_;
   std::vector<std::string> cone_, turning_, handle_;
 };
 

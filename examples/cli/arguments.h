@@ -23,6 +23,7 @@ struct Arguments {
   bool isQuiet = false, hasNoProgress = false, mayOverwrite = false;
   std::string color = "auto";
   api::LoadOptions load;
+  bool isEveryMesh = true;  ///< param and verify: of all meshes of the file
 
   std::optional<int> q;
   std::string cones, field, convert;                       ///< files

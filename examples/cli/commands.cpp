@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
@@ -10,6 +11,7 @@
 #include "hgp/base/check.h"
 #include "progress_line.h"
 #include "text_report.h"
+#include "whole_file.h"
 
 namespace hgp::cli {
 namespace {
@@ -31,9 +33,14 @@ class Run {
     }
     Result<io::FileSet> files = openFiles(a_.input, a_.format, a_.root, a_.load.limits.maxBytes);
     if (!files) return fail(files.error());
+    const bool mayBeWhole =
+        a_.isEveryMesh && (a_.command == Command::kParam || a_.command == Command::kVerify);
+    io::FileSet copy;
+    if (mayBeWhole && holdsMeshes(*files)) copy = *files;
     if (Status loaded = session_.load(std::move(*files), a_.load); !loaded) {
       return fail(loaded.error());
     }
+    if (mayBeWhole && session_.surfaceCount() > 1) return wholeFile(copy);
     switch (a_.command) {
       case Command::kInspect:
         return inspect();
@@ -213,6 +220,59 @@ class Run {
     return finish(writeText(isFile ? a_.output : "-", *json), 0);
   }
 
+  /// Only glTF has several meshes; other formats need not be kept twice.
+  static bool holdsMeshes(const io::FileSet& files) {
+    const std::size_t first = std::min<std::size_t>(files.main.size(), 4096);
+    const auto begin = files.main.begin(), end = begin + static_cast<std::ptrdiff_t>(first);
+    return first > 4 && (std::equal(begin, begin + 4, "glTF") || std::find(begin, end, '{') != end);
+  }
+
+  int wholeFile(const io::FileSet& files) {
+    const int count = session_.surfaceCount();
+    if (a_.command == Command::kParam) {
+      if (Status possible = session_.canWrite(a_.output); !possible) return fail(possible.error());
+    }
+    session_ = api::Session();
+    Result<FileOutcome> outcome = a_.command == Command::kParam
+                                      ? parametrizeAll(files, count, a_, progress_.callback())
+                                      : verifyAll(files, count, a_);
+    if (!outcome) return fail(inTime(outcome.error()));
+    const bool isMessage = a_.command == Command::kParam;
+    if (Status done = publish(outcome->json(), outcome->text(), isMessage); !done) {
+      return fail(done.error());
+    }
+    const bool isWhole = outcome->certifiedCount() == count;
+    if (!isMessage) return isWhole ? 0 : kNoMapExit;
+    if (!isWhole && !a_.solve.keepsGoing && !a_.write.allowUncertified) {
+      std::fprintf(stderr, "hgp: nothing was written; --keep-going writes what is certified\n");
+      return kNoMapExit;
+    }
+    if (outcome->files.empty()) {
+      std::fprintf(stderr, "hgp: nothing was written: no mesh has a map\n");
+      return kNoMapExit;
+    }
+    if (Status done = writeFiles(a_.output, outcome->files); !done) return fail(done.error());
+    tellWritten(outcome->notes);
+    return isWhole ? 0 : kNoMapExit;
+  }
+
+  /// A run that was ended by the clock has no map.
+  Failure inTime(Failure failure) const {
+    if (progress_.isTimedOut()) {
+      failure.code = ErrorCode::kNoMap;
+      failure.message = formatText("no certified map within %g s (--time-limit)", *a_.timeLimit);
+    }
+    return failure;
+  }
+
+  void tellWritten(const std::vector<std::string>& notes) const {
+    if (a_.isQuiet) return;
+    for (const std::string& note : notes) {
+      std::fprintf(stderr, "  note: %s\n", printable(note).c_str());
+    }
+    std::fprintf(stderr, "  wrote %s\n", printable(a_.output).c_str());
+  }
+
   int param() {
     if (Status possible = session_.canWrite(a_.output); !possible) return fail(possible.error());
     Result<std::optional<io::Prescription>> asked = std::optional<io::Prescription>();
@@ -221,20 +281,16 @@ class Run {
     api::SolveOptions options = a_.solve;
     options.progress = progress_.callback();
     if (Status solved = session_.parametrize(*asked, options); !solved) {
-      Failure failure = solved.error();
-      if (progress_.isTimedOut()) {
-        failure.code = ErrorCode::kNoMap;
-        failure.message = formatText("no certified map within %g s (--time-limit)", *a_.timeLimit);
-      }
-      return fail(failure);
+      return fail(inTime(solved.error()));
     }
     const std::string& report = session_.reportJson();
     if (Status done = publish(report, a_.isQuiet ? "" : reportText(report, style_), true); !done) {
       return fail(done.error());
     }
-    if (!session_.isCertified() && !a_.write.allowUncertified) {
-      std::fprintf(stderr,
-                   "hgp: nothing was written; --allow-uncertified writes the map all the same\n");
+    if (!session_.isCertified() && !a_.write.allowUncertified && !a_.solve.keepsGoing) {
+      std::fprintf(
+          stderr,
+          "hgp: nothing was written; --keep-going writes the components that are certified\n");
       return kNoMapExit;
     }
     return writeResult();
@@ -243,6 +299,7 @@ class Run {
   int writeResult() {
     api::WriteOptions options = a_.write;
     options.name = a_.output;
+    options.allowUncertified = options.allowUncertified || a_.solve.keepsGoing;
     Result<io::Written> written = session_.write(options);
     if (!written) return fail(written.error());
     if (Status done = writeFiles(a_.output, written->files); !done) return fail(done.error());
@@ -255,12 +312,7 @@ class Run {
       }
       if (Status done = writeText(a_.xref, text); !done) return fail(done.error());
     }
-    if (!a_.isQuiet) {
-      for (const std::string& note : written->notes) {
-        std::fprintf(stderr, "  note: %s\n", printable(note).c_str());
-      }
-      std::fprintf(stderr, "  wrote %s\n", printable(a_.output).c_str());
-    }
+    tellWritten(written->notes);
     return session_.isCertified() ? 0 : kNoMapExit;
   }
 

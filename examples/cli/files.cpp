@@ -25,7 +25,7 @@ constexpr std::size_t kChunk = std::size_t{1} << 20;
 constexpr std::size_t kPackedChunk = std::size_t{1} << 16;
 
 /// Names of half-written files, readable from a signal handler.
-std::array<char[4096], 8> halfWritten;
+std::array<char[4096], 256> halfWritten;
 volatile sig_atomic_t halfWrittenCount = 0;
 
 void onInterrupt(int) {
@@ -271,10 +271,13 @@ Status writeFiles(const std::string& path, const std::vector<io::OutputFile>& fi
     return Failure{ErrorCode::kUsage, "write", "several files cannot go to " + path, {}};
   }
   if (files.size() > halfWritten.size() / 2) {
-    return Failure{ErrorCode::kInternal, "write", "too many files for one result", {}};
+    return Failure{ErrorCode::kLimit,
+                   "write",
+                   formatText("%zu side files; write a .glb, which needs none", files.size() - 1),
+                   {}};
   }
   const fs::path folder = fs::path(path).parent_path();
-  std::array<HalfFile, 4> half;
+  std::vector<HalfFile> half(files.size());
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string name = i == 0 ? path : (folder / fs::path(files[i].name).filename()).string();
     if (isSpecial(name)) {

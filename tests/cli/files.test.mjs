@@ -1,12 +1,13 @@
 // Files as people have them, through the command line: packed, lenient, broken in optional parts.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import test, { after } from 'node:test';
 import { gzipSync } from 'node:zlib';
 import { cubeMesh, toGlb } from '../support/meshes.mjs';
+import { problems } from './schema.mjs';
 
 const hgp =
   process.env.HGP_BIN ?? path.join(import.meta.dirname, '../../build/native-release/bin/hgp');
@@ -211,6 +212,70 @@ test('what a component costs does not grow with their number', () => {
   });
   // Eight times the components: quadratic cost would be 64 times the time.
   assert.ok(seconds[1] < 16 * (seconds[0] + 0.02), seconds.join(' and '));
+});
+
+test('every mesh of a file is mapped; one without a map spoils the rest only where asked', () => {
+  const point = { vertices: Array(3).fill([1, 1, 1]), triangles: [[0, 1, 2]] };
+  const parts = (json) => {
+    const { meshes, ...rest } = JSON.parse(json);
+    // The documents inside have schemas of their own.
+    const plain = meshes.map(({ document: { format, version }, ...m }) => ({
+      ...m,
+      document: { format, version },
+    }));
+    assert.deepEqual(problems('hgp-file', { ...rest, meshes: plain }), []);
+    return meshes.map((m) => [m.mesh, m.certified]);
+  };
+  writeFileSync(at('three.glb'), toGlb([cubeMesh(3), cubeMesh(5), cubeMesh(2)]));
+  const all = run(['param', 'three.glb', '-o', 'three_out.glb', '--json', '-']);
+  assert.equal(all.code, 0, all.err);
+  assert.deepEqual(
+    parts(all.out),
+    [0, 1, 2].map((m) => [m, true]),
+  );
+  for (const mesh of ['all', '0', '1', '2', 'largest']) {
+    assert.equal(run(['verify', 'three_out.glb', '--mesh', mesh]).code, 0, mesh);
+  }
+  run(['param', 'three.glb', '-o', 'one_out.glb', '--mesh', 'largest']);
+  assert.equal(run(['verify', 'one_out.glb']).code, 6);
+  assert.equal(run(['verify', 'one_out.glb', '--mesh', '1']).code, 0);
+
+  writeFileSync(at('bad.glb'), toGlb([cubeMesh(3), point, cubeMesh(2)]));
+  const whole = run(['param', 'bad.glb', '-o', 'bad_out.glb']);
+  assert.equal(whole.code, 6);
+  assert.match(whole.err, /mesh 1: no map: .*nothing is left/);
+  assert.ok(!existsSync(at('bad_out.glb')));
+  const kept = run(['param', 'bad.glb', '-o', 'bad_out.glb', '--keep-going', '--json', '-']);
+  assert.equal(kept.code, 6);
+  assert.deepEqual(parts(kept.out), [
+    [0, true],
+    [1, false],
+    [2, true],
+  ]);
+  for (const mesh of [0, 2]) {
+    assert.equal(run(['verify', 'bad_out.glb', '--mesh', `${mesh}`]).code, 0, `${mesh}`);
+  }
+  assert.equal(
+    run(['param', 'three.glb', '-o', 'x.glb', '--mesh', 'all', '--cone', '1:3']).code,
+    2,
+  );
+});
+
+test('a component without a solution lies flat, the others keep their certificate', () => {
+  // No cones and a closed surface: nothing that fits; the disk beside it is fine.
+  const disk = 'v 9 0 0\nv 10 0 0\nv 9 1 0\nf 7 8 9\n';
+  put('pair.obj', `${octahedron}${disk}`);
+  const asked = ['param', 'pair.obj', '-o', 'pair_out.obj', '--boundary', 'convex'];
+  assert.equal(run(asked).code, 4);
+  const { code, err, out } = run([...asked, '--keep-going', '--json', '-']);
+  assert.equal(code, 6, err);
+  const { components } = JSON.parse(out).certificate;
+  assert.deepEqual(
+    components.map((c) => c.reasons.length === 0),
+    [false, true],
+  );
+  assert.match(err, /component 0 has no map of its own/);
+  assert.ok(existsSync(at('pair_out.obj')));
 });
 
 test('broken c and sm lines are noted where cones are automatic, refused where asked for', () => {

@@ -185,8 +185,9 @@ test('what a repair made of the surface is told, and nothing where there was non
     const fin = [...triangles, [triangles[0][0], triangles[0][1], vertices.length]];
     const mesh = { vertices: [...vertices, [-2, -2, -2]], triangles: fin };
     const file = bytes(toObj(mesh));
-    await client.load(file, { name: 'fin.obj' });
+    await client.load(file, { name: 'fin.obj', strict: true });
     assert.equal((await client.surface()).repaired, undefined);
+    assert.equal((await client.load(file, { name: 'fin.obj' })).usable, true);
     await client.load(file, { name: 'fin.obj', fix: { split: true } });
     const { repaired } = await client.surface();
     assert.equal(repaired.triangles.length, 3 * fin.length);

@@ -449,6 +449,29 @@ export interface Failure {
 }
 
 /**
+ * What became of every mesh of a file that has several.
+ */
+export interface FileReport {
+  format: 'hgp-file';
+  version: 1;
+  /**
+   * All of them.
+   */
+  certified: boolean;
+  meshes: {
+    mesh: number;
+    certified: boolean;
+    /**
+     * hgp-report (param), hgp-certificate (verify), or hgp-error where there is no map.
+     */
+    document: {
+      format: 'hgp-report' | 'hgp-certificate' | 'hgp-error';
+      version: 1;
+    };
+  }[];
+}
+
+/**
  * What a file holds and whether it can be parametrized.
  */
 export interface ModelInfo {

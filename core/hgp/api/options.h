@@ -41,6 +41,9 @@ struct SolveOptions {
   bool useQuality = false;
   FrameSource frames = FrameSource::kAuto;
   Scale scale = Scale::kSolved;
+  /// A component that cannot be solved keeps the uv it had, or lies flat, instead of ending the run; the
+  /// result is then not certified, and its other components are.
+  bool keepsGoing = false;
   Progress progress;
 };
 

@@ -71,6 +71,10 @@ Status Session::loadArrays(std::vector<Vec3> positions, std::vector<std::array<i
   });
 }
 
+int Session::surfaceCount() const {
+  return state_->model ? static_cast<int>(state_->model->document->surfaces().size()) : 0;
+}
+
 Result<Verdict> Session::inspect() const {
   return guarded([&]() -> Result<Verdict> {
     if (!state_->model) return notLoaded();

@@ -43,6 +43,8 @@ class Session {
   Status loadArrays(std::vector<Vec3> positions, std::vector<std::array<int, 3>> triangles,
                     const LoadOptions& options);
 
+  /// Meshes of the loaded file that have triangles; LoadOptions::surface chooses one.
+  int surfaceCount() const;
   /// hgp-inspect; good means that the mesh can be parametrized.
   Result<Verdict> inspect() const;
   /// hgp-check: the exact integer budget of every component; solves nothing.

@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <chrono>
 
 #include "hgp/api/session_state.h"
+#include "hgp/base/check.h"
 #include "hgp/parametrize/stage_clock.h"
 #include "hgp/prescription/cones.h"
 
@@ -99,6 +101,63 @@ void Session::State::flatten(Solved& result) const {
   }
 }
 
+namespace {
+
+bool maySkip(const Failure& failure) {
+  return failure.code != ErrorCode::kCancelled && failure.code != ErrorCode::kUsage;
+}
+
+/// Flat: seen along the direction in which the component is thinnest by its bounding box.
+UvMap flatMap(const TriMesh& mesh) {
+  Vec3 low = mesh.position(VertexId{0}), high = low;
+  for (int v = 1; v < mesh.vertexCount(); ++v) {
+    const Vec3 p = mesh.position(VertexId{v});
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  }
+  std::size_t thin = 0;
+  for (std::size_t k = 1; k < 3; ++k) {
+    if (high[k] - low[k] < high[thin] - low[thin]) thin = k;
+  }
+  UvMap map;
+  for (int v = 0; v < mesh.vertexCount(); ++v) {
+    const Vec3 p = mesh.position(VertexId{v});
+    map.uv.push_back({p[(thin + 1) % 3], p[(thin + 2) % 3]});
+  }
+  for (int f = 0; f < mesh.faceCount(); ++f) {
+    auto& corners = map.cornerUv.emplace_back();
+    for (int k = 0; k < 3; ++k)
+      corners[static_cast<std::size_t>(k)] = mesh.tail(HalfedgeId{3 * f + k}).i;
+  }
+  return map;
+}
+
+/// What a component without a solution is stored with, judged by a prescription without cones.
+Parametrization unsolved(const Model& model, const ModelComponent& component, int q) {
+  Parametrization out;
+  const std::vector<int>& sets = model.source().uvSets;
+  std::optional<UvMap> old;
+  if (!sets.empty()) old = model.document->existingUv(model.surface, sets.front());
+  out.map = old ? mapOfComponent(model, component, *old) : flatMap(component.mesh);
+  out.copyOf.assign(out.map.uv.size(), VertexId{0});
+  for (std::size_t f = 0; f < out.map.cornerUv.size(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const int i = out.map.cornerUv[f][static_cast<std::size_t>(k)];
+      out.copyOf[static_cast<std::size_t>(i)] =
+          component.mesh.tail(HalfedgeId{3 * static_cast<int>(f) + k});
+    }
+  }
+  out.spec.q = q;
+  out.spec.turning.assign(component.topology.loops.size(), 0);
+  out.spec.handles.assign(static_cast<std::size_t>(2 * component.topology.genus), 0);
+  out.certificate = certify(component.mesh, out.spec, out.map);
+  return out;
+}
+
+}  // namespace
+
 Status Session::State::solve(const std::optional<io::Prescription>& prescription,
                              const SolveOptions& options) {
   const auto start = std::chrono::steady_clock::now();
@@ -118,6 +177,12 @@ Status Session::State::solve(const std::optional<io::Prescription>& prescription
   std::vector<HolonomySpec> specs;
   for (std::size_t p = 0; p < model->components.size(); ++p) {
     Result<Parametrization> component = solveComponent(p, request->components[p], options);
+    if (!component && options.keepsGoing && maySkip(component.error())) {
+      run.notes.push_back(
+          formatText("component %zu has no map of its own, and keeps what it had: ", p) +
+          component.error().message);
+      component = unsolved(*model, model->components[p], request->q);
+    }
     if (!component) return component.error();
     maps.push_back({std::move(component->map), std::move(component->copyOf), component->spec,
                     component->certificate, 0});

@@ -1,0 +1,189 @@
+#include "whole_file.h"
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "hgp/api/session.h"
+#include "hgp/base/check.h"
+#include "text_report.h"
+
+namespace hgp::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A file that is written again and again, with the side files that this makes.
+class FileChain {
+ public:
+  explicit FileChain(const io::FileSet& original) : current_(original) {}
+
+  /// For one more reader: the bytes are its own.
+  io::FileSet files() const {
+    io::FileSet out = current_;
+    out.resolve = [before = current_.resolve, made = made_](const std::string& name) {
+      const auto found = made.find(name);
+      if (found != made.end()) return Result<io::Bytes>(found->second);
+      if (before) return before(name);
+      return Result<io::Bytes>(Failure{ErrorCode::kMalformed, "read", name + " is missing", {}});
+    };
+    return out;
+  }
+
+  void take(io::Written written) {
+    current_.main = std::move(written.files[0].bytes);
+    for (std::size_t i = 1; i < written.files.size(); ++i)
+      made_[written.files[i].name] = std::move(written.files[i].bytes);
+    isWritten_ = true;
+  }
+
+  bool isWritten() const { return isWritten_; }
+
+  std::vector<io::OutputFile> result(const std::string& name) && {
+    std::vector<io::OutputFile> out;
+    out.push_back({name, std::move(current_.main)});
+    for (auto& [side, bytes] : made_) out.push_back({side, std::move(bytes)});
+    return out;
+  }
+
+ private:
+  io::FileSet current_;
+  std::map<std::string, io::Bytes> made_;
+  bool isWritten_ = false;
+};
+
+Status open(api::Session& session, const FileChain& chain, int mesh, const Arguments& asked) {
+  api::LoadOptions load = asked.load;
+  load.surface = mesh;
+  return session.load(chain.files(), load);
+}
+
+/// The cones that the mesh itself stores, as for one mesh.
+Result<std::optional<io::Prescription>> embedded(const api::Session& session,
+                                                 const Arguments& asked) {
+  if (asked.ignoresEmbedded) return std::optional<io::Prescription>();
+  auto cones = session.embeddedCones();
+  if (cones && *cones && asked.q && *asked.q != (*cones)->q)
+    return std::optional<io::Prescription>();
+  return cones;
+}
+
+Status solveOne(api::Session& session, const Arguments& asked, const Progress& progress) {
+  Result<std::optional<io::Prescription>> cones = std::optional<io::Prescription>();
+  if (asked.solve.boundary == api::BoundaryKind::kFree) cones = embedded(session, asked);
+  if (!cones) return cones.error();
+  api::SolveOptions options = asked.solve;
+  options.progress = progress;
+  return session.parametrize(*cones, options);
+}
+
+}  // namespace
+
+Result<FileOutcome> parametrizeAll(const io::FileSet& files, int meshCount, const Arguments& asked,
+                                   const Progress& progress) {
+  FileOutcome out;
+  FileChain chain(files);
+  const bool storesAll = asked.solve.keepsGoing || asked.write.allowUncertified;
+  for (int mesh = 0; mesh < meshCount; ++mesh) {
+    MeshOutcome one;
+    one.mesh = mesh;
+    api::Session session;
+    Status done = open(session, chain, mesh, asked);
+    if (done) done = solveOne(session, asked, progress);
+    if (!done && done.error().code == ErrorCode::kCancelled) return done.error();
+    if (done) {
+      one.isCertified = session.isCertified();
+      one.json = session.reportJson();
+    } else {
+      one.failure = done.error();
+    }
+    if (done && (one.isCertified || storesAll)) {
+      api::WriteOptions options = asked.write;
+      options.name = asked.output;
+      options.allowUncertified = storesAll;
+      Result<io::Written> written = session.write(options);
+      if (!written) return written.error();
+      for (const std::string& note : written->notes) {
+        out.notes.push_back(formatText("mesh %d: ", mesh) + note);
+      }
+      chain.take(std::move(*written));
+    }
+    out.meshes.push_back(std::move(one));
+  }
+  if (chain.isWritten()) out.files = std::move(chain).result(asked.output);
+  return out;
+}
+
+Result<FileOutcome> verifyAll(const io::FileSet& files, int meshCount, const Arguments& asked) {
+  FileOutcome out;
+  const FileChain chain(files);
+  for (int mesh = 0; mesh < meshCount; ++mesh) {
+    MeshOutcome one;
+    one.mesh = mesh;
+    api::Session session;
+    Status done = open(session, chain, mesh, asked);
+    if (done) {
+      const auto cones = embedded(session, asked);
+      Result<api::Verdict> verdict =
+          cones ? session.verify(*cones, asked.verify) : Result<api::Verdict>(cones.error());
+      if (verdict) {
+        one.isCertified = verdict->isGood;
+        one.json = verdict->json;
+      } else {
+        done = verdict.error();
+      }
+    }
+    if (!done) one.failure = done.error();
+    out.meshes.push_back(std::move(one));
+  }
+  return out;
+}
+
+int FileOutcome::certifiedCount() const {
+  return static_cast<int>(std::count_if(meshes.begin(), meshes.end(),
+                                        [](const MeshOutcome& m) { return m.isCertified; }));
+}
+
+std::string FileOutcome::json() const {
+  std::string out = formatText(
+      "{\n\"format\": \"hgp-file\",\n\"version\": 1,\n\"certified\": %s,\n"
+      "\"meshes\": [",
+      certifiedCount() == static_cast<int>(meshes.size()) ? "true" : "false");
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const MeshOutcome& m = meshes[i];
+    const std::string body = m.failure ? api::errorJson(*m.failure) : m.json;
+    out += formatText("%s\n{\"mesh\": %d, \"certified\": %s, \"document\": ", i > 0 ? "," : "",
+                      m.mesh, m.isCertified ? "true" : "false");
+    out += body.substr(0, body.find_last_not_of('\n') + 1) + "}";
+  }
+  return out + "\n]\n}\n";
+}
+
+std::string FileOutcome::text() const {
+  std::string out;
+  for (const MeshOutcome& m : meshes) {
+    out += formatText("mesh %d: ", m.mesh);
+    if (m.failure) {
+      out += "no map: " + printable(m.failure->message) + "\n";
+      continue;
+    }
+    const Json json = Json::parse(m.json);
+    const Json& certificate = json.contains("certificate") ? json["certificate"] : json;
+    out += m.isCertified ? "certified" : "not certified";
+    out += formatText(", %lld triangles in %zu components\n",
+                      certificate["triangles"].get<long long>(), certificate["components"].size());
+    if (json.contains("notes")) {
+      for (const Json& note : json["notes"])
+        out += "  note: " + printable(note.get<std::string>()) + "\n";
+    }
+    for (std::size_t p = 0; p < certificate["components"].size() && !m.isCertified; ++p) {
+      for (const Json& reason : certificate["components"][p]["reasons"]) {
+        out += formatText("  component %zu: ", p) +
+               printable(reason["message"].get<std::string>()) + "\n";
+      }
+    }
+  }
+  return out + formatText("%d of %zu meshes certified\n", certifiedCount(), meshes.size());
+}
+
+}  // namespace hgp::cli

@@ -278,6 +278,15 @@ test('a component without a solution lies flat, the others keep their certificat
   assert.ok(existsSync(at('pair_out.obj')));
 });
 
+test('an extension of no format is refused before anything is solved', () => {
+  put('ball.obj', octahedron);
+  const { code, err } = run(['param', 'ball.obj', '-o', 'out.fbx']);
+  assert.equal(code, 2);
+  assert.match(err, /no format has the extension \.fbx; the result is written as \.obj/);
+  assert.ok(!existsSync(at('out.fbx')));
+  assert.equal(run(['param', 'ball.obj', '-o', 'without']).code, 0);
+});
+
 test('broken c and sm lines are noted where cones are automatic, refused where asked for', () => {
   put('ball.obj', octahedron);
   const broken = put('broken.obj', `${octahedron}c 1 1.23456\nsm 1 1 x\n`);

@@ -230,7 +230,14 @@ Status Session::canWrite(const std::string& name) const {
     const std::string given = state_->model->document->outputFormat();
     const bool isKnown = wanted == "obj" || wanted == "off" || wanted == "ply" || wanted == "stl" ||
                          wanted == "gltf" || wanted == "glb" || wanted == "gz";
-    if (!isKnown || wanted == given) return Done{};
+    if (wanted.empty() || wanted == given) return Done{};
+    if (!isKnown) {
+      return Failure{
+          ErrorCode::kUsage,
+          "write",
+          "no format has the extension ." + wanted + "; the result is written as ." + given,
+          {}};
+    }
     return Failure{
         ErrorCode::kUsage, "write", "the result is written as " + given + ", not as " + wanted, {}};
   });

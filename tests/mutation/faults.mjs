@@ -25,9 +25,18 @@ export const faults = [
   fault('mesh/holonomy_spec.cpp', '2LL * c.k >=', '2LL * c.k >'),
   fault('mesh/defects.cpp', 'if (fanCount[at(v)] > 1)', 'if (fanCount[at(v)] > 2)'),
   fault('mesh/repair/repair.cpp', 'isFlipped) < 0.0', 'isFlipped) > 0.0'),
-  fault('mesh/repair/repair.cpp', 'if (options.split) splitNonManifold(result);', '', short),
-  fault('mesh/repair/repair.cpp', 'if (options.orient) orientFaces(result);', ''),
-  fault('mesh/repair/repair.cpp', 'if (options.degenerate) removeDegenerate(result);', ''),
+  fault(
+    'mesh/repair/repair.cpp',
+    'if (options.split) splitNonManifold(result, oneSided);',
+    '',
+    short,
+  ),
+  fault(
+    'mesh/repair/repair.cpp',
+    'if (options.orient) oneSided = orientFaces(result, options.split);',
+    '',
+  ),
+  fault('mesh/repair/repair.cpp', 'if (options.degenerate) leaveOut(result);', ''),
   fault('mesh/repair/repair_split.cpp', 'if (owner[at(v)] == fan) continue;', 'continue;'),
 
   // linalg

@@ -192,7 +192,7 @@ class Parser {
         ->check(CLI::IsMember({"auto", "file"}));
     sub->add_option("--rounds", out_.solve.maxRounds, "Rounds of solve, judge, repair (default 12)")
         ->check(CLI::Range(1, 1000));
-    sub->add_flag("--quality", out_.solve.useQuality, "Less distortion, no longer harmonic");
+    sub->add_flag("--quality", out_.solve.useQuality, "Less distortion: a term for it beside harmonicity");
     sub->add_option("--scale", scale_, "solved, unit (mean edge 1) or fit (into the unit square)")
         ->check(CLI::IsMember({"solved", "unit", "fit"}));
     sub->add_option("--uv-set", uvSet_, "next, or the number of the set to write");

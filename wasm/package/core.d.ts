@@ -126,7 +126,7 @@ export interface SolveOptions extends SuggestOptions {
   /** `convex`: a disk without cones onto a convex polygon. */
   boundary?: 'free' | 'convex';
   maxRounds?: number;
-  /** Lower distortion at the price of harmonicity. */
+  /** Lower distortion; the report says how harmonic the map is. */
   quality?: boolean;
   scale?: 'solved' | 'unit' | 'fit';
 }

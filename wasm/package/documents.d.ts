@@ -605,9 +605,21 @@ export interface Report {
     certifiedBeforeStoring: boolean;
     usable: boolean;
     /**
-     * no quality term was used
+     * How harmonic the stored values are: rows (7), (8), (14) with mean-value weights at every interior vertex that is no cone, relative to the mean uv edge there
      */
-    harmonic: boolean;
+    harmonic: {
+      rows: number;
+      /**
+       * above 1e-6, in float32 above that and what rounding can do there
+       */
+      violated: number;
+      largestResidual: number;
+    };
+    /**
+     * whether the map meets the hypotheses of Theorem 6.1; the certificate does not depend on it
+     */
+    theorem61: 'applies' | 'silent';
+    theorem61Reason: string;
     cones: number;
     rounds: {
       method: string;

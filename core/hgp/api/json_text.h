@@ -6,6 +6,7 @@
 #include "hgp/api/request.h"
 #include "hgp/api/stored_map.h"
 #include "hgp/parametrize/parametrize.h"
+#include "hgp/system/harmonic_residual.h"
 
 namespace hgp::api {
 
@@ -31,11 +32,14 @@ struct RunRecord {
   SolveOptions options;
   bool isAutomatic = false;
   std::vector<Parametrization> components;  ///< their maps may be empty
+  std::vector<HarmonicFacts> harmonic;      ///< of what is stored, per component
   std::vector<std::string> notes;
   double seconds = 0;
 };
+/// @param certificates  of what is stored, per component
 /// certificate and cones are JSON texts that become members of the report.
-std::string reportText(const Model& model, const RunRecord& run, bool isCertified,
-                       const std::string& certificate, const std::string& cones);
+std::string reportText(const Model& model, const RunRecord& run,
+                       const std::vector<Certificate>& certificates, const std::string& certificate,
+                       const std::string& cones);
 
 }  // namespace hgp::api

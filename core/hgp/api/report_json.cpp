@@ -1,6 +1,7 @@
 #include "hgp/api/json_text.h"
 #include "hgp/api/json_values.h"
 #include "hgp/api/session.h"
+#include "hgp/base/check.h"
 
 namespace hgp::api {
 namespace {
@@ -30,8 +31,23 @@ Json roundJson(const Round& r) {
               {"seconds", r.seconds}};
 }
 
-Json componentJson(const Model& model, const ModelComponent& component,
-                   const Parametrization& run) {
+/// Whether Theorem 6.1 speaks of the map, and if not, why not.
+void addTheorem(Json& json, const HarmonicFacts& harmonic, const Certificate& certificate) {
+  std::string reason;
+  if (!certificate.isCertified) {
+    reason = "the map is not certified";
+  } else if (harmonic.violated > 0) {
+    reason = formatText("%d of %d harmonic rows are violated by more than %.0e", harmonic.violated,
+                        harmonic.rows, kHarmonicTolerance);
+  }
+  json["theorem61"] = reason.empty() ? "applies" : "silent";
+  json["theorem61Reason"] = reason.empty() ? "harmonic, with cones, turnings and the triangles at "
+                                             "cones and boundary as it asks"
+                                           : reason;
+}
+
+Json componentJson(const Model& model, const ModelComponent& component, const Parametrization& run,
+                   const HarmonicFacts& harmonic, const Certificate& certificate) {
   Json rounds = Json::array(), times = Json::array();
   for (const Round& r : run.rounds) rounds.push_back(roundJson(r));
   for (const StageTime& t : run.times) {
@@ -40,14 +56,18 @@ Json componentJson(const Model& model, const ModelComponent& component,
   std::vector<Where> conflict;
   for (FaceId f : run.conflict) conflict.push_back({Where::Kind::kFace, f.i});
   toSurfaceIds(model, component, conflict);
-  return Json{{"certifiedBeforeStoring", run.isCertified},
-              {"usable", run.isUsable},
-              {"harmonic", run.isHarmonic},
-              {"cones", run.spec.cones.size()},
-              {"rounds", std::move(rounds)},
-              {"times", std::move(times)},
-              {"conflict", whereJson(conflict)},
-              {"notes", run.notes}};
+  Json json{{"certifiedBeforeStoring", run.isCertified},
+            {"usable", run.isUsable},
+            {"harmonic", Json{{"rows", harmonic.rows},
+                              {"violated", harmonic.violated},
+                              {"largestResidual", harmonic.largestResidual}}},
+            {"cones", run.spec.cones.size()},
+            {"rounds", std::move(rounds)},
+            {"times", std::move(times)},
+            {"conflict", whereJson(conflict)},
+            {"notes", run.notes}};
+  addTheorem(json, harmonic, certificate);
+  return json;
 }
 
 constexpr const char* kConesHere = "(cones)";
@@ -68,11 +88,12 @@ void splice(std::string& text, const char* mark, const std::string& document) {
 
 }  // namespace
 
-std::string reportText(const Model& model, const RunRecord& run, bool isCertified,
-                       const std::string& certificate, const std::string& cones) {
+std::string reportText(const Model& model, const RunRecord& run,
+                       const std::vector<Certificate>& certificates, const std::string& certificate,
+                       const std::string& cones) {
   Json json{{"format", "hgp-report"}, {"version", 1}};
   json["program"] = Json{{"name", "hgp"}, {"version", version()}};
-  json["certified"] = isCertified;
+  json["certified"] = areCertified(certificates);
   json["input"] = Json{{"name", model.fileName},
                        {"format", model.document->format()},
                        {"bytes", model.byteCount},
@@ -88,7 +109,8 @@ std::string reportText(const Model& model, const RunRecord& run, bool isCertifie
   json["notes"] = notes;
   Json& components = json["components"] = Json::array();
   for (std::size_t p = 0; p < run.components.size(); ++p) {
-    components.push_back(componentJson(model, model.components[p], run.components[p]));
+    components.push_back(componentJson(model, model.components[p], run.components[p],
+                                       run.harmonic[p], certificates[p]));
   }
   json["cones"] = kConesHere;
   json["certificate"] = kCertificateHere;

@@ -22,6 +22,22 @@ SuggestOptions suggestOptions(int q, const SolveOptions& options) {
 /// Surfaces of more triangles are prepared anew by every call: memory goes to the solve.
 constexpr int kKeptFaces = 200'000;
 
+/// Of the stored values of every component.
+std::vector<HarmonicFacts> harmonicity(const Model& model, const std::vector<ComponentMap>& maps,
+                                       const UvMap& stored) {
+  const bool isFloat = model.document->uvPrecision() == io::UvPrecision::kFloat32;
+  std::vector<HarmonicFacts> out;
+  for (std::size_t p = 0; p < maps.size(); ++p) {
+    const ModelComponent& component = model.components[p];
+    const UvMap map = mapOfComponent(model, component, stored);
+    std::vector<VertexId> cones;
+    for (const ConePoint& c : maps[p].spec.cones) cones.push_back(c.vertex);
+    out.push_back(measureHarmonicity(component.mesh, computeGeometry(component.mesh), map,
+                                     maps[p].spec.q, cones, isFloat ? gridStep(map) : 0.0));
+  }
+  return out;
+}
+
 Failure noField() {
   return {ErrorCode::kUsage,
           "field",
@@ -196,10 +212,11 @@ Status Session::State::solve(const std::optional<io::Prescription>& prescription
   result.cones = io::writeConesJson(result.prescription);
   result.certificate = certificateText(*model, result.stored.certificates,
                                        measureOutside(*model, result.stored.map));
+  run.harmonic = harmonicity(*model, maps, result.stored.map);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   run.seconds = seconds.count();
   result.report =
-      reportText(*model, run, result.stored.isCertified, result.certificate, result.cones);
+      reportText(*model, run, result.stored.certificates, result.certificate, result.cones);
   flatten(result);
   solved = std::move(result);
   return Done{};

@@ -107,7 +107,6 @@ Result<Parametrization> parametrizeConvex(const TriMesh& mesh, const Parametrize
   result.certificate = certify(mesh, result.spec, result.map);
   result.isCertified = result.certificate.isCertified;
   result.isUsable = result.certificate.isUsable;
-  result.isHarmonic = true;
   Round round;
   round.method = "convex boundary";
   round.solverStatus = "linear";

@@ -124,7 +124,6 @@ static Result<Judged> solve(const TriMesh& mesh, std::shared_ptr<const SeamlessS
     if (!best || distanceToCertified(attempt) < distanceToCertified(*best)) {
       best = std::move(attempt);
       solution = {setup, std::move(best->program.x), step->u, step->frames};
-      result.isHarmonic = step->quality == 0.0;
     }
     if (best->certificate.isCertified) break;
   }

@@ -50,7 +50,6 @@ struct Parametrization {
   Certificate certificate;       ///< of `map`, by inspection
   bool isCertified = false;
   bool isUsable = false;    ///< its areas fit double precision; certified maps are
-  bool isHarmonic = false;  ///< no quality term was used (Theorem 6.1 applies)
   std::vector<Round> rounds;
   std::vector<StageTime> times;
   std::vector<std::string> notes;  ///< warnings and explanations for people

@@ -205,8 +205,6 @@ TEST(Parametrize, QualityTermLowersDistortionAndIsNoLongerHarmonic) {
   const Result<Parametrization> better = parametrize(mesh, spec, options);
   expectCertified(mesh, plain, "plain");
   expectCertified(mesh, better, "quality");
-  EXPECT_TRUE(plain->isHarmonic);
-  EXPECT_FALSE(better->isHarmonic);
   EXPECT_LT(better->certificate.distortion.meanMu, plain->certificate.distortion.meanMu);
 }
 

@@ -32,7 +32,7 @@ class SolvePanel extends Panel {
           />
           Less distortion
         </label>
-        <small>The map is then no longer harmonic.</small>
+        <small>The report says how harmonic the map is.</small>
       </p>
       ${this.#estimate()}
       <p>${actionButton(this.app, 'copy-command', { className: 'small' })}</p>

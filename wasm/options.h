@@ -55,6 +55,8 @@ inline api::SolveOptions toSolveOptions(const val& options, const val& onProgres
   const auto boundary = option(options, "boundary", std::string("free"));
   if (boundary == "convex") o.boundary = api::BoundaryKind::kConvex;
   o.maxRounds = option(options, "maxRounds", o.maxRounds);
+  const auto method = option(options, "method", std::string("auto"));
+  o.method = methodNamed(method).value_or(Method::kAuto);
   o.useQuality = option(options, "quality", o.useQuality);
   const auto frames = option(options, "frames", std::string("auto"));
   if (frames == "file") o.frames = api::FrameSource::kFile;

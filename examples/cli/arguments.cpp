@@ -190,9 +190,14 @@ class Parser {
     sub->add_option("--frames", frames_,
                     "auto: a smooth field of our own; file: the directions of --field")
         ->check(CLI::IsMember({"auto", "file"}));
-    sub->add_option("--rounds", out_.solve.maxRounds, "Rounds of solve, judge, repair (default 12)")
+    sub->add_option("--rounds", out_.solve.maxRounds, "Rounds of solve, judge, repair (default 24)")
         ->check(CLI::Range(1, 1000));
-    sub->add_flag("--quality", out_.solve.useQuality, "Less distortion: a term for it beside harmonicity");
+    sub->add_option(
+           "--method", method_,
+           "auto, harmonic, soft, printed (the paper's program and iteration) or all-frames")
+        ->check(CLI::IsMember({"auto", "harmonic", "soft", "printed", "all-frames"}));
+    sub->add_flag("--quality", out_.solve.useQuality,
+                  "Less distortion: a term for it beside harmonicity");
     sub->add_option("--scale", scale_, "solved, unit (mean edge 1) or fit (into the unit square)")
         ->check(CLI::IsMember({"solved", "unit", "fit"}));
     sub->add_option("--uv-set", uvSet_, "next, or the number of the set to write");
@@ -245,6 +250,7 @@ class Parser {
     for (const std::string& t : turning_) out_.turning.push_back(takePair(t, "--turning"));
     for (const std::string& h : handle_) out_.handle.push_back(takePair(h, "--handle"));
     if (boundary_ == "convex") out_.solve.boundary = api::BoundaryKind::kConvex;
+    if (const auto method = methodNamed(method_)) out_.solve.method = *method;
     if (frames_ == "file") out_.solve.frames = api::FrameSource::kFile;
     if (scale_ == "unit") out_.solve.scale = api::Scale::kUnit;
     if (scale_ == "fit") out_.solve.scale = api::Scale::kFit;
@@ -331,7 +337,7 @@ class Parser {
   CLI::App app_;
   Arguments out_;
   std::vector<std::pair<CLI::App*, Command>> commands_;
-  std::string mesh_, weld_, fix_, boundary_, frames_, scale_, uvSet_;
+  std::string mesh_, weld_, fix_, boundary_, frames_, method_, scale_, uvSet_;
   std::vector<std::string> cone_, turning_, handle_;
 };
 

@@ -126,6 +126,12 @@ export interface SolveOptions extends SuggestOptions {
   /** `convex`: a disk without cones onto a convex polygon. */
   boundary?: 'free' | 'convex';
   maxRounds?: number;
+  /**
+   * `auto`: soft frame constraints where they suffice, then hard ones with repairs, then untangling.
+   * `harmonic`: hard constraints. `soft`: soft ones. `printed`: the paper's program and iteration.
+   * `all-frames`: hard constraints on every triangle.
+   */
+  method?: 'auto' | 'harmonic' | 'soft' | 'printed' | 'all-frames';
   /** Lower distortion; the report says how harmonic the map is. */
   quality?: boolean;
   scale?: 'solved' | 'unit' | 'fit';

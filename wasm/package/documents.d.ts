@@ -585,6 +585,7 @@ export interface Report {
   options: {
     rounds: number;
     quality: boolean;
+    method: 'auto' | 'harmonic' | 'soft' | 'printed' | 'all-frames';
     boundary: 'free' | 'convex';
     scale: 'solved' | 'unit' | 'fit';
     /**

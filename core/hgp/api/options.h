@@ -7,6 +7,7 @@
 #include "hgp/base/progress.h"
 #include "hgp/io/document.h"
 #include "hgp/mesh/defects.h"
+#include "hgp/parametrize/method.h"
 
 namespace hgp::api {
 
@@ -37,7 +38,8 @@ struct SolveOptions {
   int coneCount = 0;  ///< automatic cones: roughly how many, 0 = as the field has them
   bool alignToCurvature = false;
   BoundaryKind boundary = BoundaryKind::kFree;
-  int maxRounds = 12;
+  int maxRounds = 24;
+  Method method = Method::kAuto;
   bool useQuality = false;
   FrameSource frames = FrameSource::kAuto;
   Scale scale = Scale::kSolved;

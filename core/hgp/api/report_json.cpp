@@ -8,6 +8,7 @@ namespace {
 
 Json optionsJson(const SolveOptions& o, bool isAutomatic) {
   Json json{{"rounds", o.maxRounds}, {"quality", o.useQuality}};
+  json["method"] = methodName(o.method);
   json["boundary"] = o.boundary == BoundaryKind::kConvex ? "convex" : "free";
   json["scale"] = o.scale == Scale::kUnit ? "unit" : o.scale == Scale::kFit ? "fit" : "solved";
   json["frames"] = o.frames == FrameSource::kFile ? "file" : "auto";

@@ -72,6 +72,7 @@ Result<Parametrization> Session::State::solveComponent(std::size_t p,
   const ModelComponent& component = model->components[p];
   ParametrizeOptions core;
   core.maxRounds = options.maxRounds;
+  core.method = options.method;
   core.useQuality = options.useQuality;
   core.progress = options.progress;
   if (options.frames == FrameSource::kFile) {

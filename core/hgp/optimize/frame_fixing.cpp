@@ -62,6 +62,13 @@ double& frameOf(Frames& frames, FaceId f) {
 
 }  // namespace
 
+bool holdsRing(const TriMesh& mesh, const Frames& frames, VertexId cone) {
+  for (HalfedgeId h : outgoingHalfedges(mesh, cone))
+    if (!std::binary_search(frames.faces.begin(), frames.faces.end(), TriMesh::face(h)))
+      return false;
+  return true;
+}
+
 void embedSurfaceRing(const TriMesh& mesh, const Geometry& geometry, const SeamRotations& seams,
                       VertexId cone, int k, Frames& frames) {
   Ring ring;

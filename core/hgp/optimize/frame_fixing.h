@@ -5,6 +5,9 @@
 
 namespace hgp {
 
+/// Whether every face around the cone has a frame: only then can its ring be embedded.
+bool holdsRing(const TriMesh& mesh, const Frames& frames, VertexId cone);
+
 /// Frames around a cone from a local embedding of the surface's own one-ring: corner angles at the
 /// cone scaled to the asked sum 2πk/q, spoke lengths kept, the ring turned as a whole to where the
 /// field has it. Where the connection squeezes a spike's turning into one edge, these frames still

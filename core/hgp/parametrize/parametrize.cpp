@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <set>
 
-#include "hgp/parametrize/repair_plan.h"
+#include "hgp/parametrize/attempt.h"
 #include "hgp/parametrize/seamless_setup.h"
 #include "hgp/parametrize/solution.h"
 #include "hgp/parametrize/stage_clock.h"
@@ -12,42 +13,10 @@
 namespace hgp {
 namespace {
 
-/// One program, laid out as a map and judged.
-struct Attempt {
-  ProgramResult program;
-  UvMap map;
-  Certificate certificate;
-};
-
-Attempt solveAndJudge(const TriMesh& mesh, const SeamlessSetup& setup, const Judge& judge,
-                      const RepairStep& step, int round, const ParametrizeOptions& options,
-                      bool& isCancelled) {
-  ProgramOptions program;
-  program.u = step.u;
-  program.quality = step.quality;
-  program.isExact = step.isExact;
-  program.pulled = step.pulled;
-  program.pull = step.pull;
-  program.vertexTree = &setup.context->tree;
-  if (step.local) program.local = &*step.local;
-  program.progress = [&](int iteration, double residual) {
-    const double fraction = 1.0 - 1.0 / (1.0 + 0.25 * iteration);
-    isCancelled = !report(options.progress,
-                          {"solve", fraction, iteration, residual, round, options.maxRounds});
-    return !isCancelled;
-  };
-  Attempt attempt;
-  attempt.program = solveProgram(mesh, setup.context->geometry, setup.cut, setup.seams,
-                                 setup.unknowns, setup.harmonic, step.frames, program);
-  attempt.map = layOut(mesh, setup, attempt.program.z);
-  attempt.certificate = judge.certify(toSpec(setup.field.spec), attempt.map);
-  return attempt;
-}
-
-Round describe(const Attempt& attempt, const RepairStep& step, double seconds) {
+Round describe(const Problem& problem, const State& state, const Attempt& attempt, double seconds) {
   Round round;
-  round.method = step.method;
-  round.constrainedTriangles = static_cast<int>(step.frames.faces.size());
+  round.method = nameOf(problem, state);
+  round.constrainedTriangles = static_cast<int>(attempt.frames.faces.size());
   round.iterations = attempt.program.iterations;
   round.solverStatus = socp::statusName(attempt.program.status);
   round.flipped = attempt.certificate.orientation.zero + attempt.certificate.orientation.negative;
@@ -61,11 +30,8 @@ Round describe(const Attempt& attempt, const RepairStep& step, double seconds) {
 
 /// How far from certified, to keep the best of several maps.
 long long distanceToCertified(const Attempt& attempt) {
-  const Certificate& c = attempt.certificate;
-  if (c.isCertified) return -1;
-  if (!c.isMeasured) return 1LL << 40;
-  return c.orientation.zero + c.orientation.negative +
-         static_cast<long long>(c.angles.wrong.size());
+  if (attempt.certificate.isCertified) return -1;
+  return attempt.certificate.isMeasured ? attempt.wrongCount : 1LL << 40;
 }
 
 void explain(const SeamlessSetup& setup, bool hasGivenFrames, Parametrization& result) {
@@ -89,47 +55,52 @@ void explain(const SeamlessSetup& setup, bool hasGivenFrames, Parametrization& r
         "turning and handles but turn evenly, and may be certified where these are not.");
 }
 
-/// The best of several, with what it was judged by.
-struct Judged {
-  Solution solution;
-  UvMap map;
-  Certificate certificate;
-};
-
 using Clock = std::chrono::steady_clock;
 double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// In this order: what contradicts itself, then what is wrong in few places, then everything anew.
+constexpr Move kMoves[] = {embedRings, fixLifts, turnEvenly,    dropFrames,   widenPatch,
+                           solvePatch, enlarge,  iterateFrames, untangleNext, nextWeighting};
+
+/// The first move to a state that was not tried before.
+std::optional<State> firstMove(const Problem& problem, const State& state,
+                               const std::shared_ptr<const Attempt>& attempt,
+                               const std::set<std::uint64_t>& tried) {
+  for (const Move move : kMoves) {
+    std::optional<State> next = move(problem, state, attempt);
+    if (next && !tried.contains(hashOf(*next))) return next;
+  }
+  return {};
+}
+
 }  // namespace
 
-/// Solve, judge, repair, until certified or out of ideas [BCW17 §7].
-static Result<Judged> solve(const TriMesh& mesh, std::shared_ptr<const SeamlessSetup> setup,
-                            const ParametrizeOptions& options, Parametrization& result) {
-  RepairPlan plan(mesh, *setup, options.useQuality);
-  const Judge judge(mesh);
-  std::optional<Attempt> best;
-  Solution solution;
+/// Attempt, judge, keep the best, first applicable move; until certified or out of moves [BCW17 §7].
+static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
+                                                    const ParametrizeOptions& options,
+                                                    std::vector<Round>& rounds) {
+  Attempts attempts(problem, options);
+  std::shared_ptr<const Attempt> best;
+  std::set<std::uint64_t> tried;
+  State state = firstState(problem);
   for (int round = 1; round <= options.maxRounds; ++round) {
-    const std::optional<RepairStep> step = plan.next();
-    if (!step) break;
     if (!report(options.progress, {"solve", 0.0, -1, -1.0, round, options.maxRounds}))
       return cancelled("solve");
-    const auto roundStart = Clock::now();
-    bool isCancelled = false;
-    Attempt attempt = solveAndJudge(mesh, *setup, judge, *step, round, options, isCancelled);
-    if (isCancelled) return cancelled("solve");
-    result.rounds.push_back(describe(attempt, *step, secondsSince(roundStart)));
-    plan.learn(attempt.program, attempt.certificate);
-    if (!best || distanceToCertified(attempt) < distanceToCertified(*best)) {
-      best = std::move(attempt);
-      solution = {setup, std::move(best->program.x), step->u, step->frames};
-    }
+    const auto start = Clock::now();
+    tried.insert(hashOf(state));
+    const std::shared_ptr<const Attempt> attempt = attempts.make(state, round);
+    if (!attempt) return cancelled("solve");
+    rounds.push_back(describe(problem, state, *attempt, secondsSince(start)));
+    if (!best || distanceToCertified(*attempt) < distanceToCertified(*best)) best = attempt;
     if (best->certificate.isCertified) break;
+    std::optional<State> next = firstMove(problem, state, attempt, tried);
+    if (!next) break;
+    state = std::move(*next);
   }
   if (!best) return Failure{ErrorCode::kUsage, "solve", "At least one round is needed.", {}};
-  if (!best->certificate.isCertified) result.conflict = best->program.conflict;
-  return Judged{std::move(solution), std::move(best->map), std::move(best->certificate)};
+  return best;
 }
 
 Result<Parametrization> parametrize(PreparedSurface& surface, const HolonomySpec& spec,
@@ -143,17 +114,20 @@ Result<Parametrization> parametrize(PreparedSurface& surface, const HolonomySpec
   result.notes = setup->warnings;
 
   const auto start = Clock::now();
-  Result<Judged> best = solve(mesh, setup, options, result);
+  const Problem problem = problemOf(mesh, setup, options);
+  Result<std::shared_ptr<const Attempt>> best = solve(problem, options, result.rounds);
   if (!best) return std::move(best).error();
-  if (best->certificate.isCertified && finish(mesh, options, best->solution)) {
-    best->map = layOut(mesh, best->solution);
-    best->certificate = certify(mesh, result.spec, best->map);
+  const Attempt& attempt = **best;
+  result.map = attempt.map;
+  result.certificate = attempt.certificate;
+  Solution solution{setup, attempt.program.x, attempt.u, attempt.frames};
+  if (result.certificate.isCertified && finish(mesh, options, solution)) {
+    result.map = layOut(mesh, solution);
+    result.certificate = certify(mesh, result.spec, result.map);
   }
+  if (!result.certificate.isCertified) result.conflict = attempt.program.conflict;
   result.times.push_back({"solve", secondsSince(start)});
-
-  result.map = std::move(best->map);
   result.copyOf = setup->cut.parent.raw();
-  result.certificate = std::move(best->certificate);
   result.isCertified = result.certificate.isCertified;
   result.isUsable = result.certificate.isUsable;
   explain(*setup, options.frames.has_value(), result);

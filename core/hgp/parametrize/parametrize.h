@@ -11,12 +11,14 @@
 #include "hgp/mesh/field_data.h"
 #include "hgp/mesh/holonomy_spec.h"
 #include "hgp/mesh/mesh_data.h"
+#include "hgp/parametrize/method.h"
 #include "hgp/verify/certificate.h"
 
 namespace hgp {
 
 struct ParametrizeOptions {
-  int maxRounds = 12;       ///< cone programs at most
+  int maxRounds = 24;  ///< programs at most
+  Method method = Method::kAuto;
   bool useQuality = false;  ///< add the distortion term: lower μ, no longer harmonic
   /// Directions (and matchings, where stored) to take as the frames d_j of (13) and as seam
   /// rotations, instead of our own smooth connection with the same holonomy. They must realise the

@@ -102,7 +102,7 @@ TEST(Parametrize, WhatOneLinearSystemLeavesWrongIsMendedWhereItIs) {
     const Result<Parametrization> p = withItsOwnCones(mesh);
     expectCertified(mesh, p, shape.name);
     const std::string& last = p->rounds.back().method;
-    local += last == "linear, exactly harmonic + growth 1, locally";
+    local += last == "soft constraints, exact rows + enlarged 1, on a patch";
   }
   EXPECT_GE(local, 2);
 }

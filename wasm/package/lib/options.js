@@ -72,6 +72,7 @@ optionsOf.parametrize = {
   frames: oneOf('auto', 'file'),
   boundary: oneOf('free', 'convex'),
   maxRounds: integer(1),
+  method: oneOf('auto', 'harmonic', 'soft', 'printed', 'all-frames'),
   quality: boolean,
   scale: oneOf('solved', 'unit', 'fit'),
 };

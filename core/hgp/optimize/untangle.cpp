@@ -1,0 +1,335 @@
+#include "hgp/optimize/untangle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hgp/linalg/factor/multifrontal.h"
+#include "hgp/optimize/fold_barrier.h"
+#include "hgp/optimize/program_terms.h"
+
+namespace hgp {
+namespace {
+
+/// ε never falls below this.
+constexpr double kLeastEpsilon = 1e-8;
+/// A kept triangle is positive when D exceeds this.
+constexpr double kLeastBarrier = 1e-9;
+/// Newton steps after the last flip, which move triangles away from degeneracy.
+constexpr int kStepsAfter = 4;
+/// Steps in a row that neither lower the count of flips nor the energy by this share end the search.
+constexpr int kPatience = 12;
+constexpr double kLeastDecrease = 1e-4;
+/// Newton steps towards the frames, and how often the frames then follow the map.
+constexpr int kSegmentSteps = 15;
+constexpr int kFramedSegments = 8;
+/// How much a triangle's own direction counts against its neighbours' when frames follow the map, and
+/// the Jacobi sweeps that spread it.
+constexpr double kTrust = 0.02;
+constexpr double kLeastTrust = 1e-6;
+constexpr int kSweeps = 200;
+
+class Untangler {
+ public:
+  Untangler(const ProgramInput& in, const HeldUnknowns& held, const UntangleOptions& options)
+      : in_(in), held_(held), options_(options), place_(held.isHeld.size(), -1) {
+    for (std::size_t i = 0; i < place_.size(); ++i)
+      if (!held.isHeld[i]) place_[i] = count_++;
+    gatherFaces();
+    analyze();
+  }
+
+  UntangleResult run(const Eigen::VectorXcd& start) {
+    UntangleResult result;
+    x_.resize(count_);
+    for (std::size_t i = 0; i < place_.size(); ++i)
+      if (place_[i] >= 0) x_[place_[i]] = start[static_cast<Eigen::Index>(i)];
+    isFramed_ = true;
+    for (int segment = 0; segment < kFramedSegments; ++segment) {
+      for (Face& face : faces_) face.isBarrier = false;
+      if (!descend(result, kSegmentSteps)) break;
+      if (result.flipped == 0) break;
+      followMap();
+    }
+    isFramed_ = false;
+    for (Face& face : faces_) face.isBarrier = false;
+    descend(result, options_.maxIterations);
+    result.flipped = extremes(x_).flipped;
+    result.x = held_.value;
+    for (std::size_t i = 0; i < place_.size(); ++i)
+      if (place_[i] >= 0) result.x[static_cast<Eigen::Index>(i)] = x_[place_[i]];
+    return result;
+  }
+
+ private:
+  /// Turns the frames towards the map's own directions by a function that is smooth over the faces:
+  /// what the surface cannot follow is given up, and no winding number changes.
+  void followMap() {
+    const std::size_t n = faces_.size();
+    std::vector<double> misfit(n), trust(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      Complex similar, anti;
+      parts(faces_[i], x_, similar, anti);
+      misfit[i] = std::arg(similar);
+      trust[i] = kTrust * std::clamp(1.0 - std::abs(anti) / std::max(std::abs(similar), 1e-300),
+                                     0.0, 1.0) +
+                 kLeastTrust;
+    }
+    std::vector<double> turn(n, 0.0), next(n);
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+      for (std::size_t i = 0; i < n; ++i) {
+        double sum = trust[i] * misfit[i], weight = trust[i];
+        for (int g : beside_[i]) {
+          if (g < 0) continue;
+          sum += turn[static_cast<std::size_t>(g)];
+          weight += 1.0;
+        }
+        next[i] = sum / weight;
+      }
+      turn.swap(next);
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      const Complex back = std::polar(1.0, -turn[i]);
+      for (Complex& value : faces_[i].rows.similar) value *= back;
+      faces_[i].rows.heldSimilar *= back;
+    }
+  }
+
+  bool descend(UntangleResult& result, int steps) {
+    Progress best{std::numeric_limits<int>::max(), 0.0, 0};
+    int after = 0;
+    const int end = result.iterations + steps;
+    for (; result.iterations < end; ++result.iterations) {
+      const Extremes now = extremes(x_);
+      result.flipped = now.flipped;
+      if (options_.progress &&
+          !options_.progress(result.iterations, static_cast<double>(now.flipped) /
+                                                    static_cast<double>(faces_.size()))) {
+        result.isCancelled = true;
+        return false;
+      }
+      if (now.flipped == 0 && ++after > (isFramed_ ? 0 : kStepsAfter)) break;
+      epsilon_ = std::hypot(kLeastEpsilon, options_.epsilonShare * std::min(now.least, 0.0));
+      const double energy = energyOf(x_);
+      if (best.isStuck(now.flipped, energy)) break;
+      if (!step(energy)) break;
+    }
+    return true;
+  }
+
+  struct Face {
+    FaceRows rows;  ///< unknowns in `place_` order, in units of e^{u_f}
+    bool isKept = false;
+    bool isBarrier = false;  ///< kept, and positive by now
+  };
+  double epsilonOf(const Face& face) const { return face.isBarrier ? 0.0 : epsilon_; }
+  struct Extremes {
+    double least;  ///< smallest D
+    int flipped;
+  };
+  struct Progress {
+    int flipped;
+    double energy;
+    int waited;
+    bool isStuck(int nowFlipped, double nowEnergy) {
+      if (nowFlipped < flipped || nowEnergy < (1.0 - kLeastDecrease) * energy) {
+        flipped = std::min(flipped, nowFlipped);
+        waited = 0;
+      } else {
+        ++waited;
+      }
+      energy = nowEnergy;
+      return waited > kPatience;
+    }
+  };
+
+  void gatherFaces() {
+    PerFace<char> isKept(static_cast<std::size_t>(in_.mesh.faceCount()), 0);
+    for (FaceId f : options_.kept) isKept[f] = 1;
+    PerFace<int> number(static_cast<std::size_t>(in_.mesh.faceCount()), -1);
+    FaceRows rows;
+    for (FaceId f : in_.mesh.faces()) {
+      faceRows(in_, held_, f, rows);
+      if (rows.unknowns.empty()) continue;
+      const double scale = std::exp(-faceScale(in_, f));
+      const Complex turn = std::polar(scale, in_.seams.frameAngle[f]);
+      for (std::size_t i = 0; i < rows.unknowns.size(); ++i) {
+        rows.unknowns[i] = place_[static_cast<std::size_t>(rows.unknowns[i])];
+        rows.similar[i] *= turn;
+        rows.anti[i] *= scale;
+      }
+      rows.heldSimilar *= turn;
+      rows.heldAnti *= scale;
+      number[f] = static_cast<int>(faces_.size());
+      faces_.push_back({rows, isKept[f] != 0});
+    }
+    for (FaceId f : in_.mesh.faces()) {
+      if (number[f] < 0) continue;
+      std::array<int, 3> beside{-1, -1, -1};
+      for (int k = 0; k < 3; ++k) {
+        const HalfedgeId twin = in_.mesh.twin(TriMesh::halfedge(f, k));
+        if (twin.isValid()) beside[static_cast<std::size_t>(k)] = number[TriMesh::face(twin)];
+      }
+      beside_.push_back(beside);
+    }
+  }
+
+  /// The pattern of the Hessian is that of the faces; both parts of an unknown stay together.
+  void analyze() {
+    std::vector<Eigen::Triplet<double>> couples;
+    for (const Face& face : faces_)
+      for (int i : face.rows.unknowns)
+        for (int j : face.rows.unknowns)
+          if (i != j) couples.emplace_back(i, j, 1.0);
+    Eigen::SparseMatrix<double> pattern(count_, count_);
+    pattern.setFromTriplets(couples.begin(), couples.end());
+    linalg::SeparatorTree tree = linalg::nestedDissection(linalg::graphOf(pattern));
+    std::vector<int> order;
+    for (int unknown : tree.order) {
+      order.push_back(2 * unknown);
+      order.push_back(2 * unknown + 1);
+    }
+    tree.order = std::move(order);
+    for (int& start : tree.nodeStart) start *= 2;
+    Eigen::SparseMatrix<double> H = hessian(Eigen::VectorXcd::Ones(count_), nullptr);
+    factor_.analyze(linalg::graphOf(H), tree);
+  }
+
+  static void parts(const Face& face, const Eigen::VectorXcd& x, Complex& similar, Complex& anti) {
+    similar = face.rows.heldSimilar;
+    anti = face.rows.heldAnti;
+    for (std::size_t i = 0; i < face.rows.unknowns.size(); ++i) {
+      similar += face.rows.similar[i] * x[face.rows.unknowns[i]];
+      anti += face.rows.anti[i] * x[face.rows.unknowns[i]];
+    }
+  }
+
+  /// |f_z|², or what of it is along the frame.
+  double areaOf(Complex similar) const {
+    return isFramed_ ? similar.real() * std::abs(similar.real()) : std::norm(similar);
+  }
+
+  /// Also sets which faces are barriers from now on.
+  Extremes extremes(const Eigen::VectorXcd& x) {
+    Extremes e{std::numeric_limits<double>::max(), 0};
+    Complex similar, anti;
+    for (Face& face : faces_) {
+      parts(face, x, similar, anti);
+      const double D = areaOf(similar) - std::norm(anti);
+      e.least = std::min(e.least, D);
+      e.flipped += !(D > 0.0);
+      face.isBarrier = face.isBarrier || (face.isKept && D > kLeastBarrier);
+    }
+    return e;
+  }
+
+  double energyOf(const Eigen::VectorXcd& x) const {
+    double sum = 0.0;
+    Complex similar, anti;
+    for (const Face& face : faces_) {
+      parts(face, x, similar, anti);
+      const double P = areaOf(similar), Q = std::norm(anti);
+      if (face.isBarrier && !(P > Q)) return std::numeric_limits<double>::infinity();
+      const double D = P - Q;
+      sum += barrierValue(std::norm(similar) + Q, D, options_.scaleWeight, epsilonOf(face));
+    }
+    return sum;
+  }
+
+  /// Sum of the faces' convexified Hessians, and the gradient where asked.
+  Eigen::SparseMatrix<double> hessian(const Eigen::VectorXcd& x, Eigen::VectorXd* gradient) {
+    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::MatrixXd J, K;
+    for (const Face& face : faces_) {
+      const std::size_t n = face.rows.unknowns.size();
+      Complex similar, anti;
+      parts(face, x, similar, anti);
+      const double a = std::abs(similar), b = std::abs(anti);
+      const Complex ra = a > 0.0 && !isFramed_ ? similar / a : Complex(1.0),
+                    rb = b > 0.0 ? anti / b : Complex(1.0);
+      Eigen::Vector4d slope;
+      const Eigen::Matrix4d M =
+          isFramed_ ? framedModel(similar, b, options_.scaleWeight, epsilonOf(face), slope)
+                    : freeModel(a, b, options_.scaleWeight, epsilonOf(face), slope);
+      // Rows: radial and tangential part of f_z, radial and tangential part of f_z̄.
+      J.resize(4, static_cast<Eigen::Index>(2 * n));
+      for (std::size_t i = 0; i < n; ++i) {
+        const Complex s = std::conj(ra) * face.rows.similar[i],
+                      t = std::conj(rb) * face.rows.anti[i];
+        const auto column = static_cast<Eigen::Index>(2 * i);
+        J.col(column) << s.real(), s.imag(), t.real(), t.imag();
+        J.col(column + 1) << -s.imag(), s.real(), -t.imag(), t.real();
+      }
+      if (gradient != nullptr)
+        for (std::size_t i = 0; i < n; ++i)
+          for (int part = 0; part < 2; ++part) {
+            const auto column = static_cast<Eigen::Index>(2 * i) + part;
+            (*gradient)[2 * face.rows.unknowns[i] + part] += slope.dot(J.col(column));
+          }
+      K.noalias() = J.transpose() * (M * J);
+      for (Eigen::Index c = 0; c < K.cols(); ++c)
+        for (Eigen::Index r = 0; r < K.rows(); ++r)
+          entries.emplace_back(
+              2 * face.rows.unknowns[static_cast<std::size_t>(r / 2)] + static_cast<int>(r % 2),
+              2 * face.rows.unknowns[static_cast<std::size_t>(c / 2)] + static_cast<int>(c % 2),
+              K(r, c));
+    }
+    Eigen::SparseMatrix<double> H(2 * count_, 2 * count_);
+    H.setFromTriplets(entries.begin(), entries.end());
+    return H;
+  }
+
+  /// One Newton step with backtracking; false when none lowers the energy.
+  bool step(double energy) {
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(2 * count_);
+    const Eigen::SparseMatrix<double> H = hessian(x_, &gradient);
+    const double size = H.diagonal().mean();
+    bool isFactored = false;
+    for (double lift = 1e-9; !isFactored && lift < 1.0; lift *= 1e3)
+      isFactored = static_cast<bool>(factor_.factor(H, lift * size));
+    if (!isFactored) return false;
+    const Eigen::VectorXd d = factor_.solve(Eigen::MatrixXd(-gradient));
+    const double slope = gradient.dot(d);
+    if (!(slope < 0.0)) return false;
+    const Eigen::VectorXcd direction =
+        Eigen::Map<const Eigen::VectorXcd>(reinterpret_cast<const Complex*>(d.data()), count_);
+    for (double t = 1.0; t > 1e-9; t *= 0.5) {
+      const Eigen::VectorXcd moved = x_ + t * direction;
+      if (energyOf(moved) <= energy + 1e-4 * t * slope) {
+        x_ = moved;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const ProgramInput& in_;
+  const HeldUnknowns& held_;
+  const UntangleOptions& options_;
+  std::vector<int> place_;
+  int count_ = 0;
+  std::vector<Face> faces_;
+  std::vector<std::array<int, 3>> beside_;  ///< neighbours of each, −1 none
+  linalg::MultifrontalCholesky<double> factor_;
+  Eigen::VectorXcd x_;
+  double epsilon_ = 1.0;
+  bool isFramed_ = false;
+};
+
+}  // namespace
+
+UntangleResult untangle(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,
+                        const SeamRotations& seams, const ReducedUnknowns& unknowns,
+                        const HarmonicSystem& harmonic, const Eigen::VectorXcd& x,
+                        const UntangleOptions& options) {
+  const Frames none;
+  ProgramOptions program;
+  program.u = options.u;
+  program.local = options.local;
+  const ProgramInput in{mesh, geometry, cut, seams, unknowns, harmonic, none, program};
+  HeldUnknowns held = heldUnknowns(in);
+  if (options.local == nullptr) held.value = x;
+  return Untangler(in, held, options).run(x);
+}
+
+}  // namespace hgp

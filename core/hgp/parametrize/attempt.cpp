@@ -1,0 +1,260 @@
+#include "hgp/parametrize/attempt.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hgp/optimize/frame_fixing.h"
+#include "hgp/optimize/untangle.h"
+
+namespace hgp {
+namespace {
+
+/// Radians that the connection may turn across an edge at a cone whose ring is not embedded.
+constexpr double kFarTurn = 2.0;
+/// δ of the linear program that untangling starts from: frames on all faces outweigh harmonicity.
+constexpr double kStartQuality = 1.0;
+/// (13) as printed.
+constexpr double kPrintedMargin = 0.01;
+
+double medianOf(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Per vertex the mean log|f_z| of its faces.
+PerVertex<double> scaleOfMap(const Problem& problem, const std::vector<Complex>& z) {
+  const SeamlessSetup& setup = *problem.setup;
+  PerVertex<double> sum(static_cast<std::size_t>(problem.mesh.vertexCount()), 0.0), count = sum;
+  for (FaceId f : problem.mesh.faces()) {
+    const LinearParts parts = linearParts(setup.context->geometry, f);
+    Complex similarity = 0.0;
+    for (int k = 0; k < 3; ++k)
+      similarity += parts.similarity[static_cast<std::size_t>(k)] *
+                    z[static_cast<std::size_t>(setup.cut.copy[TriMesh::halfedge(f, k)].i)];
+    const double log = std::log(std::max(std::abs(similarity), 1e-300));
+    for (VertexId v : problem.mesh.corners(f)) {
+      sum[v] += log;
+      count[v] += 1.0;
+    }
+  }
+  for (VertexId v : problem.mesh.vertices())
+    if (count[v] > 0) sum[v] /= count[v];
+  return sum;
+}
+
+/// The unknowns of a patch's vertices are free, all others stay where the map before has them.
+LocalPart partOf(const Problem& problem, const State& state) {
+  const ReducedUnknowns& unknowns = problem.setup->unknowns;
+  LocalPart part{std::vector<char>(static_cast<std::size_t>(unknowns.count), 0),
+                 state.from->program.x};
+  for (FaceId f : state.patch)
+    for (VertexId v : problem.mesh.corners(f))
+      if (unknowns.vertexUnknown[v] >= 0)
+        part.isFree[static_cast<std::size_t>(unknowns.vertexUnknown[v])] = 1;
+  return part;
+}
+
+/// Whether a corner may move; where all three are cones, none can.
+bool isTouched(const Problem& problem, FaceId f, const LocalPart& part) {
+  const auto corners = problem.mesh.corners(f);
+  return std::any_of(corners.begin(), corners.end(), [&](VertexId v) {
+    const int unknown = problem.setup->unknowns.vertexUnknown[v];
+    return unknown >= 0 && part.isFree[static_cast<std::size_t>(unknown)];
+  });
+}
+
+/// Triangles that are not positive and those around vertices and loops with a wrong angle.
+void findWrong(const Problem& problem, Attempt& attempt) {
+  const Certificate& c = attempt.certificate;
+  if (!c.isMeasured) return;
+  std::vector<FaceId> faces = c.orientation.notPositive;
+  attempt.wrongCount = static_cast<int>(faces.size() + c.angles.wrong.size());
+  const auto addRing = [&](VertexId v) {
+    for (HalfedgeId h : outgoingHalfedges(problem.mesh, v))
+      if (!problem.mesh.isBoundary(h) || TriMesh::face(h).isValid())
+        faces.push_back(TriMesh::face(h));
+  };
+  for (const MeasuredCone& cone : c.angles.wrong) addRing(cone.vertex);
+  for (const MeasuredTurning& turning : c.angles.turnings) {
+    if (!turning.isWrong) continue;
+    ++attempt.wrongCount;
+    const auto& loop =
+        problem.setup->context->topology.loops[static_cast<std::size_t>(turning.loop.i)];
+    for (HalfedgeId h : loop.halfedges) addRing(problem.mesh.tail(h));
+  }
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  attempt.wrong = std::move(faces);
+}
+
+/// Largest turn of the field against transport across the edges at a vertex.
+double turnAround(const Problem& problem, VertexId v) {
+  const SeamlessSetup& setup = *problem.setup;
+  double largest = 0.0;
+  for (HalfedgeId h : outgoingHalfedges(problem.mesh, v)) {
+    const HalfedgeId twin = problem.mesh.twin(h);
+    if (!twin.isValid()) continue;
+    const double turn = setup.field.field.angle[TriMesh::face(twin)] +
+                        turnAngle(setup.field.field.matching[h], setup.seams.q) -
+                        setup.field.field.angle[TriMesh::face(h)] -
+                        transport(problem.mesh, setup.context->geometry, h);
+    largest = std::max(largest, std::abs(turn));
+  }
+  return largest;
+}
+
+}  // namespace
+
+Attempts::Attempts(const Problem& problem, const ParametrizeOptions& options)
+    : problem_(problem), options_(options), judge_(problem.mesh) {}
+
+/// The rotations of the seams belong to the prescription; only the frames between them differ.
+const SeamRotations& Attempts::seamsOf(bool isEven) {
+  const SeamlessSetup& setup = *problem_.setup;
+  if (!isEven) return setup.seams;
+  if (even_) return *even_;
+  even_ = setup.seams;
+  FieldContext context{setup.context->topology,
+                       setup.context->geometry,
+                       setup.context->tree,
+                       setup.context->surface,
+                       {},
+                       {}};
+  for (double& weight : context.surface.weight.raw())
+    if (weight > 0.0) weight = 1.0;
+  if (!prepareConnection(problem_.mesh, context)) return *even_;
+  const Result<PrescribedField> field =
+      prescribedField(problem_.mesh, context, toSpec(setup.field.spec));
+  if (!field) return *even_;
+  SeamRotations even = seamRotations(problem_.mesh, setup.cut, field->field);
+  if (even.rotation.raw() == setup.seams.rotation.raw()) even_ = std::move(even);
+  return *even_;
+}
+
+PerVertex<double> Attempts::scaleOf(const State& state) const {
+  const Weighting& weighting = problem_.weightings[state.weighting];
+  const bool hasMap = state.from && !state.from->program.z.empty();
+  PerVertex<double> u = weighting.isFromMap && hasMap && state.untangling < 0
+                            ? scaleOfMap(problem_, state.from->program.z)
+                            : problem_.setup->field.u;
+  const double clamp = state.untangling < 0 ? weighting.clamp : 1e9;
+  const double median = medianOf(u.raw());
+  for (double& value : u.raw()) value = std::clamp(value - median, -clamp, clamp);
+  return u;
+}
+
+Frames Attempts::framesOf(const State& state) {
+  if (state.directions) return *state.directions;
+  const SeamlessSetup& setup = *problem_.setup;
+  const SeamRotations& seams = seamsOf(state.isEven);
+  std::vector<FaceId> hard = state.hard;
+  if (!state.patch.empty()) {
+    const LocalPart part = partOf(problem_, state);
+    std::erase_if(hard, [&](FaceId f) { return !isTouched(problem_, f, part); });
+  }
+  Frames frames = fieldFrames(seams, std::move(hard));
+  for (const ConePoint& cone : state.rings)
+    if (holdsRing(problem_.mesh, frames, cone.vertex))
+      embedSurfaceRing(problem_.mesh, setup.context->geometry, seams, cone.vertex, cone.k, frames);
+  for (const ConePoint& cone : state.lifts)
+    if (state.from && holdsRing(problem_.mesh, frames, cone.vertex))
+      embedConeRing(problem_.mesh, setup.context->geometry, setup.cut, seams, state.from->program.z,
+                    cone.vertex, cone.k, frames);
+  return frames;
+}
+
+std::shared_ptr<const Attempt> Attempts::make(const State& state, int round) {
+  auto attempt = std::make_shared<Attempt>();
+  attempt->u = scaleOf(state);
+  const bool isDone =
+      state.untangling >= 0 ? untangleFrom(state, round, *attempt) : solve(state, round, *attempt);
+  if (!isDone) return nullptr;
+  attempt->map = layOut(problem_.mesh, *problem_.setup, attempt->program.z);
+  attempt->certificate = judge_.certify(toSpec(problem_.setup->field.spec), attempt->map);
+  findWrong(problem_, *attempt);
+  return attempt;
+}
+
+bool Attempts::solve(const State& state, int round, Attempt& attempt) {
+  const SeamlessSetup& setup = *problem_.setup;
+  const Weighting& weighting = problem_.weightings[state.weighting];
+  attempt.frames = framesOf(state);
+  ProgramOptions program;
+  program.u = attempt.u;
+  program.quality = weighting.quality;
+  program.isExact = weighting.isExact && state.patch.empty();
+  if (problem_.method == Method::kPrinted) {
+    program.u = PerVertex<double>(attempt.u.size(), 0.0);
+    program.margin = kPrintedMargin;
+  }
+  if (weighting.soft > 0.0) program.pulled = problem_.soft;
+  program.pull = weighting.soft;
+  program.vertexTree = &setup.context->tree;
+  LocalPart part;
+  if (!state.patch.empty()) {
+    part = partOf(problem_, state);
+    program.local = &part;
+  }
+  bool isCancelled = false;
+  program.progress = [&](int iteration, double residual) {
+    const double fraction = 1.0 - 1.0 / (1.0 + 0.25 * iteration);
+    isCancelled = !report(options_.progress,
+                          {"solve", fraction, iteration, residual, round, options_.maxRounds});
+    return !isCancelled;
+  };
+  attempt.program = solveProgram(
+      problem_.mesh, setup.context->geometry, setup.cut, seamsOf(state.isEven), setup.unknowns,
+      state.harmonic ? *state.harmonic : setup.harmonic, attempt.frames, program);
+  return !isCancelled;
+}
+
+SeamRotations Attempts::framesOfKind(const Untangling& kind) {
+  SeamRotations seams = seamsOf(kind.isEven);
+  if (!kind.hasRings) return seams;
+  std::vector<FaceId> all;
+  for (FaceId f : problem_.mesh.faces()) all.push_back(f);
+  Frames frames = fieldFrames(seams, all);
+  for (const ConePoint& cone : problem_.setup->field.spec.cones)
+    if (turnAround(problem_, cone.vertex) > kFarTurn)
+      embedSurfaceRing(problem_.mesh, problem_.setup->context->geometry, seams, cone.vertex, cone.k,
+                       frames);
+  for (std::size_t i = 0; i < all.size(); ++i) seams.frameAngle[all[i]] = frames.angles[i];
+  return seams;
+}
+
+/// Starts where all frames agree best in the least-squares sense.
+bool Attempts::untangleFrom(const State& state, int round, Attempt& attempt) {
+  const SeamlessSetup& setup = *problem_.setup;
+  const Untangling& kind = untanglings()[static_cast<std::size_t>(state.untangling)];
+  const SeamRotations seams = framesOfKind(kind);
+  ProgramOptions start;
+  start.u = attempt.u;
+  start.quality = kStartQuality;
+  const ProgramResult linear = solveProgram(problem_.mesh, setup.context->geometry, setup.cut,
+                                            seams, setup.unknowns, setup.harmonic, Frames{}, start);
+  attempt.program.status = socp::SolveStatus::kStalled;
+  if (linear.x.size() == 0 || !linear.x.allFinite()) return true;
+  UntangleOptions options;
+  options.u = attempt.u;
+  options.kept = problem_.base;
+  options.scaleWeight = kind.scaleWeight;
+  options.epsilonShare = kind.epsilonShare;
+  options.progress = [&](int iteration, double wrong) {
+    const double fraction = 1.0 - 1.0 / (1.0 + 0.02 * iteration);
+    return report(options_.progress,
+                  {"solve", fraction, iteration, wrong, round, options_.maxRounds});
+  };
+  const UntangleResult result = untangle(problem_.mesh, setup.context->geometry, setup.cut, seams,
+                                         setup.unknowns, setup.harmonic, linear.x, options);
+  attempt.program.x = result.x;
+  attempt.program.iterations = result.iterations;
+  if (result.flipped == 0) attempt.program.status = socp::SolveStatus::kOptimal;
+  const Eigen::VectorXcd z = setup.unknowns.copies * result.x;
+  attempt.program.z.assign(z.data(), z.data() + z.size());
+  attempt.program.laplacianEnergy = (setup.harmonic.rows * result.x).squaredNorm();
+  return !result.isCancelled;
+}
+
+}  // namespace hgp

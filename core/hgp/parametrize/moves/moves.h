@@ -1,0 +1,62 @@
+// The moves of the strategy, in the order they are looked through.  Role: [BCW17 §7.1] and what this
+// project adds to it; each in a file of its own.
+#pragma once
+
+#include "hgp/parametrize/strategy.h"
+
+namespace hgp {
+
+/// Cones next to triangles whose frames contradict each other get frames from the surface's own ring,
+/// laid flat with the asked angle. Taken back once, a ring is not embedded again.
+std::optional<State> embedRings(const Problem&, const State&,
+                                const std::shared_ptr<const Attempt>&);
+
+/// §7.1: cones with a positive ring whose angle is off by a multiple of 2π get the connection's own
+/// lift back or, where that was used, a ring embedded from the map.
+std::optional<State> fixLifts(const Problem&, const State&, const std::shared_ptr<const Attempt>&);
+
+/// Frames that contradict each other everywhere are derived anew, from the connection that turns most
+/// evenly from triangle to triangle (all edges weigh alike) with the same holonomy.
+std::optional<State> turnEvenly(const Problem&, const State&,
+                                const std::shared_ptr<const Attempt>&);
+
+/// Frames with the largest multipliers of an infeasible program are no longer asked for.
+std::optional<State> dropFrames(const Problem&, const State&,
+                                const std::shared_ptr<const Attempt>&);
+
+/// Where frames are soft: hard ones where the map is wrong, and only a patch around it solved again.
+std::optional<State> solvePatch(const Problem&, const State&,
+                                const std::shared_ptr<const Attempt>&);
+
+/// A patch that made it worse: from the map before, with a wider one.
+std::optional<State> widenPatch(const Problem&, const State&,
+                                const std::shared_ptr<const Attempt>&);
+
+/// The constrained set grows by what is wrong and a ring around it, within a budget of work.
+std::optional<State> enlarge(const Problem&, const State&, const std::shared_ptr<const Attempt>&);
+
+/// No frames at all: the next kind of untangling, within a budget of Newton steps.
+std::optional<State> untangleNext(const Problem&, const State&,
+                                  const std::shared_ptr<const Attempt>&);
+
+/// The next weighting, from the connection's frames on F_cb.
+std::optional<State> nextWeighting(const Problem&, const State&,
+                                   const std::shared_ptr<const Attempt>&);
+
+/// Method::kPrinted: frames and weights of the map before (§7, last paragraph).
+std::optional<State> iterateFrames(const Problem&, const State&,
+                                   const std::shared_ptr<const Attempt>&);
+
+/// A state that starts a weighting: F_cb alone, the connection's frames.
+State startOf(const Problem& problem, std::size_t weighting);
+
+/// A kind of untangling: where its frames come from, and the numbers of UntangleOptions.
+struct Untangling {
+  bool isEven;    ///< frames of the evenly turning connection
+  bool hasRings;  ///< cones' rings embedded where the connection turns far
+  double scaleWeight;
+  double epsilonShare;
+};
+const std::vector<Untangling>& untanglings();
+
+}  // namespace hgp

@@ -1,0 +1,40 @@
+#include "hgp/parametrize/moves/moves.h"
+
+namespace hgp {
+namespace {
+
+/// Newton steps × triangles that a run may spend: half a minute.
+constexpr double kLargestWork = 1.2e7;
+
+}  // namespace
+
+const std::vector<Untangling>& untanglings() {
+  static const std::vector<Untangling> kinds{{true, false, 3.0, 1.0},  {false, false, 0.05, 0.2},
+                                             {true, true, 0.05, 0.2},  {false, true, 3.0, 1.0},
+                                             {true, false, 0.3, 0.2},  {false, true, 0.05, 0.2},
+                                             {false, false, 3.0, 1.0}, {true, true, 3.0, 1.0}};
+  return kinds;
+}
+
+std::optional<State> untangleNext(const Problem& problem, const State& state,
+                                  const std::shared_ptr<const Attempt>& attempt) {
+  // After the first weighting that binds, before the further ones.
+  if (problem.method != Method::kAuto || problem.weightings[state.weighting].soft > 0.0) return {};
+  const auto next = static_cast<std::size_t>(state.untangling + 1);
+  if (next >= untanglings().size()) return {};
+  const bool isFirst = state.untangling < 0;
+  if (isFirst && state.untangled > 0) return {};
+  const int spent = state.untangled + (isFirst ? 0 : attempt->program.iterations);
+  if (static_cast<double>(spent) * problem.mesh.faceCount() > kLargestWork) return {};
+  State out = startOf(problem, state.weighting);
+  out.untangling = static_cast<int>(next);
+  out.untangled = spent;
+  out.hard.clear();
+  out.rings = isFirst ? state.rings : std::vector<ConePoint>();
+  out.takenBack = state.takenBack;
+  out.from = state.from;
+  if (!isFirst && out.untangled == 0) out.untangled = 1;
+  return out;
+}
+
+}  // namespace hgp

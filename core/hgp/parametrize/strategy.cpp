@@ -1,0 +1,151 @@
+#include "hgp/parametrize/strategy.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "hgp/optimize/program_form.h"
+#include "hgp/parametrize/moves/moves.h"
+
+namespace hgp {
+namespace {
+
+/// The distortion term of `--quality`, and the lighter one that steadies prescribed cones.
+constexpr double kQuality = 1e-2;
+constexpr double kLightQuality = 1e-3;
+/// Weight of soft frame constraints, of the order of the harmonic rows' own (0.1 to 1 do equally
+/// well).
+constexpr double kSoft = 0.3;
+constexpr double kClamp = 5.0;
+constexpr double kNoClamp = 1e9;
+/// Range of u up to which one linear program most likely gives the map (automatic cones: 0.9 to 5.6
+/// on all meshes we have).
+constexpr double kSoftScaleRange = 8.0;
+
+/// Unknowns whose dense system costs a fraction of the sparse one, which grows like |V|^1.5.
+int cheapRoot(const TriMesh& mesh) {
+  return static_cast<int>(2.0 * std::sqrt(static_cast<double>(mesh.vertexCount())));
+}
+
+int touchedUnknowns(const Problem& problem, const std::vector<FaceId>& faces) {
+  PerVertex<char> isTouched(static_cast<std::size_t>(problem.mesh.vertexCount()), 0);
+  for (FaceId f : faces)
+    for (VertexId v : problem.mesh.corners(f)) isTouched[v] = 1;
+  const std::vector<int>& chains = problem.setup->unknowns.chainUnknown;
+  return static_cast<int>(
+      std::count(isTouched.raw().begin(), isTouched.raw().end(), 1) +
+      std::count_if(chains.begin(), chains.end(), [](int unknown) { return unknown >= 0; }));
+}
+
+/// On disks, and where the cone metric asks for little. Flat tori and orbifolds of the sphere have an
+/// exactly harmonic map, which hard constraints find.
+bool suitsSoft(const SeamlessSetup& setup) {
+  const Topology& topology = setup.context->topology;
+  if (topology.genus == 0 && topology.loops.size() == 1) return true;
+  const bool isClosed = topology.loops.empty();
+  if (isClosed && (setup.cones.empty() || (topology.genus == 0 && setup.cones.size() <= 4)))
+    return false;
+  return setup.field.scaleRange <= kSoftScaleRange;
+}
+
+/// Soft constraints on F_cb, and a ring around it where the dense root stays small.
+Weighting softWeighting(Problem& problem, bool useQuality) {
+  const double quality = useQuality ? kQuality : 0.0;
+  const bool isExact = !useQuality && touchedUnknowns(problem, problem.base) <= kLargestExactRoot;
+  problem.soft = problem.base;
+  std::vector<FaceId> more = growFaces(problem.mesh, problem.base, 1);
+  if (isExact &&
+      touchedUnknowns(problem, more) <= std::min(cheapRoot(problem.mesh), kLargestExactRoot))
+    problem.soft = std::move(more);
+  return {isExact ? "soft constraints, exact rows" : "soft constraints",
+          kNoClamp,
+          quality,
+          3,
+          false,
+          isExact,
+          kSoft};
+}
+
+class Hash {
+ public:
+  void add(std::uint64_t value) {
+    value_ ^= value + 0x9e3779b97f4a7c15ULL + (value_ << 6) + (value_ >> 2);
+    value_ *= 0xff51afd7ed558ccdULL;
+  }
+  void add(const std::vector<FaceId>& faces) {
+    add(faces.size());
+    for (FaceId f : faces) add(static_cast<std::uint64_t>(f.i));
+  }
+  void add(const std::vector<ConePoint>& cones) {
+    add(cones.size());
+    for (const ConePoint& c : cones) add(static_cast<std::uint64_t>(c.vertex.i));
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0;
+};
+
+}  // namespace
+
+Problem problemOf(const TriMesh& mesh, std::shared_ptr<const SeamlessSetup> setup,
+                  const ParametrizeOptions& options) {
+  Problem problem{mesh, setup, options.method, {}, coneAndBoundaryFaces(mesh, setup->cones), {}};
+  const double quality = options.useQuality ? kQuality : 0.0;
+  const Weighting hard{"hard constraints", kNoClamp, quality, 3, false};
+  const Method method = options.method;
+  if (method == Method::kSoft || (method == Method::kAuto && suitsSoft(*setup)))
+    problem.weightings.push_back(softWeighting(problem, options.useQuality));
+  if (method == Method::kHarmonic || method == Method::kAuto) problem.weightings.push_back(hard);
+  if (method == Method::kAuto) {
+    const double light = std::max(quality, kLightQuality);
+    problem.weightings.push_back({"light distortion term", kNoClamp, light, 3, false});
+    problem.weightings.push_back({"clamped weights", kClamp, quality, 4, false});
+    problem.weightings.push_back({"scale of the last map", kNoClamp, light, 4, true});
+  }
+  if (method == Method::kPrinted)
+    problem.weightings.push_back({"as printed", kNoClamp, quality, 0, false});
+  if (method == Method::kAllFrames) {
+    problem.weightings.push_back({"all frames", kNoClamp, quality, 0, false});
+    problem.base.clear();
+    for (FaceId f : mesh.faces()) problem.base.push_back(f);
+  }
+  return problem;
+}
+
+std::uint64_t hashOf(const State& state) {
+  Hash hash;
+  hash.add(state.weighting);
+  hash.add(state.hard);
+  hash.add(state.patch);
+  hash.add(state.rings);
+  hash.add(state.lifts);
+  hash.add(state.isEven);
+  hash.add(static_cast<std::uint64_t>(state.untangling + 1));
+  // What is read from the map before: where patches are held, lifts, scale, frames.
+  const bool usesMap = !state.patch.empty() || !state.lifts.empty() || state.directions;
+  if (usesMap && state.from)
+    for (const Complex& x : state.from->program.x) {
+      hash.add(std::bit_cast<std::uint64_t>(x.real()));
+      hash.add(std::bit_cast<std::uint64_t>(x.imag()));
+    }
+  return hash.value();
+}
+
+std::string nameOf(const Problem& problem, const State& state) {
+  if (state.untangling >= 0) return "untangled, kind " + std::to_string(state.untangling + 1);
+  std::string name = problem.weightings[state.weighting].name;
+  if (state.growth > 0)
+    name += state.directions ? ", frames and weights of map " + std::to_string(state.growth)
+                             : " + enlarged " + std::to_string(state.growth);
+  if (!state.patch.empty()) name += state.isWide ? ", on a wide patch" : ", on a patch";
+  if (state.isEven) name += ", even frames";
+  if (!state.lifts.empty())
+    name += ", frames fixed at " + std::to_string(state.lifts.size()) + " cones";
+  if (!state.rings.empty()) name += ", " + std::to_string(state.rings.size()) + " rings embedded";
+  return name;
+}
+
+State firstState(const Problem& problem) { return startOf(problem, 0); }
+
+}  // namespace hgp

@@ -1,0 +1,87 @@
+// What is tried, one state after another.  Role: the values that the strategy of [BCW17 §7] is made of;
+// the moves between them are in moves/.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hgp/optimize/program.h"
+#include "hgp/parametrize/seamless_setup.h"
+
+namespace hgp {
+
+/// Ranges of log scale (max u − min u) above which success gets rare, and use impossible.
+inline constexpr double kHardScaleRange = 15.0;
+inline constexpr double kHopelessScaleRange = 25.0;
+
+/// How a program weighs its rows and what it adds to them.
+struct Weighting {
+  const char* name;
+  double clamp;      ///< bound on |u − median|
+  double quality;    ///< δ of the distortion term
+  int growthRounds;  ///< enlargements of the constrained set
+  bool isFromMap;    ///< u from log|f_z| of the map before
+  bool isExact = false;
+  double soft =
+      0.0;  ///< > 0: frames are soft constraints of this weight; only what went wrong is hard
+};
+
+/// What does not change from round to round.
+struct Problem {
+  const TriMesh& mesh;
+  std::shared_ptr<const SeamlessSetup> setup;
+  Method method = Method::kAuto;
+  std::vector<Weighting> weightings;
+  std::vector<FaceId> base;  ///< F_cb
+  std::vector<FaceId> soft;  ///< F_cb, and a ring around it where that costs little
+};
+Problem problemOf(const TriMesh& mesh, std::shared_ptr<const SeamlessSetup> setup,
+                  const ParametrizeOptions& options);
+
+/// One program, laid out as a map and judged.
+struct Attempt {
+  ProgramResult program;  ///< of an infeasible program only status and conflict are of use
+  PerVertex<double> u;
+  Frames frames;
+  UvMap map;
+  Certificate certificate;
+  std::vector<FaceId>
+      wrong;           ///< not positive, or at a vertex or loop with a wrong angle; ascending
+  int wrongCount = 0;  ///< triangles, vertices and loops that are wrong
+  bool isFeasible() const { return program.status != socp::SolveStatus::kInfeasible; }
+};
+
+/// Everything that a round is decided by.
+struct State {
+  std::size_t weighting = 0;
+  int growth = 0;
+  std::vector<FaceId> hard;             ///< the constrained set
+  std::vector<FaceId> patch;            ///< what is solved for; empty: everything
+  bool isWide = false;                  ///< patches are wide ones
+  std::vector<ConePoint> rings;         ///< frames from the surface's embedded ring
+  std::vector<ConePoint> lifts;         ///< frames from the embedded ring of the map `from` (§7.1)
+  std::vector<VertexId> takenBack;      ///< rings that gave a wrong multiple of 2π: never again
+  bool isEven = false;                  ///< frames of the evenly turning connection
+  int untangling = -1;                  ///< index of the kind of untangling; −1: a cone program
+  int untangled = 0;                    ///< Newton steps spent on that before
+  std::shared_ptr<const Attempt> from;  ///< the map that patch, lifts and scale are taken from
+  std::shared_ptr<const HarmonicSystem> harmonic;  ///< with weights of the map before; null: of S
+  std::shared_ptr<const Frames> directions;        ///< of the map before; null: the field's
+};
+
+/// States with the same hash pose the same program.
+std::uint64_t hashOf(const State& state);
+
+/// In words, for reports: the weighting and what the moves did to it.
+std::string nameOf(const Problem& problem, const State& state);
+
+State firstState(const Problem& problem);
+
+/// What the next state is, where the move applies. A free function per idea; none has memory.
+using Move = std::optional<State> (*)(const Problem& problem, const State& state,
+                                      const std::shared_ptr<const Attempt>& attempt);
+
+}  // namespace hgp

@@ -97,6 +97,7 @@ const assembles = [
   'core/hgp/io/open.cpp',
   'core/hgp/io/cone_files.h',
   'core/hgp/io/cone_files.cpp',
+  'core/hgp/parametrize/parametrize.cpp',
 ];
 const folderOf = (file) => path.posix.dirname(file).split('/').slice(3).join('/');
 
@@ -173,7 +174,6 @@ test('no circle of files: a source and its header count as one', () => {
   }
   // Still to be cut; nothing may join them.
   const known = [
-    'parametrize/parametrize parametrize/repair_plan parametrize/seamless_setup parametrize/solution parametrize/stage_clock',
     'verify/certificate verify/verdict',
     'api/snap_components api/stored_map',
   ];

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "hgp/linalg/factor/multifrontal.h"
+#include "hgp/linalg/factor/factor.h"
 #include "hgp/optimize/fold_barrier.h"
 #include "hgp/optimize/program_terms.h"
 

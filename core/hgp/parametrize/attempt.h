@@ -1,8 +1,8 @@
 // One state turned into a map and judged.  Role: from the strategy's values to a program and back.
 #pragma once
 
-#include "hgp/parametrize/moves/moves.h"
-#include "hgp/parametrize/parametrize.h"
+#include "hgp/parametrize/parametrization.h"
+#include "hgp/parametrize/strategy.h"
 
 namespace hgp {
 

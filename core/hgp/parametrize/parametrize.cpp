@@ -6,6 +6,7 @@
 #include <set>
 
 #include "hgp/parametrize/attempt.h"
+#include "hgp/parametrize/moves/moves.h"
 #include "hgp/parametrize/seamless_setup.h"
 #include "hgp/parametrize/solution.h"
 #include "hgp/parametrize/stage_clock.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hgp/field/prepared_surface.h"
-#include "hgp/parametrize/parametrize.h"
+#include "hgp/parametrize/parametrization.h"
 #include "hgp/system/harmonic.h"
 
 namespace hgp {

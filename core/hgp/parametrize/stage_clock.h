@@ -6,7 +6,7 @@
 
 #include "hgp/base/progress.h"
 #include "hgp/base/result.h"
-#include "hgp/parametrize/parametrize.h"
+#include "hgp/parametrize/parametrization.h"
 
 namespace hgp {
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "hgp/optimize/program_form.h"
-#include "hgp/parametrize/moves/moves.h"
 
 namespace hgp {
 namespace {
@@ -144,6 +143,21 @@ std::string nameOf(const Problem& problem, const State& state) {
     name += ", frames fixed at " + std::to_string(state.lifts.size()) + " cones";
   if (!state.rings.empty()) name += ", " + std::to_string(state.rings.size()) + " rings embedded";
   return name;
+}
+
+State startOf(const Problem& problem, std::size_t weighting) {
+  State state;
+  state.weighting = weighting;
+  if (problem.weightings[weighting].soft == 0.0) state.hard = problem.base;
+  return state;
+}
+
+const std::vector<Untangling>& untanglings() {
+  static const std::vector<Untangling> kinds{{true, false, 3.0, 1.0},  {false, false, 0.05, 0.2},
+                                             {true, true, 0.05, 0.2},  {false, true, 3.0, 1.0},
+                                             {true, false, 0.3, 0.2},  {false, true, 0.05, 0.2},
+                                             {false, false, 3.0, 1.0}, {true, true, 3.0, 1.0}};
+  return kinds;
 }
 
 State firstState(const Problem& problem) { return startOf(problem, 0); }

@@ -80,6 +80,18 @@ std::string nameOf(const Problem& problem, const State& state);
 
 State firstState(const Problem& problem);
 
+/// A state that starts a weighting: F_cb alone, the connection's frames.
+State startOf(const Problem& problem, std::size_t weighting);
+
+/// A kind of untangling: where its frames come from, and the numbers of UntangleOptions.
+struct Untangling {
+  bool isEven;    ///< frames of the evenly turning connection
+  bool hasRings;  ///< cones' rings embedded where the connection turns far
+  double scaleWeight;
+  double epsilonShare;
+};
+const std::vector<Untangling>& untanglings();
+
 /// What the next state is, where the move applies. A free function per idea; none has memory.
 using Move = std::optional<State> (*)(const Problem& problem, const State& state,
                                       const std::shared_ptr<const Attempt>& attempt);

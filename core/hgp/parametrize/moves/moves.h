@@ -47,16 +47,4 @@ std::optional<State> nextWeighting(const Problem&, const State&,
 std::optional<State> iterateFrames(const Problem&, const State&,
                                    const std::shared_ptr<const Attempt>&);
 
-/// A state that starts a weighting: F_cb alone, the connection's frames.
-State startOf(const Problem& problem, std::size_t weighting);
-
-/// A kind of untangling: where its frames come from, and the numbers of UntangleOptions.
-struct Untangling {
-  bool isEven;    ///< frames of the evenly turning connection
-  bool hasRings;  ///< cones' rings embedded where the connection turns far
-  double scaleWeight;
-  double epsilonShare;
-};
-const std::vector<Untangling>& untanglings();
-
 }  // namespace hgp

@@ -8,14 +8,6 @@ constexpr double kLargestWork = 1.2e7;
 
 }  // namespace
 
-const std::vector<Untangling>& untanglings() {
-  static const std::vector<Untangling> kinds{{true, false, 3.0, 1.0},  {false, false, 0.05, 0.2},
-                                             {true, true, 0.05, 0.2},  {false, true, 3.0, 1.0},
-                                             {true, false, 0.3, 0.2},  {false, true, 0.05, 0.2},
-                                             {false, false, 3.0, 1.0}, {true, true, 3.0, 1.0}};
-  return kinds;
-}
-
 std::optional<State> untangleNext(const Problem& problem, const State& state,
                                   const std::shared_ptr<const Attempt>& attempt) {
   // After the first weighting that binds, before the further ones.

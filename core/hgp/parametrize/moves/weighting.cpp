@@ -2,13 +2,6 @@
 
 namespace hgp {
 
-State startOf(const Problem& problem, std::size_t weighting) {
-  State state;
-  state.weighting = weighting;
-  if (problem.weightings[weighting].soft == 0.0) state.hard = problem.base;
-  return state;
-}
-
 std::optional<State> nextWeighting(const Problem& problem, const State& state,
                                    const std::shared_ptr<const Attempt>& attempt) {
   if (state.weighting + 1 >= problem.weightings.size()) return {};

@@ -1,0 +1,69 @@
+// What a run is asked and what it gives.  Role: the values of parametrize.h, for those who only pass
+// them on.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hgp/base/progress.h"
+#include "hgp/base/result.h"
+#include "hgp/mesh/field_data.h"
+#include "hgp/mesh/holonomy_spec.h"
+#include "hgp/mesh/mesh_data.h"
+#include "hgp/parametrize/method.h"
+#include "hgp/verify/certificate.h"
+
+namespace hgp {
+
+struct ParametrizeOptions {
+  int maxRounds = 24;  ///< programs at most
+  Method method = Method::kAuto;
+  bool useQuality = false;  ///< add the distortion term: lower μ, no longer harmonic
+  /// Directions (and matchings, where stored) to take as the frames d_j of (13) and as seam
+  /// rotations, instead of our own smooth connection with the same holonomy. They must realise the
+  /// prescription exactly, and decide what it leaves open.
+  std::optional<FieldData> frames;
+  Progress progress;  ///< return false to cancel
+};
+
+/// One pass of "solve, judge, repair".
+struct Round {
+  std::string method;            ///< what was tried, in words ("weighted", "growth", "lift", …)
+  int constrainedTriangles = 0;  ///< |F_cb| and what growth added
+  int iterations = 0;            ///< of the interior-point method
+  std::string solverStatus;      ///< "optimal", "infeasible", "stalled", …
+  int flipped = 0;               ///< triangles that are not positive
+  int wrongAngles = 0;           ///< vertices and loops with a wrong angle sum
+  double laplacianEnergy = 0.0;  ///< ‖Lz‖², a solver statistic
+  double seconds = 0.0;
+};
+
+/// Seconds per stage, in the order run.
+struct StageTime {
+  std::string stage;
+  double seconds = 0.0;
+};
+
+struct Parametrization {
+  UvMap map;                     ///< one uv per copy of a vertex in the cut mesh S_c
+  std::vector<VertexId> copyOf;  ///< uv index → vertex of S ("xref")
+  CompleteSpec spec;             ///< what was asked, completed
+  Certificate certificate;       ///< of `map`, by inspection
+  bool isCertified = false;
+  bool isUsable = false;  ///< its areas fit double precision; certified maps are
+  std::vector<Round> rounds;
+  std::vector<StageTime> times;
+  std::vector<std::string> notes;  ///< warnings and explanations for people
+  std::vector<FaceId> conflict;    ///< triangles that fight, where the program is infeasible
+};
+
+/// Cones, turning and handles of a smooth field of order q ("automatic cones").
+struct SuggestOptions {
+  int q = 4;
+  int coneCount = 0;              ///< roughly how many; 0 = as the field has them after clean-up
+  bool alignToCurvature = false;  ///< follow principal curvature instead of smoothness alone
+  Progress progress;
+};
+
+}  // namespace hgp

@@ -200,6 +200,13 @@ class Parser {
                   "Less distortion: a term for it beside harmonicity");
     sub->add_option("--scale", scale_, "solved, unit (mean edge 1) or fit (into the unit square)")
         ->check(CLI::IsMember({"solved", "unit", "fit"}));
+    sub->add_option("--cells", out_.solve.grid.cells,
+                    "Align to a grid of about so many cells: lines meet at every seam (q = 2, 4)")
+        ->check(atLeast(1));
+    sub->add_option("--grid", out_.solve.grid.spacing, "The same by the edge length of a cell")
+        ->check(atLeast(0, true));
+    sub->add_option("--grid-mode", gridMode_, "tile, or quad: cones on grid points as well")
+        ->check(CLI::IsMember({"tile", "quad"}));
     sub->add_option("--uv-set", uvSet_, "next, or the number of the set to write");
     sub->add_option("--time-limit", out_.timeLimit, "Give up after so many seconds")
         ->check(atLeast(0, true));
@@ -254,6 +261,7 @@ class Parser {
     if (frames_ == "file") out_.solve.frames = api::FrameSource::kFile;
     if (scale_ == "unit") out_.solve.scale = api::Scale::kUnit;
     if (scale_ == "fit") out_.solve.scale = api::Scale::kFit;
+    if (gridMode_ == "quad") out_.solve.grid.mode = GridMode::kQuad;
     if (out_.q) out_.solve.q = out_.verify.q = *out_.q;
     refuseContradictions();
   }
@@ -287,6 +295,14 @@ class Parser {
     }
     if (out_.solve.frames == api::FrameSource::kFile && out_.field.empty())
       refuse("--frames file needs --field");
+    const GridOptions& grid = out_.solve.grid;
+    if (grid.cells > 0 && grid.spacing > 0) refuse("--cells and --grid contradict each other");
+    if (!gridMode_.empty() && !grid.isAsked()) refuse("--grid-mode needs --cells or --grid");
+    if (grid.isAsked() && !scale_.empty() && scale_ != "solved") {
+      refuse("--scale unit and fit would undo a grid: one cell is one unit of uv");
+    }
+    if (grid.isAsked() && out_.solve.boundary == api::BoundaryKind::kConvex)
+      refuse("--boundary convex has no seams to align to a grid");
     if (out_.json == "-" && out_.output == "-")
       refuse("--json - and -o - cannot share standard output");
     if (out_.input == "-" && out_.format.empty()) refuse("standard input needs --format");
@@ -337,7 +353,7 @@ class Parser {
   CLI::App app_;
   Arguments out_;
   std::vector<std::pair<CLI::App*, Command>> commands_;
-  std::string mesh_, weld_, fix_, boundary_, frames_, method_, scale_, uvSet_;
+  std::string mesh_, weld_, fix_, boundary_, frames_, method_, scale_, uvSet_, gridMode_;
   std::vector<std::string> cone_, turning_, handle_;
 };
 

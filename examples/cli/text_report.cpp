@@ -90,6 +90,15 @@ std::string measured(const Json& c, const Style& style) {
   return out;
 }
 
+std::string gridText(const Json& grid) {
+  const std::size_t tried = grid["attempts"].size();
+  if (!grid["aligned"].get<bool>()) return "not aligned: " + text(grid["reason"]);
+  return formatText("%.0f cells, %.1f per cone, spacing %.4g; %lld integers, %s%s",
+                    number(grid, "cells"), number(grid, "cellsPerCone"), number(grid, "spacing"),
+                    integer(grid, "integers"), text(grid["attempts"].back()["method"]).c_str(),
+                    tried > 1 ? formatText(" after %zu attempts", tried).c_str() : "");
+}
+
 std::string distortion(const Json& component) {
   const Json& d = component["distortion"];
   return formatText("μ mean %.4f, 95%% %.4f, max %.4f; log₂ area rms %.3f (%.2f … %.2f)",
@@ -255,6 +264,9 @@ std::string reportText(const std::string& source, const Style& style) {
                             integer(round, "wrongAngles"), number(round, "seconds")));
     }
     out += notes(component);
+    if (const Json& grid = component["grid"]; !grid.is_null()) {
+      out += row("grid", gridText(grid));
+    }
     if (!component["conflict"].empty()) {
       out += "  triangles that fight:" + places(component["conflict"]) + "\n";
     }

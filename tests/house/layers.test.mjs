@@ -22,6 +22,7 @@ const mayInclude = {
   socp: ['linalg', 'base'],
   optimize: ['system', 'cut', 'field', 'socp', 'linalg', 'mesh', 'base'],
   grid: ['verify', 'socp', 'linalg', 'mesh', 'base'],
+  quads: ['mesh', 'base'],
 };
 mayInclude.improve = ['optimize', ...mayInclude.optimize, 'verify'];
 mayInclude.parametrize = [...new Set([...Object.keys(mayInclude), 'verify'])].filter(

@@ -589,6 +589,14 @@ export interface Report {
     boundary: 'free' | 'convex';
     scale: 'solved' | 'unit' | 'fit';
     /**
+     * what was asked; both sizes 0: no grid
+     */
+    grid: {
+      cells: number;
+      spacing: number;
+      mode: 'tile' | 'quad';
+    };
+    /**
      * auto: our own smooth connection; file: the directions of the given field
      */
     frames: 'auto' | 'file';
@@ -639,6 +647,41 @@ export interface Report {
       stage: string;
       seconds: number;
     }[];
+    /**
+     * where a grid was asked: what was reached, what was tried, and why there is none
+     */
+    grid: {
+      aligned: boolean;
+      /**
+       * area of the map in cells
+       */
+      cells: number;
+      /**
+       * edge of a cell in units of the surface
+       */
+      spacing: number;
+      cellsPerCone: number;
+      /**
+       * free Gaussian integers
+       */
+      integers: number;
+      attempts: {
+        method: string;
+        /**
+         * cells tried, relative to those asked
+         */
+        density: number;
+        turnedTriangles: number;
+      }[];
+      /**
+       * why there is none; empty where there is
+       */
+      reason: string;
+      /**
+       * without an aligned map: a number of cells at which there is one, 0 if none was found
+       */
+      workingCells: number;
+    } | null;
     conflict: Where;
     /**
      * Sentences for people

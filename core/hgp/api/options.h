@@ -5,6 +5,7 @@
 #include <string>
 
 #include "hgp/base/progress.h"
+#include "hgp/grid/align.h"
 #include "hgp/io/document.h"
 #include "hgp/mesh/defects.h"
 #include "hgp/parametrize/method.h"
@@ -46,6 +47,7 @@ struct SolveOptions {
   /// A component that cannot be solved keeps the uv it had, or lies flat, instead of ending the run; the
   /// result is then not certified, and its other components are.
   bool keepsGoing = false;
+  GridOptions grid;  ///< cells are of all components together
   Progress progress;
 };
 

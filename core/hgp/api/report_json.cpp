@@ -12,6 +12,9 @@ Json optionsJson(const SolveOptions& o, bool isAutomatic) {
   json["boundary"] = o.boundary == BoundaryKind::kConvex ? "convex" : "free";
   json["scale"] = o.scale == Scale::kUnit ? "unit" : o.scale == Scale::kFit ? "fit" : "solved";
   json["frames"] = o.frames == FrameSource::kFile ? "file" : "auto";
+  json["grid"] = Json{{"cells", o.grid.cells},
+                      {"spacing", o.grid.spacing},
+                      {"mode", o.grid.mode == GridMode::kQuad ? "quad" : "tile"}};
   json["automaticCones"] = isAutomatic;
   if (isAutomatic) {
     json["q"] = o.q;
@@ -30,6 +33,18 @@ Json roundJson(const Round& r) {
               {"wrongAngles", r.wrongAngles},
               {"laplacianEnergy", r.laplacianEnergy},
               {"seconds", r.seconds}};
+}
+
+Json gridJson(const std::optional<GridReport>& grid) {
+  if (!grid) return Json();
+  Json attempts = Json::array();
+  for (const GridAttempt& a : grid->attempts)
+    attempts.push_back(
+        Json{{"method", a.method}, {"density", a.factor}, {"turnedTriangles", a.turned}});
+  return Json{{"aligned", grid->isAligned}, {"cells", grid->cells},
+              {"spacing", grid->spacing},   {"cellsPerCone", grid->cellsPerCone},
+              {"integers", grid->integers}, {"attempts", std::move(attempts)},
+              {"reason", grid->reason},     {"workingCells", grid->workingCells}};
 }
 
 /// Whether Theorem 6.1 speaks of the map, and if not, why not.
@@ -66,6 +81,7 @@ Json componentJson(const Model& model, const ModelComponent& component, const Pa
             {"rounds", std::move(rounds)},
             {"times", std::move(times)},
             {"conflict", whereJson(conflict)},
+            {"grid", gridJson(run.grid)},
             {"notes", run.notes}};
   addTheorem(json, harmonic, certificate);
   return json;

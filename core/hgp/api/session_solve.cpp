@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "hgp/api/session_state.h"
 #include "hgp/base/check.h"
@@ -74,6 +75,7 @@ Result<Parametrization> Session::State::solveComponent(std::size_t p,
   core.maxRounds = options.maxRounds;
   core.method = options.method;
   core.useQuality = options.useQuality;
+  core.grid = options.grid;
   core.progress = options.progress;
   if (options.frames == FrameSource::kFile) {
     core.frames = request.field;
@@ -175,12 +177,40 @@ Parametrization unsolved(const Model& model, const ModelComponent& component, in
 
 }  // namespace
 
+/// A grid needs squares that fit, and a scale of its own.
+static Status checkGrid(const SolveOptions& options, int q) {
+  if (!options.grid.isAsked()) return Done{};
+  const auto refuse = [](std::string text) {
+    return Failure{ErrorCode::kUsage, "align", std::move(text), {}};
+  };
+  if (q != 2 && q != 4)
+    return refuse(formatText("a grid of squares needs q = 2 or 4; these cones have q = %d", q));
+  if (options.boundary == BoundaryKind::kConvex)
+    return refuse("a convex boundary has no seams to align; leave out the grid");
+  if (options.scale != Scale::kSolved)
+    return refuse("an aligned map has one cell per unit of uv: scale unit and fit would undo it");
+  if (options.grid.cells > 0 && options.grid.spacing > 0)
+    return refuse("cells and spacing say the same thing; give one of them");
+  return Done{};
+}
+
+/// The same spacing for every component.
+static GridOptions sharedGrid(const Model& model, GridOptions grid) {
+  if (!grid.isAsked() || grid.spacing > 0) return grid;
+  double area = 0;
+  for (const ModelComponent& component : model.components) area += surfaceArea(component.mesh);
+  return {0.0, std::sqrt(area / grid.cells), grid.mode};
+}
+
 Status Session::State::solve(const std::optional<io::Prescription>& prescription,
                              const SolveOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   Result<Request> request = prescription ? resolve(*model, *prescription)
                                          : Result<Request>(automaticRequest(*model, options.q));
   if (!request) return request.error();
+  if (Status possible = checkGrid(options, request->q); !possible) return possible.error();
+  SolveOptions shared = options;
+  shared.grid = sharedGrid(*model, options.grid);
   if (options.frames == FrameSource::kAuto) {
     for (ComponentRequest& component : request->components) component.field.reset();
   }
@@ -193,7 +223,7 @@ Status Session::State::solve(const std::optional<io::Prescription>& prescription
   std::vector<ComponentMap> maps;
   std::vector<HolonomySpec> specs;
   for (std::size_t p = 0; p < model->components.size(); ++p) {
-    Result<Parametrization> component = solveComponent(p, request->components[p], options);
+    Result<Parametrization> component = solveComponent(p, request->components[p], shared);
     if (!component && options.keepsGoing && maySkip(component.error())) {
       run.notes.push_back(
           formatText("component %zu has no map of its own, and keeps what it had: ", p) +
@@ -201,8 +231,9 @@ Status Session::State::solve(const std::optional<io::Prescription>& prescription
       component = unsolved(*model, model->components[p], request->q);
     }
     if (!component) return component.error();
+    const bool isAligned = component->grid && component->grid->isAligned;
     maps.push_back({std::move(component->map), std::move(component->copyOf), component->spec,
-                    component->certificate, 0});
+                    component->certificate, isAligned ? 1.0 : 0.0});
     specs.push_back(toSpec(component->spec));
     run.components.push_back(std::move(*component));
   }

@@ -147,13 +147,15 @@ std::optional<SeamSnapper> SeamSnapper::make(const TriMesh& mesh, const UvMap& m
   return SeamSnapper(mesh, std::move(*seams), std::move(*basis));
 }
 
-std::vector<Gaussian> SeamSnapper::round(const std::vector<Vec2>& uv, int exponent) const {
+std::vector<Gaussian> SeamSnapper::round(const std::vector<Vec2>& uv, int exponent,
+                                         bool isInteger) const {
   const auto steps = [&](double x) { return std::llround(std::ldexp(x, -exponent)); };
   const std::vector<Complex> t = chainTranslations(seams_, *mesh_, uv);
   std::vector<Gaussian> y;
   for (const GaussianSum& sum : basis_.coordinate) {
     Complex value = 0.0;
     for (const GaussianTerm& term : sum) value += toComplex(term.factor) * t[at(term.variable)];
+    if (isInteger) value = {std::nearbyint(value.real()), std::nearbyint(value.imag())};
     y.push_back({2 * steps(value.real() / 2), 2 * steps(value.imag() / 2)});
   }
   std::vector<Gaussian> chain;
@@ -174,7 +176,7 @@ std::vector<Gaussian> SeamSnapper::round(const std::vector<Vec2>& uv, int expone
 
 std::optional<SnappedMap> SeamSnapper::snap(const std::vector<Vec2>& uv, int exponent,
                                             const StoredNumbers& numbers) const {
-  GridPoints points = round(uv, exponent);
+  GridPoints points = round(uv, exponent, numbers.hasIntegerTranslations);
   if (!fits(points, exponent, numbers)) return {};
   SnappedMap out;
   PositiveRepair repair(*mesh_, seams_, closureOf_, points);

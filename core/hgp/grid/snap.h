@@ -11,8 +11,9 @@ namespace hgp {
 
 /// What a stored number type can hold exactly.
 struct StoredNumbers {
-  int digits = 53;            ///< of the significand: 53 for float64, 24 for float32
-  bool holdsFlipped = false;  ///< 1 − v is stored (glTF): it must be exact, too
+  int digits = 53;                      ///< of the significand: 53 for float64, 24 for float32
+  bool holdsFlipped = false;            ///< 1 − v is stored (glTF): it must be exact, too
+  bool hasIntegerTranslations = false;  ///< translations are rounded to integers, not to even steps
 };
 
 /// The smallest e for which multiples of 2^e as large as these uv are exact in the stored type, with v
@@ -44,7 +45,7 @@ class SeamSnapper {
 
  private:
   SeamSnapper(const TriMesh& mesh, SeamStructure seams, IntegerBasis basis);
-  std::vector<Gaussian> round(const std::vector<Vec2>& uv, int exponent) const;
+  std::vector<Gaussian> round(const std::vector<Vec2>& uv, int exponent, bool isInteger) const;
 
   const TriMesh* mesh_;
   SeamStructure seams_;

@@ -8,6 +8,7 @@
 
 #include "hgp/base/progress.h"
 #include "hgp/base/result.h"
+#include "hgp/grid/align.h"
 #include "hgp/mesh/field_data.h"
 #include "hgp/mesh/holonomy_spec.h"
 #include "hgp/mesh/mesh_data.h"
@@ -24,6 +25,7 @@ struct ParametrizeOptions {
   /// rotations, instead of our own smooth connection with the same holonomy. They must realise the
   /// prescription exactly, and decide what it leaves open.
   std::optional<FieldData> frames;
+  GridOptions grid;   ///< align translations to a grid after a certified solve (q = 2, 4)
   Progress progress;  ///< return false to cancel
 };
 
@@ -55,6 +57,7 @@ struct Parametrization {
   std::vector<Round> rounds;
   std::vector<StageTime> times;
   std::vector<std::string> notes;  ///< warnings and explanations for people
+  std::optional<GridReport> grid;  ///< where a grid was asked; without one the map is as solved
   std::vector<FaceId> conflict;    ///< triangles that fight, where the program is infeasible
 };
 

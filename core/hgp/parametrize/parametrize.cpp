@@ -104,6 +104,25 @@ static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
   return best;
 }
 
+/// Aligned to the grid where that keeps it certified; else as it was, with the reason.
+static void align(const TriMesh& mesh, const SeamlessSetup& setup,
+                  const ParametrizeOptions& options, Parametrization& result) {
+  AlignedMap aligned = alignToGrid(mesh, result.map, setup.seams.q, setup.cones, options.grid,
+                                   &setup.context->tree, options.progress);
+  if (aligned.map) {
+    Certificate certificate = certify(mesh, result.spec, *aligned.map);
+    if (certificate.isCertified) {
+      result.map = std::move(*aligned.map);
+      result.certificate = std::move(certificate);
+      result.isHarmonic = false;
+    } else {
+      aligned.report.isAligned = false;
+      aligned.report.reason = "the aligned map is not certified: " + certificate.reasons[0].message;
+    }
+  }
+  result.grid = std::move(aligned.report);
+}
+
 Result<Parametrization> parametrize(PreparedSurface& surface, const HolonomySpec& spec,
                                     const ParametrizeOptions& options) {
   const TriMesh& mesh = surface.mesh();
@@ -128,6 +147,11 @@ Result<Parametrization> parametrize(PreparedSurface& surface, const HolonomySpec
   }
   if (!result.certificate.isCertified) result.conflict = attempt.program.conflict;
   result.times.push_back({"solve", secondsSince(start)});
+  if (options.grid.isAsked() && result.certificate.isCertified) {
+    StageClock clock(options.progress, result.times);
+    if (!clock.begin("align")) return cancelled("align");
+    align(mesh, *setup, options, result);
+  }
   result.copyOf = setup->cut.parent.raw();
   result.isCertified = result.certificate.isCertified;
   result.isUsable = result.certificate.isUsable;

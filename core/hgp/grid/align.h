@@ -1,0 +1,67 @@
+// Translations of a seamless map made integers.  Role: a grid of unit squares, a tiling texture or a
+// quad mesh continues across every seam, on the same triangles and still locally injective.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hgp/base/progress.h"
+#include "hgp/linalg/ordering/ordering.h"
+#include "hgp/mesh/mesh_data.h"
+#include "hgp/mesh/tri_mesh.h"
+
+namespace hgp {
+
+enum class GridMode {
+  kTile,  ///< translations are Gaussian integers; cones may lie between grid points
+  kQuad,  ///< cones lie on grid points as well, so that the grid is a quad mesh
+};
+
+/// Nothing is asked while both sizes are 0. Only for q = 2 and 4.
+struct GridOptions {
+  double cells = 0.0;    ///< grid cells in all, about
+  double spacing = 0.0;  ///< or: edge of a cell in units of the surface
+  GridMode mode = GridMode::kTile;
+  bool isAsked() const { return cells > 0.0 || spacing > 0.0; }
+};
+
+/// One choice of integers.
+struct GridAttempt {
+  std::string method;   ///< "linear step", "patch of 6 rings", …
+  double factor = 1.0;  ///< by which the asked density was multiplied
+  int turned = 0;       ///< triangles that are not positive
+};
+
+struct GridReport {
+  bool isAligned = false;
+  double cells = 0.0;         ///< reached: area of the map in cells
+  double spacing = 0.0;       ///< reached, in units of the surface
+  double cellsPerCone = 0.0;  ///< of what was reached or, without a map, asked
+  int integers = 0;           ///< free Gaussian integers
+  std::vector<GridAttempt> attempts;
+  std::string reason;  ///< why there is none
+  double workingCells =
+      0.0;  ///< without a map: a density at which there is one, 0 if none was found
+};
+
+struct AlignedMap {
+  std::optional<UvMap> map;  ///< one unit of uv is one cell
+  GridReport report;
+};
+
+/// Of the triangles in space.
+double surfaceArea(const TriMesh& mesh);
+
+/// Changes a certified map so that every translation is an integer: the relations of the seam nodes are
+/// solved over Z[i], the strain of the change is reduced to what is free, that is rounded nearest first
+/// with neighbouring cones kept apart, and the map follows by one linear system. Other densities, cone
+/// programs on patches and on the whole mesh follow where triangles turn over.
+/// @param map    locally injective and seamless; its copies follow its seams
+/// @param cones  vertices with a prescribed angle
+/// @param tree   separators of the vertices, or null
+AlignedMap alignToGrid(const TriMesh& mesh, const UvMap& map, int q,
+                       const std::vector<VertexId>& cones, const GridOptions& options,
+                       const linalg::SeparatorTree* tree, const Progress& progress);
+
+}  // namespace hgp

@@ -1,0 +1,156 @@
+#include "hgp/grid/cone_pairs.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <queue>
+
+namespace hgp {
+namespace {
+
+/// Ways looked at per pair of cones, shortest first.
+constexpr int kWaysPerPair = 4;
+constexpr double kSameWay = 1e-6;
+
+/// An edge of a walk: from one vertex to the other in the plane of one face.
+struct Step {
+  int from = -1, to = -1;  ///< copies
+};
+
+class NeighbourSearch {
+ public:
+  NeighbourSearch(const TriMesh& mesh, const SeamStructure& seams, const SeamlessChange& change,
+                  const std::vector<Vec2>& uv, double reach)
+      : mesh_(mesh),
+        seams_(seams),
+        change_(change),
+        uv_(uv),
+        reach_(reach),
+        distance_(at(mesh.vertexCount()), std::numeric_limits<double>::infinity()),
+        source_(at(mesh.vertexCount())),
+        via_(at(mesh.vertexCount())) {}
+
+  std::vector<ConePair> run(const std::vector<VertexId>& cones) {
+    spread(cones);
+    struct Bridge {
+      double length;
+      HalfedgeId edge;
+    };
+    std::vector<Bridge> bridges;
+    for (EdgeId e : mesh_.edges()) {
+      const HalfedgeId h = mesh_.halfedge(e);
+      const VertexId a = mesh_.tail(h), b = mesh_.head(h);
+      if (!source_[a].isValid() || !source_[b].isValid() || source_[a] == source_[b]) continue;
+      const double length = distance_[a] + lengthOf(h) + distance_[b];
+      if (length <= reach_) bridges.push_back({length, h});
+    }
+    std::sort(bridges.begin(), bridges.end(), [](const Bridge& x, const Bridge& y) {
+      return x.length != y.length ? x.length < y.length : x.edge < y.edge;
+    });
+    std::map<std::pair<int, int>, std::vector<Complex>> found;
+    std::vector<ConePair> pairs;
+    for (const Bridge& bridge : bridges) {
+      const int a = source_[mesh_.tail(bridge.edge)].i, b = source_[mesh_.head(bridge.edge)].i;
+      std::vector<Complex>& known = found[{std::min(a, b), std::max(a, b)}];
+      if (static_cast<int>(known.size()) >= kWaysPerPair) continue;
+      ConePair pair = wayOver(bridge.edge);
+      const bool isNew = std::none_of(known.begin(), known.end(), [&](const Complex& d) {
+        return std::abs(std::abs(d) - std::abs(pair.distance)) < kSameWay;
+      });
+      known.push_back(pair.distance);
+      if (isNew) pairs.push_back(std::move(pair));
+    }
+    return pairs;
+  }
+
+ private:
+  Complex valueOf(int copy) const { return {uv_[at(copy)][0], uv_[at(copy)][1]}; }
+  double lengthOf(HalfedgeId h) const {
+    return std::abs(valueOf(seams_.copy[TriMesh::next(h)]) - valueOf(seams_.copy[h]));
+  }
+
+  void spread(const std::vector<VertexId>& cones) {
+    using Entry = std::pair<double, int>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    for (VertexId v : cones) {
+      distance_[v] = 0.0;
+      source_[v] = v;
+      queue.push({0.0, v.i});
+    }
+    while (!queue.empty()) {
+      const auto [d, i] = queue.top();
+      queue.pop();
+      const VertexId v(i);
+      if (d > distance_[v]) continue;
+      for (HalfedgeId h : outgoingHalfedges(mesh_, v)) {
+        if (relax(v, mesh_.head(h), h)) queue.push({distance_[mesh_.head(h)], mesh_.head(h).i});
+        const HalfedgeId in = TriMesh::previous(h);  // also the last edge of a boundary vertex
+        if (relax(v, mesh_.tail(in), in)) queue.push({distance_[mesh_.tail(in)], mesh_.tail(in).i});
+      }
+    }
+  }
+  bool relax(VertexId from, VertexId to, HalfedgeId edge) {
+    const double d = distance_[from] + lengthOf(edge);
+    if (d > reach_ || d >= distance_[to]) return false;
+    distance_[to] = d;
+    source_[to] = source_[from];
+    via_[to] = edge;
+    return true;
+  }
+
+  Step stepFrom(VertexId v, HalfedgeId edge) const {
+    const int tail = seams_.copy[edge], head = seams_.copy[TriMesh::next(edge)];
+    return mesh_.tail(edge) == v ? Step{tail, head} : Step{head, tail};
+  }
+
+  ConePair wayOver(HalfedgeId bridge) const {
+    std::vector<Step> steps;
+    VertexId v = mesh_.tail(bridge);
+    ConePair pair{source_[v], source_[mesh_.head(bridge)], {}, 0.0};
+    while (via_[v].isValid()) {
+      const Step back = stepFrom(v, via_[v]);
+      steps.push_back({back.to, back.from});
+      v = seams_.vertexOf[at(back.to)];
+    }
+    std::reverse(steps.begin(), steps.end());
+    steps.push_back(stepFrom(mesh_.tail(bridge), bridge));
+    for (v = mesh_.head(bridge); via_[v].isValid();) {
+      steps.push_back(stepFrom(v, via_[v]));
+      v = seams_.vertexOf[at(steps.back().to)];
+    }
+    // From one step to the next the plane turns with the copies of the vertex between.
+    int turn = 0;
+    std::vector<SeamlessChange::Term> terms;
+    for (std::size_t n = 0; n < steps.size(); ++n) {
+      if (n > 0) turn += seams_.place(steps[n - 1].to).turn - seams_.place(steps[n].from).turn;
+      const Complex unit = toComplex(quarterTurn(turn));
+      pair.distance += unit * (valueOf(steps[n].to) - valueOf(steps[n].from));
+      change_.append(steps[n].to, unit, terms);
+      change_.append(steps[n].from, -unit, terms);
+    }
+    std::map<int, Complex> sum;
+    for (const SeamlessChange::Term& t : terms) sum[t.unknown] += t.factor;
+    for (const auto& [unknown, factor] : sum)
+      if (std::abs(factor) > 1e-9) pair.way.push_back({unknown, factor});
+    return pair;
+  }
+
+  const TriMesh& mesh_;
+  const SeamStructure& seams_;
+  const SeamlessChange& change_;
+  const std::vector<Vec2>& uv_;
+  const double reach_;
+  PerVertex<double> distance_;
+  PerVertex<VertexId> source_;
+  PerVertex<HalfedgeId> via_;  ///< an edge to the vertex before; invalid at a cone
+};
+
+}  // namespace
+
+std::vector<ConePair> neighbouringCones(const TriMesh& mesh, const SeamStructure& seams,
+                                        const SeamlessChange& change, const std::vector<Vec2>& uv,
+                                        const std::vector<VertexId>& cones, double reach) {
+  return NeighbourSearch(mesh, seams, change, uv, reach).run(cones);
+}
+
+}  // namespace hgp

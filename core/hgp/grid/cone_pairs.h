@@ -1,0 +1,23 @@
+// Cones that are neighbours in the map.  Role: two of them rounded onto one point can never be part
+// of a locally injective map.
+#pragma once
+
+#include "hgp/grid/strain_form.h"
+
+namespace hgp {
+
+/// The way from one cone to another, laid out in the plane of the first: D = Σ factor · unknown.
+struct ConePair {
+  VertexId a, b;
+  std::vector<SeamlessChange::Term>
+      way;           ///< over chains and, for cones that do not rotate, vertices
+  Complex distance;  ///< D of the map itself
+};
+
+/// Pairs whose regions of nearest vertices touch and that are at most `reach` apart along edges, the
+/// ways different where the surface goes round between them.
+std::vector<ConePair> neighbouringCones(const TriMesh& mesh, const SeamStructure& seams,
+                                        const SeamlessChange& change, const std::vector<Vec2>& uv,
+                                        const std::vector<VertexId>& cones, double reach);
+
+}  // namespace hgp

@@ -1,0 +1,214 @@
+#include "hgp/grid/grid_system.h"
+
+#include <cmath>
+
+#include "hgp/grid/snap.h"
+
+namespace hgp {
+namespace {
+
+Complex valueOf(const std::vector<Vec2>& uv, int copy) {
+  return {uv[at(copy)][0], uv[at(copy)][1]};
+}
+
+std::int64_t gapNorm(int turn) { return norm(Gaussian{1, 0} - quarterTurn(turn)); }
+
+}  // namespace
+
+GridSystem::GridSystem(const TriMesh& mesh, const UvMap& map, int q, std::vector<VertexId> cones,
+                       SeamStructure seams)
+    : mesh_(mesh),
+      map_(map),
+      q_(q),
+      cones_(std::move(cones)),
+      seams_(std::move(seams)),
+      uv_(map.uv) {}
+
+std::unique_ptr<GridSystem> GridSystem::make(const TriMesh& mesh, const UvMap& map, int q,
+                                             const std::vector<VertexId>& cones, GridMode mode,
+                                             const linalg::SeparatorTree* tree) {
+  std::optional<SeamStructure> seams = readSeams(mesh, map, q, cones);
+  if (!seams) return nullptr;
+  std::unique_ptr<GridSystem> system(new GridSystem(mesh, map, q, cones, std::move(*seams)));
+  if (!system->build(mode, tree)) return nullptr;
+  return system;
+}
+
+bool GridSystem::build(GridMode mode, const linalg::SeparatorTree* tree) {
+  change_ = std::make_unique<SeamlessChange>(mesh_, seams_);
+  if (mode == GridMode::kQuad)
+    for (VertexId v : cones_)
+      if (change_->vertexUnknown(v) >= 0) whole_.push_back(v);
+  chooseOrigin();
+  return solveIntegers(mode) && factor(tree);
+}
+
+void GridSystem::chooseOrigin() {
+  Complex origin = 0.0;
+  std::int64_t least = 5;
+  for (const NodeClosure& closure : seams_.closures) {
+    if (closure.place.turn == 0 || gapNorm(closure.place.turn) >= least) continue;
+    least = gapNorm(closure.place.turn);
+    gauge_ = closure.place.shift;
+    origin = valueOf(uv_, seams_.firstCopy[closure.vertex]);
+  }
+  if (gauge_.empty() && !whole_.empty()) {
+    origin = valueOf(uv_, seams_.firstCopy[whole_[0]]);
+    gauge_ = {{seams_.chainCount(), {1, 0}}};
+  }
+  const std::vector<Complex> t = chainTranslations(seams_, mesh_, uv_);
+  for (int c = 0; c < seams_.chainCount() && least > 2; ++c) {
+    const int turn = seams_.chains[at(c)].turn;
+    if (!gauge_.empty() || turn == 0) continue;
+    gauge_ = {{c, {1, 0}}};
+    origin = t[at(c)] / (1.0 - toComplex(quarterTurn(turn)));
+  }
+  for (Vec2& p : uv_) p = {p[0] - origin.real(), p[1] - origin.imag()};
+}
+
+/// Variables: chains, then cones of `whole_`, then in quad mode the rotating cones.
+bool GridSystem::solveIntegers(GridMode mode) {
+  std::vector<GaussianSum> relations = closureRelations(seams_);
+  const std::vector<Complex> t = chainTranslations(seams_, mesh_, uv_);
+  Eigen::VectorXcd value(
+      static_cast<Eigen::Index>(t.size() + whole_.size() + seams_.closures.size()));
+  int variables = 0;
+  bool isTurned = false;
+  for (const Complex& z : t) value[variables++] = z;
+  for (const TurnedChain& chain : seams_.chains) isTurned = isTurned || chain.turn != 0;
+  for (VertexId v : whole_) value[variables++] = valueOf(uv_, seams_.firstCopy[v]);
+  for (const NodeClosure& closure : seams_.closures) {
+    if (mode != GridMode::kQuad || closure.place.turn == 0) continue;
+    GaussianSum relation = closure.place.shift;
+    relation.push_back({variables, quarterTurn(closure.place.turn) - Gaussian{1, 0}});
+    relations.push_back(std::move(relation));
+    value[variables++] = valueOf(uv_, seams_.firstCopy[closure.vertex]);
+  }
+  if (!gauge_.empty()) relations.push_back(gauge_);
+  std::optional<IntegerBasis> basis = solveRelations(variables, relations);
+  if (!basis) return false;
+  basis_ = std::move(*basis);
+
+  for (int c = 0; c < seams_.chainCount(); ++c) heldUnknowns_.push_back(change_->chainUnknown(c));
+  for (VertexId v : whole_) heldUnknowns_.push_back(change_->vertexUnknown(v));
+  const auto fromIntegers = static_cast<Eigen::Index>(heldUnknowns_.size());
+  if (!isTurned && whole_.empty()) heldUnknowns_.push_back(0);  // nothing else fixes the map
+  rows_ = Eigen::MatrixXcd::Zero(static_cast<Eigen::Index>(heldUnknowns_.size()), basis_.size());
+  held0_ = Eigen::VectorXcd::Zero(rows_.rows());
+  for (Eigen::Index i = 0; i < fromIntegers; ++i) {
+    for (const GaussianTerm& term : basis_.value[at(i)])
+      rows_(i, term.variable) += toComplex(term.factor);
+    held0_[i] = value[i];
+  }
+  y0_ = Eigen::VectorXcd::Zero(basis_.size());
+  for (int j = 0; j < basis_.size(); ++j)
+    for (const GaussianTerm& term : basis_.coordinate[at(j)])
+      y0_[j] += toComplex(term.factor) * value[term.variable];
+  return true;
+}
+
+bool GridSystem::factor(const linalg::SeparatorTree* tree) {
+  weights_ = strainWeights(mesh_, seams_, uv_);
+  const Eigen::SparseMatrix<Complex> H = strainForm(mesh_, seams_, *change_, uv_, weights_);
+  isHeld_.assign(at(change_->count()), 0);
+  for (int u : heldUnknowns_) isHeld_[at(u)] = 1;
+  linalg::PartialCholeskyOptions options;
+  options.delayDepth = 0;
+  linalg::SeparatorTree own;
+  if (tree) {
+    std::vector<int> keep = change_->vertexUnknowns();
+    for (int& u : keep)
+      if (u >= 0 && isHeld_[at(u)]) u = -1;
+    // Names must be 0 … n − 1 without gaps for the tree; held vertices are appended again.
+    std::vector<int> number(at(change_->count()), -1), nameOf;
+    for (int& u : keep)
+      if (u >= 0) {
+        number[at(u)] = static_cast<int>(nameOf.size());
+        nameOf.push_back(u);
+        u = number[at(u)];
+      }
+    own = linalg::restrictTree(*tree, keep);
+    for (int& place : own.order) place = nameOf[at(place)];
+    for (int u : heldUnknowns_) own.order.push_back(u);
+    own.nodeStart.back() = static_cast<int>(own.order.size());
+    options.tree = &own;
+  }
+  if (heldUnknowns_.empty()) return true;
+  if (!cholesky_.build(H, {heldUnknowns_}, options)) return false;
+  const auto n = static_cast<Eigen::Index>(heldUnknowns_.size());
+  std::vector<Eigen::Index> place;
+  for (int u : heldUnknowns_) place.push_back(cholesky_.dynamicIndex(u));
+  form_.resize(n, n);
+  Eigen::VectorXd unit = Eigen::VectorXd::Zero(2 * n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    unit[2 * place[at(j)]] = 1.0;
+    const Eigen::VectorXd column = cholesky_.apply(unit);
+    unit[2 * place[at(j)]] = 0.0;
+    for (Eigen::Index i = 0; i < n; ++i)
+      form_(i, j) = {column[2 * place[at(i)]], column[2 * place[at(i)] + 1]};
+  }
+  return true;
+}
+
+const std::vector<ConePair> GridSystem::neighbours(double reach) const {
+  return neighbouringCones(mesh_, seams_, *change_, uv_, cones_, reach);
+}
+
+IntegerChoice GridSystem::choice(double reach) const {
+  std::vector<int> rowOf(at(change_->count()), -1);
+  for (std::size_t i = 0; i < heldUnknowns_.size(); ++i)
+    rowOf[at(heldUnknowns_[i])] = static_cast<int>(i);
+  std::vector<Separation> separations;
+  for (const ConePair& pair : neighbours(reach)) {
+    Eigen::VectorXcd sum = Eigen::VectorXcd::Zero(basis_.size());
+    bool isInteger = true;
+    for (const SeamlessChange::Term& term : pair.way) {
+      const int row = rowOf[at(term.unknown)];
+      isInteger = isInteger && row >= 0;
+      if (row >= 0) sum += term.factor * rows_.row(row).transpose();
+    }
+    if (!isInteger) continue;  // a cone that moves freely
+    Separation s;
+    for (int j = 0; j < basis_.size(); ++j)
+      if (std::abs(sum[j]) > 1e-9) s.terms.push_back({j, sum[j]});
+    separations.push_back(std::move(s));
+  }
+  return IntegerChoice(rows_.adjoint() * form_ * rows_, std::move(separations));
+}
+
+Eigen::VectorXcd GridSystem::changeTo(const std::vector<Gaussian>& y, double scale) const {
+  Eigen::VectorXcd chosen(basis_.size());
+  for (int j = 0; j < basis_.size(); ++j) chosen[j] = toComplex(y[at(j)]) / scale;
+  if (heldUnknowns_.empty()) return Eigen::VectorXcd::Zero(change_->count());
+  const Eigen::VectorXcd held = rows_ * chosen - held0_;
+  Eigen::VectorXd reduced(2 * held.size());
+  for (std::size_t i = 0; i < heldUnknowns_.size(); ++i) {
+    const auto place = 2 * cholesky_.dynamicIndex(heldUnknowns_[i]);
+    const Complex z = held[static_cast<Eigen::Index>(i)];
+    reduced[place] = z.real();
+    reduced[place + 1] = z.imag();
+  }
+  return cholesky_.extend(reduced, Eigen::VectorXcd::Zero(change_->count()));
+}
+
+std::optional<UvMap> GridSystem::alignedMap(const Eigen::VectorXcd& x, double scale) const {
+  const std::vector<Complex> dz = change_->evaluate(x);
+  UvMap out = map_;
+  for (std::size_t c = 0; c < dz.size(); ++c)
+    out.uv[c] = {scale * (uv_[c][0] + dz[c].real()), scale * (uv_[c][1] + dz[c].imag())};
+  for (VertexId v : whole_) {
+    Vec2& p = out.uv[at(seams_.firstCopy[v])];
+    p = {std::nearbyint(p[0]), std::nearbyint(p[1])};
+  }
+  std::optional<SeamSnapper> snapper = SeamSnapper::make(mesh_, out, q_, cones_);
+  if (!snapper) return {};
+  StoredNumbers numbers;
+  numbers.hasIntegerTranslations = true;
+  const std::optional<SnappedMap> snapped =
+      snapper->snap(out.uv, gridExponent(out.uv, numbers) + 1, numbers);
+  if (!snapped || !snapped->notPositive.empty()) return {};
+  out.uv = snapped->uv;
+  return out;
+}
+
+}  // namespace hgp

@@ -1,0 +1,70 @@
+// The integers of a map and what choosing them costs.  Role: relations over Z[i] and the strain of a
+// change, reduced to what is free.
+#pragma once
+
+#include <memory>
+
+#include "hgp/grid/align.h"
+#include "hgp/grid/cone_pairs.h"
+#include "hgp/grid/integer_choice.h"
+#include "hgp/linalg/factor/partial_cholesky.h"
+
+namespace hgp {
+
+/// Lengths are those of the map, moved so that the cone with the smallest |1 − i^r| lies at 0 (any
+/// aligned map can be moved there by what keeps it aligned). One cell has edge 1/scale.
+class GridSystem {
+ public:
+  /// Empty where copies do not follow seams or the form is singular.
+  static std::unique_ptr<GridSystem> make(const TriMesh& mesh, const UvMap& map, int q,
+                                          const std::vector<VertexId>& cones, GridMode mode,
+                                          const linalg::SeparatorTree* tree);
+
+  int integerCount() const { return basis_.size(); }
+  Eigen::VectorXcd relaxed(double scale) const { return scale * y0_; }
+  /// Factors the choice for neighbours that are at most `reach` apart.
+  IntegerChoice choice(double reach) const;
+  const std::vector<ConePair> neighbours(double reach) const;
+
+  /// The change of all unknowns of `change` that makes the integers y at this scale, least strained.
+  Eigen::VectorXcd changeTo(const std::vector<Gaussian>& y, double scale) const;
+  /// The changed map in cells, translations and, in quad mode, cones exactly integers.
+  std::optional<UvMap> alignedMap(const Eigen::VectorXcd& x, double scale) const;
+
+  const TriMesh& mesh() const { return mesh_; }
+  const SeamStructure& seams() const { return seams_; }
+  const SeamlessChange& change() const { return *change_; }
+  const std::vector<Vec2>& uv() const { return uv_; }
+  const StrainWeights& weights() const { return weights_; }
+  /// By unknown: translations and what integers decide.
+  const std::vector<char>& isHeld() const { return isHeld_; }
+
+ private:
+  GridSystem(const TriMesh& mesh, const UvMap& map, int q, std::vector<VertexId> cones,
+             SeamStructure seams);
+  bool build(GridMode mode, const linalg::SeparatorTree* tree);
+  void chooseOrigin();
+  bool solveIntegers(GridMode mode);
+  bool factor(const linalg::SeparatorTree* tree);
+
+  const TriMesh& mesh_;
+  const UvMap& map_;
+  const int q_;
+  const std::vector<VertexId> cones_;
+  const SeamStructure seams_;
+  std::unique_ptr<SeamlessChange> change_;
+  std::vector<Vec2> uv_;
+  StrainWeights weights_;
+
+  GaussianSum gauge_;              ///< of variables: what is put at 0
+  std::vector<VertexId> whole_;    ///< cones without rotation that must be integers
+  std::vector<int> heldUnknowns_;  ///< chains, `whole_`, and a pinned vertex where nothing rotates
+  std::vector<char> isHeld_;
+  IntegerBasis basis_;
+  Eigen::MatrixXcd rows_;        ///< held unknowns in terms of y
+  Eigen::VectorXcd held0_, y0_;  ///< of the map itself
+  linalg::PartialCholesky cholesky_;
+  Eigen::MatrixXcd form_;  ///< strain over the held unknowns
+};
+
+}  // namespace hgp

@@ -1,0 +1,141 @@
+#include "hgp/grid/strain_form.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hgp {
+namespace {
+
+Complex valueOf(const std::vector<Vec2>& uv, int copy) {
+  return {uv[at(copy)][0], uv[at(copy)][1]};
+}
+
+double surfaceArea(const TriMesh& mesh, FaceId f) {
+  const auto [a, b, c] = mesh.corners(f);
+  const Vec3 &p = mesh.position(a), &q = mesh.position(b), &r = mesh.position(c);
+  const Vec3 u{q[0] - p[0], q[1] - p[1], q[2] - p[2]}, v{r[0] - p[0], r[1] - p[1], r[2] - p[2]};
+  return 0.5 * std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                          u[0] * v[1] - u[1] * v[0]);
+}
+
+}  // namespace
+
+SeamlessChange::SeamlessChange(const TriMesh& mesh, const SeamStructure& seams)
+    : seams_(seams),
+      chainCount_(seams.chainCount()),
+      vertexUnknown_(at(mesh.vertexCount()), -1),
+      closureOf_(at(mesh.vertexCount()), -1) {
+  for (std::size_t n = 0; n < seams.closures.size(); ++n)
+    if (seams.closures[n].place.turn != 0)
+      closureOf_[seams.closures[n].vertex] = static_cast<int>(n);
+  for (VertexId v : mesh.vertices())
+    if (!mesh.isIsolated(v) && closureOf_[v] < 0) vertexUnknown_[v] = count_++;
+  count_ += chainCount_;
+}
+
+void SeamlessChange::append(int copy, const Complex& scale, std::vector<Term>& out) const {
+  const VertexId v = seams_.vertexOf[at(copy)];
+  const CopyPlace& place = seams_.place(copy);
+  const Complex first = scale * toComplex(quarterTurn(place.turn));
+  if (vertexUnknown_[v] >= 0) {
+    out.push_back({vertexUnknown_[v], first});
+  } else {
+    const CopyPlace& closure = seams_.closures[at(closureOf_[v])].place;
+    const Complex share = first / (1.0 - toComplex(quarterTurn(closure.turn)));
+    for (const GaussianTerm& t : closure.shift)
+      out.push_back({chainUnknown(t.variable), share * toComplex(t.factor)});
+  }
+  for (const GaussianTerm& t : place.shift)
+    out.push_back({chainUnknown(t.variable), scale * toComplex(t.factor)});
+}
+
+std::vector<Complex> SeamlessChange::evaluate(const Eigen::VectorXcd& x) const {
+  std::vector<Complex> dz(seams_.vertexOf.size());
+  std::vector<Term> terms;
+  for (std::size_t c = 0; c < dz.size(); ++c) {
+    if (!seams_.vertexOf[c].isValid()) continue;
+    terms.clear();
+    append(static_cast<int>(c), 1.0, terms);
+    for (const Term& t : terms) dz[c] += t.factor * x[t.unknown];
+  }
+  return dz;
+}
+
+void faceStrain(const TriMesh&, const SeamStructure& seams, const SeamlessChange& change,
+                const std::vector<Vec2>& uv, FaceId f, FaceStrain& out) {
+  int copy[3];
+  Complex p[3];
+  for (int k = 0; k < 3; ++k) {
+    copy[k] = seams.copy[TriMesh::halfedge(f, k)];
+    p[k] = valueOf(uv, copy[k]);
+  }
+  const double twiceArea = std::imag(std::conj(p[1] - p[0]) * (p[2] - p[0]));
+  out.unknowns.clear();
+  out.similar.clear();
+  out.anti.clear();
+  std::vector<SeamlessChange::Term> terms;
+  for (int k = 0; k < 3; ++k) {
+    terms.clear();
+    change.append(copy[k], 1.0, terms);
+    // Half the gradient of φ_k: the opposite edge turned by a quarter over four times the area.
+    const Complex anti =
+        Complex(0, 0.5) * (p[(k + 2) % 3] - p[(k + 1) % 3]) / std::max(twiceArea, 1e-300);
+    for (const SeamlessChange::Term& t : terms) {
+      const auto found = std::find(out.unknowns.begin(), out.unknowns.end(), t.unknown);
+      const auto i = static_cast<std::size_t>(found - out.unknowns.begin());
+      if (found == out.unknowns.end()) {
+        out.unknowns.push_back(t.unknown);
+        out.similar.push_back(0.0);
+        out.anti.push_back(0.0);
+      }
+      out.similar[i] += std::conj(anti) * t.factor;
+      out.anti[i] += anti * t.factor;
+    }
+  }
+}
+
+StrainWeights strainWeights(const TriMesh& mesh, const SeamStructure& seams,
+                            const std::vector<Vec2>& uv) {
+  StrainWeights weights;
+  weights.face = PerFace<double>(at(mesh.faceCount()), 0.0);
+  double surface = 0.0, plane = 0.0;
+  for (FaceId f : mesh.faces()) {
+    const Complex a = valueOf(uv, seams.copy[TriMesh::halfedge(f, 0)]);
+    const Complex b = valueOf(uv, seams.copy[TriMesh::halfedge(f, 1)]);
+    const Complex c = valueOf(uv, seams.copy[TriMesh::halfedge(f, 2)]);
+    surface += surfaceArea(mesh, f);
+    plane += 0.5 * std::imag(std::conj(b - a) * (c - a));
+  }
+  const double least = 1e-9 / std::max(1, mesh.faceCount());
+  for (FaceId f : mesh.faces()) {
+    const Complex a = valueOf(uv, seams.copy[TriMesh::halfedge(f, 0)]);
+    const Complex b = valueOf(uv, seams.copy[TriMesh::halfedge(f, 1)]);
+    const Complex c = valueOf(uv, seams.copy[TriMesh::halfedge(f, 2)]);
+    const double inPlane = 0.5 * std::imag(std::conj(b - a) * (c - a)) / plane;
+    const double onSurface = surfaceArea(mesh, f) / surface;
+    weights.face[f] = std::max(least, std::sqrt(std::max(0.0, inPlane) * onSurface));
+  }
+  return weights;
+}
+
+Eigen::SparseMatrix<Complex> strainForm(const TriMesh& mesh, const SeamStructure& seams,
+                                        const SeamlessChange& change, const std::vector<Vec2>& uv,
+                                        const StrainWeights& weights) {
+  std::vector<Eigen::Triplet<Complex>> entries;
+  entries.reserve(9 * at(mesh.faceCount()));
+  FaceStrain strain;
+  for (FaceId f : mesh.faces()) {
+    faceStrain(mesh, seams, change, uv, f, strain);
+    const double w = weights.face[f], s = w * weights.similarity;
+    for (std::size_t i = 0; i < strain.unknowns.size(); ++i)
+      for (std::size_t j = 0; j < strain.unknowns.size(); ++j)
+        entries.emplace_back(strain.unknowns[i], strain.unknowns[j],
+                             w * std::conj(strain.anti[i]) * strain.anti[j] +
+                                 s * std::conj(strain.similar[i]) * strain.similar[j]);
+  }
+  Eigen::SparseMatrix<Complex> H(change.count(), change.count());
+  H.setFromTriplets(entries.begin(), entries.end());
+  return H;
+}
+
+}  // namespace hgp

@@ -1,0 +1,59 @@
+// How much a change of a map strains it, as a quadratic form.  Role: what integers are chosen and maps
+// are changed by when translations become integers.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include "hgp/grid/seam_structure.h"
+
+namespace hgp {
+
+/// The unknowns of a seamless change dx of a map with these seams: one per vertex whose closure does
+/// not rotate, then one translation per chain. Cones are x = T/(1 − i^r).
+class SeamlessChange {
+ public:
+  SeamlessChange(const TriMesh& mesh, const SeamStructure& seams);
+
+  int count() const { return count_; }
+  int vertexUnknown(VertexId v) const { return vertexUnknown_[v]; }  ///< −1 at rotating cones
+  int chainUnknown(int chain) const { return count_ - chainCount_ + chain; }
+  const std::vector<int>& vertexUnknowns() const { return vertexUnknown_.raw(); }
+
+  struct Term {
+    int unknown;
+    Complex factor;
+  };
+  /// The change at a copy: Σ factor · unknown; appended to `out` times `scale`.
+  void append(int copy, const Complex& scale, std::vector<Term>& out) const;
+  /// All copies.
+  std::vector<Complex> evaluate(const Eigen::VectorXcd& x) const;
+
+ private:
+  const SeamStructure& seams_;
+  int count_ = 0, chainCount_ = 0;
+  PerVertex<int> vertexUnknown_;
+  PerVertex<int> closureOf_;
+};
+
+/// Strain of a face in the map's own plane: with f = z + dx, f_z = 1 + Σ similar x, f_z̄ = Σ anti x.
+struct FaceStrain {
+  std::vector<int> unknowns;
+  std::vector<Complex> similar, anti;
+};
+void faceStrain(const TriMesh& mesh, const SeamStructure& seams, const SeamlessChange& change,
+                const std::vector<Vec2>& uv, FaceId f, FaceStrain& out);
+
+/// Weights of the strain energy Σ_f w_f (|dx_z̄|² + δ |dx_z|²).
+struct StrainWeights {
+  double similarity = 0.1;  ///< δ: less keeps angles at the cost of areas
+  PerFace<double> face;     ///< w_f
+};
+StrainWeights strainWeights(const TriMesh& mesh, const SeamStructure& seams,
+                            const std::vector<Vec2>& uv);
+
+Eigen::SparseMatrix<Complex> strainForm(const TriMesh& mesh, const SeamStructure& seams,
+                                        const SeamlessChange& change, const std::vector<Vec2>& uv,
+                                        const StrainWeights& weights);
+
+}  // namespace hgp

@@ -1,0 +1,31 @@
+// The quad mesh that an aligned map is.  Role: grid points, unit edges and cells of the plane carried back
+// to the surface, in exact integers.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "hgp/base/result.h"
+#include "hgp/mesh/mesh_data.h"
+#include "hgp/mesh/tri_mesh.h"
+
+namespace hgp {
+
+struct QuadMesh {
+  std::vector<Vec3> positions;            ///< on the input surface
+  std::vector<Vec3> normals;              ///< of the input surface, unit length
+  std::vector<std::array<int, 4>> quads;  ///< counterclockwise
+  std::vector<int> coneVertex;  ///< per vertex: the surface vertex of its cone, −1 elsewhere
+  int clipped = 0;              ///< cells that the boundary cuts: left out
+};
+
+/// Extracts the unit grid of a map for q = 2 or 4 whose translations and cones are Gaussian integers
+/// and whose coordinates are multiples of one power of two. Every vertex is a grid point on the
+/// surface, once however many triangles meet there. From it one unit edge leaves in every direction of its
+/// total angle, walked triangle by triangle through seams; faces turn left four times.
+///
+/// Closed surfaces: only quads, as many as the map's area, V − E + F = χ, valence k at a cone.
+/// Fails with kUnsupported, the rule and the place where the map is not such a grid.
+Result<QuadMesh> extractQuads(const TriMesh& mesh, const UvMap& map, int q);
+
+}  // namespace hgp

@@ -1,0 +1,132 @@
+// Maps whose translations are integers.  Laws: every seam has an integer translation exactly; cones lie
+// on half points in tile mode and on grid points in quad mode; the map stays certified.
+#include "hgp/grid/align.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "hgp/grid/integer_choice.h"
+#include "hgp/parametrize/parametrize.h"
+#include "support/shapes.h"
+
+namespace hgp {
+namespace {
+
+const std::vector<test::Shape>& alignedShapes() {
+  static const std::vector<test::Shape> list{
+      test::jittered(test::icosphere(8), 0.01), test::jittered(test::pretzel(2, 4), 0.02),
+      test::jittered(test::pretzel(4, 3), 0.02), test::jittered(test::torus(20, 14), 0.01),
+      test::jittered(test::puncturedTorus(20, 14), 0.01)};
+  return list;
+}
+
+Parametrization aligned(const TriMesh& mesh, int q, double perCone, GridMode mode) {
+  SuggestOptions suggest;
+  suggest.q = q;
+  Result<CompleteSpec> spec = suggestCones(mesh, suggest);
+  EXPECT_TRUE(spec);
+  ParametrizeOptions options;
+  options.grid.cells = perCone * std::max<double>(4, static_cast<double>(spec->cones.size()));
+  options.grid.mode = mode;
+  Result<Parametrization> run = parametrize(mesh, toSpec(*spec), options);
+  EXPECT_TRUE(run);
+  return run ? std::move(*run) : Parametrization();
+}
+
+void expectAligned(const test::Shape& shape, int q, double perCone, GridMode mode) {
+  const TriMesh mesh = shape.mesh();
+  const Parametrization run = aligned(mesh, q, perCone, mode);
+  ASSERT_TRUE(run.grid) << shape.name;
+  EXPECT_TRUE(run.grid->isAligned) << shape.name << ": " << run.grid->reason;
+  EXPECT_TRUE(run.isCertified) << shape.name;
+  const ExactSeamFacts& seams = run.certificate.exactSeams;
+  EXPECT_GT(seams.integer, 0) << shape.name;
+  EXPECT_EQ(seams.integer, static_cast<int>(run.certificate.seams.seams.size())) << shape.name;
+  for (const ConePoint& cone : run.spec.cones)
+    for (std::size_t c = 0; c < run.copyOf.size(); ++c) {
+      if (run.copyOf[c] != cone.vertex) continue;
+      const double unit = mode == GridMode::kQuad ? 1.0 : 2.0;
+      if (mode == GridMode::kTile && cone.k % q == 0) continue;  // free to lie anywhere
+      for (double x : run.map.uv[c])
+        EXPECT_EQ(unit * x, std::rint(unit * x)) << shape.name << " cone " << cone.vertex.i;
+    }
+}
+
+TEST(AlignToGrid, TranslationsAreIntegersAndTheMapIsCertified) {
+  for (const test::Shape& shape : alignedShapes())
+    for (int q : {2, 4}) expectAligned(shape, q, 100, GridMode::kTile);
+}
+
+TEST(AlignToGrid, FewCellsPerConeWorkAsWell) {
+  for (const test::Shape& shape : alignedShapes()) expectAligned(shape, 4, 25, GridMode::kTile);
+}
+
+TEST(AlignToGrid, InQuadModeConesAreGridPoints) {
+  for (const test::Shape& shape : alignedShapes()) expectAligned(shape, 4, 100, GridMode::kQuad);
+}
+
+TEST(AlignToGrid, WithoutAChoiceTheReasonNamesADensityThatWorks) {
+  // One cell for eight cones of a sphere: they cannot all be apart.
+  const TriMesh mesh = alignedShapes()[2].mesh();
+  const Parametrization run = aligned(mesh, 4, 0.02, GridMode::kQuad);
+  ASSERT_TRUE(run.grid);
+  EXPECT_FALSE(run.grid->isAligned);
+  EXPECT_TRUE(run.isCertified);  // as solved
+  EXPECT_NE(run.grid->reason.find("cells"), std::string::npos);
+  EXPECT_FALSE(run.grid->attempts.empty());
+  if (run.grid->workingCells == 0) return;
+  ParametrizeOptions options;
+  options.grid.mode = GridMode::kQuad;
+  options.grid.cells = run.grid->workingCells;
+  Result<Parametrization> again = parametrize(mesh, toSpec(run.spec), options);
+  ASSERT_TRUE(again);
+  EXPECT_TRUE(again->grid->isAligned) << again->grid->reason;
+}
+
+TEST(AlignToGrid, OrdersWithoutSquaresAreRefusedInWords) {
+  const AlignedMap aligned =
+      alignToGrid(alignedShapes()[0].mesh(), {}, 3, {}, {100.0}, nullptr, {});
+  EXPECT_FALSE(aligned.map);
+  EXPECT_NE(aligned.report.reason.find("q = 2 or 4"), std::string::npos);
+}
+
+Eigen::VectorXcd vectorOf(double a, double b) {
+  Eigen::VectorXcd out = Eigen::VectorXcd::Zero(2);
+  out[0] = a;
+  out[1] = b;
+  return out;
+}
+
+Eigen::MatrixXcd formOf(double diagonal, double beside) {
+  Eigen::MatrixXcd out = Eigen::MatrixXcd::Constant(2, 2, beside);
+  out.diagonal().setConstant(diagonal);
+  return out;
+}
+
+TEST(IntegerChoice, TwoUnknownsThatMustStayApartDo) {
+  // Both want to be near 0.3; rounded alone they meet.
+  const Eigen::MatrixXcd S = formOf(1.0, 0.0);
+  const Eigen::VectorXcd y0 = vectorOf(0.1, 0.45);
+  const IntegerChoice alone(S, {});
+  EXPECT_EQ(alone.near(y0)[0], alone.near(y0)[1]);
+  const IntegerChoice apart(S, {{{{0, Complex(-1.0)}, {1, Complex(1.0)}}}});
+  const std::vector<Gaussian> y = apart.near(y0);
+  EXPECT_EQ(y[0], (Gaussian{0, 0}));
+  EXPECT_EQ(y[1], (Gaussian{1, 0}));
+  EXPECT_EQ(apart.wrongSeparations(y0, y), 0);
+  EXPECT_EQ(apart.wrongSeparations(y0, alone.near(y0)), 1);
+}
+
+TEST(IntegerChoice, ConditionalRoundingBeatsRoundingEachAlone) {
+  // Strongly coupled: the sum wants to be 1, each wants to be 0.5.
+  const Eigen::MatrixXcd S = formOf(101.0, 100.0);
+  const Eigen::VectorXcd y0 = vectorOf(0.49, 0.49);
+  const IntegerChoice choice(S, {});
+  const std::vector<Gaussian> y = choice.near(y0);
+  EXPECT_EQ(y[0].re + y[1].re, 1);
+  EXPECT_LT(choice.energy(y0, y), choice.energy(y0, {{0, 0}, {0, 0}}));
+}
+
+}  // namespace
+}  // namespace hgp

@@ -1,0 +1,187 @@
+// Quad meshes from aligned maps.  Laws: closed surfaces give pure quads, V − E + F = χ, F = the map's
+// area, valence k at every cone and 4 elsewhere, each edge twice; boundaries lose only what they cut.
+#include "hgp/quads/quads.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "hgp/parametrize/parametrize.h"
+#include "hgp/quads/write_quads.h"
+#include "support/maps.h"
+
+namespace hgp {
+namespace {
+
+double areaOf(const UvMap& map) {
+  double area = 0;
+  for (const auto& t : map.cornerUv) {
+    const Vec2 &a = map.uv[at(t[0])], &b = map.uv[at(t[1])], &c = map.uv[at(t[2])];
+    area += 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+  }
+  return area;
+}
+
+struct Counted {
+  int vertices = 0, edges = 0;
+  bool isManifold = true;  ///< every directed edge once, every vertex a single fan
+  std::vector<int> valence;
+  std::set<std::pair<int, int>> open;  ///< edges with one quad
+};
+
+Counted count(const QuadMesh& mesh) {
+  Counted out;
+  std::set<std::pair<int, int>> directed;
+  out.valence.assign(mesh.positions.size(), 0);
+  for (const auto& quad : mesh.quads)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const int a = quad[k], b = quad[(k + 1) % 4];
+      out.isManifold = out.isManifold && a != b && directed.insert({a, b}).second;
+      ++out.valence[at(a)];
+    }
+  for (const auto& [a, b] : directed) {
+    const bool isPaired = directed.count({b, a}) > 0;
+    out.edges += !isPaired || a < b;
+    if (!isPaired) out.open.insert({a, b});
+  }
+  out.vertices = static_cast<int>(mesh.positions.size());
+  return out;
+}
+
+void expectClosedQuads(const TriMesh& mesh, const UvMap& map, const std::vector<ConePoint>& cones,
+                       int euler, const std::string& name) {
+  const Result<QuadMesh> quads = extractQuads(mesh, map, 4);
+  ASSERT_TRUE(quads) << name << ": " << quads.error().message;
+  const Counted c = count(*quads);
+  EXPECT_TRUE(c.isManifold) << name;
+  EXPECT_TRUE(c.open.empty()) << name;
+  EXPECT_EQ(quads->clipped, 0) << name;
+  const int faces = static_cast<int>(quads->quads.size());
+  EXPECT_EQ(c.vertices - c.edges + faces, euler) << name;
+  EXPECT_NEAR(areaOf(map), faces, 1e-6 * faces) << name;
+  std::map<int, int> asked;
+  for (const ConePoint& cone : cones) asked[cone.vertex.i] = cone.k;
+  std::size_t met = 0;
+  for (int v = 0; v < c.vertices; ++v) {
+    const int cone = quads->coneVertex[at(v)];
+    met += cone >= 0;
+    EXPECT_EQ(c.valence[at(v)], cone >= 0 ? asked[cone] : 4) << name << " vertex " << v;
+  }
+  EXPECT_EQ(met, asked.size()) << name;
+}
+
+TEST(Quads, OfAlignedClosedSurfacesArePureAndCloseUp) {
+  for (const test::Shape& shape :
+       {test::jittered(test::icosphere(7), 0.01), test::jittered(test::pretzel(2, 3), 0.02),
+        test::jittered(test::pretzel(5, 2), 0.02), test::jittered(test::torus(18, 12), 0.01)}) {
+    const TriMesh mesh = shape.mesh();
+    Result<CompleteSpec> spec = suggestCones(mesh, {});
+    ASSERT_TRUE(spec);
+    ParametrizeOptions options;
+    options.grid.cells = 60 * std::max<double>(4, static_cast<double>(spec->cones.size()));
+    options.grid.mode = GridMode::kQuad;
+    Result<Parametrization> run = parametrize(mesh, toSpec(*spec), options);
+    ASSERT_TRUE(run && run->grid && run->grid->isAligned) << shape.name;
+    expectClosedQuads(mesh, run->map, run->spec.cones, shape.eulerCharacteristic(), shape.name);
+  }
+}
+
+/// The corners where a surface of unit cubes is not flat.
+std::vector<ConePoint> cubeCones(const TriMesh& mesh) {
+  std::vector<ConePoint> cones;
+  for (VertexId v : mesh.vertices()) {
+    double angle = 0;
+    for (HalfedgeId h : outgoingHalfedges(mesh, v)) {
+      const Vec3 &p = mesh.position(v), &a = mesh.position(mesh.head(h)),
+                 &b = mesh.position(mesh.tail(TriMesh::previous(h)));
+      double dot = 0, x = 0, y = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        dot += (a[k] - p[k]) * (b[k] - p[k]);
+        x += (a[k] - p[k]) * (a[k] - p[k]);
+        y += (b[k] - p[k]) * (b[k] - p[k]);
+      }
+      angle += std::acos(dot / std::sqrt(x * y));
+    }
+    const int k = static_cast<int>(std::lround(angle / (kPi / 2)));
+    if (k != 4) cones.push_back({v, k});
+  }
+  return cones;
+}
+
+TEST(Quads, GridLinesAlongMeshEdgesAndConesThatAreNeighbours) {
+  // Unit cubes: every grid line runs along mesh edges, and cones are mesh neighbours.
+  for (int genus : {0, 1, 3}) {
+    const test::Shape shape = test::pretzel(genus);
+    const TriMesh mesh = shape.mesh();
+    expectClosedQuads(mesh, test::developedMap(mesh), cubeCones(mesh), shape.eulerCharacteristic(),
+                      shape.name);
+  }
+}
+
+TEST(Quads, FinerGridsOnTheSameTrianglesAndHalfCells) {
+  const test::Shape shape = test::pretzel(1, 2);
+  const TriMesh mesh = shape.mesh();
+  // Triangles of half a cell: most vertices lie between grid points, on grid lines.
+  UvMap map = test::developedMap(mesh);
+  const double largest = areaOf(map);
+  for (double factor : {1.0, 3.0, 7.0}) {
+    UvMap scaled = map;
+    for (Vec2& p : scaled.uv) p = {factor * p[0], factor * p[1]};
+    const Result<QuadMesh> quads = extractQuads(mesh, scaled, 4);
+    ASSERT_TRUE(quads) << quads.error().message;
+    EXPECT_NEAR(static_cast<double>(quads->quads.size()), factor * factor * largest, 1e-9);
+  }
+}
+
+TEST(Quads, BoundaryCellsAreLeftOutAndCounted) {
+  // A square of 5 × 4 cells, moved by a third of a cell: 4 × 3 whole cells remain.
+  const TriMesh mesh = test::grid(5, 4).mesh();
+  UvMap map = test::planarMap(mesh);
+  const Result<QuadMesh> whole = extractQuads(mesh, map, 4);
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(whole->quads.size(), 20u);
+  for (Vec2& p : map.uv) p = {p[0] + 0.3125, p[1] + 0.3125};
+  const Result<QuadMesh> cut = extractQuads(mesh, map, 4);
+  ASSERT_TRUE(cut);
+  EXPECT_EQ(cut->quads.size(), 12u);
+  EXPECT_GT(cut->clipped, 0);
+  EXPECT_EQ(count(*cut).vertices, 20);
+}
+
+TEST(Quads, WhatIsNoGridIsRefused) {
+  const TriMesh mesh = test::torus(6, 5).mesh();
+  UvMap map = test::flatTorusMap(6, 5);
+  EXPECT_TRUE(extractQuads(mesh, map, 4));
+  EXPECT_FALSE(extractQuads(mesh, map, 3));
+  for (Vec2& p : map.uv) p[0] *= 1.0 / 3;
+  EXPECT_TRUE(extractQuads(mesh, test::flatTorusMap(6, 5), 2));
+  const Result<QuadMesh> thirds = extractQuads(mesh, map, 4);
+  EXPECT_FALSE(thirds && thirds->quads.size() * 3 != 30u);
+  for (Vec2& p : map.uv) p[1] *= 0.3;
+  EXPECT_FALSE(extractQuads(mesh, map, 4));
+}
+
+TEST(Quads, FilesHaveEveryQuadAndANormalPerVertex) {
+  const TriMesh mesh = test::pretzel(1).mesh();
+  const Result<QuadMesh> quads = extractQuads(mesh, test::developedMap(mesh), 4);
+  ASSERT_TRUE(quads);
+  const std::string obj = quadsAsObj(*quads, "test");
+  std::size_t faces = 0, normals = 0;
+  for (std::size_t i = 0; i + 1 < obj.size(); ++i) {
+    faces += obj[i] == '\n' && obj[i + 1] == 'f';
+    normals += obj.compare(i, 3, "\nvn") == 0;
+  }
+  EXPECT_EQ(faces, quads->quads.size());
+  EXPECT_EQ(normals, quads->positions.size());
+  for (const Vec3& n : quads->normals) EXPECT_NEAR(std::hypot(n[0], n[1], n[2]), 1.0, 1e-12);
+  const std::vector<std::uint8_t> glb = quadsAsGlb(*quads, "test");
+  ASSERT_GE(glb.size(), 20u);
+  const auto size = static_cast<std::size_t>(glb[8]) | static_cast<std::size_t>(glb[9]) << 8 |
+                    static_cast<std::size_t>(glb[10]) << 16;
+  EXPECT_EQ(size, glb.size());
+}
+
+}  // namespace
+}  // namespace hgp

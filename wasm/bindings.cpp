@@ -102,6 +102,19 @@ class Session {
     });
   }
 
+  val quads(const std::string& name) const {
+    return guarded([&] {
+      const Result<api::QuadFile> quads = session_.quads(name);
+      if (!quads) return failed(quads.error());
+      val reply = val::object();
+      reply.set("bytes", toTypedArray("Uint8Array", quads->bytes));
+      reply.set("vertices", quads->vertices);
+      reply.set("quads", quads->quads);
+      reply.set("clipped", quads->clipped);
+      return reply;
+    });
+  }
+
  private:
   val afterLoad(const Status& loaded) const {
     return loaded ? replyVerdict(session_.inspect()) : failed(loaded.error());
@@ -141,7 +154,8 @@ EMSCRIPTEN_BINDINGS(hgp) {
       .function("suggestCones", &Session::suggestCones)
       .function("parametrize", &Session::parametrize)
       .function("verify", &Session::verify)
-      .function("write", &Session::write);
+      .function("write", &Session::write)
+      .function("quads", &Session::quads);
   emscripten::function("neededDecoders", &neededDecoders);
   emscripten::function("version",
                        emscripten::optional_override([] { return std::string(api::version()); }));

@@ -1,3 +1,4 @@
+// budget: every option is a line or two here
 #include "arguments.h"
 
 #include <CLI/CLI.hpp>
@@ -70,6 +71,7 @@ class Parser {
     addCheck();
     addCones();
     addParam();
+    addQuads();
     addVerify();
     app_.footer(
         "Exit codes: 0 done (and certified) · 2 usage · 3 unreadable input · 4 unsupported "
@@ -200,11 +202,7 @@ class Parser {
                   "Less distortion: a term for it beside harmonicity");
     sub->add_option("--scale", scale_, "solved, unit (mean edge 1) or fit (into the unit square)")
         ->check(CLI::IsMember({"solved", "unit", "fit"}));
-    sub->add_option("--cells", out_.solve.grid.cells,
-                    "Align to a grid of about so many cells: lines meet at every seam (q = 2, 4)")
-        ->check(atLeast(1));
-    sub->add_option("--grid", out_.solve.grid.spacing, "The same by the edge length of a cell")
-        ->check(atLeast(0, true));
+    addGrid(sub);
     sub->add_option("--grid-mode", gridMode_, "tile, or quad: cones on grid points as well")
         ->check(CLI::IsMember({"tile", "quad"}));
     sub->add_option("--uv-set", uvSet_, "next, or the number of the set to write");
@@ -217,6 +215,24 @@ class Parser {
                   "Write what is certified; what is not keeps its uv or lies flat (exit code 6)");
     sub->add_option("--xref", out_.xref, "Write which input vertex every output vertex is");
     sub->add_flag("--force", out_.mayOverwrite, "Allow the output to replace the input");
+  }
+
+  void addGrid(CLI::App* sub) {
+    sub->add_option("--cells", out_.solve.grid.cells,
+                    "Align to a grid of about so many cells: lines meet at every seam (q = 2, 4)")
+        ->check(atLeast(1));
+    sub->add_option("--grid", out_.solve.grid.spacing, "The same by the edge length of a cell")
+        ->check(atLeast(0, true));
+  }
+
+  void addQuads() {
+    CLI::App* sub = add("quads", "Align to a grid and write its cells as quads", Command::kQuads);
+    addPrescription(sub);
+    sub->add_option("-o,--output", out_.output, "An .obj, or a .glb of triangles for a look")
+        ->required();
+    sub->add_option("--count", out_.solve.coneCount, "Automatic cones: roughly how many")
+        ->check(atLeast(0));
+    addGrid(sub);
   }
 
   void addVerify() {
@@ -263,6 +279,7 @@ class Parser {
     if (scale_ == "fit") out_.solve.scale = api::Scale::kFit;
     if (gridMode_ == "quad") out_.solve.grid.mode = GridMode::kQuad;
     if (out_.q) out_.solve.q = out_.verify.q = *out_.q;
+    if (out_.command == Command::kQuads) out_.solve.grid.mode = GridMode::kQuad;
     refuseContradictions();
   }
 
@@ -297,6 +314,8 @@ class Parser {
       refuse("--frames file needs --field");
     const GridOptions& grid = out_.solve.grid;
     if (grid.cells > 0 && grid.spacing > 0) refuse("--cells and --grid contradict each other");
+    if (out_.command == Command::kQuads && !grid.isAsked())
+      refuse("quads needs --cells, about how many, or --grid, how large");
     if (!gridMode_.empty() && !grid.isAsked()) refuse("--grid-mode needs --cells or --grid");
     if (grid.isAsked() && !scale_.empty() && scale_ != "solved") {
       refuse("--scale unit and fit would undo a grid: one cell is one unit of uv");

@@ -10,7 +10,7 @@
 
 namespace hgp::cli {
 
-enum class Command { kInspect, kCheck, kCones, kParam, kVerify };
+enum class Command { kInspect, kCheck, kCones, kParam, kQuads, kVerify };
 
 struct Arguments {
   Command command = Command::kInspect;

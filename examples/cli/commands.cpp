@@ -50,6 +50,8 @@ class Run {
         return cones();
       case Command::kParam:
         return param();
+      case Command::kQuads:
+        return param();
       case Command::kVerify:
         return verify();
     }
@@ -274,7 +276,10 @@ class Run {
   }
 
   int param() {
-    if (Status possible = session_.canWrite(a_.output); !possible) return fail(possible.error());
+    const bool isQuads = a_.command == Command::kQuads;
+    if (Status possible = session_.canWrite(a_.output); !possible && !isQuads) {
+      return fail(possible.error());
+    }
     Result<std::optional<io::Prescription>> asked = std::optional<io::Prescription>();
     if (a_.solve.boundary == api::BoundaryKind::kFree) asked = prescription();
     if (!asked) return fail(asked.error());
@@ -293,7 +298,26 @@ class Run {
           "hgp: nothing was written; --keep-going writes the components that are certified\n");
       return kNoMapExit;
     }
-    return writeResult();
+    if (a_.solve.grid.isAsked() && !session_.isAligned()) {
+      std::fprintf(stderr,
+                   "hgp: the map is certified but not aligned to a grid; nothing was written\n");
+      return kNoMapExit;
+    }
+    return isQuads ? writeQuads() : writeResult();
+  }
+
+  int writeQuads() {
+    Result<api::QuadFile> quads = session_.quads(a_.output);
+    if (!quads) return fail(quads.error());
+    if (Status done = writeFiles(a_.output, {{a_.output, std::move(quads->bytes)}}); !done) {
+      return fail(done.error());
+    }
+    if (!a_.isQuiet) {
+      std::fprintf(stderr, "  wrote %s: %d vertices, %d quads%s\n", printable(a_.output).c_str(),
+                   quads->vertices, quads->quads,
+                   quads->clipped > 0 ? "; cells that the boundary cuts are left out" : "");
+    }
+    return 0;
   }
 
   int writeResult() {

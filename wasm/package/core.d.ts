@@ -135,6 +135,27 @@ export interface SolveOptions extends SuggestOptions {
   /** Lower distortion; the report says how harmonic the map is. */
   quality?: boolean;
   scale?: 'solved' | 'unit' | 'fit';
+  /**
+   * Align the map to a grid (q = 2 or 4): every translation an integer, one cell per unit of uv, so that
+   * lines meet at every seam. About `cells` in all, or cells of edge `spacing`; `quad`: cones on grid
+   * points as well. Where none is found the map is as without it, and `report.components[].grid` says why
+   * and how many cells would work.
+   */
+  grid?: { cells?: number; spacing?: number; mode?: 'tile' | 'quad' };
+}
+
+/** The name says the format: .obj for quads, .glb for triangles to look at. */
+export interface QuadOptions {
+  name?: string;
+}
+
+export interface Quads {
+  name: string;
+  bytes: Uint8Array;
+  vertices: number;
+  quads: number;
+  /** Cells that a boundary cuts: left out. */
+  clipped: number;
 }
 
 export interface VerifyOptions {
@@ -232,6 +253,8 @@ export class Core {
   parametrize(options?: SolveOptions): Result;
   verify(options?: VerifyOptions): Certificate;
   write(options?: WriteOptions): Written;
+  /** The cells of a map aligned in quad mode; rejects with `no-map` where it is not. */
+  quads(options?: QuadOptions): Quads;
   free(): void;
 }
 

@@ -18,6 +18,8 @@ import type {
   SuggestOptions,
   Surface,
   VerifyOptions,
+  QuadOptions,
+  Quads,
   WriteOptions,
   Written,
 } from './core.js';
@@ -43,6 +45,8 @@ export type {
   Surface,
   VerifyOptions,
   Where,
+  QuadOptions,
+  Quads,
   WriteOptions,
   Written,
 } from './core.js';
@@ -98,6 +102,8 @@ export interface Client extends AsyncDisposable {
   verify(options?: VerifyOptions, call?: CallOptions): Promise<Certificate>;
   /** The original file with the new texture coordinates and nothing else changed. */
   write(options?: WriteOptions, call?: CallOptions): Promise<Written>;
+  /** The cells of a map aligned in quad mode (`grid`) as a quad mesh. */
+  quads(options?: QuadOptions, call?: CallOptions): Promise<Quads>;
   /** Ends the worker and forgets the model; pending calls reject with `AbortError`. */
   terminate(): void;
 }

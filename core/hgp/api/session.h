@@ -29,6 +29,13 @@ struct Repaired {
   std::vector<int> vertexImage;          ///< vertex of the surface → vertex, −1 when removed
 };
 
+/// A quad mesh as a file, and what is in it.
+struct QuadFile {
+  io::Bytes bytes;
+  int vertices = 0, quads = 0;
+  int clipped = 0;  ///< cells that a boundary cuts: left out
+};
+
 /// Vertex and triangle ids are those of the loaded surface (welded for glTF and STL, the file's own
 /// otherwise), before any repair. JSON texts follow docs/schema.
 class Session {
@@ -77,6 +84,12 @@ class Session {
   const std::vector<std::uint32_t>& cornerToUv() const;  ///< |F| × 3
   const std::vector<std::uint32_t>& uvToVertex() const;  ///< "xref": uv vertex → surface vertex
   const std::vector<SeamEdge>& seams() const;
+
+  /// Every component is aligned to the grid that was asked for.
+  bool isAligned() const;
+  /// The cells of a result that is aligned in quad mode, as an OBJ of quads or, where `name` ends so, a GLB
+  /// of triangles. Fails with kNoMap where it is not aligned.
+  Result<QuadFile> quads(const std::string& name) const;
 
   /// Whether write() can make a file of this name: glTF stays glTF, everything else becomes OBJ.
   Status canWrite(const std::string& name) const;

@@ -222,6 +222,7 @@ Status Session::State::solve(const std::optional<io::Prescription>& prescription
     run.notes.push_back("the frames are the directions of the field");
   std::vector<ComponentMap> maps;
   std::vector<HolonomySpec> specs;
+  bool areAligned = true;
   for (std::size_t p = 0; p < model->components.size(); ++p) {
     Result<Parametrization> component = solveComponent(p, request->components[p], shared);
     if (!component && options.keepsGoing && maySkip(component.error())) {
@@ -232,12 +233,14 @@ Status Session::State::solve(const std::optional<io::Prescription>& prescription
     }
     if (!component) return component.error();
     const bool isAligned = component->grid && component->grid->isAligned;
+    areAligned = areAligned && isAligned;
     maps.push_back({std::move(component->map), std::move(component->copyOf), component->spec,
                     component->certificate, isAligned ? 1.0 : 0.0});
     specs.push_back(toSpec(component->spec));
     run.components.push_back(std::move(*component));
   }
   Solved result;
+  result.isAligned = areAligned;
   result.stored = storeMap(*model, maps, options.scale);
   run.notes.insert(run.notes.end(), result.stored.notes.begin(), result.stored.notes.end());
   result.prescription = describe(*model, specs);

@@ -11,6 +11,7 @@ struct Session::State {
   std::optional<Model> model;
   std::vector<std::unique_ptr<PreparedSurface>> prepared;  ///< per component, made when needed
   struct Solved {
+    bool isAligned = false;  ///< to a grid, every component
     StoredMap stored;
     io::Prescription prescription;
     std::string certificate, report, cones;

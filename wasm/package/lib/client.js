@@ -108,6 +108,11 @@ class Client {
     return this.#call('write', [options], call);
   }
 
+  async quads(options = {}, call) {
+    checkOptions('quads', options);
+    return this.#call('quads', [options], call);
+  }
+
   /** Ends the worker, forgets the model and rejects whatever is pending. */
   terminate() {
     this.#stopWorker();

@@ -206,6 +206,12 @@ export class Core {
     return { name: files[0].name, bytes: files[0].bytes, files, notes, xref };
   }
 
+  quads(options = {}) {
+    checkOptions('quads', options);
+    const name = options.name ?? 'quads.obj';
+    return { name, ...this.#reply(this.#live.quads(name)) };
+  }
+
   /** Frees the model. The object cannot be used afterwards. */
   free() {
     this.#session?.delete();

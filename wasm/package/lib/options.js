@@ -64,6 +64,7 @@ export const optionsOf = {
   suggestCones: { q: order, count: integer(0), alignToCurvature: boolean },
   verify: { cones, field: coneFile, q: integer(0, 64), uvSet: integer(-1), tolerance: number },
   write: { uvSet: integer(-1), name: string, embedCones: boolean, allowUncertified: boolean },
+  quads: { name: string },
 };
 optionsOf.parametrize = {
   ...optionsOf.suggestCones,
@@ -75,6 +76,7 @@ optionsOf.parametrize = {
   method: oneOf('auto', 'harmonic', 'soft', 'printed', 'all-frames'),
   quality: boolean,
   scale: oneOf('solved', 'unit', 'fit'),
+  grid: record({ cells: number, spacing: number, mode: oneOf('tile', 'quad') }),
 };
 
 /** The known name that was probably meant: the same letters but for case, or one letter off. */

@@ -17,6 +17,7 @@ const methods = new Set([
   'parametrize',
   'verify',
   'write',
+  'quads',
 ]);
 
 /** The buffers of all typed arrays in a result: they move instead of being copied. */

@@ -232,6 +232,31 @@ Drawing distortion(const Request& request) {
   return drawing;
 }
 
+// Lines across seams (red): as solved, and aligned to a grid.
+Drawing alignedLines(const Request& request) {
+  const MeshData data = request.isSmall ? models::pretzel(26) : models::rings(70);
+  const double cells = request.isSmall ? 900 : 2600;
+  Drawing drawing;
+  std::vector<Image> panels;
+  for (bool isAligned : {false, true}) {
+    Order order;
+    if (isAligned) order.grid.cells = cells;
+    const std::optional<Mapped> m = mapped(isAligned ? "aligned" : "as solved", data, order);
+    if (!take(m, drawing)) continue;
+    drawing.isCertified =
+        drawing.isCertified && (!isAligned || (m->result.grid && m->result.grid->isAligned));
+    picture::Scene scene = surfaceScene(*m, std::sqrt(cells));
+    if (isAligned) scene.uv = cornerUv(*m, 1.0);
+    scene.paint = gridPaint(4);
+    drawSeams(*m, scene, nullptr);
+    for (picture::Line& line : scene.lines) line.colour = {0.85, 0.08, 0.08};
+    scene.dotRadius = 3;
+    panels.push_back(render(scene, {24, 48, 1}, 560, 420));
+  }
+  drawing.rows = {sideBySide(panels)};
+  return drawing;
+}
+
 struct Figure {
   const char* name;
   const char* about;
@@ -244,6 +269,7 @@ const std::vector<Figure>& all() {
       {"fig2", "q = 6, three cones of 2π/3", hexagonal},
       {"fig3", "a million triangles", largeModel},
       {"fig6", "the two sides of every seam in one colour", twinSeams},
+      {"aligned", "lines across seams, as solved and aligned to a grid", alignedLines},
       {"fig8", "wrong cone angles, and frames fixed", frameFixing},
       {"fig9", "conformal distortion, 0 (pale) to 0.3 (dark), without and with --quality",
        distortion}};

@@ -93,6 +93,7 @@ std::optional<Mapped> mapped(const std::string& name, const MeshData& data, cons
   ParametrizeOptions options;
   options.useQuality = order.useQuality;
   options.maxRounds = order.maxRounds;
+  options.grid = order.grid;
   SuggestOptions cones;
   cones.q = order.q;
   cones.coneCount = order.coneCount;

@@ -22,6 +22,7 @@ struct Order {
   int coneCount = 0;
   bool useQuality = false;
   int maxRounds = 12;
+  GridOptions grid;  ///< asked: one cell per unit of uv
 };
 
 /// Solves, and prints one line of what came out. Nothing when it could not be asked.

@@ -1,3 +1,4 @@
+// budget: a short method for every call of the package
 // hgp::api::Session for JavaScript. Every call returns a plain object: its results, or `error` with
 // the JSON of the failure. No exception and no C++ object but the session crosses this line.
 #include <emscripten/bind.h>

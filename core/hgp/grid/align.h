@@ -7,24 +7,12 @@
 #include <vector>
 
 #include "hgp/base/progress.h"
+#include "hgp/grid/grid_options.h"
 #include "hgp/linalg/ordering/ordering.h"
 #include "hgp/mesh/mesh_data.h"
 #include "hgp/mesh/tri_mesh.h"
 
 namespace hgp {
-
-enum class GridMode {
-  kTile,  ///< translations are Gaussian integers; cones may lie between grid points
-  kQuad,  ///< cones lie on grid points as well, so that the grid is a quad mesh
-};
-
-/// Nothing is asked while both sizes are 0. Only for q = 2 and 4.
-struct GridOptions {
-  double cells = 0.0;    ///< grid cells in all, about
-  double spacing = 0.0;  ///< or: edge of a cell in units of the surface
-  GridMode mode = GridMode::kTile;
-  bool isAsked() const { return cells > 0.0 || spacing > 0.0; }
-};
 
 /// One choice of integers.
 struct GridAttempt {

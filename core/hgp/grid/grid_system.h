@@ -3,11 +3,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
-#include "hgp/grid/align.h"
 #include "hgp/grid/cone_pairs.h"
+#include "hgp/grid/grid_options.h"
 #include "hgp/grid/integer_choice.h"
-#include "hgp/linalg/factor/partial_cholesky.h"
+#include "hgp/linalg/factor/factor.h"
 
 namespace hgp {
 

@@ -10,7 +10,7 @@ namespace {
 
 __extension__ typedef __int128 Wide;
 
-constexpr double kLargest = 0x1p50;
+constexpr double kLargest = 0x1p55;
 
 LatticePoint minus(const LatticePoint& a, const LatticePoint& b) { return {a.u - b.u, a.v - b.v}; }
 

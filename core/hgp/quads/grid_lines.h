@@ -27,7 +27,7 @@ LatticePoint turned(const LatticePoint& p, int turn);
 /// The corners of all faces as lattice points and the crossings between faces.
 class LatticeMap {
  public:
-  /// Fails with kUnsupported where coordinates are no multiples of one power of two within 2⁵⁰ steps,
+  /// Fails with kUnsupported where coordinates are no multiples of one power of two within 2⁵⁵ steps,
   /// a triangle is not positive, or sides of an edge are not related by i^r z + t with integer t.
   static Result<LatticeMap> make(const TriMesh& mesh, const UvMap& map);
 

@@ -1,3 +1,4 @@
+// budget: one walk over one set of tables
 #include "hgp/quads/quads.h"
 
 #include <algorithm>
@@ -20,7 +21,8 @@ struct Dart {
   FaceId face;
   LatticePoint at;
   int direction = 0;
-  int opposite = -1;  ///< −1: it leaves the surface
+  int opposite = -1;  ///< −1: it leaves the surface, or runs along its boundary
+  int end = -1;       ///< where it ends on the boundary with nothing on its right
 };
 
 /// Floor division.
@@ -256,7 +258,7 @@ class Extraction {
       bool isHere = true;
       for (int k = 0; k < 3 && isHere; ++k) isHere = lattice_.side(TriMesh::halfedge(f, k), q) >= 0;
       if (isHere) {
-        darts_[hgp::at(dart)].opposite = arrival(f, q, (direction + 2) & 3);
+        arrive(darts_[hgp::at(dart)], f, q, (direction + 2) & 3);
         return;
       }
       HalfedgeId exit;
@@ -278,23 +280,29 @@ class Extraction {
 
   /// The dart that leaves q backwards. The faces just left of the line hold it strictly, or have it
   /// as the last ray of their corner: then it belongs to the next face.
-  int arrival(FaceId f, const LatticePoint& q, int back) const {
+  void arrive(Dart& dart, FaceId f, const LatticePoint& q, int back) const {
     const Place place = placeOf(f, q);
-    if (place.node < 0) return -1;
-    if (!place.on.isValid()) return dartAt(place.node, f, back);
+    if (place.node < 0) return;
+    dart.opposite = dartAt(place.node, f, back);
+    if (!place.on.isValid()) return;
     const LatticePoint end =
         negative(vectorOf(place.isVertex ? TriMesh::previous(place.on) : place.on));
     const LatticePoint step = lattice_.step(back);
-    if (crossSign(step, end) != 0 || dotSign(step, end) < 0) return dartAt(place.node, f, back);
+    if (crossSign(step, end) != 0 || dotSign(step, end) < 0) return;
     const HalfedgeId over = place.isVertex ? TriMesh::previous(place.on) : place.on;
-    if (mesh_.isBoundary(over)) return -1;
-    return dartAt(place.node, TriMesh::face(mesh_.twin(over)),
-                  lattice_.directionAcross(over, back));
+    if (mesh_.isBoundary(over)) {
+      dart.end = place.node;
+      return;
+    }
+    dart.opposite =
+        dartAt(place.node, TriMesh::face(mesh_.twin(over)), lattice_.directionAcross(over, back));
   }
 
   /// The edge after `dart` around the cell on its left, −1 at the boundary.
   int nextAround(int dart) const {
     const int back = darts_[hgp::at(dart)].opposite;
+    if (const int end = darts_[hgp::at(dart)].end; end >= 0)  // along the boundary
+      return around_[hgp::at(end)].empty() ? -1 : around_[hgp::at(end)].back();
     if (back < 0) return -1;
     const int node = darts_[hgp::at(back)].node;
     const std::vector<int>& list = around_[hgp::at(node)];

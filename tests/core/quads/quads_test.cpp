@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include "hgp/parametrize/parametrize.h"
@@ -104,7 +105,7 @@ std::vector<ConePoint> cubeCones(const TriMesh& mesh) {
       }
       angle += std::acos(dot / std::sqrt(x * y));
     }
-    const int k = static_cast<int>(std::lround(angle / (kPi / 2)));
+    const int k = static_cast<int>(std::lround(angle * 2 / std::numbers::pi));
     if (k != 4) cones.push_back({v, k});
   }
   return cones;

@@ -1,3 +1,4 @@
+// budget: a method for every command
 #include "commands.h"
 
 #include <unistd.h>

@@ -114,7 +114,6 @@ static void align(const TriMesh& mesh, const SeamlessSetup& setup,
     if (certificate.isCertified) {
       result.map = std::move(*aligned.map);
       result.certificate = std::move(certificate);
-      result.isHarmonic = false;
     } else {
       aligned.report.isAligned = false;
       aligned.report.reason = "the aligned map is not certified: " + certificate.reasons[0].message;

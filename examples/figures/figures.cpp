@@ -235,7 +235,7 @@ Drawing distortion(const Request& request) {
 // Lines across seams (red): as solved, and aligned to a grid.
 Drawing alignedLines(const Request& request) {
   const MeshData data = request.isSmall ? models::pretzel(26) : models::rings(70);
-  const double cells = request.isSmall ? 900 : 2600;
+  const double cells = request.isSmall ? 900 : 1500;
   Drawing drawing;
   std::vector<Image> panels;
   for (bool isAligned : {false, true}) {
@@ -251,7 +251,7 @@ Drawing alignedLines(const Request& request) {
     drawSeams(*m, scene, nullptr);
     for (picture::Line& line : scene.lines) line.colour = {0.85, 0.08, 0.08};
     scene.dotRadius = 3;
-    panels.push_back(render(scene, {24, 48, 1}, 560, 420));
+    panels.push_back(render(scene, {16, 58, 2.1}, 560, 380));
   }
   drawing.rows = {sideBySide(panels)};
   return drawing;

@@ -51,6 +51,8 @@ inline api::SolveOptions toSolveOptions(const val& options, const val& onProgres
   api::SolveOptions o;
   o.q = option(options, "q", o.q);
   o.coneCount = option(options, "count", o.coneCount);
+  const auto conesFor = conesForNamed(option(options, "conesFor", std::string("balanced")));
+  if (conesFor) o.conesFor = *conesFor;
   o.alignToCurvature = option(options, "alignToCurvature", o.alignToCurvature);
   const auto boundary = option(options, "boundary", std::string("free"));
   if (boundary == "convex") o.boundary = api::BoundaryKind::kConvex;

@@ -166,14 +166,19 @@ class Parser {
         add("check", "The exact angle budget of a prescription; solves nothing", Command::kCheck));
   }
 
+  void addChoice(CLI::App* sub, const char* count) {
+    sub->add_option(count, out_.solve.coneCount, "Automatic cones: how many")->check(atLeast(0));
+    sub->add_option("--cones-for", conesFor_, "Automatic cones: balanced, few or low-distortion")
+        ->check(CLI::IsMember({"balanced", "few", "low-distortion"}));
+    sub->add_flag("--align", out_.solve.alignToCurvature, "Follow the principal curvatures");
+  }
+
   void addCones() {
     CLI::App* sub =
         add("cones", "Choose cones, or convert them to hgp-cones JSON", Command::kCones);
     sub->add_option("-o,--output", out_.output, "Where to write (default: standard output)");
     sub->add_option("--q", out_.q, "Rotation order (default 4)")->check(CLI::Range(1, 64));
-    sub->add_option("--count,--suggest", out_.solve.coneCount, "Roughly how many cones")
-        ->check(atLeast(0));
-    sub->add_flag("--align", out_.solve.alignToCurvature, "Follow the principal curvatures");
+    addChoice(sub, "--count,--suggest");
     sub->add_option("--convert", out_.convert, "Convert this file of cones or of a field instead");
   }
 
@@ -185,18 +190,13 @@ class Parser {
     sub->add_option("--boundary", boundary_,
                     "free, or convex: a disk onto a convex polygon (Tutte)")
         ->check(CLI::IsMember({"free", "convex"}));
-    sub->add_option("--count", out_.solve.coneCount, "Automatic cones: roughly how many")
-        ->check(atLeast(0));
-    sub->add_flag("--align", out_.solve.alignToCurvature,
-                  "Automatic cones: follow principal curvatures");
+    addChoice(sub, "--count");
     sub->add_option("--frames", frames_,
                     "auto: a smooth field of our own; file: the directions of --field")
         ->check(CLI::IsMember({"auto", "file"}));
     sub->add_option("--rounds", out_.solve.maxRounds, "Rounds of solve, judge, repair (default 24)")
         ->check(CLI::Range(1, 1000));
-    sub->add_option(
-           "--method", method_,
-           "auto, harmonic, soft, printed (the paper's program and iteration) or all-frames")
+    sub->add_option("--method", method_, "auto, harmonic, soft, printed (the paper's), all-frames")
         ->check(CLI::IsMember({"auto", "harmonic", "soft", "printed", "all-frames"}));
     sub->add_flag("--quality", out_.solve.useQuality,
                   "Less distortion: a term for it beside harmonicity");
@@ -274,6 +274,7 @@ class Parser {
     for (const std::string& h : handle_) out_.handle.push_back(takePair(h, "--handle"));
     if (boundary_ == "convex") out_.solve.boundary = api::BoundaryKind::kConvex;
     if (const auto method = methodNamed(method_)) out_.solve.method = *method;
+    if (const auto choice = conesForNamed(conesFor_)) out_.solve.conesFor = *choice;
     if (frames_ == "file") out_.solve.frames = api::FrameSource::kFile;
     if (scale_ == "unit") out_.solve.scale = api::Scale::kUnit;
     if (scale_ == "fit") out_.solve.scale = api::Scale::kFit;
@@ -372,7 +373,7 @@ class Parser {
   CLI::App app_;
   Arguments out_;
   std::vector<std::pair<CLI::App*, Command>> commands_;
-  std::string mesh_, weld_, fix_, boundary_, frames_, method_, scale_, uvSet_, gridMode_;
+  std::string mesh_, weld_, fix_, boundary_, conesFor_, frames_, method_, scale_, uvSet_, gridMode_;
   std::vector<std::string> cone_, turning_, handle_;
 };
 

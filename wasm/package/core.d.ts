@@ -107,8 +107,10 @@ export interface ConeFile {
 
 export interface SuggestOptions {
   q?: number;
-  /** Roughly how many; by default as many as the field has. */
+  /** How many; by default as many as `conesFor` finds good. A note says where that is not possible. */
   count?: number;
+  /** `few` as areas allow; `low-distortion`: as many as are worth it, and boundaries turn as they like. */
+  conesFor?: 'balanced' | 'few' | 'low-distortion';
   alignToCurvature?: boolean;
 }
 

@@ -603,6 +603,10 @@ export interface Report {
     automaticCones: boolean;
     q?: number;
     coneCount?: number;
+    /**
+     * What automatic cones are chosen for, where their number is not asked
+     */
+    conesFor?: 'balanced' | 'few' | 'low-distortion';
     alignToCurvature?: boolean;
   };
   seconds: number;

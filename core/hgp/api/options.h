@@ -5,6 +5,7 @@
 #include <string>
 
 #include "hgp/base/progress.h"
+#include "hgp/field/choose_cones.h"
 #include "hgp/grid/align.h"
 #include "hgp/io/document.h"
 #include "hgp/mesh/defects.h"
@@ -36,7 +37,8 @@ enum class Scale {
 
 struct SolveOptions {
   int q = 4;          ///< for automatic cones; a prescription brings its own
-  int coneCount = 0;  ///< automatic cones: roughly how many, 0 = as the field has them
+  int coneCount = 0;  ///< automatic cones: so many where possible, 0 = by conesFor
+  ConesFor conesFor = ConesFor::kBalanced;
   bool alignToCurvature = false;
   BoundaryKind boundary = BoundaryKind::kFree;
   int maxRounds = 24;

@@ -19,6 +19,7 @@ Json optionsJson(const SolveOptions& o, bool isAutomatic) {
   if (isAutomatic) {
     json["q"] = o.q;
     json["coneCount"] = o.coneCount;
+    json["conesFor"] = conesForName(o.conesFor);
     json["alignToCurvature"] = o.alignToCurvature;
   }
   return json;

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "hgp/api/map_notes.h"
 #include "hgp/api/session_state.h"
 #include "hgp/base/check.h"
 #include "hgp/parametrize/stage_clock.h"
@@ -15,6 +16,7 @@ SuggestOptions suggestOptions(int q, const SolveOptions& options) {
   SuggestOptions suggest;
   suggest.q = q;
   suggest.coneCount = options.coneCount;
+  suggest.conesFor = options.conesFor;
   suggest.alignToCurvature = options.alignToCurvature;
   suggest.progress = options.progress;
   return suggest;
@@ -91,16 +93,21 @@ Result<Parametrization> Session::State::solveComponent(std::size_t p,
   surfaceOf(p);
   clock.end();
   HolonomySpec spec = request.spec;
+  std::vector<std::string> notes;
   if (request.isAutomatic) {
     SolveOptions choice = options;
     choice.q = request.spec.q;
     Result<CompleteSpec> chosen = chooseCones(p, choice, &times);
     if (!chosen) return chosen.error();
     spec = toSpec(*chosen);
+    if (auto note = countNote(options.coneCount, *chosen)) notes.push_back(std::move(*note));
   }
   Result<Parametrization> run = hgp::parametrize(surfaceOf(p), spec, core);
   dropLarge(p);
   if (!run) return toSurfaceIds(*model, component, run.error());
+  if (run->isCertified)
+    if (auto note = crushedNote(*model, component, run->map)) notes.push_back(std::move(*note));
+  run->notes.insert(run->notes.end(), notes.begin(), notes.end());
   run->times.insert(run->times.begin(), times.begin(), times.end());
   return run;
 }

@@ -5,23 +5,11 @@
 #include <cmath>
 
 #include "hgp/base/check.h"
+#include "hgp/field/nearest_plane.h"
 #include "hgp/field/open_turning.h"
 
 namespace hgp {
 namespace {
-
-/// Integers n that nearly minimise (offset + step∘n)ᵀ M⁻¹ (offset + step∘n): Babai's nearest plane.
-Eigen::VectorXd nearestPlane(const Eigen::MatrixXd& M, const Eigen::VectorXd& offset,
-                             const Eigen::VectorXd& step) {
-  const Eigen::MatrixXd U = Eigen::MatrixXd(M.inverse()).llt().matrixU();  // M⁻¹ = UᵀU
-  Eigen::VectorXd d = offset;
-  for (Eigen::Index i = d.size() - 1; i >= 0; --i) {
-    double center = 0.0;
-    for (Eigen::Index j = i + 1; j < d.size(); ++j) center -= U(i, j) * d[j] / U(i, i);
-    d[i] += step[i] * std::round((center - d[i]) / step[i]);
-  }
-  return d;
-}
 
 /// Transport along each generator without the harmonic part.
 Eigen::VectorXd coexactTransport(const TriMesh& mesh, const FieldContext& context,
@@ -47,7 +35,7 @@ Eigen::VectorXd handleCorrections(const Eigen::MatrixXd& periods, const Eigen::V
     offset[i] = turnAngle(r.value_or(0), q) - natural[i];
     step[i] = 2.0 * kPi / (r ? 1 : q);
   }
-  const Eigen::VectorXd correction = nearestPlane(periods, offset, step);
+  const Eigen::VectorXd correction = NearestPlane(periods).round(offset, step);
   for (Eigen::Index i = 0; i < count; ++i) {
     std::optional<int>& r = handles[static_cast<std::size_t>(i)];
     if (!r)

@@ -8,6 +8,7 @@
 
 #include "hgp/base/progress.h"
 #include "hgp/base/result.h"
+#include "hgp/field/choose_cones.h"
 #include "hgp/grid/align.h"
 #include "hgp/mesh/field_data.h"
 #include "hgp/mesh/holonomy_spec.h"
@@ -59,14 +60,6 @@ struct Parametrization {
   std::vector<std::string> notes;  ///< warnings and explanations for people
   std::optional<GridReport> grid;  ///< where a grid was asked; without one the map is as solved
   std::vector<FaceId> conflict;    ///< triangles that fight, where the program is infeasible
-};
-
-/// Cones, turning and handles of a smooth field of order q ("automatic cones").
-struct SuggestOptions {
-  int q = 4;
-  int coneCount = 0;              ///< roughly how many; 0 = as the field has them after clean-up
-  bool alignToCurvature = false;  ///< follow principal curvature instead of smoothness alone
-  Progress progress;
 };
 
 }  // namespace hgp

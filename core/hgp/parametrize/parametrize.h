@@ -18,6 +18,7 @@ Result<Parametrization> parametrize(const TriMesh& mesh, const HolonomySpec& spe
 /// weights. Fails with kUnsupported when the surface is not a disk, with kUsage for given frames.
 Result<Parametrization> parametrizeConvex(const TriMesh& mesh, const ParametrizeOptions& options);
 
+/// Cones, turning and handles by themselves ("automatic cones").
 Result<CompleteSpec> suggestCones(const TriMesh& mesh, const SuggestOptions& options);
 
 /// Both again for a surface that is kept: what one run prepared, the next ones use. What was suggested

@@ -35,15 +35,4 @@ UvMap layOut(const TriMesh& mesh, const SeamlessSetup& setup, const std::vector<
 UvMap layOut(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,
              const std::vector<Complex>& z);
 
-/// Cones and turning of a smooth field; handles are left open.
-/// @param context  prepareSurface(mesh)
-Result<HolonomySpec> chooseCones(const TriMesh& mesh, const FieldContext& context,
-                                 const SuggestOptions& options);
-
-/// Whether a closed torus is flat enough without any cone: its scale then varies by at most
-/// e^kFlatScaleRange. Every torus is conformally flat, so that cones would only add distortion.
-/// @param context  complete (prepareConnection)
-bool isNearlyFlatTorus(const FieldContext& context);
-inline constexpr double kFlatScaleRange = 1.2;
-
 }  // namespace hgp

@@ -96,15 +96,16 @@ TEST(Parametrize, AutomaticConesAreCertifiedOnEveryShapeForEveryOrder) {
 
 TEST(Parametrize, WhatOneLinearSystemLeavesWrongIsMendedWhereItIs) {
   int local = 0;
-  for (const test::Shape& base : {test::cube(12), test::annulus(48, 12), test::pretzel(2, 6)}) {
-    const test::Shape shape = test::jittered(base, 0.1);
-    const TriMesh mesh = shape.mesh();
-    const Result<Parametrization> p = withItsOwnCones(mesh);
-    expectCertified(mesh, p, shape.name);
-    const std::string& last = p->rounds.back().method;
-    local += last == "soft constraints, exact rows + enlarged 1, on a patch";
-  }
-  EXPECT_GE(local, 2);
+  for (unsigned seed : {1u, 2u, 3u, 4u})
+    for (const test::Shape& base : {test::cube(12), test::annulus(48, 12), test::pretzel(2, 6)}) {
+      const test::Shape shape = test::jittered(base, 0.2, seed);
+      const TriMesh mesh = shape.mesh();
+      const Result<Parametrization> p = withItsOwnCones(mesh);
+      expectCertified(mesh, p, shape.name);
+      const std::string& last = p->rounds.back().method;
+      local += last == "soft constraints, exact rows + enlarged 1, on a patch";
+    }
+  EXPECT_GE(local, 2) << "of 12";
 }
 
 TEST(Parametrize, SuggestedConesGiveTheSameBitsWhoeverNamesThem) {

@@ -1,0 +1,76 @@
+#include "hgp/api/map_notes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "hgp/base/check.h"
+
+namespace hgp::api {
+namespace {
+
+double surfaceArea(const TriMesh& mesh, FaceId f) {
+  const auto [a, b, c] = mesh.corners(f);
+  Vec3 p{}, q{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    p[i] = mesh.position(b)[i] - mesh.position(a)[i];
+    q[i] = mesh.position(c)[i] - mesh.position(a)[i];
+  }
+  return 0.5 * std::hypot(p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2],
+                          p[0] * q[1] - p[1] * q[0]);
+}
+
+double uvArea(const UvMap& map, FaceId f) {
+  const auto& t = map.cornerUv[static_cast<std::size_t>(f.i)];
+  const auto at = [&](std::size_t k) { return map.uv[static_cast<std::size_t>(t[k])]; };
+  return 0.5 * ((at(1)[0] - at(0)[0]) * (at(2)[1] - at(0)[1]) -
+                (at(1)[1] - at(0)[1]) * (at(2)[0] - at(0)[0]));
+}
+
+}  // namespace
+
+std::optional<std::string> crushedNote(const Model& model, const ModelComponent& component,
+                                       const UvMap& map) {
+  const TriMesh& mesh = component.mesh;
+  if (map.cornerUv.size() != static_cast<std::size_t>(mesh.faceCount())) return {};
+  PerFace<double> scale(static_cast<std::size_t>(mesh.faceCount()), -1.0);
+  std::vector<double> sorted;
+  for (FaceId f : mesh.faces()) {
+    const double area = surfaceArea(mesh, f);
+    if (area <= 0.0) continue;
+    scale[f] = uvArea(map, f) / area;
+    sorted.push_back(scale[f]);
+  }
+  if (sorted.empty()) return {};
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  const double median = *middle;
+  int count = 0;
+  FaceId worst;
+  for (FaceId f : mesh.faces()) {
+    if (scale[f] <= 0.0 || scale[f] >= kCrushedScale * median) continue;
+    ++count;
+    if (!worst.isValid() || scale[f] < scale[worst]) worst = f;
+  }
+  if (count == 0) return {};
+  std::vector<Where> place{{Where::Kind::kFace, worst.i}};
+  toSurfaceIds(model, component, place);
+  const Vec3& p = mesh.position(mesh.corners(worst)[0]);
+  return formatText(
+      "%d of %d triangles are crushed: their areas are scaled by less than %g of the median, the "
+      "smallest by %.1e of it (triangle %lld, at %.4g %.4g %.4g). A cone there, or more cones, "
+      "helps.",
+      count, mesh.faceCount(), kCrushedScale, scale[worst] / median,
+      static_cast<long long>(place[0].id), p[0], p[1], p[2]);
+}
+
+std::optional<std::string> countNote(int asked, const CompleteSpec& chosen) {
+  const int have = static_cast<int>(chosen.cones.size());
+  if (asked == 0 || have == asked) return {};
+  return formatText("%d cones were asked for and %d are placed: %s.", asked, have,
+                    have > asked
+                        ? "fewer would break Gauss–Bonnet or turn too sharply for the triangles"
+                        : "the surface has no room for more");
+}
+
+}  // namespace hgp::api

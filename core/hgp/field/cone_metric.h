@@ -1,0 +1,77 @@
+// What a choice of cones costs.  Role: the scale of the cone metric L u = K_asked − K and the twist of
+// its handles, as functions of the cones (Soliman, Slepčev, Crane 2018).
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "hgp/field/nearest_plane.h"
+#include "hgp/field/prescribed_field.h"
+
+namespace hgp {
+
+/// Units of 2π/q asked at every node of the filled surface: q − k at a vertex, q + l at a loop.
+/// Σ = q(2 − 2g) where Lemma 6.2 holds; what is missing or too much is spread evenly over the area.
+using NodeDefects = std::vector<int>;
+
+/// The metric of some cones, measured.
+struct ConeCost {
+  Eigen::VectorXd u;        ///< log scale per node, mean 0: lengths grow by e^u
+  Eigen::VectorXd natural;  ///< turn of the conformal connection along each handle generator
+  Eigen::VectorXd twist;    ///< coefficients of the harmonic forms that round `natural` to 2π/q
+  double scale = 0.0;       ///< Σ a u², the variance of u over the area
+  double energy = 0.0;      ///< scale + kTwistWeight · Dirichlet energy of the twist
+};
+
+/// What a conformal map would not have: handles that turn by other than multiples of 2π/q must be
+/// twisted, and shear near them. Fitted to the symmetric Dirichlet energy of certified maps.
+inline constexpr double kTwistWeight = 0.25;
+
+/// Units of 2π/q that go from one node to another.
+struct UnitMove {
+  int from = -1, to = -1, units = 0;
+};
+
+class ConeMetric {
+ public:
+  /// @param context  complete (prepareConnection); kept by reference
+  ConeMetric(const TriMesh& mesh, const FieldContext& context, int q);
+
+  int q() const { return q_; }
+  int nodeCount() const { return static_cast<int>(area_.size()); }
+  int total() const { return total_; }  ///< q(2 − 2g)
+  /// The share of the surface's area around each node; Σ = 1.
+  const Eigen::VectorXd& area() const { return area_; }
+  const FieldContext& context() const { return context_; }
+
+  ConeCost cost(const NodeDefects& defects) const;
+  /// Fills what follows from u and natural.
+  void measure(ConeCost& cost) const;
+  /// ∂energy/∂d per node: what one more unit there changes to first order, the rest taken evenly.
+  Eigen::VectorXd gradient(const ConeCost& cost) const;
+  /// How u changes with one more unit at each of the nodes, per column.
+  Eigen::MatrixXd response(const std::vector<int>& nodes) const;
+  /// How u changes with each of the moves, per column.
+  Eigen::MatrixXd moveResponse(const std::vector<UnitMove>& moves) const;
+  /// How `natural` changes with one more unit at a node.
+  Eigen::VectorXd naturalResponse(int node) const;
+
+ private:
+  Eigen::VectorXd centred(Eigen::VectorXd u) const;
+  Eigen::MatrixXd responseTo(Eigen::MatrixXd gap) const;
+
+  const FieldContext& context_;
+  int q_, total_;
+  Eigen::VectorXd area_;
+  Eigen::VectorXd transport_;      ///< of the surface itself along each generator
+  Eigen::VectorXd meanPotential_;  ///< Σ a f_j
+  NearestPlane rounding_;
+};
+
+/// Number of vertices (not loops) with a defect.
+int coneCount(const TriMesh& mesh, const FieldContext& context, const NodeDefects& defects);
+
+/// σ of log₂ area of a map that is e^u everywhere, from the variance of u.
+double areaSpread(double scale);
+
+}  // namespace hgp

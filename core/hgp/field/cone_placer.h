@@ -1,0 +1,92 @@
+// Cones that move, grow in number and shrink, every step measured exactly.  Role: the moves of
+// placeCones().
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "hgp/field/cone_metric.h"
+#include "hgp/field/defect_bounds.h"
+
+namespace hgp {
+
+class ConePlacer {
+ public:
+  ConePlacer(const TriMesh& mesh, const ConeMetric& metric, NodeDefects start, DefectBounds bounds);
+
+  const NodeDefects& defects() const { return defects_; }
+  void restore(const ConePlacer& other) {
+    defects_ = other.defects_;
+    cost_ = other.cost_;
+  }
+  const ConeCost& cost() const { return cost_; }
+  int cones() const { return coneCount(mesh_, metric_.context(), defects_); }
+
+  /// Adds single units until Gauss–Bonnet holds. False where no node can take one.
+  bool balance();
+
+  /// Cones walk downhill, all at once as far as that helps, then each where it helps by itself.
+  /// @param share  of the work that is left
+  void relax(double share = 1.0);
+  /// From now on moves neither cancel nor absorb cones.
+  void keepCount() { keepsCount_ = true; }
+  /// Nodes × solves.
+  void setWork(double work) { work_ = work; }
+
+  /// The best places for one unit of every sign. False where there is none.
+  /// @param isNew  only where there is no cone yet
+  bool addUnits(const std::vector<int>& signs, bool isNew = false);
+  /// Takes the units away that cost least, in opposite pairs, until `count` cones are left.
+  void thinTo(int count);
+  /// Several pairs at a time while many are missing.
+  void growTo(int count);
+  /// A quarter at a time, so that the others can take their places.
+  void shrinkTo(int count);
+
+ private:
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+  int missing() const {
+    int sum = 0;
+    for (int d : defects_) sum += d;
+    return metric_.total() - sum;
+  }
+  void measure() { cost_ = metric_.cost(defects_); }
+  bool fits(int node, int d) const {
+    return d >= bounds_.low[at(node)] && d <= bounds_.high[at(node)];
+  }
+  template <class Visit>
+  void eachNeighbour(int node, const Visit& visit) const {
+    const VertexId v = vertexOf_[at(node)];
+    if (!v.isValid()) return;
+    for (HalfedgeId h : outgoingHalfedges(mesh_, v)) visit(surface_.node[mesh_.head(h)]);
+  }
+  int walk(int node, double sign, int reach, const Eigen::VectorXd& g) const;
+  /// One unit between two of the listed nodes, and what that adds to the variance of u.
+  struct Exchange {
+    int from = -1, to = -1, unit = 0;
+    double cost = 0.0;
+  };
+  int conesSaved(int from, int to) const;
+  std::optional<Exchange> cheapestExchange(const std::vector<int>& nodes,
+                                           const Eigen::MatrixXd& gram,
+                                           const Eigen::VectorXd& slope, int most) const;
+  std::vector<UnitMove> downhillMoves(int reach) const;
+  bool isAllowed(const UnitMove& move) const;
+  void apply(const UnitMove& move);
+  bool walkTogether(int reach);
+  bool walkOneByOne(int reach);
+  std::vector<int> bestNodes(int sign, const Eigen::VectorXd& g, bool isNew) const;
+
+  const TriMesh& mesh_;
+  const ConeMetric& metric_;
+  const FilledSurface& surface_;
+  DefectBounds bounds_;
+  std::vector<VertexId> vertexOf_;
+  NodeDefects defects_;
+  ConeCost cost_;
+  bool keepsCount_ = false;
+  double work_ = 0.0;
+};
+
+}  // namespace hgp

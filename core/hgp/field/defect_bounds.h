@@ -1,0 +1,20 @@
+// How many units of 2π/q every node may carry.  Role: keeps automatic cones legal and bearable.
+#pragma once
+
+#include <vector>
+
+#include "hgp/field/prescribed_field.h"
+
+namespace hgp {
+
+/// What each node may carry: 1 ≤ k and 2k < q·valence at a vertex, an admissible turning index at a
+/// loop; and no vertex further from its own curvature than frames can turn, so that a spike keeps its
+/// cone.
+struct DefectBounds {
+  std::vector<int> low, high;
+};
+/// @param largestTurn  radians per edge around a vertex, on average
+DefectBounds defectBounds(const TriMesh& mesh, const FieldContext& context, int q,
+                          double largestTurn);
+
+}  // namespace hgp

@@ -1,0 +1,55 @@
+#include "hgp/field/place_cones.h"
+
+#include "hgp/field/cone_placer.h"
+
+namespace hgp {
+
+namespace {
+
+/// Fewer cones while areas stay within the spread.
+void shrinkWithin(ConePlacer& placer, double spread) {
+  while (placer.cones() > 1) {
+    const ConePlacer before = placer;
+    placer.shrinkTo(placer.cones() - std::max(1, placer.cones() / 4));
+    const bool isFewer = placer.cones() < before.cones();
+    if (isFewer && areaSpread(placer.cost().scale) <= spread) continue;
+    placer.restore(before);
+    return;
+  }
+}
+
+/// More cones while they are worth it.
+void growWhileWorthwhile(ConePlacer& placer, int most) {
+  while (placer.cones() < most) {
+    const ConePlacer before = placer;
+    placer.growTo(std::min(most, placer.cones() + std::max(2, placer.cones() / 4)));
+    if (placer.cost().energy < (1.0 - kWorthwhile) * before.cost().energy) continue;
+    placer.restore(before);
+    return;
+  }
+}
+
+}  // namespace
+
+NodeDefects placeCones(const TriMesh& mesh, const ConeMetric& metric, NodeDefects start,
+                       const PlaceOptions& options) {
+  DefectBounds bounds = defectBounds(mesh, metric.context(), metric.q(), options.largestTurn);
+  for (const int loop : metric.context().surface.loopNode) {
+    const auto at = static_cast<std::size_t>(loop);
+    if (options.keepsTurning) bounds.low[at] = bounds.high[at] = start[at];
+  }
+  ConePlacer placer(mesh, metric, std::move(start), std::move(bounds));
+  if (!placer.balance()) return placer.defects();
+  placer.setWork(options.isFixed ? 0.0 : options.work);
+  if (options.coneCount > 0) {
+    placer.keepCount();
+    placer.growTo(options.coneCount);
+    placer.shrinkTo(options.coneCount);
+  }
+  placer.relax();
+  if (options.spread > 0.0) shrinkWithin(placer, options.spread);
+  if (options.mostCones > 0) growWhileWorthwhile(placer, options.mostCones);
+  return placer.defects();
+}
+
+}  // namespace hgp

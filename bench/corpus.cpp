@@ -99,7 +99,8 @@ int runProgram(int argc, char** argv) {
   if (const char* shared = std::getenv("HGP_SHARED_MESHES")) a.folder = shared;
   app.add_option("dir", a.folder, "folder (default: $HGP_SHARED_MESHES)");
   app.add_option("--q", a.options.q, "order of the cones")->check(CLI::Range(1, 64));
-  app.add_flag("--quality", a.options.useQuality, "with the distortion term");
+  app.add_option("--improve", a.options.improve, "isometric, conformal or area")
+      ->check(CLI::IsMember({"isometric", "conformal", "area"}));
   app.add_flag("--fix-degenerate", a.options.fixDegenerate, "remove triangles without area first");
   app.add_option("--only", a.only, "names to take, as a pattern: '*torus*'");
   app.add_option("--skip", a.skip, "names to leave out");

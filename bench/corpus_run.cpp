@@ -69,7 +69,8 @@ void solve(CorpusRow& row, api::Session& session, const CorpusOptions& options) 
   const auto start = Clock::now();
   api::SolveOptions solve;
   solve.q = options.q;
-  solve.useQuality = options.useQuality;
+  if (!options.improve.empty())
+    solve.improve.emplace().balance = api::improveBalance(options.improve).value_or(0.0);
   if (options.timeLimit > 0) {
     solve.progress = [&](const ProgressReport&) { return secondsSince(start) < options.timeLimit; };
   }
@@ -162,7 +163,7 @@ CorpusRow runMesh(const std::string& file, const std::string& name, const Corpus
 std::string reproduction(const std::string& file, const CorpusOptions& options) {
   std::string command = "hgp param " + file + " -o out.obj";
   if (options.q != 4) command += " --q " + std::to_string(options.q);
-  if (options.useQuality) command += " --quality";
+  if (!options.improve.empty()) command += " --improve " + options.improve;
   if (options.fixDegenerate) command += " --fix degenerate";
   return command;
 }

@@ -10,7 +10,7 @@ namespace hgp::bench {
 
 struct CorpusOptions {
   int q = 4;
-  bool useQuality = false;
+  std::string improve;         ///< word of --improve, "": none
   double timeLimit = 0.0;      ///< seconds per mesh; 0 = none
   bool fixDegenerate = false;  ///< remove triangles without area first
   std::string output;          ///< where the certified map is written; empty: nowhere

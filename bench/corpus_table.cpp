@@ -98,7 +98,7 @@ std::string totals(const std::vector<CorpusRow>& rows) {
 std::string toJson(const std::vector<CorpusRow>& rows, const CorpusOptions& options) {
   Json out{{"format", "hgp-corpus"}, {"version", 1}};
   out["q"] = options.q;
-  out["quality"] = options.useQuality;
+  out["improve"] = options.improve;
   Json& list = out["meshes"] = Json::array();
   for (const CorpusRow& r : rows) list.push_back(rowToJson(r));
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -1,6 +1,7 @@
 // Plain objects of JavaScript as the options of the core. Names are the same on both sides.
 #pragma once
 
+#include <cmath>
 #include <map>
 #include <optional>
 #include <string>
@@ -47,6 +48,18 @@ inline api::LoadOptions toLoadOptions(const val& options) {
   return o;
 }
 
+/// A word or a number; other things become a balance that the core refuses.
+inline ImproveOptions toImproveOptions(const val& word) {
+  ImproveOptions improve;
+  if (word.isNumber())
+    improve.balance = word.as<double>();
+  else if (word.isString())
+    improve.balance = api::improveBalance(word.as<std::string>()).value_or(std::nan(""));
+  else
+    improve.balance = std::nan("");
+  return improve;
+}
+
 inline api::SolveOptions toSolveOptions(const val& options, const val& onProgress) {
   api::SolveOptions o;
   o.q = option(options, "q", o.q);
@@ -59,7 +72,9 @@ inline api::SolveOptions toSolveOptions(const val& options, const val& onProgres
   o.maxRounds = option(options, "maxRounds", o.maxRounds);
   const auto method = option(options, "method", std::string("auto"));
   o.method = methodNamed(method).value_or(Method::kAuto);
-  o.useQuality = option(options, "quality", o.useQuality);
+  if (option(options, "quality", false)) o.improve.emplace();
+  const val improve = option(options, "improve", val::undefined());
+  if (!improve.isUndefined() && !improve.isNull()) o.improve = toImproveOptions(improve);
   const auto frames = option(options, "frames", std::string("auto"));
   if (frames == "file") o.frames = api::FrameSource::kFile;
   const auto scale = option(options, "scale", std::string("solved"));

@@ -200,7 +200,8 @@ int runProgram(int argc, char** argv) {
   app.add_option("--repeat", a.repeat, "runs to take, by their printed names, as a pattern");
   app.add_option("--max-triangles", a.maxTriangles, "leave out larger meshes of the folder");
   app.add_flag("--damaged", a.isDamaged, "noise, anisotropy, decimation, slivers, spikes, needles");
-  app.add_flag("--quality", a.run.solve.useQuality, "with the distortion term");
+  app.add_flag_callback(
+      "--improve", [&a] { a.run.solve.improve.emplace(); }, "isometric, after the solve");
   app.add_option("--rounds", a.run.solve.maxRounds, "rounds at most");
   app.add_option("--time-limit", a.run.timeLimit, "processor seconds a run");
   app.add_option("--reproducers", a.reproducers, "folder for the meshes and cones of failures");

@@ -150,7 +150,7 @@ std::string saveReproducer(const Task& task, const RunOptions& options, const st
       saved = cli::writeText(path + ".cones.json", io::writeConesJson(asPrescription(*task.spec)));
     command += " --cones " + path + ".cones.json";
   }
-  if (options.solve.useQuality) command += " --quality";
+  if (options.solve.improve) command += " --improve isometric";
   if (options.solve.maxRounds != api::SolveOptions().maxRounds)
     command += formatText(" --rounds %d", options.solve.maxRounds);
   return saved ? command : "(not saved: " + saved.error().message + ")";

@@ -198,8 +198,15 @@ class Parser {
         ->check(CLI::Range(1, 1000));
     sub->add_option("--method", method_, "auto, harmonic, soft, printed (the paper's), all-frames")
         ->check(CLI::IsMember({"auto", "harmonic", "soft", "printed", "all-frames"}));
-    sub->add_flag("--quality", out_.solve.useQuality,
-                  "Less distortion: a term for it beside harmonicity");
+    const auto improve = [this](const std::string& word) {
+      out_.solve.improve.emplace().balance = api::improveBalance(word).value_or(std::nan(""));
+    };
+    sub->add_option_function<std::string>(
+        "--improve", improve,
+        "Less distortion: isometric, conformal, area or -1 (angles) … 1 (areas)");
+    sub->add_flag_callback(
+           "--quality", [this] { out_.solve.improve.emplace(); }, "The same as --improve isometric")
+        ->excludes("--improve");
     sub->add_option("--scale", scale_, "solved, unit (mean edge 1) or fit (into the unit square)")
         ->check(CLI::IsMember({"solved", "unit", "fit"}));
     addGrid(sub);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string_view>
 
 namespace hgp::cli {
 namespace {
@@ -13,6 +14,10 @@ constexpr double kBarSeconds = 0.1;   // between two drawings of the bar
 constexpr int kStageLines = 30;       // at every change of stage; by time alone after that
 constexpr double kLineSeconds = 5.0;  // between two plain lines of one stage
 constexpr int kBarWidth = 24;
+
+bool isImprovement(const ProgressReport& report) {
+  return std::string_view(report.stage) == "improve" && report.residual >= 0;
+}
 
 }  // namespace
 
@@ -59,7 +64,8 @@ void ProgressLine::draw(const ProgressReport& report) {
                report.stage, elapsed);
   if (report.round > 0) std::fprintf(stderr, "  round %d of %d", report.round, report.maxRounds);
   if (report.iteration >= 0) std::fprintf(stderr, "  iteration %d", report.iteration);
-  if (report.residual >= 0) std::fprintf(stderr, "  gap %.1e", report.residual);
+  if (report.residual >= 0)
+    std::fprintf(stderr, isImprovement(report) ? "  energy %.4g" : "  gap %.1e", report.residual);
   std::fflush(stderr);
   isDrawn_ = true;
 }
@@ -70,6 +76,7 @@ void ProgressLine::printLine(const ProgressReport& report) {
   std::fprintf(stderr, "hgp: %6.1f s  %s", elapsed, report.stage);
   if (report.round > 0) std::fprintf(stderr, ", round %d of %d", report.round, report.maxRounds);
   if (report.iteration >= 0) std::fprintf(stderr, ", iteration %d", report.iteration);
+  if (isImprovement(report)) std::fprintf(stderr, ", energy %.4g", report.residual);
   std::fputc('\n', stderr);
 }
 

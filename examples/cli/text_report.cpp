@@ -162,6 +162,19 @@ std::string certificate(const Json& json, const Style& style) {
   return out + "\n";
 }
 
+std::string improvementText(const Json& improvement) {
+  const Json &before = improvement["before"], &after = improvement["after"];
+  return row(
+      "improve",
+      formatText("%s after %zu steps%s; symmetric Dirichlet %.3g → %.3g, μ %.4f → %.4f, log₂ "
+                 "area rms %.3f → %.3f",
+                 text(improvement["outcome"]).c_str(), improvement["steps"].size(),
+                 improvement["kept"].get<bool>() ? "" : ", not kept",
+                 number(before, "symmetricDirichlet"), number(after, "symmetricDirichlet"),
+                 number(before, "meanMu"), number(after, "meanMu"), number(before, "rmsLogArea"),
+                 number(after, "rmsLogArea")));
+}
+
 }  // namespace
 
 std::string printable(const std::string& raw) {
@@ -263,6 +276,7 @@ std::string reportText(const std::string& source, const Style& style) {
                             integer(round, "iterations"), integer(round, "flipped"),
                             integer(round, "wrongAngles"), number(round, "seconds")));
     }
+    if (component["improvement"].is_object()) out += improvementText(component["improvement"]);
     out += notes(component);
     if (const Json& grid = component["grid"]; !grid.is_null()) {
       out += row("grid", gridText(grid));

@@ -91,7 +91,7 @@ std::optional<Mapped> mapped(const std::string& name, const MeshData& data, cons
     return {};
   }
   ParametrizeOptions options;
-  options.useQuality = order.useQuality;
+  options.improve = order.improve;
   options.maxRounds = order.maxRounds;
   options.grid = order.grid;
   SuggestOptions cones;

@@ -20,7 +20,7 @@ struct Order {
   int q = 4;
   std::optional<HolonomySpec> spec;  ///< nothing: automatic cones
   int coneCount = 0;
-  bool useQuality = false;
+  std::optional<ImproveOptions> improve;
   int maxRounds = 12;
   GridOptions grid;  ///< asked: one cell per unit of uv
 };

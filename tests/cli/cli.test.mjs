@@ -307,6 +307,49 @@ test('param --boundary convex maps a disk with polygons', () => {
   assert.equal(run(['param', 'ball.obj', '--boundary', 'convex', '-o', 'x.obj']).code, 4);
 });
 
+test('param --improve lowers what it is named for and stays certified', () => {
+  const solve = (...words) => {
+    const result = run([
+      'param',
+      at('sphere.obj'),
+      '-o',
+      at('better.obj'),
+      '--json',
+      '-',
+      ...words,
+    ]);
+    assert.equal(result.code, 0, result.err);
+    const report = isValid('hgp-report', result.out);
+    assert.ok(report.certified);
+    return report.components[0].improvement;
+  };
+  writeFileSync(at('sphere.obj'), sphere(8));
+  assert.equal(solve(), null);
+  const isometric = solve('--improve', 'isometric');
+  assert.ok(isometric.kept);
+  assert.ok(isometric.after.symmetricDirichlet < 0.8 * isometric.before.symmetricDirichlet);
+  assert.deepEqual(solve('--quality'), isometric);
+  assert.deepEqual(solve('--improve', '0'), isometric);
+  const conformal = solve('--improve', 'conformal');
+  assert.equal(conformal.balance, -1);
+  assert.ok(conformal.after.meanMu < conformal.before.meanMu);
+  const area = solve('--improve', 'area');
+  assert.ok(area.after.rmsLogArea < 0.5 * area.before.rmsLogArea);
+  const between = solve('--improve', '-0.5');
+  assert.ok(between.after.meanMu < isometric.after.meanMu);
+  assert.equal(run(['verify', at('better.obj')]).code, 0);
+
+  for (const words of [
+    ['--improve', 'nice'],
+    ['--improve', '1.5'],
+    ['--improve', 'nan'],
+    ['--improve', ''],
+    ['--improve', 'area', '--quality'],
+    ['--improve', 'area', '--boundary', 'convex'],
+  ])
+    assert.equal(run(['param', at('sphere.obj'), '-o', at('x.obj'), ...words]).code, 2, words);
+});
+
 test('cones are chosen and converted', () => {
   const chosen = run(['cones', 'ball.obj', '-o', 'chosen.json']);
   assert.equal(chosen.code, 0, chosen.err);

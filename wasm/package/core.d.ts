@@ -134,7 +134,12 @@ export interface SolveOptions extends SuggestOptions {
    * `all-frames`: hard constraints on every triangle.
    */
   method?: 'auto' | 'harmonic' | 'soft' | 'printed' | 'all-frames';
-  /** Lower distortion; the report says how harmonic the map is. */
+  /**
+   * Less distortion, from a certified map that stays certified: `isometric` (angles and areas), `conformal`
+   * (angles), `area`, or a number on the line from -1 (angles) through 0 (isometric) to 1 (areas).
+   */
+  improve?: 'isometric' | 'conformal' | 'area' | number;
+  /** The same as `improve: 'isometric'`. */
   quality?: boolean;
   scale?: 'solved' | 'unit' | 'fit';
   /**
@@ -181,8 +186,9 @@ export interface Progress {
   stage: string;
   /** Of the stage, 0 to 1. */
   fraction: number;
-  /** Of the solver; -1 outside it, and so is the residual. */
+  /** Of the solver or the improvement; -1 outside. */
   iteration: number;
+  /** Of the solver relative to its target; in stage `improve` the energy's excess over an isometry; -1 outside. */
   residual: number;
   /** Of solve, judge, repair: from 1 to at most maxRounds; both are 0 outside it. */
   round: number;

@@ -584,7 +584,19 @@ export interface Report {
   };
   options: {
     rounds: number;
-    quality: boolean;
+    /**
+     * null: the map as solved
+     */
+    improve: null | {
+      /**
+       * empty between the three
+       */
+      word: 'isometric' | 'conformal' | 'area' | '';
+      /**
+       * -1: angles, 0: isometric (symmetric Dirichlet), 1: areas
+       */
+      balance: number;
+    };
     method: 'auto' | 'harmonic' | 'soft' | 'printed' | 'all-frames';
     boundary: 'free' | 'convex';
     scale: 'solved' | 'unit' | 'fit';
@@ -686,6 +698,51 @@ export interface Report {
        */
       workingCells: number;
     } | null;
+    /**
+     * null where none was asked for or the map is not certified
+     */
+    improvement: null | {
+      balance: number;
+      /**
+       * false: the map is as before, since the judge did not accept the improved one or nothing was gained
+       */
+      kept: boolean;
+      outcome:
+        | 'converged'
+        | 'nothing to gain'
+        | 'no descent'
+        | 'step limit'
+        | 'singular'
+        | 'not injective';
+      steps: {
+        /**
+         * mean energy over the surface minus that of an isometry, after the step
+         */
+        excess: number;
+        /**
+         * 1: a full Newton step
+         */
+        length: number;
+      }[];
+      /**
+       * Of the certificate's distortion, before
+       */
+      before: {
+        meanMu: number;
+        p95Mu: number;
+        rmsLogArea: number;
+        symmetricDirichlet: number;
+      };
+      /**
+       * The same of the map that is returned
+       */
+      after: {
+        meanMu: number;
+        p95Mu: number;
+        rmsLogArea: number;
+        symmetricDirichlet: number;
+      };
+    };
     conflict: Where;
     /**
      * Sentences for people

@@ -7,6 +7,7 @@
 #include "hgp/base/progress.h"
 #include "hgp/field/choose_cones.h"
 #include "hgp/grid/align.h"
+#include "hgp/improve/improve_options.h"
 #include "hgp/io/document.h"
 #include "hgp/mesh/defects.h"
 #include "hgp/parametrize/method.h"
@@ -43,7 +44,7 @@ struct SolveOptions {
   BoundaryKind boundary = BoundaryKind::kFree;
   int maxRounds = 24;
   Method method = Method::kAuto;
-  bool useQuality = false;
+  std::optional<ImproveOptions> improve;  ///< nothing: the map as solved
   FrameSource frames = FrameSource::kAuto;
   Scale scale = Scale::kSolved;
   /// A component that cannot be solved keeps the uv it had, or lies flat, instead of ending the run; the
@@ -52,6 +53,12 @@ struct SolveOptions {
   GridOptions grid;  ///< cells are of all components together
   Progress progress;
 };
+
+/// The balance of ImproveOptions that a word asks for: "isometric" (0), "conformal" (−1), "area" (1) or
+/// a number from −1 to 1; nothing for other words.
+std::optional<double> improveBalance(const std::string& word);
+/// The word for a balance, "" between the three.
+std::string improveWord(double balance);
 
 struct VerifyOptions {
   int q = 0;               ///< order to judge by when there is no prescription; 0: 4

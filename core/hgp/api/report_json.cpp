@@ -7,7 +7,10 @@ namespace hgp::api {
 namespace {
 
 Json optionsJson(const SolveOptions& o, bool isAutomatic) {
-  Json json{{"rounds", o.maxRounds}, {"quality", o.useQuality}};
+  Json json{{"rounds", o.maxRounds}, {"improve", nullptr}};
+  if (o.improve)
+    json["improve"] =
+        Json{{"word", improveWord(o.improve->balance)}, {"balance", o.improve->balance}};
   json["method"] = methodName(o.method);
   json["boundary"] = o.boundary == BoundaryKind::kConvex ? "convex" : "free";
   json["scale"] = o.scale == Scale::kUnit ? "unit" : o.scale == Scale::kFit ? "fit" : "solved";
@@ -48,6 +51,26 @@ Json gridJson(const std::optional<GridReport>& grid) {
               {"reason", grid->reason},     {"workingCells", grid->workingCells}};
 }
 
+/// Of the verifier's numbers those that an improvement is about.
+Json distortionJson(const DistortionFacts& d) {
+  return Json{{"meanMu", d.meanMu},
+              {"p95Mu", d.p95Mu},
+              {"rmsLogArea", d.rmsLogArea},
+              {"symmetricDirichlet", d.symmetricDirichlet}};
+}
+
+Json improvementJson(const ImprovementFacts& facts) {
+  Json steps = Json::array();
+  for (const ImproveStep& step : facts.steps)
+    steps.push_back(Json{{"excess", step.excess}, {"length", step.length}});
+  return Json{{"balance", facts.asked.balance},
+              {"kept", facts.isKept},
+              {"outcome", facts.outcome},
+              {"steps", std::move(steps)},
+              {"before", distortionJson(facts.before)},
+              {"after", distortionJson(facts.after)}};
+}
+
 /// Whether Theorem 6.1 speaks of the map, and if not, why not.
 void addTheorem(Json& json, const HarmonicFacts& harmonic, const Certificate& certificate) {
   std::string reason;
@@ -81,6 +104,7 @@ Json componentJson(const Model& model, const ModelComponent& component, const Pa
             {"cones", run.spec.cones.size()},
             {"rounds", std::move(rounds)},
             {"times", std::move(times)},
+            {"improvement", run.improvement ? improvementJson(*run.improvement) : Json()},
             {"conflict", whereJson(conflict)},
             {"grid", gridJson(run.grid)},
             {"notes", run.notes}};

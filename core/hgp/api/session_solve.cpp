@@ -48,6 +48,14 @@ Failure noField() {
           {}};
 }
 
+Failure wrongBalance() {
+  return {ErrorCode::kUsage,
+          "improve",
+          "An improvement is \"isometric\", \"conformal\", \"area\", or a number from -1 (angles) "
+          "through 0 (isometric) to 1 (areas).",
+          {}};
+}
+
 }  // namespace
 
 /// What the solves of a component share; kept where it is not large beside the factors of a program.
@@ -76,8 +84,8 @@ Result<Parametrization> Session::State::solveComponent(std::size_t p,
   ParametrizeOptions core;
   core.maxRounds = options.maxRounds;
   core.method = options.method;
-  core.useQuality = options.useQuality;
   core.grid = options.grid;
+  core.improve = options.improve;
   core.progress = options.progress;
   if (options.frames == FrameSource::kFile) {
     core.frames = request.field;
@@ -218,6 +226,7 @@ Status Session::State::solve(const std::optional<io::Prescription>& prescription
   if (Status possible = checkGrid(options, request->q); !possible) return possible.error();
   SolveOptions shared = options;
   shared.grid = sharedGrid(*model, options.grid);
+  if (options.improve && !(std::fabs(options.improve->balance) <= 1.0)) return wrongBalance();
   if (options.frames == FrameSource::kAuto) {
     for (ComponentRequest& component : request->components) component.field.reset();
   }

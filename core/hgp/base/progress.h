@@ -9,10 +9,12 @@ namespace hgp {
 struct ProgressReport {
   const char* stage = "";
   double fraction = 0.0;
-  int iteration = -1;      ///< solver iteration, −1 outside the solver
-  double residual = -1.0;  ///< solver residual relative to its target, −1 outside the solver
-  int round = 0;           ///< of solve, judge, repair: the first is 1; 0 outside
-  int maxRounds = 0;       ///< rounds at most; 0 outside
+  int iteration = -1;  ///< solver iteration, −1 outside the solver
+  /// Solver residual relative to its target; in stage "improve" the energy's excess over an isometry;
+  /// −1 outside both.
+  double residual = -1.0;
+  int round = 0;      ///< of solve, judge, repair: the first is 1; 0 outside
+  int maxRounds = 0;  ///< rounds at most; 0 outside
 };
 
 /// Called inside every solver iteration and between stages. Return false to cancel.

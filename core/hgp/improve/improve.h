@@ -6,24 +6,10 @@
 
 #include "hgp/base/progress.h"
 #include "hgp/improve/face_terms.h"
+#include "hgp/improve/improve_options.h"
 #include "hgp/linalg/ordering/ordering.h"
 
 namespace hgp {
-
-struct ImproveOptions {
-  /// −1: angles (as conformal as the cones allow), 0: isometric (symmetric Dirichlet), +1: areas; see
-  /// exponentsAt.
-  double balance = 0.0;
-  /// Ends when a step lowers the energy's excess over an isometry by less than this share of it.
-  double relativeDecrease = 0.01;
-  int maxSteps = 40;
-};
-
-/// One Newton step.
-struct ImproveStep {
-  double excess = 0.0;  ///< mean ψ − 1 over the surface afterwards, at the best global scale
-  double length = 0.0;  ///< accepted step length; 1 is the full Newton step
-};
 
 struct Improvement {
   Eigen::VectorXcd x;  ///< the improved unknowns; as given when nothing was gained

@@ -74,6 +74,13 @@ Result<Parametrization> parametrizeConvex(const TriMesh& mesh, const Parametrize
   const auto start = std::chrono::steady_clock::now();
   if (options.frames)
     return Failure{ErrorCode::kUsage, "field", "A convex boundary takes no given frames.", {}};
+  if (options.improve)
+    return Failure{
+        ErrorCode::kUsage,
+        "improve",
+        "A convex boundary takes no improvement: it would not stay convex. Leave out the "
+        "convex boundary to have less distortion.",
+        {}};
   const Topology topology = computeTopology(mesh);
   if (topology.componentCount != 1 || topology.genus != 0 || topology.loops.size() != 1)
     return Failure{

@@ -10,6 +10,7 @@
 #include "hgp/base/result.h"
 #include "hgp/field/choose_cones.h"
 #include "hgp/grid/align.h"
+#include "hgp/improve/improve_options.h"
 #include "hgp/mesh/field_data.h"
 #include "hgp/mesh/holonomy_spec.h"
 #include "hgp/mesh/mesh_data.h"
@@ -21,12 +22,13 @@ namespace hgp {
 struct ParametrizeOptions {
   int maxRounds = 24;  ///< programs at most
   Method method = Method::kAuto;
-  bool useQuality = false;  ///< add the distortion term: lower μ, no longer harmonic
   /// Directions (and matchings, where stored) to take as the frames d_j of (13) and as seam
   /// rotations, instead of our own smooth connection with the same holonomy. They must realise the
   /// prescription exactly, and decide what it leaves open.
   std::optional<FieldData> frames;
-  GridOptions grid;   ///< align translations to a grid after a certified solve (q = 2, 4)
+  GridOptions grid;  ///< align translations to a grid after a certified solve (q = 2, 4)
+  /// Less distortion of the given kind, from a certified map; what was certified stays certified.
+  std::optional<ImproveOptions> improve;
   Progress progress;  ///< return false to cancel
 };
 
@@ -48,6 +50,15 @@ struct StageTime {
   double seconds = 0.0;
 };
 
+/// What an improvement did.
+struct ImprovementFacts {
+  ImproveOptions asked;
+  DistortionFacts before, after;  ///< as the verifier measures them; equal when it was not kept
+  std::vector<ImproveStep> steps;
+  std::string outcome;  ///< why it ended, see Improvement::outcome
+  bool isKept = false;  ///< the improved map is the one returned
+};
+
 struct Parametrization {
   UvMap map;                     ///< one uv per copy of a vertex in the cut mesh S_c
   std::vector<VertexId> copyOf;  ///< uv index → vertex of S ("xref")
@@ -56,6 +67,7 @@ struct Parametrization {
   bool isCertified = false;
   bool isUsable = false;  ///< its areas fit double precision; certified maps are
   std::vector<Round> rounds;
+  std::optional<ImprovementFacts> improvement;  ///< where one was asked for and the map certified
   std::vector<StageTime> times;
   std::vector<std::string> notes;  ///< warnings and explanations for people
   std::optional<GridReport> grid;  ///< where a grid was asked; without one the map is as solved

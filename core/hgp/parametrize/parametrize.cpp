@@ -136,16 +136,20 @@ Result<Parametrization> parametrize(PreparedSurface& surface, const HolonomySpec
   const Problem problem = problemOf(mesh, setup, options);
   Result<std::shared_ptr<const Attempt>> best = solve(problem, options, result.rounds);
   if (!best) return std::move(best).error();
-  const Attempt& attempt = **best;
-  result.map = attempt.map;
-  result.certificate = attempt.certificate;
-  Solution solution{setup, attempt.program.x, attempt.u, attempt.frames};
-  if (result.certificate.isCertified && finish(mesh, options, solution)) {
-    result.map = layOut(mesh, solution);
-    result.certificate = certify(mesh, result.spec, result.map);
-  }
-  if (!result.certificate.isCertified) result.conflict = attempt.program.conflict;
   result.times.push_back({"solve", secondsSince(start)});
+  const Attempt& attempt = **best;
+  Judged judged{
+      {setup, attempt.program.x, attempt.u, attempt.frames}, attempt.map, attempt.certificate};
+  if (judged.certificate.isCertified && options.improve)
+    if (Status done = improveSolution(mesh, options, judged, result); !done)
+      return std::move(done).error();
+  if (judged.certificate.isCertified && finish(mesh, options, judged.solution)) {
+    judged.map = layOut(mesh, judged.solution);
+    judged.certificate = certify(mesh, result.spec, judged.map);
+  }
+  result.map = std::move(judged.map);
+  result.certificate = std::move(judged.certificate);
+  if (!result.certificate.isCertified) result.conflict = attempt.program.conflict;
   if (options.grid.isAsked() && result.certificate.isCertified) {
     StageClock clock(options.progress, result.times);
     if (!clock.begin("align")) return cancelled("align");

@@ -16,8 +16,22 @@ struct Solution {
   Frames frames;        ///< its hard constraints
 };
 
-/// Everything that is done to a certified solution before the certificate that counts, in the order
-/// improve → align → snap. A step that changes it must keep it locally injective. True when something
+/// A solution, laid out and judged.
+struct Judged {
+  Solution solution;
+  UvMap map;
+  Certificate certificate;
+};
+
+/// Does what options.improve asks for. The improved map replaces the one before when it is certified,
+/// not less usable, and better in what was asked; otherwise everything stays as it was. Fills
+/// result.improvement and a stage time. Fails with kCancelled only.
+/// @pre judged.certificate.isCertified, options.improve
+Status improveSolution(const TriMesh& mesh, const ParametrizeOptions& options, Judged& judged,
+                       Parametrization& result);
+
+/// Everything that is done to a certified solution after its improvement (improveSolution) and before the
+/// certificate that counts, in the order align → snap. A step that changes it must keep it locally injective. True when something
 /// changed: it is then laid out and judged again.
 bool finish(const TriMesh& mesh, const ParametrizeOptions& options, Solution& solution);
 

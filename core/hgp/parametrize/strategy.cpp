@@ -9,8 +9,7 @@
 namespace hgp {
 namespace {
 
-/// The distortion term of `--quality`, and the lighter one that steadies prescribed cones.
-constexpr double kQuality = 1e-2;
+/// The distortion term that steadies prescribed cones.
 constexpr double kLightQuality = 1e-3;
 /// Weight of soft frame constraints, of the order of the harmonic rows' own (0.1 to 1 do equally
 /// well).
@@ -48,9 +47,8 @@ bool suitsSoft(const SeamlessSetup& setup) {
 }
 
 /// Soft constraints on F_cb, and a ring around it where the dense root stays small.
-Weighting softWeighting(Problem& problem, bool useQuality) {
-  const double quality = useQuality ? kQuality : 0.0;
-  const bool isExact = !useQuality && touchedUnknowns(problem, problem.base) <= kLargestExactRoot;
+Weighting softWeighting(Problem& problem) {
+  const bool isExact = touchedUnknowns(problem, problem.base) <= kLargestExactRoot;
   problem.soft = problem.base;
   std::vector<FaceId> more = growFaces(problem.mesh, problem.base, 1);
   if (isExact &&
@@ -58,7 +56,7 @@ Weighting softWeighting(Problem& problem, bool useQuality) {
     problem.soft = std::move(more);
   return {isExact ? "soft constraints, exact rows" : "soft constraints",
           kNoClamp,
-          quality,
+          0.0,
           3,
           false,
           isExact,
@@ -90,22 +88,21 @@ class Hash {
 Problem problemOf(const TriMesh& mesh, std::shared_ptr<const SeamlessSetup> setup,
                   const ParametrizeOptions& options) {
   Problem problem{mesh, setup, options.method, {}, coneAndBoundaryFaces(mesh, setup->cones), {}};
-  const double quality = options.useQuality ? kQuality : 0.0;
-  const Weighting hard{"hard constraints", kNoClamp, quality, 3, false};
+  const Weighting hard{"hard constraints", kNoClamp, 0.0, 3, false};
   const Method method = options.method;
   if (method == Method::kSoft || (method == Method::kAuto && suitsSoft(*setup)))
-    problem.weightings.push_back(softWeighting(problem, options.useQuality));
+    problem.weightings.push_back(softWeighting(problem));
   if (method == Method::kHarmonic || method == Method::kAuto) problem.weightings.push_back(hard);
   if (method == Method::kAuto) {
-    const double light = std::max(quality, kLightQuality);
+    const double light = kLightQuality;
     problem.weightings.push_back({"light distortion term", kNoClamp, light, 3, false});
-    problem.weightings.push_back({"clamped weights", kClamp, quality, 4, false});
+    problem.weightings.push_back({"clamped weights", kClamp, 0.0, 4, false});
     problem.weightings.push_back({"scale of the last map", kNoClamp, light, 4, true});
   }
   if (method == Method::kPrinted)
-    problem.weightings.push_back({"as printed", kNoClamp, quality, 0, false});
+    problem.weightings.push_back({"as printed", kNoClamp, 0.0, 0, false});
   if (method == Method::kAllFrames) {
-    problem.weightings.push_back({"all frames", kNoClamp, quality, 0, false});
+    problem.weightings.push_back({"all frames", kNoClamp, 0.0, 0, false});
     problem.base.clear();
     for (FaceId f : mesh.faces()) problem.base.push_back(f);
   }

@@ -196,19 +196,6 @@ TEST(Parametrize, PrescribedHandleRotationsAreRealised) {
   EXPECT_GE(certified, 2);
 }
 
-TEST(Parametrize, QualityTermLowersDistortionAndIsNoLongerHarmonic) {
-  const TriMesh mesh = test::jittered(test::icosphere(5), 0.1).mesh();
-  HolonomySpec spec;
-  for (VertexId v : test::spreadVertices(mesh, 4)) spec.cones.push_back({v, 2});
-  const Result<Parametrization> plain = parametrize(mesh, spec, {});
-  ParametrizeOptions options;
-  options.useQuality = true;
-  const Result<Parametrization> better = parametrize(mesh, spec, options);
-  expectCertified(mesh, plain, "plain");
-  expectCertified(mesh, better, "quality");
-  EXPECT_LT(better->certificate.distortion.meanMu, plain->certificate.distortion.meanMu);
-}
-
 TEST(Parametrize, IsDeterministic) {
   const TriMesh mesh = test::doubleTorus(2).mesh();
   SuggestOptions suggest;

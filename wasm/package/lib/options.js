@@ -49,6 +49,12 @@ const coneFile = kind(
 );
 const record = (fields) => ({ name: 'an object', test: isRecord, fields });
 
+const improve = kind(
+  "'isometric', 'conformal', 'area' or a number from -1 to 1",
+  (value) =>
+    ['isometric', 'conformal', 'area'].includes(value) ||
+    (typeof value === 'number' && value >= -1 && value <= 1),
+);
 const order = integer(1, 64);
 
 /** The options of each call. The declarations in core.d.ts name the same; a test compares them. */
@@ -74,6 +80,7 @@ optionsOf.parametrize = {
   boundary: oneOf('free', 'convex'),
   maxRounds: integer(1),
   method: oneOf('auto', 'harmonic', 'soft', 'printed', 'all-frames'),
+  improve,
   quality: boolean,
   scale: oneOf('solved', 'unit', 'fit'),
   grid: record({ cells: number, spacing: number, mode: oneOf('tile', 'quad') }),

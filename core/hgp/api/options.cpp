@@ -1,0 +1,33 @@
+#include "hgp/api/options.h"
+
+#include <array>
+#include <cstdlib>
+
+namespace hgp::api {
+namespace {
+
+struct NamedBalance {
+  const char* word;
+  double balance;
+};
+constexpr std::array<NamedBalance, 3> kBalances{
+    {{"isometric", 0.0}, {"conformal", -1.0}, {"area", 1.0}}};
+
+}  // namespace
+
+std::optional<double> improveBalance(const std::string& word) {
+  for (const NamedBalance& named : kBalances)
+    if (word == named.word) return named.balance;
+  char* end = nullptr;
+  const double value = std::strtod(word.c_str(), &end);
+  if (word.empty() || *end != '\0' || !(value >= -1.0 && value <= 1.0)) return std::nullopt;
+  return value;
+}
+
+std::string improveWord(double balance) {
+  for (const NamedBalance& named : kBalances)
+    if (balance == named.balance) return named.word;
+  return "";
+}
+
+}  // namespace hgp::api

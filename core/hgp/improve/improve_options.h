@@ -1,0 +1,22 @@
+// What an improvement is asked for, and what each of its steps did.  Role: the words of improve.h that
+// options and reports are made of; includes nothing.
+#pragma once
+
+namespace hgp {
+
+struct ImproveOptions {
+  /// −1: angles (as conformal as the cones allow), 0: isometric (symmetric Dirichlet), +1: areas; see
+  /// exponentsAt.
+  double balance = 0.0;
+  /// Ends when a step lowers the energy's excess over an isometry by less than this share of it.
+  double relativeDecrease = 0.01;
+  int maxSteps = 40;
+};
+
+/// One Newton step.
+struct ImproveStep {
+  double excess = 0.0;  ///< mean ψ − 1 over the surface afterwards, at the best global scale
+  double length = 0.0;  ///< accepted step length; 1 is the full Newton step
+};
+
+}  // namespace hgp

@@ -1,0 +1,104 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "hgp/parametrize/parametrize.h"
+#include "support/prescriptions.h"
+#include "support/shapes.h"
+
+namespace hgp {
+namespace {
+
+/// Automatic cones of order q, improved at `balance` where one is given.
+Result<Parametrization> solve(const TriMesh& mesh, int q, std::optional<double> balance,
+                              const Progress& progress = {}) {
+  SuggestOptions suggest;
+  suggest.q = q;
+  Result<CompleteSpec> spec = suggestCones(mesh, suggest);
+  if (!spec) return std::move(spec).error();
+  ParametrizeOptions options;
+  options.progress = progress;
+  if (balance) options.improve.emplace().balance = *balance;
+  return parametrize(mesh, toSpec(*spec), options);
+}
+
+std::vector<test::Shape> shapes() {
+  return {
+      test::jittered(test::icosphere(5), 0.05), test::doubleTorus(3), test::torus(16, 10),
+      test::jittered(test::disk(8), 0.2),       test::annulus(16, 4), test::puncturedTorus(14, 9)};
+}
+
+TEST(Improvement, NeverLosesACertificateAndNeverRaisesTheSymmetricDirichletEnergy) {
+  int lowered = 0, runs = 0;
+  for (const test::Shape& shape : shapes()) {
+    const TriMesh mesh = shape.mesh();
+    for (const int q : {2, 3, 4, 6}) {
+      const Result<Parametrization> plain = solve(mesh, q, std::nullopt);
+      ASSERT_TRUE(plain) << shape.name;
+      if (!plain->isCertified) continue;
+      EXPECT_FALSE(plain->improvement.has_value());
+      for (const double balance : {-1.0, 0.0, 1.0}) {
+        const Result<Parametrization> better = solve(mesh, q, balance);
+        ASSERT_TRUE(better) << shape.name;
+        EXPECT_TRUE(better->isCertified) << shape.name << " q = " << q << " at " << balance;
+        ASSERT_TRUE(better->improvement.has_value());
+        const ImprovementFacts& facts = *better->improvement;
+        EXPECT_EQ(facts.asked.balance, balance);
+        EXPECT_DOUBLE_EQ(facts.before.symmetricDirichlet,
+                         plain->certificate.distortion.symmetricDirichlet);
+        EXPECT_DOUBLE_EQ(facts.after.symmetricDirichlet,
+                         better->certificate.distortion.symmetricDirichlet);
+        if (balance != 0.0) continue;
+        ++runs;
+        EXPECT_LE(facts.after.symmetricDirichlet, facts.before.symmetricDirichlet) << shape.name;
+        lowered += facts.after.symmetricDirichlet <= 0.6 * facts.before.symmetricDirichlet;
+      }
+    }
+  }
+  EXPECT_GT(runs, 20);
+  EXPECT_GT(2 * lowered, runs);
+}
+
+TEST(Improvement, IsNoLongerHarmonicWhereItIsKept) {
+  const TriMesh mesh = test::jittered(test::icosphere(5), 0.1).mesh();
+  HolonomySpec spec;
+  for (VertexId v : test::spreadVertices(mesh, 4)) spec.cones.push_back({v, 2});
+  ParametrizeOptions options;
+  const Result<Parametrization> plain = parametrize(mesh, spec, options);
+  options.improve.emplace().balance = -1.0;
+  const Result<Parametrization> better = parametrize(mesh, spec, options);
+  ASSERT_TRUE(plain && better && plain->isCertified && better->isCertified);
+  ASSERT_TRUE(better->improvement && better->improvement->isKept);
+  EXPECT_LT(better->certificate.distortion.meanMu, plain->certificate.distortion.meanMu);
+  EXPECT_EQ(better->spec.cones.size(), plain->spec.cones.size());
+}
+
+TEST(Improvement, CanBeCancelledInEveryStep) {
+  const TriMesh mesh = test::jittered(test::icosphere(5), 0.05).mesh();
+  int steps = 0;
+  const Result<Parametrization> all = solve(mesh, 4, 0.0, [&](const ProgressReport& r) {
+    steps += std::string(r.stage) == "improve";
+    return true;
+  });
+  ASSERT_TRUE(all && all->isCertified);
+  ASSERT_GT(steps, 2);
+  for (int stop = 1; stop <= steps; ++stop) {
+    int seen = 0;
+    const Result<Parametrization> run = solve(mesh, 4, 0.0, [&](const ProgressReport& r) {
+      return std::string(r.stage) != "improve" || ++seen < stop;
+    });
+    ASSERT_FALSE(run);
+    EXPECT_EQ(run.error().code, ErrorCode::kCancelled);
+  }
+}
+
+TEST(Improvement, IsRefusedWhereTheBoundaryMustStayConvex) {
+  ParametrizeOptions options;
+  options.improve.emplace();
+  const Result<Parametrization> run = parametrizeConvex(test::disk(4).mesh(), options);
+  ASSERT_FALSE(run);
+  EXPECT_EQ(run.error().code, ErrorCode::kUsage);
+}
+
+}  // namespace
+}  // namespace hgp

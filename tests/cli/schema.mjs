@@ -38,16 +38,17 @@ function check(root, schema, value, at) {
     return [`${at}: ${JSON.stringify(value)} is not ${types.join(' or ')}`];
   }
   const wrong = [];
+  const isObject = isOfType.object(value);
   if ('const' in schema && value !== schema.const) wrong.push(`${at}: not ${schema.const}`);
   if (schema.enum && !schema.enum.includes(value)) wrong.push(`${at}: ${value} is not in the enum`);
   if (value < schema.minimum || value > schema.maximum) wrong.push(`${at}: ${value} out of range`);
-  for (const key of schema.required ?? []) {
+  for (const key of isObject ? (schema.required ?? []) : []) {
     if (!(key in value)) wrong.push(`${at}/${key} is missing`);
   }
-  for (const [key, part] of Object.entries(schema.properties ?? {})) {
+  for (const [key, part] of Object.entries(isObject ? (schema.properties ?? {}) : {})) {
     if (key in value) wrong.push(...check(root, part, value[key], `${at}/${key}`));
   }
-  if (schema.type === 'object' && schema.properties) {
+  if (isObject && schema.properties) {
     for (const key of Object.keys(value)) {
       if (!(key in schema.properties)) wrong.push(`${at}/${key} is not documented`);
     }

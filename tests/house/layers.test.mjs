@@ -174,10 +174,7 @@ test('no circle of files: a source and its header count as one', () => {
     }
   }
   // Still to be cut; nothing may join them.
-  const known = [
-    'verify/certificate verify/verdict',
-    'api/snap_components api/stored_map',
-  ];
+  const known = ['verify/certificate verify/verdict', 'api/snap_components api/stored_map'];
   assert.deepEqual(
     circles(edges).filter((circle) => !known.includes(circle)),
     [],

@@ -7,7 +7,7 @@
 namespace hgp {
 namespace {
 
-Complex valueOf(const std::vector<Vec2>& uv, int copy) {
+Complex complexAt(const std::vector<Vec2>& uv, int copy) {
   return {uv[at(copy)][0], uv[at(copy)][1]};
 }
 
@@ -50,10 +50,10 @@ void GridSystem::chooseOrigin() {
     if (closure.place.turn == 0 || gapNorm(closure.place.turn) >= least) continue;
     least = gapNorm(closure.place.turn);
     gauge_ = closure.place.shift;
-    origin = valueOf(uv_, seams_.firstCopy[closure.vertex]);
+    origin = complexAt(uv_, seams_.firstCopy[closure.vertex]);
   }
   if (gauge_.empty() && !whole_.empty()) {
-    origin = valueOf(uv_, seams_.firstCopy[whole_[0]]);
+    origin = complexAt(uv_, seams_.firstCopy[whole_[0]]);
     gauge_ = {{seams_.chainCount(), {1, 0}}};
   }
   const std::vector<Complex> t = chainTranslations(seams_, mesh_, uv_);
@@ -76,13 +76,13 @@ bool GridSystem::solveIntegers(GridMode mode) {
   bool isTurned = false;
   for (const Complex& z : t) value[variables++] = z;
   for (const TurnedChain& chain : seams_.chains) isTurned = isTurned || chain.turn != 0;
-  for (VertexId v : whole_) value[variables++] = valueOf(uv_, seams_.firstCopy[v]);
+  for (VertexId v : whole_) value[variables++] = complexAt(uv_, seams_.firstCopy[v]);
   for (const NodeClosure& closure : seams_.closures) {
     if (mode != GridMode::kQuad || closure.place.turn == 0) continue;
     GaussianSum relation = closure.place.shift;
     relation.push_back({variables, quarterTurn(closure.place.turn) - Gaussian{1, 0}});
     relations.push_back(std::move(relation));
-    value[variables++] = valueOf(uv_, seams_.firstCopy[closure.vertex]);
+    value[variables++] = complexAt(uv_, seams_.firstCopy[closure.vertex]);
   }
   if (!gauge_.empty()) relations.push_back(gauge_);
   std::optional<IntegerBasis> basis = solveRelations(variables, relations);

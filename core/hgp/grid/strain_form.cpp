@@ -6,7 +6,7 @@
 namespace hgp {
 namespace {
 
-Complex valueOf(const std::vector<Vec2>& uv, int copy) {
+Complex positionOf(const std::vector<Vec2>& uv, int copy) {
   return {uv[at(copy)][0], uv[at(copy)][1]};
 }
 
@@ -67,7 +67,7 @@ void faceStrain(const TriMesh&, const SeamStructure& seams, const SeamlessChange
   Complex p[3];
   for (int k = 0; k < 3; ++k) {
     copy[k] = seams.copy[TriMesh::halfedge(f, k)];
-    p[k] = valueOf(uv, copy[k]);
+    p[k] = positionOf(uv, copy[k]);
   }
   const double twiceArea = std::imag(std::conj(p[1] - p[0]) * (p[2] - p[0]));
   out.unknowns.clear();
@@ -100,17 +100,17 @@ StrainWeights strainWeights(const TriMesh& mesh, const SeamStructure& seams,
   weights.face = PerFace<double>(at(mesh.faceCount()), 0.0);
   double surface = 0.0, plane = 0.0;
   for (FaceId f : mesh.faces()) {
-    const Complex a = valueOf(uv, seams.copy[TriMesh::halfedge(f, 0)]);
-    const Complex b = valueOf(uv, seams.copy[TriMesh::halfedge(f, 1)]);
-    const Complex c = valueOf(uv, seams.copy[TriMesh::halfedge(f, 2)]);
+    const Complex a = positionOf(uv, seams.copy[TriMesh::halfedge(f, 0)]);
+    const Complex b = positionOf(uv, seams.copy[TriMesh::halfedge(f, 1)]);
+    const Complex c = positionOf(uv, seams.copy[TriMesh::halfedge(f, 2)]);
     surface += surfaceArea(mesh, f);
     plane += 0.5 * std::imag(std::conj(b - a) * (c - a));
   }
   const double least = 1e-9 / std::max(1, mesh.faceCount());
   for (FaceId f : mesh.faces()) {
-    const Complex a = valueOf(uv, seams.copy[TriMesh::halfedge(f, 0)]);
-    const Complex b = valueOf(uv, seams.copy[TriMesh::halfedge(f, 1)]);
-    const Complex c = valueOf(uv, seams.copy[TriMesh::halfedge(f, 2)]);
+    const Complex a = positionOf(uv, seams.copy[TriMesh::halfedge(f, 0)]);
+    const Complex b = positionOf(uv, seams.copy[TriMesh::halfedge(f, 1)]);
+    const Complex c = positionOf(uv, seams.copy[TriMesh::halfedge(f, 2)]);
     const double inPlane = 0.5 * std::imag(std::conj(b - a) * (c - a)) / plane;
     const double onSurface = surfaceArea(mesh, f) / surface;
     weights.face[f] = std::max(least, std::sqrt(std::max(0.0, inPlane) * onSurface));

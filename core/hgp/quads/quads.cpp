@@ -11,7 +11,7 @@
 namespace hgp {
 namespace {
 
-Failure refusal(std::string message) {
+Failure noQuads(std::string message) {
   return {ErrorCode::kUnsupported, "quads", std::move(message), {}};
 }
 
@@ -47,7 +47,7 @@ class Extraction {
       const int o = darts_[d].opposite;
       // Along a boundary a line is seen from one side only.
       if (o >= 0 && darts_[hgp::at(o)].opposite != static_cast<int>(d)) {
-        if (darts_[hgp::at(o)].opposite >= 0) return refusal("a grid line does not lead back");
+        if (darts_[hgp::at(o)].opposite >= 0) return noQuads("a grid line does not lead back");
         darts_[d].opposite = -1;
       }
     }
@@ -323,7 +323,7 @@ class Extraction {
       int d = static_cast<int>(first);
       for (; d >= 0 && count < 4; d = nextAround(d)) cell[count++] = d;
       if (count < 4 || d != static_cast<int>(first)) {
-        if (d >= 0) return refusal("a cell does not close after four edges: a cone lies inside it");
+        if (d >= 0) return noQuads("a cell does not close after four edges: a cone lies inside it");
         continue;
       }
       for (int n : cell) isDone[hgp::at(n)] = 1;
@@ -370,7 +370,7 @@ class Extraction {
 
 Result<QuadMesh> extractQuads(const TriMesh& mesh, const UvMap& map, int q) {
   if (q != 2 && q != 4)
-    return refusal(formatText("quads need rotations by quarter or half turns, not q = %d", q));
+    return noQuads(formatText("quads need rotations by quarter or half turns, not q = %d", q));
   Result<LatticeMap> lattice = LatticeMap::make(mesh, map);
   if (!lattice) return lattice.error();
   return Extraction(*lattice).run();

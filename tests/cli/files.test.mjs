@@ -67,8 +67,14 @@ test('every member of a gzip file is read, zeros between and rubbish behind them
 test('a small file that unpacks to gigabytes is refused before it has', () => {
   const bomb = put('bomb.obj.gz', gzipSync(Buffer.alloc(700e6), { level: 9 }));
   // So little memory that holding what it unpacks to is out of the question.
-  const script = 'ulimit -v 450000; exec "$0" inspect "$1"';
-  const { status, stderr } = spawnSync('/bin/bash', ['-c', script, hgp, bomb]);
+  const within = (...args) =>
+    spawnSync('/bin/bash', ['-c', 'ulimit -v 450000; exec "$0" "$@"', hgp, ...args]);
+  // Under a sanitizer no program starts with so little; there, only the refusal is tested.
+  const isLimited = within('--version').status === 0;
+  if (!isLimited) console.log('# without a limit of memory: this build does not start with it');
+  const { status, stderr } = isLimited
+    ? within('inspect', bomb)
+    : spawnSync(hgp, ['inspect', bomb]);
   assert.equal(status, 8, String(stderr));
   assert.match(String(stderr), /unpack to more than \d+; where that is right, unpack the file/);
   assert.equal(run(['inspect', bomb, '--max-bytes', '1000']).code, 8);

@@ -1,7 +1,7 @@
 #include "hgp/quads/write_quads.h"
 
 #include <algorithm>
-#include <bit>
+#include <cstring>
 
 #include "hgp/base/check.h"
 
@@ -13,7 +13,12 @@ class ByteWriter {
   void word(std::uint32_t x) {
     for (int k = 0; k < 4; ++k) bytes_.push_back(static_cast<std::uint8_t>(x >> (8 * k)));
   }
-  void number(double x) { word(std::bit_cast<std::uint32_t>(static_cast<float>(x))); }
+  void number(double x) {
+    const auto rounded = static_cast<float>(x);
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &rounded, sizeof bits);
+    word(bits);
+  }
   void text(const std::string& s, char pad) {
     bytes_.insert(bytes_.end(), s.begin(), s.end());
     while (bytes_.size() % 4 != 0) bytes_.push_back(static_cast<std::uint8_t>(pad));

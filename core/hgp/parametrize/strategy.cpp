@@ -1,7 +1,6 @@
 #include "hgp/parametrize/strategy.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "hgp/optimize/program_form.h"
@@ -122,8 +121,8 @@ std::uint64_t hashOf(const State& state) {
   const bool usesMap = !state.patch.empty() || !state.lifts.empty() || state.directions;
   if (usesMap && state.from)
     for (const Complex& x : state.from->program.x) {
-      hash.add(std::bit_cast<std::uint64_t>(x.real()));
-      hash.add(std::bit_cast<std::uint64_t>(x.imag()));
+      hash.add(Eigen::numext::bit_cast<std::uint64_t>(x.real()));
+      hash.add(Eigen::numext::bit_cast<std::uint64_t>(x.imag()));
     }
   return hash.value();
 }

@@ -99,5 +99,5 @@ test('arrays that make no mesh are errors', () => {
     );
   }
   const empty = { positions: new Float64Array(0), triangles: new Uint32Array(0) };
-  assert.throws(() => core.loadMesh(empty), { code: 'malformed' });
+  assert.throws(() => core.loadMesh(empty), { code: 'usage' });
 });

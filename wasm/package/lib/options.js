@@ -67,7 +67,12 @@ export const optionsOf = {
     fix: record({ orient: boolean, split: boolean, degenerate: boolean }),
     strict: boolean,
   },
-  suggestCones: { q: order, count: integer(0), alignToCurvature: boolean },
+  suggestCones: {
+    q: order,
+    count: integer(0),
+    conesFor: oneOf('balanced', 'few', 'low-distortion'),
+    alignToCurvature: boolean,
+  },
   verify: { cones, field: coneFile, q: integer(0, 64), uvSet: integer(-1), tolerance: number },
   write: { uvSet: integer(-1), name: string, embedCones: boolean, allowUncertified: boolean },
   quads: { name: string },

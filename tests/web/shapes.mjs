@@ -38,10 +38,8 @@ export function torusMesh(a, b) {
 export const uncertifiable = {
   q: 2,
   cones: [
-    { vertex: 18, k: 4 },
-    { vertex: 13, k: 3 },
-    { vertex: 20, k: 5 },
-    ...[12, 25, 22, 5, 3, 8, 19, 9, 4, 15].map((vertex) => ({ vertex, k: 1 })),
+    ...[0, 12, 18].map((vertex) => ({ vertex, k: 5 })),
+    ...[21, 16, 15, 24, 22, 11, 1, 8, 7, 25, 19, 2, 20].map((vertex) => ({ vertex, k: 1 })),
   ],
 };
 

@@ -26,8 +26,10 @@ interface Source {
 }
 
 // One white pixel, in place of an image that is missing or none.
-const blankImage =
-  'data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGP4DwABAQEAsTj2FAAAAABJRU5ErkJggg==';
+const blankPng =
+  'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGP4DwABAQEAsTj2FAAAAABJRU5ErkJggg==';
+const blankImage = (): Blob =>
+  new Blob([Uint8Array.from(atob(blankPng), (c) => c.charCodeAt(0))], { type: 'image/png' });
 const imageEnding = /\.(png|jpe?g|webp|avif)$/i;
 
 /** By its first bytes: what ends like an image may be anything. */
@@ -58,8 +60,9 @@ function managerOf(files: Map<string, Blob>): [LoadingManager, () => void] {
     if (/^(blob|data):/.test(url)) return url;
     const name = decodeURIComponent(url.replace(/^(\.\/)+/, ''));
     const blob = files.get(name);
-    if (!blob && imageEnding.test(name)) return blankImage;
-    urls.push(URL.createObjectURL(blob ?? new Blob()));
+    // As a Blob: the page's policy lets nothing be fetched from data: URLs.
+    const otherwise = imageEnding.test(name) ? blankImage() : new Blob();
+    urls.push(URL.createObjectURL(blob ?? otherwise));
     return urls.at(-1)!;
   });
   return [manager, () => urls.forEach((url) => URL.revokeObjectURL(url))];

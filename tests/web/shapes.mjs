@@ -38,8 +38,8 @@ export function torusMesh(a, b) {
 export const uncertifiable = {
   q: 2,
   cones: [
-    ...[0, 12, 18].map((vertex) => ({ vertex, k: 5 })),
-    ...[21, 16, 15, 24, 22, 11, 1, 8, 7, 25, 19, 2, 20].map((vertex) => ({ vertex, k: 1 })),
+    ...[7, 14, 15].map((vertex) => ({ vertex, k: 5 })),
+    ...[0, 24, 6, 23, 11, 19, 1, 8, 2, 3, 20, 10, 21].map((vertex) => ({ vertex, k: 1 })),
   ],
 };
 

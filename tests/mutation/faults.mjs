@@ -61,7 +61,7 @@ export const faults = [
     'omega[e] -= surface.weight[e]',
   ),
   fault(
-    'field/prescribed_field.cpp',
+    'field/nearest_plane.cpp',
     'std::round((center - d[i]) / step[i])',
     'std::floor((center - d[i]) / step[i])',
   ),

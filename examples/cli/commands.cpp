@@ -50,7 +50,6 @@ class Run {
       case Command::kCones:
         return cones();
       case Command::kParam:
-        return param();
       case Command::kQuads:
         return param();
       case Command::kVerify:

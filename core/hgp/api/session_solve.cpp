@@ -5,6 +5,7 @@
 #include "hgp/api/map_notes.h"
 #include "hgp/api/session_state.h"
 #include "hgp/base/check.h"
+#include "hgp/grid/align.h"
 #include "hgp/parametrize/stage_clock.h"
 #include "hgp/prescription/cones.h"
 

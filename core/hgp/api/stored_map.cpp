@@ -39,6 +39,7 @@ std::vector<Placement> packed(const std::vector<ComponentMap>& components) {
   }
   const std::vector<Vec2> shifts = packBoxes(boxes, unit);
   std::vector<Placement> out;
+  out.reserve(shifts.size());
   for (const Vec2& shift : shifts) out.push_back({1, shift});
   return out;
 }

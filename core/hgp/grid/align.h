@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "hgp/base/progress.h"
@@ -13,25 +12,6 @@
 #include "hgp/mesh/tri_mesh.h"
 
 namespace hgp {
-
-/// One choice of integers.
-struct GridAttempt {
-  std::string method;   ///< "linear step", "patch of 6 rings", …
-  double factor = 1.0;  ///< by which the asked density was multiplied
-  int turned = 0;       ///< triangles that are not positive
-};
-
-struct GridReport {
-  bool isAligned = false;
-  double cells = 0.0;         ///< reached: area of the map in cells
-  double spacing = 0.0;       ///< reached, in units of the surface
-  double cellsPerCone = 0.0;  ///< of what was reached or, without a map, asked
-  int integers = 0;           ///< free Gaussian integers
-  std::vector<GridAttempt> attempts;
-  std::string reason;  ///< why there is none
-  double workingCells =
-      0.0;  ///< without a map: a density at which there is one, 0 if none was found
-};
 
 struct AlignedMap {
   std::optional<UvMap> map;  ///< one unit of uv is one cell

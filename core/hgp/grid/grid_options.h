@@ -1,5 +1,9 @@
-// What a caller may ask of a grid.  Role: the words of align.h.
+// What a caller may ask of a grid, and what came of it.  Role: the words of align.h that options and
+// reports are made of.
 #pragma once
+
+#include <string>
+#include <vector>
 
 namespace hgp {
 
@@ -14,6 +18,25 @@ struct GridOptions {
   double spacing = 0.0;  ///< or: edge of a cell in units of the surface
   GridMode mode = GridMode::kTile;
   bool isAsked() const { return cells > 0.0 || spacing > 0.0; }
+};
+
+/// One choice of integers.
+struct GridAttempt {
+  std::string method;   ///< "linear step", "patch of 6 rings", …
+  double factor = 1.0;  ///< by which the asked density was multiplied
+  int turned = 0;       ///< triangles that are not positive
+};
+
+struct GridReport {
+  bool isAligned = false;
+  double cells = 0.0;         ///< reached: area of the map in cells
+  double spacing = 0.0;       ///< reached, in units of the surface
+  double cellsPerCone = 0.0;  ///< of what was reached or, without a map, asked
+  int integers = 0;           ///< free Gaussian integers
+  std::vector<GridAttempt> attempts;
+  std::string reason;  ///< why there is none
+  double workingCells =
+      0.0;  ///< without a map: a density at which there is one, 0 if none was found
 };
 
 }  // namespace hgp

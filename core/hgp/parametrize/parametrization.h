@@ -9,7 +9,7 @@
 #include "hgp/base/progress.h"
 #include "hgp/base/result.h"
 #include "hgp/field/choose_cones.h"
-#include "hgp/grid/align.h"
+#include "hgp/grid/grid_options.h"
 #include "hgp/improve/improve_options.h"
 #include "hgp/mesh/field_data.h"
 #include "hgp/mesh/holonomy_spec.h"

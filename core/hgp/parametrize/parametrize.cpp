@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "hgp/grid/align.h"
 #include "hgp/parametrize/attempt.h"
 #include "hgp/parametrize/moves/moves.h"
 #include "hgp/parametrize/seamless_setup.h"

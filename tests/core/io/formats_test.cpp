@@ -122,6 +122,13 @@ TEST(Weld, NearJoinsAcrossCellBorders) {
   EXPECT_EQ(weld.firstStored, (std::vector<int>{0, 2, 3}));
 }
 
+TEST(Weld, NearKeepsApartWhatIsFartherThanTheTolerance) {
+  // In neighbouring cells, and in the same one.
+  const std::vector<Vec3> p = {
+      {0.012, 0, 0}, {0.027, 0, 0}, {0.5, 0.501, 0.501}, {0.5, 0.509, 0.509}};
+  EXPECT_EQ(weldNear(p, 0.01).welded, (std::vector<int>{0, 1, 2, 3}));
+}
+
 TEST(HostileFormats, EndInAFailureAndNothingElse) {
   const std::string ply = binaryPly(false), stl = binaryStl();
   const std::vector<std::pair<std::string, std::string>> files = {

@@ -23,8 +23,8 @@ class Run {
  public:
   explicit Run(const Arguments& arguments)
       : a_(arguments), progress_(!a_.isQuiet && !a_.hasNoProgress, a_.timeLimit) {
-    const bool isTerminal = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
-    style_.isColored = a_.color == "always" || (a_.color == "auto" && isTerminal);
+    style_.isColored = isColored(STDOUT_FILENO);
+    messageStyle_.isColored = isColored(STDERR_FILENO);
   }
 
   int run() {
@@ -59,6 +59,12 @@ class Run {
   }
 
  private:
+  bool isColored(int stream) const {
+    if (a_.color != "auto") return a_.color == "always";
+    const char* noColor = std::getenv("NO_COLOR");
+    return (noColor == nullptr || *noColor == '\0') && isCleverTerminal(stream);
+  }
+
   /// Says what went wrong, on standard error and as JSON where that was asked for.
   int fail(const Failure& failure, bool isReported = true) {
     progress_.clear();
@@ -89,10 +95,8 @@ class Run {
       if (Status written = writeText(a_.json, json); !written) return written;
     }
     if (a_.isQuiet || (!isMessage && a_.json == "-")) return Done{};
-    std::fputs(text.c_str(), isMessage ? stderr : stdout);
-    if (std::fflush(isMessage ? stderr : stdout) != 0) {
-      return Failure{ErrorCode::kWriteFailed, "write", "cannot write to standard output", {}};
-    }
+    if (!isMessage) return writeText("-", text);
+    std::fputs(text.c_str(), stderr);
     return Done{};
   }
 
@@ -289,7 +293,8 @@ class Run {
       return fail(inTime(solved.error()));
     }
     const std::string& report = session_.reportJson();
-    if (Status done = publish(report, a_.isQuiet ? "" : reportText(report, style_), true); !done) {
+    if (Status done = publish(report, a_.isQuiet ? "" : reportText(report, messageStyle_), true);
+        !done) {
       return fail(done.error());
     }
     if (!session_.isCertified() && !a_.write.allowUncertified && !a_.solve.keepsGoing) {
@@ -352,7 +357,7 @@ class Run {
   const Arguments& a_;
   api::Session session_;
   ProgressLine progress_;
-  Style style_;
+  Style style_, messageStyle_;  ///< of standard output; of standard error
 };
 
 }  // namespace

@@ -21,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kInterrupted = 130;
+constexpr int kPipeClosed = 141;  // what a shell gives for SIGPIPE
 constexpr std::size_t kChunk = std::size_t{1} << 20;
 constexpr std::size_t kPackedChunk = std::size_t{1} << 16;
 
@@ -128,10 +129,18 @@ Result<io::Bytes> readAll(int file, const std::string& path, std::uint64_t maxBy
   return bytes;
 }
 
+/// Whoever reads our output has had enough: ends as programs do then, without a message.
+[[noreturn]] void endOfPipe() {
+  signal(SIGPIPE, SIG_DFL);
+  raise(SIGPIPE);
+  _exit(kPipeClosed);
+}
+
 Status writeAll(int file, const std::string& path, const std::uint8_t* bytes, std::size_t size) {
   while (size > 0) {
     const ssize_t done = write(file, bytes, std::min(size, std::size_t{1} << 30));
     if (done < 0 && errno == EINTR) continue;
+    if (done < 0 && errno == EPIPE && file == STDOUT_FILENO) endOfPipe();
     if (done < 0) return cannot(ErrorCode::kWriteFailed, "write", path);
     bytes += done;
     size -= static_cast<std::size_t>(done);
@@ -230,7 +239,9 @@ Result<io::FileSet> openFiles(const std::string& path, const std::string& format
   io::FileSet files;
   Result<io::Bytes> bytes = readFile(path, maxBytes, &files.notes);
   if (!bytes) return bytes.error();
-  files.name = path == "-" ? "stdin." + format : fs::path(path).filename().string();
+  files.name = path != "-"      ? fs::path(path).filename().string()
+               : format.empty() ? "stdin"
+                                : "stdin." + format;
   if (files.name.size() > 3 && files.name.substr(files.name.size() - 3) == ".gz") {
     files.name.resize(files.name.size() - 3);
   }
@@ -264,7 +275,7 @@ Status writeFiles(const std::string& path, const std::vector<io::OutputFile>& fi
     if (files.size() != 1) {
       return Failure{ErrorCode::kUsage, "write", "several files cannot go to standard output", {}};
     }
-    return writeAll(STDOUT_FILENO, path, files[0].bytes.data(), files[0].bytes.size());
+    return writeAll(STDOUT_FILENO, "standard output", files[0].bytes.data(), files[0].bytes.size());
   }
   if (isSpecial(path)) {
     if (files.size() == 1) return writeInto(path, files[0].bytes);

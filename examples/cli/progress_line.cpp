@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <string_view>
 
 namespace hgp::cli {
@@ -21,9 +22,14 @@ bool isImprovement(const ProgressReport& report) {
 
 }  // namespace
 
+bool isCleverTerminal(int stream) {
+  const char* kind = std::getenv("TERM");
+  return isatty(stream) == 1 && kind != nullptr && std::string_view(kind) != "dumb";
+}
+
 ProgressLine::ProgressLine(bool isShown, std::optional<double> timeLimit)
     : isShown_(isShown),
-      isTerminal_(isatty(STDERR_FILENO) == 1),
+      isTerminal_(isCleverTerminal(STDERR_FILENO)),
       timeLimit_(timeLimit),
       start_(Clock::now()),
       last_(start_ - std::chrono::hours(1)) {}

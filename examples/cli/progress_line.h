@@ -10,6 +10,9 @@
 
 namespace hgp::cli {
 
+/// A terminal that knows colours and can go back on a line; TERM says "dumb" where it cannot.
+bool isCleverTerminal(int stream);
+
 class ProgressLine {
  public:
   /// @param isShown    false: silent, only the time limit counts

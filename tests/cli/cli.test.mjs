@@ -173,7 +173,6 @@ test('usage errors end with 2, say so on standard error and suggest', () => {
     [['param', 'ball.obj', '-o', '-', '--json', '-'], ''],
     [['param', 'ball.obj', '-o', 'ball.obj'], ''],
     [['param', 'ball.obj', '-o', './ball.obj'], ''],
-    [['inspect', '-'], ''],
     [['param', 'ball.obj', '-o', 'x.glb'], 'obj'],
     [['param', 'ball.obj', '-o', 'x.obj.gz'], 'obj'],
     [['inspect', 'ball.obj', '--mesh', '7'], ''],

@@ -91,6 +91,23 @@ test('every installed header compiles alone, and none is private', () => {
   }
 });
 
+test('the program, its manual page and its completions are where shells and man look for them', () => {
+  for (const name of [
+    'bin/hgp',
+    'share/man/man1/hgp.1',
+    'share/bash-completion/completions/hgp',
+    'share/zsh/site-functions/_hgp',
+    'share/fish/vendor_completions.d/hgp.fish',
+  ])
+    assert.ok(existsSync(path.join(prefix, name)), name);
+  const text = (name) => readFileSync(path.join(prefix, 'share', name), 'utf8');
+  const hgp = path.join(prefix, 'bin/hgp');
+  assert.equal(text('man/man1/hgp.1'), run(hgp, 'manual'));
+  assert.equal(text('bash-completion/completions/hgp'), run(hgp, 'completion', 'bash'));
+  assert.equal(text('zsh/site-functions/_hgp'), run(hgp, 'completion', 'zsh'));
+  assert.equal(text('fish/vendor_completions.d/hgp.fish'), run(hgp, 'completion', 'fish'));
+});
+
 test('the licence is installed', () => {
   assert.equal(installed(/\/LICENSE$/).length, 1);
 });

@@ -19,11 +19,19 @@ std::string extensionOf(const std::string& name) {
   return extension;
 }
 
-bool hasBinaryStlSize(const Bytes& bytes) {
-  if (bytes.size() < 84) return false;
+/// The bytes that the count of a binary STL promises; 0 where there is no count.
+std::uint64_t binaryStlSize(const Bytes& bytes) {
+  if (bytes.size() < 84) return 0;
   std::uint64_t count = 0;
   for (std::size_t i = 0; i < 4; ++i) count |= static_cast<std::uint64_t>(bytes[80 + i]) << (8 * i);
-  return count > 0 && bytes.size() == 84 + 50 * count;
+  return count > 0 ? 84 + 50 * count : 0;
+}
+
+/// Without a name (standard input): text has no zero byte, and no other binary format is left.
+bool isNamelessStl(const Bytes& bytes, const std::string& extension) {
+  const std::uint64_t size = extension.empty() ? binaryStlSize(bytes) : 0;
+  return size > 0 && bytes.size() > size &&
+         std::memchr(bytes.data(), 0, std::min<std::size_t>(bytes.size(), 4096)) != nullptr;
 }
 
 }  // namespace
@@ -43,10 +51,11 @@ Result<DocumentPtr> openDocument(FileSet files, const Limits& limits) {
   };
   if (startsWith("glTF")) return readGltf(std::move(files), limits);
   if (startsWith("ply")) return readPly(std::move(files), limits);
-  if (hasBinaryStlSize(files.main)) return readStl(files, limits);
+  if (files.main.size() == binaryStlSize(files.main)) return readStl(files, limits);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   const char c = first == std::string_view::npos ? '\0' : text[first];
   const std::string extension = extensionOf(files.name);
+  if (isNamelessStl(files.main, extension)) return readStl(files, limits);
   if (c == '{' || extension == "gltf" || extension == "glb")
     return readGltf(std::move(files), limits);
   if (c == '<') return malformedByte(first, "this is HTML or XML, not a mesh");

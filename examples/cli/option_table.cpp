@@ -1,0 +1,323 @@
+// budget: every option is a line or two here
+#include "option_table.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+
+namespace hgp::cli {
+namespace {
+
+/// CLI11's own range checks print the largest double, and let NaN through.
+CLI::Validator atLeast(double low, bool isOpen = false) {
+  const auto check = [low, isOpen](const std::string& text) {
+    double value = 0;
+    const bool isNumber = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+    if (isNumber && (isOpen ? value > low : value >= low)) return std::string();
+    return "wants a number " + std::string(isOpen ? "> " : "≥ ") + (low == 0 ? "0" : "1") +
+           ", not '" + text + "'";
+  };
+  return CLI::Validator(check, "");
+}
+
+CLI::Validator oneOf(const std::vector<std::string>& choices) { return CLI::IsMember(choices); }
+
+/// An option that takes one of these words; the placeholder lists them.
+CLI::Option* choice(CLI::Option* option, const std::vector<std::string>& choices) {
+  return option->option_text(CLI::detail::join(choices, "|"))->check(oneOf(choices));
+}
+
+class Table {
+ public:
+  Table(CLI::App& app, Arguments& out, TypedWords& words) : app_(app), out_(out), words_(words) {}
+
+  CommandTable add() {
+    addInspect();
+    addCheck();
+    addCones();
+    addParam();
+    addQuads();
+    addVerify();
+    addHelp();
+    return std::move(table_);
+  }
+
+ private:
+  CLI::App* add(const char* name, const char* description, Command command) {
+    CLI::App* sub = app_.add_subcommand(name, description);
+    sub->set_help_flag("-h,--help", "Print this help");
+    table_.commands.push_back({sub, command});
+    sub->add_option("MESH", out_.input,
+                    "OBJ, OFF, PLY, STL, glTF or GLB, also gzipped; - for standard input")
+        ->option_text(" ")
+        ->required();
+    return sub;
+  }
+
+  /// Behind a command's own options.
+  void addCommon(CLI::App* sub, const char* examples) {
+    sub->option_defaults()->group("Input");
+    choice(sub->add_option("--format", out_.format,
+                           "Format of standard input, where its bytes do not tell"),
+           {"obj", "off", "ply", "stl", "gltf", "glb"});
+    sub->add_option("--mesh", words_.mesh,
+                    "Which mesh of the file, from 0 (default: all for param and verify without "
+                    "cones, the largest otherwise)")
+        ->option_text("all|largest|N");
+    sub->add_option("--weld", words_.weld,
+                    "Join vertices at equal positions, or closer than this length (default: exact "
+                    "where every face is a component of its own)")
+        ->option_text("exact|none|LENGTH");
+    sub->add_option("--fix", words_.fix,
+                    "Repairs to make: orient,split,degenerate or none (default: what is needed)")
+        ->option_text("LIST");
+    sub->add_flag("--strict", out_.load.isStrict, "Repair and join nothing; refuse what needs it");
+    sub->add_option("--root", out_.root,
+                    "Read side files below this folder only (default: the input's)")
+        ->option_text("DIR");
+    sub->add_option("--max-bytes", out_.load.limits.maxBytes, "Refuse larger input")
+        ->option_text("N")
+        ->check(atLeast(1));
+    sub->add_option("--max-triangles", out_.load.limits.maxTriangles, "Refuse more triangles")
+        ->option_text("N")
+        ->check(atLeast(1));
+    sub->option_defaults()->group("Messages");
+    sub->add_option("--json", out_.json,
+                    "Write the machine-readable report here (- for standard output)")
+        ->option_text("FILE");
+    sub->add_flag("-q,--quiet", out_.isQuiet, "Print errors only");
+    sub->add_flag("--no-progress", out_.hasNoProgress, "No progress on standard error");
+    choice(sub->add_option("--color", out_.color,
+                           "Colour the text (default: on a terminal, unless NO_COLOR is set)"),
+           {"auto", "always", "never"});
+    sub->footer(std::string("Examples:\n") + examples);
+  }
+
+  CLI::Option* repeatable(CLI::App* sub, const char* name, std::vector<std::string>& words,
+                          const char* text, const char* description) {
+    return sub->add_option(name, words, description)
+        ->option_text(text)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->allow_extra_args(false);
+  }
+
+  void addOrder(CLI::App* sub) {
+    sub->add_option("--q", out_.q,
+                    "Rotation order: cone angles are multiples of 360°/Q, 1 to 64 (default 4)")
+        ->option_text("Q")
+        ->check(CLI::Range(1, 64));
+  }
+
+  void addPrescription(CLI::App* sub) {
+    sub->option_defaults()->group("Cones");
+    addOrder(sub);
+    sub->add_option("--cones", out_.cones,
+                    "Cones: hgp-cones JSON, .cones, .sings, curvature list, _Th_hat, OBJ with c "
+                    "lines")
+        ->option_text("FILE");
+    repeatable(sub, "--cone", words_.cone, "V:K",
+               "A cone of angle K·360°/q at vertex V (from 0); repeatable");
+    repeatable(sub, "--turning", words_.turning, "L:J",
+               "Boundary loop L turns by J·360°/q; repeatable");
+    repeatable(sub, "--handle", words_.handle, "G:R",
+               "Rotation by R·360°/q along handle generator G; repeatable");
+    sub->add_option("--field", out_.field,
+                    "Take cones and holonomy from a .rawfield, .rosy or .ffield")
+        ->option_text("FILE");
+    sub->add_flag("--ignore-embedded", out_.ignoresEmbedded,
+                  "Do not use cones stored in the input");
+  }
+
+  void addChoice(CLI::App* sub, const char* count) {
+    sub->add_option(count, out_.solve.coneCount, "Automatic cones: how many")
+        ->option_text("N")
+        ->check(atLeast(0));
+    choice(sub->add_option("--cones-for", words_.conesFor, "Automatic cones: what they are for"),
+           {"balanced", "few", "low-distortion"});
+    sub->add_flag("--align", out_.solve.alignToCurvature,
+                  "Automatic cones: follow the principal curvatures");
+  }
+
+  void addOutput(CLI::App* sub, const char* description, bool isRequired) {
+    sub->option_defaults()->group("Output");
+    sub->add_option("-o,--output", out_.output, description)
+        ->option_text("FILE")
+        ->required(isRequired);
+  }
+
+  void addGrid(CLI::App* sub) {
+    sub->option_defaults()->group("Grid");
+    sub->add_option("--cells", out_.solve.grid.cells,
+                    "Align to a grid of about so many cells: lines meet at every seam (q = 2, 4)")
+        ->option_text("N")
+        ->check(atLeast(1));
+    sub->add_option("--grid", out_.solve.grid.spacing, "The same by the edge length of a cell")
+        ->option_text("LENGTH")
+        ->check(atLeast(0, true));
+  }
+
+  void addInspect() {
+    CLI::App* sub = add("inspect", "Topology, defects, uv sets", Command::kInspect);
+    addCommon(sub,
+              "  hgp inspect mesh.obj\n"
+              "  hgp inspect mesh.obj --json - | head -20");
+  }
+
+  void addCheck() {
+    CLI::App* sub =
+        add("check", "The exact angle budget of a prescription; solves nothing", Command::kCheck);
+    addPrescription(sub);
+    addCommon(sub,
+              "  hgp check mesh.obj --cones cones.json\n"
+              "  hgp check mesh.obj --q 4 --cone 0:3 --cone 5:3");
+  }
+
+  void addCones() {
+    CLI::App* sub =
+        add("cones", "Choose cones, or convert them to hgp-cones JSON", Command::kCones);
+    addOutput(sub, "Where to write (default: standard output)", false);
+    sub->option_defaults()->group("Cones");
+    addOrder(sub);
+    addChoice(sub, "--count,--suggest");
+    sub->add_option("--convert", out_.convert, "Convert this file of cones or of a field instead")
+        ->option_text("FILE");
+    addCommon(sub,
+              "  hgp cones mesh.obj -o cones.json\n"
+              "  hgp cones mesh.obj --cones-for few\n"
+              "  hgp cones mesh.obj --convert mesh.cones -o cones.json");
+  }
+
+  void addSolve(CLI::App* sub) {
+    sub->option_defaults()->group("Solve");
+    choice(sub->add_option("--boundary", words_.boundary,
+                           "convex: a disk onto a convex polygon (Tutte); no cones (default free)"),
+           {"free", "convex"});
+    choice(sub->add_option("--frames", words_.frames,
+                           "auto: a smooth field of our own; file: the directions of --field"),
+           {"auto", "file"});
+    choice(sub->add_option("--method", words_.method, "How to solve (default auto)"),
+           {"auto", "harmonic", "soft", "printed", "all-frames"});
+    sub->add_option("--rounds", out_.solve.maxRounds, "Rounds of solve, judge, repair (default 24)")
+        ->option_text("N")
+        ->check(CLI::Range(1, 1000));
+    // The table is gone when these are called.
+    const auto improve = [&out = out_](const std::string& word) {
+      out.solve.improve.emplace().balance = api::improveBalance(word).value_or(std::nan(""));
+    };
+    sub->add_option_function<std::string>("--improve", improve,
+                                          "Less distortion; X from -1 (angles) to 1 (areas)")
+        ->option_text("isometric|conformal|area|X");
+    sub->add_flag_callback(
+           "--quality", [&out = out_] { out.solve.improve.emplace(); },
+           "The same as --improve isometric")
+        ->excludes("--improve")
+        ->option_text(" ");
+    choice(sub->add_option("--scale", words_.scale,
+                           "unit: mean edge 1; fit: into the unit square (default solved)"),
+           {"solved", "unit", "fit"});
+    sub->add_option("--time-limit", out_.timeLimit,
+                    "Give up after so many seconds (exit code 6, nothing is written)")
+        ->option_text("SECONDS")
+        ->check(atLeast(0, true));
+  }
+
+  void addParam() {
+    CLI::App* sub = add("param", "Compute and write a certified map", Command::kParam);
+    addOutput(sub, "Where to write (- for standard output)", true);
+    sub->add_flag("-f,--force", out_.mayOverwrite, "Allow the output to replace the input");
+    sub->add_option("--uv-set", words_.uvSet, "glTF: the set to write (default next)")
+        ->option_text("next|N");
+    sub->add_flag("--embed-cones", out_.write.embedCones, "Store the cones in the output");
+    sub->add_flag("--allow-uncertified", out_.write.allowUncertified,
+                  "Write the map even when it is not certified (exit code 6 all the same)");
+    sub->add_flag("--keep-going", out_.solve.keepsGoing,
+                  "Write what is certified; what is not keeps its uv or lies flat (exit code 6)");
+    sub->add_option("--xref", out_.xref, "Write which input vertex every output vertex is")
+        ->option_text("FILE");
+    addPrescription(sub);
+    addChoice(sub, "--count");
+    addSolve(sub);
+    addGrid(sub);
+    choice(sub->add_option("--grid-mode", words_.gridMode,
+                           "quad: cones on grid points as well (default tile)"),
+           {"tile", "quad"});
+    addCommon(sub,
+              "  hgp param mesh.obj -o mapped.obj\n"
+              "  hgp param mesh.obj --cones cones.json -o mapped.obj --improve isometric\n"
+              "  hgp param model.glb -o mapped.glb --json report.json\n"
+              "  hgp param - -o - < mesh.obj > mapped.obj");
+  }
+
+  void addQuads() {
+    CLI::App* sub = add("quads", "Align to a grid and write its cells as quads", Command::kQuads);
+    addOutput(sub, "An .obj, or a .glb of triangles for a look", true);
+    addPrescription(sub);
+    sub->add_option("--count", out_.solve.coneCount, "Automatic cones: roughly how many")
+        ->option_text("N")
+        ->check(atLeast(0));
+    addGrid(sub);
+    addCommon(sub,
+              "  hgp quads mesh.obj --cells 400 -o quads.obj\n"
+              "  hgp quads mesh.obj --grid 0.2 -o quads.obj");
+  }
+
+  void addVerify() {
+    CLI::App* sub =
+        add("verify", "Judge the texture coordinates that a file has", Command::kVerify);
+    addPrescription(sub);
+    sub->option_defaults()->group("Judge");
+    sub->add_option("--uv-set", words_.uvSet, "Which set (default: the last, where param writes)")
+        ->option_text("N");
+    sub->add_option("--tol", out_.verify.tolerance,
+                    "Accept seams within this part of each edge's length and angles within this "
+                    "many radians (default 1e-6), for files printed with few digits")
+        ->option_text("T")
+        ->check(atLeast(0));
+    addCommon(sub,
+              "  hgp verify mapped.obj\n"
+              "  hgp verify mapped.obj --cones cones.json --json -\n"
+              "  hgp verify mapped.obj --tol 1e-4");
+  }
+
+  void addHelp() {
+    table_.help =
+        app_.add_subcommand("help", "The same as --help, of a command where one is named");
+    table_.help->add_option("COMMAND", words_.topic, "Which command")->option_text(" ");
+    table_.help->footer("Examples:\n  hgp help\n  hgp help param");
+    table_.completion = app_.add_subcommand("completion", "Print the completion script of a shell");
+    table_.completion->add_option("SHELL", words_.shell, "bash, zsh or fish")
+        ->option_text(" ")
+        ->required()
+        ->check(oneOf({"bash", "zsh", "fish"}));
+    table_.completion->footer("Examples:\n  hgp completion bash > hgp.bash");
+    table_.manual = app_.add_subcommand("manual", "Print the manual page (man -l reads it)");
+    table_.manual->footer("Examples:\n  hgp manual > hgp.1");
+    for (CLI::App* sub : {table_.help, table_.completion, table_.manual})
+      sub->set_help_flag("-h,--help", "Print this help");
+  }
+
+  CLI::App& app_;
+  Arguments& out_;
+  TypedWords& words_;
+  CommandTable table_;
+};
+
+}  // namespace
+
+const char* exitCodeText() {
+  return "  0  done; the map is certified, the mesh usable, the cones valid\n"
+         "  2  usage\n"
+         "  3  input that cannot be read\n"
+         "  4  geometry that cannot be parametrized\n"
+         "  5  cones, turning or holonomy that no map can have\n"
+         "  6  no certified map, or none within --time-limit\n"
+         "  7  the output cannot be written\n"
+         "  8  a limit, or memory\n"
+         " 70  an error of the program\n"
+         "130  interrupted";
+}
+
+CommandTable addCommands(CLI::App& app, Arguments& out, TypedWords& words) {
+  return Table(app, out, words).add();
+}
+
+}  // namespace hgp::cli

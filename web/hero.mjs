@@ -26,13 +26,14 @@ export async function heroModel() {
   core.load({ main: file, files: new Map([[file, new Uint8Array(bytes)]]) });
   const { positions, triangles, uv, cornerToUv, uvToVertex, certificate } = core.parametrize({
     q: 4,
+    grid: { spacing: 0.2 }, // of the surface; one unit of uv is one tile
   });
   core.free();
-  if (!certificate.certified) throw new Error('the model of the empty page is not certified');
+  const { certified, integerSeams, seamEdges } = certificate;
+  if (!certified || integerSeams !== seamEdges)
+    throw new Error('the model of the empty page is not certified and aligned');
   const normals = vertexNormals(positions, triangles);
   const count = uvToVertex.length;
-  const area = uvArea(uv, cornerToUv) / surfaceArea(positions, triangles);
-  const scale = 5 / Math.sqrt(area); // tiles per unit of the surface
   const out = new ArrayBuffer(8 + 32 * count + 4 * cornerToUv.length);
   new Uint32Array(out, 0, 2).set([count, cornerToUv.length]);
   const at = (values, width, offset, from) => {
@@ -42,28 +43,7 @@ export async function heroModel() {
   };
   at(positions, 3, 8, (i) => uvToVertex[i]);
   at(normals, 3, 8 + 12 * count, (i) => uvToVertex[i]);
-  at(uv.map((x) => x * scale), 2, 8 + 24 * count, (i) => i); // prettier-ignore
+  at(uv, 2, 8 + 24 * count, (i) => i);
   new Uint32Array(out, 8 + 32 * count).set(cornerToUv);
   return new Uint8Array(out);
-}
-
-function surfaceArea(p, triangles) {
-  let sum = 0;
-  for (let t = 0; t < triangles.length; t += 3) {
-    const [a, b, c] = [3 * triangles[t], 3 * triangles[t + 1], 3 * triangles[t + 2]];
-    const side = (v) => [0, 1, 2].map((i) => p[v + i] - p[a + i]);
-    const [e, f] = [side(b), side(c)];
-    sum += Math.hypot(e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]) / 2; // prettier-ignore
-  }
-  return sum;
-}
-
-function uvArea(uv, corners) {
-  let sum = 0;
-  for (let t = 0; t < corners.length; t += 3) {
-    const [a, b, c] = [2 * corners[t], 2 * corners[t + 1], 2 * corners[t + 2]];
-    sum +=
-      ((uv[b] - uv[a]) * (uv[c + 1] - uv[a + 1]) - (uv[b + 1] - uv[a + 1]) * (uv[c] - uv[a])) / 2;
-  }
-  return sum;
 }

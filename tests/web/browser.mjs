@@ -31,7 +31,9 @@ function isPlain() {
   const find = (selector) => document.querySelector(selector);
   const values = {
     ...{ q: '4', rounds: '12', 'time-limit': '', 'q-custom': '4' },
-    ...(find('#pattern') ? { pattern: 'checker', overlay: 'none', scale: '45', wipe: '0' } : {}),
+    ...(find('#pattern') ? { pattern: 'checker', overlay: 'none', wipe: '0' } : {}),
+    ...(find('#scale') ? { scale: find('#scale').dataset.steps === 'true' ? '1' : '45' } : {}),
+    ...(find('#grid-mode') ? { 'grid-mode': 'tile', 'cone-step': '2' } : {}),
   };
   const isValue = ([id, value]) => find(`#${id}`)?.value === value;
   const pressed = [...document.querySelectorAll('.toolbar [aria-pressed="true"]')].map(
@@ -40,10 +42,16 @@ function isPlain() {
   const sorted = find('th[aria-sort$="scending"]');
   return (
     find('#close') !== null &&
-    find('dialog, #cancel, :popover-open, input:checked, th[aria-sort="descending"]') === null &&
+    find('#view').dataset.seams !== 'on' &&
+    find('#view').dataset.seams !== 'off' &&
+    find('#align:not(:checked):not(:disabled)') === null &&
+    find('#cells-automatic:not([hidden])') === null &&
+    find(
+      'dialog, #cancel, :popover-open, input:checked:not(#align), th[aria-sort="descending"]',
+    ) === null &&
     (sorted === null || sorted.contains(find('[data-sort="number"]'))) &&
     Object.entries(values).every(isValue) &&
-    `${pressed}` === 'tool-orbit,seams' &&
+    pressed.filter((id) => id !== 'seams').join() === 'tool-orbit' &&
     find('#tab-surface').ariaSelected === 'true' &&
     find('#splitter').ariaValueNow === '58' &&
     find('main').dataset.sheet === 'half' &&
@@ -64,14 +72,15 @@ async function tidy(page) {
   }
   for (const [button, pressed] of [
     ['#wire', 'false'],
-    ['#seams', 'true'],
     ['#tool-orbit', 'true'],
   ]) {
     // prettier-ignore
     if ((await page.getAttribute(button, 'aria-pressed')) !== pressed) await page.click(button);
   }
   if (!(await page.isVisible('#scale'))) return;
-  if ((await page.inputValue('#scale')) !== '45') await page.locator('#scale').fill('45');
+  const usualScale = (await page.getAttribute('#scale', 'data-steps')) === 'true' ? '1' : '45';
+  if ((await page.inputValue('#scale')) !== usualScale)
+    await page.locator('#scale').fill(usualScale);
   if ((await page.inputValue('#wipe')) !== '0') await page.locator('#wipe').fill('0');
 }
 

@@ -172,3 +172,59 @@ test('a stale result says so, and undo brings its map back without a run', async
   await page.click('#undo');
   await state(page, 'certified');
 });
+
+test('fewer cones or less distortion: a slider puts them in place and says how many', async () => {
+  const { page } = it;
+  await example(it, 'figure');
+  const slide = async (step) => {
+    const slider = page.locator('#cone-step');
+    await slider.fill(String(step));
+    await slider.dispatchEvent('change');
+    await state(page, 'ready');
+    await page.waitForFunction(() =>
+      /: \d+ cones$/.test(document.querySelector('#cone-step-count').innerText),
+    );
+    const said = Number(/(\d+) cones$/.exec(await page.locator('#cone-step-count').innerText())[1]);
+    await page.waitForFunction(
+      (n) => document.querySelector('#panel-cones .count').innerText === String(n),
+      said,
+    );
+    return said;
+  };
+  const few = await slide(0);
+  const balanced = await slide(2);
+  const between = await slide(1);
+  const many = await slide(4);
+  assert.ok(
+    few < between && between < balanced && balanced <= many,
+    `${few} ${between} ${balanced} ${many}`,
+  );
+  // Back at once, and one step of undo each.
+  await page.click('#undo');
+  await page.waitForFunction((n) => document.querySelector('#panel-cones .count').innerText === String(n), between); // prettier-ignore
+  await run(it);
+});
+
+test('less distortion of angles or of areas: a slider, in the command line as well', async () => {
+  const { page } = it;
+  await example(it, 'pebble');
+  await run(it);
+  const areas = async () => {
+    await page.click('#result-details > summary');
+    const text = await page.locator('#result-details').innerText();
+    await page.click('#result-details > summary');
+    return /log₂ area, 5 · 95 %\s*([−\d.]+) · ([−\d.]+)/.exec(text).slice(1).map((x) => Number(x.replace('−', '-'))); // prettier-ignore
+  };
+  const [low, high] = await areas();
+  await page.locator('#quality').check();
+  assert.equal(await page.getAttribute('body', 'data-state'), 'stale');
+  const slider = page.locator('#improve');
+  await slider.fill('1');
+  await slider.dispatchEvent('change');
+  assert.equal(await slider.getAttribute('aria-valuetext'), 'areas');
+  await run(it);
+  const [lower, higher] = await areas();
+  assert.ok(higher - lower < 0.8 * (high - low), `${low} ${high} to ${lower} ${higher}`);
+  await page.locator('#quality').uncheck();
+  assert.equal(await page.getAttribute('body', 'data-state'), 'certified'); // the map before is there
+});

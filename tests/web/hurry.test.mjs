@@ -60,7 +60,7 @@ test('while it runs: nothing is edited, nothing is run twice; another file ends 
 test('a number half typed stays while the page draws itself anew', async () => {
   const { page } = it;
   await openFiles(it, { 'disk.obj': bumpyDisk(80) });
-  await page.click('#panel-solve summary');
+  await page.click('#solve-more > summary');
   await page.click('#run');
   await state(page, 'running');
   const rounds = page.locator('#rounds');

@@ -201,7 +201,7 @@ test('a cross field of another program brings its cones', async () => {
   for (let i = 0; i < 8; i++) assert.equal(await kOf(it, i), '3');
   await run(it);
   // And its directions as frames, on request: another run, which belongs to that choice.
-  await page.click('#panel-solve summary');
+  await page.click('#solve-more > summary');
   await page.selectOption('#frames', 'file');
   await state(page, 'stale');
   await run(it);

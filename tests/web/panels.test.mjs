@@ -201,7 +201,7 @@ test('Solve: the estimate, the time limit, and the command line that does the sa
   await openMesh(it, cubeMesh(8), "it's a cube.obj");
   await page.click('#suggest');
   await page.waitForSelector('#cones');
-  await page.click('#panel-solve summary');
+  await page.click('#solve-more > summary');
   assert.match(await page.locator('#estimate').innerText(), /Memory[\s\S]*\d+ MB[\s\S]*Time/);
   await page.click('#copy-command');
   await page.waitForSelector('#status.good');

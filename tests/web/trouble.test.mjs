@@ -210,7 +210,7 @@ test('a map that is not certified can be seen, is named as such, and saved under
 test('a run that takes longer than allowed is given up, and says so', async () => {
   const { page } = it;
   await openFiles(it, { 'disk.obj': bumpyDisk(100) });
-  await page.click('#panel-solve summary');
+  await page.click('#solve-more > summary');
   await page.locator('#time-limit').fill('1');
   await page.locator('#time-limit').press('Enter');
   await page.click('#run');

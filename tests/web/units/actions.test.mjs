@@ -24,7 +24,7 @@ test('a name in a command is a name, whatever a file is called', () => {
   };
   const prescription = { q: 4, cones: [{ vertex: 1, k: 3 }], turnings: [], handles: [] };
   assert.equal(
-    cliCommand(model, prescription, { rounds: 12, quality: false, frames: 'auto' }, undefined),
+    cliCommand(model, prescription, { rounds: 12, frames: 'auto' }, undefined),
     'hgp param ./-x.glb --q 4 --cone 1:3 --fix split --embed-cones -o ./-x.mapped.glb',
   );
 });

@@ -1,11 +1,19 @@
 // The command line of what the page would do, on the clipboard.
 
+import { automaticCells, canAlign } from '../model/grid';
 import { cliCommand } from '../text/cli_command';
 import type { App } from './app';
 
+/** Those of the map that is shown, or what Run would begin with. */
+function cellsOf({ current, solve, prescription, model }: App['doc']): number | undefined {
+  if (current) return current.cells;
+  if (!solve.grid.isOn || !canAlign(prescription.q)) return undefined;
+  return solve.grid.cells ?? automaticCells(model!.surface, prescription.cones.length);
+}
+
 export async function copyCommand({ doc }: App): Promise<void> {
   if (!doc.model) return;
-  const command = cliCommand(doc.model, doc.prescription, doc.solve, doc.field);
+  const command = cliCommand(doc.model, doc.prescription, doc.solve, doc.field, cellsOf(doc));
   const isFile = command.includes('--cones ');
   const also = isFile ? ' It reads the cones from the file that Export saves.' : '';
   try {

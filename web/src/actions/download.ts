@@ -7,15 +7,15 @@ import {
   type ExportSource,
   type Format,
 } from '../formats/exports';
+import { gridTilesPerUnit } from '../model/grid';
 import type { App } from './app';
 import { filesWithAllMaps, mappedMeshes } from './download_all';
-import { tilesPerUnit } from './solve';
 
 /** Nothing where there is no map of what is prescribed. */
 export function exportSource(app: App): ExportSource | undefined {
-  const { model, current: solution, prescription } = app.doc;
+  const { model, current: solution, prescription, look } = app.doc;
   if (!model || !solution) return undefined;
-  return { model, solution, prescription, tiles: tilesPerUnit(app, model, solution.distortion) };
+  return { model, solution, prescription, tiles: gridTilesPerUnit(look, model.surface, solution) };
 }
 
 export function saveFile({ name, bytes, type }: Download): void {

@@ -35,8 +35,9 @@ async function addMap(
   const { main, info, loaded } = work.model;
   const { weld, fix } = loaded;
   await client.load({ main, files }, { name: main, surface: info.surface, weld, fix }, call);
-  const { prescription, output, quality } = solution;
-  const options = { maxRounds: app.doc.solve.rounds, quality, scale: output.scale };
+  const { prescription, output, improve, cells, grid } = solution;
+  const aligned = cells === undefined ? {} : { grid: { cells, mode: grid.mode } };
+  const options = { maxRounds: app.doc.solve.rounds, improve, scale: output.scale, ...aligned };
   await client.parametrize({ cones: toCones(prescription), ...options }, call);
   const { uvSet, embedCones } = output;
   const where = uvSet === undefined ? {} : { uvSet };

@@ -1,5 +1,6 @@
 // Every action of the page, one entry each: buttons, keys, the list of keys and the palette read it.
 
+import { areSeamsShown } from '../model/grid';
 import type { Icon } from '../text/icon_paths';
 import { attempt, type App } from './app';
 import { copyCommand } from './copy_command';
@@ -8,6 +9,7 @@ import { balance, clearCones, deleteCone, importCones, selectNext, setK } from '
 import { cancel } from './job';
 import { close } from './open';
 import { repairAndRun, repairsFor } from './repair';
+import { downloadQuads, whyNoQuads } from './quads';
 import { run, suggestCones, whyNotRun } from './solve';
 import { redo, undo } from './undo';
 import { validate } from './validate';
@@ -73,6 +75,12 @@ const fileActions = {
     icon: 'download',
     whyNot: noMap,
     run: ({ ui }) => (ui.dialog = 'download'),
+  },
+  'download-quads': {
+    label: 'Download quads',
+    group: 'File',
+    whyNot: whyNoQuads,
+    run: (app) => downloadQuads(app, 'obj'),
   },
   'save-report': {
     label: 'Save report',
@@ -187,6 +195,9 @@ const coneActions = {
   },
 } satisfies Record<string, Action>;
 
+const seamsShown = ({ doc }: App): boolean =>
+  doc.displayed ? areSeamsShown(doc.look, doc.displayed) : doc.look.seams !== 'off';
+
 const viewActions = {
   orbit: {
     label: 'Orbit',
@@ -227,8 +238,8 @@ const viewActions = {
     group: 'View',
     keys: ['S'],
     icon: 'seams',
-    isOn: ({ doc }) => doc.look.hasSeams,
-    run: (app) => setLook(app, { hasSeams: !app.doc.look.hasSeams }),
+    isOn: seamsShown,
+    run: (app) => setLook(app, { seams: seamsShown(app) ? 'off' : 'on' }),
   },
   parallel: {
     label: 'Parallel projection',

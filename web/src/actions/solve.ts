@@ -1,16 +1,34 @@
 // Asking the solver for cones and for maps, and what becomes of the answer.
 
-import { HgpError, type Result, type WriteOptions, type Written } from 'hgp';
+import {
+  HgpError,
+  type Cones,
+  type Result,
+  type SolveOptions,
+  type SuggestOptions,
+  type WriteOptions,
+  type Written,
+} from 'hgp';
 import { relativeName } from '../formats/file_set';
 import { bytesOf } from '../formats/glb';
 import { withGrid } from '../formats/grid_material';
 import { plainOutput } from '../model/document';
+import { gridOutcome, gridTilesPerUnit } from '../model/grid';
 import { fromCones, toCones } from '../model/prescription';
-import type { Model, Output, OutputFile, Solution, SolveRequest } from '../model/types';
+import type {
+  GridSettings,
+  MessageAction,
+  Model,
+  Output,
+  OutputFile,
+  Solution,
+  SolveRequest,
+} from '../model/types';
 import { isCertified } from '../model/verdict';
 import { ensureWorker } from '../services/solver';
 import { describeError } from '../text/error_messages';
-import { plural } from '../text/format';
+import { count, plural } from '../text/format';
+import { conesFirst, describeLines, solveAligned } from './align';
 import { solverOf, type App } from './app';
 import { copyCommand } from './copy_command';
 import { setPrescription } from './edit_cones';
@@ -63,18 +81,31 @@ function running(app: App, title: string, work: (call: JobCall) => Promise<void>
   return runJob(app, { kind: 'run', title, timeLimit, onFailure, onTimeout }, work);
 }
 
-/** Puts suggested cones in place; an edit like any other. */
-export async function suggestCones(app: App, count?: number): Promise<void> {
-  if (isLocked(app)) return;
+/** Asks the solver for cones; nothing where that was cancelled or failed. */
+export async function chooseCones(
+  app: App,
+  options: Omit<SuggestOptions, 'q'> = {},
+): Promise<Cones | undefined> {
+  const { q } = app.doc.prescription;
+  let cones: Cones | undefined;
+  await running(app, 'Suggesting cones', async (call) => {
+    cones = await solverOf(app).suggestCones({ q, ...options }, call);
+  });
+  return cones;
+}
+
+/** An edit like any other. */
+export function placeCones(app: App, cones: Cones): void {
   const { doc } = app;
   const { q, turnings, handles } = doc.prescription;
-  await running(app, 'Suggesting cones', async (call) => {
-    const cones = await solverOf(app).suggestCones({ q, count }, call);
-    doc.job = undefined;
-    const prescription = fromCones(cones, turnings.length, handles.length);
-    setPrescription(app, prescription, 'suggest cones');
-    doc.say(`${plural(cones.cones.length, 'cone')} suggested for q = ${q}.`, 'good');
-  });
+  setPrescription(app, fromCones(cones, turnings.length, handles.length), 'suggest cones');
+  doc.say(`${plural(cones.cones.length, 'cone')} suggested for q = ${q}.`, 'good');
+}
+
+export async function suggestCones(app: App): Promise<void> {
+  if (isLocked(app)) return;
+  const cones = await chooseCones(app);
+  if (cones) placeCones(app, cones);
 }
 
 const usesField = ({ doc }: App): boolean => doc.solve.frames === 'file' && doc.field !== undefined;
@@ -94,17 +125,20 @@ export function whyNotRun({ doc, client }: App): string {
  */
 async function solve(app: App, model: Model, output: Output, call: JobCall): Promise<Solution> {
   const { doc } = app;
-  const { rounds, quality, frames } = doc.solve;
+  const { rounds, improve, frames, grid } = doc.solve;
   const { turnings, handles, q } = doc.prescription;
-  const isAutomatic = !usesField(app) && doc.needsCones;
-  const options = { maxRounds: rounds, quality, scale: output.scale };
+  const options = { maxRounds: rounds, improve, scale: output.scale };
   const framed = usesField(app) ? { frames, field: doc.field } : {};
-  const what = isAutomatic ? { q } : { cones: toCones(doc.prescription), ...framed };
-  const result = await solverOf(app).parametrize({ ...what, ...options }, call);
+  const isAutomatic = !usesField(app) && doc.needsCones;
+  const cones = isAutomatic
+    ? await conesFirst(app, model, output.scale, call)
+    : toCones(doc.prescription);
+  const what: SolveOptions = cones ? { cones, ...framed, ...options } : { q, ...options };
+  const { result, cells } = await solveAligned(app, model, what, call);
   const prescription = isAutomatic
     ? fromCones(result.cones, turnings.length, handles.length)
     : doc.prescription;
-  const request = { prescription, settings: model.loaded, quality, frames, output };
+  const request = { prescription, settings: model.loaded, improve, frames, grid, cells, output };
   return writeSolution(app, model, request, result, call);
 }
 
@@ -112,15 +146,6 @@ const writeOptions = ({ uvSet, embedCones }: Output): WriteOptions => ({
   ...{ allowUncertified: true, embedCones },
   ...(uvSet === undefined ? {} : { uvSet }),
 });
-
-/** As many tiles per unit of uv as the page shows of its patterns. */
-export function tilesPerUnit(
-  { doc }: App,
-  { surface }: Model,
-  { uvArea, surfaceArea }: { uvArea: number; surfaceArea: number },
-): number {
-  return doc.look.tiles / (Math.sqrt(uvArea / surfaceArea) * surface.diagonal);
-}
 
 /** What a written .gltf names and does not bring: buffers and images that were there before. */
 async function sideFiles(app: App, { files }: Model, written: OutputFile[]): Promise<OutputFile[]> {
@@ -162,7 +187,8 @@ async function writeSolution(
   let all = [...written.files, ...(await sideFiles(app, model, written.files))];
   let read = await geometry.analyse(surface, solved, all, where);
   if (output.hasGrid) {
-    const tiles = tilesPerUnit(app, model, read.analysis.distortion);
+    const { distortion } = read.analysis;
+    const tiles = gridTilesPerUnit(doc.look, surface, { result: read.result, distortion });
     all = await withGrid(read.files, { mesh: info.surface, uvSet: output.uvSet, tiles });
     read = await geometry.analyse(surface, read.result, all, where);
   }
@@ -204,15 +230,10 @@ async function writeAs(app: App, old: Solution, output: Output): Promise<void> {
   });
 }
 
-const requestOf = ({
-  prescription,
-  settings,
-  quality,
-  frames,
-  output,
-}: Solution): SolveRequest => ({
-  ...{ prescription, settings, quality, frames, output },
-});
+function requestOf(solution: Solution): SolveRequest {
+  const { prescription, settings, improve, frames, grid, cells, output } = solution;
+  return { prescription, settings, improve, frames, grid, cells, output };
+}
 
 /** What is chosen while the file is written is taken up afterwards. */
 export async function rewrite(app: App, part: Partial<Output>): Promise<void> {
@@ -229,15 +250,24 @@ export async function rewrite(app: App, part: Partial<Output>): Promise<void> {
   doc.pendingOutput = undefined;
 }
 
-function sayVerdict({ doc }: App, solution: Solution, isOpen: boolean): void {
-  const count = solution.prescription.cones.length;
-  const chosen = isOpen && count > 0 ? ` ${plural(count, 'cone')} were suggested for you.` : '';
+/** Where the grid was too coarse, the density that works is one click away. */
+export function denserButton(app: App, solution: Solution): MessageAction[] {
+  const cells = gridOutcome(solution)?.workingCells ?? 0;
+  if (cells === 0) return [];
+  return [{ label: `Align with ${count(cells)} cells`, run: () => realign(app, { cells }) }];
+}
+
+function sayVerdict(app: App, solution: Solution, isOpen: boolean): void {
+  const { doc } = app;
+  const cones = solution.prescription.cones.length;
+  const chosen = isOpen && cones > 0 ? ` (${plural(cones, 'cone')} suggested)` : '';
   if (isCertified(solution)) {
-    return doc.say(`Certified: no triangle is folded.${chosen}`, 'good');
+    const text = `Certified: no triangle is folded${describeLines(solution)}${chosen}.`;
+    return doc.say(text, 'good', denserButton(app, solution));
   }
   const other = solution.frames === 'file' ? ' Automatic frames may do better.' : '';
   const see = 'The map can be viewed; see the certificate.';
-  doc.say(`Not certified. ${see}${other}${chosen}`, 'error');
+  doc.say(`Not certified${chosen}. ${see}${other}`, 'error');
 }
 
 export async function run(app: App): Promise<void> {
@@ -254,4 +284,13 @@ export async function run(app: App): Promise<void> {
     doc.isUnsaved = true;
     sayVerdict(app, solution, isOpen);
   });
+}
+
+/** Another grid. A map that is there is made again; otherwise the next Run heeds it. */
+export async function realign(app: App, part: Partial<GridSettings>): Promise<void> {
+  const { doc } = app;
+  const hadMap = doc.current !== undefined;
+  if (isLocked(app)) return;
+  doc.solve = { ...doc.solve, grid: { ...doc.solve.grid, ...part } };
+  if (hadMap && !doc.current) await run(app);
 }

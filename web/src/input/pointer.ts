@@ -4,6 +4,7 @@ import { attempt, type App } from '../actions/app';
 import { coneToPlace, moveCone, placeOrSelect, select } from '../actions/edit_cones';
 import { undo } from '../actions/undo';
 import { clearHighlight } from '../actions/view';
+import { isAligned } from '../model/grid';
 import { defectDegrees } from '../model/surface';
 import type { Surface } from '../model/types';
 import type { Hit } from '../views/canvas_view';
@@ -209,7 +210,7 @@ export class Pointer {
   #seamOf(hit: Hit): number | undefined {
     const { current, look } = this.#app.doc;
     const surface = this.#surface;
-    if (!current || !surface || !look.hasSeams) return undefined;
+    if (!current || !surface || look.seams === 'off') return undefined;
     const [x, y, z] = surface.triangles.subarray(3 * hit.triangle, 3 * hit.triangle + 3);
     const { seamAt } = current;
     for (const [v, w] of [
@@ -224,10 +225,11 @@ export class Pointer {
   }
 
   #seamText(seam: number): string {
-    const { seams, result, prescription } = this.#app.doc.current!;
+    const current = this.#app.doc.current!;
+    const { seams, result, prescription } = current;
     const { a, b, r } = seams[seam];
     const { q } = prescription;
-    const by = shiftAcross(result.uv, a, b, r, q);
+    const by = shiftAcross(result.uv, a, b, r, q) + (isAligned(current) ? ' cells' : '');
     return `Seam: turns by ${r}·360°/${q} = ${((360 * r) / q).toFixed(0)}°, shifts by ${by}`;
   }
 
@@ -251,5 +253,7 @@ function shiftAcross(
   const [x, y] = [uv[2 * a], uv[2 * a + 1]];
   const dx = uv[2 * b] - (x * Math.cos(turn) - y * Math.sin(turn));
   const dy = uv[2 * b + 1] - (x * Math.sin(turn) + y * Math.cos(turn));
-  return `(${dx.toPrecision(3)}, ${dy.toPrecision(3)})`;
+  const isWhole = [dx, dy].every((x) => Math.abs(x - Math.round(x)) < 1e-9);
+  const [x3, y3] = [dx, dy].map((n) => (isWhole ? String(Math.round(n)) : n.toPrecision(3)));
+  return `(${x3}, ${y3})`.replaceAll('-', '−');
 }

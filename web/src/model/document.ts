@@ -4,11 +4,13 @@
 import { computed } from '@preact/signals-core';
 import type { Result } from 'hgp';
 import { computeBudget, type Budget } from './gauss_bonnet';
+import { sameGrid } from './grid';
 import { History } from './history';
 import { emptyPrescription, isSilent, samePrescription, type Prescription } from './prescription';
 import { storeOf } from './store';
 import type {
   Files,
+  GridSettings,
   Job,
   LoadSettings,
   Look,
@@ -63,6 +65,8 @@ interface Fields {
   field: { name: string; text: string } | undefined;
   /** The user has said what the cones are, even if that is none. */
   hasUserCones: boolean;
+  /** Where the slider between few cones and little distortion stands. */
+  coneStep: number;
   /** Index of the selected cone, −1 for none. */
   selected: number;
   /** The map that the worker holds, and can write again without solving. */
@@ -79,14 +83,17 @@ interface Fields {
 }
 
 export const plainSettings: LoadSettings = { fix: {} };
+export const plainGrid: GridSettings = { isOn: true, mode: 'tile' };
 export const plainOutput: Output = { scale: 'solved', embedCones: true, hasGrid: false };
 const plainLook: Look = {
   pattern: 'checker',
   overlay: 'none',
   tiles: 24,
-  hasSeams: true,
+  steps: 1,
+  seams: 'auto',
   hasWire: false,
 };
+const middleStep = 2; // of five: balanced
 const mostLog = 200;
 
 const begun = (prescription: Prescription, settings = plainSettings): History<Step> =>
@@ -106,9 +113,10 @@ export class Document extends storeOf<Fields>() {
       solutions: [],
       meshes: new Map(),
       summaries: [],
-      solve: { rounds: 12, quality: false, frames: 'auto' },
+      solve: { rounds: 12, frames: 'auto', grid: plainGrid },
       field: undefined,
       hasUserCones: false,
+      coneStep: middleStep,
       selected: -1,
       resultInWorker: undefined,
       pendingOutput: undefined,
@@ -162,11 +170,12 @@ export class Document extends storeOf<Fields>() {
   });
 
   readonly #current = computed((): Solution | undefined => {
-    const { quality, frames } = this.solve;
+    const { improve, frames, grid } = this.solve;
     return this.#forSurface.value.findLast(
       (one) =>
-        one.quality === quality &&
+        one.improve === improve &&
         one.frames === frames &&
+        sameGrid(one.grid, grid, one.prescription.q) &&
         samePrescription(one.prescription, this.prescription),
     );
   });
@@ -227,6 +236,7 @@ export class Document extends storeOf<Fields>() {
     this.solutions = [];
     this.selected = -1;
     this.hasUserCones = false;
+    this.coneStep = middleStep;
     this.resultInWorker = undefined;
     this.validation = undefined;
     this.message = undefined;

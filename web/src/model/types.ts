@@ -35,6 +35,8 @@ export interface Surface {
   starts: Uint32Array;
   neighbours: Uint32Array;
   diagonal: number;
+  /** Of all triangles, as they are in the file. */
+  area: number;
   /** Where the model is seen: positions and normals moved by the first node that uses the mesh. */
   places: Float64Array;
   normals: Float32Array;
@@ -66,12 +68,23 @@ export interface Step {
   readonly settings: LoadSettings;
 }
 
+/** Alignment to a grid of squares. */
+export interface GridSettings {
+  readonly isOn: boolean;
+  /** Grid cells in all; nothing: as many as the model and its cones need. */
+  readonly cells?: number;
+  /** `quad`: cones lie on grid points, so that the cells are a quad mesh. */
+  readonly mode: 'tile' | 'quad';
+}
+
 /** How Run is done; what is asked of the map is the prescription. */
 export interface SolveSettings {
   rounds: number;
-  quality: boolean;
+  /** Less distortion: −1 of angles, 0 of both, 1 of areas; nothing: the map as solved. */
+  improve?: number;
   /** `file`: the directions of the imported field, instead of a smooth field of the solver's own. */
   frames: 'auto' | 'file';
+  grid: GridSettings;
   /** In seconds; without it a run takes as long as it takes. */
   timeLimit?: number;
 }
@@ -98,8 +111,11 @@ export interface SolveRequest {
   prescription: Prescription;
   /** Welds and repairs of the surface that it is the map of. */
   settings: LoadSettings;
-  quality: boolean;
+  improve?: number;
   frames: 'auto' | 'file';
+  /** As it was set; `cells` are those that were asked of the solver, where any were. */
+  grid: GridSettings;
+  cells?: number;
   output: Output;
 }
 
@@ -278,7 +294,10 @@ export interface Look {
   overlay: Overlay;
   /** Tiles along the diagonal of the bounding box. */
   tiles: number;
-  hasSeams: boolean;
+  /** Tiles along a cell of an aligned map. */
+  steps: number;
+  /** `auto`: in the 3D view where lines do not meet, in the UV view always. */
+  seams: 'auto' | 'on' | 'off';
   hasWire: boolean;
   image?: ImageBitmap;
 }

@@ -8,6 +8,10 @@ export type Sheet = 'peek' | 'half' | 'full';
 export type Dialog = '' | 'download' | 'help' | 'log' | 'palette';
 export type SortKey = 'number' | 'vertex' | 'k';
 
+/** Where a download is used next. */
+export const targetIds = ['blender', 'three', 'engine', 'quads'] as const;
+export type TargetId = (typeof targetIds)[number];
+
 const themes = ['auto', 'light', 'dark'] as const;
 export type Theme = (typeof themes)[number];
 
@@ -43,6 +47,8 @@ interface Fields {
   isPhone: boolean;
   isSystemDark: boolean;
   handlesShown: boolean;
+  /** Where downloads are used next. */
+  target: TargetId;
   /** Where the wipe between before and after stands, in percent from the left; 0: only after. */
   wipe: number;
   /** Changes every second while something runs: the clock. */
@@ -70,6 +76,7 @@ export class UiState extends storeOf<Fields>() {
       isPhone: phone.matches,
       isSystemDark: dark.matches,
       handlesShown: false,
+      target: targetIds.find((id) => id === stored('hgp-target')) ?? 'blender',
       wipe: 0,
       now: performance.now(),
     });
@@ -85,6 +92,11 @@ export class UiState extends storeOf<Fields>() {
   setKeys(isOn: boolean): void {
     this.hasKeys = isOn;
     keep('hgp-keys', isOn ? 'on' : 'off');
+  }
+
+  setTarget(target: TargetId): void {
+    this.target = target;
+    keep('hgp-target', target);
   }
 
   nextTheme(): void {

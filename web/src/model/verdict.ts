@@ -155,8 +155,18 @@ function exactRow({ certificate }: Solution['result']): VerdictRow[] {
   if (exactSeams === null || exactSeams === undefined || seamEdges === 0) return [];
   const value = `${exactSeams} of ${seamEdges}`;
   const isGood = exactSeams === seamEdges;
+  const { integerSeams } = certificate;
+  const whole = `${integerSeams ?? 0} of ${seamEdges}`;
   return [
     { name: 'Exact seams', value, tolerance: 'bit for bit', isGood, isFact: true, where: [] },
+    {
+      name: 'Lines meet',
+      value: whole,
+      tolerance: 'seams shifted by whole cells',
+      isGood: integerSeams === seamEdges,
+      isFact: true,
+      where: [],
+    },
   ];
 }
 

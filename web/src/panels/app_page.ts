@@ -16,6 +16,7 @@ import './legend';
 import './mesh_strip';
 import './model_panel';
 import './result_panel';
+import './seam_note';
 import './solve_panel';
 import './start_page';
 import './status_bar';
@@ -85,7 +86,6 @@ class AppPage extends Panel {
   #surfacePane(hasModel: boolean): TemplateResult {
     const { app } = this;
     const { doc, ui } = app;
-    const isPatterned = doc.displayed && !['plain', 'material'].includes(doc.look.pattern);
     return html`<section
       class="pane"
       id="pane-surface"
@@ -107,13 +107,9 @@ class AppPage extends Panel {
       <p class="hover" ?hidden=${ui.hover === ''}>${ui.hover}</p>
       ${ui.wipe > 0 && doc.displayed ? html`<i class="wipe-line"></i>` : nothing}
       <hgp-legend .app=${app}></hgp-legend>
-      ${isPatterned ? html`<p class="seam-note">${this.#seamNote()}</p>` : nothing}
+      <hgp-seam-note .app=${app}></hgp-seam-note>
       ${doc.stateName === 'stale' ? html`<p class="badge">Result is for the previous cones</p>` : nothing}
     </section>`;
-  }
-
-  #seamNote(): string {
-    return 'Directions and sizes run on across the coloured seams; lines may be shifted there.';
   }
 
   #splitter(hasModel: boolean): TemplateResult {

@@ -3,11 +3,13 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { attempt } from '../actions/app';
+import { coneSteps, knownCount, setConeStep } from '../actions/cone_slider';
 import { deleteCone, select, setK, setOrder } from '../actions/edit_cones';
 import { lookAtCone } from '../actions/view';
 import { waysToSpend, type ComponentBudget } from '../model/gauss_bonnet';
 import { angleText, indexText } from '../model/prescription';
 import type { SortKey } from '../model/ui_state';
+import { plural } from '../text/format';
 import { actionButton } from './action_button';
 import { icon } from './icons';
 import { keepWhileTyping } from './keep_while_typing';
@@ -24,7 +26,12 @@ const orderNames: [number, string][] = [
 ];
 const mostBars = 8;
 
+const stepNames = ['As few as areas allow', 'Fewer', 'Balanced', 'More', 'Little distortion'];
+
 class ConesPanel extends Panel {
+  /** While the slider is dragged, before it is let go. */
+  #dragged?: number;
+
   override render(): TemplateResult | typeof nothing {
     const { app } = this;
     const { doc } = app;
@@ -38,7 +45,7 @@ class ConesPanel extends Panel {
         ${actionButton(app, 'suggest', { className: 'small' })}
         ${actionButton(app, 'balance', { className: 'small' })}
       </p>
-      ${cones.length > 0 ? this.#table() : nothing}
+      ${this.#slider()} ${cones.length > 0 ? this.#table() : nothing}
       <p class="row">
         ${actionButton(app, 'import-cones', { className: 'small', text: 'Import…' })}
         ${actionButton(app, 'export-cones', { className: 'small', text: 'Export' })}
@@ -74,6 +81,42 @@ class ConesPanel extends Panel {
         @change=${set}
       />
     </div>`;
+  }
+
+  /** By what cones are for, instead of one by one. */
+  #slider(): TemplateResult {
+    const { app } = this;
+    const step = this.#dragged ?? app.doc.coneStep;
+    const placed = app.doc.prescription.cones.length;
+    const known =
+      knownCount(app, step) ?? (this.#dragged === undefined && placed > 0 ? placed : undefined);
+    const text = known === undefined ? '' : plural(known, 'cone');
+    const at = (event: Event): number => Number((event.target as HTMLInputElement).value);
+    return html`<label class="ends" for="cone-step"
+        ><span>Fewer</span>
+        <input
+          id="cone-step"
+          type="range"
+          min="0"
+          max=${coneSteps - 1}
+          step="1"
+          aria-label="Suggested cones: fewer, or less distortion"
+          aria-valuetext="${stepNames[step]}${text ? `, ${text}` : ''}"
+          .value=${live(String(step))}
+          @input=${(event: Event) => {
+            this.#dragged = at(event);
+            this.requestUpdate();
+          }}
+          @change=${(event: Event) => {
+            this.#dragged = undefined;
+            void attempt(app, () => setConeStep(app, at(event)));
+          }}
+        />
+        <span>Less distortion</span></label
+      >
+      <p class="note" id="cone-step-count">
+        ${stepNames[step]}${text ? html`: <b>${text}</b>` : nothing}
+      </p>`;
   }
 
   #budget(): TemplateResult | TemplateResult[] {

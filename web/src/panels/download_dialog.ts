@@ -6,8 +6,12 @@ import { download, exportSource } from '../actions/download';
 import { mappedMeshes } from '../actions/download_all';
 import { perform } from '../actions/registry';
 import { rewrite } from '../actions/solve';
+import { downloadQuads, quadName, whyNoQuads } from '../actions/quads';
 import { formats, nameOf, type ExportSource, type Format } from '../formats/exports';
+import { formatFor, targets } from '../formats/targets';
+import { isAligned } from '../model/grid';
 import type { Output, Solution } from '../model/types';
+import type { TargetId } from '../model/ui_state';
 import { isCertified } from '../model/verdict';
 import { dialogFrame } from './dialog_frame';
 import { icon } from './icons';
@@ -140,6 +144,78 @@ function save(app: App, format: Format): Promise<void> {
   });
 }
 
+/** The dialog goes first: the map may have to be run again, which is seen behind it. */
+function saveQuads(app: App, file: 'obj' | 'glb'): Promise<void> {
+  app.ui.dialog = '';
+  return attempt(app, () => downloadQuads(app, file));
+}
+
+function targetChooser({ ui }: App): TemplateResult {
+  return html`<label
+    >Use it in
+    <select id="target" @change=${(event: Event) => ui.setTarget(valueOf(event) as TargetId)}>
+      ${targets.map(({ id, label }) => html`<option value=${id} ?selected=${ui.target === id}>${label}</option>`)}
+    </select>
+  </label>`;
+}
+
+/** The one button that saves what the target wants. */
+function mainButton(app: App, source: ExportSource): TemplateResult {
+  const { isBusy } = app.doc;
+  const format = formatFor(app.ui.target, source.solution.files[0].name);
+  const isQuads = format === 'quads';
+  const why = isQuads ? whyNoQuads(app) : '';
+  const name = isQuads ? quadName(app, 'obj') : nameOf(source, format);
+  const act = (): void => void (isQuads ? saveQuads(app, 'obj') : save(app, format));
+  return html`<p>
+      <button
+        type="button"
+        class="primary big"
+        data-format=${format}
+        autofocus
+        ?disabled=${isBusy || why !== ''}
+        @click=${act}
+      >
+        ${icon('download')} Save ${name}
+      </button>
+    </p>
+    <p class="note" id="target-hint">${why || hintOf(app, source.solution)}</p>`;
+}
+
+function hintOf({ ui }: App, solution: Solution): string {
+  const { hint } = targets.find(({ id }) => id === ui.target)!;
+  if (ui.target !== 'quads') {
+    const unit = isAligned(solution)
+      ? ' One repeat of an image is one cell; it fits across every seam.'
+      : '';
+    return `${hint}${unit}`;
+  }
+  const isThere = isAligned(solution) && solution.grid.mode === 'quad';
+  return isThere ? hint : `${hint} The map is run again, with its cones on grid points.`;
+}
+
+function quadButtons(app: App): TemplateResult[] {
+  const files = [
+    ['obj', 'Quad mesh (OBJ)', 'the cells of the grid, with normals'],
+    ['glb', 'Quad mesh (GLB)', 'two triangles for each, to look at'],
+  ] as const;
+  const why = whyNoQuads(app);
+  return files.map(
+    ([file, label, hint]) =>
+      html`<li>
+        <button
+          type="button"
+          class="wide-button"
+          data-format="quads-${file}"
+          ?disabled=${app.doc.isBusy || why !== ''}
+          @click=${() => void saveQuads(app, file)}
+        >
+          <b>${label}</b><small>${why || `${quadName(app, file)} · ${hint}`}</small>
+        </button>
+      </li>`,
+  );
+}
+
 function summary(app: App, { notes, preserved, result }: Solution): string {
   const meshes = mappedMeshes(app).length;
   if (meshes > 1)
@@ -157,7 +233,8 @@ export function downloadDialog(app: App, solution: Solution): TemplateResult {
   if (!source) return html``;
   const isGood = isCertified(solution);
   const { isBusy } = app.doc;
-  const [same, ...others] = formats;
+  const main = formatFor(app.ui.target, solution.files[0].name);
+  const others = formats.filter(({ format }) => format !== main);
   return dialogFrame(
     'downloads',
     isGood ? 'Download' : 'Download uncertified result',
@@ -168,24 +245,16 @@ export function downloadDialog(app: App, solution: Solution): TemplateResult {
               This map does not pass its checks; see the certificate for which.
             </p>`
       }
-      <p>
-        <button
-          type="button"
-          class="primary big"
-          data-format=${same.format}
-          autofocus
-          ?disabled=${isBusy}
-          @click=${() => void save(app, same.format)}
-        >
-          ${icon('download')} Save ${nameOf(source, same.format)}
-        </button>
-      </p>
-      ${setChooser(app, app.doc.pendingOutput ?? solution.output)}
-      <p class="note">${summary(app, solution)}</p>
+      <div class="choices">
+        ${targetChooser(app)}
+        ${app.ui.target === 'quads' ? nothing : setChooser(app, app.doc.pendingOutput ?? solution.output)}
+      </div>
+      ${mainButton(app, source)}
+      ${app.ui.target === 'quads' ? nothing : html`<p class="note">${summary(app, solution)}</p>`}
       <details id="more-formats">
         <summary>More: other formats, scale, validation</summary>
         <ul class="list" aria-busy=${isBusy}>
-          ${others.map((one) => formatButton(app, source, one))}
+          ${others.map((one) => formatButton(app, source, one))} ${quadButtons(app)}
         </ul>
         ${choices(app, solution)} ${validation(app, solution)}
       </details>

@@ -1,41 +1,46 @@
-// How Run is done, what it will take, and the command line that does the same.
+// How Run is done: what a person decides first, limits and the command line that does the same under
+// More.
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
-import type { SolveSettings } from '../model/types';
+import { attempt } from '../actions/app';
+import { realign } from '../actions/solve';
+import { automaticCells, canAlign, gridOutcome } from '../model/grid';
+import type { GridSettings, SolveSettings } from '../model/types';
 import { estimateFor } from '../text/estimate';
+import { count } from '../text/format';
 import { actionButton } from './action_button';
 import { keepWhileTyping } from './keep_while_typing';
 import { Panel } from './panel';
+import './solve_panel.css';
 
 const textOf = (event: Event): string => (event.target as HTMLInputElement).value;
+const isChecked = (event: Event): boolean => (event.target as HTMLInputElement).checked;
 
 function wholeNumber(event: Event, low: number, high: number): number | undefined {
   const n = Number(textOf(event));
   return Number.isFinite(n) && n >= low ? Math.min(Math.round(n), high) : undefined;
 }
 
+/** The slider of the density: 0 to 100 for 10 to 100 000 cells. */
+const sliderOfCells = (cells: number): number => Math.round(25 * (Math.log10(cells) - 1));
+const cellsOfSlider = (slider: number): number => Number((10 ** (1 + slider / 25)).toPrecision(2));
+
 class SolvePanel extends Panel {
+  /** While the slider is dragged, before it is let go. */
+  #dragged?: number;
+
   override render(): TemplateResult | typeof nothing {
     const { doc } = this.app;
     if (!doc.usableModel) return nothing;
-    return html`<details id="panel-solve">
+    return html`<details open id="panel-solve">
       <summary>Solve</summary>
-      ${this.#limits()} ${this.#frames()}
-      <p>
-        <label class="tick">
-          <input
-            type="checkbox"
-            id="quality"
-            .checked=${live(doc.solve.quality)}
-            @change=${(event: Event) => this.#set({ quality: (event.target as HTMLInputElement).checked })}
-          />
-          Less distortion
-        </label>
-        <small>The report says how harmonic the map is.</small>
-      </p>
-      ${this.#estimate()}
-      <p>${actionButton(this.app, 'copy-command', { className: 'small' })}</p>
+      ${this.#grid()} ${this.#improve()}
+      <details id="solve-more">
+        <summary>More: limits, frames, command line</summary>
+        ${this.#limits()} ${this.#frames()} ${this.#estimate()}
+        <p>${actionButton(this.app, 'copy-command', { className: 'small' })}</p>
+      </details>
     </details>`;
   }
 
@@ -43,6 +48,156 @@ class SolvePanel extends Panel {
     const { doc } = this.app;
     doc.solve = { ...doc.solve, ...part };
     this.requestUpdate();
+  }
+
+  #setGrid(part: Partial<GridSettings>): void {
+    void attempt(this.app, () => realign(this.app, part));
+    this.requestUpdate();
+  }
+
+  #grid(): TemplateResult {
+    const { doc } = this.app;
+    const { grid } = doc.solve;
+    const { q } = doc.prescription;
+    const isPossible = canAlign(q);
+    return html`<p>
+        <label class="tick">
+          <input
+            type="checkbox"
+            id="align"
+            ?disabled=${!isPossible || doc.isBusy}
+            .checked=${live(grid.isOn && isPossible)}
+            @change=${(event: Event) => this.#setGrid({ isOn: isChecked(event) })}
+          />
+          Align to grid
+        </label>
+        <small
+          >${isPossible ? 'Lines of a texture meet at every seam.' : `Squares need q = 2 or 4, not ${q}.`}</small
+        >
+      </p>
+      ${grid.isOn && isPossible ? html`${this.#density()} ${this.#mode()} ${this.#outcome()}` : nothing}`;
+  }
+
+  #density(): TemplateResult {
+    const { doc } = this.app;
+    const { grid } = doc.solve;
+    const { current, prescription, model } = doc;
+    const automatic = current?.cells ?? automaticCells(model!.surface, prescription.cones.length);
+    const cells = this.#dragged ?? grid.cells ?? automatic;
+    return html`<div class="row field">
+      <label for="cells">Cells</label>
+      <output for="cells" id="cells-shown">${count(cells)}</output>
+      <button
+        type="button"
+        class="link"
+        id="cells-automatic"
+        ?hidden=${grid.cells === undefined}
+        ?disabled=${doc.isBusy}
+        @click=${() => this.#setGrid({ cells: undefined })}
+      >
+        Automatic
+      </button>
+      <input
+        id="cells"
+        type="range"
+        min="0"
+        max="100"
+        step="1"
+        ?disabled=${doc.isBusy}
+        .value=${live(String(sliderOfCells(cells)))}
+        aria-valuetext="${count(cells)} cells"
+        @input=${(event: Event) => {
+          this.#dragged = cellsOfSlider(Number(textOf(event)));
+          this.requestUpdate();
+        }}
+        @change=${(event: Event) => {
+          this.#dragged = undefined;
+          this.#setGrid({ cells: cellsOfSlider(Number(textOf(event))) });
+        }}
+      />
+    </div>`;
+  }
+
+  #mode(): TemplateResult {
+    const { doc } = this.app;
+    const { mode } = doc.solve.grid;
+    return html`<div class="row field">
+      <label for="grid-mode">For</label>
+      <select
+        id="grid-mode"
+        ?disabled=${doc.isBusy}
+        @change=${(event: Event) => this.#setGrid({ mode: textOf(event) as GridSettings['mode'] })}
+      >
+        <option value="tile" .selected=${live(mode === 'tile')}>a texture that tiles</option>
+        <option value="quad" .selected=${live(mode === 'quad')}>
+          a quad mesh: cones on grid points
+        </option>
+      </select>
+    </div>`;
+  }
+
+  /** What became of it, for the map that is shown. */
+  #outcome(): TemplateResult | typeof nothing {
+    const { doc } = this.app;
+    const outcome = doc.current && gridOutcome(doc.current);
+    if (!outcome) return nothing;
+    const { isAligned, cells, cellsPerCone, spacing, reason, workingCells } = outcome;
+    if (isAligned) {
+      return html`<p class="note" id="grid-outcome">
+        ${count(cells)} cells, ${cellsPerCone.toFixed(0)} for each cone; one is
+        ${spacing.toPrecision(3)} wide.
+      </p>`;
+    }
+    const better = (): void => this.#setGrid({ cells: workingCells });
+    return html`<p class="note warn" id="grid-outcome">
+      Not aligned: ${reason || 'no whole numbers were found for its seams'}.
+      ${
+        workingCells > 0
+          ? html`<button type="button" class="small" id="denser" @click=${better}>
+              Use ${count(workingCells)} cells
+            </button>`
+          : nothing
+      }
+    </p>`;
+  }
+
+  #improve(): TemplateResult {
+    const { improve } = this.app.doc.solve;
+    const isOn = improve !== undefined;
+    const balance = improve ?? 0;
+    const word = balance === 0 ? 'both' : balance < 0 ? 'angles' : 'areas';
+    const text = Math.abs(balance) === 1 || balance === 0 ? word : `more for ${word}`;
+    return html`<p>
+        <label class="tick">
+          <input
+            type="checkbox"
+            id="quality"
+            .checked=${live(isOn)}
+            @change=${(event: Event) => this.#set({ improve: isChecked(event) ? 0 : undefined })}
+          />
+          Less distortion
+        </label>
+        <small>The report says how harmonic the map is.</small>
+      </p>
+      ${
+        isOn
+          ? html`<label class="ends" for="improve"
+              ><span>Angles</span>
+              <input
+                id="improve"
+                type="range"
+                min="-1"
+                max="1"
+                step="0.25"
+                aria-label="What is kept: angles or areas"
+                aria-valuetext=${text}
+                .value=${live(String(balance))}
+                @change=${(event: Event) => this.#set({ improve: Number(textOf(event)) })}
+              />
+              <span>Areas</span></label
+            >`
+          : nothing
+      }`;
   }
 
   #limits(): TemplateResult {

@@ -5,7 +5,9 @@ import { live } from 'lit/directives/live.js';
 import { attempt } from '../actions/app';
 import { choosePattern, setLook, sliderOf, tilesOf } from '../actions/view';
 import { isGltf } from '../formats/glb';
+import { hasSteps } from '../model/grid';
 import { overlays, patterns, type Overlay, type Pattern } from '../model/types';
+import { plural } from '../text/format';
 import { actionButton } from './action_button';
 import { Panel } from './panel';
 import { keepRoving, roveFocus } from './roving_focus';
@@ -33,6 +35,8 @@ const overlayNames: Record<Overlay, string> = {
   flips: 'Flips',
 };
 
+const mostSteps = 8; // tiles along a cell
+
 const valueOf = (event: Event): string => (event.target as HTMLSelectElement).value;
 
 class ViewToolbar extends Panel {
@@ -54,6 +58,35 @@ class ViewToolbar extends Panel {
       <span class="group">${tools}</span>
       ${app.doc.displayed ? this.#looks() : nothing}
     </div>`;
+  }
+
+  /** Of the pattern: in whole tiles per cell where lines meet, as they do only then. */
+  #scale(): TemplateResult {
+    const { app } = this;
+    const { look, displayed } = app.doc;
+    const isStepped = hasSteps(look, displayed);
+    const value = isStepped ? look.steps : sliderOf(look.tiles);
+    const text = isStepped
+      ? `${plural(look.steps, 'tile')} along a cell`
+      : `${look.tiles.toFixed(0)} tiles across`;
+    const set = (event: Event): void => {
+      const n = Number(valueOf(event));
+      setLook(app, isStepped ? { steps: n } : { tiles: tilesOf(n) });
+    };
+    return html`<label class="scale">
+      <span>Scale</span>
+      <input
+        id="scale"
+        type="range"
+        data-steps=${isStepped}
+        min=${isStepped ? 1 : 0}
+        max=${isStepped ? mostSteps : 100}
+        step="1"
+        .value=${live(String(value))}
+        aria-valuetext=${text}
+        @input=${set}
+      />
+    </label>`;
   }
 
   #looks(): TemplateResult {
@@ -94,19 +127,7 @@ class ViewToolbar extends Panel {
               </option>`,
           )}
       </select>
-      <label class="scale">
-        <span>Scale</span>
-        <input
-          id="scale"
-          type="range"
-          min="0"
-          max="100"
-          step="1"
-          .value=${live(String(sliderOf(look.tiles)))}
-          aria-valuetext="${look.tiles.toFixed(0)} tiles across"
-          @input=${(event: Event) => setLook(app, { tiles: tilesOf(Number(valueOf(event))) })}
-        />
-      </label>
+      ${this.#scale()}
       <label class="scale">
         <span>Before</span>
         <input

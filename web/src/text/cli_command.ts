@@ -29,22 +29,34 @@ function meshWords({ info, loaded }: Model): string[] {
   return words;
 }
 
-function solveWords(solve: SolveSettings, field: { name: string } | undefined): string[] {
+function solveWords(
+  solve: SolveSettings,
+  field: { name: string } | undefined,
+  cells: number | undefined,
+): string[] {
   const words: string[] = [];
   if (field && solve.frames === 'file')
     words.push('--field', quoted(field.name), '--frames', 'file');
   if (solve.rounds !== 12) words.push('--rounds', String(solve.rounds));
-  if (solve.quality) words.push('--quality');
+  if (solve.improve !== undefined) {
+    const word = { [-1]: 'conformal', 0: 'isometric', 1: 'area' }[solve.improve];
+    words.push(`--improve=${word ?? solve.improve}`);
+  }
+  if (cells !== undefined) {
+    words.push('--cells', String(cells));
+    if (solve.grid.mode === 'quad') words.push('--grid-mode', 'quad');
+  }
   if (solve.timeLimit !== undefined) words.push('--time-limit', String(solve.timeLimit));
   return words;
 }
 
-/** Exactly this run. */
+/** Exactly this run; `cells` of a grid, where one is asked for. */
 export function cliCommand(
   model: Model,
   prescription: Prescription,
   solve: SolveSettings,
   field: { name: string } | undefined,
+  cells?: number,
 ): string {
   const { main } = model;
   const stem = main.replace(/^.*\//, '').replace(/\.[^.]*$/, '');
@@ -53,7 +65,7 @@ export function cliCommand(
     ...['hgp', 'param', quoted(main)],
     ...coneWords(prescription, stem),
     ...meshWords(model),
-    ...solveWords(solve, field),
+    ...solveWords(solve, field, cells),
     ...['--embed-cones', '-o', quoted(`${stem}.mapped${ending}`)],
   ].join(' ');
 }

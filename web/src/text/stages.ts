@@ -4,11 +4,15 @@ const spans: Record<string, [from: number, to: number]> = {
   read: [0, 0.02],
   weld: [0.02, 0.04],
   topology: [0.04, 0.06],
+  prepare: [0.02, 0.06],
   cones: [0.06, 0.14],
+  connection: [0.2, 0.22],
   field: [0.06, 0.22],
   cut: [0.22, 0.26],
   assemble: [0.26, 0.3],
-  solve: [0.3, 0.9],
+  solve: [0.3, 0.8],
+  improve: [0.8, 0.85],
+  align: [0.85, 0.9],
   verify: [0.9, 0.95],
   write: [0.95, 1],
 };
@@ -17,20 +21,33 @@ const names: Record<string, string> = {
   read: 'Reading',
   weld: 'Reading',
   topology: 'Reading',
+  prepare: 'Preparing',
   cones: 'Choosing cones',
+  connection: 'Smooth field',
   field: 'Smooth field',
   cut: 'Cutting',
   assemble: 'Assembling',
   solve: 'Solving',
+  improve: 'Improving',
+  align: 'Aligning',
   verify: 'Checking',
   write: 'Writing',
 };
 
 /** The steps that a run shows, in order. */
-export const runSteps = ['field', 'cut', 'solve', 'verify', 'write'] as const;
+export const runSteps = ['field', 'cut', 'solve', 'align', 'verify', 'write'] as const;
 const stepOf: Record<string, (typeof runSteps)[number]> = {
   ...{ read: 'field', weld: 'field', topology: 'field', cones: 'field', field: 'field' },
-  ...{ cut: 'cut', assemble: 'cut', solve: 'solve', verify: 'verify', write: 'write' },
+  ...{ prepare: 'field', connection: 'field' },
+  ...{
+    cut: 'cut',
+    assemble: 'cut',
+    solve: 'solve',
+    improve: 'solve',
+    align: 'align',
+    verify: 'verify',
+    write: 'write',
+  },
 };
 
 export const stageName = (stage: string): string => names[stage] ?? stage;

@@ -12,6 +12,7 @@ import {
 } from 'three';
 import type { MeshBVH } from 'three-mesh-bvh';
 import type { Cone, Prescription } from '../model/prescription';
+import { areSeamsShown, isAligned, tilesPerUnit } from '../model/grid';
 import type { Look, Solution, Surface } from '../model/types';
 import type { SerializedBvh } from '../services/geometry/protocol';
 import { Orbit } from './camera';
@@ -109,18 +110,22 @@ export class ModelView extends CanvasView {
     const material = this.#mesh.material;
     const surface = this.#surface;
     const solution = this.#solution;
-    setPattern(material, solution ? look.pattern : 'plain', q);
+    if (!surface || !solution) setPattern(material, 'plain', { q, scale: 1, isAligned: false });
+    else {
+      const scale = tilesPerUnit(look, surface, solution);
+      setPattern(material, look.pattern, { q, scale, isAligned: isAligned(solution) });
+    }
     setPalette(material, palette);
     material.uniforms.dim.value = isStale ? 0.65 : 0;
     if (look.image && look.image !== this.#image) setImage(material, (this.#image = look.image));
-    if (surface && solution) {
-      const { surfaceArea, uvArea } = solution.distortion;
-      const inUv = Math.sqrt(uvArea / surfaceArea) * surface.diagonal;
-      material.uniforms.scale.value = look.tiles / inUv;
-    }
+    this.canvas.dataset.seams = look.seams;
     this.#setLines(look, palette);
-    // After Run the picture is what counts.
-    this.#markers.setStyle(solution && !isStale ? 0.62 : 1, solution && !isStale ? 0.8 : 1);
+    this.draw();
+  }
+
+  /** After Run the picture is what counts: markers step back until cones are placed again. */
+  setMarkers(areFaded: boolean): void {
+    this.#markers.setStyle(areFaded ? 0.42 : 1, areFaded ? 0.55 : 1);
     this.draw();
   }
 
@@ -129,7 +134,7 @@ export class ModelView extends CanvasView {
     const solution = this.#solution;
     this.#crosses.visible &&= look.pattern === 'cross';
     this.#seams.visible = this.#ticks.visible = this.#wire.visible = false;
-    if (surface && solution && look.hasSeams) {
+    if (surface && solution && areSeamsShown(look, solution)) {
       const { points, colours } = seamsOnSurface(surface, solution);
       this.#seams.set(points, colours);
       const ticks = ticksOnSurface(surface, solution);

@@ -36,6 +36,8 @@ in vec4 vTint;
 uniform int pattern;
 uniform int q;
 uniform float scale;
+uniform float repeat; // tiles after which a texture comes again
+uniform bool isAligned;
 uniform float lit;
 uniform float dim;
 uniform bool isMirrored;
@@ -60,32 +62,40 @@ float fold(float x) {
 const float s3 = 1.7320508;
 
 float hash(vec2 c) {
-  return fract(sin(dot(mod(c, 256.0), vec2(127.1, 311.7))) * 43758.5453);
+  return fract(sin(dot(c, vec2(127.1, 311.7))) * 43758.5453);
 }
-float noise(vec2 p) {
+// Repeats after whole periods, so that a texture made of it goes on wherever its tiles do.
+float noise(vec2 p, vec2 every) {
   vec2 c = floor(p), f = fract(p);
   f = f * f * (3.0 - 2.0 * f);
-  return mix(mix(hash(c), hash(c + vec2(1, 0)), f.x), mix(hash(c + vec2(0, 1)), hash(c + 1.0), f.x), f.y);
+  vec2 near = mod(c, every), far = mod(c + 1.0, every);
+  return mix(mix(hash(near), hash(vec2(far.x, near.y)), f.x), mix(hash(vec2(near.x, far.y)), hash(far), f.x), f.y);
 }
-// Two courses and one and a half bricks a tile, so that it goes on by whole tiles.
+// Two courses and a brick in a tile, around the middle of one: the same after half a turn.
 vec3 brick(vec2 p) {
-  vec2 b = vec2(p.x, p.y * 2.0);
+  vec2 b = vec2(p.x + 0.5, p.y * 2.0 + 0.5);
   float row = floor(b.y);
-  b.x += 0.5 * mod(row, 2.0);
-  vec2 cell = vec2(floor(b.x), row);
+  float isOdd = mod(row, 2.0);
+  b.x += 0.5 * isOdd;
+  vec2 cell = vec2(floor(b.x), row), size = vec2(repeat, 2.0 * repeat);
+  vec2 opposite = vec2(isOdd - cell.x, -row);
   float w = fwidth(p.x) + fwidth(p.y);
   vec2 d = vec2(abs(fract(b.x - 0.5) - 0.5), abs(fract(b.y - 0.5) - 0.5) * 0.5);
   float joint = 1.0 - smoothstep(0.025 - w * 0.4, 0.025 + w * 0.7, min(d.x, d.y));
-  float tone = 0.82 + 0.3 * hash(cell) + 0.12 * (noise(p * 24.0) - 0.5) * (1.0 - smoothstep(0.02, 0.06, w));
+  float grain = noise(p * 24.0, vec2(24.0 * repeat)) + noise(-p * 24.0, vec2(24.0 * repeat)) - 1.0;
+  float tone = 0.82 + 0.15 * (hash(mod(cell, size)) + hash(mod(opposite, size)));
+  tone += 0.08 * grain * (1.0 - smoothstep(0.02, 0.06, w));
   vec3 clay = vec3(0.44, 0.115, 0.065) * tone;
   return mix(mix(clay, vec3(0.52, 0.49, 0.45), joint), vec3(0.44, 0.16, 0.11), smoothstep(0.4, 1.2, w));
 }
 vec3 wood(vec2 p) {
-  float plank = floor(p.y * 3.0);
+  float plank = mod(floor(p.y * 3.0), 3.0 * repeat);
   float w = fwidth(p.x) + fwidth(p.y);
-  float shift = hash(vec2(plank, 3.0)) * 7.0;
-  float grain = noise(vec2(p.x * 1.5 + shift, p.y * 26.0)) + 0.5 * noise(vec2(p.x * 4.0 + shift, p.y * 70.0));
-  float ring = 0.5 + 0.5 * sin(6.2831853 * (p.y * 5.0 + 0.5 * noise(vec2(p.x * 0.8 + shift, p.y * 2.0))));
+  float place = hash(vec2(plank, 3.0)) * 7.0;
+  float grain = noise(vec2(p.x * 1.5 + place, p.y * 26.0), vec2(1.5, 26.0) * repeat);
+  grain += 0.5 * noise(vec2(p.x * 4.0 + place, p.y * 70.0), vec2(4.0, 70.0) * repeat);
+  float wave = noise(vec2(p.x + place, p.y * 2.0), vec2(1.0, 2.0) * repeat);
+  float ring = 0.5 + 0.5 * sin(6.2831853 * (p.y * 5.0 + 0.5 * wave));
   float fine = 1.0 - smoothstep(0.03, 0.15, w);
   vec3 base = mix(vec3(0.36, 0.17, 0.065), vec3(0.56, 0.32, 0.14), 0.5 + fine * (0.35 * grain + 0.25 * ring - 0.45));
   base *= 0.88 + 0.22 * hash(vec2(plank, 9.0));
@@ -98,11 +108,12 @@ float band(float x, float centre, float half_) {
   float d = abs(fract(x - centre + 0.5) - 0.5);
   return mix(1.0 - smoothstep(half_ - w, half_ + w, d), 2.0 * half_, smoothstep(0.35, 0.9, w));
 }
-// The same along u and v: it goes on across a quarter turn.
+// The same along u and v and to both sides: it goes on across quarter turns.
 vec3 plaid(vec2 p) {
-  float a = band(p.x, 0.25, 0.17), b = band(p.y, 0.25, 0.17);
-  float c = band(p.x, 0.75, 0.035), d = band(p.y, 0.75, 0.035);
-  float e = band(p.x, 0.62, 0.015), f = band(p.y, 0.62, 0.015);
+  float a = band(p.x, 0.0, 0.17), b = band(p.y, 0.0, 0.17);
+  float c = band(p.x, 0.5, 0.035), d = band(p.y, 0.5, 0.035);
+  float e = band(p.x, 0.36, 0.012) + band(p.x, 0.64, 0.012);
+  float f = band(p.y, 0.36, 0.012) + band(p.y, 0.64, 0.012);
   vec3 red = vec3(0.42, 0.035, 0.045), navy = vec3(0.025, 0.05, 0.14), gold = vec3(0.86, 0.62, 0.16);
   vec3 colour = mix(red, navy, 0.5 * (a + b));
   colour = mix(colour, gold, 0.5 * (c + d));
@@ -119,11 +130,12 @@ vec3 shade(vec2 p) {
     }
     return mix(paper, ink, c);
   }
-  if (pattern == 3) {
+  if (pattern == 3) { // around the middle of a square, which quarter turns keep
     float a = fold(p.x * 0.5), b = fold(p.y * 0.5);
     return mix(second, ink, a + b - 2.0 * a * b);
   }
-  if (pattern == 4) { // hexagons with their centres on a triangular lattice
+  if (pattern == 4) { // hexagons with their centres on a triangular lattice, or on squares in halves
+    if (isAligned) p.y *= 0.5 * s3;
     vec2 s = vec2(1.0, s3);
     vec2 a = mod(p, s) - s * 0.5;
     vec2 b = mod(p - s * 0.5, s) - s * 0.5;
@@ -191,6 +203,8 @@ export function surfaceMaterial(isLit: boolean): ShaderMaterial {
       pattern: { value: 0 },
       q: { value: 4 },
       scale: { value: 1 },
+      repeat: { value: 64 },
+      isAligned: { value: false },
       lit: { value: isLit ? 1 : 0 },
       dim: { value: 0 },
       isMirrored: { value: false },
@@ -206,9 +220,25 @@ export function surfaceMaterial(isLit: boolean): ShaderMaterial {
   return material;
 }
 
-export function setPattern(material: ShaderMaterial, pattern: Pattern, q: number): void {
-  material.uniforms.pattern.value = numbers[pattern];
-  material.uniforms.q.value = q;
+export interface PatternPlace {
+  q: number;
+  /** Tiles per unit of uv. */
+  scale: number;
+  /** Tiles go on across every seam: textures repeat after two of them, so that what is in them does, too. */
+  isAligned: boolean;
+}
+
+export function setPattern(
+  material: ShaderMaterial,
+  pattern: Pattern,
+  { q, scale, isAligned }: PatternPlace,
+): void {
+  const { uniforms } = material;
+  uniforms.pattern.value = numbers[pattern];
+  uniforms.q.value = q;
+  uniforms.scale.value = scale;
+  uniforms.isAligned.value = isAligned;
+  uniforms.repeat.value = isAligned ? 2 : 64;
 }
 
 export function setPalette(material: ShaderMaterial, { paper, ink, second }: Palette): void {

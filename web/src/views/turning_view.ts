@@ -30,13 +30,12 @@ export class TurningView {
     this.#renderer.setClearColor(new Color(0), 0);
     this.#scene.add(this.#mesh);
     const { material } = this.#mesh;
-    setPattern(material, 'plaid', 4);
+    setPattern(material, 'plaid', { q: 4, scale: tiles, isAligned: true });
     setPalette(material, {
       paper: new Color('#e9edf2'),
       ink: new Color('#1d3f63'),
       second: new Color('#f3b63f'),
     });
-    material.uniforms.scale.value = tiles;
     this.#observer = new ResizeObserver(() => this.#resize());
     this.#observer.observe(canvas);
     canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());

@@ -3,6 +3,7 @@
 import { BufferGeometry, Color, Mesh, MOUSE, OrthographicCamera, Ray, TOUCH, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { MeshBVH } from 'three-mesh-bvh';
+import { isAligned, tilesPerUnit } from '../model/grid';
 import type { Prescription } from '../model/prescription';
 import type { Look, Solution, Surface } from '../model/types';
 import type { SerializedBvh } from '../services/geometry/protocol';
@@ -49,7 +50,7 @@ export class UvView extends CanvasView {
     this.scene.add(this.#ticks, this.#light, this.#markers);
     this.#mesh.visible = false;
     this.#mesh.frustumCulled = false;
-    this.#markers.setStyle(0.62, 0.85);
+    this.#markers.setStyle(0.5, 0.8);
     this.controls = this.#makeControls(canvas);
     this.#lookAt(0.5, 0.5, 0.6);
   }
@@ -147,13 +148,11 @@ export class UvView extends CanvasView {
     const surface = this.#surface;
     if (!solution || !surface) return;
     const material = this.#mesh.material;
-    setPattern(material, look.pattern, q);
+    const scale = tilesPerUnit(look, surface, solution);
+    setPattern(material, look.pattern, { q, scale, isAligned: isAligned(solution) });
     setPalette(material, palette);
     material.uniforms.dim.value = isStale ? 0.65 : 0;
     if (look.image && look.image !== this.#image) setImage(material, (this.#image = look.image));
-    const { surfaceArea, uvArea } = solution.distortion;
-    const inUv = Math.sqrt(uvArea / surfaceArea) * surface.diagonal;
-    material.uniforms.scale.value = look.tiles / inUv;
     this.#square.set(unitSquare, palette.ink);
     this.#setLines(look, palette, solution);
     this.draw();
@@ -162,7 +161,7 @@ export class UvView extends CanvasView {
   #setLines(look: Look, palette: Palette, solution: Solution): void {
     this.#crosses.visible &&= look.pattern === 'cross';
     this.#seams.visible = this.#ticks.visible = this.#wire.visible = false;
-    if (look.hasSeams) {
+    if (look.seams !== 'off') {
       const { points, colours } = seamsInMap(solution);
       this.#seams.set(points, colours);
       const half = 0.012 * Math.max(solution.box.width, solution.box.height);

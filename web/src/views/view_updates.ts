@@ -56,6 +56,7 @@ export class ViewUpdates {
       this.#overlays(),
       this.#crosses(),
       this.#cones(),
+      this.#markers(),
       this.#originals(),
       this.#wipe(),
     ];
@@ -207,6 +208,12 @@ export class ViewUpdates {
         for (const view of [model, uv]) view.setCones(doc.prescription, bad, doc.selected);
       },
     };
+  }
+
+  #markers(): Concern {
+    const { doc, ui, model } = this.#in;
+    const areFaded = (): boolean => doc.current !== undefined && ui.tool === 'orbit';
+    return { key: () => [areFaded()], show: () => model.setMarkers(areFaded()) };
   }
 
   /** What own materials are read from: the file as it came, or as it was written. */

@@ -25,7 +25,7 @@ type SurfaceFacts = Omit<
 type Mesh = Pick<Surface, 'positions' | 'triangles' | 'vertexCount'>;
 type Facts = Pick<
   Surface,
-  'valence' | 'isBoundary' | 'component' | 'angle' | 'starts' | 'neighbours' | 'normals'
+  'valence' | 'isBoundary' | 'component' | 'angle' | 'starts' | 'neighbours' | 'normals' | 'area'
 >;
 
 /** Angle at a, where `area` is twice the area of the triangle. */
@@ -40,11 +40,12 @@ function shapeOf({
   positions: p,
   triangles,
   vertexCount,
-}: Mesh): Pick<Facts, 'valence' | 'angle' | 'normals'> {
+}: Mesh): Pick<Facts, 'valence' | 'angle' | 'normals' | 'area'> {
   const valence = new Uint16Array(vertexCount);
   const angle = new Float64Array(vertexCount);
   const sums = new Float64Array(p.length);
   const normal = new Float64Array(3);
+  let twice = 0;
   forEachIndex(triangles.length / 3, (t) => {
     const a = 3 * triangles[3 * t];
     const b = 3 * triangles[3 * t + 1];
@@ -56,6 +57,7 @@ function shapeOf({
       valence[v] += 1;
     }
     const area = lengthOf(normal);
+    if (Number.isFinite(area)) twice += area;
     angle[a / 3] += cornerAngle(p, a, b, c, area);
     angle[b / 3] += cornerAngle(p, b, c, a, area);
     angle[c / 3] += cornerAngle(p, c, a, b, area);
@@ -66,7 +68,7 @@ function shapeOf({
     const length = Math.sqrt(sums[v] ** 2 + sums[v + 1] ** 2 + sums[v + 2] ** 2) || 1;
     for (let k = 0; k < 3; k++) normals[v + k] = sums[v + k] / length;
   });
-  return { valence, angle, normals };
+  return { valence, angle, normals, area: twice / 2 };
 }
 
 function ballOf(p: Float64Array): Pick<Surface, 'center' | 'radius' | 'diagonal'> {
@@ -94,19 +96,20 @@ function ballOf(p: Float64Array): Pick<Surface, 'center' | 'radius' | 'diagonal'
 }
 
 function factsOf(mesh: Mesh): Facts {
-  const { valence, angle, normals } = shapeOf(mesh);
+  const { valence, angle, normals, area } = shapeOf(mesh);
   const { starts, neighbours, isBoundary } = edgesOf(mesh.triangles, mesh.vertexCount);
   const component = componentsOf(mesh.triangles, mesh.vertexCount);
-  return { valence, angle, normals, starts, neighbours, isBoundary, component };
+  return { valence, angle, normals, area, starts, neighbours, isBoundary, component };
 }
 
 /** What is known about a repaired mesh, said of the vertices of the file. */
 function pulledBack(
-  { valence, angle, normals, starts, neighbours, isBoundary, component }: Facts,
+  { valence, angle, normals, area, starts, neighbours, isBoundary, component }: Facts,
   { vertexOrigin, vertexImage }: Required<SurfaceArrays>['repaired'],
 ): Facts & Pick<Surface, 'meaning'> {
   const count = vertexImage.length;
   const own: Facts = {
+    area,
     valence: new Uint16Array(count),
     angle: new Float64Array(count),
     normals: new Float32Array(3 * count),

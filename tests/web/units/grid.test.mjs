@@ -1,0 +1,103 @@
+// A grid that is asked for and what came of it: densities, whether lines meet, and which patterns a seam
+// turns.
+
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import {
+  areSeamsShown,
+  automaticCells,
+  canAlign,
+  gridOutcome,
+  gridTilesPerUnit,
+  hasSteps,
+  isAligned,
+  isTurnedBy,
+  sameGrid,
+  tilesPerUnit,
+  turnedSeams,
+} from '../../../web/src/model/grid.ts';
+
+const look = (part) => ({ pattern: 'checker', steps: 1, tiles: 24, seams: 'auto', ...part });
+const grid = (part) => ({
+  ...{ aligned: true, cells: 100, spacing: 0.1, cellsPerCone: 12.5, reason: '', workingCells: 0 },
+  ...part,
+});
+const solutionOf = (grids, certificate = {}) => ({
+  result: {
+    report: { components: grids.map((one) => ({ grid: one })) },
+    certificate: { seamEdges: 7, integerSeams: 7, ...certificate },
+    cones: { cones: new Array(8).fill({}) },
+  },
+  distortion: { uvArea: 400, surfaceArea: 4 },
+});
+
+test('squares fit half and quarter turns only', () => {
+  assert.deepEqual([1, 2, 3, 4, 6, 8].filter(canAlign), [2, 4]);
+  const on = { isOn: true, mode: 'tile' };
+  assert.equal(sameGrid(on, { ...on, cells: 9 }, 4), false);
+  assert.equal(sameGrid(on, { ...on, mode: 'quad' }, 2), false);
+  assert.equal(sameGrid(on, { isOn: false, mode: 'quad' }, 6), true); // no grid either way
+  assert.equal(sameGrid({ ...on, isOn: false }, { isOn: false, mode: 'quad' }, 4), true);
+});
+
+test('as many cells as a picture needs, and more where there are many cones', () => {
+  const cube = { area: 6, diagonal: Math.sqrt(3) };
+  assert.equal(automaticCells(cube, 8), 392); // 14 along the diagonal
+  assert.equal(automaticCells(cube, 44), 1760);
+  assert.equal(automaticCells({ area: 1e-9, diagonal: 1 }, 0), 10);
+});
+
+test('lines meet where the report says so and the certificate counts every seam', () => {
+  assert.equal(isAligned(solutionOf([grid(), grid()])), true);
+  assert.equal(isAligned(solutionOf([grid()], { integerSeams: 6 })), false);
+  assert.equal(isAligned(solutionOf([grid()], { integerSeams: null })), false);
+  assert.equal(isAligned(solutionOf([grid(), grid({ aligned: false })])), false);
+  assert.equal(isAligned(solutionOf([null])), false); // no grid was asked
+  assert.equal(gridOutcome(solutionOf([null])), undefined);
+});
+
+test('the component that needs most decides how many cells would work', () => {
+  const failed = {
+    aligned: false,
+    cells: 50,
+    reason: 'cones 1 and 2 are too close',
+    workingCells: 200,
+  };
+  const outcome = gridOutcome(solutionOf([grid(), grid(failed)]));
+  assert.equal(outcome.isAligned, false);
+  assert.equal(outcome.workingCells, 600); // of 150, four times as many
+  assert.match(outcome.reason, /too close/);
+  const hopeless = gridOutcome(solutionOf([grid(failed), grid({ ...failed, workingCells: 0 })]));
+  assert.equal(hopeless.workingCells, 0);
+});
+
+test('on an aligned map a pattern comes in whole periods, elsewhere at any scale', () => {
+  const surface = { diagonal: 2 };
+  const aligned = solutionOf([grid()]);
+  assert.equal(tilesPerUnit(look({ steps: 3 }), surface, aligned), 6); // dark and light
+  assert.equal(tilesPerUnit(look({ pattern: 'grid', steps: 3 }), surface, aligned), 3);
+  assert.equal(gridTilesPerUnit(look({ steps: 3 }), surface, aligned), 6);
+  const plain = solutionOf([grid({ aligned: false })]);
+  assert.equal(tilesPerUnit(look({ steps: 3 }), surface, plain), 24 / 20);
+  assert.equal(hasSteps(look({}), aligned), true);
+  assert.equal(hasSteps(look({ pattern: 'cross' }), aligned), false);
+  assert.equal(hasSteps(look({}), plain), false);
+  assert.deepEqual(['auto', 'on', 'off'].map((seams) => areSeamsShown({ seams }, aligned)), [false, true, false]); // prettier-ignore
+  assert.deepEqual(['auto', 'on', 'off'].map((seams) => areSeamsShown({ seams }, plain)), [true, true, false]); // prettier-ignore
+});
+
+test('a quarter turn changes bricks and images, a half turn only images', () => {
+  const turnedBy = (r) =>
+    ['checker', 'grid', 'plaid', 'circles', 'brick', 'hex', 'wood', 'image', 'cross'].filter(
+      (pattern) => isTurnedBy(pattern, r, 4),
+    );
+  assert.deepEqual(turnedBy(0), []);
+  assert.deepEqual(turnedBy(1), ['brick', 'hex', 'wood', 'image']);
+  assert.deepEqual(turnedBy(2), ['wood', 'image']);
+  assert.equal(isTurnedBy('brick', 1, 2), false);
+  const seams = [0, 0, 1, 1, 2].map((r) => ({ r }));
+  const some = { seams, chains: Uint32Array.of(0, 0, 1, 1, 2), prescription: { q: 4 } };
+  assert.deepEqual(turnedSeams('image', some), { all: 3, turned: 2, edges: [2, 3, 4] });
+  assert.deepEqual(turnedSeams('brick', some).edges, [2, 3]);
+  assert.equal(turnedSeams('checker', some).turned, 0);
+});

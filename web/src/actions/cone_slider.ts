@@ -1,0 +1,68 @@
+// Cones by what they are for: few of them, or little distortion, in five steps. What the solver chose
+// for a step is kept, so that going back is at once.
+
+import type { Cones } from 'hgp';
+import type { Surface } from '../model/types';
+import type { App } from './app';
+import { isLocked } from './job';
+import { chooseCones, placeCones } from './solve';
+
+/** The ends and the middle are ways to choose; the steps between have a number between theirs. */
+const ways = ['few', undefined, 'balanced', undefined, 'low-distortion'] as const;
+export const coneSteps = ways.length;
+
+const known = new WeakMap<Surface, Map<string, Cones>>();
+const keyOf = (q: number, step: number): string => `${q} ${step}`;
+
+/** How many cones a step has, where it was asked before. */
+export function knownCount({ doc }: App, step: number): number | undefined {
+  const { model, prescription } = doc;
+  return model && known.get(model.surface)?.get(keyOf(prescription.q, step))?.cones.length;
+}
+
+async function conesFor(app: App, step: number): Promise<Cones | undefined> {
+  const surface = app.doc.usableModel?.surface;
+  if (!surface) return undefined;
+  const { q } = app.doc.prescription;
+  const all = known.get(surface) ?? new Map<string, Cones>();
+  known.set(surface, all);
+  const found = all.get(keyOf(q, step));
+  if (found) return found;
+  const conesFor_ = ways[step];
+  const cones = conesFor_
+    ? await chooseCones(app, { conesFor: conesFor_ })
+    : await between(app, step);
+  if (cones) all.set(keyOf(q, step), cones);
+  return cones;
+}
+
+async function between(app: App, step: number): Promise<Cones | undefined> {
+  const fewer = await conesFor(app, step - 1);
+  const more = fewer && (await conesFor(app, step + 1));
+  if (!more) return undefined;
+  const [a, b] = [fewer.cones.length, more.cones.length];
+  if (Math.abs(a - b) < 2) return more;
+  return chooseCones(app, { count: Math.round((a + b) / 2) });
+}
+
+let isFollowing = false;
+
+/** Puts the cones of a step in place; the last step that was asked for while others are chosen holds. */
+export async function setConeStep(app: App, step: number): Promise<void> {
+  const { doc } = app;
+  if (isFollowing) return void (doc.coneStep = step);
+  if (isLocked(app)) return;
+  doc.coneStep = step;
+  isFollowing = true;
+  try {
+    for (let done = -1; done !== doc.coneStep;) {
+      done = doc.coneStep;
+      const { surface } = doc.usableModel ?? {};
+      const cones = await conesFor(app, done);
+      if (!cones || doc.usableModel?.surface !== surface) return;
+      if (done === doc.coneStep) placeCones(app, cones);
+    }
+  } finally {
+    isFollowing = false;
+  }
+}

@@ -1,0 +1,63 @@
+// The cells of a map that is aligned for it, as a quad mesh. Where the map is aligned for textures only,
+// it is run again with its cones on grid points.
+
+import { gridOutcome, isAligned } from '../model/grid';
+import type { Solution } from '../model/types';
+import { isCertified } from '../model/verdict';
+import { safeName } from '../formats/file_set';
+import { describeError } from '../text/error_messages';
+import { count, plural } from '../text/format';
+import { solverOf, type App } from './app';
+import { saveFile } from './download';
+import { runJob } from './job';
+import { denserButton, realign, run } from './solve';
+
+export type QuadFile = 'obj' | 'glb';
+
+/** Why there can be no quads; empty where Run may find some. */
+export function whyNoQuads({ doc }: App): string {
+  if (!doc.current) return 'Run first.';
+  if (doc.prescription.q !== 4) return `Quads need q = 4, not ${doc.prescription.q}.`;
+  return doc.current.output.scale === 'solved' ? '' : 'Quads need the scale as solved.';
+}
+
+const isForQuads = (solution: Solution | undefined): solution is Solution =>
+  solution !== undefined &&
+  solution.grid.mode === 'quad' &&
+  isAligned(solution) &&
+  isCertified(solution);
+
+/** The solver holds a map with its cones on grid points, or it is said why not. */
+async function hasQuadMap(app: App): Promise<boolean> {
+  const { doc } = app;
+  if (!isForQuads(doc.current)) await realign(app, { isOn: true, mode: 'quad' });
+  else if (doc.resultInWorker !== doc.current.result) await run(app);
+  if (isForQuads(doc.current)) return doc.resultInWorker === doc.current.result;
+  if (!doc.current) return false; // cancelled, or failed and said so
+  const reason = gridOutcome(doc.current)?.reason ?? 'its map is not certified';
+  doc.say(`No quad mesh: ${reason}.`, 'error', denserButton(app, doc.current));
+  return false;
+}
+
+export const quadName = ({ doc }: App, file: QuadFile): string => {
+  const stem = safeName(doc.model?.main ?? '').replace(/\.[^.]*$/, '') || 'model';
+  return `${stem}.quads.${file}`;
+};
+
+export async function downloadQuads(app: App, file: QuadFile): Promise<void> {
+  const { doc } = app;
+  const why = whyNoQuads(app);
+  if (why) return doc.say(why, 'error');
+  if (!(await hasQuadMap(app))) return;
+  const name = quadName(app, file);
+  const onFailure = (error: unknown): void => doc.say(describeError(error, name), 'error');
+  await runJob(app, { kind: 'run', title: 'Making quads', onFailure }, async (call) => {
+    const made = await solverOf(app).quads({ name }, call);
+    doc.job = undefined;
+    const type = file === 'glb' ? 'model/gltf-binary' : 'text/plain';
+    saveFile({ name, bytes: made.bytes, type });
+    const left =
+      made.clipped > 0 ? `, without ${count(made.clipped)} cells that a boundary cuts` : '';
+    doc.say(`${plural(made.quads, 'quad')} saved as ${name}${left}.`, 'good');
+  });
+}

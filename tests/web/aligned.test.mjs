@@ -17,6 +17,7 @@ import {
   saveAs,
   settled,
   share,
+  showSeams,
   state,
   statusSays,
   useBrowser,
@@ -109,10 +110,10 @@ test('after Run lines meet at every seam: the note, the certificate and the file
 /** Part of a seam along which one side is dark and the other light. */
 async function breaksAtSeam(page) {
   const find = (name) => pixels(page, '#view', name);
-  if ((await page.getAttribute('#seams', 'aria-pressed')) === 'false') await page.click('#seams');
+  await showSeams(page, true);
   await settled(page);
   const shown = await find('aligned-seam-shown');
-  await page.click('#seams');
+  await showSeams(page, false);
   await settled(page);
   const picture = await find('aligned-seam-hidden');
   const { width, height, data } = picture;

@@ -28,9 +28,28 @@ test('all meshes of a file: run, kept while another is looked at, and in one dow
   const { page } = it;
   await openFiles(it, { 'two.glb': toGlb([cubeMesh(3), torusMesh(16, 8)]) });
   assert.equal(await page.locator('[data-mesh="1"]').getAttribute('aria-current'), 'true');
+  // Each has a picture of its shape; after Run of its map.
+  const picture = (i) =>
+    page.evaluate(
+      (n) => [...document.querySelector(`[data-thumbnail="${n}"]`).getContext('2d').getImageData(0, 0, 48, 48).data], // prettier-ignore
+      i,
+    );
+  await page.waitForSelector('[data-thumbnail="0"]');
+  await page.waitForSelector('[data-thumbnail="1"]');
+  const shapes = [await picture(0), await picture(1)];
+  const seen = shapes.map((data) => data.filter((x, i) => i % 4 === 3 && x > 0).length);
+  assert.ok(seen[0] > 600 && seen[1] > 300 && seen[0] !== seen[1], `${seen}`);
   await page.click('#run-all');
   await statusSays(it, /2 meshes certified/);
   assert.deepEqual([await meshState(0), await meshState(1)], ['certified', 'certified']);
+  const isAmber = (data) => data.some((x, i) => i % 4 === 0 && x > data[i + 2] + 60);
+  assert.deepEqual(shapes.map(isAmber), [false, false]);
+  await page.waitForFunction(() =>
+    [...document.querySelectorAll('[data-thumbnail]')].every((canvas) => {
+      const { data } = canvas.getContext('2d').getImageData(0, 0, 48, 48);
+      return data.some((x, i) => i % 4 === 0 && x > data[i + 2] + 60);
+    }),
+  );
   // The map of the other is there at once, with its cones and its history.
   await page.click('[data-mesh="0"]');
   await state(page, 'certified');

@@ -23,6 +23,7 @@ import {
   run,
   settled,
   share,
+  showSeams,
   shots,
   state,
   statusText,
@@ -94,7 +95,7 @@ test('handle loops have rows, steppers and colours on the surface', async () => 
   await openDetails(page, '#panel-turnings');
   assert.match(await page.locator('[data-handle="0"]').innerText(), /0°/);
   await page.selectOption('#pattern', 'plain');
-  await page.click('#seams');
+  await showSeams(page, false);
   const isRed = (r, g, b) => r > 200 && g < 130 && b < 90;
   const isTeal = (r, g, b) => g > 120 && r < 80 && b > 100;
   await page.locator('[data-handle="0"] button.link').click();

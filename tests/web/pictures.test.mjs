@@ -12,6 +12,7 @@ import {
   run,
   settled,
   share,
+  showSeams,
   state,
   statusText,
   useBrowser,
@@ -44,7 +45,7 @@ function difference(a, b) {
 test('every pattern is on the mesh and none is like another', async () => {
   const { page } = it;
   await solvedCube();
-  await page.click('#seams');
+  await showSeams(page, false);
   const seen = new Map();
   for (const pattern of [
     'plain',
@@ -196,8 +197,9 @@ test('the address brings cones, camera and pattern; lines go on across the seam'
   assert.equal(await page.locator('tr[data-cone="0"] input').inputValue(), '3');
   await run(it);
   assert.equal(await page.locator('#pattern').inputValue(), 'grid');
+  await showSeams(page, true);
   const withSeams = await look('seam-shown');
-  await page.click('#seams');
+  await showSeams(page, false);
   const picture = await look('seam-hidden');
   // The seam is where the pictures differ.
   const { width, height } = picture;

@@ -148,6 +148,12 @@ export async function pixels(page, selector, name) {
   return pngjs.PNG.sync.read(png);
 }
 
+/** Coloured seams on the surface, as a person switches them. */
+export async function showSeams(page, isOn) {
+  if ((await page.getAttribute('#seams', 'aria-pressed')) !== String(isOn))
+    await page.click('#seams');
+}
+
 /** Waits until three frames have gone by with nothing left to draw. */
 export async function settled(page) {
   await page.evaluate(async () => {

@@ -6,6 +6,7 @@ import { attempt } from './actions/app';
 import { watchCones } from './actions/check_cones';
 import { setPrescription } from './actions/edit_cones';
 import { exampleById, openExample } from './actions/open';
+import { watchThumbnails } from './actions/thumbnails';
 import { setLook } from './actions/view';
 import { readHash, writeHash, type HashState } from './formats/hash_state';
 import { listenToDrops } from './input/drop';
@@ -166,6 +167,7 @@ async function start(): Promise<void> {
   rememberState();
   notifyAtEnd();
   watchCones(app);
+  watchThumbnails(app);
   addEventListener('beforeunload', (event) => {
     if (doc.job?.kind === 'run' || doc.isUnsaved) event.preventDefault();
   });

@@ -6,6 +6,7 @@ import path from 'node:path';
 import test from 'node:test';
 import { handleLoops } from '../../../web/src/services/geometry/handle_loops.ts';
 import { findOverlaps } from '../../../web/src/services/geometry/overlaps.ts';
+import { drawThumbnail } from '../../../web/src/services/geometry/thumbnail.ts';
 import { cubeMesh, toObj } from '../../support/meshes.mjs';
 import { torusMesh } from '../shapes.mjs';
 
@@ -79,3 +80,28 @@ test(
     assert.equal((await findOverlaps(corners, cornerToUv)).pairs, 0);
   },
 );
+
+test('a small picture has the shape in the middle, in front what is nearer, and the checker of its map', () => {
+  const { vertices, triangles } = cubeMesh(1);
+  const cornerPositions = triangles.flat().flatMap((v) => vertices[v]);
+  const picture = drawThumbnail({ cornerPositions }, 32);
+  const at = (x, y) => [...picture.subarray(4 * (32 * y + x), 4 * (32 * y + x) + 4)];
+  assert.equal(at(0, 0)[3], 0);
+  assert.equal(at(16, 16)[3], 255);
+  const filled = picture.filter((x, i) => i % 4 === 3 && x === 255).length;
+  assert.ok(filled > 400 && filled < 1024, `${filled}`);
+  // A second cube, nearer to the eye and in the same direction, hides the first.
+  const toEye = [0.5, 0.38, 0.78];
+  const near = triangles.flat().flatMap((v) => vertices[v].map((x, k) => 0.2 * x + 5 * toEye[k]));
+  const corners = near.length / 3;
+  const cornerUv = Array.from({ length: 4 * corners }, (_, i) => (i >= 2 * corners && i % 2 === 0 ? 1 : 0)); // prettier-ignore
+  const all = [...cornerPositions, ...near];
+  const [red, , blue] = drawThumbnail({ cornerPositions: all, cornerUv, tiles: 1 }, 32).subarray(4 * (32 * 16 + 16)); // prettier-ignore
+  assert.ok(blue > red, 'the one in front is dark');
+  const [otherRed, , otherBlue] = drawThumbnail({ cornerPositions, cornerUv, tiles: 1 }, 32).subarray(4 * (32 * 16 + 16)); // prettier-ignore
+  assert.ok(otherRed > otherBlue, 'the other light');
+  assert.equal(
+    drawThumbnail({ cornerPositions: [NaN, NaN, NaN] }, 8).some((x) => x > 0),
+    false,
+  );
+});

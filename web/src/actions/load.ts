@@ -14,6 +14,7 @@ import { bytesOfAll, megabytes } from '../text/format';
 import { solverOf, type App } from './app';
 import { setPrescription } from './edit_cones';
 import { surveyMeshes } from './inspect_meshes';
+import { takeThumbnail } from './thumbnails';
 import { isLocked, runJob, type JobCall } from './job';
 
 type Source = Pick<Model, 'main' | 'files'>;
@@ -49,7 +50,19 @@ async function readMesh(
   let info = await read(surfaceIndex);
   const instances = await instancesOf(files, main);
   if (surfaceIndex === undefined && info.surfaces.length > 1) {
-    const { summaries, best } = await surveyMeshes(info, instances, read);
+    const look = async (index: number): Promise<ModelInfo> => {
+      const seen = await read(index);
+      const { positions, triangles } = await client.surface(call);
+      const to = instances?.[index]?.matrix ?? identity;
+      const made = geometry.call(
+        'thumbnailOf',
+        [{ positions, triangles }, to],
+        [positions, triangles],
+      );
+      takeThumbnail(app, index, made);
+      return seen;
+    };
+    const { summaries, best } = await surveyMeshes(info, instances, look);
     call.signal.throwIfAborted();
     doc.summaries = summaries;
     info = await read(best);

@@ -1,7 +1,7 @@
 // The cells of a map that is aligned for it, as a quad mesh. Where the map is aligned for textures only,
 // it is run again with its cones on grid points.
 
-import { gridOutcome, isAligned } from '../model/grid';
+import { isAligned } from '../model/grid';
 import type { Solution } from '../model/types';
 import { isCertified } from '../model/verdict';
 import { safeName } from '../formats/file_set';
@@ -34,7 +34,9 @@ async function hasQuadMap(app: App): Promise<boolean> {
   else if (doc.resultInWorker !== doc.current.result) await run(app);
   if (isForQuads(doc.current)) return doc.resultInWorker === doc.current.result;
   if (!doc.current) return false; // cancelled, or failed and said so
-  const reason = gridOutcome(doc.current)?.reason ?? 'its map is not certified';
+  const reason = isCertified(doc.current)
+    ? 'the grid is too coarse for these cones'
+    : 'the map is not certified';
   doc.say(`No quad mesh: ${reason}.`, 'error', denserButton(app, doc.current));
   return false;
 }

@@ -58,6 +58,8 @@ interface Fields {
   solutions: readonly Solution[];
   /** The other meshes of the file that were worked on, by index. */
   meshes: ReadonlyMap<number, MeshWork>;
+  /** Small pictures of the meshes, as far as they were made. */
+  thumbnails: ReadonlyMap<number, Uint8ClampedArray>;
   /** What each mesh of the file is good for, where that is known. */
   summaries: readonly MeshSummary[];
   solve: SolveSettings;
@@ -112,6 +114,7 @@ export class Document extends storeOf<Fields>() {
       history: begun(emptyPrescription(4, 0, 0)),
       solutions: [],
       meshes: new Map(),
+      thumbnails: new Map(),
       summaries: [],
       solve: { rounds: 12, frames: 'auto', grid: plainGrid },
       field: undefined,
@@ -253,6 +256,7 @@ export class Document extends storeOf<Fields>() {
     this.state = { kind: 'empty' };
     this.meshes = new Map();
     this.summaries = [];
+    this.thumbnails = new Map();
     this.isUnsaved = false;
     this.clearMesh();
   }

@@ -6,6 +6,7 @@ import { switchMesh } from '../actions/load';
 import { runAll } from '../actions/run_all';
 import type { Model } from '../model/types';
 import { isCertified } from '../model/verdict';
+import { thumbnailSize } from '../services/geometry/thumbnail';
 import { count } from '../text/format';
 import { icon } from './icons';
 import { Panel } from './panel';
@@ -23,6 +24,8 @@ const stateTexts: Record<MeshState, string> = {
 };
 
 class MeshStrip extends Panel {
+  readonly #drawn = new WeakMap<HTMLCanvasElement, Uint8ClampedArray>();
+
   override render(): TemplateResult | typeof nothing {
     const { app } = this;
     const { model } = app.doc;
@@ -43,6 +46,15 @@ class MeshStrip extends Panel {
             title="${count(triangles)} triangles, ${this.#why(index) || stateTexts[state]}"
             @click=${() => void attempt(app, () => switchMesh(app, index))}
           >
+            ${
+              app.doc.thumbnails.has(index)
+                ? html`<canvas
+                    width=${thumbnailSize}
+                    height=${thumbnailSize}
+                    data-thumbnail=${index}
+                  ></canvas>`
+                : nothing
+            }
             ${state === 'certified' ? icon('check') : state === 'not-certified' || state === 'unusable' ? icon('cross') : nothing}
             <span>${name || `Mesh ${index}`}</span>
             <span class="visually-hidden">, ${stateTexts[state]}</span>
@@ -59,6 +71,17 @@ class MeshStrip extends Panel {
         ${icon('run')}Run all
       </button>
     </nav>`;
+  }
+
+  override updated(): void {
+    const { thumbnails } = this.app.doc;
+    for (const canvas of this.querySelectorAll<HTMLCanvasElement>('[data-thumbnail]')) {
+      const picture = thumbnails.get(Number(canvas.dataset.thumbnail));
+      if (!picture || this.#drawn.get(canvas) === picture) continue;
+      this.#drawn.set(canvas, picture);
+      const data = new ImageData(new Uint8ClampedArray(picture), thumbnailSize);
+      canvas.getContext('2d')?.putImageData(data, 0, 0);
+    }
   }
 
   #why(index: number): string {

@@ -18,7 +18,8 @@ import {
   type GeometryMessage,
   type SerializedBvh,
 } from './geometry/protocol';
-import { placed, surfaceFacts } from './geometry/surface_facts';
+import { movedBy, placed, surfaceFacts } from './geometry/surface_facts';
+import { drawThumbnail } from './geometry/thumbnail';
 
 interface KnownMap {
   surface: number;
@@ -140,6 +141,14 @@ const calls: GeometryCalls = {
     const { places: positions, triangles } = surface;
     const input = { positions, triangles, cornerUv, samples, arm, spacing: seen, q };
     return { onSurface: surfaceCrosses(input), inMap: flatCrosses(input) };
+  },
+  thumbnail(id, map, tiles) {
+    const { cornerPositions } = surfaceOf(id);
+    const cornerUv = map === undefined ? undefined : maps.get(map)?.cornerUv;
+    return drawThumbnail({ cornerPositions, cornerUv, tiles });
+  },
+  thumbnailOf({ positions, triangles }, matrix) {
+    return drawThumbnail({ cornerPositions: cornersOf(movedBy(matrix, positions), triangles) });
   },
   handleLoops(id) {
     const surface = surfaceOf(id);

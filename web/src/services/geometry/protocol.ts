@@ -26,6 +26,10 @@ export interface GeometryCalls {
   urisOf(main: OutputFile): { uris: string[]; main: OutputFile };
   overlay(id: number, overlay: Overlay): Uint8Array;
   crosses(id: number, tiles: number, q: number): { onSurface: Float32Array; inMap: Float32Array };
+  /** A small picture of a surface, with its map where one is named. */
+  thumbnail(surface: number, map?: number, tiles?: number): Uint8ClampedArray<ArrayBuffer>;
+  /** The same of a mesh that the worker does not keep. */
+  thumbnailOf(arrays: SurfaceArrays, matrix: readonly number[]): Uint8ClampedArray<ArrayBuffer>;
   handleLoops(surface: number): Float32Array[];
   /** For picking: over the triangles of a surface, or of the flat map. */
   surfaceBvh(surface: number): SerializedBvh;

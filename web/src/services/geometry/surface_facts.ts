@@ -170,6 +170,12 @@ function moved(
   }
 }
 
+export function movedBy(matrix: Matrix, positions: Float64Array): Float64Array {
+  const out = new Float64Array(positions.length);
+  moved(matrix, positions, out, 1);
+  return out;
+}
+
 /** The inverse transpose of the linear part, but for its size: what normals are moved by. */
 function normalMatrix(m: Matrix): { matrix: number[]; sign: number } {
   const column = (i: number): number[] => [m[4 * i], m[4 * i + 1], m[4 * i + 2]];
@@ -199,8 +205,7 @@ export function placed(
 ): SurfaceFacts & Pick<Surface, 'places' | 'isMirrored'> {
   const isThere = matrix.every((x, i) => x === (i % 5 === 0 ? 1 : 0));
   if (isThere) return { ...facts, places: facts.positions.slice(), isMirrored: false };
-  const places = new Float64Array(facts.positions.length);
-  moved(matrix, facts.positions, places, 1);
+  const places = movedBy(matrix, facts.positions);
   const turned = normalMatrix(matrix);
   const normals = new Float32Array(facts.normals.length);
   moved([...turned.matrix, 0, 0, 0, 1], facts.normals, normals, 0);

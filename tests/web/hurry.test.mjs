@@ -132,3 +132,35 @@ test('ZIP files that are none, empty, cut short, or full of archives', async () 
   await openFiles(it, { 'names.zip': zipSync({ '__proto__/constructor.obj': text }) });
   await opened('constructor.obj');
 });
+
+test('who looks at another tab is told when a long run ends: in the title, and by the browser', async () => {
+  const { page } = it;
+  await example(it, 'cube');
+  const title = await page.title();
+  await page.evaluate(() => {
+    const now = performance.now.bind(performance);
+    globalThis.later = 0;
+    performance.now = () => now() + globalThis.later;
+    globalThis.told = [];
+    globalThis.Notification = class {
+      static permission = 'granted';
+      constructor(name, { body }) {
+        globalThis.told.push(`${name}: ${body}`);
+      }
+    };
+    Object.defineProperty(document, 'hidden', { value: true, configurable: true });
+    document.querySelector('#run').click();
+    globalThis.later = 11_000; // a long run
+  });
+  await state(page, 'certified');
+  assert.equal(await page.title(), '● Certified · hgp');
+  assert.deepEqual(await page.evaluate(() => globalThis.told), ['hgp: Certified']);
+  await page.evaluate(() => dispatchEvent(new Event('focus')));
+  assert.equal(await page.title(), title);
+  // A short one is not worth a call.
+  await page.evaluate(() => document.querySelector('#run').click());
+  await state(page, 'certified');
+  await page.waitForFunction(() => document.title.startsWith('●'));
+  assert.equal(await page.evaluate(() => globalThis.told.length), 1);
+  await page.reload();
+});

@@ -120,13 +120,19 @@ function notifyAtEnd(): void {
     if (job || !running) return;
     const seconds = (performance.now() - running.begin) / 1000;
     running = undefined;
-    if (!document.hidden) return;
-    const { current, message } = untracked(() => ({ current: doc.current, message: doc.message }));
-    const text = current && isCertified(current) ? 'Certified' : (message?.text ?? 'Done');
-    document.title = `● ${text} · hgp`;
-    if (seconds < 10 || !('Notification' in globalThis)) return;
-    if (Notification.permission === 'granted') new Notification('hgp', { body: text });
+    // What came of it is put in place in the same task, after the job.
+    if (document.hidden) setTimeout(() => callBack(seconds));
   });
+}
+
+const longRun = 10; // seconds: worth more than a title
+
+function callBack(seconds: number): void {
+  const { current, message } = doc;
+  const text = current && isCertified(current) ? 'Certified' : (message?.text ?? 'Done');
+  document.title = `● ${text} · hgp`;
+  if (seconds < longRun || !('Notification' in globalThis)) return;
+  if (Notification.permission === 'granted') new Notification('hgp', { body: text });
 }
 
 function connectViews(page: Panel): void {

@@ -1,30 +1,16 @@
 // Maps that are aligned to a grid: how many cells are asked for, and what is done where it fails.
 
-import type { Cones, Result, SolveOptions } from 'hgp';
+import type { Result, SolveOptions } from 'hgp';
 import { automaticCells, canAlign, gridOutcome } from '../model/grid';
 import type { GridSettings, Model, Solution } from '../model/types';
 import { solverOf, type App } from './app';
 import type { JobCall } from './job';
 
 const patience = 15; // seconds of a first run, up to which another density is tried unasked
-const mostPreparedTwice = 200_000; // triangles: beyond, the solver forgets what choosing cones found
 
 /** An aligned map has a scale of its own: another one that is asked for wins. */
 const isAsked = ({ doc }: App, q: number, scale: SolveOptions['scale']): boolean =>
   doc.solve.grid.isOn && canAlign(q) && scale === 'solved';
-
-/** How many cells are needed depends on the cones: they are chosen before, where that costs little. */
-export async function conesFirst(
-  app: App,
-  { info }: Model,
-  scale: SolveOptions['scale'],
-  call: JobCall,
-): Promise<Cones | undefined> {
-  const { solve, prescription } = app.doc;
-  const isOpen = isAsked(app, prescription.q, scale) && solve.grid.cells === undefined;
-  if (!isOpen || info.triangles > mostPreparedTwice) return undefined;
-  return solverOf(app).suggestCones({ q: prescription.q }, call);
-}
 
 /** One more run where the first has found a density that works, nobody has set one, and it is quick. */
 const isWorthAnother = ({ isOn, cells }: GridSettings, { report }: Result): boolean =>

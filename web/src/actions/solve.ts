@@ -4,7 +4,6 @@ import {
   HgpError,
   type Cones,
   type Result,
-  type SolveOptions,
   type SuggestOptions,
   type WriteOptions,
   type Written,
@@ -28,7 +27,7 @@ import { isCertified } from '../model/verdict';
 import { ensureWorker } from '../services/solver';
 import { describeError } from '../text/error_messages';
 import { count, plural } from '../text/format';
-import { conesFirst, describeLines, solveAligned } from './align';
+import { describeLines, solveAligned } from './align';
 import { solverOf, type App } from './app';
 import { copyCommand } from './copy_command';
 import { setPrescription } from './edit_cones';
@@ -130,11 +129,8 @@ async function solve(app: App, model: Model, output: Output, call: JobCall): Pro
   const options = { maxRounds: rounds, improve, scale: output.scale };
   const framed = usesField(app) ? { frames, field: doc.field } : {};
   const isAutomatic = !usesField(app) && doc.needsCones;
-  const cones = isAutomatic
-    ? await conesFirst(app, model, output.scale, call)
-    : toCones(doc.prescription);
-  const what: SolveOptions = cones ? { cones, ...framed, ...options } : { q, ...options };
-  const { result, cells } = await solveAligned(app, model, what, call);
+  const what = isAutomatic ? { q } : { cones: toCones(doc.prescription), ...framed };
+  const { result, cells } = await solveAligned(app, model, { ...what, ...options }, call);
   const prescription = isAutomatic
     ? fromCones(result.cones, turnings.length, handles.length)
     : doc.prescription;

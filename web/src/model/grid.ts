@@ -8,14 +8,15 @@ export const canAlign = (q: number): boolean => q === 2 || q === 4;
 
 export const cellRange = { min: 10, max: 1_000_000 };
 const cellsAcross = 14; // along the diagonal, for a picture in which single tiles are seen
-const cellsPerCone = 40; // fewer fail more often, and distort more
+const fewestCells = 800; // cones that the solver chooses keep a cell apart: fewer cells would move many
+const cellsPerCone = 40; // of cones that are given: fewer fail more often, and distort more
 
 export function automaticCells(
   { area, diagonal }: Pick<Surface, 'area' | 'diagonal'>,
   cones: number,
 ): number {
   const bySize = area * (cellsAcross / diagonal) ** 2;
-  const cells = Math.max(bySize, cellsPerCone * cones);
+  const cells = Math.max(bySize, fewestCells, cellsPerCone * cones);
   return Math.round(Math.min(Math.max(cells, cellRange.min), cellRange.max));
 }
 

@@ -406,6 +406,43 @@ test('embedded cones are used again', () => {
   assert.equal(run(args).code, 0);
   const again = run(['check', 'embedded.obj', '--json', '-']);
   assert.equal(isValid('hgp-check', again.out).components[0].cones, 6);
+  // The file's own cones give the file's own map.
+  assert.equal(run(['param', 'embedded.obj', '--embed-cones', '-o', 'again.obj']).code, 0);
+  assert.equal(read('again.obj'), read('embedded.obj'));
+});
+
+test('exit code, text, report and certificate have one verdict, and verify has the same', () => {
+  // Cones that no map can be found for in one round, and ones that can.
+  const cones = (list) =>
+    JSON.stringify({ format: 'hgp-cones', version: 1, q: 4, cones: list.map(([vertex, k]) => ({ vertex, k })) }); // prettier-ignore
+  put('close.json', cones([[0, 1], [1, 1], [2, 1], [3, 13]])); // prettier-ignore
+  const verdicts = new Set();
+  for (const asked of ['cones.json', 'close.json']) {
+    const args = ['--cones', asked, '--rounds', '1'];
+    const { code, out, err } = run([
+      'param',
+      'ball.obj',
+      ...args,
+      '-o',
+      'v.obj',
+      '--json',
+      'v.json',
+    ]);
+    const report = isValid('hgp-report', read('v.json'));
+    verdicts.add(report.certified);
+    assert.equal(code, report.certified ? 0 : 6, err);
+    assert.equal(report.certificate.certified, report.certified);
+    assert.equal(
+      report.certificate.components.every(({ certified }) => certified),
+      report.certified,
+    );
+    assert.equal(/^certified/m.test(out + err), report.certified, out + err);
+    if (!report.certified) continue;
+    const again = run(['verify', 'v.obj', '--cones', asked, '--json', '-']);
+    assert.equal(again.code, 0);
+    assert.equal(isValid('hgp-certificate', again.out).certified, true);
+  }
+  assert.equal(verdicts.size, 2, 'both verdicts were seen');
 });
 
 test('the input is replaced with --force only, and a failed write ends with 7', () => {

@@ -164,6 +164,8 @@ for (const [what, files, options] of cases) {
     const out = path.join(folder, `native-${written.name}`);
     const other = runNative(names[0], options, out);
     assert.equal(result.certificate.certified, true);
+    for (const { certified } of [result.report, other.report, other.report.certificate])
+      assert.equal(certified, result.certificate.certified);
     assert.deepEqual(result.cones.cones, other.report.cones.cones);
     assert.deepEqual(result.cones.boundaries, other.report.cones.boundaries);
     assert.deepEqual(result.cones.handles, other.report.cones.handles);

@@ -74,13 +74,16 @@ test('cones travel inside the file and are found again', () =>
     ]) {
       await client.load(file, { name });
       assert.equal(await client.embeddedCones(), null, name);
-      const { cones } = await client.parametrize({ q: 4 });
+      const first = await client.parametrize({ q: 4 });
+      const { cones } = first;
       const written = await client.write({ embedCones: true });
       await client.load(written.bytes, { name });
       const found = await client.embeddedCones();
       isValid('hgp-cones', found);
       assert.deepEqual(found.cones, cones.cones, name);
       assert.equal((await client.verify({ cones: found })).certified, true, name);
+      const again = await client.parametrize();
+      assert.deepEqual(again.uv, first.uv, `${name}: its own cones give its own map`);
     }
   }));
 

@@ -377,6 +377,10 @@ export interface ConesDocument {
      */
     k: number;
     /**
+     * where the surface touches itself at this vertex: a triangle of the part that is meant
+     */
+    triangle?: number;
+    /**
      * @minItems 3
      * @maxItems 3
      */

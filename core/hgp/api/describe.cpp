@@ -3,6 +3,43 @@
 #include "hgp/api/request.h"
 
 namespace hgp::api {
+namespace {
+
+/// The component's vertex as the surface names it.
+class Names {
+ public:
+  /// @param copies  per vertex of the surface, how many vertices repairs made of it
+  Names(const Model& model, const ModelComponent& component, const std::vector<int>& copies)
+      : model_(model), component_(component), copies_(copies) {}
+
+  int vertex(VertexId v) const { return model_.vertexOrigin[inMesh(v)]; }
+  bool isUnique(VertexId v) const { return copies_[static_cast<std::size_t>(vertex(v))] == 1; }
+  /// A triangle of the surface at v.
+  int triangleAt(VertexId v) const {
+    const FaceId f = TriMesh::face(component_.mesh.outgoing(v));
+    const int inMesh = component_.faceOrigin[static_cast<std::size_t>(f.i)];
+    return model_.faceOrigin[static_cast<std::size_t>(inMesh)];
+  }
+
+ private:
+  std::size_t inMesh(VertexId v) const {
+    return static_cast<std::size_t>(component_.vertexOrigin[static_cast<std::size_t>(v.i)]);
+  }
+  const Model& model_;
+  const ModelComponent& component_;
+  const std::vector<int>& copies_;
+};
+
+/// A vertex that tells which loop is meant, or −1.
+int anchorOf(const ModelComponent& component, const BoundaryLoop& loop, const Names& names) {
+  for (HalfedgeId h : loop.halfedges) {
+    const VertexId v = component.mesh.tail(h);
+    if (names.isUnique(v)) return names.vertex(v);
+  }
+  return -1;
+}
+
+}  // namespace
 
 io::Prescription describe(const Model& model, const std::vector<HolonomySpec>& specs) {
   io::Prescription out;
@@ -10,24 +47,23 @@ io::Prescription describe(const Model& model, const std::vector<HolonomySpec>& s
   out.sha256 = model.sha256;
   out.vertexCount = static_cast<int>(model.source().mesh.positions.size());
   out.triangleCount = static_cast<int>(model.source().mesh.triangles.size());
+  std::vector<int> copies(model.vertexImage.size(), 0);
+  for (int v : model.vertexOrigin) ++copies[static_cast<std::size_t>(v)];
   for (std::size_t p = 0; p < specs.size(); ++p) {
     const ModelComponent& component = model.components[p];
-    const auto surfaceVertex = [&](VertexId v) {
-      const int inMesh = component.vertexOrigin[static_cast<std::size_t>(v.i)];
-      return model.vertexOrigin[static_cast<std::size_t>(inMesh)];
-    };
+    const Names names(model, component, copies);
     out.q = specs[p].q;
     const auto told = static_cast<std::ptrdiff_t>(out.cones.size());
     for (const ConePoint& c : specs[p].cones) {
-      out.cones.push_back({surfaceVertex(c.vertex), c.k, component.mesh.position(c.vertex)});
+      out.cones.push_back({names.vertex(c.vertex), c.k, component.mesh.position(c.vertex),
+                           names.isUnique(c.vertex) ? -1 : names.triangleAt(c.vertex)});
     }
     std::sort(out.cones.begin() + told, out.cones.end(),
               [](const auto& a, const auto& b) { return a.vertex < b.vertex; });
     for (std::size_t j = 0; j < specs[p].turning.size(); ++j) {
       if (!specs[p].turning[j]) continue;
-      const HalfedgeId first = component.topology.loops[j].halfedges.front();
       out.boundaries.push_back({component.loopOrigin[j], *specs[p].turning[j],
-                                surfaceVertex(component.mesh.tail(first))});
+                                anchorOf(component, component.topology.loops[j], names)});
     }
     for (std::size_t j = 0; j < specs[p].handles.size(); ++j) {
       if (!specs[p].handles[j]) continue;

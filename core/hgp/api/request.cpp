@@ -1,5 +1,6 @@
 #include "hgp/api/request.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hgp/base/check.h"
@@ -75,13 +76,32 @@ class Resolver {
     if (v < 0 || v >= count) {
       return refusal(formatText("cone at vertex %d: the mesh has vertices 0 to %d", v, count - 1));
     }
-    const int image = model_.vertexImage[static_cast<std::size_t>(v)];
+    int image = model_.vertexImage[static_cast<std::size_t>(v)];
+    if (cone.triangle >= 0 && image >= 0 && !isMoved) {
+      image = copyIn(cone.triangle, image);
+      if (image < 0)
+        return refusal(
+            formatText("cone at vertex %d, which is not a corner of triangle %d", v, cone.triangle),
+            {{Where::Kind::kFace, cone.triangle}});
+    }
     const Local local = image < 0 ? Local() : pieceOf_[static_cast<std::size_t>(image)];
     if (local.component < 0) {
       return refusal(formatText("cone at vertex %d, which has no triangles", v),
                      {{Where::Kind::kVertex, v}});
     }
     return local;
+  }
+
+  /// The copy of a vertex that a triangle of the surface has, or −1.
+  int copyIn(int triangle, int image) const {
+    const int origin = model_.vertexOrigin[static_cast<std::size_t>(image)];
+    // Weld and repairs keep the order of triangles.
+    const auto& faces = model_.faceOrigin;
+    const auto found = std::lower_bound(faces.begin(), faces.end(), triangle);
+    if (found == faces.end() || *found != triangle) return -1;
+    for (int v : model_.mesh.triangles[static_cast<std::size_t>(found - faces.begin())])
+      if (model_.vertexOrigin[static_cast<std::size_t>(v)] == origin) return v;
+    return -1;
   }
 
   double reach() {

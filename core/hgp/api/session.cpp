@@ -157,7 +157,7 @@ Result<Verdict> Session::verify(const std::optional<io::Prescription>& prescript
     const Model& model = *state_->model;
     const std::vector<int>& sets = model.source().uvSets;
     const int set = options.uvSet >= 0 ? options.uvSet : sets.empty() ? 0 : sets.back();
-    std::optional<UvMap> map = model.document->existingUv(model.surface, set);
+    std::optional<UvMap> map = model.document->exactUv(model.surface, set);
     if (!map) {
       return Failure{ErrorCode::kUnsupported,
                      "verify",
@@ -169,6 +169,7 @@ Result<Verdict> Session::verify(const std::optional<io::Prescription>& prescript
         prescription ? resolve(model, *prescription)
                      : Result<Request>(automaticRequest(model, options.q > 0 ? options.q : 4));
     if (!request) return request.error();
+    const std::optional<UvMap> read = model.document->existingUv(model.surface, set);
     CertifyOptions judge;
     judge.tolerance = options.tolerance;
     const bool isFloat = model.document->uvPrecision() == io::UvPrecision::kFloat32;
@@ -177,7 +178,7 @@ Result<Verdict> Session::verify(const std::optional<io::Prescription>& prescript
     for (std::size_t p = 0; p < model.components.size(); ++p) {
       judge.isAnyConeAllowed = request->components[p].isAutomatic;
       const UvMap componentMap = mapOfComponent(model, model.components[p], *map);
-      if (isFloat) judge.gridStep = gridStep(componentMap);
+      if (isFloat) judge.gridStep = gridStep(mapOfComponent(model, model.components[p], *read));
       certificates.push_back(
           certify(model.components[p].mesh, request->components[p].spec, componentMap, judge));
       certificates.back().overlap = measureOverlap(componentMap);

@@ -88,6 +88,11 @@ class Document {
 
   /// uv stored in the file, exactly; nothing when some corner has none.
   virtual std::optional<UvMap> existingUv(int surface, int set) const = 0;
+  /// The same without any rounding: where v = 1 − (stored v) is no double for some vertex, v is
+  /// −(stored v) for all. For judging what is stored.
+  virtual std::optional<UvMap> exactUv(int surface, int set) const {
+    return existingUv(surface, set);
+  }
 
   /// Exactly the map that existingUv gives after write() and reading again: rounded to float32,
   /// polygons kept whole. This is what a certificate must judge. Corners may be re-indexed.

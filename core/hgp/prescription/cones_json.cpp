@@ -120,6 +120,7 @@ void readLists(const Json& json, Members& m, Prescription& out) {
       m.integer((*cones)[i], "vertex", cone.vertex, true);
       m.integer((*cones)[i], "k", cone.k, true);
       m.position((*cones)[i], cone.position);
+      m.integer((*cones)[i], "triangle", cone.triangle, false);
       out.cones.push_back(cone);
     }
   }
@@ -193,6 +194,7 @@ std::string writeConesJson(const Prescription& p, int indent) {
   for (const PrescribedCone& c : p.cones) {
     Json cone{{"vertex", c.vertex}, {"k", c.k}};
     if (c.position) cone["position"] = *c.position;
+    if (c.triangle >= 0) cone["triangle"] = c.triangle;
     cones.push_back(std::move(cone));
   }
   if (!p.boundaries.empty()) json["boundaries"] = Json::array();

@@ -13,10 +13,13 @@
 namespace hgp::io {
 
 /// Cone angle 2πk/q at a vertex; `position` is what tells vertices apart when the mesh has changed.
+/// Where the surface touches itself at a vertex, it is a vertex of several parts: `triangle` is one of
+/// the part that is meant, or −1.
 struct PrescribedCone {
   int vertex = -1;
   int k = 0;
   std::optional<Vec3> position;
+  int triangle = -1;
 };
 
 /// Turning angle 2πl/q of boundary loop `loop` of the mesh; `anchor` is a vertex on it, or −1.

@@ -48,8 +48,7 @@ JudgedUv gatherUv(const TriMesh& mesh, const UvMap& map, const CertifyOptions& o
         isOutside = true;
         continue;
       }
-      Vec2 p = map.uv[static_cast<std::size_t>(n)];
-      if (options.precision == Precision::kFloat32) p = {roundToFloat(p[0]), roundToFloat(p[1])};
+      const Vec2& p = map.uv[static_cast<std::size_t>(n)];
       isFinite = isFinite && std::isfinite(p[0]) && std::isfinite(p[1]);
       out.uv[HalfedgeId(static_cast<int>(3 * f + k))] = p;
     }
@@ -216,6 +215,11 @@ bool areCertified(const std::vector<Certificate>& components) {
 Certificate certify(const TriMesh& mesh, const HolonomySpec& asked, const UvMap& map,
                     const CertifyOptions& options) {
   return Judge(mesh).certify(asked, map, options);
+}
+
+UvMap roundedToFloat32(UvMap map) {
+  for (Vec2& p : map.uv) p = {roundToFloat(p[0]), roundToFloat(p[1])};
+  return map;
 }
 
 Certificate certify(const TriMesh& mesh, const CompleteSpec& asked, const UvMap& map,

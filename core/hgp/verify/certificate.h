@@ -92,6 +92,9 @@ class Judge {
 /// every component is certified, and there is one.
 bool areCertified(const std::vector<Certificate>& components);
 
+/// The nearest numbers that float32 holds. (glTF stores 1 − v: what a file of it holds is something else.)
+UvMap roundedToFloat32(UvMap map);
+
 /// One map, judged.
 Certificate certify(const TriMesh& mesh, const HolonomySpec& asked, const UvMap& map,
                     const CertifyOptions& options = {});

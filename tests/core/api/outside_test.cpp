@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "hgp/api/session.h"
 #include "support/shapes.h"
@@ -129,6 +130,43 @@ TEST(Outside, VerticesThatWereSplitAreCounted) {
   const Json stored = certified(data, "pinched");
   EXPECT_EQ(stored["splitVertices"], 1);
   EXPECT_EQ(stored["judged"], data.triangles.size());
+}
+
+TEST(Outside, ConesAtAVertexOfTwoPartsSayWhichPartIsMeant) {
+  // Two cubes that share a corner, which is a cone of both.
+  MeshData data = test::cube(2).data;
+  const MeshData once = data;
+  const int first = static_cast<int>(data.positions.size());
+  for (const Vec3& p : once.positions) data.positions.push_back({-p[0], -p[1], p[2]});
+  for (const auto& t : once.triangles) {
+    std::array<int, 3> moved{};
+    for (std::size_t k = 0; k < 3; ++k) moved[k] = t[k] == 0 ? 0 : t[k] + first;
+    data.triangles.push_back(moved);
+  }
+  const auto& p = once.positions[0];
+  for (std::size_t v = static_cast<std::size_t>(first); v < data.positions.size(); ++v)
+    for (std::size_t n = 0; n < 2; ++n) data.positions[v][n] += 2 * p[n];
+  Session session = loaded("mesh.obj", io::writePlainObj(data, {}, ""));
+  ASSERT_TRUE(session.parametrize(std::nullopt, {}));
+  ASSERT_TRUE(session.isCertified());
+  const std::string cones = session.conesJson();
+  std::set<int> triangles;
+  const Json told = Json::parse(cones);
+  for (const Json& cone : told["cones"])
+    if (cone["vertex"] == 0) triangles.insert(cone.at("triangle").get<int>());
+  ASSERT_EQ(triangles.size(), 2u) << cones;
+  EXPECT_LT(*triangles.begin(), static_cast<int>(once.triangles.size()));
+  EXPECT_GE(*triangles.rbegin(), static_cast<int>(once.triangles.size()));
+  // Given back, they give the same map.
+  const std::vector<double> uv = session.uv();
+  Result<io::Prescription> given = readPrescription("cones.json", cones, 0);
+  ASSERT_TRUE(given);
+  ASSERT_TRUE(session.parametrize(*given, {}));
+  EXPECT_EQ(session.uv(), uv);
+  given->cones[0].triangle = 1'000'000;
+  const Status refused = session.parametrize(*given, {});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kPrescription);
 }
 
 TEST(Outside, NothingLeftIsRefused) {

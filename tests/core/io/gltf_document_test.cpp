@@ -94,6 +94,33 @@ TEST(GltfDocument, UvComeBackAsStoredWhereVerticesSplit) {
   EXPECT_EQ(again->surfaces()[0].mesh.positions, document->surfaces()[0].mesh.positions);
 }
 
+/// The square with these numbers as TEXCOORD_0.
+DocumentPtr squareWithUv(const std::array<float, 8>& uv) {
+  Bytes bytes(sizeof uv);
+  std::memcpy(bytes.data(), uv.data(), sizeof uv);
+  return opened(squareText(
+      {{"} ],\n  \"bufferViews\"", "}, { \"byteLength\" : 32, \"uri\" : \"data:;base64," +
+                                       encodeBase64(bytes) + "\" } ],\n  \"bufferViews\""},
+       {"\"byteLength\" : 12 }", "\"byteLength\" : 12 }, { \"buffer\" : 1, \"byteLength\" : 32 }"},
+       {"\"type\" : \"SCALAR\" }",
+        "\"type\" : \"SCALAR\" }, { \"bufferView\" : 2, \"componentType\" : 5126, \"count\" : 4, "
+        "\"type\" : \"VEC2\" }"},
+       {"\"POSITION\" : 0", "\"POSITION\" : 0, \"TEXCOORD_0\" : 2"}}));
+}
+
+TEST(GltfDocument, UvForTheJudgeAreNotRounded) {
+  // 1 − v is a double for ordinary v …
+  const DocumentPtr plain = squareWithUv({0, 1, 1, 1, 1, 0.25f, 0, 0.25f});
+  ASSERT_TRUE(plain);
+  EXPECT_EQ(plain->exactUv(0, 0)->uv, plain->existingUv(0, 0)->uv);
+  EXPECT_EQ(plain->exactUv(0, 0)->uv[2], (Vec2{1, 0.75}));
+  // … and loses digits where v is tiny: there only v is exact.
+  const DocumentPtr tiny = squareWithUv({0, 0, 1, 0, 1, -0x1.234568p-40f, 0, -0x1.234566p-40f});
+  ASSERT_TRUE(tiny);
+  EXPECT_EQ(tiny->exactUv(0, 0)->uv[2], (Vec2{1, 0x1.234568p-40}));
+  EXPECT_EQ(tiny->exactUv(0, 0)->uv[3], (Vec2{0, 0x1.234566p-40}));
+}
+
 TEST(GltfDocument, ConesTravelInTheExtrasOfTheMesh) {
   WriteOptions options;
   options.cones = R"({"format":"hgp-cones","version":1,"q":6,"cones":[{"vertex":2,"k":5}]})";

@@ -588,11 +588,14 @@ TEST(Certificate, CatchesWhatRoundingToFloatDoes) {
   CertifyOptions options;
   EXPECT_CERTIFIED(certify(mesh, regular(4), map, options));
   options.precision = Precision::kFloat32;
-  const Certificate c = certify(mesh, regular(4), map, options);
+  const Certificate given = certify(mesh, regular(4), map, options);
+  EXPECT_EQ(given.orientation.zero, 0) << "it is judged as it is given";
+  EXPECT_EQ(onlyReason(given).rule, Rule::kRange);
+  const Certificate c = certify(mesh, regular(4), roundedToFloat32(map), options);
   EXPECT_FALSE(c.isCertified);
   EXPECT_EQ(c.orientation.zero, 1);
   map.uv[2] = {0.5, 1e300};
-  EXPECT_EQ(onlyReason(certify(mesh, regular(4), map, options)).rule, Rule::kNotFinite);
+  EXPECT_EQ(onlyReason(certify(mesh, regular(4), roundedToFloat32(map), options)).rule, Rule::kNotFinite);
 }
 
 TEST(Certificate, AllowsWhatRoundingToFloatCanDoAndNoMore) {

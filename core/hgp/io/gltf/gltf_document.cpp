@@ -1,5 +1,6 @@
 #include "hgp/io/gltf/gltf_document.h"
 
+#include <algorithm>
 #include <map>
 
 #include "hgp/base/check.h"
@@ -11,6 +12,12 @@
 
 namespace hgp::io {
 namespace {
+
+/// a + b is a double (Knuth's two-sum finds nothing left).
+bool isExactSum(double a, double b) {
+  const double sum = a + b, fromB = sum - a;
+  return (a - (sum - fromB)) + (b - fromB) == 0.0;
+}
 
 /// Copies of one vertex with the same uv become one; glTF also splits for reasons other than uv.
 void joinEqualCopies(const MeshData& mesh, UvMap& map) {
@@ -44,6 +51,19 @@ GltfDocument::GltfDocument(std::unique_ptr<GltfStore> store, std::vector<GltfSur
 }
 
 std::optional<UvMap> GltfDocument::existingUv(int surface, int set) const {
+  return readUv(surface, set, 1.0);
+}
+
+std::optional<UvMap> GltfDocument::exactUv(int surface, int set) const {
+  std::optional<UvMap> map = readUv(surface, set, 0.0);
+  if (!map) return map;
+  const auto isExact = [](const Vec2& p) { return isExactSum(1.0, p[1]); };
+  if (!std::all_of(map->uv.begin(), map->uv.end(), isExact)) return map;
+  for (Vec2& p : map->uv) p[1] += 1.0;
+  return map;
+}
+
+std::optional<UvMap> GltfDocument::readUv(int surface, int set, double top) const {
   const GltfSurface& part = parts_[static_cast<std::size_t>(surface)];
   const std::string semantic = formatText("TEXCOORD_%d", set);
   const auto& primitives = store_->model.meshes[static_cast<std::size_t>(part.mesh)].primitives;
@@ -60,7 +80,7 @@ std::optional<UvMap> GltfDocument::existingUv(int surface, int set) const {
           realNumbers(store_->model.accessors[static_cast<std::size_t>(accessor)],
                       packedAttribute(*store_, part.mesh, run.primitive, semantic));
       for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) {
-        map.uv.push_back({numbers[i], 1.0 - numbers[i + 1]});
+        map.uv.push_back({numbers[i], top - numbers[i + 1]});
       }
     }
     const int shift = base->second - pool.firstStored;

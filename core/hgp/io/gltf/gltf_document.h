@@ -19,11 +19,15 @@ class GltfDocument : public Document {
   const std::vector<Surface>& surfaces() const override { return surfaces_; }
   UvPrecision uvPrecision() const override { return UvPrecision::kFloat32; }
   std::optional<UvMap> existingUv(int surface, int set) const override;
+  std::optional<UvMap> exactUv(int surface, int set) const override;
   UvMap asStored(int surface, const UvMap& map) const override;
   Result<std::optional<Prescription>> embeddedCones(int surface) const override;
   Result<Written> write(int surface, const UvMap& map, const WriteOptions& options) const override;
 
  private:
+  /// v = top − stored v
+  std::optional<UvMap> readUv(int surface, int set, double top) const;
+
   std::unique_ptr<GltfStore> store_;
   std::vector<GltfSurface> parts_;  ///< without their `surface`, which is in surfaces_
   std::vector<Surface> surfaces_;

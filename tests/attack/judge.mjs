@@ -123,7 +123,9 @@ function askedOf({ cones, q, origin }, fans) {
 /** One seam edge: the least residual over all rotations, relative to the edge's own length. */
 function seamResidual(df, dg, q) {
   const own = square(df) < square(dg) ? square(df) : square(dg);
-  if (own === 0n) return { residual: Infinity, r: -1, own };
+  // An edge without length on both sides is turned by anything.
+  if (own === 0n)
+    return { residual: Infinity, r: -1, own, isZero: square(df) === 0n && square(dg) === 0n };
   let best = { residual: Infinity, r: -1, own };
   for (const [r, rotation] of exact.rotations(q).entries()) {
     const turned = exact.times(rotation, df);

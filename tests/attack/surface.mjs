@@ -69,7 +69,7 @@ function windAlike(map, facts) {
       }
     }
     const turned = members.filter((t) => flip[t]).length;
-    facts.isAmbiguous ||= 2 * turned === members.length;
+    facts.isAmbiguous ||= 4 * Math.min(turned, members.length - turned) >= members.length;
     const other = 2 * turned > members.length;
     for (const t of members) if (other) flip[t] = !flip[t];
     facts.reversed += other ? members.length - turned : turned;

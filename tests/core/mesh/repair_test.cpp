@@ -56,6 +56,20 @@ TEST(Repair, NothingIsDoneUnasked) {
   EXPECT_EQ(fixDefects(data, {}).mesh.triangles, data.triangles);
 }
 
+TEST(Repair, FewFacesThatDisagreeAreTheOnesThatAreFlipped) {
+  // Even where the surface is inside out.
+  for (const bool isInsideOut : {false, true}) {
+    MeshData data = test::icosphere(3).data;
+    if (isInsideOut)
+      for (auto& t : data.triangles) std::swap(t[0], t[1]);
+    const auto before = data.triangles;
+    for (const std::size_t f : {std::size_t{3}, std::size_t{40}})
+      std::swap(data.triangles[f][1], data.triangles[f][2]);
+    const FixResult r = fixDefects(data, {true, false, false});
+    EXPECT_EQ(r.mesh.triangles, before) << isInsideOut;
+  }
+}
+
 TEST(Repair, OrientsShuffledFacesOutwards) {
   std::mt19937 random(3);
   for (const test::Shape& shape : test::closed()) {

@@ -10,6 +10,9 @@
 namespace hgp {
 namespace {
 
+/// Fewer faces than one in so many are the ones that are wrong.
+constexpr int kClearMajority = 4;
+
 /// Edge of every side, for tables that are walked from face to face.
 std::vector<int> edgeOfSide(const EdgeTable& table, std::size_t sideCount) {
   std::vector<int> edge(sideCount, -1);
@@ -107,9 +110,11 @@ int orientFaces(FixResult& result, bool isCutLater) {
     }
     const auto turned = std::count_if(component.faces.begin(), component.faces.end(),
                                       [&](int f) { return isFlipped[at(f)] != 0; });
-    const bool isInsideOut = component.isClosed
+    const auto count = static_cast<std::ptrdiff_t>(component.faces.size());
+    const bool isMixed = kClearMajority * std::min(turned, count - turned) > count;
+    const bool isInsideOut = component.isClosed && isMixed
                                  ? signedVolume(mesh, component.faces, isFlipped) < 0.0
-                                 : 2 * turned > static_cast<std::ptrdiff_t>(component.faces.size());
+                                 : 2 * turned > count;
     for (int f : component.faces) {
       if ((isFlipped[at(f)] != 0) == isInsideOut) continue;
       std::swap(mesh.triangles[at(f)][1], mesh.triangles[at(f)][2]);

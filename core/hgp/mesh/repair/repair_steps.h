@@ -11,8 +11,8 @@ namespace hgp {
 /// no face has an area. Other faces without area stay: computeGeometry gives them lengths.
 void leaveOut(FixResult& result);
 
-/// Makes every component consistent by flipping faces: outwards (positive volume) where it is
-/// closed, with the larger part where it has a boundary. One-sided surfaces are left as they are, or
+/// Makes every component consistent by flipping as few faces as possible; a closed one of which more
+/// than a quarter would be flipped, outwards (positive volume). One-sided surfaces are left as they are, or
 /// with isCutLater made consistent along a spanning tree of their faces. Returns their number.
 int orientFaces(FixResult& result, bool isCutLater);
 

@@ -76,8 +76,8 @@ struct Written {
   std::vector<int> xref;           ///< written vertex → stored vertex; empty when identical
 };
 
-/// A loaded file. Immutable; all vertex and triangle ids are those of `surfaces()[surface].mesh`.
-/// uv always has v pointing up; formats whose v points down are mirrored on both ways.
+/// A loaded file. Immutable; all vertex and triangle ids are those of `surfaces()[surface].mesh`. uv always
+/// has v pointing up; formats whose v points down are mirrored on both ways.
 class Document {
  public:
   virtual ~Document() = default;
@@ -109,8 +109,7 @@ Result<DocumentPtr> readObj(FileSet files, const Limits& limits);
 Result<DocumentPtr> readOff(FileSet files, const Limits& limits);
 Result<DocumentPtr> readPly(FileSet files, const Limits& limits);
 Result<DocumentPtr> readStl(const FileSet& files, const Limits& limits);
-/// .glb and .gltf, told apart by content.
-Result<DocumentPtr> readGltf(FileSet files, const Limits& limits);
+Result<DocumentPtr> readGltf(FileSet files, const Limits& limits);  ///< GLB as well, by content
 
 /// Chooses the reader by content first, then by the name's extension.
 Result<DocumentPtr> openDocument(FileSet files, const Limits& limits);

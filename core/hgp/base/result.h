@@ -1,4 +1,4 @@
-// Outcomes that a caller must look at.  Role: the error model of every room (docs/decisions).
+// Outcomes that a caller must look at.  Role: the error model of every module (docs/decisions).
 #pragma once
 
 #include <cstdint>

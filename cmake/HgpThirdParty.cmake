@@ -59,6 +59,8 @@ endfunction()
 hgp_third_party_header(eigen Eigen/Core PACKAGE Eigen3 TARGET Eigen3::Eigen SUFFIX eigen3)
 hgp_third_party_header(json nlohmann/json.hpp
   PACKAGE nlohmann_json TARGET nlohmann_json::nlohmann_json)
+hgp_third_party_header(fast_float fast_float/fast_float.h
+  PACKAGE FastFloat TARGET FastFloat::fast_float)
 hgp_third_party_header(tinygltf tiny_gltf.h)
 hgp_third_party_header(cli11 CLI/CLI.hpp PACKAGE CLI11 TARGET CLI11::CLI11)
 hgp_third_party_library(draco draco/compression/decode.h draco)
@@ -71,6 +73,7 @@ function(hgp_missing_third_party out)
   set(missing "")
   foreach(one "eigen|Eigen 3.4|libeigen3-dev|eigen|eigen3"
               "json|nlohmann/json 3.11|nlohmann-json3-dev|nlohmann-json|nlohmann-json"
+              "fast_float|fast_float 3.9|libfast-float-dev|fast_float|fast-float"
               "tinygltf|tinygltf 2.7|libtinygltf-dev|-|tinygltf")
     string(REPLACE "|" ";" one "${one}")
     list(GET one 0 name)

@@ -1,7 +1,8 @@
 #include "hgp/api/options.h"
 
 #include <array>
-#include <cstdlib>
+
+#include "hgp/text/text.h"
 
 namespace hgp::api {
 namespace {
@@ -18,9 +19,11 @@ constexpr std::array<NamedBalance, 3> kBalances{
 std::optional<double> improveBalance(const std::string& word) {
   for (const NamedBalance& named : kBalances)
     if (word == named.word) return named.balance;
-  char* end = nullptr;
-  const double value = std::strtod(word.c_str(), &end);
-  if (word.empty() || *end != '\0' || !(value >= -1.0 && value <= 1.0)) return std::nullopt;
+  const char* p = word.data();
+  const char* end = p + word.size();
+  double value = 0.0;
+  if (!io::readDouble(p, end, value) || p != end || !(value >= -1.0 && value <= 1.0))
+    return std::nullopt;
   return value;
 }
 

@@ -36,6 +36,7 @@ inline api::LoadOptions toLoadOptions(const val& options) {
   // Repairs that are named, even none of them, are those that are made.
   const val fix = option(options, "fix", val::object());
   o.isStrict = option(options, "strict", !option(options, "fix", val::undefined()).isUndefined());
+  o.target = option(options, "target", o.target);
   o.fix.orient = option(fix, "orient", false);
   o.fix.split = option(fix, "split", false);
   o.fix.degenerate = option(fix, "degenerate", false);
@@ -73,6 +74,7 @@ inline api::SolveOptions toSolveOptions(const val& options, const val& onProgres
   const auto method = option(options, "method", std::string("auto"));
   o.method = methodNamed(method).value_or(Method::kAuto);
   if (option(options, "quality", false)) o.improve.emplace();
+  o.keepsGoing = option(options, "keepGoing", o.keepsGoing);
   const val improve = option(options, "improve", val::undefined());
   if (!improve.isUndefined() && !improve.isNull()) o.improve = toImproveOptions(improve);
   const auto frames = option(options, "frames", std::string("auto"));
@@ -102,6 +104,7 @@ inline api::WriteOptions toWriteOptions(const val& options) {
   o.name = option(options, "name", o.name);
   o.embedCones = option(options, "embedCones", o.embedCones);
   o.allowUncertified = option(options, "allowUncertified", o.allowUncertified);
+  o.pointsMaterials = option(options, "use", o.pointsMaterials);
   return o;
 }
 

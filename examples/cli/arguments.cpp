@@ -31,6 +31,14 @@ std::pair<int, int> takePair(const std::string& text, const char* option) {
   throw CLI::ValidationError(option, "wants two integers like 12:3, not '" + text + "'");
 }
 
+/// "obj" of "x.OBJ", and of no other name than those that a file may be converted for.
+std::string formatOf(const std::string& name) {
+  std::string extension = name.substr(std::min(name.rfind('.'), name.size() - 1) + 1);
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+  return extension == "obj" || extension == "glb" ? extension : "";
+}
+
 void takeFix(const std::string& text, FixOptions& fix) {
   std::size_t begin = 0;
   while (begin <= text.size()) {
@@ -149,6 +157,7 @@ class Parser {
     if (words_.gridMode == "quad") out_.solve.grid.mode = GridMode::kQuad;
     if (out_.q) out_.solve.q = out_.verify.q = *out_.q;
     if (out_.command == Command::kQuads) out_.solve.grid.mode = GridMode::kQuad;
+    if (out_.command == Command::kParam) out_.load.target = formatOf(out_.output);
     refuseContradictions();
   }
 

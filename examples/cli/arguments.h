@@ -23,6 +23,8 @@ struct Arguments {
   bool isQuiet = false, hasNoProgress = false, mayOverwrite = false;
   std::string color = "auto";
   api::LoadOptions load;
+  bool isReproducible = false;
+  bool isEmbedded = false;  ///< glTF: side files inside the main one
   bool isEveryMesh = true;  ///< param and verify: of all meshes of the file
 
   std::optional<int> q;

@@ -11,6 +11,7 @@
 #include "hgp/api/session.h"
 #include "hgp/base/check.h"
 #include "progress_line.h"
+#include "side_files.h"
 #include "text_report.h"
 #include "whole_file.h"
 
@@ -28,6 +29,7 @@ class Run {
   }
 
   int run() {
+    if (a_.isReproducible) api::setReproducible(true);
     if (Status usable = checkNames(); !usable) {
       // The name of the report may be what is wrong: it is not written to.
       return fail(usable.error(), a_.json == "-");
@@ -38,6 +40,7 @@ class Run {
         a_.isEveryMesh && (a_.command == Command::kParam || a_.command == Command::kVerify);
     io::FileSet copy;
     if (mayBeWhole && holdsMeshes(*files)) copy = *files;
+    resolve_ = files->resolve;
     if (Status loaded = session_.load(std::move(*files), a_.load); !loaded) {
       return fail(loaded.error());
     }
@@ -83,7 +86,9 @@ class Run {
     }
     if (!a_.json.empty() && isReported) {
       const Status written = writeText(a_.json, api::errorJson(failure));
-      if (!written) std::fprintf(stderr, "hgp: %s\n", printable(written.error().message).c_str());
+      // Where nothing can be written that has been said.
+      if (!written && written.error().message != failure.message)
+        std::fprintf(stderr, "hgp: %s\n", printable(written.error().message).c_str());
     }
     return exitCode(failure.code);
   }
@@ -257,6 +262,7 @@ class Run {
       std::fprintf(stderr, "hgp: nothing was written: no mesh has a map\n");
       return kNoMapExit;
     }
+    if (Status done = addSideFiles(outcome->files, resolve_, a_); !done) return fail(done.error());
     if (Status done = writeFiles(a_.output, outcome->files); !done) return fail(done.error());
     tellWritten(outcome->notes);
     return isWhole ? 0 : kNoMapExit;
@@ -328,9 +334,11 @@ class Run {
   int writeResult() {
     api::WriteOptions options = a_.write;
     options.name = a_.output;
+    options.isSideFileNoted = false;
     options.allowUncertified = options.allowUncertified || a_.solve.keepsGoing;
     Result<io::Written> written = session_.write(options);
     if (!written) return fail(written.error());
+    if (Status done = addSideFiles(written->files, resolve_, a_); !done) return fail(done.error());
     if (Status done = writeFiles(a_.output, written->files); !done) return fail(done.error());
     if (!a_.xref.empty()) {
       std::string text;
@@ -356,6 +364,7 @@ class Run {
 
   const Arguments& a_;
   api::Session session_;
+  io::Resolver resolve_;  ///< of the input's side files
   ProgressLine progress_;
   Style style_, messageStyle_;  ///< of standard output; of standard error
 };

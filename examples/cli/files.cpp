@@ -290,7 +290,13 @@ Status writeFiles(const std::string& path, const std::vector<io::OutputFile>& fi
   const fs::path folder = fs::path(path).parent_path();
   std::vector<HalfFile> half(files.size());
   for (std::size_t i = 0; i < files.size(); ++i) {
-    const std::string name = i == 0 ? path : (folder / fs::path(files[i].name).filename()).string();
+    const fs::path side = folder / fs::path(files[i].name);
+    const std::string name = i == 0 ? path : side.string();
+    if (i > 0 && !isInside(folder.empty() ? "." : folder, folder.empty() ? "." / side : side)) {
+      return Failure{ErrorCode::kWriteFailed, "write", name + " leaves the folder", {}};
+    }
+    std::error_code ignored;  // opening the file says what is wrong
+    if (i > 0 && side.has_parent_path()) fs::create_directories(side.parent_path(), ignored);
     if (isSpecial(name)) {
       errno = EEXIST;
       return cannot(ErrorCode::kWriteFailed, "write", name);
@@ -303,6 +309,13 @@ Status writeFiles(const std::string& path, const std::vector<io::OutputFile>& fi
   }
   halfWrittenCount = 0;
   return Done{};
+}
+
+std::string folderOf(const std::string& path) {
+  const fs::path folder = path == "-" ? fs::path() : fs::path(path).parent_path();
+  std::error_code error;
+  const fs::path real = fs::canonical(folder.empty() ? fs::path(".") : folder, error);
+  return error ? folder.string() : real.string();
 }
 
 Status writeText(const std::string& path, std::string_view text) {
@@ -330,6 +343,7 @@ void handleInterrupts() {
   sigaction(SIGTERM, &action, nullptr);
   sigaction(SIGHUP, &action, nullptr);
   signal(SIGPIPE, SIG_IGN);
+  signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of write()
 }
 
 }  // namespace hgp::cli

@@ -24,6 +24,8 @@ Result<io::FileSet> openFiles(const std::string& path, const std::string& format
 /// name means standard output. An interruption leaves no half file. Devices and pipes are written to
 /// and stay what they are; symbolic links stay links.
 Status writeFiles(const std::string& path, const std::vector<io::OutputFile>& files);
+/// The folder of a file, as one name whatever led to it; the current one for "-".
+std::string folderOf(const std::string& path);
 Status writeText(const std::string& path, std::string_view text);
 
 /// True when both names mean one regular file, there already or not. "" and "-" mean none.

@@ -214,6 +214,8 @@ class Table {
     choice(sub->add_option("--scale", words_.scale,
                            "unit: mean edge 1; fit: into the unit square (default solved)"),
            {"solved", "unit", "fit"});
+    sub->add_flag("--reproducible", out_.isReproducible,
+                  "The same bytes on every processor and in WebAssembly, somewhat slower");
     sub->add_option("--time-limit", out_.timeLimit,
                     "Give up after so many seconds (exit code 6, nothing is written)")
         ->option_text("SECONDS")
@@ -226,6 +228,10 @@ class Table {
     sub->add_flag("-f,--force", out_.mayOverwrite, "Allow the output to replace the input");
     sub->add_option("--uv-set", words_.uvSet, "glTF: the set to write (default next)")
         ->option_text("next|N");
+    sub->add_flag("--use", out_.write.pointsMaterials,
+                  "glTF: the materials' pictures use the new set");
+    sub->add_flag("--embed", out_.isEmbedded,
+                  ".gltf: buffers and images inside it (default: copied where it goes)");
     sub->add_flag("--embed-cones", out_.write.embedCones, "Store the cones in the output");
     sub->add_flag("--allow-uncertified", out_.write.allowUncertified,
                   "Write the map even when it is not certified (exit code 6 all the same)");

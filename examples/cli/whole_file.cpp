@@ -101,6 +101,7 @@ Result<FileOutcome> parametrizeAll(const io::FileSet& files, int meshCount, cons
       api::WriteOptions options = asked.write;
       options.name = asked.output;
       options.allowUncertified = storesAll;
+      options.isSideFileNoted = false;
       Result<io::Written> written = session.write(options);
       if (!written) return written.error();
       for (const std::string& note : written->notes) {

@@ -40,6 +40,11 @@ export interface LoadOptions {
   fix?: { orient?: boolean; split?: boolean; degenerate?: boolean };
   /** Make no repairs: refuse a mesh that needs one. */
   strict?: boolean;
+  /**
+   * Read as if the file were of this format, so that write() makes it: a GLB of OBJ, OFF, PLY, STL or .gltf,
+   * an OBJ of glTF. Notes say what does not come along.
+   */
+  target?: 'obj' | 'glb';
 }
 
 /** What load() takes of these for a mesh that comes from no file. */
@@ -141,6 +146,11 @@ export interface SolveOptions extends SuggestOptions {
   improve?: 'isometric' | 'conformal' | 'area' | number;
   /** The same as `improve: 'isometric'`. */
   quality?: boolean;
+  /**
+   * A component that cannot be solved keeps the uv it had, or lies flat, instead of ending the call; the map
+   * is then not certified, its other components are, and write() needs `allowUncertified`.
+   */
+  keepGoing?: boolean;
   scale?: 'solved' | 'unit' | 'fit';
   /**
    * Align the map to a grid (q = 2 or 4): every translation an integer, one cell per unit of uv, so that
@@ -180,6 +190,8 @@ export interface WriteOptions {
   name?: string;
   embedCones?: boolean;
   allowUncertified?: boolean;
+  /** glTF: the materials' pictures use the set that is written; without it a note says which they use. */
+  use?: boolean;
 }
 
 export interface Progress {

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "hgp/api/convert_document.h"
 #include "hgp/api/mending.h"
 #include "hgp/api/sha256.h"
 #include "hgp/base/check.h"
-#include "hgp/io/polygon/polygon_document.h"
+#include "hgp/io/convert.h"
 #include "hgp/io/weld.h"
 #include "hgp/mesh/nearby_order.h"
 
@@ -165,8 +166,8 @@ Status splitIntoComponents(Model& model) {
 }
 
 /// Cones inside a file are an offer: where they cannot be read, the rest of the file still can.
-void takeEmbeddedCones(Model& model) {
-  Result<std::optional<io::Prescription>> cones = model.document->embeddedCones(model.surface);
+void takeEmbeddedCones(Model& model, const io::Document& document, int surface) {
+  Result<std::optional<io::Prescription>> cones = document.embeddedCones(surface);
   if (cones) {
     model.embeddedCones = std::move(*cones);
   } else {
@@ -265,7 +266,7 @@ void mend(Model& model, const LoadOptions& options) {
 
 Status prepare(Model& model, const LoadOptions& options) {
   if (Status chosen = chooseSurface(model, options.surface); !chosen) return chosen;
-  takeEmbeddedCones(model);
+  if (!model.embeddedCones) takeEmbeddedCones(model, *model.document, model.surface);
   const MeshData& source = model.source().mesh;
   if (source.triangles.size() > options.limits.maxTriangles) {
     return Failure{ErrorCode::kLimit,
@@ -282,6 +283,19 @@ Status prepare(Model& model, const LoadOptions& options) {
   return splitIntoComponents(model);
 }
 
+Status convert(Model& model, const io::FileSet& files, const LoadOptions& options) {
+  Result<ConvertedDocument> made = convertDocument(*model.document, files, options);
+  if (!made) return made.error();
+  append(model.notes, std::move(made->notes));
+  model.hasOwnVertexIds = made->hasOwnVertexIds;
+  model.hasOwnFaceIds = made->hasOwnFaceIds;
+  const bool isObj = options.target == "obj";
+  if (model.hasOwnVertexIds && (isObj || std::string_view(model.document->format()) != "gltf"))
+    takeEmbeddedCones(model, *model.document, 0);
+  model.document = std::move(made->document);
+  return Done{};
+}
+
 }  // namespace
 
 Result<Model> loadModel(io::FileSet files, const LoadOptions& options) {
@@ -292,33 +306,30 @@ Result<Model> loadModel(io::FileSet files, const LoadOptions& options) {
   if (files.main.size() <= options.limits.maxBytes) {
     model.sha256 = sha256(files.main.data(), files.main.size());
   }
+  const std::string_view start =
+      std::string_view(reinterpret_cast<const char*>(files.main.data()), files.main.size())
+          .substr(0, 4096);
+  const bool isPacked = options.target == "glb" && start.substr(0, 4) != "glTF" &&
+                        start.find('{') != std::string_view::npos;
+  const io::FileSet copy = isPacked ?  // a .gltf: from its own bytes
+                               files
+                                    : io::FileSet();
   Result<io::DocumentPtr> document = io::openDocument(std::move(files), options.limits);
   if (!document) return document.error();
   model.document = std::move(*document);
+  if (!options.target.empty() && io::canConvert(*model.document, options.target)) {
+    if (Status done = convert(model, copy, options); !done) return done.error();
+    LoadOptions ofWhole = options;
+    ofWhole.surface = std::string_view(model.document->format()) == "obj" ? -1 : options.surface;
+    if (Status done = prepare(model, ofWhole); !done) return done.error();
+    return model;
+  }
   if (Status done = prepare(model, options); !done) return done.error();
   return model;
 }
 
 Result<Model> modelOfArrays(MeshData arrays, const LoadOptions& options) {
-  const int vertices = static_cast<int>(arrays.positions.size());
-  if (arrays.triangles.empty()) {
-    return Failure{ErrorCode::kMalformed, "read", "there are no triangles", {}};
-  }
-  io::PolygonFile file;
-  for (const auto& t : arrays.triangles) {
-    for (int v : t) {
-      if (v < 0 || v >= vertices) {
-        return Failure{ErrorCode::kMalformed,
-                       "read",
-                       formatText("a triangle names vertex %d; there are %d", v, vertices),
-                       {}};
-      }
-      file.polygons.cornerVertex.push_back(v);
-    }
-    file.polygons.start.push_back(static_cast<std::uint32_t>(file.polygons.cornerVertex.size()));
-  }
-  file.polygons.positions = std::move(arrays.positions);
-  Result<io::DocumentPtr> document = io::PolygonDocument::make("arrays", std::move(file));
+  Result<io::DocumentPtr> document = documentOfArrays(std::move(arrays));
   if (!document) return document.error();
   Model model;
   model.document = std::move(*document);

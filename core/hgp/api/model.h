@@ -32,8 +32,10 @@ struct Model {
   std::vector<int> cornerOrigin;     ///< corner 3f + k of `mesh` → corner of the surface
   std::vector<LeftOutFace> leftOut;  ///< faces of the surface that are not in `mesh`
   int splitVertices = 0;             ///< vertices that repairs added
-  bool isChanged = false;            ///< a weld or a repair did something
-  std::vector<std::string> notes;    ///< what reading, weld and repairs did
+  /// Of a file that was converted: its own ids are those of `source()`.
+  bool hasOwnVertexIds = true, hasOwnFaceIds = true;
+  bool isChanged = false;          ///< a weld or a repair did something
+  std::vector<std::string> notes;  ///< what reading, weld and repairs did
   std::optional<io::Prescription>
       embeddedCones;  ///< stored in the file; broken ones are only noted
 

@@ -21,6 +21,9 @@ struct LoadOptions {
   /// every face is a component of its own; kWeldNever: what the format needs.
   double weld = kWeldAutomatic;
   static constexpr double kWeldAutomatic = -1.0, kWeldNever = -2.0;
+  /// Read as if the file were of this format, so that it can be written in it: "obj" or "glb"; "", and
+  /// what the document can write anyway, changes nothing.
+  std::string target;
   FixOptions fix;         ///< repairs to make; none: those that the defects ask for
   bool isStrict = false;  ///< with no repairs named: make none, refuse what needs one
 };
@@ -71,6 +74,8 @@ struct WriteOptions {
   std::string name;  ///< of the main output
   bool embedCones = false;
   bool allowUncertified = false;  ///< otherwise write() fails with kNoMap
+  bool pointsMaterials = false;   ///< glTF: the materials' pictures use the written set
+  bool isSideFileNoted = true;    ///< a note names the side files that the new file needs
 };
 
 /// A JSON document with its verdict: usable mesh, valid prescription or certified map.

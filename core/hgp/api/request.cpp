@@ -46,6 +46,9 @@ class Resolver {
     if (Status done = placeCones(); !done) return done.error();
     if (Status done = placeTurnings(); !done) return done.error();
     if (Status done = placeHandles(); !done) return done.error();
+    if (asked_.field && !model_.hasOwnFaceIds) {
+      return refusal("a field names triangles, which get other numbers in the other format");
+    }
     if (asked_.field) {
       if (Status done = readField(); !done) return done.error();
     } else {
@@ -63,7 +66,13 @@ class Resolver {
   Result<Local> locate(const io::PrescribedCone& cone) {
     const int count = static_cast<int>(model_.vertexImage.size());
     int v = cone.vertex;
-    const bool isMoved = !asked_.sha256.empty() && asked_.sha256 != model_.sha256;
+    if (!model_.hasOwnVertexIds && !cone.position) {
+      return refusal(
+          "vertices get other numbers where the file is written in another format: cones need "
+          "positions then (those of 'hgp cones' have them), or the numbers of the new file");
+    }
+    const bool isMoved =
+        (!asked_.sha256.empty() && asked_.sha256 != model_.sha256) || !model_.hasOwnVertexIds;
     if (isMoved && cone.position) {
       const bool isThere = v >= 0 && v < count && distance(v, *cone.position) <= reach();
       if (!isThere) v = nearest(*cone.position);

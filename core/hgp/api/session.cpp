@@ -3,6 +3,8 @@
 #include "hgp/api/guard.h"
 #include "hgp/api/session_state.h"
 #include "hgp/io/cone_files.h"
+#include "hgp/io/convert.h"
+#include "hgp/linalg/kernels/dense_kernels.h"
 
 #ifndef HGP_VERSION
 #define HGP_VERSION "0.0.0"
@@ -228,10 +230,11 @@ Status Session::canWrite(const std::string& name) const {
   return guarded([&]() -> Status {
     if (!state_->model) return notLoaded();
     const std::string wanted = extensionOf(name);
-    const std::string given = state_->model->document->outputFormat();
+    const io::Document& document = *state_->model->document;
+    const std::string given = document.outputFormat();
     const bool isKnown = wanted == "obj" || wanted == "off" || wanted == "ply" || wanted == "stl" ||
                          wanted == "gltf" || wanted == "glb" || wanted == "gz";
-    if (wanted.empty() || wanted == given) return Done{};
+    if (wanted.empty() || document.canWriteAs(wanted)) return Done{};
     if (!isKnown) {
       return Failure{
           ErrorCode::kUsage,
@@ -240,7 +243,11 @@ Status Session::canWrite(const std::string& name) const {
           {}};
     }
     return Failure{
-        ErrorCode::kUsage, "write", "the result is written as " + given + ", not as " + wanted, {}};
+        ErrorCode::kUsage,
+        "write",
+        "the result is written as " + given + ", not as " + wanted +
+            (io::canConvert(document, wanted) ? " (a file must be loaded for that: target)" : ""),
+        {}};
   });
 }
 
@@ -256,6 +263,10 @@ Result<io::Written> Session::write(const WriteOptions& options) const {
     io::WriteOptions out;
     out.uvSet = options.uvSet;
     out.name = options.name;
+    out.format = extensionOf(options.name);
+    if (!model.document->canWriteAs(out.format)) out.format.clear();
+    out.isSideFileNoted = options.isSideFileNoted;
+    out.pointsMaterials = options.pointsMaterials;
     out.generator = std::string("hgp ") + version();
     if (options.embedCones) out.cones = io::writeConesJson(state_->solved->prescription, -1);
     return model.document->write(model.surface, stored.map, out);
@@ -276,6 +287,8 @@ Result<io::Prescription> withField(io::Prescription cones, io::Prescription fiel
   cones.field = std::move(field.field);
   return cones;
 }
+
+void setReproducible(bool isAsked) { linalg::useBaselineKernels(isAsked); }
 
 const char* version() { return HGP_VERSION; }
 

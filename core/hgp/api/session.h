@@ -110,6 +110,9 @@ Result<io::Prescription> withField(io::Prescription cones, io::Prescription fiel
 /// hgp-error: {"code", "stage", "message", "where"}.
 std::string errorJson(const Failure& failure);
 
+/// The same bytes on every processor, for the whole process: no instruction is used that only some have.
+void setReproducible(bool isAsked);
+
 /// "1.2.3"
 const char* version();
 

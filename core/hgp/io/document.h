@@ -7,23 +7,16 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hgp/base/result.h"
+#include "hgp/io/written.h"
 #include "hgp/mesh/mesh_data.h"
 #include "hgp/prescription/prescription.h"
 
 namespace hgp::io {
-
-using Bytes = std::vector<std::uint8_t>;
-/// Never byte by byte: texts of a million triangles are long.
-inline Bytes asBytes(const std::string& text) {
-  const auto* first = reinterpret_cast<const std::uint8_t*>(text.data());
-  return Bytes(first, first + text.size());
-}
-using ByteView = std::span<const std::uint8_t>;
 
 /// What a reader may take before it ends with kLimit. Checked before memory is asked for.
 struct Limits {
@@ -58,23 +51,7 @@ struct Surface {
 
 enum class UvPrecision { kFloat32, kFloat64 };
 
-struct WriteOptions {
-  int uvSet = -1;                    ///< −1: next free; otherwise the set to add or replace
-  std::string name;                  ///< of the main output; names of side files derive from it
-  std::string generator;             ///< stamped into a comment where the format has one, or ""
-  std::optional<std::string> cones;  ///< hgp-cones JSON to embed for re-opening
-};
-
-struct OutputFile {
-  std::string name;  ///< relative to the main output's folder; [0] is the main file
-  Bytes bytes;
-};
-
-struct Written {
-  std::vector<OutputFile> files;
-  std::vector<std::string> notes;  ///< what changed besides the uv ("TANGENT dropped …")
-  std::vector<int> xref;           ///< written vertex → stored vertex; empty when identical
-};
+struct PlainFile;  // plain_surface.h
 
 /// A loaded file. Immutable; all vertex and triangle ids are those of `surfaces()[surface].mesh`. uv always
 /// has v pointing up; formats whose v points down are mirrored on both ways.
@@ -83,6 +60,7 @@ class Document {
   virtual ~Document() = default;
   virtual const char* format() const = 0;        ///< "obj" "off" "ply" "stl" "gltf" "glb"
   virtual const char* outputFormat() const = 0;  ///< what write() makes: "obj" "gltf" "glb"
+  virtual bool canWriteAs(std::string_view format) const { return format == outputFormat(); }
   virtual const std::vector<Surface>& surfaces() const = 0;
   virtual UvPrecision uvPrecision() const = 0;
 
@@ -101,6 +79,9 @@ class Document {
   /// The original with `map` as a uv set of this surface. `map` must come from asStored.
   virtual Result<Written> write(int surface, const UvMap& map,
                                 const WriteOptions& options) const = 0;
+
+  /// What other formats can hold, too; `surface` −1: all of the file, where its nodes put it.
+  virtual Result<PlainFile> plain(int surface) const = 0;
 };
 
 using DocumentPtr = std::unique_ptr<Document>;

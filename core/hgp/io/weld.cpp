@@ -98,4 +98,27 @@ Weld weldNear(const std::vector<Vec3>& positions, double tolerance) {
   return out;
 }
 
+void joinEqualCopies(const MeshData& mesh, UvMap& map) {
+  std::vector<int> head(mesh.positions.size(), -1), next, kept(map.uv.size(), -1);
+  std::vector<Vec2> uv;
+  for (std::size_t t = 0; t < map.cornerUv.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      int& corner = map.cornerUv[t][k];
+      const auto old = static_cast<std::size_t>(corner);
+      int& first = head[static_cast<std::size_t>(mesh.triangles[t][k])];
+      for (int c = first; kept[old] < 0 && c >= 0; c = next[static_cast<std::size_t>(c)]) {
+        if (uv[static_cast<std::size_t>(c)] == map.uv[old]) kept[old] = c;
+      }
+      if (kept[old] < 0) {
+        kept[old] = static_cast<int>(uv.size());
+        uv.push_back(map.uv[old]);
+        next.push_back(first);
+        first = kept[old];
+      }
+      corner = kept[old];
+    }
+  }
+  map.uv = std::move(uv);
+}
+
 }  // namespace hgp::io

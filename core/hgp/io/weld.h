@@ -19,4 +19,7 @@ Weld weldExact(const std::vector<Vec3>& positions);
 /// Joins vertices closer than `tolerance`, first come first served, by a grid of cells of that size.
 Weld weldNear(const std::vector<Vec3>& positions, double tolerance);
 
+/// Copies of one vertex with the same uv become one: formats also split for other reasons than uv.
+void joinEqualCopies(const MeshData& mesh, UvMap& map);
+
 }  // namespace hgp::io

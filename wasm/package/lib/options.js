@@ -66,6 +66,7 @@ export const optionsOf = {
     limits: record({ bytes: positive, triangles: positive }),
     fix: record({ orient: boolean, split: boolean, degenerate: boolean }),
     strict: boolean,
+    target: oneOf('obj', 'glb'),
   },
   suggestCones: {
     q: order,
@@ -74,7 +75,13 @@ export const optionsOf = {
     alignToCurvature: boolean,
   },
   verify: { cones, field: coneFile, q: integer(0, 64), uvSet: integer(-1), tolerance: number },
-  write: { uvSet: integer(-1), name: string, embedCones: boolean, allowUncertified: boolean },
+  write: {
+    uvSet: integer(-1),
+    name: string,
+    embedCones: boolean,
+    allowUncertified: boolean,
+    use: boolean,
+  },
   quads: { name: string },
 };
 optionsOf.parametrize = {
@@ -87,6 +94,7 @@ optionsOf.parametrize = {
   method: oneOf('auto', 'harmonic', 'soft', 'printed', 'all-frames'),
   improve,
   quality: boolean,
+  keepGoing: boolean,
   scale: oneOf('solved', 'unit', 'fit'),
   grid: record({ cells: number, spacing: number, mode: oneOf('tile', 'quad') }),
 };

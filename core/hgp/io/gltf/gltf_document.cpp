@@ -6,8 +6,10 @@
 #include "hgp/base/check.h"
 #include "hgp/io/gltf/gltf_accessor.h"
 #include "hgp/io/gltf/gltf_decoders.h"
+#include "hgp/io/gltf/gltf_plain.h"
 #include "hgp/io/gltf/gltf_round.h"
 #include "hgp/io/gltf/gltf_write.h"
+#include "hgp/io/weld.h"
 #include "hgp/prescription/cones.h"
 
 namespace hgp::io {
@@ -17,30 +19,6 @@ namespace {
 bool isExactSum(double a, double b) {
   const double sum = a + b, fromB = sum - a;
   return (a - (sum - fromB)) + (b - fromB) == 0.0;
-}
-
-/// Copies of one vertex with the same uv become one; glTF also splits for reasons other than uv.
-void joinEqualCopies(const MeshData& mesh, UvMap& map) {
-  std::vector<int> head(mesh.positions.size(), -1), next, kept(map.uv.size(), -1);
-  std::vector<Vec2> uv;
-  for (std::size_t t = 0; t < map.cornerUv.size(); ++t) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      int& corner = map.cornerUv[t][k];
-      const auto old = static_cast<std::size_t>(corner);
-      int& first = head[static_cast<std::size_t>(mesh.triangles[t][k])];
-      for (int c = first; kept[old] < 0 && c >= 0; c = next[static_cast<std::size_t>(c)]) {
-        if (uv[static_cast<std::size_t>(c)] == map.uv[old]) kept[old] = c;
-      }
-      if (kept[old] < 0) {
-        kept[old] = static_cast<int>(uv.size());
-        uv.push_back(map.uv[old]);
-        next.push_back(first);
-        first = kept[old];
-      }
-      corner = kept[old];
-    }
-  }
-  map.uv = std::move(uv);
 }
 
 }  // namespace
@@ -111,6 +89,10 @@ Result<std::optional<Prescription>> GltfDocument::embeddedCones(int surface) con
 Result<Written> GltfDocument::write(int surface, const UvMap& map,
                                     const WriteOptions& options) const {
   return writeGltf(*store_, parts_[static_cast<std::size_t>(surface)], map, options);
+}
+
+Result<PlainFile> GltfDocument::plain(int surface) const {
+  return plainGltf(*store_, parts_, surfaces_, surface);
 }
 
 Result<DocumentPtr> readGltf(FileSet files, const Limits& limits) {

@@ -23,6 +23,7 @@ class GltfDocument : public Document {
   UvMap asStored(int surface, const UvMap& map) const override;
   Result<std::optional<Prescription>> embeddedCones(int surface) const override;
   Result<Written> write(int surface, const UvMap& map, const WriteOptions& options) const override;
+  Result<PlainFile> plain(int surface) const override;
 
  private:
   /// v = top − stored v

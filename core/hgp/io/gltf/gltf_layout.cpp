@@ -127,6 +127,7 @@ void GltfLayout::showIn(int view, std::size_t offset, std::size_t size, int targ
   const int extensions = json.find(node, "extensions");
   for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
     const int extension = json.find(extensions, name);
+    hasUnpacked_ = hasUnpacked_ || extension >= 0;
     if (extension >= 0) patch_.remove(extension);
   }
   if (extensions >= 0 && patch_.isEmptied(extensions)) patch_.remove(extensions);

@@ -27,6 +27,9 @@ class GltfLayout {
   /// The BIN chunk after finish().
   const Bytes& bin() const { return bin_; }
 
+  /// A view that was compressed holds plain bytes now.
+  bool hasUnpacked() const { return hasUnpacked_; }
+
  private:
   enum class Sink { kBin, kSideFile, kDataUri };
   std::size_t allocate(std::size_t size);
@@ -36,8 +39,9 @@ class GltfLayout {
   const GltfStore& store_;
   JsonPatch& patch_;
   Sink sink_ = Sink::kDataUri;
-  int buffer_ = 0;                                          ///< index of the buffer written to
-  Bytes bin_;                                               ///< the chunk, or the new buffer
+  int buffer_ = 0;  ///< index of the buffer written to
+  Bytes bin_;       ///< the chunk, or the new buffer
+  bool hasUnpacked_ = false;
   std::vector<std::pair<std::size_t, std::size_t>> holes_;  ///< begin, end; ascending
   std::set<int> released_;
   std::vector<int> views_;  ///< nodes of the text

@@ -47,6 +47,7 @@ Result<Written> GltfWriter::run(const UvMap& map) {
   Status status = chooseSet();
   if (!status) return status.error();
   for (std::size_t p = 0; p < part_.pools.size(); ++p) planPool(static_cast<int>(p));
+  tellOrPointMaterials();
   if (isRewritten_) rewriteManifold();
   placeAccessors();
   dropUnusedExtensions();
@@ -179,10 +180,18 @@ Result<Written> GltfWriter::finish() {
   if (!side) return side.error();
   auto main = packGltf(store_, patch_.text(), layout_.bin());
   if (!main) return main.error();
+  if (droppedDraco_ > 0 || layout_.hasUnpacked()) {
+    const std::size_t before = store_.container.isBinary ? store_.file.size() : 0;
+    note(formatText("what was compressed is stored uncompressed: %zu bytes", main->size()) +
+         (before > 0 ? formatText(", %.2g times the input",
+                                  static_cast<double>(main->size()) / static_cast<double>(before))
+                     : ""));
+  }
   out.files.push_back({options_.name, std::move(*main)});
   if (!side->name.empty()) out.files.push_back(std::move(*side));
   for (const GltfBuffer& buffer : store_.buffers) {
-    if (buffer.kind == GltfBufferKind::kFile) note("keep " + buffer.name + " next to the new file");
+    if (buffer.kind == GltfBufferKind::kFile && options_.isSideFileNoted)
+      note("keep " + buffer.name + " next to the new file");
   }
   for (std::size_t p = 0; isRewritten_ && p < part_.pools.size(); ++p) {
     const GltfPool& pool = part_.pools[p];

@@ -42,6 +42,10 @@ class GltfWriter {
   void planUv(int pool);
   void dropTangents(int primitive);
   bool isNormalMapFed(int primitive) const;
+  // gltf_materials.cpp: which set the materials' pictures use
+  void tellOrPointMaterials();
+  void pointMaterials();
+  bool isUsedElsewhere(int material) const;
   Status embedCones();
   Result<Written> finish();
   // gltf_rewrite.cpp: attributes and indices of a pool whose vertices change

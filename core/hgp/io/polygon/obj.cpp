@@ -2,6 +2,7 @@
 
 #include "hgp/base/check.h"
 #include "hgp/io/cone_files.h"
+#include "hgp/io/polygon/obj_attributes.h"
 #include "hgp/io/polygon/obj_text.h"
 #include "hgp/io/polygon/polygon_document.h"
 #include "hgp/text/text.h"
@@ -146,6 +147,39 @@ class ObjDocument final : public PolygonDocument {
     Result<Prescription> cones = readHgpConeLines(text, places_.coneLines, polygons_, corners_);
     if (!cones) return cones.error();
     return std::optional<Prescription>(std::move(*cones));
+  }
+
+  Result<PlainFile> plain(int surface) const override {
+    Result<PlainFile> file = PolygonDocument::plain(surface);
+    if (!file) return file;
+    PlainSurface& out = file->surfaces[0];
+    const std::size_t cornerCount = polygons_.cornerVertex.size();
+    ObjAttributes extras = readObjAttributes(asText(text_), places_, cornerCount);
+    const std::size_t triangles = out.mesh.triangles.size();
+    if (!extras.cornerNormal.empty()) {
+      out.normals = std::move(extras.normals);
+      out.cornerNormal.resize(triangles);
+      for (std::size_t t = 0; t < triangles; ++t) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          const auto c = corners_.empty() ? 3 * t + k : static_cast<std::size_t>(corners_[t][k]);
+          out.cornerNormal[t][k] = extras.cornerNormal[c];
+        }
+      }
+    }
+    out.colors.reserve(extras.colors.size());
+    for (const auto& c : extras.colors)
+      out.colors.push_back({linearFromSrgb(c[0]), linearFromSrgb(c[1]), linearFromSrgb(c[2]), 1});
+    if (!extras.polygonMaterial.empty()) {
+      out.materials = std::move(extras.materials);
+      out.triangleMaterial.resize(triangles);
+      for (int p = 0; p < polygons_.polygonCount(); ++p)
+        for (int t = polygons_.firstTriangle(p); t < polygons_.firstTriangle(p + 1); ++t)
+          out.triangleMaterial[static_cast<std::size_t>(t)] =
+              extras.polygonMaterial[static_cast<std::size_t>(p)];
+      file->lost.push_back("of the materials only their names come along");
+    }
+    if (extras.hasGroups) file->lost.push_back("groups (o, g) become one mesh");
+    return file;
   }
 
   Result<Written> write(int, const UvMap& map, const WriteOptions& options) const override {

@@ -1,8 +1,7 @@
 #include <cstring>
 
 #include "hgp/base/check.h"
-#include "hgp/io/polygon/ply_header.h"
-#include "hgp/io/polygon/polygon_document.h"
+#include "hgp/io/polygon/ply_document.h"
 #include "hgp/text/text.h"
 
 namespace hgp::io {
@@ -52,7 +51,8 @@ class PlyReader {
   PlyReader(std::string_view text, std::uint64_t maxTriangles)
       : text_(text), maxTriangles_(maxTriangles) {}
 
-  Result<DocumentPtr> read() {
+  /// The document keeps `bytes`, of which the text is a part.
+  Result<DocumentPtr> read(Bytes bytes, std::size_t textOffset) {
     Result<PlyHeader> header = readPlyHeader(text_);
     if (!header) return header.error();
     header_ = std::move(*header);
@@ -69,7 +69,7 @@ class PlyReader {
     }
     if (!finishUv()) return std::move(failure_);
     addNotes();
-    return PolygonDocument::make("ply", std::move(file_));
+    return PlyDocument::make(std::move(bytes), std::move(header_), textOffset, std::move(file_));
   }
 
  private:
@@ -243,7 +243,10 @@ class PlyReader {
 }  // namespace
 
 Result<DocumentPtr> readPly(FileSet files, const Limits& limits) {
-  return PlyReader(withoutByteOrderMark(asText(files.main)), limits.maxTriangles).read();
+  const std::string_view text = withoutByteOrderMark(asText(files.main));
+  const std::size_t offset = files.main.size() - text.size();
+  PlyReader reader(text, limits.maxTriangles);
+  return reader.read(std::move(files.main), offset);
 }
 
 }  // namespace hgp::io

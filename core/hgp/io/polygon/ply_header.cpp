@@ -35,6 +35,13 @@ PlyRole roleOf(std::string_view name) {
   if (name == "t" || name == "v" || name == "texture_v") return PlyRole::kV;
   if (name == "vertex_indices" || name == "vertex_index") return PlyRole::kCorners;
   if (name == "texcoord") return PlyRole::kUvList;
+  if (name == "nx") return PlyRole::kNormalX;
+  if (name == "ny") return PlyRole::kNormalY;
+  if (name == "nz") return PlyRole::kNormalZ;
+  if (name == "red" || name == "diffuse_red") return PlyRole::kRed;
+  if (name == "green" || name == "diffuse_green") return PlyRole::kGreen;
+  if (name == "blue" || name == "diffuse_blue") return PlyRole::kBlue;
+  if (name == "alpha") return PlyRole::kAlpha;
   return PlyRole::kNone;
 }
 
@@ -98,6 +105,7 @@ Result<PlyHeader> readPlyHeader(std::string_view text) {
   const bool isOld =
       first != std::string_view::npos && text[first] == '\r' && text.substr(first + 1, 1) != "\n";
   const char lineEnd = isOld ? '\r' : '\n';
+  header.lineEnd = isOld ? PlyLineEnd::kOld : PlyLineEnd::kNew;
   std::size_t position = 0;
   while (position < text.size()) {
     const std::size_t end = text.find(lineEnd, position);

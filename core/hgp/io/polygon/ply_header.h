@@ -12,7 +12,24 @@ namespace hgp::io {
 enum class PlyEncoding { kText, kLittle, kBig };
 enum class PlyType { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat32, kFloat64 };
 /// What a property means to us.
-enum class PlyRole { kNone, kX, kY, kZ, kU, kV, kCorners, kUvList };
+enum class PlyRole {
+  kNone,
+  kX,
+  kY,
+  kZ,
+  kU,
+  kV,
+  kCorners,
+  kUvList,
+  kNormalX,
+  kNormalY,
+  kNormalZ,
+  kRed,
+  kGreen,
+  kBlue,
+  kAlpha
+};
+enum class PlyLineEnd { kNew, kOld };  ///< '\n', also behind '\r'; or '\r' alone
 
 struct PlyProperty {
   PlyRole role = PlyRole::kNone;
@@ -31,6 +48,7 @@ struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::kText;
   std::vector<PlyElement> elements;
   std::size_t bodyOffset = 0;
+  PlyLineEnd lineEnd = PlyLineEnd::kNew;
   int lineCount = 0;  ///< lines before the body
 };
 

@@ -4,6 +4,7 @@
 
 #include "hgp/base/check.h"
 #include "hgp/io/polygon/obj_text.h"
+#include "hgp/io/weld.h"
 #include "hgp/text/text.h"
 
 namespace hgp::io {
@@ -47,6 +48,7 @@ std::optional<UvMap> PolygonDocument::existingUv(int surface, int set) const {
       map.cornerUv[t][k] = cornerUv_[c];
     }
   }
+  if (uv_.size() >= cornerUv_.size()) joinEqualCopies(surfaces_[0].mesh, map);  // one a corner
   return map;
 }
 
@@ -82,6 +84,14 @@ Result<Written> PolygonDocument::write(int, const UvMap& map, const WriteOptions
   written.files.push_back({options.name, writePolygonObj(polygons_, map.uv, cornerUv, options)});
   written.notes.push_back("written as OBJ");
   return written;
+}
+
+Result<PlainFile> PolygonDocument::plain(int) const {
+  PlainFile file;
+  file.surfaces.emplace_back().mesh = surfaces_[0].mesh;
+  if (!polygons_.isTriangles()) file.lost.push_back("polygons become triangles");
+  if (!cornerUv_.empty()) file.lost.push_back("the old texture coordinates do not come along");
+  return file;
 }
 
 void appendUvLines(std::string& out, const std::vector<Vec2>& uv, std::string_view lineEnd) {

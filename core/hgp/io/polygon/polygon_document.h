@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "hgp/io/document.h"
+#include "hgp/io/plain_surface.h"
 #include "hgp/io/polygon/polygon_mesh.h"
 
 namespace hgp::io {
@@ -27,6 +28,8 @@ class PolygonDocument : public Document {
   UvMap asStored(int surface, const UvMap& map) const override;
   Result<std::optional<Prescription>> embeddedCones(int surface) const override;
   Result<Written> write(int surface, const UvMap& map, const WriteOptions& options) const override;
+
+  Result<PlainFile> plain(int surface) const override;
 
   /// Triangulates; fails with kLimit when the polygons are beyond reason.
   static Result<DocumentPtr> make(const char* format, PolygonFile file);

@@ -1,6 +1,13 @@
 #include "hgp/linalg/kernels/dense_kernels.h"
 
+#include <atomic>
+
 namespace hgp::linalg {
+namespace {
+
+std::atomic<bool> isBaselineAsked{false};
+
+}  // namespace
 
 int runnableKernels(const KernelTable* tables[3]) {
   int count = 0;
@@ -19,7 +26,9 @@ const KernelTable& kernels() {
     const KernelTable* tables[3];
     return tables[runnableKernels(tables) - 1];
   }();
-  return *best;
+  return isBaselineAsked.load(std::memory_order_relaxed) ? *baselineKernels() : *best;
 }
+
+void useBaselineKernels(bool isAsked) { isBaselineAsked = isAsked; }
 
 }  // namespace hgp::linalg

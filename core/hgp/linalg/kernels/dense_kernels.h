@@ -47,6 +47,9 @@ inline constexpr std::size_t kKernelWorkspace =
 /// The fastest table this processor can run; chosen at the first call.
 const KernelTable& kernels();
 
+/// From now on the baseline's, whose results are the same everywhere: no fused multiply-add.
+void useBaselineKernels(bool isAsked);
+
 /// The table of each build, null where this program was compiled without that instruction set. Only
 /// `kernels` knows whether the processor has it.
 const KernelTable* baselineKernels();

@@ -1,0 +1,38 @@
+#include "hgp/io/convert.h"
+
+#include "hgp/base/check.h"
+#include "hgp/io/gltf/gltf_pack.h"
+#include "hgp/io/plain_surface.h"
+
+namespace hgp::io {
+
+bool canConvert(const Document& document, std::string_view format) {
+  const std::string_view own = document.outputFormat();
+  return own != format && !document.canWriteAs(format) &&
+         (format == "glb" || (format == "obj" && (own == "glb" || own == "gltf")));
+}
+
+Result<FileSet> convertFiles(const Document& document, const FileSet& files,
+                             std::string_view format, int surface, const Limits& limits) {
+  FileSet out;
+  out.name = files.name;
+  out.notes = files.notes;
+  out.decoders = files.decoders;
+  if (format == "glb" && std::string_view(document.format()) == "gltf") {
+    auto packed = gltfAsGlb(files, limits);
+    if (!packed) return packed.error();
+    out.main = std::move(*packed);
+    return out;
+  }
+  auto plain = document.plain(surface);
+  if (!plain) return plain.error();
+  for (const Surface& from : document.surfaces())
+    out.notes.insert(out.notes.end(), from.notes.begin(), from.notes.end());
+  for (const std::string& lost : plain->lost)
+    out.notes.push_back(
+        formatText("from %s to %s: ", document.format(), std::string(format).c_str()) + lost);
+  out.main = format == "glb" ? plainGlb(*plain, "hgp") : plainObj(*plain, "");
+  return out;
+}
+
+}  // namespace hgp::io

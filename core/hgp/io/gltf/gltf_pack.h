@@ -1,0 +1,20 @@
+// A .gltf with what it names: as one GLB, or with everything inside its text.  Role: files that must travel
+// alone.
+#pragma once
+
+#include "hgp/io/document.h"
+
+namespace hgp::io {
+
+/// The .gltf in `files` as a GLB: buffers one behind the other in its binary chunk, images in views of
+/// their own. Fails like reading does where a side file is missing, and with kLimit beyond limits.maxBytes.
+Result<Bytes> gltfAsGlb(const FileSet& files, const Limits& limits);
+
+/// The .gltf text with buffers and images as data URIs.
+Result<Bytes> gltfWithEmbedded(ByteView text, const Resolver& resolve, const Limits& limits);
+
+/// Names of the side files of a .gltf or GLB: buffers and images that are no data URIs, once each, in order.
+/// Names that may not be read (relativeName) are left out.
+std::vector<std::string> gltfSideFiles(ByteView file);
+
+}  // namespace hgp::io

@@ -1,0 +1,39 @@
+// A surface with what every format can hold.  Role: the way from one format to another; what else the
+// source holds is named in `lost`.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "hgp/io/document.h"
+
+namespace hgp::io {
+
+struct PlainSurface {
+  std::string name;
+  MeshData mesh;
+  std::vector<Vec3> normals;                     ///< may be empty
+  std::vector<std::array<int, 3>> cornerNormal;  ///< per triangle; −1: none. Empty with `normals`
+  std::vector<std::array<double, 4>> colors;  ///< per vertex, linear RGBA in [0, 1]; may be empty
+  std::vector<std::string> materials;         ///< names
+  std::vector<int> triangleMaterial;          ///< per triangle, −1: none; may be empty
+};
+
+struct PlainFile {
+  std::vector<PlainSurface> surfaces;
+  std::vector<std::string> lost;  ///< what does not come along, for people
+};
+
+/// The sRGB transfer function and its inverse; colours of OBJ and PLY are sRGB, those of glTF linear.
+double linearFromSrgb(double x);
+double srgbFromLinear(double x);
+
+/// A GLB of one mesh per surface, without uv. All primitives of a mesh share their vertices, in the order of
+/// the surface, so that vertices keep their numbers where no two fall together in float32.
+Bytes plainGlb(const PlainFile& file, const std::string& generator);
+
+/// An OBJ of one object per surface, without vt.
+Bytes plainObj(const PlainFile& file, const std::string& generator);
+
+}  // namespace hgp::io

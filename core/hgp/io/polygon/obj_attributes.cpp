@@ -1,0 +1,122 @@
+#include "hgp/io/polygon/obj_attributes.h"
+
+#include <algorithm>
+#include <map>
+
+#include "hgp/text/text.h"
+
+namespace hgp::io {
+namespace {
+
+class ObjAttributeReader {
+ public:
+  ObjAttributeReader(std::string_view text, const ObjText& places)
+      : text_(text), places_(places), eol_(lineEndOf(text)) {}
+
+  ObjAttributes read(std::size_t cornerCount) {
+    out_.cornerNormal.reserve(cornerCount);
+    while (position_ < text_.size()) {
+      const bool isFace =
+          face_ < places_.faceLines.size() && places_.faceLines[face_].begin == position_;
+      const std::size_t lineEnd = std::min(text_.find(eol_, position_), text_.size() - 1) + 1;
+      const std::size_t end = isFace ? places_.faceLines[face_].end : lineEnd;
+      const char* p = text_.data() + position_;
+      if (isFace)
+        takeFace(p, text_.data() + end);
+      else
+        takeLine(p, text_.data() + end);
+      position_ = end;
+    }
+    if (out_.colors.size() != vertices_) out_.colors.clear();
+    if (!hasNormals_ || out_.cornerNormal.size() != cornerCount) out_.cornerNormal.clear();
+    const int count = static_cast<int>(out_.normals.size());
+    for (int& n : out_.cornerNormal)
+      if (n >= count) n = -1;
+    if (out_.materials.empty()) out_.polygonMaterial.clear();
+    return std::move(out_);
+  }
+
+ private:
+  static std::string_view takeWord(const char*& p, const char* end) {
+    skipBlanks(p, end);
+    const char* begin = p;
+    while (p != end && !isBlank(*p) && *p != '\n') ++p;
+    return {begin, static_cast<std::size_t>(p - begin)};
+  }
+
+  void takeLine(const char* p, const char* end) {
+    const std::string_view word = takeWord(p, end);
+    if (word == "v") {
+      takeVertex(p, end);
+    } else if (word == "vn") {
+      Vec3 n{};
+      for (double& x : n) {
+        skipBlanks(p, end);
+        readDouble(p, end, x);
+      }
+      out_.normals.push_back(n);
+    } else if (word == "usemtl") {
+      skipBlanks(p, end);
+      std::string_view name(p, static_cast<std::size_t>(end - p));
+      while (!name.empty() && (isBlank(name.back()) || name.back() == eol_)) name.remove_suffix(1);
+      const auto [found, isNew] =
+          ids_.try_emplace(std::string(name), static_cast<int>(out_.materials.size()));
+      if (isNew) out_.materials.emplace_back(name);
+      material_ = found->second;
+    } else if (word == "o" || word == "g") {
+      out_.hasGroups = out_.hasGroups || groups_ > 0;
+      ++groups_;
+    }
+  }
+
+  /// "v x y z r g b"; a fourth number alone is a weight.
+  void takeVertex(const char* p, const char* end) {
+    ++vertices_;
+    double numbers[6] = {};
+    int count = 0;
+    for (; count < 6; ++count) {
+      skipBlanks(p, end);
+      if (!readDouble(p, end, numbers[count])) break;
+    }
+    if (count == 6) out_.colors.push_back({numbers[3], numbers[4], numbers[5]});
+  }
+
+  static bool isSeparator(char c) { return isBlank(c) || c == '\n' || c == '\\'; }
+
+  void takeFace(const char* p, const char* end) {
+    while (p != end && isSeparator(*p)) ++p;
+    while (p != end && !isSeparator(*p)) ++p;  // f
+    for (;;) {
+      while (p != end && isSeparator(*p)) ++p;
+      ObjCorner corner;
+      if (p == end || *p == '#' || !takeObjCorner(p, end, corner)) break;
+      std::int64_t index = 0;
+      const char* n = corner.normal.data();
+      const bool isThere = !corner.normal.empty() && readInt(n, n + corner.normal.size(), index);
+      index += index < 0 ? static_cast<std::int64_t>(out_.normals.size()) : -1;
+      const bool isUsable = isThere && index >= 0 && index <= INT32_MAX;
+      hasNormals_ = hasNormals_ || isUsable;
+      out_.cornerNormal.push_back(isUsable ? static_cast<int>(index) : -1);
+    }
+    out_.polygonMaterial.push_back(material_);
+    ++face_;
+  }
+
+  std::string_view text_;
+  const ObjText& places_;
+  char eol_;
+  ObjAttributes out_;
+  std::map<std::string, int> ids_;
+  std::size_t position_ = 0, face_ = 0, vertices_ = 0;
+  int material_ = -1, groups_ = 0;
+  bool hasNormals_ = false;
+};
+
+}  // namespace
+
+ObjAttributes readObjAttributes(std::string_view text, const ObjText& places,
+                                std::size_t cornerCount) {
+  return ObjAttributeReader(text, places).read(cornerCount);
+}
+
+}  // namespace hgp::io

@@ -1,0 +1,27 @@
+// What an OBJ says besides its shape: normals, colours, materials.  Role: read only where it goes into
+// another format.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hgp/io/polygon/obj_text.h"
+
+namespace hgp::io {
+
+struct ObjAttributes {
+  std::vector<Vec3> normals;      ///< vn lines in order
+  std::vector<int> cornerNormal;  ///< per polygon corner, −1 none; empty when no corner has one
+  std::vector<std::array<double, 3>>
+      colors;                          ///< per vertex, sRGB; empty unless every v line has one
+  std::vector<std::string> materials;  ///< names, in order of first use
+  std::vector<int> polygonMaterial;    ///< per polygon, −1: none; empty without usemtl
+  bool hasGroups = false;              ///< more than one o or g line
+};
+
+/// @param places  what scanObj found in the same text
+/// @param cornerCount  of all polygons
+ObjAttributes readObjAttributes(std::string_view text, const ObjText& places,
+                                std::size_t cornerCount);
+
+}  // namespace hgp::io

@@ -1,0 +1,37 @@
+// The rows of a PLY body with the place of every property.  Role: what a PLY says besides its shape,
+// and the patch that leaves every other byte as it is.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "hgp/io/polygon/ply_header.h"
+#include "hgp/text/text.h"
+
+namespace hgp::io {
+
+/// One row: property p has the bytes [begin[p], end[p]) of the body and the numbers first[p] …
+/// first[p + 1] − 1 (a list's without its length).
+struct PlyRow {
+  std::vector<std::size_t> begin, end, first;
+  std::vector<double> numbers;
+};
+
+/// @pre the body has been read once without an error
+class PlyRowReader {
+ public:
+  PlyRowReader(std::string_view body, PlyEncoding encoding)
+      : body_(body), words_(body), encoding_(encoding) {}
+  /// The next row of this element; false where the body ends.
+  bool next(const PlyElement& element, PlyRow& row);
+
+ private:
+  bool take(PlyType type, double& out);
+
+  std::string_view body_;
+  WordReader words_;
+  PlyEncoding encoding_;
+  std::size_t begin_ = 0, end_ = 0;  ///< of what was read last
+};
+
+}  // namespace hgp::io

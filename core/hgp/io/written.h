@@ -1,0 +1,41 @@
+// What is written, and how.  Role: the words of Document::write.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace hgp::io {
+
+using Bytes = std::vector<std::uint8_t>;
+/// Never byte by byte: texts of a million triangles are long.
+inline Bytes asBytes(const std::string& text) {
+  const auto* first = reinterpret_cast<const std::uint8_t*>(text.data());
+  return Bytes(first, first + text.size());
+}
+using ByteView = std::span<const std::uint8_t>;
+
+struct WriteOptions {
+  std::string format;                ///< one that canWriteAs allows; "": outputFormat()
+  int uvSet = -1;                    ///< −1: next free; otherwise the set to add or replace
+  std::string name;                  ///< of the main output; names of side files derive from it
+  std::string generator;             ///< stamped into a comment where the format has one, or ""
+  std::optional<std::string> cones;  ///< hgp-cones JSON to embed for re-opening
+  bool pointsMaterials = false;      ///< glTF: the materials' pictures use the written set
+  bool isSideFileNoted = true;       ///< "keep x.bin next to the new file"
+};
+
+struct OutputFile {
+  std::string name;  ///< relative to the main output's folder; [0] is the main file
+  Bytes bytes;
+};
+
+struct Written {
+  std::vector<OutputFile> files;
+  std::vector<std::string> notes;  ///< what changed besides the uv ("TANGENT dropped …")
+  std::vector<int> xref;           ///< written vertex → stored vertex; empty when identical
+};
+
+}  // namespace hgp::io

@@ -1,0 +1,42 @@
+#include "side_files.h"
+
+#include <filesystem>
+
+#include "files.h"
+#include "hgp/api/side_files.h"
+#include "hgp/base/check.h"
+
+namespace hgp::cli {
+
+Status addSideFiles(std::vector<io::OutputFile>& files, const io::Resolver& resolve,
+                    const Arguments& asked) {
+  if (asked.isEmbedded) {
+    auto whole = api::withEmbedded(std::move(files), resolve, asked.load.limits);
+    if (!whole) return whole.error();
+    files = std::move(*whole);
+    return Done{};
+  }
+  const std::string to = folderOf(asked.output);
+  if (asked.output == "-" || to == folderOf(asked.input)) return Done{};
+  for (const std::string& name : api::missingSideFiles(files)) {
+    Result<io::Bytes> bytes = resolve ? resolve(name) : Result<io::Bytes>(io::Bytes());
+    if (!bytes) return bytes.error();
+    const std::string place = (std::filesystem::path(to) / name).string();
+    if (std::filesystem::exists(place)) {
+      const Result<io::Bytes> there = readFile(place, asked.load.limits.maxBytes);
+      if (there && *there == *bytes) continue;
+      if (!asked.mayOverwrite) {
+        return Failure{ErrorCode::kUsage,
+                       "write",
+                       place +
+                           " is another file than the one the input needs; --force replaces it, "
+                           "--embed needs none",
+                       {}};
+      }
+    }
+    files.push_back({name, std::move(*bytes)});
+  }
+  return Done{};
+}
+
+}  // namespace hgp::cli

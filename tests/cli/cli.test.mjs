@@ -173,7 +173,7 @@ test('usage errors end with 2, say so on standard error and suggest', () => {
     [['param', 'ball.obj', '-o', '-', '--json', '-'], ''],
     [['param', 'ball.obj', '-o', 'ball.obj'], ''],
     [['param', 'ball.obj', '-o', './ball.obj'], ''],
-    [['param', 'ball.obj', '-o', 'x.glb'], 'obj'],
+    [['param', 'ball.obj', '-o', 'x.gltf'], 'obj'],
     [['param', 'ball.obj', '-o', 'x.obj.gz'], 'obj'],
     [['inspect', 'ball.obj', '--mesh', '7'], ''],
   ];
@@ -461,7 +461,7 @@ test('standard output carries the map alone', () => {
 
 test('a GLB stays a GLB', { skip: !existsSync(shared) && 'no data folder' }, () => {
   const torus = path.join(shared, 'gltf/torus.glb');
-  assert.equal(run(['param', torus, '-o', 'torus.obj']).code, 2);
+  assert.equal(run(['param', torus, '-o', 'torus.ply']).code, 2);
   const { code, err } = run(['param', torus, '--embed-cones', '-o', 'torus.glb']);
   assert.equal(code, 0, err);
   assert.equal(run(['verify', 'torus.glb', '--uv-set', '1']).code, 0);

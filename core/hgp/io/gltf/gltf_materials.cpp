@@ -10,14 +10,14 @@ namespace {
 
 constexpr const char* kTransform = "KHR_texture_transform";
 
-bool endsWith(const std::string& text, std::string_view end) {
+bool hasEnding(const std::string& text, std::string_view end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
 /// Every textureInfo below `node`: objects with an index, in members named "…Texture".
 void collectTextures(const JsonText& json, int node, std::vector<int>& out) {
   for (const int member : json.children(node)) {
-    const bool isTexture = json.isObject(member) && endsWith(json.key(member), "Texture") &&
+    const bool isTexture = json.isObject(member) && hasEnding(json.key(member), "Texture") &&
                            json.integer(json.find(member, "index"));
     if (isTexture) out.push_back(member);
     if (json.isObject(member) && json.key(member) != "extras") collectTextures(json, member, out);

@@ -15,20 +15,20 @@ namespace {
 using Affine = std::array<Vec3, 4>;
 constexpr Affine kIdentity = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}};
 
-Vec3 turned(const Affine& m, const Vec3& x) {
+Vec3 applied(const Affine& m, const Vec3& x) {
   Vec3 out{};
   for (std::size_t i = 0; i < 3; ++i) out[i] = m[0][i] * x[0] + m[1][i] * x[1] + m[2][i] * x[2];
   return out;
 }
 
-Vec3 moved(const Affine& m, const Vec3& x) {
-  Vec3 out = turned(m, x);
+Vec3 placed(const Affine& m, const Vec3& x) {
+  Vec3 out = applied(m, x);
   for (std::size_t i = 0; i < 3; ++i) out[i] += m[3][i];
   return out;
 }
 
 Affine product(const Affine& a, const Affine& b) {
-  return {turned(a, b[0]), turned(a, b[1]), turned(a, b[2]), moved(a, b[3])};
+  return {applied(a, b[0]), applied(a, b[1]), applied(a, b[2]), placed(a, b[3])};
 }
 
 Vec3 crossProduct(const Vec3& a, const Vec3& b) {
@@ -134,10 +134,10 @@ class GltfFlattener {
     addNormals(part, out);
     addMaterials(part, out);
     const bool isMirrored = determinant(place) < 0;
-    for (Vec3& x : out.mesh.positions) x = moved(place, x);
+    for (Vec3& x : out.mesh.positions) x = placed(place, x);
     const Affine normalPlace = cofactors(place);
     for (Vec3& n : out.normals) {
-      n = turned(normalPlace, n);
+      n = applied(normalPlace, n);
       const double length = std::hypot(n[0], n[1], n[2]) * (isMirrored ? -1 : 1);
       for (double& c : n) c = length != 0 ? c / length : 0;
     }

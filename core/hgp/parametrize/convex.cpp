@@ -68,10 +68,7 @@ HarmonicSystem plainHarmonicSystem(const TriMesh& mesh, const Geometry& geometry
   return harmonicSystem(mesh, geometry, cut, identity, 1, {});
 }
 
-}  // namespace
-
-Result<Parametrization> parametrizeConvex(const TriMesh& mesh, const ParametrizeOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
+Status requireDisk(const Topology& topology, const ParametrizeOptions& options) {
   if (options.frames)
     return Failure{ErrorCode::kUsage, "field", "A convex boundary takes no given frames.", {}};
   if (options.improve)
@@ -81,7 +78,6 @@ Result<Parametrization> parametrizeConvex(const TriMesh& mesh, const Parametrize
         "A convex boundary takes no improvement: it would not stay convex. Leave out the "
         "convex boundary to have less distortion.",
         {}};
-  const Topology topology = computeTopology(mesh);
   if (topology.componentCount != 1 || topology.genus != 0 || topology.loops.size() != 1)
     return Failure{
         ErrorCode::kUnsupported,
@@ -92,6 +88,15 @@ Result<Parametrization> parametrizeConvex(const TriMesh& mesh, const Parametrize
             std::to_string(topology.genus) + " and " + std::to_string(topology.loops.size()) +
             " loops. Leave out --boundary convex to use cones.",
         {}};
+  return Done{};
+}
+
+}  // namespace
+
+Result<Parametrization> parametrizeConvex(const TriMesh& mesh, const ParametrizeOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  const Topology topology = computeTopology(mesh);
+  if (Status fits = requireDisk(topology, options); !fits) return fits.error();
   if (!report(options.progress, {"solve", 0.0})) return cancelled("solve");
   const Geometry geometry = computeGeometry(mesh);
   const CutMesh cut =

@@ -18,6 +18,22 @@ Bytes wordBytes(const std::vector<std::uint32_t>& words) {
   return out;
 }
 
+/// Entries of `merged` that differ from `base`: their places and values.
+struct Differences {
+  std::vector<std::uint32_t> where, values;
+};
+Differences differencesOf(const Bytes& merged, int componentType,
+                          const std::vector<std::uint32_t>& base) {
+  Differences out;
+  for (std::size_t k = 0; k < base.size(); ++k) {
+    const std::uint32_t value = unsignedAt(merged, componentType, k);
+    if (value == base[k]) continue;
+    out.where.push_back(static_cast<std::uint32_t>(k));
+    out.values.push_back(value);
+  }
+  return out;
+}
+
 }  // namespace
 
 void GltfWriter::rewriteManifold() {
@@ -44,45 +60,20 @@ bool GltfWriter::planManifold() {
   if (!starts) return false;
   const GltfAccessor& whole = accessor(manifold->indices);
   std::vector<std::uint32_t> base(whole.count, UINT32_MAX);
-  std::vector<std::pair<const GltfRun*, std::size_t>> places;
   for (std::size_t r = 0; r < part_.runs.size(); ++r) {
     const std::vector<std::uint32_t> indices = writtenIndices(part_.runs[r]);
     const std::size_t start = (*starts)[r];
     if (indices.size() > base.size() - start) return false;
     std::copy(indices.begin(), indices.end(), base.begin() + static_cast<std::ptrdiff_t>(start));
-    places.emplace_back(&part_.runs[r], start);
   }
   if (std::find(base.begin(), base.end(), UINT32_MAX) != base.end()) return false;
 
-  const Bytes merged = packedElements(store_, manifold->indices);
-  std::vector<std::uint32_t> where, values;
-  for (std::size_t k = 0; k < base.size(); ++k) {
-    const std::uint32_t value = unsignedAt(merged, whole.componentType, k);
-    if (value == base[k]) continue;
-    where.push_back(static_cast<std::uint32_t>(k));
-    values.push_back(value);
-  }
+  const Differences merges =
+      differencesOf(packedElements(store_, manifold->indices), whole.componentType, base);
+  if (merges.where.empty()) return false;
   const int extension = json_.find(json_.find(meshNode_, "extensions"), kManifold);
-  const auto planMerge = [&](const char* key, const std::vector<std::uint32_t>& words) {
-    const int reference = json_.find(extension, key);
-    GltfNewAccessor fresh;
-    fresh.data = wordBytes(words);
-    fresh.members = {
-        {"componentType", "5125"}, {"count", std::to_string(words.size())}, {"type", "\"SCALAR\""}};
-    const auto old = json_.integer(reference);
-    if (old) {
-      setRange(fresh, static_cast<int>(*old), fresh.data);
-      return redirect(static_cast<int>(*old), {reference}, std::move(fresh));
-    }
-    fresh.index = newAccessorCount_++;
-    fresh.base = "{}";
-    patch_.set(extension, key, std::to_string(fresh.index));
-    fresh_.push_back(std::move(fresh));
-    return static_cast<int>(fresh_.size()) - 1;
-  };
-  if (where.empty()) return false;
-  const int mergeIndices = planMerge("mergeIndices", where);
-  const int mergeValues = planMerge("mergeValues", values);
+  const int mergeIndices = planMerge(extension, "mergeIndices", merges.where);
+  const int mergeValues = planMerge(extension, "mergeValues", merges.values);
   GltfNewAccessor all;
   all.data = wordBytes(base);
   all.members = {{"componentType", std::to_string(kGltfUnsignedInt)},
@@ -94,17 +85,37 @@ bool GltfWriter::planManifold() {
   setRange(all, manifold->indices, all.data);
   const int shared =
       redirect(manifold->indices, {json_.find(manifoldPrimitive, "indices")}, std::move(all));
-  for (const auto& [run, start] : places) {
-    if (newIndices_.count(run->primitive) == 0) {
-      planIndices(*run, writtenIndices(*run), kGltfUnsignedInt);
+  for (std::size_t r = 0; r < part_.runs.size(); ++r) {
+    const GltfRun& run = part_.runs[r];
+    if (newIndices_.count(run.primitive) == 0) {
+      planIndices(run, writtenIndices(run), kGltfUnsignedInt);
     }
-    GltfNewAccessor& own = fresh_[static_cast<std::size_t>(newIndices_.at(run->primitive))];
+    GltfNewAccessor& own = fresh_[static_cast<std::size_t>(newIndices_.at(run.primitive))];
     own.members["componentType"] = std::to_string(kGltfUnsignedInt);
     own.data.clear();
     own.sharedWith = shared;
-    own.sharedOffset = 4 * start;
+    own.sharedOffset = 4 * (*starts)[r];
   }
   return true;
+}
+
+/// The accessor that the extension names as `key`, with these words instead. @return  place in the plan
+int GltfWriter::planMerge(int extension, const char* key, const std::vector<std::uint32_t>& words) {
+  const int reference = json_.find(extension, key);
+  GltfNewAccessor fresh;
+  fresh.data = wordBytes(words);
+  fresh.members = {
+      {"componentType", "5125"}, {"count", std::to_string(words.size())}, {"type", "\"SCALAR\""}};
+  const auto old = json_.integer(reference);
+  if (old) {
+    setRange(fresh, static_cast<int>(*old), fresh.data);
+    return redirect(static_cast<int>(*old), {reference}, std::move(fresh));
+  }
+  fresh.index = newAccessorCount_++;
+  fresh.base = "{}";
+  patch_.set(extension, key, std::to_string(fresh.index));
+  fresh_.push_back(std::move(fresh));
+  return static_cast<int>(fresh_.size()) - 1;
 }
 
 void GltfWriter::dropUnusedExtensions() {
@@ -126,7 +137,8 @@ void GltfWriter::dropName(const char* extension) {
   }
 }
 
-void GltfWriter::placeAccessors() {
+/// Views that nobody reads once the patch is made may hold new data.
+void GltfWriter::releaseViews() {
   std::map<int, bool> isFree;
   for (int node : gltfReferences(json_, "bufferViews")) {
     const int view = static_cast<int>(*json_.integer(node));
@@ -138,7 +150,10 @@ void GltfWriter::placeAccessors() {
     if (isUnread && areReferencesKnown_) free.insert(view);
   }
   layout_.release(free);
-  // What others point at comes first; what has no old view of its own takes what is left over.
+}
+
+/// What others point at comes first; what has no old view of its own takes what is left over.
+std::vector<std::size_t> GltfWriter::placingOrder() const {
   std::vector<std::size_t> order(fresh_.size());
   std::set<int> isPointedAt;
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -153,9 +168,14 @@ void GltfWriter::placeAccessors() {
     };
     return rank(a) < rank(b);
   });
+  return order;
+}
+
+void GltfWriter::placeAccessors() {
+  releaseViews();
   std::vector<int> viewOf(fresh_.size(), -1);
   std::map<int, std::string> appended;
-  for (std::size_t i : order) {
+  for (std::size_t i : placingOrder()) {
     GltfNewAccessor& fresh = fresh_[i];
     if (fresh.sharedWith >= 0) {
       viewOf[i] = viewOf[static_cast<std::size_t>(fresh.sharedWith)];

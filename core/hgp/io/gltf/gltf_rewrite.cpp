@@ -101,6 +101,19 @@ void GltfWriter::setRange(GltfNewAccessor& fresh, int old, ByteView data) const 
   if (json_.find(node, "max") >= 0) fresh.members["max"] = text(high);
 }
 
+/// The reference of EXT_mesh_manifold to positions, or −1.
+int GltfWriter::manifoldPositions() const {
+  const int manifold = json_.find(
+      json_.find(json_.find(meshNode_, "extensions"), "EXT_mesh_manifold"), "manifoldPrimitive");
+  return json_.find(json_.find(manifold, "attributes"), "POSITION");
+}
+
+/// By meshopt.
+bool GltfWriter::isCompressed(int a) const {
+  const int view = accessor(a).view;
+  return view >= 0 && store_.model.views[static_cast<std::size_t>(view)].meshopt;
+}
+
 void GltfWriter::rewriteAttributes(int pool) {
   struct Source {
     int primitive;
@@ -129,9 +142,7 @@ void GltfWriter::rewriteAttributes(int pool) {
       add(p, targets[t], primitive(p).targets[t], static_cast<int>(t));
     }
   }
-  const int manifold = json_.find(
-      json_.find(json_.find(meshNode_, "extensions"), "EXT_mesh_manifold"), "manifoldPrimitive");
-  const int manifoldPosition = json_.find(json_.find(manifold, "attributes"), "POSITION");
+  const int manifoldPosition = manifoldPositions();
   for (auto& [key, source] : sources) {
     const int old = key.first;
     if (manifoldPosition >= 0 && source.semantic == "POSITION" && source.target < 0 &&
@@ -147,11 +158,7 @@ void GltfWriter::rewriteAttributes(int pool) {
     fresh.target = 34962;
     const std::size_t step = fresh.stride != 0 ? fresh.stride : size;
     fresh.members["count"] = std::to_string(fresh.data.size() / step);
-    const int view = accessor(old).view;
-    const bool isDecoded =
-        !key.second.empty() ||
-        (view >= 0 && store_.model.views[static_cast<std::size_t>(view)].meshopt);
-    if (isDecoded) setRange(fresh, old, fresh.data);
+    if (!key.second.empty() || isCompressed(old)) setRange(fresh, old, fresh.data);
     redirect(old, source.references, std::move(fresh));
   }
 }

@@ -55,15 +55,20 @@ class GltfWriter {
   int redirect(int accessor, const std::set<int>& references, GltfNewAccessor fresh);
   void setRange(GltfNewAccessor& fresh, int accessor, ByteView data) const;
   void dropDraco(int primitive);
+  int manifoldPositions() const;
+  bool isCompressed(int accessor) const;
   int indexTypeFor(int wanted, int vertexCount) const;
   std::vector<std::uint32_t> writtenIndices(const GltfRun& run) const;
   void planIndices(const GltfRun& run, const std::vector<std::uint32_t>& indices, int type);
   // gltf_extensions.cpp: EXT_mesh_manifold, and names of extensions that nobody uses any more
   void rewriteManifold();
   bool planManifold();
+  int planMerge(int extension, const char* key, const std::vector<std::uint32_t>& words);
   void dropManifold(const char* why);
   void dropUnusedExtensions();
   void dropName(const char* extension);
+  void releaseViews();
+  std::vector<std::size_t> placingOrder() const;
   void placeAccessors();
   std::string editedAccessor(const GltfNewAccessor& fresh) const;
 

@@ -64,10 +64,32 @@ struct SplitCount {
   int cutEdges = 0;
 };
 
+/// Every set of corners but the first at a vertex gets a copy of the vertex. @return  how many
+int separateFans(FixResult& result, DisjointSets& fans, const std::vector<char>& isSkipped) {
+  MeshData& mesh = result.mesh;
+  std::vector<int> owner(mesh.positions.size(), -1);
+  std::map<int, int> copyOf;
+  for (std::size_t corner = 0; corner < 3 * mesh.triangles.size(); ++corner) {
+    if (isSkipped[corner / 3]) continue;
+    int& v = mesh.triangles[corner / 3][corner % 3];
+    const int fan = fans.root(static_cast<int>(corner));
+    if (owner[at(v)] < 0) owner[at(v)] = fan;
+    if (owner[at(v)] == fan) continue;
+    const auto [it, isNew] = copyOf.try_emplace(fan, static_cast<int>(mesh.positions.size()));
+    if (isNew) {
+      const Vec3 position = mesh.positions[at(v)];
+      mesh.positions.push_back(position);
+      result.vertexOrigin.push_back(result.vertexOrigin[at(v)]);
+    }
+    v = it->second;
+  }
+  return static_cast<int>(copyOf.size());
+}
+
 /// One pass. With isCutOpen, faces on an edge with more than two are not paired at all: each corner
 /// link is then cut at every such edge, after which no copy of the edge has more than two faces.
 SplitCount splitOnce(FixResult& result, bool isCutOpen, bool cutsInconsistent) {
-  MeshData& mesh = result.mesh;
+  const MeshData& mesh = result.mesh;
   std::vector<char> isSkipped(mesh.triangles.size(), 0);
   for (std::size_t f = 0; f < isSkipped.size(); ++f) {
     const auto& t = mesh.triangles[f];
@@ -97,24 +119,7 @@ SplitCount splitOnce(FixResult& result, bool isCutOpen, bool cutsInconsistent) {
     if (isCutOpen) continue;
     for (const auto& [s, t] : pairSides(mesh, table, e)) join(e, s, t);
   }
-  // The first fan keeps the vertex.
-  std::vector<int> owner(at(vertexCount), -1);
-  std::map<int, int> copyOf;
-  for (std::size_t corner = 0; corner < 3 * mesh.triangles.size(); ++corner) {
-    if (isSkipped[corner / 3]) continue;
-    int& v = mesh.triangles[corner / 3][corner % 3];
-    const int fan = fans.root(static_cast<int>(corner));
-    if (owner[at(v)] < 0) owner[at(v)] = fan;
-    if (owner[at(v)] == fan) continue;
-    const auto [it, isNew] = copyOf.try_emplace(fan, static_cast<int>(mesh.positions.size()));
-    if (isNew) {
-      const Vec3 position = mesh.positions[at(v)];
-      mesh.positions.push_back(position);
-      result.vertexOrigin.push_back(result.vertexOrigin[at(v)]);
-      ++count.copies;
-    }
-    v = it->second;
-  }
+  count.copies = separateFans(result, fans, isSkipped);
   return count;
 }
 

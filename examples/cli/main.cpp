@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "files.h"
+#include "plain_math.h"
 #include "process_memory.h"
 
 int main(int count, char** words) {
@@ -12,6 +13,12 @@ int main(int count, char** words) {
   try {
     hgp::cli::handleInterrupts();
     const hgp::cli::Parsed parsed = hgp::cli::parseArguments(count, words);
+    const bool isReproducible = parsed.arguments && parsed.arguments->isReproducible;
+    if (isReproducible && !hgp::cli::restartWithPlainMath(words)) {
+      std::fprintf(stderr,
+                   "hgp: --reproducible: the C library cannot be told to use the same functions on "
+                   "every processor; results may differ in their last digits\n");
+    }
     return parsed.arguments ? hgp::cli::runCommand(*parsed.arguments) : parsed.exitCode;
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "hgp: out of memory\n");

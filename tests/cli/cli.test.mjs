@@ -408,14 +408,15 @@ test('embedded cones are used again', () => {
   assert.equal(isValid('hgp-check', again.out).components[0].cones, 6);
   // The file's own cones give the file's own map.
   assert.equal(run(['param', 'embedded.obj', '--embed-cones', '-o', 'again.obj']).code, 0);
-  assert.equal(read('again.obj'), read('embedded.obj'));
+  const nameless = (text) => text.replace(/"sha256":"\w+"/, '"sha256":""'); // of another file
+  assert.equal(nameless(read('again.obj')), nameless(read('embedded.obj')));
 });
 
 test('exit code, text, report and certificate have one verdict, and verify has the same', () => {
   // Cones that no map can be found for in one round, and ones that can.
   const cones = (list) =>
     JSON.stringify({ format: 'hgp-cones', version: 1, q: 4, cones: list.map(([vertex, k]) => ({ vertex, k })) }); // prettier-ignore
-  put('close.json', cones([[0, 1], [1, 1], [2, 1], [3, 13]])); // prettier-ignore
+  put('close.json', cones([[0, 1], [1, 1], [2, 1], [3, 1], [5, 8]])); // prettier-ignore
   const verdicts = new Set();
   for (const asked of ['cones.json', 'close.json']) {
     const args = ['--cones', asked, '--rounds', '1'];

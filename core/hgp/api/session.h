@@ -110,7 +110,7 @@ Result<io::Prescription> withField(io::Prescription cones, io::Prescription fiel
 /// hgp-error: {"code", "stage", "message", "where"}.
 std::string errorJson(const Failure& failure);
 
-/// The same bytes on every processor, for the whole process: no instruction is used that only some have.
+/// For the whole process: no kernel that only some processors have. Functions of the C library may still differ.
 void setReproducible(bool isAsked);
 
 /// "1.2.3"

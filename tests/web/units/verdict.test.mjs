@@ -119,3 +119,35 @@ test('what the solver refuses for a reason without a row is a row', () => {
   solution.result.certificate = { ...certificate, certified: false };
   assert.deepEqual(failed(solution).map(({ name }) => name), ['All other checks']); // prettier-ignore
 });
+
+test('a polygon of the file is the same map, however it was made triangles; another polygon is not', () => {
+  const map = square();
+  // The square as one quad whose diagonal the solver chose: 1–3, where a fan would have 0–2.
+  const quad = {
+    ...map,
+    positions: map.positions.slice(0, 12),
+    triangles: Uint32Array.of(0, 1, 3, 1, 2, 3),
+    uv: map.uv.slice(0, 8),
+    cornerToUv: Uint32Array.of(0, 1, 3, 1, 2, 3),
+    uvToVertex: Uint32Array.of(0, 1, 2, 3),
+  };
+  const text = (face, vt) =>
+    new TextEncoder().encode(
+      `${[0, 1, 2, 3].map((v) => `v ${quad.positions.slice(3 * v, 3 * v + 3).join(' ')}`).join('\n')}\n` +
+        `${vt.map((pair) => `vt ${pair.join(' ')}`).join('\n')}\nf ${face}\n`,
+    );
+  const own = [[0, 0], [1, 0], [1, 1], [0, 1]]; // prettier-ignore
+  const compare = (bytes) => {
+    const files = [{ name: 'quad.obj', bytes }];
+    const edges = { ...edgesOf(quad.triangles, 4), vertexCount: 4 };
+    return analyse({ map: quad, files, mesh: 0, q: 4 }, edges).analysis;
+  };
+  const same = compare(text('1/1 2/2 3/3 4/4', own));
+  assert.equal(same.difference, '');
+  assert.deepEqual([...same.cornerUv], [0, 0, 1, 0, 0, 1, 1, 0, 1, 1, 0, 1]);
+  assert.equal(compare(text('3/3 4/4 1/1 2/2', own)).difference, ''); // begun elsewhere
+  const moved = own.map(([x, y], i) => (i === 2 ? [x, y + 0.1] : [x, y]));
+  assert.match(compare(text('1/1 2/2 3/3 4/4', moved)).difference, /coordinates are off by/);
+  assert.match(compare(text('1/1 2/2 4/4 3/3', own)).difference, /polygons are not those/);
+  assert.match(compare(text('1/1 2/2 3/3', own)).difference, /1 triangles.*not 2/);
+});

@@ -9,6 +9,8 @@ export interface Corners {
   positions: Float64Array;
   /** Per triangle corner, two numbers, v pointing up. */
   uv: Float64Array;
+  /** Where there are polygons: corners of each, and all of the above is per polygon corner. */
+  sizes?: number[];
 }
 
 interface Place {
@@ -200,15 +202,16 @@ function readObj(bytes: Uint8Array): Corners {
     const n = Number(word);
     return n < 0 ? count + n : n - 1;
   };
+  const sizes: number[] = [];
   const readFace = (words: string[]): void => {
-    for (let k = 2; k < words.length; k++) {
-      for (const word of [words[0], words[k - 1], words[k]]) {
-        const parts = word.split('/');
-        const p = 3 * at(parts[0], v.length / 3);
-        const t = 2 * at(parts[1], vt.length / 2);
-        positions.push(v[p], v[p + 1], v[p + 2]);
-        uv.push(vt[t], vt[t + 1]);
-      }
+    if (words.length < 3) return;
+    sizes.push(words.length);
+    for (const word of words) {
+      const parts = word.split('/');
+      const p = 3 * at(parts[0], v.length / 3);
+      const t = 2 * at(parts[1], vt.length / 2);
+      positions.push(v[p], v[p + 1], v[p + 2]);
+      uv.push(vt[t], vt[t + 1]);
     }
   };
   for (const line of joined.split('\n')) {
@@ -218,7 +221,8 @@ function readObj(bytes: Uint8Array): Corners {
     else if (key === 'vt') vt.push(+words[0], +(words[1] ?? 0));
     else readFace(words);
   }
-  return { positions: new Float64Array(positions), uv: new Float64Array(uv) };
+  const all = { positions: new Float64Array(positions), uv: new Float64Array(uv) };
+  return sizes.some((n) => n > 3) ? { ...all, sizes } : all;
 }
 
 export const readUv = (

@@ -46,7 +46,9 @@ function judgeCone(
   const { vertex, k } = cones[i];
   const bad = (text: string): ConeState => ({ isGood: false, text });
   if (!(vertex >= 0 && vertex < surface.vertexCount)) return bad('no such vertex');
-  if (coneAt.get(vertex) !== i) return bad('duplicate');
+  const first = coneAt.get(vertex)!;
+  const isOther = (cones[first].triangle ?? -1) !== (cones[i].triangle ?? -1);
+  if (first !== i && !isOther) return bad('duplicate');
   if (surface.isBoundary[vertex]) return bad('on the boundary: use its turning index');
   if (k < 1) return bad('k must be at least 1');
   const valence = surface.valence[vertex];
@@ -105,8 +107,9 @@ function sentence(
 /** What the cones of each component add up to. */
 function spentByComponent({ q, cones }: Prescription, surface: Surface): Map<number, number> {
   const spent = new Map<number, number>();
-  for (const { vertex, k } of cones) {
-    const component = surface.component[vertex] ?? 0;
+  for (const { vertex, k, triangle = -1 } of cones) {
+    const ofTriangle = surface.splitComponent[triangle] ?? -1;
+    const component = ofTriangle >= 0 ? ofTriangle : (surface.component[vertex] ?? 0);
     spent.set(component, (spent.get(component) ?? 0) + q - k);
   }
   return spent;

@@ -6,6 +6,8 @@ import type { Cones } from 'hgp';
 export interface Cone {
   readonly vertex: number;
   readonly k: number;
+  /** Of the file: where repairs made several vertices of one, the one that this triangle has. */
+  readonly triangle?: number;
 }
 
 export interface Prescription {
@@ -32,7 +34,7 @@ export function toCones(prescription: Prescription, positions?: ArrayLike<number
     values.flatMap((n, i) => (n === null ? [] : [make(i, n)]));
   return {
     q: prescription.q,
-    cones: prescription.cones.map(({ vertex, k }) => ({ vertex, k, position: position(vertex) })),
+    cones: prescription.cones.map((cone) => ({ ...cone, position: position(cone.vertex) })),
     boundaries: listed(prescription.turnings, (loop, l) => ({ loop, l })),
     handles: listed(prescription.handles, (generator, r) => ({ generator, r })),
   };
@@ -48,7 +50,10 @@ export function fromCones(cones: Cones, loops: number, generators: number): Pres
   }
   return {
     q: cones.q,
-    cones: cones.cones.map(({ vertex, k }) => ({ vertex, k })),
+    cones: cones.cones.map(({ vertex, k, triangle }: Cone) => ({
+      ...{ vertex, k },
+      ...(triangle === undefined ? {} : { triangle }),
+    })),
     turnings,
     handles,
   };
@@ -57,7 +62,7 @@ export function fromCones(cones: Cones, loops: number, generators: number): Pres
 /** k·q′/q for everything, or undefined where that is not an integer. */
 export function withOrder(prescription: Prescription, q: number): Prescription | undefined {
   const convert = (n: number): number => (n * q) / prescription.q;
-  const cones = prescription.cones.map(({ vertex, k }) => ({ vertex, k: convert(k) }));
+  const cones = prescription.cones.map((cone) => ({ ...cone, k: convert(cone.k) }));
   const turnings = prescription.turnings.map((l) => (l === null ? null : convert(l)));
   const handles = prescription.handles.map((r) => (r === null ? null : convert(r)));
   const all = [...cones.map(({ k }) => k), ...turnings, ...handles];
@@ -72,7 +77,11 @@ export function samePrescription(a: Prescription, b: Prescription): boolean {
   if (a === b) return true;
   return (
     a.q === b.q &&
-    sameList(a.cones, b.cones, (x, y) => x.vertex === y.vertex && x.k === y.k) &&
+    sameList(
+      a.cones,
+      b.cones,
+      (x, y) => x.vertex === y.vertex && x.k === y.k && x.triangle === y.triangle,
+    ) &&
     sameList(a.turnings, b.turnings, Object.is) &&
     sameList(a.handles, b.handles, Object.is)
   );

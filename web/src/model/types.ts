@@ -29,6 +29,11 @@ export interface Surface {
   isBoundary: Uint8Array;
   /** Connected component of each vertex, numbered by their smallest triangle. */
   component: Int32Array;
+  /**
+   * The same of the triangles of the file at vertices that repairs made several of, −1 elsewhere; empty
+   * where there are none.
+   */
+  splitComponent: Int32Array;
   /** Sum of the triangle angles at each vertex, in radians. */
   angle: Float64Array;
   /** Neighbours of v: neighbours[starts[v]] … neighbours[starts[v + 1] − 1]. */

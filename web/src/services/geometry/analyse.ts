@@ -14,6 +14,7 @@ import {
   type FaceDistortion,
 } from './distortion';
 import { forEachIndex } from './loops';
+import { triangulatedLike } from './polygon_corners';
 import { findOverlaps } from './overlaps';
 import { seamChains } from './seam_chains';
 import { distanceToSeams } from './seam_distance';
@@ -81,7 +82,8 @@ function readBack(
   decoder: MeshoptDecoder | undefined,
 ): [string, Corners?] {
   try {
-    const read = readUv(files, mesh, uvSet, decoder);
+    const read = triangulatedLike(readUv(files, mesh, uvSet, decoder), map);
+    if (!read) return ['its polygons are not those that were solved'];
     return [differenceOf(read, map), read];
   } catch (error) {
     return [`the written file cannot be read back: ${(error as Error).message}`];

@@ -102,6 +102,32 @@ function factsOf(mesh: Mesh): Facts {
   return { valence, angle, normals, area, starts, neighbours, isBoundary, component };
 }
 
+/** Which component each triangle of the file belongs to, where one of its vertices became several. */
+function splitComponents(
+  triangles: Uint32Array,
+  { triangles: repaired, vertexOrigin, vertexImage }: Required<SurfaceArrays>['repaired'],
+  component: Int32Array,
+): Int32Array {
+  const copies = new Uint8Array(vertexImage.length);
+  let isAny = false;
+  for (const v of vertexOrigin) {
+    isAny ||= copies[v] > 0;
+    copies[v] = Math.min(copies[v] + 1, 2);
+  }
+  if (!isAny) return new Int32Array(0);
+  const isSplit = (v: number): boolean => copies[v] > 1;
+  const keyOf = (corners: number[]): string => corners.sort((a, b) => a - b).join(' ');
+  const found = new Map<string, number>();
+  for (let t = 0; t < repaired.length; t += 3) {
+    const corners = Array.from(repaired.subarray(t, t + 3), (m) => vertexOrigin[m]);
+    if (corners.some(isSplit)) found.set(keyOf(corners), component[repaired[t]]);
+  }
+  return Int32Array.from({ length: triangles.length / 3 }, (_, t) => {
+    const corners = Array.from(triangles.subarray(3 * t, 3 * t + 3));
+    return corners.some(isSplit) ? (found.get(keyOf(corners)) ?? -1) : -1;
+  });
+}
+
 /** What is known about a repaired mesh, said of the vertices of the file. */
 function pulledBack(
   { valence, angle, normals, area, starts, neighbours, isBoundary, component }: Facts,
@@ -133,6 +159,12 @@ function pulledBack(
     for (let n = starts[m]; n < starts[m + 1]; n++) around.push(vertexOrigin[neighbours[n]]);
     own.starts[v + 1] = around.length;
   }
+  // Of several vertices that repairs made of one, the most is said: any may carry a cone.
+  vertexOrigin.forEach((v, m) => {
+    if (vertexImage[v] < 0) return;
+    own.valence[v] = Math.max(own.valence[v], valence[m]);
+    if (!isBoundary[m]) own.isBoundary[v] = 0;
+  });
   return { ...own, neighbours: Uint32Array.from(around), meaning };
 }
 
@@ -141,7 +173,7 @@ export function surfaceFacts({ positions, triangles, repaired }: SurfaceArrays):
   const own = { positions, triangles, vertexCount, ...ballOf(positions) };
   if (!repaired) {
     const meaning = Int32Array.from({ length: vertexCount }, (_, v) => v);
-    return { ...own, ...factsOf(own), meaning };
+    return { ...own, ...factsOf(own), meaning, splitComponent: new Int32Array(0) };
   }
   const { vertexOrigin } = repaired;
   const moved = new Float64Array(3 * vertexOrigin.length);
@@ -151,7 +183,8 @@ export function surfaceFacts({ positions, triangles, repaired }: SurfaceArrays):
     triangles: repaired.triangles,
     vertexCount: vertexOrigin.length,
   });
-  return { ...own, ...pulledBack(facts, repaired) };
+  const splitComponent = splitComponents(triangles, repaired, facts.component);
+  return { ...own, ...pulledBack(facts, repaired), splitComponent };
 }
 
 /** Column by column, as three.js and glTF have it. */

@@ -103,6 +103,19 @@ test('a model is shown with its own materials at once, where its nodes put it', 
   await page.locator('#wipe').fill('0');
 });
 
+test('a glTF that has everything inside as data: is shown with its own materials, too', async () => {
+  const { page } = it;
+  const { json, bin } = toGltf([cubeMesh(3)], { image: 'leaf.png' });
+  const inside = (type, bytes) => `data:${type};base64,${Buffer.from(bytes).toString('base64')}`;
+  json.buffers[0].uri = inside('application/gltf-buffer', bin);
+  json.images[0].uri = inside('image/png', pngOf([[20, 190, 40]]));
+  await openFiles(it, { 'inside.gltf': JSON.stringify(json) });
+  await page.waitForFunction(() => document.querySelector('#view').dataset.original === 'shown');
+  await settled(page);
+  const isGreen = (r, g, b) => g > r + 30 && g > b + 30;
+  assert.ok(share(await pixels(page, '#view'), isGreen) > 0.1);
+});
+
 test('hundreds of cones are two draw calls', async () => {
   const { page } = it;
   await page.evaluate(() => {

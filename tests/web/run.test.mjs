@@ -6,6 +6,7 @@ import { writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { NodeIO } from '@gltf-transform/core';
 import { problems } from '../cli/schema.mjs';
+import { cubesOnAnEdge } from './shapes.mjs';
 import { cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
 import {
   certificate,
@@ -118,4 +119,43 @@ test('nothing is drawn while nothing changes', async () => {
     for (let i = 0; i < 30; i++) await new Promise((resolve) => requestAnimationFrame(resolve));
   });
   assert.equal(await frames(), before);
+});
+
+test('quads that share an edge: repaired, certified, run again with the same cones, and verified', async (t) => {
+  const { page } = it;
+  await openFiles(it, { 'cubes.obj': cubesOnAnEdge() }, 'invalid');
+  await page.click('#repair-and-run');
+  await state(page, 'certified');
+  const { name, bytes } = await saveAs(it, 'same');
+  assert.match(String(bytes), /^f \d+\/\d+ \d+\/\d+ \d+\/\d+ \d+\/\d+\s*$/m); // still quads
+  certify(t, name, bytes);
+  // Vertices of the edge are two each: the cones know which.
+  const count = await page.locator('#cones tbody tr[data-cone]').count();
+  assert.equal(count, 16);
+  assert.equal(await page.locator('#cones tr.bad').count(), 0);
+  await run(it);
+  assert.equal(await page.locator('#cones tbody tr[data-cone]').count(), count);
+});
+
+test('a strip with one side is cut where it must be: one click from refused to certified', async (t) => {
+  const { page } = it;
+  const n = 24;
+  const lines = [];
+  for (let i = 0; i < n; i++) {
+    const angle = (2 * Math.PI * i) / n;
+    for (const s of [-0.3, 0.3]) {
+      const r = 1 + s * Math.cos(angle / 2);
+      lines.push(`v ${r * Math.cos(angle)} ${r * Math.sin(angle)} ${s * Math.sin(angle / 2)}`);
+    }
+  }
+  for (let i = 0; i < n; i++) {
+    const [a, b] = [2 * i + 1, 2 * i + 2];
+    const [c, d] = i + 1 < n ? [a + 2, b + 2] : [2, 1]; // joined upside down
+    lines.push(`f ${a} ${c} ${b}`, `f ${c} ${d} ${b}`);
+  }
+  await openFiles(it, { 'strip.obj': `${lines.join('\n')}\n` }, 'invalid');
+  await page.click('#repair-and-run');
+  await state(page, 'certified');
+  const { name, bytes } = await saveAs(it, 'same');
+  certify(t, name, bytes);
 });

@@ -60,3 +60,34 @@ export function crackedCube() {
   });
   return { vertices, triangles: cracked };
 }
+
+/** An OBJ of quads: two cubes that share an edge, where four faces meet; one that repairs take apart. */
+export function cubesOnAnEdge() {
+  const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [i & 1, (i >> 1) & 1, i >> 2]);
+  const lines = [];
+  const ids = new Map();
+  const idOf = (place) => {
+    const key = place.join(' ');
+    if (!ids.has(key)) {
+      ids.set(key, ids.size + 1);
+      lines.push(`v ${key}`);
+    }
+    return ids.get(key);
+  };
+  const quads = ['0 2 3 1', '4 5 7 6', '0 1 5 4', '2 6 7 3', '0 4 6 2', '1 3 7 5'];
+  const faces = [];
+  for (const shift of [
+    [0, 0, 0],
+    [1, 1, 0],
+  ]) {
+    const id = corners.map((corner) => idOf(corner.map((x, k) => x + shift[k])));
+    for (const quad of quads)
+      faces.push(
+        `f ${quad
+          .split(' ')
+          .map((i) => id[i])
+          .join(' ')}`,
+      );
+  }
+  return `${[...lines, ...faces].join('\n')}\n`;
+}

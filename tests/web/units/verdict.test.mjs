@@ -150,4 +150,10 @@ test('a polygon of the file is the same map, however it was made triangles; anot
   assert.match(compare(text('1/1 2/2 3/3 4/4', moved)).difference, /coordinates are off by/);
   assert.match(compare(text('1/1 2/2 4/4 3/3', own)).difference, /polygons are not those/);
   assert.match(compare(text('1/1 2/2 3/3', own)).difference, /1 triangles.*not 2/);
+  // A face before its vertices; a corner that is there twice.
+  const late = new TextDecoder().decode(text('1/1 2/2 3/3 4/4', own)).split('\n').filter(Boolean);
+  assert.equal(compare(new TextEncoder().encode([late.at(-1), ...late.slice(0, -1)].join('\n'))).difference, ''); // prettier-ignore
+  quad.triangles = Uint32Array.of(0, 1, 1, 0, 1, 3, 1, 2, 3);
+  quad.cornerToUv = quad.triangles.slice();
+  assert.equal(compare(text('1/1 2/2 2/2 3/3 4/4', own)).difference, '');
 });

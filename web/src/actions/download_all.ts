@@ -1,7 +1,7 @@
 // One file with the maps of all its meshes: each is put into what the one before has made. Every map is
 // made again, for the solver holds one at a time, and is then compared with the one that was seen.
 
-import type { MeshWork } from '../model/document';
+import { loadOptionsOf, type MeshWork } from '../model/document';
 import { toCones } from '../model/prescription';
 import type { Files, OutputFile, Solution } from '../model/types';
 import { isCertified } from '../model/verdict';
@@ -33,8 +33,11 @@ async function addMap(
 ): Promise<OutputFile[]> {
   const client = solverOf(app);
   const { main, info, loaded } = work.model;
-  const { weld, fix } = loaded;
-  await client.load({ main, files }, { name: main, surface: info.surface, weld, fix }, call);
+  await client.load(
+    { main, files },
+    { name: main, surface: info.surface, ...loadOptionsOf(loaded) },
+    call,
+  );
   const { prescription, output, improve, cells, grid } = solution;
   const aligned = cells === undefined ? {} : { grid: { cells, mode: grid.mode } };
   const options = { maxRounds: app.doc.solve.rounds, improve, scale: output.scale, ...aligned };
@@ -80,11 +83,10 @@ export async function filesWithAllMaps(app: App): Promise<OutputFile[] | undefin
       if (difference)
         throw new Error(`Mesh ${mesh} is not in the file as it was seen: ${difference}.`);
     }
-    const { weld, fix } = open.loaded;
     const { main, info } = open;
     await client.load(
       { main, files: open.files },
-      { name: main, surface: info.surface, weld, fix },
+      { name: main, surface: info.surface, ...loadOptionsOf(open.loaded) },
     );
     doc.resultInWorker = undefined;
     files = made;

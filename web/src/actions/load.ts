@@ -3,7 +3,7 @@
 
 import type { ModelInfo } from 'hgp';
 import { identity, instancesOf, remarksOn } from '../formats/mesh_instances';
-import { plainSettings, type MeshWork } from '../model/document';
+import { loadOptionsOf, plainSettings, type MeshWork } from '../model/document';
 import { emptyPrescription, fromCones, isSilent, type Prescription } from '../model/prescription';
 import { describeTransfer, transferPrescription } from '../model/transfer_cones';
 import type { LoadSettings, Model, Step } from '../model/types';
@@ -44,9 +44,8 @@ async function readMesh(
 ): Promise<Model> {
   const { doc, geometry } = app;
   const client = solverOf(app);
-  const { weld, fix } = settings;
   const read = (surface?: number): Promise<ModelInfo> =>
-    client.load({ main, files }, { name: main, surface, weld, fix }, call);
+    client.load({ main, files }, { name: main, surface, ...loadOptionsOf(settings) }, call);
   let info = await read(surfaceIndex);
   const instances = await instancesOf(files, main);
   if (surfaceIndex === undefined && info.surfaces.length > 1) {
@@ -129,8 +128,11 @@ async function restoreMesh(app: App, work: MeshWork): Promise<void> {
   const { doc } = app;
   const { model } = work;
   await loading(app, model, async (call) => {
-    const { weld, fix } = model.loaded;
-    const options = { name: model.main, surface: model.info.surface, weld, fix };
+    const options = {
+      name: model.main,
+      surface: model.info.surface,
+      ...loadOptionsOf(model.loaded),
+    };
     await solverOf(app).load({ main: model.main, files: model.files }, options, call);
     doc.clearMesh();
     doc.state = { kind: 'open', model };

@@ -39,13 +39,22 @@ export async function repair(app: App, repairs: Repair[]): Promise<boolean> {
   return reloadWith(app, settings, repairs.map((one) => repairNames[one]).join(', '));
 }
 
-const mostPasses = 3; // a repair may bring another kind of defect to light
+/** What no single repair settles, such as a surface with one side: it is cut where it must be. */
+async function repairAll(app: App): Promise<boolean> {
+  const { loaded } = app.doc.model!;
+  if (loaded.hasAllRepairs) return false;
+  return reloadWith(app, { ...loaded, hasAllRepairs: true }, 'repair all');
+}
+
+const mostPasses = 4; // a repair may bring another kind of defect to light
 
 /** Everything that is in the way is repaired; then Run. */
 export async function repairAndRun(app: App): Promise<void> {
   const { doc } = app;
   for (let pass = 0; pass < mostPasses && doc.model && !doc.usableModel; pass++) {
-    if (!(await repair(app, repairsFor(doc.model)))) return;
+    const repairs = repairsFor(doc.model);
+    const isDone = repairs.length > 0 ? await repair(app, repairs) : await repairAll(app);
+    if (!isDone) return;
   }
   if (doc.usableModel) await run(app);
 }

@@ -196,8 +196,7 @@ function readObj(bytes: Uint8Array): Corners {
   const joined = text.includes('\\') ? text.replace(/\\\r?\n/g, ' ') : text;
   const v: number[] = [];
   const vt: number[] = [];
-  const positions: number[] = [];
-  const uv: number[] = [];
+  const corners: [v: number, vt: number][] = []; // faces may come before what they name
   const at = (word: string | undefined, count: number): number => {
     const n = Number(word);
     return n < 0 ? count + n : n - 1;
@@ -208,10 +207,7 @@ function readObj(bytes: Uint8Array): Corners {
     sizes.push(words.length);
     for (const word of words) {
       const parts = word.split('/');
-      const p = 3 * at(parts[0], v.length / 3);
-      const t = 2 * at(parts[1], vt.length / 2);
-      positions.push(v[p], v[p + 1], v[p + 2]);
-      uv.push(vt[t], vt[t + 1]);
+      corners.push([at(parts[0], v.length / 3), at(parts[1], vt.length / 2)]);
     }
   };
   for (const line of joined.split('\n')) {
@@ -221,7 +217,14 @@ function readObj(bytes: Uint8Array): Corners {
     else if (key === 'vt') vt.push(+words[0], +(words[1] ?? 0));
     else readFace(words);
   }
-  const all = { positions: new Float64Array(positions), uv: new Float64Array(uv) };
+  const all = {
+    positions: new Float64Array(3 * corners.length),
+    uv: new Float64Array(2 * corners.length),
+  };
+  corners.forEach(([p, t], i) => {
+    for (let k = 0; k < 3; k++) all.positions[3 * i + k] = v[3 * p + k];
+    for (let k = 0; k < 2; k++) all.uv[2 * i + k] = vt[2 * t + k];
+  });
   return sizes.some((n) => n > 3) ? { ...all, sizes } : all;
 }
 

@@ -84,6 +84,9 @@ interface Fields {
   isUnsaved: boolean;
 }
 
+/** As the solver reads them. */
+export const loadOptionsOf = ({ weld, fix, hasAllRepairs }: LoadSettings) =>
+  hasAllRepairs ? { weld } : { weld, fix };
 export const plainSettings: LoadSettings = { fix: {} };
 export const plainGrid: GridSettings = { isOn: true, mode: 'tile' };
 export const plainOutput: Output = { scale: 'solved', embedCones: true, hasGrid: false };

@@ -60,6 +60,8 @@ export interface Surface {
 
 export interface LoadSettings {
   readonly weld?: number;
+  /** All repairs that the solver knows of, instead of those of `fix`. */
+  readonly hasAllRepairs?: boolean;
   readonly fix: {
     readonly orient?: boolean;
     readonly split?: boolean;

@@ -52,12 +52,26 @@ async function usableFiles({ files, written }: Source): Promise<Map<string, Blob
   return found;
 }
 
+/** As it may be fetched under the page's policy. */
+function blobOfDataUrl(url: string): Blob {
+  const comma = url.indexOf(',');
+  const head = url.slice(5, comma);
+  const text = decodeURIComponent(url.slice(comma + 1));
+  const data = head.endsWith(';base64') ? atob(text) : text;
+  const type = head.replace(/;base64$/, '');
+  return new Blob([Uint8Array.from(data, (c) => c.charCodeAt(0))], { type });
+}
+
 /** Images and buffers come from the files at hand and from nowhere else. */
 function managerOf(files: Map<string, Blob>): [LoadingManager, () => void] {
   const manager = new LoadingManager();
   const urls: string[] = [];
   manager.setURLModifier((url) => {
-    if (/^(blob|data):/.test(url)) return url;
+    if (url.startsWith('blob:')) return url;
+    if (url.startsWith('data:')) {
+      urls.push(URL.createObjectURL(blobOfDataUrl(url)));
+      return urls.at(-1)!;
+    }
     const name = decodeURIComponent(url.replace(/^(\.\/)+/, ''));
     const blob = files.get(name);
     // As a Blob: the page's policy lets nothing be fetched from data: URLs.

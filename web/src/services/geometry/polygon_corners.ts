@@ -27,21 +27,30 @@ function cornerOf(
   return best;
 }
 
-/** Whether triangles over n corners cover a polygon: each side is a side of one of them, each diagonal of two. */
-function coversPolygon(triples: number[][], n: number): boolean {
+/** Whether triangles cover a polygon: each side is a side of one of them, each diagonal of two. */
+function coversPolygon(triples: number[][], ring: number[]): boolean {
   const sides = new Set<string>();
   for (const triple of triples) {
+    if (new Set(triple).size < 3) continue; // of a corner that is there twice
     for (let k = 0; k < 3; k++) {
-      const [a, b] = [triple[k], triple[(k + 1) % 3]];
-      const key = `${a} ${b}`;
-      if (a === b || sides.has(key)) return false;
+      const key = `${triple[k]} ${triple[(k + 1) % 3]}`;
+      if (sides.has(key)) return false;
       sides.add(key);
     }
   }
-  for (let i = 0; i < n; i++) if (!sides.has(`${i} ${(i + 1) % n}`)) return false;
-  return [...sides].every((key) => {
-    const [a, b] = key.split(' ').map(Number);
-    return b === (a + 1) % n || sides.has(`${b} ${a}`);
+  const around = ring.filter((i, at) => i !== ring[(at + 1) % ring.length]);
+  const own = new Set(around.map((i, at) => `${i} ${around[(at + 1) % around.length]}`));
+  if (![...own].every((key) => sides.has(key))) return sides.size === 0; // all of them are degenerate
+  return [...sides].every((key) => own.has(key) || sides.has(key.split(' ').reverse().join(' ')));
+}
+
+/** Per corner of a polygon the first one at the same place. */
+function firstAtPlace({ positions }: Corners, first: number, count: number): number[] {
+  const isSame = (i: number, j: number): boolean =>
+    [0, 1, 2].every((k) => positions[3 * (first + i) + k] === positions[3 * (first + j) + k]);
+  return Array.from({ length: count }, (_, i) => {
+    for (let j = 0; j < i; j++) if (isSame(i, j)) return j;
+    return i;
   });
 }
 
@@ -70,7 +79,9 @@ export function triangulatedLike(file: Corners, map: Corners): Corners | undefin
       triples.push(triple);
       corner += 3;
     }
-    if (n > 3 && !coversPolygon(triples, n)) return undefined;
+    const ring = firstAtPlace(file, first, n);
+    const parts = triples.map((triple) => triple.map((i) => ring[i]));
+    if (n > 3 && !coversPolygon(parts, ring)) return undefined;
     first += n;
   }
   return out;

@@ -103,7 +103,9 @@ export async function killSolver(it) {
 export const saveAs = (it, format) =>
   download(it.page, async () => {
     await it.page.click('#download');
-    if (format !== 'same') await openDetails(it.page, '#more-formats');
+    // What the target wants is in front, everything else under More.
+    const isInFront = await it.page.isVisible(`dialog [data-format="${format}"]`);
+    if (!isInFront) await openDetails(it.page, '#more-formats');
     await it.page.click(`[data-format="${format}"]`);
   });
 

@@ -157,3 +157,33 @@ test('a polygon of the file is the same map, however it was made triangles; anot
   quad.cornerToUv = quad.triangles.slice();
   assert.equal(compare(text('1/1 2/2 2/2 3/3 4/4', own)).difference, '');
 });
+
+test('a PLY with its list of texture coordinates is read back, as text and as bytes', () => {
+  const map = square();
+  const faces = [0, 3, 6, 9].map((c) => [map.triangles, map.cornerToUv].map((list) => [...list.slice(c, c + 3)])); // prettier-ignore
+  const header = (format) =>
+    `ply\nformat ${format} 1.0\ncomment a square\nelement vertex 5\nproperty double x\nproperty double y\n` +
+    'property double z\nelement face 4\nproperty uchar colour\nproperty list uchar int vertex_indices\n' +
+    'property list uchar double texcoord\nend_header\n';
+  const lines = [0, 1, 2, 3, 4].map((v) => map.positions.slice(3 * v, 3 * v + 3).join(' '));
+  const uvOf = (corners) => corners.flatMap((i) => [...map.uv.slice(2 * i, 2 * i + 2)]);
+  for (const [t, uv] of faces) lines.push(`7 3 ${t.join(' ')} 6 ${uvOf(uv).join(' ')}`);
+  const asText = new TextEncoder().encode(`${header('ascii')}${lines.join('\n')}\n`);
+  const body = Buffer.alloc(5 * 24 + 4 * (1 + 1 + 12 + 1 + 48));
+  let at = 0;
+  for (const x of map.positions) at = body.writeDoubleBE(x, at);
+  for (const [t, uv] of faces) {
+    at = body.writeUInt8(3, body.writeUInt8(7, at));
+    for (const v of t) at = body.writeInt32BE(v, at);
+    at = body.writeUInt8(6, at);
+    for (const x of uvOf(uv)) at = body.writeDoubleBE(x, at);
+  }
+  const asBytes = new Uint8Array(Buffer.concat([Buffer.from(header('binary_big_endian')), body]));
+  const edges = { ...edgesOf(map.triangles, 5), vertexCount: 5 };
+  for (const bytes of [asText, asBytes]) {
+    const files = [{ name: 'square.ply', bytes }];
+    assert.equal(analyse({ map, files, mesh: 0, q: 4 }, edges).analysis.difference, '');
+  }
+  const files = [{ name: 'square.ply', bytes: new TextEncoder().encode(new TextDecoder().decode(asText).replace('0.5 0.5\n', '0.5 0.7\n')) }]; // prettier-ignore
+  assert.match(analyse({ map, files, mesh: 0, q: 4 }, edges).analysis.difference, /off by/);
+});

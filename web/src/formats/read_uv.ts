@@ -1,17 +1,9 @@
 // Reads texture coordinates back from the very bytes that Download saves. A reader of its own, which
 // shares nothing with the writer: what the preview shows is what is in the file.
 
-import type { OutputFile } from '../model/types';
+import type { Corners, OutputFile } from '../model/types';
 import { isGltf, parseGltf, splitGlb } from './glb';
-
-export interface Corners {
-  /** Per triangle corner, three numbers. */
-  positions: Float64Array;
-  /** Per triangle corner, two numbers, v pointing up. */
-  uv: Float64Array;
-  /** Where there are polygons: corners of each, and all of the above is per polygon corner. */
-  sizes?: number[];
-}
+import { readPly } from './read_ply';
 
 interface Place {
   bufferView?: number;
@@ -233,5 +225,8 @@ export const readUv = (
   mesh: number,
   uvSet?: number,
   decoder?: MeshoptDecoder,
-): Corners =>
-  isGltf(files[0].name) ? readGltf(files, mesh, uvSet, decoder) : readObj(files[0].bytes);
+): Corners => {
+  const [{ name, bytes }] = files;
+  if (isGltf(name)) return readGltf(files, mesh, uvSet, decoder);
+  return /\.ply$/i.test(name) ? readPly(bytes) : readObj(bytes);
+};

@@ -171,6 +171,16 @@ export interface Overlaps {
   isMore: boolean;
 }
 
+/** A surface with its map, corner by corner. */
+export interface Corners {
+  /** Per triangle corner, three numbers. */
+  positions: Float64Array;
+  /** Per triangle corner, two numbers, v pointing up. */
+  uv: Float64Array;
+  /** Where there are polygons: corners of each, and all of the above is per polygon corner. */
+  sizes?: number[];
+}
+
 /** What the geometry worker finds out about a map. */
 export interface Analysis {
   /** Names it in the geometry worker. */

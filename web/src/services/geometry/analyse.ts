@@ -4,8 +4,8 @@
 import type { Result } from 'hgp';
 import { isGltf, objectsIn, parseGltf } from '../../formats/glb';
 import { summarizePreserved } from '../../formats/preserved_content';
-import { readUv, type Corners, type MeshoptDecoder } from '../../formats/read_uv';
-import type { Analysis, OutputFile, Seam } from '../../model/types';
+import { readUv, type MeshoptDecoder } from '../../formats/read_uv';
+import type { Analysis, Corners, OutputFile, Seam } from '../../model/types';
 import {
   boxOf,
   leastArea,

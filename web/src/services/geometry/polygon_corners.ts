@@ -1,7 +1,7 @@
 // Polygons of a file beside the triangles that the solver made of them, in whatever way: the corners of
 // every triangle are found among those of its polygon.
 
-import type { Corners } from '../../formats/read_uv';
+import type { Corners } from '../../model/types';
 
 /** The corner of a polygon that a corner of a triangle is: the same place, and of those the nearest uv. */
 function cornerOf(

@@ -86,15 +86,13 @@ class Resolver {
       return refusal(formatText("cone at vertex %d: the mesh has vertices 0 to %d", v, count - 1));
     }
     int image = model_.vertexImage[static_cast<std::size_t>(v)];
-    if (cone.triangle >= 0 && image >= 0) {
-      // Another file, such as the one that was written, mostly has the same triangles.
-      const int copy = copyIn(cone.triangle, image);
-      if (copy < 0 && !isMoved)
-        return refusal(
-            formatText("cone at vertex %d, which is not a corner of triangle %d", v, cone.triangle),
-            {{Where::Kind::kFace, cone.triangle}});
-      if (copy >= 0) image = copy;
-    }
+    // Another file, such as the one that was written, mostly has the same triangles.
+    const int copy = cone.triangle < 0 || image < 0 ? image : copyIn(cone.triangle, image);
+    if (copy < 0 && image >= 0 && !isMoved)
+      return refusal(
+          formatText("cone at vertex %d, which is not a corner of triangle %d", v, cone.triangle),
+          {{Where::Kind::kFace, cone.triangle}});
+    if (copy >= 0) image = copy;
     const Local local = image < 0 ? Local() : pieceOf_[static_cast<std::size_t>(image)];
     if (local.component < 0) {
       return refusal(formatText("cone at vertex %d, which has no triangles", v),

@@ -698,6 +698,19 @@ export interface Report {
        */
       reason: string;
       /**
+       * without an aligned map: cones that are in each other's way, closest first
+       */
+      closestCones: {
+        /**
+         * two, as numbered in the file
+         */
+        vertices: number[];
+        /**
+         * from one to the other in the map as solved
+         */
+        cells: number;
+      }[];
+      /**
        * without an aligned map: a number of cells at which there is one, 0 if none was found
        */
       workingCells: number;

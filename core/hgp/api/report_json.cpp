@@ -39,16 +39,37 @@ Json roundJson(const Round& r) {
               {"seconds", r.seconds}};
 }
 
-Json gridJson(const std::optional<GridReport>& grid) {
+/// The reason with the cones that are in each other's way, by the file's numbers.
+std::string gridReason(const GridReport& grid, const std::vector<Where>& cones) {
+  std::string text = grid.reason;
+  for (std::size_t n = 0; n < cones.size(); ++n)
+    text += formatText("%s cones %d and %d are %.2f cells apart", n == 0 ? ":" : ",",
+                       static_cast<int>(cones[n].id), static_cast<int>(cones[n].other),
+                       grid.closest[n].cells);
+  if (grid.workingCells > 0) text += formatText("; %.0f cells would work", grid.workingCells);
+  return text;
+}
+
+Json gridJson(const Model& model, const ModelComponent& component,
+              const std::optional<GridReport>& grid) {
   if (!grid) return Json();
+  std::vector<Where> cones;
+  for (const ConeDistance& pair : grid->closest)
+    cones.push_back({Where::Kind::kEdge, pair.a.i, pair.b.i});
+  toSurfaceIds(model, component, cones);
+  Json closest = Json::array();
+  for (std::size_t n = 0; n < cones.size(); ++n)
+    closest.push_back(
+        Json{{"vertices", {cones[n].id, cones[n].other}}, {"cells", grid->closest[n].cells}});
   Json attempts = Json::array();
   for (const GridAttempt& a : grid->attempts)
     attempts.push_back(
         Json{{"method", a.method}, {"density", a.factor}, {"turnedTriangles", a.turned}});
-  return Json{{"aligned", grid->isAligned}, {"cells", grid->cells},
-              {"spacing", grid->spacing},   {"cellsPerCone", grid->cellsPerCone},
-              {"integers", grid->integers}, {"attempts", std::move(attempts)},
-              {"reason", grid->reason},     {"workingCells", grid->workingCells}};
+  return Json{{"aligned", grid->isAligned},         {"cells", grid->cells},
+              {"spacing", grid->spacing},           {"cellsPerCone", grid->cellsPerCone},
+              {"integers", grid->integers},         {"attempts", std::move(attempts)},
+              {"reason", gridReason(*grid, cones)}, {"closestCones", std::move(closest)},
+              {"workingCells", grid->workingCells}};
 }
 
 /// Of the verifier's numbers those that an improvement is about.
@@ -106,7 +127,7 @@ Json componentJson(const Model& model, const ModelComponent& component, const Pa
             {"times", std::move(times)},
             {"improvement", run.improvement ? improvementJson(*run.improvement) : Json()},
             {"conflict", whereJson(conflict)},
-            {"grid", gridJson(run.grid)},
+            {"grid", gridJson(model, component, run.grid)},
             {"notes", run.notes}};
   addTheorem(json, harmonic, certificate);
   return json;

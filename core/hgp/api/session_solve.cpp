@@ -23,6 +23,17 @@ SuggestOptions suggestOptions(int q, const SolveOptions& options) {
   return suggest;
 }
 
+/// Cells between automatic cones in their own metric, along edges; in the map it may be a quarter less.
+double conesApart(GridMode mode) { return mode == GridMode::kQuad ? 1.6 : 1.3; }
+
+/// The same spacing for every component.
+GridOptions sharedGrid(const Model& model, GridOptions grid) {
+  if (!grid.isAsked() || grid.spacing > 0) return grid;
+  double area = 0;
+  for (const ModelComponent& component : model.components) area += surfaceArea(component.mesh);
+  return {0.0, std::sqrt(area / grid.cells), grid.mode};
+}
+
 /// Surfaces of more triangles are prepared anew by every call: memory goes to the solve.
 constexpr int kKeptFaces = 200'000;
 
@@ -72,7 +83,10 @@ void Session::State::dropLarge(std::size_t p) {
 
 Result<CompleteSpec> Session::State::chooseCones(std::size_t p, const SolveOptions& options,
                                                  std::vector<StageTime>* times) {
-  Result<CompleteSpec> spec = suggestCones(surfaceOf(p), suggestOptions(options.q, options), times);
+  SuggestOptions suggest = suggestOptions(options.q, options);
+  const GridOptions grid = sharedGrid(*model, options.grid);
+  if (grid.isAsked()) suggest.apart = conesApart(grid.mode) * grid.spacing;
+  Result<CompleteSpec> spec = suggestCones(surfaceOf(p), suggest, times);
   if (!spec) return toSurfaceIds(*model, model->components[p], spec.error());
   return spec;
 }
@@ -101,17 +115,22 @@ Result<Parametrization> Session::State::solveComponent(std::size_t p,
   if (!clock.begin("prepare")) return cancelled("prepare");
   surfaceOf(p);
   clock.end();
-  HolonomySpec spec = request.spec;
   std::vector<std::string> notes;
-  if (request.isAutomatic) {
-    SolveOptions choice = options;
-    choice.q = request.spec.q;
+  const auto solveWith = [&](const SolveOptions& choice) -> Result<Parametrization> {
     Result<CompleteSpec> chosen = chooseCones(p, choice, &times);
     if (!chosen) return chosen.error();
-    spec = toSpec(*chosen);
+    notes.clear();
     if (auto note = countNote(options.coneCount, *chosen)) notes.push_back(std::move(*note));
+    return hgp::parametrize(surfaceOf(p), toSpec(*chosen), core);
+  };
+  SolveOptions choice = options;
+  choice.q = request.spec.q;
+  Result<Parametrization> run =
+      request.isAutomatic ? solveWith(choice) : hgp::parametrize(surfaceOf(p), request.spec, core);
+  if (run && !run->isCertified && request.isAutomatic && choice.grid.isAsked()) {
+    choice.grid = {};  // cones that make room for a grid never cost a map
+    run = solveWith(choice);
   }
-  Result<Parametrization> run = hgp::parametrize(surfaceOf(p), spec, core);
   dropLarge(p);
   if (!run) return toSurfaceIds(*model, component, run.error());
   if (run->isCertified)
@@ -208,14 +227,6 @@ static Status checkGrid(const SolveOptions& options, int q) {
   if (options.grid.cells > 0 && options.grid.spacing > 0)
     return refuse("cells and spacing say the same thing; give one of them");
   return Done{};
-}
-
-/// The same spacing for every component.
-static GridOptions sharedGrid(const Model& model, GridOptions grid) {
-  if (!grid.isAsked() || grid.spacing > 0) return grid;
-  double area = 0;
-  for (const ModelComponent& component : model.components) area += surfaceArea(component.mesh);
-  return {0.0, std::sqrt(area / grid.cells), grid.mode};
 }
 
 Status Session::State::solve(const std::optional<io::Prescription>& prescription,

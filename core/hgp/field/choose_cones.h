@@ -30,6 +30,9 @@ struct SuggestOptions {
   ConesFor conesFor = ConesFor::kBalanced;
   bool alignToCurvature =
       false;  ///< follow principal curvature; cones then stay where that has them
+  /// > 0: no two cones are closer in the map that they will have, in units of the surface; whatever else is
+  /// asked, those that are get merged or moved. For maps that are then aligned to a grid.
+  double apart = 0.0;
   Progress progress;
 };
 

@@ -10,6 +10,7 @@ ConeMetric::ConeMetric(const TriMesh& mesh, const FieldContext& context, int q)
   area_ = Eigen::VectorXd::Zero(surface.nodeCount);
   for (FaceId f : mesh.faces())
     for (VertexId v : mesh.corners(f)) area_[surface.node[v]] += context.geometry.area[f];
+  size_ = context.geometry.unit * std::sqrt(area_.sum() / 3.0);
   area_ /= area_.sum();
   const auto& loops = context.handles.loops;
   transport_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(loops.size()));

@@ -42,6 +42,7 @@ class ConeMetric {
   int total() const { return total_; }  ///< q(2 − 2g)
   /// The share of the surface's area around each node; Σ = 1.
   const Eigen::VectorXd& area() const { return area_; }
+  double size() const { return size_; }  ///< √area of the surface
   const FieldContext& context() const { return context_; }
 
   ConeCost cost(const NodeDefects& defects) const;
@@ -62,6 +63,7 @@ class ConeMetric {
 
   const FieldContext& context_;
   int q_, total_;
+  double size_;
   Eigen::VectorXd area_;
   Eigen::VectorXd transport_;      ///< of the surface itself along each generator
   Eigen::VectorXd meanPotential_;  ///< Σ a f_j

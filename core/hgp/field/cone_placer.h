@@ -3,9 +3,10 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <vector>
 
-#include "hgp/field/cone_metric.h"
+#include "hgp/field/cone_distances.h"
 #include "hgp/field/defect_bounds.h"
 
 namespace hgp {
@@ -40,6 +41,9 @@ class ConePlacer {
   void thinTo(int count);
   /// Several pairs at a time while many are missing.
   void growTo(int count);
+  /// Merges, cancels or moves cones that are closer than `least` in their own metric (units of the
+  /// surface), each pair the cheapest way. Pairs that bounds or the energy hold in place stay.
+  void separate(double least);
   /// A quarter at a time, so that the others can take their places.
   void shrinkTo(int count);
 
@@ -77,6 +81,31 @@ class ConePlacer {
   bool walkTogether(int reach);
   bool walkOneByOne(int reach);
   std::vector<int> bestNodes(int sign, const Eigen::VectorXd& g, bool isNew) const;
+
+  int placeAside(ConeDistances& distances, VertexId v, double least,
+                 const Eigen::VectorXd& g) const;
+  struct PricedMove {
+    UnitMove move;
+    double price = 0.0;                  ///< what it adds to the energy
+    std::pair<VertexId, VertexId> pair;  ///< what it parts
+  };
+  static bool isCheaper(const PricedMove& a, const PricedMove& b) { return a.price < b.price; }
+  double roughPrice(const UnitMove& move, const Eigen::VectorXd& g) const;
+  std::vector<PricedMove> waysApart(ConeDistances& distances, VertexId a, VertexId b, double least,
+                                    const Eigen::VectorXd& g) const;
+  std::vector<PricedMove> cheapestOfEach(std::vector<std::vector<PricedMove>> groups) const;
+  struct EnergyLimits {
+    double energy, range;  ///< of the energy and of u
+  };
+  bool applyAll(const std::vector<PricedMove>& moves, std::size_t first, std::size_t last,
+                const EnergyLimits& limits);
+  bool applyWithin(const std::vector<PricedMove>& moves, std::size_t first, std::size_t last,
+                   const EnergyLimits& limits);
+  bool partPairs(ConeDistances& distances, const std::vector<ConeDistances::Pair>& pairs,
+                 double least, const Eigen::VectorXd& g, const EnergyLimits& limits,
+                 std::set<std::pair<VertexId, VertexId>>& held);
+  bool mergeDownhill(const std::vector<ConeDistances::Pair>& pairs, const Eigen::VectorXd& g,
+                     const EnergyLimits& limits);
 
   const TriMesh& mesh_;
   const ConeMetric& metric_;

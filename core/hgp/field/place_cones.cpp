@@ -49,6 +49,7 @@ NodeDefects placeCones(const TriMesh& mesh, const ConeMetric& metric, NodeDefect
   placer.relax();
   if (options.spread > 0.0) shrinkWithin(placer, options.spread);
   if (options.mostCones > 0) growWhileWorthwhile(placer, options.mostCones);
+  if (options.apart > 0.0) placer.separate(options.apart);
   return placer.defects();
 }
 

@@ -23,6 +23,15 @@ constexpr int kWholeRounds = 4;
 /// Cones within so many cells are kept apart.
 constexpr double kReach = 3.0;
 constexpr int kDenser = 8;  ///< doublings of the density that are tried to name one that works
+/// Of all work, what is kept for naming such a density.
+constexpr double kExplaining = 0.15;
+/// Multiply-adds per triangle of a linear step beside its back-substitution: copies, exact orientation.
+constexpr double kStepWork = 1200.0;
+/// … and of the choice of k integers, by k³: rank-one changes of a complex matrix, bound by memory.
+constexpr double kRoundingWork = 20.0;
+/// Interior-point iterations that a program is expected to need.
+constexpr int kExpectedIterations = 14;
+constexpr std::size_t kNamed = 3;  ///< pairs of cones that the report names
 
 double areaOf(const UvMap& map) {
   double area = 0.0;
@@ -44,14 +53,16 @@ struct Candidate {
 class Aligner {
  public:
   Aligner(const TriMesh& mesh, const UvMap& map, const GridSystem& system,
-          const std::vector<VertexId>& cones, const GridOptions& options, const Progress& progress)
+          const std::vector<VertexId>& cones, const GridOptions& options, const Progress& progress,
+          double work)
       : mesh_(mesh),
         system_(system),
         cones_(cones),
         progress_(progress),
         context_{mesh, system.seams(), system.change(), system.uv(), system.weights()},
         mapArea_(areaOf(map)),
-        surfaceArea_(surfaceArea(mesh)) {
+        surfaceArea_(surfaceArea(mesh)),
+        work_(work - system.factorWork()) {
     const double cells =
         options.cells > 0.0 ? options.cells : surfaceArea_ / (options.spacing * options.spacing);
     scale_ = std::sqrt(cells / mapArea_);
@@ -60,13 +71,9 @@ class Aligner {
   AlignedMap run() {
     out_.report.integers = system_.integerCount();
     describe(scale_);
-    const IntegerChoice choice = system_.choice(2.0 * kReach / scale_);
-    std::vector<Candidate> candidates;
-    for (double factor : kFactors) {
-      if (!report(progress_, {"align", 0.1})) return std::move(out_);
-      candidates.push_back(linearStep(choice, factor));
-      if (accept(candidates.back(), "linear step")) return std::move(out_);
-    }
+    reserved_ = kExplaining * work_;
+    std::vector<Candidate> candidates = linearSteps();
+    if (isDone()) return std::move(out_);
     std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
       return a.turned.size() < b.turned.size();
     });
@@ -76,7 +83,7 @@ class Aligner {
     candidates.resize(std::min(candidates.size(), kMendedAsWhole));
     for (Candidate& candidate : candidates)
       if (mendAsWhole(candidate)) return std::move(out_);
-    explain(choice);
+    if (!out_.isCancelled) explain();
     return std::move(out_);
   }
 
@@ -88,7 +95,47 @@ class Aligner {
         out_.report.cells / std::max<double>(1.0, static_cast<double>(cones_.size()));
   }
 
-  Candidate linearStep(const IntegerChoice& choice, double factor) const {
+  bool isDone() const { return out_.isCancelled || out_.map.has_value(); }
+  /// False once the caller cancelled.
+  bool goOn(double fraction) {
+    if (!report(progress_, {"align", fraction})) out_.isCancelled = true;
+    return !out_.isCancelled;
+  }
+  /// Whether so much may still be spent; what was left out for it is said.
+  bool affords(double work) {
+    if (work <= work_ - reserved_) return true;
+    isCutShort_ = true;
+    return false;
+  }
+
+  /// By density, the one asked first; the rest only while they are worth their time.
+  std::vector<Candidate> linearSteps() {
+    std::vector<Candidate> candidates;
+    if (!goOn(0.1)) return candidates;
+    const IntegerChoice choice = system_.choice(2.0 * kReach / scale_);
+    for (double factor : kFactors) {
+      if (!goOn(0.1) || (!candidates.empty() && !affords(stepWork()))) break;
+      candidates.push_back(linearStep(choice, factor));
+      if (accept(candidates.back(), "linear step")) break;
+    }
+    return candidates;
+  }
+  double stepWork() const {
+    const double k = system_.integerCount();
+    return kStepWork * mesh_.faceCount() + system_.solveWork() + kRoundingWork * k * k * k;
+  }
+  /// Expected of a program over so many triangles with conditions on `bound` of them.
+  double programWork(std::size_t triangles, std::size_t bound) const {
+    // Elimination grows with the power 3/2 of a planar system; real pairs cost twice complex unknowns.
+    const auto share = [&](std::size_t n) {
+      return std::pow(static_cast<double>(n) / mesh_.faceCount(), 1.5);
+    };
+    return system_.factorWork() *
+           (share(triangles) + 2.0 * kExpectedIterations * share(std::min(triangles, bound)));
+  }
+
+  Candidate linearStep(const IntegerChoice& choice, double factor) {
+    work_ -= stepWork();
     Candidate out{factor, scale_ * factor, {}, {}};
     const std::vector<Gaussian> y = choice.near(system_.relaxed(out.scale));
     out.isApart = choice.wrongSeparations(system_.relaxed(out.scale), y) == 0;
@@ -108,15 +155,26 @@ class Aligner {
     return true;
   }
 
+  bool mend(const std::vector<FaceId>& patch, const std::vector<FaceId>& bound,
+            Candidate& candidate) {
+    double spent = 0.0;
+    const bool isMended =
+        mendChange(context_, patch, bound, system_.isHeld(), candidate.x, spent, progress_);
+    work_ -= spent;
+    return isMended;
+  }
+
+  /// True when there is nothing more to do: aligned, or cancelled.
   bool mendOnPatches(Candidate& candidate) {
     for (int rings : kPatchRings) {
       // Cones that were rounded onto each other fold on any patch.
       if (!candidate.isApart && rings > kPatchRings[0]) return false;
-      if (!report(progress_, {"align", 0.5})) return false;
+      if (!goOn(0.5)) return true;
       const std::vector<FaceId> patch = facesAround(mesh_, candidate.turned, rings);
       if (static_cast<double>(patch.size()) > kPatchShare * mesh_.faceCount()) return false;
+      if (!affords(programWork(patch.size(), patch.size()))) return false;
       Candidate mended = candidate;
-      if (!mendChange(context_, patch, patch, system_.isHeld(), mended.x)) continue;
+      if (!mend(patch, patch, mended)) continue;
       mended.turned = turnedFaces(context_, mended.x);
       if (accept(mended, rings == kPatchRings[0] ? "patch of 6 rings" : "patch of 24 rings"))
         return true;
@@ -133,9 +191,11 @@ class Aligner {
     for (FaceId f : mesh_.faces()) all.push_back(f);
     std::vector<FaceId> bound = facesAround(mesh_, candidate.turned, 2);
     for (int round = 0; round < kWholeRounds; ++round) {
-      if (!report(progress_, {"align", 0.7})) return false;
+      if (!goOn(0.7)) return true;
+      if (!affords(programWork(all.size(), bound.size()))) return false;
       Candidate mended = candidate;
-      if (!mendChange(context_, all, bound, system_.isHeld(), mended.x)) {
+      if (!mend(all, bound, mended)) {
+        if (!goOn(0.7)) return true;
         out_.report.attempts.push_back({"whole mesh, infeasible",
                                         candidate.factor * candidate.factor,
                                         static_cast<int>(candidate.turned.size())});
@@ -151,27 +211,26 @@ class Aligner {
     return false;
   }
 
-  /// The closest cones by name, and the first denser grid on which the linear step succeeds.
-  void explain(const IntegerChoice&) {
-    std::vector<ConePair> pairs = system_.neighbours(1.0 / scale_);
-    std::sort(pairs.begin(), pairs.end(), [](const ConePair& a, const ConePair& b) {
-      return std::abs(a.distance) < std::abs(b.distance);
-    });
-    std::string& reason = out_.report.reason;
-    reason = formatText(
-        "no choice of integers kept all triangles positive at %.0f cells (%.1f per cone)",
-        out_.report.cells, out_.report.cellsPerCone);
-    for (std::size_t n = 0; n < pairs.size() && n < 3; ++n)
-      reason += formatText("%s cones %d and %d are %.2f cells apart", n == 0 ? ":" : ",",
-                           pairs[n].a.i, pairs[n].b.i, scale_ * std::abs(pairs[n].distance));
+  /// The closest cones, and the first denser grid on which the linear step succeeds.
+  void explain() {
+    GridReport& report = out_.report;
+    for (const ConePair& pair : system_.neighbours(1.0 / scale_))
+      report.closest.push_back({pair.a, pair.b, scale_ * std::abs(pair.distance)});
+    std::sort(report.closest.begin(), report.closest.end(),
+              [](const ConeDistance& a, const ConeDistance& b) { return a.cells < b.cells; });
+    report.closest.resize(std::min(report.closest.size(), kNamed));
+    report.reason = formatText(
+        "no choice of integers kept all triangles positive at %.0f cells (%.1f per cone)%s",
+        report.cells, report.cellsPerCone,
+        isCutShort_ ? ", and looking further would have taken longer than the map itself" : "");
+    reserved_ = 0.0;
     double factor = 1.0;
-    for (int n = 0; n < kDenser; ++n) {
+    for (int n = 0; n < kDenser && affords(stepWork()); ++n) {
       factor *= std::sqrt(2.0);
-      if (!report(progress_, {"align", 0.9})) return;
+      if (!goOn(0.9)) return;
       const Candidate denser = linearStep(system_.choice(2.0 * kReach / (scale_ * factor)), factor);
       if (!denser.turned.empty()) continue;
-      out_.report.workingCells = mapArea_ * denser.scale * denser.scale;
-      reason += formatText("; %.0f cells would work", out_.report.workingCells);
+      report.workingCells = mapArea_ * denser.scale * denser.scale;
       return;
     }
   }
@@ -183,6 +242,8 @@ class Aligner {
   const ChangeContext context_;
   const double mapArea_, surfaceArea_;
   double scale_ = 1.0;
+  double work_, reserved_ = 0.0;  ///< multiply-adds left, and those of them kept for explain()
+  bool isCutShort_ = false;
   AlignedMap out_;
 };
 
@@ -202,7 +263,7 @@ double surfaceArea(const TriMesh& mesh) {
 
 AlignedMap alignToGrid(const TriMesh& mesh, const UvMap& map, int q,
                        const std::vector<VertexId>& cones, const GridOptions& options,
-                       const linalg::SeparatorTree* tree, const Progress& progress) {
+                       const linalg::SeparatorTree* tree, const Progress& progress, double work) {
   AlignedMap failed;
   if (q != 2 && q != 4) {
     failed.report.reason = formatText("a grid of squares needs q = 2 or 4, not %d", q);
@@ -214,7 +275,7 @@ AlignedMap alignToGrid(const TriMesh& mesh, const UvMap& map, int q,
     failed.report.reason = "the map's seams could not be read, or its strain is singular";
     return failed;
   }
-  return Aligner(mesh, map, *system, cones, options, progress).run();
+  return Aligner(mesh, map, *system, cones, options, progress, work).run();
 }
 
 }  // namespace hgp

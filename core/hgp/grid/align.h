@@ -2,6 +2,7 @@
 // quad mesh continues across every seam, on the same triangles and still locally injective.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace hgp {
 
 struct AlignedMap {
   std::optional<UvMap> map;  ///< one unit of uv is one cell
+  bool isCancelled = false;  ///< by `progress`; there is no map then
   GridReport report;
 };
 
@@ -28,8 +30,11 @@ double surfaceArea(const TriMesh& mesh);
 /// @param map    locally injective and seamless; its copies follow its seams
 /// @param cones  vertices with a prescribed angle
 /// @param tree   separators of the vertices, or null
+/// @param work   multiply-adds that may be spent; what would exceed it is left out, and the reason says so.
+///               The linear step is always tried.
 AlignedMap alignToGrid(const TriMesh& mesh, const UvMap& map, int q,
                        const std::vector<VertexId>& cones, const GridOptions& options,
-                       const linalg::SeparatorTree* tree, const Progress& progress);
+                       const linalg::SeparatorTree* tree, const Progress& progress,
+                       double work = std::numeric_limits<double>::infinity());
 
 }  // namespace hgp

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "hgp/base/ids.h"
+
 namespace hgp {
 
 enum class GridMode {
@@ -27,6 +29,12 @@ struct GridAttempt {
   int turned = 0;       ///< triangles that are not positive
 };
 
+/// Two cones that are neighbours in the map as solved.
+struct ConeDistance {
+  VertexId a, b;
+  double cells = 0.0;  ///< along the way between them, at the density asked
+};
+
 struct GridReport {
   bool isAligned = false;
   double cells = 0.0;         ///< reached: area of the map in cells
@@ -35,6 +43,8 @@ struct GridReport {
   int integers = 0;           ///< free Gaussian integers
   std::vector<GridAttempt> attempts;
   std::string reason;  ///< why there is none
+  std::vector<ConeDistance>
+      closest;  ///< then: the cones that are in each other's way, closest first
   double workingCells =
       0.0;  ///< without a map: a density at which there is one, 0 if none was found
 };

@@ -32,6 +32,10 @@ class GridSystem {
   /// The changed map in cells, translations and, in quad mode, cones exactly integers.
   std::optional<UvMap> alignedMap(const Eigen::VectorXcd& x, double scale) const;
 
+  /// Multiply-adds of the factorization, and of the solves of one change.
+  double factorWork() const;
+  double solveWork() const;
+
   const TriMesh& mesh() const { return mesh_; }
   const SeamStructure& seams() const { return seams_; }
   const SeamlessChange& change() const { return *change_; }
@@ -65,7 +69,8 @@ class GridSystem {
   Eigen::MatrixXcd rows_;        ///< held unknowns in terms of y
   Eigen::VectorXcd held0_, y0_;  ///< of the map itself
   linalg::PartialCholesky cholesky_;
-  Eigen::MatrixXcd form_;  ///< strain over the held unknowns
+  Eigen::MatrixXcd form_;                ///< strain over the held unknowns
+  std::optional<IntegerChoice> choice_;  ///< by the form, nothing kept apart
 };
 
 }  // namespace hgp

@@ -32,8 +32,14 @@ Eigen::VectorXcd toVector(const std::vector<Gaussian>& y) {
 }  // namespace
 
 IntegerChoice::IntegerChoice(Eigen::MatrixXcd S, std::vector<Separation> separations)
-    : S_(std::move(S)), separations_(std::move(separations)), users_(at(S_.rows())) {
+    : S_(std::move(S)) {
   covariance_ = S_.ldlt().solve(Eigen::MatrixXcd::Identity(S_.rows(), S_.rows()));
+  setSeparations(std::move(separations));
+}
+
+void IntegerChoice::setSeparations(std::vector<Separation> separations) {
+  separations_ = std::move(separations);
+  users_.assign(at(S_.rows()), {});
   for (std::size_t n = 0; n < separations_.size(); ++n)
     for (const auto& [j, factor] : separations_[n].terms)
       users_[at(j)].push_back({static_cast<int>(n), factor});
@@ -56,12 +62,15 @@ std::vector<Gaussian> IntegerChoice::rounded(const Eigen::VectorXcd& y0) const {
     }
     isDone[at(best)] = 1;
     const double variance = C(best, best).real();
-    const Eigen::VectorXcd column = C.col(best);
+    // Only the lower triangle is kept.
+    Eigen::VectorXcd column = C.col(best);
+    column.head(best) = C.row(best).head(best).adjoint();
+    for (Eigen::Index j = 0; j < k; ++j)
+      if (isDone[at(j)]) column[j] = 0.0;
     const Complex change = nearest(y[best]) - y[best];
     if (variance > 0.0) {
-      for (Eigen::Index j = 0; j < k; ++j)
-        if (!isDone[at(j)]) y[j] += column[j] * (change / variance);
-      C.noalias() -= column * (column.adjoint() / variance);
+      y += column * (change / variance);
+      C.selfadjointView<Eigen::Lower>().rankUpdate(column, -1.0 / variance);
     }
     y[best] = nearest(y[best]);
   }
@@ -84,10 +93,16 @@ void IntegerChoice::descend(const Eigen::VectorXcd& y0, std::vector<Gaussian>& y
     Eigen::Index best = -1;
     int bestTurn = 0, bestWrong = 0;
     double bestChange = -1e-12;
+    // Only an unknown of a wrong separation can mend one; the others must lower Q by more than the best.
+    std::vector<char> canMend(at(k), 0);
+    for (std::size_t n = 0; n < separations_.size(); ++n)
+      if (isWrong(wanted[n], now[n]))
+        for (const auto& [j, factor] : separations_[n].terms) canMend[at(j)] = 1;
     for (Eigen::Index j = 0; j < k; ++j)
       for (int turn = 0; turn < 4; ++turn) {
         const Complex unit = toComplex(quarterTurn(turn));
         const double change = 2.0 * std::real(std::conj(unit) * gradient[j]) + S_(j, j).real();
+        if (!canMend[at(j)] && change >= bestChange) continue;
         int wrong = 0;
         for (const auto& [n, factor] : users_[at(j)])
           wrong += isWrong(wanted[at(n)], now[at(n)] + factor * unit) -

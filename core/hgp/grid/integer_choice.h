@@ -17,6 +17,7 @@ struct Separation {
 class IntegerChoice {
  public:
   IntegerChoice(Eigen::MatrixXcd S, std::vector<Separation> separations);
+  void setSeparations(std::vector<Separation> separations);
 
   /// Rounded nearest first, each time with the others moved to their conditional minimum; then single
   /// steps ±1, ±i while they mend separations (wrong: D = 0, or more than 72° from where y₀ has it) or

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/linalg/factor/work.h"
 #include "hgp/socp/solve.h"
 #include "hgp/verify/orientation.h"
 
@@ -106,7 +107,7 @@ std::vector<FaceId> turnedFaces(const ChangeContext& in, const Eigen::VectorXcd&
 
 bool mendChange(const ChangeContext& in, const std::vector<FaceId>& patch,
                 const std::vector<FaceId>& bound, const std::vector<char>& isHeld,
-                Eigen::VectorXcd& x) {
+                Eigen::VectorXcd& x, double& work, const Progress& progress) {
   std::vector<int> place;
   const std::vector<int> free = freeUnknowns(in, patch, isHeld, place);
   if (free.empty()) return false;
@@ -149,8 +150,12 @@ bool mendChange(const ChangeContext& in, const std::vector<FaceId>& patch,
                                                 2 * reduced.size());
   socp::SolveOptions options;
   options.maxIterations = kIterations;
+  options.progress = [&](int, double) { return report(progress, {"align", 0.5}); };
   const socp::Solution solution = socp::solve(problem, options);
-  if (solution.status == socp::SolveStatus::kInfeasible || !solution.x.allFinite()) return false;
+  work += linalg::multiplyAdds(cholesky.report(), solution.iterations);
+  if (solution.status == socp::SolveStatus::kInfeasible ||
+      solution.status == socp::SolveStatus::kCancelled || !solution.x.allFinite())
+    return false;
   const Eigen::VectorXcd solved = cholesky.extend(solution.x, c);
   for (std::size_t i = 0; i < free.size(); ++i) x[free[i]] = solved[static_cast<Eigen::Index>(i)];
   return true;

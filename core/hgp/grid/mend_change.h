@@ -2,6 +2,7 @@
 // of [BCW17 (13)] around a map that is known, translations held.
 #pragma once
 
+#include "hgp/base/progress.h"
 #include "hgp/grid/strain_form.h"
 
 namespace hgp {
@@ -20,10 +21,12 @@ std::vector<FaceId> turnedFaces(const ChangeContext& context, const Eigen::Vecto
 
 /// Minimises the strain over the vertices of `patch` that are free, everything else held as in x,
 /// subject to Re f_z − |f_z̄| ≥ ε on `bound`: its frames are those of the map itself, f_z = 1.
-/// @return false where there is no such change, or the form is singular; x is then as before
+/// @param work  multiply-adds of its factorizations are added
+/// @return false where there is no such change, the form is singular or `progress` cancels; x is then as
+///         before
 bool mendChange(const ChangeContext& context, const std::vector<FaceId>& patch,
                 const std::vector<FaceId>& bound, const std::vector<char>& isHeld,
-                Eigen::VectorXcd& x);
+                Eigen::VectorXcd& x, double& work, const Progress& progress);
 
 /// `faces` and everything within so many rings of vertices, ascending.
 std::vector<FaceId> facesAround(const TriMesh& mesh, const std::vector<FaceId>& faces, int rings);

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "hgp/base/check.h"
+#include "hgp/linalg/factor/work.h"
 #include "hgp/optimize/program_form.h"
 
 namespace hgp {
@@ -114,6 +115,7 @@ ProgramResult solveProgram(const TriMesh& mesh, const Geometry& geometry, const 
 
   result.status = solution.status;
   result.iterations = solution.iterations;
+  result.work = linalg::multiplyAdds(cholesky.report(), std::max(1, solution.iterations));
   Eigen::VectorXcd x = cholesky.extend(solution.x, form->c);
   const bool isTieBroken = !options.isExact && options.quality == 0.0 && options.pulled.empty();
   if (isTieBroken && (solution.isFree || frames.faces.empty()))

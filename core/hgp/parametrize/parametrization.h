@@ -41,6 +41,7 @@ struct Round {
   int flipped = 0;               ///< triangles that are not positive
   int wrongAngles = 0;           ///< vertices and loops with a wrong angle sum
   double laplacianEnergy = 0.0;  ///< ‖Lz‖², a solver statistic
+  double work = 0.0;             ///< multiply-adds of the program's factorizations
   double seconds = 0.0;
 };
 

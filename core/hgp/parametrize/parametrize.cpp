@@ -26,6 +26,7 @@ Round describe(const Problem& problem, const State& state, const Attempt& attemp
   for (const MeasuredTurning& t : attempt.certificate.angles.turnings)
     round.wrongAngles += t.isWrong;
   round.laplacianEnergy = attempt.program.laplacianEnergy;
+  round.work = attempt.program.work;
   round.seconds = seconds;
   return round;
 }
@@ -105,11 +106,19 @@ static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
   return best;
 }
 
+/// Multiply-adds per triangle of a plain run beside its programs: fields, cut, judging (measured).
+static constexpr double kBesidePrograms = 1.2e4;
+/// Of a plain run's work, what its alignment may take.
+static constexpr double kAlignShare = 1.5;
+
 /// Aligned to the grid where that keeps it certified; else as it was, with the reason.
-static void align(const TriMesh& mesh, const SeamlessSetup& setup,
-                  const ParametrizeOptions& options, Parametrization& result) {
+static Status align(const TriMesh& mesh, const SeamlessSetup& setup,
+                    const ParametrizeOptions& options, Parametrization& result) {
+  double work = kBesidePrograms * mesh.faceCount();
+  for (const Round& round : result.rounds) work += round.work;
   AlignedMap aligned = alignToGrid(mesh, result.map, setup.seams.q, setup.cones, options.grid,
-                                   &setup.context->tree, options.progress);
+                                   &setup.context->tree, options.progress, kAlignShare * work);
+  if (aligned.isCancelled) return cancelled("align");
   if (aligned.map) {
     Certificate certificate = certify(mesh, result.spec, *aligned.map);
     if (certificate.isCertified) {
@@ -121,6 +130,7 @@ static void align(const TriMesh& mesh, const SeamlessSetup& setup,
     }
   }
   result.grid = std::move(aligned.report);
+  return Done{};
 }
 
 Result<Parametrization> parametrize(PreparedSurface& surface, const HolonomySpec& spec,
@@ -154,7 +164,7 @@ Result<Parametrization> parametrize(PreparedSurface& surface, const HolonomySpec
   if (options.grid.isAsked() && result.certificate.isCertified) {
     StageClock clock(options.progress, result.times);
     if (!clock.begin("align")) return cancelled("align");
-    align(mesh, *setup, options, result);
+    if (Status done = align(mesh, *setup, options, result); !done) return std::move(done).error();
   }
   result.copyOf = setup->cut.parent.raw();
   result.isCertified = result.certificate.isCertified;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
+#include <set>
 
 #include "hgp/api/sha256.h"
 #include "hgp/io/cone_files.h"
@@ -404,6 +406,54 @@ TEST(Session, CancellingIsAFailureOfItsOwn) {
   const Status solved = session.parametrize(std::nullopt, options);
   ASSERT_FALSE(solved.hasValue());
   EXPECT_EQ(solved.error().code, ErrorCode::kCancelled);
+}
+
+TEST(Session, ConesInEachOthersWayAreNamedByTheFilesNumbers) {
+  // A tetrahedron first, so that nothing in the second component has the number that it has in the file.
+  const MeshData first = hgp::test::tetrahedron().data;
+  const auto offset = static_cast<int>(first.positions.size());
+  Session session = loaded(together(first, hgp::test::pretzel(3, 4).data));
+  const Status plain = session.parametrize(std::nullopt, {});
+  ASSERT_TRUE(plain) << plain.error().message;
+  // Prescribed, so that none of them is merged.
+  const auto cones = readPrescription("cones.json", session.conesJson(), 4);
+  ASSERT_TRUE(cones) << cones.error().message;
+  std::set<int> known;
+  for (const io::PrescribedCone& cone : cones->cones) known.insert(static_cast<int>(cone.vertex));
+  SolveOptions options;
+  options.grid.cells = 2.0;
+  options.grid.mode = GridMode::kQuad;
+  ASSERT_TRUE(session.parametrize(*cones, options));
+  ASSERT_FALSE(session.isAligned());
+  int inSecond = 0;
+  const auto report = nlohmann::json::parse(session.reportJson());
+  for (const auto& component : report["components"]) {
+    const std::string reason = component["grid"]["reason"];
+    for (const auto& pair : component["grid"]["closestCones"]) {
+      const int a = pair["vertices"][0], b = pair["vertices"][1];
+      EXPECT_TRUE(known.contains(a) && known.contains(b)) << a << ' ' << b;
+      EXPECT_TRUE(contains(reason, "cones " + std::to_string(a) + " and " + std::to_string(b)))
+          << reason;
+      inSecond += a >= offset;
+    }
+  }
+  EXPECT_GT(inSecond, 0);
+}
+
+TEST(Session, CancellingWhileTheMapIsAlignedIsNoResult) {
+  Session session = loaded(hgp::test::pretzel(2, 4).data);
+  SolveOptions options;
+  options.grid.cells = 2000.0;
+  bool isReached = false;
+  options.progress = [&](const ProgressReport& r) {
+    isReached = isReached || (std::string(r.stage) == "align" && r.fraction > 0.0);
+    return !isReached;
+  };
+  const Status solved = session.parametrize(std::nullopt, options);
+  ASSERT_FALSE(solved.hasValue());
+  EXPECT_TRUE(isReached);
+  EXPECT_EQ(solved.error().code, ErrorCode::kCancelled);
+  EXPECT_EQ(solved.error().stage, "align");
 }
 
 TEST(Session, ConesFollowTheirPositionsToAChangedFile) {

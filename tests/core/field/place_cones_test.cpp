@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "hgp/field/choose_cones.h"
+#include "hgp/field/cone_distances.h"
 #include "hgp/field/prepared_surface.h"
 #include "support/shapes.h"
 
@@ -116,6 +117,49 @@ TEST(PlaceCones, ConesWalkToWhereTheyCostLess) {
   EXPECT_LT(metric.cost(end).scale, 0.1 * metric.cost(start).scale);
   // A cube's corners have σ of log₂ area .31 on the sphere.
   EXPECT_LT(areaSpread(metric.cost(end).scale), 0.4);
+}
+
+TEST(PlaceCones, ConesThatAreTooCloseInTheirOwnMetricAreMergedOrMoved) {
+  const TriMesh mesh = test::jittered(test::icosphere(12), 0.02).mesh();
+  Placed p(mesh);
+  const ConeMetric metric(mesh, p.surface.context(), 4);
+  // The eight corners of a cube, and on top of them opposite pairs of neighbours.
+  PlaceOptions options;
+  NodeDefects start = placeCones(mesh, metric, zero(metric), options);
+  for (int v : {40, 200, 380}) {
+    const int w = mesh.head(mesh.outgoing(VertexId(v))).i;
+    if (start[static_cast<std::size_t>(v)] != 0 || start[static_cast<std::size_t>(w)] != 0)
+      continue;
+    start[static_cast<std::size_t>(v)] = 1;
+    start[static_cast<std::size_t>(w)] = -1;
+  }
+  const auto closer = [&](const NodeDefects& d, double least) {
+    return ConeDistances(mesh, metric, metric.cost(d).u).closer(d, least).size();
+  };
+  const double least = 0.5;  // of a sphere of radius 1
+  ASSERT_GE(closer(start, least), 2u);
+  options.isFixed = true;  // nothing but what the distance asks
+  options.apart = least;
+  const NodeDefects end = placeCones(mesh, metric, start, options);
+  EXPECT_EQ(closer(end, least), 0u);
+  EXPECT_EQ(std::accumulate(end.begin(), end.end(), 0), metric.total());
+  EXPECT_LE(metric.cost(end).energy, 1.2 * metric.cost(start).energy);
+}
+
+TEST(ConeDistances, AreLengthsInTheConeMetricAtTheSurfacesArea) {
+  const TriMesh mesh = test::torus(24, 24).mesh();
+  Placed p(mesh);
+  const ConeMetric metric(mesh, p.surface.context(), 4);
+  NodeDefects d = zero(metric);
+  d[0] = 1, d[1] = -1;
+  ConeDistances flat(mesh, metric, Eigen::VectorXd::Zero(metric.nodeCount()));
+  const auto pairs = flat.closer(d, 1e9);
+  ASSERT_EQ(pairs.size(), 1u);
+  const Vec3 &a = mesh.position(VertexId(0)), &b = mesh.position(VertexId(1));
+  EXPECT_NEAR(pairs[0].distance, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), 1e-9);
+  // e^u twice as large everywhere changes nothing, as the area stays what it is.
+  ConeDistances twice(mesh, metric, Eigen::VectorXd::Constant(metric.nodeCount(), std::log(2.0)));
+  EXPECT_NEAR(twice.closer(d, 1e9)[0].distance, pairs[0].distance, 1e-9);
 }
 
 TEST(ChooseCones, RoundThingsGetFew) {

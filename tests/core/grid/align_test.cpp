@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "hgp/grid/integer_choice.h"
@@ -82,6 +83,56 @@ TEST(AlignToGrid, WithoutAChoiceTheReasonNamesADensityThatWorks) {
   Result<Parametrization> again = parametrize(mesh, toSpec(run.spec), options);
   ASSERT_TRUE(again);
   EXPECT_TRUE(again->grid->isAligned) << again->grid->reason;
+}
+
+/// A certified map whose grid is too coarse for its cones: every means is tried.
+struct Crowded {
+  TriMesh mesh = alignedShapes()[2].mesh();
+  Parametrization plain;
+  std::vector<VertexId> cones;
+  GridOptions options{0.02, 0.0, GridMode::kQuad};
+
+  Crowded() {
+    Result<CompleteSpec> spec = suggestCones(mesh, {});
+    plain = *parametrize(mesh, toSpec(*spec), {});
+    for (const ConePoint& cone : spec->cones) cones.push_back(cone.vertex);
+    options.cells *= static_cast<double>(cones.size());
+  }
+  AlignedMap align(const Progress& progress, double work) const {
+    return alignToGrid(mesh, plain.map, 4, cones, options, nullptr, progress, work);
+  }
+};
+
+TEST(AlignToGrid, WithoutWorkToSpendTheLinearStepIsAllAndTheReasonSaysSo) {
+  const Crowded crowded;
+  const AlignedMap all = crowded.align({}, 1e300), little = crowded.align({}, 0.0);
+  ASSERT_FALSE(all.map);
+  ASSERT_FALSE(little.map);
+  EXPECT_GT(all.report.attempts.size(), 4u);
+  EXPECT_EQ(little.report.attempts.size(), 1u);
+  EXPECT_EQ(all.report.reason.find("taken longer"), std::string::npos) << all.report.reason;
+  EXPECT_NE(little.report.reason.find("taken longer"), std::string::npos) << little.report.reason;
+  ASSERT_FALSE(little.report.closest.empty());
+  for (const ConeDistance& pair : little.report.closest) {
+    EXPECT_LT(pair.cells, 1.0);
+    EXPECT_EQ(std::count(crowded.cones.begin(), crowded.cones.end(), pair.a), 1);
+    EXPECT_EQ(std::count(crowded.cones.begin(), crowded.cones.end(), pair.b), 1);
+  }
+}
+
+TEST(AlignToGrid, CancelledWhereverItIsThereIsNoMap) {
+  const Crowded crowded;
+  int calls = 0;
+  (void)crowded.align([&](const ProgressReport&) { return ++calls > 0; }, 1e300);
+  ASSERT_GT(calls, 6);
+  for (int last = 1; last <= calls; last += std::max(1, calls / 12)) {
+    int seen = 0;
+    const AlignedMap cancelled =
+        crowded.align([&](const ProgressReport&) { return ++seen < last; }, 1e300);
+    EXPECT_TRUE(cancelled.isCancelled) << last << " of " << calls;
+    EXPECT_FALSE(cancelled.map);
+    EXPECT_LE(seen, last + 1);
+  }
 }
 
 TEST(AlignToGrid, OrdersWithoutSquaresAreRefusedInWords) {

@@ -1,0 +1,46 @@
+// How far cones are from one another in their own metric.  Role: what a map of these cones will have to
+// keep apart on a grid, known before there is a map.
+#pragma once
+
+#include <vector>
+
+#include "hgp/field/cone_metric.h"
+
+namespace hgp {
+
+/// Lengths |e| e^u along the edges of the surface, the whole scaled so that its area stays what it is;
+/// units of the surface.
+class ConeDistances {
+ public:
+  /// @param u  log scale per node of the filled surface
+  ConeDistances(const TriMesh& mesh, const ConeMetric& metric, const Eigen::VectorXd& u);
+
+  struct Pair {
+    VertexId a, b;
+    double distance = 0.0;
+  };
+  /// Pairs of vertices with a defect that are closer than `least`, closest first, each once: those whose
+  /// regions of nearest vertices touch.
+  std::vector<Pair> closer(const NodeDefects& defects, double least);
+
+  /// Interior vertices at most `reach` from the nearest of some, in ascending distance; no more than
+  /// kMostAround: where the metric crushes a region, all of it is near.
+  std::vector<VertexId> around(const std::vector<VertexId>& some, double reach);
+  static constexpr std::size_t kMostAround = 400;
+
+ private:
+  double lengthOf(HalfedgeId h) const;
+  void spread(const std::vector<VertexId>& sources, double reach, std::size_t most);
+
+  const TriMesh& mesh_;
+  const FilledSurface& surface_;
+  const Geometry& geometry_;
+  PerVertex<double> root_;  ///< e^{u/2}
+  double scale_ = 1.0;
+  // Of the last spread(): the others are ∞ and invalid.
+  PerVertex<double> distance_;
+  PerVertex<VertexId> source_;
+  std::vector<VertexId> reached_, touched_;  ///< by distance; all with a distance
+};
+
+}  // namespace hgp

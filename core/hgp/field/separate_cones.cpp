@@ -1,0 +1,210 @@
+// Cones kept apart by a distance in their own metric: a part of ConePlacer.
+#include <algorithm>
+#include <cmath>
+
+#include "hgp/field/cone_distances.h"
+#include "hgp/field/cone_placer.h"
+
+namespace hgp {
+namespace {
+
+/// Every round measures the metric that its moves made; pairs that are left then are left.
+constexpr int kSeparatingRounds = 16;
+/// A cone that steps aside goes at most so many times the distance asked.
+constexpr double kAside = 2.0;
+/// What all moves may add to the energy: cones that crowd a spike keep its scale bearable.
+constexpr double kDearest = 0.1;
+/// Log scale may range so far, or as far as it does: beyond, the solve takes a longer road.
+constexpr double kWidestRange = 7.5;
+
+/// Solves, and nodes × solves, that separating may take.
+constexpr double kLeastSolves = 8.0, kMostSolves = 250.0, kMostWork = 8e6;
+/// Ways apart of a pair whose energy is measured, so many at once, each then a share of a single solve.
+constexpr std::size_t kWaysMeasured = 2, kWaysAtOnce = 32;
+constexpr double kShareOfBlock = 0.5;
+/// R/√area of roughPrice().
+constexpr double kReachOfDipole = 0.5;
+
+double rangeOf(const Eigen::VectorXd& u) { return u.maxCoeff() - u.minCoeff(); }
+
+}  // namespace
+
+/// A place at least `least` from all cones but v where v's defect costs least to first order; −1: none.
+int ConePlacer::placeAside(ConeDistances& distances, VertexId v, double least,
+                           const Eigen::VectorXd& g) const {
+  const int d = defects_[at(surface_.node[v])];
+  std::vector<VertexId> others, around = distances.around({v}, (1.0 + kAside) * least);
+  for (VertexId w : around)
+    if (w != v && defects_[at(surface_.node[w])] != 0) others.push_back(w);
+  around = distances.around({v}, kAside * least);
+  std::vector<VertexId> taken = distances.around(others, least);
+  std::sort(taken.begin(), taken.end());
+  int best = -1;
+  for (VertexId w : around) {
+    const int node = surface_.node[w];
+    if (w == v || !fits(node, d) || std::binary_search(taken.begin(), taken.end(), w)) continue;
+    if (best < 0 || d * g[node] < d * g[best]) best = node;
+  }
+  return best;
+}
+
+/// What a short move adds to the energy: to first order by the slope, to second order by the variance of
+/// the dipole that it adds to u. With p = d·(2π/q)·r over a plane of area 1: ∫ u² = p²/(4π) ln(R/r).
+double ConePlacer::roughPrice(const UnitMove& move, const Eigen::VectorXd& g) const {
+  const Vec3 &a = mesh_.position(vertexOf_[at(move.from)]),
+             &b = mesh_.position(vertexOf_[at(move.to)]);
+  const double r = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) / metric_.size();
+  const double p = move.units * turnAngle(1, metric_.q()) * r;
+  const double dipole = p * p / (4.0 * kPi) * std::max(1.0, std::log(kReachOfDipole / r));
+  return move.units * (g[move.to] - g[move.from]) + dipole;
+}
+
+/// One merged with the other, or one of them further away: the kWaysMeasured that look cheapest.
+std::vector<ConePlacer::PricedMove> ConePlacer::waysApart(ConeDistances& distances, VertexId a,
+                                                          VertexId b, double least,
+                                                          const Eigen::VectorXd& g) const {
+  std::vector<PricedMove> ways;
+  const auto offer = [&](const UnitMove& move) {
+    ways.push_back({move, roughPrice(move, g), {a, b}});
+  };
+  for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
+    const int i = surface_.node[from], j = surface_.node[to];
+    const int d = defects_[at(i)];
+    if (!fits(i, 0)) continue;
+    if (!keepsCount_ && fits(j, defects_[at(j)] + d)) offer({i, j, d});
+    if (const int place = placeAside(distances, from, least, g); place >= 0) offer({i, place, d});
+  }
+  std::stable_sort(ways.begin(), ways.end(), isCheaper);
+  ways.resize(std::min(ways.size(), kWaysMeasured));
+  return ways;
+}
+
+/// Measured from where the cones are now, and of every pair the cheapest; cheapest first.
+std::vector<ConePlacer::PricedMove> ConePlacer::cheapestOfEach(
+    std::vector<std::vector<PricedMove>> groups) const {
+  std::vector<PricedMove*> all;
+  for (auto& group : groups)
+    for (PricedMove& move : group) all.push_back(&move);
+  for (std::size_t first = 0; first < all.size(); first += kWaysAtOnce) {
+    std::vector<UnitMove> block;
+    for (std::size_t i = first; i < std::min(all.size(), first + kWaysAtOnce); ++i)
+      block.push_back(all[i]->move);
+    const Eigen::MatrixXd response = metric_.moveResponse(block);
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      ConeCost cost = cost_;
+      cost.u += response.col(static_cast<Eigen::Index>(i));
+      cost.natural += block[i].units * (metric_.naturalResponse(block[i].to) -
+                                        metric_.naturalResponse(block[i].from));
+      metric_.measure(cost);
+      all[first + i]->price = cost.energy - cost_.energy;
+    }
+  }
+  std::vector<PricedMove> chosen;
+  chosen.reserve(groups.size());
+  for (const auto& group : groups)
+    chosen.push_back(*std::min_element(group.begin(), group.end(), isCheaper));
+  std::stable_sort(chosen.begin(), chosen.end(), isCheaper);
+  return chosen;
+}
+
+/// Moves first … last − 1 at once, unless limits forbid it.
+bool ConePlacer::applyAll(const std::vector<PricedMove>& moves, std::size_t first, std::size_t last,
+                          const EnergyLimits& limits) {
+  work_ -= metric_.nodeCount();
+  const NodeDefects defectsBefore = defects_;
+  const ConeCost costBefore = cost_;
+  for (std::size_t i = first; i < last; ++i) {
+    const UnitMove& move = moves[i].move;
+    if (fits(move.to, defects_[at(move.to)] + move.units)) apply(move);
+  }
+  measure();
+  if (cost_.energy <= limits.energy && rangeOf(cost_.u) <= limits.range) return true;
+  defects_ = defectsBefore;
+  cost_ = costBefore;
+  return false;
+}
+
+/// The same, or its halves: one that is dearer than it looked does not keep the others.
+bool ConePlacer::applyWithin(const std::vector<PricedMove>& moves, std::size_t first,
+                             std::size_t last, const EnergyLimits& limits) {
+  if (first == last || work_ <= 0.0) return false;
+  if (applyAll(moves, first, last, limits)) return true;
+  if (last - first == 1) return false;
+  const std::size_t middle = first + (last - first + 1) / 2;
+  const bool isFirst = applyWithin(moves, first, middle, limits);
+  return applyWithin(moves, middle, last, limits) || isFirst;
+}
+
+/// Every pair its cheapest way, as far as limits and work allow; false where nothing is left to try.
+bool ConePlacer::partPairs(ConeDistances& distances, const std::vector<ConeDistances::Pair>& pairs,
+                           double least, const Eigen::VectorXd& g, const EnergyLimits& limits,
+                           std::set<std::pair<VertexId, VertexId>>& held) {
+  std::vector<std::vector<PricedMove>> groups;
+  std::vector<VertexId> touched;
+  for (const ConeDistances::Pair& pair : pairs) {
+    // A cone is part of one move a round: the next one sees the metric that this one makes.
+    const bool isFresh = std::none_of(touched.begin(), touched.end(),
+                                      [&](VertexId v) { return v == pair.a || v == pair.b; });
+    if (!isFresh || work_ <= 0.0 || held.contains({pair.a, pair.b})) continue;
+    std::vector<PricedMove> ways = waysApart(distances, pair.a, pair.b, least, g);
+    if (ways.empty()) continue;
+    work_ -= kShareOfBlock * metric_.nodeCount() * static_cast<double>(ways.size());
+    groups.push_back(std::move(ways));
+    touched.insert(touched.end(), {pair.a, pair.b});
+  }
+  const std::vector<PricedMove> moves = cheapestOfEach(std::move(groups));
+  const NodeDefects before = defects_;
+  applyWithin(moves, 0, moves.size(), limits);
+  for (const PricedMove& m : moves)
+    if (defects_[at(m.move.from)] == before[at(m.move.from)]) held.insert(m.pair);
+  return !moves.empty();
+}
+
+/// Mergers that lower the energy to first order, as many of the best as keep the limits: a solve or two
+/// for all of them.
+bool ConePlacer::mergeDownhill(const std::vector<ConeDistances::Pair>& pairs,
+                               const Eigen::VectorXd& g, const EnergyLimits& limits) {
+  std::vector<PricedMove> moves;
+  for (const ConeDistances::Pair& pair : pairs) {
+    const int i = surface_.node[pair.a], j = surface_.node[pair.b];
+    const auto isTouched = [&](const PricedMove& m) {
+      return m.pair.first == pair.a || m.pair.second == pair.a || m.pair.first == pair.b ||
+             m.pair.second == pair.b;
+    };
+    const int sum = defects_[at(i)] + defects_[at(j)];
+    std::optional<PricedMove> best;
+    for (const auto& [from, to] : {std::pair{i, j}, std::pair{j, i}}) {
+      const int d = defects_[at(from)];
+      const PricedMove move{{from, to, d}, d * (g[to] - g[from]), {pair.a, pair.b}};
+      if (move.price <= 0.0 && fits(from, 0) && fits(to, sum) &&
+          (!best || move.price < best->price))
+        best = move;
+    }
+    if (best && std::none_of(moves.begin(), moves.end(), isTouched)) moves.push_back(*best);
+  }
+  std::stable_sort(moves.begin(), moves.end(), isCheaper);
+  for (std::size_t count = moves.size(); count > 0; count /= 2)
+    if (applyAll(moves, 0, count, limits)) return true;
+  return false;
+}
+
+void ConePlacer::separate(double least) {
+  const EnergyLimits limits{(1.0 + kDearest) * cost_.energy,
+                            std::max(kWidestRange, 1.02 * rangeOf(cost_.u))};
+  const double nodes = metric_.nodeCount();
+  std::set<std::pair<VertexId, VertexId>> held;  // pairs that no move parts within the limits
+  work_ = std::max(kLeastSolves * nodes, std::min(kMostSolves * nodes, kMostWork));
+  bool isDownhill = !keepsCount_;
+  for (int round = 0; round < kSeparatingRounds && work_ > 0.0; ++round) {
+    ConeDistances distances(mesh_, metric_, cost_.u);
+    const std::vector<ConeDistances::Pair> pairs = distances.closer(defects_, least);
+    if (pairs.empty()) return;
+    const Eigen::VectorXd g = metric_.gradient(cost_);
+    work_ -= nodes;
+    if (isDownhill && mergeDownhill(pairs, g, limits)) continue;
+    isDownhill = false;
+    if (!partPairs(distances, pairs, least, g, limits, held)) return;
+  }
+}
+
+}  // namespace hgp

@@ -81,7 +81,6 @@ class ConePlacer {
   bool walkTogether(int reach);
   bool walkOneByOne(int reach);
   std::vector<int> bestNodes(int sign, const Eigen::VectorXd& g, bool isNew) const;
-
   int placeAside(ConeDistances& distances, VertexId v, double least,
                  const Eigen::VectorXd& g) const;
   struct PricedMove {

@@ -1,0 +1,147 @@
+// Quad meshes from outside: the files that `hgp quads` writes, counted by nothing of the project's own.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import test, { after } from 'node:test';
+import { NodeIO } from '@gltf-transform/core';
+import validator from 'gltf-validator';
+import { cubeMesh, toObj } from '../support/meshes.mjs';
+
+const hgp =
+  process.env.HGP_BIN ?? path.join(import.meta.dirname, '../../build/native-release/bin/hgp');
+const shared =
+  process.env.HGP_SHARED_MESHES ?? path.join(import.meta.dirname, '../../../shared/meshes');
+const folder = mkdtempSync(path.join(os.tmpdir(), 'hgp-quads-'));
+after(() => rmSync(folder, { recursive: true }));
+
+/** m × n vertices of a torus with radii 1 and r, wavy so that nothing is symmetric. */
+function torus(m, n, r) {
+  const vertices = [];
+  const triangles = [];
+  for (let i = 0; i < m; i++)
+    for (let j = 0; j < n; j++) {
+      const [a, b] = [(2 * Math.PI * i) / m, (2 * Math.PI * j) / n];
+      const s = r * (1 + 0.15 * Math.sin(3 * a + b));
+      const d = 1 + s * Math.cos(b);
+      vertices.push([d * Math.cos(a), d * Math.sin(a), s * Math.sin(b)]);
+      const at = (k, l) => ((k + m) % m) * n + ((l + n) % n);
+      triangles.push([at(i, j), at(i + 1, j), at(i + 1, j + 1)]);
+      triangles.push([at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
+    }
+  return { vertices, triangles };
+}
+
+const stretched = (mesh, s) => ({
+  ...mesh,
+  vertices: mesh.vertices.map((p) => p.map((x, k) => x * s[k])),
+});
+
+function put(name, mesh) {
+  writeFileSync(path.join(folder, name), toObj(mesh));
+  return path.join(folder, name);
+}
+
+/** Closed surfaces: a file and the Euler characteristic it has. */
+const models = [
+  [put('ball.obj', cubeMesh(8)), 2],
+  [put('fine.obj', cubeMesh(20)), 2],
+  [put('loaf.obj', stretched(cubeMesh(12), [3, 1, 0.7])), 2],
+  [put('disc.obj', stretched(cubeMesh(12), [1, 1, 0.3])), 2],
+  [put('cigar.obj', stretched(cubeMesh(14), [0.4, 0.5, 2])), 2],
+  [put('ring.obj', torus(48, 20, 0.4)), 0],
+  [put('thin.obj', torus(60, 16, 0.15)), 0],
+  [put('fat.obj', torus(40, 40, 0.8)), 0],
+  ...[
+    ['OptCuts/horse_f10000.obj', 2],
+    ['odedstein-meshes/spot_low_resolution.obj', 2],
+    ['odedstein-meshes/nefertiti-lowres.obj.gz', 2],
+    ['gltf/moon.glb', 2],
+    ['geometry-central/bob_small.ply', 0],
+    ['Directional/697224__sf.obj', 0],
+    ['BFF/kitten.obj.gz', 0],
+    ['Directional/eight.off', -2],
+    ['gp-js/double-torus.obj', -2],
+    ['SWN/DoubleTorusWithLoops.obj.gz', -2],
+    ['wildmeshing-data/100071_sf.obj', -4],
+    ['ConformalIdealDelaunay/elephant.obj.gz', -4],
+  ].map(([name, euler]) => [path.join(shared, name), euler]),
+];
+
+/** What every one must be: pure, manifold, closed, of this Euler characteristic and these valences. */
+function checkQuads(text, euler, cones, name) {
+  const rows = text.split('\n').map((line) => line.split(' '));
+  const points = rows.filter((r) => r[0] === 'v').map((r) => r.slice(1).map(Number));
+  const faces = rows
+    .filter((r) => r[0] === 'f')
+    .map((r) => r.slice(1).map((c) => Number(c.split('/')[0]) - 1));
+  assert.ok(faces.length > 0, name);
+  const next = new Map(); // per directed edge: where its quad goes on
+  for (const face of faces) {
+    assert.equal(face.length, 4, `${name}: not a quad`);
+    assert.equal(new Set(face).size, 4, `${name}: a corner twice`);
+    face.forEach((a, k) => {
+      const edge = `${a} ${face[(k + 1) % 4]}`;
+      assert.ok(!next.has(edge), `${name}: edge ${edge} twice`);
+      next.set(edge, face[(k + 3) % 4]);
+    });
+  }
+  for (const edge of next.keys())
+    assert.ok(next.has(edge.split(' ').reverse().join(' ')), `${name}: open at ${edge}`);
+  assert.equal(points.length - next.size / 2 + faces.length, euler, `${name}: V − E + F`);
+  const valence = new Array(points.length).fill(0);
+  const start = [];
+  for (const edge of next.keys()) {
+    const [a, b] = edge.split(' ').map(Number);
+    valence[a]++;
+    start[a] = b;
+  }
+  valence.forEach((n, v) => {
+    assert.ok(n > 0, `${name}: vertex ${v} has no face`);
+    let [b, steps] = [start[v], 0];
+    do {
+      b = next.get(`${v} ${b}`); // the edge before v in the quad: the next one around v
+      steps++;
+    } while (b !== start[v] && steps <= n);
+    assert.equal(steps, n, `${name}: two fans at vertex ${v}`);
+  });
+  const ascending = (list) => list.sort((a, b) => a - b);
+  assert.deepEqual(
+    ascending(valence.filter((n) => n !== 4)),
+    ascending(cones),
+    `${name}: valences`,
+  );
+  assert.ok(points.flat().every(Number.isFinite));
+}
+
+for (const [file, euler] of models) {
+  const name = path.basename(file);
+  const options = existsSync(file) ? {} : { skip: `${file} is not here` };
+  test(`quads of ${name} are pure, manifold and of valence k at cones`, options, async () => {
+    const out = path.join(folder, 'out.obj');
+    const report = path.join(folder, 'report.json');
+    const run = (target) =>
+      spawnSync(hgp, ['quads', file, '--cells', '6000', '-o', target, '--json', report], {
+        encoding: 'utf8',
+      });
+    const asObj = run(out);
+    assert.equal(asObj.status, 0, asObj.stderr);
+    const { cones } = JSON.parse(readFileSync(report, 'utf8')).cones;
+    checkQuads(
+      readFileSync(out, 'utf8'),
+      euler,
+      cones.map((c) => c.k),
+      name,
+    );
+    const glb = path.join(folder, 'out.glb');
+    assert.equal(run(glb).status, 0);
+    const bytes = new Uint8Array(readFileSync(glb));
+    const { issues } = await validator.validateBytes(bytes);
+    assert.deepEqual([issues.numErrors, issues.numWarnings], [0, 0], JSON.stringify(issues));
+    const document = await new NodeIO().readBinary(bytes);
+    const [primitive] = document.getRoot().listMeshes()[0].listPrimitives();
+    const quads = readFileSync(out, 'utf8').match(/^f /gm).length;
+    assert.equal(primitive.getIndices().getCount(), 6 * quads);
+  });
+}

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "hgp/grid/snap.h"
-#include "hgp/linalg/factor/work.h"
 
 namespace hgp {
 namespace {

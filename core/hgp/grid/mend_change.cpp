@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hgp/linalg/factor/work.h"
+#include "hgp/linalg/factor/factor.h"
 #include "hgp/socp/solve.h"
 #include "hgp/verify/orientation.h"
 

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "hgp/base/check.h"
-#include "hgp/linalg/factor/work.h"
+#include "hgp/linalg/factor/factor.h"
 #include "hgp/optimize/program_form.h"
 
 namespace hgp {

@@ -4,5 +4,6 @@
 #include "hgp/linalg/factor/multifrontal.h"
 #include "hgp/linalg/factor/partial_cholesky.h"
 #include "hgp/linalg/factor/schur_lu.h"
+#include "hgp/linalg/factor/work.h"
 
 namespace hgp::linalg {}  // namespace hgp::linalg

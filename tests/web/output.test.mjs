@@ -9,6 +9,7 @@ import pngjs from 'pngjs';
 import validator from 'gltf-validator';
 import { cubeCrosses, cubeMesh, toGlb, toGltf, toObj } from '../support/meshes.mjs';
 import {
+  coarseGrid,
   certificate,
   coneCount,
   drop,
@@ -91,6 +92,7 @@ test('a grid as material: seen by others, all else in the file keeps its bytes',
   head.writeUInt32LE(padded.length, 12);
   head.writeUInt32LE(20 + padded.length + rest.length, 8);
   await openFiles(it, { 'cube.glb': Buffer.concat([head, Buffer.from(padded), rest]) });
+  await coarseGrid(page);
   await run(it);
   const before = await saveAs(it, 'same');
   await chooseGrid();

@@ -150,6 +150,13 @@ export async function pixels(page, selector, name) {
   return pngjs.PNG.sync.read(png);
 }
 
+/** A grid so coarse that its lines are seen in pictures of few pixels; before Run. */
+export async function coarseGrid(page) {
+  const slider = page.locator('#cells');
+  await slider.fill('30');
+  await slider.dispatchEvent('change');
+}
+
 /** Coloured seams on the surface, as a person switches them. */
 export async function showSeams(page, isOn) {
   if ((await page.getAttribute('#seams', 'aria-pressed')) !== String(isOn))

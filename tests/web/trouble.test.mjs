@@ -7,6 +7,7 @@ import path from 'node:path';
 import { cubeMesh, toGlb, toGltf, toObj } from '../support/meshes.mjs';
 import { uncertifiable } from './shapes.mjs';
 import {
+  coarseGrid,
   certificate,
   coneCount,
   download,
@@ -270,6 +271,7 @@ const context = (act, id) =>
 test('a lost picture is said, comes back by itself, and shows the same', async () => {
   const { page } = it;
   await example(it, 'cube');
+  await coarseGrid(page);
   await run(it);
   await settled(page);
   const isLine = (r, g, b) => b > r + 15 && b < 140;

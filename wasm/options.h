@@ -82,6 +82,7 @@ inline api::SolveOptions toSolveOptions(const val& options, const val& onProgres
   const auto scale = option(options, "scale", std::string("solved"));
   if (scale == "unit") o.scale = api::Scale::kUnit;
   if (scale == "fit") o.scale = api::Scale::kFit;
+  o.refines = option(options, "refine", false);
   const val grid = option(options, "grid", val::object());
   o.grid.cells = option(grid, "cells", 0.0);
   o.grid.spacing = option(grid, "spacing", 0.0);

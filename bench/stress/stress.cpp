@@ -202,6 +202,7 @@ int runProgram(int argc, char** argv) {
   app.add_flag("--damaged", a.isDamaged, "noise, anisotropy, decimation, slivers, spikes, needles");
   app.add_flag_callback(
       "--improve", [&a] { a.run.solve.improve.emplace(); }, "isometric, after the solve");
+  app.add_flag("--refine", a.run.solve.refines, "split edges where there is no map");
   app.add_option("--rounds", a.run.solve.maxRounds, "rounds at most");
   app.add_option("--time-limit", a.run.timeLimit, "processor seconds a run");
   app.add_option("--reproducers", a.reproducers, "folder for the meshes and cones of failures");

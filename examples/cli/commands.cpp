@@ -240,8 +240,16 @@ class Run {
 
   int wholeFile(const io::FileSet& files) {
     const int count = session_.surfaceCount();
+    if (a_.command == Command::kParam && a_.solve.refines) {
+      return fail(
+          {ErrorCode::kUsage,
+           "refine",
+           formatText("--refine is for one mesh and the file has %d: choose with --mesh N", count),
+           {}});
+    }
     if (a_.command == Command::kParam) {
-      if (Status possible = session_.canWrite(a_.output); !possible) return fail(possible.error());
+      if (Status possible = session_.canWrite(a_.output, a_.solve.refines); !possible)
+        return fail(possible.error());
     }
     session_ = api::Session();
     Result<FileOutcome> outcome = a_.command == Command::kParam
@@ -287,7 +295,7 @@ class Run {
 
   int param() {
     const bool isQuads = a_.command == Command::kQuads;
-    if (Status possible = session_.canWrite(a_.output); !possible && !isQuads) {
+    if (Status possible = session_.canWrite(a_.output, a_.solve.refines); !possible && !isQuads) {
       return fail(possible.error());
     }
     Result<std::optional<io::Prescription>> asked = std::optional<io::Prescription>();

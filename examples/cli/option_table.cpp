@@ -237,6 +237,8 @@ class Table {
                   "Write the map even when it is not certified (exit code 6 all the same)");
     sub->add_flag("--keep-going", out_.solve.keepsGoing,
                   "Write what is certified; what is not keeps its uv or lies flat (exit code 6)");
+    sub->add_flag("--refine", out_.solve.refines,
+                  "Where there is no map, split edges and write the refined mesh with its map");
     sub->add_option("--xref", out_.xref, "Write which input vertex every output vertex is")
         ->option_text("FILE");
     addPrescription(sub);

@@ -1,7 +1,7 @@
 // Files as people have them, through the command line: packed, lenient, broken in optional parts.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import test, { after } from 'node:test';
@@ -38,6 +38,72 @@ const octahedron = `v 1 0 0\nv 0 1 0\nv 0 0 1\nv -1 0 0\nv 0 -1 0\nv 0 0 -1\n${[
 ]
   .map((t) => `f ${t.join(' ')}\n`)
   .join('')}`;
+
+/** An icosahedron with two neighbours that ask for more than the triangles between them have. */
+function crowdedIcosahedron() {
+  const t = (1 + Math.sqrt(5)) / 2;
+  const v = [];
+  for (const a of [-1, 1]) {
+    for (const b of [-t, t]) v.push([a, b, 0], [0, a, b], [b, 0, a]);
+  }
+  const isEdge = (i, j) => Math.abs(Math.hypot(...v[i].map((x, k) => x - v[j][k])) - 2) < 1e-9;
+  const faces = [];
+  for (let i = 0; i < 12; i++) {
+    for (let j = i + 1; j < 12; j++) {
+      for (let k = j + 1; k < 12; k++) {
+        if (!isEdge(i, j) || !isEdge(j, k) || !isEdge(i, k)) continue;
+        const [a, b, c] = [v[i], v[j], v[k]];
+        const volume =
+          a[0] * (b[1] * c[2] - b[2] * c[1]) -
+          a[1] * (b[0] * c[2] - b[2] * c[0]) +
+          a[2] * (b[0] * c[1] - b[1] * c[0]);
+        faces.push(volume > 0 ? [i, j, k] : [i, k, j]);
+      }
+    }
+  }
+  const beside = v.findIndex((_, j) => j > 0 && isEdge(0, j));
+  const others = v.map((_, j) => j).filter((j) => j > 0 && j !== beside);
+  const cones = [`0:9`, `${beside}:9`, ...others.slice(0, 6).map((j) => `${j}:1`)];
+  return { v, faces, cones: cones.flatMap((cone) => ['--cone', cone]) };
+}
+
+test('--refine maps and writes a finer mesh where the mesh as it is has no map', () => {
+  const { v, faces, cones } = crowdedIcosahedron();
+  const lines = [
+    ...v.map((p) => `v ${p.join(' ')} 1 0 0\n`),
+    'usemtl red\n',
+    ...faces.map((f) => `f ${f.map((i) => i + 1).join(' ')}\n`),
+  ];
+  put('crowded.obj', lines.join(''));
+  const asked = ['param', 'crowded.obj', '--q', '4', ...cones, '-o', 'finer.obj', '--json', '-'];
+  const plain = run(asked);
+  assert.equal(plain.code, 6, plain.err);
+  assert.equal(existsSync(at('finer.obj')), false);
+  assert.match(plain.out, /--refine/);
+
+  const { code, out, err } = run([...asked, '--refine']);
+  assert.equal(code, 0, err);
+  const report = JSON.parse(out);
+  assert.deepEqual(problems('hgp-report', report), []);
+  assert.equal(report.input.triangles, 20);
+  assert.equal(report.refined.vertices, 12 + report.refined.edges);
+  assert.match(err + out, /THE MESH WAS REFINED/);
+  const text = readFileSync(at('finer.obj'), 'utf8').split('\n');
+  assert.equal(text.filter((line) => /^v /.test(line)).length, report.refined.vertices);
+  assert.equal(text.filter((line) => /^v .* 1 0 0$/.test(line)).length, report.refined.vertices);
+  assert.equal(text.filter((line) => /^f /.test(line)).length, report.refined.triangles);
+  const judged = run(['verify', 'finer.obj', '--q', '4', ...cones]);
+  assert.equal(judged.code, 0, judged.out);
+
+  const glb = toGlb([{ vertices: v, triangles: faces }]);
+  put('crowded.glb', glb);
+  const args = ['param', 'crowded.glb', '--refine', '-o'];
+  const refused = run([...args, 'out.glb']);
+  assert.equal(refused.code, 2);
+  assert.match(refused.err, /-o x\.obj/);
+  assert.equal(run([...args, 'out.obj']).code, 0);
+  assert.equal(run(['verify', 'out.obj']).code, 0);
+});
 
 test('every member of a gzip file is read, zeros between and rubbish behind them included', () => {
   const lines = octahedron.split('\n');

@@ -153,6 +153,12 @@ export interface SolveOptions extends SuggestOptions {
   keepGoing?: boolean;
   scale?: 'solved' | 'unit' | 'fit';
   /**
+   * Where there is no map, split edges and try again. The result's `positions`, `triangles` and files are
+   * then of the refined mesh, in which vertices keep their numbers; `report.refined` says what was split.
+   * The result is then written as OBJ.
+   */
+  refine?: boolean;
+  /**
    * Align the map to a grid (q = 2 or 4): every translation an integer, one cell per unit of uv, so that
    * lines meet at every seam. About `cells` in all, or cells of edge `spacing`; `quad`: cones on grid
    * points as well. Where none is found the map is as without it, and `report.components[].grid` says why

@@ -586,8 +586,39 @@ export interface Report {
     vertices: number;
     triangles: number;
   };
+  /**
+   * null: the mesh is as it was. Otherwise the result, its certificate and the written file are of a mesh with these edges split at their midpoints; ids below and input's counts are of the mesh before, vertices keep their ids and new ones follow
+   */
+  refined: {
+    /**
+     * how many are split
+     */
+    edges: number;
+    /**
+     * of the refined mesh
+     */
+    vertices: number;
+    /**
+     * of the refined mesh
+     */
+    triangles: number;
+    /**
+     * programs that gave no map on the mesh as it was
+     */
+    roundsBefore: number;
+    where: {
+      reason: string;
+      component: number;
+      count: number;
+      edges: Where;
+    }[];
+  } | null;
   options: {
     rounds: number;
+    /**
+     * edges may be split where there is no map
+     */
+    refine: boolean;
     /**
      * null: the map as solved
      */

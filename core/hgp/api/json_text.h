@@ -27,6 +27,19 @@ std::string checkText(const Failure& refusal);
 std::string certificateText(const Model& model, const std::vector<Certificate>& certificates,
                             const OutsideFacts& outside, int uvSet = -1);
 
+/// What was split, in ids of the surface before.
+struct RefinedFacts {
+  int verticesBefore = 0, trianglesBefore = 0;  ///< of the surface
+  int edges = 0;
+  struct Place {
+    std::string reason;
+    int component = 0;
+    std::vector<Where> edges;
+  };
+  std::vector<Place> places;
+  std::size_t roundsBefore = 0;  ///< programs on the surface as it was
+};
+
 /// What a run leaves behind besides the map.
 struct RunRecord {
   SolveOptions options;
@@ -35,6 +48,7 @@ struct RunRecord {
   std::vector<HarmonicFacts> harmonic;      ///< of what is stored, per component
   std::vector<std::string> notes;
   double seconds = 0;
+  std::optional<RefinedFacts> refined;  ///< of the run that gave the map
 };
 /// @param certificates  of what is stored, per component
 /// certificate and cones are JSON texts that become members of the report.

@@ -265,6 +265,7 @@ void mend(Model& model, const LoadOptions& options) {
 }
 
 Status prepare(Model& model, const LoadOptions& options) {
+  model.load = options;
   if (Status chosen = chooseSurface(model, options.surface); !chosen) return chosen;
   if (!model.embeddedCones) takeEmbeddedCones(model, *model.document, model.surface);
   const MeshData& source = model.source().mesh;
@@ -317,13 +318,18 @@ Result<Model> loadModel(io::FileSet files, const LoadOptions& options) {
   Result<io::DocumentPtr> document = io::openDocument(std::move(files), options.limits);
   if (!document) return document.error();
   model.document = std::move(*document);
+  LoadOptions of = options;
   if (!options.target.empty() && io::canConvert(*model.document, options.target)) {
     if (Status done = convert(model, copy, options); !done) return done.error();
-    LoadOptions ofWhole = options;
-    ofWhole.surface = std::string_view(model.document->format()) == "obj" ? -1 : options.surface;
-    if (Status done = prepare(model, ofWhole); !done) return done.error();
-    return model;
+    of.surface = std::string_view(model.document->format()) == "obj" ? -1 : options.surface;
   }
+  if (Status done = prepare(model, of); !done) return done.error();
+  return model;
+}
+
+Result<Model> modelOfDocument(io::DocumentPtr document, const LoadOptions& options) {
+  Model model;
+  model.document = std::move(document);
   if (Status done = prepare(model, options); !done) return done.error();
   return model;
 }

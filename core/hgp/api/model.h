@@ -20,6 +20,7 @@ struct ModelComponent {
 
 struct Model {
   io::DocumentPtr document;
+  LoadOptions load;  ///< as it was asked for
   std::string fileName;
   std::string sha256;  ///< of the main file
   std::uint64_t byteCount = 0;
@@ -53,6 +54,8 @@ struct Model {
 /// with `unusable` set.
 Result<Model> loadModel(io::FileSet files, const LoadOptions& options);
 Result<Model> modelOfArrays(MeshData arrays, const LoadOptions& options);
+/// A document that is open already.
+Result<Model> modelOfDocument(io::DocumentPtr document, const LoadOptions& options);
 
 /// Ids of a component in `where` become ids of the surface.
 Failure toSurfaceIds(const Model& model, const ModelComponent& component, Failure failure);

@@ -53,6 +53,8 @@ struct SolveOptions {
   /// A component that cannot be solved keeps the uv it had, or lies flat, instead of ending the run; the
   /// result is then not certified, and its other components are.
   bool keepsGoing = false;
+  /// Where there is no map, split edges and try again on the refined mesh, which is then what is written.
+  bool refines = false;
   GridOptions grid;  ///< cells are of all components together
   Progress progress;
 };

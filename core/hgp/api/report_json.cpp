@@ -7,7 +7,7 @@ namespace hgp::api {
 namespace {
 
 Json optionsJson(const SolveOptions& o, bool isAutomatic) {
-  Json json{{"rounds", o.maxRounds}, {"improve", nullptr}};
+  Json json{{"rounds", o.maxRounds}, {"improve", nullptr}, {"refine", o.refines}};
   if (o.improve)
     json["improve"] =
         Json{{"word", improveWord(o.improve->balance)}, {"balance", o.improve->balance}};
@@ -133,6 +133,20 @@ Json componentJson(const Model& model, const ModelComponent& component, const Pa
   return json;
 }
 
+Json refinedJson(const RefinedFacts& facts, const Model& model) {
+  Json where = Json::array();
+  for (const RefinedFacts::Place& place : facts.places)
+    where.push_back(Json{{"reason", place.reason},
+                         {"component", place.component},
+                         {"count", place.edges.size()},
+                         {"edges", whereJson(place.edges)}});
+  return Json{{"edges", facts.edges},
+              {"vertices", model.source().mesh.positions.size()},
+              {"triangles", model.source().mesh.triangles.size()},
+              {"roundsBefore", facts.roundsBefore},
+              {"where", std::move(where)}};
+}
+
 constexpr const char* kConesHere = "(cones)";
 constexpr const char* kCertificateHere = "(certificate)";
 
@@ -164,6 +178,11 @@ std::string reportText(const Model& model, const RunRecord& run,
                        {"surface", model.surface},
                        {"vertices", model.source().mesh.positions.size()},
                        {"triangles", model.source().mesh.triangles.size()}};
+  if (run.refined) {
+    json["input"]["vertices"] = run.refined->verticesBefore;
+    json["input"]["triangles"] = run.refined->trianglesBefore;
+  }
+  json["refined"] = run.refined ? refinedJson(*run.refined, model) : Json();
   json["options"] = optionsJson(run.options, run.isAutomatic);
   json["seconds"] = run.seconds;
   std::vector<std::string> notes = model.source().notes;

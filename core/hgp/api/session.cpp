@@ -46,6 +46,7 @@ Session& Session::operator=(Session&&) noexcept = default;
 
 Status Session::State::take(Result<Model> loaded) {
   solved.reset();
+  finer.reset();
   prepared.clear();
   model.reset();
   positions.clear();
@@ -148,6 +149,7 @@ Status Session::parametrize(const std::optional<io::Prescription>& prescription,
   return guarded([&]() -> Status {
     if (Status ready = requireComponents(state_->model); !ready) return ready.error();
     state_->solved.reset();
+    state_->finer.reset();
     return state_->solve(prescription, options);
   });
 }
@@ -191,46 +193,57 @@ Result<Verdict> Session::verify(const std::optional<io::Prescription>& prescript
   });
 }
 
-bool Session::hasResult() const { return state_->solved.has_value(); }
-bool Session::isCertified() const { return hasResult() && state_->solved->stored.isCertified; }
+bool Session::hasResult() const { return state_->shown().solved.has_value(); }
+bool Session::isCertified() const {
+  return hasResult() && state_->shown().solved->stored.isCertified;
+}
 const std::string& Session::certificateJson() const {
-  return hasResult() ? state_->solved->certificate : kEmpty;
+  return hasResult() ? state_->shown().solved->certificate : kEmpty;
 }
 const std::string& Session::reportJson() const {
-  return hasResult() ? state_->solved->report : kEmpty;
+  return hasResult() ? state_->shown().solved->report : kEmpty;
 }
 const std::string& Session::conesJson() const {
-  return hasResult() ? state_->solved->cones : kEmpty;
+  return hasResult() ? state_->shown().solved->cones : kEmpty;
 }
 std::optional<Repaired> Session::repaired() const {
-  if (!state_->model || !state_->model->isChanged) return std::nullopt;
-  const Model& model = *state_->model;
+  const std::optional<Model>& shown = state_->shown().model;
+  if (!shown || !shown->isChanged) return std::nullopt;
+  const Model& model = *shown;
   Repaired out{{}, model.vertexOrigin, model.vertexImage};
   for (const auto& t : model.mesh.triangles) {
     for (int v : t) out.triangles.push_back(static_cast<std::uint32_t>(v));
   }
   return out;
 }
-const std::vector<double>& Session::positions() const { return state_->positions; }
-const std::vector<std::uint32_t>& Session::triangles() const { return state_->triangles; }
+const std::vector<double>& Session::positions() const { return state_->shown().positions; }
+const std::vector<std::uint32_t>& Session::triangles() const { return state_->shown().triangles; }
 const std::vector<double>& Session::uv() const {
-  return hasResult() ? state_->solved->uv : kNoNumbers;
+  return hasResult() ? state_->shown().solved->uv : kNoNumbers;
 }
 const std::vector<std::uint32_t>& Session::cornerToUv() const {
-  return hasResult() ? state_->solved->cornerToUv : kNoIndices;
+  return hasResult() ? state_->shown().solved->cornerToUv : kNoIndices;
 }
 const std::vector<std::uint32_t>& Session::uvToVertex() const {
-  return hasResult() ? state_->solved->stored.uvToVertex : kNoIndices;
+  return hasResult() ? state_->shown().solved->stored.uvToVertex : kNoIndices;
 }
 const std::vector<SeamEdge>& Session::seams() const {
-  return hasResult() ? state_->solved->seams : kNoSeams;
+  return hasResult() ? state_->shown().solved->seams : kNoSeams;
 }
 
-Status Session::canWrite(const std::string& name) const {
+Status Session::canWrite(const std::string& name, bool isRefined) const {
   return guarded([&]() -> Status {
     if (!state_->model) return notLoaded();
     const std::string wanted = extensionOf(name);
-    const io::Document& document = *state_->model->document;
+    if (isRefined && !wanted.empty() && wanted != "obj") {
+      return Failure{
+          ErrorCode::kUsage,
+          "write",
+          "a refined mesh is written as OBJ: name the result -o x.obj; accessors of a glTF "
+          "are not enlarged",
+          {}};
+    }
+    const io::Document& document = *state_->shown().model->document;
     const std::string given = document.outputFormat();
     const bool isKnown = wanted == "obj" || wanted == "off" || wanted == "ply" || wanted == "stl" ||
                          wanted == "gltf" || wanted == "glb" || wanted == "gz";
@@ -258,8 +271,9 @@ Result<io::Written> Session::write(const WriteOptions& options) const {
       return Failure{ErrorCode::kNoMap, "write", "the map is not certified", {}};
     }
     if (Status possible = canWrite(options.name); !possible) return possible.error();
-    const Model& model = *state_->model;
-    const StoredMap& stored = state_->solved->stored;
+    const Session::State& shown = state_->shown();
+    const Model& model = *shown.model;
+    const StoredMap& stored = shown.solved->stored;
     io::WriteOptions out;
     out.uvSet = options.uvSet;
     out.name = options.name;
@@ -268,7 +282,7 @@ Result<io::Written> Session::write(const WriteOptions& options) const {
     out.isSideFileNoted = options.isSideFileNoted;
     out.pointsMaterials = options.pointsMaterials;
     out.generator = std::string("hgp ") + version();
-    if (options.embedCones) out.cones = io::writeConesJson(state_->solved->prescription, -1);
+    if (options.embedCones) out.cones = io::writeConesJson(shown.solved->prescription, -1);
     return model.document->write(model.surface, stored.map, out);
   });
 }

@@ -77,7 +77,7 @@ class Session {
   const std::string& reportJson() const;       ///< hgp-report; contains the certificate
   const std::string& conesJson() const;        ///< the completed prescription: hgp-cones
 
-  const std::vector<double>& positions() const;         ///< |V| × 3 of the surface
+  const std::vector<double>& positions() const;  ///< |V| × 3 of the surface, or the refined one
   const std::vector<std::uint32_t>& triangles() const;  ///< |F| × 3
   std::optional<Repaired> repaired() const;  ///< nothing where the surface is used as it is
   const std::vector<double>& uv() const;     ///< 2 per uv vertex, as stored
@@ -92,7 +92,8 @@ class Session {
   Result<QuadFile> quads(const std::string& name) const;
 
   /// Whether write() can make a file of this name: glTF stays glTF, everything else becomes OBJ.
-  Status canWrite(const std::string& name) const;
+  /// @param isRefined  for a result that SolveOptions::refines was asked for: always OBJ
+  Status canWrite(const std::string& name, bool isRefined = false) const;
   /// The original with the result as a uv set.
   Result<io::Written> write(const WriteOptions& options) const;
 

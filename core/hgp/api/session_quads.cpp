@@ -16,7 +16,7 @@ void append(const QuadMesh& part, QuadMesh& all) {
 
 }  // namespace
 
-bool Session::isAligned() const { return isCertified() && state_->solved->isAligned; }
+bool Session::isAligned() const { return isCertified() && state_->shown().solved->isAligned; }
 
 Result<QuadFile> Session::quads(const std::string& name) const {
   return guarded([&]() -> Result<QuadFile> {
@@ -28,12 +28,13 @@ Result<QuadFile> Session::quads(const std::string& name) const {
                      "cells would work",
                      {}};
     }
-    const Model& model = *state_->model;
+    const Model& model = *state_->shown().model;
     QuadMesh all;
     for (std::size_t p = 0; p < model.components.size(); ++p) {
-      const UvMap map = mapOfComponent(model, model.components[p], state_->solved->stored.map);
-      Result<QuadMesh> part =
-          extractQuads(model.components[p].mesh, map, state_->solved->stored.certificates[p].q);
+      const UvMap map =
+          mapOfComponent(model, model.components[p], state_->shown().solved->stored.map);
+      Result<QuadMesh> part = extractQuads(model.components[p].mesh, map,
+                                           state_->shown().solved->stored.certificates[p].q);
       if (!part) return toSurfaceIds(model, model.components[p], part.error());
       append(*part, all);
     }

@@ -60,6 +60,15 @@ Failure noField() {
           {}};
 }
 
+Failure cannotRefineFrames() {
+  return {
+      ErrorCode::kUsage,
+      "refine",
+      "The frames of a file are one per triangle and cannot be refined with the mesh; leave out "
+      "either.",
+      {}};
+}
+
 Failure wrongBalance() {
   return {ErrorCode::kUsage,
           "improve",
@@ -99,6 +108,7 @@ Result<Parametrization> Session::State::solveComponent(std::size_t p,
   ParametrizeOptions core;
   core.maxRounds = options.maxRounds;
   core.method = options.method;
+  core.largestWork *= workShare;
   core.grid = options.grid;
   core.improve = options.improve;
   core.progress = options.progress;
@@ -229,35 +239,20 @@ static Status checkGrid(const SolveOptions& options, int q) {
   return Done{};
 }
 
-Status Session::State::solve(const std::optional<io::Prescription>& prescription,
-                             const SolveOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
-  Result<Request> request = prescription ? resolve(*model, *prescription)
-                                         : Result<Request>(automaticRequest(*model, options.q));
-  if (!request) return request.error();
-  if (Status possible = checkGrid(options, request->q); !possible) return possible.error();
+Status Session::State::solveRequest(const Request& request, const SolveOptions& options,
+                                    RunRecord& run) {
   SolveOptions shared = options;
   shared.grid = sharedGrid(*model, options.grid);
-  if (options.improve && !(std::fabs(options.improve->balance) <= 1.0)) return wrongBalance();
-  if (options.frames == FrameSource::kAuto) {
-    for (ComponentRequest& component : request->components) component.field.reset();
-  }
-  RunRecord run;
-  run.options = options;
-  run.isAutomatic = !prescription && options.boundary == BoundaryKind::kFree;
-  run.notes = request->notes;
-  if (options.frames == FrameSource::kFile)
-    run.notes.push_back("the frames are the directions of the field");
   std::vector<ComponentMap> maps;
   std::vector<HolonomySpec> specs;
   bool areAligned = true;
   for (std::size_t p = 0; p < model->components.size(); ++p) {
-    Result<Parametrization> component = solveComponent(p, request->components[p], shared);
+    Result<Parametrization> component = solveComponent(p, request.components[p], shared);
     if (!component && options.keepsGoing && maySkip(component.error())) {
       run.notes.push_back(
           formatText("component %zu has no map of its own, and keeps what it had: ", p) +
           component.error().message);
-      component = unsolved(*model, model->components[p], request->q);
+      component = unsolved(*model, model->components[p], request.q);
     }
     if (!component) return component.error();
     const bool isAligned = component->grid && component->grid->isAligned;
@@ -276,12 +271,42 @@ Status Session::State::solve(const std::optional<io::Prescription>& prescription
   result.certificate = certificateText(*model, result.stored.certificates,
                                        measureOutside(*model, result.stored.map));
   run.harmonic = harmonicity(*model, maps, result.stored.map);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  run.seconds = seconds.count();
-  result.report =
-      reportText(*model, run, result.stored.certificates, result.certificate, result.cones);
   flatten(result);
   solved = std::move(result);
+  return Done{};
+}
+
+void Session::State::publish(const RunRecord& run) {
+  solved->report =
+      reportText(*model, run, solved->stored.certificates, solved->certificate, solved->cones);
+}
+
+Status Session::State::solve(const std::optional<io::Prescription>& prescription,
+                             const SolveOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  if (options.refines && std::string_view(model->document->outputFormat()) != "obj")
+    return solveAsPolygons(prescription, options);
+  Result<Request> request = prescription ? resolve(*model, *prescription)
+                                         : Result<Request>(automaticRequest(*model, options.q));
+  if (!request) return request.error();
+  if (Status possible = checkGrid(options, request->q); !possible) return possible.error();
+  if (options.improve && !(std::fabs(options.improve->balance) <= 1.0)) return wrongBalance();
+  if (options.frames == FrameSource::kFile && options.refines) return cannotRefineFrames();
+  if (options.frames == FrameSource::kAuto) {
+    for (ComponentRequest& component : request->components) component.field.reset();
+  }
+  RunRecord run;
+  run.options = options;
+  run.isAutomatic = !prescription && options.boundary == BoundaryKind::kFree;
+  run.notes = request->notes;
+  if (options.frames == FrameSource::kFile)
+    run.notes.push_back("the frames are the directions of the field");
+  if (Status done = solveRequest(*request, options, run); !done) return done;
+  if (!solved->stored.isCertified && options.boundary == BoundaryKind::kFree)
+    if (Status done = solveRefined(*request, options, run); !done) return done;
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  run.seconds = seconds.count();
+  if (!finer) publish(run);
   return Done{};
 }
 

@@ -20,11 +20,25 @@ struct Session::State {
     std::vector<SeamEdge> seams;
   };
   std::optional<Solved> solved;
+  double workShare = 1.0;        ///< of what a run may spend
+  std::unique_ptr<State> finer;  ///< the refined surface, where only that has the map
   std::vector<double> positions;
   std::vector<std::uint32_t> triangles;
 
+  /// What a result is of, and what is written.
+  const State& shown() const { return finer ? *finer : *this; }
+
   Status take(Result<Model> loaded);
   Status solve(const std::optional<io::Prescription>& prescription, const SolveOptions& options);
+  /// Every component, judged as stored: all of `solved` but its report.
+  Status solveRequest(const Request& request, const SolveOptions& options, RunRecord& run);
+  /// Refined meshes, each finer than the one before, until one has a map; sets `finer`, or says in the
+  /// notes of `run` what was tried.
+  Status solveRefined(const Request& request, const SolveOptions& options, RunRecord& run);
+  void publish(const RunRecord& run);
+  /// For formats that cannot be refined: everything on the surface as polygons, set as `finer`.
+  Status solveAsPolygons(const std::optional<io::Prescription>& prescription,
+                         const SolveOptions& options);
   Result<Parametrization> solveComponent(std::size_t p, const ComponentRequest& request,
                                          const SolveOptions& options);
   void flatten(Solved& result) const;

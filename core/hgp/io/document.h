@@ -24,12 +24,11 @@ struct Limits {
   std::uint64_t maxTriangles = 16'000'000;          ///< of one document
 };
 
-/// Hands over a side file by the relative name that the main file uses (percent-decoded, '/').
-/// The caller decides what may be seen; io refuses names that leave the folder before asking.
+/// Hands over a side file by the relative name that the main file uses (percent-decoded, '/'). The
+/// caller decides what may be seen; io refuses names that leave the folder before asking.
 using Resolver = std::function<Result<Bytes>(const std::string& relativeName)>;
 
 struct GltfDecoders;  // gltf_decoders.h
-
 /// The main file and a way to its companions (a .gltf's .bin). `resolve` may be empty.
 struct FileSet {
   std::string name;  ///< as the user wrote it; only its extension and messages use it
@@ -77,13 +76,15 @@ class Document {
   virtual Result<std::optional<Prescription>> embeddedCones(int surface) const = 0;
 
   /// The original with `map` as a uv set of this surface. `map` must come from asStored.
-  virtual Result<Written> write(int surface, const UvMap& map,
-                                const WriteOptions& options) const = 0;
+  virtual Result<Written> write(int surface, const UvMap& map, const WriteOptions& o) const = 0;
 
   /// What other formats can hold, too; `surface` −1: all of the file, where its nodes put it.
   virtual Result<PlainFile> plain(int surface) const = 0;
-};
 
+  /// The same file after splitEdges(), what it stores interpolated, without cones; not for glTF.
+  virtual Result<std::unique_ptr<Document>> refined(
+      int surface, const std::vector<std::array<int, 2>>& edges) const = 0;
+};
 using DocumentPtr = std::unique_ptr<Document>;
 
 Result<DocumentPtr> readObj(FileSet files, const Limits& limits);

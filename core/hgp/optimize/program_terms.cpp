@@ -6,11 +6,20 @@
 namespace hgp {
 
 int pinnedUnknown(const ProgramInput& in) {
+  VertexId pinned;
+  const auto consider = [&](VertexId v) {
+    if (in.unknowns.vertexUnknown[v] < 0) return;
+    if (!pinned.isValid() || in.options.u[v] < in.options.u[pinned]) pinned = v;
+  };
   for (FaceId f : in.frames.faces)
-    for (VertexId v : in.mesh.corners(f))
-      if (in.unknowns.vertexUnknown[v] >= 0) return in.unknowns.vertexUnknown[v];
-  for (VertexId v : in.mesh.vertices())
-    if (in.unknowns.vertexUnknown[v] >= 0) return in.unknowns.vertexUnknown[v];
+    for (VertexId v : in.mesh.corners(f)) consider(v);
+  // The exact form wants it among the unknowns that its rows do not decide.
+  if (!pinned.isValid())
+    for (FaceId f : in.options.pulled)
+      for (VertexId v : in.mesh.corners(f)) consider(v);
+  if (!pinned.isValid())
+    for (VertexId v : in.mesh.vertices()) consider(v);
+  if (pinned.isValid()) return in.unknowns.vertexUnknown[pinned];
   // Every vertex is a cone that its chains decide: moving the map changes the translation of each
   // chain that rotates, so one of those is held.
   for (std::size_t c = 0; c < in.cut.chains.size(); ++c)

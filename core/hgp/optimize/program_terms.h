@@ -23,7 +23,9 @@ struct ProgramInput {
   const ProgramOptions& options;
 };
 
-/// Translations of the whole map are free: the unknown that is held at 0, −1 when there is none.
+/// Translations of the whole map are free: the unknown that is held at 0, −1 when there is none. It is
+/// where the map is smallest (of constrained triangles, where there are any): numbers have most digits
+/// there, and rows weighted by e^{−u} hold it fast.
 int pinnedUnknown(const ProgramInput& in);
 
 /// Unknowns that a program does not solve for, and where they stay.

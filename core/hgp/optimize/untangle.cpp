@@ -282,13 +282,16 @@ class Untangler {
   /// One Newton step with backtracking; false when none lowers the energy.
   bool step(double energy) {
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(2 * count_);
-    const Eigen::SparseMatrix<double> H = hessian(x_, &gradient);
-    const double size = H.diagonal().mean();
+    Eigen::SparseMatrix<double> H = hessian(x_, &gradient);
+    // Scaled to a diagonal of ones: where u spans e^20, what is lifted for one end is all of the other.
+    const Eigen::VectorXd scale = H.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+    H = scale.asDiagonal() * H * scale.asDiagonal();
     bool isFactored = false;
-    for (double lift = 1e-9; !isFactored && lift < 1.0; lift *= 1e3)
-      isFactored = static_cast<bool>(factor_.factor(H, lift * size));
+    for (double lift = 1e-12; !isFactored && lift < 1.0; lift *= 1e3)
+      isFactored = static_cast<bool>(factor_.factor(H, lift));
     if (!isFactored) return false;
-    const Eigen::VectorXd d = factor_.solve(Eigen::MatrixXd(-gradient));
+    const Eigen::VectorXd scaled = -scale.cwiseProduct(gradient);
+    const Eigen::VectorXd d = scale.cwiseProduct(factor_.solve(Eigen::MatrixXd(scaled)).col(0));
     const double slope = gradient.dot(d);
     if (!(slope < 0.0)) return false;
     const Eigen::VectorXcd direction =

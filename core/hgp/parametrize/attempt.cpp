@@ -13,6 +13,8 @@ namespace {
 constexpr double kFarTurn = 2.0;
 /// δ of the linear program that untangling starts from: frames on all faces outweigh harmonicity.
 constexpr double kStartQuality = 1.0;
+/// Bound on |u| in that program where it cannot be factored without.
+constexpr double kStartClamp = 8.0;
 /// (13) as printed.
 constexpr double kPrintedMargin = 0.01;
 
@@ -232,8 +234,15 @@ bool Attempts::untangleFrom(const State& state, int round, Attempt& attempt) {
   ProgramOptions start;
   start.u = attempt.u;
   start.quality = kStartQuality;
-  const ProgramResult linear = solveProgram(problem_.mesh, setup.context->geometry, setup.cut,
-                                            seams, setup.unknowns, setup.harmonic, Frames{}, start);
+  const auto solveStart = [&] {
+    return solveProgram(problem_.mesh, setup.context->geometry, setup.cut, seams, setup.unknowns,
+                        setup.harmonic, Frames{}, start);
+  };
+  ProgramResult linear = solveStart();
+  if (linear.x.size() == 0) {  // weights that no factorization survives
+    for (double& value : start.u.raw()) value = std::clamp(value, -kStartClamp, kStartClamp);
+    linear = solveStart();
+  }
   attempt.program.status = socp::SolveStatus::kStalled;
   if (linear.x.size() == 0 || !linear.x.allFinite()) return true;
   UntangleOptions options;

@@ -21,6 +21,10 @@ namespace hgp {
 
 struct ParametrizeOptions {
   int maxRounds = 24;  ///< programs at most
+  /// No further program once so much is spent, in units of workOf() (strategy.h) for each of the surface's
+  /// triangles, or of kSmallSurface where it has fewer.
+  double largestWork = 1000.0;
+  static constexpr int kSmallSurface = 20'000;
   Method method = Method::kAuto;
   /// Directions (and matchings, where stored) to take as the frames d_j of (13) and as seam
   /// rotations, instead of our own smooth connection with the same holonomy. They must realise the

@@ -88,6 +88,8 @@ static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
   std::shared_ptr<const Attempt> best;
   std::set<std::uint64_t> tried;
   State state = firstState(problem);
+  double work =
+      options.largestWork * std::max(problem.mesh.faceCount(), ParametrizeOptions::kSmallSurface);
   for (int round = 1; round <= options.maxRounds; ++round) {
     if (!report(options.progress, {"solve", 0.0, -1, -1.0, round, options.maxRounds}))
       return cancelled("solve");
@@ -97,7 +99,8 @@ static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
     if (!attempt) return cancelled("solve");
     rounds.push_back(describe(problem, state, *attempt, secondsSince(start)));
     if (!best || distanceToCertified(*attempt) < distanceToCertified(*best)) best = attempt;
-    if (best->certificate.isCertified) break;
+    work -= workOf(problem, *attempt);
+    if (best->certificate.isCertified || work <= 0.0) break;
     std::optional<State> next = firstMove(problem, state, attempt, tried);
     if (!next) break;
     state = std::move(*next);

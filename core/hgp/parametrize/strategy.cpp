@@ -127,6 +127,13 @@ std::uint64_t hashOf(const State& state) {
   return hash.value();
 }
 
+double workOf(const Problem& problem, const Attempt& attempt) {
+  constexpr double kPerConstraint = 6.0;
+  const double iterations = std::max(1, attempt.program.iterations);
+  return iterations * (problem.mesh.faceCount() +
+                       kPerConstraint * static_cast<double>(attempt.frames.faces.size()));
+}
+
 std::string nameOf(const Problem& problem, const State& state) {
   if (state.untangling >= 0) return "untangled, kind " + std::to_string(state.untangling + 1);
   std::string name = problem.weightings[state.weighting].name;

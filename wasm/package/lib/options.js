@@ -96,6 +96,7 @@ optionsOf.parametrize = {
   quality: boolean,
   keepGoing: boolean,
   scale: oneOf('solved', 'unit', 'fit'),
+  refine: boolean,
   grid: record({ cells: number, spacing: number, mode: oneOf('tile', 'quad') }),
 };
 

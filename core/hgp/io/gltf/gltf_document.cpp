@@ -111,4 +111,8 @@ Result<DocumentPtr> readGltf(FileSet files, const Limits& limits) {
   return DocumentPtr(std::make_unique<GltfDocument>(std::move(*store), std::move(parts)));
 }
 
+Result<DocumentPtr> GltfDocument::refined(int, const std::vector<std::array<int, 2>>&) const {
+  return Failure{ErrorCode::kUnsupported, "refine", "accessors of a glTF are not enlarged", {}};
+}
+
 }  // namespace hgp::io

@@ -24,6 +24,8 @@ class GltfDocument : public Document {
   Result<std::optional<Prescription>> embeddedCones(int surface) const override;
   Result<Written> write(int surface, const UvMap& map, const WriteOptions& options) const override;
   Result<PlainFile> plain(int surface) const override;
+  Result<DocumentPtr> refined(int surface,
+                              const std::vector<std::array<int, 2>>& edges) const override;
 
  private:
   /// v = top − stored v

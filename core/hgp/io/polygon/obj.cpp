@@ -3,6 +3,7 @@
 #include "hgp/base/check.h"
 #include "hgp/io/cone_files.h"
 #include "hgp/io/polygon/obj_attributes.h"
+#include "hgp/io/polygon/obj_refine.h"
 #include "hgp/io/polygon/obj_text.h"
 #include "hgp/io/polygon/polygon_document.h"
 #include "hgp/text/text.h"
@@ -196,6 +197,14 @@ class ObjDocument final : public PolygonDocument {
           "polylines (l) and skipped faces lost their references to the old vt lines");
     }
     return written;
+  }
+
+  Result<DocumentPtr> refined(int, const std::vector<VertexPair>& edges) const override {
+    const std::string text =
+        refineObj(asText(text_), places_, polygons_, corners_, cornerUv_, surfaces_[0].mesh, edges);
+    auto document = std::make_unique<ObjDocument>();
+    if (Status done = document->read(asBytes(text), ~std::uint64_t{0}); !done) return done.error();
+    return DocumentPtr(std::move(document));
   }
 
  private:

@@ -28,6 +28,8 @@ class PolygonDocument : public Document {
   UvMap asStored(int surface, const UvMap& map) const override;
   Result<std::optional<Prescription>> embeddedCones(int surface) const override;
   Result<Written> write(int surface, const UvMap& map, const WriteOptions& options) const override;
+  Result<DocumentPtr> refined(int surface,
+                              const std::vector<std::array<int, 2>>& edges) const override;
 
   Result<PlainFile> plain(int surface) const override;
 

@@ -1,0 +1,123 @@
+#include <algorithm>
+#include <chrono>
+
+#include "hgp/api/refined_model.h"
+#include "hgp/api/session_state.h"
+#include "hgp/base/check.h"
+
+namespace hgp::api {
+namespace {
+
+/// Of the work that a run may spend, what each refined mesh may: three of them double a run at most.
+constexpr double kRefinedShare = 0.3;
+
+int certifiedCount(const std::vector<Certificate>& certificates) {
+  return static_cast<int>(std::count_if(certificates.begin(), certificates.end(),
+                                        [](const Certificate& c) { return c.isCertified; }));
+}
+
+std::size_t edgeCount(const std::vector<std::vector<SplitPlace>>& places) {
+  std::size_t count = 0;
+  for (const auto& component : places)
+    for (const SplitPlace& place : component) count += place.edges.size();
+  return count;
+}
+
+bool isAnyGiven(const std::vector<std::optional<int>>& handles) {
+  return std::any_of(handles.begin(), handles.end(), [](const auto& r) { return r.has_value(); });
+}
+
+std::string refinedNote(const RefinedFacts& facts, const Model& refined) {
+  std::string reasons;
+  std::vector<std::pair<std::string, std::size_t>> sums;
+  for (const RefinedFacts::Place& place : facts.places) {
+    const auto it = std::find_if(sums.begin(), sums.end(),
+                                 [&](const auto& sum) { return sum.first == place.reason; });
+    if (it == sums.end())
+      sums.push_back({place.reason, place.edges.size()});
+    else
+      it->second += place.edges.size();
+  }
+  for (const auto& [reason, count] : sums)
+    reasons += formatText("%s%zu %s", reasons.empty() ? "" : ", ", count, reason.c_str());
+  return formatText(
+      "THE MESH WAS REFINED: %d edges are split (%s), because %zu programs gave no map on the mesh "
+      "as it "
+      "was. What is certified and written has %zu vertices and %zu triangles, where there were %d "
+      "and "
+      "%d; vertices keep their numbers, new ones follow.",
+      facts.edges, reasons.c_str(), facts.roundsBefore, refined.source().mesh.positions.size(),
+      refined.source().mesh.triangles.size(), facts.verticesBefore, facts.trianglesBefore);
+}
+
+}  // namespace
+
+Status Session::State::solveAsPolygons(const std::optional<io::Prescription>& prescription,
+                                       const SolveOptions& options) {
+  auto next = std::make_unique<State>();
+  if (Status taken = next->take(modelOfPolygons(*model)); !taken) return taken;
+  if (Status done = next->solve(prescription, options); !done) return done;
+  finer = next->finer ? std::move(next->finer) : std::move(next);
+  return Done{};
+}
+
+Status Session::State::solveRefined(const Request& request, const SolveOptions& options,
+                                    RunRecord& run) {
+  const auto start = std::chrono::steady_clock::now();
+  if (!options.refines) {
+    run.notes.push_back(
+        "no map on this mesh: it may be too coarse for what is asked. --refine (refine: true) "
+        "splits "
+        "edges where it is, tries again, and writes the refined mesh");
+    return Done{};
+  }
+  std::vector<std::optional<FrameField>> fields(request.components.size());
+  for (std::size_t p = 0; p < fields.size(); ++p) {
+    if (!isAnyGiven(request.components[p].spec.handles)) continue;
+    Result<PrescribedField> field = surfaceOf(p).field(toSpec(run.components[p].spec));
+    if (field) fields[p] = std::move(field->field);
+  }
+  int best = certifiedCount(solved->stored.certificates);
+  std::size_t last = 0;
+  std::string tried;
+  for (int attempt = 0; attempt < kRefinements; ++attempt) {
+    std::vector<std::vector<SplitPlace>> places(model->components.size());
+    for (std::size_t p = 0; p < places.size(); ++p)
+      if (!solved->stored.certificates[p].isCertified)
+        places[p] = placesToSplit(model->components[p].mesh, run.components[p], attempt);
+    if (edgeCount(places) == last) continue;
+    last = edgeCount(places);
+    Result<RefinedModel> refined = refine(*model, places);
+    if (!refined) return refined.error();
+    Result<Request> carried = carryOver(*model, request, fields, *refined);
+    if (!carried) return carried.error();
+    auto next = std::make_unique<State>();
+    if (Status taken = next->take(std::move(refined->model)); !taken) return taken;
+    next->workShare = kRefinedShare;
+    RunRecord again;
+    again.options = run.options;
+    again.isAutomatic = run.isAutomatic;
+    again.notes = request.notes;
+    const Status done = next->solveRequest(*carried, options, again);
+    if (!done && done.error().code == ErrorCode::kCancelled) return done;
+    tried +=
+        formatText("%s%zu", tried.empty() ? "" : ", ", next->model->source().mesh.triangles.size());
+    if (!done || certifiedCount(next->solved->stored.certificates) <= best) continue;
+    best = certifiedCount(next->solved->stored.certificates);
+    again.refined = std::move(refined->facts);
+    for (const Parametrization& component : run.components)
+      again.refined->roundsBefore += component.rounds.size();
+    again.notes.push_back(refinedNote(*again.refined, *next->model));
+    again.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    next->publish(again);
+    finer = std::move(next);
+    if (finer->solved->stored.isCertified) return Done{};
+  }
+  if (!finer)
+    run.notes.push_back(
+        tried.empty() ? "nothing was refined: the places where this map is wrong are not known"
+                      : "refined to " + tried + " triangles it has no map either");
+  return Done{};
+}
+
+}  // namespace hgp::api

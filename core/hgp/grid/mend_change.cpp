@@ -66,6 +66,37 @@ socp::ConeConstraint positivity(const LocalStrain& s) {
   return constraint;
 }
 
+/// ½ x* H x + Re(c* x) in the free unknowns.
+struct StrainForm {
+  Eigen::SparseMatrix<Complex> H;
+  Eigen::VectorXcd c;
+};
+
+/// The strain of these faces when all but the free unknowns stay.
+StrainForm strainOfFree(const ChangeContext& in, const std::vector<FaceId>& faces,
+                        const std::vector<int>& place, const Eigen::VectorXcd& x,
+                        std::size_t freeCount) {
+  const auto count = static_cast<Eigen::Index>(freeCount);
+  StrainForm form{Eigen::SparseMatrix<Complex>(count, count), Eigen::VectorXcd::Zero(count)};
+  std::vector<Eigen::Triplet<Complex>> entries;
+  FaceStrain all;
+  LocalStrain s;
+  for (FaceId f : faces) {
+    localStrain(in, place, x, f, all, s);
+    const double w = in.weights.face[f], d = w * in.weights.similarity;
+    for (std::size_t i = 0; i < s.unknowns.size(); ++i) {
+      form.c[s.unknowns[i]] +=
+          w * std::conj(s.anti[i]) * s.heldAnti + d * std::conj(s.similar[i]) * s.heldSimilar;
+      for (std::size_t j = 0; j < s.unknowns.size(); ++j)
+        entries.emplace_back(
+            s.unknowns[i], s.unknowns[j],
+            w * std::conj(s.anti[i]) * s.anti[j] + d * std::conj(s.similar[i]) * s.similar[j]);
+    }
+  }
+  form.H.setFromTriplets(entries.begin(), entries.end());
+  return form;
+}
+
 }  // namespace
 
 std::vector<FaceId> facesAround(const TriMesh& mesh, const std::vector<FaceId>& faces, int rings) {
@@ -111,28 +142,12 @@ bool mendChange(const ChangeContext& in, const std::vector<FaceId>& patch,
   std::vector<int> place;
   const std::vector<int> free = freeUnknowns(in, patch, isHeld, place);
   if (free.empty()) return false;
-  const auto count = static_cast<Eigen::Index>(free.size());
-  std::vector<Eigen::Triplet<Complex>> entries;
-  Eigen::VectorXcd c = Eigen::VectorXcd::Zero(count);
-  FaceStrain all;
-  LocalStrain s;
-  for (FaceId f : facesAround(in.mesh, patch, 1)) {
-    localStrain(in, place, x, f, all, s);
-    const double w = in.weights.face[f], d = w * in.weights.similarity;
-    for (std::size_t i = 0; i < s.unknowns.size(); ++i) {
-      c[s.unknowns[i]] +=
-          w * std::conj(s.anti[i]) * s.heldAnti + d * std::conj(s.similar[i]) * s.heldSimilar;
-      for (std::size_t j = 0; j < s.unknowns.size(); ++j)
-        entries.emplace_back(
-            s.unknowns[i], s.unknowns[j],
-            w * std::conj(s.anti[i]) * s.anti[j] + d * std::conj(s.similar[i]) * s.similar[j]);
-    }
-  }
-  Eigen::SparseMatrix<Complex> H(count, count);
-  H.setFromTriplets(entries.begin(), entries.end());
+  const StrainForm form = strainOfFree(in, facesAround(in.mesh, patch, 1), place, x, free.size());
 
   socp::Problem problem;
   linalg::Cliques cliques;
+  FaceStrain all;
+  LocalStrain s;
   for (FaceId f : bound) {
     localStrain(in, place, x, f, all, s);
     if (s.unknowns.empty()) continue;
@@ -140,12 +155,12 @@ bool mendChange(const ChangeContext& in, const std::vector<FaceId>& patch,
     cliques.push_back(s.unknowns);
   }
   linalg::PartialCholesky cholesky;
-  if (!cholesky.build(H, cliques, {})) return false;
+  if (!cholesky.build(form.H, cliques, {})) return false;
   for (std::size_t b = 0; b < cliques.size(); ++b)
     for (int unknown : cliques[b])
       problem.constraints[b].unknowns.push_back(cholesky.dynamicIndex(unknown));
   problem.form = &cholesky;
-  const Eigen::VectorXcd reduced = cholesky.reduceLinear(c);
+  const Eigen::VectorXcd reduced = cholesky.reduceLinear(form.c);
   problem.c = Eigen::Map<const Eigen::VectorXd>(reinterpret_cast<const double*>(reduced.data()),
                                                 2 * reduced.size());
   socp::SolveOptions options;
@@ -156,7 +171,7 @@ bool mendChange(const ChangeContext& in, const std::vector<FaceId>& patch,
   if (solution.status == socp::SolveStatus::kInfeasible ||
       solution.status == socp::SolveStatus::kCancelled || !solution.x.allFinite())
     return false;
-  const Eigen::VectorXcd solved = cholesky.extend(solution.x, c);
+  const Eigen::VectorXcd solved = cholesky.extend(solution.x, form.c);
   for (std::size_t i = 0; i < free.size(); ++i) x[free[i]] = solved[static_cast<Eigen::Index>(i)];
   return true;
 }

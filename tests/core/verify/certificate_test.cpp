@@ -595,7 +595,8 @@ TEST(Certificate, CatchesWhatRoundingToFloatDoes) {
   EXPECT_FALSE(c.isCertified);
   EXPECT_EQ(c.orientation.zero, 1);
   map.uv[2] = {0.5, 1e300};
-  EXPECT_EQ(onlyReason(certify(mesh, regular(4), roundedToFloat32(map), options)).rule, Rule::kNotFinite);
+  EXPECT_EQ(onlyReason(certify(mesh, regular(4), roundedToFloat32(map), options)).rule,
+            Rule::kNotFinite);
 }
 
 TEST(Certificate, AllowsWhatRoundingToFloatCanDoAndNoMore) {

@@ -42,8 +42,8 @@ function longFunctions(file) {
   return found;
 }
 
-test('functions over 50 lines are reported', (t) => {
-  for (const line of filesOf('core/hgp', '.cpp').flatMap(longFunctions)) t.diagnostic(line);
+test('functions have at most 50 lines', () => {
+  assert.deepEqual(filesOf('core/hgp', '.cpp').flatMap(longFunctions), []);
 });
 
 test('no drawer for odds and ends', () => {

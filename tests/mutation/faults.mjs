@@ -13,8 +13,8 @@ export const faults = [
   fault('base/turns.cpp', 'case 1:\n      return {-s, c};', 'case 1:\n      return {s, c};', short),
   fault('base/turns.cpp', 'return a <= -kPi ?', 'return a < -kPi ?'),
   fault('base/float32.cpp', 'return static_cast<double>(rounded);', 'return (void)rounded, x;'),
-  fault('text/text.cpp', 'kept % 2 == 1', 'kept % 2 == 0', short),
-  fault('text/text.cpp', '(hasMore || kept', '(kept'),
+  fault('text/text.cpp', ' || !std::isfinite(value)) return false;', ') return false;', short),
+  fault('text/text.cpp', "(*answer.ptr == 'e' || *answer.ptr == 'E')", "(*answer.ptr == 'E')"),
 
   // mesh
   fault('mesh/topology.cpp', 'loop.crossed.push_back(h);', '', { programs: ['mesh', 'field'] }),

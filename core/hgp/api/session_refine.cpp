@@ -50,6 +50,11 @@ std::string refinedNote(const RefinedFacts& facts, const Model& refined) {
       refined.source().mesh.triangles.size(), facts.verticesBefore, facts.trianglesBefore);
 }
 
+constexpr const char* kOffer =
+    "no map on this mesh: it may be too coarse for what is asked. --refine (refine: true) splits "
+    "edges "
+    "where it is, tries again, and writes the refined mesh";
+
 }  // namespace
 
 Status Session::State::solveAsPolygons(const std::optional<io::Prescription>& prescription,
@@ -61,22 +66,26 @@ Status Session::State::solveAsPolygons(const std::optional<io::Prescription>& pr
   return Done{};
 }
 
-Status Session::State::solveRefined(const Request& request, const SolveOptions& options,
-                                    RunRecord& run) {
-  const auto start = std::chrono::steady_clock::now();
-  if (!options.refines) {
-    run.notes.push_back(
-        "no map on this mesh: it may be too coarse for what is asked. --refine (refine: true) "
-        "splits "
-        "edges where it is, tries again, and writes the refined mesh");
-    return Done{};
-  }
+/// Fields with the handle rotations that were asked for; none where none was.
+std::vector<std::optional<FrameField>> Session::State::fieldsOfGivenHandles(const Request& request,
+                                                                            const RunRecord& run) {
   std::vector<std::optional<FrameField>> fields(request.components.size());
   for (std::size_t p = 0; p < fields.size(); ++p) {
     if (!isAnyGiven(request.components[p].spec.handles)) continue;
     Result<PrescribedField> field = surfaceOf(p).field(toSpec(run.components[p].spec));
     if (field) fields[p] = std::move(field->field);
   }
+  return fields;
+}
+
+Status Session::State::solveRefined(const Request& request, const SolveOptions& options,
+                                    RunRecord& run) {
+  const auto start = std::chrono::steady_clock::now();
+  if (!options.refines) {
+    run.notes.push_back(kOffer);
+    return Done{};
+  }
+  const std::vector<std::optional<FrameField>> fields = fieldsOfGivenHandles(request, run);
   int best = certifiedCount(solved->stored.certificates);
   std::size_t last = 0;
   std::string tried;

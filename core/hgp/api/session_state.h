@@ -35,6 +35,8 @@ struct Session::State {
   /// Refined meshes, each finer than the one before, until one has a map; sets `finer`, or says in the
   /// notes of `run` what was tried.
   Status solveRefined(const Request& request, const SolveOptions& options, RunRecord& run);
+  std::vector<std::optional<FrameField>> fieldsOfGivenHandles(const Request& request,
+                                                              const RunRecord& run);
   void publish(const RunRecord& run);
   /// For formats that cannot be refined: everything on the surface as polygons, set as `finer`.
   Status solveAsPolygons(const std::optional<io::Prescription>& prescription,

@@ -19,7 +19,7 @@ test('hgp.wasm is as small and as soon there as promised', async (t) => {
 /** Seconds of the first and of the best later solve, in a process that has not seen the module. */
 function firstAndLater(warmUp) {
   const script = `
-    import { createClient } from ${JSON.stringify(path.join(built, 'index.js'))};
+    import { createClient } from ${JSON.stringify(path.join(built, 'node/index.js'))};
     import { cubeMesh } from ${JSON.stringify(path.join(root, 'tests/support/meshes.mjs'))};
     const { vertices, triangles } = cubeMesh(24);
     const mesh = { positions: new Float64Array(vertices.flat()),

@@ -158,7 +158,8 @@ class Elimination {
 
 }  // namespace
 
-std::optional<IntegerBasis> solveRelations(int variableCount, std::vector<GaussianSum> relations) {
+std::optional<IntegerBasis> solveRelations(int variableCount,
+                                           const std::vector<GaussianSum>& relations) {
   Elimination elimination(variableCount, relations);
   if (!elimination.run()) return {};
   return elimination.take();

@@ -26,6 +26,7 @@ struct IntegerBasis {
 /// Gauss–Jordan with unit pivots; rows are divided by their content, and a row without a unit is
 /// brought to one by Euclid's algorithm on the variables. Redundant relations are dropped.
 /// @return nothing where a coefficient grows beyond 2³⁰ (never seen on seams)
-std::optional<IntegerBasis> solveRelations(int variableCount, std::vector<GaussianSum> relations);
+std::optional<IntegerBasis> solveRelations(int variableCount,
+                                           const std::vector<GaussianSum>& relations);
 
 }  // namespace hgp

@@ -35,7 +35,7 @@ class SeamReader {
     return true;
   }
 
-  SeamStructure out_;
+  SeamStructure take() { return std::move(out_); }
 
  private:
   bool gatherCopies() {
@@ -172,6 +172,7 @@ class SeamReader {
   }
 
   const TriMesh& mesh_;
+  SeamStructure out_;
   const UvMap& map_;
   const int q_;
   PerVertex<char> isNode_;
@@ -187,7 +188,7 @@ std::optional<SeamStructure> readSeams(const TriMesh& mesh, const UvMap& map, in
   if (q != 1 && q != 2 && q != 4) return {};
   SeamReader reader(mesh, map, q, cones);
   if (!reader.run()) return {};
-  return std::move(reader.out_);
+  return reader.take();
 }
 
 std::vector<Complex> chainTranslations(const SeamStructure& seams, const TriMesh& mesh,

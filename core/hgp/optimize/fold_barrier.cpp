@@ -22,17 +22,17 @@ FaceEnergy faceEnergy(double a, double b, double scaleWeight, double epsilon) {
   const double D = a * a - b * b, N = a * a + b * b;
   const double s = std::sqrt(D * D + epsilon * epsilon), x = chi(D, epsilon);
   const double M = N + scaleWeight * (D * D + 1.0);
-  const double FN = 1.0 / x, FND = -1.0 / (x * s);
+  const double FN = 1.0 / x, fnd = -1.0 / (x * s);
   const double FD = 2.0 * scaleWeight * D / x - M / (x * s);
-  const double FDD =
+  const double fdd =
       2.0 * scaleWeight / x - 4.0 * scaleWeight * D / (x * s) + 2.0 * M / (s * s * s);
   FaceEnergy e;
   e.value = M / x;
   e.slopeA = 2.0 * (FN + FD);
   e.slopeB = 2.0 * (FN - FD);
-  e.aa = e.slopeA + 4.0 * a * a * (2.0 * FND + FDD);
-  e.bb = e.slopeB + 4.0 * b * b * (-2.0 * FND + FDD);
-  e.ab = -4.0 * a * b * FDD;
+  e.aa = e.slopeA + 4.0 * a * a * (2.0 * fnd + fdd);
+  e.bb = e.slopeB + 4.0 * b * b * (-2.0 * fnd + fdd);
+  e.ab = -4.0 * a * b * fdd;
   return e;
 }
 
@@ -82,18 +82,18 @@ Eigen::Matrix4d framedModel(Complex similar, double b, double scaleWeight, doubl
   const double D = sign * A * A - b * b, N = A * A + T * T + b * b;
   const double s = std::sqrt(D * D + epsilon * epsilon), x = chi(D, epsilon);
   const double M0 = N + scaleWeight * (D * D + 1.0);
-  const double FN = 1.0 / x, FND = -1.0 / (x * s);
+  const double FN = 1.0 / x, fnd = -1.0 / (x * s);
   const double FD = 2.0 * scaleWeight * D / x - M0 / (x * s);
-  const double FDD =
+  const double fdd =
       2.0 * scaleWeight / x - 4.0 * scaleWeight * D / (x * s) + 2.0 * M0 / (s * s * s);
   slope << 2.0 * A * (FN + sign * FD), 2.0 * T * FN, 2.0 * b * (FN - FD), 0.0;
   Eigen::Matrix3d H;
-  H(0, 0) = 2.0 * (FN + sign * FD) + 8.0 * sign * A * A * FND + 4.0 * A * A * FDD;
+  H(0, 0) = 2.0 * (FN + sign * FD) + 8.0 * sign * A * A * fnd + 4.0 * A * A * fdd;
   H(1, 1) = 2.0 * FN;
-  H(2, 2) = 2.0 * (FN - FD) + 4.0 * b * b * (-2.0 * FND + FDD);
-  H(0, 1) = H(1, 0) = 4.0 * sign * A * T * FND;
-  H(0, 2) = H(2, 0) = 2.0 * A * (-2.0 * b * FND + 2.0 * sign * b * FND - 2.0 * sign * b * FDD);
-  H(1, 2) = H(2, 1) = -4.0 * T * b * FND;
+  H(2, 2) = 2.0 * (FN - FD) + 4.0 * b * b * (-2.0 * fnd + fdd);
+  H(0, 1) = H(1, 0) = 4.0 * sign * A * T * fnd;
+  H(0, 2) = H(2, 0) = 2.0 * A * (-2.0 * b * fnd + 2.0 * sign * b * fnd - 2.0 * sign * b * fdd);
+  H(1, 2) = H(2, 1) = -4.0 * T * b * fnd;
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(H);
   const Eigen::Vector3d values = eigen.eigenvalues().cwiseMax(0.0);
   Eigen::Matrix4d M = Eigen::Matrix4d::Zero();

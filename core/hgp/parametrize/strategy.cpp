@@ -84,7 +84,7 @@ class Hash {
 
 }  // namespace
 
-Problem problemOf(const TriMesh& mesh, std::shared_ptr<const SeamlessSetup> setup,
+Problem problemOf(const TriMesh& mesh, const std::shared_ptr<const SeamlessSetup>& setup,
                   const ParametrizeOptions& options) {
   Problem problem{mesh, setup, options.method, {}, coneAndBoundaryFaces(mesh, setup->cones), {}};
   const Weighting hard{"hard constraints", kNoClamp, 0.0, 3, false};

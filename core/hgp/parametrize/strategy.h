@@ -38,7 +38,7 @@ struct Problem {
   std::vector<FaceId> base;  ///< F_cb
   std::vector<FaceId> soft;  ///< F_cb, and a ring around it where that costs little
 };
-Problem problemOf(const TriMesh& mesh, std::shared_ptr<const SeamlessSetup> setup,
+Problem problemOf(const TriMesh& mesh, const std::shared_ptr<const SeamlessSetup>& setup,
                   const ParametrizeOptions& options);
 
 /// One program, laid out as a map and judged.

@@ -223,6 +223,10 @@ class Aligner {
         "no choice of integers kept all triangles positive at %.0f cells (%.1f per cone)%s",
         report.cells, report.cellsPerCone,
         isCutShort_ ? ", and looking further would have taken longer than the map itself" : "");
+    // A program may have cost more than expected: what was kept for this is still there, and in any
+    // case as much as linear steps cost where there are few integers.
+    const double plainStep = kStepWork * mesh_.faceCount() + system_.solveWork();
+    work_ = std::max({work_, reserved_, 1.5 * kDenser * plainStep});
     reserved_ = 0.0;
     double factor = 1.0;
     for (int n = 0; n < kDenser && affords(stepWork()); ++n) {

@@ -36,6 +36,7 @@ inline api::LoadOptions toLoadOptions(const val& options) {
   // Repairs that are named, even none of them, are those that are made.
   const val fix = option(options, "fix", val::object());
   o.isStrict = option(options, "strict", !option(options, "fix", val::undefined()).isUndefined());
+  o.writesRepairs = option(options, "writeRepairs", o.writesRepairs);
   o.target = option(options, "target", o.target);
   o.fix.orient = option(fix, "orient", false);
   o.fix.split = option(fix, "split", false);

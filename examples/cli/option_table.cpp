@@ -232,6 +232,8 @@ class Table {
                   "glTF: the materials' pictures use the new set");
     sub->add_flag("--embed", out_.isEmbedded,
                   ".gltf: buffers and images inside it (default: copied where it goes)");
+    sub->add_flag("--write-repairs", out_.load.writesRepairs,
+                  "Write faces as they were turned over, vertices as they were split");
     sub->add_flag("--embed-cones", out_.write.embedCones, "Store the cones in the output");
     sub->add_flag("--allow-uncertified", out_.write.allowUncertified,
                   "Write the map even when it is not certified (exit code 6 all the same)");

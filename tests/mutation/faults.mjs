@@ -201,4 +201,5 @@ export const faults = [
   fault('api/stored_map.cpp', 'if (mean > 0) moveAndScale(map.uv, {0, 0}, 1 / mean);', ''),
   fault('api/request.cpp', 'reduceTurn(h.r, asked_.q)', 'reduceTurn(-h.r, asked_.q)'),
   fault('api/request.cpp', 'if (anchored >= 0) loop = anchored;', ''),
+  fault('api/load_model.cpp', 'if (edits.faces.empty()) return Done{};', 'return Done{};'),
 ];

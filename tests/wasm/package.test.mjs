@@ -200,6 +200,19 @@ test('what a repair made of the surface is told, and nothing where there was non
     repaired.vertexImage.forEach((m, v) => assert.equal(repaired.vertexOrigin[m], v));
   }));
 
+test('repairs are written into the file where that is asked for', () =>
+  withClient(async (client) => {
+    const { vertices, triangles } = cubeMesh(3);
+    const turned = triangles.map((t, f) => (f % 9 === 2 ? [t[0], t[2], t[1]] : t));
+    const file = bytes(toObj({ vertices, triangles: turned }));
+    await client.load(file, { name: 'turned.obj', writeRepairs: true });
+    const { report } = await client.parametrize();
+    assert.equal(report.repairsWritten.facesTurned, turned.filter((_, f) => f % 9 === 2).length);
+    const { files } = await client.write();
+    await client.load(files[0].bytes, { name: 'out.obj', strict: true });
+    assert.equal((await client.verify()).certified, true);
+  }));
+
 test('the raw-array path gives the same map as the file', () =>
   withClient(async (client) => {
     await client.load(disk(6), { name: 'disk.obj' });

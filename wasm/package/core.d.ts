@@ -41,6 +41,12 @@ export interface LoadOptions {
   /** Make no repairs: refuse a mesh that needs one. */
   strict?: boolean;
   /**
+   * Write repairs into the file: faces that are turned over, vertices that are copied. Otherwise faces and
+   * vertices stay as they are, and the certificate counts the difference. Ids are those of the repaired
+   * file: vertices keep theirs, copies follow.
+   */
+  writeRepairs?: boolean;
+  /**
    * Read as if the file were of this format, so that write() makes it: a GLB of OBJ, OFF, PLY, STL or .gltf,
    * an OBJ of glTF. Notes say what does not come along.
    */

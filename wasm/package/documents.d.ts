@@ -587,6 +587,19 @@ export interface Report {
     triangles: number;
   };
   /**
+   * null: faces and vertices are those of the file. Otherwise the result, its certificate and the written file are of the repaired surface; input counts the vertices before, which keep their ids, and copies follow
+   */
+  repairsWritten: {
+    /**
+     * triangles whose corners are written in the other order
+     */
+    facesTurned: number;
+    /**
+     * vertices that are written once more, so that the fans of faces around them are apart; in glTF, where vertices at one place are read as one, these are stored vertices
+     */
+    verticesCopied: number;
+  } | null;
+  /**
    * null: the mesh is as it was. Otherwise the result, its certificate and the written file are of a mesh with these edges split at their midpoints; ids below and input's counts are of the mesh before, vertices keep their ids and new ones follow
    */
   refined: {

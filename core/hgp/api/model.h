@@ -18,6 +18,13 @@ struct ModelComponent {
   int generatorOffset = 0;        ///< handle generators are numbered through all components
 };
 
+/// What LoadOptions::writesRepairs changed in the file.
+struct WrittenRepairs {
+  int facesTurned = 0;
+  int verticesCopied = 0;
+  int verticesBefore = 0;  ///< of the surface
+};
+
 struct Model {
   io::DocumentPtr document;
   LoadOptions load;  ///< as it was asked for
@@ -30,9 +37,10 @@ struct Model {
   std::vector<int> vertexOrigin;  ///< vertex of `mesh` → a vertex of the surface
   std::vector<int> vertexImage;  ///< vertex of the surface → a vertex of `mesh`, −1 when removed
   std::vector<int> faceOrigin;   ///< face of `mesh` → face of the surface
-  std::vector<int> cornerOrigin;     ///< corner 3f + k of `mesh` → corner of the surface
-  std::vector<LeftOutFace> leftOut;  ///< faces of the surface that are not in `mesh`
-  int splitVertices = 0;             ///< vertices that repairs added
+  std::vector<int> cornerOrigin;          ///< corner 3f + k of `mesh` → corner of the surface
+  std::vector<LeftOutFace> leftOut;       ///< faces of the surface that are not in `mesh`
+  int splitVertices = 0;                  ///< vertices that repairs added
+  std::optional<WrittenRepairs> written;  ///< where `document` is the repaired file
   /// Of a file that was converted: its own ids are those of `source()`.
   bool hasOwnVertexIds = true, hasOwnFaceIds = true;
   bool isChanged = false;          ///< a weld or a repair did something
@@ -49,13 +57,6 @@ struct Model {
     return document->surfaces()[static_cast<std::size_t>(surface)];
   }
 };
-
-/// Fails for unreadable files, limits and a surface that is not there; an unusable mesh is a success
-/// with `unusable` set.
-Result<Model> loadModel(io::FileSet files, const LoadOptions& options);
-Result<Model> modelOfArrays(MeshData arrays, const LoadOptions& options);
-/// A document that is open already.
-Result<Model> modelOfDocument(io::DocumentPtr document, const LoadOptions& options);
 
 /// Ids of a component in `where` become ids of the surface.
 Failure toSurfaceIds(const Model& model, const ModelComponent& component, Failure failure);

@@ -26,6 +26,9 @@ struct LoadOptions {
   std::string target;
   FixOptions fix;         ///< repairs to make; none: those that the defects ask for
   bool isStrict = false;  ///< with no repairs named: make none, refuse what needs one
+  /// Faces that repairs turn over and vertices that they copy are written so; otherwise the file keeps its
+  /// faces and vertices, and the certificate counts the difference.
+  bool writesRepairs = false;
 };
 
 enum class BoundaryKind { kFree, kConvex };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "hgp/api/load_model.h"
 #include "hgp/base/check.h"
 #include "hgp/base/turns.h"
 #include "hgp/io/polygon/polygon_document.h"

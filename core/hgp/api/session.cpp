@@ -1,6 +1,7 @@
 #include "hgp/api/session.h"
 
 #include "hgp/api/guard.h"
+#include "hgp/api/load_model.h"
 #include "hgp/api/session_state.h"
 #include "hgp/io/cone_files.h"
 #include "hgp/io/convert.h"

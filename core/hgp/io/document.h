@@ -13,6 +13,7 @@
 
 #include "hgp/base/result.h"
 #include "hgp/io/written.h"
+#include "hgp/mesh/face_edits.h"
 #include "hgp/mesh/mesh_data.h"
 #include "hgp/prescription/prescription.h"
 
@@ -84,6 +85,10 @@ class Document {
   /// The same file after splitEdges(), what it stores interpolated, without cones; not for glTF.
   virtual Result<std::unique_ptr<Document>> refined(
       int surface, const std::vector<std::array<int, 2>>& edges) const = 0;
+
+  /// The same file with these edits of its faces; of cones stored in it nothing is promised. In glTF,
+  /// where vertices at one place are one, copies are stored apart and read as one again.
+  virtual Result<std::unique_ptr<Document>> repaired(int surface, const FaceEdits& edits) const = 0;
 };
 using DocumentPtr = std::unique_ptr<Document>;
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "hgp/api/load_model.h"
 #include "hgp/api/refined_model.h"
 #include "hgp/api/session.h"
 #include "hgp/base/turns.h"

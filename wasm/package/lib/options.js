@@ -66,6 +66,7 @@ export const optionsOf = {
     limits: record({ bytes: positive, triangles: positive }),
     fix: record({ orient: boolean, split: boolean, degenerate: boolean }),
     strict: boolean,
+    writeRepairs: boolean,
     target: oneOf('obj', 'glb'),
   },
   suggestCones: {

@@ -23,7 +23,7 @@ bool isExactSum(double a, double b) {
 
 }  // namespace
 
-GltfDocument::GltfDocument(std::unique_ptr<GltfStore> store, std::vector<GltfSurface> parts)
+GltfDocument::GltfDocument(std::shared_ptr<const GltfStore> store, std::vector<GltfSurface> parts)
     : store_(std::move(store)), parts_(std::move(parts)) {
   for (GltfSurface& part : parts_) surfaces_.push_back(std::move(part.surface));
 }
@@ -113,6 +113,25 @@ Result<DocumentPtr> readGltf(FileSet files, const Limits& limits) {
 
 Result<DocumentPtr> GltfDocument::refined(int, const std::vector<std::array<int, 2>>&) const {
   return Failure{ErrorCode::kUnsupported, "refine", "accessors of a glTF are not enlarged", {}};
+}
+
+Result<DocumentPtr> GltfDocument::repaired(int surface, const FaceEdits& edits) const {
+  std::vector<GltfSurface> parts = parts_;
+  for (std::size_t s = 0; s < parts.size(); ++s) parts[s].surface = surfaces_[s];
+  GltfSurface& part = parts[static_cast<std::size_t>(surface)];
+  const auto before = static_cast<int>(part.surface.mesh.positions.size());
+  part.copy.assign(part.stored.size(), {GltfSurface::kUnedited, 0, 0});
+  for (const EditedFace& edit : edits.faces) {
+    const auto f = static_cast<std::size_t>(edit.face);
+    const auto stored = part.stored[f], welded = part.surface.mesh.triangles[f];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto corner = static_cast<std::size_t>(edit.corner[k]);
+      part.stored[f][k] = stored[corner];
+      part.surface.mesh.triangles[f][k] = welded[corner];
+      part.copy[f][k] = edit.vertex[k] < before ? 0 : edit.vertex[k];
+    }
+  }
+  return DocumentPtr(std::make_unique<GltfDocument>(store_, std::move(parts)));
 }
 
 }  // namespace hgp::io

@@ -12,7 +12,7 @@ namespace hgp::io {
 
 class GltfDocument : public Document {
  public:
-  GltfDocument(std::unique_ptr<GltfStore> store, std::vector<GltfSurface> parts);
+  GltfDocument(std::shared_ptr<const GltfStore> store, std::vector<GltfSurface> parts);
 
   const char* format() const override { return store_->container.isBinary ? "glb" : "gltf"; }
   const char* outputFormat() const override { return format(); }
@@ -26,12 +26,13 @@ class GltfDocument : public Document {
   Result<PlainFile> plain(int surface) const override;
   Result<DocumentPtr> refined(int surface,
                               const std::vector<std::array<int, 2>>& edges) const override;
+  Result<DocumentPtr> repaired(int surface, const FaceEdits& edits) const override;
 
  private:
   /// v = top − stored v
   std::optional<UvMap> readUv(int surface, int set, double top) const;
 
-  std::unique_ptr<GltfStore> store_;
+  std::shared_ptr<const GltfStore> store_;
   std::vector<GltfSurface> parts_;  ///< without their `surface`, which is in surfaces_
   std::vector<Surface> surfaces_;
 };

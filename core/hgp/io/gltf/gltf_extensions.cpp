@@ -39,6 +39,8 @@ Differences differencesOf(const Bytes& merged, int componentType,
 void GltfWriter::rewriteManifold() {
   const int extension = json_.find(json_.find(meshNode_, "extensions"), kManifold);
   if (extension < 0) return;
+  if (!part_.copy.empty())
+    return dropManifold("repairs are written, and it says how it was before");
   if (!planManifold()) dropManifold("its indices are not those of the primitives");
 }
 

@@ -189,7 +189,8 @@ void GltfWriter::rewriteIndices(const GltfRun& run) {
   const GltfPrimitive& source = primitive(run.primitive);
   const GltfSplit& split = splits_.pools[static_cast<std::size_t>(run.pool)];
   // Without indices a primitive draws all vertices there are, copies for another primitive as well.
-  bool isChanged = source.draco.has_value() || (source.indices < 0 && !split.copyOf.empty());
+  bool isChanged =
+      source.draco.has_value() || (source.indices < 0 && !split.copyOf.empty()) || isEdited(run);
   for (int face = run.firstTriangle; face < run.firstTriangle + run.triangleCount; ++face) {
     const auto t = static_cast<std::size_t>(face);
     for (std::size_t k = 0; k < 3; ++k) {

@@ -1,5 +1,6 @@
 #include "hgp/io/gltf/gltf_split.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hgp/base/check.h"
@@ -18,7 +19,7 @@ bool storedUv(const Vec2& uv, std::array<float, 2>& out) {
   return static_cast<double>(out[0]) == uv[0] && 1.0 - static_cast<double>(out[1]) == uv[1];
 }
 
-/// Hands out one written vertex per stored vertex and uv.
+/// Hands out one written vertex per stored vertex, uv and copy.
 class Splitter {
  public:
   Splitter(const GltfSurface& part, GltfSplits& out) : part_(part), out_(out) {
@@ -27,11 +28,12 @@ class Splitter {
       const auto count = static_cast<std::size_t>(part.pools[p].vertexCount);
       out_.pools[p].uv.assign(2 * count, 0.0f);
       isTaken_.emplace_back(count, 0);
+      copy_.emplace_back(count, 0);
       next_.emplace_back(count, -1);
     }
   }
 
-  int vertexFor(const GltfRun& run, int stored, const std::array<float, 2>& uv) {
+  int vertexFor(const GltfRun& run, int stored, const std::array<float, 2>& uv, int copy) {
     const auto p = static_cast<std::size_t>(run.pool);
     GltfSplit& split = out_.pools[p];
     const auto v = static_cast<std::size_t>(local(run, stored));
@@ -39,14 +41,16 @@ class Splitter {
       isTaken_[p][v] = 1;
       split.uv[2 * v] = uv[0];
       split.uv[2 * v + 1] = uv[1];
+      copy_[p][v] = copy;
     }
     for (int w = static_cast<int>(v);;) {
       const auto i = static_cast<std::size_t>(w);
-      if (split.uv[2 * i] == uv[0] && split.uv[2 * i + 1] == uv[1]) return w;
+      if (split.uv[2 * i] == uv[0] && split.uv[2 * i + 1] == uv[1] && copy_[p][i] == copy) return w;
       if (next_[p][i] < 0) {
         const int fresh = static_cast<int>(next_[p].size());
         next_[p][i] = fresh;
         next_[p].push_back(-1);
+        copy_[p].push_back(copy);
         split.copyOf.push_back(static_cast<int>(v));
         split.uv.insert(split.uv.end(), uv.begin(), uv.end());
         return fresh;
@@ -63,6 +67,7 @@ class Splitter {
   const GltfSurface& part_;
   GltfSplits& out_;
   std::vector<std::vector<char>> isTaken_;
+  std::vector<std::vector<int>> copy_;  ///< of every written vertex
   std::vector<std::vector<int>> next_;  ///< chain of copies behind every written vertex
 };
 
@@ -91,7 +96,8 @@ Result<GltfSplits> splitForUv(const GltfSurface& part, const UvMap& map) {
                          "with asStored first",
                          face));
         }
-        out.corner[t][k] = splitter.vertexFor(run, part.stored[t][k], uv);
+        const int copy = part.copy.empty() ? 0 : std::max(part.copy[t][k], 0);
+        out.corner[t][k] = splitter.vertexFor(run, part.stored[t][k], uv, copy);
       }
     }
   }

@@ -48,7 +48,7 @@ Result<Written> GltfWriter::run(const UvMap& map) {
   if (!status) return status.error();
   for (std::size_t p = 0; p < part_.pools.size(); ++p) planPool(static_cast<int>(p));
   tellOrPointMaterials();
-  if (isRewritten_) rewriteManifold();
+  if (isRewritten_ || !part_.copy.empty()) rewriteManifold();
   placeAccessors();
   dropUnusedExtensions();
   status = embedCones();
@@ -85,6 +85,10 @@ void GltfWriter::planPool(int pool) {
       if (run.pool == pool) rewriteIndices(run);
     }
     for (int p : source.primitives) dropDraco(p);
+  } else {
+    for (const GltfRun& run : part_.runs) {
+      if (run.pool == pool && isEdited(run)) rewriteIndices(run);
+    }
   }
   if (copies > 0) {
     note(formatText("%d vertices became %zu along seams", source.vertexCount,
@@ -97,6 +101,14 @@ bool GltfWriter::isDraco(int pool) const {
   const std::vector<int>& list = part_.pools[static_cast<std::size_t>(pool)].primitives;
   return std::any_of(list.begin(), list.end(),
                      [&](int p) { return primitive(p).draco.has_value(); });
+}
+
+/// Whether repairs changed a triangle of it.
+bool GltfWriter::isEdited(const GltfRun& run) const {
+  if (part_.copy.empty()) return false;
+  const auto first = part_.copy.begin() + run.firstTriangle;
+  return std::any_of(first, first + run.triangleCount,
+                     [](const auto& c) { return c[0] != GltfSurface::kUnedited; });
 }
 
 void GltfWriter::planUv(int pool) {

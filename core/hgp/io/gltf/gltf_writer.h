@@ -81,6 +81,7 @@ class GltfWriter {
   }
   std::string semantic(int set) const { return "TEXCOORD_" + std::to_string(set); }
   bool isDraco(int pool) const;
+  bool isEdited(const GltfRun& run) const;
   void note(std::string text) { notes_.push_back(std::move(text)); }
 
   const GltfStore& store_;

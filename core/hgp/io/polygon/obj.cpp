@@ -200,14 +200,21 @@ class ObjDocument final : public PolygonDocument {
   }
 
   Result<DocumentPtr> refined(int, const std::vector<VertexPair>& edges) const override {
+    return withFaces(splitEdges(polygons_, corners_, surfaces_[0].mesh, edges));
+  }
+  Result<DocumentPtr> repaired(int, const FaceEdits& edits) const override {
+    return withFaces(editFaces(polygons_, corners_, edits));
+  }
+
+ private:
+  Result<DocumentPtr> withFaces(RefinedPolygons refined) const {
     const std::string text =
-        refineObj(asText(text_), places_, polygons_, corners_, cornerUv_, surfaces_[0].mesh, edges);
+        rewriteObjFaces(asText(text_), places_, polygons_, cornerUv_, std::move(refined));
     auto document = std::make_unique<ObjDocument>();
     if (Status done = document->read(asBytes(text), ~std::uint64_t{0}); !done) return done.error();
     return DocumentPtr(std::move(document));
   }
 
- private:
   Bytes text_;
   ObjText places_;  ///< its mesh has moved into the base class
 };

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hgp/io/polygon/polygon_refine.h"
 #include "hgp/text/text.h"
 
 namespace hgp::io {
@@ -237,12 +236,10 @@ class ObjRefinement {
 
 }  // namespace
 
-std::string refineObj(std::string_view text, const ObjText& places, const PolygonMesh& polygons,
-                      const TriangleCorners& corners, const std::vector<int>& cornerUv,
-                      const MeshData& triangles, const std::vector<VertexPair>& edges) {
-  return ObjRefinement(text, places, cornerUv, polygons,
-                       splitEdges(polygons, corners, triangles, edges))
-      .make();
+std::string rewriteObjFaces(std::string_view text, const ObjText& places,
+                            const PolygonMesh& polygons, const std::vector<int>& cornerUv,
+                            RefinedPolygons refined) {
+  return ObjRefinement(text, places, cornerUv, polygons, std::move(refined)).make();
 }
 
 }  // namespace hgp::io

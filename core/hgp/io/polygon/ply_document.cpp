@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "hgp/base/check.h"
+#include "hgp/io/polygon/ply_edit.h"
 #include "hgp/io/polygon/ply_rows.h"
 #include "hgp/text/text.h"
 
@@ -274,6 +275,15 @@ Result<PlainFile> PlyDocument::plain(int surface) const {
   }
   if (!out.normals.empty()) out.cornerNormal = out.mesh.triangles;
   return file;
+}
+
+Result<DocumentPtr> PlyDocument::repaired(int, const FaceEdits& edits) const {
+  const std::string_view text = asText(bytes_).substr(textOffset_);
+  Result<std::string> edited = editPlyFaces(text, header_, editFaces(polygons_, corners_, edits));
+  if (!edited) return edited.error();
+  FileSet files;
+  files.main = asBytes(*edited);
+  return readPly(std::move(files), {~std::uint64_t{0}, ~std::uint64_t{0}});
 }
 
 }  // namespace hgp::io

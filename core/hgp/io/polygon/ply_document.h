@@ -18,6 +18,7 @@ class PlyDocument final : public PolygonDocument {
   }
   Result<Written> write(int surface, const UvMap& map, const WriteOptions& options) const override;
   Result<PlainFile> plain(int surface) const override;
+  Result<DocumentPtr> repaired(int surface, const FaceEdits& edits) const override;
 
  private:
   PlyDocument() : PolygonDocument("ply") {}

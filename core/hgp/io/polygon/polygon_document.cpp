@@ -8,6 +8,30 @@
 #include "hgp/text/text.h"
 
 namespace hgp::io {
+namespace {
+
+/// A file of these polygons, uv interpolated like positions.
+PolygonFile fileOf(RefinedPolygons refined, std::vector<Vec2> uv,
+                   const std::vector<int>& cornerUv) {
+  PolygonFile file;
+  file.uv = std::move(uv);
+  if (!cornerUv.empty()) {
+    const std::vector<Vec2> before = file.uv;
+    MeanValues means(static_cast<int>(before.size()));
+    for (const VertexPair& c : refined.corners)
+      file.cornerUv.push_back(means.of(cornerUv[static_cast<std::size_t>(c[0])],
+                                       cornerUv[static_cast<std::size_t>(c[1])]));
+    for (const VertexPair& pair : means.pairs()) {
+      const Vec2 &a = before[static_cast<std::size_t>(pair[0])],
+                 &b = before[static_cast<std::size_t>(pair[1])];
+      file.uv.push_back({0.5 * a[0] + 0.5 * b[0], 0.5 * a[1] + 0.5 * b[1]});
+    }
+  }
+  file.polygons = std::move(refined.polygons);
+  return file;
+}
+
+}  // namespace
 
 Result<DocumentPtr> PolygonDocument::make(const char* format, PolygonFile file) {
   std::unique_ptr<PolygonDocument> document(new PolygonDocument(format));
@@ -92,6 +116,22 @@ Result<PlainFile> PolygonDocument::plain(int) const {
   if (!polygons_.isTriangles()) file.lost.push_back("polygons become triangles");
   if (!cornerUv_.empty()) file.lost.push_back("the old texture coordinates do not come along");
   return file;
+}
+
+Result<DocumentPtr> PolygonDocument::rewritten(RefinedPolygons refined) const {
+  const auto added = static_cast<int>(refined.parents.size());
+  PolygonFile file = fileOf(std::move(refined), uv_, cornerUv_);
+  file.notes = surfaces_[0].notes;
+  if (surfaces_[0].isWelded) file.storedVertexCount = surfaces_[0].storedVertexCount + added;
+  return make(format_, std::move(file));
+}
+
+Result<DocumentPtr> PolygonDocument::refined(int, const std::vector<VertexPair>& edges) const {
+  return rewritten(splitEdges(polygons_, corners_, surfaces_[0].mesh, edges));
+}
+
+Result<DocumentPtr> PolygonDocument::repaired(int, const FaceEdits& edits) const {
+  return rewritten(editFaces(polygons_, corners_, edits));
 }
 
 void appendUvLines(std::string& out, const std::vector<Vec2>& uv, std::string_view lineEnd) {

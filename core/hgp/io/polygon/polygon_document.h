@@ -6,6 +6,7 @@
 #include "hgp/io/document.h"
 #include "hgp/io/plain_surface.h"
 #include "hgp/io/polygon/polygon_mesh.h"
+#include "hgp/io/polygon/polygon_refine.h"
 
 namespace hgp::io {
 
@@ -30,6 +31,7 @@ class PolygonDocument : public Document {
   Result<Written> write(int surface, const UvMap& map, const WriteOptions& options) const override;
   Result<DocumentPtr> refined(int surface,
                               const std::vector<std::array<int, 2>>& edges) const override;
+  Result<DocumentPtr> repaired(int surface, const FaceEdits& edits) const override;
 
   Result<PlainFile> plain(int surface) const override;
 
@@ -39,6 +41,8 @@ class PolygonDocument : public Document {
  protected:
   explicit PolygonDocument(const char* format) : format_(format) {}
   Status take(PolygonFile file);
+  /// The same format with these polygons, old uv along with them.
+  Result<DocumentPtr> rewritten(RefinedPolygons refined) const;
   /// uv index per polygon corner of a map that keeps polygons whole; empty when it does not fit.
   std::vector<int> polygonCornerUv(const UvMap& map) const;
 

@@ -1,7 +1,5 @@
 #include "hgp/io/polygon/polygon_refine.h"
 
-#include "hgp/io/polygon/polygon_document.h"
-
 namespace hgp::io {
 
 int MeanValues::of(int a, int b) {
@@ -56,29 +54,6 @@ RefinedPolygons splitEdges(const PolygonMesh& polygons, const TriangleCorners& c
     }
   }
   return out;
-}
-
-Result<DocumentPtr> PolygonDocument::refined(int, const std::vector<VertexPair>& edges) const {
-  RefinedPolygons refined = splitEdges(polygons_, corners_, surfaces_[0].mesh, edges);
-  PolygonFile file;
-  file.uv = uv_;
-  if (!cornerUv_.empty()) {
-    MeanValues uv(static_cast<int>(uv_.size()));
-    for (const VertexPair& c : refined.corners)
-      file.cornerUv.push_back(uv.of(cornerUv_[static_cast<std::size_t>(c[0])],
-                                    cornerUv_[static_cast<std::size_t>(c[1])]));
-    for (const VertexPair& pair : uv.pairs()) {
-      const Vec2 &a = uv_[static_cast<std::size_t>(pair[0])],
-                 &b = uv_[static_cast<std::size_t>(pair[1])];
-      file.uv.push_back({0.5 * a[0] + 0.5 * b[0], 0.5 * a[1] + 0.5 * b[1]});
-    }
-  }
-  file.polygons = std::move(refined.polygons);
-  file.notes = surfaces_[0].notes;
-  if (surfaces_[0].isWelded)
-    file.storedVertexCount =
-        surfaces_[0].storedVertexCount + static_cast<int>(refined.parents.size());
-  return make(format_, std::move(file));
 }
 
 }  // namespace hgp::io

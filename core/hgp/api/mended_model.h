@@ -1,0 +1,18 @@
+// The surface of a model with its welds and repairs made.  Role: the part of loading that may change
+// connectivity.
+#pragma once
+
+#include "hgp/api/model.h"
+
+namespace hgp::api {
+
+/// Sets everything of `model` from `mesh` to `isChanged`, its defects, `unusable`, and adds notes: the
+/// surface as the file has it, welded, and repaired as the options or its defects ask.
+/// @pre model.document and model.surface are set
+void takeMended(Model& model, const LoadOptions& options);
+
+/// 0 … count − 1.
+std::vector<int> identity(std::size_t count);
+void addNotes(Model& model, std::vector<std::string> more);
+
+}  // namespace hgp::api

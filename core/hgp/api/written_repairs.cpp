@@ -1,0 +1,54 @@
+#include "hgp/api/written_repairs.h"
+
+#include <algorithm>
+#include <map>
+
+#include "hgp/base/check.h"
+
+namespace hgp::api {
+
+FaceEdits editsOf(const Model& model) {
+  FaceEdits edits;
+  const MeshData& source = model.source().mesh;
+  const auto before = static_cast<int>(source.positions.size());
+  std::map<std::pair<int, int>, int> copies;  // vertex of the surface and of the mesh → copy
+  for (std::size_t f = 0; f < model.faceOrigin.size(); ++f) {
+    EditedFace edit{model.faceOrigin[f], {}, {}};
+    const auto& stored = source.triangles[static_cast<std::size_t>(edit.face)];
+    bool isChanged = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      edit.corner[k] = model.cornerOrigin[3 * f + k] - 3 * edit.face;
+      const int own = stored[static_cast<std::size_t>(edit.corner[k])];
+      const int mine = model.mesh.triangles[f][k];
+      edit.vertex[k] = own;
+      if (model.vertexImage[static_cast<std::size_t>(own)] != mine) {
+        const int next = before + static_cast<int>(edits.copyOf.size());
+        const auto [it, isNew] = copies.try_emplace({own, mine}, next);
+        if (isNew) edits.copyOf.push_back(own);
+        edit.vertex[k] = it->second;
+      }
+      isChanged = isChanged || edit.vertex[k] != own;
+    }
+    const bool isTurned = (edit.corner[1] - edit.corner[0] + 3) % 3 == 2;
+    edits.turned += isTurned;
+    if (isTurned || isChanged) edits.faces.push_back(edit);
+  }
+  const auto byFace = [](const EditedFace& a, const EditedFace& b) { return a.face < b.face; };
+  std::sort(edits.faces.begin(), edits.faces.end(), byFace);
+  for (const LeftOutFace& left : model.leftOut) edits.outside.push_back(left.face);
+  std::sort(edits.outside.begin(), edits.outside.end());
+  return edits;
+}
+
+std::string noteOn(const FaceEdits& edits, int surfaceVertices) {
+  std::string note = "THE REPAIRS ARE WRITTEN:";
+  if (edits.turned > 0)
+    note += formatText(" %d faces have their corners in the other order%s", edits.turned,
+                       edits.copyOf.empty() ? "" : ",");
+  if (!edits.copyOf.empty())
+    note += formatText(" %zu copies of vertices follow behind vertex %d", edits.copyOf.size(),
+                       surfaceVertices - 1);
+  return note;
+}
+
+}  // namespace hgp::api

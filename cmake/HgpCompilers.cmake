@@ -1,10 +1,6 @@
 # Compilers that are known to work; others are tried, with a word of warning.
-# Tested: GCC 11 and 12, Clang 14, Emscripten 3.1.6. Not tested: Apple Clang, MinGW. MSVC lacks the vector
-# extensions and flags that the dense kernels use.
+# Tested: GCC 11 and 12, Clang 14, Emscripten 3.1.6. Not tested: MSVC, Apple Clang, MinGW.
 
-if(CMAKE_CXX_COMPILER_ID STREQUAL "MSVC")
-  message(FATAL_ERROR "hgp: MSVC is not supported; build with GCC 11, Clang 14 or newer (clang-cl is untested)")
-endif()
 foreach(known "GNU|11" "Clang|14")
   string(REPLACE "|" ";" known "${known}")
   list(GET known 0 id)
@@ -13,3 +9,12 @@ foreach(known "GNU|11" "Clang|14")
     message(WARNING "hgp: ${id} ${CMAKE_CXX_COMPILER_VERSION} is older than ${version}, the oldest that is tested")
   endif()
 endforeach()
+
+# What these compilers lack has an alternative in ISO C++, which our tests build and run with GCC and Clang.
+if(CMAKE_CXX_COMPILER_ID MATCHES "^(MSVC|AppleClang)$" OR MINGW)
+  message(WARNING "hgp: ${CMAKE_CXX_COMPILER_ID} on ${CMAKE_SYSTEM_NAME} is not tested; tested are GCC 11 and 12 and "
+    "Clang 14 on Linux")
+endif()
+if(MSVC OR MINGW)
+  set(HGP_PORTABLE ON)
+endif()

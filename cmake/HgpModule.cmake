@@ -7,13 +7,20 @@ function(hgp_add_directory dir)
   endif()
 endfunction()
 
-# The compile settings of all our own code. No fused multiply-add: native and WebAssembly must agree
-# bit for bit, and the exact predicates of verify/ rely on every operation being rounded once.
+# The compile settings of all our own code. No fused multiply-add: the exact predicates of verify/ rely on
+# every operation being rounded once, and builds for different processors can be compared (decision 003).
 function(hgp_compile_settings target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
-  target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion
-    -Wno-sign-conversion $<$<BOOL:${HGP_WERROR}>:-Werror>)
+  if(HGP_PORTABLE)
+    target_compile_definitions(${target} PRIVATE HGP_PORTABLE)
+  endif()
+  if(MSVC)  # not tested
+    target_compile_options(${target} PRIVATE /fp:precise /utf-8 /W3)
+  else()
+    target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion
+      -Wno-sign-conversion $<$<BOOL:${HGP_WERROR}>:-Werror>)
+  endif()
   if(EMSCRIPTEN)
     # Iterators count in 32 bits there; the native builds judge conversions.
     target_compile_options(${target} PRIVATE -Wno-shorten-64-to-32)

@@ -211,6 +211,7 @@ const stages = {
   house: { run: (log) => nodeTests(log, 'house') },
   'native-release': { run: (log) => ctest(log, 'native-release') },
   files: { run: compileFiles, isLong: true },
+  portable: { run: (log) => ctest(log, 'native-portable'), isLong: true },
   'wasm-release': { run: (log) => ctest(log, 'wasm-release') },
   install: { run: (log) => nodeTests(log, 'install'), after: ['native-release'] },
   tidy: {

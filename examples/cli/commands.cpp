@@ -1,8 +1,6 @@
 // budget: a method for every command
 #include "commands.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -24,8 +22,8 @@ class Run {
  public:
   explicit Run(const Arguments& arguments)
       : a_(arguments), progress_(!a_.isQuiet && !a_.hasNoProgress, a_.timeLimit) {
-    style_.isColored = isColored(STDOUT_FILENO);
-    messageStyle_.isColored = isColored(STDERR_FILENO);
+    style_.isColored = isColored(Stream::kOutput);
+    messageStyle_.isColored = isColored(Stream::kError);
   }
 
   int run() {
@@ -62,7 +60,7 @@ class Run {
   }
 
  private:
-  bool isColored(int stream) const {
+  bool isColored(Stream stream) const {
     if (a_.color != "auto") return a_.color == "always";
     const char* noColor = std::getenv("NO_COLOR");
     return (noColor == nullptr || *noColor == '\0') && isCleverTerminal(stream);

@@ -31,7 +31,4 @@ Status writeText(const std::string& path, std::string_view text);
 /// True when both names mean one regular file, there already or not. "" and "-" mean none.
 bool isSameFile(const std::string& a, const std::string& b);
 
-/// SIGINT, SIGTERM and SIGHUP remove what is half written and end the program with 130.
-void handleInterrupts();
-
 }  // namespace hgp::cli

@@ -4,14 +4,16 @@
 #include <new>
 
 #include "commands.h"
-#include "files.h"
+#include "half_file.h"
 #include "plain_math.h"
 #include "process_memory.h"
+#include "terminal.h"
 
 int main(int count, char** words) {
   hgp::cli::keepFreedMemory();
   try {
     hgp::cli::handleInterrupts();
+    hgp::cli::useBinaryStreams();
     const hgp::cli::Parsed parsed = hgp::cli::parseArguments(count, words);
     const bool isReproducible = parsed.arguments && parsed.arguments->isReproducible;
     if (isReproducible && !hgp::cli::restartWithPlainMath(words)) {

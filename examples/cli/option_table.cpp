@@ -74,10 +74,11 @@ class Table {
     sub->add_option("--root", out_.root,
                     "Read side files below this folder only (default: the input's)")
         ->option_text("DIR");
-    sub->add_option("--max-bytes", out_.load.limits.maxBytes, "Refuse larger input")
+    sub->add_option("--max-bytes", out_.load.limits.maxBytes, "Refuse larger input (default 2 GiB)")
         ->option_text("N")
         ->check(atLeast(1));
-    sub->add_option("--max-triangles", out_.load.limits.maxTriangles, "Refuse more triangles")
+    sub->add_option("--max-triangles", out_.load.limits.maxTriangles,
+                    "Refuse more triangles (default 16 million)")
         ->option_text("N")
         ->check(atLeast(1));
     sub->option_defaults()->group("Messages");
@@ -323,7 +324,8 @@ const char* exitCodeText() {
          "  7  the output cannot be written\n"
          "  8  a limit, or memory\n"
          " 70  an error of the program\n"
-         "130  interrupted";
+         "130  interrupted\n"
+         "141  whoever read the output had enough: ended by SIGPIPE, without a message";
 }
 
 CommandTable addCommands(CLI::App& app, Arguments& out, TypedWords& words) {

@@ -1,14 +1,17 @@
 #include "plain_math.h"
 
-#include <unistd.h>
-
-#include <cstdlib>
+#include <cstdlib>  // also says which C library this is
 #include <string>
+
+#if defined(__GLIBC__) && defined(__x86_64__) && !defined(HGP_PORTABLE)
+#define HGP_CAN_RESTART
+#include <unistd.h>
+#endif
 
 namespace hgp::cli {
 
 bool restartWithPlainMath(char** words) {
-#if defined(__GLIBC__) && defined(__x86_64__)
+#ifdef HGP_CAN_RESTART
   const char* const name = "GLIBC_TUNABLES";
   // Both spellings: before and since glibc 2.33.
   const std::string plain =

@@ -2,7 +2,7 @@
 
 #include <cstdlib>  // also says which C library this is
 
-#if defined(__GLIBC__)
+#if defined(__GLIBC__) && !defined(HGP_PORTABLE)
 #include <malloc.h>
 
 #include <climits>
@@ -11,7 +11,7 @@
 namespace hgp::cli {
 
 void keepFreedMemory() {
-#if defined(__GLIBC__)
+#if defined(__GLIBC__) && !defined(HGP_PORTABLE)
   // Everything from one heap that does not shrink. If it cannot grow, malloc falls back to mmap.
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, INT_MAX);

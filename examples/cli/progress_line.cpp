@@ -1,7 +1,5 @@
 #include "progress_line.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -22,14 +20,14 @@ bool isImprovement(const ProgressReport& report) {
 
 }  // namespace
 
-bool isCleverTerminal(int stream) {
+bool isCleverTerminal(Stream stream) {
   const char* kind = std::getenv("TERM");
-  return isatty(stream) == 1 && kind != nullptr && std::string_view(kind) != "dumb";
+  return isTerminal(stream) && kind != nullptr && std::string_view(kind) != "dumb";
 }
 
 ProgressLine::ProgressLine(bool isShown, std::optional<double> timeLimit)
     : isShown_(isShown),
-      isTerminal_(isCleverTerminal(STDERR_FILENO)),
+      isTerminal_(isCleverTerminal(Stream::kError)),
       timeLimit_(timeLimit),
       start_(Clock::now()),
       last_(start_ - std::chrono::hours(1)) {}

@@ -7,11 +7,12 @@
 #include <string>
 
 #include "hgp/base/progress.h"
+#include "terminal.h"
 
 namespace hgp::cli {
 
 /// A terminal that knows colours and can go back on a line; TERM says "dumb" where it cannot.
-bool isCleverTerminal(int stream);
+bool isCleverTerminal(Stream stream);
 
 class ProgressLine {
  public:

@@ -19,6 +19,8 @@ import { cubeMesh, toGltf, toObj } from '../support/meshes.mjs';
 
 const hgp =
   process.env.HGP_BIN ?? path.join(import.meta.dirname, '../../build/native-release/bin/hgp');
+/** Without POSIX no function may be called in a signal handler that would write. */
+const saysSo = !hgp.endsWith('without_posix');
 const folder = mkdtempSync(path.join(os.tmpdir(), 'hgp-faults-'));
 after(() => {
   for (const name of readdirSync(folder)) chmodSync(path.join(folder, name), 0o755);
@@ -159,7 +161,7 @@ test('SIGINT, SIGTERM and SIGHUP in every stage: 130, and nothing is left', asyn
         const { code, err, isSent } = await interrupted(long, signal, new RegExp(` s  ${stage}`));
         assert.ok(isSent, `${stage} came up in\n${err}`);
         assert.equal(code, 130, `${signal} in ${stage}: ${code}`);
-        assert.match(err, /hgp: interrupted\n/);
+        if (saysSo) assert.match(err, /hgp: interrupted\n/);
         assert.ok(!existsSync(at('never.obj')));
       });
     }

@@ -4,6 +4,13 @@
 #include <stdexcept>
 #include <string>
 
+// Where the compiler can, it compares a printf format with what follows.
+#ifdef __GNUC__
+#define HGP_PRINTF(text, first) __attribute__((format(printf, text, first)))
+#else
+#define HGP_PRINTF(text, first)
+#endif
+
 namespace hgp {
 
 /// Thrown by HGP_CHECK; caught only at the API boundary (api/), where it becomes ErrorCode::kInternal.
@@ -13,10 +20,10 @@ class InternalError : public std::logic_error {
 };
 
 [[noreturn]] void failCheck(const char* condition, const char* file, int line, const char* format,
-                            ...) __attribute__((format(printf, 4, 5)));
+                            ...) HGP_PRINTF(4, 5);
 
 /// printf into a std::string; the supported compilers lack <format>.
-std::string formatText(const char* format, ...) __attribute__((format(printf, 1, 2)));
+std::string formatText(const char* format, ...) HGP_PRINTF(1, 2);
 
 }  // namespace hgp
 

@@ -3,19 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/base/wide_integer.h"
+
 namespace hgp {
 namespace {
-
-__extension__ typedef __int128 Wide;
 
 constexpr int kPasses = 12;  ///< over the triangles that rounding turned over
 
 /// Positions in steps, one Gaussian integer per copy.
 using GridPoints = std::vector<Gaussian>;
 
-Wide doubleArea(Gaussian a, Gaussian b, Gaussian c) {
+WideInteger doubleArea(Gaussian a, Gaussian b, Gaussian c) {
   const Gaussian ab = b - a, ac = c - a;
-  return static_cast<Wide>(ab.re) * ac.im - static_cast<Wide>(ab.im) * ac.re;
+  return WideInteger::product(ab.re, ac.im) - WideInteger::product(ab.im, ac.re);
 }
 
 /// Moves vertices of triangles that are not positive, all copies of a vertex together.
@@ -25,7 +25,7 @@ class PositiveRepair {
                  GridPoints& points)
       : mesh_(mesh), seams_(seams), closureOf_(closureOf), points_(points) {}
 
-  bool isPositive(FaceId f) const { return area(f, VertexId(), {}) > 0; }
+  bool isPositive(FaceId f) const { return area(f, VertexId(), {}).sign() > 0; }
 
   /// @return the number of vertices moved
   int run(std::vector<FaceId>& broken) {
@@ -47,7 +47,7 @@ class PositiveRepair {
 
  private:
   /// Twice the area of f in steps² with vertex v moved by d (as its first copy sees it).
-  Wide area(FaceId f, VertexId v, Gaussian d) const {
+  WideInteger area(FaceId f, VertexId v, Gaussian d) const {
     Gaussian p[3];
     for (int k = 0; k < 3; ++k) {
       const HalfedgeId h = TriMesh::halfedge(f, k);
@@ -57,11 +57,11 @@ class PositiveRepair {
     }
     return doubleArea(p[0], p[1], p[2]);
   }
-  Wide smallestArea(VertexId v, Gaussian d) const {
-    Wide smallest = 0;
+  WideInteger smallestArea(VertexId v, Gaussian d) const {
+    WideInteger smallest;
     bool isFirst = true;
     for (HalfedgeId h : outgoingHalfedges(mesh_, v)) {
-      const Wide a = area(TriMesh::face(h), v, d);
+      const WideInteger a = area(TriMesh::face(h), v, d);
       if (isFirst || a < smallest) smallest = a;
       isFirst = false;
     }
@@ -69,11 +69,11 @@ class PositiveRepair {
   }
   bool move(VertexId v, std::int64_t reach) {
     Gaussian best;
-    Wide bestArea = smallestArea(v, best);
+    WideInteger bestArea = smallestArea(v, best);
     for (std::int64_t du = -2; du <= 2; ++du)
       for (std::int64_t dv = -2; dv <= 2; ++dv) {
         const Gaussian d{du * reach, dv * reach};
-        const Wide candidate = smallestArea(v, d);
+        const WideInteger candidate = smallestArea(v, d);
         if (candidate <= bestArea) continue;
         bestArea = candidate;
         best = d;

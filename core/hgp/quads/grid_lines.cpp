@@ -1,20 +1,18 @@
 #include "hgp/quads/grid_lines.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "hgp/base/check.h"
+#include "hgp/base/wide_integer.h"
 
 namespace hgp {
 namespace {
 
-__extension__ typedef __int128 Wide;
-
 constexpr double kLargest = 0x1p55;
 
 LatticePoint minus(const LatticePoint& a, const LatticePoint& b) { return {a.u - b.u, a.v - b.v}; }
-
-int sign(Wide x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
 Failure refusal(std::string message, std::vector<Where> where = {}) {
   return {ErrorCode::kUnsupported, "quads", std::move(message), std::move(where)};
@@ -31,7 +29,7 @@ int commonExponent(const UvMap& map) {
         const double fraction = std::frexp(x, &exponent);
         const auto digits = static_cast<std::int64_t>(std::ldexp(fraction, 53));
         lowest =
-            std::min(lowest, exponent - 53 + __builtin_ctzll(static_cast<std::uint64_t>(digits)));
+            std::min(lowest, exponent - 53 + std::countr_zero(static_cast<std::uint64_t>(digits)));
       }
   return lowest;
 }
@@ -39,10 +37,10 @@ int commonExponent(const UvMap& map) {
 }  // namespace
 
 int crossSign(const LatticePoint& a, const LatticePoint& b) {
-  return sign(static_cast<Wide>(a.u) * b.v - static_cast<Wide>(a.v) * b.u);
+  return (WideInteger::product(a.u, b.v) - WideInteger::product(a.v, b.u)).sign();
 }
 int dotSign(const LatticePoint& a, const LatticePoint& b) {
-  return sign(static_cast<Wide>(a.u) * b.u + static_cast<Wide>(a.v) * b.v);
+  return (WideInteger::product(a.u, b.u) + WideInteger::product(a.v, b.v)).sign();
 }
 
 LatticePoint turned(const LatticePoint& p, int turn) {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdint>
 
+#include "hgp/base/wide_integer.h"
+
 namespace hgp {
 namespace {
-
-__extension__ typedef unsigned __int128 Wide;
 
 /// A finite double as (−1)^isNegative · magnitude · 2^exponent, exactly.
 struct Parts {
@@ -31,7 +31,7 @@ class ProductSum {
   void add(double a, double b, bool isSubtracted) {
     const Parts p = split(a), q = split(b);
     if (p.magnitude == 0 || q.magnitude == 0) return;
-    terms_[count_++] = {static_cast<Wide>(p.magnitude) * q.magnitude, p.exponent + q.exponent,
+    terms_[count_++] = {multiply(p.magnitude, q.magnitude), p.exponent + q.exponent,
                         (p.isNegative != q.isNegative) != isSubtracted};
   }
 
@@ -55,7 +55,7 @@ class ProductSum {
 
  private:
   struct Term {
-    Wide magnitude;
+    UnsignedProduct magnitude;
     int exponent;
     bool isNegative;
   };
@@ -64,18 +64,17 @@ class ProductSum {
 
   static void accumulate(std::uint64_t* words, int wordCount, const Term& term, int shift) {
     const int offset = shift % 64;
-    const auto low = static_cast<std::uint64_t>(term.magnitude);
-    const auto high = static_cast<std::uint64_t>(term.magnitude >> 64);
+    const auto [high, low] = term.magnitude;
     const std::uint64_t piece[3] = {low << offset,
                                     offset ? (low >> (64 - offset)) | (high << offset) : high,
                                     offset ? high >> (64 - offset) : 0};
     // −x = ~x + 1, so a negative term adds the complement of its pieces and of the zeros around.
-    Wide carry = term.isNegative ? 1 : 0;
+    std::uint64_t carry = term.isNegative ? 1 : 0;
     for (int w = shift / 64, n = 0; w < wordCount; ++w, ++n) {
-      const std::uint64_t digit = n < 3 ? piece[n] : 0;
-      carry += static_cast<Wide>(words[w]) + (term.isNegative ? ~digit : digit);
-      words[w] = static_cast<std::uint64_t>(carry);
-      carry >>= 64;
+      const std::uint64_t plain = n < 3 ? piece[n] : 0, digit = term.isNegative ? ~plain : plain;
+      const std::uint64_t sum = words[w] + digit, whole = sum + carry;
+      carry = (sum < digit) + (whole < sum);
+      words[w] = whole;
     }
   }
 

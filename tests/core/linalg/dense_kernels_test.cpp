@@ -8,7 +8,7 @@ namespace hgp::linalg {
 namespace {
 
 std::vector<const KernelTable*> tables() {
-  const KernelTable* found[3];
+  const KernelTable* found[kMostTables];
   const int count = runnableKernels(found);
   return {found, found + count};
 }
@@ -98,6 +98,50 @@ TEST(DenseKernels, PanelNamesTheFirstPivotThatIsNotPositive) {
                   wrong);
       }
     }
+}
+
+/// Every kernel of both tables on the same numbers.
+template <class Matrix>
+void expectSameBits(const KernelTable& a, const KernelTable& b, int rows, int pivots) {
+  constexpr bool kReal = sizeof(typename Matrix::Scalar) == sizeof(double);
+  const KernelWorkspace work;
+  Matrix A = Matrix::Random(rows, pivots), B = Matrix::Random(rows, pivots);
+  const Matrix C = Matrix::Random(rows, rows);
+  const Matrix G = C * C.adjoint() + rows * Matrix::Identity(rows, rows);
+  const Eigen::VectorXd threshold = Eigen::VectorXd::Zero(pivots);
+  Matrix products[2] = {C, C}, panels[2] = {G.leftCols(pivots), G.leftCols(pivots)};
+  for (int n = 0; n < 2; ++n) {
+    const KernelTable& table = n == 0 ? a : b;
+    const KernelTable::Update task = {rows, rows, pivots, raw(A),        raw(B), raw(products[n]),
+                                      rows, rows, rows,   rows % 2 == 0, false};
+    (kReal ? table.updateReal : table.updateComplex)(task, work.data());
+    const int bad = (kReal ? table.factorPanelReal : table.factorPanelComplex)(
+        rows, pivots, raw(panels[n]), rows, threshold.data(), work.data());
+    EXPECT_EQ(bad, -1);
+  }
+  EXPECT_EQ(lowerError<Matrix>(products[0], products[1], true), 0);
+  EXPECT_EQ(lowerError<Matrix>(panels[0], panels[1], true), 0);
+}
+
+TEST(DenseKernels, IsoCppAndTheBaselineGiveTheSameBits) {
+  if (!plainKernels()) return;  // WebAssembly
+  for (const int pivots : {1, 3, 8, 21, 64})
+    for (const int more : {0, 1, 6, 75}) {
+      expectSameBits<Eigen::MatrixXd>(*plainKernels(), *baselineKernels(), pivots + more, pivots);
+      expectSameBits<Eigen::MatrixXcd>(*plainKernels(), *baselineKernels(), pivots + more, pivots);
+    }
+  Eigen::MatrixXcd P = Eigen::MatrixXcd::Random(60, 30), Q = Eigen::MatrixXcd::Random(60, 30);
+  P.topRows(30) += 60 * Eigen::MatrixXcd::Identity(30, 30);
+  Q.topRows(30) = P.topRows(30).adjoint();
+  const Eigen::VectorXd threshold = Eigen::VectorXd::Zero(30);
+  const KernelWorkspace work;
+  Eigen::MatrixXcd p[2] = {P, P}, q[2] = {Q, Q};
+  for (int n = 0; n < 2; ++n)
+    EXPECT_EQ((n == 0 ? plainKernels() : baselineKernels())
+                  ->factorPanelLu(60, 30, raw(p[n]), raw(q[n]), 60, threshold.data(), work.data()),
+              -1);
+  EXPECT_EQ(lowerError<Eigen::MatrixXcd>(p[0], p[1], true), 0);
+  EXPECT_EQ(lowerError<Eigen::MatrixXcd>(q[0], q[1], true), 0);
 }
 
 }  // namespace

@@ -50,13 +50,17 @@ const KernelTable& kernels();
 /// From now on the baseline's, whose results are the same everywhere: no fused multiply-add.
 void useBaselineKernels(bool isAsked);
 
+/// In ISO C++ alone, the same numbers as the baseline's bit for bit; null in WebAssembly, where every
+/// compiler has vectors.
+const KernelTable* plainKernels();
 /// The table of each build, null where this program was compiled without that instruction set. Only
-/// `kernels` knows whether the processor has it.
+/// `kernels` knows whether the processor has it. With HGP_PORTABLE the baseline is the plain one.
 const KernelTable* baselineKernels();
 const KernelTable* avx2Kernels();
 const KernelTable* avx512Kernels();
 
 /// All tables that can be run here, slowest first; for tests and benchmarks.
-int runnableKernels(const KernelTable* tables[3]);
+inline constexpr int kMostTables = 4;
+int runnableKernels(const KernelTable* tables[kMostTables]);
 
 }  // namespace hgp::linalg

@@ -1,7 +1,7 @@
 // Dense kernels for AVX2 with fused multiply-add; compiled with -mavx2 -mfma, empty without.
 #include "hgp/linalg/kernels/dense_kernels.h"
 
-#if defined(__AVX2__) && defined(__FMA__)
+#if defined(__AVX2__) && defined(__FMA__) && defined(__GNUC__) && !defined(HGP_PORTABLE)
 #include <immintrin.h>
 
 namespace hgp::linalg {

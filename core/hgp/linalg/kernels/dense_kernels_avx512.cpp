@@ -1,7 +1,7 @@
 // Dense kernels for AVX-512; compiled with -mavx512f -mfma, empty without.
 #include "hgp/linalg/kernels/dense_kernels.h"
 
-#if defined(__AVX512F__)
+#if defined(__AVX512F__) && defined(__GNUC__) && !defined(HGP_PORTABLE)
 #include <immintrin.h>
 
 namespace hgp::linalg {

@@ -1,4 +1,8 @@
 // Dense kernels for two doubles at a time: plain x86-64, WebAssembly SIMD, NEON.
+#include "hgp/linalg/kernels/dense_kernels.h"
+
+#if defined(__GNUC__) && !defined(HGP_PORTABLE)
+
 namespace hgp::linalg {
 namespace {
 
@@ -22,3 +26,8 @@ const KernelTable* baselineKernels() {
 }
 
 }  // namespace hgp::linalg
+#else
+namespace hgp::linalg {
+const KernelTable* baselineKernels() { return plainKernels(); }
+}  // namespace hgp::linalg
+#endif

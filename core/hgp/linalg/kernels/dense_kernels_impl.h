@@ -6,6 +6,21 @@
 // one instruction set can be picked by the linker for another.
 #include "hgp/linalg/kernels/dense_kernels.h"
 
+// Builtins where there are some: <cmath> has inline functions, which the linker could take from here.
+#if defined(__GNUC__) && !defined(HGP_PORTABLE)
+#define HGP_UNROLL _Pragma("GCC unroll 8")
+#define HGP_ALWAYS_INLINE inline __attribute__((always_inline))
+#define HGP_COPY __builtin_memcpy
+#define HGP_SQRT __builtin_sqrt
+#else
+#include <cmath>
+#include <cstring>
+#define HGP_UNROLL
+#define HGP_ALWAYS_INLINE inline
+#define HGP_COPY std::memcpy
+#define HGP_SQRT std::sqrt
+#endif
+
 namespace hgp::linalg {
 namespace {
 
@@ -14,10 +29,10 @@ constexpr int kBase = 8;  // columns factored without further blocking
 
 inline V load(const double* p) {
   V v;
-  __builtin_memcpy(&v, p, sizeof(V));
+  HGP_COPY(&v, p, sizeof(V));
   return v;
 }
-inline void store(double* p, V v) { __builtin_memcpy(p, &v, sizeof(V)); }
+inline void store(double* p, V v) { HGP_COPY(p, &v, sizeof(V)); }
 inline V broadcast(double x) { return x - V{}; }
 inline int minimum(int a, int b) { return a < b ? a : b; }
 
@@ -51,24 +66,22 @@ struct Tile {
   V sum[kTileCols][kTileVectors];
 };
 
-inline __attribute__((always_inline)) void multiplyTile(int k, const double* a, const double* b,
-                                                        Tile* tile) {
+HGP_ALWAYS_INLINE void multiplyTile(int k, const double* a, const double* b, Tile* tile) {
   V sum[kTileCols][kTileVectors] = {};
   for (int p = 0; p < k; ++p, a += kTileRows, b += kTileCols) {
     V left[kTileVectors];
-#pragma GCC unroll 8
+    HGP_UNROLL
     for (int v = 0; v < kTileVectors; ++v) left[v] = load(a + v * kWidth);
-#pragma GCC unroll 8
+    HGP_UNROLL
     for (int c = 0; c < kTileCols; ++c) {
       const V right = broadcast(b[c]);
-#pragma GCC unroll 8
+      HGP_UNROLL
       for (int v = 0; v < kTileVectors; ++v) sum[c][v] = multiplyAdd(left[v], right, sum[c][v]);
     }
   }
-#pragma GCC unroll 8
-  for (int c = 0; c < kTileCols; ++c)
-#pragma GCC unroll 8
-    for (int v = 0; v < kTileVectors; ++v) tile->sum[c][v] = sum[c][v];
+  HGP_UNROLL
+  for (int c = 0; c < kTileCols; ++c) HGP_UNROLL
+  for (int v = 0; v < kTileVectors; ++v) tile->sum[c][v] = sum[c][v];
 }
 
 // (a b̄) from the products of (a_re, a_im) with b_re and with b_im.
@@ -167,7 +180,7 @@ int factorCorner(int n, double* P, std::ptrdiff_t ld, const double* threshold) {
     }
     const double pivot = column[kStep * j];
     if (!(pivot > threshold[j]) || !(pivot < 1e300)) return j;
-    const double root = __builtin_sqrt(pivot);
+    const double root = HGP_SQRT(pivot);
     for (int i = kStep * j; i < kStep * n; ++i) column[i] /= root;
     column[kStep * j] = root;
     if (kComplex) column[kStep * j + 1] = 0.0;

@@ -1,0 +1,105 @@
+// Runs a page of the documentation as a reader would: every block of it, in order, in one shell, in an empty
+// home. `~/hgp` is the checkout. A block below a line "`name`:" is a file of that name; `sh` is run, and the
+// `text` after it is what must come out, … standing for anything; `sh server` is left running.
+
+import assert from 'node:assert/strict';
+import { spawn, spawnSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, symlinkSync } from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+
+export const root = path.resolve(import.meta.dirname, '../..');
+
+/** The blocks of a page: { kind, file, text }, kind 'file', 'sh', 'server' or 'text'. */
+export function blocksOf(markdown) {
+  const blocks = [];
+  for (const [, file, info, text] of markdown.matchAll(
+    /(?:^`([\w./-]+)`:\n\n)?^```([^\n]*)\n([^]*?)^```$/gm,
+  )) {
+    if (file) blocks.push({ kind: 'file', file, text });
+    else if (info === 'sh') blocks.push({ kind: 'sh', text });
+    else if (info === 'sh server') blocks.push({ kind: 'server', text });
+    else if (info === 'text') blocks.push({ kind: 'text', text });
+    else assert.fail(`a block is neither a file nor run nor output: ${info}\n${text}`);
+  }
+  return blocks;
+}
+
+/** An empty home with the checkout in it; remove() ends it. */
+export function emptyHome() {
+  const home = mkdtempSync(path.join(os.tmpdir(), 'hgp-home-'));
+  symlinkSync(root, path.join(home, 'hgp'));
+  return { home, remove: () => rmSync(home, { recursive: true, force: true }) };
+}
+
+const mark = (n) => `<<< ${n} >>>`;
+
+/** One script of all blocks up to the server, with a mark before what each prints. */
+function scriptOf(blocks) {
+  const lines = ['set -e', 'cd ~'];
+  blocks.forEach(({ kind, file, text }, n) => {
+    if (kind === 'file') {
+      lines.push(`mkdir -p "$(dirname '${file}')"`, `cat >'${file}' <<'END_OF_BLOCK'`);
+      lines.push(`${text}END_OF_BLOCK`);
+    }
+    if (kind === 'sh') lines.push(`echo '${mark(n)}'`, text);
+  });
+  return [...lines, `echo '${mark('end')}'`, 'pwd', ''].join('\n');
+}
+
+const pattern = (text) =>
+  new RegExp(
+    `^${text
+      .trim()
+      .split('…')
+      .map((part) => part.replace(/[.*+?^${}()|[\]\\]/g, '\\$&'))
+      .join('[^]*?')}$`,
+  );
+
+/** Runs the page; resolves to { folder, server } — the folder it ends in, and what `sh server` is to run. */
+export function runPage(name, home, more = {}) {
+  const page = readFileSync(path.join(root, 'docs', name), 'utf8');
+  const blocks = blocksOf(page);
+  const server = blocks.findIndex(({ kind }) => kind === 'server');
+  const run = server < 0 ? blocks : blocks.slice(0, server);
+  assert.ok(
+    run.some(({ kind }) => kind === 'text'),
+    `${name} shows no output`,
+  );
+  const env = { PATH: process.env.PATH, LANG: 'C.UTF-8', HOME: home, ...more };
+  const { status, stdout, stderr } = spawnSync('bash', ['-c', `exec 2>&1\n${scriptOf(run)}`], {
+    encoding: 'utf8',
+    env,
+    maxBuffer: 1 << 26,
+  });
+  assert.equal(status, 0, `${name}\n${stdout}${stderr}`);
+  const printed = (n) =>
+    stdout
+      .split(`${mark(n)}\n`)[1]
+      .split(/^<<< \w+ >>>$/m)[0]
+      .trim();
+  run.forEach(({ kind, text }, n) => {
+    if (kind === 'text')
+      assert.match(printed(n - 1), pattern(text), `${name}:\n${run[n - 1].text}`);
+  });
+  const folder = printed('end');
+  return { folder, env, server: server < 0 ? undefined : blocks[server].text };
+}
+
+/** Starts what is left running; resolves to { url, stop } when it has printed an address. */
+export function startServer(command, { folder, env }) {
+  const child = spawn('bash', ['-c', command], { cwd: folder, env, detached: true });
+  const stop = () => process.kill(-child.pid);
+  return new Promise((resolve, reject) => {
+    let text = '';
+    const read = (chunk) => {
+      // Colours stand between the host and the port.
+      text += String(chunk).replace(/\u001b\[[\d;]*m/g, ''); // eslint-disable-line no-control-regex
+      const [url] = text.match(/http:\/\/localhost:\d+\//) ?? [];
+      if (url) resolve({ url, stop });
+    };
+    child.stdout.on('data', read);
+    child.stderr.on('data', read);
+    child.on('exit', () => reject(new Error(`${command}\n${text}`)));
+  });
+}

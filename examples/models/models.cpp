@@ -235,6 +235,7 @@ MeshData byName(const std::string& name) {
   if (name == "pretzel") return pretzel(70);
   if (name == "colander") return colander(5);
   if (name == "creature") return creature(80);
+  if (name == "small-pretzel") return pretzel(24);
   if (name == "lattice") return lattice(72);
   if (name == "rings") return rings(120);
   if (name == "million-rings") return ringsOfAMillion();

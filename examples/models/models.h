@@ -34,7 +34,7 @@ MeshData ringsOfAMillion();
 
 /// All of the above in a size for pictures, and `million`, a creature of about 10⁶ triangles.
 const std::vector<std::string>& names();
-/// Empty when there is no such model.
+/// Also `small-pretzel`, which is examples/meshes/pretzel.obj. Empty when there is no such model.
 MeshData byName(const std::string& name);
 
 }  // namespace hgp::models

@@ -7,7 +7,7 @@ import { Document } from '@gltf-transform/core';
 import * as THREE from 'three';
 import { withClient } from './support.mjs';
 import { parametrizeGeometry } from '../../build/package/three.js';
-import { seamless } from '../../build/package/gltf_transform.js';
+import { seamless } from '../../build/package/gltf-transform.js';
 
 /** The corners of a geometry as values of an attribute, whatever the index. */
 const corners = (geometry, attribute) => {

@@ -12,10 +12,10 @@ import { emptyHome, root, runPage } from '../support/page.mjs';
 const more = { CMAKE_GENERATOR: 'Ninja' };
 
 for (const page of ['command-line', 'cpp']) {
-  test(`docs/five-minutes/${page}.md`, () => {
+  test(`docs/five-minutes/${page}.md`, async () => {
     const { home, remove } = emptyHome();
     try {
-      const { folder } = runPage(`five-minutes/${page}.md`, home, more);
+      const { folder } = await runPage(`five-minutes/${page}.md`, home, more);
       assert.ok(existsSync(folder));
     } finally {
       remove();

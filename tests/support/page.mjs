@@ -3,7 +3,7 @@
 // `text` after it is what must come out, … standing for anything; `sh server` is left running.
 
 import assert from 'node:assert/strict';
-import { spawn, spawnSync } from 'node:child_process';
+import { spawn } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, symlinkSync } from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
@@ -56,8 +56,16 @@ const pattern = (text) =>
       .join('[^]*?')}$`,
   );
 
+/** Runs a script; resolves to its exit code and all that it printed. */
+function bash(script, env) {
+  const child = spawn('bash', ['-c', `exec 2>&1\n${script}`], { env });
+  let printed = '';
+  child.stdout.setEncoding('utf8').on('data', (chunk) => (printed += chunk));
+  return new Promise((resolve) => child.on('close', (status) => resolve({ status, printed })));
+}
+
 /** Runs the page; resolves to { folder, server } — the folder it ends in, and what `sh server` is to run. */
-export function runPage(name, home, more = {}) {
+export async function runPage(name, home, more = {}) {
   const page = readFileSync(path.join(root, 'docs', name), 'utf8');
   const blocks = blocksOf(page);
   const server = blocks.findIndex(({ kind }) => kind === 'server');
@@ -67,14 +75,10 @@ export function runPage(name, home, more = {}) {
     `${name} shows no output`,
   );
   const env = { PATH: process.env.PATH, LANG: 'C.UTF-8', HOME: home, ...more };
-  const { status, stdout, stderr } = spawnSync('bash', ['-c', `exec 2>&1\n${scriptOf(run)}`], {
-    encoding: 'utf8',
-    env,
-    maxBuffer: 1 << 26,
-  });
-  assert.equal(status, 0, `${name}\n${stdout}${stderr}`);
+  const { status, printed: all } = await bash(scriptOf(run), env);
+  assert.equal(status, 0, `${name}\n${all}`);
   const printed = (n) =>
-    stdout
+    all
       .split(`${mark(n)}\n`)[1]
       .split(/^<<< \w+ >>>$/m)[0]
       .trim();

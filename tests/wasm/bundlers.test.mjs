@@ -8,7 +8,7 @@ import test from 'node:test';
 import { featureFiles } from '../gltf/features.mjs';
 import { bumpyDisk } from '../support/disk.mjs';
 import { cubeMesh, toGlb } from '../support/meshes.mjs';
-import { createProject, example, open, policy, serve } from './project.mjs';
+import { createProject, example, open, openUrl, policy, serve } from './project.mjs';
 
 const { folder: project, put } = createProject('bundlers');
 const installed = path.join(project, 'node_modules/hgp');
@@ -51,11 +51,11 @@ async function putAssets(folder) {
   }
 }
 
-async function runs(folder, security) {
-  const { title, trouble } = await open(path.join(project, folder), security);
+function ran({ title, trouble }) {
   assert.deepEqual(trouble, []);
   assert.deepEqual(JSON.parse(title), expected);
 }
+const runs = async (folder, security) => ran(await open(path.join(project, folder), security));
 
 for (const version of ['vite', 'vite6']) {
   test(`${version}, with no settings at all`, async () => {
@@ -74,6 +74,32 @@ for (const version of ['vite', 'vite6']) {
     });
     assert.deepEqual(warnings, []);
     await runs(`${version}/dist`);
+  });
+
+  test(`${version}, development server, with the setting of the README`, async () => {
+    put(`${version}-dev/index.html`, html);
+    put(`${version}-dev/main.js`, page(plainExample));
+    await putAssets(`${version}-dev/public`);
+    const { createServer, createLogger } = await import(version);
+    const warnings = [];
+    const customLogger = { ...createLogger('silent'), warn: (text) => warnings.push(text) };
+    const readme = readFileSync(path.join(installed, 'README.md'), 'utf8');
+    assert.match(readme, /`optimizeDeps: \{ exclude: \['hgp'\] \}`/);
+    const server = await createServer({
+      root: path.join(project, `${version}-dev`),
+      configFile: false,
+      customLogger,
+      optimizeDeps: { exclude: ['hgp'] },
+      // The server's own connection to the page is a WebSocket.
+      server: { headers: { 'Content-Security-Policy': policy.replace("'self'; worker", "'self' ws:; worker") } }, // prettier-ignore
+    });
+    try {
+      await server.listen(0);
+      ran(await openUrl(server.resolvedUrls.local[0]));
+      assert.deepEqual(warnings, []);
+    } finally {
+      await server.close();
+    }
   });
 }
 

@@ -87,6 +87,24 @@ test('publint has nothing to say about the packed files', async () => {
   assert.deepEqual(messages, []);
 });
 
+test('arethetypeswrong has nothing to say about any entry, but that this is ESM', async () => {
+  const { checkPackage, createPackageFromTarballData } = await import('@arethetypeswrong/core');
+  const packed = readdirSync(project).find((name) => name.endsWith('.tgz'));
+  const tarball = createPackageFromTarballData(readFileSync(path.join(project, packed)));
+  const { types, entrypoints, problems } = await checkPackage(tarball);
+  assert.ok(types);
+  const { exports } = JSON.parse(tarball.readFile('/node_modules/hgp/package.json'));
+  assert.deepEqual(Object.keys(entrypoints).sort(), Object.keys(exports).sort());
+  // What its profile "esm-only" leaves out; require() of it is the next test.
+  const told = problems.filter(({ kind }) => kind !== 'CJSResolvesToESM');
+  assert.deepEqual(told, []);
+});
+
+test('CommonJS can require it', () => {
+  put('required.cjs', "require('hgp').createClient().then((c) => console.log(c.terminate()));");
+  assert.match(run('node', '--no-warnings', 'required.cjs'), /^undefined\n$/);
+});
+
 test('the declared documents are made from the schemas as they are', async () => {
   const { declareDocuments } = await import('../../wasm/documents.mjs');
   assert.equal(

@@ -67,8 +67,7 @@ export function serve(folder, headers = {}) {
 }
 
 /** Opens a page and resolves to what it says in its title, with everything that went wrong. */
-export async function open(folder, security = policy) {
-  const server = await serve(folder, { 'Content-Security-Policy': security });
+export async function openUrl(url) {
   const browser = await chromium.launch({
     executablePath: ['/usr/bin/chromium', '/usr/bin/google-chrome'].find(existsSync),
     args: ['--no-sandbox', '--disable-gpu', '--disable-background-networking'],
@@ -80,7 +79,7 @@ export async function open(folder, security = policy) {
     page.on('console', (message) => {
       if (['error', 'warning'].includes(message.type())) trouble.push(message.text());
     });
-    await page.goto(`${server.origin}/`);
+    await page.goto(url);
     // Asked from outside: what Playwright polls with inside the page is what the policy forbids.
     for (let tries = 0; tries < 300 && trouble.length === 0 && !(await page.title()); tries++) {
       await new Promise((done) => setTimeout(done, 100));
@@ -88,6 +87,15 @@ export async function open(folder, security = policy) {
     return { title: await page.title(), trouble };
   } finally {
     await browser.close();
+  }
+}
+
+/** The same for a folder, served under a policy. */
+export async function open(folder, security = policy) {
+  const server = await serve(folder, { 'Content-Security-Policy': security });
+  try {
+    return await openUrl(`${server.origin}/`);
+  } finally {
     server.close();
   }
 }

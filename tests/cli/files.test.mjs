@@ -333,7 +333,7 @@ test('every mesh of a file is mapped; one without a map spoils the rest only whe
   );
 });
 
-test('a component without a solution lies flat, the others keep their certificate', () => {
+test('a component without a solution is cut to a disk, the others keep their certificate', () => {
   // No cones and a closed surface: nothing that fits; the disk beside it is fine.
   const disk = 'v 9 0 0\nv 10 0 0\nv 9 1 0\nf 7 8 9\n';
   put('pair.obj', `${octahedron}${disk}`);
@@ -347,7 +347,46 @@ test('a component without a solution lies flat, the others keep their certificat
     [false, true],
   );
   assert.match(err, /component 0 has no map of its own/);
+  // The octahedron, cut open: every triangle of the file is positive.
+  const text = readFileSync(at('pair_out.obj'), 'utf8');
+  const rows = (word) => text.split('\n').filter((l) => l.startsWith(`${word} `)).map((l) => l.split(/\s+/).slice(1)); // prettier-ignore
+  const uv = rows('vt').map((p) => p.map(Number));
+  for (const corners of rows('f')) {
+    const [a, b, c] = corners.map((corner) => uv[Number(corner.split('/')[1]) - 1]);
+    assert.ok((b[0] - a[0]) * (c[1] - a[1]) > (b[1] - a[1]) * (c[0] - a[0]), corners.join(' '));
+  }
   assert.ok(existsSync(at('pair_out.obj')));
+});
+
+test('a component without a solution keeps the uv it had, to the last digit', () => {
+  const uv = ['0.1 0.2', '0.7 0.3', '0.30000000000000004 0.9', '0.123 0.456', '5.5 -2.25', '0 0'];
+  const faces = octahedron.split('\n').filter((l) => l.startsWith('f '));
+  const withUv = faces.map((l) => l.replace(/\d+/g, (v) => `${v}/${v}`));
+  const points = octahedron.split('\n').filter((l) => l.startsWith('v '));
+  const disk = ['v 9 0 0', 'v 10 0 0', 'v 9 1 0', ...['9 9', '8 9', '9 8'].map((p) => `vt ${p}`), 'f 7/7 8/8 9/9']; // prettier-ignore
+  put('olduv.obj', `${[...points, ...uv.map((p) => `vt ${p}`), ...withUv, ...disk].join('\n')}\n`);
+  const asked = [
+    'param',
+    'olduv.obj',
+    '-o',
+    'olduv_out.obj',
+    '--boundary',
+    'convex',
+    '--scale',
+    'unit',
+  ];
+  assert.equal(run([...asked, '--keep-going']).code, 6);
+  const lines = readFileSync(at('olduv_out.obj'), 'utf8').split('\n');
+  const written = lines.filter((l) => l.startsWith('vt ')).map((l) => l.slice(3));
+  lines
+    .filter((l) => l.startsWith('f '))
+    .slice(0, 8)
+    .forEach((l) => {
+      for (const corner of l.slice(2).split(' ')) {
+        const [v, vt] = corner.split('/').map(Number);
+        assert.deepEqual(written[vt - 1].split(' ').map(Number), uv[v - 1].split(' ').map(Number));
+      }
+    });
 });
 
 test('an extension of no format is refused before anything is solved', () => {

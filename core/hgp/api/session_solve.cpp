@@ -199,12 +199,22 @@ UvMap flatMap(const TriMesh& mesh) {
 }
 
 /// What a component without a solution is stored with, judged by a prescription without cones.
-Parametrization unsolved(const Model& model, const ModelComponent& component, int q) {
+/// @param isKept  set: it is the uv that the file has
+Parametrization unsolved(const Model& model, const ModelComponent& component, int q,
+                         const SolveOptions& options, bool& isKept) {
   Parametrization out;
   const std::vector<int>& sets = model.source().uvSets;
   std::optional<UvMap> old;
   if (!sets.empty()) old = model.document->existingUv(model.surface, sets.front());
-  out.map = old ? mapOfComponent(model, component, *old) : flatMap(component.mesh);
+  isKept = old.has_value();
+  if (old) {
+    out.map = mapOfComponent(model, component, *old);
+  } else {
+    ParametrizeOptions core;
+    core.progress = options.progress;
+    Result<UvMap> disk = cutDiskMap(component.mesh, core);
+    out.map = disk ? std::move(*disk) : flatMap(component.mesh);
+  }
   out.copyOf.assign(out.map.uv.size(), VertexId{0});
   for (std::size_t f = 0; f < out.map.cornerUv.size(); ++f) {
     for (int k = 0; k < 3; ++k) {
@@ -248,17 +258,19 @@ Status Session::State::solveRequest(const Request& request, const SolveOptions& 
   bool areAligned = true;
   for (std::size_t p = 0; p < model->components.size(); ++p) {
     Result<Parametrization> component = solveComponent(p, request.components[p], shared);
+    bool isKept = false;
     if (!component && options.keepsGoing && maySkip(component.error())) {
       run.notes.push_back(
-          formatText("component %zu has no map of its own, and keeps what it had: ", p) +
+          formatText("component %zu has no map of its own, and keeps what it had or is a disk: ",
+                     p) +
           component.error().message);
-      component = unsolved(*model, model->components[p], request.q);
+      component = unsolved(*model, model->components[p], request.q, options, isKept);
     }
     if (!component) return component.error();
     const bool isAligned = component->grid && component->grid->isAligned;
     areAligned = areAligned && isAligned;
     maps.push_back({std::move(component->map), std::move(component->copyOf), component->spec,
-                    component->certificate, isAligned ? 1.0 : 0.0});
+                    component->certificate, isAligned ? 1.0 : 0.0, isKept});
     specs.push_back(toSpec(component->spec));
     run.components.push_back(std::move(*component));
   }

@@ -7,6 +7,10 @@ namespace hgp::api {
 ComponentSnapper::ComponentSnapper(const Model& model, const std::vector<ComponentMap>& components)
     : components_(components) {
   for (std::size_t p = 0; p < components.size(); ++p) {
+    if (!components[p].certificate.isCertified) {  // its seams do not fit, and are not made to
+      snappers_.emplace_back();
+      continue;
+    }
     std::vector<VertexId> cones;
     for (const ConePoint& cone : components[p].spec.cones) cones.push_back(cone.vertex);
     snappers_.push_back(SeamSnapper::make(model.components[p].mesh, components[p].map,

@@ -32,15 +32,17 @@ struct MeshMap {
 
 std::vector<Placement> packed(const std::vector<ComponentMap>& components) {
   std::vector<UvBox> boxes;
+  std::vector<std::size_t> movable;
   double unit = 0;
-  for (const ComponentMap& component : components) {
-    boxes.push_back(boxOf(component.map.uv));
-    unit = std::max(unit, component.shiftUnit);
+  for (std::size_t p = 0; p < components.size(); ++p) {
+    if (components[p].isKept) continue;
+    movable.push_back(p);
+    boxes.push_back(boxOf(components[p].map.uv));
+    unit = std::max(unit, components[p].shiftUnit);
   }
   const std::vector<Vec2> shifts = packBoxes(boxes, unit);
-  std::vector<Placement> out;
-  out.reserve(shifts.size());
-  for (const Vec2& shift : shifts) out.push_back({1, shift});
+  std::vector<Placement> out(components.size());
+  for (std::size_t i = 0; i < movable.size(); ++i) out[movable[i]] = {1, shifts[i]};
   return out;
 }
 
@@ -106,6 +108,15 @@ void applyScale(MeshMap& map, Scale scale) {
   }
 }
 
+/// Whatever was done to all: uv that the file had are those that it has.
+void restoreKept(const std::vector<ComponentMap>& components, std::vector<Vec2>& uv) {
+  auto at = uv.begin();
+  for (const ComponentMap& component : components) {
+    if (component.isKept) std::copy(component.map.uv.begin(), component.map.uv.end(), at);
+    at += static_cast<std::ptrdiff_t>(component.map.uv.size());
+  }
+}
+
 UvMap onSurface(const Model& model, const MeshMap& from) {
   UvMap out;
   out.uv = from.uv;
@@ -163,6 +174,7 @@ StoredMap store(const Model& model, const std::vector<ComponentMap>& components,
   MeshMap joined = joinComponents(model, components, placements);
   applyScale(joined, scale);
   snapper.snap(numbersOf(model), joined.uv);
+  restoreKept(components, joined.uv);
   StoredMap out;
   out.map = model.document->asStored(model.surface, onSurface(model, joined));
   CertifyOptions options = judgeOf(model);

@@ -15,6 +15,7 @@ struct ComponentMap {
   CompleteSpec spec;
   Certificate certificate;  ///< of `map`, in double precision
   double shiftUnit = 0;     ///< 0, or a power of two that every shift must be a multiple of
+  bool isKept = false;      ///< uv that the file had: neither moved nor scaled
 };
 
 struct StoredMap {

@@ -18,6 +18,10 @@ Result<Parametrization> parametrize(const TriMesh& mesh, const HolonomySpec& spe
 /// weights. Fails with kUnsupported when the surface is not a disk, with kUsage for given frames.
 Result<Parametrization> parametrizeConvex(const TriMesh& mesh, const ParametrizeOptions& options);
 
+/// The surface cut open to a disk, and that by parametrizeConvex: injective, but its seams fit nowhere. For what
+/// has no other map. Of `options` only the progress counts. @pre mesh has one component
+Result<UvMap> cutDiskMap(const TriMesh& mesh, const ParametrizeOptions& options);
+
 /// Cones, turning and handles by themselves ("automatic cones").
 Result<CompleteSpec> suggestCones(const TriMesh& mesh, const SuggestOptions& options);
 

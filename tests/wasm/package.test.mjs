@@ -5,6 +5,7 @@ import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import test from 'node:test';
+import { Worker } from 'node:worker_threads';
 import { problems } from '../cli/schema.mjs';
 import { blocks, ring } from '../support/blocks.mjs';
 import { bumpyDisk } from '../support/disk.mjs';
@@ -262,6 +263,31 @@ test('cancel in the middle of a solve: AbortError, and the next call works', () 
     await client.load(disk(4), { name: 'disk.obj' });
     assert.equal((await client.parametrize({ boundary: 'convex' })).certificate.certified, true);
   }));
+
+test('a worker that is killed in the middle of a solve: worker-lost, and the next call works', async () => {
+  const workers = [];
+  const createWorker = () => {
+    workers.push(new Worker(path.join(built, 'node/worker.js'), { execArgv: [] }));
+    return workers.at(-1);
+  };
+  await withClient(
+    async (client) => {
+      const { triangles } = await client.load(disk(60), { name: 'disk.obj' });
+      let isKilled = false;
+      const onProgress = ({ iteration }) => {
+        if (iteration < 0 || isKilled) return;
+        isKilled = true;
+        void workers[0].terminate();
+      };
+      const lost = { code: 'worker-lost', message: /stopped unexpectedly \(exit code 1\)/ };
+      await assert.rejects(client.parametrize({ q: 4 }, { onProgress }), lost);
+      assert.equal((await client.inspect()).triangles, triangles); // a fresh worker has the model again
+      const { certificate } = await client.parametrize({ q: 4 });
+      assert.deepEqual([certificate.certified, workers.length], [true, 2]);
+    },
+    { createWorker },
+  );
+});
 
 test('progress goes through the stages, at most ten times a second', () =>
   withClient(async (client) => {

@@ -50,7 +50,7 @@ export interface LoadOptions {
    * Read as if the file were of this format, so that write() makes it: a GLB of OBJ, OFF, PLY, STL or .gltf,
    * an OBJ of glTF. Notes say what does not come along.
    */
-  target?: 'obj' | 'glb';
+  target?: 'obj' | 'glb' | 'gltf';
 }
 
 /** What load() takes of these for a mesh that comes from no file. */
@@ -153,7 +153,7 @@ export interface SolveOptions extends SuggestOptions {
   /** The same as `improve: 'isometric'`. */
   quality?: boolean;
   /**
-   * A component that cannot be solved keeps the uv it had, or lies flat, instead of ending the call; the map
+   * A component that cannot be solved keeps the uv it had, or is cut to a disk, instead of ending the call; the map
    * is then not certified, its other components are, and write() needs `allowUncertified`.
    */
   keepGoing?: boolean;
@@ -206,6 +206,37 @@ export interface WriteOptions {
   use?: boolean;
 }
 
+/** What parametrizeFile() takes: of load, of parametrize and, in `write`, of write. */
+export interface FileOptions
+  extends
+    Omit<LoadOptions, 'surface'>,
+    Omit<SolveOptions, 'cones' | 'field' | 'frames' | 'refine'> {
+  write?: WriteOptions;
+}
+
+/** What became of one mesh: its report, or why it has no map. */
+export interface MeshOutcome {
+  mesh: number;
+  certified: boolean;
+  report?: Report;
+  error?: { code: HgpErrorCode; message: string; stage?: string; where?: Where[] };
+}
+
+export interface FileResult {
+  /** Every mesh. */
+  certified: boolean;
+  meshes: MeshOutcome[];
+  /**
+   * The file with all maps, the main one first. Empty where a mesh is not certified, unless `keepGoing` or
+   * `write.allowUncertified` were given.
+   */
+  files: { name: string; bytes: Uint8Array }[];
+  /** Of the main file, where there is one. */
+  name?: string;
+  bytes?: Uint8Array;
+  notes: string[];
+}
+
 export interface Progress {
   stage: string;
   /** Of the stage, 0 to 1. */
@@ -217,6 +248,9 @@ export interface Progress {
   /** Of solve, judge, repair: from 1 to at most maxRounds; both are 0 outside it. */
   round: number;
   maxRounds: number;
+  /** In parametrizeFile(): which mesh, of how many. */
+  mesh?: number;
+  meshes?: number;
 }
 
 export interface Result {
@@ -283,6 +317,8 @@ export class Core {
   suggestCones(options?: SuggestOptions): Cones;
   check(cones: Cones): CheckReport;
   parametrize(options?: SolveOptions): Result;
+  /** Every mesh of a file, which prepare() has made ready; afterwards the file itself is loaded. */
+  parametrizeFile(source: CoreFiles, options?: FileOptions): FileResult;
   verify(options?: VerifyOptions): Certificate;
   write(options?: WriteOptions): Written;
   /** The cells of a map aligned in quad mode; rejects with `no-map` where it is not. */

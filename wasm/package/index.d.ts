@@ -5,6 +5,8 @@ import type {
   Cones,
   Certificate,
   ConeFile,
+  FileOptions,
+  FileResult,
   FileSet,
   FileSource,
   InitOptions,
@@ -29,6 +31,8 @@ export type {
   CheckReport,
   ConeFile,
   Cones,
+  FileOptions,
+  FileResult,
   FileSet,
   FileSource,
   HgpErrorCode,
@@ -36,6 +40,7 @@ export type {
   LoadOptions,
   MeshArrays,
   MeshLoadOptions,
+  MeshOutcome,
   ModelInfo,
   Progress,
   Report,
@@ -98,6 +103,15 @@ export interface Client extends AsyncDisposable {
     mesh: MeshArrays & MeshLoadOptions & SolveOptions,
     call?: CallOptions,
   ): Promise<Result>;
+  /**
+   * Every mesh of a file, one after the other, and the file with all of their maps: what `hgp param` does. One
+   * bad mesh does not spoil the rest where `keepGoing` is set. Replaces the loaded model by this file.
+   */
+  parametrizeFile(
+    source: FileSource | FileSet,
+    options?: FileOptions,
+    call?: CallOptions,
+  ): Promise<FileResult>;
   /** Judges the texture coordinates that are in the file. */
   verify(options?: VerifyOptions, call?: CallOptions): Promise<Certificate>;
   /** The original file with the new texture coordinates and nothing else changed. */

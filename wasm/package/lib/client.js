@@ -98,6 +98,15 @@ class Client {
     return this.#call('parametrize', [options], call);
   }
 
+  async parametrizeFile(source, options = {}, call = {}) {
+    checkOptions('parametrizeFile', options);
+    const { weld, fix, strict, writeRepairs, limits, target, name } = options;
+    const files = await toFileSet(source, name);
+    const result = await this.#call('parametrizeFile', [files, options], call);
+    this.#source = ['load', [files, { weld, fix, strict, writeRepairs, limits, target }]];
+    return result;
+  }
+
   async verify(options = {}, call) {
     checkOptions('verify', options);
     return this.#call('verify', [options], call);
@@ -162,7 +171,7 @@ class Client {
     const worker = await this.#worker;
     if (this.#current !== job) return; // cancelled while the worker started
     worker.busy();
-    if (isFresh && this.#source && !job.method.startsWith('load')) {
+    if (isFresh && this.#source && !/^(load|parametrizeFile)/.test(job.method)) {
       const [method, args] = this.#source;
       worker.post({ id: 0, method, args });
     }

@@ -9,6 +9,7 @@ import { decompressed } from './gzip.js';
 import { checkConeFile, checkCones, checkOptions } from './options.js';
 import { toMeshArrays } from './sources.js';
 import { warmUpMesh } from './warm_up.js';
+import { parametrizeFile } from './whole_file.js';
 
 /** The text of a glTF, the first chunk of a GLB; nothing for files of other kinds. */
 function gltfJson(bytes) {
@@ -191,6 +192,15 @@ export class Core {
     const report = JSON.parse(reply.report);
     const { certificate, cones: completed } = report;
     return { ...reply, seams, report, certificate, cones: completed, memory: this.memory };
+  }
+
+  /**
+   * Every mesh of a file, and the file with all of their maps. What is loaded afterwards is the file given.
+   * @param {import('../core.js').CoreFiles} source  as prepare() gives it
+   * @param {import('../core.js').FileOptions} [options]
+   */
+  parametrizeFile(source, options = {}) {
+    return parametrizeFile(this, source, options);
   }
 
   /** @param {import('../core.js').VerifyOptions} [options] */

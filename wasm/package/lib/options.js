@@ -67,7 +67,7 @@ export const optionsOf = {
     fix: record({ orient: boolean, split: boolean, degenerate: boolean }),
     strict: boolean,
     writeRepairs: boolean,
-    target: oneOf('obj', 'glb'),
+    target: oneOf('obj', 'glb', 'gltf'),
   },
   suggestCones: {
     q: order,
@@ -99,6 +99,14 @@ optionsOf.parametrize = {
   scale: oneOf('solved', 'unit', 'fit'),
   refine: boolean,
   grid: record({ cells: number, spacing: number, mode: oneOf('tile', 'quad') }),
+};
+
+const without = (fields, ...names) =>
+  Object.fromEntries(Object.entries(fields).filter(([name]) => !names.includes(name)));
+optionsOf.parametrizeFile = {
+  ...without(optionsOf.load, 'surface'),
+  ...without(optionsOf.parametrize, 'cones', 'field', 'frames', 'refine'),
+  write: record(optionsOf.write),
 };
 
 /** The known name that was probably meant: the same letters but for case, or one letter off. */

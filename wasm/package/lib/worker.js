@@ -15,6 +15,7 @@ const methods = new Set([
   'suggestCones',
   'check',
   'parametrize',
+  'parametrizeFile',
   'verify',
   'write',
   'quads',
@@ -58,7 +59,8 @@ async function handle(state, post, { id, method, args, wantsProgress }) {
       : undefined;
     // A file may need more than the solver: decoders, or to be decompressed.
     const [first, ...rest] = args;
-    const input = method === 'load' ? await ready.prepare(first, ...rest) : first;
+    const isFile = method === 'load' || method === 'parametrizeFile';
+    const input = isFile ? await ready.prepare(first, ...rest) : first;
     const result = ready[method](input, ...rest);
     if (id !== 0) post({ id, result }, [...buffersOf(result)]);
   } catch (error) {

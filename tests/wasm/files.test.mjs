@@ -1,0 +1,172 @@
+// Files of several meshes through the package: all of them at once, one that is bad, other formats, and which set
+// the materials use.
+
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { cubeMesh, toGlb, toGltf, toObj } from '../support/meshes.mjs';
+import { HgpError, asFiles, bytesOf, createCore, withClient } from './support.mjs';
+
+const point = { vertices: Array(3).fill([1, 1, 1]), triangles: [[0, 1, 2]] };
+const glb = (...meshes) => new Uint8Array(toGlb(meshes));
+const jsonOf = (bytes) => {
+  const size = new DataView(bytes.buffer, bytes.byteOffset).getUint32(12, true);
+  return JSON.parse(new TextDecoder().decode(bytes.subarray(20, 20 + size)));
+};
+const verdicts = (result) => result.meshes.map(({ mesh, certified }) => [mesh, certified]);
+
+/** Whether every one of these meshes has a certified map in the file. */
+async function areCertified(client, files, main, meshes) {
+  for (const surface of meshes) {
+    await client.load({ main, files: new Map(files.map((f) => [f.name, f.bytes])) }, { surface });
+    assert.equal((await client.verify()).certified, true, `mesh ${surface}`);
+  }
+}
+
+test('every mesh of a file is mapped and written, with progress that says which', () =>
+  withClient(async (client) => {
+    const seen = new Set();
+    const onProgress = ({ mesh, meshes }) => seen.add(`${mesh} of ${meshes}`);
+    const source = glb(cubeMesh(3), cubeMesh(6), cubeMesh(2));
+    const result = await client.parametrizeFile(source, { name: 'three.glb' }, { onProgress });
+    assert.equal(result.certified, true);
+    assert.deepEqual(
+      verdicts(result),
+      [0, 1, 2].map((m) => [m, true]),
+    );
+    assert.ok(
+      [...seen].every((text) => /^[012] of 3$/.test(text)) && seen.size > 0,
+      `${[...seen]}`,
+    );
+    assert.equal(result.name, 'three.glb');
+    for (const { report } of result.meshes) assert.equal(report.format, 'hgp-report');
+    // The file that was given is loaded, its largest mesh chosen.
+    assert.equal((await client.inspect()).surface, 1);
+    assert.equal((await client.parametrize()).certificate.certified, true);
+    await areCertified(client, result.files, result.name, [0, 1, 2]);
+  }));
+
+test('one bad mesh: nothing is written, and with keepGoing all that is good', () =>
+  withClient(async (client) => {
+    const source = glb(cubeMesh(3), point, cubeMesh(2));
+    const strict = await client.parametrizeFile(source, { name: 'bad.glb' });
+    assert.equal(strict.certified, false);
+    assert.deepEqual([strict.files, strict.bytes], [[], undefined]);
+    assert.equal(strict.meshes[1].error.code, 'unsupported');
+    assert.match(strict.meshes[1].error.message, /nothing is left to parametrize/);
+    const kept = await client.parametrizeFile(source, { name: 'bad.glb', keepGoing: true });
+    assert.equal(kept.certified, false);
+    assert.deepEqual(verdicts(kept), [
+      [0, true],
+      [1, false],
+      [2, true],
+    ]);
+    await areCertified(client, kept.files, kept.name, [0, 2]);
+    const { meshes } = jsonOf(kept.bytes);
+    assert.deepEqual(
+      meshes.map(({ primitives: [p] }) => 'TEXCOORD_0' in p.attributes),
+      [true, false, true],
+    );
+  }));
+
+test('keepGoing in one mesh: the component without a map is cut to a disk, the others are certified', () =>
+  withClient(async (client) => {
+    // Onto a convex polygon: a closed surface cannot be, the disk beside it can.
+    const octahedron = [[1, 2, 3], [1, 3, 4], [1, 4, 5], [1, 5, 2], [6, 3, 2], [6, 4, 3], [6, 5, 4], [6, 2, 5]]; // prettier-ignore
+    const points = ['0 0 1', '1 0 0', '0 1 0', '-1 0 0', '0 -1 0', '0 0 -1', '9 0 0', '10 0 0', '9 1 0']; // prettier-ignore
+    const faces = [...octahedron, [7, 8, 9]];
+    const text = `${points.map((p) => `v ${p}\n`).join('')}${faces.map((f) => `f ${f.join(' ')}\n`).join('')}`;
+    await client.load(bytesOf(text), { name: 'pair.obj' });
+    await assert.rejects(client.parametrize({ boundary: 'convex' }), HgpError);
+    const { certificate } = await client.parametrize({ boundary: 'convex', keepGoing: true });
+    assert.equal(certificate.certified, false);
+    assert.deepEqual(
+      certificate.components.map(({ reasons }) => reasons.length === 0),
+      [false, true],
+    );
+    await assert.rejects(client.write(), { code: 'no-map' });
+    const { bytes } = await client.write({ allowUncertified: true });
+    assert.equal(new TextDecoder().decode(bytes).match(/^f /gm).length, 9);
+  }));
+
+test('target: an OBJ becomes a GLB or a .gltf, a file of two meshes an OBJ of both', () =>
+  withClient(async (client) => {
+    const obj = bytesOf(toObj(cubeMesh(3)));
+    await client.load(obj, { name: 'cube.obj', target: 'glb' });
+    assert.equal((await client.parametrize()).certificate.certified, true);
+    const asGlb = await client.write({ name: 'cube.glb' });
+    await areCertified(client, asGlb.files, 'cube.glb', [0]);
+
+    await client.load(obj, { name: 'cube.obj', target: 'gltf' });
+    await client.parametrize();
+    const apart = await client.write({ name: 'cube.gltf' });
+    assert.deepEqual(
+      apart.files.map(({ name }) => name),
+      ['cube.gltf', 'cube.bin'],
+    );
+    await areCertified(client, apart.files, 'cube.gltf', [0]);
+
+    const pair = glb(cubeMesh(2), cubeMesh(3));
+    await client.load(pair, { name: 'pair.glb', target: 'obj' });
+    const { certificate } = await client.parametrize();
+    assert.deepEqual([certificate.certified, certificate.components.length], [true, 2]);
+    const asObj = await client.write({ name: 'pair.obj' });
+    assert.equal(new TextDecoder().decode(asObj.bytes).match(/^o /gm).length, 2);
+    // A GLB of several meshes as a .gltf, all of them mapped.
+    const whole = await client.parametrizeFile(pair, {
+      name: 'pair.glb',
+      write: { name: 'pair.gltf' },
+    });
+    assert.equal(whole.name, 'pair.gltf');
+    await areCertified(client, whole.files, 'pair.gltf', [0, 1]);
+  }));
+
+test('use: the materials of every mesh use the set that was written', () =>
+  withClient(async (client) => {
+    const { json, bin } = toGltf([cubeMesh(3), cubeMesh(2)], { image: 'pixel.png' });
+    const files = {
+      'look.gltf': bytesOf(JSON.stringify(json)),
+      'cube.bin': new Uint8Array(bin),
+      'pixel.png': new Uint8Array(8),
+    };
+    const setsOf = ({ files: [{ bytes }] }) => {
+      const { materials, meshes } = JSON.parse(new TextDecoder().decode(bytes));
+      return meshes.map(
+        ({ primitives: [p] }) =>
+          materials[p.material].pbrMetallicRoughness.baseColorTexture.texCoord ?? 0,
+      );
+    };
+    const first = await client.parametrizeFile({ main: 'look.gltf', files });
+    assert.equal(first.certified, true);
+    const made = { ...files, ...Object.fromEntries(first.files.map((f) => [f.name, f.bytes])) };
+    const kept = await client.parametrizeFile({ main: 'look.gltf', files: made });
+    assert.deepEqual(setsOf(kept), [0, 0]);
+    assert.match(kept.notes.join('\n'), /mesh 1: wrote TEXCOORD_1; the materials still use/);
+    const used = await client.parametrizeFile(
+      { main: 'look.gltf', files: made },
+      { write: { use: true } },
+    );
+    assert.deepEqual(setsOf(used), [1, 1]);
+    // One of the two: the other one's material stays as it was.
+    await client.load({ main: 'look.gltf', files: made }, { surface: 1 });
+    await client.parametrize();
+    assert.deepEqual(setsOf(await client.write({ use: true })), [0, 1]);
+  }));
+
+test('a file of several meshes is cancelled as a whole, and wrong options are usage errors', async () => {
+  const core = await createCore();
+  const source = asFiles('three.glb', glb(cubeMesh(3), cubeMesh(4)));
+  core.onProgress = ({ mesh }) => mesh === 0;
+  assert.throws(() => core.parametrizeFile(source), { code: 'cancelled' });
+  core.onProgress = undefined;
+  for (const options of [
+    { cones: { q: 4, cones: [] } },
+    { surface: 0 },
+    { write: { useit: true } },
+  ])
+    assert.throws(() => core.parametrizeFile(source, options), { code: 'usage' });
+  assert.throws(() => core.parametrizeFile(asFiles('x.glb', bytesOf('glTF'))), {
+    code: 'malformed',
+  });
+  assert.equal(core.parametrizeFile(source).certified, true);
+  core.free();
+});

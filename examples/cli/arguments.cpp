@@ -7,6 +7,7 @@
 
 #include "files.h"
 #include "hgp/api/session.h"
+#include "hgp/api/side_files.h"
 #include "manual.h"
 #include "nearest.h"
 #include "option_table.h"
@@ -36,7 +37,7 @@ std::string formatOf(const std::string& name) {
   std::string extension = name.substr(std::min(name.rfind('.'), name.size() - 1) + 1);
   for (char& c : extension)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-  return extension == "obj" || extension == "glb" ? extension : "";
+  return extension == "obj" || extension == "glb" || extension == "gltf" ? extension : "";
 }
 
 void takeFix(const std::string& text, FixOptions& fix) {
@@ -200,6 +201,11 @@ class Parser {
     }
     if (grid.isAsked() && out_.solve.boundary == api::BoundaryKind::kConvex)
       refuse("--boundary convex has no seams to align to a grid");
+    const bool isGltf = out_.load.target == "glb" || out_.load.target == "gltf";
+    if (out_.isCompressed && !isGltf && out_.output != "-")
+      refuse("--compress is for glTF: name the result -o x.glb or -o x.gltf");
+    if (out_.isCompressed && !api::canCompress())
+      refuse("--compress: this program was built without an encoder (libmeshoptimizer)");
     if (out_.json == "-" && out_.output == "-")
       refuse("--json - and -o - cannot share standard output");
   }

@@ -24,8 +24,9 @@ struct Arguments {
   std::string color = "auto";
   api::LoadOptions load;
   bool isReproducible = false;
-  bool isEmbedded = false;  ///< glTF: side files inside the main one
-  bool isEveryMesh = true;  ///< param and verify: of all meshes of the file
+  bool isEmbedded = false;    ///< glTF: side files inside the main one
+  bool isCompressed = false;  ///< glTF: its data by meshopt
+  bool isEveryMesh = true;    ///< param and verify: of all meshes of the file
 
   std::optional<int> q;
   std::string cones, field, convert;                       ///< files

@@ -268,7 +268,8 @@ class Run {
       std::fprintf(stderr, "hgp: nothing was written: no mesh has a map\n");
       return kNoMapExit;
     }
-    if (Status done = addSideFiles(outcome->files, resolve_, a_); !done) return fail(done.error());
+    const Status finished = finishFiles(outcome->files, outcome->notes, resolve_, a_);
+    if (!finished) return fail(finished.error());
     if (Status done = writeFiles(a_.output, outcome->files); !done) return fail(done.error());
     tellWritten(outcome->notes);
     return isWhole ? 0 : kNoMapExit;
@@ -341,10 +342,12 @@ class Run {
     api::WriteOptions options = a_.write;
     options.name = a_.output;
     options.isSideFileNoted = false;
+    options.isCompressedLater = a_.isCompressed;
     options.allowUncertified = options.allowUncertified || a_.solve.keepsGoing;
     Result<io::Written> written = session_.write(options);
     if (!written) return fail(written.error());
-    if (Status done = addSideFiles(written->files, resolve_, a_); !done) return fail(done.error());
+    const Status finished = finishFiles(written->files, written->notes, resolve_, a_);
+    if (!finished) return fail(finished.error());
     if (Status done = writeFiles(a_.output, written->files); !done) return fail(done.error());
     if (!a_.xref.empty()) {
       std::string text;

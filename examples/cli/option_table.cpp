@@ -235,11 +235,13 @@ class Table {
                   ".gltf: buffers and images inside it (default: copied where it goes)");
     sub->add_flag("--write-repairs", out_.load.writesRepairs,
                   "Write faces as they were turned over, vertices as they were split");
+    sub->add_flag("--compress", out_.isCompressed,
+                  "glTF: compress it with meshopt, losing nothing (EXT_meshopt_compression)");
     sub->add_flag("--embed-cones", out_.write.embedCones, "Store the cones in the output");
     sub->add_flag("--allow-uncertified", out_.write.allowUncertified,
                   "Write the map even when it is not certified (exit code 6 all the same)");
     sub->add_flag("--keep-going", out_.solve.keepsGoing,
-                  "Write what is certified; what is not keeps its uv or lies flat (exit code 6)");
+                  "Write what is certified; what is not keeps its uv or is a disk (exit code 6)");
     sub->add_flag("--refine", out_.solve.refines,
                   "Where there is no map, split edges and write the refined mesh with its map");
     sub->add_option("--xref", out_.xref, "Write which input vertex every output vertex is")

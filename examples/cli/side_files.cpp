@@ -7,6 +7,15 @@
 #include "hgp/base/check.h"
 
 namespace hgp::cli {
+namespace {
+
+Status take(Result<io::Written> made, std::vector<io::OutputFile>& files,
+            std::vector<std::string>& notes) {
+  if (!made) return made.error();
+  files = std::move(made->files);
+  notes.insert(notes.end(), made->notes.begin(), made->notes.end());
+  return Done{};
+}
 
 Status addSideFiles(std::vector<io::OutputFile>& files, const io::Resolver& resolve,
                     const Arguments& asked) {
@@ -37,6 +46,21 @@ Status addSideFiles(std::vector<io::OutputFile>& files, const io::Resolver& reso
     files.push_back({name, std::move(*bytes)});
   }
   return Done{};
+}
+
+}  // namespace
+
+Status finishFiles(std::vector<io::OutputFile>& files, std::vector<std::string>& notes,
+                   const io::Resolver& resolve, const Arguments& asked) {
+  if (asked.load.target == "gltf") {
+    const Status done = take(api::asGltf(std::move(files), asked.output), files, notes);
+    if (!done) return done;
+  }
+  if (asked.isCompressed) {
+    const Status done = take(api::compressed(files, resolve, asked.load.limits), files, notes);
+    if (!done) return done;
+  }
+  return addSideFiles(files, resolve, asked);
 }
 
 }  // namespace hgp::cli

@@ -38,6 +38,12 @@ class FileChain {
   }
 
   bool isWritten() const { return isWritten_; }
+  /// A GLB: it stays one until all of it is written.
+  bool isBinary() const {
+    constexpr std::string_view kMagic = "glTF";
+    return current_.main.size() > 4 &&
+           std::equal(kMagic.begin(), kMagic.end(), current_.main.begin());
+  }
 
   std::vector<io::OutputFile> result(const std::string& name) && {
     std::vector<io::OutputFile> out;
@@ -99,7 +105,8 @@ Result<FileOutcome> parametrizeAll(const io::FileSet& files, int meshCount, cons
     }
     if (done && (one.isCertified || storesAll)) {
       api::WriteOptions options = asked.write;
-      options.name = asked.output;
+      options.name = chain.isBinary() && asked.load.target == "gltf" ? "mesh.glb" : asked.output;
+      options.isCompressedLater = asked.isCompressed;
       options.allowUncertified = storesAll;
       options.isSideFileNoted = false;
       Result<io::Written> written = session.write(options);

@@ -3,7 +3,15 @@
 import { NodeIO } from '@gltf-transform/core';
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import {
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  readdirSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import test, { after } from 'node:test';
@@ -419,14 +427,44 @@ test('a .gltf that goes elsewhere takes its side files along, or has them inside
   assert.match(missing.err, /a b\.png is missing/);
 });
 
+test('a GLB becomes a .gltf with its bytes beside it or inside it, and so does an OBJ', async () => {
+  writeFileSync(at('scene.glb'), toGlb([cubeMesh(2), cubeMesh(3)]));
+  const corners = async (name) => {
+    const document = await new NodeIO().read(at(name));
+    return document
+      .getRoot()
+      .listMeshes()
+      .map((mesh) => mesh.listPrimitives()[0])
+      .map((p) => [...p.getIndices().getArray()].map((i) => p.getAttribute('POSITION').getElement(i, []))); // prettier-ignore
+  };
+  for (const [output, side, more] of [
+    ['apart/scene.gltf', ['scene.bin'], []],
+    ['embedded/scene.gltf', [], ['--embed']],
+  ]) {
+    mkdirSync(path.dirname(at(output)));
+    good('param', 'scene.glb', '-o', output, ...more);
+    assert.deepEqual(readdirSync(path.dirname(at(output))), [...side, 'scene.gltf']);
+    assert.match(good('verify', output).out, /2 of 2 meshes certified/);
+    assert.deepEqual(await corners(output), await corners('scene.glb'));
+    const { buffers } = JSON.parse(readFileSync(at(output), 'utf8'));
+    assert.equal(buffers.length, 1);
+  }
+  // One mesh of it, and all of it again into the same folder.
+  good('param', 'scene.glb', '--mesh', '1', '-o', 'apart/one.gltf');
+  good('param', 'scene.glb', '-o', 'apart/scene.gltf');
+  put('rich.obj', richObj().text);
+  good('param', 'rich.obj', '-o', 'apart/rich.gltf');
+  const document = await new NodeIO().read(at('apart/rich.gltf'));
+  assert.ok(document.getRoot().listMeshes()[0].listPrimitives()[0].getAttribute('NORMAL'));
+  good('verify', 'apart/rich.gltf');
+});
+
 test('names that no format has, or that this input cannot become, are refused at once', () => {
   put('rich.obj', richObj().text);
   writeFileSync(at('cube.glb'), toGlb([cubeMesh(2)]));
   for (const [input, output] of [
     ['rich.obj', 'x.fbx'],
-    ['rich.obj', 'x.gltf'],
     ['rich.obj', 'x.ply'],
-    ['cube.glb', 'x.gltf'],
     ['cube.glb', 'x.ply'],
     ['cube.glb', 'x.usdz'],
   ]) {

@@ -21,7 +21,7 @@ struct LoadOptions {
   /// every face is a component of its own; kWeldNever: what the format needs.
   double weld = kWeldAutomatic;
   static constexpr double kWeldAutomatic = -1.0, kWeldNever = -2.0;
-  /// Read as if the file were of this format, so that it can be written in it: "obj" or "glb"; "", and
+  /// Read as if the file were of this format, so that it can be written in it: "obj", "glb" or "gltf"; "", and
   /// what the document can write anyway, changes nothing.
   std::string target;
   FixOptions fix;         ///< repairs to make; none: those that the defects ask for
@@ -53,7 +53,7 @@ struct SolveOptions {
   std::optional<ImproveOptions> improve;  ///< nothing: the map as solved
   FrameSource frames = FrameSource::kAuto;
   Scale scale = Scale::kSolved;
-  /// A component that cannot be solved keeps the uv it had, or lies flat, instead of ending the run; the
+  /// A component that cannot be solved keeps the uv it had, or is cut to a disk, instead of ending the run; the
   /// result is then not certified, and its other components are.
   bool keepsGoing = false;
   /// Where there is no map, split edges and try again on the refined mesh, which is then what is written.
@@ -81,6 +81,8 @@ struct WriteOptions {
   bool allowUncertified = false;  ///< otherwise write() fails with kNoMap
   bool pointsMaterials = false;   ///< glTF: the materials' pictures use the written set
   bool isSideFileNoted = true;    ///< a note names the side files that the new file needs
+  bool isCompressedLater =
+      false;  ///< glTF: no notes on what is stored uncompressed; see compressed()
 };
 
 /// A JSON document with its verdict: usable mesh, valid prescription or certified map.

@@ -281,6 +281,7 @@ Result<io::Written> Session::write(const WriteOptions& options) const {
     out.format = extensionOf(options.name);
     if (!model.document->canWriteAs(out.format)) out.format.clear();
     out.isSideFileNoted = options.isSideFileNoted;
+    out.isCompressedLater = options.isCompressedLater;
     out.pointsMaterials = options.pointsMaterials;
     out.generator = std::string("hgp ") + version();
     if (options.embedCones) out.cones = io::writeConesJson(shown.solved->prescription, -1);

@@ -1,6 +1,11 @@
 #include "hgp/api/side_files.h"
 
+#include <algorithm>
+#include <string_view>
+
 #include "hgp/api/guard.h"
+#include "hgp/io/gltf/gltf_compress.h"
+#include "hgp/io/gltf/gltf_encoders.h"
 #include "hgp/io/gltf/gltf_pack.h"
 
 namespace hgp::api {
@@ -10,6 +15,22 @@ const io::OutputFile* findFile(const std::vector<io::OutputFile>& files, const s
   for (std::size_t i = 1; i < files.size(); ++i)
     if (files[i].name == name) return &files[i];
   return nullptr;
+}
+
+bool isGlb(io::ByteView bytes) {
+  return bytes.size() >= 4 && std::string_view(reinterpret_cast<const char*>(bytes.data()), 4) ==
+                                  std::string_view("glTF");
+}
+
+/// By the first byte that says something: texts of other formats do not begin so.
+bool isGltf(const std::vector<io::OutputFile>& files) {
+  if (files.empty()) return false;
+  const io::Bytes& bytes = files[0].bytes;
+  if (isGlb(bytes)) return true;
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()),
+                              std::min<std::size_t>(bytes.size(), 4096));
+  const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  return first != std::string_view::npos && text[first] == '{';
 }
 
 }  // namespace
@@ -36,6 +57,26 @@ Result<std::vector<io::OutputFile>> withEmbedded(std::vector<io::OutputFile> fil
     if (!main) return main.error();
     std::vector<io::OutputFile> out;
     out.push_back({files[0].name, std::move(*main)});
+    return out;
+  });
+}
+
+Result<io::Written> compressed(const std::vector<io::OutputFile>& files,
+                               const io::Resolver& resolve, const io::Limits& limits) {
+  return guarded([&]() -> Result<io::Written> {
+    if (!isGltf(files))
+      return Failure{ErrorCode::kUsage, "write", "--compress is for glTF and GLB", {}};
+    return io::compressGltf(files, resolve, limits);
+  });
+}
+
+bool canCompress() { return io::canPackViews(); }
+
+Result<io::Written> asGltf(std::vector<io::OutputFile> files, const std::string& name) {
+  return guarded([&]() -> Result<io::Written> {
+    if (isGltf(files) && isGlb(files[0].bytes)) return io::glbAsGltf(files[0].bytes, name);
+    io::Written out;
+    out.files = std::move(files);
     return out;
   });
 }

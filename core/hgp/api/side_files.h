@@ -1,4 +1,5 @@
-// The side files of a written glTF.  Role: for callers who move it elsewhere.
+// What can be done with a written glTF: its side files taken along or inside it, its buffers compressed, a GLB
+// as a .gltf.  Role: for callers who move it elsewhere.
 #pragma once
 
 #include <string>
@@ -15,5 +16,16 @@ std::vector<std::string> missingSideFiles(const std::vector<io::OutputFile>& fil
 Result<std::vector<io::OutputFile>> withEmbedded(std::vector<io::OutputFile> files,
                                                  const io::Resolver& resolve,
                                                  const io::Limits& limits);
+
+/// The same file with its data compressed by meshopt (EXT_meshopt_compression), without losing a bit: the
+/// certificate holds for what is decoded. A note says the sizes. kUnsupported says what stands in the way.
+Result<io::Written> compressed(const std::vector<io::OutputFile>& files,
+                               const io::Resolver& resolve, const io::Limits& limits);
+
+/// Whether this build compresses: native ones with libmeshoptimizer.
+bool canCompress();
+
+/// The GLB in `files` as a .gltf of this name with a side file beside it; a .gltf as it is.
+Result<io::Written> asGltf(std::vector<io::OutputFile> files, const std::string& name);
 
 }  // namespace hgp::api

@@ -8,8 +8,9 @@ namespace hgp::io {
 
 bool canConvert(const Document& document, std::string_view format) {
   const std::string_view own = document.outputFormat();
+  const bool isGltf = own == "glb" || own == "gltf";
   return own != format && !document.canWriteAs(format) &&
-         (format == "glb" || (format == "obj" && (own == "glb" || own == "gltf")));
+         (format == "glb" || (format == "gltf" && !isGltf) || (format == "obj" && isGltf));
 }
 
 Result<FileSet> convertFiles(const Document& document, const FileSet& files,
@@ -31,7 +32,7 @@ Result<FileSet> convertFiles(const Document& document, const FileSet& files,
   for (const std::string& lost : plain->lost)
     out.notes.push_back(
         formatText("from %s to %s: ", document.format(), std::string(format).c_str()) + lost);
-  out.main = format == "glb" ? plainGlb(*plain, "hgp") : plainObj(*plain, "");
+  out.main = format == "obj" ? plainObj(*plain, "") : plainGlb(*plain, "hgp");
   return out;
 }
 

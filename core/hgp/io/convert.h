@@ -5,7 +5,8 @@
 
 namespace hgp::io {
 
-/// Whether convertFiles makes this format: "obj" from glTF, "glb" from any other and from .gltf.
+/// Whether convertFiles makes this format: "obj" from glTF, "glb" from any other and from .gltf, "gltf" from
+/// any other (as a GLB, which Document::write takes apart).
 bool canConvert(const Document& document, std::string_view format);
 
 /// The files of a document as if they had been of that format. Notes say what did not come along.

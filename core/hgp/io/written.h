@@ -25,6 +25,7 @@ struct WriteOptions {
   std::optional<std::string> cones;  ///< hgp-cones JSON to embed for re-opening
   bool pointsMaterials = false;      ///< glTF: the materials' pictures use the written set
   bool isSideFileNoted = true;       ///< "keep x.bin next to the new file"
+  bool isCompressedLater = false;    ///< glTF: no notes on what is stored uncompressed
 };
 
 struct OutputFile {

@@ -6,6 +6,7 @@
 #include "hgp/base/check.h"
 #include "hgp/io/gltf/gltf_accessor.h"
 #include "hgp/io/gltf/gltf_decoders.h"
+#include "hgp/io/gltf/gltf_pack.h"
 #include "hgp/io/gltf/gltf_plain.h"
 #include "hgp/io/gltf/gltf_round.h"
 #include "hgp/io/gltf/gltf_write.h"
@@ -88,7 +89,13 @@ Result<std::optional<Prescription>> GltfDocument::embeddedCones(int surface) con
 
 Result<Written> GltfDocument::write(int surface, const UvMap& map,
                                     const WriteOptions& options) const {
-  return writeGltf(*store_, parts_[static_cast<std::size_t>(surface)], map, options);
+  auto written = writeGltf(*store_, parts_[static_cast<std::size_t>(surface)], map, options);
+  if (!written || options.format != "gltf" || !store_->container.isBinary) return written;
+  auto apart = glbAsGltf(written->files[0].bytes, options.name);
+  if (!apart) return apart.error();
+  written->files = std::move(apart->files);
+  written->notes.insert(written->notes.end(), apart->notes.begin(), apart->notes.end());
+  return written;
 }
 
 Result<PlainFile> GltfDocument::plain(int surface) const {

@@ -16,6 +16,10 @@ class GltfDocument : public Document {
 
   const char* format() const override { return store_->container.isBinary ? "glb" : "gltf"; }
   const char* outputFormat() const override { return format(); }
+  /// A GLB as a .gltf with its bytes beside it, too.
+  bool canWriteAs(std::string_view wanted) const override {
+    return wanted == format() || (wanted == "gltf" && store_->container.isBinary);
+  }
   const std::vector<Surface>& surfaces() const override { return surfaces_; }
   UvPrecision uvPrecision() const override { return UvPrecision::kFloat32; }
   std::optional<UvMap> existingUv(int surface, int set) const override;

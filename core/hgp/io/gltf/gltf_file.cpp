@@ -208,6 +208,19 @@ Result<std::string> relativeName(std::string_view uri) {
   return std::string(plain);
 }
 
+std::string fileStem(const std::string& name) {
+  const std::size_t slash = name.find_last_of('/');
+  const std::string base = slash == std::string::npos ? name : name.substr(slash + 1);
+  return base.substr(0, std::min(base.find_last_of('.'), base.size()));
+}
+
+std::string freeSideName(const std::string& stem, const std::vector<std::string>& taken) {
+  std::string name = stem + ".bin";
+  for (int n = 2; std::find(taken.begin(), taken.end(), name) != taken.end(); ++n)
+    name = stem + formatText("-%d.bin", n);
+  return name;
+}
+
 std::string uriFromName(std::string_view name) {
   std::string out;
   for (char c : name) {

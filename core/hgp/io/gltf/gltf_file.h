@@ -47,6 +47,11 @@ std::string encodeBase64(ByteView bytes);
 /// leaves its folder, names a scheme, host, drive or backslash, or holds control characters.
 Result<std::string> relativeName(std::string_view uri);
 
+/// "a" of "b/a.glb": what names of side files begin with.
+std::string fileStem(const std::string& name);
+/// stem + ".bin", with a number before the dot where that is taken.
+std::string freeSideName(const std::string& stem, const std::vector<std::string>& taken);
+
 /// Percent-encodes what a URI cannot hold.
 std::string uriFromName(std::string_view name);
 

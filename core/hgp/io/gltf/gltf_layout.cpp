@@ -9,12 +9,6 @@ namespace {
 
 std::size_t aligned(std::size_t offset) { return (offset + 3) / 4 * 4; }
 
-std::string stemOf(const std::string& name) {
-  const std::size_t slash = name.find_last_of('/');
-  const std::string base = slash == std::string::npos ? name : name.substr(slash + 1);
-  return base.substr(0, std::min(base.find_last_of('.'), base.size()));
-}
-
 /// The bytes of buffer 0 that a view reads, as a span of the BIN chunk.
 std::pair<std::size_t, std::size_t> spanInBin(const GltfView& view) {
   if (view.meshopt) {
@@ -163,12 +157,12 @@ Result<OutputFile> GltfLayout::finish(const std::string& mainName) {
   }
   std::string uri;
   if (sink_ == Sink::kSideFile) {
-    side.name = stemOf(mainName) + "-uv.bin";
+    side.name = fileStem(mainName) + "-uv.bin";
     const auto isTaken = [&] {
       return std::any_of(store_.buffers.begin(), store_.buffers.end(),
                          [&](const GltfBuffer& b) { return b.name == side.name; });
     };
-    for (int n = 2; isTaken(); ++n) side.name = stemOf(mainName) + formatText("-uv%d.bin", n);
+    for (int n = 2; isTaken(); ++n) side.name = fileStem(mainName) + formatText("-uv%d.bin", n);
     uri = uriFromName(side.name);
     side.bytes = bin_;
   } else {

@@ -207,6 +207,34 @@ Result<Bytes> gltfWithEmbedded(ByteView text, const Resolver& resolve, const Lim
   return asBytes(patch.text());
 }
 
+Result<Written> glbAsGltf(ByteView glb, const std::string& name) {
+  auto container = openContainer(glb);
+  if (!container) return container.error();
+  auto json = JsonText::parse(std::string(container->json));
+  if (!json) return json.error();
+  Written out;
+  JsonPatch patch(*json);
+  const int buffer = json->firstChild(json->find(JsonText::kRoot, "buffers"));
+  const bool hasBin = container->hasBin && buffer >= 0 && json->find(buffer, "uri") < 0;
+  OutputFile side;
+  if (hasBin) {
+    side.name = freeSideName(fileStem(name), gltfSideFiles(glb));
+    const auto length = json->integer(json->find(buffer, "byteLength")).value_or(0);
+    side.bytes.assign(container->bin.begin(), container->bin.end());
+    side.bytes.resize(std::min(side.bytes.size(), static_cast<std::size_t>(length)));
+    patch.set(buffer, "uri", quoteJson(uriFromName(side.name)));
+  }
+  std::string text = patch.text();
+  text.resize(text.find_last_not_of(" \n") + 1);  // a chunk is padded
+  out.files.push_back({name, asBytes(text)});
+  if (hasBin) out.files.push_back(std::move(side));
+  for (const GltfChunk& chunk : container->others)
+    out.notes.push_back(
+        formatText("a .gltf has no chunks: %zu bytes of type %08X did not come along",
+                   chunk.bytes.size(), chunk.type));
+  return out;
+}
+
 std::vector<std::string> gltfSideFiles(ByteView file) {
   std::vector<std::string> out;
   auto container = openContainer(file);

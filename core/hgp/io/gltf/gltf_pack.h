@@ -1,5 +1,5 @@
-// A .gltf with what it names: as one GLB, or with everything inside its text.  Role: files that must travel
-// alone.
+// A .gltf with what it names as one GLB, or with everything inside its text; a GLB as a .gltf.  Role: files
+// that must travel alone, and those that must be readable.
 #pragma once
 
 #include "hgp/io/document.h"
@@ -12,6 +12,11 @@ Result<Bytes> gltfAsGlb(const FileSet& files, const Limits& limits);
 
 /// The .gltf text with buffers and images as data URIs.
 Result<Bytes> gltfWithEmbedded(ByteView text, const Resolver& resolve, const Limits& limits);
+
+/// A GLB as the text `name` and a side file beside it with its binary chunk, byte for byte; views of the
+/// chunk stay as they are, images in it as well. The side file is never named as one that the GLB needs.
+/// Notes say which other chunks a .gltf cannot hold.
+Result<Written> glbAsGltf(ByteView glb, const std::string& name);
 
 /// Names of the side files of a .gltf or GLB: buffers and images that are no data URIs, once each, in order.
 /// Names that may not be read (relativeName) are left out.

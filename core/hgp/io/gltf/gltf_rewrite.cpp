@@ -237,7 +237,8 @@ void GltfWriter::dropDraco(int p) {
   patch_.remove(draco);
   if (patch_.isEmptied(extensions)) patch_.remove(extensions);
   ++droppedDraco_;
-  note(formatText("primitive %d was compressed with Draco and is stored uncompressed", p));
+  if (!options_.isCompressedLater)
+    note(formatText("primitive %d was compressed with Draco and is stored uncompressed", p));
 }
 
 }  // namespace hgp::io

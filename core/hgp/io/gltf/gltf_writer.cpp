@@ -186,19 +186,26 @@ Status GltfWriter::embedCones() {
   return Done{};
 }
 
+/// Of the whole file, side files included: what is written, and what was read.
+void GltfWriter::noteSize(std::size_t written) {
+  std::size_t before = store_.container.isBinary ? store_.file.size() : json_.text().size();
+  for (const GltfBuffer& buffer : store_.buffers) {
+    if (buffer.kind != GltfBufferKind::kFile) continue;
+    before += buffer.bytes.size();
+    written += buffer.bytes.size();
+  }
+  note(formatText("what was compressed is stored uncompressed: %zu bytes, %.2g times the input",
+                  written, static_cast<double>(written) / static_cast<double>(before)));
+}
+
 Result<Written> GltfWriter::finish() {
   Written out;
   auto side = layout_.finish(options_.name);
   if (!side) return side.error();
   auto main = packGltf(store_, patch_.text(), layout_.bin());
   if (!main) return main.error();
-  if (droppedDraco_ > 0 || layout_.hasUnpacked()) {
-    const std::size_t before = store_.container.isBinary ? store_.file.size() : 0;
-    note(formatText("what was compressed is stored uncompressed: %zu bytes", main->size()) +
-         (before > 0 ? formatText(", %.2g times the input",
-                                  static_cast<double>(main->size()) / static_cast<double>(before))
-                     : ""));
-  }
+  const bool isUnpacked = droppedDraco_ > 0 || layout_.hasUnpacked();
+  if (isUnpacked && !options_.isCompressedLater) noteSize(main->size() + side->bytes.size());
   out.files.push_back({options_.name, std::move(*main)});
   if (!side->name.empty()) out.files.push_back(std::move(*side));
   for (const GltfBuffer& buffer : store_.buffers) {

@@ -48,6 +48,7 @@ class GltfWriter {
   bool isUsedElsewhere(int material) const;
   Status embedCones();
   Result<Written> finish();
+  void noteSize(std::size_t written);
   // gltf_rewrite.cpp: attributes and indices of a pool whose vertices change
   void rewriteAttributes(int pool);
   void rewriteIndices(const GltfRun& run);

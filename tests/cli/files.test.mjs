@@ -358,6 +358,26 @@ test('a component without a solution is cut to a disk, the others keep their cer
   assert.ok(existsSync(at('pair_out.obj')));
 });
 
+test('what is not as asked is not certified, however sound the map is that stands in for it', () => {
+  // A ring of squares unrolls without a cone; asked are cones on its boundary, which no map can have.
+  const n = 8;
+  const ring = (z) => Array.from({ length: n }, (_, i) => `v ${Math.cos((2 * Math.PI * i) / n)} ${Math.sin((2 * Math.PI * i) / n)} ${z}`); // prettier-ignore
+  const squares = Array.from({ length: n }, (_, i) => {
+    const [a, b] = [i + 1, ((i + 1) % n) + 1];
+    return `f ${a} ${b} ${b + n}\nf ${a} ${b + n} ${a + n}`;
+  });
+  put('ring.obj', `${[...ring(0), ...ring(1), ...squares].join('\n')}\n`);
+  const asked = ['param', 'ring.obj', '-o', 'ring_out.obj', '--cone', '3:1'];
+  assert.equal(run(asked).code, 5);
+  const { code, out } = run([...asked, '--keep-going', '--json', '-']);
+  assert.equal(code, 6);
+  const { certified, certificate } = JSON.parse(out);
+  assert.deepEqual([certified, certificate.certified], [false, false]);
+  const [{ rule, message }] = certificate.components[0].reasons;
+  assert.equal(rule, 'prescription');
+  assert.match(message, /There is no map as asked: .*vertex 3/);
+});
+
 test('a component without a solution keeps the uv it had, to the last digit', () => {
   const uv = ['0.1 0.2', '0.7 0.3', '0.30000000000000004 0.9', '0.123 0.456', '5.5 -2.25', '0 0'];
   const faces = octahedron.split('\n').filter((l) => l.startsWith('f '));

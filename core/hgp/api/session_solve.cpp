@@ -199,9 +199,9 @@ UvMap flatMap(const TriMesh& mesh) {
 }
 
 /// What a component without a solution is stored with, judged by a prescription without cones.
-/// @param isKept  set: it is the uv that the file has
+/// @param why  there is none    @param isKept  set: it is the uv that the file has
 Parametrization unsolved(const Model& model, const ModelComponent& component, int q,
-                         const SolveOptions& options, bool& isKept) {
+                         const SolveOptions& options, const std::string& why, bool& isKept) {
   Parametrization out;
   const std::vector<int>& sets = model.source().uvSets;
   std::optional<UvMap> old;
@@ -227,6 +227,7 @@ Parametrization unsolved(const Model& model, const ModelComponent& component, in
   out.spec.turning.assign(component.topology.loops.size(), 0);
   out.spec.handles.assign(static_cast<std::size_t>(2 * component.topology.genus), 0);
   out.certificate = certify(component.mesh, out.spec, out.map);
+  denyCertificate(why, out.certificate);
   return out;
 }
 
@@ -259,18 +260,20 @@ Status Session::State::solveRequest(const Request& request, const SolveOptions& 
   for (std::size_t p = 0; p < model->components.size(); ++p) {
     Result<Parametrization> component = solveComponent(p, request.components[p], shared);
     bool isKept = false;
+    std::string whyNone;
     if (!component && options.keepsGoing && maySkip(component.error())) {
+      whyNone = component.error().message;
       run.notes.push_back(
           formatText("component %zu has no map of its own, and keeps what it had or is a disk: ",
                      p) +
           component.error().message);
-      component = unsolved(*model, model->components[p], request.q, options, isKept);
+      component = unsolved(*model, model->components[p], request.q, options, whyNone, isKept);
     }
     if (!component) return component.error();
     const bool isAligned = component->grid && component->grid->isAligned;
     areAligned = areAligned && isAligned;
     maps.push_back({std::move(component->map), std::move(component->copyOf), component->spec,
-                    component->certificate, isAligned ? 1.0 : 0.0, isKept});
+                    component->certificate, isAligned ? 1.0 : 0.0, isKept, whyNone});
     specs.push_back(toSpec(component->spec));
     run.components.push_back(std::move(*component));
   }

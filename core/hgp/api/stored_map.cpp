@@ -189,6 +189,8 @@ StoredMap store(const Model& model, const std::vector<ComponentMap>& components,
       out.certificates.push_back(components[p].certificate);
     } else {
       out.certificates.push_back(certify(component.mesh, components[p].spec, stored, options));
+      if (!components[p].whyNone.empty())
+        denyCertificate(components[p].whyNone, out.certificates.back());
     }
   }
   out.isCertified = areCertified(out.certificates);
@@ -240,6 +242,13 @@ int overlapCells(const UvMap& map) {
 }
 
 }  // namespace
+
+void denyCertificate(const std::string& whyNone, Certificate& certificate) {
+  certificate.reasons.insert(
+      certificate.reasons.begin(),
+      {Rule::kPrescription, 1, 0.0, "There is no map as asked: " + whyNone, {}});
+  certificate.isCertified = false;
+}
 
 double gridStep(const UvMap& map) {
   // What stores v as 1 − v rounds that.

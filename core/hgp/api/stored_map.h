@@ -16,7 +16,11 @@ struct ComponentMap {
   Certificate certificate;  ///< of `map`, in double precision
   double shiftUnit = 0;     ///< 0, or a power of two that every shift must be a multiple of
   bool isKept = false;      ///< uv that the file had: neither moved nor scaled
+  std::string whyNone;      ///< why it is no map of what was asked; such is never certified
 };
+
+/// However sound: not what was asked for.
+void denyCertificate(const std::string& whyNone, Certificate& certificate);
 
 struct StoredMap {
   UvMap map;                              ///< on the surface's triangles, as stored

@@ -1,0 +1,43 @@
+// A primal–dual point of a Problem, and how far it is from a solution.  Role: what the interior-point loop
+// measures before every step.
+#pragma once
+
+#include <vector>
+
+#include "hgp/socp/problem.h"
+#include "hgp/socp/second_order_cone.h"
+
+namespace hgp::socp {
+
+using Slacks = std::vector<Vector3>;
+
+struct Iterate {
+  Eigen::VectorXd x;
+  Slacks s, y;  ///< per constraint: s = F x − h inside the cone, and its dual
+};
+
+/// F_b x
+Vector3 image(const ConeConstraint& constraint, const Eigen::VectorXd& x);
+/// out += factor · F_bᵀ v
+void addTransposed(const ConeConstraint& constraint, const Vector3& v, double factor,
+                   Eigen::VectorXd& out);
+
+/// max |h|, 1 where that is 0: what primal residuals are relative to.
+double offsetScale(const Problem& problem);
+
+struct Residuals {
+  Eigen::VectorXd x;        ///< H x + c − Fᵀy
+  Slacks s;                 ///< s − F x + h
+  double primal = 0.0;      ///< max |s − F x + h| / max |h|
+  double dual = 0.0;        ///< |H x + c − Fᵀy| relative to its largest term
+  double complement = 0.0;  ///< sᵀy
+  double objective = 0.0;   ///< ½ xᵀH x + cᵀx
+  double mu = 0.0;          ///< sᵀy per constraint
+};
+Residuals residualsAt(const Problem& problem, const Iterate& point, double scaleH);
+
+/// Farkas: y in the cone with Fᵀy = 0 and hᵀy > 0 proves that no x has F x − h in the cone. Judged
+/// by size, since y only tends to such a direction: hᵀy > share·|h||y| and |h||Fᵀy| ≤ share·hᵀy.
+bool provesInfeasible(const Problem& problem, const Slacks& y, double scaleH, double share);
+
+}  // namespace hgp::socp

@@ -11,10 +11,17 @@ export function areaOf([a, b, c]) {
   return Math.hypot(...normal) / 2;
 }
 
-/** Leaves out triangles that name a vertex twice and copies of others; winds the rest alike. */
+/** Whether two orders of the same three vertices run the same way round. */
+const isSameWay = (a, b) => b[(b.indexOf(a[0]) + 1) % 3] === a[1];
+
+/**
+ * Leaves out triangles that name a vertex twice and copies of others; winds the rest alike. Of copies that
+ * run opposite ways either may be the one that stays: then `reversed` is one of a few numbers.
+ */
 export function surfaceOf(map) {
   const out = { ...map, triangles: [], corners: [], origin: [] };
   const facts = { folded: 0, duplicates: 0, differing: 0, reversed: 0, isAmbiguous: false };
+  const hasBothWays = new Set();
   const firstOf = new Map();
   for (const [t, triangle] of map.triangles.entries()) {
     if (new Set(triangle).size < 3) {
@@ -31,6 +38,7 @@ export function surfaceOf(map) {
         return a[0] === b[0] && a[1] === b[1];
       });
       facts.differing += !isSame;
+      if (!isSameWay(map.triangles[twin], triangle)) hasBothWays.add(twin);
       continue;
     }
     firstOf.set(key, t);
@@ -39,6 +47,10 @@ export function surfaceOf(map) {
     out.corners.push([...map.corners[t]]);
   }
   windAlike(out, facts);
+  facts.reversedAtLeast =
+    facts.reversed - out.origin.filter((t, n) => out.isFlipped[n] && hasBothWays.has(t)).length;
+  facts.reversedAtMost =
+    facts.reversed + out.origin.filter((t, n) => !out.isFlipped[n] && hasBothWays.has(t)).length;
   return { surface: out, facts };
 }
 
@@ -74,6 +86,7 @@ function windAlike(map, facts) {
     for (const t of members) if (other) flip[t] = !flip[t];
     facts.reversed += other ? members.length - turned : turned;
   }
+  map.isFlipped = flip;
   for (const [t, isFlipped] of flip.entries())
     if (isFlipped) {
       map.triangles[t].reverse();

@@ -6,9 +6,13 @@
 #include <vector>
 
 #include "hgp/mesh/defects.h"
+#include "hgp/verify/orientation.h"
 
 namespace hgp {
 namespace {
+
+/// Of an area that is a smaller part of its two products, rounding took more than a millionth.
+constexpr double kCancelled = 1e-9;
 
 /// One triangle's numbers before the global scale is known.
 struct TriangleMap {
@@ -62,10 +66,12 @@ TriangleMap measureTriangle(const TriMesh& mesh, FaceId f, double scale, const C
   const double anti =
       0.5 * std::sqrt((fx[0] - fy[1]) * (fx[0] - fy[1]) + (fx[1] + fy[0]) * (fx[1] + fy[0]));
   const double left = p[0] * q[1], right = p[1] * q[0];
-  // The triangle is known to be positive: an area lost in rounding is below the rounding error.
-  const double rounding = (std::fabs(left) + std::fabs(right)) * (DBL_EPSILON / 2);
+  // The triangle is known to be positive; the range of areas is judged by the smallest.
+  const double det = left - right;
+  const bool isSure =
+      det >= kCancelled * (std::fabs(left) + std::fabs(right)) && std::isfinite(det);
   t.area = 0.5 * twiceArea;
-  t.uvArea = std::max(0.5 * std::max(left - right, rounding), DBL_MIN);
+  t.uvArea = std::max(0.5 * (isSure ? det : exactTwiceArea(u0, u1, u2)), DBL_MIN);
   t.mu = conformal > 0.0 ? std::min(1.0, anti / conformal) : 1.0;
   t.logScale = std::log2(t.uvArea / t.area);
   const double large = std::max(conformal + anti, DBL_MIN), small = t.uvArea / t.area / large;

@@ -37,20 +37,32 @@ class ProductSum {
 
   int sign() const {
     if (count_ == 0) return 0;
-    int lowest = terms_[0].exponent, highest = lowest;
-    for (int n = 1; n < count_; ++n) {
-      lowest = std::min(lowest, terms_[n].exponent);
-      highest = std::max(highest, terms_[n].exponent);
-    }
-    // 106 bits of a product, 3 for six terms, 1 for the sign.
-    const int wordCount = (highest - lowest + 110) / 64 + 1;
     std::uint64_t words[kMaxWords] = {};
-    for (int n = 0; n < count_; ++n)
-      accumulate(words, wordCount, terms_[n], terms_[n].exponent - lowest);
+    const int wordCount = total(words, lowestExponent());
     if (words[wordCount - 1] >> 63) return -1;
     for (int w = 0; w < wordCount; ++w)
       if (words[w] != 0) return 1;
     return 0;
+  }
+
+  /// To a relative error of 2^−52; 0 and infinity where doubles end.
+  double value() const {
+    if (count_ == 0) return 0.0;
+    std::uint64_t words[kMaxWords] = {};
+    const int lowest = lowestExponent(), wordCount = total(words, lowest);
+    const bool isNegative = words[wordCount - 1] >> 63;
+    std::uint64_t carry = isNegative ? 1 : 0;
+    for (int w = 0; w < wordCount; ++w) {
+      words[w] = (isNegative ? ~words[w] : words[w]) + carry;
+      carry = carry && words[w] == 0;
+    }
+    int top = wordCount - 1;
+    while (top > 0 && words[top] == 0) --top;
+    double leading = static_cast<double>(words[top]);
+    if (top > 0) leading += std::ldexp(static_cast<double>(words[top - 1]), -64);
+    if (top > 1) leading += std::ldexp(static_cast<double>(words[top - 2]), -128);
+    const double size = std::ldexp(leading, lowest + 64 * top);
+    return isNegative ? -size : size;
   }
 
  private:
@@ -61,6 +73,23 @@ class ProductSum {
   };
   // Product exponents lie between −2148 and 1942.
   static constexpr int kMaxWords = (1942 + 2148 + 110) / 64 + 1;
+
+  int lowestExponent() const {
+    int lowest = terms_[0].exponent;
+    for (int n = 1; n < count_; ++n) lowest = std::min(lowest, terms_[n].exponent);
+    return lowest;
+  }
+
+  /// The sum in units of 2^lowest. Returns how many words it takes.
+  int total(std::uint64_t* words, int lowest) const {
+    int highest = lowest;
+    for (int n = 0; n < count_; ++n) highest = std::max(highest, terms_[n].exponent);
+    // 106 bits of a product, 3 for six terms, 1 for the sign.
+    const int wordCount = (highest - lowest + 110) / 64 + 1;
+    for (int n = 0; n < count_; ++n)
+      accumulate(words, wordCount, terms_[n], terms_[n].exponent - lowest);
+    return wordCount;
+  }
 
   static void accumulate(std::uint64_t* words, int wordCount, const Term& term, int shift) {
     const int offset = shift % 64;
@@ -85,10 +114,8 @@ class ProductSum {
 /// Four roundings of relative size 2^−53 stand between the determinant and its computed value.
 constexpr double kFilter = 4.0 * (DBL_EPSILON / 2);
 
-}  // namespace
-
-int exactOrientationSign(const Vec2& a, const Vec2& b, const Vec2& c) {
-  // (b − a) × (c − a), multiplied out: a × a cancels.
+/// (b − a) × (c − a), multiplied out: a × a cancels.
+ProductSum crossProduct(const Vec2& a, const Vec2& b, const Vec2& c) {
   ProductSum sum;
   sum.add(b[0], c[1], false);
   sum.add(b[0], a[1], true);
@@ -96,7 +123,17 @@ int exactOrientationSign(const Vec2& a, const Vec2& b, const Vec2& c) {
   sum.add(b[1], c[0], true);
   sum.add(b[1], a[0], false);
   sum.add(a[1], c[0], false);
-  return sum.sign();
+  return sum;
+}
+
+}  // namespace
+
+int exactOrientationSign(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return crossProduct(a, b, c).sign();
+}
+
+double exactTwiceArea(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return crossProduct(a, b, c).value();
 }
 
 int orientationSign(const Vec2& a, const Vec2& b, const Vec2& c) {

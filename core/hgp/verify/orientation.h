@@ -19,6 +19,10 @@ int orientationSign(const Vec2& a, const Vec2& b, const Vec2& c);
 /// The same by wide integers alone, without the floating-point filter (for tests and hard cases).
 int exactOrientationSign(const Vec2& a, const Vec2& b, const Vec2& c);
 
+/// Twice the signed area, whatever cancels: of exact integers, rounded at the end; 0 and infinity where
+/// doubles end.
+double exactTwiceArea(const Vec2& a, const Vec2& b, const Vec2& c);
+
 struct OrientationFacts {
   int positive = 0, zero = 0, negative = 0;  ///< add up to |F|
   std::vector<FaceId> notPositive;           ///< every one of them, ascending

@@ -97,6 +97,22 @@ TEST(Orientation, AgreesWithExactIntegersWhereDifferencesAreRounded) {
   EXPECT_GT(disagreements, 100) << "the cases are hard enough to fool plain arithmetic";
 }
 
+TEST(Orientation, AreasAreExactWhateverCancels) {
+  std::mt19937_64 random(17);
+  for (int round = 0; round < 30000; ++round) {
+    const Triangle t = nearlyFlat(random, 20 + round % 32);
+    const Exact twice = static_cast<Exact>(t.b.x - t.a.x) * (t.c.y - t.a.y) -
+                       static_cast<Exact>(t.b.y - t.a.y) * (t.c.x - t.a.x);
+    const auto expected = static_cast<double>(twice);
+    for (const int e : {0, -300, 200}) {
+      const double area = exactTwiceArea(scaled(t.a, e, e), scaled(t.b, e, e), scaled(t.c, e, e));
+      ASSERT_LE(std::fabs(std::ldexp(area, -2 * e) - expected), 2e-16 * std::fabs(expected));
+    }
+  }
+  EXPECT_EQ(exactTwiceArea({0, 0}, {1e200, 0}, {0, 1e200}), HUGE_VAL);
+  EXPECT_EQ(exactTwiceArea({0, 0}, {1e-200, 0}, {0, 1e-200}), 0.0);
+}
+
 TEST(Orientation, IsAntisymmetricAndCyclicForAnyDoubles) {
   std::mt19937_64 random(11);
   const auto anyDouble = [&] {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 #include "hgp/linalg/factor/factor.h"
@@ -24,6 +25,16 @@ struct Problem {
   linalg::PartialCholesky* form = nullptr;
   Eigen::VectorXd c;  ///< 2·form->dynamicSize()
   std::vector<ConeConstraint> constraints;
+};
+
+struct SolveOptions {
+  int maxIterations = 60;
+  double primal = 1e-5;  ///< target of max |F x − s − h| / max |h|
+  double dual =
+      1e-5;  ///< target of |H x + c − Fᵀy| relative to its largest term; rounding leaves 1e-7
+  double gap = 1e-5;  ///< target of sᵀy against the objective's scale
+  /// Called every iteration with (iteration, largest residual / target); false cancels.
+  std::function<bool(int, double)> progress;
 };
 
 enum class SolveStatus {

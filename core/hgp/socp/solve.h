@@ -2,21 +2,9 @@
 // iteration is one factorization of the small changing part and two solves.
 #pragma once
 
-#include <functional>
-
 #include "hgp/socp/problem.h"
 
 namespace hgp::socp {
-
-struct SolveOptions {
-  int maxIterations = 60;
-  double primal = 1e-5;  ///< target of max |F x − s − h| / max |h|
-  double dual =
-      1e-5;  ///< target of |H x + c − Fᵀy| relative to its largest term; rounding leaves 1e-7
-  double gap = 1e-5;  ///< target of sᵀy against the objective's scale
-  /// Called every iteration with (iteration, largest residual / target); false cancels.
-  std::function<bool(int, double)> progress;
-};
 
 /// A minimiser that no constraint binds is returned at once, with zero iterations and zero duals.
 /// Otherwise Mehrotra's predictor–corrector with Nesterov–Todd scaling. Never throws on bad

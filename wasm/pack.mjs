@@ -16,6 +16,15 @@ function withoutBinaryName(glue) {
   return glue.replace(name, '""').replaceAll('module.wasm', 'hgp.wasm');
 }
 
+/** What it asks about Node and then never uses; some bundlers would bring a `process` for it. */
+function withoutProcess(glue) {
+  const unused = /var ENVIRONMENT_IS_NODE=[^;]*;/;
+  if (!unused.test(glue) || glue.match(/ENVIRONMENT_IS_NODE/g).length !== 1) {
+    throw new Error('module.js uses ENVIRONMENT_IS_NODE, or does not name it');
+  }
+  return glue.replace(unused, '');
+}
+
 rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
 cpSync(path.join(root, 'wasm/package'), out, { recursive: true });
@@ -25,5 +34,5 @@ for (const name of ['LICENSE', 'THIRD_PARTY_NOTICES.md']) {
 }
 packDecoders(path.join(root, 'node_modules'), path.join(out, 'decoders'));
 const glue = readFileSync(path.join(moduleDir, 'module.js'), 'utf8');
-writeFileSync(path.join(out, 'module.js'), withoutBinaryName(glue));
+writeFileSync(path.join(out, 'module.js'), withoutProcess(withoutBinaryName(glue)));
 copyFileSync(path.join(moduleDir, 'module.wasm'), path.join(out, 'hgp.wasm'));

@@ -214,6 +214,7 @@ test('no file for browsers names a module of Node, and none the binary by an old
     const text = readFileSync(path.join(installed, name), 'utf8');
     if (!name.startsWith('decoders')) assert.doesNotMatch(text, /['"]node:/, name);
     assert.doesNotMatch(text, /module\.wasm/, name);
+    if (!name.startsWith('decoders')) assert.doesNotMatch(text, /\bprocess\b/, name);
   }
   assert.ok(existsSync(path.join(installed, 'hgp.wasm')));
 });

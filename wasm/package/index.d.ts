@@ -1,4 +1,5 @@
 // Seamless, provably fold-free texture coordinates with cones of your choice.
+/// <reference lib="esnext.disposable" />
 
 import type {
   CheckReport,

@@ -11,8 +11,11 @@
 namespace hgp {
 namespace {
 
-/// Nodes × solves for balanced cones: a fifth of a run at any size (measured on 10³ to 10⁶ triangles).
-double balancedWork(int nodes) { return std::max(6.0 * nodes, std::min(40.0 * nodes + 4e5, 4e6)); }
+/// Nodes × solves for balanced cones: four fifths of what much more work gains, for a fifth of a run
+/// or less (docs/decisions/034).
+double balancedWork(int nodes) {
+  return std::max(5.0 * nodes, std::min(16.0 * nodes + 1.6e5, 1.6e6));
+}
 /// For the other choices, which are asked for.
 constexpr double kAskedWork = 3e7;
 constexpr double kAnyTurn = 100.0;
@@ -115,6 +118,21 @@ Result<HolonomySpec> chooseCones(PreparedSurface& surface, const SuggestOptions&
   }
   if (!budget) return std::move(budget).error();
   if (!report(options.progress, {"field", 0.8})) return stopped();
+  return spec;
+}
+
+Result<HolonomySpec> fieldCones(PreparedSurface& surface, const SuggestOptions& options) {
+  Result<NodeDefects> start = fieldDefects(surface, options);
+  if (!start) return std::move(start).error();
+  if (Status done = surface.requireConnection(); !done) return std::move(done).error();
+  const TriMesh& mesh = surface.mesh();
+  const FieldContext& context = surface.context();
+  PlaceOptions place;
+  place.isFixed = place.keepsTurning = true;
+  const NodeDefects placed = placeCones(mesh, ConeMetric(mesh, context, options.q), *start, place);
+  HolonomySpec spec = asSpec(mesh, context, options.q, placed);
+  Result<BudgetReport> budget = checkPrescription(mesh, surface.topology(), spec);
+  if (!budget) return std::move(budget).error();
   return spec;
 }
 

@@ -40,6 +40,10 @@ struct SuggestOptions {
 /// no prescription of this order exists. Leaves the connection prepared.
 Result<HolonomySpec> chooseCones(PreparedSurface& surface, const SuggestOptions& options);
 
+/// What chooseCones starts from: cones and turning of the smoothest field, noise cancelled, units added or
+/// taken where Gauss–Bonnet asks for it. Leaves the connection prepared.
+Result<HolonomySpec> fieldCones(PreparedSurface& surface, const SuggestOptions& options);
+
 /// Whether a closed torus is flat enough without any cone: its scale then varies by at most
 /// e^kFlatScaleRange. Every torus is conformally flat, so that cones would only add distortion.
 /// @param context  complete (prepareConnection)

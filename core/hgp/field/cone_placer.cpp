@@ -11,6 +11,8 @@ namespace {
 constexpr int kFirstReach = 16;
 /// relax() ends below this relative decrease.
 constexpr double kLeastDecrease = 5e-3;
+/// Cones that walk together: all, then fewer, as many together may go too far.
+constexpr double kParts[] = {1.0, 0.5, 0.25, 0.1};
 /// Of the work that is left, for the cones' moves after some were added or taken away.
 constexpr double kShareOfOneStep = 0.2;
 /// Solves at once, and numbers that they may fill.
@@ -36,10 +38,22 @@ ConePlacer::ConePlacer(const TriMesh& mesh, const ConeMetric& metric, NodeDefect
   measure();
 }
 
+void ConePlacer::restore(const ConePlacer& other) {
+  defects_ = other.defects_;
+  setCost(other.cost_);
+}
+
+void ConePlacer::setCost(ConeCost cost) {
+  cost_ = std::move(cost);
+  slope_.resize(0);
+}
+
 void ConePlacer::relax(double share) {
   const double before = work_;
   work_ *= share;
-  for (int reach = kFirstReach; reach >= 1;) reach = walkTogether(reach) ? reach : reach / 2;
+  for (const double part : kParts)
+    for (int reach = kFirstReach; reach >= 1;)
+      reach = walkTogether(reach, part) ? reach : reach / 2;
   for (int reach = kFirstReach; reach >= 1;) reach = walkOneByOne(reach) ? reach : reach / 4;
   work_ += (1.0 - share) * before;
 }
@@ -81,9 +95,18 @@ int ConePlacer::walk(int node, double sign, int reach, const Eigen::VectorXd& g)
   return node;
 }
 
-/// Where every cone would go, at most `reach` edges down the gradient.
-std::vector<UnitMove> ConePlacer::downhillMoves(int reach) const {
-  const Eigen::VectorXd g = metric_.gradient(cost_);
+/// ∂energy/∂d where the cones are now; solved for once.
+const Eigen::VectorXd& ConePlacer::slope() {
+  if (slope_.size() == 0) {
+    slope_ = metric_.gradient(cost_);
+    work_ -= metric_.nodeCount();
+  }
+  return slope_;
+}
+
+/// Where every cone would go, at most `reach` edges downhill; what promises most comes first.
+std::vector<UnitMove> ConePlacer::downhillMoves(int reach) {
+  const Eigen::VectorXd& g = slope();
   std::vector<UnitMove> moves;
   for (int n = 0; n < metric_.nodeCount(); ++n) {
     const int d = defects_[at(n)];
@@ -91,6 +114,9 @@ std::vector<UnitMove> ConePlacer::downhillMoves(int reach) const {
     const UnitMove move{n, walk(n, d, reach, g), d};
     if (move.to != n && isAllowed(move)) moves.push_back(move);
   }
+  const auto change = [&](const UnitMove& m) { return m.units * (g[m.to] - g[m.from]); };
+  std::stable_sort(moves.begin(), moves.end(),
+                   [&](const UnitMove& a, const UnitMove& b) { return change(a) < change(b); });
   return moves;
 }
 
@@ -107,18 +133,22 @@ void ConePlacer::apply(const UnitMove& m) {
   defects_[at(m.to)] += m.units;
 }
 
-/// False, and nothing moved, where that does not lower the energy by much.
-bool ConePlacer::walkTogether(int reach) {
+/// The `share` of the moves that promises most. False, and nothing moved, where that does not lower the
+/// energy by much.
+bool ConePlacer::walkTogether(int reach, double share) {
   if (work_ <= 0.0) return false;
-  work_ -= 2.0 * metric_.nodeCount();
-  const NodeDefects defectsBefore = defects_;
-  const ConeCost costBefore = cost_;
-  for (const UnitMove& move : downhillMoves(reach))
-    if (isAllowed(move)) apply(move);
-  measure();
-  if (cost_.energy < (1.0 - kLeastDecrease) * costBefore.energy) return true;
-  defects_ = defectsBefore;
-  cost_ = costBefore;
+  const NodeDefects before = defects_;
+  const std::vector<UnitMove> moves = downhillMoves(reach);
+  const auto count = static_cast<std::size_t>(std::ceil(share * static_cast<double>(moves.size())));
+  for (std::size_t i = 0; i < count; ++i)
+    if (isAllowed(moves[i])) apply(moves[i]);
+  ConeCost cost = metric_.cost(defects_);
+  work_ -= metric_.nodeCount();
+  if (cost.energy < (1.0 - kLeastDecrease) * cost_.energy) {
+    setCost(std::move(cost));
+    return true;
+  }
+  defects_ = before;
   return false;
 }
 
@@ -144,7 +174,7 @@ bool ConePlacer::walkOneByOne(int reach) {
       metric_.measure(cost);
       if (cost.energy >= cost_.energy) continue;
       apply(move);
-      cost_ = std::move(cost);
+      setCost(std::move(cost));
     }
   }
   return cost_.energy < (1.0 - kLeastDecrease) * before;
@@ -199,7 +229,7 @@ bool ConePlacer::addUnits(const std::vector<int>& signs, bool isNew) {
   }
   for (std::size_t s = 0; s < signs.size(); ++s)
     defects_[at(nodes[s][at(static_cast<int>(chosen[s]))])] += signs[s];
-  cost_ = std::move(*best);
+  setCost(std::move(*best));
   return true;
 }
 

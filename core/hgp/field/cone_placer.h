@@ -16,10 +16,7 @@ class ConePlacer {
   ConePlacer(const TriMesh& mesh, const ConeMetric& metric, NodeDefects start, DefectBounds bounds);
 
   const NodeDefects& defects() const { return defects_; }
-  void restore(const ConePlacer& other) {
-    defects_ = other.defects_;
-    cost_ = other.cost_;
-  }
+  void restore(const ConePlacer& other);
   const ConeCost& cost() const { return cost_; }
   int cones() const { return coneCount(mesh_, metric_.context(), defects_); }
 
@@ -55,7 +52,8 @@ class ConePlacer {
     for (int d : defects_) sum += d;
     return metric_.total() - sum;
   }
-  void measure() { cost_ = metric_.cost(defects_); }
+  void setCost(ConeCost cost);
+  void measure() { setCost(metric_.cost(defects_)); }
   bool fits(int node, int d) const {
     return d >= bounds_.low[at(node)] && d <= bounds_.high[at(node)];
   }
@@ -75,10 +73,11 @@ class ConePlacer {
   std::optional<Exchange> cheapestExchange(const std::vector<int>& nodes,
                                            const Eigen::MatrixXd& gram,
                                            const Eigen::VectorXd& slope, int most) const;
-  std::vector<UnitMove> downhillMoves(int reach) const;
+  const Eigen::VectorXd& slope();
+  std::vector<UnitMove> downhillMoves(int reach);
   bool isAllowed(const UnitMove& move) const;
   void apply(const UnitMove& move);
-  bool walkTogether(int reach);
+  bool walkTogether(int reach, double share);
   bool walkOneByOne(int reach);
   std::vector<int> bestNodes(int sign, const Eigen::VectorXd& g, bool isNew) const;
   int placeAside(ConeDistances& distances, VertexId v, double least,
@@ -113,6 +112,7 @@ class ConePlacer {
   std::vector<VertexId> vertexOf_;
   NodeDefects defects_;
   ConeCost cost_;
+  Eigen::VectorXd slope_;  ///< metric_.gradient(cost_), or empty
   bool keepsCount_ = false;
   double work_ = 0.0;
 };

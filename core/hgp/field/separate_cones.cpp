@@ -120,7 +120,7 @@ bool ConePlacer::applyAll(const std::vector<PricedMove>& moves, std::size_t firs
   measure();
   if (cost_.energy <= limits.energy && rangeOf(cost_.u) <= limits.range) return true;
   defects_ = defectsBefore;
-  cost_ = costBefore;
+  setCost(costBefore);
   return false;
 }
 

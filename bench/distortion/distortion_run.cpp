@@ -1,0 +1,219 @@
+#include "distortion_run.h"
+
+#include <algorithm>
+#include <ctime>
+#include <string_view>
+
+#include "cut_maps.h"
+#include "hgp/base/check.h"
+#include "hgp/parametrize/parametrize.h"
+#include "hgp/parametrize/seamless_setup.h"
+#include "least_squares_conformal.h"
+#include "slim.h"
+
+namespace hgp::bench {
+namespace {
+
+double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+MeasuredMap measured(const char* name, const Certificate& certificate) {
+  MeasuredMap map;
+  map.name = name;
+  map.isCertified = certificate.isCertified;
+  map.flipped = certificate.orientation.zero + certificate.orientation.negative;
+  map.meanMu = certificate.distortion.meanMu;
+  map.p95Mu = certificate.distortion.p95Mu;
+  map.sigma = certificate.distortion.rmsLogArea;
+  map.excess = certificate.distortion.symmetricDirichlet;
+  return map;
+}
+
+/// A surface with its cones and its plain map, on which everything else is measured.
+class Comparison {
+ public:
+  Comparison(const TriMesh& mesh, DistortionRow& row) : mesh_(mesh), row_(row) {
+    start_ = processorSeconds();
+    surface_.emplace(mesh);
+    row.genus = surface_->topology().genus;
+    row.loops = static_cast<int>(surface_->topology().loops.size());
+  }
+
+  bool solvePlain(int q) {
+    SuggestOptions suggest;
+    suggest.q = q;
+    Result<CompleteSpec> spec = suggestCones(*surface_, suggest);
+    if (!spec) return fail(spec.error().message);
+    spec_ = std::move(*spec);
+    Result<Parametrization> plain = parametrize(*surface_, toSpec(spec_), {});
+    if (!plain) return fail(plain.error().message);
+    plain_ = std::move(*plain);
+    add(measured(kPlain, plain_.certificate), processorSeconds() - start_);
+    if (!plain_.isCertified) row_.maps.back().note = plain_.certificate.reasons[0].message;
+    return true;
+  }
+
+  /// What the improvement adds is the time from its beginning to the end of the run.
+  void improve(const char* name, double balance) {
+    ParametrizeOptions options;
+    options.improve.emplace().balance = balance;
+    double began = 0.0;
+    options.progress = [&](const ProgressReport& report) {
+      if (began == 0.0 && std::string_view(report.stage) == "improve") began = processorSeconds();
+      return true;
+    };
+    const Result<Parametrization> run = parametrize(*surface_, toSpec(spec_), options);
+    const double ended = processorSeconds();
+    if (!run) return;
+    add(measured(name, run->certificate), ended - began);
+    if (!run->improvement) return;
+    row_.maps.back().steps = static_cast<int>(run->improvement->steps.size());
+    row_.maps.back().note = run->improvement->outcome;
+    if (!run->improvement->isKept) row_.maps.back().note += ", not kept";
+  }
+
+  /// The cut and the unknowns of the plain map. False where they do not reproduce it.
+  bool setUp() {
+    std::vector<StageTime> times;
+    Result<SeamlessSetup> setup = prepareSeamless(*surface_, toSpec(spec_), {}, times);
+    if (!setup) return fail(setup.error().message);
+    setup_.emplace(std::move(*setup));
+    double gap = 0.0;
+    x_ = unknownsOf(setup_->unknowns, plain_.map, gap);
+    if (gap < 1e-9 * (1.0 + x_.cwiseAbs().maxCoeff())) return true;
+    return fail(formatText("the unknowns miss the map by %g", gap));
+  }
+
+  void seamlessSlim(double limit) { descend(kSeamlessSlim, setup_->unknowns, x_, limit); }
+
+  void freeSlim(double limit) {
+    const ReducedUnknowns unknowns = freeUnknowns(setup_->cut);
+    descend(kFreeSlim, unknowns, setup_->unknowns.copies * x_, limit);
+  }
+
+  void leastSquares() {
+    const ReducedUnknowns unknowns = freeUnknowns(setup_->cut);
+    const ReducedMap reduced{mesh_, setup_->context->geometry, setup_->cut, unknowns};
+    const double start = processorSeconds();
+    const auto [a, b] = farApart(mesh_, setup_->cut);
+    std::vector<char> isHeld(at(unknowns.count), 0);
+    isHeld[at(a)] = isHeld[at(b)] = 1;
+    Eigen::VectorXcd x = Eigen::VectorXcd::Zero(unknowns.count);
+    x[b] = 1.0;
+    const FaceTerms terms(reduced, isHeld, x);
+    const Eigen::VectorXcd free = leastSquaresConformal(terms);
+    const double seconds = processorSeconds() - start;
+    if (free.size() == 0) return;
+    terms.scatter(free, x);
+    judgeAndAdd(kLscm, x, seconds);
+  }
+
+ private:
+  bool fail(const std::string& message) {
+    row_.failure = message;
+    return false;
+  }
+  void add(MeasuredMap map, double seconds) {
+    map.seconds = seconds;
+    map.cones = static_cast<int>(spec_.cones.size());
+    row_.maps.push_back(std::move(map));
+  }
+  void judgeAndAdd(const char* name, const Eigen::VectorXcd& z, double seconds) {
+    const UvMap map = layOut(mesh_, *setup_, {z.data(), z.data() + z.size()});
+    add(measured(name, certify(mesh_, spec_, map)), seconds);
+  }
+
+  void descend(const char* name, const ReducedUnknowns& unknowns, const Eigen::VectorXcd& x,
+               double limit) {
+    const ReducedMap reduced{mesh_, setup_->context->geometry, setup_->cut, unknowns};
+    const std::vector<char> none(at(unknowns.count), 0);
+    const double start = processorSeconds();
+    const FaceTerms terms(reduced, none, x);
+    const double scale = dirichletScale(terms, terms.gather(x));
+    SlimOptions options;
+    options.maxSeconds = limit;
+    const SlimResult run = slim(terms, terms.gather(x) / scale, options);
+    const double seconds = processorSeconds() - start;
+    Eigen::VectorXcd end = x;
+    terms.scatter(run.free, end);
+    judgeAndAdd(name, unknowns.copies * end, seconds);
+    row_.maps.back().steps = static_cast<int>(run.energies.size()) - 1;
+    if (run.isLate) row_.maps.back().note = "time limit";
+  }
+
+  const TriMesh& mesh_;
+  DistortionRow& row_;
+  double start_ = 0.0;
+  std::optional<PreparedSurface> surface_;
+  CompleteSpec spec_;
+  Parametrization plain_;
+  std::optional<SeamlessSetup> setup_;
+  Eigen::VectorXcd x_;
+};
+
+DistortionRow rowOf(const std::string& name, const TriMesh& mesh, int q) {
+  DistortionRow row;
+  row.name = name;
+  row.triangles = mesh.faceCount();
+  row.q = q;
+  return row;
+}
+
+}  // namespace
+
+const MeasuredMap* DistortionRow::find(const std::string& map) const {
+  const auto found =
+      std::find_if(maps.begin(), maps.end(), [&](const MeasuredMap& m) { return m.name == map; });
+  return found == maps.end() ? nullptr : &*found;
+}
+
+DistortionRow compareMaps(const std::string& name, const TriMesh& mesh,
+                          const DistortionOptions& options) {
+  DistortionRow row = rowOf(name, mesh, options.q);
+  Comparison comparison(mesh, row);
+  if (!comparison.solvePlain(options.q) || !row.maps.back().isCertified) return row;
+  comparison.improve(kIsometric, 0.0);
+  comparison.improve(kConformal, -1.0);
+  if (!options.hasComparators || !comparison.setUp()) return row;
+  comparison.seamlessSlim(options.slimSeconds);
+  comparison.freeSlim(options.slimSeconds);
+  comparison.leastSquares();
+  return row;
+}
+
+DistortionRow compareCones(const std::string& name, const TriMesh& mesh, int q) {
+  DistortionRow row = rowOf(name, mesh, q);
+  PreparedSurface surface(mesh);
+  row.genus = surface.topology().genus;
+  row.loops = static_cast<int>(surface.topology().loops.size());
+  if (const Status done = surface.requireConnection(); !done) return row;
+  int count = 0;
+  const auto choose = [&](const char* label, const auto& suggest) {
+    const double start = processorSeconds();
+    const Result<HolonomySpec> spec = suggest();
+    const double seconds = processorSeconds() - start;
+    if (!spec) return;
+    if (std::string_view(label) == kFieldCones) count = static_cast<int>(spec->cones.size());
+    const Result<Parametrization> run = parametrize(surface, *spec, {});
+    if (!run) return;
+    row.maps.push_back(measured(label, run->certificate));
+    row.maps.back().cones = static_cast<int>(spec->cones.size());
+    row.maps.back().seconds = seconds;
+  };
+  SuggestOptions options;
+  options.q = q;
+  choose(kFieldCones, [&] { return fieldCones(surface, options); });
+  const auto suggested = [&]() -> Result<HolonomySpec> {
+    Result<CompleteSpec> spec = suggestCones(surface, options);
+    if (!spec) return std::move(spec).error();
+    return toSpec(*spec);
+  };
+  for (const ConesFor choice : {ConesFor::kBalanced, ConesFor::kFew, ConesFor::kLowDistortion}) {
+    options.conesFor = choice;
+    choose(conesForName(choice), suggested);
+  }
+  options.coneCount = count;
+  if (count > 0) choose(kFieldCount, suggested);
+  return row;
+}
+
+}  // namespace hgp::bench

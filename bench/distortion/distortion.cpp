@@ -12,7 +12,7 @@
 #include "child_process.h"
 #include "distortion_table.h"
 #include "files.h"
-#include "hgp/api/model.h"
+#include "hgp/api/load_model.h"
 #include "hgp/base/check.h"
 #include "process_memory.h"
 #include "surfaces.h"

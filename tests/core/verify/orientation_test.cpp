@@ -102,7 +102,7 @@ TEST(Orientation, AreasAreExactWhateverCancels) {
   for (int round = 0; round < 30000; ++round) {
     const Triangle t = nearlyFlat(random, 20 + round % 32);
     const Exact twice = static_cast<Exact>(t.b.x - t.a.x) * (t.c.y - t.a.y) -
-                       static_cast<Exact>(t.b.y - t.a.y) * (t.c.x - t.a.x);
+                        static_cast<Exact>(t.b.y - t.a.y) * (t.c.x - t.a.x);
     const auto expected = static_cast<double>(twice);
     for (const int e : {0, -300, 200}) {
       const double area = exactTwiceArea(scaled(t.a, e, e), scaled(t.b, e, e), scaled(t.c, e, e));

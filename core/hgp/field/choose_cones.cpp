@@ -12,7 +12,7 @@ namespace hgp {
 namespace {
 
 /// Nodes × solves for balanced cones: four fifths of what much more work gains, for a fifth of a run
-/// or less (docs/decisions/034).
+/// or less (docs/decisions/034, 044).
 double balancedWork(int nodes) {
   return std::max(5.0 * nodes, std::min(16.0 * nodes + 1.6e5, 1.6e6));
 }

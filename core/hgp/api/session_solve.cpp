@@ -4,6 +4,7 @@
 
 #include "hgp/api/map_notes.h"
 #include "hgp/api/session_state.h"
+#include "hgp/api/stand_in.h"
 #include "hgp/base/check.h"
 #include "hgp/grid/align.h"
 #include "hgp/parametrize/stage_clock.h"
@@ -51,6 +52,26 @@ std::vector<HarmonicFacts> harmonicity(const Model& model, const std::vector<Com
                                      maps[p].spec.q, cones, isFloat ? gridStep(map) : 0.0));
   }
   return out;
+}
+
+/// Where the usual automatic cones have no map: the first that has one of the other choices.
+template <class Solve>
+Status withOtherCones(SolveOptions choice, const Solve& solveWith, Result<Parametrization>& run,
+                      std::vector<std::string>& notes) {
+  const bool isOpen =
+      choice.coneCount == 0 && !choice.alignToCurvature && choice.conesFor == ConesFor::kBalanced;
+  for (const ConesFor other : {ConesFor::kFew, ConesFor::kLowDistortion}) {
+    if (!isOpen || !run || run->isCertified) break;
+    choice.conesFor = other;
+    Result<Parametrization> again = solveWith(choice);
+    if (!again) return again.error();
+    if (!again->isCertified) continue;
+    run = std::move(again);
+    notes.push_back(formatText(
+        "the usual cones have no certified map here; those of --cones-for %s are used instead",
+        conesForName(other)));
+  }
+  return Done{};
 }
 
 Failure noField() {
@@ -141,6 +162,8 @@ Result<Parametrization> Session::State::solveComponent(std::size_t p,
     choice.grid = {};  // cones that make room for a grid never cost a map
     run = solveWith(choice);
   }
+  const Status done = request.isAutomatic ? withOtherCones(choice, solveWith, run, notes) : Done{};
+  if (!done) return toSurfaceIds(*model, component, done.error());
   dropLarge(p);
   if (!run) return toSurfaceIds(*model, component, run.error());
   if (run->isCertified)
@@ -169,66 +192,6 @@ namespace {
 
 bool maySkip(const Failure& failure) {
   return failure.code != ErrorCode::kCancelled && failure.code != ErrorCode::kUsage;
-}
-
-/// Flat: seen along the direction in which the component is thinnest by its bounding box.
-UvMap flatMap(const TriMesh& mesh) {
-  Vec3 low = mesh.position(VertexId{0}), high = low;
-  for (int v = 1; v < mesh.vertexCount(); ++v) {
-    const Vec3 p = mesh.position(VertexId{v});
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], p[k]);
-      high[k] = std::max(high[k], p[k]);
-    }
-  }
-  std::size_t thin = 0;
-  for (std::size_t k = 1; k < 3; ++k) {
-    if (high[k] - low[k] < high[thin] - low[thin]) thin = k;
-  }
-  UvMap map;
-  for (int v = 0; v < mesh.vertexCount(); ++v) {
-    const Vec3 p = mesh.position(VertexId{v});
-    map.uv.push_back({p[(thin + 1) % 3], p[(thin + 2) % 3]});
-  }
-  for (int f = 0; f < mesh.faceCount(); ++f) {
-    auto& corners = map.cornerUv.emplace_back();
-    for (int k = 0; k < 3; ++k)
-      corners[static_cast<std::size_t>(k)] = mesh.tail(HalfedgeId{3 * f + k}).i;
-  }
-  return map;
-}
-
-/// What a component without a solution is stored with, judged by a prescription without cones.
-/// @param why  there is none    @param isKept  set: it is the uv that the file has
-Parametrization unsolved(const Model& model, const ModelComponent& component, int q,
-                         const SolveOptions& options, const std::string& why, bool& isKept) {
-  Parametrization out;
-  const std::vector<int>& sets = model.source().uvSets;
-  std::optional<UvMap> old;
-  if (!sets.empty()) old = model.document->existingUv(model.surface, sets.front());
-  isKept = old.has_value();
-  if (old) {
-    out.map = mapOfComponent(model, component, *old);
-  } else {
-    ParametrizeOptions core;
-    core.progress = options.progress;
-    Result<UvMap> disk = cutDiskMap(component.mesh, core);
-    out.map = disk ? std::move(*disk) : flatMap(component.mesh);
-  }
-  out.copyOf.assign(out.map.uv.size(), VertexId{0});
-  for (std::size_t f = 0; f < out.map.cornerUv.size(); ++f) {
-    for (int k = 0; k < 3; ++k) {
-      const int i = out.map.cornerUv[f][static_cast<std::size_t>(k)];
-      out.copyOf[static_cast<std::size_t>(i)] =
-          component.mesh.tail(HalfedgeId{3 * static_cast<int>(f) + k});
-    }
-  }
-  out.spec.q = q;
-  out.spec.turning.assign(component.topology.loops.size(), 0);
-  out.spec.handles.assign(static_cast<std::size_t>(2 * component.topology.genus), 0);
-  out.certificate = certify(component.mesh, out.spec, out.map);
-  denyCertificate(why, out.certificate);
-  return out;
 }
 
 }  // namespace
@@ -267,7 +230,8 @@ Status Session::State::solveRequest(const Request& request, const SolveOptions& 
           formatText("component %zu has no map of its own, and keeps what it had or is a disk: ",
                      p) +
           component.error().message);
-      component = unsolved(*model, model->components[p], request.q, options, whyNone, isKept);
+      component =
+          standIn(*model, model->components[p], request.q, options.progress, whyNone, isKept);
     }
     if (!component) return component.error();
     const bool isAligned = component->grid && component->grid->isAligned;

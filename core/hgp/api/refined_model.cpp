@@ -188,6 +188,7 @@ Result<RefinedModel> refine(const Model& model,
   Result<Model> loaded = modelOfDocument(std::move(*document), load);
   if (!loaded) return loaded.error();
   if (loaded->unusable || loaded->components.size() != model.components.size()) return tangled();
+  if (!loaded->written) loaded->written = model.written;
   RefinedModel out{std::move(*loaded), splitEdges(before, std::move(edges)).parents, {}};
   facts.edges = static_cast<int>(out.parents.size());
   out.facts = std::move(facts);

@@ -178,11 +178,11 @@ std::string reportText(const Model& model, const RunRecord& run,
                        {"surface", model.surface},
                        {"vertices", model.source().mesh.positions.size()},
                        {"triangles", model.source().mesh.triangles.size()}};
-  if (model.written) json["input"]["vertices"] = model.written->verticesBefore;
   if (run.refined) {
     json["input"]["vertices"] = run.refined->verticesBefore;
     json["input"]["triangles"] = run.refined->trianglesBefore;
   }
+  if (model.written) json["input"]["vertices"] = model.written->verticesBefore;
   json["refined"] = run.refined ? refinedJson(*run.refined, model) : Json();
   json["repairsWritten"] = model.written ? Json{{"facesTurned", model.written->facesTurned},
                                                 {"verticesCopied", model.written->verticesCopied}}

@@ -173,7 +173,7 @@ test('usage errors end with 2, say so on standard error and suggest', () => {
     [['param', 'ball.obj', '-o', '-', '--json', '-'], ''],
     [['param', 'ball.obj', '-o', 'ball.obj'], ''],
     [['param', 'ball.obj', '-o', './ball.obj'], ''],
-    [['param', 'ball.obj', '-o', 'x.gltf'], 'obj'],
+    [['param', 'ball.obj', '-o', 'x.stl'], 'obj'],
     [['param', 'ball.obj', '-o', 'x.obj.gz'], 'obj'],
     [['inspect', 'ball.obj', '--mesh', '7'], ''],
   ];

@@ -545,6 +545,12 @@ function oneForTwo(json) {
   json.meshes[0].extensions.EXT_mesh_manifold.manifoldPrimitive.indices = 2;
 }
 
+/** A merge at one corner that the vertex's other corners do not have: copies would be told apart anew. */
+function mergedAtOneCorner(json) {
+  for (const a of [4, 5]) json.accessors[a].count -= 1;
+  json.accessors[3].sparse.count -= 1;
+}
+
 /**
  * EXT_meshopt_compression: filtered normals, triangles, and a view of another mesh. `edit` may change
  * the positions.
@@ -781,6 +787,14 @@ export async function featureFiles() {
       cases: [
         ...maps(['vertices']),
         // It cannot be kept true where vertices split: dropped, and the surface stays the same.
+        ...maps(['patches', 'corners'], { extra: { lostExtensions: ['EXT_mesh_manifold'] } }),
+      ],
+    },
+    {
+      name: 'EXT_mesh_manifold with a vertex that is merged at one corner only',
+      files: { 'one-corner.glb': manifold(mergedAtOneCorner) },
+      cases: [
+        ...maps(['vertices']),
         ...maps(['patches', 'corners'], { extra: { lostExtensions: ['EXT_mesh_manifold'] } }),
       ],
     },

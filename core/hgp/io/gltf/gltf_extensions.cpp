@@ -41,7 +41,8 @@ void GltfWriter::rewriteManifold() {
   if (extension < 0) return;
   if (!part_.copy.empty())
     return dropManifold("repairs are written, and it says how it was before");
-  if (!planManifold()) dropManifold("its indices are not those of the primitives");
+  if (!part_.isWeldedByExtension || !planManifold())
+    dropManifold("its indices are not those of the primitives, or do not agree with one another");
 }
 
 void GltfWriter::dropManifold(const char* why) {

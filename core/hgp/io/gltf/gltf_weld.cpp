@@ -140,36 +140,69 @@ class GltfWelder {
     if (!manifoldStarts(store_, out_.mesh, out_.runs)) {
       return ignoreExtension("its indices are not those of the primitives");
     }
-    DisjointSets merged(static_cast<int>(positions_.size()));
-    if (accessor.sparse) {
-      const GltfSparse& sparse = *accessor.sparse;
-      const ByteView base = store_.accessorBytes(accessor);
-      const ByteView where = store_.viewBytes(sparse.indexView).subspan(sparse.indexOffset);
-      const ByteView values = store_.viewBytes(sparse.valueView).subspan(sparse.valueOffset);
-      const std::uint64_t stride = store_.accessorStride(accessor);
-      for (std::uint64_t k = 0; k < sparse.count; ++k) {
-        const std::uint64_t at = unsignedAt(where, sparse.indexType, k);
-        const std::uint32_t from =
-            base.empty() ? 0 : unsignedAt(base.subspan(at * stride), accessor.componentType, 0);
-        const std::uint32_t to = unsignedAt(values, accessor.componentType, k);
-        if (from >= positions_.size() || to >= positions_.size() ||
-            positions_[from] != positions_[to]) {
-          return ignoreExtension("it merges vertices that are not at the same place");
-        }
-        merged.join(static_cast<int>(from), static_cast<int>(to));
+    const std::optional<std::vector<std::uint32_t>> merged = mergedVertices(accessor);
+    if (!merged) return false;
+    joinAll(*merged);
+    note("welded as EXT_mesh_manifold says");
+    out_.isWeldedByExtension = true;
+    return true;
+  }
+
+  /// By stored vertex, the one that the extension reads in its place, itself where nothing is said.
+  /// Nothing where that depends on the corner: vertices that are copied on writing would then be told apart
+  /// otherwise than before.
+  std::optional<std::vector<std::uint32_t>> mergedVertices(const GltfAccessor& accessor) {
+    std::vector<std::uint32_t> merged(positions_.size());
+    std::iota(merged.begin(), merged.end(), 0u);
+    if (!accessor.sparse) return merged;
+    const GltfSparse& sparse = *accessor.sparse;
+    const ByteView base = store_.accessorBytes(accessor);
+    const ByteView where = store_.viewBytes(sparse.indexView).subspan(sparse.indexOffset);
+    const ByteView values = store_.viewBytes(sparse.valueView).subspan(sparse.valueOffset);
+    const std::uint64_t stride = store_.accessorStride(accessor);
+    const auto baseAt = [&](std::uint64_t at) -> std::uint32_t {
+      return base.empty() ? 0 : unsignedAt(base.subspan(at * stride), accessor.componentType, 0);
+    };
+    std::vector<std::int64_t> unlisted(positions_.size(), 0);  // corners at which nothing is said
+    for (std::uint64_t k = 0; k < accessor.count; ++k)
+      if (const std::uint32_t v = baseAt(k); v < unlisted.size()) ++unlisted[v];
+    std::vector<char> isListed(positions_.size(), 0);
+    bool isAmbiguous = false;
+    for (std::uint64_t k = 0; k < sparse.count; ++k) {
+      const std::uint32_t from = baseAt(unsignedAt(where, sparse.indexType, k));
+      const std::uint32_t to = unsignedAt(values, accessor.componentType, k);
+      if (from >= positions_.size() || to >= positions_.size() ||
+          positions_[from] != positions_[to]) {
+        ignoreExtension("it merges vertices that are not at the same place");
+        return std::nullopt;
       }
+      --unlisted[from];
+      if (isListed[from] && merged[from] != to) isAmbiguous = true;
+      isListed[from] = 1;
+      merged[from] = to;
     }
+    for (std::size_t v = 0; v < merged.size(); ++v)
+      isAmbiguous = isAmbiguous || (isListed[v] && merged[v] != v && unlisted[v] != 0);
+    if (isAmbiguous) {
+      ignoreExtension("it merges a vertex at one corner and not, or otherwise, at another");
+      return std::nullopt;
+    }
+    return merged;
+  }
+
+  void joinAll(const std::vector<std::uint32_t>& merged) {
+    DisjointSets sets(static_cast<int>(positions_.size()));
+    for (std::size_t v = 0; v < merged.size(); ++v)
+      sets.join(static_cast<int>(v), static_cast<int>(merged[v]));
     std::vector<int> id(positions_.size(), -1);
     for (std::size_t v = 0; v < positions_.size(); ++v) {
-      int& vertex = id[static_cast<std::size_t>(merged.root(static_cast<int>(v)))];
+      int& vertex = id[static_cast<std::size_t>(sets.root(static_cast<int>(v)))];
       if (vertex < 0) {
         vertex = static_cast<int>(out_.surface.mesh.positions.size());
         out_.surface.mesh.positions.push_back(positions_[v]);
       }
       out_.welded.push_back(vertex);
     }
-    note("welded as EXT_mesh_manifold says");
-    return true;
   }
 
   bool ignoreExtension(const char* why) {

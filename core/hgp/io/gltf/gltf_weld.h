@@ -31,6 +31,7 @@ struct GltfSurface {
   std::vector<GltfRun> runs;               ///< in the order of the surface's triangles
   std::vector<std::array<int, 3>> stored;  ///< |F| × 3 stored vertices
   std::vector<int> welded;                 ///< stored vertex → vertex of the surface
+  bool isWeldedByExtension = false;        ///< EXT_mesh_manifold; otherwise by position
   /// Where repairs are written, per triangle; otherwise empty. Corners of one stored vertex with other
   /// numbers here get vertices of their own; kUnedited everywhere: the triangle is as it is stored.
   std::vector<std::array<int, 3>> copy;

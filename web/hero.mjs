@@ -26,7 +26,7 @@ export async function heroModel() {
   core.load({ main: file, files: new Map([[file, new Uint8Array(bytes)]]) });
   const { positions, triangles, uv, cornerToUv, uvToVertex, certificate } = core.parametrize({
     q: 4,
-    grid: { spacing: 0.2 }, // of the surface; one unit of uv is one tile
+    grid: { spacing: 0.14 }, // of the surface; one unit of uv is one tile
   });
   core.free();
   const { certified, integerSeams, seamEdges } = certificate;

@@ -165,8 +165,10 @@ export function judge(map, precision, areas) {
 
   const uvAreas = triangles.map((_, t) => {
     const twice = cross(minus(at(t, 1), at(t, 0)), minus(at(t, 2), at(t, 0)));
-    if (sign(twice) <= 0) facts.notPositive.push(t);
-    return exact.toNumber(twice, 2 * unit) / 2;
+    const area = exact.toNumber(twice, 2 * unit) / 2;
+    if (sign(twice) > 0) return Math.max(area, Number.MIN_VALUE); // below what a double can say
+    facts.notPositive.push(t);
+    return area;
   });
 
   const sides = sidesOf(triangles);

@@ -38,7 +38,10 @@ export function surfaceOf(map) {
         return a[0] === b[0] && a[1] === b[1];
       });
       facts.differing += !isSame;
-      if (!isSameWay(map.triangles[twin], triangle)) hasBothWays.add(twin);
+      if (!isSameWay(map.triangles[twin], triangle)) {
+        hasBothWays.add(twin);
+        facts.isAmbiguous ||= !isSame;
+      }
       continue;
     }
     firstOf.set(key, t);

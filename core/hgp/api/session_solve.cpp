@@ -54,22 +54,35 @@ std::vector<HarmonicFacts> harmonicity(const Model& model, const std::vector<Com
   return out;
 }
 
-/// Where the usual automatic cones have no map: the first that has one of the other choices.
+/// Certified, and aligned where a grid was asked for.
+bool isAsWanted(const Parametrization& run, const GridOptions& grid) {
+  return run.isCertified && (!grid.isAsked() || (run.grid && run.grid->isAligned));
+}
+
+/// Where the usual automatic cones have no map, or none on the grid: the first that has one of the other
+/// choices. Those for low distortion are as many as the usual ones and leave a grid no more room.
 template <class Solve>
-Status withOtherCones(SolveOptions choice, const Solve& solveWith, Result<Parametrization>& run,
+Status withOtherCones(const ComponentRequest& request, SolveOptions choice, const GridOptions& grid,
+                      const Solve& solveWith, Result<Parametrization>& run,
                       std::vector<std::string>& notes) {
-  const bool isOpen =
-      choice.coneCount == 0 && !choice.alignToCurvature && choice.conesFor == ConesFor::kBalanced;
+  const bool isOpen = request.isAutomatic && choice.coneCount == 0 && !choice.alignToCurvature &&
+                      choice.conesFor == ConesFor::kBalanced;
   for (const ConesFor other : {ConesFor::kFew, ConesFor::kLowDistortion}) {
-    if (!isOpen || !run || run->isCertified) break;
+    if (!isOpen || !run || isAsWanted(*run, grid)) break;
+    if (run->isCertified && other != ConesFor::kFew) break;
     choice.conesFor = other;
+    if (run->isCertified) choice.grid = grid;
+    const std::vector<std::string> before = notes;
     Result<Parametrization> again = solveWith(choice);
     if (!again) return again.error();
-    if (!again->isCertified) continue;
+    if (!isAsWanted(*again, grid) && (run->isCertified || !again->isCertified)) {
+      notes = before;
+      continue;
+    }
+    notes.push_back(
+        formatText("the usual cones have no %s here; those of --cones-for %s are used instead",
+                   run->isCertified ? "map on this grid" : "certified map", conesForName(other)));
     run = std::move(again);
-    notes.push_back(formatText(
-        "the usual cones have no certified map here; those of --cones-for %s are used instead",
-        conesForName(other)));
   }
   return Done{};
 }
@@ -162,7 +175,7 @@ Result<Parametrization> Session::State::solveComponent(std::size_t p,
     choice.grid = {};  // cones that make room for a grid never cost a map
     run = solveWith(choice);
   }
-  const Status done = request.isAutomatic ? withOtherCones(choice, solveWith, run, notes) : Done{};
+  const Status done = withOtherCones(request, choice, options.grid, solveWith, run, notes);
   if (!done) return toSurfaceIds(*model, component, done.error());
   dropLarge(p);
   if (!run) return toSurfaceIds(*model, component, run.error());

@@ -358,37 +358,30 @@ test('a component without a solution is cut to a disk, the others keep their cer
   assert.ok(existsSync(at('pair_out.obj')));
 });
 
-test('where the usual automatic cones have no map, others are tried, and that is said', () => {
-  // A sphere of squares, rows and columns squeezed together: one round finds no map with the usual cones.
-  const [m, n, thin] = [10, 6, 1e-5];
-  const points = ['v 0 0 1'];
-  for (let j = 1; j < n; j++) {
-    const a = (Math.PI * (j % 2 ? j : j - 1 + thin)) / n;
-    for (let i = 0; i < m; i++) {
-      const b = (2 * Math.PI * (i % 3 === 1 ? i - 1 + thin : i)) / m;
-      points.push(`v ${Math.sin(a) * Math.cos(b)} ${Math.sin(a) * Math.sin(b)} ${Math.cos(a)}`);
-    }
-  }
-  points.push('v 0 0 -1');
-  const at = (i, j) => (j === 0 ? 1 : j === n ? points.length : 2 + (j - 1) * m + (i % m));
-  const faces = [];
-  for (let j = 0; j < n; j++) {
-    for (let i = 0; i < m; i++) {
-      if (j < n - 1) faces.push(`f ${at(i, j)} ${at(i, j + 1)} ${at(i + 1, j + 1)}`);
-      if (j > 0) faces.push(`f ${at(i, j)} ${at(i + 1, j + 1)} ${at(i + 1, j)}`);
-    }
-  }
-  put('squeezed.obj', `${[...points, ...faces].join('\n')}\n`);
-  const asked = ['param', 'squeezed.obj', '-o', 'squeezed_out.obj', '--rounds', '1'];
+test('where the usual automatic cones leave a grid no room, few cones are tried, and that is said', () => {
+  const pretzel = path.join(import.meta.dirname, '../../examples/meshes/pretzel.obj');
+  const asked = [
+    'param',
+    pretzel,
+    '-o',
+    'pretzel_out.obj',
+    '--cells',
+    '60',
+    '--json',
+    'pretzel.json',
+  ];
   const { code, err } = run(asked);
   assert.equal(code, 0, err);
-  assert.match(
-    err,
-    /the usual cones have no certified map here; those of --cones-for few are used/,
-  );
-  assert.equal(run(['verify', 'squeezed_out.obj']).code, 0);
-  // A choice that was made is kept.
-  assert.doesNotMatch(run([...asked, '--cones-for', 'low-distortion']).err, /the usual cones/);
+  const few = /no map on this grid; those of --cones-for few are used instead/;
+  assert.match(err, few);
+  assert.equal(run(['verify', 'pretzel_out.obj']).code, 0);
+  // The map is that of its own cones, whoever names them; a choice that was made is kept.
+  const { cones } = JSON.parse(readFileSync(at('pretzel.json'), 'utf8'));
+  put('pretzel_cones.json', JSON.stringify(cones));
+  const again = run([...asked.slice(0, 2), '-o', 'pretzel_again.obj', '--cells', '60', '--cones', 'pretzel_cones.json']); // prettier-ignore
+  assert.equal(again.code, 0, again.err);
+  assert.deepEqual(readFileSync(at('pretzel_again.obj')), readFileSync(at('pretzel_out.obj')));
+  assert.doesNotMatch(run([...asked, '--cones-for', 'low-distortion']).err, few);
 });
 
 test('what is not as asked is not certified, however sound the map is that stands in for it', () => {

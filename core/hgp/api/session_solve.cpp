@@ -54,37 +54,39 @@ std::vector<HarmonicFacts> harmonicity(const Model& model, const std::vector<Com
   return out;
 }
 
-/// Certified, and aligned where a grid was asked for.
-bool isAsWanted(const Parametrization& run, const GridOptions& grid) {
-  return run.isCertified && (!grid.isAsked() || (run.grid && run.grid->isAligned));
-}
+bool isAligned(const Parametrization& run) { return run.grid && run.grid->isAligned; }
 
-/// Where the usual automatic cones have no map, or none on the grid: the first that has one of the other
-/// choices. Those for low distortion are as many as the usual ones and leave a grid no more room.
+/// Where the usual automatic cones leave a grid no room: few cones, which have more.
 template <class Solve>
-Status withOtherCones(const ComponentRequest& request, SolveOptions choice, const GridOptions& grid,
-                      const Solve& solveWith, Result<Parametrization>& run,
-                      std::vector<std::string>& notes) {
-  const bool isOpen = request.isAutomatic && choice.coneCount == 0 && !choice.alignToCurvature &&
+Status withFewCones(SolveOptions choice, const GridOptions& grid, const Solve& solveWith,
+                    Result<Parametrization>& run, std::vector<std::string>& notes) {
+  const bool isOpen = grid.isAsked() && choice.coneCount == 0 && !choice.alignToCurvature &&
                       choice.conesFor == ConesFor::kBalanced;
-  for (const ConesFor other : {ConesFor::kFew, ConesFor::kLowDistortion}) {
-    if (!isOpen || !run || isAsWanted(*run, grid)) break;
-    if (run->isCertified && other != ConesFor::kFew) break;
-    choice.conesFor = other;
-    if (run->isCertified) choice.grid = grid;
-    const std::vector<std::string> before = notes;
-    Result<Parametrization> again = solveWith(choice);
-    if (!again) return again.error();
-    if (!isAsWanted(*again, grid) && (run->isCertified || !again->isCertified)) {
-      notes = before;
-      continue;
-    }
+  if (!isOpen || !run || !run->isCertified || isAligned(*run)) return Done{};
+  choice.conesFor = ConesFor::kFew;
+  choice.grid = grid;
+  std::vector<std::string> before = notes;
+  Result<Parametrization> few = solveWith(choice);
+  if (!few && few.error().code == ErrorCode::kCancelled) return few.error();
+  if (few && few->isCertified && isAligned(*few)) {
+    run = std::move(few);
     notes.push_back(
-        formatText("the usual cones have no %s here; those of --cones-for %s are used instead",
-                   run->isCertified ? "map on this grid" : "certified map", conesForName(other)));
-    run = std::move(again);
+        "the usual cones have no map on this grid; those of --cones-for few are used instead");
+  } else {
+    notes = std::move(before);
   }
   return Done{};
+}
+
+ParametrizeOptions parametrizeOptions(const SolveOptions& options, double workShare) {
+  ParametrizeOptions out;
+  out.maxRounds = options.maxRounds;
+  out.method = options.method;
+  out.largestWork *= workShare;
+  out.grid = options.grid;
+  out.improve = options.improve;
+  out.progress = options.progress;
+  return out;
 }
 
 Failure noField() {
@@ -139,13 +141,7 @@ Result<Parametrization> Session::State::solveComponent(std::size_t p,
                                                        const ComponentRequest& request,
                                                        const SolveOptions& options) {
   const ModelComponent& component = model->components[p];
-  ParametrizeOptions core;
-  core.maxRounds = options.maxRounds;
-  core.method = options.method;
-  core.largestWork *= workShare;
-  core.grid = options.grid;
-  core.improve = options.improve;
-  core.progress = options.progress;
+  ParametrizeOptions core = parametrizeOptions(options, workShare);
   if (options.frames == FrameSource::kFile) {
     core.frames = request.field;
     if (!core.frames) return noField();
@@ -175,8 +171,9 @@ Result<Parametrization> Session::State::solveComponent(std::size_t p,
     choice.grid = {};  // cones that make room for a grid never cost a map
     run = solveWith(choice);
   }
-  const Status done = withOtherCones(request, choice, options.grid, solveWith, run, notes);
-  if (!done) return toSurfaceIds(*model, component, done.error());
+  if (request.isAutomatic)
+    if (Status done = withFewCones(choice, options.grid, solveWith, run, notes); !done)
+      return toSurfaceIds(*model, component, done.error());
   dropLarge(p);
   if (!run) return toSurfaceIds(*model, component, run.error());
   if (run->isCertified)

@@ -12,6 +12,7 @@
 #include "child_process.h"
 #include "distortion_table.h"
 #include "files.h"
+#include "grid_run.h"
 #include "hgp/api/load_model.h"
 #include "hgp/base/check.h"
 #include "process_memory.h"
@@ -28,7 +29,7 @@ struct Arguments {
   std::vector<int> q{4};
   int generated = 0, smallest = 0, largest = 0;
   std::uint64_t seed = 1;
-  bool isAboutCones = false;
+  bool isAboutCones = false, isAboutGrids = false;
   DistortionOptions run;
   double cpuSeconds = 600.0;
 };
@@ -53,8 +54,9 @@ class Runner {
       DistortionOptions options = a_.run;
       options.q = q;
       const auto work = [&] {
-        return toJson(a_.isAboutCones ? compareCones(name, mesh, q)
-                                      : compareMaps(name, mesh, options));
+        if (a_.isAboutCones) return toJson(compareCones(name, mesh, q));
+        if (a_.isAboutGrids) return toJson(compareGrids(name, mesh, q));
+        return toJson(compareMaps(name, mesh, options));
       };
       const Result<std::string> text = runInChild(work, {0.0, a_.cpuSeconds});
       DistortionRow row;
@@ -75,8 +77,9 @@ class Runner {
   }
 
   bool finish() const {
-    const std::string sums =
-        a_.isAboutCones ? coneSummary(rows_) : improvementSummary(rows_) + "\n" + counts();
+    const std::string sums = a_.isAboutCones   ? coneSummary(rows_)
+                             : a_.isAboutGrids ? gridSummary(rows_)
+                                               : improvementSummary(rows_) + "\n" + counts();
     std::fputs(("\n" + sums).c_str(), stdout);
     return save(a_.json, toJson(rows_)) && save(a_.markdown, sums + "\n" + table_);
   }
@@ -147,6 +150,7 @@ int runProgram(int argc, char** argv) {
   app.add_option("--seed", a.seed, "of --generated");
   app.add_option("--q", a.q, "orders")->check(CLI::Range(1, 64));
   app.add_flag("--cones", a.isAboutCones, "compare choices of cones");
+  app.add_flag("--grids", a.isAboutGrids, "align to grids (q = 2, 4)");
   app.add_flag("--ours", isOursAlone, "no comparators");
   app.add_option("--only", a.only, "names to take, as a pattern: '*torus*'");
   app.add_option("--skip", a.skip, "names to leave out");

@@ -16,18 +16,6 @@ namespace {
 
 double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-MeasuredMap measured(const char* name, const Certificate& certificate) {
-  MeasuredMap map;
-  map.name = name;
-  map.isCertified = certificate.isCertified;
-  map.flipped = certificate.orientation.zero + certificate.orientation.negative;
-  map.meanMu = certificate.distortion.meanMu;
-  map.p95Mu = certificate.distortion.p95Mu;
-  map.sigma = certificate.distortion.rmsLogArea;
-  map.excess = certificate.distortion.symmetricDirichlet;
-  return map;
-}
-
 /// A surface with its cones and its plain map, on which everything else is measured.
 class Comparison {
  public:
@@ -159,6 +147,18 @@ DistortionRow rowOf(const std::string& name, const TriMesh& mesh, int q) {
 }
 
 }  // namespace
+
+MeasuredMap measured(const std::string& name, const Certificate& certificate) {
+  MeasuredMap map;
+  map.name = name;
+  map.isCertified = certificate.isCertified;
+  map.flipped = certificate.orientation.zero + certificate.orientation.negative;
+  map.meanMu = certificate.distortion.meanMu;
+  map.p95Mu = certificate.distortion.p95Mu;
+  map.sigma = certificate.distortion.rmsLogArea;
+  map.excess = certificate.distortion.symmetricDirichlet;
+  return map;
+}
 
 const MeasuredMap* DistortionRow::find(const std::string& map) const {
   const auto found =

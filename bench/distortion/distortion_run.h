@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hgp/mesh/tri_mesh.h"
+#include "hgp/verify/certificate.h"
 
 namespace hgp::bench {
 
@@ -43,6 +44,8 @@ inline constexpr const char* kConformal = "conformal";
 inline constexpr const char* kSeamlessSlim = "SLIM, seams held";
 inline constexpr const char* kFreeSlim = "SLIM, seams free";
 inline constexpr const char* kLscm = "LSCM, seams free";
+
+MeasuredMap measured(const std::string& name, const Certificate& certificate);
 
 /// Automatic cones; the map as solved and improved, and the comparators on the same cut.
 DistortionRow compareMaps(const std::string& name, const TriMesh& mesh,

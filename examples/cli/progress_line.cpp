@@ -14,8 +14,10 @@ constexpr int kStageLines = 30;       // at every change of stage; by time alone
 constexpr double kLineSeconds = 5.0;  // between two plain lines of one stage
 constexpr int kBarWidth = 24;
 
+/// In these stages the residual is the excess of an energy.
 bool isImprovement(const ProgressReport& report) {
-  return std::string_view(report.stage) == "improve" && report.residual >= 0;
+  const std::string_view stage = report.stage;
+  return (stage == "improve" || stage == "align") && report.residual >= 0;
 }
 
 }  // namespace

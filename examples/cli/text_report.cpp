@@ -162,14 +162,14 @@ std::string certificate(const Json& json, const Style& style) {
   return out + "\n";
 }
 
-std::string improvementText(const Json& improvement) {
-  const Json &before = improvement["before"], &after = improvement["after"];
+std::string descentText(const char* title, const Json& descent) {
+  const Json &before = descent["before"], &after = descent["after"];
   return row(
-      "improve",
+      title,
       formatText("%s after %zu steps%s; symmetric Dirichlet %.3g → %.3g, μ %.4f → %.4f, log₂ "
                  "area rms %.3f → %.3f",
-                 text(improvement["outcome"]).c_str(), improvement["steps"].size(),
-                 improvement["kept"].get<bool>() ? "" : ", not kept",
+                 text(descent["outcome"]).c_str(), descent["steps"].size(),
+                 descent["kept"].get<bool>() ? "" : ", not kept",
                  number(before, "symmetricDirichlet"), number(after, "symmetricDirichlet"),
                  number(before, "meanMu"), number(after, "meanMu"), number(before, "rmsLogArea"),
                  number(after, "rmsLogArea")));
@@ -276,11 +276,14 @@ std::string reportText(const std::string& source, const Style& style) {
                             integer(round, "iterations"), integer(round, "flipped"),
                             integer(round, "wrongAngles"), number(round, "seconds")));
     }
-    if (component["improvement"].is_object()) out += improvementText(component["improvement"]);
+    const Json& improvement = component["improvement"];
+    if (improvement.is_object()) out += descentText("improve", improvement);
     out += notes(component);
     if (const Json& grid = component["grid"]; !grid.is_null()) {
       out += row("grid", gridText(grid));
     }
+    if (improvement.is_object() && improvement["onGrid"].is_object())
+      out += descentText("improve on grid", improvement["onGrid"]);
     if (!component["conflict"].empty()) {
       out += "  triangles that fight:" + places(component["conflict"]) + "\n";
     }

@@ -337,6 +337,11 @@ test('param --improve lowers what it is named for and stays certified', () => {
   const between = solve('--improve', '-0.5');
   assert.ok(between.after.meanMu < isometric.after.meanMu);
   assert.equal(run(['verify', at('better.obj')]).code, 0);
+  assert.equal(isometric.onGrid, null);
+  const { onGrid } = solve('--improve', 'isometric', '--cells', '400');
+  assert.ok(onGrid.kept, onGrid.outcome);
+  assert.ok(onGrid.after.symmetricDirichlet < onGrid.before.symmetricDirichlet);
+  assert.equal(run(['verify', at('better.obj')]).code, 0);
 
   for (const words of [
     ['--improve', 'nice'],

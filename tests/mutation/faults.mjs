@@ -195,7 +195,23 @@ export const faults = [
   fault('io/gltf/gltf_round.cpp', 'if (candidate > bestArea) {', 'if (candidate < bestArea) {'),
   fault('io/polygon/polygon_uv.cpp', '< kQuarterTurn)', '< 1000 * kQuarterTurn)'),
 
-  // parametrize, api
+  // improve, parametrize, api
+  fault('improve/improve.cpp', 'x_ = std::move(moved);', '', {
+    programs: ['improve', 'parametrize'],
+  }),
+  fault('system/reduced_unknowns.cpp', '- R * value(cut.copy[left]);', '- value(cut.copy[left]);'),
+  fault(
+    'parametrize/solution.cpp',
+    'return improveOnGrid(mesh, options, aligned.workLeft, judged, result);',
+    'return Done{};',
+    short,
+  ),
+  fault(
+    'parametrize/solution.cpp',
+    'for (const int unknown : setup.unknowns.chainUnknown) hold(unknown);',
+    '',
+  ),
+  fault('parametrize/solution.cpp', 'if (mode == GridMode::kQuad)', 'if (mode == GridMode::kTile)'),
   fault('parametrize/convex.cpp', 'walked += geometry.length[h];', 'walked += 1.0;'),
   fault('api/stored_map.cpp', '(1 - 1e-7) / size', '1.001 / size', short),
   fault('api/stored_map.cpp', 'if (mean > 0) moveAndScale(map.uv, {0, 0}, 1 / mean);', ''),

@@ -243,7 +243,7 @@ export interface Progress {
   fraction: number;
   /** Of the solver or the improvement; -1 outside. */
   iteration: number;
-  /** Of the solver relative to its target; in stage `improve` the energy's excess over an isometry; -1 outside. */
+  /** Of the solver relative to its target; where an energy descends (stages `improve` and `align`) its excess over an isometry; -1 outside. */
   residual: number;
   /** Of solve, judge, repair: from 1 to at most maxRounds; both are 0 outside it. */
   round: number;

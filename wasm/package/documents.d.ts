@@ -773,6 +773,7 @@ export interface Report {
         | 'nothing to gain'
         | 'no descent'
         | 'step limit'
+        | 'work limit'
         | 'singular'
         | 'not injective';
       steps: {
@@ -786,7 +787,7 @@ export interface Report {
         length: number;
       }[];
       /**
-       * Of the certificate's distortion, before
+       * Of the map as solved
        */
       before: {
         meanMu: number;
@@ -795,13 +796,58 @@ export interface Report {
         symmetricDirichlet: number;
       };
       /**
-       * The same of the map that is returned
+       * The same once it is improved, before any alignment
        */
       after: {
         meanMu: number;
         p95Mu: number;
         rmsLogArea: number;
         symmetricDirichlet: number;
+      };
+      /**
+       * The improvement of the aligned map, the integers held; null where the map is not aligned or has no seams
+       */
+      onGrid: null | {
+        /**
+         * false: the map is as aligned
+         */
+        kept: boolean;
+        outcome:
+          | 'converged'
+          | 'nothing to gain'
+          | 'no descent'
+          | 'step limit'
+          | 'work limit'
+          | 'singular'
+          | 'not injective';
+        steps: {
+          /**
+           * mean energy over the surface minus that of an isometry, after the step
+           */
+          excess: number;
+          /**
+           * 1: a full Newton step
+           */
+          length: number;
+        }[];
+        /**
+         * Of the map as aligned
+         */
+        before: {
+          meanMu: number;
+          p95Mu: number;
+          rmsLogArea: number;
+          symmetricDirichlet: number;
+        };
+        /**
+         * The same of the map that is returned
+         */
+        after: {
+          meanMu: number;
+          p95Mu: number;
+          rmsLogArea: number;
+          symmetricDirichlet: number;
+        };
       };
     };
     conflict: Where;

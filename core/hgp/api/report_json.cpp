@@ -80,16 +80,22 @@ Json distortionJson(const DistortionFacts& d) {
               {"symmetricDirichlet", d.symmetricDirichlet}};
 }
 
-Json improvementJson(const ImprovementFacts& facts) {
+Json descentJson(const DescentFacts& facts) {
   Json steps = Json::array();
   for (const ImproveStep& step : facts.steps)
     steps.push_back(Json{{"excess", step.excess}, {"length", step.length}});
-  return Json{{"balance", facts.asked.balance},
-              {"kept", facts.isKept},
+  return Json{{"kept", facts.isKept},
               {"outcome", facts.outcome},
               {"steps", std::move(steps)},
               {"before", distortionJson(facts.before)},
               {"after", distortionJson(facts.after)}};
+}
+
+Json improvementJson(const ImprovementFacts& facts) {
+  Json json = descentJson(facts);
+  json["balance"] = facts.asked.balance;
+  json["onGrid"] = facts.onGrid ? descentJson(*facts.onGrid) : Json();
+  return json;
 }
 
 /// Whether Theorem 6.1 speaks of the map, and if not, why not.

@@ -10,8 +10,8 @@ struct ProgressReport {
   const char* stage = "";
   double fraction = 0.0;
   int iteration = -1;  ///< solver iteration, −1 outside the solver
-  /// Solver residual relative to its target; in stage "improve" the energy's excess over an isometry;
-  /// −1 outside both.
+  /// Solver residual relative to its target; in stages "improve" and "align" the energy's excess over an
+  /// isometry while it descends; −1 outside.
   double residual = -1.0;
   int round = 0;      ///< of solve, judge, repair: the first is 1; 0 outside
   int maxRounds = 0;  ///< rounds at most; 0 outside

@@ -72,22 +72,27 @@ class Aligner {
     out_.report.integers = system_.integerCount();
     describe(scale_);
     reserved_ = kExplaining * work_;
+    tryAll();
+    if (!isDone()) explain();
+    out_.workLeft = std::max(0.0, work_);
+    return std::move(out_);
+  }
+
+ private:
+  void tryAll() {
     std::vector<Candidate> candidates = linearSteps();
-    if (isDone()) return std::move(out_);
+    if (isDone()) return;
     std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
       return a.turned.size() < b.turned.size();
     });
     candidates.resize(std::min(candidates.size(), kMended));
     for (Candidate& candidate : candidates)
-      if (mendOnPatches(candidate)) return std::move(out_);
+      if (mendOnPatches(candidate)) return;
     candidates.resize(std::min(candidates.size(), kMendedAsWhole));
     for (Candidate& candidate : candidates)
-      if (mendAsWhole(candidate)) return std::move(out_);
-    if (!out_.isCancelled) explain();
-    return std::move(out_);
+      if (mendAsWhole(candidate)) return;
   }
 
- private:
   void describe(double scale) {
     out_.report.cells = mapArea_ * scale * scale;
     out_.report.spacing = std::sqrt(surfaceArea_ / mapArea_) / scale;
@@ -263,6 +268,13 @@ double surfaceArea(const TriMesh& mesh) {
                              u[0] * v[1] - u[1] * v[0]);
   }
   return area;
+}
+
+void describeGrid(const TriMesh& mesh, const UvMap& map, std::size_t coneCount,
+                  GridReport& report) {
+  report.cells = areaOf(map);
+  report.spacing = std::sqrt(surfaceArea(mesh) / report.cells);
+  report.cellsPerCone = report.cells / std::max<double>(1.0, static_cast<double>(coneCount));
 }
 
 AlignedMap alignToGrid(const TriMesh& mesh, const UvMap& map, int q,

@@ -18,10 +18,14 @@ struct AlignedMap {
   std::optional<UvMap> map;  ///< one unit of uv is one cell
   bool isCancelled = false;  ///< by `progress`; there is no map then
   GridReport report;
+  double workLeft = 0.0;  ///< multiply-adds, of those that might be spent
 };
 
 /// Of the triangles in space.
 double surfaceArea(const TriMesh& mesh);
+
+/// Cells, spacing and cells per cone of an aligned map.
+void describeGrid(const TriMesh& mesh, const UvMap& map, std::size_t coneCount, GridReport& report);
 
 /// Changes a certified map so that every translation is an integer: the relations of the seam nodes are
 /// solved over Z[i], the strain of the change is reduced to what is free, that is rounded nearest first

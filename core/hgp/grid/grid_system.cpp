@@ -222,15 +222,7 @@ std::optional<UvMap> GridSystem::alignedMap(const Eigen::VectorXcd& x, double sc
     Vec2& p = out.uv[at(seams_.firstCopy[v])];
     p = {std::nearbyint(p[0]), std::nearbyint(p[1])};
   }
-  std::optional<SeamSnapper> snapper = SeamSnapper::make(mesh_, out, q_, cones_);
-  if (!snapper) return {};
-  StoredNumbers numbers;
-  numbers.hasIntegerTranslations = true;
-  const std::optional<SnappedMap> snapped =
-      snapper->snap(out.uv, gridExponent(out.uv, numbers) + 1, numbers);
-  if (!snapped || !snapped->notPositive.empty()) return {};
-  out.uv = snapped->uv;
-  return out;
+  return snapAligned(mesh_, std::move(out), q_, cones_);
 }
 
 }  // namespace hgp

@@ -194,4 +194,17 @@ std::optional<SnappedMap> SeamSnapper::snap(const std::vector<Vec2>& uv, int exp
   return out;
 }
 
+std::optional<UvMap> snapAligned(const TriMesh& mesh, UvMap map, int q,
+                                 const std::vector<VertexId>& cones) {
+  const std::optional<SeamSnapper> snapper = SeamSnapper::make(mesh, map, q, cones);
+  if (!snapper) return {};
+  StoredNumbers numbers;
+  numbers.hasIntegerTranslations = true;
+  std::optional<SnappedMap> snapped =
+      snapper->snap(map.uv, gridExponent(map.uv, numbers) + 1, numbers);
+  if (!snapped || !snapped->notPositive.empty()) return {};
+  map.uv = std::move(snapped->uv);
+  return map;
+}
+
 }  // namespace hgp

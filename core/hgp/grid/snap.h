@@ -53,4 +53,9 @@ class SeamSnapper {
   PerVertex<int> closureOf_;  ///< −1 where a vertex is free
 };
 
+/// A map whose translations are integers up to rounding, snapped as finely as doubles allow; nothing where its
+/// seams cannot be read or a triangle turns over.
+std::optional<UvMap> snapAligned(const TriMesh& mesh, UvMap map, int q,
+                                 const std::vector<VertexId>& cones);
+
 }  // namespace hgp

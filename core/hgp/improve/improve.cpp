@@ -48,6 +48,7 @@ class Descent {
   }
 
   double excess() const { return energy_ - 1.0; }
+  double stepWork() const { return system_.work(); }
   const Eigen::VectorXcd& x() const { return x_; }
 
   /// False when the Hessian cannot be factored.
@@ -95,13 +96,15 @@ class Descent {
 
 /// Steps until one of the reasons to end; which one.
 const char* run(Descent& descent, const ImproveOptions& options, const Progress& progress,
-                std::vector<ImproveStep>& steps) {
+                std::vector<ImproveStep>& steps, double& work) {
   if (!std::isfinite(descent.excess())) return "not injective";
   for (int n = 0; n < options.maxSteps; ++n) {
     const double excess = descent.excess();
     const double fraction = static_cast<double>(n) / options.maxSteps;
     if (!report(progress, {"improve", fraction, n, excess})) return "cancelled";
     if (excess <= kNoExcess) return "nothing to gain";
+    if (work + descent.stepWork() > options.largestWork) return "work limit";
+    work += descent.stepWork();
     if (!descent.assemble()) return "singular";
     const double length = descent.descend();
     if (length <= 0.0) return "no descent";
@@ -128,7 +131,7 @@ Improvement improve(const ReducedMap& map, const linalg::SeparatorTree& tree,
   held.resize(static_cast<std::size_t>(map.unknowns.count), 0);
   Descent descent(map, tree, x, options.balance, held);
   result.excessBefore = descent.excess();
-  result.outcome = run(descent, options, progress, result.steps);
+  result.outcome = run(descent, options, progress, result.steps, result.work);
   result.excessAfter = descent.excess();
   result.x = descent.x();
   return result;

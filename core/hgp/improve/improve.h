@@ -15,9 +15,10 @@ struct Improvement {
   Eigen::VectorXcd x;  ///< the improved unknowns; as given when nothing was gained
   double excessBefore = 0.0, excessAfter = 0.0;  ///< mean ψ − 1, as in ImproveStep
   std::vector<ImproveStep> steps;
-  /// Why it ended: "converged", "nothing to gain", "no descent", "step limit", "singular",
+  /// Why it ended: "converged", "nothing to gain", "no descent", "step limit", "work limit", "singular",
   /// "not injective" (x as given has triangles that are not positive) or "cancelled".
   const char* outcome = "";
+  double work = 0.0;  ///< multiply-adds spent
 };
 
 /// Projected Newton on the mean Σ A_f ψ_f / Σ A_f over the unknowns, from a map without flips: A_f is

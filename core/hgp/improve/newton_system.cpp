@@ -13,6 +13,8 @@ using SparseC = Eigen::SparseMatrix<Complex>;
 constexpr double kProximal = 1e-8;
 /// Deeper than any tree: every unknown is eliminated in its place, as all of them change.
 constexpr int kInPlace = 1 << 20;
+/// Multiply-adds per triangle of everything in a step that is no factorization (measured).
+constexpr double kStepWork = 2e3;
 
 /// The vertices' dissection as one of the free unknowns; translations couple to whole seams and are
 /// placed where that fits.
@@ -113,6 +115,10 @@ bool NewtonSystem::assemble(const EnergyExponents& exponents, const FaceParts& p
     }
   }
   return gradient_.allFinite() && static_cast<bool>(cholesky_.factor(values_.data()));
+}
+
+double NewtonSystem::work() const {
+  return linalg::multiplyAdds(cholesky_.report(), 1) + kStepWork * terms_.faceCount();
 }
 
 NewtonSystem::Direction NewtonSystem::direction() const {

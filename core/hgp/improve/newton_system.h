@@ -26,6 +26,9 @@ class NewtonSystem {
   };
   Direction direction() const;
 
+  /// Multiply-adds of one assembly, factorization and direction.
+  double work() const;
+
  private:
   const FaceTerms& terms_;
   std::vector<int> blockOf_;  ///< clique of a face, −1 when nothing of it is free

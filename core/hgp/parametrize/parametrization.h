@@ -55,13 +55,19 @@ struct StageTime {
   double seconds = 0.0;
 };
 
-/// What an improvement did.
-struct ImprovementFacts {
-  ImproveOptions asked;
+/// What one descent did.
+struct DescentFacts {
   DistortionFacts before, after;  ///< as the verifier measures them; equal when it was not kept
   std::vector<ImproveStep> steps;
   std::string outcome;  ///< why it ended, see Improvement::outcome
-  bool isKept = false;  ///< the improved map is the one returned
+  bool isKept = false;  ///< the improved map is used
+  double work = 0.0;    ///< multiply-adds
+};
+
+/// What an improvement did: of the map as solved, and once more after alignment with the integers held.
+struct ImprovementFacts : DescentFacts {
+  ImproveOptions asked;
+  std::optional<DescentFacts> onGrid;  ///< where the map was aligned and has seams
 };
 
 struct Parametrization {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <set>
 
-#include "hgp/grid/align.h"
 #include "hgp/parametrize/attempt.h"
 #include "hgp/parametrize/moves/moves.h"
 #include "hgp/parametrize/seamless_setup.h"
@@ -109,33 +108,6 @@ static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
   return best;
 }
 
-/// Multiply-adds per triangle of a plain run beside its programs: fields, cut, judging (measured).
-static constexpr double kBesidePrograms = 1.2e4;
-/// Of a plain run's work, what its alignment may take.
-static constexpr double kAlignShare = 1.5;
-
-/// Aligned to the grid where that keeps it certified; else as it was, with the reason.
-static Status align(const TriMesh& mesh, const SeamlessSetup& setup,
-                    const ParametrizeOptions& options, Parametrization& result) {
-  double work = kBesidePrograms * mesh.faceCount();
-  for (const Round& round : result.rounds) work += round.work;
-  AlignedMap aligned = alignToGrid(mesh, result.map, setup.seams.q, setup.cones, options.grid,
-                                   &setup.context->tree, options.progress, kAlignShare * work);
-  if (aligned.isCancelled) return cancelled("align");
-  if (aligned.map) {
-    Certificate certificate = certify(mesh, result.spec, *aligned.map);
-    if (certificate.isCertified) {
-      result.map = std::move(*aligned.map);
-      result.certificate = std::move(certificate);
-    } else {
-      aligned.report.isAligned = false;
-      aligned.report.reason = "the aligned map is not certified: " + certificate.reasons[0].message;
-    }
-  }
-  result.grid = std::move(aligned.report);
-  return Done{};
-}
-
 Result<Parametrization> parametrize(PreparedSurface& surface, const HolonomySpec& spec,
                                     const ParametrizeOptions& options) {
   const TriMesh& mesh = surface.mesh();
@@ -157,18 +129,12 @@ Result<Parametrization> parametrize(PreparedSurface& surface, const HolonomySpec
   if (judged.certificate.isCertified && options.improve)
     if (Status done = improveSolution(mesh, options, judged, result); !done)
       return std::move(done).error();
-  if (judged.certificate.isCertified && finish(mesh, options, judged.solution)) {
-    judged.map = layOut(mesh, judged.solution);
-    judged.certificate = certify(mesh, result.spec, judged.map);
-  }
+  if (judged.certificate.isCertified && options.grid.isAsked())
+    if (Status done = alignSolution(mesh, options, judged, result); !done)
+      return std::move(done).error();
   result.map = std::move(judged.map);
   result.certificate = std::move(judged.certificate);
   if (!result.certificate.isCertified) result.conflict = attempt.program.conflict;
-  if (options.grid.isAsked() && result.certificate.isCertified) {
-    StageClock clock(options.progress, result.times);
-    if (!clock.begin("align")) return cancelled("align");
-    if (Status done = align(mesh, *setup, options, result); !done) return std::move(done).error();
-  }
   result.copyOf = setup->cut.parent.raw();
   result.isCertified = result.certificate.isCertified;
   result.isUsable = result.certificate.isUsable;

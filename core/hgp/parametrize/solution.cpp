@@ -1,21 +1,155 @@
 #include "hgp/parametrize/solution.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string_view>
 
+#include "hgp/grid/align.h"
+#include "hgp/grid/snap.h"
 #include "hgp/improve/improve.h"
 #include "hgp/parametrize/stage_clock.h"
 
 namespace hgp {
 namespace {
 
-/// Isometric is promised never to raise the symmetric Dirichlet energy that the judge measures: on the
-/// surface itself, where the descent sees slivers made harmless.
+/// Multiply-adds per triangle of a plain run beside its programs: fields, cut, judging (measured).
+constexpr double kBesidePrograms = 1.2e4;
+/// Of the work of the run without a grid, what alignment and the descent after it may take.
+constexpr double kAlignShare = 1.5;
+/// It ends at so many times the relative decrease asked for: it starts near its end, and its time counts twice.
+constexpr double kHeldDecrease = 3.0;
+/// Of the stage "align", the part before that descent.
+constexpr double kAlignedFraction = 0.9;
+
+ReducedMap reducedMap(const TriMesh& mesh, const SeamlessSetup& setup) {
+  return {mesh, setup.context->geometry, setup.cut, setup.unknowns};
+}
+
+/// The judge's number for what is asked: on the surface itself, where the descent sees slivers made harmless,
+/// and as a mean, where single triangles can rule an energy.
+double askedNumber(const ImproveOptions& asked, const DistortionFacts& facts) {
+  if (asked.balance == -1.0) return facts.meanMu;
+  return asked.balance == 1.0 ? facts.rmsLogArea : facts.symmetricDirichlet;
+}
+
+/// What is asked for by name is promised never to rise as the judge measures it.
 bool isBetter(const Improvement& run, const ImproveOptions& asked, const Certificate& before,
               const Certificate& after) {
   if (!after.isCertified || after.isUsable < before.isUsable) return false;
   if (!(run.excessAfter < run.excessBefore)) return false;
-  return asked.balance != 0.0 ||
-         after.distortion.symmetricDirichlet <= before.distortion.symmetricDirichlet;
+  const bool isNamed = asked.balance == 0.0 || std::fabs(asked.balance) == 1.0;
+  return !isNamed || askedNumber(asked, after.distortion) <= askedNumber(asked, before.distortion);
+}
+
+/// The facts of a run whose map takes the place of the one before where `improved` says so.
+DescentFacts takeOver(const Improvement& run, std::optional<Judged> improved, Judged& judged) {
+  DescentFacts facts;
+  facts.steps = run.steps;
+  facts.outcome = run.outcome;
+  facts.work = run.work;
+  facts.before = judged.certificate.distortion;
+  facts.isKept = improved.has_value();
+  if (improved) judged = std::move(*improved);
+  facts.after = judged.certificate.distortion;
+  return facts;
+}
+
+/// The improved unknowns laid out and judged; nothing, with a note, where the judge does not accept them.
+std::optional<Judged> accepted(const TriMesh& mesh, const Improvement& run,
+                               const ImproveOptions& asked, const Judged& judged,
+                               Parametrization& result) {
+  if (run.steps.empty()) return {};
+  Judged improved{judged.solution, {}, {}};
+  improved.solution.x = run.x;
+  improved.map = layOut(mesh, improved.solution);
+  improved.certificate = certify(mesh, result.spec, improved.map);
+  if (isBetter(run, asked, judged.certificate, improved.certificate)) return improved;
+  result.notes.push_back("The map is as before the improvement, which the judge did not accept: " +
+                         (improved.certificate.reasons.empty()
+                              ? std::string("it is no better on the surface itself.")
+                              : improved.certificate.reasons[0].message));
+  return {};
+}
+
+/// By unknown, 1 for what alignment decided: translations and, in quad mode, cones.
+std::vector<char> heldByGrid(const SeamlessSetup& setup, GridMode mode) {
+  std::vector<char> isHeld(static_cast<std::size_t>(setup.unknowns.count), 0);
+  const auto hold = [&](int unknown) {
+    if (unknown >= 0) isHeld[static_cast<std::size_t>(unknown)] = 1;
+  };
+  for (const int unknown : setup.unknowns.chainUnknown) hold(unknown);
+  if (mode == GridMode::kQuad)
+    for (VertexId cone : setup.cones) hold(setup.unknowns.vertexUnknown[cone]);
+  return isHeld;
+}
+
+Eigen::VectorXcd unknownsOf(const TriMesh& mesh, const SeamlessSetup& setup, const UvMap& map) {
+  std::vector<Complex> z;
+  z.reserve(map.uv.size());
+  for (const Vec2& p : map.uv) z.emplace_back(p[0], p[1]);
+  return readUnknowns(mesh, setup.cut, setup.seams, setup.unknowns, z);
+}
+
+/// The improved unknowns in cells, snapped and judged; nothing unless they are better, still aligned, and what
+/// is held has not moved by a bit.
+std::optional<Judged> acceptedOnGrid(const TriMesh& mesh, const Improvement& run,
+                                     const ImproveOptions& asked, const std::vector<char>& isHeld,
+                                     const Judged& judged, const CompleteSpec& spec) {
+  if (run.steps.empty()) return {};
+  const SeamlessSetup& setup = *judged.solution.setup;
+  UvMap moved = judged.map;
+  const Eigen::VectorXcd z = setup.unknowns.copies * run.x;
+  for (std::size_t c = 0; c < moved.uv.size(); ++c) {
+    const Complex p = z[static_cast<Eigen::Index>(c)];
+    moved.uv[c] = {p.real(), p.imag()};
+  }
+  std::optional<UvMap> snapped = snapAligned(mesh, std::move(moved), setup.seams.q, setup.cones);
+  if (!snapped) return {};
+  Judged improved{judged.solution, std::move(*snapped), {}};
+  improved.solution.x = unknownsOf(mesh, setup, improved.map);
+  for (std::size_t i = 0; i < isHeld.size(); ++i) {
+    const auto unknown = static_cast<Eigen::Index>(i);
+    if (isHeld[i] && improved.solution.x[unknown] != judged.solution.x[unknown]) return {};
+  }
+  improved.certificate = certify(mesh, spec, improved.map);
+  if (improved.certificate.exactSeams.integer != judged.certificate.exactSeams.integer) return {};
+  if (!isBetter(run, asked, judged.certificate, improved.certificate)) return {};
+  return improved;
+}
+
+/// @param work  multiply-adds that may be spent
+Status improveOnGrid(const TriMesh& mesh, const ParametrizeOptions& options, double work,
+                     Judged& judged, Parametrization& result) {
+  const SeamlessSetup& setup = *judged.solution.setup;
+  const std::vector<char> isHeld = heldByGrid(setup, options.grid.mode);
+  if (std::find(isHeld.begin(), isHeld.end(), 1) == isHeld.end()) return Done{};
+  const Progress silent;
+  StageClock clock(silent, result.times);  // for its caller it is the end of stage "align"
+  clock.begin("improve");
+  ImproveOptions asked = *options.improve;
+  asked.largestWork = work;
+  asked.relativeDecrease *= kHeldDecrease;
+  const ImprovementFacts& first = *result.improvement;
+  // Where alignment gave back less than a descent ends at, there is nothing to gain.
+  if (first.isKept &&
+      askedNumber(asked, judged.certificate.distortion) <=
+          (1.0 + options.improve->relativeDecrease) * askedNumber(asked, first.after)) {
+    Improvement none;
+    none.outcome = "nothing to gain";
+    result.improvement->onGrid = takeOver(none, {}, judged);
+    return Done{};
+  }
+  const Progress progress = [&](const ProgressReport& r) {
+    const double fraction = kAlignedFraction + (1.0 - kAlignedFraction) * r.fraction;
+    return report(options.progress, {"align", fraction, r.iteration, r.residual});
+  };
+  const Improvement run = improve(reducedMap(mesh, setup), setup.context->tree, judged.solution.x,
+                                  asked, isHeld, progress);
+  if (std::string_view(run.outcome) == "cancelled") return cancelled("align");
+  std::optional<Judged> improved = acceptedOnGrid(mesh, run, asked, isHeld, judged, result.spec);
+  result.improvement->onGrid = takeOver(run, std::move(improved), judged);
+  describeGrid(mesh, judged.map, setup.cones.size(), *result.grid);
+  return Done{};
 }
 
 }  // namespace
@@ -25,37 +159,39 @@ Status improveSolution(const TriMesh& mesh, const ParametrizeOptions& options, J
   StageClock clock(options.progress, result.times);
   if (!clock.begin("improve")) return cancelled("improve");
   const SeamlessSetup& setup = *judged.solution.setup;
-  const ReducedMap map{mesh, setup.context->geometry, setup.cut, setup.unknowns};
-  const Improvement run =
-      improve(map, setup.context->tree, judged.solution.x, *options.improve, {}, options.progress);
+  const Improvement run = improve(reducedMap(mesh, setup), setup.context->tree, judged.solution.x,
+                                  *options.improve, {}, options.progress);
   if (std::string_view(run.outcome) == "cancelled") return cancelled("improve");
-
-  ImprovementFacts facts;
-  facts.asked = *options.improve;
-  facts.steps = run.steps;
-  facts.outcome = run.outcome;
-  facts.before = judged.certificate.distortion;
-  Judged improved{judged.solution, {}, {}};
-  improved.solution.x = run.x;
-  improved.map = layOut(mesh, improved.solution);
-  improved.certificate = certify(mesh, result.spec, improved.map);
-  facts.isKept = isBetter(run, facts.asked, judged.certificate, improved.certificate);
-  if (facts.isKept) {
-    judged = std::move(improved);
-  } else if (!run.steps.empty()) {
-    result.notes.push_back(
-        "The map is as before the improvement, which the judge did not accept: " +
-        (improved.certificate.reasons.empty()
-             ? std::string("it is no better on the surface itself.")
-             : improved.certificate.reasons[0].message));
-  }
-  facts.after = judged.certificate.distortion;
-  result.improvement = std::move(facts);
+  std::optional<Judged> improved = accepted(mesh, run, *options.improve, judged, result);
+  result.improvement = {takeOver(run, std::move(improved), judged), *options.improve, {}};
   return Done{};
 }
 
-bool finish(const TriMesh&, const ParametrizeOptions&, Solution&) {
-  return false;  // nothing yet: grid/ and snapping are called here
+Status alignSolution(const TriMesh& mesh, const ParametrizeOptions& options, Judged& judged,
+                     Parametrization& result) {
+  StageClock clock(options.progress, result.times);
+  if (!clock.begin("align")) return cancelled("align");
+  const SeamlessSetup& setup = *judged.solution.setup;
+  double work = kBesidePrograms * mesh.faceCount();
+  for (const Round& round : result.rounds) work += round.work;
+  if (result.improvement) work += result.improvement->work;
+  AlignedMap aligned = alignToGrid(mesh, judged.map, setup.seams.q, setup.cones, options.grid,
+                                   &setup.context->tree, options.progress, kAlignShare * work);
+  if (aligned.isCancelled) return cancelled("align");
+  result.grid = std::move(aligned.report);
+  if (!aligned.map) return Done{};
+  Certificate certificate = certify(mesh, result.spec, *aligned.map);
+  if (!certificate.isCertified) {
+    result.grid->isAligned = false;
+    result.grid->reason = "the aligned map is not certified: " + certificate.reasons[0].message;
+    return Done{};
+  }
+  judged.solution.x = unknownsOf(mesh, setup, *aligned.map);
+  judged.map = std::move(*aligned.map);
+  judged.certificate = std::move(certificate);
+  if (!options.improve) return Done{};
+  clock.end();
+  return improveOnGrid(mesh, options, aligned.workLeft, judged, result);
 }
 
 UvMap layOut(const TriMesh& mesh, const Solution& solution) {

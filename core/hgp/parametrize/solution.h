@@ -1,5 +1,5 @@
 // What the strategy ends with, before it is laid out and judged.  Role: the one value that everything
-// after the solve takes and returns: improve → align to the grid → snap.
+// after the solve takes and returns: improve → align to the grid → improve with the integers held.
 #pragma once
 
 #include "hgp/optimize/frames.h"
@@ -30,10 +30,13 @@ struct Judged {
 Status improveSolution(const TriMesh& mesh, const ParametrizeOptions& options, Judged& judged,
                        Parametrization& result);
 
-/// Everything that is done to a certified solution after its improvement (improveSolution) and before the
-/// certificate that counts, in the order align → snap. A step that changes it must keep it locally injective. True when something
-/// changed: it is then laid out and judged again.
-bool finish(const TriMesh& mesh, const ParametrizeOptions& options, Solution& solution);
+/// Does what options.grid asks for: the map aligned where that keeps it certified, else as it was, with the
+/// reason in result.grid. Where an improvement is asked for as well, what alignment gave back of it is gained
+/// once more with the integers held (result.improvement->onGrid): translations and, in quad mode, cones stay
+/// exactly where they are. Fails with kCancelled only.
+/// @pre judged.certificate.isCertified, options.grid.isAsked()
+Status alignSolution(const TriMesh& mesh, const ParametrizeOptions& options, Judged& judged,
+                     Parametrization& result);
 
 /// Its positions, scaled to the surface's area and centred at the origin.
 UvMap layOut(const TriMesh& mesh, const Solution& solution);

@@ -136,4 +136,20 @@ ReducedUnknowns reduceUnknowns(const TriMesh& mesh, const CutMesh& cut,
   return Reducer(mesh, cut, seams).run();
 }
 
+Eigen::VectorXcd readUnknowns(const TriMesh& mesh, const CutMesh& cut, const SeamRotations& seams,
+                              const ReducedUnknowns& unknowns, const std::vector<Complex>& z) {
+  const auto value = [&](CutVertexId c) { return z[static_cast<std::size_t>(c.i)]; };
+  Eigen::VectorXcd x = Eigen::VectorXcd::Zero(unknowns.count);
+  for (VertexId v : mesh.vertices())
+    if (unknowns.vertexUnknown[v] >= 0) x[unknowns.vertexUnknown[v]] = value(cut.firstCopy[v]);
+  for (std::size_t c = 0; c < cut.chains.size(); ++c) {
+    if (unknowns.chainUnknown[c] < 0) continue;
+    const HalfedgeId left = cut.chains[c].left.front();
+    const Complex R = rotation(seams.rotation[left], seams.q);
+    x[unknowns.chainUnknown[c]] =
+        value(cut.copy[TriMesh::next(mesh.twin(left))]) - R * value(cut.copy[left]);
+  }
+  return x;
+}
+
 }  // namespace hgp

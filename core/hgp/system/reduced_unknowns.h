@@ -25,4 +25,10 @@ struct ReducedUnknowns {
 
 ReducedUnknowns reduceUnknowns(const TriMesh& mesh, const CutMesh& cut, const SeamRotations& seams);
 
+/// The other way: the unknowns of a map whose copies follow these seams. Translations are differences of two
+/// copies, which are exact where the map is snapped (grid/snap.h).
+/// @param z  by copy
+Eigen::VectorXcd readUnknowns(const TriMesh& mesh, const CutMesh& cut, const SeamRotations& seams,
+                              const ReducedUnknowns& unknowns, const std::vector<Complex>& z);
+
 }  // namespace hgp

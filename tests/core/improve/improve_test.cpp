@@ -238,5 +238,24 @@ TEST(Improve, StopsWhereItIsToldToWithAMapThatIsStillGood) {
   EXPECT_TRUE(start.problem.judge(copiesOf(start.problem, run.x)).isCertified);
 }
 
+TEST(Improve, EndsBeforeAStepThatWouldExceedItsWork) {
+  const Start& start = starts().back();
+  ImproveOptions options;
+  options.relativeDecrease = 0.0;
+  options.maxSteps = 4;
+  const Improvement all = start.improve(options);
+  ASSERT_EQ(all.steps.size(), 4u);
+  EXPECT_GT(all.work, 0.0);
+  options.largestWork = 0.6 * all.work;
+  const Improvement some = start.improve(options);
+  EXPECT_STREQ(some.outcome, "work limit");
+  EXPECT_EQ(some.steps.size(), 2u);
+  EXPECT_LE(some.work, options.largestWork);
+  options.largestWork = 0.0;
+  const Improvement none = start.improve(options);
+  EXPECT_STREQ(none.outcome, "work limit");
+  EXPECT_EQ((none.x - start.x).norm(), 0.0);
+}
+
 }  // namespace
 }  // namespace hgp

@@ -52,6 +52,19 @@ TEST(ReducedUnknowns, AnyValuesFulfilTheRotationConditionsExactly) {
   }
 }
 
+TEST(ReducedUnknowns, AreReadBackFromTheMapTheyMake) {
+  std::mt19937 random(59);
+  for (const auto& [s, unknowns] : reducedSurfaces()) {
+    const Eigen::VectorXcd x = randomVector(unknowns.count, random);
+    const Eigen::VectorXcd z = unknowns.copies * x;
+    const Eigen::VectorXcd read =
+        readUnknowns(s->mesh, s->cut, s->seams, unknowns, {z.data(), z.data() + z.size()});
+    ASSERT_EQ(read.size(), x.size());
+    if (x.size() == 0) continue;
+    EXPECT_LT((read - x).cwiseAbs().maxCoeff(), 1e-12 * (1.0 + z.cwiseAbs().maxCoeff())) << s->name;
+  }
+}
+
 TEST(ReducedUnknowns, ReachEverySeamlessMap) {
   // The solutions of (12) over all copies, by brute force: their dimension is the number of
   // unknowns, and no unknown is wasted.

@@ -216,7 +216,7 @@ class Table {
                            "unit: mean edge 1; fit: into the unit square (default solved)"),
            {"solved", "unit", "fit"});
     sub->add_flag("--reproducible", out_.isReproducible,
-                  "The same bytes on every x86-64 processor, somewhat slower");
+                  "The same bytes on every processor and in WebAssembly, somewhat slower");
     sub->add_option("--time-limit", out_.timeLimit,
                     "Give up after so many seconds (exit code 6, nothing is written)")
         ->option_text("SECONDS")

@@ -1,4 +1,4 @@
-// What ISO C++ has no word for.  Role: every POSIX call of the command line but the restart of plain_math; with
+// What ISO C++ has no word for.  Role: every POSIX call of the command line; with
 // HGP_PORTABLE, and where there is no POSIX, the alternatives beside them.
 #pragma once
 

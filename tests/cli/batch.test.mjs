@@ -5,22 +5,18 @@ import { execFileSync } from 'node:child_process';
 import {
   existsSync,
   mkdirSync,
-  mkdtempSync,
   readFileSync,
   readdirSync,
   rmSync,
   statSync,
   writeFileSync,
 } from 'node:fs';
-import os from 'node:os';
 import path from 'node:path';
-import test, { after } from 'node:test';
+import test from 'node:test';
 import { cubeMesh, toObj } from '../support/meshes.mjs';
+import { hgp, inFolder } from '../support/program.mjs';
 
-const hgp =
-  process.env.HGP_BIN ?? path.join(import.meta.dirname, '../../build/native-release/bin/hgp');
-const folder = mkdtempSync(path.join(os.tmpdir(), 'hgp-batch-'));
-after(() => rmSync(folder, { recursive: true }));
+const { folder } = inFolder('batch');
 
 const guide = readFileSync(path.join(import.meta.dirname, '../../docs/batch.md'), 'utf8');
 const [parallel, left, xargs, slurm] = [...guide.matchAll(/```sh\n([^]*?)```/g)].map(

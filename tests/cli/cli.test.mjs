@@ -5,40 +5,20 @@ import {
   existsSync,
   lstatSync,
   mkdirSync,
-  mkdtempSync,
-  readFileSync,
   readdirSync,
-  rmSync,
   statSync,
   symlinkSync,
   writeFileSync,
 } from 'node:fs';
 import { readFile } from 'node:fs/promises';
-import os from 'node:os';
 import path from 'node:path';
-import test, { after } from 'node:test';
+import test from 'node:test';
 import { gzipSync } from 'node:zlib';
 import { cubeMesh, toGltf } from '../support/meshes.mjs';
 import { problems } from './schema.mjs';
+import { hgp, inFolder, shared } from '../support/program.mjs';
 
-const hgp =
-  process.env.HGP_BIN ?? path.join(import.meta.dirname, '../../build/native-release/bin/hgp');
-const shared =
-  process.env.HGP_SHARED_MESHES ?? path.join(import.meta.dirname, '../../../shared/meshes');
-const folder = mkdtempSync(path.join(os.tmpdir(), 'hgp-cli-'));
-after(() => rmSync(folder, { recursive: true }));
-
-const at = (name) => path.join(folder, name);
-const read = (name) => readFileSync(at(name), 'utf8');
-const put = (name, text) => {
-  writeFileSync(at(name), text);
-  return at(name);
-};
-
-function run(args, options = {}) {
-  const result = spawnSync(hgp, args, { encoding: 'utf8', cwd: folder, ...options });
-  return { code: result.status, out: result.stdout, err: result.stderr };
-}
+const { folder, at, put, read, run } = inFolder('cli');
 
 function isValid(name, text) {
   const value = JSON.parse(text);

@@ -1,35 +1,15 @@
 // --compress: what is stored is decoded by others (meshoptimizer in JavaScript, glTF-Transform) to the bytes
 // that the file has without it.
 import assert from 'node:assert/strict';
-import { spawnSync } from 'node:child_process';
-import { mkdirSync, mkdtempSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
-import os from 'node:os';
+import { mkdirSync, readdirSync, statSync } from 'node:fs';
 import path from 'node:path';
-import test, { after } from 'node:test';
+import test from 'node:test';
 import { featureFiles } from '../gltf/features.mjs';
 import { readIndependently } from '../gltf/independent.mjs';
 import { cubeMesh, toGlb, toGltf, toObj } from '../support/meshes.mjs';
+import { inFolder } from '../support/program.mjs';
 
-const hgp =
-  process.env.HGP_BIN ?? path.join(import.meta.dirname, '../../build/native-release/bin/hgp');
-const folder = mkdtempSync(path.join(os.tmpdir(), 'hgp-compress-'));
-after(() => rmSync(folder, { recursive: true }));
-
-const at = (name) => path.join(folder, name);
-const put = (name, content) => {
-  mkdirSync(path.dirname(at(name)), { recursive: true });
-  writeFileSync(at(name), content);
-  return name;
-};
-function run(...args) {
-  const result = spawnSync(hgp, args, { encoding: 'utf8', cwd: folder });
-  return { code: result.status, out: result.stdout, err: result.stderr };
-}
-function good(...args) {
-  const result = run(...args);
-  assert.equal(result.code, 0, `${args.join(' ')}\n${result.err}`);
-  return result;
-}
+const { at, put, run, good } = inFolder('compress');
 
 const bytes = (array) =>
   array ? Buffer.from(array.buffer, array.byteOffset, array.byteLength) : null;

@@ -2,40 +2,15 @@
 // its exit code and message, leaves no half-written file, and the next run works.
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';
-import {
-  chmodSync,
-  existsSync,
-  mkdirSync,
-  mkdtempSync,
-  readFileSync,
-  readdirSync,
-  rmSync,
-  writeFileSync,
-} from 'node:fs';
-import os from 'node:os';
-import path from 'node:path';
-import test, { after } from 'node:test';
+import { chmodSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync } from 'node:fs';
+import test from 'node:test';
 import { cubeMesh, toGltf, toObj } from '../support/meshes.mjs';
+import { hgp, inFolder } from '../support/program.mjs';
 
-const hgp =
-  process.env.HGP_BIN ?? path.join(import.meta.dirname, '../../build/native-release/bin/hgp');
+const { folder, at, put, run } = inFolder('faults');
 /** Without POSIX no function may be called in a signal handler that would write. */
 const saysSo = !hgp.endsWith('without_posix');
-const folder = mkdtempSync(path.join(os.tmpdir(), 'hgp-faults-'));
-after(() => {
-  for (const name of readdirSync(folder)) chmodSync(path.join(folder, name), 0o755);
-  rmSync(folder, { recursive: true });
-});
 
-const at = (name) => path.join(folder, name);
-const put = (name, content) => {
-  writeFileSync(at(name), content);
-  return name;
-};
-function run(args, options = {}) {
-  const result = spawnSync(hgp, args, { encoding: 'utf8', cwd: folder, ...options });
-  return { code: result.status, out: result.stdout, err: result.stderr };
-}
 const bash = (line) =>
   spawnSync('bash', ['-c', line], { encoding: 'utf8', cwd: folder, env: { ...process.env, hgp } });
 

@@ -1,29 +1,15 @@
 // Files as people have them, through the command line: packed, lenient, broken in optional parts.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import os from 'node:os';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
-import test, { after } from 'node:test';
+import test from 'node:test';
 import { gzipSync } from 'node:zlib';
 import { cubeMesh, toGlb } from '../support/meshes.mjs';
 import { problems } from './schema.mjs';
+import { hgp, inFolder } from '../support/program.mjs';
 
-const hgp =
-  process.env.HGP_BIN ?? path.join(import.meta.dirname, '../../build/native-release/bin/hgp');
-const folder = mkdtempSync(path.join(os.tmpdir(), 'hgp-files-'));
-after(() => rmSync(folder, { recursive: true }));
-
-const at = (name) => path.join(folder, name);
-const put = (name, content) => {
-  writeFileSync(at(name), content);
-  return at(name);
-};
-
-function run(args, options = {}) {
-  const result = spawnSync(hgp, args, { encoding: 'utf8', cwd: folder, ...options });
-  return { code: result.status, out: result.stdout, err: result.stderr };
-}
+const { at, put, run } = inFolder('files');
 
 /** An octahedron as OBJ text. */
 const octahedron = `v 1 0 0\nv 0 1 0\nv 0 0 1\nv -1 0 0\nv 0 -1 0\nv 0 0 -1\n${[
@@ -260,30 +246,6 @@ test('of many components in float32 every one keeps its certificate', () => {
   // What is told of them fits a screen.
   const told = run(['param', 'spheres.glb', '-o', 'many.glb']).err.split('\n');
   assert.ok(told.length < 150, `${told.length} lines`);
-});
-
-test('what a component costs does not grow with their number', () => {
-  const seconds = [500, 4000].map((count) => {
-    const lines = [];
-    for (let c = 0; c < count; c++) {
-      const [vertices, faces] = octahedron.split(/(?=f 1 2 3)/);
-      lines.push(vertices.replaceAll(/v (\S+)/g, (_, x) => `v ${Number(x) + 3 * c}`));
-      lines.push(faces.replaceAll(/\d+/g, (v) => Number(v) + 6 * c));
-    }
-    put('row.obj', lines.join(''));
-    // Twice, as others use the machine, too; user time of the program alone.
-    const times = [0, 1].map(() => {
-      const args = ['param', 'row.obj', '-o', 'row_out.obj', '--quiet'];
-      const timed = spawnSync('/bin/bash', ['-c', 'TIMEFORMAT=%U; time "$0" "$@"', hgp, ...args], {
-        cwd: folder,
-      });
-      assert.equal(timed.status, 0);
-      return Number(String(timed.stderr).trim());
-    });
-    return Math.min(...times);
-  });
-  // Eight times the components: quadratic cost would be 64 times the time.
-  assert.ok(seconds[1] < 16 * (seconds[0] + 0.02), seconds.join(' and '));
 });
 
 test('every mesh of a file is mapped; one without a map spoils the rest only where asked', () => {

@@ -1,16 +1,11 @@
 // What a report says of harmonicity is what its file has: recomputed here from the written numbers.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import os from 'node:os';
-import path from 'node:path';
-import test, { after } from 'node:test';
+import { readFileSync, writeFileSync } from 'node:fs';
+import test from 'node:test';
+import { hgp, inFolder } from '../support/program.mjs';
 
-const hgp =
-  process.env.HGP_BIN ?? path.join(import.meta.dirname, '../../build/native-release/bin/hgp');
-const folder = mkdtempSync(path.join(os.tmpdir(), 'hgp-harmonic-'));
-after(() => rmSync(folder, { recursive: true }));
-const at = (name) => path.join(folder, name);
+const { at } = inFolder('harmonic');
 
 /** A bumpy torus of n × m vertices. */
 function torus(n, m) {

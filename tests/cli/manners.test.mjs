@@ -2,31 +2,18 @@
 // completions of shells.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import os from 'node:os';
+import { existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
-import test, { after } from 'node:test';
+import test from 'node:test';
 import { gzipSync } from 'node:zlib';
 import { cubeMesh, toGlb } from '../support/meshes.mjs';
+import { hgp, inFolder } from '../support/program.mjs';
 
-const hgp =
-  process.env.HGP_BIN ?? path.join(import.meta.dirname, '../../build/native-release/bin/hgp');
-const folder = mkdtempSync(path.join(os.tmpdir(), 'hgp-manners-'));
-after(() => rmSync(folder, { recursive: true }));
-
-const at = (name) => path.join(folder, name);
-const put = (name, content) => {
-  writeFileSync(at(name), content);
-  return at(name);
-};
 const env = { ...process.env };
 delete env.NO_COLOR;
 delete env.TERM;
+const { folder, at, put, run } = inFolder('manners', env);
 
-function run(args, options = {}) {
-  const result = spawnSync(hgp, args, { encoding: 'utf8', cwd: folder, env, ...options });
-  return { code: result.status, out: result.stdout, err: result.stderr, signal: result.signal };
-}
 const shell = (line, more = {}) =>
   spawnSync('bash', ['-c', line], {
     encoding: 'utf8',

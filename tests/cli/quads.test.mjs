@@ -1,20 +1,15 @@
 // Quad meshes from outside: the files that `hgp quads` writes, counted by nothing of the project's own.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import os from 'node:os';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
-import test, { after } from 'node:test';
+import test from 'node:test';
 import { NodeIO } from '@gltf-transform/core';
 import validator from 'gltf-validator';
 import { cubeMesh, toObj } from '../support/meshes.mjs';
+import { hgp, inFolder, shared } from '../support/program.mjs';
 
-const hgp =
-  process.env.HGP_BIN ?? path.join(import.meta.dirname, '../../build/native-release/bin/hgp');
-const shared =
-  process.env.HGP_SHARED_MESHES ?? path.join(import.meta.dirname, '../../../shared/meshes');
-const folder = mkdtempSync(path.join(os.tmpdir(), 'hgp-quads-'));
-after(() => rmSync(folder, { recursive: true }));
+const { folder } = inFolder('quads');
 
 /** m × n vertices of a torus with radii 1 and r, wavy so that nothing is symmetric. */
 function torus(m, n, r) {

@@ -2,29 +2,14 @@
 // was read. Read again here by a few lines for OBJ and PLY, and by glTF-Transform.
 import { NodeIO } from '@gltf-transform/core';
 import assert from 'node:assert/strict';
-import { spawnSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import os from 'node:os';
-import path from 'node:path';
-import test, { after } from 'node:test';
+import { readFileSync, writeFileSync } from 'node:fs';
+import test from 'node:test';
 import validator from 'gltf-validator';
 import { cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
+import { inFolder } from '../support/program.mjs';
 
-const hgp =
-  process.env.HGP_BIN ?? path.join(import.meta.dirname, '../../build/native-release/bin/hgp');
-const folder = mkdtempSync(path.join(os.tmpdir(), 'hgp-repairs-'));
-after(() => rmSync(folder, { recursive: true }));
+const { at, run, good } = inFolder('repairs');
 
-const at = (name) => path.join(folder, name);
-function run(...args) {
-  const result = spawnSync(hgp, args, { encoding: 'utf8', cwd: folder });
-  return { code: result.status, out: result.stdout, err: result.stderr };
-}
-function good(...args) {
-  const result = run(...args);
-  assert.equal(result.code, 0, `${args.join(' ')}\n${result.err}${result.out}`);
-  return result;
-}
 /** Runs param and gives its report; what verify says of the file must agree. */
 function param(input, output, ...more) {
   good('param', input, '-o', output, '--json', `${output}.json`, ...more);

@@ -2,42 +2,14 @@
 // here for OBJ and PLY.
 import { NodeIO } from '@gltf-transform/core';
 import assert from 'node:assert/strict';
-import { spawnSync } from 'node:child_process';
-import {
-  existsSync,
-  mkdirSync,
-  mkdtempSync,
-  readFileSync,
-  readdirSync,
-  rmSync,
-  writeFileSync,
-} from 'node:fs';
-import os from 'node:os';
+import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
-import test, { after } from 'node:test';
+import test from 'node:test';
 import validator from 'gltf-validator';
 import { cubeMesh, toGlb, toGltf, toOff, toStl } from '../support/meshes.mjs';
+import { inFolder } from '../support/program.mjs';
 
-const hgp =
-  process.env.HGP_BIN ?? path.join(import.meta.dirname, '../../build/native-release/bin/hgp');
-const folder = mkdtempSync(path.join(os.tmpdir(), 'hgp-writers-'));
-after(() => rmSync(folder, { recursive: true }));
-
-const at = (name) => path.join(folder, name);
-const put = (name, content) => {
-  mkdirSync(path.dirname(at(name)), { recursive: true });
-  writeFileSync(at(name), content);
-  return name;
-};
-function run(...args) {
-  const result = spawnSync(hgp, args, { encoding: 'utf8', cwd: folder });
-  return { code: result.status, out: result.stdout, err: result.stderr };
-}
-function good(...args) {
-  const result = run(...args);
-  assert.equal(result.code, 0, `${args.join(' ')}\n${result.err}`);
-  return result;
-}
+const { at, put, run, good } = inFolder('writers');
 
 /** The cube with a normal per side, a colour per vertex and two materials; sides first to last. */
 function richObj() {

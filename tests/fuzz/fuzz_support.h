@@ -54,16 +54,21 @@ inline std::shared_ptr<const io::GltfDecoders> decoders() {
   return out;
 }
 
+/// Relative, without a drive or a scheme, and no step of it leads up ("..62f.." is a name like others).
+inline bool isBesideTheFile(const std::string& relative) {
+  if (relative.empty() || relative[0] == '/' || relative.find(':') != std::string::npos)
+    return false;
+  const std::string steps = '/' + relative + '/';
+  return steps.find("/../") == std::string::npos;
+}
+
 inline io::FileSet fileSet(const char* name, const std::uint8_t* data, std::size_t size) {
   io::FileSet files;
   files.name = name;
   files.main.assign(data, data + size);
   files.decoders = decoders();
   files.resolve = [](const std::string& relative) -> Result<io::Bytes> {
-    require(!relative.empty() && relative[0] != '/' && relative.find("..") != 0 &&
-                relative.find("/../") == std::string::npos &&
-                relative.find(':') == std::string::npos,
-            "only names beside the file are asked for");
+    require(isBesideTheFile(relative), "only names beside the file are asked for");
     return io::Bytes(1024, 1);
   };
   return files;

@@ -102,7 +102,6 @@ test('no other file of the library knows a compiler or an operating system', () 
     'core/hgp/linalg/kernels/dense_kernels_avx512.cpp',
     'core/hgp/linalg/kernels/dense_kernels_baseline.cpp',
     'core/hgp/linalg/kernels/dense_kernels_impl.h',
-    'examples/cli/plain_math.cpp',
     'examples/cli/process_memory.cpp',
     'examples/cli/terminal.cpp',
   ]);

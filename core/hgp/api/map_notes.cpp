@@ -5,19 +5,14 @@
 #include <vector>
 
 #include "hgp/base/check.h"
+#include "hgp/mesh/vectors.h"
 
 namespace hgp::api {
 namespace {
 
 double surfaceArea(const TriMesh& mesh, FaceId f) {
   const auto [a, b, c] = mesh.corners(f);
-  Vec3 p{}, q{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    p[i] = mesh.position(b)[i] - mesh.position(a)[i];
-    q[i] = mesh.position(c)[i] - mesh.position(a)[i];
-  }
-  return 0.5 * std::hypot(p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2],
-                          p[0] * q[1] - p[1] * q[0]);
+  return triangleArea(mesh.position(a), mesh.position(b), mesh.position(c));
 }
 
 double uvArea(const UvMap& map, FaceId f) {

@@ -5,11 +5,14 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numbers>
 
 #include "hgp/base/check.h"
 #include "hgp/base/disjoint_sets.h"
+#include "hgp/base/portable_math.h"
 #include "hgp/io/weld.h"
 #include "hgp/mesh/edge_table.h"
+#include "hgp/mesh/vectors.h"
 
 namespace hgp::api {
 namespace {
@@ -39,9 +42,6 @@ int componentCount(const MeshData& mesh, const std::vector<int>* image, bool& is
   return components;
 }
 
-Vec3 minus(const Vec3& a, const Vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 struct BoundaryEdge {
   int a, b;
   double length;
@@ -60,9 +60,9 @@ std::vector<BoundaryEdge> boundaryOf(const MeshData& mesh) {
   for (int e = 0; e < table.edgeCount(); ++e) {
     if (table.faceCount(e) != 1) continue;
     const auto [a, b] = table.vertices(e);
-    const Vec3 d = minus(mesh.positions[static_cast<std::size_t>(b)],
-                         mesh.positions[static_cast<std::size_t>(a)]);
-    const double length = std::sqrt(dot(d, d));
+    const Vec3 d = subtract(mesh.positions[static_cast<std::size_t>(b)],
+                            mesh.positions[static_cast<std::size_t>(a)]);
+    const double length = norm(d);
     if (std::isfinite(length) && length > 0) edges.push_back({a, b, length});
   }
   return edges;
@@ -137,8 +137,8 @@ class CrackFinder {
     double farthest = 0;
     aroundCell(cellOf(at(v), near_), [&](int u) {
       if (u == v || std::find(beside.begin(), beside.end(), u) != beside.end()) return;
-      const Vec3 d = minus(at(u), at(v));
-      const double distance = std::sqrt(dot(d, d));
+      const Vec3 d = subtract(at(u), at(v));
+      const double distance = norm(d);
       if (distance <= near_) farthest = std::max(farthest, distance);
     });
     return farthest;
@@ -147,7 +147,7 @@ class CrackFinder {
   double edgeCell() const { return near_ / kCrackRatio; }
   void enterEdges() {
     for (std::size_t i = 0; i < edges_.size(); ++i) {
-      const Vec3 &a = at(edges_[i].a), d = minus(at(edges_[i].b), a);
+      const Vec3 &a = at(edges_[i].a), d = subtract(at(edges_[i].b), a);
       const int steps =
           static_cast<int>(std::min(2 * edges_[i].length / edgeCell() + 1, 1.0 * kMostCells));
       Cell last{};
@@ -165,11 +165,11 @@ class CrackFinder {
     aroundCell(cellOf(at(v), edgeCell()), [&](int i) {
       const BoundaryEdge& e = edges_[static_cast<std::size_t>(i)];
       if (e.a == v || e.b == v) return;
-      const Vec3 d = minus(at(e.b), at(e.a)), p = minus(at(v), at(e.a));
+      const Vec3 d = subtract(at(e.b), at(e.a)), p = subtract(at(v), at(e.a));
       const double t = dot(p, d) / dot(d, d);
       if (t < kCrackRatio || t > 1 - kCrackRatio) return;
       const Vec3 off{p[0] - t * d[0], p[1] - t * d[1], p[2] - t * d[2]};
-      best = std::min(best, std::sqrt(dot(off, off)));
+      best = std::min(best, norm(off));
     });
     return best;
   }
@@ -184,7 +184,7 @@ class CrackFinder {
 
 /// A little more than x, in two digits: "1.1e-05".
 std::string roundedUp(double x) {
-  const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1);
+  const double unit = portable::pow(10.0, std::floor(portable::log(x) / std::numbers::ln10) - 1);
   return formatText("%.2g", (std::floor(x / unit) + 1) * unit);
 }
 

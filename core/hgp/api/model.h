@@ -62,7 +62,4 @@ struct Model {
 Failure toSurfaceIds(const Model& model, const ModelComponent& component, Failure failure);
 void toSurfaceIds(const Model& model, const ModelComponent& component, std::vector<Where>& where);
 
-/// Extent of the positions, for relative tolerances.
-double diagonal(const std::vector<Vec3>& positions);
-
 }  // namespace hgp::api

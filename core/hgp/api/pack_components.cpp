@@ -51,20 +51,6 @@ class Packer {
 
 }  // namespace
 
-void UvBox::add(const Vec2& p) {
-  for (std::size_t k = 0; k < 2; ++k) {
-    low[k] = isEmpty ? p[k] : std::min(low[k], p[k]);
-    high[k] = isEmpty ? p[k] : std::max(high[k], p[k]);
-  }
-  isEmpty = false;
-}
-
-UvBox boxOf(const std::vector<Vec2>& uv) {
-  UvBox box;
-  for (const Vec2& p : uv) box.add(p);
-  return box;
-}
-
 std::vector<Vec2> packBoxes(const std::vector<UvBox>& boxes, double unit) {
   std::vector<Vec2> shifts(boxes.size(), Vec2{0, 0});
   std::vector<std::size_t> order;

@@ -4,20 +4,12 @@
 
 #include <vector>
 
+#include "hgp/mesh/box.h"
 #include "hgp/mesh/mesh_data.h"
 
 namespace hgp::api {
 
-struct UvBox {
-  Vec2 low{0, 0}, high{0, 0};
-  bool isEmpty = true;
-
-  void add(const Vec2& p);
-  double size(std::size_t k) const { return high[k] - low[k]; }
-  double extent() const { return size(0) > size(1) ? size(0) : size(1); }
-};
-
-UvBox boxOf(const std::vector<Vec2>& uv);
+using UvBox = Box<2>;
 
 /// One shift per box, so that no two overlap and together they fill about a square with one corner at
 /// the origin: by increasing size, in strips that are added to the right and on top by turns. A box of

@@ -5,6 +5,8 @@
 
 #include "hgp/base/check.h"
 #include "hgp/base/turns.h"
+#include "hgp/mesh/box.h"
+#include "hgp/mesh/vectors.h"
 #include "hgp/parametrize/parametrize.h"
 #include "hgp/prescription/cones.h"
 
@@ -74,7 +76,7 @@ class Resolver {
     const bool isMoved =
         (!asked_.sha256.empty() && asked_.sha256 != model_.sha256) || !model_.hasOwnVertexIds;
     if (isMoved && cone.position) {
-      const bool isThere = v >= 0 && v < count && distance(v, *cone.position) <= reach();
+      const bool isThere = v >= 0 && v < count && distance(position(v), *cone.position) <= reach();
       if (!isThere) v = nearest(*cone.position);
       if (v < 0) {
         return refusal(formatText("no vertex within %.3g of the cone at (%.9g, %.9g, %.9g)",
@@ -114,18 +116,15 @@ class Resolver {
   }
 
   double reach() {
-    if (reach_ < 0) reach_ = kSamePlace * diagonal(model_.source().mesh.positions);
+    if (reach_ < 0) reach_ = kSamePlace * diagonal(boxOf(model_.source().mesh.positions));
     return reach_;
   }
-  double distance(int v, const Vec3& p) const {
-    const Vec3& q = model_.source().mesh.positions[static_cast<std::size_t>(v)];
-    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-  }
+  const Vec3& position(int v) const { return model_.source().mesh.positions[at(v)]; }
   int nearest(const Vec3& p) {
     int best = -1;
     double bestDistance = reach();
     for (int v = 0; v < static_cast<int>(model_.vertexImage.size()); ++v) {
-      const double d = distance(v, p);
+      const double d = distance(position(v), p);
       if (d > bestDistance || (d == bestDistance && best >= 0)) continue;
       best = v;
       bestDistance = d;

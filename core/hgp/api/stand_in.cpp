@@ -1,8 +1,7 @@
 #include "hgp/api/stand_in.h"
 
-#include <algorithm>
-
 #include "hgp/api/stored_map.h"
+#include "hgp/mesh/box.h"
 #include "hgp/parametrize/parametrize.h"
 
 namespace hgp::api {
@@ -10,17 +9,11 @@ namespace {
 
 /// Flat: seen along the direction in which the component is thinnest by its bounding box.
 UvMap flatMap(const TriMesh& mesh) {
-  Vec3 low = mesh.position(VertexId{0}), high = low;
-  for (int v = 1; v < mesh.vertexCount(); ++v) {
-    const Vec3 p = mesh.position(VertexId{v});
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], p[k]);
-      high[k] = std::max(high[k], p[k]);
-    }
-  }
+  Box<3> box;
+  for (VertexId v : mesh.vertices()) box.add(mesh.position(v));
   std::size_t thin = 0;
   for (std::size_t k = 1; k < 3; ++k) {
-    if (high[k] - low[k] < high[thin] - low[thin]) thin = k;
+    if (box.size(k) < box.size(thin)) thin = k;
   }
   UvMap map;
   for (int v = 0; v < mesh.vertexCount(); ++v) {

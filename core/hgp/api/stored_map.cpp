@@ -7,6 +7,7 @@
 #include "hgp/api/pack_components.h"
 #include "hgp/api/snap_components.h"
 #include "hgp/base/check.h"
+#include "hgp/base/portable_math.h"
 
 namespace hgp::api {
 namespace {
@@ -86,7 +87,7 @@ double meanUvEdge(const MeshMap& map) {
     if (map.cornerUv[c] < 0 || map.cornerUv[next] < 0) continue;
     const Vec2& a = map.uv[static_cast<std::size_t>(map.cornerUv[c])];
     const Vec2& b = map.uv[static_cast<std::size_t>(map.cornerUv[next])];
-    sum += std::hypot(b[0] - a[0], b[1] - a[1]);
+    sum += portable::hypot(b[0] - a[0], b[1] - a[1]);
     ++count;
   }
   return count > 0 ? sum / static_cast<double>(count) : 0;

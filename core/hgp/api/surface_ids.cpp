@@ -38,18 +38,6 @@ Failure toSurfaceIds(const Model& model, const ModelComponent& component, Failur
   return failure;
 }
 
-double diagonal(const std::vector<Vec3>& positions) {
-  if (positions.empty()) return 0;
-  Vec3 low = positions[0], high = positions[0];
-  for (const Vec3& p : positions) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], p[k]);
-      high[k] = std::max(high[k], p[k]);
-    }
-  }
-  return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-}
-
 SeamEnds seamEnds(const Model& model, const ModelComponent& component, const UvMap& surfaceMap,
                   EdgeId edge) {
   const auto uvAt = [&](HalfedgeId corner) {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "hgp/base/portable_math.h"
+
 namespace hgp {
 
 Complex rotation(long long r, int q) {
@@ -13,8 +15,8 @@ Complex rotation(long long r, int q) {
   const long long rest = 4 * n - quarters * q;  // in units of 2π/4q, |rest| ≤ q/2
   const double angle = 2.0 * kPi * static_cast<double>(std::llabs(rest)) / (4.0 * q);
   const bool isEighth = 2 * std::llabs(rest) == q;
-  const double c = isEighth ? std::numbers::sqrt2 / 2 : std::cos(angle);
-  const double s = (rest < 0 ? -1.0 : 1.0) * (isEighth ? c : std::sin(angle));
+  const double c = isEighth ? std::numbers::sqrt2 / 2 : portable::cos(angle);
+  const double s = (rest < 0 ? -1.0 : 1.0) * (isEighth ? c : portable::sin(angle));
   switch (quarters % 4) {
     case 0:
       return {c, s};

@@ -6,6 +6,8 @@
 #include <map>
 #include <queue>
 
+#include "hgp/base/portable_math.h"
+
 namespace hgp {
 
 ConeDistances::ConeDistances(const TriMesh& mesh, const ConeMetric& metric,
@@ -17,10 +19,11 @@ ConeDistances::ConeDistances(const TriMesh& mesh, const ConeMetric& metric,
       distance_(static_cast<std::size_t>(mesh.vertexCount()),
                 std::numeric_limits<double>::infinity()),
       source_(static_cast<std::size_t>(mesh.vertexCount())) {
-  const double area = ((2.0 * u).array().exp() * metric.area().array()).sum();
+  double area = 0.0;
+  for (Eigen::Index i = 0; i < u.size(); ++i) area += portable::exp(2.0 * u[i]) * metric.area()[i];
   scale_ = geometry_.unit / std::sqrt(area);
   for (VertexId v : mesh.vertices())
-    if (surface_.node[v] >= 0) root_[v] = std::exp(0.5 * u[surface_.node[v]]);
+    if (surface_.node[v] >= 0) root_[v] = portable::exp(0.5 * u[surface_.node[v]]);
 }
 
 double ConeDistances::lengthOf(HalfedgeId h) const {

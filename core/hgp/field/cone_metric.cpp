@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "hgp/base/portable_math.h"
+
 namespace hgp {
 
 ConeMetric::ConeMetric(const TriMesh& mesh, const FieldContext& context, int q)
@@ -103,6 +105,6 @@ int coneCount(const TriMesh& mesh, const FieldContext& context, const NodeDefect
   return count;
 }
 
-double areaSpread(double scale) { return 2.0 / std::log(2.0) * std::sqrt(scale); }
+double areaSpread(double scale) { return 2.0 / portable::log(2.0) * std::sqrt(scale); }
 
 }  // namespace hgp

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "hgp/base/portable_math.h"
+
 namespace hgp {
 namespace {
 
@@ -40,7 +42,7 @@ FieldSystem pairUp(const FieldSystem& fine, Patches& patches) {
     if (second < 0) continue;
     for (int e = fine.start[second]; e < fine.start[second + 1]; ++e) {
       if (fine.other[e] != first) continue;
-      const double size = std::abs(fine.coupling[e]);
+      const double size = portable::abs(fine.coupling[e]);
       if (size > 0.0) patches.turn[second] = -fine.coupling[e] / size;
     }
   }

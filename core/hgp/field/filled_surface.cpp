@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/base/portable_math.h"
+
 namespace hgp {
 namespace {
 
@@ -13,7 +15,7 @@ constexpr double kLargestWeight = 20.0;
 
 double cotangent(const Geometry& geometry, HalfedgeId h) {
   const double angle = geometry.cornerAngle[TriMesh::previous(h)];  // opposite the edge
-  return std::cos(angle) / std::max(std::sin(angle), 1e-12);
+  return portable::cos(angle) / std::max(portable::sin(angle), 1e-12);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hgp/base/check.h"
+#include "hgp/base/portable_math.h"
 #include "hgp/mesh/vectors.h"
 
 namespace hgp {
@@ -23,14 +24,14 @@ Status directionAngles(const TriMesh& mesh, const std::vector<Vec3>& directions,
     const auto [a, b, c] = mesh.corners(f);
     const Vec3 e1 = subtract(mesh.position(b), mesh.position(a));
     const Vec3 e2 = subtract(mesh.position(c), mesh.position(a));
-    const double length = std::sqrt(dot(e1, e1));
+    const double length = norm(e1);
     // The second axis is e2 without its part along e1.
     Vec3 axis{};
     for (std::size_t i = 0; i < 3; ++i) axis[i] = e2[i] - e1[i] * dot(e1, e2) / (length * length);
-    const double height = std::sqrt(dot(axis, axis));
+    const double height = norm(axis);
     const Vec3& d = directions[static_cast<std::size_t>(f.i)];
     const double x = dot(d, e1) / length, y = dot(d, axis) / height;
-    angle[f] = std::atan2(y, x);
+    angle[f] = portable::atan2(y, x);
     const bool isDirection = std::isfinite(x) && std::isfinite(y) && (x != 0.0 || y != 0.0);
     if (!isDirection) without.push_back({Where::Kind::kFace, f.i});
   }

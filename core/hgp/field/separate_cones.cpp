@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/base/portable_math.h"
 #include "hgp/field/cone_distances.h"
 #include "hgp/field/cone_placer.h"
+#include "hgp/mesh/vectors.h"
 
 namespace hgp {
 namespace {
@@ -53,9 +55,9 @@ int ConePlacer::placeAside(ConeDistances& distances, VertexId v, double least,
 double ConePlacer::roughPrice(const UnitMove& move, const Eigen::VectorXd& g) const {
   const Vec3 &a = mesh_.position(vertexOf_[at(move.from)]),
              &b = mesh_.position(vertexOf_[at(move.to)]);
-  const double r = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) / metric_.size();
+  const double r = distance(a, b) / metric_.size();
   const double p = move.units * turnAngle(1, metric_.q()) * r;
-  const double dipole = p * p / (4.0 * kPi) * std::max(1.0, std::log(kReachOfDipole / r));
+  const double dipole = p * p / (4.0 * kPi) * std::max(1.0, portable::log(kReachOfDipole / r));
   return move.units * (g[move.to] - g[move.from]) + dipole;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/base/portable_math.h"
 #include "hgp/field/field_system.h"
 #include "hgp/linalg/factor/factor.h"
 #include "hgp/mesh/defects.h"
@@ -43,7 +44,7 @@ std::vector<AlignedTerm> boundaryTerms(const TriMesh& mesh, const Geometry& geom
     if (!mesh.isBoundary(h)) continue;
     const FaceId f = TriMesh::face(h);
     terms.push_back({f, 2.0 * dualWeight(geometry, h, geometry.area[f]),
-                     std::polar(1.0, q * geometry.direction[h])});
+                     portable::polar(1.0, q * geometry.direction[h])});
   }
   return terms;
 }
@@ -68,7 +69,7 @@ FieldSystem fieldSystem(const TriMesh& mesh, const Geometry& geometry, int q,
       const FaceId g = TriMesh::face(mesh.twin(h));
       const double w = dualWeight(geometry, h, geometry.area[f] + geometry.area[g]);
       system.other.push_back(g.i);
-      system.coupling.push_back(-std::polar(w, -q * transport(mesh, geometry, h)));
+      system.coupling.push_back(-portable::polar(w, -q * transport(mesh, geometry, h)));
       system.strength.push_back(w);
       system.diagonal[f.i] += w;
     }
@@ -99,7 +100,7 @@ SparseC matrixOf(const FieldSystem& system) {
 /// A start vector that is neither constant nor dependent on anything but the face's number.
 Eigen::VectorXcd startVector(int n) {
   Eigen::VectorXcd x(n);
-  for (int i = 0; i < n; ++i) x[i] = std::polar(1.0, 2.399963229728653 * i);
+  for (int i = 0; i < n; ++i) x[i] = portable::polar(1.0, 2.399963229728653 * i);
   return x;
 }
 
@@ -164,7 +165,7 @@ Result<FrameField> smoothField(const TriMesh& mesh, const FieldContext& context,
   field.q = options.q;
   field.angle = PerFace<double>(static_cast<std::size_t>(mesh.faceCount()), 0.0);
   for (FaceId f : mesh.faces())
-    field.angle[f] = std::arg(x[static_cast<std::size_t>(f.i)]) / options.q;
+    field.angle[f] = portable::arg(x[static_cast<std::size_t>(f.i)]) / options.q;
   matchPrincipally(mesh, geometry, field);
   return field;
 }
@@ -172,7 +173,7 @@ Result<FrameField> smoothField(const TriMesh& mesh, const FieldContext& context,
 namespace {
 
 Vec3 unit(const Vec3& a) {
-  const double n = std::hypot(a[0], a[1], a[2]);
+  const double n = norm(a);
   return n > 0 ? scaled(a, 1.0 / n) : a;
 }
 
@@ -199,16 +200,16 @@ std::vector<AlignedTerm> curvatureTerms(const TriMesh& mesh, const Geometry& geo
     Eigen::Vector3d b;
     for (int k = 0; k < 3; ++k) {
       const HalfedgeId h = TriMesh::halfedge(f, k);
-      const Complex e = std::polar(geometry.length[h], geometry.direction[h]);
+      const Complex e = portable::polar(geometry.length[h], geometry.direction[h]);
       const Vec3 dn = subtract(unit(normal[mesh.head(h)]), unit(normal[mesh.tail(h)]));
       A.row(k) << e.real() * e.real(), 2 * e.real() * e.imag(), e.imag() * e.imag();
       b[k] = dot(dn, edgeVector(h));
     }
     const Eigen::Vector3d s = A.fullPivLu().solve(b);
-    const double weight = std::hypot(s[0] - s[2], 2 * s[1]);
+    const double weight = portable::hypot(s[0] - s[2], 2 * s[1]);
     if (!std::isfinite(weight) || weight < 1e-3) continue;
-    const double angle = 0.5 * std::atan2(2 * s[1], s[0] - s[2]);
-    terms.push_back({f, std::min(weight, 1.0), std::polar(1.0, q * angle)});
+    const double angle = 0.5 * portable::atan2(2 * s[1], s[0] - s[2]);
+    terms.push_back({f, std::min(weight, 1.0), portable::polar(1.0, q * angle)});
   }
   return terms;
 }

@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "hgp/base/check.h"
+#include "hgp/base/portable_math.h"
 #include "hgp/grid/grid_system.h"
 #include "hgp/grid/mend_change.h"
+#include "hgp/mesh/vectors.h"
 
 namespace hgp {
 namespace {
@@ -133,7 +135,7 @@ class Aligner {
   double programWork(std::size_t triangles, std::size_t bound) const {
     // Elimination grows with the power 3/2 of a planar system; real pairs cost twice complex unknowns.
     const auto share = [&](std::size_t n) {
-      return std::pow(static_cast<double>(n) / mesh_.faceCount(), 1.5);
+      return portable::pow(static_cast<double>(n) / mesh_.faceCount(), 1.5);
     };
     return system_.factorWork() *
            (share(triangles) + 2.0 * kExpectedIterations * share(std::min(triangles, bound)));
@@ -220,7 +222,7 @@ class Aligner {
   void explain() {
     GridReport& report = out_.report;
     for (const ConePair& pair : system_.neighbours(1.0 / scale_))
-      report.closest.push_back({pair.a, pair.b, scale_ * std::abs(pair.distance)});
+      report.closest.push_back({pair.a, pair.b, scale_ * portable::abs(pair.distance)});
     std::sort(report.closest.begin(), report.closest.end(),
               [](const ConeDistance& a, const ConeDistance& b) { return a.cells < b.cells; });
     report.closest.resize(std::min(report.closest.size(), kNamed));
@@ -262,10 +264,7 @@ double surfaceArea(const TriMesh& mesh) {
   double area = 0.0;
   for (FaceId f : mesh.faces()) {
     const auto [i, j, k] = mesh.corners(f);
-    const Vec3 &p = mesh.position(i), &q = mesh.position(j), &r = mesh.position(k);
-    const Vec3 u{q[0] - p[0], q[1] - p[1], q[2] - p[2]}, v{r[0] - p[0], r[1] - p[1], r[2] - p[2]};
-    area += 0.5 * std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                             u[0] * v[1] - u[1] * v[0]);
+    area += triangleArea(mesh.position(i), mesh.position(j), mesh.position(k));
   }
   return area;
 }

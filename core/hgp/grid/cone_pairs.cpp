@@ -5,6 +5,8 @@
 #include <map>
 #include <queue>
 
+#include "hgp/base/portable_math.h"
+
 namespace hgp {
 namespace {
 
@@ -55,7 +57,7 @@ class NeighbourSearch {
       if (static_cast<int>(known.size()) >= kWaysPerPair) continue;
       ConePair pair = wayOver(bridge.edge);
       const bool isNew = std::none_of(known.begin(), known.end(), [&](const Complex& d) {
-        return std::abs(std::abs(d) - std::abs(pair.distance)) < kSameWay;
+        return portable::abs(portable::abs(d) - portable::abs(pair.distance)) < kSameWay;
       });
       known.push_back(pair.distance);
       if (isNew) pairs.push_back(std::move(pair));
@@ -66,7 +68,7 @@ class NeighbourSearch {
  private:
   Complex valueOf(int copy) const { return {uv_[at(copy)][0], uv_[at(copy)][1]}; }
   double lengthOf(HalfedgeId h) const {
-    return std::abs(valueOf(seams_.copy[TriMesh::next(h)]) - valueOf(seams_.copy[h]));
+    return portable::abs(valueOf(seams_.copy[TriMesh::next(h)]) - valueOf(seams_.copy[h]));
   }
 
   void spread(const std::vector<VertexId>& cones) {
@@ -131,7 +133,7 @@ class NeighbourSearch {
     std::map<int, Complex> sum;
     for (const SeamlessChange::Term& t : terms) sum[t.unknown] += t.factor;
     for (const auto& [unknown, factor] : sum)
-      if (std::abs(factor) > 1e-9) pair.way.push_back({unknown, factor});
+      if (portable::abs(factor) > 1e-9) pair.way.push_back({unknown, factor});
     return pair;
   }
 

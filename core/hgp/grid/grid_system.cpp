@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "hgp/base/portable_math.h"
 #include "hgp/grid/snap.h"
 
 namespace hgp {
@@ -64,7 +65,7 @@ void GridSystem::chooseOrigin() {
     const int turn = seams_.chains[at(c)].turn;
     if (!gauge_.empty() || turn == 0) continue;
     gauge_ = {{c, {1, 0}}};
-    origin = t[at(c)] / (1.0 - toComplex(quarterTurn(turn)));
+    origin = portable::divide(t[at(c)], 1.0 - toComplex(quarterTurn(turn)));
   }
   for (Vec2& p : uv_) p = {p[0] - origin.real(), p[1] - origin.imag()};
 }
@@ -177,7 +178,7 @@ IntegerChoice GridSystem::choice(double reach) const {
     if (!isInteger) continue;  // a cone that moves freely
     Separation s;
     for (int j = 0; j < basis_.size(); ++j)
-      if (std::abs(sum[j]) > 1e-9) s.terms.push_back({j, sum[j]});
+      if (portable::abs(sum[j]) > 1e-9) s.terms.push_back({j, sum[j]});
     separations.push_back(std::move(s));
   }
   IntegerChoice out = *choice_;

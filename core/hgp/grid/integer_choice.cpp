@@ -3,18 +3,20 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 
+#include "hgp/base/portable_math.h"
+
 namespace hgp {
 namespace {
 
-const double kCosine72 = std::cos(0.4 * kPi);
+const double kCosine72 = portable::cos(0.4 * kPi);
 constexpr double kZero = 1e-6;
 constexpr int kStepsPerUnknown = 6;
 
 Complex nearest(const Complex& z) { return {std::nearbyint(z.real()), std::nearbyint(z.imag())}; }
 
 bool isWrong(const Complex& wanted, const Complex& d) {
-  if (std::abs(d) < kZero) return true;
-  return std::real(std::conj(wanted) * d) < kCosine72 * std::abs(wanted) * std::abs(d);
+  if (portable::abs(d) < kZero) return true;
+  return std::real(std::conj(wanted) * d) < kCosine72 * portable::abs(wanted) * portable::abs(d);
 }
 
 Complex evaluate(const Separation& s, const Eigen::VectorXcd& y) {
@@ -55,7 +57,7 @@ std::vector<Gaussian> IntegerChoice::rounded(const Eigen::VectorXcd& y0) const {
     double distance = 0.0;
     for (Eigen::Index j = 0; j < k; ++j) {
       if (isDone[at(j)]) continue;
-      const double d = std::abs(nearest(y[j]) - y[j]);
+      const double d = portable::abs(nearest(y[j]) - y[j]);
       if (best >= 0 && d >= distance) continue;
       best = j;
       distance = d;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "hgp/base/portable_math.h"
+
 namespace hgp {
 namespace {
 
@@ -105,8 +107,8 @@ class SeamReader {
           valueOf(map_.uv, out_.copy[twin]) - valueOf(map_.uv, out_.copy[TriMesh::next(twin)]);
       const Complex ratio = right * std::conj(left);
       const std::array<double, 4> fit{ratio.real(), ratio.imag(), -ratio.real(), -ratio.imag()};
-      if (std::abs(ratio) <= best) continue;
-      best = std::abs(ratio);
+      if (portable::abs(ratio) <= best) continue;
+      best = portable::abs(ratio);
       turn = 0;
       for (int r = 0; r < 4; r += 4 / q_)
         if (fit[at(r)] > fit[at(turn)]) turn = r;

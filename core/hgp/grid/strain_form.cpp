@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/base/portable_math.h"
+#include "hgp/mesh/vectors.h"
+
 namespace hgp {
 namespace {
 
@@ -12,10 +15,7 @@ Complex positionOf(const std::vector<Vec2>& uv, int copy) {
 
 double surfaceArea(const TriMesh& mesh, FaceId f) {
   const auto [a, b, c] = mesh.corners(f);
-  const Vec3 &p = mesh.position(a), &q = mesh.position(b), &r = mesh.position(c);
-  const Vec3 u{q[0] - p[0], q[1] - p[1], q[2] - p[2]}, v{r[0] - p[0], r[1] - p[1], r[2] - p[2]};
-  return 0.5 * std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                          u[0] * v[1] - u[1] * v[0]);
+  return triangleArea(mesh.position(a), mesh.position(b), mesh.position(c));
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ void SeamlessChange::append(int copy, const Complex& scale, std::vector<Term>& o
     out.push_back({vertexUnknown_[v], first});
   } else {
     const CopyPlace& closure = seams_.closures[at(closureOf_[v])].place;
-    const Complex share = first / (1.0 - toComplex(quarterTurn(closure.turn)));
+    const Complex share = portable::divide(first, 1.0 - toComplex(quarterTurn(closure.turn)));
     for (const GaussianTerm& t : closure.shift)
       out.push_back({chainUnknown(t.variable), share * toComplex(t.factor)});
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/base/portable_math.h"
+
 namespace hgp {
 namespace {
 
@@ -31,18 +33,18 @@ double bestScale(const EnergyExponents& exponents, const FaceTerms& terms, const
     const double d = p - m;
     const double K = (p + m) / d;
     shape[f] = terms.weight(static_cast<int>(f)) *
-               (exponents.angle == 1.0 ? K : std::pow(K, exponents.angle));
-    logArea[f] = std::log(d);
+               (exponents.angle == 1.0 ? K : portable::pow(K, exponents.angle));
+    logArea[f] = portable::log(d);
     grown += shape[f] * d;
     shrunk += shape[f] / d;
   }
-  if (exponents.area == 1.0) return std::pow(grown / shrunk, 0.25);
-  double tau = std::log(start);
+  if (exponents.area == 1.0) return portable::pow(grown / shrunk, 0.25);
+  double tau = portable::log(start);
   for (int step = 0; step < kScaleSteps; ++step) {
     double gradient = 0.0, curvature = 0.0;
     for (std::size_t f = 0; f < shape.size(); ++f) {
-      const double v = logArea[f] - 2.0 * tau, tanh = std::tanh(v);
-      const double psi = shape[f] * std::pow(std::cosh(v), exponents.area);
+      const double v = logArea[f] - 2.0 * tau, tanh = portable::tanh(v);
+      const double psi = shape[f] * portable::pow(portable::cosh(v), exponents.area);
       gradient -= psi * tanh;
       curvature += 2.0 * psi * (1.0 + (exponents.area - 1.0) * tanh * tanh);
     }
@@ -51,7 +53,7 @@ double bestScale(const EnergyExponents& exponents, const FaceTerms& terms, const
     tau += std::clamp(change, -2.0, 2.0);
     if (std::fabs(change) < kScaleTolerance) break;
   }
-  return std::exp(tau);
+  return portable::exp(tau);
 }
 
 }  // namespace hgp

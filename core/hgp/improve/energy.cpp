@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "hgp/base/portable_math.h"
+
 namespace hgp {
 namespace {
 
@@ -23,7 +25,7 @@ LogEnergy logEnergy(const EnergyExponents& e, double s, double t, double d) {
   const double sum = s + t, inverse = 1.0 / d;
   // log D and its derivatives in d, written so that neither end overflows.
   const double big = std::max(d, inverse), small2 = 1.0 / (big * big);
-  const double logD = std::log(0.5 * big) + std::log1p(small2);
+  const double logD = portable::log(0.5 * big) + portable::log1p(small2);
   const double sign = d >= 1.0 ? 1.0 : -1.0;
   const double slope = sign * (1.0 - small2) / (1.0 + small2) * inverse;
   // (−d⁴ + 4d² + 1)/(d³ + d)² = (−1 + 4/d² + 1/d⁴)/(d² (1 + 1/d²)²), with d² taken out of what is large.
@@ -32,7 +34,7 @@ LogEnergy logEnergy(const EnergyExponents& e, double s, double t, double d) {
   const double bend = numerator / ((1.0 + small2) * (1.0 + small2)) * inverse * inverse;
   const double a = e.angle, b = e.area;
   LogEnergy log;
-  log.value = a * (std::log(sum) - std::log(d)) + b * logD;
+  log.value = a * (portable::log(sum) - portable::log(d)) + b * logD;
   log.s = a * (1.0 / sum - inverse) + b * slope;
   log.t = a * (1.0 / sum + inverse) - b * slope;
   log.ss = log.tt = a * (inverse * inverse - 1.0 / (sum * sum)) + b * bend;
@@ -59,14 +61,14 @@ double energy(const EnergyExponents& e, const Complex& p, const Complex& m) {
   if (!(d > 0.0) || !std::isfinite(d)) return std::numeric_limits<double>::infinity();
   const double K = (absP * absP + absM * absM) / d, D = 0.5 * (d + 1.0 / d);
   if (e.angle == 1.0 && e.area == 1.0) return K * D;
-  return std::pow(K, e.angle) * std::pow(D, e.area);
+  return portable::pow(K, e.angle) * portable::pow(D, e.area);
 }
 
 EnergyJet energyJet(const EnergyExponents& exponents, const Complex& p, const Complex& m) {
   const double absP = length(p), absM = length(m), s = absP * absP, t = absM * absM;
   const LogEnergy log = logEnergy(exponents, s, t, determinant(absP, absM));
   EnergyJet jet;
-  jet.value = std::exp(log.value);
+  jet.value = portable::exp(log.value);
   const double ps = jet.value * log.s, pt = jet.value * log.t;
   const double pss = jet.value * (log.ss + log.s * log.s);
   const double ptt = jet.value * (log.tt + log.t * log.t);
@@ -81,8 +83,8 @@ EnergyJet energyJet(const EnergyExponents& exponents, const Complex& p, const Co
   // The eigenvectors of [a b; b c] by the angle of the larger one.
   const double half = 0.5 * (a - c), middle = 0.5 * (a + c),
                radius = std::sqrt(half * half + b * b);
-  const double angle = 0.5 * std::atan2(b, half);
-  const double cosine = std::cos(angle), sine = std::sin(angle);
+  const double angle = 0.5 * portable::atan2(b, half);
+  const double cosine = portable::cos(angle), sine = portable::sin(angle);
   jet.curvature = {2.0 * ps, 2.0 * pt, middle + radius, middle - radius};
   jet.alongP = {i * unitP, 0.0, cosine * unitP, -sine * unitP};
   jet.alongM = {0.0, i * unitM, sine * unitM, cosine * unitM};

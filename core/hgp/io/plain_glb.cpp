@@ -5,6 +5,7 @@
 
 #include "hgp/base/check.h"
 #include "hgp/io/plain_surface.h"
+#include "hgp/mesh/vectors.h"
 
 namespace hgp::io {
 namespace {
@@ -164,7 +165,7 @@ class PlainGlbText {
     const std::size_t begin = data_.size();
     for (const int n : normalOf_) {
       Vec3 x = n >= 0 ? surface.normals[static_cast<std::size_t>(n)] : Vec3{0, 0, 1};
-      const double length = std::hypot(x[0], x[1], x[2]);
+      const double length = norm(x);
       if (!(length > 0)) x = {0, 0, 1};
       for (const double c : x) number(length > 0 ? c / length : c);
     }

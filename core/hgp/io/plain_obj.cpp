@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "hgp/base/check.h"
+#include "hgp/base/portable_math.h"
 #include "hgp/io/plain_surface.h"
 #include "hgp/text/text.h"
 
@@ -76,11 +77,11 @@ class PlainObjText {
 }  // namespace
 
 double linearFromSrgb(double x) {
-  return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+  return x <= 0.04045 ? x / 12.92 : portable::pow((x + 0.055) / 1.055, 2.4);
 }
 
 double srgbFromLinear(double x) {
-  const double y = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
+  const double y = x <= 0.0031308 ? 12.92 * x : 1.055 * portable::pow(x, 1.0 / 2.4) - 0.055;
   return std::clamp(y, 0.0, 1.0);
 }
 

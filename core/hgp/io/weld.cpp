@@ -4,6 +4,8 @@
 #include <cstring>
 #include <unordered_map>
 
+#include "hgp/mesh/vectors.h"
+
 namespace hgp::io {
 namespace {
 
@@ -80,7 +82,7 @@ Weld weldNear(const std::vector<Vec3>& positions, double tolerance) {
       if (it == grid.end()) continue;
       for (int j : it->second) {
         const Vec3& r = out.positions[static_cast<std::size_t>(j)];
-        const double d = std::hypot(p[0] - r[0], p[1] - r[1], p[2] - r[2]);
+        const double d = distance(p, r);
         if (d <= tolerance) {
           found = j;
           break;

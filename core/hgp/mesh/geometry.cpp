@@ -4,20 +4,12 @@
 #include <cmath>
 #include <functional>
 
+#include "hgp/base/portable_math.h"
 #include "hgp/mesh/defects.h"
 #include "hgp/mesh/vectors.h"
 
 namespace hgp {
 namespace {
-
-/// Written out, because libraries round std::hypot of three differently: shortest paths, and with
-/// them the cut, must not depend on the platform.
-double norm(const Vec3& a) {
-  const double x = std::abs(a[0]), y = std::abs(a[1]), z = std::abs(a[2]);
-  const double m = std::max({x, y, z});
-  if (!(m > 0)) return m;
-  return m * std::sqrt((x / m) * (x / m) + (y / m) * (y / m) + (z / m) * (z / m));
-}
 
 /// Lays the triangle flat, in units of the mean edge length. The flat triangle of a sliver is
 /// raised to the height bound, so that angles and weights stay finite.
@@ -112,8 +104,8 @@ Geometry computeGeometry(const TriMesh& mesh, double relativeHeight) {
       const HalfedgeId h = TriMesh::halfedge(f, k);
       const Complex edge = at(k + 1) - at(k);
       g.length[h] = std::sqrt(std::norm(edge));  // not std::abs, which is std::hypot: see norm()
-      g.direction[h] = std::arg(edge);
-      g.cornerAngle[h] = std::arg(std::conj(edge) * (at(k + 2) - at(k)));
+      g.direction[h] = portable::arg(edge);
+      g.cornerAngle[h] = portable::arg(std::conj(edge) * (at(k + 2) - at(k)));
       g.angleSum[mesh.tail(h)] += g.cornerAngle[h];
     }
   }

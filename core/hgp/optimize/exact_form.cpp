@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "hgp/base/check.h"
+#include "hgp/base/portable_math.h"
 #include "hgp/linalg/factor/factor.h"
 #include "hgp/optimize/program_form.h"
 
@@ -91,7 +92,7 @@ class ExactForm : public ProgramForm {
       if (unknown < 0) continue;
       const auto at = std::lower_bound(kept_.begin(), kept_.end(), unknown);
       if (at != kept_.end() && *at == unknown)
-        weight[at - kept_.begin()] = std::exp(-in_.options.u[v]);
+        weight[at - kept_.begin()] = portable::exp(-in_.options.u[v]);
     }
     const Eigen::MatrixXcd gram = lu_.gram(weight);
     Eigen::MatrixXcd H(count_, count_);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/base/portable_math.h"
+
 namespace hgp {
 namespace {
 
@@ -39,7 +41,7 @@ FaceEnergy faceEnergy(double a, double b, double scaleWeight, double epsilon) {
 /// Clamps the 2 × 2 matrix (aa ab; ab bb) to positive semidefinite.
 void makeConvex(FaceEnergy& e) {
   const double mean = 0.5 * (e.aa + e.bb), half = 0.5 * (e.aa - e.bb);
-  const double radius = std::hypot(half, e.ab);
+  const double radius = portable::hypot(half, e.ab);
   const double low = mean - radius, high = mean + radius;
   e.slopeA = std::max(e.slopeA, 0.0);
   e.slopeB = std::max(e.slopeB, 0.0);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hgp/base/check.h"
+#include "hgp/base/portable_math.h"
 
 namespace hgp {
 namespace {
@@ -42,13 +43,13 @@ std::vector<double> ringFrames(const TriMesh& mesh, const Geometry& geometry,
     std::array<Complex, 3> corner;
     const auto slot = static_cast<std::size_t>(h.i % 3);
     corner[slot] = 0.0;
-    corner[(slot + 1) % 3] = std::polar(ring.lengths[n], own);
+    corner[(slot + 1) % 3] = portable::polar(ring.lengths[n], own);
     corner[(slot + 2) % 3] =
-        std::polar(ring.lengths[(n + 1) % ring.spokes.size()], own + ring.angles[n]);
+        portable::polar(ring.lengths[(n + 1) % ring.spokes.size()], own + ring.angles[n]);
     const LinearParts parts = linearParts(geometry, TriMesh::face(h));
     Complex similarity = 0.0;
     for (std::size_t c = 0; c < 3; ++c) similarity += parts.similarity[c] * corner[c];
-    frames.push_back(-std::arg(similarity));
+    frames.push_back(-portable::arg(similarity));
     heading += ring.angles[n];
   }
   return frames;
@@ -82,9 +83,9 @@ void embedSurfaceRing(const TriMesh& mesh, const Geometry& geometry, const SeamR
   const std::vector<double> laid = ringFrames(mesh, geometry, seams, ring, 0.0);
   Complex mean = 0.0;
   for (std::size_t n = 0; n < laid.size(); ++n)
-    mean += std::polar(1.0, frameOf(frames, TriMesh::face(ring.spokes[n])) - laid[n]);
+    mean += portable::polar(1.0, frameOf(frames, TriMesh::face(ring.spokes[n])) - laid[n]);
   for (std::size_t n = 0; n < laid.size(); ++n)
-    frameOf(frames, TriMesh::face(ring.spokes[n])) = laid[n] + std::arg(mean);
+    frameOf(frames, TriMesh::face(ring.spokes[n])) = laid[n] + portable::arg(mean);
 }
 
 void embedConeRing(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,
@@ -95,12 +96,12 @@ void embedConeRing(const TriMesh& mesh, const Geometry& geometry, const CutMesh&
   for (HalfedgeId h : outgoingHalfedges(mesh, cone)) {
     const Complex a = at(TriMesh::next(h)) - at(h), b = at(TriMesh::previous(h)) - at(h);
     ring.spokes.push_back(h);
-    ring.angles.push_back(std::abs(std::arg(std::conj(a) * b)));
-    ring.lengths.push_back(std::abs(a));
+    ring.angles.push_back(std::abs(portable::arg(std::conj(a) * b)));
+    ring.lengths.push_back(portable::abs(a));
   }
   fitAngles(ring.angles, turnAngle(k, seams.q));
   const HalfedgeId first = ring.spokes[0];
-  const double heading = std::arg(at(TriMesh::next(first)) - at(first));
+  const double heading = portable::arg(at(TriMesh::next(first)) - at(first));
   const std::vector<double> laid = ringFrames(mesh, geometry, seams, ring, heading);
   for (std::size_t n = 0; n < laid.size(); ++n)
     frameOf(frames, TriMesh::face(ring.spokes[n])) = laid[n];

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/base/portable_math.h"
 #include "hgp/field/mesh_trees.h"
 #include "hgp/optimize/program_form.h"
 
@@ -66,7 +67,7 @@ void addHarmonicRows(const ProgramInput& in, const HeldUnknowns& held, const Pen
       isEmpty = form.place(static_cast<int>(it.col())) < 0;
     if (isEmpty) continue;
     const VertexId v = in.harmonic.rowVertex[static_cast<std::size_t>(r)];
-    const double weight = std::exp(-in.options.u[v]);
+    const double weight = portable::exp(-in.options.u[v]);
     Complex constant = 0.0;
     for (SparseRows::InnerIterator it(harmonic, r); it; ++it) {
       const auto unknown = static_cast<int>(it.col());

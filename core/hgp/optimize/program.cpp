@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "hgp/base/check.h"
+#include "hgp/base/portable_math.h"
 #include "hgp/linalg/factor/factor.h"
 #include "hgp/optimize/program_form.h"
 
@@ -50,7 +51,7 @@ double harmonicGradient(const ProgramInput& in, const ProgramForm& form, const E
   double energy = 0.0;
   for (Eigen::Index r = 0; r < residual.size(); ++r) {
     const VertexId v = in.harmonic.rowVertex[static_cast<std::size_t>(r)];
-    const double weight = std::exp(-2.0 * in.options.u[v]);
+    const double weight = portable::exp(-2.0 * in.options.u[v]);
     energy += weight * std::norm(residual[r]);
     residual[r] *= weight;
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/base/portable_math.h"
+
 namespace hgp {
 
 int pinnedUnknown(const ProgramInput& in) {
@@ -80,8 +82,8 @@ void faceRows(const ProgramInput& in, const HeldUnknowns& held, FaceId f, FaceRo
 }
 
 socp::ConeConstraint frameCondition(const ProgramInput& in, const FaceRows& rows, std::size_t j) {
-  const double scale = std::exp(-faceScale(in, in.frames.faces[j]));
-  const Complex turn = std::polar(scale, in.frames.angles[j]);
+  const double scale = portable::exp(-faceScale(in, in.frames.faces[j]));
+  const Complex turn = portable::polar(scale, in.frames.angles[j]);
   socp::ConeConstraint constraint;
   constraint.F.resize(3, static_cast<Eigen::Index>(2 * rows.unknowns.size()));
   for (std::size_t i = 0; i < rows.unknowns.size(); ++i) {
@@ -97,8 +99,8 @@ socp::ConeConstraint frameCondition(const ProgramInput& in, const FaceRows& rows
 
 DistortionRows distortionRows(const ProgramInput& in, FaceId f, double delta) {
   const double target = std::sqrt(delta * in.geometry.area[f]);  // weight · e^u
-  const double weight = target * std::exp(-faceScale(in, f));
-  return {std::polar(weight, in.seams.frameAngle[f]), weight, target};
+  const double weight = target * portable::exp(-faceScale(in, f));
+  return {portable::polar(weight, in.seams.frameAngle[f]), weight, target};
 }
 
 }  // namespace hgp

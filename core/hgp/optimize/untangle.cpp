@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hgp/base/portable_math.h"
 #include "hgp/linalg/factor/factor.h"
 #include "hgp/optimize/fold_barrier.h"
 #include "hgp/optimize/program_terms.h"
@@ -70,10 +71,11 @@ class Untangler {
     for (std::size_t i = 0; i < n; ++i) {
       Complex similar, anti;
       parts(faces_[i], x_, similar, anti);
-      misfit[i] = std::arg(similar);
-      trust[i] = kTrust * std::clamp(1.0 - std::abs(anti) / std::max(std::abs(similar), 1e-300),
-                                     0.0, 1.0) +
-                 kLeastTrust;
+      misfit[i] = portable::arg(similar);
+      trust[i] =
+          kTrust * std::clamp(1.0 - portable::abs(anti) / std::max(portable::abs(similar), 1e-300),
+                              0.0, 1.0) +
+          kLeastTrust;
     }
     std::vector<double> turn(n, 0.0), next(n);
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
@@ -89,7 +91,7 @@ class Untangler {
       turn.swap(next);
     }
     for (std::size_t i = 0; i < n; ++i) {
-      const Complex back = std::polar(1.0, -turn[i]);
+      const Complex back = portable::polar(1.0, -turn[i]);
       for (Complex& value : faces_[i].rows.similar) value *= back;
       faces_[i].rows.heldSimilar *= back;
     }
@@ -109,7 +111,7 @@ class Untangler {
         return false;
       }
       if (now.flipped == 0 && ++after > (isFramed_ ? 0 : kStepsAfter)) break;
-      epsilon_ = std::hypot(kLeastEpsilon, options_.epsilonShare * std::min(now.least, 0.0));
+      epsilon_ = portable::hypot(kLeastEpsilon, options_.epsilonShare * std::min(now.least, 0.0));
       const double energy = energyOf(x_);
       if (best.isStuck(now.flipped, energy)) break;
       if (!step(energy)) break;
@@ -151,8 +153,8 @@ class Untangler {
     for (FaceId f : in_.mesh.faces()) {
       faceRows(in_, held_, f, rows);
       if (rows.unknowns.empty()) continue;
-      const double scale = std::exp(-faceScale(in_, f));
-      const Complex turn = std::polar(scale, in_.seams.frameAngle[f]);
+      const double scale = portable::exp(-faceScale(in_, f));
+      const Complex turn = portable::polar(scale, in_.seams.frameAngle[f]);
       for (std::size_t i = 0; i < rows.unknowns.size(); ++i) {
         rows.unknowns[i] = place_[static_cast<std::size_t>(rows.unknowns[i])];
         rows.similar[i] *= turn;
@@ -244,7 +246,7 @@ class Untangler {
       const std::size_t n = face.rows.unknowns.size();
       Complex similar, anti;
       parts(face, x, similar, anti);
-      const double a = std::abs(similar), b = std::abs(anti);
+      const double a = portable::abs(similar), b = portable::abs(anti);
       const Complex ra = a > 0.0 && !isFramed_ ? similar / a : Complex(1.0),
                     rb = b > 0.0 ? anti / b : Complex(1.0);
       Eigen::Vector4d slope;

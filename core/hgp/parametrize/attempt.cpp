@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/base/portable_math.h"
 #include "hgp/optimize/frame_fixing.h"
 #include "hgp/optimize/untangle.h"
 
@@ -35,7 +36,7 @@ PerVertex<double> scaleOfMap(const Problem& problem, const std::vector<Complex>&
     for (int k = 0; k < 3; ++k)
       similarity += parts.similarity[static_cast<std::size_t>(k)] *
                     z[static_cast<std::size_t>(setup.cut.copy[TriMesh::halfedge(f, k)].i)];
-    const double log = std::log(std::max(std::abs(similarity), 1e-300));
+    const double log = portable::log(std::max(portable::abs(similarity), 1e-300));
     for (VertexId v : problem.mesh.corners(f)) {
       sum[v] += log;
       count[v] += 1.0;

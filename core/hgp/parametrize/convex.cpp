@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "hgp/base/portable_math.h"
 #include "hgp/field/mesh_trees.h"
 #include "hgp/linalg/factor/factor.h"
 #include "hgp/parametrize/parametrize.h"
@@ -20,7 +21,7 @@ PerVertex<Complex> circlePositions(const TriMesh& mesh, const Geometry& geometry
   PerVertex<Complex> position(static_cast<std::size_t>(mesh.vertexCount()));
   double walked = 0.0;
   for (HalfedgeId h : loop.halfedges) {
-    position[mesh.tail(h)] = std::polar(1.0, 2.0 * kPi * walked / total);
+    position[mesh.tail(h)] = portable::polar(1.0, 2.0 * kPi * walked / total);
     walked += geometry.length[h];
   }
   return position;

@@ -5,6 +5,7 @@
 
 #include "hgp/base/check.h"
 #include "hgp/field/given_frames.h"
+#include "hgp/mesh/box.h"
 #include "hgp/parametrize/stage_clock.h"
 
 namespace hgp {
@@ -90,12 +91,9 @@ UvMap layOut(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,
   if (z.empty()) return map;
   double scale = area > 0.0 ? std::sqrt(surface / area) : 1.0;
   if (!std::isfinite(scale)) scale = 1.0;
-  Vec2 low{z[0].real(), z[0].imag()}, high = low;
-  for (const Complex& p : z) {
-    low = {std::min(low[0], p.real()), std::min(low[1], p.imag())};
-    high = {std::max(high[0], p.real()), std::max(high[1], p.imag())};
-  }
-  const Complex centre(0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]));
+  Box<2> box;
+  for (const Complex& p : z) box.add({p.real(), p.imag()});
+  const Complex centre(0.5 * (box.low[0] + box.high[0]), 0.5 * (box.low[1] + box.high[1]));
   for (std::size_t c = 0; c < z.size(); ++c) {
     const Complex p = scale * (z[c] - centre);
     map.uv[c] = {p.real(), p.imag()};

@@ -3,6 +3,7 @@
 #include <unordered_map>
 
 #include "hgp/base/check.h"
+#include "hgp/base/portable_math.h"
 #include "hgp/base/turns.h"
 #include "hgp/mesh/vectors.h"
 #include "hgp/prescription/cones.h"
@@ -29,13 +30,13 @@ Failure notANumber(const WordReader& words) {
 /// Seen from direction `from` the others must be at the angles 2πj/N, each as often as in an N-RoSy.
 bool isEvenFrom(const std::vector<Vec3>& directions, const Vec3& from, std::vector<int>& found) {
   const int N = static_cast<int>(directions.size());
-  const double length = std::sqrt(dot(from, from));
+  const double length = norm(from);
   found.assign(directions.size(), 0);
   for (const Vec3& d : directions) {
-    const double other = std::sqrt(dot(d, d));
+    const double other = norm(d);
     if (!(length > 0 && other > 0)) return false;
     const double c = std::max(-1.0, std::min(1.0, dot(d, from) / (length * other)));
-    const double turns = std::acos(c) * N / (2 * kPi);
+    const double turns = portable::acos(c) * N / (2 * kPi);
     if (std::abs(turns - std::round(turns)) > kRosyTolerance * N) return false;
     ++found[static_cast<std::size_t>(std::lround(turns)) % directions.size()];
   }

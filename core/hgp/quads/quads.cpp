@@ -6,6 +6,7 @@
 #include <map>
 
 #include "hgp/base/check.h"
+#include "hgp/mesh/vectors.h"
 #include "hgp/quads/grid_lines.h"
 
 namespace hgp {
@@ -105,7 +106,7 @@ class Extraction {
     return addNode(position, unit(normal));
   }
   static Vec3 unit(const Vec3& n) {
-    const double length = std::hypot(n[0], n[1], n[2]);
+    const double length = norm(n);
     return length > 0 ? Vec3{n[0] / length, n[1] / length, n[2] / length} : Vec3{0, 0, 1};
   }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/base/portable_math.h"
+
 namespace hgp::socp {
 namespace {
 
@@ -21,11 +23,11 @@ Matrix3 hyperbolic(double beta, const Vector3& v) {
 }  // namespace
 
 double determinant(const Vector3& s) {
-  const double radius = std::hypot(s[1], s[2]);
+  const double radius = portable::hypot(s[1], s[2]);
   return (s[0] - radius) * (s[0] + radius);
 }
 
-double depth(const Vector3& s) { return s[0] - std::hypot(s[1], s[2]); }
+double depth(const Vector3& s) { return s[0] - portable::hypot(s[1], s[2]); }
 
 Vector3 product(const Vector3& a, const Vector3& b) {
   return {a.dot(b), a[0] * b[1] + b[0] * a[1], a[0] * b[2] + b[0] * a[2]};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/base/portable_math.h"
 #include "hgp/socp/start.h"
 
 namespace hgp::socp {
@@ -69,7 +70,7 @@ class InteriorPoint {
       // Predictor: straight at the solution; how far it gets decides the centring.
       Slacks target = system_.predictorTarget();
       const Iterate affine = system_.step(target, residuals_, 1.0);
-      const double sigma = std::pow(1.0 - reach(point_, affine, 1.0), 3);
+      const double sigma = portable::pow(1.0 - reach(point_, affine, 1.0), 3);
 
       // Corrector: second-order term and centring.
       system_.correct(target, affine, sigma * residuals_.mu);

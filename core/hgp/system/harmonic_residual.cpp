@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "hgp/base/portable_math.h"
 #include "hgp/system/weights.h"
 
 namespace hgp {
@@ -27,11 +28,11 @@ class Residual {
       const Complex toThird = uv(TriMesh::previous(h)) - uv(h);
       sum -= rotation(-turn, q_) * (w.toHead * toHead + w.toThird * toThird);
       weight += w.toHead + w.toThird;
-      length += std::abs(toHead) + std::abs(toThird);
+      length += portable::abs(toHead) + portable::abs(toThird);
       sides += 2;
       turn += turnAcross(TriMesh::previous(h));
     }
-    return {std::abs(sum) / weight, length / sides};
+    return {portable::abs(sum) / weight, length / sides};
   }
 
  private:
@@ -47,7 +48,7 @@ class Residual {
     const Complex here = uv(TriMesh::next(h)) - uv(h);
     const Complex there = uv(twin) - uv(TriMesh::next(twin));
     if (here == there) return 0;
-    return reduceTurn(std::llround(std::arg(there * std::conj(here)) * q_ / (2.0 * kPi)), q_);
+    return reduceTurn(std::llround(portable::arg(there * std::conj(here)) * q_ / (2.0 * kPi)), q_);
   }
 
   const TriMesh& mesh_;

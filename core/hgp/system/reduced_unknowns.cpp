@@ -1,6 +1,7 @@
 #include "hgp/system/reduced_unknowns.h"
 
 #include "hgp/base/check.h"
+#include "hgp/base/portable_math.h"
 #include "hgp/system/row_builder.h"
 #include "hgp/system/translations.h"
 
@@ -108,7 +109,7 @@ class Reducer {
       if (unknowns.vertexUnknown[v] >= 0) {
         builder.add(unknowns.vertexUnknown[v], R);
       } else {
-        const Complex scale = R / (1.0 - rotation(closure(v).turn, seams_.q));
+        const Complex scale = portable::divide(R, 1.0 - rotation(closure(v).turn, seams_.q));
         for (const TranslationTerm& t : free(closure(v).shift))
           builder.add(unknowns.chainUnknown[static_cast<std::size_t>(t.chain)], scale * t.factor);
       }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "hgp/base/portable_math.h"
+
 namespace hgp {
 
 RowBuilder::RowBuilder(int columns, int expectedRows, std::size_t expectedEntries)
@@ -26,7 +28,7 @@ void RowBuilder::endRow(double noise) {
   std::sort(row_.begin(), row_.end(),
             [](const Term& a, const Term& b) { return a.column < b.column; });
   for (const Term& t : row_) {
-    if (!(std::abs(t.value) > noise)) continue;
+    if (!(portable::abs(t.value) > noise)) continue;
     column_.push_back(t.column);
     value_.push_back(t.value);
   }

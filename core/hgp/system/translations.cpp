@@ -4,6 +4,8 @@
 #include <map>
 #include <set>
 
+#include "hgp/base/portable_math.h"
+
 namespace hgp {
 namespace {
 
@@ -33,7 +35,7 @@ class Elimination {
       open.erase(open.begin());
       if (row(r).empty()) continue;
       const int chain = choosePivot(r);
-      scale(r, 1.0 / row(r)[chain]);
+      scale(r, portable::divide(1.0, row(r)[chain]));
       pivotRow[static_cast<std::size_t>(chain)] = r;
       const auto users = users_[static_cast<std::size_t>(chain)];
       for (int other : users) {
@@ -54,7 +56,7 @@ class Elimination {
   void add(int r, int chain, Complex value) {
     Complex& entry = row(r)[chain];
     entry += value;
-    if (std::abs(entry) > kCancelled) {
+    if (portable::abs(entry) > kCancelled) {
       users_[static_cast<std::size_t>(chain)].insert(r);
     } else {
       row(r).erase(chain);
@@ -63,10 +65,10 @@ class Elimination {
   }
   int choosePivot(int r) {
     double largest = 0.0;
-    for (const auto& [c, value] : row(r)) largest = std::max(largest, std::abs(value));
+    for (const auto& [c, value] : row(r)) largest = std::max(largest, portable::abs(value));
     int best = -1;
     for (const auto& [c, value] : row(r)) {
-      if (std::abs(value) < kLeastPivot * largest) continue;
+      if (portable::abs(value) < kLeastPivot * largest) continue;
       if (best < 0 || users_[static_cast<std::size_t>(c)].size() <
                           users_[static_cast<std::size_t>(best)].size())
         best = c;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/base/portable_math.h"
+
 namespace hgp {
 namespace {
 
@@ -13,8 +15,8 @@ constexpr double kLeastHalfTangent = 1e-6;
 }  // namespace
 
 CornerWeights meanValueWeights(const Geometry& geometry, HalfedgeId h) {
-  const double t =
-      std::clamp(std::tan(0.5 * geometry.cornerAngle[h]), kLeastHalfTangent, kLargestHalfTangent);
+  const double t = std::clamp(portable::tan(0.5 * geometry.cornerAngle[h]), kLeastHalfTangent,
+                              kLargestHalfTangent);
   return {t / std::max(geometry.length[h], 1e-12),
           t / std::max(geometry.length[TriMesh::previous(h)], 1e-12)};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/base/portable_math.h"
 #include "hgp/base/turns.h"
 
 namespace hgp {
@@ -15,7 +16,7 @@ double largest(const Vec2& a) { return std::max(std::fabs(a[0]), std::fabs(a[1])
 /// The angle between two vectors. Each coordinate carries one rounding, so the result is good to a
 /// few 1e-16 absolutely, however thin the triangle is.
 double angleBetween(const Vec2& a, const Vec2& b) {
-  return std::atan2(std::fabs(a[0] * b[1] - a[1] * b[0]), a[0] * b[0] + a[1] * b[1]);
+  return portable::atan2(std::fabs(a[0] * b[1] - a[1] * b[0]), a[0] * b[0] + a[1] * b[1]);
 }
 
 /// The same for sides so short that products of their coordinates underflow.

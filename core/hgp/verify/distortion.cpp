@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "hgp/base/portable_math.h"
 #include "hgp/mesh/defects.h"
 #include "hgp/verify/orientation.h"
 
@@ -73,7 +74,7 @@ TriangleMap measureTriangle(const TriMesh& mesh, FaceId f, double scale, const C
   t.area = 0.5 * twiceArea;
   t.uvArea = std::max(0.5 * (isSure ? det : exactTwiceArea(u0, u1, u2)), DBL_MIN);
   t.mu = conformal > 0.0 ? std::min(1.0, anti / conformal) : 1.0;
-  t.logScale = std::log2(t.uvArea / t.area);
+  t.logScale = portable::log2(t.uvArea / t.area);
   const double large = std::max(conformal + anti, DBL_MIN), small = t.uvArea / t.area / large;
   t.stretch = large * large + small * small;
   t.shrink = 1.0 / (large * large) + 1.0 / (small * small);

@@ -5,12 +5,13 @@
 #include <limits>
 
 #include "hgp/base/disjoint_sets.h"
+#include "hgp/base/portable_math.h"
 #include "hgp/base/turns.h"
 
 namespace hgp {
 namespace {
 
-double length(const Vec2& d) { return std::hypot(d[0], d[1]); }
+double length(const Vec2& d) { return portable::hypot(d[0], d[1]); }
 
 Vec2 along(const CornerUv& uv, HalfedgeId from, HalfedgeId to) {
   return {uv[to][0] - uv[from][0], uv[to][1] - uv[from][1]};
@@ -26,10 +27,10 @@ MeasuredSeam measureSeam(EdgeId e, int q, const TwoSides& d) {
   seam.edge = e;
   const double cosine = d.f[0] * d.g[0] + d.f[1] * d.g[1];
   const double sine = d.f[0] * d.g[1] - d.f[1] * d.g[0];
-  seam.r = reduceTurn(std::llround(std::atan2(sine, cosine) * q / (2.0 * kPi)), q);
+  seam.r = reduceTurn(std::llround(portable::atan2(sine, cosine) * q / (2.0 * kPi)), q);
   const Complex R = rotation(seam.r, q);
-  seam.residual = std::hypot(d.g[0] - (R.real() * d.f[0] - R.imag() * d.f[1]),
-                             d.g[1] - (R.imag() * d.f[0] + R.real() * d.f[1]));
+  seam.residual = portable::hypot(d.g[0] - (R.real() * d.f[0] - R.imag() * d.f[1]),
+                                  d.g[1] - (R.imag() * d.f[0] + R.real() * d.f[1]));
   const double lengthF = length(d.f), lengthG = length(d.g);
   seam.lengthResidual = std::fabs(lengthG - lengthF);
   seam.length = std::min(lengthF, lengthG);
@@ -37,7 +38,7 @@ MeasuredSeam measureSeam(EdgeId e, int q, const TwoSides& d) {
 }
 
 void judge(MeasuredSeam& seam, int q, const SeamRule& rule) {
-  const double toNext = 2.0 * std::sin(kPi / std::max(q, 2)) * seam.length;
+  const double toNext = 2.0 * portable::sin(kPi / std::max(q, 2)) * seam.length;
   seam.hasRotation = seam.residual < kRotationShare * toNext;
   const double strict = rule.tolerance * seam.length;
   seam.allowed =
@@ -102,7 +103,7 @@ SeamTurns seamTurns(const TriMesh& mesh, const SeamFacts& seams, const SeamRule&
   // A vector of length d that is off by ρ is turned by at most asin(ρ/d); two sides that are off by ρ
   // and σ by at most asin((ρ + σ)/d), because asin is convex.
   const auto turn = [](double residual, double length) {
-    return residual < length ? std::asin(residual / length) : kPi;
+    return residual < length ? portable::asin(residual / length) : kPi;
   };
   const auto count = static_cast<std::size_t>(mesh.vertexCount());
   SeamTurns out{PerVertex<double>(count, 0.0), PerVertex<double>(count, 0.0)};

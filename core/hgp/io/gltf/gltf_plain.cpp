@@ -7,6 +7,7 @@
 
 #include "hgp/base/check.h"
 #include "hgp/io/gltf/gltf_accessor.h"
+#include "hgp/mesh/vectors.h"
 
 namespace hgp::io {
 namespace {
@@ -138,7 +139,7 @@ class GltfFlattener {
     const Affine normalPlace = cofactors(place);
     for (Vec3& n : out.normals) {
       n = applied(normalPlace, n);
-      const double length = std::hypot(n[0], n[1], n[2]) * (isMirrored ? -1 : 1);
+      const double length = norm(n) * (isMirrored ? -1 : 1);
       for (double& c : n) c = length != 0 ? c / length : 0;
     }
     if (isMirrored) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hgp/base/disjoint_sets.h"
+#include "hgp/mesh/box.h"
 
 namespace hgp::io {
 namespace {
@@ -57,7 +58,7 @@ class Rounder {
     if (!isRoundable_) return map_;
     Candidate best = attempt({});
     if (isGood(best)) return finish(best);
-    const double extent = std::max(high_[0] - low_[0], high_[1] - low_[1]);
+    const double extent = box_.extent();
     consider(best, attempt(centred(1.0)));
     if (!isGood(best) && extent > 0 && (extent < 32 || extent > 1e6)) {
       consider(best, attempt(centred(std::ldexp(1.0, 6 - std::ilogb(extent)))));
@@ -73,18 +74,13 @@ class Rounder {
   }
 
   void findBox() {
-    bool isAny = false;
     for (std::size_t i = 0; isRoundable_ && i < map_.uv.size(); ++i) {
       if (!isUsed_[i]) continue;
       const Vec2& p = map_.uv[i];
       isRoundable_ = std::abs(p[0]) < 1e37 && std::abs(p[1]) < 1e37;  // false for NaN as well
-      for (std::size_t k = 0; k < 2; ++k) {
-        low_[k] = isAny ? std::min(low_[k], p[k]) : p[k];
-        high_[k] = isAny ? std::max(high_[k], p[k]) : p[k];
-      }
-      isAny = true;
+      box_.add(p);
     }
-    isRoundable_ = isRoundable_ && isAny;
+    isRoundable_ = isRoundable_ && !box_.isEmpty;
   }
 
   static bool isGood(const Candidate& c) { return c.isFine && c.broken.empty(); }
@@ -98,7 +94,9 @@ class Rounder {
 
   /// u around 0 and v around ½, so that v and 1 − v are equally small.
   Frame centred(double scale) const {
-    return {scale, {-scale * (low_[0] + high_[0]) / 2, 0.5 - scale * (low_[1] + high_[1]) / 2}};
+    return {scale,
+            {-scale * (box_.low[0] + box_.high[0]) / 2,
+             0.5 - scale * (box_.low[1] + box_.high[1]) / 2}};
   }
 
   Candidate attempt(const Frame& frame) {
@@ -232,7 +230,7 @@ class Rounder {
   std::vector<char> isUsed_;
   std::vector<int> positive_;
   bool isRoundable_ = true;
-  Vec2 low_{0, 0}, high_{0, 0};
+  Box<2> box_;
   std::vector<int> firstFace_, faces_;
   std::vector<char> isTied_;
 };

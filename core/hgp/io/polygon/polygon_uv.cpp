@@ -3,6 +3,7 @@
 #include <complex>
 #include <unordered_map>
 
+#include "hgp/base/portable_math.h"
 #include "hgp/base/turns.h"
 #include "hgp/io/polygon/polygon_mesh.h"
 
@@ -102,7 +103,8 @@ class PolygonKeeper {
       return true;
     }
     const Complex b0 = toComplex(uv(given(t)[k0])), b1 = toComplex(uv(given(t)[k1]));
-    const Complex motion = snapped((toComplex(uv(a1)) - toComplex(uv(a0))) / (b1 - b0));
+    const Complex motion =
+        snapped(portable::divide(toComplex(uv(a1)) - toComplex(uv(a0)), b1 - b0));
     const Complex z = toComplex(uv(a0)) + motion * (toComplex(uv(given(t)[open])) - b0);
     cornerUv(c) = copyAt(polygons_.cornerVertex[static_cast<std::size_t>(c)], {z.real(), z.imag()});
     return true;
@@ -110,7 +112,7 @@ class PolygonKeeper {
 
   static Complex snapped(Complex ratio) {
     for (int quarter = 0; quarter < 4; ++quarter) {
-      if (std::abs(ratio - rotation(quarter, 4)) < kQuarterTurn) return rotation(quarter, 4);
+      if (portable::abs(ratio - rotation(quarter, 4)) < kQuarterTurn) return rotation(quarter, 4);
     }
     return ratio;
   }

@@ -1,6 +1,7 @@
 #include "hgp/linalg/factor/multifrontal.h"
 
 #include "hgp/base/check.h"
+#include "hgp/base/portable_math.h"
 
 namespace hgp::linalg {
 namespace {
@@ -44,7 +45,7 @@ FactorStatus MultifrontalCholesky<Scalar>::factor(const Sparse& A, double shift)
   std::vector<double> diagonal(static_cast<std::size_t>(A.rows()));
   for (int k = 0; k < A.rows(); ++k) {
     const int v = symbolic_->order[k];
-    diagonal[k] = std::abs(A.coeff(v, v)) + std::abs(shift);
+    diagonal[k] = portable::abs(A.coeff(v, v)) + portable::abs(shift);
   }
   FactorStatus status =
       panels_.eliminate(matrixSource<Scalar>(A, *symbolic_, shift), diagonal, nullptr);

@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "hgp/base/check.h"
+#include "hgp/linalg/factor/panel_solve.h"
 #include "hgp/linalg/kernels/kernel_workspace.h"
 
 namespace hgp::linalg {
@@ -135,36 +136,37 @@ void PanelFactor<Scalar>::extendAdd(int child, const Contribution<Scalar>& from,
 template <class Scalar>
 void PanelFactor<Scalar>::forward(Eigen::Ref<Matrix> x) const {
   const SymbolicFactor& f = *symbolic_;
-  Matrix below;
+  std::vector<Scalar> w;
   for (int t = 0; t < f.nodeCount(); ++t) {
     if (!includes(t)) continue;
     const int s = f.pivots(t), r = f.rowCount(t);
-    const Eigen::Map<const Matrix> P(panel(t), s + r, s);
-    auto top = x.middleRows(f.nodeStart[t], s);
-    P.topRows(s).template triangularView<Eigen::Lower>().solveInPlace(top);
-    if (r == 0) continue;
-    below.noalias() = P.bottomRows(r) * top;
-    for (int c = 0; c < x.cols(); ++c)
-      for (int i = 0; i < r; ++i) x(f.rowsOf(t)[i], c) -= below(i, c);
+    const Panel<Scalar> P{panel(t), s + r, s};
+    for (Eigen::Index c = 0; c < x.cols(); ++c) {
+      Scalar* const top = &x(f.nodeStart[t], c);
+      w.assign(top, top + s);
+      w.resize(static_cast<std::size_t>(s + r));
+      P.forward(w.data());
+      std::copy(w.begin(), w.begin() + s, top);
+      for (int i = 0; i < r; ++i) x(f.rowsOf(t)[i], c) += w[s + i];
+    }
   }
 }
 
 template <class Scalar>
 void PanelFactor<Scalar>::backward(Eigen::Ref<Matrix> x) const {
   const SymbolicFactor& f = *symbolic_;
-  Matrix below;
+  std::vector<Scalar> w;
   for (int t = f.nodeCount() - 1; t >= 0; --t) {
     if (!includes(t)) continue;
     const int s = f.pivots(t), r = f.rowCount(t);
-    const Eigen::Map<const Matrix> P(panel(t), s + r, s);
-    auto top = x.middleRows(f.nodeStart[t], s);
-    if (r > 0) {
-      below.resize(r, x.cols());
-      for (int c = 0; c < x.cols(); ++c)
-        for (int i = 0; i < r; ++i) below(i, c) = x(f.rowsOf(t)[i], c);
-      top.noalias() -= P.bottomRows(r).adjoint() * below;
+    const Panel<Scalar> P{panel(t), s + r, s};
+    for (Eigen::Index c = 0; c < x.cols(); ++c) {
+      Scalar* const top = &x(f.nodeStart[t], c);
+      w.assign(top, top + s);
+      for (int i = 0; i < r; ++i) w.push_back(x(f.rowsOf(t)[i], c));
+      P.backward(w.data());
+      std::copy(w.begin(), w.begin() + s, top);
     }
-    P.topRows(s).template triangularView<Eigen::Lower>().adjoint().solveInPlace(top);
   }
 }
 

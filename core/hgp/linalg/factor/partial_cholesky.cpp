@@ -1,6 +1,7 @@
 #include "hgp/linalg/factor/partial_cholesky.h"
 
 #include "hgp/base/check.h"
+#include "hgp/base/portable_math.h"
 #include "hgp/linalg/factor/reduced_system.h"
 #include "hgp/linalg/ordering/delay.h"
 
@@ -59,7 +60,7 @@ FactorStatus PartialCholesky::build(const ComplexSparse& H, const Cliques& cliqu
       std::make_shared<const SymbolicFactor>(analyze(pattern, delayed.order, symbolicOptions));
   const SymbolicFactor& f = *state_->symbolic;
   std::vector<double> diagonal(f.order.size());
-  for (int k = 0; k < f.size(); ++k) diagonal[k] = std::abs(H.coeff(f.order[k], f.order[k]));
+  for (int k = 0; k < f.size(); ++k) diagonal[k] = portable::abs(H.coeff(f.order[k], f.order[k]));
   state_->statics.layOut(state_->symbolic, 0);
   std::vector<Contribution<Complex>> complements;
   FactorStatus status = state_->statics.eliminate(staticSource(H, f), diagonal, &complements);

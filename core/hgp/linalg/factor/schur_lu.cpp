@@ -1,8 +1,11 @@
 #include "hgp/linalg/factor/schur_lu.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "hgp/base/check.h"
+#include "hgp/base/portable_math.h"
+#include "hgp/linalg/factor/panel_solve.h"
 #include "hgp/linalg/kernels/kernel_workspace.h"
 
 namespace hgp::linalg {
@@ -66,7 +69,7 @@ double addColumn(const Matrix& A, int unknown, int position, const SymbolicFacto
   double diagonal = 0.0;
   for (typename Matrix::InnerIterator it(A, unknown); it; ++it) {
     const int p = f.position[it.index()];
-    if (p == position) diagonal = std::abs(it.value());
+    if (p == position) diagonal = portable::abs(it.value());
     if (p >= position) column[local[p]] += Matrix::IsRowMajor ? std::conj(it.value()) : it.value();
   }
   return diagonal;
@@ -234,21 +237,20 @@ Eigen::MatrixXcd SchurLu::extend(const Eigen::MatrixXcd& xKept) const {
   const SymbolicFactor& f = state_->symbolic;
   HGP_CHECK(xKept.rows() == static_cast<int>(state_->kept.size()), "%d rows for %d kept unknowns",
             static_cast<int>(xKept.rows()), static_cast<int>(state_->kept.size()));
-  Eigen::MatrixXcd x(f.size(), xKept.cols()), below;
+  Eigen::MatrixXcd x(f.size(), xKept.cols());
   for (int k = 0; k < f.size(); ++k)
     if (state_->keptAt[k] >= 0) x.row(k) = xKept.row(state_->keptAt[k]);
+  std::vector<Complex> w;
   for (int t = f.nodeCount() - 1; t >= 0; --t) {
     if (f.dynamicNode[t]) continue;
     const int s = f.pivots(t), r = f.rowCount(t);
-    const Eigen::Map<const Eigen::MatrixXcd> U(state_->panel(t), s + r, s);
-    auto top = x.middleRows(f.nodeStart[t], s);
-    below.resize(r, x.cols());
-    for (int i = 0; i < r; ++i) below.row(i) = x.row(f.rowsOf(t)[i]);
-    if (r > 0)
-      top.noalias() = -(U.bottomRows(r).adjoint() * below);
-    else
-      top.setZero();
-    U.topRows(s).triangularView<Eigen::Lower>().adjoint().solveInPlace(top);
+    const Panel<Complex> U{state_->panel(t), s + r, s};
+    for (Eigen::Index c = 0; c < x.cols(); ++c) {
+      w.assign(static_cast<std::size_t>(s), 0.0);
+      for (int i = 0; i < r; ++i) w.push_back(x(f.rowsOf(t)[i], c));
+      U.backward(w.data());
+      std::copy(w.begin(), w.begin() + s, &x(f.nodeStart[t], c));
+    }
   }
   Eigen::MatrixXcd result(f.size(), x.cols());
   for (int k = 0; k < f.size(); ++k) result.row(f.order[k]) = x.row(k);

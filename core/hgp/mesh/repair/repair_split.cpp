@@ -19,7 +19,7 @@ Vec3 leavingDirection(const MeshData& mesh, int side, const Vec3& along) {
   Vec3 d = subtract(apex, tail);
   const double onEdge = dot(d, along) / dot(along, along);
   for (std::size_t n = 0; n < 3; ++n) d[n] -= onEdge * along[n];
-  const double length = std::sqrt(dot(d, d));
+  const double length = norm(d);
   if (length > 0.0)
     for (double& x : d) x /= length;
   return d;

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "hgp/base/portable_math.h"
 #include "hgp/parametrize/moves/moves.h"
 
 namespace hgp {
@@ -23,8 +24,8 @@ Geometry inducedGeometry(const Problem& problem, const Attempt& attempt) {
       const Complex b =
           cornerOf(problem, attempt, f, (k + 2) % 3) - cornerOf(problem, attempt, f, k);
       const HalfedgeId h = TriMesh::halfedge(f, k);
-      geometry.length[h] = std::abs(a);
-      geometry.cornerAngle[h] = std::abs(std::arg(std::conj(a) * b));
+      geometry.length[h] = portable::abs(a);
+      geometry.cornerAngle[h] = std::abs(portable::arg(std::conj(a) * b));
     }
   return geometry;
 }
@@ -47,7 +48,7 @@ std::optional<State> iterateFrames(const Problem& problem, const State& state,
       similarity +=
           parts.similarity[static_cast<std::size_t>(k)] * cornerOf(problem, *attempt, f, k);
     frames.faces.push_back(f);
-    frames.angles.push_back(-std::arg(similarity));
+    frames.angles.push_back(-portable::arg(similarity));
   }
   next.directions = std::make_shared<const Frames>(std::move(frames));
   next.harmonic = std::make_shared<const HarmonicSystem>(

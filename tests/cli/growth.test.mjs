@@ -1,0 +1,38 @@
+// What grows with a file and what must not: measured against itself in the released build.
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import test from 'node:test';
+import { cubeMesh } from '../support/meshes.mjs';
+import { hgp, inFolder } from '../support/program.mjs';
+
+const { folder, put } = inFolder('growth');
+
+/** `count` cubes in a row. */
+function row(count) {
+  const { vertices, triangles } = cubeMesh(1);
+  const lines = [];
+  for (let c = 0; c < count; c++) {
+    for (const [x, y, z] of vertices) lines.push(`v ${x + 3 * c} ${y} ${z}`);
+    for (const t of triangles)
+      lines.push(`f ${t.map((v) => v + 1 + vertices.length * c).join(' ')}`);
+  }
+  return `${lines.join('\n')}\n`;
+}
+
+test('what a component costs does not grow with their number', () => {
+  const seconds = [500, 4000].map((count) => {
+    put('row.obj', row(count));
+    // Twice, as others use the machine, too; user time of the program alone.
+    const times = [0, 1].map(() => {
+      const args = ['param', 'row.obj', '-o', 'row_out.obj', '--quiet'];
+      const timed = spawnSync('/bin/bash', ['-c', 'TIMEFORMAT=%U; time "$0" "$@"', hgp, ...args], {
+        cwd: folder,
+      });
+      assert.equal(timed.status, 0);
+      return Number(String(timed.stderr).trim());
+    });
+    return Math.min(...times);
+  });
+  // Eight times the components: quadratic cost would be 64 times the time.
+  assert.ok(seconds[1] < 16 * (seconds[0] + 0.02), seconds.join(' and '));
+});

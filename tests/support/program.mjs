@@ -21,11 +21,11 @@ export function inFolder(topic, env = process.env) {
     rmSync(folder, { recursive: true });
   });
   const at = (name) => path.join(folder, name);
-  /** Writes a file, folders included, and gives its name. */
+  /** Writes a file, folders included, and gives its path. */
   const put = (name, content) => {
     mkdirSync(path.dirname(at(name)), { recursive: true });
     writeFileSync(at(name), content);
-    return name;
+    return at(name);
   };
   const read = (name) => readFileSync(at(name), 'utf8');
   /** Runs the program with words or lists of them, and options for the process at the end. */

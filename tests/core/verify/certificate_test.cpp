@@ -1,3 +1,4 @@
+#include "hgp/base/portable_math.h"
 #include "hgp/verify/certificate.h"
 
 #include <gtest/gtest.h>
@@ -725,10 +726,10 @@ TEST(Seams, TurnsAreTheAnglesThatResidualsCanMake) {
   seams.seams = {seam};
   const VertexId v = mesh.tail(mesh.halfedge(seam.edge));
   SeamRule rule;
-  EXPECT_EQ(seamTurns(mesh, seams, rule).explained[v], std::asin(0.5e-3));
+  EXPECT_EQ(seamTurns(mesh, seams, rule).explained[v], portable::asin(0.5e-3));
   EXPECT_EQ(seamTurns(mesh, seams, rule).rounding[v], 0.0);
   rule.rounding = 4e-3;
-  EXPECT_EQ(seamTurns(mesh, seams, rule).rounding[v], std::asin(2e-3));
+  EXPECT_EQ(seamTurns(mesh, seams, rule).rounding[v], portable::asin(2e-3));
   seams.seams[0].isExplained = false;  // what is not explained excuses nothing
   EXPECT_EQ(seamTurns(mesh, seams, rule).explained[v], 0.0);
 }

@@ -13,7 +13,7 @@ function(hgp_compile_settings target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   # The order of Eigen's sums depends on the width of vectors and the sizes of caches: none, and given ones, so
-  # that it is the same everywhere (decision 045). What is hot has kernels of its own.
+  # that it is the same everywhere (decision 046). What is hot has kernels of its own.
   target_compile_definitions(${target} PRIVATE EIGEN_DONT_VECTORIZE EIGEN_NO_CPUID
     EIGEN_DEFAULT_L1_CACHE_SIZE=32768 EIGEN_DEFAULT_L2_CACHE_SIZE=262144
     EIGEN_DEFAULT_L3_CACHE_SIZE=2097152)

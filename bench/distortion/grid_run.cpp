@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <optional>
 #include <string_view>
 
@@ -10,11 +9,10 @@
 #include "hgp/field/prepared_surface.h"
 #include "hgp/grid/align.h"
 #include "hgp/parametrize/parametrize.h"
+#include "processor_time.h"
 
 namespace hgp::bench {
 namespace {
-
-double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// As api/session_solve.cpp keeps automatic cones apart.
 double conesApart(const AskedGrid& grid) { return grid.isQuad ? 1.6 : 1.3; }

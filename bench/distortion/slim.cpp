@@ -3,8 +3,9 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <limits>
+
+#include "processor_time.h"
 
 namespace hgp::bench {
 namespace {
@@ -16,8 +17,6 @@ constexpr double kProximal = 1e-6;
 /// Of the way to the first degenerate triangle, at most this share is gone.
 constexpr double kDegeneracyShare = 0.8;
 constexpr double kShortestStep = 1e-9;
-
-double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// σ₁² + σ₂² + σ₁⁻² + σ₂⁻² of f_z = p, f_z̄ = m; +∞ unless |p| > |m|.
 double symmetricDirichlet(const Complex& p, const Complex& m) {

@@ -1,7 +1,6 @@
 #include "stress_run.h"
 
 #include <algorithm>
-#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "child_process.h"
@@ -10,14 +9,13 @@
 #include "hgp/base/check.h"
 #include "hgp/field/prescribed_field.h"
 #include "hgp/prescription/cones.h"
+#include "processor_time.h"
 #include "row_json.h"
 
 namespace hgp::stress {
 namespace {
 
 using Json = nlohmann::json;
-
-double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 io::Prescription asPrescription(const HolonomySpec& spec) {
   io::Prescription out;
@@ -79,14 +77,14 @@ void solve(Row& row, const Task& task, const RunOptions& options) {
     return;
   }
   api::SolveOptions solve = options.solve;
-  const double start = processorSeconds();
+  const double start = bench::processorSeconds();
   solve.progress = [&](const ProgressReport&) {
-    return processorSeconds() - start < options.timeLimit;
+    return bench::processorSeconds() - start < options.timeLimit;
   };
   std::optional<io::Prescription> asked;
   if (task.spec) asked = asPrescription(*task.spec);
   const Status solved = session.parametrize(asked, solve);
-  row.seconds = processorSeconds() - start;
+  row.seconds = bench::processorSeconds() - start;
   if (!solved) {
     row.reason = solved.error().message;
     if (solved.error().code == ErrorCode::kCancelled) row.verdict = Verdict::kLate;

@@ -1,4 +1,4 @@
-// C libraries round their functions differently: those of core/ come from base/portable_math.h (decision 045).
+// C libraries round their functions differently: those of core/ come from base/portable_math.h (decision 046).
 
 import assert from 'node:assert/strict';
 import test from 'node:test';

@@ -1,6 +1,6 @@
 // Elementary functions whose bits are the same on every processor, system and compiler.  Role: what C
 // libraries, which differ in the last bit, must not decide; with kernels that do not fuse, maps have the
-// same bits natively and in WebAssembly (decision 045).
+// same bits natively and in WebAssembly (decision 046).
 #pragma once
 
 #include <complex>

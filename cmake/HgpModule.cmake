@@ -53,7 +53,7 @@ function(hgp_module)
     add_library(${target} ${R_SOURCES})
     set(scope PUBLIC)
     hgp_compile_settings(${target})
-    if(EMSCRIPTEN AND R_NAME MATCHES "^(io|prescription|api|parametrize|cut|field|grid|quads|improve|mesh|verify)$")
+    if(EMSCRIPTEN AND R_NAME MATCHES "^(io|text|prescription|api|parametrize|cut|field|system|grid|quads|improve|mesh|verify)$")
       # Cold, or a small part of a run: what a visitor downloads matters more than how fast it runs.
       target_compile_options(${target} PRIVATE -Os)
     endif()

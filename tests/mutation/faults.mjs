@@ -195,10 +195,14 @@ export const faults = [
   fault('io/gltf/gltf_round.cpp', 'if (candidate > bestArea) {', 'if (candidate < bestArea) {'),
   fault('io/polygon/polygon_uv.cpp', '< kQuarterTurn)', '< 1000 * kQuarterTurn)'),
 
+  // grid
+  fault('grid/align.cpp', 'if (accepts_ && !accepts_(*out_.map)) {', 'if (false) {'),
+
   // improve, parametrize, api
   fault('improve/improve.cpp', 'x_ = std::move(moved);', '', {
     programs: ['improve', 'parametrize'],
   }),
+  fault('improve/energy.cpp', 'kKnee = 2.0 * 0.02 * 0.02;', 'kKnee = 2e9 * 0.02 * 0.02;'),
   fault('system/reduced_unknowns.cpp', '- R * value(cut.copy[left]);', '- value(cut.copy[left]);'),
   fault(
     'parametrize/solution.cpp',

@@ -27,6 +27,10 @@ constexpr double kReach = 3.0;
 constexpr int kDenser = 8;  ///< doublings of the density that are tried to name one that works
 /// Of all work, what is kept for naming such a density.
 constexpr double kExplaining = 0.15;
+/// … and at least so much for mending, whatever the choice of many integers took.
+constexpr double kMending = 0.25;
+/// Multiply-adds per triangle of judging a map.
+constexpr double kJudgeWork = 3e3;
 /// Multiply-adds per triangle of a linear step beside its back-substitution: copies, exact orientation.
 constexpr double kStepWork = 1200.0;
 /// … and of the choice of k integers, by k³: rank-one changes of a complex matrix, bound by memory.
@@ -56,7 +60,7 @@ class Aligner {
  public:
   Aligner(const TriMesh& mesh, const UvMap& map, const GridSystem& system,
           const std::vector<VertexId>& cones, const GridOptions& options, const Progress& progress,
-          double work)
+          double work, const std::function<bool(const UvMap&)>& accepts)
       : mesh_(mesh),
         system_(system),
         cones_(cones),
@@ -64,6 +68,8 @@ class Aligner {
         context_{mesh, system.seams(), system.change(), system.uv(), system.weights()},
         mapArea_(areaOf(map)),
         surfaceArea_(surfaceArea(mesh)),
+        accepts_(accepts),
+        mending_(kMending * work),
         work_(work - system.factorWork()) {
     const double cells =
         options.cells > 0.0 ? options.cells : surfaceArea_ / (options.spacing * options.spacing);
@@ -84,6 +90,9 @@ class Aligner {
   void tryAll() {
     std::vector<Candidate> candidates = linearSteps();
     if (isDone()) return;
+    work_ = std::max(work_, mending_ + reserved_);
+    // Without a triangle that turned over there is nothing to mend: the judge has refused such a map.
+    std::erase_if(candidates, [](const Candidate& candidate) { return candidate.turned.empty(); });
     std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
       return a.turned.size() < b.turned.size();
     });
@@ -137,7 +146,7 @@ class Aligner {
     const auto share = [&](std::size_t n) {
       return portable::pow(static_cast<double>(n) / mesh_.faceCount(), 1.5);
     };
-    return system_.factorWork() *
+    return system_.sparseWork() *
            (share(triangles) + 2.0 * kExpectedIterations * share(std::min(triangles, bound)));
   }
 
@@ -157,6 +166,12 @@ class Aligner {
     if (!candidate.turned.empty()) return false;
     out_.map = system_.alignedMap(candidate.x, candidate.scale);
     if (!out_.map) return false;
+    if (accepts_ && !accepts_(*out_.map)) {
+      out_.report.attempts.back().method += ", not certified";
+      out_.map.reset();
+      work_ -= kJudgeWork * mesh_.faceCount();
+      return false;
+    }
     out_.report.isAligned = true;
     describe(candidate.scale);
     return true;
@@ -185,7 +200,8 @@ class Aligner {
       mended.turned = turnedFaces(context_, mended.x);
       if (accept(mended, rings == kPatchRings[0] ? "patch of 6 rings" : "patch of 24 rings"))
         return true;
-      if (mended.turned.size() < candidate.turned.size()) candidate = std::move(mended);
+      if (!mended.turned.empty() && mended.turned.size() < candidate.turned.size())
+        candidate = std::move(mended);
     }
     return false;
   }
@@ -210,6 +226,7 @@ class Aligner {
       }
       mended.turned = turnedFaces(context_, mended.x);
       if (accept(mended, "whole mesh")) return true;
+      if (mended.turned.empty()) return false;
       const std::vector<FaceId> more = facesAround(mesh_, mended.turned, 2);
       bound.insert(bound.end(), more.begin(), more.end());
       std::sort(bound.begin(), bound.end());
@@ -227,7 +244,9 @@ class Aligner {
               [](const ConeDistance& a, const ConeDistance& b) { return a.cells < b.cells; });
     report.closest.resize(std::min(report.closest.size(), kNamed));
     report.reason = formatText(
-        "no choice of integers kept all triangles positive at %.0f cells (%.1f per cone)%s",
+        "no choice of integers kept all triangles positive and all angles as asked at %.0f cells "
+        "(%.1f "
+        "per cone)%s",
         report.cells, report.cellsPerCone,
         isCutShort_ ? ", and looking further would have taken longer than the map itself" : "");
     // A program may have cost more than expected: what was kept for this is still there, and in any
@@ -252,6 +271,8 @@ class Aligner {
   const Progress& progress_;
   const ChangeContext context_;
   const double mapArea_, surfaceArea_;
+  const std::function<bool(const UvMap&)>& accepts_;
+  const double mending_;  ///< multiply-adds that mending has in any case
   double scale_ = 1.0;
   double work_, reserved_ = 0.0;  ///< multiply-adds left, and those of them kept for explain()
   bool isCutShort_ = false;
@@ -278,7 +299,8 @@ void describeGrid(const TriMesh& mesh, const UvMap& map, std::size_t coneCount,
 
 AlignedMap alignToGrid(const TriMesh& mesh, const UvMap& map, int q,
                        const std::vector<VertexId>& cones, const GridOptions& options,
-                       const linalg::SeparatorTree* tree, const Progress& progress, double work) {
+                       const linalg::SeparatorTree* tree, const Progress& progress, double work,
+                       const std::function<bool(const UvMap&)>& accepts) {
   AlignedMap failed;
   if (q != 2 && q != 4) {
     failed.report.reason = formatText("a grid of squares needs q = 2 or 4, not %d", q);
@@ -290,7 +312,7 @@ AlignedMap alignToGrid(const TriMesh& mesh, const UvMap& map, int q,
     failed.report.reason = "the map's seams could not be read, or its strain is singular";
     return failed;
   }
-  return Aligner(mesh, map, *system, cones, options, progress, work).run();
+  return Aligner(mesh, map, *system, cones, options, progress, work, accepts).run();
 }
 
 }  // namespace hgp

@@ -2,6 +2,7 @@
 // quad mesh continues across every seam, on the same triangles and still locally injective.
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -35,10 +36,12 @@ void describeGrid(const TriMesh& mesh, const UvMap& map, std::size_t coneCount, 
 /// @param cones  vertices with a prescribed angle
 /// @param tree   separators of the vertices, or null
 /// @param work   multiply-adds that may be spent; what would exceed it is left out, and the reason says so.
-///               The linear step is always tried.
+///               The linear step is always tried, and small patches have an allowance of their own.
+/// @param accepts  the judge's word on a map whose triangles are all positive; without it that is enough
 AlignedMap alignToGrid(const TriMesh& mesh, const UvMap& map, int q,
                        const std::vector<VertexId>& cones, const GridOptions& options,
                        const linalg::SeparatorTree* tree, const Progress& progress,
-                       double work = std::numeric_limits<double>::infinity());
+                       double work = std::numeric_limits<double>::infinity(),
+                       const std::function<bool(const UvMap&)>& accepts = {});
 
 }  // namespace hgp

@@ -188,10 +188,12 @@ IntegerChoice GridSystem::choice(double reach) const {
 
 double GridSystem::factorWork() const {
   const auto held = static_cast<double>(heldUnknowns_.size());
-  const double reduced = 20.0 * held * held * held;  // the form's columns, and its inverse
+  return sparseWork() + 20.0 * held * held * held;  // the form's columns, and its inverse
+}
+
+double GridSystem::sparseWork() const {
   const double beside = kFormWork * mesh_.faceCount();
-  return heldUnknowns_.empty() ? beside
-                               : linalg::multiplyAdds(cholesky_.report(), 0) + reduced + beside;
+  return heldUnknowns_.empty() ? beside : linalg::multiplyAdds(cholesky_.report(), 0) + beside;
 }
 
 double GridSystem::solveWork() const {

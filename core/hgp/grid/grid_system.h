@@ -34,6 +34,8 @@ class GridSystem {
 
   /// Multiply-adds of the factorization, and of the solves of one change.
   double factorWork() const;
+  /// … of the factorization without what is dense: of a program that holds the integers.
+  double sparseWork() const;
   double solveWork() const;
 
   const TriMesh& mesh() const { return mesh_; }

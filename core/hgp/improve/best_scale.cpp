@@ -38,13 +38,15 @@ double bestScale(const EnergyExponents& exponents, const FaceTerms& terms, const
     grown += shape[f] * d;
     shrunk += shape[f] / d;
   }
-  if (exponents.area == 1.0) return portable::pow(grown / shrunk, 0.25);
+  if (exponents.area == 1.0 && exponents.knee == EnergyExponents::kNoKnee)
+    return portable::pow(grown / shrunk, 0.25);
   double tau = portable::log(start);
   for (int step = 0; step < kScaleSteps; ++step) {
     double gradient = 0.0, curvature = 0.0;
     for (std::size_t f = 0; f < shape.size(); ++f) {
       const double v = logArea[f] - 2.0 * tau, tanh = portable::tanh(v);
-      const double psi = shape[f] * portable::pow(portable::cosh(v), exponents.area);
+      double psi = shape[f] * portable::pow(portable::cosh(v), exponents.area);
+      psi *= kneeSlope(exponents, psi / terms.weight(static_cast<int>(f)));
       gradient -= psi * tanh;
       curvature += 2.0 * psi * (1.0 + (exponents.area - 1.0) * tanh * tanh);
     }

@@ -11,8 +11,8 @@ namespace hgp {
 double meanEnergy(const EnergyExponents& exponents, const FaceTerms& terms, const FaceParts& parts,
                   double scale);
 
-/// The scale with the least mean energy, found from `start` by Newton's method on its logarithm (the
-/// mean is convex in it).
+/// The scale with the least mean energy, found from `start` by Newton's method on its logarithm (without a
+/// knee the mean is convex in it; with one each step minimises a majorizer).
 /// @pre all triangles are positive
 double bestScale(const EnergyExponents& exponents, const FaceTerms& terms, const FaceParts& parts,
                  double start);

@@ -15,6 +15,9 @@ constexpr double kSmallestCurvature = 1e-5;
 /// Floors of the exponents at either end of the family.
 constexpr double kAreaFloor = 1e-3;
 constexpr double kAngleFloor = 0.05;
+/// The knee at the end of angles, where |μ| = 0.02, and how fast it goes away from there.
+constexpr double kKnee = 2.0 * 0.02 * 0.02;
+constexpr double kKneePower = -8.0;
 
 /// log ψ and its derivatives in s = |p|² and t = |m|².
 struct LogEnergy {
@@ -42,6 +45,13 @@ LogEnergy logEnergy(const EnergyExponents& e, double s, double t, double d) {
   return log;
 }
 
+/// 1 + φ(ψ − 1).
+double bent(const EnergyExponents& e, double psi) {
+  if (e.knee == EnergyExponents::kNoKnee) return psi;
+  const double k = std::max(0.0, psi - 1.0);
+  return 1.0 + 2.0 * k / (1.0 + std::sqrt(1.0 + k / e.knee));
+}
+
 /// Faster than std::abs, which guards against overflow that maps of this scale are far from.
 double length(const Complex& z) { return std::sqrt(std::norm(z)); }
 
@@ -53,15 +63,21 @@ double determinant(double absP, double absM) { return (absP - absM) * (absP + ab
 EnergyExponents exponentsAt(double balance) {
   const double to = std::clamp(balance, -1.0, 1.0);
   return {std::max(kAngleFloor, std::min(1.0, 1.0 - to)),
-          std::max(kAreaFloor, std::min(1.0, 1.0 + to))};
+          std::max(kAreaFloor, std::min(1.0, 1.0 + to)),
+          to < 0.0 ? kKnee * portable::pow(-to, kKneePower) : EnergyExponents::kNoKnee};
+}
+
+double kneeSlope(const EnergyExponents& e, double psi) {
+  if (e.knee == EnergyExponents::kNoKnee) return 1.0;
+  return 1.0 / std::sqrt(1.0 + std::max(0.0, psi - 1.0) / e.knee);
 }
 
 double energy(const EnergyExponents& e, const Complex& p, const Complex& m) {
   const double absP = length(p), absM = length(m), d = determinant(absP, absM);
   if (!(d > 0.0) || !std::isfinite(d)) return std::numeric_limits<double>::infinity();
   const double K = (absP * absP + absM * absM) / d, D = 0.5 * (d + 1.0 / d);
-  if (e.angle == 1.0 && e.area == 1.0) return K * D;
-  return portable::pow(K, e.angle) * portable::pow(D, e.area);
+  if (e.angle == 1.0 && e.area == 1.0) return bent(e, K * D);
+  return bent(e, portable::pow(K, e.angle) * portable::pow(D, e.area));
 }
 
 EnergyJet energyJet(const EnergyExponents& exponents, const Complex& p, const Complex& m) {
@@ -89,8 +105,12 @@ EnergyJet energyJet(const EnergyExponents& exponents, const Complex& p, const Co
   jet.alongP = {i * unitP, 0.0, cosine * unitP, -sine * unitP};
   jet.alongM = {0.0, i * unitM, sine * unitM, cosine * unitM};
   const double largest = *std::max_element(jet.curvature.begin(), jet.curvature.end());
+  const double slope = kneeSlope(exponents, jet.value);
   for (double& curvature : jet.curvature)
-    curvature = std::max(curvature, kSmallestCurvature * largest);
+    curvature = slope * std::max(curvature, kSmallestCurvature * largest);
+  jet.gradientP *= slope;
+  jet.gradientM *= slope;
+  jet.value = bent(exponents, jet.value);
   return jet;
 }
 

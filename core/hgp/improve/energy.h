@@ -14,21 +14,34 @@ namespace hgp {
 ///
 /// both factors 1 at an isometry and infinite where the triangle degenerates. angle = area = 1 is
 /// symmetric Dirichlet, ¼ (σ₁² + σ₂² + σ₁⁻² + σ₂⁻²) = K · D.
+///
+/// With a knee κ the energy is 1 + φ(ψ − 1),
+///
+///   φ(k) = 2κ (√(1 + k/κ) − 1) = k + O(k²/κ),
+///
+/// which grows like k below κ and like √k above it. K − 1 = 2μ²/(1 − μ²): such a mean is nearer to that of |μ|
+/// than to that of |μ|², and few bad triangles do not rule it.
 struct EnergyExponents {
   double angle = 1.0;
   double area = 1.0;
+  double knee = kNoKnee;
+  static constexpr double kNoKnee = 1e300;
 };
 
 /// The exponents at a point of the line from angles (−1) by isometry (0) to areas (+1):
 /// angle = min(1, 1 − balance), area = min(1, 1 + balance), neither below a small floor that keeps the
-/// other distortion bounded where it would be free.
+/// other distortion bounded where it would be free. Towards angles the knee comes down from far away.
 EnergyExponents exponentsAt(double balance);
 
-/// ψ of a triangle with f_z = p and f_z̄ = m; +∞ unless |p| > |m|.
+/// φ′(ψ − 1), 1 without a knee.
+double kneeSlope(const EnergyExponents& exponents, double psi);
+
+/// ψ, or 1 + φ(ψ − 1), of a triangle with f_z = p and f_z̄ = m; +∞ unless |p| > |m|.
 ///   K = (|p|² + |m|²)/(|p|² − |m|²),  σ₁σ₂ = |p|² − |m|²
 double energy(const EnergyExponents& exponents, const Complex& p, const Complex& m);
 
-/// Gradient and a positive semidefinite Hessian of ψ as a function of (p, m) ∈ ℝ⁴.
+/// Gradient and a positive semidefinite Hessian of ψ as a function of (p, m) ∈ ℝ⁴. Of a knee the Hessian has
+/// φ′ alone: φ is concave, so that this is a majorizer (iteratively reweighted least squares).
 struct EnergyJet {
   double value;
   Complex gradientP, gradientM;  ///< ∂ψ/∂Re + i ∂ψ/∂Im

@@ -16,6 +16,9 @@ constexpr double kDegeneracyShare = 0.8;
 /// Armijo's condition, and when a step is too short to go on.
 constexpr double kSufficientDecrease = 1e-4;
 constexpr double kShortestStep = 1e-8;
+/// A mean with a knee is descended once the one without gains less than this share in a step: bad triangles are
+/// opened first, as the knee lets them bound the steps.
+constexpr double kOpened = 0.1;
 /// Below this excess a map is an isometry as far as doubles can tell.
 constexpr double kNoExcess = 1e-12;
 
@@ -37,7 +40,8 @@ class Descent {
   Descent(const ReducedMap& map, const linalg::SeparatorTree& tree, const Eigen::VectorXcd& x,
           double balance, const std::vector<char>& isHeld)
       : map_(map),
-        exponents_(exponentsAt(balance)),
+        asked_(exponentsAt(balance)),
+        exponents_(asked_),
         terms_(map, isHeld, x),
         system_(map, terms_, tree),
         x_(x),
@@ -50,6 +54,13 @@ class Descent {
   double excess() const { return energy_ - 1.0; }
   double stepWork() const { return system_.work(); }
   const Eigen::VectorXcd& x() const { return x_; }
+
+  bool hasKnee() const { return asked_.knee != EnergyExponents::kNoKnee; }
+  /// From here on the energy is that with the knee, or that without.
+  void bend(bool isBent) {
+    exponents_.knee = isBent ? asked_.knee : EnergyExponents::kNoKnee;
+    measure();
+  }
 
   /// False when the Hessian cannot be factored.
   bool assemble() { return system_.assemble(exponents_, parts_, scale_); }
@@ -86,7 +97,8 @@ class Descent {
   }
 
   const ReducedMap& map_;
-  EnergyExponents exponents_;
+  const EnergyExponents asked_;
+  EnergyExponents exponents_;  ///< those of this part of the descent
   FaceTerms terms_;
   NewtonSystem system_;
   Eigen::VectorXcd x_, free_;
@@ -98,6 +110,8 @@ class Descent {
 const char* run(Descent& descent, const ImproveOptions& options, const Progress& progress,
                 std::vector<ImproveStep>& steps, double& work) {
   if (!std::isfinite(descent.excess())) return "not injective";
+  bool isBent = !descent.hasKnee();
+  descent.bend(isBent);
   for (int n = 0; n < options.maxSteps; ++n) {
     const double excess = descent.excess();
     const double fraction = static_cast<double>(n) / options.maxSteps;
@@ -109,7 +123,9 @@ const char* run(Descent& descent, const ImproveOptions& options, const Progress&
     const double length = descent.descend();
     if (length <= 0.0) return "no descent";
     steps.push_back({descent.excess(), length});
-    if (excess - descent.excess() <= options.relativeDecrease * excess) return "converged";
+    const double decrease = 1.0 - descent.excess() / excess;
+    if (decrease <= options.relativeDecrease && isBent) return "converged";
+    if (decrease <= kOpened && !isBent) descent.bend(isBent = true);
   }
   return "step limit";
 }
@@ -132,8 +148,13 @@ Improvement improve(const ReducedMap& map, const linalg::SeparatorTree& tree,
   Descent descent(map, tree, x, options.balance, held);
   result.excessBefore = descent.excess();
   result.outcome = run(descent, options, progress, result.steps, result.work);
+  descent.bend(descent.hasKnee());
   result.excessAfter = descent.excess();
-  result.x = descent.x();
+  if (result.excessAfter < result.excessBefore) {
+    result.x = descent.x();
+  } else {
+    result.excessAfter = result.excessBefore;
+  }
   return result;
 }
 

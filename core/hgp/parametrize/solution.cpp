@@ -175,17 +175,17 @@ Status alignSolution(const TriMesh& mesh, const ParametrizeOptions& options, Jud
   double work = kBesidePrograms * mesh.faceCount();
   for (const Round& round : result.rounds) work += round.work;
   if (result.improvement) work += result.improvement->work;
-  AlignedMap aligned = alignToGrid(mesh, judged.map, setup.seams.q, setup.cones, options.grid,
-                                   &setup.context->tree, options.progress, kAlignShare * work);
+  Certificate certificate;
+  const auto accepts = [&](const UvMap& map) {
+    certificate = certify(mesh, result.spec, map);
+    return certificate.isCertified;
+  };
+  AlignedMap aligned =
+      alignToGrid(mesh, judged.map, setup.seams.q, setup.cones, options.grid, &setup.context->tree,
+                  options.progress, kAlignShare * work, accepts);
   if (aligned.isCancelled) return cancelled("align");
   result.grid = std::move(aligned.report);
   if (!aligned.map) return Done{};
-  Certificate certificate = certify(mesh, result.spec, *aligned.map);
-  if (!certificate.isCertified) {
-    result.grid->isAligned = false;
-    result.grid->reason = "the aligned map is not certified: " + certificate.reasons[0].message;
-    return Done{};
-  }
   judged.solution.x = unknownsOf(mesh, setup, *aligned.map);
   judged.map = std::move(*aligned.map);
   judged.certificate = std::move(certificate);

@@ -120,6 +120,34 @@ TEST(AlignToGrid, WithoutWorkToSpendTheLinearStepIsAllAndTheReasonSaysSo) {
   }
 }
 
+TEST(AlignToGrid, GoesOnWhereTheJudgeRefusesAMap) {
+  // A judge that refuses the first two maps that are handed to it: other densities follow.
+  const TriMesh mesh = alignedShapes()[1].mesh();
+  const Parametrization plain = *parametrize(mesh, toSpec(*suggestCones(mesh, {})), {});
+  std::vector<VertexId> cones;
+  for (const ConePoint& cone : plain.spec.cones) cones.push_back(cone.vertex);
+  const GridOptions options{100.0 * static_cast<double>(cones.size()), 0.0, GridMode::kTile};
+  const auto align = [&](const std::function<bool(const UvMap&)>& accepts) {
+    return alignToGrid(mesh, plain.map, 4, cones, options, nullptr, {}, 1e300, accepts);
+  };
+  int asked = 0;
+  const AlignedMap third = align([&](const UvMap& map) {
+    EXPECT_EQ(map.uv.size(), plain.map.uv.size());
+    return ++asked > 2;
+  });
+  ASSERT_TRUE(third.map);
+  EXPECT_EQ(asked, 3);
+  EXPECT_TRUE(third.report.isAligned);
+  ASSERT_GE(third.report.attempts.size(), 3u);
+  EXPECT_NE(third.report.attempts[0].method.find("not certified"), std::string::npos);
+  EXPECT_NE(third.report.attempts.back().factor, 1.0);
+
+  const AlignedMap none = align([](const UvMap&) { return false; });
+  EXPECT_FALSE(none.map);
+  EXPECT_FALSE(none.report.isAligned);
+  EXPECT_FALSE(none.report.reason.empty());
+}
+
 TEST(AlignToGrid, CancelledWhereverItIsThereIsNoMap) {
   const Crowded crowded;
   int calls = 0;

@@ -16,6 +16,9 @@ using Matrix4 = Eigen::Matrix4d;
 const std::vector<EnergyExponents> kFamily{
     {1.0, 1.0}, {1.0, 1e-3}, {0.1, 1.0}, {0.7, 1.0}, {1.0, 0.4}};
 
+/// Members with a knee: below, at and above what most triangles have.
+const std::vector<EnergyExponents> kBent{{1.0, 1e-3, 1e-3}, {1.0, 0.4, 0.1}, {1.0, 1.0, 2.0}};
+
 /// A positive triangle: |m| < |p|, areas between 1/20 and 20, some of them all but degenerate.
 std::pair<Complex, Complex> randomParts(std::mt19937& random) {
   const auto uniform = [&](double low, double high) {
@@ -54,6 +57,22 @@ Vector4 differentiate(const EnergyExponents& e, const Vector4& v, double h) {
   return gradient;
 }
 
+/// The full Hessian by differences of the gradient.
+Matrix4 differentiateTwice(const EnergyExponents& e, const Vector4& v, double h) {
+  const auto gradient = [&](const Vector4& w) {
+    const EnergyJet jet = energyJet(e, {w[0], w[1]}, {w[2], w[3]});
+    return pack(jet.gradientP, jet.gradientM);
+  };
+  Matrix4 H;
+  for (int i = 0; i < 4; ++i) {
+    const Vector4 step = h * Vector4::Unit(i);
+    H.col(i) = (8.0 * (gradient(v + step) - gradient(v - step)) -
+                (gradient(v + 2.0 * step) - gradient(v - 2.0 * step))) /
+               (12.0 * h);
+  }
+  return 0.5 * (H + H.transpose());
+}
+
 TEST(Energy, IsTheProductOfAngleAndAreaTermsOfTheSingularValues) {
   std::mt19937 random(7);
   for (int n = 0; n < 500; ++n) {
@@ -69,6 +88,42 @@ TEST(Energy, IsTheProductOfAngleAndAreaTermsOfTheSingularValues) {
     const double dirichlet =
         0.25 * (large * large + small * small + 1.0 / (large * large) + 1.0 / (small * small));
     EXPECT_NEAR(energy({1.0, 1.0}, p, m), dirichlet, 1e-10 * dirichlet);
+  }
+}
+
+TEST(Energy, WithAKneeGrowsAsBeforeBelowItAndLikeTheRootAboveIt) {
+  const double knee = 1e-2;
+  const auto excessAt = [&](const EnergyExponents& e, double mu) {
+    return energy(e, 1.0, mu) - 1.0;
+  };
+  const EnergyExponents plain{1.0, 1e-9}, bent{1.0, 1e-9, knee};
+  for (const double mu : {1e-4, 1e-3, 0.01, 0.1, 0.5, 0.9}) {
+    const double k = excessAt(plain, mu);
+    EXPECT_NEAR(excessAt(bent, mu), 2.0 * knee * (std::sqrt(1.0 + k / knee) - 1.0),
+                1e-9 * k + 1e-15);
+    EXPECT_LE(excessAt(bent, mu), k);
+  }
+  EXPECT_NEAR(excessAt(bent, 1e-3) / excessAt(plain, 1e-3), 1.0, 1e-3);
+  // Far above: 2√(κk) with k = 2μ²/(1 − μ²).
+  EXPECT_NEAR(excessAt(bent, 0.99), 2.0 * std::sqrt(knee * excessAt(plain, 0.99)), 2.1 * knee);
+}
+
+TEST(Energy, WithAKneeTheHessianIsAMajorizer) {
+  std::mt19937 random(19);
+  for (int n = 0; n < 300; ++n) {
+    const auto [p, m] = randomParts(random);
+    for (const EnergyExponents& e : kBent) {
+      const EnergyJet jet = energyJet(e, p, m);
+      EXPECT_NEAR(jet.value, energy(e, p, m), 1e-10 * jet.value);
+      const double h = 1e-3 * (std::abs(p) - std::abs(m));
+      const Vector4 slope = differentiate(e, pack(p, m), h);
+      const Vector4 have = pack(jet.gradientP, jet.gradientM);
+      EXPECT_LT((have - slope).norm(),
+                1e-6 * (slope.norm() + jet.value / (std::abs(p) - std::abs(m))));
+      const Matrix4 truth = differentiateTwice(e, pack(p, m), h);
+      const Eigen::SelfAdjointEigenSolver<Matrix4> above(hessianOf(jet) - truth);
+      EXPECT_GT(above.eigenvalues()[0], -1e-4 * truth.norm());
+    }
   }
 }
 
@@ -93,22 +148,6 @@ TEST(Energy, GradientAgreesWithDifferences) {
       EXPECT_LT((have - expected).norm(), 1e-7 * (expected.norm() + jet.value / gap));
     }
   }
-}
-
-/// The full Hessian by differences of the gradient.
-Matrix4 differentiateTwice(const EnergyExponents& e, const Vector4& v, double h) {
-  const auto gradient = [&](const Vector4& w) {
-    const EnergyJet jet = energyJet(e, {w[0], w[1]}, {w[2], w[3]});
-    return pack(jet.gradientP, jet.gradientM);
-  };
-  Matrix4 H;
-  for (int i = 0; i < 4; ++i) {
-    const Vector4 step = h * Vector4::Unit(i);
-    H.col(i) = (8.0 * (gradient(v + step) - gradient(v - step)) -
-                (gradient(v + 2.0 * step) - gradient(v - 2.0 * step))) /
-               (12.0 * h);
-  }
-  return 0.5 * (H + H.transpose());
 }
 
 TEST(Energy, HessianIsTheTrueOneWithItsNegativeEigenvaluesRaised) {
@@ -149,7 +188,9 @@ TEST(Energy, CurvaturesArePositiveAndDirectionsOrthonormal) {
 TEST(Energy, ExponentsRunFromAnglesOverSymmetricDirichletToAreas) {
   EXPECT_DOUBLE_EQ(exponentsAt(0.0).angle, 1.0);
   EXPECT_DOUBLE_EQ(exponentsAt(0.0).area, 1.0);
-  double last = 0.0;
+  EXPECT_LT(exponentsAt(-1.0).knee, 1e-2);
+  EXPECT_EQ(exponentsAt(0.0).knee, EnergyExponents::kNoKnee);
+  double last = 0.0, lastKnee = 0.0;
   for (double balance = -1.5; balance <= 1.5; balance += 0.125) {
     const EnergyExponents e = exponentsAt(balance);
     EXPECT_GT(e.angle, 0.0);
@@ -157,6 +198,8 @@ TEST(Energy, ExponentsRunFromAnglesOverSymmetricDirichletToAreas) {
     EXPECT_DOUBLE_EQ(std::max(e.angle, e.area), 1.0);
     EXPECT_GE(e.area / e.angle, last);
     last = e.area / e.angle;
+    EXPECT_GE(e.knee, lastKnee);
+    lastKnee = e.knee;
   }
 }
 

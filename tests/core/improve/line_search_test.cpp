@@ -81,6 +81,11 @@ TEST(BestScale, IsAMinimumOfTheMeanEnergyWhereverTheSearchStarts) {
     EXPECT_GT(meanEnergy(e, terms, parts, 1.01 * scale), least);
     EXPECT_GT(meanEnergy(e, terms, parts, 0.99 * scale), least);
   }
+  const EnergyExponents bent{1.0, 0.5, 1e-2};
+  const double scale = bestScale(bent, terms, parts, 1.0);
+  const double least = meanEnergy(bent, terms, parts, scale);
+  EXPECT_GT(meanEnergy(bent, terms, parts, 1.01 * scale), least);
+  EXPECT_GT(meanEnergy(bent, terms, parts, 0.99 * scale), least);
 }
 
 }  // namespace

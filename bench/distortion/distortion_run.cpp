@@ -1,7 +1,6 @@
 #include "distortion_run.h"
 
 #include <algorithm>
-#include <ctime>
 #include <string_view>
 
 #include "cut_maps.h"
@@ -9,12 +8,11 @@
 #include "hgp/parametrize/parametrize.h"
 #include "hgp/parametrize/seamless_setup.h"
 #include "least_squares_conformal.h"
+#include "processor_time.h"
 #include "slim.h"
 
 namespace hgp::bench {
 namespace {
-
-double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// A surface with its cones and its plain map, on which everything else is measured.
 class Comparison {

@@ -185,6 +185,10 @@ double atan2(double y, double x) {
   double a = std::fabs(y), b = std::fabs(x);
   const bool isSteep = a > b;
   if (isSteep) std::swap(a, b);
+  if (std::isinf(b)) {  // along an axis, or between two where both are infinite
+    a = std::isinf(a) ? 1.0 : 0.0;
+    b = 1.0;
+  }
   std::pair<double, double> angle{0.0, 0.0};
   if (b > 0) {
     if (!isTame(b)) {

@@ -118,6 +118,9 @@ TEST(PortableMath, WhatHasNoValueIsNotANumberAndEndsAreWhereTheyShouldBe) {
   }
   EXPECT_TRUE(std::isnan(portable::log(-1.0)) && std::isnan(portable::log(nan)));
   EXPECT_TRUE(std::isnan(portable::atan2(nan, 1.0)) && std::isnan(portable::acos(1.0000001)));
+  for (const double y : {inf, -inf, 2.0, -0.0})
+    for (const double x : {inf, -inf, 3.0})
+      EXPECT_EQ(portable::atan2(y, x), std::atan2(y, x)) << y << " " << x;
   EXPECT_EQ(portable::log(0.0), -inf);
   EXPECT_EQ(portable::log(inf), inf);
   EXPECT_EQ(portable::exp(-inf), 0.0);

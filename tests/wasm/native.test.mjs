@@ -52,7 +52,11 @@ const cases = [
   ['improved', { 'bump.obj': bumpyDisk(10) }, { q: 4, improve: 'isometric' }],
   ['improved angles', { 'angles.obj': toObj(blocks(eight, { n: 3 })) }, { improve: -0.7 }],
   ['aligned', { 'grid.obj': toObj(blocks(ring, { n: 4 })) }, { q: 4, grid: { cells: 400 } }],
-  ['aligned, GLB', { 'grid.glb': toGlb([cubeMesh(8)]) }, { q: 4, grid: { cells: 600, mode: 'quad' } }],
+  [
+    'aligned, GLB',
+    { 'grid.glb': toGlb([cubeMesh(8)]) },
+    { q: 4, grid: { cells: 600, mode: 'quad' } },
+  ],
   ['hard constraints', { 'hard.obj': toObj(blocks(eight, { n: 3 })) }, { method: 'harmonic' }],
   ['few cones', { 'few.obj': toObj(cubeMesh(9)) }, { q: 4, conesFor: 'few' }],
   ['low distortion', { 'low.obj': toObj(blocks(ring)) }, { conesFor: 'low-distortion' }],

@@ -102,7 +102,7 @@ export const faults = [
     'relations.push_back(closed.shift);',
     'if (!relations.empty()) relations.push_back(closed.shift);',
   ),
-  fault('system/weights.cpp', 'std::tan(0.5 *', 'std::tan(0.49 *'),
+  fault('system/weights.cpp', 'portable::tan(0.5 *', 'portable::tan(0.49 *'),
   fault(
     'system/translations.cpp',
     'sum.push_back({other, -value});',
@@ -121,11 +121,15 @@ export const faults = [
   // optimize
   fault(
     'optimize/exact_form.cpp',
-    'std::exp(-in_.options.u[v])',
-    'std::exp(in_.options.u[v])',
+    'portable::exp(-in_.options.u[v])',
+    'portable::exp(in_.options.u[v])',
     short,
   ),
-  fault('optimize/penalty_form.cpp', 'std::exp(-in.options.u[v])', 'std::exp(in.options.u[v])'),
+  fault(
+    'optimize/penalty_form.cpp',
+    'portable::exp(-in.options.u[v])',
+    'portable::exp(in.options.u[v])',
+  ),
   fault(
     'optimize/program_terms.cpp',
     'constraint.h << in.options.margin',
@@ -133,8 +137,8 @@ export const faults = [
   ),
   fault(
     'optimize/program_terms.cpp',
-    'std::polar(weight, in.seams.frameAngle[f])',
-    'std::polar(weight, -in.seams.frameAngle[f])',
+    'portable::polar(weight, in.seams.frameAngle[f])',
+    'portable::polar(weight, -in.seams.frameAngle[f])',
   ),
   fault('optimize/frames.cpp', 'if (isMarked[v] || mesh.isBoundary(v)) {', 'if (isMarked[v]) {'),
   fault(

@@ -34,8 +34,8 @@ Json thresholds(const Certificate& c) {
 
 class ComponentJson {
  public:
-  ComponentJson(const Model& model, const ModelComponent& component, const Certificate& c)
-      : model_(model), piece_(component), c_(c) {}
+  ComponentJson(const ModelComponent& component, const Certificate& c)
+      : component_(component), c_(c) {}
 
   Json make() const {
     Json json{{"certified", c_.isCertified}, {"usable", c_.isUsable}, {"measured", c_.isMeasured}};
@@ -61,16 +61,8 @@ class ComponentJson {
   }
 
  private:
-  int vertex(VertexId v) const {
-    if (!v.isValid()) return -1;
-    const int inMesh = piece_.vertexOrigin[static_cast<std::size_t>(v.i)];
-    return model_.vertexOrigin[static_cast<std::size_t>(inMesh)];
-  }
-  int face(FaceId f) const {
-    if (!f.isValid()) return -1;
-    const int inMesh = piece_.faceOrigin[static_cast<std::size_t>(f.i)];
-    return model_.faceOrigin[static_cast<std::size_t>(inMesh)];
-  }
+  int vertex(VertexId v) const { return component_.vertex[v].i; }
+  int face(FaceId f) const { return component_.face[f].i; }
 
   static Json listed(std::vector<int> ids) {
     std::sort(ids.begin(), ids.end());
@@ -121,7 +113,7 @@ class ComponentJson {
   Json turnings() const {
     Json out = Json::array();
     for (const MeasuredTurning& t : c_.angles.turnings) {
-      out.push_back(Json{{"loop", piece_.loopOrigin[static_cast<std::size_t>(t.loop.i)]},
+      out.push_back(Json{{"loop", component_.loop[t.loop].i},
                          {"asked", optionalNumber(t.asked)},
                          {"measured", t.measured},
                          {"distance", t.distance},
@@ -133,7 +125,7 @@ class ComponentJson {
   Json handles() const {
     Json out = Json::array();
     for (const MeasuredHandle& h : c_.seams.handles) {
-      out.push_back(Json{{"generator", piece_.generatorOffset + h.index},
+      out.push_back(Json{{"generator", component_.generatorOffset + h.index},
                          {"asked", optionalNumber(h.asked)},
                          {"measured", optionalNumber(h.measured)}});
     }
@@ -145,8 +137,8 @@ class ComponentJson {
     const bool isExact = c_.exactSeams.isApplicable;
     Json worst = Json::array();
     if (s.worst) {
-      const HalfedgeId h = piece_.mesh.halfedge(s.worst->edge);
-      worst = {vertex(piece_.mesh.tail(h)), vertex(piece_.mesh.head(h))};
+      const HalfedgeId h = component_.mesh.halfedge(s.worst->edge);
+      worst = {vertex(component_.mesh.tail(h)), vertex(component_.mesh.head(h))};
     }
     return Json{{"edges", s.seams.size()},
                 {"broken", s.broken.size()},
@@ -181,7 +173,7 @@ class ComponentJson {
     Json out = Json::array();
     for (const Reason& reason : c_.reasons) {
       std::vector<Where> where = reason.where;
-      toSurfaceIds(model_, piece_, where);
+      toSurfaceIds(component_, where);
       out.push_back(Json{{"rule", ruleName(reason.rule)},
                          {"count", reason.count},
                          {"worst", finite(reason.worst)},
@@ -191,8 +183,7 @@ class ComponentJson {
     return out;
   }
 
-  const Model& model_;
-  const ModelComponent& piece_;
+  const ModelComponent& component_;
   const Certificate& c_;
 };
 
@@ -256,7 +247,7 @@ std::string certificateText(const Model& model, const std::vector<Certificate>& 
                         {"splitVertices", outside.splitVertices}};
   Json& components = json["components"] = Json::array();
   for (std::size_t p = 0; p < certificates.size(); ++p) {
-    components.push_back(ComponentJson(model, model.components[p], certificates[p]).make());
+    components.push_back(ComponentJson(model.components[p], certificates[p]).make());
   }
   return textOf(json);
 }

@@ -9,23 +9,17 @@ namespace {
 class Names {
  public:
   /// @param copies  per vertex of the surface, how many vertices repairs made of it
-  Names(const Model& model, const ModelComponent& component, const std::vector<int>& copies)
-      : model_(model), component_(component), copies_(copies) {}
+  Names(const ModelComponent& component, const std::vector<int>& copies)
+      : component_(component), copies_(copies) {}
 
-  int vertex(VertexId v) const { return model_.vertexOrigin[inMesh(v)]; }
+  int vertex(VertexId v) const { return component_.vertex[v].i; }
   bool isUnique(VertexId v) const { return copies_[static_cast<std::size_t>(vertex(v))] == 1; }
   /// A triangle of the surface at v.
   int triangleAt(VertexId v) const {
-    const FaceId f = TriMesh::face(component_.mesh.outgoing(v));
-    const int inMesh = component_.faceOrigin[static_cast<std::size_t>(f.i)];
-    return model_.faceOrigin[static_cast<std::size_t>(inMesh)];
+    return component_.face[TriMesh::face(component_.mesh.outgoing(v))].i;
   }
 
  private:
-  std::size_t inMesh(VertexId v) const {
-    return static_cast<std::size_t>(component_.vertexOrigin[static_cast<std::size_t>(v.i)]);
-  }
-  const Model& model_;
   const ModelComponent& component_;
   const std::vector<int>& copies_;
 };
@@ -47,11 +41,11 @@ io::Prescription describe(const Model& model, const std::vector<HolonomySpec>& s
   out.sha256 = model.sha256;
   out.vertexCount = static_cast<int>(model.source().mesh.positions.size());
   out.triangleCount = static_cast<int>(model.source().mesh.triangles.size());
-  std::vector<int> copies(model.vertexImage.size(), 0);
-  for (int v : model.vertexOrigin) ++copies[static_cast<std::size_t>(v)];
+  std::vector<int> copies(at(model.vertexImage.size()), 0);
+  for (int v : model.vertexOrigin.raw()) ++copies[static_cast<std::size_t>(v)];
   for (std::size_t p = 0; p < specs.size(); ++p) {
     const ModelComponent& component = model.components[p];
-    const Names names(model, component, copies);
+    const Names names(component, copies);
     out.q = specs[p].q;
     const auto told = static_cast<std::ptrdiff_t>(out.cones.size());
     for (const ConePoint& c : specs[p].cones) {
@@ -62,7 +56,7 @@ io::Prescription describe(const Model& model, const std::vector<HolonomySpec>& s
               [](const auto& a, const auto& b) { return a.vertex < b.vertex; });
     for (std::size_t j = 0; j < specs[p].turning.size(); ++j) {
       if (!specs[p].turning[j]) continue;
-      out.boundaries.push_back({component.loopOrigin[j], *specs[p].turning[j],
+      out.boundaries.push_back({component.loop[LoopId{static_cast<int>(j)}].i, *specs[p].turning[j],
                                 anchorOf(component, component.topology.loops[j], names)});
     }
     for (std::size_t j = 0; j < specs[p].handles.size(); ++j) {

@@ -32,17 +32,15 @@ Json defectsJson(const Model& model) {
     std::vector<Where> where = defect.where;
     if (where.size() > kMostPlaces) where.resize(kMostPlaces);
     const auto vertex = [&](std::int64_t& v) {
-      if (v >= 0 && v < static_cast<std::int64_t>(model.vertexOrigin.size())) {
-        v = model.vertexOrigin[static_cast<std::size_t>(v)];
-      }
+      const MeshVertexId id{static_cast<int>(v)};
+      if (model.vertexOrigin.has(id)) v = model.vertexOrigin[id].i;
     };
     for (Where& w : where) {
       if (w.kind == Where::Kind::kVertex || w.kind == Where::Kind::kEdge) vertex(w.id);
       if (w.kind == Where::Kind::kEdge) vertex(w.other);
-      if (w.kind == Where::Kind::kFace && w.id >= 0 &&
-          w.id < static_cast<std::int64_t>(model.faceOrigin.size())) {
-        w.id = model.faceOrigin[static_cast<std::size_t>(w.id)];
-      }
+      const MeshFaceId face{static_cast<int>(w.id)};
+      if (w.kind == Where::Kind::kFace && model.faceOrigin.has(face))
+        w.id = model.faceOrigin[face].i;
     }
     out.push_back(Json{{"kind", defectName(defect.kind)},
                        {"fatal", isFatal(defect.kind, !model.unusable)},
@@ -52,7 +50,7 @@ Json defectsJson(const Model& model) {
   return out;
 }
 
-Json loopsJson(const Model& model, const ModelComponent& component) {
+Json loopsJson(const ModelComponent& component) {
   Json out = Json::array();
   if (component.topology.loops.empty()) return out;
   const Geometry geometry = computeGeometry(component.mesh);
@@ -63,11 +61,10 @@ Json loopsJson(const Model& model, const ModelComponent& component) {
       length += geometry.length[h] * geometry.unit;
       turning += curvature(component.mesh, geometry, component.mesh.tail(h));
     }
-    const int first = component.mesh.tail(halfedges.front()).i;
-    const int inMesh = component.vertexOrigin[static_cast<std::size_t>(first)];
-    out.push_back(Json{{"loop", component.loopOrigin[j]},
+    const VertexId first = component.mesh.tail(halfedges.front());
+    out.push_back(Json{{"loop", component.loop[LoopId{static_cast<int>(j)}].i},
                        {"vertices", halfedges.size()},
-                       {"anchor", model.vertexOrigin[static_cast<std::size_t>(inMesh)]},
+                       {"anchor", component.vertex[first].i},
                        {"length", length},
                        {"turningAngle", turning}});
   }
@@ -87,7 +84,7 @@ Json componentsJson(const Model& model) {
              {"genus", component.topology.genus},
              {"handleGenerators",
               Json{{"first", component.generatorOffset}, {"count", 2 * component.topology.genus}}},
-             {"boundaryLoops", loopsJson(model, component)}});
+             {"boundaryLoops", loopsJson(component)}});
   }
   return out;
 }
@@ -138,7 +135,7 @@ std::string checkText(const Model& model, const Request& request,
                {"valid", !checks[p].refusal},
                {"automatic", checks[p].isAutomatic},
                {"genus", component.topology.genus},
-               {"boundaryLoops", component.loopOrigin.size()},
+               {"boundaryLoops", component.loop.size()},
                {"cones", spec.cones.size()},
                {"budget", budgetJson(checks[p])}};
     entry["warnings"] = checks[p].budget ? checks[p].budget->warnings : std::vector<std::string>();

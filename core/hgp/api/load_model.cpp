@@ -48,10 +48,26 @@ void bringNeighboursTogether(ModelComponent& component) {
   Numbering numbering = nearbyNumbering(component.mesh);
   component.mesh = renumbered(component.mesh, numbering);
   component.topology = computeTopology(component.mesh);
-  for (int& v : numbering.vertices) v = component.vertexOrigin[static_cast<std::size_t>(v)];
-  for (int& f : numbering.faces) f = component.faceOrigin[static_cast<std::size_t>(f)];
-  component.vertexOrigin = std::move(numbering.vertices);
-  component.faceOrigin = std::move(numbering.faces);
+  component.meshVertex =
+      IdMap<VertexId, VertexId>(std::move(numbering.vertices)).then(component.meshVertex);
+  component.meshFace = IdMap<FaceId, FaceId>(std::move(numbering.faces)).then(component.meshFace);
+}
+
+/// The ways of a component to the surface: corners keep their order within a face.
+void findSurfaceIds(const Model& model, ModelComponent& component) {
+  component.vertex = component.meshVertex.then(model.vertexOrigin);
+  component.face = component.meshFace.then(model.faceOrigin);
+  std::vector<int> corners;
+  corners.reserve(3 * at(component.meshFace.size()));
+  for (int f : component.meshFace.raw())
+    for (int k = 0; k < 3; ++k) corners.push_back(3 * f + k);
+  component.corner = IdMap<HalfedgeId, MeshCornerId>(std::move(corners)).then(model.cornerOrigin);
+}
+
+void addComponent(Model& model, ModelComponent component) {
+  bringNeighboursTogether(component);
+  findSurfaceIds(model, component);
+  model.components.push_back(std::move(component));
 }
 
 /// @pre model.defects has nothing fatal
@@ -65,10 +81,13 @@ Status splitIntoComponents(Model& model) {
     loopsOf[static_cast<std::size_t>(model.topology.component[f])].push_back(static_cast<int>(j));
   }
   if (isOne) {
-    model.components.push_back({std::move(whole), model.topology,
-                                identity(model.mesh.positions.size()),
-                                identity(model.mesh.triangles.size()), loopsOf[0], 0});
-    bringNeighboursTogether(model.components.back());
+    ModelComponent all;
+    all.mesh = std::move(whole);
+    all.topology = model.topology;
+    all.meshVertex = all.meshVertex.identity(model.mesh.positions.size());
+    all.meshFace = all.meshFace.identity(model.mesh.triangles.size());
+    all.loop = IdMap<LoopId, SurfaceLoopId>(std::move(loopsOf[0]));
+    addComponent(model, std::move(all));
     return Done{};
   }
   int generators = 0;
@@ -78,13 +97,15 @@ Status splitIntoComponents(Model& model) {
     // have been refused.
     Result<TriMesh> mesh = buildTriMesh(components[c].mesh, true);
     if (!mesh) return mesh.error();
-    Topology topology = computeTopology(*mesh);
-    const int genus = topology.genus;
-    model.components.push_back({std::move(*mesh), std::move(topology),
-                                std::move(components[c].vertexOrigin),
-                                std::move(components[c].faceOrigin), loopsOf[c], generators});
-    bringNeighboursTogether(model.components.back());
-    generators += 2 * genus;
+    ModelComponent part;
+    part.mesh = std::move(*mesh);
+    part.topology = computeTopology(part.mesh);
+    part.meshVertex = IdMap<VertexId, MeshVertexId>(std::move(components[c].vertexOrigin));
+    part.meshFace = IdMap<FaceId, MeshFaceId>(std::move(components[c].faceOrigin));
+    part.loop = IdMap<LoopId, SurfaceLoopId>(std::move(loopsOf[c]));
+    part.generatorOffset = generators;
+    generators += 2 * part.topology.genus;
+    addComponent(model, std::move(part));
   }
   return Done{};
 }

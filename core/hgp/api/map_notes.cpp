@@ -24,8 +24,7 @@ double uvArea(const UvMap& map, FaceId f) {
 
 }  // namespace
 
-std::optional<std::string> crushedNote(const Model& model, const ModelComponent& component,
-                                       const UvMap& map) {
+std::optional<std::string> crushedNote(const ModelComponent& component, const UvMap& map) {
   const TriMesh& mesh = component.mesh;
   if (map.cornerUv.size() != static_cast<std::size_t>(mesh.faceCount())) return {};
   PerFace<double> scale(static_cast<std::size_t>(mesh.faceCount()), -1.0);
@@ -49,7 +48,7 @@ std::optional<std::string> crushedNote(const Model& model, const ModelComponent&
   }
   if (count == 0) return {};
   std::vector<Where> place{{Where::Kind::kFace, worst.i}};
-  toSurfaceIds(model, component, place);
+  toSurfaceIds(component, place);
   const Vec3& p = mesh.position(mesh.corners(worst)[0]);
   return formatText(
       "%d of %d triangles are crushed: their areas are scaled by less than %g of the median, the "

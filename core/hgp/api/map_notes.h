@@ -15,8 +15,7 @@ inline constexpr double kCrushedScale = 1e-3;
 
 /// Count, share of the surface and place of crushed triangles; nothing where there is none.
 /// @param map  of the component's own mesh
-std::optional<std::string> crushedNote(const Model& model, const ModelComponent& component,
-                                       const UvMap& map);
+std::optional<std::string> crushedNote(const ModelComponent& component, const UvMap& map);
 
 /// Where automatic cones are not as many as were asked.
 std::optional<std::string> countNote(int asked, const CompleteSpec& chosen);

@@ -1,7 +1,6 @@
 #include "hgp/api/mended_model.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "hgp/api/mending.h"
 #include "hgp/base/check.h"
@@ -23,8 +22,8 @@ void weldNearVertices(Model& model, double tolerance) {
         v = weld.welded[static_cast<std::size_t>(v)];
     }
   }
-  model.vertexOrigin = std::move(weld.firstStored);
-  model.vertexImage = std::move(weld.welded);
+  model.vertexOrigin = IdMap<MeshVertexId, SurfaceVertexId>(std::move(weld.firstStored));
+  model.vertexImage = IdMap<SurfaceVertexId, MeshVertexId>(std::move(weld.welded));
 }
 
 /// Which corner of its original face each corner of a repaired face is. (No face has a vertex twice.)
@@ -36,7 +35,7 @@ std::array<int, 3> matchCorners(const Model& model, const std::array<int, 3>& af
   for (std::size_t k = 0; k < 3; ++k) {
     const int v = vertexOrigin[static_cast<std::size_t>(after[k])];
     for (std::size_t j = 0; j < 3 && corner[k] < 0; ++j) {
-      const int image = model.vertexImage[static_cast<std::size_t>(original[j])];
+      const int image = model.vertexImage[SurfaceVertexId{original[j]}].i;
       if (isTaken[j] || image < 0 || image != v) continue;
       corner[k] = static_cast<int>(j);
       isTaken[j] = true;
@@ -66,14 +65,13 @@ void repair(Model& model, const FixOptions& fix) {
     const int old = fixed.vertexOrigin[v];
     if (old >= 0) image[static_cast<std::size_t>(old)] = static_cast<int>(v);
   }
-  for (int& v : model.vertexImage) v = v < 0 ? -1 : image[static_cast<std::size_t>(v)];
-  std::vector<int> vertexOrigin;
-  for (int v : fixed.vertexOrigin) {
-    vertexOrigin.push_back(v < 0 ? -1 : model.vertexOrigin[static_cast<std::size_t>(v)]);
-  }
-  model.vertexOrigin = std::move(vertexOrigin);
-  model.faceOrigin = std::move(fixed.faceOrigin);
-  model.cornerOrigin = std::move(cornerOrigin);
+  // Between the vertices before the repairs and those after them.
+  using BeforeId = MeshVertexId;
+  model.vertexImage = model.vertexImage.then(IdMap<BeforeId, MeshVertexId>(std::move(image)));
+  model.vertexOrigin =
+      IdMap<MeshVertexId, BeforeId>(std::move(fixed.vertexOrigin)).then(model.vertexOrigin);
+  model.faceOrigin = IdMap<MeshFaceId, SurfaceFaceId>(std::move(fixed.faceOrigin));
+  model.cornerOrigin = IdMap<MeshCornerId, SurfaceCornerId>(std::move(cornerOrigin));
   model.leftOut = std::move(fixed.leftOut);
   model.splitVertices =
       static_cast<int>(fixed.mesh.positions.size()) - static_cast<int>(model.mesh.positions.size());
@@ -83,10 +81,11 @@ void repair(Model& model, const FixOptions& fix) {
 /// The surface as the file has it.
 void takeSource(Model& model) {
   model.mesh = model.source().mesh;
-  model.vertexOrigin = identity(model.mesh.positions.size());
-  model.vertexImage = model.vertexOrigin;
-  model.faceOrigin = identity(model.mesh.triangles.size());
-  model.cornerOrigin = identity(3 * model.mesh.triangles.size());
+  const std::size_t vertices = model.mesh.positions.size(), faces = model.mesh.triangles.size();
+  model.vertexOrigin = model.vertexOrigin.identity(vertices);
+  model.vertexImage = model.vertexImage.identity(vertices);
+  model.faceOrigin = model.faceOrigin.identity(faces);
+  model.cornerOrigin = model.cornerOrigin.identity(3 * faces);
 }
 
 /// Copies what repairs change.
@@ -165,12 +164,6 @@ void mend(Model& model, const LoadOptions& options) {
 }
 
 }  // namespace
-
-std::vector<int> identity(std::size_t count) {
-  std::vector<int> ids(count);
-  std::iota(ids.begin(), ids.end(), 0);
-  return ids;
-}
 
 void addNotes(Model& model, std::vector<std::string> more) {
   model.notes.insert(model.notes.end(), std::make_move_iterator(more.begin()),

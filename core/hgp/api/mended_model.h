@@ -11,8 +11,6 @@ namespace hgp::api {
 /// @pre model.document and model.surface are set
 void takeMended(Model& model, const LoadOptions& options);
 
-/// 0 … count − 1.
-std::vector<int> identity(std::size_t count);
 void addNotes(Model& model, std::vector<std::string> more);
 
 }  // namespace hgp::api

@@ -2,6 +2,7 @@
 // ways back to the file's ids.  Role: what every call of a session works on.
 #pragma once
 
+#include "hgp/api/id_map.h"
 #include "hgp/api/options.h"
 #include "hgp/mesh/topology.h"
 
@@ -12,10 +13,15 @@ namespace hgp::api {
 struct ModelComponent {
   TriMesh mesh;
   Topology topology;
-  std::vector<int> vertexOrigin;  ///< component vertex → vertex of Model::mesh
-  std::vector<int> faceOrigin;    ///< component face → face of Model::mesh
-  std::vector<int> loopOrigin;    ///< component loop → loop of Model::topology
-  int generatorOffset = 0;        ///< handle generators are numbered through all components
+  IdMap<VertexId, MeshVertexId> meshVertex;
+  IdMap<FaceId, MeshFaceId> meshFace;
+  IdMap<LoopId, SurfaceLoopId> loop;
+  int generatorOffset = 0;  ///< handle generators are numbered through all components
+
+  /// The ways through Model::mesh to the surface.
+  IdMap<VertexId, SurfaceVertexId> vertex;
+  IdMap<FaceId, SurfaceFaceId> face;
+  IdMap<HalfedgeId, SurfaceCornerId> corner;
 };
 
 /// What LoadOptions::writesRepairs changed in the file.
@@ -33,11 +39,11 @@ struct Model {
   std::uint64_t byteCount = 0;
   int surface = 0;
 
-  MeshData mesh;                  ///< after welding and repairs
-  std::vector<int> vertexOrigin;  ///< vertex of `mesh` → a vertex of the surface
-  std::vector<int> vertexImage;  ///< vertex of the surface → a vertex of `mesh`, −1 when removed
-  std::vector<int> faceOrigin;   ///< face of `mesh` → face of the surface
-  std::vector<int> cornerOrigin;          ///< corner 3f + k of `mesh` → corner of the surface
+  MeshData mesh;                                      ///< after welding and repairs
+  IdMap<MeshVertexId, SurfaceVertexId> vertexOrigin;  ///< one of those that became it
+  IdMap<SurfaceVertexId, MeshVertexId> vertexImage;   ///< one of those it became; none when removed
+  IdMap<MeshFaceId, SurfaceFaceId> faceOrigin;
+  IdMap<MeshCornerId, SurfaceCornerId> cornerOrigin;
   std::vector<LeftOutFace> leftOut;       ///< faces of the surface that are not in `mesh`
   int splitVertices = 0;                  ///< vertices that repairs added
   std::optional<WrittenRepairs> written;  ///< where `document` is the repaired file
@@ -60,6 +66,6 @@ struct Model {
 
 /// Ids of a component in `where` become ids of the surface.
 Failure toSurfaceIds(const Model& model, const ModelComponent& component, Failure failure);
-void toSurfaceIds(const Model& model, const ModelComponent& component, std::vector<Where>& where);
+void toSurfaceIds(const ModelComponent& component, std::vector<Where>& where);
 
 }  // namespace hgp::api

@@ -12,9 +12,7 @@ const Triple& triangleOf(const Model& model, int face) {
 }
 
 /// The vertex of Model::mesh that a vertex of the surface became; copies by a split count as one.
-int imageOf(const Model& model, int vertex) {
-  return model.vertexImage[static_cast<std::size_t>(vertex)];
-}
+int imageOf(const Model& model, int vertex) { return model.vertexImage[SurfaceVertexId{vertex}].i; }
 
 /// The corner of triangle `other` that has this vertex, or −1.
 int cornerOf(const Model& model, const Triple& other, int vertex) {
@@ -91,8 +89,9 @@ OutsideFacts measureOutside(const Model& model, const UvMap& surfaceMap) {
   facts.stored = static_cast<int>(model.source().mesh.triangles.size());
   facts.judged = static_cast<int>(model.mesh.triangles.size());
   facts.splitVertices = model.splitVertices;
+  const std::vector<int>& corner = model.cornerOrigin.raw();
   for (std::size_t f = 0; f < model.mesh.triangles.size(); ++f)
-    facts.reversed += (model.cornerOrigin[3 * f + 1] - model.cornerOrigin[3 * f] + 3) % 3 == 2;
+    facts.reversed += (corner[3 * f + 1] - corner[3 * f] + 3) % 3 == 2;
   for (const LeftOutFace& left : model.leftOut) {
     if (left.why == LeftOut::kZeroArea) {
       ++facts.zeroArea;

@@ -19,16 +19,10 @@ VertexPair storedEnds(const Model& model, const ModelComponent& component, Halfe
   const auto& triangles = model.source().mesh.triangles;
   for (std::size_t i = 0; i < 2; ++i) {
     const HalfedgeId at = i == 0 ? h : TriMesh::next(h);
-    const int inMesh = component.faceOrigin[static_cast<std::size_t>(at.i / 3)];
-    const int corner = model.cornerOrigin[static_cast<std::size_t>(3 * inMesh + at.i % 3)];
-    ends[i] = triangles[static_cast<std::size_t>(corner / 3)][static_cast<std::size_t>(corner % 3)];
+    const SurfaceCornerId corner = component.corner[at];
+    ends[i] = triangles[hgp::at(corner.i / 3)][hgp::at(corner.i % 3)];
   }
   return ends;
-}
-
-int surfaceVertex(const Model& model, const ModelComponent& component, VertexId v) {
-  const int inMesh = component.vertexOrigin[static_cast<std::size_t>(v.i)];
-  return model.vertexOrigin[static_cast<std::size_t>(inMesh)];
 }
 
 Failure tangled() {
@@ -43,12 +37,8 @@ Failure tangled() {
 class Carrier {
  public:
   Carrier(const Model& before, const RefinedModel& refined, std::size_t p)
-      : before_(before),
-        refined_(refined),
-        old_(before.components[p]),
-        new_(refined.model.components[p]) {
-    for (VertexId v : new_.mesh.vertices())
-      vertexAt_.emplace(surfaceVertex(refined.model, new_, v), v);
+      : refined_(refined), old_(before.components[p]), new_(refined.model.components[p]) {
+    for (VertexId v : new_.mesh.vertices()) vertexAt_.emplace(new_.vertex[v].i, v);
   }
 
   Result<ComponentRequest> carry(const ComponentRequest& request,
@@ -58,7 +48,7 @@ class Carrier {
     out.spec.q = request.spec.q;
     if (out.isAutomatic) return out;
     for (const ConePoint& cone : request.spec.cones) {
-      const auto v = vertexAt_.find(surfaceVertex(before_, old_, cone.vertex));
+      const auto v = vertexAt_.find(old_.vertex[cone.vertex].i);
       if (v == vertexAt_.end()) return tangled();
       out.spec.cones.push_back({v->second, cone.k});
     }
@@ -85,7 +75,7 @@ class Carrier {
     for (std::size_t j = 0; j < from.turning.size(); ++j) {
       if (!from.turning[j]) continue;
       const VertexId on = old_.mesh.tail(old_.topology.loops[j].halfedges.front());
-      const auto v = vertexAt_.find(surfaceVertex(before_, old_, on));
+      const auto v = vertexAt_.find(old_.vertex[on].i);
       bool isFound = false;
       for (std::size_t i = 0; i < new_.topology.loops.size() && v != vertexAt_.end(); ++i) {
         const auto& loop = new_.topology.loops[i].halfedges;
@@ -102,8 +92,7 @@ class Carrier {
 
   bool findOldHalfedges() {
     for (HalfedgeId h : old_.mesh.halfedges()) {
-      const VertexPair ends{surfaceVertex(before_, old_, old_.mesh.tail(h)),
-                            surfaceVertex(before_, old_, old_.mesh.head(h))};
+      const VertexPair ends{old_.vertex[old_.mesh.tail(h)].i, old_.vertex[old_.mesh.head(h)].i};
       if (!oldAt_.emplace(ends, h).second) return false;
     }
     return true;
@@ -111,8 +100,8 @@ class Carrier {
 
   /// The halfedge of before that h lies on; invalid inside a triangle.
   HalfedgeId oldHalfedge(HalfedgeId h) const {
-    int a = surfaceVertex(refined_.model, new_, new_.mesh.tail(h));
-    int b = surfaceVertex(refined_.model, new_, new_.mesh.head(h));
+    int a = new_.vertex[new_.mesh.tail(h)].i;
+    int b = new_.vertex[new_.mesh.head(h)].i;
     const int count = refined_.facts.verticesBefore;
     if (a >= count && b >= count) return {};
     if (a >= count || b >= count) {
@@ -126,7 +115,6 @@ class Carrier {
     return it == oldAt_.end() ? HalfedgeId() : it->second;
   }
 
-  const Model& before_;
   const RefinedModel& refined_;
   const ModelComponent &old_, &new_;
   std::map<int, VertexId> vertexAt_;

@@ -50,13 +50,12 @@ std::string gridReason(const GridReport& grid, const std::vector<Where>& cones) 
   return text;
 }
 
-Json gridJson(const Model& model, const ModelComponent& component,
-              const std::optional<GridReport>& grid) {
+Json gridJson(const ModelComponent& component, const std::optional<GridReport>& grid) {
   if (!grid) return Json();
   std::vector<Where> cones;
   for (const ConeDistance& pair : grid->closest)
     cones.push_back({Where::Kind::kEdge, pair.a.i, pair.b.i});
-  toSurfaceIds(model, component, cones);
+  toSurfaceIds(component, cones);
   Json closest = Json::array();
   for (std::size_t n = 0; n < cones.size(); ++n)
     closest.push_back(
@@ -113,7 +112,7 @@ void addTheorem(Json& json, const HarmonicFacts& harmonic, const Certificate& ce
                                            : reason;
 }
 
-Json componentJson(const Model& model, const ModelComponent& component, const Parametrization& run,
+Json componentJson(const ModelComponent& component, const Parametrization& run,
                    const HarmonicFacts& harmonic, const Certificate& certificate) {
   Json rounds = Json::array(), times = Json::array();
   for (const Round& r : run.rounds) rounds.push_back(roundJson(r));
@@ -122,7 +121,7 @@ Json componentJson(const Model& model, const ModelComponent& component, const Pa
   }
   std::vector<Where> conflict;
   for (FaceId f : run.conflict) conflict.push_back({Where::Kind::kFace, f.i});
-  toSurfaceIds(model, component, conflict);
+  toSurfaceIds(component, conflict);
   Json json{{"certifiedBeforeStoring", run.isCertified},
             {"usable", run.isUsable},
             {"harmonic", Json{{"rows", harmonic.rows},
@@ -133,7 +132,7 @@ Json componentJson(const Model& model, const ModelComponent& component, const Pa
             {"times", std::move(times)},
             {"improvement", run.improvement ? improvementJson(*run.improvement) : Json()},
             {"conflict", whereJson(conflict)},
-            {"grid", gridJson(model, component, run.grid)},
+            {"grid", gridJson(component, run.grid)},
             {"notes", run.notes}};
   addTheorem(json, harmonic, certificate);
   return json;
@@ -201,8 +200,8 @@ std::string reportText(const Model& model, const RunRecord& run,
   json["notes"] = notes;
   Json& components = json["components"] = Json::array();
   for (std::size_t p = 0; p < run.components.size(); ++p) {
-    components.push_back(componentJson(model, model.components[p], run.components[p],
-                                       run.harmonic[p], certificates[p]));
+    components.push_back(
+        componentJson(model.components[p], run.components[p], run.harmonic[p], certificates[p]));
   }
   json["cones"] = kConesHere;
   json["certificate"] = kCertificateHere;

@@ -25,16 +25,14 @@ class Resolver {
   Resolver(const Model& model, const io::Prescription& asked) : model_(model), asked_(asked) {
     out_.q = asked.q;
     out_.notes = asked.notes;
-    pieceOf_.assign(model.mesh.positions.size(), {-1, -1});
+    local_ = Per<MeshVertexId, Local>(model.mesh.positions.size());
     for (std::size_t p = 0; p < model.components.size(); ++p) {
       const ModelComponent& component = model.components[p];
-      for (std::size_t v = 0; v < component.vertexOrigin.size(); ++v) {
-        pieceOf_[static_cast<std::size_t>(component.vertexOrigin[v])] = {static_cast<int>(p),
-                                                                         static_cast<int>(v)};
-      }
+      for (VertexId v : component.mesh.vertices())
+        local_[component.meshVertex[v]] = {static_cast<int>(p), v};
       ComponentRequest request;
       request.spec.q = asked.q;
-      request.spec.turning.resize(component.loopOrigin.size());
+      request.spec.turning.resize(at(component.loop.size()));
       request.spec.handles.resize(static_cast<std::size_t>(2 * component.topology.genus));
       out_.components.push_back(std::move(request));
     }
@@ -62,11 +60,11 @@ class Resolver {
  private:
   struct Local {
     int component = -1;
-    int vertex = -1;
+    VertexId vertex;
   };
 
   Result<Local> locate(const io::PrescribedCone& cone) {
-    const int count = static_cast<int>(model_.vertexImage.size());
+    const int count = model_.vertexImage.size();
     int v = cone.vertex;
     if (!model_.hasOwnVertexIds && !cone.position) {
       return refusal(
@@ -87,15 +85,16 @@ class Resolver {
     if (v < 0 || v >= count) {
       return refusal(formatText("cone at vertex %d: the mesh has vertices 0 to %d", v, count - 1));
     }
-    int image = model_.vertexImage[static_cast<std::size_t>(v)];
+    MeshVertexId image = model_.vertexImage[SurfaceVertexId{v}];
     // Another file, such as the one that was written, mostly has the same triangles.
-    const int copy = cone.triangle < 0 || image < 0 ? image : copyIn(cone.triangle, image);
-    if (copy < 0 && image >= 0 && !isMoved)
+    const MeshVertexId copy =
+        cone.triangle < 0 || !image.isValid() ? image : copyIn(cone.triangle, image);
+    if (!copy.isValid() && image.isValid() && !isMoved)
       return refusal(
           formatText("cone at vertex %d, which is not a corner of triangle %d", v, cone.triangle),
           {{Where::Kind::kFace, cone.triangle}});
-    if (copy >= 0) image = copy;
-    const Local local = image < 0 ? Local() : pieceOf_[static_cast<std::size_t>(image)];
+    if (copy.isValid()) image = copy;
+    const Local local = image.isValid() ? local_[image] : Local();
     if (local.component < 0) {
       return refusal(formatText("cone at vertex %d, which has no triangles", v),
                      {{Where::Kind::kVertex, v}});
@@ -103,16 +102,16 @@ class Resolver {
     return local;
   }
 
-  /// The copy of a vertex that a triangle of the surface has, or −1.
-  int copyIn(int triangle, int image) const {
-    const int origin = model_.vertexOrigin[static_cast<std::size_t>(image)];
+  /// The copy of a vertex that a triangle of the surface has, or none.
+  MeshVertexId copyIn(int triangle, MeshVertexId image) const {
     // Weld and repairs keep the order of triangles.
-    const auto& faces = model_.faceOrigin;
+    const std::vector<int>& faces = model_.faceOrigin.raw();
     const auto found = std::lower_bound(faces.begin(), faces.end(), triangle);
-    if (found == faces.end() || *found != triangle) return -1;
+    if (found == faces.end() || *found != triangle) return {};
     for (int v : model_.mesh.triangles[static_cast<std::size_t>(found - faces.begin())])
-      if (model_.vertexOrigin[static_cast<std::size_t>(v)] == origin) return v;
-    return -1;
+      if (model_.vertexOrigin[MeshVertexId{v}] == model_.vertexOrigin[image])
+        return MeshVertexId{v};
+    return {};
   }
 
   double reach() {
@@ -123,7 +122,7 @@ class Resolver {
   int nearest(const Vec3& p) {
     int best = -1;
     double bestDistance = reach();
-    for (int v = 0; v < static_cast<int>(model_.vertexImage.size()); ++v) {
+    for (int v = 0; v < model_.vertexImage.size(); ++v) {
       const double d = distance(position(v), p);
       if (d > bestDistance || (d == bestDistance && best >= 0)) continue;
       best = v;
@@ -150,7 +149,7 @@ class Resolver {
       if (anchored >= 0) loop = anchored;
       bool isFound = false;
       for (std::size_t p = 0; p < model_.components.size(); ++p) {
-        const std::vector<int>& loops = model_.components[p].loopOrigin;
+        const std::vector<int>& loops = model_.components[p].loop.raw();
         for (std::size_t j = 0; j < loops.size(); ++j) {
           if (loops[j] != loop) continue;
           auto& turning = out_.components[p].spec.turning[j];
@@ -171,16 +170,15 @@ class Resolver {
   }
 
   int loopAt(int surfaceVertex) const {
-    if (surfaceVertex < 0 || surfaceVertex >= static_cast<int>(model_.vertexImage.size()))
-      return -1;
-    const int v = model_.vertexImage[static_cast<std::size_t>(surfaceVertex)];
-    if (v < 0) return -1;
-    const Local local = pieceOf_[static_cast<std::size_t>(v)];
+    if (!model_.vertexImage.has(SurfaceVertexId{surfaceVertex})) return -1;
+    const MeshVertexId v = model_.vertexImage[SurfaceVertexId{surfaceVertex}];
+    if (!v.isValid()) return -1;
+    const Local local = local_[v];
     if (local.component < 0) return -1;
     const ModelComponent& component = model_.components[static_cast<std::size_t>(local.component)];
     for (std::size_t j = 0; j < component.topology.loops.size(); ++j) {
       for (HalfedgeId h : component.topology.loops[j].halfedges) {
-        if (component.mesh.tail(h).i == local.vertex) return component.loopOrigin[j];
+        if (component.mesh.tail(h) == local.vertex) return component.loop.raw()[j];
       }
     }
     return -1;
@@ -217,12 +215,11 @@ class Resolver {
           "and its field together");
     }
     if (Status done = io::completeMatchings(field, triangles); !done) return done.error();
-    std::vector<Local> faceOf(triangles.size());
+    std::vector<std::pair<int, FaceId>> faceOf(triangles.size());  // component and face
     for (std::size_t p = 0; p < model_.components.size(); ++p) {
-      const auto& faces = model_.components[p].faceOrigin;
-      for (std::size_t f = 0; f < faces.size(); ++f) {
-        faceOf[static_cast<std::size_t>(faces[f])] = {static_cast<int>(p), static_cast<int>(f)};
-      }
+      const ModelComponent& component = model_.components[p];
+      for (FaceId f : component.mesh.faces())
+        faceOf[at(component.face[f].i)] = {static_cast<int>(p), f};
     }
     for (std::size_t p = 0; p < model_.components.size(); ++p) {
       const ModelComponent& component = model_.components[p];
@@ -230,17 +227,15 @@ class Resolver {
       part.order = field.order;
       part.hasMatchings = field.hasMatchings;
       if (!field.directions.empty()) {
-        for (int f : component.faceOrigin) {
-          part.directions.push_back(field.directions[static_cast<std::size_t>(f)]);
-        }
+        for (int f : component.face.raw()) part.directions.push_back(field.directions[at(f)]);
       }
       for (Matching m : field.matchings) {
-        const Local face = faceOf[static_cast<std::size_t>(m.from)];
-        if (face.component != static_cast<int>(p)) continue;
-        m.from = face.vertex;
-        m.to = faceOf[static_cast<std::size_t>(m.to)].vertex;
-        m.tail = pieceOf_[static_cast<std::size_t>(m.tail)].vertex;
-        m.head = pieceOf_[static_cast<std::size_t>(m.head)].vertex;
+        const auto [owner, face] = faceOf[at(m.from)];
+        if (owner != static_cast<int>(p)) continue;
+        m.from = face.i;
+        m.to = faceOf[at(m.to)].second.i;
+        m.tail = local_[MeshVertexId{m.tail}].vertex.i;
+        m.head = local_[MeshVertexId{m.head}].vertex.i;
         part.matchings.push_back(m);
       }
       if (Status done = readComponentField(p, part); !done) return done.error();
@@ -313,7 +308,7 @@ class Resolver {
   const Model& model_;
   const io::Prescription& asked_;
   Request out_;
-  std::vector<Local> pieceOf_;
+  Per<MeshVertexId, Local> local_;
   double reach_ = -1;
 };
 
@@ -329,7 +324,7 @@ Result<Request> resolve(const Model& model, const io::Prescription& prescription
   Result<TriMesh> mesh = buildTriMesh(model.mesh);
   if (!mesh) return mesh.error();
   Result<io::Prescription> reduced =
-      io::reduceTotalAngles(prescription, *mesh, model.topology, model.vertexOrigin);
+      io::reduceTotalAngles(prescription, *mesh, model.topology, model.vertexOrigin.raw());
   if (!reduced) return reduced.error();
   return Resolver(model, *reduced).resolve();
 }

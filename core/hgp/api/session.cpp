@@ -182,8 +182,8 @@ Result<Verdict> Session::verify(const std::optional<io::Prescription>& prescript
     std::vector<Certificate> certificates;
     for (std::size_t p = 0; p < model.components.size(); ++p) {
       judge.isAnyConeAllowed = request->components[p].isAutomatic;
-      const UvMap componentMap = mapOfComponent(model, model.components[p], *map);
-      if (isFloat) judge.gridStep = gridStep(mapOfComponent(model, model.components[p], *read));
+      const UvMap componentMap = mapOfComponent(model.components[p], *map);
+      if (isFloat) judge.gridStep = gridStep(mapOfComponent(model.components[p], *read));
       certificates.push_back(
           certify(model.components[p].mesh, request->components[p].spec, componentMap, judge));
       certificates.back().overlap = measureOverlap(componentMap);
@@ -211,7 +211,7 @@ std::optional<Repaired> Session::repaired() const {
   const std::optional<Model>& shown = state_->shown().model;
   if (!shown || !shown->isChanged) return std::nullopt;
   const Model& model = *shown;
-  Repaired out{{}, model.vertexOrigin, model.vertexImage};
+  Repaired out{{}, model.vertexOrigin.raw(), model.vertexImage.raw()};
   for (const auto& t : model.mesh.triangles) {
     for (int v : t) out.triangles.push_back(static_cast<std::uint32_t>(v));
   }

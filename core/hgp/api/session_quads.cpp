@@ -31,8 +31,7 @@ Result<QuadFile> Session::quads(const std::string& name) const {
     const Model& model = *state_->shown().model;
     QuadMesh all;
     for (std::size_t p = 0; p < model.components.size(); ++p) {
-      const UvMap map =
-          mapOfComponent(model, model.components[p], state_->shown().solved->stored.map);
+      const UvMap map = mapOfComponent(model.components[p], state_->shown().solved->stored.map);
       Result<QuadMesh> part = extractQuads(model.components[p].mesh, map,
                                            state_->shown().solved->stored.certificates[p].q);
       if (!part) return toSurfaceIds(model, model.components[p], part.error());

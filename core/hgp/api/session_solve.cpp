@@ -45,7 +45,7 @@ std::vector<HarmonicFacts> harmonicity(const Model& model, const std::vector<Com
   std::vector<HarmonicFacts> out;
   for (std::size_t p = 0; p < maps.size(); ++p) {
     const ModelComponent& component = model.components[p];
-    const UvMap map = mapOfComponent(model, component, stored);
+    const UvMap map = mapOfComponent(component, stored);
     std::vector<VertexId> cones;
     for (const ConePoint& c : maps[p].spec.cones) cones.push_back(c.vertex);
     out.push_back(measureHarmonicity(component.mesh, computeGeometry(component.mesh), map,
@@ -177,7 +177,7 @@ Result<Parametrization> Session::State::solveComponent(std::size_t p,
   dropLarge(p);
   if (!run) return toSurfaceIds(*model, component, run.error());
   if (run->isCertified)
-    if (auto note = crushedNote(*model, component, run->map)) notes.push_back(std::move(*note));
+    if (auto note = crushedNote(component, run->map)) notes.push_back(std::move(*note));
   run->notes.insert(run->notes.end(), notes.begin(), notes.end());
   run->times.insert(run->times.begin(), times.begin(), times.end());
   return run;
@@ -192,7 +192,7 @@ void Session::State::flatten(Solved& result) const {
   }
   for (std::size_t p = 0; p < model->components.size(); ++p) {
     for (const MeasuredSeam& s : stored.certificates[p].seams.seams) {
-      const SeamEnds ends = seamEnds(*model, model->components[p], stored.map, s.edge);
+      const SeamEnds ends = seamEnds(model->components[p], stored.map, s.edge);
       result.seams.push_back({{ends.a[0], ends.a[1]}, {ends.b[0], ends.b[1]}, s.r});
     }
   }

@@ -38,7 +38,7 @@ Parametrization standIn(const Model& model, const ModelComponent& component, int
   if (!sets.empty()) old = model.document->existingUv(model.surface, sets.front());
   isKept = old.has_value();
   if (old) {
-    out.map = mapOfComponent(model, component, *old);
+    out.map = mapOfComponent(component, *old);
   } else {
     ParametrizeOptions core;
     core.progress = progress;

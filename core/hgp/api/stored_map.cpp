@@ -67,11 +67,10 @@ MeshMap joinComponents(const Model& model, const std::vector<ComponentMap>& comp
     for (std::size_t i = 0; i < components[p].map.uv.size(); ++i) {
       const Vec2& q = components[p].map.uv[i];
       out.uv.push_back({factor * q[0] + shift[0], factor * q[1] + shift[1]});
-      const int v = components[p].copyOf[i].i;
-      out.copyOf.push_back(v < 0 ? -1 : component.vertexOrigin[static_cast<std::size_t>(v)]);
+      out.copyOf.push_back(component.meshVertex[VertexId{components[p].copyOf[i].i}].i);
     }
     for (std::size_t f = 0; f < components[p].map.cornerUv.size(); ++f) {
-      const std::size_t at = 3 * static_cast<std::size_t>(component.faceOrigin[f]);
+      const std::size_t at = 3 * hgp::at(component.meshFace[FaceId{static_cast<int>(f)}].i);
       for (std::size_t k = 0; k < 3; ++k)
         out.cornerUv[at + k] = first + components[p].map.cornerUv[f][k];
     }
@@ -123,9 +122,8 @@ UvMap onSurface(const Model& model, const MeshMap& from) {
   out.uv = from.uv;
   out.cornerUv.assign(model.source().mesh.triangles.size(), {-1, -1, -1});
   for (std::size_t c = 0; c < from.cornerUv.size(); ++c) {
-    const int origin = model.cornerOrigin[c];
-    out.cornerUv[static_cast<std::size_t>(origin / 3)][static_cast<std::size_t>(origin % 3)] =
-        from.cornerUv[c];
+    const SurfaceCornerId to = model.cornerOrigin[MeshCornerId{static_cast<int>(c)}];
+    out.cornerUv[at(to.i / 3)][at(to.i % 3)] = from.cornerUv[c];
   }
   fillOutside(model, out);
   return out;
@@ -181,10 +179,10 @@ StoredMap store(const Model& model, const std::vector<ComponentMap>& components,
   CertifyOptions options = judgeOf(model);
   for (std::size_t p = 0; p < components.size(); ++p) {
     const ModelComponent& component = model.components[p];
-    const UvMap stored = mapOfComponent(model, component, out.map);
+    const UvMap stored = mapOfComponent(component, out.map);
     const bool isFloat = options.precision == Precision::kFloat32;
     options.gridStep = isFloat ? gridStep(stored) : 0.0;
-    if (earlier && isSame(stored, mapOfComponent(model, component, earlier->map))) {
+    if (earlier && isSame(stored, mapOfComponent(component, earlier->map))) {
       out.certificates.push_back(earlier->certificates[p]);
     } else if (!isFloat && isSame(stored, components[p].map)) {
       out.certificates.push_back(components[p].certificate);
@@ -280,7 +278,7 @@ StoredMap storeMap(const Model& model, const std::vector<ComponentMap>& componen
         broken, components.size()));
   }
   for (std::size_t p = 0; p < model.components.size(); ++p) {
-    const UvMap map = mapOfComponent(model, model.components[p], out.map);
+    const UvMap map = mapOfComponent(model.components[p], out.map);
     out.certificates[p].overlap = measureOverlap(map, overlapCells(map));
   }
   out.uvToVertex = verticesOfUv(model, out.map);
@@ -314,17 +312,12 @@ void takeUsed(const std::vector<Vec2>& uv, UvMap& map) {
 
 }  // namespace
 
-UvMap mapOfComponent(const Model& model, const ModelComponent& component, const UvMap& surfaceMap) {
+UvMap mapOfComponent(const ModelComponent& component, const UvMap& surfaceMap) {
   UvMap out;
-  out.cornerUv.resize(component.faceOrigin.size());
-  for (std::size_t f = 0; f < component.faceOrigin.size(); ++f) {
-    const std::size_t inMesh = static_cast<std::size_t>(component.faceOrigin[f]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const int origin = model.cornerOrigin[3 * inMesh + k];
-      out.cornerUv[f][k] =
-          surfaceMap
-              .cornerUv[static_cast<std::size_t>(origin / 3)][static_cast<std::size_t>(origin % 3)];
-    }
+  out.cornerUv.resize(at(component.mesh.faceCount()));
+  for (int c = 0; c < component.corner.size(); ++c) {
+    const SurfaceCornerId from = component.corner[HalfedgeId{c}];
+    out.cornerUv[at(c / 3)][at(c % 3)] = surfaceMap.cornerUv[at(from.i / 3)][at(from.i % 3)];
   }
   takeUsed(surfaceMap.uv, out);
   return out;

@@ -40,14 +40,13 @@ StoredMap storeMap(const Model& model, const std::vector<ComponentMap>& componen
 double gridStep(const UvMap& map);
 
 /// A map on the surface's triangles as one component sees it, with uv numbers of its own.
-UvMap mapOfComponent(const Model& model, const ModelComponent& component, const UvMap& surfaceMap);
+UvMap mapOfComponent(const ModelComponent& component, const UvMap& surfaceMap);
 
 /// The uv indices of both sides of a seam edge, corresponding ends first.
 struct SeamEnds {
   int a[2] = {-1, -1};
   int b[2] = {-1, -1};
 };
-SeamEnds seamEnds(const Model& model, const ModelComponent& component, const UvMap& surfaceMap,
-                  EdgeId edge);
+SeamEnds seamEnds(const ModelComponent& component, const UvMap& surfaceMap, EdgeId edge);
 
 }  // namespace hgp::api

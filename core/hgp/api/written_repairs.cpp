@@ -12,16 +12,18 @@ FaceEdits editsOf(const Model& model) {
   const MeshData& source = model.source().mesh;
   const auto before = static_cast<int>(source.positions.size());
   std::map<std::pair<int, int>, int> copies;  // vertex of the surface and of the mesh → copy
-  for (std::size_t f = 0; f < model.faceOrigin.size(); ++f) {
-    EditedFace edit{model.faceOrigin[f], {}, {}};
+  for (std::size_t f = 0; f < model.mesh.triangles.size(); ++f) {
+    const MeshFaceId inMesh{static_cast<int>(f)};
+    EditedFace edit{model.faceOrigin[inMesh].i, {}, {}};
     const auto& stored = source.triangles[static_cast<std::size_t>(edit.face)];
     bool isChanged = false;
     for (std::size_t k = 0; k < 3; ++k) {
-      edit.corner[k] = model.cornerOrigin[3 * f + k] - 3 * edit.face;
+      edit.corner[k] =
+          model.cornerOrigin[MeshCornerId{3 * inMesh.i + static_cast<int>(k)}].i - 3 * edit.face;
       const int own = stored[static_cast<std::size_t>(edit.corner[k])];
       const int mine = model.mesh.triangles[f][k];
       edit.vertex[k] = own;
-      if (model.vertexImage[static_cast<std::size_t>(own)] != mine) {
+      if (model.vertexImage[SurfaceVertexId{own}].i != mine) {
         const int next = before + static_cast<int>(edits.copyOf.size());
         const auto [it, isNew] = copies.try_emplace({own, mine}, next);
         if (isNew) edits.copyOf.push_back(own);

@@ -1,0 +1,56 @@
+// Three ways of counting vertices and faces, and the maps between them.  Role: a surface of the file becomes the
+// mesh of a model (welded, repaired, less what is left out), and that its connected components; an id of
+// one cannot be taken for an id of another.
+#pragma once
+
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "hgp/base/ids.h"
+
+namespace hgp::api {
+
+/// As the file counts them: `Model::source()`. Corner 3f + k is corner k of triangle f.
+using SurfaceVertexId = Id<struct SurfaceVertexTag>;
+using SurfaceFaceId = Id<struct SurfaceFaceTag>;
+using SurfaceCornerId = Id<struct SurfaceCornerTag>;
+/// A boundary loop of all components together, in the order of `Model::topology`.
+using SurfaceLoopId = Id<struct SurfaceLoopTag>;
+
+/// Of `Model::mesh`. Those of a component are VertexId, FaceId, HalfedgeId and LoopId.
+using MeshVertexId = Id<struct MeshVertexTag>;
+using MeshFaceId = Id<struct MeshFaceTag>;
+using MeshCornerId = Id<struct MeshCornerTag>;
+
+/// From every id of one count to one of another, or none; none stays none.
+template <class From, class To>
+class IdMap {
+ public:
+  IdMap() = default;
+  explicit IdMap(std::vector<int> to) : to_(std::move(to)) {}
+  static IdMap identity(std::size_t count) {
+    std::vector<int> ids(count);
+    std::iota(ids.begin(), ids.end(), 0);
+    return IdMap(std::move(ids));
+  }
+
+  To operator[](From id) const { return id.isValid() ? To{to_[at(id.i)]} : To{}; }
+  int size() const { return static_cast<int>(to_.size()); }
+  bool has(From id) const { return id.isValid() && id.i < size(); }
+  const std::vector<int>& raw() const { return to_; }
+
+  /// This way and on from there.
+  template <class Last>
+  IdMap<From, Last> then(const IdMap<To, Last>& next) const {
+    std::vector<int> ids;
+    ids.reserve(to_.size());
+    for (int i : to_) ids.push_back(next[To{i}].i);
+    return IdMap<From, Last>(std::move(ids));
+  }
+
+ private:
+  std::vector<int> to_;
+};
+
+}  // namespace hgp::api

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "hgp/base/portable_math.h"
 
@@ -9,7 +10,7 @@ namespace hgp {
 namespace {
 
 constexpr int kScaleSteps = 60;
-constexpr double kScaleTolerance = 1e-7;
+constexpr double kScaleTolerance = 1e-6;
 
 }  // namespace
 
@@ -41,6 +42,8 @@ double bestScale(const EnergyExponents& exponents, const FaceTerms& terms, const
   if (exponents.area == 1.0 && exponents.knee == EnergyExponents::kNoKnee)
     return portable::pow(grown / shrunk, 0.25);
   double tau = portable::log(start);
+  // Far from the minimum the slope hardly changes and Newton's step is too long: the minimum is kept between.
+  double low = -std::numeric_limits<double>::infinity(), high = -low;
   for (int step = 0; step < kScaleSteps; ++step) {
     double gradient = 0.0, curvature = 0.0;
     for (std::size_t f = 0; f < shape.size(); ++f) {
@@ -52,8 +55,11 @@ double bestScale(const EnergyExponents& exponents, const FaceTerms& terms, const
     }
     const double change = -gradient / curvature;
     if (!std::isfinite(change)) break;
-    tau += std::clamp(change, -2.0, 2.0);
-    if (std::fabs(change) < kScaleTolerance) break;
+    (change > 0.0 ? low : high) = tau;
+    const double next = tau + std::clamp(change, -2.0, 2.0);
+    const double before = tau;
+    tau = low < next && next < high ? next : 0.5 * (low + high);
+    if (std::fabs(tau - before) < kScaleTolerance) break;
   }
   return portable::exp(tau);
 }

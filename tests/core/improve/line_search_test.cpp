@@ -81,6 +81,12 @@ TEST(BestScale, IsAMinimumOfTheMeanEnergyWhereverTheSearchStarts) {
     EXPECT_GT(meanEnergy(e, terms, parts, 1.01 * scale), least);
     EXPECT_GT(meanEnergy(e, terms, parts, 0.99 * scale), least);
   }
+  // All triangles alike and all but no weight on areas: from far away the slope is nearly constant.
+  FaceParts alike = parts;
+  std::fill(alike.similar.begin(), alike.similar.end(), Complex(30.0));
+  std::fill(alike.anti.begin(), alike.anti.end(), Complex(3.0));
+  for (const double from : {1.0, 1e4})
+    EXPECT_NEAR(bestScale(exponentsAt(-1.0), terms, alike, from), std::sqrt(891.0), 1e-3);
   const EnergyExponents bent{1.0, 0.5, 1e-2};
   const double scale = bestScale(bent, terms, parts, 1.0);
   const double least = meanEnergy(bent, terms, parts, scale);

@@ -1,4 +1,3 @@
-#include "hgp/base/portable_math.h"
 #include "hgp/verify/certificate.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +9,7 @@
 #include <random>
 
 #include "hgp/base/float32.h"
+#include "hgp/base/portable_math.h"
 #include "hgp/base/turns.h"
 #include "hgp/verify/needed_tolerance.h"
 #include "hgp/verify/verdict.h"

@@ -1,8 +1,6 @@
 // corpus DIR: every mesh below a folder with automatic cones, as a table.  Role: the number that this
 // project is judged by. One failure is a bug, and the last lines say how to see it again.
 
-#include <fnmatch.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -14,6 +12,7 @@
 #include "corpus_table.h"
 #include "files.h"
 #include "process_memory.h"
+#include "program.h"
 
 namespace {
 
@@ -36,12 +35,6 @@ bool isMesh(const fs::path& file) {
                      [&](const char* k) { return kind == k; });
 }
 
-bool matchesOneOf(const std::vector<std::string>& globs, const std::string& name) {
-  return std::any_of(globs.begin(), globs.end(), [&](const std::string& g) {
-    return fnmatch(g.c_str(), name.c_str(), 0) == 0;
-  });
-}
-
 /// Smallest first, so that a table begins at once.
 std::vector<fs::path> meshesBelow(const Arguments& a) {
   std::vector<std::pair<std::uintmax_t, fs::path>> found;
@@ -58,13 +51,6 @@ std::vector<fs::path> meshesBelow(const Arguments& a) {
   files.reserve(found.size());
   for (auto& [size, path] : found) files.push_back(std::move(path));
   return files;
-}
-
-bool save(const std::string& path, const std::string& text) {
-  const hgp::Status saved =
-      path.empty() ? hgp::Status(hgp::Done{}) : hgp::cli::writeText(path, text);
-  if (!saved) std::fprintf(stderr, "corpus: %s\n", saved.error().message.c_str());
-  return saved.hasValue();
 }
 
 int run(const Arguments& a) {
@@ -84,12 +70,12 @@ int run(const Arguments& a) {
       failures += reproduction(file.string(), a.options) + "\n";
     }
     // After every mesh: a table that ends early still says how far it came.
-    isSaved = save(a.json, toJson(rows, a.options)) && isSaved;
+    isSaved = saveText("corpus", a.json, toJson(rows, a.options)) && isSaved;
   }
   const std::string sums = "\n" + totals(rows);
   std::fputs((sums + (failures.empty() ? "" : "\nTo see the failures again:\n" + failures)).c_str(),
              stdout);
-  isSaved = save(a.markdown, table + sums) && isSaved;
+  isSaved = saveText("corpus", a.markdown, table + sums) && isSaved;
   return !failures.empty() ? 6 : isSaved ? 0 : 7;
 }
 

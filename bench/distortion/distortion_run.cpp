@@ -1,6 +1,5 @@
 #include "distortion_run.h"
 
-#include <algorithm>
 #include <string_view>
 
 #include "cut_maps.h"
@@ -17,7 +16,7 @@ namespace {
 /// A surface with its cones and its plain map, on which everything else is measured.
 class Comparison {
  public:
-  Comparison(const TriMesh& mesh, DistortionRow& row) : mesh_(mesh), row_(row) {
+  Comparison(const TriMesh& mesh, SurfaceRow& row) : mesh_(mesh), row_(row) {
     start_ = processorSeconds();
     surface_.emplace(mesh);
     row.genus = surface_->topology().genus;
@@ -127,7 +126,7 @@ class Comparison {
   }
 
   const TriMesh& mesh_;
-  DistortionRow& row_;
+  SurfaceRow& row_;
   double start_ = 0.0;
   std::optional<PreparedSurface> surface_;
   CompleteSpec spec_;
@@ -136,8 +135,8 @@ class Comparison {
   Eigen::VectorXcd x_;
 };
 
-DistortionRow rowOf(const std::string& name, const TriMesh& mesh, int q) {
-  DistortionRow row;
+SurfaceRow rowOf(const std::string& name, const TriMesh& mesh, int q) {
+  SurfaceRow row;
   row.name = name;
   row.triangles = mesh.faceCount();
   row.q = q;
@@ -146,27 +145,9 @@ DistortionRow rowOf(const std::string& name, const TriMesh& mesh, int q) {
 
 }  // namespace
 
-MeasuredMap measured(const std::string& name, const Certificate& certificate) {
-  MeasuredMap map;
-  map.name = name;
-  map.isCertified = certificate.isCertified;
-  map.flipped = certificate.orientation.zero + certificate.orientation.negative;
-  map.meanMu = certificate.distortion.meanMu;
-  map.p95Mu = certificate.distortion.p95Mu;
-  map.sigma = certificate.distortion.rmsLogArea;
-  map.excess = certificate.distortion.symmetricDirichlet;
-  return map;
-}
-
-const MeasuredMap* DistortionRow::find(const std::string& map) const {
-  const auto found =
-      std::find_if(maps.begin(), maps.end(), [&](const MeasuredMap& m) { return m.name == map; });
-  return found == maps.end() ? nullptr : &*found;
-}
-
-DistortionRow compareMaps(const std::string& name, const TriMesh& mesh,
-                          const DistortionOptions& options) {
-  DistortionRow row = rowOf(name, mesh, options.q);
+SurfaceRow compareMaps(const std::string& name, const TriMesh& mesh,
+                       const DistortionOptions& options) {
+  SurfaceRow row = rowOf(name, mesh, options.q);
   Comparison comparison(mesh, row);
   if (!comparison.solvePlain(options.q) || !row.maps.back().isCertified) return row;
   comparison.improve(kIsometric, 0.0);
@@ -178,8 +159,8 @@ DistortionRow compareMaps(const std::string& name, const TriMesh& mesh,
   return row;
 }
 
-DistortionRow compareCones(const std::string& name, const TriMesh& mesh, int q) {
-  DistortionRow row = rowOf(name, mesh, q);
+SurfaceRow compareCones(const std::string& name, const TriMesh& mesh, int q) {
+  SurfaceRow row = rowOf(name, mesh, q);
   PreparedSurface surface(mesh);
   row.genus = surface.topology().genus;
   row.loops = static_cast<int>(surface.topology().loops.size());

@@ -30,7 +30,7 @@ MeasuredMap measured(const std::string& name, const DistortionFacts& facts, bool
 
 class GridComparison {
  public:
-  GridComparison(const TriMesh& mesh, DistortionRow& row) : mesh_(mesh), row_(row) {
+  GridComparison(const TriMesh& mesh, SurfaceRow& row) : mesh_(mesh), row_(row) {
     const PreparedSurface surface(mesh);
     row.genus = surface.topology().genus;
     row.loops = static_cast<int>(surface.topology().loops.size());
@@ -95,7 +95,7 @@ class GridComparison {
   }
 
   const TriMesh& mesh_;
-  DistortionRow& row_;
+  SurfaceRow& row_;
   int coneCount_ = 0;
   double seconds_ = 0.0;
 };
@@ -115,9 +115,9 @@ std::string quantiles(const std::string& label, std::vector<double> values) {
 /// One map of every row against that of the run without a grid.
 class AgainstPlain {
  public:
-  AgainstPlain(const std::vector<DistortionRow>& rows, const char* kind, const std::string& name)
+  AgainstPlain(const std::vector<SurfaceRow>& rows, const char* kind, const std::string& name)
       : name_(name) {
-    for (const DistortionRow& row : rows) {
+    for (const SurfaceRow& row : rows) {
       const MeasuredMap *map = row.find(name), *plain = row.find(kind);
       if (!map || !plain) continue;
       ++runs_;
@@ -150,8 +150,8 @@ std::string descendedName(const char* kind, const AskedGrid& grid) {
   return alignedName(kind, grid) + ", descended";
 }
 
-DistortionRow compareGrids(const std::string& name, const TriMesh& mesh, int q) {
-  DistortionRow row;
+SurfaceRow compareGrids(const std::string& name, const TriMesh& mesh, int q) {
+  SurfaceRow row;
   row.name = name;
   row.triangles = mesh.faceCount();
   row.q = q;
@@ -163,7 +163,7 @@ DistortionRow compareGrids(const std::string& name, const TriMesh& mesh, int q) 
   return row;
 }
 
-std::string gridSummary(const std::vector<DistortionRow>& rows) {
+std::string gridSummary(const std::vector<SurfaceRow>& rows) {
   std::string text =
       "| against the same without a grid | surfaces | least | 25 % | median | 75 % | most |\n"
       "|---|--:|--:|--:|--:|--:|--:|\n";

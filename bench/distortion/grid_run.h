@@ -27,10 +27,10 @@ std::string descendedName(const char* kind, const AskedGrid& grid);
 
 /// Without a grid, named by kind; then every grid for every kind. Maps that could not be aligned are left
 /// out but for their name and note.
-DistortionRow compareGrids(const std::string& name, const TriMesh& mesh, int q);
+SurfaceRow compareGrids(const std::string& name, const TriMesh& mesh, int q);
 
 /// How many are aligned; and of those, against the run without a grid: rise of mean μ, ratio of the excess,
 /// time added, as medians and worst cases in Markdown.
-std::string gridSummary(const std::vector<DistortionRow>& rows);
+std::string gridSummary(const std::vector<SurfaceRow>& rows);
 
 }  // namespace hgp::bench

@@ -1,8 +1,6 @@
 // stress [DIR]: random prescriptions, on generated surfaces or on the meshes of a folder, whole or
 // damaged.  Role: how often there is no map; every failure comes with the command that shows it again.
 
-#include <fnmatch.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -16,6 +14,7 @@
 #include "hgp/api/session.h"
 #include "hgp/base/check.h"
 #include "process_memory.h"
+#include "program.h"
 #include "row_json.h"
 #include "stress_table.h"
 #include "surfaces.h"
@@ -40,9 +39,7 @@ struct NamedSurface {
 };
 
 bool isWanted(const std::vector<std::string>& wanted, const std::string& name) {
-  return wanted.empty() || std::any_of(wanted.begin(), wanted.end(), [&](const std::string& w) {
-           return fnmatch(w.c_str(), name.c_str(), 0) == 0;
-         });
+  return wanted.empty() || bench::matchesOneOf(wanted, name);
 }
 
 std::vector<NamedSurface> generatedSurfaces(const Arguments& a) {
@@ -155,12 +152,6 @@ class Stress {
   std::string reproducers_;
 };
 
-bool save(const std::string& path, const std::string& text) {
-  const Status saved = path.empty() ? Status(Done{}) : cli::writeText(path, text);
-  if (!saved) std::fprintf(stderr, "stress: %s\n", saved.error().message.c_str());
-  return saved.hasValue();
-}
-
 std::string asJson(const Arguments& a, const std::vector<Row>& rows) {
   nlohmann::json all{{"format", "hgp-stress"}, {"version", 1}, {"seed", a.seed}};
   nlohmann::json& list = all["runs"] = nlohmann::json::array();
@@ -179,7 +170,8 @@ int run(const Arguments& a) {
     if (!stress.reproducers().empty())
       text += "\nTo see the failures again:\n" + stress.reproducers();
     // After every surface: tables that end early still say how far they came.
-    isSaved = save(a.json, asJson(a, stress.rows())) && save(a.markdown, text) && isSaved;
+    isSaved = bench::saveText("stress", a.json, asJson(a, stress.rows())) &&
+              bench::saveText("stress", a.markdown, text) && isSaved;
   }
   std::fputs(text.c_str(), stdout);
   return isSaved ? 0 : 7;

@@ -93,6 +93,7 @@ std::optional<Mapped> mapped(const std::string& name, const MeshData& data, cons
   ParametrizeOptions options;
   options.improve = order.improve;
   options.maxRounds = order.maxRounds;
+  options.method = order.method;
   options.grid = order.grid;
   SuggestOptions cones;
   cones.q = order.q;

@@ -22,6 +22,7 @@ struct Order {
   int coneCount = 0;
   std::optional<ImproveOptions> improve;
   int maxRounds = 12;
+  Method method = Method::kAuto;
   GridOptions grid;  ///< asked: one cell per unit of uv
 };
 

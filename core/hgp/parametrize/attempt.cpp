@@ -139,12 +139,15 @@ const SeamRotations& Attempts::seamsOf(bool isEven) {
 PerVertex<double> Attempts::scaleOf(const State& state) const {
   const Weighting& weighting = problem_.weightings[state.weighting];
   const bool hasMap = state.from && !state.from->program.z.empty();
-  PerVertex<double> u = weighting.isFromMap && hasMap && state.untangling < 0
-                            ? scaleOfMap(problem_, state.from->program.z)
-                            : problem_.setup->field.u;
-  const double clamp = state.untangling < 0 ? weighting.clamp : 1e9;
+  const PrescribedField& field = problem_.setup->field;
+  const bool isFromMap = weighting.isFromMap && hasMap && state.untangling < 0;
+  PerVertex<double> u = isFromMap ? scaleOfMap(problem_, state.from->program.z) : field.u;
+  const double clamp = state.untangling < 0 ? weighting.clamp : kNoClamp;
+  // What is clamped, or was a map's, is mild enough already.
+  const bool isMild = isFromMap || clamp < kNoClamp || field.scaleRange <= kWeightedScaleRange;
+  const double share = isMild ? 1.0 : kWeightedScaleRange / field.scaleRange;
   const double median = medianOf(u.raw());
-  for (double& value : u.raw()) value = std::clamp(value - median, -clamp, clamp);
+  for (double& value : u.raw()) value = share * std::clamp(value - median, -clamp, clamp);
   return u;
 }
 

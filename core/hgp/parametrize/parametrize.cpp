@@ -38,11 +38,11 @@ long long distanceToCertified(const Attempt& attempt) {
 
 void explain(const SeamlessSetup& setup, bool hasGivenFrames, Parametrization& result) {
   const double range = setup.field.scaleRange;
-  if (range > kHopelessScaleRange)
+  if (range > kHopelessScaleRange && !result.isCertified)
     result.notes.push_back("These cones stretch the surface by e^" +
                            std::to_string(static_cast<int>(range)) +
-                           ": even a certified map will have areas too small to use. Add cones in "
-                           "the regions that shrink.");
+                           " where angles are kept, which is more than areas in double precision "
+                           "hold. Add cones in the regions that shrink.");
   else if (range > kHardScaleRange)
     result.notes.push_back("These cones stretch the surface by e^" +
                            std::to_string(static_cast<int>(range)) +
@@ -126,6 +126,9 @@ Result<Parametrization> parametrize(PreparedSurface& surface, const HolonomySpec
   const Attempt& attempt = **best;
   Judged judged{
       {setup, attempt.program.x, attempt.u, attempt.frames}, attempt.map, attempt.certificate};
+  const bool isOnlyTooFine = !judged.certificate.isCertified && attempt.wrongCount == 0;
+  if (isOnlyTooFine && options.method == Method::kAuto)
+    if (Status done = evenOut(mesh, options, judged, result); !done) return std::move(done).error();
   if (judged.certificate.isCertified && options.improve)
     if (Status done = improveSolution(mesh, options, judged, result); !done)
       return std::move(done).error();

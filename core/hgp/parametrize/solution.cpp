@@ -167,6 +167,27 @@ Status improveSolution(const TriMesh& mesh, const ParametrizeOptions& options, J
   return Done{};
 }
 
+Status evenOut(const TriMesh& mesh, const ParametrizeOptions& options, Judged& judged,
+               Parametrization& result) {
+  if (!judged.certificate.isMeasured) return Done{};
+  StageClock clock(options.progress, result.times);
+  if (!clock.begin("improve")) return cancelled("improve");
+  const SeamlessSetup& setup = *judged.solution.setup;
+  const ReducedMap map{mesh, setup.context->geometry, setup.cut, setup.unknowns};
+  const Improvement run =
+      improve(map, setup.context->tree, judged.solution.x, {}, {}, options.progress);
+  if (std::string_view(run.outcome) == "cancelled") return cancelled("improve");
+  Judged even{judged.solution, {}, {}};
+  even.solution.x = run.x;
+  even.map = layOut(mesh, even.solution);
+  even.certificate = certify(mesh, result.spec, even.map);
+  if (!even.certificate.isCertified) return Done{};
+  judged = std::move(even);
+  result.notes.emplace_back(
+      "Areas of the map as solved spanned more than double precision holds: it was evened out.");
+  return Done{};
+}
+
 Status alignSolution(const TriMesh& mesh, const ParametrizeOptions& options, Judged& judged,
                      Parametrization& result) {
   StageClock clock(options.progress, result.times);

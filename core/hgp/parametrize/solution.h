@@ -30,6 +30,11 @@ struct Judged {
 Status improveSolution(const TriMesh& mesh, const ParametrizeOptions& options, Judged& judged,
                        Parametrization& result);
 
+/// A map whose only fault is that its areas span more than its number type holds: descends isometrically, which
+/// raises the smallest ones, and keeps what is then certified. Fails with kCancelled only.
+Status evenOut(const TriMesh& mesh, const ParametrizeOptions& options, Judged& judged,
+               Parametrization& result);
+
 /// Does what options.grid asks for: the map aligned where that keeps it certified, else as it was, with the
 /// reason in result.grid. Where an improvement is asked for as well, what alignment gave back of it is gained
 /// once more with the integers held (result.improvement->onGrid): translations and, in quad mode, cones stay

@@ -14,7 +14,6 @@ constexpr double kLightQuality = 1e-3;
 /// well).
 constexpr double kSoft = 0.3;
 constexpr double kClamp = 5.0;
-constexpr double kNoClamp = 1e9;
 /// Range of u up to which one linear program most likely gives the map (automatic cones: 0.9 to 5.6
 /// on all meshes we have).
 constexpr double kSoftScaleRange = 8.0;

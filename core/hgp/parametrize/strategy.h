@@ -13,9 +13,14 @@
 
 namespace hgp {
 
-/// Ranges of log scale (max u − min u) above which success gets rare, and use impossible.
+/// Range of log scale (max u − min u) above which areas differ too much for most uses.
 inline constexpr double kHardScaleRange = 15.0;
+/// Above this the cone metric itself is beyond float64; maps that are less conformal need not be.
 inline constexpr double kHopelessScaleRange = 25.0;
+/// Programs are weighted with u compressed to this range where it is larger: maps follow it, and their
+/// areas then fit float64 with room to spare.
+inline constexpr double kWeightedScaleRange = 14.0;
+inline constexpr double kNoClamp = 1e9;
 
 /// How a program weighs its rows and what it adds to them.
 struct Weighting {

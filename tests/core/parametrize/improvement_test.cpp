@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "hgp/parametrize/attempt.h"
 #include "hgp/parametrize/parametrize.h"
+#include "hgp/parametrize/solution.h"
 #include "support/prescriptions.h"
 #include "support/shapes.h"
 
@@ -26,6 +28,35 @@ std::vector<test::Shape> shapes() {
   return {
       test::jittered(test::icosphere(5), 0.05), test::doubleTorus(3), test::torus(16, 10),
       test::jittered(test::disk(8), 0.2),       test::annulus(16, 4), test::puncturedTorus(14, 9)};
+}
+
+TEST(EvenOut, RaisesTheSmallestAreasAndKeepsWhatIsCertified) {
+  // A tube rolled out as an annulus: e^19 between the lengths at its ends.
+  const TriMesh mesh = test::cylinder(8, 24).mesh();
+  HolonomySpec spec;
+  spec.turning = {4, -4};
+  PreparedSurface surface(mesh);
+  std::vector<StageTime> times;
+  Result<SeamlessSetup> prepared = prepareSeamless(surface, spec, {}, times);
+  ASSERT_TRUE(prepared);
+  const auto setup = std::make_shared<const SeamlessSetup>(std::move(*prepared));
+  const ParametrizeOptions options;
+  const Problem problem = problemOf(mesh, setup, options);
+  Attempts attempts(problem, options);
+  const std::shared_ptr<const Attempt> attempt = attempts.make(firstState(problem), 1);
+  ASSERT_EQ(attempt->wrongCount, 0);
+  const double before = attempt->certificate.distortion.areaSpan;
+  EXPECT_LT(before, 1e-9);
+  Judged judged{
+      {setup, attempt->program.x, attempt->u, attempt->frames}, attempt->map, attempt->certificate};
+  judged.certificate.isCertified = false;  // as if its number type were a coarser one
+  Parametrization result;
+  result.spec = setup->field.spec;
+  ASSERT_TRUE(evenOut(mesh, options, judged, result));
+  EXPECT_TRUE(judged.certificate.isCertified);
+  EXPECT_GT(judged.certificate.distortion.areaSpan, 100.0 * before);
+  EXPECT_TRUE(certify(mesh, result.spec, judged.map).isCertified);
+  EXPECT_EQ(result.notes.size(), 1U);
 }
 
 TEST(Improvement, NeverLosesACertificateAndNeverRaisesTheSymmetricDirichletEnergy) {

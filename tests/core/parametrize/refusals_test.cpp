@@ -132,5 +132,20 @@ TEST(Notes, SayWhenConesStretchTheSurfaceTooFar) {
   EXPECT_TRUE(isSaid);
 }
 
+TEST(Notes, AMapIsLessConformalWhereTheConformalOneIsBeyondFloat64) {
+  const TriMesh mesh = test::cylinder(8, 40).mesh();
+  HolonomySpec spec;
+  spec.turning = {4, -4};
+  const Result<Parametrization> p = parametrize(mesh, spec, {});
+  ASSERT_TRUE(p) << p.error().message;
+  EXPECT_TRUE(p->isCertified);
+  EXPECT_TRUE(p->isUsable);
+  // Weighted with e^u as it is, it takes thirteen.
+  EXPECT_LE(p->rounds.size(), 6U);
+  // Stretched it is, and that is all that is said: nothing of maps that cannot be.
+  ASSERT_EQ(p->notes.size(), 1U);
+  EXPECT_NE(p->notes[0].find("expect strong area distortion"), std::string::npos) << p->notes[0];
+}
+
 }  // namespace
 }  // namespace hgp

@@ -277,7 +277,8 @@ const std::vector<Figure>& all() {
       {"aligned", "lines across seams, as solved and aligned to a grid", alignedLines},
       {"fig8", "wrong cone angles, and frames fixed", frameFixing},
       {"fig9",
-       "conformal distortion, 0 (pale) to 0.3 (dark): frames on all triangles, as printed, as solved, "
+       "conformal distortion, 0 (pale) to 0.3 (dark): frames on all triangles, as printed, as "
+       "solved, "
        "and with --improve conformal",
        distortion}};
   return kFigures;

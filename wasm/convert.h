@@ -66,7 +66,8 @@ inline std::vector<std::string> toStrings(const val& array) {
 inline Progress toProgress(const val& callback) {
   if (callback.isUndefined()) return {};
   return [callback](const ProgressReport& r) {
-    return callback(std::string(r.stage), r.fraction, r.iteration, r.residual, r.round, r.maxRounds)
+    return callback(std::string(stageName(r.stage)), r.fraction, r.iteration, r.residual, r.round,
+                    r.maxRounds)
         .as<bool>();
   };
 }

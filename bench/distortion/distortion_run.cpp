@@ -43,7 +43,7 @@ class Comparison {
     options.improve.emplace().balance = balance;
     double began = 0.0;
     options.progress = [&](const ProgressReport& report) {
-      if (began == 0.0 && std::string_view(report.stage) == "improve") began = processorSeconds();
+      if (began == 0.0 && report.stage == Stage::kImprove) began = processorSeconds();
       return true;
     };
     const Result<Parametrization> run = parametrize(*surface_, toSpec(spec_), options);

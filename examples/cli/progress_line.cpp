@@ -16,8 +16,7 @@ constexpr int kBarWidth = 24;
 
 /// In these stages the residual is the excess of an energy.
 bool isImprovement(const ProgressReport& report) {
-  const std::string_view stage = report.stage;
-  return (stage == "improve" || stage == "align") && report.residual >= 0;
+  return (report.stage == Stage::kImprove || report.stage == Stage::kAlign) && report.residual >= 0;
 }
 
 }  // namespace
@@ -67,7 +66,7 @@ void ProgressLine::draw(const ProgressReport& report) {
                           std::string(static_cast<std::size_t>(kBarWidth - full), '.');
   const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
   std::fprintf(stderr, "\r\033[K[%s] %3.0f%%  %-12s %5.1f s", bar.c_str(), 100 * fraction,
-               report.stage, elapsed);
+               stageName(report.stage), elapsed);
   if (report.round > 0) std::fprintf(stderr, "  round %d of %d", report.round, report.maxRounds);
   if (report.iteration >= 0) std::fprintf(stderr, "  iteration %d", report.iteration);
   if (report.residual >= 0)
@@ -79,7 +78,7 @@ void ProgressLine::draw(const ProgressReport& report) {
 void ProgressLine::printLine(const ProgressReport& report) {
   ++lineCount_;
   const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
-  std::fprintf(stderr, "hgp: %6.1f s  %s", elapsed, report.stage);
+  std::fprintf(stderr, "hgp: %6.1f s  %s", elapsed, stageName(report.stage));
   if (report.round > 0) std::fprintf(stderr, ", round %d of %d", report.round, report.maxRounds);
   if (report.iteration >= 0) std::fprintf(stderr, ", iteration %d", report.iteration);
   if (isImprovement(report)) std::fprintf(stderr, ", energy %.4g", report.residual);

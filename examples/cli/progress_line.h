@@ -35,7 +35,7 @@ class ProgressLine {
   bool isShown_, isTerminal_;
   std::optional<double> timeLimit_;
   bool isTimedOut_ = false, isDrawn_ = false;
-  std::string stage_;
+  std::optional<Stage> stage_;
   int lineCount_ = 0;
   Clock::time_point start_, last_;
 };

@@ -7,7 +7,7 @@ import path from 'node:path';
 import test from 'node:test';
 import { gzipSync } from 'node:zlib';
 import { cubeMesh, toGlb } from '../support/meshes.mjs';
-import { hgp, inFolder } from '../support/program.mjs';
+import { hasPosix, hgp, inFolder } from '../support/program.mjs';
 
 const env = { ...process.env };
 delete env.NO_COLOR;
@@ -194,31 +194,40 @@ const onTerminal = (line, more = {}) =>
     env: { ...env, TERM: 'xterm', PATH: `${path.dirname(hgp)}:${env.PATH}`, ...more },
   }).stdout;
 
-test('colour is decided for each stream', () => {
-  const colour = new RegExp(`${escape}\\[\\d+m`);
-  assert.match(onTerminal('hgp inspect mesh.obj'), colour);
-  assert.match(onTerminal('hgp inspect mesh.obj 2>/dev/null'), colour);
-  onTerminal('hgp inspect mesh.obj >text.txt');
-  assert.doesNotMatch(readFileSync(at('text.txt'), 'utf8'), colour);
-  // The report of param goes to standard error: what standard output is does not matter.
-  const param = 'hgp param mesh.obj -o colour.obj --no-progress';
-  assert.match(onTerminal(`${param} >/dev/null`), colour);
-  onTerminal(`${param} 2>text.txt`);
-  assert.match(readFileSync(at('text.txt'), 'utf8'), /certified/);
-  assert.doesNotMatch(readFileSync(at('text.txt'), 'utf8'), colour);
-  assert.doesNotMatch(onTerminal('hgp inspect mesh.obj', { NO_COLOR: '1' }), colour);
-  assert.match(onTerminal('hgp inspect mesh.obj', { NO_COLOR: '' }), colour);
-  assert.match(onTerminal('hgp inspect mesh.obj --color always', { NO_COLOR: '1' }), colour);
-  assert.doesNotMatch(onTerminal('hgp inspect mesh.obj --color never'), colour);
-  assert.match(run(['inspect', 'mesh.obj', '--color', 'always']).out, colour);
-});
+if (hasPosix) {
+  test('colour is decided for each stream', () => {
+    const colour = new RegExp(`${escape}\\[\\d+m`);
+    assert.match(onTerminal('hgp inspect mesh.obj'), colour);
+    assert.match(onTerminal('hgp inspect mesh.obj 2>/dev/null'), colour);
+    onTerminal('hgp inspect mesh.obj >text.txt');
+    assert.doesNotMatch(readFileSync(at('text.txt'), 'utf8'), colour);
+    // The report of param goes to standard error: what standard output is does not matter.
+    const param = 'hgp param mesh.obj -o colour.obj --no-progress';
+    assert.match(onTerminal(`${param} >/dev/null`), colour);
+    onTerminal(`${param} 2>text.txt`);
+    assert.match(readFileSync(at('text.txt'), 'utf8'), /certified/);
+    assert.doesNotMatch(readFileSync(at('text.txt'), 'utf8'), colour);
+    assert.doesNotMatch(onTerminal('hgp inspect mesh.obj', { NO_COLOR: '1' }), colour);
+    assert.match(onTerminal('hgp inspect mesh.obj', { NO_COLOR: '' }), colour);
+    assert.match(onTerminal('hgp inspect mesh.obj --color always', { NO_COLOR: '1' }), colour);
+    assert.doesNotMatch(onTerminal('hgp inspect mesh.obj --color never'), colour);
+    assert.match(run(['inspect', 'mesh.obj', '--color', 'always']).out, colour);
+  });
 
-test('a dumb terminal gets plain text and plain lines of progress', () => {
-  assert.match(onTerminal('hgp param mesh.obj -o dumb.obj'), new RegExp(`\\r${escape}\\[K\\[`));
-  const plain = onTerminal('hgp param mesh.obj -o dumb.obj', { TERM: 'dumb' });
-  assert.ok(!plain.includes(escape));
-  assert.match(plain, /^hgp: +\d\.\d s /m);
-});
+  test('a dumb terminal gets plain text and plain lines of progress', () => {
+    assert.match(onTerminal('hgp param mesh.obj -o dumb.obj'), new RegExp(`\\r${escape}\\[K\\[`));
+    const plain = onTerminal('hgp param mesh.obj -o dumb.obj', { TERM: 'dumb' });
+    assert.ok(!plain.includes(escape));
+    assert.match(plain, /^hgp: +\d\.\d s /m);
+  });
+} else {
+  test('without POSIX a terminal gets plain text and plain lines of progress', () => {
+    const plain = onTerminal(`${path.basename(hgp)} param mesh.obj -o dumb.obj`);
+    assert.ok(!plain.includes(escape));
+    assert.match(plain, /^hgp: +\d\.\d s /m);
+    assert.ok(run(['inspect', 'mesh.obj', '--color', 'always']).out.includes(escape));
+  });
+}
 
 test('a reader that has had enough ends the program without a word, as by SIGPIPE', () => {
   for (const line of [

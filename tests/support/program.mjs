@@ -9,6 +9,9 @@ import { after } from 'node:test';
 export const hgp =
   process.env.HGP_BIN ?? path.join(import.meta.dirname, '../../build/native-release/bin/hgp');
 
+/** Without, there is no colour, no bar, and no word in a signal handler. */
+export const hasPosix = process.env.HGP_WITHOUT_POSIX === undefined;
+
 /** Real meshes, optional: tests that use them say aloud when they are absent. */
 export const shared =
   process.env.HGP_SHARED_MESHES ?? path.join(import.meta.dirname, '../../../shared/meshes');

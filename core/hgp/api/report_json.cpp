@@ -117,7 +117,7 @@ Json componentJson(const ModelComponent& component, const Parametrization& run,
   Json rounds = Json::array(), times = Json::array();
   for (const Round& r : run.rounds) rounds.push_back(roundJson(r));
   for (const StageTime& t : run.times) {
-    times.push_back(Json{{"stage", t.stage}, {"seconds", t.seconds}});
+    times.push_back(Json{{"stage", stageName(t.stage)}, {"seconds", t.seconds}});
   }
   std::vector<Where> conflict;
   for (FaceId f : run.conflict) conflict.push_back({Where::Kind::kFace, f.i});

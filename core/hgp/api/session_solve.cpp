@@ -152,7 +152,7 @@ Result<Parametrization> Session::State::solveComponent(std::size_t p,
   }
   std::vector<StageTime> times;
   StageClock clock(options.progress, times);
-  if (!clock.begin("prepare")) return cancelled("prepare");
+  if (!clock.begin(Stage::kPrepare)) return clock.cancelled();
   surfaceOf(p);
   clock.end();
   std::vector<std::string> notes;

@@ -1,16 +1,33 @@
 // Progress and cancellation.  Role: the only way a stage talks while it works.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 
 namespace hgp {
 
-/// One report. `fraction` is of the named stage, in [0, 1].
+/// The parts of a run, in the order of their first appearance.
+enum class Stage : std::uint8_t {
+  kPrepare,     ///< topology, geometry, factors that all prescriptions share
+  kCones,       ///< automatic cones are chosen
+  kConnection,  ///< their distances, handles and turnings
+  kField,       ///< the cross field of the prescription
+  kCut,
+  kAssemble,  ///< the rows of the system
+  kSolve,     ///< rounds: attempt, judge, next move
+  kImprove,
+  kAlign,
+};
+
+/// "prepare", "cones", …: in reports, and what a cancelled run was doing.
+const char* stageName(Stage stage);
+
+/// One report. `fraction` is of the stage, in [0, 1].
 struct ProgressReport {
-  const char* stage = "";
+  Stage stage = Stage::kPrepare;
   double fraction = 0.0;
   int iteration = -1;  ///< solver iteration, −1 outside the solver
-  /// Solver residual relative to its target; in stages "improve" and "align" the energy's excess over an
+  /// Solver residual relative to its target; in kImprove and kAlign the energy's excess over an
   /// isometry while it descends; −1 outside.
   double residual = -1.0;
   int round = 0;      ///< of solve, judge, repair: the first is 1; 0 outside

@@ -91,11 +91,11 @@ Result<HolonomySpec> chooseCones(PreparedSurface& surface, const SuggestOptions&
   // What no cones can mend is said before any are named.
   if (topology.genus == 0 && topology.loops.empty() && options.q == 1)
     return checkPrescription(mesh, topology, {1, {}, {}, {}}).error();
-  if (!report(options.progress, {"field", 0.3})) return stopped();
+  if (!report(options.progress, {Stage::kField, 0.3})) return stopped();
   Result<NodeDefects> start = fieldDefects(surface, options);
   if (!start) return std::move(start).error();
   if (Status done = surface.requireConnection(); !done) return std::move(done).error();
-  if (!report(options.progress, {"field", 0.6})) return stopped();
+  if (!report(options.progress, {Stage::kField, 0.6})) return stopped();
   const FieldContext& context = surface.context();
   const ConeMetric metric(mesh, context, options.q);
   PlaceOptions place = placeOptions(options, metric.nodeCount(), coneCount(mesh, context, *start));
@@ -117,7 +117,7 @@ Result<HolonomySpec> chooseCones(PreparedSurface& surface, const SuggestOptions&
     budget = checkPrescription(mesh, topology, spec);
   }
   if (!budget) return std::move(budget).error();
-  if (!report(options.progress, {"field", 0.8})) return stopped();
+  if (!report(options.progress, {Stage::kField, 0.8})) return stopped();
   return spec;
 }
 

@@ -114,7 +114,7 @@ class Aligner {
   bool isDone() const { return out_.isCancelled || out_.map.has_value(); }
   /// False once the caller cancelled.
   bool goOn(double fraction) {
-    if (!report(progress_, {"align", fraction})) out_.isCancelled = true;
+    if (!report(progress_, {Stage::kAlign, fraction})) out_.isCancelled = true;
     return !out_.isCancelled;
   }
   /// Whether so much may still be spent; what was left out for it is said.

@@ -165,7 +165,7 @@ bool mendChange(const ChangeContext& in, const std::vector<FaceId>& patch,
                                                 2 * reduced.size());
   socp::SolveOptions options;
   options.maxIterations = kIterations;
-  options.progress = [&](int, double) { return report(progress, {"align", 0.5}); };
+  options.progress = [&](int, double) { return report(progress, {Stage::kAlign, 0.5}); };
   const socp::Solution solution = socp::solve(problem, options);
   work += linalg::multiplyAdds(cholesky.report(), solution.iterations);
   if (solution.status == socp::SolveStatus::kInfeasible ||

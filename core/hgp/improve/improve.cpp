@@ -115,7 +115,7 @@ const char* run(Descent& descent, const ImproveOptions& options, const Progress&
   for (int n = 0; n < options.maxSteps; ++n) {
     const double excess = descent.excess();
     const double fraction = static_cast<double>(n) / options.maxSteps;
-    if (!report(progress, {"improve", fraction, n, excess})) return "cancelled";
+    if (!report(progress, {Stage::kImprove, fraction, n, excess})) return "cancelled";
     if (excess <= kNoExcess) return "nothing to gain";
     if (work + descent.stepWork() > options.largestWork) return "work limit";
     work += descent.stepWork();

@@ -206,8 +206,8 @@ bool Attempts::solve(const State& state, int round, Attempt& attempt) {
   bool isCancelled = false;
   program.progress = [&](int iteration, double residual) {
     const double fraction = 1.0 - 1.0 / (1.0 + 0.25 * iteration);
-    isCancelled = !report(options_.progress,
-                          {"solve", fraction, iteration, residual, round, options_.maxRounds});
+    isCancelled = !report(options_.progress, {Stage::kSolve, fraction, iteration, residual, round,
+                                              options_.maxRounds});
     return !isCancelled;
   };
   attempt.program = solveProgram(
@@ -257,7 +257,7 @@ bool Attempts::untangleFrom(const State& state, int round, Attempt& attempt) {
   options.progress = [&](int iteration, double wrong) {
     const double fraction = 1.0 - 1.0 / (1.0 + 0.02 * iteration);
     return report(options_.progress,
-                  {"solve", fraction, iteration, wrong, round, options_.maxRounds});
+                  {Stage::kSolve, fraction, iteration, wrong, round, options_.maxRounds});
   };
   const UntangleResult result = untangle(problem_.mesh, setup.context->geometry, setup.cut, seams,
                                          setup.unknowns, setup.harmonic, linear.x, options);

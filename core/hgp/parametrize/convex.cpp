@@ -98,7 +98,7 @@ Result<Parametrization> parametrizeConvex(const TriMesh& mesh, const Parametrize
   const auto start = std::chrono::steady_clock::now();
   const Topology topology = computeTopology(mesh);
   if (Status fits = requireDisk(topology, options); !fits) return fits.error();
-  if (!report(options.progress, {"solve", 0.0})) return cancelled("solve");
+  if (!report(options.progress, {Stage::kSolve, 0.0})) return cancelled(Stage::kSolve);
   const Geometry geometry = computeGeometry(mesh);
   const CutMesh cut =
       cutToDisk(mesh, PerEdge<char>(static_cast<std::size_t>(mesh.edgeCount()), 0), {});
@@ -126,7 +126,7 @@ Result<Parametrization> parametrizeConvex(const TriMesh& mesh, const Parametrize
   round.flipped = result.certificate.orientation.zero + result.certificate.orientation.negative;
   round.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   result.rounds.push_back(round);
-  result.times.push_back({"solve", round.seconds});
+  result.times.push_back({Stage::kSolve, round.seconds});
   return result;
 }
 

@@ -51,7 +51,7 @@ struct Round {
 
 /// Seconds per stage, in the order run.
 struct StageTime {
-  std::string stage;
+  Stage stage = Stage::kPrepare;
   double seconds = 0.0;
 };
 

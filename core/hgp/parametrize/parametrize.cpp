@@ -90,12 +90,12 @@ static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
   double work =
       options.largestWork * std::max(problem.mesh.faceCount(), ParametrizeOptions::kSmallSurface);
   for (int round = 1; round <= options.maxRounds; ++round) {
-    if (!report(options.progress, {"solve", 0.0, -1, -1.0, round, options.maxRounds}))
-      return cancelled("solve");
+    if (!report(options.progress, {Stage::kSolve, 0.0, -1, -1.0, round, options.maxRounds}))
+      return cancelled(Stage::kSolve);
     const auto start = Clock::now();
     tried.insert(hashOf(state));
     const std::shared_ptr<const Attempt> attempt = attempts.make(state, round);
-    if (!attempt) return cancelled("solve");
+    if (!attempt) return cancelled(Stage::kSolve);
     rounds.push_back(describe(problem, state, *attempt, secondsSince(start)));
     if (!best || distanceToCertified(*attempt) < distanceToCertified(*best)) best = attempt;
     work -= workOf(problem, *attempt);
@@ -122,7 +122,7 @@ Result<Parametrization> parametrize(PreparedSurface& surface, const HolonomySpec
   const Problem problem = problemOf(mesh, setup, options);
   Result<std::shared_ptr<const Attempt>> best = solve(problem, options, result.rounds);
   if (!best) return std::move(best).error();
-  result.times.push_back({"solve", secondsSince(start)});
+  result.times.push_back({Stage::kSolve, secondsSince(start)});
   const Attempt& attempt = **best;
   Judged judged{
       {setup, attempt.program.x, attempt.u, attempt.frames}, attempt.map, attempt.certificate};
@@ -149,7 +149,7 @@ Result<Parametrization> parametrize(const TriMesh& mesh, const HolonomySpec& spe
                                     const ParametrizeOptions& options) {
   std::vector<StageTime> times;
   StageClock clock(options.progress, times);
-  if (!clock.begin("prepare")) return cancelled("prepare");
+  if (!clock.begin(Stage::kPrepare)) return clock.cancelled();
   PreparedSurface surface(mesh);
   clock.end();
   Result<Parametrization> result = parametrize(surface, spec, options);

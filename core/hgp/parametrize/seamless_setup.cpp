@@ -52,20 +52,20 @@ Result<SeamlessSetup> prepareSeamless(PreparedSurface& surface, const HolonomySp
   StageClock clock(options.progress, times);
   SeamlessSetup setup;
   setup.context = surface.share();
-  if (!clock.begin("field")) return cancelled("field");
+  if (!clock.begin(Stage::kField)) return clock.cancelled();
   if (Status done = setUpField(surface, spec, options.frames, setup); !done)
     return std::move(done).error();
   if (mesh.faceCount() > kKeptFaces) surface.releaseConnection();
   for (const ConePoint& cone : setup.field.spec.cones) setup.cones.push_back(cone.vertex);
 
   const FieldContext& context = *setup.context;
-  if (!clock.begin("cut")) return cancelled("cut");
+  if (!clock.begin(Stage::kCut)) return clock.cancelled();
   setup.cut =
       cutToDisk(mesh, seamGraph(mesh, context.geometry, context.surface, setup.cones), setup.cones);
   HGP_CHECK(isDisk(mesh, setup.cut), "the cut surface is a disk");
   setup.seams = seamRotations(mesh, setup.cut, setup.field.field);
 
-  if (!clock.begin("assemble")) return cancelled("assemble");
+  if (!clock.begin(Stage::kAssemble)) return clock.cancelled();
   setup.unknowns = reduceUnknowns(mesh, setup.cut, setup.seams);
   setup.harmonic =
       harmonicSystem(mesh, context.geometry, setup.cut, setup.unknowns, setup.seams.q, setup.cones);

@@ -125,7 +125,7 @@ Status improveOnGrid(const TriMesh& mesh, const ParametrizeOptions& options, dou
   if (std::find(isHeld.begin(), isHeld.end(), 1) == isHeld.end()) return Done{};
   const Progress silent;
   StageClock clock(silent, result.times);  // for its caller it is the end of stage "align"
-  clock.begin("improve");
+  clock.begin(Stage::kImprove);
   ImproveOptions asked = *options.improve;
   asked.largestWork = work;
   asked.relativeDecrease *= kHeldDecrease;
@@ -141,11 +141,11 @@ Status improveOnGrid(const TriMesh& mesh, const ParametrizeOptions& options, dou
   }
   const Progress progress = [&](const ProgressReport& r) {
     const double fraction = kAlignedFraction + (1.0 - kAlignedFraction) * r.fraction;
-    return report(options.progress, {"align", fraction, r.iteration, r.residual});
+    return report(options.progress, {Stage::kAlign, fraction, r.iteration, r.residual});
   };
   const Improvement run = improve(reducedMap(mesh, setup), setup.context->tree, judged.solution.x,
                                   asked, isHeld, progress);
-  if (std::string_view(run.outcome) == "cancelled") return cancelled("align");
+  if (std::string_view(run.outcome) == "cancelled") return cancelled(Stage::kAlign);
   std::optional<Judged> improved = acceptedOnGrid(mesh, run, asked, isHeld, judged, result.spec);
   result.improvement->onGrid = takeOver(run, std::move(improved), judged);
   describeGrid(mesh, judged.map, setup.cones.size(), *result.grid);
@@ -157,11 +157,11 @@ Status improveOnGrid(const TriMesh& mesh, const ParametrizeOptions& options, dou
 Status improveSolution(const TriMesh& mesh, const ParametrizeOptions& options, Judged& judged,
                        Parametrization& result) {
   StageClock clock(options.progress, result.times);
-  if (!clock.begin("improve")) return cancelled("improve");
+  if (!clock.begin(Stage::kImprove)) return clock.cancelled();
   const SeamlessSetup& setup = *judged.solution.setup;
   const Improvement run = improve(reducedMap(mesh, setup), setup.context->tree, judged.solution.x,
                                   *options.improve, {}, options.progress);
-  if (std::string_view(run.outcome) == "cancelled") return cancelled("improve");
+  if (std::string_view(run.outcome) == "cancelled") return cancelled(Stage::kImprove);
   std::optional<Judged> improved = accepted(mesh, run, *options.improve, judged, result);
   result.improvement = {takeOver(run, std::move(improved), judged), *options.improve, {}};
   return Done{};
@@ -191,7 +191,7 @@ Status evenOut(const TriMesh& mesh, const ParametrizeOptions& options, Judged& j
 Status alignSolution(const TriMesh& mesh, const ParametrizeOptions& options, Judged& judged,
                      Parametrization& result) {
   StageClock clock(options.progress, result.times);
-  if (!clock.begin("align")) return cancelled("align");
+  if (!clock.begin(Stage::kAlign)) return clock.cancelled();
   const SeamlessSetup& setup = *judged.solution.setup;
   double work = kBesidePrograms * mesh.faceCount();
   for (const Round& round : result.rounds) work += round.work;
@@ -204,7 +204,7 @@ Status alignSolution(const TriMesh& mesh, const ParametrizeOptions& options, Jud
   AlignedMap aligned =
       alignToGrid(mesh, judged.map, setup.seams.q, setup.cones, options.grid, &setup.context->tree,
                   options.progress, kAlignShare * work, accepts);
-  if (aligned.isCancelled) return cancelled("align");
+  if (aligned.isCancelled) return cancelled(Stage::kAlign);
   result.grid = std::move(aligned.report);
   if (!aligned.map) return Done{};
   judged.solution.x = unknownsOf(mesh, setup, *aligned.map);

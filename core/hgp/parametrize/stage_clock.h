@@ -11,8 +11,8 @@
 namespace hgp {
 
 /// What a stage returns when its caller cancelled.
-inline Failure cancelled(const char* stage) {
-  return {ErrorCode::kCancelled, stage, "Cancelled.", {}};
+inline Failure cancelled(Stage stage) {
+  return {ErrorCode::kCancelled, stageName(stage), "Cancelled.", {}};
 }
 
 /// Closes a stage's time and reports the next one.
@@ -24,23 +24,27 @@ class StageClock {
   StageClock(const StageClock&) = delete;
   StageClock& operator=(const StageClock&) = delete;
   /// False when the caller cancelled.
-  bool begin(const char* stage) {
+  bool begin(Stage stage) {
     end();
     stage_ = stage;
+    isRunning_ = true;
     start_ = std::chrono::steady_clock::now();
     return report(progress_, {stage, 0.0});
   }
+  /// Names the stage that was begun last.
+  Failure cancelled() const { return hgp::cancelled(stage_); }
   void end() {
-    if (!stage_) return;
+    if (!isRunning_) return;
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
     times_.push_back({stage_, spent.count()});
-    stage_ = nullptr;
+    isRunning_ = false;
   }
 
  private:
   const Progress& progress_;
   std::vector<StageTime>& times_;
-  const char* stage_ = nullptr;
+  Stage stage_ = Stage::kPrepare;
+  bool isRunning_ = false;
   std::chrono::steady_clock::time_point start_;
 };
 

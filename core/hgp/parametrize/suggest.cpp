@@ -10,10 +10,10 @@ Result<CompleteSpec> suggestCones(PreparedSurface& surface, const SuggestOptions
                                   std::vector<StageTime>* times) {
   std::vector<StageTime> unused;
   StageClock clock(options.progress, times != nullptr ? *times : unused);
-  if (!clock.begin("cones")) return cancelled("cones");
+  if (!clock.begin(Stage::kCones)) return clock.cancelled();
   Result<HolonomySpec> spec = chooseCones(surface, options);
   if (!spec) return std::move(spec).error();
-  if (!clock.begin("connection")) return cancelled("connection");
+  if (!clock.begin(Stage::kConnection)) return clock.cancelled();
   if (Status done = surface.requireConnection(); !done) return std::move(done).error();
   if (options.coneCount == 0 && isNearlyFlatTorus(surface.context())) spec->cones.clear();
   Result<PrescribedField> completed = surface.field(*spec);

@@ -446,7 +446,7 @@ TEST(Session, CancellingWhileTheMapIsAlignedIsNoResult) {
   options.grid.cells = 2000.0;
   bool isReached = false;
   options.progress = [&](const ProgressReport& r) {
-    isReached = isReached || (std::string(r.stage) == "align" && r.fraction > 0.0);
+    isReached = isReached || (r.stage == Stage::kAlign && r.fraction > 0.0);
     return !isReached;
   };
   const Status solved = session.parametrize(std::nullopt, options);

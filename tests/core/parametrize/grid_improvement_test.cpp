@@ -168,11 +168,11 @@ TEST(GridImprovement, CanBeCancelledInEveryStep) {
   int steps = 0;
   double last = 0.0;
   const auto isDescent = [](const ProgressReport& r) {
-    return std::string(r.stage) == "align" && r.iteration >= 0;
+    return r.stage == Stage::kAlign && r.iteration >= 0;
   };
   options.progress = [&](const ProgressReport& r) {
     steps += isDescent(r);
-    if (std::string(r.stage) == "align") {
+    if (r.stage == Stage::kAlign) {
       EXPECT_GE(r.fraction, last);
       last = r.fraction;
     }

@@ -108,7 +108,7 @@ TEST(Improvement, CanBeCancelledInEveryStep) {
   const TriMesh mesh = test::jittered(test::icosphere(5), 0.05).mesh();
   int steps = 0;
   const Result<Parametrization> all = solve(mesh, 4, 0.0, [&](const ProgressReport& r) {
-    steps += std::string(r.stage) == "improve";
+    steps += r.stage == Stage::kImprove;
     return true;
   });
   ASSERT_TRUE(all && all->isCertified);
@@ -116,7 +116,7 @@ TEST(Improvement, CanBeCancelledInEveryStep) {
   for (int stop = 1; stop <= steps; ++stop) {
     int seen = 0;
     const Result<Parametrization> run = solve(mesh, 4, 0.0, [&](const ProgressReport& r) {
-      return std::string(r.stage) != "improve" || ++seen < stop;
+      return r.stage != Stage::kImprove || ++seen < stop;
     });
     ASSERT_FALSE(run);
     EXPECT_EQ(run.error().code, ErrorCode::kCancelled);

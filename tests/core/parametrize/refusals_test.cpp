@@ -68,16 +68,16 @@ TEST(Cancel, EndsEveryStageAtOnce) {
   const TriMesh mesh = test::icosphere(4).mesh();
   HolonomySpec spec;
   for (VertexId v : test::spreadVertices(mesh, 8)) spec.cones.push_back({v, 3});
-  std::set<std::string> stages;
+  std::set<Stage> stages;
   ParametrizeOptions options;
   options.progress = [&](const ProgressReport& r) {
     stages.insert(r.stage);
     return true;
   };
   ASSERT_TRUE(parametrize(mesh, spec, options));
-  for (const char* stage : {"field", "cut", "assemble", "solve"})
-    EXPECT_TRUE(stages.count(stage)) << stage;
-  for (const std::string& stage : stages) {
+  for (const Stage stage : {Stage::kField, Stage::kCut, Stage::kAssemble, Stage::kSolve})
+    EXPECT_TRUE(stages.count(stage)) << stageName(stage);
+  for (const Stage stage : stages) {
     int after = 0;
     bool isOver = false;
     options.progress = [&](const ProgressReport& r) {
@@ -86,9 +86,9 @@ TEST(Cancel, EndsEveryStageAtOnce) {
       return !isOver;
     };
     const Result<Parametrization> p = parametrize(mesh, spec, options);
-    ASSERT_FALSE(p) << stage;
-    EXPECT_EQ(p.error().code, ErrorCode::kCancelled) << stage;
-    EXPECT_EQ(after, 0) << stage;
+    ASSERT_FALSE(p) << stageName(stage);
+    EXPECT_EQ(p.error().code, ErrorCode::kCancelled) << stageName(stage);
+    EXPECT_EQ(after, 0) << stageName(stage);
   }
 }
 
@@ -101,7 +101,7 @@ TEST(Progress, FractionsStayBetweenZeroAndOneAndIterationsAndRoundsCount) {
     EXPECT_TRUE(r.round == rounds || (r.round == rounds + 1 && r.iteration < 0)) << r.round;
     EXPECT_EQ(r.maxRounds, r.round > 0 ? options.maxRounds : 0);
     rounds = r.round;
-    if (std::string(r.stage) == "solve" && r.iteration >= 0) {
+    if (r.stage == Stage::kSolve && r.iteration >= 0) {
       EXPECT_TRUE(r.iteration == last + 1 || r.iteration == 0);
       last = r.iteration;
       ++solves;

@@ -228,7 +228,7 @@ TEST(Improve, StopsWhereItIsToldToWithAMapThatIsStillGood) {
   int calls = 0;
   double last = 1e300;
   const Improvement run = start.improve(options, {}, [&](const ProgressReport& r) {
-    EXPECT_STREQ(r.stage, "improve");
+    EXPECT_EQ(r.stage, Stage::kImprove);
     EXPECT_LE(r.residual, last + 1e-12);
     last = r.residual;
     return ++calls < 3;

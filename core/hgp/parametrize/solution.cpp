@@ -171,12 +171,12 @@ Status evenOut(const TriMesh& mesh, const ParametrizeOptions& options, Judged& j
                Parametrization& result) {
   if (!judged.certificate.isMeasured) return Done{};
   StageClock clock(options.progress, result.times);
-  if (!clock.begin("improve")) return cancelled("improve");
+  if (!clock.begin(Stage::kImprove)) return clock.cancelled();
   const SeamlessSetup& setup = *judged.solution.setup;
   const ReducedMap map{mesh, setup.context->geometry, setup.cut, setup.unknowns};
   const Improvement run =
       improve(map, setup.context->tree, judged.solution.x, {}, {}, options.progress);
-  if (std::string_view(run.outcome) == "cancelled") return cancelled("improve");
+  if (std::string_view(run.outcome) == "cancelled") return cancelled(Stage::kImprove);
   Judged even{judged.solution, {}, {}};
   even.solution.x = run.x;
   even.map = layOut(mesh, even.solution);

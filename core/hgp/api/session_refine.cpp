@@ -11,6 +11,12 @@ namespace {
 /// Of the work that a run may spend, what each refined mesh may: three of them double a run at most.
 constexpr double kRefinedShare = 0.3;
 
+/// What a run may spend is counted in these: a mesh four times as fine may not spend four times as much.
+double workUnits(const Model& model) {
+  return static_cast<double>(std::max<std::size_t>(model.source().mesh.triangles.size(),
+                                                   ParametrizeOptions::kSmallSurface));
+}
+
 int certifiedCount(const std::vector<Certificate>& certificates) {
   return static_cast<int>(std::count_if(certificates.begin(), certificates.end(),
                                         [](const Certificate& c) { return c.isCertified; }));
@@ -102,7 +108,7 @@ Status Session::State::solveRefined(const Request& request, const SolveOptions& 
     if (!carried) return carried.error();
     auto next = std::make_unique<State>();
     if (Status taken = next->take(std::move(refined->model)); !taken) return taken;
-    next->workShare = kRefinedShare;
+    next->workShare = kRefinedShare * workUnits(*model) / workUnits(*next->model);
     RunRecord again;
     again.options = run.options;
     again.isAutomatic = run.isAutomatic;

@@ -12,7 +12,7 @@ namespace {
 
 /// A step is taken where E still falls at its end, or rises by at most this share of the first slope.
 constexpr double kLargestRise = 0.1;
-constexpr double kShortestStep = 1e-12;
+constexpr double kShortestNewtonStep = 1e-12;
 /// Below this residual a step that does not halve it is the last: what is left is rounding.
 constexpr double kRounding = 1e-9;
 /// Of the mean diagonal, added where broken triangles leave rows empty.
@@ -128,7 +128,7 @@ bool descend(Energy& energy, const Eigen::VectorXd& change, Eigen::VectorXd& u,
              Eigen::VectorXd& gradient) {
   const double first = gradient.dot(change);
   if (!(first < 0.0)) return false;
-  for (double step = 1.0; step > kShortestStep; step *= 0.5) {
+  for (double step = 1.0; step > kShortestNewtonStep; step *= 0.5) {
     const Eigen::VectorXd trial = u + step * change;
     const Eigen::VectorXd there = energy.gradient(trial);
     if (!(there.dot(change) <= -kLargestRise * first)) continue;

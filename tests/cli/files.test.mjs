@@ -328,7 +328,7 @@ test('where the usual automatic cones leave a grid no room, few cones are tried,
     '-o',
     'pretzel_out.obj',
     '--cells',
-    '60',
+    '30',
     '--json',
     'pretzel.json',
   ];
@@ -340,7 +340,7 @@ test('where the usual automatic cones leave a grid no room, few cones are tried,
   // The map is that of its own cones, whoever names them; a choice that was made is kept.
   const { cones } = JSON.parse(readFileSync(at('pretzel.json'), 'utf8'));
   put('pretzel_cones.json', JSON.stringify(cones));
-  const again = run([...asked.slice(0, 2), '-o', 'pretzel_again.obj', '--cells', '60', '--cones', 'pretzel_cones.json']); // prettier-ignore
+  const again = run([...asked.slice(0, 2), '-o', 'pretzel_again.obj', '--cells', '30', '--cones', 'pretzel_cones.json']); // prettier-ignore
   assert.equal(again.code, 0, again.err);
   assert.deepEqual(readFileSync(at('pretzel_again.obj')), readFileSync(at('pretzel_out.obj')));
   assert.doesNotMatch(run([...asked, '--cones-for', 'low-distortion']).err, few);

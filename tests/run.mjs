@@ -145,6 +145,14 @@ function unitTests(log) {
   return inLanes(files, (claims) => [lane(log, claims, files, hooks)]);
 }
 
+/** The package's tests: two files beside each other; then, alone, what measures time. */
+async function packageTests(log) {
+  const alone = 'tests/wasm/cost.test.mjs';
+  const files = testFiles('wasm').filter((file) => file !== alone);
+  const both = await counted(log, '--test', '--test-concurrency=2', ...files);
+  return sum([both, await counted(log, '--test', alone)]);
+}
+
 /**
  * The page's tests: two lanes that take file after file, each with one browser; then, alone, what
  * measures time. Long files first, so that both lanes end at about the same time.
@@ -221,7 +229,7 @@ const stages = {
   mutate: { run: mutate, after: ['native-debug'] },
   units: { run: unitTests, after: ['wasm-release'] },
   package: {
-    run: (log) => nodeTests(log, 'wasm'),
+    run: packageTests,
     ...{ after: ['native-release', 'wasm-release'], isAlone: true },
   },
   web: { run: web, after: ['native-release', 'wasm-release'], isAlone: true },

@@ -110,9 +110,7 @@ class Comparison {
     if (!setup) return addNothing(kNoFrames, setup.error().message);
     ProgramOptions program;
     program.u = setup->field.u;
-    const ProgramResult solved =
-        solveProgram(mesh_, setup->context->geometry, setup->cut, setup->seams, setup->unknowns,
-                     setup->harmonic, Frames{}, program);
+    const ProgramResult solved = solveProgram(systemOf(mesh_, *setup), Frames{}, program);
     judgeAndAdd(kNoFrames, layOut(mesh_, *setup, solved.z));
   }
 

@@ -33,9 +33,7 @@ Example exampleOf(const test::Shape& shape, const HolonomySpec& spec) {
   ProgramOptions options;
   options.u = e.setup.field.u;
   const Frames frames = fieldFrames(e.setup.seams, coneAndBoundaryFaces(e.mesh, e.setup.cones));
-  e.z = solveProgram(e.mesh, e.setup.context->geometry, e.setup.cut, e.setup.seams,
-                     e.setup.unknowns, e.setup.harmonic, frames, options)
-            .z;
+  e.z = solveProgram(systemOf(e.mesh, e.setup), frames, options).z;
   e.certificate = certify(e.mesh, e.setup.field.spec, layOut(e.mesh, e.setup, e.z));
   EXPECT_TRUE(e.certificate.isCertified);
   e.cover = test::branchedCover(e.mesh, e.setup.seams);

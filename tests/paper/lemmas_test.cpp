@@ -114,7 +114,7 @@ TEST(Lemma62, HoldsForTheMeasuredAnglesOfEveryPositiveMap) {
     std::vector<FaceId> all;
     for (FaceId f : s.mesh.faces()) all.push_back(f);
     const ProgramResult result =
-        solveProgram(s.mesh, s.context.geometry, s.cut, s.seams, unknowns, harmonic,
+        solveProgram({s.mesh, s.context.geometry, s.cut, s.seams, unknowns, harmonic},
                      fieldFrames(s.seams, coneAndBoundaryFaces(s.mesh, s.cones)), options);
     UvMap map;
     for (const Complex& z : result.z) map.uv.push_back({z.real(), z.imag()});

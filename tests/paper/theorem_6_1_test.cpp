@@ -31,7 +31,7 @@ std::optional<Solved> solvedOf(const std::string& name, const TriMesh& mesh,
   ProgramOptions options;
   options.u = c.field.u;
   options.tieBreak = tieBreak;
-  s.program = solveProgram(c.mesh, c.context.geometry, c.cut, c.seams, unknowns, harmonic,
+  s.program = solveProgram({c.mesh, c.context.geometry, c.cut, c.seams, unknowns, harmonic},
                            fieldFrames(c.seams, coneAndBoundaryFaces(c.mesh, c.cones)), options);
   for (const Complex& z : s.program.z) s.map.uv.push_back({z.real(), z.imag()});
   double size = 0.0;

@@ -87,12 +87,10 @@ void removeTieBreak(const ProgramInput& in, const ProgramForm& form, const HeldU
 
 }  // namespace
 
-ProgramResult solveProgram(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,
-                           const SeamRotations& seams, const ReducedUnknowns& unknowns,
-                           const HarmonicSystem& harmonic, const Frames& frames,
+ProgramResult solveProgram(const SeamlessSystem& system, const Frames& frames,
                            const ProgramOptions& options) {
   HGP_CHECK(frames.faces.size() == frames.angles.size(), "one direction per frame");
-  const ProgramInput in{mesh, geometry, cut, seams, unknowns, harmonic, frames, options};
+  const ProgramInput in{system, frames, options};
   const HeldUnknowns held = heldUnknowns(in);
   ProgramResult result;
   const std::unique_ptr<ProgramForm> form =
@@ -122,9 +120,9 @@ ProgramResult solveProgram(const TriMesh& mesh, const Geometry& geometry, const 
   if (isTieBroken && (solution.isFree || frames.faces.empty()))
     removeTieBreak(in, *form, held, problem, solution.x, x);
   result.x = form->expand(x);
-  const Eigen::VectorXcd z = unknowns.copies * result.x;
+  const Eigen::VectorXcd z = system.unknowns.copies * result.x;
   result.z.assign(z.data(), z.data() + z.size());
-  result.laplacianEnergy = (harmonic.rows * result.x).squaredNorm();
+  result.laplacianEnergy = (system.harmonic.rows * result.x).squaredNorm();
   if (solution.status == socp::SolveStatus::kInfeasible)
     result.conflict = conflict(frames, solution);
   return result;

@@ -6,7 +6,7 @@
 #include "hgp/optimize/frames.h"
 #include "hgp/optimize/program_options.h"
 #include "hgp/socp/solve.h"
-#include "hgp/system/harmonic.h"
+#include "hgp/system/seamless_system.h"
 
 namespace hgp {
 
@@ -24,9 +24,7 @@ struct ProgramResult {
 /// minimise ‖D L z‖² + distortion, over seamless z, subject to
 ///   Re(f_z d̄_j) − |f_z̄| ≥ ε e^{u_f} on the frames' faces [BCW17 (13)],  D = diag(e^{−u_v}).
 /// With `local`, over its free unknowns alone; each frame's triangle must have one.
-ProgramResult solveProgram(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,
-                           const SeamRotations& seams, const ReducedUnknowns& unknowns,
-                           const HarmonicSystem& harmonic, const Frames& frames,
+ProgramResult solveProgram(const SeamlessSystem& system, const Frames& frames,
                            const ProgramOptions& options);
 
 }  // namespace hgp

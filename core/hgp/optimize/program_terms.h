@@ -7,18 +7,12 @@
 #include "hgp/optimize/frames.h"
 #include "hgp/optimize/program_options.h"
 #include "hgp/socp/problem.h"
-#include "hgp/system/harmonic.h"
+#include "hgp/system/seamless_system.h"
 
 namespace hgp {
 
 /// Everything one program is stated with; references live as long as the call of solveProgram.
-struct ProgramInput {
-  const TriMesh& mesh;
-  const Geometry& geometry;
-  const CutMesh& cut;
-  const SeamRotations& seams;
-  const ReducedUnknowns& unknowns;
-  const HarmonicSystem& harmonic;
+struct ProgramInput : SeamlessSystem {
   const Frames& frames;
   const ProgramOptions& options;
 };

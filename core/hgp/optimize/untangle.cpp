@@ -323,15 +323,13 @@ class Untangler {
 
 }  // namespace
 
-UntangleResult untangle(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,
-                        const SeamRotations& seams, const ReducedUnknowns& unknowns,
-                        const HarmonicSystem& harmonic, const Eigen::VectorXcd& x,
+UntangleResult untangle(const SeamlessSystem& system, const Eigen::VectorXcd& x,
                         const UntangleOptions& options) {
   const Frames none;
   ProgramOptions program;
   program.u = options.u;
   program.local = options.local;
-  const ProgramInput in{mesh, geometry, cut, seams, unknowns, harmonic, none, program};
+  const ProgramInput in{system, none, program};
   HeldUnknowns held = heldUnknowns(in);
   if (options.local == nullptr) held.value = x;
   return Untangler(in, held, options).run(x);

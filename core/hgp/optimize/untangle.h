@@ -36,13 +36,11 @@ struct UntangleResult {
 /// each triangle in units of e^{u_f}, while ε shrinks with the most negative D (Garanzha, Kaporin,
 /// Kudryavtseva, Protais, Ray, Sokolov 2021, "Foldover-free maps in 50 lines of code"). For ε → 0 and
 /// D > 0 that is conformal energy with a weak bound on scale: a barrier against flips. First with
-/// |f_z|² replaced by what of it is along the frames of `seams`, which decides winding numbers; the
+/// |f_z|² replaced by what of it is along the frames of `system.seams`, which decides winding numbers; the
 /// frames turn after the map now and then, smoothly, so that they stay as prescribed. Ends soon after
 /// the last flip. The map is not harmonic.
 /// @param x  where to start: any unknowns
-UntangleResult untangle(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,
-                        const SeamRotations& seams, const ReducedUnknowns& unknowns,
-                        const HarmonicSystem& harmonic, const Eigen::VectorXcd& x,
+UntangleResult untangle(const SeamlessSystem& system, const Eigen::VectorXcd& x,
                         const UntangleOptions& options);
 
 }  // namespace hgp

@@ -210,9 +210,9 @@ bool Attempts::solve(const State& state, int round, Attempt& attempt) {
                                               options_.maxRounds});
     return !isCancelled;
   };
-  attempt.program = solveProgram(
-      problem_.mesh, setup.context->geometry, setup.cut, seamsOf(state.isEven), setup.unknowns,
-      state.harmonic ? *state.harmonic : setup.harmonic, attempt.frames, program);
+  const HarmonicSystem& harmonic = state.harmonic ? *state.harmonic : setup.harmonic;
+  attempt.program = solveProgram(systemOf(problem_.mesh, setup, seamsOf(state.isEven), harmonic),
+                                 attempt.frames, program);
   return !isCancelled;
 }
 
@@ -235,13 +235,11 @@ bool Attempts::untangleFrom(const State& state, int round, Attempt& attempt) {
   const SeamlessSetup& setup = *problem_.setup;
   const Untangling& kind = untanglings()[static_cast<std::size_t>(state.untangling)];
   const SeamRotations seams = framesOfKind(kind);
+  const SeamlessSystem system = systemOf(problem_.mesh, setup, seams, setup.harmonic);
   ProgramOptions start;
   start.u = attempt.u;
   start.quality = kStartQuality;
-  const auto solveStart = [&] {
-    return solveProgram(problem_.mesh, setup.context->geometry, setup.cut, seams, setup.unknowns,
-                        setup.harmonic, Frames{}, start);
-  };
+  const auto solveStart = [&] { return solveProgram(system, Frames{}, start); };
   ProgramResult linear = solveStart();
   if (linear.x.size() == 0) {  // weights that no factorization survives
     for (double& value : start.u.raw()) value = std::clamp(value, -kStartClamp, kStartClamp);
@@ -259,8 +257,7 @@ bool Attempts::untangleFrom(const State& state, int round, Attempt& attempt) {
     return report(options_.progress,
                   {Stage::kSolve, fraction, iteration, wrong, round, options_.maxRounds});
   };
-  const UntangleResult result = untangle(problem_.mesh, setup.context->geometry, setup.cut, seams,
-                                         setup.unknowns, setup.harmonic, linear.x, options);
+  const UntangleResult result = untangle(system, linear.x, options);
   attempt.program.x = result.x;
   attempt.program.iterations = result.iterations;
   if (result.flipped == 0) attempt.program.status = socp::SolveStatus::kOptimal;

@@ -7,7 +7,7 @@
 
 #include "hgp/field/prepared_surface.h"
 #include "hgp/parametrize/parametrization.h"
-#include "hgp/system/harmonic.h"
+#include "hgp/system/seamless_system.h"
 
 namespace hgp {
 
@@ -21,6 +21,14 @@ struct SeamlessSetup {
   std::vector<VertexId> cones;
   std::vector<std::string> warnings;
 };
+
+inline SeamlessSystem systemOf(const TriMesh& mesh, const SeamlessSetup& setup,
+                               const SeamRotations& seams, const HarmonicSystem& harmonic) {
+  return {mesh, setup.context->geometry, setup.cut, seams, setup.unknowns, harmonic};
+}
+inline SeamlessSystem systemOf(const TriMesh& mesh, const SeamlessSetup& setup) {
+  return systemOf(mesh, setup, setup.seams, setup.harmonic);
+}
 
 /// Checks the prescription, completes it, and sets up the system. Appends the stages' times.
 /// @param options  its frames, whose field is then used (the cone metric stays our own); progress

@@ -26,8 +26,10 @@ struct SeamlessProblem {
     return fieldFrames(surface.seams, coneAndBoundaryFaces(surface.mesh, surface.cones));
   }
   ProgramResult solve(const Frames& frames, const ProgramOptions& options) const {
-    return solveProgram(surface.mesh, surface.context.geometry, surface.cut, surface.seams,
-                        unknowns, harmonic, frames, options);
+    return solveProgram(system(), frames, options);
+  }
+  SeamlessSystem system() const {
+    return {surface.mesh, surface.context.geometry, surface.cut, surface.seams, unknowns, harmonic};
   }
   UvMap map(const std::vector<Complex>& z) const {
     UvMap map;

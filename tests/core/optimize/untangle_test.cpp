@@ -72,8 +72,7 @@ TEST(Untangle, UnfoldsACertifiedMapThatWasShaken) {
   UntangleOptions options;
   options.u = p.surface.field.u;
   options.kept = p.frames().faces;
-  const UntangleResult result = untangle(p.surface.mesh, p.surface.context.geometry, p.surface.cut,
-                                         p.surface.seams, p.unknowns, p.harmonic, shaken, options);
+  const UntangleResult result = untangle(p.system(), shaken, options);
   EXPECT_EQ(result.flipped, 0);
   const Eigen::VectorXcd unfolded = p.unknowns.copies * result.x;
   EXPECT_TRUE(p.judge({unfolded.data(), unfolded.data() + unfolded.size()}).isCertified);
@@ -85,8 +84,7 @@ TEST(Untangle, StopsWhenItIsToldTo) {
   options.u = p.surface.field.u;
   options.progress = [](int, double) { return false; };
   const UntangleResult result =
-      untangle(p.surface.mesh, p.surface.context.geometry, p.surface.cut, p.surface.seams,
-               p.unknowns, p.harmonic, Eigen::VectorXcd::Random(p.unknowns.count), options);
+      untangle(p.system(), Eigen::VectorXcd::Random(p.unknowns.count), options);
   EXPECT_TRUE(result.isCancelled);
   EXPECT_EQ(result.iterations, 0);
 }

@@ -1,0 +1,22 @@
+// A cut surface and the seamless maps of it.  Role: what every program, descent and untangling is stated on.
+#pragma once
+
+#include "hgp/cut/cut_mesh.h"
+#include "hgp/cut/seam_rotation.h"
+#include "hgp/mesh/geometry.h"
+#include "hgp/mesh/tri_mesh.h"
+#include "hgp/system/harmonic.h"
+
+namespace hgp {
+
+/// References; they live as long as what they were made of.
+struct SeamlessSystem {
+  const TriMesh& mesh;
+  const Geometry& geometry;
+  const CutMesh& cut;
+  const SeamRotations& seams;       ///< with the direction of every triangle's frame
+  const ReducedUnknowns& unknowns;  ///< z = copies · x: whatever x, all seams are met
+  const HarmonicSystem& harmonic;   ///< L, in the same unknowns
+};
+
+}  // namespace hgp

@@ -98,7 +98,7 @@ constexpr double kHalfPiLow = 0x1.1a62633145c07p-54, kPiLow = 0x1.1a62633145c07p
 std::pair<double, double> firstOctant(double a, double b) {
   static constexpr double kTerms[] = {-1.0 / 3,  1.0 / 5,  -1.0 / 7,  1.0 / 9,
                                       -1.0 / 11, 1.0 / 13, -1.0 / 15, 1.0 / 17};
-  const int n = static_cast<int>(8.0 * (a / b) + 0.5);
+  const int n = static_cast<int>(std::lround(8.0 * (a / b)));
   const double c = 0.125 * n;
   const double u = n == 0 ? a / b : (a - c * b) / (b + c * a);
   const double z = u * u;

@@ -25,7 +25,7 @@ double sin(double x);  ///< 1 ulp for |x| < 10⁶; beyond, 2π is taken for its 
 double cos(double x);  ///< as sin
 double tan(double x);  ///< 3 ulp
 
-/// The angle of (x, y) in [−π, π], 2 ulp, by the sign of zeros as in ISO C; arguments are finite.
+/// The angle of (x, y) in [−π, π], 2 ulp; zeros with signs and infinite arguments as in ISO C.
 double atan2(double y, double x);
 double asin(double x);  ///< 4 ulp; NaN outside [−1, 1]
 double acos(double x);  ///< 4 ulp; NaN outside [−1, 1]

@@ -91,7 +91,7 @@ void writeMap(CorpusRow& row, const api::Session& session, const CorpusOptions& 
   const auto start = Clock::now();
   api::WriteOptions write;
   write.name = options.output;
-  const Result<io::Written> written = session.write(write);
+  const Result<api::WrittenMap> written = session.write(write);
   const Status saved = written ? cli::writeFiles(options.output, written->files) : written.error();
   if (!saved) {
     row.outcome = Outcome::kFailed;

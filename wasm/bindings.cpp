@@ -93,12 +93,13 @@ class Session {
 
   val write(const val& options) const {
     return guarded([&] {
-      const Result<io::Written> written = session_.write(toWriteOptions(options));
+      const Result<api::WrittenMap> written = session_.write(toWriteOptions(options));
       if (!written) return failed(written.error());
       val reply = val::object();
       reply.set("files", toFiles(written->files));
       reply.set("notes", val::array(written->notes));
       reply.set("xref", toTypedArray("Int32Array", written->xref));
+      reply.set("certified", written->isCertified);
       return reply;
     });
   }

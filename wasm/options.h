@@ -104,6 +104,12 @@ inline api::WriteOptions toWriteOptions(const val& options) {
   api::WriteOptions o;
   o.uvSet = option(options, "uvSet", o.uvSet);
   o.name = option(options, "name", o.name);
+  o.format = api::mapFormatNamed(option(options, "format", std::string("same"))).value_or(o.format);
+  const val grid = option(options, "gridMaterial", val(false));
+  if (grid.isNumber())
+    o.gridTiles = grid.as<double>();
+  else if (grid.isTrue())
+    o.gridTiles = 0.0;
   o.embedCones = option(options, "embedCones", o.embedCones);
   o.allowUncertified = option(options, "allowUncertified", o.allowUncertified);
   o.pointsMaterials = option(options, "use", o.pointsMaterials);

@@ -62,7 +62,7 @@ function offline(): Plugin {
         files.set(name, part.type === 'chunk' ? part.code : part.source);
       }
       const thumbnails = readdirSync(path.join(import.meta.dirname, 'public/thumbnails'));
-      const fixed = ['icon.svg', 'hgp.webmanifest', 'grid.png'];
+      const fixed = ['icon.svg', 'hgp.webmanifest'];
       for (const name of [...fixed, ...thumbnails.map((one) => `thumbnails/${one}`)]) {
         files.set(name, readFileSync(path.join(import.meta.dirname, 'public', name)));
       }

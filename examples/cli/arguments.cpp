@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "also.h"
 #include "files.h"
 #include "hgp/api/session.h"
 #include "hgp/api/side_files.h"
@@ -164,11 +165,12 @@ class Parser {
 
   void takeMesh() {
     const bool isAsked = !out_.cones.empty() || !words_.cone.empty() || !words_.turning.empty() ||
-                         !words_.handle.empty() || !out_.field.empty() || !out_.xref.empty();
+                         !words_.handle.empty() || !out_.field.empty() || !out_.xref.empty() ||
+                         !out_.also.empty();
     out_.isEveryMesh = words_.mesh == "all" || (words_.mesh.empty() && !isAsked);
     if (words_.mesh == "all" && isAsked) {
-      throw CLI::ValidationError("--mesh all",
-                                 "takes no cones, field or xref: they are of one mesh");
+      throw CLI::ValidationError(
+          "--mesh all", "takes no cones, field, xref or other formats: they are of one mesh");
     }
     if (words_.mesh.empty() || words_.mesh == "all" || words_.mesh == "largest") return;
     if (!CLI::detail::lexical_cast(words_.mesh, out_.load.surface) || out_.load.surface < 0) {
@@ -206,12 +208,19 @@ class Parser {
       refuse("--compress is for glTF: name the result -o x.glb or -o x.gltf");
     if (out_.isCompressed && !api::canCompress())
       refuse("--compress: this program was built without an encoder (libmeshoptimizer)");
+    for (const std::string& name : out_.also) {
+      if (!alsoFormat(name))
+        throw CLI::ValidationError(
+            "--also", "wants x.obj, x.flat.obj, x.glb, x.gltf or x.svg, not '" + name + "'");
+    }
+    if (out_.write.gridTiles && formatOf(out_.output).empty())
+      refuse("--grid-material is for glTF and OBJ: name the result -o x.glb or -o x.obj");
     if (out_.json == "-" && out_.output == "-")
       refuse("--json - and -o - cannot share standard output");
   }
 
   static bool isRepeatable(const std::string& name) {
-    return name == "--cone" || name == "--turning" || name == "--handle";
+    return name == "--cone" || name == "--turning" || name == "--handle" || name == "--also";
   }
   static void refuseDuplicates(const CLI::App& app) {
     for (const CLI::Option* option : app.get_options()) {

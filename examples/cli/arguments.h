@@ -19,6 +19,7 @@ struct Arguments {
   std::string output;  ///< -o; "-": standard output
   std::string json;    ///< --json; "-": standard output
   std::string xref;
+  std::vector<std::string> also;  ///< the result in other formats
   std::string root;
   bool isQuiet = false, hasNoProgress = false, mayOverwrite = false;
   std::string color = "auto";

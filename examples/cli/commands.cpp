@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "also.h"
 #include "files.h"
 #include "hgp/api/session.h"
 #include "hgp/base/check.h"
@@ -110,7 +111,8 @@ class Run {
     const auto refuse = [](const std::string& text) {
       return Failure{ErrorCode::kUsage, "write", text, {}};
     };
-    const std::vector<std::string> outputs = {a_.output, a_.json, a_.xref};
+    std::vector<std::string> outputs = {a_.output, a_.json, a_.xref};
+    outputs.insert(outputs.end(), a_.also.begin(), a_.also.end());
     const bool mayReplace = a_.mayOverwrite && a_.command == Command::kParam;
     for (std::size_t i = 0; i < outputs.size(); ++i) {
       for (const std::string& input : {a_.input, a_.cones, a_.field, a_.convert}) {
@@ -344,11 +346,18 @@ class Run {
     options.isSideFileNoted = false;
     options.isCompressedLater = a_.isCompressed;
     options.allowUncertified = options.allowUncertified || a_.solve.keepsGoing;
-    Result<io::Written> written = session_.write(options);
+    Result<api::WrittenMap> written = session_.write(options);
     if (!written) return fail(written.error());
     const Status finished = finishFiles(written->files, written->notes, resolve_, a_);
     if (!finished) return fail(finished.error());
+    Result<std::vector<AlsoFile>> also = makeAlso(session_, a_);
+    if (!also) return fail(also.error());
+    const bool areCertified = std::all_of(
+        also->begin(), also->end(), [](const AlsoFile& file) { return file.written.isCertified; });
     if (Status done = writeFiles(a_.output, written->files); !done) return fail(done.error());
+    if (Status done = writeAlso(std::move(*also), written->notes); !done) {
+      return fail(done.error());
+    }
     if (!a_.xref.empty()) {
       std::string text;
       if (!written->xref.empty()) {
@@ -359,7 +368,7 @@ class Run {
       if (Status done = writeText(a_.xref, text); !done) return fail(done.error());
     }
     tellWritten(written->notes);
-    return session_.isCertified() ? 0 : kNoMapExit;
+    return session_.isCertified() && areCertified ? 0 : kNoMapExit;
   }
 
   int verify() {

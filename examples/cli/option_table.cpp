@@ -223,12 +223,39 @@ class Table {
         ->check(atLeast(0, true));
   }
 
+  /// A flag that may have a number.
+  void addGridMaterial(CLI::App* sub) {
+    const auto take = [&out = out_](const std::string& word) {
+      double tiles = 0;
+      if (!word.empty()) CLI::detail::lexical_cast(word, tiles);
+      out.write.gridTiles = tiles;
+    };
+    sub->add_option_function<std::string>(
+           "--grid-material", take,
+           "glTF, OBJ: a grid as the material, TILES per unit of uv (default: what can be seen)")
+        ->option_text("[TILES]")
+        ->expected(0, 1)
+        ->check(CLI::Validator(
+            [](const std::string& word) {
+              double tiles = 0;
+              const bool isGood = word.empty() || (CLI::detail::lexical_cast(word, tiles) &&
+                                                   std::isfinite(tiles) && tiles > 0);
+              return isGood ? std::string() : "wants a number > 0, not '" + word + "'";
+            },
+            ""));
+  }
+
   void addParam() {
     CLI::App* sub = add("param", "Compute and write a certified map", Command::kParam);
     addOutput(sub, "Where to write (- for standard output)", true);
     sub->add_flag("-f,--force", out_.mayOverwrite, "Allow the output to replace the input");
     sub->add_option("--uv-set", words_.uvSet, "glTF: the set to write (default next)")
         ->option_text("next|N");
+    repeatable(
+        sub, "--also", out_.also, "FILE",
+        "The mapped mesh in another format, too: x.obj, x.glb, x.gltf; x.flat.obj, the map as "
+        "a flat mesh; x.svg, its edges; repeatable");
+    addGridMaterial(sub);
     sub->add_flag("--use", out_.write.pointsMaterials,
                   "glTF: the materials' pictures use the new set");
     sub->add_flag("--embed", out_.isEmbedded,

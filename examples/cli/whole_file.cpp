@@ -109,7 +109,7 @@ Result<FileOutcome> parametrizeAll(const io::FileSet& files, int meshCount, cons
       options.isCompressedLater = asked.isCompressed;
       options.allowUncertified = storesAll;
       options.isSideFileNoted = false;
-      Result<io::Written> written = session.write(options);
+      Result<api::WrittenMap> written = session.write(options);
       if (!written) return written.error();
       for (const std::string& note : written->notes) {
         out.notes.push_back(formatText("mesh %d: ", mesh) + note);

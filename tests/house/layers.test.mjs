@@ -98,6 +98,7 @@ const assembles = [
   'core/hgp/io/open.cpp',
   'core/hgp/io/convert.h',
   'core/hgp/io/convert.cpp',
+  'core/hgp/io/grid_material.cpp',
   'core/hgp/io/cone_files.h',
   'core/hgp/io/cone_files.cpp',
   'core/hgp/parametrize/parametrize.cpp',

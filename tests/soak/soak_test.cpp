@@ -123,7 +123,7 @@ std::string outcome(const Case& one) {
   write.name = one.name;
   write.allowUncertified = true;
   write.embedCones = true;
-  const Result<io::Written> written = session.write(write);
+  const Result<api::WrittenMap> written = session.write(write);
   if (!written) return failed(written.error());
   std::string out = session.isCertified() ? "certified" : "not certified";
   for (const io::OutputFile& file : written->files)

@@ -153,7 +153,12 @@ test('the grid in a glTF of several files, and in the GLB of an OBJ', async () =
   assert.doesNotMatch(jsonOf(plain.bytes), /hgp grid/);
   assert.match(jsonOf(bytes), /"hgp grid"/);
   const zip = unzipSync(new Uint8Array((await saveAs(it, 'zip')).bytes));
-  assert.match(String(Buffer.from(zip['cube.gltf'])), /data:image\/png;base64,/);
+  const inside = (uri) => Promise.resolve(zip[decodeURIComponent(uri)]);
+  const unzipped = await validator.validateBytes(zip['cube.gltf'], {
+    externalResourceFunction: inside,
+  });
+  assert.equal(unzipped.issues.numErrors, 0);
+  assert.deepEqual(unzipped.info.resources.map(({ image }) => image?.width).filter(Boolean), [64]);
   assert.match(await validate(), /Validate the GLB[\s\S]*0 errors/);
 });
 

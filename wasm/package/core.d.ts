@@ -198,6 +198,13 @@ export interface VerifyOptions {
 }
 
 export interface WriteOptions {
+  /**
+   * `same`: the original with the map, and nothing else changed. `glb`, `gltf`, `obj`: the mesh on its own, its
+   * uv snapped to the numbers of that format and judged again. `flat-obj`: the map laid flat. `svg`: its edges.
+   */
+  format?: 'same' | 'glb' | 'gltf' | 'obj' | 'flat-obj' | 'svg';
+  /** glTF, OBJ: a grid as the material, so many tiles per unit of uv; `true`: as many as can be seen. */
+  gridMaterial?: boolean | number;
   uvSet?: number;
   name?: string;
   embedCones?: boolean;
@@ -211,7 +218,7 @@ export interface FileOptions
   extends
     Omit<LoadOptions, 'surface'>,
     Omit<SolveOptions, 'cones' | 'field' | 'frames' | 'refine'> {
-  write?: WriteOptions;
+  write?: Omit<WriteOptions, 'format'>;
 }
 
 /** What became of one mesh: its report, or why it has no map. */
@@ -288,6 +295,8 @@ export interface Written {
   notes: string[];
   /** Written vertex → stored vertex; empty when they are the same. */
   xref: Int32Array;
+  /** Whether the numbers in the file are certified: formats round differently. */
+  certified: boolean;
 }
 
 /** Files as bytes; `main` is one of their names. */

@@ -16,6 +16,13 @@ constexpr std::array<NamedBalance, 3> kBalances{
 
 }  // namespace
 
+std::optional<MapFormat> mapFormatNamed(const std::string& word) {
+  constexpr std::array<const char*, 6> kWords{"same", "glb", "gltf", "obj", "flat-obj", "svg"};
+  for (std::size_t i = 0; i < kWords.size(); ++i)
+    if (word == kWords[i]) return static_cast<MapFormat>(i);
+  return std::nullopt;
+}
+
 std::optional<double> improveBalance(const std::string& word) {
   for (const NamedBalance& named : kBalances)
     if (word == named.word) return named.balance;

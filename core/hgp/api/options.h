@@ -74,7 +74,24 @@ struct VerifyOptions {
   double tolerance = 0.0;  ///< CertifyOptions::tolerance: of a seam edge's length; radians
 };
 
+/// What write() makes of a result.
+enum class MapFormat {
+  kSame,     ///< the original with the result as a uv set, and nothing else changed
+  kGlb,      ///< the mesh on its own, as a GLB …
+  kGltf,     ///< … as a .gltf with a .bin beside it …
+  kObj,      ///< … as an OBJ
+  kFlatObj,  ///< the map laid flat as an OBJ
+  kSvg,      ///< its edges as a drawing
+};
+
+/// "same", "glb", "gltf", "obj", "flat-obj" or "svg"; nothing for other words.
+std::optional<MapFormat> mapFormatNamed(const std::string& word);
+
 struct WriteOptions {
+  MapFormat format = MapFormat::kSame;
+  /// A grid of so many tiles per unit of uv as the material, for glTF and OBJ; 0: two to a cell of an aligned
+  /// map, about 40 across any other.
+  std::optional<double> gridTiles;
   int uvSet = -1;    ///< −1: next free
   std::string name;  ///< of the main output
   bool embedCones = false;

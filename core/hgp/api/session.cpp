@@ -19,17 +19,6 @@ const std::vector<double> kNoNumbers;
 const std::vector<std::uint32_t> kNoIndices;
 const std::vector<SeamEdge> kNoSeams;
 
-/// Lower case, without the dot.
-std::string extensionOf(const std::string& name) {
-  const std::size_t dot = name.find_last_of("./\\");
-  if (dot == std::string::npos || name[dot] != '.') return "";
-  std::string extension = name.substr(dot + 1);
-  for (char& c : extension) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-  }
-  return extension;
-}
-
 }  // namespace
 
 Failure notLoaded() { return {ErrorCode::kUsage, "session", "no model is loaded", {}}; }
@@ -262,30 +251,6 @@ Status Session::canWrite(const std::string& name, bool isRefined) const {
         "the result is written as " + given + ", not as " + wanted +
             (io::canConvert(document, wanted) ? " (a file must be loaded for that: target)" : ""),
         {}};
-  });
-}
-
-Result<io::Written> Session::write(const WriteOptions& options) const {
-  return guarded([&]() -> Result<io::Written> {
-    if (!hasResult()) return Failure{ErrorCode::kUsage, "write", "there is no result yet", {}};
-    if (!isCertified() && !options.allowUncertified) {
-      return Failure{ErrorCode::kNoMap, "write", "the map is not certified", {}};
-    }
-    if (Status possible = canWrite(options.name); !possible) return possible.error();
-    const Session::State& shown = state_->shown();
-    const Model& model = *shown.model;
-    const StoredMap& stored = shown.solved->stored;
-    io::WriteOptions out;
-    out.uvSet = options.uvSet;
-    out.name = options.name;
-    out.format = extensionOf(options.name);
-    if (!model.document->canWriteAs(out.format)) out.format.clear();
-    out.isSideFileNoted = options.isSideFileNoted;
-    out.isCompressedLater = options.isCompressedLater;
-    out.pointsMaterials = options.pointsMaterials;
-    out.generator = std::string("hgp ") + version();
-    if (options.embedCones) out.cones = io::writeConesJson(shown.solved->prescription, -1);
-    return model.document->write(model.surface, stored.map, out);
   });
 }
 

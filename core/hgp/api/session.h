@@ -10,31 +10,11 @@
 #include <vector>
 
 #include "hgp/api/options.h"
+#include "hgp/api/results.h"
 #include "hgp/io/document.h"
 #include "hgp/prescription/prescription.h"
 
 namespace hgp::api {
-
-/// A seam edge of the result: its two sides as uv indices, corresponding ends first, and r ∈ Z_q.
-struct SeamEdge {
-  int a[2] = {-1, -1};
-  int b[2] = {-1, -1};
-  int r = 0;
-};
-
-/// What welds and repairs made of the surface; its vertex ids are its own.
-struct Repaired {
-  std::vector<std::uint32_t> triangles;  ///< × 3
-  std::vector<int> vertexOrigin;         ///< vertex → a vertex of the surface
-  std::vector<int> vertexImage;          ///< vertex of the surface → vertex, −1 when removed
-};
-
-/// A quad mesh as a file, and what is in it.
-struct QuadFile {
-  io::Bytes bytes;
-  int vertices = 0, quads = 0;
-  int clipped = 0;  ///< cells that a boundary cuts: left out
-};
 
 /// Vertex and triangle ids are those of the loaded surface (welded for glTF and STL, the file's own
 /// otherwise), before any repair. JSON texts follow docs/schema.
@@ -94,8 +74,9 @@ class Session {
   /// Whether write() can make a file of this name: glTF stays glTF, everything else becomes OBJ.
   /// @param isRefined  for a result that SolveOptions::refines was asked for: always OBJ
   Status canWrite(const std::string& name, bool isRefined = false) const;
-  /// The original with the result as a uv set.
-  Result<io::Written> write(const WriteOptions& options) const;
+  /// The original with the result as a uv set, or the result in another format. Where that format rounds, the
+  /// map is snapped to its numbers and judged again; kNoMap where it does not survive.
+  Result<WrittenMap> write(const WriteOptions& options) const;
 
  private:
   struct State;

@@ -260,6 +260,12 @@ Status Session::State::solveRequest(const Request& request, const SolveOptions& 
   result.certificate = certificateText(*model, result.stored.certificates,
                                        measureOutside(*model, result.stored.map));
   run.harmonic = harmonicity(*model, maps, result.stored.map);
+  for (ComponentMap& component : maps) {  // the numbers are in `stored`
+    component.map = {};
+    component.copyOf = {};
+  }
+  result.components = std::move(maps);
+  result.scale = options.scale;
   flatten(result);
   solved = std::move(result);
   return Done{};

@@ -12,6 +12,8 @@ struct Session::State {
   std::vector<std::unique_ptr<PreparedSurface>> prepared;  ///< per component, made when needed
   struct Solved {
     bool isAligned = false;  ///< to a grid, every component
+    Scale scale = Scale::kSolved;
+    std::vector<ComponentMap> components;  ///< what was asked and became of it, without the maps
     StoredMap stored;
     io::Prescription prescription;
     std::string certificate, report, cones;
@@ -44,12 +46,20 @@ struct Session::State {
   Result<Parametrization> solveComponent(std::size_t p, const ComponentRequest& request,
                                          const SolveOptions& options);
   void flatten(Solved& result) const;
+  double tilesOfGrid(const WriteOptions& options) const;
+  /// The original with the map as a uv set.
+  Result<WrittenMap> writeOriginal(const WriteOptions& options) const;
+  /// The mesh on its own in another format, with the map snapped to its numbers and judged again.
+  Result<WrittenMap> writeMesh(const WriteOptions& options) const;
   /// Automatic cones of component p, completed; appends the stages' times where asked.
   Result<CompleteSpec> chooseCones(std::size_t p, const SolveOptions& options,
                                    std::vector<StageTime>* times = nullptr);
   PreparedSurface& surfaceOf(std::size_t p);
   void dropLarge(std::size_t p);
 };
+
+/// Lower case, without the dot.
+std::string extensionOf(const std::string& name);
 
 Failure notLoaded();
 Status requireComponents(const std::optional<Model>& model);

@@ -153,30 +153,25 @@ bool isSame(const UvMap& a, const UvMap& b) {
   return true;
 }
 
-CertifyOptions judgeOf(const Model& model) {
+bool isFloat32(const StorePlace& place) {
+  return place.document.uvPrecision() == io::UvPrecision::kFloat32;
+}
+
+CertifyOptions judgeOf(const StorePlace& place) {
   CertifyOptions options;
-  const bool isFloat = model.document->uvPrecision() == io::UvPrecision::kFloat32;
-  options.precision = isFloat ? Precision::kFloat32 : Precision::kFloat64;
+  options.precision = isFloat32(place) ? Precision::kFloat32 : Precision::kFloat64;
   return options;
 }
 
-StoredNumbers numbersOf(const Model& model) {
-  const bool isFloat = model.document->uvPrecision() == io::UvPrecision::kFloat32;
-  return {isFloat ? 24 : 53, isFloat};
+StoredNumbers numbersOf(const StorePlace& place) {
+  return {isFloat32(place) ? 24 : 53, isFloat32(place)};
 }
 
-/// The components side by side as the format has them, seams exact, judged. A component whose numbers are those
-/// that were judged already, before storing or in `earlier`, is not judged again.
-StoredMap store(const Model& model, const std::vector<ComponentMap>& components,
-                const std::vector<Placement>& placements, Scale scale,
-                const ComponentSnapper& snapper, const StoredMap* earlier) {
-  MeshMap joined = joinComponents(model, components, placements);
-  applyScale(joined, scale);
-  snapper.snap(numbersOf(model), joined.uv);
-  restoreKept(components, joined.uv);
-  StoredMap out;
-  out.map = model.document->asStored(model.surface, onSurface(model, joined));
-  CertifyOptions options = judgeOf(model);
+/// Judges `out.map`. A component whose numbers are those that were judged already, before storing or in
+/// `earlier`, is not judged again.
+void judge(const Model& model, const StorePlace& place, const std::vector<ComponentMap>& components,
+           const StoredMap* earlier, StoredMap& out) {
+  CertifyOptions options = judgeOf(place);
   for (std::size_t p = 0; p < components.size(); ++p) {
     const ModelComponent& component = model.components[p];
     const UvMap stored = mapOfComponent(component, out.map);
@@ -184,7 +179,8 @@ StoredMap store(const Model& model, const std::vector<ComponentMap>& components,
     options.gridStep = isFloat ? gridStep(stored) : 0.0;
     if (earlier && isSame(stored, mapOfComponent(component, earlier->map))) {
       out.certificates.push_back(earlier->certificates[p]);
-    } else if (!isFloat && isSame(stored, components[p].map)) {
+    } else if (!isFloat && components[p].certificate.precision == options.precision &&
+               isSame(stored, components[p].map)) {
       out.certificates.push_back(components[p].certificate);
     } else {
       out.certificates.push_back(certify(component.mesh, components[p].spec, stored, options));
@@ -193,6 +189,20 @@ StoredMap store(const Model& model, const std::vector<ComponentMap>& components,
     }
   }
   out.isCertified = areCertified(out.certificates);
+}
+
+/// The components side by side as the format has them, seams exact, judged.
+StoredMap store(const Model& model, const StorePlace& place,
+                const std::vector<ComponentMap>& components,
+                const std::vector<Placement>& placements, Scale scale,
+                const ComponentSnapper& snapper, const StoredMap* earlier) {
+  MeshMap joined = joinComponents(model, components, placements);
+  applyScale(joined, scale);
+  snapper.snap(numbersOf(place), joined.uv);
+  restoreKept(components, joined.uv);
+  StoredMap out;
+  out.map = place.document.asStored(place.surface, onSurface(model, joined));
+  judge(model, place, components, earlier, out);
   return out;
 }
 
@@ -207,7 +217,7 @@ std::vector<std::size_t> brokenByStoring(const std::vector<ComponentMap>& compon
 }
 
 /// Other places and scales for the components that rounding broke; the others stay as they are.
-void mend(const Model& model, const std::vector<ComponentMap>& components,
+void mend(const Model& model, const StorePlace& place, const std::vector<ComponentMap>& components,
           const ComponentSnapper& snapper, std::vector<Placement> placements, StoredMap& stored) {
   std::vector<std::size_t> broken = brokenByStoring(components, stored);
   const std::size_t before = broken.size();
@@ -215,12 +225,12 @@ void mend(const Model& model, const std::vector<ComponentMap>& components,
   for (double factor : kRetryFactors) {
     if (broken.empty()) break;
     for (std::size_t p : broken) placements[p] = centred(components[p], factor);
-    stored = store(model, components, placements, Scale::kSolved, snapper, &stored);
+    stored = store(model, place, components, placements, Scale::kSolved, snapper, &stored);
     broken = brokenByStoring(components, stored);
   }
   if (!broken.empty()) {
     for (std::size_t p : broken) placements[p] = packedThere[p];
-    stored = store(model, components, placements, Scale::kSolved, snapper, &stored);
+    stored = store(model, place, components, placements, Scale::kSolved, snapper, &stored);
   }
   if (broken.size() < before) {
     stored.notes.push_back(formatText(
@@ -261,15 +271,29 @@ double gridStep(const UvMap& map) {
   return largest > 0 && std::isfinite(largest) ? std::scalbn(1.0, std::ilogb(largest) - 23) : 0;
 }
 
+StoredMap judgeAsItIs(const Model& model, const StorePlace& place,
+                      const std::vector<ComponentMap>& components, const UvMap& map) {
+  StoredMap out;
+  out.map = place.document.asStored(place.surface, map);
+  judge(model, place, components, nullptr, out);
+  out.uvToVertex = verticesOfUv(model, out.map);
+  return out;
+}
+
 StoredMap storeMap(const Model& model, const std::vector<ComponentMap>& components, Scale scale) {
+  return storeMap(model, {*model.document, model.surface}, components, scale);
+}
+
+StoredMap storeMap(const Model& model, const StorePlace& place,
+                   const std::vector<ComponentMap>& components, Scale scale) {
   const std::vector<Placement> placements = packed(components);
   ComponentSnapper snapper(model, components);
-  StoredMap out = store(model, components, placements, scale, snapper, nullptr);
-  if (scale == Scale::kSolved) mend(model, components, snapper, placements, out);
+  StoredMap out = store(model, place, components, placements, scale, snapper, nullptr);
+  if (scale == Scale::kSolved) mend(model, place, components, snapper, placements, out);
   if (const auto broken = brokenByStoring(components, out); !broken.empty()) {
     for (std::size_t p : broken) snapper.leave(p);
-    out = store(model, components, placements, scale, snapper, &out);
-    if (scale == Scale::kSolved) mend(model, components, snapper, placements, out);
+    out = store(model, place, components, placements, scale, snapper, &out);
+    if (scale == Scale::kSolved) mend(model, place, components, snapper, placements, out);
   }
   if (const std::size_t broken = brokenByStoring(components, out).size(); broken > 0) {
     out.notes.push_back(formatText(

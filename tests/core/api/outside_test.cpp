@@ -44,7 +44,7 @@ Json certified(const MeshData& mesh, const std::string& name) {
   EXPECT_EQ(report["certificate"], certificate);
   WriteOptions options;
   options.name = "out.obj";
-  const Result<io::Written> written = session.write(options);
+  const Result<WrittenMap> written = session.write(options);
   EXPECT_TRUE(written) << name;
   if (!written) return {};
   const Session again = loaded("out.obj", written->files[0].bytes);

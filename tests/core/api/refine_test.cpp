@@ -63,7 +63,7 @@ TEST(Refine, MapsWhatTheTriangulationForbidsAndWritesTheFinerMesh) {
   // The verdict is about the file: read again, asked the same of the same vertices.
   WriteOptions write;
   write.name = "out.obj";
-  Result<io::Written> written = session.write(write);
+  Result<WrittenMap> written = session.write(write);
   ASSERT_TRUE(written.hasValue());
   io::FileSet files;
   files.name = "out.obj";

@@ -155,7 +155,7 @@ void expectRoundTrip(const MeshData& mesh, const std::optional<io::Prescription>
   }
   WriteOptions out;
   out.name = "out.obj";
-  Result<io::Written> written = session.write(out);
+  Result<WrittenMap> written = session.write(out);
   ASSERT_TRUE(written.hasValue());
   Session again;
   ASSERT_TRUE(again.load(fileSet("out.obj", written->files[0].bytes), {}).hasValue());

@@ -53,7 +53,7 @@ Outcome solved(io::FileSet files, bool writes, const std::string& target) {
   EXPECT_TRUE(session.isCertified());
   WriteOptions options;
   options.name = "out." + target;
-  Result<io::Written> written = session.write(options);
+  Result<WrittenMap> written = session.write(options);
   EXPECT_TRUE(written) << (written ? "" : written.error().message);
   return {Json::parse(session.reportJson()), written ? written->files[0].bytes : io::Bytes()};
 }

@@ -54,6 +54,12 @@ function nameFor(main, format) {
   return stem.replace(/\.(off|ply|stl)$/i, '.obj') || 'mesh.obj';
 }
 
+/** The same for another format: "x.flat.obj" of "x.glb". */
+function exportName(name, format) {
+  const stem = name.replace(/\.[^.]*$/, '') || 'mesh';
+  return `${stem}.${format === 'flat-obj' ? 'flat.obj' : format}`;
+}
+
 /**
  * The field file as the session takes it: all three members, q 0 where the file's own holds.
  * @param {{ field?: import('../core.js').ConeFile, [option: string]: unknown }} options
@@ -212,8 +218,10 @@ export class Core {
 
   write(options = {}) {
     checkOptions('write', options);
-    const { files, notes, xref } = this.#reply(this.#live.write({ name: this.#name, ...options }));
-    return { name: files[0].name, bytes: files[0].bytes, files, notes, xref };
+    const { format = 'same' } = options;
+    const name = format === 'same' ? this.#name : exportName(this.#name, format);
+    const { files, ...rest } = this.#reply(this.#live.write({ name, ...options }));
+    return { name: files[0].name, bytes: files[0].bytes, files, ...rest };
   }
 
   quads(options = {}) {

@@ -77,6 +77,11 @@ export const optionsOf = {
   },
   verify: { cones, field: coneFile, q: integer(0, 64), uvSet: integer(-1), tolerance: number },
   write: {
+    format: oneOf('same', 'glb', 'gltf', 'obj', 'flat-obj', 'svg'),
+    gridMaterial: kind(
+      'true or a positive number',
+      (value) => typeof value === 'boolean' || positive.test(value),
+    ),
     uvSet: integer(-1),
     name: string,
     embedCones: boolean,
@@ -106,7 +111,7 @@ const without = (fields, ...names) =>
 optionsOf.parametrizeFile = {
   ...without(optionsOf.load, 'surface'),
   ...without(optionsOf.parametrize, 'cones', 'field', 'frames', 'refine'),
-  write: record(optionsOf.write),
+  write: record(without(optionsOf.write, 'format')),
 };
 
 /** The known name that was probably meant: the same letters but for case, or one letter off. */

@@ -2,14 +2,23 @@
 
 import {
   coneFile,
-  makeDownload,
+  nameOf,
+  packed,
+  reportFile,
+  writeOptionsFor,
   type Download,
   type ExportSource,
   type Format,
+  type SolverFormat,
 } from '../formats/exports';
 import { gridTilesPerUnit } from '../model/grid';
-import type { App } from './app';
+import type { OutputFile } from '../model/types';
+import { isCertified } from '../model/verdict';
+import { describeError } from '../text/error_messages';
+import { solverOf, type App } from './app';
 import { filesWithAllMaps, mappedMeshes } from './download_all';
+import { runJob, stageStart } from './job';
+import { mapInWorker } from './solve';
 
 /** Nothing where there is no map of what is prescribed. */
 export function exportSource(app: App): ExportSource | undefined {
@@ -27,15 +36,57 @@ export function saveFile({ name, bytes, type }: Download): void {
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }
 
-export async function download(app: App, format: Format): Promise<void> {
+const zipper =
+  ({ geometry }: App) =>
+  async (files: OutputFile[]): Promise<Uint8Array> =>
+    (await geometry.call('zip', [files])).zip;
+
+/**
+ * The map in another format, from the solver; nothing where that was cancelled or failed, which is said. A map
+ * that the solver does not hold any more is made again.
+ */
+export async function exportFiles(
+  app: App,
+  format: SolverFormat,
+): Promise<OutputFile[] | undefined> {
+  if (!(await mapInWorker(app))) return undefined;
   const source = exportSource(app);
-  if (!source) return;
-  if (format === 'same' && mappedMeshes(app).length > 1) {
-    const files = await filesWithAllMaps(app);
-    if (!files) return;
-    const solution = { ...source.solution, files };
-    saveFile(await makeDownload({ ...source, solution }, format));
-  } else saveFile(await makeDownload(source, format));
+  if (!source) return undefined;
+  const allowUncertified = !isCertified(source.solution);
+  const options = { ...writeOptionsFor(source, format), allowUncertified };
+  let files: OutputFile[] | undefined;
+  const onFailure = (error: unknown): void =>
+    app.doc.say(describeError(error, nameOf(source, format)), 'error');
+  await runJob(app, { kind: 'run', title: 'Writing', onFailure }, async (call) => {
+    call.onProgress(stageStart('write'));
+    ({ files } = await solverOf(app).write(options, call));
+  });
+  return files;
+}
+
+async function downloadOf(app: App, format: Format): Promise<Download | undefined> {
+  const source = exportSource(app);
+  if (!source) return undefined;
+  if (format === 'cones') return coneFile(source);
+  if (format === 'report') return reportFile(source);
+  if (format !== 'same') {
+    const files = await exportFiles(app, format);
+    return files && packed(nameOf(source, format), files, zipper(app));
+  }
+  const { solution } = source;
+  const files = mappedMeshes(app).length > 1 ? await filesWithAllMaps(app) : solution.files;
+  if (!files) return undefined;
+  return packed(
+    nameOf({ ...source, solution: { ...solution, files } }, format),
+    files,
+    zipper(app),
+  );
+}
+
+export async function download(app: App, format: Format): Promise<void> {
+  const made = await downloadOf(app, format);
+  if (!made) return;
+  saveFile(made);
   if (format !== 'report' && format !== 'cones') app.doc.isUnsaved = false;
 }
 

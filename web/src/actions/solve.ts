@@ -10,7 +10,6 @@ import {
 } from 'hgp';
 import { relativeName } from '../formats/file_set';
 import { bytesOf } from '../formats/glb';
-import { withGrid } from '../formats/grid_material';
 import { plainOutput } from '../model/document';
 import { gridOutcome, gridTilesPerUnit } from '../model/grid';
 import { fromCones, toCones } from '../model/prescription';
@@ -177,7 +176,7 @@ async function writeSolution(
   const { doc, geometry } = app;
   const { output, prescription } = request;
   call.onProgress(stageStart('write'));
-  const written = await solverOf(app).write(writeOptions(output), call);
+  let written = await solverOf(app).write(writeOptions(output), call);
   const { info, surface } = model;
   const where = { mesh: info.surface, uvSet: output.uvSet, q: prescription.q };
   let all = [...written.files, ...(await sideFiles(app, model, written.files))];
@@ -185,7 +184,9 @@ async function writeSolution(
   if (output.hasGrid) {
     const { distortion } = read.analysis;
     const tiles = gridTilesPerUnit(doc.look, surface, { result: read.result, distortion });
-    all = await withGrid(read.files, { mesh: info.surface, uvSet: output.uvSet, tiles });
+    const options = { ...writeOptions(output), gridMaterial: tiles };
+    written = await solverOf(app).write(options, call);
+    all = [...written.files, ...(await sideFiles(app, model, written.files))];
     read = await geometry.analyse(surface, read.result, all, where);
   }
   call.signal.throwIfAborted();
@@ -229,6 +230,15 @@ async function writeAs(app: App, old: Solution, output: Output): Promise<void> {
 function requestOf(solution: Solution): SolveRequest {
   const { prescription, settings, improve, frames, grid, cells, output } = solution;
   return { prescription, settings, improve, frames, grid, cells, output };
+}
+
+/** Whether the solver holds the map that is shown; one that it does not is made again. */
+export async function mapInWorker(app: App): Promise<boolean> {
+  const { doc } = app;
+  const { current } = doc;
+  if (!current) return false;
+  if (doc.resultInWorker !== current.result) await writeAs(app, current, current.output);
+  return doc.current !== undefined && doc.resultInWorker === doc.current.result;
 }
 
 /** What is chosen while the file is written is taken up afterwards. */

@@ -1,12 +1,11 @@
 // The second opinion: Khronos' validator on the very bytes that Download saves.
 
 import type { ValidatorReport } from 'gltf-validator';
-import { makeDownload } from '../formats/exports';
 import { isGltf } from '../formats/glb';
 import type { Validation } from '../model/types';
 import { scriptUrl, validatorUrl } from '../services/trusted_types';
 import type { App } from './app';
-import { exportSource } from './download';
+import { exportFiles, exportSource } from './download';
 
 const severities = ['Error', 'Warning', 'Information', 'Hint'];
 const mostShown = 12;
@@ -56,9 +55,10 @@ export async function validate(app: App): Promise<void> {
   if (isGltf(name)) {
     for (const file of solution.files) files.set(file.name, file.bytes);
   } else {
-    const made = await makeDownload(source, 'glb');
-    main = made.name;
-    files.set(main, made.bytes);
+    const made = await exportFiles(app, 'glb');
+    if (!made) return;
+    main = made[0].name;
+    files.set(main, made[0].bytes);
   }
   try {
     const report = await ask(main, files);

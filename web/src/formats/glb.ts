@@ -3,7 +3,7 @@
 
 import type { Files, OutputFile } from '../model/types';
 
-const magic = { file: 0x46546c67, json: 0x4e4f534a, bin: 0x004e4942 };
+const magic = 0x46546c67;
 
 export interface GlbChunks {
   json: Uint8Array;
@@ -16,47 +16,13 @@ export interface GlbChunks {
 export function splitGlb(bytes: Uint8Array): GlbChunks | undefined {
   if (bytes.length < 20) return undefined;
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  if (view.getUint32(0, true) !== magic.file) return undefined;
+  if (view.getUint32(0, true) !== magic) return undefined;
   const binAt = 20 + view.getUint32(12, true);
   if (binAt > bytes.length) return undefined;
   const json = bytes.subarray(20, binAt);
   if (binAt + 8 > bytes.length) return { json, bin: new Uint8Array(0), rest: new Uint8Array(0) };
   const end = binAt + 8 + view.getUint32(binAt, true);
   return { json, bin: bytes.subarray(binAt + 8, end), rest: bytes.subarray(end) };
-}
-
-const padded = (bytes: Uint8Array, filler: number): Uint8Array => {
-  const out = new Uint8Array(Math.ceil(bytes.length / 4) * 4).fill(filler);
-  out.set(bytes);
-  return out;
-};
-
-const words = (...numbers: number[]): Uint8Array => {
-  const view = new DataView(new ArrayBuffer(4 * numbers.length));
-  numbers.forEach((n, i) => view.setUint32(4 * i, n, true));
-  return new Uint8Array(view.buffer);
-};
-
-export function concatBytes(parts: Uint8Array[]): Uint8Array {
-  const out = new Uint8Array(parts.reduce((sum, part) => sum + part.length, 0));
-  let at = 0;
-  for (const part of parts) {
-    out.set(part, at);
-    at += part.length;
-  }
-  return out;
-}
-
-export function makeGlb(
-  text: string,
-  bin: Uint8Array,
-  rest: Uint8Array = new Uint8Array(0),
-): Uint8Array {
-  const json = padded(new TextEncoder().encode(text), 0x20);
-  const data = padded(bin, 0);
-  const total = 28 + json.length + data.length + rest.length;
-  const head = words(magic.file, 2, total, json.length, magic.json);
-  return concatBytes([head, json, words(data.length, magic.bin), data, rest]);
 }
 
 export const isGltf = (name: string): boolean => /\.(glb|gltf)$/i.test(name);

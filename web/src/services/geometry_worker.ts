@@ -1,6 +1,7 @@
 // The worker for everything about surfaces and maps that takes long and is not solving: facts for the
 // panels, what the written file holds, colours, crosses, and trees to pick with.
 
+import { zipSync } from 'fflate';
 import { BufferAttribute, BufferGeometry } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
 import { isGltf } from '../formats/glb';
@@ -127,6 +128,7 @@ const calls: GeometryCalls = {
     return { difference: compareWithFile(request, await decoderFor(request.files[0])) };
   },
   urisOf: (main) => ({ uris: urisOf(main), main }),
+  zip: (files) => ({ zip: zipSync(Object.fromEntries(files.map((f) => [f.name, f.bytes]))) }),
   overlay(id, overlay) {
     const { values, distortion, triangles } = mapOf(id);
     return overlayColours(overlay, values, distortion, triangles);

@@ -31,11 +31,11 @@ Result<Written> writeGltf(const GltfStore& store, const GltfSurface& part, const
   return writer.run(map);
 }
 
-Result<Bytes> packGltf(const GltfStore& store, const std::string& json, ByteView bin) {
-  if (!store.container.isBinary) return asBytes(json);
+Result<Bytes> packContainer(const GltfContainer& container, const std::string& json, ByteView bin) {
+  if (!container.isBinary) return asBytes(json);
   Bytes out;
   std::uint64_t total = 12 + 8 + json.size() + 3 + 8 + bin.size() + 3;
-  for (const GltfChunk& chunk : store.container.others) total += 8 + chunk.bytes.size();
+  for (const GltfChunk& chunk : container.others) total += 8 + chunk.bytes.size();
   if (total > UINT32_MAX) {
     return Failure{ErrorCode::kLimit, "write", "a GLB cannot be larger than 4 GiB", {}};
   }
@@ -45,13 +45,16 @@ Result<Bytes> packGltf(const GltfStore& store, const std::string& json, ByteView
   appendWord(out, 0);
   appendChunk(out, 0x4E4F534A, {reinterpret_cast<const std::uint8_t*>(json.data()), json.size()},
               ' ');
-  if (store.container.hasBin) appendChunk(out, 0x004E4942, bin, 0);
-  for (const GltfChunk& chunk : store.container.others)
-    appendChunk(out, chunk.type, chunk.bytes, 0);
+  if (container.hasBin) appendChunk(out, 0x004E4942, bin, 0);
+  for (const GltfChunk& chunk : container.others) appendChunk(out, chunk.type, chunk.bytes, 0);
   const std::uint64_t length = out.size();
   for (std::size_t k = 0; k < 4; ++k)
     out[8 + k] = static_cast<std::uint8_t>(length >> 8 * k & 0xFF);
   return out;
+}
+
+Result<Bytes> packGltf(const GltfStore& store, const std::string& json, ByteView bin) {
+  return packContainer(store.container, json, bin);
 }
 
 }  // namespace hgp::io

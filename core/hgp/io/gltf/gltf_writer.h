@@ -109,5 +109,7 @@ class GltfWriter {
 
 /// The file around the patched text: the text itself, or a GLB with every other chunk kept.
 Result<Bytes> packGltf(const GltfStore& store, const std::string& json, ByteView bin);
+/// The same for a file that is nothing but its container.
+Result<Bytes> packContainer(const GltfContainer& container, const std::string& json, ByteView bin);
 
 }  // namespace hgp::io

@@ -24,6 +24,8 @@ export interface GeometryCalls {
   compare(request: Omit<AnalysisRequest, 'q'>): Promise<{ difference: string }>;
   /** Relative names in a written .gltf, and the areas in uv and on the surface; both for writing. */
   urisOf(main: OutputFile): { uris: string[]; main: OutputFile };
+  /** Several files as one; nothing is lent. */
+  zip(files: OutputFile[]): { zip: Uint8Array };
   overlay(id: number, overlay: Overlay): Uint8Array;
   crosses(id: number, tiles: number, q: number): { onSurface: Float32Array; inMap: Float32Array };
   /** A small picture of a surface, with its map where one is named. */

@@ -1,0 +1,51 @@
+// write() in other formats, and the grid as material: what the command line calls --also.
+
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import validator from 'gltf-validator';
+import { cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
+import { bytesOf, HgpError, withClient } from './support.mjs';
+
+const text = (bytes) => new TextDecoder().decode(bytes);
+
+test('one map, every format; what is a mesh is certified as it is stored', () =>
+  withClient(async (client) => {
+    await client.load(bytesOf(toObj(cubeMesh(3))), { name: 'my cube.obj' });
+    const { uv, cornerToUv } = await client.parametrize();
+    const made = {};
+    for (const format of ['same', 'glb', 'gltf', 'obj', 'flat-obj', 'svg']) {
+      made[format] = await client.write({ format });
+      assert.equal(made[format].certified, true, format);
+      assert.ok(made[format].bytes.length > 100);
+    }
+    assert.deepEqual(
+      Object.values(made).map(({ name }) => name),
+      ['obj', 'glb', 'gltf', 'obj', 'flat.obj', 'svg'].map((end) => `my cube.${end}`),
+    );
+    assert.deepEqual(made.gltf.files.map(({ name }) => name), ['my cube.gltf', 'my cube.bin']); // prettier-ignore
+    for (const format of ['glb', 'obj']) {
+      await client.load(made[format].bytes, { name: made[format].name });
+      assert.equal((await client.verify({ q: 4 })).certified, true, format);
+    }
+    const { issues } = await validator.validateBytes(made.glb.bytes);
+    assert.equal(issues.numErrors, 0);
+    const flat = text(made['flat-obj'].bytes).match(/^v .*$/gm);
+    assert.equal(flat.length, uv.length / 2);
+    assert.equal(flat[cornerToUv[0]], `v ${uv[2 * cornerToUv[0]]} ${uv[2 * cornerToUv[0] + 1]} 0`);
+    assert.match(text(made.svg.bytes), /^<svg /);
+  }));
+
+test('a grid as material, by a number or by our choice', () =>
+  withClient(async (client) => {
+    await client.load(toGlb([cubeMesh(3)]), { name: 'cube.glb' });
+    await client.parametrize();
+    const { bytes } = await client.write({ gridMaterial: 5 });
+    assert.match(text(bytes), /"scale":\[2\.5,2\.5\]/);
+    assert.equal((await validator.validateBytes(bytes)).issues.numErrors, 0);
+    const { files } = await client.write({ format: 'obj', gridMaterial: true });
+    assert.deepEqual(files.map(({ name }) => name), ['cube.obj', 'cube.grid.mtl', 'cube.grid.png']); // prettier-ignore
+    assert.doesNotMatch(text((await client.write({ gridMaterial: false })).bytes), /hgp grid/);
+    const isUsage = (error) => error instanceof HgpError && error.code === 'usage';
+    await assert.rejects(client.write({ gridMaterial: -1 }), isUsage);
+    await assert.rejects(client.write({ format: 'stl' }), isUsage);
+  }));

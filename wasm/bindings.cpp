@@ -104,6 +104,44 @@ class Session {
     });
   }
 
+  val measure() const {
+    return guarded([&] {
+      const Result<api::MapMeasures> made = session_.measure();
+      if (!made) return failed(made.error());
+      val reply = val::object(), overlaps = val::object();
+      reply.set("stretch", toTypedArray("Float32Array", made->stretch));
+      reply.set("area", toTypedArray("Float32Array", made->logArea));
+      reply.set("flipped", toTypedArray("Uint32Array", made->notPositive));
+      reply.set("surfaceArea", made->surfaceArea);
+      reply.set("uvArea", made->uvArea);
+      overlaps.set("pairs", static_cast<double>(made->overlapPairs));
+      overlaps.set("triangles", toTypedArray("Uint32Array", made->overlapping));
+      overlaps.set("isMore", made->areMorePairs);
+      reply.set("overlaps", overlaps);
+      reply.set("seamChains", toTypedArray("Uint32Array", made->seamChain));
+      return reply;
+    });
+  }
+
+  val loops() const {
+    return guarded([&] {
+      const Result<api::SurfaceLoops> made = session_.loops();
+      if (!made) return failed(made.error());
+      val reply = val::object(), boundaries = val::array(), handles = val::array();
+      for (const auto& loop : made->boundaries)
+        boundaries.call<void>("push", toTypedArray("Uint32Array", loop));
+      for (const auto& edges : made->handles) {
+        std::vector<int> flat;
+        flat.reserve(2 * edges.size());
+        for (const auto& edge : edges) flat.insert(flat.end(), edge.begin(), edge.end());
+        handles.call<void>("push", toTypedArray("Uint32Array", flat));
+      }
+      reply.set("boundaries", boundaries);
+      reply.set("handles", handles);
+      return reply;
+    });
+  }
+
   val quads(const std::string& name) const {
     return guarded([&] {
       const Result<api::QuadFile> quads = session_.quads(name);
@@ -157,6 +195,8 @@ EMSCRIPTEN_BINDINGS(hgp) {
       .function("parametrize", &Session::parametrize)
       .function("verify", &Session::verify)
       .function("write", &Session::write)
+      .function("measure", &Session::measure)
+      .function("loops", &Session::loops)
       .function("quads", &Session::quads);
   emscripten::function("neededDecoders", &neededDecoders);
   emscripten::function("version",

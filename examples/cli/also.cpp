@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
 
 #include "files.h"
+#include "hgp/base/check.h"
 
 namespace hgp::cli {
 namespace {
@@ -48,6 +50,27 @@ Result<std::vector<AlsoFile>> makeAlso(const api::Session& session, const Argume
     out.push_back({path, std::move(*written)});
   }
   return out;
+}
+
+Status writeFaces(const api::Session& session, const std::string& path) {
+  const Result<api::MapMeasures> made = session.measure();
+  if (!made) return made.error();
+  std::string text = "triangle,stretch,log2_area,overlaps\n";
+  auto overlapping = made->overlapping.begin();
+  for (std::size_t t = 0; t < made->stretch.size(); ++t) {
+    const bool isIn = overlapping != made->overlapping.end() && *overlapping == static_cast<int>(t);
+    if (isIn) ++overlapping;
+    text += formatText("%zu,%.7g,%.7g,%d\n", t, static_cast<double>(made->stretch[t]),
+                       static_cast<double>(made->logArea[t]), isIn ? 1 : 0);
+  }
+  return writeText(path, text);
+}
+
+Status writeLoops(const api::Session& session, const std::string& path) {
+  const Result<api::SurfaceLoops> loops = session.loops();
+  if (!loops) return loops.error();
+  const nlohmann::json json{{"boundaries", loops->boundaries}, {"handles", loops->handles}};
+  return writeText(path, json.dump() + "\n");
 }
 
 Status writeAlso(std::vector<AlsoFile> files, std::vector<std::string>& notes) {

@@ -24,4 +24,10 @@ Result<std::vector<AlsoFile>> makeAlso(const api::Session& session, const Argume
 /// Writes them; `notes` takes a line for each.
 Status writeAlso(std::vector<AlsoFile> files, std::vector<std::string>& notes);
 
+/// --faces: a line for each triangle, from 0: triangle,stretch,log2_area,overlaps.
+Status writeFaces(const api::Session& session, const std::string& path);
+
+/// --loops: {"boundaries": [[vertices]], "handles": [[[v, w], edges]]}.
+Status writeLoops(const api::Session& session, const std::string& path);
+
 }  // namespace hgp::cli

@@ -166,11 +166,12 @@ class Parser {
   void takeMesh() {
     const bool isAsked = !out_.cones.empty() || !words_.cone.empty() || !words_.turning.empty() ||
                          !words_.handle.empty() || !out_.field.empty() || !out_.xref.empty() ||
-                         !out_.also.empty();
+                         !out_.also.empty() || !out_.faces.empty();
     out_.isEveryMesh = words_.mesh == "all" || (words_.mesh.empty() && !isAsked);
     if (words_.mesh == "all" && isAsked) {
       throw CLI::ValidationError(
-          "--mesh all", "takes no cones, field, xref or other formats: they are of one mesh");
+          "--mesh all",
+          "takes no cones, field, xref, faces or other formats: they are of one mesh");
     }
     if (words_.mesh.empty() || words_.mesh == "all" || words_.mesh == "largest") return;
     if (!CLI::detail::lexical_cast(words_.mesh, out_.load.surface) || out_.load.surface < 0) {

@@ -19,6 +19,8 @@ struct Arguments {
   std::string output;  ///< -o; "-": standard output
   std::string json;    ///< --json; "-": standard output
   std::string xref;
+  std::string faces;              ///< a table of the result's triangles
+  std::string loops;              ///< inspect: what loops and generators are
   std::vector<std::string> also;  ///< the result in other formats
   std::string root;
   bool isQuiet = false, hasNoProgress = false, mayOverwrite = false;

@@ -113,6 +113,7 @@ class Run {
     };
     std::vector<std::string> outputs = {a_.output, a_.json, a_.xref};
     outputs.insert(outputs.end(), a_.also.begin(), a_.also.end());
+    outputs.insert(outputs.end(), {a_.faces, a_.loops});
     const bool mayReplace = a_.mayOverwrite && a_.command == Command::kParam;
     for (std::size_t i = 0; i < outputs.size(); ++i) {
       for (const std::string& input : {a_.input, a_.cones, a_.field, a_.convert}) {
@@ -134,6 +135,9 @@ class Run {
   int inspect() {
     Result<api::Verdict> verdict = session_.inspect();
     if (!verdict) return fail(verdict.error());
+    if (!a_.loops.empty() && verdict->isGood) {
+      if (Status done = writeLoops(session_, a_.loops); !done) return fail(done.error());
+    }
     return finish(publish(verdict->json, inspectText(verdict->json, style_)),
                   verdict->isGood ? 0 : exitCode(ErrorCode::kUnsupported));
   }
@@ -357,6 +361,9 @@ class Run {
     if (Status done = writeFiles(a_.output, written->files); !done) return fail(done.error());
     if (Status done = writeAlso(std::move(*also), written->notes); !done) {
       return fail(done.error());
+    }
+    if (!a_.faces.empty()) {
+      if (Status done = writeFaces(session_, a_.faces); !done) return fail(done.error());
     }
     if (!a_.xref.empty()) {
       std::string text;

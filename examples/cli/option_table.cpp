@@ -158,6 +158,11 @@ class Table {
 
   void addInspect() {
     CLI::App* sub = add("inspect", "Topology, defects, uv sets", Command::kInspect);
+    sub->option_defaults()->group("Output");
+    sub->add_option("--loops", out_.loops,
+                    "Write which vertices boundary loop L of --turning has, and which edges "
+                    "generator G of --handle crosses (JSON)")
+        ->option_text("FILE");
     addCommon(sub,
               "  hgp inspect mesh.obj\n"
               "  hgp inspect mesh.obj --json - | head -20");
@@ -256,6 +261,9 @@ class Table {
         "The mapped mesh in another format, too: x.obj, x.glb, x.gltf; x.flat.obj, the map as "
         "a flat mesh; x.svg, its edges; repeatable");
     addGridMaterial(sub);
+    sub->add_option("--faces", out_.faces,
+                    "Write a table of all triangles: angle and area distortion, overlaps (CSV)")
+        ->option_text("FILE");
     sub->add_flag("--use", out_.write.pointsMaterials,
                   "glTF: the materials' pictures use the new set");
     sub->add_flag("--embed", out_.isEmbedded,

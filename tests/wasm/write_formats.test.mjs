@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import validator from 'gltf-validator';
 import { cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
+import { torusMesh } from '../web/shapes.mjs';
 import { bytesOf, HgpError, withClient } from './support.mjs';
 
 const text = (bytes) => new TextDecoder().decode(bytes);
@@ -48,4 +49,21 @@ test('a grid as material, by a number or by our choice', () =>
     const isUsage = (error) => error instanceof HgpError && error.code === 'usage';
     await assert.rejects(client.write({ gridMaterial: -1 }), isUsage);
     await assert.rejects(client.write({ format: 'stl' }), isUsage);
+  }));
+
+test('measures and loops: a value for each triangle and seam edge, walks that are closed', () =>
+  withClient(async (client) => {
+    const mesh = torusMesh(12, 8);
+    await client.load(bytesOf(toObj(mesh)), { name: 'torus.obj' });
+    const { boundaries, handles } = await client.loops();
+    assert.deepEqual([boundaries.length, handles.length], [0, 2]);
+    await assert.rejects(client.measure(), { code: 'usage' });
+    const { seams, certificate } = await client.parametrize();
+    const measures = await client.measure();
+    assert.equal(measures.stretch.length, mesh.triangles.length);
+    assert.equal(measures.seamChains.length, seams.length);
+    assert.equal(measures.flipped.length, 0);
+    const mu = Math.max(...Array.from(measures.stretch, (s) => (s - 1) / (s + 1)));
+    assert.ok(Math.abs(mu - certificate.components[0].distortion.maxMu) < 1e-6);
+    assert.equal(measures.overlaps.pairs > 0, measures.overlaps.triangles.length > 0);
   }));

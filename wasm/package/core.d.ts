@@ -173,6 +173,30 @@ export interface SolveOptions extends SuggestOptions {
   grid?: { cells?: number; spacing?: number; mode?: 'tile' | 'quad' };
 }
 
+/** Of the result, by triangle and by seam edge, in the order of `triangles` and `seams`. */
+export interface Measures {
+  /** Ratio of the singular values of the derivative, at least 1; 1 keeps angles. */
+  stretch: Float32Array;
+  /** log₂ of the area's scale, less that of all triangles together. */
+  area: Float32Array;
+  /** Triangles that are folded over or have no area in the map. */
+  flipped: Uint32Array;
+  surfaceArea: number;
+  uvArea: number;
+  /** Triangles that share area of the plane and no uv, which is allowed; `isMore`: counting stopped. */
+  overlaps: { pairs: number; triangles: Uint32Array; isMore: boolean };
+  /** For each seam edge: the number of the seam that it is part of. */
+  seamChains: Uint32Array;
+}
+
+/** As a prescription numbers them (`boundaries[].loop`, `handles[].generator`). */
+export interface Loops {
+  /** Vertices in order, the surface on their left. */
+  boundaries: Uint32Array[];
+  /** Two vertices for each edge that the generator crosses, in order: a closed walk over triangles. */
+  handles: Uint32Array[];
+}
+
 /** The name says the format: .obj for quads, .glb for triangles to look at. */
 export interface QuadOptions {
   name?: string;
@@ -330,6 +354,8 @@ export class Core {
   parametrizeFile(source: CoreFiles, options?: FileOptions): FileResult;
   verify(options?: VerifyOptions): Certificate;
   write(options?: WriteOptions): Written;
+  measure(): Measures;
+  loops(): Loops;
   /** The cells of a map aligned in quad mode; rejects with `no-map` where it is not. */
   quads(options?: QuadOptions): Quads;
   free(): void;

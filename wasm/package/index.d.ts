@@ -12,6 +12,8 @@ import type {
   FileSource,
   InitOptions,
   LoadOptions,
+  Loops,
+  Measures,
   MeshArrays,
   MeshLoadOptions,
   ModelInfo,
@@ -39,6 +41,8 @@ export type {
   HgpErrorCode,
   InitOptions,
   LoadOptions,
+  Loops,
+  Measures,
   MeshArrays,
   MeshLoadOptions,
   MeshOutcome,
@@ -117,6 +121,10 @@ export interface Client extends AsyncDisposable {
   verify(options?: VerifyOptions, call?: CallOptions): Promise<Certificate>;
   /** The original file with the new texture coordinates and nothing else changed. */
   write(options?: WriteOptions, call?: CallOptions): Promise<Written>;
+  /** Distortion by triangle, overlaps, and which seam edges are one seam. */
+  measure(call?: CallOptions): Promise<Measures>;
+  /** What the numbers of boundary loops and handle generators mean, on the loaded surface. */
+  loops(call?: CallOptions): Promise<Loops>;
   /** The cells of a map aligned in quad mode (`grid`) as a quad mesh. */
   quads(options?: QuadOptions, call?: CallOptions): Promise<Quads>;
   /** Ends the worker and forgets the model; pending calls reject with `AbortError`. */

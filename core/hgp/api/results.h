@@ -1,6 +1,7 @@
 // What a session hands out beside JSON.  Role: the words of session.h.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -20,6 +21,25 @@ struct Repaired {
   std::vector<std::uint32_t> triangles;  ///< × 3
   std::vector<int> vertexOrigin;         ///< vertex → a vertex of the surface
   std::vector<int> vertexImage;          ///< vertex of the surface → vertex, −1 when removed
+};
+
+/// Of a result, triangle by triangle as they are stored, and seam edge by seam edge.
+struct MapMeasures {
+  std::vector<float> stretch;  ///< ratio of the singular values ≥ 1; 1 keeps angles
+  std::vector<float> logArea;  ///< log₂ of the area's scale, less that of all triangles together
+  std::vector<int> notPositive;  ///< triangles
+  double surfaceArea = 0, uvArea = 0;
+  long long overlapPairs = 0;  ///< triangles that share area of the plane and no uv: allowed
+  std::vector<int> overlapping;
+  bool areMorePairs = false;             ///< than were counted
+  std::vector<std::uint32_t> seamChain;  ///< of every seam edge: what is one seam to a person
+};
+
+/// What the numbers of boundary loops (--turning) and handle generators (--handle) mean.
+struct SurfaceLoops {
+  std::vector<std::vector<int>> boundaries;  ///< vertices in order, the surface on their left
+  /// Edges that each generator crosses, in order: a closed walk over triangles.
+  std::vector<std::vector<std::array<int, 2>>> handles;
 };
 
 /// A quad mesh as a file, and what is in it.

@@ -65,6 +65,11 @@ class Session {
   const std::vector<std::uint32_t>& uvToVertex() const;  ///< "xref": uv vertex → surface vertex
   const std::vector<SeamEdge>& seams() const;
 
+  /// Of the result: what overlays, colours of seams and statistics are made from.
+  Result<MapMeasures> measure() const;
+  /// Boundary loops and handle generators as a prescription numbers them.
+  Result<SurfaceLoops> loops() const;
+
   /// Every component is aligned to the grid that was asked for.
   bool isAligned() const;
   /// The cells of a result that is aligned in quad mode, as an OBJ of quads or, where `name` ends so, a GLB

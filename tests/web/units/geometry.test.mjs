@@ -1,11 +1,10 @@
-// Two things that the page computes itself, against the solver and against plain counting.
+// What the page computes itself, against the solver and against plain counting.
 
 import assert from 'node:assert/strict';
 import { existsSync } from 'node:fs';
 import path from 'node:path';
 import test from 'node:test';
-import { handleLoops } from '../../../web/src/services/geometry/handle_loops.ts';
-import { findOverlaps } from '../../../web/src/services/geometry/overlaps.ts';
+import { loopSegments } from '../../../web/src/services/geometry/handle_loops.ts';
 import { drawThumbnail } from '../../../web/src/services/geometry/thumbnail.ts';
 import { cubeMesh, toObj } from '../../support/meshes.mjs';
 import { torusMesh } from '../shapes.mjs';
@@ -21,10 +20,8 @@ const open = async (mesh) => {
   return core;
 };
 
-const next = (h) => (h % 3 === 2 ? h - 2 : h + 1);
-
 test(
-  'handle loops are those of the solver: the seams along each add up to the r that was asked',
+  'handle loops of the package: the seams along each add up to the r that was asked',
   { skip },
   async () => {
     const mesh = torusMesh(16, 10);
@@ -38,18 +35,24 @@ test(
       [2, 3],
     ]) {
       const handles = asked.map((r, generator) => ({ generator, r }));
-      const { seams, cornerToUv, triangles, certificate } = core.parametrize({ cones: { q, cones, handles } }); // prettier-ignore
+      const { seams, uvToVertex, cornerToUv, triangles, certificate } = core.parametrize({ cones: { q, cones, handles } }); // prettier-ignore
       assert.equal(certificate.brokenSeams, 0);
-      const vertexCount = mesh.vertices.length;
-      const loops = handleLoops({ triangles, vertexCount, component: new Int32Array(vertexCount) });
+      const loops = core.loops().handles;
       assert.equal(loops.length, 2);
+      const isLeft = (side, v, w) =>
+        triangles.some((tail, c) => {
+          const head = c % 3 === 2 ? c - 2 : c + 1;
+          const ends = [cornerToUv[c], cornerToUv[head]];
+          return tail === v && triangles[head] === w && side.every((i) => ends.includes(i));
+        });
       const turns = loops.map((crossed) => {
         let turn = 0;
-        for (const h of crossed) {
-          const ends = [cornerToUv[h], cornerToUv[next(h)]];
-          const isSide = (side) => side.every((end) => ends.includes(end));
-          const seam = seams.find(({ a, b }) => isSide(a) || isSide(b));
-          if (seam) turn += isSide(seam.a) ? seam.r : -seam.r;
+        for (let e = 0; e < crossed.length; e += 2) {
+          const [v, w] = crossed.subarray(e, e + 2);
+          const at = (side) => side.map((i) => uvToVertex[i]);
+          const seam = seams.find(({ a }) => at(a).includes(v) && at(a).includes(w));
+          // The loop leaves the triangle in which the edge runs from v to w.
+          if (seam) turn += isLeft(seam.a, v, w) ? seam.r : -seam.r;
         }
         return ((turn % q) + q) % q;
       });
@@ -59,27 +62,11 @@ test(
   },
 );
 
-test(
-  'overlaps are counted as pairs of triangles that share area and no corner',
-  { skip },
-  async () => {
-    const square = (x, y) => [x, y, x + 1, y, x + 1, y + 1, x, y, x + 1, y + 1, x, y + 1];
-    const ids = (n) => Uint32Array.from({ length: n }, (_, i) => [0, 1, 2, 0, 2, 3][i % 6] + 4 * Math.floor(i / 6)); // prettier-ignore
-    const count = async (...squares) => {
-      const uv = Float32Array.from(squares.flatMap(([x, y]) => square(x, y)));
-      return findOverlaps(uv, ids(uv.length / 2));
-    };
-    assert.equal((await count([0, 0])).pairs, 0);
-    assert.equal((await count([0, 0], [1, 0], [0, 1], [1, 1])).pairs, 0); // they touch
-    assert.deepEqual(await count([0, 0], [0.5, 0.25]), { pairs: 3, triangles: Uint32Array.of(0, 1, 2, 3), isMore: false }); // prettier-ignore
-    assert.equal((await count([0, 0], [0, 0], [0, 0])).pairs, 6);
-    // The net of a cube lies nowhere on itself.
-    const core = await open(cubeMesh(4));
-    const { uv, cornerToUv } = core.parametrize({ cones: { q: 4, cones: [...Array(8).keys()].map((vertex) => ({ vertex, k: 3 })) } }); // prettier-ignore
-    const corners = Float32Array.from([...cornerToUv].flatMap((i) => [uv[2 * i], uv[2 * i + 1]]));
-    assert.equal((await findOverlaps(corners, cornerToUv)).pairs, 0);
-  },
-);
+test('lines along a loop go from middle to middle and close', () => {
+  const places = Float64Array.of(0, 0, 0, 2, 0, 0, 0, 2, 0);
+  const lines = loopSegments({ places }, Uint32Array.of(0, 1, 1, 2, 2, 0));
+  assert.deepEqual([...lines], [1, 0, 0, 1, 1, 0, 1, 1, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0]);
+});
 
 test('a small picture has the shape in the middle, in front what is nearer, and the checker of its map', () => {
   const { vertices, triangles } = cubeMesh(1);

@@ -39,11 +39,28 @@ function objOf({ positions, triangles, uv, cornerToUv }) {
   return new TextEncoder().encode(lines.join('\n'));
 }
 
+/** What the solver says of a map beside its certificate. */
+function measuresOf({ uv, cornerToUv, seams }) {
+  const count = cornerToUv.length / 3;
+  const signed = Array.from({ length: count }, (_, t) => {
+    const [a, b, c] = [0, 1, 2].map((k) => 2 * cornerToUv[3 * t + k]);
+    return ((uv[b] - uv[a]) * (uv[c + 1] - uv[a + 1]) - (uv[b + 1] - uv[a + 1]) * (uv[c] - uv[a])) / 2; // prettier-ignore
+  });
+  return {
+    stretch: new Float32Array(count).fill(1),
+    area: new Float32Array(count),
+    flipped: Uint32Array.from([...signed.keys()].filter((t) => !(signed[t] > 0))),
+    ...{ surfaceArea: 1, uvArea: signed.reduce((sum, x) => sum + Math.abs(x), 0) },
+    overlaps: { pairs: 0, triangles: new Uint32Array(0), isMore: false },
+    seamChains: new Uint32Array(seams?.length ?? 0),
+  };
+}
+
 /** The page's solution for a map and the file that was written for it. */
 function solutionOf(map, bytes = objOf(map)) {
   const files = [{ name: 'square.obj', bytes }];
   const edges = { ...edgesOf(map.triangles, 5), vertexCount: 5 };
-  const { analysis } = analyse({ map, files, mesh: 0, q: 4 }, edges);
+  const { analysis } = analyse({ map, measures: measuresOf(map), files, mesh: 0 }, edges);
   const prescription = { q: 4, cones: [], turnings: [], handles: [] };
   return { ...analysis, prescription, written: { bytes }, files, result: { ...map, certificate } };
 }
@@ -109,7 +126,10 @@ test('a file with a face less, or none that can be read, is no file with this ma
   assert.match(failed(solutionOf(square(), less))[0].tolerance, /3 triangles.*not 4/);
   const files = [{ name: 'x.glb', bytes: new Uint8Array(4) }];
   const edges = { ...edgesOf(square().triangles, 5), vertexCount: 5 };
-  const { analysis } = analyse({ map: square(), files, mesh: 0, q: 4 }, edges);
+  const { analysis } = analyse(
+    { map: square(), measures: measuresOf(square()), files, mesh: 0 },
+    edges,
+  );
   assert.match(analysis.difference, /cannot be read back/);
   assert.equal(analysis.isSameAsFile, false);
 });
@@ -140,7 +160,7 @@ test('a polygon of the file is the same map, however it was made triangles; anot
   const compare = (bytes) => {
     const files = [{ name: 'quad.obj', bytes }];
     const edges = { ...edgesOf(quad.triangles, 4), vertexCount: 4 };
-    return analyse({ map: quad, files, mesh: 0, q: 4 }, edges).analysis;
+    return analyse({ map: quad, measures: measuresOf(quad), files, mesh: 0 }, edges).analysis;
   };
   const same = compare(text('1/1 2/2 3/3 4/4', own));
   assert.equal(same.difference, '');
@@ -182,8 +202,14 @@ test('a PLY with its list of texture coordinates is read back, as text and as by
   const edges = { ...edgesOf(map.triangles, 5), vertexCount: 5 };
   for (const bytes of [asText, asBytes]) {
     const files = [{ name: 'square.ply', bytes }];
-    assert.equal(analyse({ map, files, mesh: 0, q: 4 }, edges).analysis.difference, '');
+    assert.equal(
+      analyse({ map, measures: measuresOf(map), files, mesh: 0 }, edges).analysis.difference,
+      '',
+    );
   }
   const files = [{ name: 'square.ply', bytes: new TextEncoder().encode(new TextDecoder().decode(asText).replace('0.5 0.5\n', '0.5 0.7\n')) }]; // prettier-ignore
-  assert.match(analyse({ map, files, mesh: 0, q: 4 }, edges).analysis.difference, /off by/);
+  assert.match(
+    analyse({ map, measures: measuresOf(map), files, mesh: 0 }, edges).analysis.difference,
+    /off by/,
+  );
 });

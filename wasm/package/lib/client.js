@@ -117,6 +117,14 @@ class Client {
     return this.#call('write', [options], call);
   }
 
+  measure(call) {
+    return this.#call('measure', [], call);
+  }
+
+  loops(call) {
+    return this.#call('loops', [], call);
+  }
+
   async quads(options = {}, call) {
     checkOptions('quads', options);
     return this.#call('quads', [options], call);

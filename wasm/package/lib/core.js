@@ -224,6 +224,16 @@ export class Core {
     return { name: files[0].name, bytes: files[0].bytes, files, ...rest };
   }
 
+  /** Distortion by triangle, overlaps, and which seam edges are one seam. */
+  measure() {
+    return this.#reply(this.#live.measure());
+  }
+
+  /** What the numbers of boundary loops and handle generators mean. */
+  loops() {
+    return this.#reply(this.#live.loops());
+  }
+
   quads(options = {}) {
     checkOptions('quads', options);
     const name = options.name ?? 'quads.obj';

@@ -18,6 +18,8 @@ const methods = new Set([
   'parametrizeFile',
   'verify',
   'write',
+  'measure',
+  'loops',
   'quads',
 ]);
 

@@ -174,20 +174,22 @@ async function writeSolution(
   call: JobCall,
 ): Promise<Solution> {
   const { doc, geometry } = app;
-  const { output, prescription } = request;
+  const { output } = request;
   call.onProgress(stageStart('write'));
   let written = await solverOf(app).write(writeOptions(output), call);
   const { info, surface } = model;
-  const where = { mesh: info.surface, uvSet: output.uvSet, q: prescription.q };
+  const where = { mesh: info.surface, uvSet: output.uvSet };
   let all = [...written.files, ...(await sideFiles(app, model, written.files))];
-  let read = await geometry.analyse(surface, solved, all, where);
+  const analyse = async (result: Result, files: OutputFile[]) =>
+    geometry.analyse(surface, result, await solverOf(app).measure(call), files, where);
+  let read = await analyse(solved, all);
   if (output.hasGrid) {
     const { distortion } = read.analysis;
     const tiles = gridTilesPerUnit(doc.look, surface, { result: read.result, distortion });
     const options = { ...writeOptions(output), gridMaterial: tiles };
     written = await solverOf(app).write(options, call);
     all = [...written.files, ...(await sideFiles(app, model, written.files))];
-    read = await geometry.analyse(surface, read.result, all, where);
+    read = await analyse(read.result, all);
   }
   call.signal.throwIfAborted();
   const { analysis, preserved, result, files } = read;

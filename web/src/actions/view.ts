@@ -1,9 +1,9 @@
 // What is seen: places, loops, patterns, projections. Nothing here changes what is prescribed.
 
 import type { Where } from 'hgp';
-import { overlays, patterns, type Look, type Pattern } from '../model/types';
+import { overlays, patterns, type Look, type Model, type Pattern } from '../model/types';
 import { highlightTargets } from '../views/highlight_targets';
-import type { App } from './app';
+import { solverOf, type App } from './app';
 import { select } from './edit_cones';
 
 export function setLook({ doc }: App, part: Partial<Look>): void {
@@ -92,11 +92,17 @@ export function clearHighlight({ views }: App): void {
   views?.uv.highlight([]);
 }
 
+async function handleLines(app: App, { surface }: Model): Promise<Float32Array[]> {
+  const { handles } = await solverOf(app).loops();
+  return app.geometry.call('loopSegments', [surface.id, handles]);
+}
+
 /** The loops around handles, in the colours of their rows. */
-export async function showHandles({ doc, ui, geometry, views }: App, isOn: boolean): Promise<void> {
+export async function showHandles(app: App, isOn: boolean): Promise<void> {
+  const { doc, ui, views } = app;
   ui.handlesShown = isOn;
   const { model } = doc;
-  const loops = isOn && model ? await geometry.call('handleLoops', [model.surface.id]) : [];
+  const loops = isOn && model ? await handleLines(app, model) : [];
   if (doc.model === model) views?.model.setHandles(loops);
 }
 

@@ -1,15 +1,24 @@
 // The picture of the empty page: a model of our own with a map of our own, turning slowly; still where
 // less motion is preferred.
 
-import { html, type TemplateResult } from 'lit';
+import { nothing } from 'lit';
 import type { TurningView } from '../views/turning_view';
 import { Panel } from './panel';
+
+let made: Promise<TurningView> | undefined;
+
+async function makeView(): Promise<TurningView> {
+  const { TurningView: View } = await import('../views/turning_view');
+  const view = new View();
+  await view.load('./hero.bin');
+  return view;
+}
 
 class TurningModel extends Panel {
   #view?: TurningView;
 
-  override render(): TemplateResult {
-    return html`<canvas class="turning" aria-hidden="true"></canvas>`;
+  override render(): typeof nothing {
+    return nothing;
   }
 
   override firstUpdated(): void {
@@ -17,16 +26,16 @@ class TurningModel extends Panel {
   }
 
   async #start(): Promise<void> {
-    const { TurningView: View } = await import('../views/turning_view');
-    const canvas = this.querySelector('canvas');
-    if (!canvas || !this.isConnected) return;
-    this.#view = new View(canvas);
-    await this.#view.load('./hero.bin');
+    const view = await (made ??= makeView());
+    if (!this.isConnected) return;
+    this.#view = view;
+    this.append(view.canvas);
+    view.start();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.#view?.dispose();
+    this.#view?.stop();
     this.#view = undefined;
   }
 }

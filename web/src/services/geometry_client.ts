@@ -1,7 +1,7 @@
 // The page's side of the geometry worker: calls that return promises. Arrays that are lent move to
 // the worker and come back with the answer, so that nothing large is copied on the main thread.
 
-import type { Result } from 'hgp';
+import type { Measures, Result } from 'hgp';
 import type { Analysis, OutputFile, Surface } from '../model/types';
 import type { AnalysisRequest } from './geometry/analyse';
 import {
@@ -73,16 +73,17 @@ export class GeometryClient {
     return this.call('compare', [{ ...where, map, files }]);
   }
 
-  /** `result` and `files` are given back with other arrays of the same content. */
+  /** `measures` stay; `result` and `files` are given back with other arrays of the same content. */
   async analyse(
     surface: Surface,
     result: Result,
+    measures: Measures,
     files: OutputFile[],
-    where: Pick<AnalysisRequest, 'mesh' | 'uvSet' | 'q'>,
+    where: Pick<AnalysisRequest, 'mesh' | 'uvSet'>,
   ): Promise<{ analysis: Analysis; preserved: string; result: Result; files: OutputFile[] }> {
     const { positions, triangles, uv, cornerToUv, uvToVertex, seams } = result;
     const map = { positions, triangles, uv, cornerToUv, uvToVertex, seams };
-    const request = { ...where, map, files };
+    const request = { ...where, map, measures, files };
     const answer = await this.call('analyse', [++this.#ids, surface.id, request], request);
     const { analysis, preserved } = answer;
     return { analysis, preserved, result: { ...result, ...answer.map }, files: answer.files };

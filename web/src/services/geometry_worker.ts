@@ -10,7 +10,7 @@ import { isMeshoptUsed, type MeshoptDecoder } from '../formats/read_uv';
 import { analyse, compareWithFile, urisOf, type FaceValues } from './geometry/analyse';
 import { balancingCones } from './geometry/balance_cones';
 import { flatCrosses, surfaceCrosses } from './geometry/cross_lines';
-import { handleLoops, loopSegments } from './geometry/handle_loops';
+import { loopSegments } from './geometry/handle_loops';
 import { overlayColours } from './geometry/overlay_colours';
 import { poissonSamples, spacingOf, type Sample } from './geometry/poisson_samples';
 import {
@@ -152,11 +152,7 @@ const calls: GeometryCalls = {
   thumbnailOf({ positions, triangles }, matrix) {
     return drawThumbnail({ cornerPositions: cornersOf(movedBy(matrix, positions), triangles) });
   },
-  handleLoops(id) {
-    const surface = surfaceOf(id);
-    const { places: positions, triangles } = surface;
-    return handleLoops(surface).map((loop) => loopSegments({ positions, triangles }, loop));
-  },
+  loopSegments: (id, loops) => loops.map((loop) => loopSegments(surfaceOf(id), loop)),
   surfaceBvh: (id) => bvhOf(surfaceOf(id).cornerPositions),
   mapBvh: (id) => bvhOf(mapOf(id).flatPositions),
   balance: (id, q, cones, left) => balancingCones(surfaceOf(id), q, cones, new Map(left)),

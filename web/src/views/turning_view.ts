@@ -1,4 +1,5 @@
-// A textured model that turns slowly.
+// A textured model that turns slowly. There is one for the life of the page: giving a WebGL context back stalls
+// the main thread until the graphics card has done what it was asked for.
 
 import {
   BufferAttribute,
@@ -21,10 +22,14 @@ export class TurningView {
   readonly #mesh = new Mesh(new BufferGeometry(), surfaceMaterial(true));
   readonly #observer: ResizeObserver;
   readonly #stillness = matchMedia('(prefers-reduced-motion: reduce)');
+  readonly canvas = document.createElement('canvas');
   #frame = 0;
-  #isDisposed = false;
+  #isTurning = false;
 
-  constructor(canvas: HTMLCanvasElement) {
+  constructor() {
+    const { canvas } = this;
+    canvas.className = 'turning';
+    canvas.ariaHidden = 'true';
     this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.#renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.#renderer.setClearColor(new Color(0), 0);
@@ -46,7 +51,7 @@ export class TurningView {
     const response = await fetch(url);
     if (!response.ok) throw new Error(`${url}: ${response.status}`);
     const data = await response.arrayBuffer();
-    if (this.#isDisposed) return;
+
     const [vertices, corners] = new Uint32Array(data, 0, 2);
     const geometry = this.#mesh.geometry;
     let at = 8;
@@ -73,7 +78,7 @@ export class TurningView {
 
   #resize(): void {
     const { clientWidth: width, clientHeight: height } = this.#renderer.domElement;
-    if (width === 0 || height === 0) return;
+    if (width === 0 || height === 0 || !this.#isTurning) return;
     this.#renderer.setSize(width, height, false);
     this.#camera.aspect = width / height;
     this.#camera.updateProjectionMatrix();
@@ -88,16 +93,16 @@ export class TurningView {
       : (2 * Math.PI * (performance.now() % turnTime)) / turnTime;
     this.#renderer.render(this.#scene, this.#camera);
     if (this.#mesh.geometry.index) this.#renderer.domElement.dataset.drawn = '';
-    if (!isStill && !this.#isDisposed) this.#frame = requestAnimationFrame(() => this.#draw());
+    if (!isStill && this.#isTurning) this.#frame = requestAnimationFrame(() => this.#draw());
   }
 
-  dispose(): void {
-    this.#isDisposed = true;
+  start(): void {
+    this.#isTurning = true;
+    this.#resize();
+  }
+
+  stop(): void {
+    this.#isTurning = false;
     cancelAnimationFrame(this.#frame);
-    this.#observer.disconnect();
-    this.#mesh.geometry.dispose();
-    this.#mesh.material.dispose();
-    this.#renderer.dispose();
-    this.#renderer.forceContextLoss();
   }
 }

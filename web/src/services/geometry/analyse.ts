@@ -1,22 +1,15 @@
 // What the page wants to know of a map, from the written file and from the numbers that were
 // certified. Runs in the geometry worker.
 
-import type { Result } from 'hgp';
+import type { Measures, Result } from 'hgp';
 import { isGltf, objectsIn, parseGltf } from '../../formats/glb';
 import { summarizePreserved } from '../../formats/preserved_content';
 import { readUv, type MeshoptDecoder } from '../../formats/read_uv';
 import type { Analysis, Corners, OutputFile, Seam } from '../../model/types';
-import {
-  boxOf,
-  leastArea,
-  measureDistortion,
-  quantilesOf,
-  type FaceDistortion,
-} from './distortion';
+import { boxOf, leastArea, quantilesOf } from './distortion';
 import { forEachIndex } from './loops';
 import { triangulatedLike } from './polygon_corners';
-import { findOverlaps } from './overlaps';
-import { seamChains } from './seam_chains';
+
 import { distanceToSeams } from './seam_distance';
 
 export type MapArrays = Pick<
@@ -26,15 +19,20 @@ export type MapArrays = Pick<
 
 export interface AnalysisRequest {
   map: MapArrays;
+  /** Of the map, from the solver. */
+  measures: Measures;
   /** What was written and what it names, the main one first. */
   files: OutputFile[];
   mesh: number;
   uvSet?: number;
-  q: number;
 }
 
+export type CompareRequest = Omit<AnalysisRequest, 'measures'>;
+
 /** Per triangle and per vertex: what overlays are painted from. */
-export interface FaceValues extends FaceDistortion {
+export interface FaceValues extends Pick<Measures, 'stretch' | 'area' | 'flipped'> {
+  /** The absolute value of `area`. */
+  areaSize: Float32Array;
   seamDistance: Float32Array;
 }
 
@@ -77,7 +75,7 @@ export function differenceOf(file: Corners, map: Corners): string {
 
 /** The file's corners, and why they are not those of the map; without corners where it cannot be read. */
 function readBack(
-  { files, mesh, uvSet }: Omit<AnalysisRequest, 'q'>,
+  { files, mesh, uvSet }: CompareRequest,
   map: Corners,
   decoder: MeshoptDecoder | undefined,
 ): [string, Corners?] {
@@ -92,7 +90,7 @@ function readBack(
 
 /** Why a file does not hold a map; empty where it does. */
 export const compareWithFile = (
-  request: Omit<AnalysisRequest, 'q'>,
+  request: CompareRequest,
   decoder: MeshoptDecoder | undefined,
 ): string => readBack(request, cornersOf(request.map), decoder)[0];
 
@@ -116,12 +114,13 @@ export function analyse(
   edges: Edges,
   decoder?: MeshoptDecoder,
 ): { analysis: Analysed; values: FaceValues } {
-  const { map, files, q } = request;
+  const { map, files } = request;
   const own = cornersOf(map);
   const [difference, read] = readBack(request, own, decoder);
   const isSameAsFile = difference === '';
   const cornerUv = Float32Array.from(isSameAsFile ? read!.uv : own.uv);
-  const faces = measureDistortion(own.positions, own.uv);
+  const { overlaps, seamChains: chains, ...faces } = request.measures;
+  const areaSize = faces.area.map(Math.abs);
   const surface = { ...edges, positions: map.positions };
   const seamDistance = distanceToSeams(surface, map.seams as Seam[], map.uvToVertex);
   const { flipped, uvArea, surfaceArea } = faces;
@@ -131,20 +130,19 @@ export function analyse(
     cornerUv,
     flatPositions: flatten(cornerUv),
     distortion: {
-      stretch: quantilesOf(faces.conformal),
+      stretch: quantilesOf(faces.stretch),
       area: quantilesOf(faces.area),
-      areaSize: quantilesOf(faces.areaSize),
+      areaSize: quantilesOf(areaSize),
       seamDistance: quantilesOf(seamDistance),
       ...{ flipped, uvArea, surfaceArea },
     },
     // Of what the file holds, where that could be read.
     least: leastArea(read && read.uv.length === own.uv.length ? read.uv : own.uv),
-    overlaps: findOverlaps(Float32Array.from(own.uv), map.cornerToUv),
-    chains: seamChains(map.seams as Seam[], map.uvToVertex, q),
+    ...{ overlaps, chains },
     box: boxOf(map.uv),
     preserved: isGltf(files[0].name) ? summarizePreserved(parseGltf(files[0])) : '',
   };
-  return { analysis, values: { ...faces, seamDistance } };
+  return { analysis, values: { ...faces, areaSize, seamDistance } };
 }
 
 /** What a written .gltf names beside itself. */

@@ -80,7 +80,7 @@ export function overlayColours(
   if (overlay === 'angle') {
     const most = stretchLimit(limits) - 1;
     for (let t = 0; t < count; t++) {
-      painter.face(t, sequentialTable, (values.conformal[t] - 1) / most);
+      painter.face(t, sequentialTable, (values.stretch[t] - 1) / most);
     }
   } else if (overlay === 'area') {
     const most = areaLimit(limits);

@@ -2,7 +2,7 @@
 
 import type { Cone } from '../../model/prescription';
 import type { Analysis, OutputFile, Overlay, Surface } from '../../model/types';
-import type { AnalysisRequest, MapArrays } from './analyse';
+import type { AnalysisRequest, CompareRequest, MapArrays } from './analyse';
 import type { SurfaceArrays } from './surface_facts';
 
 export interface SerializedBvh {
@@ -21,7 +21,7 @@ export interface GeometryCalls {
     request: AnalysisRequest,
   ): Promise<{ analysis: Analysis; preserved: string; map: MapArrays; files: OutputFile[] }>;
   /** Why a file does not hold a map, empty where it does. Nothing is lent. */
-  compare(request: Omit<AnalysisRequest, 'q'>): Promise<{ difference: string }>;
+  compare(request: CompareRequest): Promise<{ difference: string }>;
   /** Relative names in a written .gltf, and the areas in uv and on the surface; both for writing. */
   urisOf(main: OutputFile): { uris: string[]; main: OutputFile };
   /** Several files as one; nothing is lent. */
@@ -32,7 +32,8 @@ export interface GeometryCalls {
   thumbnail(surface: number, map?: number, tiles?: number): Uint8ClampedArray<ArrayBuffer>;
   /** The same of a mesh that the worker does not keep. */
   thumbnailOf(arrays: SurfaceArrays, matrix: readonly number[]): Uint8ClampedArray<ArrayBuffer>;
-  handleLoops(surface: number): Float32Array[];
+  /** Lines along the loops of the solver: two vertices for each edge that they cross. */
+  loopSegments(surface: number, loops: Uint32Array[]): Float32Array[];
   /** For picking: over the triangles of a surface, or of the flat map. */
   surfaceBvh(surface: number): SerializedBvh;
   mapBvh(id: number): SerializedBvh;

@@ -1,0 +1,56 @@
+// What there is to see of a result and of a surface, beside what is judged.
+#include "hgp/api/guard.h"
+#include "hgp/api/seam_chains.h"
+#include "hgp/api/session_state.h"
+#include "hgp/verify/face_values.h"
+
+namespace hgp::api {
+
+Result<MapMeasures> Session::measure() const {
+  return guarded([&]() -> Result<MapMeasures> {
+    if (!hasResult()) return Failure{ErrorCode::kUsage, "measure", "there is no result yet", {}};
+    const State& shown = state_->shown();
+    const UvMap& map = shown.solved->stored.map;
+    FaceValues faces = measureFaces(shown.model->source().mesh, map);
+    OverlapPairs overlaps = findOverlapPairs(map);
+    MapMeasures out;
+    out.stretch = std::move(faces.stretch);
+    out.logArea = std::move(faces.logArea);
+    out.notPositive = std::move(faces.notPositive);
+    out.surfaceArea = faces.surfaceArea;
+    out.uvArea = faces.uvArea;
+    out.overlapPairs = overlaps.pairs;
+    out.overlapping = std::move(overlaps.triangles);
+    out.areMorePairs = overlaps.isMore;
+    out.seamChain = seamChains(shown.solved->seams, shown.solved->stored.uvToVertex,
+                               shown.solved->prescription.q);
+    return out;
+  });
+}
+
+Result<SurfaceLoops> Session::loops() const {
+  return guarded([&]() -> Result<SurfaceLoops> {
+    if (Status ready = requireComponents(state_->model); !ready) return ready.error();
+    const Model& model = *state_->model;
+    SurfaceLoops out;
+    out.boundaries.resize(model.topology.loops.size());
+    for (const ModelComponent& part : model.components) {
+      for (std::size_t j = 0; j < part.topology.loops.size(); ++j) {
+        std::vector<int>& loop = out.boundaries[at(part.loop[LoopId{static_cast<int>(j)}].i)];
+        for (const HalfedgeId h : part.topology.loops[j].halfedges)
+          loop.push_back(part.vertex[part.mesh.tail(h)].i);
+      }
+      if (part.topology.genus == 0) continue;
+      for (const DualLoop& generator : handleGenerators(part.mesh)) {
+        std::vector<std::array<int, 2>> crossed;
+        crossed.reserve(generator.crossed.size());
+        for (const HalfedgeId h : generator.crossed)
+          crossed.push_back({part.vertex[part.mesh.tail(h)].i, part.vertex[part.mesh.head(h)].i});
+        out.handles.push_back(std::move(crossed));
+      }
+    }
+    return out;
+  });
+}
+
+}  // namespace hgp::api

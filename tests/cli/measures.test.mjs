@@ -1,0 +1,48 @@
+// --faces and --loops: what there is to see of a map and of a surface, as tables.
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { toObj } from '../support/meshes.mjs';
+import { inFolder } from '../support/program.mjs';
+import { torusMesh } from '../web/shapes.mjs';
+
+const { put, read, good, run } = inFolder('measures');
+
+test('--faces: a line for each triangle, in agreement with the certificate', () => {
+  const mesh = torusMesh(14, 9);
+  put('torus.obj', toObj(mesh));
+  good('param', 'torus.obj', '-o', 'm.obj', '--faces', 'faces.csv', '--json', 'r.json');
+  const [head, ...rows] = read('faces.csv').trim().split('\n');
+  assert.equal(head, 'triangle,stretch,log2_area,overlaps');
+  assert.equal(rows.length, mesh.triangles.length);
+  const values = rows.map((row) => row.split(',').map(Number));
+  values.forEach(([t], i) => assert.equal(t, i));
+  const { distortion, overlap } = JSON.parse(read('r.json')).certificate.components[0];
+  // μ = (σ₁ − σ₂) / (σ₁ + σ₂), of the ratio that the table has.
+  const mu = Math.max(...values.map(([, s]) => (s - 1) / (s + 1)));
+  assert.ok(Math.abs(mu - distortion.maxMu) < 1e-6, `${mu} ${distortion.maxMu}`);
+  const areas = values.map(([, , area]) => area);
+  const span = Math.max(...areas) - Math.min(...areas);
+  assert.ok(Math.abs(span - (distortion.maxLogArea - distortion.minLogArea)) < 1e-5, `${span}`);
+  const isAny = values.some(([, , , isIn]) => isIn === 1);
+  if (overlap.share > 0.001) assert.ok(isAny);
+});
+
+test('--loops: closed walks that a prescription can name', () => {
+  put('torus.obj', toObj(torusMesh(12, 8)));
+  good('inspect', 'torus.obj', '--loops', 'loops.json');
+  const { boundaries, handles } = JSON.parse(read('loops.json'));
+  assert.deepEqual(boundaries, []);
+  assert.equal(handles.length, 2);
+  const { triangles } = torusMesh(12, 8);
+  for (const edges of handles) {
+    // Edges that follow one another belong to one triangle.
+    edges.forEach((edge, i) => {
+      const all = [...edge, ...edges[(i + 1) % edges.length]];
+      assert.ok(
+        triangles.some((t) => all.every((v) => t.includes(v))),
+        `${all}`,
+      );
+    });
+  }
+  assert.equal(run('inspect', 'torus.obj', '--loops', 'torus.obj').code, 2);
+});

@@ -1,0 +1,55 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "hgp/api/seam_chains.h"
+#include "hgp/api/session.h"
+#include "support/shapes.h"
+
+namespace hgp::api {
+namespace {
+
+Session opened(const MeshData& mesh) {
+  Session session;
+  EXPECT_TRUE(session.loadArrays(mesh.positions, mesh.triangles, {}));
+  return session;
+}
+
+TEST(Measure, AValueForEveryTriangleAndEverySeamEdge) {
+  const MeshData mesh = test::icosphere(3).data;
+  Session session = opened(mesh);
+  EXPECT_EQ(session.measure().error().code, ErrorCode::kUsage);
+  ASSERT_TRUE(session.parametrize(std::nullopt, {}));
+  const auto measures = session.measure();
+  ASSERT_TRUE(measures);
+  EXPECT_EQ(measures->stretch.size(), mesh.triangles.size());
+  EXPECT_EQ(measures->logArea.size(), mesh.triangles.size());
+  for (const float x : measures->stretch) EXPECT_GE(x, 1.0F);
+  EXPECT_TRUE(measures->notPositive.empty());  // it is certified
+  EXPECT_EQ(measures->seamChain.size(), session.seams().size());
+  EXPECT_GT(measures->uvArea, 0);
+}
+
+TEST(Measure, ChainsEndWhereSeamsBranchOrTurnOtherwise) {
+  // Vertices 0 1 2 3 in a row, then a branch at 3 to 4 and 5; uv i is vertex i.
+  const std::vector<std::uint32_t> vertex{0, 1, 2, 3, 4, 5};
+  const auto edge = [](int a, int b, int r) { return SeamEdge{{a, b}, {a, b}, r}; };
+  const auto chains = seamChains(
+      {edge(0, 1, 1), edge(1, 2, 3), edge(2, 3, 2), edge(3, 4, 2), edge(3, 5, 2)}, vertex, 4);
+  EXPECT_EQ(chains, (std::vector<std::uint32_t>{0, 0, 1, 2, 3}));  // 1 and 3 are one turn
+}
+
+TEST(Loops, AreClosedAndNumberedAsAPrescriptionNumbersThem) {
+  const Session session = opened(test::puncturedTorus(12, 9).data);
+  const auto loops = session.loops();
+  ASSERT_TRUE(loops);
+  ASSERT_EQ(loops->handles.size(), 2U);
+  for (const auto& handle : loops->handles) EXPECT_GT(handle.size(), 2U);
+  ASSERT_EQ(loops->boundaries.size(), 1U);
+  EXPECT_GE(loops->boundaries[0].size(), 3U);
+  EXPECT_TRUE(opened(test::icosphere(2).data).loops()->handles.empty());
+  EXPECT_FALSE(Session().loops());
+}
+
+}  // namespace
+}  // namespace hgp::api

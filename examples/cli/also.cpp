@@ -73,8 +73,8 @@ Status writeLoops(const api::Session& session, const std::string& path) {
   return writeText(path, json.dump() + "\n");
 }
 
-Status writeAlso(std::vector<AlsoFile> files, std::vector<std::string>& notes) {
-  for (AlsoFile& file : files) {
+Status writeAlso(const std::vector<AlsoFile>& files, std::vector<std::string>& notes) {
+  for (const AlsoFile& file : files) {
     if (Status done = writeFiles(file.path, file.written.files); !done) return done;
     for (const std::string& note : file.written.notes) notes.push_back(file.path + ": " + note);
     notes.push_back("also wrote " + file.path +

@@ -22,7 +22,7 @@ struct AlsoFile {
 Result<std::vector<AlsoFile>> makeAlso(const api::Session& session, const Arguments& asked);
 
 /// Writes them; `notes` takes a line for each.
-Status writeAlso(std::vector<AlsoFile> files, std::vector<std::string>& notes);
+Status writeAlso(const std::vector<AlsoFile>& files, std::vector<std::string>& notes);
 
 /// --faces: a line for each triangle, from 0: triangle,stretch,log2_area,overlaps.
 Status writeFaces(const api::Session& session, const std::string& path);

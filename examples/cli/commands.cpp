@@ -359,7 +359,7 @@ class Run {
     const bool areCertified = std::all_of(
         also->begin(), also->end(), [](const AlsoFile& file) { return file.written.isCertified; });
     if (Status done = writeFiles(a_.output, written->files); !done) return fail(done.error());
-    if (Status done = writeAlso(std::move(*also), written->notes); !done) {
+    if (Status done = writeAlso(*also, written->notes); !done) {
       return fail(done.error());
     }
     if (!a_.faces.empty()) {

@@ -33,9 +33,11 @@ if(EMSCRIPTEN)
 endif()
 
 # hgp_add_tests(field smooth_field_test.cpp … LINKS field [cut …] [EVERY_BUILD | INTEGRATION]
-#               [DENSE])
+#               [DENSE] [MEASURES Suite.Name])
 #
-# One test program, tests_<name>, and one ctest entry for all its tests. Sources may include
+# One test program, tests_<name>, and one ctest entry for all its tests; one more for a test that measures
+# time, which tests/run.mjs runs even where nothing has changed. They read nothing of this folder: their
+# inputs are the program and the optional data. Sources may include
 # "support/….h" from tests/. HGP_SHARED_MESHES (environment) overrides where optional data is looked
 # for; tests that need it must GTEST_SKIP() aloud when it is absent.
 #
@@ -43,7 +45,7 @@ endif()
 # WebAssembly build run integration tests, and those marked EVERY_BUILD, whose outcome may depend on
 # the compiler or the processor, such as rounding. What is left out can still be built by name.
 function(hgp_add_tests name)
-  cmake_parse_arguments(T "EVERY_BUILD;INTEGRATION;DENSE" "" "LINKS" ${ARGN})
+  cmake_parse_arguments(T "EVERY_BUILD;INTEGRATION;DENSE" "MEASURES" "LINKS" ${ARGN})
   hgp_named_targets(links "tests of ${name}" ${T_LINKS})
   set(target tests_${name})
   add_executable(${target} ${T_UNPARSED_ARGUMENTS})
@@ -75,6 +77,12 @@ function(hgp_add_tests name)
     set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON)
     return()
   endif()
-  add_test(NAME ${name} COMMAND ${target} --gtest_brief=0)
+  if(T_MEASURES)
+    add_test(NAME ${name} COMMAND ${target} --gtest_brief=0 --gtest_filter=-${T_MEASURES})
+    add_test(NAME ${name}_measures COMMAND ${target} --gtest_brief=0 --gtest_filter=${T_MEASURES})
+    set_tests_properties(${name}_measures PROPERTIES TIMEOUT ${HGP_TEST_TIMEOUT} LABELS measures)
+  else()
+    add_test(NAME ${name} COMMAND ${target} --gtest_brief=0)
+  endif()
   set_tests_properties(${name} PROPERTIES TIMEOUT ${HGP_TEST_TIMEOUT})
 endfunction()

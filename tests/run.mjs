@@ -1,119 +1,36 @@
 // Runs the stages of scripts/test and adds up what they counted.
 // The last line is always "N passed, N failed, N skipped".
 
-import { spawn, execFileSync } from 'node:child_process';
 import {
   createWriteStream,
   existsSync,
   mkdirSync,
   mkdtempSync,
-  readFileSync,
   readdirSync,
   rmSync,
 } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { countCtest, countNodeTest } from './support/counts.mjs';
+import { ctest } from './support/builds.mjs';
+import { checks, counted, inParallel, must, run, sum } from './support/commands.mjs';
+import { lint } from './support/lint.mjs';
+import { contentOf, KeptResults, listingOf, treeContent } from './support/results.mjs';
 import { runInOrder } from './support/schedule.mjs';
 
 const root = path.dirname(path.dirname(fileURLToPath(import.meta.url)));
 process.chdir(root);
-const full = process.argv.includes('--full');
-const only = process.argv.slice(2).filter((word) => !word.startsWith('--'));
+const words = process.argv.slice(2);
+const full = words.includes('--full');
+const isAgain = full || words.includes('--again');
+const only = words.filter((word) => !word.startsWith('--'));
 const data = process.env.HGP_SHARED_MESHES ?? path.join(root, '../shared/meshes');
 const logs = path.join(root, 'build/logs');
 mkdirSync(logs, { recursive: true });
 if (full) process.env.HGP_FULL = '1';
+const kept = new KeptResults(path.join(root, 'build/results'), { isRead: !isAgain });
 
-/** Runs a command with its output in the stage's log; resolves to the exit code and the output. */
-function run(log, command, ...args) {
-  return new Promise((resolve) => {
-    const child = spawn(command, args, { stdio: ['ignore', 'pipe', 'pipe'] });
-    let output = '';
-    const take = (chunk) => {
-      output += chunk;
-      log.write(chunk);
-    };
-    log.write(`\n$ ${command} ${args.join(' ')}\n`);
-    child.stdout.on('data', take);
-    child.stderr.on('data', take);
-    child.on('error', (error) => resolve({ code: 127, output: output + error.message }));
-    child.on('close', (code) => resolve({ code: code ?? 1, output }));
-  });
-}
-
-/** A command that must succeed before anything can be counted. */
-async function must(log, ...command) {
-  const { code, output } = await run(log, ...command);
-  if (code !== 0) {
-    throw new Error(`${command.join(' ')} ended with ${code}\n${output.slice(-3000)}`);
-  }
-  return output;
-}
-
-/** Files git knows or could know, of the given endings. */
-function sources(...endings) {
-  const listed = execFileSync('git', ['ls-files', '-co', '--exclude-standard'], {
-    encoding: 'utf8',
-    maxBuffer: 1 << 28,
-  });
-  return listed
-    .split('\n')
-    .filter((name) => endings.some((ending) => name.endsWith(ending)) && existsSync(name));
-}
-
-/** Checks that count one test each. */
-async function checks(log, commands) {
-  const counts = { passed: 0, failed: 0, skipped: 0, notes: [] };
-  for (const command of commands) {
-    const { code, output } = await run(log, ...command);
-    if (code === 0) {
-      counts.passed += 1;
-    } else {
-      counts.failed += 1;
-      counts.notes.push(`${command.slice(0, 3).join(' ')} …\n${output.slice(-3000)}`);
-    }
-  }
-  return counts;
-}
-
-/** With --full all tests run in every build, otherwise those that the preset names. */
-async function build(log, preset) {
-  const presets = JSON.parse(readFileSync('CMakePresets.json', 'utf8')).configurePresets;
-  const { HGP_TEST_SET } = presets.find(({ name }) => name === preset).cacheVariables;
-  await must(log, 'cmake', '--preset', preset, `-DHGP_TEST_SET=${full ? 'all' : HGP_TEST_SET}`);
-  await must(log, 'cmake', '--build', '--preset', preset);
-}
-
-async function ctest(log, preset) {
-  await build(log, preset);
-  const { code, output } = await run(log, 'ctest', '--preset', preset);
-  const report = `build/${preset}/Testing/Temporary/LastTest.log`;
-  const counts = countCtest(existsSync(report) ? readFileSync(report, 'utf8') : '');
-  if (code !== 0) {
-    counts.failed = Math.max(counts.failed, 1);
-    counts.notes.push(output.slice(-6000));
-  }
-  return counts;
-}
-
-/** Runs test files by `node` with these arguments, and counts. */
-async function counted(log, ...args) {
-  const { code, output } = await run(log, 'node', '--test-reporter=tap', ...args);
-  const counts = countNodeTest(output);
-  if (code !== 0) counts.failed = Math.max(counts.failed, 1);
-  return counts;
-}
-
-function sum(all) {
-  const total = { passed: 0, failed: 0, skipped: 0, notes: [] };
-  for (const counts of all) {
-    for (const key of ['passed', 'failed', 'skipped']) total[key] += counts[key];
-    total.notes.push(...counts.notes);
-  }
-  return total;
-}
+const testBuild = (log, preset) => ctest(log, preset, { kept, data, isFull: full });
 
 const testFiles = (folder) =>
   readdirSync(path.join('tests', folder))
@@ -145,12 +62,54 @@ function unitTests(log) {
   return inLanes(files, (claims) => [lane(log, claims, files, hooks)]);
 }
 
+/** Runs files whose inputs have changed since they passed, some at a time, and counts all. */
+async function runChanged(log, files, lanes, inputs) {
+  const keyOf = (file) => kept.key(file, ...inputs());
+  const all = await inParallel(files, lanes, async (file) => {
+    const key = keyOf(file);
+    const found = kept.find(key);
+    if (found) {
+      log.write(`unchanged since it passed: ${file}\n`);
+      return found;
+    }
+    const counts = await counted(log, '--test', file);
+    kept.keep(key, keyOf(file), file, counts);
+    return counts;
+  });
+  return sum(all);
+}
+
+const program = 'build/native-release/bin/hgp';
+const isOf = (folders) => (name) => folders.test(name) && !/\.(cpp|h)$/.test(name);
+
+/** What an installed library is made of, and what its tests read. */
+const installTests = (log) =>
+  runChanged(log, testFiles('install'), 1, () => [
+    contentOf(program),
+    contentOf('build/native-release/lib'),
+    treeContent((name) => !/^(web|bench|tests\/(core|web|wasm|cli))\//.test(name)),
+    listingOf(data),
+  ]);
+
 /** The package's tests: two files beside each other; then, alone, what measures time. */
 async function packageTests(log) {
   const alone = 'tests/wasm/cost.test.mjs';
+  const measures = /(memory|package|soak)\.test\.mjs$/;
   const files = testFiles('wasm').filter((file) => file !== alone);
-  const both = await counted(log, '--test', '--test-concurrency=2', ...files);
-  return sum([both, await counted(log, '--test', alone)]);
+  const measuring = files.filter((file) => measures.test(file));
+  const changed = await runChanged(
+    log,
+    files.filter((file) => !measures.test(file)),
+    2,
+    () => [
+      contentOf(program),
+      contentOf('build/package'),
+      treeContent(isOf(/^(wasm|docs|examples|tests\/(wasm|support|gltf|cli))\/|^[^/]*$/)),
+      listingOf(data),
+    ],
+  );
+  const both = await counted(log, '--test', '--test-concurrency=2', ...measuring);
+  return sum([changed, both, await counted(log, '--test', alone)]);
 }
 
 /**
@@ -187,24 +146,17 @@ const compileFiles = (log) =>
     ['cmake', '--build', '--preset', 'native-files'],
   ]);
 
-const lint = (log) =>
-  checks(log, [
-    ['clang-format', '--dry-run', '-Werror', ...sources('.cpp', '.h')],
-    ['node_modules/.bin/prettier', '--check', '.'],
-    ['node_modules/.bin/eslint', '.'],
-    ['node_modules/.bin/tsc', '--noEmit', '-p', 'web'],
-    ['node_modules/.bin/tsc', '--noEmit', '-p', 'wasm'],
-  ]);
-
 /** Planted faults count as tests: caught is passed. */
 async function mutate(log) {
-  const { code, output } = await run(log, 'scripts/mutate', ...(full ? [] : ['--short']));
+  const how = [...(full ? [] : ['--short']), ...(isAgain ? ['--again'] : [])];
+  const { code, output } = await run(log, 'scripts/mutate', ...how);
   const [, caught = 0, missed = 0] =
     output.match(/^(\d+) of \d+ faults caught, (\d+) missed$/m) ?? [];
+  const unchanged = output.match(/^unchanged since it was caught/gm)?.length ?? 0;
   const notes = output.split('\n').filter((line) => /^(WRONG|no test noticed)/.test(line));
   // In full a few may be missed; how many, scripts/mutate knows.
   const failed = code === 0 ? 0 : Math.max(1, Number(missed));
-  return { passed: Number(caught), failed, skipped: 0, notes };
+  return { passed: Number(caught), failed, skipped: 0, unchanged, notes };
 }
 
 async function web(log) {
@@ -214,14 +166,14 @@ async function web(log) {
 
 /** `isLong`: by name or in full; `isAlone`: it measures time. */
 const stages = {
-  lint: { run: lint },
-  'native-debug': { run: (log) => ctest(log, 'native-debug') },
+  lint: { run: (log) => lint(log, { isAgain }) },
+  'native-debug': { run: (log) => testBuild(log, 'native-debug') },
   house: { run: (log) => nodeTests(log, 'house') },
-  'native-release': { run: (log) => ctest(log, 'native-release') },
+  'native-release': { run: (log) => testBuild(log, 'native-release') },
   files: { run: compileFiles, isLong: true },
-  portable: { run: (log) => ctest(log, 'native-portable'), isLong: true },
-  'wasm-release': { run: (log) => ctest(log, 'wasm-release') },
-  install: { run: (log) => nodeTests(log, 'install'), after: ['native-release'] },
+  portable: { run: (log) => testBuild(log, 'native-portable'), isLong: true },
+  'wasm-release': { run: (log) => testBuild(log, 'wasm-release') },
+  install: { run: installTests, after: ['native-release'] },
   tidy: {
     run: (log) => checks(log, [['node', 'tests/support/tidy.mjs']]),
     after: ['native-debug', 'native-release'],
@@ -243,7 +195,7 @@ if (unknown.length > 0) {
 const hasData = existsSync(data);
 if (!hasData) console.log(`SKIPPING tests on real meshes: ${data} is not there`);
 
-const total = { passed: 0, failed: 0, skipped: 0 };
+const total = { passed: 0, failed: 0, skipped: 0, unchanged: 0 };
 
 async function runStage(name) {
   const begin = performance.now();
@@ -263,17 +215,21 @@ async function runStage(name) {
   }
   log.end();
   const seconds = ((performance.now() - begin) / 1000).toFixed(1);
-  const { passed, failed, skipped } = counts;
+  const { passed, failed, skipped, unchanged = 0 } = counts;
+  const since = unchanged > 0 ? ` (${unchanged} unchanged since they passed)` : '';
   console.log(
     `${failed ? 'FAIL' : 'ok  '} ${name.padEnd(15)} ${seconds.padStart(7)} s   ` +
-      `${passed} passed, ${failed} failed, ${skipped} skipped`,
+      `${passed} passed${since}, ${failed} failed, ${skipped} skipped`,
   );
   for (const note of counts.notes) console.log(note.trimEnd().replace(/^/gm, '     | '));
-  for (const key of Object.keys(total)) total[key] += counts[key];
+  for (const key of Object.keys(total)) total[key] += counts[key] ?? 0;
 }
 
 const isChosen = ([name, { isLong }]) => (only.length > 0 ? only.includes(name) : full || !isLong);
 await runInOrder(new Map(Object.entries(stages).filter(isChosen)), runStage);
 
+if (total.unchanged > 0) {
+  console.log(`${total.unchanged} are unchanged since they passed here; --again runs them, too`);
+}
 process.exitCode = total.failed > 0 ? 1 : 0;
 console.log(`${total.passed} passed, ${total.failed} failed, ${total.skipped} skipped`);

@@ -3,24 +3,45 @@
 // does, scripts/mutate fails and the fault wants to be looked at again.
 //
 // Each names the test programs that see it, the likeliest first; without a name, that of its module.
-// Those of `short` are planted by every scripts/test.
+// Those of `short` are planted by every scripts/test; the test named there sees the fault and is tried
+// before all others.
 
 const fault = (file, find, put, more = {}) => ({ file: `core/hgp/${file}`, find, put, ...more });
-const short = { short: true };
+const short = (seenBy) => ({ short: true, seenBy });
 
 export const faults = [
   // base, text
-  fault('base/turns.cpp', 'case 1:\n      return {-s, c};', 'case 1:\n      return {s, c};', short),
+  fault(
+    'base/turns.cpp',
+    'case 1:\n      return {-s, c};',
+    'case 1:\n      return {s, c};',
+    short('Turns.RotationsAreOnTheCircleWithinOneRounding'),
+  ),
   fault('base/turns.cpp', 'return a <= -kPi ?', 'return a < -kPi ?'),
   fault('base/float32.cpp', 'return static_cast<double>(rounded);', 'return (void)rounded, x;'),
-  fault('text/text.cpp', ' || !std::isfinite(value)) return false;', ') return false;', short),
+  fault(
+    'text/text.cpp',
+    ' || !std::isfinite(value)) return false;',
+    ') return false;',
+    short('ReadDouble.RefusesWhatIsNoFiniteNumber'),
+  ),
   fault('text/text.cpp', "(*answer.ptr == 'e' || *answer.ptr == 'E')", "(*answer.ptr == 'E')"),
 
   // mesh
   fault('mesh/topology.cpp', 'loop.crossed.push_back(h);', '', { programs: ['mesh', 'field'] }),
   fault('mesh/topology.cpp', 'if (!mesh.isBoundary(start) || isSeen[start])', 'if (isSeen[start])'),
-  fault('mesh/geometry.cpp', '+ kPi - geometry.direction[h]', '- geometry.direction[h]', short),
-  fault('mesh/holonomy_spec.cpp', 'report.have += *l;', 'report.have -= *l;', short),
+  fault(
+    'mesh/geometry.cpp',
+    '+ kPi - geometry.direction[h]',
+    '- geometry.direction[h]',
+    short('Geometry.TransportAroundAVertexIsItsCurvature'),
+  ),
+  fault(
+    'mesh/holonomy_spec.cpp',
+    'report.have += *l;',
+    'report.have -= *l;',
+    short('HolonomySpec.OpenLoopsTakeWhatIsMissingWithinTheirBounds'),
+  ),
   fault('mesh/holonomy_spec.cpp', 'return {floorHalf(low) + 1,', 'return {floorHalf(low),'),
   fault('mesh/holonomy_spec.cpp', '2LL * c.k >=', '2LL * c.k >'),
   fault('mesh/defects.cpp', 'if (fanCount[at(v)] > 1)', 'if (fanCount[at(v)] > 2)'),
@@ -29,7 +50,7 @@ export const faults = [
     'mesh/repair/repair.cpp',
     'if (options.split) splitNonManifold(result, oneSided);',
     '',
-    short,
+    short('Repair.AMoebiusBandIsCutOnceOrStaysADefect'),
   ),
   fault(
     'mesh/repair/repair.cpp',
@@ -40,7 +61,12 @@ export const faults = [
   fault('mesh/repair/repair_split.cpp', 'if (owner[at(v)] == fan) continue;', 'continue;'),
 
   // linalg
-  fault('linalg/factor/schur_lu.cpp', 'L[row] += values', 'L[row] -= values', short),
+  fault(
+    'linalg/factor/schur_lu.cpp',
+    'L[row] += values',
+    'L[row] -= values',
+    short('SchurLu.ExtensionMakesEliminatedRowsVanishAndSchurGivesTheOthers'),
+  ),
   fault(
     'linalg/factor/schur_lu.cpp',
     'kPivotTolerance * addColumn',
@@ -54,7 +80,12 @@ export const faults = [
   ),
 
   // field
-  fault('field/open_turning.cpp', 'coneCurvature(-*spec', 'coneCurvature(*spec', short),
+  fault(
+    'field/open_turning.cpp',
+    'coneCurvature(-*spec',
+    'coneCurvature(*spec',
+    short('ConeMetric.SolvesThePoissonEquationOfTheAskedCurvature'),
+  ),
   fault(
     'field/prescribed_field.cpp',
     'omega[e] += surface.weight[e]',
@@ -86,7 +117,12 @@ export const faults = [
   fault('field/cancel_cones.cpp', 'spread(mesh, q, defect, search);', ''),
 
   // cut, system
-  fault('cut/seam_rotation.cpp', 'n[f] + field.matching[h]', 'n[f] - field.matching[h]', short),
+  fault(
+    'cut/seam_rotation.cpp',
+    'n[f] + field.matching[h]',
+    'n[f] - field.matching[h]',
+    short('CutMesh.IsADisk'),
+  ),
   fault(
     'cut/seam_graph.cpp',
     'trimLeaves(mesh, surface, graph, terminals, isSeam);\n  return',
@@ -94,7 +130,12 @@ export const faults = [
   ),
   fault('cut/seam_graph.cpp', 'x.loop > y.loop', 'x.loop < y.loop'),
   fault('cut/cut_mesh.cpp', '(degree[v] != 2 || mesh.isBoundary(v))', 'degree[v] != 2'),
-  fault('system/harmonic.cpp', 'rotation(-unknowns.turn', 'rotation(unknowns.turn', short),
+  fault(
+    'system/harmonic.cpp',
+    'rotation(-unknowns.turn',
+    'rotation(unknowns.turn',
+    short('HarmonicRows.AreThePapersFormulaForEveryDegree'),
+  ),
   fault('system/harmonic.cpp', '|| isCone[v]', ''),
   fault('system/reduced_unknowns.cpp', 'isLeft_[out] ? -R', 'isLeft_[out] ? R'),
   fault(
@@ -114,7 +155,7 @@ export const faults = [
     'socp/second_order_cone.cpp',
     'Vector3 reflect(const Vector3& s) { return {s[0], -s[1], -s[2]}; }',
     'Vector3 reflect(const Vector3& s) { return {s[0], -s[1], s[2]}; }',
-    short,
+    short('NesterovTodd.ScalesBothPointsToTheSame'),
   ),
   fault('socp/second_order_cone.cpp', 'if (ds[0] < 0.0)', 'if (ds[0] > 0.0)'),
 
@@ -123,7 +164,7 @@ export const faults = [
     'optimize/exact_form.cpp',
     'portable::exp(-in_.options.u[v])',
     'portable::exp(in_.options.u[v])',
-    short,
+    short('Program.NoFeasibleNeighbourOfTheExactFormIsBetter'),
   ),
   fault(
     'optimize/penalty_form.cpp',
@@ -157,7 +198,7 @@ export const faults = [
     'verify/orientation.cpp',
     'sum.add(a[1], c[0], false);',
     'sum.add(a[1], c[0], true);',
-    short,
+    short('Orientation.AgreesWithExactIntegersOnNearlyFlatTriangles'),
   ),
   fault('verify/orientation.cpp', 'if (det > bound) return 1;', 'if (det > 0) return 1;'),
   fault(
@@ -166,8 +207,18 @@ export const faults = [
     'cone.measured != cone.asked',
   ),
   fault('verify/angles.cpp', 'measured.isWrong = measured.isTooFar() ||', 'measured.isWrong ='),
-  fault('verify/angles.cpp', 'out.allowed = std::min(', 'out.allowed = 1e3 * std::min(', short),
-  fault('verify/angles.cpp', 'turning += kPi - sum', 'turning += sum', short),
+  fault(
+    'verify/angles.cpp',
+    'out.allowed = std::min(',
+    'out.allowed = 1e3 * std::min(',
+    short('Angles.AreJudgedInRadiansWhateverTheOrder'),
+  ),
+  fault(
+    'verify/angles.cpp',
+    'turning += kPi - sum',
+    'turning += sum',
+    short('Certificate.PassesAConvexDisk'),
+  ),
   fault('verify/angles.cpp', 'facts.turnSum += l;', ''),
   fault(
     'verify/seams.cpp',
@@ -184,7 +235,7 @@ export const faults = [
     'prescription/cone_lists.cpp',
     'const double k = q * (1 - curvature',
     'const double k = q * (1 + curvature',
-    { programs: ['io'], ...short },
+    { programs: ['io'], ...short('Curvatures.AreExactOrRefused') },
   ),
   fault('prescription/cone_lists.cpp', 'if (index != 0) out.cones', 'if (index > 0) out.cones', {
     programs: ['io'],
@@ -195,7 +246,12 @@ export const faults = [
     'm.integer((*cones)[i], "k", cone.k, false);',
     { programs: ['io'] },
   ),
-  fault('io/weld.cpp', 'if (d <= tolerance) {', 'if (d <= 1000 * tolerance) {', short),
+  fault(
+    'io/weld.cpp',
+    'if (d <= tolerance) {',
+    'if (d <= 1000 * tolerance) {',
+    short('Weld.NearKeepsApartWhatIsFartherThanTheTolerance'),
+  ),
   fault('io/gltf/gltf_round.cpp', 'if (candidate > bestArea) {', 'if (candidate < bestArea) {'),
   fault('io/polygon/polygon_uv.cpp', '< kQuarterTurn)', '< 1000 * kQuarterTurn)'),
 
@@ -212,7 +268,7 @@ export const faults = [
     'parametrize/solution.cpp',
     'return improveOnGrid(mesh, options, aligned.workLeft, judged, result);',
     'return Done{};',
-    short,
+    short('GridImprovement.GainsWhileEveryIntegerStaysWhereAlignmentPutIt'),
   ),
   fault(
     'parametrize/solution.cpp',
@@ -221,7 +277,7 @@ export const faults = [
   ),
   fault('parametrize/solution.cpp', 'if (mode == GridMode::kQuad)', 'if (mode == GridMode::kTile)'),
   fault('parametrize/convex.cpp', 'walked += geometry.length[h];', 'walked += 1.0;'),
-  fault('api/stored_map.cpp', '(1 - 1e-7) / size', '1.001 / size', short),
+  fault('api/stored_map.cpp', '(1 - 1e-7) / size', '1.001 / size', short('Session.ScalesAsAsked')),
   fault('api/stored_map.cpp', 'if (mean > 0) moveAndScale(map.uv, {0, 0}, 1 / mean);', ''),
   fault('api/request.cpp', 'reduceTurn(h.r, asked_.q)', 'reduceTurn(-h.r, asked_.q)'),
   fault('api/request.cpp', 'if (anchored >= 0) loop = anchored;', ''),

@@ -2,32 +2,45 @@
 
 const first = (text, pattern) => Number(text.match(pattern)?.[1] ?? 0);
 
-/** @param {string} log  Testing/Temporary/LastTest.log */
+/** What one test of ctest counted: that of all tests of a GoogleTest program, else one. */
+function countBlock(name, block) {
+  const ended = /^Test Passed\.$/m.test(block);
+  if (!block.includes('[==========]')) {
+    return { passed: ended ? 1 : 0, failed: ended ? 0 : 1, skipped: 0, notes: [] };
+  }
+  const failed = first(block, /\[ {2}FAILED {2}\] (\d+) tests?, listed below/);
+  const counts = {
+    passed: first(block, /\[ {2}PASSED {2}\] (\d+) tests?\./),
+    skipped: first(block, /\[ {2}SKIPPED \] (\d+) tests?, listed below/),
+    failed: !ended && failed === 0 ? 1 : failed, // a crash leaves no summary
+    notes: [],
+  };
+  if (counts.passed + counts.failed + counts.skipped === 0) {
+    counts.failed = 1;
+    counts.notes.push(`${name}: no test was counted`);
+  }
+  for (const [, reason] of block.matchAll(/Skipped\n([\s\S]*?)\n\[ {2}SKIPPED/g)) {
+    counts.notes.push(`skipped in ${name}: ${reason.trim()}`);
+  }
+  return counts;
+}
+
+/**
+ * @param {string} log  Testing/Temporary/LastTest.log
+ * @returns the counts of all, and those of each by name in `tests`
+ */
 export function countCtest(log) {
-  const counts = { passed: 0, failed: 0, skipped: 0, notes: [] };
+  const counts = { passed: 0, failed: 0, skipped: 0, notes: [], tests: new Map() };
   // A block runs from "3/9 Testing: name" to "Test Passed." or "Test Failed.".
   // GoogleTest colours its output where it takes the pipe for a terminal (WebAssembly does).
   // eslint-disable-next-line no-control-regex
   const plain = log.replace(/\x1b\[[\d;]*m/g, '');
   for (const block of plain.split(/^\d+\/\d+ Testing: /m).slice(1)) {
     const name = block.slice(0, block.indexOf('\n'));
-    const ended = /^Test Passed\.$/m.test(block);
-    if (!block.includes('[==========]')) {
-      counts[ended ? 'passed' : 'failed'] += 1;
-      continue;
-    }
-    const before = counts.passed + counts.failed + counts.skipped;
-    const failed = first(block, /\[ {2}FAILED {2}\] (\d+) tests?, listed below/);
-    counts.passed += first(block, /\[ {2}PASSED {2}\] (\d+) tests?\./);
-    counts.skipped += first(block, /\[ {2}SKIPPED \] (\d+) tests?, listed below/);
-    counts.failed += !ended && failed === 0 ? 1 : failed; // a crash leaves no summary
-    if (counts.passed + counts.failed + counts.skipped === before) {
-      counts.failed += 1;
-      counts.notes.push(`${name}: no test was counted`);
-    }
-    for (const [, reason] of block.matchAll(/Skipped\n([\s\S]*?)\n\[ {2}SKIPPED/g)) {
-      counts.notes.push(`skipped in ${name}: ${reason.trim()}`);
-    }
+    const own = countBlock(name, block);
+    counts.tests.set(name, own);
+    for (const key of ['passed', 'failed', 'skipped']) counts[key] += own[key];
+    counts.notes.push(...own.notes);
   }
   return counts;
 }

@@ -7,6 +7,7 @@ import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { promisify } from 'node:util';
+import { treeFiles } from './results.mjs';
 
 const root = process.cwd();
 const cache = path.join(root, 'build/tidy');
@@ -29,6 +30,13 @@ function dependencies(build) {
   return found;
 }
 
+let headers;
+/** What an object may depend on that the build did not make. */
+function ownHeaders() {
+  headers ??= treeFiles().filter((name) => /^(core|bench|examples)\/.*\.(h|cpp)$/.test(name));
+  return headers;
+}
+
 // These follow every path through every function, instances of templates of other libraries included,
 // and take a quarter of the time: with --full only.
 const dear = ['bugprone-use-after-move', 'performance-move-const-arg'];
@@ -49,7 +57,7 @@ function collect(preset, pattern) {
     seen.add(file);
     const object = path.resolve(entry.directory, entry.command.match(/ -o (\S+)/)[1]);
     const hash = createHash('sha256').update(settings).update(entry.command);
-    for (const name of [entry.file, ...(deps.get(object) ?? [])]) {
+    for (const name of [entry.file, ...(deps.get(object) ?? ownHeaders())]) {
       if (existsSync(name)) hash.update(readFileSync(name));
     }
     const stamp = path.join(cache, hash.digest('hex'));

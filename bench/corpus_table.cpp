@@ -1,9 +1,9 @@
 #include "corpus_table.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "hgp/base/check.h"
+#include "row_columns.h"
 
 namespace hgp::bench {
 namespace {
@@ -19,9 +19,7 @@ std::string asCell(std::string text) {
   return text;
 }
 
-// Calls visit(name, member) for every column: one list for writing and reading.
-template <class Row, class Visit>
-void eachColumn(Row& r, const Visit& visit) {
+constexpr auto eachCorpusColumn = [](auto& r, const auto& visit) {
   visit("name", r.name);
   visit("vertices", r.vertices);
   visit("triangles", r.triangles);
@@ -43,11 +41,10 @@ void eachColumn(Row& r, const Visit& visit) {
   visit("writeSeconds", r.writeSeconds);
   visit("totalSeconds", r.totalSeconds);
   visit("peakMegabytes", r.peakMegabytes);
-}
+};
 
 Json rowToJson(const CorpusRow& row) {
-  Json out;
-  eachColumn(row, [&](const char* name, const auto& member) { out[name] = member; });
+  Json out = columnsOf(row, eachCorpusColumn);
   out["verdict"] = outcomeName(row.outcome);
   return out;
 }
@@ -111,7 +108,7 @@ std::string toJson(const CorpusRow& row) {
 CorpusRow rowFromJson(const std::string& text) {
   const Json in = Json::parse(text);
   CorpusRow row;
-  eachColumn(row, [&](const char* name, auto& member) { in.at(name).get_to(member); });
+  readColumns(in, row, eachCorpusColumn);
   for (const Outcome o : {Outcome::kCertified, Outcome::kRefused, Outcome::kFailed}) {
     if (in.at("verdict") == outcomeName(o)) row.outcome = o;
   }

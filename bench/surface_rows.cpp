@@ -1,18 +1,16 @@
 #include "surface_rows.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "hgp/base/check.h"
+#include "row_columns.h"
 
 namespace hgp::bench {
 namespace {
 
 using Json = nlohmann::json;
 
-// Calls visit(name, member) for every column: one list for writing and reading.
-template <class Map, class Visit>
-void eachMapColumn(Map& m, const Visit& visit) {
+constexpr auto eachMapColumn = [](auto& m, const auto& visit) {
   visit("map", m.name);
   visit("verdict", m.verdict);
   visit("cones", m.cones);
@@ -26,9 +24,8 @@ void eachMapColumn(Map& m, const Visit& visit) {
   visit("steps", m.steps);
   visit("seconds", m.seconds);
   visit("note", m.note);
-}
-template <class Row, class Visit>
-void eachRowColumn(Row& r, const Visit& visit) {
+};
+constexpr auto eachRowColumn = [](auto& r, const auto& visit) {
   visit("name", r.name);
   visit("failure", r.failure);
   visit("choice", r.choice);
@@ -36,16 +33,12 @@ void eachRowColumn(Row& r, const Visit& visit) {
   visit("genus", r.genus);
   visit("boundaryLoops", r.loops);
   visit("q", r.q);
-}
+};
 
 Json asJson(const SurfaceRow& row) {
-  Json out;
-  eachRowColumn(row, [&](const char* name, const auto& member) { out[name] = member; });
+  Json out = columnsOf(row, eachRowColumn);
   Json& maps = out["maps"] = Json::array();
-  for (const MeasuredMap& map : row.maps) {
-    Json& one = maps.emplace_back();
-    eachMapColumn(map, [&](const char* name, const auto& member) { one[name] = member; });
-  }
+  for (const MeasuredMap& map : row.maps) maps.push_back(columnsOf(map, eachMapColumn));
   return out;
 }
 
@@ -104,15 +97,9 @@ std::string toJson(const SurfaceRow& row) {
 
 SurfaceRow surfaceRowFromJson(const std::string& text) {
   const Json in = Json::parse(text);
-  const auto read = [](const Json& from) {
-    return [&from](const char* name, auto& member) {
-      // What is not finite has no JSON.
-      if (!from.at(name).is_null()) from.at(name).get_to(member);
-    };
-  };
   SurfaceRow row;
-  eachRowColumn(row, read(in));
-  for (const Json& one : in.at("maps")) eachMapColumn(row.maps.emplace_back(), read(one));
+  readColumns(in, row, eachRowColumn);
+  for (const Json& one : in.at("maps")) readColumns(one, row.maps.emplace_back(), eachMapColumn);
   return row;
 }
 

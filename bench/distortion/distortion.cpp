@@ -1,29 +1,20 @@
 // distortion DIR | --generated N: how far maps are from angle and area preserving, as solved, improved, and
 // as others improve them on the same cut; or with other choices of cones (--cones).
 
-#include <CLI/CLI.hpp>
-#include <cstdio>
-#include <exception>
-
 #include "distortion_run.h"
 #include "distortion_table.h"
 #include "grid_run.h"
 #include "hgp/base/check.h"
-#include "process_memory.h"
-#include "program.h"
-#include "surface_selection.h"
-#include "surface_table.h"
+#include "table_program.h"
 
 namespace hgp::bench {
 namespace {
 
 struct Arguments {
-  SurfaceSelection surfaces;
-  std::string json, markdown;
+  TableProgram program{"distortion", {}, {}, {}};
   std::vector<int> q{4};
   bool isAboutCones = false, isAboutGrids = false;
   DistortionOptions run;
-  double cpuSeconds = 600.0;
 };
 
 std::string counts(const std::vector<SurfaceRow>& rows) {
@@ -58,44 +49,30 @@ void addSurface(const Arguments& a, const std::string& name, const TriMesh& mesh
 int runProgram(int argc, char** argv) {
   Arguments a;
   bool isOursAlone = false;
-  CLI::App app("Distortion of maps, improved and compared, as a table.", "distortion");
-  a.surfaces.addOptions(app);
+  CLI::App app("Distortion of maps, improved and compared, as a table.", a.program.name);
+  a.program.addOptions(app);
   app.add_option("--q", a.q, "orders")->check(CLI::Range(1, 64));
   app.add_flag("--cones", a.isAboutCones, "compare choices of cones");
   app.add_flag("--grids", a.isAboutGrids, "align to grids (q = 2, 4)");
   app.add_flag("--ours", isOursAlone, "no comparators");
   app.add_option("--slim-seconds", a.run.slimSeconds, "processor time of each SLIM");
-  app.add_option("--time-limit", a.cpuSeconds, "processor time of a surface");
-  app.add_option("--json", a.json, "also write the rows as JSON");
-  app.add_option("--markdown", a.markdown, "also write the tables");
   CLI11_PARSE(app, argc, argv);
   a.run.hasComparators = !isOursAlone;
-  if (!a.surfaces.isUsable()) {
-    std::fprintf(stderr, "distortion: name a folder of meshes, or --generated N\n");
-    return 2;
-  }
-  SurfaceTable table(distortionHead(), distortionLines, a.cpuSeconds);
-  eachSurface(a.surfaces, [&](const std::string& name, const TriMesh& mesh) {
+  if (!a.program.isUsable()) return 2;
+  SurfaceTable table(distortionHead(), distortionLines, a.program.cpuSeconds);
+  eachSurface(a.program.surfaces, [&](const std::string& name, const TriMesh& mesh) {
     addSurface(a, name, mesh, table);
   });
   const std::vector<SurfaceRow>& rows = table.rows();
-  const std::string sums = a.isAboutCones   ? coneSummary(rows)
-                           : a.isAboutGrids ? gridSummary(rows)
-                                            : improvementSummary(rows) + "\n" + counts(rows);
-  std::fputs(("\n" + sums).c_str(), stdout);
-  const bool isSaved = saveText("distortion", a.json, toJson(rows, "hgp-distortion"));
-  return saveText("distortion", a.markdown, sums + "\n" + table.text()) && isSaved ? 0 : 7;
+  return a.program.finish(a.isAboutCones   ? coneSummary(rows)
+                          : a.isAboutGrids ? gridSummary(rows)
+                                           : improvementSummary(rows) + "\n" + counts(rows),
+                          table);
 }
 
 }  // namespace
 }  // namespace hgp::bench
 
 int main(int argc, char** argv) {
-  hgp::cli::keepFreedMemory();
-  try {
-    return hgp::bench::runProgram(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "distortion: %s\n", error.what());
-    return 70;
-  }
+  return hgp::bench::runTableProgram("distortion", hgp::bench::runProgram, argc, argv);
 }

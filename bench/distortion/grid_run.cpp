@@ -14,9 +14,6 @@
 namespace hgp::bench {
 namespace {
 
-/// As api/session_solve.cpp keeps automatic cones apart.
-double conesApart(const AskedGrid& grid) { return grid.isQuad ? 1.6 : 1.3; }
-
 MeasuredMap measured(const std::string& name, const DistortionFacts& facts, bool isCertified) {
   MeasuredMap map;
   map.name = name;
@@ -61,7 +58,8 @@ class GridComparison {
       add(measured(last.name, descent.before, true), *run);
       last.name = descendedName(kind, grid);
       last.steps = static_cast<int>(descent.steps.size());
-      last.note = descent.outcome + (descent.isKept ? "" : ", not kept");
+      last.note = outcomeName(descent.outcome);
+      if (!descent.isKept) last.note += ", not kept";
     }
     add(last, *run);
   }
@@ -76,7 +74,8 @@ class GridComparison {
     if (grid) {
       options.grid.cells = grid->perCone * std::max(1, coneCount_);
       options.grid.mode = grid->isQuad ? GridMode::kQuad : GridMode::kTile;
-      suggest.apart = conesApart(*grid) * std::sqrt(surfaceArea(mesh_) / options.grid.cells);
+      suggest.apart =
+          conesApart(options.grid.mode) * std::sqrt(surfaceArea(mesh_) / options.grid.cells);
     }
     const double start = processorSeconds();
     PreparedSurface surface(mesh_);

@@ -1,14 +1,13 @@
 #include "row_json.h"
 
-#include <nlohmann/json.hpp>
+#include "row_columns.h"
 
 namespace hgp::stress {
 namespace {
 
 using Json = nlohmann::json;
 
-template <class AnyRow, class Visit>
-void eachColumn(AnyRow& r, const Visit& visit) {
+constexpr auto eachColumn = [](auto& r, const auto& visit) {
   visit("name", r.name);
   visit("mesh", r.mesh);
   visit("family", r.family);
@@ -29,22 +28,19 @@ void eachColumn(AnyRow& r, const Visit& visit) {
   visit("rmsLogArea", r.rmsLogArea);
   visit("symmetricDirichlet", r.symmetricDirichlet);
   visit("method", r.method);
-}
+};
 
 }  // namespace
 
 Json toJson(const Row& row) {
-  Json out;
-  eachColumn(row, [&](const char* name, const auto& member) { out[name] = member; });
+  Json out = bench::columnsOf(row, eachColumn);
   out["verdict"] = verdictName(row.verdict);
   return out;
 }
 
 Row rowFromJson(const Json& in) {
   Row row;
-  eachColumn(row, [&](const char* name, auto& member) {
-    if (!in.at(name).is_null()) in.at(name).get_to(member);
-  });
+  bench::readColumns(in, row, eachColumn);
   for (int v = 0; v <= static_cast<int>(Verdict::kCrashed); ++v)
     if (in.at("verdict") == verdictName(static_cast<Verdict>(v)))
       row.verdict = static_cast<Verdict>(v);

@@ -24,9 +24,6 @@ SuggestOptions suggestOptions(int q, const SolveOptions& options) {
   return suggest;
 }
 
-/// Cells between automatic cones in their own metric, along edges; in the map it may be a quarter less.
-double conesApart(GridMode mode) { return mode == GridMode::kQuad ? 1.6 : 1.3; }
-
 /// The same spacing for every component.
 GridOptions sharedGrid(const Model& model, GridOptions grid) {
   if (!grid.isAsked() || grid.spacing > 0) return grid;

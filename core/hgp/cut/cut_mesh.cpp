@@ -1,6 +1,7 @@
 #include "hgp/cut/cut_mesh.h"
 
 #include "hgp/base/check.h"
+#include "hgp/mesh/face_flood.h"
 
 namespace hgp {
 namespace {
@@ -91,23 +92,13 @@ bool isDisk(const TriMesh& mesh, const CutMesh& cut) {
   for (char s : cut.isSeam) edges += s;
   if (cut.vertexCount() - edges + mesh.faceCount() != 1) return false;
   PerFace<char> isSeen(static_cast<std::size_t>(mesh.faceCount()), 0);
-  std::vector<FaceId> stack{FaceId(0)};
   isSeen[FaceId(0)] = 1;
-  int seen = 1;
-  while (!stack.empty()) {
-    const FaceId f = stack.back();
-    stack.pop_back();
-    for (int k = 0; k < 3; ++k) {
-      const HalfedgeId h = TriMesh::halfedge(f, k);
-      if (mesh.isBoundary(h) || cut.isSeam[mesh.edge(h)]) continue;
-      const FaceId g = TriMesh::face(mesh.twin(h));
-      if (isSeen[g]) continue;
-      isSeen[g] = 1;
-      ++seen;
-      stack.push_back(g);
-    }
-  }
-  return seen == mesh.faceCount();
+  const std::size_t seen = floodFaces(mesh, FaceId(0), [&](HalfedgeId h, FaceId g) {
+    if (cut.isSeam[mesh.edge(h)] || isSeen[g]) return false;
+    isSeen[g] = 1;
+    return true;
+  });
+  return seen == static_cast<std::size_t>(mesh.faceCount());
 }
 
 }  // namespace hgp

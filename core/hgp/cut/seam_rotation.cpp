@@ -1,26 +1,20 @@
 #include "hgp/cut/seam_rotation.h"
 
 #include "hgp/base/check.h"
+#include "hgp/mesh/face_flood.h"
 
 namespace hgp {
 
 SeamRotations seamRotations(const TriMesh& mesh, const CutMesh& cut, const FrameField& field) {
   // n_f: the index of the direction that combing picks in face f.
   PerFace<int> n(static_cast<std::size_t>(mesh.faceCount()), -1);
-  std::vector<FaceId> stack{FaceId(0)};
   n[FaceId(0)] = 0;
-  while (!stack.empty()) {
-    const FaceId f = stack.back();
-    stack.pop_back();
-    for (int k = 0; k < 3; ++k) {
-      const HalfedgeId h = TriMesh::halfedge(f, k);
-      if (mesh.isBoundary(h) || cut.isSeam[mesh.edge(h)]) continue;
-      const FaceId g = TriMesh::face(mesh.twin(h));
-      if (n[g] >= 0) continue;
-      n[g] = reduceTurn(n[f] + field.matching[h], field.q);
-      stack.push_back(g);
-    }
-  }
+  floodFaces(mesh, FaceId(0), [&](HalfedgeId h, FaceId g) {
+    if (cut.isSeam[mesh.edge(h)] || n[g] >= 0) return false;
+    const FaceId f = TriMesh::face(h);
+    n[g] = reduceTurn(n[f] + field.matching[h], field.q);
+    return true;
+  });
 
   SeamRotations seams;
   seams.q = field.q;

@@ -1,32 +1,25 @@
 #include "hgp/mesh/topology.h"
 
 #include <algorithm>
-#include <queue>
 
 #include "hgp/base/check.h"
 #include "hgp/base/disjoint_sets.h"
+#include "hgp/mesh/face_flood.h"
 
 namespace hgp {
 namespace {
 
 void findComponents(const TriMesh& mesh, Topology& topology) {
   topology.component = PerFace<int>(static_cast<std::size_t>(mesh.faceCount()), -1);
-  std::vector<FaceId> stack;
   for (FaceId seed : mesh.faces()) {
     if (topology.component[seed] >= 0) continue;
     const int id = topology.componentCount++;
     topology.component[seed] = id;
-    stack.push_back(seed);
-    while (!stack.empty()) {
-      const FaceId f = stack.back();
-      stack.pop_back();
-      for (int k = 0; k < 3; ++k) {
-        const HalfedgeId twin = mesh.twin(TriMesh::halfedge(f, k));
-        if (!twin.isValid() || topology.component[TriMesh::face(twin)] >= 0) continue;
-        topology.component[TriMesh::face(twin)] = id;
-        stack.push_back(TriMesh::face(twin));
-      }
-    }
+    floodFaces(mesh, seed, [&](HalfedgeId, FaceId g) {
+      const bool isNew = topology.component[g] < 0;
+      if (isNew) topology.component[g] = id;
+      return isNew;
+    });
   }
 }
 
@@ -58,24 +51,14 @@ DualTree growDualTree(const TriMesh& mesh, const PerEdge<char>& isPrimalTree) {
   DualTree tree{PerFace<HalfedgeId>(static_cast<std::size_t>(mesh.faceCount())),
                 PerFace<int>(static_cast<std::size_t>(mesh.faceCount()), -1),
                 PerEdge<char>(static_cast<std::size_t>(mesh.edgeCount()), 0)};
-  std::queue<FaceId> queue;
   tree.depth[mesh.givenFace(0)] = 0;
-  queue.push(mesh.givenFace(0));
-  while (!queue.empty()) {
-    const FaceId f = queue.front();
-    queue.pop();
-    for (int k = 0; k < 3; ++k) {
-      const HalfedgeId h = TriMesh::halfedge(f, k);
-      const HalfedgeId twin = mesh.twin(h);
-      if (!twin.isValid() || isPrimalTree[mesh.edge(h)]) continue;
-      const FaceId g = TriMesh::face(twin);
-      if (tree.depth[g] >= 0) continue;
-      tree.depth[g] = tree.depth[f] + 1;
-      tree.entry[g] = h;
-      tree.isCrossed[mesh.edge(h)] = 1;
-      queue.push(g);
-    }
-  }
+  floodFaces(mesh, mesh.givenFace(0), [&](HalfedgeId h, FaceId g) {
+    if (isPrimalTree[mesh.edge(h)] || tree.depth[g] >= 0) return false;
+    tree.depth[g] = tree.depth[TriMesh::face(h)] + 1;
+    tree.entry[g] = h;
+    tree.isCrossed[mesh.edge(h)] = 1;
+    return true;
+  });
   return tree;
 }
 

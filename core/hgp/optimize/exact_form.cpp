@@ -12,7 +12,8 @@ namespace {
 
 class ExactForm : public ProgramForm {
  public:
-  ExactForm(const ProgramInput& in, const HeldUnknowns& held) : in_(in), held_(held) {}
+  ExactForm(const ProgramInput& in, const ExactObjective& objective, const HeldUnknowns& held)
+      : in_(in), vertexTree_(*objective.vertexTree), held_(held) {}
   int place(int unknown) const override { return place_[static_cast<std::size_t>(unknown)]; }
 
   Eigen::VectorXcd expand(const Eigen::VectorXcd& x) const override {
@@ -23,7 +24,6 @@ class ExactForm : public ProgramForm {
   }
 
   bool build() {
-    HGP_CHECK(in_.options.vertexTree != nullptr, "the exact form needs the vertices' tree");
     chooseKept();
     if (static_cast<int>(kept_.size()) > kLargestExactRoot) return false;
     if (!lu_.build(harmonicMatrix(), kept_, unknownTree())) return false;
@@ -47,7 +47,7 @@ class ExactForm : public ProgramForm {
       for (int unknown : rows.unknowns) isKept[static_cast<std::size_t>(unknown)] = 1;
     };
     for (FaceId f : in_.frames.faces) keep(f);
-    for (FaceId f : in_.options.pulled) keep(f);
+    for (FaceId f : in_.options.soft.faces) keep(f);
     place_.assign(isKept.size(), -1);
     for (std::size_t i = 0; i < isKept.size(); ++i) {
       if (!isKept[i]) continue;
@@ -75,7 +75,7 @@ class ExactForm : public ProgramForm {
   /// Every unknown that is no vertex is kept, and kept ones come last anyway.
   linalg::SeparatorTree unknownTree() const {
     linalg::SeparatorTree tree =
-        linalg::restrictTree(*in_.options.vertexTree, in_.unknowns.vertexUnknown.raw());
+        linalg::restrictTree(vertexTree_, in_.unknowns.vertexUnknown.raw());
     std::vector<char> isVertex(static_cast<std::size_t>(in_.unknowns.count), 0);
     for (int unknown : tree.order) isVertex[static_cast<std::size_t>(unknown)] = 1;
     for (int unknown = 0; unknown < in_.unknowns.count; ++unknown)
@@ -115,9 +115,9 @@ class ExactForm : public ProgramForm {
       addDistortion(rows, distortionRows(in_, f, in_.options.tieBreak), H);
       cliques.push_back(rows.unknowns);
     }
-    for (FaceId f : in_.options.pulled) {
+    for (FaceId f : in_.options.soft.faces) {
       placedRows(f);
-      addDistortion(rows, distortionRows(in_, f, in_.options.pull), H);
+      addDistortion(rows, distortionRows(in_, f, in_.options.soft.weight), H);
     }
     linalg::SeparatorTree root;
     root.order.resize(static_cast<std::size_t>(count_));
@@ -143,6 +143,7 @@ class ExactForm : public ProgramForm {
   bool isHeld(int unknown) const { return held_.isHeld[static_cast<std::size_t>(unknown)] != 0; }
 
   const ProgramInput& in_;
+  const linalg::SeparatorTree& vertexTree_;
   const HeldUnknowns& held_;  // the pinned one, at 0
   int count_ = 0;
   std::vector<int> kept_, place_;
@@ -151,8 +152,9 @@ class ExactForm : public ProgramForm {
 
 }  // namespace
 
-std::unique_ptr<ProgramForm> exactForm(const ProgramInput& in, const HeldUnknowns& held) {
-  auto form = std::make_unique<ExactForm>(in, held);
+std::unique_ptr<ProgramForm> exactForm(const ProgramInput& in, const ExactObjective& objective,
+                                       const HeldUnknowns& held) {
+  auto form = std::make_unique<ExactForm>(in, objective, held);
   if (!form->build()) return nullptr;
   return form;
 }

@@ -81,10 +81,12 @@ void addHarmonicRows(const ProgramInput& in, const HeldUnknowns& held, const Pen
 }
 
 /// Two rows per face.
-void addDistortion(const ProgramInput& in, const HeldUnknowns& held, RowList& list) {
+void addDistortion(const ProgramInput& in, double quality, const HeldUnknowns& held,
+                   RowList& list) {
   PerFace<double> delta(static_cast<std::size_t>(in.mesh.faceCount()),
-                        std::max(in.options.quality, in.options.tieBreak));
-  for (FaceId f : in.options.pulled) delta[f] = std::max(delta[f], in.options.pull);
+                        std::max(quality, in.options.tieBreak));
+  const SoftFrames& soft = in.options.soft;
+  for (FaceId f : soft.faces) delta[f] = std::max(delta[f], soft.weight);
   FaceRows rows;
   for (FaceId f : in.mesh.faces()) {
     if (delta[f] <= 0.0) continue;
@@ -101,13 +103,14 @@ void addDistortion(const ProgramInput& in, const HeldUnknowns& held, RowList& li
 }
 
 /// All terms as rows: the harmonic ones, then the distortion term; and their linear term.
-SparseC allRows(const ProgramInput& in, const HeldUnknowns& held, PenaltyForm& form) {
-  const std::size_t share = in.options.local != nullptr ? 10 : 1;  // a guess
+SparseC allRows(const ProgramInput& in, double quality, const HeldUnknowns& held,
+                PenaltyForm& form) {
+  const std::size_t share = in.options.patch() ? 10 : 1;  // a guess
   RowList list(form, (static_cast<std::size_t>(in.harmonic.rows.nonZeros()) +
                       8 * static_cast<std::size_t>(in.mesh.faceCount())) /
                          share);
   addHarmonicRows(in, held, form, list);
-  addDistortion(in, held, list);
+  addDistortion(in, quality, held, list);
   return list.take();
 }
 
@@ -131,11 +134,12 @@ linalg::SeparatorTree treeOf(const ProgramInput& in, const PenaltyForm& form, co
 
 }  // namespace
 
-std::unique_ptr<ProgramForm> penaltyForm(const ProgramInput& in, const HeldUnknowns& held) {
+std::unique_ptr<ProgramForm> penaltyForm(const ProgramInput& in, const PenaltyObjective& objective,
+                                         const HeldUnknowns& held) {
   auto form = std::make_unique<PenaltyForm>(held);
   SparseC H;
   {  // the rows go before the factor comes
-    const SparseC all = allRows(in, held, *form);
+    const SparseC all = allRows(in, objective.quality, held, *form);
     H = all.adjoint() * all;
   }
   linalg::Cliques cliques;
@@ -147,7 +151,7 @@ std::unique_ptr<ProgramForm> penaltyForm(const ProgramInput& in, const HeldUnkno
   }
   linalg::PartialCholeskyOptions options;
   linalg::SeparatorTree tree;
-  if (in.options.local == nullptr) {  // a part is small: its own graph is dissected
+  if (!in.options.patch()) {  // a part is small: its own graph is dissected
     tree = treeOf(in, *form, H);
     options.tree = &tree;
   }

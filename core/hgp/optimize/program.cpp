@@ -93,8 +93,10 @@ ProgramResult solveProgram(const SeamlessSystem& system, const Frames& frames,
   const ProgramInput in{system, frames, options};
   const HeldUnknowns held = heldUnknowns(in);
   ProgramResult result;
+  const auto* penalty = std::get_if<PenaltyObjective>(&options.objective);
   const std::unique_ptr<ProgramForm> form =
-      options.isExact ? exactForm(in, held) : penaltyForm(in, held);
+      penalty ? penaltyForm(in, *penalty, held)
+              : exactForm(in, std::get<ExactObjective>(options.objective), held);
   if (!form) return result;
   linalg::PartialCholesky& cholesky = form->cholesky;
 
@@ -116,7 +118,7 @@ ProgramResult solveProgram(const SeamlessSystem& system, const Frames& frames,
   result.iterations = solution.iterations;
   result.work = linalg::multiplyAdds(cholesky.report(), std::max(1, solution.iterations));
   Eigen::VectorXcd x = cholesky.extend(solution.x, form->c);
-  const bool isTieBroken = !options.isExact && options.quality == 0.0 && options.pulled.empty();
+  const bool isTieBroken = penalty && penalty->quality == 0.0 && options.soft.faces.empty();
   if (isTieBroken && (solution.isFree || frames.faces.empty()))
     removeTieBreak(in, *form, held, problem, solution.x, x);
   result.x = form->expand(x);

@@ -23,7 +23,7 @@ struct ProgramResult {
 
 /// minimise ‖D L z‖² + distortion, over seamless z, subject to
 ///   Re(f_z d̄_j) − |f_z̄| ≥ ε e^{u_f} on the frames' faces [BCW17 (13)],  D = diag(e^{−u_v}).
-/// With `local`, over its free unknowns alone; each frame's triangle must have one.
+/// Of a patch, over its free unknowns alone; each frame's triangle must have one.
 ProgramResult solveProgram(const SeamlessSystem& system, const Frames& frames,
                            const ProgramOptions& options);
 

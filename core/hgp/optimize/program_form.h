@@ -25,13 +25,15 @@ class ProgramForm {
 
 /// (11) as printed: harmonic residuals and the distortion term of all faces are minimised.
 /// Null when the form is singular.
-std::unique_ptr<ProgramForm> penaltyForm(const ProgramInput& in, const HeldUnknowns& held);
+std::unique_ptr<ProgramForm> penaltyForm(const ProgramInput& in, const PenaltyObjective& objective,
+                                         const HeldUnknowns& held);
 
 /// Harmonicity exact at every vertex that no frame condition touches; what is minimised is the
 /// residual at the touched ones. Half the factor's size and a fraction of its cost, for maps that
 /// have harmonic neighbours: automatic cones and disks. Its root is dense.
 /// Null when rows are singular, or more than kLargestExactRoot unknowns are touched.
-std::unique_ptr<ProgramForm> exactForm(const ProgramInput& in, const HeldUnknowns& held);
+std::unique_ptr<ProgramForm> exactForm(const ProgramInput& in, const ExactObjective& objective,
+                                       const HeldUnknowns& held);
 inline constexpr int kLargestExactRoot = 1200;
 
 }  // namespace hgp

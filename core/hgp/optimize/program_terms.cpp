@@ -17,7 +17,7 @@ int pinnedUnknown(const ProgramInput& in) {
     for (VertexId v : in.mesh.corners(f)) consider(v);
   // The exact form wants it among the unknowns that its rows do not decide.
   if (!pinned.isValid())
-    for (FaceId f : in.options.pulled)
+    for (FaceId f : in.options.soft.faces)
       for (VertexId v : in.mesh.corners(f)) consider(v);
   if (!pinned.isValid())
     for (VertexId v : in.mesh.vertices()) consider(v);
@@ -38,9 +38,9 @@ double faceScale(const ProgramInput& in, FaceId f) {
 
 HeldUnknowns heldUnknowns(const ProgramInput& in) {
   const auto count = static_cast<std::size_t>(in.unknowns.count);
-  if (const LocalPart* local = in.options.local) {
-    HeldUnknowns held{std::vector<char>(count), local->x};
-    for (std::size_t i = 0; i < count; ++i) held.isHeld[i] = !local->isFree[i];
+  if (const Patch* patch = in.options.patch()) {
+    HeldUnknowns held{std::vector<char>(count), patch->x};
+    for (std::size_t i = 0; i < count; ++i) held.isHeld[i] = !patch->isFree[i];
     return held;
   }
   HeldUnknowns held{std::vector<char>(count, 0), Eigen::VectorXcd::Zero(in.unknowns.count)};

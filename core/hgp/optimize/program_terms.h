@@ -27,7 +27,7 @@ struct HeldUnknowns {
   std::vector<char> isHeld;  ///< by unknown
   Eigen::VectorXcd value;    ///< by unknown; used where held
 };
-/// The pinned unknown or, of a local part, everything that is not free.
+/// The pinned unknown or, of a patch, everything that is not free.
 HeldUnknowns heldUnknowns(const ProgramInput& in);
 
 /// Mean of u over a face's corners: its triangle's local scale is e^u.

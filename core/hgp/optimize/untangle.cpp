@@ -328,10 +328,9 @@ UntangleResult untangle(const SeamlessSystem& system, const Eigen::VectorXcd& x,
   const Frames none;
   ProgramOptions program;
   program.u = options.u;
-  program.local = options.local;
   const ProgramInput in{system, none, program};
   HeldUnknowns held = heldUnknowns(in);
-  if (options.local == nullptr) held.value = x;
+  held.value = x;
   return Untangler(in, held, options).run(x);
 }
 

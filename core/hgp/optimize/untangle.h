@@ -10,7 +10,6 @@ namespace hgp {
 
 struct UntangleOptions {
   PerVertex<double> u;  ///< log scale that triangles are measured in, as in ProgramOptions
-  const LocalPart* local = nullptr;  ///< as in ProgramOptions
   /// Triangles that, once positive, stay positive at every step: those around cones and along the
   /// boundary, whose angle sums then keep their multiple of 2π.
   std::vector<FaceId> kept;

@@ -48,10 +48,9 @@ PerVertex<double> scaleOfMap(const Problem& problem, const std::vector<Complex>&
 }
 
 /// The unknowns of a patch's vertices are free, all others stay where the map before has them.
-LocalPart partOf(const Problem& problem, const State& state) {
+Patch patchOf(const Problem& problem, const State& state) {
   const ReducedUnknowns& unknowns = problem.setup->unknowns;
-  LocalPart part{std::vector<char>(static_cast<std::size_t>(unknowns.count), 0),
-                 state.from->program.x};
+  Patch part{std::vector<char>(static_cast<std::size_t>(unknowns.count), 0), state.from->program.x};
   for (FaceId f : state.patch)
     for (VertexId v : problem.mesh.corners(f))
       if (unknowns.vertexUnknown[v] >= 0)
@@ -60,7 +59,7 @@ LocalPart partOf(const Problem& problem, const State& state) {
 }
 
 /// Whether a corner may move; where all three are cones, none can.
-bool isTouched(const Problem& problem, FaceId f, const LocalPart& part) {
+bool isTouched(const Problem& problem, FaceId f, const Patch& part) {
   const auto corners = problem.mesh.corners(f);
   return std::any_of(corners.begin(), corners.end(), [&](VertexId v) {
     const int unknown = problem.setup->unknowns.vertexUnknown[v];
@@ -157,7 +156,7 @@ Frames Attempts::framesOf(const State& state) {
   const SeamRotations& seams = seamsOf(state.isEven);
   std::vector<FaceId> hard = state.hard;
   if (!state.patch.empty()) {
-    const LocalPart part = partOf(problem_, state);
+    const Patch part = patchOf(problem_, state);
     std::erase_if(hard, [&](FaceId f) { return !isTouched(problem_, f, part); });
   }
   Frames frames = fieldFrames(seams, std::move(hard));
@@ -189,20 +188,17 @@ bool Attempts::solve(const State& state, int round, Attempt& attempt) {
   attempt.frames = framesOf(state);
   ProgramOptions program;
   program.u = attempt.u;
-  program.quality = weighting.quality;
-  program.isExact = weighting.isExact && state.patch.empty();
   if (problem_.method == Method::kPrinted) {
     program.u = PerVertex<double>(attempt.u.size(), 0.0);
     program.margin = kPrintedMargin;
   }
-  if (weighting.soft > 0.0) program.pulled = problem_.soft;
-  program.pull = weighting.soft;
-  program.vertexTree = &setup.context->tree;
-  LocalPart part;
-  if (!state.patch.empty()) {
-    part = partOf(problem_, state);
-    program.local = &part;
-  }
+  if (weighting.soft > 0.0) program.soft = {problem_.soft, weighting.soft};
+  if (!state.patch.empty())
+    program.objective = PenaltyObjective{weighting.quality, patchOf(problem_, state)};
+  else if (weighting.isExact)
+    program.objective = ExactObjective(setup.context->tree);
+  else
+    program.objective = PenaltyObjective{weighting.quality, WholeSurface{}};
   bool isCancelled = false;
   program.progress = [&](int iteration, double residual) {
     const double fraction = 1.0 - 1.0 / (1.0 + 0.25 * iteration);
@@ -238,7 +234,7 @@ bool Attempts::untangleFrom(const State& state, int round, Attempt& attempt) {
   const SeamlessSystem system = systemOf(problem_.mesh, setup, seams, setup.harmonic);
   ProgramOptions start;
   start.u = attempt.u;
-  start.quality = kStartQuality;
+  start.objective = PenaltyObjective{kStartQuality, WholeSurface{}};
   const auto solveStart = [&] { return solveProgram(system, Frames{}, start); };
   ProgramResult linear = solveStart();
   if (linear.x.size() == 0) {  // weights that no factorization survives

@@ -102,8 +102,7 @@ TEST(Program, TheExactFormIsHarmonicWhereNoFrameReaches) {
   for (const test::SeamlessProblem& p : easyProblems()) {
     const Frames frames = p.frames();
     ProgramOptions options = p.weightedOptions();
-    options.isExact = true;
-    options.vertexTree = &p.surface.context.tree;
+    options.objective = ExactObjective(p.surface.context.tree);
     const ProgramResult result = p.solve(frames, options);
     ASSERT_FALSE(result.z.empty()) << p.surface.name;
     EXPECT_LT(residualAway(p, frames.faces, result.z), 1e-11 * extentOf(result.z))
@@ -138,8 +137,7 @@ TEST(Program, NoFeasibleNeighbourOfTheExactFormIsBetter) {
   const test::SeamlessProblem p = test::sphereProblem(4, 4, {1, 2, 3, 3, 5, 6, 3, 1});
   const Frames frames = p.frames();
   ProgramOptions options = p.weightedOptions();
-  options.isExact = true;
-  options.vertexTree = &p.surface.context.tree;
+  options.objective = ExactObjective(p.surface.context.tree);
   const ProgramResult best = p.solve(frames, options);
   ASSERT_EQ(best.status, SolveStatus::kOptimal);
   const double minimum = exactObjective(p, frames, options, best.x);
@@ -164,10 +162,8 @@ TEST(Program, FramesThatPullNeedNoIteration) {
     const std::vector<FaceId> faces = p.frames().faces;
     for (const bool isExact : {false, true}) {
       ProgramOptions options = p.weightedOptions();
-      options.isExact = isExact;
-      options.vertexTree = &p.surface.context.tree;
-      options.pulled = faces;
-      options.pull = 0.3;
+      if (isExact) options.objective = ExactObjective(p.surface.context.tree);
+      options.soft = {faces, 0.3};
       const ProgramResult result = p.solve({}, options);
       ASSERT_FALSE(result.z.empty()) << p.surface.name;
       EXPECT_LE(result.iterations, 1) << p.surface.name;
@@ -179,8 +175,8 @@ TEST(Program, FramesThatPullNeedNoIteration) {
 }
 
 /// The vertices within `rings` of the middle one.
-LocalPart partAround(const test::SeamlessProblem& p, int rings, const Eigen::VectorXcd& x) {
-  LocalPart part{std::vector<char>(static_cast<std::size_t>(p.unknowns.count), 0), x};
+Patch partAround(const test::SeamlessProblem& p, int rings, const Eigen::VectorXcd& x) {
+  Patch part{std::vector<char>(static_cast<std::size_t>(p.unknowns.count), 0), x};
   const FaceId middle(p.surface.mesh.faceCount() / 2);
   for (FaceId f : growFaces(p.surface.mesh, {middle}, rings))
     for (VertexId v : p.surface.mesh.corners(f))
@@ -194,15 +190,15 @@ TEST(Program, ADisturbedPartReturnsToTheMinimumAndTheRestStays) {
     for (const bool isBound : {false, true}) {
       ProgramOptions options = p.weightedOptions();
       Frames frames = p.frames();
+      const double quality = isBound ? 1e-2 : 0.0;
       if (!isBound) {
-        options.pulled = frames.faces;
-        options.pull = 0.3;
+        options.soft = {frames.faces, 0.3};
         frames = {};
       } else {
-        options.quality = 1e-2;
+        options.objective = PenaltyObjective{quality, WholeSurface{}};
       }
       const ProgramResult whole = p.solve(frames, options);
-      LocalPart part = partAround(p, 1, whole.x);
+      Patch part = partAround(p, 1, whole.x);
       int freeCount = 0;
       for (std::size_t i = 0; i < part.isFree.size(); ++i) {
         if (!part.isFree[i]) continue;
@@ -211,7 +207,7 @@ TEST(Program, ADisturbedPartReturnsToTheMinimumAndTheRestStays) {
       }
       ASSERT_GT(freeCount, 0) << p.surface.name;
       ASSERT_LT(freeCount, p.unknowns.count) << p.surface.name;
-      options.local = &part;
+      options.objective = PenaltyObjective{quality, part};
       Frames within;
       for (std::size_t j = 0; j < frames.faces.size(); ++j) {
         bool isTouched = false;
@@ -294,14 +290,15 @@ TEST(Program, NoFeasibleNeighbourIsBetter) {
   // A convex program: moving towards any other feasible map must not lower the objective.
   const test::SeamlessProblem p = test::sphereProblem(3, 4, {2, 3, 3, 3, 3, 3, 3});
   ProgramOptions options = p.plainOptions();
-  options.quality = 1e-2;
+  constexpr double kQuality = 1e-2;
+  options.objective = PenaltyObjective{kQuality, WholeSurface{}};
   const ProgramResult best = p.solve(p.frames(), options);
   ASSERT_EQ(best.status, SolveStatus::kOptimal);
   const auto objective = [&](const std::vector<Complex>& z) {
     double value = 0.0;
     for (FaceId f : p.surface.mesh.faces()) {
       const auto [similarity, antisimilarity] = p.partsOf(f, z);
-      value += 0.5 * options.quality * p.surface.context.geometry.area[f] *
+      value += 0.5 * kQuality * p.surface.context.geometry.area[f] *
                (std::norm(similarity * std::polar(1.0, p.surface.seams.frameAngle[f]) - 1.0) +
                 std::norm(antisimilarity));
     }
@@ -323,7 +320,7 @@ TEST(Program, NoFeasibleNeighbourIsBetter) {
   const double minimum = objective(best.z);
   for (double other : {1e-4, 1e-3, 0.1, 1.0}) {
     ProgramOptions different = options;
-    different.quality = other;
+    different.objective = PenaltyObjective{other, WholeSurface{}};
     const ProgramResult rival = p.solve(p.frames(), different);
     for (double share : {1e-3, 0.1, 1.0}) {
       std::vector<Complex> mixed = best.z;

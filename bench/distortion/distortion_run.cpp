@@ -52,7 +52,7 @@ class Comparison {
     add(measured(name, run->certificate), ended - began);
     if (!run->improvement) return;
     row_.maps.back().steps = static_cast<int>(run->improvement->steps.size());
-    row_.maps.back().note = run->improvement->outcome;
+    row_.maps.back().note = outcomeName(run->improvement->outcome);
     if (!run->improvement->isKept) row_.maps.back().note += ", not kept";
   }
 

@@ -84,7 +84,7 @@ Json descentJson(const DescentFacts& facts) {
   for (const ImproveStep& step : facts.steps)
     steps.push_back(Json{{"excess", step.excess}, {"length", step.length}});
   return Json{{"kept", facts.isKept},
-              {"outcome", facts.outcome},
+              {"outcome", outcomeName(facts.outcome)},
               {"steps", std::move(steps)},
               {"before", distortionJson(facts.before)},
               {"after", distortionJson(facts.after)}};

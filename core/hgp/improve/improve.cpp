@@ -107,30 +107,53 @@ class Descent {
 };
 
 /// Steps until one of the reasons to end; which one.
-const char* run(Descent& descent, const ImproveOptions& options, const Progress& progress,
-                std::vector<ImproveStep>& steps, double& work) {
-  if (!std::isfinite(descent.excess())) return "not injective";
+DescentOutcome run(Descent& descent, const ImproveOptions& options, const Progress& progress,
+                   std::vector<ImproveStep>& steps, double& work) {
+  if (!std::isfinite(descent.excess())) return DescentOutcome::kNotInjective;
   bool isBent = !descent.hasKnee();
   descent.bend(isBent);
   for (int n = 0; n < options.maxSteps; ++n) {
     const double excess = descent.excess();
     const double fraction = static_cast<double>(n) / options.maxSteps;
-    if (!report(progress, {Stage::kImprove, fraction, n, excess})) return "cancelled";
-    if (excess <= kNoExcess) return "nothing to gain";
-    if (work + descent.stepWork() > options.largestWork) return "work limit";
+    if (!report(progress, {Stage::kImprove, fraction, n, excess}))
+      return DescentOutcome::kCancelled;
+    if (excess <= kNoExcess) return DescentOutcome::kNothingToGain;
+    if (work + descent.stepWork() > options.largestWork) return DescentOutcome::kWorkLimit;
     work += descent.stepWork();
-    if (!descent.assemble()) return "singular";
+    if (!descent.assemble()) return DescentOutcome::kSingular;
     const double length = descent.descend();
-    if (length <= 0.0) return "no descent";
+    if (length <= 0.0) return DescentOutcome::kNoDescent;
     steps.push_back({descent.excess(), length});
     const double decrease = 1.0 - descent.excess() / excess;
-    if (decrease <= options.relativeDecrease && isBent) return "converged";
+    if (decrease <= options.relativeDecrease && isBent) return DescentOutcome::kConverged;
     if (decrease <= kOpened && !isBent) descent.bend(isBent = true);
   }
-  return "step limit";
+  return DescentOutcome::kStepLimit;
 }
 
 }  // namespace
+
+const char* outcomeName(DescentOutcome outcome) {
+  switch (outcome) {
+    case DescentOutcome::kConverged:
+      return "converged";
+    case DescentOutcome::kNothingToGain:
+      return "nothing to gain";
+    case DescentOutcome::kNoDescent:
+      return "no descent";
+    case DescentOutcome::kStepLimit:
+      return "step limit";
+    case DescentOutcome::kWorkLimit:
+      return "work limit";
+    case DescentOutcome::kSingular:
+      return "singular";
+    case DescentOutcome::kNotInjective:
+      return "not injective";
+    case DescentOutcome::kCancelled:
+      return "cancelled";
+  }
+  return "";
+}
 
 Improvement improve(const ReducedMap& map, const linalg::SeparatorTree& tree,
                     const Eigen::VectorXcd& x, const ImproveOptions& options,
@@ -140,7 +163,7 @@ Improvement improve(const ReducedMap& map, const linalg::SeparatorTree& tree,
   Improvement result;
   result.x = x;
   if (!isInjective(map, x)) {
-    result.outcome = "not injective";
+    result.outcome = DescentOutcome::kNotInjective;
     return result;
   }
   std::vector<char> held = isHeld;

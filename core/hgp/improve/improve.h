@@ -15,9 +15,7 @@ struct Improvement {
   Eigen::VectorXcd x;  ///< the improved unknowns; as given when nothing was gained
   double excessBefore = 0.0, excessAfter = 0.0;  ///< mean ψ − 1, as in ImproveStep
   std::vector<ImproveStep> steps;
-  /// Why it ended: "converged", "nothing to gain", "no descent", "step limit", "work limit", "singular",
-  /// "not injective" (x as given has triangles that are not positive) or "cancelled".
-  const char* outcome = "";
+  DescentOutcome outcome = DescentOutcome::kNothingToGain;
   double work = 0.0;  ///< multiply-adds spent
 };
 

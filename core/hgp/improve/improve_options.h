@@ -20,4 +20,18 @@ struct ImproveStep {
   double length = 0.0;  ///< accepted step length; 1 is the full Newton step
 };
 
+/// Why a descent ended.
+enum class DescentOutcome {
+  kConverged,
+  kNothingToGain,
+  kNoDescent,
+  kStepLimit,
+  kWorkLimit,
+  kSingular,      ///< the Hessian
+  kNotInjective,  ///< the map as given has triangles that are not positive
+  kCancelled,
+};
+/// "converged", "nothing to gain", …: the words of reports.
+const char* outcomeName(DescentOutcome outcome);
+
 }  // namespace hgp

@@ -59,7 +59,7 @@ struct StageTime {
 struct DescentFacts {
   DistortionFacts before, after;  ///< as the verifier measures them; equal when it was not kept
   std::vector<ImproveStep> steps;
-  std::string outcome;  ///< why it ended, see Improvement::outcome
+  DescentOutcome outcome = DescentOutcome::kNothingToGain;
   bool isKept = false;  ///< the improved map is used
   double work = 0.0;    ///< multiply-adds
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 #include "hgp/grid/align.h"
 #include "hgp/grid/snap.h"
@@ -135,7 +134,7 @@ Status improveOnGrid(const TriMesh& mesh, const ParametrizeOptions& options, dou
       askedNumber(asked, judged.certificate.distortion) <=
           (1.0 + options.improve->relativeDecrease) * askedNumber(asked, first.after)) {
     Improvement none;
-    none.outcome = "nothing to gain";
+    none.outcome = DescentOutcome::kNothingToGain;
     result.improvement->onGrid = takeOver(none, {}, judged);
     return Done{};
   }
@@ -145,7 +144,7 @@ Status improveOnGrid(const TriMesh& mesh, const ParametrizeOptions& options, dou
   };
   const Improvement run = improve(reducedMap(mesh, setup), setup.context->tree, judged.solution.x,
                                   asked, isHeld, progress);
-  if (std::string_view(run.outcome) == "cancelled") return cancelled(Stage::kAlign);
+  if (run.outcome == DescentOutcome::kCancelled) return cancelled(Stage::kAlign);
   std::optional<Judged> improved = acceptedOnGrid(mesh, run, asked, isHeld, judged, result.spec);
   result.improvement->onGrid = takeOver(run, std::move(improved), judged);
   describeGrid(mesh, judged.map, setup.cones.size(), *result.grid);
@@ -161,7 +160,7 @@ Status improveSolution(const TriMesh& mesh, const ParametrizeOptions& options, J
   const SeamlessSetup& setup = *judged.solution.setup;
   const Improvement run = improve(reducedMap(mesh, setup), setup.context->tree, judged.solution.x,
                                   *options.improve, {}, options.progress);
-  if (std::string_view(run.outcome) == "cancelled") return cancelled(Stage::kImprove);
+  if (run.outcome == DescentOutcome::kCancelled) return cancelled(Stage::kImprove);
   std::optional<Judged> improved = accepted(mesh, run, *options.improve, judged, result);
   result.improvement = {takeOver(run, std::move(improved), judged), *options.improve, {}};
   return Done{};
@@ -176,7 +175,7 @@ Status evenOut(const TriMesh& mesh, const ParametrizeOptions& options, Judged& j
   const ReducedMap map{mesh, setup.context->geometry, setup.cut, setup.unknowns};
   const Improvement run =
       improve(map, setup.context->tree, judged.solution.x, {}, {}, options.progress);
-  if (std::string_view(run.outcome) == "cancelled") return cancelled(Stage::kImprove);
+  if (run.outcome == DescentOutcome::kCancelled) return cancelled(Stage::kImprove);
   Judged even{judged.solution, {}, {}};
   even.solution.x = run.x;
   even.map = layOut(mesh, even.solution);

@@ -154,7 +154,7 @@ TEST(Improve, EndsWhereNoUnknownCanLowerTheEnergyFurther) {
                              energyOf(start.problem, start.x - h * direction)) /
                             (2.0 * h);
       EXPECT_LT(std::fabs(slope), 1e-4 * (1e-2 + std::fabs(before)))
-          << start.problem.surface.name << " (" << run.outcome << ")";
+          << start.problem.surface.name << " (" << outcomeName(run.outcome) << ")";
     }
   }
 }
@@ -199,7 +199,7 @@ TEST(Improve, LeavesAMapWithAFlipAlone) {
   const Eigen::VectorXcd flipped = start.x.conjugate();
   const Improvement run =
       improve(mapOf(start.problem), vertexTree(start.problem.surface.mesh), flipped, {});
-  EXPECT_STREQ(run.outcome, "not injective");
+  EXPECT_EQ(run.outcome, DescentOutcome::kNotInjective);
   EXPECT_EQ((run.x - flipped).norm(), 0.0);
 }
 
@@ -233,7 +233,7 @@ TEST(Improve, StopsWhereItIsToldToWithAMapThatIsStillGood) {
     last = r.residual;
     return ++calls < 3;
   });
-  EXPECT_STREQ(run.outcome, "cancelled");
+  EXPECT_EQ(run.outcome, DescentOutcome::kCancelled);
   EXPECT_EQ(run.steps.size(), 2u);
   EXPECT_TRUE(start.problem.judge(copiesOf(start.problem, run.x)).isCertified);
 }
@@ -264,12 +264,12 @@ TEST(Improve, EndsBeforeAStepThatWouldExceedItsWork) {
   EXPECT_GT(all.work, 0.0);
   options.largestWork = 0.6 * all.work;
   const Improvement some = start.improve(options);
-  EXPECT_STREQ(some.outcome, "work limit");
+  EXPECT_EQ(some.outcome, DescentOutcome::kWorkLimit);
   EXPECT_EQ(some.steps.size(), 2u);
   EXPECT_LE(some.work, options.largestWork);
   options.largestWork = 0.0;
   const Improvement none = start.improve(options);
-  EXPECT_STREQ(none.outcome, "work limit");
+  EXPECT_EQ(none.outcome, DescentOutcome::kWorkLimit);
   EXPECT_EQ((none.x - start.x).norm(), 0.0);
 }
 

@@ -110,7 +110,7 @@ TEST(GridImprovement, GainsWhileEveryIntegerStaysWhereAlignmentPutIt) {
       if (asked.balance == 0.0) {
         EXPECT_LE(descent.after.symmetricDirichlet, descent.before.symmetricDirichlet);
       }
-      if (descent.outcome == "nothing to gain") continue;
+      if (descent.outcome == DescentOutcome::kNothingToGain) continue;
       ++runs;
       gained += descent.isKept &&
                 energyOf(descent.after, asked.balance) < energyOf(descent.before, asked.balance);
@@ -200,7 +200,7 @@ TEST(GridImprovement, IsNotDoneWhereNothingWasAlignedOrNothingIsAsked) {
   options = optionsOf({4, GridMode::kTile, 0.0, 1e6}, spec, true);
   const Result<Parametrization> fine = parametrize(mesh, spec, options);
   ASSERT_TRUE(fine && fine->improvement && fine->improvement->onGrid);
-  EXPECT_EQ(fine->improvement->onGrid->outcome, "nothing to gain");
+  EXPECT_EQ(fine->improvement->onGrid->outcome, DescentOutcome::kNothingToGain);
   EXPECT_FALSE(fine->improvement->onGrid->isKept);
   options = optionsOf({}, spec, true);
   options.improve.reset();

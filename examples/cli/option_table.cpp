@@ -202,7 +202,7 @@ class Table {
            {"auto", "file"});
     choice(sub->add_option("--method", words_.method, "How to solve (default auto)"),
            {"auto", "harmonic", "soft", "printed", "all-frames"});
-    sub->add_option("--rounds", out_.solve.maxRounds, "Rounds of solve, judge, repair (default 24)")
+    sub->add_option("--rounds", out_.solve.maxRounds, "Rounds of solve, verify, repair (default 24)")
         ->option_text("N")
         ->check(CLI::Range(1, 1000));
     // The table is gone when these are called.
@@ -310,9 +310,9 @@ class Table {
 
   void addVerify() {
     CLI::App* sub =
-        add("verify", "Judge the texture coordinates that a file has", Command::kVerify);
+        add("verify", "Verify the texture coordinates that a file has", Command::kVerify);
     addPrescription(sub);
-    sub->option_defaults()->group("Judge");
+    sub->option_defaults()->group("Verdict");
     sub->add_option("--uv-set", words_.uvSet, "Which set (default: the last, where param writes)")
         ->option_text("N");
     sub->add_option("--tol", out_.verify.tolerance,

@@ -11,7 +11,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostLines = 8;
-constexpr std::size_t kMostComponents = 20;  ///< that are told one by one when nothing is wrong
+constexpr std::size_t kMostComponents = 20;  ///< that are listed one by one when nothing is wrong
 
 std::string text(const Json& value) {
   return printable(value.is_string() ? value.get<std::string>() : value.dump());
@@ -113,11 +113,11 @@ std::string outside(const Json& stored) {
     if (const long long n = integer(stored, key))
       list += (list.empty() ? "" : ", ") + formatText("%lld %s", n, text);
   };
-  add("duplicates", "copies of judged ones, with their uv");
+  add("duplicates", "copies of verified triangles, with their uv");
   if (integer(stored, "differing") > 0)
     list += formatText(" but for %lld", integer(stored, "differing"));
   add("zeroArea", "without surface");
-  add("reversed", "judged wound the other way");
+  add("reversed", "verified with the opposite winding");
   if (list.empty()) return list;
   return row("outside",
              formatText("of %lld stored triangles %s", integer(stored, "triangles"), list.c_str()));

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "hgp/api/convert_document.h"
-#include "hgp/api/mended_model.h"
-#include "hgp/api/mending.h"
+#include "hgp/api/needed_repairs.h"
+#include "hgp/api/repaired_model.h"
 #include "hgp/api/sha256.h"
 #include "hgp/api/written_repairs.h"
 #include "hgp/base/check.h"
@@ -132,7 +132,7 @@ Status writeRepairs(Model& model, const LoadOptions& options) {
   const std::vector<std::string> notes = model.notes;
   model.document = std::move(*repaired);
   model.written = {edits.turned, static_cast<int>(edits.copyOf.size()), vertices};
-  takeMended(model, options);
+  takeRepaired(model, options);
   model.notes = notes;
   return Done{};
 }
@@ -148,7 +148,7 @@ Status prepare(Model& model, const LoadOptions& options) {
                    formatText("%zu triangles exceed the limit", source.triangles.size()),
                    {}};
   }
-  takeMended(model, options);
+  takeRepaired(model, options);
   if (model.unusable) return Done{};
   if (options.writesRepairs) {
     if (Status done = writeRepairs(model, options); !done) return done;

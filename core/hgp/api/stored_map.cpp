@@ -217,7 +217,7 @@ std::vector<std::size_t> brokenByStoring(const std::vector<ComponentMap>& compon
 }
 
 /// Other places and scales for the components that rounding broke; the others stay as they are.
-void mend(const Model& model, const StorePlace& place, const std::vector<ComponentMap>& components,
+void redo(const Model& model, const StorePlace& place, const std::vector<ComponentMap>& components,
           const ComponentSnapper& snapper, std::vector<Placement> placements, StoredMap& stored) {
   std::vector<std::size_t> broken = brokenByStoring(components, stored);
   const std::size_t before = broken.size();
@@ -289,11 +289,11 @@ StoredMap storeMap(const Model& model, const StorePlace& place,
   const std::vector<Placement> placements = packed(components);
   ComponentSnapper snapper(model, components);
   StoredMap out = store(model, place, components, placements, scale, snapper, nullptr);
-  if (scale == Scale::kSolved) mend(model, place, components, snapper, placements, out);
+  if (scale == Scale::kSolved) redo(model, place, components, snapper, placements, out);
   if (const auto broken = brokenByStoring(components, out); !broken.empty()) {
     for (std::size_t p : broken) snapper.leave(p);
     out = store(model, place, components, placements, scale, snapper, &out);
-    if (scale == Scale::kSolved) mend(model, place, components, snapper, placements, out);
+    if (scale == Scale::kSolved) redo(model, place, components, snapper, placements, out);
   }
   if (const std::size_t broken = brokenByStoring(components, out).size(); broken > 0) {
     out.notes.push_back(formatText(

@@ -1,4 +1,4 @@
-#include "hgp/api/mending.h"
+#include "hgp/api/needed_repairs.h"
 
 #include <algorithm>
 #include <array>

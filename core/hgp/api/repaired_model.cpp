@@ -1,8 +1,8 @@
-#include "hgp/api/mended_model.h"
+#include "hgp/api/repaired_model.h"
 
 #include <algorithm>
 
-#include "hgp/api/mending.h"
+#include "hgp/api/needed_repairs.h"
 #include "hgp/base/check.h"
 #include "hgp/io/weld.h"
 
@@ -140,7 +140,7 @@ void judgeRepaired(Model& model, const FixOptions& fix) {
 
 /// With repairs named, those; otherwise those that the defects ask for, and all of them where one
 /// defect was hidden by another.
-void mend(Model& model, const LoadOptions& options) {
+void repairAsAsked(Model& model, const LoadOptions& options) {
   const bool isAutomatic = !isAny(options.fix) && !options.isStrict;
   FixOptions fix = options.fix;
   if (isAutomatic) {
@@ -170,12 +170,12 @@ void addNotes(Model& model, std::vector<std::string> more) {
                      std::make_move_iterator(more.end()));
 }
 
-void takeMended(Model& model, const LoadOptions& options) {
+void takeRepaired(Model& model, const LoadOptions& options) {
   model.leftOut.clear();
   model.splitVertices = 0;
   takeSource(model);
   weld(model, options);
-  mend(model, options);
+  repairAsAsked(model, options);
 }
 
 }  // namespace hgp::api

@@ -202,7 +202,8 @@ class Table {
            {"auto", "file"});
     choice(sub->add_option("--method", words_.method, "How to solve (default auto)"),
            {"auto", "harmonic", "soft", "printed", "all-frames"});
-    sub->add_option("--rounds", out_.solve.maxRounds, "Rounds of solve, verify, repair (default 24)")
+    sub->add_option("--rounds", out_.solve.maxRounds,
+                    "Rounds of solve, verify, repair (default 24)")
         ->option_text("N")
         ->check(CLI::Range(1, 1000));
     // The table is gone when these are called.

@@ -135,12 +135,11 @@ function callBack(seconds: number): void {
   if (Notification.permission === 'granted') new Notification('hgp', { body: text });
 }
 
-function connectViews(page: Panel): void {
+function connectViews(page: Panel, keyboard: Keyboard): void {
   const model = new ModelView(page.querySelector<HTMLCanvasElement>('#view')!);
   const uv = new UvView(page.querySelector<HTMLCanvasElement>('#map')!);
   model.onContext = uv.onContext = sayContext;
   app.views = { model, uv };
-  const keyboard = new Keyboard(app);
   const onSurface = (): void => {
     keyboard.reset();
     ui.handlesShown = false;
@@ -168,7 +167,12 @@ async function start(): Promise<void> {
   document.getElementById('page')!.append(page);
   effect(() => void (document.body.dataset.state = doc.stateName));
   await page.updateComplete;
-  connectViews(page);
+  let hasViews = true;
+  try {
+    connectViews(page, new Keyboard(app));
+  } catch {
+    hasViews = false; // three.js has said why in the console
+  }
   listenToDrops(app);
   rememberState();
   notifyAtEnd();
@@ -191,7 +195,11 @@ async function start(): Promise<void> {
   doc.state = { kind: 'empty' };
   performance.mark('hgp-ready');
   keepOffline();
-  warmViews(app.views!);
+  if (app.views) warmViews(app.views);
+  if (!hasViews) {
+    const rest = 'maps are made, judged and saved all the same';
+    doc.say(`This browser draws nothing here, as it has no WebGL 2; ${rest}.`, 'error');
+  }
   const example = exampleById(asked.example);
   if (example) await attempt(app, () => openExample(app, example));
 }

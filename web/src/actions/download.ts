@@ -27,8 +27,20 @@ export function exportSource(app: App): ExportSource | undefined {
   return { model, solution, prescription, tiles: gridTilesPerUnit(look, model.surface, solution) };
 }
 
-export function saveFile({ name, bytes, type }: Download): void {
-  const url = URL.createObjectURL(new Blob([bytes as BlobPart], { type }));
+const partBytes = 4 * 2 ** 20; // copied in one task
+
+/** A blob of a hundred megabytes copies them in one task; one of blobs copies nothing. */
+async function blobOf(bytes: Uint8Array, type: string): Promise<Blob> {
+  const parts: Blob[] = [];
+  for (let at = 0; at < bytes.length; at += partBytes) {
+    if (at > 0) await new Promise((resolve) => setTimeout(resolve));
+    parts.push(new Blob([bytes.subarray(at, at + partBytes) as BlobPart]));
+  }
+  return new Blob(parts, { type });
+}
+
+export async function saveFile({ name, bytes, type }: Download): Promise<void> {
+  const url = URL.createObjectURL(await blobOf(bytes, type));
   const link = document.createElement('a');
   link.href = url;
   link.download = name;
@@ -86,10 +98,10 @@ async function downloadOf(app: App, format: Format): Promise<Download | undefine
 export async function download(app: App, format: Format): Promise<void> {
   const made = await downloadOf(app, format);
   if (!made) return;
-  saveFile(made);
+  await saveFile(made);
   if (format !== 'report' && format !== 'cones') app.doc.isUnsaved = false;
 }
 
-export function exportCones({ doc }: App): void {
-  if (doc.model) saveFile(coneFile({ model: doc.model, prescription: doc.prescription }));
+export async function exportCones({ doc }: App): Promise<void> {
+  if (doc.model) await saveFile(coneFile({ model: doc.model, prescription: doc.prescription }));
 }

@@ -57,7 +57,7 @@ export async function downloadQuads(app: App, file: QuadFile): Promise<void> {
     const made = await solverOf(app).quads({ name }, call);
     doc.job = undefined;
     const type = file === 'glb' ? 'model/gltf-binary' : 'text/plain';
-    saveFile({ name, bytes: made.bytes, type });
+    await saveFile({ name, bytes: made.bytes, type });
     const left =
       made.clipped > 0 ? `, without ${count(made.clipped)} cells that a boundary cuts` : '';
     doc.say(`${plural(made.quads, 'quad')} saved as ${name}${left}.`, 'good');

@@ -2,6 +2,7 @@
 // graphics card takes it away.
 
 import { Color, type Object3D, Scene, WebGLRenderer, type Camera } from 'three';
+import { SlicedUploads } from './sliced_uploads';
 
 /** The frame in which some stage has been drawn: the other one waits, so that each task is short. */
 let lastFrame = -1;
@@ -20,6 +21,7 @@ export abstract class CanvasView {
   abstract readonly camera: Camera;
   /** Told when the picture is lost, and when it is back. */
   onContext?: (isLost: boolean) => void;
+  readonly #uploads: SlicedUploads;
   #isPending = false;
   #isLost = false;
   #before: (() => void)[] = [];
@@ -27,6 +29,7 @@ export abstract class CanvasView {
   constructor(canvas: HTMLCanvasElement) {
     this.canvas = canvas;
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.#uploads = new SlicedUploads(this.renderer.getContext() as WebGL2RenderingContext);
     // Asking whether a program compiled waits until it has; nobody could act on the answer.
     this.renderer.debug.checkShaderErrors = import.meta.env.DEV;
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
@@ -36,6 +39,7 @@ export abstract class CanvasView {
     // makes everything anew by itself.
     canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
+      this.#uploads.forget();
       this.#isLost = true;
       this.onContext?.(true);
     });
@@ -83,8 +87,14 @@ export abstract class CanvasView {
       this.#isPending = false;
       delete this.canvas.dataset.pending;
       if (this.canvas.clientWidth === 0 || this.#isLost) return;
+      // What is drawn before all of it is there would be thrown away.
+      if (this.#uploads.isBusy) {
+        this.#uploads.step();
+        return this.draw();
+      }
       for (const step of this.#before) step();
       this.render();
+      if (this.#uploads.isBusy) this.draw();
       this.canvas.dataset.triangles = String(this.renderer.info.render.triangles);
       this.canvas.dataset.frames = String(this.renderer.info.render.frame);
     };

@@ -1,0 +1,22 @@
+// A browser without WebGL 2: the page says so once, and does everything but draw.
+
+import assert from 'node:assert/strict';
+import { cubeMesh } from '../support/meshes.mjs';
+import { openMesh, run, saveAs, statusText, useBrowser } from './support.mjs';
+
+const it = useBrowser({ flags: ['--disable-3d-apis'] });
+
+it.test(
+  'without WebGL maps are made, judged and saved, and it is said that none is drawn',
+  async () => {
+    it.allowed = [/WebGL/];
+    const { page } = it;
+    await page.reload();
+    await page.waitForSelector('#status.error');
+    assert.match(await statusText(page), /draws nothing here, as it has no WebGL 2/);
+    await openMesh(it, cubeMesh(4));
+    await run(it);
+    const { bytes } = await saveAs(it, 'same');
+    assert.match(String(bytes), /^vt /m);
+  },
+);

@@ -1,0 +1,76 @@
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { SlicedUploads } from '../../../web/src/views/sliced_uploads.ts';
+
+/** A context whose buffers are arrays. */
+function context() {
+  let bound = null;
+  const writes = [];
+  const gl = {
+    ...{ ARRAY_BUFFER: 1, ELEMENT_ARRAY_BUFFER: 2 },
+    bindBuffer: (target, buffer) => target === 1 && (bound = buffer),
+    deleteBuffer: () => undefined,
+    bufferData: (target, data) => {
+      if (target === 1) bound.bytes = typeof data === 'number' ? new Uint8Array(data) : data;
+    },
+    bufferSubData: (target, at, data, from, length) => {
+      writes.push(length ?? data.length);
+      bound.bytes.set(from === undefined ? data : data.subarray(from, from + length), at);
+    },
+  };
+  return { gl, writes, bound: () => bound };
+}
+const megabytes = (n, value) => new Uint8Array(n * 2 ** 20 + 3).fill(value);
+
+function finish(uploads) {
+  let frames = 0;
+  for (; uploads.isBusy; frames++) uploads.step();
+  return frames;
+}
+
+test('what is small goes at once; what is large in slices, every byte of it', () => {
+  const { gl, writes, bound } = context();
+  const uploads = new SlicedUploads(gl);
+  const [small, large] = [{}, {}];
+  gl.bindBuffer(1, small);
+  gl.bufferData(1, megabytes(1, 7), 0);
+  assert.equal(uploads.isBusy, false);
+  gl.bindBuffer(1, large);
+  gl.bufferData(1, megabytes(9, 8), 0);
+  assert.equal(uploads.isBusy, true);
+  gl.bindBuffer(1, small);
+  assert.ok(finish(uploads) >= 1);
+  assert.equal(bound(), small); // as it was
+  assert.deepEqual(large.bytes, megabytes(9, 8));
+  assert.ok(writes.every((length) => length <= 2 ** 20));
+});
+
+test('a buffer that is deleted, filled anew or lost is waited for no longer', () => {
+  const { gl, writes } = context();
+  const uploads = new SlicedUploads(gl);
+  const buffer = {};
+  gl.bindBuffer(1, buffer);
+  gl.bufferData(1, megabytes(9, 1), 0);
+  gl.deleteBuffer(buffer);
+  assert.equal(uploads.isBusy, false);
+  gl.bufferData(1, megabytes(9, 1), 0);
+  gl.bufferSubData(1, 0, megabytes(9, 2));
+  assert.equal(finish(uploads), 0);
+  assert.deepEqual(buffer.bytes, megabytes(9, 2));
+  gl.bufferData(1, megabytes(9, 3), 0);
+  gl.bufferData(1, megabytes(9, 4), 0);
+  finish(uploads);
+  assert.deepEqual(buffer.bytes, megabytes(9, 4));
+  gl.bufferData(1, megabytes(9, 5), 0);
+  uploads.forget();
+  assert.equal(uploads.isBusy, false);
+  assert.ok(writes.length > 0);
+});
+
+test('indices are left to the context', () => {
+  const { gl } = context();
+  const uploads = new SlicedUploads(gl);
+  gl.bindBuffer(2, {});
+  gl.bufferData(2, megabytes(9, 1), 0);
+  assert.equal(uploads.isBusy, false);
+});

@@ -1,0 +1,84 @@
+// Large arrays go to the graphics card in slices, a few in each frame: one of 40 MB at once holds the main
+// thread for up to seconds where the card, or what stands in for it, is busy.
+
+const sliceBytes = 2 ** 20;
+const frameTime = 8; // milliseconds of a frame that may go into slices
+
+interface Upload {
+  buffer: WebGLBuffer;
+  bytes: Uint8Array;
+  done: number;
+}
+
+/** Stands between three.js and a context: what is large is allocated at once and filled afterwards. */
+export class SlicedUploads {
+  readonly #gl: WebGL2RenderingContext;
+  readonly #bind: WebGL2RenderingContext['bindBuffer'];
+  readonly #fill: WebGL2RenderingContext['bufferSubData'];
+  #bound: WebGLBuffer | null = null;
+  #waiting: Upload[] = [];
+
+  constructor(gl: WebGL2RenderingContext) {
+    this.#gl = gl;
+    this.#bind = gl.bindBuffer.bind(gl);
+    this.#fill = gl.bufferSubData.bind(gl);
+    const remove = gl.deleteBuffer.bind(gl);
+    gl.deleteBuffer = (buffer) => {
+      this.#drop(buffer);
+      remove(buffer);
+    };
+    const allocate = gl.bufferData.bind(gl) as (...all: unknown[]) => void;
+    gl.bindBuffer = (target, buffer) => {
+      if (target === gl.ARRAY_BUFFER) this.#bound = buffer;
+      this.#bind(target, buffer);
+    };
+    gl.bufferData = ((target: number, data: unknown, usage: number, ...rest: unknown[]) => {
+      const buffer = this.#bound;
+      const isLarge = ArrayBuffer.isView(data) && data.byteLength > 4 * sliceBytes;
+      if (target !== gl.ARRAY_BUFFER || !isLarge || !buffer || rest.length > 0) {
+        return allocate(target, data, usage, ...rest);
+      }
+      this.#drop(buffer);
+      allocate(target, data.byteLength, usage);
+      const bytes = new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
+      this.#waiting.push({ buffer, bytes, done: 0 });
+    }) as typeof gl.bufferData;
+    gl.bufferSubData = ((...all: Parameters<typeof gl.bufferSubData>) => {
+      // All of it anew: what was waiting for this buffer is out of date.
+      if (all[0] === gl.ARRAY_BUFFER && all[1] === 0) this.#drop(this.#bound);
+      this.#fill(...all);
+    }) as typeof gl.bufferSubData;
+  }
+
+  get isBusy(): boolean {
+    return this.#waiting.length > 0;
+  }
+
+  #drop(buffer: WebGLBuffer | null): void {
+    this.#waiting = this.#waiting.filter((upload) => upload.buffer !== buffer);
+  }
+
+  /** What was lost with the context is asked for again by three.js. */
+  forget(): void {
+    this.#waiting = [];
+  }
+
+  /** As many slices as a frame has time for; the first in any case. */
+  step(): void {
+    const gl = this.#gl;
+    const begin = performance.now();
+    const before = this.#bound;
+    while (this.#waiting.length > 0) {
+      const upload = this.#waiting[0];
+      const { buffer, bytes, done } = upload;
+
+      const length = Math.min(sliceBytes, bytes.length - done);
+      this.#bind(gl.ARRAY_BUFFER, buffer);
+      this.#fill(gl.ARRAY_BUFFER, done, bytes, done, length);
+      upload.done += length;
+      if (upload.done === bytes.length) this.#waiting.shift();
+      if (performance.now() - begin > frameTime) break;
+    }
+    this.#bind(gl.ARRAY_BUFFER, before);
+  }
+}

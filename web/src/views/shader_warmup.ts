@@ -7,7 +7,9 @@ import { surfaceMaterial } from './pattern_material';
 
 export function oneOfEach(isLit: boolean): Object3D[] {
   const geometry = new BufferGeometry();
-  for (const [name, size] of Object.entries({ position: 3, normal: 3, uv: 2, tint: 4 })) {
+  // The flat map has no normals, which makes another program of the same material.
+  const sizes = { position: 3, uv: 2, tint: 4, ...(isLit ? { normal: 3 } : {}) };
+  for (const [name, size] of Object.entries(sizes)) {
     const values = Float32Array.from({ length: 3 * size }, (_, i) => (i * 0.37) % 1);
     geometry.setAttribute(name, new BufferAttribute(values, size));
   }

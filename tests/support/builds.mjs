@@ -27,7 +27,9 @@ async function build(log, preset, isFull) {
 
 /** Everything of the checkout that scripts of tests may read; what is compiled comes in as programs. */
 const isReadByScripts = (name) =>
-  !/^(core|bench|web|docs\/decisions)\//.test(name) && !/\.(cpp|h)$/.test(name) && name !== 'CHANGELOG.md';
+  !/^(core|bench|web|docs\/decisions)\//.test(name) &&
+  !/\.(cpp|h)$/.test(name) &&
+  name !== 'CHANGELOG.md';
 
 /** All inputs of a test of ctest: how it is run, the programs named there, scripts and data. */
 function inputsOf({ name, command, properties }, data) {

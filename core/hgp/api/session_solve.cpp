@@ -53,13 +53,22 @@ std::vector<HarmonicFacts> harmonicity(const Model& model, const std::vector<Com
 
 bool isAligned(const Parametrization& run) { return run.grid && run.grid->isAligned; }
 
-/// Where the usual automatic cones leave a grid no room: few cones, which have more.
+/// Choosing few cones takes several times as long as a solve: a second, for so many triangles.
+constexpr int kChosenTwice = 10'000;
+
+/// Where the usual automatic cones leave a grid no room: few cones, which have more. On larger surfaces that is
+/// offered instead.
 template <class Solve>
-Status withFewCones(SolveOptions choice, const GridOptions& grid, const Solve& solveWith,
-                    Result<Parametrization>& run, std::vector<std::string>& notes) {
+Status withFewCones(const TriMesh& mesh, SolveOptions choice, const GridOptions& grid,
+                    const Solve& solveWith, Result<Parametrization>& run,
+                    std::vector<std::string>& notes) {
   const bool isOpen = grid.isAsked() && choice.coneCount == 0 && !choice.alignToCurvature &&
                       choice.conesFor == ConesFor::kBalanced;
   if (!isOpen || !run || !run->isCertified || isAligned(*run)) return Done{};
+  if (mesh.faceCount() > kChosenTwice) {
+    notes.emplace_back("--cones-for few chooses fewer cones, which leave a grid more room");
+    return Done{};
+  }
   choice.conesFor = ConesFor::kFew;
   choice.grid = grid;
   std::vector<std::string> before = notes;
@@ -127,7 +136,7 @@ Result<CompleteSpec> Session::State::chooseCones(std::size_t p, const SolveOptio
                                                  std::vector<StageTime>* times) {
   SuggestOptions suggest = suggestOptions(options.q, options);
   const GridOptions grid = sharedGrid(*model, options.grid);
-  if (grid.isAsked()) suggest.apart = conesApart(grid.mode) * grid.spacing;
+  if (grid.isAsked()) suggest.spacing = roomForGrid(grid.spacing, grid.mode);
   Result<CompleteSpec> spec = suggestCones(surfaceOf(p), suggest, times);
   if (!spec) return toSurfaceIds(*model, model->components[p], spec.error());
   return spec;
@@ -169,7 +178,8 @@ Result<Parametrization> Session::State::solveComponent(std::size_t p,
     run = solveWith(choice);
   }
   if (request.isAutomatic)
-    if (Status done = withFewCones(choice, options.grid, solveWith, run, notes); !done)
+    if (Status done = withFewCones(component.mesh, choice, options.grid, solveWith, run, notes);
+        !done)
       return toSurfaceIds(*model, component, done.error());
   dropLarge(p);
   if (!run) return toSurfaceIds(*model, component, run.error());

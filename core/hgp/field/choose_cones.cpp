@@ -44,7 +44,7 @@ Result<NodeDefects> fieldDefects(const PreparedSurface& surface, const SuggestOp
 
 PlaceOptions placeOptions(const SuggestOptions& options, int nodes, int cones) {
   PlaceOptions place;
-  place.apart = options.apart;
+  place.spacing = options.spacing;
   place.coneCount = options.coneCount;
   place.isFixed = options.alignToCurvature;
   const bool isBalanced = options.conesFor == ConesFor::kBalanced;

@@ -6,6 +6,7 @@
 
 #include "hgp/base/progress.h"
 #include "hgp/base/result.h"
+#include "hgp/field/cone_spacing.h"
 #include "hgp/mesh/holonomy_spec.h"
 
 namespace hgp {
@@ -29,10 +30,8 @@ struct SuggestOptions {
   int coneCount = 0;  ///< so many where that is possible; 0 = by `conesFor`
   ConesFor conesFor = ConesFor::kBalanced;
   bool alignToCurvature =
-      false;  ///< follow principal curvature; cones then stay where that has them
-  /// > 0: no two cones are closer in the map that they will have, in units of the surface; whatever else is
-  /// asked, those that are get merged or moved. For maps that are then aligned to a grid.
-  double apart = 0.0;
+      false;            ///< follow principal curvature; cones then stay where that has them
+  ConeSpacing spacing;  ///< for maps that are then aligned to a grid
   Progress progress;
 };
 

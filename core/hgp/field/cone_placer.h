@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hgp/field/cone_distances.h"
+#include "hgp/field/cone_spacing.h"
 #include "hgp/field/defect_bounds.h"
 
 namespace hgp {
@@ -38,9 +39,9 @@ class ConePlacer {
   void thinTo(int count);
   /// Several pairs at a time while many are missing.
   void growTo(int count);
-  /// Merges, cancels or moves cones that are closer than `least` in their own metric (units of the
-  /// surface), each pair the cheapest way. Pairs that bounds or the energy hold in place stay.
-  void separate(double least);
+  /// Merges, cancels or moves cones that are closer in their own metric, each pair the cheapest way. Pairs
+  /// that bounds or the energy hold in place stay.
+  void separate(const ConeSpacing& spacing);
   /// A quarter at a time, so that the others can take their places.
   void shrinkTo(int count);
 

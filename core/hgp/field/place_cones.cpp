@@ -49,7 +49,7 @@ NodeDefects placeCones(const TriMesh& mesh, const ConeMetric& metric, NodeDefect
   placer.relax();
   if (options.spread > 0.0) shrinkWithin(placer, options.spread);
   if (options.mostCones > 0) growWhileWorthwhile(placer, options.mostCones);
-  if (options.apart > 0.0) placer.separate(options.apart);
+  if (options.spacing.least > 0.0) placer.separate(options.spacing);
   return placer.defects();
 }
 

@@ -4,6 +4,7 @@
 
 #include "hgp/field/cancel_cones.h"
 #include "hgp/field/cone_metric.h"
+#include "hgp/field/cone_spacing.h"
 
 namespace hgp {
 
@@ -15,8 +16,7 @@ struct PlaceOptions {
   int mostCones = 0;
   bool keepsTurning = false;                 ///< loops keep the turning they start with
   double largestTurn = kLargestTurnPerEdge;  ///< see defectBounds
-  /// > 0: cones that would be closer in their own metric, in units of the surface, are merged or moved.
-  double apart = 0.0;
+  ConeSpacing spacing;                       ///< kept in their own metric
   bool isFixed = false;  ///< cones stay where they are: only what must be is changed
   double work = 3e7;     ///< nodes × solves that may be spent
 };

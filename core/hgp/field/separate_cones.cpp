@@ -1,6 +1,7 @@
 // Cones kept apart by a distance in their own metric: a part of ConePlacer.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "hgp/base/portable_math.h"
 #include "hgp/field/cone_distances.h"
@@ -14,13 +15,11 @@ namespace {
 constexpr int kSeparatingRounds = 16;
 /// A cone that steps aside goes at most so many times the distance asked.
 constexpr double kAside = 2.0;
-/// What all moves may add to the energy: cones that crowd a spike keep its scale bearable.
-constexpr double kDearest = 0.1;
 /// Log scale may range so far, or as far as it does: beyond, the solve takes a longer road.
 constexpr double kWidestRange = 7.5;
 
 /// Solves, and nodes × solves, that separating may take.
-constexpr double kLeastSolves = 8.0, kMostSolves = 250.0, kMostWork = 8e6;
+constexpr double kLeastSolves = 8.0, kMostSolves = 250.0, kMostWork = 2e7;
 /// Ways apart of a pair whose energy is measured, so many at once, each then a share of a single solve.
 constexpr std::size_t kWaysMeasured = 2, kWaysAtOnce = 32;
 constexpr double kShareOfBlock = 0.5;
@@ -190,17 +189,21 @@ bool ConePlacer::mergeDownhill(const std::vector<ConeDistances::Pair>& pairs,
   return false;
 }
 
-void ConePlacer::separate(double least) {
-  const EnergyLimits limits{(1.0 + kDearest) * cost_.energy,
+void ConePlacer::separate(const ConeSpacing& spacing) {
+  const double least = spacing.least;
+  const EnergyLimits limits{(1.0 + spacing.dearest) * cost_.energy,
                             std::max(kWidestRange, 1.02 * rangeOf(cost_.u))};
   const double nodes = metric_.nodeCount();
   std::set<std::pair<VertexId, VertexId>> held;  // pairs that no move parts within the limits
   work_ = std::max(kLeastSolves * nodes, std::min(kMostSolves * nodes, kMostWork));
+  NodeDefects last, lastButOne;
   bool isDownhill = !keepsCount_;
   for (int round = 0; round < kSeparatingRounds && work_ > 0.0; ++round) {
     ConeDistances distances(mesh_, metric_, cost_.u);
     const std::vector<ConeDistances::Pair> pairs = distances.closer(defects_, least);
-    if (pairs.empty()) return;
+    const bool isBackAndForth = defects_ == lastButOne && defects_ != last;
+    if (pairs.empty() || isBackAndForth) return;
+    lastButOne = std::exchange(last, defects_);
     const Eigen::VectorXd g = metric_.gradient(cost_);
     work_ -= nodes;
     if (isDownhill && mergeDownhill(pairs, g, limits)) continue;

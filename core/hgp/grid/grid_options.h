@@ -14,9 +14,6 @@ enum class GridMode {
   kQuad,  ///< cones lie on grid points as well, so that the grid is a quad mesh
 };
 
-/// Cells between automatic cones in their own metric, along edges; in the map it may be a quarter less.
-constexpr double conesApart(GridMode mode) { return mode == GridMode::kQuad ? 1.6 : 1.3; }
-
 /// Nothing is asked while both sizes are 0. Only for q = 2 and 4.
 struct GridOptions {
   double cells = 0.0;    ///< grid cells in all, about

@@ -22,6 +22,9 @@ Result<Parametrization> parametrizeConvex(const TriMesh& mesh, const Parametrize
 /// has no other map. Of `options` only the progress counts. @pre mesh has one component
 Result<UvMap> cutDiskMap(const TriMesh& mesh, const ParametrizeOptions& options);
 
+/// Room between automatic cones for a grid of this spacing.
+ConeSpacing roomForGrid(double spacing, GridMode mode);
+
 /// Cones, turning and handles by themselves ("automatic cones").
 Result<CompleteSpec> suggestCones(const TriMesh& mesh, const SuggestOptions& options);
 

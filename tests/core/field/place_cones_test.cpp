@@ -139,7 +139,7 @@ TEST(PlaceCones, ConesThatAreTooCloseInTheirOwnMetricAreMergedOrMoved) {
   const double least = 0.5;  // of a sphere of radius 1
   ASSERT_GE(closer(start, least), 2u);
   options.isFixed = true;  // nothing but what the distance asks
-  options.apart = least;
+  options.spacing = {least, 0.1};
   const NodeDefects end = placeCones(mesh, metric, start, options);
   EXPECT_EQ(closer(end, least), 0u);
   EXPECT_EQ(std::accumulate(end.begin(), end.end(), 0), metric.total());

@@ -134,6 +134,11 @@ test('a file with a face less, or none that can be read, is no file with this ma
   assert.equal(analysis.isSameAsFile, false);
 });
 
+test('a comment that ends with a backslash takes no line along', () => {
+  const bytes = new TextEncoder().encode(`# C:\\\n${new TextDecoder().decode(objOf(square()))}`);
+  assert.deepEqual(failed(solutionOf(square(), bytes)), []);
+});
+
 test('what the solver refuses for a reason without a row is a row', () => {
   const solution = solutionOf(square());
   solution.result.certificate = { ...certificate, certified: false };

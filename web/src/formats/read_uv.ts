@@ -185,7 +185,10 @@ function readGltf(
 
 function readObj(bytes: Uint8Array): Corners {
   const text = new TextDecoder().decode(bytes);
-  const joined = text.includes('\\') ? text.replace(/\\\r?\n/g, ' ') : text;
+  // A comment that ends with a backslash ends with its line.
+  const joined = text.includes('\\')
+    ? text.replace(/^[ \t]*#.*/gm, '').replace(/\\\r?\n/g, ' ')
+    : text;
   const v: number[] = [];
   const vt: number[] = [];
   const corners: [v: number, vt: number][] = []; // faces may come before what they name

@@ -39,8 +39,7 @@ class ConePlacer {
   void thinTo(int count);
   /// Several pairs at a time while many are missing.
   void growTo(int count);
-  /// Merges, cancels or moves cones that are closer in their own metric, each pair the cheapest way. Pairs
-  /// that bounds or the energy hold in place stay.
+  /// Merges, cancels or moves cones that are closer in their own metric, each pair the cheapest way, or not.
   void separate(const ConeSpacing& spacing);
   /// A quarter at a time, so that the others can take their places.
   void shrinkTo(int count);

@@ -139,6 +139,11 @@ test('a comment that ends with a backslash takes no line along', () => {
   assert.deepEqual(failed(solutionOf(square(), bytes)), []);
 });
 
+test('lines that begin with blanks are lines', () => {
+  const text = new TextDecoder().decode(objOf(square())).replace(/^/gm, ' \t');
+  assert.deepEqual(failed(solutionOf(square(), new TextEncoder().encode(text))), []);
+});
+
 test('what the solver refuses for a reason without a row is a row', () => {
   const solution = solutionOf(square());
   solution.result.certificate = { ...certificate, certified: false };

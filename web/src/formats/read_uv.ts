@@ -206,7 +206,7 @@ function readObj(bytes: Uint8Array): Corners {
     }
   };
   for (const line of joined.split('\n')) {
-    if (!/^(v|vt|f)[ \t]/.test(line)) continue;
+    if (!/^[ \t]*(v|vt|f)[ \t]/.test(line)) continue;
     const [key, ...words] = line.trim().split(/[ \t]+/);
     if (key === 'v') v.push(+words[0], +words[1], +words[2]);
     else if (key === 'vt') vt.push(+words[0], +(words[1] ?? 0));

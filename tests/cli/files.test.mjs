@@ -87,8 +87,8 @@ test('--refine maps and writes a finer mesh where the mesh as it is has no map',
   const refused = run([...args, 'out.glb']);
   assert.equal(refused.code, 2);
   assert.match(refused.err, /-o x\.obj/);
-  assert.equal(run([...args, 'out.obj']).code, 0);
-  assert.equal(run(['verify', 'out.obj']).code, 0);
+  assert.equal(run([...args, 'out.obj', '--also', 'out_too.glb']).code, 0);
+  for (const name of ['out.obj', 'out_too.glb']) assert.equal(run(['verify', name]).code, 0, name);
 });
 
 test('every member of a gzip file is read, zeros between and rubbish behind them included', () => {

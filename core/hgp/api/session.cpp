@@ -229,8 +229,8 @@ Status Session::canWrite(const std::string& name, bool isRefined) const {
       return Failure{
           ErrorCode::kUsage,
           "write",
-          "a refined mesh is written as OBJ: name the result -o x.obj; accessors of a glTF "
-          "are not enlarged",
+          "a refined mesh is written as OBJ: name the result -o x.obj (--also x.glb adds "
+          "a plain GLB of it); accessors of a glTF are not enlarged",
           {}};
     }
     const io::Document& document = *state_->shown().model->document;

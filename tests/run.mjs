@@ -119,6 +119,7 @@ async function packageTests(log) {
 async function webTests(log) {
   const alone = 'tests/web/speed.test.mjs';
   const long = [
+    'aligned',
     'pictures',
     'looks',
     'panels',

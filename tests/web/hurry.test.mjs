@@ -1,7 +1,7 @@
 // A person in a hurry: drops, runs, edits and closes while other things are under way.
 
 import assert from 'node:assert/strict';
-import { zipSync } from 'fflate';
+import { gzipSync, zipSync } from 'fflate';
 import { bumpyDisk } from '../support/disk.mjs';
 import { cubeMesh, toObj } from '../support/meshes.mjs';
 import {
@@ -131,6 +131,19 @@ test('ZIP files that are none, empty, cut short, or full of archives', async () 
   assert.match(await failure(it), /far more/);
   await openFiles(it, { 'names.zip': zipSync({ '__proto__/constructor.obj': text }) });
   await opened('constructor.obj');
+});
+
+test('gzip: unpacked as ZIP is, several members too; damaged ones are refused', async () => {
+  const text = new TextEncoder().encode(toObj(cubeMesh(2)));
+  const [head, tail] = [text.subarray(0, 300), text.subarray(300)].map((part) => gzipSync(part));
+  await openFiles(it, { 'cube.obj.gz': Buffer.concat([head, tail]) });
+  await opened('cube.obj');
+  await run(it);
+  assert.match(await certificate(it), /of 48/);
+  const { name } = await saveAs(it, 'same');
+  assert.equal(name, 'cube.obj');
+  await drop(it, { 'cut.obj.gz': gzipSync(text).subarray(0, 200) });
+  assert.match(await failure(it), /damaged or cut off/);
 });
 
 test('who looks at another tab is told when a long run ends: in the title, and by the browser', async () => {

@@ -20,6 +20,7 @@ import {
   openFiles,
   openMesh,
   pixels,
+  pngOf,
   run,
   settled,
   share,
@@ -220,6 +221,15 @@ test('Solve: the estimate, the time limit, and the command line that does the sa
   assert.match(await page.locator('#log-dialog').innerText(), /Copied[\s\S]*suggested/);
 });
 
+/** The same GLB with a picture on its first mesh. */
+async function textured(bytes) {
+  const document = await new NodeIO().readBinary(new Uint8Array(bytes));
+  const picture = document.createTexture().setImage(pngOf([[20, 190, 40]])).setMimeType('image/png'); // prettier-ignore
+  const material = document.createMaterial().setBaseColorTexture(picture);
+  document.getRoot().listMeshes()[0].listPrimitives()[0].setMaterial(material);
+  return new NodeIO().writeBinary(document);
+}
+
 test('Download: another uv set, another scale, without cones; each is judged again', async () => {
   const { page } = it;
   await openFiles(it, { 'cube.glb': toGlb([cubeMesh(4)]) });
@@ -232,7 +242,7 @@ test('Download: another uv set, another scale, without cones; each is judged aga
   await idle();
   const saved = await download(page, () => page.click('[data-format="same"]'));
   // The file now has a set: the next run takes the next one, or replaces it on request.
-  await drop(it, { 'again.glb': saved.bytes });
+  await drop(it, { 'again.glb': await textured(saved.bytes) });
   await page.waitForSelector('.file[title="again.glb"]');
   await state(page, 'ready');
   assert.equal(await page.locator('#cones').count(), 0); // they were not embedded
@@ -248,6 +258,17 @@ test('Download: another uv set, another scale, without cones; each is judged aga
   const next = await sets();
   assert.equal(next.extras.hgp?.q, 4);
   assert.deepEqual(next.names.filter((name) => name.startsWith('TEXCOORD')), ['TEXCOORD_0', 'TEXCOORD_1']); // prettier-ignore
+  // The textures of the file are pointed at the new set, and the old one stays.
+  const texCoord = ({ primitive }) => primitive.getMaterial().getBaseColorTextureInfo().getTexCoord(); // prettier-ignore
+  assert.equal(texCoord(next), 0);
+  await page.click('#download');
+  assert.equal(await page.locator('#uv-set').inputValue(), 'keep');
+  await page.selectOption('#uv-set', 'use');
+  await idle();
+  await page.waitForFunction(() => document.querySelector('#uv-set')?.value === 'use');
+  const used = await sets();
+  assert.deepEqual(used.names.filter((name) => name.startsWith('TEXCOORD')), ['TEXCOORD_0', 'TEXCOORD_1']); // prettier-ignore
+  assert.equal(texCoord(used), 1);
   await page.click('#download');
   await page.selectOption('#uv-set', '0');
   await idle();

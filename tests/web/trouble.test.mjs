@@ -87,6 +87,56 @@ test('a mesh that is refused has a map after one click: repaired, run, and undon
   assert.equal(await page.locator('#status.good').count(), isGood ? 1 : 0);
   const label = await page.locator('#download').getAttribute('aria-label');
   assert.equal(label, isGood ? 'Download' : 'Download uncertified result');
+  // What was wrong and what was done, where the verdict is read; and without it, by one click.
+  const made = await page.locator('#repairs').innerText();
+  assert.match(made, /Repaired first\. 1 face repeats another one/);
+  assert.match(made, /1 faces turned over/);
+  assert.doesNotMatch(made, /first:|\d–\d|--fix/);
+  await page.click('#repairs button');
+  await state(page, 'invalid');
+  assert.equal(await page.locator('#repairs').count(), 0);
+  await page.click('#undo'); // and this, too, can be taken back: the map is there again
+  await state(page, 'certified', 'not-certified');
+  assert.equal(await page.locator('#repairs').count(), 1);
+});
+
+test('a repair that is not enough is not recommended again', async () => {
+  const { page } = it;
+  // The projective plane: turning faces cannot make two sides of one.
+  const faces = '1 2 3 1 3 4 1 4 5 1 5 6 1 6 2 2 3 5 3 4 6 4 5 2 5 6 3 6 2 4'.match(/\d \d \d/g);
+  const points = ['0 0 1', '1 0 0', '0 1 0', '-1 0 0', '0 -1 0', '0 0 -1'];
+  const text = `${points.map((p) => `v ${p}\n`).join('')}${faces.map((f) => `f ${f}\n`).join('')}`;
+  await openFiles(it, { 'plane.obj': text }, 'invalid');
+  await page.click('[data-fix="orient"]');
+  await page.waitForSelector('[data-fix="all"]');
+  assert.equal(await page.locator('[data-fix="orient"]').count(), 0);
+  await page.click('[data-fix="all"]');
+  await state(page, 'ready');
+  await run(it);
+  assert.match(await page.locator('#repairs').innerText(), /one-sided components cut along/);
+});
+
+test('one bad component does not spoil the rest: it is counted, and the others are certified', async () => {
+  const { page } = it;
+  const bad = cubeMesh(2);
+  const good = cubeMesh(3);
+  const count = bad.vertices.length;
+  const pair = {
+    vertices: [...bad.vertices, ...good.vertices.map(([x, y, z]) => [x + 5, y, z])],
+    triangles: [...bad.triangles, ...good.triangles.map((t) => t.map((v) => v + count))],
+  };
+  const corners = [0, 3, 5, 6].map((corner) => ({ vertex: count + corner, k: 1 }));
+  await openFiles(it, { 'pair.obj': toObj(pair) });
+  const file = {
+    format: 'hgp-cones',
+    version: 1,
+    q: 2,
+    cones: [...uncertifiable.cones, ...corners],
+  };
+  await drop(it, { 'pair.cones.json': JSON.stringify(file) });
+  await page.waitForSelector('#cones');
+  await run(it, 'not-certified');
+  assert.match(await statusText(page), /1 of 2 components pass/);
 });
 
 test('what is thrown inside a view is said, and the views go on', async () => {

@@ -8,6 +8,7 @@ import { isCertified } from '../model/verdict';
 import { describeError } from '../text/error_messages';
 import { solverOf, type App } from './app';
 import { runJob, type JobCall } from './job';
+import { writeOptions } from './solve';
 
 interface Part {
   work: MeshWork;
@@ -42,9 +43,7 @@ async function addMap(
   const aligned = cells === undefined ? {} : { grid: { cells, mode: grid.mode } };
   const options = { maxRounds: app.doc.solve.rounds, improve, scale: output.scale, ...aligned };
   await client.parametrize({ cones: toCones(prescription), ...options }, call);
-  const { uvSet, embedCones } = output;
-  const where = uvSet === undefined ? {} : { uvSet };
-  const written = await client.write({ allowUncertified: true, embedCones, ...where }, call);
+  const written = await client.write(writeOptions(output), call);
   return written.files;
 }
 

@@ -8,7 +8,7 @@ import { exportCones, download } from './download';
 import { balance, clearCones, deleteCone, importCones, selectNext, setK } from './edit_cones';
 import { cancel } from './job';
 import { close } from './open';
-import { repairAndRun, repairsFor } from './repair';
+import { canRepair, repairAndRun } from './repair';
 import { downloadQuads, whyNoQuads } from './quads';
 import { run, suggestCones, whyNotRun } from './solve';
 import { redo, undo } from './undo';
@@ -104,7 +104,7 @@ const runActions = {
     group: 'Run',
     icon: 'run',
     whyNot: ({ doc }) =>
-      doc.model && !doc.isBusy && repairsFor(doc.model).length > 0 ? '' : 'Nothing to repair.',
+      doc.model && !doc.isBusy && canRepair(doc.model) ? '' : 'Nothing to repair.',
     run: repairAndRun,
   },
   cancel: {

@@ -22,13 +22,11 @@ export const repairNames: Record<Repair, string> = {
   degenerate: 'remove degenerate triangles',
 };
 
-/** What would settle the defects that stand in the way; nothing where no repair settles one of them. */
-export function repairsFor({ info, loaded }: Model): Repair[] {
-  if (info.usable) return [];
+/** Whether repairs that have not been made yet may settle what stands in the way. */
+export function canRepair({ info, loaded }: Model): boolean {
+  if (info.usable || loaded.hasAllRepairs) return false;
   const fatal = info.defects.filter((defect) => defect.fatal);
-  const repairs = fatal.map(({ kind }) => repairFor[kind]);
-  if (fatal.length === 0 || repairs.some((one) => !one || loaded.fix[one])) return [];
-  return [...new Set(repairs)];
+  return fatal.length > 0 && fatal.every(({ kind }) => repairFor[kind] !== undefined);
 }
 
 export async function repair(app: App, repairs: Repair[]): Promise<boolean> {
@@ -39,22 +37,26 @@ export async function repair(app: App, repairs: Repair[]): Promise<boolean> {
   return reloadWith(app, settings, repairs.map((one) => repairNames[one]).join(', '));
 }
 
-/** What no single repair settles, such as a surface with one side: it is cut where it must be. */
-async function repairAll(app: App): Promise<boolean> {
-  const { loaded } = app.doc.model!;
-  if (loaded.hasAllRepairs) return false;
-  return reloadWith(app, { ...loaded, hasAllRepairs: true }, 'repair all');
+/**
+ * What the solver finds that the mesh needs, in one step of undo. More than the single repairs together: a
+ * surface with one side is cut where it must be.
+ */
+export async function repairAll(app: App): Promise<boolean> {
+  const { model } = app.doc;
+  if (!model || model.loaded.hasAllRepairs) return false;
+  return reloadWith(app, { ...model.loaded, fix: {}, hasAllRepairs: true }, 'repair all');
 }
 
-const mostPasses = 4; // a repair may bring another kind of defect to light
+/** The mesh as it is in the file, which may not be one that can be solved. */
+export async function leaveRepairsOut(app: App): Promise<boolean> {
+  const { model } = app.doc;
+  if (!model) return false;
+  return reloadWith(app, { weld: model.loaded.weld, fix: {} }, 'leave repairs out');
+}
 
 /** Everything that is in the way is repaired; then Run. */
 export async function repairAndRun(app: App): Promise<void> {
   const { doc } = app;
-  for (let pass = 0; pass < mostPasses && doc.model && !doc.usableModel; pass++) {
-    const repairs = repairsFor(doc.model);
-    const isDone = repairs.length > 0 ? await repair(app, repairs) : await repairAll(app);
-    if (!isDone) return;
-  }
+  if (doc.model && !doc.usableModel && !(await repairAll(app))) return;
   if (doc.usableModel) await run(app);
 }

@@ -22,10 +22,11 @@ import type {
   Solution,
   SolveRequest,
 } from '../model/types';
-import { isCertified } from '../model/verdict';
+import { componentsOf, isCertified } from '../model/verdict';
 import { ensureWorker } from '../services/solver';
 import { describeError } from '../text/error_messages';
 import { count, plural } from '../text/format';
+import { repairsMade } from '../text/repairs';
 import { describeLines, solveAligned } from './align';
 import { solverOf, type App } from './app';
 import { copyCommand } from './copy_command';
@@ -125,7 +126,9 @@ async function solve(app: App, model: Model, output: Output, call: JobCall): Pro
   const { doc } = app;
   const { rounds, improve, frames, grid } = doc.solve;
   const { turnings, handles, q } = doc.prescription;
-  const options = { maxRounds: rounds, improve, scale: output.scale };
+  // A component without a map is cut to a disk and fails its checks; the others are as good as without it.
+  const keepGoing = (model.info.components?.length ?? 1) > 1;
+  const options = { maxRounds: rounds, improve, scale: output.scale, keepGoing };
   const framed = usesField(app) ? { frames, field: doc.field } : {};
   const isAutomatic = !usesField(app) && doc.needsCones;
   const what = isAutomatic ? { q } : { cones: toCones(doc.prescription), ...framed };
@@ -137,8 +140,8 @@ async function solve(app: App, model: Model, output: Output, call: JobCall): Pro
   return writeSolution(app, model, request, result, call);
 }
 
-const writeOptions = ({ uvSet, embedCones }: Output): WriteOptions => ({
-  ...{ allowUncertified: true, embedCones },
+export const writeOptions = ({ uvSet, embedCones, usesNewSet }: Output): WriteOptions => ({
+  ...{ allowUncertified: true, embedCones, use: usesNewSet },
   ...(uvSet === undefined ? {} : { uvSet }),
 });
 
@@ -270,12 +273,17 @@ function sayVerdict(app: App, solution: Solution, isOpen: boolean): void {
   const cones = solution.prescription.cones.length;
   const chosen = isOpen && cones > 0 ? ` (${plural(cones, 'cone')} suggested)` : '';
   if (isCertified(solution)) {
-    const text = `Certified: no triangle is folded${describeLines(solution)}${chosen}.`;
+    const isRepaired = doc.model && repairsMade(doc.model.info, doc.model.loaded) !== undefined;
+    const repaired = isRepaired ? ' It was repaired first: what was done is under Result.' : '';
+    const text = `Certified: no triangle is folded${describeLines(solution)}${chosen}.${repaired}`;
     return doc.say(text, 'good', denserButton(app, solution));
   }
   const other = solution.frames === 'file' ? ' Automatic frames may do better.' : '';
+  const parts = componentsOf(solution.result.certificate);
+  const good = parts.filter(({ reasons }) => !reasons?.length).length;
+  const most = good > 0 ? ` ${good} of ${parts.length} components pass.` : '';
   const see = 'The map can be viewed; see the certificate.';
-  doc.say(`Not certified${chosen}. ${see}${other}`, 'error');
+  doc.say(`Not certified${chosen}.${most} ${see}${other}`, 'error');
 }
 
 export async function run(app: App): Promise<void> {

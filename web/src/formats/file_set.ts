@@ -3,6 +3,7 @@
 
 import type { Files, Missing } from '../model/types';
 import { gltfOf, isGltf, objectsIn } from './glb';
+import { gunzip } from './gzip';
 import { unzip } from './zip';
 
 const meshEnding = /\.(glb|gltf|obj|off|ply|stl)$/i;
@@ -50,12 +51,14 @@ export function filesOfInput(list: Iterable<File>): Files {
   return new Map([...list].map((file) => [file.webkitRelativePath || file.name, file]));
 }
 
-/** ZIPs unpacked, the folder that everything is in taken away. */
+/** ZIP and gzip files unpacked, the folder that everything is in taken away. */
 export async function unpack(files: Files): Promise<Files> {
   const all: Files = new Map();
   for (const [name, file] of files) {
     if (/\.zip$/i.test(name) && file instanceof Blob) {
       for (const [inner, bytes] of await unzip(file)) all.set(inner, bytes);
+    } else if (/\.gz$/i.test(name) && file instanceof Blob) {
+      all.set(name.slice(0, -3), await gunzip(file));
     } else all.set(name, file);
   }
   const names = [...all.keys()].filter((name) => !/(^|\/)(\.|__MACOSX)/.test(name));

@@ -89,7 +89,9 @@ export const loadOptionsOf = ({ weld, fix, hasAllRepairs }: LoadSettings) =>
   hasAllRepairs ? { weld } : { weld, fix };
 export const plainSettings: LoadSettings = { fix: {} };
 export const plainGrid: GridSettings = { isOn: true, mode: 'tile' };
-export const plainOutput: Output = { scale: 'solved', embedCones: true, hasGrid: false };
+export const plainOutput: Output = {
+  ...{ scale: 'solved', usesNewSet: false, embedCones: true, hasGrid: false },
+};
 const plainLook: Look = {
   pattern: 'checker',
   overlay: 'none',

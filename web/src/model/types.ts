@@ -107,6 +107,8 @@ export interface Seam {
 export interface Output {
   /** glTF: the set to write; without it the next free one. */
   uvSet?: number;
+  /** glTF: the textures of the file use the set that is written. */
+  usesNewSet: boolean;
   scale: 'solved' | 'unit' | 'fit';
   embedCones: boolean;
   /** glTF: the mesh gets a grid as its material. */

@@ -25,27 +25,29 @@ const scales: [Output['scale'], string][] = [
 const valueOf = (event: Event): string => (event.target as HTMLSelectElement).value;
 const isChecked = (event: Event): boolean => (event.target as HTMLInputElement).checked;
 
+/** What becomes of the textures: `keep`, `use`, or the number of the set that is replaced. */
+const chosenSet = ({ uvSet, usesNewSet }: Output): string =>
+  uvSet === undefined ? (usesNewSet ? 'use' : 'keep') : String(uvSet);
+
 /** glTF: whether the textures of the file shall use the new coordinates, or keep the old. */
 function setChooser(app: App, output: Output): TemplateResult | typeof nothing {
   const { info } = app.doc.model!;
   const sets = info.surfaces[info.surface]?.uvSets ?? [];
   if (!/^(glb|gltf)$/.test(info.file.format) || sets.length === 0) return nothing;
+  const chosen = chosenSet(output);
   const set = (event: Event): void => {
-    const uvSet = valueOf(event) === 'next' ? undefined : Number(valueOf(event));
-    void attempt(app, () => rewrite(app, { uvSet }));
+    const value = valueOf(event);
+    const uvSet = /\d/.test(value) ? Number(value) : undefined;
+    void attempt(app, () => rewrite(app, { uvSet, usesNewSet: value === 'use' }));
   };
+  const choice = (value: string, text: string): TemplateResult =>
+    html`<option value=${value} ?selected=${chosen === value}>${text}</option>`;
   return html`<label
     >The file’s own textures
     <select id="uv-set" @change=${set}>
-      <option value="next" ?selected=${output.uvSet === undefined}>
-        keep their coordinates; the new are TEXCOORD_${sets.length}
-      </option>
-      ${sets.map(
-        (n) =>
-          html`<option value=${n} ?selected=${output.uvSet === n}>
-            use the new ones: replace TEXCOORD_${n}
-          </option>`,
-      )}
+      ${choice('keep', `keep their coordinates; the new are TEXCOORD_${sets.length}`)}
+      ${choice('use', `use the new ones, TEXCOORD_${sets.length}; the old stay in the file`)}
+      ${sets.map((n) => choice(String(n), `use the new ones: replace TEXCOORD_${n}`))}
     </select>
   </label>`;
 }

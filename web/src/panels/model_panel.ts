@@ -3,7 +3,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { attempt } from '../actions/app';
 import { reloadWith } from '../actions/load';
-import { repair, repairFor, type Repair } from '../actions/repair';
+import { canRepair, repair, repairAll, repairFor, type Repair } from '../actions/repair';
 import { showPlaces } from '../actions/view';
 import type { Model } from '../model/types';
 import { count } from '../text/format';
@@ -70,8 +70,24 @@ class ModelPanel extends Panel {
     </dl>`;
   }
 
-  #defects({ info }: Model): TemplateResult | typeof nothing {
+  /** One repair, or all where that one has been made and is not enough. */
+  #fixButton(model: Model, fix: Repair | undefined): TemplateResult | typeof nothing {
+    if (!fix || !canRepair(model)) return nothing;
+    const isMade = model.loaded.fix[fix] === true;
+    const act = (): Promise<boolean> => (isMade ? repairAll(this.app) : repair(this.app, [fix]));
+    return html`<button
+      type="button"
+      class="small"
+      data-fix=${isMade ? 'all' : fix}
+      @click=${() => void attempt(this.app, act)}
+    >
+      ${isMade ? 'Repair all' : repairLabels[fix]}
+    </button>`;
+  }
+
+  #defects(model: Model): TemplateResult | typeof nothing {
     const { app } = this;
+    const { info } = model;
     if (info.defects.length === 0) return nothing;
     return html`<ul class="defects">
       ${info.defects.map(({ kind, count: found, where, fatal }) => {
@@ -87,18 +103,7 @@ class ModelPanel extends Panel {
             >
               Show
             </button>
-            ${
-              fix
-                ? html`<button
-                    type="button"
-                    class="small"
-                    data-fix=${fix}
-                    @click=${() => void attempt(app, () => repair(app, [fix]))}
-                  >
-                    ${repairLabels[fix]}
-                  </button>`
-                : nothing
-            }
+            ${this.#fixButton(model, fix)}
           </span>
         </li>`;
       })}

@@ -2,6 +2,8 @@
 
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Where } from 'hgp';
+import { attempt } from '../actions/app';
+import { leaveRepairsOut } from '../actions/repair';
 import { showPlaces } from '../actions/view';
 import type { Solution } from '../model/types';
 import {
@@ -13,6 +15,7 @@ import {
   type VerdictRow,
 } from '../model/verdict';
 import { count, memoryText, signed } from '../text/format';
+import { repairsMade } from '../text/repairs';
 import { actionButton } from './action_button';
 import { icon } from './icons';
 import { Panel } from './panel';
@@ -74,7 +77,7 @@ class ResultPanel extends Panel {
     return html`<details open id="panel-result" class=${doc.current === solution ? '' : 'stale'}>
       <summary>Result</summary>
       ${this.#banner(solution, isGood)} ${this.#twoNumbers(solution)}
-      ${isGood ? nothing : this.#reasons(solution)}
+      ${isGood ? nothing : this.#reasons(solution)} ${this.#repairs()}
       <details id="result-details" ?open=${!isGood}>
         <summary>Details</summary>
         ${this.#table(solution)} ${factList(statistics(solution))}
@@ -124,6 +127,28 @@ class ResultPanel extends Panel {
         </dd>
       </div>
     </dl>`;
+  }
+
+  /** What was solved is not quite what is in the file: said where the verdict is read. */
+  #repairs(): TemplateResult | typeof nothing {
+    const { app } = this;
+    const { model } = app.doc;
+    const repairs = model && repairsMade(model.info, model.loaded);
+    if (!repairs) return nothing;
+    const act = (): void => void attempt(app, () => leaveRepairsOut(app));
+    return html`<div class="note" id="repairs">
+      <p><b>Repaired first.</b> ${repairs.defects} The triangles in the file stay as they are.</p>
+      ${
+        repairs.made.length > 0
+          ? html`<ul>
+              ${repairs.made.map((text) => html`<li>${text}</li>`)}
+            </ul>`
+          : nothing
+      }
+      <button type="button" class="small" ?disabled=${app.doc.isBusy} @click=${act}>
+        Leave repairs out
+      </button>
+    </div>`;
   }
 
   #reasons(solution: Solution): TemplateResult[] {

@@ -5,7 +5,7 @@ import { examples } from 'virtual:examples';
 import { attempt, type App } from '../actions/app';
 import { openExample } from '../actions/open';
 import { labelOf, perform, whyNotOf } from '../actions/registry';
-import { repairsFor } from '../actions/repair';
+import { canRepair } from '../actions/repair';
 import { actionButton } from './action_button';
 import { icon } from './icons';
 import { Panel } from './panel';
@@ -23,7 +23,7 @@ export function fileParts(app: App): TemplateResult {
 export function runButton(app: App): TemplateResult {
   const { doc } = app;
   if (doc.isBusy) return actionButton(app, 'cancel', { className: 'primary' });
-  if (doc.model && repairsFor(doc.model).length > 0) {
+  if (doc.model && canRepair(doc.model)) {
     return actionButton(app, 'repair-and-run', { className: 'primary' });
   }
   const why = whyNotOf(app, 'run');

@@ -25,7 +25,8 @@ function meshWords({ info, loaded }: Model): string[] {
   if (info.surfaces.length > 1) words.push('--mesh', String(info.surface));
   if (loaded.weld !== undefined) words.push('--weld', String(loaded.weld));
   const fixes = Object.entries(loaded.fix).flatMap(([name, isOn]) => (isOn ? [name] : []));
-  if (fixes.length > 0) words.push('--fix', fixes.join(','));
+  // Without the option the command line makes all repairs that are needed.
+  if (!loaded.hasAllRepairs && fixes.length > 0) words.push('--fix', fixes.join(','));
   return words;
 }
 

@@ -123,6 +123,13 @@ class Session {
     });
   }
 
+  val facts() const {
+    return guarded([&] {
+      const Result<api::SurfaceFacts> made = session_.facts();
+      return made ? toFacts(*made) : failed(made.error());
+    });
+  }
+
   val loops() const {
     return guarded([&] {
       const Result<api::SurfaceLoops> made = session_.loops();
@@ -196,6 +203,7 @@ EMSCRIPTEN_BINDINGS(hgp) {
       .function("verify", &Session::verify)
       .function("write", &Session::write)
       .function("measure", &Session::measure)
+      .function("facts", &Session::facts)
       .function("loops", &Session::loops)
       .function("quads", &Session::quads);
   emscripten::function("neededDecoders", &neededDecoders);

@@ -90,6 +90,21 @@ inline val toRepaired(const api::Repaired& mesh) {
   return out;
 }
 
+/// What is known of a surface.
+inline val toFacts(const api::SurfaceFacts& facts) {
+  val out = val::object();
+  out.set("representative", toTypedArray("Int32Array", facts.representative));
+  out.set("angle", toTypedArray("Float64Array", facts.angle));
+  out.set("valence", toTypedArray("Uint32Array", facts.valence));
+  out.set("isBoundary", toTypedArray("Uint8Array", facts.isBoundary));
+  out.set("component", toTypedArray("Int32Array", facts.component));
+  out.set("triangleComponent", toTypedArray("Int32Array", facts.triangleComponent));
+  out.set("neighbourStart", toTypedArray("Uint32Array", facts.neighbourStart));
+  out.set("neighbours", toTypedArray("Uint32Array", facts.neighbours));
+  out.set("area", facts.area);
+  return out;
+}
+
 /// Files as { name, bytes }.
 inline val toFiles(const std::vector<io::OutputFile>& files) {
   val list = val::array();

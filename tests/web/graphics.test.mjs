@@ -1,5 +1,6 @@
-// What would hold the main thread up, by what is asked of the graphics card: no program is compiled once a model
-// is open, and nothing large goes there at once. Times depend on the card, these do not.
+// What would hold the main thread up, by what is asked of the graphics card and sent to workers: no program is
+// compiled once a model is open, nothing large goes to the card at once, and nothing large is copied for a
+// worker. Times depend on the card and on what else runs, these do not.
 
 import assert from 'node:assert/strict';
 import { bumpyDisk } from '../support/disk.mjs';
@@ -30,19 +31,49 @@ function watchContexts() {
   };
 }
 
+/** Notes the largest array that a message to a worker copies: what is not lent, wherever in it. */
+function watchWorkers() {
+  const { prototype } = Worker;
+  const { postMessage } = prototype;
+  const seen = (globalThis.sent = { messages: 0, lent: 0, copied: 0 });
+  const arraysIn = (value, found = new Set()) => {
+    if (ArrayBuffer.isView(value)) found.add(value.buffer);
+    else if (value instanceof Map || Array.isArray(value))
+      value.forEach((one) => arraysIn(one, found)); // prettier-ignore
+    else if (value && Object.getPrototypeOf(value) === Object.prototype)
+      Object.values(value).forEach((one) => arraysIn(one, found));
+    return found;
+  };
+  prototype.postMessage = function (message, lent = []) {
+    seen.messages += 1;
+    for (const buffer of arraysIn(message)) {
+      const kind = lent.includes(buffer) ? 'lent' : 'copied';
+      seen[kind] = Math.max(seen[kind], buffer.byteLength);
+    }
+    return postMessage.call(this, message, lent);
+  };
+}
+
 it.test('programs are ready before they are needed; arrays go to the card in slices', async (t) => {
   const { page } = it;
   await page.addInitScript(watchContexts);
+  await page.addInitScript(watchWorkers);
   await page.reload();
   await state(page, 'empty');
   const isWarm = () => globalThis.seen.programs.filter((one) => one.startsWith('map')).length >= 4;
   await page.waitForFunction(isWarm);
-  await openFiles(it, { 'disk.obj': bumpyDisk(150) }); // 135 thousand triangles: 4.9 MB of places
+  const text = bumpyDisk(150); // 135 thousand triangles: 4.9 MB of places
+  assert.ok(text.length > 5e6);
+  await openFiles(it, { 'disk.obj': text });
   await page.locator('#align').uncheck();
   await run(it);
   await settled(page);
   const { programs, largest, bytes } = await page.evaluate(() => globalThis.seen);
   t.diagnostic(`${(bytes / 1e6).toFixed(1)} MB, ${(largest / 1e6).toFixed(1)} MB at once at most`);
+  const { messages, lent, copied } = await page.evaluate(() => globalThis.sent);
+  t.diagnostic(`${messages} messages, ${(copied / 1e6).toFixed(1)} MB copied at once at most`);
+  assert.ok(copied <= 4 * 2 ** 20, `${copied} bytes are copied for a worker`);
+  assert.ok(lent >= 135_000 * 12, `${lent} bytes at most are lent`);
   assert.deepEqual(programs.filter((one) => !/ (starting|empty)$/.test(one)), []); // prettier-ignore
   assert.ok(largest <= 4 * 2 ** 20, `${largest} bytes at once`);
   assert.ok(bytes >= 135_000 * 3 * (12 + 12 + 8), `${bytes} bytes: both views are drawn`);

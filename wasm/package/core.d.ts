@@ -189,6 +189,27 @@ export interface Measures {
   seamChains: Uint32Array;
 }
 
+/** Of the surface as it is solved, that is joined and repaired, in the ids of the file. */
+export interface SurfaceFacts {
+  /** The vertex that a vertex is one with, itself in most cases; −1 where a repair removed it. */
+  representative: Int32Array;
+  /** Sum of the triangle angles at each vertex, in radians. */
+  angle: Float64Array;
+  /** Triangles at each vertex; the most, where a repair made several of it. */
+  valence: Uint32Array;
+  /** 1 on the boundary. */
+  isBoundary: Uint8Array;
+  /** Connected component of each vertex, in the order of `ModelInfo.components`; −1 without triangles. */
+  component: Int32Array;
+  /** The same of each triangle; −1 where a repair left it out. */
+  triangleComponent: Int32Array;
+  /** Neighbours of v: neighbours[neighbourStart[v]] … neighbours[neighbourStart[v + 1] − 1]. */
+  neighbourStart: Uint32Array;
+  neighbours: Uint32Array;
+  /** Of all triangles, in the square of the file's unit. */
+  area: number;
+}
+
 /** As a prescription numbers them (`boundaries[].loop`, `handles[].generator`). */
 export interface Loops {
   /** Vertices in order, the surface on their left. */
@@ -355,6 +376,7 @@ export class Core {
   verify(options?: VerifyOptions): Certificate;
   write(options?: WriteOptions): Written;
   measure(): Measures;
+  facts(): SurfaceFacts;
   loops(): Loops;
   /** The cells of a map aligned in quad mode; rejects with `no-map` where it is not. */
   quads(options?: QuadOptions): Quads;

@@ -22,6 +22,7 @@ import type {
   SolveOptions,
   SuggestOptions,
   Surface,
+  SurfaceFacts,
   VerifyOptions,
   QuadOptions,
   Quads,
@@ -53,6 +54,7 @@ export type {
   SolveOptions,
   SuggestOptions,
   Surface,
+  SurfaceFacts,
   VerifyOptions,
   Where,
   QuadOptions,
@@ -123,6 +125,8 @@ export interface Client extends AsyncDisposable {
   write(options?: WriteOptions, call?: CallOptions): Promise<Written>;
   /** Distortion by triangle, overlaps, and which seam edges are one seam. */
   measure(call?: CallOptions): Promise<Measures>;
+  /** Angles, valences, boundary, components and neighbours of the loaded surface, usable or not. */
+  facts(call?: CallOptions): Promise<SurfaceFacts>;
   /** What the numbers of boundary loops and handle generators mean, on the loaded surface. */
   loops(call?: CallOptions): Promise<Loops>;
   /** The cells of a map aligned in quad mode (`grid`) as a quad mesh. */

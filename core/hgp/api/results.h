@@ -23,6 +23,21 @@ struct Repaired {
   std::vector<int> vertexImage;          ///< vertex of the surface → vertex, −1 when removed
 };
 
+/// What is known of the surface as it is solved (welded, repaired), told by the ids of the file.
+struct SurfaceFacts {
+  std::vector<int>
+      representative;  ///< the vertex that a vertex is one with, or itself; −1 when removed
+  std::vector<double> angle;  ///< Θ_v, the sum of the triangle angles, radians
+  std::vector<std::uint32_t>
+      valence;  ///< triangles at the vertex; the most where it became several
+  std::vector<std::uint8_t> isBoundary;  ///< 0 where one of those that it became is inside
+  std::vector<int> component;            ///< connected component, −1 without triangles
+  std::vector<int> triangleComponent;    ///< of every triangle, −1 when left out
+  /// Neighbours of v: neighbours[neighbourStart[v]] … neighbours[neighbourStart[v + 1] − 1].
+  std::vector<std::uint32_t> neighbourStart, neighbours;
+  double area = 0;  ///< of all triangles, in the square of the file's unit
+};
+
 /// Of a result, triangle by triangle as they are stored, and seam edge by seam edge.
 struct MapMeasures {
   std::vector<float> stretch;  ///< ratio of the singular values ≥ 1; 1 keeps angles

@@ -67,6 +67,8 @@ class Session {
 
   /// Of the result: what overlays, colours of seams and statistics are made from.
   Result<MapMeasures> measure() const;
+  /// Of the loaded surface, usable or not.
+  Result<SurfaceFacts> facts() const;
   /// Boundary loops and handle generators as a prescription numbers them.
   Result<SurfaceLoops> loops() const;
 

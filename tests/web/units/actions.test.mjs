@@ -6,7 +6,8 @@ import { effect } from '@preact/signals-core';
 import { Document } from '../../../web/src/model/document.ts';
 import { suggestedK } from '../../../web/src/model/gauss_bonnet.ts';
 import { balancingCones } from '../../../web/src/services/geometry/balance_cones.ts';
-import { surfaceFacts } from '../../../web/src/services/geometry/surface_facts.ts';
+import { locatedSurface } from '../../../web/src/services/geometry/placed_surface.ts';
+import { plainFacts } from './plain_facts.mjs';
 import { cliCommand, quoted } from '../../../web/src/text/cli_command.ts';
 import { TimeLeft } from '../../../web/src/text/time_left.ts';
 import { cubeMesh } from '../../support/meshes.mjs';
@@ -61,7 +62,8 @@ test('who has read a value is told of another; derived values follow', () => {
 function cubeSurface(n) {
   const { vertices, triangles } = cubeMesh(n);
   const positions = Float64Array.from(vertices.flat());
-  return surfaceFacts({ positions, triangles: Uint32Array.from(triangles.flat()) });
+  const arrays = { positions, triangles: Uint32Array.from(triangles.flat()) };
+  return locatedSurface(arrays, plainFacts({ vertices, triangles }));
 }
 
 test('a click on a flat side means a cone of the sign that is missing, not noise', () => {

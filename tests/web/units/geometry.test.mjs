@@ -6,8 +6,10 @@ import path from 'node:path';
 import test from 'node:test';
 import { loopSegments } from '../../../web/src/services/geometry/handle_loops.ts';
 import { drawThumbnail } from '../../../web/src/services/geometry/thumbnail.ts';
+import { bumpyDisk } from '../../support/disk.mjs';
 import { cubeMesh, toObj } from '../../support/meshes.mjs';
-import { torusMesh } from '../shapes.mjs';
+import { cubesOnAnEdge, torusMesh } from '../shapes.mjs';
+import { plainFacts } from './plain_facts.mjs';
 
 const core = path.resolve(import.meta.dirname, '../../../build/package/node/core.js');
 const skip = existsSync(core) ? false : 'build/package is not there: build hgp_package first';
@@ -19,6 +21,65 @@ const open = async (mesh) => {
   core.load({ main: 'mesh.obj', files: new Map([['mesh.obj', bytes]]) });
   return core;
 };
+
+/** The text of an OBJ of triangles as a mesh. */
+function meshOf(text) {
+  const rows = (word) => text.split('\n').filter((line) => line.startsWith(`${word} `)).map((line) => line.split(' ').slice(1)); // prettier-ignore
+  const vertices = rows('v').map((row) => row.map(Number));
+  return { vertices, triangles: rows('f').map((row) => row.map((corner) => parseInt(corner) - 1)) };
+}
+
+test(
+  'facts of the package are those of plain counting: closed, open, in parts',
+  { skip },
+  async () => {
+    const [cube, torus] = [cubeMesh(4), torusMesh(9, 7)];
+    const count = cube.vertices.length;
+    const parts = {
+      vertices: [...cube.vertices, [9, 9, 9], ...torus.vertices], // one that no triangle names
+      triangles: [...cube.triangles, ...torus.triangles.map((t) => t.map((v) => v + count + 1))],
+    };
+    const fan = { vertices: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0, -1, 0]], triangles: [[0, 1, 2], [0, 1, 3], [0, 1, 4]] }; // prettier-ignore
+    for (const mesh of [cube, torus, meshOf(bumpyDisk(9)), parts, fan]) {
+      const core = await open(mesh);
+      if (mesh === fan) {
+        // Refused as it is, and known all the same.
+        const bytes = new TextEncoder().encode(toObj(mesh));
+        const files = new Map([['mesh.obj', bytes]]);
+        assert.equal(core.load({ main: 'mesh.obj', files }, { strict: true }).usable, false);
+      }
+      const { angle, area, ...facts } = core.facts();
+      const { angle: plainAngle, area: plainArea, ...plain } = plainFacts(mesh);
+      assert.deepEqual(facts, plain);
+      assert.ok(Math.abs(area / plainArea - 1) < 1e-12);
+      for (const [v, x] of angle.entries()) assert.ok(Math.abs(x - plainAngle[v]) < 1e-12, `${v}`);
+    }
+  },
+);
+
+test('facts of a repaired mesh are said of the vertices of the file', { skip }, async () => {
+  const core = await createCore();
+  const files = new Map([['cubes.obj', new TextEncoder().encode(cubesOnAnEdge())]]);
+  const info = core.load({ main: 'cubes.obj', files });
+  assert.equal(info.components.length, 2);
+  const facts = core.facts();
+  // The cubes are apart; the vertices of the edge are in both and told by their triangles.
+  assert.deepEqual([...new Set(facts.triangleComponent)].sort(), [0, 1]);
+  assert.ok(facts.isBoundary.every((x) => x === 0));
+  const { triangles, repaired } = core.surface();
+  triangles.forEach((v, c) => {
+    const isShared = repaired.vertexOrigin.filter((w) => w === v).length > 1;
+    if (!isShared) assert.equal(facts.component[v], facts.triangleComponent[Math.floor(c / 3)]);
+  });
+  assert.deepEqual(
+    facts.representative,
+    Int32Array.from(facts.representative, (_, v) => v),
+  );
+  // A triangle that is left out has no component.
+  const twice = cubeMesh(2);
+  const again = await open({ ...twice, triangles: [...twice.triangles, twice.triangles[0]] });
+  assert.equal(again.facts().triangleComponent.at(-1), -1);
+});
 
 test(
   'handle loops of the package: the seams along each add up to the r that was asked',

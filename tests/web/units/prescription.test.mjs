@@ -123,9 +123,9 @@ function chain(count) {
     vertexCount: count,
     valence: all(6),
     isBoundary: all(0),
-    splitComponent: new Int32Array(0),
+    triangleComponent: new Int32Array(0),
     component: all(0),
-    starts: Array.from({ length: count + 1 }, (_, v) => 2 * v),
+    neighbourStart: Array.from({ length: count + 1 }, (_, v) => 2 * v),
     neighbours: Array.from({ length: 2 * count }, (_, i) => (i >> 1) + (i & 1 ? 1 : -1)),
   };
 }

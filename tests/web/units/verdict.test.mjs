@@ -4,9 +4,16 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { isCertified, verdictRows } from '../../../web/src/model/verdict.ts';
 import { analyse } from '../../../web/src/services/geometry/analyse.ts';
-import { edgesOf } from '../../../web/src/services/geometry/adjacency.ts';
+import { plainFacts } from './plain_facts.mjs';
 
 /** A square of four triangles around a middle vertex, mapped onto itself. */
+/** Neighbours, as the map's distances to seams want them. */
+function edgesOf(triangles, vertexCount) {
+  const vertices = Array.from({ length: vertexCount }, () => [0, 0, 0]);
+  const rows = Array.from({ length: triangles.length / 3 }, (_, t) => [...triangles.subarray(3 * t, 3 * t + 3)]); // prettier-ignore
+  return { ...plainFacts({ vertices, triangles: rows }), vertexCount };
+}
+
 function square() {
   const positions = Float64Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0.5, 0.5, 0);
   const triangles = Uint32Array.of(0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4);
@@ -59,7 +66,7 @@ function measuresOf({ uv, cornerToUv, seams }) {
 /** The page's solution for a map and the file that was written for it. */
 function solutionOf(map, bytes = objOf(map)) {
   const files = [{ name: 'square.obj', bytes }];
-  const edges = { ...edgesOf(map.triangles, 5), vertexCount: 5 };
+  const edges = edgesOf(map.triangles, 5);
   const { analysis } = analyse({ map, measures: measuresOf(map), files, mesh: 0 }, edges);
   const prescription = { q: 4, cones: [], turnings: [], handles: [] };
   return { ...analysis, prescription, written: { bytes }, files, result: { ...map, certificate } };
@@ -125,7 +132,7 @@ test('a file with a face less, or none that can be read, is no file with this ma
   const less = new TextEncoder().encode(text.slice(0, text.lastIndexOf('f ')));
   assert.match(failed(solutionOf(square(), less))[0].tolerance, /3 triangles.*not 4/);
   const files = [{ name: 'x.glb', bytes: new Uint8Array(4) }];
-  const edges = { ...edgesOf(square().triangles, 5), vertexCount: 5 };
+  const edges = edgesOf(square().triangles, 5);
   const { analysis } = analyse(
     { map: square(), measures: measuresOf(square()), files, mesh: 0 },
     edges,
@@ -169,7 +176,7 @@ test('a polygon of the file is the same map, however it was made triangles; anot
   const own = [[0, 0], [1, 0], [1, 1], [0, 1]]; // prettier-ignore
   const compare = (bytes) => {
     const files = [{ name: 'quad.obj', bytes }];
-    const edges = { ...edgesOf(quad.triangles, 4), vertexCount: 4 };
+    const edges = edgesOf(quad.triangles, 4);
     return analyse({ map: quad, measures: measuresOf(quad), files, mesh: 0 }, edges).analysis;
   };
   const same = compare(text('1/1 2/2 3/3 4/4', own));
@@ -209,7 +216,7 @@ test('a PLY with its list of texture coordinates is read back, as text and as by
     for (const x of uvOf(uv)) at = body.writeDoubleBE(x, at);
   }
   const asBytes = new Uint8Array(Buffer.concat([Buffer.from(header('binary_big_endian')), body]));
-  const edges = { ...edgesOf(map.triangles, 5), vertexCount: 5 };
+  const edges = edgesOf(map.triangles, 5);
   for (const bytes of [asText, asBytes]) {
     const files = [{ name: 'square.ply', bytes }];
     assert.equal(

@@ -47,7 +47,7 @@ class Client {
 
   async load(source, options = {}, call = {}) {
     checkOptions('load', options);
-    const args = [await toFileSet(source, options.name), options];
+    const args = [await toFileSet(source, options.name, this.#platform.packed), options];
     const info = await this.#call('load', args, call);
     this.#source = ['load', args];
     return info;
@@ -101,7 +101,7 @@ class Client {
   async parametrizeFile(source, options = {}, call = {}) {
     checkOptions('parametrizeFile', options);
     const { weld, fix, strict, writeRepairs, limits, target, name } = options;
-    const files = await toFileSet(source, name);
+    const files = await toFileSet(source, name, this.#platform.packed);
     const result = await this.#call('parametrizeFile', [files, options], call);
     this.#source = ['load', [files, { weld, fix, strict, writeRepairs, limits, target }]];
     return result;
@@ -119,6 +119,10 @@ class Client {
 
   measure(call) {
     return this.#call('measure', [], call);
+  }
+
+  facts(call) {
+    return this.#call('facts', [], call);
   }
 
   loops(call) {

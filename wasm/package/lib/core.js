@@ -229,6 +229,11 @@ export class Core {
     return this.#reply(this.#live.measure());
   }
 
+  /** What is known of the loaded surface, usable or not, by vertex and by triangle. */
+  facts() {
+    return this.#reply(this.#live.facts());
+  }
+
   /** What the numbers of boundary loops and handle generators mean. */
   loops() {
     return this.#reply(this.#live.loops());

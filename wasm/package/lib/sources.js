@@ -16,20 +16,32 @@ async function bytesOf(source) {
   );
 }
 
-/** File, Blob, bytes or FileSet → { main, files: Map<name, Uint8Array> }. */
-export async function toFileSet(source, name) {
+/**
+ * File, Blob, bytes or FileSet → { main, files: Map<name, what `pack` makes of its bytes> }.
+ * @param {object} source
+ * @param {string | undefined} name
+ * @param {(bytes: Uint8Array) => Promise<Uint8Array | Blob> | Uint8Array} [pack]
+ */
+export async function toFileSet(source, name, pack = (bytes) => bytes) {
   if (source === null || typeof source !== 'object' || source.files === undefined) {
     const bytes = await bytesOf(source);
     const main = name ?? source.name ?? '';
-    return { main, files: new Map([[main, bytes]]) };
+    return { main, files: new Map([[main, await pack(bytes)]]) };
   }
   const given = source.files instanceof Map ? source.files : new Map(Object.entries(source.files));
   if (!given.has(source.main)) {
     throw usage(`load: files has no '${source.main}', which main names`);
   }
   const files = new Map();
-  for (const [key, value] of given) files.set(key, await bytesOf(value));
+  for (const [key, value] of given) files.set(key, await pack(await bytesOf(value)));
   return { main: source.main, files };
+}
+
+/** Files as `pack` made them, in the worker: bytes again. */
+export async function unpacked({ main, files }) {
+  const plain = new Map();
+  for (const [name, value] of files) plain.set(name, await bytesOf(value));
+  return { main, files: plain };
 }
 
 const isNumbers = (value) =>

@@ -2,6 +2,7 @@
 // messages out: { id, result }, { id, error } or { id, progress }.
 
 import { HgpError } from './error.js';
+import { unpacked } from './sources.js';
 
 const progressInterval = 100; // milliseconds: at most ten reports a second
 
@@ -19,6 +20,7 @@ const methods = new Set([
   'verify',
   'write',
   'measure',
+  'facts',
   'loops',
   'quads',
 ]);
@@ -62,7 +64,7 @@ async function handle(state, post, { id, method, args, wantsProgress }) {
     // A file may need more than the solver: decoders, or to be decompressed.
     const [first, ...rest] = args;
     const isFile = method === 'load' || method === 'parametrizeFile';
-    const input = isFile ? await ready.prepare(first, ...rest) : first;
+    const input = isFile ? await ready.prepare(await unpacked(first), ...rest) : first;
     const result = ready[method](input, ...rest);
     if (id !== 0) post({ id, result }, [...buffersOf(result)]);
   } catch (error) {

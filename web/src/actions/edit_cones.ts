@@ -28,7 +28,7 @@ const setCones = (app: App, cones: readonly Cone[], kind: string): boolean =>
 /** The cone that a click at a vertex would place; nothing where it cannot be one. */
 export function coneToPlace({ doc }: App, picked: number): Cone | undefined {
   const model = doc.usableModel;
-  const vertex = model?.surface.meaning[picked] ?? -1;
+  const vertex = model?.surface.representative[picked] ?? -1;
   if (!model || vertex < 0 || model.surface.isBoundary[vertex]) return undefined;
   const { surface } = model;
   const left = leftAt(doc.budget, surface, vertex);
@@ -40,7 +40,7 @@ export function placeOrSelect(app: App, picked: number): void {
   const { doc } = app;
   const model = doc.usableModel;
   if (!model) return;
-  const vertex = model.surface.meaning[picked];
+  const vertex = model.surface.representative[picked];
   if (vertex < 0) return doc.say(`Vertex ${picked} was removed by a repair.`, 'error');
   const { cones } = doc.prescription;
   const there = cones.findIndex((cone) => cone.vertex === vertex);
@@ -78,7 +78,7 @@ export function moveCone(app: App, index: number, picked: number, drag: string):
   const { cones } = app.doc.prescription;
   const surface = app.doc.usableModel?.surface;
   const cone = cones[index];
-  const vertex = surface?.meaning[picked] ?? -1;
+  const vertex = surface?.representative[picked] ?? -1;
   if (!cone || cone.vertex === vertex || vertex < 0 || surface!.isBoundary[vertex]) return;
   if (cones.some((other) => other.vertex === vertex)) return;
   const changed = cones.map((one, i) => (i === index ? { ...one, vertex } : one));

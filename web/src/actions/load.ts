@@ -67,10 +67,10 @@ async function readMesh(
     info = await read(best);
   }
   if (info.triangles > mostTriangles) throw new Error(tooMany(main, info.triangles));
-  const arrays = await client.surface(call);
+  const [arrays, facts] = await Promise.all([client.surface(call), client.facts(call)]);
   call.signal.throwIfAborted();
   const matrix = instances?.[info.surface]?.matrix ?? identity;
-  const surface = await geometry.surface(arrays, matrix);
+  const surface = await geometry.surface(arrays, facts, matrix);
   call.signal.throwIfAborted();
   const remarks = remarksOn(info, instances?.[info.surface]);
   const model = { main, files, info, surface, loaded: settings, remarks, matrix };

@@ -135,7 +135,11 @@ export class Keyboard {
     const from = view.toScreen(this.#cursor);
     let best = -1;
     let bestCosine = 0.2;
-    for (let n = surface.starts[this.#cursor]; n < surface.starts[this.#cursor + 1]; n++) {
+    for (
+      let n = surface.neighbourStart[this.#cursor];
+      n < surface.neighbourStart[this.#cursor + 1];
+      n++
+    ) {
       const to = view.toScreen(surface.neighbours[n]);
       const [dx, dy] = [to.x - from.x, to.y - from.y];
       const cosine = (dx * x + dy * y) / (Math.hypot(dx, dy) || 1);

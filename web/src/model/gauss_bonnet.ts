@@ -59,7 +59,7 @@ function judgeCone(
     );
   }
   if (k === q) return { isGood: true, text: 'no effect (k = q)' };
-  for (let n = surface.starts[vertex]; n < surface.starts[vertex + 1]; n++) {
+  for (let n = surface.neighbourStart[vertex]; n < surface.neighbourStart[vertex + 1]; n++) {
     const j = coneAt.get(surface.neighbours[n]);
     if (j !== undefined) return { isGood: true, text: `shares a triangle with cone ${j + 1}` };
   }
@@ -108,7 +108,7 @@ function sentence(
 function spentByComponent({ q, cones }: Prescription, surface: Surface): Map<number, number> {
   const spent = new Map<number, number>();
   for (const { vertex, k, triangle = -1 } of cones) {
-    const ofTriangle = surface.splitComponent[triangle] ?? -1;
+    const ofTriangle = surface.triangleComponent[triangle] ?? -1;
     const component = ofTriangle >= 0 ? ofTriangle : (surface.component[vertex] ?? 0);
     spent.set(component, (spent.get(component) ?? 0) + q - k);
   }

@@ -16,13 +16,13 @@ const mostVertices = 600;
 
 /** Vertices within a small distance along edges, the vertex itself first. */
 export function neighbourhood(surface: Surface, vertex: number): number[] {
-  const { positions: p, starts, neighbours, diagonal } = surface;
+  const { positions: p, neighbourStart, neighbours, diagonal } = surface;
   const seen = new Set([vertex]);
   const found = [vertex];
   const far = (v: number): number =>
     Math.hypot(...[0, 1, 2].map((i) => p[3 * v + i] - p[3 * vertex + i]));
   for (let at = 0; at < found.length && found.length < mostVertices; at++) {
-    for (let n = starts[found[at]]; n < starts[found[at] + 1]; n++) {
+    for (let n = neighbourStart[found[at]]; n < neighbourStart[found[at] + 1]; n++) {
       const w = neighbours[n];
       const isFirstRing = at === 0;
       if (seen.has(w) || (!isFirstRing && far(w) > reach * diagonal)) continue;

@@ -17,17 +17,17 @@ export interface Transfer {
 type Place = (vertex: number) => number | string;
 
 const byNumber =
-  ({ meaning }: Surface): Place =>
+  ({ representative }: Surface): Place =>
   (v) =>
-    meaning[v] >= 0 ? meaning[v] : 'its vertex was removed';
+    representative[v] >= 0 ? representative[v] : 'its vertex was removed';
 
 function byPosition(old: Surface, now: Surface, wanted: number[]): Place {
   const key = (p: Float64Array, v: number): string => `${p[3 * v]} ${p[3 * v + 1]} ${p[3 * v + 2]}`;
   const found = new Map(wanted.map((v) => [key(old.positions, v), new Set<number>()]));
   const lefts = new Set(wanted.map((v) => old.positions[3 * v]));
   for (let v = 0; v < now.vertexCount; v++) {
-    if (!lefts.has(now.positions[3 * v]) || now.meaning[v] < 0) continue;
-    found.get(key(now.positions, v))?.add(now.meaning[v]);
+    if (!lefts.has(now.positions[3 * v]) || now.representative[v] < 0) continue;
+    found.get(key(now.positions, v))?.add(now.representative[v]);
   }
   return (v) => {
     const [first, ...more] = found.get(key(old.positions, v)) ?? [];

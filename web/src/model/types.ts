@@ -1,6 +1,6 @@
 // What the parts of the page hand to one another. Types only.
 
-import type { ModelInfo, Result, Where, Written } from 'hgp';
+import type { ModelInfo, Result, SurfaceFacts, Where, Written } from 'hgp';
 import type { Prescription } from './prescription';
 
 /** By relative name. */
@@ -17,31 +17,17 @@ export interface Missing {
   isNeeded: boolean;
 }
 
-/** The loaded surface: ids are those of the file, facts are those of what repairs and welds made of it. */
-export interface Surface {
+/**
+ * The loaded surface: ids are those of the file; what is known of vertices is told by the solver, of what
+ * repairs and welds made of them.
+ */
+export interface Surface extends SurfaceFacts {
   /** Names it in the geometry worker. */
   id: number;
   positions: Float64Array;
   triangles: Uint32Array;
   vertexCount: number;
-  /** Triangles at each vertex. */
-  valence: Uint16Array;
-  isBoundary: Uint8Array;
-  /** Connected component of each vertex, numbered by their smallest triangle. */
-  component: Int32Array;
-  /**
-   * The same of the triangles of the file at vertices that repairs made several of, −1 elsewhere; empty
-   * where there are none.
-   */
-  splitComponent: Int32Array;
-  /** Sum of the triangle angles at each vertex, in radians. */
-  angle: Float64Array;
-  /** Neighbours of v: neighbours[starts[v]] … neighbours[starts[v + 1] − 1]. */
-  starts: Uint32Array;
-  neighbours: Uint32Array;
   diagonal: number;
-  /** Of all triangles, as they are in the file. */
-  area: number;
   /** Where the model is seen: positions and normals moved by the first node that uses the mesh. */
   places: Float64Array;
   normals: Float32Array;
@@ -50,8 +36,6 @@ export interface Surface {
   /** A ball around it, where it is seen. */
   center: [number, number, number];
   radius: number;
-  /** The vertex that a vertex is one with, itself in most cases; −1 where it was removed. */
-  meaning: Int32Array;
   /** Three numbers per triangle corner, ready to be drawn. */
   cornerPositions: Float32Array;
   /** Four bytes per corner, 127 for 1: a graphics card takes long to be given more. */

@@ -1,7 +1,7 @@
 // The page's side of the geometry worker: calls that return promises. Arrays that are lent move to
 // the worker and come back with the answer, so that nothing large is copied on the main thread.
 
-import type { Measures, Result } from 'hgp';
+import type { Measures, Result, SurfaceFacts } from 'hgp';
 import type { Analysis, OutputFile, Surface } from '../model/types';
 import type { AnalysisRequest } from './geometry/analyse';
 import {
@@ -10,7 +10,7 @@ import {
   type GeometryCalls,
   type GeometryMethod,
 } from './geometry/protocol';
-import type { SurfaceArrays } from './geometry/surface_facts';
+import type { SurfaceArrays } from './geometry/placed_surface';
 import { geometryUrl, scriptUrl } from './trusted_types';
 
 interface Pending {
@@ -59,8 +59,8 @@ export class GeometryClient {
     });
   }
 
-  surface(arrays: SurfaceArrays, matrix: readonly number[]): Promise<Surface> {
-    return this.call('surface', [++this.#ids, arrays, matrix], arrays);
+  surface(arrays: SurfaceArrays, facts: SurfaceFacts, matrix: readonly number[]): Promise<Surface> {
+    return this.call('surface', [++this.#ids, arrays, facts, matrix], [arrays, facts]);
   }
 
   /** Why a file does not hold a map; empty where it does. */

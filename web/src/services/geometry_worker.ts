@@ -19,7 +19,7 @@ import {
   type GeometryMessage,
   type SerializedBvh,
 } from './geometry/protocol';
-import { movedBy, placed, surfaceFacts } from './geometry/surface_facts';
+import { locatedSurface, movedBy, placed } from './geometry/placed_surface';
 import { drawThumbnail } from './geometry/thumbnail';
 
 interface KnownMap {
@@ -101,11 +101,11 @@ async function decoderFor(main: OutputFile): Promise<MeshoptDecoder | undefined>
 }
 
 const calls: GeometryCalls = {
-  surface(id, arrays, matrix) {
-    const facts = placed(surfaceFacts(arrays), matrix);
-    const cornerPositions = cornersOf(facts.places, facts.triangles);
-    const cornerNormals = packedNormals(facts.normals, facts.triangles);
-    const surface = { id, ...facts, cornerPositions, cornerNormals };
+  surface(id, arrays, facts, matrix) {
+    const own = placed(locatedSurface(arrays, facts), matrix);
+    const cornerPositions = cornersOf(own.places, own.triangles);
+    const cornerNormals = packedNormals(own.normals, own.triangles);
+    const surface = { id, ...own, cornerPositions, cornerNormals };
     surfaces.set(id, copied({ ...surface, cornerNormals: new Int8Array(0) }));
     return surface;
   },

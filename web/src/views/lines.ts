@@ -75,31 +75,39 @@ void main() {
 
 const corners = [0, 2, 1, 1, 2, 3]; // of the two triangles of one segment
 
-/** Each item of `width` numbers four times. */
-function fourTimes(values: ArrayLike<number>, width: number, step: number, from: number) {
+/** Three of every `step` numbers, four times. */
+function fourTimes(values: ArrayLike<number>, step: number, from: number): BufferAttribute {
   const count = values.length / step;
-  const out = new Float32Array(4 * width * count);
-  for (let s = 0; s < count; s++) {
+  const out = new Float32Array(12 * count);
+  for (let s = 0, at = 0; s < count; s++) {
+    const x = values[step * s + from];
+    const y = values[step * s + from + 1];
+    const z = values[step * s + from + 2];
     for (let corner = 0; corner < 4; corner++) {
-      for (let i = 0; i < width; i++) {
-        out[width * (4 * s + corner) + i] = values[step * s + from + i];
-      }
+      out[at++] = x;
+      out[at++] = y;
+      out[at++] = z;
     }
   }
-  return new BufferAttribute(out, width);
+  return new BufferAttribute(out, 3);
+}
+
+function flatColours(colours: Color[]): Float32Array {
+  const flat = new Float32Array(3 * colours.length);
+  for (let i = 0; i < colours.length; i++) colours[i].toArray(flat, 3 * i);
+  return flat;
 }
 
 function geometryOf(points: ArrayLike<number>, colours: Color[] | undefined): BufferGeometry {
   const geometry = new BufferGeometry();
   const count = points.length / 6;
-  geometry.setAttribute('from', fourTimes(points, 3, 6, 0));
-  geometry.setAttribute('to', fourTimes(points, 3, 6, 3));
-  if (colours) {
-    const flat = colours.flatMap(({ r, g, b }) => [r, g, b]);
-    geometry.setAttribute('tint', fourTimes(flat, 3, 3, 0));
-  }
+  geometry.setAttribute('from', fourTimes(points, 6, 0));
+  geometry.setAttribute('to', fourTimes(points, 6, 3));
+  if (colours) geometry.setAttribute('tint', fourTimes(flatColours(colours), 3, 0));
   const index = new Uint32Array(6 * count);
-  for (let i = 0; i < index.length; i++) index[i] = 4 * Math.floor(i / 6) + corners[i % 6];
+  for (let s = 0, at = 0; s < count; s++) {
+    for (let corner = 0; corner < 6; corner++) index[at++] = 4 * s + corners[corner];
+  }
   geometry.setIndex(new BufferAttribute(index, 1));
   return geometry;
 }
@@ -193,13 +201,20 @@ export function seamsOnSurface(surface: Surface, { seams, chains, result }: Solu
 
 /** Both sides of every seam edge, the twins in one colour. */
 export function seamsInMap({ seams, chains, result: { uv } }: Solution) {
-  const points: number[] = [];
+  const points = new Float32Array(12 * seams.length);
   const colours: Color[] = [];
-  seams.forEach(({ a, b }, s) => {
-    for (const [i, j] of [a, b]) {
-      points.push(uv[2 * i], uv[2 * i + 1], 0.001, uv[2 * j], uv[2 * j + 1], 0.001);
-      colours.push(chainColour(chains[s]));
+  let at = 0;
+  for (let s = 0; s < seams.length; s++) {
+    const { a, b } = seams[s];
+    const colour = chainColour(chains[s]);
+    for (const side of [a, b]) {
+      for (const end of side) {
+        points[at++] = uv[2 * end];
+        points[at++] = uv[2 * end + 1];
+        points[at++] = 0.001;
+      }
+      colours.push(colour);
     }
-  });
-  return { points: new Float32Array(points), colours };
+  }
+  return { points, colours };
 }

@@ -254,7 +254,7 @@ export class ModelView extends CanvasView {
     const points: number[] = [];
     if (surface && vertex >= 0) {
       const at = this.point(vertex);
-      for (let n = surface.starts[vertex]; n < surface.starts[vertex + 1]; n++) {
+      for (let n = surface.neighbourStart[vertex]; n < surface.neighbourStart[vertex + 1]; n++) {
         points.push(...at.toArray(), ...this.point(surface.neighbours[n]).lerp(at, 0.4).toArray());
       }
     }

@@ -14,8 +14,9 @@ const hues = [
   '#7a9e1f',
   '#b8741a',
   '#00a6c7',
-];
-export const chainColour = (chain: number): Color => new Color(hues[chain % hues.length]);
+].map((hue) => new Color(hue));
+/** To be read only: all chains of this number share it. */
+export const chainColour = (chain: number): Color => hues[chain % hues.length];
 
 const mostTicks = 4;
 

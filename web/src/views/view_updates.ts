@@ -19,6 +19,7 @@ const palettes: Record<'light' | 'dark', Palette> = {
 };
 
 const mostAtOnce = 10_000; // triangles: over so few a tree to pick with is built at once
+const mostTime = 8; // milliseconds of one task
 const mostForMaterials = 300_000; // triangles: beyond, own materials are shown on request only
 
 export interface ViewSources {
@@ -45,14 +46,17 @@ export class ViewUpdates {
   readonly #concerns: Concern[];
   readonly #shown = new Map<Concern, unknown[]>();
   readonly #waiting = new Set<unknown>();
+  /** A pass over all concerns waits for its first task, or for its next. */
   #isScheduled = false;
+  #pass = 0;
   #original?: { of: unknown; group?: Group };
 
   constructor(sources: ViewSources) {
     this.#in = sources;
     this.#concerns = [
       this.#models(),
-      this.#looks(),
+      this.#looks(this.#in.model),
+      this.#looks(this.#in.uv),
       this.#overlays(),
       this.#crosses(),
       this.#cones(),
@@ -67,14 +71,25 @@ export class ViewUpdates {
   }
 
   #schedule(): void {
-    if (this.#isScheduled) return;
-    this.#isScheduled = true;
     document.body.dataset.pending = '';
-    setTimeout(() => {
-      this.#isScheduled = false;
-      for (const concern of this.#concerns) this.#update(concern);
-      this.#settle();
-    });
+    this.#later(++this.#pass, 0);
+  }
+
+  /** What has changed meanwhile begins a pass of its own. */
+  #later(pass: number, first: number): void {
+    this.#isScheduled = true;
+    setTimeout(() => pass === this.#pass && this.#updateFrom(pass, first));
+  }
+
+  /** One concern after another; where that takes long, the rest in a task of its own. */
+  #updateFrom(pass: number, first: number): void {
+    const begin = performance.now();
+    for (let i = first; i < this.#concerns.length; i++) {
+      if (performance.now() - begin > mostTime) return this.#later(pass, i);
+      this.#update(this.#concerns[i]);
+    }
+    this.#isScheduled = false;
+    this.#settle();
   }
 
   #update(concern: Concern): void {
@@ -146,15 +161,12 @@ export class ViewUpdates {
     };
   }
 
-  #looks(): Concern {
-    const { doc, model, uv } = this.#in;
+  #looks(view: ModelView | UvView): Concern {
+    const { doc } = this.#in;
     const isStale = (): boolean => doc.displayed !== undefined && doc.displayed !== doc.current;
     return {
       key: () => [doc.look, doc.model?.surface, doc.displayed, isStale(), this.#q, this.#palette],
-      show: () => {
-        model.setLook(doc.look, this.#q, isStale(), this.#palette);
-        uv.setLook(doc.look, this.#q, isStale(), this.#palette);
-      },
+      show: () => view.setLook(doc.look, this.#q, isStale(), this.#palette),
     };
   }
 

@@ -104,7 +104,7 @@ function flatten(uv: Float32Array): Float32Array {
 }
 
 interface Edges {
-  starts: Uint32Array;
+  neighbourStart: Uint32Array;
   neighbours: Uint32Array;
   vertexCount: number;
 }

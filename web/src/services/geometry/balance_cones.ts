@@ -8,7 +8,13 @@ import type { Surface } from '../../model/types';
 
 type Graph = Pick<
   Surface,
-  'starts' | 'neighbours' | 'angle' | 'isBoundary' | 'component' | 'valence' | 'meaning'
+  | 'neighbourStart'
+  | 'neighbours'
+  | 'angle'
+  | 'isBoundary'
+  | 'component'
+  | 'valence'
+  | 'representative'
 >;
 
 const mostSteps = 400; // of conjugate gradients
@@ -16,10 +22,14 @@ const accuracy = 1e-4; // of the residual at the beginning
 const mostCones = 256;
 
 /** out = L x with the combinatorial Laplacian. */
-function laplacian({ starts, neighbours }: Graph, x: Float64Array, out: Float64Array): void {
-  for (let v = 0; v + 1 < starts.length; v++) {
+function laplacian(
+  { neighbourStart, neighbours }: Graph,
+  x: Float64Array,
+  out: Float64Array,
+): void {
+  for (let v = 0; v + 1 < neighbourStart.length; v++) {
     let sum = 0;
-    for (let n = starts[v]; n < starts[v + 1]; n++) sum += x[v] - x[neighbours[n]];
+    for (let n = neighbourStart[v]; n < neighbourStart[v + 1]; n++) sum += x[v] - x[neighbours[n]];
     out[v] = sum;
   }
 }
@@ -55,9 +65,9 @@ function solve(graph: Graph, b: Float64Array, u: Float64Array): void {
 
 /** Curvature that cones do not take up, with the mean of each component taken away. */
 function rightHandSide(graph: Graph, q: number, cones: readonly Cone[]): Float64Array {
-  const { angle, isBoundary, component, starts } = graph;
+  const { angle, isBoundary, component, neighbourStart } = graph;
   const b = new Float64Array(angle.length);
-  const isThere = (v: number): boolean => starts[v + 1] > starts[v];
+  const isThere = (v: number): boolean => neighbourStart[v + 1] > neighbourStart[v];
   for (let v = 0; v < b.length; v++) {
     if (isThere(v) && !isBoundary[v]) b[v] = 2 * Math.PI - angle[v];
   }
@@ -76,11 +86,12 @@ function rightHandSide(graph: Graph, q: number, cones: readonly Cone[]): Float64
 }
 
 /** Vertices that no other cone may share a triangle with. */
-function takenBy({ starts, neighbours }: Graph, cones: readonly Cone[]): Set<number> {
+function takenBy({ neighbourStart, neighbours }: Graph, cones: readonly Cone[]): Set<number> {
   const taken = new Set<number>();
   for (const { vertex } of cones) {
     taken.add(vertex);
-    for (let n = starts[vertex]; n < starts[vertex + 1]; n++) taken.add(neighbours[n]);
+    for (let n = neighbourStart[vertex]; n < neighbourStart[vertex + 1]; n++)
+      taken.add(neighbours[n]);
   }
   return taken;
 }
@@ -107,7 +118,7 @@ export function balancingCones(
     let best = -1;
     for (let v = 0; v < u.length; v++) {
       if (graph.component[v] !== component || graph.isBoundary[v] || taken.has(v)) continue;
-      if (graph.meaning[v] !== v || k > largestK(q, graph.valence[v])) continue;
+      if (graph.representative[v] !== v || k > largestK(q, graph.valence[v])) continue;
       if (best < 0 || sign * u[v] > sign * u[best]) best = v;
     }
     if (k < 1 || best < 0) break;

@@ -1,9 +1,10 @@
 // What the page asks of the geometry worker, call by call.
 
+import type { SurfaceFacts } from 'hgp';
 import type { Cone } from '../../model/prescription';
 import type { Analysis, OutputFile, Overlay, Surface } from '../../model/types';
 import type { AnalysisRequest, CompareRequest, MapArrays } from './analyse';
-import type { SurfaceArrays } from './surface_facts';
+import type { SurfaceArrays } from './placed_surface';
 
 export interface SerializedBvh {
   roots: ArrayBuffer[];
@@ -12,8 +13,13 @@ export interface SerializedBvh {
 }
 
 export interface GeometryCalls {
-  /** Everything about a surface; the worker keeps it under its id. */
-  surface(id: number, arrays: SurfaceArrays, matrix: readonly number[]): Surface;
+  /** A surface as it is drawn, with what the solver knows of it; the worker keeps it under its id. */
+  surface(
+    id: number,
+    arrays: SurfaceArrays,
+    facts: SurfaceFacts,
+    matrix: readonly number[],
+  ): Surface;
   /** Everything about a map of a surface; what was lent comes back. */
   analyse(
     id: number,

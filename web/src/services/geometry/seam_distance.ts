@@ -39,10 +39,10 @@ class Heap {
 export function distanceToSeams(
   {
     positions: p,
-    starts,
+    neighbourStart,
     neighbours,
     vertexCount,
-  }: Pick<Surface, 'positions' | 'starts' | 'neighbours' | 'vertexCount'>,
+  }: Pick<Surface, 'positions' | 'neighbourStart' | 'neighbours' | 'vertexCount'>,
   seams: Seam[],
   uvToVertex: Uint32Array,
 ): Float32Array {
@@ -59,7 +59,7 @@ export function distanceToSeams(
   while (!heap.isEmpty) {
     const { v, d } = heap.pop();
     if (d > distance[v]) continue;
-    for (let n = starts[v]; n < starts[v + 1]; n++) {
+    for (let n = neighbourStart[v]; n < neighbourStart[v + 1]; n++) {
       const w = neighbours[n];
       const x = p[3 * w] - p[3 * v];
       const y = p[3 * w + 1] - p[3 * v + 1];

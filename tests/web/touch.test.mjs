@@ -95,7 +95,9 @@ test('two fingers in the UV view: together they move it, apart they enlarge it',
   const { page } = it;
   await openCube();
   await run(it);
+  await page.tap('#view-menu');
   await page.selectOption('#pattern', 'plain');
+  await page.tap('#view-options [popovertargetaction="hide"]');
   await page.click('#tab-map');
   await settled(page);
   const touch = await fingers();
@@ -122,6 +124,41 @@ test('two fingers in the UV view: together they move it, apart they enlarge it',
   assert.ok(Math.abs(moved.y - smaller.y + 30) < 4, `${moved.y - smaller.y}`);
   // What was placed or selected meanwhile: nothing.
   assert.equal(await page.locator('tr.selected').count(), 0);
+});
+
+test('View: everything about the picture, under it, and closed by a tap beside it', async () => {
+  const { page } = it;
+  await openCube();
+  // Before Run: what there is to choose then.
+  await page.tap('#view-menu');
+  assert.equal(await page.locator('#pattern').count(), 0);
+  assert.ok(await page.locator('#view-options #wire').isVisible());
+  await page.tap('#view-options [popovertargetaction="hide"]');
+  await run(it);
+  await settled(page);
+  const before = await pixels(page, '#view');
+  await page.tap('#view-menu');
+  const menu = await page.locator('#view-options').boundingBox();
+  const view = await page.locator('#view').boundingBox();
+  assert.ok(menu.y >= view.y + view.height - 2, `${menu.y}: the picture stays in sight`);
+  assert.ok(menu.x >= 0 && menu.x + menu.width <= 390 && menu.y + menu.height <= 844);
+  const items = '#view-options :is(button, select, input)';
+  const heights = await page.$$eval(items, (all) => all.map((one) => one.offsetHeight));
+  assert.ok(heights.length >= 9 && Math.min(...heights) >= 44, `${heights}`);
+  await page.selectOption('#pattern', 'grid');
+  await page.tap('#view-options #wire');
+  await settled(page);
+  assert.notDeepEqual((await pixels(page, '#view')).data, before.data);
+  assert.equal(await page.getAttribute('#wire', 'aria-pressed'), 'true');
+  await page.screenshot({ path: path.join(shots, 'touch-view-menu.png') });
+  assert.deepEqual(await violations(page), []);
+  await page.touchscreen.tap(view.x + 20, view.y + view.height - 20);
+  await page.waitForSelector('#view-options', { state: 'hidden' });
+  // Nothing of the toolbar is beyond the edge, on the smallest of phones, too.
+  await page.setViewportSize({ width: 320, height: 640 });
+  await settled(page);
+  const last = await page.locator('#view-menu').boundingBox();
+  assert.ok(last.x + last.width <= 320, `${last.x + last.width}`);
 });
 
 test('the panels are a sheet: pressed or dragged to three heights; Run is always there', async () => {

@@ -89,8 +89,8 @@ test('a mesh that is refused has a map after one click: repaired, run, and undon
   assert.equal(label, isGood ? 'Download' : 'Download uncertified result');
   // What was wrong and what was done, where the verdict is read; and without it, by one click.
   const made = await page.locator('#repairs').innerText();
-  assert.match(made, /Repaired first\. 1 face repeats another one/);
-  assert.match(made, /1 faces turned over/);
+  assert.match(made, /Repaired first\. 1 face repeats another one[^.]*\. The triangles/);
+  assert.match(made, /1 face turned over/);
   assert.doesNotMatch(made, /first:|\d–\d|--fix/);
   await page.click('#repairs button');
   await state(page, 'invalid');
@@ -113,7 +113,10 @@ test('a repair that is not enough is not recommended again', async () => {
   await page.click('[data-fix="all"]');
   await state(page, 'ready');
   await run(it);
-  assert.match(await page.locator('#repairs').innerText(), /one-sided components cut along/);
+  assert.match(
+    await page.locator('#repairs').innerText(),
+    /1 one-sided component cut along \d+ edges/,
+  );
 });
 
 test('one bad component does not spoil the rest: it is counted, and the others are certified', async () => {

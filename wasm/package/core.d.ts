@@ -179,7 +179,10 @@ export interface Measures {
   stretch: Float32Array;
   /** log₂ of the area's scale, less that of all triangles together. */
   area: Float32Array;
-  /** Triangles that are folded over or have no area in the map. */
+  /**
+   * Triangles that are folded over or have no area in the map: of those that the certificate speaks of, wound as
+   * it judged them.
+   */
   flipped: Uint32Array;
   surfaceArea: number;
   uvArea: number;

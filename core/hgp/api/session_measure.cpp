@@ -1,10 +1,33 @@
 // What there is to see of a result and of a surface, beside what is judged.
+#include <algorithm>
+
 #include "hgp/api/guard.h"
 #include "hgp/api/seam_chains.h"
 #include "hgp/api/session_state.h"
 #include "hgp/verify/face_values.h"
+#include "hgp/verify/orientation.h"
 
 namespace hgp::api {
+namespace {
+
+/// Of the triangles that the certificate speaks of, wound as it judged them: what repairs turned over is not
+/// folded, and copies that were left out are not judged.
+std::vector<int> notPositiveAsJudged(const Model& model, const UvMap& map) {
+  std::vector<int> found;
+  for (int f = 0; f < model.faceOrigin.size(); ++f) {
+    std::array<Vec2, 3> uv;
+    for (int k = 0; k < 3; ++k) {
+      const int corner = model.cornerOrigin[MeshCornerId{3 * f + k}].i;
+      uv[at(k)] = map.uv[at(map.cornerUv[at(corner / 3)][at(corner % 3)])];
+    }
+    if (orientationSign(uv[0], uv[1], uv[2]) <= 0)
+      found.push_back(model.faceOrigin[MeshFaceId{f}].i);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+}  // namespace
 
 Result<MapMeasures> Session::measure() const {
   return guarded([&]() -> Result<MapMeasures> {
@@ -16,7 +39,8 @@ Result<MapMeasures> Session::measure() const {
     MapMeasures out;
     out.stretch = std::move(faces.stretch);
     out.logArea = std::move(faces.logArea);
-    out.notPositive = std::move(faces.notPositive);
+    out.notPositive = shown.model->isChanged ? notPositiveAsJudged(*shown.model, map)
+                                             : std::move(faces.notPositive);
     out.surfaceArea = faces.surfaceArea;
     out.uvArea = faces.uvArea;
     out.overlapPairs = overlaps.pairs;

@@ -30,6 +30,17 @@ TEST(Measure, AValueForEveryTriangleAndEverySeamEdge) {
   EXPECT_GT(measures->uvArea, 0);
 }
 
+TEST(Measure, WhatARepairTurnedOverOrLeftOutIsNotFolded) {
+  MeshData mesh = test::icosphere(2).data;
+  for (std::size_t f : {3U, 17U}) std::swap(mesh.triangles[f][1], mesh.triangles[f][2]);
+  auto [a, b, c] = mesh.triangles[40];
+  mesh.triangles.push_back({a, c, b});  // a copy, wound the other way
+  Session session = opened(mesh);
+  ASSERT_TRUE(session.parametrize(std::nullopt, {}));
+  ASSERT_TRUE(session.isCertified());
+  EXPECT_TRUE(session.measure()->notPositive.empty());
+}
+
 TEST(Measure, ChainsEndWhereSeamsBranchOrTurnOtherwise) {
   // Vertices 0 1 2 3 in a row, then a branch at 3 to 4 and 5; uv i is vertex i.
   const std::vector<std::uint32_t> vertex{0, 1, 2, 3, 4, 5};

@@ -5,6 +5,7 @@ import type { ModelInfo } from 'hgp';
 import { identity, instancesOf, remarksOn } from '../formats/mesh_instances';
 import { loadOptionsOf, plainSettings, type MeshWork } from '../model/document';
 import { emptyPrescription, fromCones, isSilent, type Prescription } from '../model/prescription';
+import { canRepair } from '../model/repairs';
 import { describeTransfer, transferPrescription } from '../model/transfer_cones';
 import type { LoadSettings, Model, Step } from '../model/types';
 import { restorable, saveCones } from '../services/cone_storage';
@@ -78,7 +79,10 @@ async function readMesh(
   doc.resultInWorker = undefined;
   doc.selected = -1;
   const problem = withoutCliAdvice(info.error?.message);
-  doc.message = info.usable ? undefined : { kind: 'error', text: problem };
+  if (info.usable) doc.message = undefined;
+  else if (canRepair(model))
+    doc.message = { kind: 'note', text: `${problem} Repair and run settles this.` }; // prettier-ignore
+  else doc.message = { kind: 'error', text: problem };
   return model;
 }
 

@@ -1,6 +1,7 @@
 // Every action of the page, one entry each: buttons, keys, the list of keys and the palette read it.
 
 import { areSeamsShown } from '../model/grid';
+import { canRepair } from '../model/repairs';
 import type { Icon } from '../text/icon_paths';
 import { attempt, type App } from './app';
 import { copyCommand } from './copy_command';
@@ -8,7 +9,7 @@ import { exportCones, download } from './download';
 import { balance, clearCones, deleteCone, importCones, selectNext, setK } from './edit_cones';
 import { cancel } from './job';
 import { close } from './open';
-import { canRepair, repairAndRun } from './repair';
+import { repairAndRun } from './repair';
 import { downloadQuads, whyNoQuads } from './quads';
 import { run, suggestCones, whyNotRun } from './solve';
 import { redo, undo } from './undo';
@@ -196,7 +197,7 @@ const coneActions = {
 } satisfies Record<string, Action>;
 
 const seamsShown = ({ doc }: App): boolean =>
-  doc.displayed ? areSeamsShown(doc.look, doc.displayed) : doc.look.seams !== 'off';
+  doc.displayed !== undefined && areSeamsShown(doc.look, doc.displayed);
 
 const viewActions = {
   orbit: {
@@ -238,6 +239,7 @@ const viewActions = {
     group: 'View',
     keys: ['S'],
     icon: 'seams',
+    whyNot: ({ doc }) => (doc.displayed ? '' : 'Run first.'),
     isOn: seamsShown,
     run: (app) => setLook(app, { seams: seamsShown(app) ? 'off' : 'on' }),
   },

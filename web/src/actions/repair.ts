@@ -1,33 +1,15 @@
 // Repairs that defects ask for, one by one or all at once.
 
-import type { Model } from '../model/types';
+import type { Repair } from '../model/repairs';
 import type { App } from './app';
 import { reloadWith } from './load';
 import { run } from './solve';
 
-export type Repair = 'split' | 'orient' | 'degenerate';
-
-export const repairFor: Record<string, Repair> = {
-  'non-manifold-edge': 'split',
-  'non-manifold-vertex': 'split',
-  'inconsistent-edge': 'orient',
-  'zero-area': 'degenerate',
-  'repeated-vertex': 'degenerate',
-  'duplicate-face': 'degenerate',
-};
-
-export const repairNames: Record<Repair, string> = {
+const repairNames: Record<Repair, string> = {
   split: 'split non-manifold places',
   orient: 'turn triangles round',
   degenerate: 'remove degenerate triangles',
 };
-
-/** Whether repairs that have not been made yet may settle what stands in the way. */
-export function canRepair({ info, loaded }: Model): boolean {
-  if (info.usable || loaded.hasAllRepairs) return false;
-  const fatal = info.defects.filter((defect) => defect.fatal);
-  return fatal.length > 0 && fatal.every(({ kind }) => repairFor[kind] !== undefined);
-}
 
 export async function repair(app: App, repairs: Repair[]): Promise<boolean> {
   const { model } = app.doc;

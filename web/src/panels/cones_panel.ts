@@ -123,11 +123,25 @@ class ConesPanel extends Panel {
     const { doc } = this.app;
     const components = doc.budget?.components ?? [];
     if (doc.prescription.cones.length > 0 || doc.hasUserCones) {
-      return components.slice(0, mostBars).map((one) => this.#bar(one, components.length === 1));
+      if (components.length === 1) return this.#bar(components[0], true);
+      const open = components.filter(({ isBalanced }) => !isBalanced);
+      const balanced = components.length - open.length;
+      return [
+        ...open.slice(0, mostBars).map((one) => this.#bar(one, false)),
+        ...(balanced > 0 ? [this.#balancedOnes(balanced, components.length)] : []),
+      ];
     }
     return html`<p class="note">
       No cones yet. <b>Run</b> suggests them; or click the surface with the Place tool (C).
     </p>`;
+  }
+
+  /** What needs no attention takes one line. */
+  #balancedOnes(count: number, all: number): TemplateResult {
+    const which = count === all ? `All ${all} components` : `${count} of ${all} components`;
+    return html`<div class="budget good" data-left="0">
+      <p>${which} <strong>${icon('check')}balanced</strong></p>
+    </div>`;
   }
 
   #bar(budget: ComponentBudget, isOnly: boolean): TemplateResult {

@@ -45,9 +45,9 @@ function setChooser(app: App, output: Output): TemplateResult | typeof nothing {
   return html`<label
     >The file’s own textures
     <select id="uv-set" @change=${set}>
-      ${choice('keep', `keep their coordinates; the new are TEXCOORD_${sets.length}`)}
-      ${choice('use', `use the new ones, TEXCOORD_${sets.length}; the old stay in the file`)}
-      ${sets.map((n) => choice(String(n), `use the new ones: replace TEXCOORD_${n}`))}
+      ${choice('keep', 'keep the old coordinates')}
+      ${choice('use', 'use the new; the old stay, too')}
+      ${sets.map((n) => choice(String(n), `use the new instead of TEXCOORD_${n}`))}
     </select>
   </label>`;
 }

@@ -3,8 +3,9 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { attempt } from '../actions/app';
 import { reloadWith } from '../actions/load';
-import { canRepair, repair, repairAll, repairFor, type Repair } from '../actions/repair';
+import { repair, repairAll } from '../actions/repair';
 import { showPlaces } from '../actions/view';
+import { canRepair, repairFor, type Repair } from '../model/repairs';
 import type { Model } from '../model/types';
 import { count } from '../text/format';
 import { actionButton } from './action_button';

@@ -114,7 +114,7 @@ class ResultPanel extends Panel {
         <dd id="stretch">${percent < 10 ? percent.toFixed(1) : percent.toFixed(0)} %</dd>
       </div>
       <div title="Distant parts of the map may lie on top of each other; neighbours never do">
-        <dt>Overlaps in the flat map</dt>
+        <dt>Overlaps</dt>
         <dd id="overlaps">
           ${
             pairs === 0

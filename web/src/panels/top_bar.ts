@@ -5,7 +5,7 @@ import { examples } from 'virtual:examples';
 import { attempt, type App } from '../actions/app';
 import { openExample } from '../actions/open';
 import { labelOf, perform, whyNotOf } from '../actions/registry';
-import { canRepair } from '../actions/repair';
+import { canRepair } from '../model/repairs';
 import { actionButton } from './action_button';
 import { icon } from './icons';
 import { Panel } from './panel';

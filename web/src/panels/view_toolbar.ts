@@ -9,6 +9,7 @@ import { hasSteps } from '../model/grid';
 import { overlays, patterns, type Overlay, type Pattern } from '../model/types';
 import { plural } from '../text/format';
 import { actionButton } from './action_button';
+import { icon } from './icons';
 import { Panel } from './panel';
 import { keepRoving, roveFocus } from './roving_focus';
 import './view_toolbar.css';
@@ -39,24 +40,54 @@ const mostSteps = 8; // tiles along a cell
 
 const valueOf = (event: Event): string => (event.target as HTMLSelectElement).value;
 
+/** On a phone these are in reach at once, and everything else is in a menu. */
+const phoneTools = ['orbit', 'place', 'frame'] as const;
+const allTools = [...phoneTools, 'wire', 'seams'] as const;
+
 class ViewToolbar extends Panel {
   override render(): TemplateResult {
     const { app } = this;
-    const tools = (['orbit', 'place', 'frame', 'wire', 'seams'] as const).map((id) =>
+    const { isPhone } = app.ui;
+    const tools = (isPhone ? phoneTools : allTools).map((id) =>
       actionButton(app, id, {
         isIconOnly: true,
         domId: id === 'orbit' || id === 'place' ? `tool-${id}` : id,
       }),
     );
     return html`<div
-      class="toolbar"
-      role="toolbar"
-      aria-label="3D view"
-      @keydown=${roveFocus}
-      @focusin=${keepRoving}
-    >
-      <span class="group">${tools}</span>
+        class="toolbar"
+        role="toolbar"
+        aria-label="3D view"
+        @keydown=${roveFocus}
+        @focusin=${keepRoving}
+      >
+        <span class="group tools">${tools}</span>
+        ${isPhone ? this.#menuButton() : nothing}
+        ${!isPhone && app.doc.displayed ? html`<span class="group">${this.#looks()}</span>` : nothing}
+      </div>
+      ${isPhone ? this.#menu() : nothing}`;
+  }
+
+  #menuButton(): TemplateResult {
+    return html`<span class="group"
+      ><button type="button" id="view-menu" popovertarget="view-options">
+        View${icon('more')}
+      </button></span
+    >`;
+  }
+
+  /** Under the picture, so that what it does is seen. */
+  #menu(): TemplateResult {
+    const { app } = this;
+    const switches = (['wire', 'seams', 'parallel', 'handles', 'reset-camera'] as const).map((id) =>
+      actionButton(app, id, { className: 'small' }),
+    );
+    return html`<div class="popup" id="view-options" popover role="group" aria-label="View">
+      <p class="row">${switches}</p>
       ${app.doc.displayed ? this.#looks() : nothing}
+      <p class="row end">
+        <button type="button" popovertarget="view-options" popovertargetaction="hide">Done</button>
+      </p>
     </div>`;
   }
 
@@ -73,8 +104,8 @@ class ViewToolbar extends Panel {
       const n = Number(valueOf(event));
       setLook(app, isStepped ? { steps: n } : { tiles: tilesOf(n) });
     };
-    return html`<label class="scale">
-      <span>Scale</span>
+    return html`<label class="scale" title="Scale of the pattern: ${text}">
+      ${icon('tiles')}<span>Scale</span>
       <input
         id="scale"
         type="range"
@@ -95,41 +126,49 @@ class ViewToolbar extends Panel {
     const hasMaterials = model !== undefined && isGltf(model.main);
     // Flips are worth a look only where there are any, or where one looks already.
     const hasFlips = look.overlay === 'flips' || (displayed?.distortion.flipped.length ?? 0) > 0;
-    return html`<span class="group">
-      <select
-        id="pattern"
-        aria-label="Pattern"
-        .value=${live(look.pattern)}
-        @change=${(event: Event) =>
-          void attempt(app, () => choosePattern(app, valueOf(event) as Pattern))}
+    return html`<label class="choice"
+        ><span>Pattern</span
+        ><select
+          id="pattern"
+          aria-label="Pattern"
+          .value=${live(look.pattern)}
+          @change=${(event: Event) =>
+            void attempt(app, () => choosePattern(app, valueOf(event) as Pattern))}
+        >
+          ${patterns
+            .filter((name) => name !== 'material' || hasMaterials)
+            .map(
+              (name) =>
+                html`<option value=${name} ?selected=${look.pattern === name}>
+                  ${patternNames[name]}
+                </option>`,
+            )}
+        </select></label
       >
-        ${patterns
-          .filter((name) => name !== 'material' || hasMaterials)
-          .map(
-            (name) =>
-              html`<option value=${name} ?selected=${look.pattern === name}>
-                ${patternNames[name]}
-              </option>`,
-          )}
-      </select>
-      <select
-        id="overlay"
-        aria-label="Overlay"
-        .value=${live(look.overlay)}
-        @change=${(event: Event) => setLook(app, { overlay: valueOf(event) as Overlay })}
+      <label class="choice"
+        ><span>Overlay</span
+        ><select
+          id="overlay"
+          aria-label="Overlay"
+          .value=${live(look.overlay)}
+          @change=${(event: Event) => setLook(app, { overlay: valueOf(event) as Overlay })}
+        >
+          ${overlays
+            .filter((name) => name !== 'flips' || hasFlips)
+            .map(
+              (name) =>
+                html`<option value=${name} ?selected=${look.overlay === name}>
+                  ${overlayNames[name]}
+                </option>`,
+            )}
+        </select></label
       >
-        ${overlays
-          .filter((name) => name !== 'flips' || hasFlips)
-          .map(
-            (name) =>
-              html`<option value=${name} ?selected=${look.overlay === name}>
-                ${overlayNames[name]}
-              </option>`,
-          )}
-      </select>
       ${this.#scale()}
-      <label class="scale">
-        <span>Before</span>
+      <label
+        class="scale"
+        title="Before and after: how much of the picture shows the model as it was"
+      >
+        ${icon('wipe')}<span>Before</span>
         <input
           id="wipe"
           type="range"
@@ -141,8 +180,7 @@ class ViewToolbar extends Panel {
           aria-valuetext="${app.ui.wipe} % of the picture shows the model before"
           @input=${(event: Event) => (app.ui.wipe = Number(valueOf(event)))}
         />
-      </label>
-    </span>`;
+      </label> `;
   }
 }
 customElements.define('hgp-view-toolbar', ViewToolbar);

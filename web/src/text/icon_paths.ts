@@ -20,6 +20,8 @@ export const iconPaths = {
   list: 'M5 4h9M5 8h9M5 12h9M2 4h.1M2 8h.1M2 12h.1',
   balance: 'M8 2v12M3 4.500h10M3 4.500 1 9h4zM13 4.500 11 9h4zM5 14h6',
   wand: 'M3 13 10 6M11.500 1.500v3M10 3h3M13.500 7.500v2M12.500 8.500h2M6 2.500v2M5 3.500h2',
+  tiles: 'M2 2h5v5H2zM9 2h5v5H9zM2 9h5v5H2zM9 9h5v5H9z',
+  wipe: 'M2 3h12v10H2zM8 1v14M10.500 6h1.500M10.500 8h1.500M10.500 10h1.500',
   image: 'M2 3h12v10H2zM2 11l3.5-3.5L9 11l2-2 3 3M10.5 6h.1',
 } as const;
 

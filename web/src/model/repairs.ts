@@ -1,0 +1,21 @@
+// Which repair a defect asks for, and whether repairs may settle what is wrong.
+
+import type { Model } from './types';
+
+export type Repair = 'split' | 'orient' | 'degenerate';
+
+export const repairFor: Record<string, Repair> = {
+  'non-manifold-edge': 'split',
+  'non-manifold-vertex': 'split',
+  'inconsistent-edge': 'orient',
+  'zero-area': 'degenerate',
+  'repeated-vertex': 'degenerate',
+  'duplicate-face': 'degenerate',
+};
+
+/** Whether repairs that have not been made yet may settle what stands in the way. */
+export function canRepair({ info, loaded }: Model): boolean {
+  if (info.usable || loaded.hasAllRepairs) return false;
+  const fatal = info.defects.filter((defect) => defect.fatal);
+  return fatal.length > 0 && fatal.every(({ kind }) => repairFor[kind] !== undefined);
+}

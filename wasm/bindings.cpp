@@ -149,6 +149,9 @@ class Session {
     });
   }
 
+  void keep(const std::string& name) { session_.keep(name); }
+  bool recall(const std::string& name) { return session_.recall(name); }
+
   val quads(const std::string& name) const {
     return guarded([&] {
       const Result<api::QuadFile> quads = session_.quads(name);
@@ -204,6 +207,8 @@ EMSCRIPTEN_BINDINGS(hgp) {
       .function("write", &Session::write)
       .function("measure", &Session::measure)
       .function("facts", &Session::facts)
+      .function("keep", &Session::keep)
+      .function("recall", &Session::recall)
       .function("loops", &Session::loops)
       .function("quads", &Session::quads);
   emscripten::function("neededDecoders", &neededDecoders);

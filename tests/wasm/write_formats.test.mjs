@@ -51,6 +51,50 @@ test('a grid as material, by a number or by our choice', () =>
     await assert.rejects(client.write({ format: 'stl' }), isUsage);
   }));
 
+test('every order goes from single precision to an OBJ: rotations that are no exact number, too', () =>
+  withClient(async (client) => {
+    for (const q of [2, 3, 4, 5, 6, 8]) {
+      await client.load(toGlb([cubeMesh(3)]), { name: 'cube.glb' });
+      const { certificate } = await client.parametrize({ q });
+      assert.equal(certificate.certified, true, `${q}`);
+      const [obj, glb] = await Promise.all(
+        ['obj', 'glb'].map((format) => client.write({ format })),
+      );
+      for (const { bytes, name, certified } of [obj, glb]) {
+        assert.equal(certified, true, `${q} ${name}`);
+        await client.load(bytes, { name });
+        assert.equal((await client.verify({ q })).certified, true, `${q} ${name}`);
+      }
+    }
+  }));
+
+test('kept results are written again as they were, whatever was made since; not after another load', () =>
+  withClient(async (client) => {
+    await client.load(toGlb([cubeMesh(3)]), { name: 'cube.glb' });
+    await client.keep('nothing yet');
+    assert.equal(await client.recall('nothing yet'), false);
+    const made = new Map();
+    for (const q of [4, 2, 6]) {
+      const { uv } = await client.parametrize({ q });
+      await client.keep(`q${q}`);
+      made.set(q, { uv, files: await Promise.all(['same', 'obj'].map((format) => client.write({ format })))}); // prettier-ignore
+    }
+    for (const q of [4, 6, 4, 2, 2]) {
+      assert.equal(await client.recall(`q${q}`), true, `${q}`);
+      const again = await Promise.all(['same', 'obj'].map((format) => client.write({ format })));
+      assert.deepEqual(again, made.get(q).files);
+      assert.equal((await client.measure()).stretch.length, 108);
+    }
+    await client.parametrize({ q: 3 }); // is not kept, and takes the oldest of three away
+    assert.equal(await client.recall('q3'), false);
+    const left = [];
+    for (const q of [2, 4, 6]) if (await client.recall(`q${q}`)) left.push(q);
+    assert.deepEqual(left, [2, 4]);
+    await client.load(toGlb([cubeMesh(3)]), { name: 'cube.glb' });
+    assert.equal(await client.recall('q4'), false);
+    await assert.rejects(client.write(), { code: 'usage' });
+  }));
+
 test('measures and loops: a value for each triangle and seam edge, walks that are closed', () =>
   withClient(async (client) => {
     const mesh = torusMesh(12, 8);

@@ -1,8 +1,12 @@
 // Cones by mouse and by keyboard, the budget, undo, and what survives a reload.
 
 import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { writeFileSync } from 'node:fs';
+import path from 'node:path';
 import { cubeMesh, toObj } from '../support/meshes.mjs';
 import {
+  commandLine,
   coneCount,
   download,
   drop,
@@ -10,6 +14,7 @@ import {
   kOf,
   openFiles,
   run,
+  saveAs,
   settled,
   state,
   statusText,
@@ -171,6 +176,41 @@ test('a stale result says so, and undo brings its map back without a run', async
   assert.match(await page.locator('.badge').innerText(), /previous cones/);
   await page.click('#undo');
   await state(page, 'certified');
+});
+
+test('after undo its map is saved in every format without another run', async (t) => {
+  const { page } = it;
+  // A copy of the solver's messages, by the name of the call.
+  await page.evaluate(() => {
+    const { postMessage } = Worker.prototype;
+    globalThis.called = [];
+    Worker.prototype.postMessage = function (message, ...rest) {
+      if (message?.method) globalThis.called.push(message.method);
+      return postMessage.call(this, message, ...rest);
+    };
+  });
+  await example(it, 'sphere'); // q = 6: single precision rounds its rotations off
+  await run(it);
+  const before = await saveAs(it, 'obj');
+  await page.click('tr[data-cone="0"] [aria-label$="smaller k"]');
+  await page.click('tr[data-cone="1"] [aria-label$="larger k"]');
+  await run(it, 'certified', 'not-certified');
+  await page.click('#undo');
+  await page.click('#undo');
+  await state(page, 'certified');
+  await page.evaluate(() => (globalThis.called.length = 0));
+  const after = await saveAs(it, 'obj');
+  assert.deepEqual(after.bytes, before.bytes);
+  const called = await page.evaluate(() => globalThis.called);
+  assert.ok(called.includes('recall') && !called.includes('parametrize'), `${called}`);
+  const program = commandLine(t);
+  if (program) {
+    const file = path.join(it.folder, 'sphere-after-undo.obj');
+    writeFileSync(file, after.bytes);
+    const judged = spawnSync(program, ['verify', file, '--q', '6'], { encoding: 'utf8' });
+    assert.equal(judged.status, 0, judged.stdout + judged.stderr);
+  }
+  await page.reload();
 });
 
 test('fewer cones or less distortion: a slider puts them in place and says how many', async () => {

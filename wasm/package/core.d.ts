@@ -379,6 +379,8 @@ export class Core {
   verify(options?: VerifyOptions): Certificate;
   write(options?: WriteOptions): Written;
   measure(): Measures;
+  keep(name: string): void;
+  recall(name: string): boolean;
   facts(): SurfaceFacts;
   loops(): Loops;
   /** The cells of a map aligned in quad mode; rejects with `no-map` where it is not. */

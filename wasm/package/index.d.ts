@@ -125,6 +125,16 @@ export interface Client extends AsyncDisposable {
   write(options?: WriteOptions, call?: CallOptions): Promise<Written>;
   /** Distortion by triangle, overlaps, and which seam edges are one seam. */
   measure(call?: CallOptions): Promise<Measures>;
+  /**
+   * The result of the last parametrize() can be recalled by this name while the model is loaded, though others are
+   * made: two at most, of up to 500 000 triangles.
+   */
+  keep(name: string, call?: CallOptions): Promise<void>;
+  /**
+   * Makes a kept result the one that write(), measure() and quads() are about; false where it is not there any more,
+   * as after a call that was cancelled.
+   */
+  recall(name: string, call?: CallOptions): Promise<boolean>;
   /** Angles, valences, boundary, components and neighbours of the loaded surface, usable or not. */
   facts(call?: CallOptions): Promise<SurfaceFacts>;
   /** What the numbers of boundary loops and handle generators mean, on the loaded surface. */

@@ -35,6 +35,8 @@ Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 
 Status Session::State::take(Result<Model> loaded) {
+  keptAs.clear();
+  aside.clear();
   solved.reset();
   finer.reset();
   prepared.clear();
@@ -138,8 +140,7 @@ Status Session::parametrize(const std::optional<io::Prescription>& prescription,
                             const SolveOptions& options) {
   return guarded([&]() -> Status {
     if (Status ready = requireComponents(state_->model); !ready) return ready.error();
-    state_->solved.reset();
-    state_->finer.reset();
+    state_->putAside();
     return state_->solve(prescription, options);
   });
 }

@@ -51,6 +51,12 @@ class Session {
   Result<Verdict> verify(const std::optional<io::Prescription>& prescription,
                          const VerifyOptions& options) const;
 
+  /// The result that there is can be recalled by this name while the model is loaded, though others are made: two
+  /// at most, of up to 500 000 triangles, and none that was refined.
+  void keep(const std::string& name);
+  /// Makes a kept result the one that is written, measured and shown; false where it is not there any more.
+  bool recall(const std::string& name);
+
   bool hasResult() const;
   bool isCertified() const;
   const std::string& certificateJson() const;  ///< of the result: hgp-certificate

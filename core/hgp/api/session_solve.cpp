@@ -230,6 +230,16 @@ static Status checkGrid(const SolveOptions& options, int q) {
   return Done{};
 }
 
+namespace {
+
+/// Where a rotation is no exact number, float32 has rounded it off: a format of doubles is written from the map as it
+/// was before.
+bool needsOwnNumbers(const Model& model, int q) {
+  return 4 % q != 0 && model.document->uvPrecision() == io::UvPrecision::kFloat32;
+}
+
+}  // namespace
+
 Status Session::State::solveRequest(const Request& request, const SolveOptions& options,
                                     RunRecord& run) {
   SolveOptions shared = options;
@@ -267,9 +277,11 @@ Status Session::State::solveRequest(const Request& request, const SolveOptions& 
   result.certificate = certificateText(*model, result.stored.certificates,
                                        measureOutside(*model, result.stored.map));
   run.harmonic = harmonicity(*model, maps, result.stored.map);
-  for (ComponentMap& component : maps) {  // the numbers are in `stored`
-    component.map = {};
-    component.copyOf = {};
+  if (!needsOwnNumbers(*model, request.q)) {
+    for (ComponentMap& component : maps) {  // the numbers are in `stored`
+      component.map = {};
+      component.copyOf = {};
+    }
   }
   result.components = std::move(maps);
   result.scale = options.scale;

@@ -22,7 +22,9 @@ struct Session::State {
     std::vector<SeamEdge> seams;
   };
   std::optional<Solved> solved;
-  double workShare = 1.0;        ///< of what a run may spend
+  std::string keptAs;  ///< empty: `solved` goes when the next is made
+  std::vector<std::pair<std::string, Solved>> aside;  ///< the newest last
+  double workShare = 1.0;                             ///< of what a run may spend
   std::unique_ptr<State> finer;  ///< the refined surface, where only that has the map
   std::vector<double> positions;
   std::vector<std::uint32_t> triangles;
@@ -31,6 +33,8 @@ struct Session::State {
   const State& shown() const { return finer ? *finer : *this; }
 
   Status take(Result<Model> loaded);
+  /// There is no result any more, but perhaps in `aside`.
+  void putAside();
   Status solve(const std::optional<io::Prescription>& prescription, const SolveOptions& options);
   /// Every component, judged as stored: all of `solved` but its report.
   Status solveRequest(const Request& request, const SolveOptions& options, RunRecord& run);

@@ -44,10 +44,12 @@ std::vector<VertexId> verticesOf(const TriMesh& mesh, const UvMap& map) {
   return out;
 }
 
-/// The components of a result as they were before they were stored, but with the numbers that were.
+/// The components of a result as they were before they were stored, but with the numbers that were; where they have
+/// their own still, with those.
 std::vector<ComponentMap> componentsOf(const Model& model, std::vector<ComponentMap> out,
                                        const StoredMap& stored) {
   for (std::size_t p = 0; p < out.size(); ++p) {
+    if (!out[p].map.uv.empty()) continue;
     out[p].map = mapOfComponent(model.components[p], stored.map);
     out[p].copyOf = verticesOf(model.components[p].mesh, out[p].map);
     out[p].certificate = stored.certificates[p];
@@ -176,8 +178,10 @@ Result<WrittenMap> Session::State::writeMesh(const WriteOptions& options) const 
   if (!stored.isCertified && !options.allowUncertified) {
     return Failure{ErrorCode::kNoMap,
                    "write",
-                   std::string("the map is certified in double precision, and not in the "
-                               "single precision of glTF"),
+                   isObj ? std::string("the map is certified in single precision, and not in the "
+                                       "double precision of OBJ")
+                         : std::string("the map is certified in double precision, and not in the "
+                                       "single precision of glTF"),
                    {}};
   }
   io::WriteOptions out = ioOptions(options);

@@ -121,6 +121,14 @@ class Client {
     return this.#call('measure', [], call);
   }
 
+  async keep(name, call) {
+    await this.#call('keep', [name], call);
+  }
+
+  recall(name, call) {
+    return this.#call('recall', [name], call);
+  }
+
   facts(call) {
     return this.#call('facts', [], call);
   }

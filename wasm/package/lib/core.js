@@ -239,6 +239,16 @@ export class Core {
     return this.#reply(this.#live.loops());
   }
 
+  /** The result that there is can be recalled by this name, though others are made. */
+  keep(name) {
+    this.#live.keep(`${name}`);
+  }
+
+  /** Whether a kept result is the one that is written and measured now. */
+  recall(name) {
+    return this.#live.recall(`${name}`);
+  }
+
   quads(options = {}) {
     checkOptions('quads', options);
     const name = options.name ?? 'quads.obj';

@@ -21,6 +21,8 @@ const methods = new Set([
   'write',
   'measure',
   'facts',
+  'keep',
+  'recall',
   'loops',
   'quads',
 ]);

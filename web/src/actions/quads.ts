@@ -10,7 +10,7 @@ import { count, plural } from '../text/format';
 import { solverOf, type App } from './app';
 import { saveFile } from './download';
 import { runJob } from './job';
-import { denserButton, realign, run } from './solve';
+import { denserButton, mapInWorker, realign } from './solve';
 
 export type QuadFile = 'obj' | 'glb';
 
@@ -31,7 +31,7 @@ const isForQuads = (solution: Solution | undefined): solution is Solution =>
 async function hasQuadMap(app: App): Promise<boolean> {
   const { doc } = app;
   if (!isForQuads(doc.current)) await realign(app, { isOn: true, mode: 'quad' });
-  else if (doc.resultInWorker !== doc.current.result) await run(app);
+  else if (!(await mapInWorker(app))) return false;
   if (isForQuads(doc.current)) return doc.resultInWorker === doc.current.result;
   if (!doc.current) return false; // cancelled, or failed and said so
   const reason = isCertified(doc.current)

@@ -196,6 +196,8 @@ async function writeSolution(
   }
   call.signal.throwIfAborted();
   const { analysis, preserved, result, files } = read;
+  const keptAs = `map ${analysis.id}`; // no other of this page has this name
+  await solverOf(app).keep(keptAs, call);
   doc.resultInWorker = result;
   const { seams, uvToVertex } = result;
   const seamAt = new Map<number, number>();
@@ -213,6 +215,7 @@ async function writeSolution(
     preserved,
     files,
     seams,
+    keptAs,
     seamAt,
   };
 }
@@ -223,7 +226,7 @@ async function writeAs(app: App, old: Solution, output: Output): Promise<void> {
   const { model } = doc;
   if (!model) return;
   await running(app, 'Writing', async (call) => {
-    const isThere = doc.resultInWorker === old.result && old.output.scale === output.scale;
+    const isThere = old.output.scale === output.scale && (await recall(app, old, call));
     const solution = isThere
       ? await writeSolution(app, model, { ...requestOf(old), output }, old.result, call)
       : await solve(app, model, output, call);
@@ -232,17 +235,26 @@ async function writeAs(app: App, old: Solution, output: Output): Promise<void> {
   });
 }
 
+/** Whether the solver holds a map again that it has made before. */
+async function recall(app: App, { result, keptAs }: Solution, call?: JobCall): Promise<boolean> {
+  const { doc } = app;
+  if (doc.resultInWorker === result) return true;
+  const isThere = await solverOf(app).recall(keptAs, call);
+  if (isThere) doc.resultInWorker = result;
+  return isThere;
+}
+
 function requestOf(solution: Solution): SolveRequest {
   const { prescription, settings, improve, frames, grid, cells, output } = solution;
   return { prescription, settings, improve, frames, grid, cells, output };
 }
 
-/** Whether the solver holds the map that is shown; one that it does not is made again. */
+/** Whether the solver holds the map that is shown; one that it has not kept is made again. */
 export async function mapInWorker(app: App): Promise<boolean> {
   const { doc } = app;
   const { current } = doc;
   if (!current) return false;
-  if (doc.resultInWorker !== current.result) await writeAs(app, current, current.output);
+  if (!(await recall(app, current))) await writeAs(app, current, current.output);
   return doc.current !== undefined && doc.resultInWorker === doc.current.result;
 }
 

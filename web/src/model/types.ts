@@ -206,6 +206,8 @@ export interface Solution extends SolveRequest, Analysis {
   /** What was written, and what it names beside that. */
   files: OutputFile[];
   seams: Seam[];
+  /** The solver may have kept the map under this name. */
+  keptAs: string;
   /** Edge of the surface (smaller vertex × |V| + larger) → seam. */
   seamAt: Map<number, number>;
 }

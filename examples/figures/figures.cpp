@@ -33,6 +33,13 @@ bool take(const std::optional<Mapped>& m, Drawing& drawing) {
   return m.has_value();
 }
 
+/// For tests pictures are small as well: drawing them would take longer than solving.
+Image drawn(const Request& request, const picture::Scene& scene, const Camera& camera, int width,
+            int height) {
+  const int part = request.isSmall ? 3 : 1;
+  return render(scene, camera, width / part, height / part);
+}
+
 // Fig. 1: four models that are hard for older methods, with the map as a pattern and μ as colours.
 Drawing hardModels(const Request& request) {
   const bool isSmall = request.isSmall;
@@ -50,10 +57,10 @@ Drawing hardModels(const Request& request) {
     picture::Scene scene = surfaceScene(*m, 34);
     scene.dotRadius = 2;
     scene.paint = gridPaint(4);
-    patterns.push_back(render(scene, cameras[i], 190, 190));
+    patterns.push_back(drawn(request, scene, cameras[i], 190, 190));
     const std::vector<double> mu = muPerFace(*m);
     scene.paint = [&](const picture::Spot& spot) { return heat(mu[spot.face], 0.5); };
-    heats.push_back(render(scene, cameras[i], 190, 190));
+    heats.push_back(drawn(request, scene, cameras[i], 190, 190));
   }
   drawing.rows = {sideBySide(patterns), sideBySide(heats)};
   return drawing;
@@ -116,8 +123,8 @@ Drawing hexagonal(const Request& request) {
     picture::Scene scene = surfaceScene(*m, 20);
     scene.paint = gridPaint(6);
     alignToCones(*m, scene, 12);
-    panels.push_back(render(scene, {25, 35, 0.95}, 200, 200));
-    panels.push_back(render(scene, {85, -15, 0.95}, 200, 200));
+    panels.push_back(drawn(request, scene, {25, 35, 0.95}, 200, 200));
+    panels.push_back(drawn(request, scene, {85, -15, 0.95}, 200, 200));
   }
   drawing.rows = {sideBySide(panels)};
   return drawing;
@@ -132,8 +139,8 @@ Drawing largeModel(const Request& request) {
   picture::Scene scene = surfaceScene(*m, 60);
   scene.paint = gridPaint(4);
   scene.dotRadius = 2.5;
-  drawing.rows = {
-      sideBySide({render(scene, {38, 14, 1}, 400, 380), render(scene, {-60, 20, 1}, 400, 380)})};
+  drawing.rows = {sideBySide({drawn(request, scene, {38, 14, 1}, 400, 380),
+                              drawn(request, scene, {-60, 20, 1}, 400, 380)})};
   return drawing;
 }
 
@@ -149,8 +156,8 @@ Drawing twinSeams(const Request& request) {
   surface.paint = plane.paint = gridPaint(4, {0.97, 0.97, 0.97});
   surface.lineWidth = plane.lineWidth = 3.5;
   drawSeams(*m, surface, &plane);
-  drawing.rows = {
-      sideBySide({render(surface, {20, 50, 1}, 400, 380), render(plane, {}, 400, 380)})};
+  drawing.rows = {sideBySide(
+      {drawn(request, surface, {20, 50, 1}, 400, 380), drawn(request, plane, {}, 400, 380)})};
   return drawing;
 }
 
@@ -180,7 +187,7 @@ HolonomySpec hardCones(const MeshData& data) {
 }
 
 // Fig. 8: the first program, with wrong angles (yellow where they should not be), and frames fixed.
-Drawing frameFixing(const Request&) {
+Drawing frameFixing(const Request& request) {
   Drawing drawing;
   const MeshData data = models::creature(26);
   Order order;
@@ -201,7 +208,7 @@ Drawing frameFixing(const Request&) {
     }
     scaleAt(*m, hard, 0.02, scene);
     scene.paint = gridPaint(4);
-    panels.push_back(render(scene, camera, 380, 340));
+    panels.push_back(drawn(request, scene, camera, 380, 340));
   }
   drawing.rows = {sideBySide(panels)};
   return drawing;
@@ -226,7 +233,7 @@ Drawing distortion(const Request& request) {
     picture::Scene scene = surfaceScene(*m, 40);
     const std::vector<double> mu = muPerFace(*m);
     scene.paint = [&](const picture::Spot& spot) { return heat(mu[spot.face], 0.3); };
-    panels.push_back(render(scene, {38, 14, 1}, 300, 285));
+    panels.push_back(drawn(request, scene, {38, 14, 1}, 300, 285));
   }
   Image scale(60, 285);
   for (int y = 22; y < 262; ++y) {
@@ -256,7 +263,7 @@ Drawing alignedLines(const Request& request) {
     drawSeams(*m, scene, nullptr);
     for (picture::Line& line : scene.lines) line.colour = {0.85, 0.08, 0.08};
     scene.dotRadius = 3;
-    panels.push_back(render(scene, {16, 58, 2.1}, 560, 380));
+    panels.push_back(drawn(request, scene, {16, 58, 2.1}, 560, 380));
   }
   drawing.rows = {sideBySide(panels)};
   return drawing;

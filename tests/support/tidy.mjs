@@ -61,11 +61,16 @@ function collect(preset, pattern) {
       if (existsSync(name)) hash.update(readFileSync(name));
     }
     const stamp = path.join(cache, hash.digest('hex'));
-    if (!existsSync(stamp)) jobs.push({ file, stamp, build });
+    const size = existsSync(entry.file)
+      ? readFileSync(entry.file, 'utf8').split('\n#include').length
+      : 0;
+    if (!existsSync(stamp)) jobs.push({ file, stamp, build, size });
   }
 }
 collect('native-debug', /^(core|examples)\//);
 collect('native-release', /^bench\//);
+// The largest units first, so that none of them is left over for the end.
+jobs.sort((a, b) => a.size - b.size);
 
 let failures = 0;
 async function worker() {

@@ -126,6 +126,20 @@ test('two fingers in the UV view: together they move it, apart they enlarge it',
   assert.equal(await page.locator('tr.selected').count(), 0);
 });
 
+test('Repair and run is in the corner of Run', async () => {
+  const { page } = it;
+  const { vertices, triangles } = cubeMesh(4);
+  const buffer = Buffer.from(toObj({ vertices, triangles: [...triangles, triangles[9]] }));
+  await page.setInputFiles('#file', { name: 'twice.obj', mimeType: 'text/plain', buffer });
+  await state(page, 'invalid');
+  const box = await page.locator('footer #repair-and-run').boundingBox();
+  assert.ok(box.y > 760 && box.y + box.height <= 844 && box.x > 250 && box.x + box.width <= 390);
+  const text = await page.locator('#status').boundingBox();
+  assert.ok(text.x + text.width <= box.x, 'the status is beside it');
+  await page.tap('#repair-and-run');
+  await state(page, 'certified');
+});
+
 test('View: everything about the picture, under it, and closed by a tap beside it', async () => {
   const { page } = it;
   await openCube();

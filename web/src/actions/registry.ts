@@ -11,6 +11,7 @@ import { cancel } from './job';
 import { close } from './open';
 import { repairAndRun } from './repair';
 import { downloadQuads, whyNoQuads } from './quads';
+import { runAll } from './run_all';
 import { run, suggestCones, whyNotRun } from './solve';
 import { redo, undo } from './undo';
 import { validate } from './validate';
@@ -100,6 +101,17 @@ const fileActions = {
 
 const runActions = {
   run: { label: 'Run', group: 'Run', keys: ['Ctrl+Enter'], icon: 'run', whyNot: whyNotRun, run },
+  'run-all': {
+    label: 'Run all meshes',
+    group: 'Run',
+    icon: 'run',
+    whyNot: ({ doc }) => {
+      if (!doc.model) return 'Open a model first.';
+      if (doc.isBusy) return 'Something is running already.';
+      return doc.model.info.surfaces.length > 1 ? '' : 'The file has one mesh.';
+    },
+    run: runAll,
+  },
   'repair-and-run': {
     label: 'Repair and run',
     group: 'Run',

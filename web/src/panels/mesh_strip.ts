@@ -3,7 +3,6 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { attempt } from '../actions/app';
 import { switchMesh } from '../actions/load';
-import { runAll } from '../actions/run_all';
 import type { Model } from '../model/types';
 import { isCertified } from '../model/verdict';
 import { thumbnailSize } from '../services/geometry/thumbnail';
@@ -11,6 +10,7 @@ import { count } from '../text/format';
 import { icon } from './icons';
 import { Panel } from './panel';
 import { keepRoving, roveFocus } from './roving_focus';
+import { runOneButton } from './top_bar';
 import './mesh_strip.css';
 
 type MeshState = 'certified' | 'not-certified' | 'unusable' | 'open' | 'waiting';
@@ -61,15 +61,7 @@ class MeshStrip extends Panel {
           </button>`;
         })}
       </span>
-      <button
-        type="button"
-        class="small primary"
-        id="run-all"
-        ?disabled=${app.doc.isBusy}
-        @click=${() => void attempt(app, () => runAll(app))}
-      >
-        ${icon('run')}Run all
-      </button>
+      ${app.doc.isBusy ? nothing : runOneButton(app, 'Run this one')}
     </nav>`;
   }
 

@@ -19,25 +19,39 @@ export function fileParts(app: App): TemplateResult {
     ${app.doc.model ? close : nothing}`;
 }
 
-/** In the bar at the top; on a phone in the one at the bottom, under the thumb whatever the sheet does. */
+/**
+ * In the bar at the top; on a phone in the one at the bottom, under the thumb whatever the sheet does. All of a
+ * file is run, as the command line does it; one mesh of several is run beside their names.
+ */
 export function runButton(app: App): TemplateResult {
   const { doc } = app;
   if (doc.isBusy) return actionButton(app, 'cancel', { className: 'primary' });
+  const meshes = doc.model?.info.surfaces.length ?? 0;
+  if (meshes > 1) {
+    const isDone = doc.stateName === 'certified' && doc.meshes.size === meshes - 1;
+    return actionButton(app, 'run-all', { className: isDone ? '' : 'primary', text: 'Run all' });
+  }
+  return runOneButton(app, 'Run');
+}
+
+export function runOneButton(app: App, name: string): TemplateResult {
+  const { doc } = app;
+  const isOnly = (doc.model?.info.surfaces.length ?? 1) === 1;
   if (doc.model && canRepair(doc.model)) {
-    return actionButton(app, 'repair-and-run', { className: 'primary' });
+    return actionButton(app, 'repair-and-run', { className: isOnly ? 'primary' : 'small' });
   }
   const why = whyNotOf(app, 'run');
   // Not `disabled`: a person must be able to reach the button and read why.
   return html`<button
       type="button"
       id="run"
-      class=${doc.stateName === 'certified' ? '' : 'primary'}
+      class=${isOnly ? (doc.stateName === 'certified' ? '' : 'primary') : 'small'}
       aria-disabled=${why !== ''}
       aria-describedby=${why ? 'run-why' : nothing}
       title=${why || 'Run (Ctrl+Enter)'}
       @click=${() => void perform(app, 'run')}
     >
-      ${icon('run')}Run
+      ${icon('run')}${name}
     </button>
     <span id="run-why" class="visually-hidden">${why}</span>`;
 }

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
+#include <cmath>
+#include <complex>
 
 #include "hgp/linalg/kernels/kernel_workspace.h"
 
@@ -18,42 +20,89 @@ double* raw(Matrix& m) {
   return reinterpret_cast<double*>(m.data());
 }
 
+/// Of the rows of b, which may be fewer than those of a.
 template <class Matrix>
 double lowerError(const Matrix& a, const Matrix& b, bool lower) {
   double error = 0;
-  for (int j = 0; j < a.cols(); ++j)
-    for (int i = lower ? j : 0; i < a.rows(); ++i)
+  for (int j = 0; j < b.cols(); ++j)
+    for (int i = lower ? j : 0; i < b.rows(); ++i)
       error = std::max(error, std::abs(a(i, j) - b(i, j)));
   return error;
 }
 
-/// Of every table, both triangles or one, added or put: the product by Eigen is what takes time.
+double times(double a, double b) { return a * b; }
+/// As written, without the case of infinities: a product of std::complex is a call.
+std::complex<double> times(std::complex<double> a, std::complex<double> b) {
+  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+double conjugate(double a) { return a; }
+std::complex<double> conjugate(std::complex<double> a) { return std::conj(a); }
+
+/// A Bᴴ from the first m and n rows, by the definition: Eigen's takes seconds to compile in every build.
+template <class Matrix>
+Matrix productOf(const Matrix& A, int m, const Matrix& B, int n) {
+  using Scalar = typename Matrix::Scalar;
+  Matrix product = Matrix::Zero(m, n);
+  for (int j = 0; j < n; ++j)
+    for (int k = 0; k < A.cols(); ++k) {
+      const Scalar b = conjugate(B.data()[k * B.rows() + j]);
+      const Scalar* from = A.data() + k * A.rows();
+      Scalar* to = product.data() + static_cast<Eigen::Index>(j) * m;
+      for (int i = 0; i < m; ++i) to[i] += times(from[i], b);
+    }
+  return product;
+}
+
+/// The lower factor L of A = L Lᴴ, by the definition.
+template <class Matrix>
+Matrix choleskyOf(const Matrix& A) {
+  using Scalar = typename Matrix::Scalar;
+  Matrix L = Matrix::Zero(A.rows(), A.cols());
+  for (int j = 0; j < A.cols(); ++j) {
+    for (int i = j; i < A.rows(); ++i) {
+      Scalar sum = A(i, j);
+      for (int k = 0; k < j; ++k) sum -= times(L(i, k), conjugate(L(j, k)));
+      L(i, j) = i == j ? Scalar(std::sqrt(std::real(sum))) : sum / std::real(L(j, j));
+    }
+  }
+  return L;
+}
+
+/// A positive definite matrix.
+template <class Matrix>
+Matrix positive(int n) {
+  const Matrix G = Matrix::Random(n, n);
+  Matrix A = productOf<Matrix>(G, n, G, n);
+  for (int i = 0; i < n; ++i) A(i, i) += n;
+  return A;
+}
+
+/// Of every table, both triangles or one, added or put: the product is what takes time.
 template <class Matrix>
 void expectUpdatesAreTheProduct(int m, int n, int k, bool lower) {
   constexpr bool kReal = sizeof(typename Matrix::Scalar) == sizeof(double);
   const KernelWorkspace work;
   Matrix A = Matrix::Random(m + 3, k), B = Matrix::Random(n + 1, k);
-  const Matrix product = A.topRows(m) * B.topRows(n).adjoint();
-  for (const KernelTable* table : tables())
-    for (const bool overwrite : {false, true}) {
-      Matrix C = Matrix::Random(m + 2, n);
-      const Matrix start = C.topRows(m);
-      const Matrix expected = overwrite ? Matrix(-product) : Matrix(start - product);
+  const Matrix product = productOf<Matrix>(A, m, B, n);
+  const Matrix start = Matrix::Random(m + 2, n);
+  for (const bool overwrite : {false, true}) {
+    const Matrix expected = overwrite ? Matrix(-product) : Matrix(start.topRows(m) - product);
+    for (const KernelTable* table : tables()) {
+      Matrix C = start;
       const KernelTable::Update task = {m,     n,     k,     raw(A), raw(B),   raw(C),
                                         m + 3, n + 1, m + 2, lower,  overwrite};
       (kReal ? table->updateReal : table->updateComplex)(task, work.data());
-      EXPECT_LT(lowerError<Matrix>(C.topRows(m), expected, lower), 1e-12 * (1 + k))
+      EXPECT_LT(lowerError<Matrix>(C, expected, lower), 1e-12 * (1 + k))
           << table->name << " " << m << " " << n << " " << k << " " << overwrite;
     }
+  }
 }
 
 template <class Matrix>
 void expectPanelIsCholesky(const KernelTable& table, int rows, int pivots) {
   constexpr bool kReal = sizeof(typename Matrix::Scalar) == sizeof(double);
   const KernelWorkspace work;
-  const Matrix G = Matrix::Random(rows, rows);
-  const Matrix A = G * G.adjoint() + rows * Matrix::Identity(rows, rows);
-  const Matrix L = A.llt().matrixL();
+  const Matrix A = positive<Matrix>(rows), L = choleskyOf<Matrix>(A);
   Matrix P = A.leftCols(pivots);
   const Eigen::VectorXd threshold = Eigen::VectorXd::Zero(pivots);
   const int bad = (kReal ? table.factorPanelReal : table.factorPanelComplex)(
@@ -106,8 +155,7 @@ void expectSameBits(const KernelTable& a, const KernelTable& b, int rows, int pi
   constexpr bool kReal = sizeof(typename Matrix::Scalar) == sizeof(double);
   const KernelWorkspace work;
   Matrix A = Matrix::Random(rows, pivots), B = Matrix::Random(rows, pivots);
-  const Matrix C = Matrix::Random(rows, rows);
-  const Matrix G = C * C.adjoint() + rows * Matrix::Identity(rows, rows);
+  const Matrix C = Matrix::Random(rows, rows), G = positive<Matrix>(rows);
   const Eigen::VectorXd threshold = Eigen::VectorXd::Zero(pivots);
   Matrix products[2] = {C, C}, panels[2] = {G.leftCols(pivots), G.leftCols(pivots)};
   for (int n = 0; n < 2; ++n) {

@@ -34,16 +34,20 @@ async function slide(selector, value) {
   await slider.dispatchEvent('change');
 }
 
-/** Waits for the run that follows a change. */
+/** Waits for the run that follows a change; what it says may be what was said before. */
 async function rerun(act, ...states) {
-  const before = await it.page.locator('#status').innerText();
+  await it.page.evaluate(() => {
+    let isBegun = false;
+    window.hasRunAgain = false;
+    const observer = new MutationObserver(() => {
+      if (document.body.dataset.state === 'running') isBegun = true;
+      else window.hasRunAgain = isBegun;
+      if (window.hasRunAgain) observer.disconnect();
+    });
+    observer.observe(document.body, { attributeFilter: ['data-state'] });
+  });
   await act();
-  await it.page
-    .waitForFunction((old) => {
-      const { state } = document.body.dataset;
-      return state !== 'running' && document.querySelector('#status').innerText !== old;
-    }, before)
-    .catch(() => undefined);
+  await it.page.waitForFunction(() => window.hasRunAgain);
   await state(it.page, ...(states.length > 0 ? states : ['certified']));
 }
 

@@ -53,7 +53,6 @@ function(hgp_add_tests name)
   target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tests"
     "${PROJECT_SOURCE_DIR}/core")
   target_compile_definitions(${target} PRIVATE
-    HGP_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     HGP_SHARED_MESHES_DEFAULT="${PROJECT_SOURCE_DIR}/../shared/meshes")
   target_link_libraries(${target} PRIVATE ${links} gtest_main)
   # As one unit in every build: half of the time of a test file is GoogleTest and Eigen.

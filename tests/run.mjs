@@ -119,10 +119,10 @@ async function packageTests(log) {
 async function webTests(log) {
   const alone = 'tests/web/speed.test.mjs';
   const long = [
-    'aligned',
     'pictures',
     'looks',
     'panels',
+    'aligned',
     'output',
     'cones',
     'trouble',

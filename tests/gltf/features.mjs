@@ -443,7 +443,7 @@ function promotion(rows) {
         indices: asset.accessor(
           g === small ? Uint8Array.from(g.index) : Uint16Array.from(g.index),
           'SCALAR',
-          { target: 34963, min: [0], max: [g.count - 1], name: 'faces' },
+          { target: 34963, min: [g.index[0]], max: [g.count - 1], name: 'faces' },
         ),
       },
     ],

@@ -276,6 +276,12 @@ export const faults = [
     '',
   ),
   fault('parametrize/solution.cpp', 'if (mode == GridMode::kQuad)', 'if (mode == GridMode::kTile)'),
+  fault(
+    'parametrize/metrics.cpp',
+    'return count >= kUnevenShare * mesh.faceCount();',
+    'return false;',
+  ),
+  fault('mesh/geometry.cpp', 'x = std::sqrt(x * x + kEvening * kEvening);', 'x += 0.0;'),
   fault('parametrize/convex.cpp', 'walked += geometry.length[h];', 'walked += 1.0;'),
   fault('api/stored_map.cpp', '(1 - 1e-7) / size', '1.001 / size', short('Session.ScalesAsAsked')),
   fault('api/stored_map.cpp', 'if (mean > 0) moveAndScale(map.uv, {0, 0}, 1 / mean);', ''),

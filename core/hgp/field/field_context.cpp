@@ -1,16 +1,20 @@
 #include "hgp/field/field_context.h"
 
+#include <utility>
+
 #include "hgp/base/check.h"
 #include "hgp/field/mesh_trees.h"
 
 namespace hgp {
 
-FieldContext prepareSurface(const TriMesh& mesh) {
+FieldContext prepareSurface(const TriMesh& mesh, Metric metric) {
   FieldContext context;
   context.topology = computeTopology(mesh);
   HGP_CHECK(context.topology.componentCount == 1, "one component, not %d",
             context.topology.componentCount);
   context.geometry = computeGeometry(mesh);
+  if (metric == Metric::kEvened)
+    context.own = std::exchange(context.geometry, evenedGeometry(mesh));
   context.tree = vertexTree(mesh);
   context.surface = fillBoundary(mesh, context.topology, context.geometry);
   return context;

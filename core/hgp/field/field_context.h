@@ -1,6 +1,8 @@
 // What every field of one surface is computed from.  Role: found once per surface.
 #pragma once
 
+#include <optional>
+
 #include "hgp/base/result.h"
 #include "hgp/field/filled_surface.h"
 #include "hgp/field/handle_basis.h"
@@ -9,18 +11,27 @@
 
 namespace hgp {
 
+/// Where lengths and angles come from.
+enum class Metric : unsigned char {
+  kOwn,    ///< computeGeometry
+  kEvened  ///< evenedGeometry
+};
+
 /// What every field of one surface is computed from; build once per surface. A smooth field needs
 /// the first four; a prescribed one all.
 struct FieldContext {
   Topology topology;
   Geometry geometry;
-  linalg::SeparatorTree tree;  ///< of the vertices
+  std::optional<Geometry> own;  ///< the surface's own, where `geometry` is another metric's
+  linalg::SeparatorTree tree;   ///< of the vertices
   FilledSurface surface;
   SurfaceLaplacian laplacian;
   HandleBasis handles;
+
+  const Geometry& ownGeometry() const { return own ? *own : geometry; }
 };
 /// All but the Laplacian and the handles, which take most of the memory.
-FieldContext prepareSurface(const TriMesh& mesh);
+FieldContext prepareSurface(const TriMesh& mesh, Metric metric = Metric::kOwn);
 /// Adds what prepareSurface leaves out.
 Status prepareConnection(const TriMesh& mesh, FieldContext& context);
 /// Both at once.

@@ -20,8 +20,14 @@ bool isExactly(const HolonomySpec& asked, const CompleteSpec& found) {
 
 }  // namespace
 
-PreparedSurface::PreparedSurface(const TriMesh& mesh)
-    : mesh_(&mesh), context_(std::make_shared<FieldContext>(prepareSurface(mesh))) {}
+PreparedSurface::PreparedSurface(const TriMesh& mesh, Metric metric)
+    : mesh_(&mesh), context_(std::make_shared<FieldContext>(prepareSurface(mesh, metric))) {}
+
+PreparedSurface& PreparedSurface::evened() {
+  if (isEvened()) return *this;
+  if (!evened_) evened_ = std::make_unique<PreparedSurface>(*mesh_, Metric::kEvened);
+  return *evened_;
+}
 
 Status PreparedSurface::requireConnection() {
   if (hasConnection_) return Done{};

@@ -14,13 +14,17 @@ namespace hgp {
 /// @pre mesh has one component
 class PreparedSurface {
  public:
-  explicit PreparedSurface(const TriMesh& mesh);
+  explicit PreparedSurface(const TriMesh& mesh, Metric metric = Metric::kOwn);
 
   const TriMesh& mesh() const { return *mesh_; }
   const Topology& topology() const { return context_->topology; }
   /// Without Laplacian and handles until requireConnection().
   const FieldContext& context() const { return *context_; }
   std::shared_ptr<const FieldContext> share() const { return context_; }
+
+  /// The same surface in the evened metric, prepared when first asked for; itself where it is that.
+  PreparedSurface& evened();
+  bool isEvened() const { return context_->own.has_value(); }
 
   /// Laplacian and handle basis. Fails with kUnsupported where the Laplacian cannot be factored.
   Status requireConnection();
@@ -37,6 +41,7 @@ class PreparedSurface {
   std::shared_ptr<FieldContext> context_;
   bool hasConnection_ = false;
   std::optional<PrescribedField> last_;
+  std::unique_ptr<PreparedSurface> evened_;
 };
 
 }  // namespace hgp

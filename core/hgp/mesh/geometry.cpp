@@ -67,19 +67,18 @@ std::array<Complex, 3> layFlat(const Lengths& l) {
   return {Complex(0, 0), Complex(l[0], 0), Complex(x, height)};
 }
 
-}  // namespace
-
-Geometry computeGeometry(const TriMesh& mesh, double relativeHeight) {
-  Geometry g;
+double meanEdgeLength(const TriMesh& mesh) {
   double sum = 0.0;
   for (EdgeId e : mesh.edges()) {
     const HalfedgeId h = mesh.halfedge(e);
     sum += norm(subtract(mesh.position(mesh.head(h)), mesh.position(mesh.tail(h))));
   }
-  if (mesh.edgeCount() > 0 && sum > 0) g.unit = sum / mesh.edgeCount();
+  return mesh.edgeCount() > 0 && sum > 0 ? sum / mesh.edgeCount() : 1.0;
+}
 
-  g.mollified = findMollification(mesh, g.unit);
-
+/// @param lay  the flat triangle of a face
+template <class Lay>
+void measure(const TriMesh& mesh, const Lay& lay, Geometry& g) {
   const auto halfedges = static_cast<std::size_t>(mesh.halfedgeCount());
   const auto faces = static_cast<std::size_t>(mesh.faceCount());
   g.length = PerHalfedge<double>(halfedges);
@@ -89,14 +88,7 @@ Geometry computeGeometry(const TriMesh& mesh, double relativeHeight) {
   g.area = PerFace<double>(faces);
   g.angleSum = PerVertex<double>(static_cast<std::size_t>(mesh.vertexCount()), 0.0);
   for (FaceId f : mesh.faces()) {
-    auto p = std::array<Complex, 3>{};
-    if (g.mollified > 0.0) {
-      Lengths l = lengthsOf(mesh, f, g.unit);
-      for (double& x : l) x += g.mollified;
-      p = layFlat(l);
-    } else {
-      p = layFlat(mesh, f, g.unit, relativeHeight);
-    }
+    const std::array<Complex, 3> p = lay(f);
     g.corner[f] = p;
     g.area[f] = 0.5 * std::imag(std::conj(p[1] - p[0]) * (p[2] - p[0]));
     for (int k = 0; k < 3; ++k) {
@@ -109,6 +101,33 @@ Geometry computeGeometry(const TriMesh& mesh, double relativeHeight) {
       g.angleSum[mesh.tail(h)] += g.cornerAngle[h];
     }
   }
+}
+
+}  // namespace
+
+Geometry computeGeometry(const TriMesh& mesh, double relativeHeight) {
+  Geometry g;
+  g.unit = meanEdgeLength(mesh);
+  g.mollified = findMollification(mesh, g.unit);
+  const auto lay = [&](FaceId f) {
+    if (g.mollified == 0.0) return layFlat(mesh, f, g.unit, relativeHeight);
+    Lengths l = lengthsOf(mesh, f, g.unit);
+    for (double& x : l) x += g.mollified;
+    return layFlat(l);
+  };
+  measure(mesh, lay, g);
+  return g;
+}
+
+Geometry evenedGeometry(const TriMesh& mesh) {
+  Geometry g;
+  g.unit = meanEdgeLength(mesh);
+  const auto lay = [&](FaceId f) {
+    Lengths l = lengthsOf(mesh, f, g.unit);
+    for (double& x : l) x = std::sqrt(x * x + kEvening * kEvening);
+    return layFlat(l);
+  };
+  measure(mesh, lay, g);
   return g;
 }
 

@@ -9,6 +9,8 @@
 namespace hgp {
 
 inline constexpr double kMollify = 1e-6;
+/// What evenedGeometry adds, in units of the mean edge length.
+inline constexpr double kEvening = 1.0;
 
 /// Geometry of every triangle laid flat with corner 0 at 0 and corner 1 on the positive real axis.
 /// Lengths are in units of the mean edge length, so that every later constant is scale-free.
@@ -28,6 +30,11 @@ struct Geometry {
 /// stays one, and no connection changes. Otherwise ε = 0, lengths
 /// are those of the positions, and heights below `relativeHeight` of the longest edge are raised to it.
 Geometry computeGeometry(const TriMesh& mesh, double relativeHeight = 1e-6);
+
+/// Of the metric with lengths (l² + kEvening²)^½, l in units of the mean edge length, which satisfies every
+/// triangle inequality that l does: long edges stay about as long, and no triangle is thin. A discrete conformal
+/// structure that maps can be found in where the surface's own has triangles too thin for that.
+Geometry evenedGeometry(const TriMesh& mesh);
 
 /// 2π − Θ_v inside, π − Θ_v on the boundary.
 double curvature(const TriMesh& mesh, const Geometry& geometry, VertexId v);

@@ -120,6 +120,7 @@ const SeamRotations& Attempts::seamsOf(bool isEven) {
   even_ = setup.seams;
   FieldContext context{setup.context->topology,
                        setup.context->geometry,
+                       {},
                        setup.context->tree,
                        setup.context->surface,
                        {},

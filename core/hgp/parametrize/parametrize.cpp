@@ -1,11 +1,10 @@
-#include "hgp/parametrize/parametrize.h"
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <set>
 
 #include "hgp/parametrize/attempt.h"
+#include "hgp/parametrize/in_metric.h"
 #include "hgp/parametrize/moves/moves.h"
 #include "hgp/parametrize/seamless_setup.h"
 #include "hgp/parametrize/solution.h"
@@ -98,7 +97,7 @@ static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
     if (!attempt) return cancelled(Stage::kSolve);
     rounds.push_back(describe(problem, state, *attempt, secondsSince(start)));
     if (!best || distanceToCertified(*attempt) < distanceToCertified(*best)) best = attempt;
-    work -= workOf(problem, *attempt);
+    work -= workOf(rounds.back(), problem.mesh.faceCount());
     if (best->certificate.isCertified || work <= 0.0) break;
     std::optional<State> next = firstMove(problem, state, attempt, tried);
     if (!next) break;
@@ -108,8 +107,8 @@ static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
   return best;
 }
 
-Result<Parametrization> parametrize(PreparedSurface& surface, const HolonomySpec& spec,
-                                    const ParametrizeOptions& options) {
+Result<Parametrization> parametrizeInMetric(PreparedSurface& surface, const HolonomySpec& spec,
+                                            const ParametrizeOptions& options) {
   const TriMesh& mesh = surface.mesh();
   Parametrization result;
   Result<SeamlessSetup> prepared = prepareSeamless(surface, spec, options, result.times);
@@ -142,18 +141,6 @@ Result<Parametrization> parametrize(PreparedSurface& surface, const HolonomySpec
   result.isCertified = result.certificate.isCertified;
   result.isUsable = result.certificate.isUsable;
   explain(*setup, options.frames.has_value(), result);
-  return result;
-}
-
-Result<Parametrization> parametrize(const TriMesh& mesh, const HolonomySpec& spec,
-                                    const ParametrizeOptions& options) {
-  std::vector<StageTime> times;
-  StageClock clock(options.progress, times);
-  if (!clock.begin(Stage::kPrepare)) return clock.cancelled();
-  PreparedSurface surface(mesh);
-  clock.end();
-  Result<Parametrization> result = parametrize(surface, spec, options);
-  if (result) result->times.insert(result->times.begin(), times.begin(), times.end());
   return result;
 }
 

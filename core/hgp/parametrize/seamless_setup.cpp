@@ -102,7 +102,7 @@ UvMap layOut(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,
 }
 
 UvMap layOut(const TriMesh& mesh, const SeamlessSetup& setup, const std::vector<Complex>& z) {
-  return layOut(mesh, setup.context->geometry, setup.cut, z);
+  return layOut(mesh, setup.context->ownGeometry(), setup.cut, z);
 }
 
 }  // namespace hgp

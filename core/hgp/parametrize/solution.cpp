@@ -21,7 +21,7 @@ constexpr double kHeldDecrease = 3.0;
 constexpr double kAlignedFraction = 0.9;
 
 ReducedMap reducedMap(const TriMesh& mesh, const SeamlessSetup& setup) {
-  return {mesh, setup.context->geometry, setup.cut, setup.unknowns};
+  return {mesh, setup.context->ownGeometry(), setup.cut, setup.unknowns};
 }
 
 /// The judge's number for what is asked: on the surface itself, where the descent sees slivers made harmless,
@@ -172,9 +172,8 @@ Status evenOut(const TriMesh& mesh, const ParametrizeOptions& options, Judged& j
   StageClock clock(options.progress, result.times);
   if (!clock.begin(Stage::kImprove)) return clock.cancelled();
   const SeamlessSetup& setup = *judged.solution.setup;
-  const ReducedMap map{mesh, setup.context->geometry, setup.cut, setup.unknowns};
-  const Improvement run =
-      improve(map, setup.context->tree, judged.solution.x, {}, {}, options.progress);
+  const Improvement run = improve(reducedMap(mesh, setup), setup.context->tree, judged.solution.x,
+                                  {}, {}, options.progress);
   if (run.outcome == DescentOutcome::kCancelled) return cancelled(Stage::kImprove);
   Judged even{judged.solution, {}, {}};
   even.solution.x = run.x;

@@ -126,11 +126,10 @@ std::uint64_t hashOf(const State& state) {
   return hash.value();
 }
 
-double workOf(const Problem& problem, const Attempt& attempt) {
+double workOf(const Round& round, int faceCount) {
   constexpr double kPerConstraint = 6.0;
-  const double iterations = std::max(1, attempt.program.iterations);
-  return iterations * (problem.mesh.faceCount() +
-                       kPerConstraint * static_cast<double>(attempt.frames.faces.size()));
+  return std::max(1, round.iterations) *
+         (faceCount + kPerConstraint * static_cast<double>(round.constrainedTriangles));
 }
 
 std::string nameOf(const Problem& problem, const State& state) {

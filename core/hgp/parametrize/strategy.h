@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hgp/optimize/program.h"
+#include "hgp/parametrize/parametrization.h"
 #include "hgp/parametrize/seamless_setup.h"
 
 namespace hgp {
@@ -77,9 +78,9 @@ struct State {
   std::shared_ptr<const Frames> directions;        ///< of the map before; null: the field's
 };
 
-/// What an attempt cost: iterations × (triangles + 6 × hard constraints), which is proportional to time within
+/// What a round cost: iterations × (triangles + 6 × hard constraints), which is proportional to time within
 /// a factor of two for cone programs and for Newton steps of untangling alike.
-double workOf(const Problem& problem, const Attempt& attempt);
+double workOf(const Round& round, int faceCount);
 
 /// States with the same hash pose the same program.
 std::uint64_t hashOf(const State& state);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "hgp/mesh/topology.h"
@@ -53,6 +54,27 @@ TEST(Geometry, TransportThereAndBackIsNothing) {
   const Geometry g = computeGeometry(mesh);
   for (HalfedgeId h : mesh.halfedges())
     EXPECT_NEAR(principalAngle(transport(mesh, g, h) + transport(mesh, g, mesh.twin(h))), 0, 1e-13);
+}
+
+TEST(Geometry, EvenedLengthsAreAMetricWithoutThinTriangles) {
+  for (const double factor : {1.0, 1e3, 1e6}) {
+    test::Shape shape = test::jittered(test::pretzel(2, 3), 0.03);
+    for (auto& p : shape.data.positions) p[1] *= factor;
+    const TriMesh mesh = shape.mesh();
+    const Geometry own = computeGeometry(mesh, 0.0), even = evenedGeometry(mesh);
+    EXPECT_EQ(even.unit, own.unit);
+    double sum = 0.0;
+    for (VertexId v : mesh.vertices()) sum += curvature(mesh, even, v);
+    EXPECT_NEAR(sum, 2 * kPi * shape.eulerCharacteristic(), 1e-12 * mesh.faceCount());
+    for (HalfedgeId h : mesh.halfedges())
+      EXPECT_NEAR(even.length[h], std::sqrt(own.length[h] * own.length[h] + 1.0),
+                  1e-9 * even.length[h]);
+    for (FaceId f : mesh.faces()) {
+      double longest = 0.0;
+      for (int k = 0; k < 3; ++k) longest = std::max(longest, even.length[TriMesh::halfedge(f, k)]);
+      EXPECT_LT(longest * longest, 20.0 * 2.0 * even.area[f]);
+    }
+  }
 }
 
 TEST(Geometry, LengthsAreInUnitsOfTheMeanEdge) {

@@ -1,0 +1,14 @@
+// One surface, one metric.  Role: the page that reads like §7 of [BCW17], for parametrize(), which tries the
+// surface's own metric and then the evened one.
+#pragma once
+
+#include "hgp/field/prepared_surface.h"
+#include "hgp/parametrize/parametrization.h"
+
+namespace hgp {
+
+/// parametrize(), with weights and frames from the metric of `surface` alone.
+Result<Parametrization> parametrizeInMetric(PreparedSurface& surface, const HolonomySpec& spec,
+                                            const ParametrizeOptions& options);
+
+}  // namespace hgp

@@ -1,5 +1,5 @@
 // corpus DIR: every mesh below a folder with automatic cones, as a table.  Role: the number that this
-// project is judged by. One failure is a bug, and the last lines say how to see it again.
+// project is measured by. One failure is a bug, and the last lines say how to see it again.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

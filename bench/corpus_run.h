@@ -35,9 +35,9 @@ struct CorpusRow {
   double readSeconds = 0;   ///< file, unpacking, welding, topology
   double fieldSeconds = 0;  ///< cones and field
   double cutSeconds = 0;    ///< cut and assembly of the system
-  double solveSeconds = 0;  ///< every round: cone program, judge, repair
+  double solveSeconds = 0;  ///< every round: cone program, verify, repair
   double writeSeconds = 0;  ///< the certified file; only where CorpusOptions::output names one
-  double totalSeconds = 0;  ///< all of it, with judging the stored map and writing the report
+  double totalSeconds = 0;  ///< all of it, with verifying the stored map and writing the report
   double peakMegabytes = 0;
 };
 

@@ -27,7 +27,7 @@ function(hgp_compile_settings target)
       -Wno-sign-conversion $<$<BOOL:${HGP_WERROR}>:-Werror>)
   endif()
   if(EMSCRIPTEN)
-    # Iterators count in 32 bits there; the native builds judge conversions.
+    # Iterators count in 32 bits there; the native builds check conversions.
     target_compile_options(${target} PRIVATE -Wno-shorten-64-to-32)
   endif()
 endfunction()

@@ -111,7 +111,7 @@ class Comparison {
     ProgramOptions program;
     program.u = setup->field.u;
     const ProgramResult solved = solveProgram(systemOf(mesh_, *setup), Frames{}, program);
-    judgeAndAdd(kNoFrames, layOut(mesh_, *setup, solved.z));
+    certifyAndAdd(kNoFrames, layOut(mesh_, *setup, solved.z));
   }
 
   void conformal() {
@@ -135,7 +135,7 @@ class Comparison {
     for (const ConePoint& cone : spec_.cones) cones.push_back(cone.vertex);
     const CutMesh cut =
         cutToDisk(mesh_, seamGraph(mesh_, context.geometry, context.surface, cones), cones);
-    judgeAndAdd(kCetm, layOut(mesh_, context.geometry, cut, unfold(mesh_, cut, metric.length)));
+    certifyAndAdd(kCetm, layOut(mesh_, context.geometry, cut, unfold(mesh_, cut, metric.length)));
     row_.maps.back().steps = metric.steps;
   }
 
@@ -163,7 +163,7 @@ class Comparison {
     map.note = why;
     addMap(std::move(map));
   }
-  void judgeAndAdd(const char* name, const UvMap& map) {
+  void certifyAndAdd(const char* name, const UvMap& map) {
     const double seconds = spent();
     addMap(measured(name, certify(mesh_, spec_, map)));
     row_.maps.back().seconds = seconds;

@@ -89,7 +89,7 @@ class Comparison {
     const double seconds = processorSeconds() - start;
     if (free.size() == 0) return;
     terms.scatter(free, x);
-    judgeAndAdd(kLscm, x, seconds);
+    certifyAndAdd(kLscm, x, seconds);
   }
 
  private:
@@ -102,7 +102,7 @@ class Comparison {
     map.cones = static_cast<int>(spec_.cones.size());
     row_.maps.push_back(std::move(map));
   }
-  void judgeAndAdd(const char* name, const Eigen::VectorXcd& z, double seconds) {
+  void certifyAndAdd(const char* name, const Eigen::VectorXcd& z, double seconds) {
     const UvMap map = layOut(mesh_, *setup_, {z.data(), z.data() + z.size()});
     add(measured(name, certify(mesh_, spec_, map)), seconds);
   }
@@ -120,7 +120,7 @@ class Comparison {
     const double seconds = processorSeconds() - start;
     Eigen::VectorXcd end = x;
     terms.scatter(run.free, end);
-    judgeAndAdd(name, unknowns.copies * end, seconds);
+    certifyAndAdd(name, unknowns.copies * end, seconds);
     row_.maps.back().steps = static_cast<int>(run.energies.size()) - 1;
     if (run.isLate) row_.maps.back().note = "time limit";
   }

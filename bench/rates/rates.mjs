@@ -1,15 +1,15 @@
 // node bench/rates/rates.mjs FOLDER… [--hgp PROGRAM] [--limit SECONDS] [--json FILE]
 //
 // Every glTF and polygon file below the folders through `hgp param` without options, in 2 GB of address space:
-// how many are certified, which are slow, which are refused and why. What is written is judged again by code of its own
-// (judge.mjs): the sign of every stored triangle, and the two sides of every edge.
+// how many are certified, which are slow, which are refused and why. What is written is checked again by code of its own
+// (check.mjs): the sign of every stored triangle, and the two sides of every edge.
 
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import { parseArgs } from 'node:util';
-import { judgeFile } from './judge.mjs';
+import { checkFile } from './check.mjs';
 
 const root = path.resolve(import.meta.dirname, '../..');
 const { values, positionals } = parseArgs({
@@ -89,9 +89,9 @@ async function runOne(file, kind) {
   if (run.status !== 0 && !isTooLong) one.reason = reasonOf(document) ?? lines[0]?.slice(5) ?? '';
   if (run.status === 0) {
     try {
-      one.judged = await judgeFile(out, kind, { outside: outsideOf(document) });
+      one.checked = await checkFile(out, kind, { outside: outsideOf(document) });
     } catch (error) {
-      one.judged = { good: false, why: `cannot be judged: ${error.message}` };
+      one.checked = { good: false, why: `cannot be checked: ${error.message}` };
     }
   }
   return one;
@@ -119,10 +119,14 @@ for (const place of positionals) {
     if (!kind) continue;
     const one = await runOne(file, kind);
     all.push(one);
-    const judged = one.judged ? (one.judged.good ? '' : `  JUDGED WRONG: ${one.judged.why}`) : '';
+    const checked = one.checked
+      ? one.checked.good
+        ? ''
+        : `  CHECKED WRONG: ${one.checked.why}`
+      : '';
     console.log(
       `${one.outcome.padEnd(16)} ${one.seconds.toFixed(1).padStart(6)} s ${String(one.triangles).padStart(8)}  ` +
-        `${path.relative(process.cwd(), file)}${one.reason ? `\n    ${one.reason}` : ''}${judged}`,
+        `${path.relative(process.cwd(), file)}${one.reason ? `\n    ${one.reason}` : ''}${checked}`,
     );
   }
 }
@@ -136,14 +140,14 @@ for (const kind of Object.keys(kinds)) {
   for (const { outcome } of list) count.set(outcome, (count.get(outcome) ?? 0) + 1);
   const readable = list.filter(({ outcome }) => outcome !== 'cannot be read');
   const certified = list.filter(({ code }) => code === 0);
-  const wrong = certified.filter(({ judged }) => !judged.good);
+  const wrong = certified.filter(({ checked }) => !checked.good);
   const share = (100 * certified.length) / Math.max(1, readable.length);
   console.log(
     `${kind}: ${certified.length} of ${readable.length} readable files certified (${share.toFixed(1)} %), ` +
-      `${wrong.length} of them judged wrong; ${[...count].map(([k, n]) => `${n} ${k}`).join(', ')}`,
+      `${wrong.length} of them checked wrong; ${[...count].map(([k, n]) => `${n} ${k}`).join(', ')}`,
   );
 }
 const slow = all.filter((one) => one.seconds > slowSeconds && one.triangles < manyTriangles);
 for (const one of slow) console.log(`slow: ${one.file} ${one.seconds.toFixed(0)} s`);
 if (values.json) writeFileSync(values.json, JSON.stringify(all, null, 1));
-process.exitCode = all.some(({ judged }) => judged && !judged.good) ? 1 : 0;
+process.exitCode = all.some(({ checked }) => checked && !checked.good) ? 1 : 0;

@@ -34,7 +34,7 @@ struct Row {
   bool isAutomatic = false, areHandlesGiven = false;
   bool isWarned = false;    ///< a note spoke of stretch
   double scaleRange = 0.0;  ///< of the cone metric: max u − min u
-  double seconds = 0.0;     ///< processor time of parametrize() and of judging
+  double seconds = 0.0;     ///< processor time of parametrize() and of verifying
   double meanMu = 0.0, rmsLogArea = 0.0, symmetricDirichlet = 0.0;
   std::string method;  ///< of the last round
 };

@@ -33,7 +33,7 @@ extern "C" void onInterrupt(int) {
   isInterrupted = 1;
 }
 
-/// Whoever reads our output has had enough: ends as programs do then, without a message.
+/// The reader of our output closed it: ends as programs do then, without a message.
 [[noreturn]] void endOfPipe() {
 #ifdef SIGPIPE
   std::signal(SIGPIPE, SIG_DFL);

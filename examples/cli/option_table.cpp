@@ -197,9 +197,10 @@ class Table {
     choice(sub->add_option("--boundary", words_.boundary,
                            "convex: a disk onto a convex polygon (Tutte); no cones (default free)"),
            {"free", "convex"});
-    choice(sub->add_option("--frames", words_.frames,
-                           "auto: a smooth field of our own; file: the directions of --field"),
-           {"auto", "file"});
+    choice(
+        sub->add_option("--frames", words_.frames,
+                        "auto: a smooth field that hgp computes; file: the directions of --field"),
+        {"auto", "file"});
     choice(sub->add_option("--method", words_.method, "How to solve (default auto)"),
            {"auto", "harmonic", "soft", "printed", "all-frames"});
     sub->add_option("--rounds", out_.solve.maxRounds,
@@ -238,7 +239,7 @@ class Table {
     };
     sub->add_option_function<std::string>(
            "--grid-material", take,
-           "glTF, OBJ: a grid as the material, TILES per unit of uv (default: what can be seen)")
+           "glTF, OBJ: a grid as the material, TILES per unit of uv (default: large enough to see)")
         ->option_text("[TILES]")
         ->expected(0, 1)
         ->check(CLI::Validator(
@@ -266,9 +267,9 @@ class Table {
                     "Write a table of all triangles: angle and area distortion, overlaps (CSV)")
         ->option_text("FILE");
     sub->add_flag("--use", out_.write.pointsMaterials,
-                  "glTF: the materials' pictures use the new set");
+                  "glTF: the materials' textures use the new set");
     sub->add_flag("--embed", out_.isEmbedded,
-                  ".gltf: buffers and images inside it (default: copied where it goes)");
+                  ".gltf: embed buffers and images (default: copy them beside it)");
     sub->add_flag("--write-repairs", out_.load.writesRepairs,
                   "Write faces as they were turned over, vertices as they were split");
     sub->add_flag("--compress", out_.isCompressed,
@@ -298,7 +299,7 @@ class Table {
 
   void addQuads() {
     CLI::App* sub = add("quads", "Align to a grid and write its cells as quads", Command::kQuads);
-    addOutput(sub, "An .obj, or a .glb of triangles for a look", true);
+    addOutput(sub, "An .obj, or a .glb of triangles for viewing", true);
     addPrescription(sub);
     sub->add_option("--count", out_.solve.coneCount, "Automatic cones: roughly how many")
         ->option_text("N")
@@ -363,7 +364,7 @@ const char* exitCodeText() {
          "  8  a limit, or memory\n"
          " 70  an error of the program\n"
          "130  interrupted\n"
-         "141  whoever read the output had enough: ended by SIGPIPE, without a message";
+         "141  the reader of standard output closed it: ended by SIGPIPE, without a message";
 }
 
 CommandTable addCommands(CLI::App& app, Arguments& out, TypedWords& words) {

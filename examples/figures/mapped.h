@@ -9,7 +9,7 @@
 
 namespace hgp::figures {
 
-/// A solved and judged model.
+/// A solved and verified model.
 struct Mapped {
   MeshData data;
   TriMesh mesh;

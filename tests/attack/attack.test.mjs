@@ -1,6 +1,6 @@
 // Verdicts against exact arithmetic: maps of strangers and maps of our own, of both number types, with
 // areas that span up to 2^120, tampered with; every answer of `hgp verify` and every map that
-// `hgp param` calls certified is decided once more by judge.mjs.
+// `hgp param` calls certified is decided once more by check.mjs.
 //
 // HGP_FULL=1 runs the long form. HGP_ATTACK=FIRST..LAST runs the cases of these numbers only and keeps
 // their files.
@@ -13,7 +13,7 @@ import path from 'node:path';
 import test, { after } from 'node:test';
 
 import { readGlb, readObj, writeGlb, writeObj } from './files.mjs';
-import { judge } from './judge.mjs';
+import { checkMap } from './check.mjs';
 import { familyNames, makeMap } from './maps.mjs';
 import { Random } from './random.mjs';
 import { areaOf, surfaceOf } from './surface.mjs';
@@ -70,11 +70,11 @@ function throughFile(map, at) {
   return { name, stored: { ...read, q: map.q, cones } };
 }
 
-/** What the exact judge says of the triangles in a file. */
+/** What the exact check says of the triangles in a file. */
 function decide(stored) {
   const { surface, facts } = surfaceOf(stored);
   const areas = surface.triangles.map((t) => areaOf(t.map((v) => surface.positions[v])));
-  return { ...facts, ...judge(surface, stored.precision, areas) };
+  return { ...facts, ...checkMap(surface, stored.precision, areas) };
 }
 
 const isFinite = (map) => map.uv.every((p) => p.every(Number.isFinite));

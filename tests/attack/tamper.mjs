@@ -1,5 +1,5 @@
-// What is done to a map, or to its surface, before it is judged. Each changes `map` in place and returns
-// nothing; what a change means for the verdict is for the exact judge to find out.
+// What is done to a map, or to its surface, before it is checked. Each changes `map` in place and returns
+// nothing; what a change means for the verdict is for the exact check to find out.
 
 const amounts = [1e-9, 1e-7, 5e-7, 9e-7, 1.1e-6, 2e-6, 1e-5, 1e-3, 0.1];
 

@@ -21,8 +21,8 @@ struct Start {
   ReducedMap over(const ReducedUnknowns& unknowns) const {
     return {problem.surface.mesh, problem.surface.context.geometry, problem.surface.cut, unknowns};
   }
-  DistortionFacts judged(const Eigen::VectorXcd& z) const {
-    return problem.judge({z.data(), z.data() + z.size()}).distortion;
+  DistortionFacts verified(const Eigen::VectorXcd& z) const {
+    return problem.certify({z.data(), z.data() + z.size()}).distortion;
   }
 };
 
@@ -36,7 +36,7 @@ const std::vector<Start>& starts() {
     for (test::CutSurface& surface : test::makeCutSurfaces(7)) {
       test::SeamlessProblem problem = test::problemOf(std::move(surface));
       const ProgramResult solved = problem.solve(problem.frames(), problem.weightedOptions());
-      if (!solved.z.empty() && problem.judge(solved.z).isCertified)
+      if (!solved.z.empty() && problem.certify(solved.z).isCertified)
         found.push_back({std::move(problem), solved.x});
     }
     return found;
@@ -75,9 +75,9 @@ TEST(Slim, LowersTheEnergyInEveryStepAndKeepsSeamsThatAreHeld) {
     Eigen::VectorXcd x = start.x;
     terms.scatter(run.free, x);
     const Eigen::VectorXcd z = unknowns.copies * x;
-    EXPECT_TRUE(start.problem.judge({z.data(), z.data() + z.size()}).isCertified);
+    EXPECT_TRUE(start.problem.certify({z.data(), z.data() + z.size()}).isCertified);
     // The energy of its last step is the one that the verifier measures at the best scale, or above it.
-    EXPECT_GE(run.energies.back() + 1e-9, 4.0 + start.judged(z).symmetricDirichlet);
+    EXPECT_GE(run.energies.back() + 1e-9, 4.0 + start.verified(z).symmetricDirichlet);
   }
 }
 

@@ -77,7 +77,7 @@ TEST(ConformalMetric, LaidOutIsSeamlessWhereThereAreNoHandles) {
     if (!metric.isFound) continue;
     const std::vector<Complex> z = unfold(surface.mesh, surface.cut, metric.length);
     EXPECT_LT(lengthError(surface.mesh, surface.cut, metric.length, z), 1e-7) << surface.name;
-    const Certificate certificate = problem.judge(z);
+    const Certificate certificate = problem.certify(z);
     EXPECT_EQ(certificate.orientation.zero + certificate.orientation.negative, 0) << surface.name;
     if (surface.context.topology.genus > 0) continue;
     EXPECT_TRUE(certificate.isCertified) << surface.name;

@@ -1,5 +1,5 @@
 // --also and --grid-material: the result in other formats, read again by glTF-Transform, Khronos' validator
-// and the program's own judge.
+// and the program's own verifier.
 import { NodeIO } from '@gltf-transform/core';
 import { KHRTextureTransform } from '@gltf-transform/extensions';
 import assert from 'node:assert/strict';

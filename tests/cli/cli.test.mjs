@@ -258,9 +258,9 @@ for (const [name, options] of Object.entries(paramRuns)) {
     const kept = (text) => text.split('\n').filter((line) => !/^(vt|f) /.test(line));
     assert.deepEqual(kept(read(`${name}.obj`)), kept(read('ball.obj')));
     put(`${name}.cones.json`, JSON.stringify(report.cones));
-    const judged = run(['verify', `${name}.obj`, '--cones', `${name}.cones.json`, '--json', '-']);
-    assert.equal(judged.code, 0, judged.out);
-    isValid('hgp-certificate', judged.out);
+    const verified = run(['verify', `${name}.obj`, '--cones', `${name}.cones.json`, '--json', '-']);
+    assert.equal(verified.code, 0, verified.out);
+    isValid('hgp-certificate', verified.out);
   });
 }
 
@@ -788,13 +788,13 @@ function strips(...turns) {
   return [...lines, ...faces, ''].join('\n');
 }
 
-test('verify judges what others made, component by component, and says what overlaps', () => {
-  const judge = (name, ...args) => {
+test('verify measures what others made, component by component, and says what overlaps', () => {
+  const verify = (name, ...args) => {
     const { code, out, err } = run(['verify', name, '--json', '-', ...args]);
     return { code, err, ...isValid('hgp-certificate', out) };
   };
   put('strips.obj', strips(0.75, 1.5));
-  const good = judge('strips.obj');
+  const good = verify('strips.obj');
   assert.equal(good.code, 0, good.err);
   assert.deepEqual(
     good.components.map(({ overlap }) => overlap.layers),
@@ -808,7 +808,7 @@ test('verify judges what others made, component by component, and says what over
   const last = folded.findLastIndex((line) => line.startsWith('vt '));
   folded[last - 10] = 'vt 0 0';
   put('folded.obj', folded.join('\n'));
-  const bad = judge('folded.obj');
+  const bad = verify('folded.obj');
   assert.equal(bad.code, 6);
   assert.deepEqual(
     bad.components.map(({ certified }) => certified),

@@ -78,8 +78,8 @@ test('--refine maps and writes a finer mesh where the mesh as it is has no map',
   assert.equal(text.filter((line) => /^v /.test(line)).length, report.refined.vertices);
   assert.equal(text.filter((line) => /^v .* 1 0 0$/.test(line)).length, report.refined.vertices);
   assert.equal(text.filter((line) => /^f /.test(line)).length, report.refined.triangles);
-  const judged = run(['verify', 'finer.obj', '--q', '4', ...cones]);
-  assert.equal(judged.code, 0, judged.out);
+  const verified = run(['verify', 'finer.obj', '--q', '4', ...cones]);
+  assert.equal(verified.code, 0, verified.out);
 
   const glb = toGlb([{ vertices: v, triangles: faces }]);
   put('crowded.glb', glb);

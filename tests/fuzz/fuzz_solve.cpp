@@ -1,5 +1,5 @@
-// Small surfaces with cones at random, solved; what is certified is judged by code of its own, written, read
-// again and judged once more.
+// Small surfaces with cones at random, solved; what is certified is verified by code of its own, written, read
+// again and verified once more.
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -63,7 +63,7 @@ bool isPlain(const std::vector<std::uint32_t>& triangles) {
   return true;
 }
 
-void judge(const api::Session& session, const std::optional<io::Prescription>& asked) {
+void checkMap(const api::Session& session, const std::optional<io::Prescription>& asked) {
   fuzz::FlatMap map{session.triangles(), session.cornerToUv(), session.uv(), 4, {}, 2e-6};
   const auto cones = nlohmann::json::parse(session.conesJson());
   map.q = cones["q"].get<int>();
@@ -81,7 +81,7 @@ void judge(const api::Session& session, const std::optional<io::Prescription>& a
 }
 
 /// The written file verifies with the cones that it holds.
-void judgeWritten(const api::Session& session) {
+void checkWritten(const api::Session& session) {
   api::WriteOptions write;
   write.name = "out.obj";
   write.embedCones = true;
@@ -129,7 +129,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   if (!session.isCertified()) return 0;
-  judge(session, asked);
-  judgeWritten(session);
+  checkMap(session, asked);
+  checkWritten(session);
   return 0;
 }

@@ -1,4 +1,4 @@
-// A map judged from its numbers alone, by nothing of the library.  Role: what fuzz_solve holds every
+// A map verified from its numbers alone, by nothing of the library.  Role: what fuzz_solve holds every
 // certificate against.
 #pragma once
 

@@ -6,7 +6,7 @@ import path from 'node:path';
 import test from 'node:test';
 import { filesOf, moduleOf, textOf } from './source_tree.mjs';
 
-// The judge shares no code with the judged: verify sees mesh and base and nothing else.
+// The verifier shares no code with what it verifies: verify sees mesh and base and nothing else.
 // io speaks of meshes and prescriptions and nothing else; only api, the API boundary, sees everything.
 const mayInclude = {
   base: [],

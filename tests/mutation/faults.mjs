@@ -211,7 +211,7 @@ export const faults = [
     'verify/angles.cpp',
     'out.allowed = std::min(',
     'out.allowed = 1e3 * std::min(',
-    short('Angles.AreJudgedInRadiansWhateverTheOrder'),
+    short('Angles.AreMeasuredInRadiansWhateverTheOrder'),
   ),
   fault(
     'verify/angles.cpp',
@@ -266,7 +266,7 @@ export const faults = [
   fault('system/reduced_unknowns.cpp', '- R * value(cut.copy[left]);', '- value(cut.copy[left]);'),
   fault(
     'parametrize/solution.cpp',
-    'return improveOnGrid(mesh, options, aligned.workLeft, judged, result);',
+    'return improveOnGrid(mesh, options, aligned.workLeft, mapped, result);',
     'return Done{};',
     short('GridImprovement.GainsWhileEveryIntegerStaysWhereAlignmentPutIt'),
   ),

@@ -79,7 +79,7 @@ async function observe({ id, file, text, programs, seenBy: likely }) {
 const caught = [];
 const missed = [];
 let unchanged = 0;
-async function judge(fault) {
+async function runTests(fault) {
   try {
     fault.key = await keyOf(fault);
     if (kept.find(fault.key)) {
@@ -120,7 +120,7 @@ async function control(program) {
   plant.forget(`control-${program}`);
 }
 
-if (wrong.length === 0) await inParallel(chosen, lanes, judge);
+if (wrong.length === 0) await inParallel(chosen, lanes, runTests);
 await inParallel(programs, lanes, control);
 if (words.length === 0 && faults.length < wantedCount) wrong.push(`only ${faults.length} faults; ${wantedCount} are wanted`); // prettier-ignore
 

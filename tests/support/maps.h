@@ -1,4 +1,4 @@
-// Maps whose certificate is known beforehand.  Role: what the judge is tested on.
+// Maps whose certificate is known beforehand.  Role: what the verifier is tested on.
 #pragma once
 
 #include <vector>

@@ -16,7 +16,7 @@ async function load(name, bytes) {
   return core.load(files, { limits });
 }
 
-// The largest are judged by the native suite, and here with scripts/test --full.
+// The largest are verified by the native suite, and here with scripts/test --full.
 const most = process.env.HGP_FULL ? Infinity : 10e6;
 
 for (const { name, bytes, code, message } of hostileFiles()) {

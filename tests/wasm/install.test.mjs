@@ -54,7 +54,7 @@ test('the examples are well typed, and so is everything they may go on to do', (
      import { HgpError, type Cones, type Certificate } from 'hgp';
      import { createCore, type Core } from 'hgp/core';
      const given: Cones = cones;
-     const judged: Certificate = await client.verify({ cones: given, tolerance: 1e-6 });
+     const verified: Certificate = await client.verify({ cones: given, tolerance: 1e-6 });
      const stored: Cones | null = await client.embeddedCones();
      const count: number = uv.length + cornerToUv.length + bytes.length + info.triangles;
      const core: Core = await createCore({ wasmUrl: 'hgp.wasm' });
@@ -64,7 +64,7 @@ test('the examples are well typed, and so is everything they may go on to do', (
      try { client.terminate(); } catch (error) {
        if (error instanceof HgpError && error.code === 'limit') console.log(error.details.where);
      }
-     console.log(name, count, judged, stored, core.memory, raw.seams, certificate.certified);
+     console.log(name, count, verified, stored, core.memory, raw.seams, certificate.certified);
      // @ts-expect-error -- cones have integer k
      const wrong: Cones = { q: 4, cones: [{ vertex: 1, k: 'three' }] };
      console.log(wrong);`,

@@ -207,8 +207,8 @@ test('after undo its map is saved in every format without another run', async (t
   if (program) {
     const file = path.join(it.folder, 'sphere-after-undo.obj');
     writeFileSync(file, after.bytes);
-    const judged = spawnSync(program, ['verify', file, '--q', '6'], { encoding: 'utf8' });
-    assert.equal(judged.status, 0, judged.stdout + judged.stderr);
+    const verified = spawnSync(program, ['verify', file, '--q', '6'], { encoding: 'utf8' });
+    assert.equal(verified.status, 0, verified.stdout + verified.stderr);
   }
   await page.reload();
 });

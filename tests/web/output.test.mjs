@@ -45,7 +45,7 @@ async function validate() {
 const errorsOf = async (bytes, more = {}) =>
   (await validator.validateBytes(new Uint8Array(bytes), { ...more, maxIssues: 50 })).issues;
 
-/** Chooses the grid in the Download dialog, and waits until it is written and judged. */
+/** Chooses the grid in the Download dialog, and waits until it is written and verified. */
 async function chooseGrid() {
   const { page } = it;
   await page.click('#download');

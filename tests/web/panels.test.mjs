@@ -230,7 +230,7 @@ async function textured(bytes) {
   return new NodeIO().writeBinary(document);
 }
 
-test('Download: another uv set, another scale, without cones; each is judged again', async () => {
+test('Download: another uv set, another scale, without cones; each is verified again', async () => {
   const { page } = it;
   await openFiles(it, { 'cube.glb': toGlb([cubeMesh(4)]) });
   await run(it);

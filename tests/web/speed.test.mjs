@@ -14,8 +14,8 @@ const it = useBrowser({ flags, deviceScaleFactor: 1 });
 const { test } = it;
 const built = path.join(root, 'build/page');
 
-// Times are printed always and judged under --full only: a shared machine stalls at any moment.
-const isJudged = process.env.HGP_FULL === '1';
+// Times are printed always and bounded under --full only: a shared machine stalls at any moment.
+const isBound = process.env.HGP_FULL === '1';
 
 test('page and wasm together are under 3 MB; interactive within two seconds', async (t) => {
   const files = readdirSync(path.join(built, 'assets'));
@@ -32,7 +32,7 @@ test('page and wasm together are under 3 MB; interactive within two seconds', as
   await state(page, 'empty');
   const ready = await page.evaluate(() => performance.getEntriesByName('hgp-ready')[0].startTime);
   t.diagnostic(`${(bytes / 1e6).toFixed(2)} MB, interactive after ${ready.toFixed(0)} ms`);
-  if (isJudged) assert.ok(ready <= 2000, `${ready} ms`);
+  if (isBound) assert.ok(ready <= 2000, `${ready} ms`);
 });
 
 const quiet = 1800; // milliseconds: the solver alone, without a page, on a quiet machine
@@ -106,7 +106,7 @@ test('20 thousand triangles: from drop to the textured result, and no long task 
     };
   }
   t.diagnostic(`${busy.toFixed(1)} times as busy as a quiet machine`);
-  if (!isJudged) return;
+  if (!isBound) return;
   assert.ok(best.longest <= 50 * busy, `a task of ${best.longest} ms while solving`);
   assert.ok(best.elapsed <= 3000 * busy, `${best.elapsed} ms`);
 });

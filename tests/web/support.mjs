@@ -23,7 +23,7 @@ export const statusText = (page) => page.locator('#status').innerText();
 
 const program = path.join(root, 'build/native-release/bin/hgp');
 
-/** The command line, which judges what the page wrote; where it is not built, the test says so. */
+/** The command line, which verifies what the page wrote; where it is not built, the test says so. */
 export function commandLine(t) {
   if (existsSync(program)) return program;
   t.skip(`${path.relative(root, program)} is not built: part of this test is left out`);

@@ -181,7 +181,7 @@ export interface Measures {
   area: Float32Array;
   /**
    * Triangles that are folded over or have no area in the map: of those that the certificate speaks of, wound as
-   * it judged them.
+   * it verified them.
    */
   flipped: Uint32Array;
   surfaceArea: number;
@@ -248,7 +248,7 @@ export interface VerifyOptions {
 export interface WriteOptions {
   /**
    * `same`: the original with the map, and nothing else changed. `glb`, `gltf`, `obj`: the mesh on its own, its
-   * uv snapped to the numbers of that format and judged again. `flat-obj`: the map laid flat. `svg`: its edges.
+   * uv snapped to the numbers of that format and verified again. `flat-obj`: the map laid flat. `svg`: its edges.
    */
   format?: 'same' | 'glb' | 'gltf' | 'obj' | 'flat-obj' | 'svg';
   /** glTF, OBJ: a grid as the material, so many tiles per unit of uv; `true`: as many as can be seen. */
@@ -300,7 +300,7 @@ export interface Progress {
   iteration: number;
   /** Of the solver relative to its target; where an energy descends (stages `improve` and `align`) its excess over an isometry; -1 outside. */
   residual: number;
-  /** Of solve, judge, repair: from 1 to at most maxRounds; both are 0 outside it. */
+  /** Of solve, verify, repair: from 1 to at most maxRounds; both are 0 outside it. */
   round: number;
   maxRounds: number;
   /** In parametrizeFile(): which mesh, of how many. */

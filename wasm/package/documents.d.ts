@@ -25,7 +25,7 @@ export interface Certificate {
   usable: boolean;
   q: number;
   /**
-   * the set of the file that was judged
+   * the set of the file that was verified
    */
   uvSet?: number;
   precision: 'float32' | 'float64';
@@ -63,13 +63,13 @@ export interface Certificate {
    */
   seamTolerance: number;
   /**
-   * All triangles of the surface as they are stored: judged, or outside the certificate and why
+   * All triangles of the surface as they are stored: verified, or outside the certificate and why
    */
   stored: {
     triangles: number;
     judged: number;
     /**
-     * outside: copies of a judged triangle, with its uv
+     * outside: copies of a verified triangle, with its uv
      */
     duplicates: number;
     /**
@@ -81,11 +81,11 @@ export interface Certificate {
      */
     zeroArea: number;
     /**
-     * judged wound the other way than they are stored
+     * verified with the orientation opposite to the stored one
      */
     reversed: number;
     /**
-     * copies of vertices that the judged surface has and the file does not
+     * copies of vertices that the verified surface has and the file does not
      */
     splitVertices: number;
   };
@@ -227,7 +227,7 @@ export interface Certificate {
       need: number;
     };
     /**
-     * How much of the map lies on top of itself, counted on a grid of 512 × 512 points; reported, not judged
+     * How much of the map lies on top of itself, counted on a grid of 512 × 512 points; reported, not verified
      */
     overlap: {
       /**
@@ -765,7 +765,7 @@ export interface Report {
     improvement: null | {
       balance: number;
       /**
-       * false: the map is as before, since the judge did not accept the improved one or nothing was gained
+       * false: the map is as before, since the verifier did not accept the improved one or nothing was gained
        */
       kept: boolean;
       outcome:

@@ -119,7 +119,7 @@ export interface Client extends AsyncDisposable {
     options?: FileOptions,
     call?: CallOptions,
   ): Promise<FileResult>;
-  /** Judges the texture coordinates that are in the file. */
+  /** Verifies the texture coordinates that are in the file. */
   verify(options?: VerifyOptions, call?: CallOptions): Promise<Certificate>;
   /** The original file with the new texture coordinates and nothing else changed. */
   write(options?: WriteOptions, call?: CallOptions): Promise<Written>;

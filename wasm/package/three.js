@@ -88,7 +88,7 @@ export async function parametrizeGeometry(client, geometry, options = {}, call) 
   const { attribute = 'uv', weld, fix, limits, ...solve } = options;
   const positions = positionsOf(geometry);
   const triangles = trianglesOf(geometry);
-  // As a GLB: vertices at the same place are joined, and the map is judged in float32, as it is drawn.
+  // As a GLB: vertices at the same place are joined, and the map is verified in float32, as it is drawn.
   const glb = toGlb(positions, triangles);
   await client.load(glb, { name: 'geometry.glb', weld, fix, limits }, call);
   const result = await client.parametrize(solve, call);

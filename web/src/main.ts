@@ -197,7 +197,7 @@ async function start(): Promise<void> {
   keepOffline();
   if (app.views) warmViews(app.views);
   if (!hasViews) {
-    const rest = 'maps are made, judged and saved all the same';
+    const rest = 'maps are made, verified and saved all the same';
     doc.say(`This browser draws nothing here, as it has no WebGL 2; ${rest}.`, 'error');
   }
   const example = exampleById(asked.example);

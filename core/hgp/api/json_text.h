@@ -23,7 +23,7 @@ std::string checkText(const Model& model, const Request& request,
 /// The check that ended before any component could be looked at.
 std::string checkText(const Failure& refusal);
 
-/// @param uvSet  the set of the file that was judged; −1: a map not yet written
+/// @param uvSet  the set of the file that was verified; −1: a map not yet written
 std::string certificateText(const Model& model, const std::vector<Certificate>& certificates,
                             const OutsideFacts& outside, int uvSet = -1);
 

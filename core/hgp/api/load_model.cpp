@@ -93,7 +93,7 @@ Status splitIntoComponents(Model& model) {
   int generators = 0;
   std::vector<Component> components = splitComponents(model.mesh, whole, model.topology);
   for (std::size_t c = 0; c < components.size(); ++c) {
-    // Judged again: alone it may be too small to compute with. Triangles without area were allowed, or
+    // Verified again: alone it may be too small to compute with. Triangles without area were allowed, or
     // have been refused.
     Result<TriMesh> mesh = buildTriMesh(components[c].mesh, true);
     if (!mesh) return mesh.error();

@@ -69,7 +69,7 @@ std::optional<double> improveBalance(const std::string& word);
 std::string improveWord(double balance);
 
 struct VerifyOptions {
-  int q = 0;               ///< order to judge by when there is no prescription; 0: 4
+  int q = 0;               ///< order to verify with when there is no prescription; 0: 4
   int uvSet = -1;          ///< −1: the last set, which is where param writes
   double tolerance = 0.0;  ///< CertifyOptions::tolerance: of a seam edge's length; radians
 };

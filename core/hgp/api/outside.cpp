@@ -25,7 +25,7 @@ int uvAt(const UvMap& map, int face, int corner) {
   return map.cornerUv[static_cast<std::size_t>(face)][static_cast<std::size_t>(corner)];
 }
 
-/// Judged triangles around the vertices of triangles without surface.
+/// Verified triangles around the vertices of triangles without surface.
 class Neighbours {
  public:
   Neighbours(const Model& model, const UvMap& map) : model_(model) {
@@ -66,7 +66,7 @@ void fillOutside(const Model& model, UvMap& map) {
   if (model.leftOut.empty()) return;
   const Neighbours neighbours(model, map);
   const Vec2 somewhere = map.uv.empty() ? Vec2{0, 0} : map.uv[0];
-  std::unordered_map<int, int> alone;  // a vertex that no judged triangle has → its uv
+  std::unordered_map<int, int> alone;  // a vertex that no verified triangle has → its uv
   for (const LeftOutFace& left : model.leftOut) {
     const Triple& triangle = triangleOf(model, left.face);
     for (std::size_t k = 0; k < 3; ++k) {

@@ -112,7 +112,7 @@ void weld(Model& model, const LoadOptions& options) {
 bool isAny(const FixOptions& fix) { return fix.orient || fix.split || fix.degenerate; }
 
 /// Repairs, then says in `unusable` what is still wrong.
-void judgeRepaired(Model& model, const FixOptions& fix) {
+void repairAndCheck(Model& model, const FixOptions& fix) {
   if (isAny(fix)) repair(model, fix);
   model.unusable.reset();
   if (model.mesh.triangles.empty()) {
@@ -153,10 +153,10 @@ void repairAsAsked(Model& model, const LoadOptions& options) {
   const bool mayTryAll = isAutomatic && isAny(fix) && !(fix.orient && fix.split && fix.degenerate);
   Model before;
   if (mayTryAll) keepSurface(model, before);
-  judgeRepaired(model, fix);
+  repairAndCheck(model, fix);
   if (model.unusable && mayTryAll) {
     keepSurface(before, model);
-    judgeRepaired(model, {true, true, true});
+    repairAndCheck(model, {true, true, true});
   }
   if (model.unusable && !options.isStrict) {
     model.unusable->message = withoutGiven(model.unusable->message, fix, isAutomatic);

@@ -42,7 +42,7 @@ struct SurfaceFacts {
 struct MapMeasures {
   std::vector<float> stretch;  ///< ratio of the singular values ≥ 1; 1 keeps angles
   std::vector<float> logArea;  ///< log₂ of the area's scale, less that of all triangles together
-  std::vector<int> notPositive;  ///< judged triangles, wound as they were judged
+  std::vector<int> notPositive;  ///< triangles of the certificate, oriented as they were verified
   double surfaceArea = 0, uvArea = 0;
   long long overlapPairs = 0;  ///< triangles that share area of the plane and no uv: allowed
   std::vector<int> overlapping;

@@ -165,17 +165,17 @@ Result<Verdict> Session::verify(const std::optional<io::Prescription>& prescript
                      : Result<Request>(automaticRequest(model, options.q > 0 ? options.q : 4));
     if (!request) return request.error();
     const std::optional<UvMap> read = model.document->existingUv(model.surface, set);
-    CertifyOptions judge;
-    judge.tolerance = options.tolerance;
+    CertifyOptions rule;
+    rule.tolerance = options.tolerance;
     const bool isFloat = model.document->uvPrecision() == io::UvPrecision::kFloat32;
-    judge.precision = isFloat ? Precision::kFloat32 : Precision::kFloat64;
+    rule.precision = isFloat ? Precision::kFloat32 : Precision::kFloat64;
     std::vector<Certificate> certificates;
     for (std::size_t p = 0; p < model.components.size(); ++p) {
-      judge.isAnyConeAllowed = request->components[p].isAutomatic;
+      rule.isAnyConeAllowed = request->components[p].isAutomatic;
       const UvMap componentMap = mapOfComponent(model.components[p], *map);
-      if (isFloat) judge.gridStep = gridStep(mapOfComponent(model.components[p], *read));
+      if (isFloat) rule.gridStep = gridStep(mapOfComponent(model.components[p], *read));
       certificates.push_back(
-          certify(model.components[p].mesh, request->components[p].spec, componentMap, judge));
+          certify(model.components[p].mesh, request->components[p].spec, componentMap, rule));
       certificates.back().overlap = measureOverlap(componentMap);
     }
     return Verdict{areCertified(certificates),

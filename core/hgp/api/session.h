@@ -43,11 +43,11 @@ class Session {
   /// Cones stored inside the file, or nothing.
   Result<std::optional<io::Prescription>> embeddedCones() const;
 
-  /// Solves, then judges the map as it would be stored. No prescription: automatic cones. Succeeds
+  /// Solves, then verifies the map as it would be stored. No prescription: automatic cones. Succeeds
   /// also when the map is not certified; fails for what cannot be asked, limits and cancellation.
   Status parametrize(const std::optional<io::Prescription>& prescription,
                      const SolveOptions& options);
-  /// Judges uv that are in the file: hgp-certificate. Without a prescription any cones are accepted.
+  /// Verifies uv that are in the file: hgp-certificate. Without a prescription any cones are accepted.
   Result<Verdict> verify(const std::optional<io::Prescription>& prescription,
                          const VerifyOptions& options) const;
 
@@ -88,7 +88,7 @@ class Session {
   /// @param isRefined  for a result that SolveOptions::refines was asked for: always OBJ
   Status canWrite(const std::string& name, bool isRefined = false) const;
   /// The original with the result as a uv set, or the result in another format. Where that format rounds, the
-  /// map is snapped to its numbers and judged again; kNoMap where it does not survive.
+  /// map is snapped to its numbers and verified again; kNoMap where it does not survive.
   Result<WrittenMap> write(const WriteOptions& options) const;
 
  private:

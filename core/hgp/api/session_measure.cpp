@@ -1,4 +1,4 @@
-// What there is to see of a result and of a surface, beside what is judged.
+// What there is to see of a result and of a surface, beside what is verified.
 #include <algorithm>
 
 #include "hgp/api/guard.h"
@@ -10,9 +10,9 @@
 namespace hgp::api {
 namespace {
 
-/// Of the triangles that the certificate speaks of, wound as it judged them: what repairs turned over is not
-/// folded, and copies that were left out are not judged.
-std::vector<int> notPositiveAsJudged(const Model& model, const UvMap& map) {
+/// Of the triangles that the certificate speaks of, oriented as it measured them: what repairs turned over is not
+/// folded, and copies that were left out are not verified.
+std::vector<int> notPositiveAsVerified(const Model& model, const UvMap& map) {
   std::vector<int> found;
   for (int f = 0; f < model.faceOrigin.size(); ++f) {
     std::array<Vec2, 3> uv;
@@ -39,7 +39,7 @@ Result<MapMeasures> Session::measure() const {
     MapMeasures out;
     out.stretch = std::move(faces.stretch);
     out.logArea = std::move(faces.logArea);
-    out.notPositive = shown.model->isChanged ? notPositiveAsJudged(*shown.model, map)
+    out.notPositive = shown.model->isChanged ? notPositiveAsVerified(*shown.model, map)
                                              : std::move(faces.notPositive);
     out.surfaceArea = faces.surfaceArea;
     out.uvArea = faces.uvArea;

@@ -36,7 +36,7 @@ struct Session::State {
   /// There is no result any more, but perhaps in `aside`.
   void putAside();
   Status solve(const std::optional<io::Prescription>& prescription, const SolveOptions& options);
-  /// Every component, judged as stored: all of `solved` but its report.
+  /// Every component, verified as stored: all of `solved` but its report.
   Status solveRequest(const Request& request, const SolveOptions& options, RunRecord& run);
   /// Refined meshes, each finer than the one before, until one has a map; sets `finer`, or says in the
   /// notes of `run` what was tried.
@@ -53,7 +53,7 @@ struct Session::State {
   double tilesOfGrid(const WriteOptions& options) const;
   /// The original with the map as a uv set.
   Result<WrittenMap> writeOriginal(const WriteOptions& options) const;
-  /// The mesh on its own in another format, with the map snapped to its numbers and judged again.
+  /// The mesh on its own in another format, with the map snapped to its numbers and verified again.
   Result<WrittenMap> writeMesh(const WriteOptions& options) const;
   /// Automatic cones of component p, completed; appends the stages' times where asked.
   Result<CompleteSpec> chooseCones(std::size_t p, const SolveOptions& options,

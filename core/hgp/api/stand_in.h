@@ -8,7 +8,7 @@
 
 namespace hgp::api {
 
-/// The uv that the file has for the component, or the component cut open to a disk. Judged by a prescription
+/// The uv that the file has for the component, or the component cut open to a disk. Verified by a prescription
 /// without cones and never certified, however sound, as it is not what was asked for.
 /// @param why  there is no map    @param isKept  set: it is the uv that the file has
 Parametrization standIn(const Model& model, const ModelComponent& component, int q,

@@ -157,7 +157,7 @@ bool isFloat32(const StorePlace& place) {
   return place.document.uvPrecision() == io::UvPrecision::kFloat32;
 }
 
-CertifyOptions judgeOf(const StorePlace& place) {
+CertifyOptions certifyOptions(const StorePlace& place) {
   CertifyOptions options;
   options.precision = isFloat32(place) ? Precision::kFloat32 : Precision::kFloat64;
   return options;
@@ -167,11 +167,11 @@ StoredNumbers numbersOf(const StorePlace& place) {
   return {isFloat32(place) ? 24 : 53, isFloat32(place)};
 }
 
-/// Judges `out.map`. A component whose numbers are those that were judged already, before storing or in
-/// `earlier`, is not judged again.
-void judge(const Model& model, const StorePlace& place, const std::vector<ComponentMap>& components,
+/// Verifies `out.map`. A component whose numbers are those that were verified already, before storing or in
+/// `earlier`, is not verified again.
+void check(const Model& model, const StorePlace& place, const std::vector<ComponentMap>& components,
            const StoredMap* earlier, StoredMap& out) {
-  CertifyOptions options = judgeOf(place);
+  CertifyOptions options = certifyOptions(place);
   for (std::size_t p = 0; p < components.size(); ++p) {
     const ModelComponent& component = model.components[p];
     const UvMap stored = mapOfComponent(component, out.map);
@@ -191,7 +191,7 @@ void judge(const Model& model, const StorePlace& place, const std::vector<Compon
   out.isCertified = areCertified(out.certificates);
 }
 
-/// The components side by side as the format has them, seams exact, judged.
+/// The components side by side as the format has them, seams exact, verified.
 StoredMap store(const Model& model, const StorePlace& place,
                 const std::vector<ComponentMap>& components,
                 const std::vector<Placement>& placements, Scale scale,
@@ -202,7 +202,7 @@ StoredMap store(const Model& model, const StorePlace& place,
   restoreKept(components, joined.uv);
   StoredMap out;
   out.map = place.document.asStored(place.surface, onSurface(model, joined));
-  judge(model, place, components, earlier, out);
+  check(model, place, components, earlier, out);
   return out;
 }
 
@@ -271,11 +271,11 @@ double gridStep(const UvMap& map) {
   return largest > 0 && std::isfinite(largest) ? std::scalbn(1.0, std::ilogb(largest) - 23) : 0;
 }
 
-StoredMap judgeAsItIs(const Model& model, const StorePlace& place,
-                      const std::vector<ComponentMap>& components, const UvMap& map) {
+StoredMap certifyAsItIs(const Model& model, const StorePlace& place,
+                        const std::vector<ComponentMap>& components, const UvMap& map) {
   StoredMap out;
   out.map = place.document.asStored(place.surface, map);
-  judge(model, place, components, nullptr, out);
+  check(model, place, components, nullptr, out);
   out.uvToVertex = verticesOfUv(model, out.map);
   return out;
 }

@@ -36,17 +36,17 @@ struct StorePlace {
   int surface = 0;
 };
 
-/// Packs the components beside each other, scales, rounds as the format does and judges. Components
+/// Packs the components beside each other, scales, rounds as the format does and verifies. Components
 /// are independent: one that was certified and that rounding breaks is tried around the origin, then
 /// with other factors; the others stay as they are. Shifts are multiples of powers of two.
 StoredMap storeMap(const Model& model, const std::vector<ComponentMap>& components, Scale scale);
 StoredMap storeMap(const Model& model, const StorePlace& place,
                    const std::vector<ComponentMap>& components, Scale scale);
 
-/// No packing, scaling or snapping: the map as `place` rounds it, judged; nothing changes where it has such
+/// No packing, scaling or snapping: the map as `place` rounds it, verified; nothing changes where it has such
 /// numbers already.
-StoredMap judgeAsItIs(const Model& model, const StorePlace& place,
-                      const std::vector<ComponentMap>& components, const UvMap& map);
+StoredMap certifyAsItIs(const Model& model, const StorePlace& place,
+                        const std::vector<ComponentMap>& components, const UvMap& map);
 
 /// The distance between neighbouring float32 around the largest |u|, |v| or |1 − v| of a component: glTF
 /// stores u and 1 − v, and its writer rounds each component to one grid.

@@ -1,5 +1,5 @@
 // Repairs on their way into the file.  Role: --write-repairs; the repaired file is what is solved,
-// judged and written from then on.
+// verified and written from then on.
 #pragma once
 
 #include "hgp/api/model.h"

@@ -1,4 +1,4 @@
-// Rounding to single precision that is really done.  Role: values are judged as they are stored.
+// Rounding to single precision that is really done.  Role: values are verified as they are stored.
 #pragma once
 
 namespace hgp {

@@ -14,7 +14,7 @@ enum class Stage : std::uint8_t {
   kField,       ///< the cross field of the prescription
   kCut,
   kAssemble,  ///< the rows of the system
-  kSolve,     ///< rounds: attempt, judge, next move
+  kSolve,     ///< rounds: attempt, verify, next move
   kImprove,
   kAlign,
 };
@@ -30,7 +30,7 @@ struct ProgressReport {
   /// Solver residual relative to its target; in kImprove and kAlign the energy's excess over an
   /// isometry while it descends; −1 outside.
   double residual = -1.0;
-  int round = 0;      ///< of solve, judge, repair: the first is 1; 0 outside
+  int round = 0;      ///< of solve, verify, repair: the first is 1; 0 outside
   int maxRounds = 0;  ///< rounds at most; 0 outside
 };
 

@@ -88,7 +88,7 @@ std::optional<ConesFor> conesForNamed(std::string_view name) {
 Result<HolonomySpec> chooseCones(PreparedSurface& surface, const SuggestOptions& options) {
   const TriMesh& mesh = surface.mesh();
   const Topology& topology = surface.topology();
-  // What no cones can mend is said before any are named.
+  // What no cones can achieve is said before any are named.
   if (topology.genus == 0 && topology.loops.empty() && options.q == 1)
     return checkPrescription(mesh, topology, {1, {}, {}, {}}).error();
   if (!report(options.progress, {Stage::kField, 0.3})) return stopped();

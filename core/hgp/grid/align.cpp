@@ -6,7 +6,7 @@
 #include "hgp/base/check.h"
 #include "hgp/base/portable_math.h"
 #include "hgp/grid/grid_system.h"
-#include "hgp/grid/mend_change.h"
+#include "hgp/grid/repair_change.h"
 #include "hgp/mesh/vectors.h"
 
 namespace hgp {
@@ -14,9 +14,9 @@ namespace {
 
 /// Densities tried by the linear step, as factors of the edge length.
 constexpr double kFactors[] = {1.0, 1.06, 0.94, 1.12, 1.19, 1.27, 1.35};
-/// Of those that turned triangles over, so many are mended, best first.
-constexpr std::size_t kMended = 4;
-constexpr std::size_t kMendedAsWhole = 2;
+/// Of those that turned triangles over, at most so many are repaired, best first.
+constexpr std::size_t kRepaired = 4;
+constexpr std::size_t kRepairedAsWhole = 2;
 constexpr int kPatchRings[] = {6, 24};
 constexpr double kPatchShare = 0.35;
 /// Programs on the whole mesh, at most so many triangles large, and their rounds of growth.
@@ -27,10 +27,10 @@ constexpr double kReach = 3.0;
 constexpr int kDenser = 8;  ///< doublings of the density that are tried to name one that works
 /// Of all work, what is kept for naming such a density.
 constexpr double kExplaining = 0.15;
-/// … and at least so much for mending, whatever the choice of many integers took.
-constexpr double kMending = 0.25;
-/// Multiply-adds per triangle of judging a map.
-constexpr double kJudgeWork = 3e3;
+/// … and at least so much for repairs, whatever the choice of many integers took.
+constexpr double kRepairShare = 0.25;
+/// Multiply-adds per triangle of verifying a map.
+constexpr double kVerifyWork = 3e3;
 /// Multiply-adds per triangle of a linear step beside its back-substitution: copies, exact orientation.
 constexpr double kStepWork = 1200.0;
 /// … and of the choice of k integers, by k³: rank-one changes of a complex matrix, bound by memory.
@@ -69,7 +69,7 @@ class Aligner {
         mapArea_(areaOf(map)),
         surfaceArea_(surfaceArea(mesh)),
         accepts_(accepts),
-        mending_(kMending * work),
+        repairWork_(kRepairShare * work),
         work_(work - system.factorWork()) {
     const double cells =
         options.cells > 0.0 ? options.cells : surfaceArea_ / (options.spacing * options.spacing);
@@ -90,18 +90,18 @@ class Aligner {
   void tryAll() {
     std::vector<Candidate> candidates = linearSteps();
     if (isDone()) return;
-    work_ = std::max(work_, mending_ + reserved_);
-    // Without a triangle that turned over there is nothing to mend: the judge has refused such a map.
+    work_ = std::max(work_, repairWork_ + reserved_);
+    // Without a triangle that turned over there is nothing to repair: the verifier has refused such a map.
     std::erase_if(candidates, [](const Candidate& candidate) { return candidate.turned.empty(); });
     std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
       return a.turned.size() < b.turned.size();
     });
-    candidates.resize(std::min(candidates.size(), kMended));
+    candidates.resize(std::min(candidates.size(), kRepaired));
     for (Candidate& candidate : candidates)
-      if (mendOnPatches(candidate)) return;
-    candidates.resize(std::min(candidates.size(), kMendedAsWhole));
+      if (repairOnPatches(candidate)) return;
+    candidates.resize(std::min(candidates.size(), kRepairedAsWhole));
     for (Candidate& candidate : candidates)
-      if (mendAsWhole(candidate)) return;
+      if (repairAsWhole(candidate)) return;
   }
 
   void describe(double scale) {
@@ -169,7 +169,7 @@ class Aligner {
     if (accepts_ && !accepts_(*out_.map)) {
       out_.report.attempts.back().method += ", not certified";
       out_.map.reset();
-      work_ -= kJudgeWork * mesh_.faceCount();
+      work_ -= kVerifyWork * mesh_.faceCount();
       return false;
     }
     out_.report.isAligned = true;
@@ -177,17 +177,17 @@ class Aligner {
     return true;
   }
 
-  bool mend(const std::vector<FaceId>& patch, const std::vector<FaceId>& bound,
-            Candidate& candidate) {
+  bool repair(const std::vector<FaceId>& patch, const std::vector<FaceId>& bound,
+              Candidate& candidate) {
     double spent = 0.0;
-    const bool isMended =
-        mendChange(context_, patch, bound, system_.isHeld(), candidate.x, spent, progress_);
+    const bool isRepaired =
+        repairChange(context_, patch, bound, system_.isHeld(), candidate.x, spent, progress_);
     work_ -= spent;
-    return isMended;
+    return isRepaired;
   }
 
   /// True when there is nothing more to do: aligned, or cancelled.
-  bool mendOnPatches(Candidate& candidate) {
+  bool repairOnPatches(Candidate& candidate) {
     for (int rings : kPatchRings) {
       // Cones that were rounded onto each other fold on any patch.
       if (!candidate.isApart && rings > kPatchRings[0]) return false;
@@ -195,19 +195,19 @@ class Aligner {
       const std::vector<FaceId> patch = facesAround(mesh_, candidate.turned, rings);
       if (static_cast<double>(patch.size()) > kPatchShare * mesh_.faceCount()) return false;
       if (!affords(programWork(patch.size(), patch.size()))) return false;
-      Candidate mended = candidate;
-      if (!mend(patch, patch, mended)) continue;
-      mended.turned = turnedFaces(context_, mended.x);
-      if (accept(mended, rings == kPatchRings[0] ? "patch of 6 rings" : "patch of 24 rings"))
+      Candidate repaired = candidate;
+      if (!repair(patch, patch, repaired)) continue;
+      repaired.turned = turnedFaces(context_, repaired.x);
+      if (accept(repaired, rings == kPatchRings[0] ? "patch of 6 rings" : "patch of 24 rings"))
         return true;
-      if (!mended.turned.empty() && mended.turned.size() < candidate.turned.size())
-        candidate = std::move(mended);
+      if (!repaired.turned.empty() && repaired.turned.size() < candidate.turned.size())
+        candidate = std::move(repaired);
     }
     return false;
   }
 
   /// Everything but the integers; conditions around cones and wherever a triangle turned over.
-  bool mendAsWhole(Candidate& candidate) {
+  bool repairAsWhole(Candidate& candidate) {
     // Cones that were rounded onto each other fold whatever the program.
     if (mesh_.faceCount() > kLargestWhole || !candidate.isApart) return false;
     std::vector<FaceId> all;
@@ -216,18 +216,18 @@ class Aligner {
     for (int round = 0; round < kWholeRounds; ++round) {
       if (!goOn(0.7)) return true;
       if (!affords(programWork(all.size(), bound.size()))) return false;
-      Candidate mended = candidate;
-      if (!mend(all, bound, mended)) {
+      Candidate repaired = candidate;
+      if (!repair(all, bound, repaired)) {
         if (!goOn(0.7)) return true;
         out_.report.attempts.push_back({"whole mesh, infeasible",
                                         candidate.factor * candidate.factor,
                                         static_cast<int>(candidate.turned.size())});
         return false;
       }
-      mended.turned = turnedFaces(context_, mended.x);
-      if (accept(mended, "whole mesh")) return true;
-      if (mended.turned.empty()) return false;
-      const std::vector<FaceId> more = facesAround(mesh_, mended.turned, 2);
+      repaired.turned = turnedFaces(context_, repaired.x);
+      if (accept(repaired, "whole mesh")) return true;
+      if (repaired.turned.empty()) return false;
+      const std::vector<FaceId> more = facesAround(mesh_, repaired.turned, 2);
       bound.insert(bound.end(), more.begin(), more.end());
       std::sort(bound.begin(), bound.end());
       bound.erase(std::unique(bound.begin(), bound.end()), bound.end());
@@ -272,7 +272,7 @@ class Aligner {
   const ChangeContext context_;
   const double mapArea_, surfaceArea_;
   const std::function<bool(const UvMap&)>& accepts_;
-  const double mending_;  ///< multiply-adds that mending has in any case
+  const double repairWork_;  ///< multiply-adds that repairs have in any case
   double scale_ = 1.0;
   double work_, reserved_ = 0.0;  ///< multiply-adds left, and those of them kept for explain()
   bool isCutShort_ = false;

@@ -37,7 +37,7 @@ void describeGrid(const TriMesh& mesh, const UvMap& map, std::size_t coneCount, 
 /// @param tree   separators of the vertices, or null
 /// @param work   multiply-adds that may be spent; what would exceed it is left out, and the reason says so.
 ///               The linear step is always tried, and small patches have an allowance of their own.
-/// @param accepts  the judge's word on a map whose triangles are all positive; without it that is enough
+/// @param accepts  what the verifier says of a map whose triangles are all positive; without it that is enough
 AlignedMap alignToGrid(const TriMesh& mesh, const UvMap& map, int q,
                        const std::vector<VertexId>& cones, const GridOptions& options,
                        const linalg::SeparatorTree* tree, const Progress& progress,

@@ -95,16 +95,16 @@ void IntegerChoice::descend(const Eigen::VectorXcd& y0, std::vector<Gaussian>& y
     Eigen::Index best = -1;
     int bestTurn = 0, bestWrong = 0;
     double bestChange = -1e-12;
-    // Only an unknown of a wrong separation can mend one; the others must lower Q by more than the best.
-    std::vector<char> canMend(at(k), 0);
+    // Only an unknown of a wrong separation can correct one; the others must lower Q by more than the best.
+    std::vector<char> canCorrect(at(k), 0);
     for (std::size_t n = 0; n < separations_.size(); ++n)
       if (isWrong(wanted[n], now[n]))
-        for (const auto& [j, factor] : separations_[n].terms) canMend[at(j)] = 1;
+        for (const auto& [j, factor] : separations_[n].terms) canCorrect[at(j)] = 1;
     for (Eigen::Index j = 0; j < k; ++j)
       for (int turn = 0; turn < 4; ++turn) {
         const Complex unit = toComplex(quarterTurn(turn));
         const double change = 2.0 * std::real(std::conj(unit) * gradient[j]) + S_(j, j).real();
-        if (!canMend[at(j)] && change >= bestChange) continue;
+        if (!canCorrect[at(j)] && change >= bestChange) continue;
         int wrong = 0;
         for (const auto& [n, factor] : users_[at(j)])
           wrong += isWrong(wanted[at(n)], now[at(n)] + factor * unit) -

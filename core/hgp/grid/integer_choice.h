@@ -20,7 +20,7 @@ class IntegerChoice {
   void setSeparations(std::vector<Separation> separations);
 
   /// Rounded nearest first, each time with the others moved to their conditional minimum; then single
-  /// steps ±1, ±i while they mend separations (wrong: D = 0, or more than 72° from where y₀ has it) or
+  /// steps ±1, ±i while they correct separations (wrong: D = 0, or more than 72° from where y₀ has it) or
   /// lower Q. Deterministic.
   std::vector<Gaussian> near(const Eigen::VectorXcd& y0) const;
 

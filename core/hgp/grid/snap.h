@@ -37,7 +37,7 @@ class SeamSnapper {
 
   /// Vertices to multiples of 2^exponent, translations to multiples of twice that (integers stay what
   /// they are), copies and cones z = T/(1 − i^r) from them in integers. A triangle that this turns over
-  /// is mended by moving all copies of one of its vertices together, a few steps.
+  /// is repaired by moving all copies of one of its vertices together, a few steps.
   /// @param uv  the map's, moved or scaled; finite
   /// @return nothing where a number is not exact at this exponent: try the next one
   std::optional<SnappedMap> snap(const std::vector<Vec2>& uv, int exponent,

@@ -66,11 +66,11 @@ class Document {
 
   /// uv stored in the file, exactly; nothing when some corner has none.
   virtual std::optional<UvMap> existingUv(int surface, int set) const = 0;
-  /// The same for judging, unrounded: v is −(stored v) where 1 − (stored v) is no double.
+  /// The same for verifying, unrounded: v is −(stored v) where 1 − (stored v) is no double.
   virtual std::optional<UvMap> exactUv(int s, int set) const { return existingUv(s, set); }
 
   /// Exactly the map that existingUv gives after write() and reading again: rounded to float32, polygons
-  /// kept whole: what a certificate must judge. Corners may be re-indexed.
+  /// kept whole: what a certificate must measure. Corners may be re-indexed.
   virtual UvMap asStored(int surface, const UvMap& map) const = 0;
 
   /// Cones stored inside the file, or nothing.

@@ -110,7 +110,7 @@ double turnAround(const Problem& problem, VertexId v) {
 }  // namespace
 
 Attempts::Attempts(const Problem& problem, const ParametrizeOptions& options)
-    : problem_(problem), options_(options), judge_(problem.mesh) {}
+    : problem_(problem), options_(options), verifier_(problem.mesh) {}
 
 /// The rotations of the seams belong to the prescription; only the frames between them differ.
 const SeamRotations& Attempts::seamsOf(bool isEven) {
@@ -178,7 +178,7 @@ std::shared_ptr<const Attempt> Attempts::make(const State& state, int round) {
       state.untangling >= 0 ? untangleFrom(state, round, *attempt) : solve(state, round, *attempt);
   if (!isDone) return nullptr;
   attempt->map = layOut(problem_.mesh, *problem_.setup, attempt->program.z);
-  attempt->certificate = judge_.certify(toSpec(problem_.setup->field.spec), attempt->map);
+  attempt->certificate = verifier_.certify(toSpec(problem_.setup->field.spec), attempt->map);
   findWrong(problem_, *attempt);
   return attempt;
 }

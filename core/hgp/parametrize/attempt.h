@@ -1,4 +1,4 @@
-// One state turned into a map and judged.  Role: from the strategy's values to a program and back.
+// One state turned into a map and verified.  Role: from the strategy's values to a program and back.
 #pragma once
 
 #include "hgp/parametrize/parametrization.h"
@@ -6,7 +6,7 @@
 
 namespace hgp {
 
-/// Poses, solves, lays out and judges. What several states share is found once.
+/// Poses, solves, lays out and verifies. What several states share is found once.
 class Attempts {
  public:
   Attempts(const Problem& problem, const ParametrizeOptions& options);
@@ -24,7 +24,7 @@ class Attempts {
 
   const Problem& problem_;
   const ParametrizeOptions& options_;
-  Judge judge_;
+  Verifier verifier_;
   std::optional<SeamRotations> even_;
 };
 

@@ -36,7 +36,7 @@ struct ParametrizeOptions {
   Progress progress;  ///< return false to cancel
 };
 
-/// One pass of "solve, judge, repair".
+/// One pass of "solve, verify, repair".
 struct Round {
   std::string method;            ///< what was tried, in words ("weighted", "growth", "lift", …)
   int constrainedTriangles = 0;  ///< |F_cb| and what growth added

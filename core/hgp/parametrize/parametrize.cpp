@@ -78,7 +78,7 @@ std::optional<State> firstMove(const Problem& problem, const State& state,
 
 }  // namespace
 
-/// Attempt, judge, keep the best, first applicable move; until certified or out of moves [BCW17 §7].
+/// Attempt, verify, keep the best, first applicable move; until certified or out of moves [BCW17 §7].
 static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
                                                     const ParametrizeOptions& options,
                                                     std::vector<Round>& rounds) {
@@ -123,19 +123,19 @@ Result<Parametrization> parametrizeInMetric(PreparedSurface& surface, const Holo
   if (!best) return std::move(best).error();
   result.times.push_back({Stage::kSolve, secondsSince(start)});
   const Attempt& attempt = **best;
-  Judged judged{
+  MappedSolution mapped{
       {setup, attempt.program.x, attempt.u, attempt.frames}, attempt.map, attempt.certificate};
-  const bool isOnlyTooFine = !judged.certificate.isCertified && attempt.wrongCount == 0;
+  const bool isOnlyTooFine = !mapped.certificate.isCertified && attempt.wrongCount == 0;
   if (isOnlyTooFine && options.method == Method::kAuto)
-    if (Status done = evenOut(mesh, options, judged, result); !done) return std::move(done).error();
-  if (judged.certificate.isCertified && options.improve)
-    if (Status done = improveSolution(mesh, options, judged, result); !done)
+    if (Status done = evenOut(mesh, options, mapped, result); !done) return std::move(done).error();
+  if (mapped.certificate.isCertified && options.improve)
+    if (Status done = improveSolution(mesh, options, mapped, result); !done)
       return std::move(done).error();
-  if (judged.certificate.isCertified && options.grid.isAsked())
-    if (Status done = alignSolution(mesh, options, judged, result); !done)
+  if (mapped.certificate.isCertified && options.grid.isAsked())
+    if (Status done = alignSolution(mesh, options, mapped, result); !done)
       return std::move(done).error();
-  result.map = std::move(judged.map);
-  result.certificate = std::move(judged.certificate);
+  result.map = std::move(mapped.map);
+  result.certificate = std::move(mapped.certificate);
   if (!result.certificate.isCertified) result.conflict = attempt.program.conflict;
   result.copyOf = setup->cut.parent.raw();
   result.isCertified = result.certificate.isCertified;

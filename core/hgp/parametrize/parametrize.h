@@ -1,12 +1,12 @@
 // Given cones, a certified locally injective seamless map.  Role: the page that reads like §7 of
-// [BCW17]; the only loop over "try, judge, repair".
+// [BCW17]; the only loop over "try, verify, repair".
 #pragma once
 
 #include "hgp/parametrize/parametrization.h"
 
 namespace hgp {
 
-/// Solves and judges one connected surface. A map that is not certified is a successful return with
+/// Solves and verifies one connected surface. A map that is not certified is a successful return with
 /// isCertified = false; failures are prescriptions that cannot be, given frames that contradict the
 /// prescription (kPrescription) or are none (kUsage, kMalformed), limits and cancellation.
 /// The road depends on mesh, prescription and options alone.

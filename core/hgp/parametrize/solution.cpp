@@ -11,7 +11,7 @@
 namespace hgp {
 namespace {
 
-/// Multiply-adds per triangle of a plain run beside its programs: fields, cut, judging (measured).
+/// Multiply-adds per triangle of a plain run beside its programs: fields, cut, verifying (measured).
 constexpr double kBesidePrograms = 1.2e4;
 /// Of the work of the run without a grid, what alignment and the descent after it may take.
 constexpr double kAlignShare = 1.5;
@@ -24,14 +24,14 @@ ReducedMap reducedMap(const TriMesh& mesh, const SeamlessSetup& setup) {
   return {mesh, setup.context->ownGeometry(), setup.cut, setup.unknowns};
 }
 
-/// The judge's number for what is asked: on the surface itself, where the descent sees slivers made harmless,
+/// The verifier's number for what is asked: on the surface itself, where the descent sees slivers made harmless,
 /// and as a mean, where single triangles can rule an energy.
 double askedNumber(const ImproveOptions& asked, const DistortionFacts& facts) {
   if (asked.balance == -1.0) return facts.meanMu;
   return asked.balance == 1.0 ? facts.rmsLogArea : facts.symmetricDirichlet;
 }
 
-/// What is asked for by name is promised never to rise as the judge measures it.
+/// What is asked for by name is promised never to rise as the verifier measures it.
 bool isBetter(const Improvement& run, const ImproveOptions& asked, const Certificate& before,
               const Certificate& after) {
   if (!after.isCertified || after.isUsable < before.isUsable) return false;
@@ -41,32 +41,33 @@ bool isBetter(const Improvement& run, const ImproveOptions& asked, const Certifi
 }
 
 /// The facts of a run whose map takes the place of the one before where `improved` says so.
-DescentFacts takeOver(const Improvement& run, std::optional<Judged> improved, Judged& judged) {
+DescentFacts takeOver(const Improvement& run, std::optional<MappedSolution> improved,
+                      MappedSolution& mapped) {
   DescentFacts facts;
   facts.steps = run.steps;
   facts.outcome = run.outcome;
   facts.work = run.work;
-  facts.before = judged.certificate.distortion;
+  facts.before = mapped.certificate.distortion;
   facts.isKept = improved.has_value();
-  if (improved) judged = std::move(*improved);
-  facts.after = judged.certificate.distortion;
+  if (improved) mapped = std::move(*improved);
+  facts.after = mapped.certificate.distortion;
   return facts;
 }
 
-/// The improved unknowns laid out and judged; nothing, with a note, where the judge does not accept them.
-std::optional<Judged> accepted(const TriMesh& mesh, const Improvement& run,
-                               const ImproveOptions& asked, const Judged& judged,
-                               Parametrization& result) {
+/// The improved unknowns laid out and verified; nothing, with a note, where the verifier does not accept them.
+std::optional<MappedSolution> accepted(const TriMesh& mesh, const Improvement& run,
+                                       const ImproveOptions& asked, const MappedSolution& mapped,
+                                       Parametrization& result) {
   if (run.steps.empty()) return {};
-  Judged improved{judged.solution, {}, {}};
+  MappedSolution improved{mapped.solution, {}, {}};
   improved.solution.x = run.x;
   improved.map = layOut(mesh, improved.solution);
   improved.certificate = certify(mesh, result.spec, improved.map);
-  if (isBetter(run, asked, judged.certificate, improved.certificate)) return improved;
-  result.notes.push_back("The map is as before the improvement, which the judge did not accept: " +
-                         (improved.certificate.reasons.empty()
-                              ? std::string("it is no better on the surface itself.")
-                              : improved.certificate.reasons[0].message));
+  if (isBetter(run, asked, mapped.certificate, improved.certificate)) return improved;
+  result.notes.push_back(
+      "The map is as before the improvement, which the verifier did not accept: " +
+      (improved.certificate.reasons.empty() ? std::string("it is no better on the surface itself.")
+                                            : improved.certificate.reasons[0].message));
   return {};
 }
 
@@ -89,14 +90,16 @@ Eigen::VectorXcd unknownsOf(const TriMesh& mesh, const SeamlessSetup& setup, con
   return readUnknowns(mesh, setup.cut, setup.seams, setup.unknowns, z);
 }
 
-/// The improved unknowns in cells, snapped and judged; nothing unless they are better, still aligned, and what
+/// The improved unknowns in cells, snapped and verified; nothing unless they are better, still aligned, and what
 /// is held has not moved by a bit.
-std::optional<Judged> acceptedOnGrid(const TriMesh& mesh, const Improvement& run,
-                                     const ImproveOptions& asked, const std::vector<char>& isHeld,
-                                     const Judged& judged, const CompleteSpec& spec) {
+std::optional<MappedSolution> acceptedOnGrid(const TriMesh& mesh, const Improvement& run,
+                                             const ImproveOptions& asked,
+                                             const std::vector<char>& isHeld,
+                                             const MappedSolution& mapped,
+                                             const CompleteSpec& spec) {
   if (run.steps.empty()) return {};
-  const SeamlessSetup& setup = *judged.solution.setup;
-  UvMap moved = judged.map;
+  const SeamlessSetup& setup = *mapped.solution.setup;
+  UvMap moved = mapped.map;
   const Eigen::VectorXcd z = setup.unknowns.copies * run.x;
   for (std::size_t c = 0; c < moved.uv.size(); ++c) {
     const Complex p = z[static_cast<Eigen::Index>(c)];
@@ -104,22 +107,22 @@ std::optional<Judged> acceptedOnGrid(const TriMesh& mesh, const Improvement& run
   }
   std::optional<UvMap> snapped = snapAligned(mesh, std::move(moved), setup.seams.q, setup.cones);
   if (!snapped) return {};
-  Judged improved{judged.solution, std::move(*snapped), {}};
+  MappedSolution improved{mapped.solution, std::move(*snapped), {}};
   improved.solution.x = unknownsOf(mesh, setup, improved.map);
   for (std::size_t i = 0; i < isHeld.size(); ++i) {
     const auto unknown = static_cast<Eigen::Index>(i);
-    if (isHeld[i] && improved.solution.x[unknown] != judged.solution.x[unknown]) return {};
+    if (isHeld[i] && improved.solution.x[unknown] != mapped.solution.x[unknown]) return {};
   }
   improved.certificate = certify(mesh, spec, improved.map);
-  if (improved.certificate.exactSeams.integer != judged.certificate.exactSeams.integer) return {};
-  if (!isBetter(run, asked, judged.certificate, improved.certificate)) return {};
+  if (improved.certificate.exactSeams.integer != mapped.certificate.exactSeams.integer) return {};
+  if (!isBetter(run, asked, mapped.certificate, improved.certificate)) return {};
   return improved;
 }
 
 /// @param work  multiply-adds that may be spent
 Status improveOnGrid(const TriMesh& mesh, const ParametrizeOptions& options, double work,
-                     Judged& judged, Parametrization& result) {
-  const SeamlessSetup& setup = *judged.solution.setup;
+                     MappedSolution& mapped, Parametrization& result) {
+  const SeamlessSetup& setup = *mapped.solution.setup;
   const std::vector<char> isHeld = heldByGrid(setup, options.grid.mode);
   if (std::find(isHeld.begin(), isHeld.end(), 1) == isHeld.end()) return Done{};
   const Progress silent;
@@ -131,66 +134,67 @@ Status improveOnGrid(const TriMesh& mesh, const ParametrizeOptions& options, dou
   const ImprovementFacts& first = *result.improvement;
   // Where alignment gave back less than a descent ends at, there is nothing to gain.
   if (first.isKept &&
-      askedNumber(asked, judged.certificate.distortion) <=
+      askedNumber(asked, mapped.certificate.distortion) <=
           (1.0 + options.improve->relativeDecrease) * askedNumber(asked, first.after)) {
     Improvement none;
     none.outcome = DescentOutcome::kNothingToGain;
-    result.improvement->onGrid = takeOver(none, {}, judged);
+    result.improvement->onGrid = takeOver(none, {}, mapped);
     return Done{};
   }
   const Progress progress = [&](const ProgressReport& r) {
     const double fraction = kAlignedFraction + (1.0 - kAlignedFraction) * r.fraction;
     return report(options.progress, {Stage::kAlign, fraction, r.iteration, r.residual});
   };
-  const Improvement run = improve(reducedMap(mesh, setup), setup.context->tree, judged.solution.x,
+  const Improvement run = improve(reducedMap(mesh, setup), setup.context->tree, mapped.solution.x,
                                   asked, isHeld, progress);
   if (run.outcome == DescentOutcome::kCancelled) return cancelled(Stage::kAlign);
-  std::optional<Judged> improved = acceptedOnGrid(mesh, run, asked, isHeld, judged, result.spec);
-  result.improvement->onGrid = takeOver(run, std::move(improved), judged);
-  describeGrid(mesh, judged.map, setup.cones.size(), *result.grid);
+  std::optional<MappedSolution> improved =
+      acceptedOnGrid(mesh, run, asked, isHeld, mapped, result.spec);
+  result.improvement->onGrid = takeOver(run, std::move(improved), mapped);
+  describeGrid(mesh, mapped.map, setup.cones.size(), *result.grid);
   return Done{};
 }
 
 }  // namespace
 
-Status improveSolution(const TriMesh& mesh, const ParametrizeOptions& options, Judged& judged,
-                       Parametrization& result) {
+Status improveSolution(const TriMesh& mesh, const ParametrizeOptions& options,
+                       MappedSolution& mapped, Parametrization& result) {
   StageClock clock(options.progress, result.times);
   if (!clock.begin(Stage::kImprove)) return clock.cancelled();
-  const SeamlessSetup& setup = *judged.solution.setup;
-  const Improvement run = improve(reducedMap(mesh, setup), setup.context->tree, judged.solution.x,
+  const SeamlessSetup& setup = *mapped.solution.setup;
+  const Improvement run = improve(reducedMap(mesh, setup), setup.context->tree, mapped.solution.x,
                                   *options.improve, {}, options.progress);
   if (run.outcome == DescentOutcome::kCancelled) return cancelled(Stage::kImprove);
-  std::optional<Judged> improved = accepted(mesh, run, *options.improve, judged, result);
-  result.improvement = {takeOver(run, std::move(improved), judged), *options.improve, {}};
+  std::optional<MappedSolution> improved = accepted(mesh, run, *options.improve, mapped, result);
+  result.improvement = {takeOver(run, std::move(improved), mapped), *options.improve, {}};
   return Done{};
 }
 
-Status evenOut(const TriMesh& mesh, const ParametrizeOptions& options, Judged& judged,
+Status evenOut(const TriMesh& mesh, const ParametrizeOptions& options, MappedSolution& mapped,
                Parametrization& result) {
-  if (!judged.certificate.isMeasured) return Done{};
+  if (!mapped.certificate.isMeasured) return Done{};
   StageClock clock(options.progress, result.times);
   if (!clock.begin(Stage::kImprove)) return clock.cancelled();
-  const SeamlessSetup& setup = *judged.solution.setup;
-  const Improvement run = improve(reducedMap(mesh, setup), setup.context->tree, judged.solution.x,
+  const SeamlessSetup& setup = *mapped.solution.setup;
+  const Improvement run = improve(reducedMap(mesh, setup), setup.context->tree, mapped.solution.x,
                                   {}, {}, options.progress);
   if (run.outcome == DescentOutcome::kCancelled) return cancelled(Stage::kImprove);
-  Judged even{judged.solution, {}, {}};
+  MappedSolution even{mapped.solution, {}, {}};
   even.solution.x = run.x;
   even.map = layOut(mesh, even.solution);
   even.certificate = certify(mesh, result.spec, even.map);
   if (!even.certificate.isCertified) return Done{};
-  judged = std::move(even);
+  mapped = std::move(even);
   result.notes.emplace_back(
       "Areas of the map as solved spanned more than double precision holds: it was evened out.");
   return Done{};
 }
 
-Status alignSolution(const TriMesh& mesh, const ParametrizeOptions& options, Judged& judged,
+Status alignSolution(const TriMesh& mesh, const ParametrizeOptions& options, MappedSolution& mapped,
                      Parametrization& result) {
   StageClock clock(options.progress, result.times);
   if (!clock.begin(Stage::kAlign)) return clock.cancelled();
-  const SeamlessSetup& setup = *judged.solution.setup;
+  const SeamlessSetup& setup = *mapped.solution.setup;
   double work = kBesidePrograms * mesh.faceCount();
   for (const Round& round : result.rounds) work += round.work;
   if (result.improvement) work += result.improvement->work;
@@ -200,17 +204,17 @@ Status alignSolution(const TriMesh& mesh, const ParametrizeOptions& options, Jud
     return certificate.isCertified;
   };
   AlignedMap aligned =
-      alignToGrid(mesh, judged.map, setup.seams.q, setup.cones, options.grid, &setup.context->tree,
+      alignToGrid(mesh, mapped.map, setup.seams.q, setup.cones, options.grid, &setup.context->tree,
                   options.progress, kAlignShare * work, accepts);
   if (aligned.isCancelled) return cancelled(Stage::kAlign);
   result.grid = std::move(aligned.report);
   if (!aligned.map) return Done{};
-  judged.solution.x = unknownsOf(mesh, setup, *aligned.map);
-  judged.map = std::move(*aligned.map);
-  judged.certificate = std::move(certificate);
+  mapped.solution.x = unknownsOf(mesh, setup, *aligned.map);
+  mapped.map = std::move(*aligned.map);
+  mapped.certificate = std::move(certificate);
   if (!options.improve) return Done{};
   clock.end();
-  return improveOnGrid(mesh, options, aligned.workLeft, judged, result);
+  return improveOnGrid(mesh, options, aligned.workLeft, mapped, result);
 }
 
 UvMap layOut(const TriMesh& mesh, const Solution& solution) {

@@ -1,4 +1,4 @@
-// What the strategy ends with, before it is laid out and judged.  Role: the one value that everything
+// What the strategy ends with, before it is laid out and verified.  Role: the one value that everything
 // after the solve takes and returns: improve → align to the grid → improve with the integers held.
 #pragma once
 
@@ -16,8 +16,8 @@ struct Solution {
   Frames frames;        ///< its hard constraints
 };
 
-/// A solution, laid out and judged.
-struct Judged {
+/// A solution with its map and certificate.
+struct MappedSolution {
   Solution solution;
   UvMap map;
   Certificate certificate;
@@ -26,21 +26,21 @@ struct Judged {
 /// Does what options.improve asks for. The improved map replaces the one before when it is certified,
 /// not less usable, and better in what was asked; otherwise everything stays as it was. Fills
 /// result.improvement and a stage time. Fails with kCancelled only.
-/// @pre judged.certificate.isCertified, options.improve
-Status improveSolution(const TriMesh& mesh, const ParametrizeOptions& options, Judged& judged,
-                       Parametrization& result);
+/// @pre mapped.certificate.isCertified, options.improve
+Status improveSolution(const TriMesh& mesh, const ParametrizeOptions& options,
+                       MappedSolution& mapped, Parametrization& result);
 
 /// A map whose only fault is that its areas span more than its number type holds: descends isometrically, which
 /// raises the smallest ones, and keeps what is then certified. Fails with kCancelled only.
-Status evenOut(const TriMesh& mesh, const ParametrizeOptions& options, Judged& judged,
+Status evenOut(const TriMesh& mesh, const ParametrizeOptions& options, MappedSolution& mapped,
                Parametrization& result);
 
 /// Does what options.grid asks for: the map aligned where that keeps it certified, else as it was, with the
 /// reason in result.grid. Where an improvement is asked for as well, what alignment gave back of it is gained
 /// once more with the integers held (result.improvement->onGrid): translations and, in quad mode, cones stay
 /// exactly where they are. Fails with kCancelled only.
-/// @pre judged.certificate.isCertified, options.grid.isAsked()
-Status alignSolution(const TriMesh& mesh, const ParametrizeOptions& options, Judged& judged,
+/// @pre mapped.certificate.isCertified, options.grid.isAsked()
+Status alignSolution(const TriMesh& mesh, const ParametrizeOptions& options, MappedSolution& mapped,
                      Parametrization& result);
 
 /// Its positions, scaled to the surface's area and centred at the origin.

@@ -47,7 +47,7 @@ struct Problem {
 Problem problemOf(const TriMesh& mesh, const std::shared_ptr<const SeamlessSetup>& setup,
                   const ParametrizeOptions& options);
 
-/// One program, laid out as a map and judged.
+/// One program, laid out as a map and verified.
 struct Attempt {
   ProgramResult program;  ///< of an infeasible program only status and conflict are of use
   PerVertex<double> u;

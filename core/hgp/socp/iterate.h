@@ -36,7 +36,7 @@ struct Residuals {
 };
 Residuals residualsAt(const Problem& problem, const Iterate& point, double scaleH);
 
-/// Farkas: y in the cone with Fᵀy = 0 and hᵀy > 0 proves that no x has F x − h in the cone. Judged
+/// Farkas: y in the cone with Fᵀy = 0 and hᵀy > 0 proves that no x has F x − h in the cone. Decided
 /// by size, since y only tends to such a direction: hᵀy > share·|h||y| and |h||Fᵀy| ≤ share·hᵀy.
 bool provesInfeasible(const Problem& problem, const Slacks& y, double scaleH, double share);
 

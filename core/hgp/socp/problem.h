@@ -39,7 +39,7 @@ struct SolveOptions {
 
 enum class SolveStatus {
   kOptimal,     ///< all residuals and the gap below their targets
-  kAlmost,      ///< progress ended close to the targets; judge the point by what it is for
+  kAlmost,      ///< progress ended close to the targets; check the point for what it is needed for
   kInfeasible,  ///< the constraints contradict each other: y grows while F x − s − h stays
   kStalled,     ///< steps became too short, or the factorization failed
   kIterationLimit,

@@ -17,13 +17,13 @@ double unitRoundoff(Precision precision) {
 }
 
 /// uv per corner as stored, or the reasons why there is none.
-struct JudgedUv {
+struct GatheredUv {
   CornerUv uv;
   std::vector<Reason> reasons;
 };
 
-JudgedUv gatherUv(const TriMesh& mesh, const UvMap& map, const CertifyOptions& options) {
-  JudgedUv out;
+GatheredUv gatherUv(const TriMesh& mesh, const UvMap& map, const CertifyOptions& options) {
+  GatheredUv out;
   const auto faceCount = static_cast<std::size_t>(mesh.faceCount());
   if (map.cornerUv.size() != faceCount) {
     out.reasons.push_back({Rule::kMalformedUv,
@@ -182,24 +182,24 @@ const char* ruleName(Rule rule) {
   return "unknown";
 }
 
-Judge::Judge(const TriMesh& mesh) : mesh_(mesh), topology_(computeTopology(mesh)) {
+Verifier::Verifier(const TriMesh& mesh) : mesh_(mesh), topology_(computeTopology(mesh)) {
   if (topology_.componentCount == 1 && topology_.genus > 0) generators_ = handleGenerators(mesh);
 }
 
-Certificate Judge::certify(const HolonomySpec& asked, const UvMap& map,
-                           const CertifyOptions& options) const {
+Certificate Verifier::certify(const HolonomySpec& asked, const UvMap& map,
+                              const CertifyOptions& options) const {
   Certificate certificate;
   certificate.q = asked.q;
   certificate.precision = options.precision;
   describeSurface(mesh_, topology_, certificate);
   const AskedMap wanted =
       layOutAsked(mesh_, topology_, static_cast<int>(generators_.size()), asked, options);
-  JudgedUv judged = gatherUv(mesh_, map, options);
+  GatheredUv gathered = gatherUv(mesh_, map, options);
   if (mesh_.faceCount() == 0)
-    certificate.reasons.push_back({Rule::kEmpty, 1, 0.0, "There is no triangle to judge.", {}});
-  else if (judged.reasons.empty() && asked.q >= 1)
-    measure(mesh_, topology_, wanted, generators_, judged.uv, options, certificate);
-  for (auto* more : {&wanted.misfits, static_cast<const std::vector<Reason>*>(&judged.reasons)})
+    certificate.reasons.push_back({Rule::kEmpty, 1, 0.0, "There is no triangle to verify.", {}});
+  else if (gathered.reasons.empty() && asked.q >= 1)
+    measure(mesh_, topology_, wanted, generators_, gathered.uv, options, certificate);
+  for (auto* more : {&wanted.misfits, static_cast<const std::vector<Reason>*>(&gathered.reasons)})
     certificate.reasons.insert(certificate.reasons.end(), more->begin(), more->end());
   certificate.isCertified = certificate.isMeasured && certificate.reasons.empty();
   certificate.isUsable = certificate.isMeasured &&
@@ -214,7 +214,7 @@ bool areCertified(const std::vector<Certificate>& components) {
 
 Certificate certify(const TriMesh& mesh, const HolonomySpec& asked, const UvMap& map,
                     const CertifyOptions& options) {
-  return Judge(mesh).certify(asked, map, options);
+  return Verifier(mesh).certify(asked, map, options);
 }
 
 UvMap roundedToFloat32(UvMap map) {

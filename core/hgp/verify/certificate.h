@@ -1,4 +1,4 @@
-// The judge: what a map is, by inspection.  Role: hypotheses and conclusion of [BCW17 Thm 6.1],
+// The verifier: what a map is, by inspection.  Role: hypotheses and conclusion of [BCW17 Thm 6.1],
 // Def. C.1. Shares no code with the method; sees only a mesh, the asked angles and uv.
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace hgp {
 
-/// What a map must satisfy. Order: from "cannot be judged" to "judged and wrong".
+/// What a map must satisfy. Order: from "cannot be measured" to "measured and wrong".
 enum class Rule {
   kPrescription,  ///< what was asked does not fit this mesh
   kMalformedUv,   ///< cornerUv has the wrong size or an index out of range
@@ -56,7 +56,7 @@ struct Certificate {
   OrientationFacts orientation;
   AngleFacts angles;
   SeamFacts seams;
-  ExactSeamFacts exactSeams;  ///< a fact: nothing is judged by it
+  ExactSeamFacts exactSeams;  ///< a fact: nothing is decided by it
   DistortionFacts distortion;
   OverlapFacts overlap;  ///< filled by who ships the map: it costs more than it tells a solver
   /// Gauss–Bonnet from measured integers: Σ(q − k) + Σl = q(2c − 2g − m).
@@ -68,17 +68,17 @@ struct Certificate {
   std::vector<Reason> reasons;
 };
 
-/// Judges maps of one mesh. Never fails: a map that cannot be judged is a certificate that says so.
+/// Certifies maps of one mesh. Never fails: a map that cannot be measured is a certificate that says so.
 ///
 /// Certified means: there are triangles, and every one has exactly positive signed area; every interior
 /// angle sum is 2πk/q with the k asked (k = q where no cone is listed); every given turning index and
 /// handle rotation is as asked; every seam edge is related by a rotation by a multiple of 2π/q; each of
 /// them within `Thresholds`; and the areas span no more than the number type resolves. Empty
-/// optionals are measured and not judged; handles are measured on connected surfaces only.
-class Judge {
+/// optionals are measured and not compared; handles are measured on connected surfaces only.
+class Verifier {
  public:
   /// What depends on the mesh alone is found once. Keeps a reference to it.
-  explicit Judge(const TriMesh& mesh);
+  explicit Verifier(const TriMesh& mesh);
   Certificate certify(const HolonomySpec& asked, const UvMap& map,
                       const CertifyOptions& options = {}) const;
 
@@ -95,7 +95,7 @@ bool areCertified(const std::vector<Certificate>& components);
 /// The nearest numbers that float32 holds. (glTF stores 1 − v: what a file of it holds is something else.)
 UvMap roundedToFloat32(UvMap map);
 
-/// One map, judged.
+/// One map, measured and certified.
 Certificate certify(const TriMesh& mesh, const HolonomySpec& asked, const UvMap& map,
                     const CertifyOptions& options = {});
 Certificate certify(const TriMesh& mesh, const CompleteSpec& asked, const UvMap& map,

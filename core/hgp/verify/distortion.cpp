@@ -67,7 +67,7 @@ TriangleMap measureTriangle(const TriMesh& mesh, FaceId f, double scale, const C
   const double anti =
       0.5 * std::sqrt((fx[0] - fy[1]) * (fx[0] - fy[1]) + (fx[1] + fy[0]) * (fx[1] + fy[0]));
   const double left = p[0] * q[1], right = p[1] * q[0];
-  // The triangle is known to be positive; the range of areas is judged by the smallest.
+  // The triangle is known to be positive; the range of areas needs the smallest without rounding.
   const double det = left - right;
   const bool isSure =
       det >= kCancelled * (std::fabs(left) + std::fabs(right)) && std::isfinite(det);

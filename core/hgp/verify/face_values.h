@@ -1,5 +1,5 @@
 // Distortion triangle by triangle, and which triangles lie on one another.  Role: what a person looks at;
-// nothing is judged by it.
+// nothing is decided by it.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// How much of a map lies on top of itself.  Role: reported and never judged; local injectivity lets
+// How much of a map lies on top of itself.  Role: reported and never verified; local injectivity lets
 // distant parts overlap.
 #pragma once
 

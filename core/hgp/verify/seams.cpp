@@ -37,7 +37,7 @@ MeasuredSeam measureSeam(EdgeId e, int q, const TwoSides& d) {
   return seam;
 }
 
-void judge(MeasuredSeam& seam, int q, const SeamRule& rule) {
+void applyRule(MeasuredSeam& seam, int q, const SeamRule& rule) {
   const double toNext = 2.0 * portable::sin(kPi / std::max(q, 2)) * seam.length;
   seam.hasRotation = seam.residual < kRotationShare * toNext;
   const double strict = rule.tolerance * seam.length;
@@ -88,7 +88,7 @@ SeamFacts measureSeams(const TriMesh& mesh, int q, const CornerUv& uv, const Sea
       continue;
     }
     MeasuredSeam seam = measureSeam(e, q, {along(uv, h, next), along(uv, twinNext, twin)});
-    judge(seam, q, rule);
+    applyRule(seam, q, rule);
     facts.seams.push_back(seam);
     if (seam.isBroken()) facts.broken.push_back(seam);
     facts.worstLengthResidual = std::max(facts.worstLengthResidual, seam.lengthResidual);

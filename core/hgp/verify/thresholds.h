@@ -19,7 +19,7 @@ inline constexpr double kLargestRounding = 1e-2;
 inline constexpr double kSeamUlps = 16.0;
 
 struct CertifyOptions {
-  /// Of the file: what rounding to it can do to seams is allowed. uv are judged as they are given.
+  /// Of the file: what rounding to it can do to seams is allowed. uv are verified as they are given.
   Precision precision = Precision::kFloat64;
   /// In place of kTolerance; 0 means kTolerance. Raise it only for files whose coordinates were printed
   /// with few digits.

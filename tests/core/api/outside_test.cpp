@@ -29,7 +29,7 @@ Session loaded(const std::string& name, io::Bytes bytes) {
   return session;
 }
 
-/// Parametrizes an OBJ of this mesh with repairs, writes it and judges what was written: everything that
+/// Parametrizes an OBJ of this mesh with repairs, writes it and verifies what was written: everything that
 /// says whether it is certified must say the same.
 Json certified(const MeshData& mesh, const std::string& name) {
   Session session = loaded("mesh.obj", io::writePlainObj(mesh, {}, ""));
@@ -68,7 +68,7 @@ TEST(Outside, IsEmptyForHealthySurfaces) {
   }
 }
 
-TEST(Outside, TrianglesWithoutAreaAreJudgedAsTheyAreStored) {
+TEST(Outside, TrianglesWithoutAreaAreVerifiedAsTheyAreStored) {
   for (const test::Shape& shape : {test::icosphere(3), test::torus(9, 6), test::disk(5)}) {
     MeshData data = shape.data;
     for (const std::size_t f : {std::size_t{7}, std::size_t{20}}) {  // caps

@@ -141,7 +141,7 @@ TEST(Session, CheckCountsTheBudget) {
   EXPECT_FALSE(session.check(cones)->isGood);
 }
 
-/// Solves, writes, reads again and judges what was read: the law of the whole program.
+/// Solves, writes, reads again and verifies what was read: the law of the whole program.
 void expectRoundTrip(const MeshData& mesh, const std::optional<io::Prescription>& asked,
                      const SolveOptions& options = {}) {
   Session session = loaded(mesh);

@@ -32,8 +32,8 @@ io::Written in(const Session& session, MapFormat format, const std::string& name
   return *written;
 }
 
-/// Read again and judged, with the cones that were solved for.
-Json judged(const io::Written& written, const Session& from) {
+/// Read again and verified, with the cones that were solved for.
+Json verified(const io::Written& written, const Session& from) {
   io::FileSet files;
   files.name = written.files[0].name;
   files.main = written.files[0].bytes;
@@ -59,7 +59,7 @@ TEST(WriteFormats, EveryMeshFormatIsCertifiedWithTheSameCones) {
     for (const auto& [format, name] : all) {
       const io::Written written = in(session, format, name);
       ASSERT_EQ(written.files.size(), format == MapFormat::kGltf ? 2U : 1U) << name;
-      const Json certificate = judged(written, session);
+      const Json certificate = verified(written, session);
       EXPECT_EQ(certificate["certified"], true) << shape.name << " " << name;
       EXPECT_EQ(certificate["triangles"], shape.data.triangles.size());
     }
@@ -111,7 +111,7 @@ TEST(WriteFormats, AnAlignedMapStaysAligned) {
   ASSERT_TRUE(session.isAligned());
   for (const MapFormat format : {MapFormat::kGlb, MapFormat::kObj}) {
     const Json certificate =
-        judged(in(session, format, format == MapFormat::kGlb ? "a.glb" : "a.obj"), session);
+        verified(in(session, format, format == MapFormat::kGlb ? "a.glb" : "a.obj"), session);
     EXPECT_EQ(certificate["certified"], true);
   }
 }

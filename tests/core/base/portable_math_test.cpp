@@ -15,7 +15,7 @@ namespace {
 
 using std::numbers::pi;
 
-// The C library's functions in 64 bits of mantissa judge those in 53, where it has them; that everywhere else
+// The C library's functions in 64 bits of mantissa check those in 53, where it has them; that everywhere else
 // the bits are the same is the last test. (Emscripten's long functions are no better than its short ones.)
 #if LDBL_MANT_DIG == 64
 

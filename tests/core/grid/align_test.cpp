@@ -120,8 +120,8 @@ TEST(AlignToGrid, WithoutWorkToSpendTheLinearStepIsAllAndTheReasonSaysSo) {
   }
 }
 
-TEST(AlignToGrid, GoesOnWhereTheJudgeRefusesAMap) {
-  // A judge that refuses the first two maps that are handed to it: other densities follow.
+TEST(AlignToGrid, GoesOnWhereTheVerifierRefusesAMap) {
+  // A verifier that refuses the first two maps that are handed to it: other densities follow.
   const TriMesh mesh = alignedShapes()[1].mesh();
   const Parametrization plain = *parametrize(mesh, toSpec(*suggestCones(mesh, {})), {});
   std::vector<VertexId> cones;

@@ -108,20 +108,20 @@ TEST(SeamSnapper, IntegerTranslationsStayWhatTheyAre) {
   EXPECT_EQ(snapped->uv, map.uv);
 }
 
-TEST(SeamSnapper, WhatTheGridTurnsOverIsMendedWithAllCopies) {
-  // On a coarse grid several triangles collapse; moving all copies of a vertex mends them and keeps
+TEST(SeamSnapper, WhatTheGridTurnsOverIsRepairedWithAllCopies) {
+  // On a coarse grid several triangles collapse; moving all copies of a vertex repairs them and keeps
   // the seams.
   const Solved s = solve(shapes()[1], 4);
   const auto snapper = SeamSnapper::make(s.mesh, s.run.map, 4, s.cones);
   ASSERT_TRUE(snapper);
-  int mended = 0;
+  int repaired = 0;
   for (int exponent = -8; exponent <= -2; ++exponent) {
     const auto snapped = snapper->snap(s.run.map.uv, exponent, {});
     ASSERT_TRUE(snapped);
     expectExact(s, snapped->uv, exponent, 4, "coarse");
-    if (snapped->moved > 0 && snapped->notPositive.empty()) ++mended;
+    if (snapped->moved > 0 && snapped->notPositive.empty()) ++repaired;
   }
-  EXPECT_GT(mended, 0);
+  EXPECT_GT(repaired, 0);
 }
 
 TEST(SeamSnapper, OtherOrdersAndForeignCopiesAreLeftAlone) {

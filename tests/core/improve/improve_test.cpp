@@ -52,7 +52,7 @@ const std::vector<Start>& starts() {
       test::SeamlessProblem problem = test::problemOf(std::move(surface));
       const ProgramResult solved = problem.solve(problem.frames(), problem.weightedOptions());
       if (solved.z.empty()) continue;
-      Certificate certificate = problem.judge(solved.z);
+      Certificate certificate = problem.certify(solved.z);
       if (certificate.isCertified)
         found.push_back({std::move(problem), solved.x, std::move(certificate)});
     }
@@ -72,7 +72,7 @@ TEST(Improve, KeepsEveryCertificateAndLowersTheEnergyItIsAskedFor) {
       options.balance = balance;
       const Improvement run = start.improve(options);
       EXPECT_LE(run.excessAfter, run.excessBefore * (1.0 + 1e-12) + 1e-12);
-      const Certificate after = start.problem.judge(copiesOf(start.problem, run.x));
+      const Certificate after = start.problem.certify(copiesOf(start.problem, run.x));
       EXPECT_TRUE(after.isCertified) << start.problem.surface.name << " at " << balance << ": "
                                      << (after.reasons.empty() ? "" : after.reasons[0].message);
     }
@@ -80,13 +80,13 @@ TEST(Improve, KeepsEveryCertificateAndLowersTheEnergyItIsAskedFor) {
   EXPECT_GT(withFreeCones, 0);
 }
 
-TEST(Improve, IsometricLowersTheSymmetricDirichletThatTheJudgeMeasures) {
+TEST(Improve, IsometricLowersTheSymmetricDirichletThatTheVerifierMeasures) {
   int improved = 0;
   for (const Start& start : starts()) {
     const Improvement run = start.improve({});
     const double before = start.certificate.distortion.symmetricDirichlet;
     const double after =
-        start.problem.judge(copiesOf(start.problem, run.x)).distortion.symmetricDirichlet;
+        start.problem.certify(copiesOf(start.problem, run.x)).distortion.symmetricDirichlet;
     // Ours is a quarter of that one, both without what an isometry has.
     EXPECT_NEAR(4.0 * run.excessBefore, before, 1e-6 * (1.0 + before));
     EXPECT_NEAR(4.0 * run.excessAfter, after, 1e-6 * (1.0 + after));
@@ -107,7 +107,7 @@ TEST(Improve, EachEndOfTheFamilyIsBestAtWhatItIsNamedFor) {
     options.balance = balance;
     options.relativeDecrease = 1e-4;
     const Improvement run = start->improve(options);
-    return start->problem.judge(copiesOf(start->problem, run.x)).distortion;
+    return start->problem.certify(copiesOf(start->problem, run.x)).distortion;
   };
   const DistortionFacts angles = distortionAt(-1.0), both = distortionAt(0.0),
                         areas = distortionAt(1.0);
@@ -174,7 +174,7 @@ TEST(Improve, HeldUnknownsStayBitForBitAndTheOthersStillGain) {
       }
     EXPECT_LE(run.excessAfter, run.excessBefore + 1e-12);
     EXPECT_GE(run.excessAfter, start.improve({}).excessAfter * 0.97 - 1e-9);
-    EXPECT_TRUE(start.problem.judge(copiesOf(start.problem, run.x)).isCertified);
+    EXPECT_TRUE(start.problem.certify(copiesOf(start.problem, run.x)).isCertified);
   }
 }
 
@@ -235,7 +235,7 @@ TEST(Improve, StopsWhereItIsToldToWithAMapThatIsStillGood) {
   });
   EXPECT_EQ(run.outcome, DescentOutcome::kCancelled);
   EXPECT_EQ(run.steps.size(), 2u);
-  EXPECT_TRUE(start.problem.judge(copiesOf(start.problem, run.x)).isCertified);
+  EXPECT_TRUE(start.problem.certify(copiesOf(start.problem, run.x)).isCertified);
 }
 
 TEST(Improve, ConformalLowersTheMeanOfMuNotOfItsSquare) {
@@ -247,7 +247,7 @@ TEST(Improve, ConformalLowersTheMeanOfMuNotOfItsSquare) {
     ImproveOptions options;
     options.balance = -1.0;
     const Improvement run = start.improve(options);
-    share += start.problem.judge(copiesOf(start.problem, run.x)).distortion.meanMu / before;
+    share += start.problem.certify(copiesOf(start.problem, run.x)).distortion.meanMu / before;
     ++count;
   }
   ASSERT_GT(count, 10);

@@ -108,7 +108,7 @@ DocumentPtr squareWithUv(const std::array<float, 8>& uv) {
        {"\"POSITION\" : 0", "\"POSITION\" : 0, \"TEXCOORD_0\" : 2"}}));
 }
 
-TEST(GltfDocument, UvForTheJudgeAreNotRounded) {
+TEST(GltfDocument, UvForTheVerifierAreNotRounded) {
   // 1 − v is a double for ordinary v …
   const DocumentPtr plain = squareWithUv({0, 1, 1, 1, 1, 0.25f, 0, 0.25f});
   ASSERT_TRUE(plain);

@@ -1,4 +1,4 @@
-// What glTF stores of a map: float32 with v from the top, exactly what a certificate must judge.
+// What glTF stores of a map: float32 with v from the top, exactly what a certificate must measure.
 #include "hgp/io/gltf/gltf_round.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ int flipped(const UvMap& map) {
   return count;
 }
 
-/// Stored and read back, every uv is bit for bit the one that was judged, in float32 either way up.
+/// Stored and read back, every uv is bit for bit the one that was verified, in float32 either way up.
 void expectExact(const UvMap& map) {
   for (const Vec2& uv : map.uv) {
     const auto u = static_cast<float>(uv[0]);

@@ -59,7 +59,7 @@ TEST(FrameFixing, AWrongLiftGivesAnInjectiveMapThatOnlyTheAngleCheckCatches) {
   for (SwappedLifts& built : builtCases()) {
     // Rotations cannot tell the two apart: they know angles up to 2π (§3.3).
     EXPECT_EQ(built.asked.surface.seams.rotation.raw(), built.wrong.surface.seams.rotation.raw());
-    const Certificate certificate = built.asked.judge(built.solveWrong());
+    const Certificate certificate = built.asked.certify(built.solveWrong());
     EXPECT_FALSE(certificate.isCertified);
     EXPECT_EQ(certificate.orientation.constrainedPositive, certificate.orientation.constrained);
     EXPECT_TRUE(certificate.seams.broken.empty());
@@ -69,7 +69,8 @@ TEST(FrameFixing, AWrongLiftGivesAnInjectiveMapThatOnlyTheAngleCheckCatches) {
     for (const Reason& reason : certificate.reasons) isAngle |= reason.rule == Rule::kConeAngle;
     EXPECT_TRUE(isAngle);
     if (certificate.orientation.negative == 0) {
-      EXPECT_TRUE(built.wrong.judge(built.z).isCertified) << "a fine map of the other prescription";
+      EXPECT_TRUE(built.wrong.certify(built.z).isCertified)
+          << "a fine map of the other prescription";
     }
   }
 }
@@ -79,7 +80,7 @@ TEST(FrameFixing, TheConnectionWithTheRightLiftRepairs) {
     // Same system, same weights as before; only the frames are those of the recomputed connection.
     const Frames frames = built.asked.frames();
     const ProgramResult result = built.asked.solve(frames, built.asked.weightedOptions());
-    EXPECT_TRUE(built.asked.judge(result.z).isCertified);
+    EXPECT_TRUE(built.asked.certify(result.z).isCertified);
   }
 }
 
@@ -95,7 +96,7 @@ TEST(FrameFixing, EmbeddedRingsHaveTheAskedAngles) {
     const ProgramResult result = built.asked.solve(frames, built.asked.plainOptions());
     ++cases;
     if (result.status == socp::SolveStatus::kInfeasible) continue;
-    const Certificate certificate = built.asked.judge(result.z);
+    const Certificate certificate = built.asked.certify(result.z);
     EXPECT_EQ(measuredAt(certificate, built.v), 5);
     EXPECT_EQ(measuredAt(certificate, built.w), 1);
     repaired += measuredAt(certificate, built.v) == 5 && measuredAt(certificate, built.w) == 1;
@@ -161,7 +162,7 @@ TEST(FrameFixing, AnEmbeddedRingIsFeasibleByItself) {
         }
     const ProgramResult result = built.asked.solve(ring, built.asked.plainOptions());
     EXPECT_NE(result.status, socp::SolveStatus::kInfeasible);
-    EXPECT_EQ(measuredAt(built.asked.judge(result.z), cone), k);
+    EXPECT_EQ(measuredAt(built.asked.certify(result.z), cone), k);
   }
 }
 

@@ -62,7 +62,7 @@ TEST(Program, FulfilsEveryFrameConditionAndEverySeam) {
       EXPECT_LT(std::abs(at(twin) - at(TriMesh::next(twin)) - turned), 1e-12 * extent)
           << p.surface.name;
     }
-    EXPECT_TRUE(p.judge(result.z).isCertified) << p.surface.name;
+    EXPECT_TRUE(p.certify(result.z).isCertified) << p.surface.name;
   }
 }
 
@@ -107,7 +107,7 @@ TEST(Program, TheExactFormIsHarmonicWhereNoFrameReaches) {
     ASSERT_FALSE(result.z.empty()) << p.surface.name;
     EXPECT_LT(residualAway(p, frames.faces, result.z), 1e-11 * extentOf(result.z))
         << p.surface.name;
-    EXPECT_TRUE(p.judge(result.z).isCertified) << p.surface.name;
+    EXPECT_TRUE(p.certify(result.z).isCertified) << p.surface.name;
   }
 }
 
@@ -387,7 +387,7 @@ TEST(Program, SolvesASurfaceWhoseVerticesAreAllCones) {
   for (VertexId v : p.surface.mesh.vertices()) ASSERT_LT(p.unknowns.vertexUnknown[v], 0);
   const ProgramResult result = p.solve(p.frames(), p.plainOptions());
   EXPECT_EQ(result.status, SolveStatus::kOptimal) << socp::statusName(result.status);
-  const Certificate certificate = p.judge(result.z);
+  const Certificate certificate = p.certify(result.z);
   EXPECT_TRUE(certificate.isCertified);
   EXPECT_LT(certificate.distortion.maxMu, 1e-3);
 }

@@ -1,4 +1,4 @@
-// A cut surface with its harmonic system, and the judge's view of a map of it.
+// A cut surface with its harmonic system, and the verifier's view of a map of it.
 #pragma once
 
 #include "hgp/optimize/program.h"
@@ -42,8 +42,8 @@ struct SeamlessProblem {
     }
     return map;
   }
-  Certificate judge(const std::vector<Complex>& z) const {
-    return certify(surface.mesh, surface.field.spec, map(z));
+  Certificate certify(const std::vector<Complex>& z) const {
+    return hgp::certify(surface.mesh, surface.field.spec, map(z));
   }
   /// f_z and f_z̄ of a face.
   std::pair<Complex, Complex> partsOf(FaceId f, const std::vector<Complex>& z) const {

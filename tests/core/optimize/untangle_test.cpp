@@ -56,7 +56,7 @@ TEST(FoldBarrier, SlopesAreThoseOfTheValueAndModelsAreConvex) {
 TEST(Untangle, UnfoldsACertifiedMapThatWasShaken) {
   const test::SeamlessProblem p = test::sphereProblem(6, 4, std::vector<int>(8, 3));
   const ProgramResult solved = p.solve(p.frames(), p.weightedOptions());
-  ASSERT_TRUE(p.judge(solved.z).isCertified);
+  ASSERT_TRUE(p.certify(solved.z).isCertified);
   std::mt19937 random(3);
   Eigen::VectorXcd shaken = solved.x;
   const auto noise = [&] { return (test::randomBelow(random, 2001) - 1000) * 1e-3; };
@@ -66,7 +66,7 @@ TEST(Untangle, UnfoldsACertifiedMapThatWasShaken) {
   for (Complex& x : shaken) x += edge * Complex(noise(), noise());
   const Eigen::VectorXcd z = p.unknowns.copies * shaken;
   const std::vector<Complex> folded(z.data(), z.data() + z.size());
-  const int before = static_cast<int>(p.judge(folded).orientation.notPositive.size());
+  const int before = static_cast<int>(p.certify(folded).orientation.notPositive.size());
   ASSERT_GT(before, 20) << "an example that shows nothing";
 
   UntangleOptions options;
@@ -75,7 +75,7 @@ TEST(Untangle, UnfoldsACertifiedMapThatWasShaken) {
   const UntangleResult result = untangle(p.system(), shaken, options);
   EXPECT_EQ(result.flipped, 0);
   const Eigen::VectorXcd unfolded = p.unknowns.copies * result.x;
-  EXPECT_TRUE(p.judge({unfolded.data(), unfolded.data() + unfolded.size()}).isCertified);
+  EXPECT_TRUE(p.certify({unfolded.data(), unfolded.data() + unfolded.size()}).isCertified);
 }
 
 TEST(Untangle, StopsWhenItIsToldTo) {

@@ -47,15 +47,15 @@ TEST(EvenOut, RaisesTheSmallestAreasAndKeepsWhatIsCertified) {
   ASSERT_EQ(attempt->wrongCount, 0);
   const double before = attempt->certificate.distortion.areaSpan;
   EXPECT_LT(before, 1e-9);
-  Judged judged{
+  MappedSolution mapped{
       {setup, attempt->program.x, attempt->u, attempt->frames}, attempt->map, attempt->certificate};
-  judged.certificate.isCertified = false;  // as if its number type were a coarser one
+  mapped.certificate.isCertified = false;  // as if its number type were a coarser one
   Parametrization result;
   result.spec = setup->field.spec;
-  ASSERT_TRUE(evenOut(mesh, options, judged, result));
-  EXPECT_TRUE(judged.certificate.isCertified);
-  EXPECT_GT(judged.certificate.distortion.areaSpan, 100.0 * before);
-  EXPECT_TRUE(certify(mesh, result.spec, judged.map).isCertified);
+  ASSERT_TRUE(evenOut(mesh, options, mapped, result));
+  EXPECT_TRUE(mapped.certificate.isCertified);
+  EXPECT_GT(mapped.certificate.distortion.areaSpan, 100.0 * before);
+  EXPECT_TRUE(certify(mesh, result.spec, mapped.map).isCertified);
   EXPECT_EQ(result.notes.size(), 1U);
 }
 

@@ -29,7 +29,7 @@ void expectCertified(const TriMesh& mesh, const Result<Parametrization>& p,
     }
   EXPECT_FALSE(p->rounds.empty());
   EXPECT_FALSE(p->times.empty());
-  // And the judge says so to anyone who asks again.
+  // And the verifier says so to anyone who asks again.
   EXPECT_TRUE(certify(mesh, p->spec, p->map).isCertified);
 }
 
@@ -94,7 +94,7 @@ TEST(Parametrize, AutomaticConesAreCertifiedOnEveryShapeForEveryOrder) {
   EXPECT_GE(certified, all - all / 20) << "not certified:" << failed;
 }
 
-TEST(Parametrize, WhatOneLinearSystemLeavesWrongIsMendedWhereItIs) {
+TEST(Parametrize, WhatOneLinearSystemLeavesWrongIsRepairedOnAPatch) {
   int local = 0;
   for (unsigned seed : {1u, 2u, 3u, 4u})
     for (const test::Shape& base : {test::cube(12), test::annulus(48, 12), test::pretzel(2, 6)}) {

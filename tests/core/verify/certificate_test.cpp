@@ -90,7 +90,7 @@ TEST(Certificate, PassesAnUnfoldedCube) {
   }
 }
 
-TEST(Certificate, OneJudgeRemembersNothingOfTheMapsBefore) {
+TEST(Certificate, OneVerifierRemembersNothingOfTheMapsBefore) {
   const TriMesh mesh = test::cube(2).mesh();
   CertifyOptions any;
   any.isAnyConeAllowed = true;
@@ -98,11 +98,11 @@ TEST(Certificate, OneJudgeRemembersNothingOfTheMapsBefore) {
   const HolonomySpec spec = askedAsMeasured(certify(mesh, regular(4), right, any));
   UvMap mirrored = right;
   for (Vec2& p : mirrored.uv) p[0] = -p[0];
-  const Judge judge(mesh);
+  const Verifier verifier(mesh);
   for (int round = 0; round < 2; ++round) {
-    EXPECT_CERTIFIED(judge.certify(spec, right));
-    EXPECT_TRUE(hasReason(judge.certify(spec, mirrored), Rule::kOrientation));
-    EXPECT_TRUE(hasReason(judge.certify(regular(4), right), Rule::kConeAngle));
+    EXPECT_CERTIFIED(verifier.certify(spec, right));
+    EXPECT_TRUE(hasReason(verifier.certify(spec, mirrored), Rule::kOrientation));
+    EXPECT_TRUE(hasReason(verifier.certify(regular(4), right), Rule::kConeAngle));
   }
 }
 
@@ -347,7 +347,7 @@ TEST(Certificate, DistortionAgreesWithSingularValuesAndASortedList) {
   for (Vec2& p : map.uv) p = {std::exp(0.1 * p[0]) + 0.05 * p[1], p[1] * (1 + 0.05 * p[0])};
   const DistortionFacts d = certify(mesh, regular(4), map).distortion;
   ASSERT_EQ(d.triangleCount, mesh.faceCount());
-  // Singular values from the metric tensors, in another way than the judge's.
+  // Singular values from the metric tensors, in another way than the verifier's.
   std::vector<std::pair<double, double>> mu;
   double total = 0, sum = 0;
   for (FaceId f : mesh.faces()) {
@@ -506,7 +506,7 @@ TEST(Certificate, CatchesASeamOffByMoreThanAMillionthOfItsOwnLength) {
   EXPECT_FALSE(certify(mesh, regular(4), shiftedTorus(1.1e-6), coarse).isCertified);
 }
 
-TEST(Certificate, ASeamIsJudgedByItsOwnLengthHoweverLargeTheMapIs) {
+TEST(Certificate, ASeamIsMeasuredByItsOwnLengthHoweverLargeTheMapIs) {
   // The wrench of the reviewers: a tenth of an edge is nothing beside the largest coordinate.
   const Fan f = quarterFan(3);
   HolonomySpec spec = regular(4);
@@ -590,7 +590,7 @@ TEST(Certificate, CatchesWhatRoundingToFloatDoes) {
   EXPECT_CERTIFIED(certify(mesh, regular(4), map, options));
   options.precision = Precision::kFloat32;
   const Certificate given = certify(mesh, regular(4), map, options);
-  EXPECT_EQ(given.orientation.zero, 0) << "it is judged as it is given";
+  EXPECT_EQ(given.orientation.zero, 0) << "it is verified as it is given";
   EXPECT_EQ(onlyReason(given).rule, Rule::kRange);
   const Certificate c = certify(mesh, regular(4), roundedToFloat32(map), options);
   EXPECT_FALSE(c.isCertified);
@@ -680,7 +680,7 @@ TEST(Certificate, AnglesHaveNoSlackThatTheirSeamsDoNotHave) {
   EXPECT_EQ(onlyReason(c).rule, Rule::kRange) << text(c);
 }
 
-TEST(Angles, AreJudgedInRadiansWhateverTheOrder) {
+TEST(Angles, AreMeasuredInRadiansWhateverTheOrder) {
   // measureAngles alone: the seam rule sees such maps first.
   const Fan f = quarterFan(3);
   const Topology topology = computeTopology(f.mesh);
@@ -791,7 +791,7 @@ TEST(Certificate, CountsOverlappingBoundaryVerticesWithoutRefusingThem) {
   EXPECT_EQ(c.angles.overlapping, std::vector<VertexId>{VertexId(0)});
 }
 
-// ---- what cannot be judged ----------------------------------------------------------------------
+// ---- what cannot be verified ----------------------------------------------------------------------
 
 TEST(Certificate, MalformedMapsAreAFactNotACrash) {
   const TriMesh mesh = test::disk(2).mesh();
@@ -849,7 +849,7 @@ TEST(Certificate, AnEmptyMeshIsNotCertified) {
   EXPECT_FALSE(areCertified({c}));
 }
 
-TEST(Certificate, SeveralComponentsAreJudgedTogetherWithoutHandles) {
+TEST(Certificate, SeveralComponentsAreVerifiedTogetherWithoutHandles) {
   const test::Shape a = test::disk(2), b = test::grid(2, 2);
   MeshData data = a.data;
   const int shift = static_cast<int>(data.positions.size());

@@ -1,4 +1,4 @@
-// Seams judged without tolerance.  Laws: a map of integers is exact; one ulp anywhere is seen; a
+// Seams verified without tolerance.  Laws: a map of integers is exact; one ulp anywhere is seen; a
 // quarter turn of a torus' side is not a broken seam.
 #include "hgp/verify/exact_seams.h"
 

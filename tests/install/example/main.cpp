@@ -1,4 +1,4 @@
-// A square with a raised middle, mapped onto a convex polygon and judged.
+// A square with a raised middle, mapped onto a convex polygon and verified.
 #include <hgp/mesh/tri_mesh.h>
 #include <hgp/parametrize/parametrize.h>
 

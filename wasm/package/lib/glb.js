@@ -1,4 +1,4 @@
-// Positions and triangles as the smallest GLB there is: what renderers draw is judged in float32, as
+// Positions and triangles as the smallest GLB there is: what renderers draw is verified in float32, as
 // glTF stores it.
 
 const align = (bytes) => Math.ceil(bytes / 4) * 4;

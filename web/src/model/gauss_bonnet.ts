@@ -37,7 +37,7 @@ export function largestK(q: number, valence: number): number {
 }
 
 /** What is wrong with one cone; `coneAt` knows the first cone at each vertex. */
-function judgeCone(
+function checkCone(
   { q, cones }: Prescription,
   surface: Surface,
   i: number,
@@ -66,12 +66,12 @@ function judgeCone(
   return { isGood: true, text: 'ok' };
 }
 
-function judgeCones(prescription: Prescription, surface: Surface): ConeState[] {
+function checkCones(prescription: Prescription, surface: Surface): ConeState[] {
   const coneAt = new Map<number, number>();
   prescription.cones.forEach(({ vertex }, i) => {
     if (!coneAt.has(vertex)) coneAt.set(vertex, i);
   });
-  return prescription.cones.map((_, i) => judgeCone(prescription, surface, i, coneAt));
+  return prescription.cones.map((_, i) => checkCone(prescription, surface, i, coneAt));
 }
 
 /** "two k = 2 or one k = 1": ways to spend what is left with cones of one kind. */
@@ -134,7 +134,7 @@ export function computeBudget(
     const isBalanced = left === 0 || openLoops > 0;
     return { component: one.component, have, need, left, openLoops, isBalanced };
   });
-  const cones = judgeCones(prescription, surface);
+  const cones = checkCones(prescription, surface);
   return {
     components,
     cones,

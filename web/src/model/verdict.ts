@@ -72,18 +72,18 @@ function areaRow({ stored }: Certificate, least: LeastArea): VerdictRow {
   };
 }
 
-/** What is in the file and was judged otherwise, or not at all. */
+/** What is in the file and was verified otherwise, or not at all. */
 function outsideRow({ stored }: Certificate): VerdictRow[] {
   const { triangles: all, judged, duplicates, zeroArea, reversed, splitVertices } = stored;
   const counts: [number, string][] = [
     [reversed, 'wound the other way in the file'],
     [duplicates, 'copies of others'],
     [zeroArea, 'without area'],
-    [splitVertices, 'vertices judged as several'],
+    [splitVertices, 'vertices verified as several'],
   ];
   const told = counts.filter(([count]) => count > 0).map(([count, what]) => `${count} ${what}`);
   if (told.length === 0) return [];
-  const value = `${judged} of ${all} judged`;
+  const value = `${judged} of ${all} verified`;
   const isGood = judged === all;
   return [
     {

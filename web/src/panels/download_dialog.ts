@@ -52,7 +52,7 @@ function setChooser(app: App, output: Output): TemplateResult | typeof nothing {
   </label>`;
 }
 
-/** The choices that change the written file; each is written, read back and judged again. */
+/** The choices that change the written file; each is written, read back and verified again. */
 function choices(app: App, solution: Solution): TemplateResult {
   const output = app.doc.pendingOutput ?? solution.output;
   const set = (part: Partial<Output>): void => void attempt(app, () => rewrite(app, part));

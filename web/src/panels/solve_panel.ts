@@ -212,7 +212,7 @@ class SolvePanel extends Panel {
           .value=${keepWhileTyping(String(rounds))}
           @change=${(event: Event) => this.#set({ rounds: wholeNumber(event, 1, 100) ?? rounds })}
         />
-        <small>of solve, judge, repair</small>
+        <small>of solve, verify, repair</small>
       </div>
       <div class="row field">
         <label for="time-limit">Time limit</label>

@@ -25,7 +25,7 @@ export class TimeLeft {
     now: number,
   ): number | undefined {
     if (this.#stage?.name !== stage) {
-      this.#judge(now);
+      this.#compare(now);
       this.#stage = { name: stage, begin: now };
     }
     const spent = now - this.#stage.begin;
@@ -43,7 +43,7 @@ export class TimeLeft {
     return Math.max(0, this.#end - now);
   }
 
-  #judge(now: number): void {
+  #compare(now: number): void {
     if (!this.#stage) return;
     const { begin, predicted } = this.#stage;
     const took = now - begin;

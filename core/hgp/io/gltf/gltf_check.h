@@ -12,7 +12,7 @@
 
 namespace hgp::io {
 
-/// Structure, extensions, references, spans, node tree and primitives, judged by the text alone:
+/// Structure, extensions, references, spans, node tree and primitives, checked in the text alone:
 /// buffers are as long as they declare. kMalformed for what is wrong, kLimit for what would take
 /// more than `limits` (decoded or zero-filled accessors, triangles).
 Status checkGltf(const JsonText& json, const Limits& limits);

@@ -31,7 +31,7 @@ struct Candidate {
   std::vector<Vec2> grid;  ///< integers
   double step = 1.0;
   std::vector<int> broken;  ///< triangles that were positive and are not
-  bool isFine = true;       ///< steps are within what seams are judged by
+  bool isFine = true;       ///< steps are within what the tolerance of seams allows
 };
 
 class Rounder {
@@ -114,7 +114,7 @@ class Rounder {
     int exponent = 0;
     const double fraction = std::frexp(bound, &exponent);
     out.step = std::ldexp(1.0, exponent - (fraction == 0.5 ? 25 : 24));
-    // Seams are judged by 16 ulps of the largest coordinate; rounding may use up a few of them.
+    // Seams may be off by 16 ulps of the largest coordinate; rounding may use up a few of them.
     out.isFine = out.step * kFloatSteps <= 4 * reach && out.step <= 1;
     for (Vec2& p : placed) {
       for (double& x : p) x = std::nearbyint(x / out.step);

@@ -1,5 +1,5 @@
 // uv as float32 with v from the top, chosen so that nothing certified is lost.  Role: what glTF
-// stores; the certificate judges exactly this.
+// stores; the certificate measures exactly this.
 #pragma once
 
 #include "hgp/mesh/mesh_data.h"

@@ -55,7 +55,7 @@ Status PolygonDocument::take(PolygonFile file) {
   const bool isComplete = std::find(cornerUv_.begin(), cornerUv_.end(), -1) == cornerUv_.end();
   if (!cornerUv_.empty() && isComplete) surface.uvSets = {0};
   if (!cornerUv_.empty() && !isComplete) {
-    surface.notes.push_back("some corners have no texture coordinates; the set cannot be judged");
+    surface.notes.push_back("some corners have no texture coordinates; the set cannot be verified");
   }
   surfaces_.push_back(std::move(surface));
   return Done{};

@@ -41,7 +41,7 @@ class PanelFactor {
   /// Eliminates in order; a child's complement is freed when its parent has taken it. Complements of
   /// nodes whose parent is of another class stay in `left` (by node), which may be null if there are
   /// none.
-  /// @param diagonal  by position: the matrix's own diagonal, against which pivots are judged
+  /// @param diagonal  by position: the matrix's own diagonal, which pivots are compared with
   /// @return badPivot is a *position*; on failure the panels are freed
   FactorStatus eliminate(const FrontSource<Scalar>& source, const std::vector<double>& diagonal,
                          std::vector<Contribution<Scalar>>* left);

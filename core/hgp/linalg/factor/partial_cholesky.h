@@ -36,7 +36,7 @@ struct PartialCholeskyOptions {
 /// Complex unknown j is the real pair (2j, 2j + 1) = (Re, Im) in every real vector and block. Unknowns
 /// that no changing term reaches are *static*: eliminated once, in complex arithmetic. The others,
 /// all touched ones among them, form the *reduced problem* of dynamicSize() complex unknowns.
-/// Pivots are judged against their own diagonal entry (kPivotTolerance): scale-invariant.
+/// Pivots are compared with their own diagonal entry (kPivotTolerance): scale-invariant.
 class PartialCholesky {
  public:
   PartialCholesky();

@@ -7,7 +7,7 @@
 
 namespace hgp {
 
-/// Everything a change is judged by.
+/// Everything that a change is computed from.
 struct ChangeContext {
   const TriMesh& mesh;
   const SeamStructure& seams;
@@ -24,9 +24,9 @@ std::vector<FaceId> turnedFaces(const ChangeContext& context, const Eigen::Vecto
 /// @param work  multiply-adds of its factorizations are added
 /// @return false where there is no such change, the form is singular or `progress` cancels; x is then as
 ///         before
-bool mendChange(const ChangeContext& context, const std::vector<FaceId>& patch,
-                const std::vector<FaceId>& bound, const std::vector<char>& isHeld,
-                Eigen::VectorXcd& x, double& work, const Progress& progress);
+bool repairChange(const ChangeContext& context, const std::vector<FaceId>& patch,
+                  const std::vector<FaceId>& bound, const std::vector<char>& isHeld,
+                  Eigen::VectorXcd& x, double& work, const Progress& progress);
 
 /// `faces` and everything within so many rings of vertices, ascending.
 std::vector<FaceId> facesAround(const TriMesh& mesh, const std::vector<FaceId>& faces, int rings);

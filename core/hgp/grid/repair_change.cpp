@@ -1,4 +1,4 @@
-#include "hgp/grid/mend_change.h"
+#include "hgp/grid/repair_change.h"
 
 #include <algorithm>
 #include <cmath>
@@ -136,9 +136,9 @@ std::vector<FaceId> turnedFaces(const ChangeContext& in, const Eigen::VectorXcd&
   return turned;
 }
 
-bool mendChange(const ChangeContext& in, const std::vector<FaceId>& patch,
-                const std::vector<FaceId>& bound, const std::vector<char>& isHeld,
-                Eigen::VectorXcd& x, double& work, const Progress& progress) {
+bool repairChange(const ChangeContext& in, const std::vector<FaceId>& patch,
+                  const std::vector<FaceId>& bound, const std::vector<char>& isHeld,
+                  Eigen::VectorXcd& x, double& work, const Progress& progress) {
   std::vector<int> place;
   const std::vector<int> free = freeUnknowns(in, patch, isHeld, place);
   if (free.empty()) return false;

@@ -146,7 +146,7 @@ function seamResidual(df, dg, q) {
  * @returns facts, `isCertified`, and `isClose` where a number is so near its bound that other arithmetic
  *          may decide otherwise
  */
-export function judge(map, precision, areas) {
+export function checkMap(map, precision, areas) {
   const { triangles, corners, uv, q, cones } = map;
   const tolerance = map.tolerance ?? 1e-6;
   const facts = { notPositive: [], seams: 0, exact: 0, broken: 0, wrongCones: 0, wrongLoops: 0 };

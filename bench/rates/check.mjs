@@ -1,4 +1,4 @@
-// A written file judged from its numbers: the sign of every triangle by exact arithmetic, and whether the two
+// A written file checked from its numbers: the sign of every triangle by exact arithmetic, and whether the two
 // sides of every edge differ by a quarter turn. Shares nothing with the core.
 
 import { readFileSync } from 'node:fs';
@@ -143,7 +143,7 @@ export function measure(map, q = 4) {
 }
 
 /** @param outside  stored triangles that the certificate does not speak of */
-export async function judgeFile(file, kind, { outside }) {
+export async function checkFile(file, kind, { outside }) {
   const maps = kind === 'gltf' ? await readGltf(file) : readObj(readFileSync(file, 'utf8'));
   let notPositive = 0;
   let worst = 0;

@@ -9,6 +9,7 @@
 #include "files.h"
 #include "hgp/api/session.h"
 #include "hgp/base/check.h"
+#include "hgp/base/counted.h"
 #include "progress_line.h"
 #include "side_files.h"
 #include "text_report.h"
@@ -337,8 +338,8 @@ class Run {
       return fail(done.error());
     }
     if (!a_.isQuiet) {
-      std::fprintf(stderr, "  wrote %s: %d vertices, %d quads%s\n", printable(a_.output).c_str(),
-                   quads->vertices, quads->quads,
+      std::fprintf(stderr, "  wrote %s: %d vertices, %s%s\n", printable(a_.output).c_str(),
+                   quads->vertices, counted(quads->quads, "quad").c_str(),
                    quads->clipped > 0 ? "; cells that the boundary cuts are left out" : "");
     }
     return 0;

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "hgp/base/check.h"
+#include "hgp/base/counted.h"
 
 namespace hgp::cli {
 namespace {
@@ -29,10 +30,6 @@ double number(const Json& json, const char* key) {
 
 std::string row(const char* label, const std::string& value) {
   return formatText("  %-20s %s\n", label, value.c_str());
-}
-
-std::string plural(long long count, const char* word) {
-  return formatText("%lld %s%s", count, word, count == 1 ? "" : "s");
 }
 
 std::string notes(const Json& json) {
@@ -113,7 +110,7 @@ std::string outside(const Json& stored) {
     if (const long long n = integer(stored, key))
       list += (list.empty() ? "" : ", ") + formatText("%lld %s", n, text);
   };
-  add("duplicates", "copies of verified triangles, with their uv");
+  add("duplicates", "duplicated, with the uv of the verified copy");
   if (integer(stored, "differing") > 0)
     list += formatText(" but for %lld", integer(stored, "differing"));
   add("zeroArea", "without surface");
@@ -147,7 +144,8 @@ std::string certificate(const Json& json, const Style& style) {
              places(reason["where"]) + "\n";
     }
   }
-  if (untold > 0) out += formatText("  … and %zu components more, all as asked\n", untold);
+  if (untold > 0)
+    out += formatText("  … and %s, all as asked\n", counted(untold, "more component").c_str());
   const bool isCertified = json["certified"].get<bool>();
   out += isCertified ? style.good("certified") : style.bad("not certified");
   out += formatText(" (q = %lld, %s%s)", integer(json, "q"), text(json["precision"]).c_str(),
@@ -200,13 +198,13 @@ std::string inspectText(const std::string& source, const Style& style) {
   const Json json = Json::parse(source);
   const bool isUsable = json["usable"].get<bool>();
   std::string out = style.strong(text(json["file"]["name"])) + "  " + text(json["file"]["format"]) +
-                    ", " + plural(integer(json["file"], "bytes"), "byte") + "\n";
+                    ", " + counted(integer(json["file"], "bytes"), "byte") + "\n";
   for (const Json& s : json["surfaces"]) {
     std::string sets = s["uvSets"].empty() ? "no uv" : "uv sets " + s["uvSets"].dump();
     out += row(("mesh " + s["index"].dump() + (s["index"] == json["surface"] ? " *" : "")).c_str(),
                text(s["name"]) + (text(s["name"]).empty() ? "" : ": ") +
                    formatText("%lld stored vertices", integer(s, "storedVertices")) + ", " +
-                   plural(integer(s, "triangles"), "triangle") + ", " + sets);
+                   counted(integer(s, "triangles"), "triangle") + ", " + sets);
     out += notes(s);
   }
   out += row("vertices", json["vertices"].dump());
@@ -263,18 +261,21 @@ std::string certificateText(const std::string& source, const Style& style) {
 std::string reportText(const std::string& source, const Style& style) {
   const Json json = Json::parse(source);
   std::string out = style.strong(text(json["input"]["name"])) +
-                    formatText("  %lld triangles, %zu cones of q = %lld, %.2f s\n",
-                               integer(json["input"], "triangles"), json["cones"]["cones"].size(),
+                    formatText("  %s, %s of q = %lld, %.2f s\n",
+                               counted(integer(json["input"], "triangles"), "triangle").c_str(),
+                               counted(json["cones"]["cones"].size(), "cone").c_str(),
                                integer(json["cones"], "q"), number(json, "seconds"));
   for (std::size_t p = 0; p < json["components"].size(); ++p) {
     const Json& component = json["components"][p];
     if (p >= kMostComponents && component["certifiedBeforeStoring"].get<bool>()) continue;
     for (const Json& round : component["rounds"]) {
       out += row("round",
-                 formatText("%s: %s, %lld iterations, %lld flipped, %lld wrong angles, %.2f s",
-                            text(round["method"]).c_str(), text(round["solverStatus"]).c_str(),
-                            integer(round, "iterations"), integer(round, "flipped"),
-                            integer(round, "wrongAngles"), number(round, "seconds")));
+                 formatText("%s: %s, %s, %lld flipped, %s, %.2f s", text(round["method"]).c_str(),
+                            text(round["solverStatus"]).c_str(),
+                            counted(integer(round, "iterations"), "iteration").c_str(),
+                            integer(round, "flipped"),
+                            counted(integer(round, "wrongAngles"), "wrong angle").c_str(),
+                            number(round, "seconds")));
     }
     const Json& improvement = component["improvement"];
     if (improvement.is_object()) out += descentText("improve", improvement);

@@ -6,6 +6,7 @@
 
 #include "hgp/api/session.h"
 #include "hgp/base/check.h"
+#include "hgp/base/counted.h"
 #include "text_report.h"
 
 namespace hgp::cli {
@@ -178,8 +179,9 @@ std::string FileOutcome::text() const {
     const Json json = Json::parse(m.json);
     const Json& certificate = json.contains("certificate") ? json["certificate"] : json;
     out += m.isCertified ? "certified" : "not certified";
-    out += formatText(", %lld triangles in %zu components\n",
-                      certificate["triangles"].get<long long>(), certificate["components"].size());
+    out += formatText(", %s in %s\n",
+                      counted(certificate["triangles"].get<long long>(), "triangle").c_str(),
+                      counted(certificate["components"].size(), "component").c_str());
     if (json.contains("notes")) {
       for (const Json& note : json["notes"])
         out += "  note: " + printable(note.get<std::string>()) + "\n";
@@ -191,7 +193,8 @@ std::string FileOutcome::text() const {
       }
     }
   }
-  return out + formatText("%d of %zu meshes certified\n", certifiedCount(), meshes.size());
+  return out + formatText("%d of %s certified\n", certifiedCount(),
+                          counted(meshes.size(), "mesh", "meshes").c_str());
 }
 
 }  // namespace hgp::cli

@@ -182,7 +182,7 @@ test('a soup is joined, two halves are told about, a crack names the length that
   put('halves.obj', halves.replace('f', `${copies}f`));
   const apart = inspect('halves.obj');
   assert.equal(apart.components, 2);
-  assert.match(apart.notes, /4 vertices share their position .* join 2 components into 1/);
+  assert.match(apart.notes, /4 vertices have the position of another one.* join 2 components into 1/);
 
   put(
     'junction.obj',
@@ -212,7 +212,7 @@ test('advice never names what was given', () => {
   assert.doesNotMatch(oriented.err, /Repair with --fix orient/);
   const { code, err } = run(['param', 'moebius.obj', '-o', 'out.obj']);
   assert.equal(code, 0, err);
-  assert.match(err, /1 one-sided components cut along 1 edges/);
+  assert.match(err, /1 one-sided component cut along 1 edge\n/);
 });
 
 /** Spheres of a hundred sizes and some flat, thin ones: float32 in one row is too coarse for them. */

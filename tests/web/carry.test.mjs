@@ -54,7 +54,7 @@ test('cones go along through a weld; what had its own boundary is inside now; un
   await page.waitForSelector('#status.good');
   assert.match(
     await statusText(page),
-    /weld closer than 0\.001\. 9 cones went along; what could not: cone 10 \(now one with cone 9\)/,
+    /weld closer than 0\.001\. 9 cones kept; not kept: cone 10 \(now one with cone 9\)/,
   );
   assert.deepEqual(await vertices(), [0, 1, 2, 3, 4, 5, 6, 7, inner].map(String));
   assert.doesNotMatch(await page.locator('#cones').innerText(), /boundary/);
@@ -96,7 +96,7 @@ test('a repair keeps the cones that still have their vertex', async () => {
   const before = await vertices();
   await weld('0.0001');
   await page.waitForSelector('#status.good');
-  assert.match(await statusText(page), /8 cones went along/);
+  assert.match(await statusText(page), /8 cones kept/);
   assert.deepEqual(await vertices(), before);
 });
 
@@ -132,7 +132,7 @@ test('another version of the file takes over the cones that have their place in 
   await modelSays(it, /Triangles\s*432/);
   assert.match(
     await statusText(page),
-    /Another version of part\.obj\. 1 cone went along; what could not: cone 2 \(no vertex is there now\)/,
+    /Another version of part\.obj\. 1 cone kept; not kept: cone 2 \(no vertex is there now\)/,
   );
   assert.deepEqual(await vertices(), [String(last - corner)]);
   assert.equal(await kOf(it, 0), '3');

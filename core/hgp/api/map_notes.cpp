@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hgp/base/check.h"
+#include "hgp/base/counted.h"
 #include "hgp/mesh/vectors.h"
 
 namespace hgp::api {
@@ -51,17 +52,17 @@ std::optional<std::string> crushedNote(const ModelComponent& component, const Uv
   toSurfaceIds(component, place);
   const Vec3& p = mesh.position(mesh.corners(worst)[0]);
   return formatText(
-      "%d of %d triangles are crushed: their areas are scaled by less than %g of the median, the "
-      "smallest by %.1e of it (triangle %lld, at %.4g %.4g %.4g). A cone there, or more cones, "
+      "%d of %s crushed: scaled in area by less than %g of the median, the smallest by %.1e of "
+      "it (triangle %lld, at %.4g %.4g %.4g). A cone there, or more cones, "
       "helps.",
-      count, mesh.faceCount(), kCrushedScale, scale[worst] / median,
-      static_cast<long long>(place[0].id), p[0], p[1], p[2]);
+      count, (counted(mesh.faceCount(), "triangle") + (count == 1 ? " is" : " are")).c_str(),
+      kCrushedScale, scale[worst] / median, static_cast<long long>(place[0].id), p[0], p[1], p[2]);
 }
 
 std::optional<std::string> countNote(int asked, const CompleteSpec& chosen) {
   const int have = static_cast<int>(chosen.cones.size());
   if (asked == 0 || have == asked) return {};
-  return formatText("%d cones were asked for and %d are placed: %s.", asked, have,
+  return formatText("%s asked for, %d placed: %s.", counted(asked, "cone").c_str(), have,
                     have > asked
                         ? "fewer would break Gauss–Bonnet or turn too sharply for the triangles"
                         : "the surface has no room for more");

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "hgp/base/check.h"
+#include "hgp/base/counted.h"
 #include "hgp/base/disjoint_sets.h"
 #include "hgp/base/portable_math.h"
 #include "hgp/io/weld.h"
@@ -260,10 +261,12 @@ std::vector<std::string> weldNotes(const WeldFacts& weld, bool isWelded) {
         "and %d components became %d (--weld none keeps them apart)",
         weld.componentsBefore, weld.componentsAfter)};
   }
-  return {
-      formatText("%d vertices share their position with another one; --weld exact would join %d "
-                 "components into %d",
-                 weld.sharing, weld.componentsBefore, weld.componentsAfter)};
+  return {formatText(
+      "%s the position of another one; --weld exact would join %d "
+      "components into %d",
+      (counted(weld.sharing, "vertex", "vertices") + (weld.sharing == 1 ? " has" : " have"))
+          .c_str(),
+      weld.componentsBefore, weld.componentsAfter)};
 }
 
 std::vector<std::string> crackNotes(const CrackFacts& cracks) {
@@ -275,10 +278,12 @@ std::vector<std::string> crackNotes(const CrackFacts& cracks) {
                    cracks.vertices, cracks.gap, roundedUp(cracks.gap).c_str()));
   }
   if (cracks.onEdges > 0) {
-    notes.push_back(
-        formatText("T-junctions: %d boundary vertices lie on the boundary edge of another "
-                   "face (within %.3g); no weld closes them: the edge needs a vertex there",
-                   cracks.onEdges, cracks.edgeGap));
+    notes.push_back(formatText(
+        "T-junctions: %s on the boundary edge of another "
+        "face (within %.3g); no weld closes them: the edge needs a vertex there",
+        cracks.onEdges == 1 ? "1 boundary vertex lies"
+                            : formatText("%d boundary vertices lie", cracks.onEdges).c_str(),
+        cracks.edgeGap));
   }
   return notes;
 }

@@ -118,7 +118,7 @@ void repairAndCheck(Model& model, const FixOptions& fix) {
   if (model.mesh.triangles.empty()) {
     model.unusable = Failure{ErrorCode::kUnsupported,
                              "topology",
-                             formatText("nothing is left to parametrize: none of the %zu triangles "
+                             formatText("nothing is left to parametrize: no triangle of %zu "
                                         "has an area of its own",
                                         model.source().mesh.triangles.size()),
                              {}};

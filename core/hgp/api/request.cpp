@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hgp/base/check.h"
+#include "hgp/base/counted.h"
 #include "hgp/base/turns.h"
 #include "hgp/mesh/box.h"
 #include "hgp/mesh/vectors.h"
@@ -162,8 +163,8 @@ class Resolver {
         }
       }
       if (!isFound) {
-        return refusal(formatText("boundary loop %d: the mesh has %zu loops", t.loop,
-                                  model_.topology.loops.size()));
+        return refusal(formatText("boundary loop %d: the mesh has %s", t.loop,
+                                  counted(model_.topology.loops.size(), "loop").c_str()));
       }
     }
     return Done{};
@@ -206,7 +207,8 @@ class Resolver {
     FieldData field = *asked_.field;
     const auto& triangles = model_.source().mesh.triangles;
     if (!field.directions.empty() && field.directions.size() != triangles.size()) {
-      return refusal(formatText("the field has %zu faces, the mesh %zu", field.directions.size(),
+      return refusal(formatText("the field has %s, the mesh %zu",
+                                counted(field.directions.size(), "face").c_str(),
                                 triangles.size()));
     }
     if (model_.isChanged) {
@@ -317,8 +319,8 @@ class Resolver {
 Result<Request> resolve(const Model& model, const io::Prescription& prescription) {
   if (prescription.totalAngles.empty()) return Resolver(model, prescription).resolve();
   if (prescription.totalAngles.size() != model.source().mesh.positions.size()) {
-    return refusal(formatText("%zu total angles for a mesh of %zu vertices",
-                              prescription.totalAngles.size(),
+    return refusal(formatText("%s for a mesh of %zu vertices",
+                              counted(prescription.totalAngles.size(), "total angle").c_str(),
                               model.source().mesh.positions.size()));
   }
   Result<TriMesh> mesh = buildTriMesh(model.mesh);

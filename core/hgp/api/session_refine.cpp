@@ -4,6 +4,7 @@
 #include "hgp/api/refined_model.h"
 #include "hgp/api/session_state.h"
 #include "hgp/base/check.h"
+#include "hgp/base/counted.h"
 
 namespace hgp::api {
 namespace {
@@ -47,12 +48,13 @@ std::string refinedNote(const RefinedFacts& facts, const Model& refined) {
   for (const auto& [reason, count] : sums)
     reasons += formatText("%s%zu %s", reasons.empty() ? "" : ", ", count, reason.c_str());
   return formatText(
-      "THE MESH WAS REFINED: %d edges are split (%s), because %zu programs gave no map on the mesh "
+      "THE MESH WAS REFINED: %s split (%s), because %s gave no map on the mesh "
       "as it "
       "was. What is certified and written has %zu vertices and %zu triangles, where there were %d "
       "and "
       "%d; vertices keep their numbers, new ones follow.",
-      facts.edges, reasons.c_str(), facts.roundsBefore, refined.source().mesh.positions.size(),
+      (counted(facts.edges, "edge") + (facts.edges == 1 ? " is" : " are")).c_str(), reasons.c_str(),
+      counted(facts.roundsBefore, "program").c_str(), refined.source().mesh.positions.size(),
       refined.source().mesh.triangles.size(), facts.verticesBefore, facts.trianglesBefore);
 }
 

@@ -7,6 +7,7 @@
 #include "hgp/api/pack_components.h"
 #include "hgp/api/snap_components.h"
 #include "hgp/base/check.h"
+#include "hgp/base/counted.h"
 #include "hgp/base/portable_math.h"
 
 namespace hgp::api {
@@ -233,10 +234,9 @@ void redo(const Model& model, const StorePlace& place, const std::vector<Compone
     stored = store(model, place, components, placements, Scale::kSolved, snapper, &stored);
   }
   if (broken.size() < before) {
-    stored.notes.push_back(formatText(
-        "%zu of %zu components were moved or scaled, so that they survive the rounding of "
-        "the format",
-        before - broken.size(), components.size()));
+    stored.notes.push_back(
+        formatText("%zu of %s moved or scaled to survive the rounding of the format",
+                   before - broken.size(), counted(components.size(), "component").c_str()));
   }
 }
 
@@ -296,10 +296,9 @@ StoredMap storeMap(const Model& model, const StorePlace& place,
     if (scale == Scale::kSolved) redo(model, place, components, snapper, placements, out);
   }
   if (const std::size_t broken = brokenByStoring(components, out).size(); broken > 0) {
-    out.notes.push_back(formatText(
-        "%zu of %zu components were certified before the rounding of the format, and are "
-        "not after it",
-        broken, components.size()));
+    out.notes.push_back(
+        formatText("%zu of %s certified before the rounding of the format, and not after it",
+                   broken, counted(components.size(), "component").c_str()));
   }
   for (std::size_t p = 0; p < model.components.size(); ++p) {
     const UvMap map = mapOfComponent(model.components[p], out.map);

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "hgp/base/check.h"
+#include "hgp/base/counted.h"
 
 namespace hgp::api {
 
@@ -45,11 +46,11 @@ FaceEdits editsOf(const Model& model) {
 std::string noteOn(const FaceEdits& edits, int surfaceVertices) {
   std::string note = "THE REPAIRS ARE WRITTEN:";
   if (edits.turned > 0)
-    note += formatText(" %d faces have their corners in the other order%s", edits.turned,
-                       edits.copyOf.empty() ? "" : ",");
+    note += formatText(" %s with the corners in the other order%s",
+                       counted(edits.turned, "face").c_str(), edits.copyOf.empty() ? "" : ",");
   if (!edits.copyOf.empty())
-    note += formatText(" %zu copies of vertices follow behind vertex %d", edits.copyOf.size(),
-                       surfaceVertices - 1);
+    note += formatText(" %s of vertices follow behind vertex %d",
+                       counted(edits.copyOf.size(), "copy", "copies").c_str(), surfaceVertices - 1);
   return note;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hgp/base/check.h"
+#include "hgp/base/counted.h"
 #include "hgp/text/text.h"
 
 namespace hgp::io {
@@ -150,7 +151,8 @@ Result<Prescription> readHgpConeLines(std::string_view text, const std::vector<T
     const MeshData mesh = triangleMesh(polygons, corners);
     if (Status done = completeMatchings(*out.field, mesh.triangles); !done) return done.error();
   }
-  out.notes.push_back(formatText("%zu cones%s from the file's own c and sm lines", out.cones.size(),
+  out.notes.push_back(formatText("%s%s from the file's own c and sm lines",
+                                 counted(out.cones.size(), "cone").c_str(),
                                  out.field ? " and seam rotations" : ""));
   return out;
 }

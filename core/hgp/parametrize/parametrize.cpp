@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 
+#include "hgp/base/counted.h"
 #include "hgp/parametrize/attempt.h"
 #include "hgp/parametrize/in_metric.h"
 #include "hgp/parametrize/moves/moves.h"
@@ -47,9 +48,9 @@ void explain(const SeamlessSetup& setup, bool hasGivenFrames, Parametrization& r
                            std::to_string(static_cast<int>(range)) +
                            "; expect strong area distortion. More cones lower it.");
   if (!result.conflict.empty())
-    result.notes.push_back(
-        "No map turns all frames as asked: " + std::to_string(result.conflict.size()) +
-        " constrained triangles work against each other (see conflict).");
+    result.notes.push_back("No map turns all frames as asked: " +
+                           counted(result.conflict.size(), "constrained triangle") +
+                           " cannot be satisfied together (see conflict).");
   if (!result.isCertified && hasGivenFrames)
     result.notes.push_back(
         "The frames were those of the given field, as asked. Automatic frames have the same cones, "

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "hgp/base/check.h"
+#include "hgp/base/counted.h"
 #include "hgp/base/turns.h"
 #include "hgp/prescription/cones.h"
 #include "hgp/text/text.h"
@@ -126,7 +127,9 @@ Result<Prescription> readSings(std::string_view text) {
   }
   in.atEnd();
   if (!in.isFine()) return in.failure();
-  out.notes.push_back(formatText("%zu singularities with k = %d − index", out.cones.size(), out.q));
+  out.notes.push_back(formatText("%s with k = %d − index",
+                                 counted(out.cones.size(), "singularity", "singularities").c_str(),
+                                 out.q));
   return out;
 }
 
@@ -148,7 +151,8 @@ Result<Prescription> readCurvatures(std::string_view text, int q) {
     if (cone.k != q) out.cones.push_back(cone);
   }
   if (!in.isFine()) return in.failure();
-  out.notes.push_back(formatText("%zu cones from curvatures in radians", out.cones.size()));
+  out.notes.push_back(
+      formatText("%s from curvatures in radians", counted(out.cones.size(), "cone").c_str()));
   return out;
 }
 
@@ -177,11 +181,12 @@ Result<Prescription> reduceTotalAngles(const Prescription& angles, const TriMesh
   const double unit = 2 * kPi / angles.q;
   for (VertexId v : mesh.vertices()) {
     if (static_cast<std::size_t>(lineOf(v)) >= angles.totalAngles.size()) {
-      return Failure{ErrorCode::kPrescription,
-                     "cones",
-                     formatText("%zu total angles for a mesh of %d vertices",
-                                angles.totalAngles.size(), mesh.vertexCount()),
-                     {}};
+      return Failure{
+          ErrorCode::kPrescription,
+          "cones",
+          formatText("%s for a mesh of %d vertices",
+                     counted(angles.totalAngles.size(), "total angle").c_str(), mesh.vertexCount()),
+          {}};
     }
     if (mesh.isIsolated(v) || mesh.isBoundary(v)) continue;
     const double k = angles.totalAngles[static_cast<std::size_t>(lineOf(v))] / unit;
@@ -202,12 +207,12 @@ Result<Prescription> reduceTotalAngles(const Prescription& angles, const TriMesh
     }
     out.boundaries.push_back({static_cast<int>(j), static_cast<int>(std::lround(l)), anchor});
   }
-  out.notes.push_back(formatText("%zu cones from total angles", out.cones.size()));
+  out.notes.push_back(
+      formatText("%s from total angles", counted(out.cones.size(), "cone").c_str()));
   if (!topology.loops.empty()) {
-    out.notes.push_back(
-        formatText("the angles of boundary vertices were reduced to the turning index of each of "
-                   "the %zu loops",
-                   topology.loops.size()));
+    out.notes.push_back(formatText(
+        "the angles of boundary vertices were reduced to the turning index of each loop (%zu)",
+        topology.loops.size()));
   }
   return out;
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "hgp/base/check.h"
+#include "hgp/base/counted.h"
 #include "hgp/base/float32.h"
 #include "hgp/verify/verdict.h"
 
@@ -29,8 +30,8 @@ GatheredUv gatherUv(const TriMesh& mesh, const UvMap& map, const CertifyOptions&
     out.reasons.push_back({Rule::kMalformedUv,
                            1,
                            double(map.cornerUv.size()),
-                           formatText("uv indices are given for %zu faces; the mesh has %zu.",
-                                      map.cornerUv.size(), faceCount),
+                           formatText("uv indices are given for %s; the mesh has %zu.",
+                                      counted(map.cornerUv.size(), "face").c_str(), faceCount),
                            {}});
     return out;
   }
@@ -55,8 +56,10 @@ GatheredUv gatherUv(const TriMesh& mesh, const UvMap& map, const CertifyOptions&
     if (isOutside) note(outside, f);
     if (!isFinite) note(infinite, f);
   }
-  outside.message = formatText("uv indices of %d faces are out of range.", outside.count);
-  infinite.message = formatText("uv of %d faces are not finite.", infinite.count);
+  outside.message =
+      formatText("uv indices of %s are out of range.", counted(outside.count, "face").c_str());
+  infinite.message =
+      formatText("uv of %s are not finite.", counted(infinite.count, "face").c_str());
   for (Reason* reason : {&outside, &infinite})
     if (reason->count > 0) out.reasons.push_back(std::move(*reason));
   return out;

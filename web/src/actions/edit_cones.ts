@@ -163,7 +163,7 @@ export async function importCones(app: App, name: string, text: string): Promise
     const { turnings, handles } = doc.prescription;
     setPrescription(app, fromCones(cones, turnings.length, handles.length), 'import cones');
     doc.takeField(hasDirections(name) ? { name, text } : undefined);
-    doc.say(`${cones.cones.length} cones imported from ${name}.`);
+    doc.say(`${plural(cones.cones.length, 'cone')} imported from ${name}.`);
   } catch (error) {
     doc.say(describeError(error, name), 'error');
   }

@@ -11,7 +11,7 @@ import type { LoadSettings, Model, Step } from '../model/types';
 import { restorable, saveCones } from '../services/cone_storage';
 import { describeError, withoutCliAdvice } from '../text/error_messages';
 import { estimateFor, mostTriangles, tooMany } from '../text/estimate';
-import { bytesOfAll, megabytes } from '../text/format';
+import { bytesOfAll, megabytes, plural } from '../text/format';
 import { solverOf, type App } from './app';
 import { setPrescription } from './edit_cones';
 import { surveyMeshes } from './inspect_meshes';
@@ -222,7 +222,10 @@ async function findCones(app: App, model: Model): Promise<void> {
   if (embedded && embedded.cones.length > 0) {
     doc.begin(fromCones(embedded, turnings.length, handles.length));
     doc.hasUserCones = true;
-    doc.message = { kind: 'note', text: `${embedded.cones.length} cones came with the file.` };
+    doc.message = {
+      kind: 'note',
+      text: `${plural(embedded.cones.length, 'cone')} came with the file.`,
+    };
     return;
   }
   if (transferFromPrevious(app, model)) return;
@@ -234,14 +237,15 @@ async function offerSaved(app: App, model: Model): Promise<void> {
   const saved = await restorable(model.info.file.sha256);
   const count = saved?.prescription.cones.length ?? 0;
   if (!saved || count === 0) return;
+  const cones = plural(count, 'cone');
   const when = new Date(saved.time).toLocaleDateString(undefined, { dateStyle: 'medium' });
   const restore = (): void => {
     setPrescription(app, saved.prescription, 'restore cones');
-    doc.say(`${count} cones restored.`);
+    doc.say(`${cones} restored.`);
   };
   doc.message = {
     kind: 'note',
-    text: `You placed ${count} cones on this file (${when}).`,
-    actions: [{ label: `Restore ${count} cones`, run: restore }],
+    text: `You placed ${cones} on this file (${when}).`,
+    actions: [{ label: `Restore ${cones}`, run: restore }],
   };
 }

@@ -6,6 +6,7 @@ import type { Validation } from '../model/types';
 import { scriptUrl, validatorUrl } from '../services/trusted_types';
 import type { App } from './app';
 import { exportFiles, exportSource } from './download';
+import { plural } from '../text/format';
 
 const severities = ['Error', 'Warning', 'Information', 'Hint'];
 const mostShown = 12;
@@ -15,13 +16,12 @@ function describeReport({
   validatorVersion,
 }: ValidatorReport): Pick<Validation, 'text' | 'issues'> {
   const { numErrors, numWarnings, numInfos, numHints, messages, truncated } = issues;
-  const count = (n: number, what: string): string => `${n} ${what}${n === 1 ? '' : 's'}`;
   const shown = messages.toSorted((a, b) => a.severity - b.severity).slice(0, mostShown);
   const more = messages.length > shown.length || truncated ? ['… and more'] : [];
   return {
     text:
-      `${count(numErrors, 'error')}, ${count(numWarnings, 'warning')}, ` +
-      `${count(numInfos + numHints, 'remark')} (glTF Validator ${validatorVersion}).`,
+      `${plural(numErrors, 'error')}, ${plural(numWarnings, 'warning')}, ` +
+      `${plural(numInfos + numHints, 'remark')} (glTF Validator ${validatorVersion}).`,
     issues: [
       ...shown.map(
         ({ severity, message, pointer }) =>

@@ -121,11 +121,11 @@ export function transferPrescription(
 
 const few = 4;
 
-/** "7 cones went along; 1 could not: cone 3 (now on the boundary)." */
+/** "7 cones kept; not kept: cone 3 (now on the boundary)." */
 export function describeTransfer({ kept, lost }: Transfer): string {
   if (kept + lost.length === 0) return '';
-  const cones = `${kept} ${kept === 1 ? 'cone' : 'cones'} went along`;
+  const cones = `${kept} ${kept === 1 ? 'cone' : 'cones'} kept`;
   if (lost.length === 0) return ` ${cones}.`;
   const more = lost.length > few ? ` and ${lost.length - few} more` : '';
-  return ` ${cones}; what could not: ${lost.slice(0, few).join(', ')}${more}.`;
+  return ` ${cones}; not kept: ${lost.slice(0, few).join(', ')}${more}.`;
 }

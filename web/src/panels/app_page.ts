@@ -23,13 +23,14 @@ import './status_bar';
 import './turning_model';
 import './view_toolbar';
 import '../styles/narrow.css';
+import { plural } from '../text/format';
 
 /** What a screen reader says of the 3D view. */
 function describeModel({ doc }: App): string {
   const { model, displayed, prescription } = doc;
   if (!model) return '3D view: no model';
   const texture = displayed ? ', textured' : '';
-  return `3D view: ${model.main}, ${model.info.triangles} triangles, ${prescription.cones.length} cones${texture}`;
+  return `3D view: ${model.main}, ${plural(model.info.triangles, 'triangle')}, ${plural(prescription.cones.length, 'cone')}${texture}`;
 }
 
 const tabNames: [Tab, string][] = [

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "hgp/base/check.h"
+#include "hgp/base/counted.h"
 #include "hgp/base/disjoint_sets.h"
 #include "hgp/io/gltf/gltf_accessor.h"
 #include "hgp/io/weld.h"
@@ -71,8 +72,9 @@ class GltfWelder {
     const std::size_t raw =
         source.mode == 4 ? indices->size() / 3 : std::max<std::size_t>(indices->size(), 2) - 2;
     if (source.mode != 4) {
-      note(formatText("primitive %d is a %s of %zu triangles (%zu more only join its pieces)", p,
-                      modeName(source.mode), triangles.size(), raw - triangles.size()));
+      note(formatText("primitive %d is a %s of %s (and %zu degenerate, which are skipped)", p,
+                      modeName(source.mode), counted(triangles.size(), "triangle").c_str(),
+                      raw - triangles.size()));
     } else if (indices->size() % 3 != 0) {
       note(formatText("primitive %d ends in an incomplete triangle", p));
     }

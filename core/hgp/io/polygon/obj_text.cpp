@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "hgp/base/check.h"
+#include "hgp/base/counted.h"
 #include "hgp/text/text.h"
 
 namespace hgp::io {
@@ -269,18 +270,17 @@ class ObjScanner {
     for (std::size_t p = 0; p + 1 < start.size(); ++p) large += start[p + 1] - start[p] > 3;
     if (large > 0) {
       out_.notes.push_back(
-          formatText("%d polygons are solved as triangles and kept whole in the "
-                     "file",
-                     large));
+          formatText("%s solved as triangles and kept whole in the file",
+                     (counted(large, "polygon") + (large == 1 ? " is" : " are")).c_str()));
     }
     if (hasCommands_) out_.notes.push_back("call and csh lines are not executed");
     if (skippedFaces_ > 0) {
-      out_.notes.push_back(
-          formatText("%d f lines with fewer than three corners are skipped", skippedFaces_));
+      out_.notes.push_back(formatText("skipped: %s with fewer than three corners",
+                                      counted(skippedFaces_, "f line").c_str()));
     }
     if (missingUv_ > 0) {
-      out_.notes.push_back(
-          formatText("%d corners name a vt that is not there; they count as without", missingUv_));
+      out_.notes.push_back(formatText("%s without a vt, as the one that is named is not there",
+                                      counted(missingUv_, "corner").c_str()));
     }
     if (eol_ == '\r') out_.notes.push_back("the lines end in CR alone");
   }

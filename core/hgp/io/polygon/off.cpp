@@ -1,4 +1,5 @@
 #include "hgp/base/check.h"
+#include "hgp/base/counted.h"
 #include "hgp/io/polygon/polygon_document.h"
 #include "hgp/text/text.h"
 
@@ -17,8 +18,8 @@ class OffReader {
       return std::move(failure_);
     }
     if (skippedFaces_ > 0) {
-      file_.notes.push_back(formatText("%lld faces with fewer than three corners are skipped",
-                                       static_cast<long long>(skippedFaces_)));
+      file_.notes.push_back(formatText("skipped: %s with fewer than three corners",
+                                       counted(skippedFaces_, "face").c_str()));
     }
     return PolygonDocument::make("off", std::move(file_));
   }

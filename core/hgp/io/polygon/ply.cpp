@@ -1,6 +1,7 @@
 #include <cstring>
 
 #include "hgp/base/check.h"
+#include "hgp/base/counted.h"
 #include "hgp/io/polygon/ply_document.h"
 #include "hgp/text/text.h"
 
@@ -64,8 +65,9 @@ class PlyReader {
     if (file_.polygons.positions.empty() || file_.polygons.polygonCount() == 0) {
       return malformedByte(
           header_.bodyOffset,
-          formatText("%zu vertices and %d faces: not a surface (a point cloud?)",
-                     file_.polygons.positions.size(), file_.polygons.polygonCount()));
+          formatText("%s and %s: not a surface (a point cloud?)",
+                     counted(file_.polygons.positions.size(), "vertex", "vertices").c_str(),
+                     counted(file_.polygons.polygonCount(), "face").c_str()));
     }
     if (!finishUv()) return std::move(failure_);
     addNotes();
@@ -207,8 +209,8 @@ class PlyReader {
   void addNotes() {
     if (strips_ > 0) file_.notes.push_back("triangle strips are read as triangles");
     if (skippedFaces_ > 0) {
-      file_.notes.push_back(
-          formatText("%d faces with fewer than three corners are skipped", skippedFaces_));
+      file_.notes.push_back(formatText("skipped: %s with fewer than three corners",
+                                       counted(skippedFaces_, "face").c_str()));
     }
   }
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "hgp/base/check.h"
+#include "hgp/base/counted.h"
 #include "hgp/io/polygon/polygon_document.h"
 #include "hgp/io/weld.h"
 #include "hgp/text/text.h"
@@ -83,12 +84,14 @@ std::optional<std::size_t> binaryCount(const Bytes& bytes, std::vector<std::stri
   if (announced > 0 && announced == room && left == 0) return announced;
   if (isStlText(asText(bytes))) return std::nullopt;
   if (announced == 0 && room > 0 && left == 0) {
-    notes.push_back(formatText("the count in the header is 0; the file holds %zu triangles", room));
+    notes.push_back(formatText("the count in the header is 0; the file holds %s",
+                               counted(room, "triangle").c_str()));
     return room;
   }
   if (announced == 0 || announced > room) return std::nullopt;
-  notes.push_back(formatText("%zu bytes behind the last triangle are ignored",
-                             bytes.size() - kHeaderBytes - announced * kTriangleBytes));
+  notes.push_back(formatText(
+      "ignored: %s behind the last triangle",
+      counted(bytes.size() - kHeaderBytes - announced * kTriangleBytes, "byte").c_str()));
   return announced;
 }
 
@@ -107,9 +110,10 @@ Result<DocumentPtr> readStl(const FileSet& files, const Limits& limits) {
   const std::optional<std::size_t> count = binaryCount(bytes, file.notes);
   if (!count && !isStlText(asText(bytes))) {
     const std::size_t announced = bytes.size() < kHeaderBytes ? 0 : littleUint32(&bytes[80]);
-    return malformedByte(80, formatText("not an STL file, or a truncated one: %zu triangles are "
-                                        "announced in %zu bytes",
-                                        announced, bytes.size()));
+    return malformedByte(80, formatText("not an STL file, or a truncated one: %s "
+                                        "announced in %s",
+                                        counted(announced, "triangle").c_str(),
+                                        counted(bytes.size(), "byte").c_str()));
   }
   if (count && *count > limits.maxTriangles) {
     return Failure{

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "hgp/base/check.h"
+#include "hgp/base/counted.h"
 #include "hgp/base/disjoint_sets.h"
 #include "hgp/base/ids.h"
 #include "hgp/mesh/edge_table.h"
@@ -84,7 +85,7 @@ std::vector<char> findFlatComponents(const MeshData& mesh) {
 }
 
 void note(FixResult& result, std::size_t count, const char* text) {
-  if (count > 0) result.notes.push_back(formatText("%zu %s", count, text));
+  if (count > 0) result.notes.push_back(counted(count, "triangle") + text);
 }
 
 }  // namespace
@@ -126,8 +127,10 @@ void leaveOut(FixResult& result) {
   mesh.triangles.resize(kept);
   result.faceOrigin.resize(kept);
   note(result, zeroArea,
-       "triangles are no surface (a vertex named twice, or a component without area): left out");
-  note(result, copies, "triangles are copies of others: left out, with the uv of those");
+       " left out as no surface (a vertex named twice, or a component without area)");
+  note(result, copies,
+       copies == 1 ? " left out as a copy of another one, with its uv"
+                   : " left out as copies of others, with the uv of those");
 }
 
 }  // namespace hgp

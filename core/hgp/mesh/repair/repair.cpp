@@ -3,6 +3,7 @@
 #include <queue>
 
 #include "hgp/base/check.h"
+#include "hgp/base/counted.h"
 #include "hgp/base/ids.h"
 #include "hgp/mesh/edge_table.h"
 #include "hgp/mesh/repair/repair_steps.h"
@@ -122,10 +123,11 @@ int orientFaces(FixResult& result, bool isCutLater) {
     }
   }
   if (flippedCount > 0)
-    result.notes.push_back(formatText("orient: %d faces turned over", flippedCount));
+    result.notes.push_back(
+        formatText("orient: %s turned over", counted(flippedCount, "face").c_str()));
   if (oneSidedCount > 0 && !isCutLater)
-    result.notes.push_back(formatText(
-        "orient: %d one-sided components cannot be oriented without a cut (split)", oneSidedCount));
+    result.notes.push_back(formatText("orient: %s cannot be oriented without a cut (split)",
+                                      counted(oneSidedCount, "one-sided component").c_str()));
   return oneSidedCount;
 }
 

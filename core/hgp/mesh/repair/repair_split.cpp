@@ -3,6 +3,7 @@
 #include <map>
 
 #include "hgp/base/check.h"
+#include "hgp/base/counted.h"
 #include "hgp/base/disjoint_sets.h"
 #include "hgp/base/ids.h"
 #include "hgp/mesh/edge_table.h"
@@ -133,13 +134,13 @@ void splitNonManifold(FixResult& result, int oneSided) {
   // A cut whose ends lie on no boundary leaves an edge with both its ends shared: cut there again.
   int cut = paired.cutEdges;
   if (oneSided > 0)
-    result.notes.push_back(
-        formatText("orient: %d one-sided components cut along %d edges", oneSided, cut));
-  if (copies > 0)
-    result.notes.push_back(
-        formatText("split: %d vertices duplicated (%d edges had more than two "
-                   "faces)",
-                   copies, paired.badEdges));
+    result.notes.push_back(formatText("orient: %s cut along %s",
+                                      counted(oneSided, "one-sided component").c_str(),
+                                      counted(cut, "edge").c_str()));
+  if (copies == 0) return;
+  result.notes.push_back("split: " + counted(copies, "vertex", "vertices") + " duplicated");
+  if (paired.badEdges > 0)
+    result.notes.back() += " (" + counted(paired.badEdges, "edge") + " had more than two faces)";
 }
 
 }  // namespace hgp

@@ -1,0 +1,15 @@
+// A number with its noun.  Role: messages that read as English whatever was counted.
+#pragma once
+
+#include <string>
+
+namespace hgp {
+
+/// "1 edge", "2 edges"; `many` where the plural is not `one` + "s". Any integer type.
+template <class Integer>
+std::string counted(Integer n, const char* one, const char* many = nullptr) {
+  const std::string text = std::to_string(n) + ' ' + (n == 1 || !many ? one : many);
+  return n == 1 || many ? text : text + 's';
+}
+
+}  // namespace hgp

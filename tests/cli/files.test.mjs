@@ -182,7 +182,10 @@ test('a soup is joined, two halves are told about, a crack names the length that
   put('halves.obj', halves.replace('f', `${copies}f`));
   const apart = inspect('halves.obj');
   assert.equal(apart.components, 2);
-  assert.match(apart.notes, /4 vertices have the position of another one.* join 2 components into 1/);
+  assert.match(
+    apart.notes,
+    /4 vertices have the position of another one.* join 2 components into 1/,
+  );
 
   put(
     'junction.obj',

@@ -93,7 +93,8 @@ INSTANTIATE_TEST_SUITE_P(
     Table, LenientFiles,
     ::testing::Values(
         Lenient{"objOneCorner", "a.obj", kSquare + "f 1\n" + kFaces, "skipped: 1 f line with"},
-        Lenient{"objTwoCorners", "a.obj", kSquare + kFaces + "f 1 2\nf\n", "skipped: 2 f lines with"},
+        Lenient{"objTwoCorners", "a.obj", kSquare + kFaces + "f 1 2\nf\n",
+                "skipped: 2 f lines with"},
         Lenient{"objVtBeyond", "a.obj", kSquare + "vt 0 0\nf 1/1 2/9 3/-7\nf 1 3 4\n",
                 "2 corners without a vt"},
         Lenient{"objCommentBackslash", "a.obj", "# C:\\\n" + kSquare + kFaces, ""},
@@ -146,7 +147,8 @@ INSTANTIATE_TEST_SUITE_P(
         Lenient{"stlCarriageReturns", "a.stl", withCarriageReturns(kStl), ""},
         Lenient{"stlTail", "a.stl", binaryStl(2, "tail"), "4 bytes behind"},
         Lenient{"stlNoCount", "a.stl", binaryStl(0, ""), "count in the header is 0"},
-        Lenient{"stlSolidTail", "a.stl", "solid" + binaryStl(2, "x").substr(5), "ignored: 1 byte behind"}),
+        Lenient{"stlSolidTail", "a.stl", "solid" + binaryStl(2, "x").substr(5),
+                "ignored: 1 byte behind"}),
     [](const ::testing::TestParamInfo<Lenient>& file) { return std::string(file.param.name); });
 
 TEST(LenientObj, SkippedFacesStayInTheFileWithoutTheirOldVt) {

@@ -15,7 +15,7 @@ function readObj(text) {
   const triangles = [];
   const corners = [];
   let isOnlyTriangles = true;
-  for (const line of text.split('\n')) {
+  for (const line of text.replace(/\\\r?\n/g, ' ').split('\n')) {
     const [key, ...rest] = line.replace(/#.*/, '').trim().split(/\s+/);
     if (key === 'v') positions.push(rest.slice(0, 3).map(Number));
     else if (key === 'vt') uv.push(rest.slice(0, 2).map(Number));

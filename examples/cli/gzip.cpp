@@ -7,6 +7,7 @@
 #endif
 
 #include "hgp/base/check.h"
+#include "hgp/base/counted.h"
 
 namespace hgp::cli {
 
@@ -136,8 +137,8 @@ Status Gunzip::finish() const {
 }
 
 std::string Gunzip::note() const {
-  const auto bytes = static_cast<unsigned long long>(stream_->ignoredBytes);
-  return bytes == 0 ? "" : formatText("%llu bytes behind the gzip data are ignored", bytes);
+  const std::uint64_t bytes = stream_->ignoredBytes;
+  return bytes == 0 ? "" : "ignored: " + counted(bytes, "byte") + " behind the gzip data";
 }
 
 #else

@@ -17,18 +17,19 @@ Status take(Result<io::Written> made, std::vector<io::OutputFile>& files,
   return Done{};
 }
 
-Status addSideFiles(std::vector<io::OutputFile>& files, const io::Resolver& resolve,
-                    const Arguments& asked) {
-  if (asked.isEmbedded) {
-    auto whole = api::withEmbedded(std::move(files), resolve, asked.load.limits);
-    if (!whole) return whole.error();
-    files = std::move(*whole);
-    return Done{};
-  }
+/// Buffers were read already: what is missing now are images.
+Status addSideFiles(std::vector<io::OutputFile>& files, std::vector<std::string>& notes,
+                    const io::Resolver& resolve, const Arguments& asked) {
+  if (asked.isEmbedded)
+    return take(api::withEmbedded(std::move(files), resolve, asked.load.limits), files, notes);
   const std::string to = folderOf(asked.output);
   if (asked.output == "-" || to == folderOf(asked.input)) return Done{};
   for (const std::string& name : api::missingSideFiles(files)) {
     Result<io::Bytes> bytes = resolve ? resolve(name) : Result<io::Bytes>(io::Bytes());
+    if (!bytes && bytes.error().code == ErrorCode::kMalformed) {
+      notes.push_back(bytes.error().message + ": it is still named and not there");
+      continue;
+    }
     if (!bytes) return bytes.error();
     const std::string place = (std::filesystem::path(to) / name).string();
     if (std::filesystem::exists(place)) {
@@ -60,7 +61,7 @@ Status finishFiles(std::vector<io::OutputFile>& files, std::vector<std::string>&
     const Status done = take(api::compressed(files, resolve, asked.load.limits), files, notes);
     if (!done) return done;
   }
-  return addSideFiles(files, resolve, asked);
+  return addSideFiles(files, notes, resolve, asked);
 }
 
 }  // namespace hgp::cli

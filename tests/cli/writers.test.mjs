@@ -394,9 +394,24 @@ test('a .gltf that goes elsewhere takes its side files along, or has them inside
   assert.deepEqual(await images('packed.glb'), [pixel]);
   good('verify', 'packed.glb');
   rmSync(at('model/tex/a b.png'));
+  // A picture is not needed for the map: what was named and not there is so afterwards, and that is said.
+  mkdirSync(at('gone'), { recursive: true });
+  for (const words of [['gone/packed.glb'], ['gone/scene.gltf'], ['gone/inside.gltf', '--embed']]) {
+    const { err } = good('param', 'model/scene.gltf', '-o', ...words);
+    assert.match(err, /note: tex\/a b\.png is missing: .*still named and not there/, words[0]);
+    const bytes = readFileSync(at(words[0]));
+    const text = words[0].endsWith('.glb') ? bytes.subarray(20, 20 + bytes.readUInt32LE(12)) : bytes;
+    assert.deepEqual(
+      JSON.parse(text).images.map(({ uri }) => uri),
+      ['tex/a%20b.png'],
+    );
+    good('verify', words[0]);
+  }
+  assert.equal(existsSync(at('gone/tex')), false);
+  rmSync(at('model/bins/cube.bin'));
   const missing = run('param', 'model/scene.gltf', '-o', 'packed.glb');
   assert.equal(missing.code, 3);
-  assert.match(missing.err, /a b\.png is missing/);
+  assert.match(missing.err, /cube\.bin is missing/);
 });
 
 test('a GLB becomes a .gltf with its bytes beside it or inside it, and so does an OBJ', async () => {

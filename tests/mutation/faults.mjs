@@ -27,6 +27,14 @@ export const faults = [
   ),
   fault('text/text.cpp', "(*answer.ptr == 'e' || *answer.ptr == 'E')", "(*answer.ptr == 'E')"),
 
+  // api
+  fault(
+    'api/session_keep.cpp',
+    'one.name == name && one.surface == state_->surfaceHash()',
+    'one.name == name',
+    { programs: ['api'] },
+  ),
+
   // mesh
   fault('mesh/topology.cpp', 'loop.crossed.push_back(h);', '', { programs: ['mesh', 'field'] }),
   fault('mesh/topology.cpp', 'if (!mesh.isBoundary(start) || isSeen[start])', 'if (isSeen[start])'),

@@ -121,6 +121,35 @@ test('gzip is decompressed, every member of it, up to the limit', () =>
     await assert.rejects(client.load(gzipSync(text).subarray(0, 60)), { code: 'malformed' });
   }));
 
+test('gzip: one wrong or missing byte is said; what follows the last member is ignored, and that is said', () =>
+  withClient(async (client) => {
+    const text = toObj(cube);
+    const half = text.indexOf('\nf ') + 1;
+    const members = [text.slice(0, half), text.slice(half)].map((part) => gzipSync(part));
+    const all = Buffer.concat(members);
+    const damaged = { code: 'malformed', message: 'The gzip data are damaged or cut off.' };
+    const ends = [members[0].length, all.length];
+    // In the data, the sum and the size of each member.
+    for (const end of ends)
+      for (const back of [30, 8, 5, 4, 1]) {
+        const wrong = Buffer.from(all);
+        wrong[end - back] ^= 1;
+        await assert.rejects(client.load(wrong, { name: 'a.obj.gz' }), damaged, `${end} ${back}`);
+      }
+    for (const missing of [1, 4, 8, 9, 30]) {
+      const cut = all.subarray(0, all.length - missing);
+      await assert.rejects(client.load(cut, { name: 'a.obj.gz' }), damaged, `${missing}`);
+    }
+    const followed = (...parts) =>
+      client.load(Buffer.concat([all, ...parts]), { name: 'a.obj.gz' }).then(({ notes }) => notes);
+    assert.deepEqual(await followed(Buffer.alloc(512)), []);
+    assert.deepEqual(await followed(Buffer.from('rubbish')), [
+      'ignored: 7 bytes behind the gzip data',
+    ]);
+    const zeros = Buffer.concat([members[0], Buffer.alloc(100), members[1]]);
+    assert.equal((await client.load(zeros, { name: 'a.obj.gz' })).triangles, 108);
+  }));
+
 test('arrays: vertices at the same place are joined, unless that is not wanted', () =>
   withClient(async (client) => {
     const soup = cube.triangles.flat().flatMap((v) => cube.vertices[v]);

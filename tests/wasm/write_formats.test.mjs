@@ -68,7 +68,7 @@ test('every order goes from single precision to an OBJ: rotations that are no ex
     }
   }));
 
-test('kept results are written again as they were, whatever was made since; not after another load', () =>
+test('kept results are written again as they were, whatever was made since', () =>
   withClient(async (client) => {
     await client.load(toGlb([cubeMesh(3)]), { name: 'cube.glb' });
     await client.keep('nothing yet');
@@ -90,9 +90,51 @@ test('kept results are written again as they were, whatever was made since; not 
     const left = [];
     for (const q of [2, 4, 6]) if (await client.recall(`q${q}`)) left.push(q);
     assert.deepEqual(left, [2, 4]);
-    await client.load(toGlb([cubeMesh(3)]), { name: 'cube.glb' });
+    // They are of this surface, in whatever file, and of no other.
+    await client.load(toGlb([cubeMesh(4)]), { name: 'cube.glb' });
     assert.equal(await client.recall('q4'), false);
     await assert.rejects(client.write(), { code: 'usage' });
+    await client.load(toGlb([cubeMesh(3)]), { name: 'cube.glb' });
+    assert.equal(await client.recall('q2'), true);
+    assert.deepEqual((await client.write({ format: 'same' })).bytes, made.get(2).files[0].bytes);
+  }));
+
+test('the maps of several meshes are written into one file without another solve', () =>
+  withClient(async (client) => {
+    const both = toGlb([cubeMesh(3), torusMesh(12, 8)]);
+    const uvs = [];
+    for (const surface of [0, 1]) {
+      await client.load(both, { name: 'both.glb', surface });
+      uvs.push((await client.parametrize({ q: 4 })).uv);
+      await client.keep(`${surface}`);
+    }
+    let bytes = both;
+    for (const surface of [0, 1]) {
+      await client.load(bytes, { name: 'both.glb', surface });
+      assert.equal(await client.recall(`${1 - surface}`), false);
+      assert.equal(await client.recall(`${surface}`), true);
+      ({ bytes } = await client.write());
+    }
+    for (const surface of [0, 1]) {
+      await client.load(bytes, { name: 'both.glb', surface });
+      assert.equal((await client.verify({ q: 4 })).certified, true);
+      await client.load(both, { name: 'both.glb', surface });
+      assert.deepEqual((await client.parametrize({ q: 4 })).uv, uvs[surface]);
+    }
+    // The same as when each is solved in its turn.
+    const whole = await client.parametrizeFile(both, { name: 'both.glb', q: 4 });
+    assert.deepEqual(whole.bytes, bytes);
+  }));
+
+test('a file that cannot be read leaves the model and its result as they were', () =>
+  withClient(async (client) => {
+    await client.load(toGlb([cubeMesh(3)]), { name: 'cube.glb' });
+    await client.parametrize({ q: 4 });
+    const { bytes } = await client.write();
+    const garbage = new TextEncoder().encode('v 0 0 0\nf 1 2 3\n');
+    await assert.rejects(client.load(garbage, { name: 'bad.obj' }), { code: 'malformed' });
+    assert.deepEqual((await client.write()).bytes, bytes);
+    assert.equal((await client.parametrize({ q: 4 })).certificate.certified, true);
   }));
 
 test('measures and loops: a value for each triangle and seam edge, walks that are closed', () =>

@@ -32,6 +32,38 @@ test('of two files dropped one after the other the second is opened', async () =
   assert.match(await certificate(it), /of 108/);
 });
 
+test('an open page works on when its files are gone from the server', async () => {
+  const { page, context } = it;
+  const started = page.waitForResponse(/geometry_worker/); // before there is a model
+  await page.reload();
+  await state(page, 'empty');
+  await started;
+  const gone = '**/assets/*worker*';
+  await context.route(gone, (route) => route.fulfill({ status: 404, body: 'not here' }));
+  await openFiles(it, { 'cube.obj': toObj(cubeMesh(3)) });
+  await run(it);
+  assert.match(await certificate(it), /of 108/);
+  await context.unroute(gone);
+});
+
+test('gzip: one wrong byte, in one member or in the second of two, is said', async () => {
+  const text = new TextEncoder().encode(toObj(cubeMesh(3)));
+  const [a, b] = [text.slice(0, 900), text.slice(900)].map((part) => Buffer.from(gzipSync(part)));
+  const one = Buffer.from(gzipSync(text));
+  for (const packed of [one, Buffer.concat([a, b])]) {
+    for (const back of [1, 5, 40]) {
+      const wrong = Buffer.from(packed);
+      wrong[wrong.length - back] ^= 1;
+      await drop(it, { 'wrong.obj.gz': wrong });
+      await it.page.waitForSelector('#status.error');
+      assert.match(await statusText(it.page), /damaged or cut off/);
+      await it.page.keyboard.press('Escape');
+    }
+    await openFiles(it, { 'right.obj.gz': packed });
+    await opened('right.obj');
+  }
+});
+
 test('while it runs: nothing is edited, nothing is run twice; another file ends it', async () => {
   const { page } = it;
   await openFiles(it, { 'disk.obj': bumpyDisk(150) });

@@ -5,6 +5,7 @@ import { NodeIO } from '@gltf-transform/core';
 import { cubeMesh, toGlb, toGltf, toObj } from '../support/meshes.mjs';
 import { torusMesh } from './shapes.mjs';
 import {
+  certificate,
   coneCount,
   drop,
   example,
@@ -62,7 +63,19 @@ test('all meshes of a file: run, kept while another is looked at, and in one dow
   await page.click('#undo');
   assert.equal(await coneCount(it), 0);
   await page.click('#redo');
+  // What was solved is kept: Download only writes.
+  await page.evaluate(() => {
+    const { postMessage } = Worker.prototype;
+    globalThis.called = [];
+    Worker.prototype.postMessage = function (message, ...rest) {
+      if (message?.method) globalThis.called.push(message.method);
+      return postMessage.call(this, message, ...rest);
+    };
+  });
   const { bytes } = await saveAs(it, 'same');
+  const called = await page.evaluate(() => globalThis.called);
+  assert.equal(called.filter((method) => method === 'recall').length, 2, `${called}`);
+  assert.ok(!called.includes('parametrize'), `${called}`);
   const document = await new NodeIO().readBinary(new Uint8Array(bytes));
   const meshes = document.getRoot().listMeshes();
   for (const mesh of meshes) {
@@ -71,6 +84,35 @@ test('all meshes of a file: run, kept while another is looked at, and in one dow
     assert.equal(mesh.getExtras().hgp?.q, 4);
   }
   await statusSays(it, /2 meshes in one file, all certified/);
+});
+
+test('a download that is cancelled leaves the mesh that is open in the solver', async () => {
+  const { page } = it;
+  await openFiles(it, { 'two.glb': toGlb([cubeMesh(3), torusMesh(16, 8)]) });
+  await page.click('header #run-all');
+  await statusSays(it, /2 meshes certified/);
+  await page.click('[data-mesh="0"]');
+  await state(page, 'certified');
+  // The second mesh is never written: there is time to cancel.
+  await page.evaluate(() => {
+    const { postMessage } = Worker.prototype;
+    let written = 0;
+    Worker.prototype.postMessage = function (message, ...rest) {
+      if (message?.method === 'write' && ++written === 2) globalThis.isHeld = true;
+      else postMessage.call(this, message, ...rest);
+    };
+  });
+  await page.click('#download');
+  await page.click('[data-format="same"]');
+  await page.waitForFunction(() => globalThis.isHeld);
+  await page.keyboard.press('Escape');
+  await page.click('#cancel');
+  await statusSays(it, /Cancelled/);
+  await page.click('#suggest');
+  await statusSays(it, /8 cones suggested for q = 4/); // of the cube, and not of the torus
+  await page.click('#run');
+  await statusSays(it, /Certified: no triangle is folded/);
+  assert.match(await certificate(it), /of 108/);
 });
 
 test('a model is shown with its own materials at once, where its nodes put it', async () => {

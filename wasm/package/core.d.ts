@@ -351,6 +351,8 @@ export interface Written {
 export interface CoreFiles {
   main: string;
   files: Map<string, Uint8Array>;
+  /** What prepare() found out about the files; first among the notes of load(). */
+  notes?: string[];
 }
 
 export class Core {

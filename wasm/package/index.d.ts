@@ -126,13 +126,14 @@ export interface Client extends AsyncDisposable {
   /** Distortion by triangle, overlaps, and which seam edges are one seam. */
   measure(call?: CallOptions): Promise<Measures>;
   /**
-   * The result of the last parametrize() can be recalled by this name while the model is loaded, though others are
-   * made: two at most, of up to 500 000 triangles.
+   * The result of the last parametrize() can be recalled by this name, though others are made: two of a surface, of up
+   * to 500 000 triangles together, the newest first.
    */
   keep(name: string, call?: CallOptions): Promise<void>;
   /**
-   * Makes a kept result the one that write(), measure() and quads() are about; false where it is not there any more,
-   * as after a call that was cancelled.
+   * Makes a kept result the one that write(), measure() and quads() are about; false where it is of another surface than
+   * the one that is loaded, or not there any more, as after a call that was cancelled. Other files may have been loaded
+   * meanwhile: the maps of several meshes are written into one file by loading what was written, and recalling the next.
    */
   recall(name: string, call?: CallOptions): Promise<boolean>;
   /** Angles, valences, boundary, components and neighbours of the loaded surface, usable or not. */

@@ -194,6 +194,7 @@ async function start(): Promise<void> {
   }
   doc.state = { kind: 'empty' };
   performance.mark('hgp-ready');
+  app.geometry.prepare();
   keepOffline();
   if (app.views) warmViews(app.views);
   if (!hasViews) {

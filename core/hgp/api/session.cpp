@@ -35,15 +35,13 @@ Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 
 Status Session::State::take(Result<Model> loaded) {
-  keptAs.clear();
-  aside.clear();
-  solved.reset();
-  finer.reset();
+  if (!loaded) return loaded.error();
+  putAside();
+  hash.clear();
   prepared.clear();
   model.reset();
   positions.clear();
   triangles.clear();
-  if (!loaded) return loaded.error();
   model = std::move(*loaded);
   const MeshData& mesh = model->source().mesh;
   positions.reserve(3 * mesh.positions.size());

@@ -25,6 +25,7 @@ class Session {
   Session(Session&&) noexcept;
   Session& operator=(Session&&) noexcept;
 
+  /// Where it fails, what was loaded before is there still.
   Status load(io::FileSet files, const LoadOptions& options);
   /// For meshes that come from no file; write() then makes an OBJ.
   Status loadArrays(std::vector<Vec3> positions, std::vector<std::array<int, 3>> triangles,
@@ -51,10 +52,12 @@ class Session {
   Result<Verdict> verify(const std::optional<io::Prescription>& prescription,
                          const VerifyOptions& options) const;
 
-  /// The result that there is can be recalled by this name while the model is loaded, though others are made: two
-  /// at most, of up to 500 000 triangles, and none that was refined.
+  /// The result that there is can be recalled by this name, though others are made: two of a surface, of up to
+  /// 500 000 triangles together, the newest first, and none that was refined.
   void keep(const std::string& name);
-  /// Makes a kept result the one that is written, measured and shown; false where it is not there any more.
+  /// Makes a kept result the one that is written, measured and shown; false where it is not there any more, or of
+  /// another surface. What was loaded meanwhile does not matter: a result goes with every file that has the very
+  /// surface, so that the maps of several meshes can be written into one file.
   bool recall(const std::string& name);
 
   bool hasResult() const;

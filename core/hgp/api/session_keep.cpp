@@ -3,24 +3,46 @@
 #include <utility>
 
 #include "hgp/api/session_state.h"
+#include "hgp/api/sha256.h"
 
 namespace hgp::api {
 namespace {
 
-constexpr std::size_t kMostAside = 2;
-constexpr std::size_t kMostTriangles = 500'000;  // beyond, memory is for the next solve
+constexpr std::size_t kMostOfASurface = 2;
+constexpr std::size_t kMostTriangles =
+    500'000;  // of all together; beyond, memory is for the next solve
+
+template <class T>
+std::string hashOf(const std::vector<T>& values) {
+  return sha256(reinterpret_cast<const std::uint8_t*>(values.data()), values.size() * sizeof(T));
+}
 
 }  // namespace
 
+const std::string& Session::State::surfaceHash() {
+  if (!hash.empty() || !model) return hash;
+  const MeshData& source = model->source().mesh;
+  hash = model->document->format();
+  hash += hashOf(source.positions) + hashOf(source.triangles) + hashOf(model->mesh.positions) +
+          hashOf(model->mesh.triangles) + hashOf(model->cornerOrigin.raw());
+  return hash;
+}
+
 void Session::State::putAside() {
-  const bool isWorth = solved && !finer && !keptAs.empty();
-  if (isWorth && triangles.size() / 3 <= kMostTriangles) {
-    aside.emplace_back(keptAs, std::move(*solved));
-    if (aside.size() > kMostAside) aside.erase(aside.begin());
-  }
+  if (solved && !finer && !keptAs.empty() && triangles.size() / 3 <= kMostTriangles)
+    aside.push_back({keptAs, surfaceHash(), triangles.size() / 3, std::move(*solved)});
   keptAs.clear();
   solved.reset();
   finer.reset();
+  std::size_t ofThisSurface = 0, size = 0;
+  for (std::size_t i = aside.size(); i-- > 0;) {
+    if (aside[i].surface == hash) ++ofThisSurface;
+    size += aside[i].size;
+    const bool isTooMany = aside[i].surface == hash && ofThisSurface > kMostOfASurface;
+    if (!isTooMany && size <= kMostTriangles) continue;
+    size -= aside[i].size;
+    aside.erase(aside.begin() + static_cast<std::ptrdiff_t>(i));
+  }
 }
 
 void Session::keep(const std::string& name) {
@@ -30,10 +52,12 @@ void Session::keep(const std::string& name) {
 bool Session::recall(const std::string& name) {
   if (name.empty()) return false;
   if (state_->keptAs == name) return hasResult();
-  const auto isIt = [&](const auto& one) { return one.first == name; };
+  const auto isIt = [&](const State::Kept& one) {
+    return one.name == name && one.surface == state_->surfaceHash();
+  };
   const auto found = std::find_if(state_->aside.begin(), state_->aside.end(), isIt);
   if (found == state_->aside.end()) return false;
-  State::Solved result = std::move(found->second);
+  State::Solved result = std::move(found->result);
   state_->aside.erase(found);
   state_->putAside();
   state_->solved = std::move(result);

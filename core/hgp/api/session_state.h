@@ -23,8 +23,14 @@ struct Session::State {
   };
   std::optional<Solved> solved;
   std::string keptAs;  ///< empty: `solved` goes when the next is made
-  std::vector<std::pair<std::string, Solved>> aside;  ///< the newest last
-  double workShare = 1.0;                             ///< of what a run may spend
+  struct Kept {
+    std::string name, surface;  ///< surfaceHash() of what it is a result of
+    std::size_t size = 0;       ///< triangles
+    Solved result;
+  };
+  std::vector<Kept> aside;       ///< of this surface and of others; the newest last
+  std::string hash;              ///< see surfaceHash()
+  double workShare = 1.0;        ///< of what a run may spend
   std::unique_ptr<State> finer;  ///< the refined surface, where only that has the map
   std::vector<double> positions;
   std::vector<std::uint32_t> triangles;
@@ -33,6 +39,8 @@ struct Session::State {
   const State& shown() const { return finer ? *finer : *this; }
 
   Status take(Result<Model> loaded);
+  /// Of the loaded surface as it is solved and stored; computed when first asked for.
+  const std::string& surfaceHash();
   /// There is no result any more, but perhaps in `aside`.
   void putAside();
   Status solve(const std::optional<io::Prescription>& prescription, const SolveOptions& options);

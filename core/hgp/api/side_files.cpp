@@ -43,20 +43,22 @@ std::vector<std::string> missingSideFiles(const std::vector<io::OutputFile>& fil
   return out;
 }
 
-Result<std::vector<io::OutputFile>> withEmbedded(std::vector<io::OutputFile> files,
-                                                 const io::Resolver& resolve,
-                                                 const io::Limits& limits) {
-  return guarded([&]() -> Result<std::vector<io::OutputFile>> {
-    if (files.empty() || io::gltfSideFiles(files[0].bytes).empty()) return std::move(files);
+Result<io::Written> withEmbedded(std::vector<io::OutputFile> files, const io::Resolver& resolve,
+                                 const io::Limits& limits) {
+  return guarded([&]() -> Result<io::Written> {
+    io::Written out;
+    if (files.empty() || io::gltfSideFiles(files[0].bytes).empty()) {
+      out.files = std::move(files);
+      return out;
+    }
     const io::Resolver either = [&](const std::string& name) -> Result<io::Bytes> {
       if (const io::OutputFile* made = findFile(files, name)) return made->bytes;
       if (resolve) return resolve(name);
       return Failure{ErrorCode::kMalformed, "read", name + " is missing", {}};
     };
-    auto main = io::gltfWithEmbedded(files[0].bytes, either, limits);
+    auto main = io::gltfWithEmbedded(files[0].bytes, either, limits, out.notes);
     if (!main) return main.error();
-    std::vector<io::OutputFile> out;
-    out.push_back({files[0].name, std::move(*main)});
+    out.files.push_back({files[0].name, std::move(*main)});
     return out;
   });
 }

@@ -12,10 +12,9 @@ namespace hgp::api {
 /// Names of the side files that a written glTF needs and that are not among `files`.
 std::vector<std::string> missingSideFiles(const std::vector<io::OutputFile>& files);
 
-/// The main file with its side files, from `files` or by `resolve`, inside it as data URIs.
-Result<std::vector<io::OutputFile>> withEmbedded(std::vector<io::OutputFile> files,
-                                                 const io::Resolver& resolve,
-                                                 const io::Limits& limits);
+/// The main file with its side files, from `files` or by `resolve`, inside it as data URIs; notes name images that are missing.
+Result<io::Written> withEmbedded(std::vector<io::OutputFile> files, const io::Resolver& resolve,
+                                 const io::Limits& limits);
 
 /// The same file with its data compressed by meshopt (EXT_meshopt_compression), without losing a bit: the
 /// certificate holds for what is decoded. A note says the sizes. kUnsupported says what stands in the way.

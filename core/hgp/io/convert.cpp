@@ -20,7 +20,7 @@ Result<FileSet> convertFiles(const Document& document, const FileSet& files,
   out.notes = files.notes;
   out.decoders = files.decoders;
   if (format == "glb" && std::string_view(document.format()) == "gltf") {
-    auto packed = gltfAsGlb(files, limits);
+    auto packed = gltfAsGlb(files, limits, out.notes);
     if (!packed) return packed.error();
     out.main = std::move(*packed);
     return out;

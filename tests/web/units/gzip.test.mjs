@@ -13,6 +13,42 @@ test('one member, several, and what some tools put behind the last', async () =>
   assert.deepEqual(Buffer.from(await open(packed, packed)), Buffer.concat([text, text]));
   assert.deepEqual(await open(packed, new Uint8Array(512)), text);
   assert.deepEqual(await open(packed, 'signature'), text);
+  const start = text.slice(0, 80);
+  const both = Buffer.concat([text, start]);
+  assert.deepEqual(
+    Buffer.from(await open(packed, new Uint8Array(512), gzipSync(start), '\0')),
+    both,
+  );
+});
+
+test('of several members, each changed or missing byte is noticed', async () => {
+  const parts = [packed, Buffer.from(gzipSync(text.slice(0, 80))), packed];
+  const all = Buffer.concat(parts);
+  const whole = Buffer.from(await open(all));
+  for (let size = 1; size < all.length; size++) {
+    const isWhole = size === packed.length || size === packed.length + parts[1].length;
+    const begun = open(all.subarray(0, size)).then((bytes) => Buffer.from(bytes));
+    // Less than three bytes of another member are bytes behind the last one.
+    const rest = [packed.length, packed.length + parts[1].length].map((end) => size - end);
+    if (isWhole || rest.some((more) => more === 1 || more === 2)) {
+      const bytes = await begun;
+      assert.deepEqual(bytes, whole.subarray(0, bytes.length), `${size}`);
+    } else await assert.rejects(begun, /damaged or cut off/, `${size}`);
+  }
+  const header = [0, 1, 2]; // what says that a member begins; damaged, what follows is no gzip
+  const starts = [0, packed.length, packed.length + parts[1].length];
+  let accepted = 0;
+  for (let at = 0; at < all.length; at++) {
+    const inMember = at - starts.findLast((start) => start <= at);
+    const wrong = Buffer.from(all);
+    wrong[at] ^= 1 << (at % 8);
+    const bytes = await open(wrong).then(Buffer.from, () => undefined);
+    if (!bytes || bytes.equals(whole)) continue; // a time or a name is another one
+    assert.ok(header.includes(inMember), `byte ${at}`);
+    assert.deepEqual(bytes, whole.subarray(0, bytes.length));
+    accepted += 1;
+  }
+  assert.ok(accepted <= 6);
 });
 
 test('a file that is cut short anywhere, or changed, is never taken for a whole one', async () => {

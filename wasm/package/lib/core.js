@@ -127,14 +127,14 @@ export class Core {
     other.free();
   }
 
-  load({ main, files }, options = {}) {
+  load({ main, files, notes = [] }, options = {}) {
     checkOptions('load', options);
     const names = [...files.keys()];
     const info = this.#json(
       this.#live.load(main, names, [...files.values()], this.#decoders, options),
     );
     this.#name = nameFor(main, info.file.format);
-    return info;
+    return notes.length > 0 ? { ...info, notes: [...notes, ...info.notes] } : info;
   }
 
   /**

@@ -1,46 +1,47 @@
 // gzip, all members of it, never more than is allowed.
 
 import { HgpError } from './error.js';
+import { readMembers } from './gzip_members.js';
 
 const isGzip = (bytes) => bytes.length > 2 && bytes[0] === 0x1f && bytes[1] === 0x8b;
 
 const defaultLimit = 2 ** 31; // bytes, as in the solver
 
-/** The same files, those that were gzip without it and without .gz in their names. */
+/** The same files, those that were gzip without it and without .gz in their names; and what is to be said of them. */
 export async function decompressed({ main, files }, limit = defaultLimit, platform) {
   if (![...files.values()].some(isGzip)) return { main, files };
   const plain = new Map();
+  const notes = [];
   let plainMain = main;
   for (const [name, bytes] of files) {
     const isCompressed = isGzip(bytes);
     const plainName = isCompressed ? name.replace(/\.gz$/i, '') : name;
-    plain.set(plainName, isCompressed ? await gunzip(bytes, limit, platform) : bytes);
+    plain.set(plainName, isCompressed ? await gunzip(bytes, limit, platform, notes) : bytes);
     if (name === main) plainMain = plainName;
   }
-  return { main: plainMain, files: plain };
+  return { main: plainMain, files: plain, notes };
 }
 
 /** Decompresses with fflate's streaming decoder, which is loaded when the first such file comes. */
-async function gunzip(bytes, limit, platform) {
+async function gunzip(bytes, limit, platform, notes) {
   const { Gunzip } = await platform.importFile(new URL('../decoders/fflate.js', import.meta.url));
   const chunks = [];
   let size = 0;
-  const stream = new Gunzip((chunk) => {
+  const add = (chunk) => {
     size += chunk.length;
     if (size > limit) {
       const message = `The file is larger than ${limit} bytes when decompressed (limits.bytes).`;
       throw new HgpError({ code: 'limit', message });
     }
     chunks.push(chunk);
-  });
-  const step = 1 << 16; // what is compressed a thousandfold is noticed early
+  };
   try {
-    for (let at = 0; at < bytes.length; at += step) {
-      stream.push(bytes.subarray(at, at + step), at + step >= bytes.length);
-    }
+    const ignored = await readMembers(bytes, { Gunzip, add });
+    if (ignored > 0)
+      notes.push(`ignored: ${ignored} byte${ignored === 1 ? '' : 's'} behind the gzip data`);
   } catch (error) {
     if (error instanceof HgpError) throw error;
-    const message = `The gzip data is damaged: ${error.message}.`;
+    const message = `The gzip data are ${error.message}.`;
     throw new HgpError({ code: 'malformed', message });
   }
   const all = new Uint8Array(size);

@@ -1,5 +1,5 @@
-// One file with the maps of all its meshes: each is put into what the one before has made. Every map is
-// made again, for the solver holds one at a time, and is then compared with the one that was seen.
+// One file with the maps of all its meshes: each is put into what the one before has made, and is then compared with
+// the one that was seen. A map that the solver does not hold any more is made again.
 
 import { loadOptionsOf, type MeshWork } from '../model/document';
 import { toCones } from '../model/prescription';
@@ -8,6 +8,7 @@ import { isCertified } from '../model/verdict';
 import { describeError } from '../text/error_messages';
 import { solverOf, type App } from './app';
 import { runJob, type JobCall } from './job';
+import { reloadInSolver } from './load';
 import { writeOptions } from './solve';
 
 interface Part {
@@ -39,11 +40,14 @@ async function addMap(
     { name: main, surface: info.surface, ...loadOptionsOf(loaded) },
     call,
   );
-  const { prescription, output, improve, cells, grid } = solution;
-  const aligned = cells === undefined ? {} : { grid: { cells, mode: grid.mode } };
-  const options = { maxRounds: app.doc.solve.rounds, improve, scale: output.scale, ...aligned };
-  await client.parametrize({ cones: toCones(prescription), ...options }, call);
-  const written = await client.write(writeOptions(output), call);
+  if (!(await client.recall(solution.keptAs, call))) {
+    const { prescription, output, improve, cells, grid } = solution;
+    const aligned = cells === undefined ? {} : { grid: { cells, mode: grid.mode } };
+    const options = { maxRounds: app.doc.solve.rounds, improve, scale: output.scale, ...aligned };
+    await client.parametrize({ cones: toCones(prescription), ...options }, call);
+    await client.keep(solution.keptAs, call);
+  }
+  const written = await client.write(writeOptions(solution.output), call);
   return written.files;
 }
 
@@ -74,7 +78,6 @@ export async function filesWithAllMaps(app: App): Promise<OutputFile[] | undefin
   const title = `Writing ${parts.length} meshes`;
   await runJob(app, { kind: 'run', title, onFailure }, async (call) => {
     const made = await compose(app, parts, call);
-    const client = solverOf(app);
     for (const { work, solution } of parts) {
       const mesh = work.model.info.surface;
       const { uvSet } = solution.output;
@@ -82,14 +85,9 @@ export async function filesWithAllMaps(app: App): Promise<OutputFile[] | undefin
       if (difference)
         throw new Error(`Mesh ${mesh} is not in the file as it was seen: ${difference}.`);
     }
-    const { main, info } = open;
-    await client.load(
-      { main, files: open.files },
-      { name: main, surface: info.surface, ...loadOptionsOf(open.loaded) },
-    );
-    doc.resultInWorker = undefined;
     files = made;
   });
+  if (!doc.job) await reloadInSolver(app);
   if (!files) return undefined;
   const failed = parts.filter(({ solution }) => !isCertified(solution)).length;
   const text = `${parts.length} meshes in one file`;

@@ -20,6 +20,16 @@ import { isLocked, runJob, type JobCall } from './job';
 
 type Source = Pick<Model, 'main' | 'files'>;
 
+/** Gives the solver the model that is open, after a job that has loaded others. */
+export async function reloadInSolver(app: App): Promise<void> {
+  const { model } = app.doc;
+  if (!model) return;
+  const { main, files, info, loaded } = model;
+  app.doc.resultInWorker = undefined;
+  const options = { name: main, surface: info.surface, ...loadOptionsOf(loaded) };
+  await solverOf(app).load({ main, files }, options);
+}
+
 /** Does one load; what was open stays where it fails. */
 function loading(app: App, source: Source, work: (call: JobCall) => Promise<void>) {
   const { doc } = app;

@@ -1,11 +1,10 @@
 // gzip, unpacked while it is read and stopped as soon as it asks for too much.
 
 import { Gunzip } from 'fflate';
+import { readMembers } from 'hgp/lib/gzip_members.js';
 
 const caps = { bytes: 2 ** 30, ratio: 200 };
-const sliceSize = 2 ** 16; // what is compressed a thousandfold is noticed early
-
-const noHeader = 'invalid gzip data'; // as the decoder says it
+const longestTask = 20;
 const tooLarge = 'This gzip file unpacks to far more than it should. Not loaded.';
 
 /** Collects chunks, and throws once there are too many of them. */
@@ -31,56 +30,55 @@ function collector(packed: number): { add(chunk: Uint8Array): void; all(): Uint8
   };
 }
 
-/** The browser's own decoder checks the sum at the end, but takes one member and nothing after it. */
-async function oneMember(packed: Uint8Array): Promise<Uint8Array> {
+const endsWith = (packed: Uint8Array, bytes: Uint8Array): Uint8Array | undefined =>
+  new DataView(packed.buffer).getUint32(packed.length - 4, true) === bytes.length
+    ? bytes
+    : undefined;
+
+/**
+ * The browser's own decoder checks the sum at the end, but takes one member: what follows is an error in some engines,
+ * and ignored in others. Nothing where the file does not end with the size of what was inside.
+ */
+async function oneMember(packed: Uint8Array): Promise<Uint8Array | undefined> {
   const { add, all } = collector(packed.length);
   const source = new Blob([packed as BlobPart]).stream();
   const stream = source.pipeThrough(new DecompressionStream('gzip')).getReader();
   try {
     for (;;) {
       const { done, value } = await stream.read();
-      if (done) return all();
-      add(value);
+      if (!done) add(value);
+      else return endsWith(packed, all());
     }
   } finally {
     void stream.cancel().catch(() => {});
   }
 }
 
-/**
- * Of several members, or with padding behind the last: all there are. Nothing where there is one and
- * nothing behind it, for that the browser should have taken.
- */
-function severalMembers(packed: Uint8Array): Uint8Array | undefined {
+/** Several members, or something behind the last, in tasks of at most about so many milliseconds. */
+async function severalMembers(packed: Uint8Array): Promise<Uint8Array> {
   const { add, all } = collector(packed.length);
-  let isMore = false;
-  const reader = new Gunzip((chunk) => add(chunk));
-  reader.onmember = () => (isMore = true);
-  try {
-    for (let at = 0; at < packed.length; at += sliceSize) {
-      reader.push(packed.subarray(at, at + sliceSize), at + sliceSize >= packed.length);
-    }
-  } catch (error) {
-    if ((error as Error).message !== noHeader) throw error;
-    isMore = true; // after a whole member comes what is none
-  }
-  const bytes = all();
-  return isMore && bytes.length > 0 ? bytes : undefined;
+  let begin = performance.now();
+  const pause = async (): Promise<void> => {
+    if (performance.now() - begin < longestTask) return;
+    await new Promise((resolve) => setTimeout(resolve));
+    begin = performance.now();
+  };
+  await readMembers(packed, { Gunzip, add, pause });
+  return all();
 }
 
 export async function gunzip(file: Blob): Promise<Uint8Array> {
   const packed = new Uint8Array(await file.arrayBuffer());
-  let bytes: Uint8Array | undefined;
   try {
-    return await oneMember(packed);
+    const bytes = await oneMember(packed);
+    if (bytes) return bytes;
   } catch (failure) {
     if (failure instanceof RangeError) throw failure;
   }
   try {
-    bytes = severalMembers(packed);
+    return await severalMembers(packed);
   } catch (failure) {
     if (failure instanceof RangeError) throw failure;
+    throw new Error('This gzip file is damaged or cut off.');
   }
-  if (!bytes) throw new Error('This gzip file is damaged or cut off.');
-  return bytes;
 }

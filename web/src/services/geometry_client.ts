@@ -46,12 +46,17 @@ export class GeometryClient {
     for (const { reject } of pending) reject(new Error(`The geometry worker stopped (${reason}).`));
   }
 
+  /** Ahead of the first call: a page that is open works on when its files are replaced on the server. */
+  prepare(): void {
+    this.#worker ??= this.#start();
+  }
+
   call<M extends GeometryMethod>(
     method: M,
     args: Parameters<GeometryCalls[M]>,
     lent: unknown = undefined,
   ): Promise<Awaited<ReturnType<GeometryCalls[M]>>> {
-    this.#worker ??= this.#start();
+    this.prepare();
     const call = ++this.#calls;
     return new Promise((resolve, reject) => {
       this.#pending.set(call, { resolve, reject });

@@ -44,6 +44,13 @@ Result<Bytes> bytesOfUri(const std::string& uri, const Resolver& resolve) {
   return resolve(*name);
 }
 
+/// The geometry does not need them: a reference that led nowhere before may do so afterwards.
+bool mayBeMissing(const Failure& failure) { return failure.code == ErrorCode::kMalformed; }
+
+std::string missingNote(const Failure& failure) {
+  return failure.message + ": the picture is still named and not there";
+}
+
 Failure tooMany(const Limits& limits) {
   return {ErrorCode::kLimit,
           "read",
@@ -54,8 +61,9 @@ Failure tooMany(const Limits& limits) {
 
 class GltfPacker {
  public:
-  GltfPacker(const JsonText& json, const Resolver& resolve, const Limits& limits)
-      : json_(json), resolve_(resolve), limits_(limits), patch_(json) {}
+  GltfPacker(const JsonText& json, const Resolver& resolve, const Limits& limits,
+             std::vector<std::string>& notes)
+      : json_(json), resolve_(resolve), limits_(limits), notes_(notes), patch_(json) {}
 
   Result<Bytes> run() {
     Status done = takeBuffers();
@@ -106,6 +114,10 @@ class GltfPacker {
       const std::string uri = json_.string(json_.find(node, "uri"));
       if (uri.empty()) continue;
       auto bytes = bytesOfUri(uri, resolve_);
+      if (!bytes && mayBeMissing(bytes.error())) {
+        notes_.push_back(missingNote(bytes.error()));
+        continue;
+      }
       if (!bytes) return bytes.error();
       const Status done = addToBin(*bytes);
       if (!done) return done;
@@ -168,6 +180,7 @@ class GltfPacker {
   const JsonText& json_;
   const Resolver& resolve_;
   const Limits& limits_;
+  std::vector<std::string>& notes_;
   JsonPatch patch_;
   Bytes bin_;
   std::vector<std::pair<int, std::size_t>> newBuffer_;  ///< old buffer → new one, and where in it
@@ -176,15 +189,17 @@ class GltfPacker {
 
 }  // namespace
 
-Result<Bytes> gltfAsGlb(const FileSet& files, const Limits& limits) {
+Result<Bytes> gltfAsGlb(const FileSet& files, const Limits& limits,
+                        std::vector<std::string>& notes) {
   auto container = openContainer(files.main);
   if (!container) return container.error();
   auto json = JsonText::parse(std::string(container->json));
   if (!json) return json.error();
-  return GltfPacker(*json, files.resolve, limits).run();
+  return GltfPacker(*json, files.resolve, limits, notes).run();
 }
 
-Result<Bytes> gltfWithEmbedded(ByteView text, const Resolver& resolve, const Limits& limits) {
+Result<Bytes> gltfWithEmbedded(ByteView text, const Resolver& resolve, const Limits& limits,
+                               std::vector<std::string>& notes) {
   auto json = JsonText::parse(std::string(reinterpret_cast<const char*>(text.data()), text.size()));
   if (!json) return json.error();
   JsonPatch patch(*json);
@@ -195,10 +210,14 @@ Result<Bytes> gltfWithEmbedded(ByteView text, const Resolver& resolve, const Lim
       const std::string uri = json->string(member);
       if (uri.empty() || isDataUri(uri)) continue;
       auto bytes = bytesOfUri(uri, resolve);
+      const bool isImage = std::string_view(list) == "images";
+      if (!bytes && isImage && mayBeMissing(bytes.error())) {
+        notes.push_back(missingNote(bytes.error()));
+        continue;
+      }
       if (!bytes) return bytes.error();
       total += bytes->size();
       if (total > limits.maxBytes) return tooMany(limits);
-      const bool isImage = std::string_view(list) == "images";
       patch.replace(member,
                     "\"data:" + (isImage ? mimeTypeOf(*bytes) : "application/octet-stream") +
                         ";base64," + encodeBase64(*bytes) + "\"");

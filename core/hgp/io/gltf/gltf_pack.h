@@ -8,10 +8,13 @@ namespace hgp::io {
 
 /// The .gltf in `files` as a GLB: buffers one behind the other in its binary chunk, images in views of
 /// their own. Fails like reading does where a side file is missing, and with kLimit beyond limits.maxBytes.
-Result<Bytes> gltfAsGlb(const FileSet& files, const Limits& limits);
+Result<Bytes> gltfAsGlb(const FileSet& files, const Limits& limits,
+                        std::vector<std::string>& notes);
 
-/// The .gltf text with buffers and images as data URIs.
-Result<Bytes> gltfWithEmbedded(ByteView text, const Resolver& resolve, const Limits& limits);
+/// The .gltf text with buffers and images as data URIs. Images that cannot be read stay as they are named, and are
+/// noted, here and in gltfAsGlb().
+Result<Bytes> gltfWithEmbedded(ByteView text, const Resolver& resolve, const Limits& limits,
+                               std::vector<std::string>& notes);
 
 /// A GLB as the text `name` and a side file beside it with its binary chunk, byte for byte; views of the
 /// chunk stay as they are, images in it as well. The side file is never named as one that the GLB needs.

@@ -72,9 +72,11 @@ class GltfWelder {
     const std::size_t raw =
         source.mode == 4 ? indices->size() / 3 : std::max<std::size_t>(indices->size(), 2) - 2;
     if (source.mode != 4) {
-      note(formatText("primitive %d is a %s of %s (and %zu degenerate, which are skipped)", p,
-                      modeName(source.mode), counted(triangles.size(), "triangle").c_str(),
-                      raw - triangles.size()));
+      note(formatText("primitive %d is a %s of %s", p, modeName(source.mode),
+                      counted(triangles.size(), "triangle").c_str()));
+      if (raw > triangles.size())
+        out_.surface.notes.back() +=
+            formatText(" (%zu degenerate ones are skipped)", raw - triangles.size());
     } else if (indices->size() % 3 != 0) {
       note(formatText("primitive %d ends in an incomplete triangle", p));
     }

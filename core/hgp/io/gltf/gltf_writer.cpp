@@ -63,9 +63,10 @@ Status GltfWriter::chooseSet() {
       return primitive(run.primitive).attribute(semantic(set)) >= 0;
     });
   };
+  // Behind the last, even where an exporter left one out: the last is the one that is verified.
   if (set_ < 0) {
-    set_ = 0;
-    while (isTaken(set_)) ++set_;
+    set_ = kHighestSet + 1;
+    while (set_ > 0 && !isTaken(set_ - 1)) --set_;
   }
   if (set_ <= kHighestSet) return Done{};
   return Failure{ErrorCode::kUsage,

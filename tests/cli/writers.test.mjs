@@ -400,7 +400,9 @@ test('a .gltf that goes elsewhere takes its side files along, or has them inside
     const { err } = good('param', 'model/scene.gltf', '-o', ...words);
     assert.match(err, /note: tex\/a b\.png is missing: .*still named and not there/, words[0]);
     const bytes = readFileSync(at(words[0]));
-    const text = words[0].endsWith('.glb') ? bytes.subarray(20, 20 + bytes.readUInt32LE(12)) : bytes;
+    const text = words[0].endsWith('.glb')
+      ? bytes.subarray(20, 20 + bytes.readUInt32LE(12))
+      : bytes;
     assert.deepEqual(
       JSON.parse(text).images.map(({ uri }) => uri),
       ['tex/a%20b.png'],

@@ -265,6 +265,18 @@ export const faults = [
 
   // grid
   fault('grid/align.cpp', 'if (accepts_ && !accepts_(*out_.map)) {', 'if (false) {'),
+  fault('grid/integer_choice.cpp', 'form_->rounded(spread(w0))', 'form_->rounded(w0)'),
+  fault('grid/integer_choice.cpp', 'now.second) < kZero;', 'now.second) > kZero;'),
+  fault(
+    'grid/integer_form.cpp',
+    '= w[at(step->by)] - step->factor',
+    '= w[at(step->by)] + step->factor',
+  ),
+  fault(
+    'grid/cone_pairs.cpp',
+    'return {std::move(pairs), triangles()};',
+    'return {std::move(pairs), {}};',
+  ),
 
   // improve, parametrize, api
   fault('improve/improve.cpp', 'x_ = std::move(moved);', '', {

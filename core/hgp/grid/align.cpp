@@ -14,10 +14,9 @@ namespace {
 
 /// Densities tried by the linear step, as factors of the edge length.
 constexpr double kFactors[] = {1.0, 1.06, 0.94, 1.12, 1.19, 1.27, 1.35};
-/// Of those that turned triangles over, at most so many are repaired, best first.
-constexpr std::size_t kRepaired = 4;
-constexpr std::size_t kRepairedAsWhole = 2;
-constexpr int kPatchRings[] = {6, 24};
+/// Rings around triangles that turned over; of what is left then, so many are tried again, best first.
+constexpr int kRings = 6, kLargeRings = 24;
+constexpr std::size_t kRepairedAgain = 2;
 constexpr double kPatchShare = 0.35;
 /// Programs on the whole mesh, at most so many triangles large, and their rounds of growth.
 constexpr int kLargestWhole = 150'000;
@@ -33,10 +32,15 @@ constexpr double kRepairShare = 0.25;
 constexpr double kVerifyWork = 3e3;
 /// Multiply-adds per triangle of a linear step beside its back-substitution: copies, exact orientation.
 constexpr double kStepWork = 1200.0;
-/// … and of the choice of k integers, by k³: rank-one changes of a complex matrix, bound by memory.
-constexpr double kRoundingWork = 20.0;
+/// … and of the choice of k integers, by k³: making room between close cones is most of it (measured).
+constexpr double kRoundingWork = 1.5;
+/// Multiply-adds of one factorization of a program over n triangles, by n^(3/2), and beside it, by n (measured).
+constexpr double kPlanarWork = 22.0;
+constexpr double kProgramWork = 3e3;
 /// Interior-point iterations that a program is expected to need.
 constexpr int kExpectedIterations = 14;
+/// Of the stage, what is done when the first density is tried, and what all of them take.
+constexpr double kBegun = 0.1, kStepping = 0.5;
 constexpr std::size_t kNamed = 3;  ///< pairs of cones that the report names
 
 double areaOf(const UvMap& map) {
@@ -78,7 +82,10 @@ class Aligner {
 
   AlignedMap run() {
     out_.report.integers = system_.integerCount();
-    describe(scale_);
+    out_.report.cells = mapArea_ * scale_ * scale_;
+    out_.report.spacing = std::sqrt(surfaceArea_ / mapArea_) / scale_;
+    out_.report.cellsPerCone =
+        out_.report.cells / std::max<double>(1.0, static_cast<double>(cones_.size()));
     reserved_ = kExplaining * work_;
     tryAll();
     if (!isDone()) explain();
@@ -87,34 +94,28 @@ class Aligner {
   }
 
  private:
+  /// By density, the one asked first, each repaired where its triangles turned over; then the best again on
+  /// larger patches.
   void tryAll() {
     std::vector<Candidate> candidates = linearSteps();
     if (isDone()) return;
-    work_ = std::max(work_, repairWork_ + reserved_);
     // Without a triangle that turned over there is nothing to repair: the verifier has refused such a map.
     std::erase_if(candidates, [](const Candidate& candidate) { return candidate.turned.empty(); });
     std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
       return a.turned.size() < b.turned.size();
     });
-    candidates.resize(std::min(candidates.size(), kRepaired));
+    candidates.resize(std::min(candidates.size(), kRepairedAgain));
     for (Candidate& candidate : candidates)
-      if (repairOnPatches(candidate)) return;
-    candidates.resize(std::min(candidates.size(), kRepairedAsWhole));
+      if (repairOnPatches(candidate, kLargeRings)) return;
     for (Candidate& candidate : candidates)
       if (repairAsWhole(candidate)) return;
   }
 
-  void describe(double scale) {
-    out_.report.cells = mapArea_ * scale * scale;
-    out_.report.spacing = std::sqrt(surfaceArea_ / mapArea_) / scale;
-    out_.report.cellsPerCone =
-        out_.report.cells / std::max<double>(1.0, static_cast<double>(cones_.size()));
-  }
-
   bool isDone() const { return out_.isCancelled || out_.map.has_value(); }
-  /// False once the caller cancelled.
+  /// False once the caller cancelled. The fraction never falls, whatever is tried again.
   bool goOn(double fraction) {
-    if (!report(progress_, {Stage::kAlign, fraction})) out_.isCancelled = true;
+    fraction_ = std::max(fraction_, fraction);
+    if (!report(progress_, {Stage::kAlign, fraction_})) out_.isCancelled = true;
     return !out_.isCancelled;
   }
   /// Whether so much may still be spent; what was left out for it is said.
@@ -124,15 +125,18 @@ class Aligner {
     return false;
   }
 
-  /// By density, the one asked first; the rest only while they are worth their time.
   std::vector<Candidate> linearSteps() {
     std::vector<Candidate> candidates;
-    if (!goOn(0.1)) return candidates;
+    if (!goOn(kBegun)) return candidates;
     const IntegerChoice choice = system_.choice(2.0 * kReach / scale_);
     for (double factor : kFactors) {
-      if (!goOn(0.1) || (!candidates.empty() && !affords(stepWork()))) break;
+      const double tried = static_cast<double>(candidates.size()) / std::size(kFactors);
+      if (!goOn(kBegun + kStepping * tried) || (!candidates.empty() && !affords(stepWork()))) break;
       candidates.push_back(linearStep(choice, factor));
       if (accept(candidates.back(), "linear step")) break;
+      // The choice of many integers may have taken everything: repairs have something of their own.
+      if (candidates.size() == 1) work_ = std::max(work_, repairWork_ + reserved_);
+      if (repairOnPatches(candidates.back(), kRings)) break;
     }
     return candidates;
   }
@@ -141,20 +145,20 @@ class Aligner {
     return kStepWork * mesh_.faceCount() + system_.solveWork() + kRoundingWork * k * k * k;
   }
   /// Expected of a program over so many triangles with conditions on `bound` of them.
-  double programWork(std::size_t triangles, std::size_t bound) const {
+  static double programWork(std::size_t triangles, std::size_t bound) {
     // Elimination grows with the power 3/2 of a planar system; real pairs cost twice complex unknowns.
-    const auto share = [&](std::size_t n) {
-      return portable::pow(static_cast<double>(n) / mesh_.faceCount(), 1.5);
+    const auto planar = [](std::size_t n) {
+      return kPlanarWork * portable::pow(static_cast<double>(n), 1.5);
     };
-    return system_.sparseWork() *
-           (share(triangles) + 2.0 * kExpectedIterations * share(std::min(triangles, bound)));
+    return kProgramWork * static_cast<double>(triangles) + 0.5 * planar(triangles) +
+           kExpectedIterations * planar(std::min(triangles, bound));
   }
 
   Candidate linearStep(const IntegerChoice& choice, double factor) {
     work_ -= stepWork();
     Candidate out{factor, scale_ * factor, {}, {}};
     const std::vector<Gaussian> y = choice.near(system_.relaxed(out.scale));
-    out.isApart = choice.wrongSeparations(system_.relaxed(out.scale), y) == 0;
+    out.isApart = choice.wrongPairs(system_.relaxed(out.scale), y) == 0;
     out.x = system_.changeTo(y, out.scale);
     out.turned = turnedFaces(context_, out.x);
     return out;
@@ -173,37 +177,32 @@ class Aligner {
       return false;
     }
     out_.report.isAligned = true;
-    describe(candidate.scale);
+    describeGrid(mesh_, *out_.map, cones_.size(), out_.report);
     return true;
   }
 
   bool repair(const std::vector<FaceId>& patch, const std::vector<FaceId>& bound,
               Candidate& candidate) {
     double spent = 0.0;
-    const bool isRepaired =
-        repairChange(context_, patch, bound, system_.isHeld(), candidate.x, spent, progress_);
-    work_ -= spent;
+    const bool isRepaired = repairChange(context_, patch, bound, system_.isHeld(), candidate.x,
+                                         spent, [&](const ProgressReport&) { return goOn(0.0); });
+    work_ -= spent + kProgramWork * static_cast<double>(patch.size());
     return isRepaired;
   }
 
-  /// True when there is nothing more to do: aligned, or cancelled.
-  bool repairOnPatches(Candidate& candidate) {
-    for (int rings : kPatchRings) {
-      // Cones that were rounded onto each other fold on any patch.
-      if (!candidate.isApart && rings > kPatchRings[0]) return false;
-      if (!goOn(0.5)) return true;
-      const std::vector<FaceId> patch = facesAround(mesh_, candidate.turned, rings);
-      if (static_cast<double>(patch.size()) > kPatchShare * mesh_.faceCount()) return false;
-      if (!affords(programWork(patch.size(), patch.size()))) return false;
-      Candidate repaired = candidate;
-      if (!repair(patch, patch, repaired)) continue;
-      repaired.turned = turnedFaces(context_, repaired.x);
-      if (accept(repaired, rings == kPatchRings[0] ? "patch of 6 rings" : "patch of 24 rings"))
-        return true;
-      if (!repaired.turned.empty() && repaired.turned.size() < candidate.turned.size())
-        candidate = std::move(repaired);
+  /// Each patch alone. True when there is nothing more to do: aligned, or cancelled.
+  bool repairOnPatches(Candidate& candidate, int rings) {
+    Candidate repaired = candidate;
+    for (const std::vector<FaceId>& patch : patchesAround(mesh_, candidate.turned, rings)) {
+      if (!goOn(0.0)) return true;
+      if (static_cast<double>(patch.size()) > kPatchShare * mesh_.faceCount()) continue;
+      if (!affords(programWork(patch.size(), patch.size()))) break;
+      repair(patch, patch, repaired);
     }
-    return false;
+    repaired.turned = turnedFaces(context_, repaired.x);
+    if (repaired.turned.size() >= candidate.turned.size()) return isDone();
+    candidate = std::move(repaired);
+    return accept(candidate, rings == kRings ? "patches of 6 rings" : "patches of 24 rings");
   }
 
   /// Everything but the integers; conditions around cones and wherever a triangle turned over.
@@ -238,7 +237,7 @@ class Aligner {
   /// The closest cones, and the first denser grid on which the linear step succeeds.
   void explain() {
     GridReport& report = out_.report;
-    for (const ConePair& pair : system_.neighbours(1.0 / scale_))
+    for (const ConePair& pair : system_.neighbours(1.0 / scale_).pairs)
       report.closest.push_back({pair.a, pair.b, scale_ * portable::abs(pair.distance)});
     std::sort(report.closest.begin(), report.closest.end(),
               [](const ConeDistance& a, const ConeDistance& b) { return a.cells < b.cells; });
@@ -276,6 +275,7 @@ class Aligner {
   double scale_ = 1.0;
   double work_, reserved_ = 0.0;  ///< multiply-adds left, and those of them kept for explain()
   bool isCutShort_ = false;
+  double fraction_ = 0.0;  ///< of the stage
   AlignedMap out_;
 };
 

@@ -32,7 +32,7 @@ class NeighbourSearch {
         source_(at(mesh.vertexCount())),
         via_(at(mesh.vertexCount())) {}
 
-  std::vector<ConePair> run(const std::vector<VertexId>& cones) {
+  ConeNeighbours run(const std::vector<VertexId>& cones) {
     spread(cones);
     struct Bridge {
       double length;
@@ -55,14 +55,14 @@ class NeighbourSearch {
       const int a = source_[mesh_.tail(bridge.edge)].i, b = source_[mesh_.head(bridge.edge)].i;
       std::vector<Complex>& known = found[{std::min(a, b), std::max(a, b)}];
       if (static_cast<int>(known.size()) >= kWaysPerPair) continue;
-      ConePair pair = wayOver(bridge.edge);
+      ConePair pair = wayOver(bridge.edge, mesh_.tail(bridge.edge));
       const bool isNew = std::none_of(known.begin(), known.end(), [&](const Complex& d) {
         return portable::abs(portable::abs(d) - portable::abs(pair.distance)) < kSameWay;
       });
       known.push_back(pair.distance);
       if (isNew) pairs.push_back(std::move(pair));
     }
-    return pairs;
+    return {std::move(pairs), triangles()};
   }
 
  private:
@@ -105,18 +105,33 @@ class NeighbourSearch {
     return mesh_.tail(edge) == v ? Step{tail, head} : Step{head, tail};
   }
 
-  ConePair wayOver(HalfedgeId bridge) const {
+  std::vector<ConeTriangle> triangles() const {
+    std::vector<ConeTriangle> found;
+    for (FaceId f : mesh_.faces()) {
+      const auto [i, j, k] = mesh_.corners(f);
+      if (!source_[i].isValid() || !source_[j].isValid() || !source_[k].isValid()) continue;
+      if (source_[i] == source_[j] || source_[j] == source_[k] || source_[k] == source_[i])
+        continue;
+      ConeTriangle t{wayOver(TriMesh::halfedge(f, 0), i), wayOver(TriMesh::halfedge(f, 2), i)};
+      if (std::imag(std::conj(t.ab.distance) * t.ac.distance) > 0.0) found.push_back(std::move(t));
+    }
+    return found;
+  }
+
+  /// From the cone nearest to `from`, an end of `bridge`, to the one nearest to its other end.
+  ConePair wayOver(HalfedgeId bridge, VertexId from) const {
     std::vector<Step> steps;
-    VertexId v = mesh_.tail(bridge);
-    ConePair pair{source_[v], source_[mesh_.head(bridge)], {}, 0.0};
+    VertexId v = from;
+    const VertexId to = mesh_.tail(bridge) == from ? mesh_.head(bridge) : mesh_.tail(bridge);
+    ConePair pair{source_[v], source_[to], {}, 0.0};
     while (via_[v].isValid()) {
       const Step back = stepFrom(v, via_[v]);
       steps.push_back({back.to, back.from});
       v = seams_.vertexOf[at(back.to)];
     }
     std::reverse(steps.begin(), steps.end());
-    steps.push_back(stepFrom(mesh_.tail(bridge), bridge));
-    for (v = mesh_.head(bridge); via_[v].isValid();) {
+    steps.push_back(stepFrom(from, bridge));
+    for (v = to; via_[v].isValid();) {
       steps.push_back(stepFrom(v, via_[v]));
       v = seams_.vertexOf[at(steps.back().to)];
     }
@@ -149,9 +164,9 @@ class NeighbourSearch {
 
 }  // namespace
 
-std::vector<ConePair> neighbouringCones(const TriMesh& mesh, const SeamStructure& seams,
-                                        const SeamlessChange& change, const std::vector<Vec2>& uv,
-                                        const std::vector<VertexId>& cones, double reach) {
+ConeNeighbours neighbouringCones(const TriMesh& mesh, const SeamStructure& seams,
+                                 const SeamlessChange& change, const std::vector<Vec2>& uv,
+                                 const std::vector<VertexId>& cones, double reach) {
   return NeighbourSearch(mesh, seams, change, uv, reach).run(cones);
 }
 

@@ -14,10 +14,20 @@ struct ConePair {
   Complex distance;  ///< D of the map itself
 };
 
+/// Three cones whose regions of nearest vertices meet in a face: a triangle of the dual of those regions.
+struct ConeTriangle {
+  ConePair ab, ac;  ///< both laid out in one plane at a; counterclockwise from b to c
+};
+
+struct ConeNeighbours {
+  std::vector<ConePair> pairs;
+  std::vector<ConeTriangle> triangles;
+};
+
 /// Pairs whose regions of nearest vertices touch and that are at most `reach` apart along edges, the
 /// ways different where the surface goes round between them.
-std::vector<ConePair> neighbouringCones(const TriMesh& mesh, const SeamStructure& seams,
-                                        const SeamlessChange& change, const std::vector<Vec2>& uv,
-                                        const std::vector<VertexId>& cones, double reach);
+ConeNeighbours neighbouringCones(const TriMesh& mesh, const SeamStructure& seams,
+                                 const SeamlessChange& change, const std::vector<Vec2>& uv,
+                                 const std::vector<VertexId>& cones, double reach);
 
 }  // namespace hgp

@@ -24,7 +24,7 @@ struct GridOptions {
 
 /// One choice of integers.
 struct GridAttempt {
-  std::string method;   ///< "linear step", "patch of 6 rings", …
+  std::string method;   ///< "linear step", "patches of 6 rings", …
   double factor = 1.0;  ///< by which the asked density was multiplied
   int turned = 0;       ///< triangles that are not positive
 };

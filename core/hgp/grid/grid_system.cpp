@@ -14,6 +14,8 @@ Complex complexAt(const std::vector<Vec2>& uv, int copy) {
 
 /// Multiply-adds per triangle of reading seams and assembling and ordering the form (measured).
 constexpr double kFormWork = 3e3;
+/// … of what is dense in n translations, by n³: the form in a reduced basis, and its factor (measured).
+constexpr double kDenseWork = 1.0;
 
 std::int64_t gapNorm(int turn) { return norm(Gaussian{1, 0} - quarterTurn(turn)); }
 
@@ -97,13 +99,15 @@ bool GridSystem::solveIntegers(GridMode mode) {
   for (VertexId v : whole_) heldUnknowns_.push_back(change_->vertexUnknown(v));
   const auto fromIntegers = static_cast<Eigen::Index>(heldUnknowns_.size());
   if (!isTurned && whole_.empty()) heldUnknowns_.push_back(0);  // nothing else fixes the map
-  rows_ = Eigen::MatrixXcd::Zero(static_cast<Eigen::Index>(heldUnknowns_.size()), basis_.size());
+  rows_.resize(static_cast<Eigen::Index>(heldUnknowns_.size()), basis_.size());
+  std::vector<Eigen::Triplet<Complex>> entries;
   held0_ = Eigen::VectorXcd::Zero(rows_.rows());
   for (Eigen::Index i = 0; i < fromIntegers; ++i) {
     for (const GaussianTerm& term : basis_.value[at(i)])
-      rows_(i, term.variable) += toComplex(term.factor);
+      entries.emplace_back(static_cast<int>(i), term.variable, toComplex(term.factor));
     held0_[i] = value[i];
   }
+  rows_.setFromTriplets(entries.begin(), entries.end());
   y0_ = Eigen::VectorXcd::Zero(basis_.size());
   for (int j = 0; j < basis_.size(); ++j)
     for (const GaussianTerm& term : basis_.coordinate[at(j)])
@@ -138,27 +142,23 @@ bool GridSystem::factor(const linalg::SeparatorTree* tree) {
     options.tree = &own;
   }
   if (heldUnknowns_.empty()) {
-    choice_.emplace(Eigen::MatrixXcd(0, 0), std::vector<Separation>());
+    integers_ = std::make_shared<const IntegerForm>(Eigen::MatrixXcd(0, 0));
     return true;
   }
   if (!cholesky_.build(H, {heldUnknowns_}, options)) return false;
   const auto n = static_cast<Eigen::Index>(heldUnknowns_.size());
-  std::vector<Eigen::Index> place;
-  for (int u : heldUnknowns_) place.push_back(cholesky_.dynamicIndex(u));
-  form_.resize(n, n);
-  Eigen::VectorXd unit = Eigen::VectorXd::Zero(2 * n);
-  for (Eigen::Index j = 0; j < n; ++j) {
-    unit[2 * place[at(j)]] = 1.0;
-    const Eigen::VectorXd column = cholesky_.apply(unit);
-    unit[2 * place[at(j)]] = 0.0;
+  const Eigen::MatrixXcd reduced = cholesky_.reducedForm();
+  Eigen::MatrixXcd form(n, n);
+  for (Eigen::Index j = 0; j < n; ++j)
     for (Eigen::Index i = 0; i < n; ++i)
-      form_(i, j) = {column[2 * place[at(i)]], column[2 * place[at(i)] + 1]};
-  }
-  choice_.emplace(rows_.adjoint() * (form_ * rows_), std::vector<Separation>());
+      form(i, j) = reduced(cholesky_.dynamicIndex(heldUnknowns_[at(i)]),
+                           cholesky_.dynamicIndex(heldUnknowns_[at(j)]));
+  const Eigen::MatrixXcd half = form * rows_;
+  integers_ = std::make_shared<const IntegerForm>(rows_.adjoint() * half);
   return true;
 }
 
-const std::vector<ConePair> GridSystem::neighbours(double reach) const {
+ConeNeighbours GridSystem::neighbours(double reach) const {
   return neighbouringCones(mesh_, seams_, *change_, uv_, cones_, reach);
 }
 
@@ -166,34 +166,38 @@ IntegerChoice GridSystem::choice(double reach) const {
   std::vector<int> rowOf(at(change_->count()), -1);
   for (std::size_t i = 0; i < heldUnknowns_.size(); ++i)
     rowOf[at(heldUnknowns_[i])] = static_cast<int>(i);
-  std::vector<Separation> separations;
-  for (const ConePair& pair : neighbours(reach)) {
+  /// In terms of y; empty for a cone that moves freely.
+  const auto inIntegers = [&](const std::vector<SeamlessChange::Term>& way) {
     Eigen::VectorXcd sum = Eigen::VectorXcd::Zero(basis_.size());
-    bool isInteger = true;
-    for (const SeamlessChange::Term& term : pair.way) {
+    std::vector<std::pair<int, Complex>> terms;
+    for (const SeamlessChange::Term& term : way) {
       const int row = rowOf[at(term.unknown)];
-      isInteger = isInteger && row >= 0;
-      if (row >= 0) sum += term.factor * rows_.row(row).transpose();
+      if (row < 0) return terms;
+      for (decltype(rows_)::InnerIterator entry(rows_, row); entry; ++entry)
+        sum[entry.col()] += term.factor * entry.value();
     }
-    if (!isInteger) continue;  // a cone that moves freely
-    Separation s;
     for (int j = 0; j < basis_.size(); ++j)
-      if (portable::abs(sum[j]) > 1e-9) s.terms.push_back({j, sum[j]});
-    separations.push_back(std::move(s));
+      if (portable::abs(sum[j]) > 1e-9) terms.push_back({j, sum[j]});
+    return terms;
+  };
+  std::vector<Separation> separations;
+  const ConeNeighbours near = neighbours(reach);
+  for (const ConePair& pair : near.pairs) {
+    Separation s{inIntegers(pair.way)};
+    if (!s.terms.empty()) separations.push_back(std::move(s));
   }
-  IntegerChoice out = *choice_;
-  out.setSeparations(std::move(separations));
-  return out;
+  for (const ConeTriangle& triangle : near.triangles) {
+    Separation s{inIntegers(triangle.ab.way), inIntegers(triangle.ac.way)};
+    if (!s.terms.empty() && !s.second.empty()) separations.push_back(std::move(s));
+  }
+  return IntegerChoice(integers_, std::move(separations));
 }
 
 double GridSystem::factorWork() const {
-  const auto held = static_cast<double>(heldUnknowns_.size());
-  return sparseWork() + 20.0 * held * held * held;  // the form's columns, and its inverse
-}
-
-double GridSystem::sparseWork() const {
   const double beside = kFormWork * mesh_.faceCount();
-  return heldUnknowns_.empty() ? beside : linalg::multiplyAdds(cholesky_.report(), 0) + beside;
+  if (heldUnknowns_.empty()) return beside;
+  const auto held = static_cast<double>(heldUnknowns_.size());
+  return linalg::multiplyAdds(cholesky_.report(), 0) + beside + kDenseWork * held * held * held;
 }
 
 double GridSystem::solveWork() const {

@@ -25,7 +25,7 @@ class GridSystem {
   Eigen::VectorXcd relaxed(double scale) const { return scale * y0_; }
   /// Factors the choice for neighbours that are at most `reach` apart.
   IntegerChoice choice(double reach) const;
-  const std::vector<ConePair> neighbours(double reach) const;
+  ConeNeighbours neighbours(double reach) const;
 
   /// The change of all unknowns of `change` that makes the integers y at this scale, least strained.
   Eigen::VectorXcd changeTo(const std::vector<Gaussian>& y, double scale) const;
@@ -34,8 +34,6 @@ class GridSystem {
 
   /// Multiply-adds of the factorization, and of the solves of one change.
   double factorWork() const;
-  /// … of the factorization without what is dense: of a program that holds the integers.
-  double sparseWork() const;
   double solveWork() const;
 
   const TriMesh& mesh() const { return mesh_; }
@@ -68,11 +66,10 @@ class GridSystem {
   std::vector<int> heldUnknowns_;  ///< chains, `whole_`, and a pinned vertex where nothing rotates
   std::vector<char> isHeld_;
   IntegerBasis basis_;
-  Eigen::MatrixXcd rows_;        ///< held unknowns in terms of y
-  Eigen::VectorXcd held0_, y0_;  ///< of the map itself
+  Eigen::SparseMatrix<Complex, Eigen::RowMajor> rows_;  ///< held unknowns in terms of y
+  Eigen::VectorXcd held0_, y0_;                         ///< of the map itself
   linalg::PartialCholesky cholesky_;
-  Eigen::MatrixXcd form_;                ///< strain over the held unknowns
-  std::optional<IntegerChoice> choice_;  ///< by the form, nothing kept apart
+  std::shared_ptr<const IntegerForm> integers_;  ///< the form over y
 };
 
 }  // namespace hgp

@@ -3,37 +3,44 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 
-#include "hgp/grid/gaussian.h"
+#include "hgp/grid/integer_form.h"
 
 namespace hgp {
 
-/// A linear function of y that must stay near its direction and away from 0.
+/// A linear function of y that must stay near its direction and away from 0: the way from a cone to a
+/// neighbour. With a second one, the turn from the one to the other must stay counterclockwise instead.
 struct Separation {
-  std::vector<std::pair<int, Complex>> terms;
+  IntegerForm::Terms terms, second = {};
 };
 
 /// Q(y) = (y − y₀)ᴴ S (y − y₀) over y ∈ Z[i]ᵏ, S Hermitian and positive definite.
 class IntegerChoice {
  public:
-  IntegerChoice(Eigen::MatrixXcd S, std::vector<Separation> separations);
-  void setSeparations(std::vector<Separation> separations);
+  IntegerChoice(std::shared_ptr<const IntegerForm> form, std::vector<Separation> separations);
 
-  /// Rounded nearest first, each time with the others moved to their conditional minimum; then single
-  /// steps ±1, ±i while they correct separations (wrong: D = 0, or more than 72° from where y₀ has it) or
-  /// lower Q. Deterministic.
+  /// y₀ is changed as little as separations of two cones ask for, rounded, and then single steps ±1, ±i of the
+  /// reduced basis follow while they correct separations (wrong: D = 0, or more than 72° from where y₀
+  /// has it; not counterclockwise) or lower Q. Deterministic.
   std::vector<Gaussian> near(const Eigen::VectorXcd& y0) const;
 
+  /// Of neighbours alone: two of them on one point fold on any patch.
+  int wrongPairs(const Eigen::VectorXcd& y0, const std::vector<Gaussian>& y) const;
   int wrongSeparations(const Eigen::VectorXcd& y0, const std::vector<Gaussian>& y) const;
   double energy(const Eigen::VectorXcd& y0, const std::vector<Gaussian>& y) const;
 
  private:
-  std::vector<Gaussian> rounded(const Eigen::VectorXcd& y0) const;
-  void descend(const Eigen::VectorXcd& y0, std::vector<Gaussian>& y) const;
+  struct Use {
+    int separation;
+    Complex factor, second;
+  };
+  Eigen::VectorXcd spread(const Eigen::VectorXcd& w0) const;
+  void descend(const Eigen::VectorXcd& w0, std::vector<Gaussian>& w) const;
 
-  Eigen::MatrixXcd S_, covariance_;
-  std::vector<Separation> separations_;
-  std::vector<std::vector<std::pair<int, Complex>>> users_;  ///< per y: separations with it
+  std::shared_ptr<const IntegerForm> form_;
+  std::vector<Separation> separations_;  ///< in the reduced basis
+  std::vector<std::vector<Use>> users_;  ///< per w: separations with it
 };
 
 }  // namespace hgp

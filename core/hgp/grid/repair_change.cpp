@@ -121,6 +121,30 @@ std::vector<FaceId> facesAround(const TriMesh& mesh, const std::vector<FaceId>& 
   return all;
 }
 
+std::vector<std::vector<FaceId>> patchesAround(const TriMesh& mesh,
+                                               const std::vector<FaceId>& faces, int rings) {
+  std::vector<std::vector<FaceId>> patches;
+  const std::vector<FaceId> all = facesAround(mesh, faces, rings);
+  PerFace<char> isLeft(at(mesh.faceCount()), 0);
+  for (FaceId f : all) isLeft[f] = 1;
+  for (FaceId first : all) {
+    if (!isLeft[first]) continue;
+    std::vector<FaceId> patch{first};
+    isLeft[first] = 0;
+    for (std::size_t n = 0; n < patch.size(); ++n)
+      for (VertexId v : mesh.corners(patch[n]))
+        for (HalfedgeId h : outgoingHalfedges(mesh, v)) {
+          const FaceId g = TriMesh::face(h);
+          if (!isLeft[g]) continue;
+          isLeft[g] = 0;
+          patch.push_back(g);
+        }
+    std::sort(patch.begin(), patch.end());
+    patches.push_back(std::move(patch));
+  }
+  return patches;
+}
+
 std::vector<FaceId> turnedFaces(const ChangeContext& in, const Eigen::VectorXcd& x) {
   const std::vector<Complex> dz = in.change.evaluate(x);
   std::vector<FaceId> turned;

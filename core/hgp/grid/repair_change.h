@@ -30,5 +30,8 @@ bool repairChange(const ChangeContext& context, const std::vector<FaceId>& patch
 
 /// `faces` and everything within so many rings of vertices, ascending.
 std::vector<FaceId> facesAround(const TriMesh& mesh, const std::vector<FaceId>& faces, int rings);
+/// The same in parts that have no vertex in common: what happens in one is nothing to the others.
+std::vector<std::vector<FaceId>> patchesAround(const TriMesh& mesh,
+                                               const std::vector<FaceId>& faces, int rings);
 
 }  // namespace hgp

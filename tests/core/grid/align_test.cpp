@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hgp/grid/integer_choice.h"
+#include "hgp/mesh/vectors.h"
 #include "hgp/parametrize/parametrize.h"
 #include "support/shapes.h"
 
@@ -67,9 +67,11 @@ TEST(AlignToGrid, InQuadModeConesAreGridPoints) {
   for (const test::Shape& shape : alignedShapes()) expectAligned(shape, 4, 100, GridMode::kQuad);
 }
 
+/// Half a cell for 24 cones, and few triangles to make room with.
+test::Shape crowdedShape() { return test::jittered(test::pretzel(2, 3), 0.02); }
+
 TEST(AlignToGrid, WithoutAChoiceTheReasonNamesADensityThatWorks) {
-  // One cell for eight cones of a sphere: they cannot all be apart.
-  const TriMesh mesh = alignedShapes()[2].mesh();
+  const TriMesh mesh = crowdedShape().mesh();
   const Parametrization run = aligned(mesh, 4, 0.02, GridMode::kQuad);
   ASSERT_TRUE(run.grid);
   EXPECT_FALSE(run.grid->isAligned);
@@ -87,7 +89,7 @@ TEST(AlignToGrid, WithoutAChoiceTheReasonNamesADensityThatWorks) {
 
 /// A certified map whose grid is too coarse for its cones: every means is tried.
 struct Crowded {
-  TriMesh mesh = alignedShapes()[2].mesh();
+  TriMesh mesh = crowdedShape().mesh();
   Parametrization plain;
   std::vector<VertexId> cones;
   GridOptions options{0.02, 0.0, GridMode::kQuad};
@@ -170,41 +172,62 @@ TEST(AlignToGrid, OrdersWithoutSquaresAreRefusedInWords) {
   EXPECT_NE(aligned.report.reason.find("q = 2 or 4"), std::string::npos);
 }
 
-Eigen::VectorXcd vectorOf(double a, double b) {
-  Eigen::VectorXcd out = Eigen::VectorXcd::Zero(2);
-  out[0] = a;
-  out[1] = b;
-  return out;
+/// Eight cones of 270° at the corners of a cube, and pairs of 270° and 450° that are mesh neighbours.
+HolonomySpec crowdedSphere(const TriMesh& mesh) {
+  const auto nearest = [&](const Vec3& p) {
+    VertexId best(0);
+    for (VertexId v : mesh.vertices())
+      if (distance(mesh.position(v), p) < distance(mesh.position(best), p)) best = v;
+    return best;
+  };
+  HolonomySpec spec;
+  const double s = 1.0 / std::sqrt(3.0);
+  for (double x : {-s, s})
+    for (double y : {-s, s})
+      for (double z : {-s, s}) spec.cones.push_back({nearest({x, y, z}), 3});
+  for (const Vec3& p : {Vec3{1, 0.1, 0}, Vec3{-1, 0, 0.2}, Vec3{0, 1, 0.1}, Vec3{0.1, -1, 0},
+                        Vec3{0, 0.2, 1}, Vec3{0.1, 0.1, -1}}) {
+    const VertexId v = nearest(p);
+    spec.cones.push_back({v, 3});
+    spec.cones.push_back({mesh.head(mesh.outgoing(v)), 5});
+  }
+  return spec;
 }
 
-Eigen::MatrixXcd formOf(double diagonal, double beside) {
-  Eigen::MatrixXcd out = Eigen::MatrixXcd::Constant(2, 2, beside);
-  out.diagonal().setConstant(diagonal);
-  return out;
+/// Length of an edge at `v` in cells, in a map before alignment with so many of them.
+double edgeInCells(const TriMesh& mesh, const UvMap& map, VertexId v, double cells) {
+  const HalfedgeId h = mesh.outgoing(v);
+  double area = 0.0, length = 0.0;
+  for (FaceId f : mesh.faces()) {
+    const auto [i, j, k] = map.cornerUv[at(f.i)];
+    const Vec2 &a = map.uv[at(i)], &b = map.uv[at(j)], &c = map.uv[at(k)];
+    area += 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+    if (f == TriMesh::face(h)) {
+      const Vec2* corner[] = {&a, &b, &c};
+      const int n = h.i % 3;
+      length = std::hypot((*corner[n])[0] - (*corner[(n + 1) % 3])[0],
+                          (*corner[n])[1] - (*corner[(n + 1) % 3])[1]);
+    }
+  }
+  return length * std::sqrt(cells / area);
 }
 
-TEST(IntegerChoice, TwoUnknownsThatMustStayApartDo) {
-  // Both want to be near 0.3; rounded alone they meet.
-  const Eigen::MatrixXcd S = formOf(1.0, 0.0);
-  const Eigen::VectorXcd y0 = vectorOf(0.1, 0.45);
-  const IntegerChoice alone(S, {});
-  EXPECT_EQ(alone.near(y0)[0], alone.near(y0)[1]);
-  const IntegerChoice apart(S, {{{{0, Complex(-1.0)}, {1, Complex(1.0)}}}});
-  const std::vector<Gaussian> y = apart.near(y0);
-  EXPECT_EQ(y[0], (Gaussian{0, 0}));
-  EXPECT_EQ(y[1], (Gaussian{1, 0}));
-  EXPECT_EQ(apart.wrongSeparations(y0, y), 0);
-  EXPECT_EQ(apart.wrongSeparations(y0, alone.near(y0)), 1);
-}
-
-TEST(IntegerChoice, ConditionalRoundingBeatsRoundingEachAlone) {
-  // Strongly coupled: the sum wants to be 1, each wants to be 0.5.
-  const Eigen::MatrixXcd S = formOf(101.0, 100.0);
-  const Eigen::VectorXcd y0 = vectorOf(0.49, 0.49);
-  const IntegerChoice choice(S, {});
-  const std::vector<Gaussian> y = choice.near(y0);
-  EXPECT_EQ(y[0].re + y[1].re, 1);
-  EXPECT_LT(choice.energy(y0, y), choice.energy(y0, {{0, 0}, {0, 0}}));
+TEST(AlignToGrid, PrescribedConesThatAreMeshNeighboursAreSpreadOverCells) {
+  const TriMesh mesh = test::jittered(test::icosphere(16), 0.01).mesh();
+  const HolonomySpec spec = crowdedSphere(mesh);
+  for (GridMode mode : {GridMode::kTile, GridMode::kQuad}) {
+    ParametrizeOptions options;
+    const Result<Parametrization> plain = parametrize(mesh, spec, options);
+    ASSERT_TRUE(plain && plain->isCertified);
+    options.grid = {25.0 * static_cast<double>(spec.cones.size()), 0.0, mode};
+    EXPECT_LT(edgeInCells(mesh, plain->map, spec.cones[8].vertex, options.grid.cells), 0.5);
+    const Result<Parametrization> run = parametrize(mesh, spec, options);
+    ASSERT_TRUE(run && run->grid);
+    EXPECT_TRUE(run->grid->isAligned) << run->grid->reason;
+    EXPECT_TRUE(run->isCertified);
+    EXPECT_EQ(run->certificate.exactSeams.integer,
+              static_cast<int>(run->certificate.seams.seams.size()));
+  }
 }
 
 }  // namespace

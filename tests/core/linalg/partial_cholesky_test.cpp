@@ -83,6 +83,8 @@ void expectSameMinimiser(const Problem& p, const Eigen::VectorXd& expected,
 
   // apply is the matrix that factor adds the blocks to.
   Eigen::VectorXd residual = partial.apply(xd) + realForm(reduced);
+  const Eigen::MatrixXcd form = partial.reducedForm();
+  EXPECT_LE((realForm(form) * xd - partial.apply(xd)).norm(), 1e-12 * form.norm() * xd.norm());
   for (std::size_t b = 0; b < p.cliques.size(); ++b) {
     const int m = static_cast<int>(p.cliques[b].size());
     Eigen::VectorXd local(2 * m);

@@ -16,7 +16,7 @@ struct AskedOfGrid {
   int q = 4;
   GridMode mode = GridMode::kTile;
   double balance = 0.0;
-  double perCone = 25.0;
+  double perCone = 20.0;
 };
 
 std::vector<test::Shape> alignedSurfaces() {
@@ -190,14 +190,17 @@ TEST(GridImprovement, CanBeCancelledInEveryStep) {
 }
 
 TEST(GridImprovement, IsNotDoneWhereNothingWasAlignedOrNothingIsAsked) {
-  const TriMesh mesh = alignedSurfaces()[1].mesh();
-  const HolonomySpec spec = automaticCones(mesh, 4);
-  ParametrizeOptions options = optionsOf({4, GridMode::kQuad, 0.0, 0.02}, spec, true);
-  const Result<Parametrization> crowded = parametrize(mesh, spec, options);
+  // Half a cell for 24 cones, and few triangles to make room with.
+  const TriMesh coarse = test::jittered(test::pretzel(2, 3), 0.02).mesh();
+  const HolonomySpec many = automaticCones(coarse, 4);
+  const Result<Parametrization> crowded =
+      parametrize(coarse, many, optionsOf({4, GridMode::kQuad, 0.0, 0.02}, many, true));
   ASSERT_TRUE(crowded && crowded->grid && crowded->improvement);
   EXPECT_FALSE(crowded->grid->isAligned);
   EXPECT_FALSE(crowded->improvement->onGrid);
-  options = optionsOf({4, GridMode::kTile, 0.0, 1e6}, spec, true);
+  const TriMesh mesh = alignedSurfaces()[1].mesh();
+  const HolonomySpec spec = automaticCones(mesh, 4);
+  ParametrizeOptions options = optionsOf({4, GridMode::kTile, 0.0, 1e6}, spec, true);
   const Result<Parametrization> fine = parametrize(mesh, spec, options);
   ASSERT_TRUE(fine && fine->improvement && fine->improvement->onGrid);
   EXPECT_EQ(fine->improvement->onGrid->outcome, DescentOutcome::kNothingToGain);

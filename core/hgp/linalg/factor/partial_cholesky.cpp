@@ -101,6 +101,8 @@ Eigen::VectorXd PartialCholesky::apply(const Eigen::VectorXd& x) const {
   return Eigen::Map<const Eigen::VectorXd>(reinterpret_cast<const double*>(y.data()), x.size());
 }
 
+Eigen::MatrixXcd PartialCholesky::reducedForm() const { return state_->reduced.dense(); }
+
 FactorStatus PartialCholesky::factor(const std::vector<Eigen::MatrixXd>& blocks) {
   HGP_CHECK(static_cast<int>(blocks.size()) == state_->reduced.blockCount(),
             "%d blocks for %d cliques", static_cast<int>(blocks.size()),

@@ -59,6 +59,8 @@ class PartialCholesky {
   Eigen::VectorXcd reduceLinear(const Eigen::VectorXcd& c) const;
   /// H̃ x, H̃ = H_dd − H_du H_uu⁻¹ H_ud in real form; 2·dynamicSize() → 2·dynamicSize().
   Eigen::VectorXd apply(const Eigen::VectorXd& x) const;
+  /// H̃ itself, complex, dynamicSize() squared: where few unknowns are dynamic.
+  Eigen::MatrixXcd reducedForm() const;
 
   /// Factors H̃ + Σ blocks; the dynamic part only. blocks[b] is symmetric positive semidefinite,
   /// 2m × 2m for a clique of m unknowns, rows in the clique's order. When a pivot is bad, retries

@@ -189,6 +189,20 @@ Eigen::VectorXcd ReducedSystem::apply(const Eigen::VectorXcd& x) const {
   return y;
 }
 
+Eigen::MatrixXcd ReducedSystem::dense() const {
+  Eigen::MatrixXcd out = H_;
+  for (const std::vector<SchurBlock>& blocks : blocks_)
+    for (const SchurBlock& p : blocks) {
+      const int size = static_cast<int>(p.index.size());
+      for (int j = 0; j < size; ++j)
+        for (int i = j; i < size; ++i) {
+          out(p.index[i], p.index[j]) += p.values(i, j);
+          if (i != j) out(p.index[j], p.index[i]) += std::conj(p.values(i, j));
+        }
+    }
+  return out;
+}
+
 void ReducedSystem::fillPanel(int t, const int* local, double* panel, int rows,
                               const double* values, double lift) const {
   for (std::size_t e = matrixEntries_.start[t]; e < matrixEntries_.start[t + 1]; ++e)

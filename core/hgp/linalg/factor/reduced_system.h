@@ -34,6 +34,8 @@ class ReducedSystem {
   int blockCount() const { return static_cast<int>(offset_.size()) - 1; }
 
   Eigen::VectorXcd apply(const Eigen::VectorXcd& x) const;
+  /// H̃ in full, both triangles.
+  Eigen::MatrixXcd dense() const;
   /// badPivot of the status is a dynamic unknown.
   FactorStatus factor(const double* values);
   void solveInPlace(Eigen::Ref<Eigen::MatrixXd> x) const;

@@ -2,12 +2,16 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { SlicedUploads } from '../../../web/src/views/sliced_uploads.ts';
 
-/** A context whose buffers are arrays. */
-function context() {
+/** A context whose buffers are arrays; its card takes at once what it is sent, unless `card` is busy. */
+function context(card = { isBusy: false }) {
   let bound = null;
   const writes = [];
   const gl = {
-    ...{ ARRAY_BUFFER: 1, ELEMENT_ARRAY_BUFFER: 2 },
+    ...{ ARRAY_BUFFER: 1, ELEMENT_ARRAY_BUFFER: 2, SYNC_STATUS: 3, SIGNALED: 4 },
+    fenceSync: () => ({}),
+    getSyncParameter: () => (card.isBusy ? 5 : 4),
+    deleteSync: () => undefined,
+    flush: () => undefined,
     bindBuffer: (target, buffer) => target === 1 && (bound = buffer),
     deleteBuffer: () => undefined,
     bufferData: (target, data) => {
@@ -73,4 +77,24 @@ test('indices are left to the context', () => {
   gl.bindBuffer(2, {});
   gl.bufferData(2, megabytes(9, 1), 0);
   assert.equal(uploads.isBusy, false);
+});
+
+test('a busy card is sent nothing more; one that never answers is not waited for forever', async () => {
+  const card = { isBusy: true };
+  const { gl, writes } = context(card);
+  const uploads = new SlicedUploads(gl);
+  const buffer = {};
+  gl.bindBuffer(1, buffer);
+  gl.bufferData(1, megabytes(30, 6), 0);
+  uploads.step();
+  const first = writes.length;
+  assert.ok(first >= 1 && first <= 4, `${first}`);
+  for (let i = 0; i < 5; i++) uploads.step();
+  assert.equal(writes.length, first);
+  await new Promise((resolve) => setTimeout(resolve, 600));
+  uploads.step();
+  assert.ok(writes.length > first && writes.length <= 2 * 4, `${writes.length}`);
+  card.isBusy = false;
+  finish(uploads);
+  assert.deepEqual(buffer.bytes, megabytes(30, 6));
 });

@@ -1,7 +1,10 @@
-// Large arrays go to the graphics card in slices, a few in each frame: one of 40 MB at once holds the main
-// thread for up to seconds where the card, or what stands in for it, is busy.
+// Large arrays go to the graphics card in slices, a few in each frame, and none before the card has taken those of
+// the frame before: one of 40 MB at once, or one behind others, holds the main thread for as long as the card, or
+// what stands in for it, is busy.
 
 const sliceBytes = 2 ** 20;
+const frameBytes = 4 * sliceBytes;
+const longestWait = 500; // milliseconds; a card that does not answer gets the next slices all the same
 const frameTime = 8; // milliseconds of a frame that may go into slices
 
 interface Upload {
@@ -17,6 +20,7 @@ export class SlicedUploads {
   readonly #fill: WebGL2RenderingContext['bufferSubData'];
   #bound: WebGLBuffer | null = null;
   #waiting: Upload[] = [];
+  #sent: { fence: WebGLSync; time: number } | undefined;
 
   constructor(gl: WebGL2RenderingContext) {
     this.#gl = gl;
@@ -61,17 +65,30 @@ export class SlicedUploads {
   /** What was lost with the context is asked for again by three.js. */
   forget(): void {
     this.#waiting = [];
+    this.#sent = undefined;
   }
 
-  /** As many slices as a frame has time for; the first in any case. */
+  /** Whether the card has still to take what it was sent. */
+  #isCardBusy(): boolean {
+    const gl = this.#gl;
+    if (!this.#sent) return false;
+    const { fence, time } = this.#sent;
+    const isTaken = gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.SIGNALED;
+    if (!isTaken && performance.now() - time < longestWait) return true;
+    gl.deleteSync(fence);
+    this.#sent = undefined;
+    return false;
+  }
+
+  /** As many slices as a frame has time for; the first in any case, unless the card is busy. */
   step(): void {
+    if (this.#isCardBusy()) return;
     const gl = this.#gl;
     const begin = performance.now();
     const before = this.#bound;
-    while (this.#waiting.length > 0) {
+    for (let sent = 0; this.#waiting.length > 0 && sent < frameBytes; sent += sliceBytes) {
       const upload = this.#waiting[0];
       const { buffer, bytes, done } = upload;
-
       const length = Math.min(sliceBytes, bytes.length - done);
       this.#bind(gl.ARRAY_BUFFER, buffer);
       this.#fill(gl.ARRAY_BUFFER, done, bytes, done, length);
@@ -80,5 +97,8 @@ export class SlicedUploads {
       if (performance.now() - begin > frameTime) break;
     }
     this.#bind(gl.ARRAY_BUFFER, before);
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    if (fence) this.#sent = { fence, time: begin };
+    gl.flush();
   }
 }

@@ -191,6 +191,16 @@ export const faults = [
   ),
   fault('optimize/frames.cpp', 'if (isMarked[v] || mesh.isBoundary(v)) {', 'if (isMarked[v]) {'),
   fault(
+    'field/angle_structure.cpp',
+    'size()) -\n        turnAngle(spec.turning[i], spec.q);',
+    'size()) +\n        turnAngle(spec.turning[i], spec.q);',
+  ),
+  fault(
+    'parametrize/shape_frames.cpp',
+    'seams.frameAngle[f] -= portable::arg(similarity);',
+    'seams.frameAngle[f] += portable::arg(similarity);',
+  ),
+  fault(
     'optimize/frame_fixing.cpp',
     'turn += seams.rotation[mesh.twin(h)];',
     'turn += seams.rotation[h];',

@@ -131,6 +131,19 @@ Geometry evenedGeometry(const TriMesh& mesh) {
   return g;
 }
 
+Geometry geometryOfShapes(const TriMesh& mesh, const PerHalfedge<double>& length) {
+  Geometry g;
+  const auto lay = [&](FaceId f) {
+    Lengths l;
+    for (int k = 0; k < 3; ++k) l[static_cast<std::size_t>(k)] = length[TriMesh::halfedge(f, k)];
+    const double longest = *std::max_element(l.begin(), l.end());
+    for (double& x : l) x /= longest;
+    return layFlat(l);
+  };
+  measure(mesh, lay, g);
+  return g;
+}
+
 double curvature(const TriMesh& mesh, const Geometry& geometry, VertexId v) {
   return (mesh.isBoundary(v) ? kPi : 2.0 * kPi) - geometry.angleSum[v];
 }

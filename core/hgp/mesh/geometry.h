@@ -36,6 +36,12 @@ Geometry computeGeometry(const TriMesh& mesh, double relativeHeight = 1e-6);
 /// structure that maps can be found in where the surface's own has triangles too thin for that.
 Geometry evenedGeometry(const TriMesh& mesh);
 
+/// Of triangles that are each given up to scale, as those of another map or with other angles are: lengths of
+/// `length` within a triangle, per halfedge, need not agree across edges. Angles, directions and transports are what it is
+/// for. Edges are given in units of the longest of their triangle.
+/// @param length  positive; in every triangle the triangle inequalities hold
+Geometry geometryOfShapes(const TriMesh& mesh, const PerHalfedge<double>& length);
+
 /// 2π − Θ_v inside, π − Θ_v on the boundary.
 double curvature(const TriMesh& mesh, const Geometry& geometry, VertexId v);
 

@@ -70,24 +70,6 @@ bool holdsRing(const TriMesh& mesh, const Frames& frames, VertexId cone) {
   return true;
 }
 
-void embedSurfaceRing(const TriMesh& mesh, const Geometry& geometry, const SeamRotations& seams,
-                      VertexId cone, int k, Frames& frames) {
-  Ring ring;
-  for (HalfedgeId h : outgoingHalfedges(mesh, cone)) {
-    ring.spokes.push_back(h);
-    ring.angles.push_back(geometry.cornerAngle[h] * turnAngle(k, seams.q) /
-                          geometry.angleSum[cone]);
-    ring.lengths.push_back(geometry.length[h]);
-  }
-  fitAngles(ring.angles, turnAngle(k, seams.q));
-  const std::vector<double> laid = ringFrames(mesh, geometry, seams, ring, 0.0);
-  Complex mean = 0.0;
-  for (std::size_t n = 0; n < laid.size(); ++n)
-    mean += portable::polar(1.0, frameOf(frames, TriMesh::face(ring.spokes[n])) - laid[n]);
-  for (std::size_t n = 0; n < laid.size(); ++n)
-    frameOf(frames, TriMesh::face(ring.spokes[n])) = laid[n] + portable::arg(mean);
-}
-
 void embedConeRing(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,
                    const SeamRotations& seams, const std::vector<Complex>& z, VertexId cone, int k,
                    Frames& frames) {

@@ -8,14 +8,6 @@ namespace hgp {
 /// Whether every face around the cone has a frame: only then can its ring be embedded.
 bool holdsRing(const TriMesh& mesh, const Frames& frames, VertexId cone);
 
-/// Frames around a cone from a local embedding of the surface's own one-ring: corner angles at the
-/// cone scaled to the asked sum 2πk/q, spoke lengths kept, the ring turned as a whole to where the
-/// field has it. Where the connection squeezes a spike's turning into one edge, these frames still
-/// leave room for a map.
-/// @param frames  changed in place for the faces around the cone
-void embedSurfaceRing(const TriMesh& mesh, const Geometry& geometry, const SeamRotations& seams,
-                      VertexId cone, int k, Frames& frames);
-
 /// New frames for the triangles around `cone`: its one-ring is embedded locally with the asked angle
 /// 2πk/q. Interior angles at the cone minimise the summed squared deviation from those of `z` (made
 /// positive) under Σ = 2πk/q; spoke lengths stay those of `z`.

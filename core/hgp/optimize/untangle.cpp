@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "hgp/base/portable_math.h"
 #include "hgp/linalg/factor/factor.h"
@@ -104,7 +105,8 @@ class Untangler {
     for (; result.iterations < end; ++result.iterations) {
       const Extremes now = extremes(x_);
       result.flipped = now.flipped;
-      if (options_.progress &&
+      const bool isNew = std::exchange(reported_, result.iterations) != result.iterations;
+      if (isNew && options_.progress &&
           !options_.progress(result.iterations, static_cast<double>(now.flipped) /
                                                     static_cast<double>(faces_.size()))) {
         result.isCancelled = true;
@@ -319,6 +321,7 @@ class Untangler {
   Eigen::VectorXcd x_;
   double epsilon_ = 1.0;
   bool isFramed_ = false;
+  int reported_ = -1;  ///< the last step that progress was told of
 };
 
 }  // namespace

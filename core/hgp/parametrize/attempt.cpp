@@ -10,8 +10,6 @@
 namespace hgp {
 namespace {
 
-/// Radians that the connection may turn across an edge at a cone whose ring is not embedded.
-constexpr double kFarTurn = 2.0;
 /// δ of the linear program that untangling starts from: frames on all faces outweigh harmonicity.
 constexpr double kStartQuality = 1.0;
 /// Bound on |u| in that program where it cannot be factored without.
@@ -91,49 +89,14 @@ void findWrong(const Problem& problem, Attempt& attempt) {
   attempt.wrong = std::move(faces);
 }
 
-/// Largest turn of the field against transport across the edges at a vertex.
-double turnAround(const Problem& problem, VertexId v) {
-  const SeamlessSetup& setup = *problem.setup;
-  double largest = 0.0;
-  for (HalfedgeId h : outgoingHalfedges(problem.mesh, v)) {
-    const HalfedgeId twin = problem.mesh.twin(h);
-    if (!twin.isValid()) continue;
-    const double turn = setup.field.field.angle[TriMesh::face(twin)] +
-                        turnAngle(setup.field.field.matching[h], setup.seams.q) -
-                        setup.field.field.angle[TriMesh::face(h)] -
-                        transport(problem.mesh, setup.context->geometry, h);
-    largest = std::max(largest, std::abs(turn));
-  }
-  return largest;
-}
-
 }  // namespace
 
 Attempts::Attempts(const Problem& problem, const ParametrizeOptions& options)
     : problem_(problem), options_(options), verifier_(problem.mesh) {}
 
 /// The rotations of the seams belong to the prescription; only the frames between them differ.
-const SeamRotations& Attempts::seamsOf(bool isEven) {
-  const SeamlessSetup& setup = *problem_.setup;
-  if (!isEven) return setup.seams;
-  if (even_) return *even_;
-  even_ = setup.seams;
-  FieldContext context{setup.context->topology,
-                       setup.context->geometry,
-                       {},
-                       setup.context->tree,
-                       setup.context->surface,
-                       {},
-                       {}};
-  for (double& weight : context.surface.weight.raw())
-    if (weight > 0.0) weight = 1.0;
-  if (!prepareConnection(problem_.mesh, context)) return *even_;
-  const Result<PrescribedField> field =
-      prescribedField(problem_.mesh, context, toSpec(setup.field.spec));
-  if (!field) return *even_;
-  SeamRotations even = seamRotations(problem_.mesh, setup.cut, field->field);
-  if (even.rotation.raw() == setup.seams.rotation.raw()) even_ = std::move(even);
-  return *even_;
+const SeamRotations& Attempts::seamsOf(const State& state) const {
+  return state.frames ? *state.frames : problem_.setup->seams;
 }
 
 PerVertex<double> Attempts::scaleOf(const State& state) const {
@@ -151,19 +114,16 @@ PerVertex<double> Attempts::scaleOf(const State& state) const {
   return u;
 }
 
-Frames Attempts::framesOf(const State& state) {
+Frames Attempts::framesOf(const State& state) const {
   if (state.directions) return *state.directions;
   const SeamlessSetup& setup = *problem_.setup;
-  const SeamRotations& seams = seamsOf(state.isEven);
+  const SeamRotations& seams = seamsOf(state);
   std::vector<FaceId> hard = state.hard;
   if (!state.patch.empty()) {
     const Patch part = patchOf(problem_, state);
     std::erase_if(hard, [&](FaceId f) { return !isTouched(problem_, f, part); });
   }
   Frames frames = fieldFrames(seams, std::move(hard));
-  for (const ConePoint& cone : state.rings)
-    if (holdsRing(problem_.mesh, frames, cone.vertex))
-      embedSurfaceRing(problem_.mesh, setup.context->geometry, seams, cone.vertex, cone.k, frames);
   for (const ConePoint& cone : state.lifts)
     if (state.from && holdsRing(problem_.mesh, frames, cone.vertex))
       embedConeRing(problem_.mesh, setup.context->geometry, setup.cut, seams, state.from->program.z,
@@ -208,31 +168,16 @@ bool Attempts::solve(const State& state, int round, Attempt& attempt) {
     return !isCancelled;
   };
   const HarmonicSystem& harmonic = state.harmonic ? *state.harmonic : setup.harmonic;
-  attempt.program = solveProgram(systemOf(problem_.mesh, setup, seamsOf(state.isEven), harmonic),
+  attempt.program = solveProgram(systemOf(problem_.mesh, setup, seamsOf(state), harmonic),
                                  attempt.frames, program);
   return !isCancelled;
-}
-
-SeamRotations Attempts::framesOfKind(const Untangling& kind) {
-  SeamRotations seams = seamsOf(kind.isEven);
-  if (!kind.hasRings) return seams;
-  std::vector<FaceId> all;
-  for (FaceId f : problem_.mesh.faces()) all.push_back(f);
-  Frames frames = fieldFrames(seams, all);
-  for (const ConePoint& cone : problem_.setup->field.spec.cones)
-    if (turnAround(problem_, cone.vertex) > kFarTurn)
-      embedSurfaceRing(problem_.mesh, problem_.setup->context->geometry, seams, cone.vertex, cone.k,
-                       frames);
-  for (std::size_t i = 0; i < all.size(); ++i) seams.frameAngle[all[i]] = frames.angles[i];
-  return seams;
 }
 
 /// Starts where all frames agree best in the least-squares sense.
 bool Attempts::untangleFrom(const State& state, int round, Attempt& attempt) {
   const SeamlessSetup& setup = *problem_.setup;
   const Untangling& kind = untanglings()[static_cast<std::size_t>(state.untangling)];
-  const SeamRotations seams = framesOfKind(kind);
-  const SeamlessSystem system = systemOf(problem_.mesh, setup, seams, setup.harmonic);
+  const SeamlessSystem system = systemOf(problem_.mesh, setup, seamsOf(state), setup.harmonic);
   ProgramOptions start;
   start.u = attempt.u;
   start.objective = PenaltyObjective{kStartQuality, WholeSurface{}};

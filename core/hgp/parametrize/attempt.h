@@ -16,16 +16,14 @@ class Attempts {
 
  private:
   PerVertex<double> scaleOf(const State& state) const;
-  Frames framesOf(const State& state);
-  const SeamRotations& seamsOf(bool isEven);
+  Frames framesOf(const State& state) const;
+  const SeamRotations& seamsOf(const State& state) const;
   bool solve(const State& state, int round, Attempt& attempt);
   bool untangleFrom(const State& state, int round, Attempt& attempt);
-  SeamRotations framesOfKind(const Untangling& kind);
 
   const Problem& problem_;
   const ParametrizeOptions& options_;
   Verifier verifier_;
-  std::optional<SeamRotations> even_;
 };
 
 }  // namespace hgp

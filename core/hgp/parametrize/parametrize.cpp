@@ -62,9 +62,9 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// In this order: what contradicts itself, then what is wrong in few places, then everything anew.
-constexpr Move kMoves[] = {embedRings, fixLifts, turnEvenly,    dropFrames,   widenPatch,
-                           solvePatch, enlarge,  iterateFrames, untangleNext, nextWeighting};
+/// In this order: what is wrong in few places, then other frames, then everything anew.
+constexpr Move kMoves[] = {frameByMap, widenPatch, solvePatch,    frameByAngles, untangleNext,
+                           fixLifts,   enlarge,    iterateFrames, nextWeighting};
 
 /// The first move to a state that was not tried before.
 std::optional<State> firstMove(const Problem& problem, const State& state,

@@ -85,7 +85,13 @@ class Hash {
 
 Problem problemOf(const TriMesh& mesh, const std::shared_ptr<const SeamlessSetup>& setup,
                   const ParametrizeOptions& options) {
-  Problem problem{mesh, setup, options.method, {}, coneAndBoundaryFaces(mesh, setup->cones), {}};
+  Problem problem{mesh,
+                  setup,
+                  options.method,
+                  {},
+                  coneAndBoundaryFaces(mesh, setup->cones),
+                  {},
+                  std::make_shared<AngleFrames>()};
   const Weighting hard{"hard constraints", kNoClamp, 0.0, 3, false};
   const Method method = options.method;
   if (method == Method::kSoft || (method == Method::kAuto && suitsSoft(*setup)))
@@ -112,12 +118,12 @@ std::uint64_t hashOf(const State& state) {
   hash.add(state.weighting);
   hash.add(state.hard);
   hash.add(state.patch);
-  hash.add(state.rings);
   hash.add(state.lifts);
-  hash.add(state.isEven);
+  hash.add(static_cast<std::uint64_t>(state.source));
   hash.add(static_cast<std::uint64_t>(state.untangling + 1));
   // What is read from the map before: where patches are held, lifts, scale, frames.
-  const bool usesMap = !state.patch.empty() || !state.lifts.empty() || state.directions;
+  const bool usesMap = !state.patch.empty() || !state.lifts.empty() || state.directions ||
+                       state.source == FrameSource::kMap;
   if (usesMap && state.from)
     for (const Complex& x : state.from->program.x) {
       hash.add(Eigen::numext::bit_cast<std::uint64_t>(x.real()));
@@ -133,16 +139,17 @@ double workOf(const Round& round, int faceCount) {
 }
 
 std::string nameOf(const Problem& problem, const State& state) {
-  if (state.untangling >= 0) return "untangled, kind " + std::to_string(state.untangling + 1);
-  std::string name = problem.weightings[state.weighting].name;
+  std::string name = state.untangling >= 0
+                         ? "untangled, kind " + std::to_string(state.untangling + 1)
+                         : problem.weightings[state.weighting].name;
+  if (state.source == FrameSource::kAngles) name += ", frames of angles";
+  if (state.source == FrameSource::kMap) name += ", frames of the map";
   if (state.growth > 0)
     name += state.directions ? ", frames and weights of map " + std::to_string(state.growth)
                              : " + enlarged " + std::to_string(state.growth);
   if (!state.patch.empty()) name += state.isWide ? ", on a wide patch" : ", on a patch";
-  if (state.isEven) name += ", even frames";
   if (!state.lifts.empty())
     name += ", frames fixed at " + std::to_string(state.lifts.size()) + " cones";
-  if (!state.rings.empty()) name += ", " + std::to_string(state.rings.size()) + " rings embedded";
   return name;
 }
 
@@ -154,10 +161,10 @@ State startOf(const Problem& problem, std::size_t weighting) {
 }
 
 const std::vector<Untangling>& untanglings() {
-  static const std::vector<Untangling> kinds{{true, false, 3.0, 1.0},  {false, false, 0.05, 0.2},
-                                             {true, true, 0.05, 0.2},  {false, true, 3.0, 1.0},
-                                             {true, false, 0.3, 0.2},  {false, true, 0.05, 0.2},
-                                             {false, false, 3.0, 1.0}, {true, true, 3.0, 1.0}};
+  using enum FrameSource;
+  static const std::vector<Untangling> kinds{{kAngles, 3.0, 1.0},     {kConnection, 0.05, 0.2},
+                                             {kConnection, 3.0, 1.0}, {kAngles, 0.05, 0.2},
+                                             {kConnection, 0.3, 0.2}, {kAngles, 0.3, 0.2}};
   return kinds;
 }
 

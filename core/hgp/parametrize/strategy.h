@@ -11,6 +11,7 @@
 #include "hgp/optimize/program.h"
 #include "hgp/parametrize/parametrization.h"
 #include "hgp/parametrize/seamless_setup.h"
+#include "hgp/parametrize/shape_frames.h"
 
 namespace hgp {
 
@@ -43,6 +44,7 @@ struct Problem {
   std::vector<Weighting> weightings;
   std::vector<FaceId> base;  ///< F_cb
   std::vector<FaceId> soft;  ///< F_cb, and a ring around it where that costs little
+  std::shared_ptr<AngleFrames> angles;
 };
 Problem problemOf(const TriMesh& mesh, const std::shared_ptr<const SeamlessSetup>& setup,
                   const ParametrizeOptions& options);
@@ -60,17 +62,24 @@ struct Attempt {
   bool isFeasible() const { return program.status != socp::SolveStatus::kInfeasible; }
 };
 
+/// Where the frames of a state come from.
+enum class FrameSource : unsigned char {
+  kConnection,  ///< the trivial connection on S
+  kAngles,      ///< framesOfAngles
+  kMap          ///< framesOfMap of `from`
+};
+
 /// Everything that a round is decided by.
 struct State {
   std::size_t weighting = 0;
   int growth = 0;
-  std::vector<FaceId> hard;             ///< the constrained set
-  std::vector<FaceId> patch;            ///< what is solved for; empty: everything
-  bool isWide = false;                  ///< patches are wide ones
-  std::vector<ConePoint> rings;         ///< frames from the surface's embedded ring
-  std::vector<ConePoint> lifts;         ///< frames from the embedded ring of the map `from` (§7.1)
-  std::vector<VertexId> takenBack;      ///< rings that gave a wrong multiple of 2π: never again
-  bool isEven = false;                  ///< frames of the evenly turning connection
+  std::vector<FaceId> hard;      ///< the constrained set
+  std::vector<FaceId> patch;     ///< what is solved for; empty: everything
+  bool isWide = false;           ///< patches are wide ones
+  std::vector<ConePoint> lifts;  ///< frames from the embedded ring of the map `from` (§7.1)
+  FrameSource source = FrameSource::kConnection;
+  std::shared_ptr<const SeamRotations> frames;  ///< of that source; null: the connection's
+  int corrections = 0;                          ///< how often in a row frames came from the map
   int untangling = -1;                  ///< index of the kind of untangling; −1: a cone program
   int untangled = 0;                    ///< Newton steps spent on that before
   std::shared_ptr<const Attempt> from;  ///< the map that patch, lifts and scale are taken from
@@ -95,8 +104,7 @@ State startOf(const Problem& problem, std::size_t weighting);
 
 /// A kind of untangling: where its frames come from, and the numbers of UntangleOptions.
 struct Untangling {
-  bool isEven;    ///< frames of the evenly turning connection
-  bool hasRings;  ///< cones' rings embedded where the connection turns far
+  FrameSource source;  ///< kConnection where the prescription has no angle structure
   double scaleWeight;
   double epsilonShare;
 };

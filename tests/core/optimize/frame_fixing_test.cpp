@@ -122,7 +122,7 @@ double turnOfFrames(const test::CutSurface& s, const Frames& frames, VertexId co
   return s.seams.q * (1.0 - (K + turned) / (2 * kPi));
 }
 
-TEST(FrameFixing, BothEmbeddingsTurnTheFramesByK) {
+TEST(FrameFixing, AnEmbeddingTurnsTheFramesByK) {
   for (SwappedLifts& built : builtCases()) {
     const test::CutSurface& s = built.asked.surface;
     const Frames wrong = built.wrong.frames();
@@ -132,16 +132,12 @@ TEST(FrameFixing, BothEmbeddingsTurnTheFramesByK) {
     embedConeRing(s.mesh, s.context.geometry, s.cut, s.seams, built.solveWrong(), built.v, 5,
                   fromMap);
     EXPECT_NEAR(turnOfFrames(s, fromMap, built.v), 5.0, 1e-6);
-    Frames fromSurface = wrong;
-    embedSurfaceRing(s.mesh, s.context.geometry, s.seams, built.v, 5, fromSurface);
-    EXPECT_NEAR(turnOfFrames(s, fromSurface, built.v), 5.0, 1e-6);
     // Only the ring's own frames have changed.
     for (std::size_t j = 0; j < wrong.faces.size(); ++j) {
       bool isRing = false;
       for (VertexId u : s.mesh.corners(wrong.faces[j])) isRing |= u == built.v;
       if (isRing) continue;
       EXPECT_EQ(fromMap.angles[j], wrong.angles[j]);
-      EXPECT_EQ(fromSurface.angles[j], wrong.angles[j]);
     }
   }
 }
@@ -152,7 +148,7 @@ TEST(FrameFixing, AnEmbeddedRingIsFeasibleByItself) {
   const test::CutSurface& s = built.asked.surface;
   for (const auto& [cone, k] : {std::pair{built.v, 5}, {built.w, 1}}) {
     Frames frames = built.asked.frames();
-    embedSurfaceRing(s.mesh, s.context.geometry, s.seams, cone, k, frames);
+    embedConeRing(s.mesh, s.context.geometry, s.cut, s.seams, built.solveWrong(), cone, k, frames);
     Frames ring;
     for (std::size_t j = 0; j < frames.faces.size(); ++j)
       for (VertexId u : s.mesh.corners(frames.faces[j]))

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hgp/parametrize/attempt.h"
+#include "hgp/parametrize/shape_frames.h"
 #include "support/prescriptions.h"
 #include "support/shapes.h"
 
@@ -101,42 +102,7 @@ TEST(Problem, OfANamedMethodHasItsWeightingAlone) {
   EXPECT_EQ(static_cast<int>(firstState(*all.problem).hard.size()), all.mesh->faceCount());
 }
 
-TEST(EmbedRings, TakesTheConesOfTheConflictOnceAndNeverTwice) {
-  const Posed on = sphere(8);
-  const VertexId cone = on.problem->setup->cones[2];
-  const AttemptPtr fight = infeasible(on, ringOf(on, cone));
-  const auto next = embedRings(*on.problem, on.hardState(), fight);
-  ASSERT_TRUE(next);
-  ASSERT_EQ(next->rings.size(), 1U);
-  EXPECT_EQ(next->rings[0].vertex, cone);
-  EXPECT_FALSE(embedRings(*on.problem, *next, fight)) << "it is embedded already";
-  State back = on.hardState();
-  back.takenBack.push_back(cone);
-  EXPECT_FALSE(embedRings(*on.problem, back, fight)) << "taken back is taken back";
-  EXPECT_FALSE(embedRings(*on.problem, on.hardState(), attemptWith(on, 3, 1.0)));
-}
-
-TEST(EmbedRings, ChangesTheFramesOfTheRingAndOfNothingElse) {
-  const Posed on = sphere(8, {1, 3, 3, 3, 3, 3});
-  const VertexId cone = on.problem->setup->cones[0];
-  Attempts attempts(*on.problem, on.options);
-  const AttemptPtr before = attempts.make(on.hardState(), 1);
-  State ringed = on.hardState();
-  ringed.rings.push_back(on.problem->setup->field.spec.cones[0]);
-  const AttemptPtr after = attempts.make(ringed, 2);
-  ASSERT_TRUE(before && after);
-  const std::vector<FaceId> ring = ringOf(on, cone);
-  int changed = 0;
-  for (std::size_t i = 0; i < before->frames.faces.size(); ++i) {
-    const bool isChanged = before->frames.angles[i] != after->frames.angles[i];
-    changed += isChanged;
-    EXPECT_TRUE(!isChanged ||
-                std::binary_search(ring.begin(), ring.end(), before->frames.faces[i]));
-  }
-  EXPECT_GT(changed, 0);
-}
-
-TEST(EmbedRings, OutsideAPatchRingsAreLeftAlone) {
+TEST(FixLifts, OutsideAPatchRingsAreLeftAlone) {
   const Posed on = sphere(32);
   Attempts attempts(*on.problem, on.options);
   const AttemptPtr whole = attempts.make(on.hardState(), 1);
@@ -145,23 +111,17 @@ TEST(EmbedRings, OutsideAPatchRingsAreLeftAlone) {
   patch.from = whole;
   patch.hard = ringOf(on, on.problem->setup->cones[0]);
   patch.patch = growFaces(*on.mesh, patch.hard, 3);
-  patch.rings.push_back({far, 3});
+  patch.lifts.push_back({far, 3});
   ASSERT_FALSE(std::binary_search(patch.patch.begin(), patch.patch.end(), ringOf(on, far)[0]));
   EXPECT_TRUE(attempts.make(patch, 2)) << "a ring that is not constrained is no error";
 }
 
-TEST(FixLifts, GivesBackTheConnectionsLiftAndThenEmbedsTheMapsRing) {
+TEST(FixLifts, EmbedsTheMapsRingOnce) {
   const Posed on = sphere(8);
   const VertexId cone = on.problem->setup->cones[1];
   auto attempt = attemptWith(on, 0, 1.0);
   attempt->certificate.angles.wrong.push_back(measured(cone, 3, 7));
-  State state = on.hardState();
-  state.rings.push_back({cone, 3});
-  const auto back = fixLifts(*on.problem, state, attempt);
-  ASSERT_TRUE(back);
-  EXPECT_FALSE(contains(back->rings, cone));
-  EXPECT_EQ(back->takenBack, std::vector<VertexId>{cone});
-  const auto fixed = fixLifts(*on.problem, *back, attempt);
+  const auto fixed = fixLifts(*on.problem, on.hardState(), attempt);
   ASSERT_TRUE(fixed);
   EXPECT_TRUE(contains(fixed->lifts, cone));
   EXPECT_EQ(fixed->from, attempt);
@@ -179,28 +139,124 @@ TEST(FixLifts, LeavesAloneWhatIsNoMultipleOfAFullTurnOrNotPositive) {
   EXPECT_FALSE(fixLifts(*on.problem, on.hardState(), attempt));
 }
 
-TEST(TurnEvenly, DerivesOtherFramesWithTheSameSeams) {
-  const Posed on = sphere(8, {1, 3, 3, 3, 3, 3});
-  const auto next = turnEvenly(*on.problem, on.hardState(), infeasible(on, {}));
-  ASSERT_TRUE(next);
-  EXPECT_TRUE(next->isEven);
-  EXPECT_FALSE(turnEvenly(*on.problem, *next, infeasible(on, {})));
-  EXPECT_FALSE(turnEvenly(*on.problem, on.hardState(), attemptWith(on, 3, 1.0)));
-  Attempts attempts(*on.problem, on.options);
-  const AttemptPtr plain = attempts.make(on.hardState(), 1), even = attempts.make(*next, 2);
-  ASSERT_TRUE(plain && even);
-  EXPECT_NE(plain->frames.angles, even->frames.angles);
-  EXPECT_TRUE(even->certificate.isCertified) << "the holonomy is the same";
+/// How far f_z is from the positive real axis along the frames, over all triangles.
+double farthestFromFrames(const Posed& on, const SeamRotations& seams, const Attempt& attempt) {
+  const SeamlessSetup& setup = *on.problem->setup;
+  double farthest = 0.0;
+  Complex mean = 0.0;
+  std::vector<Complex> along;
+  for (FaceId f : on.mesh->faces()) {
+    const LinearParts parts = linearParts(setup.context->geometry, f);
+    Complex similarity = 0.0;
+    for (int k = 0; k < 3; ++k)
+      similarity +=
+          parts.similarity[static_cast<std::size_t>(k)] *
+          attempt.program.z[static_cast<std::size_t>(setup.cut.copy[TriMesh::halfedge(f, k)].i)];
+    along.push_back(similarity / std::abs(similarity) * std::polar(1.0, seams.frameAngle[f]));
+    mean += along.back();
+  }
+  for (const Complex& a : along)
+    farthest = std::max(farthest, std::abs(std::arg(a * std::conj(mean))));
+  return farthest;
 }
 
-TEST(DropFrames, TakesTheConflictOutOfTheConstrainedSetButNeverMostOfIt) {
+TEST(ShapeFrames, OfARightMapAreItsOwnDirections) {
   const Posed on = sphere(8);
-  const std::vector<FaceId> ring = ringOf(on, on.problem->setup->cones[0]);
-  const auto next = dropFrames(*on.problem, on.hardState(), infeasible(on, ring));
+  Attempts attempts(*on.problem, on.options);
+  const AttemptPtr map = attempts.make(on.hardState(), 1);
+  ASSERT_TRUE(map && map->certificate.isCertified);
+  const auto frames = framesOfMap(*on.mesh, *on.problem->setup, map->program.z);
+  ASSERT_TRUE(frames);
+  EXPECT_LT(farthestFromFrames(on, *frames, *map), 1e-9);
+  EXPECT_GT(farthestFromFrames(on, on.problem->setup->seams, *map), 1e-3);
+}
+
+/// Two cones of 9π/2 beside each other on a torus, and what Lemma 6.2 then needs.
+Posed strongPair(int at) {
+  Posed on;
+  on.mesh = std::make_unique<TriMesh>(test::jittered(test::torus(16, 8), 0.1).mesh());
+  HolonomySpec spec;
+  const HalfedgeId h = on.mesh->outgoing(VertexId(at));
+  spec.cones = {{on.mesh->tail(h), 9}, {on.mesh->head(h), 9}};
+  for (const int k : {1, 1, 1, 3})
+    spec.cones.push_back({VertexId(60 + 4 * static_cast<int>(spec.cones.size())), k});
+  PreparedSurface surface(*on.mesh);
+  std::vector<StageTime> times;
+  auto setup = prepareSeamless(surface, spec, {}, times);
+  EXPECT_TRUE(setup) << setup.error().message;
+  on.problem = std::make_unique<Problem>(
+      problemOf(*on.mesh, std::make_shared<const SeamlessSetup>(std::move(*setup)), on.options));
+  return on;
+}
+
+TEST(FrameByAngles, ContradictNothingWhereTheConnectionsDo) {
+  int contradictions = 0;
+  for (int at = 16; at < 40; at += 3) {
+    const Posed on = strongPair(at);
+    Attempts attempts(*on.problem, on.options);
+    const AttemptPtr before = attempts.make(on.hardState(), 1);
+    ASSERT_TRUE(before);
+    contradictions += !before->isFeasible();
+    const auto next = frameByAngles(*on.problem, on.hardState(), before);
+    ASSERT_TRUE(next) << at;
+    EXPECT_EQ(next->source, FrameSource::kAngles);
+    EXPECT_EQ(next->frames->rotation.raw(), on.problem->setup->seams.rotation.raw());
+    const AttemptPtr after = attempts.make(*next, 2);
+    ASSERT_TRUE(after);
+    EXPECT_TRUE(after->isFeasible()) << at;
+    EXPECT_FALSE(frameByAngles(*on.problem, *next, after)) << "once";
+  }
+  EXPECT_GE(contradictions, 2) << "examples that show nothing";
+}
+
+TEST(FrameByAngles, IsForHardConstraintsAndNotForThePaperAsPrinted) {
+  const Posed soft = sphere(8), printed = sphere(8, std::vector<int>(8, 3), Method::kPrinted);
+  EXPECT_FALSE(frameByAngles(*soft.problem, firstState(*soft.problem), attemptWith(soft, 3, 1.0)));
+  EXPECT_FALSE(
+      frameByAngles(*printed.problem, firstState(*printed.problem), attemptWith(printed, 3, 1.0)));
+}
+
+/// Two cones of 5π/2 and π/2, and a map that has them the other way round.
+struct Swapped {
+  Posed on = sphere(6, {5, 1, 3, 3, 3, 3, 3, 3});
+  State state = on.hardState();
+  Swapped() {
+    const Posed other = sphere(6, {1, 5, 3, 3, 3, 3, 3, 3});
+    state.frames = std::make_shared<const SeamRotations>(other.problem->setup->seams);
+  }
+};
+
+TEST(FrameByMap, GivesAMapWithoutFlipsTheConesThatAreAsked) {
+  const Swapped swapped;
+  const Posed& on = swapped.on;
+  Attempts attempts(*on.problem, on.options);
+  const AttemptPtr wrong = attempts.make(swapped.state, 1);
+  ASSERT_TRUE(wrong);
+  ASSERT_TRUE(wrong->certificate.orientation.notPositive.empty());
+  EXPECT_EQ(wrong->certificate.angles.wrong.size(), 2U) << "an example that shows nothing";
+  const auto next = frameByMap(*on.problem, swapped.state, wrong);
   ASSERT_TRUE(next);
-  EXPECT_EQ(next->hard.size() + ring.size(), on.problem->base.size());
-  EXPECT_FALSE(dropFrames(*on.problem, on.hardState(), infeasible(on, on.problem->base)));
-  EXPECT_FALSE(dropFrames(*on.problem, on.hardState(), attemptWith(on, 3, 1.0)));
+  EXPECT_EQ(next->source, FrameSource::kMap);
+  EXPECT_EQ(next->from, wrong);
+  const AttemptPtr right = attempts.make(*next, 2);
+  ASSERT_TRUE(right);
+  EXPECT_TRUE(right->certificate.isCertified);
+}
+
+TEST(FrameByMap, GoesOnWhileItHelpsAndOnlyWithoutFlips) {
+  const Swapped swapped;
+  const Posed& on = swapped.on;
+  Attempts attempts(*on.problem, on.options);
+  const AttemptPtr wrong = attempts.make(swapped.state, 1);
+  ASSERT_TRUE(wrong);
+  const auto next = frameByMap(*on.problem, swapped.state, wrong);
+  ASSERT_TRUE(next);
+  EXPECT_FALSE(frameByMap(*on.problem, *next, wrong)) << "no better than the map before";
+  auto better = std::make_shared<Attempt>(*wrong);
+  better->wrongCount = 1;
+  EXPECT_TRUE(frameByMap(*on.problem, *next, better));
+  better->certificate.orientation.notPositive.push_back(FaceId(0));
+  EXPECT_FALSE(frameByMap(*on.problem, *next, better));
 }
 
 TEST(Patch, IsSolvedAroundWhatIsWrongWidenedWhereWorseAndFollowedByHardConstraints) {
@@ -305,11 +361,14 @@ TEST(Untangle, EveryKindGivesACertifiedMapOfAPrescriptionThatHardConstraintsFail
   for (std::size_t kind = 0; kind < untanglings().size(); ++kind) {
     State state = startOf(*on.problem, on.indexOf("hard constraints"));
     state.untangling = static_cast<int>(kind);
+    state.source = untanglings()[kind].source;
+    if (state.source == FrameSource::kAngles)
+      state.frames = on.problem->angles->get(*on.mesh, *on.problem->setup);
     const AttemptPtr attempt = attempts.make(state, 1);
     ASSERT_TRUE(attempt);
     certified += attempt->certificate.isCertified;
   }
-  EXPECT_GE(certified, 4);
+  EXPECT_GE(certified, 4) << "of " << untanglings().size();
 }
 
 TEST(NextWeighting, StartsFromFcbAndEndsWithTheLast) {
@@ -353,18 +412,18 @@ TEST(IterateFrames, TakesFramesAndWeightsOfTheMap) {
 TEST(Hash, TellsStatesApartThatPoseOtherPrograms) {
   const Posed on = sphere(8);
   const State hard = on.hardState();
-  State even = hard, other = hard, remembered = hard;
-  even.isEven = true;
+  State angles = hard, other = hard, remembered = hard;
+  angles.source = FrameSource::kAngles;
   other.hard.pop_back();
   remembered.from = attemptWith(on, 1, 2.0);
-  remembered.takenBack.push_back(VertexId(3));
-  EXPECT_NE(hashOf(hard), hashOf(even));
+  remembered.untangled = 3;
+  EXPECT_NE(hashOf(hard), hashOf(angles));
   EXPECT_NE(hashOf(hard), hashOf(other));
   EXPECT_EQ(hashOf(hard), hashOf(remembered)) << "what is remembered poses no other program";
 }
 
 TEST(Strategy, NeverTriesAStateTwice) {
-  // Strong cones side by side, whose rings fight: rings embedded and taken back used to alternate.
+  // Strong cones side by side, whose rings fight.
   const TriMesh mesh = test::jittered(test::torus(16, 8), 0.1).mesh();
   HolonomySpec spec;
   const HalfedgeId h = mesh.outgoing(VertexId(20));

@@ -24,13 +24,9 @@ std::optional<State> fixLifts(const Problem& problem, const State& state,
     for (HalfedgeId h : outgoingHalfedges(problem.mesh, wrong.vertex))
       isPositive &= !isWrong[TriMesh::face(h)];
     if (!isPositive) continue;
-    if (std::erase_if(next.rings, isThis) > 0) {
-      next.takenBack.push_back(wrong.vertex);
-      isChanged = true;
-    } else if (std::none_of(next.lifts.begin(), next.lifts.end(), isThis)) {
-      next.lifts.push_back(*cone);
-      isChanged = true;
-    }
+    if (std::any_of(next.lifts.begin(), next.lifts.end(), isThis)) continue;
+    next.lifts.push_back(*cone);
+    isChanged = true;
   }
   if (!isChanged) return {};
   next.patch.clear();

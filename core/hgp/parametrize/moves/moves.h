@@ -6,23 +6,18 @@
 
 namespace hgp {
 
-/// Cones next to triangles whose frames contradict each other get frames from the surface's own ring,
-/// laid flat with the asked angle. Taken back once, a ring is not embedded again.
-std::optional<State> embedRings(const Problem&, const State&,
+/// A map without a flipped triangle but with other cones than asked: frames that turn as it does, but for the
+/// difference, and along them no flip but the right cones (untangle).
+std::optional<State> frameByMap(const Problem&, const State&,
                                 const std::shared_ptr<const Attempt>&);
 
-/// §7.1: cones with a positive ring whose angle is off by a multiple of 2π get the connection's own
-/// lift back or, where that was used, a ring embedded from the map.
+/// Where hard constraints of the connection's frames contradict each other or give no map: frames of triangles with the
+/// angles that cones ask for.
+std::optional<State> frameByAngles(const Problem&, const State&,
+                                   const std::shared_ptr<const Attempt>&);
+
+/// §7.1: cones with a positive ring whose angle is off by a multiple of 2π get a ring embedded from the map.
 std::optional<State> fixLifts(const Problem&, const State&, const std::shared_ptr<const Attempt>&);
-
-/// Frames that contradict each other everywhere are derived anew, from the connection that turns most
-/// evenly from triangle to triangle (all edges weigh alike) with the same holonomy.
-std::optional<State> turnEvenly(const Problem&, const State&,
-                                const std::shared_ptr<const Attempt>&);
-
-/// Frames with the largest multipliers of an infeasible program are no longer asked for.
-std::optional<State> dropFrames(const Problem&, const State&,
-                                const std::shared_ptr<const Attempt>&);
 
 /// Where frames are soft: hard ones where the map is wrong, and only a patch around it solved again.
 std::optional<State> solvePatch(const Problem&, const State&,

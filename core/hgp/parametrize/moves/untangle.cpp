@@ -10,9 +10,15 @@ constexpr double kLargestWork = 1.2e7;
 
 std::optional<State> untangleNext(const Problem& problem, const State& state,
                                   const std::shared_ptr<const Attempt>& attempt) {
-  // After the first weighting that binds, before the further ones.
+  // After the first weighting that binds, before the further ones; kinds whose frames there are none of are left out.
   if (problem.method != Method::kAuto || problem.weightings[state.weighting].soft > 0.0) return {};
-  const auto next = static_cast<std::size_t>(state.untangling + 1);
+  auto next = static_cast<std::size_t>(state.untangling + 1);
+  std::shared_ptr<const SeamRotations> frames;
+  for (; next < untanglings().size(); ++next) {
+    if (untanglings()[next].source == FrameSource::kConnection) break;
+    frames = problem.angles->get(problem.mesh, *problem.setup);
+    if (frames) break;
+  }
   if (next >= untanglings().size()) return {};
   const bool isFirst = state.untangling < 0;
   if (isFirst && state.untangled > 0) return {};
@@ -22,8 +28,8 @@ std::optional<State> untangleNext(const Problem& problem, const State& state,
   out.untangling = static_cast<int>(next);
   out.untangled = spent;
   out.hard.clear();
-  out.rings = isFirst ? state.rings : std::vector<ConePoint>();
-  out.takenBack = state.takenBack;
+  out.source = untanglings()[next].source;
+  out.frames = std::move(frames);
   out.from = state.from;
   if (!isFirst && out.untangled == 0) out.untangled = 1;
   return out;

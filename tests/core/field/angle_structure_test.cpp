@@ -1,0 +1,113 @@
+#include "hgp/field/angle_structure.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "hgp/field/prescribed_field.h"
+#include "support/prescriptions.h"
+#include "support/shapes.h"
+
+namespace hgp {
+namespace {
+
+struct Asked {
+  TriMesh mesh;
+  FieldContext context;
+  CompleteSpec spec;
+  std::optional<PerHalfedge<double>> angles() const { return angleStructure(mesh, context, spec); }
+};
+
+Asked ask(const TriMesh& mesh, const HolonomySpec& spec) {
+  Result<FieldContext> context = prepareFields(mesh);
+  EXPECT_TRUE(context);
+  const Result<PrescribedField> field = prescribedField(mesh, *context, spec);
+  EXPECT_TRUE(field) << field.error().message;
+  return {mesh, std::move(*context), field->spec};
+}
+
+Asked ask(const test::Shape& shape, const std::vector<int>& indices) {
+  const TriMesh mesh = shape.mesh();
+  HolonomySpec spec;
+  const auto places = test::spreadVertices(mesh, static_cast<int>(indices.size()));
+  for (std::size_t i = 0; i < indices.size(); ++i) spec.cones.push_back({places[i], indices[i]});
+  return ask(mesh, spec);
+}
+
+void expectSums(const Asked& on, const PerHalfedge<double>& angle) {
+  PerVertex<double> sum(static_cast<std::size_t>(on.mesh.vertexCount()), 0.0);
+  for (FaceId f : on.mesh.faces()) {
+    double all = 0.0;
+    for (int k = 0; k < 3; ++k) {
+      const HalfedgeId h = TriMesh::halfedge(f, k);
+      EXPECT_GT(angle[h], 0.0);
+      all += angle[h];
+      sum[on.mesh.tail(h)] += angle[h];
+    }
+    EXPECT_NEAR(all, kPi, 1e-12);
+  }
+  PerVertex<double> asked(static_cast<std::size_t>(on.mesh.vertexCount()), 2.0 * kPi);
+  for (const ConePoint& cone : on.spec.cones) asked[cone.vertex] = turnAngle(cone.k, on.spec.q);
+  for (std::size_t i = 0; i < on.context.topology.loops.size(); ++i) {
+    double turning = 0.0;
+    for (HalfedgeId h : on.context.topology.loops[i].halfedges) {
+      turning += kPi - sum[on.mesh.tail(h)];
+      asked[on.mesh.tail(h)] = sum[on.mesh.tail(h)];
+    }
+    EXPECT_NEAR(turning, turnAngle(on.spec.turning[i], on.spec.q), 2e-6);
+  }
+  for (VertexId v : on.mesh.vertices()) EXPECT_NEAR(sum[v], asked[v], 2e-6);
+}
+
+TEST(AngleStructure, HasTheSumsThatAreAsked) {
+  const std::vector<int> sphere{1, 1, 2, 3, 5, 3, 2, 7};  // Σ (4 − k) = 8
+  for (const Asked& on :
+       {ask(test::jittered(test::icosphere(6), 0.02), sphere),
+        ask(test::jittered(test::torus(16, 10), 0.05), {3, 5, 2, 6}), ask(test::disk(6), {3, 6, 5}),
+        ask(test::jittered(test::annulus(16, 6), 0.02), {2, 7})}) {
+    const auto angle = on.angles();
+    ASSERT_TRUE(angle);
+    expectSums(on, *angle);
+  }
+}
+
+TEST(AngleStructure, OfAFlatSurfaceIsItsOwn) {
+  const Asked on = ask(test::grid(5, 4), {});
+  const auto angle = on.angles();
+  ASSERT_TRUE(angle);
+  for (HalfedgeId h : on.mesh.halfedges())
+    EXPECT_NEAR((*angle)[h], on.context.geometry.cornerAngle[h], 1e-6);
+}
+
+TEST(AngleStructure, ThereIsNoneWhereConesLeaveNothingForTheOthers) {
+  // Two neighbours of six triangles each, ten in all: 9π fit in, 10π do not.
+  const TriMesh mesh = test::jittered(test::icosphere(6), 0.02).mesh();
+  VertexId first;
+  for (VertexId v : mesh.vertices()) {
+    const auto ring = [&](VertexId u) {
+      int count = 0;
+      for ([[maybe_unused]] HalfedgeId h : outgoingHalfedges(mesh, u)) ++count;
+      return count;
+    };
+    if (ring(v) == 6 && ring(mesh.head(mesh.outgoing(v))) == 6) first = v;
+  }
+  const VertexId second = mesh.head(mesh.outgoing(first));
+  for (const int k : {9, 10}) {
+    HolonomySpec spec;
+    spec.cones = {{first, k}, {second, k}};
+    int missing = 2 * k;  // 8 = Σ (4 − k)
+    for (const VertexId v : test::spreadVertices(mesh, 14)) {
+      const bool isTaken = std::any_of(spec.cones.begin(), spec.cones.end(),
+                                       [&](const ConePoint& c) { return c.vertex == v; });
+      if (isTaken || missing == 0) continue;
+      const int unit = std::min(missing, 2);
+      spec.cones.push_back({v, 4 - unit});
+      missing -= unit;
+    }
+    ASSERT_EQ(missing, 0);
+    EXPECT_EQ(ask(mesh, spec).angles().has_value(), k == 9) << "k = " << k;
+  }
+}
+
+}  // namespace
+}  // namespace hgp

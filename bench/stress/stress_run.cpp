@@ -104,6 +104,9 @@ void predict(Row& row, const Task& task) {
   if (!task.spec) return;
   const auto field = prescribedField(*mesh, *context, *task.spec);
   if (field) row.scaleRange = field->scaleRange;
+  const auto budget = checkPrescription(*mesh, context->topology, *task.spec);
+  if (row.verdict == Verdict::kFailed && budget && budget->isTooCoarse)
+    row.verdict = Verdict::kTooCoarse;
 }
 
 std::string fileName(std::string name) {
@@ -115,8 +118,8 @@ std::string fileName(std::string name) {
 }  // namespace
 
 const char* verdictName(Verdict verdict) {
-  static const char* const kNames[] = {"certified", "too fine for float64", "FAILED", "LATE",
-                                       "CRASHED"};
+  static const char* const kNames[] = {
+      "certified", "too fine for float64", "too coarse", "FAILED", "LATE", "CRASHED"};
   return kNames[static_cast<int>(verdict)];
 }
 

@@ -19,7 +19,8 @@ struct Task {
 
 enum class Verdict {
   kCertified,
-  kTooFine,  ///< every integer is right, but float64 cannot hold the map as the certificate asks
+  kTooFine,    ///< every integer is right, but float64 cannot hold the map as the certificate asks
+  kTooCoarse,  ///< the check proves that the mesh has too few triangles for the angles
   kFailed,
   kLate,     ///< more processor time than allowed
   kCrashed,  ///< also an error of the program

@@ -11,16 +11,17 @@ namespace hgp::stress {
 namespace {
 
 struct Count {
-  int certified = 0, all = 0, tooFine = 0;
+  int certified = 0, all = 0, apart = 0;
   void add(const Row& row) {
-    tooFine += row.verdict == Verdict::kTooFine;
-    all += row.verdict != Verdict::kTooFine;
+    const bool isApart = row.verdict == Verdict::kTooFine || row.verdict == Verdict::kTooCoarse;
+    apart += isApart;
+    all += !isApart;
     certified += row.verdict == Verdict::kCertified;
   }
   std::string text() const {
-    if (all + tooFine == 0) return "";
+    if (all + apart == 0) return "";
     std::string cell = formatText("%d/%d", certified, all);
-    if (tooFine > 0) cell += formatText(" (+%d)", tooFine);
+    if (apart > 0) cell += formatText(" (+%d)", apart);
     return cell;
   }
   std::string share() const {

@@ -201,6 +201,12 @@ export const faults = [
     'seams.frameAngle[f] += portable::arg(similarity);',
   ),
   fault(
+    'mesh/angle_shortage.cpp',
+    'asked_[v] = 2LL * k[v] * unit_;',
+    'asked_[v] = (2LL * k[v] - 1) * unit_;',
+  ),
+  fault('field/make_room.cpp', '++k[*receiver];', '--k[*receiver];'),
+  fault(
     'optimize/frame_fixing.cpp',
     'turn += seams.rotation[mesh.twin(h)];',
     'turn += seams.rotation[h];',

@@ -140,7 +140,8 @@ export interface SolveOptions extends SuggestOptions {
   boundary?: 'free' | 'convex';
   maxRounds?: number;
   /**
-   * `auto`: soft frame constraints where they suffice, then hard ones with repairs, then untangling.
+   * `auto`: soft frame constraints where they suffice, then hard ones along the frames of the connection and of an
+   * angle structure, then untangling.
    * `harmonic`: hard constraints. `soft`: soft ones. `printed`: the paper's program and iteration.
    * `all-frames`: hard constraints on every triangle.
    */

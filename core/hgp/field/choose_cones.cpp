@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hgp/field/cancel_cones.h"
+#include "hgp/field/make_room.h"
 #include "hgp/field/place_cones.h"
 #include "hgp/field/prepared_surface.h"
 #include "hgp/field/read_holonomy.h"
@@ -100,7 +101,9 @@ Result<HolonomySpec> chooseCones(PreparedSurface& surface, const SuggestOptions&
   const ConeMetric metric(mesh, context, options.q);
   PlaceOptions place = placeOptions(options, metric.nodeCount(), coneCount(mesh, context, *start));
   const auto placed = [&] {
-    return asSpec(mesh, context, options.q, placeCones(mesh, metric, *start, place));
+    HolonomySpec spec = asSpec(mesh, context, options.q, placeCones(mesh, metric, *start, place));
+    makeRoom(mesh, spec);
+    return spec;
   };
   HolonomySpec spec = placed();
   Result<BudgetReport> budget = checkPrescription(mesh, topology, spec);

@@ -4,7 +4,9 @@
 #include <numeric>
 
 #include "hgp/base/check.h"
+#include "hgp/base/counted.h"
 #include "hgp/base/turns.h"
+#include "hgp/mesh/angle_shortage.h"
 
 namespace hgp {
 namespace {
@@ -240,6 +242,27 @@ void warnPoorVertices(const TriMesh& mesh, const HolonomySpec& spec, BudgetRepor
       poor.size(), poor.size() == 1 ? "" : "s", kPoorCornerAngle, listCones(poor).c_str()));
 }
 
+/// True where the mesh has too few triangles; that is warned of, as a finer mesh of the surface need not.
+bool warnShortage(const TriMesh& mesh, const HolonomySpec& spec, BudgetReport& report) {
+  PerVertex<int> k(static_cast<std::size_t>(mesh.vertexCount()), spec.q);
+  for (const ConePoint& cone : spec.cones) k[cone.vertex] = cone.k;
+  const std::optional<AngleShortage> found = findAngleShortage(mesh, spec.q, k);
+  if (!found) return false;
+  const auto isPart = [&](const ConePoint& c) {
+    return std::find(found->cones.begin(), found->cones.end(), c.vertex) != found->cones.end();
+  };
+  const auto cones = selectCones(spec, isPart);
+  report.warnings.push_back(formatText(
+      "No locally injective map on this mesh has these angles: %s with the cones %s ask for %gπ in "
+      "all, and the %s around them have less than π each. Lower k there, move these cones apart, "
+      "or "
+      "split edges there (--refine).",
+      counted(static_cast<std::size_t>(found->vertices), "vertex", "vertices").c_str(),
+      listCones(cones).c_str(), found->asked / kPi,
+      counted(static_cast<std::size_t>(found->triangles), "triangle").c_str()));
+  return true;
+}
+
 }  // namespace
 
 HolonomySpec toSpec(const CompleteSpec& spec) {
@@ -274,7 +297,8 @@ Result<BudgetReport> checkPrescription(const TriMesh& mesh, const Topology& topo
   if (!report) return report;
   if (isClosed)
     if (Status ok = checkClosed(topology, spec, *report); !ok) return std::move(ok).error();
-  warnPoorVertices(mesh, spec, *report);
+  report->isTooCoarse = warnShortage(mesh, spec, *report);
+  if (!report->isTooCoarse) warnPoorVertices(mesh, spec, *report);
   return report;
 }
 

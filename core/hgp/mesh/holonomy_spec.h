@@ -58,6 +58,8 @@ struct BudgetReport {
   int openLoops = 0;   ///< loops whose turning is still free
   std::vector<std::string>
       warnings;  ///< known-hopeless patterns and poor vertices (decisions 7, 8)
+  bool isTooCoarse =
+      false;  ///< no map on this mesh has these angles (findAngleShortage), and `warnings` says so
 };
 
 /// Gauss–Bonnet and admissibility in exact integers [BCW17 Lemma 6.2]:

@@ -89,7 +89,10 @@ static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
   State state = firstState(problem);
   double work =
       options.largestWork * std::max(problem.mesh.faceCount(), ParametrizeOptions::kSmallSurface);
-  for (int round = 1; round <= options.maxRounds; ++round) {
+  // Where no map can have the angles, one that shows where edges are to be split.
+  const int mostRounds =
+      problem.setup->isTooCoarse ? std::min(1, options.maxRounds) : options.maxRounds;
+  for (int round = 1; round <= mostRounds; ++round) {
     if (!report(options.progress, {Stage::kSolve, 0.0, -1, -1.0, round, options.maxRounds}))
       return cancelled(Stage::kSolve);
     const auto start = Clock::now();

@@ -32,6 +32,7 @@ Status setUpField(PreparedSurface& surface, const HolonomySpec& spec,
     if (!budget) return std::move(budget).error();
   }
   setup.warnings = budget->warnings;
+  setup.isTooCoarse = budget->isTooCoarse;
   Result<PrescribedField> field = surface.field(asked);
   if (!field) return std::move(field).error();
   setup.field = std::move(*field);

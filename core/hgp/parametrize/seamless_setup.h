@@ -20,6 +20,7 @@ struct SeamlessSetup {
   HarmonicSystem harmonic;
   std::vector<VertexId> cones;
   std::vector<std::string> warnings;
+  bool isTooCoarse = false;  ///< no map on this mesh has these angles
 };
 
 inline SeamlessSystem systemOf(const TriMesh& mesh, const SeamlessSetup& setup,

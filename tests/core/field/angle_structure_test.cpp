@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "hgp/field/make_room.h"
 #include "hgp/field/prescribed_field.h"
 #include "support/prescriptions.h"
 #include "support/shapes.h"
@@ -106,6 +108,43 @@ TEST(AngleStructure, ThereIsNoneWhereConesLeaveNothingForTheOthers) {
     }
     ASSERT_EQ(missing, 0);
     EXPECT_EQ(ask(mesh, spec).angles().has_value(), k == 9) << "k = " << k;
+  }
+}
+
+TEST(MakeRoom, MovesUnitsUntilThereIsAStructureAndNoMore) {
+  const TriMesh mesh = test::jittered(test::icosphere(6), 0.02).mesh();
+  const auto isRegular = [&](VertexId v) { return mesh.valence(v) == 6; };
+  HolonomySpec spec;
+  for (VertexId v : mesh.vertices()) {
+    const VertexId beside = mesh.head(mesh.outgoing(v));
+    if (!isRegular(v) || !isRegular(beside)) continue;
+    spec.cones = {{v, 10}, {beside, 10}};
+    break;
+  }
+  ASSERT_EQ(spec.cones.size(), 2u);
+  for (const VertexId v : test::spreadVertices(mesh, 14)) {
+    const bool isTaken = v == spec.cones[0].vertex || v == spec.cones[1].vertex;
+    if (!isTaken && spec.cones.size() < 12) spec.cones.push_back({v, 2});
+  }
+  HolonomySpec changed = spec;
+  makeRoom(mesh, changed);
+  EXPECT_FALSE(ask(mesh, spec).angles());
+  EXPECT_TRUE(ask(mesh, changed).angles());
+  int sum = 0, moved = 0;
+  for (const ConePoint& cone : changed.cones) {
+    sum += 4 - cone.k;
+    const auto before = std::find_if(spec.cones.begin(), spec.cones.end(),
+                                     [&](const ConePoint& c) { return c.vertex == cone.vertex; });
+    moved += std::abs(cone.k - (before == spec.cones.end() ? 4 : before->k));
+  }
+  EXPECT_EQ(sum, 8) << "Lemma 6.2";
+  EXPECT_LE(moved, 4) << "a unit or two";
+  HolonomySpec again = changed;
+  makeRoom(mesh, again);
+  ASSERT_EQ(again.cones.size(), changed.cones.size());
+  for (std::size_t i = 0; i < again.cones.size(); ++i) {
+    EXPECT_EQ(again.cones[i].vertex, changed.cones[i].vertex);
+    EXPECT_EQ(again.cones[i].k, changed.cones[i].k);
   }
 }
 

@@ -76,7 +76,7 @@ TEST(Metrics, RoundsOfBothAreCountedTogether) {
 }
 
 TEST(Metrics, SurfacesWithoutThinTrianglesAreSolvedInTheirOwnMetricAlone) {
-  // Two neighbours of six triangles each, ten in all, and angles of 5π each: there is no map.
+  // Two neighbours of six triangles each, ten in all, and angles of 5π each: there is no map, and that is known.
   const TriMesh mesh = stretched(1.0);
   const auto trianglesAt = [&](VertexId v) {
     int count = 0;
@@ -99,7 +99,7 @@ TEST(Metrics, SurfacesWithoutThinTrianglesAreSolvedInTheirOwnMetricAlone) {
   const Result<Parametrization> p = parametrize(mesh, spec, {});
   ASSERT_TRUE(p) << p.error().message;
   EXPECT_FALSE(p->isCertified);
-  EXPECT_GT(p->rounds.size(), 3u);
+  EXPECT_EQ(p->rounds.size(), 1u);
   EXPECT_EQ(evenedRounds(*p), 0);
 }
 

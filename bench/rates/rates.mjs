@@ -2,14 +2,14 @@
 //
 // Every glTF and polygon file below the folders through `hgp param` without options, in 2 GB of address space:
 // how many are certified, which are slow, which are refused and why. What is written is checked again by code of its own
-// (check.mjs): the sign of every stored triangle, and the two sides of every edge.
+// (tests/support/check_file.mjs): the sign of every stored triangle, and the two sides of every edge.
 
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import { parseArgs } from 'node:util';
-import { checkFile } from './check.mjs';
+import { checkFile } from '../../tests/support/check_file.mjs';
 
 const root = path.resolve(import.meta.dirname, '../..');
 const { values, positionals } = parseArgs({

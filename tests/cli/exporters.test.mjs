@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import test from 'node:test';
-import { checkFile } from '../../bench/rates/check.mjs';
+import { checkFile } from '../support/check_file.mjs';
 import { assertLaw } from '../gltf/law.mjs';
 import { gltfFiles, objFiles, offFiles, plyFiles, stlFiles } from '../support/exporters.mjs';
 import { openFile } from '../gltf/container.mjs';

@@ -2,8 +2,8 @@
 // sides of every edge differ by a quarter turn. Shares nothing with the core.
 
 import { readFileSync } from 'node:fs';
-import { integerPoints, cross, minus, sign } from '../../tests/attack/exact.mjs';
-import { readIndependently } from '../../tests/gltf/independent.mjs';
+import { integerPoints, cross, minus, sign } from '../attack/exact.mjs';
+import { readIndependently } from '../gltf/independent.mjs';
 
 /** Of a seam edge's length. Float32 files may be off by what rounding does there. */
 const tolerance = { float64: 1e-6, float32: 1e-2 };

@@ -23,7 +23,7 @@ Result<Parametrization> parametrizeConvex(const TriMesh& mesh, const Parametrize
 Result<UvMap> cutDiskMap(const TriMesh& mesh, const ParametrizeOptions& options);
 
 /// Room between automatic cones for a grid of this spacing.
-ConeSpacing roomForGrid(double spacing, GridMode mode);
+ConeSpacing roomForGrid(double spacing);
 
 /// Cones, turning and handles by themselves ("automatic cones").
 Result<CompleteSpec> suggestCones(const TriMesh& mesh, const SuggestOptions& options);

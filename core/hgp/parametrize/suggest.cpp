@@ -6,12 +6,13 @@
 
 namespace hgp {
 
-/// Cells apart along edges in their own metric: in the map it may be a quarter less. In quad mode cones closer
-/// than a cell almost always fold, and are worth more energy (both measured, decision 038).
-ConeSpacing roomForGrid(double spacing, GridMode mode) {
-  return mode == GridMode::kQuad ? ConeSpacing{1.6 * spacing, 0.6}
-                                 : ConeSpacing{1.3 * spacing, 0.3};
-}
+/// Of a cell, how far apart along edges in their own metric: alignment spreads cones that are closer than a cell
+/// (decision 053), and merging few cones changes the map less and keeps its solve as short (both measured).
+constexpr double kRoomOfCell = 0.4;
+/// Of the energy of the cone metric, what making room may add.
+constexpr double kRoomEnergy = 0.3;
+
+ConeSpacing roomForGrid(double spacing) { return {kRoomOfCell * spacing, kRoomEnergy}; }
 
 Result<CompleteSpec> suggestCones(PreparedSurface& surface, const SuggestOptions& options,
                                   std::vector<StageTime>* times) {

@@ -15,7 +15,9 @@ namespace {
 /// Densities tried by the linear step, as factors of the edge length.
 constexpr double kFactors[] = {1.0, 1.06, 0.94, 1.12, 1.19, 1.27, 1.35};
 /// Rings around triangles that turned over; of what is left then, so many are tried again, best first.
-constexpr int kRings = 6, kLargeRings = 24;
+constexpr int kRings = 6;
+/// … and at least so many cells across a fine mesh.
+constexpr double kPatchCells = 1.2;
 constexpr std::size_t kRepairedAgain = 2;
 constexpr double kPatchShare = 0.35;
 /// Programs on the whole mesh, at most so many triangles large, and their rounds of growth.
@@ -106,7 +108,7 @@ class Aligner {
     });
     candidates.resize(std::min(candidates.size(), kRepairedAgain));
     for (Candidate& candidate : candidates)
-      if (repairOnPatches(candidate, kLargeRings)) return;
+      if (repairOnPatches(candidate, 4 * rings())) return;
     for (Candidate& candidate : candidates)
       if (repairAsWhole(candidate)) return;
   }
@@ -136,7 +138,7 @@ class Aligner {
       if (accept(candidates.back(), "linear step")) break;
       // The choice of many integers may have taken everything: repairs have something of their own.
       if (candidates.size() == 1) work_ = std::max(work_, repairWork_ + reserved_);
-      if (repairOnPatches(candidates.back(), kRings)) break;
+      if (repairOnPatches(candidates.back(), rings())) break;
     }
     return candidates;
   }
@@ -164,7 +166,7 @@ class Aligner {
     return out;
   }
 
-  bool accept(const Candidate& candidate, const char* method) {
+  bool accept(const Candidate& candidate, const std::string& method) {
     out_.report.attempts.push_back(
         {method, candidate.factor * candidate.factor, static_cast<int>(candidate.turned.size())});
     if (!candidate.turned.empty()) return false;
@@ -190,6 +192,11 @@ class Aligner {
     return isRepaired;
   }
 
+  /// Around triangles that turned over.
+  int rings() const {
+    const double edgesPerCell = std::sqrt(0.5 * mesh_.faceCount() / out_.report.cells);
+    return std::max(kRings, static_cast<int>(std::ceil(kPatchCells * edgesPerCell)));
+  }
   /// Each patch alone. True when there is nothing more to do: aligned, or cancelled.
   bool repairOnPatches(Candidate& candidate, int rings) {
     Candidate repaired = candidate;
@@ -202,7 +209,7 @@ class Aligner {
     repaired.turned = turnedFaces(context_, repaired.x);
     if (repaired.turned.size() >= candidate.turned.size()) return isDone();
     candidate = std::move(repaired);
-    return accept(candidate, rings == kRings ? "patches of 6 rings" : "patches of 24 rings");
+    return accept(candidate, formatText("patches of %d rings", rings));
   }
 
   /// Everything but the integers; conditions around cones and wherever a triangle turned over.

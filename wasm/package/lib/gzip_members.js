@@ -21,7 +21,17 @@ const noHeader = 'invalid gzip data'; // as the decoder says it
 const least = 20; // bytes of a member
 const damaged = () => new Error('damaged or cut off');
 
-/** Members without anything between them. Returns where the last one ends. */
+/**
+ * @typedef {{ Gunzip: any, add: (chunk: Uint8Array) => void, pause?: () => Promise<void> }} How
+ *   fflate's Gunzip; what takes the chunks, and may throw; what is awaited between slices
+ */
+
+/**
+ * Members without anything between them. Returns where the last one ends.
+ * @param {Uint8Array} packed
+ * @param {number} first
+ * @param {How} how
+ */
 async function readRun(packed, first, { Gunzip, add, pause }) {
   const view = new DataView(packed.buffer, packed.byteOffset, packed.length);
   let begin = first;
@@ -65,8 +75,7 @@ async function readRun(packed, first, { Gunzip, add, pause }) {
 /**
  * Decompresses every member. Zeros between members are skipped; behind the last, what is not gzip is ignored.
  * @param {Uint8Array} packed
- * @param {{ Gunzip: Function, add: (chunk: Uint8Array) => void, pause?: () => Promise<void> }} how
- *   fflate's Gunzip; what takes the chunks, and may throw; what is awaited between slices
+ * @param {How} how
  * @return {Promise<number>} ignored bytes
  */
 export async function readMembers(packed, how) {

@@ -110,6 +110,7 @@ IntegerChoice::IntegerChoice(std::shared_ptr<const IntegerForm> form,
 /// its multiplier never negative.
 Eigen::VectorXcd IntegerChoice::spread(const Eigen::VectorXcd& w0) const {
   std::vector<Demand> demands = demandsOf(separations_, w0);
+  if (demands.empty()) return w0;
   Eigen::MatrixXcd G = Eigen::MatrixXcd::Zero(w0.size(), static_cast<Eigen::Index>(demands.size()));
   for (std::size_t n = 0; n < demands.size(); ++n)
     for (const auto& [j, g] : demands[n].g) G(j, static_cast<Eigen::Index>(n)) = g;

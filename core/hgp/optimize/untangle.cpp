@@ -55,7 +55,7 @@ class Untangler {
     }
     isFramed_ = false;
     for (Face& face : faces_) face.isBarrier = false;
-    descend(result, options_.maxIterations);
+    if (!result.isCancelled) descend(result, options_.maxIterations);
     result.flipped = extremes(x_).flipped;
     result.x = held_.value;
     for (std::size_t i = 0; i < place_.size(); ++i)

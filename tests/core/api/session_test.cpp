@@ -412,7 +412,9 @@ TEST(Session, ConesInEachOthersWayAreNamedByTheFilesNumbers) {
   // A tetrahedron first, so that nothing in the second component has the number that it has in the file.
   const MeshData first = hgp::test::tetrahedron().data;
   const auto offset = static_cast<int>(first.positions.size());
-  Session session = loaded(together(first, hgp::test::pretzel(3, 4).data));
+  // Few triangles to make room with for 24 cones.
+  const MeshData crowded = hgp::test::jittered(hgp::test::pretzel(2, 3), 0.02).data;
+  Session session = loaded(together(first, crowded));
   const Status plain = session.parametrize(std::nullopt, {});
   ASSERT_TRUE(plain) << plain.error().message;
   // Prescribed, so that none of them is merged.
@@ -421,7 +423,7 @@ TEST(Session, ConesInEachOthersWayAreNamedByTheFilesNumbers) {
   std::set<int> known;
   for (const io::PrescribedCone& cone : cones->cones) known.insert(static_cast<int>(cone.vertex));
   SolveOptions options;
-  options.grid.cells = 2.0;
+  options.grid.cells = 0.02;
   options.grid.mode = GridMode::kQuad;
   ASSERT_TRUE(session.parametrize(*cones, options));
   ASSERT_FALSE(session.isAligned());

@@ -74,8 +74,7 @@ class GridComparison {
     if (grid) {
       options.grid.cells = grid->perCone * std::max(1, coneCount_);
       options.grid.mode = grid->isQuad ? GridMode::kQuad : GridMode::kTile;
-      suggest.spacing =
-          roomForGrid(std::sqrt(surfaceArea(mesh_) / options.grid.cells), options.grid.mode);
+      suggest.spacing = roomForGrid(std::sqrt(surfaceArea(mesh_) / options.grid.cells));
     }
     const double start = processorSeconds();
     PreparedSurface surface(mesh_);

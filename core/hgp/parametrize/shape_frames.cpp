@@ -1,17 +1,33 @@
 #include "hgp/parametrize/shape_frames.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "hgp/base/portable_math.h"
 #include "hgp/field/angle_structure.h"
 #include "hgp/optimize/frames.h"
 
 namespace hgp {
+namespace {
+
+/// Whether angles sum to π everywhere: those of triangles thinner than float64 resolves do not.
+bool areTriangles(const TriMesh& mesh, const Geometry& geometry) {
+  constexpr double kAccepted = 1e-9;
+  for (FaceId f : mesh.faces()) {
+    double sum = 0.0;
+    for (int k = 0; k < 3; ++k) sum += geometry.cornerAngle[TriMesh::halfedge(f, k)];
+    if (!(std::abs(sum - kPi) < kAccepted)) return false;
+  }
+  return true;
+}
+
+}  // namespace
 
 std::shared_ptr<const SeamRotations> framesOfShapes(const TriMesh& mesh, const SeamlessSetup& setup,
                                                     const PerHalfedge<double>& length) {
   const FieldContext& own = *setup.context;
   FieldContext other{own.topology, geometryOfShapes(mesh, length), {}, own.tree, {}, {}, {}};
+  if (!areTriangles(mesh, other.geometry)) return nullptr;
   other.surface = fillBoundary(mesh, other.topology, other.geometry);
   for (double& weight : other.surface.weight.raw())
     if (weight > 0.0) weight = 1.0;

@@ -10,7 +10,7 @@ namespace hgp {
 
 /// The prescription's trivial connection on triangles of the given shapes, its direction in each carried back to S by
 /// the similarity nearest to the map from S's triangle to the other. All edges weigh alike. Null where its seams would
-/// rotate otherwise.
+/// rotate otherwise, or a triangle is too thin for float64.
 /// @param length  per halfedge, as geometryOfShapes
 std::shared_ptr<const SeamRotations> framesOfShapes(const TriMesh& mesh, const SeamlessSetup& setup,
                                                     const PerHalfedge<double>& length);

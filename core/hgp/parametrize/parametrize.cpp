@@ -87,8 +87,7 @@ static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
   std::shared_ptr<const Attempt> best;
   std::set<std::uint64_t> tried;
   State state = firstState(problem);
-  double work =
-      options.largestWork * std::max(problem.mesh.faceCount(), ParametrizeOptions::kSmallSurface);
+  double work = problem.largestWork;
   // Where no map can have the angles, one that shows where edges are to be split.
   const int mostRounds =
       problem.setup->isTooCoarse ? std::min(1, options.maxRounds) : options.maxRounds;

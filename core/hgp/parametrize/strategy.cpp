@@ -85,13 +85,15 @@ class Hash {
 
 Problem problemOf(const TriMesh& mesh, const std::shared_ptr<const SeamlessSetup>& setup,
                   const ParametrizeOptions& options) {
-  Problem problem{mesh,
-                  setup,
-                  options.method,
-                  {},
-                  coneAndBoundaryFaces(mesh, setup->cones),
-                  {},
-                  std::make_shared<AngleFrames>()};
+  Problem problem{
+      mesh,
+      setup,
+      options.method,
+      {},
+      coneAndBoundaryFaces(mesh, setup->cones),
+      {},
+      options.largestWork * std::max(mesh.faceCount(), ParametrizeOptions::kSmallSurface),
+      std::make_shared<AngleFrames>()};
   const Weighting hard{"hard constraints", kNoClamp, 0.0, 3, false};
   const Method method = options.method;
   if (method == Method::kSoft || (method == Method::kAuto && suitsSoft(*setup)))

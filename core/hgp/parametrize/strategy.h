@@ -44,6 +44,7 @@ struct Problem {
   std::vector<Weighting> weightings;
   std::vector<FaceId> base;  ///< F_cb
   std::vector<FaceId> soft;  ///< F_cb, and a ring around it where that costs little
+  double largestWork = 0.0;  ///< that the run may spend, in units of workOf()
   std::shared_ptr<AngleFrames> angles;
 };
 Problem problemOf(const TriMesh& mesh, const std::shared_ptr<const SeamlessSetup>& setup,
@@ -104,7 +105,8 @@ State startOf(const Problem& problem, std::size_t weighting);
 
 /// A kind of untangling: where its frames come from, and the numbers of UntangleOptions.
 struct Untangling {
-  FrameSource source;  ///< kConnection where the prescription has no angle structure
+  FrameSource
+      source;  ///< kinds with kAngles are left out where the prescription has no angle structure
   double scaleWeight;
   double epsilonShare;
 };

@@ -161,6 +161,9 @@ class Session {
       reply.set("vertices", quads->vertices);
       reply.set("quads", quads->quads);
       reply.set("clipped", quads->clipped);
+      reply.set("halvings", quads->halvings);
+      reply.set("multipleEdges", quads->multipleEdges);
+      reply.set("foldedQuads", quads->foldedQuads);
       return reply;
     });
   }

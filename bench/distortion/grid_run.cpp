@@ -74,7 +74,8 @@ class GridComparison {
     if (grid) {
       options.grid.cells = grid->perCone * std::max(1, coneCount_);
       options.grid.mode = grid->isQuad ? GridMode::kQuad : GridMode::kTile;
-      suggest.spacing = roomForGrid(std::sqrt(surfaceArea(mesh_) / options.grid.cells));
+      suggest.spacing = roomForGrid(std::sqrt(surfaceArea(mesh_) / options.grid.cells),
+                                    options.grid.mode, row_.q);
     }
     const double start = processorSeconds();
     PreparedSurface surface(mesh_);

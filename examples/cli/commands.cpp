@@ -337,12 +337,29 @@ class Run {
     if (Status done = writeFiles(a_.output, {{a_.output, std::move(quads->bytes)}}); !done) {
       return fail(done.error());
     }
-    if (!a_.isQuiet) {
-      std::fprintf(stderr, "  wrote %s: %d vertices, %s%s\n", printable(a_.output).c_str(),
-                   quads->vertices, counted(quads->quads, "quad").c_str(),
-                   quads->clipped > 0 ? "; cells that the boundary cuts are left out" : "");
-    }
+    if (!a_.isQuiet) reportQuads(*quads);
     return 0;
+  }
+
+  void reportQuads(const api::QuadFile& quads) const {
+    std::fprintf(stderr, "  wrote %s: %d vertices, %s%s\n", printable(a_.output).c_str(),
+                 quads.vertices, counted(quads.quads, "quad").c_str(),
+                 quads.clipped > 0 ? "; cells that the boundary cuts are left out" : "");
+    if (quads.halvings > 0) {
+      std::fprintf(
+          stderr,
+          "  note: every cell is cut into %d quads: otherwise more than one edge would join "
+          "%s, around handles and cones one or two cells apart\n",
+          1 << (2 * quads.halvings),
+          counted(quads.multipleEdges, "pair of vertices", "pairs of vertices").c_str());
+    }
+    if (quads.foldedQuads > 0) {
+      std::fprintf(
+          stderr,
+          "  note: %s at cones of k = 1; two edges of such a quad are one, which many "
+          "programs misread\n",
+          counted(quads.foldedQuads, "quad meets itself", "quads meet themselves").c_str());
+    }
   }
 
   int writeResult() {

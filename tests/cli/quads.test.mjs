@@ -110,6 +110,24 @@ function checkQuads(text, euler, cones, name) {
   assert.ok(points.flat().every(Number.isFinite));
 }
 
+test('around a handle of two cells, cells are cut so that no two edges have the same ends', () => {
+  const file = put('hoop.obj', torus(60, 16, 0.05));
+  const out = path.join(folder, 'hoop-quads.obj');
+  for (const [cells, parts] of [
+    [40, 16],
+    [80, 4],
+    [160, 1],
+  ]) {
+    const run = spawnSync(hgp, ['quads', file, '--cells', `${cells}`, '-o', out], {
+      encoding: 'utf8',
+    });
+    assert.equal(run.status, 0, run.stderr);
+    checkQuads(readFileSync(out, 'utf8'), 0, [], `hoop, ${cells} cells`);
+    const said = Number(/cut into (\d+) quads/.exec(run.stderr)?.[1] ?? 1);
+    assert.equal(said, parts, run.stderr);
+  }
+});
+
 for (const [file, euler] of models) {
   const name = path.basename(file);
   const options = existsSync(file) ? {} : { skip: `${file} is not here` };

@@ -234,6 +234,12 @@ export interface Quads {
   quads: number;
   /** Cells that a boundary cuts: left out. */
   clipped: number;
+  /** How often cells were cut into four, so that no two edges have the same ends. */
+  halvings: number;
+  /** Pairs of vertices that more than one edge of uncut cells joins, around handles and cones one or two cells apart. */
+  multipleEdges: number;
+  /** At cones of k = 1: their only quad has two of its edges in common. */
+  foldedQuads: number;
 }
 
 export interface VerifyOptions {

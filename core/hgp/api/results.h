@@ -62,6 +62,10 @@ struct QuadFile {
   io::Bytes bytes;
   int vertices = 0, quads = 0;
   int clipped = 0;  ///< cells that a boundary cuts: left out
+  int halvings =
+      0;  ///< how often cells were cut into four, so that no two edges have the same ends
+  int multipleEdges = 0;  ///< pairs of vertices that more than one edge of uncut cells joins
+  int foldedQuads = 0;    ///< at cones of k = 1: their only quad has two of its edges in common
 };
 
 /// What write() made, and whether the certificate holds for the numbers in it: glTF rounds what OBJ holds.

@@ -1,5 +1,6 @@
 #include "hgp/api/guard.h"
 #include "hgp/api/session_state.h"
+#include "hgp/quads/multiple_edges.h"
 #include "hgp/quads/write_quads.h"
 
 namespace hgp::api {
@@ -12,6 +13,18 @@ void append(const QuadMesh& part, QuadMesh& all) {
   for (const auto& q : part.quads)
     all.quads.push_back({q[0] + first, q[1] + first, q[2] + first, q[3] + first});
   all.clipped += part.clipped;
+}
+
+Result<QuadMesh> quadsOf(const Model& model, const StoredMap& stored, int halvings) {
+  QuadMesh all;
+  for (std::size_t p = 0; p < model.components.size(); ++p) {
+    const ModelComponent& component = model.components[p];
+    Result<QuadMesh> part = extractQuads(component.mesh, mapOfComponent(component, stored.map),
+                                         stored.certificates[p].q, halvings);
+    if (!part) return toSurfaceIds(model, component, part.error());
+    append(*part, all);
+  }
+  return all;
 }
 
 }  // namespace
@@ -28,16 +41,18 @@ Result<QuadFile> Session::quads(const std::string& name) const {
                      "cells would work",
                      {}};
     }
-    const Model& model = *state_->shown().model;
-    QuadMesh all;
-    for (std::size_t p = 0; p < model.components.size(); ++p) {
-      const UvMap map = mapOfComponent(model.components[p], state_->shown().solved->stored.map);
-      Result<QuadMesh> part = extractQuads(model.components[p].mesh, map,
-                                           state_->shown().solved->stored.certificates[p].q);
-      if (!part) return toSurfaceIds(model, model.components[p], part.error());
-      append(*part, all);
-    }
     QuadFile out;
+    QuadMesh all;
+    for (;; ++out.halvings) {
+      Result<QuadMesh> quads =
+          quadsOf(*state_->shown().model, state_->shown().solved->stored, out.halvings);
+      if (!quads) return quads.error();
+      all = std::move(*quads);
+      const MultipleEdges multiple = countMultipleEdges(all);
+      if (out.halvings == 0) out.multipleEdges = multiple.pairs;
+      out.foldedQuads = multiple.foldedQuads;
+      if (multiple.pairs == 0 || out.halvings == kMostHalvings) break;
+    }
     out.vertices = static_cast<int>(all.positions.size());
     out.quads = static_cast<int>(all.quads.size());
     out.clipped = all.clipped;

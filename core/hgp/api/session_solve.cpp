@@ -136,7 +136,7 @@ Result<CompleteSpec> Session::State::chooseCones(std::size_t p, const SolveOptio
                                                  std::vector<StageTime>* times) {
   SuggestOptions suggest = suggestOptions(options.q, options);
   const GridOptions grid = sharedGrid(*model, options.grid);
-  if (grid.isAsked()) suggest.spacing = roomForGrid(grid.spacing);
+  if (grid.isAsked()) suggest.spacing = roomForGrid(grid.spacing, grid.mode, options.q);
   Result<CompleteSpec> spec = suggestCones(surfaceOf(p), suggest, times);
   if (!spec) return toSurfaceIds(*model, model->components[p], spec.error());
   return spec;

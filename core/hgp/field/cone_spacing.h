@@ -1,4 +1,4 @@
-// How far apart automatic cones are to be.  Role: passed on from who asks for a grid to who places cones.
+// What a grid asks of automatic cones.  Role: passed on from who asks for a grid to who places cones.
 #pragma once
 
 namespace hgp {
@@ -9,6 +9,8 @@ struct ConeSpacing {
   double least = 0.0;
   /// What that may add to the energy, as a share of it: cones that crowd a spike keep its scale bearable.
   double dearest = 0.0;
+  /// No cone has a smaller k where the curvature of its vertex allows that.
+  int smallestK = 1;
 };
 
 }  // namespace hgp

@@ -29,6 +29,18 @@ void growWhileWorthwhile(ConePlacer& placer, int most) {
   }
 }
 
+/// k ≥ smallestK at vertices that do not need less: what they start with beyond that is given up.
+void raiseSmallestK(const TriMesh& mesh, const ConeMetric& metric, int smallestK,
+                    DefectBounds& bounds, NodeDefects& defects) {
+  const FilledSurface& surface = metric.context().surface;
+  for (VertexId v : mesh.vertices()) {
+    if (!surface.isInterior(mesh, v)) continue;
+    const auto at = static_cast<std::size_t>(surface.node[v]);
+    bounds.high[at] = std::max(bounds.low[at], std::min(bounds.high[at], metric.q() - smallestK));
+    defects[at] = std::min(defects[at], bounds.high[at]);
+  }
+}
+
 }  // namespace
 
 NodeDefects placeCones(const TriMesh& mesh, const ConeMetric& metric, NodeDefects start,
@@ -38,6 +50,8 @@ NodeDefects placeCones(const TriMesh& mesh, const ConeMetric& metric, NodeDefect
     const auto at = static_cast<std::size_t>(loop);
     if (options.keepsTurning) bounds.low[at] = bounds.high[at] = start[at];
   }
+  if (options.spacing.smallestK > 1)
+    raiseSmallestK(mesh, metric, options.spacing.smallestK, bounds, start);
   ConePlacer placer(mesh, metric, std::move(start), std::move(bounds));
   if (!placer.balance()) return placer.defects();
   placer.setWork(options.isFixed ? 0.0 : options.work);

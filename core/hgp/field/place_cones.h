@@ -16,7 +16,7 @@ struct PlaceOptions {
   int mostCones = 0;
   bool keepsTurning = false;                 ///< loops keep the turning they start with
   double largestTurn = kLargestTurnPerEdge;  ///< see defectBounds
-  ConeSpacing spacing;                       ///< kept in their own metric
+  ConeSpacing spacing;                       ///< distances are those in their own metric
   bool isFixed = false;  ///< cones stay where they are: only what must be is changed
   double work = 3e7;     ///< nodes × solves that may be spent
 };

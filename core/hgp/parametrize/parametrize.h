@@ -22,8 +22,8 @@ Result<Parametrization> parametrizeConvex(const TriMesh& mesh, const Parametrize
 /// has no other map. Of `options` only the progress counts. @pre mesh has one component
 Result<UvMap> cutDiskMap(const TriMesh& mesh, const ParametrizeOptions& options);
 
-/// Room between automatic cones for a grid of this spacing.
-ConeSpacing roomForGrid(double spacing);
+/// Room between automatic cones for a grid of this spacing, and for quads two edges at each at least.
+ConeSpacing roomForGrid(double spacing, GridMode mode, int q);
 
 /// Cones, turning and handles by themselves ("automatic cones").
 Result<CompleteSpec> suggestCones(const TriMesh& mesh, const SuggestOptions& options);

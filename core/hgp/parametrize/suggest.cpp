@@ -11,8 +11,13 @@ namespace hgp {
 constexpr double kRoomOfCell = 0.4;
 /// Of the energy of the cone metric, what making room may add.
 constexpr double kRoomEnergy = 0.3;
+/// Around a vertex: a quad that is alone there meets itself.
+constexpr int kLeastQuads = 2;
 
-ConeSpacing roomForGrid(double spacing) { return {kRoomOfCell * spacing, kRoomEnergy}; }
+ConeSpacing roomForGrid(double spacing, GridMode mode, int q) {
+  const bool isForQuads = mode == GridMode::kQuad;
+  return {kRoomOfCell * spacing, kRoomEnergy, isForQuads ? kLeastQuads * q / 4 : 1};
+}
 
 Result<CompleteSpec> suggestCones(PreparedSurface& surface, const SuggestOptions& options,
                                   std::vector<StageTime>* times) {

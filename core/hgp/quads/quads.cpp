@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "hgp/base/check.h"
 #include "hgp/mesh/vectors.h"
@@ -369,10 +368,12 @@ class Extraction {
 
 }  // namespace
 
-Result<QuadMesh> extractQuads(const TriMesh& mesh, const UvMap& map, int q) {
+Result<QuadMesh> extractQuads(const TriMesh& mesh, const UvMap& map, int q, int halvings) {
   if (q != 2 && q != 4)
     return noQuads(formatText("quads need rotations by quarter or half turns, not q = %d", q));
-  Result<LatticeMap> lattice = LatticeMap::make(mesh, map);
+  UvMap halved = map;
+  for (Vec2& p : halved.uv) p = {std::ldexp(p[0], halvings), std::ldexp(p[1], halvings)};
+  Result<LatticeMap> lattice = LatticeMap::make(mesh, halved);
   if (!lattice) return lattice.error();
   return Extraction(*lattice).run();
 }

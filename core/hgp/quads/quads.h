@@ -24,8 +24,10 @@ struct QuadMesh {
 /// surface, once however many triangles meet there. From it one unit edge leaves in every direction of its
 /// total angle, walked triangle by triangle through seams; faces turn left four times.
 ///
-/// Closed surfaces: only quads, as many as the map's area, V − E + F = χ, valence k at a cone.
+/// `halvings`: how often cells are cut into four, that is, the grid of 2^halvings times the map.
+///
+/// Closed surfaces: only quads, as many as that map's area, V − E + F = χ, valence k at a cone.
 /// Fails with kUnsupported, the rule and the place where the map is not such a grid.
-Result<QuadMesh> extractQuads(const TriMesh& mesh, const UvMap& map, int q);
+Result<QuadMesh> extractQuads(const TriMesh& mesh, const UvMap& map, int q, int halvings = 0);
 
 }  // namespace hgp

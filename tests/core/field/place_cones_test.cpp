@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -144,6 +145,24 @@ TEST(PlaceCones, ConesThatAreTooCloseInTheirOwnMetricAreMergedOrMoved) {
   EXPECT_EQ(closer(end, least), 0u);
   EXPECT_EQ(std::accumulate(end.begin(), end.end(), 0), metric.total());
   EXPECT_LE(metric.cost(end).energy, 1.2 * metric.cost(start).energy);
+}
+
+TEST(PlaceCones, QuadsHaveNoConeThatIsOneCornerOfAQuad) {
+  const TriMesh mesh = test::jittered(test::icosphere(12), 0.02).mesh();
+  Placed p(mesh);
+  const ConeMetric metric(mesh, p.surface.context(), 4);
+  NodeDefects start = zero(metric);
+  start[40] = 3;
+  start[200] = 3;
+  start[380] = 2;
+  PlaceOptions options;
+  options.isFixed = true;
+  const auto largest = [](const NodeDefects& d) { return *std::max_element(d.begin(), d.end()); };
+  EXPECT_EQ(largest(placeCones(mesh, metric, start, options)), 3);
+  options.spacing = {0.01, 0.1, 2};
+  const NodeDefects end = placeCones(mesh, metric, start, options);
+  EXPECT_EQ(largest(end), 2);
+  EXPECT_EQ(std::accumulate(end.begin(), end.end(), 0), metric.total());
 }
 
 TEST(ConeDistances, AreLengthsInTheConeMetricAtTheSurfacesArea) {

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "hgp/parametrize/parametrize.h"
+#include "hgp/quads/multiple_edges.h"
 #include "hgp/quads/write_quads.h"
 #include "support/maps.h"
 
@@ -134,6 +135,39 @@ TEST(Quads, FinerGridsOnTheSameTrianglesAndHalfCells) {
     ASSERT_TRUE(quads) << quads.error().message;
     EXPECT_NEAR(static_cast<double>(quads->quads.size()), factor * factor * largest, 1e-9);
   }
+}
+
+TEST(MultipleEdges, AroundHandlesOfOneOrTwoCellsAreGoneAfterHalvings) {
+  const TriMesh mesh = test::torus(8, 5).mesh();
+  for (const auto& [around, halvings] : {std::pair{3, 0}, {2, 1}, {1, 2}}) {
+    UvMap map = test::flatTorusMap(8, 5);
+    for (Vec2& p : map.uv) p[0] *= around / 8.0;
+    for (int h = 0; h <= kMostHalvings; ++h) {
+      const Result<QuadMesh> quads = extractQuads(mesh, map, 4, h);
+      ASSERT_TRUE(quads) << quads.error().message;
+      EXPECT_EQ(quads->quads.size(), at(5 * around) << (2 * h));
+      const MultipleEdges found = countMultipleEdges(*quads);
+      // Every ring has a loop, or two edges with the same ends; the quads of a loop have theirs, too.
+      EXPECT_EQ(found.pairs > 0, h < halvings) << around << " around, halved " << h;
+      EXPECT_EQ(found.foldedQuads, 0);
+      EXPECT_EQ(count(*quads).isManifold, h >= halvings);
+    }
+  }
+}
+
+TEST(MultipleEdges, QuadsThatAreAloneAtAVertexAreFolded) {
+  QuadMesh sphere;  // a cone of k = 1 at 0 and at 3; two edges join 1 and 2
+  sphere.positions.resize(4);
+  sphere.quads = {{0, 1, 2, 1}, {3, 2, 1, 2}};
+  MultipleEdges found = countMultipleEdges(sphere);
+  EXPECT_EQ(found.foldedQuads, 2);
+  EXPECT_EQ(found.pairs, 0);
+  // The corner of a sheet is alone in its quad, too.
+  QuadMesh sheet;
+  sheet.positions.resize(6);
+  sheet.quads = {{0, 1, 4, 3}, {1, 2, 5, 4}};
+  found = countMultipleEdges(sheet);
+  EXPECT_EQ(found.foldedQuads + found.pairs, 0);
 }
 
 TEST(Quads, BoundaryCellsAreLeftOutAndCounted) {

@@ -16,6 +16,7 @@ import {
   tilesPerUnit,
   turnedSeams,
 } from '../../../web/src/model/grid.ts';
+import { quadsSaved } from '../../../web/src/text/quads.ts';
 
 const look = (part) => ({ pattern: 'checker', steps: 1, tiles: 24, seams: 'auto', ...part });
 const grid = (part) => ({
@@ -29,6 +30,16 @@ const solutionOf = (grids, certificate = {}) => ({
     cones: { cones: new Array(8).fill({}) },
   },
   distortion: { uvArea: 400, surfaceArea: 4 },
+});
+
+test('a quad mesh that differs from the cells on the screen says how', () => {
+  const plain = { quads: 1200, clipped: 0, halvings: 0, foldedQuads: 0 };
+  assert.equal(quadsSaved(plain, 'a.obj'), '1 200 quads saved as a.obj.');
+  assert.equal(
+    quadsSaved({ ...plain, clipped: 1, halvings: 1, foldedQuads: 2 }, 'a.obj'),
+    '1 200 quads saved as a.obj, without 1 cell that a boundary cuts, 4 per cell, because a handle or two cones are within two cells, 2 of them folded at a cone of k = 1.',
+  );
+  assert.match(quadsSaved({ ...plain, halvings: 2 }, 'a.obj'), /, 16 per cell/);
 });
 
 test('squares fit half and quarter turns only', () => {

@@ -6,7 +6,7 @@ import type { Solution } from '../model/types';
 import { isCertified } from '../model/verdict';
 import { safeName } from '../formats/file_set';
 import { describeError } from '../text/error_messages';
-import { count, plural } from '../text/format';
+import { quadsSaved } from '../text/quads';
 import { solverOf, type App } from './app';
 import { saveFile } from './download';
 import { runJob } from './job';
@@ -58,8 +58,6 @@ export async function downloadQuads(app: App, file: QuadFile): Promise<void> {
     doc.job = undefined;
     const type = file === 'glb' ? 'model/gltf-binary' : 'text/plain';
     await saveFile({ name, bytes: made.bytes, type });
-    const left =
-      made.clipped > 0 ? `, without ${count(made.clipped)} cells that a boundary cuts` : '';
-    doc.say(`${plural(made.quads, 'quad')} saved as ${name}${left}.`, 'good');
+    doc.say(quadsSaved(made, name), 'good');
   });
 }

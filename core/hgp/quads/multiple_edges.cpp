@@ -1,0 +1,47 @@
+#include "hgp/quads/multiple_edges.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <vector>
+
+#include "hgp/base/check.h"
+
+namespace hgp {
+namespace {
+
+using Pair = std::array<int, 2>;
+
+Pair unordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+
+}  // namespace
+
+MultipleEdges countMultipleEdges(const QuadMesh& mesh) {
+  MultipleEdges out;
+  std::vector<int> valence(mesh.positions.size(), 0);
+  std::vector<Pair> directed;
+  directed.reserve(4 * mesh.quads.size());
+  for (const auto& quad : mesh.quads)
+    for (std::size_t k = 0; k < 4; ++k) {
+      ++valence[at(quad[k])];
+      directed.push_back({quad[k], quad[(k + 1) % 4]});
+    }
+  // Faces meet an edge once in either direction: what they meet twice are two edges.
+  std::sort(directed.begin(), directed.end());
+  std::set<Pair> pairs;
+  for (std::size_t n = 0; n < directed.size(); ++n) {
+    const auto [a, b] = directed[n];
+    if (a == b || (n > 0 && directed[n] == directed[n - 1])) pairs.insert(unordered(a, b));
+  }
+  for (const auto& quad : mesh.quads)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const int before = quad[(k + 3) % 4], after = quad[(k + 1) % 4];
+      if (valence[at(quad[k])] != 1 || before != after) continue;
+      ++out.foldedQuads;
+      pairs.erase(unordered(after, quad[(k + 2) % 4]));
+    }
+  out.pairs = static_cast<int>(pairs.size());
+  return out;
+}
+
+}  // namespace hgp

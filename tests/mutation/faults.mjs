@@ -280,7 +280,9 @@ export const faults = [
   fault('io/polygon/polygon_uv.cpp', '< kQuarterTurn)', '< 1000 * kQuarterTurn)'),
 
   // grid
-  fault('grid/align.cpp', 'if (accepts_ && !accepts_(*out_.map)) {', 'if (false) {'),
+  fault('grid/align.cpp', 'accepts_ ? accepts_(*map) :', 'accepts_ && false ? accepts_(*map) :'),
+  fault('quads/multiple_edges.cpp', 'a == b ||', 'a == b &&'),
+  fault('field/place_cones.cpp', 'metric.q() - smallestK', 'metric.q() - smallestK + 1'),
   fault('grid/integer_choice.cpp', 'form_->rounded(spread(w0))', 'form_->rounded(w0)'),
   fault('grid/integer_choice.cpp', 'now.second) < kZero;', 'now.second) > kZero;'),
   fault(

@@ -66,7 +66,7 @@ class Aligner {
  public:
   Aligner(const TriMesh& mesh, const UvMap& map, const GridSystem& system,
           const std::vector<VertexId>& cones, const GridOptions& options, const Progress& progress,
-          double work, const std::function<bool(const UvMap&)>& accepts)
+          double work, const std::function<Acceptance(const UvMap&)>& accepts)
       : mesh_(mesh),
         system_(system),
         cones_(cones),
@@ -90,6 +90,7 @@ class Aligner {
         out_.report.cells / std::max<double>(1.0, static_cast<double>(cones_.size()));
     reserved_ = kExplaining * work_;
     tryAll();
+    if (!isDone() && secondChoice_) takeSecondChoice();
     if (!isDone()) explain();
     out_.workLeft = std::max(0.0, work_);
     return std::move(out_);
@@ -100,7 +101,7 @@ class Aligner {
   /// larger patches.
   void tryAll() {
     std::vector<Candidate> candidates = linearSteps();
-    if (isDone()) return;
+    if (isDone() || secondChoice_) return;
     // Without a triangle that turned over there is nothing to repair: the verifier has refused such a map.
     std::erase_if(candidates, [](const Candidate& candidate) { return candidate.turned.empty(); });
     std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
@@ -170,17 +171,37 @@ class Aligner {
     out_.report.attempts.push_back(
         {method, candidate.factor * candidate.factor, static_cast<int>(candidate.turned.size())});
     if (!candidate.turned.empty()) return false;
-    out_.map = system_.alignedMap(candidate.x, candidate.scale);
-    if (!out_.map) return false;
-    if (accepts_ && !accepts_(*out_.map)) {
-      out_.report.attempts.back().method += ", not certified";
-      out_.map.reset();
-      work_ -= kVerifyWork * mesh_.faceCount();
-      return false;
+    std::optional<UvMap> map = system_.alignedMap(candidate.x, candidate.scale);
+    if (!map) return false;
+    switch (accepts_ ? accepts_(*map) : Acceptance::kAccepted) {
+      case Acceptance::kAccepted:
+        take(std::move(*map));
+        return true;
+      case Acceptance::kSecondChoice:
+        out_.report.attempts.back().method += ", second choice";
+        if (secondChoice_) break;
+        secondChoice_ = std::move(map);
+        secondAttempt_ = out_.report.attempts.size() - 1;
+        break;
+      case Acceptance::kRefused:
+        out_.report.attempts.back().method += ", not certified";
+        break;
     }
+    work_ -= kVerifyWork * mesh_.faceCount();
+    return false;
+  }
+  void take(UvMap map) {
+    out_.map = std::move(map);
     out_.report.isAligned = true;
     describeGrid(mesh_, *out_.map, cones_.size(), out_.report);
-    return true;
+  }
+  void takeSecondChoice() {
+    // The last attempt is the one that the map is from.
+    std::vector<GridAttempt>& attempts = out_.report.attempts;
+    const auto chosen = attempts.begin() + static_cast<std::ptrdiff_t>(secondAttempt_);
+    std::rotate(chosen, chosen + 1, attempts.end());
+    take(std::move(*secondChoice_));
+    out_.isSecondChoice = true;
   }
 
   bool repair(const std::vector<FaceId>& patch, const std::vector<FaceId>& bound,
@@ -277,12 +298,14 @@ class Aligner {
   const Progress& progress_;
   const ChangeContext context_;
   const double mapArea_, surfaceArea_;
-  const std::function<bool(const UvMap&)>& accepts_;
+  const std::function<Acceptance(const UvMap&)>& accepts_;
   const double repairWork_;  ///< multiply-adds that repairs have in any case
   double scale_ = 1.0;
   double work_, reserved_ = 0.0;  ///< multiply-adds left, and those of them kept for explain()
   bool isCutShort_ = false;
   double fraction_ = 0.0;  ///< of the stage
+  std::optional<UvMap> secondChoice_;
+  std::size_t secondAttempt_ = 0;
   AlignedMap out_;
 };
 
@@ -307,7 +330,7 @@ void describeGrid(const TriMesh& mesh, const UvMap& map, std::size_t coneCount,
 AlignedMap alignToGrid(const TriMesh& mesh, const UvMap& map, int q,
                        const std::vector<VertexId>& cones, const GridOptions& options,
                        const linalg::SeparatorTree* tree, const Progress& progress, double work,
-                       const std::function<bool(const UvMap&)>& accepts) {
+                       const std::function<Acceptance(const UvMap&)>& accepts) {
   AlignedMap failed;
   if (q != 2 && q != 4) {
     failed.report.reason = formatText("a grid of squares needs q = 2 or 4, not %d", q);

@@ -15,9 +15,17 @@
 
 namespace hgp {
 
+/// What the caller says of an aligned map.
+enum class Acceptance {
+  kRefused,
+  kSecondChoice,  ///< taken where no other density gives a better one by a linear step
+  kAccepted,
+};
+
 struct AlignedMap {
-  std::optional<UvMap> map;  ///< one unit of uv is one cell
-  bool isCancelled = false;  ///< by `progress`; there is no map then
+  std::optional<UvMap> map;     ///< one unit of uv is one cell
+  bool isSecondChoice = false;  ///< the first one of these
+  bool isCancelled = false;     ///< by `progress`; there is no map then
   GridReport report;
   double workLeft = 0.0;  ///< multiply-adds, of those that might be spent
 };
@@ -37,11 +45,11 @@ void describeGrid(const TriMesh& mesh, const UvMap& map, std::size_t coneCount, 
 /// @param tree   separators of the vertices, or null
 /// @param work   multiply-adds that may be spent; what would exceed it is left out, and the reason says so.
 ///               The linear step is always tried, and small patches have an allowance of their own.
-/// @param accepts  what the verifier says of a map whose triangles are all positive; without it that is enough
+/// @param accepts  asked for every map whose triangles are all positive; without it that is enough
 AlignedMap alignToGrid(const TriMesh& mesh, const UvMap& map, int q,
                        const std::vector<VertexId>& cones, const GridOptions& options,
                        const linalg::SeparatorTree* tree, const Progress& progress,
                        double work = std::numeric_limits<double>::infinity(),
-                       const std::function<bool(const UvMap&)>& accepts = {});
+                       const std::function<Acceptance(const UvMap&)>& accepts = {});
 
 }  // namespace hgp

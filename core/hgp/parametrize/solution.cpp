@@ -7,6 +7,7 @@
 #include "hgp/grid/snap.h"
 #include "hgp/improve/improve.h"
 #include "hgp/parametrize/stage_clock.h"
+#include "hgp/quads/multiple_edges.h"
 
 namespace hgp {
 namespace {
@@ -155,6 +156,14 @@ Status improveOnGrid(const TriMesh& mesh, const ParametrizeOptions& options, dou
   return Done{};
 }
 
+/// Whether the quads of the map have edges that files cannot tell apart.
+bool hasMultipleEdges(const TriMesh& mesh, const UvMap& map, const SeamlessSetup& setup) {
+  const std::optional<UvMap> snapped = snapAligned(mesh, map, setup.seams.q, setup.cones);
+  if (!snapped) return false;
+  const Result<QuadMesh> quads = extractQuads(mesh, *snapped, setup.seams.q);
+  return quads && countMultipleEdges(*quads).pairs > 0;
+}
+
 }  // namespace
 
 Status improveSolution(const TriMesh& mesh, const ParametrizeOptions& options,
@@ -198,10 +207,14 @@ Status alignSolution(const TriMesh& mesh, const ParametrizeOptions& options, Map
   double work = kBesidePrograms * mesh.faceCount();
   for (const Round& round : result.rounds) work += round.work;
   if (result.improvement) work += result.improvement->work;
-  Certificate certificate;
+  Certificate certificate, secondChoice;
   const auto accepts = [&](const UvMap& map) {
     certificate = certify(mesh, result.spec, map);
-    return certificate.isCertified;
+    if (!certificate.isCertified) return Acceptance::kRefused;
+    if (options.grid.mode == GridMode::kTile || !hasMultipleEdges(mesh, map, setup))
+      return Acceptance::kAccepted;
+    if (!secondChoice.isCertified) secondChoice = certificate;
+    return Acceptance::kSecondChoice;
   };
   AlignedMap aligned =
       alignToGrid(mesh, mapped.map, setup.seams.q, setup.cones, options.grid, &setup.context->tree,
@@ -211,7 +224,7 @@ Status alignSolution(const TriMesh& mesh, const ParametrizeOptions& options, Map
   if (!aligned.map) return Done{};
   mapped.solution.x = unknownsOf(mesh, setup, *aligned.map);
   mapped.map = std::move(*aligned.map);
-  mapped.certificate = std::move(certificate);
+  mapped.certificate = std::move(aligned.isSecondChoice ? secondChoice : certificate);
   if (!options.improve) return Done{};
   clock.end();
   return improveOnGrid(mesh, options, aligned.workLeft, mapped, result);

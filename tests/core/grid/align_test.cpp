@@ -129,13 +129,13 @@ TEST(AlignToGrid, GoesOnWhereTheVerifierRefusesAMap) {
   std::vector<VertexId> cones;
   for (const ConePoint& cone : plain.spec.cones) cones.push_back(cone.vertex);
   const GridOptions options{100.0 * static_cast<double>(cones.size()), 0.0, GridMode::kTile};
-  const auto align = [&](const std::function<bool(const UvMap&)>& accepts) {
+  const auto align = [&](const std::function<Acceptance(const UvMap&)>& accepts) {
     return alignToGrid(mesh, plain.map, 4, cones, options, nullptr, {}, 1e300, accepts);
   };
   int asked = 0;
   const AlignedMap third = align([&](const UvMap& map) {
     EXPECT_EQ(map.uv.size(), plain.map.uv.size());
-    return ++asked > 2;
+    return ++asked > 2 ? Acceptance::kAccepted : Acceptance::kRefused;
   });
   ASSERT_TRUE(third.map);
   EXPECT_EQ(asked, 3);
@@ -144,7 +144,18 @@ TEST(AlignToGrid, GoesOnWhereTheVerifierRefusesAMap) {
   EXPECT_NE(third.report.attempts[0].method.find("not certified"), std::string::npos);
   EXPECT_NE(third.report.attempts.back().factor, 1.0);
 
-  const AlignedMap none = align([](const UvMap&) { return false; });
+  std::vector<UvMap> offered;
+  const AlignedMap second = align([&](const UvMap& map) {
+    offered.push_back(map);
+    return offered.size() == 1 ? Acceptance::kRefused : Acceptance::kSecondChoice;
+  });
+  ASSERT_TRUE(second.map && second.isSecondChoice);
+  ASSERT_GE(offered.size(), 3u);
+  EXPECT_EQ(second.map->uv, offered[1].uv);
+  EXPECT_EQ(second.report.attempts.back().factor, 1.06 * 1.06);
+  EXPECT_NEAR(second.report.cells, 1.06 * 1.06 * options.cells, 0.05 * options.cells);
+
+  const AlignedMap none = align([](const UvMap&) { return Acceptance::kRefused; });
   EXPECT_FALSE(none.map);
   EXPECT_FALSE(none.report.isAligned);
   EXPECT_FALSE(none.report.reason.empty());

@@ -24,7 +24,11 @@ Status addSideFiles(std::vector<io::OutputFile>& files, std::vector<std::string>
     return take(api::withEmbedded(std::move(files), resolve, asked.load.limits), files, notes);
   const std::string to = folderOf(asked.output);
   if (asked.output == "-" || to == folderOf(asked.input)) return Done{};
-  for (const std::string& name : api::missingSideFiles(files)) {
+  std::vector<std::string> refused;
+  const std::vector<std::string> missing = api::missingSideFiles(files, &refused);
+  for (const std::string& why : refused)
+    notes.push_back(why + "; it is not copied and is still named");
+  for (const std::string& name : missing) {
     Result<io::Bytes> bytes = resolve ? resolve(name) : Result<io::Bytes>(io::Bytes());
     if (!bytes && bytes.error().code == ErrorCode::kMalformed) {
       notes.push_back(bytes.error().message + ": it is still named and not there");

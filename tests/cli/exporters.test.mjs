@@ -14,6 +14,10 @@ import { inFolder } from '../support/program.mjs';
 const { at, run } = inFolder('exporters');
 let count = 0;
 
+/** Vertices that are not finite are said where they are, and only there. */
+const saysNotFinite = (err, name) =>
+  assert.equal(/no finite position/.test(err), /^vertices .*numbers/.test(name), err);
+
 /** Writes the files into a folder of their own, and runs `hgp param` on the first. */
 function mapped(files, output) {
   const place = `${count++}`;
@@ -59,6 +63,7 @@ for (const [name, files] of Object.entries(gltfFiles)) {
       /picture|texture/.test(name),
       err,
     );
+    saysNotFinite(err, name);
     if (reports.length > 1) return;
     await assertLaw(original, written, { ...placeOfMap(original), hasUv: false });
   });
@@ -68,13 +73,14 @@ const polygons = { ply: plyFiles, obj: objFiles, off: offFiles, stl: stlFiles };
 for (const [kind, all] of Object.entries(polygons)) {
   for (const [name, bytes] of Object.entries(all)) {
     test(`${kind.toUpperCase()}: ${name}`, async () => {
-      const { written, report } = mapped(
+      const { written, report, err } = mapped(
         { [`a.${kind}`]: bytes },
         kind === 'obj' ? 'a.obj' : 'b.obj',
       );
       const checked = await checkFile(written, 'polygon', { outside: outsideOf(report) });
       assert.ok(checked.good, checked.why);
       const { stored } = report.certificate;
+      saysNotFinite(err, name);
       assert.equal(stored.judged, 108, 'every triangle that has a surface');
     });
   }

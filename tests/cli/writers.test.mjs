@@ -416,6 +416,26 @@ test('a .gltf that goes elsewhere takes its side files along, or has them inside
   assert.match(missing.err, /cube\.bin is missing/);
 });
 
+test('pictures whose names need encoding are taken along; those outside the folder are named', () => {
+  const { json, bin } = toGltf([cubeMesh(3)], {
+    buffer: 'cube%20%26%20100%25.bin',
+    image: 'Material%20%2325.png',
+  });
+  json.images.push({ uri: '../above.png' }, { uri: 'https://example.org/far.png' });
+  put('named/scene.gltf', JSON.stringify(json));
+  put('named/cube & 100%.bin', bin);
+  put('named/Material #25.png', pixel);
+  put('above.png', pixel);
+  mkdirSync(at('moved/deeper'), { recursive: true });
+  const { err } = good('param', 'named/scene.gltf', '-o', 'moved/deeper/scene.gltf');
+  assert.deepEqual(readFileSync(at('moved/deeper/Material #25.png')), pixel);
+  assert.deepEqual(readFileSync(at('moved/deeper/cube & 100%.bin')), Buffer.from(bin));
+  assert.match(err, /note: .*'\.\.\/above\.png'.* leaves the folder; it is not copied/);
+  assert.doesNotMatch(err, /far\.png/);
+  assert.equal(existsSync(at('moved/above.png')), false);
+  good('verify', 'moved/deeper/scene.gltf');
+});
+
 test('a GLB becomes a .gltf with its bytes beside it or inside it, and so does an OBJ', async () => {
   writeFileSync(at('scene.glb'), toGlb([cubeMesh(2), cubeMesh(3)]));
   const corners = async (name) => {

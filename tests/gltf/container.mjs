@@ -9,7 +9,8 @@ export function openFile(bytes) {
     return { text: new TextDecoder().decode(bytes), others: [] };
   }
   const out = { others: [] };
-  for (let at = 12; at < bytes.length;) {
+  const says = view.getUint32(8, true); // bytes behind that are no part of the file
+  for (let at = 12; at < bytes.length && at !== says;) {
     const length = view.getUint32(at, true);
     const type = view.getUint32(at + 4, true);
     const content = bytes.subarray(at + 8, at + 8 + length);

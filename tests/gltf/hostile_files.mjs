@@ -137,7 +137,7 @@ const list = [
   ['header-only.glb', glb().slice(0, 12), malformed, /byte 12: .*cut off/],
   ['version-1.glb', withWord(glb(), 4, 1), malformed, /byte 4: .*version 1/],
   ['too-short.glb', glb().slice(0, -9), malformed, /byte 8: .*header says/],
-  ['too-long.glb', concat([glb(), new Uint8Array(4)]), malformed, /byte 8: .*header says/],
+  ['too-long.glb', concat([withWord(glb(), 8, 30), new Uint8Array(4)]), malformed, /byte 8: .*header says/], // prettier-ignore
   ['length-huge.glb', withWord(glb(), 8, 0xffffffff), malformed, /byte 8/],
   ['chunk-huge.glb', withWord(glb(), 12, 0xfffffffc), malformed, /byte 12: .*chunk of 4294967292/],
   ['chunk-odd.glb', withWord(glb(), 12, 17), malformed, /multiple of 4/],

@@ -302,6 +302,17 @@ const named = (uri, file) => {
   };
 };
 
+const behind = (files, bytes) =>
+  Object.fromEntries(
+    Object.entries(files).map(([name, glb]) => [name, Buffer.concat([glb, bytes])]),
+  );
+
+/** The length in the header; below 0: so many bytes less than there are. */
+function counting(files, length) {
+  for (const glb of Object.values(files)) glb.writeUInt32LE(length < 0 ? glb.length + length : length, 8); // prettier-ignore
+  return files;
+}
+
 export const gltfFiles = {
   'interleaved with a gap': interleaved().glb('interleaved'),
   'sparse positions on a view': sparse(true).glb('sparse'),
@@ -360,6 +371,16 @@ export const gltfFiles = {
     Object.assign(accessor, { type: 'VEC2', normalized: true, count: vertices.length });
     gltf.json.bufferViews[accessor.bufferView].byteStride = 4;
   }).glb('sets'),
+  'vertices without numbers, at the ends': (() => {
+    const gltf = new Gltf();
+    const none = [NaN, Infinity, -Infinity];
+    const POSITION = gltf.array(new Float32Array([none, ...vertices, none].flat()), 'VEC3', 5126, boundsOf(vertices)); // prettier-ignore
+    const indices = gltf.indices(triangles.map((t) => t.map((v) => v + 1)));
+    return gltf.primitive({ POSITION }, { indices }).glb('numbers');
+  })(),
+  'bytes behind the end': behind(plain().glb('behind'), Buffer.from('by a program\n')),
+  'a header that counts nothing': counting(plain().glb('nothing'), 0),
+  'a header that leaves the padding out': counting(plain().glb('padding'), -1),
   'chunks nobody knows, text padded with tabs': plain().glb('chunks', { pad: ' ', chunks: [{ type: 0x31415926, bytes: Buffer.from('more') }] }), // prettier-ignore
   'inside, as text of another kind': encoded(plain(), 'application/gltf-buffer'),
   'inside, with a parameter': encoded(plain(), 'application/octet-stream;charset=utf-8'),
@@ -497,6 +518,17 @@ export const plyFiles = {
     }
     return ply({ vertex: points, face: { properties: faces().properties, rows: quads } });
   })(),
+  'vertices and qualities that are no numbers': ply({
+    vertex: {
+      properties: [...xyz(), ['quality', 'float']],
+      rows: [
+        ...vertices.map((p) => [...p, 'nan']),
+        ['-nan(ind)', '1.#INF', 0, 1],
+        [0, 'inf', 0, 1],
+      ],
+    },
+    face: faces(),
+  }),
   'st at vertices': ply({
     vertex: {
       properties: [...xyz(), ['nx', 'float'], ['s', 'float'], ['t', 'float']],
@@ -545,6 +577,13 @@ export const objFiles = {
     'vn -nan(ind) 0 1',
     'vn inf 0 0',
     body.map((f) => f.replace(/(\d+)/g, '$1//1')),
+  ),
+  'vertices and vt that are no numbers': join(
+    'v nan nan nan',
+    lines,
+    'v 1e999 -1.#IND -inf',
+    'vt nan -nan',
+    triangles.map((t) => `f ${t.map((v) => `${v + 2}/1`).join(' ')}`),
   ),
   'colours and weights': join(
     lines.map((l, v) => `${l} ${v % 2 ? '0.5 0.25 1' : '1.0'}`),

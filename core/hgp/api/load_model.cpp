@@ -9,7 +9,9 @@
 #include "hgp/api/sha256.h"
 #include "hgp/api/written_repairs.h"
 #include "hgp/base/check.h"
+#include "hgp/base/counted.h"
 #include "hgp/io/convert.h"
+#include "hgp/mesh/finite.h"
 #include "hgp/mesh/nearby_order.h"
 
 namespace hgp::api {
@@ -110,6 +112,16 @@ Status splitIntoComponents(Model& model) {
   return Done{};
 }
 
+void noteNotFinite(Model& model) {
+  const std::vector<int> found = unusedNotFinite(model.source().mesh);
+  if (found.empty()) return;
+  const bool isOne = found.size() == 1;
+  model.notes.push_back(
+      counted(found.size(), "vertex", "vertices") +
+      formatText(" that no face uses %s no finite position (%s%d); kept as in the file",
+                 isOne ? "has" : "have", isOne ? "" : "first: ", found.front()));
+}
+
 /// Cones inside a file are an offer: where they cannot be read, the rest of the file still can.
 void takeEmbeddedCones(Model& model, const io::Document& document, int surface) {
   Result<std::optional<io::Prescription>> cones = document.embeddedCones(surface);
@@ -148,6 +160,7 @@ Status prepare(Model& model, const LoadOptions& options) {
                    formatText("%zu triangles exceed the limit", source.triangles.size()),
                    {}};
   }
+  noteNotFinite(model);
   takeRepaired(model, options);
   if (model.unusable) return Done{};
   if (options.writesRepairs) {

@@ -35,10 +35,11 @@ bool isGltf(const std::vector<io::OutputFile>& files) {
 
 }  // namespace
 
-std::vector<std::string> missingSideFiles(const std::vector<io::OutputFile>& files) {
+std::vector<std::string> missingSideFiles(const std::vector<io::OutputFile>& files,
+                                          std::vector<std::string>* refused) {
   std::vector<std::string> out;
   if (files.empty()) return out;
-  for (std::string& name : io::gltfSideFiles(files[0].bytes))
+  for (std::string& name : io::gltfSideFiles(files[0].bytes, refused))
     if (findFile(files, name) == nullptr) out.push_back(std::move(name));
   return out;
 }

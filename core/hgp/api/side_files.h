@@ -10,7 +10,9 @@
 namespace hgp::api {
 
 /// Names of the side files that a written glTF needs and that are not among `files`.
-std::vector<std::string> missingSideFiles(const std::vector<io::OutputFile>& files);
+/// @param refused  if given, gets why others are not read: those outside the folder
+std::vector<std::string> missingSideFiles(const std::vector<io::OutputFile>& files,
+                                          std::vector<std::string>* refused = nullptr);
 
 /// The main file with its side files, from `files` or by `resolve`, inside it as data URIs; notes name images that are missing.
 Result<io::Written> withEmbedded(std::vector<io::OutputFile> files, const io::Resolver& resolve,

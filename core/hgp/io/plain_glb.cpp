@@ -5,6 +5,7 @@
 
 #include "hgp/base/check.h"
 #include "hgp/io/plain_surface.h"
+#include "hgp/mesh/finite.h"
 #include "hgp/mesh/vectors.h"
 
 namespace hgp::io {
@@ -143,14 +144,17 @@ class PlainGlbText {
   int addPositions(const PlainSurface& surface) {
     const std::size_t begin = data_.size();
     std::array<float, 3> low{}, high{};
-    for (std::size_t i = 0; i < vertexOf_.size(); ++i) {
-      const Vec3& p = surface.mesh.positions[static_cast<std::size_t>(vertexOf_[i])];
+    bool isFirst = true;
+    for (const int v : vertexOf_) {
+      const Vec3& p = surface.mesh.positions[static_cast<std::size_t>(v)];
+      for (std::size_t k = 0; k < 3; ++k) number(p[k]);
+      if (!isFinite(p)) continue;  // a defect that is found when the result is read
       for (std::size_t k = 0; k < 3; ++k) {
         const auto x = static_cast<float>(p[k]);
-        low[k] = i == 0 ? x : std::min(low[k], x);
-        high[k] = i == 0 ? x : std::max(high[k], x);
-        number(p[k]);
+        low[k] = isFirst ? x : std::min(low[k], x);
+        high[k] = isFirst ? x : std::max(high[k], x);
       }
+      isFirst = false;
     }
     const auto list = [](const std::array<float, 3>& x) {
       return formatText("[%.9g,%.9g,%.9g]", static_cast<double>(x[0]), static_cast<double>(x[1]),
@@ -177,7 +181,8 @@ class PlainGlbText {
     const std::size_t begin = data_.size();
     for (const int v : vertexOf_) {
       for (const double c : surface.colors[static_cast<std::size_t>(v)]) {
-        const auto bits = static_cast<unsigned>(std::lround(65535 * std::clamp(c, 0.0, 1.0)));
+        const double share = c > 0 ? std::min(c, 1.0) : 0;  // a NaN is none
+        const auto bits = static_cast<unsigned>(std::lround(65535 * share));
         data_.push_back(static_cast<std::uint8_t>(bits & 0xFF));
         data_.push_back(static_cast<std::uint8_t>(bits >> 8));
       }

@@ -8,6 +8,7 @@
 #include "hgp/base/disjoint_sets.h"
 #include "hgp/base/ids.h"
 #include "hgp/mesh/edge_table.h"
+#include "hgp/mesh/finite.h"
 
 namespace hgp {
 namespace {
@@ -70,7 +71,7 @@ void findVertexDefects(const MeshData& data, Places& places) {
     const Vec3& p = data.positions[v];
     if (!isUsed[v]) {
       places[DefectKind::kIsolatedVertex].push_back(vertexAt(static_cast<int>(v)));
-    } else if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) {
+    } else if (!isFinite(p)) {
       places[DefectKind::kNotFinite].push_back(vertexAt(static_cast<int>(v)));
     }
   }

@@ -5,23 +5,46 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "hgp/base/check.h"
 
 namespace hgp::io {
 
+namespace {
+
+/// What stands at s, finite or not; nullptr where that is no number. fast_float reads "1e" as 1.
+const char* parse(const char* s, const char* end, double& value) {
+  const auto answer = fast_float::from_chars(s, end, value);
+  const bool isCut = answer.ptr != end && (*answer.ptr == 'e' || *answer.ptr == 'E');
+  return answer.ec == std::errc::invalid_argument || isCut ? nullptr : answer.ptr;
+}
+
+}  // namespace
+
 bool readDouble(const char*& p, const char* end, double& out) {
-  // fast_float knows no plus sign, takes "nan" and "inf", and reads "1e" as 1.
+  // fast_float knows no plus sign and takes "nan" and "inf".
   const char* s = p != end && *p == '+' ? p + 1 : p;
   const char* digits = p != end && *p == '-' ? p + 1 : s;
   if (digits == end || !(isDigit(*digits) || *digits == '.')) return false;
   double value = 0.0;
-  const auto answer = fast_float::from_chars(s, end, value);
-  if (answer.ec == std::errc::invalid_argument || !std::isfinite(value)) return false;
-  if (answer.ptr != end && (*answer.ptr == 'e' || *answer.ptr == 'E')) return false;
+  const char* ptr = parse(s, end, value);
+  if (ptr == nullptr || !std::isfinite(value)) return false;
   out = value;
-  p = answer.ptr;
+  p = ptr;
+  return true;
+}
+
+bool readAnyDouble(const char*& p, const char* end, double& out) {
+  const char* begin = p;
+  const char* ptr = parse(p != end && *p == '+' ? p + 1 : p, end, out);
+  if (ptr == nullptr) return false;
+  if (ptr != end && *ptr == '#' && isInNumber(begin, ptr, end)) {
+    while (ptr != end && !isBlank(*ptr) && *ptr != '\n') ++ptr;
+    out = std::numeric_limits<double>::quiet_NaN();
+  }
+  p = ptr;
   return true;
 }
 
@@ -69,7 +92,8 @@ bool WordReader::isAtEnd() {
 std::string_view WordReader::next() {
   skip();
   const char* begin = p_;
-  while (p_ != end_ && !isBlank(*p_) && *p_ != '\n' && *p_ != '#') ++p_;
+  while (p_ != end_ && !isBlank(*p_) && *p_ != '\n' && (*p_ != '#' || isInNumber(begin, p_, end_)))
+    ++p_;
   return word_ = std::string_view(begin, static_cast<std::size_t>(p_ - begin));
 }
 
@@ -78,6 +102,13 @@ bool WordReader::nextDouble(double& out) {
   const char* p = word_.data();
   const char* end = p + word_.size();
   return !word_.empty() && readDouble(p, end, out) && p == end;
+}
+
+bool WordReader::nextAnyDouble(double& out) {
+  next();
+  const char* p = word_.data();
+  const char* end = p + word_.size();
+  return !word_.empty() && readAnyDouble(p, end, out) && p == end;
 }
 
 bool WordReader::nextInt(std::int64_t& out) {

@@ -24,6 +24,15 @@ inline void skipBlanks(const char*& p, const char* end) {
 /// there is no number or it is not finite; "nan" and "inf" are no numbers here.
 bool readDouble(const char*& p, const char* end, double& out);
 
+/// … or what is not finite, as programs write it: nan, -inf, infinity, 1.#QNAN, 1e999.
+bool readAnyDouble(const char*& p, const char* end, double& out);
+
+/// Whether the '#' at p belongs to a number that is not finite, as older Windows programs write it
+/// ("-1.#IND"), and begins no comment. @param begin  of the word
+inline bool isInNumber(const char* begin, const char* p, const char* end) {
+  return p != begin && p[-1] == '.' && end - p > 1 && (p[1] == 'I' || p[1] == 'Q' || p[1] == 'S');
+}
+
 /// Reads an integer with optional sign; false when there is none or it exceeds 18 digits.
 inline bool readInt(const char*& p, const char* end, std::int64_t& out) {
   const char* s = p;
@@ -55,6 +64,7 @@ class WordReader {
   std::string_view next();
   /// The next word as a number; false when it is not one, and `word` then holds it.
   bool nextDouble(double& out);
+  bool nextAnyDouble(double& out);
   bool nextInt(std::int64_t& out);
   /// The rest of the current line without its end.
   std::string_view restOfLine();

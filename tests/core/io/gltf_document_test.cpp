@@ -74,6 +74,31 @@ TEST(GltfDocument, MapWithoutSeamsOnlyAddsText) {
   EXPECT_EQ(again->surfaces()[0].uvSets, std::vector<int>{0});
 }
 
+TEST(GltfDocument, PrimitivesOfAKindAreCountedInOneNote) {
+  const auto primitives = [](std::initializer_list<int> modes) {
+    std::string text;
+    for (const int mode : modes)
+      text += (text.empty() ? "" : ", ") +
+              ("{ \"attributes\" : { \"POSITION\" : 0 }, \"indices\" : 1, \"mode\" : " +
+               std::to_string(mode) + " }");
+    return text;
+  };
+  const std::string one = "{ \"attributes\" : { \"POSITION\" : 0 }, \"indices\" : 1 }";
+  const auto notes = [&](std::initializer_list<int> modes) {
+    return opened(squareText({{one, primitives(modes)}}))->surfaces()[0].notes;
+  };
+  // Corners 0 1 2 0 2 3: of the four of a strip, one names a corner twice; of a fan, two do.
+  EXPECT_EQ(notes({5}),
+            (std::vector<std::string>{
+                "1 triangle strip is read as 3 triangles (1 degenerate one is skipped)"}));
+  EXPECT_EQ(
+      notes({4, 5, 6, 6, 1, 1, 0}),
+      (std::vector<std::string>{
+          "2 primitives (lines) are kept as they are", "1 primitive (points) is kept as it is",
+          "1 triangle strip and 2 triangle fans are read as 7 triangles (5 degenerate ones "
+          "are skipped)"}));
+}
+
 TEST(GltfDocument, UvComeBackAsStoredWhereVerticesSplit) {
   const DocumentPtr document = opened(squareText());
   ASSERT_TRUE(document);

@@ -7,9 +7,14 @@ namespace {
 
 TEST(GltfUri, NamesBesideTheFileAreFine) {
   const std::pair<const char*, const char*> names[] = {
-      {"a.bin", "a.bin"},          {"./a.bin", "a.bin"},         {"dir/sub/a.bin", "dir/sub/a.bin"},
-      {"a%20b.bin", "a b.bin"},    {"..a/b..bin", "..a/b..bin"}, {"%E2%82%AC.bin", "€.bin"},
-      {"%252e%252e/x", "%2e%2e/x"}};
+      {"a.bin", "a.bin"},
+      {"./a.bin", "a.bin"},
+      {"dir/sub/a.bin", "dir/sub/a.bin"},
+      {"a%20b.bin", "a b.bin"},
+      {"..a/b..bin", "..a/b..bin"},
+      {"%E2%82%AC.bin", "€.bin"},
+      {"%252e%252e/x", "%2e%2e/x"},
+      {"Material%20%2325.png", "Material #25.png"}};
   for (const auto& [uri, name] : names) {
     const auto result = relativeName(uri);
     ASSERT_TRUE(result) << uri;
@@ -22,7 +27,7 @@ TEST(GltfUri, WhatLeavesTheFolderIsRefusedAndSaid) {
        {"",           "/a",          "//host/a", "../a",  "a/../b", "a/..",   "%2e%2e/a",
         "..%2fa",     "%2fa",        "a%5cb",    "a\\b",  "C:/a",   "c%3a/a", "file:///a",
         "http://h/a", "HTTPS://h/a", "a%00b",    "a\nb",  "%",      "%2",     "%gg",
-        "a//b",       "a?b",         "a%23b",    "data:x"}) {
+        "a//b",       "a?b",         "a#b",      "data:x"}) {
     const auto result = relativeName(uri);
     ASSERT_FALSE(result) << uri;
     EXPECT_EQ(result.error().code, ErrorCode::kMalformed);
@@ -41,6 +46,55 @@ TEST(GltfUri, Base64IsTheInverseOfItself) {
   for (const char* wrong : {"A", "AAAAA", "A===", "AA=A", "AA A", "A\nAA", "AA-_"}) {
     EXPECT_FALSE(decodeBase64(wrong)) << wrong;
   }
+}
+
+/// A JSON chunk of `json` and a BIN chunk of four bytes.
+Bytes smallGlb(const std::string& json) {
+  Bytes glb = {'g', 'l', 'T', 'F', 2, 0, 0, 0, 0, 0, 0, 0};
+  glb.push_back(static_cast<std::uint8_t>(json.size()));
+  for (int b : std::initializer_list<int>{0, 0, 0, 'J', 'S', 'O', 'N'})
+    glb.push_back(static_cast<std::uint8_t>(b));
+  for (char c : json) glb.push_back(static_cast<std::uint8_t>(c));
+  for (int b : std::initializer_list<int>{4, 0, 0, 0, 'B', 'I', 'N', 0, 1, 2, 3, 4})
+    glb.push_back(static_cast<std::uint8_t>(b));
+  glb[8] = static_cast<std::uint8_t>(glb.size());
+  return glb;
+}
+
+TEST(GltfContainer, BytesBehindTheEndAndHeadersThatSayTooLittleAreNoted) {
+  const Bytes good = smallGlb("{}  ");
+  ASSERT_TRUE(openContainer(good)->notes.empty());
+  for (const std::size_t behind : {1, 4, 8, 30}) {
+    Bytes glb = good;
+    glb.insert(glb.end(), behind, 7);
+    const auto read = openContainer(glb);
+    ASSERT_TRUE(read) << behind;
+    EXPECT_EQ(read->bin.size(), 4u);
+    EXPECT_EQ(read->notes.size(), 1u);
+    EXPECT_EQ(read->notes[0].find("ignored: " + std::to_string(behind) + " byte"), 0u);
+  }
+  for (const int says : {0, 12, 20, 23, 24, 35}) {
+    Bytes glb = good;
+    glb[8] = static_cast<std::uint8_t>(says);
+    const auto read = openContainer(glb);
+    ASSERT_TRUE(read) << says;
+    EXPECT_EQ(read->notes.size(), 1u);
+    EXPECT_EQ(read->bin.size(), 4u);
+  }
+  Bytes more = good, both = good;
+  more[8] = 37;  // something is missing
+  EXPECT_FALSE(openContainer(more));
+  both[8] = 30;  // neither fits
+  both.insert(both.end(), 4, 7);
+  EXPECT_FALSE(openContainer(both));
+}
+
+TEST(GltfContainer, ChunksWithoutPaddingAreTakenWhereTheNextFollows) {
+  const auto read = openContainer(smallGlb("{} "));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->json, "{} ");
+  EXPECT_EQ(read->bin.size(), 4u);
+  EXPECT_EQ(read->notes.size(), 1u);
 }
 
 TEST(GltfContainer, EveryCutOfAGlbIsRefused) {

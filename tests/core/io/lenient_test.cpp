@@ -1,7 +1,9 @@
 // Files that good readers take although the letter of the format forbids them: each is read, says so
 // in a note, and is written back with everything that was not understood left as it was.
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <tuple>
 
 #include "io_support.h"
 
@@ -174,6 +176,67 @@ TEST(LenientObj, CarriageReturnsStayTheOnlyLineEnds) {
   const auto back = (*again)->existingUv(0, 0);
   ASSERT_TRUE(back.has_value());
   EXPECT_EQ(back->uv[2], map.uv[2]);
+}
+
+const std::string kJunk[] = {"nan -NaN 0", "0 -nan(ind) inf", "-1.#IND 1.#QNAN0 2",
+                             "0 1e999 -Infinity"};
+
+std::string junkLines(const std::string& before) {
+  std::string out;
+  for (const std::string& junk : kJunk) out += before + junk + "\n";
+  return out;
+}
+
+TEST(LenientVertices, PositionsThatAreNotFiniteStayWhereNoFaceUsesThem) {
+  const std::string faces = "3 4 5 6\n3 4 6 7\n";
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\n"
+      "property float z\nproperty float quality\n" +
+      kPlyFaces;
+  std::string rows = junkLines("") + kOffBody;
+  std::string withQuality;
+  for (const char c : rows) withQuality += c == '\n' ? std::string(" nan\n") : std::string(1, c);
+  const std::pair<const char*, std::string> files[] = {
+      {"a.obj", junkLines("v ") + kSquare + "vt nan 0\nf 5/1 6/1 7/1\nf 5/1 7/1 8/1\n"},
+      {"a.off", "OFF\n8 2 0\n" + junkLines("") + kOffBody + faces},
+      {"a.ply", ply + withQuality + faces},
+  };
+  for (const auto& [name, text] : files) {
+    Result<DocumentPtr> document = openText(name, text);
+    ASSERT_TRUE(document.hasValue()) << name << ": " << document.error().message;
+    const Surface& surface = (*document)->surfaces()[0];
+    EXPECT_EQ(surface.mesh.positions[4], (Vec3{0, 0, 0})) << name;
+    EXPECT_EQ(surface.mesh.positions[6], (Vec3{1, 1, 0})) << name;
+    for (std::size_t v = 0; v < 4; ++v) {
+      const Vec3& p = surface.mesh.positions[v];
+      EXPECT_FALSE(std::isfinite(p[0] + p[1] + p[2])) << name << ", vertex " << v;
+    }
+    WriteOptions options;
+    if (std::string(name) == "a.ply") options.format = "ply";
+    const std::string out = written(**document, vertexMap(surface.mesh), options);
+    EXPECT_TRUE(openText(name[2] == 'o' ? "b.obj" : name, out).hasValue()) << out;
+    for (const std::string& junk : kJunk) {
+      const bool isKept = out.find(junk) != std::string::npos;
+      EXPECT_TRUE(isKept || std::string(name) == "a.off") << name << ": " << junk;
+    }
+  }
+}
+
+TEST(LenientVertices, OfAFaceTheyAreRefusedByNameAndLine) {
+  const std::string head = kPlyVertices.substr(0, kPlyVertices.find('4')) + "5" +
+                           kPlyVertices.substr(kPlyVertices.find('4') + 1);
+  const std::tuple<const char*, std::string, const char*> files[] = {
+      {"a.obj", "v inf 0 0\n" + kSquare + "v 0 0 -1.#IND\nf 2 3 6\n", "line 6: vertex 5 "},
+      {"a.off", "OFF\n5 2 0\n" + kOffBody + "0 0 nan\n3 0 1 2\n3 0 2 4\n", "line 7: vertex 4 "},
+      {"a.ply", head + kPlyFaces + kOffBody + "0 1e400 0\n3 0 1 2\n3 0 2 4\n",
+       "line 14: vertex 4 "},
+  };
+  for (const auto& [name, text, words] : files) {
+    Result<DocumentPtr> document = openText(name, text);
+    ASSERT_FALSE(document.hasValue()) << name;
+    EXPECT_EQ(document.error().code, ErrorCode::kMalformed);
+    EXPECT_EQ(document.error().message.find(words), 0u) << document.error().message;
+  }
 }
 
 TEST(LenientStl, AnnouncedButMissingTrianglesAreStillRefused) {

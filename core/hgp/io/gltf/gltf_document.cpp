@@ -110,7 +110,11 @@ Result<DocumentPtr> readGltf(FileSet files, const Limits& limits) {
   for (std::size_t m = 0; m < (*store)->model.meshes.size(); ++m) {
     auto part = weldGltfMesh(**store, static_cast<int>(m), limits);
     if (!part) return part.error();
-    if (!part->runs.empty()) parts.push_back(std::move(*part));
+    if (part->runs.empty()) continue;
+    auto& notes = part->surface.notes;
+    const auto& ofFile = (*store)->container.notes;
+    notes.insert(notes.begin(), ofFile.begin(), ofFile.end());
+    parts.push_back(std::move(*part));
   }
   if (parts.empty()) {
     return Failure{ErrorCode::kUnsupported, "read", "the file has no mesh with triangles", {}};

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "hgp/base/check.h"
+#include "hgp/base/counted.h"
 #include "hgp/text/text.h"
 
 namespace hgp::io {
@@ -23,44 +24,93 @@ Failure notGltf(std::size_t offset, const std::string& message) {
   return malformedByte(offset, "not a glTF file: " + message);
 }
 
+/// The chunks of a GLB, which must end where `file` does. A length that is no multiple of 4 is taken where
+/// the next chunk, or the end, follows at once: some writers do not pad.
+class ChunkReader {
+ public:
+  explicit ChunkReader(ByteView file) : file_(file) { out_.isBinary = true; }
+
+  Result<GltfContainer> read() {
+    for (int index = 0; at_ < file_.size(); ++index) {
+      if (file_.size() - at_ < 8) return failure(at_, "a chunk header is cut off");
+      const std::size_t length = word(file_, at_);
+      if (length % 4 != 0 && unpadded_ == 0) unpadded_ = at_;
+      if (length > file_.size() - at_ - 8) {
+        return failure(at_, formatText("a chunk of %zu bytes where %zu are left", length,
+                                       file_.size() - at_ - 8));
+      }
+      const Status taken = take(index, word(file_, at_ + 4), file_.subspan(at_ + 8, length));
+      if (!taken) return taken.error();
+      at_ += 8 + length;
+    }
+    if (unpadded_ > 0) out_.notes.push_back("a chunk's length is not a multiple of 4");
+    return std::move(out_);
+  }
+
+ private:
+  Failure failure(std::size_t at, const std::string& message) const {
+    return unpadded_ > 0 ? notGltf(unpadded_, "a chunk length is not a multiple of 4")
+                         : notGltf(at, message);
+  }
+
+  Status take(int index, std::uint32_t type, ByteView content) {
+    if ((index == 0) != (type == kJsonChunk)) {
+      return failure(at_ + 4, "there must be one JSON chunk and it must come first");
+    }
+    if (type == kJsonChunk) {
+      out_.json = {reinterpret_cast<const char*>(content.data()), content.size()};
+    } else if (type == kBinChunk) {
+      if (out_.hasBin) return failure(at_ + 4, "more than one BIN chunk");
+      if (index != 1) return failure(at_ + 4, "the BIN chunk must be the second");
+      out_.hasBin = true;
+      out_.bin = content;
+    } else {
+      out_.others.push_back({type, content});
+    }
+    return Done{};
+  }
+
+  ByteView file_;
+  GltfContainer out_;
+  std::size_t at_ = 12;
+  std::size_t unpadded_ = 0;  ///< the first such chunk
+};
+
+/// A file that is longer than its header says: what is behind is left out, unless it holds the BIN chunk or
+/// the chunks end nowhere else.
+Result<GltfContainer> openLonger(ByteView file, std::size_t length) {
+  const std::string behind = counted(file.size() - length, "byte");
+  std::optional<GltfContainer> part;
+  if (length >= 20) {
+    Result<GltfContainer> read = ChunkReader(file.first(length)).read();
+    if (read) {
+      read->notes.push_back("ignored: " + behind + " behind the end of the GLB");
+      if (read->hasBin) return read;
+      part = std::move(*read);
+    }
+  }
+  Result<GltfContainer> all = ChunkReader(file).read();
+  if (all && (all->hasBin || !part)) {
+    all->notes.push_back("the length in the GLB header leaves out " + behind + ", which are read");
+    return all;
+  }
+  if (part) return std::move(*part);
+  return all;
+}
+
 Result<GltfContainer> openBinary(ByteView file) {
   if (file.size() < 20) return notGltf(file.size(), "the GLB header is cut off");
   if (word(file, 4) != 2) {
     return notGltf(4, formatText("GLB version %u, only 2 is known", word(file, 4)));
   }
-  if (word(file, 8) != file.size()) {
-    return notGltf(8, formatText("the GLB header says %u bytes, the file has %zu", word(file, 8),
-                                 file.size()));
+  const std::size_t length = word(file, 8);
+  if (length == file.size()) return ChunkReader(file).read();
+  if (length < file.size()) {
+    Result<GltfContainer> out = openLonger(file, length);
+    if (out) return out;
   }
-  GltfContainer out;
-  out.isBinary = true;
-  std::size_t at = 12;
-  for (int index = 0; at < file.size(); ++index) {
-    if (file.size() - at < 8) return notGltf(at, "a chunk header is cut off");
-    const std::size_t length = word(file, at);
-    const std::uint32_t type = word(file, at + 4);
-    if (length % 4 != 0) return notGltf(at, "a chunk length is not a multiple of 4");
-    if (length > file.size() - at - 8) {
-      return notGltf(
-          at, formatText("a chunk of %zu bytes where %zu are left", length, file.size() - at - 8));
-    }
-    const ByteView content = file.subspan(at + 8, length);
-    if ((index == 0) != (type == kJsonChunk)) {
-      return notGltf(at + 4, "there must be one JSON chunk and it must come first");
-    }
-    if (type == kJsonChunk) {
-      out.json = {reinterpret_cast<const char*>(content.data()), content.size()};
-    } else if (type == kBinChunk) {
-      if (out.hasBin) return notGltf(at + 4, "more than one BIN chunk");
-      if (index != 1) return notGltf(at + 4, "the BIN chunk must be the second");
-      out.hasBin = true;
-      out.bin = content;
-    } else {
-      out.others.push_back({type, content});
-    }
-    at += 8 + length;
-  }
-  return out;
+  return notGltf(
+      8, formatText("the GLB header says %zu bytes, the file has %zu", length, file.size()));
 }
 
 int base64Value(char c) {
@@ -106,7 +156,6 @@ const char* nameProblem(std::string_view name) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) return "it holds a control character";
     if (c == '\\') return "it holds a backslash";
     if (c == ':') return "only files next to this one are read: no scheme, host or drive";
-    if (c == '?' || c == '#') return "it holds a query or a fragment";
   }
   for (std::size_t begin = 0; begin <= name.size();) {
     const std::size_t end = std::min(name.find('/', begin), name.size());
@@ -200,6 +249,8 @@ Result<std::string> relativeName(std::string_view uri) {
                    "the file asks for " + inQuotes(uri, 120) + ", which is not loaded: " + why,
                    {}};
   };
+  if (uri.find_first_of("?#") != std::string_view::npos)
+    return refuse("it holds a query or a fragment");
   const auto name = percentDecoded(uri);
   if (!name) return refuse("its percent-encoding is broken");
   if (const char* problem = nameProblem(*name)) return refuse(problem);

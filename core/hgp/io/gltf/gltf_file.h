@@ -26,9 +26,11 @@ struct GltfContainer {
   bool hasBin = false;
   ByteView bin;
   std::vector<GltfChunk> others;
+  std::vector<std::string> notes;  ///< which lengths are not what they should be
 };
 
-/// Tells GLB and JSON apart and checks every length of a GLB. kMalformed names the byte.
+/// Tells GLB and JSON apart and checks every length of a GLB. kMalformed names the byte. With a note: bytes
+/// behind the end, a header that says too little where the chunks fill the file, chunks without padding.
 Result<GltfContainer> openContainer(ByteView file);
 
 /// "data:…;base64,…" taken apart without decoding; nothing for any other URI.
@@ -44,7 +46,8 @@ std::optional<Bytes> decodeBase64(std::string_view base64);
 std::string encodeBase64(ByteView bytes);
 
 /// The relative name that a URI stands for: percent-decoded once, then refused when it is absolute,
-/// leaves its folder, names a scheme, host, drive or backslash, or holds control characters.
+/// leaves its folder, names a scheme, host, drive or backslash, holds control characters, or '?' or '#' that
+/// are not encoded.
 Result<std::string> relativeName(std::string_view uri);
 
 /// "a" of "b/a.glb": what names of side files begin with.

@@ -254,7 +254,7 @@ Result<Written> glbAsGltf(ByteView glb, const std::string& name) {
   return out;
 }
 
-std::vector<std::string> gltfSideFiles(ByteView file) {
+std::vector<std::string> gltfSideFiles(ByteView file, std::vector<std::string>* refused) {
   std::vector<std::string> out;
   auto container = openContainer(file);
   if (!container) return out;
@@ -265,6 +265,8 @@ std::vector<std::string> gltfSideFiles(ByteView file) {
       const std::string uri = json->string(json->find(node, "uri"));
       if (uri.empty() || isDataUri(uri)) continue;
       const auto name = relativeName(uri);
+      const bool isRemote = uri.find("//") < 7;
+      if (!name && !isRemote && refused) refused->push_back(name.error().message);
       if (name && std::find(out.begin(), out.end(), *name) == out.end()) out.push_back(*name);
     }
   }

@@ -22,7 +22,7 @@ Result<Bytes> gltfWithEmbedded(ByteView text, const Resolver& resolve, const Lim
 Result<Written> glbAsGltf(ByteView glb, const std::string& name);
 
 /// Names of the side files of a .gltf or GLB: buffers and images that are no data URIs, once each, in order.
-/// Names that may not be read (relativeName) are left out.
-std::vector<std::string> gltfSideFiles(ByteView file);
+/// @param refused  gets why others may not be read (relativeName); what a scheme and host name is fetched by viewers
+std::vector<std::string> gltfSideFiles(ByteView file, std::vector<std::string>* refused = nullptr);
 
 }  // namespace hgp::io

@@ -57,11 +57,11 @@ class GltfWelder {
   Status addPrimitive(int p) {
     const GltfPrimitive& source = primitive(p);
     if (!source.isTriangles()) {
-      note(formatText("primitive %d (%s) is kept as it is", p, modeName(source.mode)));
+      ++kept_[modeName(source.mode)];
       return Done{};
     }
     if (source.attribute("POSITION") < 0) {
-      note(formatText("primitive %d has no positions and is kept as it is", p));
+      ++kept_["without positions"];
       return Done{};
     }
     const auto indices = readIndices(store_, out_.mesh, p);
@@ -72,13 +72,11 @@ class GltfWelder {
     const std::size_t raw =
         source.mode == 4 ? indices->size() / 3 : std::max<std::size_t>(indices->size(), 2) - 2;
     if (source.mode != 4) {
-      note(formatText("primitive %d is a %s of %s", p, modeName(source.mode),
-                      counted(triangles.size(), "triangle").c_str()));
-      if (raw > triangles.size())
-        out_.surface.notes.back() +=
-            formatText(" (%zu degenerate ones are skipped)", raw - triangles.size());
+      ++(source.mode == 5 ? strips_ : fans_);
+      unrolled_ += triangles.size();
+      degenerate_ += raw - triangles.size();
     } else if (indices->size() % 3 != 0) {
-      note(formatText("primitive %d ends in an incomplete triangle", p));
+      ++incomplete_;
     }
     out_.runs.push_back(
         {p, *pool, static_cast<int>(out_.stored.size()), static_cast<int>(triangles.size())});
@@ -214,7 +212,28 @@ class GltfWelder {
     return false;
   }
 
+  /// One line for all primitives of a kind: exporters write thousands.
+  void addPrimitiveNotes() {
+    for (const auto& [kind, count] : kept_)
+      note(counted(count, "primitive") + " (" + kind +
+           (count == 1 ? ") is kept as it is" : ") are kept as they are"));
+    if (strips_ + fans_ > 0) {
+      std::string text = strips_ > 0 ? counted(strips_, "triangle strip") : "";
+      if (fans_ > 0) text += (strips_ > 0 ? " and " : "") + counted(fans_, "triangle fan");
+      text += (strips_ + fans_ == 1 ? " is read as " : " are read as ") +
+              counted(unrolled_, "triangle");
+      if (degenerate_ > 0)
+        text += formatText(" (%zu degenerate %s skipped)", degenerate_,
+                           degenerate_ == 1 ? "one is" : "ones are");
+      note(text);
+    }
+    if (incomplete_ > 0)
+      note(counted(incomplete_, "primitive") + (incomplete_ == 1 ? " ends" : " end") +
+           " in an incomplete triangle");
+  }
+
   void addNotes() {
+    addPrimitiveNotes();
     bool hasTargets = false, isSkinned = false;
     for (const GltfRun& run : out_.runs) {
       hasTargets = hasTargets || !primitive(run.primitive).targets.empty();
@@ -243,6 +262,9 @@ class GltfWelder {
   GltfSurface out_;
   std::vector<Vec3> positions_;  ///< stored
   std::map<std::pair<int, int>, int> poolOfKey_;
+  std::map<std::string, int> kept_;  ///< primitives without triangles, by kind
+  int strips_ = 0, fans_ = 0, incomplete_ = 0;
+  std::size_t unrolled_ = 0, degenerate_ = 0;  ///< triangles of strips and fans, taken and skipped
 };
 
 }  // namespace

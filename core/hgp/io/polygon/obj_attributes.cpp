@@ -76,7 +76,7 @@ class ObjAttributeReader {
     int count = 0;
     for (; count < 6; ++count) {
       skipBlanks(p, end);
-      if (!readDouble(p, end, numbers[count])) break;
+      if (!readAnyDouble(p, end, numbers[count])) break;
     }
     if (count == 6) out_.colors.push_back({numbers[3], numbers[4], numbers[5]});
   }

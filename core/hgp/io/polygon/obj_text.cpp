@@ -4,6 +4,7 @@
 
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
+#include "hgp/io/polygon/not_finite.h"
 #include "hgp/text/text.h"
 
 namespace hgp::io {
@@ -34,11 +35,13 @@ class ObjScanner {
     while (position_ < text_.size()) {
       if (!takeLine()) return std::move(failure_);
     }
+    if (!checkRanges()) return std::move(failure_);
+    if (const auto used = firstUsed(notFinite_, out_.polygons))
+      return notFiniteFailure(lineAt(text_, static_cast<std::size_t>(used->place)), used->vertex);
     if (out_.polygons.positions.empty() || out_.polygons.polygonCount() == 0) {
       return Failure{
           ErrorCode::kMalformed, "read", "not an OBJ mesh: there are no v and f lines", {}};
     }
-    if (!checkRanges()) return std::move(failure_);
     if (!hasUv_) out_.cornerUv.clear();
     addNotes();
     return std::move(out_);
@@ -138,7 +141,11 @@ class ObjScanner {
     Vec3 v;
     for (double& x : v) {
       skipBlanks(p, end);
-      if (!takeNumber(p, end, x)) return fail("a v line needs three finite decimal numbers");
+      if (!takeNumber(p, end, x)) return fail("a v line needs three decimal numbers");
+    }
+    if (!isFinite(v)) {
+      notFinite_.push_back({static_cast<int>(out_.polygons.positions.size()),
+                            static_cast<std::int64_t>(lineBegin_)});
     }
     out_.polygons.positions.push_back(v);
     return true;
@@ -146,16 +153,16 @@ class ObjScanner {
 
   /// A number must be followed by a blank, so that "1,5" is not read as 1.
   static bool takeNumber(const char*& p, const char* end, double& out) {
-    return readDouble(p, end, out) && (p == end || isBlank(*p) || *p == '#');
+    return readAnyDouble(p, end, out) && (p == end || isBlank(*p) || *p == '#');
   }
 
   bool takeUv(const char* p, const char* end, const TextSpan& span) {
     Vec2 uv{0, 0};
     skipBlanks(p, end);
-    if (!takeNumber(p, end, uv[0])) return fail("a vt line needs finite decimal numbers");
+    if (!takeNumber(p, end, uv[0])) return fail("a vt line needs decimal numbers");
     skipBlanks(p, end);
     if (p != end && *p != '#' && !takeNumber(p, end, uv[1])) {
-      return fail("a vt line needs finite decimal numbers");
+      return fail("a vt line needs decimal numbers");
     }
     out_.uv.push_back(uv);
     if (!out_.uvLines.empty() && out_.uvLines.back().end == span.begin) {
@@ -291,6 +298,7 @@ class ObjScanner {
   ObjText out_;
   Failure failure_;
   std::string joined_;
+  std::vector<NotFiniteVertex> notFinite_;
   std::size_t position_ = 0;
   std::size_t lineBegin_ = 0;
   std::uint64_t triangles_ = 0;

@@ -31,8 +31,8 @@ struct ObjText {
 inline constexpr std::string_view kEmbeddedConesMark = "# hgp-cones ";
 
 /// Fails with kMalformed and a line number for: a vertex index 0, out of range or relative before its
-/// definition; more than kMaxPolygonCorners corners; a line above 1 MiB; anything but finite decimal
-/// numbers; with kLimit above `maxTriangles`. With a note: faces of fewer than three corners are
+/// definition; more than kMaxPolygonCorners corners; a line above 1 MiB; a corner without a finite position;
+/// anything but decimal numbers; with kLimit above `maxTriangles`. With a note: faces of fewer than three corners are
 /// skipped, a vt out of range counts as none, a text without any '\n' has lines that end in '\r'.
 Result<ObjText> scanObj(std::string_view text, std::uint64_t maxTriangles);
 

@@ -1,5 +1,6 @@
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
+#include "hgp/io/polygon/not_finite.h"
 #include "hgp/io/polygon/polygon_document.h"
 #include "hgp/text/text.h"
 
@@ -17,6 +18,8 @@ class OffReader {
     if (!takeHeader() || !takeCounts() || !takeVertices() || !takeFaces()) {
       return std::move(failure_);
     }
+    if (const auto used = firstUsed(notFinite_, file_.polygons))
+      return notFiniteFailure(used->place, used->vertex);
     if (skippedFaces_ > 0) {
       file_.notes.push_back(formatText("skipped: %s with fewer than three corners",
                                        counted(skippedFaces_, "face").c_str()));
@@ -84,12 +87,13 @@ class OffReader {
     for (std::int64_t i = 0; i < vertices_; ++i) {
       Vec3 p{};
       for (double& x : p) {
-        if (!words_.nextDouble(x)) return failNumber();
+        if (!words_.nextAnyDouble(x)) return failNumber();
       }
       double w = 1;
-      if (isHomogeneous_ && !words_.nextDouble(w)) return failNumber();
+      if (isHomogeneous_ && !words_.nextAnyDouble(w)) return failNumber();
       if (w == 0) return fail("a vertex at infinity (the fourth coordinate is 0)");
       if (isHomogeneous_) p = {p[0] / w, p[1] / w, p[2] / w};
+      if (!isFinite(p)) notFinite_.push_back({static_cast<int>(i), words_.line()});
       file_.polygons.positions.push_back(p);
       if (!takeExtras()) return false;
     }
@@ -166,6 +170,7 @@ class OffReader {
   std::uint64_t maxTriangles_;
   PolygonFile file_;
   Failure failure_;
+  std::vector<NotFiniteVertex> notFinite_;
   std::int64_t vertices_ = 0, faces_ = 0;
   std::int64_t skippedFaces_ = 0;
   bool hasUv_ = false, hasColor_ = false, hasNormal_ = false, isHomogeneous_ = false;

@@ -2,6 +2,7 @@
 
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
+#include "hgp/io/polygon/not_finite.h"
 #include "hgp/io/polygon/ply_document.h"
 #include "hgp/text/text.h"
 
@@ -34,7 +35,7 @@ class PlyBody {
  private:
   /// Some writers leave comments between the rows.
   bool nextWord(double& out) {
-    while (!text_.nextDouble(out)) {
+    while (!text_.nextAnyDouble(out)) {
       if (text_.word() != "comment" && text_.word() != "obj_info") return false;
       text_.restOfLine();
     }
@@ -70,6 +71,8 @@ class PlyReader {
                      counted(file_.polygons.polygonCount(), "face").c_str()));
     }
     if (!finishUv()) return std::move(failure_);
+    if (const auto used = firstUsed(notFinite_, file_.polygons))
+      return notFiniteFailure(used->place, used->vertex);
     addNotes();
     return PlyDocument::make(std::move(bytes), std::move(header_), textOffset, std::move(file_));
   }
@@ -119,6 +122,10 @@ class PlyReader {
         uv[k] = x;
         hasUv[k] = true;
       }
+    }
+    if (header_.encoding == PlyEncoding::kText && !isFinite(p)) {
+      notFinite_.push_back(
+          {static_cast<int>(file_.polygons.positions.size()), header_.lineCount + body_->line()});
     }
     file_.polygons.positions.push_back(p);
     if (hasUv[0] && hasUv[1]) vertexUv_.push_back(uv);
@@ -237,6 +244,7 @@ class PlyReader {
   Failure failure_;
   std::vector<double> list_;
   std::vector<Vec2> vertexUv_;
+  std::vector<NotFiniteVertex> notFinite_;  ///< of a text; binary ones are a defect of the mesh
   int largest_ = -1, strips_ = 0, skippedFaces_ = 0;
   bool isStrip_ = false;
   std::uint64_t triangles_ = 0;

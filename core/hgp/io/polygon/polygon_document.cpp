@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "hgp/base/check.h"
+#include "hgp/base/counted.h"
 #include "hgp/io/polygon/obj_text.h"
 #include "hgp/io/weld.h"
+#include "hgp/mesh/finite.h"
 #include "hgp/text/text.h"
 
 namespace hgp::io {
@@ -112,7 +114,15 @@ Result<Written> PolygonDocument::write(int, const UvMap& map, const WriteOptions
 
 Result<PlainFile> PolygonDocument::plain(int) const {
   PlainFile file;
-  file.surfaces.emplace_back().mesh = surfaces_[0].mesh;
+  MeshData& mesh = file.surfaces.emplace_back().mesh;
+  mesh = surfaces_[0].mesh;
+  const std::vector<int> unplaced = unusedNotFinite(mesh);  // glTF has finite numbers only
+  for (const int v : unplaced) mesh.positions[static_cast<std::size_t>(v)] = {0, 0, 0};
+  if (!unplaced.empty())
+    file.lost.push_back(
+        counted(unplaced.size(), "unused vertex", "unused vertices") +
+        (unplaced.size() == 1 ? " without a finite position is" : " without finite positions are") +
+        " put at the origin");
   if (!polygons_.isTriangles()) file.lost.push_back("polygons become triangles");
   if (!cornerUv_.empty()) file.lost.push_back("the old texture coordinates do not come along");
   return file;

@@ -1,0 +1,18 @@
+// Positions that are numbers.  Role: readers and repairs agree on what is not.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "hgp/mesh/mesh_data.h"
+
+namespace hgp {
+
+inline bool isFinite(const Vec3& p) {
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+/// Vertices of no face whose position is not finite, ascending. No defect: they are kept as they are.
+std::vector<int> unusedNotFinite(const MeshData& data);
+
+}  // namespace hgp

@@ -59,11 +59,23 @@ std::string error(const Json& json) {
 
 std::string measured(const Json& c, const Style& style) {
   std::string out;
-  const long long flipped = integer(c, "flipped"), triangles = integer(c, "triangles");
+  std::size_t notMeasured = 0;
+  long long triangles = 0;  // of components that were measured
+  for (const Json& component : c["components"]) {
+    const bool isMeasured = component["measured"].get<bool>();
+    if (isMeasured) triangles += integer(component, "triangles");
+    notMeasured += !isMeasured;
+  }
+  const long long flipped = integer(c, "flipped");
   const auto mark = [&](bool isGood) { return isGood ? style.good("ok ") : style.bad("no "); };
   const auto line = [&](bool isGood, const char* label, const std::string& value) {
     out += formatText("  %s %-20s %s\n", mark(isGood).c_str(), label, value.c_str());
   };
+  if (notMeasured > 0)
+    line(false, "measured",
+         formatText("%zu of %zu components", c["components"].size() - notMeasured,
+                    c["components"].size()));
+  if (notMeasured == c["components"].size()) return out;
   line(flipped == 0, "positive triangles",
        formatText("%lld of %lld", triangles - flipped, triangles));
   line(integer(c, "wrongAngles") == 0, "angle sums",
@@ -129,10 +141,11 @@ std::string certificate(const Json& json, const Style& style) {
       ++untold;
       continue;
     }
+    const bool isMeasured = c["measured"].get<bool>();
     out +=
         row(json["components"].size() > 1 ? formatText("component %zu", p).c_str() : "distortion",
-            distortion(c));
-    out += row("cones", formatText("%zu measured", c["cones"].size()));
+            isMeasured ? distortion(c) : "not measured");
+    if (isMeasured) out += row("cones", formatText("%zu measured", c["cones"].size()));
     const Json& overlap = c["overlap"];
     if (integer(overlap, "layers") > 1) {
       out +=

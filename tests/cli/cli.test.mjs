@@ -817,6 +817,25 @@ test('verify measures what others made, component by component, and says what ov
   assert.ok(bad.components[1].reasons.some(({ rule }) => rule === 'orientation'));
 });
 
+test('verify calls nothing of a component good that it could not measure', () => {
+  const lines = strips(0.75, 1.5).split('\n');
+  const first = lines.findIndex((line) => line.startsWith('vt '));
+  put('one.obj', lines.with(first, 'vt nan 0').join('\n'));
+  const one = run(['verify', 'one.obj']);
+  assert.equal(one.code, 6);
+  assert.match(one.out, /no +measured +1 of 2 components/);
+  const [, positive, all] = /ok +positive triangles +(\d+) of (\d+)/.exec(one.out);
+  const faces = lines.filter((line) => line.startsWith('f ')).length;
+  assert.ok(positive === all && all < faces, one.out);
+  assert.match(one.out, /component 0 +not measured/);
+
+  put('none.obj', lines.map((line) => line.replace(/^vt .*/, 'vt 0 inf')).join('\n'));
+  const none = run(['verify', 'none.obj']);
+  assert.equal(none.code, 6);
+  assert.match(none.out, /no +measured +0 of 2 components/);
+  assert.doesNotMatch(none.out, /^ +ok /m);
+});
+
 test('verify --tol is for files printed with few digits', () => {
   assert.equal(run(['param', 'ball.obj', '--cones', 'cones.json', '-o', 'exact.obj']).code, 0);
   const rounded = read('exact.obj').replace(

@@ -7,7 +7,7 @@
 
 #include "hgp/base/check.h"
 #include "hgp/field/prepared_surface.h"
-#include "hgp/grid/align.h"
+#include "hgp/grid/grid_measures.h"
 #include "hgp/parametrize/parametrize.h"
 #include "processor_time.h"
 

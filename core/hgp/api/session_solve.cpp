@@ -6,7 +6,7 @@
 #include "hgp/api/session_state.h"
 #include "hgp/api/stand_in.h"
 #include "hgp/base/check.h"
-#include "hgp/grid/align.h"
+#include "hgp/grid/grid_measures.h"
 #include "hgp/parametrize/stage_clock.h"
 #include "hgp/prescription/cones.h"
 

@@ -5,9 +5,9 @@
 
 #include "hgp/base/check.h"
 #include "hgp/base/portable_math.h"
+#include "hgp/grid/grid_measures.h"
 #include "hgp/grid/grid_system.h"
 #include "hgp/grid/repair_change.h"
-#include "hgp/mesh/vectors.h"
 
 namespace hgp {
 namespace {
@@ -45,15 +45,6 @@ constexpr int kExpectedIterations = 14;
 constexpr double kBegun = 0.1, kStepping = 0.5;
 constexpr std::size_t kNamed = 3;  ///< pairs of cones that the report names
 
-double areaOf(const UvMap& map) {
-  double area = 0.0;
-  for (const auto& t : map.cornerUv) {
-    const Vec2 &a = map.uv[at(t[0])], &b = map.uv[at(t[1])], &c = map.uv[at(t[2])];
-    area += 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
-  }
-  return area;
-}
-
 struct Candidate {
   double factor = 1.0;
   double scale = 1.0;
@@ -72,7 +63,7 @@ class Aligner {
         cones_(cones),
         progress_(progress),
         context_{mesh, system.seams(), system.change(), system.uv(), system.weights()},
-        mapArea_(areaOf(map)),
+        mapArea_(mapArea(map)),
         surfaceArea_(surfaceArea(mesh)),
         accepts_(accepts),
         repairWork_(kRepairShare * work),
@@ -218,18 +209,23 @@ class Aligner {
     const double edgesPerCell = std::sqrt(0.5 * mesh_.faceCount() / out_.report.cells);
     return std::max(kRings, static_cast<int>(std::ceil(kPatchCells * edgesPerCell)));
   }
-  /// Each patch alone. True when there is nothing more to do: aligned, or cancelled.
-  bool repairOnPatches(Candidate& candidate, int rings) {
+  /// Each patch alone, as far as the work goes; the candidate as it is where that turns no fewer triangles.
+  bool repairPatches(Candidate& candidate, int rings) {
     Candidate repaired = candidate;
     for (const std::vector<FaceId>& patch : patchesAround(mesh_, candidate.turned, rings)) {
-      if (!goOn(0.0)) return true;
+      if (!goOn(0.0)) return false;
       if (static_cast<double>(patch.size()) > kPatchShare * mesh_.faceCount()) continue;
       if (!affords(programWork(patch.size(), patch.size()))) break;
       repair(patch, patch, repaired);
     }
     repaired.turned = turnedFaces(context_, repaired.x);
-    if (repaired.turned.size() >= candidate.turned.size()) return isDone();
+    if (repaired.turned.size() >= candidate.turned.size()) return false;
     candidate = std::move(repaired);
+    return true;
+  }
+  /// True when there is nothing more to do: aligned, or cancelled.
+  bool repairOnPatches(Candidate& candidate, int rings) {
+    if (!repairPatches(candidate, rings)) return isDone();
     return accept(candidate, formatText("patches of %d rings", rings));
   }
 
@@ -262,7 +258,7 @@ class Aligner {
     return false;
   }
 
-  /// The closest cones, and the first denser grid on which the linear step succeeds.
+  /// The closest cones, and the first denser grid on which the linear step or small patches succeed.
   void explain() {
     GridReport& report = out_.report;
     for (const ConePair& pair : system_.neighbours(1.0 / scale_).pairs)
@@ -285,7 +281,11 @@ class Aligner {
     for (int n = 0; n < kDenser && affords(stepWork()); ++n) {
       factor *= std::sqrt(2.0);
       if (!goOn(0.9)) return;
-      const Candidate denser = linearStep(system_.choice(2.0 * kReach / (scale_ * factor)), factor);
+      Candidate denser = linearStep(system_.choice(2.0 * kReach / (scale_ * factor)), factor);
+      // What steps on the densities after this one cost is not for patches.
+      reserved_ = (kDenser - n) * plainStep;
+      repairPatches(denser, kRings);
+      reserved_ = 0.0;
       if (!denser.turned.empty()) continue;
       report.workingCells = mapArea_ * denser.scale * denser.scale;
       return;
@@ -310,22 +310,6 @@ class Aligner {
 };
 
 }  // namespace
-
-double surfaceArea(const TriMesh& mesh) {
-  double area = 0.0;
-  for (FaceId f : mesh.faces()) {
-    const auto [i, j, k] = mesh.corners(f);
-    area += triangleArea(mesh.position(i), mesh.position(j), mesh.position(k));
-  }
-  return area;
-}
-
-void describeGrid(const TriMesh& mesh, const UvMap& map, std::size_t coneCount,
-                  GridReport& report) {
-  report.cells = areaOf(map);
-  report.spacing = std::sqrt(surfaceArea(mesh) / report.cells);
-  report.cellsPerCone = report.cells / std::max<double>(1.0, static_cast<double>(coneCount));
-}
 
 AlignedMap alignToGrid(const TriMesh& mesh, const UvMap& map, int q,
                        const std::vector<VertexId>& cones, const GridOptions& options,

@@ -30,12 +30,6 @@ struct AlignedMap {
   double workLeft = 0.0;  ///< multiply-adds, of those that might be spent
 };
 
-/// Of the triangles in space.
-double surfaceArea(const TriMesh& mesh);
-
-/// Cells, spacing and cells per cone of an aligned map.
-void describeGrid(const TriMesh& mesh, const UvMap& map, std::size_t coneCount, GridReport& report);
-
 /// Changes a certified map so that every translation is an integer: the relations of the seam nodes are
 /// solved over Z[i], the strain of the change is reduced to what is free, that is rounded nearest first
 /// with neighbouring cones kept apart, and the map follows by one linear system. Other densities, cone

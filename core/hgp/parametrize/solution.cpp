@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hgp/grid/align.h"
+#include "hgp/grid/grid_measures.h"
 #include "hgp/grid/snap.h"
 #include "hgp/improve/improve.h"
 #include "hgp/parametrize/stage_clock.h"

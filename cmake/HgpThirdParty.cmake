@@ -4,12 +4,32 @@
 # its header. Under Emscripten only the path: its toolchain's find root is its own sysroot. Installed with
 # the library, so that the exported modules find the same names again.
 
+# A copy of a header in which `text` reads `by`, written anew only where it differs.
+function(hgp_edited_header header copy text by)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${header}")
+  file(READ "${header}" original)
+  string(REPLACE "${text}" "${by}" edited "${original}")
+  if(edited STREQUAL original)
+    message(FATAL_ERROR "third party: ${header} does not say '${text}'")
+  endif()
+  if(IS_SYMLINK "${copy}")
+    file(REMOVE "${copy}")
+  elseif(EXISTS "${copy}")
+    file(READ "${copy}" there)
+    if(there STREQUAL edited)
+      return()
+    endif()
+  endif()
+  file(WRITE "${copy}" "${edited}")
+endfunction()
+
 # Under Emscripten /usr/include must never be on the include path (glibc's headers would shadow
 # musl's), so single headers are linked into a folder of the build tree.
 #
-# hgp_third_party_header(eigen Eigen/Core [PACKAGE Eigen3] [TARGET Eigen3::Eigen] [SUFFIX eigen3])
+# hgp_third_party_header(eigen Eigen/Core [PACKAGE Eigen3] [TARGET Eigen3::Eigen] [SUFFIX eigen3]
+#   [EMSCRIPTEN_REPLACE text by])   a copy of the header with other text, instead of the link
 function(hgp_third_party_header name header)
-  cmake_parse_arguments(T "" "PACKAGE;TARGET;SUFFIX" "" ${ARGN})
+  cmake_parse_arguments(T "" "PACKAGE;TARGET;SUFFIX" "EMSCRIPTEN_REPLACE" ${ARGN})
   if(TARGET hgp::${name})
     return()
   endif()
@@ -34,7 +54,11 @@ function(hgp_third_party_header name header)
     string(REGEX REPLACE "/.*" "" top "${header}")
     set(links "${CMAKE_BINARY_DIR}/third_party")
     file(MAKE_DIRECTORY "${links}")
-    file(CREATE_LINK "${dir}/${top}" "${links}/${top}" SYMBOLIC)
+    if(T_EMSCRIPTEN_REPLACE)
+      hgp_edited_header("${dir}/${header}" "${links}/${header}" ${T_EMSCRIPTEN_REPLACE})
+    else()
+      file(CREATE_LINK "${dir}/${top}" "${links}/${top}" SYMBOLIC)
+    endif()
     set(dir "${links}")
   endif()
   add_library(hgp::${name} INTERFACE IMPORTED GLOBAL)
@@ -61,7 +85,9 @@ hgp_third_party_header(json nlohmann/json.hpp
   PACKAGE nlohmann_json TARGET nlohmann_json::nlohmann_json)
 hgp_third_party_header(fast_float fast_float/fast_float.h
   PACKAGE FastFloat TARGET FastFloat::fast_float)
-hgp_third_party_header(tinygltf tiny_gltf.h)
+# Its messages would bring all streams and locales into the module (docs/decisions/057).
+hgp_third_party_header(tinygltf tiny_gltf.h
+  EMSCRIPTEN_REPLACE "std::stringstream" "hgp::io::TextStream")
 hgp_third_party_header(cli11 CLI/CLI.hpp PACKAGE CLI11 TARGET CLI11::CLI11)
 hgp_third_party_library(draco draco/compression/decode.h draco)
 hgp_third_party_library(meshoptimizer meshoptimizer.h meshoptimizer)

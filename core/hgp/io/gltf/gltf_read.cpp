@@ -2,6 +2,8 @@
 // and meshes, all checked before; it opens no file and decodes nothing.
 #include <fstream>  // tinygltf forgets it under TINYGLTF_NO_FS
 
+#include "hgp/io/gltf/text_stream.h"
+
 #define TINYGLTF_IMPLEMENTATION
 #define TINYGLTF_NO_FS
 #define TINYGLTF_NO_STB_IMAGE

@@ -1,5 +1,5 @@
-// Matrices in, matrices out.  Role: the whole of hgp in one call, for programs that speak Eigen; all that
-// the command line does (repairs, components, cones, certificate), without files.
+// hgp::parametrize(V, F) with Eigen matrices.  Role: one call that does everything the command line does (repairs,
+// components, cones, certificate), without files.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@
 
 namespace hgp {
 
-/// What hgp::parametrize(V, F) may be told.
+/// Options of hgp::parametrize(V, F).
 struct MatrixOptions {
   api::LoadOptions load;                         ///< repairs, welding, limits
   api::SolveOptions solve;                       ///< order q, number of cones, scale …
@@ -32,7 +32,7 @@ struct MatrixMap {
 
 /// @param V  #V × 3 positions
 /// @param F  #F × 3 rows of V, counter-clockwise from outside; any number of components
-/// Fails (and never throws) for meshes, prescriptions and options that cannot be; a map that is not
+/// Fails (and never throws) for unusable meshes, impossible prescriptions and contradictory options; a map that is not
 /// certified is a success with isCertified = false.
 template <typename DerivedV, typename DerivedF>
 Result<MatrixMap> parametrize(const Eigen::MatrixBase<DerivedV>& V,

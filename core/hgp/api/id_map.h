@@ -1,6 +1,6 @@
-// Three ways of counting vertices and faces, and the maps between them.  Role: a surface of the file becomes the
-// mesh of a model (welded, repaired, less what is left out), and that its connected components; an id of
-// one cannot be taken for an id of another.
+// Ids of vertices and faces at three levels, and the maps between them: the surface as in the file; the mesh of a model
+// (welded, repaired, without faces that are left out); its connected components.  Role: ids of different levels are
+// different types and cannot be confused.
 #pragma once
 
 #include <numeric>
@@ -23,7 +23,7 @@ using MeshVertexId = Id<struct MeshVertexTag>;
 using MeshFaceId = Id<struct MeshFaceTag>;
 using MeshCornerId = Id<struct MeshCornerTag>;
 
-/// From every id of one count to one of another, or none; none stays none.
+/// Maps every id of one level to an id of another, or to none; none is mapped to none.
 template <class From, class To>
 class IdMap {
  public:
@@ -40,7 +40,7 @@ class IdMap {
   bool has(From id) const { return id.isValid() && id.i < size(); }
   const std::vector<int>& raw() const { return to_; }
 
-  /// This way and on from there.
+  /// Composition: this map, then `next`.
   template <class Last>
   IdMap<From, Last> then(const IdMap<To, Last>& next) const {
     std::vector<int> ids;

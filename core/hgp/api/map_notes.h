@@ -1,4 +1,4 @@
-// What a map should be told with, beside its verdict.  Role: sentences for people about one component.
+// Notes on a map, beside its verdict.  Role: sentences for users about one component.
 #pragma once
 
 #include <optional>
@@ -9,15 +9,15 @@
 
 namespace hgp::api {
 
-/// Triangles whose area scale (uv area per surface area) is below this share of the median are crushed:
-/// a texture is smeared thirtyfold in length there.
+/// Triangles whose area scale (uv area per surface area) is below this fraction of the median are crushed:
+/// a texture is stretched about thirtyfold in length there.
 inline constexpr double kCrushedScale = 1e-3;
 
-/// Count, share of the surface and place of crushed triangles; nothing where there is none.
+/// Count and place of crushed triangles; nothing if there are none.
 /// @param map  of the component's own mesh
 std::optional<std::string> crushedNote(const ModelComponent& component, const UvMap& map);
 
-/// Where automatic cones are not as many as were asked.
+/// A note if the number of automatic cones is not the number asked for.
 std::optional<std::string> countNote(int asked, const CompleteSpec& chosen);
 
 }  // namespace hgp::api

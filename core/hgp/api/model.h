@@ -1,5 +1,5 @@
-// A loaded surface made ready: repaired where asked, checked, split into connected components, with the
-// ways back to the file's ids.  Role: what every call of a session works on.
+// A loaded surface, repaired, checked and split into connected components, with maps between its ids and those of the
+// file.  Role: the state that every call of a session uses.
 #pragma once
 
 #include "hgp/api/id_map.h"
@@ -8,8 +8,8 @@
 
 namespace hgp::api {
 
-/// One connected component of the surface. Its numbers are its own; its loops and generators are told
-/// by those of the file (TriMesh::givenFace).
+/// One connected component of the surface, renumbered; its loops and generators are numbered in the order of the
+/// file (TriMesh::givenFace).
 struct ModelComponent {
   TriMesh mesh;
   Topology topology;
@@ -18,7 +18,7 @@ struct ModelComponent {
   IdMap<LoopId, SurfaceLoopId> loop;
   int generatorOffset = 0;  ///< handle generators are numbered through all components
 
-  /// The ways through Model::mesh to the surface.
+  /// Composed maps, through Model::mesh to the surface.
   IdMap<VertexId, SurfaceVertexId> vertex;
   IdMap<FaceId, SurfaceFaceId> face;
   IdMap<HalfedgeId, SurfaceCornerId> corner;
@@ -33,26 +33,26 @@ struct WrittenRepairs {
 
 struct Model {
   io::DocumentPtr document;
-  LoadOptions load;  ///< as it was asked for
+  LoadOptions load;  ///< the options that it was loaded with
   std::string fileName;
   std::string sha256;  ///< of the main file
   std::uint64_t byteCount = 0;
   int surface = 0;
 
   MeshData mesh;                                      ///< after welding and repairs
-  IdMap<MeshVertexId, SurfaceVertexId> vertexOrigin;  ///< one of those that became it
-  IdMap<SurfaceVertexId, MeshVertexId> vertexImage;   ///< one of those it became; none when removed
+  IdMap<MeshVertexId, SurfaceVertexId> vertexOrigin;  ///< one of the vertices joined into it
+  IdMap<SurfaceVertexId, MeshVertexId> vertexImage;   ///< one of its copies; none when removed
   IdMap<MeshFaceId, SurfaceFaceId> faceOrigin;
   IdMap<MeshCornerId, SurfaceCornerId> cornerOrigin;
   std::vector<LeftOutFace> leftOut;       ///< faces of the surface that are not in `mesh`
   int splitVertices = 0;                  ///< vertices that repairs added
   std::optional<WrittenRepairs> written;  ///< where `document` is the repaired file
-  /// Of a file that was converted: its own ids are those of `source()`.
+  /// False after a conversion to another format: ids of the file are then not those of `source()`.
   bool hasOwnVertexIds = true, hasOwnFaceIds = true;
-  bool isChanged = false;          ///< a weld or a repair did something
+  bool isChanged = false;          ///< a weld or a repair changed the surface
   std::vector<std::string> notes;  ///< what reading, weld and repairs did
   std::optional<io::Prescription>
-      embeddedCones;  ///< stored in the file; broken ones are only noted
+      embeddedCones;  ///< stored in the file; invalid ones only give a note
 
   std::vector<Defect> defects;      ///< of `mesh`
   std::optional<Failure> unusable;  ///< why there are no components

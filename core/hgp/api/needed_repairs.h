@@ -1,5 +1,5 @@
-// What can be made good without touching the file: joining, turning, splitting.  Role: a file that a
-// viewer can show gets a map; what was done is said, with numbers.
+// Which repairs and welds a surface needs, and notes on them.  Role: every file that a viewer can show should get a map;
+// notes say what was changed, with numbers.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@
 
 namespace hgp::api {
 
-/// Which of the repairs these defects ask for.
+/// The repairs that these defects need.
 FixOptions neededRepairs(const std::vector<Defect>& defects);
 
 /// requireUsable's sentence without its advice ("Repair with --fix …").
 std::string withoutAdvice(const std::string& message);
-/// … with advice that names nothing which has been done already.
+/// … with advice that names only repairs that have not been made yet.
 std::string withoutGiven(const std::string& message, const FixOptions& done, bool isAutomatic);
 
 /// What joining vertices at equal positions would do.
@@ -40,7 +40,7 @@ struct CrackFacts {
 CrackFacts crackFacts(const MeshData& mesh);
 inline constexpr double kCrackRatio = 0.02;
 
-/// Sentences for a person; nothing where there is nothing to say.
+/// Sentences for users; empty where there is nothing to report.
 std::vector<std::string> weldNotes(const WeldFacts& weld, bool isWelded);
 std::vector<std::string> crackNotes(const CrackFacts& cracks);
 

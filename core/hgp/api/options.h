@@ -1,4 +1,5 @@
-// What a caller may choose, and the verdicts that come back.  Role: the words of session.h.
+// Options of the calls of session.h, and their verdicts.
+// Role: types that clients use without the session itself.
 #pragma once
 
 #include <optional>
@@ -21,13 +22,13 @@ struct LoadOptions {
   /// every face is a component of its own; kWeldNever: what the format needs.
   double weld = kWeldAutomatic;
   static constexpr double kWeldAutomatic = -1.0, kWeldNever = -2.0;
-  /// Read as if the file were of this format, so that it can be written in it: "obj", "glb" or "gltf"; "", and
-  /// what the document can write anyway, changes nothing.
+  /// Convert the file to this format when it is read, so that the result can be written in it: "obj", "glb" or "gltf".
+  /// "", or a format that the document can be written in anyway, changes nothing.
   std::string target;
-  FixOptions fix;         ///< repairs to make; none: those that the defects ask for
-  bool isStrict = false;  ///< with no repairs named: make none, refuse what needs one
-  /// Faces that repairs turn over and vertices that they copy are written so; otherwise the file keeps its
-  /// faces and vertices, and the certificate counts the difference.
+  FixOptions fix;         ///< repairs to make; none: those that the defects need
+  bool isStrict = false;  ///< with no repairs named: make none, refuse meshes that need one
+  /// Write flipped faces and split vertices into the output; otherwise the file keeps its
+  /// faces and vertices, and the certificate counts the differences.
   bool writesRepairs = false;
 };
 
@@ -43,8 +44,8 @@ enum class Scale {
 };
 
 struct SolveOptions {
-  int q = 4;          ///< for automatic cones; a prescription brings its own
-  int coneCount = 0;  ///< automatic cones: so many where possible, 0 = by conesFor
+  int q = 4;          ///< for automatic cones; a prescription has its own
+  int coneCount = 0;  ///< automatic cones: this many where possible; 0: as conesFor says
   ConesFor conesFor = ConesFor::kBalanced;
   bool alignToCurvature = false;
   BoundaryKind boundary = BoundaryKind::kFree;
@@ -53,10 +54,10 @@ struct SolveOptions {
   std::optional<ImproveOptions> improve;  ///< nothing: the map as solved
   FrameSource frames = FrameSource::kAuto;
   Scale scale = Scale::kSolved;
-  /// A component that cannot be solved keeps the uv it had, or is cut to a disk, instead of ending the run; the
-  /// result is then not certified, and its other components are.
+  /// A component without a map keeps the uv of the file, or is cut open to a disk, instead of ending the run; the
+  /// result as a whole is then not certified.
   bool keepsGoing = false;
-  /// Where there is no map, split edges and try again on the refined mesh, which is then what is written.
+  /// Where there is no map, split edges and solve again on the refined mesh, which is then written.
   bool refines = false;
   GridOptions grid;  ///< cells are of all components together
   Progress progress;
@@ -74,7 +75,7 @@ struct VerifyOptions {
   double tolerance = 0.0;  ///< CertifyOptions::tolerance: of a seam edge's length; radians
 };
 
-/// What write() makes of a result.
+/// The format in which write() stores a result.
 enum class MapFormat {
   kSame,     ///< the original with the result as a uv set, and nothing else changed
   kGlb,      ///< the mesh on its own, as a GLB …
@@ -89,7 +90,7 @@ std::optional<MapFormat> mapFormatNamed(const std::string& word);
 
 struct WriteOptions {
   MapFormat format = MapFormat::kSame;
-  /// A grid of so many tiles per unit of uv as the material, for glTF and OBJ; 0: two to a cell of an aligned
+  /// A grid as the material, for glTF and OBJ: number of tiles per unit of uv; 0: two per cell of an aligned
   /// map, about 40 across any other.
   std::optional<double> gridTiles;
   int uvSet = -1;    ///< −1: next free

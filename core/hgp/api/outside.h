@@ -1,4 +1,4 @@
-// Stored triangles that a certificate does not speak of, and what uv they have.  Role: every triangle of
+// Stored triangles that a certificate does not cover, and their uv.  Role: every triangle of
 // the file is either verified as it is stored or counted here.
 #pragma once
 
@@ -8,19 +8,18 @@ namespace hgp::api {
 
 /// Of all triangles of the surface, as they are stored.
 struct OutsideFacts {
-  int stored = 0;      ///< triangles of the surface
-  int judged = 0;      ///< triangles that the certificate speaks of
-  int duplicates = 0;  ///< outside: copies of a verified triangle, its twin
-  int differing = 0;   ///< of those, with other uv than the twin: 0 in what param writes
-  int zeroArea = 0;    ///< outside: no surface in 3D (LeftOut::kZeroArea)
-  int reversed = 0;    ///< verified with the orientation opposite to the stored one
-  int splitVertices =
-      0;  ///< copies of vertices that the verified surface has and the file does not
+  int stored = 0;         ///< triangles of the surface
+  int judged = 0;         ///< triangles that the certificate covers
+  int duplicates = 0;     ///< outside: copies of a verified triangle, its twin
+  int differing = 0;      ///< of those, with other uv than the twin: 0 in what param writes
+  int zeroArea = 0;       ///< outside: no surface in 3D (LeftOut::kZeroArea)
+  int reversed = 0;       ///< verified with the orientation opposite to the stored one
+  int splitVertices = 0;  ///< copies of vertices in the verified surface that are not in the file
 };
 OutsideFacts measureOutside(const Model& model, const UvMap& surfaceMap);
 
-/// Gives uv to the triangles that are left out: copies take their twin's; others those of a verified
-/// triangle with the same vertices, as far as there is one.
+/// Gives uv to the triangles that are left out: copies get those of their twin; others those of a verified
+/// triangle with the same vertices, if there is one.
 /// @param map  on the surface's triangles; −1 at the corners of triangles that are left out
 void fillOutside(const Model& model, UvMap& map);
 

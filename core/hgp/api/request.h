@@ -1,4 +1,4 @@
-// A prescription meets a mesh: ids, loops and generators are found, fields are read.
+// Resolves a prescription on a mesh: ids, loops and generators, fields.
 // Role: io::Prescription → one HolonomySpec per connected component, and back.
 #pragma once
 
@@ -9,7 +9,7 @@ namespace hgp::api {
 
 struct ComponentRequest {
   HolonomySpec spec;
-  bool isAutomatic = false;        ///< nothing was asked of this component: choose its cones
+  bool isAutomatic = false;        ///< nothing is prescribed for this component: choose its cones
   std::optional<FieldData> field;  ///< its part of the field that was read, in its own ids
 };
 
@@ -19,8 +19,8 @@ struct Request {
   std::vector<std::string> notes;
 };
 
-/// Fails with kPrescription for vertices, loops or generators that are not there, for cones that have
-/// moved away, and for fields that contradict the cones that came with them.
+/// Fails with kPrescription for vertices, loops or generators that do not exist, for cones without a vertex at
+/// their position, and for fields that contradict the cones that came with them.
 /// @pre model.components is not empty
 Result<Request> resolve(const Model& model, const io::Prescription& prescription);
 

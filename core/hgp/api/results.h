@@ -1,4 +1,4 @@
-// What a session hands out beside JSON.  Role: the words of session.h.
+// Results of a session other than JSON.  Role: types of session.h.
 #pragma once
 
 #include <array>
@@ -16,38 +16,38 @@ struct SeamEdge {
   int r = 0;
 };
 
-/// What welds and repairs made of the surface; its vertex ids are its own.
+/// The surface after welds and repairs, with its own vertex ids.
 struct Repaired {
   std::vector<std::uint32_t> triangles;  ///< × 3
   std::vector<int> vertexOrigin;         ///< vertex → a vertex of the surface
   std::vector<int> vertexImage;          ///< vertex of the surface → vertex, −1 when removed
 };
 
-/// What is known of the surface as it is solved (welded, repaired), told by the ids of the file.
+/// Facts on the surface as it is solved (welded, repaired), per vertex or triangle of the file.
 struct SurfaceFacts {
-  std::vector<int>
-      representative;  ///< the vertex that a vertex is one with, or itself; −1 when removed
-  std::vector<double> angle;  ///< Θ_v, the sum of the triangle angles, radians
-  std::vector<std::uint32_t>
-      valence;  ///< triangles at the vertex; the most where it became several
-  std::vector<std::uint8_t> isBoundary;  ///< 0 where one of those that it became is inside
-  std::vector<int> component;            ///< connected component, −1 without triangles
-  std::vector<int> triangleComponent;    ///< of every triangle, −1 when left out
+  /// The vertex that a vertex was joined with, or itself; −1 when removed.
+  std::vector<int> representative;
+  std::vector<double> angle;           ///< Θ_v, the sum of the triangle angles, radians
+  std::vector<std::uint32_t> valence;  ///< triangles at the vertex; the maximum where it was split
+  std::vector<std::uint8_t>
+      isBoundary;              ///< where it was split: 1 only if all copies are on the boundary
+  std::vector<int> component;  ///< connected component, −1 without triangles
+  std::vector<int> triangleComponent;  ///< of every triangle, −1 when left out
   /// Neighbours of v: neighbours[neighbourStart[v]] … neighbours[neighbourStart[v + 1] − 1].
   std::vector<std::uint32_t> neighbourStart, neighbours;
   double area = 0;  ///< of all triangles, in the square of the file's unit
 };
 
-/// Of a result, triangle by triangle as they are stored, and seam edge by seam edge.
+/// Measurements of a result per stored triangle and per seam edge.
 struct MapMeasures {
-  std::vector<float> stretch;  ///< ratio of the singular values ≥ 1; 1 keeps angles
-  std::vector<float> logArea;  ///< log₂ of the area's scale, less that of all triangles together
+  std::vector<float> stretch;  ///< ratio of the singular values ≥ 1; 1 preserves angles
+  std::vector<float> logArea;  ///< log₂ of uv area per area, minus that of all triangles together
   std::vector<int> notPositive;  ///< triangles of the certificate, oriented as they were verified
   double surfaceArea = 0, uvArea = 0;
   long long overlapPairs = 0;  ///< triangles that share area of the plane and no uv: allowed
   std::vector<int> overlapping;
-  bool areMorePairs = false;             ///< than were counted
-  std::vector<std::uint32_t> seamChain;  ///< of every seam edge: what is one seam to a person
+  bool areMorePairs = false;             ///< counting stopped: there are more pairs
+  std::vector<std::uint32_t> seamChain;  ///< the seam that each seam edge belongs to (seamChains)
 };
 
 /// What the numbers of boundary loops (--turning) and handle generators (--handle) mean.
@@ -61,14 +61,13 @@ struct SurfaceLoops {
 struct QuadFile {
   io::Bytes bytes;
   int vertices = 0, quads = 0;
-  int clipped = 0;  ///< cells that a boundary cuts: left out
-  int halvings =
-      0;  ///< how often cells were cut into four, so that no two edges have the same ends
+  int clipped = 0;   ///< cells that a boundary cuts: left out
+  int halvings = 0;  ///< how often cells were cut into four so that no two edges have the same ends
   int multipleEdges = 0;  ///< pairs of vertices that more than one edge of uncut cells joins
   int foldedQuads = 0;    ///< at cones of k = 1: their only quad has two of its edges in common
 };
 
-/// What write() made, and whether the certificate holds for the numbers in it: glTF rounds what OBJ holds.
+/// The files of write(), and whether the certificate holds for the numbers in them: glTF stores float32, OBJ float64.
 struct WrittenMap : io::Written {
   bool isCertified = false;
 };

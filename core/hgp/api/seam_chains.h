@@ -1,4 +1,4 @@
-// Seam edges in groups that belong together.  Role: what a seam is to a person; a colour each.
+// Groups seam edges into chains.  Role: the seams that users see, one colour each.
 #pragma once
 
 #include <cstdint>

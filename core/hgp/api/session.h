@@ -1,5 +1,5 @@
-// One loaded model from bytes to certified bytes.  Role: the API boundary. Command line, WASM bindings and
-// bench call this and nothing below; every exception of the core ends here as a Failure.
+// A session: loads a file, parametrizes it, verifies and writes it.  Role: the API boundary. Command line, WebAssembly
+// bindings and benchmarks call only this; every exception of the core becomes a Failure here.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@
 
 namespace hgp::api {
 
-/// Vertex and triangle ids are those of the loaded surface (welded for glTF and STL, the file's own
-/// otherwise), before any repair. JSON texts follow docs/schema.
+/// Vertex and triangle ids are those of the loaded surface before any repair: the file's own or, for glTF and STL, those
+/// after vertices at equal positions were joined. JSON texts follow docs/schema.
 class Session {
  public:
   Session();
@@ -25,15 +25,15 @@ class Session {
   Session(Session&&) noexcept;
   Session& operator=(Session&&) noexcept;
 
-  /// Where it fails, what was loaded before is there still.
+  /// If it fails, the model and the result that were there before are kept.
   Status load(io::FileSet files, const LoadOptions& options);
-  /// For meshes that come from no file; write() then makes an OBJ.
+  /// For meshes that are not in a file; write() then makes an OBJ.
   Status loadArrays(std::vector<Vec3> positions, std::vector<std::array<int, 3>> triangles,
                     const LoadOptions& options);
 
   /// Meshes of the loaded file that have triangles; LoadOptions::surface chooses one.
   int surfaceCount() const;
-  /// hgp-inspect; good means that the mesh can be parametrized.
+  /// hgp-inspect; isGood means that the mesh can be parametrized.
   Result<Verdict> inspect() const;
   /// hgp-check: the exact integer budget of every component; solves nothing.
   Result<Verdict> check(const io::Prescription& prescription) const;
@@ -44,19 +44,19 @@ class Session {
   /// Cones stored inside the file, or nothing.
   Result<std::optional<io::Prescription>> embeddedCones() const;
 
-  /// Solves, then verifies the map as it would be stored. No prescription: automatic cones. Succeeds
-  /// also when the map is not certified; fails for what cannot be asked, limits and cancellation.
+  /// Solves, then verifies the map as it would be stored. Without a prescription: automatic cones. Also succeeds when
+  /// the map is not certified; fails for contradictory options, impossible prescriptions, limits and cancellation.
   Status parametrize(const std::optional<io::Prescription>& prescription,
                      const SolveOptions& options);
   /// Verifies uv that are in the file: hgp-certificate. Without a prescription any cones are accepted.
   Result<Verdict> verify(const std::optional<io::Prescription>& prescription,
                          const VerifyOptions& options) const;
 
-  /// The result that there is can be recalled by this name, though others are made: two of a surface, of up to
-  /// 500 000 triangles together, the newest first, and none that was refined.
+  /// Keeps the current result under a name for recall(), also after other results were computed. The newest two per
+  /// surface are kept, with up to 500 000 triangles together; refined results are not.
   void keep(const std::string& name);
-  /// Makes a kept result the one that is written, measured and shown; false where it is not there any more, or of
-  /// another surface. What was loaded meanwhile does not matter: a result goes with every file that has the very
+  /// Makes a kept result the current one (written, measured and shown). False if it is no longer kept or belongs to
+  /// another surface. Files loaded in between do not matter: a result applies to every file with an identical
   /// surface, so that the maps of several meshes can be written into one file.
   bool recall(const std::string& name);
 
@@ -69,22 +69,22 @@ class Session {
   const std::vector<double>& positions() const;  ///< |V| × 3 of the surface, or the refined one
   const std::vector<std::uint32_t>& triangles() const;  ///< |F| × 3
   std::optional<Repaired> repaired() const;  ///< nothing where the surface is used as it is
-  const std::vector<double>& uv() const;     ///< 2 per uv vertex, as stored
+  const std::vector<double>& uv() const;     ///< |uv| × 2, as stored
   const std::vector<std::uint32_t>& cornerToUv() const;  ///< |F| × 3
   const std::vector<std::uint32_t>& uvToVertex() const;  ///< "xref": uv vertex → surface vertex
   const std::vector<SeamEdge>& seams() const;
 
-  /// Of the result: what overlays, colours of seams and statistics are made from.
+  /// Measurements of the result for overlays, colours of seams and statistics.
   Result<MapMeasures> measure() const;
-  /// Of the loaded surface, usable or not.
+  /// Facts on the loaded surface, whether usable or not.
   Result<SurfaceFacts> facts() const;
   /// Boundary loops and handle generators as a prescription numbers them.
   Result<SurfaceLoops> loops() const;
 
-  /// Every component is aligned to the grid that was asked for.
+  /// Whether every component is aligned to the grid that was asked for.
   bool isAligned() const;
-  /// The cells of a result that is aligned in quad mode, as an OBJ of quads or, where `name` ends so, a GLB
-  /// of triangles. Fails with kNoMap where it is not aligned.
+  /// The cells of a result that is aligned in quad mode, as an OBJ of quads or, if `name` ends in .glb, as a GLB
+  /// of triangles. Fails with kNoMap where the result is not aligned.
   Result<QuadFile> quads(const std::string& name) const;
 
   /// Whether write() can make a file of this name: glTF stays glTF, everything else becomes OBJ.
@@ -108,7 +108,8 @@ Result<io::Prescription> withField(io::Prescription cones, io::Prescription fiel
 /// hgp-error: {"code", "stage", "message", "where"}.
 std::string errorJson(const Failure& failure);
 
-/// For the whole process: no kernel that only some processors have. Functions of the C library may still differ.
+/// For the whole process: uses no kernels that only some processors have (fused multiply-add), so that maps are the
+/// same bits on all of them.
 void setReproducible(bool isAsked);
 
 /// "1.2.3"

@@ -1,4 +1,4 @@
-// What is stored of a component that has no map.  Role: --keep-going.
+// The uv that are stored for a component without a map.  Role: --keep-going.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace hgp::api {
 
-/// The uv that the file has for the component, or the component cut open to a disk. Verified by a prescription
-/// without cones and never certified, however sound, as it is not what was asked for.
-/// @param why  there is no map    @param isKept  set: it is the uv that the file has
+/// The uv that the file has for the component, or the component cut open to a disk. Verified against a prescription
+/// without cones, and never certified, because it is not the prescribed map.
+/// @param why  why there is no map    @param isKept  set to true if these are the uv of the file
 Parametrization standIn(const Model& model, const ModelComponent& component, int q,
                         const Progress& progress, const std::string& why, bool& isKept);
 

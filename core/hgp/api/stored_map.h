@@ -1,5 +1,5 @@
 // The map of all components on the file's own triangles, as it will be stored, and its certificates.
-// Role: certify what is shipped.
+// Role: what is certified is what is stored.
 #pragma once
 
 #include "hgp/api/model.h"
@@ -8,18 +8,18 @@
 
 namespace hgp::api {
 
-/// A map per component (on component faces) with what was asked of it.
+/// A map per component (on component faces) with its prescription.
 struct ComponentMap {
   UvMap map;
   std::vector<VertexId> copyOf;  ///< uv → component vertex
   CompleteSpec spec;
   Certificate certificate;  ///< of `map`, in double precision
   double shiftUnit = 0;     ///< 0, or a power of two that every shift must be a multiple of
-  bool isKept = false;      ///< uv that the file had: neither moved nor scaled
-  std::string whyNone;      ///< why it is no map of what was asked; such is never certified
+  bool isKept = false;      ///< uv of the input file: neither moved nor scaled
+  std::string whyNone;      ///< of a stand-in (stand_in.h): why there is no map; never certified
 };
 
-/// However sound: not what was asked for.
+/// Adds the reason that this is not the prescribed map.
 void denyCertificate(const std::string& whyNone, Certificate& certificate);
 
 struct StoredMap {

@@ -1,13 +1,13 @@
-// Repairs on their way into the file.  Role: --write-repairs; the repaired file is what is solved,
-// verified and written from then on.
+// Writes repairs into the file.  Role: --write-repairs; from then on the repaired file is solved,
+// verified and written.
 #pragma once
 
 #include "hgp/api/model.h"
 
 namespace hgp::api {
 
-/// What the repairs of `model` are on the triangles of its surface. Left out triangles stay as they are,
-/// and so do vertices that a weld joined.
+/// The repairs of `model` as edits of the triangles of its surface. Triangles that were left out and vertices that a
+/// weld joined are not changed.
 FaceEdits editsOf(const Model& model);
 
 /// "3 faces are written the other way round …"; of edits that are not empty.

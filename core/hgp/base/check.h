@@ -1,4 +1,4 @@
-// Preconditions inside the core.  Role: a broken one is our bug, never the user's.
+// Preconditions inside the core.  Role: a broken one is a bug in hgp, never a mistake of the user.
 #pragma once
 
 #include <stdexcept>

@@ -1,4 +1,4 @@
-// A number with its noun.  Role: messages that read as English whatever was counted.
+// A number with its noun.  Role: singular and plural in messages.
 #pragma once
 
 #include <string>

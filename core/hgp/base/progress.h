@@ -1,4 +1,4 @@
-// Progress and cancellation.  Role: the only way a stage talks while it works.
+// Progress and cancellation.  Role: the only communication of a stage with its caller while it runs.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +37,7 @@ struct ProgressReport {
 /// Called inside every solver iteration and between stages. Return false to cancel.
 using Progress = std::function<bool(const ProgressReport&)>;
 
-/// Reports when there is somebody to report to; true means keep going.
+/// Calls `progress` if there is one; true means continue.
 inline bool report(const Progress& progress, const ProgressReport& r) {
   return !progress || progress(r);
 }

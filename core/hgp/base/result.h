@@ -1,4 +1,4 @@
-// Outcomes that a caller must look at.  Role: the error model of every module (docs/decisions).
+// Results that a caller must check.  Role: the error model of every module (docs/architecture.md, Errors).
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,17 @@
 
 namespace hgp {
 
-/// What went wrong, in words a program can branch on. The command line maps these to exit codes.
+/// What went wrong, for programs. The command line maps these to exit codes (docs/cli.md).
 enum class ErrorCode {
-  kUsage,         ///< the call contradicts itself                                  exit 2
+  kUsage,         ///< wrong or contradictory options or arguments                  exit 2
   kMalformed,     ///< bytes that are not what they claim to be                     exit 3
   kUnsupported,   ///< readable, but not an oriented manifold mesh that can be used exit 4
   kPrescription,  ///< cones, turning or holonomy that no map can have              exit 5
   kNoMap,         ///< no certified map was found                                   exit 6
   kWriteFailed,   ///< the result could not be stored                               exit 7
   kLimit,         ///< memory or a stated limit                                     exit 8
-  kInternal,      ///< our bug                                                      exit 70
-  kCancelled,     ///< the caller said stop                                         exit 130
+  kInternal,      ///< a bug in hgp                                                 exit 70
+  kCancelled,     ///< the caller cancelled                                         exit 130
 };
 
 /// Short stable name used in JSON ("malformed", "unsupported", …).
@@ -39,7 +39,7 @@ struct Where {
 struct Failure {
   ErrorCode code = ErrorCode::kInternal;
   std::string stage;    ///< "read", "topology", "prescription", "field", …
-  std::string message;  ///< one or two sentences: rule, number, what next
+  std::string message;  ///< one or two sentences: rule, number, what to do
   std::vector<Where> where;
 };
 

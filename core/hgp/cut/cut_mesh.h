@@ -8,13 +8,13 @@
 namespace hgp {
 
 /// A run of seam edges between two seam nodes (vertices whose degree in G_s is not 2, cones, and
-/// boundary vertices). One rotation and one translation serve all its edges.
+/// boundary vertices). All its edges have the same rotation and translation.
 struct SeamChain {
   std::vector<HalfedgeId> left;  ///< consecutive halfedges; their faces see the chain on the left
 };
 
-/// Same faces as S; only corners know which copy of their vertex they use. An interior seam vertex of
-/// degree d has d copies, a boundary vertex of degree d has d + 1.
+/// The faces are those of S; each corner stores which copy of its vertex it uses. An interior seam vertex of
+/// degree d in G_s has d copies, a boundary vertex of degree d has d + 1.
 struct CutMesh {
   PerEdge<char> isSeam;
   PerHalfedge<CutVertexId> copy;  ///< copy of tail(h) used by face(h)

@@ -8,9 +8,9 @@ namespace hgp {
 /// Edges of the seam graph. Cutting along them (and nothing else) leaves a disk whose boundary
 /// passes every terminal: all cones and, with its loops shrunk to nodes, every boundary component.
 ///
-/// Short by construction: a Steiner tree over the terminals (Mehlhorn's 2-approximation), extended
-/// to a spanning tree of shortest paths, a dual tree of the rest, and the 2g edges that neither
-/// takes; leaves that are no terminals are trimmed. Path lengths are edge lengths.
+/// Short by construction (tree–cotree): a Steiner tree over the terminals (Mehlhorn's 2-approximation), extended
+/// to a spanning tree of shortest paths; a spanning tree of the dual graph without its edges; and the 2g edges that
+/// are in neither. Leaves that are not terminals are trimmed. Paths are measured by edge length.
 /// @pre one component
 PerEdge<char> seamGraph(const TriMesh& mesh, const Geometry& geometry, const FilledSurface& surface,
                         const std::vector<VertexId>& cones);

@@ -12,7 +12,7 @@ struct SeamRotations {
   /// Across seam halfedge h from face(h) to its twin's: uv edge vectors turn by 2πr/q,
   /// z' = e^{i2πr/q} z + t. In {0, …, q − 1}; r[twin] = −r[h] mod q; 0 off the seam.
   PerHalfedge<int> rotation;
-  /// Angle, in face coordinates, of the combed direction that the map turns onto the real axis.
+  /// Angle, in face coordinates and radians, of the combed direction that the map sends to the positive real axis.
   PerFace<double> frameAngle;
 };
 

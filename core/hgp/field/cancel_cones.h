@@ -1,5 +1,5 @@
-// Clean-up of a field's cones.  Role: noisy triangulations give thousands of close opposite pairs;
-// what is left must be a prescription that some map has.
+// Cancels close opposite cones of a field.  Role: noisy triangulations give thousands of them; the remaining cones
+// must be a prescription that some map has.
 #pragma once
 
 #include "hgp/field/prescribed_field.h"
@@ -9,9 +9,9 @@ namespace hgp {
 /// Radians that frames may turn from one triangle to the next around a vertex, on average.
 inline constexpr double kLargestTurnPerEdge = 0.8;
 
-/// Vertices per cone below which cones are the triangulation's noise rather than the surface's.
+/// With fewer vertices per cone than this, cones are considered noise of the triangulation.
 inline constexpr int kNoiseShare = 50;
-/// So few cones are no noise however coarse the mesh.
+/// Up to this many cones are never considered noise, however coarse the mesh.
 inline constexpr int kNeverNoise = 24;
 
 struct CancelOptions {
@@ -24,8 +24,8 @@ struct CancelOptions {
 /// closest pairs first; k < 1 and k too large for the vertex spread to neighbours; the impossible
 /// torus pair cancelled.
 ///
-/// A unit stays where taking it away would leave a vertex more than kLargestTurnPerEdge per incident
-/// edge from the curvature it has: a spike needs its cone.
+/// A unit is kept where removing it would leave the vertex with frames that turn by more than kLargestTurnPerEdge per
+/// incident edge: a spike needs its cone.
 std::vector<ConePoint> cancelCones(const TriMesh& mesh, const FieldContext& context, int q,
                                    PerVertex<int> defect, const CancelOptions& options);
 

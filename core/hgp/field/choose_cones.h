@@ -1,4 +1,4 @@
-// Automatic cones.  Role: from a surface to a prescription that some map has, and a good one.
+// Automatic cones.  Role: from a surface to a prescription that some map has, with low distortion.
 #pragma once
 
 #include <optional>
@@ -14,11 +14,11 @@ namespace hgp {
 class PreparedSurface;
 struct FieldContext;
 
-/// What cones are chosen for. All start from those of the smoothest field.
+/// What cones are optimised for. All choices start from the cones of the smoothest field.
 enum class ConesFor {
-  kBalanced,  ///< moved, and cancelled where that helps, to lower distortion; boundaries are followed
-  kFew,       ///< as few as keep σ of log₂ area below kFewSpread
-  kLowDistortion,  ///< as many as are worth it; boundaries turn as they like
+  kBalanced,       ///< moved or cancelled where that lowers distortion; the map follows boundaries
+  kFew,            ///< as few as keep the standard deviation of log₂ area below kFewSpread
+  kLowDistortion,  ///< as many as lower the energy by kWorthwhile; the turning of boundaries is free
 };
 /// "balanced", "few", "low-distortion"
 const char* conesForName(ConesFor choice);
@@ -27,7 +27,7 @@ inline constexpr double kFewSpread = 1.0;
 
 struct SuggestOptions {
   int q = 4;
-  int coneCount = 0;  ///< so many where that is possible; 0 = by `conesFor`
+  int coneCount = 0;  ///< this many where that is possible; 0: as `conesFor` says
   ConesFor conesFor = ConesFor::kBalanced;
   bool alignToCurvature =
       false;            ///< follow principal curvature; cones then stay where that has them
@@ -35,16 +35,16 @@ struct SuggestOptions {
   Progress progress;
 };
 
-/// Cones and turning; handles are left open. They pass checkPrescription, or the failure is its own:
-/// no prescription of this order exists. Leaves the connection prepared.
+/// Cones and turning; handles are left open. The result passes checkPrescription. Fails with the failure of
+/// checkPrescription where no prescription of this order exists. The connection of `surface` is then prepared.
 Result<HolonomySpec> chooseCones(PreparedSurface& surface, const SuggestOptions& options);
 
-/// What chooseCones starts from: cones and turning of the smoothest field, noise cancelled, units added or
-/// taken where Gauss–Bonnet asks for it. Leaves the connection prepared.
+/// What chooseCones starts from: cones and turning of the smoothest field after cancelCones, with units added or
+/// removed until Gauss–Bonnet holds. The connection of `surface` is then prepared.
 Result<HolonomySpec> fieldCones(PreparedSurface& surface, const SuggestOptions& options);
 
-/// Whether a closed torus is flat enough without any cone: its scale then varies by at most
-/// e^kFlatScaleRange. Every torus is conformally flat, so that cones would only add distortion.
+/// Whether a closed torus needs no cones: its scale without cones varies by at most
+/// e^kFlatScaleRange. (Every torus is conformally flat.)
 /// @param context  complete (prepareConnection)
 bool isNearlyFlatTorus(const FieldContext& context);
 inline constexpr double kFlatScaleRange = 1.2;

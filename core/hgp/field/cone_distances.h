@@ -1,5 +1,5 @@
-// How far cones are from one another in their own metric.  Role: what a map of these cones will have to
-// keep apart on a grid, known before there is a map.
+// Distances between cones in their cone metric.  Role: predicts, before there is a map, which cones will be closer
+// than the cells of a grid.
 #pragma once
 
 #include <vector>

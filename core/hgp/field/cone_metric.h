@@ -1,4 +1,4 @@
-// What a choice of cones costs.  Role: the scale of the cone metric L u = K_asked − K and the twist of
+// The distortion that a choice of cones causes.  Role: the scale of the cone metric L u = K_asked − K and the twist of
 // its handles, as functions of the cones (Soliman, Slepčev, Crane 2018).
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace hgp {
 
-/// Units of 2π/q asked at every node of the filled surface: q − k at a vertex, q + l at a loop.
-/// Σ = q(2 − 2g) where Lemma 6.2 holds; what is missing or too much is spread evenly over the area.
+/// Prescribed curvature of every node of the filled surface in units of 2π/q: q − k at a vertex, q + l at a loop.
+/// Σ = q(2 − 2g) where Lemma 6.2 holds; any difference is spread evenly over the area.
 using NodeDefects = std::vector<int>;
 
 /// The metric of some cones, measured.
@@ -23,8 +23,8 @@ struct ConeCost {
   double energy = 0.0;      ///< scale + kTwistWeight · Dirichlet energy of the twist
 };
 
-/// What a conformal map would not have: handles that turn by other than multiples of 2π/q must be
-/// twisted, and shear near them. Fitted to the symmetric Dirichlet energy of certified maps.
+/// Weight of the shear that a conformal map would not have: handles whose rotation in the conformal connection is not
+/// a multiple of 2π/q must be twisted. Fitted to the symmetric Dirichlet energy of certified maps.
 inline constexpr double kTwistWeight = 0.25;
 
 /// Units of 2π/q that go from one node to another.

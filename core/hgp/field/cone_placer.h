@@ -1,4 +1,4 @@
-// Cones that move, grow in number and shrink, every step measured exactly.  Role: the moves of
+// Moves, adds and removes cones; the energy after every step is computed exactly.  Role: the steps of
 // placeCones().
 #pragma once
 
@@ -24,24 +24,24 @@ class ConePlacer {
   /// Adds single units until Gauss–Bonnet holds. False where no node can take one.
   bool balance();
 
-  /// Cones walk downhill, all at once as far as that helps, then each where it helps by itself.
-  /// @param share  of the work that is left
+  /// Moves cones along the negative gradient of the energy: all at once while that lowers it, then one by one.
+  /// @param share  of the remaining work that may be spent
   void relax(double share = 1.0);
   /// From now on moves neither cancel nor absorb cones.
   void keepCount() { keepsCount_ = true; }
-  /// Nodes × solves.
-  void setWork(double work) { work_ = work; }
+  void setWork(double work) { work_ = work; }  ///< that may be spent: nodes × solves
 
-  /// The best places for one unit of every sign. False where there is none.
-  /// @param isNew  only where there is no cone yet
+  /// Adds one unit of every given sign at its best node. False where there is none.
+  /// @param isNew  only at nodes without a cone
   bool addUnits(const std::vector<int>& signs, bool isNew = false);
-  /// Takes the units away that cost least, in opposite pairs, until `count` cones are left.
+  /// Removes opposite pairs of units, those that raise the energy least first, until `count` cones are left.
   void thinTo(int count);
-  /// Several pairs at a time while many are missing.
+  /// Adds opposite pairs until there are `count` cones, several pairs at a time while many are missing.
   void growTo(int count);
-  /// Merges, cancels or moves cones that are closer in their own metric, each pair the cheapest way, or not.
+  /// Merges, cancels or moves cones that are closer in their own metric than `spacing` allows, each pair in the way
+  /// that raises the energy least; pairs whose price is too high stay.
   void separate(const ConeSpacing& spacing);
-  /// A quarter at a time, so that the others can take their places.
+  /// thinTo a quarter at a time with relax in between, so that the remaining cones can move.
   void shrinkTo(int count);
 
  private:

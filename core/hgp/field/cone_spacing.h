@@ -1,15 +1,15 @@
-// What a grid asks of automatic cones.  Role: passed on from who asks for a grid to who places cones.
+// What a grid requires of automatic cones.  Role: an option of cone placement that depends on the grid.
 #pragma once
 
 namespace hgp {
 
 struct ConeSpacing {
-  /// > 0: no two cones are closer in the map that they will have, in units of the surface; whatever else is
-  /// asked, those that are get merged or moved.
+  /// > 0: minimum distance of two cones in the map that they will have, in units of the surface. Cones that are closer
+  /// are merged or moved, whatever the other options say.
   double least = 0.0;
-  /// What that may add to the energy, as a share of it: cones that crowd a spike keep its scale bearable.
+  /// Maximum increase of the energy by that, as a fraction of it: several cones on a spike can be needed for its scale.
   double dearest = 0.0;
-  /// No cone has a smaller k where the curvature of its vertex allows that.
+  /// Minimum k of a cone, where the curvature of its vertex allows it.
   int smallestK = 1;
 };
 

@@ -1,4 +1,4 @@
-// How many units of 2π/q every node may carry.  Role: keeps automatic cones legal and bearable.
+// How many units of 2π/q every node may have.  Role: keeps automatic cones admissible and their distortion bounded.
 #pragma once
 
 #include <vector>
@@ -7,9 +7,9 @@
 
 namespace hgp {
 
-/// What each node may carry: 1 ≤ k and 2k < q·valence at a vertex, an admissible turning index at a
-/// loop; and no vertex further from its own curvature than frames can turn, so that a spike keeps its
-/// cone.
+/// Bounds on the units q − k of a vertex and q + l of a loop: 1 ≤ k and 2k < q·valence at a vertex, a turning index in
+/// turningRange at a loop; and no vertex further from its own curvature than frames can turn, so that a spike
+/// keeps its cone.
 struct DefectBounds {
   std::vector<int> low, high;
 };

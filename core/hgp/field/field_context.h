@@ -1,4 +1,4 @@
-// What every field of one surface is computed from.  Role: found once per surface.
+// The data that every field of one surface is computed from.  Role: computed once per surface.
 #pragma once
 
 #include <optional>
@@ -17,8 +17,7 @@ enum class Metric : unsigned char {
   kEvened  ///< evenedGeometry
 };
 
-/// What every field of one surface is computed from; build once per surface. A smooth field needs
-/// the first four; a prescribed one all.
+/// A smooth field needs all but the Laplacian and the handles; a prescribed one needs everything.
 struct FieldContext {
   Topology topology;
   Geometry geometry;

@@ -1,5 +1,5 @@
-// The quadratic energy whose minimiser is the smooth field, on faces or on patches of faces.  Role:
-// a field that is smooth is nearly parallel on patches, so most of it can be found there.
+// The quadratic energy whose minimiser is the smooth field, on faces or on patches of faces.  Role: multigrid
+// coarsening; a smooth field is nearly parallel on patches, so that most of it is found on them.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// A rotationally symmetric field with its matchings.  Role: what frames and seam rotations are both
-// read from, so that they agree by construction [BCW17 §7 ¶2].
+// A rotationally symmetric field with its matchings.  Role: frames and seam rotations are both read from it,
+// so that they agree by construction [BCW17 §7 ¶2].
 #pragma once
 
 #include "hgp/mesh/field_data.h"
@@ -19,7 +19,7 @@ struct FrameField {
 /// Σ of matchings along a dual loop: its holonomy r, reduced to {0, …, q − 1}.
 int loopHolonomy(const FrameField& field, const DualLoop& loop);
 
-/// Matchings of the nearest directions, for a field known by directions alone.
+/// Principal matching: the nearest direction across each edge, for a field that is given by directions only.
 void matchPrincipally(const TriMesh& mesh, const Geometry& geometry, FrameField& field);
 
 /// The angle of cone v in units of 2π/q, when every crossing turns by less than half a step from

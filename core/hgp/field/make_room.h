@@ -1,12 +1,12 @@
-// Automatic cones on coarse meshes.  Role: a choice of cones that the mesh has enough triangles for.
+// Weakens automatic cones on coarse meshes.  Role: cones for which the mesh has enough triangles.
 #pragma once
 
 #include "hgp/mesh/holonomy_spec.h"
 
 namespace hgp {
 
-/// While findAngleShortage finds one, its strongest cone gives a unit to the vertex within kReceivers edges that then has the
-/// smallest angle per triangle. Σ k stays. Ends as it is after kMostUnits.
+/// While findAngleShortage finds one, moves a unit of k from its strongest cone to the vertex within kReceivers edges
+/// that then has the smallest angle per triangle. Σ k does not change. Stops after kMostUnits units.
 void makeRoom(const TriMesh& mesh, HolonomySpec& spec);
 inline constexpr int kReceivers = 3;
 inline constexpr int kMostUnits = 64;

@@ -1,4 +1,4 @@
-// Rounding a vector to a lattice in a metric.  Role: which multiples of 2π/q the handles get.
+// Rounds a vector to a lattice in a given metric.  Role: chooses the multiples of 2π/q of the handles.
 #pragma once
 
 #include <Eigen/Core>

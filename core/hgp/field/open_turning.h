@@ -1,4 +1,4 @@
-// Turning indices that a prescription leaves open.  Role: the first thing a trivial connection decides.
+// Completes the turning indices that a prescription leaves open.  Role: the first step of a trivial connection.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,8 +14,8 @@ namespace hgp {
 Eigen::VectorXd curvatureGap(const FilledSurface& surface, const HolonomySpec& spec);
 
 /// l_j of all loops. Open ones take those of the cone metric in which u is equal on all of them,
-/// rounded to the nearest integers that balance Gauss–Bonnet (Lemma 6.2) and that the triangles of the
-/// loop can reach; kPrescription where there are none.
+/// rounded to the nearest integers that balance Gauss–Bonnet (Lemma 6.2) within the turningRange of each
+/// loop. Fails with kPrescription where there are none.
 Result<std::vector<int>> completeTurning(const TriMesh& mesh, const FieldContext& context,
                                          const HolonomySpec& spec);
 

@@ -1,5 +1,5 @@
-// What every solve on one surface starts from, found once.  Role: kept by a session, so that a second
-// run with other cones repeats nothing that depends on the surface alone.
+// A surface with everything that does not depend on cones, computed once.  Role: kept by a session, so that a second
+// run with other cones repeats nothing that depends only on the surface.
 #pragma once
 
 #include <memory>
@@ -9,8 +9,8 @@
 
 namespace hgp {
 
-/// Topology, geometry, dissection and filled surface at once; Laplacian and handle basis when they
-/// are first needed; the last prescribed field. Keeps a reference to the mesh.
+/// Topology, geometry, nested dissection and filled surface are computed at construction, Laplacian and handle basis
+/// when they are first needed; the last prescribed field is kept. Keeps a reference to the mesh.
 /// @pre mesh has one component
 class PreparedSurface {
  public:
@@ -22,18 +22,18 @@ class PreparedSurface {
   const FieldContext& context() const { return *context_; }
   std::shared_ptr<const FieldContext> share() const { return context_; }
 
-  /// The same surface in the evened metric, prepared when first asked for; itself where it is that.
+  /// The same surface in the evened metric, prepared on the first call; *this if it already has that metric.
   PreparedSurface& evened();
   bool isEvened() const { return context_->own.has_value(); }
 
   /// Laplacian and handle basis. Fails with kUnsupported where the Laplacian cannot be factored.
   Status requireConnection();
   bool hasConnection() const { return hasConnection_; }
-  /// Gives back their memory, which is most of it; they are found again when needed.
+  /// Frees their memory, which is most of all; they are computed again when needed.
   void releaseConnection();
 
-  /// prescribedField(…), the last one remembered: asked again by its own completed specification it
-  /// is not computed again. Needs the connection only where it computes.
+  /// prescribedField(…) of this surface. The last result is kept and returned without computation when `spec` is its
+  /// completed specification; otherwise the connection is needed.
   Result<PrescribedField> field(const HolonomySpec& spec);
 
  private:

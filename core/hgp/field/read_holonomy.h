@@ -15,10 +15,10 @@ struct ReadField {
   CompleteSpec spec;  ///< what it prescribes
 };
 
-/// Plain field data with its meaning. Where matchings are stored, cones are those congruent to them
-/// mod q that the directions (or, without directions, the surface's curvature) come nearest to.
-/// Files differ in the sign of a matching: that is meant which reproduces `expected` cones or,
-/// without any, has fewer; of two that do alike the one clearly closer to transport, or the stored.
+/// Interprets plain field data. Where matchings are stored, k is the index congruent to them
+/// mod q that is nearest to the rotation of the directions (or, without directions, to the surface's curvature).
+/// Files differ in the sign of a matching: the sign is used that reproduces the `expected` cones or,
+/// without any, gives fewer cones; if both do, the one clearly closer to transport, or else the stored sign.
 /// @param expected  cones that came with the field, if any
 /// Fails with kPrescription (they disagree) or kMalformed (sizes, edges that are not there,
 /// directions that are not finite or have no part in their triangle).

@@ -1,4 +1,4 @@
-// The smoothest q-fold symmetric field of a surface.  Role: chooses cones by itself.
+// The smoothest q-fold symmetric field of a surface.  Role: its singularities are the first choice of automatic cones.
 #pragma once
 
 #include "hgp/field/prescribed_field.h"
@@ -7,7 +7,7 @@ namespace hgp {
 
 struct SmoothFieldOptions {
   int q = 4;
-  bool alignToBoundary = true;    ///< one direction follows every boundary edge (softly)
+  bool alignToBoundary = true;    ///< one direction follows every boundary edge (soft constraint)
   bool alignToCurvature = false;  ///< follow principal directions where they are distinct; q even
 };
 

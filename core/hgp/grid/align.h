@@ -1,5 +1,5 @@
-// Translations of a seamless map made integers.  Role: a grid of unit squares, a tiling texture or a
-// quad mesh continues across every seam, on the same triangles and still locally injective.
+// Makes the translations of a seamless map integers.  Role: a grid of unit squares, a tiling texture or a
+// quad mesh then continues across every seam; the triangles stay the same and the map locally injective.
 #pragma once
 
 #include <functional>
@@ -15,31 +15,31 @@
 
 namespace hgp {
 
-/// What the caller says of an aligned map.
+/// The caller's verdict on an aligned map.
 enum class Acceptance {
   kRefused,
-  kSecondChoice,  ///< taken where no other density gives a better one by a linear step
+  kSecondChoice,  ///< used if no other density gives an accepted map by a linear step
   kAccepted,
 };
 
 struct AlignedMap {
   std::optional<UvMap> map;     ///< one unit of uv is one cell
-  bool isSecondChoice = false;  ///< the first one of these
+  bool isSecondChoice = false;  ///< `map` is the first that was kSecondChoice
   bool isCancelled = false;     ///< by `progress`; there is no map then
   GridReport report;
-  double workLeft = 0.0;  ///< multiply-adds, of those that might be spent
+  double workLeft = 0.0;  ///< of `work`, multiply-adds
 };
 
-/// Changes a certified map so that every translation is an integer: the relations of the seam nodes are
-/// solved over Z[i], the strain of the change is reduced to what is free, that is rounded nearest first
-/// with neighbouring cones kept apart, and the map follows by one linear system. Other densities, cone
-/// programs on patches and on the whole mesh follow where triangles turn over.
+/// Changes a certified map so that every translation is an integer. The relations of the seam nodes are
+/// solved over Z[i]; the strain energy of the change is reduced to the free integers; these are rounded one by
+/// one so that neighbouring cones stay apart; the map then follows from one linear system. Where triangles
+/// flip, cone programs on patches and on the whole mesh follow, and then other densities.
 /// @param map    locally injective and seamless; its copies follow its seams
 /// @param cones  vertices with a prescribed angle
 /// @param tree   separators of the vertices, or null
-/// @param work   multiply-adds that may be spent; what would exceed it is left out, and the reason says so.
-///               The linear step is always tried, and small patches have an allowance of their own.
-/// @param accepts  asked for every map whose triangles are all positive; without it that is enough
+/// @param work   multiply-adds that may be spent; steps that would exceed it are skipped, and the report's reason says
+///               so. The linear step is always tried, and small patches have a separate budget.
+/// @param accepts  called for every map whose triangles are all positive; if empty, all of them are accepted
 AlignedMap alignToGrid(const TriMesh& mesh, const UvMap& map, int q,
                        const std::vector<VertexId>& cones, const GridOptions& options,
                        const linalg::SeparatorTree* tree, const Progress& progress,

@@ -1,12 +1,12 @@
-// Cones that are neighbours in the map.  Role: two of them rounded onto one point can never be part
-// of a locally injective map.
+// Cones that are neighbours in the map.  Role: neighbours must not be rounded onto one point, because no locally
+// injective map has that.
 #pragma once
 
 #include "hgp/grid/strain_form.h"
 
 namespace hgp {
 
-/// The way from one cone to another, laid out in the plane of the first: D = Σ factor · unknown.
+/// A path from one cone to another, developed in the plane of the first: D = Σ factor · unknown.
 struct ConePair {
   VertexId a, b;
   std::vector<SeamlessChange::Term>
@@ -24,8 +24,8 @@ struct ConeNeighbours {
   std::vector<ConeTriangle> triangles;
 };
 
-/// Pairs whose regions of nearest vertices touch and that are at most `reach` apart along edges, the
-/// ways different where the surface goes round between them.
+/// Pairs whose regions of nearest vertices touch and that are at most `reach` apart along edges; one pair per
+/// homotopy class of paths, for example on both sides of a handle.
 ConeNeighbours neighbouringCones(const TriMesh& mesh, const SeamStructure& seams,
                                  const SeamlessChange& change, const std::vector<Vec2>& uv,
                                  const std::vector<VertexId>& cones, double reach);

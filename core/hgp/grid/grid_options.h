@@ -1,5 +1,4 @@
-// What a caller may ask of a grid, and what came of it.  Role: the words of align.h that options and
-// reports are made of.
+// Options and report of an alignment to a grid.  Role: the types of align.h that other options and reports contain.
 #pragma once
 
 #include <string>
@@ -14,10 +13,10 @@ enum class GridMode {
   kQuad,  ///< cones lie on grid points as well, so that the grid is a quad mesh
 };
 
-/// Nothing is asked while both sizes are 0. Only for q = 2 and 4.
+/// No grid while both sizes are 0. Only for q = 2 and 4.
 struct GridOptions {
-  double cells = 0.0;    ///< grid cells in all, about
-  double spacing = 0.0;  ///< or: edge of a cell in units of the surface
+  double cells = 0.0;    ///< approximate number of cells of the whole map
+  double spacing = 0.0;  ///< or: edge length of a cell in units of the surface
   GridMode mode = GridMode::kTile;
   bool isAsked() const { return cells > 0.0 || spacing > 0.0; }
 };
@@ -25,28 +24,27 @@ struct GridOptions {
 /// One choice of integers.
 struct GridAttempt {
   std::string method;   ///< "linear step", "patches of 6 rings", …
-  double factor = 1.0;  ///< by which the asked density was multiplied
+  double factor = 1.0;  ///< ratio to the requested density
   int turned = 0;       ///< triangles that are not positive
 };
 
 /// Two cones that are neighbours in the map as solved.
 struct ConeDistance {
   VertexId a, b;
-  double cells = 0.0;  ///< along the way between them, at the density asked
+  double cells = 0.0;  ///< length of the path between them in cells, at the requested density
 };
 
 struct GridReport {
   bool isAligned = false;
-  double cells = 0.0;         ///< reached: area of the map in cells
-  double spacing = 0.0;       ///< reached, in units of the surface
-  double cellsPerCone = 0.0;  ///< of what was reached or, without a map, asked
+  double cells = 0.0;         ///< area of the aligned map in cells
+  double spacing = 0.0;       ///< edge length of its cells, in units of the surface
+  double cellsPerCone = 0.0;  ///< of the aligned map or, if there is none, as requested
   int integers = 0;           ///< free Gaussian integers
   std::vector<GridAttempt> attempts;
-  std::string reason;  ///< why there is none
+  std::string reason;  ///< why there is no aligned map; empty if there is one
   std::vector<ConeDistance>
-      closest;  ///< then: the cones that are in each other's way, closest first
-  double workingCells =
-      0.0;  ///< without a map: a density at which there is one, 0 if none was found
+      closest;                ///< if there is none: the cones that are too close, closest first
+  double workingCells = 0.0;  ///< if there is none: a number of cells that works, 0 if unknown
 };
 
 }  // namespace hgp

@@ -1,5 +1,5 @@
-// The integers of a map and what choosing them costs.  Role: relations over Z[i] and the strain of a
-// change, reduced to what is free.
+// The integers of a map and the energy of choosing them.  Role: relations over Z[i] and the strain of a
+// change, reduced to the free integers.
 #pragma once
 
 #include <memory>

@@ -9,8 +9,8 @@
 
 namespace hgp {
 
-/// A linear function of y that must stay near its direction and away from 0: the way from a cone to a
-/// neighbour. With a second one, the turn from the one to the other must stay counterclockwise instead.
+/// A linear function of y that must stay near its direction and away from 0: the path from a cone to a
+/// neighbour. With a second function, the rotation from the first to the second must stay counterclockwise instead.
 struct Separation {
   IntegerForm::Terms terms, second = {};
 };
@@ -20,12 +20,12 @@ class IntegerChoice {
  public:
   IntegerChoice(std::shared_ptr<const IntegerForm> form, std::vector<Separation> separations);
 
-  /// y₀ is changed as little as separations of two cones ask for, rounded, and then single steps ±1, ±i of the
-  /// reduced basis follow while they correct separations (wrong: D = 0, or more than 72° from where y₀
-  /// has it; not counterclockwise) or lower Q. Deterministic.
+  /// Changes y₀ as little as separations of two cones require, rounds it, and then takes single steps ±1, ±i of the
+  /// reduced basis while they correct separations (violated: D = 0, or more than 72° from its direction at
+  /// y₀; not counterclockwise) or lower Q. Deterministic.
   std::vector<Gaussian> near(const Eigen::VectorXcd& y0) const;
 
-  /// Of neighbours alone: two of them on one point fold on any patch.
+  /// Violated separations of two cones only: with two cones on one point there is a fold on any patch.
   int wrongPairs(const Eigen::VectorXcd& y0, const std::vector<Gaussian>& y) const;
   int wrongSeparations(const Eigen::VectorXcd& y0, const std::vector<Gaussian>& y) const;
   double energy(const Eigen::VectorXcd& y0, const std::vector<Gaussian>& y) const;

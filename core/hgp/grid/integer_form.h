@@ -1,5 +1,4 @@
-// A quadratic form over Z[i]ᵏ in a basis that suits it.  Role: the closest-vector problem that choosing
-// integers is.
+// A quadratic form over Z[i]ᵏ in a reduced basis.  Role: choosing the integers of a grid is a closest-vector problem.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,8 +10,8 @@
 namespace hgp {
 
 /// Q(y) = yᴴ S y, S Hermitian and positive definite, over y = U w with U unimodular over Z[i], reduced pair by
-/// pair: no basis vector becomes shorter by a Gaussian multiple of another, shorter in the sense of Q. So a
-/// unit step of one w is a change that few cones see.
+/// pair: subtracting a Gaussian multiple of one basis vector from another does not lower Q. A
+/// unit step of one w is then a local change, which moves few cones.
 class IntegerForm {
  public:
   using Terms = std::vector<std::pair<int, Complex>>;
@@ -30,8 +29,8 @@ class IntegerForm {
 
   /// S⁻¹ G over w.
   Eigen::MatrixXcd solve(const Eigen::MatrixXcd& G) const;
-  /// Integers near w: rounded one after the other, each time with those not rounded yet moved to their conditional
-  /// minimum; first those that the form holds tightest.
+  /// Babai's nearest plane: rounds the components of w one by one, largest pivot first, each time moving those not
+  /// rounded yet to their conditional minimum.
   std::vector<Gaussian> rounded(const Eigen::VectorXcd& w) const;
 
  private:

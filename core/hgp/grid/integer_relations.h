@@ -1,5 +1,5 @@
-// Homogeneous linear relations over Z[i], solved in integers.  Role: which translations of the seams
-// can be chosen freely so that all of them are integers.
+// Solves homogeneous linear relations over Z[i] in integers.  Role: finds the translations of seams that
+// can be chosen freely so that all translations are integers.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ struct IntegerBasis {
 
 /// Gauss–Jordan with unit pivots; rows are divided by their content, and a row without a unit is
 /// brought to one by Euclid's algorithm on the variables. Redundant relations are dropped.
-/// @return nothing where a coefficient grows beyond 2³⁰ (never seen on seams)
+/// @return nothing where a coefficient grows beyond 2³⁰ (has not occurred on seams)
 std::optional<IntegerBasis> solveRelations(int variableCount,
                                            const std::vector<GaussianSum>& relations);
 

@@ -1,5 +1,5 @@
-// A change of a map that turns triangles over, solved for again where it does.  Role: the cone program
-// of [BCW17 (13)] around a map that is known, translations held.
+// Repairs a change of a map that flips triangles, by solving again around these.  Role: the cone program
+// of [BCW17 (13)] with the frames of a known map and held translations.
 #pragma once
 
 #include "hgp/base/progress.h"
@@ -7,7 +7,7 @@
 
 namespace hgp {
 
-/// Everything that a change is computed from.
+/// The map and the form that a change is computed from; references only.
 struct ChangeContext {
   const TriMesh& mesh;
   const SeamStructure& seams;
@@ -21,16 +21,16 @@ std::vector<FaceId> turnedFaces(const ChangeContext& context, const Eigen::Vecto
 
 /// Minimises the strain over the vertices of `patch` that are free, everything else held as in x,
 /// subject to Re f_z − |f_z̄| ≥ ε on `bound`: its frames are those of the map itself, f_z = 1.
-/// @param work  multiply-adds of its factorizations are added
-/// @return false where there is no such change, the form is singular or `progress` cancels; x is then as
-///         before
+/// @param work  the multiply-adds of the factorizations are added to it
+/// @return false where there is no such change, the form is singular or `progress` cancels; x is then
+///         unchanged
 bool repairChange(const ChangeContext& context, const std::vector<FaceId>& patch,
                   const std::vector<FaceId>& bound, const std::vector<char>& isHeld,
                   Eigen::VectorXcd& x, double& work, const Progress& progress);
 
-/// `faces` and everything within so many rings of vertices, ascending.
+/// `faces` and all faces within this many rings of vertices, ascending.
 std::vector<FaceId> facesAround(const TriMesh& mesh, const std::vector<FaceId>& faces, int rings);
-/// The same in parts that have no vertex in common: what happens in one is nothing to the others.
+/// The same in sets that have no vertex in common and can therefore be solved independently.
 std::vector<std::vector<FaceId>> patchesAround(const TriMesh& mesh,
                                                const std::vector<FaceId>& faces, int rings);
 

@@ -1,5 +1,5 @@
-// The seams of a map that is given by copies: chains, their rotations, and every copy in terms of
-// the first one of its vertex.  Role: (12) of [BCW17] as exact integer relations, for q = 1, 2, 4.
+// The seams of a map read from its uv indices: chains, their rotations, and every copy in terms of
+// the first copy of its vertex.  Role: (12) of [BCW17] as exact integer relations, for q = 1, 2, 4.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@ struct CopyPlace {
   GaussianSum shift;
 };
 
-/// A run of seam edges with one law: z_right = i^turn z_left + t.
+/// A run of seam edges with the same relation z_right = i^turn z_left + t.
 struct TurnedChain {
   int turn = 0;
   std::vector<HalfedgeId> left;  ///< consecutive; their faces see the chain on the left
@@ -51,8 +51,8 @@ struct SeamStructure {
 /// Rotations are read off each chain's longest edge.
 /// @param q       1, 2 or 4
 /// @param cones   ends of chains, beside branches and the boundary
-/// @return nothing where copies are not shared as above (a sector with two copies, an index out of
-///         range): such a map comes from elsewhere
+/// @return nothing where copies are not shared as described above (a sector with two copies, an index out of
+///         range), which happens only for maps that hgp did not compute
 std::optional<SeamStructure> readSeams(const TriMesh& mesh, const UvMap& map, int q,
                                        const std::vector<VertexId>& cones);
 
@@ -60,7 +60,7 @@ std::optional<SeamStructure> readSeams(const TriMesh& mesh, const UvMap& map, in
 std::vector<Complex> chainTranslations(const SeamStructure& seams, const TriMesh& mesh,
                                        const std::vector<Vec2>& uv);
 
-/// What nodes demand of translations: Σ = 0 where the closure has no rotation.
+/// The relations Σ factor · t = 0 of all nodes whose closure has no rotation.
 std::vector<GaussianSum> closureRelations(const SeamStructure& seams);
 
 }  // namespace hgp

@@ -1,5 +1,5 @@
-// A map moved onto a dyadic grid so that its seams hold exactly.  Role: (12) of [BCW17] bit for bit in
-// what is stored: both sides of every seam satisfy z' = i^r z + t without any rounding.
+// Rounds a map to a dyadic grid so that its seams hold exactly.  Role: (12) of [BCW17] in the stored numbers:
+// both sides of every seam satisfy z' = i^r z + t without any rounding.
 #pragma once
 
 #include <optional>
@@ -35,10 +35,10 @@ class SeamSnapper {
   static std::optional<SeamSnapper> make(const TriMesh& mesh, const UvMap& map, int q,
                                          const std::vector<VertexId>& cones);
 
-  /// Vertices to multiples of 2^exponent, translations to multiples of twice that (integers stay what
-  /// they are), copies and cones z = T/(1 − i^r) from them in integers. A triangle that this turns over
-  /// is repaired by moving all copies of one of its vertices together, a few steps.
-  /// @param uv  the map's, moved or scaled; finite
+  /// Rounds vertices to multiples of 2^exponent and translations to multiples of twice that (integers are kept);
+  /// computes copies and cones z = T/(1 − i^r) from them in integers. A triangle that this flips
+  /// is repaired by moving all copies of one of its vertices together, by a few steps.
+  /// @param uv  uv of the map, possibly moved or scaled; finite
   /// @return nothing where a number is not exact at this exponent: try the next one
   std::optional<SnappedMap> snap(const std::vector<Vec2>& uv, int exponent,
                                  const StoredNumbers& numbers) const;
@@ -53,8 +53,8 @@ class SeamSnapper {
   PerVertex<int> closureOf_;  ///< −1 where a vertex is free
 };
 
-/// A map whose translations are integers up to rounding, snapped as finely as doubles allow; nothing where its
-/// seams cannot be read or a triangle turns over.
+/// Snaps a map whose translations are integers up to rounding, as finely as doubles allow; nothing where its
+/// seams cannot be read or a triangle would not be positive.
 std::optional<UvMap> snapAligned(const TriMesh& mesh, UvMap map, int q,
                                  const std::vector<VertexId>& cones);
 

@@ -1,5 +1,5 @@
-// How much a change of a map strains it, as a quadratic form.  Role: what integers are chosen and maps
-// are changed by when translations become integers.
+// The strain energy of a change of a map, a quadratic form.  Role: the objective when translations become integers,
+// for the choice of the integers and for the change of the map.
 #pragma once
 
 #include <Eigen/Core>
@@ -36,7 +36,8 @@ class SeamlessChange {
   PerVertex<int> closureOf_;
 };
 
-/// Strain of a face in the map's own plane: with f = z + dx, f_z = 1 + Σ similar x, f_z̄ = Σ anti x.
+/// Derivatives of the changed map of a face with respect to the map's own plane: with f = z + dx, f_z = 1 + Σ similar x,
+/// f_z̄ = Σ anti x.
 struct FaceStrain {
   std::vector<int> unknowns;
   std::vector<Complex> similar, anti;
@@ -46,7 +47,7 @@ void faceStrain(const TriMesh& mesh, const SeamStructure& seams, const SeamlessC
 
 /// Weights of the strain energy Σ_f w_f (|dx_z̄|² + δ |dx_z|²).
 struct StrainWeights {
-  double similarity = 0.1;  ///< δ: less keeps angles at the cost of areas
+  double similarity = 0.1;  ///< δ: smaller values preserve angles at the cost of areas
   PerFace<double> face;     ///< w_f
 };
 StrainWeights strainWeights(const TriMesh& mesh, const SeamStructure& seams,

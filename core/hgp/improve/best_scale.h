@@ -1,5 +1,4 @@
-// The global scale at which a map is measured.  Role: distortion is a property of the shape of a map;
-// how large the map is drawn must not count.
+// The global scale at which distortion is measured.  Role: distortion must not depend on the size of the map.
 #pragma once
 
 #include "hgp/improve/energy.h"
@@ -11,8 +10,8 @@ namespace hgp {
 double meanEnergy(const EnergyExponents& exponents, const FaceTerms& terms, const FaceParts& parts,
                   double scale);
 
-/// The scale with the least mean energy, found from `start` by Newton's method on its logarithm (without a
-/// knee the mean is convex in it; with one each step minimises a majorizer).
+/// The scale with minimum mean energy, by Newton's method on its logarithm from `start` (without a
+/// knee the mean is convex in it; with one, each step minimises a majorizer).
 /// @pre all triangles are positive
 double bestScale(const EnergyExponents& exponents, const FaceTerms& terms, const FaceParts& parts,
                  double start);

@@ -1,5 +1,5 @@
-// How much one triangle is distorted, and the derivatives of that.  Role: the family of energies that
-// a map is improved by, from angles to areas with symmetric Dirichlet in the middle.
+// The distortion energy of one triangle and its derivatives.  Role: the family of energies that
+// improve() minimises, from angles to areas with symmetric Dirichlet in the middle.
 #pragma once
 
 #include <array>

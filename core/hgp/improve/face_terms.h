@@ -1,5 +1,5 @@
-// f_z and f_z̄ of every triangle over the unknowns of a seamless map.  Role: where the energies of
-// this module meet the reduced unknowns, so that seams and cones hold whatever is done to these.
+// f_z and f_z̄ of every triangle over the unknowns of a seamless map.  Role: energies as functions of the reduced
+// unknowns, all values of which satisfy seams and cones.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
-// What an improvement is asked for, and what each of its steps did.  Role: the words of improve.h that
-// options and reports are made of; includes nothing.
+// Options and steps of an improvement.  Role: the types of improve.h that other options and reports contain;
+// includes nothing.
 #pragma once
 
 namespace hgp {

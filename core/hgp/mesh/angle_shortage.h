@@ -1,5 +1,5 @@
-// Cones that a mesh has too few triangles for.  Role: a proof, in integers, that no locally injective map has the
-// prescribed angles, where strong cones are close to each other or to vertices of few triangles.
+// Vertices with too few triangles for their prescribed angles.  Role: a proof, in integers, that no locally injective
+// map has these angles, where strong cones are close to each other or to vertices of low valence.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,9 @@
 
 namespace hgp {
 
-/// Vertices W whose angles Θ_v = 2πk_v/q do not fit into the triangles T around them: every triangle has less than π
-/// for its corners in W, or exactly π if all three are, and Σ_W Θ_v asks for more.
+/// Vertices W whose prescribed angles Θ_v = 2πk_v/q do not fit into the triangles T around them. In a locally injective
+/// map the corners in W of a triangle have less than π together, or exactly π if all three are in W; Σ_W Θ_v is more
+/// than the sum of these bounds over T.
 struct AngleShortage {
   std::vector<VertexId>
       cones;           ///< of W, strongest first; the others are regular vertices between them
@@ -22,10 +23,10 @@ struct AngleShortage {
 /// Mean corner angle above which a cone can be part of a shortage that is looked for, radians.
 inline constexpr double kSteepCornerAngle = 1.4;
 
-/// The angles are a flow from triangles to vertices; W is what is reached from a vertex that gets too little where no more can come
-/// (Hall's condition). Looked for where a cone is steep, there first; searches end without a
-/// result at kLargestSearch vertices: what is found is a proof, what is not found is none.
-/// @param k  per vertex; q where there is no cone. What it says at boundary vertices does not count
+/// Angles are a flow from triangles to vertices. Where a vertex gets less than Θ_v and no augmenting path is left, W is
+/// what a search from it reaches (Hall's condition). Searches start at steep cones and give up after kLargestSearch
+/// vertices, so that a result is a proof, and no result proves nothing.
+/// @param k  per vertex; q where there is no cone; ignored at boundary vertices
 std::optional<AngleShortage> findAngleShortage(const TriMesh& mesh, int q, const PerVertex<int>& k);
 inline constexpr int kLargestSearch = 4000;
 

@@ -1,4 +1,5 @@
-// What stops a triangle soup from being an oriented manifold.  Role: `inspect` and precise refusals.
+// Defects: what stops a triangle soup from being an oriented manifold, and the repairs that remove them (their steps
+// are in repair/).  Role: `inspect`, messages of meshes that are refused, and `--fix`.
 #pragma once
 
 #include <string>
@@ -10,12 +11,12 @@
 namespace hgp {
 
 enum class DefectKind {
-  kIndexOutOfRange,    ///< a corner names a vertex that does not exist
-  kNotFinite,          ///< NaN or infinite position of a used vertex
-  kExtent,             ///< larger or smaller than double arithmetic on squares can carry
+  kIndexOutOfRange,  ///< a corner names a vertex that does not exist
+  kNotFinite,        ///< NaN or infinite position of a used vertex
+  kExtent,  ///< extent outside kSmallestExtent … kLargestExtent: squares over- or underflow
   kRepeatedVertex,     ///< a face names one vertex twice
   kZeroArea,           ///< a face without area (collinear or equal corners)
-  kDuplicateFace,      ///< the same three vertices twice
+  kDuplicateFace,      ///< two faces with the same three vertices
   kNonManifoldEdge,    ///< an edge with more than two faces
   kInconsistentEdge,   ///< two faces run along an edge in the same direction
   kNonManifoldVertex,  ///< the faces around a vertex form more than one fan
@@ -24,8 +25,8 @@ enum class DefectKind {
 
 /// Short stable name used in JSON ("non-manifold-edge", …).
 const char* defectName(DefectKind kind);
-/// Isolated vertices are only worth a warning, and so are faces without area where they are allowed
-/// (computeGeometry gives them lengths); everything else refuses the mesh.
+/// Whether a mesh with this defect is refused. Isolated vertices are only a warning, and so are faces without area
+/// where they are allowed (computeGeometry gives them lengths).
 bool isFatal(DefectKind kind, bool allowsZeroArea = false);
 
 struct Defect {
@@ -33,36 +34,36 @@ struct Defect {
   std::vector<Where> where;  ///< every place, in ascending order
 };
 
-/// A triangle counts as having no area when its height over the longest edge is below this part of
-/// that edge: a few rounding errors of its coordinates. Thinner than healthy is not a defect.
+/// A triangle has no area when its height over the longest edge is below this fraction of
+/// that edge: a few rounding errors of its coordinates. Triangles that are merely thin are not a defect.
 inline constexpr double kZeroHeight = 1e-15;
-/// No area in that sense; not-finite corners are another defect and never "no area".
+/// No area in that sense; false where a corner is not finite, which is a defect of its own.
 bool hasNoArea(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// Extents (the longest side of the bounding box of used vertices) that can be worked with.
+/// Accepted extents: the longest side of the bounding box of the used vertices, in the mesh's own unit.
 inline constexpr double kLargestExtent = 1e18, kSmallestExtent = 1e-100;
 
 /// All defects, one entry per kind that occurs, in the order of the enum. O(|F|).
 std::vector<Defect> findDefects(const MeshData& data);
 
-/// One sentence for the first fatal defects: "17 edges have more than two faces (first: 3–9, …)".
+/// Fails with kUnsupported and one sentence for the fatal defects: "17 edges have more than two faces (first: 3–9, …)".
 Status requireUsable(const std::vector<Defect>& defects, bool allowsZeroArea = false);
 
 /// Opt-in repairs of `--fix orient,split,degenerate`.
 struct FixOptions {
   bool orient = false;  ///< flip faces so that each orientable component is consistent
   bool split = false;   ///< duplicate vertices until edges and vertices are manifold
-  /// Allow faces without area; leave out copies of faces and what is no surface.
+  /// Allow faces without area; leave out duplicate faces and faces that are not part of a surface.
   bool degenerate = false;
 };
 
-/// Why a face is no part of the surface.
+/// Why a face is not part of the surface.
 enum class LeftOut {
   kDuplicate,  ///< it has the corners of another face, its twin
   kZeroArea,   ///< it names a vertex twice, or no face of its component has an area
 };
 struct LeftOutFace {
-  int face;  ///< as it was given
+  int face;  ///< of the mesh as given
   LeftOut why;
   int twin = -1;  ///< of kDuplicate: the face with the same corners that stays
 };
@@ -76,9 +77,9 @@ struct FixResult {
   std::vector<std::string> notes;  ///< what was done, with counts
 };
 
-/// Applies what is asked. No connection between faces changes but at split vertices, no point moves.
-/// In the order degenerate, orient, split. What cannot be repaired stays a
-/// defect for findDefects to report (a Möbius band has no orientation).
+/// Applies the chosen repairs in the order degenerate, orient, split. Adjacency of faces changes only at split
+/// vertices, and no vertex moves. What cannot be repaired remains a defect that findDefects reports (a Möbius band
+/// has no orientation).
 FixResult fixDefects(const MeshData& data, const FixOptions& options);
 
 }  // namespace hgp

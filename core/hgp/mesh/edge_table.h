@@ -1,5 +1,5 @@
-// The sides of every edge of a triangle soup, manifold or not.  Role: what defects are found with
-// and repairs are made on.
+// The sides of every edge of a triangle soup, manifold or not.  Role: connectivity for finding and
+// repairing defects.
 #pragma once
 
 #include <array>

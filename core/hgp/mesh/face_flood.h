@@ -1,4 +1,4 @@
-// The faces that are reached from one of them.  Role: components, dual trees and combing walk alike.
+// Breadth-first traversal of faces across edges.  Role: components, dual trees and combing all use it.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace hgp {
 
-/// Breadth first from `seed`. `enter(h, g)` is asked for every halfedge h of a face that was reached and the
-/// face g across it (a boundary has none), and says whether g is now reached through h; it keeps record of the
-/// faces that were reached, the seed included.
-/// @return how many were reached
+/// Breadth first from `seed`. `enter(h, g)` is called for every interior halfedge h of a face that was reached, with
+/// the face g across h, and returns whether g is now reached through h. It must itself remember which faces were
+/// reached, including the seed.
+/// @return the number of faces that were reached
 template <class Enter>
 std::size_t floodFaces(const TriMesh& mesh, FaceId seed, const Enter& enter) {
   std::vector<FaceId> reached{seed};

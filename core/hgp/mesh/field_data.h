@@ -17,7 +17,7 @@ struct Matching {
   int turn = 0;  ///< r, any integer; only its class mod q counts
 };
 
-/// One direction per face and, where the file stores them, the matchings (which then are the truth).
+/// One direction per face and, where the file stores them, the matchings (which then take precedence).
 struct FieldData {
   int order = 4;                    ///< q, directions per face
   std::vector<Vec3> directions;     ///< |F| × 3, one representative each; may be empty

@@ -1,4 +1,4 @@
-// What is asked of a map: q, cones, turning of boundaries, rotation of handles.
+// The prescription of a map: q, cones, turning of boundaries, rotations along handles.
 // Role: q, C, k_i and l_j of [BCW17 §5.2], checked against Lemma 6.2 before anything is solved.
 #pragma once
 
@@ -16,7 +16,8 @@ struct ConePoint {
   int k = 0;
 };
 
-/// The prescription for one connected surface. What is empty is completed from the smooth field.
+/// The prescription for one connected surface. Turnings and handles that are empty are completed from the smoothest
+/// field with these cones (prescribedField).
 struct HolonomySpec {
   int q = 4;
   std::vector<ConePoint> cones;
@@ -28,7 +29,7 @@ struct HolonomySpec {
   std::vector<std::optional<int>> handles;
 };
 
-/// Everything decided.
+/// A prescription in which every number is given.
 struct CompleteSpec {
   int q = 4;
   std::vector<ConePoint> cones;  ///< ascending by vertex, no k = q entries
@@ -36,30 +37,28 @@ struct CompleteSpec {
   std::vector<int> handles;  ///< r ∈ {0, …, q − 1}
 };
 
-/// The same with nothing left open.
 HolonomySpec toSpec(const CompleteSpec& spec);
 
-/// Bounds of decisions that hold for every map: 1 ≤ q ≤ kLargestOrder.
+/// 1 ≤ q ≤ kLargestOrder.
 inline constexpr int kLargestOrder = 64;
-/// A cone whose triangles need more than this angle each, on average, is a "poor vertex": warned.
+/// Cones whose triangles need more than this angle each on average, in radians, get a warning.
 inline constexpr double kPoorCornerAngle = 2.0;
 
-/// Turning indices that positive triangles can have: lowest ≤ l ≤ highest. With n boundary vertices
+/// Turning indices that are possible with positive triangles: lowest ≤ l ≤ highest. With n boundary vertices
 /// and t_v triangles at v:  q/2·Σ(1 − t_v) < l < q·n/2.
 struct TurningRange {
   long long lowest = 0, highest = 0;
 };
 TurningRange turningRange(const TriMesh& mesh, const BoundaryLoop& loop, int q);
 
-/// Outcome of the exact integer budget, whether or not it balances.
+/// Both sides of Lemma 6.2 in integers.
 struct BudgetReport {
-  long long have = 0;  ///< q|C| − Σk + Σ known l
-  long long need = 0;  ///< q(2 − 2g − m)
-  int openLoops = 0;   ///< loops whose turning is still free
-  std::vector<std::string>
-      warnings;  ///< known-hopeless patterns and poor vertices (decisions 7, 8)
-  bool isTooCoarse =
-      false;  ///< no map on this mesh has these angles (findAngleShortage), and `warnings` says so
+  long long have = 0;                 ///< q|C| − Σk + Σl over the loops with given l
+  long long need = 0;                 ///< q(2 − 2g − m)
+  int openLoops = 0;                  ///< loops whose turning is not given
+  std::vector<std::string> warnings;  ///< prescriptions that are known to fail; kPoorCornerAngle
+  /// No map on this mesh has these angles (findAngleShortage); `warnings` has the sentence.
+  bool isTooCoarse = false;
 };
 
 /// Gauss–Bonnet and admissibility in exact integers [BCW17 Lemma 6.2]:

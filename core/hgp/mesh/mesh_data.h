@@ -1,4 +1,4 @@
-// A surface as plain arrays.  Role: what io speaks; nothing is checked yet.
+// A surface as plain arrays.  Role: what io reads and writes; nothing is checked yet.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Edges split at their midpoints.  Role: a mesh that is too coarse for what is asked, a little finer and
-// of the same shape.
+// Edges split at their midpoints.  Role: refines a mesh that is too coarse for a prescription, without
+// changing its shape.
 #pragma once
 
 #include <array>
@@ -13,17 +13,17 @@ namespace hgp {
 using VertexPair = std::array<int, 2>;
 
 struct RefinedMesh {
-  MeshData mesh;                    ///< vertices of before, then one midpoint per split edge
+  MeshData mesh;                    ///< the old vertices, then one midpoint per split edge
   std::vector<VertexPair> parents;  ///< of each new vertex: the ends of its edge
-  std::vector<int> faceOrigin;      ///< face → face of before; children follow each other
-  /// Of each corner the two corners (0 to 2) of the face of before that it is the mean of; equal where
-  /// it is one of them. What is interpolated along an edge on both sides alike stays continuous.
+  std::vector<int> faceOrigin;      ///< face → old face; the children of a face are consecutive
+  /// Of each corner, the two corners (0 to 2) of the old face whose mean it is; equal where it is an old
+  /// corner. Attributes that are interpolated alike on both sides of an edge stay continuous.
   std::vector<std::array<std::array<int, 2>, 3>> cornerOrigin;
 };
 
 /// Divides every triangle with split edges: one split gives two triangles, two give three (the
 /// remaining quadrilateral by its shorter diagonal), three give four. Conforming: an edge is split in
-/// all of its triangles. Faces that name a vertex twice, and pairs that are no edge, are left alone.
+/// all of its triangles. Faces that name a vertex twice and pairs that are not an edge are ignored.
 RefinedMesh splitEdges(const MeshData& mesh, std::vector<VertexPair> edges);
 
 }  // namespace hgp

@@ -36,7 +36,7 @@ struct DualLoop {
 /// that generator i means the same in every run and file. Precondition: one component.
 std::vector<DualLoop> handleGenerators(const TriMesh& mesh);
 
-/// A connected component of a mesh as a mesh of its own.
+/// A connected component of a mesh as a separate mesh.
 struct Component {
   MeshData mesh;
   std::vector<int> vertexOrigin;  ///< ascending

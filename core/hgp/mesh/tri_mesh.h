@@ -38,8 +38,8 @@ class TriMesh {
     return {corner_[halfedge(f, 0)], corner_[halfedge(f, 1)], corner_[halfedge(f, 2)]};
   }
 
-  /// The n-th face of the surface as it was given. Where faces are numbered otherwise
-  /// (nearby_order.h), loops and generators are still found, and so numbered, in this order.
+  /// The n-th face in the order of the input. Where faces were renumbered (nearby_order.h), loops and
+  /// generators are still found, and therefore numbered, in this order.
   FaceId givenFace(int n) const {
     return givenFace_.empty() ? FaceId(n) : givenFace_[static_cast<std::size_t>(n)];
   }
@@ -102,11 +102,11 @@ class OutgoingRange {
 };
 inline OutgoingRange outgoingHalfedges(const TriMesh& mesh, VertexId v) { return {mesh, v}; }
 
-/// Builds S. Fails with kUnsupported, a count and the places, when the data is not an oriented
-/// manifold (see defects.h for the full list a user may want to see).
-/// @param allowsZeroArea  accept faces without area; a length is found for them in computeGeometry
+/// Builds S. Fails with kUnsupported, a count and the places when the data is not an oriented
+/// manifold (findDefects lists everything that is wrong).
+/// @param allowsZeroArea  accept faces without area; computeGeometry gives them lengths
 Result<TriMesh> buildTriMesh(const MeshData& data, bool allowsZeroArea = false);
-/// The same for data whose defects are known. @pre findDefects(data) names nothing fatal
+/// The same without the checks. @pre no defect of findDefects(data) is fatal
 /// @param givenFace  see TriMesh::givenFace; empty for the order of the data
 TriMesh buildUsableMesh(const MeshData& data, std::vector<FaceId> givenFace = {});
 

@@ -1,4 +1,4 @@
-// Vectors of space as far as the modules need them.  Role: written once, rounded the same everywhere.
+// Arithmetic on Vec3.  Role: one implementation, so that all modules round alike.
 #pragma once
 
 #include "hgp/base/portable_math.h"

@@ -1,5 +1,5 @@
-// What is known of every vertex of a triangle soup, manifold or not.  Role: what clients show, and let a person
-// place cones by; nothing is solved with it.
+// Angle, valence, boundary and neighbours of every vertex of a triangle soup, manifold or not.  Role: clients show
+// them where users place cones; the solver does not use them.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct VertexFacts {
   std::vector<double> angle;     ///< Θ_v: the sum of the triangle angles at v, radians
   std::vector<int> valence;      ///< triangles at v
   std::vector<char> isBoundary;  ///< an edge of v has one triangle
-  /// Of the sets of triangles that are connected by vertices, numbered by their smallest triangle; −1 for
+  /// Number of the set of triangles connected by vertices; sets are ordered by their smallest triangle. −1 for
   /// a vertex without triangles.
   std::vector<int> component;
   /// The neighbours of v, ascending: neighbours[neighbourStart[v]] … neighbours[neighbourStart[v + 1] − 1].

@@ -1,5 +1,5 @@
-// The energy that unfolds triangles, with the model that a Newton step minimises.  Role: one triangle's
-// part of untangle().
+// The foldover-free energy of one triangle [GKK21] and the quadratic model that a Newton step minimises.
+// Role: one term of untangle().
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// Where a map got a cone's angle wrong by a multiple of 2π.  Role: [BCW17 §7.1].
+// New frames around a cone whose angle is wrong by a multiple of 2π in a map.  Role: frame fixing [BCW17 §7.1].
 #pragma once
 
 #include "hgp/optimize/frames.h"
@@ -8,9 +8,9 @@ namespace hgp {
 /// Whether every face around the cone has a frame: only then can its ring be embedded.
 bool holdsRing(const TriMesh& mesh, const Frames& frames, VertexId cone);
 
-/// New frames for the triangles around `cone`: its one-ring is embedded locally with the asked angle
-/// 2πk/q. Interior angles at the cone minimise the summed squared deviation from those of `z` (made
-/// positive) under Σ = 2πk/q; spoke lengths stay those of `z`.
+/// New frames for the triangles around `cone`: its one-ring is embedded locally with the prescribed angle
+/// 2πk/q. Its interior angles at the cone are positive, have Σ = 2πk/q and minimise the sum of squared differences
+/// from those of `z`; the lengths of the edges at the cone are those of `z`.
 /// The first triangle counterclockwise keeps its own frame; the others follow from it.
 /// @param frames  changed in place for the faces around the cone
 void embedConeRing(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,

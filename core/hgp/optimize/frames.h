@@ -8,15 +8,15 @@
 
 namespace hgp {
 
-/// The constrained triangles with one frame direction each: the map shall turn the direction at
-/// `angle` (face coordinates) to within a quarter turn of the real axis, orientation preserved.
+/// The constrained triangles with one frame direction each: the map must preserve orientation and send the direction
+/// at `angle` (face coordinates) to within a quarter turn of the positive real axis.
 struct Frames {
   std::vector<FaceId> faces;   ///< ascending
   std::vector<double> angles;  ///< radians; d_j = e^{−i angle}
 };
 
-/// Triangles with a cone or a boundary vertex (F_cb); without either, face 0 as the one reference
-/// that fixes scale and direction of a flat torus.
+/// F_cb: triangles with a cone or a boundary vertex. A surface without either (a flat torus) has face 0, whose
+/// frame then fixes scale and direction of the map.
 std::vector<FaceId> coneAndBoundaryFaces(const TriMesh& mesh, const std::vector<VertexId>& cones);
 
 /// Frames of the given faces from the combed field.

@@ -1,4 +1,5 @@
-// The convex program of one round.  Role: [BCW17 (11)–(13)] → socp::Problem and back, in one file.
+// The convex program of one round.  Role: states [BCW17 (11)–(13)] as a socp::Problem, solves it, and
+// translates the solution back into a map.
 #pragma once
 
 #include <vector>
@@ -21,9 +22,9 @@ struct ProgramResult {
   std::vector<FaceId> conflict;  ///< constrained triangles with the largest duals, if infeasible
 };
 
-/// minimise ‖D L z‖² + distortion, over seamless z, subject to
+/// minimise ‖D L z‖² + distortion [BCW17 (11)], over seamless z (12), subject to
 ///   Re(f_z d̄_j) − |f_z̄| ≥ ε e^{u_f} on the frames' faces [BCW17 (13)],  D = diag(e^{−u_v}).
-/// Of a patch, over its free unknowns alone; each frame's triangle must have one.
+/// With a Patch, over its free unknowns only; each frame's triangle must contain one of them.
 ProgramResult solveProgram(const SeamlessSystem& system, const Frames& frames,
                            const ProgramOptions& options);
 

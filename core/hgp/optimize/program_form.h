@@ -1,5 +1,5 @@
-// A program reduced to the unknowns that its frame conditions touch.  Role: two ways to get there,
-// one interface for the cone program.
+// A program reduced to the unknowns that occur in its frame conditions.  Role: one interface for the two ways
+// of reducing it, penaltyForm and exactForm.
 #pragma once
 
 #include <memory>
@@ -28,10 +28,10 @@ class ProgramForm {
 std::unique_ptr<ProgramForm> penaltyForm(const ProgramInput& in, const PenaltyObjective& objective,
                                          const HeldUnknowns& held);
 
-/// Harmonicity exact at every vertex that no frame condition touches; what is minimised is the
-/// residual at the touched ones. Half the factor's size and a fraction of its cost, for maps that
-/// have harmonic neighbours: automatic cones and disks. Its root is dense.
-/// Null when rows are singular, or more than kLargestExactRoot unknowns are touched.
+/// The map is exactly harmonic at every vertex that occurs in no frame condition; the residual at the others is
+/// minimised. Half the factor size of penaltyForm and a fraction of its cost, for maps that are close to
+/// harmonic: automatic cones and disks. The root of the factor is dense.
+/// Null when the rows are singular, or frame conditions contain more than kLargestExactRoot unknowns.
 std::unique_ptr<ProgramForm> exactForm(const ProgramInput& in, const ExactObjective& objective,
                                        const HeldUnknowns& held);
 inline constexpr int kLargestExactRoot = 1200;

@@ -1,4 +1,4 @@
-// How one program is stated.  Role: the choices between the printed program and its variants.
+// Options of one program.  Role: the choices between the program as printed in [BCW17] and its variants.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@ namespace hgp {
 
 /// The whole surface: every unknown but the one that is held (pinnedUnknown).
 struct WholeSurface {};
-/// A part of a map to solve for again, everything else left where it is.
+/// A part of a map that is solved again while everything else is held.
 struct Patch {
   std::vector<char> isFree;  ///< by unknown of ReducedUnknowns
   Eigen::VectorXcd x;        ///< all unknowns; those that are not free keep these values
@@ -28,7 +28,7 @@ struct PenaltyObjective {
   Domain domain;
 };
 
-/// Harmonicity exact where no frame condition reaches (see exactForm); of the whole surface always.
+/// Exactly harmonic away from frame conditions (see exactForm); always of the whole surface.
 struct ExactObjective {
   /// @param tree  of the mesh's vertices (vertexTree); lives as long as the objective
   explicit ExactObjective(const linalg::SeparatorTree& tree) : vertexTree(&tree) {}
@@ -37,23 +37,22 @@ struct ExactObjective {
 
 using Objective = std::variant<PenaltyObjective, ExactObjective>;
 
-/// Frame conditions that may be broken: the distortion term of these faces has this weight instead. With
-/// no other frames the program is one linear system.
+/// Soft frame constraints: instead of a condition (13), the distortion term of these faces has this weight. A program
+/// without hard ones is one linear system.
 struct SoftFrames {
   std::vector<FaceId> faces;
   double weight = 0.0;
 };
 
 struct ProgramOptions {
-  /// log conformal factor that rows and frame conditions are weighted by (recipe: scale weighting);
-  /// all zero is the program as printed.
+  /// log conformal factor: rows are weighted by e^{−u}, and frame conditions are in units of e^u;
+  /// u = 0 is the program as printed.
   PerVertex<double> u;
-  /// ε of (13) in units of the local scale e^u. Only its size relative to a scale-fixing term
-  /// counts: the printed program is homogeneous.
+  /// ε of (13) in units of the local scale e^u. The printed program is homogeneous, so that ε matters only
+  /// relative to a term that fixes the scale.
   double margin = 0.05;
-  /// δ of a distortion term so small that it merely makes the minimiser unique (a disk with a
-  /// free boundary, a flat torus and many others have whole spaces of q-CCMs). It prefers the most
-  /// conformal of them.
+  /// δ of a distortion term that only makes the minimiser unique: a disk with a free boundary, a flat torus and
+  /// others have whole spaces of q-CCMs. It selects the most conformal of them.
   double tieBreak = 1e-5;
   Objective objective;
   SoftFrames soft;

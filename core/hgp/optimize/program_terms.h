@@ -1,5 +1,5 @@
-// The rows that [BCW17 (11)–(13)] is made of.  Role: what the two ways of reducing the program to its
-// constrained triangles share.
+// The rows of objective and constraints of [BCW17 (11)–(13)].  Role: shared by penaltyForm and exactForm, the two
+// ways of reducing the program to its constrained triangles.
 #pragma once
 
 #include <vector>
@@ -17,12 +17,12 @@ struct ProgramInput : SeamlessSystem {
   const ProgramOptions& options;
 };
 
-/// Translations of the whole map are free: the unknown that is held at 0, −1 when there is none. It is
-/// where the map is smallest (of constrained triangles, where there are any): numbers have most digits
-/// there, and rows weighted by e^{−u} hold it fast.
+/// The unknown that is held at 0 because a translation of the whole map is free; −1 when none is needed. It is the
+/// one where the map is smallest (among those of constrained triangles, if there are any): floating-point numbers
+/// near 0 have the finest spacing there, and rows weighted by e^{−u} determine the values around it best.
 int pinnedUnknown(const ProgramInput& in);
 
-/// Unknowns that a program does not solve for, and where they stay.
+/// Unknowns that a program does not solve for, and their values.
 struct HeldUnknowns {
   std::vector<char> isHeld;  ///< by unknown
   Eigen::VectorXcd value;    ///< by unknown; used where held
@@ -30,7 +30,7 @@ struct HeldUnknowns {
 /// The pinned unknown or, of a patch, everything that is not free.
 HeldUnknowns heldUnknowns(const ProgramInput& in);
 
-/// Mean of u over a face's corners: its triangle's local scale is e^u.
+/// Mean of u over a face's corners; e to that power is the local scale of its triangle.
 double faceScale(const ProgramInput& in, FaceId f);
 
 /// f_z = Σ similar_i x_i + heldSimilar and f_z̄ = Σ anti_i x_i + heldAnti over the unknowns that are

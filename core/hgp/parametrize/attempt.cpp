@@ -106,7 +106,7 @@ PerVertex<double> Attempts::scaleOf(const State& state) const {
   const bool isFromMap = weighting.isFromMap && hasMap && state.untangling < 0;
   PerVertex<double> u = isFromMap ? scaleOfMap(problem_, state.from->program.z) : field.u;
   const double clamp = state.untangling < 0 ? weighting.clamp : kNoClamp;
-  // What is clamped, or was a map's, is mild enough already.
+  // Weights that are clamped, or were taken from a map, have a moderate range already.
   const bool isMild = isFromMap || clamp < kNoClamp || field.scaleRange <= kWeightedScaleRange;
   const double share = isMild ? 1.0 : kWeightedScaleRange / field.scaleRange;
   const double median = medianOf(u.raw());

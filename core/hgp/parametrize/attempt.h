@@ -1,4 +1,4 @@
-// One state turned into a map and verified.  Role: from the strategy's values to a program and back.
+// Solves the program of a state and verifies the map.  Role: one round of the loop.
 #pragma once
 
 #include "hgp/parametrize/parametrization.h"
@@ -6,12 +6,12 @@
 
 namespace hgp {
 
-/// Poses, solves, lays out and verifies. What several states share is found once.
+/// Caches what several states have in common.
 class Attempts {
  public:
   Attempts(const Problem& problem, const ParametrizeOptions& options);
 
-  /// Null when the caller cancelled.
+  /// Poses the program of `state`, solves it, and verifies the map. Null when `progress` cancelled.
   std::shared_ptr<const Attempt> make(const State& state, int round);
 
  private:

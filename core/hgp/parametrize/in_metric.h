@@ -1,5 +1,5 @@
-// One surface, one metric.  Role: the page that reads like §7 of [BCW17], for parametrize(), which tries the
-// surface's own metric and then the evened one.
+// The method in one metric.  Role: [BCW17 §7] for parametrize(), which tries the surface's own metric and then
+// the evened one (metrics.cpp).
 #pragma once
 
 #include "hgp/field/prepared_surface.h"

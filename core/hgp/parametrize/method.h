@@ -1,4 +1,4 @@
-// The roads to a map, by name.  Role: `--method`, and what the strategy may do.
+// The methods by name.  Role: `--method`; limits what the strategy may try.
 #pragma once
 
 #include <optional>
@@ -6,12 +6,12 @@
 
 namespace hgp {
 
-/// Which road is taken. All but kAuto stay on theirs.
+/// How a map is sought. kAuto combines the others; each of the others tries nothing else.
 enum class Method {
-  kAuto,  ///< what measurements support: soft, then hard constraints with repairs, then untangling
-  kHarmonic,  ///< hard frame constraints on F_cb, rows weighted by e^{−u}: harmonic where it can be
-  kSoft,      ///< soft frame constraints: linear programs, hard ones where the map went wrong
-  kPrinted,  ///< (11)–(13) as printed, frames and weights of the failed map for the next program
+  kAuto,  ///< soft, then hard constraints with repairs, then untangling (docs/decisions/015, 032)
+  kHarmonic,  ///< hard frame constraints on F_cb, rows weighted by e^{−u}: harmonic where possible
+  kSoft,      ///< soft frame constraints (linear systems); hard ones where the map is wrong
+  kPrinted,  ///< (11)–(13) as printed, with frames and weights of the failed map for the next program
   kAllFrames,  ///< hard frame constraints on every triangle (bounded distortion)
 };
 const char* methodName(Method method);  ///< "auto", "harmonic", "soft", "printed", "all-frames"

@@ -1,5 +1,4 @@
-// What a run is asked and what it gives.  Role: the values of parametrize.h, for those who only pass
-// them on.
+// Options and result of a run.  Role: the types of parametrize.h, for code that only passes them on.
 #pragma once
 
 #include <optional>
@@ -20,31 +19,31 @@
 namespace hgp {
 
 struct ParametrizeOptions {
-  int maxRounds = 24;  ///< programs at most
-  /// No further program once so much is spent, in units of workOf() (strategy.h) for each of the surface's
-  /// triangles, or of kSmallSurface where it has fewer.
+  int maxRounds = 24;  ///< maximum number of programs
+  /// No further program once this much is spent, in units of workOf() (strategy.h) per triangle of the
+  /// surface, or per kSmallSurface triangles where it has fewer.
   double largestWork = 1000.0;
   static constexpr int kSmallSurface = 20'000;
   Method method = Method::kAuto;
   /// Directions (and matchings, where stored) to take as the frames d_j of (13) and as seam
   /// rotations, instead of our own smooth connection with the same holonomy. They must realise the
-  /// prescription exactly, and decide what it leaves open.
+  /// prescription exactly, and determine what it leaves open.
   std::optional<FieldData> frames;
   GridOptions grid;  ///< align translations to a grid after a certified solve (q = 2, 4)
-  /// Less distortion of the given kind, from a certified map; what was certified stays certified.
+  /// Lower this kind of distortion of a certified map; the result is again certified.
   std::optional<ImproveOptions> improve;
   Progress progress;  ///< return false to cancel
 };
 
 /// One pass of "solve, verify, repair".
 struct Round {
-  std::string method;            ///< what was tried, in words ("weighted", "growth", "lift", …)
-  int constrainedTriangles = 0;  ///< |F_cb| and what growth added
+  std::string method;            ///< what was tried, in words (nameOf in strategy.h)
+  int constrainedTriangles = 0;  ///< triangles with hard frame constraints
   int iterations = 0;            ///< of the interior-point method
   std::string solverStatus;      ///< "optimal", "infeasible", "stalled", …
   int flipped = 0;               ///< triangles that are not positive
   int wrongAngles = 0;           ///< vertices and loops with a wrong angle sum
-  double laplacianEnergy = 0.0;  ///< ‖Lz‖², a solver statistic
+  double laplacianEnergy = 0.0;  ///< ‖Lz‖² of (11), in uv units squared
   double work = 0.0;             ///< multiply-adds of the program's factorizations
   double seconds = 0.0;
 };
@@ -82,7 +81,8 @@ struct Parametrization {
   std::vector<StageTime> times;
   std::vector<std::string> notes;  ///< warnings and explanations for people
   std::optional<GridReport> grid;  ///< where a grid was asked; without one the map is as solved
-  std::vector<FaceId> conflict;    ///< triangles that fight, where the program is infeasible
+  std::vector<FaceId>
+      conflict;  ///< constrained triangles that contradict each other, if infeasible
 };
 
 }  // namespace hgp

@@ -30,7 +30,7 @@ Round describe(const Problem& problem, const State& state, const Attempt& attemp
   return round;
 }
 
-/// How far from certified, to keep the best of several maps.
+/// Orders maps, to keep the best one: −1 when certified, then by the number of wrong triangles, vertices and loops.
 long long distanceToCertified(const Attempt& attempt) {
   if (attempt.certificate.isCertified) return -1;
   return attempt.certificate.isMeasured ? attempt.wrongCount : 1LL << 40;
@@ -62,7 +62,7 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// In this order: what is wrong in few places, then other frames, then everything anew.
+/// In this order: repairs of few places, then other frames, then everything again with another weighting.
 constexpr Move kMoves[] = {frameByMap, widenPatch, solvePatch,    frameByAngles, untangleNext,
                            fixLifts,   enlarge,    iterateFrames, nextWeighting};
 
@@ -79,7 +79,8 @@ std::optional<State> firstMove(const Problem& problem, const State& state,
 
 }  // namespace
 
-/// Attempt, verify, keep the best, first applicable move; until certified or out of moves [BCW17 §7].
+/// The loop [BCW17 §7]: solve and verify a state, keep the best map, take the first move that applies; until a map is
+/// certified, no move applies, or the work or the rounds are spent.
 static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
                                                     const ParametrizeOptions& options,
                                                     std::vector<Round>& rounds) {
@@ -88,7 +89,7 @@ static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
   std::set<std::uint64_t> tried;
   State state = firstState(problem);
   double work = problem.largestWork;
-  // Where no map can have the angles, one that shows where edges are to be split.
+  // No map can have the angles: one round, whose map shows --refine which edges to split.
   const int mostRounds =
       problem.setup->isTooCoarse ? std::min(1, options.maxRounds) : options.maxRounds;
   for (int round = 1; round <= mostRounds; ++round) {

@@ -1,5 +1,5 @@
-// Given cones, a certified locally injective seamless map.  Role: the page that reads like §7 of
-// [BCW17]; the only loop over "try, verify, repair".
+// From cones to a certified, locally injective, seamless map.  Role: the method of [BCW17 §7]; parametrize.cpp
+// has the only loop over "solve, verify, choose the next move".
 #pragma once
 
 #include "hgp/parametrize/parametrization.h"
@@ -7,9 +7,9 @@
 namespace hgp {
 
 /// Solves and verifies one connected surface. A map that is not certified is a successful return with
-/// isCertified = false; failures are prescriptions that cannot be, given frames that contradict the
-/// prescription (kPrescription) or are none (kUsage, kMalformed), limits and cancellation.
-/// The road depends on mesh, prescription and options alone.
+/// isCertified = false. Fails with kPrescription for a prescription that no map can have or given frames that
+/// contradict it, with kUsage or kMalformed for given frames that are incomplete, with kLimit and with kCancelled.
+/// Deterministic: the result depends only on mesh, prescription and options.
 /// @pre mesh has one component
 Result<Parametrization> parametrize(const TriMesh& mesh, const HolonomySpec& spec,
                                     const ParametrizeOptions& options);
@@ -18,26 +18,27 @@ Result<Parametrization> parametrize(const TriMesh& mesh, const HolonomySpec& spe
 /// weights. Fails with kUnsupported when the surface is not a disk, with kUsage for given frames.
 Result<Parametrization> parametrizeConvex(const TriMesh& mesh, const ParametrizeOptions& options);
 
-/// The surface cut open to a disk, and that by parametrizeConvex: injective, but its seams fit nowhere. For what
-/// has no other map. Of `options` only the progress counts. @pre mesh has one component
+/// parametrizeConvex of the surface cut open to a disk: injective, but not seamless. For surfaces that have no other
+/// map (--keep-going). Of `options` only `progress` is used. @pre mesh has one component
 Result<UvMap> cutDiskMap(const TriMesh& mesh, const ParametrizeOptions& options);
 
-/// Room between automatic cones for a grid of this spacing, and for quads two edges at each at least.
+/// Spacing of automatic cones for a grid with cells of this edge length (units of the surface); for quads, cone angles
+/// are also at least 180°.
 ConeSpacing roomForGrid(double spacing, GridMode mode, int q);
 
-/// Cones, turning and handles by themselves ("automatic cones").
+/// Automatic cones, with turning and handles.
 Result<CompleteSpec> suggestCones(const TriMesh& mesh, const SuggestOptions& options);
 
-/// Both again for a surface that is kept: what one run prepared, the next ones use. What was suggested
-/// and is then solved gives the map of the same cones named by anybody else, to the last bit.
+/// The same two functions for a surface that is kept: later runs reuse what the first one prepared. Solving suggested
+/// cones gives the same bits as solving equal cones that the caller prescribes.
 class PreparedSurface;
 Result<CompleteSpec> suggestCones(PreparedSurface& surface, const SuggestOptions& options,
                                   std::vector<StageTime>* times = nullptr);
 Result<Parametrization> parametrize(PreparedSurface& surface, const HolonomySpec& spec,
                                     const ParametrizeOptions& options);
 
-/// The prescription that a given field has, exactly (stored matchings are the truth). `expected`: cones
-/// that came along; refused when the matchings contradict them.
+/// The prescription that a given field realises (stored matchings take precedence).
+/// @param expected  cones that came with the field; fails with kPrescription where the matchings contradict them
 Result<CompleteSpec> readHolonomy(const TriMesh& mesh, const FieldData& field,
                                   const std::vector<ConePoint>& expected = {});
 

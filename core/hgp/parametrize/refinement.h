@@ -1,5 +1,5 @@
-// Which edges to split where a surface is too coarse for a prescription.  Role: what is left when no move of
-// the strategy gives a map; never done unasked, as it changes the mesh.
+// Which edges to split where a surface is too coarse for a prescription.  Role: the last resort when no move of
+// the strategy gives a map; only on request (--refine), because it changes the mesh.
 #pragma once
 
 #include <string>

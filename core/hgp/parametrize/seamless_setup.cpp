@@ -11,7 +11,7 @@
 namespace hgp {
 namespace {
 
-/// Factors of larger surfaces are not kept beside those of the program.
+/// On larger surfaces the Laplacian's factor is freed before the program is factored, to save memory.
 constexpr int kKeptFaces = 200'000;
 
 /// Checks the prescription, completes it and finds its field: ours, or the given one.

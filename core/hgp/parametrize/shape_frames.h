@@ -1,5 +1,5 @@
-// Frames that follow the triangles of another metric.  Role: where those of the connection on S contradict each
-// other or give a map with wrong angles [BCW17 §7.1 generalised].
+// Frames that follow the triangles of another metric.  Role: used where the connection's frames contradict each
+// other or give a map with wrong angles [BCW17 §7.1 generalised to all triangles].
 #pragma once
 
 #include <memory>
@@ -8,19 +8,19 @@
 
 namespace hgp {
 
-/// The prescription's trivial connection on triangles of the given shapes, its direction in each carried back to S by
-/// the similarity nearest to the map from S's triangle to the other. All edges weigh alike. Null where its seams would
-/// rotate otherwise, or a triangle is too thin for float64.
+/// The prescription's trivial connection on triangles of the given shapes (all edges have the same weight); the
+/// direction in each is carried back to S by the similarity that is nearest to the affine map of the triangles. Null
+/// where the seam rotations would differ, or a triangle is too thin for float64.
 /// @param length  per halfedge, as geometryOfShapes
 std::shared_ptr<const SeamRotations> framesOfShapes(const TriMesh& mesh, const SeamlessSetup& setup,
                                                     const PerHalfedge<double>& length);
 
-/// Triangles with the angles of the prescription's angleStructure: at cones that metric is flat already, so that only
-/// handles and boundaries turn. Null where there is no structure.
+/// framesOfShapes for triangles with the angles of the prescription's angleStructure. That metric already has the
+/// prescribed cone angles, so that only handles and boundaries need adjustment. Null where there is no structure.
 std::shared_ptr<const SeamRotations> framesOfAngles(const TriMesh& mesh,
                                                     const SeamlessSetup& setup);
 
-/// framesOfAngles, found when first asked for.
+/// framesOfAngles, computed on the first call of get().
 class AngleFrames {
  public:
   /// Null where the prescription has no angle structure.
@@ -31,8 +31,8 @@ class AngleFrames {
   std::shared_ptr<const SeamRotations> frames_;
 };
 
-/// Triangles of a map, which may have other cones than asked: frames turn as the map does, but for the difference,
-/// which is spread as evenly as the surface allows.
+/// framesOfShapes for the triangles of a map, whose cone angles may differ from the prescribed ones: frames turn as the
+/// map does; the difference of the angles is spread as evenly as possible.
 /// @param z  per copy
 std::shared_ptr<const SeamRotations> framesOfMap(const TriMesh& mesh, const SeamlessSetup& setup,
                                                  const std::vector<Complex>& z);

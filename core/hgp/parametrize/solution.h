@@ -1,5 +1,5 @@
-// What the strategy ends with, before it is laid out and verified.  Role: the one value that everything
-// after the solve takes and returns: improve → align to the grid → improve with the integers held.
+// The result of the loop, and the steps after it: improve → align to the grid → improve with the integers held.
+// Role: all these steps take and return the same type.
 #pragma once
 
 #include "hgp/optimize/frames.h"
@@ -7,8 +7,8 @@
 
 namespace hgp {
 
-/// A seamless map as its reduced unknowns. Whatever x is, seams are exact; positions of the copies are
-/// z = setup->unknowns.copies · x.
+/// A seamless map given by its reduced unknowns x: z = setup->unknowns.copies · x satisfies all seam conditions for
+/// every x.
 struct Solution {
   std::shared_ptr<const SeamlessSetup> setup;
   Eigen::VectorXcd x;   ///< setup->unknowns.count
@@ -23,21 +23,21 @@ struct MappedSolution {
   Certificate certificate;
 };
 
-/// Does what options.improve asks for. The improved map replaces the one before when it is certified,
-/// not less usable, and better in what was asked; otherwise everything stays as it was. Fills
+/// Lowers the distortion as options.improve asks. The improved map replaces `mapped` if it is certified,
+/// not less usable, and better by the requested measure. Fills
 /// result.improvement and a stage time. Fails with kCancelled only.
 /// @pre mapped.certificate.isCertified, options.improve
 Status improveSolution(const TriMesh& mesh, const ParametrizeOptions& options,
                        MappedSolution& mapped, Parametrization& result);
 
-/// A map whose only fault is that its areas span more than its number type holds: descends isometrically, which
-/// raises the smallest ones, and keeps what is then certified. Fails with kCancelled only.
+/// For a map whose only fault is that its areas span more than its number type resolves: minimises isometric
+/// distortion, which enlarges the smallest areas, and keeps the result if it is certified. Fails with kCancelled only.
 Status evenOut(const TriMesh& mesh, const ParametrizeOptions& options, MappedSolution& mapped,
                Parametrization& result);
 
-/// Does what options.grid asks for: the map aligned where that keeps it certified, else as it was, with the
-/// reason in result.grid. Where an improvement is asked for as well, what alignment gave back of it is gained
-/// once more with the integers held (result.improvement->onGrid): translations and, in quad mode, cones stay
+/// Aligns the map as options.grid asks. If no aligned map is certified, `mapped` does not change and result.grid has
+/// the reason. If an improvement is asked for as well, the distortion that alignment added is lowered
+/// with the integers held (result.improvement->onGrid): translations and, in quad mode, cones stay
 /// exactly where they are. Fails with kCancelled only.
 /// @pre mapped.certificate.isCertified, options.grid.isAsked()
 Status alignSolution(const TriMesh& mesh, const ParametrizeOptions& options, MappedSolution& mapped,

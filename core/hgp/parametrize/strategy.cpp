@@ -8,7 +8,7 @@
 namespace hgp {
 namespace {
 
-/// The distortion term that steadies prescribed cones.
+/// δ of the weighting "light distortion term", for prescribed cones whose map is badly determined without it.
 constexpr double kLightQuality = 1e-3;
 /// Weight of soft frame constraints, of the order of the harmonic rows' own (0.1 to 1 do equally
 /// well).

@@ -1,5 +1,5 @@
-// What is tried, one state after another.  Role: the values that the strategy of [BCW17 §7] is made of;
-// the moves between them are in moves/.
+// The states of the strategy, each of which poses one program.  Role: data of the loop of [BCW17 §7]
+// (parametrize.cpp); the moves from one state to the next are in moves/.
 #pragma once
 
 #include <cstdint>
@@ -17,10 +17,10 @@ namespace hgp {
 
 /// Range of log scale (max u − min u) above which areas differ too much for most uses.
 inline constexpr double kHardScaleRange = 15.0;
-/// Above this the cone metric itself is beyond float64; maps that are less conformal need not be.
+/// Above this range float64 cannot resolve the areas of the cone metric itself, only those of less conformal maps.
 inline constexpr double kHopelessScaleRange = 25.0;
-/// Programs are weighted with u compressed to this range where it is larger: maps follow it, and their
-/// areas then fit float64 with room to spare.
+/// Where the range of u is larger, programs are weighted with u compressed to this range: maps follow the weights,
+/// and float64 easily resolves their areas.
 inline constexpr double kWeightedScaleRange = 14.0;
 inline constexpr double kNoClamp = 1e9;
 
@@ -43,16 +43,16 @@ struct Problem {
   Method method = Method::kAuto;
   std::vector<Weighting> weightings;
   std::vector<FaceId> base;  ///< F_cb
-  std::vector<FaceId> soft;  ///< F_cb, and a ring around it where that costs little
-  double largestWork = 0.0;  ///< that the run may spend, in units of workOf()
+  std::vector<FaceId> soft;  ///< F_cb, with a ring around it where that is cheap
+  double largestWork = 0.0;  ///< maximum work of the run, in units of workOf()
   std::shared_ptr<AngleFrames> angles;
 };
 Problem problemOf(const TriMesh& mesh, const std::shared_ptr<const SeamlessSetup>& setup,
                   const ParametrizeOptions& options);
 
-/// One program, laid out as a map and verified.
+/// One program, its map, and the map's certificate.
 struct Attempt {
-  ProgramResult program;  ///< of an infeasible program only status and conflict are of use
+  ProgramResult program;  ///< of an infeasible program only status and conflict are meaningful
   PerVertex<double> u;
   Frames frames;
   UvMap map;
@@ -70,13 +70,13 @@ enum class FrameSource : unsigned char {
   kMap          ///< framesOfMap of `from`
 };
 
-/// Everything that a round is decided by.
+/// Everything that determines the program of a round.
 struct State {
-  std::size_t weighting = 0;
-  int growth = 0;
+  std::size_t weighting = 0;     ///< index into Problem::weightings
+  int growth = 0;                ///< how often the constrained set was enlarged
   std::vector<FaceId> hard;      ///< the constrained set
-  std::vector<FaceId> patch;     ///< what is solved for; empty: everything
-  bool isWide = false;           ///< patches are wide ones
+  std::vector<FaceId> patch;     ///< the triangles that are solved for; empty: all
+  bool isWide = false;           ///< patches have more rings
   std::vector<ConePoint> lifts;  ///< frames from the embedded ring of the map `from` (§7.1)
   FrameSource source = FrameSource::kConnection;
   std::shared_ptr<const SeamRotations> frames;  ///< of that source; null: the connection's
@@ -112,7 +112,7 @@ struct Untangling {
 };
 const std::vector<Untangling>& untanglings();
 
-/// What the next state is, where the move applies. A free function per idea; none has memory.
+/// A move: the next state, or nothing where it does not apply. Each is a pure function of its arguments.
 using Move = std::optional<State> (*)(const Problem& problem, const State& state,
                                       const std::shared_ptr<const Attempt>& attempt);
 

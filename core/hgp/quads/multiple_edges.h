@@ -1,5 +1,5 @@
-// Quads that a file cannot hold.  Role: files name edges by their ends, so that two of them with the same ends
-// are one to whoever reads them.
+// Counts edges with the same end vertices.  Role: files identify edges by their ends, so that readers cannot tell such
+// edges apart.
 #pragma once
 
 #include "hgp/quads/quads.h"
@@ -10,8 +10,8 @@ struct MultipleEdges {
   /// Pairs of vertices that more than one edge joins, and loops from a vertex to itself: around handles of
   /// one or two cells, and around two cones that are so close. None is left after kMostHalvings.
   int pairs = 0;
-  /// Quads that are alone at a vertex, a cone of k = 1, and meet themselves there, in whatever grid. The pair
-  /// of vertices that each has twice is not among `pairs`.
+  /// Quads that are the only one at a vertex, a cone of k = 1, so that two of their edges coincide in any grid. The pair
+  /// of end vertices of these edges is not among `pairs`.
   int foldedQuads = 0;
 };
 MultipleEdges countMultipleEdges(const QuadMesh& quads);

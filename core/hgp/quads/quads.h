@@ -1,4 +1,4 @@
-// The quad mesh that an aligned map is.  Role: grid points, unit edges and cells of the plane carried back
+// The quad mesh of an aligned map.  Role: carries grid points, unit edges and cells of the plane back
 // to the surface, in exact integers.
 #pragma once
 

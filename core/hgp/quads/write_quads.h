@@ -1,4 +1,4 @@
-// Quad meshes as files.  Role: OBJ for tools, GLB (two triangles a quad) for a look.
+// Quad meshes as files.  Role: OBJ for other programs, GLB (two triangles per quad) for viewers.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// A primal–dual point of a Problem, and how far it is from a solution.  Role: what the interior-point loop
-// measures before every step.
+// A primal–dual point of a Problem, and how far it is from a solution.  Role: the residuals that the
+// interior-point loop evaluates before every step.
 #pragma once
 
 #include <vector>
@@ -36,8 +36,8 @@ struct Residuals {
 };
 Residuals residualsAt(const Problem& problem, const Iterate& point, double scaleH);
 
-/// Farkas: y in the cone with Fᵀy = 0 and hᵀy > 0 proves that no x has F x − h in the cone. Decided
-/// by size, since y only tends to such a direction: hᵀy > share·|h||y| and |h||Fᵀy| ≤ share·hᵀy.
+/// Farkas: y in the cone with Fᵀy = 0 and hᵀy > 0 proves that no x has F x − h in the cone. Iterates only
+/// converge to such a direction, so the test is relative: hᵀy > share·|h||y| and |h||Fᵀy| ≤ share·hᵀy.
 bool provesInfeasible(const Problem& problem, const Slacks& y, double scaleH, double share);
 
 }  // namespace hgp::socp

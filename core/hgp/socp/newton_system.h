@@ -1,5 +1,5 @@
-// The linear systems of an interior-point iteration.  Role: H + Fᵀ M F, factored by the form, and what its
-// solutions mean for s and y.
+// The linear systems of an interior-point iteration.  Role: factors H + Fᵀ M F and computes the steps of
+// x, s and y from its solutions.
 #pragma once
 
 #include "hgp/socp/iterate.h"
@@ -18,10 +18,10 @@ class NewtonSystem {
   /// The last factored matrix's inverse times rhs.
   Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const { return problem_.form->solve(rhs); }
 
-  /// After factorScaled(): the step whose scaled complementarity changes by `target` and that takes the
-  /// share `share` of the residuals away.
+  /// After factorScaled(): the step that changes the scaled complementarity by `target` and reduces the
+  /// residuals by the fraction `share`.
   Iterate step(const Slacks& target, const Residuals& residuals, double share) const;
-  /// −λ ∘ λ: straight at the solution.
+  /// −λ ∘ λ: the affine scaling direction.
   Slacks predictorTarget() const;
   /// Adds the second-order term of the predictor and the centring σμ.
   void correct(Slacks& target, const Iterate& predictor, double centring) const;

@@ -1,5 +1,5 @@
 // A convex quadratic program with second-order cones of dimension 3.  Role: standard form of
-// [BCW17 (11)–(13)] after the static unknowns are eliminated.
+// [BCW17 (11)–(13)] after elimination of the unknowns that no frame condition contains.
 #pragma once
 
 #include <Eigen/Core>
@@ -38,10 +38,10 @@ struct SolveOptions {
 };
 
 enum class SolveStatus {
-  kOptimal,     ///< all residuals and the gap below their targets
-  kAlmost,      ///< progress ended close to the targets; check the point for what it is needed for
-  kInfeasible,  ///< the constraints contradict each other: y grows while F x − s − h stays
-  kStalled,     ///< steps became too short, or the factorization failed
+  kOptimal,  ///< all residuals and the gap below their targets
+  kAlmost,   ///< no further progress close to the targets; the caller must check the point
+  kInfeasible,  ///< the constraints contradict each other: y grows while F x − s − h does not shrink
+  kStalled,  ///< steps became too short, or the factorization failed
   kIterationLimit,
   kCancelled,
 };
@@ -50,7 +50,8 @@ const char* statusName(SolveStatus status);
 /// The last or best iterate, whatever the status.
 struct Solution {
   Eigen::VectorXd x;
-  std::vector<Eigen::Vector3d> y;  ///< duals; large ones name the constraints that fight
+  std::vector<Eigen::Vector3d>
+      y;  ///< duals; the largest belong to constraints that contradict each other
   SolveStatus status = SolveStatus::kStalled;
   int iterations = 0;
   bool isFree = false;          ///< no constraint binds: the minimiser of the objective alone

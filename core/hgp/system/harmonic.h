@@ -15,11 +15,10 @@ struct HarmonicSystem {
 ///
 ///   Σ_s Σ_{v_j ∈ N*(v_i^s)} w_ij e^{−i2πr_s/q} (z_i^s − z_j) = 0,  Σ_j w_ij = 1      [BCW17 (14)]
 ///
-/// (7) is the case of no seam, (8) of degree 2. (Here r_s turns the first sector into sector s, so
-/// differences are turned back by −r_s; the paper's r_s is the correction itself.) Assembled per
-/// triangle: a seam edge's weight comes half from either side, which is the same row since its two
-/// copies are equal up to the rotation.
-/// Rows annihilate constants (of all copies at once).
+/// (7) is the case without a seam, (8) that of degree 2. Here r_s = ReducedUnknowns::turn rotates the first sector into
+/// sector s, so that differences are rotated back by −r_s; the paper's r_s is that correction (docs/errata.md, 6).
+/// Assembled per triangle: each side of a seam edge contributes its half of w_ij, which gives the same row because the
+/// two copies of the edge are equal up to the rotation. The same constant at all copies is in the kernel.
 HarmonicSystem harmonicSystem(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,
                               const ReducedUnknowns& unknowns, int q,
                               const std::vector<VertexId>& cones);

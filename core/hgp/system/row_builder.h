@@ -1,4 +1,4 @@
-// Sparse rows appended one after another.  Role: rows made of short sums, without sorting triplets.
+// Builds a sparse matrix row by row.  Role: rows are short sums, so that no triplets need sorting.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -10,13 +10,13 @@ namespace hgp {
 
 using SparseRows = Eigen::SparseMatrix<Complex, Eigen::RowMajor>;
 
-/// Terms of one column add up in the order they come; a row's columns ascend in the end.
+/// Terms with the same column are added in the order of the calls; the columns of each finished row ascend.
 class RowBuilder {
  public:
   RowBuilder(int columns, int expectedRows, std::size_t expectedEntries);
 
   void add(int column, const Complex& value);
-  /// Ends the row; sums that are not above `noise` are left out.
+  /// Ends the row; sums with an absolute value of at most `noise` are left out.
   void endRow(double noise);
   /// All rows so far; leaves the builder empty.
   SparseRows take();

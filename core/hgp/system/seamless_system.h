@@ -1,4 +1,5 @@
-// A cut surface and the seamless maps of it.  Role: what every program, descent and untangling is stated on.
+// A cut surface with the parametrization of its seamless maps.  Role: common input of the conic program, of
+// improve() and of untangle().
 #pragma once
 
 #include "hgp/cut/cut_mesh.h"
@@ -9,7 +10,7 @@
 
 namespace hgp {
 
-/// References; they live as long as what they were made of.
+/// References only; the objects must outlive it.
 struct SeamlessSystem {
   const TriMesh& mesh;
   const Geometry& geometry;

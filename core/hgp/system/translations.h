@@ -15,9 +15,9 @@ struct TranslationTerm {
 };
 using TranslationSum = std::vector<TranslationTerm>;
 
-/// Solves Σ = 0 for every given sum: each eliminates one translation, chosen to keep the others'
+/// Solves Σ factor · t_chain = 0 for every given sum: each eliminates one translation, chosen to keep the other
 /// expressions short. Redundant relations are dropped.
-/// @return per chain its expression in the free translations (itself when it is free)
+/// @return per chain, its translation in terms of the free ones (the chain itself if it is free)
 std::vector<TranslationSum> solveTranslations(int chainCount,
                                               std::vector<TranslationSum> relations);
 

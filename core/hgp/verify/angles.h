@@ -10,21 +10,22 @@
 
 namespace hgp {
 
-/// What the distance of a measured angle to the nearest multiple of 2π/q is compared with, in radians.
+/// Bounds for the distance of a measured angle to the nearest multiple of 2π/q, in radians.
 struct AngleRule {
-  double tolerance = 0;         ///< accepted without further ado
-  double largestRounding = 0;   ///< most that rounding may excuse
-  PerVertex<double> rounding;   ///< how far storing can turn the sum at a vertex; 0 without seams
-  PerVertex<double> explained;  ///< how far the number type explains it to be turned
+  double tolerance = 0;        ///< always accepted
+  double largestRounding = 0;  ///< upper bound of what is accepted because of rounding
+  PerVertex<double> rounding;  ///< how much storing can change the sum at a vertex; 0 without seams
+  PerVertex<double> explained;  ///< how much the number type can change it (SeamRule::computing)
 };
-/// However coarse a tolerance: the nearest integer stays beyond doubt. In units of 2π/q.
+/// Upper bound of any tolerance, in units of 2π/q: the nearest integer must be beyond doubt.
 inline constexpr double kLargestAngleAllowance = 0.25;
 
 /// An angle compared with the nearest multiple of 2π/q, in radians.
 struct AngleDistance {
-  double distance = 0;       ///< to 2π·measured/q
-  double allowed = 0;        ///< largest accepted distance here
-  bool isExplained = false;  ///< the number type explains it: AngleRule::explained
+  double distance = 0;  ///< to 2π·measured/q
+  double allowed = 0;   ///< largest accepted distance here
+  bool isExplained =
+      false;  ///< at most AngleRule::explained: due to the number type, not to the map
 
   bool isTooFar() const { return !(distance <= allowed); }
 };
@@ -32,7 +33,7 @@ struct AngleDistance {
 /// An interior vertex with angle sum Θ = 2πk/q, k as measured, up to `distance`.
 struct MeasuredCone : AngleDistance {
   VertexId vertex;
-  int asked = 0;     ///< k; q where no cone was asked for
+  int asked = 0;     ///< prescribed k; q where no cone is prescribed
   int measured = 0;  ///< the nearest integer
 };
 
@@ -60,12 +61,12 @@ struct AngleFacts {
 /// triangle has the angles of its mirror image). Absolute error a few 1e-16 at any scale.
 PerHalfedge<double> computeUvAngles(const TriMesh& mesh, const CornerUv& uv);
 
-/// What the angles are compared with.
+/// The prescribed angles.
 struct AskedAngles {
   int q = 4;
-  PerVertex<int> k;                         ///< per vertex; q where regular
-  PerVertex<char> isCone;                   ///< 1 where a cone was asked for
-  bool isAnyConeAllowed = false;            ///< where isCone = 0, every measured k ≥ 1 will do
+  PerVertex<int> k;               ///< per vertex; q where regular
+  PerVertex<char> isCone;         ///< 1 where a cone is prescribed
+  bool isAnyConeAllowed = false;  ///< where isCone = 0, every measured k ≥ 1 is accepted
   std::vector<std::optional<int>> turning;  ///< per loop
 };
 

@@ -202,7 +202,8 @@ Certificate Verifier::certify(const HolonomySpec& asked, const UvMap& map,
     certificate.reasons.push_back({Rule::kEmpty, 1, 0.0, "There is no triangle to verify.", {}});
   else if (gathered.reasons.empty() && asked.q >= 1)
     measure(mesh_, topology_, wanted, generators_, gathered.uv, options, certificate);
-  for (auto* more : {&wanted.misfits, static_cast<const std::vector<Reason>*>(&gathered.reasons)})
+  for (auto* more :
+       {&wanted.mismatches, static_cast<const std::vector<Reason>*>(&gathered.reasons)})
     certificate.reasons.insert(certificate.reasons.end(), more->begin(), more->end());
   certificate.isCertified = certificate.isMeasured && certificate.reasons.empty();
   certificate.isUsable = certificate.isMeasured &&

@@ -1,5 +1,5 @@
-// The verifier: what a map is, by inspection.  Role: hypotheses and conclusion of [BCW17 Thm 6.1],
-// Def. C.1. Shares no code with the method; sees only a mesh, the asked angles and uv.
+// The verifier: measures a map and decides whether it is certified.  Role: hypotheses and conclusion of
+// [BCW17 Thm 6.1], Def. C.1. Shares no code with the method; its input is a mesh, the prescription and uv.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ namespace hgp {
 
 /// What a map must satisfy. Order: from "cannot be measured" to "measured and wrong".
 enum class Rule {
-  kPrescription,  ///< what was asked does not fit this mesh
+  kPrescription,  ///< the prescription does not fit this mesh
   kMalformedUv,   ///< cornerUv has the wrong size or an index out of range
   kNotFinite,     ///< a used uv is NaN or infinite
   kOrientation,   ///< a triangle whose signed area is not positive
@@ -29,7 +29,7 @@ enum class Rule {
   kHandle,        ///< a handle whose rotation is not as asked
   kGaussBonnet,   ///< the measured integers break Lemma 6.2
   kEuler,         ///< V − E + F ≠ 2c − 2g − m
-  /// As asked up to what the number type explains, which is more than the tolerance; or areas that
+  /// Deviations above the tolerance that the resolution of the number type explains, or areas that
   /// span more than it resolves
   kRange,
   kEmpty,  ///< there is no triangle
@@ -56,28 +56,28 @@ struct Certificate {
   OrientationFacts orientation;
   AngleFacts angles;
   SeamFacts seams;
-  ExactSeamFacts exactSeams;  ///< a fact: nothing is decided by it
+  ExactSeamFacts exactSeams;  ///< reported; the verdict does not depend on it
   DistortionFacts distortion;
-  OverlapFacts overlap;  ///< filled by who ships the map: it costs more than it tells a solver
+  OverlapFacts overlap;  ///< reported; certify() leaves it empty, the API fills it (measureOverlap)
   /// Gauss–Bonnet from measured integers: Σ(q − k) + Σl = q(2c − 2g − m).
   long long gaussBonnetHave = 0, gaussBonnetNeed = 0;
 
   bool isMeasured = false;   ///< uv were well formed and finite, so the facts above are there
   bool isCertified = false;  ///< every rule holds; then `reasons` is empty
-  bool isUsable = false;     ///< areaSpan is above the epsilon of `precision`; certified maps are
+  bool isUsable = false;     ///< areaSpan is above the machine epsilon of `precision`
   std::vector<Reason> reasons;
 };
 
-/// Certifies maps of one mesh. Never fails: a map that cannot be measured is a certificate that says so.
+/// Certifies maps of one mesh. Never fails: for a map that cannot be measured, the certificate says so.
 ///
-/// Certified means: there are triangles, and every one has exactly positive signed area; every interior
-/// angle sum is 2πk/q with the k asked (k = q where no cone is listed); every given turning index and
-/// handle rotation is as asked; every seam edge is related by a rotation by a multiple of 2π/q; each of
-/// them within `Thresholds`; and the areas span no more than the number type resolves. Empty
+/// Certified means: there are triangles, and every one has positive signed area (exact sign); every interior
+/// angle sum is 2πk/q with the prescribed k (k = q where no cone is listed); every given turning index and
+/// handle rotation is as prescribed; the sides of every seam edge differ by a rotation by a multiple of 2π/q; all
+/// within `Thresholds`; and the areas span no more than the number type resolves. Empty
 /// optionals are measured and not compared; handles are measured on connected surfaces only.
 class Verifier {
  public:
-  /// What depends on the mesh alone is found once. Keeps a reference to it.
+  /// Computes what depends only on the mesh. Keeps a reference to it.
   explicit Verifier(const TriMesh& mesh);
   Certificate certify(const HolonomySpec& asked, const UvMap& map,
                       const CertifyOptions& options = {}) const;
@@ -88,11 +88,11 @@ class Verifier {
   std::vector<DualLoop> generators_;  ///< none where they are not measured
 };
 
-/// Do these certificates, one per component, certify a whole map? The only place that decides it:
-/// every component is certified, and there is one.
+/// Whether these certificates, one per component, certify a whole map: there is at least one, and all are certified.
+/// Nothing else decides this.
 bool areCertified(const std::vector<Certificate>& components);
 
-/// The nearest numbers that float32 holds. (glTF stores 1 − v: what a file of it holds is something else.)
+/// Every uv rounded to the nearest float32. (A glTF stores 1 − v and therefore rounds differently.)
 UvMap roundedToFloat32(UvMap map);
 
 /// One map, measured and certified.

@@ -1,4 +1,4 @@
-// How far a map is from angle and area preserving.  Role: the numbers of the figures of [BCW17 §8],
+// How far a map is from preserving angles and areas.  Role: the measurements in the figures of [BCW17 §8],
 // weighted by surface area.
 #pragma once
 

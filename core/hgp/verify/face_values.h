@@ -1,5 +1,4 @@
-// Distortion triangle by triangle, and which triangles lie on one another.  Role: what a person looks at;
-// nothing is decided by it.
+// Distortion per triangle, and the triangles that overlap.  Role: for display; the verdict does not depend on it.
 #pragma once
 
 #include <vector>
@@ -25,8 +24,8 @@ struct OverlapPairs {
   bool isMore = false;         ///< counting stopped
 };
 
-/// Local injectivity allows distant parts to overlap; neighbours, which share a uv, do not count, nor do parts
-/// that touch within 1e-6 of the map's size. O(|F| log |F|) and what overlaps; stops at `most` pairs.
+/// Local injectivity allows distant parts to overlap. Neighbours, which share a uv, do not count, nor do parts
+/// that touch within 1e-6 of the map's size. O(|F| log |F| + pairs); stops at `most` pairs.
 OverlapPairs findOverlapPairs(const UvMap& map, long long most = 200'000);
 
 }  // namespace hgp

@@ -1,4 +1,4 @@
-// Which tolerance a map would pass.  Role: what `verify` says about other people's files.
+// The smallest tolerance that a map would pass.  Role: advice of `verify` for files that were printed with few digits.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Which way every triangle of the map faces, exactly.  Role: "orientation preserving" of
+// The exact orientation of every triangle of the map.  Role: "orientation preserving" of
 // [BCW17 Thm 6.1], decided without rounding.
 #pragma once
 
@@ -19,8 +19,8 @@ int orientationSign(const Vec2& a, const Vec2& b, const Vec2& c);
 /// The same by wide integers alone, without the floating-point filter (for tests and hard cases).
 int exactOrientationSign(const Vec2& a, const Vec2& b, const Vec2& c);
 
-/// Twice the signed area, whatever cancels: of exact integers, rounded at the end; 0 and infinity where
-/// doubles end.
+/// Twice the signed area: computed in exact integers and rounded at the end, so that nothing cancels; 0 or ±infinity
+/// where it leaves the range of doubles.
 double exactTwiceArea(const Vec2& a, const Vec2& b, const Vec2& c);
 
 struct OrientationFacts {

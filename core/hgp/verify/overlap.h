@@ -1,5 +1,4 @@
-// How much of a map lies on top of itself.  Role: reported and never verified; local injectivity lets
-// distant parts overlap.
+// How much of a map overlaps itself.  Role: reported only; local injectivity allows distant parts to overlap.
 #pragma once
 
 #include "hgp/mesh/mesh_data.h"

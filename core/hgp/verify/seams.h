@@ -10,17 +10,17 @@
 
 namespace hgp {
 
-/// A seam's rotation is certain only when its residual is below this part of the distance to the next
+/// The rotation of a seam edge is certain only when its residual is below this fraction of the distance to the next
 /// multiple of 2π/q; an edge so short that rounding hides its direction has no rotation.
 inline constexpr double kRotationShare = 0.25;
 
-/// What a residual is compared with. Lengths are in uv units.
+/// Bounds for residuals. Lengths are in uv units.
 struct SeamRule {
   double tolerance = 0;  ///< accepted residual relative to the edge's own length
   double rounding = 0;   ///< what storing can add to a residual; 0 where nothing was rounded
   double largestRounding =
-      0;                 ///< most that `rounding` may excuse, relative to the edge's own length
-  double computing = 0;  ///< residuals up to this are explained by the number type
+      0;  ///< upper bound of the part of `rounding` that is accepted, relative to that length
+  double computing = 0;  ///< residuals up to this are due to the number type
 };
 
 /// An interior edge whose uv on its two sides differ. With f the face of mesh.halfedge(edge), g the
@@ -49,7 +49,7 @@ struct MeasuredHandle {
 struct SeamFacts {
   std::vector<MeasuredSeam> seams;    ///< every seam edge, ascending
   std::vector<MeasuredSeam> broken;   ///< no rotation by a multiple of 2π/q within what is allowed
-  int chartCount = 0;                 ///< pieces the seams cut the surface into
+  int chartCount = 0;                 ///< connected components of the surface cut along the seams
   std::optional<MeasuredSeam> worst;  ///< the largest residual / allowed
   double largestRelativeResidual = 0;  ///< over all seam edges, relative to their own lengths
   double worstLengthResidual = 0;      ///< in uv units

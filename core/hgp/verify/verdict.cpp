@@ -32,7 +32,7 @@ std::vector<Where> worstPlaces(std::vector<Place> places, int limit) {
 
 const char* plural(std::size_t n) { return n == 1 ? "" : "s"; }
 
-Reason misfit(std::string message, std::vector<Where> where = {}) {
+Reason mismatch(std::string message, std::vector<Where> where = {}) {
   const int count = std::max<int>(1, static_cast<int>(where.size()));
   return {Rule::kPrescription, count, 0.0, std::move(message), std::move(where)};
 }
@@ -238,7 +238,8 @@ AskedMap layOutAsked(const TriMesh& mesh, const Topology& topology, int handleCo
   out.angles.isCone = PerVertex<char>(vertexCount, 0);
   out.angles.isAnyConeAllowed = options.isAnyConeAllowed;
   if (asked.q < 1) {
-    out.misfits.push_back(misfit(formatText("q = %d; the order must be at least 1.", asked.q)));
+    out.mismatches.push_back(
+        mismatch(formatText("q = %d; the order must be at least 1.", asked.q)));
     return out;
   }
   std::vector<Where> strays;
@@ -253,13 +254,14 @@ AskedMap layOutAsked(const TriMesh& mesh, const Topology& topology, int handleCo
     out.angles.k[c.vertex] = c.k;
   }
   if (!strays.empty())
-    out.misfits.push_back(misfit(formatText("%zu cone%s given twice or not at an interior vertex.",
-                                            strays.size(), strays.size() == 1 ? " is" : "s are"),
-                                 strays));
+    out.mismatches.push_back(
+        mismatch(formatText("%zu cone%s given twice or not at an interior vertex.", strays.size(),
+                            strays.size() == 1 ? " is" : "s are"),
+                 strays));
   if (asked.turning.size() == topology.loops.size()) {
     out.angles.turning = asked.turning;
   } else if (!asked.turning.empty()) {
-    out.misfits.push_back(misfit(
+    out.mismatches.push_back(mismatch(
         formatText("%zu turning indices are given for %zu boundary loop%s.", asked.turning.size(),
                    topology.loops.size(), plural(topology.loops.size()))));
   }
@@ -268,8 +270,8 @@ AskedMap layOutAsked(const TriMesh& mesh, const Topology& topology, int handleCo
     for (auto& r : out.handles)
       if (r) r = reduceTurn(*r, asked.q);
   } else if (!asked.handles.empty()) {
-    out.misfits.push_back(misfit(formatText("%zu handle rotations are given for %d generators.",
-                                            asked.handles.size(), handleCount)));
+    out.mismatches.push_back(mismatch(formatText(
+        "%zu handle rotations are given for %d generators.", asked.handles.size(), handleCount)));
   }
   return out;
 }

@@ -4,7 +4,7 @@
 namespace hgp {
 namespace {
 
-/// In a row; hardly any map needs more than two.
+/// Maximum number of corrections in a row; hardly any map needs more than two.
 constexpr int kMostCorrections = 4;
 
 }  // namespace

@@ -1,33 +1,34 @@
-// The moves of the strategy, in the order they are looked through.  Role: [BCW17 §7.1] and what this
-// project adds to it; each in a file of its own.
+// The moves of the strategy: how a map that failed is repaired in the next round. Their order is kMoves in
+// parametrize.cpp.  Role: [BCW17 §7.1] (fixLifts) and the additions of this project, one file each.
 #pragma once
 
 #include "hgp/parametrize/strategy.h"
 
 namespace hgp {
 
-/// A map without a flipped triangle but with other cones than asked: frames that turn as it does, but for the
-/// difference, and along them no flip but the right cones (untangle).
+/// The map has no flipped triangle, but other cone angles than prescribed: frames that turn as the map does, corrected
+/// by the difference, and then untangling along these frames.
 std::optional<State> frameByMap(const Problem&, const State&,
                                 const std::shared_ptr<const Attempt>&);
 
-/// Where hard constraints of the connection's frames contradict each other or give no map: frames of triangles with the
-/// angles that cones ask for.
+/// Hard constraints with the connection's frames contradict each other or give no map: frames of an angle structure
+/// (field/angle_structure.h), whose triangles have the prescribed angles.
 std::optional<State> frameByAngles(const Problem&, const State&,
                                    const std::shared_ptr<const Attempt>&);
 
-/// §7.1: cones with a positive ring whose angle is off by a multiple of 2π get a ring embedded from the map.
+/// §7.1, frame fixing: cones whose triangles are positive but whose angle is wrong by a multiple of 2π get frames of a
+/// ring that is embedded with the right angle (embedConeRing).
 std::optional<State> fixLifts(const Problem&, const State&, const std::shared_ptr<const Attempt>&);
 
-/// Where frames are soft: hard ones where the map is wrong, and only a patch around it solved again.
+/// Frames were soft constraints: hard ones where the map is wrong, and only a patch around these is solved again.
 std::optional<State> solvePatch(const Problem&, const State&,
                                 const std::shared_ptr<const Attempt>&);
 
-/// A patch that made it worse: from the map before, with a wider one.
+/// The patch made the map worse: a wider patch, starting from the map before it.
 std::optional<State> widenPatch(const Problem&, const State&,
                                 const std::shared_ptr<const Attempt>&);
 
-/// The constrained set grows by what is wrong and a ring around it, within a budget of work.
+/// The constrained set grows by the wrong triangles and a ring around them, within a budget of work.
 std::optional<State> enlarge(const Problem&, const State&, const std::shared_ptr<const Attempt>&);
 
 /// No frames at all: the next kind of untangling, within a budget of Newton steps.

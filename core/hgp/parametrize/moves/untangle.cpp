@@ -12,7 +12,7 @@ constexpr int kMostSteps = 220;
 
 std::optional<State> untangleNext(const Problem& problem, const State& state,
                                   const std::shared_ptr<const Attempt>& attempt) {
-  // After the first weighting that binds, before the further ones; kinds whose frames there are none of are left out.
+  // Tried after the first weighting with hard constraints and before later weightings.
   if (problem.method != Method::kAuto || problem.weightings[state.weighting].soft > 0.0) return {};
   auto next = static_cast<std::size_t>(state.untangling + 1);
   std::shared_ptr<const SeamRotations> frames;

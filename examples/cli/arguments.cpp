@@ -30,7 +30,7 @@ std::pair<int, int> takePair(const std::string& text, const char* option) {
     }
   } catch (const std::logic_error&) {
   }
-  throw CLI::ValidationError(option, "wants two integers like 12:3, not '" + text + "'");
+  throw CLI::ValidationError(option, "must be two integers like 12:3, not '" + text + "'");
 }
 
 /// "obj" of "x.OBJ", and of no other name than those that a file may be converted for.
@@ -53,8 +53,8 @@ void takeFix(const std::string& text, FixOptions& fix) {
     else if (word == "degenerate")
       fix.degenerate = true;
     else if (word != "none") {
-      throw CLI::ValidationError("--fix",
-                                 "wants a list of orient, split, degenerate; not '" + word + "'");
+      throw CLI::ValidationError(
+          "--fix", "must be a list of orient, split, degenerate, or none; not '" + word + "'");
     }
     begin = comma + 1;
   }
@@ -135,15 +135,15 @@ class Parser {
     } else if (!words_.weld.empty()) {
       if (!CLI::detail::lexical_cast(words_.weld, out_.load.weld) || !(out_.load.weld >= 0) ||
           !std::isfinite(out_.load.weld)) {
-        throw CLI::ValidationError("--weld",
-                                   "wants 'exact', 'none' or a length, not '" + words_.weld + "'");
+        throw CLI::ValidationError(
+            "--weld", "must be 'exact', 'none' or a length, not '" + words_.weld + "'");
       }
     }
     if (!words_.uvSet.empty() && words_.uvSet != "next") {
       int set = -1;
       if (!CLI::detail::lexical_cast(words_.uvSet, set) || set < 0) {
         throw CLI::ValidationError("--uv-set",
-                                   "wants 'next' or a number, not '" + words_.uvSet + "'");
+                                   "must be 'next' or a number, not '" + words_.uvSet + "'");
       }
       out_.write.uvSet = out_.verify.uvSet = set;
     }
@@ -169,14 +169,14 @@ class Parser {
                          !out_.also.empty() || !out_.faces.empty();
     out_.isEveryMesh = words_.mesh == "all" || (words_.mesh.empty() && !isAsked);
     if (words_.mesh == "all" && isAsked) {
-      throw CLI::ValidationError(
-          "--mesh all",
-          "takes no cones, field, xref, faces or other formats: they are of one mesh");
+      throw CLI::ValidationError("--mesh all",
+                                 "cannot be combined with cones, --field, --xref, --faces or "
+                                 "--also: they apply to one mesh");
     }
     if (words_.mesh.empty() || words_.mesh == "all" || words_.mesh == "largest") return;
     if (!CLI::detail::lexical_cast(words_.mesh, out_.load.surface) || out_.load.surface < 0) {
       throw CLI::ValidationError("--mesh",
-                                 "wants 'all', 'largest' or a number, not '" + words_.mesh + "'");
+                                 "must be 'all', 'largest' or a number, not '" + words_.mesh + "'");
     }
   }
 
@@ -184,20 +184,19 @@ class Parser {
     const auto refuse = [](const char* text) { throw CLI::ValidationError(text); };
     if (out_.load.isStrict &&
         (out_.load.fix.orient || out_.load.fix.split || out_.load.fix.degenerate))
-      refuse("--strict and --fix contradict each other");
-    if (!out_.cones.empty() && !out_.cone.empty())
-      refuse("--cones and --cone contradict each other");
+      refuse("--strict and --fix exclude each other");
+    if (!out_.cones.empty() && !out_.cone.empty()) refuse("--cones and --cone exclude each other");
     const bool isAsked = !out_.cones.empty() || !out_.cone.empty() || !out_.turning.empty() ||
                          !out_.handle.empty() || !out_.field.empty();
     if (isAsked && out_.solve.boundary == api::BoundaryKind::kConvex) {
-      refuse("--boundary convex takes no cones, turning, handles or field");
+      refuse("--boundary convex cannot be combined with cones, turning, handles or a field");
     }
     if (out_.solve.frames == api::FrameSource::kFile && out_.field.empty())
       refuse("--frames file needs --field");
     const GridOptions& grid = out_.solve.grid;
-    if (grid.cells > 0 && grid.spacing > 0) refuse("--cells and --grid contradict each other");
+    if (grid.cells > 0 && grid.spacing > 0) refuse("--cells and --grid exclude each other");
     if (out_.command == Command::kQuads && !grid.isAsked())
-      refuse("quads needs --cells, about how many, or --grid, how large");
+      refuse("quads needs --cells N (approximate number) or --grid LENGTH (edge of a cell)");
     if (!words_.gridMode.empty() && !grid.isAsked()) refuse("--grid-mode needs --cells or --grid");
     if (grid.isAsked() && !words_.scale.empty() && words_.scale != "solved") {
       refuse("--scale unit and fit would undo a grid: one cell is one unit of uv");
@@ -212,7 +211,7 @@ class Parser {
     for (const std::string& name : out_.also) {
       if (!alsoFormat(name))
         throw CLI::ValidationError(
-            "--also", "wants x.obj, x.flat.obj, x.glb, x.gltf or x.svg, not '" + name + "'");
+            "--also", "must be x.obj, x.flat.obj, x.glb, x.gltf or x.svg, not '" + name + "'");
     }
     if (out_.write.gridTiles && formatOf(out_.output).empty())
       refuse("--grid-material is for glTF and OBJ: name the result -o x.glb or -o x.obj");

@@ -138,7 +138,7 @@ Status Gunzip::finish() const {
 
 std::string Gunzip::note() const {
   const std::uint64_t bytes = stream_->ignoredBytes;
-  return bytes == 0 ? "" : "ignored: " + counted(bytes, "byte") + " behind the gzip data";
+  return bytes == 0 ? "" : "ignored: " + counted(bytes, "byte") + " after the gzip data";
 }
 
 #else

@@ -13,7 +13,7 @@ CLI::Validator atLeast(double low, bool isOpen = false) {
     double value = 0;
     const bool isNumber = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
     if (isNumber && (isOpen ? value > low : value >= low)) return std::string();
-    return "wants a number " + std::string(isOpen ? "> " : "≥ ") + (low == 0 ? "0" : "1") +
+    return "must be a number " + std::string(isOpen ? "> " : "≥ ") + (low == 0 ? "0" : "1") +
            ", not '" + text + "'";
   };
   return CLI::Validator(check, "");
@@ -57,11 +57,11 @@ class Table {
   void addCommon(CLI::App* sub, const char* examples) {
     sub->option_defaults()->group("Input");
     choice(sub->add_option("--format", out_.format,
-                           "Format of standard input, where its bytes do not tell"),
+                           "Format of standard input (default: recognised from its bytes)"),
            {"obj", "off", "ply", "stl", "gltf", "glb"});
     sub->add_option("--mesh", words_.mesh,
                     "Which mesh of the file, from 0 (default: all for param and verify without "
-                    "cones, the largest otherwise)")
+                    "cones, otherwise the largest)")
         ->option_text("all|largest|N");
     sub->add_option("--weld", words_.weld,
                     "Join vertices at equal positions, or closer than this length (default: exact "
@@ -70,9 +70,10 @@ class Table {
     sub->add_option("--fix", words_.fix,
                     "Repairs to make: orient,split,degenerate or none (default: what is needed)")
         ->option_text("LIST");
-    sub->add_flag("--strict", out_.load.isStrict, "Repair and join nothing; refuse what needs it");
+    sub->add_flag("--strict", out_.load.isStrict,
+                  "Repair and join nothing; refuse meshes that need it");
     sub->add_option("--root", out_.root,
-                    "Read side files below this folder only (default: the input's)")
+                    "Read side files only below this folder (default: the input's)")
         ->option_text("DIR");
     sub->add_option("--max-bytes", out_.load.limits.maxBytes, "Refuse larger input (default 2 GiB)")
         ->option_text("N")
@@ -83,7 +84,7 @@ class Table {
         ->check(atLeast(1));
     sub->option_defaults()->group("Messages");
     sub->add_option("--json", out_.json,
-                    "Write the machine-readable report here (- for standard output)")
+                    "Write the machine-readable report to this file (- for standard output)")
         ->option_text("FILE");
     sub->add_flag("-q,--quiet", out_.isQuiet, "Print errors only");
     sub->add_flag("--no-progress", out_.hasNoProgress, "No progress on standard error");
@@ -121,8 +122,9 @@ class Table {
                "Boundary loop L turns by J·360°/q; repeatable");
     repeatable(sub, "--handle", words_.handle, "G:R",
                "Rotation by R·360°/q along handle generator G; repeatable");
-    sub->add_option("--field", out_.field,
-                    "Take cones and holonomy from a .rawfield, .rosy or .ffield")
+    sub->add_option(
+           "--field", out_.field,
+           "Direction field (.rawfield, .rosy, .ffield) whose cones and holonomy are prescribed")
         ->option_text("FILE");
     sub->add_flag("--ignore-embedded", out_.ignoresEmbedded,
                   "Do not use cones stored in the input");
@@ -132,7 +134,9 @@ class Table {
     sub->add_option(count, out_.solve.coneCount, "Automatic cones: how many")
         ->option_text("N")
         ->check(atLeast(0));
-    choice(sub->add_option("--cones-for", words_.conesFor, "Automatic cones: what they are for"),
+    choice(sub->add_option("--cones-for", words_.conesFor,
+                           "Automatic cones: low distortion with boundaries followed (default); as "
+                           "few as possible; or as many as lower distortion"),
            {"balanced", "few", "low-distortion"});
     sub->add_flag("--align", out_.solve.alignToCurvature,
                   "Automatic cones: follow the principal curvatures");
@@ -148,10 +152,11 @@ class Table {
   void addGrid(CLI::App* sub) {
     sub->option_defaults()->group("Grid");
     sub->add_option("--cells", out_.solve.grid.cells,
-                    "Align to a grid of about so many cells: lines meet at every seam (q = 2, 4)")
+                    "Align to a grid of about N cells: lines meet at every seam (q = 2, 4)")
         ->option_text("N")
         ->check(atLeast(1));
-    sub->add_option("--grid", out_.solve.grid.spacing, "The same by the edge length of a cell")
+    sub->add_option("--grid", out_.solve.grid.spacing,
+                    "The same, given the edge length of a cell in units of the mesh")
         ->option_text("LENGTH")
         ->check(atLeast(0, true));
   }
@@ -160,8 +165,8 @@ class Table {
     CLI::App* sub = add("inspect", "Topology, defects, uv sets", Command::kInspect);
     sub->option_defaults()->group("Output");
     sub->add_option("--loops", out_.loops,
-                    "Write which vertices boundary loop L of --turning has, and which edges "
-                    "generator G of --handle crosses (JSON)")
+                    "Write the vertices of each boundary loop (L of --turning) and the edges that "
+                    "each handle generator crosses (G of --handle), as JSON")
         ->option_text("FILE");
     addCommon(sub,
               "  hgp inspect mesh.obj\n"
@@ -170,7 +175,9 @@ class Table {
 
   void addCheck() {
     CLI::App* sub =
-        add("check", "The exact angle budget of a prescription; solves nothing", Command::kCheck);
+        add("check",
+            "Whether any map can have a prescription (Gauss–Bonnet in integers); solves nothing",
+            Command::kCheck);
     addPrescription(sub);
     addCommon(sub,
               "  hgp check mesh.obj --cones cones.json\n"
@@ -184,7 +191,8 @@ class Table {
     sub->option_defaults()->group("Cones");
     addOrder(sub);
     addChoice(sub, "--count,--suggest");
-    sub->add_option("--convert", out_.convert, "Convert this file of cones or of a field instead")
+    sub->add_option("--convert", out_.convert,
+                    "Instead of choosing cones, convert this file of cones or of a field")
         ->option_text("FILE");
     addCommon(sub,
               "  hgp cones mesh.obj -o cones.json\n"
@@ -211,8 +219,9 @@ class Table {
     const auto improve = [&out = out_](const std::string& word) {
       out.solve.improve.emplace().balance = api::improveBalance(word).value_or(std::nan(""));
     };
-    sub->add_option_function<std::string>("--improve", improve,
-                                          "Less distortion; X from -1 (angles) to 1 (areas)")
+    sub->add_option_function<std::string>(
+           "--improve", improve,
+           "Lower the distortion: of both, of angles, of areas, or X from -1 (angles) to 1 (areas)")
         ->option_text("isometric|conformal|area|X");
     sub->add_flag_callback(
            "--quality", [&out = out_] { out.solve.improve.emplace(); },
@@ -220,12 +229,13 @@ class Table {
         ->excludes("--improve")
         ->option_text(" ");
     choice(sub->add_option("--scale", words_.scale,
-                           "unit: mean edge 1; fit: into the unit square (default solved)"),
+                           "Scale of the map: as solved (default), mean edge length 1, or fitted "
+                           "into the unit square"),
            {"solved", "unit", "fit"});
     sub->add_flag("--reproducible", out_.isReproducible,
                   "The same bytes on every processor and in WebAssembly, somewhat slower");
     sub->add_option("--time-limit", out_.timeLimit,
-                    "Give up after so many seconds (exit code 6, nothing is written)")
+                    "Stop after this many seconds (exit code 6, nothing is written)")
         ->option_text("SECONDS")
         ->check(atLeast(0, true));
   }
@@ -247,7 +257,7 @@ class Table {
               double tiles = 0;
               const bool isGood = word.empty() || (CLI::detail::lexical_cast(word, tiles) &&
                                                    std::isfinite(tiles) && tiles > 0);
-              return isGood ? std::string() : "wants a number > 0, not '" + word + "'";
+              return isGood ? std::string() : "must be a number > 0, not '" + word + "'";
             },
             ""));
   }
@@ -258,30 +268,31 @@ class Table {
     sub->add_flag("-f,--force", out_.mayOverwrite, "Allow the output to replace the input");
     sub->add_option("--uv-set", words_.uvSet, "glTF: the set to write (default next)")
         ->option_text("next|N");
-    repeatable(
-        sub, "--also", out_.also, "FILE",
-        "The mapped mesh in another format, too: x.obj, x.glb, x.gltf; x.flat.obj, the map as "
-        "a flat mesh; x.svg, its edges; repeatable");
+    repeatable(sub, "--also", out_.also, "FILE",
+               "Write the mapped mesh also as x.obj, x.glb or x.gltf, the map as a flat mesh "
+               "(x.flat.obj) or its edges (x.svg); repeatable");
     addGridMaterial(sub);
     sub->add_option("--faces", out_.faces,
                     "Write a table of all triangles: angle and area distortion, overlaps (CSV)")
         ->option_text("FILE");
     sub->add_flag("--use", out_.write.pointsMaterials,
-                  "glTF: the materials' textures use the new set");
+                  "glTF: make the materials' textures use the new set");
     sub->add_flag("--embed", out_.isEmbedded,
                   ".gltf: embed buffers and images (default: copy them beside it)");
     sub->add_flag("--write-repairs", out_.load.writesRepairs,
-                  "Write faces as they were turned over, vertices as they were split");
+                  "Write repairs into the output: flipped faces and split vertices");
     sub->add_flag("--compress", out_.isCompressed,
                   "glTF: compress it with meshopt, losing nothing (EXT_meshopt_compression)");
     sub->add_flag("--embed-cones", out_.write.embedCones, "Store the cones in the output");
     sub->add_flag("--allow-uncertified", out_.write.allowUncertified,
-                  "Write the map even when it is not certified (exit code 6 all the same)");
+                  "Write the map even if it is not certified (the exit code is still 6)");
     sub->add_flag("--keep-going", out_.solve.keepsGoing,
-                  "Write what is certified; what is not keeps its uv or is a disk (exit code 6)");
-    sub->add_flag("--refine", out_.solve.refines,
-                  "Where there is no map, split edges and write the refined mesh with its map");
-    sub->add_option("--xref", out_.xref, "Write which input vertex every output vertex is")
+                  "Write what is certified; other components keep their uv or are cut open to "
+                  "disks (exit code 6)");
+    sub->add_flag(
+        "--refine", out_.solve.refines,
+        "If there is no map, split edges, solve again, and write the refined mesh with its map");
+    sub->add_option("--xref", out_.xref, "Write the input vertex of every output texture vertex")
         ->option_text("FILE");
     addPrescription(sub);
     addChoice(sub, "--count");
@@ -298,10 +309,11 @@ class Table {
   }
 
   void addQuads() {
-    CLI::App* sub = add("quads", "Align to a grid and write its cells as quads", Command::kQuads);
+    CLI::App* sub =
+        add("quads", "Align a map to a grid and write its cells as quads", Command::kQuads);
     addOutput(sub, "An .obj, or a .glb of triangles for viewing", true);
     addPrescription(sub);
-    sub->add_option("--count", out_.solve.coneCount, "Automatic cones: roughly how many")
+    sub->add_option("--count", out_.solve.coneCount, "Automatic cones: about how many")
         ->option_text("N")
         ->check(atLeast(0));
     addGrid(sub);
@@ -315,11 +327,12 @@ class Table {
         add("verify", "Verify the texture coordinates that a file has", Command::kVerify);
     addPrescription(sub);
     sub->option_defaults()->group("Verdict");
-    sub->add_option("--uv-set", words_.uvSet, "Which set (default: the last, where param writes)")
+    sub->add_option("--uv-set", words_.uvSet,
+                    "Which uv set to verify (default: the last, where param writes)")
         ->option_text("N");
     sub->add_option("--tol", out_.verify.tolerance,
-                    "Accept seams within this part of each edge's length and angles within this "
-                    "many radians (default 1e-6), for files printed with few digits")
+                    "Accept seam errors up to T of each edge's length and angle errors up to T rad "
+                    "(default 1e-6), for files printed with few digits")
         ->option_text("T")
         ->check(atLeast(0));
     addCommon(sub,
@@ -354,15 +367,15 @@ class Table {
 }  // namespace
 
 const char* exitCodeText() {
-  return "  0  done; the map is certified, the mesh usable, the cones valid\n"
-         "  2  usage\n"
-         "  3  input that cannot be read\n"
-         "  4  geometry that cannot be parametrized\n"
-         "  5  cones, turning or holonomy that no map can have\n"
+  return "  0  success: the map is certified, the mesh usable, the cones valid\n"
+         "  2  wrong usage\n"
+         "  3  the input cannot be read\n"
+         "  4  the mesh cannot be parametrized as it is\n"
+         "  5  no map can have these cones, turnings or rotations along handles\n"
          "  6  no certified map, or none within --time-limit\n"
          "  7  the output cannot be written\n"
-         "  8  a limit, or memory\n"
-         " 70  an error of the program\n"
+         "  8  a limit was reached, or memory ran out\n"
+         " 70  an internal error: a bug in hgp\n"
          "130  interrupted\n"
          "141  the reader of standard output closed it: ended by SIGPIPE, without a message";
 }

@@ -115,7 +115,7 @@ std::string distortion(const Json& component) {
                     number(d, "rmsLogArea"), number(d, "minLogArea"), number(d, "maxLogArea"));
 }
 
-/// What the certificate does not speak of; nothing where it speaks of every triangle as it is stored.
+/// The triangles that the certificate does not cover as they are stored; empty if there are none.
 std::string outside(const Json& stored) {
   std::string list;
   const auto add = [&](const char* key, const char* text) {
@@ -125,7 +125,7 @@ std::string outside(const Json& stored) {
   add("duplicates", "duplicated, with the uv of the verified copy");
   if (integer(stored, "differing") > 0)
     list += formatText(" but for %lld", integer(stored, "differing"));
-  add("zeroArea", "without surface");
+  add("zeroArea", "without area");
   add("reversed", "verified with the opposite winding");
   if (list.empty()) return list;
   return row("outside",
@@ -148,9 +148,9 @@ std::string certificate(const Json& json, const Style& style) {
     if (isMeasured) out += row("cones", formatText("%zu measured", c["cones"].size()));
     const Json& overlap = c["overlap"];
     if (integer(overlap, "layers") > 1) {
-      out +=
-          row("overlap", formatText("%.1f %% lie on top of one another, up to %lld deep (allowed)",
-                                    100 * number(overlap, "share"), integer(overlap, "layers")));
+      out += row("overlap",
+                 formatText("%.1f %% of the covered area, up to %lld triangles deep (allowed)",
+                            100 * number(overlap, "share"), integer(overlap, "layers")));
     }
     for (const Json& reason : c["reasons"]) {
       out += "  " + style.bad(text(reason["rule"])) + ": " + text(reason["message"]) +
@@ -299,7 +299,7 @@ std::string reportText(const std::string& source, const Style& style) {
     if (improvement.is_object() && improvement["onGrid"].is_object())
       out += descentText("improve on grid", improvement["onGrid"]);
     if (!component["conflict"].empty()) {
-      out += "  triangles that fight:" + places(component["conflict"]) + "\n";
+      out += "  frames that contradict each other:" + places(component["conflict"]) + "\n";
     }
   }
   return out + notes(json) + certificate(json["certificate"], style);

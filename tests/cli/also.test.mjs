@@ -75,11 +75,11 @@ test('what cannot be is refused before anything is written', () => {
     assert.equal(code, 2, err);
     assert.match(err, message);
   };
-  refused(['-o', 'x.obj', '--also', 'x.stl'], /--also.*wants x\.obj, x\.flat\.obj.*not 'x\.stl'/);
+  refused(['-o', 'x.obj', '--also', 'x.stl'], /--also.*must be x\.obj, x\.flat\.obj.*not 'x\.stl'/);
   refused(['-o', 'x.obj', '--also', 'x.obj'], /x\.obj is named for two outputs/);
   refused(['-o', 'x.obj', '--also', 'cube.obj', '--force'], /cube\.obj is read/);
   refused(['-o', 'x.ply', '--grid-material'], /--grid-material is for glTF and OBJ/);
-  refused(['-o', 'x.obj', '--grid-material', '0'], /wants a number > 0, not '0'/);
+  refused(['-o', 'x.obj', '--grid-material', '0'], /must be a number > 0, not '0'/);
   assert.equal(existsSync(at('x.obj')), false);
 });
 

@@ -802,7 +802,7 @@ test('verify measures what others made, component by component, and says what ov
   );
   assert.equal(good.components[0].overlap.share, 0);
   assert.ok(Math.abs(good.components[1].overlap.share - 0.5) < 0.02);
-  assert.match(run(['verify', 'strips.obj']).out, /overlap +\d+\.\d % lie on top/);
+  assert.match(run(['verify', 'strips.obj']).out, /overlap +\d+\.\d % of the covered area/);
 
   const folded = read('strips.obj').split('\n');
   const last = folded.findLastIndex((line) => line.startsWith('vt '));

@@ -107,7 +107,7 @@ test('every member of a gzip file is read, zeros between and rubbish behind them
     const { code, out } = run(['inspect', put(name, packed), '--json', '-']);
     assert.equal(code, 0, name);
     assert.equal(JSON.parse(out).triangles, 8, name);
-    assert.equal(/ignored: 7 bytes behind the gzip data/.test(out), name === 'rubbish.obj.gz', out);
+    assert.equal(/ignored: 7 bytes after the gzip data/.test(out), name === 'rubbish.obj.gz', out);
     const piped = run(['inspect', '-', '--format', 'obj', '--json', '-'], { input: packed });
     assert.equal(JSON.parse(piped.out).triangles, 8, name);
   }

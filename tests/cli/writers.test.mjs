@@ -77,7 +77,7 @@ test('OBJ, OFF, STL and PLY become GLB, with normals, colours and the names of m
   const { text, vertices, triangles } = richObj();
   put('rich.obj', text);
   const { err } = good('param', 'rich.obj', '-o', 'rich.glb');
-  assert.match(err, /of the materials only their names come along/);
+  assert.match(err, /of the materials only their names are kept/);
   await isValidGlb('rich.glb');
   const document = await new NodeIO().read(at('rich.glb'));
   const [mesh] = document.getRoot().listMeshes();
@@ -136,7 +136,7 @@ test('cones keep their vertices from OBJ to GLB, and those of another numbering 
   );
   const { code, err } = run('param', 'twice.obj', '--cone', '3:2', '-o', 'twice.glb');
   assert.equal(code, 5, err);
-  assert.match(err, /vertices get other numbers/);
+  assert.match(err, /vertices get new ids/);
 });
 
 test('GLB becomes OBJ: every node where the scene puts it, mirrors turned round', () => {

@@ -144,7 +144,7 @@ test('gzip: one wrong or missing byte is said; what follows the last member is i
       client.load(Buffer.concat([all, ...parts]), { name: 'a.obj.gz' }).then(({ notes }) => notes);
     assert.deepEqual(await followed(Buffer.alloc(512)), []);
     assert.deepEqual(await followed(Buffer.from('rubbish')), [
-      'ignored: 7 bytes behind the gzip data',
+      'ignored: 7 bytes after the gzip data',
     ]);
     const zeros = Buffer.concat([members[0], Buffer.alloc(100), members[1]]);
     assert.equal((await client.load(zeros, { name: 'a.obj.gz' })).triangles, 108);

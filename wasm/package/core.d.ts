@@ -15,7 +15,7 @@ export interface InitOptions {
   wasmModule?: WebAssembly.Module;
 }
 
-/** A File or Blob, or its bytes; gzip is decompressed. */
+/** A File or Blob, or the bytes of one; gzip is decompressed. */
 export type FileSource = File | Blob | ArrayBuffer | ArrayBufferView;
 
 /** Relative names only; `main` is one of them. */
@@ -25,7 +25,7 @@ export interface FileSet {
 }
 
 export interface LoadOptions {
-  /** Name of the file where the source has none; its extension helps to tell formats apart. */
+  /** Name of the file, for sources without one; its extension helps to recognise the format. */
   name?: string;
   /** Which mesh of the file; by default the one with most triangles. */
   surface?: number;
@@ -36,24 +36,24 @@ export interface LoadOptions {
   weld?: number;
   /** Larger files end with the code `limit`; by default 2 GiB and 16 million triangles. */
   limits?: { bytes?: number; triangles?: number };
-  /** Repairs to make, and no others; by default those that the defects of the mesh ask for. */
+  /** Make exactly these repairs; by default those that the defects of the mesh need. */
   fix?: { orient?: boolean; split?: boolean; degenerate?: boolean };
-  /** Make no repairs: refuse a mesh that needs one. */
+  /** Make no repairs; refuse a mesh that needs one. */
   strict?: boolean;
   /**
-   * Write repairs into the file: faces that are turned over, vertices that are copied. Otherwise faces and
-   * vertices stay as they are, and the certificate counts the difference. Ids are those of the repaired
+   * Write repairs into the file: flipped faces and copies of split vertices. Otherwise faces and
+   * vertices are unchanged, and the certificate counts the differences. Ids are those of the repaired
    * file: vertices keep theirs, copies follow.
    */
   writeRepairs?: boolean;
   /**
-   * Read as if the file were of this format, so that write() makes it: a GLB of OBJ, OFF, PLY, STL or .gltf,
-   * an OBJ of glTF. Notes say what does not come along.
+   * Convert the file to this format when it is read, so that write() writes it: a GLB of OBJ, OFF, PLY, STL or
+   * .gltf, an OBJ of glTF. Notes say what is not kept.
    */
   target?: 'obj' | 'glb' | 'gltf';
 }
 
-/** What load() takes of these for a mesh that comes from no file. */
+/** The LoadOptions that apply to a mesh given as arrays. */
 export interface MeshLoadOptions {
   /**
    * Join vertices closer than this; by default 0, those at the same place, as renderers split vertices
@@ -92,13 +92,13 @@ export interface Cones {
   handles?: { generator: number; r: number }[];
 }
 
-/** What vertex and triangle ids refer to. */
+/** The surface that vertex and triangle ids refer to. */
 export interface Surface {
   /** Three per vertex. */
   positions: Float64Array;
   /** Three vertices per triangle. */
   triangles: Uint32Array;
-  /** What a weld or repairs made of it, where they changed anything; this is what is solved. */
+  /** The surface after weld and repairs, if they changed anything; this one is solved. */
   repaired?: {
     triangles: Uint32Array;
     /** Its vertex → a vertex of the surface. */
@@ -118,21 +118,24 @@ export interface ConeFile {
 
 export interface SuggestOptions {
   q?: number;
-  /** How many; by default as many as `conesFor` finds good. A note says where that is not possible. */
+  /** Number of cones; by default as `conesFor` says. A note says so where that number is not possible. */
   count?: number;
-  /** `few` as areas allow; `low-distortion`: as many as are worth it, and boundaries turn as they like. */
+  /**
+   * `balanced` (default): low distortion, and the map follows boundaries. `few`: as few as keep areas within a
+   * factor of about two. `low-distortion`: as many as lower distortion noticeably, with free boundary turning.
+   */
   conesFor?: 'balanced' | 'few' | 'low-distortion';
   alignToCurvature?: boolean;
 }
 
 export interface SolveOptions extends SuggestOptions {
-  /** Without cones, they are chosen. */
+  /** Chosen automatically if absent. */
   cones?: Cones;
-  /** A direction field (.rawfield, .rosy, .ffield): it decides what `cones` leave open, and must have them. */
+  /** A direction field (.rawfield, .rosy, .ffield): determines what `cones` leave open; must have these cones. */
   field?: ConeFile;
   /**
-   * `auto`: a smooth field of our own with the asked cones, turning and handles. `file`: the directions
-   * of `field`, which must have them exactly; anything else rejects with `prescription` or, where there
+   * `auto`: a smooth field that hgp computes with the prescribed cones, turning and handles. `file`: the directions
+   * of `field`, which must have exactly these; otherwise the call rejects with `prescription` or, where there
    * is no field with directions, with `usage`.
    */
   frames?: 'auto' | 'file';
@@ -142,48 +145,45 @@ export interface SolveOptions extends SuggestOptions {
   /**
    * `auto`: soft frame constraints where they suffice, then hard ones along the frames of the connection and of an
    * angle structure, then untangling.
-   * `harmonic`: hard constraints. `soft`: soft ones. `printed`: the paper's program and iteration.
+   * `harmonic`: hard constraints. `soft`: soft ones. `printed`: program and iteration as printed in the paper.
    * `all-frames`: hard constraints on every triangle.
    */
   method?: 'auto' | 'harmonic' | 'soft' | 'printed' | 'all-frames';
   /**
-   * Less distortion, from a certified map that stays certified: `isometric` (angles and areas), `conformal`
+   * Lower the distortion of a certified map; the result is again certified. `isometric` (angles and areas), `conformal`
    * (angles), `area`, or a number on the line from -1 (angles) through 0 (isometric) to 1 (areas).
    */
   improve?: 'isometric' | 'conformal' | 'area' | number;
   /** The same as `improve: 'isometric'`. */
   quality?: boolean;
   /**
-   * A component that cannot be solved keeps the uv it had, or is cut to a disk, instead of ending the call; the map
-   * is then not certified, its other components are, and write() needs `allowUncertified`.
+   * A component without a map keeps its uv, or is cut open to a disk, instead of ending the call; the map
+   * as a whole is then not certified, and write() needs `allowUncertified`.
    */
   keepGoing?: boolean;
   scale?: 'solved' | 'unit' | 'fit';
   /**
-   * Where there is no map, split edges and try again. The result's `positions`, `triangles` and files are
-   * then of the refined mesh, in which vertices keep their numbers; `report.refined` says what was split.
-   * The result is then written as OBJ.
+   * Where there is no map, split edges and solve again. The result's `positions`, `triangles` and files are
+   * then of the refined mesh, in which vertices keep their ids; `report.refined` says what was split.
+   * A refined result is written as OBJ.
    */
   refine?: boolean;
   /**
    * Align the map to a grid (q = 2 or 4): every translation an integer, one cell per unit of uv, so that
-   * lines meet at every seam. About `cells` in all, or cells of edge `spacing`; `quad`: cones on grid
-   * points as well. Where none is found the map is as without it, and `report.components[].grid` says why
-   * and how many cells would work.
+   * lines meet at every seam. About `cells` cells in all, or cells of edge length `spacing`; `quad`: cones on grid
+   * points as well. Where no aligned map is found, the result is the map without a grid, and
+   * `report.components[].grid` says why and how many cells would work.
    */
   grid?: { cells?: number; spacing?: number; mode?: 'tile' | 'quad' };
 }
 
-/** Of the result, by triangle and by seam edge, in the order of `triangles` and `seams`. */
+/** Measurements of the result per triangle and per seam edge, in the order of `triangles` and `seams`. */
 export interface Measures {
-  /** Ratio of the singular values of the derivative, at least 1; 1 keeps angles. */
+  /** Ratio of the singular values of the derivative, at least 1; 1 preserves angles. */
   stretch: Float32Array;
-  /** log₂ of the area's scale, less that of all triangles together. */
+  /** log₂ of uv area per surface area, minus that of all triangles together. */
   area: Float32Array;
-  /**
-   * Triangles that are folded over or have no area in the map: of those that the certificate speaks of, wound as
-   * it verified them.
-   */
+  /** Triangles that are flipped or have no area in the map, of those that the certificate covers. */
   flipped: Uint32Array;
   surfaceArea: number;
   uvArea: number;
@@ -193,9 +193,9 @@ export interface Measures {
   seamChains: Uint32Array;
 }
 
-/** Of the surface as it is solved, that is joined and repaired, in the ids of the file. */
+/** Facts on the surface as it is solved (after weld and repairs), with the ids of the file. */
 export interface SurfaceFacts {
-  /** The vertex that a vertex is one with, itself in most cases; −1 where a repair removed it. */
+  /** The vertex that a vertex was joined with, in most cases itself; −1 where a repair removed it. */
   representative: Int32Array;
   /** Sum of the triangle angles at each vertex, in radians. */
   angle: Float64Array;

@@ -13,30 +13,54 @@ export type Where = {
 }[];
 
 /**
- * What a map is, by inspection of the stored values alone. Certified: there are triangles, each has exactly positive area, every interior angle sum and every boundary turning is as asked, every seam is a rotation by a multiple of 2π/q, each within the thresholds, and the areas span no more than the number type resolves.
+ * The verdict on a map and the measurements behind it, all of the stored values. Certified: there are triangles, each has positive area (exact sign), every interior angle sum and every boundary turning is as prescribed, the sides of every seam differ by a rotation by a multiple of 2π/q, all within the thresholds, and the areas span no more than the number type resolves.
  */
 export interface Certificate {
   format: 'hgp-certificate';
   version: 1;
+  /**
+   * every rule holds in every component; then there are no reasons
+   */
   certified: boolean;
   /**
-   * the areas fit the precision; a certified map always is
+   * distortion.areaSpan is above the machine epsilon of the number type; true for every certified map
    */
   usable: boolean;
+  /**
+   * rotation order: angles are multiples of 2π/q
+   */
   q: number;
   /**
-   * the set of the file that was verified
+   * the uv set of the file that was verified
    */
   uvSet?: number;
+  /**
+   * the number type that uv are stored in
+   */
   precision: 'float32' | 'float64';
+  /**
+   * triangles that were verified
+   */
   triangles: number;
   /**
    * triangles that are not positive
    */
   flipped: number;
+  /**
+   * interior vertices whose angle sum is not the prescribed 2πk/q (k = q where no cone is prescribed)
+   */
   wrongAngles: number;
+  /**
+   * boundary loops whose turning is not the prescribed 2πl/q
+   */
   wrongTurnings: number;
+  /**
+   * interior edges whose two sides have different uv
+   */
   seamEdges: number;
+  /**
+   * seam edges whose sides do not differ by a rotation by a multiple of 2π/q
+   */
   brokenSeams: number;
   /**
    * seam edges whose two sides satisfy z' = i^r z + t exactly in the stored numbers; null unless q is 1, 2 or 4
@@ -47,15 +71,15 @@ export interface Certificate {
    */
   integerSeams: number | null;
   /**
-   * largest distance of an interior angle sum to a multiple of 2π/q, radians
+   * largest distance of an interior angle sum from a multiple of 2π/q, radians
    */
   maxConeDistance: number;
   /**
-   * the same of a boundary loop, radians
+   * largest distance of the turning of a boundary loop from a multiple of 2π/q, radians
    */
   maxTurningDistance: number;
   /**
-   * of the seam edge that is worst beside what it is allowed, relative to its own length
+   * residual of the seam edge that comes closest to its limit or exceeds it most, relative to its own length
    */
   maxSeamResidual: number;
   /**
@@ -63,96 +87,144 @@ export interface Certificate {
    */
   seamTolerance: number;
   /**
-   * All triangles of the surface as they are stored: verified, or outside the certificate and why
+   * All triangles of the surface as they are stored: verified, or not covered by the certificate, and why
    */
   stored: {
+    /**
+     * stored triangles of the surface
+     */
     triangles: number;
+    /**
+     * triangles that the certificate covers
+     */
     judged: number;
     /**
-     * outside: copies of a verified triangle, with its uv
+     * not covered: copies of a verified triangle, with its uv
      */
     duplicates: number;
     /**
-     * of those, with other uv; never in what was written here
+     * of the duplicates, those with other uv; 0 in files that hgp wrote
      */
     differing: number;
     /**
-     * outside: a vertex named twice, or of a component in which no triangle has an area
+     * not covered: triangles that name a vertex twice, or whose component has no triangle with an area
      */
     zeroArea: number;
     /**
-     * verified with the orientation opposite to the stored one
+     * verified with the opposite of their stored orientation
      */
     reversed: number;
     /**
-     * copies of vertices that the verified surface has and the file does not
+     * copies of vertices in the verified surface that are not in the file
      */
     splitVertices: number;
   };
   /**
-   * The tolerances that this map would pass
+   * The smallest tolerances with which this map would be accepted
    */
   needed: {
     /**
-     * of each seam edge's own length
+     * for seams, relative to the length of each seam edge
      */
     seam: number;
     /**
-     * radians
+     * for angles, radians
      */
     angle: number;
     /**
-     * with the larger of the two as tolerance every rule holds
+     * with the larger of the two as tolerance, every rule holds
      */
     sufficient: boolean;
   };
+  /**
+   * one entry per connected component
+   */
   components: {
     certified: boolean;
     usable: boolean;
     /**
-     * uv were well formed and finite, so that the facts are there
+     * the uv were well formed and finite, so that the facts below were measured
      */
     measured: boolean;
+    /**
+     * vertices with triangles
+     */
     vertices: number;
     edges: number;
     triangles: number;
+    /**
+     * V − E + F
+     */
     eulerCharacteristic: number;
     genus: number;
     boundaryLoops: number;
     orientation: {
+      /**
+       * triangles of positive area
+       */
       positive: number;
+      /**
+       * triangles without area
+       */
       zero: number;
+      /**
+       * flipped triangles
+       */
       negative: number;
+      /**
+       * triangles with a cone or a boundary vertex (F_cb)
+       */
       constrained: number;
+      /**
+       * of these, triangles of positive area
+       */
       constrainedPositive: number;
       /**
-       * triangles, at most 10 000
+       * ids of triangles that are flipped or without area, at most 10 000
        */
       notPositive: number[];
     };
     angles: {
+      /**
+       * interior vertices whose angle sum is not as prescribed
+       */
       wrong: number;
       /**
-       * radians
+       * largest distance of an interior angle sum from a multiple of 2π/q, radians
        */
       worstDistance: number;
+      /**
+       * where that is
+       */
       worstVertex: number;
       /**
        * accepted at worstVertex, radians
        */
       allowed: number;
+      /**
+       * smallest corner angle of all triangles in uv, radians
+       */
       smallestAngle: number;
+      /**
+       * boundary vertices with an angle above 2π; allowed
+       */
       overlappingBoundaryVertices: number[];
     };
     /**
-     * asked ones and every vertex that is one
+     * prescribed cones and all vertices that were measured to be one (measured ≠ q)
      */
     cones: {
       vertex: number;
+      /**
+       * prescribed k; q where no cone is prescribed
+       */
       asked: number;
+      /**
+       * k of the nearest angle 2πk/q
+       */
       measured: number;
       /**
-       * of the angle to that multiple of 2π/q, radians
+       * of the measured angle from that multiple of 2π/q, radians
        */
       distance: number;
       /**
@@ -160,12 +232,21 @@ export interface Certificate {
        */
       allowed: number;
     }[];
+    /**
+     * vertices whose measured k is not the prescribed one, or whose angle is too far from it
+     */
     wrongCones: {
       vertex: number;
+      /**
+       * prescribed k; q where no cone is prescribed
+       */
       asked: number;
+      /**
+       * k of the nearest angle 2πk/q
+       */
       measured: number;
       /**
-       * of the angle to that multiple of 2π/q, radians
+       * of the measured angle from that multiple of 2π/q, radians
        */
       distance: number;
       /**
@@ -173,35 +254,62 @@ export interface Certificate {
        */
       allowed: number;
     }[];
+    /**
+     * every boundary loop, with turning angle 2πl/q
+     */
     turnings: {
       loop: number;
+      /**
+       * prescribed l; null where it is free
+       */
       asked: number | null;
+      /**
+       * l of the nearest turning 2πl/q
+       */
       measured: number;
       /**
-       * radians
+       * of the measured turning from that multiple of 2π/q, radians
        */
       distance: number;
       /**
-       * radians
+       * accepted distance, radians
        */
       allowed: number;
     }[];
+    /**
+     * rotation 2πr/q along every handle generator
+     */
     handles: {
       generator: number;
+      /**
+       * prescribed r; null where it is free
+       */
       asked: number | null;
+      /**
+       * r; null where a seam on the way has no rotation
+       */
       measured: number | null;
     }[];
     seams: {
+      /**
+       * seam edges
+       */
       edges: number;
+      /**
+       * seam edges without a rotation by a multiple of 2π/q
+       */
       broken: number;
       /**
-       * edges that hold bit for bit; null unless q is 1, 2 or 4
+       * seam edges that hold without any rounding; null unless q is 1, 2 or 4
        */
       exact?: number | null;
       /**
        * of those, with an integer translation
        */
       integer?: number | null;
+      /**
+       * connected components of the surface cut along the seams
+       */
       charts: number;
       /**
        * at worstEdge, relative to its own length
@@ -212,26 +320,35 @@ export interface Certificate {
        */
       allowed: number;
       /**
-       * the edge that is worst beside what it is allowed
+       * the seam edge that comes closest to its limit or exceeds it most, as two vertices
        */
       worstEdge: number[];
       /**
-       * uv units
+       * largest difference of the lengths of the two sides, in uv units
        */
       worstLengthResidual: number;
+      /**
+       * largest |u| or |v|
+       */
       largestUv: number;
+      /**
+       * mean length of the triangle sides in uv
+       */
       meanUvEdge: number;
     };
+    /**
+     * Lemma 6.2 for the measured integers: have = Σ(q − k) + Σl, need = q(2 − 2g − m)
+     */
     gaussBonnet: {
       have: number;
       need: number;
     };
     /**
-     * How much of the map lies on top of itself, counted on a grid of 512 × 512 points; reported, not verified
+     * How much of the map overlaps itself, counted on a grid of 512 × 512 points; reported, the verdict does not depend on it
      */
     overlap: {
       /**
-       * of the covered plane, 0 to 1
+       * share of the covered plane that more than one triangle covers, 0 to 1
        */
       share: number;
       /**
@@ -239,31 +356,61 @@ export interface Certificate {
        */
       layers: number;
     };
+    /**
+     * Distortion of the positive triangles; the verdict does not depend on it except for areaSpan
+     */
     distortion: {
       /**
-       * μ = |f_z̄|/|f_z|, weighted by surface area
+       * mean of μ = |f_z̄|/|f_z| (0 is conformal), weighted by surface area
        */
       meanMu: number;
+      /**
+       * 95 % of the surface area have at most this μ
+       */
       p95Mu: number;
+      /**
+       * largest μ
+       */
       maxMu: number;
+      /**
+       * where that is
+       */
       worstMuTriangle: number;
       /**
-       * log₂ of the area ratio at the best global scale
+       * root mean square of log₂(uv area / surface area) at the best global scale
        */
       rmsLogArea: number;
+      /**
+       * 95 % of the surface area have at most this absolute value of it
+       */
       p95LogArea: number;
+      /**
+       * smallest value of it
+       */
       minLogArea: number;
+      /**
+       * largest value of it
+       */
       maxLogArea: number;
       /**
-       * excess over an isometry at the best global scale
+       * mean symmetric Dirichlet energy minus that of an isometry, at the best global scale; ≥ 0
        */
       symmetricDirichlet: number;
+      /**
+       * smallest uv area per surface area, relative to the mean
+       */
       areaSpan: number;
+      /**
+       * smallest uv area, relative to the mean
+       */
       smallestToMeanArea: number;
+      /**
+       * the triangle with the smallest uv area per surface area
+       */
       smallestTriangle: number;
     };
     /**
-     * What the verdict was made with
+     * The bounds of the verdict
      */
     thresholds: {
       /**
@@ -279,11 +426,11 @@ export interface Certificate {
        */
       rounding: number;
       /**
-       * most that rounding may excuse, relative to a seam edge's own length and in radians
+       * upper bound of what is accepted because of rounding, relative to a seam edge's own length and in radians
        */
       largestRounding: number;
       /**
-       * least accepted ratio of the smallest to the mean area scale
+       * smallest accepted distortion.areaSpan
        */
       areaSpan: number;
     };
@@ -304,7 +451,13 @@ export interface Certificate {
         | 'euler'
         | 'range'
         | 'empty';
+      /**
+       * places that break the rule
+       */
       count: number;
+      /**
+       * the measured number at the worst place, in the unit of the rule
+       */
       worst: number;
       message: string;
       where: Where;
@@ -324,7 +477,7 @@ export interface CheckReport {
     component: number;
     valid: boolean;
     /**
-     * nothing was asked of it; its cones will be chosen
+     * nothing is prescribed for it; its cones will be chosen
      */
     automatic: boolean;
     genus: number;
@@ -347,7 +500,7 @@ export interface CheckReport {
 }
 
 /**
- * What is asked of a map: rotation order q, cones, turning of boundaries, rotation of handles. Cone angles are 2πk/q; interior vertices that are not listed have k = q. What is left out is completed by the program; an absent list of cones means automatic cones, an empty one means none.
+ * A prescription: rotation order q, cones, turning of boundaries, rotations along handles. Cone angles are 2πk/q; interior vertices that are not listed have k = q. hgp completes what is left out; an absent list of cones means automatic cones, an empty one means none.
  */
 export interface ConesDocument {
   format?: 'hgp-cones';
@@ -363,7 +516,7 @@ export interface ConesDocument {
     vertices?: number;
     triangles?: number;
     /**
-     * of the file; where it differs, positions decide
+     * of the file; where it differs, cones are found by their positions
      */
     sha256?: string;
   };
@@ -373,11 +526,11 @@ export interface ConesDocument {
      */
     vertex: number;
     /**
-     * angle index
+     * angle index: the cone angle is 2πk/q
      */
     k: number;
     /**
-     * where the surface touches itself at this vertex: a triangle of the part that is meant
+     * where the surface touches itself at this vertex: a triangle of the sheet that is meant
      */
     triangle?: number;
     /**
@@ -392,11 +545,11 @@ export interface ConesDocument {
      */
     loop: number;
     /**
-     * turning index: total turning 2πl/q
+     * turning index l: the loop turns by 2πl/q
      */
     l: number;
     /**
-     * a vertex on that loop; decides when given
+     * a vertex on that loop; takes precedence over the index
      */
     anchor?: number;
   }[];
@@ -453,13 +606,13 @@ export interface Failure {
 }
 
 /**
- * What became of every mesh of a file that has several.
+ * The results of all meshes of a file that has several.
  */
 export interface FileReport {
   format: 'hgp-file';
   version: 1;
   /**
-   * All of them.
+   * all meshes are certified
    */
   certified: boolean;
   meshes: {
@@ -476,7 +629,7 @@ export interface FileReport {
 }
 
 /**
- * What a file holds and whether it can be parametrized.
+ * The contents of a file, and whether its mesh can be parametrized.
  */
 export interface ModelInfo {
   format: 'hgp-inspect';
@@ -505,7 +658,7 @@ export interface ModelInfo {
     notes: string[];
   }[];
   /**
-   * the one that is used
+   * the mesh that is used, as index into surfaces
    */
   surface: number;
   /**
@@ -587,24 +740,24 @@ export interface Report {
     triangles: number;
   };
   /**
-   * null: faces and vertices are those of the file. Otherwise the result, its certificate and the written file are of the repaired surface; input counts the vertices before, which keep their ids, and copies follow
+   * null: faces and vertices are those of the file. Otherwise the result, its certificate and the written file are of the repaired surface; input counts the vertices before the repairs, which keep their ids, and copies follow
    */
   repairsWritten: {
     /**
-     * triangles whose corners are written in the other order
+     * triangles that are written with the opposite orientation
      */
     facesTurned: number;
     /**
-     * vertices that are written once more, so that the fans of faces around them are apart; in glTF, where vertices at one place are read as one, these are stored vertices
+     * copies of vertices that were written to separate fans of faces; in glTF, where vertices at equal positions are read as one, these are stored vertices
      */
     verticesCopied: number;
   } | null;
   /**
-   * null: the mesh is as it was. Otherwise the result, its certificate and the written file are of a mesh with these edges split at their midpoints; ids below and input's counts are of the mesh before, vertices keep their ids and new ones follow
+   * null: the mesh was not refined. Otherwise the result, its certificate and the written file are of a mesh with these edges split at their midpoints; ids below and the counts of input are of the original mesh, vertices keep their ids and new ones follow
    */
   refined: {
     /**
-     * how many are split
+     * edges that were split
      */
     edges: number;
     /**
@@ -616,7 +769,7 @@ export interface Report {
      */
     triangles: number;
     /**
-     * programs that gave no map on the mesh as it was
+     * programs that gave no map of the original mesh
      */
     roundsBefore: number;
     where: {
@@ -649,7 +802,7 @@ export interface Report {
     boundary: 'free' | 'convex';
     scale: 'solved' | 'unit' | 'fit';
     /**
-     * what was asked; both sizes 0: no grid
+     * the requested grid; both sizes 0: no grid
      */
     grid: {
       cells: number;
@@ -657,14 +810,14 @@ export interface Report {
       mode: 'tile' | 'quad';
     };
     /**
-     * auto: our own smooth connection; file: the directions of the given field
+     * auto: a smooth field that hgp computes; file: the directions of the given field
      */
     frames: 'auto' | 'file';
     automaticCones: boolean;
     q?: number;
     coneCount?: number;
     /**
-     * What automatic cones are chosen for, where their number is not asked
+     * what automatic cones are optimised for, where their number is not given
      */
     conesFor?: 'balanced' | 'few' | 'low-distortion';
     alignToCurvature?: boolean;
@@ -678,12 +831,12 @@ export interface Report {
     certifiedBeforeStoring: boolean;
     usable: boolean;
     /**
-     * How harmonic the stored values are: rows (7), (8), (14) with mean-value weights at every interior vertex that is no cone, relative to the mean uv edge there
+     * How harmonic the stored values are: residuals of rows (7), (8), (14) with mean-value weights at every interior vertex that is not a cone, relative to the mean uv edge there
      */
     harmonic: {
       rows: number;
       /**
-       * above 1e-6, in float32 above that and what rounding can do there
+       * rows with a residual above 1e-6; for float32, above 1e-6 plus what rounding can cause there
        */
       violated: number;
       largestResidual: number;
@@ -712,7 +865,7 @@ export interface Report {
       seconds: number;
     }[];
     /**
-     * where a grid was asked: what was reached, what was tried, and why there is none
+     * null where no grid was requested; otherwise what was reached, what was tried, and why there is no aligned map
      */
     grid: {
       aligned: boolean;
@@ -732,17 +885,17 @@ export interface Report {
       attempts: {
         method: string;
         /**
-         * cells tried, relative to those asked
+         * ratio of the tried density to the requested one
          */
         density: number;
         turnedTriangles: number;
       }[];
       /**
-       * why there is none; empty where there is
+       * why there is no aligned map; empty if there is one
        */
       reason: string;
       /**
-       * without an aligned map: cones that are in each other's way, closest first
+       * without an aligned map: the cones that are too close, closest first
        */
       closestCones: {
         /**
@@ -750,17 +903,17 @@ export interface Report {
          */
         vertices: number[];
         /**
-         * from one to the other in the map as solved
+         * distance of the two in cells, in the map as solved
          */
         cells: number;
       }[];
       /**
-       * without an aligned map: a number of cells at which there is one, 0 if none was found
+       * without an aligned map: a number of cells that works, 0 if none was found
        */
       workingCells: number;
     } | null;
     /**
-     * null where none was asked for or the map is not certified
+     * null where none was requested or the map is not certified
      */
     improvement: null | {
       balance: number;

@@ -52,9 +52,8 @@ std::optional<std::string> crushedNote(const ModelComponent& component, const Uv
   toSurfaceIds(component, place);
   const Vec3& p = mesh.position(mesh.corners(worst)[0]);
   return formatText(
-      "%d of %s crushed: scaled in area by less than %g of the median, the smallest by %.1e of "
-      "it (triangle %lld, at %.4g %.4g %.4g). A cone there, or more cones, "
-      "helps.",
+      "%d of %s crushed: area scale below %g of the median, the smallest %.1e of it "
+      "(triangle %lld, at %.4g %.4g %.4g). Place a cone there, or more cones.",
       count, (counted(mesh.faceCount(), "triangle") + (count == 1 ? " is" : " are")).c_str(),
       kCrushedScale, scale[worst] / median, static_cast<long long>(place[0].id), p[0], p[1], p[2]);
 }
@@ -64,8 +63,8 @@ std::optional<std::string> countNote(int asked, const CompleteSpec& chosen) {
   if (asked == 0 || have == asked) return {};
   return formatText("%s asked for, %d placed: %s.", counted(asked, "cone").c_str(), have,
                     have > asked
-                        ? "fewer would break Gauss–Bonnet or turn too sharply for the triangles"
-                        : "the surface has no room for more");
+                        ? "fewer would break Gauss–Bonnet or be too strong for the triangles"
+                        : "the mesh has no vertices for more");
 }
 
 }  // namespace hgp::api

@@ -232,7 +232,7 @@ std::string withoutGiven(const std::string& message, const FixOptions& done, boo
   add("split", done.split);
   add("degenerate", done.degenerate);
   if (!isAutomatic && !more.empty()) return start + ". Repair with --fix " + more + " as well.";
-  return start + ". This is left after the repairs; the mesh has to be edited there.";
+  return start + ". No repair removes this; edit the mesh there.";
 }
 
 WeldFacts weldFacts(const MeshData& mesh) {
@@ -280,7 +280,7 @@ std::vector<std::string> crackNotes(const CrackFacts& cracks) {
   if (cracks.onEdges > 0) {
     notes.push_back(formatText(
         "T-junctions: %s on the boundary edge of another "
-        "face (within %.3g); no weld closes them: the edge needs a vertex there",
+        "face (within %.3g); a weld cannot close them: the edge needs a vertex there",
         cracks.onEdges == 1 ? "1 boundary vertex lies"
                             : formatText("%d boundary vertices lie", cracks.onEdges).c_str(),
         cracks.edgeGap));

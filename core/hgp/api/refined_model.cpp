@@ -29,7 +29,7 @@ Failure tangled() {
   return {
       ErrorCode::kUnsupported,
       "refine",
-      "repairs of this mesh come out differently on a refined one; repair it first and refine then",
+      "this mesh and its refinement are repaired differently; write the repaired mesh, then refine",
       {}};
 }
 
@@ -131,7 +131,7 @@ Result<Model> modelOfPolygons(const Model& model) {
     file.polygons.start.push_back(static_cast<std::uint32_t>(file.polygons.cornerVertex.size()));
   }
   file.notes = model.source().notes;
-  file.notes.push_back("positions and triangles alone are kept: the result is written as OBJ");
+  file.notes.push_back("only positions and triangles are kept: the result is written as OBJ");
   file.storedVertexCount = model.source().storedVertexCount;
   Result<io::DocumentPtr> document =
       io::PolygonDocument::make(model.document->format(), std::move(file));

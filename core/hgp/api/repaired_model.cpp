@@ -132,7 +132,7 @@ void repairAndCheck(Model& model, const FixOptions& fix) {
   for (const Defect& defect : model.defects) {
     if (defect.kind != DefectKind::kZeroArea) continue;
     model.notes.push_back(
-        formatText("%zu triangle%s no area: all edges are taken a little longer, so that every "
+        formatText("%zu triangle%s no area: all edge lengths are slightly increased so that every "
                    "triangle has one",
                    defect.where.size(), defect.where.size() == 1 ? " has" : "s have"));
   }

@@ -48,7 +48,7 @@ class Resolver {
     if (Status done = placeTurnings(); !done) return done.error();
     if (Status done = placeHandles(); !done) return done.error();
     if (asked_.field && !model_.hasOwnFaceIds) {
-      return refusal("a field names triangles, which get other numbers in the other format");
+      return refusal("a field refers to triangles, which get new ids in the other format");
     }
     if (asked_.field) {
       if (Status done = readField(); !done) return done.error();
@@ -69,8 +69,8 @@ class Resolver {
     int v = cone.vertex;
     if (!model_.hasOwnVertexIds && !cone.position) {
       return refusal(
-          "vertices get other numbers where the file is written in another format: cones need "
-          "positions then (those of 'hgp cones' have them), or the numbers of the new file");
+          "vertices get new ids when the file is converted to another format: cones need "
+          "positions (those of 'hgp cones' have them), or the ids of the new file");
     }
     const bool isMoved =
         (!asked_.sha256.empty() && asked_.sha256 != model_.sha256) || !model_.hasOwnVertexIds;
@@ -271,7 +271,7 @@ class Resolver {
         if (k[v] == found.q) continue;
         return toSurfaceIds(
             model_, component,
-            refusal(formatText("the field has a cone of k = %d that the list of cones lacks", k[v]),
+            refusal(formatText("the field has a cone of k = %d that is not in the list", k[v]),
                     {{Where::Kind::kVertex, v.i}}));
       }
     }

@@ -229,7 +229,7 @@ Status Session::canWrite(const std::string& name, bool isRefined) const {
           ErrorCode::kUsage,
           "write",
           "a refined mesh is written as OBJ: name the result -o x.obj (--also x.glb adds "
-          "a plain GLB of it); accessors of a glTF are not enlarged",
+          "a plain GLB of it); a glTF cannot be extended",
           {}};
     }
     const io::Document& document = *state_->shown().model->document;

@@ -37,8 +37,8 @@ Result<QuadFile> Session::quads(const std::string& name) const {
     if (!isAligned()) {
       return Failure{ErrorCode::kNoMap,
                      "quads",
-                     "the map is not aligned to a grid; the report says why, and which number of "
-                     "cells would work",
+                     "the map is not aligned to a grid; the report says why and names a number of "
+                     "cells that works",
                      {}};
     }
     QuadFile out;

@@ -48,20 +48,17 @@ std::string refinedNote(const RefinedFacts& facts, const Model& refined) {
   for (const auto& [reason, count] : sums)
     reasons += formatText("%s%zu %s", reasons.empty() ? "" : ", ", count, reason.c_str());
   return formatText(
-      "THE MESH WAS REFINED: %s split (%s), because %s gave no map on the mesh "
-      "as it "
-      "was. What is certified and written has %zu vertices and %zu triangles, where there were %d "
-      "and "
-      "%d; vertices keep their numbers, new ones follow.",
+      "THE MESH WAS REFINED: %s split (%s), because %s gave no map of the original mesh. "
+      "The certified and written mesh has %zu vertices and %zu triangles instead of %d and %d; "
+      "vertices keep their ids, new ones follow.",
       (counted(facts.edges, "edge") + (facts.edges == 1 ? " is" : " are")).c_str(), reasons.c_str(),
       counted(facts.roundsBefore, "program").c_str(), refined.source().mesh.positions.size(),
       refined.source().mesh.triangles.size(), facts.verticesBefore, facts.trianglesBefore);
 }
 
 constexpr const char* kOffer =
-    "no map on this mesh: it may be too coarse for what is asked. --refine (refine: true) splits "
-    "edges "
-    "where it is, tries again, and writes the refined mesh";
+    "no map on this mesh: it may be too coarse for the prescription. --refine (refine: true) "
+    "splits edges, tries again, and writes the refined mesh";
 
 }  // namespace
 
@@ -133,7 +130,7 @@ Status Session::State::solveRefined(const Request& request, const SolveOptions& 
   if (!finer)
     run.notes.push_back(
         tried.empty() ? "nothing was refined: the places where this map is wrong are not known"
-                      : "refined to " + tried + " triangles it has no map either");
+                      : "no map on the mesh refined to " + tried + " triangles either");
   return Done{};
 }
 

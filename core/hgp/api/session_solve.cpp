@@ -66,7 +66,7 @@ Status withFewCones(const TriMesh& mesh, SolveOptions choice, const GridOptions&
                       choice.conesFor == ConesFor::kBalanced;
   if (!isOpen || !run || !run->isCertified || isAligned(*run)) return Done{};
   if (mesh.faceCount() > kChosenTwice) {
-    notes.emplace_back("--cones-for few chooses fewer cones, which leave a grid more room");
+    notes.emplace_back("fewer cones leave more room for a grid: try --cones-for few");
     return Done{};
   }
   choice.conesFor = ConesFor::kFew;
@@ -77,7 +77,7 @@ Status withFewCones(const TriMesh& mesh, SolveOptions choice, const GridOptions&
   if (few && few->isCertified && isAligned(*few)) {
     run = std::move(few);
     notes.push_back(
-        "the usual cones have no map on this grid; those of --cones-for few are used instead");
+        "the default cones have no map on this grid; those of --cones-for few are used instead");
   } else {
     notes = std::move(before);
   }
@@ -103,12 +103,11 @@ Failure noField() {
 }
 
 Failure cannotRefineFrames() {
-  return {
-      ErrorCode::kUsage,
-      "refine",
-      "The frames of a file are one per triangle and cannot be refined with the mesh; leave out "
-      "either.",
-      {}};
+  return {ErrorCode::kUsage,
+          "refine",
+          "Frames of a file belong to its triangles and cannot be refined with the mesh; leave out "
+          "either.",
+          {}};
 }
 
 Failure wrongBalance() {
@@ -224,9 +223,9 @@ static Status checkGrid(const SolveOptions& options, int q) {
   if (options.boundary == BoundaryKind::kConvex)
     return refuse("a convex boundary has no seams to align; leave out the grid");
   if (options.scale != Scale::kSolved)
-    return refuse("an aligned map has one cell per unit of uv: scale unit and fit would undo it");
+    return refuse("an aligned map has one cell per unit of uv; leave out the scale or the grid");
   if (options.grid.cells > 0 && options.grid.spacing > 0)
-    return refuse("cells and spacing say the same thing; give one of them");
+    return refuse("cells and spacing exclude each other; give one of them");
   return Done{};
 }
 
@@ -254,7 +253,7 @@ Status Session::State::solveRequest(const Request& request, const SolveOptions& 
     if (!component && options.keepsGoing && maySkip(component.error())) {
       whyNone = component.error().message;
       run.notes.push_back(
-          formatText("component %zu has no map of its own, and keeps what it had or is a disk: ",
+          formatText("component %zu has no map of its own; it keeps its uv or is cut to a disk: ",
                      p) +
           component.error().message);
       component =

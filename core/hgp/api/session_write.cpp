@@ -178,9 +178,9 @@ Result<WrittenMap> Session::State::writeMesh(const WriteOptions& options) const 
   if (!stored.isCertified && !options.allowUncertified) {
     return Failure{ErrorCode::kNoMap,
                    "write",
-                   isObj ? std::string("the map is certified in single precision, and not in the "
+                   isObj ? std::string("the map is certified in single precision, but not in the "
                                        "double precision of OBJ")
-                         : std::string("the map is certified in double precision, and not in the "
+                         : std::string("the map is certified in double precision, but not in the "
                                        "single precision of glTF"),
                    {}};
   }

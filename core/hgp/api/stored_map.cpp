@@ -255,7 +255,7 @@ int overlapCells(const UvMap& map) {
 void denyCertificate(const std::string& whyNone, Certificate& certificate) {
   certificate.reasons.insert(
       certificate.reasons.begin(),
-      {Rule::kPrescription, 1, 0.0, "There is no map as asked: " + whyNone, {}});
+      {Rule::kPrescription, 1, 0.0, "There is no map with this prescription: " + whyNone, {}});
   certificate.isCertified = false;
 }
 
@@ -297,7 +297,7 @@ StoredMap storeMap(const Model& model, const StorePlace& place,
   }
   if (const std::size_t broken = brokenByStoring(components, out).size(); broken > 0) {
     out.notes.push_back(
-        formatText("%zu of %s certified before the rounding of the format, and not after it",
+        formatText("%zu of %s certified before the rounding of the format, but not after it",
                    broken, counted(components.size(), "component").c_str()));
   }
   for (std::size_t p = 0; p < model.components.size(); ++p) {

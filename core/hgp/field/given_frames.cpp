@@ -7,13 +7,13 @@ namespace {
 
 Failure contradiction(const std::string& what, std::vector<Where> where = {}) {
   return {ErrorCode::kPrescription, "field",
-          formatText("The frames of the field do not realise what is asked: %s. Ask for what the "
-                     "field has, or take automatic frames.",
+          formatText("The field does not match the prescription: %s. Prescribe what the field "
+                     "has, or use automatic frames.",
                      what.c_str()),
           std::move(where)};
 }
 
-/// Every interior vertex must have the asked angle index.
+/// Every interior vertex must have the prescribed angle index.
 Status compareCones(const TriMesh& mesh, const CompleteSpec& has, const HolonomySpec& asked) {
   PerVertex<int> want(static_cast<std::size_t>(mesh.vertexCount()), asked.q), k = want;
   for (const ConePoint& cone : asked.cones) want[cone.vertex] = cone.k;
@@ -23,19 +23,17 @@ Status compareCones(const TriMesh& mesh, const CompleteSpec& has, const Holonomy
     if (k[v] != want[v]) where.push_back({Where::Kind::kVertex, v.i});
   if (where.empty()) return Done{};
   const VertexId v(static_cast<int>(where[0].id));
-  const std::string text =
-      formatText("they turn to k = %d where k = %d is asked (vertices that differ: %zu)", k[v],
-                 want[v], where.size());
+  const std::string text = formatText("k = %d where k = %d is prescribed (%zu vertices differ)",
+                                      k[v], want[v], where.size());
   return contradiction(text, std::move(where));
 }
 
 Status compareTurning(const CompleteSpec& has, const HolonomySpec& asked) {
   for (std::size_t j = 0; j < has.turning.size() && j < asked.turning.size(); ++j) {
     if (!asked.turning[j] || *asked.turning[j] == has.turning[j]) continue;
-    return contradiction(
-        formatText("along a boundary loop they turn by l = %d where l = %d is asked",
-                   has.turning[j], *asked.turning[j]),
-        {{Where::Kind::kLoop, static_cast<std::int64_t>(j)}});
+    return contradiction(formatText("a boundary loop has l = %d where l = %d is prescribed",
+                                    has.turning[j], *asked.turning[j]),
+                         {{Where::Kind::kLoop, static_cast<std::int64_t>(j)}});
   }
   return Done{};
 }
@@ -45,9 +43,9 @@ Status compareHandles(const CompleteSpec& has, const HolonomySpec& asked) {
     if (!asked.handles[i]) continue;
     const int r = reduceTurn(*asked.handles[i], asked.q);
     if (r == has.handles[i]) continue;
-    return contradiction(formatText(
-        "along handle generator %zu of its component they turn by r = %d where r = %d is asked", i,
-        has.handles[i], r));
+    return contradiction(
+        formatText("handle generator %zu of its component has r = %d where r = %d is prescribed", i,
+                   has.handles[i], r));
   }
   return Done{};
 }
@@ -59,8 +57,8 @@ Result<ReadField> givenFrames(const TriMesh& mesh, const FieldContext& context,
   if (data.directions.empty())
     return Failure{ErrorCode::kUsage,
                    "field",
-                   "This field has matchings but no directions, so it gives no frames: they need "
-                   "one direction per triangle (.rawfield, .rosy, .ffield). Take automatic frames.",
+                   "This field has matchings but no directions: frames need one direction per "
+                   "triangle (.rawfield, .rosy, .ffield). Use automatic frames.",
                    {}};
   if (data.order != asked.q)
     return contradiction(

@@ -38,7 +38,7 @@ Status directionAngles(const TriMesh& mesh, const std::vector<Vec3>& directions,
   if (without.empty()) return Done{};
   Failure failure = malformed(
       formatText("The field has triangles without a direction (%zu of %d): a direction must be "
-                 "finite and have a part in its triangle's plane.",
+                 "finite and not normal to its triangle.",
                  without.size(), mesh.faceCount()));
   failure.where = std::move(without);
   return failure;

@@ -29,9 +29,8 @@ Result<SurfaceLaplacian> SurfaceLaplacian::build(const TriMesh& mesh, const Fill
   if (!result.factor_.factor(L))
     return Failure{ErrorCode::kUnsupported,
                    "field",
-                   "The Laplacian of the surface could not be factored: its geometry is not "
-                   "numerically usable (all points equal, or coordinates of wildly different "
-                   "size).",
+                   "The Laplacian of the surface could not be factored: all points are equal, or "
+                   "coordinates have extremely different sizes.",
                    {}};
   return result;
 }

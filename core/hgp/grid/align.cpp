@@ -271,7 +271,7 @@ class Aligner {
         "(%.1f "
         "per cone)%s",
         report.cells, report.cellsPerCone,
-        isCutShort_ ? ", and looking further would have taken longer than the map itself" : "");
+        isCutShort_ ? "; further attempts would have taken longer than the map itself" : "");
     // A program may have cost more than expected: what was kept for this is still there, and in any
     // case as much as linear steps cost where there are few integers.
     const double plainStep = kStepWork * mesh_.faceCount() + system_.solveWork();

@@ -9,7 +9,7 @@ namespace hgp::io {
 /// any other (as a GLB, which Document::write takes apart).
 bool canConvert(const Document& document, std::string_view format);
 
-/// The files of a document as if they had been of that format. Notes say what did not come along.
+/// The files of a document as if they had been of that format. Notes say what is not kept.
 /// `surface` as for Document::plain. @pre canConvert
 Result<FileSet> convertFiles(const Document& document, const FileSet& files,
                              std::string_view format, int surface, const Limits& limits);

@@ -22,7 +22,7 @@ struct PlainSurface {
 
 struct PlainFile {
   std::vector<PlainSurface> surfaces;
-  std::vector<std::string> lost;  ///< what does not come along, for people
+  std::vector<std::string> lost;  ///< what is not kept, for users
 };
 
 /// The sRGB transfer function and its inverse; colours of OBJ and PLY are sRGB, those of glTF linear.

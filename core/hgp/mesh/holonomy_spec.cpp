@@ -88,8 +88,8 @@ Status checkBounds(const TriMesh& mesh, const Topology& topology, const Holonomy
     const TurningRange range = turningRange(mesh, topology.loops[j], spec.q);
     if (*spec.turning[j] < range.lowest || *spec.turning[j] > range.highest)
       return refuse(
-          formatText("Turning index %d of boundary loop %zu is out of reach: with its %zu "
-                     "vertices and their triangles it lies between %lld and %lld.",
+          formatText("Turning index %d of boundary loop %zu is out of range: its %zu vertices "
+                     "and their triangles allow %lld to %lld.",
                      *spec.turning[j], j, topology.loops[j].halfedges.size(), range.lowest,
                      range.highest),
           {{Where::Kind::kLoop, static_cast<std::int64_t>(j)}});
@@ -148,8 +148,8 @@ Result<BudgetReport> balance(const TriMesh& mesh, const Topology& topology,
   }
   const TurningRange open = openRange(mesh, topology, spec);
   if (missing < open.lowest || missing > open.highest)
-    return refuse(sums + formatText("the %d open boundary loop%s would have to turn by %lld, and "
-                                    "can turn by %lld to %lld only.",
+    return refuse(sums + formatText("the turning of the %d open boundary loop%s would have to be "
+                                    "%lld, and can be %lld to %lld.",
                                     report.openLoops, report.openLoops == 1 ? "" : "s", missing,
                                     open.lowest, open.highest));
   return report;
@@ -205,9 +205,8 @@ Status checkClosed(const Topology& topology, const HolonomySpec& spec, BudgetRep
         "multiples of 2π/%d",
         p.q - 1, p.q + 1, reduced.c_str(), p.q);
     if (p.divisor == 1 || p.areHandlesKnown) return refuse(text + ": add two more cones.");
-    report.warnings.push_back(text + formatText("; a handle rotation that is no multiple of %d is "
-                                                "needed.",
-                                                p.divisor));
+    report.warnings.push_back(
+        text + formatText(" unless a handle rotation is not a multiple of %d.", p.divisor));
   }
   const bool isEmptyStratum = topology.genus == 2 && p.q == 2 &&
                               (p.k == std::vector<int>{3, 5} || p.k == std::vector<int>{6});
@@ -216,7 +215,7 @@ Status checkClosed(const Topology& topology, const HolonomySpec& spec, BudgetRep
                           p.divisor % 2 == 0 && !p.areHandlesKnown;
   const char* unless = p.areHandlesKnown || p.divisor == 1
                            ? ""
-                           : ", unless a handle rotates by less than that common divisor";
+                           : ", unless a handle rotation is not a multiple of that divisor";
   if (isEmptyStratum)
     report.warnings.push_back(
         "Closed surfaces of genus 2 have no flat metric with q=2 and cones "
@@ -238,7 +237,7 @@ void warnPoorVertices(const TriMesh& mesh, const HolonomySpec& spec, BudgetRepor
   report.warnings.push_back(formatText(
       "%zu cone%s with few triangles for the angle (more than %.3g rad each on average): vertex "
       "%s. "
-      "Refining around them helps.",
+      "Refine the mesh there.",
       poor.size(), poor.size() == 1 ? "" : "s", kPoorCornerAngle, listCones(poor).c_str()));
 }
 
@@ -253,10 +252,9 @@ bool warnShortage(const TriMesh& mesh, const HolonomySpec& spec, BudgetReport& r
   };
   const auto cones = selectCones(spec, isPart);
   report.warnings.push_back(formatText(
-      "No locally injective map on this mesh has these angles: %s with the cones %s ask for %gπ in "
-      "all, and the %s around them have less than π each. Lower k there, move these cones apart, "
-      "or "
-      "split edges there (--refine).",
+      "No locally injective map on this mesh has these angles: %s with the cones %s need %gπ "
+      "together, and the %s around them have less than π each. Lower k there, move these cones "
+      "apart, or split edges there (--refine).",
       counted(static_cast<std::size_t>(found->vertices), "vertex", "vertices").c_str(),
       listCones(cones).c_str(), found->asked / kPi,
       counted(static_cast<std::size_t>(found->triangles), "triangle").c_str()));

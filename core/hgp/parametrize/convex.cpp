@@ -71,14 +71,14 @@ HarmonicSystem plainHarmonicSystem(const TriMesh& mesh, const Geometry& geometry
 
 Status requireDisk(const Topology& topology, const ParametrizeOptions& options) {
   if (options.frames)
-    return Failure{ErrorCode::kUsage, "field", "A convex boundary takes no given frames.", {}};
-  if (options.improve)
     return Failure{
-        ErrorCode::kUsage,
-        "improve",
-        "A convex boundary takes no improvement: it would not stay convex. Leave out the "
-        "convex boundary to have less distortion.",
-        {}};
+        ErrorCode::kUsage, "field", "A convex boundary cannot be combined with given frames.", {}};
+  if (options.improve)
+    return Failure{ErrorCode::kUsage,
+                   "improve",
+                   "A convex boundary would not stay convex in an improvement. Leave out the "
+                   "convex boundary to have less distortion.",
+                   {}};
   if (topology.componentCount != 1 || topology.genus != 0 || topology.loops.size() != 1)
     return Failure{
         ErrorCode::kUnsupported,

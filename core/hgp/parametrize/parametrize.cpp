@@ -41,8 +41,8 @@ void explain(const SeamlessSetup& setup, bool hasGivenFrames, Parametrization& r
   if (range > kHopelessScaleRange && !result.isCertified)
     result.notes.push_back("These cones stretch the surface by e^" +
                            std::to_string(static_cast<int>(range)) +
-                           " where angles are kept, which is more than areas in double precision "
-                           "hold. Add cones in the regions that shrink.");
+                           " where angles are kept: double precision cannot resolve such areas. "
+                           "Add cones in the regions that shrink.");
   else if (range > kHardScaleRange)
     result.notes.push_back("These cones stretch the surface by e^" +
                            std::to_string(static_cast<int>(range)) +
@@ -53,8 +53,8 @@ void explain(const SeamlessSetup& setup, bool hasGivenFrames, Parametrization& r
                            " cannot be satisfied together (see conflict).");
   if (!result.isCertified && hasGivenFrames)
     result.notes.push_back(
-        "The frames were those of the given field, as asked. Automatic frames have the same cones, "
-        "turning and handles but turn evenly, and may be certified where these are not.");
+        "The frames were those of the field file. Automatic frames have the same cones, turning "
+        "and handles but turn evenly: a map with them may be certified.");
 }
 
 using Clock = std::chrono::steady_clock;

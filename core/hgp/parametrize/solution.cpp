@@ -67,7 +67,7 @@ std::optional<MappedSolution> accepted(const TriMesh& mesh, const Improvement& r
   improved.certificate = certify(mesh, result.spec, improved.map);
   if (isBetter(run, asked, mapped.certificate, improved.certificate)) return improved;
   result.notes.push_back(
-      "The map is as before the improvement, which the verifier did not accept: " +
+      "The map is not improved, as the verifier did not accept the improved map: " +
       (improved.certificate.reasons.empty() ? std::string("it is no better on the surface itself.")
                                             : improved.certificate.reasons[0].message));
   return {};
@@ -196,7 +196,7 @@ Status evenOut(const TriMesh& mesh, const ParametrizeOptions& options, MappedSol
   if (!even.certificate.isCertified) return Done{};
   mapped = std::move(even);
   result.notes.emplace_back(
-      "Areas of the map as solved spanned more than double precision holds: it was evened out.");
+      "Areas of the map spanned more than double precision resolves: its distortion was lowered.");
   return Done{};
 }
 

@@ -77,7 +77,7 @@ Result<LatticeMap> LatticeMap::make(const TriMesh& mesh, const UvMap& map) {
     for (int c : corners)
       for (double x : map.uv[at(c)]) largest = std::max(largest, std::fabs(x));
   if (!(std::ldexp(largest, -exponent) <= kLargest))
-    return refusal("the map's coordinates are on no common grid: align it to a grid first");
+    return refusal("the map's coordinates share no grid: align it to a grid first (--cells)");
   out.unit_ = std::int64_t{1} << -exponent;
   out.corner_ = PerHalfedge<LatticePoint>(at(mesh.halfedgeCount()));
   for (HalfedgeId h : mesh.halfedges()) {
@@ -99,10 +99,11 @@ Result<LatticeMap> LatticeMap::make(const TriMesh& mesh, const UvMap& map) {
     const LatticePoint shift =
         minus(out.corner_[TriMesh::next(twin)], turned(out.corner_[h], turn));
     if (turn == 4 || !out.isWhole(shift))
-      return refusal(formatText("the grid does not continue across the edge %d–%d: its translation "
-                                "is no integer",
-                                mesh.tail(h).i, mesh.head(h).i),
-                     {{Where::Kind::kEdge, mesh.tail(h).i, mesh.head(h).i}});
+      return refusal(
+          formatText(
+              "the grid does not continue across the edge %d–%d: its translation is not an integer",
+              mesh.tail(h).i, mesh.head(h).i),
+          {{Where::Kind::kEdge, mesh.tail(h).i, mesh.head(h).i}});
     out.crossing_[h] = {turn, shift};
   }
   return out;

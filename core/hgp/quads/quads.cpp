@@ -323,7 +323,7 @@ class Extraction {
       int d = static_cast<int>(first);
       for (; d >= 0 && count < 4; d = nextAround(d)) cell[count++] = d;
       if (count < 4 || d != static_cast<int>(first)) {
-        if (d >= 0) return noQuads("a cell does not close after four edges: a cone lies inside it");
+        if (d >= 0) return noQuads("a cell does not close after four edges: a cone is inside it");
         continue;
       }
       for (int n : cell) isDone[hgp::at(n)] = 1;

@@ -56,8 +56,8 @@ void checkOrientation(const Certificate& facts, const CornerUv& uv, const Certif
   reasons.push_back(
       {Rule::kOrientation, static_cast<int>(o.notPositive.size()), relative,
        formatText(
-           "%zu of %d triangles %s not positive: %d reversed, %d without area; the worst has "
-           "%.3g of a mean triangle's area.",
+           "%zu of %d triangles %s not positive: %d reversed, %d without area; the worst has an "
+           "area of %.3g mean triangles.",
            o.notPositive.size(), facts.faceCount, o.notPositive.size() == 1 ? "is" : "are",
            o.negative, o.zero, relative),
        worstPlaces(std::move(places), options.placesPerReason)});
@@ -73,7 +73,7 @@ const char* typeName(const Certificate& facts) {
   return facts.precision == Precision::kFloat32 ? "float32" : "float64";
 }
 
-constexpr const char* kWayOut = "Cones in the part that shrinks bring it into range";
+constexpr const char* kWayOut = "More cones in the region that shrinks help";
 
 void checkConeAngles(const Certificate& facts, const CertifyOptions& options,
                      std::vector<Reason>& reasons) {
@@ -91,7 +91,7 @@ void checkConeAngles(const Certificate& facts, const CertifyOptions& options,
   reasons.push_back(
       {Rule::kConeAngle, static_cast<int>(places.size()), error(*worst),
        formatText("%zu interior angle sum%s not as asked; worst at vertex %d: k = %d, off by %.3g "
-                  "rad (accepted %.3g), asked %d (angle 2πk/%d).",
+                  "rad (accepted %.3g), asked k = %d (angle 2πk/%d).",
                   places.size(), places.size() == 1 ? " is" : "s are", worst->vertex.i,
                   worst->measured, worst->distance, worst->allowed, worst->asked, facts.q),
        worstPlaces(std::move(places), options.placesPerReason)});
@@ -114,8 +114,8 @@ void checkTurnings(const Certificate& facts, const CertifyOptions& options,
   const std::string asked = worst->asked ? std::to_string(*worst->asked) : "an integer";
   reasons.push_back(
       {Rule::kTurning, static_cast<int>(places.size()), error(*worst),
-       formatText("%zu boundary loop%s turned otherwise; worst loop %d: l = %d, off by %.3g rad "
-                  "(accepted %.3g), asked %s (turning 2πl/%d).",
+       formatText("%zu boundary loop%s not turned as asked; worst loop %d: l = %d, off by %.3g rad "
+                  "(accepted %.3g), asked l = %s (turning 2πl/%d).",
                   places.size(), places.size() == 1 ? " is" : "s are", worst->loop.i,
                   worst->measured, worst->distance, worst->allowed, asked.c_str(), facts.q),
        worstPlaces(std::move(places), options.placesPerReason)});
@@ -162,9 +162,9 @@ void checkCoordinates(const TriMesh& mesh, const Certificate& facts, const Certi
   if (places.empty()) return;
   reasons.push_back(
       {Rule::kRange, static_cast<int>(places.size()), worst,
-       formatText("The range of the map is beyond %s: its coordinates go up to %.3g, and %zu seam "
-                  "edge%s and %zu angle sum%s cannot be stored to %.3g of their own size beside "
-                  "that; the worst is off by %.3g. %s.",
+       formatText("The range of the map is beyond %s: with coordinates up to %.3g, %zu seam "
+                  "edge%s and %zu angle sum%s cannot be stored to %.3g of their own size; "
+                  "the worst is off by %.3g. %s.",
                   typeName(facts), facts.seams.maxUv, edges, plural(edges), sums, plural(sums),
                   std::max(facts.thresholds.tolerance, facts.thresholds.largestRounding), worst,
                   kWayOut),

@@ -147,7 +147,7 @@ INSTANTIATE_TEST_SUITE_P(
         Lenient{"stlComments", "a.stl", "# made by hand\n\n" + kStl, ""},
         Lenient{"stlMark", "a.stl", kMark + kStl, ""},
         Lenient{"stlCarriageReturns", "a.stl", withCarriageReturns(kStl), ""},
-        Lenient{"stlTail", "a.stl", binaryStl(2, "tail"), "4 bytes behind"},
+        Lenient{"stlTail", "a.stl", binaryStl(2, "tail"), "4 bytes after"},
         Lenient{"stlNoCount", "a.stl", binaryStl(0, ""), "count in the header is 0"},
         Lenient{"stlSolidTail", "a.stl", "solid" + binaryStl(2, "x").substr(5),
                 "ignored: 1 byte behind"}),

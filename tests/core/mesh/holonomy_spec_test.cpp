@@ -181,7 +181,7 @@ TEST(HolonomySpec, RefusesTurningOutOfReach) {
   HolonomySpec spec = specOf(triangle, 4, {});
   for (int l : {0, -4, 6, 100}) {
     spec.turning = {l};
-    EXPECT_TRUE(contains(refusal(triangle, spec), "out of reach")) << l;
+    EXPECT_TRUE(contains(refusal(triangle, spec), "out of range")) << l;
   }
   spec.turning = {4};
   EXPECT_EQ(refusal(triangle, spec), "");

@@ -38,7 +38,7 @@ async function gunzip(bytes, limit, platform, notes) {
   try {
     const ignored = await readMembers(bytes, { Gunzip, add });
     if (ignored > 0)
-      notes.push(`ignored: ${ignored} byte${ignored === 1 ? '' : 's'} behind the gzip data`);
+      notes.push(`ignored: ${ignored} byte${ignored === 1 ? '' : 's'} after the gzip data`);
   } catch (error) {
     if (error instanceof HgpError) throw error;
     const message = `The gzip data are ${error.message}.`;

@@ -84,7 +84,7 @@ Result<GltfContainer> openLonger(ByteView file, std::size_t length) {
   if (length >= 20) {
     Result<GltfContainer> read = ChunkReader(file.first(length)).read();
     if (read) {
-      read->notes.push_back("ignored: " + behind + " behind the end of the GLB");
+      read->notes.push_back("ignored: " + behind + " after the end of the GLB");
       if (read->hasBin) return read;
       part = std::move(*read);
     }

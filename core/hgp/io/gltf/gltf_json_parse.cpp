@@ -42,7 +42,7 @@ class JsonParser {
     if (p_ == end_) fail("the JSON text is empty");
     if (!hasFailed_) value(-1, 0, 0, 0);
     skipSpace();
-    if (!hasFailed_ && p_ != end_) fail("more text behind the JSON value");
+    if (!hasFailed_ && p_ != end_) fail("more text after the JSON value");
     if (hasFailed_) return failure_;
     return Done{};
   }

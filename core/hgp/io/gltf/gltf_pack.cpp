@@ -248,9 +248,8 @@ Result<Written> glbAsGltf(ByteView glb, const std::string& name) {
   out.files.push_back({name, asBytes(text)});
   if (hasBin) out.files.push_back(std::move(side));
   for (const GltfChunk& chunk : container->others)
-    out.notes.push_back(
-        formatText("a .gltf has no chunks: %zu bytes of type %08X did not come along",
-                   chunk.bytes.size(), chunk.type));
+    out.notes.push_back(formatText("a .gltf has no chunks: %zu bytes of type %08X are not kept",
+                                   chunk.bytes.size(), chunk.type));
   return out;
 }
 

@@ -223,15 +223,15 @@ class GltfFlattener {
     const auto has = [&](const char* name) {
       return !json_.children(json_.find(JsonText::kRoot, name)).empty();
     };
-    if (has("materials")) out_.lost.push_back("of the materials only their names come along");
+    if (has("materials")) out_.lost.push_back("of the materials only their names are kept");
     if (has("skins") || has("animations"))
-      out_.lost.push_back("skins and animations do not come along: the model is in its rest pose");
+      out_.lost.push_back("skins and animations are not kept: the model is in its rest pose");
     const auto& meshes = store_.model.meshes;
     const bool hasMorphs = std::any_of(meshes.begin(), meshes.end(), [](const GltfMesh& mesh) {
       return std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
                          [](const GltfPrimitive& p) { return !p.targets.empty(); });
     });
-    if (hasMorphs) out_.lost.push_back("morph targets do not come along");
+    if (hasMorphs) out_.lost.push_back("morph targets are not kept");
   }
 
   const GltfStore& store_;

@@ -177,7 +177,7 @@ class ObjDocument final : public PolygonDocument {
         for (int t = polygons_.firstTriangle(p); t < polygons_.firstTriangle(p + 1); ++t)
           out.triangleMaterial[static_cast<std::size_t>(t)] =
               extras.polygonMaterial[static_cast<std::size_t>(p)];
-      file->lost.push_back("of the materials only their names come along");
+      file->lost.push_back("of the materials only their names are kept");
     }
     if (extras.hasGroups) file->lost.push_back("groups (o, g) become one mesh");
     return file;

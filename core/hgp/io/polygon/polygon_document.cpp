@@ -124,7 +124,7 @@ Result<PlainFile> PolygonDocument::plain(int) const {
         (unplaced.size() == 1 ? " without a finite position is" : " without finite positions are") +
         " put at the origin");
   if (!polygons_.isTriangles()) file.lost.push_back("polygons become triangles");
-  if (!cornerUv_.empty()) file.lost.push_back("the old texture coordinates do not come along");
+  if (!cornerUv_.empty()) file.lost.push_back("the old texture coordinates are not kept");
   return file;
 }
 

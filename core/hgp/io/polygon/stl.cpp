@@ -90,7 +90,7 @@ std::optional<std::size_t> binaryCount(const Bytes& bytes, std::vector<std::stri
   }
   if (announced == 0 || announced > room) return std::nullopt;
   notes.push_back(formatText(
-      "ignored: %s behind the last triangle",
+      "ignored: %s after the last triangle",
       counted(bytes.size() - kHeaderBytes - announced * kTriangleBytes, "byte").c_str()));
   return announced;
 }

@@ -147,8 +147,8 @@ std::vector<EdgeId> leftoverEdges(const TriMesh& mesh, const FilledSurface& surf
   return rest;
 }
 
-/// Adds to a Steiner tree what opens the handles: a spanning tree that contains it (its edges cost
-/// nothing, everything else is reached by shortest paths from it) and the edges left over.
+/// Extends a Steiner tree so that the handles are cut open: a spanning tree that contains it (its edges cost
+/// nothing, everything else is reached by shortest paths from it), and the edges in neither tree.
 void markHandles(const TriMesh& mesh, const FilledSurface& surface, const NodeGraph& graph,
                  const PerEdge<double>& length, std::vector<int> sources, PerEdge<char>& isSeam) {
   if (sources.empty()) sources.push_back(0);

@@ -14,34 +14,35 @@ namespace {
 
 /// Densities tried by the linear step, as factors of the edge length.
 constexpr double kFactors[] = {1.0, 1.06, 0.94, 1.12, 1.19, 1.27, 1.35};
-/// Rings around triangles that turned over; of what is left then, so many are tried again, best first.
+/// Rings around flipped triangles that a patch has,
 constexpr int kRings = 6;
-/// … and at least so many cells across a fine mesh.
+/// … and its minimum width in cells on a fine mesh; then this many of the best densities get larger patches.
 constexpr double kPatchCells = 1.2;
 constexpr std::size_t kRepairedAgain = 2;
 constexpr double kPatchShare = 0.35;
-/// Programs on the whole mesh, at most so many triangles large, and their rounds of growth.
+/// Maximum triangles of a mesh for programs on all of it, and their rounds of growth.
 constexpr int kLargestWhole = 150'000;
 constexpr int kWholeRounds = 4;
-/// Cones within so many cells are kept apart.
+/// Cones within this many cells are kept apart.
 constexpr double kReach = 3.0;
 constexpr int kDenser = 8;  ///< doublings of the density that are tried to name one that works
-/// Of all work, what is kept for naming such a density.
+/// Share of all work that is reserved for naming such a density,
 constexpr double kExplaining = 0.15;
-/// … and at least so much for repairs, whatever the choice of many integers took.
+/// … and for repairs, however long the choice of many integers took.
 constexpr double kRepairShare = 0.25;
 /// Multiply-adds per triangle of verifying a map.
 constexpr double kVerifyWork = 3e3;
-/// Multiply-adds per triangle of a linear step beside its back-substitution: copies, exact orientation.
+/// Multiply-adds per triangle of a linear step apart from its back-substitution: copies, exact orientation.
 constexpr double kStepWork = 1200.0;
-/// … and of the choice of k integers, by k³: making room between close cones is most of it (measured).
+/// Multiply-adds of the choice of k integers, divided by k³; most of it separates close cones (measured).
 constexpr double kRoundingWork = 1.5;
-/// Multiply-adds of one factorization of a program over n triangles, by n^(3/2), and beside it, by n (measured).
+/// Multiply-adds of one factorization of a program over n triangles, divided by n^(3/2), and of the rest of an
+/// iteration, divided by n (measured).
 constexpr double kPlanarWork = 22.0;
 constexpr double kProgramWork = 3e3;
 /// Interior-point iterations that a program is expected to need.
 constexpr int kExpectedIterations = 14;
-/// Of the stage, what is done when the first density is tried, and what all of them take.
+/// Fractions of the stage: done when the first density is tried; taken by all densities.
 constexpr double kBegun = 0.1, kStepping = 0.5;
 constexpr std::size_t kNamed = 3;  ///< pairs of cones that the report names
 
@@ -88,8 +89,8 @@ class Aligner {
   }
 
  private:
-  /// By density, the one asked first, each repaired where its triangles turned over; then the best again on
-  /// larger patches.
+  /// Tries the densities, the requested one first, each with repairs where triangles are flipped; then the best again
+  /// with larger patches.
   void tryAll() {
     std::vector<Candidate> candidates = linearSteps();
     if (isDone() || secondChoice_) return;
@@ -106,13 +107,13 @@ class Aligner {
   }
 
   bool isDone() const { return out_.isCancelled || out_.map.has_value(); }
-  /// False once the caller cancelled. The fraction never falls, whatever is tried again.
+  /// False once the caller cancelled. The reported fraction never decreases.
   bool goOn(double fraction) {
     fraction_ = std::max(fraction_, fraction);
     if (!report(progress_, {Stage::kAlign, fraction_})) out_.isCancelled = true;
     return !out_.isCancelled;
   }
-  /// Whether so much may still be spent; what was left out for it is said.
+  /// Whether this much work may still be spent; if not, the report says that steps were skipped.
   bool affords(double work) {
     if (work <= work_ - reserved_) return true;
     isCutShort_ = true;
@@ -138,7 +139,7 @@ class Aligner {
     const double k = system_.integerCount();
     return kStepWork * mesh_.faceCount() + system_.solveWork() + kRoundingWork * k * k * k;
   }
-  /// Expected of a program over so many triangles with conditions on `bound` of them.
+  /// Expected work of a program over this many triangles with conditions on `bound` of them.
   static double programWork(std::size_t triangles, std::size_t bound) {
     // Elimination grows with the power 3/2 of a planar system; real pairs cost twice complex unknowns.
     const auto planar = [](std::size_t n) {
@@ -204,12 +205,13 @@ class Aligner {
     return isRepaired;
   }
 
-  /// Around triangles that turned over.
+  /// Repairs around flipped triangles.
   int rings() const {
     const double edgesPerCell = std::sqrt(0.5 * mesh_.faceCount() / out_.report.cells);
     return std::max(kRings, static_cast<int>(std::ceil(kPatchCells * edgesPerCell)));
   }
-  /// Each patch alone, as far as the work goes; the candidate as it is where that turns no fewer triangles.
+  /// Repairs every patch separately while there is work left; keeps the candidate if that leaves no fewer flipped
+  /// triangles.
   bool repairPatches(Candidate& candidate, int rings) {
     Candidate repaired = candidate;
     for (const std::vector<FaceId>& patch : patchesAround(mesh_, candidate.turned, rings)) {
@@ -229,7 +231,7 @@ class Aligner {
     return accept(candidate, formatText("patches of %d rings", rings));
   }
 
-  /// Everything but the integers; conditions around cones and wherever a triangle turned over.
+  /// Solves for all unknowns but the integers, with conditions around cones and flipped triangles.
   bool repairAsWhole(Candidate& candidate) {
     // Cones that were rounded onto each other fold whatever the program.
     if (mesh_.faceCount() > kLargestWhole || !candidate.isApart) return false;

@@ -31,7 +31,7 @@ class ExactForm : public ProgramForm {
   }
 
  private:
-  /// Touched by a frame, or without a harmonic row of its own: translations, boundary, cones.
+  /// Unknowns in a frame condition, or without a harmonic row of their own: translations, boundary, cones.
   void chooseKept() {
     std::vector<char> isKept(static_cast<std::size_t>(in_.unknowns.count), 1);
     for (VertexId v : in_.harmonic.rowVertex) {
@@ -66,13 +66,13 @@ class ExactForm : public ProgramForm {
       start[static_cast<std::size_t>(unknown) + 1] =
           static_cast<int>(rows.outerIndexPtr()[r + 1] - rows.outerIndexPtr()[r]);
     }
-    // Unknowns ascend with their vertices, so the entries stay where they are.
+    // Unknowns ascend with their vertices, so that the entries stay sorted.
     std::partial_sum(start.begin(), start.end(), start.begin());
     return Eigen::Map<const SparseRows>(in_.unknowns.count, in_.unknowns.count, rows.nonZeros(),
                                         start.data(), rows.innerIndexPtr(), rows.valuePtr());
   }
 
-  /// Every unknown that is no vertex is kept, and kept ones come last anyway.
+  /// Unknowns that are not vertices are all kept, and kept ones are eliminated last in any case.
   linalg::SeparatorTree unknownTree() const {
     linalg::SeparatorTree tree =
         linalg::restrictTree(vertexTree_, in_.unknowns.vertexUnknown.raw());

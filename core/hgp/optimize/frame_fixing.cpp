@@ -16,8 +16,8 @@ struct Ring {
   std::vector<double> angles, lengths;
 };
 
-/// Moves all angles by one common step onto the asked sum, kept inside (0, π): the closest point in
-/// the least-squares sense when no bound is active.
+/// Changes all angles by the same amount to the prescribed sum, within (0, π): the least-squares projection
+/// when no bound is active.
 void fitAngles(std::vector<double>& angles, double sum) {
   const double n = static_cast<double>(angles.size());
   const double least = 0.05 * sum / n, most = std::min(0.98 * kPi, 20.0 * sum / n);

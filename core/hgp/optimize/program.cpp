@@ -63,10 +63,10 @@ double harmonicGradient(const ProgramInput& in, const ProgramForm& form, const E
   return energy;
 }
 
-/// The tie-break chooses among exactly harmonic maps, but also draws the map δ away from them. Each
-/// proximal step (the minimiser with the distortion term drawn to the last map instead of the frames)
-/// takes away most of that, by the same factor. Where the energy does not vanish, x stays as it is:
-/// there is no such map, and the steps would only shrink it.
+/// The tie-break selects one of several exactly harmonic maps, but also moves the map away from them by O(δ). Each
+/// proximal step (the minimiser with the distortion term relative to the last map instead of the frames)
+/// reduces that by a constant factor. If the energy does not vanish, x is unchanged:
+/// there is no exactly harmonic map, and the steps would only shrink it.
 void removeTieBreak(const ProgramInput& in, const ProgramForm& form, const HeldUnknowns& held,
                     const socp::Problem& problem, Eigen::VectorXd root, Eigen::VectorXcd& x) {
   Eigen::VectorXcd moved = x, gradient;

@@ -19,14 +19,14 @@ constexpr double kLeastEpsilon = 1e-8;
 constexpr double kLeastBarrier = 1e-9;
 /// Newton steps after the last flip, which move triangles away from degeneracy.
 constexpr int kStepsAfter = 4;
-/// Steps in a row that neither lower the count of flips nor the energy by this share end the search.
+/// The search ends after this many steps in a row that lower neither the number of flips nor the energy by this share.
 constexpr int kPatience = 12;
 constexpr double kLeastDecrease = 1e-4;
 /// Newton steps towards the frames, and how often the frames then follow the map.
 constexpr int kSegmentSteps = 15;
 constexpr int kFramedSegments = 8;
-/// How much a triangle's own direction counts against its neighbours' when frames follow the map, and
-/// the Jacobi sweeps that spread it.
+/// Weight of a triangle's own direction relative to its neighbours' when frames follow the map, and
+/// the number of Jacobi sweeps.
 constexpr double kTrust = 0.02;
 constexpr double kLeastTrust = 1e-6;
 constexpr int kSweeps = 200;
@@ -64,8 +64,8 @@ class Untangler {
   }
 
  private:
-  /// Turns the frames towards the map's own directions by a function that is smooth over the faces:
-  /// what the surface cannot follow is given up, and no winding number changes.
+  /// Rotates the frames towards the map's own directions by angles that vary smoothly over the faces, so that
+  /// no winding number changes.
   void followMap() {
     const std::size_t n = faces_.size();
     std::vector<double> misfit(n), trust(n);
@@ -287,7 +287,7 @@ class Untangler {
   bool step(double energy) {
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(2 * count_);
     Eigen::SparseMatrix<double> H = hessian(x_, &gradient);
-    // Scaled to a diagonal of ones: where u spans e^20, what is lifted for one end is all of the other.
+    // Scaled to a unit diagonal: where u spans e^20, a shift for one end would dominate the other.
     const Eigen::VectorXd scale = H.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
     H = scale.asDiagonal() * H * scale.asDiagonal();
     bool isFactored = false;

@@ -45,7 +45,7 @@ class Splits {
   std::vector<SplitPlace> places_;
 };
 
-/// Triangles that are not positive, fight each other, or lie around a wrong angle.
+/// Triangles that are not positive, whose frames contradict each other, or that lie around a wrong angle.
 std::vector<FaceId> wrongFaces(const TriMesh& mesh, const Parametrization& failed) {
   const Certificate& c = failed.certificate;
   std::vector<FaceId> faces = c.orientation.notPositive;

@@ -13,27 +13,27 @@
 namespace hgp {
 namespace {
 
-/// Multiply-adds per triangle of a plain run beside its programs: fields, cut, verifying (measured).
+/// Multiply-adds per triangle of a run apart from its programs: fields, cut, verifying (measured).
 constexpr double kBesidePrograms = 1.2e4;
-/// Of the work of the run without a grid, what alignment and the descent after it may take.
+/// Maximum work of alignment and the descent after it, relative to that of the run without a grid.
 constexpr double kAlignShare = 1.5;
-/// It ends at so many times the relative decrease asked for: it starts near its end, and its time counts twice.
+/// That descent ends at this multiple of the requested relative decrease, because it starts near its end.
 constexpr double kHeldDecrease = 3.0;
-/// Of the stage "align", the part before that descent.
+/// Fraction of the stage "align" that is done when that descent starts.
 constexpr double kAlignedFraction = 0.9;
 
 ReducedMap reducedMap(const TriMesh& mesh, const SeamlessSetup& setup) {
   return {mesh, setup.context->ownGeometry(), setup.cut, setup.unknowns};
 }
 
-/// The verifier's number for what is asked: on the surface itself, where the descent sees slivers made harmless,
-/// and as a mean, where single triangles can rule an energy.
+/// The requested distortion as the verifier measures it: on the surface itself, while the descent works with thickened
+/// slivers; and as a mean, while single triangles can dominate an energy.
 double askedNumber(const ImproveOptions& asked, const DistortionFacts& facts) {
   if (asked.balance == -1.0) return facts.meanMu;
   return asked.balance == 1.0 ? facts.rmsLogArea : facts.symmetricDirichlet;
 }
 
-/// What is asked for by name is promised never to rise as the verifier measures it.
+/// A distortion that is requested by name must not rise as the verifier measures it; the docs promise that.
 bool isBetter(const Improvement& run, const ImproveOptions& asked, const Certificate& before,
               const Certificate& after) {
   if (!after.isCertified || after.isUsable < before.isUsable) return false;
@@ -42,7 +42,7 @@ bool isBetter(const Improvement& run, const ImproveOptions& asked, const Certifi
   return !isNamed || askedNumber(asked, after.distortion) <= askedNumber(asked, before.distortion);
 }
 
-/// The facts of a run whose map takes the place of the one before where `improved` says so.
+/// Replaces `mapped` by `improved`, if there is one, and returns the facts of the descent.
 DescentFacts takeOver(const Improvement& run, std::optional<MappedSolution> improved,
                       MappedSolution& mapped) {
   DescentFacts facts;
@@ -56,7 +56,7 @@ DescentFacts takeOver(const Improvement& run, std::optional<MappedSolution> impr
   return facts;
 }
 
-/// The improved unknowns laid out and verified; nothing, with a note, where the verifier does not accept them.
+/// The map of the improved unknowns with its certificate; nothing, with a note, if it is not certified.
 std::optional<MappedSolution> accepted(const TriMesh& mesh, const Improvement& run,
                                        const ImproveOptions& asked, const MappedSolution& mapped,
                                        Parametrization& result) {
@@ -73,7 +73,7 @@ std::optional<MappedSolution> accepted(const TriMesh& mesh, const Improvement& r
   return {};
 }
 
-/// By unknown, 1 for what alignment decided: translations and, in quad mode, cones.
+/// Per unknown, 1 if alignment determined it: translations and, in quad mode, cones.
 std::vector<char> heldByGrid(const SeamlessSetup& setup, GridMode mode) {
   std::vector<char> isHeld(static_cast<std::size_t>(setup.unknowns.count), 0);
   const auto hold = [&](int unknown) {
@@ -92,8 +92,8 @@ Eigen::VectorXcd unknownsOf(const TriMesh& mesh, const SeamlessSetup& setup, con
   return readUnknowns(mesh, setup.cut, setup.seams, setup.unknowns, z);
 }
 
-/// The improved unknowns in cells, snapped and verified; nothing unless they are better, still aligned, and what
-/// is held has not moved by a bit.
+/// The improved unknowns in cells, snapped and verified; nothing unless the map is better and still aligned, and the
+/// held values are the same bits.
 std::optional<MappedSolution> acceptedOnGrid(const TriMesh& mesh, const Improvement& run,
                                              const ImproveOptions& asked,
                                              const std::vector<char>& isHeld,
@@ -134,7 +134,7 @@ Status improveOnGrid(const TriMesh& mesh, const ParametrizeOptions& options, dou
   asked.largestWork = work;
   asked.relativeDecrease *= kHeldDecrease;
   const ImprovementFacts& first = *result.improvement;
-  // Where alignment gave back less than a descent ends at, there is nothing to gain.
+  // Alignment added less distortion than the decrease at which a descent ends: there is nothing to gain.
   if (first.isKept &&
       askedNumber(asked, mapped.certificate.distortion) <=
           (1.0 + options.improve->relativeDecrease) * askedNumber(asked, first.after)) {

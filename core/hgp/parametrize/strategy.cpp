@@ -10,15 +10,15 @@ namespace {
 
 /// δ of the weighting "light distortion term", for prescribed cones whose map is badly determined without it.
 constexpr double kLightQuality = 1e-3;
-/// Weight of soft frame constraints, of the order of the harmonic rows' own (0.1 to 1 do equally
+/// Weight of soft frame constraints, of the order of the weight of harmonic rows (0.1 to 1 work equally
 /// well).
 constexpr double kSoft = 0.3;
 constexpr double kClamp = 5.0;
-/// Range of u up to which one linear program most likely gives the map (automatic cones: 0.9 to 5.6
-/// on all meshes we have).
+/// Range of u up to which one linear system usually gives the map (automatic cones: 0.9 to 5.6
+/// on all meshes of the corpus).
 constexpr double kSoftScaleRange = 8.0;
 
-/// Unknowns whose dense system costs a fraction of the sparse one, which grows like |V|^1.5.
+/// The number of unknowns up to which the dense system costs a fraction of the sparse one, which costs |V|^1.5.
 int cheapRoot(const TriMesh& mesh) {
   return static_cast<int>(2.0 * std::sqrt(static_cast<double>(mesh.vertexCount())));
 }
@@ -33,8 +33,8 @@ int touchedUnknowns(const Problem& problem, const std::vector<FaceId>& faces) {
       std::count_if(chains.begin(), chains.end(), [](int unknown) { return unknown >= 0; }));
 }
 
-/// On disks, and where the cone metric asks for little. Flat tori and orbifolds of the sphere have an
-/// exactly harmonic map, which hard constraints find.
+/// Soft constraints suffice on disks, and where the scale of the cone metric varies little. Flat tori and orbifolds of
+/// the sphere have an exactly harmonic map, which hard constraints find.
 bool suitsSoft(const SeamlessSetup& setup) {
   const Topology& topology = setup.context->topology;
   if (topology.genus == 0 && topology.loops.size() == 1) return true;

@@ -28,7 +28,7 @@ const char* statusName(SolveStatus status) {
 
 namespace {
 
-/// Share of the way to the cone's boundary that a step may go.
+/// Maximum step as a fraction of the distance to the cone's boundary.
 constexpr double kStepToBoundary = 0.99;
 /// A residual within this factor of its target is reported "almost".
 constexpr double kAlmostFactor = 100.0;
@@ -36,7 +36,7 @@ constexpr double kTinyStep = 1e-6;
 /// |Fᵀy| against hᵀy below which y proves infeasibility, and the weaker bound after a stall.
 constexpr double kCertificateShare = 1e-8;
 constexpr double kStalledCertificateShare = 1e-3;
-/// The primal residual sticks when in so many iterations, not the first ones, it fell by less.
+/// The primal residual has stalled when it fell by less than this in this many iterations, not counting the first ones.
 constexpr int kSettled = 16, kLookBack = 6;
 constexpr double kStuck = 0.96;
 
@@ -67,7 +67,7 @@ class InteriorPoint {
       if (isInfeasible(k)) return finish(SolveStatus::kInfeasible);
       if (!system_.factorScaled(point_)) return finish(SolveStatus::kStalled);
 
-      // Predictor: straight at the solution; how far it gets decides the centring.
+      // Predictor: the affine scaling step; its length determines the centring.
       Slacks target = system_.predictorTarget();
       const Iterate affine = system_.step(target, residuals_, 1.0);
       const double sigma = portable::pow(1.0 - reach(point_, affine, 1.0), 3);
@@ -105,7 +105,7 @@ class InteriorPoint {
     best_.gap = gap_;
   }
 
-  /// The primal residual sticks while the duals run away.
+  /// The primal residual has stalled while the duals diverge.
   bool isInfeasible(int k) {
     history_.push_back(residuals_.primal);
     if (residuals_.primal <= o_.primal * kAlmostFactor) return false;

@@ -17,7 +17,7 @@ double unitRoundoff(Precision precision) {
   return precision == Precision::kFloat32 ? FLT_EPSILON : DBL_EPSILON;
 }
 
-/// uv per corner as stored, or the reasons why there is none.
+/// uv per corner as stored, or the reasons why there are none.
 struct GatheredUv {
   CornerUv uv;
   std::vector<Reason> reasons;
@@ -65,8 +65,8 @@ GatheredUv gatherUv(const TriMesh& mesh, const UvMap& map, const CertifyOptions&
   return out;
 }
 
-/// A power of two that brings the map to ordinary size, so that squares of lengths stay in range:
-/// exact wherever it matters, and 1 for any ordinary map.
+/// A power of two that scales the map to ordinary size, so that squares of lengths do not over- or underflow.
+/// Scaling by it is exact, and it is 1 for ordinary maps.
 double measuringScale(const CornerUv& uv) {
   const double largest = largestCoordinate(uv);
   if (largest == 0.0) return 1.0;

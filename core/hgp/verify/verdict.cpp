@@ -63,7 +63,7 @@ void checkOrientation(const Certificate& facts, const CornerUv& uv, const Certif
        worstPlaces(std::move(places), options.placesPerReason)});
 }
 
-/// The integer is as asked, and the number type explains why the angle is off.
+/// The integer is as prescribed, and the deviation of the angle is due to the number type.
 bool isOutOfRange(const MeasuredCone& c) { return c.measured == c.asked && c.isExplained; }
 bool isOutOfRange(const MeasuredTurning& t) {
   return t.asked.value_or(t.measured) == t.measured && t.isExplained;
@@ -142,7 +142,7 @@ void checkSeams(const TriMesh& mesh, const Certificate& facts, const CertifyOpti
        worstPlaces(std::move(places), options.placesPerReason)});
 }
 
-/// Seams and angles that are off by no more than what the number type explains.
+/// Deviations of seams and angles that are due to the number type.
 void checkCoordinates(const TriMesh& mesh, const Certificate& facts, const CertifyOptions& options,
                       std::vector<Reason>& reasons) {
   std::vector<Place> places;

@@ -1,4 +1,4 @@
-// Maps that are aligned to a grid: how many cells are asked for, and what is done where it fails.
+// Alignment to a grid: how many cells are requested, and what happens where alignment fails.
 
 import type { Result, SolveOptions } from 'hgp';
 import { automaticCells, canAlign, gridOutcome } from '../model/grid';

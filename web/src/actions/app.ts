@@ -1,5 +1,5 @@
-// What every action works on: the document, the state of the page, the workers and the views; and the
-// boundary that every action runs behind.
+// The context of every action (document, page state, workers, views), and the error boundary in which
+// actions run.
 
 import type { Client } from 'hgp';
 import type { Document } from '../model/document';

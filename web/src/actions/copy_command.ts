@@ -1,4 +1,4 @@
-// The command line of what the page would do, on the clipboard.
+// Copies the equivalent command line to the clipboard.
 
 import { automaticCells, canAlign } from '../model/grid';
 import { cliCommand } from '../text/cli_command';

@@ -1,4 +1,4 @@
-// What is saved, and how it leaves the page.
+// Writes the files of Download and saves them.
 
 import {
   coneFile,

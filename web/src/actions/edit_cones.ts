@@ -1,4 +1,4 @@
-// Every change a person can make to what is prescribed. Each is one step of undo.
+// Every edit of the prescription. Each is one undo step.
 
 import { leftAt, suggestedK } from '../model/gauss_bonnet';
 import { fromCones, orders, withOrder, type Cone, type Prescription } from '../model/prescription';

@@ -1,4 +1,4 @@
-// One long thing at a time, with progress, Cancel and every way it can end.
+// Runs one long task at a time, with progress, cancellation and errors.
 
 import type { Progress } from 'hgp';
 import type { Job } from '../model/types';

@@ -1,4 +1,4 @@
-// Every mesh of a file, one after the other; what cannot be used is left and said.
+// Runs all meshes of a file, one after the other; meshes that cannot be used are skipped and reported.
 
 import { isCertified } from '../model/verdict';
 import { plural } from '../text/format';

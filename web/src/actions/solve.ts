@@ -1,4 +1,4 @@
-// Asking the solver for cones and for maps, and what becomes of the answer.
+// Requests cones and maps from the solver and stores its results.
 
 import {
   HgpError,

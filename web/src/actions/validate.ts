@@ -1,4 +1,4 @@
-// The second opinion: Khronos' validator on the very bytes that Download saves.
+// Runs the Khronos glTF validator on the bytes that Download saves.
 
 import type { ValidatorReport } from 'gltf-validator';
 import { isGltf } from '../formats/glb';

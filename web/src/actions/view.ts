@@ -1,4 +1,4 @@
-// What is seen: places, loops, patterns, projections. Nothing here changes what is prescribed.
+// Actions on the views: places, loops, patterns, projections. None of them changes the prescription.
 
 import type { Where } from 'hgp';
 import { overlays, patterns, type Look, type Model, type Pattern } from '../model/types';

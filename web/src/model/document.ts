@@ -1,5 +1,5 @@
-// What the page is about, in one store: the file that is open, what is prescribed, what was found.
-// Panels and views read it and are told of changes by themselves; only actions write to it.
+// The document store: the open file, its prescription, its result.
+// Panels and views read it and are notified of changes; only actions write to it.
 
 import { computed } from '@preact/signals-core';
 import type { Result } from 'hgp';

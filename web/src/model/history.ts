@@ -1,4 +1,4 @@
-// Undo and redo over values that never change; a history never changes either. Edits of one kind
+// Undo and redo over immutable values; a history is immutable, too. Edits of one kind
 // within half a second are one step.
 
 const mergeTime = 500; // milliseconds

@@ -1,5 +1,5 @@
-// What the user asks for: cones, turnings and handles in exact integers. Values never change; every
-// edit makes a new one, which is what undo keeps.
+// The prescription: cones, turnings and handles as exact integers. Values are immutable; every
+// edit makes a new one, and undo keeps the old ones.
 
 import type { Cones } from 'hgp';
 

@@ -1,4 +1,4 @@
-// What the parts of the page hand to one another. Types only.
+// Types that several parts of the page share.
 
 import type { ModelInfo, Result, SurfaceFacts, Where, Written } from 'hgp';
 import type { Prescription } from './prescription';

@@ -1,4 +1,4 @@
-// What the page knows beside the document: tool, tab, theme, dialog, what the pointer is over.
+// The state of the user interface, apart from the document: tool, tab, theme, dialog, what the pointer is over.
 
 import { storeOf } from './store';
 

@@ -1,5 +1,5 @@
-// The one verdict on a map. Banner, status, state of the page and Download follow from all rows; each
-// row's tick is computed from the number that the row shows.
+// The verdict on a map: the rows of the certificate. Banner, status, page state and Download are derived from
+// these rows; each row's tick is computed from the number that the row shows.
 
 import type { Certificate, Where } from 'hgp';
 import type { LeastArea, Solution } from './types';

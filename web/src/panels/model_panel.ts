@@ -1,4 +1,4 @@
-// The model: what it is, what is wrong with it, and what settles that.
+// The Model panel: facts on the mesh, its defects, and the repairs for them.
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { attempt } from '../actions/app';

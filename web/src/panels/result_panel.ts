@@ -1,4 +1,4 @@
-// The verdict, two numbers that a person understands, and everything else on request.
+// The Result panel: verdict, two summary numbers, and the checks under Details.
 
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Where } from 'hgp';

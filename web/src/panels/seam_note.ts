@@ -1,4 +1,4 @@
-// What the pattern does at seams, in one sentence: as much as the certificate says and no more.
+// One sentence on how the pattern continues at seams, according to the certificate.
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { showPlaces } from '../actions/view';

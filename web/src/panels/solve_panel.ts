@@ -1,5 +1,5 @@
-// How Run is done: what a person decides first, limits and the command line that does the same under
-// More.
+// The Solve panel: the main options of Run; under More, limits and the equivalent
+// command line.
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';

@@ -5,8 +5,8 @@
 namespace hgp {
 namespace {
 
-/// Triangles that may be constrained whatever the mesh: a program of that many takes seconds. Of
-/// larger meshes a quarter may be.
+/// This many triangles may be constrained on any mesh: such a program takes seconds. On
+/// larger meshes a quarter of the triangles may be constrained.
 constexpr int kAlwaysAllowed = 6000;
 
 }  // namespace

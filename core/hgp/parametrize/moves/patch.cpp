@@ -5,12 +5,12 @@
 namespace hgp {
 namespace {
 
-/// Rings around what is wrong that are solved for again; patches are at most this share of the faces.
+/// Rings around the wrong triangles that are solved again; patches are at most this share of the faces.
 constexpr int kRings = 6;
 constexpr int kWideRings = 24;
 constexpr double kLargestShare = 0.25;
 
-/// Empty when it would be a large part of the mesh, or there is nothing to hold the rest at.
+/// Empty when it would be a large part of the mesh, or there is no map to hold the rest at.
 std::vector<FaceId> patchAround(const Problem& problem, const std::vector<FaceId>& faces, int rings,
                                 const Attempt& from) {
   if (from.program.x.size() == 0 || !from.program.x.allFinite()) return {};

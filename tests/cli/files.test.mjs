@@ -366,7 +366,7 @@ test('what is not as asked is not certified, however sound the map is that stand
   assert.deepEqual([certified, certificate.certified], [false, false]);
   const [{ rule, message }] = certificate.components[0].reasons;
   assert.equal(rule, 'prescription');
-  assert.match(message, /There is no map as asked: .*vertex 3/);
+  assert.match(message, /There is no map with this prescription: .*vertex 3/);
 });
 
 test('a component without a solution keeps the uv it had, to the last digit', () => {

@@ -15,8 +15,10 @@ function readObj(text) {
   const triangles = [];
   const corners = [];
   let isOnlyTriangles = true;
-  for (const line of text.replace(/\\\r?\n/g, ' ').split('\n')) {
-    const [key, ...rest] = line.replace(/#.*/, '').trim().split(/\s+/);
+  // A comment that ends in a backslash ends with its line.
+  const statements = text.replace(/#[^\r\n]*/g, '').replace(/\\\r?\n/g, ' ');
+  for (const line of statements.split('\n')) {
+    const [key, ...rest] = line.trim().split(/\s+/);
     if (key === 'v') positions.push(rest.slice(0, 3).map(Number));
     else if (key === 'vt') uv.push(rest.slice(0, 2).map(Number));
     else if (key === 'f') {

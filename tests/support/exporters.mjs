@@ -605,6 +605,10 @@ export const objFiles = {
     body,
     'l 4 5',
   ),
+  'comments behind statements': join(
+    lines.map((l) => `${l} # C:\\`),
+    body.map((f) => `${f}  # ${f}`),
+  ),
   'tabs, blanks at ends, no last line end': join(
     '\t# made',
     lines.map((l) => ` ${l.replaceAll(' ', '\t')}  `),

@@ -94,7 +94,7 @@ TEST(GltfDocument, PrimitivesOfAKindAreCountedInOneNote) {
   EXPECT_EQ(
       notes({4, 5, 6, 6, 1, 1, 0}),
       (std::vector<std::string>{
-          "2 primitives (lines) are kept as they are", "1 primitive (points) is kept as it is",
+          "1 primitive (points) is kept as it is", "2 primitives (lines) are kept as they are",
           "1 triangle strip and 2 triangle fans are read as 7 triangles (5 degenerate ones "
           "are skipped)"}));
 }

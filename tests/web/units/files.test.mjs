@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { findMissing, relativeName, safeName, unpack } from '../../../web/src/formats/file_set.ts';
-import { gltfOf, splitGlb } from '../../../web/src/formats/glb.ts';
+import { findMissing, safeName, unpack } from '../../../web/src/formats/file_set.ts';
+import { gltfOf, relativeName, splitGlb } from '../../../web/src/formats/glb.ts';
 import { cubeMesh, toGlb } from '../../support/meshes.mjs';
 import { instancesOf } from '../../../web/src/formats/mesh_instances.ts';
 
@@ -91,19 +91,22 @@ test('lists of a glTF may hold anything at all: nothing is missing, nothing thro
 });
 
 test('a mesh is where its nodes put it: all that are above count, a skin is where its joints are', async () => {
+  const of = (mode) => ({ primitives: [{ attributes: { POSITION: 0 }, mode }] });
   const json = {
-    meshes: [{}, {}, {}],
+    // Lines, and triangles without positions, are no surfaces: the solver does not count them.
+    meshes: [of(1), of(4), { primitives: [{ attributes: {} }] }, of(6), {}, of(undefined)],
     skins: [{ joints: [4] }],
     nodes: [
-      { mesh: 0, translation: [1, 2, 3] },
+      { mesh: 1, translation: [1, 2, 3] },
       { children: [0], scale: [2, 2, -2] },
-      { mesh: 1 },
-      { mesh: 2, skin: 0, translation: [9, 9, 9] },
+      { mesh: 3 },
+      { mesh: 5, skin: 0, translation: [9, 9, 9] },
       { translation: [0, 5, 0] },
     ],
   };
   const found = await instancesOf(new Map([['x.gltf', gltf(json)]]), 'x.gltf');
   assert.deepEqual(found[0].matrix.slice(12, 15), [2, 4, -6]);
+  assert.equal(found.length, 3);
   assert.equal(found[0].isMirrored, true);
   assert.deepEqual([found[1].count, found[1].isMirrored], [1, false]);
   assert.deepEqual(found[2].matrix.slice(12, 15), [0, 5, 0]);

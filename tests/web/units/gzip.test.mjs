@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { gzipSync } from 'fflate';
 import { unpack } from '../../../web/src/formats/file_set.ts';
-import { gunzip } from '../../../web/src/formats/gzip.ts';
+import { gunzip, ignoredBytes } from '../../../web/src/formats/gzip.ts';
 
 const text = new TextEncoder().encode('v 0 0 0\n'.repeat(40));
 const packed = Buffer.from(gzipSync(text));
@@ -13,6 +13,11 @@ test('one member, several, and what some tools put behind the last', async () =>
   assert.deepEqual(Buffer.from(await open(packed, packed)), Buffer.concat([text, text]));
   assert.deepEqual(await open(packed, new Uint8Array(512)), text);
   assert.deepEqual(await open(packed, 'signature'), text);
+  const ignored = async (...parts) => ignoredBytes(await open(...parts));
+  assert.equal(await ignored(packed, 'signature'), 9);
+  assert.equal(await ignored(packed, packed, 'x'), 1);
+  for (const parts of [[packed], [packed, packed], [packed, new Uint8Array(512)]])
+    assert.equal(await ignored(...parts), 0);
   const start = text.slice(0, 80);
   const both = Buffer.concat([text, start]);
   assert.deepEqual(

@@ -2,6 +2,7 @@
 // came with it.
 
 import type { ModelInfo } from 'hgp';
+import { ignoredBytes } from '../formats/gzip';
 import { identity, instancesOf, remarksOn } from '../formats/mesh_instances';
 import { loadOptionsOf, plainSettings, type MeshWork } from '../model/document';
 import { emptyPrescription, fromCones, isSilent, type Prescription } from '../model/prescription';
@@ -83,7 +84,9 @@ async function readMesh(
   const matrix = instances?.[info.surface]?.matrix ?? identity;
   const surface = await geometry.surface(arrays, facts, matrix);
   call.signal.throwIfAborted();
+  const ignored = ignoredBytes(files.get(main));
   const remarks = remarksOn(info, instances?.[info.surface]);
+  if (ignored > 0) remarks.unshift(`Ignored: ${plural(ignored, 'byte')} behind the gzip data.`);
   const model = { main, files, info, surface, loaded: settings, remarks, matrix };
   doc.state = { kind: 'open', model };
   doc.resultInWorker = undefined;

@@ -8,8 +8,7 @@ import {
   type WriteOptions,
   type Written,
 } from 'hgp';
-import { relativeName } from '../formats/file_set';
-import { bytesOf } from '../formats/glb';
+import { bytesOf, relativeName } from '../formats/glb';
 import { plainOutput } from '../model/document';
 import { gridOutcome, gridTilesPerUnit } from '../model/grid';
 import { fromCones, toCones } from '../model/prescription';

@@ -2,7 +2,7 @@
 // main file, and what is still missing. Nothing is ever fetched.
 
 import type { Files, Missing } from '../model/types';
-import { gltfOf, isGltf, objectsIn } from './glb';
+import { gltfOf, isGltf, objectsIn, relativeName } from './glb';
 import { gunzip } from './gzip';
 import { unzip } from './zip';
 
@@ -75,19 +75,6 @@ export const meshesOf = (files: Files): string[] =>
 /** An existing model and a cone file: an import, not a new model. */
 export const coneFileOf = (files: Files): string | undefined =>
   files.size === 1 ? [...files.keys()].find((name) => coneEnding.test(name)) : undefined;
-
-/** Relative, inside the folder, decoded once; undefined for everything else. */
-export function relativeName(uri: string): string | undefined {
-  let name: string;
-  try {
-    name = decodeURIComponent(uri);
-  } catch {
-    return undefined;
-  }
-  if (/^[a-z][a-z0-9+.-]*:|^[/\\]|\\|\0/i.test(name)) return undefined;
-  const parts = name.split('/').filter((part) => part !== '.');
-  return parts.includes('..') ? undefined : parts.join('/');
-}
 
 const baseName = (name: string): string => name.slice(name.lastIndexOf('/') + 1);
 

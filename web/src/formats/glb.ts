@@ -51,6 +51,31 @@ export function parseGltf({ name, bytes }: OutputFile): Json {
   }
 }
 
+/** The meshes that are surfaces to the solver, in its order: those with triangles that have positions. */
+export const surfaceMeshes = (json: Json): number[] =>
+  objectsIn(json.meshes).flatMap((mesh, index) => {
+    const hasTriangles = objectsIn(mesh.primitives).some(
+      ({ mode = 4, attributes }) =>
+        (mode === 4 || mode === 5 || mode === 6) &&
+        isObject(attributes) &&
+        attributes.POSITION !== undefined,
+    );
+    return hasTriangles ? [index] : [];
+  });
+
+/** Relative, inside the folder, decoded once; undefined for everything else. */
+export function relativeName(uri: string): string | undefined {
+  let name: string;
+  try {
+    name = decodeURIComponent(uri);
+  } catch {
+    return undefined;
+  }
+  if (/^[a-z][a-z0-9+.-]*:|^[/\\]|\\|\0/i.test(name)) return undefined;
+  const parts = name.split('/').filter((part) => part !== '.');
+  return parts.includes('..') ? undefined : parts.join('/');
+}
+
 const parsed = new WeakMap<Blob | Uint8Array, Promise<Json>>();
 const mostHead = 64 * 2 ** 20; // bytes of a GLB in which its JSON ends
 

@@ -7,6 +7,8 @@ const caps = { bytes: 2 ** 30, ratio: 200 };
 const longestTask = 20;
 const tooLarge = 'This gzip file unpacks to far more than it should. Not loaded.';
 
+const ignoredBehind = new WeakMap<Blob | Uint8Array, number>();
+
 /** Collects chunks, and throws once there are too many of them. */
 function collector(packed: number): { add(chunk: Uint8Array): void; all(): Uint8Array } {
   const chunks: Uint8Array[] = [];
@@ -63,9 +65,15 @@ async function severalMembers(packed: Uint8Array): Promise<Uint8Array> {
     await new Promise((resolve) => setTimeout(resolve));
     begin = performance.now();
   };
-  await readMembers(packed, { Gunzip, add, pause });
-  return all();
+  const ignored = await readMembers(packed, { Gunzip, add, pause });
+  const bytes = all();
+  ignoredBehind.set(bytes, ignored);
+  return bytes;
 }
+
+/** Bytes behind the gzip data from which these were unpacked. */
+export const ignoredBytes = (file: Blob | Uint8Array | undefined): number =>
+  (file && ignoredBehind.get(file)) ?? 0;
 
 export async function gunzip(file: Blob): Promise<Uint8Array> {
   const packed = new Uint8Array(await file.arrayBuffer());

@@ -4,7 +4,7 @@
 import type { ModelInfo } from 'hgp';
 import { Matrix4, Quaternion, Vector3 } from 'three';
 import type { Files } from '../model/types';
-import { gltfOf, isGltf, isObject, objectsIn, type Json } from './glb';
+import { gltfOf, isGltf, isObject, objectsIn, surfaceMeshes, type Json } from './glb';
 
 export interface MeshInstances {
   count: number;
@@ -56,7 +56,7 @@ function copiesOf({ extensions }: Json, accessors: Json[]): number {
   return typeof count === 'number' ? count : 1;
 }
 
-/** By mesh; nothing where the format has no nodes. */
+/** By mesh with triangles, as the solver counts them; nothing where the format has no nodes. */
 export async function instancesOf(
   files: Files,
   main: string,
@@ -83,7 +83,7 @@ export async function instancesOf(
     }
     mesh.isMirrored ||= own.determinant() < 0;
   });
-  return meshes;
+  return surfaceMeshes(json).map((mesh) => meshes[mesh]);
 }
 
 /** What there is to know about the loaded mesh before its texture coordinates are made. */

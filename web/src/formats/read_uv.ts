@@ -2,7 +2,7 @@
 // shares nothing with the writer: what the preview shows is what is in the file.
 
 import type { Corners, OutputFile } from '../model/types';
-import { isGltf, parseGltf, splitGlb } from './glb';
+import { isGltf, parseGltf, relativeName, splitGlb, surfaceMeshes, type Json } from './glb';
 import { readPly } from './read_ply';
 
 interface Place {
@@ -80,7 +80,7 @@ function openGltf(files: OutputFile[], decoder: MeshoptDecoder | undefined): Ope
   const own = /\.glb$/i.test(main.name) ? splitGlb(main.bytes)!.bin : new Uint8Array(0);
   const buffers = json.buffers.map(({ uri }) => {
     if (uri === undefined) return own;
-    const file = files.find((one) => one.name === decodeURIComponent(uri));
+    const file = files.find((one) => one.name === relativeName(uri));
     if (file) return file.bytes;
     const data = atob(uri.slice(uri.indexOf(',') + 1));
     return Uint8Array.from(data, (c) => c.charCodeAt(0));
@@ -146,18 +146,23 @@ function readAccessor(file: OpenGltf, index: number): Float64Array {
   return normalized ? out.map((x) => Math.max(x / most, -1)) : out;
 }
 
-/** Corners of the triangles of a primitive, whatever its mode; points and lines have none. */
+/**
+ * Corners of the triangles of a primitive, whatever its mode, in the order of the specification; those that
+ * only join strips are none, and points and lines have none.
+ */
 function cornerIndices(list: Float64Array, mode: number): number[] {
-  if (mode === 4) return Array.from(list);
   const out: number[] = [];
   for (let i = 2; i < list.length; i++) {
-    if (mode === 5) out.push(...(i % 2 ? [list[i - 1], list[i - 2]] : [list[i - 2], list[i - 1]]), list[i]); // prettier-ignore
-    if (mode === 6) out.push(list[0], list[i - 1], list[i]);
+    const [a, b, c] = [list[i - 2], list[i - 1], list[i]];
+    const first = mode === 5 ? a : list[0];
+    if (first === b || b === c || c === first) continue;
+    if (mode === 5) out.push(a, ...(i % 2 ? [c, b] : [b, c]));
+    if (mode === 6) out.push(b, c, first);
   }
   return out;
 }
 
-/** Corners of one mesh; the uv set is the highest that a primitive has, which is the new one. */
+/** Corners of one of the meshes with triangles; the uv set is the highest that a primitive has, which is the new one. */
 function readGltf(
   files: OutputFile[],
   mesh: number,
@@ -167,7 +172,9 @@ function readGltf(
   const file = openGltf(files, decoder);
   const positions: number[] = [];
   const uv: number[] = [];
-  for (const { attributes, indices, mode = 4 } of file.json.meshes[mesh].primitives) {
+  const own = surfaceMeshes(file.json as unknown as Json)[mesh];
+  for (const { attributes, indices, mode = 4 } of file.json.meshes[own].primitives) {
+    if (attributes.POSITION === undefined) continue;
     let set = uvSet ?? 0;
     if (uvSet === undefined) while (attributes[`TEXCOORD_${set + 1}`] !== undefined) set += 1;
     if (attributes[`TEXCOORD_${set}`] === undefined) continue;
@@ -185,9 +192,10 @@ function readGltf(
 
 function readObj(bytes: Uint8Array): Corners {
   const text = new TextDecoder().decode(bytes);
+  const lineEnd = text.includes('\n') ? '\n' : '\r';
   // A comment that ends with a backslash ends with its line.
   const joined = text.includes('\\')
-    ? text.replace(/^[ \t]*#.*/gm, '').replace(/\\\r?\n/g, ' ')
+    ? text.replace(/#[^\r\n]*/g, '').replace(/\\(\r?\n|\r)/g, ' ')
     : text;
   const v: number[] = [];
   const vt: number[] = [];
@@ -205,9 +213,11 @@ function readObj(bytes: Uint8Array): Corners {
       corners.push([at(parts[0], v.length / 3), at(parts[1], vt.length / 2)]);
     }
   };
-  for (const line of joined.split('\n')) {
-    if (!/^[ \t]*(v|vt|f)[ \t]/.test(line)) continue;
-    const [key, ...words] = line.trim().split(/[ \t]+/);
+  for (const line of joined.split(lineEnd)) {
+    if (!/^\s*(v|vt|fo?)\s/.test(line)) continue;
+    const comment = line.indexOf('#');
+    const statement = comment < 0 ? line : line.slice(0, comment);
+    const [key, ...words] = statement.trim().split(/\s+/);
     if (key === 'v') v.push(+words[0], +words[1], +words[2]);
     else if (key === 'vt') vt.push(+words[0], +(words[1] ?? 0));
     else readFace(words);

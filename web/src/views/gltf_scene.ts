@@ -14,12 +14,14 @@ import {
   type Object3D,
   type Texture,
 } from 'three';
+import { splitGlb, surfaceMeshes, type Json } from '../formats/glb';
 import type { Files, OutputFile } from '../model/types';
 
 interface Source {
   /** The main file first. */
   written: OutputFile[];
   files: Files;
+  /** Among those with triangles. */
   mesh: number;
   /** Column by column: from the mesh to where it is seen. */
   matrix: readonly number[];
@@ -99,6 +101,16 @@ function atRest(object: Object3D, matrix: Matrix4): Group {
   return group;
 }
 
+/** A copy, in which the header of a GLB counts at least the chunks that are read. */
+function withRightLength(bytes: Uint8Array): Uint8Array<ArrayBuffer> {
+  const copy = bytes.slice();
+  const chunks = splitGlb(copy);
+  const header = new DataView(copy.buffer);
+  const end = copy.length - (chunks?.rest.length ?? 0);
+  if (chunks && header.getUint32(8, true) < end) header.setUint32(8, end, true);
+  return copy;
+}
+
 export async function loadGltfMesh(source: Source): Promise<Group> {
   const { GLTFLoader } = await import('three/addons/loaders/GLTFLoader.js');
   const { MeshoptDecoder } = await import('three/addons/libs/meshopt_decoder.module.js');
@@ -106,8 +118,9 @@ export async function loadGltfMesh(source: Source): Promise<Group> {
   try {
     const { bytes } = source.written[0];
     const loader = new GLTFLoader(manager).setMeshoptDecoder(MeshoptDecoder);
-    const gltf = await loader.parseAsync(bytes.slice().buffer, '');
-    const object = (await gltf.parser.getDependency('mesh', source.mesh)) as Object3D;
+    const gltf = await loader.parseAsync(withRightLength(bytes).buffer, '');
+    const mesh = surfaceMeshes(gltf.parser.json as Json)[source.mesh];
+    const object = (await gltf.parser.getDependency('mesh', mesh)) as Object3D;
     const group = atRest(object, new Matrix4().fromArray(source.matrix));
     const light = new DirectionalLight(0xffffff, 2);
     light.position.set(0.4, 0.8, 1);

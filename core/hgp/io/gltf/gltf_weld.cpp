@@ -13,12 +13,9 @@
 namespace hgp::io {
 namespace {
 
-const char* modeName(int mode) {
-  static constexpr const char* kNames[] = {"points",      "lines",     "line loops",
-                                           "line strips", "triangles", "triangle strip",
-                                           "triangle fan"};
-  return kNames[mode];
-}
+/// Of primitives that are kept as they are, by mode.
+constexpr std::array kKinds = {"points", "lines", "line loops", "line strips", "without positions"};
+constexpr std::size_t kWithoutPositions = 4;
 
 /// Takes one mesh apart, primitive by primitive.
 class GltfWelder {
@@ -57,11 +54,11 @@ class GltfWelder {
   Status addPrimitive(int p) {
     const GltfPrimitive& source = primitive(p);
     if (!source.isTriangles()) {
-      ++kept_[modeName(source.mode)];
+      ++kept_[static_cast<std::size_t>(source.mode)];
       return Done{};
     }
     if (source.attribute("POSITION") < 0) {
-      ++kept_["without positions"];
+      ++kept_[kWithoutPositions];
       return Done{};
     }
     const auto indices = readIndices(store_, out_.mesh, p);
@@ -214,9 +211,10 @@ class GltfWelder {
 
   /// One line for all primitives of a kind: exporters write thousands.
   void addPrimitiveNotes() {
-    for (const auto& [kind, count] : kept_)
-      note(counted(count, "primitive") + " (" + kind +
-           (count == 1 ? ") is kept as it is" : ") are kept as they are"));
+    for (std::size_t kind = 0; kind < kept_.size(); ++kind)
+      if (const int count = kept_[kind]; count > 0)
+        note(counted(count, "primitive") + " (" + kKinds[kind] +
+             (count == 1 ? ") is kept as it is" : ") are kept as they are"));
     if (strips_ + fans_ > 0) {
       std::string text = strips_ > 0 ? counted(strips_, "triangle strip") : "";
       if (fans_ > 0) text += (strips_ > 0 ? " and " : "") + counted(fans_, "triangle fan");
@@ -262,7 +260,7 @@ class GltfWelder {
   GltfSurface out_;
   std::vector<Vec3> positions_;  ///< stored
   std::map<std::pair<int, int>, int> poolOfKey_;
-  std::map<std::string, int> kept_;  ///< primitives without triangles, by kind
+  std::array<int, kKinds.size()> kept_{};  ///< primitives without triangles, by kind
   int strips_ = 0, fans_ = 0, incomplete_ = 0;
   std::size_t unrolled_ = 0, degenerate_ = 0;  ///< triangles of strips and fans, taken and skipped
 };

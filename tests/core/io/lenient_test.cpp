@@ -150,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(
         Lenient{"stlTail", "a.stl", binaryStl(2, "tail"), "4 bytes after"},
         Lenient{"stlNoCount", "a.stl", binaryStl(0, ""), "count in the header is 0"},
         Lenient{"stlSolidTail", "a.stl", "solid" + binaryStl(2, "x").substr(5),
-                "ignored: 1 byte behind"}),
+                "ignored: 1 byte after"}),
     [](const ::testing::TestParamInfo<Lenient>& file) { return std::string(file.param.name); });
 
 TEST(LenientObj, SkippedFacesStayInTheFileWithoutTheirOldVt) {

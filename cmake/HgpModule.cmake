@@ -57,7 +57,7 @@ function(hgp_module)
       # Cold, or a small part of a run: what a visitor downloads matters more than how fast it runs.
       target_compile_options(${target} PRIVATE -Os)
     endif()
-    if(NOT R_NAME MATCHES "^(base|linalg|socp|optimize|improve|system|field|io|text|verify|mesh|cut)$")
+    if(NOT R_NAME MATCHES "^(base|linalg|socp|optimize|improve|grid|system|field|io|text|verify|mesh|cut)$")
       # What tests run for long is optimized in the sanitizer build; for the others compiling would take
       # longer than it saves.
       target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O0>)

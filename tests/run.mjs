@@ -91,15 +91,14 @@ const installTests = (log) =>
     listingOf(data),
   ]);
 
-/** The package's tests: two files beside each other; then, alone, what measures time. */
-async function packageTests(log) {
-  const alone = 'tests/wasm/cost.test.mjs';
-  const measures = /(memory|package|soak)\.test\.mjs$/;
-  const files = testFiles('wasm').filter((file) => file !== alone);
-  const measuring = files.filter((file) => measures.test(file));
-  const changed = await runChanged(
+/** Of the package's tests, those that measure time or memory. */
+const measures = /(memory|package|soak|cost)\.test\.mjs$/;
+
+/** The package's tests, two files beside each other. */
+const packageTests = (log) =>
+  runChanged(
     log,
-    files.filter((file) => !measures.test(file)),
+    testFiles('wasm').filter((file) => !measures.test(file)),
     2,
     () => [
       contentOf(program),
@@ -108,8 +107,13 @@ async function packageTests(log) {
       listingOf(data),
     ],
   );
-  const both = await counted(log, '--test', '--test-concurrency=2', ...measuring);
-  return sum([changed, both, await counted(log, '--test', alone)]);
+
+/** What the package costs: two files beside each other; then, alone, what measures time. */
+async function packageMeasures(log) {
+  const alone = 'tests/wasm/cost.test.mjs';
+  const files = testFiles('wasm').filter((file) => measures.test(file) && file !== alone);
+  const both = await counted(log, '--test', '--test-concurrency=2', ...files);
+  return sum([both, await counted(log, '--test', alone)]);
 }
 
 /**
@@ -181,8 +185,9 @@ const stages = {
   },
   mutate: { run: mutate, after: ['native-debug'] },
   units: { run: unitTests, after: ['wasm-release'] },
-  package: {
-    run: packageTests,
+  package: { run: packageTests, after: ['native-release', 'wasm-release'] },
+  measures: {
+    run: packageMeasures,
     ...{ after: ['native-release', 'wasm-release'], isAlone: true },
   },
   web: { run: web, after: ['native-release', 'wasm-release'], isAlone: true },

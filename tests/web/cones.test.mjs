@@ -19,6 +19,7 @@ import {
   state,
   statusText,
   useBrowser,
+  workerCalls,
 } from './support.mjs';
 
 const it = useBrowser();
@@ -180,15 +181,7 @@ test('a stale result says so, and undo brings its map back without a run', async
 
 test('after undo its map is saved in every format without another run', async (t) => {
   const { page } = it;
-  // A copy of the solver's messages, by the name of the call.
-  await page.evaluate(() => {
-    const { postMessage } = Worker.prototype;
-    globalThis.called = [];
-    Worker.prototype.postMessage = function (message, ...rest) {
-      if (message?.method) globalThis.called.push(message.method);
-      return postMessage.call(this, message, ...rest);
-    };
-  });
+  const calls = await workerCalls(page);
   await example(it, 'sphere'); // q = 6: single precision rounds its rotations off
   await run(it);
   const before = await saveAs(it, 'obj');
@@ -198,10 +191,10 @@ test('after undo its map is saved in every format without another run', async (t
   await page.click('#undo');
   await page.click('#undo');
   await state(page, 'certified');
-  await page.evaluate(() => (globalThis.called.length = 0));
+  await calls.forget();
   const after = await saveAs(it, 'obj');
   assert.deepEqual(after.bytes, before.bytes);
-  const called = await page.evaluate(() => globalThis.called);
+  const called = await calls.names();
   assert.ok(called.includes('recall') && !called.includes('parametrize'), `${called}`);
   const program = commandLine(t);
   if (program) {

@@ -19,6 +19,7 @@ import {
   state,
   statusSays,
   useBrowser,
+  workerCalls,
 } from './support.mjs';
 
 const it = useBrowser();
@@ -64,16 +65,9 @@ test('all meshes of a file: run, kept while another is looked at, and in one dow
   assert.equal(await coneCount(it), 0);
   await page.click('#redo');
   // What was solved is kept: Download only writes.
-  await page.evaluate(() => {
-    const { postMessage } = Worker.prototype;
-    globalThis.called = [];
-    Worker.prototype.postMessage = function (message, ...rest) {
-      if (message?.method) globalThis.called.push(message.method);
-      return postMessage.call(this, message, ...rest);
-    };
-  });
+  const calls = await workerCalls(page);
   const { bytes } = await saveAs(it, 'same');
-  const called = await page.evaluate(() => globalThis.called);
+  const called = await calls.names();
   assert.equal(called.filter((method) => method === 'recall').length, 2, `${called}`);
   assert.ok(!called.includes('parametrize'), `${called}`);
   const document = await new NodeIO().readBinary(new Uint8Array(bytes));

@@ -202,3 +202,19 @@ export async function download(page, click) {
   const [saved] = await Promise.all([page.waitForEvent('download'), click()]);
   return { name: saved.suggestedFilename(), bytes: readFileSync(await saved.path()) };
 }
+
+/** From now on, the names of what the page asks of its workers: names() tells them, forget() begins anew. */
+export async function workerCalls(page) {
+  await page.evaluate(() => {
+    const { postMessage } = Worker.prototype;
+    globalThis.called = [];
+    Worker.prototype.postMessage = function (message, ...rest) {
+      if (message?.method) globalThis.called.push(message.method);
+      return postMessage.call(this, message, ...rest);
+    };
+  });
+  return {
+    names: () => page.evaluate(() => globalThis.called),
+    forget: () => page.evaluate(() => (globalThis.called.length = 0)),
+  };
+}

@@ -38,9 +38,10 @@ std::complex<double> times(std::complex<double> a, std::complex<double> b) {
 double conjugate(double a) { return a; }
 std::complex<double> conjugate(std::complex<double> a) { return std::conj(a); }
 
-/// A Bᴴ from the first m and n rows, by the definition: Eigen's takes seconds to compile in every build.
+/// A Bᴴ from the first m and n rows, or its lower triangle alone, by the definition: Eigen's takes seconds
+/// to compile in every build.
 template <class Matrix>
-Matrix productOf(const Matrix& A, int m, const Matrix& B, int n) {
+Matrix productOf(const Matrix& A, int m, const Matrix& B, int n, bool lower = false) {
   using Scalar = typename Matrix::Scalar;
   Matrix product = Matrix::Zero(m, n);
   for (int j = 0; j < n; ++j)
@@ -48,7 +49,7 @@ Matrix productOf(const Matrix& A, int m, const Matrix& B, int n) {
       const Scalar b = conjugate(B.data()[k * B.rows() + j]);
       const Scalar* from = A.data() + k * A.rows();
       Scalar* to = product.data() + static_cast<Eigen::Index>(j) * m;
-      for (int i = 0; i < m; ++i) to[i] += times(from[i], b);
+      for (int i = lower ? j : 0; i < m; ++i) to[i] += times(from[i], b);
     }
   return product;
 }
@@ -83,7 +84,7 @@ void expectUpdatesAreTheProduct(int m, int n, int k, bool lower) {
   constexpr bool kReal = sizeof(typename Matrix::Scalar) == sizeof(double);
   const KernelWorkspace work;
   Matrix A = Matrix::Random(m + 3, k), B = Matrix::Random(n + 1, k);
-  const Matrix product = productOf<Matrix>(A, m, B, n);
+  const Matrix product = productOf<Matrix>(A, m, B, n, lower);
   const Matrix start = Matrix::Random(m + 2, n);
   for (const bool overwrite : {false, true}) {
     const Matrix expected = overwrite ? Matrix(-product) : Matrix(start.topRows(m) - product);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kOrders[] = {2, 3, 4, 5, 6, 8};
 constexpr int kCounts[] = {3, 4, 5, 6, 8, 12, 16, 24, 32, 48, 64};
-constexpr int kMostCones = 64;
+constexpr int kMaxCones = 64;
 constexpr int kAttempts = 50;
 
 template <std::size_t N>
@@ -154,7 +154,7 @@ std::optional<HolonomySpec> draw(const TriMesh& mesh, const Topology& topology, 
     const int q = oneOf(kOrders, random);
     int count = family == Family::kFew ? 3 + random.below(4) : oneOf(kCounts, random);
     std::optional<HolonomySpec> spec;
-    for (; !spec && count <= kMostCones; ++count) {
+    for (; !spec && count <= kMaxCones; ++count) {
       spec = drawIndices(mesh, topology, q, family, chooseVertices(mesh, family, count, random),
                          random);
       if (family != Family::kFew) break;

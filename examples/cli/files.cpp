@@ -161,7 +161,7 @@ Status writeFiles(const std::string& path, const std::vector<io::OutputFile>& fi
     if (files.size() == 1) return writeInto(path, files[0].bytes);
     return Failure{ErrorCode::kUsage, "write", "several files cannot go to " + path, {}};
   }
-  if (files.size() > kMostHalfFiles / 2) {
+  if (files.size() > kMaxHalfFiles / 2) {
     return Failure{ErrorCode::kLimit,
                    "write",
                    formatText("%zu side files; write a .glb, which needs none", files.size() - 1),

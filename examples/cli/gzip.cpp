@@ -22,7 +22,7 @@ Failure tooLarge(std::uint64_t maxBytes) {
 #ifdef HGP_HAS_ZLIB
 
 namespace {
-constexpr std::size_t kLeastRoom = std::size_t{1} << 16;
+constexpr std::size_t kMinRoom = std::size_t{1} << 16;
 
 Failure damaged(const char* why) {
   return {ErrorCode::kMalformed, "read", std::string("the gzip data are ") + why, {}};
@@ -70,10 +70,10 @@ struct Gunzip::Stream {
 
   Status inflateSome(io::ByteView& packed, io::Bytes& out) {
     const std::size_t size = out.size();
-    if (out.capacity() < size + kLeastRoom) {
-      out.reserve(std::min<std::size_t>(maxBytes, 2 * size) + 2 * kLeastRoom);
+    if (out.capacity() < size + kMinRoom) {
+      out.reserve(std::min<std::size_t>(maxBytes, 2 * size) + 2 * kMinRoom);
     }
-    out.resize(std::min(out.capacity(), size + 4 * kLeastRoom));
+    out.resize(std::min(out.capacity(), size + 4 * kMinRoom));
     z.next_in = const_cast<Bytef*>(packed.data());
     z.avail_in = static_cast<uInt>(packed.size());
     z.next_out = out.data() + size;

@@ -18,7 +18,7 @@ constexpr int kPipeClosed = 141;  // what a shell gives for SIGPIPE
 constexpr int kNameTries = 100;
 
 /// Names of half-written files, readable from a signal handler.
-std::array<char[4096], kMostHalfFiles> halfWritten;
+std::array<char[4096], kMaxHalfFiles> halfWritten;
 volatile std::sig_atomic_t halfWrittenCount = 0;
 volatile std::sig_atomic_t blockCount = 0, isInterrupted = 0;
 

@@ -30,7 +30,7 @@ Status writeAll(std::FILE* file, const std::string& path, const io::Bytes& bytes
 Failure cannot(ErrorCode code, const char* what, const std::string& path);
 
 /// How many can be there at once.
-inline constexpr std::size_t kMostHalfFiles = 256;
+inline constexpr std::size_t kMaxHalfFiles = 256;
 
 /// A file under a temporary name beside its own; removed unless `keep` moves it to its place.
 class HalfFile {

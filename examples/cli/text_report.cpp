@@ -11,8 +11,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostLines = 8;
-constexpr std::size_t kMostComponents = 20;  ///< that are listed one by one when nothing is wrong
+constexpr std::size_t kMaxLines = 8;
+constexpr std::size_t kMaxComponents = 20;  ///< that are listed one by one when nothing is wrong
 
 std::string text(const Json& value) {
   return printable(value.is_string() ? value.get<std::string>() : value.dump());
@@ -42,13 +42,13 @@ std::string notes(const Json& json) {
 
 std::string places(const Json& where) {
   std::string out;
-  for (std::size_t i = 0; i < where.size() && i < kMostLines; ++i) {
+  for (std::size_t i = 0; i < where.size() && i < kMaxLines; ++i) {
     const Json& w = where[i];
     out += i == 0 ? " (" : ", ";
     out += text(w["kind"]) + " " + w["id"].dump();
     if (w.contains("other")) out += "–" + w["other"].dump();
   }
-  if (where.size() > kMostLines) out += ", …";
+  if (where.size() > kMaxLines) out += ", …";
   return out.empty() ? out : out + ")";
 }
 
@@ -92,9 +92,12 @@ std::string measured(const Json& c, const Style& style) {
   const long long seams = integer(c, "seamEdges");
   if (!c["exactSeams"].is_null() && seams > 0) {
     const long long exact = integer(c, "exactSeams"), whole = integer(c, "integerSeams");
-    line(exact == seams, "exact seams",
-         formatText("%lld of %lld, bit for bit%s", exact, seams,
-                    whole == seams ? "; integer translations: unit grids meet" : ""));
+    const std::string value =
+        formatText("%lld of %lld, bit for bit%s", exact, seams,
+                   whole == seams ? "; integer translations: unit grids meet" : "");
+    // A certified map need not have them.
+    if (exact == seams) line(true, "exact seams", value);
+    if (exact != seams) out += formatText("  --  %-20s %s\n", "exact seams", value.c_str());
   }
   return out;
 }
@@ -137,7 +140,7 @@ std::string certificate(const Json& json, const Style& style) {
   std::size_t untold = 0;
   for (std::size_t p = 0; p < json["components"].size(); ++p) {
     const Json& c = json["components"][p];
-    if (p >= kMostComponents && c["reasons"].empty()) {
+    if (p >= kMaxComponents && c["reasons"].empty()) {
       ++untold;
       continue;
     }
@@ -280,7 +283,7 @@ std::string reportText(const std::string& source, const Style& style) {
                                integer(json["cones"], "q"), number(json, "seconds"));
   for (std::size_t p = 0; p < json["components"].size(); ++p) {
     const Json& component = json["components"][p];
-    if (p >= kMostComponents && component["certifiedBeforeStoring"].get<bool>()) continue;
+    if (p >= kMaxComponents && component["certifiedBeforeStoring"].get<bool>()) continue;
     for (const Json& round : component["rounds"]) {
       out += row("round",
                  formatText("%s: %s, %s, %lld flipped, %s, %.2f s", text(round["method"]).c_str(),

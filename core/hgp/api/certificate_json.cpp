@@ -10,7 +10,7 @@ namespace hgp::api {
 namespace {
 
 // More entries than this help nobody; the counts are complete.
-constexpr std::size_t kMostListed = 10'000;
+constexpr std::size_t kMaxListed = 10'000;
 
 const char* precisionName(Precision precision) {
   return precision == Precision::kFloat32 ? "float32" : "float64";
@@ -66,7 +66,7 @@ class ComponentJson {
 
   static Json listed(std::vector<int> ids) {
     std::sort(ids.begin(), ids.end());
-    if (ids.size() > kMostListed) ids.resize(kMostListed);
+    if (ids.size() > kMaxListed) ids.resize(kMaxListed);
     return Json(std::move(ids));
   }
 
@@ -100,7 +100,7 @@ class ComponentJson {
     });
     Json out = Json::array();
     for (const MeasuredCone& m : list) {
-      if (out.size() >= kMostListed) break;
+      if (out.size() >= kMaxListed) break;
       out.push_back(Json{{"vertex", vertex(m.vertex)},
                          {"asked", m.asked},
                          {"measured", m.measured},

@@ -7,7 +7,7 @@
 namespace hgp::api {
 namespace {
 
-constexpr std::size_t kMostPlaces = 1000;
+constexpr std::size_t kMaxPlaces = 1000;
 
 Json surfacesJson(const Model& model) {
   Json out = Json::array();
@@ -30,7 +30,7 @@ Json defectsJson(const Model& model) {
   Json out = Json::array();
   for (const Defect& defect : model.defects) {
     std::vector<Where> where = defect.where;
-    if (where.size() > kMostPlaces) where.resize(kMostPlaces);
+    if (where.size() > kMaxPlaces) where.resize(kMaxPlaces);
     const auto vertex = [&](std::int64_t& v) {
       const MeshVertexId id{static_cast<int>(v)};
       if (model.vertexOrigin.has(id)) v = model.vertexOrigin[id].i;
@@ -45,7 +45,7 @@ Json defectsJson(const Model& model) {
     out.push_back(Json{{"kind", defectName(defect.kind)},
                        {"fatal", isFatal(defect.kind, !model.unusable)},
                        {"count", defect.where.size()},
-                       {"where", whereJson(where, kMostPlaces)}});
+                       {"where", whereJson(where, kMaxPlaces)}});
   }
   return out;
 }

@@ -18,7 +18,7 @@
 namespace hgp::api {
 namespace {
 
-constexpr int kMostCells = 64;  // that one edge is entered in
+constexpr int kMaxCells = 64;  // that one edge is entered in
 
 int componentCount(const MeshData& mesh, const std::vector<int>* image, bool& isSoup) {
   const auto vertices = static_cast<int>(mesh.positions.size());
@@ -150,7 +150,7 @@ class CrackFinder {
     for (std::size_t i = 0; i < edges_.size(); ++i) {
       const Vec3 &a = at(edges_[i].a), d = subtract(at(edges_[i].b), a);
       const int steps =
-          static_cast<int>(std::min(2 * edges_[i].length / edgeCell() + 1, 1.0 * kMostCells));
+          static_cast<int>(std::min(2 * edges_[i].length / edgeCell() + 1, 1.0 * kMaxCells));
       Cell last{};
       for (int s = 0; s <= steps; ++s) {
         const double t = static_cast<double>(s) / steps;

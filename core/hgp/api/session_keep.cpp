@@ -8,8 +8,8 @@
 namespace hgp::api {
 namespace {
 
-constexpr std::size_t kMostOfASurface = 2;
-constexpr std::size_t kMostTriangles =
+constexpr std::size_t kMaxOfASurface = 2;
+constexpr std::size_t kMaxTriangles =
     500'000;  // of all together; beyond, memory is for the next solve
 
 template <class T>
@@ -29,7 +29,7 @@ const std::string& Session::State::surfaceHash() {
 }
 
 void Session::State::putAside() {
-  if (solved && !finer && !keptAs.empty() && triangles.size() / 3 <= kMostTriangles)
+  if (solved && !finer && !keptAs.empty() && triangles.size() / 3 <= kMaxTriangles)
     aside.push_back({keptAs, surfaceHash(), triangles.size() / 3, std::move(*solved)});
   keptAs.clear();
   solved.reset();
@@ -38,8 +38,8 @@ void Session::State::putAside() {
   for (std::size_t i = aside.size(); i-- > 0;) {
     if (aside[i].surface == hash) ++ofThisSurface;
     size += aside[i].size;
-    const bool isTooMany = aside[i].surface == hash && ofThisSurface > kMostOfASurface;
-    if (!isTooMany && size <= kMostTriangles) continue;
+    const bool isTooMany = aside[i].surface == hash && ofThisSurface > kMaxOfASurface;
+    if (!isTooMany && size <= kMaxTriangles) continue;
     size -= aside[i].size;
     aside.erase(aside.begin() + static_cast<std::ptrdiff_t>(i));
   }

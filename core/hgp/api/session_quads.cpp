@@ -51,7 +51,7 @@ Result<QuadFile> Session::quads(const std::string& name) const {
       const MultipleEdges multiple = countMultipleEdges(all);
       if (out.halvings == 0) out.multipleEdges = multiple.pairs;
       out.foldedQuads = multiple.foldedQuads;
-      if (multiple.pairs == 0 || out.halvings == kMostHalvings) break;
+      if (multiple.pairs == 0 || out.halvings == kMaxHalvings) break;
     }
     out.vertices = static_cast<int>(all.positions.size());
     out.quads = static_cast<int>(all.quads.size());

@@ -11,14 +11,14 @@ namespace hgp {
 namespace {
 
 /// Own angles below this, in radians, count as this.
-constexpr double kLeastOwnAngle = 0.02;
+constexpr double kMinOwnAngle = 0.02;
 /// Largest |sum − asked| that counts as met, in radians.
 constexpr double kMetSum = 1e-9;
 /// Smaller angles are those of a prescription without a structure, whose limit is at infinity.
-constexpr double kLeastAngle = 1e-8;
+constexpr double kMinAngle = 1e-8;
 /// Newton takes 4 to 10 steps where there is a structure.
 constexpr int kMaxSteps = 60;
-constexpr double kLeastStep = 1e-6;
+constexpr double kMinStep = 1e-6;
 constexpr double kSufficientDecrease = 1e-4;
 /// Rounding of the function, relative to its value.
 constexpr double kRounding = 1e-13;
@@ -43,7 +43,7 @@ class DualFunction {
         own_(static_cast<std::size_t>(mesh.halfedgeCount()), 0.0),
         angle_(own_) {
     for (HalfedgeId h : mesh.halfedges())
-      own_[h] = portable::log(std::max(context.geometry.cornerAngle[h], kLeastOwnAngle));
+      own_[h] = portable::log(std::max(context.geometry.cornerAngle[h], kMinOwnAngle));
   }
 
   const PerHalfedge<double>& angles() const { return angle_; }
@@ -110,12 +110,12 @@ bool minimise(DualFunction& dual, const Eigen::VectorXd& asked) {
     if (!direction) return false;
     const double slope = gap.dot(*direction), rounding = kRounding * std::abs(value);
     double t = 1.0, moved = 0.0;
-    for (; t > kLeastStep; t *= 0.5) {
+    for (; t > kMinStep; t *= 0.5) {
       const Eigen::VectorXd there = s + t * *direction;
       moved = dual.evaluate(there) - asked.dot(there);
       if (moved <= value - kSufficientDecrease * t * slope + rounding) break;
     }
-    if (t <= kLeastStep) return false;
+    if (t <= kMinStep) return false;
     s += t * *direction;
     value = moved;
   }
@@ -129,7 +129,7 @@ std::optional<PerHalfedge<double>> angleStructure(const TriMesh& mesh, const Fie
   DualFunction dual(mesh, context);
   if (!minimise(dual, askedSums(context, spec))) return {};
   const std::vector<double>& angles = dual.angles().raw();
-  if (*std::min_element(angles.begin(), angles.end()) < kLeastAngle) return {};
+  if (*std::min_element(angles.begin(), angles.end()) < kMinAngle) return {};
   return dual.angles();
 }
 

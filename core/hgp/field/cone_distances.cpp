@@ -92,7 +92,7 @@ std::vector<ConeDistances::Pair> ConeDistances::closer(const NodeDefects& defect
 
 std::vector<VertexId> ConeDistances::around(const std::vector<VertexId>& some, double reach) {
   std::vector<VertexId> found;
-  spread(some, reach, kMostAround);
+  spread(some, reach, kMaxAround);
   for (VertexId w : reached_)
     if (surface_.isInterior(mesh_, w)) found.push_back(w);
   return found;

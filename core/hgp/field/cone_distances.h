@@ -24,9 +24,9 @@ class ConeDistances {
   std::vector<Pair> closer(const NodeDefects& defects, double least);
 
   /// Interior vertices at most `reach` from the nearest of some, in ascending distance; no more than
-  /// kMostAround: where the metric crushes a region, all of it is near.
+  /// kMaxAround: where the metric crushes a region, all of it is near.
   std::vector<VertexId> around(const std::vector<VertexId>& some, double reach);
-  static constexpr std::size_t kMostAround = 400;
+  static constexpr std::size_t kMaxAround = 400;
 
  private:
   double lengthOf(HalfedgeId h) const;

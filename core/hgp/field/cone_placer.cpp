@@ -10,7 +10,7 @@ namespace {
 /// Edges that a cone may walk downhill in one step of relax(), at first.
 constexpr int kFirstReach = 16;
 /// relax() ends below this relative decrease.
-constexpr double kLeastDecrease = 5e-3;
+constexpr double kMinDecrease = 5e-3;
 /// Cones that walk together: all, then fewer, as many together may go too far.
 constexpr double kParts[] = {1.0, 0.5, 0.25, 0.1};
 /// Of the work that is left, for the cones' moves after some were added or taken away.
@@ -144,7 +144,7 @@ bool ConePlacer::walkTogether(int reach, double share) {
     if (isAllowed(moves[i])) apply(moves[i]);
   ConeCost cost = metric_.cost(defects_);
   work_ -= metric_.nodeCount();
-  if (cost.energy < (1.0 - kLeastDecrease) * cost_.energy) {
+  if (cost.energy < (1.0 - kMinDecrease) * cost_.energy) {
     setCost(std::move(cost));
     return true;
   }
@@ -177,7 +177,7 @@ bool ConePlacer::walkOneByOne(int reach) {
       setCost(std::move(cost));
     }
   }
-  return cost_.energy < (1.0 - kLeastDecrease) * before;
+  return cost_.energy < (1.0 - kMinDecrease) * before;
 }
 
 /// Local minima of sign·g that can take the unit, lowest first.

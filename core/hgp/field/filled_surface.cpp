@@ -10,7 +10,7 @@ namespace {
 
 /// Weights below this share of a well-shaped edge's (1/√3) would make the Laplacian indefinite or
 /// singular; any positive weights give a valid connection, so clamping costs smoothness only.
-constexpr double kLeastWeight = 0.05;
+constexpr double kMinWeight = 0.05;
 constexpr double kLargestWeight = 20.0;
 
 double cotangent(const Geometry& geometry, HalfedgeId h) {
@@ -37,7 +37,7 @@ FilledSurface fillBoundary(const TriMesh& mesh, const Topology& topology,
     const HalfedgeId h = mesh.halfedge(e);
     if (mesh.isBoundary(h)) continue;
     const double w = 0.5 * (cotangent(geometry, h) + cotangent(geometry, mesh.twin(h)));
-    s.weight[e] = std::clamp(w, kLeastWeight, kLargestWeight);
+    s.weight[e] = std::clamp(w, kMinWeight, kLargestWeight);
   }
 
   s.curvature.assign(static_cast<std::size_t>(s.nodeCount), 0.0);

@@ -30,7 +30,7 @@ void makeRoom(const TriMesh& mesh, HolonomySpec& spec) {
   PerVertex<int> k(static_cast<std::size_t>(mesh.vertexCount()), spec.q);
   for (const ConePoint& cone : spec.cones) k[cone.vertex] = cone.k;
   bool isChanged = false;
-  for (int unit = 0; unit < kMostUnits; ++unit) {
+  for (int unit = 0; unit < kMaxUnits; ++unit) {
     const std::optional<AngleShortage> shortage = findAngleShortage(mesh, spec.q, k);
     if (!shortage || shortage->cones.empty()) break;
     const VertexId giver = shortage->cones.front();

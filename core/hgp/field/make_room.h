@@ -6,9 +6,9 @@
 namespace hgp {
 
 /// While findAngleShortage finds one, moves a unit of k from its strongest cone to the vertex within kReceivers edges
-/// that then has the smallest angle per triangle. Σ k does not change. Stops after kMostUnits units.
+/// that then has the smallest angle per triangle. Σ k does not change. Stops after kMaxUnits units.
 void makeRoom(const TriMesh& mesh, HolonomySpec& spec);
 inline constexpr int kReceivers = 3;
-inline constexpr int kMostUnits = 64;
+inline constexpr int kMaxUnits = 64;
 
 }  // namespace hgp

@@ -19,7 +19,7 @@ constexpr double kAside = 2.0;
 constexpr double kWidestRange = 7.5;
 
 /// Solves, and nodes × solves, that separating may take.
-constexpr double kLeastSolves = 8.0, kMostSolves = 250.0, kMostWork = 2e7;
+constexpr double kMinSolves = 8.0, kMaxSolves = 250.0, kMaxWork = 2e7;
 /// Ways apart of a pair whose energy is measured, so many at once, each then a share of a single solve.
 constexpr std::size_t kWaysMeasured = 2, kWaysAtOnce = 32;
 constexpr double kShareOfBlock = 0.5;
@@ -195,7 +195,7 @@ void ConePlacer::separate(const ConeSpacing& spacing) {
                             std::max(kWidestRange, 1.02 * rangeOf(cost_.u))};
   const double nodes = metric_.nodeCount();
   std::set<std::pair<VertexId, VertexId>> held;  // pairs that no move parts within the limits
-  work_ = std::max(kLeastSolves * nodes, std::min(kMostSolves * nodes, kMostWork));
+  work_ = std::max(kMinSolves * nodes, std::min(kMaxSolves * nodes, kMaxWork));
   NodeDefects last, lastButOne;
   bool isDownhill = !keepsCount_;
   for (int round = 0; round < kSeparatingRounds && work_ > 0.0; ++round) {

@@ -22,7 +22,7 @@ constexpr int kInverseIterations = 2;
 constexpr int kDirectSize = 5000;
 constexpr int kSweeps = 6;
 /// Where pairing leaves more than this share (stars of many arms), it ends.
-constexpr double kLeastShrinking = 0.9;
+constexpr double kMinShrinking = 0.9;
 /// Shift relative to the mean diagonal, so that a surface with an exactly parallel field factors.
 constexpr double kShift = 1e-8;
 
@@ -131,7 +131,7 @@ std::vector<Complex> minimise(const FieldSystem& system, bool isPulled) {
   if (system.size() <= kDirectSize) return minimiseDirectly(system, isPulled);
   Patches patches;
   const FieldSystem coarse = pairUp(system, patches);
-  if (coarse.size() > kLeastShrinking * system.size()) return minimiseDirectly(system, isPulled);
+  if (coarse.size() > kMinShrinking * system.size()) return minimiseDirectly(system, isPulled);
   const std::vector<Complex> onPatches = minimise(coarse, isPulled);
   if (onPatches.empty()) return {};
   std::vector<Complex> x(patches.turn);

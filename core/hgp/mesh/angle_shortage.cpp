@@ -9,7 +9,7 @@ namespace hgp {
 namespace {
 
 /// Vertices looked at in all searches together: a fraction of a second.
-constexpr int kMostVisits = 2'000'000;
+constexpr int kMaxVisits = 2'000'000;
 
 /// Corner angles in units of π / (q N). With N above the number of corners, one unit per corner stands for "more than 0": what
 /// fits with it fits with positive angles, and the other way round.
@@ -113,7 +113,7 @@ class AngleFlow {
   PerVertex<Step> reachedBy_;
   PerVertex<char> isReached_;
   std::vector<VertexId> queue_;
-  int visitsLeft_ = kMostVisits;
+  int visitsLeft_ = kMaxVisits;
 };
 
 AngleShortage describe(const TriMesh& mesh, int q, const PerVertex<int>& k, const AngleFlow& flow) {

@@ -14,21 +14,21 @@ namespace hgp {
 namespace {
 
 /// ε never falls below this.
-constexpr double kLeastEpsilon = 1e-8;
+constexpr double kMinEpsilon = 1e-8;
 /// A kept triangle is positive when D exceeds this.
-constexpr double kLeastBarrier = 1e-9;
+constexpr double kMinBarrier = 1e-9;
 /// Newton steps after the last flip, which move triangles away from degeneracy.
 constexpr int kStepsAfter = 4;
 /// The search ends after this many steps in a row that lower neither the number of flips nor the energy by this share.
 constexpr int kPatience = 12;
-constexpr double kLeastDecrease = 1e-4;
+constexpr double kMinDecrease = 1e-4;
 /// Newton steps towards the frames, and how often the frames then follow the map.
 constexpr int kSegmentSteps = 15;
 constexpr int kFramedSegments = 8;
 /// Weight of a triangle's own direction relative to its neighbours' when frames follow the map, and
 /// the number of Jacobi sweeps.
 constexpr double kTrust = 0.02;
-constexpr double kLeastTrust = 1e-6;
+constexpr double kMinTrust = 1e-6;
 constexpr int kSweeps = 200;
 
 class Untangler {
@@ -76,7 +76,7 @@ class Untangler {
       trust[i] =
           kTrust * std::clamp(1.0 - portable::abs(anti) / std::max(portable::abs(similar), 1e-300),
                               0.0, 1.0) +
-          kLeastTrust;
+          kMinTrust;
     }
     std::vector<double> turn(n, 0.0), next(n);
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
@@ -113,7 +113,7 @@ class Untangler {
         return false;
       }
       if (now.flipped == 0 && ++after > (isFramed_ ? 0 : kStepsAfter)) break;
-      epsilon_ = portable::hypot(kLeastEpsilon, options_.epsilonShare * std::min(now.least, 0.0));
+      epsilon_ = portable::hypot(kMinEpsilon, options_.epsilonShare * std::min(now.least, 0.0));
       const double energy = energyOf(x_);
       if (best.isStuck(now.flipped, energy)) break;
       if (!step(energy)) break;
@@ -136,7 +136,7 @@ class Untangler {
     double energy;
     int waited;
     bool isStuck(int nowFlipped, double nowEnergy) {
-      if (nowFlipped < flipped || nowEnergy < (1.0 - kLeastDecrease) * energy) {
+      if (nowFlipped < flipped || nowEnergy < (1.0 - kMinDecrease) * energy) {
         flipped = std::min(flipped, nowFlipped);
         waited = 0;
       } else {
@@ -222,7 +222,7 @@ class Untangler {
       const double D = areaOf(similar) - std::norm(anti);
       e.least = std::min(e.least, D);
       e.flipped += !(D > 0.0);
-      face.isBarrier = face.isBarrier || (face.isKept && D > kLeastBarrier);
+      face.isBarrier = face.isBarrier || (face.isKept && D > kMinBarrier);
     }
     return e;
   }

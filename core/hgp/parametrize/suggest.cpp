@@ -12,11 +12,11 @@ constexpr double kRoomOfCell = 0.4;
 /// Of the energy of the cone metric, what making room may add.
 constexpr double kRoomEnergy = 0.3;
 /// Around a vertex: a quad that is alone there meets itself.
-constexpr int kLeastQuads = 2;
+constexpr int kMinQuads = 2;
 
 ConeSpacing roomForGrid(double spacing, GridMode mode, int q) {
   const bool isForQuads = mode == GridMode::kQuad;
-  return {kRoomOfCell * spacing, kRoomEnergy, isForQuads ? kLeastQuads * q / 4 : 1};
+  return {kRoomOfCell * spacing, kRoomEnergy, isForQuads ? kMinQuads * q / 4 : 1};
 }
 
 Result<CompleteSpec> suggestCones(PreparedSurface& surface, const SuggestOptions& options,

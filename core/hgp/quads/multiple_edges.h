@@ -8,7 +8,7 @@ namespace hgp {
 
 struct MultipleEdges {
   /// Pairs of vertices that more than one edge joins, and loops from a vertex to itself: around handles of
-  /// one or two cells, and around two cones that are so close. None is left after kMostHalvings.
+  /// one or two cells, and around two cones that are so close. None is left after kMaxHalvings.
   int pairs = 0;
   /// Quads that are the only one at a vertex, a cone of k = 1, so that two of their edges coincide in any grid. The pair
   /// of end vertices of these edges is not among `pairs`.
@@ -17,6 +17,6 @@ struct MultipleEdges {
 MultipleEdges countMultipleEdges(const QuadMesh& quads);
 
 /// Each doubles the number of edges of a cycle, and three are a polygon.
-inline constexpr int kMostHalvings = 2;
+inline constexpr int kMaxHalvings = 2;
 
 }  // namespace hgp

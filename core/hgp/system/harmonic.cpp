@@ -6,7 +6,7 @@ namespace hgp {
 namespace {
 
 /// Translations cancel against themselves along a chain; only rounding is left of them.
-constexpr double kLeastWeight = 1e-14;
+constexpr double kMinWeight = 1e-14;
 
 }  // namespace
 
@@ -41,7 +41,7 @@ HarmonicSystem harmonicSystem(const TriMesh& mesh, const Geometry& geometry, con
       addCopy(TriMesh::previous(h), -back * w->toThird);
       ++w;
     }
-    builder.endRow(kLeastWeight);
+    builder.endRow(kMinWeight);
   }
   system.rows = builder.take();
   return system;

@@ -9,7 +9,7 @@ namespace hgp {
 namespace {
 
 /// Below it a sum of unit numbers has cancelled.
-constexpr double kLeastSum = 1e-13;
+constexpr double kMinSum = 1e-13;
 
 /// z = e^{i2π turn/q} z_v + Σ factor · t
 struct CopyValue {
@@ -115,7 +115,7 @@ class Reducer {
       }
       for (const TranslationTerm& t : free(value.shift))
         builder.add(unknowns.chainUnknown[static_cast<std::size_t>(t.chain)], t.factor);
-      builder.endRow(kLeastSum);
+      builder.endRow(kMinSum);
     }
     unknowns.copies = builder.take();
     return unknowns;

@@ -12,7 +12,7 @@ namespace {
 /// Coefficients are sums of few unit numbers; what is below this has cancelled.
 constexpr double kCancelled = 1e-9;
 /// A pivot this much smaller than the row's largest coefficient would lose digits.
-constexpr double kLeastPivot = 0.3;
+constexpr double kMinPivot = 0.3;
 
 using Row = std::map<int, Complex>;
 
@@ -68,7 +68,7 @@ class Elimination {
     for (const auto& [c, value] : row(r)) largest = std::max(largest, portable::abs(value));
     int best = -1;
     for (const auto& [c, value] : row(r)) {
-      if (portable::abs(value) < kLeastPivot * largest) continue;
+      if (portable::abs(value) < kMinPivot * largest) continue;
       if (best < 0 || users_[static_cast<std::size_t>(c)].size() <
                           users_[static_cast<std::size_t>(best)].size())
         best = c;

@@ -10,12 +10,12 @@ namespace {
 
 /// tan(α/2) grows without bound at flat corners; beyond this one vertex would rule its neighbour.
 constexpr double kLargestHalfTangent = 1e3;
-constexpr double kLeastHalfTangent = 1e-6;
+constexpr double kMinHalfTangent = 1e-6;
 
 }  // namespace
 
 CornerWeights meanValueWeights(const Geometry& geometry, HalfedgeId h) {
-  const double t = std::clamp(portable::tan(0.5 * geometry.cornerAngle[h]), kLeastHalfTangent,
+  const double t = std::clamp(portable::tan(0.5 * geometry.cornerAngle[h]), kMinHalfTangent,
                               kLargestHalfTangent);
   return {t / std::max(geometry.length[h], 1e-12),
           t / std::max(geometry.length[TriMesh::previous(h)], 1e-12)};

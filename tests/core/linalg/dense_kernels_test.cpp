@@ -10,7 +10,7 @@ namespace hgp::linalg {
 namespace {
 
 std::vector<const KernelTable*> tables() {
-  const KernelTable* found[kMostTables];
+  const KernelTable* found[kMaxTables];
   const int count = runnableKernels(found);
   return {found, found + count};
 }

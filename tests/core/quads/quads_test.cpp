@@ -142,7 +142,7 @@ TEST(MultipleEdges, AroundHandlesOfOneOrTwoCellsAreGoneAfterHalvings) {
   for (const auto& [around, halvings] : {std::pair{3, 0}, {2, 1}, {1, 2}}) {
     UvMap map = test::flatTorusMap(8, 5);
     for (Vec2& p : map.uv) p[0] *= around / 8.0;
-    for (int h = 0; h <= kMostHalvings; ++h) {
+    for (int h = 0; h <= kMaxHalvings; ++h) {
       const Result<QuadMesh> quads = extractQuads(mesh, map, 4, h);
       ASSERT_TRUE(quads) << quads.error().message;
       EXPECT_EQ(quads->quads.size(), at(5 * around) << (2 * h));

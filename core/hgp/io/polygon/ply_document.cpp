@@ -12,7 +12,7 @@ namespace hgp::io {
 namespace {
 
 /// Two numbers for each of 127 corners still fit a list whose length is one byte.
-constexpr std::size_t kMostCornersOfByte = 127;
+constexpr std::size_t kMaxCornersOfByte = 127;
 
 class PlyPatch {
  public:
@@ -24,7 +24,7 @@ class PlyPatch {
       mostCorners_ =
           std::max<std::size_t>(mostCorners_, polygons.start[at + 1] - polygons.start[at]);
     }
-    isWide_ = mostCorners_ > kMostCornersOfByte;
+    isWide_ = mostCorners_ > kMaxCornersOfByte;
     for (const PlyElement& element : header.elements) {
       hasFaces_ = hasFaces_ || element.name == "face";
       replacesUv_ =

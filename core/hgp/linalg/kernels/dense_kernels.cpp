@@ -9,7 +9,7 @@ std::atomic<bool> isBaselineAsked{false};
 
 }  // namespace
 
-int runnableKernels(const KernelTable* tables[kMostTables]) {
+int runnableKernels(const KernelTable* tables[kMaxTables]) {
   int count = 0;
   if (plainKernels() && plainKernels() != baselineKernels()) tables[count++] = plainKernels();
   tables[count++] = baselineKernels();
@@ -25,7 +25,7 @@ int runnableKernels(const KernelTable* tables[kMostTables]) {
 
 const KernelTable& kernels() {
   static const KernelTable* const best = [] {
-    const KernelTable* tables[kMostTables];
+    const KernelTable* tables[kMaxTables];
     return tables[runnableKernels(tables) - 1];
   }();
   return isBaselineAsked.load(std::memory_order_relaxed) ? *baselineKernels() : *best;

@@ -60,7 +60,7 @@ const KernelTable* avx2Kernels();
 const KernelTable* avx512Kernels();
 
 /// All tables that can be run here, slowest first; for tests and benchmarks.
-inline constexpr int kMostTables = 4;
-int runnableKernels(const KernelTable* tables[kMostTables]);
+inline constexpr int kMaxTables = 4;
+int runnableKernels(const KernelTable* tables[kMaxTables]);
 
 }  // namespace hgp::linalg

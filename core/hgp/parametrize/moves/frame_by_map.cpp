@@ -5,7 +5,7 @@ namespace hgp {
 namespace {
 
 /// Maximum number of corrections in a row; hardly any map needs more than two.
-constexpr int kMostCorrections = 4;
+constexpr int kMaxCorrections = 4;
 
 }  // namespace
 
@@ -17,7 +17,7 @@ std::optional<State> frameByMap(const Problem& problem, const State& state,
   if (attempt->wrongCount == 0 || attempt->program.z.empty() || !attempt->program.x.allFinite())
     return {};
   const bool isBetter = state.corrections == 0 || attempt->wrongCount < state.from->wrongCount;
-  if (!isBetter || state.corrections >= kMostCorrections) return {};
+  if (!isBetter || state.corrections >= kMaxCorrections) return {};
   State next = startOf(problem, state.weighting);
   next.frames = framesOfMap(problem.mesh, *problem.setup, attempt->program.z);
   if (!next.frames) return {};

@@ -6,7 +6,7 @@ namespace {
 /// Newton steps × triangles that a run may spend: half a minute.
 constexpr double kLargestWork = 1.2e7;
 /// Steps that one kind may take. It is not begun where the run may not spend as many.
-constexpr int kMostSteps = 220;
+constexpr int kMaxStepsOfKind = 220;
 
 }  // namespace
 
@@ -24,7 +24,8 @@ std::optional<State> untangleNext(const Problem& problem, const State& state,
   if (next >= untanglings().size()) return {};
   const bool isFirst = state.untangling < 0;
   if (isFirst && state.untangled > 0) return {};
-  if (static_cast<double>(kMostSteps) * problem.mesh.faceCount() > problem.largestWork) return {};
+  if (static_cast<double>(kMaxStepsOfKind) * problem.mesh.faceCount() > problem.largestWork)
+    return {};
   const int spent = state.untangled + (isFirst ? 0 : attempt->program.iterations);
   if (static_cast<double>(spent) * problem.mesh.faceCount() > kLargestWork) return {};
   State out = startOf(problem, state.weighting);

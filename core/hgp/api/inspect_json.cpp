@@ -1,7 +1,7 @@
 #include "hgp/api/json_text.h"
 #include "hgp/api/json_values.h"
 #include "hgp/api/session.h"
-#include "hgp/mesh/box.h"
+#include "hgp/mesh/finite.h"
 #include "hgp/mesh/geometry.h"
 
 namespace hgp::api {
@@ -116,7 +116,7 @@ std::string inspectText(const Model& model) {
     json["isolatedVertices"] = t.isolatedVertexCount;
     json["components"] = componentsJson(model);
   }
-  json["diagonal"] = diagonal(boxOf(model.mesh.positions));
+  json["diagonal"] = diagonal(finiteBoxOf(model.mesh.positions));
   json["defects"] = defectsJson(model);
   json["notes"] = model.notes;
   if (model.unusable) json["error"] = failureJson(*model.unusable);

@@ -6,7 +6,7 @@
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
 #include "hgp/base/turns.h"
-#include "hgp/mesh/box.h"
+#include "hgp/mesh/finite.h"
 #include "hgp/mesh/vectors.h"
 #include "hgp/parametrize/parametrize.h"
 #include "hgp/prescription/cones.h"
@@ -116,7 +116,7 @@ class Resolver {
   }
 
   double reach() {
-    if (reach_ < 0) reach_ = kSamePlace * diagonal(boxOf(model_.source().mesh.positions));
+    if (reach_ < 0) reach_ = kSamePlace * diagonal(finiteBoxOf(model_.source().mesh.positions));
     return reach_;
   }
   const Vec3& position(int v) const { return model_.source().mesh.positions[at(v)]; }

@@ -4,12 +4,21 @@
 #include <cmath>
 #include <vector>
 
+#include "hgp/mesh/box.h"
 #include "hgp/mesh/mesh_data.h"
 
 namespace hgp {
 
 inline bool isFinite(const Vec3& p) {
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+/// Of the points that are finite.
+inline Box<3> finiteBoxOf(const std::vector<Vec3>& points) {
+  Box<3> box;
+  for (const Vec3& p : points)
+    if (isFinite(p)) box.add(p);
+  return box;
 }
 
 /// Vertices of no face whose position is not finite, ascending. No defect: they are kept as they are.

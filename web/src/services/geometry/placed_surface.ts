@@ -61,7 +61,7 @@ function ballOf(p: Float64Array): Pick<Surface, 'center' | 'radius' | 'diagonal'
       (p[3 * v] - center[0]) ** 2 +
       (p[3 * v + 1] - center[1]) ** 2 +
       (p[3 * v + 2] - center[2]) ** 2;
-    if (far > most) most = far;
+    if (far > most && far < Infinity) most = far;
   });
   const diagonal = Math.hypot(...high.map((x, k) => x - low[k])) || 1;
   return { center, diagonal, radius: Math.sqrt(most) || diagonal / 2 };

@@ -46,3 +46,15 @@ test('--loops: closed walks that a prescription can name', () => {
   }
   assert.equal(run('inspect', 'torus.obj', '--loops', 'torus.obj').code, 2);
 });
+
+test('inspect: the size of a mesh is that of its finite vertices', () => {
+  const mesh = torusMesh(12, 8);
+  const size = (name) => {
+    good('inspect', name, '--json', 'inspect.json');
+    return JSON.parse(read('inspect.json')).diagonal;
+  };
+  put('torus.obj', toObj(mesh));
+  put('unused.obj', `${toObj(mesh)}\nv nan 0 0\nv 0 inf 0\n`);
+  assert.ok(size('torus.obj') > 1);
+  assert.equal(size('unused.obj'), size('torus.obj'));
+});

@@ -90,7 +90,8 @@ TEST(GltfContainer, BytesBehindTheEndAndHeadersThatSayTooLittleAreNoted) {
 }
 
 TEST(GltfContainer, ChunksWithoutPaddingAreTakenWhereTheNextFollows) {
-  const auto read = openContainer(smallGlb("{} "));
+  const Bytes glb = smallGlb("{} ");  // what is read are views of it
+  const auto read = openContainer(glb);
   ASSERT_TRUE(read);
   EXPECT_EQ(read->json, "{} ");
   EXPECT_EQ(read->bin.size(), 4u);

@@ -8,6 +8,7 @@
 #include "hgp/grid/grid_measures.h"
 #include "hgp/grid/grid_system.h"
 #include "hgp/grid/repair_change.h"
+#include "hgp/mesh/map_area.h"
 
 namespace hgp {
 namespace {

@@ -9,9 +9,6 @@ namespace hgp {
 
 /// Of the triangles in space.
 double surfaceArea(const TriMesh& mesh);
-/// Of the triangles in the plane, signed: the cells of an aligned map.
-double mapArea(const UvMap& map);
-
 /// Cells, spacing and cells per cone of an aligned map.
 void describeGrid(const TriMesh& mesh, const UvMap& map, std::size_t coneCount, GridReport& report);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hgp/base/check.h"
+#include "hgp/mesh/map_area.h"
 #include "hgp/mesh/vectors.h"
 #include "hgp/quads/grid_lines.h"
 
@@ -371,6 +372,13 @@ class Extraction {
 Result<QuadMesh> extractQuads(const TriMesh& mesh, const UvMap& map, int q, int halvings) {
   if (q != 2 && q != 4)
     return noQuads(formatText("quads need rotations by quarter or half turns, not q = %d", q));
+  const double cells = std::ldexp(mapArea(map), 2 * halvings);
+  if (!(cells <= kMaxQuads))
+    return Failure{
+        ErrorCode::kLimit,
+        "quads",
+        formatText("%.0f quads exceed the limit of %d; ask for fewer cells", cells, kMaxQuads),
+        {}};
   UvMap halved = map;
   for (Vec2& p : halved.uv) p = {std::ldexp(p[0], halvings), std::ldexp(p[1], halvings)};
   Result<LatticeMap> lattice = LatticeMap::make(mesh, halved);

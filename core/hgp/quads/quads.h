@@ -11,6 +11,9 @@
 
 namespace hgp {
 
+/// Some 600 bytes are used for each.
+inline constexpr int kMaxQuads = 3'000'000;
+
 struct QuadMesh {
   std::vector<Vec3> positions;            ///< on the input surface
   std::vector<Vec3> normals;              ///< of the input surface, unit length
@@ -28,6 +31,7 @@ struct QuadMesh {
 ///
 /// Closed surfaces: only quads, as many as that map's area, V − E + F = χ, valence k at a cone.
 /// Fails with kUnsupported, the rule and the place where the map is not such a grid.
+/// Fails with kLimit above kMaxQuads.
 Result<QuadMesh> extractQuads(const TriMesh& mesh, const UvMap& map, int q, int halvings = 0);
 
 }  // namespace hgp

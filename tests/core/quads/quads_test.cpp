@@ -185,6 +185,18 @@ TEST(Quads, BoundaryCellsAreLeftOutAndCounted) {
   EXPECT_EQ(count(*cut).vertices, 20);
 }
 
+TEST(Quads, MoreThanMemoryHoldsAreRefused) {
+  const TriMesh mesh = test::torus(6, 5).mesh();
+  UvMap map = test::flatTorusMap(6, 5);
+  for (Vec2& p : map.uv) p = {1024 * p[0], 1024 * p[1]};
+  const Result<QuadMesh> quads = extractQuads(mesh, map, 4);
+  ASSERT_FALSE(quads);
+  EXPECT_EQ(quads.error().code, ErrorCode::kLimit);
+  EXPECT_NE(quads.error().message.find("31457280"), std::string::npos) << quads.error().message;
+  // Before the cells of a map are cut, too.
+  EXPECT_FALSE(extractQuads(mesh, test::flatTorusMap(6, 5), 4, 10));
+}
+
 TEST(Quads, WhatIsNoGridIsRefused) {
   const TriMesh mesh = test::torus(6, 5).mesh();
   UvMap map = test::flatTorusMap(6, 5);

@@ -139,7 +139,7 @@ function disagreements(decided, answer, q) {
   return wrong;
 }
 
-test('hgp verify agrees with exact arithmetic on maps of strangers', async (t) => {
+test('hgp verify agrees with exact arithmetic on maps of other origin', async (t) => {
   const counts = { certified: 0, refused: 0, close: 0, left: 0 };
   const certifiedAfter = new Map();
   const wrong = [];
@@ -201,7 +201,7 @@ function optionsToSolve(random, q) {
   return [...options, '--scale', random.pick(['solved', 'fit', 'unit'])];
 }
 
-test('what hgp param calls certified is, in the file, and hgp verify agrees', async (t) => {
+test('files that hgp param certifies pass the exact check, and hgp verify agrees', async (t) => {
   const counts = { certified: 0, refused: 0, left: 0 };
   const wrong = [];
   await forCases(isFull ? 1500 : 60, async (n) => {

@@ -29,7 +29,7 @@ async function assertValid(name) {
   assert.equal(issues.numErrors, 0, JSON.stringify(issues.messages));
 }
 
-test('one run, every format, each certified as it is stored', async () => {
+test('one run writes every format, each certified as stored', async () => {
   const names = ['a.glb', 'b.gltf', 'c.obj', 'd.flat.obj', 'e.svg'];
   const { err } = good('param', 'cube.obj', '-o', 'm.obj', names.map((name) => ['--also', name]).flat()); // prettier-ignore
   for (const name of names) assert.match(err, new RegExp(`also wrote ${name}\n`));
@@ -69,7 +69,7 @@ test('a grid as material: in a GLB by itself, beside an OBJ in a library', async
   assert.match(read('h.grid.mtl'), /map_Kd -s 1 1 1 /);
 });
 
-test('what cannot be is refused before anything is written', () => {
+test('impossible outputs are refused before anything is written', () => {
   const refused = (words, message) => {
     const { code, err } = run('param', 'cube.obj', words);
     assert.equal(code, 2, err);
@@ -83,7 +83,7 @@ test('what cannot be is refused before anything is written', () => {
   assert.equal(existsSync(at('x.obj')), false);
 });
 
-test('a map that keeps vertices apart which a glTF joins is not written as one', () => {
+test('a map that separates vertices which a glTF joins is not written as glTF', () => {
   put('cut.obj', 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 4 5 6\n');
   const words = ['param', 'cut.obj', '--weld', 'none', '-o', 'y.obj'];
   const { code, err } = run(words, '--also', 'y.glb');

@@ -398,7 +398,7 @@ test('embedded cones are used again', () => {
   assert.equal(nameless(read('again.obj')), nameless(read('embedded.obj')));
 });
 
-test('exit code, text, report and certificate have one verdict, and verify has the same', () => {
+test('exit code, text, report, certificate and verify have the same verdict', () => {
   // Cones that no map can be found for in one round, and ones that can.
   const cones = (list) =>
     JSON.stringify({ format: 'hgp-cones', version: 1, q: 4, cones: list.map(([vertex, k]) => ({ vertex, k })) }); // prettier-ignore
@@ -455,7 +455,7 @@ test('a GLB stays a GLB', { skip: !existsSync(shared) && 'no data folder' }, () 
 });
 
 test(
-  'the field problems come out alike from every format',
+  'the field problems give the same result from every format',
   {
     skip: !existsSync(shared) && 'no data folder',
   },
@@ -621,7 +621,7 @@ test(
   },
 );
 
-test('nothing that was read is ever written over, not even by a refusal', () => {
+test('input files are never overwritten, not even by a run that is refused', () => {
   put('own-cones.json', read('cones.json'));
   const before = new Map(['ball.obj', 'own-cones.json'].map((name) => [name, read(name)]));
   const cones = ['--cones', 'own-cones.json'];
@@ -666,7 +666,7 @@ test('devices and pipes are written to and stay what they are, links stay links'
   assert.equal(run(['param', 'ball.obj', '-o', 'elsewhere']).code, 7, 'a folder');
 });
 
-test('numbers that are none, or out of range, are usage errors in few words', () => {
+test('invalid or out-of-range numbers are usage errors with short messages', () => {
   for (const [option, value] of [
     ['--time-limit', 'nan'],
     ['--time-limit', '0'],
@@ -739,7 +739,7 @@ const hostile = {
     /not a regular file/,
   ],
 };
-test('hostile files end in their exit codes, without waiting', () => {
+test('hostile files end with their exit codes, without delay', () => {
   symlinkSync('/etc/passwd', at('linked.bin'));
   spawnSync('mkfifo', [at('waiting.bin')]);
   for (const [name, [text, exit, message]] of Object.entries(hostile)) {
@@ -788,7 +788,7 @@ function strips(...turns) {
   return [...lines, ...faces, ''].join('\n');
 }
 
-test('verify measures what others made, component by component, and says what overlaps', () => {
+test('verify measures maps of other programs, component by component, and reports overlaps', () => {
   const verify = (name, ...args) => {
     const { code, out, err } = run(['verify', name, '--json', '-', ...args]);
     return { code, err, ...isValid('hgp-certificate', out) };
@@ -817,7 +817,7 @@ test('verify measures what others made, component by component, and says what ov
   assert.ok(bad.components[1].reasons.some(({ rule }) => rule === 'orientation'));
 });
 
-test('verify calls nothing of a component good that it could not measure', () => {
+test('verify reports a component that it cannot measure as not measured', () => {
   const lines = strips(0.75, 1.5).split('\n');
   const first = lines.findIndex((line) => line.startsWith('vt '));
   put('one.obj', lines.with(first, 'vt nan 0').join('\n'));

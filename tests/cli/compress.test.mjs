@@ -69,7 +69,7 @@ test('a large GLB becomes smaller, and every decoded array is the same', async (
   await isSameDecoded('again.glb', 'again_plain.glb');
 });
 
-test('whatever glTF can hold: every file of the features, compressed, decodes to what it is without', async () => {
+test('every glTF feature file decodes to the same data with and without compression', async () => {
   let packedCount = 0;
   for (const { name, files } of await featureFiles({ isSolved: true })) {
     const main = Object.keys(files).find((file) => /\.(glb|gltf)$/.test(file));
@@ -115,7 +115,7 @@ test('a .gltf has one packed file beside it, or none with --embed', async () => 
   good('verify', 'cube.glb');
 });
 
-test('what cannot be compressed is refused, or said', () => {
+test('what cannot be compressed is refused or noted', () => {
   put('cube.obj', toObj(cubeMesh(2)));
   const wrong = run('param', 'cube.obj', '-o', 'out.obj', '--compress');
   assert.equal(wrong.code, 2);
@@ -131,7 +131,7 @@ test('what cannot be compressed is refused, or said', () => {
   assert.deepEqual(readdirSync(at('unknown')).sort(), ['cube.bin', 'cube.gltf']);
 });
 
-test('the size of what was compressed and is not any more is said, side files counted', () => {
+test('a note gives the size of input that is no longer compressed, side files included', () => {
   put('cube.glb', toGlb([cubeMesh(12)]));
   good('param', 'cube.glb', '-o', 'small.glb', '--compress');
   good('param', 'cube.glb', '-o', 'small.gltf', '--compress');

@@ -91,7 +91,7 @@ test('--refine maps and writes a finer mesh where the mesh as it is has no map',
   for (const name of ['out.obj', 'out_too.glb']) assert.equal(run(['verify', name]).code, 0, name);
 });
 
-test('every member of a gzip file is read, zeros between and rubbish behind them included', () => {
+test('every member of a gzip file is read, also with zeros between and other bytes after them', () => {
   const lines = octahedron.split('\n');
   const third = Math.ceil(lines.length / 3);
   const parts = [0, 1, 2].map((k) =>
@@ -116,7 +116,7 @@ test('every member of a gzip file is read, zeros between and rubbish behind them
   assert.match(cut.err, /damaged or cut off/);
 });
 
-test('a small file that unpacks to gigabytes is refused before it has', () => {
+test('a small file that would unpack to gigabytes is refused early', () => {
   const bomb = put('bomb.obj.gz', gzipSync(Buffer.alloc(700e6), { level: 9 }));
   // So little memory that holding what it unpacks to is out of the question.
   const within = (...args) =>
@@ -144,7 +144,7 @@ function soup(gap) {
   return `${lines.join('\n')}\n`;
 }
 
-test('a soup is joined, two halves are told about, a crack names the length that closes it', () => {
+test('a triangle soup is joined, two halves get a note, a crack names the length that closes it', () => {
   const inspect = (name, ...options) => {
     const { out } = run(['inspect', name, ...options, '--json', '-']);
     const { components, notes } = JSON.parse(out);
@@ -194,7 +194,7 @@ test('a soup is joined, two halves are told about, a crack names the length that
   assert.match(inspect('junction.obj').notes, /T-junctions: \d+ boundary vertices/);
 });
 
-test('advice never names what was given', () => {
+test('advice never recommends an option that was given', () => {
   const band = Array.from({ length: 9 }, (_, i) => {
     const a = (2 * Math.PI * i) / 9;
     return [-0.3, 0.3].map((w) => {
@@ -251,7 +251,7 @@ test('of many components in float32 every one keeps its certificate', () => {
   assert.ok(told.length < 150, `${told.length} lines`);
 });
 
-test('every mesh of a file is mapped; one without a map spoils the rest only where asked', () => {
+test('every mesh of a file is mapped, and --keep-going writes the others where one has no map', () => {
   const point = { vertices: Array(3).fill([1, 1, 1]), triangles: [[0, 1, 2]] };
   const parts = (json) => {
     const { meshes, ...rest } = JSON.parse(json);
@@ -323,7 +323,7 @@ test('a component without a solution is cut to a disk, the others keep their cer
   assert.ok(existsSync(at('pair_out.obj')));
 });
 
-test('where the usual automatic cones leave a grid no room, few cones are tried, and that is said', () => {
+test('where the usual automatic cones leave a grid no room, few cones are tried, with a note', () => {
   const pretzel = path.join(import.meta.dirname, '../../examples/meshes/pretzel.obj');
   const asked = [
     'param',
@@ -349,7 +349,7 @@ test('where the usual automatic cones leave a grid no room, few cones are tried,
   assert.doesNotMatch(run([...asked, '--cones-for', 'low-distortion']).err, few);
 });
 
-test('what is not as asked is not certified, however sound the map is that stands in for it', () => {
+test('a component that is not as prescribed is not certified, even if its substitute map is sound', () => {
   // A ring of squares unrolls without a cone; asked are cones on its boundary, which no map can have.
   const n = 8;
   const ring = (z) => Array.from({ length: n }, (_, i) => `v ${Math.cos((2 * Math.PI * i) / n)} ${Math.sin((2 * Math.PI * i) / n)} ${z}`); // prettier-ignore
@@ -400,7 +400,7 @@ test('a component without a solution keeps the uv it had, to the last digit', ()
     });
 });
 
-test('an extension of no format is refused before anything is solved', () => {
+test('an unknown extension is refused before anything is solved', () => {
   put('ball.obj', octahedron);
   const { code, err } = run(['param', 'ball.obj', '-o', 'out.fbx']);
   assert.equal(code, 2);

@@ -19,7 +19,7 @@ function row(count) {
   return `${lines.join('\n')}\n`;
 }
 
-test('what a component costs does not grow with their number', () => {
+test('the cost of a component does not grow with the number of components', () => {
   const seconds = [500, 4000].map((count) => {
     put('row.obj', row(count));
     // Twice, as others use the machine, too; user time of the program alone.

@@ -162,7 +162,7 @@ test('every example of --help runs as printed', () => {
   assert.ok(count >= 15, `${count}`);
 });
 
-test('standard input is known by its bytes', () => {
+test('the format of standard input is recognised from its bytes', () => {
   const inputs = {
     obj: cubeObj,
     off: cubeOff,
@@ -229,7 +229,7 @@ if (hasPosix) {
   });
 }
 
-test('a reader that has had enough ends the program without a word, as by SIGPIPE', () => {
+test('a closed standard output ends the program silently, as by SIGPIPE', () => {
   for (const line of [
     'hgp inspect mesh.obj --json -',
     'hgp cones mesh.obj --quiet',
@@ -272,7 +272,7 @@ const longNames = (command) => [
   ),
 ];
 
-test('the manual page names every option, and groff finds no fault in it', (t) => {
+test('the manual page names every option, and groff reports no error', (t) => {
   const page = run(['manual']);
   assert.equal(page.code, 0);
   for (const command of commands) {
@@ -310,7 +310,7 @@ test('bash completes commands, options, words and files', () => {
   assert.deepEqual(complete('completion', 'z'), ['zsh']);
 });
 
-test('zsh and fish find no fault in their completions', (t) => {
+test('zsh and fish report no error in their completions', (t) => {
   for (const name of ['zsh', 'fish']) {
     const { code, out } = run(['completion', name]);
     assert.equal(code, 0);

@@ -87,7 +87,7 @@ for (const [name, mesh] of Object.entries({
   moebius: moebius(),
   finned: finned(),
 }))
-  test(`an OBJ is repaired where it is written: ${name}`, () => {
+  test(`repairs are written into an OBJ: ${name}`, () => {
     const before = toObj(mesh);
     writeFileSync(at(`${name}.obj`), before);
     const plain = param(`${name}.obj`, `${name}-plain.obj`);
@@ -119,7 +119,7 @@ for (const [name, mesh] of Object.entries({
     assert.equal(again.repairsWritten, null, 'nothing is left to write');
   });
 
-test('quads, normals, colours and groups of an OBJ stay with the faces that are turned', () => {
+test('flipped faces of an OBJ keep their quads, normals, colours and groups', () => {
   // A cube of quads; one side turned over.
   const side = 4;
   const { vertices, triangles } = cubeMesh(side);
@@ -211,7 +211,7 @@ function plyOf({ vertices, triangles }, encoding) {
 }
 
 for (const encoding of ['ascii', 'binary_little_endian', 'binary_big_endian'])
-  test(`a PLY is repaired where it is written: ${encoding}`, () => {
+  test(`repairs are written into a PLY: ${encoding}`, () => {
     for (const [name, mesh] of Object.entries({ pinched: pinched(), moebius: moebius() })) {
       const input = `${name}-${encoding}.ply`;
       writeFileSync(at(input), plyOf(mesh, encoding));
@@ -242,7 +242,7 @@ for (const encoding of ['ascii', 'binary_little_endian', 'binary_big_endian'])
     }
   });
 
-test('faces of a GLB are turned over, and nothing else changes', async () => {
+test('faces of a GLB are flipped, and nothing else changes', async () => {
   const { vertices, triangles } = cubeMesh(3);
   const mesh = {
     vertices,
@@ -298,7 +298,7 @@ test('all meshes of a file, and files that are converted, are repaired where the
   good('verify', 'from-glb.obj', '--strict');
 });
 
-test('a sound file is written as without the option', () => {
+test('a file without defects is written as without the option', () => {
   writeFileSync(at('sound.obj'), toObj(cubeMesh(4)));
   param('sound.obj', 'sound-plain.obj');
   const report = param('sound.obj', 'sound-written.obj', '--write-repairs');

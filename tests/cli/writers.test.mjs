@@ -139,7 +139,7 @@ test('cones keep their vertices from OBJ to GLB, and those of another numbering 
   assert.match(err, /vertices get new ids/);
 });
 
-test('GLB becomes OBJ: every node where the scene puts it, mirrors turned round', () => {
+test('GLB becomes OBJ: node transforms applied, faces of mirrored nodes reversed', () => {
   const { json, bin } = toGltf([cubeMesh(3), cubeMesh(2)]);
   json.nodes = [
     { mesh: 0, name: 'left one', translation: [10, 0, 0], children: [1] },
@@ -361,7 +361,7 @@ function putScene() {
   put('model/tex/a b.png', pixel);
 }
 
-test('a .gltf that goes elsewhere takes its side files along, or has them inside, or is a GLB', async () => {
+test('a .gltf written elsewhere copies or embeds its side files, or becomes a GLB', async () => {
   putScene();
   const images = async (name) => {
     const document = await new NodeIO().read(at(name));
@@ -416,7 +416,7 @@ test('a .gltf that goes elsewhere takes its side files along, or has them inside
   assert.match(missing.err, /cube\.bin is missing/);
 });
 
-test('pictures whose names need encoding are taken along; those outside the folder are named', () => {
+test('images whose names need encoding are copied; those outside the folder are named', () => {
   const { json, bin } = toGltf([cubeMesh(3)], {
     buffer: 'cube%20%26%20100%25.bin',
     image: 'Material%20%2325.png',
@@ -468,7 +468,7 @@ test('a GLB becomes a .gltf with its bytes beside it or inside it, and so does a
   good('verify', 'apart/rich.gltf');
 });
 
-test('names that no format has, or that this input cannot become, are refused at once', () => {
+test('output names of no format, or of one that this input cannot have, are refused at once', () => {
   put('rich.obj', richObj().text);
   writeFileSync(at('cube.glb'), toGlb([cubeMesh(2)]));
   for (const [input, output] of [
@@ -483,7 +483,7 @@ test('names that no format has, or that this input cannot become, are refused at
   }
 });
 
-test('glTF: which set was written is said, and --use points the pictures at it', async () => {
+test('glTF: a note says which set was written, and --use makes the materials use it', async () => {
   const { json, bin } = toGltf([cubeMesh(3), cubeMesh(2)], { image: 'pixel.png' });
   json.extensionsUsed = ['KHR_texture_transform', 'KHR_materials_clearcoat'];
   const [material] = json.materials;

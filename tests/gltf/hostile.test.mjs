@@ -22,7 +22,7 @@ const hostile = hostileFiles();
 // One process for all: whoever crashes is the last line.
 const results = runProbe([...caps, ...hostile.map(store)], { seconds: 300 });
 
-test('the suite is as large as promised', () => {
+test('the suite has at least its minimum size', () => {
   assert.ok(hostile.length >= 60, `${hostile.length} files`);
   assert.equal(new Set(hostile.map(({ name }) => name)).size, hostile.length);
 });

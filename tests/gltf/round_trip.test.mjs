@@ -69,7 +69,7 @@ for (const { name, files, cases } of await featureFiles()) {
   }
 }
 
-test('bounds are numbers where positions are none: what was written can be read', async () => {
+test('bounds are numbers even where positions are not, so that the written file can be read', async () => {
   const file = path.join(folder, 'infinite.glb');
   const infinite = (position) => position.set([Infinity, -Infinity, NaN], 3);
   writeFileSync(file, await meshopt(infinite));

@@ -46,7 +46,7 @@ test('functions have at most 50 lines', () => {
   assert.deepEqual(filesOf('core/hgp', '.cpp').flatMap(longFunctions), []);
 });
 
-test('no drawer for odds and ends', () => {
+test('no file or folder is named utils, common, helpers, details or misc', () => {
   const names = /(^|\/)(utils?|commons?|helpers?|details?|misc)(\.|\/|$)/;
   const wrong = filesOf('.', '').filter((file) => names.test(file));
   assert.deepEqual(wrong, []);

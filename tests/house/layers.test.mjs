@@ -41,12 +41,12 @@ function includedModules(file) {
   );
 }
 
-test('every folder of core/hgp is a module of the plan', () => {
+test('every folder of core/hgp is a module of the table', () => {
   const unknown = sources.filter((file) => !(moduleOf(file) in mayInclude));
   assert.deepEqual(unknown, []);
 });
 
-test('what lies beside the modules is headers for programs', () => {
+test('only public headers lie beside the modules', () => {
   const beside = sources.filter((file) => moduleOf(file) === 'hgp');
   assert.deepEqual(
     beside.filter((file) => !file.endsWith('.h')),
@@ -159,13 +159,13 @@ function circles(edges) {
   return found.sort();
 }
 
-test('circles are found', () => {
+test('cycles are found', () => {
   const edges = (list) => new Map(list.map(([from, ...to]) => [from, to]));
   assert.deepEqual(circles(edges([['a', 'b', 'c'], ['b', 'c'], ['c']])), []); // prettier-ignore
   assert.deepEqual(circles(edges([['d', 'a'], ['a', 'b'], ['b', 'c'], ['c', 'a']])), ['a b c']); // prettier-ignore
 });
 
-test('no circle of files: a source and its header count as one', () => {
+test('no include cycles between files: a source and its header count as one', () => {
   // x_state.h is what x.h hides.
   const unit = (file) => file.replace(/(_state)?\.(h|cpp|inc)$/, '').replace(/^core\/hgp\//, '');
   const edges = new Map();
@@ -192,7 +192,7 @@ test('only io reads files of other formats through tinygltf', () => {
   );
 });
 
-test('the core knows no file system and no console', () => {
+test('the core uses no file system and no console', () => {
   const wrong = sources.filter((file) =>
     /#\s*include\s+<(iostream|filesystem|fstream)>/.test(textOf(file)),
   );

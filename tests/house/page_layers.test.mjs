@@ -30,7 +30,7 @@ function importsOf(file) {
   return found;
 }
 
-test('every folder of web/src is in the plan, and every file but the first is in a folder', () => {
+test('every folder of web/src is in the table, and every file except main.ts is in a folder', () => {
   const wrong = sources.filter((file) => !(folderOf(file) in mayImport));
   assert.deepEqual(wrong, ['web/src/main.ts']);
 });
@@ -48,7 +48,7 @@ for (const [folder, allowed] of Object.entries(mayImport)) {
   });
 }
 
-test('no circles, of types neither', () => {
+test('no import cycles, not of types either', () => {
   const done = new Set();
   const circles = [];
   const visit = (file, above) => {

@@ -16,7 +16,7 @@ const passed = { passed: 3, failed: 0, skipped: 0 };
 const kept = new KeptResults(path.join(folder, 'input'));
 put('one');
 
-test('content is what counts: of a file, and of all that is in a folder', () => {
+test('keys depend on the contents of a file, and of all files in a folder', () => {
   const [file, all] = [contentOf(input), contentOf(path.dirname(input))];
   const listed = listingOf(path.dirname(input));
   put('two');
@@ -28,7 +28,7 @@ test('content is what counts: of a file, and of all that is in a folder', () => 
   assert.equal(contentOf(path.dirname(input)), all);
 });
 
-test('what passed is found again under the same inputs, and under no others', () => {
+test('a passed result is found again for the same inputs and for no others', () => {
   const store = new KeptResults(path.join(folder, 'passed'));
   const key = store.key('test', contentOf(input));
   if (key === null) return; // no list of the system's packages: nothing is kept here
@@ -42,7 +42,7 @@ test('what passed is found again under the same inputs, and under no others', ()
   assert.equal(again.find(key), undefined);
 });
 
-test('what failed, was skipped, ran nothing or changed under way is not kept', () => {
+test('results that failed, were skipped, ran nothing or changed meanwhile are not kept', () => {
   const store = new KeptResults(path.join(folder, 'failed'));
   const key = store.key('test');
   store.keep(key, key, 'test', { ...passed, failed: 1 });
@@ -53,7 +53,7 @@ test('what failed, was skipped, ran nothing or changed under way is not kept', (
   assert.equal(kept.find(null), undefined);
 });
 
-test('a variable of ours is an input of every test', () => {
+test('an HGP_ environment variable is an input of every test', () => {
   const before = new KeptResults(path.join(folder, 'variables')).key('test');
   process.env.HGP_RESULTS_TEST = '1';
   const after = new KeptResults(path.join(folder, 'variables')).key('test');

@@ -7,7 +7,7 @@ import { filesOf, textOf } from './source_tree.mjs';
 const functions =
   /\bstd::(a?(sin|cos|tan)h?|atan2|exp2?|expm1|log(2|10|1p)?|pow|cbrt|hypot|polar|arg|tgamma|erf)\(/;
 
-test('no elementary function of the C library decides anything in core', () => {
+test('core uses no elementary function of the C library', () => {
   const found = filesOf('core/hgp', '.h', '.cpp', '.inc').flatMap((file) =>
     textOf(file)
       .split('\n')

@@ -18,7 +18,7 @@ async function traceOf(stages) {
 }
 const at = (trace, name) => trace.findIndex(([one]) => one === name);
 
-test('a stage begins when those that it needs have ended; others pass it by', async () => {
+test('a stage starts when its prerequisites have ended; others may overtake it', async () => {
   const trace = await traceOf({ a: { time: 20 }, b: { after: ['a'] }, c: {} });
   assert.ok(at(trace, 'b') > at(trace, '/a') && at(trace, 'c') < at(trace, '/a'));
 });
@@ -31,7 +31,7 @@ test('a stage that measures time runs alone, and at most two run at a time', asy
   assert.deepEqual(during, []);
 });
 
-test('what is not part of the run is no condition; a circle is an error', async () => {
+test('stages outside the run are not prerequisites; a cycle is an error', async () => {
   assert.equal((await traceOf({ a: { after: ['left out'] } })).length, 2);
   await assert.rejects(
     traceOf({ a: { after: ['b'] }, b: { after: ['a'] } }),

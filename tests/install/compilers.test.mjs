@@ -64,7 +64,7 @@ target_link_libraries(one PRIVATE hgp::hgp)
     assert.match(run(path.join(build, 'one')), /^certified: yes$/m);
   });
 
-  test(`${compiler}: what asks for the compiler, with its extensions and in ISO C++`, (t) => {
+  test(`${compiler}: files that depend on the compiler, with its extensions and in ISO C++`, (t) => {
     if (!isThere(compiler)) return t.skip(`${compiler} is not installed`);
     for (const file of guarded) {
       for (const more of [[], ['-DHGP_PORTABLE', '-Wpedantic']]) {
@@ -76,7 +76,7 @@ target_link_libraries(one PRIVATE hgp::hgp)
   });
 }
 
-test('no other file of the library knows a compiler or an operating system', () => {
+test('no other file of the library depends on the compiler or the operating system', () => {
   const listed = run(
     'git',
     '-C',

@@ -23,7 +23,7 @@ for (const page of ['command-line', 'cpp']) {
   });
 }
 
-test('the sample mesh is ours: `generate` makes it again', () => {
+test('the sample mesh is reproduced by `generate`', () => {
   const folder = mkdtempSync(path.join(os.tmpdir(), 'hgp-sample-'));
   try {
     const program = path.join(root, 'build/native-release/bin/generate');

@@ -141,7 +141,7 @@ target_link_libraries(program PRIVATE hgp::hgp)
   assert.doesNotMatch(rules, /file\(INSTALL/);
 });
 
-test('what is missing is named with its packages', () => {
+test('missing dependencies are named with their packages', () => {
   const source = project('nothing', {});
   const { status, stderr } = spawnSync(
     'cmake',

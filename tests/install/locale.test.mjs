@@ -93,7 +93,7 @@ const cones = {
   'cones.txt': eight.map((v) => `${v} ${Math.PI / 2}\n`).join(''),
 };
 
-test('with a decimal comma around them all formats give the same bytes', () => {
+test('all formats give the same bytes in a locale with a decimal comma', () => {
   const result = (locale, mesh, file, out) => {
     const env = { PATH: process.env.PATH, LOCPATH: at('locales'), LC_ALL: locale };
     const args = [mesh, file, out];

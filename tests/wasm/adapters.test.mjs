@@ -95,7 +95,7 @@ test('skins, morph targets, interleaved and normalized attributes are kept', () 
     assert.equal(geometry.morphTargetsRelative, true);
   }));
 
-test('what is no surface is said', () =>
+test('a geometry that is not a surface is an error', () =>
   withClient(async (client) => {
     await assert.rejects(parametrizeGeometry(client, {}), { code: 'usage' });
     const line = new THREE.BufferGeometry().setFromPoints([

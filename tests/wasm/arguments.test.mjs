@@ -94,7 +94,7 @@ test('the options that are checked are those that are declared, and those that t
   );
 });
 
-test('files come as whatever people have', () =>
+test('load accepts byte arrays, buffers, views, Blobs and sets of files', () =>
   withClient(async (client) => {
     const glb = toGlb([cube]);
     const buffer = glb.buffer.slice(glb.byteOffset, glb.byteOffset + glb.byteLength);
@@ -121,7 +121,7 @@ test('gzip is decompressed, every member of it, up to the limit', () =>
     await assert.rejects(client.load(gzipSync(text).subarray(0, 60)), { code: 'malformed' });
   }));
 
-test('gzip: one wrong or missing byte is said; what follows the last member is ignored, and that is said', () =>
+test('gzip: a wrong or missing byte is an error; bytes after the last member are ignored with a note', () =>
   withClient(async (client) => {
     const text = toObj(cube);
     const half = text.indexOf('\nf ') + 1;
@@ -181,7 +181,7 @@ test('a throw in onProgress rejects the call, and the next call works', () =>
     assert.equal((await client.inspect()).usable, true);
   }));
 
-test('WebAssembly that cannot be had is an error and not a silence', async () => {
+test('unavailable WebAssembly is reported as an error', async () => {
   const unavailable = { code: 'wasm-unavailable' };
   await assert.rejects(createClient({ wasmUrl: 'file:///no/such/hgp.wasm' }), unavailable);
   await assert.rejects(createClient({ wasmBinary: bytesOf('no wasm') }), unavailable);

@@ -7,7 +7,7 @@ import test from 'node:test';
 import { limits, measure } from '../../wasm/sizes.mjs';
 import { built, root } from './support.mjs';
 
-test('hgp.wasm is as small and as soon there as promised', async (t) => {
+test('hgp.wasm keeps its limits of size and start-up time', async (t) => {
   const { raw, brotli, instantiation } = await measure(built);
   const time = instantiation.toFixed(1);
   t.diagnostic(`${raw} bytes, ${brotli} with brotli, instantiated in ${time} ms`);

@@ -15,7 +15,7 @@ const setOf = (files) => {
   return { main: [...map.keys()][0], files: map };
 };
 
-test('the generated files have both kinds', () => {
+test('the generated files include Draco and meshopt', () => {
   for (const kind of [/draco/i, /meshopt/i]) {
     assert.ok(
       compressed.some(({ name }) => kind.test(name)),
@@ -38,7 +38,7 @@ for (const { name, files } of compressed) {
     }));
 }
 
-test('a core without decoders says what is missing; prepare() brings them', async () => {
+test('a core without decoders says what is missing; prepare() loads them', async () => {
   const core = await createCore();
   const files = setOf(compressed.find(({ name }) => /draco/i.test(name)).files);
   const load = () => core.load(files);
@@ -73,7 +73,7 @@ test('nothing is loaded for files that need no decoder', async () => {
   }
 });
 
-test('every byte of a Draco and of a meshopt file may be wrong', async () => {
+test('a wrong byte anywhere in a Draco or meshopt file is handled', async () => {
   const core = await createCore();
   for (const { name, files } of compressed) {
     const set = setOf(files);

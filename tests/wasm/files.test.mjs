@@ -45,7 +45,7 @@ test('every mesh of a file is mapped and written, with progress that says which'
     await areCertified(client, result.files, result.name, [0, 1, 2]);
   }));
 
-test('one bad mesh: nothing is written, and with keepGoing all that is good', () =>
+test('one mesh that fails: nothing is written, and with keepGoing all the others', () =>
   withClient(async (client) => {
     const source = glb(cubeMesh(3), point, cubeMesh(2));
     const strict = await client.parametrizeFile(source, { name: 'bad.glb' });

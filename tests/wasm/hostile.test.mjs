@@ -57,7 +57,7 @@ for (const [name, text] of Object.entries(texts)) {
   });
 }
 
-test('the core goes on', () => {
+test('the core still works afterwards', () => {
   core.load(asFiles('disk.obj', bytesOf(bumpyDisk(5))));
   assert.equal(core.parametrize({ boundary: 'convex' }).certificate.certified, true);
 });
@@ -86,7 +86,7 @@ test('cones and options of the wrong kind are errors, not results', () => {
   }
 });
 
-test('arrays that make no mesh are errors', () => {
+test('arrays that are not a mesh are errors', () => {
   const positions = new Float64Array(9);
   for (const triangles of [
     [0, 1, 3],

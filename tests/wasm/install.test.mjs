@@ -46,7 +46,7 @@ test('the schemas and the binary can be resolved by name', () => {
   assert.match(run('node', 'resolve.js'), /hgp-cones.* true\n/);
 });
 
-test('the examples are well typed, and so is everything they may go on to do', () => {
+test('the examples and further calls of the package are well typed', () => {
   put(
     'typed.ts',
     `declare const file: File;
@@ -81,13 +81,13 @@ test('the examples are well typed, and so is everything they may go on to do', (
   assert.equal(run(path.join(root, 'node_modules/.bin/tsc'), '-p', '.'), '');
 });
 
-test('publint has nothing to say about the packed files', async () => {
+test('publint reports nothing for the packed files', async () => {
   const { publint } = await import('publint');
   const { messages } = await publint({ pkgDir: path.join(project, 'node_modules/hgp') });
   assert.deepEqual(messages, []);
 });
 
-test('arethetypeswrong has nothing to say about any entry, but that this is ESM', async () => {
+test('arethetypeswrong reports nothing for any entry except that it is ESM', async () => {
   const { checkPackage, createPackageFromTarballData } = await import('@arethetypeswrong/core');
   const packed = readdirSync(project).find((name) => name.endsWith('.tgz'));
   const tarball = createPackageFromTarballData(readFileSync(path.join(project, packed)));

@@ -7,7 +7,7 @@ import { bumpyDisk } from '../support/disk.mjs';
 import { cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
 import { asFiles, bytesOf, compile, createCore, HgpError } from './support.mjs';
 
-test('memory is flat over fifty runs of every kind of call', async () => {
+test('memory does not grow over fifty runs of every kind of call', async () => {
   const core = await createCore();
   const disk = asFiles('disk.obj', bytesOf(bumpyDisk(20)));
   const cube = asFiles('cube.glb', new Uint8Array(toGlb([cubeMesh(5)])));
@@ -61,7 +61,7 @@ function withRoom(bytes, use) {
   }
 }
 
-test('a failed allocation is the error `limit`, wherever it happens, and the core goes on', async () => {
+test('a failed allocation is the error `limit`, wherever it happens, and the core keeps working', async () => {
   const wasmModule = await compile();
   const disk = bytesOf(bumpyDisk(70));
   const stages = new Set();
@@ -99,7 +99,7 @@ test('more than four gigabytes are refused before anything is read', async () =>
   core.load(asFiles('small.obj', bytesOf(bumpyDisk(4))));
 });
 
-test('limits of the caller are kept', async () => {
+test('limits given by the caller are respected', async () => {
   const core = await createCore();
   const files = asFiles('disk.obj', bytesOf(bumpyDisk(10)));
   assert.throws(() => core.load(files, { limits: { triangles: 100 } }), { code: 'limit' });

@@ -158,4 +158,4 @@ function toBytes(content) {
   return typeof content === 'string' ? bytesOf(content) : new Uint8Array(content);
 }
 
-test('there are at least ten kinds', () => assert.ok(cases.length >= 10));
+test('at least ten kinds of input are compared', () => assert.ok(cases.length >= 10));

@@ -67,7 +67,7 @@ test('every document follows the schema that the command line uses', () =>
     isValid('hgp-error', { format: 'hgp-error', version: 1, code, message, ...details });
   }));
 
-test('cones travel inside the file and are found again', () =>
+test('cones embedded in a file are found again', () =>
   withClient(async (client) => {
     for (const [name, file] of [
       ['cube.glb', new Uint8Array(toGlb([cubeMesh(4)]))],
@@ -166,7 +166,7 @@ test('frames that are not there, or contradict the cones, are refused', () =>
     }
   }));
 
-test('the surface is there before any solve, and cone files of other programs are read on it', () =>
+test('the surface is available before any solve, and cone files of other programs are read for it', () =>
   withClient(async (client) => {
     const { vertices } = await client.load(disk(6), { name: 'disk.obj' });
     const surface = await client.surface();
@@ -183,7 +183,7 @@ test('the surface is there before any solve, and cone files of other programs ar
     );
   }));
 
-test('what a repair made of the surface is told, and nothing where there was none', () =>
+test('the repaired surface is reported, and nothing where there was no repair', () =>
   withClient(async (client) => {
     const { vertices, triangles } = cubeMesh(3);
     const fin = [...triangles, [triangles[0][0], triangles[0][1], vertices.length]];
@@ -233,7 +233,7 @@ test('a file that is no mesh is an HgpError with the code of the command line', 
     await client.load(disk(3), { name: 'disk.obj' }); // and the client goes on
   }));
 
-test('a call without a model is a usage error, not an end', () =>
+test('a call without a model is a usage error and the client keeps working', () =>
   withClient(async (client) => {
     await assert.rejects(client.inspect(), HgpError);
     await assert.rejects(client.write(), HgpError);
@@ -320,7 +320,7 @@ test('an aborted call that still waits leaves the running one alone', () =>
     assert.equal((await first).certificate.certified, true);
   }));
 
-test('ready starts a worker ahead of the call, with the model where there is one', () =>
+test('ready starts a worker in advance, with the model if there is one', () =>
   withClient(async (client) => {
     await client.load(disk(8), { name: 'disk.obj' });
     const controller = new AbortController();

@@ -26,7 +26,7 @@ const cases = [
 
 const sameBytes = (a, b) => Buffer.compare(Buffer.from(a), Buffer.from(b)) === 0;
 
-test(`${runs} runs in one worker end alike, and memory is flat`, () =>
+test(`${runs} runs in one worker give the same results, and memory does not grow`, () =>
   withClient(async (client) => {
     const first = [];
     let settled = 0;

@@ -9,7 +9,7 @@ import { bytesOf, HgpError, withClient } from './support.mjs';
 
 const text = (bytes) => new TextDecoder().decode(bytes);
 
-test('one map, every format; what is a mesh is certified as it is stored', () =>
+test('one map in every format; each mesh format is certified as stored', () =>
   withClient(async (client) => {
     await client.load(bytesOf(toObj(cubeMesh(3))), { name: 'my cube.obj' });
     const { uv, cornerToUv } = await client.parametrize();
@@ -36,7 +36,7 @@ test('one map, every format; what is a mesh is certified as it is stored', () =>
     assert.match(text(made.svg.bytes), /^<svg /);
   }));
 
-test('a grid as material, by a number or by our choice', () =>
+test('a grid as material, with a given or the default number of tiles', () =>
   withClient(async (client) => {
     await client.load(toGlb([cubeMesh(3)]), { name: 'cube.glb' });
     await client.parametrize();
@@ -51,7 +51,7 @@ test('a grid as material, by a number or by our choice', () =>
     await assert.rejects(client.write({ format: 'stl' }), isUsage);
   }));
 
-test('every order goes from single precision to an OBJ: rotations that are no exact number, too', () =>
+test('a result in single precision is written as OBJ for every q, also where rotations are inexact', () =>
   withClient(async (client) => {
     for (const q of [2, 3, 4, 5, 6, 8]) {
       await client.load(toGlb([cubeMesh(3)]), { name: 'cube.glb' });
@@ -68,7 +68,7 @@ test('every order goes from single precision to an OBJ: rotations that are no ex
     }
   }));
 
-test('kept results are written again as they were, whatever was made since', () =>
+test('kept results are written again as they were, whatever was solved since', () =>
   withClient(async (client) => {
     await client.load(toGlb([cubeMesh(3)]), { name: 'cube.glb' });
     await client.keep('nothing yet');

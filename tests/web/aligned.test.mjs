@@ -144,7 +144,7 @@ async function breaksAtSeam(page) {
   return differ.length / onSeam.length;
 }
 
-test('in the picture nothing breaks at the seam of a cone; without the grid it does', async () => {
+test('the texture continues across the seam of a cone with the grid, and breaks without it', async () => {
   const { page } = it;
   const square = flatSquare(24);
   const cones = Buffer.from(JSON.stringify([[square.middle, 3]])).toString('base64url');
@@ -162,7 +162,7 @@ test('in the picture nothing breaks at the seam of a cone; without the grid it d
   assert.ok(plain > 0.2, `${plain} of the seam`);
 });
 
-test('the scale moves in whole steps; the density has a slider; too coarse says what would do', async () => {
+test('scale in whole steps, density by slider, and a working density where it is too coarse', async () => {
   const { page } = it;
   await example(it, 'figure');
   await run(it);
@@ -210,7 +210,7 @@ test('bricks are turned where the map turns by a quarter, and the seams that do 
   assert.equal(await note(), 'Lines meet at every seam.');
 });
 
-test('a symmetry without squares cannot be aligned, and says why', async () => {
+test('a q without square cells cannot be aligned, and the page says why', async () => {
   const { page } = it;
   await example(it, 'sphere');
   assert.equal(await page.locator('#q').inputValue(), '6');
@@ -269,7 +269,7 @@ test('Quad mesh: the map is run again for it; pure quads of the right valences, 
   await page.keyboard.press('Escape');
 });
 
-test('one button saves what is read best where it is used; the choice is remembered', async () => {
+test('one button saves the format for the chosen program; the choice is remembered', async () => {
   const { page } = it;
   await openFiles(it, { 'cube.obj': toObj(cubeMesh(6)) });
   await run(it);

@@ -33,7 +33,7 @@ async function weld(length) {
   await it.page.locator('#weld').press('Enter');
 }
 
-test('cones go along through a weld; what had its own boundary is inside now; undo takes both back', async () => {
+test('a weld keeps the cones; former boundary vertices become interior; undo reverts both', async () => {
   const { page } = it;
   const mesh = crackedCube();
   await openMesh(it, mesh);
@@ -100,7 +100,7 @@ test('a repair keeps the cones that still have their vertex', async () => {
   assert.deepEqual(await vertices(), before);
 });
 
-test('a turning index goes along with its boundary', async () => {
+test('a turning index stays with its boundary', async () => {
   const { page } = it;
   const square = flatSquare(8);
   await openMesh(it, square);
@@ -111,7 +111,7 @@ test('a turning index goes along with its boundary', async () => {
   assert.equal(await page.locator('[data-loop="0"] input').inputValue(), '4');
 });
 
-test('another version of the file takes over the cones that have their place in it', async () => {
+test('a new version of the file keeps the cones whose positions it has', async () => {
   const { page } = it;
   await openFiles(it, { 'part.obj': toObj(cubeMesh(4)) });
   const coarse = cubeMesh(4);
@@ -144,7 +144,7 @@ test('another version of the file takes over the cones that have their place in 
   assert.equal(await coneCount(it), 0);
 });
 
-test('Close goes back to the beginning, and one click brings everything back', async () => {
+test('Close returns to the start page, and one click restores everything', async () => {
   const { page } = it;
   await example(it, 'cube');
   await page.click('tr[data-cone="0"] [aria-label$="larger k"]');

@@ -119,7 +119,7 @@ test('by keyboard alone: open an example, place three cones, run, download', asy
   assert.equal(name, 'sphere.glb');
 });
 
-test('the budget says what is left and how to spend it; q converts where that is exact', async () => {
+test('the budget shows what is left and how to balance it; q converts where that is exact', async () => {
   const { page } = it;
   await example(it, 'cube');
   assert.equal(await coneCount(it), 8);
@@ -168,7 +168,7 @@ test('export, clear, import; and cones are offered again after a reload', async 
   assert.equal(await coneCount(it), count);
 });
 
-test('a stale result says so, and undo brings its map back without a run', async () => {
+test('a stale result is marked as such, and undo restores its map without a run', async () => {
   const { page } = it;
   await example(it, 'cube');
   await run(it);
@@ -206,7 +206,7 @@ test('after undo its map is saved in every format without another run', async (t
   await page.reload();
 });
 
-test('fewer cones or less distortion: a slider puts them in place and says how many', async () => {
+test('the slider from fewer cones to less distortion chooses cones and shows how many', async () => {
   const { page } = it;
   await example(it, 'figure');
   const slide = async (step) => {
@@ -238,7 +238,7 @@ test('fewer cones or less distortion: a slider puts them in place and says how m
   await run(it);
 });
 
-test('less distortion of angles or of areas: a slider, in the command line as well', async () => {
+test('the slider from angles to areas lowers distortion and appears in the command line', async () => {
   const { page } = it;
   await example(it, 'pebble');
   await run(it);

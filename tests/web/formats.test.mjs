@@ -58,7 +58,7 @@ test('a folder with a glTF, its buffer and its image', async () => {
   assert.match(await shown(), /Triangles\s*192/);
 });
 
-test('a glTF without its files asks for them; a second drop brings them', async () => {
+test('a glTF without its files asks for them; a second drop adds them', async () => {
   const { json, bin } = toGltf([cube], { image: 'wood.png' });
   await drop(it, { 'cube.gltf': JSON.stringify(json) });
   await state(it.page, 'needs-files');
@@ -80,7 +80,7 @@ test('a ZIP; one that names files outside its folder is refused', async () => {
   assert.match(await shown(), /Triangles\s*192/);
 });
 
-test('several meshes: what each is good for, the largest good one suggested', async () => {
+test('several meshes: whether each is usable, and the largest usable one suggested', async () => {
   const { page } = it;
   const broken = cubeMesh(6);
   broken.triangles.push([0, 8, 20], [0, 8, 30]);

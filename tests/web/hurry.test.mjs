@@ -32,7 +32,7 @@ test('of two files dropped one after the other the second is opened', async () =
   assert.match(await certificate(it), /of 108/);
 });
 
-test('an open page works on when its files are gone from the server', async () => {
+test('an open page continues to work when its files are gone from the server', async () => {
   const { page, context } = it;
   const started = page.waitForResponse(/geometry_worker/); // before there is a model
   await page.reload();
@@ -46,7 +46,7 @@ test('an open page works on when its files are gone from the server', async () =
   await context.unroute(gone);
 });
 
-test('gzip: one wrong byte, in one member or in the second of two, is said', async () => {
+test('gzip: one wrong byte, in one member or in the second of two, is reported', async () => {
   const text = new TextEncoder().encode(toObj(cubeMesh(3)));
   const [a, b] = [text.slice(0, 900), text.slice(900)].map((part) => Buffer.from(gzipSync(part)));
   const one = Buffer.from(gzipSync(text));
@@ -64,7 +64,7 @@ test('gzip: one wrong byte, in one member or in the second of two, is said', asy
   }
 });
 
-test('while it runs: nothing is edited, nothing is run twice; another file ends it', async () => {
+test('during a run nothing is edited and nothing is run twice; another file ends it', async () => {
   const { page } = it;
   await openFiles(it, { 'disk.obj': bumpyDisk(150) });
   // Twice, before the page can answer the first.
@@ -89,7 +89,7 @@ test('while it runs: nothing is edited, nothing is run twice; another file ends 
   await run(it);
 });
 
-test('a number half typed stays while the page draws itself anew', async () => {
+test('a half-typed number stays while the page redraws', async () => {
   const { page } = it;
   await openFiles(it, { 'disk.obj': bumpyDisk(80) });
   await page.click('#solve-more > summary');
@@ -107,7 +107,7 @@ test('a number half typed stays while the page draws itself anew', async () => {
   assert.equal(await rounds.inputValue(), '7');
 });
 
-test('closed while it runs or reads, everything is still one click away', async () => {
+test('after Close during a run or a read, one click restores everything', async () => {
   const { page } = it;
   await openFiles(it, { 'disk.obj': bumpyDisk(60) });
   await run(it, 'running');
@@ -122,7 +122,7 @@ test('closed while it runs or reads, everything is still one click away', async 
   assert.match(await statusText(page), /Closed disk\.obj/);
 });
 
-test('choices of Download made faster than they are written: the last of each holds', async () => {
+test('Download options changed faster than they are written: the last choices are saved', async () => {
   const { page } = it;
   await example(it, 'cube');
   await run(it);
@@ -143,7 +143,7 @@ test('choices of Download made faster than they are written: the last of each ho
   assert.equal(report.options.scale, 'unit');
 });
 
-test('ZIP files that are none, empty, cut short, or full of archives', async () => {
+test('ZIP files that are invalid, empty, truncated, or full of archives', async () => {
   const text = new TextEncoder().encode(toObj(cubeMesh(2)));
   const zip = Buffer.from(zipSync({ 'a.obj': text }));
   const unknown = Buffer.from(zip);
@@ -178,7 +178,7 @@ test('gzip: unpacked as ZIP is, several members too; damaged ones are refused', 
   assert.match(await failure(it), /damaged or cut off/);
 });
 
-test('who looks at another tab is told when a long run ends: in the title, and by the browser', async () => {
+test('in another tab the end of a long run is announced in the title and by a notification', async () => {
   const { page } = it;
   await example(it, 'cube');
   const title = await page.title();

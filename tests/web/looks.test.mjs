@@ -28,7 +28,7 @@ async function check(name, ...parts) {
   assert.deepEqual(await violations(it.page, ...parts), [], name);
 }
 
-test('axe finds nothing in any state', async () => {
+test('axe reports no accessibility violations in any state', async () => {
   const { page } = it;
   await check('state-empty');
   await page.click('#examples');
@@ -55,7 +55,7 @@ test('axe finds nothing in any state', async () => {
   await check('state-stale', 'header', '#pane-surface', '#panel-result', '#panel-cones', 'footer');
 });
 
-test('axe finds nothing where files are missing, several, or not usable; in the dark', async () => {
+test('axe reports no violations for missing, several or unusable files, and in dark mode', async () => {
   const { page } = it;
   await page.emulateMedia({ colorScheme: 'dark', reducedMotion: 'reduce' });
   const { json } = toGltf([cubeMesh(2)], { image: 'wood.png' });
@@ -83,7 +83,7 @@ function hold(milliseconds) {
     .catch(() => {}); // Cancel ends it
 }
 
-test('axe finds nothing while loading, while running, without its worker, without a certificate', async () => {
+test('axe reports no violations while loading, while running, without the worker, without a certificate', async () => {
   const { page } = it;
   await page.goto(it.url);
   await state(page, 'empty');

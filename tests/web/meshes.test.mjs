@@ -26,7 +26,7 @@ const it = useBrowser();
 const { test } = it;
 const meshState = (i) => it.page.locator(`[data-mesh="${i}"]`).getAttribute('data-mesh-state');
 
-test('all meshes of a file: run, kept while another is looked at, and in one download', async () => {
+test('all meshes of a file are run, kept while another is shown, and saved in one download', async () => {
   const { page } = it;
   await openFiles(it, { 'two.glb': toGlb([cubeMesh(3), torusMesh(16, 8)]) });
   assert.equal(await page.locator('[data-mesh="1"]').getAttribute('aria-current'), 'true');
@@ -109,7 +109,7 @@ test('a download that is cancelled leaves the mesh that is open in the solver', 
   assert.match(await certificate(it), /of 108/);
 });
 
-test('a model is shown with its own materials at once, where its nodes put it', async () => {
+test('a model is shown at once with its own materials and node transforms', async () => {
   const { page } = it;
   const { json, bin } = toGltf([cubeMesh(4)], { image: 'leaf.png' });
   const mesh = json.nodes.findIndex((node) => node.mesh === 0);
@@ -144,7 +144,7 @@ test('a model is shown with its own materials at once, where its nodes put it', 
   await page.locator('#wipe').fill('0');
 });
 
-test('a glTF that has everything inside as data: is shown with its own materials, too', async () => {
+test('a glTF with data: URIs is shown with its own materials', async () => {
   const { page } = it;
   const { json, bin } = toGltf([cubeMesh(3)], { image: 'leaf.png' });
   const inside = (type, bytes) => `data:${type};base64,${Buffer.from(bytes).toString('base64')}`;
@@ -185,7 +185,7 @@ test('hundreds of cones are two draw calls', async () => {
   assert.ok(frames > 0 && frames <= 12, `${frames} draw calls for one step of the camera`);
 });
 
-test('the toolbar is one stop of Tab and arrows move in it; tabs, too', async () => {
+test('the toolbar and the tabs are one Tab stop each, and arrow keys move inside', async () => {
   const { page } = it;
   await example(it, 'cube');
   const focused = () => page.evaluate(() => document.activeElement.id);
@@ -225,7 +225,7 @@ test('every action is in the palette; Ctrl+K, a few letters, Enter', async () =>
   await page.waitForSelector('#example-list:popover-open', { state: 'detached' });
 });
 
-test('an address opens its example, with cones and all', async () => {
+test('a URL opens its example with its cones', async () => {
   const { page } = it;
   await page.goto('about:blank');
   await page.goto(`${it.url}#example=cube&pattern=brick`);
@@ -236,7 +236,7 @@ test('an address opens its example, with cones and all', async () => {
   await page.waitForFunction(() => location.hash.includes('example=cube'));
 });
 
-test('a click shows before what it would place', async () => {
+test('the Place tool previews the cone before the click', async () => {
   const { page } = it;
   await openFiles(it, { 'cube.obj': toObj(cubeMesh(8)) });
   await settled(page);

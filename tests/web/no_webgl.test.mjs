@@ -7,7 +7,7 @@ import { openMesh, run, saveAs, statusText, useBrowser } from './support.mjs';
 const it = useBrowser({ flags: ['--disable-3d-apis'] });
 
 it.test(
-  'without WebGL maps are made, verified and saved, and it is said that none is drawn',
+  'without WebGL maps are made, verified and saved, and the page says that none is drawn',
   async () => {
     it.allowed = [/WebGL/];
     const { page } = it;

@@ -9,7 +9,7 @@ import { example, root, run, state, useBrowser } from './support.mjs';
 const it = useBrowser({ serviceWorkers: 'allow' });
 const { test } = it;
 
-test('opened once, it opens, solves and shows its guide without a network', async () => {
+test('after one visit the page opens, solves and shows its guide without a network', async () => {
   const { page, context } = it;
   await page.evaluate(() => navigator.serviceWorker.ready.then(() => undefined));
   await context.setOffline(true);
@@ -22,7 +22,7 @@ test('opened once, it opens, solves and shows its guide without a network', asyn
   it.allowed = [/ERR_(INTERNET_DISCONNECTED|FAILED)/]; // the guide's picture is not kept
 });
 
-test('the policy of the page, of the server and of the shipped headers is one', () => {
+test('page, server and shipped headers have the same security policy', () => {
   const built = path.join(root, 'build/page');
   const [, meta] = readFileSync(path.join(built, 'index.html'), 'utf8').match(
     /Content-Security-Policy"\s+content="([^"]+)"/,

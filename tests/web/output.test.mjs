@@ -59,7 +59,7 @@ async function chooseGrid() {
 
 const jsonOf = (glb) => String(glb.subarray(20, 20 + glb.readUInt32LE(12)));
 
-test('Validate output: the second opinion agrees, and is heard where it does not', async () => {
+test('Validate output: the Khronos validator agrees, and its errors are shown where it does not', async () => {
   const { page } = it;
   await openFiles(it, { 'cube.glb': toGlb([cubeMesh(4)]) });
   await run(it);
@@ -78,7 +78,7 @@ test('Validate output: the second opinion agrees, and is heard where it does not
   assert.equal(await page.locator('#download').isVisible(), true);
 });
 
-test('a grid as material: seen by others, all else in the file keeps its bytes', async () => {
+test('a grid as material: other readers see it, and all other bytes are kept', async () => {
   const { page } = it;
   const plain = toGlb([cubeMesh(4)]);
   // A number that no double holds, where nobody but its owner looks.

@@ -119,7 +119,7 @@ test('handle loops have rows, steppers and colours on the surface', async () => 
   await state(page, 'certified');
 });
 
-test('the line between the views is moved with the arrow keys, and dragged', async () => {
+test('the divider between the views is moved with the arrow keys and by dragging', async () => {
   const { page } = it;
   await example(it, 'cube');
   const width = async () => (await page.locator('#view').boundingBox()).width;
@@ -151,7 +151,7 @@ test('the line between the views is moved with the arrow keys, and dragged', asy
   assert.equal(await page.evaluate(() => document.activeElement.id), 'splitter');
 });
 
-test('Balance for me adds what is missing where it costs least, as one step of undo', async () => {
+test('Balance for me adds the missing cones where they cost least, as one step of undo', async () => {
   const { page } = it;
   await openMesh(it, cubeMesh(8));
   // One corner by hand: what a click places is a cone of the missing sign.
@@ -171,7 +171,7 @@ test('Balance for me adds what is missing where it costs least, as one step of u
   await page.click('#tool-orbit');
 });
 
-test('the table of cones is sorted by its columns, and a cone is brought to the middle', async () => {
+test('the table of cones is sorted by its columns, and a cone can be centred', async () => {
   const { page } = it;
   await example(it, 'cube');
   // All of each row is in sight, the last button included.

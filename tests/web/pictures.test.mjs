@@ -42,7 +42,7 @@ function difference(a, b) {
   return count / (a.data.length / 4);
 }
 
-test('every pattern is on the mesh and none is like another', async () => {
+test('every pattern is drawn on the mesh and differs from the others', async () => {
   const { page } = it;
   await solvedCube();
   await showSeams(page, false);
@@ -72,7 +72,7 @@ test('every pattern is on the mesh and none is like another', async () => {
   assert.ok(difference(await look('pattern-fine'), seen.get('plaid')) > 0.02);
 });
 
-test('an image of your own repeats on the mesh; what is no image is refused by name', async () => {
+test('an image of your own repeats on the mesh; a file that is no image is refused by name', async () => {
   const { page } = it;
   await solvedCube();
   const choose = async (name, buffer) => {
@@ -187,7 +187,7 @@ function directionAt({ data, width }, x, y, half) {
   return (Math.atan2(sine, cosine) * 180) / Math.PI / 4;
 }
 
-test('the address brings cones, camera and pattern; lines go on across the seam', async () => {
+test('the URL restores cones, camera and pattern; lines continue across the seam', async () => {
   const { page } = it;
   const square = flatSquare(24);
   const cones = Buffer.from(JSON.stringify([[square.middle, 3]])).toString('base64url');

@@ -137,7 +137,7 @@ test('quads that share an edge: repaired, certified, run again with the same con
   assert.equal(await page.locator('#cones tbody tr[data-cone]').count(), count);
 });
 
-test('a strip with one side is cut where it must be: one click from refused to certified', async (t) => {
+test('a one-sided strip is cut where necessary: one click from refused to certified', async (t) => {
   const { page } = it;
   const n = 24;
   const lines = [];

@@ -91,7 +91,7 @@ function extent({ data, width, height }) {
   };
 }
 
-test('two fingers in the UV view: together they move it, apart they enlarge it', async () => {
+test('two fingers in the UV view: dragging moves it, spreading enlarges it', async () => {
   const { page } = it;
   await openCube();
   await run(it);
@@ -126,7 +126,7 @@ test('two fingers in the UV view: together they move it, apart they enlarge it',
   assert.equal(await page.locator('tr.selected').count(), 0);
 });
 
-test('Repair and run is in the corner of Run', async () => {
+test('Repair and run is where Run is', async () => {
   const { page } = it;
   const { vertices, triangles } = cubeMesh(4);
   const buffer = Buffer.from(toObj({ vertices, triangles: [...triangles, triangles[9]] }));
@@ -140,7 +140,7 @@ test('Repair and run is in the corner of Run', async () => {
   await state(page, 'certified');
 });
 
-test('View: everything about the picture, under it, and closed by a tap beside it', async () => {
+test('the View menu has all picture settings, under the picture, and a tap beside it closes it', async () => {
   const { page } = it;
   await openCube();
   // Before Run: what there is to choose then.
@@ -175,7 +175,7 @@ test('View: everything about the picture, under it, and closed by a tap beside i
   assert.ok(last.x + last.width <= 320, `${last.x + last.width}`);
 });
 
-test('the panels are a sheet: pressed or dragged to three heights; Run is always there', async () => {
+test('the panels are a sheet, pressed or dragged to three heights; Run is always visible', async () => {
   const { page } = it;
   await openCube();
   const height = async () => (await page.locator('aside').boundingBox()).height;

@@ -70,7 +70,7 @@ test('a non-manifold mesh is shown, its defects are listed, and splitting them i
   await state(it.page, 'ready', 'unbalanced');
 });
 
-test('a mesh that is refused has a map after one click: repaired, run, and undone step by step', async () => {
+test('a refused mesh has a map after one click: repaired, run, and undone step by step', async () => {
   const { page } = it;
   const { vertices, triangles } = cubeMesh(4);
   const turned = triangles.map(([a, b, c], t) => (t === 5 ? [a, c, b] : [a, b, c]));
@@ -119,7 +119,7 @@ test('a repair that is not enough is not recommended again', async () => {
   );
 });
 
-test('one bad component does not spoil the rest: it is counted, and the others are certified', async () => {
+test('one failed component is counted, and the others are certified', async () => {
   const { page } = it;
   const bad = cubeMesh(2);
   const good = cubeMesh(3);
@@ -142,7 +142,7 @@ test('one bad component does not spoil the rest: it is counted, and the others a
   assert.match(await statusText(page), /1 of 2 components pass/);
 });
 
-test('what is thrown inside a view is said, and the views go on', async () => {
+test('an exception in a view is reported, and the other views continue', async () => {
   const { page } = it;
   await example(it, 'cube');
   await settled(page);
@@ -164,7 +164,7 @@ test('what is thrown inside a view is said, and the views go on', async () => {
   assert.ok((await frames()) > before);
 });
 
-test('files that are JSON and no glTF are refused by the solver, not by a crash', async () => {
+test('JSON files that are not glTF are refused by the solver without a crash', async () => {
   const { page } = it;
   for (const text of ['null', '[]', '{"buffers":[null]}', '{"images":[null],"meshes":[null]}']) {
     await drop(it, { 'odd.gltf': text });
@@ -174,7 +174,7 @@ test('files that are JSON and no glTF are refused by the solver, not by a crash'
   }
 });
 
-test('an example that cannot be fetched is said, with the reason', async () => {
+test('an example that cannot be fetched is reported with the reason', async () => {
   const { page } = it;
   it.allowed = [/ERR_FAILED|Failed to load/];
   await page.route('**/examples/*', (route) => route.abort());
@@ -184,7 +184,7 @@ test('an example that cannot be fetched is said, with the reason', async () => {
   await example(it, 'torus');
 });
 
-test('WebAssembly that cannot start is said, with a way out', async () => {
+test('WebAssembly that cannot start is reported with advice', async () => {
   const { page } = it;
   it.allowed = [/./];
   await page.route('**/*.wasm', (route) => route.fulfill({ body: 'no module', contentType: 'application/wasm' })); // prettier-ignore
@@ -195,7 +195,7 @@ test('WebAssembly that cannot start is said, with a way out', async () => {
   await page.unroute('**/*.wasm');
 });
 
-test('behind a dialog nothing happens: no undo, no run, no key of the view', async () => {
+test('while a dialog is open no key acts behind it: no undo, no run, no key of the view', async () => {
   const { page } = it;
   await example(it, 'cube');
   await page.click('tr[data-cone="0"] [aria-label$="larger k"]');
@@ -261,7 +261,7 @@ test('a map that is not certified can be seen, is named as such, and saved under
   assert.equal(JSON.parse(String(bytes)).certified, false);
 });
 
-test('a run that takes longer than allowed is given up, and says so', async () => {
+test('a run beyond its time limit is stopped and reported', async () => {
   const { page } = it;
   await openFiles(it, { 'disk.obj': bumpyDisk(100) });
   await page.click('#solve-more > summary');
@@ -321,7 +321,7 @@ const context = (act, id) =>
     [act, id],
   );
 
-test('a lost picture is said, comes back by itself, and shows the same', async () => {
+test('a lost graphics context is reported, is restored by itself, and shows the same picture', async () => {
   const { page } = it;
   await example(it, 'cube');
   await coarseGrid(page);
@@ -346,7 +346,7 @@ test('a lost picture is said, comes back by itself, and shows the same', async (
   }
 });
 
-test('leaving asks once where something would be lost, and only there', async () => {
+test('leaving the page asks for confirmation only where something would be lost', async () => {
   const { page } = it;
   /** Whether the page would ask. */
   const asks = () =>

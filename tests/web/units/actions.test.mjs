@@ -12,7 +12,7 @@ import { cliCommand, quoted } from '../../../web/src/text/cli_command.ts';
 import { TimeLeft } from '../../../web/src/text/time_left.ts';
 import { cubeMesh } from '../../support/meshes.mjs';
 
-test('a name in a command is a name, whatever a file is called', () => {
+test('file names are quoted in the command line that the page copies', () => {
   assert.equal(quoted('a b.obj'), "'a b.obj'");
   assert.equal(quoted('a$(touch x)`id`.obj'), "'a$(touch x)`id`.obj'");
   assert.equal(quoted("it's.obj"), "'it'\\''s.obj'");
@@ -30,7 +30,7 @@ test('a name in a command is a name, whatever a file is called', () => {
   );
 });
 
-test('no seconds before one stage ended when it had promised; never more than was said', () => {
+test('remaining seconds are shown only after a stage ended as estimated, and never increase', () => {
   const clock = new TimeLeft();
   const at = (stage, fraction, whole, now) => clock.update(stage, fraction, whole, 0, now);
   assert.equal(at('field', 0.1, 0.05, 1), undefined);
@@ -47,7 +47,7 @@ test('no seconds before one stage ended when it had promised; never more than wa
   assert.equal(wrong.update('solve', 0, 0.2, 0, 30), undefined);
 });
 
-test('who has read a value is told of another; derived values follow', () => {
+test('readers of a value are notified of changes; derived values follow', () => {
   const doc = new Document();
   const seen = [];
   effect(() => void seen.push(doc.stateName));
@@ -66,7 +66,7 @@ function cubeSurface(n) {
   return locatedSurface(arrays, plainFacts({ vertices, triangles }));
 }
 
-test('a click on a flat side means a cone of the sign that is missing, not noise', () => {
+test('a click on a flat side places a cone of the sign that is missing', () => {
   const surface = cubeSurface(8);
   surface.angle = surface.angle.slice();
   const flat =

@@ -8,7 +8,7 @@ import { instancesOf } from '../../../web/src/formats/mesh_instances.ts';
 const bytes = (text) => new TextEncoder().encode(text);
 const gltf = (json) => bytes(JSON.stringify(json));
 
-test('a name is relative, inside the folder and decoded once, or it is refused', () => {
+test('a file name must be relative, inside the folder and decoded once', () => {
   assert.equal(relativeName('./a%20b/c.bin'), 'a b/c.bin');
   assert.equal(relativeName('%2525.bin'), '%25.bin');
   const refused = [
@@ -33,7 +33,7 @@ test('a download has a harmless name', () => {
   assert.equal(safeName(`${'x'.repeat(100)}.obj`).length, 80);
 });
 
-test('files that are named and missing are found, by name where folders were lost', async () => {
+test('missing files that a glTF names are listed, and matched by name where folders are lost', async () => {
   const json = {
     buffers: [{ uri: 'geo/a.bin' }, { uri: 'b.bin' }, { uri: 'data:,' }, {}],
     images: [{ uri: 'c.png' }, { uri: '../d.png' }],
@@ -51,7 +51,7 @@ test('files that are named and missing are found, by name where folders were los
   assert.deepEqual(files.get('geo/a.bin'), bytes('a'));
 });
 
-test('what is no glTF at all has no JSON: the solver says why', async () => {
+test('a file that is not a glTF yields no JSON; the solver gives the reason', async () => {
   for (const [name, text] of [
     ['x.glb', ''],
     ['x.glb', 'glTF and then nothing of use to anybody'],
@@ -64,13 +64,13 @@ test('what is no glTF at all has no JSON: the solver says why', async () => {
   }
 });
 
-test('the folder that everything is in is taken away, and what systems leave behind', async () => {
+test('a common top folder and system files are removed', async () => {
   const names = ['top/a.obj', 'top/b/c.mtl', '__MACOSX/top/._a.obj', 'top/.DS_Store'];
   const found = await unpack(new Map(names.map((name) => [name, bytes('')])));
   assert.deepEqual([...found.keys()], ['a.obj', 'b/c.mtl']);
 });
 
-test('lists of a glTF may hold anything at all: nothing is missing, nothing throws', async () => {
+test('lists of a glTF with arbitrary contents: nothing is reported missing, nothing throws', async () => {
   for (const json of [
     { buffers: [null] },
     { images: [null, 3, 'x', []] },
@@ -90,7 +90,7 @@ test('lists of a glTF may hold anything at all: nothing is missing, nothing thro
   }
 });
 
-test('a mesh is where its nodes put it: all that are above count, a skin is where its joints are', async () => {
+test('a mesh is placed by all nodes above it, a skinned mesh by its joints', async () => {
   const of = (mode) => ({ primitives: [{ attributes: { POSITION: 0 }, mode }] });
   const json = {
     // Lines, and triangles without positions, are no surfaces: the solver does not count them.
@@ -112,7 +112,7 @@ test('a mesh is where its nodes put it: all that are above count, a skin is wher
   assert.deepEqual(found[2].matrix.slice(12, 15), [0, 5, 0]);
 });
 
-test('a GLB comes apart; one cut short is none', () => {
+test('a GLB is split into its chunks; a truncated one is refused', () => {
   const glb = new Uint8Array(toGlb([cubeMesh(1)]));
   const { json, bin, rest } = splitGlb(glb);
   const { asset, buffers } = JSON.parse(String.fromCharCode(...json));

@@ -30,7 +30,7 @@ function meshOf(text) {
 }
 
 test(
-  'facts of the package are those of plain counting: closed, open, in parts',
+  'facts of the package agree with direct counting: closed, open, several components',
   { skip },
   async () => {
     const [cube, torus] = [cubeMesh(4), torusMesh(9, 7)];
@@ -57,7 +57,7 @@ test(
   },
 );
 
-test('facts of a repaired mesh are said of the vertices of the file', { skip }, async () => {
+test('facts of a repaired mesh refer to the vertices of the file', { skip }, async () => {
   const core = await createCore();
   const files = new Map([['cubes.obj', new TextEncoder().encode(cubesOnAnEdge())]]);
   const info = core.load({ main: 'cubes.obj', files });
@@ -82,7 +82,7 @@ test('facts of a repaired mesh are said of the vertices of the file', { skip }, 
 });
 
 test(
-  'handle loops of the package: the seams along each add up to the r that was asked',
+  'handle loops of the package: the seams along each add up to the prescribed r',
   { skip },
   async () => {
     const mesh = torusMesh(16, 10);
@@ -123,13 +123,13 @@ test(
   },
 );
 
-test('lines along a loop go from middle to middle and close', () => {
+test('lines along a loop join the midpoints of edges and close', () => {
   const places = Float64Array.of(0, 0, 0, 2, 0, 0, 0, 2, 0);
   const lines = loopSegments({ places }, Uint32Array.of(0, 1, 1, 2, 2, 0));
   assert.deepEqual([...lines], [1, 0, 0, 1, 1, 0, 1, 1, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0]);
 });
 
-test('a small picture has the shape in the middle, in front what is nearer, and the checker of its map', () => {
+test('a thumbnail shows the centred shape, nearer parts in front, with the checker of its map', () => {
   const { vertices, triangles } = cubeMesh(1);
   const cornerPositions = triangles.flat().flatMap((v) => vertices[v]);
   const picture = drawThumbnail({ cornerPositions }, 32);

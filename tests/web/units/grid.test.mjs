@@ -32,7 +32,7 @@ const solutionOf = (grids, certificate = {}) => ({
   distortion: { uvArea: 400, surfaceArea: 4 },
 });
 
-test('a quad mesh that differs from the cells on the screen says how', () => {
+test('a quad mesh that differs from the cells on the screen reports how', () => {
   const plain = { quads: 1200, clipped: 0, halvings: 0, foldedQuads: 0 };
   assert.equal(quadsSaved(plain, 'a.obj'), '1 200 quads saved as a.obj.');
   assert.equal(
@@ -42,7 +42,7 @@ test('a quad mesh that differs from the cells on the screen says how', () => {
   assert.match(quadsSaved({ ...plain, halvings: 2 }, 'a.obj'), /, 16 per cell/);
 });
 
-test('squares fit half and quarter turns only', () => {
+test('square cells fit only rotations by half and quarter turns', () => {
   assert.deepEqual([1, 2, 3, 4, 6, 8].filter(canAlign), [2, 4]);
   const on = { isOn: true, mode: 'tile' };
   assert.equal(sameGrid(on, { ...on, cells: 9 }, 4), false);
@@ -51,7 +51,7 @@ test('squares fit half and quarter turns only', () => {
   assert.equal(sameGrid({ ...on, isOn: false }, { isOn: false, mode: 'quad' }, 4), true);
 });
 
-test('as many cells as a picture needs, and more where there are many cones', () => {
+test('the default number of cells follows the picture and the number of cones', () => {
   const cube = { area: 6, diagonal: Math.sqrt(3) };
   assert.equal(automaticCells({ area: 60, diagonal: Math.sqrt(3) }, 8), 3920); // 14 along the diagonal
   assert.equal(automaticCells(cube, 44), 1760);
@@ -67,7 +67,7 @@ test('lines meet where the report says so and the certificate counts every seam'
   assert.equal(gridOutcome(solutionOf([null])), undefined);
 });
 
-test('the component that needs most decides how many cells would work', () => {
+test('the component that needs most cells determines the recommended number', () => {
   const failed = {
     aligned: false,
     cells: 50,

@@ -8,7 +8,7 @@ const text = new TextEncoder().encode('v 0 0 0\n'.repeat(40));
 const packed = Buffer.from(gzipSync(text));
 const open = (...parts) => gunzip(new Blob(parts));
 
-test('one member, several, and what some tools put behind the last', async () => {
+test('one member, several members, and bytes after the last one', async () => {
   assert.deepEqual(await open(packed), text);
   assert.deepEqual(Buffer.from(await open(packed, packed)), Buffer.concat([text, text]));
   assert.deepEqual(await open(packed, new Uint8Array(512)), text);
@@ -26,7 +26,7 @@ test('one member, several, and what some tools put behind the last', async () =>
   );
 });
 
-test('of several members, each changed or missing byte is noticed', async () => {
+test('any changed or missing byte in a file of several members is detected', async () => {
   const parts = [packed, Buffer.from(gzipSync(text.slice(0, 80))), packed];
   const all = Buffer.concat(parts);
   const whole = Buffer.from(await open(all));
@@ -56,7 +56,7 @@ test('of several members, each changed or missing byte is noticed', async () => 
   assert.ok(accepted <= 6);
 });
 
-test('a file that is cut short anywhere, or changed, is never taken for a whole one', async () => {
+test('a truncated or changed file is never accepted as complete', async () => {
   for (let size = 1; size < packed.length; size++) {
     await assert.rejects(open(packed.subarray(0, size)), /damaged or cut off/, `${size}`);
   }
@@ -66,13 +66,13 @@ test('a file that is cut short anywhere, or changed, is never taken for a whole 
   await assert.rejects(open('v 0 0 0\n'), /damaged or cut off/);
 });
 
-test('a bomb is noticed while it unpacks', async () => {
+test('a decompression bomb is detected while it unpacks', async () => {
   const bomb = gzipSync(new Uint8Array(3e7));
   await assert.rejects(open(bomb), /far more than it should/);
   await assert.rejects(open(bomb, packed), /far more than it should/);
 });
 
-test('dropped, it is the file that is inside', async () => {
+test('a dropped gzip file is opened as the file inside it', async () => {
   const files = await unpack(new Map([['a/mesh.obj.gz', new Blob([packed])]]));
   assert.deepEqual([...files], [['mesh.obj', text]]);
 });

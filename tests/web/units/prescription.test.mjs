@@ -24,7 +24,7 @@ const asked = {
   handles: [2, null],
 };
 
-test('hgp-cones and back is the same prescription; places past the end are left out', () => {
+test('export to hgp-cones and back keeps the prescription; loops and handles past the end are left out', () => {
   const cones = toCones(asked, [...Array(30).keys()]);
   assert.deepEqual(cones.cones[0], { vertex: 7, k: 3, position: [21, 22, 23] });
   assert.deepEqual(cones.boundaries, [{ loop: 1, l: -4 }]);
@@ -49,7 +49,7 @@ test('another q keeps every angle or is refused', () => {
   assert.equal(withOrder(asked, 2), undefined);
 });
 
-test('indices and angles in words', () => {
+test('the texts of indices and angles', () => {
   assert.deepEqual(
     [4, 3, 6, 2, 8, 12].map((k) => indexText(k, 4)),
     ['0', '+1/4', '−1/2', '+1/2', '−1', '−2'],
@@ -66,7 +66,7 @@ test('the largest k leaves every corner below 180°', () => {
   }
 });
 
-test('every way to spend what is left spends exactly that', () => {
+test('every suggestion for the budget balances it exactly', () => {
   for (let q = 1; q <= 8; q++) {
     for (const left of [-9, -4, -1, 1, 2, 5, 8]) {
       for (const way of waysToSpend(left, q).split(' or ').filter(Boolean)) {
@@ -94,7 +94,7 @@ test('undo takes back one step; edits of one kind soon after one another are one
   assert.deepEqual([history.value, history.canRedo, history.undoKind], [9, false, 'add']);
 });
 
-test('an address gives numbers and known words or nothing', () => {
+test('a URL gives numbers and known words or nothing', () => {
   const pairs = (list) => btoa(JSON.stringify(list)).replaceAll('=', '');
   assert.deepEqual(readHash(`#q=6&cones=${pairs([[5, 3]])}`).cones, [{ vertex: 5, k: 3 }]);
   assert.deepEqual(readHash(`#turnings=${pairs([[0, -4]])}`).turnings, [[0, -4]]);
@@ -131,7 +131,7 @@ function chain(count) {
 }
 const closed = { components: [{ component: 0, eulerCharacteristic: 2, boundaryLoops: [] }] };
 
-test('what is wrong with a cone is said of that cone: the second of two, neighbours, k that is too large', () => {
+test('each faulty cone is reported: the second of two, neighbours, k that is too large', () => {
   const cones = [
     { vertex: 5, k: 3 },
     { vertex: 6, k: 3 },
@@ -151,7 +151,7 @@ test('what is wrong with a cone is said of that cone: the second of two, neighbo
   assert.equal(isReady, false);
 });
 
-test('each cone is looked at a few times, however many there are', () => {
+test('each cone is visited a few times, however many there are', () => {
   let looks = 0;
   const count = 2000;
   const list = Array.from({ length: count }, (_, i) => ({ vertex: 3 * i, k: 3 }));

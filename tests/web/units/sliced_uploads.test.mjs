@@ -32,7 +32,7 @@ function finish(uploads) {
   return frames;
 }
 
-test('what is small goes at once; what is large in slices, every byte of it', () => {
+test('small arrays are uploaded at once, large ones completely in slices', () => {
   const { gl, writes, bound } = context();
   const uploads = new SlicedUploads(gl);
   const [small, large] = [{}, {}];
@@ -49,7 +49,7 @@ test('what is small goes at once; what is large in slices, every byte of it', ()
   assert.ok(writes.every((length) => length <= 2 ** 20));
 });
 
-test('a buffer that is deleted, filled anew or lost is waited for no longer', () => {
+test('uploads to a deleted, refilled or lost buffer are dropped', () => {
   const { gl, writes } = context();
   const uploads = new SlicedUploads(gl);
   const buffer = {};
@@ -71,7 +71,7 @@ test('a buffer that is deleted, filled anew or lost is waited for no longer', ()
   assert.ok(writes.length > 0);
 });
 
-test('indices are left to the context', () => {
+test('index buffers are not uploaded in slices', () => {
   const { gl } = context();
   const uploads = new SlicedUploads(gl);
   gl.bindBuffer(2, {});
@@ -79,7 +79,7 @@ test('indices are left to the context', () => {
   assert.equal(uploads.isBusy, false);
 });
 
-test('a busy card is sent nothing more; one that never answers is not waited for forever', async () => {
+test('a busy graphics card is sent nothing more, and the wait for it is limited', async () => {
   const card = { isBusy: true };
   const { gl, writes } = context(card);
   const uploads = new SlicedUploads(gl);

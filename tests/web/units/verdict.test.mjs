@@ -80,7 +80,7 @@ test('a map that is in the file as it was certified passes every row', () => {
   assert.equal(isCertified(solution), true);
 });
 
-test('one face turned round: its own number is negative, its row fails, and so does the verdict', () => {
+test('one reversed face: its area is negative, its row fails, and so does the verdict', () => {
   const map = square();
   for (const list of [map.triangles, map.cornerToUv]) [list[4], list[5]] = [list[5], list[4]];
   const solution = solutionOf(map);
@@ -92,7 +92,7 @@ test('one face turned round: its own number is negative, its row fails, and so d
   assert.equal(isCertified(solution), false); // whatever the certificate says
 });
 
-test('what the certificate counts as wound the other way is said, so many and no more', () => {
+test('triangles with opposite orientation are reported with the number in the certificate', () => {
   const turn = (map, c) => {
     for (const list of [map.triangles, map.cornerToUv])
       [list[c], list[c + 1]] = [list[c + 1], list[c]];
@@ -111,7 +111,7 @@ test('what the certificate counts as wound the other way is said, so many and no
   assert.deepEqual(failed(counted()).map(({ name }) => name), ['Smallest area']); // prettier-ignore
 });
 
-test('one vertex split in the file: the file does not hold the map, and the verdict says so', () => {
+test('one vertex split in the file: the file does not hold the map, and the verdict fails', () => {
   const map = square();
   const torn = {
     ...map,
@@ -126,7 +126,7 @@ test('one vertex split in the file: the file does not hold the map, and the verd
   assert.equal(isCertified(solution), false);
 });
 
-test('a file with a face less, or none that can be read, is no file with this map', () => {
+test('a file with a missing face, or that cannot be read, does not hold the map', () => {
   const bytes = objOf(square());
   const text = new TextDecoder().decode(bytes);
   const less = new TextEncoder().encode(text.slice(0, text.lastIndexOf('f ')));
@@ -141,23 +141,23 @@ test('a file with a face less, or none that can be read, is no file with this ma
   assert.equal(analysis.isSameAsFile, false);
 });
 
-test('a comment that ends with a backslash takes no line along', () => {
+test('a comment that ends with a backslash does not continue on the next line', () => {
   const bytes = new TextEncoder().encode(`# C:\\\n${new TextDecoder().decode(objOf(square()))}`);
   assert.deepEqual(failed(solutionOf(square(), bytes)), []);
 });
 
-test('lines that begin with blanks are lines', () => {
+test('lines that begin with blanks are read', () => {
   const text = new TextDecoder().decode(objOf(square())).replace(/^/gm, ' \t');
   assert.deepEqual(failed(solutionOf(square(), new TextEncoder().encode(text))), []);
 });
 
-test('what the solver refuses for a reason without a row is a row', () => {
+test('a refusal of the solver without a row of its own gets one', () => {
   const solution = solutionOf(square());
   solution.result.certificate = { ...certificate, certified: false };
   assert.deepEqual(failed(solution).map(({ name }) => name), ['All other checks']); // prettier-ignore
 });
 
-test('a polygon of the file is the same map, however it was made triangles; another polygon is not', () => {
+test('a polygon is the same map under any triangulation; another polygon is not', () => {
   const map = square();
   // The square as one quad whose diagonal the solver chose: 1–3, where a fan would have 0–2.
   const quad = {

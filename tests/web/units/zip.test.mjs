@@ -24,7 +24,7 @@ test('names that lead out of the folder are refused', async () => {
   assert.deepEqual([...found.keys()], ['__proto__/constructor.obj']);
 });
 
-test('a file that is cut short anywhere is never taken for a whole one', async () => {
+test('a truncated file is never accepted as complete', async () => {
   const whole = zipSync({ 'a.obj': text });
   const header = 30 + 'a.obj'.length;
   const directory = 46 + 'a.obj'.length + 22;

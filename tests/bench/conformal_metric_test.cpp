@@ -100,7 +100,7 @@ TEST(ConformalMetric, OfAFlatDiskIsItsOwn) {
     }
 }
 
-TEST(ConformalMetric, SaysWhenTrianglesBreakInsteadOfGoingOn) {
+TEST(ConformalMetric, StopsAndReportsWhenTrianglesDegenerate) {
   // Five triangles cannot sum to 6π at their common vertex, whatever their lengths.
   const TriMesh mesh = test::icosphere(1).mesh();
   const FieldContext context = prepareSurface(mesh);

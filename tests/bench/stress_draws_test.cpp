@@ -12,7 +12,7 @@
 namespace hgp::stress {
 namespace {
 
-TEST(IntegerSums, EveryVectorOfTheSumIsAsLikely) {
+TEST(IntegerSums, EveryVectorOfTheSumIsEquallyLikely) {
   const std::vector<IntegerRange> ranges = {{-1, 1, 0}, {-1, 1, 0}, {-1, 3, {}}};
   std::map<std::vector<int>, int> seen;
   Random random("uniform");
@@ -62,7 +62,7 @@ TEST(StressDraws, PassTheCheckAndBelongToTheirFamily) {
   EXPECT_GE(drawn, 180);  // of 220 that apply
 }
 
-TEST(StressDraws, TheSameNameIsTheSameDraw) {
+TEST(StressDraws, TheSameNameGivesTheSameDraw) {
   const TriMesh mesh = test::icosphere(4).mesh();
   const Topology topology = computeTopology(mesh);
   Random one("7/random/x/0"), same("7/random/x/0"), other("7/random/x/1");

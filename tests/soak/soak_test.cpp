@@ -143,7 +143,7 @@ long residentSize() {
   return 0;
 }
 
-TEST(Soak, RunAfterRunEndsAlikeAndMemoryIsFlat) {
+TEST(Soak, RepeatedRunsGiveTheSameResultsAndMemoryDoesNotGrow) {
   const char* full = std::getenv("HGP_FULL");
   const std::vector<Case> all = cases();
   const int perRound = static_cast<int>(all.size());

@@ -16,7 +16,7 @@ Result<SurfaceFacts> factsOf(const MeshData& mesh, const LoadOptions& options = 
   return session.facts();
 }
 
-TEST(Facts, AnglesAreThoseOfGaussAndBonnet) {
+TEST(Facts, AnglesSatisfyGaussBonnet) {
   const MeshData mesh = test::puncturedTorus(12, 9).data;
   const auto facts = factsOf(mesh);
   ASSERT_TRUE(facts);
@@ -32,7 +32,7 @@ TEST(Facts, AnglesAreThoseOfGaussAndBonnet) {
   EXPECT_GT(std::count(facts->isBoundary.begin(), facts->isBoundary.end(), 1), 0);
 }
 
-TEST(Facts, OfWhatCannotBeSolvedToo) {
+TEST(Facts, AreGivenForMeshesThatCannotBeSolved) {
   EXPECT_EQ(Session().facts().error().code, ErrorCode::kUsage);
   // Three triangles on one edge, one of them without corners of its own, and a vertex that nobody names.
   const MeshData fan{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}, {5, 5, 5}},

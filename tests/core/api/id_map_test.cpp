@@ -7,7 +7,7 @@
 namespace hgp::api {
 namespace {
 
-TEST(IdMap, NoneStaysNoneAlongAWay) {
+TEST(IdMap, NoneStaysNoneThroughAChainOfMaps) {
   const IdMap<VertexId, MeshVertexId> first({2, -1, 0});
   const IdMap<MeshVertexId, SurfaceVertexId> second({5, 6, -1});
   const IdMap<VertexId, SurfaceVertexId> both = first.then(second);
@@ -25,7 +25,7 @@ TEST(IdMap, TheIdentityChangesNothing) {
   EXPECT_TRUE(same.has(FaceId{2}) && !same.has(FaceId{3}) && !same.has(FaceId{}));
 }
 
-TEST(IdMap, AnIdOfAnotherCountIsNoIndex) {
+TEST(IdMap, OnlyIdsOfItsOwnTypeAreIndices) {
   using Way = IdMap<MeshVertexId, SurfaceVertexId>;
   EXPECT_TRUE((std::is_invocable_v<decltype(&Way::operator[]), Way, MeshVertexId>));
   EXPECT_FALSE((std::is_invocable_v<decltype(&Way::operator[]), Way, VertexId>));

@@ -22,7 +22,7 @@ std::string written(const Session& session) {
   return made ? std::string(made->files[0].bytes.begin(), made->files[0].bytes.end()) : "";
 }
 
-TEST(KeptResults, GoWithEveryFileOfTheSurface) {
+TEST(KeptResults, ApplyToEveryFileWithTheSameSurface) {
   const MeshData ball = test::icosphere(3).data, ring = test::torus(9, 6).data;
   Session session;
   ASSERT_TRUE(session.load(fileOf(ball), {}));
@@ -47,7 +47,7 @@ TEST(KeptResults, GoWithEveryFileOfTheSurface) {
   EXPECT_TRUE(session.recall("ring"));
 }
 
-TEST(KeptResults, AreOfTheVeryPositionsTrianglesAndRepairs) {
+TEST(KeptResults, RequireTheSamePositionsTrianglesAndRepairs) {
   const MeshData ball = test::icosphere(2).data;
   MeshData moved = ball, turned = ball, fewer = ball;
   moved.positions[5][0] = std::nextafter(moved.positions[5][0], 9.0);
@@ -69,7 +69,7 @@ TEST(KeptResults, AreOfTheVeryPositionsTrianglesAndRepairs) {
   EXPECT_TRUE(session.recall("ball"));
 }
 
-TEST(KeptResults, AreTwoOfASurfaceHoweverManySurfacesThereAre) {
+TEST(KeptResults, AreAtMostTwoPerSurface) {
   const MeshData ball = test::icosphere(2).data, ring = test::torus(9, 6).data;
   Session session;
   for (const MeshData* mesh : {&ball, &ring}) {

@@ -15,7 +15,7 @@ Session opened(const MeshData& mesh) {
   return session;
 }
 
-TEST(Measure, AValueForEveryTriangleAndEverySeamEdge) {
+TEST(Measure, HasAValueForEveryTriangleAndEverySeamEdge) {
   const MeshData mesh = test::icosphere(3).data;
   Session session = opened(mesh);
   EXPECT_EQ(session.measure().error().code, ErrorCode::kUsage);
@@ -30,7 +30,7 @@ TEST(Measure, AValueForEveryTriangleAndEverySeamEdge) {
   EXPECT_GT(measures->uvArea, 0);
 }
 
-TEST(Measure, WhatARepairTurnedOverOrLeftOutIsNotFolded) {
+TEST(Measure, FacesThatARepairFlippedOrLeftOutAreNotFolded) {
   MeshData mesh = test::icosphere(2).data;
   for (std::size_t f : {3U, 17U}) std::swap(mesh.triangles[f][1], mesh.triangles[f][2]);
   auto [a, b, c] = mesh.triangles[40];
@@ -41,7 +41,7 @@ TEST(Measure, WhatARepairTurnedOverOrLeftOutIsNotFolded) {
   EXPECT_TRUE(session.measure()->notPositive.empty());
 }
 
-TEST(Measure, ChainsEndWhereSeamsBranchOrTurnOtherwise) {
+TEST(Measure, ChainsEndWhereSeamsBranchOrTheirRotationChanges) {
   // Vertices 0 1 2 3 in a row, then a branch at 3 to 4 and 5; uv i is vertex i.
   const std::vector<std::uint32_t> vertex{0, 1, 2, 3, 4, 5};
   const auto edge = [](int a, int b, int r) { return SeamEdge{{a, b}, {a, b}, r}; };

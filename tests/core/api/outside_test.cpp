@@ -103,7 +103,7 @@ TEST(Outside, CopiesHaveTheUvOfTheirTwins) {
   EXPECT_EQ(stored["triangles"], data.triangles.size());
 }
 
-TEST(Outside, WhatIsNoSurfaceAndWhatIsTurnedIsCounted) {
+TEST(Outside, TrianglesWithoutSurfaceAndFlippedOnesAreCounted) {
   MeshData data = test::icosphere(3).data;
   const int first = static_cast<int>(data.positions.size());
   data.triangles.push_back({data.triangles[0][0], data.triangles[0][0], data.triangles[0][1]});
@@ -169,7 +169,7 @@ TEST(Outside, ConesAtAVertexOfTwoPartsSayWhichPartIsMeant) {
   EXPECT_EQ(refused.error().code, ErrorCode::kPrescription);
 }
 
-TEST(Outside, NothingLeftIsRefused) {
+TEST(Outside, AMeshWithNothingLeftIsRefused) {
   MeshData data = test::icosphere(2).data;
   for (Vec3& p : data.positions) p = {1, 2, 3};
   Session session = loaded("mesh.obj", io::writePlainObj(data, {}, ""));

@@ -77,7 +77,7 @@ TEST(PackComponents, ManyEqualOnesFillASquareInsteadOfARow) {
   EXPECT_LT(farthest, 120.0);
 }
 
-TEST(PackComponents, OneAloneStaysAndAUnitIsKept) {
+TEST(PackComponents, ASingleComponentStaysAndAUnitIsKept) {
   EXPECT_EQ(packBoxes({boxAt(7, -3, 1, 2)})[0], (Vec2{0, 0}));
   UvBox nothing;
   EXPECT_EQ(packBoxes({nothing, boxAt(7, -3, 1, 2), nothing})[1], (Vec2{0, 0}));

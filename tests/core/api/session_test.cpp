@@ -58,7 +58,7 @@ TEST(Sha256, AgreesWithTheStandard) {
             "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
-TEST(Session, NothingWorksBeforeLoading) {
+TEST(Session, EveryCallBeforeLoadingIsRefused) {
   Session session;
   EXPECT_FALSE(session.inspect().hasValue());
   EXPECT_FALSE(session.parametrize(std::nullopt, {}).hasValue());
@@ -97,7 +97,7 @@ TEST(Session, AnUnusableMeshIsRepairedOrWhereStrictInspectedAndNotSolved) {
   EXPECT_TRUE(loaded(mesh, fix).inspect()->isGood);
 }
 
-TEST(Session, WhatAWeldMadeOfTheSurfaceIsHandedOut) {
+TEST(Session, TheSurfaceThatAWeldChangedIsReturned) {
   MeshData mesh = hgp::test::cube().data;
   EXPECT_FALSE(loaded(mesh).repaired().has_value());
   // The first triangle gets corners of its own, a hair away.
@@ -173,7 +173,9 @@ TEST(Session, WhatIsWrittenIsCertifiedAgainAfterReading) {
   expectRoundTrip(hgp::test::icosphere(3).data, cones);
 }
 
-TEST(Session, AutomaticConesNeedNothing) { expectRoundTrip(hgp::test::cube(4).data, std::nullopt); }
+TEST(Session, AutomaticConesNeedNoPrescription) {
+  expectRoundTrip(hgp::test::cube(4).data, std::nullopt);
+}
 
 TEST(Session, SuggestedConesGiveTheMapOfAutomaticOnesByteForByte) {
   for (const MeshData& mesh :
@@ -276,7 +278,7 @@ TEST(Session, FramesOfAFileNeedAFieldWithDirections) {
   EXPECT_FALSE(session.parametrize(crosses(mesh.triangles.size(), 0), options).hasValue());
 }
 
-TEST(Session, ConesThatTheFieldDoesNotHaveAreRefusedWhereTheyAre) {
+TEST(Session, ConesThatTheFieldDoesNotHaveAreRefusedWithTheirPlaces) {
   const MeshData mesh = hgp::test::grid(4, 4).data;
   Session session = loaded(mesh);
   SolveOptions options;
@@ -313,7 +315,7 @@ int vertexAt(const TriMesh& mesh, const Vec3& p) {
   return best.i;
 }
 
-TEST(Session, AFileInScatteredOrderIsToldByItsOwnNumbers) {
+TEST(Session, AFileInScatteredOrderIsReportedByItsOwnIds) {
   const Shape torus = scatteredTorus();
   const TriMesh mesh = torus.mesh();
   ASSERT_TRUE(isScattered(mesh));
@@ -408,7 +410,7 @@ TEST(Session, CancellingIsAFailureOfItsOwn) {
   EXPECT_EQ(solved.error().code, ErrorCode::kCancelled);
 }
 
-TEST(Session, ConesInEachOthersWayAreNamedByTheFilesNumbers) {
+TEST(Session, ConesTooCloseToEachOtherAreNamedByTheFilesIds) {
   // A tetrahedron first, so that nothing in the second component has the number that it has in the file.
   const MeshData first = hgp::test::tetrahedron().data;
   const auto offset = static_cast<int>(first.positions.size());
@@ -483,7 +485,7 @@ TEST(Session, ConesFollowTheirPositionsToAChangedFile) {
   EXPECT_FALSE(second.convert(*read).hasValue());
 }
 
-TEST(Session, RawArraysAreAModelToo) {
+TEST(Session, RawArraysAreAcceptedAsAModel) {
   const MeshData mesh = hgp::test::icosphere(2).data;
   Session session;
   ASSERT_TRUE(session.loadArrays(mesh.positions, mesh.triangles, {}).hasValue());

@@ -66,7 +66,7 @@ TEST(WriteFormats, EveryMeshFormatIsCertifiedWithTheSameCones) {
   }
 }
 
-TEST(WriteFormats, WhatIsSinglePrecisionAlreadyKeepsItsNumbers) {
+TEST(WriteFormats, AMapInSinglePrecisionKeepsItsNumbers) {
   const Session first = solved(test::torus(12, 9).data);
   io::FileSet files;
   files.name = "a.glb";
@@ -88,7 +88,7 @@ TEST(WriteFormats, WhatIsSinglePrecisionAlreadyKeepsItsNumbers) {
   }
 }
 
-TEST(WriteFormats, VerticesThatAGltfWouldJoinAreNotJoinedUnderAMap) {
+TEST(WriteFormats, AMapThatSeparatesVerticesWhichAGltfJoinsIsRefused) {
   // A square of two triangles that do not share their diagonal.
   const MeshData cut{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}},
                      {{0, 1, 2}, {3, 4, 5}}};
@@ -126,7 +126,7 @@ TEST(WriteFormats, DrawingsAndFlatMeshes) {
   EXPECT_NE(flat.find("\nvt "), std::string::npos);
 }
 
-TEST(WriteFormats, AGridIsAskedForByANumberOrLeftToUs) {
+TEST(WriteFormats, TheGridHasAGivenOrTheDefaultNumberOfTiles) {
   const Session session = solved(test::icosphere(2).data);
   WriteOptions options;
   options.name = "a.obj";
@@ -142,7 +142,7 @@ TEST(WriteFormats, AGridIsAskedForByANumberOrLeftToUs) {
   EXPECT_EQ(session.write(options).error().code, ErrorCode::kUsage);
 }
 
-TEST(WriteFormats, WithoutAResultThereIsNothing) {
+TEST(WriteFormats, WithoutAResultNothingIsWritten) {
   WriteOptions options;
   options.format = MapFormat::kSvg;
   EXPECT_EQ(Session().write(options).error().code, ErrorCode::kUsage);

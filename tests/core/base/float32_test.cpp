@@ -11,7 +11,7 @@
 namespace hgp {
 namespace {
 
-TEST(Float32, RoundsPairsThatACompilerWouldLikeToLeaveAlone) {
+TEST(Float32, RoundsPairsThatACompilerMightLeaveUnrounded) {
   for (std::size_t n = 1; n < 9; ++n) {
     std::vector<std::array<double, 2>> points(n, {0.1, 0.2});
     for (auto& p : points) p = {roundToFloat(p[0]), roundToFloat(p[1])};

@@ -113,7 +113,7 @@ TEST(PortableMath, LengthsAndQuotientsNeitherOverflowNorVanish) {
 
 #endif
 
-TEST(PortableMath, WhatHasNoValueIsNotANumberAndEndsAreWhereTheyShouldBe) {
+TEST(PortableMath, UndefinedValuesAreNaNAndLimitsAreThoseOfTheStandard) {
   const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
   for (const double x : {nan, inf, -inf}) {
     EXPECT_TRUE(std::isnan(portable::sin(x)) && std::isnan(portable::cos(x)));

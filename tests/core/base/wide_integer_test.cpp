@@ -19,7 +19,7 @@ std::vector<std::uint64_t> sampleNumbers() {
   return out;
 }
 
-TEST(WideInteger, ProductsByHalvesAreThoseOfSchool) {
+TEST(WideInteger, ProductsByHalvesAgreeWithLongMultiplication) {
   EXPECT_EQ(multiplyByHalves(3, 5), (UnsignedProduct{0, 15}));
   EXPECT_EQ(multiplyByHalves(~0ull, ~0ull), (UnsignedProduct{~1ull, 1}));
   EXPECT_EQ(multiplyByHalves(1ull << 63, 6), (UnsignedProduct{3, 0}));
@@ -27,7 +27,7 @@ TEST(WideInteger, ProductsByHalvesAreThoseOfSchool) {
             (UnsignedProduct{0x121fa00ad77d7422u, 0x236d88fe5618cf00u}));
 }
 
-TEST(WideInteger, BothRoadsToAProductAgree) {
+TEST(WideInteger, BothWaysToAProductAgree) {
   const std::vector<std::uint64_t> numbers = sampleNumbers();
   for (const std::uint64_t a : numbers)
     for (const std::uint64_t b : numbers)

@@ -73,7 +73,7 @@ TEST(AngleStructure, HasTheSumsThatAreAsked) {
   }
 }
 
-TEST(AngleStructure, OfAFlatSurfaceIsItsOwn) {
+TEST(AngleStructure, OfAFlatSurfaceHasItsOwnAngles) {
   const Asked on = ask(test::grid(5, 4), {});
   const auto angle = on.angles();
   ASSERT_TRUE(angle);
@@ -81,7 +81,7 @@ TEST(AngleStructure, OfAFlatSurfaceIsItsOwn) {
     EXPECT_NEAR((*angle)[h], on.context.geometry.cornerAngle[h], 1e-6);
 }
 
-TEST(AngleStructure, ThereIsNoneWhereConesLeaveNothingForTheOthers) {
+TEST(AngleStructure, DoesNotExistWhereConesUseUpTheAnglesOfOtherVertices) {
   // Two neighbours of six triangles each, ten in all: 9π fit in, 10π do not.
   const TriMesh mesh = test::jittered(test::icosphere(6), 0.02).mesh();
   VertexId first;
@@ -111,7 +111,7 @@ TEST(AngleStructure, ThereIsNoneWhereConesLeaveNothingForTheOthers) {
   }
 }
 
-TEST(MakeRoom, MovesUnitsUntilThereIsAStructureAndNoMore) {
+TEST(MakeRoom, MovesOnlyAsManyUnitsAsAnAngleStructureNeeds) {
   const TriMesh mesh = test::jittered(test::icosphere(6), 0.02).mesh();
   const auto isRegular = [&](VertexId v) { return mesh.valence(v) == 6; };
   HolonomySpec spec;

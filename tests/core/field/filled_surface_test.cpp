@@ -22,7 +22,7 @@ TEST(FilledSurface, CurvatureSumsToThatOfTheClosedSurface) {
   }
 }
 
-TEST(FilledSurface, LoopsAreOneNodeEachAndInnerVerticesTheirOwn) {
+TEST(FilledSurface, EachLoopAndEachInteriorVertexIsOneNode) {
   for (const test::Shape& shape : test::all()) {
     const TriMesh mesh = shape.mesh();
     const Topology topology = computeTopology(mesh);

@@ -104,7 +104,7 @@ TEST(PlaceCones, MeetsTheCountAndGaussBonnetAndLowersTheEnergy) {
   }
 }
 
-TEST(PlaceCones, ConesWalkToWhereTheyCostLess) {
+TEST(PlaceCones, ConesMoveToWhereTheyCostLess) {
   const TriMesh mesh = test::jittered(test::icosphere(10), 0.02).mesh();
   Placed p(mesh);
   const ConeMetric metric(mesh, p.surface.context(), 4);
@@ -147,7 +147,7 @@ TEST(PlaceCones, ConesThatAreTooCloseInTheirOwnMetricAreMergedOrMoved) {
   EXPECT_LE(metric.cost(end).energy, 1.2 * metric.cost(start).energy);
 }
 
-TEST(PlaceCones, QuadsHaveNoConeThatIsOneCornerOfAQuad) {
+TEST(PlaceCones, ConesForQuadsHaveKOfAtLeastTwo) {
   const TriMesh mesh = test::jittered(test::icosphere(12), 0.02).mesh();
   Placed p(mesh);
   const ConeMetric metric(mesh, p.surface.context(), 4);
@@ -181,7 +181,7 @@ TEST(ConeDistances, AreLengthsInTheConeMetricAtTheSurfacesArea) {
   EXPECT_NEAR(twice.closer(d, 1e9)[0].distance, pairs[0].distance, 1e-9);
 }
 
-TEST(ChooseCones, RoundThingsGetFew) {
+TEST(ChooseCones, RoundShapesGetFewCones) {
   const TriMesh sphere = test::jittered(test::icosphere(12), 0.01).mesh();
   Placed p(sphere);
   const auto balanced = chooseCones(p.surface, {});

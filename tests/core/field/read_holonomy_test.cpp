@@ -74,7 +74,7 @@ TEST(ReadHolonomy, MatchingsGiveBackThePrescriptionWithEitherSign) {
   EXPECT_GT(chiral, 40);
 }
 
-TEST(ReadHolonomy, DirectionsTellTheLiftOfStoredMatchings) {
+TEST(ReadHolonomy, DirectionsDetermineTheLiftOfStoredMatchings) {
   int count = 0;
   forRandomFields(
       [&](const TriMesh& mesh, const FieldContext& context, const PrescribedField& made) {
@@ -187,7 +187,7 @@ TEST(ReadHolonomy, WithoutConesTheSignIsTheOneCloserToTransport) {
   }
 }
 
-TEST(ReadHolonomy, DirectionsTellTheTurningOfLoopsAlsoBesideTheCones) {
+TEST(ReadHolonomy, DirectionsDetermineTheTurningOfLoopsAlsoWithGivenCones) {
   int count = 0;
   forRandomFields(
       [&](const TriMesh& mesh, const FieldContext& context, const PrescribedField& made) {

@@ -114,7 +114,7 @@ TEST(CancelCones, LeavesAPrescriptionThatPassesTheCheckWithTheSameTotal) {
   }
 }
 
-TEST(CancelCones, GoesOnToTheNumberAskedFor) {
+TEST(CancelCones, ContinuesToTheRequestedNumber) {
   const TriMesh mesh = test::icosphere(5).mesh();
   const Result<FieldContext> context = prepareFields(mesh);
   PerVertex<int> defect(static_cast<std::size_t>(mesh.vertexCount()), 0);

@@ -105,7 +105,7 @@ struct Crowded {
   }
 };
 
-TEST(AlignToGrid, WithoutWorkToSpendTheLinearStepIsAllAndTheReasonSaysSo) {
+TEST(AlignToGrid, WithoutABudgetOnlyTheLinearStepRunsAndTheReasonSaysSo) {
   const Crowded crowded;
   const AlignedMap all = crowded.align({}, 1e300), little = crowded.align({}, 0.0);
   ASSERT_FALSE(all.map);
@@ -122,7 +122,7 @@ TEST(AlignToGrid, WithoutWorkToSpendTheLinearStepIsAllAndTheReasonSaysSo) {
   }
 }
 
-TEST(AlignToGrid, GoesOnWhereTheVerifierRefusesAMap) {
+TEST(AlignToGrid, ContinuesWhereTheVerifierRefusesAMap) {
   // A verifier that refuses the first two maps that are handed to it: other densities follow.
   const TriMesh mesh = alignedShapes()[1].mesh();
   const Parametrization plain = *parametrize(mesh, toSpec(*suggestCones(mesh, {})), {});
@@ -161,7 +161,7 @@ TEST(AlignToGrid, GoesOnWhereTheVerifierRefusesAMap) {
   EXPECT_FALSE(none.report.reason.empty());
 }
 
-TEST(AlignToGrid, CancelledWhereverItIsThereIsNoMap) {
+TEST(AlignToGrid, CancelledAtAnyPointGivesNoMap) {
   const Crowded crowded;
   int calls = 0;
   (void)crowded.align([&](const ProgressReport&) { return ++calls > 0; }, 1e300);
@@ -176,7 +176,7 @@ TEST(AlignToGrid, CancelledWhereverItIsThereIsNoMap) {
   }
 }
 
-TEST(AlignToGrid, OrdersWithoutSquaresAreRefusedInWords) {
+TEST(AlignToGrid, OrdersWithoutSquareCellsAreRefusedWithTheReason) {
   const AlignedMap aligned =
       alignToGrid(alignedShapes()[0].mesh(), {}, 3, {}, {100.0}, nullptr, {});
   EXPECT_FALSE(aligned.map);

@@ -22,7 +22,7 @@ Eigen::MatrixXcd formOf(double diagonal, double beside) {
   return out;
 }
 
-TEST(IntegerChoice, TwoUnknownsThatMustStayApartDo) {
+TEST(IntegerChoice, TwoUnknownsThatMustStayApartStayApart) {
   // Both want to be near 0.3; rounded alone they meet.
   const Eigen::MatrixXcd S = formOf(1.0, 0.0);
   const Eigen::VectorXcd y0 = vectorOf(0.1, 0.45);
@@ -132,7 +132,7 @@ TEST(IntegerForm, RoundingMovesWhatIsNotRoundedYetToItsConditionalMinimum) {
   EXPECT_LT(chosen, 0.8 * alone);
 }
 
-TEST(IntegerChoice, ACrowdOfConesIsSpreadTogether) {
+TEST(IntegerChoice, ManyCloseConesAreSpreadTogether) {
   // Seven in a row within a third of a cell, each free to move: neighbours end one apart, in their order, and
   // the middle stays where it is.
   const int k = 7;
@@ -146,7 +146,7 @@ TEST(IntegerChoice, ACrowdOfConesIsSpreadTogether) {
   for (int j = 0; j < k; ++j) EXPECT_EQ(y[static_cast<std::size_t>(j)], (Gaussian{j - 3, 0})) << j;
 }
 
-TEST(IntegerChoice, ThreeConesKeepTheirTurn) {
+TEST(IntegerChoice, ThreeConesKeepTheirOrientation) {
   // A flat triangle whose nearest integers are the wrong way round.
   Separation turn;
   turn.terms = {{0, Complex(1.0)}};

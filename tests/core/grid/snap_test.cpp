@@ -108,7 +108,7 @@ TEST(SeamSnapper, IntegerTranslationsStayWhatTheyAre) {
   EXPECT_EQ(snapped->uv, map.uv);
 }
 
-TEST(SeamSnapper, WhatTheGridTurnsOverIsRepairedWithAllCopies) {
+TEST(SeamSnapper, TrianglesThatRoundingFlipsAreRepairedWithAllCopies) {
   // On a coarse grid several triangles collapse; moving all copies of a vertex repairs them and keeps
   // the seams.
   const Solved s = solve(shapes()[1], 4);

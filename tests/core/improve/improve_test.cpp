@@ -221,7 +221,7 @@ TEST(Improve, LeavesAnIsometryAlone) {
   EXPECT_LE(run.steps.size(), 2u);
 }
 
-TEST(Improve, StopsWhereItIsToldToWithAMapThatIsStillGood) {
+TEST(Improve, WhenCancelledReturnsAMapThatIsStillCertified) {
   const Start& start = starts().back();
   ImproveOptions options;
   options.relativeDecrease = 0.0;

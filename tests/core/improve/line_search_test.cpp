@@ -52,7 +52,7 @@ TEST(LineSearch, StepToDegeneracyIsWhereTheFirstTriangleLosesItsArea) {
   EXPECT_GT(bounded, 200);
 }
 
-TEST(LineSearch, AChangeThatOnlyTurnsAndGrowsIsNotBounded) {
+TEST(LineSearch, GrowthHasNoBoundAndShrinkingEndsAtAPoint) {
   std::mt19937 random(5);
   const FaceParts parts = randomPositive(50, random);
   FaceParts change = parts;

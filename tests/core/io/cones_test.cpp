@@ -16,7 +16,7 @@ bool isRefused(const std::string& name, const std::string& text) {
   return !p && !p.error().message.empty();
 }
 
-TEST(ConesJson, ReadOfWriteIsTheSame) {
+TEST(ConesJson, WrittenConesAreReadBackTheSame) {
   Prescription p;
   p.q = 6;
   p.hasCones = true;

@@ -71,7 +71,7 @@ TEST(Off, ReadsPolygonsCommentsAndColours) {
   EXPECT_EQ((*document)->surfaces()[0].mesh.triangles.size(), 3u);
 }
 
-TEST(Off, IsKnownByContent) { EXPECT_TRUE(openText("noname", kOff).hasValue()); }
+TEST(Off, IsRecognisedByContent) { EXPECT_TRUE(openText("noname", kOff).hasValue()); }
 
 TEST(Ply, ReadsTextAndBothByteOrders) {
   Result<DocumentPtr> little = openText("a.ply", binaryPly(false));

@@ -146,7 +146,7 @@ TEST(GltfDocument, UvForTheVerifierAreNotRounded) {
   EXPECT_EQ(tiny->exactUv(0, 0)->uv[3], (Vec2{0, 0x1.234566p-40}));
 }
 
-TEST(GltfDocument, ConesTravelInTheExtrasOfTheMesh) {
+TEST(GltfDocument, ConesAreStoredInTheExtrasOfTheMesh) {
   WriteOptions options;
   options.cones = R"({"format":"hgp-cones","version":1,"q":6,"cones":[{"vertex":2,"k":5}]})";
   for (const char* extras :
@@ -252,7 +252,7 @@ TEST(GltfDocument, SideFilesComeFromTheResolverAlone) {
   EXPECT_EQ(result->files[1].bytes.size(), 4u * 8u);
 }
 
-TEST(GltfDocument, CaveIsReadWhole) {
+TEST(GltfDocument, CaveIsReadCompletely) {
   std::string text;
   if (!readShared("gltf/cave.glb", text)) GTEST_SKIP() << sharedMeshes() << " is not there";
   FileSet files;

@@ -22,7 +22,7 @@ TEST(GltfUri, NamesBesideTheFileAreFine) {
   }
 }
 
-TEST(GltfUri, WhatLeavesTheFolderIsRefusedAndSaid) {
+TEST(GltfUri, PathsThatLeaveTheFolderAreRefusedWithTheReason) {
   for (const char* uri :
        {"",           "/a",          "//host/a", "../a",  "a/../b", "a/..",   "%2e%2e/a",
         "..%2fa",     "%2fa",        "a%5cb",    "a\\b",  "C:/a",   "c%3a/a", "file:///a",
@@ -61,7 +61,7 @@ Bytes smallGlb(const std::string& json) {
   return glb;
 }
 
-TEST(GltfContainer, BytesBehindTheEndAndHeadersThatSayTooLittleAreNoted) {
+TEST(GltfContainer, BytesAfterTheEndAndHeadersWithTooSmallCountsAreNoted) {
   const Bytes good = smallGlb("{}  ");
   ASSERT_TRUE(openContainer(good)->notes.empty());
   for (const std::size_t behind : {1, 4, 8, 30}) {
@@ -98,7 +98,7 @@ TEST(GltfContainer, ChunksWithoutPaddingAreTakenWhereTheNextFollows) {
   EXPECT_EQ(read->notes.size(), 1u);
 }
 
-TEST(GltfContainer, EveryCutOfAGlbIsRefused) {
+TEST(GltfContainer, EveryTruncatedGlbIsRefused) {
   Bytes glb = {'g', 'l', 'T', 'F', 2, 0, 0, 0, 36, 0, 0, 0};
   for (int b : std::initializer_list<int>{4, 0, 0, 0, 'J', 'S', 'O', 'N', '{', '}', ' ', ' '}) {
     glb.push_back(static_cast<std::uint8_t>(b));

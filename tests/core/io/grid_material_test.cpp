@@ -32,7 +32,7 @@ TEST(GridMaterial, AnObjGetsALibraryAndEveryOtherLineStays) {
   EXPECT_EQ(plainText((*made)[2].bytes).substr(1, 3), "PNG");
 }
 
-TEST(GridMaterial, AGltfGetsItWhereTheSetIsAndKeepsItsNumbers) {
+TEST(GridMaterial, AGltfGetsItOnPrimitivesWithTheUvSetAndKeepsItsNumbers) {
   const std::string text =
       R"({"asset":{"version":"2.0","x":1.50,"id":9007199254740993},"extensionsUsed":["A"],)"
       R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]},{"primitives":[)"
@@ -54,7 +54,7 @@ TEST(GridMaterial, AGltfGetsItWhereTheSetIsAndKeepsItsNumbers) {
   EXPECT_EQ(json["images"][0]["uri"].get<std::string>().substr(0, 22), "data:image/png;base64,");
 }
 
-TEST(GridMaterial, WhereThereCanBeNoneThatIsSaid) {
+TEST(GridMaterial, ReportsWhereNoneIsPossible) {
   EXPECT_EQ(withGridMaterial(one("a.ply", "ply"), "ply", {}).error().code, ErrorCode::kUnsupported);
   EXPECT_EQ(withGridMaterial(one("a.gltf", R"({"meshes":[]})"), "gltf", {}).error().code,
             ErrorCode::kUsage);

@@ -222,7 +222,7 @@ TEST(LenientVertices, PositionsThatAreNotFiniteStayWhereNoFaceUsesThem) {
   }
 }
 
-TEST(LenientVertices, OfAFaceTheyAreRefusedByNameAndLine) {
+TEST(LenientVertices, UsedByAFaceTheyAreRefusedByNameAndLine) {
   const std::string head = kPlyVertices.substr(0, kPlyVertices.find('4')) + "5" +
                            kPlyVertices.substr(kPlyVertices.find('4') + 1);
   const std::tuple<const char*, std::string, const char*> files[] = {

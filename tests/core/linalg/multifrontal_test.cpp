@@ -83,7 +83,7 @@ TEST(MultifrontalCholesky, RefusesSingularAndIndefiniteMatricesAndRecovers) {
   EXPECT_FALSE(cholesky.factor(laplacian<double>(graph, 0.0)).ok);  // constants are its kernel
 }
 
-TEST(MultifrontalCholesky, NamesAnUnknownNothingHolds) {
+TEST(MultifrontalCholesky, NamesAnUnconstrainedUnknown) {
   Eigen::SparseMatrix<double> A(3, 3);
   A.insert(0, 0) = 1.0;
   A.insert(2, 2) = 1.0;

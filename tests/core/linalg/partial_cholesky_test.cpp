@@ -126,7 +126,7 @@ TEST(PartialCholesky, WorksWithNothingOrEverythingTouched) {
   for (const int depth : {0, 2, 100}) expectSameMinimiser(all, expected, {.delayDepth = depth});
 }
 
-TEST(PartialCholesky, TouchedUnknownsMayBeSingularUntilTheirBlocksCome) {
+TEST(PartialCholesky, TouchedUnknownsMayBeSingularUntilTheirBlocksAreAdded) {
   // A Laplacian without boundary conditions: constants are its kernel; only one block pins them.
   const auto H = laplacian<double>(triangulatedGrid(12, 12), 0.0).cast<Complex>().eval();
   const Problem p = randomProblem(H, 4, 3, 0);
@@ -152,7 +152,7 @@ TEST(PartialCholesky, RefactorsForNewNumbers) {
   EXPECT_LE((partial.solve(rhs) - before).norm(), 1e-12 * before.norm());
 }
 
-TEST(PartialCholesky, NamesAStaticUnknownThatNothingHolds) {
+TEST(PartialCholesky, NamesAnUnconstrainedStaticUnknown) {
   ComplexSparse H(5, 5);
   for (const int v : {0, 1, 2, 4}) H.insert(v, v) = 1.0;
   PartialCholesky partial;

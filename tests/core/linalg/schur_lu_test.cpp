@@ -75,7 +75,7 @@ TEST(SchurLu, AgreesWithDenseAlgebra) {
   EXPECT_LT((lu.schur() * block - Eigen::MatrixXcd::Identity(4, 4)).norm(), 1e-10);
 }
 
-TEST(SchurLu, NamesARowThatHoldsNothing) {
+TEST(SchurLu, NamesAnEmptyRow) {
   ComplexSparse A(4, 4);
   A.insert(0, 0) = 1.0;
   A.insert(1, 1) = 1.0;
@@ -87,7 +87,7 @@ TEST(SchurLu, NamesARowThatHoldsNothing) {
   EXPECT_TRUE(lu.build(A, {2}, nestedDissection(graphOf(A))).ok);
 }
 
-TEST(SchurLu, EstimateCountsWhatIsDone) {
+TEST(SchurLu, EstimateGrowsWithTheTouchedUnknowns) {
   const Graph graph = triangulatedGrid(40, 40);
   const SeparatorTree tree = nestedDissection(graph);
   const FactorCost few = SchurLu::estimate(graph, everyKth(1600, 400), tree);

@@ -27,7 +27,7 @@ VertexId regularPair(const TriMesh& mesh) {
   return {};
 }
 
-TEST(AngleShortage, OfTwoNeighboursIsTheirTenTriangles) {
+TEST(AngleShortage, OfTwoNeighboursNamesTheirTenTriangles) {
   const TriMesh mesh = test::disk(8).mesh();  // whose boundary gives what is missing
   const VertexId a = regularPair(mesh), b = mesh.head(mesh.outgoing(a));
   PerVertex<int> k = regular(mesh, 4);
@@ -43,7 +43,7 @@ TEST(AngleShortage, OfTwoNeighboursIsTheirTenTriangles) {
   EXPECT_NEAR(found->asked, 10.0 * kPi, 1e-9);
 }
 
-TEST(AngleShortage, IsAProof) {
+TEST(AngleShortage, NamedVerticesAskForAtLeastTheAnglesOfTheirTriangles) {
   // Σ_W Θ ≥ π |T| for what is found, whatever was asked.
   const TriMesh mesh = test::disk(8).mesh();
   std::mt19937 random(7);

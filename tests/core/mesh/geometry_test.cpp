@@ -49,7 +49,7 @@ TEST(Geometry, TransportAroundAVertexIsItsCurvature) {
   }
 }
 
-TEST(Geometry, TransportThereAndBackIsNothing) {
+TEST(Geometry, TransportThereAndBackIsZero) {
   const TriMesh mesh = test::jittered(test::torus(12, 7), 0.05).mesh();
   const Geometry g = computeGeometry(mesh);
   for (HalfedgeId h : mesh.halfedges())

@@ -53,7 +53,7 @@ bool contains(const std::string& text, const std::string& part) {
 
 std::vector<int> times(int n, int k) { return std::vector<int>(static_cast<std::size_t>(n), k); }
 
-TEST(HolonomySpec, GaussBonnetSaysWhatIsMissingAndHowToSpendIt) {
+TEST(HolonomySpec, GaussBonnetReportsTheDifferenceAndHowToBalanceIt) {
   const Surface sphere = surfaceOf(test::icosphere(4));
   EXPECT_EQ(refusal(sphere, specOf(sphere, 4, times(8, 3))), "");
   EXPECT_EQ(refusal(sphere, specOf(sphere, 4, times(7, 3))),
@@ -254,7 +254,7 @@ TEST(HolonomySpec, WarnsOfEmptyStrataOfGenusTwo) {
   EXPECT_TRUE(known(spec));
 }
 
-TEST(HolonomySpec, WarnsOfPoorVertices) {
+TEST(HolonomySpec, WarnsOfVerticesWithTooFewTriangles) {
   const Surface s = surfaceOf(test::disk(4));
   ASSERT_EQ(s.mesh.valence(s.interior[0]), 6);
   // 2π·7/4 over six triangles is 1.83 rad each, 2π·8/4 is 2.09.

@@ -76,7 +76,7 @@ TEST(SplitEdges, EveryCornerIsTheMeanOfTwoCornersOfItsOrigin) {
   for (int count : {1, 2, 3, 4}) EXPECT_GT(kinds[count], 0) << "no triangle divided in " << count;
 }
 
-TEST(SplitEdges, LeavesAloneWhatIsNoEdgeOfATriangle) {
+TEST(SplitEdges, IgnoresPairsThatAreNoEdgeOfATriangle) {
   MeshData data = test::tetrahedron().data;
   data.positions.push_back({5, 5, 5});
   data.triangles.push_back({0, 0, 4});

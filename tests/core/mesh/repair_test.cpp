@@ -50,7 +50,7 @@ TEST(Repair, LeavesGoodMeshesAlone) {
   }
 }
 
-TEST(Repair, NothingIsDoneUnasked) {
+TEST(Repair, NothingIsRepairedUnlessRequested) {
   MeshData data = test::grid(1, 1).data;
   std::swap(data.triangles[1][0], data.triangles[1][1]);
   EXPECT_EQ(fixDefects(data, {}).mesh.triangles, data.triangles);
@@ -129,7 +129,7 @@ TEST(Repair, SplitsTwoFansAtAVertex) {
   EXPECT_EQ(r.vertexOrigin[5], 0);
 }
 
-TEST(Repair, TwoCubesTouchingAlongAnEdgeComeApart) {
+TEST(Repair, TwoCubesTouchingAlongAnEdgeAreSeparated) {
   MeshData data = test::cube(2).data;
   const MeshData other = data;
   // The second cube is moved by (1, 1, 0) and glued where it meets the first.
@@ -307,7 +307,7 @@ TEST(Repair, KeepsOneOfEveryPairOfFacesInADoubleSidedSheet) {
   EXPECT_EQ(computeTopology(test::meshOf(r.mesh)).loops.size(), 1u);
 }
 
-TEST(Repair, AFinFoldedBackOnItselfComesOffAsOneSheet) {
+TEST(Repair, AFinFoldedBackOnItselfIsSeparatedAsOneSheet) {
   MeshData data = test::icosphere(3).data;
   const auto t = data.triangles[5];
   data.positions.push_back({3, 3, 3});
@@ -324,7 +324,7 @@ TEST(Repair, AFinFoldedBackOnItselfComesOffAsOneSheet) {
   EXPECT_EQ(topology.loops.size(), 1u);
 }
 
-TEST(Repair, AQuantizedScanComesThroughWatertight) {
+TEST(Repair, AQuantizedScanStaysWatertight) {
   // Coordinates rounded to a coarse grid, as a file with few bits has them: hundreds of faces lose
   // their area, alone and in clusters.
   for (const test::Shape& shape :

@@ -157,7 +157,7 @@ TEST(Program, NoFeasibleNeighbourOfTheExactFormIsBetter) {
   }
 }
 
-TEST(Program, FramesThatPullNeedNoIteration) {
+TEST(Program, SoftFrameConstraintsNeedNoIteration) {
   for (const test::SeamlessProblem& p : easyProblems()) {
     const std::vector<FaceId> faces = p.frames().faces;
     for (const bool isExact : {false, true}) {
@@ -402,7 +402,7 @@ TEST(Program, CancelIsReported) {
   EXPECT_EQ(p.solve(p.frames(), options).status, SolveStatus::kCancelled);
 }
 
-TEST(Program, TheTieBreakLeavesNoTraceWhereAnExactlyHarmonicMapExists) {
+TEST(Program, TheDistortionTermHasNoEffectWhereAnExactlyHarmonicMapExists) {
   for (const test::SeamlessProblem& p :
        {test::sphereProblem(3, 4, {2, 2, 2, 2}), test::sphereProblem(3, 2, {1, 1, 1, 1})}) {
     ProgramOptions options = p.weightedOptions();

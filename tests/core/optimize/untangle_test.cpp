@@ -53,7 +53,7 @@ TEST(FoldBarrier, SlopesAreThoseOfTheValueAndModelsAreConvex) {
       }
 }
 
-TEST(Untangle, UnfoldsACertifiedMapThatWasShaken) {
+TEST(Untangle, UnfoldsACertifiedMapThatWasPerturbed) {
   const test::SeamlessProblem p = test::sphereProblem(6, 4, std::vector<int>(8, 3));
   const ProgramResult solved = p.solve(p.frames(), p.weightedOptions());
   ASSERT_TRUE(p.certify(solved.z).isCertified);
@@ -78,7 +78,7 @@ TEST(Untangle, UnfoldsACertifiedMapThatWasShaken) {
   EXPECT_TRUE(p.certify({unfolded.data(), unfolded.data() + unfolded.size()}).isCertified);
 }
 
-TEST(Untangle, StopsWhenItIsToldTo) {
+TEST(Untangle, StopsWhenCancelled) {
   const test::SeamlessProblem p = test::sphereProblem(4, 4, std::vector<int>(8, 3));
   UntangleOptions options;
   options.u = p.surface.field.u;

@@ -91,7 +91,7 @@ TEST(Problem, HasSoftConstraintsOfARingMoreWhereTheDenseSystemStaysSmall) {
   EXPECT_EQ(large.problem->soft, growFaces(*large.mesh, large.problem->base, 1));
 }
 
-TEST(Problem, OfANamedMethodHasItsWeightingAlone) {
+TEST(Problem, OfANamedMethodHasOneWeighting) {
   for (const Method method :
        {Method::kHarmonic, Method::kSoft, Method::kPrinted, Method::kAllFrames}) {
     const Posed on = sphere(8, std::vector<int>(8, 3), method);
@@ -160,7 +160,7 @@ double farthestFromFrames(const Posed& on, const SeamRotations& seams, const Att
   return farthest;
 }
 
-TEST(ShapeFrames, OfARightMapAreItsOwnDirections) {
+TEST(ShapeFrames, OfACorrectMapAreItsOwnDirections) {
   const Posed on = sphere(8);
   Attempts attempts(*on.problem, on.options);
   const AttemptPtr map = attempts.make(on.hardState(), 1);
@@ -189,7 +189,7 @@ Posed strongPair(int at) {
   return on;
 }
 
-TEST(FrameByAngles, ContradictNothingWhereTheConnectionsDo) {
+TEST(FrameByAngles, IsFeasibleWhereTheConnectionsFramesContradictEachOther) {
   int contradictions = 0;
   for (int at = 16; at < 40; at += 3) {
     const Posed on = strongPair(at);
@@ -243,7 +243,7 @@ TEST(FrameByMap, GivesAMapWithoutFlipsTheConesThatAreAsked) {
   EXPECT_TRUE(right->certificate.isCertified);
 }
 
-TEST(FrameByMap, GoesOnWhileItHelpsAndOnlyWithoutFlips) {
+TEST(FrameByMap, ContinuesWhileItHelpsAndOnlyWithoutFlips) {
   const Swapped swapped;
   const Posed& on = swapped.on;
   Attempts attempts(*on.problem, on.options);
@@ -384,7 +384,7 @@ TEST(NextWeighting, StartsFromFcbAndEndsWithTheLast) {
   EXPECT_EQ(count, on.problem->weightings.size());
 }
 
-TEST(NextWeighting, KeepsTheScaleOfTheLastMapThatWasOne) {
+TEST(NextWeighting, KeepsTheScaleOfTheLastFeasibleMap) {
   const Posed on = sphere(8);
   const AttemptPtr good = attemptWith(on, 2, 1.0);
   const auto second = nextWeighting(*on.problem, firstState(*on.problem), good);
@@ -409,7 +409,7 @@ TEST(IterateFrames, TakesFramesAndWeightsOfTheMap) {
   EXPECT_FALSE(iterateFrames(*own.problem, firstState(*own.problem), first));
 }
 
-TEST(Hash, TellsStatesApartThatPoseOtherPrograms) {
+TEST(Hash, DistinguishesStatesThatPoseDifferentPrograms) {
   const Posed on = sphere(8);
   const State hard = on.hardState();
   State angles = hard, other = hard, remembered = hard;

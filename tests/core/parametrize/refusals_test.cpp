@@ -56,7 +56,7 @@ TEST(Refusals, ConvexBoundaryNeedsADisk) {
   }
 }
 
-TEST(Refusals, NoRoundsIsACallThatContradictsItself) {
+TEST(Refusals, ZeroRoundsAreAUsageError) {
   ParametrizeOptions options;
   options.maxRounds = 0;
   const Result<Parametrization> p = parametrize(test::disk(3).mesh(), {}, options);

@@ -197,7 +197,7 @@ TEST(Quads, MoreThanMemoryHoldsAreRefused) {
   EXPECT_FALSE(extractQuads(mesh, test::flatTorusMap(6, 5), 4, 10));
 }
 
-TEST(Quads, WhatIsNoGridIsRefused) {
+TEST(Quads, MapsThatAreNotAlignedAreRefused) {
   const TriMesh mesh = test::torus(6, 5).mesh();
   UvMap map = test::flatTorusMap(6, 5);
   EXPECT_TRUE(extractQuads(mesh, map, 4));

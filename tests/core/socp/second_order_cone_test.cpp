@@ -89,7 +89,7 @@ TEST(StepLength, EndsAtTheBoundaryOrAtOne) {
   EXPECT_GT(full, 200);
 }
 
-TEST(StepLength, AlongTheConeIsNotCutShort) {
+TEST(StepLength, IsOneForDirectionsInsideTheCone) {
   EXPECT_EQ(stepLength({1, 0, 0}, {1, 0, 0}), 1.0);
   EXPECT_EQ(stepLength({1, 0, 0}, {1, 1, 0}), 1.0);
   EXPECT_EQ(stepLength({1, 0, 0}, {0, 0, 0}), 1.0);

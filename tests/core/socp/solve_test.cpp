@@ -66,7 +66,7 @@ TEST(ConeProgram, WithoutConstraintsIsOneLinearSolve) {
   EXPECT_NEAR(solved.x[1], 4.0, 1e-12);
 }
 
-TEST(ConeProgram, AMinimiserThatNothingBindsIsExact) {
+TEST(ConeProgram, AMinimiserWithoutActiveConstraintsIsExact) {
   const Eigen::MatrixXd disk = rows({0, 0, 1, 0, 0, 1});
   const test::Solved inside = test::solveProgram(projection({1, 0.5}, {disk}, {{-2, 0, 0}}));
   EXPECT_EQ(inside.solution.status, SolveStatus::kOptimal);
@@ -111,7 +111,7 @@ TEST(ConeProgram, OptimumFulfilsTheKktConditions) {
   }
 }
 
-TEST(ConeProgram, ProgressIsToldEveryIterationAndMayCancel) {
+TEST(ConeProgram, ProgressIsReportedEveryIterationAndMayCancel) {
   const test::RandomProgram p = test::randomProgram(5);
   int calls = 0;
   socp::SolveOptions options;
@@ -133,7 +133,7 @@ TEST(ConeProgram, StopsAtItsIterationLimitWithTheBestPoint) {
   EXPECT_TRUE(solved.x.allFinite());
 }
 
-TEST(ConeProgram, SurvivesNumbersThatAreNone) {
+TEST(ConeProgram, HandlesNumbersThatAreNotFinite) {
   test::RandomProgram p = test::randomProgram(9);
   p.h[0][0] = std::nan("");
   const test::Solved solved = test::solveProgram(p);

@@ -122,7 +122,7 @@ TEST(ReducedUnknowns, ComposedTranslationsVanishAroundNonConeNodes) {
   EXPECT_GT(nodes, 30);
 }
 
-TEST(ReducedUnknowns, ConesAreDeterminedUnlessTheirTurnIsWhole) {
+TEST(ReducedUnknowns, ConesAreDeterminedUnlessKIsAMultipleOfQ) {
   int whole = 0, determined = 0;
   for (const auto& [s, unknowns] : reducedSurfaces()) {
     for (VertexId v : s->cones) {

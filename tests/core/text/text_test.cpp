@@ -52,7 +52,7 @@ TEST(ReadDouble, RoundsOnceWhateverWasCutOff) {
   }
 }
 
-TEST(ReadDouble, TakesEverySpelling) {
+TEST(ReadDouble, AcceptsEverySpelling) {
   EXPECT_TRUE(readsAs("1", 1));
   EXPECT_TRUE(readsAs("+1.5", 1.5));
   EXPECT_TRUE(readsAs(".5", 0.5));

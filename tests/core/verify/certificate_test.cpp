@@ -90,7 +90,7 @@ TEST(Certificate, PassesAnUnfoldedCube) {
   }
 }
 
-TEST(Certificate, OneVerifierRemembersNothingOfTheMapsBefore) {
+TEST(Certificate, AVerifierKeepsNoStateBetweenMaps) {
   const TriMesh mesh = test::cube(2).mesh();
   CertifyOptions any;
   any.isAnyConeAllowed = true;
@@ -820,7 +820,7 @@ TEST(Certificate, MalformedMapsAreAFactNotACrash) {
   EXPECT_FALSE(certify(mesh, regular(4), UvMap{}).isCertified);
 }
 
-TEST(Certificate, PrescriptionsThatDoNotFitAreReasons) {
+TEST(Certificate, PrescriptionsThatDoNotFitAreNamedAsReasons) {
   const TriMesh mesh = test::disk(2).mesh();
   const UvMap map = planarMap(mesh);
   HolonomySpec spec = regular(0);

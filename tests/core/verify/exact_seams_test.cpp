@@ -30,7 +30,7 @@ TEST(ExactSeams, DevelopedCubesAreExactAndTheirTranslationsIntegers) {
   EXPECT_TRUE(facts.inexact.empty());
 }
 
-TEST(ExactSeams, OneUlpIsSeenThatTolerancesAccept) {
+TEST(ExactSeams, DetectsOneUlpThatTolerancesAccept) {
   const TriMesh mesh = test::torus(5, 4).mesh();
   UvMap map = test::flatTorusMap(5, 4);
   const ExactSeamFacts before = factsOf(mesh, map, 4);
@@ -43,7 +43,7 @@ TEST(ExactSeams, OneUlpIsSeenThatTolerancesAccept) {
   EXPECT_EQ(after.exact + static_cast<int>(after.inexact.size()), before.exact);
 }
 
-TEST(ExactSeams, ExactAndIntegerAreTwoThings) {
+TEST(ExactSeams, ExactSeamsNeedNotHaveIntegerTranslations) {
   const TriMesh mesh = test::torus(3, 3).mesh();
   UvMap map = test::flatTorusMap(3, 3);
   for (Vec2& p : map.uv) p = {p[0] * 0x1p-40, p[1] * 0x1p-40};

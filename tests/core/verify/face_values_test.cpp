@@ -62,7 +62,7 @@ TEST(FaceValues, AreThoseOfAKnownMap) {
   EXPECT_NEAR(values.uvArea, 2 * values.surfaceArea, 1e-12);
 }
 
-TEST(FaceValues, TrianglesWithoutAreaAreNoTrouble) {
+TEST(FaceValues, HandleTrianglesWithoutArea) {
   const MeshData mesh{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 1, 3}}};
   const UvMap map{{{0, 0}, {1, 0}, {0, 1}, {0, 0}}, {{0, 1, 2}, {0, 1, 3}}};
   const FaceValues values = measureFaces(mesh, map);
@@ -72,7 +72,7 @@ TEST(FaceValues, TrianglesWithoutAreaAreNoTrouble) {
   EXPECT_EQ(values.notPositive, std::vector<int>{1});
 }
 
-TEST(OverlapPairs, CountWhatSharesAreaAndNoCorner) {
+TEST(OverlapPairs, CountPairsThatShareAreaButNoCorner) {
   EXPECT_EQ(findOverlapPairs(squares({{0, 0}})).pairs, 0);
   EXPECT_EQ(findOverlapPairs(squares({{0, 0}, {1, 0}, {0, 1}, {1, 1}})).pairs, 0);  // they touch
   const OverlapPairs two = findOverlapPairs(squares({{0, 0}, {0.5, 0.25}}));
@@ -86,7 +86,7 @@ TEST(OverlapPairs, CountWhatSharesAreaAndNoCorner) {
   EXPECT_TRUE(stopped.isMore);
 }
 
-TEST(OverlapPairs, AreAllThatComparingEveryTwoFinds) {
+TEST(OverlapPairs, AgreeWithComparingAllPairs) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> at(0, 10), size(-1, 1);
   std::vector<std::array<Vec2, 3>> triangles;

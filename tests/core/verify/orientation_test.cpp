@@ -135,7 +135,7 @@ TEST(Orientation, IsAntisymmetricAndCyclicForAnyDoubles) {
   }
 }
 
-TEST(Orientation, SeesTheSmallestTriangleThatDoublesCanHold) {
+TEST(Orientation, DetectsTheSmallestTriangleThatDoublesCanHold) {
   const double d = DBL_TRUE_MIN;
   EXPECT_EQ(orientationSign({0, 0}, {d, 0}, {0, d}), 1);
   EXPECT_EQ(orientationSign({0, 0}, {0, d}, {d, 0}), -1);
@@ -143,7 +143,7 @@ TEST(Orientation, SeesTheSmallestTriangleThatDoublesCanHold) {
   EXPECT_EQ(orientationSign({1, 1}, {1, 1 + DBL_EPSILON}, {1 - DBL_EPSILON / 2, 1}), 1);
 }
 
-TEST(Orientation, SurvivesTheLargest) {
+TEST(Orientation, HandlesTheLargestDoubles) {
   const double m = DBL_MAX;
   EXPECT_EQ(orientationSign({-m, -m}, {m, -m}, {m, m}), 1);
   EXPECT_EQ(orientationSign({-m, -m}, {m, m}, {m, -m}), -1);

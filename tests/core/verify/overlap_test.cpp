@@ -63,7 +63,7 @@ TEST(Overlap, DoesNotDependOnScalePlaceOrOrientation) {
   }
 }
 
-TEST(Overlap, SurvivesMapsThatAreNone) {
+TEST(Overlap, HandlesMalformedMaps) {
   EXPECT_EQ(measureOverlap({}).layers, 0);
   UvMap map = sheet(2);
   map.uv[4] = {std::numeric_limits<double>::quiet_NaN(), 0};

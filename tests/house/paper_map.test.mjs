@@ -65,9 +65,15 @@ test('decisions are numbered without gaps', () => {
   );
 });
 
-test('decisions have a number, a title and a status', () => {
+test('decisions follow the template: number, title, status, context, decision', () => {
+  const parts = [
+    /^# \d{3} · \S/,
+    /^\*\*Status:\*\* /m,
+    /^\*\*Context\.\*\* /m,
+    /^\*\*Decision\.\*\*/m,
+  ];
   const wrong = filesOf('docs/decisions', '.md')
     .filter((file) => !file.endsWith('README.md'))
-    .filter((file) => !/^# \d{3} [·—] \S/.test(textOf(file)) || !/^\*\*Status/m.test(textOf(file)));
+    .filter((file) => !parts.every((part) => part.test(textOf(file))));
   assert.deepEqual(wrong, []);
 });

@@ -1,5 +1,5 @@
-// hgp::parametrize(V, F) with Eigen matrices.  Role: one call that does everything the command line does (repairs,
-// components, cones, certificate), without files.
+// hgp::parametrize(V, F) with Eigen matrices.  Role: does in one call, without files, what the command line does
+// (repairs, components, cones, certificate).
 #pragma once
 
 #include <Eigen/Core>

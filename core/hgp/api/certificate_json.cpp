@@ -9,7 +9,7 @@
 namespace hgp::api {
 namespace {
 
-// More entries than this help nobody; the counts are complete.
+// Lists are cut off here, since longer ones are of no use; counts are always complete.
 constexpr std::size_t kMaxListed = 10'000;
 
 const char* precisionName(Precision precision) {
@@ -19,7 +19,7 @@ const char* precisionName(Precision precision) {
 /// JSON has no infinity.
 double finite(double x) { return std::min(x, std::numeric_limits<double>::max()); }
 
-/// Of the edge's own length.
+/// The tolerance of a seam edge: a fraction of its own length.
 double allowed(const MeasuredSeam& seam) {
   return seam.length > 0 ? seam.allowed / seam.length : 0;
 }
@@ -187,7 +187,7 @@ class ComponentJson {
   const Certificate& c_;
 };
 
-/// The numbers a person looks at first, over all components.
+/// The most important numbers, over all components.
 void addSummary(Json& json, const std::vector<Certificate>& certificates) {
   int triangles = 0, flipped = 0;
   std::size_t wrongAngles = 0, broken = 0, seams = 0;

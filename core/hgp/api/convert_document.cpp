@@ -17,7 +17,7 @@ Result<ConvertedDocument> convertDocument(const io::Document& before, const io::
   if (!after) return after.error();
   out.document = std::move(*after);
   const bool isPacked = std::string_view(before.format()) == "gltf" && options.target == "glb";
-  if (isPacked) return out;  // the same meshes
+  if (isPacked) return out;  // only the container has changed; the meshes are the same
   const std::vector<io::Surface>&from = before.surfaces(), &to = out.document->surfaces();
   const bool isOne = from.size() == 1 && to.size() == 1;
   out.hasOwnVertexIds = isOne && from[0].mesh.positions.size() == to[0].mesh.positions.size();

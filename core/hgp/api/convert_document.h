@@ -1,4 +1,4 @@
-// Documents that no reader made: of another format than the file's, and of arrays.  Role: a part of
+// Documents that are not read directly from a file: conversions to another format, and arrays.  Role: a part of
 // loading.
 #pragma once
 
@@ -9,15 +9,15 @@ namespace hgp::api {
 struct ConvertedDocument {
   io::DocumentPtr document;
   std::vector<std::string> notes;
-  /// Whether ids of vertices and of triangles are those of the file that was read.
+  /// Whether vertex ids and triangle ids are those of the file that was read.
   bool hasOwnVertexIds = true, hasOwnFaceIds = true;
 };
 
-/// What io::convertFiles makes of it for options.target. @pre io::canConvert
+/// The document converted to options.target by io::convertFiles. @pre io::canConvert
 Result<ConvertedDocument> convertDocument(const io::Document& before, const io::FileSet& files,
                                           const LoadOptions& options);
 
-/// A document of triangles that come from no file. Fails with kMalformed for an index that names no vertex.
+/// A document of the given arrays. Fails with kMalformed for an index that is not a vertex.
 Result<io::DocumentPtr> documentOfArrays(MeshData arrays);
 
 }  // namespace hgp::api

@@ -5,7 +5,7 @@
 namespace hgp::api {
 namespace {
 
-/// The component's vertex as the surface names it.
+/// Converts vertex ids of a component to those of the surface.
 class Names {
  public:
   /// @param copies  per vertex of the surface, how many vertices repairs made of it
@@ -24,7 +24,7 @@ class Names {
   const std::vector<int>& copies_;
 };
 
-/// A vertex that tells which loop is meant, or −1.
+/// A vertex (surface id) that identifies the loop, or −1.
 int anchorOf(const ModelComponent& component, const BoundaryLoop& loop, const Names& names) {
   for (HalfedgeId h : loop.halfedges) {
     const VertexId v = component.mesh.tail(h);

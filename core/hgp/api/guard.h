@@ -1,5 +1,5 @@
-// Where exceptions end.  Role: HGP_CHECK, failed allocations and the libraries' own exceptions become
-// a Failure here and nowhere else.
+// Catches exceptions at the API boundary.  Role: the only place where HGP_CHECK, failed allocations and the
+// libraries' own exceptions become a Failure.
 #pragma once
 
 #include <exception>
@@ -11,7 +11,7 @@
 
 namespace hgp::api {
 
-/// The Failure that the exception being handled stands for.
+/// The Failure that corresponds to the exception being handled.
 inline Failure caughtFailure() {
   try {
     throw;
@@ -28,7 +28,7 @@ inline Failure caughtFailure() {
   }
 }
 
-/// Runs `work`, which returns a Result, and turns exceptions into its Failure.
+/// Runs `work`, which returns a Result, and converts exceptions to a Failure.
 template <class Work>
 auto guarded(Work work) -> decltype(work()) {
   try {

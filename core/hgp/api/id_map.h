@@ -11,19 +11,19 @@
 
 namespace hgp::api {
 
-/// As the file counts them: `Model::source()`. Corner 3f + k is corner k of triangle f.
+/// Ids of the surface as in the file, `Model::source()`. Corner 3f + k is corner k of triangle f.
 using SurfaceVertexId = Id<struct SurfaceVertexTag>;
 using SurfaceFaceId = Id<struct SurfaceFaceTag>;
 using SurfaceCornerId = Id<struct SurfaceCornerTag>;
-/// A boundary loop of all components together, in the order of `Model::topology`.
+/// A boundary loop, numbered over all components in the order of `Model::topology`.
 using SurfaceLoopId = Id<struct SurfaceLoopTag>;
 
-/// Of `Model::mesh`. Those of a component are VertexId, FaceId, HalfedgeId and LoopId.
+/// Ids of `Model::mesh`. The ids of a component are VertexId, FaceId, HalfedgeId and LoopId.
 using MeshVertexId = Id<struct MeshVertexTag>;
 using MeshFaceId = Id<struct MeshFaceTag>;
 using MeshCornerId = Id<struct MeshCornerTag>;
 
-/// Maps every id of one level to an id of another, or to none; none is mapped to none.
+/// Maps every id of one level to an id of another level or to none, and none to none.
 template <class From, class To>
 class IdMap {
  public:

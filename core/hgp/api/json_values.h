@@ -1,4 +1,4 @@
-// JSON of the small values that every document uses.  Role: private to the sources of api.
+// The small values that all JSON documents contain.  Role: private to the sources of api.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -52,7 +52,7 @@ inline Json optionalNumber(const std::optional<int>& number) {
   return number ? Json(*number) : Json();
 }
 
-/// Names from files may be any bytes: what is no UTF-8 is replaced.
+/// The text of a document. Names from files may have any bytes: those that are not UTF-8 are replaced.
 inline std::string textOf(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -44,7 +44,7 @@ Status chooseSurface(Model& model, int wanted) {
   return Done{};
 }
 
-/// A component in scattered order gets numbers of its own.
+/// Renumbers a component whose triangles are in scattered order, for better locality.
 void bringNeighboursTogether(ModelComponent& component) {
   if (!isScattered(component.mesh)) return;
   Numbering numbering = nearbyNumbering(component.mesh);
@@ -55,7 +55,7 @@ void bringNeighboursTogether(ModelComponent& component) {
   component.meshFace = IdMap<FaceId, FaceId>(std::move(numbering.faces)).then(component.meshFace);
 }
 
-/// The ways of a component to the surface: corners keep their order within a face.
+/// Sets the maps from ids of a component to those of the surface; corners keep their order within a face.
 void findSurfaceIds(const Model& model, ModelComponent& component) {
   component.vertex = component.meshVertex.then(model.vertexOrigin);
   component.face = component.meshFace.then(model.faceOrigin);
@@ -95,8 +95,8 @@ Status splitIntoComponents(Model& model) {
   int generators = 0;
   std::vector<Component> components = splitComponents(model.mesh, whole, model.topology);
   for (std::size_t c = 0; c < components.size(); ++c) {
-    // Verified again: alone it may be too small to compute with. Triangles without area were allowed, or
-    // have been refused.
+    // Checked again, because a component alone may be too small to compute with. Triangles without area are
+    // accepted here: if they are not allowed, the whole mesh was refused before.
     Result<TriMesh> mesh = buildTriMesh(components[c].mesh, true);
     if (!mesh) return mesh.error();
     ModelComponent part;
@@ -122,7 +122,7 @@ void noteNotFinite(Model& model) {
                  isOne ? "has" : "have", isOne ? "" : "first: ", found.front()));
 }
 
-/// Cones inside a file are an offer: where they cannot be read, the rest of the file still can.
+/// Reads the cones stored in the file. They are optional: if they are invalid, a note says so.
 void takeEmbeddedCones(Model& model, const io::Document& document, int surface) {
   Result<std::optional<io::Prescription>> cones = document.embeddedCones(surface);
   if (cones) {
@@ -132,8 +132,8 @@ void takeEmbeddedCones(Model& model, const io::Document& document, int surface) 
   }
 }
 
-/// The repaired file instead of the file. What repairs find to do on it (in glTF, where copies at one
-/// place are read as one vertex) has been said.
+/// Replaces the document by the repaired file. The notes on its own repairs are dropped: in glTF, where copies at
+/// equal positions are welded again, they would repeat what has been reported.
 Status writeRepairs(Model& model, const LoadOptions& options) {
   const FaceEdits edits = editsOf(model);
   if (edits.faces.empty()) return Done{};
@@ -199,7 +199,7 @@ Result<Model> loadModel(io::FileSet files, const LoadOptions& options) {
           .substr(0, 4096);
   const bool isPacked = options.target == "glb" && start.substr(0, 4) != "glTF" &&
                         start.find('{') != std::string_view::npos;
-  const io::FileSet copy = isPacked ?  // a .gltf: from its own bytes
+  const io::FileSet copy = isPacked ?  // the GLB made from a .gltf
                                files
                                     : io::FileSet();
   Result<io::DocumentPtr> document = io::openDocument(std::move(files), options.limits);

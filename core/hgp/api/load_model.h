@@ -1,15 +1,15 @@
-// From bytes to a model.  Role: read, converted where asked, welded, repaired, split into components.
+// Loads a model from bytes.  Role: reads, converts on request, welds, repairs and splits into components.
 #pragma once
 
 #include "hgp/api/model.h"
 
 namespace hgp::api {
 
-/// Fails for unreadable files, limits and a surface that is not there; an unusable mesh is a success
+/// Fails for unreadable files, exceeded limits and a surface that does not exist. An unusable mesh is a success
 /// with `unusable` set.
 Result<Model> loadModel(io::FileSet files, const LoadOptions& options);
 Result<Model> modelOfArrays(MeshData arrays, const LoadOptions& options);
-/// A document that is open already.
+/// The same for a document that is already open.
 Result<Model> modelOfDocument(io::DocumentPtr document, const LoadOptions& options);
 
 }  // namespace hgp::api

@@ -1,4 +1,4 @@
-// Notes on a map, beside its verdict.  Role: sentences for users about one component.
+// Notes on a map in addition to its verdict.  Role: sentences for users about one component.
 #pragma once
 
 #include <optional>

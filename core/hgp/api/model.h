@@ -16,15 +16,15 @@ struct ModelComponent {
   IdMap<VertexId, MeshVertexId> meshVertex;
   IdMap<FaceId, MeshFaceId> meshFace;
   IdMap<LoopId, SurfaceLoopId> loop;
-  int generatorOffset = 0;  ///< handle generators are numbered through all components
+  int generatorOffset = 0;  ///< number of handle generators of the components before
 
-  /// Composed maps, through Model::mesh to the surface.
+  /// Maps to ids of the surface, composed with those of Model::mesh.
   IdMap<VertexId, SurfaceVertexId> vertex;
   IdMap<FaceId, SurfaceFaceId> face;
   IdMap<HalfedgeId, SurfaceCornerId> corner;
 };
 
-/// What LoadOptions::writesRepairs changed in the file.
+/// The changes that LoadOptions::writesRepairs made to the file.
 struct WrittenRepairs {
   int facesTurned = 0;
   int verticesCopied = 0;
@@ -33,7 +33,7 @@ struct WrittenRepairs {
 
 struct Model {
   io::DocumentPtr document;
-  LoadOptions load;  ///< the options that it was loaded with
+  LoadOptions load;  ///< the options with which it was loaded
   std::string fileName;
   std::string sha256;  ///< of the main file
   std::uint64_t byteCount = 0;
@@ -41,16 +41,16 @@ struct Model {
 
   MeshData mesh;                                      ///< after welding and repairs
   IdMap<MeshVertexId, SurfaceVertexId> vertexOrigin;  ///< one of the vertices joined into it
-  IdMap<SurfaceVertexId, MeshVertexId> vertexImage;   ///< one of its copies; none when removed
+  IdMap<SurfaceVertexId, MeshVertexId> vertexImage;   ///< one of its copies; none if removed
   IdMap<MeshFaceId, SurfaceFaceId> faceOrigin;
   IdMap<MeshCornerId, SurfaceCornerId> cornerOrigin;
   std::vector<LeftOutFace> leftOut;       ///< faces of the surface that are not in `mesh`
   int splitVertices = 0;                  ///< vertices that repairs added
-  std::optional<WrittenRepairs> written;  ///< where `document` is the repaired file
+  std::optional<WrittenRepairs> written;  ///< set if `document` is the repaired file
   /// False after a conversion to another format: ids of the file are then not those of `source()`.
   bool hasOwnVertexIds = true, hasOwnFaceIds = true;
   bool isChanged = false;          ///< a weld or a repair changed the surface
-  std::vector<std::string> notes;  ///< what reading, weld and repairs did
+  std::vector<std::string> notes;  ///< what reading, welding and repairs did
   std::optional<io::Prescription>
       embeddedCones;  ///< stored in the file; invalid ones only give a note
 
@@ -64,7 +64,7 @@ struct Model {
   }
 };
 
-/// Ids of a component in `where` become ids of the surface.
+/// Replaces the ids of a component in `where` by ids of the surface.
 Failure toSurfaceIds(const Model& model, const ModelComponent& component, Failure failure);
 void toSurfaceIds(const ModelComponent& component, std::vector<Where>& where);
 

@@ -18,7 +18,7 @@
 namespace hgp::api {
 namespace {
 
-constexpr int kMaxCells = 64;  // that one edge is entered in
+constexpr int kMaxCells = 64;  // maximum number of grid cells for one edge
 
 int componentCount(const MeshData& mesh, const std::vector<int>* image, bool& isSoup) {
   const auto vertices = static_cast<int>(mesh.positions.size());
@@ -69,7 +69,7 @@ std::vector<BoundaryEdge> boundaryOf(const MeshData& mesh) {
   return edges;
 }
 
-/// Boundary vertices and edges by cells of space.
+/// Boundary vertices and edges in a spatial grid.
 class CrackFinder {
  public:
   CrackFinder(const MeshData& mesh, std::vector<BoundaryEdge> edges)
@@ -133,7 +133,7 @@ class CrackFinder {
     for (const auto& entry : neighbours_)
       cells_[cellOf(at(entry.first), near_)].push_back(entry.first);
   }
-  /// Distance of the farthest vertex that is still close: what joins all of them. 0: none is close.
+  /// Distance of the farthest vertex that is still close, so that a weld by it joins all of them. 0: none is close.
   double spread(int v, const std::vector<int>& beside) const {
     double farthest = 0;
     aroundCell(cellOf(at(v), near_), [&](int u) {
@@ -183,7 +183,7 @@ class CrackFinder {
   std::map<Cell, std::vector<int>> cells_;
 };
 
-/// A little more than x, in two digits: "1.1e-05".
+/// x rounded up to two digits: "1.1e-05".
 std::string roundedUp(double x) {
   const double unit = portable::pow(10.0, std::floor(portable::log(x) / std::numbers::ln10) - 1);
   return formatText("%.2g", (std::floor(x / unit) + 1) * unit);

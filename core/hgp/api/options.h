@@ -1,5 +1,5 @@
-// Options of the calls of session.h, and their verdicts.
-// Role: types that clients use without the session itself.
+// Options of the calls of session.h and their verdicts.
+// Role: types for clients that do not include the session itself.
 #pragma once
 
 #include <optional>
@@ -17,16 +17,16 @@ namespace hgp::api {
 
 struct LoadOptions {
   io::Limits limits;
-  int surface = -1;  ///< which mesh of the file; −1: the one with most triangles
-  /// Join vertices closer than this. kWeldAutomatic: what the format needs, and equal positions where
-  /// every face is a component of its own; kWeldNever: what the format needs.
+  int surface = -1;  ///< which mesh of the file; −1: the one with the most triangles
+  /// Join vertices closer than this, in the file's unit. kWeldNever: only where the format requires it (glTF, STL);
+  /// kWeldAutomatic: also at equal positions if no two faces share a vertex.
   double weld = kWeldAutomatic;
   static constexpr double kWeldAutomatic = -1.0, kWeldNever = -2.0;
   /// Convert the file to this format when it is read, so that the result can be written in it: "obj", "glb" or "gltf".
   /// "", or a format that the document can be written in anyway, changes nothing.
   std::string target;
-  FixOptions fix;         ///< repairs to make; none: those that the defects need
-  bool isStrict = false;  ///< with no repairs named: make none, refuse meshes that need one
+  FixOptions fix;         ///< repairs to make; none named: those that the defects need
+  bool isStrict = false;  ///< if no repairs are named: make none and refuse meshes that need one
   /// Write flipped faces and split vertices into the output; otherwise the file keeps its
   /// faces and vertices, and the certificate counts the differences.
   bool writesRepairs = false;
@@ -34,8 +34,8 @@ struct LoadOptions {
 
 enum class BoundaryKind { kFree, kConvex };
 enum class FrameSource {
-  kAuto,  ///< our own smooth connection with the prescribed holonomy
-  kFile,  ///< the directions of the field that came with the prescription
+  kAuto,  ///< those of a trivial connection computed here, with the prescribed holonomy
+  kFile,  ///< those of the field that came with the prescription
 };
 enum class Scale {
   kSolved,  ///< as solved
@@ -45,13 +45,13 @@ enum class Scale {
 
 struct SolveOptions {
   int q = 4;          ///< for automatic cones; a prescription has its own
-  int coneCount = 0;  ///< automatic cones: this many where possible; 0: as conesFor says
+  int coneCount = 0;  ///< automatic cones: this many if possible; 0: chosen by conesFor
   ConesFor conesFor = ConesFor::kBalanced;
   bool alignToCurvature = false;
   BoundaryKind boundary = BoundaryKind::kFree;
   int maxRounds = 24;
   Method method = Method::kAuto;
-  std::optional<ImproveOptions> improve;  ///< nothing: the map as solved
+  std::optional<ImproveOptions> improve;  ///< empty: the map as solved
   FrameSource frames = FrameSource::kAuto;
   Scale scale = Scale::kSolved;
   /// A component without a map keeps the uv of the file, or is cut open to a disk, instead of ending the run; the
@@ -59,33 +59,33 @@ struct SolveOptions {
   bool keepsGoing = false;
   /// Where there is no map, split edges and solve again on the refined mesh, which is then written.
   bool refines = false;
-  GridOptions grid;  ///< cells are of all components together
+  GridOptions grid;  ///< the number of cells is that of all components together
   Progress progress;
 };
 
-/// The balance of ImproveOptions that a word asks for: "isometric" (0), "conformal" (−1), "area" (1) or
-/// a number from −1 to 1; nothing for other words.
+/// The balance of ImproveOptions that a word denotes: "isometric" (0), "conformal" (−1), "area" (1) or
+/// a number from −1 to 1; empty for other words.
 std::optional<double> improveBalance(const std::string& word);
-/// The word for a balance, "" between the three.
+/// The word for a balance; "" for values other than these three.
 std::string improveWord(double balance);
 
 struct VerifyOptions {
-  int q = 0;               ///< order to verify with when there is no prescription; 0: 4
-  int uvSet = -1;          ///< −1: the last set, which is where param writes
+  int q = 0;               ///< order of rotations if there is no prescription; 0: 4
+  int uvSet = -1;          ///< −1: the last set, to which param writes
   double tolerance = 0.0;  ///< CertifyOptions::tolerance: of a seam edge's length; radians
 };
 
 /// The format in which write() stores a result.
 enum class MapFormat {
   kSame,     ///< the original with the result as a uv set, and nothing else changed
-  kGlb,      ///< the mesh on its own, as a GLB …
-  kGltf,     ///< … as a .gltf with a .bin beside it …
-  kObj,      ///< … as an OBJ
-  kFlatObj,  ///< the map laid flat as an OBJ
-  kSvg,      ///< its edges as a drawing
+  kGlb,      ///< the mesh alone, as a GLB
+  kGltf,     ///< the mesh alone, as a .gltf with a .bin file
+  kObj,      ///< the mesh alone, as an OBJ
+  kFlatObj,  ///< the map as a flat mesh, as an OBJ
+  kSvg,      ///< the edges of the map as a drawing
 };
 
-/// "same", "glb", "gltf", "obj", "flat-obj" or "svg"; nothing for other words.
+/// The format for "same", "glb", "gltf", "obj", "flat-obj" or "svg"; empty for other words.
 std::optional<MapFormat> mapFormatNamed(const std::string& word);
 
 struct WriteOptions {
@@ -97,17 +97,17 @@ struct WriteOptions {
   std::string name;  ///< of the main output
   bool embedCones = false;
   bool allowUncertified = false;  ///< otherwise write() fails with kNoMap
-  bool pointsMaterials = false;   ///< glTF: the materials' pictures use the written set
+  bool pointsMaterials = false;   ///< glTF: makes the materials' textures use the written set
   bool isSideFileNoted = true;    ///< a note names the side files that the new file needs
   bool isCompressedLater =
-      false;  ///< glTF: no notes on what is stored uncompressed; see compressed()
+      false;  ///< glTF: omits notes on what is stored uncompressed; see compressed()
 };
 
-/// A JSON document with its verdict: usable mesh, valid prescription or certified map.
+/// A JSON document with its verdict: whether a mesh is usable, a prescription valid or a map certified.
 struct Verdict {
   bool isGood = false;
   std::string json;
-  std::optional<Failure> reason;  ///< where the verdict is bad because of one rule
+  std::optional<Failure> reason;  ///< set if one broken rule determines a bad verdict
 };
 
 }  // namespace hgp::api

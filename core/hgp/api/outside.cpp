@@ -11,7 +11,7 @@ const Triple& triangleOf(const Model& model, int face) {
   return model.source().mesh.triangles[static_cast<std::size_t>(face)];
 }
 
-/// The vertex of Model::mesh that a vertex of the surface became; copies by a split count as one.
+/// The vertex of Model::mesh for a vertex of the surface: always the same one of its copies if it was split.
 int imageOf(const Model& model, int vertex) { return model.vertexImage[SurfaceVertexId{vertex}].i; }
 
 /// The corner of triangle `other` that has this vertex, or −1.
@@ -25,7 +25,7 @@ int uvAt(const UvMap& map, int face, int corner) {
   return map.cornerUv[static_cast<std::size_t>(face)][static_cast<std::size_t>(corner)];
 }
 
-/// Verified triangles around the vertices of triangles without surface.
+/// The verified triangles around the vertices of triangles without area.
 class Neighbours {
  public:
   Neighbours(const Model& model, const UvMap& map) : model_(model) {
@@ -41,7 +41,7 @@ class Neighbours {
     }
   }
 
-  /// The triangle around `vertex` that shares most corners with this one, or −1.
+  /// The triangle around `vertex` that shares the most vertices with this one, or −1.
   int best(const Triple& triangle, int vertex) const {
     int best = -1, most = 0;
     for (int f : faces_.at(imageOf(model_, vertex))) {
@@ -66,7 +66,7 @@ void fillOutside(const Model& model, UvMap& map) {
   if (model.leftOut.empty()) return;
   const Neighbours neighbours(model, map);
   const Vec2 somewhere = map.uv.empty() ? Vec2{0, 0} : map.uv[0];
-  std::unordered_map<int, int> alone;  // a vertex that no verified triangle has → its uv
+  std::unordered_map<int, int> alone;  // vertex without a verified triangle → its uv
   for (const LeftOutFace& left : model.leftOut) {
     const Triple& triangle = triangleOf(model, left.face);
     for (std::size_t k = 0; k < 3; ++k) {

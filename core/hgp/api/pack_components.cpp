@@ -10,7 +10,7 @@ namespace {
 // Space around a component, relative to its size.
 constexpr double kGap = 0.03125;
 
-/// The power of two that shifts of this box are multiples of.
+/// The power of two of which all shifts of this box are multiples.
 double quantumOf(const UvBox& box, double unit) {
   const double extent = box.extent();
   return std::max(unit, extent > 0 ? std::ldexp(1.0, std::ilogb(extent) - 4) : 0.0);
@@ -44,7 +44,7 @@ class Packer {
     next_ = width_ = 0;
   }
 
-  Vec2 side_{0, 0};  ///< what is full, without the strip that is being filled
+  Vec2 side_{0, 0};  ///< extent of the complete strips
   bool isColumn_ = true;
   double stripLength_ = -1, next_ = 0, width_ = 0;
 };
@@ -64,7 +64,7 @@ std::vector<Vec2> packBoxes(const std::vector<UvBox>& boxes, double unit) {
   Packer packer;
   for (std::size_t i : order) {
     const UvBox& box = boxes[i];
-    // A shift is rounded up by less than one quantum, which the place has room for.
+    // A shift is rounded up by less than one quantum; the reserved place includes this margin.
     const double quantum = quantumOf(box, unit);
     const double room = quantum + kGap * box.extent();
     const Vec2 corner = packer.place({box.size(0) + room, box.size(1) + room});

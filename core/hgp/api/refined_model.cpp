@@ -13,7 +13,7 @@ namespace {
 
 VertexPair ordered(int a, int b) { return a < b ? VertexPair{a, b} : VertexPair{b, a}; }
 
-/// The surface vertices of a halfedge's ends, in the triangle that it belongs to.
+/// The surface vertices at the ends of a halfedge, as stored in its triangle.
 VertexPair storedEnds(const Model& model, const ModelComponent& component, HalfedgeId h) {
   VertexPair ends{};
   const auto& triangles = model.source().mesh.triangles;
@@ -33,7 +33,7 @@ Failure tangled() {
       {}};
 }
 
-/// One component before and after.
+/// Transfers the prescription of one component to its refinement.
 class Carrier {
  public:
   Carrier(const Model& before, const RefinedModel& refined, std::size_t p)
@@ -98,7 +98,7 @@ class Carrier {
     return true;
   }
 
-  /// The halfedge of before that h lies on; invalid inside a triangle.
+  /// The halfedge of the original component on which h lies; invalid for an h inside a triangle.
   HalfedgeId oldHalfedge(HalfedgeId h) const {
     int a = new_.vertex[new_.mesh.tail(h)].i;
     int b = new_.vertex[new_.mesh.head(h)].i;

@@ -1,5 +1,5 @@
-// A model with some of its edges split, and a request carried over to it.  Role: the api's half of --refine;
-// which edges is decided in parametrize/refinement.h.
+// A model with some of its edges split, and the same prescription for it.  Role: the api's part of --refine;
+// parametrize/refinement.h chooses the edges.
 #pragma once
 
 #include "hgp/api/json_text.h"
@@ -13,22 +13,22 @@ namespace hgp::api {
 
 struct RefinedModel {
   Model model;                      ///< its document is the refined file
-  std::vector<VertexPair> parents;  ///< of each new surface vertex, in ids of before
+  std::vector<VertexPair> parents;  ///< of each new surface vertex, in ids before the split
   RefinedFacts facts;
 };
 
-/// Positions and triangles of the surface alone, which are written as OBJ.
+/// A model of the positions and triangles of the surface alone, to be written as OBJ.
 Result<Model> modelOfPolygons(const Model& model);
 
-/// @param places  per component of `model`
+/// Splits edges. @param places  per component of `model`
 Result<RefinedModel> refine(const Model& model, const std::vector<std::vector<SplitPlace>>& places);
 
-/// The same prescription: cones and boundary loops where they were. Given handle rotations are of
-/// generators that depend on the mesh, so they are found anew as holonomies of `field`, a field on the
-/// component before that has them: its matchings cross the halves of an edge like the edge, and new edges
-/// inside a triangle with 0.
-/// @param fields  per component; needed where handles are given
-/// Fails with kUnsupported where repairs make the components hard to tell apart.
+/// The same prescription on the refined model: cones and boundary loops stay where they were. Prescribed handle
+/// rotations belong to generators that depend on the mesh, so they are recomputed as holonomies of a field on the
+/// component before refinement that has the prescribed ones: both halves of a split edge inherit its matching, and
+/// new edges inside a triangle have matching 0.
+/// Fails with kUnsupported if repairs prevent matching the components before and after.
+/// @param fields  per component; required where handles are prescribed
 Result<Request> carryOver(const Model& before, const Request& request,
                           const std::vector<std::optional<FrameField>>& fields,
                           const RefinedModel& refined);

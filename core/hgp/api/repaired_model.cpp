@@ -65,7 +65,7 @@ void repair(Model& model, const FixOptions& fix) {
     const int old = fixed.vertexOrigin[v];
     if (old >= 0) image[static_cast<std::size_t>(old)] = static_cast<int>(v);
   }
-  // Between the vertices before the repairs and those after them.
+  // Ids before and after the repairs.
   using BeforeId = MeshVertexId;
   model.vertexImage = model.vertexImage.then(IdMap<BeforeId, MeshVertexId>(std::move(image)));
   model.vertexOrigin =
@@ -78,7 +78,7 @@ void repair(Model& model, const FixOptions& fix) {
   model.mesh = std::move(fixed.mesh);
 }
 
-/// The surface as the file has it.
+/// Takes the surface as it is in the file.
 void takeSource(Model& model) {
   model.mesh = model.source().mesh;
   const std::size_t vertices = model.mesh.positions.size(), faces = model.mesh.triangles.size();
@@ -88,7 +88,7 @@ void takeSource(Model& model) {
   model.cornerOrigin = model.cornerOrigin.identity(3 * faces);
 }
 
-/// Copies what repairs change.
+/// Copies the members that repairs change.
 void keepSurface(const Model& from, Model& to) {
   to.mesh = from.mesh;
   to.vertexOrigin = from.vertexOrigin;
@@ -111,7 +111,7 @@ void weld(Model& model, const LoadOptions& options) {
 
 bool isAny(const FixOptions& fix) { return fix.orient || fix.split || fix.degenerate; }
 
-/// Repairs, then says in `unusable` what is still wrong.
+/// Repairs the mesh, then sets `unusable` if defects remain.
 void repairAndCheck(Model& model, const FixOptions& fix) {
   if (isAny(fix)) repair(model, fix);
   model.unusable.reset();
@@ -138,8 +138,8 @@ void repairAndCheck(Model& model, const FixOptions& fix) {
   }
 }
 
-/// With repairs named, those; otherwise those that the defects ask for, and all of them where one
-/// defect was hidden by another.
+/// Makes the repairs that the options name; otherwise those that the defects need, and then all of them if the mesh
+/// is still unusable, since one defect can hide another.
 void repairAsAsked(Model& model, const LoadOptions& options) {
   const bool isAutomatic = !isAny(options.fix) && !options.isStrict;
   FixOptions fix = options.fix;

@@ -1,13 +1,12 @@
-// The surface of a model with its welds and repairs made.  Role: the part of loading that may change
-// connectivity.
+// Welds and repairs the surface of a model.  Role: the part of loading that may change connectivity.
 #pragma once
 
 #include "hgp/api/model.h"
 
 namespace hgp::api {
 
-/// Sets everything of `model` from `mesh` to `isChanged`, its defects, `unusable`, and adds notes: the
-/// surface as the file has it, welded, and repaired as the options or its defects ask.
+/// Sets the members of `model` from `mesh` to `isChanged`, its defects and `unusable`, and adds notes: takes the
+/// surface from the file, welds it, and repairs it as the options or its defects require.
 /// @pre model.document and model.surface are set
 void takeRepaired(Model& model, const LoadOptions& options);
 

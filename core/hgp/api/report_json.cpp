@@ -39,7 +39,7 @@ Json roundJson(const Round& r) {
               {"seconds", r.seconds}};
 }
 
-/// The reason with the cones that are in each other's way, by the file's numbers.
+/// The reason, with the cones that are too close to each other as ids of the file.
 std::string gridReason(const GridReport& grid, const std::vector<Where>& cones) {
   std::string text = grid.reason;
   for (std::size_t n = 0; n < cones.size(); ++n)
@@ -71,7 +71,7 @@ Json gridJson(const ModelComponent& component, const std::optional<GridReport>& 
               {"workingCells", grid->workingCells}};
 }
 
-/// Of the verifier's numbers those that an improvement is about.
+/// The verifier's measurements that an improvement changes.
 Json distortionJson(const DistortionFacts& d) {
   return Json{{"meanMu", d.meanMu},
               {"p95Mu", d.p95Mu},
@@ -97,7 +97,7 @@ Json improvementJson(const ImprovementFacts& facts) {
   return json;
 }
 
-/// Whether Theorem 6.1 speaks of the map, and if not, why not.
+/// Whether Theorem 6.1 applies to the map, and if not, why.
 void addTheorem(Json& json, const HarmonicFacts& harmonic, const Certificate& certificate) {
   std::string reason;
   if (!certificate.isCertified) {
@@ -155,7 +155,7 @@ Json refinedJson(const RefinedFacts& facts, const Model& model) {
 constexpr const char* kConesHere = "(cones)";
 constexpr const char* kCertificateHere = "(certificate)";
 
-/// Puts a document in place of the last string `mark`, one level further in.
+/// Replaces the last string `mark` by a document, indented by one more level.
 void splice(std::string& text, const char* mark, const std::string& document) {
   const std::string quoted = std::string("\"") + mark + "\"";
   std::string inside;
@@ -205,7 +205,7 @@ std::string reportText(const Model& model, const RunRecord& run,
   }
   json["cones"] = kConesHere;
   json["certificate"] = kCertificateHere;
-  // Spliced, not parsed again: of a map of many components they are nearly all there is.
+  // Spliced as text instead of parsed: for a map with many components they are most of the report.
   std::string text = textOf(json);
   splice(text, kCertificateHere, certificate);
   splice(text, kConesHere, cones);

@@ -14,7 +14,7 @@
 namespace hgp::api {
 namespace {
 
-// A cone whose mesh has changed is looked for within this part of the diagonal.
+// If the mesh has changed, a cone is searched within this fraction of the bounding box's diagonal.
 constexpr double kSamePlace = 1e-6;
 
 Failure refusal(const std::string& message, std::vector<Where> where = {}) {
@@ -40,7 +40,7 @@ class Resolver {
   }
 
   Result<Request> resolve() {
-    // The checks below divide by q.
+    // Checked first, because the checks below divide by q.
     if (asked_.q < 1 || asked_.q > kLargestOrder) {
       return refusal(formatText("q = %d; it must be 1 to %d", asked_.q, kLargestOrder));
     }
@@ -87,7 +87,8 @@ class Resolver {
       return refusal(formatText("cone at vertex %d: the mesh has vertices 0 to %d", v, count - 1));
     }
     MeshVertexId image = model_.vertexImage[SurfaceVertexId{v}];
-    // Another file, such as the one that was written, mostly has the same triangles.
+    // A cone also names a triangle, because another file of this surface, such as the one that hgp wrote, may
+    // number vertices differently but usually has the same triangles.
     const MeshVertexId copy =
         cone.triangle < 0 || !image.isValid() ? image : copyIn(cone.triangle, image);
     if (!copy.isValid() && image.isValid() && !isMoved)
@@ -103,9 +104,9 @@ class Resolver {
     return local;
   }
 
-  /// The copy of a vertex that a triangle of the surface has, or none.
+  /// The copy of a vertex that is a corner of this triangle of the surface, or none.
   MeshVertexId copyIn(int triangle, MeshVertexId image) const {
-    // Weld and repairs keep the order of triangles.
+    // Binary search, since welds and repairs keep the order of triangles.
     const std::vector<int>& faces = model_.faceOrigin.raw();
     const auto found = std::lower_bound(faces.begin(), faces.end(), triangle);
     if (found == faces.end() || *found != triangle) return {};
@@ -142,7 +143,7 @@ class Resolver {
     return Done{};
   }
 
-  /// A loop by number, or by a vertex on it when the file gives one.
+  /// Finds loops by number, or by a vertex on them if the file gives one.
   Status placeTurnings() {
     for (const io::PrescribedTurning& t : asked_.boundaries) {
       int loop = t.loop;
@@ -254,7 +255,7 @@ class Resolver {
     if (!read) return toSurfaceIds(model_, component, read.error());
     HolonomySpec found = toSpec(*read);
     if (asked_.hasCones) {
-      // A sign convention the cones cannot tell apart must still end in these very cones.
+      // Even if the cones do not determine the field's sign convention, the field must have exactly these cones.
       PerVertex<int> k(static_cast<std::size_t>(component.mesh.vertexCount()), found.q);
       for (const ConePoint& c : found.cones) k[c.vertex] = c.k;
       for (const ConePoint& c : spec.cones) {
@@ -285,7 +286,8 @@ class Resolver {
     return Done{};
   }
 
-  /// Of several components one without any wish gets automatic cones, unless none at all will do.
+  /// A component for which nothing is prescribed gets automatic cones if there are no cones at all, or if it is one of
+  /// several and has no map without cones.
   void leaveEmptyComponentsOpen() {
     for (std::size_t p = 0; p < out_.components.size(); ++p) {
       ComponentRequest& component = out_.components[p];

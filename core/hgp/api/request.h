@@ -1,4 +1,4 @@
-// Resolves a prescription on a mesh: ids, loops and generators, fields.
+// Resolves the ids, loops, generators and fields of a prescription on a mesh.
 // Role: io::Prescription → one HolonomySpec per connected component, and back.
 #pragma once
 
@@ -10,7 +10,7 @@ namespace hgp::api {
 struct ComponentRequest {
   HolonomySpec spec;
   bool isAutomatic = false;        ///< nothing is prescribed for this component: choose its cones
-  std::optional<FieldData> field;  ///< its part of the field that was read, in its own ids
+  std::optional<FieldData> field;  ///< the component's part of the field, in ids of the component
 };
 
 struct Request {
@@ -24,10 +24,10 @@ struct Request {
 /// @pre model.components is not empty
 Result<Request> resolve(const Model& model, const io::Prescription& prescription);
 
-/// Every component automatic.
+/// A request in which the cones of every component are chosen automatically.
 Request automaticRequest(const Model& model, int q);
 
-/// The prescription of all components in ids of the surface, cones with their positions.
+/// The prescription of all components, in ids of the surface and with the cones' positions.
 io::Prescription describe(const Model& model, const std::vector<HolonomySpec>& specs);
 
 }  // namespace hgp::api

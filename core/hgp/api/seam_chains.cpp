@@ -16,7 +16,7 @@ std::vector<std::uint32_t> seamChains(const std::vector<SeamEdge>& seams,
       around[uvToVertex[static_cast<std::size_t>(end)]].push_back(static_cast<int>(i));
   DisjointSets chains(static_cast<int>(seams.size()));
   for (const auto& [vertex, edges] : around) {
-    if (edges.size() != 2) continue;  // a branch or an end of the cut
+    if (edges.size() != 2) continue;  // a branch or an end of the seam graph
     const auto &a = seams[static_cast<std::size_t>(edges[0])],
                &b = seams[static_cast<std::size_t>(edges[1])];
     if (turn(a) == turn(b)) chains.join(edges[0], edges[1]);

@@ -1,4 +1,4 @@
-// Groups seam edges into chains.  Role: the seams that users see, one colour each.
+// Groups seam edges into chains.  Role: the seams as shown to users, one colour each.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace hgp::api {
 
-/// The chain of every seam edge, numbered from 0: edges that follow one another at vertices where just two meet,
-/// with the same turn r (or q − r, as which side is a is arbitrary).
+/// The chain of every seam edge, numbered from 0. Two edges are in one chain if they meet at a vertex with exactly
+/// two seam edges and have the same rotation r, or r and q − r, because the choice of the first side is arbitrary.
 std::vector<std::uint32_t> seamChains(const std::vector<SeamEdge>& seams,
                                       const std::vector<std::uint32_t>& uvToVertex, int q);
 

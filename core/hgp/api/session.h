@@ -1,5 +1,5 @@
-// A session: loads a file, parametrizes it, verifies and writes it.  Role: the API boundary. Command line, WebAssembly
-// bindings and benchmarks call only this; every exception of the core becomes a Failure here.
+// A session: loads a file, parametrizes it, verifies the map and writes it.  Role: the API boundary. Command line,
+// WebAssembly bindings and benchmarks call only this; every exception of the core becomes a Failure here.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@
 
 namespace hgp::api {
 
-/// Vertex and triangle ids are those of the loaded surface before any repair: the file's own or, for glTF and STL, those
-/// after vertices at equal positions were joined. JSON texts follow docs/schema.
+/// Vertex and triangle ids are those of the loaded surface before any repair: the file's own or, for glTF and STL,
+/// those after vertices at equal positions were joined. JSON texts follow docs/schema.
 class Session {
  public:
   Session();
@@ -25,39 +25,39 @@ class Session {
   Session(Session&&) noexcept;
   Session& operator=(Session&&) noexcept;
 
-  /// If it fails, the model and the result that were there before are kept.
+  /// On failure the previous model and result are kept.
   Status load(io::FileSet files, const LoadOptions& options);
-  /// For meshes that are not in a file; write() then makes an OBJ.
+  /// Loads a mesh that is not in a file; write() then produces an OBJ.
   Status loadArrays(std::vector<Vec3> positions, std::vector<std::array<int, 3>> triangles,
                     const LoadOptions& options);
 
-  /// Meshes of the loaded file that have triangles; LoadOptions::surface chooses one.
+  /// Number of meshes with triangles in the loaded file; LoadOptions::surface chooses one of them.
   int surfaceCount() const;
-  /// hgp-inspect; isGood means that the mesh can be parametrized.
+  /// hgp-inspect; isGood: the mesh can be parametrized.
   Result<Verdict> inspect() const;
-  /// hgp-check: the exact integer budget of every component; solves nothing.
+  /// hgp-check: whether the prescription satisfies Lemma 6.2 on every component, in integers; solves nothing.
   Result<Verdict> check(const io::Prescription& prescription) const;
   /// Automatic cones as hgp-cones.
   Result<std::string> suggest(const SolveOptions& options) const;
-  /// Any prescription on this surface as complete hgp-cones with positions (fields are read).
+  /// Any prescription on this surface as complete hgp-cones with positions; a field becomes cones and rotations.
   Result<std::string> convert(const io::Prescription& prescription) const;
-  /// Cones stored inside the file, or nothing.
+  /// Cones stored inside the file; empty if there are none.
   Result<std::optional<io::Prescription>> embeddedCones() const;
 
-  /// Solves, then verifies the map as it would be stored. Without a prescription: automatic cones. Also succeeds when
+  /// Solves, then verifies the map as it will be stored. Without a prescription, cones are automatic. Also succeeds if
   /// the map is not certified; fails for contradictory options, impossible prescriptions, limits and cancellation.
   Status parametrize(const std::optional<io::Prescription>& prescription,
                      const SolveOptions& options);
-  /// Verifies uv that are in the file: hgp-certificate. Without a prescription any cones are accepted.
+  /// Verifies the uv in the file: hgp-certificate. Without a prescription any cones are accepted.
   Result<Verdict> verify(const std::optional<io::Prescription>& prescription,
                          const VerifyOptions& options) const;
 
-  /// Keeps the current result under a name for recall(), also after other results were computed. The newest two per
-  /// surface are kept, with up to 500 000 triangles together; refined results are not.
+  /// Keeps the current result under a name for recall(), even after other results are computed. The two newest per
+  /// surface are kept, up to 500 000 triangles in total; refined results are not.
   void keep(const std::string& name);
-  /// Makes a kept result the current one (written, measured and shown). False if it is no longer kept or belongs to
-  /// another surface. Files loaded in between do not matter: a result applies to every file with an identical
-  /// surface, so that the maps of several meshes can be written into one file.
+  /// Makes a kept result the current one, which is written, measured and shown. False if it is no longer kept or
+  /// belongs to another surface. It applies to every file with an identical surface, whatever was loaded in between, so
+  /// that the maps of several meshes can be written into one file.
   bool recall(const std::string& name);
 
   bool hasResult() const;
@@ -67,31 +67,31 @@ class Session {
   const std::string& conesJson() const;        ///< the completed prescription: hgp-cones
 
   const std::vector<double>& positions() const;  ///< |V| × 3 of the surface, or the refined one
-  const std::vector<std::uint32_t>& triangles() const;  ///< |F| × 3
-  std::optional<Repaired> repaired() const;  ///< nothing where the surface is used as it is
-  const std::vector<double>& uv() const;     ///< |uv| × 2, as stored
+  const std::vector<std::uint32_t>& triangles() const;   ///< |F| × 3
+  std::optional<Repaired> repaired() const;              ///< empty if the surface is used unchanged
+  const std::vector<double>& uv() const;                 ///< |uv| × 2, as stored
   const std::vector<std::uint32_t>& cornerToUv() const;  ///< |F| × 3
   const std::vector<std::uint32_t>& uvToVertex() const;  ///< "xref": uv vertex → surface vertex
   const std::vector<SeamEdge>& seams() const;
 
-  /// Measurements of the result for overlays, colours of seams and statistics.
+  /// Measurements of the result, for overlays, seam colours and statistics.
   Result<MapMeasures> measure() const;
   /// Facts on the loaded surface, whether usable or not.
   Result<SurfaceFacts> facts() const;
-  /// Boundary loops and handle generators as a prescription numbers them.
+  /// Boundary loops and handle generators, in the order in which a prescription numbers them.
   Result<SurfaceLoops> loops() const;
 
-  /// Whether every component is aligned to the grid that was asked for.
+  /// Whether every component is aligned to the grid that the options asked for.
   bool isAligned() const;
   /// The cells of a result that is aligned in quad mode, as an OBJ of quads or, if `name` ends in .glb, as a GLB
-  /// of triangles. Fails with kNoMap where the result is not aligned.
+  /// of triangles. Fails with kNoMap if the result is not aligned.
   Result<QuadFile> quads(const std::string& name) const;
 
-  /// Whether write() can make a file of this name: glTF stays glTF, everything else becomes OBJ.
-  /// @param isRefined  for a result that SolveOptions::refines was asked for: always OBJ
+  /// Whether write() can produce a file of this name, judged by its extension.
+  /// @param isRefined  whether SolveOptions::refines is set: a refined surface is always written as OBJ
   Status canWrite(const std::string& name, bool isRefined = false) const;
-  /// The original with the result as a uv set, or the result in another format. Where that format rounds, the
-  /// map is snapped to its numbers and verified again; kNoMap where it does not survive.
+  /// The original with the result as a uv set, or the result in another format. The map is snapped to the numbers
+  /// that this format stores and verified again; fails with kNoMap if it is then no longer certified.
   Result<WrittenMap> write(const WriteOptions& options) const;
 
  private:
@@ -99,17 +99,17 @@ class Session {
   std::unique_ptr<State> state_;
 };
 
-/// io::readPrescription behind the API boundary: cones and fields of every known kind.
+/// io::readPrescription at the API boundary: reads cone and field files of every known format.
 Result<io::Prescription> readPrescription(std::string_view name, std::string_view text, int q);
 
-/// `cones` with the field of `field`, which decides what they leave open. kUsage where q differs.
+/// `cones` with the field of `field`, which determines what the cones leave open. Fails with kUsage if q differs.
 Result<io::Prescription> withField(io::Prescription cones, io::Prescription field);
 
 /// hgp-error: {"code", "stage", "message", "where"}.
 std::string errorJson(const Failure& failure);
 
-/// For the whole process: uses no kernels that only some processors have (fused multiply-add), so that maps are the
-/// same bits on all of them.
+/// For the whole process: avoids instructions that only some processors have (fused multiply-add), so that maps are
+/// bit-identical on all of them.
 void setReproducible(bool isAsked);
 
 /// "1.2.3"

@@ -1,4 +1,4 @@
-// What is known of the loaded surface, in the ids of the file.
+// Facts about the loaded surface, in ids of the file.
 #include <algorithm>
 
 #include "hgp/api/guard.h"
@@ -8,7 +8,7 @@
 namespace hgp::api {
 namespace {
 
-/// Vertices of the surface that became no vertex of the mesh keep nothing.
+/// Copies the facts of mesh vertices to the vertices of the surface; removed vertices keep the defaults.
 void pullBackVertices(const Model& model, const VertexFacts& mesh, SurfaceFacts& out) {
   const int count = model.vertexImage.size();
   const auto size = static_cast<std::size_t>(count);
@@ -36,7 +36,7 @@ void pullBackVertices(const Model& model, const VertexFacts& mesh, SurfaceFacts&
   }
 }
 
-/// Of several vertices that repairs made of one, any may carry a cone: the most is said.
+/// Where repairs split a vertex, any copy may be a cone, so the values that allow the most are reported.
 void takeTheMost(const Model& model, const VertexFacts& mesh, SurfaceFacts& out) {
   for (int m = 0; m < model.vertexOrigin.size(); ++m) {
     const SurfaceVertexId v = model.vertexOrigin[MeshVertexId{m}];

@@ -1,4 +1,4 @@
-// Results that were made before the last one, and can be written still.
+// Keeps earlier results, which can still be written.
 #include <algorithm>
 #include <utility>
 
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMaxOfASurface = 2;
 constexpr std::size_t kMaxTriangles =
-    500'000;  // of all together; beyond, memory is for the next solve
+    500'000;  // in total; more would take memory from the next solve
 
 template <class T>
 std::string hashOf(const std::vector<T>& values) {

@@ -1,4 +1,4 @@
-// What there is to see of a result and of a surface, beside what is verified.
+// Measurements of a result and of a surface beyond those of the verifier.
 #include <algorithm>
 
 #include "hgp/api/guard.h"
@@ -10,8 +10,8 @@
 namespace hgp::api {
 namespace {
 
-/// Of the triangles that the certificate speaks of, oriented as it measured them: what repairs turned over is not
-/// folded, and copies that were left out are not verified.
+/// The triangles covered by the certificate without positive uv area, each with the orientation in which it was
+/// verified: a triangle that repairs reversed does not count as flipped, and copies that were left out do not count.
 std::vector<int> notPositiveAsVerified(const Model& model, const UvMap& map) {
   std::vector<int> found;
   for (int f = 0; f < model.faceOrigin.size(); ++f) {

@@ -9,10 +9,11 @@
 namespace hgp::api {
 namespace {
 
-/// Of the work that a run may spend, what each refined mesh may: three of them double a run at most.
+/// Work limit of each refined mesh as a fraction of a run's: three refined meshes at most double the work.
 constexpr double kRefinedShare = 0.3;
 
-/// What a run may spend is counted in these: a mesh four times as fine may not spend four times as much.
+/// Size of a mesh as the work limit counts it. The share of a refined mesh is scaled by it, so that a mesh with four
+/// times the triangles does not get four times the work.
 double workUnits(const Model& model) {
   return static_cast<double>(std::max<std::size_t>(model.source().mesh.triangles.size(),
                                                    ParametrizeOptions::kSmallSurface));
@@ -71,7 +72,7 @@ Status Session::State::solveAsPolygons(const std::optional<io::Prescription>& pr
   return Done{};
 }
 
-/// Fields with the handle rotations that were asked for; none where none was.
+/// Per component, a field with the prescribed handle rotations; empty if none are prescribed.
 std::vector<std::optional<FrameField>> Session::State::fieldsOfGivenHandles(const Request& request,
                                                                             const RunRecord& run) {
   std::vector<std::optional<FrameField>> fields(request.components.size());

@@ -24,7 +24,7 @@ SuggestOptions suggestOptions(int q, const SolveOptions& options) {
   return suggest;
 }
 
-/// The same spacing for every component.
+/// Grid options with the same spacing for every component.
 GridOptions sharedGrid(const Model& model, GridOptions grid) {
   if (!grid.isAsked() || grid.spacing > 0) return grid;
   double area = 0;
@@ -32,10 +32,10 @@ GridOptions sharedGrid(const Model& model, GridOptions grid) {
   return {0.0, std::sqrt(area / grid.cells), grid.mode};
 }
 
-/// Surfaces of more triangles are prepared anew by every call: memory goes to the solve.
+/// Surfaces with more triangles are prepared again by every call, to leave memory for the solve.
 constexpr int kKeptFaces = 200'000;
 
-/// Of the stored values of every component.
+/// Measures harmonicity on the stored values of every component.
 std::vector<HarmonicFacts> harmonicity(const Model& model, const std::vector<ComponentMap>& maps,
                                        const UvMap& stored) {
   const bool isFloat = model.document->uvPrecision() == io::UvPrecision::kFloat32;
@@ -53,11 +53,11 @@ std::vector<HarmonicFacts> harmonicity(const Model& model, const std::vector<Com
 
 bool isAligned(const Parametrization& run) { return run.grid && run.grid->isAligned; }
 
-/// Choosing few cones takes several times as long as a solve: a second, for so many triangles.
+/// Choosing few cones takes several times as long as a solve; up to this many triangles that is about a second.
 constexpr int kChosenTwice = 10'000;
 
-/// Where the usual automatic cones leave a grid no room: few cones, which have more. On larger surfaces that is
-/// offered instead.
+/// If the usual automatic cones are too close for the grid, tries fewer cones, which are farther apart. On larger
+/// surfaces a note suggests this instead.
 template <class Solve>
 Status withFewCones(const TriMesh& mesh, SolveOptions choice, const GridOptions& grid,
                     const Solve& solveWith, Result<Parametrization>& run,
@@ -120,7 +120,7 @@ Failure wrongBalance() {
 
 }  // namespace
 
-/// What the solves of a component share; kept where it is not large beside the factors of a program.
+/// The data that all solves of a component share; kept if it is small compared with the factors of a program.
 PreparedSurface& Session::State::surfaceOf(std::size_t p) {
   prepared.resize(model->components.size());
   if (!prepared[p]) prepared[p] = std::make_unique<PreparedSurface>(model->components[p].mesh);
@@ -141,7 +141,7 @@ Result<CompleteSpec> Session::State::chooseCones(std::size_t p, const SolveOptio
   return spec;
 }
 
-/// One road for all cones: those that are chosen are completed first and then asked for.
+/// Automatic and prescribed cones are solved in the same way: chosen cones are completed and then prescribed.
 Result<Parametrization> Session::State::solveComponent(std::size_t p,
                                                        const ComponentRequest& request,
                                                        const SolveOptions& options) {
@@ -173,7 +173,7 @@ Result<Parametrization> Session::State::solveComponent(std::size_t p,
   Result<Parametrization> run =
       request.isAutomatic ? solveWith(choice) : hgp::parametrize(surfaceOf(p), request.spec, core);
   if (run && !run->isCertified && request.isAutomatic && choice.grid.isAsked()) {
-    choice.grid = {};  // cones that make room for a grid never cost a map
+    choice.grid = {};  // without cones spaced for the grid, since a map matters more than a grid
     run = solveWith(choice);
   }
   if (request.isAutomatic)
@@ -189,7 +189,7 @@ Result<Parametrization> Session::State::solveComponent(std::size_t p,
   return run;
 }
 
-/// The result as the flat arrays that leave the session.
+/// Converts the result to the flat arrays that the session returns.
 void Session::State::flatten(Solved& result) const {
   const StoredMap& stored = result.stored;
   for (const Vec2& p : stored.map.uv) result.uv.insert(result.uv.end(), p.begin(), p.end());
@@ -212,7 +212,7 @@ bool maySkip(const Failure& failure) {
 
 }  // namespace
 
-/// A grid needs squares that fit, and a scale of its own.
+/// Checks that options and q allow an aligned grid.
 static Status checkGrid(const SolveOptions& options, int q) {
   if (!options.grid.isAsked()) return Done{};
   const auto refuse = [](std::string text) {
@@ -231,8 +231,8 @@ static Status checkGrid(const SolveOptions& options, int q) {
 
 namespace {
 
-/// Where a rotation is no exact number, float32 has rounded it off: a format of doubles is written from the map as it
-/// was before.
+/// Whether the map before rounding must be kept: if rotations have no exact coefficients, seams cannot be exact in
+/// float32, and formats that store doubles are written from the unrounded map.
 bool needsOwnNumbers(const Model& model, int q) {
   return 4 % q != 0 && model.document->uvPrecision() == io::UvPrecision::kFloat32;
 }
@@ -277,7 +277,7 @@ Status Session::State::solveRequest(const Request& request, const SolveOptions& 
                                        measureOutside(*model, result.stored.map));
   run.harmonic = harmonicity(*model, maps, result.stored.map);
   if (!needsOwnNumbers(*model, request.q)) {
-    for (ComponentMap& component : maps) {  // the numbers are in `stored`
+    for (ComponentMap& component : maps) {  // the uv are in `stored`
       component.map = {};
       component.copyOf = {};
     }

@@ -1,4 +1,4 @@
-// What a session holds.  Role: shared by the sources of Session and by nothing else.
+// The state of a session.  Role: shared by the sources of Session and by nothing else.
 #pragma once
 
 #include "hgp/api/json_text.h"
@@ -9,11 +9,11 @@ namespace hgp::api {
 
 struct Session::State {
   std::optional<Model> model;
-  std::vector<std::unique_ptr<PreparedSurface>> prepared;  ///< per component, made when needed
+  std::vector<std::unique_ptr<PreparedSurface>> prepared;  ///< per component, made on first use
   struct Solved {
-    bool isAligned = false;  ///< to a grid, every component
+    bool isAligned = false;  ///< every component is aligned to a grid
     Scale scale = Scale::kSolved;
-    std::vector<ComponentMap> components;  ///< what was asked and became of it, without the maps
+    std::vector<ComponentMap> components;  ///< prescriptions and results, without the maps
     StoredMap stored;
     io::Prescription prescription;
     std::string certificate, report, cones;
@@ -22,37 +22,37 @@ struct Session::State {
     std::vector<SeamEdge> seams;
   };
   std::optional<Solved> solved;
-  std::string keptAs;  ///< empty: `solved` goes when the next is made
+  std::string keptAs;  ///< name of `solved` if it is kept; empty: the next result replaces it
   struct Kept {
-    std::string name, surface;  ///< surfaceHash() of what it is a result of
-    std::size_t size = 0;       ///< triangles
+    std::string name, surface;  ///< `surface`: surfaceHash() of the surface it belongs to
+    std::size_t size = 0;       ///< number of triangles
     Solved result;
   };
-  std::vector<Kept> aside;       ///< of this surface and of others; the newest last
+  std::vector<Kept> aside;       ///< kept results of this surface and of others; the newest last
   std::string hash;              ///< see surfaceHash()
-  double workShare = 1.0;        ///< of what a run may spend
-  std::unique_ptr<State> finer;  ///< the refined surface, where only that has the map
+  double workShare = 1.0;        ///< fraction of the work limit of a run
+  std::unique_ptr<State> finer;  ///< the refined surface, if the map is on that
   std::vector<double> positions;
   std::vector<std::uint32_t> triangles;
 
-  /// What a result is of, and what is written.
+  /// The state that has the result and is written: the refined surface if there is one.
   const State& shown() const { return finer ? *finer : *this; }
 
   Status take(Result<Model> loaded);
-  /// Of the loaded surface as it is solved and stored; computed when first asked for.
+  /// SHA-256 of the loaded surface as it is solved and stored; computed on first use.
   const std::string& surfaceHash();
-  /// There is no result any more, but perhaps in `aside`.
+  /// Clears the result; moves it to `aside` if it is to be kept.
   void putAside();
   Status solve(const std::optional<io::Prescription>& prescription, const SolveOptions& options);
-  /// Every component, verified as stored: all of `solved` but its report.
+  /// Solves every component and verifies it as stored: sets all of `solved` except its report.
   Status solveRequest(const Request& request, const SolveOptions& options, RunRecord& run);
-  /// Refined meshes, each finer than the one before, until one has a map; sets `finer`, or says in the
-  /// notes of `run` what was tried.
+  /// Solves on refined meshes, each finer than the last, until one has a map; sets `finer`, or adds a note to
+  /// `run` about the attempts.
   Status solveRefined(const Request& request, const SolveOptions& options, RunRecord& run);
   std::vector<std::optional<FrameField>> fieldsOfGivenHandles(const Request& request,
                                                               const RunRecord& run);
   void publish(const RunRecord& run);
-  /// For formats that cannot be refined: everything on the surface as polygons, set as `finer`.
+  /// For formats that cannot be refined: solves on the surface converted to polygons, set as `finer`.
   Status solveAsPolygons(const std::optional<io::Prescription>& prescription,
                          const SolveOptions& options);
   Result<Parametrization> solveComponent(std::size_t p, const ComponentRequest& request,
@@ -61,16 +61,16 @@ struct Session::State {
   double tilesOfGrid(const WriteOptions& options) const;
   /// The original with the map as a uv set.
   Result<WrittenMap> writeOriginal(const WriteOptions& options) const;
-  /// The mesh on its own in another format, with the map snapped to its numbers and verified again.
+  /// The mesh alone in another format, with the map snapped to the numbers of that format and verified again.
   Result<WrittenMap> writeMesh(const WriteOptions& options) const;
-  /// Automatic cones of component p, completed; appends the stages' times where asked.
+  /// Automatic cones of component p as a complete spec. @param times  if given, the stages' times are appended
   Result<CompleteSpec> chooseCones(std::size_t p, const SolveOptions& options,
                                    std::vector<StageTime>* times = nullptr);
   PreparedSurface& surfaceOf(std::size_t p);
   void dropLarge(std::size_t p);
 };
 
-/// Lower case, without the dot.
+/// The extension of a file name, in lower case and without the dot.
 std::string extensionOf(const std::string& name);
 
 Failure notLoaded();

@@ -1,4 +1,4 @@
-// What leaves a session: the original with its map, and the map in other formats.
+// Writes results: the original file with its map, and the map in other formats.
 #include <algorithm>
 #include <cmath>
 
@@ -27,11 +27,11 @@ std::string extensionOf(const std::string& name) {
 
 namespace {
 
-constexpr double kTilesAcross = 40;  // where nobody said how many
+constexpr double kTilesAcross = 40;  // default number of tiles across a map
 
 std::string generator() { return std::string("hgp ") + version(); }
 
-/// The uv of a component with the component's vertex at each.
+/// For each uv of a component, the component's vertex.
 std::vector<VertexId> verticesOf(const TriMesh& mesh, const UvMap& map) {
   std::vector<VertexId> out(map.uv.size());
   for (std::size_t f = 0; f < map.cornerUv.size(); ++f) {
@@ -44,8 +44,7 @@ std::vector<VertexId> verticesOf(const TriMesh& mesh, const UvMap& map) {
   return out;
 }
 
-/// The components of a result as they were before they were stored, but with the numbers that were; where they have
-/// their own still, with those.
+/// The components of a result with their maps: unrounded if those were kept, otherwise as stored.
 std::vector<ComponentMap> componentsOf(const Model& model, std::vector<ComponentMap> out,
                                        const StoredMap& stored) {
   for (std::size_t p = 0; p < out.size(); ++p) {
@@ -57,12 +56,12 @@ std::vector<ComponentMap> componentsOf(const Model& model, std::vector<Component
   return out;
 }
 
-/// Whether two models are made of the same triangles of their files, joined at the same corners.
+/// Whether two models have the same triangles of their files, joined at the same corners.
 bool isSameSurface(const Model& a, const Model& b) {
   if (b.unusable || a.mesh.triangles.size() != b.mesh.triangles.size()) return false;
   const std::size_t corners = 3 * a.source().mesh.triangles.size();
   if (corners != 3 * b.source().mesh.triangles.size()) return false;
-  std::vector<int> vertexOf(corners, -1);  // of b, by corner of the file
+  std::vector<int> vertexOf(corners, -1);  // vertex of b, by corner of the file
   for (std::size_t c = 0; c < 3 * b.mesh.triangles.size(); ++c)
     vertexOf[at(b.cornerOrigin[MeshCornerId{static_cast<int>(c)}].i)] =
         b.mesh.triangles[c / 3][c % 3];
@@ -78,8 +77,8 @@ bool isSameSurface(const Model& a, const Model& b) {
   return true;
 }
 
-/// The mesh on its own in another format, as it will be read there with the same options; kUnsupported where that is another
-/// surface than the one that was solved.
+/// The mesh alone in another format, as it will be read with the same options. Fails with kUnsupported if the surface
+/// would then differ from the one that was solved.
 Result<Model> modelAs(const Model& model, const std::string& format) {
   Result<io::PlainFile> plain = model.document->plain(model.surface);
   if (!plain) return plain.error();
@@ -88,7 +87,7 @@ Result<Model> modelAs(const Model& model, const std::string& format) {
   files.main = format == "obj" ? plainObj(*plain, "") : plainGlb(*plain, generator());
   Result<io::DocumentPtr> document = io::openDocument(std::move(files), model.load.limits);
   if (!document) return document.error();
-  LoadOptions options = model.load;  // its weld and repairs
+  LoadOptions options = model.load;  // with the same weld and repairs
   options.surface = -1;
   options.writesRepairs = false;
   Result<Model> made = modelOfDocument(std::move(*document), options);

@@ -19,7 +19,7 @@ constexpr std::array<std::uint32_t, 64> kConstants = {
 
 using Hash = std::array<std::uint32_t, 8>;
 
-/// One round of the standard, which leaves the new first value in h and the new fifth in d.
+/// One round of the standard; the new first value is left in h and the new fifth value in d.
 [[gnu::always_inline]] inline void turn(std::uint32_t a, std::uint32_t b, std::uint32_t c,
                                         std::uint32_t& d, std::uint32_t e, std::uint32_t f,
                                         std::uint32_t g, std::uint32_t& h, std::uint32_t added) {
@@ -30,7 +30,7 @@ using Hash = std::array<std::uint32_t, 8>;
   h = first + s0 + ((a & b) | (c & (a | b)));
 }
 
-/// Never inlined: engines optimize WebAssembly between calls, not inside a loop that is running.
+/// Not inlined: WebAssembly engines switch to optimized code between calls, not inside a running loop.
 [[gnu::noinline]] void addBlock(Hash& hash, const std::uint8_t* block) {
   std::array<std::uint32_t, 64> w;
   for (std::size_t i = 0; i < 16; ++i) {
@@ -44,10 +44,10 @@ using Hash = std::array<std::uint32_t, 8>;
     w[i] = w[i - 16] + (std::rotr(a, 7) ^ std::rotr(a, 18) ^ (a >> 3)) + w[i - 7] +
            (std::rotr(b, 17) ^ std::rotr(b, 19) ^ (b >> 10));
   }
-  // In scalars: kept in an array, clang's vectorizer shuffles them through SIMD lanes, ten times slower.
+  // Scalars instead of an array, which clang vectorizes into code that is ten times slower.
   std::uint32_t h0 = hash[0], h1 = hash[1], h2 = hash[2], h3 = hash[3];
   std::uint32_t h4 = hash[4], h5 = hash[5], h6 = hash[6], h7 = hash[7];
-  for (std::size_t i = 0; i < 64; i += 8) {  // eight at a time: the names rotate, nothing moves
+  for (std::size_t i = 0; i < 64; i += 8) {  // arguments rotate instead of values
     turn(h0, h1, h2, h3, h4, h5, h6, h7, kConstants[i] + w[i]);
     turn(h7, h0, h1, h2, h3, h4, h5, h6, kConstants[i + 1] + w[i + 1]);
     turn(h6, h7, h0, h1, h2, h3, h4, h5, kConstants[i + 2] + w[i + 2]);

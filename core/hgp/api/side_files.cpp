@@ -22,7 +22,7 @@ bool isGlb(io::ByteView bytes) {
                                   std::string_view("glTF");
 }
 
-/// By the first byte that says something: texts of other formats do not begin so.
+/// Whether the main file is glTF, by its first significant byte: texts of other formats begin differently.
 bool isGltf(const std::vector<io::OutputFile>& files) {
   if (files.empty()) return false;
   const io::Bytes& bytes = files[0].bytes;

@@ -1,5 +1,5 @@
-// What can be done with a written glTF: its side files taken along or inside it, its buffers compressed, a GLB
-// as a .gltf.  Role: for callers who move it elsewhere.
+// Conversions of a written glTF: its side files listed or embedded, its buffers compressed, a GLB stored as a
+// .gltf.  Role: for callers that move or publish the file.
 #pragma once
 
 #include <string>
@@ -10,23 +10,23 @@
 namespace hgp::api {
 
 /// Names of the side files that a written glTF needs and that are not among `files`.
-/// @param refused  if given, gets why others are not read: those outside the folder
+/// @param refused  if given, receives the reasons why others, such as those outside the folder, are not read
 std::vector<std::string> missingSideFiles(const std::vector<io::OutputFile>& files,
                                           std::vector<std::string>* refused = nullptr);
 
-/// The main file with its side files, from `files` or by `resolve`, inside it as data URIs; notes name images that are missing.
+/// The main file with its side files, from `files` or by `resolve`, embedded as data URIs; notes name missing images.
 Result<io::Written> withEmbedded(std::vector<io::OutputFile> files, const io::Resolver& resolve,
                                  const io::Limits& limits);
 
-/// The same file with its data compressed by meshopt (EXT_meshopt_compression), without losing a bit: the
-/// certificate holds for what is decoded. A note says the sizes. kUnsupported says what stands in the way.
+/// The same file with its data losslessly compressed by meshopt (EXT_meshopt_compression); the certificate also
+/// holds for the decoded data. A note states the sizes. Fails with kUnsupported where io::compressGltf does.
 Result<io::Written> compressed(const std::vector<io::OutputFile>& files,
                                const io::Resolver& resolve, const io::Limits& limits);
 
-/// Whether this build compresses: native ones with libmeshoptimizer.
+/// Whether this build can compress: true for native builds with libmeshoptimizer.
 bool canCompress();
 
-/// The GLB in `files` as a .gltf of this name with a side file beside it; a .gltf as it is.
+/// The GLB in `files` as a .gltf of this name with a side file; a .gltf is returned unchanged.
 Result<io::Written> asGltf(std::vector<io::OutputFile> files, const std::string& name);
 
 }  // namespace hgp::api

@@ -7,7 +7,7 @@ namespace hgp::api {
 ComponentSnapper::ComponentSnapper(const Model& model, const std::vector<ComponentMap>& components)
     : components_(components) {
   for (std::size_t p = 0; p < components.size(); ++p) {
-    if (!components[p].certificate.isCertified) {  // its seams do not fit, and are not made to
+    if (!components[p].certificate.isCertified) {  // rounding must not hide its faults
       snappers_.emplace_back();
       continue;
     }
@@ -26,7 +26,7 @@ void ComponentSnapper::snap(const StoredNumbers& numbers, std::vector<Vec2>& uv)
     first += count;
     if (!snappers_[p]) continue;
     const std::vector<Vec2> part(begin, begin + count);
-    // Rounded copies may end beyond the largest number that is exact: once more on a coarser grid.
+    // Rounded copies may exceed the largest exact number: a second attempt uses a coarser grid.
     for (int exponent = gridExponent(part, numbers), last = exponent + 1; exponent <= last;
          ++exponent) {
       const std::optional<SnappedMap> snapped = snappers_[p]->snap(part, exponent, numbers);

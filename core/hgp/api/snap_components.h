@@ -1,5 +1,5 @@
-// The maps of all components rounded together so that seams hold exactly in the stored numbers.
-// Role: grid/snap for what a file holds.
+// Rounds the maps of all components so that seams hold exactly in the stored numbers.
+// Role: applies grid/snap.h to the components of a file.
 #pragma once
 
 #include <vector>
@@ -14,11 +14,11 @@ class ComponentSnapper {
   /// Keeps references to both.
   ComponentSnapper(const Model& model, const std::vector<ComponentMap>& components);
 
-  /// Rounds uv of all components, one after another, each on a grid of its own. A component whose q
-  /// has no exact rotations (3, 5, 6, …), or that was left out, stays as it is.
+  /// Rounds the uv of all components in order, each on its own grid. A component stays unchanged if its q
+  /// has no exact rotations (3, 5, 6, …) or if it was left out.
   void snap(const StoredNumbers& numbers, std::vector<Vec2>& uv) const;
 
-  /// This component does not survive being rounded: it stays as it is from now on.
+  /// Excludes a component that rounding breaks: snap() does not change it any more.
   void leave(std::size_t component) { snappers_[component].reset(); }
 
  private:

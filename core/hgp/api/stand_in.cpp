@@ -7,7 +7,7 @@
 namespace hgp::api {
 namespace {
 
-/// Flat: seen along the direction in which the component is thinnest by its bounding box.
+/// A projection along the coordinate axis in which the component's bounding box is thinnest.
 UvMap flatMap(const TriMesh& mesh) {
   Box<3> box;
   for (VertexId v : mesh.vertices()) box.add(mesh.position(v));

@@ -13,13 +13,13 @@
 namespace hgp::api {
 namespace {
 
-// Factors tried in turn when rounding to float32 breaks a component, after its place has been tried;
-// 0 stands for the power of two that makes it 64 to 128 units large: beside 1 − v, what is small has
-// fewer digits.
+// Factors to try, in this order, if rounding to float32 breaks a component; each also moves it to the origin.
+// 0 stands for the power of two that scales it to 64 to 128 units: v is stored as 1 − v, so a small component
+// would lose digits.
 constexpr double kRetryFactors[] = {1.0,    0.0,    1.1875, 1.375,  1.625,
                                     1.8125, 0.9375, 1.0625, 1.53125};
 
-/// What is done to a component before it is stored: uv ↦ factor · uv + shift.
+/// The transformation of a component before it is stored: uv ↦ factor · uv + shift.
 struct Placement {
   double factor = 1;
   Vec2 shift{0, 0};
@@ -48,10 +48,10 @@ std::vector<Placement> packed(const std::vector<ComponentMap>& components) {
   return out;
 }
 
-/// Alone around the origin, where most digits are left for it. (Overlapping others is no defect.)
+/// Centres a component at the origin, where its coordinates are most precise. (Components may overlap.)
 Placement centred(const ComponentMap& component, double factor) {
   UvBox box = boxOf(component.map.uv);
-  if (component.shiftUnit > 0) factor = 1.0;  // aligned: its unit stays 1
+  if (component.shiftUnit > 0) factor = 1.0;  // aligned to a grid: one cell stays one unit
   if (factor == 0.0) factor = box.extent() > 0 ? std::scalbn(1.0, 6 - std::ilogb(box.extent())) : 1;
   for (Vec2* p : {&box.low, &box.high}) *p = {factor * (*p)[0], factor * (*p)[1]};
   return {factor, centringShift(box, component.shiftUnit)};
@@ -104,12 +104,12 @@ void applyScale(MeshMap& map, Scale scale) {
   } else if (scale == Scale::kFit) {
     const UvBox box = boxOf(map.uv);
     const double size = box.extent();
-    // Rounding must not push the far side beyond 1.
+    // The margin keeps rounding from exceeding 1.
     if (size > 0) moveAndScale(map.uv, box.low, (1 - 1e-7) / size);
   }
 }
 
-/// Whatever was done to all: uv that the file had are those that it has.
+/// Restores the uv of components that keep those of the file.
 void restoreKept(const std::vector<ComponentMap>& components, std::vector<Vec2>& uv) {
   auto at = uv.begin();
   for (const ComponentMap& component : components) {
@@ -142,7 +142,7 @@ std::vector<std::uint32_t> verticesOfUv(const Model& model, const UvMap& map) {
   return out;
 }
 
-/// The same numbers at every corner.
+/// Whether both maps have the same uv at every corner.
 bool isSame(const UvMap& a, const UvMap& b) {
   if (a.cornerUv.size() != b.cornerUv.size()) return false;
   for (std::size_t f = 0; f < a.cornerUv.size(); ++f)
@@ -168,8 +168,8 @@ StoredNumbers numbersOf(const StorePlace& place) {
   return {isFloat32(place) ? 24 : 53, isFloat32(place)};
 }
 
-/// Verifies `out.map`. A component whose numbers are those that were verified already, before storing or in
-/// `earlier`, is not verified again.
+/// Verifies `out.map`. A component with exactly the numbers that were verified before storing or in `earlier` is not
+/// verified again.
 void check(const Model& model, const StorePlace& place, const std::vector<ComponentMap>& components,
            const StoredMap* earlier, StoredMap& out) {
   CertifyOptions options = certifyOptions(place);
@@ -192,7 +192,7 @@ void check(const Model& model, const StorePlace& place, const std::vector<Compon
   out.isCertified = areCertified(out.certificates);
 }
 
-/// The components side by side as the format has them, seams exact, verified.
+/// Joins the components, snaps them so that seams are exact, rounds them as the format does and verifies them.
 StoredMap store(const Model& model, const StorePlace& place,
                 const std::vector<ComponentMap>& components,
                 const std::vector<Placement>& placements, Scale scale,
@@ -217,7 +217,7 @@ std::vector<std::size_t> brokenByStoring(const std::vector<ComponentMap>& compon
   return out;
 }
 
-/// Other places and scales for the components that rounding broke; the others stay as they are.
+/// Tries other positions and scales for the components that rounding broke; the others stay.
 void redo(const Model& model, const StorePlace& place, const std::vector<ComponentMap>& components,
           const ComponentSnapper& snapper, std::vector<Placement> placements, StoredMap& stored) {
   std::vector<std::size_t> broken = brokenByStoring(components, stored);
@@ -240,7 +240,7 @@ void redo(const Model& model, const StorePlace& place, const std::vector<Compone
   }
 }
 
-/// Cells for measureOverlap: 512 a side, fewer for few triangles.
+/// Cells per side for measureOverlap: 512, or fewer for few triangles.
 int overlapCells(const UvMap& map) {
   int size = 32;
   while (size < 512 && static_cast<std::size_t>(size) * static_cast<std::size_t>(size) <
@@ -260,7 +260,7 @@ void denyCertificate(const std::string& whyNone, Certificate& certificate) {
 }
 
 double gridStep(const UvMap& map) {
-  // What stores v as 1 − v rounds that.
+  // A format that stores 1 − v rounds that value too.
   double largest = 0;
   for (const auto& corners : map.cornerUv)
     for (int i : corners) {
@@ -310,8 +310,8 @@ StoredMap storeMap(const Model& model, const StorePlace& place,
 
 namespace {
 
-/// Gives `map` the uv that its corners name, and numbers of its own: what a component costs must not
-/// grow with the others.
+/// Copies to `map` the uv that its corners use, with new indices, so that the cost of a component does not
+/// depend on the others.
 void takeUsed(const std::vector<Vec2>& uv, UvMap& map) {
   const int count = static_cast<int>(uv.size());
   std::vector<int> used;

@@ -12,7 +12,7 @@ FaceEdits editsOf(const Model& model) {
   FaceEdits edits;
   const MeshData& source = model.source().mesh;
   const auto before = static_cast<int>(source.positions.size());
-  std::map<std::pair<int, int>, int> copies;  // vertex of the surface and of the mesh → copy
+  std::map<std::pair<int, int>, int> copies;  // vertex of the surface, vertex of the mesh → copy
   for (std::size_t f = 0; f < model.mesh.triangles.size(); ++f) {
     const MeshFaceId inMesh{static_cast<int>(f)};
     EditedFace edit{model.faceOrigin[inMesh].i, {}, {}};

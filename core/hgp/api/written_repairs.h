@@ -6,11 +6,11 @@
 
 namespace hgp::api {
 
-/// The repairs of `model` as edits of the triangles of its surface. Triangles that were left out and vertices that a
-/// weld joined are not changed.
+/// The repairs of `model` as edits of the triangles of its surface. Triangles that were left out and vertices that
+/// were welded are not changed.
 FaceEdits editsOf(const Model& model);
 
-/// "3 faces are written the other way round …"; of edits that are not empty.
+/// The note on these edits, "3 faces are written …". @pre edits.faces is not empty
 std::string noteOn(const FaceEdits& edits, int surfaceVertices);
 
 }  // namespace hgp::api

@@ -14,7 +14,7 @@ bool endsWith(std::string_view name, std::string_view end) {
   return name.size() >= end.size() && name.substr(name.size() - end.size()) == end;
 }
 
-/// "c V A" and "sm F V R" become cones and matchings.
+/// Converts "c V A" and "sm F V R" lines to cones and matchings.
 class HgpLines {
  public:
   explicit HgpLines(const PolygonMesh& polygons) : polygons_(polygons) { out_.q = 4; }
@@ -111,7 +111,8 @@ class HgpLines {
   std::string message_;
 };
 
-/// Rows of one number are angles; "N n" followed by n pairs are singularities; else curvatures.
+/// A list with one number per row gives angles; "N n" followed by n pairs gives singularities; any other list
+/// gives curvatures.
 Result<Prescription> readUnnamedList(std::string_view text, int q) {
   WordReader words(text);
   double first = 0, second = 0;

@@ -1,5 +1,5 @@
-// Files that prescribe cones, opened by name and content.  Role: bytes ↔ Prescription, the formats of
-// the module prescription and the OBJ dialect of HGP.
+// Reads files that prescribe cones.  Role: bytes → Prescription, in the formats of the module `prescription`
+// and in HGP's dialect of OBJ.
 #pragma once
 
 #include <string_view>
@@ -9,11 +9,11 @@
 
 namespace hgp::io {
 
-/// Chooses by content and name. `q` is the order for files that give angles only (curvature lists,
+/// Chooses the format by content and name. `q` is the order for files that give angles only (curvature lists,
 /// `_Th_hat`); files that state their own order keep it.
 Result<Prescription> readPrescription(std::string_view name, std::string_view text, int q);
 
-/// HGP's `c V A` (k = A·q/2) and `sm F V R` lines of an OBJ; q = 4.
+/// HGP's `c V A` (cone angle Aπ, k = A·q/2) and `sm F V R` lines of an OBJ; q = 4.
 Result<Prescription> readHgpConeLines(std::string_view text, const std::vector<TextSpan>& lines,
                                       const PolygonMesh& polygons, const TriangleCorners& corners);
 

@@ -1,6 +1,6 @@
-// A loaded file, whatever its format: surfaces out, uv back in, everything else untouched.
-// Role: bytes ↔ MeshData and the lossless patch back. No file system, no network, no exceptions of
-// its own.
+// A loaded file of any format: hands out surfaces, writes uv, and leaves everything else unchanged.
+// Role: bytes → MeshData, and the lossless patch back. Uses neither file system nor network and throws nothing
+// itself.
 #pragma once
 
 #include <cstdint>
@@ -19,34 +19,34 @@
 
 namespace hgp::io {
 
-/// What a reader may take before it ends with kLimit. Checked before memory is asked for.
+/// Beyond these a reader fails with kLimit. They are checked before memory is allocated.
 struct Limits {
   std::uint64_t maxBytes = std::uint64_t{2} << 30;  ///< of all files together, and of decoded data
   std::uint64_t maxTriangles = 16'000'000;          ///< of one document
 };
 
-/// Hands over a side file by the relative name that the main file uses (percent-decoded, '/'). The
-/// caller decides what may be seen; io refuses names that leave the folder before asking.
+/// Returns the bytes of a side file, given the relative name in the main file (percent-decoded, with '/'). The
+/// caller decides which files may be read; io itself refuses names that leave the folder.
 using Resolver = std::function<Result<Bytes>(const std::string& relativeName)>;
 
 struct GltfDecoders;  // gltf_decoders.h
-/// The main file and a way to its companions (a .gltf's .bin). `resolve` may be empty.
+/// The main file and access to its side files (such as a .gltf's .bin). `resolve` may be empty.
 struct FileSet {
-  std::string name;  ///< as the user wrote it; only its extension and messages use it
+  std::string name;  ///< as the user wrote it; used for its extension and in messages
   Bytes main;
   Resolver resolve;
-  std::vector<std::string> notes;  ///< what the one who opened the files wants to be told with them
-  std::shared_ptr<const GltfDecoders> decoders;  ///< of compressed glTF; empty: those of this build
+  std::vector<std::string> notes;                ///< of the caller that opened the files, for users
+  std::shared_ptr<const GltfDecoders> decoders;  ///< for glTF; empty: those of this build
 };
 
-/// One mesh of a document as the method sees it.
+/// One mesh of a document, as it is parametrized.
 struct Surface {
   std::string name;                ///< the file's own name, or ""
   MeshData mesh;                   ///< welded for glTF and STL, the file's connectivity otherwise
   int storedVertexCount = 0;       ///< before welding
   bool isWelded = false;           ///< vertex ids are welded ids (decided by exact position)
-  std::vector<int> uvSets;         ///< sets that existingUv can give, ascending
-  std::vector<std::string> notes;  ///< what a person should know (points skipped, n-gons cut …)
+  std::vector<int> uvSets;         ///< sets that existingUv can read, ascending
+  std::vector<std::string> notes;  ///< for users (points skipped, polygons triangulated …)
 };
 
 enum class UvPrecision { kFloat32, kFloat64 };
@@ -59,35 +59,35 @@ class Document {
  public:
   virtual ~Document() = default;
   virtual const char* format() const = 0;        ///< "obj" "off" "ply" "stl" "gltf" "glb"
-  virtual const char* outputFormat() const = 0;  ///< what write() makes: "obj" "gltf" "glb"
+  virtual const char* outputFormat() const = 0;  ///< written by default: "obj" "gltf" "glb"
   virtual bool canWriteAs(std::string_view format) const { return format == outputFormat(); }
   virtual const std::vector<Surface>& surfaces() const = 0;
   virtual UvPrecision uvPrecision() const = 0;
 
-  /// uv stored in the file, exactly; nothing when some corner has none.
+  /// The uv stored in the file, exactly; empty if the surface does not have this set.
   virtual std::optional<UvMap> existingUv(int surface, int set) const = 0;
-  /// The same for verifying, unrounded: v is −(stored v) where 1 − (stored v) is no double.
+  /// The same without rounding, for verification: v is −(stored v) if 1 − (stored v) is not exact in a double.
   virtual std::optional<UvMap> exactUv(int s, int set) const { return existingUv(s, set); }
 
-  /// Exactly the map that existingUv gives after write() and reading again: rounded to float32, polygons
-  /// kept whole: what a certificate must measure. Corners may be re-indexed.
+  /// Exactly the map that existingUv returns once the file is written and read again, for instance rounded to
+  /// float32; polygons stay whole. A certificate must be measured on this map. Corners may be re-indexed.
   virtual UvMap asStored(int surface, const UvMap& map) const = 0;
 
-  /// Cones stored inside the file, or nothing.
+  /// Cones stored inside the file; empty if there are none.
   virtual Result<std::optional<Prescription>> embeddedCones(int surface) const = 0;
 
   /// The original with `map` as a uv set of this surface. `map` must come from asStored.
   virtual Result<Written> write(int surface, const UvMap& map, const WriteOptions& o) const = 0;
 
-  /// What other formats can hold, too; `surface` −1: all of the file, where its nodes put it.
+  /// The content that other formats can store as well; `surface` −1: the whole file, as placed by its nodes.
   virtual Result<PlainFile> plain(int surface) const = 0;
 
-  /// The same file after splitEdges(), what it stores interpolated, without cones; not for glTF.
+  /// The same file after splitEdges(): stored attributes are interpolated, cones are left out. Not for glTF.
   virtual Result<std::unique_ptr<Document>> refined(
       int surface, const std::vector<std::array<int, 2>>& edges) const = 0;
 
-  /// The same file with these edits of its faces; of cones stored in it nothing is promised. In glTF,
-  /// where vertices at one place are one, copies are stored apart and read as one again.
+  /// The same file with these edits of its faces; cones stored in it may be lost. In glTF, where vertices at
+  /// equal positions are welded, copies are stored separately but welded again when the file is read.
   virtual Result<std::unique_ptr<Document>> repaired(int surface, const FaceEdits& edits) const = 0;
 };
 using DocumentPtr = std::unique_ptr<Document>;
@@ -101,7 +101,7 @@ Result<DocumentPtr> readGltf(FileSet files, const Limits& limits);  ///< GLB as 
 /// Chooses the reader by content first, then by the name's extension.
 Result<DocumentPtr> openDocument(FileSet files, const Limits& limits);
 
-/// A plain OBJ of one mesh with its uv (may be empty), numbers printed so that doubles survive.
+/// A plain OBJ of one mesh with its uv (may be empty); numbers are printed so that they read back exactly.
 Bytes writePlainObj(const MeshData& mesh, const UvMap& map, const std::string& generator);
 
 }  // namespace hgp::io

@@ -12,7 +12,7 @@
 namespace hgp::io {
 namespace {
 
-/// A PNG of 64 × 64 pixels: two by two squares of a checker with lines between them.
+/// A PNG of 64 × 64 pixels: two by two squares of a checkerboard with lines between them.
 constexpr std::array<std::uint8_t, 227> kPicture = {
     0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A, 0x00, 0x00, 0x00, 0x0D, 0x49, 0x48, 0x44, 0x52,
     0x00, 0x00, 0x00, 0x40, 0x00, 0x00, 0x00, 0x40, 0x08, 0x02, 0x00, 0x00, 0x00, 0x25, 0x0B, 0xE6,
@@ -36,14 +36,14 @@ std::string_view textOf(const Bytes& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// How often the picture repeats in a unit of uv. Never by printf, which some locales give a comma.
+/// How often the picture repeats per unit of uv. Not by printf, which writes a comma in some locales.
 std::string scaleOf(double tiles) {
   std::string out;
   appendDouble(out, tiles / 2);
   return out;
 }
 
-/// Lines that name materials or libraries become comments; every other line keeps its bytes.
+/// Turns lines that name materials or libraries into comments; every other line stays byte for byte.
 Bytes objWithGrid(const Bytes& file, const std::string& head) {
   Bytes out(head.begin(), head.end());
   out.reserve(head.size() + file.size() + 64);
@@ -60,7 +60,7 @@ Bytes objWithGrid(const Bytes& file, const std::string& head) {
   return out;
 }
 
-/// A name in one word: OBJ has no quotes.
+/// The name without spaces, because OBJ has no quoted names.
 std::string gridStem(const std::string& name) {
   std::string out = fileStem(name);
   for (char& c : out) {

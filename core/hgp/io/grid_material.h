@@ -1,5 +1,5 @@
-// A grid as the material of a mapped mesh, so that the map is seen wherever the file is opened. Role: looks only;
-// everything else in the file keeps its bytes.
+// A grid as the material of a mapped mesh, so that every viewer shows the map.  Role: changes only the
+// appearance; everything else in the file stays byte for byte.
 #pragma once
 
 #include <string_view>
@@ -11,14 +11,14 @@
 namespace hgp::io {
 
 struct GridMaterial {
-  double tiles = 1;  ///< per unit of uv; the picture shows two by two of them
-  int mesh = 0;      ///< glTF: whose primitives
-  int uvSet = -1;    ///< glTF: −1: the last one that they have without a gap
+  double tiles = 1;  ///< squares per unit of uv; the picture consists of two by two squares
+  int mesh = 0;      ///< glTF: the mesh whose primitives get the material
+  int uvSet = -1;    ///< glTF; −1: the last set before the first one that a primitive lacks
 };
 
-/// The files of Document::write with the grid. glTF: an image, inside the file, and a material for the
-/// primitives that have the uv set. OBJ: a library and a picture beside it; lines that name other materials
-/// become comments. `format`: "glb", "gltf" or "obj"; kUnsupported for others.
+/// The files of Document::write with the grid. glTF: an embedded image, and a material for the
+/// primitives that have the uv set. OBJ: a material library and a picture as side files; lines that name other
+/// materials become comments. `format`: "glb", "gltf" or "obj"; kUnsupported for others.
 Result<std::vector<OutputFile>> withGridMaterial(std::vector<OutputFile> files,
                                                  std::string_view format, const GridMaterial& grid);
 

@@ -19,7 +19,7 @@ std::string extensionOf(const std::string& name) {
   return extension;
 }
 
-/// The bytes that the count of a binary STL promises; 0 where there is no count.
+/// The size that a binary STL must have by the count in its header; 0 if the file is too short for a count.
 std::uint64_t binaryStlSize(const Bytes& bytes) {
   if (bytes.size() < 84) return 0;
   std::uint64_t count = 0;
@@ -27,7 +27,8 @@ std::uint64_t binaryStlSize(const Bytes& bytes) {
   return count > 0 ? 84 + 50 * count : 0;
 }
 
-/// Without a name (standard input): text has no zero byte, and no other binary format is left.
+/// For input without a name (standard input): text has no zero byte, and the other binary formats were
+/// recognized before.
 bool isNamelessStl(const Bytes& bytes, const std::string& extension) {
   const std::uint64_t size = extension.empty() ? binaryStlSize(bytes) : 0;
   return size > 0 && bytes.size() > size &&

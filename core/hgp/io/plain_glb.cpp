@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kVertexTarget = 34962, kIndexTarget = 34963;
 
-/// A JSON string; names are UTF-8 or what looks like it.
+/// A JSON string literal; names are assumed to be UTF-8.
 std::string plainQuoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) {
@@ -26,7 +26,7 @@ std::string plainQuoted(const std::string& text) {
   return out + "\"";
 }
 
-/// Elements of a JSON array, one after the other.
+/// Builds the elements of a JSON array.
 struct PlainJsonList {
   std::string text;
   int count = 0;
@@ -93,8 +93,8 @@ class PlainGlbText {
     word(data_, bits);
   }
 
-  /// Copies of a vertex, one per normal, stand together, and vertices in their old order; what no
-  /// triangle uses keeps its place.
+  /// Makes one copy of a vertex per normal. Vertices keep their order, the copies of a vertex are consecutive, and
+  /// vertices without triangles are kept.
   void splitVertices(const PlainSurface& surface) {
     const std::size_t count = surface.mesh.positions.size();
     std::vector<std::vector<int>> normalsOf(count);
@@ -148,7 +148,7 @@ class PlainGlbText {
     for (const int v : vertexOf_) {
       const Vec3& p = surface.mesh.positions[static_cast<std::size_t>(v)];
       for (std::size_t k = 0; k < 3; ++k) number(p[k]);
-      if (!isFinite(p)) continue;  // a defect that is found when the result is read
+      if (!isFinite(p)) continue;  // this defect is reported when the result is read
       for (std::size_t k = 0; k < 3; ++k) {
         const auto x = static_cast<float>(p[k]);
         low[k] = isFirst ? x : std::min(low[k], x);
@@ -181,7 +181,7 @@ class PlainGlbText {
     const std::size_t begin = data_.size();
     for (const int v : vertexOf_) {
       for (const double c : surface.colors[static_cast<std::size_t>(v)]) {
-        const double share = c > 0 ? std::min(c, 1.0) : 0;  // a NaN is none
+        const double share = c > 0 ? std::min(c, 1.0) : 0;  // NaN becomes 0
         const auto bits = static_cast<unsigned>(std::lround(65535 * share));
         data_.push_back(static_cast<std::uint8_t>(bits & 0xFF));
         data_.push_back(static_cast<std::uint8_t>(bits >> 8));

@@ -9,7 +9,7 @@
 namespace hgp::io {
 namespace {
 
-/// A name in one word: OBJ has no quotes.
+/// The name without spaces, because OBJ has no quoted names.
 std::string objName(const std::string& name, const std::string& otherwise) {
   std::string out = name.empty() ? otherwise : name;
   for (char& c : out)

@@ -1,5 +1,5 @@
-// A surface with what every format can hold.  Role: the way from one format to another; what else the
-// source holds is named in `lost`.
+// A surface with the data that every format can store.  Role: the intermediate form between two formats; `lost`
+// names the content of the source that it cannot represent.
 #pragma once
 
 #include <array>
@@ -22,18 +22,18 @@ struct PlainSurface {
 
 struct PlainFile {
   std::vector<PlainSurface> surfaces;
-  std::vector<std::string> lost;  ///< what is not kept, for users
+  std::vector<std::string> lost;  ///< what is not kept, one sentence each, for users
 };
 
 /// The sRGB transfer function and its inverse; colours of OBJ and PLY are sRGB, those of glTF linear.
 double linearFromSrgb(double x);
 double srgbFromLinear(double x);
 
-/// A GLB of one mesh per surface, without uv. All primitives of a mesh share their vertices, in the order of
-/// the surface, so that vertices keep their numbers where no two fall together in float32.
+/// A GLB with one mesh per surface, without uv. All primitives of a mesh share their vertices, in the order of
+/// the surface, so that vertices keep their ids unless two positions become equal in float32.
 Bytes plainGlb(const PlainFile& file, const std::string& generator);
 
-/// An OBJ of one object per surface, without vt.
+/// An OBJ with one object per surface, without vt.
 Bytes plainObj(const PlainFile& file, const std::string& generator);
 
 }  // namespace hgp::io

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kDrawingSize = 1000;
 
-/// From uv to the drawing, whose y points down.
+/// Transforms uv to coordinates of the drawing, whose y points down.
 class Drawing {
  public:
   explicit Drawing(const std::vector<Vec2>& uv) : uv_(uv) {
@@ -50,7 +50,7 @@ class Drawing {
     number(out, (p[0] - corner_[0]) * scale_);
     number(out += ' ', (corner_[1] - p[1]) * scale_);
   }
-  /// Rounded to hundredths without printf: there are millions of them.
+  /// Writes x rounded to hundredths, without printf, which is too slow for millions of numbers.
   static void number(std::string& out, double x) {
     const auto hundredths = static_cast<std::int64_t>(std::llround(100 * std::max(x, 0.0)));
     appendInt(out, hundredths / 100);

@@ -1,4 +1,4 @@
-// The map itself as a drawing or as a flat mesh.  Role: for programs that show no texture coordinates.
+// The map itself as a drawing or as a flat mesh.  Role: for programs that cannot show texture coordinates.
 #pragma once
 
 #include <array>
@@ -10,14 +10,14 @@
 
 namespace hgp::io {
 
-/// Two uv that are the ends of an edge.
+/// The uv indices of the two ends of an edge.
 using UvEdge = std::array<int, 2>;
 
-/// An SVG 1000 units large with every edge once, v upwards; `seams` in a second path, red and wider. Two
-/// decimals: to look at and to print, not to measure.
+/// An SVG whose longer side is 1000 units, with every edge once and v pointing up; `seams` are a second path, red
+/// and wider. Coordinates have two decimals, enough for viewing and printing but not for measuring.
 Bytes uvLayoutSvg(const UvMap& map, const std::vector<UvEdge>& seams);
 
-/// The map laid flat as an OBJ: vertices (u, v, 0) with themselves as vt.
+/// The map as a flat OBJ: vertices (u, v, 0), with (u, v) as vt.
 Bytes flatObj(const UvMap& map, const std::string& generator);
 
 }  // namespace hgp::io

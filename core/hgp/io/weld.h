@@ -1,4 +1,4 @@
-// Joining vertices that sit at the same place.  Role: STL and glTF split vertices that are one.
+// Joins vertices at equal positions.  Role: STL and glTF store one vertex several times.
 #pragma once
 
 #include <vector>
@@ -16,10 +16,10 @@ struct Weld {
 /// Joins vertices whose three coordinates are equal (0 and −0 are). O(n) expected.
 Weld weldExact(const std::vector<Vec3>& positions);
 
-/// Joins vertices closer than `tolerance`, first come first served, by a grid of cells of that size.
+/// Joins every vertex to the first vertex closer than `tolerance`, found by a grid with cells of that size.
 Weld weldNear(const std::vector<Vec3>& positions, double tolerance);
 
-/// Copies of one vertex with the same uv become one: formats also split for other reasons than uv.
+/// Joins copies of one vertex that have the same uv: formats split vertices for other attributes as well.
 void joinEqualCopies(const MeshData& mesh, UvMap& map);
 
 }  // namespace hgp::io

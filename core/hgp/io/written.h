@@ -1,4 +1,4 @@
-// What is written, and how.  Role: the words of Document::write.
+// Options and results of writing a file.  Role: the argument and return types of Document::write.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 namespace hgp::io {
 
 using Bytes = std::vector<std::uint8_t>;
-/// Never byte by byte: texts of a million triangles are long.
+/// Copies the text in one step, since appending byte by byte is slow for large meshes.
 inline Bytes asBytes(const std::string& text) {
   const auto* first = reinterpret_cast<const std::uint8_t*>(text.data());
   return Bytes(first, first + text.size());
@@ -23,9 +23,9 @@ struct WriteOptions {
   std::string name;                  ///< of the main output; names of side files derive from it
   std::string generator;             ///< stamped into a comment where the format has one, or ""
   std::optional<std::string> cones;  ///< hgp-cones JSON to embed for re-opening
-  bool pointsMaterials = false;      ///< glTF: the materials' pictures use the written set
-  bool isSideFileNoted = true;       ///< "keep x.bin next to the new file"
-  bool isCompressedLater = false;    ///< glTF: no notes on what is stored uncompressed
+  bool pointsMaterials = false;      ///< glTF: makes the materials' textures use the written set
+  bool isSideFileNoted = true;       ///< adds the note "keep x.bin next to the new file"
+  bool isCompressedLater = false;    ///< glTF: omits notes on what is stored uncompressed
 };
 
 struct OutputFile {

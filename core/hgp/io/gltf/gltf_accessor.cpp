@@ -7,7 +7,7 @@
 namespace hgp::io {
 namespace {
 
-/// Little-endian on every platform we build for.
+/// glTF is little-endian, as is every platform that we build for.
 template <class T>
 T valueAt(ByteView bytes, std::uint64_t k) {
   T value;

@@ -5,7 +5,7 @@
 namespace hgp::io {
 namespace {
 
-/// Brings in one buffer after the other and keeps count of what they take.
+/// Loads the buffers one after the other and counts their bytes against the limit.
 class BufferLoader {
  public:
   BufferLoader(GltfStore& store, const Resolver& resolve, const Limits& limits)
@@ -52,7 +52,7 @@ class BufferLoader {
       buffer.kind = GltfBufferKind::kBin;
       buffer.bytes = store_.container.bin;
     } else {
-      return Done{};  // a fallback buffer of meshopt; a view that needs it is refused later
+      return Done{};  // a fallback buffer of meshopt; run() refuses a view that needs it
     }
     if (buffer.bytes.size() >= declared) return Done{};
     return refuse(pointer,

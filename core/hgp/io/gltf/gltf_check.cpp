@@ -9,7 +9,7 @@
 namespace hgp::io {
 namespace {
 
-/// Extensions that a file may require: decoded here, or without any say over geometry.
+/// Extensions that a file may require: they are decoded here, or do not affect geometry.
 constexpr std::array kKnownExtensions = {std::string_view("KHR_draco_mesh_compression"),
                                          std::string_view("EXT_meshopt_compression"),
                                          std::string_view("KHR_meshopt_compression"),
@@ -34,7 +34,7 @@ bool isKnownExtension(std::string_view name) {
              kKnownExtensions.end();
 }
 
-/// Where an index stands and which array it points into. [] = every element, {} = every member.
+/// Where the text has an index and which array it refers to. [] = every element, {} = every member.
 struct Reference {
   const char* path;
   const char* target;
@@ -98,7 +98,7 @@ void walkPath(const JsonText& json, int node, std::string_view path, const Visit
   if (member >= 0) walkPath(json, member, rest, visit);
 }
 
-/// "2.0" as {2, 0}; nothing for anything else.
+/// "2.0" as {2, 0}; empty for text that is not a version.
 std::optional<std::array<int, 2>> version(const std::string& text) {
   const std::size_t dot = text.find('.');
   if (dot == 0 || dot == std::string::npos || dot + 1 == text.size() || text.size() > 9) {
@@ -130,7 +130,7 @@ std::vector<int> gltfReferences(const JsonText& json, std::string_view target) {
 }
 
 bool areGltfReferencesKnown(const JsonText& json) {
-  // Nodes are in the order of the text, so a subtree of extras can be stepped over.
+  // Nodes are in the order of the text, so the subtree of an extras can be skipped as one range.
   const int count = json.size();
   for (int i = 1; i < count; ++i) {
     const bool isMember = json.node(i).keyEnd > json.node(i).keyBegin;

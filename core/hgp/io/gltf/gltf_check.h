@@ -1,5 +1,5 @@
-// What a glTF text must satisfy before anything else looks at it.  Role: trusts nothing; every
-// refusal names the value by JSON pointer.
+// The rules that a glTF text must satisfy before any other code uses it.  Role: assumes nothing about the
+// text; every error names the value by its JSON pointer.
 #pragma once
 
 #include <optional>
@@ -12,18 +12,18 @@
 
 namespace hgp::io {
 
-/// Structure, extensions, references, spans, node tree and primitives, checked in the text alone:
-/// buffers are as long as they declare. kMalformed for what is wrong, kLimit for what would take
-/// more than `limits` (decoded or zero-filled accessors, triangles).
+/// Checks structure, extensions, references, byte ranges, the node tree and primitives in the text alone;
+/// every buffer is assumed to be as long as it declares. Fails with kMalformed where a rule is broken, and with
+/// kLimit where decoded or zero-filled accessors or triangles would exceed `limits`.
 Status checkGltf(const JsonText& json, const Limits& limits);
 
 /// Every value of a checked text that is an index into the top-level array `target` ("accessors" or
-/// "bufferViews"), wherever the core and the extensions known here keep one.
+/// "bufferViews"), in the core format and in the extensions known here.
 std::vector<int> gltfReferences(const JsonText& json, std::string_view target);
 /// False when the file uses an extension whose references gltfReferences cannot know.
 bool areGltfReferencesKnown(const JsonText& json);
 
-/// Collects the first thing that is wrong. Every check returns false once something is.
+/// Records the first broken rule; every check returns false from then on.
 class GltfChecker {
  public:
   GltfChecker(const JsonText& json, const Limits& limits) : json_(json), limits_(limits) {}
@@ -52,7 +52,7 @@ class GltfChecker {
   bool checkDraco(int primitive);
 
   bool fail(int place, const std::string& message, ErrorCode code = ErrorCode::kMalformed);
-  /// A non-negative integer member; `fallback` when it is missing, required when that is −1.
+  /// Reads a non-negative integer member; a missing one is `fallback`, or an error if that is −1.
   bool integer(int object, const char* key, std::int64_t fallback, std::int64_t& out);
   /// The i-th element of a top-level array whose reference has been checked.
   int element(const char* array, int referenceNode) const;

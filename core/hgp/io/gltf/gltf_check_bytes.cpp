@@ -1,5 +1,5 @@
-// Buffers, views and accessors: every span is checked as offset ≤ length and need ≤ length − offset,
-// in 64 bits, so that no sum can wrap.
+// Buffers, views and accessors: every byte range is checked as offset ≤ length and need ≤ length − offset,
+// in 64 bits, so that no sum can overflow.
 #include "hgp/base/check.h"
 #include "hgp/io/gltf/gltf_check.h"
 #include "hgp/io/gltf/gltf_model.h"
@@ -23,7 +23,7 @@ bool GltfChecker::checkBuffers() {
     if (length < 1) return fail(buffer, "'byteLength' must be at least 1");
     const int uri = json_.find(buffer, "uri");
     if (uri >= 0 && !json_.isString(uri)) return fail(uri, "must be a string");
-    // 8 · 10⁶ values of 2⁵³ each cannot overflow 2⁶³ before this stops it.
+    // No overflow: `total` is checked after every addition, and one addition is below 2⁵³.
     total += length;
     if (static_cast<std::uint64_t>(total) > limits_.maxBytes) {
       return fail(buffer,
@@ -122,7 +122,7 @@ bool GltfChecker::checkSpan(int place, int view, std::int64_t offset, std::int64
     return fail(place, formatText("not aligned to its components of %lld bytes",
                                   static_cast<long long>(componentSize)));
   }
-  // count ≤ length first, so that the product stays far below 2⁶³.
+  // count ≤ length is tested first, so that the product stays far below 2⁶³.
   if (count > length || !isInside(offset, stride * (count - 1) + elementSize, length)) {
     return fail(place, formatText("%lld elements do not fit the view of %lld bytes",
                                   static_cast<long long>(count), static_cast<long long>(length)));
@@ -192,7 +192,7 @@ bool GltfChecker::checkSparse(int accessor, int sparse, std::int64_t count,
       indexType != kGltfUnsignedInt) {
     return fail(indices, "'componentType' must be an unsigned integer");
   }
-  // tinygltf keeps these in 32 bits.
+  // tinygltf stores these in 32 bits.
   if (indexOffset > INT32_MAX || valueOffset > INT32_MAX || changed > INT32_MAX) {
     return fail(sparse, "sparse data beyond 2 GiB is not read", ErrorCode::kLimit);
   }

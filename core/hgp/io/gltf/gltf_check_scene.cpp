@@ -132,7 +132,7 @@ bool GltfChecker::checkNodes() {
       parent[index] = static_cast<int>(i);
     }
   }
-  // With one parent each, whatever no root reaches runs in a circle.
+  // Every node has at most one parent, so the nodes that no root reaches form cycles.
   std::vector<std::pair<int, int>> open;
   for (std::size_t i = 0; i < count; ++i) {
     if (parent[i] < 0) open.emplace_back(static_cast<int>(i), 1);

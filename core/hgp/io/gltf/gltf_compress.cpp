@@ -16,13 +16,13 @@ namespace {
 constexpr const char* kMeshopt = "EXT_meshopt_compression";
 constexpr const char* kMeshoptKinds[] = {kMeshopt, "KHR_meshopt_compression"};
 
-/// Bytes of text that a packed view takes more than a plain one.
+/// Bytes of JSON text that a compressed view needs beyond those of a plain one.
 constexpr std::size_t kDescription = 190;
 
-/// Who reads a view.
+/// What a view is used for.
 struct ViewUse {
   std::vector<int> accessors;
-  bool hasOthers = false;  ///< images, sparse values, Draco data: left as they are
+  bool hasOthers = false;  ///< images, sparse values or Draco data, which are not compressed
 };
 
 class GltfCompressor {
@@ -67,7 +67,7 @@ class GltfCompressor {
                        [&](int a) { return test(accessor(a)); });
   }
 
-  /// How to pack a view; nothing where it stays as it is.
+  /// The compressed view; empty where it stays uncompressed.
   std::optional<PackedView> packed(int v) const {
     const GltfView& view = store_.model.views[static_cast<std::size_t>(v)];
     const ViewUse& use = uses_[static_cast<std::size_t>(v)];
@@ -101,7 +101,7 @@ class GltfCompressor {
     return offset;
   }
 
-  /// In the buffer that is never there: where the decoded bytes would be.
+  /// Points the view into the fallback buffer, which has no bytes, at the place of its decoded bytes.
   void showDecoded(int node, std::uint64_t size) {
     decodedSize_ = (decodedSize_ + 3) / 4 * 4;
     patch_.set(node, "buffer", "1");
@@ -159,7 +159,7 @@ class GltfCompressor {
     return Done{};
   }
 
-  /// In extensionsUsed and, as the decoded bytes are nowhere, in extensionsRequired.
+  /// In extensionsUsed and, because the file does not contain the decoded bytes, in extensionsRequired.
   void nameExtension() {
     if (packedCount_ == 0) return;
     for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
@@ -175,7 +175,7 @@ class GltfCompressor {
     }
   }
 
-  /// A buffer of the file with another length and place.
+  /// The text of a buffer of the file with another length and URI.
   std::string bufferText(int like, std::size_t size, const std::string& uri) const {
     const auto base = JsonText::parse(like >= 0 ? std::string(json_.raw(like)) : "{}");
     HGP_CHECK(base.hasValue(), "a buffer's own text cannot be read again");
@@ -189,7 +189,7 @@ class GltfCompressor {
     return patch.text();
   }
 
-  /// The first buffer that has bytes, or the first that has none.
+  /// The node of the first buffer that has bytes, or of the first that has none.
   int bufferNode(bool hasBytes) const {
     const std::vector<int> nodes = json_.children(json_.find(JsonText::kRoot, "buffers"));
     for (std::size_t b = 0; b < nodes.size(); ++b)
@@ -247,7 +247,7 @@ class GltfCompressor {
   const JsonText& json_;
   JsonPatch patch_;
   std::string name_;
-  std::vector<int> views_;  ///< nodes
+  std::vector<int> views_;  ///< JSON nodes
   std::vector<ViewUse> uses_;
   Bytes data_;
   std::uint64_t decodedSize_ = 0, before_ = 0, after_ = 0;

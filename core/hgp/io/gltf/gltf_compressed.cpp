@@ -1,4 +1,4 @@
-// What triangle primitives need decoded, decoded once; results are never trusted.
+// Decodes, once, what triangle primitives need, and checks the sizes and indices of the results.
 #include "hgp/base/check.h"
 #include "hgp/io/gltf/gltf_decoders.h"
 #include "hgp/io/gltf/gltf_store.h"
@@ -65,7 +65,7 @@ Status decodeView(GltfStore& store, int index, const GltfDecoders& decoders) {
   return Done{};
 }
 
-/// Draco data of one primitive; without a decoder the uncompressed fallback serves, if there is one.
+/// Decodes the Draco data of one primitive; without a decoder its uncompressed fallback is used, if it has one.
 Status decodeDraco(GltfStore& store, int mesh, int index, const GltfDecoders& decoders) {
   const auto m = static_cast<std::size_t>(mesh);
   const GltfPrimitive& primitive =

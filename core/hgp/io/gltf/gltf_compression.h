@@ -1,5 +1,5 @@
-// What decoders of compressed glTF data take and give.  Role: the interface between reading and
-// whoever decodes.
+// Requests to and results of decoders of compressed glTF data.  Role: the interface between the reader and the
+// decoders, which are native libraries or functions of the caller.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace hgp::io {
 
-/// One compressed buffer view. The result must have exactly count · stride bytes.
+/// One buffer view to decode. The result must have exactly count · stride bytes.
 struct MeshoptRequest {
   ByteView source;
   std::uint64_t count = 0, stride = 0;
@@ -18,27 +18,28 @@ struct MeshoptRequest {
   std::string filter;  ///< "NONE" "OCTAHEDRAL" "QUATERNION" "EXPONENTIAL"
 };
 
-/// One attribute wanted of a Draco mesh, stored tightly in `componentType`.
+/// One attribute to decode from a Draco mesh, tightly packed in `componentType`.
 struct DracoAttribute {
   int uniqueId = 0;
-  int componentType = 0;  ///< of glTF: 5120 … 5126
+  int componentType = 0;  ///< glTF's code: 5120 … 5126
   int components = 0;
 };
 
 struct DracoRequest {
   ByteView source;
   std::uint64_t vertexCount = 0,
-                indexCount = 0;  ///< what the accessors say; never more is accepted
+                indexCount = 0;  ///< of the accessors; larger counts are refused
   std::vector<DracoAttribute> attributes;
 };
 
-/// Decoded triangles, and one tightly packed array per attribute asked for, in that order.
+/// Decoded triangles and one tightly packed array per requested attribute, in the order of the request.
 struct DracoMesh {
   std::vector<std::uint32_t> indices;
   std::vector<Bytes> attributes;
 };
 
-/// Empty functions: this build cannot decode that; reading then ends with kUnsupported, saying so.
+/// An empty function means that this build has no such decoder; reading a file that needs it then fails with
+/// kUnsupported.
 struct GltfDecoders {
   std::function<Result<Bytes>(const MeshoptRequest&)> meshopt;
   std::function<Result<DracoMesh>(const DracoRequest&)> draco;

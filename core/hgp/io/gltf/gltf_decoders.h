@@ -6,11 +6,11 @@
 
 namespace hgp::io {
 
-/// What this build has of its own: both natively, none in WebAssembly.
+/// The decoders linked into this build: natively those that were installed, none in WebAssembly.
 GltfDecoders builtInDecoders();
 
-/// Which decoders a file will ask for, from its text alone, so that they can be loaded first. A file
-/// that is not readable needs none.
+/// Which decoders a file needs, determined from its text alone so that they can be loaded before it is read. A
+/// file that cannot be read needs none.
 struct GltfNeeds {
   bool draco = false;
   bool meshopt = false;

@@ -16,7 +16,7 @@
 namespace hgp::io {
 namespace {
 
-/// a + b is a double (Knuth's two-sum finds nothing left).
+/// Whether a + b is exact in double precision: the error term of Knuth's two-sum is zero.
 bool isExactSum(double a, double b) {
   const double sum = a + b, fromB = sum - a;
   return (a - (sum - fromB)) + (b - fromB) == 0.0;
@@ -47,7 +47,7 @@ std::optional<UvMap> GltfDocument::readUv(int surface, int set, double top) cons
   const std::string semantic = formatText("TEXCOORD_%d", set);
   const auto& primitives = store_->model.meshes[static_cast<std::size_t>(part.mesh)].primitives;
   UvMap map;
-  std::map<std::pair<int, int>, int> baseOf;  // pool and accessor → first uv
+  std::map<std::pair<int, int>, int> baseOf;  // pool and accessor → index of their first uv
   for (const GltfRun& run : part.runs) {
     const int accessor = primitives[static_cast<std::size_t>(run.primitive)].attribute(semantic);
     if (accessor < 0) return std::nullopt;

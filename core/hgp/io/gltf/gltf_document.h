@@ -1,4 +1,4 @@
-// A glTF asset as a Document.  Role: surfaces out, uv in; the store stays as it was read.
+// A glTF asset as a Document.  Role: hands out surfaces and writes uv; the store stays as it was read.
 #pragma once
 
 #include <memory>
@@ -16,7 +16,7 @@ class GltfDocument : public Document {
 
   const char* format() const override { return store_->container.isBinary ? "glb" : "gltf"; }
   const char* outputFormat() const override { return format(); }
-  /// A GLB as a .gltf with its bytes beside it, too.
+  /// Besides its own format: a GLB as a .gltf with a side file.
   bool canWriteAs(std::string_view wanted) const override {
     return wanted == format() || (wanted == "gltf" && store_->container.isBinary);
   }
@@ -33,7 +33,7 @@ class GltfDocument : public Document {
   Result<DocumentPtr> repaired(int surface, const FaceEdits& edits) const override;
 
  private:
-  /// v = top − stored v
+  /// The uv set with v = top − stored v; empty if a triangle primitive does not have it.
   std::optional<UvMap> readUv(int surface, int set, double top) const;
 
   std::shared_ptr<const GltfStore> store_;

@@ -7,7 +7,7 @@ namespace {
 
 constexpr int kDeepestMetadata = 64;
 
-/// Walks over bytes; every step reports whether they were there.
+/// Reads bytes in order; every step returns whether enough of them were left.
 class DracoCursor {
  public:
   explicit DracoCursor(ByteView bytes) : bytes_(bytes) {}

@@ -13,9 +13,9 @@
 namespace hgp::io {
 namespace {
 
-/// The decoder makes 2^e of the exponent's bits e + 127, which must not be those of zero.
+/// The decoder forms 2^e as a float with exponent bits e + 127; bits of 0 would be a zero or subnormal.
 constexpr int kLowestExponent = -126, kHighestExponent = 127;
-/// A mantissa is below 2^23 in size.
+/// The magnitude of a mantissa is below 2^23.
 constexpr int kMantissaBits = 23;
 
 /// A finite float as mantissa · 2^exponent, the mantissa odd or zero.
@@ -40,7 +40,7 @@ Dyadic dyadicOf(float value) {
 
 #ifdef HGP_HAS_MESHOPTIMIZER
 
-/// Takes `packed` where it is the shorter one and decodes to the same bytes.
+/// Replaces `best` by `packed` if that is shorter and decodes to the same bytes.
 void offer(std::optional<PackedView>& best, PackedView packed, ByteView bytes) {
   if (packed.bytes.empty() || packed.bytes.size() >= (best ? best->bytes.size() : bytes.size()))
     return;
@@ -98,7 +98,7 @@ std::optional<Bytes> exponentialFilter(ByteView bytes, std::uint64_t stride) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Dyadic& value = values[i];
     const int common = std::max(finest[i % width], kLowestExponent);
-    // A value too large for the common exponent has one of its own.
+    // A value that is too large for the common exponent gets its own.
     const int exponent =
         value.bits == 0 ? common : std::max(common, value.exponent + value.bits - kMantissaBits);
     if (value.bits > 0 && exponent > value.exponent) return std::nullopt;
@@ -119,7 +119,7 @@ std::optional<PackedView> packView(ByteView bytes, std::uint64_t stride, GltfCon
   const std::size_t count = bytes.size() / stride;
   if (count == 0) return best;
   if (content == GltfContent::kIndices) {
-    meshopt_encodeIndexVersion(1);  // what the extension allows
+    meshopt_encodeIndexVersion(1);  // the version that the extension prescribes
     std::vector<unsigned> indices(count, 0);
     for (std::size_t i = 0; i < count; ++i)
       std::memcpy(&indices[i], bytes.data() + i * stride, stride);
@@ -128,7 +128,7 @@ std::optional<PackedView> packView(ByteView bytes, std::uint64_t stride, GltfCon
     return best;
   }
   if (stride % 4 != 0 || stride > 256) return best;
-  meshopt_encodeVertexVersion(0);  // what the extension allows
+  meshopt_encodeVertexVersion(0);  // the version that the extension prescribes
   offer(best, packAttributes(bytes.data(), count, stride, "NONE"), bytes);
   if (content != GltfContent::kFloats) return best;
   if (const auto filtered = exponentialFilter(bytes, stride))

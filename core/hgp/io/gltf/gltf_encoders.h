@@ -1,5 +1,5 @@
-// Buffer views packed by meshopt without losing a bit.  Role: what --compress is made of; native builds with
-// libmeshoptimizer only.
+// Lossless compression of buffer views by meshopt.  Role: the encoder behind --compress; only in native builds
+// with libmeshoptimizer.
 #pragma once
 
 #include <optional>
@@ -8,14 +8,14 @@
 
 namespace hgp::io {
 
-/// What a view is made of.
+/// What the elements of a view are.
 enum class GltfContent {
   kIndices,  ///< unsigned integers of `stride` bytes, 2 or 4
   kFloats,   ///< elements that are float32 throughout
   kOther,
 };
 
-/// EXT_meshopt_compression of one view.
+/// One view, compressed, with the properties that EXT_meshopt_compression states for it.
 struct PackedView {
   Bytes bytes;
   std::uint64_t count = 0, stride = 0;
@@ -23,18 +23,18 @@ struct PackedView {
   const char* filter = "NONE";
 };
 
-/// Whether this build packs at all.
+/// Whether this build has an encoder.
 bool canPackViews();
 
-/// The shortest packing from which the decoder gives back exactly these bytes; nothing where none is shorter
-/// than they are, or where meshopt does not take them (attributes: stride a multiple of 4, at most 256).
-/// Lists of triangles are packed as such only where no triangle is rotated by it. Of floats that lie on a grid
-/// 2^−m, as uv do, the filter EXPONENTIAL holds every bit.
+/// The shortest encoding from which the decoder reproduces exactly these bytes; empty if none is shorter than
+/// the bytes themselves, or if meshopt cannot encode them (the stride of attributes must be a multiple of 4, at
+/// most 256). Mode TRIANGLES is used only where it rotates the corners of no triangle. The filter EXPONENTIAL is
+/// lossless for floats on a grid 2^−m, such as uv.
 /// @pre bytes.size() is a multiple of stride
 std::optional<PackedView> packView(ByteView bytes, std::uint64_t stride, GltfContent content);
 
-/// Floats as the filter EXPONENTIAL stores them, 8 bits of exponent and 24 of a signed mantissa, one exponent
-/// for a component where its values fit; nothing where a value has no such form.
+/// Floats as the filter EXPONENTIAL stores them, with 8 bits of exponent and a signed mantissa of 24 bits; the
+/// values of a component share one exponent where they fit. Empty if a value has no such form.
 /// @pre stride is a multiple of 4 that divides bytes.size()
 std::optional<Bytes> exponentialFilter(ByteView bytes, std::uint64_t stride);
 

@@ -1,4 +1,4 @@
-// EXT_mesh_manifold kept true, extensions that nobody uses any more, and the placing of new data.
+// Updates EXT_mesh_manifold, removes the names of extensions that are no longer used, and places new data.
 #include <algorithm>
 #include <cstring>
 
@@ -18,7 +18,7 @@ Bytes wordBytes(const std::vector<std::uint32_t>& words) {
   return out;
 }
 
-/// Entries of `merged` that differ from `base`: their places and values.
+/// Entries of `merged` that differ from `base`: their indices and values.
 struct Differences {
   std::vector<std::uint32_t> where, values;
 };
@@ -53,9 +53,9 @@ void GltfWriter::dropManifold(const char* why) {
   dropName(kManifold);
 }
 
-/// The manifold's indices are those of all primitives in one array, with sparse values that lead
-/// every copy back to one vertex. Old vertices keep their numbers, so the old merged values still
-/// hold; what changes is the array below them and which entries differ from it.
+/// The manifold's indices are those of all primitives in one array, with sparse values that map
+/// every copy to one vertex. Old vertices keep their indices, so the old merged values remain valid;
+/// what changes is the base array and the set of entries that differ from it.
 bool GltfWriter::planManifold() {
   const auto& manifold = store_.model.meshes[static_cast<std::size_t>(part_.mesh)].manifold;
   if (!manifold || part_.pools.size() != 1) return false;
@@ -102,7 +102,7 @@ bool GltfWriter::planManifold() {
   return true;
 }
 
-/// The accessor that the extension names as `key`, with these words instead. @return  place in the plan
+/// Gives the accessor that the extension names as `key` the values `words`. @return  index in the plan
 int GltfWriter::planMerge(int extension, const char* key, const std::vector<std::uint32_t>& words) {
   const int reference = json_.find(extension, key);
   GltfNewAccessor fresh;
@@ -129,7 +129,7 @@ void GltfWriter::dropUnusedExtensions() {
   if (droppedDraco_ > 0 && droppedDraco_ == dracoCount) dropName("KHR_draco_mesh_compression");
 }
 
-/// Takes a name off extensionsUsed and extensionsRequired, and an empty list with it.
+/// Removes a name from extensionsUsed and extensionsRequired, and a list that becomes empty.
 void GltfWriter::dropName(const char* extension) {
   for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
     const int array = json_.find(JsonText::kRoot, list);
@@ -140,7 +140,7 @@ void GltfWriter::dropName(const char* extension) {
   }
 }
 
-/// Views that nobody reads once the patch is made may hold new data.
+/// Views without any reader after the patch may be reused for new data.
 void GltfWriter::releaseViews() {
   std::map<int, bool> isFree;
   for (int node : gltfReferences(json_, "bufferViews")) {
@@ -155,7 +155,7 @@ void GltfWriter::releaseViews() {
   layout_.release(free);
 }
 
-/// What others point at comes first; what has no old view of its own takes what is left over.
+/// Accessors that others refer to come first; those without an old view take the released views that remain.
 std::vector<std::size_t> GltfWriter::placingOrder() const {
   std::vector<std::size_t> order(fresh_.size());
   std::set<int> isPointedAt;
@@ -210,7 +210,7 @@ void GltfWriter::placeAccessors() {
   for (const auto& [index, text] : appended) patch_.append(array, text);
 }
 
-/// A new accessor written after the model of an old one, whose name, extras and type it keeps.
+/// The text of a new accessor, which keeps the name, extras and type of an old one.
 std::string GltfWriter::editedAccessor(const GltfNewAccessor& fresh) const {
   const auto base = JsonText::parse(fresh.base);
   HGP_CHECK(base.hasValue(), "an accessor's own text cannot be read again");

@@ -24,8 +24,8 @@ Failure notGltf(std::size_t offset, const std::string& message) {
   return malformedByte(offset, "not a glTF file: " + message);
 }
 
-/// The chunks of a GLB, which must end where `file` does. A length that is no multiple of 4 is taken where
-/// the next chunk, or the end, follows at once: some writers do not pad.
+/// Reads the chunks of a GLB, the last of which must end where `file` does. A length that is not a multiple
+/// of 4 is accepted if the next chunk, or the end, follows immediately: some writers do not pad.
 class ChunkReader {
  public:
   explicit ChunkReader(ByteView file) : file_(file) { out_.isBinary = true; }
@@ -73,11 +73,11 @@ class ChunkReader {
   ByteView file_;
   GltfContainer out_;
   std::size_t at_ = 12;
-  std::size_t unpadded_ = 0;  ///< the first such chunk
+  std::size_t unpadded_ = 0;  ///< offset of the first chunk without padding; 0: none
 };
 
-/// A file that is longer than its header says: what is behind is left out, unless it holds the BIN chunk or
-/// the chunks end nowhere else.
+/// A file that is longer than its header states: the bytes beyond the stated length are ignored, unless they
+/// contain the BIN chunk or the chunks can be read only as a whole.
 Result<GltfContainer> openLonger(ByteView file, std::size_t length) {
   const std::string behind = counted(file.size() - length, "byte");
   std::optional<GltfContainer> part;
@@ -131,7 +131,7 @@ int hexValue(char c) {
   return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
 }
 
-/// Percent-decodes once; nothing when a '%' is not followed by two hexadecimal digits.
+/// Percent-decodes once; empty when a '%' is not followed by two hexadecimal digits.
 std::optional<std::string> percentDecoded(std::string_view uri) {
   std::string out;
   for (std::size_t i = 0; i < uri.size(); ++i) {

@@ -10,7 +10,7 @@
 namespace hgp::io {
 namespace {
 
-/// Adds to the lists of a glTF, which may not be there yet.
+/// Appends to the top-level lists of a glTF and creates those that are missing.
 class GltfGrid {
  public:
   GltfGrid(const JsonText& json, const std::string& scale)
@@ -18,7 +18,7 @@ class GltfGrid {
 
   std::string text() const { return patch_.text(); }
 
-  /// The picture in the binary chunk, behind what is there.
+  /// An image whose bytes are appended to the binary chunk.
   std::string inChunk(std::size_t begin, std::size_t size) {
     const int buffers = json_.find(JsonText::kRoot, "buffers");
     const int buffer = json_.firstChild(buffers);
@@ -101,7 +101,7 @@ Result<Bytes> gltfWithGrid(const Bytes& file, const GltfGridPlace& place, const 
   Result<JsonText> json = JsonText::parse(std::string(container->json));
   if (!json) return json.error();
   GltfGrid editor(*json, scale);
-  // The first buffer of a GLB is its chunk only where it has no name.
+  // The first buffer of a GLB is its binary chunk only if it has no URI.
   const int buffer = json->firstChild(json->find(JsonText::kRoot, "buffers"));
   const bool isInside = container->isBinary && container->hasBin && json->find(buffer, "uri") < 0;
   Bytes bin(container->bin.begin(), container->bin.end());

@@ -14,7 +14,7 @@ struct GltfGridPlace {
 };
 
 /// The file with `picture`, a PNG, as a new image, and a new material for the primitives that have the uv set.
-/// Every other byte of text and data stays. @param scale  of the picture, as a JSON number
+/// All other text and data stay byte for byte. @param scale  repeats of the picture per unit of uv, as JSON
 Result<Bytes> gltfWithGrid(const Bytes& file, const GltfGridPlace& place, const std::string& scale,
                            ByteView picture);
 

@@ -28,7 +28,7 @@ void appendUtf8(std::string& out, std::uint32_t code) {
   }
 }
 
-/// Four hexadecimal digits, known to be there.
+/// The value of four hexadecimal digits. @pre there are four
 std::uint32_t hexCode(std::string_view digits) {
   std::uint32_t code = 0;
   for (char c : digits) {
@@ -38,7 +38,7 @@ std::uint32_t hexCode(std::string_view digits) {
   return code;
 }
 
-/// A key as a message may show it: no control bytes, at most 80 bytes.
+/// A key as shown in messages: without control bytes, at most 80 bytes.
 std::string shownKey(const std::string& key) {
   std::string out;
   for (char c : std::string_view(key).substr(0, 80)) {

@@ -1,5 +1,5 @@
-// JSON text with the place of every value in it.  Role: what glTF validation reads and the lossless
-// patch splices; the text itself is never rewritten.
+// JSON text with the position of every value in it.  Role: glTF validation reads it and the lossless
+// patch edits it at those positions; the text itself is never serialised anew.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace hgp::io {
 
 enum class JsonKind : std::uint8_t { kNull, kFalse, kTrue, kNumber, kString, kArray, kObject };
 
-/// One value, in the order of the text; a container's first child is the node behind it.
+/// One value. Nodes are in the order of the text, so a container's first child is the node after it.
 struct JsonNode {
   std::uint32_t begin = 0;  ///< of the value in the text
   std::uint32_t end = 0;
@@ -26,20 +26,20 @@ struct JsonNode {
   JsonKind kind = JsonKind::kNull;
 };
 
-/// Guards against hostile texts; generous for any real file.
+/// Limits that protect against hostile texts; real files stay far below them.
 struct JsonLimits {
   int depth = 64;
   std::size_t bytes = std::size_t{64} << 20;
   std::size_t values = 8'000'000;
 };
 
-/// A parsed text. Nodes are named by index; −1 is "not there" and is accepted by every query.
+/// A parsed text. Nodes are identified by index; −1 means "no such node" and is accepted by every query.
 class JsonText {
  public:
   static constexpr int kRoot = 0;
 
-  /// Strict RFC 8259 with a leading byte order mark allowed; duplicate keys, invalid UTF-8, nesting
-  /// beyond the limit are kMalformed with a byte offset, size beyond the limits is kLimit.
+  /// Parses strict RFC 8259, with an optional byte order mark. Fails with kMalformed and a byte offset for
+  /// invalid text, duplicate keys, invalid UTF-8 and nesting beyond the limit, with kLimit beyond the other limits.
   static Result<JsonText> parse(std::string text, const JsonLimits& limits = {});
 
   const std::string& text() const { return text_; }
@@ -51,17 +51,17 @@ class JsonText {
   bool isString(int i) const { return isKind(i, JsonKind::kString); }
   int firstChild(int i) const { return i >= 0 && node(i).count > 0 ? i + 1 : -1; }
 
-  /// Member of an object, −1 when there is none (or `object` is none).
+  /// Member of an object; −1 if it has none of this name, or if `object` is not an object.
   int find(int object, std::string_view key) const;
   /// Children of an array or object in order; empty for anything else.
   std::vector<int> children(int i) const;
-  /// The bytes of the value as they stand in the text.
+  /// The text of the value, byte for byte.
   std::string_view raw(int i) const;
   std::string key(int i) const;
   /// Decoded string; "" for anything else.
   std::string string(int i) const;
   bool isTrue(int i) const { return isKind(i, JsonKind::kTrue); }
-  /// A number written as a plain integer that fits 53 bits (no fraction, no exponent).
+  /// A number written as an integer, without fraction or exponent, that fits into 53 bits.
   std::optional<std::int64_t> integer(int i) const;
   /// Any finite number.
   std::optional<double> number(int i) const;
@@ -74,7 +74,7 @@ class JsonText {
   std::vector<JsonNode> nodes_;
 };
 
-/// The text between two quotes with escapes undone.
+/// The text between two quotes with its escape sequences decoded.
 std::string unescapeJson(std::string_view inner);
 /// A JSON string literal, quotes included.
 std::string quoteJson(std::string_view value);

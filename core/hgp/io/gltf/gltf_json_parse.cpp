@@ -25,7 +25,7 @@ std::size_t sequenceLength(const unsigned char* p, const unsigned char* end) {
 
 }  // namespace
 
-/// Recursive descent; the depth limit is what keeps the stack small.
+/// A recursive-descent parser; the limit on nesting bounds the stack.
 class JsonParser {
  public:
   JsonParser(JsonText& out, const JsonLimits& limits)
@@ -200,7 +200,7 @@ class JsonParser {
     ++p_;
   }
 
-  /// Leaves p_ on the last character of the escape.
+  /// Checks an escape sequence and leaves p_ on its last character.
   bool escape() {
     ++p_;
     if (p_ != end_ && std::string_view("\"\\/bfnrt").find(*p_) != std::string_view::npos)

@@ -9,7 +9,7 @@ namespace {
 
 std::size_t aligned(std::size_t offset) { return (offset + 3) / 4 * 4; }
 
-/// The bytes of buffer 0 that a view reads, as a span of the BIN chunk.
+/// The bytes of buffer 0 that a view reads, as a range of the BIN chunk: begin and end.
 std::pair<std::size_t, std::size_t> spanInBin(const GltfView& view) {
   if (view.meshopt) {
     if (view.meshopt->buffer != 0) return {0, 0};
@@ -51,7 +51,7 @@ void GltfLayout::release(const std::set<int>& views) {
   }
   std::sort(live.begin(), live.end());
   std::sort(holes_.begin(), holes_.end());
-  // Holes minus whatever is still read, by one sweep.
+  // Subtracts from the holes what is still read, in one sweep.
   std::vector<std::pair<std::size_t, std::size_t>> left;
   std::size_t done = 0, next = 0, liveEnd = 0;
   for (auto [begin, end] : holes_) {
@@ -68,7 +68,7 @@ void GltfLayout::release(const std::set<int>& views) {
       const bool isNear =
           !left.empty() && left.back().second >= liveEnd && aligned(left.back().second) >= begin;
       if (isNear) {
-        left.back().second = stop;  // nothing but padding between them
+        left.back().second = stop;  // only padding lies between them
       } else {
         left.emplace_back(begin, stop);
       }

@@ -1,5 +1,5 @@
-// Where new data goes: buffer views and bytes.  Role: reuses views and bytes that nobody reads any
-// more, appends the rest; old bytes never move.
+// Places new data in buffer views and buffers.  Role: reuses views and bytes that nothing reads any
+// more, appends the rest, and never moves old bytes.
 #pragma once
 
 #include <set>
@@ -16,18 +16,18 @@ class GltfLayout {
  public:
   GltfLayout(const GltfStore& store, JsonPatch& patch);
 
-  /// Says that these views have lost their last reader. Call before the first place().
+  /// Marks views that nothing reads any more. Call before the first place().
   void release(const std::set<int>& views);
-  /// Stores bytes and returns the view that shows them: `wanted` when it has been released, any
-  /// released one when none is wanted, else a new one.
+  /// Stores bytes and returns their view: `wanted` if it has been released, any released one if `wanted` is
+  /// −1, a new one otherwise.
   /// @param target  34962 vertices, 34963 indices, 0 neither    @param stride  0: tight
   int place(ByteView bytes, int target, std::uint64_t stride, int wanted = -1);
-  /// Records the changes of buffers in the patch. The side file is empty when none is needed.
+  /// Records the changes of buffers in the patch. The returned side file is empty if none is needed.
   Result<OutputFile> finish(const std::string& mainName);
   /// The BIN chunk after finish().
   const Bytes& bin() const { return bin_; }
 
-  /// A view that was compressed holds plain bytes now.
+  /// Whether a view that was compressed now has uncompressed bytes.
   bool hasUnpacked() const { return hasUnpacked_; }
 
  private:
@@ -40,11 +40,11 @@ class GltfLayout {
   JsonPatch& patch_;
   Sink sink_ = Sink::kDataUri;
   int buffer_ = 0;  ///< index of the buffer written to
-  Bytes bin_;       ///< the chunk, or the new buffer
+  Bytes bin_;       ///< the BIN chunk, or the bytes of the new buffer
   bool hasUnpacked_ = false;
-  std::vector<std::pair<std::size_t, std::size_t>> holes_;  ///< begin, end; ascending
+  std::vector<std::pair<std::size_t, std::size_t>> holes_;  ///< unused [begin, end), ascending
   std::set<int> released_;
-  std::vector<int> views_;  ///< nodes of the text
+  std::vector<int> views_;  ///< JSON nodes
   std::vector<std::string> newViews_;
   std::size_t appendedAt_ = 0;
 };

@@ -1,4 +1,4 @@
-// Materials and the uv set that was written: said, or changed where asked.
+// Materials that use another uv set than the one written: a note says so, or they are changed on request.
 #include <algorithm>
 #include <map>
 
@@ -14,7 +14,7 @@ bool hasEnding(const std::string& text, std::string_view end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/// Every textureInfo below `node`: objects with an index, in members named "…Texture".
+/// Every textureInfo below `node`: an object with an index, in a member named "…Texture".
 void collectTextures(const JsonText& json, int node, std::vector<int>& out) {
   for (const int member : json.children(node)) {
     const bool isTexture = json.isObject(member) && hasEnding(json.key(member), "Texture") &&
@@ -24,7 +24,7 @@ void collectTextures(const JsonText& json, int node, std::vector<int>& out) {
   }
 }
 
-/// The set that a textureInfo uses: the transform's word counts more than its own.
+/// The set that a textureInfo uses: KHR_texture_transform overrides its own texCoord.
 int setOf(const JsonText& json, int texture) {
   const int transform = json.find(json.find(texture, "extensions"), kTransform);
   const auto moved = json.integer(json.find(transform, "texCoord"));
@@ -46,7 +46,7 @@ bool GltfWriter::isUsedElsewhere(int material) const {
   });
 }
 
-/// A material that nothing else uses is changed in its place, another one copied.
+/// A material that only this mesh uses is changed in place; one with other users is copied.
 void GltfWriter::pointMaterials() {
   const int list = json_.find(JsonText::kRoot, "materials");
   const std::vector<int> materials = json_.children(list);

@@ -86,7 +86,7 @@ void readGltfExtensions(const JsonText& json, GltfModel& model) {
     const std::vector<int> primitives = json.children(json.find(meshes[i], "primitives"));
     for (std::size_t p = 0; p < primitives.size(); ++p) {
       GltfPrimitive& primitive = model.meshes[i].primitives[p];
-      // tinygltf refuses indices that have no view of their own, as Draco's have.
+      // tinygltf refuses index accessors without a view, which Draco primitives have.
       primitive.indices = indexOr(json, json.find(primitives[p], "indices"));
       const int draco =
           json.find(json.find(primitives[p], "extensions"), "KHR_draco_mesh_compression");

@@ -1,5 +1,5 @@
-// The part of a glTF asset that geometry lives in, as plain arrays.  Role: what tinygltf read, in
-// types that every gltf source may see.
+// The part of a glTF asset that describes geometry, as plain arrays.  Role: keeps the types of tinygltf out of
+// every source but gltf_read.cpp.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace hgp::io {
 
-/// Member of a mesh's extras that holds hgp-cones JSON.
+/// Name of the member of a mesh's extras that contains hgp-cones JSON.
 inline constexpr const char* kGltfConesKey = "hgp";
 
 /// EXT_meshopt_compression or KHR_meshopt_compression of a buffer view.
@@ -93,16 +93,17 @@ struct GltfModel {
 inline constexpr int kGltfUnsignedByte = 5121, kGltfUnsignedShort = 5123, kGltfUnsignedInt = 5125,
                      kGltfFloat = 5126;
 
-/// Bytes of a component type, 0 when there is none of that number.
+/// Size of a component type in bytes; 0 for a number that is not a component type.
 std::uint64_t gltfComponentSize(int componentType);
 /// Sets columns and rows from "SCALAR", "VEC3", "MAT4" …; false for anything else.
 bool gltfShape(const std::string& type, GltfAccessor& out);
 
-/// Fills in what Draco, meshopt and EXT_mesh_manifold say, and the indices of Draco primitives.
+/// Adds the properties stated by the Draco, meshopt and EXT_mesh_manifold extensions, and the index accessors of
+/// Draco primitives.
 void readGltfExtensions(const JsonText& json, GltfModel& model);
 
-/// Reads the model with tinygltf, which is given the geometry's part of the text only: no buffer, no
-/// image, no URI, no extras ever reach it. Extensions are filled in from `json`.
+/// Reads the model with tinygltf, which receives only the part of the text that describes geometry: no buffers,
+/// images, URIs or extras. Extensions are read from `json`.
 /// @pre checkGltf(json) has passed
 Result<GltfModel> readGltfModel(const JsonText& json);
 

@@ -29,7 +29,7 @@ std::vector<int> elementsOf(const JsonText& json, const char* list) {
   return json.children(json.find(JsonText::kRoot, list));
 }
 
-/// Bytes of a URI of either kind.
+/// The bytes of a data URI or of a side file.
 Result<Bytes> bytesOfUri(const std::string& uri, const Resolver& resolve) {
   if (isDataUri(uri)) {
     auto data = parseDataUri(uri);
@@ -44,7 +44,7 @@ Result<Bytes> bytesOfUri(const std::string& uri, const Resolver& resolve) {
   return resolve(*name);
 }
 
-/// The geometry does not need them: a reference that led nowhere before may do so afterwards.
+/// The geometry does not need images: a reference to one that does not exist is kept.
 bool mayBeMissing(const Failure& failure) { return failure.code == ErrorCode::kMalformed; }
 
 std::string missingNote(const Failure& failure) {
@@ -88,7 +88,7 @@ class GltfPacker {
   Status takeBuffers() {
     for (const int node : elementsOf(json_, "buffers")) {
       const std::string uri = json_.string(json_.find(node, "uri"));
-      if (uri.empty()) {  // the fallback of a compressed one: no bytes, a number of its own
+      if (uri.empty()) {  // the fallback buffer of compressed views: it has no bytes and stays a buffer
         otherBuffers_.emplace_back(json_.raw(node));
         newBuffer_.push_back({static_cast<int>(otherBuffers_.size()), 0});
         continue;
@@ -183,7 +183,7 @@ class GltfPacker {
   std::vector<std::string>& notes_;
   JsonPatch patch_;
   Bytes bin_;
-  std::vector<std::pair<int, std::size_t>> newBuffer_;  ///< old buffer → new one, and where in it
+  std::vector<std::pair<int, std::size_t>> newBuffer_;  ///< old buffer → new one and offset
   std::vector<std::string> otherBuffers_;
 };
 
@@ -244,7 +244,7 @@ Result<Written> glbAsGltf(ByteView glb, const std::string& name) {
     patch.set(buffer, "uri", quoteJson(uriFromName(side.name)));
   }
   std::string text = patch.text();
-  text.resize(text.find_last_not_of(" \n") + 1);  // a chunk is padded
+  text.resize(text.find_last_not_of(" \n") + 1);  // without the padding of the chunk
   out.files.push_back({name, asBytes(text)});
   if (hasBin) out.files.push_back(std::move(side));
   for (const GltfChunk& chunk : container->others)

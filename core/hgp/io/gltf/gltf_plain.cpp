@@ -12,7 +12,7 @@
 namespace hgp::io {
 namespace {
 
-/// An affine map, columns first as in glTF: x ↦ m[0] x₀ + m[1] x₁ + m[2] x₂ + m[3].
+/// An affine map stored by columns, as in glTF: x ↦ m[0] x₀ + m[1] x₁ + m[2] x₂ + m[3].
 using Affine = std::array<Vec3, 4>;
 constexpr Affine kIdentity = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}};
 
@@ -36,7 +36,7 @@ Vec3 crossProduct(const Vec3& a, const Vec3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Normals turn by the cofactors, which is the inverse transposed times the determinant.
+/// Normals are transformed by the cofactor matrix, which is the inverse transpose times the determinant.
 Affine cofactors(const Affine& m) {
   return {crossProduct(m[1], m[2]), crossProduct(m[2], m[0]), crossProduct(m[0], m[1]), {}};
 }
@@ -93,7 +93,7 @@ class GltfFlattener {
     return out;
   }
 
-  /// Nodes are a forest (checked while reading); a scene that is not there shows every root.
+  /// The nodes form a forest (checked when the file was read). Without a scene, every root is visible.
   void walkScene() {
     const std::vector<int> nodes = json_.children(json_.find(JsonText::kRoot, "nodes"));
     const std::vector<int> scenes = json_.children(json_.find(JsonText::kRoot, "scenes"));
@@ -149,7 +149,7 @@ class GltfFlattener {
     out_.surfaces.push_back(std::move(out));
   }
 
-  /// Numbers of an attribute by stored vertex, `width` a vertex; empty where a primitive has none.
+  /// The values of an attribute by stored vertex, `width` per vertex; empty if a primitive does not have it.
   std::vector<double> storedNumbers(const GltfSurface& part, const char* semantic,
                                     std::size_t width) const {
     std::vector<double> out;
@@ -239,7 +239,7 @@ class GltfFlattener {
   const std::vector<GltfSurface>& parts_;
   const std::vector<Surface>& surfaces_;
   std::vector<std::string> materials_;
-  std::set<int> shown_;  ///< parts that some node shows
+  std::set<int> shown_;  ///< parts that a node of the scene refers to
   PlainFile out_;
 };
 

@@ -1,5 +1,4 @@
-// Meshes of a glTF asset as plain surfaces, where the nodes of its scene put them.  Role: the way from
-// glTF to OBJ.
+// Meshes of a glTF asset as plain surfaces, placed as in its scene.  Role: converts glTF to OBJ.
 #pragma once
 
 #include <vector>
@@ -9,9 +8,9 @@
 
 namespace hgp::io {
 
-/// `surface` −1: every node of the scene that shows one of `parts`, in world coordinates, and meshes that no
-/// node shows in their own. Otherwise that part alone, in its own coordinates.
-/// @param surfaces of the same order as `parts`
+/// For `surface` −1: every instance of one of `parts` in the scene, in world coordinates, and the parts without
+/// an instance in their own. Otherwise that part alone, in its own coordinates.
+/// @param surfaces  in the order of `parts`
 PlainFile plainGltf(const GltfStore& store, const std::vector<GltfSurface>& parts,
                     const std::vector<Surface>& surfaces, int surface);
 

@@ -1,6 +1,6 @@
-// The only source that sees tinygltf. It is handed a text that holds nothing but accessors, views
+// The only source that includes tinygltf, which receives a text with nothing but accessors, views
 // and meshes, all checked before; it opens no file and decodes nothing.
-#include <fstream>  // tinygltf forgets it under TINYGLTF_NO_FS
+#include <fstream>  // tinygltf does not include it under TINYGLTF_NO_FS, although it needs it
 
 #include "hgp/io/gltf/text_stream.h"
 
@@ -17,7 +17,7 @@
 namespace hgp::io {
 namespace {
 
-/// Builds the text for tinygltf out of the original's own spelling.
+/// Builds the text for tinygltf from pieces of the original text.
 class ReducedText {
  public:
   explicit ReducedText(const JsonText& json) : json_(json) {}
@@ -143,7 +143,7 @@ GltfMesh convert(const tinygltf::Mesh& mesh) {
   return out;
 }
 
-/// tinygltf drops what it cannot read without a word; nothing may be lost here.
+/// tinygltf silently drops what it cannot read; nothing may be lost here.
 bool isComplete(const JsonText& json, const GltfModel& model) {
   const auto size = [&](const char* name) {
     return json.children(json.find(JsonText::kRoot, name)).size();

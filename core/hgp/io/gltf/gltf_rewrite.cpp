@@ -1,4 +1,4 @@
-// Attributes and indices of pools whose vertices change, and where all new data goes.
+// Rewrites attributes and indices of pools whose vertices change, and plans all new data.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -22,7 +22,7 @@ std::uint32_t restartValue(int componentType) {
 Bytes indexBytes(const std::vector<std::uint32_t>& indices, int componentType) {
   const std::size_t size = gltfComponentSize(componentType);
   Bytes out(indices.size() * size);
-  // Little-endian, so that the low bytes come first.
+  // Little-endian: the low bytes come first.
   for (std::size_t k = 0; k < indices.size(); ++k) {
     std::memcpy(out.data() + k * size, &indices[k], size);
   }
@@ -43,7 +43,7 @@ Bytes GltfWriter::expanded(const Bytes& packed, std::size_t elementSize, int poo
   return out;
 }
 
-/// Points `references` at new contents: in the old accessor's place when nobody else reads it.
+/// Makes `references` refer to new contents, in place of the old accessor if nothing else reads that.
 int GltfWriter::redirect(int old, const std::set<int>& references, GltfNewAccessor fresh) {
   const std::vector<int>& all = accessorReferences_[old];
   const bool isOurs = areReferencesKnown_ && std::all_of(all.begin(), all.end(), [&](int node) {
@@ -67,7 +67,7 @@ int GltfWriter::redirect(int old, const std::set<int>& references, GltfNewAccess
   return static_cast<int>(fresh_.size()) - 1;
 }
 
-/// min and max of what is really stored, where the accessor states them; JSON has no infinity.
+/// Sets min and max from the stored values where the old accessor states them; JSON has no infinity.
 void GltfWriter::setRange(GltfNewAccessor& fresh, int old, ByteView data) const {
   GltfAccessor shape = accessor(old);
   const auto type = fresh.members.find("componentType");
@@ -101,14 +101,14 @@ void GltfWriter::setRange(GltfNewAccessor& fresh, int old, ByteView data) const 
   if (json_.find(node, "max") >= 0) fresh.members["max"] = text(high);
 }
 
-/// The reference of EXT_mesh_manifold to positions, or −1.
+/// The node in which EXT_mesh_manifold refers to positions, or −1.
 int GltfWriter::manifoldPositions() const {
   const int manifold = json_.find(
       json_.find(json_.find(meshNode_, "extensions"), "EXT_mesh_manifold"), "manifoldPrimitive");
   return json_.find(json_.find(manifold, "attributes"), "POSITION");
 }
 
-/// By meshopt.
+/// Whether meshopt compressed the view of accessor a.
 bool GltfWriter::isCompressed(int a) const {
   const int view = accessor(a).view;
   return view >= 0 && store_.model.views[static_cast<std::size_t>(view)].meshopt;
@@ -188,7 +188,7 @@ void GltfWriter::rewriteIndices(const GltfRun& run) {
   const GltfPool& pool = part_.pools[static_cast<std::size_t>(run.pool)];
   const GltfPrimitive& source = primitive(run.primitive);
   const GltfSplit& split = splits_.pools[static_cast<std::size_t>(run.pool)];
-  // Without indices a primitive draws all vertices there are, copies for another primitive as well.
+  // A primitive without indices draws all vertices, including the copies made for other primitives.
   bool isChanged =
       source.draco.has_value() || (source.indices < 0 && !split.copyOf.empty()) || isEdited(run);
   for (int face = run.firstTriangle; face < run.firstTriangle + run.triangleCount; ++face) {

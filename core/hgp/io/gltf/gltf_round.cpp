@@ -13,11 +13,11 @@
 namespace hgp::io {
 namespace {
 
-constexpr int kPasses = 8;                  ///< over the triangles that rounding turned over
+constexpr int kPasses = 8;                  ///< over the triangles that rounding flipped
 constexpr int kReach = 2;                   ///< grid steps that a vertex may be moved
 constexpr double kFloatSteps = 16777216.0;  ///< 2²⁴: integers up to here are exact in float32
 
-/// Grid coordinates are integers up to 2²⁴, so twice an area is exact in a double.
+/// Twice the signed area. Grid coordinates are integers up to 2²⁴, so the result is exact in a double.
 double doubleArea(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
@@ -30,8 +30,8 @@ struct Frame {
 struct Candidate {
   std::vector<Vec2> grid;  ///< integers
   double step = 1.0;
-  std::vector<int> broken;  ///< triangles that were positive and are not
-  bool isFine = true;       ///< steps are within what the tolerance of seams allows
+  std::vector<int> broken;  ///< triangles whose area is no longer positive
+  bool isFine = true;       ///< the step is small enough for the tolerance of seams
 };
 
 class Rounder {
@@ -92,7 +92,7 @@ class Rounder {
     if (isBetter) best = std::move(other);
   }
 
-  /// u around 0 and v around ½, so that v and 1 − v are equally small.
+  /// Centres u at 0 and v at ½, so that v and 1 − v are of the same size.
   Frame centred(double scale) const {
     return {scale,
             {-scale * (box_.low[0] + box_.high[0]) / 2,
@@ -114,7 +114,7 @@ class Rounder {
     int exponent = 0;
     const double fraction = std::frexp(bound, &exponent);
     out.step = std::ldexp(1.0, exponent - (fraction == 0.5 ? 25 : 24));
-    // Seams may be off by 16 ulps of the largest coordinate; rounding may use up a few of them.
+    // The verifier accepts seam errors of 16 ulps of the largest coordinate; rounding may take a few of them.
     out.isFine = out.step * kFloatSteps <= 4 * reach && out.step <= 1;
     for (Vec2& p : placed) {
       for (double& x : p) x = std::nearbyint(x / out.step);
@@ -135,7 +135,7 @@ class Rounder {
     }
   }
 
-  /// Moves free vertices of broken triangles to where the smallest area around them is largest.
+  /// Moves each free vertex of a broken triangle to where the smallest area around it is largest.
   bool repair(Candidate& c) {
     prepareRepair();
     bool isAnyMoved = false;
@@ -180,7 +180,7 @@ class Rounder {
     return best != start;
   }
 
-  /// Faces around every uv, and which uv take part in a seam: moving those would tear it.
+  /// Finds the faces around every uv, and the uv on seams, which may not be moved: the seam would no longer match.
   void prepareRepair() {
     if (!firstFace_.empty()) return;
     firstFace_.assign(map_.uv.size() + 1, 0);
@@ -235,7 +235,7 @@ class Rounder {
   std::vector<char> isTied_;
 };
 
-/// Triangles that share an edge of the surface or a uv must be on one grid; numbers each such group.
+/// Numbers the groups of triangles that must share a grid because they are connected by edges or uv.
 std::vector<int> groupsOf(const MeshData& mesh, const UvMap& map, int& count) {
   const auto triangles = static_cast<int>(mesh.triangles.size());
   DisjointSets sets(triangles);
@@ -270,7 +270,7 @@ std::vector<int> groupsOf(const MeshData& mesh, const UvMap& map, int& count) {
   return group;
 }
 
-/// The triangles of one group, with uv numbers of their own.
+/// The triangles of one group, with local uv indices.
 struct Group {
   MeshData mesh;
   UvMap map;
@@ -280,7 +280,7 @@ struct Group {
 std::vector<Group> split(const MeshData& mesh, const UvMap& map, const std::vector<int>& group,
                          int count) {
   std::vector<Group> groups(static_cast<std::size_t>(count));
-  std::vector<int> local(map.uv.size(), -1);  // a uv belongs to one group
+  std::vector<int> local(map.uv.size(), -1);  // one array suffices: a uv belongs to one group
   for (std::size_t t = 0; t < group.size(); ++t) {
     Group& g = groups[static_cast<std::size_t>(group[t])];
     g.triangleOrigin.push_back(static_cast<int>(t));

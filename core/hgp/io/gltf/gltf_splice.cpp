@@ -5,7 +5,7 @@
 namespace hgp::io {
 namespace {
 
-/// Where a child begins, key included.
+/// Offset of a child in the text, at its key if it has one.
 std::size_t childBegin(const JsonNode& node) {
   return node.keyEnd > node.keyBegin ? node.keyBegin : node.begin;
 }
@@ -22,7 +22,7 @@ void JsonPatch::set(int object, std::string_view key, std::string raw) {
 }
 
 void JsonPatch::remove(int node) {
-  // Nothing that was recorded inside may be applied any more.
+  // Edits recorded inside the removed value must not be applied.
   int last = node;
   while (last + 1 < json_.size() && json_.node(last + 1).begin < json_.node(node).end) ++last;
   const auto forget = [&](auto& edits) {
@@ -63,8 +63,8 @@ void JsonPatch::addRemovals(int container, std::vector<Edit>& edits) const {
   }
 }
 
-/// New children as they are written behind the old ones: with the blanks that stand before the
-/// container's first child, so that a file printed in lines stays in lines.
+/// The text of new children, written after the old ones, each preceded by the same whitespace as the
+/// container's first child, so that the layout in lines is kept.
 std::string JsonPatch::joined(int container, const std::vector<std::string>& items) const {
   std::string blanks;
   bool needsComma = false;
@@ -104,7 +104,7 @@ std::string JsonPatch::text() const {
     for (const auto& [key, raw] : members) items.push_back(quoteJson(key) + ":" + raw);
     insert(object, items);
   }
-  // An insertion stands behind whatever ends where it begins.
+  // An insertion comes after an edit that ends where it begins.
   std::stable_sort(edits.begin(), edits.end(), [](const Edit& a, const Edit& b) {
     return a.begin != b.begin ? a.begin < b.begin : a.end < b.end;
   });

@@ -1,5 +1,5 @@
-// Edits of a JSON text that leave every other byte as it is.  Role: numbers nobody touched keep
-// their spelling, keys their order, lines their indentation.
+// Edits of a JSON text that leave every other byte unchanged.  Role: untouched numbers keep
+// their spelling, keys their order and lines their indentation.
 #pragma once
 
 #include <map>
@@ -12,19 +12,19 @@
 
 namespace hgp::io {
 
-/// Edits are recorded against the original nodes and applied at once by text(). Values that are
-/// replaced or removed must not be edited inside as well.
+/// Edits refer to the original nodes and are all applied by text(). A value that is replaced or removed must
+/// not also be edited inside.
 class JsonPatch {
  public:
   explicit JsonPatch(const JsonText& json) : json_(json) {}
 
-  /// Another value in the same place.
+  /// Replaces the value, keeping its key and position.
   void replace(int node, std::string raw) { replaced_[node] = std::move(raw); }
-  /// Replaces a member, or adds it behind the others.
+  /// Replaces a member, or adds it after the others.
   void set(int object, std::string_view key, std::string raw);
-  /// Takes a member or element away, with its comma.
+  /// Removes a member or element, with its comma.
   void remove(int node);
-  /// Adds an element; returns the index it will have (elements must then not be removed).
+  /// Adds an element and returns the index that it will have. @pre no element of `array` is removed
   int append(int array, std::string raw);
   bool isEmptied(int container) const;
 

@@ -12,14 +12,14 @@ Failure unwritable(const std::string& message) {
   return {ErrorCode::kWriteFailed, "write", message, {}};
 }
 
-/// What glTF stores for a uv; false when reading it back would give something else.
+/// The float32 pair that glTF stores for a uv; false if reading it back would give another value.
 bool storedUv(const Vec2& uv, std::array<float, 2>& out) {
   if (!(std::abs(uv[0]) < 3e38 && std::abs(uv[1]) < 3e38)) return false;
   out = {static_cast<float>(uv[0]), static_cast<float>(1.0 - uv[1])};
   return static_cast<double>(out[0]) == uv[0] && 1.0 - static_cast<double>(out[1]) == uv[1];
 }
 
-/// Hands out one written vertex per stored vertex, uv and copy.
+/// Assigns one written vertex to each combination of stored vertex, uv and copy.
 class Splitter {
  public:
   Splitter(const GltfSurface& part, GltfSplits& out) : part_(part), out_(out) {
@@ -68,7 +68,7 @@ class Splitter {
   GltfSplits& out_;
   std::vector<std::vector<char>> isTaken_;
   std::vector<std::vector<int>> copy_;  ///< of every written vertex
-  std::vector<std::vector<int>> next_;  ///< chain of copies behind every written vertex
+  std::vector<std::vector<int>> next_;  ///< next copy of the same stored vertex, by written vertex
 };
 
 }  // namespace

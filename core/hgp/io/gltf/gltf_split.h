@@ -1,4 +1,5 @@
-// Vertices that need copies because their corners have different uv.  Role: the xref.
+// Copies of vertices whose corners have different uv.  Role: the table written vertex → stored vertex from which
+// every attribute is rewritten.
 #pragma once
 
 #include <array>
@@ -8,7 +9,7 @@
 
 namespace hgp::io {
 
-/// One pool after splitting: written vertices 0 … vertexCount − 1 are the stored ones, copies follow.
+/// One pool after splitting: written vertices 0 … vertexCount − 1 are the stored ones; copies follow.
 struct GltfSplit {
   std::vector<int> copyOf;  ///< of the copies: index of the stored vertex in the pool
   std::vector<float> uv;    ///< 2 per written vertex, v from the top
@@ -19,8 +20,8 @@ struct GltfSplits {
   std::vector<std::array<int, 3>> corner;  ///< |F| × 3 written vertices of the triangle's pool
 };
 
-/// Corners without uv (index −1) take any copy of their vertex. Fails with kWriteFailed when the map
-/// does not fit the surface or is not exact in float32 with v from the top.
+/// Corners without uv (index −1) get any copy of their vertex. Fails with kWriteFailed if the map does not
+/// have one entry per triangle of the surface or is not exact in float32 with v measured from the top.
 Result<GltfSplits> splitForUv(const GltfSurface& part, const UvMap& map);
 
 }  // namespace hgp::io

@@ -1,5 +1,5 @@
-// A loaded glTF asset: the text, the model and every byte it points at, all checked.  Role: what
-// surfaces are read from and what the patch writer starts from.
+// A loaded and checked glTF asset: the text, the model and all bytes that they refer to.  Role: the source of
+// surfaces, and the starting point of the patch writer.
 #pragma once
 
 #include <memory>
@@ -20,7 +20,7 @@ enum class GltfBufferKind { kBin, kData, kFile, kNone };
 struct GltfBuffer {
   GltfBufferKind kind = GltfBufferKind::kNone;
   ByteView bytes;    ///< at least byteLength of them; empty for kNone
-  Bytes owned;       ///< what `bytes` shows, unless it is the BIN chunk
+  Bytes owned;       ///< the storage of `bytes`, unless they are the BIN chunk
   std::string name;  ///< relative name of a kFile
 };
 
@@ -45,19 +45,19 @@ struct GltfStore {
   ByteView viewBytes(int view) const;
   /// Bytes of an accessor from its first element, or empty without a view.
   ByteView accessorBytes(const GltfAccessor& accessor) const;
-  /// Distance of its elements.
+  /// Distance between consecutive elements, in bytes.
   std::uint64_t accessorStride(const GltfAccessor& accessor) const;
 };
 
-/// Opens, checks, resolves and decodes. Everything reachable from a mesh is safe to read after it.
+/// Opens, checks, resolves and decodes a file. Afterwards all data that a mesh refers to are safe to read.
 Result<std::unique_ptr<GltfStore>> loadGltf(FileSet files, const Limits& limits,
                                             const GltfDecoders& decoders);
 
-/// gltf_buffers.cpp: brings in the bytes that every buffer declares.
+/// gltf_buffers.cpp: loads the bytes that every buffer declares.
 Status loadGltfBuffers(GltfStore& store, const Resolver& resolve, const Limits& limits);
 /// gltf_compressed.cpp: decodes what triangle primitives need.
 Status decodeGltf(GltfStore& store, const GltfDecoders& decoders);
-/// gltf_check_data.cpp: indices and sparse indices inside their ranges; no restart values.
+/// gltf_check_data.cpp: checks that indices and sparse indices are in range and that none is a restart value.
 Status checkGltfData(const GltfStore& store);
 
 }  // namespace hgp::io

@@ -13,11 +13,11 @@
 namespace hgp::io {
 namespace {
 
-/// Of primitives that are kept as they are, by mode.
+/// Names in notes for the primitives that are kept as they are: by mode, and without positions.
 constexpr std::array kKinds = {"points", "lines", "line loops", "line strips", "without positions"};
 constexpr std::size_t kWithoutPositions = 4;
 
-/// Takes one mesh apart, primitive by primitive.
+/// Collects the primitives of one mesh, welds their vertices and writes the notes.
 class GltfWelder {
  public:
   GltfWelder(const GltfStore& store, int mesh, const Limits& limits)
@@ -119,8 +119,8 @@ class GltfWelder {
     out_.welded = std::move(weld.welded);
   }
 
-  /// The merges that the extension lists: index k of the manifold reads base[k] without its sparse
-  /// values and merged[k] with them. False when there are none that hold.
+  /// Welds by EXT_mesh_manifold: index k of the manifold is base[k] without its sparse values and
+  /// merged[k] with them. False if the mesh has no such extension or the merges are not usable.
   bool weldByExtension() {
     if (!mesh_.manifold) return false;
     const GltfManifold& manifold = *mesh_.manifold;
@@ -147,9 +147,9 @@ class GltfWelder {
     return true;
   }
 
-  /// By stored vertex, the one that the extension reads in its place, itself where nothing is said.
-  /// Nothing where that depends on the corner: vertices that are copied on writing would then be told apart
-  /// otherwise than before.
+  /// For each stored vertex, the one into which the extension merges it, or itself.
+  /// Empty if that depends on the corner: after copies are made in writing, the extension could no longer
+  /// describe the same merges.
   std::optional<std::vector<std::uint32_t>> mergedVertices(const GltfAccessor& accessor) {
     std::vector<std::uint32_t> merged(positions_.size());
     std::iota(merged.begin(), merged.end(), 0u);
@@ -162,7 +162,7 @@ class GltfWelder {
     const auto baseAt = [&](std::uint64_t at) -> std::uint32_t {
       return base.empty() ? 0 : unsignedAt(base.subspan(at * stride), accessor.componentType, 0);
     };
-    std::vector<std::int64_t> unlisted(positions_.size(), 0);  // corners at which nothing is said
+    std::vector<std::int64_t> unlisted(positions_.size(), 0);  // corners without a sparse value
     for (std::uint64_t k = 0; k < accessor.count; ++k)
       if (const std::uint32_t v = baseAt(k); v < unlisted.size()) ++unlisted[v];
     std::vector<char> isListed(positions_.size(), 0);
@@ -209,7 +209,7 @@ class GltfWelder {
     return false;
   }
 
-  /// One line for all primitives of a kind: exporters write thousands.
+  /// One note for all primitives of a kind: some exporters write thousands.
   void addPrimitiveNotes() {
     for (std::size_t kind = 0; kind < kept_.size(); ++kind)
       if (const int count = kept_[kind]; count > 0)
@@ -241,7 +241,7 @@ class GltfWelder {
     if (isSkinned) note("skinned: the bind pose is used");
   }
 
-  /// A set counts when every triangle primitive has it.
+  /// A uv set is listed if every triangle primitive has it.
   void findUvSets() {
     for (int set = 0; set < 64; ++set) {
       const std::string semantic = formatText("TEXCOORD_%d", set);
@@ -262,7 +262,7 @@ class GltfWelder {
   std::map<std::pair<int, int>, int> poolOfKey_;
   std::array<int, kKinds.size()> kept_{};  ///< primitives without triangles, by kind
   int strips_ = 0, fans_ = 0, incomplete_ = 0;
-  std::size_t unrolled_ = 0, degenerate_ = 0;  ///< triangles of strips and fans, taken and skipped
+  std::size_t unrolled_ = 0, degenerate_ = 0;  ///< triangles of strips and fans, read and skipped
 };
 
 }  // namespace
@@ -308,7 +308,7 @@ std::optional<std::vector<std::size_t>> manifoldStarts(const GltfStore& store, i
     if (start > isCovered.size() || own.count > isCovered.size() - start) return {};
     const auto first = isCovered.begin() + static_cast<std::ptrdiff_t>(start);
     const auto last = first + static_cast<std::ptrdiff_t>(own.count);
-    if (std::find(first, last, char(1)) != last) return {};  // two cannot be written there
+    if (std::find(first, last, char(1)) != last) return {};  // two primitives share these indices
     std::fill(first, last, char(1));
     starts.push_back(start);
   }

@@ -1,5 +1,5 @@
-// The lossless patch: one more uv set, nothing else changed.  Role: splices the original text and
-// appends to the original bytes.
+// Writes a uv set as a lossless patch.  Role: edits the original text and appends to the original bytes;
+// everything else stays as it was.
 #pragma once
 
 #include "hgp/io/document.h"
@@ -7,10 +7,10 @@
 
 namespace hgp::io {
 
-/// One xref (written vertex → stored vertex) drives every attribute, morph target, joint, weight and
-/// colour: old vertices keep their numbers, copies at seams follow behind. Accessors that anybody
-/// else uses are cloned, indices promoted when they must, Draco primitives stored uncompressed, lower
-/// TEXCOORD sets that are missing are filled, TANGENT goes when its normal map's uv are replaced.
+/// One table (written vertex → stored vertex) determines every attribute, morph target, joint, weight and
+/// colour: old vertices keep their indices, and copies at seams follow them. Accessors with other users
+/// are cloned, indices get a wider type where needed, Draco primitives are stored uncompressed, missing lower
+/// TEXCOORD sets are filled with the new uv, and TANGENT is removed if the uv of its normal map are replaced.
 /// @pre `map` comes from quantizeForGltf
 Result<Written> writeGltf(const GltfStore& store, const GltfSurface& part, const UvMap& map,
                           const WriteOptions& options);

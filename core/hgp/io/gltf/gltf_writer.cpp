@@ -9,7 +9,7 @@
 namespace hgp::io {
 namespace {
 
-/// Filling every set below a chosen one must stay reasonable.
+/// All missing sets below the chosen one must be filled; this limits how many.
 constexpr int kHighestSet = 15;
 
 Bytes bytesOf(const std::vector<float>& values) {
@@ -63,7 +63,7 @@ Status GltfWriter::chooseSet() {
       return primitive(run.primitive).attribute(semantic(set)) >= 0;
     });
   };
-  // Behind the last, even where an exporter left one out: the last is the one that is verified.
+  // After the last set, even if an earlier one is missing: the last set is the one that is verified.
   if (set_ < 0) {
     set_ = kHighestSet + 1;
     while (set_ > 0 && !isTaken(set_ - 1)) --set_;
@@ -104,7 +104,7 @@ bool GltfWriter::isDraco(int pool) const {
                      [&](int p) { return primitive(p).draco.has_value(); });
 }
 
-/// Whether repairs changed a triangle of it.
+/// Whether repairs changed a triangle of the run.
 bool GltfWriter::isEdited(const GltfRun& run) const {
   if (part_.copy.empty()) return false;
   const auto first = part_.copy.begin() + run.firstTriangle;
@@ -187,7 +187,7 @@ Status GltfWriter::embedCones() {
   return Done{};
 }
 
-/// Of the whole file, side files included: what is written, and what was read.
+/// Compares the size of what is written with that of what was read, side files included.
 void GltfWriter::noteSize(std::size_t written) {
   std::size_t before = store_.container.isBinary ? store_.file.size() : json_.text().size();
   for (const GltfBuffer& buffer : store_.buffers) {

@@ -1,5 +1,4 @@
-// The plan of one patch.  Role: decides which accessors change and how, then lets layout and splice
-// carry it out.
+// The plan of one patch.  Role: decides which accessors change and how; GltfLayout and JsonPatch carry it out.
 #pragma once
 
 #include <map>
@@ -14,20 +13,19 @@
 
 namespace hgp::io {
 
-/// New contents of an accessor: of an old one in place when nobody else reads it, of a new one
-/// otherwise.
+/// New contents of an accessor: of the old one, in place, if nothing else reads it, and of a new one otherwise.
 struct GltfNewAccessor {
-  int index = -1;    ///< its number in the written file
+  int index = -1;    ///< of the accessor in the written file
   int node = -1;     ///< the old accessor, edited in place; −1: a new one
-  std::string base;  ///< text that a new one starts from; "{}" when there is no model
-  std::map<std::string, std::string> members;  ///< set in either
+  std::string base;  ///< text from which a new one is made; "{}" if there is no old one
+  std::map<std::string, std::string> members;  ///< members to set in it
   Bytes data;
-  int target = 0;  ///< 34962 or 34963
+  int target = 0;  ///< of the view: 34962 vertices, 34963 indices, 0 neither
   std::uint64_t stride = 0;
   int oldView = -1;
-  int sharedWith = -1;  ///< position in the plan: data lies inside that accessor's
+  int sharedWith = -1;  ///< index in the plan of the accessor whose data contain this one's
   std::uint64_t sharedOffset = 0;
-  int sparseIndices = -1, sparseValues = -1;  ///< positions in the plan
+  int sparseIndices = -1, sparseValues = -1;  ///< indices in the plan
 };
 
 class GltfWriter {
@@ -42,7 +40,7 @@ class GltfWriter {
   void planUv(int pool);
   void dropTangents(int primitive);
   bool isNormalMapFed(int primitive) const;
-  // gltf_materials.cpp: which set the materials' pictures use
+  // gltf_materials.cpp: which uv set the textures of materials use
   void tellOrPointMaterials();
   void pointMaterials();
   bool isUsedElsewhere(int material) const;
@@ -61,7 +59,7 @@ class GltfWriter {
   int indexTypeFor(int wanted, int vertexCount) const;
   std::vector<std::uint32_t> writtenIndices(const GltfRun& run) const;
   void planIndices(const GltfRun& run, const std::vector<std::uint32_t>& indices, int type);
-  // gltf_extensions.cpp: EXT_mesh_manifold, and names of extensions that nobody uses any more
+  // gltf_extensions.cpp: EXT_mesh_manifold, and names of extensions that are no longer used
   void rewriteManifold();
   bool planManifold();
   int planMerge(int extension, const char* key, const std::vector<std::uint32_t>& words);
@@ -99,17 +97,17 @@ class GltfWriter {
   bool areReferencesKnown_ = false;
   std::vector<GltfNewAccessor> fresh_;
   int newAccessorCount_ = 0;
-  std::set<int> freedNodes_;         ///< references to views that the patch takes away
+  std::set<int> freedNodes_;         ///< references to views that the patch removes
   int droppedDraco_ = 0;             ///< primitives
   bool isRewritten_ = false;         ///< some pool has new vertices
-  std::set<int> droppedAttributes_;  ///< references to accessors that the patch takes away
-  std::map<int, int> newIndices_;    ///< primitive → position in the plan
+  std::set<int> droppedAttributes_;  ///< references to accessors that the patch removes
+  std::map<int, int> newIndices_;    ///< primitive → index in the plan
   std::vector<std::string> notes_;
 };
 
-/// The file around the patched text: the text itself, or a GLB with every other chunk kept.
+/// The file with the patched text: the text itself, or a GLB with every other chunk kept.
 Result<Bytes> packGltf(const GltfStore& store, const std::string& json, ByteView bin);
-/// The same for a file that is nothing but its container.
+/// The same from the container alone.
 Result<Bytes> packContainer(const GltfContainer& container, const std::string& json, ByteView bin);
 
 }  // namespace hgp::io

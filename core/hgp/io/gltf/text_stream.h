@@ -1,5 +1,5 @@
-// A stand-in for std::stringstream.  Role: tinygltf puts messages together with it in WebAssembly
-// (cmake/HgpThirdParty.cmake), where std::stringstream would bring all streams and locales along.
+// A substitute for std::stringstream.  Role: tinygltf composes messages with it in WebAssembly
+// (cmake/HgpThirdParty.cmake), where std::stringstream would link all streams and locales.
 #pragma once
 
 #include <concepts>

@@ -1,4 +1,4 @@
-// Positions of a text that are not finite.  Role: they may stand where no face uses them.
+// Positions of a text file that are not finite.  Role: they are accepted at vertices that no face uses.
 #pragma once
 
 #include <optional>
@@ -8,13 +8,13 @@
 
 namespace hgp::io {
 
-/// A vertex without a finite position, and the line or byte at which it stands.
+/// A vertex without a finite position, and its line.
 struct NotFiniteVertex {
   int vertex = 0;
   std::int64_t place = 0;
 };
 
-/// The first of them that a face uses; where there are no faces the first of all.
+/// The first of these vertices that a face uses; without faces, the first one.
 std::optional<NotFiniteVertex> firstUsed(const std::vector<NotFiniteVertex>& vertices,
                                          const PolygonMesh& polygons);
 

@@ -11,7 +11,7 @@
 namespace hgp::io {
 namespace {
 
-/// The original text with new vt lines; f lines name them, and nothing else changes.
+/// Writes the original text with new vt lines and f lines that refer to them; nothing else changes.
 class ObjPatch {
  public:
   ObjPatch(std::string_view text, const ObjText& places, const UvMap& map,
@@ -71,7 +71,7 @@ class ObjPatch {
 
   static bool isSeparator(char c) { return isBlank(c) || c == '\n' || c == '\\'; }
 
-  /// Copies a line and hands every word behind the keyword to `rewrite`.
+  /// Copies a line and passes every word after the keyword to `rewrite`.
   template <class Rewrite>
   void patchWords(const TextSpan& line, Rewrite rewrite) {
     const char* p = text_.data() + line.begin;
@@ -103,7 +103,7 @@ class ObjPatch {
       out_ += corner.normal;
     });
   }
-  /// A polyline's vt would point at vt lines that are gone.
+  /// Removes a polyline's references to the vt lines that are replaced.
   void patchElement(const TextSpan& line) {
     patchWords(line, [&](const ObjCorner& corner) { out_ += corner.vertex; });
   }
@@ -216,7 +216,7 @@ class ObjDocument final : public PolygonDocument {
   }
 
   Bytes text_;
-  ObjText places_;  ///< its mesh has moved into the base class
+  ObjText places_;  ///< without its mesh, which was moved into the base class
 };
 
 }  // namespace

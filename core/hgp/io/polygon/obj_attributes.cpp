@@ -69,7 +69,7 @@ class ObjAttributeReader {
     }
   }
 
-  /// "v x y z r g b"; a fourth number alone is a weight.
+  /// Reads the colour of "v x y z r g b"; a single fourth number is a weight.
   void takeVertex(const char* p, const char* end) {
     ++vertices_;
     double numbers[6] = {};
@@ -85,7 +85,7 @@ class ObjAttributeReader {
 
   void takeFace(const char* p, const char* end) {
     while (p != end && isSeparator(*p)) ++p;
-    while (p != end && !isSeparator(*p)) ++p;  // f
+    while (p != end && !isSeparator(*p)) ++p;  // skips the keyword f
     for (;;) {
       while (p != end && isSeparator(*p)) ++p;
       ObjCorner corner;

@@ -1,5 +1,5 @@
-// What an OBJ says besides its shape: normals, colours, materials.  Role: read only where it goes into
-// another format.
+// The attributes of an OBJ besides its geometry: normals, colours, materials.  Role: read only for conversion
+// to another format.
 #pragma once
 
 #include <string>
@@ -19,8 +19,8 @@ struct ObjAttributes {
   bool hasGroups = false;              ///< more than one o or g line
 };
 
-/// @param places  what scanObj found in the same text
-/// @param cornerCount  of all polygons
+/// @param places  the result of scanObj for the same text
+/// @param cornerCount  number of corners of all polygons together
 ObjAttributes readObjAttributes(std::string_view text, const ObjText& places,
                                 std::size_t cornerCount);
 

@@ -8,7 +8,7 @@
 namespace hgp::io {
 namespace {
 
-/// The numbers of v, vt and vn lines, where those lines end, and how indices are spelled.
+/// The numbers on v, vt and vn lines, where those lines end, and whether indices are relative.
 class DataLines {
  public:
   explicit DataLines(std::string_view text) : text_(text) {
@@ -35,7 +35,7 @@ class DataLines {
   std::vector<std::vector<double>> vertices, uvs, normals;
   std::vector<std::size_t> normalEnds;  ///< where each vn line ends, ascending
   std::size_t end = 0;                  ///< of the last v, vt or vn line
-  bool isRelative = false;              ///< some f, l or p line counts backwards
+  bool isRelative = false;              ///< some f, l or p line has a negative index
 
  private:
   void take(const std::string& line, std::size_t, std::size_t lineEnd) {
@@ -140,7 +140,7 @@ class ObjRefinement {
   }
 
  private:
-  /// As numbered in the file, 0-based, by corner of the mesh before; −1 none.
+  /// Indices of vn lines, 0-based, by corner of the polygon before refinement; −1: none.
   std::vector<int> normalsOf(std::size_t polygon) const {
     std::vector<int> out;
     const TextSpan& span = places_.faceLines[polygon];
@@ -166,7 +166,7 @@ class ObjRefinement {
     return out;
   }
 
-  /// The new lines in the place of each f line; "" where it stays.
+  /// The lines that replace each f line; "" where it stays.
   std::vector<std::string> dividedFaces() {
     std::vector<std::string> faces(places_.faceLines.size());
     std::vector<int> normals;

@@ -1,5 +1,5 @@
-// An OBJ text with some of its faces divided or turned over.  Role: the lossless patch that --refine and
-// --write-repairs need; every line but those of changed faces stays.
+// An OBJ text with some of its faces subdivided or reversed.  Role: the lossless patch for --refine and
+// --write-repairs; all lines except those of changed faces stay.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace hgp::io {
 
-/// Changed faces take the place of their f line. New v, vt and vn lines follow the last of these lines
-/// (or stand at the end of a file with relative indices): means of the two lines of their parents with
-/// all their numbers, normals of length 1. Cones stored in the text are left out.
-/// @param places  of `text`; its mesh and cornerUv are given apart
-/// @param refined  made of `polygons`
+/// Changed faces replace their f line. New v, vt and vn lines follow the last v, vt or vn line (in a file with
+/// relative indices, the last line): each number is the mean of those of the two parents' lines, and normals
+/// are normalised. Cones stored in the text are left out.
+/// @param places  the result of scanObj for `text`; its mesh and cornerUv are passed separately
+/// @param refined  the result of splitEdges or editFaces for `polygons`
 std::string rewriteObjFaces(std::string_view text, const ObjText& places,
                             const PolygonMesh& polygons, const std::vector<int>& cornerUv,
                             RefinedPolygons refined);

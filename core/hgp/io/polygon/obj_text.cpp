@@ -49,7 +49,8 @@ class ObjScanner {
 
  private:
   void reserve() {
-    // About 30 bytes a line; half the faces are vertices. A wrong guess only costs a copy.
+    // Lines have about 30 bytes, and there are about half as many vertices as faces. A wrong estimate only costs
+    // a reallocation.
     const std::size_t lines = text_.size() / 40;
     out_.polygons.positions.reserve(lines / 3);
     out_.polygons.cornerVertex.reserve(2 * lines);
@@ -62,7 +63,7 @@ class ObjScanner {
     return false;
   }
 
-  /// One logical line; a backslash before the line end joins the next one, but not inside a comment.
+  /// Reads one logical line: a backslash at its end joins the next line, except in comments.
   bool takeLine() {
     lineBegin_ = position_;
     const char* begin = text_.data() + position_;
@@ -77,7 +78,7 @@ class ObjScanner {
       end = lineEnd(begin);
     }
     position_ = nextLine(end);
-    joined_.assign(first, end);  // same offsets as the original, line ends blanked
+    joined_.assign(first, end);  // line ends become blanks, so that offsets do not change
     for (char& c : joined_) {
       if (c == eol_ || c == '\\') c = ' ';
     }
@@ -106,7 +107,7 @@ class ObjScanner {
     const char* word = p;
     while (p != end && !isBlank(*p)) ++p;
     const std::size_t length = static_cast<std::size_t>(p - word);
-    // Names (o, g, usemtl …) may be as long as they like: they are not read.
+    // Lines with names (o, g, usemtl …) may be of any length: they are not read.
     const bool isRead = length <= 2 && *word != 'o' && *word != 'g';
     if (isRead && static_cast<std::size_t>(end - p) > kMaxLine) {
       return fail("the line is longer than 1 MiB");
@@ -189,7 +190,7 @@ class ObjScanner {
     return true;
   }
 
-  /// A vt that is not there counts as none (forward ones are looked at in the end).
+  /// An index of a vt line that does not exist counts as none; checkRanges() checks forward references.
   bool takeUvIndex(const char*& p, const char* end, int& out) {
     std::int64_t index = 0;
     if (!readInt(p, end, index)) return fail("a corner of this f line is not a number");
@@ -213,7 +214,7 @@ class ObjScanner {
         if (p != end && *p != '/' && !isBlank(*p)) {
           if (!takeUvIndex(p, end, vt)) return false;
         }
-        // vn lines are not counted: a normal is kept as it is spelled.
+        // Indices of vn lines need no check: they are written as they were.
         if (p != end && *p == '/' && ++p != end && !isBlank(*p) && !readInt(p, end, vn)) {
           return fail("a corner of this f line is not a number");
         }
@@ -241,7 +242,8 @@ class ObjScanner {
     return false;
   }
 
-  /// A face without an inside: the line stays in the file, without the vt that are going to be replaced.
+  /// Skips a face with fewer than three corners: its line stays in the file, without references to the vt lines
+  /// that are replaced.
   bool skipFace(std::size_t first, const TextSpan& span) {
     out_.polygons.cornerVertex.resize(first);
     out_.cornerUv.resize(first);
@@ -251,14 +253,14 @@ class ObjScanner {
     return true;
   }
 
-  /// Positive indices may point forwards, so they are checked at the end.
+  /// Checks positive indices at the end, because they may refer to later lines.
   bool checkRanges() {
     const PolygonMesh& polygons = out_.polygons;
     const int vertices = static_cast<int>(polygons.positions.size());
     const int uvs = static_cast<int>(out_.uv.size());
     for (std::size_t p = 0; p + 1 < polygons.start.size(); ++p) {
       for (std::size_t c = polygons.start[p]; c < polygons.start[p + 1]; ++c) {
-        if (out_.cornerUv[c] >= uvs) {  // will be replaced anyway
+        if (out_.cornerUv[c] >= uvs) {  // not an error, since the uv are replaced
           out_.cornerUv[c] = -1;
           ++missingUv_;
         }

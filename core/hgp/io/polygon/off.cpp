@@ -7,8 +7,8 @@
 namespace hgp::io {
 namespace {
 
-/// "[ST][C][N]OFF", the counts, the vertices, the faces; numbers are free-form. The keyword, the count
-/// of edges and what follows a vertex may be missing or vary, as they do in the files of many programs.
+/// Reads "[ST][C][N]OFF", the counts, the vertices and the faces; whitespace between numbers is free. The keyword
+/// and the number of edges may be missing, and what follows a vertex may vary, as in the files of many programs.
 class OffReader {
  public:
   OffReader(std::string_view text, std::uint64_t maxTriangles)
@@ -64,7 +64,7 @@ class OffReader {
     }
     if (!words_.nextInt(faces_)) return failNumber();
     takeEdgeCount();
-    // Every row takes at least a few bytes, so a count above the file's size is a lie.
+    // Every row takes at least two bytes, so a count above the file's size must be wrong.
     const std::int64_t most = static_cast<std::int64_t>(size_);
     if (vertices_ < 0 || faces_ < 0 || vertices_ > most || faces_ > most) {
       return fail("the counts do not fit the size of the file");
@@ -72,7 +72,7 @@ class OffReader {
     return true;
   }
 
-  /// The number of edges: behind the other two, alone on a line of its own, or not there at all.
+  /// Skips the number of edges, which follows the other two counts, is on a separate line, or is missing.
   void takeEdgeCount() {
     std::int64_t ignored = 0;
     WordReader rest(words_.restOfLine());
@@ -100,8 +100,8 @@ class OffReader {
     return true;
   }
 
-  /// What follows a position: normal, colour (three or four numbers), texture coordinates. By the line;
-  /// where that is too short, by the count that the keyword announces.
+  /// Skips what follows a position: normal, colour (three or four numbers), texture coordinates. It extends to the
+  /// end of the line, or, if the line is too short, over as many numbers as the keyword implies.
   bool takeExtras() {
     WordReader line(words_.restOfLine());
     if (!hasUv_) {

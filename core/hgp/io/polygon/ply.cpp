@@ -9,7 +9,7 @@
 namespace hgp::io {
 namespace {
 
-/// Numbers of the body, one after the other, in whichever of the three encodings.
+/// Reads the numbers of the body in order, in any of the three encodings.
 class PlyBody {
  public:
   PlyBody(std::string_view body, PlyEncoding encoding)
@@ -33,7 +33,7 @@ class PlyBody {
   std::string word() const { return inQuotes(text_.word()); }
 
  private:
-  /// Some writers leave comments between the rows.
+  /// Skips comments, which some writers put between the rows.
   bool nextWord(double& out) {
     while (!text_.nextAnyDouble(out)) {
       if (text_.word() != "comment" && text_.word() != "obj_info") return false;
@@ -94,7 +94,7 @@ class PlyReader {
   }
 
   bool takeElement(const PlyElement& element) {
-    // A row takes at least one byte per property: a count above that is a lie.
+    // Every row takes at least one byte, so a count above the file's size must be wrong.
     if (element.properties.empty()) return true;
     if (element.count > text_.size()) return fail("an element count does not fit the file's size");
     for (std::uint64_t row = 0; row < element.count; ++row) {
@@ -195,8 +195,8 @@ class PlyReader {
     return false;
   }
 
-  /// Triangle strips in one list, each ended by a negative number; every other triangle turns around.
-  /// Triangles that name a vertex twice only join strips.
+  /// Reads triangle strips: one list in which a negative number ends each strip. Every second triangle of a strip
+  /// is reversed; triangles with a repeated vertex only connect strips and are skipped.
   bool takeStrips() {
     const std::vector<double> strip = std::move(list_);
     std::size_t begin = 0;
@@ -244,7 +244,7 @@ class PlyReader {
   Failure failure_;
   std::vector<double> list_;
   std::vector<Vec2> vertexUv_;
-  std::vector<NotFiniteVertex> notFinite_;  ///< of a text; binary ones are a defect of the mesh
+  std::vector<NotFiniteVertex> notFinite_;  ///< in text only; in binary they are mesh defects
   int largest_ = -1, strips_ = 0, skippedFaces_ = 0;
   bool isStrip_ = false;
   std::uint64_t triangles_ = 0;

@@ -11,7 +11,7 @@
 namespace hgp::io {
 namespace {
 
-/// Two numbers for each of 127 corners still fit a list whose length is one byte.
+/// A list of two numbers per corner fits a length of one byte up to this many corners.
 constexpr std::size_t kMaxCornersOfByte = 127;
 
 class PlyPatch {
@@ -66,7 +66,7 @@ class PlyPatch {
     return std::string("property list ") + (isWide_ ? "ushort" : "uchar") + " double texcoord";
   }
 
-  /// Line by line; `element` and `property` count along.
+  /// Rewrites the header line by line; the indices `element` and `property` follow.
   void patchHeader(const std::string& generator) {
     const char* end = header_.lineEnd == PlyLineEnd::kOld ? "\r" : "\n";
     const std::string_view head = text_.substr(0, header_.bodyOffset);
@@ -112,7 +112,7 @@ class PlyPatch {
       if (!isOldUv(element, property) && !isDropped(element)) continue;
       out_ += body.substr(position_, row.begin[p] - position_);
       position_ = row.end[p];
-      // The blank before a word that is gone.
+      // Removes the blank before a word that was removed.
       if (header_.encoding == PlyEncoding::kText && out_.back() == ' ') out_.pop_back();
     }
     if (isDropped(element)) return;
@@ -151,7 +151,7 @@ class PlyPatch {
     }
   }
 
-  /// −1: a face that was not read has none.
+  /// Appends the uv list of a face. @param polygon  −1: a face that was skipped, which gets an empty list
   void addUv(int polygon) {
     if (polygon < 0) return addLength(0);
     const auto p = static_cast<std::size_t>(polygon);
@@ -192,7 +192,7 @@ class PlyPatch {
   bool isWide_ = false, hasFaces_ = false, replacesUv_ = false;
 };
 
-/// Which numbers of a vertex row are normals and colours; a colour of integers is a part of their largest.
+/// Which numbers of a vertex row are normals and colours; integer colours are fractions of their type's maximum.
 struct PlyExtras {
   std::array<int, 3> normal{-1, -1, -1};
   std::array<int, 4> color{-1, -1, -1, -1};

@@ -1,4 +1,4 @@
-// A PLY file that can be written again.  Role: uv in, everything else as it was.
+// A PLY document.  Role: writes uv into the original file and leaves everything else unchanged.
 #pragma once
 
 #include "hgp/io/polygon/ply_header.h"
@@ -6,9 +6,8 @@
 
 namespace hgp::io {
 
-/// Writes PLY in its own encoding: uv go into a list property `texcoord` of the faces, two doubles a corner,
-/// so that vertices stay one; uv that were there before (of vertices or faces) are replaced. Triangle
-/// strips become faces.
+/// Writes PLY in its own encoding: uv become a list property `texcoord` of the faces with two doubles per corner,
+/// so that no vertex must be copied; previous uv (of vertices or faces) are replaced. Triangle strips become faces.
 class PlyDocument final : public PolygonDocument {
  public:
   static Result<DocumentPtr> make(Bytes bytes, PlyHeader header, std::size_t textOffset,
@@ -25,7 +24,7 @@ class PlyDocument final : public PolygonDocument {
 
   Bytes bytes_;
   PlyHeader header_;
-  std::size_t textOffset_ = 0;  ///< behind a byte order mark
+  std::size_t textOffset_ = 0;  ///< offset of the header, after a byte order mark
 };
 
 }  // namespace hgp::io

@@ -11,7 +11,7 @@
 namespace hgp::io {
 namespace {
 
-/// The bytes of an integer, lowest first; floats and doubles by their bits.
+/// The bits of x in the given type, as an integer whose lowest byte is written first.
 std::uint64_t bitsOf(PlyType type, double x) {
   std::uint64_t bits = 0;
   if (type == PlyType::kFloat64) {
@@ -107,7 +107,7 @@ class PlyEdit {
     return edited_.polygons.start[polygon + 1] - edited_.polygons.start[polygon];
   }
 
-  /// @param firstCorner  of before, of the face that the row is
+  /// @param firstCorner  index, before the edit, of the first corner of the row's face
   void addFace(const PlyElement& element, const PlyRow& row, std::size_t child,
                std::size_t firstCorner) {
     std::size_t from = row.begin.front();
@@ -178,8 +178,8 @@ class PlyEdit {
   const char* lineEnd_;
   std::string out_;
   std::size_t position_ = 0, addedFaces_ = 0;
-  std::size_t next_ = 0;    ///< polygon of `edited`
-  std::size_t corner_ = 0;  ///< of before
+  std::size_t next_ = 0;    ///< next polygon of `edited`
+  std::size_t corner_ = 0;  ///< next corner of the polygons before the edit
   int polygon_ = 0;
 };
 

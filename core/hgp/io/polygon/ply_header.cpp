@@ -100,7 +100,7 @@ double numberAs(const unsigned char* bytes) {
 Result<PlyHeader> readPlyHeader(std::string_view text) {
   PlyHeader header;
   if (text.substr(0, 3) != "ply") return malformedByte(0, "not a PLY file");
-  // A binary body may hold any byte: the first line says how lines end.
+  // A binary body may contain any byte, so the line ending is taken from the first line.
   const std::size_t first = text.find_first_of("\r\n");
   const bool isOld =
       first != std::string_view::npos && text[first] == '\r' && text.substr(first + 1, 1) != "\n";

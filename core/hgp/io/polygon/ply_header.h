@@ -1,4 +1,5 @@
-// The header of a PLY file: which numbers follow, and how they are stored.  Role: read by ply.cpp.
+// The header of a PLY file: which numbers follow and how they are stored.  Role: used by ply.cpp, ply_document.cpp
+// and ply_edit.cpp.
 #pragma once
 
 #include <string>
@@ -11,7 +12,7 @@ namespace hgp::io {
 
 enum class PlyEncoding { kText, kLittle, kBig };
 enum class PlyType { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat32, kFloat64 };
-/// What a property means to us.
+/// What a property is used for.
 enum class PlyRole {
   kNone,
   kX,
@@ -29,7 +30,7 @@ enum class PlyRole {
   kBlue,
   kAlpha
 };
-enum class PlyLineEnd { kNew, kOld };  ///< '\n', also behind '\r'; or '\r' alone
+enum class PlyLineEnd { kNew, kOld };  ///< "\n" or "\r\n"; "\r" alone
 
 struct PlyProperty {
   PlyRole role = PlyRole::kNone;

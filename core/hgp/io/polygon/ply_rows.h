@@ -1,5 +1,5 @@
-// The rows of a PLY body with the place of every property.  Role: what a PLY says besides its shape,
-// and the patch that leaves every other byte as it is.
+// The rows of a PLY body with the position of every property.  Role: reads attributes besides the geometry, and
+// lets patches keep every other byte.
 #pragma once
 
 #include <string_view>
@@ -10,8 +10,8 @@
 
 namespace hgp::io {
 
-/// One row: property p has the bytes [begin[p], end[p]) of the body and the numbers first[p] …
-/// first[p + 1] − 1 (a list's without its length).
+/// One row: property p has the bytes [begin[p], end[p]) of the body and the numbers with indices first[p] …
+/// first[p + 1] − 1 (for a list, without its length).
 struct PlyRow {
   std::vector<std::size_t> begin, end, first;
   std::vector<double> numbers;
@@ -31,7 +31,7 @@ class PlyRowReader {
   std::string_view body_;
   WordReader words_;
   PlyEncoding encoding_;
-  std::size_t begin_ = 0, end_ = 0;  ///< of what was read last
+  std::size_t begin_ = 0, end_ = 0;  ///< of the value read last
 };
 
 }  // namespace hgp::io

@@ -12,7 +12,7 @@
 namespace hgp::io {
 namespace {
 
-/// A file of these polygons, uv interpolated like positions.
+/// A file with these polygons; new uv are interpolated as positions are.
 PolygonFile fileOf(RefinedPolygons refined, std::vector<Vec2> uv,
                    const std::vector<int>& cornerUv) {
   PolygonFile file;
@@ -74,7 +74,7 @@ std::optional<UvMap> PolygonDocument::existingUv(int surface, int set) const {
       map.cornerUv[t][k] = cornerUv_[c];
     }
   }
-  if (uv_.size() >= cornerUv_.size()) joinEqualCopies(surfaces_[0].mesh, map);  // one a corner
+  if (uv_.size() >= cornerUv_.size()) joinEqualCopies(surfaces_[0].mesh, map);  // one per corner
   return map;
 }
 
@@ -116,7 +116,7 @@ Result<PlainFile> PolygonDocument::plain(int) const {
   PlainFile file;
   MeshData& mesh = file.surfaces.emplace_back().mesh;
   mesh = surfaces_[0].mesh;
-  const std::vector<int> unplaced = unusedNotFinite(mesh);  // glTF has finite numbers only
+  const std::vector<int> unplaced = unusedNotFinite(mesh);  // glTF allows only finite numbers
   for (const int v : unplaced) mesh.positions[static_cast<std::size_t>(v)] = {0, 0, 0};
   if (!unplaced.empty())
     file.lost.push_back(

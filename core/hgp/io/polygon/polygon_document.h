@@ -1,4 +1,4 @@
-// A document of one surface made of polygons, written as OBJ.  Role: what OBJ, OFF, PLY and STL share.
+// A document with one surface made of polygons, written as OBJ.  Role: the common part of OBJ, OFF, PLY and STL.
 #pragma once
 
 #include <string_view>
@@ -10,7 +10,7 @@
 
 namespace hgp::io {
 
-/// What a polygon format's reader found.
+/// The content that the reader of a polygon format extracts.
 struct PolygonFile {
   PolygonMesh polygons;
   std::vector<Vec2> uv;       ///< may be empty
@@ -35,13 +35,13 @@ class PolygonDocument : public Document {
 
   Result<PlainFile> plain(int surface) const override;
 
-  /// Triangulates; fails with kLimit when the polygons are beyond reason.
+  /// Triangulates the polygons; fails with kLimit where triangulate() does.
   static Result<DocumentPtr> make(const char* format, PolygonFile file);
 
  protected:
   explicit PolygonDocument(const char* format) : format_(format) {}
   Status take(PolygonFile file);
-  /// The same format with these polygons, old uv along with them.
+  /// The same format with these polygons and the old uv, interpolated.
   Result<DocumentPtr> rewritten(RefinedPolygons refined) const;
   /// uv index per polygon corner of a map that keeps polygons whole; empty when it does not fit.
   std::vector<int> polygonCornerUv(const UvMap& map) const;
@@ -58,9 +58,9 @@ class PolygonDocument : public Document {
 Bytes writePolygonObj(const PolygonMesh& polygons, const std::vector<Vec2>& uv,
                       const std::vector<int>& cornerUv, const WriteOptions& options);
 
-/// The lines "vt u v" of a map.
+/// Appends the lines "vt u v" of a map.
 void appendUvLines(std::string& out, const std::vector<Vec2>& uv, std::string_view lineEnd);
-/// The comment that carries cones inside an OBJ.
+/// Appends the comment that stores cones in an OBJ.
 void appendEmbeddedCones(std::string& out, const WriteOptions& options, std::string_view lineEnd);
 
 inline std::string_view asText(ByteView bytes) {
@@ -70,7 +70,7 @@ inline std::string_view asText(ByteView bytes) {
 /// Whether a text begins as an STL text does: comments, then the word "solid" in any case.
 bool isStlText(std::string_view text);
 
-/// The text behind a UTF-8 byte order mark, where there is one.
+/// The text without its UTF-8 byte order mark, if it has one.
 inline std::string_view withoutByteOrderMark(std::string_view text) {
   return text.substr(0, 3) == "\xEF\xBB\xBF" ? text.substr(3) : text;
 }

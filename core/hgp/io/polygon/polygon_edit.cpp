@@ -1,4 +1,4 @@
-// Faces turned over and vertices copied, polygon by polygon.
+// Reverses faces and copies vertices, polygon by polygon.
 #include <algorithm>
 
 #include "hgp/io/polygon/polygon_refine.h"
@@ -41,7 +41,7 @@ class FaceEditor {
   bool isOutside(int triangle) const {
     return std::binary_search(edits_.outside.begin(), edits_.outside.end(), triangle);
   }
-  /// Whether new corners run the other way.
+  /// Whether the edit reverses the face.
   static bool isTurned(const EditedFace& e) { return (e.corner[1] - e.corner[0] + 3) % 3 == 2; }
 
   void addCorner(int corner, int vertex) {
@@ -54,7 +54,7 @@ class FaceEditor {
     out_.isSame.push_back(isSame);
   }
 
-  /// @param vertices  by corner of the polygon; empty: its own
+  /// @param vertices  by corner of the polygon; empty: unchanged
   void addWhole(int p, bool turned, const std::vector<int>& vertices, char isSame) {
     const auto begin = static_cast<int>(polygons_.start[static_cast<std::size_t>(p)]);
     const auto end = static_cast<int>(polygons_.start[static_cast<std::size_t>(p) + 1]);
@@ -68,7 +68,7 @@ class FaceEditor {
     endPolygon(p, isSame);
   }
 
-  /// False where its triangles do not agree.
+  /// Adds an edited polygon as a whole; false if its triangles are not all edited alike.
   bool addTogether(int p, std::size_t first) {
     const auto begin = static_cast<int>(polygons_.start[static_cast<std::size_t>(p)]);
     const auto end = static_cast<int>(polygons_.start[static_cast<std::size_t>(p) + 1]);
@@ -116,7 +116,7 @@ class FaceEditor {
   const PolygonMesh& polygons_;
   const TriangleCorners& corners_;
   const FaceEdits& edits_;
-  std::size_t next_ = 0;  ///< edited faces before it are done
+  std::size_t next_ = 0;  ///< index of the first edited face not yet processed
   RefinedPolygons out_;
 };
 

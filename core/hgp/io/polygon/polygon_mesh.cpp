@@ -7,9 +7,9 @@
 namespace hgp::io {
 namespace {
 
-// Point-in-triangle tests over a whole document; ordinary files need a few per corner.
+// Maximum of point-in-triangle tests for a whole document; ordinary files need a few per corner.
 constexpr std::int64_t kMaxTests = 400'000'000;
-// Above this many corners any valid ear will do: choosing the best one is cubic.
+// Above this many corners any valid ear is taken: choosing the best takes cubic time.
 constexpr std::size_t kMaxForBestEar = 64;
 
 Vec2 minus(const Vec2& a, const Vec2& b) { return {a[0] - b[0], a[1] - b[1]}; }
@@ -22,7 +22,7 @@ Vec3 newellNormal(const std::vector<Vec3>& p) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Vec3& a = p[i];
     const Vec3& b = p[(i + 1) % p.size()];
-    // Relative to the first corner, so that far-away polygons keep their digits.
+    // Relative to the first corner, to avoid cancellation far from the origin.
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t u = (k + 1) % 3, v = (k + 2) % 3;
       n[k] += (a[u] - p[0][u]) * (b[v] - p[0][v]) - (a[v] - p[0][v]) * (b[u] - p[0][u]);
@@ -31,7 +31,7 @@ Vec3 newellNormal(const std::vector<Vec3>& p) {
   return n;
 }
 
-/// Drops the polygon onto the plane of its normal, counterclockwise.
+/// Projects the polygon onto the plane of its normal; the result is counterclockwise.
 std::vector<Vec2> flatten(const std::vector<Vec3>& p) {
   const Vec3 n = newellNormal(p);
   const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
@@ -40,7 +40,7 @@ std::vector<Vec2> flatten(const std::vector<Vec3>& p) {
                                : (std::abs(n[1]) < std::abs(n[2]) ? 1 : 2);
   Vec3 e{0, 0, 0};
   e[axis] = 1;
-  // x = e × n, y = n × x, both unit up to a common scale.
+  // x = e × n, y = n × x, of equal length.
   const Vec3 m = length > 0 ? Vec3{n[0] / length, n[1] / length, n[2] / length} : Vec3{0, 0, 1};
   const Vec3 x{e[1] * m[2] - e[2] * m[1], e[2] * m[0] - e[0] * m[2], e[0] * m[1] - e[1] * m[0]};
   const Vec3 y{m[1] * x[2] - m[2] * x[1], m[2] * x[0] - m[0] * x[2], m[0] * x[1] - m[1] * x[0]};
@@ -54,7 +54,7 @@ std::vector<Vec2> flatten(const std::vector<Vec3>& p) {
   return flat;
 }
 
-/// Sine of the smallest angle, a shape measure that orders ears; ≤ 0 for a reflex corner.
+/// Sine of the smallest angle, by which ears are ranked; ≤ 0 for a reflex corner.
 double earQuality(const Vec2& a, const Vec2& b, const Vec2& c) {
   const double area = turn(a, b, c);
   const double ab = dot(minus(b, a), minus(b, a));
@@ -90,7 +90,7 @@ class EarClipper {
     return {ring_[(i + n - 1) % n], ring_[i], ring_[(i + 1) % n]};
   }
 
-  /// No other corner inside the ear or on its new side.
+  /// Whether no other corner lies inside the ear or on its new side.
   bool isEmpty(const std::array<int, 3>& ear) {
     const Vec2 &a = at(ear[0]), &b = at(ear[1]), &c = at(ear[2]);
     for (int i : ring_) {
@@ -111,10 +111,10 @@ class EarClipper {
       if (turn(at(ear[0]), at(ear[1]), at(ear[2])) > 0 && isEmpty(ear)) return i;
       if (tests_ > kMaxTests) break;
     }
-    return from % n;  // not a simple polygon: anything that ends
+    return from % n;  // not a simple polygon: any choice that terminates
   }
 
-  /// The valid ear of best quality, where what it leaves of a quadrilateral counts as well.
+  /// The valid ear of best quality; for a quadrilateral, the remaining triangle counts as well.
   std::size_t bestEar() {
     std::size_t best = 0;
     double bestScore = -std::numeric_limits<double>::infinity();
@@ -125,7 +125,7 @@ class EarClipper {
         const int opposite = ring_[(i + 2) % 4];
         score = std::min(score, earQuality(at(ear[2]), at(opposite), at(ear[0])));
       } else if (score > 0 && score > bestScore && !isEmpty(ear)) {
-        score = -1;  // worse than any true ear, better than nothing
+        score = -1;  // worse than any valid ear, but better than none
       }
       if (score > bestScore) {
         best = i;

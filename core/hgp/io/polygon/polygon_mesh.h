@@ -1,5 +1,5 @@
-// Polygons as a file has them, their triangles, and uv that keep each polygon in one piece.
-// Role: n-gons are solved on a triangulation; uv go back to polygon corners.
+// Polygons of a file, their triangulation, and uv per polygon corner.
+// Role: polygons are solved on a triangulation, and the uv are transferred back to polygon corners.
 #pragma once
 
 #include <array>
@@ -28,24 +28,24 @@ struct PolygonMesh {
   }
 };
 
-/// No polygon may have more corners than this (hostile files; ear clipping is quadratic).
+/// Maximum number of corners of a polygon: ear clipping takes quadratic time, and files may be hostile.
 inline constexpr int kMaxPolygonCorners = 10'000;
 
 /// The three corners of every triangle. Empty when every polygon is a triangle (corner 3t + k).
 using TriangleCorners = std::vector<std::array<int, 3>>;
 
-/// Ear clipping in the plane of the polygon's (Newell) normal: the ear with the best smallest angle
-/// first; concave planar polygons come out right, and every polygon of n corners gives n − 2
-/// triangles. Depends on positions alone, so reading a written file gives the same triangles.
-/// Fails with kLimit when the polygons would take unreasonably long.
+/// Ear clipping in the plane of the polygon's Newell normal; the ear with the largest smallest angle is cut
+/// first. Concave planar polygons are triangulated correctly, and every polygon of n corners gives n − 2
+/// triangles. Depends on positions alone, so that a written file is triangulated in the same way when read.
+/// Fails with kLimit beyond 4 · 10⁸ point-in-triangle tests.
 Result<TriangleCorners> triangulate(const PolygonMesh& polygons);
 
 /// The mesh of these triangles.
 MeshData triangleMesh(const PolygonMesh& polygons, const TriangleCorners& corners);
 
-/// One uv index per polygon corner, and the same map on triangles. Where a seam runs along a
-/// polygon's inner diagonal, the triangles behind it are carried over by the seam's own rigid
-/// motion, so that the seam moves to the polygon's sides. Unused uv are dropped.
+/// One uv index per polygon corner, and the same map on triangles. Where a seam runs along an
+/// inner diagonal of a polygon, the triangles across it are moved by the seam's rigid
+/// motion, so that the seam runs along the polygon's sides instead. Unused uv are dropped.
 struct PolygonUv {
   UvMap map;
   std::vector<int> cornerUv;  ///< |corners|, index into map.uv

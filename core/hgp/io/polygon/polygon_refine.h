@@ -1,5 +1,5 @@
-// Polygons with some of their edges split, or with corners in another order.  Role: what the polygon
-// formats need to store a refined or repaired surface; polygons that nothing happens to stay whole.
+// Polygons with some edges split or some corners reordered.  Role: lets the polygon formats store a refined or
+// repaired surface; unaffected polygons stay whole.
 #pragma once
 
 #include <map>
@@ -14,9 +14,9 @@ namespace hgp::io {
 struct RefinedPolygons {
   PolygonMesh polygons;
   std::vector<VertexPair> parents;  ///< of each new vertex; equal for a copy
-  std::vector<int> polygonOrigin;   ///< polygon → polygon of before
-  std::vector<VertexPair> corners;  ///< corner → two corners of before, its mean; equal for one
-  std::vector<char> isSame;         ///< per polygon: as before
+  std::vector<int> polygonOrigin;   ///< polygon → original polygon
+  std::vector<VertexPair> corners;  ///< corner → the two original corners of which it is the mean
+  std::vector<char> isSame;         ///< per polygon: unchanged
 };
 
 /// @param corners  the triangulation of `polygons`
@@ -28,13 +28,13 @@ RefinedPolygons splitEdges(const PolygonMesh& polygons, const TriangleCorners& c
 RefinedPolygons editFaces(const PolygonMesh& polygons, const TriangleCorners& corners,
                           const FaceEdits& edits);
 
-/// Numbers of interpolated corner values: one per pair of values, behind those that are there.
+/// Assigns indices to interpolated corner values: one per pair of values, after the existing ones.
 class MeanValues {
  public:
   explicit MeanValues(int count) : count_(count) {}
-  /// −1 where one is missing.
+  /// The index of the mean of values a and b; −1 if one of them is −1.
   int of(int a, int b);
-  /// The pairs, in the order of their numbers.
+  /// The pairs, in the order of their indices.
   const std::vector<VertexPair>& pairs() const { return pairs_; }
 
  private:

@@ -10,9 +10,9 @@
 namespace hgp::io {
 namespace {
 
-// Two copies of one vertex this close (relative to max |uv|) are the same copy.
+// Two copies of one vertex closer than this, relative to max |uv|, are the same copy.
 constexpr double kSameCopy = 3e-14;
-// A ratio this close to a quarter turn is one: the rounding of two subtractions.
+// A rotation this close to a multiple of π/2 is one: the difference is rounding of two subtractions.
 constexpr double kQuarterTurn = 1e-9;
 
 Complex toComplex(const Vec2& p) { return {p[0], p[1]}; }
@@ -49,7 +49,7 @@ class PolygonKeeper {
     return out_.map.cornerUv[static_cast<std::size_t>(t)];
   }
 
-  /// True when every corner has one uv already.
+  /// Keeps a polygon each of whose corners already has a single uv; false for other polygons.
   bool takeAsIs(int p) {
     bool isWhole = true;
     for (int t = polygons_.firstTriangle(p); t < polygons_.firstTriangle(p + 1); ++t) {
@@ -62,7 +62,7 @@ class PolygonKeeper {
     return isWhole;
   }
 
-  /// Starts with the polygon's first triangle and carries its neighbours into that chart.
+  /// Starts with the polygon's first triangle and moves its neighbours into that chart.
   void carry(int p) {
     ++out_.carriedPolygons;
     const int first = polygons_.firstTriangle(p), last = polygons_.firstTriangle(p + 1);
@@ -83,7 +83,7 @@ class PolygonKeeper {
     }
   }
 
-  /// Places triangle t when two of its corners are placed already.
+  /// Places triangle t if two of its corners have been placed.
   bool carryTriangle(int t) {
     std::size_t open = 3;
     int openCount = 0;
@@ -117,7 +117,7 @@ class PolygonKeeper {
     return ratio;
   }
 
-  /// A copy of vertex v at this place: an old one where there is one, so that charts stay joined.
+  /// A copy of vertex v at this place: an existing one if there is one, so that charts stay connected.
   int copyAt(int v, const Vec2& place) {
     if (copies_.empty()) collectCopies();
     std::vector<int>& list = copies_[v];

@@ -38,7 +38,7 @@ Result<std::vector<Vec3>> readBinary(const Bytes& bytes, std::size_t count) {
   return corners;
 }
 
-/// The word in small letters: some programs write capitals.
+/// The word in lower case: some programs write upper case.
 std::string lower(std::string_view word) {
   std::string out(word);
   for (char& c : out) {
@@ -74,8 +74,8 @@ Result<std::vector<Vec3>> readText(std::string_view text) {
   return corners;
 }
 
-/// How many triangles a binary file holds, or nothing where it is text or cut off. Writers that stream
-/// leave the count 0, others put something behind the last triangle.
+/// How many triangles a binary file has; empty if it is text or truncated. Some programs leave the count
+/// at 0, others append bytes after the last triangle.
 std::optional<std::size_t> binaryCount(const Bytes& bytes, std::vector<std::string>& notes) {
   if (bytes.size() < kHeaderBytes) return std::nullopt;
   const std::size_t announced = littleUint32(bytes.data() + 80);
@@ -100,7 +100,7 @@ std::optional<std::size_t> binaryCount(const Bytes& bytes, std::vector<std::stri
 bool isStlText(std::string_view text) {
   WordReader words(withoutByteOrderMark(text.substr(0, 4096)));
   if (lower(words.next()) != "solid") return false;
-  // A binary header may begin with "solid", too: its triangles hold a zero byte soon.
+  // A binary header may also begin with "solid", but then a zero byte follows soon.
   return text.substr(0, 512).find('\0') == std::string_view::npos;
 }
 

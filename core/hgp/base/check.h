@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-// Where the compiler can, it compares a printf format with what follows.
+// Makes compilers that support it check arguments against the printf format.
 #ifdef __GNUC__
 #define HGP_PRINTF(text, first) __attribute__((format(printf, text, first)))
 #else

@@ -5,7 +5,7 @@
 
 namespace hgp {
 
-/// "1 edge", "2 edges"; `many` where the plural is not `one` + "s". Any integer type.
+/// "1 edge", "2 edges"; give `many` if the plural is not `one` + "s". Any integer type.
 template <class Integer>
 std::string counted(Integer n, const char* one, const char* many = nullptr) {
   const std::string text = std::to_string(n) + ' ' + (n == 1 || !many ? one : many);

@@ -1,4 +1,4 @@
-// Disjoint sets of the numbers 0 … n − 1.  Role: components, fans, forests and merged vertices alike.
+// Disjoint sets of the numbers 0 … n − 1.  Role: used for components, fans, forests and merged vertices.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ class DisjointSets {
     while (parent(a) != a) a = parent(a) = parent(parent(a));
     return a;
   }
-  /// False when they were joined already.
+  /// False if a and b were already in one set.
   bool join(int a, int b) {
     a = root(a);
     b = root(b);

@@ -5,7 +5,7 @@
 namespace hgp {
 
 double roundToFloat(double x) {
-  // Half an ulp above the largest float is where rounding goes to infinity; a cast may not.
+  // From half an ulp above the largest float on, rounding gives infinity; a cast out of range is undefined.
   constexpr double kTooLarge = 0x1.ffffffp127;
   if (x >= kTooLarge) return HUGE_VAL;
   if (x <= -kTooLarge) return -HUGE_VAL;

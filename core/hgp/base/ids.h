@@ -30,7 +30,7 @@ using LoopId = Id<struct LoopTag>;
 /// A vertex of the cut mesh S_c: one copy of a vertex of S.
 using CutVertexId = Id<struct CutVertexTag>;
 
-/// A number that is never negative, as the standard containers want it.
+/// Converts a non-negative number to an index of the standard containers.
 constexpr std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
 
 /// A vector indexed by one kind of id only.

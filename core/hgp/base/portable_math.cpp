@@ -39,7 +39,7 @@ Reduced reduce(double x) {
   const double n = std::nearbyint(x * (2.0 / pi));
   const double a = x - n * kHalfPi[0];  // exact: x and n π/2 are within a factor of two, or n = 0
   const double b = n * kHalfPi[1];
-  // a - b and what rounding it lost, whichever is larger [Knuth].
+  // a − b and its rounding error, whichever of a and b is larger [Knuth].
   const double c = a - b, taken = a - c;
   const double rest = ((a - (c + taken)) + (taken - b)) - n * kHalfPi[2];
   const double high = c + rest, low = (c - high) + rest;
@@ -82,7 +82,7 @@ SineCosine sineCosine(double x) {
   }
 }
 
-/// atan(n / 8) as the nearest double and what that leaves.
+/// atan(n / 8) as the nearest double and the remainder.
 constexpr double kArcTangent[][2] = {{0.0, 0.0},
                                      {0x1.fd5ba9aac2f6ep-4, -0x1.cd37686760c17p-59},
                                      {0x1.f5b75f92c80ddp-3, 0x1.8ab6e3cf7afbdp-57},
@@ -108,7 +108,7 @@ std::pair<double, double> firstOctant(double a, double b) {
 /// x · 2ᵉ; exact unless the result is subnormal.
 double scaled(double x, int e) { return std::ldexp(x, e); }
 
-/// Squares neither overflow nor vanish beside each other there.
+/// Whether squares of numbers of this size neither overflow nor underflow.
 bool isTame(double largest) { return largest > 1e-140 && largest < 1e140; }
 
 }  // namespace
@@ -147,7 +147,7 @@ double log(double x) {
 
 double log1p(double x) {
   const double u = 1.0 + x;
-  // What rounding 1 + x lost comes back as a factor [Kahan].
+  // The factor compensates for the rounding of 1 + x [Kahan].
   return u == 1.0 ? x : log(u) * (x / (u - 1.0));
 }
 
@@ -185,7 +185,7 @@ double atan2(double y, double x) {
   double a = std::fabs(y), b = std::fabs(x);
   const bool isSteep = a > b;
   if (isSteep) std::swap(a, b);
-  if (std::isinf(b)) {  // along an axis, or between two where both are infinite
+  if (std::isinf(b)) {  // along an axis or, if both are infinite, a diagonal
     a = std::isinf(a) ? 1.0 : 0.0;
     b = 1.0;
   }
@@ -200,7 +200,7 @@ double atan2(double y, double x) {
   }
   auto [high, low] = angle;
   if (isSteep) {
-    high = pi / 2 - high;  // rounded, and what that loses is kept
+    high = pi / 2 - high;  // the rounding error is added to the low part
     low = ((pi / 2 - high) - angle.first) + (kHalfPiLow - low);
   }
   if (std::signbit(x)) {

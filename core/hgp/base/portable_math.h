@@ -1,5 +1,5 @@
-// Elementary functions whose bits are the same on every processor, system and compiler.  Role: what C
-// libraries, which differ in the last bit, must not decide; with kernels that do not fuse, maps have the
+// Elementary functions whose results are bit-identical on every processor, system and compiler.  Role: replaces the
+// functions of C libraries, which differ in the last bit; with kernels without fused multiply-add, maps have the
 // same bits natively and in WebAssembly (decision 046).
 #pragma once
 
@@ -19,9 +19,9 @@ double log2(double x);   ///< 2 ulp; exact at powers of two
 /// xʸ for x ≥ 0, exp(y log x): 2 + |y log x| ulp.
 double pow(double x, double y);
 double cosh(double x);  ///< 2 ulp
-double tanh(double x);  ///< 2 ulp beside 1, not beside the result: small results lose digits
+double tanh(double x);  ///< 2 ulp of 1, not of the result: small results have fewer digits
 
-double sin(double x);  ///< 1 ulp for |x| < 10⁶; beyond, 2π is taken for its nearest double
+double sin(double x);  ///< 1 ulp for |x| < 10⁶; beyond, 2π is replaced by the nearest double
 double cos(double x);  ///< as sin
 double tan(double x);  ///< 3 ulp
 

@@ -19,7 +19,7 @@ enum class Stage : std::uint8_t {
   kAlign,
 };
 
-/// "prepare", "cones", …: in reports, and what a cancelled run was doing.
+/// "prepare", "cones", …, as used in reports and in the message of a cancelled run.
 const char* stageName(Stage stage);
 
 /// One report. `fraction` is of the stage, in [0, 1].
@@ -27,11 +27,11 @@ struct ProgressReport {
   Stage stage = Stage::kPrepare;
   double fraction = 0.0;
   int iteration = -1;  ///< solver iteration, −1 outside the solver
-  /// Solver residual relative to its target; in kImprove and kAlign the energy's excess over an
-  /// isometry while it descends; −1 outside.
+  /// Solver residual relative to its target; during the descent of kImprove and kAlign, the energy's excess over an
+  /// isometry; −1 otherwise.
   double residual = -1.0;
-  int round = 0;      ///< of solve, verify, repair: the first is 1; 0 outside
-  int maxRounds = 0;  ///< rounds at most; 0 outside
+  int round = 0;      ///< round of the loop, from 1; 0 outside the loop
+  int maxRounds = 0;  ///< maximum number of rounds; 0 outside the loop
 };
 
 /// Called inside every solver iteration and between stages. Return false to cancel.

@@ -43,7 +43,7 @@ struct Failure {
   std::vector<Where> where;
 };
 
-/// Either a value or a Failure; spelt like std::expected (which the supported compilers lack).
+/// Either a value or a Failure. A substitute for std::expected, which the supported compilers lack.
 template <class T>
 class [[nodiscard]] Result {
  public:
@@ -69,7 +69,7 @@ class [[nodiscard]] Result {
   std::variant<T, Failure> state_;
 };
 
-/// Success, or why not, for functions that return nothing else.
+/// The result of functions that return no value: success or a Failure.
 struct Done {};
 using Status = Result<Done>;
 

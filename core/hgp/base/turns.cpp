@@ -8,8 +8,8 @@
 namespace hgp {
 
 Complex rotation(long long r, int q) {
-  // Take out the nearest quarter turn, so that sin and cos see at most an eighth of a turn and
-  // symmetric angles get exactly symmetric values.
+  // The nearest quarter turn is separated, so that the arguments of sin and cos are at most π/4 and
+  // symmetric angles have exactly symmetric values.
   const long long n = reduceTurn(r, q);
   const long long quarters = (8 * n / q + 1) / 2;
   const long long rest = 4 * n - quarters * q;  // in units of 2π/4q, |rest| ≤ q/2
@@ -30,8 +30,8 @@ Complex rotation(long long r, int q) {
 }
 
 double principalAngle(double angle) {
-  // Up to about 3π the remainder is at most one exact subtraction away; asking for it takes ten times
-  // as long.
+  // Up to about 3π the remainder needs at most one subtraction, which is exact and ten times as fast as
+  // std::remainder.
   constexpr double kOneTurnAtMost = 9.0;
   double a = angle;
   if (std::abs(angle) >= kOneTurnAtMost)

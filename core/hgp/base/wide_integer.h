@@ -1,5 +1,5 @@
-// Exact arithmetic on products of 64-bit integers.  Role: what the exact predicates compute with, the same on
-// every compiler. HGP_PORTABLE (a CMake option) leaves out what ISO C++ does not have.
+// Exact arithmetic on products of 64-bit integers.  Role: the numbers of the exact predicates, the same with every
+// compiler. The CMake option HGP_PORTABLE restricts the code to ISO C++.
 #pragma once
 
 #include <compare>
@@ -13,7 +13,7 @@ struct UnsignedProduct {
   friend constexpr bool operator==(const UnsignedProduct&, const UnsignedProduct&) = default;
 };
 
-/// a b, exactly, from products of 32-bit halves: ISO C++.
+/// a b, exactly, from products of 32-bit halves, in ISO C++.
 constexpr UnsignedProduct multiplyByHalves(std::uint64_t a, std::uint64_t b) {
   constexpr std::uint64_t kMask = 0xffffffffu;
   const std::uint64_t aLow = a & kMask, aHigh = a >> 32, bLow = b & kMask, bHigh = b >> 32;
@@ -35,7 +35,7 @@ constexpr UnsignedProduct multiply(std::uint64_t a, std::uint64_t b) {
 }
 
 /// A signed integer of 128 bits in two's complement. Products of 64-bit integers fit, and so do sums and
-/// differences of two of them unless all four factors are −2^63; sums wrap around beyond.
+/// differences of two of them unless all four factors are −2^63; larger sums wrap around.
 class WideInteger {
  public:
   constexpr WideInteger() = default;

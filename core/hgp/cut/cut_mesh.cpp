@@ -6,8 +6,8 @@
 namespace hgp {
 namespace {
 
-/// A halfedge leaving v from which counterclockwise sectors start: at the boundary the first one,
-/// inside the left side of a seam edge where there is one.
+/// A halfedge leaving v at which the counterclockwise sectors start: the first one at the boundary, otherwise a seam
+/// edge if there is one.
 HalfedgeId firstOfSector(const TriMesh& mesh, const PerEdge<char>& isSeam, VertexId v) {
   if (!mesh.isBoundary(v))
     for (HalfedgeId h : outgoingHalfedges(mesh, v))
@@ -35,7 +35,7 @@ void makeCopies(const TriMesh& mesh, CutMesh& cut) {
   cut.parent = PerCutVertex<VertexId>(std::move(parent));
 }
 
-/// Degree in G_s.
+/// The degree of every vertex in G_s.
 PerVertex<int> seamDegree(const TriMesh& mesh, const PerEdge<char>& isSeam) {
   PerVertex<int> degree(static_cast<std::size_t>(mesh.vertexCount()), 0);
   for (EdgeId e : mesh.edges()) {

@@ -165,14 +165,14 @@ void markHandles(const TriMesh& mesh, const FilledSurface& surface, const NodeGr
   for (EdgeId e : leftoverEdges(mesh, surface, length, isSeam, paths)) isSeam[e] = 1;
 }
 
-/// Of the filled surface: 2 − 2g.
+/// Euler characteristic of the filled surface, 2 − 2g.
 int eulerCharacteristic(const TriMesh& mesh, const FilledSurface& surface) {
   int edges = 0;
   for (EdgeId e : mesh.edges()) edges += !mesh.isBoundary(mesh.halfedge(e));
   return surface.nodeCount - edges + mesh.faceCount();
 }
 
-/// Removes edges ending at a node that is no terminal and has no other seam edge.
+/// Removes edges that end at a node that is not a terminal and has no other seam edge.
 void trimLeaves(const TriMesh& mesh, const FilledSurface& surface, const NodeGraph& graph,
                 const std::vector<int>& terminals, PerEdge<char>& isSeam) {
   std::vector<int> degree(static_cast<std::size_t>(surface.nodeCount), 0);
@@ -182,7 +182,7 @@ void trimLeaves(const TriMesh& mesh, const FilledSurface& surface, const NodeGra
     ++degree[static_cast<std::size_t>(surface.node[mesh.tail(h)])];
     ++degree[static_cast<std::size_t>(surface.node[mesh.head(h)])];
   }
-  for (int t : terminals) degree[static_cast<std::size_t>(t)] += 2;  // never a leaf
+  for (int t : terminals) degree[static_cast<std::size_t>(t)] += 2;  // so that none is a leaf
   std::vector<int> leaves;
   for (int n = 0; n < surface.nodeCount; ++n)
     if (degree[static_cast<std::size_t>(n)] == 1) leaves.push_back(n);

@@ -10,11 +10,11 @@
 namespace hgp {
 namespace {
 
-/// Own angles below this, in radians, count as this.
+/// Smaller angles of the surface, in radians, are replaced by this one.
 constexpr double kMinOwnAngle = 0.02;
-/// Largest |sum − asked| that counts as met, in radians.
+/// Tolerance of the angle sums, in radians.
 constexpr double kMetSum = 1e-9;
-/// Smaller angles are those of a prescription without a structure, whose limit is at infinity.
+/// Smaller angles show that the prescription has no angle structure: the iteration then diverges to infinity.
 constexpr double kMinAngle = 1e-8;
 /// Newton takes 4 to 10 steps where there is a structure.
 constexpr int kMaxSteps = 60;
@@ -47,10 +47,10 @@ class DualFunction {
   }
 
   const PerHalfedge<double>& angles() const { return angle_; }
-  /// Of the angles, per node.
+  /// Sum of the angles, per node.
   const Eigen::VectorXd& sums() const { return sum_; }
 
-  /// Σ_f π log Σ_f α e^{s}; sets angles and sums.
+  /// Returns Σ_f π log Σ_f α e^{s}; sets angles and sums.
   double evaluate(const Eigen::VectorXd& s) {
     double value = 0.0;
     sum_ = Eigen::VectorXd::Zero(s.size());
@@ -99,7 +99,7 @@ class DualFunction {
   Eigen::VectorXd sum_;
 };
 
-/// Whether the sums are met in the end.
+/// Minimises the dual function; whether the angle sums are then as asked.
 bool minimise(DualFunction& dual, const Eigen::VectorXd& asked) {
   Eigen::VectorXd s = Eigen::VectorXd::Zero(asked.size());
   double value = dual.evaluate(s) - asked.dot(s);

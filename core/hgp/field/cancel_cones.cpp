@@ -54,7 +54,7 @@ int coneCount(const PerVertex<int>& defect) {
   return count;
 }
 
-/// Whether v may have defect d: its curvature is within what its edges can turn, or nearer than before.
+/// Whether v may have defect d: frames need not turn by more than the limit per edge, or by less than before.
 bool isBearable(const TriMesh& mesh, const FieldContext& context, int q, VertexId v, int before,
                 int d) {
   const double K = curvature(mesh, context.geometry, v);

@@ -16,7 +16,7 @@ inline constexpr int kNeverNoise = 24;
 
 struct CancelOptions {
   int reach = 2;        ///< opposite cones at most this many edges apart cancel
-  int noiseReach = 6;   ///< … and this many while more than every kNoiseShare-th vertex is a cone
+  int noiseReach = 6;   ///< the same while more than every kNoiseShare-th vertex is a cone
   int targetCount = 0;  ///< > 0: go on cancelling the closest pairs until about this many are left
 };
 

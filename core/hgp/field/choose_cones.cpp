@@ -12,18 +12,18 @@
 namespace hgp {
 namespace {
 
-/// Nodes × solves for balanced cones: four fifths of what much more work gains, for a fifth of a run
-/// or less (docs/decisions/034, 044).
+/// Work limit (nodes × solves) for balanced cones: it reaches four fifths of the gain of unlimited work in at most a
+/// fifth of a run's time (docs/decisions/034, 044).
 double balancedWork(int nodes) {
   return std::max(5.0 * nodes, std::min(16.0 * nodes + 1.6e5, 1.6e6));
 }
-/// For the other choices, which are asked for.
+/// Work limit for the other choices, which are made only on request.
 constexpr double kAskedWork = 3e7;
 constexpr double kAnyTurn = 100.0;
 
 Failure stopped() { return {ErrorCode::kCancelled, "cones", "Cancelled.", {}}; }
 
-/// Cones and turning of the smoothest field, noise cancelled.
+/// Cones and turning of the smoothest field, after noise has been cancelled.
 Result<NodeDefects> fieldDefects(const PreparedSurface& surface, const SuggestOptions& options) {
   const TriMesh& mesh = surface.mesh();
   const FieldContext& context = surface.context();
@@ -89,7 +89,7 @@ std::optional<ConesFor> conesForNamed(std::string_view name) {
 Result<HolonomySpec> chooseCones(PreparedSurface& surface, const SuggestOptions& options) {
   const TriMesh& mesh = surface.mesh();
   const Topology& topology = surface.topology();
-  // What no cones can achieve is said before any are named.
+  // On a sphere there are no cones for q = 1: this must be reported before any are chosen.
   if (topology.genus == 0 && topology.loops.empty() && options.q == 1)
     return checkPrescription(mesh, topology, {1, {}, {}, {}}).error();
   if (!report(options.progress, {Stage::kField, 0.3})) return stopped();
@@ -108,13 +108,13 @@ Result<HolonomySpec> chooseCones(PreparedSurface& surface, const SuggestOptions&
   HolonomySpec spec = placed();
   Result<BudgetReport> budget = checkPrescription(mesh, topology, spec);
   if (!budget && place.keepsTurning) {
-    // With the turning of the field there is no room for all units inside (q = 1 on a disk).
+    // With the field's turning, interior vertices cannot take all units (q = 1 on a disk).
     place.keepsTurning = false;
     spec = placed();
     budget = checkPrescription(mesh, topology, spec);
   }
   if (!budget) {
-    // A unit of small q turns frames more than is good anywhere (q = 1, genus 2).
+    // For small q even one unit turns frames by more than the usual limit (q = 1, genus 2).
     place.largestTurn = kAnyTurn;
     spec = placed();
     budget = checkPrescription(mesh, topology, spec);

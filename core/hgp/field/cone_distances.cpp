@@ -50,7 +50,7 @@ void ConeDistances::spread(const std::vector<VertexId>& sources, double reach, s
     const VertexId v(i);
     if (d > distance_[v]) continue;
     reached_.push_back(v);
-    // What lies across a boundary is not near: paths stay inside.
+    // Paths do not pass through boundary vertices.
     if (mesh_.isBoundary(v)) continue;
     for (HalfedgeId h : outgoingHalfedges(mesh_, v)) {
       const VertexId w = mesh_.head(h);

@@ -8,8 +8,8 @@
 
 namespace hgp {
 
-/// Lengths |e| e^u along the edges of the surface, the whole scaled so that its area stays what it is;
-/// units of the surface.
+/// Lengths |e| e^u along the edges of the surface, scaled so that the total area is that of the surface; in the
+/// surface's unit.
 class ConeDistances {
  public:
   /// @param u  log scale per node of the filled surface
@@ -23,8 +23,8 @@ class ConeDistances {
   /// regions of nearest vertices touch.
   std::vector<Pair> closer(const NodeDefects& defects, double least);
 
-  /// Interior vertices at most `reach` from the nearest of some, in ascending distance; no more than
-  /// kMaxAround: where the metric crushes a region, all of it is near.
+  /// Interior vertices at most `reach` from the nearest vertex of `some`, in ascending distance; at most
+  /// kMaxAround, because a region that the metric shrinks is near as a whole.
   std::vector<VertexId> around(const std::vector<VertexId>& some, double reach);
   static constexpr std::size_t kMaxAround = 400;
 
@@ -37,10 +37,10 @@ class ConeDistances {
   const Geometry& geometry_;
   PerVertex<double> root_;  ///< e^{u/2}
   double scale_ = 1.0;
-  // Of the last spread(): the others are ∞ and invalid.
+  // Results of the last spread(): ∞ and invalid at vertices that it did not reach.
   PerVertex<double> distance_;
   PerVertex<VertexId> source_;
-  std::vector<VertexId> reached_, touched_;  ///< by distance; all with a distance
+  std::vector<VertexId> reached_, touched_;  ///< in ascending distance; all with a finite distance
 };
 
 }  // namespace hgp

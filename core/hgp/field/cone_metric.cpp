@@ -38,7 +38,7 @@ ConeCost ConeMetric::cost(const NodeDefects& defects) const {
     sum += defects[at];
   }
   gap += turnAngle(static_cast<double>(total_ - sum), q_) * area_;
-  gap.array() -= gap.mean();  // rounding alone
+  gap.array() -= gap.mean();  // removes rounding errors: the sum is 0
   ConeCost cost;
   cost.u = centred(context_.laplacian.solve(gap));
   // Σ over the crossed edges of w du = −(div w ξ⁰)·L⁻¹ gap = −f·gap.

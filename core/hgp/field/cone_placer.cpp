@@ -7,18 +7,18 @@
 namespace hgp {
 namespace {
 
-/// Edges that a cone may walk downhill in one step of relax(), at first.
+/// Initial maximum number of edges that a cone moves downhill in one step of relax().
 constexpr int kFirstReach = 16;
-/// relax() ends below this relative decrease.
+/// relax() ends when the relative decrease of the energy is below this.
 constexpr double kMinDecrease = 5e-3;
-/// Cones that walk together: all, then fewer, as many together may go too far.
+/// Fractions of the cones to move at once: first all, then fewer, because many simultaneous moves can overshoot.
 constexpr double kParts[] = {1.0, 0.5, 0.25, 0.1};
-/// Of the work that is left, for the cones' moves after some were added or taken away.
+/// Fraction of the remaining work for moving cones after some were added or removed.
 constexpr double kShareOfOneStep = 0.2;
-/// Solves at once, and numbers that they may fill.
+/// Maximum number of right-hand sides per solve, and of the numbers in them.
 constexpr std::size_t kBlock = 32;
 constexpr std::size_t kBlockNumbers = 4'000'000;
-/// Places that are tried exactly for every new unit.
+/// Nodes for which the energy is computed exactly before a unit is added.
 constexpr int kCandidates = 6;
 
 }  // namespace
@@ -95,7 +95,7 @@ int ConePlacer::walk(int node, double sign, int reach, const Eigen::VectorXd& g)
   return node;
 }
 
-/// ∂energy/∂d where the cones are now; solved for once.
+/// ∂energy/∂d for the current cones; solved once until they change.
 const Eigen::VectorXd& ConePlacer::slope() {
   if (slope_.size() == 0) {
     slope_ = metric_.gradient(cost_);
@@ -104,7 +104,7 @@ const Eigen::VectorXd& ConePlacer::slope() {
   return slope_;
 }
 
-/// Where every cone would go, at most `reach` edges downhill; what promises most comes first.
+/// One move per cone, at most `reach` edges downhill; the largest first-order decrease comes first.
 std::vector<UnitMove> ConePlacer::downhillMoves(int reach) {
   const Eigen::VectorXd& g = slope();
   std::vector<UnitMove> moves;
@@ -120,7 +120,7 @@ std::vector<UnitMove> ConePlacer::downhillMoves(int reach) {
   return moves;
 }
 
-/// Never onto a cone of the same sign: that would be a merger, which is decided elsewhere.
+/// A move onto a cone of the same sign is not allowed: it would merge cones, which separate() decides.
 bool ConePlacer::isAllowed(const UnitMove& m) const {
   const bool isLoop = !vertexOf_[at(m.to)].isValid();
   const int meeting = isLoop ? 0 : defects_[at(m.to)] * m.units;
@@ -133,8 +133,8 @@ void ConePlacer::apply(const UnitMove& m) {
   defects_[at(m.to)] += m.units;
 }
 
-/// The `share` of the moves that promises most. False, and nothing moved, where that does not lower the
-/// energy by much.
+/// Applies the fraction `share` of the moves with the largest first-order decrease. Undoes them and returns false if
+/// the energy does not decrease by kMinDecrease.
 bool ConePlacer::walkTogether(int reach, double share) {
   if (work_ <= 0.0) return false;
   const NodeDefects before = defects_;
@@ -180,7 +180,7 @@ bool ConePlacer::walkOneByOne(int reach) {
   return cost_.energy < (1.0 - kMinDecrease) * before;
 }
 
-/// Local minima of sign·g that can take the unit, lowest first.
+/// Local minima of sign·g at which the bounds allow one more unit, lowest first.
 std::vector<int> ConePlacer::bestNodes(int sign, const Eigen::VectorXd& g, bool isNew) const {
   const auto canTake = [&](int n) {
     const bool isFree = defects_[at(n)] == 0 && vertexOf_[at(n)].isValid();
@@ -233,7 +233,7 @@ bool ConePlacer::addUnits(const std::vector<int>& signs, bool isNew) {
   return true;
 }
 
-/// How many cones fewer there are after a unit of `from`'s sign goes to `to`.
+/// By how much the number of cones decreases if a unit of the sign of `from` moves to `to`.
 int ConePlacer::conesSaved(int from, int to) const {
   const int unit = defects_[at(from)] > 0 ? 1 : -1;
   const bool isLoop = !vertexOf_[at(to)].isValid();

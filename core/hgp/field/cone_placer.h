@@ -29,7 +29,7 @@ class ConePlacer {
   void relax(double share = 1.0);
   /// From now on moves neither cancel nor absorb cones.
   void keepCount() { keepsCount_ = true; }
-  void setWork(double work) { work_ = work; }  ///< that may be spent: nodes × solves
+  void setWork(double work) { work_ = work; }  ///< work limit: nodes × solves
 
   /// Adds one unit of every given sign at its best node. False where there is none.
   /// @param isNew  only at nodes without a cone
@@ -39,7 +39,7 @@ class ConePlacer {
   /// Adds opposite pairs until there are `count` cones, several pairs at a time while many are missing.
   void growTo(int count);
   /// Merges, cancels or moves cones that are closer in their own metric than `spacing` allows, each pair in the way
-  /// that raises the energy least; pairs whose price is too high stay.
+  /// that raises the energy least; pairs that would raise it too much stay.
   void separate(const ConeSpacing& spacing);
   /// thinTo a quarter at a time with relax in between, so that the remaining cones can move.
   void shrinkTo(int count);
@@ -64,7 +64,7 @@ class ConePlacer {
     for (HalfedgeId h : outgoingHalfedges(mesh_, v)) visit(surface_.node[mesh_.head(h)]);
   }
   int walk(int node, double sign, int reach, const Eigen::VectorXd& g) const;
-  /// One unit between two of the listed nodes, and what that adds to the variance of u.
+  /// The move of one unit between two of the listed nodes, and by how much it raises the variance of u.
   struct Exchange {
     int from = -1, to = -1, unit = 0;
     double cost = 0.0;
@@ -84,8 +84,8 @@ class ConePlacer {
                  const Eigen::VectorXd& g) const;
   struct PricedMove {
     UnitMove move;
-    double price = 0.0;                  ///< what it adds to the energy
-    std::pair<VertexId, VertexId> pair;  ///< what it parts
+    double price = 0.0;                  ///< increase of the energy
+    std::pair<VertexId, VertexId> pair;  ///< the cones that it separates
   };
   static bool isCheaper(const PricedMove& a, const PricedMove& b) { return a.price < b.price; }
   double roughPrice(const UnitMove& move, const Eigen::VectorXd& g) const;
@@ -93,7 +93,7 @@ class ConePlacer {
                                     const Eigen::VectorXd& g) const;
   std::vector<PricedMove> cheapestOfEach(std::vector<std::vector<PricedMove>> groups) const;
   struct EnergyLimits {
-    double energy, range;  ///< of the energy and of u
+    double energy, range;  ///< maxima of the energy and of max u − min u
   };
   bool applyAll(const std::vector<PricedMove>& moves, std::size_t first, std::size_t last,
                 const EnergyLimits& limits);

@@ -7,9 +7,9 @@
 
 namespace hgp {
 
-/// Bounds on the units q − k of a vertex and q + l of a loop: 1 ≤ k and 2k < q·valence at a vertex, a turning index in
-/// turningRange at a loop; and no vertex further from its own curvature than frames can turn, so that a spike
-/// keeps its cone.
+/// Bounds on the units q − k of a vertex and q + l of a loop: 1 ≤ k and 2k < q·valence at a vertex, and a turning index
+/// in turningRange at a loop. In addition no vertex may be further from its own curvature than frames can turn, so that
+/// a spike keeps its cone.
 struct DefectBounds {
   std::vector<int> low, high;
 };

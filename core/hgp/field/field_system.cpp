@@ -8,7 +8,7 @@
 namespace hgp {
 namespace {
 
-/// The one or two fine unknowns of every patch (second −1 where it stayed alone); fills `patch`.
+/// The one or two fine unknowns of every patch (second: −1 for a single one); fills `patch`.
 std::vector<std::array<int, 2>> matchStrongest(const FieldSystem& fine, std::vector<int>& patch) {
   const int n = fine.size();
   patch.assign(static_cast<std::size_t>(n), -1);
@@ -52,7 +52,7 @@ FieldSystem pairUp(const FieldSystem& fine, Patches& patches) {
   coarse.faces.assign(n, 0);
   coarse.mass.assign(n, 0.0);
   coarse.pull.assign(n, 0.0);
-  std::vector<int> place(n, -1);  // where the current row holds a patch
+  std::vector<int> place(n, -1);  // index of a patch in the current row
   for (std::size_t c = 0; c < n; ++c) {
     const int begin = static_cast<int>(coarse.other.size());
     for (const int i : members[c]) {

@@ -23,7 +23,7 @@ struct FilledSurface {
 
 FilledSurface fillBoundary(const TriMesh& mesh, const Topology& topology, const Geometry& geometry);
 
-/// The node's curvature in the flat metric that is asked: 2π(1 − k/q) inside, 2π(1 + l/q) at a loop.
+/// The prescribed curvature of a node: 2π(1 − k/q) inside, 2π(1 + l/q) at a loop, for which k = −l.
 inline double coneCurvature(double k, int q) { return 2.0 * kPi * (1.0 - k / q); }
 
 }  // namespace hgp

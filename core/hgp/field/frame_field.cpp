@@ -5,12 +5,12 @@
 namespace hgp {
 namespace {
 
-/// Symmetric surfaces have directions exactly between two others. So near a tie the lower is taken,
-/// or rounding noise, which differs from build to build, would choose the cones.
+/// On symmetric surfaces a direction can lie exactly between two others. This close to a tie the lower one is taken;
+/// otherwise rounding errors, which differ between builds, would determine the cones.
 constexpr double kTieShare = 1e-7;
 
-/// How far the field turns away from transport across h, in radians. Antisymmetric also where it is
-/// half a turn, which has no nearest side: else the sums of a field would not balance Lemma 6.2.
+/// How far the field turns beyond transport across h, in radians. Antisymmetric even for half a turn, where the sign
+/// is arbitrary: otherwise the indices of a field would not satisfy Lemma 6.2.
 double adjustment(const TriMesh& mesh, const Geometry& geometry, const FrameField& field,
                   HalfedgeId h) {
   const HalfedgeId own = mesh.halfedge(mesh.edge(h));

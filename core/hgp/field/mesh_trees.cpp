@@ -38,7 +38,7 @@ SeparatorTree vertexTree(const TriMesh& mesh, int separatorWidth) {
 
 SeparatorTree nodeTree(const TriMesh& mesh, const FilledSurface& surface,
                        const SeparatorTree& tree) {
-  // Loop nodes come first in the surface and last in a tree that is appended to.
+  // Loop nodes are the first nodes of the surface; the tree has them last, because they are appended.
   const int loops = static_cast<int>(surface.loopNode.size());
   const int inner = surface.nodeCount - loops;
   const auto inTree = [&](int node) { return node < loops ? inner + node : node - loops; };
@@ -59,7 +59,7 @@ SeparatorTree nodeTree(const TriMesh& mesh, const FilledSurface& surface,
   }
   std::vector<int> name(static_cast<std::size_t>(surface.nodeCount));
   for (int node = 0; node < surface.nodeCount; ++node)
-    name[static_cast<std::size_t>(inTree(node))] = node - 1;  // node 0 is held: −1
+    name[static_cast<std::size_t>(inTree(node))] = node - 1;  // −1, because node 0 is held at 0
   return linalg::restrictTree(nodes, name);
 }
 

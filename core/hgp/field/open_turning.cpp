@@ -8,7 +8,7 @@
 namespace hgp {
 namespace {
 
-/// Integers nearest to `natural` with the given sum and l > bound below (decision: q/2·Σ(1 − t_v)).
+/// The integers nearest to `natural` with the given sum, each above its lower bound q/2·Σ(1 − t_v).
 std::vector<int> roundWithSum(const std::vector<double>& natural, long long sum,
                               const std::vector<double>& lower) {
   std::vector<int> rounded(natural.size());
@@ -32,8 +32,8 @@ std::vector<int> roundWithSum(const std::vector<double>& natural, long long sum,
   return rounded;
 }
 
-/// Fluxes through the nodes of the open loops in the cone metric with equal u on them: with Σ of them
-/// fixed, u = u₀ + G φ there.
+/// Fluxes φ through the nodes of the open loops for which the cone metric has the same u on all of them: with Σ φ
+/// fixed, u = u₀ + G φ at these nodes.
 std::vector<double> equalFluxes(const FieldContext& context, const HolonomySpec& spec,
                                 const std::vector<int>& open) {
   const FilledSurface& surface = context.surface;

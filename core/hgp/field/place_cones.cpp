@@ -6,7 +6,7 @@ namespace hgp {
 
 namespace {
 
-/// Fewer cones while areas stay within the spread.
+/// Removes cones while the standard deviation of log₂ area stays below `spread`.
 void shrinkWithin(ConePlacer& placer, double spread) {
   while (placer.cones() > 1) {
     const ConePlacer before = placer;
@@ -18,7 +18,7 @@ void shrinkWithin(ConePlacer& placer, double spread) {
   }
 }
 
-/// More cones while they are worth it.
+/// Adds cones, up to `most`, while a quarter more of them lowers the energy by the fraction kWorthwhile.
 void growWhileWorthwhile(ConePlacer& placer, int most) {
   while (placer.cones() < most) {
     const ConePlacer before = placer;
@@ -29,7 +29,7 @@ void growWhileWorthwhile(ConePlacer& placer, int most) {
   }
 }
 
-/// k ≥ smallestK at vertices that do not need less: what they start with beyond that is given up.
+/// Requires k ≥ smallestK at vertices whose curvature allows it, and lowers their initial defects accordingly.
 void raiseSmallestK(const TriMesh& mesh, const ConeMetric& metric, int smallestK,
                     DefectBounds& bounds, NodeDefects& defects) {
   const FilledSurface& surface = metric.context().surface;

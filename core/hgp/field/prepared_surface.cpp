@@ -5,7 +5,7 @@
 namespace hgp {
 namespace {
 
-/// Whether `asked` says all that `found` says, and nothing else.
+/// Whether `asked` prescribes exactly what `found` has.
 bool isExactly(const HolonomySpec& asked, const CompleteSpec& found) {
   if (asked.q != found.q || asked.cones.size() != found.cones.size()) return false;
   if (asked.turning.size() != found.turning.size()) return false;

@@ -24,8 +24,8 @@ Eigen::VectorXd coexactTransport(const TriMesh& mesh, const FieldContext& contex
   return natural;
 }
 
-/// What each generator's transport is to be changed by; open ones are decided, and written into
-/// `handles`, by the smoothest connection.
+/// By how much each generator's transport must change. Open rotations are chosen by the smoothest connection and
+/// written to `handles`.
 Eigen::VectorXd handleCorrections(const Eigen::MatrixXd& periods, const Eigen::VectorXd& natural,
                                   int q, std::vector<std::optional<int>>& handles) {
   const Eigen::Index count = natural.size();
@@ -50,8 +50,7 @@ Eigen::VectorXd handleCoefficients(const TriMesh& mesh, const FieldContext& cont
                                    const PerEdge<double>& coexact, const HolonomySpec& spec) {
   const std::size_t count = context.handles.loops.size();
   if (count == 0) return {};
-  // A closed torus without cones can only be flat with trivial holonomy; anything else shrinks to
-  // a point under the rotation.
+  // A closed torus without cones must have trivial holonomy: with a rotation, every harmonic map is constant.
   const bool isFlatTorus =
       context.topology.genus == 1 && spec.cones.empty() && context.topology.loops.empty();
   std::vector<std::optional<int>> handles = spec.handles;
@@ -62,12 +61,12 @@ Eigen::VectorXd handleCoefficients(const TriMesh& mesh, const FieldContext& cont
   const bool isComplete =
       std::all_of(handles.begin(), handles.end(), [](const auto& r) { return r.has_value(); });
   if (!isComplete) handleCorrections(periods, natural, spec.q, handles);
-  // From the completed rotations even where they were open: asked for again, they give the same bits.
+  // Computed from the completed rotations, even if they were open, so that prescribing them gives the same bits.
   return periods.ldlt().solve(handleCorrections(periods, natural, spec.q, handles));
 }
 
-/// Lays the field along a breadth-first dual tree and reads the matchings, which the connection
-/// makes integers.
+/// Integrates the field along a breadth-first dual tree and computes the matchings, which are integers because the
+/// connection is trivial.
 void integrateField(const TriMesh& mesh, const Geometry& geometry, const PerEdge<double>& omega,
                     FrameField& field) {
   field.angle = PerFace<double>(static_cast<std::size_t>(mesh.faceCount()), 0.0);

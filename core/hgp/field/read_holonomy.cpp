@@ -25,7 +25,7 @@ Status directionAngles(const TriMesh& mesh, const std::vector<Vec3>& directions,
     const Vec3 e1 = subtract(mesh.position(b), mesh.position(a));
     const Vec3 e2 = subtract(mesh.position(c), mesh.position(a));
     const double length = norm(e1);
-    // The second axis is e2 without its part along e1.
+    // The second axis is e2 minus its component along e1.
     Vec3 axis{};
     for (std::size_t i = 0; i < 3; ++i) axis[i] = e2[i] - e1[i] * dot(e1, e2) / (length * length);
     const double height = norm(axis);
@@ -67,14 +67,14 @@ Status storeMatchings(const TriMesh& mesh, const std::vector<Matching>& matching
   return Done{};
 }
 
-/// −Σ matchings ccw around v: k_v mod q.
+/// −Σ of the matchings counterclockwise around v: k_v mod q.
 int angleClass(const TriMesh& mesh, const FrameField& field, VertexId v) {
   long long sum = 0;
   for (HalfedgeId h : outgoingHalfedges(mesh, v)) sum += field.matching[h];
   return reduceTurn(sum, field.q);
 }
 
-/// Σ matchings ccw around a shrunk loop: l mod q.
+/// Σ of the matchings counterclockwise around a loop shrunk to a point: l mod q.
 int turningClass(const TriMesh& mesh, const FrameField& field, const BoundaryLoop& loop) {
   long long sum = 0;
   for (HalfedgeId boundary : loop.halfedges)
@@ -82,7 +82,7 @@ int turningClass(const TriMesh& mesh, const FrameField& field, const BoundaryLoo
   return reduceTurn(sum, field.q);
 }
 
-/// l_j in the given classes mod q, nearest to the loops' own turning, balancing Lemma 6.2.
+/// The l_j in the given classes mod q nearest to the loops' own turning that satisfy Lemma 6.2.
 std::vector<int> liftTurning(const TriMesh& mesh, const FieldContext& context,
                              const FrameField& field, const std::vector<ConePoint>& cones) {
   const auto& loops = context.topology.loops;
@@ -115,7 +115,7 @@ std::vector<int> liftTurning(const TriMesh& mesh, const FieldContext& context,
   return turning;
 }
 
-/// Number of interior vertices whose class does not match the cones that came along.
+/// Number of interior vertices whose class mod q differs from that of the expected cones.
 int disagreements(const TriMesh& mesh, const FrameField& field,
                   const std::vector<ConePoint>& expected) {
   PerVertex<int> k(static_cast<std::size_t>(mesh.vertexCount()), field.q);
@@ -139,7 +139,7 @@ CompleteSpec specWithCones(const TriMesh& mesh, const FieldContext& context,
   return spec;
 }
 
-/// Interior vertices where the cones differ.
+/// Number of interior vertices at which the two lists of cones differ.
 int differences(const TriMesh& mesh, int q, const std::vector<ConePoint>& a,
                 const std::vector<ConePoint>& b) {
   PerVertex<int> k(static_cast<std::size_t>(mesh.vertexCount()), 0);
@@ -148,7 +148,7 @@ int differences(const TriMesh& mesh, int q, const std::vector<ConePoint>& a,
   return mesh.vertexCount() - static_cast<int>(std::count(k.raw().begin(), k.raw().end(), 0));
 }
 
-/// The nearest cones in the matchings' classes when no directions tell more.
+/// Without directions: the cones in the classes of the matchings with k nearest to q.
 std::vector<ConePoint> conesOfClasses(const TriMesh& mesh, const FrameField& field) {
   std::vector<ConePoint> cones;
   for (VertexId v : mesh.vertices()) {
@@ -159,22 +159,22 @@ std::vector<ConePoint> conesOfClasses(const TriMesh& mesh, const FrameField& fie
   return cones;
 }
 
-/// How badly one sign of stored matchings fits.
+/// How badly the stored matchings fit if they are read with one sign.
 struct Fit {
   int wrong = 0;      ///< vertices whose class is not that of the expected cones
-  int foreign = 0;    ///< cones that the directions see elsewhere
+  int foreign = 0;    ///< vertices where the cones of the directions are not those expected
   double turn = 0.0;  ///< squaredTurn
 
-  /// Distance from transport decides between what is alike otherwise, where it is clear: a field that
-  /// turns wildly is not close to transport with either sign, and is then taken as stored.
+  /// If the counts are equal, the distance from transport decides, but only if it differs clearly: a field that
+  /// is far from transport with either sign is read as stored.
   bool isClearlyBetterThan(const Fit& other) const {
     const auto key = std::pair(wrong, foreign), otherKey = std::pair(other.wrong, other.foreign);
     return key < otherKey || (key == otherKey && turn < 0.5 * other.turn);
   }
 };
 
-/// Reads the prescription on the way. Of the expected cones the directions tell the loops' lifts,
-/// unless they see other cones.
+/// The fit of `read`, whose prescription is also set. If the directions have the expected cones, they also determine
+/// the turning indices of the loops.
 Fit fitOf(const TriMesh& mesh, const FieldContext& context, ReadField& read,
           const std::vector<ConePoint>& expected) {
   const FrameField& field = read.field;

@@ -1,5 +1,5 @@
 // The prescription that a field has.  Role: q, C, k_i, l_j and handle rotations of fields and
-// matchings made elsewhere [BCW17 §5.2]; stored matchings are the truth.
+// matchings of other programs [BCW17 §5.2]; stored matchings take precedence over directions.
 #pragma once
 
 #include "hgp/field/prescribed_field.h"
@@ -20,8 +20,8 @@ struct ReadField {
 /// Files differ in the sign of a matching: the sign is used that reproduces the `expected` cones or,
 /// without any, gives fewer cones; if both do, the one clearly closer to transport, or else the stored sign.
 /// @param expected  cones that came with the field, if any
-/// Fails with kPrescription (they disagree) or kMalformed (sizes, edges that are not there,
-/// directions that are not finite or have no part in their triangle).
+/// Fails with kPrescription (they disagree) or kMalformed (sizes, edges that do not exist,
+/// directions that are not finite or have no component in their triangle's plane).
 Result<ReadField> fieldOfFieldData(const TriMesh& mesh, const FieldContext& context,
                                    const FieldData& data,
                                    const std::vector<ConePoint>& expected = {});

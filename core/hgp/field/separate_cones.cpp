@@ -1,4 +1,4 @@
-// Cones kept apart by a distance in their own metric: a part of ConePlacer.
+// Separates cones by a minimum distance in their own metric: a part of ConePlacer.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -11,16 +11,18 @@
 namespace hgp {
 namespace {
 
-/// Every round measures the metric that its moves made; pairs that are left then are left.
+/// Maximum number of rounds; each starts with the metric of the cones that the last one moved.
 constexpr int kSeparatingRounds = 16;
-/// A cone that steps aside goes at most so many times the distance asked.
+/// A cone is moved by at most this multiple of the required distance.
 constexpr double kAside = 2.0;
-/// Log scale may range so far, or as far as it does: beyond, the solve takes a longer road.
+/// Separation may not widen max u − min u beyond this or its present value: with a wider range of scales, solving for
+/// the map takes more rounds.
 constexpr double kWidestRange = 7.5;
 
-/// Solves, and nodes × solves, that separating may take.
+/// Limits on the solves, and on nodes × solves, of a separation.
 constexpr double kMinSolves = 8.0, kMaxSolves = 250.0, kMaxWork = 2e7;
-/// Ways apart of a pair whose energy is measured, so many at once, each then a share of a single solve.
+/// Number of candidate moves per pair whose energy is computed, and how many of them share one block of solves, in
+/// which each costs a fraction of a single solve.
 constexpr std::size_t kWaysMeasured = 2, kWaysAtOnce = 32;
 constexpr double kShareOfBlock = 0.5;
 /// R/√area of roughPrice().
@@ -30,7 +32,7 @@ double rangeOf(const Eigen::VectorXd& u) { return u.maxCoeff() - u.minCoeff(); }
 
 }  // namespace
 
-/// A place at least `least` from all cones but v where v's defect costs least to first order; −1: none.
+/// The node near v, at least `least` from all other cones, at which v's defect costs least to first order; −1: none.
 int ConePlacer::placeAside(ConeDistances& distances, VertexId v, double least,
                            const Eigen::VectorXd& g) const {
   const int d = defects_[at(surface_.node[v])];
@@ -49,8 +51,8 @@ int ConePlacer::placeAside(ConeDistances& distances, VertexId v, double least,
   return best;
 }
 
-/// What a short move adds to the energy: to first order by the slope, to second order by the variance of
-/// the dipole that it adds to u. With p = d·(2π/q)·r over a plane of area 1: ∫ u² = p²/(4π) ln(R/r).
+/// Estimates the increase of the energy by a short move: to first order from the gradient, to second order from the
+/// variance of the dipole that it adds to u. With p = d·(2π/q)·r in a plane of area 1: ∫ u² = p²/(4π) ln(R/r).
 double ConePlacer::roughPrice(const UnitMove& move, const Eigen::VectorXd& g) const {
   const Vec3 &a = mesh_.position(vertexOf_[at(move.from)]),
              &b = mesh_.position(vertexOf_[at(move.to)]);
@@ -60,7 +62,7 @@ double ConePlacer::roughPrice(const UnitMove& move, const Eigen::VectorXd& g) co
   return move.units * (g[move.to] - g[move.from]) + dipole;
 }
 
-/// One merged with the other, or one of them further away: the kWaysMeasured that look cheapest.
+/// Moves that separate a and b, by merging them or moving one away: the kWaysMeasured with the lowest estimate.
 std::vector<ConePlacer::PricedMove> ConePlacer::waysApart(ConeDistances& distances, VertexId a,
                                                           VertexId b, double least,
                                                           const Eigen::VectorXd& g) const {
@@ -80,7 +82,7 @@ std::vector<ConePlacer::PricedMove> ConePlacer::waysApart(ConeDistances& distanc
   return ways;
 }
 
-/// Measured from where the cones are now, and of every pair the cheapest; cheapest first.
+/// Computes the energy of every move from the current cones and keeps the cheapest of each pair; cheapest first.
 std::vector<ConePlacer::PricedMove> ConePlacer::cheapestOfEach(
     std::vector<std::vector<PricedMove>> groups) const {
   std::vector<PricedMove*> all;
@@ -108,7 +110,7 @@ std::vector<ConePlacer::PricedMove> ConePlacer::cheapestOfEach(
   return chosen;
 }
 
-/// Moves first … last − 1 at once, unless limits forbid it.
+/// Applies moves first … last − 1 together; undoes them and returns false if the result exceeds the limits.
 bool ConePlacer::applyAll(const std::vector<PricedMove>& moves, std::size_t first, std::size_t last,
                           const EnergyLimits& limits) {
   work_ -= metric_.nodeCount();
@@ -125,7 +127,7 @@ bool ConePlacer::applyAll(const std::vector<PricedMove>& moves, std::size_t firs
   return false;
 }
 
-/// The same, or its halves: one that is dearer than it looked does not keep the others.
+/// The same; if it fails, the two halves separately, so that one expensive move does not prevent the others.
 bool ConePlacer::applyWithin(const std::vector<PricedMove>& moves, std::size_t first,
                              std::size_t last, const EnergyLimits& limits) {
   if (first == last || work_ <= 0.0) return false;
@@ -136,14 +138,14 @@ bool ConePlacer::applyWithin(const std::vector<PricedMove>& moves, std::size_t f
   return applyWithin(moves, middle, last, limits) || isFirst;
 }
 
-/// Every pair its cheapest way, as far as limits and work allow; false where nothing is left to try.
+/// Applies the cheapest move of every pair, as far as limits and work allow; false if there is no move left to try.
 bool ConePlacer::partPairs(ConeDistances& distances, const std::vector<ConeDistances::Pair>& pairs,
                            double least, const Eigen::VectorXd& g, const EnergyLimits& limits,
                            std::set<std::pair<VertexId, VertexId>>& held) {
   std::vector<std::vector<PricedMove>> groups;
   std::vector<VertexId> touched;
   for (const ConeDistances::Pair& pair : pairs) {
-    // A cone is part of one move a round: the next one sees the metric that this one makes.
+    // A cone takes part in one move per round; the next round measures the metric after it.
     const bool isFresh = std::none_of(touched.begin(), touched.end(),
                                       [&](VertexId v) { return v == pair.a || v == pair.b; });
     if (!isFresh || work_ <= 0.0 || held.contains({pair.a, pair.b})) continue;
@@ -161,8 +163,8 @@ bool ConePlacer::partPairs(ConeDistances& distances, const std::vector<ConeDista
   return !moves.empty();
 }
 
-/// Mergers that lower the energy to first order, as many of the best as keep the limits: a solve or two
-/// for all of them.
+/// Applies the merges that lower the energy to first order, as many of the best as stay within the limits; usually
+/// one or two solves suffice for all of them.
 bool ConePlacer::mergeDownhill(const std::vector<ConeDistances::Pair>& pairs,
                                const Eigen::VectorXd& g, const EnergyLimits& limits) {
   std::vector<PricedMove> moves;
@@ -194,7 +196,7 @@ void ConePlacer::separate(const ConeSpacing& spacing) {
   const EnergyLimits limits{(1.0 + spacing.dearest) * cost_.energy,
                             std::max(kWidestRange, 1.02 * rangeOf(cost_.u))};
   const double nodes = metric_.nodeCount();
-  std::set<std::pair<VertexId, VertexId>> held;  // pairs that no move parts within the limits
+  std::set<std::pair<VertexId, VertexId>> held;  // pairs that cannot be separated within the limits
   work_ = std::max(kMinSolves * nodes, std::min(kMaxSolves * nodes, kMaxWork));
   NodeDefects last, lastButOne;
   bool isDownhill = !keepsCount_;

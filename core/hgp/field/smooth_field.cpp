@@ -15,15 +15,15 @@ namespace {
 
 using SparseC = Eigen::SparseMatrix<Complex>;
 
-/// Inverse iterations: the field only has to be smooth enough to choose cones.
+/// Number of inverse iterations; more are not needed, because the field only serves to choose cones.
 constexpr int kInverseIterations = 2;
-/// Faces or patches that are solved for directly, and sweeps on every finer level. 5000 to 30 000 and
-/// 2 to 10 choose equally good cones.
+/// Largest number of faces or patches that is solved directly, and the number of sweeps on every finer level. Values
+/// from 5000 to 30 000 and from 2 to 10 lead to equally good cones.
 constexpr int kDirectSize = 5000;
 constexpr int kSweeps = 6;
-/// Where pairing leaves more than this share (stars of many arms), it ends.
+/// Coarsening ends if pairing leaves more than this fraction of the unknowns, as on stars with many arms.
 constexpr double kMinShrinking = 0.9;
-/// Shift relative to the mean diagonal, so that a surface with an exactly parallel field factors.
+/// Shift relative to the mean diagonal, so that the matrix can be factored even if there is an exactly parallel field.
 constexpr double kShift = 1e-8;
 
 /// Edge length over the distance of the face centres, clamped: the dual edge's weight.
@@ -97,14 +97,14 @@ SparseC matrixOf(const FieldSystem& system) {
   return A;
 }
 
-/// A start vector that is neither constant nor dependent on anything but the face's number.
+/// A start vector that is not constant and depends only on the index of the face.
 Eigen::VectorXcd startVector(int n) {
   Eigen::VectorXcd x(n);
   for (int i = 0; i < n; ++i) x[i] = portable::polar(1.0, 2.399963229728653 * i);
   return x;
 }
 
-/// Directly; empty when the matrix cannot be factored.
+/// Solves directly; empty if the matrix cannot be factored.
 std::vector<Complex> minimiseDirectly(const FieldSystem& system, bool isPulled) {
   const int n = system.size();
   const SparseC A = matrixOf(system);
@@ -126,7 +126,7 @@ std::vector<Complex> minimiseDirectly(const FieldSystem& system, bool isPulled) 
   return {x.data(), x.data() + n};
 }
 
-/// On ever larger patches down to a small system, smoothed on the way back.
+/// Coarsens to ever larger patches until the system is small, solves it, and smooths on the way back.
 std::vector<Complex> minimise(const FieldSystem& system, bool isPulled) {
   if (system.size() <= kDirectSize) return minimiseDirectly(system, isPulled);
   Patches patches;

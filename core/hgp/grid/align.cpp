@@ -13,23 +13,23 @@
 namespace hgp {
 namespace {
 
-/// Densities tried by the linear step, as factors of the edge length.
+/// Densities tried by the linear step, as factors of the map's scale.
 constexpr double kFactors[] = {1.0, 1.06, 0.94, 1.12, 1.19, 1.27, 1.35};
-/// Rings around flipped triangles that a patch has,
+/// Number of rings of a patch around flipped triangles, and its minimum width in cells, which matters on fine meshes.
 constexpr int kRings = 6;
-/// … and its minimum width in cells on a fine mesh; then this many of the best densities get larger patches.
 constexpr double kPatchCells = 1.2;
+/// Number of the best densities that are tried again with larger patches.
 constexpr std::size_t kRepairedAgain = 2;
 constexpr double kPatchShare = 0.35;
-/// Maximum triangles of a mesh for programs on all of it, and their rounds of growth.
+/// Maximum number of triangles for a program on the whole mesh, and of rounds in which its constraint set grows.
 constexpr int kLargestWhole = 150'000;
 constexpr int kWholeRounds = 4;
-/// Cones within this many cells are kept apart.
+/// Cones closer than this many cells are kept apart.
 constexpr double kReach = 3.0;
-constexpr int kDenser = 8;  ///< doublings of the density that are tried to name one that works
-/// Share of all work that is reserved for naming such a density,
+constexpr int kDenser = 8;  ///< doublings of the number of cells to find one that works
+/// Fraction of all work that is reserved for finding such a number.
 constexpr double kExplaining = 0.15;
-/// … and for repairs, however long the choice of many integers took.
+/// Fraction of all work that is reserved for repairs, however long the choice of many integers took.
 constexpr double kRepairShare = 0.25;
 /// Multiply-adds per triangle of verifying a map.
 constexpr double kVerifyWork = 3e3;
@@ -43,7 +43,7 @@ constexpr double kPlanarWork = 22.0;
 constexpr double kProgramWork = 3e3;
 /// Interior-point iterations that a program is expected to need.
 constexpr int kExpectedIterations = 14;
-/// Fractions of the stage: done when the first density is tried; taken by all densities.
+/// Reported progress as fractions of the stage: before the first density, and the part of all densities together.
 constexpr double kBegun = 0.1, kStepping = 0.5;
 constexpr std::size_t kNamed = 3;  ///< pairs of cones that the report names
 
@@ -95,7 +95,7 @@ class Aligner {
   void tryAll() {
     std::vector<Candidate> candidates = linearSteps();
     if (isDone() || secondChoice_) return;
-    // Without a triangle that turned over there is nothing to repair: the verifier has refused such a map.
+    // A map without flipped triangles that the verifier refused cannot be repaired here.
     std::erase_if(candidates, [](const Candidate& candidate) { return candidate.turned.empty(); });
     std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
       return a.turned.size() < b.turned.size();
@@ -108,7 +108,7 @@ class Aligner {
   }
 
   bool isDone() const { return out_.isCancelled || out_.map.has_value(); }
-  /// False once the caller cancelled. The reported fraction never decreases.
+  /// Reports progress, which never decreases; false once the caller has cancelled.
   bool goOn(double fraction) {
     fraction_ = std::max(fraction_, fraction);
     if (!report(progress_, {Stage::kAlign, fraction_})) out_.isCancelled = true;
@@ -130,7 +130,7 @@ class Aligner {
       if (!goOn(kBegun + kStepping * tried) || (!candidates.empty() && !affords(stepWork()))) break;
       candidates.push_back(linearStep(choice, factor));
       if (accept(candidates.back(), "linear step")) break;
-      // The choice of many integers may have taken everything: repairs have something of their own.
+      // The choice of many integers may have used up the work; repairs have their own reserve.
       if (candidates.size() == 1) work_ = std::max(work_, repairWork_ + reserved_);
       if (repairOnPatches(candidates.back(), rings())) break;
     }
@@ -142,7 +142,7 @@ class Aligner {
   }
   /// Expected work of a program over this many triangles with conditions on `bound` of them.
   static double programWork(std::size_t triangles, std::size_t bound) {
-    // Elimination grows with the power 3/2 of a planar system; real pairs cost twice complex unknowns.
+    // Elimination of a planar system of n unknowns costs O(n^(3/2)); real pairs cost twice as much as complex unknowns.
     const auto planar = [](std::size_t n) {
       return kPlanarWork * portable::pow(static_cast<double>(n), 1.5);
     };
@@ -189,7 +189,7 @@ class Aligner {
     describeGrid(mesh_, *out_.map, cones_.size(), out_.report);
   }
   void takeSecondChoice() {
-    // The last attempt is the one that the map is from.
+    // The last attempt is the one that produced the map.
     std::vector<GridAttempt>& attempts = out_.report.attempts;
     const auto chosen = attempts.begin() + static_cast<std::ptrdiff_t>(secondAttempt_);
     std::rotate(chosen, chosen + 1, attempts.end());
@@ -234,7 +234,7 @@ class Aligner {
 
   /// Solves for all unknowns but the integers, with conditions around cones and flipped triangles.
   bool repairAsWhole(Candidate& candidate) {
-    // Cones that were rounded onto each other fold whatever the program.
+    // Cones that were rounded to one point cause folds that no program can remove.
     if (mesh_.faceCount() > kLargestWhole || !candidate.isApart) return false;
     std::vector<FaceId> all;
     for (FaceId f : mesh_.faces()) all.push_back(f);
@@ -275,8 +275,8 @@ class Aligner {
         "per cone)%s",
         report.cells, report.cellsPerCone,
         isCutShort_ ? "; further attempts would have taken longer than the map itself" : "");
-    // A program may have cost more than expected: what was kept for this is still there, and in any
-    // case as much as linear steps cost where there are few integers.
+    // Programs may have cost more than expected. This search still has its reserve, and at least the cost of its linear
+    // steps if there are few integers.
     const double plainStep = kStepWork * mesh_.faceCount() + system_.solveWork();
     work_ = std::max({work_, reserved_, 1.5 * kDenser * plainStep});
     reserved_ = 0.0;
@@ -285,7 +285,7 @@ class Aligner {
       factor *= std::sqrt(2.0);
       if (!goOn(0.9)) return;
       Candidate denser = linearStep(system_.choice(2.0 * kReach / (scale_ * factor)), factor);
-      // What steps on the densities after this one cost is not for patches.
+      // Patches may not use the work of the remaining linear steps.
       reserved_ = (kDenser - n) * plainStep;
       repairPatches(denser, kRings);
       reserved_ = 0.0;
@@ -302,11 +302,11 @@ class Aligner {
   const ChangeContext context_;
   const double mapArea_, surfaceArea_;
   const std::function<Acceptance(const UvMap&)>& accepts_;
-  const double repairWork_;  ///< multiply-adds that repairs have in any case
+  const double repairWork_;  ///< multiply-adds reserved for repairs
   double scale_ = 1.0;
-  double work_, reserved_ = 0.0;  ///< multiply-adds left, and those of them kept for explain()
+  double work_, reserved_ = 0.0;  ///< multiply-adds left, and how many of them are for explain()
   bool isCutShort_ = false;
-  double fraction_ = 0.0;  ///< of the stage
+  double fraction_ = 0.0;  ///< of the stage, as last reported
   std::optional<UvMap> secondChoice_;
   std::size_t secondAttempt_ = 0;
   AlignedMap out_;

@@ -10,11 +10,11 @@
 namespace hgp {
 namespace {
 
-/// Ways looked at per pair of cones, shortest first.
+/// Number of paths considered per pair of cones, shortest first.
 constexpr int kWaysPerPair = 4;
 constexpr double kSameWay = 1e-6;
 
-/// An edge of a walk: from one vertex to the other in the plane of one face.
+/// One edge of a path, in the plane of one face.
 struct Step {
   int from = -1, to = -1;  ///< copies
 };
@@ -118,7 +118,7 @@ class NeighbourSearch {
     return found;
   }
 
-  /// From the cone nearest to `from`, an end of `bridge`, to the one nearest to its other end.
+  /// The path over `bridge`: from the cone nearest to `from`, one of its ends, to the cone nearest to the other end.
   ConePair wayOver(HalfedgeId bridge, VertexId from) const {
     std::vector<Step> steps;
     VertexId v = from;
@@ -135,7 +135,7 @@ class NeighbourSearch {
       steps.push_back(stepFrom(v, via_[v]));
       v = seams_.vertexOf[at(steps.back().to)];
     }
-    // From one step to the next the plane turns with the copies of the vertex between.
+    // Between two steps the plane rotates as the copies of their common vertex do.
     int turn = 0;
     std::vector<SeamlessChange::Term> terms;
     for (std::size_t n = 0; n < steps.size(); ++n) {
@@ -159,7 +159,7 @@ class NeighbourSearch {
   const double reach_;
   PerVertex<double> distance_;
   PerVertex<VertexId> source_;
-  PerVertex<HalfedgeId> via_;  ///< an edge to the vertex before; invalid at a cone
+  PerVertex<HalfedgeId> via_;  ///< edge to the previous vertex of the path; invalid at a cone
 };
 
 }  // namespace

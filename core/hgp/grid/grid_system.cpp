@@ -14,7 +14,8 @@ Complex complexAt(const std::vector<Vec2>& uv, int copy) {
 
 /// Multiply-adds per triangle of reading seams and assembling and ordering the form (measured).
 constexpr double kFormWork = 3e3;
-/// … of what is dense in n translations, by n³: the form in a reduced basis, and its factor (measured).
+/// Multiply-adds of the dense part, divided by n³ for n translations: the form in a reduced basis, and its factor
+/// (measured).
 constexpr double kDenseWork = 1.0;
 
 std::int64_t gapNorm(int turn) { return norm(Gaussian{1, 0} - quarterTurn(turn)); }
@@ -98,7 +99,7 @@ bool GridSystem::solveIntegers(GridMode mode) {
   for (int c = 0; c < seams_.chainCount(); ++c) heldUnknowns_.push_back(change_->chainUnknown(c));
   for (VertexId v : whole_) heldUnknowns_.push_back(change_->vertexUnknown(v));
   const auto fromIntegers = static_cast<Eigen::Index>(heldUnknowns_.size());
-  if (!isTurned && whole_.empty()) heldUnknowns_.push_back(0);  // nothing else fixes the map
+  if (!isTurned && whole_.empty()) heldUnknowns_.push_back(0);  // fixes the map's translation
   rows_.resize(static_cast<Eigen::Index>(heldUnknowns_.size()), basis_.size());
   std::vector<Eigen::Triplet<Complex>> entries;
   held0_ = Eigen::VectorXcd::Zero(rows_.rows());
@@ -127,7 +128,7 @@ bool GridSystem::factor(const linalg::SeparatorTree* tree) {
     std::vector<int> keep = change_->vertexUnknowns();
     for (int& u : keep)
       if (u >= 0 && isHeld_[at(u)]) u = -1;
-    // Names must be 0 … n − 1 without gaps for the tree; held vertices are appended again.
+    // The tree needs ids 0 … n − 1 without gaps; held vertices are appended afterwards.
     std::vector<int> number(at(change_->count()), -1), nameOf;
     for (int& u : keep)
       if (u >= 0) {
@@ -166,7 +167,7 @@ IntegerChoice GridSystem::choice(double reach) const {
   std::vector<int> rowOf(at(change_->count()), -1);
   for (std::size_t i = 0; i < heldUnknowns_.size(); ++i)
     rowOf[at(heldUnknowns_[i])] = static_cast<int>(i);
-  /// In terms of y; empty for a cone that moves freely.
+  /// `way` in terms of y; empty if it depends on a cone that is not restricted to integers.
   const auto inIntegers = [&](const std::vector<SeamlessChange::Term>& way) {
     Eigen::VectorXcd sum = Eigen::VectorXcd::Zero(basis_.size());
     std::vector<std::pair<int, Complex>> terms;

@@ -12,11 +12,11 @@
 
 namespace hgp {
 
-/// Lengths are those of the map, moved so that the cone with the smallest |1 − i^r| lies at 0 (any
-/// aligned map can be moved there by what keeps it aligned). One cell has edge 1/scale.
+/// Lengths are those of the map, translated so that the cone with the smallest |1 − i^r| lies at 0 (any
+/// aligned map can be translated there and stays aligned). One cell has edge length 1/scale.
 class GridSystem {
  public:
-  /// Empty where copies do not follow seams or the form is singular.
+  /// Empty if copies do not follow seams or the form is singular.
   static std::unique_ptr<GridSystem> make(const TriMesh& mesh, const UvMap& map, int q,
                                           const std::vector<VertexId>& cones, GridMode mode,
                                           const linalg::SeparatorTree* tree);
@@ -27,7 +27,7 @@ class GridSystem {
   IntegerChoice choice(double reach) const;
   ConeNeighbours neighbours(double reach) const;
 
-  /// The change of all unknowns of `change` that makes the integers y at this scale, least strained.
+  /// The change of all unknowns with minimum strain among those that give the integers y at this scale.
   Eigen::VectorXcd changeTo(const std::vector<Gaussian>& y, double scale) const;
   /// The changed map in cells, translations and, in quad mode, cones exactly integers.
   std::optional<UvMap> alignedMap(const Eigen::VectorXcd& x, double scale) const;
@@ -41,7 +41,7 @@ class GridSystem {
   const SeamlessChange& change() const { return *change_; }
   const std::vector<Vec2>& uv() const { return uv_; }
   const StrainWeights& weights() const { return weights_; }
-  /// By unknown: translations and what integers decide.
+  /// By unknown: whether the integers determine it, as they do translations.
   const std::vector<char>& isHeld() const { return isHeld_; }
 
  private:
@@ -61,9 +61,9 @@ class GridSystem {
   std::vector<Vec2> uv_;
   StrainWeights weights_;
 
-  GaussianSum gauge_;              ///< of variables: what is put at 0
+  GaussianSum gauge_;              ///< the sum of variables that is set to 0
   std::vector<VertexId> whole_;    ///< cones without rotation that must be integers
-  std::vector<int> heldUnknowns_;  ///< chains, `whole_`, and a pinned vertex where nothing rotates
+  std::vector<int> heldUnknowns_;  ///< chains, `whole_`, and one fixed vertex if nothing rotates
   std::vector<char> isHeld_;
   IntegerBasis basis_;
   Eigen::SparseMatrix<Complex, Eigen::RowMajor> rows_;  ///< held unknowns in terms of y

@@ -12,11 +12,11 @@ namespace {
 const double kCosine72 = portable::cos(0.4 * kPi);
 constexpr double kZero = 1e-6;
 constexpr int kStepsPerUnknown = 6;
-/// Of the least distance that integers allow, within how much a pair is spread.
+/// Pairs closer than this multiple of the minimum distance between integers are spread apart.
 constexpr double kClose = 1.5;
 constexpr int kSpreadSweeps = 60;
 
-/// Both functions of a separation.
+/// The values of both functions of a separation.
 struct Values {
   Complex first, second;
 };
@@ -42,7 +42,7 @@ Eigen::VectorXcd toVector(const std::vector<Gaussian>& y) {
   return out;
 }
 
-/// Unknowns that a wrong separation depends on: no others can correct one.
+/// The unknowns on which a violated separation depends: only these can correct it.
 std::vector<char> correctors(const std::vector<Separation>& separations,
                              const std::vector<Values>& wanted, const std::vector<Values>& now,
                              Eigen::Index count) {
@@ -55,14 +55,14 @@ std::vector<char> correctors(const std::vector<Separation>& separations,
   return is;
 }
 
-/// Re gᴴ w ≥ bound.
+/// The inequality Re gᴴ w ≥ bound and its multiplier.
 struct Demand {
   IntegerForm::Terms g;
   double bound;
   double dual = 0.0;
 };
 
-/// Close neighbours as far apart, along their own direction, as the closest integers are.
+/// Demands that close neighbours be as far apart, along their direction, as the closest integers are.
 std::vector<Demand> demandsOf(const std::vector<Separation>& separations,
                               const Eigen::VectorXcd& w0) {
   std::vector<Demand> demands;
@@ -105,9 +105,9 @@ IntegerChoice::IntegerChoice(std::shared_ptr<const IntegerForm> form,
   }
 }
 
-/// The point nearest to w₀ where all demands are met: cells between close cones are made room for before
-/// rounding, all together, and not one by one after it. Hildreth's method: one inequality after the other,
-/// its multiplier never negative.
+/// The point nearest to w₀ at which all demands hold. This makes room for cells between close cones before rounding,
+/// for all pairs together instead of one by one afterwards. Hildreth's method: corrects one inequality after the other
+/// and keeps its multiplier non-negative.
 Eigen::VectorXcd IntegerChoice::spread(const Eigen::VectorXcd& w0) const {
   std::vector<Demand> demands = demandsOf(separations_, w0);
   if (demands.empty()) return w0;
@@ -155,7 +155,7 @@ void IntegerChoice::descend(const Eigen::VectorXcd& w0, std::vector<Gaussian>& w
       for (int turn = 0; turn < 4; ++turn) {
         const Complex unit = toComplex(quarterTurn(turn));
         const double change = 2.0 * std::real(std::conj(unit) * gradient[j]) + S(j, j).real();
-        // Without a wrong separation to correct, Q must fall by more than the best.
+        // A step that corrects no violated separation must lower Q by more than the best step so far.
         if (!canCorrect[at(j)] && change >= bestChange) continue;
         int wrong = 0;
         for (const Use& use : users_[at(j)]) {

@@ -10,7 +10,7 @@ namespace hgp {
 namespace {
 
 constexpr int kSweeps = 12;
-/// Of a basis vector's own value, the least decrease that is worth a step.
+/// Minimum decrease of a basis vector's value, as a fraction of it, for which a reduction step is made.
 constexpr double kDecrease = 1e-3;
 
 Gaussian nearestInteger(const Complex& z) {
@@ -44,7 +44,7 @@ void IntegerForm::reduce() {
   }
 }
 
-/// P S Pᵀ = L Lᴴ, the least pivot first, so that the largest are left for the end, where rounding begins.
+/// P S Pᵀ = L Lᴴ, smallest pivot first, so that the largest are at the end, where rounding begins.
 void IntegerForm::factor() {
   const Eigen::Index k = size();
   order_.resize(at(k));
@@ -101,7 +101,7 @@ Eigen::MatrixXcd IntegerForm::solve(const Eigen::MatrixXcd& G) const {
 
 std::vector<Gaussian> IntegerForm::rounded(const Eigen::VectorXcd& w) const {
   std::vector<Gaussian> out(at(size()));
-  Eigen::VectorXcd change(size());  // by place in the order
+  Eigen::VectorXcd change(size());  // in the order of elimination
   for (Eigen::Index n = size() - 1; n >= 0; --n) {
     const Eigen::Index j = order_[at(n)], rest = size() - 1 - n;
     const Complex moved = w[j] - L_.col(n).tail(rest).dot(change.tail(rest)) / L_(n, n).real();

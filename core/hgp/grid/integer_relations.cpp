@@ -11,7 +11,7 @@ constexpr std::int64_t kLargestNorm = std::int64_t{1} << 60;
 
 using Row = std::map<int, Gaussian>;
 
-/// Relations as rows, and the original variables as rows over the current ones.
+/// The relations as rows, and the original variables in terms of the current ones, also as rows.
 class Elimination {
  public:
   Elimination(int count, const std::vector<GaussianSum>& relations)
@@ -34,7 +34,7 @@ class Elimination {
       divideByContent(r);
       int pivot = unitOf(r);
       if (pivot < 0) pivot = euclid(r, open);
-      const Gaussian inverse = conjugate(row(r)[pivot]);  // of a unit
+      const Gaussian inverse = conjugate(row(r)[pivot]);  // the inverse of a unit
       for (auto& [v, factor] : row(r)) factor = factor * inverse;
       pivotRow_[at(pivot)] = r;
       const std::set<int> users = users_[at(pivot)];
@@ -107,7 +107,7 @@ class Elimination {
     for (auto& [v, factor] : row(r)) factor = exactQuotient(factor, content);
   }
 
-  /// The variable with a unit coefficient that fewest other rows use; −1 when there is none.
+  /// The variable with a unit coefficient that occurs in the fewest other rows; −1 if there is none.
   int unitOf(int r) {
     int best = -1;
     for (const auto& [v, factor] : row(r))
@@ -115,8 +115,8 @@ class Elimination {
     return best;
   }
 
-  /// Changes variables until the row has a unit: with a·x + b·y and q ≈ b/a, x = x' − q·y makes it
-  /// a·x' + (b − q·a)·y. A row whose content is 1 ends with a unit, as gcds do.
+  /// Changes variables until the row has a unit: with a·x + b·y and q ≈ b/a, the substitution x = x' − q·y gives
+  /// a·x' + (b − q·a)·y. By Euclid's algorithm, a row with content 1 ends up with a unit.
   int euclid(int r, std::set<std::pair<std::size_t, int>>& open) {
     while (isSmall_) {
       const int found = unitOf(r);
@@ -132,7 +132,7 @@ class Elimination {
     return row(r).begin()->first;
   }
 
-  /// x = x' − q·y everywhere.
+  /// Substitutes x = x' − q·y everywhere.
   void substitute(int x, int y, Gaussian q, std::set<std::pair<std::size_t, int>>& open) {
     if (isZero(q)) return;
     const std::set<int> users = users_[at(x)];

@@ -10,9 +10,9 @@
 namespace hgp {
 namespace {
 
-/// ε of the conditions: what is left of a triangle's height where it is smallest.
+/// ε of the conditions: a lower bound of the smaller singular value of the changed map relative to the original.
 constexpr double kMargin = 0.03;
-/// Infeasible programs ran to 47 iterations; none that ended well needed more than this.
+/// Maximum number of iterations. No feasible program needed more in tests; infeasible ones took up to 47.
 constexpr int kIterations = 24;
 
 /// Local numbers of the free unknowns.
@@ -30,7 +30,7 @@ std::vector<int> freeUnknowns(const ChangeContext& in, const std::vector<FaceId>
   return free;
 }
 
-/// What the change of one face depends on: free unknowns, and the rest as numbers.
+/// The change of one face as a function of the free unknowns; the other unknowns are constants.
 struct LocalStrain {
   std::vector<int> unknowns;
   std::vector<Complex> similar, anti;
@@ -72,7 +72,7 @@ struct StrainForm {
   Eigen::VectorXcd c;
 };
 
-/// The strain of these faces when all but the free unknowns stay.
+/// The strain of these faces as a function of the free unknowns, all others being fixed.
 StrainForm strainOfFree(const ChangeContext& in, const std::vector<FaceId>& faces,
                         const std::vector<int>& place, const Eigen::VectorXcd& x,
                         std::size_t freeCount) {

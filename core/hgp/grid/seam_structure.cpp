@@ -24,7 +24,7 @@ class SeamReader {
     findSeams();
     for (VertexId v : mesh_.vertices())
       if (isNode_[v]) traceFrom(v);
-    for (EdgeId e : mesh_.edges())  // closed runs without any node
+    for (EdgeId e : mesh_.edges())  // closed chains without a node
       if (isSeam_[e] && chain_[mesh_.halfedge(e)] < 0) {
         isNode_[mesh_.tail(mesh_.halfedge(e))] = 1;
         traceFrom(mesh_.tail(mesh_.halfedge(e)));
@@ -89,7 +89,7 @@ class SeamReader {
     }
   }
 
-  /// The other seam edge at the head of h, which is no node.
+  /// The other seam edge at the head of h, which is not a node.
   HalfedgeId continued(HalfedgeId h) const {
     for (HalfedgeId out : outgoingHalfedges(mesh_, mesh_.head(h)))
       if (isSeam_[mesh_.edge(out)] && mesh_.edge(out) != mesh_.edge(h)) return out;
@@ -164,7 +164,7 @@ class SeamReader {
     return true;
   }
 
-  /// A copy that two sectors share (a cone that the seam only just reaches) keeps its first place.
+  /// A copy that two sectors share (a cone at the end of a seam) keeps its first place.
   bool setPlace(int copy, const CopyPlace& place) {
     int& slot = out_.placeOf[at(copy)];
     if (slot >= 0) return false;

@@ -40,7 +40,7 @@ struct SeamStructure {
   PerHalfedge<int> copy;              ///< of tail(h), used by face(h)
 
   int chainCount() const { return static_cast<int>(chains.size()); }
-  /// Copy c from the value of its vertex' first copy, for any number type with the right products.
+  /// How copy c is computed from its vertex' first copy and the translations.
   const CopyPlace& place(int c) const {
     static const CopyPlace same;
     const int p = placeOf[static_cast<std::size_t>(c)];

@@ -8,7 +8,7 @@
 namespace hgp {
 namespace {
 
-constexpr int kPasses = 12;  ///< over the triangles that rounding turned over
+constexpr int kPasses = 12;  ///< over the triangles that rounding flipped
 
 /// Positions in steps, one Gaussian integer per copy.
 using GridPoints = std::vector<Gaussian>;

@@ -16,8 +16,8 @@ struct StoredNumbers {
   bool hasIntegerTranslations = false;  ///< translations are rounded to integers, not to even steps
 };
 
-/// The smallest e for which multiples of 2^e as large as these uv are exact in the stored type, with v
-/// and 1 − v where both are needed.
+/// The smallest e for which all multiples of 2^e up to the size of these uv are exact in the stored type, and so are
+/// their 1 − v if those are stored.
 int gridExponent(const std::vector<Vec2>& uv, const StoredNumbers& numbers);
 
 struct SnappedMap {

@@ -42,7 +42,7 @@ double bestScale(const EnergyExponents& exponents, const FaceTerms& terms, const
   if (exponents.area == 1.0 && exponents.knee == EnergyExponents::kNoKnee)
     return portable::pow(grown / shrunk, 0.25);
   double tau = portable::log(start);
-  // Far from the minimum the slope hardly changes and Newton's step is too long: the minimum is kept between.
+  // Far from the minimum the slope hardly changes and Newton steps are too long, so the minimum is bracketed.
   double low = -std::numeric_limits<double>::infinity(), high = -low;
   for (int step = 0; step < kScaleSteps; ++step) {
     double gradient = 0.0, curvature = 0.0;

@@ -9,13 +9,13 @@
 namespace hgp {
 namespace {
 
-/// Negative and vanishing eigenvalues become this share of the largest, so that turning and scaling the
-/// whole map, which cost nothing, leave the system regular.
+/// Eigenvalues are raised to at least this fraction of the largest, so that the system is regular although rotating and
+/// scaling the whole map do not change the energy.
 constexpr double kSmallestCurvature = 1e-5;
-/// Floors of the exponents at either end of the family.
+/// Minimum values of the exponents at the two ends of the family.
 constexpr double kAreaFloor = 1e-3;
 constexpr double kAngleFloor = 0.05;
-/// The knee at the end of angles, where |μ| = 0.02, and how fast it goes away from there.
+/// The knee at balance −1, at |μ| = 0.02, and how fast it grows away from there.
 constexpr double kKnee = 2.0 * 0.02 * 0.02;
 constexpr double kKneePower = -8.0;
 
@@ -31,7 +31,7 @@ LogEnergy logEnergy(const EnergyExponents& e, double s, double t, double d) {
   const double logD = portable::log(0.5 * big) + portable::log1p(small2);
   const double sign = d >= 1.0 ? 1.0 : -1.0;
   const double slope = sign * (1.0 - small2) / (1.0 + small2) * inverse;
-  // (−d⁴ + 4d² + 1)/(d³ + d)² = (−1 + 4/d² + 1/d⁴)/(d² (1 + 1/d²)²), with d² taken out of what is large.
+  // (−d⁴ + 4d² + 1)/(d³ + d)² = (−1 + 4/d² + 1/d⁴)/(d² (1 + 1/d²)²), which does not overflow for large d.
   const double numerator =
       d >= 1.0 ? -1.0 + small2 * (4.0 + small2) : 1.0 + small2 * (4.0 - small2);
   const double bend = numerator / ((1.0 + small2) * (1.0 + small2)) * inverse * inverse;
@@ -52,7 +52,7 @@ double bent(const EnergyExponents& e, double psi) {
   return 1.0 + 2.0 * k / (1.0 + std::sqrt(1.0 + k / e.knee));
 }
 
-/// Faster than std::abs, which guards against overflow that maps of this scale are far from.
+/// |z|; faster than std::abs, which guards against overflow that cannot occur at this scale.
 double length(const Complex& z) { return std::sqrt(std::norm(z)); }
 
 /// |p|² − |m|², with as little cancellation as |p| and |m| allow.

@@ -19,8 +19,8 @@ namespace hgp {
 ///
 ///   φ(k) = 2κ (√(1 + k/κ) − 1) = k + O(k²/κ),
 ///
-/// which grows like k below κ and like √k above it. K − 1 = 2μ²/(1 − μ²): such a mean is nearer to that of |μ|
-/// than to that of |μ|², and few bad triangles do not rule it.
+/// which grows like k below κ and like √k above it. Since K − 1 = 2μ²/(1 − μ²), the mean is then closer to that of
+/// |μ| than to that of |μ|², and a few bad triangles do not dominate it.
 struct EnergyExponents {
   double angle = 1.0;
   double area = 1.0;
@@ -28,9 +28,9 @@ struct EnergyExponents {
   static constexpr double kNoKnee = 1e300;
 };
 
-/// The exponents at a point of the line from angles (−1) by isometry (0) to areas (+1):
-/// angle = min(1, 1 − balance), area = min(1, 1 + balance), neither below a small floor that keeps the
-/// other distortion bounded where it would be free. Towards angles the knee comes down from far away.
+/// The exponents for a balance from −1 (angles) through 0 (isometry) to +1 (areas):
+/// angle = min(1, 1 − balance), area = min(1, 1 + balance), each at least a small minimum that keeps the
+/// other distortion bounded. Towards −1 the knee decreases from a very large value.
 EnergyExponents exponentsAt(double balance);
 
 /// φ′(ψ − 1), 1 without a knee.
@@ -40,8 +40,8 @@ double kneeSlope(const EnergyExponents& exponents, double psi);
 ///   K = (|p|² + |m|²)/(|p|² − |m|²),  σ₁σ₂ = |p|² − |m|²
 double energy(const EnergyExponents& exponents, const Complex& p, const Complex& m);
 
-/// Gradient and a positive semidefinite Hessian of ψ as a function of (p, m) ∈ ℝ⁴. Of a knee the Hessian has
-/// φ′ alone: φ is concave, so that this is a majorizer (iteratively reweighted least squares).
+/// Gradient and a positive semidefinite Hessian of ψ as a function of (p, m) ∈ ℝ⁴. With a knee, the Hessian omits the
+/// term of φ″: φ is concave, so that this is a majorizer (iteratively reweighted least squares).
 struct EnergyJet {
   double value;
   Complex gradientP, gradientM;  ///< ∂ψ/∂Re + i ∂ψ/∂Im

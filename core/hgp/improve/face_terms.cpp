@@ -88,7 +88,7 @@ double stepToDegeneracy(const FaceParts& parts, const FaceParts& change, double 
   for (std::size_t f = 0; f < parts.similar.size(); ++f) {
     const Complex &p = parts.similar[f], &m = parts.anti[f];
     const Complex &dp = change.similar[f], &dm = change.anti[f];
-    // c + 2bα + aα², c > 0. The least positive root is c/(−b + √(b² − ac)): no cancellation when b < 0.
+    // c + 2bα + aα², c > 0. The smallest positive root is c/(−b + √(b² − ac)), without cancellation if b < 0.
     const double c = std::norm(p) - std::norm(m), b = dot(p, dp) - dot(m, dm);
     const double a = std::norm(dp) - std::norm(dm);
     const double discriminant = b * b - a * c;

@@ -10,7 +10,7 @@
 
 namespace hgp {
 
-/// Everything that a reduced map x of a surface is stated with; references must outlive their users.
+/// The data that give a vector x of reduced unknowns its meaning as a map; references must outlive their users.
 struct ReducedMap {
   const TriMesh& mesh;
   const Geometry& geometry;
@@ -32,18 +32,18 @@ class FaceTerms {
 
   int faceCount() const { return static_cast<int>(weight_.size()); }
   int freeCount() const { return static_cast<int>(unknownOf_.size()); }
-  /// The unknown of ReducedUnknowns behind a free one.
+  /// For each free unknown, its index in ReducedUnknowns.
   const std::vector<int>& unknownOf() const { return unknownOf_; }
 
   std::span<const Term> terms(int face) const {
     return {terms_.data() + start_[at(face)], start_[at(face) + 1] - start_[at(face)]};
   }
-  /// Surface area of the triangle, as a share of all.
+  /// The triangle's fraction of the total surface area.
   double weight(int face) const { return weight_[at(face)]; }
   Complex heldSimilar(int face) const { return held_[at(face)][0]; }
   Complex heldAnti(int face) const { return held_[at(face)][1]; }
 
-  /// The free part of x and back; what is held keeps its place in x.
+  /// Copies the free unknowns out of x, and back; held ones do not change.
   Eigen::VectorXcd gather(const Eigen::VectorXcd& x) const;
   void scatter(const Eigen::VectorXcd& free, Eigen::VectorXcd& x) const;
 
@@ -64,7 +64,7 @@ void evaluateParts(const FaceTerms& terms, const Eigen::VectorXcd& y, bool isCha
                    FaceParts& parts);
 
 /// The largest step in [0, limit] along `change` such that no triangle degenerates before it: the
-/// least positive root of |p + αdp|² = |m + αdm|² over all triangles (Smith and Schaefer 2015).
+/// smallest positive root of |p + αdp|² = |m + αdm|² over all triangles (Smith and Schaefer 2015).
 double stepToDegeneracy(const FaceParts& parts, const FaceParts& change, double limit);
 
 }  // namespace hgp

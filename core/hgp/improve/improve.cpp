@@ -11,15 +11,15 @@
 namespace hgp {
 namespace {
 
-/// Of the step to the first degenerate triangle, at most this share is taken.
+/// Maximum step as a fraction of the step at which the first triangle degenerates.
 constexpr double kDegeneracyShare = 0.8;
-/// Armijo's condition, and when a step is too short to go on.
+/// Armijo's condition, and the step length below which the descent ends.
 constexpr double kSufficientDecrease = 1e-4;
 constexpr double kShortestStep = 1e-8;
-/// A mean with a knee is descended once the one without gains less than this share in a step: bad triangles are
-/// opened first, as the knee lets them bound the steps.
+/// The energy with the knee is used once a step lowers the one without by less than this fraction: with the knee, bad
+/// triangles would stay bad and limit the step lengths.
 constexpr double kOpened = 0.1;
-/// Below this excess a map is an isometry as far as doubles can tell.
+/// Below this excess a map is an isometry up to rounding.
 constexpr double kNoExcess = 1e-12;
 
 /// Whether every triangle of z = copies · x is positive, exactly.
@@ -56,7 +56,7 @@ class Descent {
   const Eigen::VectorXcd& x() const { return x_; }
 
   bool hasKnee() const { return asked_.knee != EnergyExponents::kNoKnee; }
-  /// From here on the energy is that with the knee, or that without.
+  /// Switches to the energy with the knee, or without it.
   void bend(bool isBent) {
     exponents_.knee = isBent ? asked_.knee : EnergyExponents::kNoKnee;
     measure();
@@ -65,7 +65,7 @@ class Descent {
   /// False when the Hessian cannot be factored.
   bool assemble() { return system_.assemble(exponents_, parts_, scale_); }
 
-  /// One step along the Newton direction of the last assembly; its length, 0 when there is no descent.
+  /// One step along the Newton direction of the last assembly. Returns its length, 0 if the energy does not decrease.
   double descend() {
     const auto [direction, slope] = system_.direction();
     if (!direction.allFinite() || !(slope < 0.0)) return 0.0;
@@ -106,7 +106,7 @@ class Descent {
   double scale_ = 1.0, energy_ = 0.0;
 };
 
-/// Steps until one of the reasons to end; which one.
+/// Takes steps until the descent ends, and returns why.
 DescentOutcome run(Descent& descent, const ImproveOptions& options, const Progress& progress,
                    std::vector<ImproveStep>& steps, double& work) {
   if (!std::isfinite(descent.excess())) return DescentOutcome::kNotInjective;

@@ -1,5 +1,5 @@
-// Less distortion for a map that has no flips.  Role: the descent between solving and storing; what
-// makes a map seamless holds by construction, what makes it injective by the line search.
+// Lowers the distortion of a map without flips.  Role: the descent between solving and storing. The map stays
+// seamless by construction, and locally injective by the line search.
 #pragma once
 
 #include <vector>
@@ -20,12 +20,12 @@ struct Improvement {
 };
 
 /// Projected Newton on the mean Σ A_f ψ_f / Σ A_f over the unknowns, from a map without flips: A_f is
-/// surface area, ψ is measured at the best global scale. No triangle degenerates on the whole way from
-/// the given map to the returned one, so that angle sums and turning numbers, which are integers there,
-/// stay what they were; orientation is checked exactly after every step. The energy never grows.
+/// surface area, ψ is measured at the best global scale. No triangle degenerates anywhere between
+/// the given map and the returned one, so that angle sums and turning numbers, which are integers in these units,
+/// do not change; orientation is checked exactly after every step. The energy never increases.
 /// @param tree  dissection of the mesh's vertices along its edges (vertexTree)
-/// @param isHeld  by unknown of ReducedUnknowns: 1 where x must stay (the integers of a grid, or all
-///                but a patch); empty: none
+/// @param isHeld  by unknown of ReducedUnknowns: 1 where x must not change (the integers of a grid, or everything
+///                outside a patch); empty: none
 /// @param progress  stage "improve", the excess as `residual`; return false to cancel
 Improvement improve(const ReducedMap& map, const linalg::SeparatorTree& tree,
                     const Eigen::VectorXcd& x, const ImproveOptions& options,

@@ -9,15 +9,15 @@ namespace {
 
 using SparseC = Eigen::SparseMatrix<Complex>;
 
-/// Added to the diagonal, relative to a triangle's mean weight: moving the whole map costs nothing.
+/// Added to the diagonal, relative to a triangle's mean weight, because translating the whole map is free.
 constexpr double kProximal = 1e-8;
-/// Deeper than any tree: every unknown is eliminated in its place, as all of them change.
+/// Deeper than any tree: every unknown is eliminated at its position in the tree, since all of them change.
 constexpr int kInPlace = 1 << 20;
-/// Multiply-adds per triangle of everything in a step that is no factorization (measured).
+/// Multiply-adds per triangle of a step without its factorization (measured).
 constexpr double kStepWork = 2e3;
 
-/// The vertices' dissection as one of the free unknowns; translations couple to whole seams and are
-/// placed where that fits.
+/// The dissection of the vertices as one of the free unknowns; translations, which couple to whole seams, are inserted
+/// where their neighbours allow.
 linalg::SeparatorTree treeOf(const ReducedMap& map, const FaceTerms& terms,
                              const linalg::SeparatorTree& vertices,
                              const linalg::Cliques& cliques) {

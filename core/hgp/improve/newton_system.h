@@ -1,4 +1,4 @@
-// The quadratic model of the mean energy.  Role: assembled anew in every step, ordered and analyzed once.
+// The quadratic model of the mean energy.  Role: assembled again in every step, but ordered and analysed once.
 #pragma once
 
 #include "hgp/improve/energy.h"
@@ -19,7 +19,7 @@ class NewtonSystem {
   /// cannot be factored.
   bool assemble(const EnergyExponents& exponents, const FaceParts& parts, double scale);
 
-  /// Where the quadratic model of the last assembly is least.
+  /// The minimum of the quadratic model of the last assembly.
   struct Direction {
     Eigen::VectorXcd change;  ///< −H⁻¹ g, by free unknown
     double slope;             ///< −gᵀ H⁻¹ g < 0: derivative of the mean energy along it
@@ -31,7 +31,7 @@ class NewtonSystem {
 
  private:
   const FaceTerms& terms_;
-  std::vector<int> blockOf_;  ///< clique of a face, −1 when nothing of it is free
+  std::vector<int> blockOf_;  ///< clique of a face, −1 if it has no free unknown
   linalg::PartialCholesky cholesky_;
   std::vector<double> values_;
   double scale_ = 1.0;

@@ -8,11 +8,11 @@
 namespace hgp {
 namespace {
 
-/// Vertices looked at in all searches together: a fraction of a second.
+/// Maximum number of vertices visited by all searches together, which take a fraction of a second.
 constexpr int kMaxVisits = 2'000'000;
 
-/// Corner angles in units of π / (q N). With N above the number of corners, one unit per corner stands for "more than 0": what
-/// fits with it fits with positive angles, and the other way round.
+/// Corner angles in units of π / (q N). With N above the number of corners, a minimum of one unit per corner is
+/// equivalent to positive angles: a solution with one exists if and only if one with the other does.
 class AngleFlow {
  public:
   AngleFlow(const TriMesh& mesh, int q, const PerVertex<int>& k)
@@ -27,7 +27,7 @@ class AngleFlow {
     for (FaceId f : mesh.faces()) share(f, q * unit_);
   }
 
-  /// Brings the vertex all it asks for from elsewhere. False where that is impossible: reached() is then W.
+  /// Moves angle to the vertex until it has what it needs. False if that is impossible: reached() is then W.
   bool satisfy(VertexId v) {
     while (sum_[v] < asked_[v]) {
       const Search found = search(v);
@@ -47,7 +47,7 @@ class AngleFlow {
     bool isTooLarge = false;
   };
 
-  /// In proportion to what the corners' vertices ask for per triangle.
+  /// Initial angles of f, in proportion to what the corners' vertices need per triangle.
   void share(FaceId f, long long all) {
     std::array<double, 3> weight{};
     double total = 0.0;
@@ -68,7 +68,7 @@ class AngleFlow {
 
   bool mayGive(VertexId v) const { return mesh_.isBoundary(v) || sum_[v] > asked_[v]; }
 
-  /// Breadth first from v over corners that have angle to give.
+  /// Breadth-first search from v over corners that can give up angle.
   Search search(VertexId v) {
     for (VertexId u : queue_) isReached_[u] = 0;
     queue_.assign(1, v);
@@ -103,7 +103,7 @@ class AngleFlow {
   }
 
   struct Step {
-    HalfedgeId to, from;  ///< corners of one triangle: the one that gets, the one that gives
+    HalfedgeId to, from;  ///< corners of one triangle: the receiving and the giving one
   };
 
   const TriMesh& mesh_;

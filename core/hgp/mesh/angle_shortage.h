@@ -20,12 +20,12 @@ struct AngleShortage {
   double asked = 0.0;  ///< Σ_W Θ_v, radians
 };
 
-/// Mean corner angle above which a cone can be part of a shortage that is looked for, radians.
+/// Searches start only at cones whose mean corner angle is above this, in radians.
 inline constexpr double kSteepCornerAngle = 1.4;
 
-/// Angles are a flow from triangles to vertices. Where a vertex gets less than Θ_v and no augmenting path is left, W is
-/// what a search from it reaches (Hall's condition). Searches start at steep cones and give up after kLargestSearch
-/// vertices, so that a result is a proof, and no result proves nothing.
+/// Angles are a flow from triangles to vertices. If a vertex gets less than Θ_v and no augmenting path is left, W is
+/// the set that a search from it reaches (Hall's condition). Searches start at steep cones and end after kLargestSearch
+/// vertices: a result is a proof, but an empty one does not prove that there is no shortage.
 /// @param k  per vertex; q where there is no cone; ignored at boundary vertices
 std::optional<AngleShortage> findAngleShortage(const TriMesh& mesh, int q, const PerVertex<int>& k);
 inline constexpr int kLargestSearch = 4000;

@@ -19,7 +19,7 @@ using Places = std::map<DefectKind, std::vector<Where>>;
 Where faceAt(int f) { return {Where::Kind::kFace, f}; }
 Where vertexAt(int v) { return {Where::Kind::kVertex, v}; }
 
-/// Faces whose indices or positions make everything else meaningless; returns 1 for each of them.
+/// Finds faces with invalid indices or positions, to which no other rule can be applied; returns 1 for each of them.
 std::vector<char> findBrokenFaces(const MeshData& data, Places& places) {
   const auto vertexCount = static_cast<int>(data.positions.size());
   std::vector<char> isBroken(data.triangles.size(), 0);
@@ -38,8 +38,8 @@ std::vector<char> findBrokenFaces(const MeshData& data, Places& places) {
   return isBroken;
 }
 
-/// The two vertices that are farthest apart along an axis, where that is too far or too near. All
-/// positions equal is another defect: faces without area.
+/// Finds the two vertices that are farthest apart along an axis if that distance is outside the limits. If all
+/// positions are equal, the defect is faces without area instead.
 void findExtent(const MeshData& data, const std::vector<char>& isUsed, Places& places) {
   double extent = 0.0;
   std::size_t ends[2] = {0, 0};
@@ -228,7 +228,7 @@ bool hasNoArea(const Vec3& a, const Vec3& b, const Vec3& c) {
     scale = std::max({scale, std::abs(u[n]), std::abs(v[n])});
   }
   if (!(scale > 0.0) || !std::isfinite(scale)) return scale == 0.0;
-  // Scaled by a power of two, which rounds nothing, where fourth powers would leave the range.
+  // Scaled by a power of two, which is exact, if fourth powers would be out of range.
   const int exponent = scale > 1e-60 && scale < 1e60 ? 0 : std::ilogb(scale);
   for (std::size_t n = 0; exponent != 0 && n < 3; ++n) {
     u[n] = std::scalbn(u[n], -exponent);

@@ -11,10 +11,10 @@
 namespace hgp {
 
 enum class DefectKind {
-  kIndexOutOfRange,  ///< a corner names a vertex that does not exist
+  kIndexOutOfRange,  ///< a corner has the index of a vertex that does not exist
   kNotFinite,        ///< NaN or infinite position of a used vertex
   kExtent,  ///< extent outside kSmallestExtent … kLargestExtent: squares over- or underflow
-  kRepeatedVertex,     ///< a face names one vertex twice
+  kRepeatedVertex,     ///< a face has one vertex twice
   kZeroArea,           ///< a face without area (collinear or equal corners)
   kDuplicateFace,      ///< two faces with the same three vertices
   kNonManifoldEdge,    ///< an edge with more than two faces
@@ -37,7 +37,7 @@ struct Defect {
 /// A triangle has no area when its height over the longest edge is below this fraction of
 /// that edge: a few rounding errors of its coordinates. Triangles that are merely thin are not a defect.
 inline constexpr double kZeroHeight = 1e-15;
-/// No area in that sense; false where a corner is not finite, which is a defect of its own.
+/// Whether the triangle has no area in that sense; false if a corner is not finite, which is another defect.
 bool hasNoArea(const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// Accepted extents: the longest side of the bounding box of the used vertices, in the mesh's own unit.
@@ -60,7 +60,7 @@ struct FixOptions {
 /// Why a face is not part of the surface.
 enum class LeftOut {
   kDuplicate,  ///< it has the corners of another face, its twin
-  kZeroArea,   ///< it names a vertex twice, or no face of its component has an area
+  kZeroArea,   ///< it has a vertex twice, or no face of its component has an area
 };
 struct LeftOutFace {
   int face;  ///< of the mesh as given

@@ -1,5 +1,5 @@
-// Repairs as a file stores them: corners in another order, copies of vertices.  Role: what
-// --write-repairs asks a document to write; no face is added or removed, and no vertex moves.
+// Repairs in the form in which a file stores them: reordered corners and copies of vertices.  Role: the changes that
+// --write-repairs makes to a document; no face is added or removed, and no vertex moves.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ struct FaceEdits {
   std::vector<int>
       copyOf;  ///< vertex V + i is a copy of vertex copyOf[i]; V: number of old vertices
   std::vector<int> outside;  ///< faces that are not part of the surface, ascending
-  int turned = 0;            ///< faces whose corners run the other way
+  int turned = 0;            ///< number of faces that are reversed
 };
 
 }  // namespace hgp

@@ -1,4 +1,4 @@
-// Positions that are numbers.  Role: readers and repairs agree on what is not.
+// Finite positions.  Role: readers and repairs use the same definition.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@ inline bool isFinite(const Vec3& p) {
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
 
-/// Of the points that are finite.
+/// The bounding box of the points that are finite.
 inline Box<3> finiteBoxOf(const std::vector<Vec3>& points) {
   Box<3> box;
   for (const Vec3& p : points)
@@ -21,7 +21,7 @@ inline Box<3> finiteBoxOf(const std::vector<Vec3>& points) {
   return box;
 }
 
-/// Vertices of no face whose position is not finite, ascending. No defect: they are kept as they are.
+/// Vertices without faces whose position is not finite, ascending. This is not a defect: they are kept as they are.
 std::vector<int> unusedNotFinite(const MeshData& data);
 
 }  // namespace hgp

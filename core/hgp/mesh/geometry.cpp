@@ -11,8 +11,8 @@
 namespace hgp {
 namespace {
 
-/// Lays the triangle flat, in units of the mean edge length. The flat triangle of a sliver is
-/// raised to the height bound, so that angles and weights stay finite.
+/// The triangle in the plane, in units of the mean edge length. The height of a sliver is
+/// raised to the bound, so that angles and weights stay finite.
 std::array<Complex, 3> layFlat(const TriMesh& mesh, FaceId f, double unit, double relativeHeight) {
   const auto [a, b, c] = mesh.corners(f);
   const Vec3 ab = subtract(mesh.position(b), mesh.position(a));
@@ -24,7 +24,7 @@ std::array<Complex, 3> layFlat(const TriMesh& mesh, FaceId f, double unit, doubl
   if (length <= bound) return {Complex(0, 0), Complex(bound, 0), Complex(bound / 2, longest)};
   const double x = dot(ab, ac) / (length * unit * unit);
   const double y = norm(cross(ab, ac)) / (length * unit * unit);
-  // The height over the longest edge is what matters: y · length / longest.
+  // The bound is on the height over the longest edge, y · length / longest.
   const double height = std::max(y, bound * longest / length);
   return {Complex(0, 0), Complex(length, 0), Complex(x, height)};
 }
@@ -56,7 +56,7 @@ double findMollification(const TriMesh& mesh, double unit) {
   return epsilon;
 }
 
-/// The triangle with these sides; Kahan's form of Heron's area loses nothing in thin ones.
+/// The triangle with these sides; Kahan's form of Heron's formula is accurate for thin ones.
 std::array<Complex, 3> layFlat(const Lengths& l) {
   Lengths sorted = l;
   std::sort(sorted.begin(), sorted.end(), std::greater<>());
@@ -76,7 +76,7 @@ double meanEdgeLength(const TriMesh& mesh) {
   return mesh.edgeCount() > 0 && sum > 0 ? sum / mesh.edgeCount() : 1.0;
 }
 
-/// @param lay  the flat triangle of a face
+/// @param lay  returns the planar triangle of a face
 template <class Lay>
 void measure(const TriMesh& mesh, const Lay& lay, Geometry& g) {
   const auto halfedges = static_cast<std::size_t>(mesh.halfedgeCount());

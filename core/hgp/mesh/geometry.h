@@ -8,12 +8,12 @@
 
 namespace hgp {
 
-/// The slack that computeGeometry gives every triangle inequality, in units of the mean edge length.
+/// The minimum slack of every triangle inequality after mollification, in units of the mean edge length.
 inline constexpr double kMollify = 1e-6;
 /// The length that evenedGeometry adds, in units of the mean edge length.
 inline constexpr double kEvening = 1.0;
 
-/// Geometry of every triangle laid flat with corner 0 at 0 and corner 1 on the positive real axis.
+/// Geometry of every triangle in the plane, with corner 0 at 0 and corner 1 on the positive real axis.
 /// Lengths are in units of the mean edge length (areas in its square), so that every later constant is scale-free.
 struct Geometry {
   double mollified = 0.0;                  ///< ε of computeGeometry, in units of `unit`

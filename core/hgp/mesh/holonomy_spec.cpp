@@ -72,7 +72,7 @@ Status checkShape(const TriMesh& mesh, const Topology& topology, const HolonomyS
   return Done{};
 }
 
-/// What positive triangles can never do, cone by cone and loop by loop.
+/// Checks the bounds that positive triangles imply, for every cone and every loop.
 Status checkBounds(const TriMesh& mesh, const Topology& topology, const HolonomySpec& spec) {
   if (auto bad = selectCones(spec, [](auto& c) { return c.k < 1; }); !bad.empty())
     return refuseCones(bad, "with k < 1; a cone angle 2πk/q must be positive");
@@ -97,7 +97,7 @@ Status checkBounds(const TriMesh& mesh, const Topology& topology, const Holonomy
   return Done{};
 }
 
-/// How to spend what is missing (or save what is too much).
+/// Advice on how to distribute a missing amount, or how to remove an excess.
 std::string budgetAdvice(long long missing, int q, bool hasLoops) {
   const long long n = std::abs(missing);
   const char* turn = hasLoops ? (missing > 0 ? ", or raise turning indices by as much"
@@ -113,7 +113,7 @@ std::string budgetAdvice(long long missing, int q, bool hasLoops) {
                     n, n, q + n, turn);
 }
 
-/// The turning that the open loops could add up to.
+/// The range of sums that the turning indices of the open loops can have.
 TurningRange openRange(const TriMesh& mesh, const Topology& topology, const HolonomySpec& spec) {
   TurningRange sum;
   for (std::size_t j = 0; j < topology.loops.size(); ++j) {
@@ -191,7 +191,7 @@ std::string reducedText(const ReducedProblem& p) {
                         : formatText(" (reduced by the common divisor %d to q=%d)", p.divisor, p.q);
 }
 
-/// Closed surfaces that have no such flat metric although the integers balance.
+/// Refuses prescriptions on closed surfaces that satisfy Lemma 6.2 but have no flat metric.
 Status checkClosed(const Topology& topology, const HolonomySpec& spec, BudgetReport& report) {
   const ReducedProblem p = reduceProblem(topology, spec);
   const std::string reduced = reducedText(p);
@@ -241,7 +241,8 @@ void warnPoorVertices(const TriMesh& mesh, const HolonomySpec& spec, BudgetRepor
       poor.size(), poor.size() == 1 ? "" : "s", kPoorCornerAngle, listCones(poor).c_str()));
 }
 
-/// True where the mesh has too few triangles; that is warned of, as a finer mesh of the surface need not.
+/// Whether the mesh has too few triangles for the angles. This is a warning, because a finer mesh of the surface may
+/// have enough.
 bool warnShortage(const TriMesh& mesh, const HolonomySpec& spec, BudgetReport& report) {
   PerVertex<int> k(static_cast<std::size_t>(mesh.vertexCount()), spec.q);
   for (const ConePoint& cone : spec.cones) k[cone.vertex] = cone.k;

@@ -6,7 +6,7 @@ namespace hgp {
 namespace {
 
 constexpr double kScattered = 0.1;
-/// Smaller meshes lie in the processor's caches, in whatever order.
+/// Smaller meshes fit into the processor's caches in any order.
 constexpr int kOutOfCache = 20'000;
 
 }  // namespace

@@ -90,7 +90,7 @@ class Splitter {
       for (int k = 0; k < 3; ++k) add(face, vertex, {k, 3 + k, 3 + (k + 2) % 3});
       return add(face, vertex, {3, 4, 5});
     }
-    // The first side (of one) or the one that is whole (of two) decides how the face is turned.
+    // Rotates the corners so that the split side (if there is one) or the unsplit side (if two are split) comes first.
     int k = 0;
     while ((vertex[static_cast<std::size_t>(3 + k)] >= 0) != (count == 1)) ++k;
     const int a = k, b = (k + 1) % 3, c = (k + 2) % 3;

@@ -116,7 +116,7 @@ std::vector<DualLoop> handleGenerators(const TriMesh& mesh) {
     const HalfedgeId h = mesh.givenHalfedge(n);
     const EdgeId e = mesh.edge(h);
     if (isPrimalTree[e] || dual.isCrossed[e]) continue;
-    isPrimalTree[e] = 1;  // an edge is seen from both sides, and counts once
+    isPrimalTree[e] = 1;  // edges are visited from both sides but count once
     if (!forest.join(mesh.tail(h).i, mesh.head(h).i)) loops.push_back(closeLoop(mesh, dual, h));
   }
   return loops;

@@ -31,7 +31,7 @@ class ExactForm : public ProgramForm {
   }
 
  private:
-  /// Unknowns in a frame condition, or without a harmonic row of their own: translations, boundary, cones.
+  /// Keeps unknowns that occur in a frame condition or have no harmonic row: translations, boundary, cones.
   void chooseKept() {
     std::vector<char> isKept(static_cast<std::size_t>(in_.unknowns.count), 1);
     for (VertexId v : in_.harmonic.rowVertex) {
@@ -57,7 +57,7 @@ class ExactForm : public ProgramForm {
     }
   }
 
-  /// The harmonic rows, each at its vertex' own unknown; the rows between are empty.
+  /// The harmonic rows as a square matrix, each at the index of its vertex' unknown; the other rows are empty.
   SparseRows harmonicMatrix() const {
     const SparseRows& rows = in_.harmonic.rows;
     std::vector<int> start(static_cast<std::size_t>(in_.unknowns.count) + 1, 0);
@@ -144,7 +144,7 @@ class ExactForm : public ProgramForm {
 
   const ProgramInput& in_;
   const linalg::SeparatorTree& vertexTree_;
-  const HeldUnknowns& held_;  // the pinned one, at 0
+  const HeldUnknowns& held_;  // the pinned unknown, held at 0
   int count_ = 0;
   std::vector<int> kept_, place_;
   linalg::SchurLu lu_;

@@ -11,7 +11,7 @@ namespace hgp {
 /// (N + λ (D² + 1)) / χ(D, ε) with χ = ½ (D + √(D² + ε²)); N = |f_z|² + |f_z̄|².
 double barrierValue(double N, double D, double scaleWeight, double epsilon);
 
-/// Its Hessian for D = |f_z|² − |f_z̄|², clamped to positive semidefinite, and gradient, in the radial
+/// Its gradient and its Hessian, clamped to positive semidefinite, for D = |f_z|² − |f_z̄|², in the radial
 /// and tangential parts of f_z, then of f_z̄.
 /// @param a  |f_z|
 /// @param b  |f_z̄|

@@ -9,8 +9,8 @@
 namespace hgp {
 namespace {
 
-/// A one-ring to be laid flat: halfedges leaving the centre, counterclockwise; the corner angle and
-/// the length behind each.
+/// A one-ring to be embedded in the plane: halfedges leaving the centre, counterclockwise, each with its length and
+/// the angle of the corner after it.
 struct Ring {
   std::vector<HalfedgeId> spokes;
   std::vector<double> angles, lengths;
@@ -30,8 +30,8 @@ void fitAngles(std::vector<double>& angles, double sum) {
   }
 }
 
-/// Frame angle of each face of the ring when the first spoke of the first face has uv angle
-/// `heading`; crossing into the next face the uv turns by the seam rotation.
+/// Frame angle of each face of the ring if the first spoke of the first face has uv angle
+/// `heading`; uv are rotated by the seam rotation from one face to the next.
 std::vector<double> ringFrames(const TriMesh& mesh, const Geometry& geometry,
                                const SeamRotations& seams, const Ring& ring, double heading) {
   std::vector<double> frames;

@@ -32,7 +32,7 @@ class PenaltyForm : public ProgramForm {
   std::vector<int> place_;
 };
 
-/// |row x + constant|² per row, gathered as the matrix of all rows and the linear term.
+/// A sum of terms |row x + constant|², collected as the matrix of all rows and the linear term.
 class RowList {
  public:
   RowList(PenaltyForm& form, std::size_t expected) : form_(form) { entries_.reserve(expected); }
@@ -80,7 +80,7 @@ void addHarmonicRows(const ProgramInput& in, const HeldUnknowns& held, const Pen
   }
 }
 
-/// Two rows per face.
+/// Adds the distortion term, two rows per face.
 void addDistortion(const ProgramInput& in, double quality, const HeldUnknowns& held,
                    RowList& list) {
   PerFace<double> delta(static_cast<std::size_t>(in.mesh.faceCount()),
@@ -105,7 +105,7 @@ void addDistortion(const ProgramInput& in, double quality, const HeldUnknowns& h
 /// All terms as rows: the harmonic ones, then the distortion term; and their linear term.
 SparseC allRows(const ProgramInput& in, double quality, const HeldUnknowns& held,
                 PenaltyForm& form) {
-  const std::size_t share = in.options.patch() ? 10 : 1;  // a guess
+  const std::size_t share = in.options.patch() ? 10 : 1;  // an estimate, to reserve memory
   RowList list(form, (static_cast<std::size_t>(in.harmonic.rows.nonZeros()) +
                       8 * static_cast<std::size_t>(in.mesh.faceCount())) /
                          share);
@@ -114,14 +114,14 @@ SparseC allRows(const ProgramInput& in, double quality, const HeldUnknowns& held
   return list.take();
 }
 
-/// The mesh dissected with separators of width 2, as a tree of H: a third of the time that H's own
-/// graph takes. Translations couple to whole seams and are placed where that fits.
+/// The dissection of the mesh with separators of width 2, as a tree of H; dissecting H's own graph takes three times
+/// as long. Translations, which couple to whole seams, are inserted where their neighbours allow.
 linalg::SeparatorTree treeOf(const ProgramInput& in, const PenaltyForm& form, const SparseC& H) {
   std::vector<int> keep = in.unknowns.vertexUnknown.raw();
   for (int& unknown : keep)
     if (unknown >= 0) unknown = form.place(unknown);
   const linalg::SeparatorTree vertices = linalg::restrictTree(vertexTree(in.mesh, 2), keep);
-  // Only the appended ones' neighbours are looked at.
+  // Only the neighbours of appended unknowns are needed.
   linalg::Graph appended;
   appended.start.assign(vertices.order.size() + 1, 0);
   for (auto j = static_cast<Eigen::Index>(vertices.order.size()); j < H.cols(); ++j) {
@@ -138,7 +138,7 @@ std::unique_ptr<ProgramForm> penaltyForm(const ProgramInput& in, const PenaltyOb
                                          const HeldUnknowns& held) {
   auto form = std::make_unique<PenaltyForm>(held);
   SparseC H;
-  {  // the rows go before the factor comes
+  {  // frees the rows before the factor is computed
     const SparseC all = allRows(in, objective.quality, held, *form);
     H = all.adjoint() * all;
   }
@@ -151,7 +151,7 @@ std::unique_ptr<ProgramForm> penaltyForm(const ProgramInput& in, const PenaltyOb
   }
   linalg::PartialCholeskyOptions options;
   linalg::SeparatorTree tree;
-  if (!in.options.patch()) {  // a part is small: its own graph is dissected
+  if (!in.options.patch()) {  // a patch is small, so its own graph is dissected
     tree = treeOf(in, *form, H);
     options.tree = &tree;
   }

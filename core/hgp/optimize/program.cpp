@@ -12,13 +12,13 @@
 namespace hgp {
 namespace {
 
-/// Triangles named when a program is infeasible: those whose duals are within this share of the
+/// Triangles listed if a program is infeasible: those whose duals are at least this fraction of the
 /// largest, at most this many.
 constexpr double kConflictShare = 0.1;
 constexpr std::size_t kConflictCount = 50;
 
-/// Proximal steps at most, the relative change that ends them, and the share of the harmonic energy
-/// below which it counts as gone.
+/// Maximum number of proximal steps, the relative change that ends them, and the fraction of the harmonic energy
+/// below which it counts as zero.
 constexpr int kProximalSteps = 8;
 constexpr double kProximalChange = 1e-13;
 constexpr double kVanishedEnergy = 1e-6;

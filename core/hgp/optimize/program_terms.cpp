@@ -15,14 +15,14 @@ int pinnedUnknown(const ProgramInput& in) {
   };
   for (FaceId f : in.frames.faces)
     for (VertexId v : in.mesh.corners(f)) consider(v);
-  // The exact form needs it among the unknowns that its rows do not determine.
+  // The exact form requires the pinned unknown to be one that its rows do not determine.
   if (!pinned.isValid())
     for (FaceId f : in.options.soft.faces)
       for (VertexId v : in.mesh.corners(f)) consider(v);
   if (!pinned.isValid())
     for (VertexId v : in.mesh.vertices()) consider(v);
   if (pinned.isValid()) return in.unknowns.vertexUnknown[pinned];
-  // Every vertex is a cone that its chains determine: moving the map changes the translation of each
+  // Every vertex is a cone determined by its chains: translating the map changes the translation of each
   // chain with a rotation, so one of these is held.
   for (std::size_t c = 0; c < in.cut.chains.size(); ++c)
     if (in.unknowns.chainUnknown[c] >= 0 && in.seams.rotation[in.cut.chains[c].left[0]] != 0)

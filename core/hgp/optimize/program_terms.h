@@ -11,7 +11,7 @@
 
 namespace hgp {
 
-/// Everything one program is stated with; references live as long as the call of solveProgram.
+/// The input of one program; references are valid during the call of solveProgram.
 struct ProgramInput : SeamlessSystem {
   const Frames& frames;
   const ProgramOptions& options;
@@ -40,7 +40,7 @@ struct FaceRows {
   std::vector<Complex> similar, anti;
   Complex heldSimilar, heldAnti;
 };
-/// Into `rows`, whose storage is used again.
+/// Writes to `rows`, reusing its memory.
 void faceRows(const ProgramInput& in, const HeldUnknowns& held, FaceId f, FaceRows& rows);
 
 /// Frame j's condition s = (Re(f_z d̄) − ε, Re f_z̄, Im f_z̄) / e^u over faceRows' unknowns;

@@ -19,10 +19,11 @@ constexpr double kMinEpsilon = 1e-8;
 constexpr double kMinBarrier = 1e-9;
 /// Newton steps after the last flip, which move triangles away from degeneracy.
 constexpr int kStepsAfter = 4;
-/// The search ends after this many steps in a row that lower neither the number of flips nor the energy by this share.
+/// The iteration ends after this many consecutive steps that reduce neither the number of flips nor the energy by this
+/// fraction.
 constexpr int kPatience = 12;
 constexpr double kMinDecrease = 1e-4;
-/// Newton steps towards the frames, and how often the frames then follow the map.
+/// Newton steps with fixed frames, and how often the frames are then rotated towards the map.
 constexpr int kSegmentSteps = 15;
 constexpr int kFramedSegments = 8;
 /// Weight of a triangle's own direction relative to its neighbours' when frames follow the map, and
@@ -208,7 +209,7 @@ class Untangler {
     }
   }
 
-  /// |f_z|², or what of it is along the frame.
+  /// |f_z|² or, with frames, A|A| for the part A along the frame.
   double areaOf(Complex similar) const {
     return isFramed_ ? similar.real() * std::abs(similar.real()) : std::norm(similar);
   }
@@ -283,11 +284,11 @@ class Untangler {
     return H;
   }
 
-  /// One Newton step with backtracking; false when none lowers the energy.
+  /// One Newton step with backtracking; false if no step length lowers the energy.
   bool step(double energy) {
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(2 * count_);
     Eigen::SparseMatrix<double> H = hessian(x_, &gradient);
-    // Scaled to a unit diagonal: where u spans e^20, a shift for one end would dominate the other.
+    // Scaled to a unit diagonal: if scales differ by e^20, a shift suited to the largest would dominate the smallest.
     const Eigen::VectorXd scale = H.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
     H = scale.asDiagonal() * H * scale.asDiagonal();
     bool isFactored = false;
@@ -316,12 +317,12 @@ class Untangler {
   std::vector<int> place_;
   int count_ = 0;
   std::vector<Face> faces_;
-  std::vector<std::array<int, 3>> beside_;  ///< neighbours of each, −1 none
+  std::vector<std::array<int, 3>> beside_;  ///< neighbours of each face, −1: none
   linalg::MultifrontalCholesky<double> factor_;
   Eigen::VectorXcd x_;
   double epsilon_ = 1.0;
   bool isFramed_ = false;
-  int reported_ = -1;  ///< the last step that progress was told of
+  int reported_ = -1;  ///< the last step reported to progress
 };
 
 }  // namespace

@@ -10,11 +10,11 @@
 namespace hgp {
 namespace {
 
-/// δ of the linear program that untangling starts from: frames on all faces outweigh harmonicity.
+/// δ of the linear program from which untangling starts: soft frames on all faces outweigh harmonicity.
 constexpr double kStartQuality = 1.0;
-/// Bound on |u| in that program where it cannot be factored without.
+/// Bound on |u| in that program if it cannot be factored otherwise.
 constexpr double kStartClamp = 8.0;
-/// (13) as printed.
+/// ε of (13) as printed.
 constexpr double kPrintedMargin = 0.01;
 
 double medianOf(std::vector<double> values) {
@@ -24,7 +24,7 @@ double medianOf(std::vector<double> values) {
   return *middle;
 }
 
-/// Per vertex the mean log|f_z| of its faces.
+/// Per vertex, the mean of log|f_z| over its faces.
 PerVertex<double> scaleOfMap(const Problem& problem, const std::vector<Complex>& z) {
   const SeamlessSetup& setup = *problem.setup;
   PerVertex<double> sum(static_cast<std::size_t>(problem.mesh.vertexCount()), 0.0), count = sum;
@@ -45,7 +45,7 @@ PerVertex<double> scaleOfMap(const Problem& problem, const std::vector<Complex>&
   return sum;
 }
 
-/// The unknowns of a patch's vertices are free, all others stay where the map before has them.
+/// A patch in which the unknowns of its vertices are free and all others keep their values in the previous map.
 Patch patchOf(const Problem& problem, const State& state) {
   const ReducedUnknowns& unknowns = problem.setup->unknowns;
   Patch part{std::vector<char>(static_cast<std::size_t>(unknowns.count), 0), state.from->program.x};
@@ -56,7 +56,7 @@ Patch patchOf(const Problem& problem, const State& state) {
   return part;
 }
 
-/// Whether a corner may move; where all three are cones, none can.
+/// Whether at least one corner of f is free in the patch; a triangle of three cones may have none.
 bool isTouched(const Problem& problem, FaceId f, const Patch& part) {
   const auto corners = problem.mesh.corners(f);
   return std::any_of(corners.begin(), corners.end(), [&](VertexId v) {
@@ -65,7 +65,7 @@ bool isTouched(const Problem& problem, FaceId f, const Patch& part) {
   });
 }
 
-/// Triangles that are not positive and those around vertices and loops with a wrong angle.
+/// Finds the triangles that are not positive and those around vertices and loops with a wrong angle.
 void findWrong(const Problem& problem, Attempt& attempt) {
   const Certificate& c = attempt.certificate;
   if (!c.isMeasured) return;
@@ -106,7 +106,7 @@ PerVertex<double> Attempts::scaleOf(const State& state) const {
   const bool isFromMap = weighting.isFromMap && hasMap && state.untangling < 0;
   PerVertex<double> u = isFromMap ? scaleOfMap(problem_, state.from->program.z) : field.u;
   const double clamp = state.untangling < 0 ? weighting.clamp : kNoClamp;
-  // Weights that are clamped, or were taken from a map, have a moderate range already.
+  // Weights that are clamped or come from a map already have a moderate range.
   const bool isMild = isFromMap || clamp < kNoClamp || field.scaleRange <= kWeightedScaleRange;
   const double share = isMild ? 1.0 : kWeightedScaleRange / field.scaleRange;
   const double median = medianOf(u.raw());
@@ -173,7 +173,7 @@ bool Attempts::solve(const State& state, int round, Attempt& attempt) {
   return !isCancelled;
 }
 
-/// Starts where all frames agree best in the least-squares sense.
+/// Untangles, starting from the least-squares solution with soft frames on all faces.
 bool Attempts::untangleFrom(const State& state, int round, Attempt& attempt) {
   const SeamlessSetup& setup = *problem_.setup;
   const Untangling& kind = untanglings()[static_cast<std::size_t>(state.untangling)];
@@ -183,7 +183,7 @@ bool Attempts::untangleFrom(const State& state, int round, Attempt& attempt) {
   start.objective = PenaltyObjective{kStartQuality, WholeSurface{}};
   const auto solveStart = [&] { return solveProgram(system, Frames{}, start); };
   ProgramResult linear = solveStart();
-  if (linear.x.size() == 0) {  // weights that no factorization survives
+  if (linear.x.size() == 0) {  // with these weights the factorization fails
     for (double& value : start.u.raw()) value = std::clamp(value, -kStartClamp, kStartClamp);
     linear = solveStart();
   }

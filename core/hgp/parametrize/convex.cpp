@@ -27,8 +27,8 @@ PerVertex<Complex> circlePositions(const TriMesh& mesh, const Geometry& geometry
   return position;
 }
 
-/// Rows of (7) for interior vertices. What the boundary adds to a row is a number times one more
-/// unknown, which is 1: the only one that the elimination keeps.
+/// Solves the rows of (7) for interior vertices. The contribution of the boundary to a row is a coefficient of one more
+/// unknown, fixed at 1, which is the only one that the elimination keeps.
 bool solveInterior(const TriMesh& mesh, const HarmonicSystem& harmonic,
                    PerVertex<Complex>& position) {
   PerVertex<int> unknown(static_cast<std::size_t>(mesh.vertexCount()), -1);

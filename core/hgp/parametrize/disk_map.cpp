@@ -5,7 +5,7 @@
 namespace hgp {
 namespace {
 
-/// A sphere without terminals has no seam: it is opened along a path between two vertices far apart.
+/// The ends of the cut of a sphere, which has no terminals: two vertices that are far apart.
 std::vector<VertexId> farEnds(const TriMesh& mesh) {
   VertexId first = mesh.tail(HalfedgeId{0}), last = first;
   for (int sweep = 0; sweep < 2; ++sweep) {

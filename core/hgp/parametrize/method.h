@@ -1,4 +1,4 @@
-// The methods by name.  Role: `--method`; limits what the strategy may try.
+// The methods by name.  Role: `--method`; restricts what the strategy tries.
 #pragma once
 
 #include <optional>
@@ -6,7 +6,7 @@
 
 namespace hgp {
 
-/// How a map is sought. kAuto combines the others; each of the others tries nothing else.
+/// How a map is computed. kAuto combines the others, each of which tries nothing else.
 enum class Method {
   kAuto,  ///< soft, then hard constraints with repairs, then untangling (docs/decisions/015, 032)
   kHarmonic,  ///< hard frame constraints on F_cb, rows weighted by e^{−u}: harmonic where possible

@@ -12,8 +12,8 @@ namespace {
 constexpr double kVeryThin = 30.0;
 /// A surface with at least this share of very thin triangles is uneven.
 constexpr double kUnevenShare = 0.1;
-/// Rounds in its own metric before an uneven surface is tried in the evened one. (Of 38 other surfaces without a map the
-/// evened metric gave one for 2, at twice the time: it is not tried there.)
+/// Rounds in its own metric before an uneven surface is tried in the evened one. (Other surfaces are not tried there:
+/// of 38 without a map, the evened metric gave one for 2, at twice the time.)
 constexpr int kUnevenRounds = 8;
 
 bool isUneven(const TriMesh& mesh, const Geometry& geometry) {
@@ -28,7 +28,7 @@ bool isUneven(const TriMesh& mesh, const Geometry& geometry) {
   return count >= kUnevenShare * mesh.faceCount();
 }
 
-/// What is left of what the run may spend.
+/// The options with the work that remains of the run's limit.
 ParametrizeOptions remaining(const ParametrizeOptions& options, const std::vector<Round>& rounds,
                              int faceCount) {
   ParametrizeOptions left = options;
@@ -44,7 +44,7 @@ void prepend(std::vector<T>& later, const std::vector<T>& earlier) {
   later.insert(later.begin(), earlier.begin(), earlier.end());
 }
 
-/// Where the surface's own metric gave no map. Without one in the evened metric either, what there was.
+/// Solves in the evened metric after the surface's own gave no map; if that fails as well, returns the earlier result.
 Result<Parametrization> inEvenedMetric(PreparedSurface& surface, const HolonomySpec& spec,
                                        const ParametrizeOptions& options, Parametrization before) {
   const ParametrizeOptions left = remaining(options, before.rounds, surface.mesh().faceCount());

@@ -25,9 +25,9 @@ struct ParametrizeOptions {
   double largestWork = 1000.0;
   static constexpr int kSmallSurface = 20'000;
   Method method = Method::kAuto;
-  /// Directions (and matchings, where stored) to take as the frames d_j of (13) and as seam
-  /// rotations, instead of our own smooth connection with the same holonomy. They must realise the
-  /// prescription exactly, and determine what it leaves open.
+  /// Directions (and matchings, if stored) to use as the frames d_j of (13) and as seam
+  /// rotations, instead of our trivial connection with the same holonomy. They must realise the
+  /// prescription exactly, and they determine what it leaves open.
   std::optional<FieldData> frames;
   GridOptions grid;  ///< align translations to a grid after a certified solve (q = 2, 4)
   /// Lower this kind of distortion of a certified map; the result is again certified.
@@ -54,7 +54,7 @@ struct StageTime {
   double seconds = 0.0;
 };
 
-/// What one descent did.
+/// The result of one descent.
 struct DescentFacts {
   DistortionFacts before, after;  ///< as the verifier measures them; equal when it was not kept
   std::vector<ImproveStep> steps;
@@ -63,7 +63,8 @@ struct DescentFacts {
   double work = 0.0;    ///< multiply-adds
 };
 
-/// What an improvement did: of the map as solved, and once more after alignment with the integers held.
+/// The result of an improvement: the descent from the map as solved, and a second one after alignment, with the
+/// integers held.
 struct ImprovementFacts : DescentFacts {
   ImproveOptions asked;
   std::optional<DescentFacts> onGrid;  ///< where the map was aligned and has seams
@@ -75,7 +76,7 @@ struct Parametrization {
   CompleteSpec spec;             ///< what was asked, completed
   Certificate certificate;       ///< of `map`, by inspection
   bool isCertified = false;
-  bool isUsable = false;  ///< its areas fit double precision; certified maps are
+  bool isUsable = false;  ///< double precision resolves its areas; true of certified maps
   std::vector<Round> rounds;
   std::optional<ImprovementFacts> improvement;  ///< where one was asked for and the map certified
   std::vector<StageTime> times;

@@ -62,7 +62,7 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// In this order: repairs of few places, then other frames, then everything again with another weighting.
+/// The moves in order: local repairs first, then other frames, then everything again with another weighting.
 constexpr Move kMoves[] = {frameByMap, widenPatch, solvePatch,    frameByAngles, untangleNext,
                            fixLifts,   enlarge,    iterateFrames, nextWeighting};
 
@@ -89,7 +89,7 @@ static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
   std::set<std::uint64_t> tried;
   State state = firstState(problem);
   double work = problem.largestWork;
-  // No map can have the angles: one round, whose map shows --refine which edges to split.
+  // No map on this mesh can have the angles: one round only, whose map shows --refine which edges to split.
   const int mostRounds =
       problem.setup->isTooCoarse ? std::min(1, options.maxRounds) : options.maxRounds;
   for (int round = 1; round <= mostRounds; ++round) {

@@ -11,7 +11,7 @@ namespace {
 
 /// Longest edge over height: above it a triangle is thin.
 constexpr double kThin = 8.0;
-/// Rings around what is wrong that are looked at for thin triangles, and that attempt 1 divides.
+/// Rings around wrong triangles in which thin triangles are searched, and rings that attempt 1 divides.
 constexpr int kThinRings = 3;
 constexpr int kDividedRings = 2;
 
@@ -67,7 +67,7 @@ void splitConeRings(const TriMesh& mesh, const CompleteSpec& spec, Splits& split
   }
 }
 
-/// Where an edge joins two cones, neither can be mapped as it asks without the other.
+/// Splits edges that join two cones, whose angles would otherwise have to be met by the same triangles.
 void splitBetween(const TriMesh& mesh, const CompleteSpec& spec, Splits& splits) {
   PerVertex<char> isCone(static_cast<std::size_t>(mesh.vertexCount()), 0);
   for (const ConePoint& cone : spec.cones) isCone[cone.vertex] = 1;

@@ -12,7 +12,7 @@
 namespace hgp {
 
 struct SeamlessSetup {
-  std::shared_ptr<const FieldContext> context;  ///< its Laplacian and handles may be gone
+  std::shared_ptr<const FieldContext> context;  ///< possibly without its Laplacian and handles
   PrescribedField field;
   CutMesh cut;
   SeamRotations seams;
@@ -40,7 +40,7 @@ Result<SeamlessSetup> prepareSeamless(PreparedSurface& surface, const HolonomySp
 /// The map as uv per copy: scaled to the surface's area, its box centred at the origin.
 UvMap layOut(const TriMesh& mesh, const SeamlessSetup& setup, const std::vector<Complex>& z);
 
-/// The same given the pieces (also for maps without seams).
+/// The same from its parts (also for maps without seams).
 UvMap layOut(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,
              const std::vector<Complex>& z);
 

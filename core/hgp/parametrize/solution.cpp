@@ -128,13 +128,14 @@ Status improveOnGrid(const TriMesh& mesh, const ParametrizeOptions& options, dou
   const std::vector<char> isHeld = heldByGrid(setup, options.grid.mode);
   if (std::find(isHeld.begin(), isHeld.end(), 1) == isHeld.end()) return Done{};
   const Progress silent;
-  StageClock clock(silent, result.times);  // for its caller it is the end of stage "align"
+  StageClock clock(silent,
+                   result.times);  // not reported: for the caller it is part of stage "align"
   clock.begin(Stage::kImprove);
   ImproveOptions asked = *options.improve;
   asked.largestWork = work;
   asked.relativeDecrease *= kHeldDecrease;
   const ImprovementFacts& first = *result.improvement;
-  // Alignment added less distortion than the decrease at which a descent ends: there is nothing to gain.
+  // Alignment added less distortion than the decrease at which a descent ends, so a descent would gain nothing.
   if (first.isKept &&
       askedNumber(asked, mapped.certificate.distortion) <=
           (1.0 + options.improve->relativeDecrease) * askedNumber(asked, first.after)) {

@@ -30,7 +30,7 @@ struct MappedSolution {
 Status improveSolution(const TriMesh& mesh, const ParametrizeOptions& options,
                        MappedSolution& mapped, Parametrization& result);
 
-/// For a map whose only fault is that its areas span more than its number type resolves: minimises isometric
+/// For a map whose only fault is that its number type cannot resolve the range of its areas: minimises isometric
 /// distortion, which enlarges the smallest areas, and keeps the result if it is certified. Fails with kCancelled only.
 Status evenOut(const TriMesh& mesh, const ParametrizeOptions& options, MappedSolution& mapped,
                Parametrization& result);

@@ -123,7 +123,7 @@ std::uint64_t hashOf(const State& state) {
   hash.add(state.lifts);
   hash.add(static_cast<std::uint64_t>(state.source));
   hash.add(static_cast<std::uint64_t>(state.untangling + 1));
-  // What is read from the map before: where patches are held, lifts, scale, frames.
+  // These are taken from the previous map: held values of a patch, lifts, scale, frames.
   const bool usesMap = !state.patch.empty() || !state.lifts.empty() || state.directions ||
                        state.source == FrameSource::kMap;
   if (usesMap && state.from)

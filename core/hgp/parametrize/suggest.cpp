@@ -6,12 +6,12 @@
 
 namespace hgp {
 
-/// Of a cell, how far apart along edges in their own metric: alignment spreads cones that are closer than a cell
-/// (decision 053), and merging few cones changes the map less and keeps its solve as short (both measured).
+/// Required distance of cones along edges in their own metric, in cells. Less than a cell, because alignment spreads
+/// close cones (decision 053) and fewer merged cones change the map less without slowing the solve (measured).
 constexpr double kRoomOfCell = 0.4;
-/// Of the energy of the cone metric, what making room may add.
+/// Maximum relative increase of the energy of the cone metric by separating cones.
 constexpr double kRoomEnergy = 0.3;
-/// Around a vertex: a quad that is alone there meets itself.
+/// Minimum number of quads around a vertex: a single one would share two of its edges.
 constexpr int kMinQuads = 2;
 
 ConeSpacing roomForGrid(double spacing, GridMode mode, int q) {

@@ -9,7 +9,7 @@
 namespace hgp::io {
 namespace {
 
-/// Reads words and remembers the first line that is wrong.
+/// Reads words and records the first line with an error.
 class ListReader {
  public:
   explicit ListReader(std::string_view text) : words_(text) {}

@@ -1,5 +1,5 @@
-// Cones, turning, handles and fields in the files of this field of research; exact or refused.
-// Role: bytes ↔ Prescription.
+// Cones, turnings, handles and fields in the file formats of other programs. Values that are not exact integers are
+// refused.  Role: bytes ↔ Prescription.
 #pragma once
 
 #include <string>
@@ -12,12 +12,12 @@ namespace hgp::io {
 
 /// Accepted distance of k or l to an integer where a file gives angles, in units of 2π/q.
 inline constexpr double kAngleIndexTolerance = 1e-6;
-/// More cones than this in one file are refused.
+/// Maximum number of cones in one file.
 inline constexpr int kMaxCones = 1'000'000;
 
 /// `hgp-cones` version 1 (docs/schema/hgp-cones.schema.json).
 Result<Prescription> readConesJson(std::string_view json);
-/// indent < 0: one line.
+/// The JSON text. @param indent  spaces per level; negative: everything on one line
 std::string writeConesJson(const Prescription& prescription, int indent = 2);
 
 /// "q N", "cones n" and n lines "vertex k", optionally "matchings m" and m lines "g f i j r".
@@ -47,7 +47,7 @@ Result<Prescription> readRosy(std::string_view text);
 /// MIQ `.ffield`: directions and, where stored, matchings.
 Result<Prescription> readFField(std::string_view text);
 
-/// Fills `to` of matchings that came without it, from the triangles.
+/// Sets `to` of matchings that lack it, using the triangles.
 Status completeMatchings(FieldData& field, const std::vector<std::array<int, 3>>& triangles);
 
 }  // namespace hgp::io

@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 constexpr int kMaxDepth = 64;
 constexpr std::size_t kMaxJson = std::size_t{64} << 20;
 
-/// Depth before parsing: a parser's stack is not the place to find out.
+/// Checks the nesting before parsing, so that the parser's stack cannot overflow.
 bool isTooDeep(std::string_view text) {
   int depth = 0;
   bool isInString = false;
@@ -35,12 +35,12 @@ bool isTooDeep(std::string_view text) {
   return false;
 }
 
-/// Reads members and remembers the first thing that is wrong.
+/// Reads members and records the first error.
 class Members {
  public:
   explicit Members(std::string path) : path_(std::move(path)) {}
 
-  /// False when absent (and fine when optional) or wrong.
+  /// Reads an integer; false if it is absent, which is an error only if it is required, or wrong.
   bool integer(const Json& object, const char* key, int& out, bool isRequired) {
     const auto it = object.find(key);
     if (it == object.end()) return isRequired ? wrong(key, "is missing") : false;
@@ -65,7 +65,7 @@ class Members {
     return true;
   }
 
-  /// The objects of a list, or nothing.
+  /// A list of objects, or null.
   const Json* list(const Json& object, const char* key) {
     const auto it = object.find(key);
     if (it == object.end() || it->is_null()) return nullptr;

@@ -12,7 +12,7 @@
 namespace hgp::io {
 namespace {
 
-// A direction of an N-RoSy may be off by this much (files print few digits).
+// Tolerance of the directions of an N-RoSy, because files have few digits.
 constexpr double kRosyTolerance = 1e-2;
 constexpr std::int64_t kMaxFaces = 100'000'000;
 constexpr std::int64_t kMaxOrder = 64;
@@ -27,7 +27,7 @@ Failure notANumber(const WordReader& words) {
   return fieldFailure(words, "expected a number, not " + inQuotes(words.word()));
 }
 
-/// Seen from direction `from` the others must be at the angles 2πj/N, each as often as in an N-RoSy.
+/// Whether the directions are at the angles 2πj/N from direction `from`, each as often as in an N-RoSy.
 bool isEvenFrom(const std::vector<Vec3>& directions, const Vec3& from, std::vector<int>& found) {
   const int N = static_cast<int>(directions.size());
   const double length = norm(from);
@@ -47,7 +47,7 @@ bool isEvenFrom(const std::vector<Vec3>& directions, const Vec3& from, std::vect
   return true;
 }
 
-/// Every direction must see the same star.
+/// Whether the directions are an N-RoSy: they are evenly spaced from each of them.
 bool isRosy(const std::vector<Vec3>& directions) {
   std::vector<int> found;
   for (const Vec3& d : directions) {
@@ -60,7 +60,7 @@ bool readVector(WordReader& words, Vec3& out) {
   return words.nextDouble(out[0]) && words.nextDouble(out[1]) && words.nextDouble(out[2]);
 }
 
-/// The blocks of a `.ffield` in turn.
+/// Reads the blocks of a `.ffield` in order.
 class FFieldReader {
  public:
   explicit FFieldReader(std::string_view text) : words_(text) {
@@ -70,7 +70,7 @@ class FFieldReader {
       const char* end = text.data() + text.size();
       skipBlanks(p, end);
       double version = 0;
-      // Version < 2 files have the other sign.
+      // Files of versions below 2 have the opposite sign.
       if (readDouble(p, end, version) && version < 2) sign_ = 1;
     }
   }
@@ -142,7 +142,7 @@ class FFieldReader {
         m.tail = static_cast<int>(n[(i + 2) % 3]);
         m.head = static_cast<int>(n[i]);
         m.turn = reduceTurn(sign_ * n[3 + i], 4);
-        // The twin carries the same fact; one side is enough.
+        // The twin has the same matching with opposite sign; one side suffices.
         if (m.turn != 0 && m.tail < m.head) field_->matchings.push_back(m);
         if (m.turn != 0 && m.tail > m.head) reversed_.push_back(m);
       }
@@ -151,7 +151,7 @@ class FFieldReader {
     return Done{};
   }
 
-  /// Edges that only the other direction lists (the file stores both; a boundary has one).
+  /// Adds edges that are listed only in the other direction (the file stores both, but one on the boundary).
   void addUnpaired() {
     std::unordered_map<std::int64_t, int> known;
     const auto key = [](int a, int b) { return (static_cast<std::int64_t>(a) << 32) ^ b; };
@@ -242,7 +242,7 @@ Status completeMatchings(FieldData& field, const std::vector<std::array<int, 3>>
                                 m.tail, m.head),
                      {{Where::Kind::kEdge, m.tail, m.head}}};
     }
-    if (from < 0 || to < 0) continue;  // a boundary edge matches nothing
+    if (from < 0 || to < 0) continue;  // a boundary edge has no matching
     if ((m.from >= 0 && m.from != from) || (m.to >= 0 && m.to != to)) {
       return Failure{ErrorCode::kPrescription,
                      "field",

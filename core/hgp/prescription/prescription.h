@@ -1,5 +1,5 @@
-// What a file asks of a map, before it meets a mesh.  Role: q, C, k_i, l_j and holonomy of [BCW17
-// §5.2] as cone files and field files spell them.
+// What a file prescribes, before it is resolved on a mesh.  Role: q, C, k_i, l_j and holonomy of [BCW17 §5.2] as in
+// cone files and field files.
 #pragma once
 
 #include <optional>
@@ -12,9 +12,8 @@
 
 namespace hgp::io {
 
-/// Cone angle 2πk/q at a vertex; `position` is what tells vertices apart when the mesh has changed.
-/// Where the surface touches itself at a vertex, it is a vertex of several parts: `triangle` is one of
-/// the part that is meant, or −1.
+/// Cone angle 2πk/q at a vertex; `position` identifies the vertex if the mesh has changed.
+/// If several fans of triangles meet at the vertex, `triangle` is a triangle of the fan that is meant; −1 otherwise.
 struct PrescribedCone {
   int vertex = -1;
   int k = 0;
@@ -35,7 +34,7 @@ struct PrescribedHandle {
   int r = 0;
 };
 
-/// Raw ids, nothing checked against a mesh. Where `field` is there it decides everything the lists
+/// Ids as in the file, not checked against a mesh. If there is a `field`, it determines everything that the lists
 /// leave open; stored matchings must be realised.
 struct Prescription {
   int q = 4;
@@ -49,7 +48,7 @@ struct Prescription {
   int vertexCount = -1;  ///< of the mesh it was made for; −1 unknown
   int triangleCount = -1;
   std::string sha256;              ///< of the file it was made for, or ""
-  std::vector<std::string> notes;  ///< what was read, and what was reduced
+  std::vector<std::string> notes;  ///< for users: what was read and reduced
 };
 
 }  // namespace hgp::io

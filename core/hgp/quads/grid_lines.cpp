@@ -18,7 +18,7 @@ Failure refusal(std::string message, std::vector<Where> where = {}) {
   return {ErrorCode::kUnsupported, "quads", std::move(message), std::move(where)};
 }
 
-/// The largest e ≤ 0 with all numbers multiples of 2^e.
+/// The largest e ≤ 0 such that all coordinates are multiples of 2^e.
 int commonExponent(const UvMap& map) {
   int lowest = 0;
   for (const auto& corners : map.cornerUv)

@@ -26,7 +26,7 @@ MultipleEdges countMultipleEdges(const QuadMesh& mesh) {
       ++valence[at(quad[k])];
       directed.push_back({quad[k], quad[(k + 1) % 4]});
     }
-  // Faces meet an edge once in either direction: what they meet twice are two edges.
+  // The faces at an edge traverse it once in each direction: a directed pair that occurs twice belongs to two edges.
   std::sort(directed.begin(), directed.end());
   std::set<Pair> pairs;
   for (std::size_t n = 0; n < directed.size(); ++n) {

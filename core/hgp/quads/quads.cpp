@@ -1,4 +1,4 @@
-// budget: one walk over one set of tables
+// budget: one traversal of shared tables
 #include "hgp/quads/quads.h"
 
 #include <algorithm>
@@ -16,14 +16,14 @@ Failure noQuads(std::string message) {
   return {ErrorCode::kUnsupported, "quads", std::move(message), {}};
 }
 
-/// A unit edge that leaves a grid point in direction d of a face's plane.
+/// A unit edge that leaves a grid point in one of the four directions of a face's plane.
 struct Dart {
   int node = -1;
   FaceId face;
   LatticePoint at;
   int direction = 0;
-  int opposite = -1;  ///< −1: it leaves the surface, or runs along its boundary
-  int end = -1;       ///< where it ends on the boundary with nothing on its right
+  int opposite = -1;  ///< same edge from its other end; −1: leaves the surface, or on the boundary
+  int end = -1;       ///< node at its other end if it runs along the boundary, −1 otherwise
 };
 
 /// Floor division.
@@ -46,7 +46,7 @@ class Extraction {
     for (std::size_t d = 0; d < darts_.size(); ++d) trace(static_cast<int>(d));
     for (std::size_t d = 0; d < darts_.size(); ++d) {
       const int o = darts_[d].opposite;
-      // Along a boundary a line is seen from one side only.
+      // An edge along the boundary has only one dart.
       if (o >= 0 && darts_[hgp::at(o)].opposite != static_cast<int>(d)) {
         if (darts_[hgp::at(o)].opposite >= 0) return noQuads("a grid line does not lead back");
         darts_[d].opposite = -1;
@@ -149,8 +149,8 @@ class Extraction {
     }
   }
 
-  /// The node at p in the closed face f, −1 when p is none; `on` is the halfedge or, at a vertex, the
-  /// halfedge leaving it, invalid inside.
+  /// The node at p in the closed face f, −1 if there is none. `on` is the halfedge on which p lies or, if p is a
+  /// vertex, the halfedge that leaves it; invalid inside f.
   struct Place {
     int node = -1;
     HalfedgeId on;
@@ -175,11 +175,11 @@ class Extraction {
     return {};
   }
 
-  /// Directions of face f from `start` (inside) up to `end` (not inside), counterclockwise; both are
-  /// less than, or exactly, half a turn apart.
+  /// Adds the darts in the grid directions of face f from `start` (included) to `end` (excluded), counterclockwise.
+  /// @pre `start` and `end` are at most half a turn apart
   void addDarts(int node, FaceId f, const LatticePoint& p, const LatticePoint& start,
                 const LatticePoint& end) {
-    // At most two directions lie in less than, or exactly, half a turn with one end left out.
+    // At most two grid directions lie in a half-open range of at most half a turn.
     int first = -1, second = -1;
     for (int d = 0; d < 4; ++d) {
       if (!isBetween(start, lattice_.step(d), end)) continue;
@@ -247,8 +247,8 @@ class Extraction {
     return -1;
   }
 
-  /// Walks one unit through the faces just left of the line: what lies on it counts as right of it, so
-  /// that lines through vertices and along edges are no special cases.
+  /// Walks one unit through the faces just left of the line: points on the line count as right of it, so
+  /// that lines through vertices and along edges are not special cases.
   void trace(int dart) {
     FaceId f = darts_[hgp::at(dart)].face;
     LatticePoint p = darts_[hgp::at(dart)].at;
@@ -279,8 +279,8 @@ class Extraction {
     return crossSign(step, {c.u - p.u, c.v - p.v}) > 0;
   }
 
-  /// The dart that leaves q backwards. The faces just left of the line hold it strictly, or have it
-  /// as the last ray of their corner: then it belongs to the next face.
+  /// Finds the dart that leaves q in the opposite direction. It lies strictly inside the face just left of the line,
+  /// or on the last ray of that face's corner: then it belongs to the next face.
   void arrive(Dart& dart, FaceId f, const LatticePoint& q, int back) const {
     const Place place = placeOf(f, q);
     if (place.node < 0) return;
@@ -334,7 +334,7 @@ class Extraction {
     return Done{};
   }
 
-  /// Grid points of cells that the boundary cuts.
+  /// Removes grid points that belong only to cells cut by the boundary.
   void dropUnused() {
     std::vector<int> name(out_.positions.size(), -1);
     int count = 0;
@@ -362,8 +362,8 @@ class Extraction {
   PerFace<std::vector<PointId>> facePoints_;
   std::vector<Dart> darts_;
   std::vector<std::vector<int>> around_;  ///< per node: its darts, counterclockwise
-  std::vector<int> place_;                ///< per dart: its place there
-  std::vector<char> isClosed_;            ///< per node: the surface goes all the way round
+  std::vector<int> place_;                ///< per dart: its index in `around_`
+  std::vector<char> isClosed_;  ///< per node: whether it is an interior point of the surface
   QuadMesh out_;
 };
 

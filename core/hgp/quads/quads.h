@@ -1,5 +1,5 @@
-// The quad mesh of an aligned map.  Role: carries grid points, unit edges and cells of the plane back
-// to the surface, in exact integers.
+// The quad mesh of an aligned map.  Role: transfers grid points, unit edges and cells of the plane to the
+// surface, in exact integer arithmetic.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace hgp {
 
-/// Some 600 bytes are used for each.
+/// Maximum number of quads; each needs about 600 bytes while they are extracted.
 inline constexpr int kMaxQuads = 3'000'000;
 
 struct QuadMesh {
@@ -19,7 +19,7 @@ struct QuadMesh {
   std::vector<Vec3> normals;              ///< of the input surface, unit length
   std::vector<std::array<int, 4>> quads;  ///< counterclockwise
   std::vector<int> coneVertex;  ///< per vertex: the surface vertex of its cone, −1 elsewhere
-  int clipped = 0;              ///< cells that the boundary cuts: left out
+  int clipped = 0;              ///< cells that the boundary cuts; they are left out
 };
 
 /// Extracts the unit grid of a map for q = 2 or 4 whose translations and cones are Gaussian integers

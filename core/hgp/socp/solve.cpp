@@ -40,7 +40,7 @@ constexpr double kStalledCertificateShare = 1e-3;
 constexpr int kSettled = 16, kLookBack = 6;
 constexpr double kStuck = 0.96;
 
-/// The largest α ≤ 1 such that point + α step keeps this share of its way to the cones' boundaries.
+/// The largest step length α ≤ 1 that is at most this fraction of the step to the cones' boundaries.
 double reach(const Iterate& point, const Iterate& step, double share) {
   double alpha = 1.0 / share;
   for (std::size_t b = 0; b < point.s.size(); ++b) {
@@ -89,11 +89,11 @@ class InteriorPoint {
   }
 
  private:
-  /// Measures the point, and remembers the best.
+  /// Measures the current point and stores it if it is the best so far.
   void look() {
     residuals_ = residualsAt(p_, point_, scaleH_);
     if (firstComplement_ < 0.0) firstComplement_ = residuals_.complement;
-    // The objective may be exactly zero (a q-CCM exists): then the gap counts against its start.
+    // The objective may be exactly zero (a q-CCM exists), so the gap is also compared with its initial value.
     gap_ = residuals_.complement /
            std::max({std::abs(residuals_.objective), 1e-3 * firstComplement_, 1e-300});
     measure_ = std::max({residuals_.primal / o_.primal, residuals_.dual / o_.dual, gap_ / o_.gap});

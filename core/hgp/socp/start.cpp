@@ -7,11 +7,11 @@
 namespace hgp::socp {
 namespace {
 
-/// A start that misses a cone by this many times |h| is drawn closer to all of them first.
+/// If the start is outside a cone by more than this multiple of |h|, ρ is increased, which moves it towards the cones.
 constexpr double kFarOutside = 30.0;
 
 struct Unconstrained {
-  std::optional<Iterate> point;  ///< where it fulfils all constraints
+  std::optional<Iterate> point;  ///< set if it satisfies all constraints
   double stiffness = 1.0;        ///< xᵀHx / |F x|²
 };
 
@@ -41,7 +41,7 @@ Unconstrained minimiser(const Problem& problem, const SolveOptions& targets, dou
   return result;
 }
 
-/// With this ρ; `miss` is how far s had to be pushed.
+/// The starting point for this ρ; `miss` is the distance by which s had to be moved into the cones.
 Iterate drawnCloser(const Problem& problem, NewtonSystem& system, double rho, double scaleH,
                     double& miss) {
   const std::size_t count = problem.constraints.size();

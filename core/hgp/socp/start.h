@@ -1,4 +1,4 @@
-// Where the interior-point method starts.
+// The starting point of the interior-point method.
 #pragma once
 
 #include "hgp/socp/newton_system.h"

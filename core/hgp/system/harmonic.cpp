@@ -5,7 +5,7 @@
 namespace hgp {
 namespace {
 
-/// Translations cancel against themselves along a chain; only rounding is left of them.
+/// The two terms of a translation cancel along its chain; smaller sums are rounding errors.
 constexpr double kMinWeight = 1e-14;
 
 }  // namespace

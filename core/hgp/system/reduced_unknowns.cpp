@@ -8,7 +8,7 @@
 namespace hgp {
 namespace {
 
-/// Below it a sum of unit numbers has cancelled.
+/// A smaller sum of numbers of absolute value 1 is a rounding error of 0.
 constexpr double kMinSum = 1e-13;
 
 /// z = e^{i2π turn/q} z_v + Σ factor · t
@@ -53,7 +53,7 @@ class Reducer {
     const Complex R = rotation(r, seams_.q);
     CopyValue to{reduceTurn(from.turn + r, seams_.q), from.shift};
     for (TranslationTerm& t : to.shift) t.factor *= R;
-    // The chain's own law is z_right = R_c z_left + t_c.
+    // The relation of a chain is z_right = R_c z_left + t_c.
     to.shift.push_back({chain, isLeft_[out] ? -R : Complex(1.0)});
     return to;
   }

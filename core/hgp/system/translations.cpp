@@ -9,9 +9,9 @@
 namespace hgp {
 namespace {
 
-/// Coefficients are sums of few unit numbers; what is below this has cancelled.
+/// Coefficients are sums of a few numbers of absolute value 1; a smaller one is a rounding error of 0.
 constexpr double kCancelled = 1e-9;
-/// A pivot this much smaller than the row's largest coefficient would lose digits.
+/// Minimum size of a pivot relative to the row's largest coefficient, to limit rounding errors.
 constexpr double kMinPivot = 0.3;
 
 using Row = std::map<int, Complex>;

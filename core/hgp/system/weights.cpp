@@ -8,7 +8,7 @@
 namespace hgp {
 namespace {
 
-/// tan(α/2) grows without bound at flat corners; beyond this one vertex would rule its neighbour.
+/// tan(α/2) tends to infinity at flat corners; the bound limits the weight of a single neighbour.
 constexpr double kLargestHalfTangent = 1e3;
 constexpr double kMinHalfTangent = 1e-6;
 

@@ -14,7 +14,7 @@ namespace hgp::io {
 
 namespace {
 
-/// What stands at s, finite or not; nullptr where that is no number. fast_float reads "1e" as 1.
+/// Parses the number at s, finite or not, and returns its end; nullptr if there is none. fast_float reads "1e" as 1.
 const char* parse(const char* s, const char* end, double& value) {
   const auto answer = fast_float::from_chars(s, end, value);
   const bool isCut = answer.ptr != end && (*answer.ptr == 'e' || *answer.ptr == 'E');
@@ -24,7 +24,7 @@ const char* parse(const char* s, const char* end, double& value) {
 }  // namespace
 
 bool readDouble(const char*& p, const char* end, double& out) {
-  // fast_float knows no plus sign and takes "nan" and "inf".
+  // fast_float does not accept a plus sign, but accepts "nan" and "inf".
   const char* s = p != end && *p == '+' ? p + 1 : p;
   const char* digits = p != end && *p == '-' ? p + 1 : s;
   if (digits == end || !(isDigit(*digits) || *digits == '.')) return false;

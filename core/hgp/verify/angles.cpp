@@ -13,8 +13,8 @@ Vec2 subtract(const Vec2& a, const Vec2& b) { return {a[0] - b[0], a[1] - b[1]};
 
 double largest(const Vec2& a) { return std::max(std::fabs(a[0]), std::fabs(a[1])); }
 
-/// The angle between two vectors. Each coordinate carries one rounding, so the result is good to a
-/// few 1e-16 absolutely, however thin the triangle is.
+/// The angle between two vectors. Each coordinate has one rounding error, so the absolute error is a
+/// few 1e-16, however thin the triangle is.
 double angleBetween(const Vec2& a, const Vec2& b) {
   return portable::atan2(std::fabs(a[0] * b[1] - a[1] * b[0]), a[0] * b[0] + a[1] * b[1]);
 }
@@ -31,12 +31,11 @@ double angleBetweenAny(const Vec2& p, const Vec2& q) {
   return angleBetween(a, b);
 }
 
-/// Sides above this have products far from underflow; overflow is out of reach because maps are brought
+/// Products of sides above this are far from underflow. They cannot overflow, because maps are scaled
 /// to ordinary size before they are measured.
 constexpr double kSafeLength = 1e-120;
 
-/// The integer n with 2πn/q nearest to an angle; far beyond int only for nonsense, which the cast must
-/// survive.
+/// The integer n with 2πn/q nearest to an angle, clamped so that the cast is defined even for meaningless angles.
 int nearestTurn(double angle, int q) {
   return static_cast<int>(std::clamp(std::nearbyint(angle * q / (2.0 * kPi)), -2e9, 2e9));
 }

@@ -64,9 +64,9 @@ PerHalfedge<double> computeUvAngles(const TriMesh& mesh, const CornerUv& uv);
 /// The prescribed angles.
 struct AskedAngles {
   int q = 4;
-  PerVertex<int> k;               ///< per vertex; q where regular
-  PerVertex<char> isCone;         ///< 1 where a cone is prescribed
-  bool isAnyConeAllowed = false;  ///< where isCone = 0, every measured k ≥ 1 is accepted
+  PerVertex<int> k;                         ///< per vertex; q where regular
+  PerVertex<char> isCone;                   ///< 1 where a cone is prescribed
+  bool isAnyConeAllowed = false;            ///< if isCone = 0, every measured k ≥ 1 is accepted
   std::vector<std::optional<int>> turning;  ///< per loop
 };
 

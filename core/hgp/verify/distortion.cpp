@@ -12,7 +12,7 @@
 namespace hgp {
 namespace {
 
-/// Of an area that is a smaller part of its two products, rounding took more than a millionth.
+/// An area below this fraction of its two products may have a relative rounding error above 1e-6.
 constexpr double kCancelled = 1e-9;
 
 /// One triangle's numbers before the global scale is known.
@@ -52,7 +52,7 @@ TriangleMap measureTriangle(const TriMesh& mesh, FaceId f, double scale, const C
   const double base = std::sqrt(dot(ab, ab)), twiceArea = std::sqrt(dot(cross, cross));
   TriangleMap t;
   t.face = f;
-  // What has no area on the surface has no distortion.
+  // Distortion is not defined for triangles without area on the surface.
   if (!(twiceArea > 0.0) || hasNoArea(mesh.position(a), mesh.position(b), mesh.position(c)))
     return t;
 
@@ -81,7 +81,7 @@ TriangleMap measureTriangle(const TriMesh& mesh, FaceId f, double scale, const C
   return t;
 }
 
-/// Smallest value such that values up to it hold `share` of all weight; reorders the pairs. Linear.
+/// The smallest value such that values up to it have the fraction `share` of all weight; reorders the pairs. Linear.
 double weightedQuantile(std::vector<std::pair<double, double>>& valueWeight, double share) {
   double total = 0.0;
   for (const auto& [value, weight] : valueWeight) total += weight;
@@ -118,7 +118,7 @@ struct Sums {
   }
 };
 
-/// Everything that needs the best global scale of the logarithms, or an order of the triangles.
+/// The measurements that need the best global scale of areas or an order of the triangles.
 void measureSpread(const std::vector<TriangleMap>& triangles, const Sums& sums,
                    DistortionFacts& facts) {
   double squares = 0.0, smallestScale = DBL_MAX, smallestArea = DBL_MAX;

@@ -5,8 +5,8 @@
 namespace hgp {
 namespace {
 
-/// a + b without rounding: high is the rounded sum, low what it lacks. Two sums are equal as real
-/// numbers exactly when both parts are, since `high` is a function of the real number.
+/// a + b without rounding: `high` is the rounded sum, `low` its error. Two sums are equal as real
+/// numbers if and only if both parts are equal, since `high` is a function of the real number.
 struct Sum {
   double high, low;
 };

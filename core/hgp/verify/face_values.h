@@ -7,11 +7,11 @@
 
 namespace hgp {
 
-/// Of every stored triangle, in the file's order, as it is wound there.
+/// Values for every stored triangle, in the order and with the orientation of the file.
 struct FaceValues {
   std::vector<float> stretch;  ///< σ₁ / σ₂ ≥ 1 of the derivative; 1 keeps angles
   std::vector<float> logArea;  ///< log₂ of |uv area| / area, less that of all triangles together
-  std::vector<int> notPositive;        ///< exactly, ascending: folded over, or of no area
+  std::vector<int> notPositive;        ///< by exact sign, ascending: flipped or without area
   double surfaceArea = 0, uvArea = 0;  ///< of all, absolute values
 };
 
@@ -21,7 +21,7 @@ FaceValues measureFaces(const MeshData& mesh, const UvMap& map);
 struct OverlapPairs {
   long long pairs = 0;         ///< of triangles that share area and no uv
   std::vector<int> triangles;  ///< in some pair, ascending
-  bool isMore = false;         ///< counting stopped
+  bool isMore = false;         ///< counting stopped early: there are more pairs
 };
 
 /// Local injectivity allows distant parts to overlap. Neighbours, which share a uv, do not count, nor do parts

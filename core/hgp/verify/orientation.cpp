@@ -140,8 +140,8 @@ int orientationSign(const Vec2& a, const Vec2& b, const Vec2& c) {
   const double left = (b[0] - a[0]) * (c[1] - a[1]);
   const double right = (b[1] - a[1]) * (c[0] - a[0]);
   const double det = left - right;
-  // A product that underflows is off by less than DBL_MIN; one that overflows makes the bound
-  // infinite, or det not a number, and both comparisons false.
+  // A product that underflows has an error below DBL_MIN; one that overflows makes the bound infinite
+  // or det NaN, and then both comparisons are false.
   const double bound = kFilter * (std::fabs(left) + std::fabs(right)) + 2 * DBL_MIN;
   if (det > bound) return 1;
   if (det < -bound) return -1;

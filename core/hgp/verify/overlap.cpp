@@ -81,7 +81,7 @@ class Grid {
     return static_cast<int>(std::clamp(std::ceil(x - 0.5), 0.0, static_cast<double>(size_)));
   }
 
-  /// From the lower end, whichever way the triangle runs: both neighbours get the same number.
+  /// Computed from the lower end, whatever the orientation, so that both neighbours get the same number.
   static std::optional<double> crossing(Vec2 a, Vec2 b, double y) {
     if ((a[1] > y) == (b[1] > y)) return {};
     if (b[1] < a[1]) std::swap(a, b);

@@ -12,7 +12,7 @@ namespace {
 
 using Corners = std::array<Vec2, 3>;
 
-/// Whether an edge of s has all of t on its outer side, but for `slack`.
+/// Whether all of t is on the outer side of an edge of s, up to `slack`.
 bool isSeparated(const Corners& s, const Corners& t, double slack) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec2 &a = s[k], &b = s[(k + 1) % 3], &c = s[(k + 2) % 3];

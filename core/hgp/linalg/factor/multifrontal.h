@@ -27,7 +27,7 @@ class MultifrontalCholesky {
 
   /// Fixes the elimination. `tree` orders exactly the unknowns of `pattern`.
   void analyze(const Graph& pattern, const SeparatorTree& tree);
-  /// Takes an analysis made earlier or shared with another matrix of the same pattern.
+  /// Uses an earlier analysis, or one shared with another matrix of the same pattern.
   void analyze(std::shared_ptr<const SymbolicFactor> symbolic);
 
   /// Factors A, stored in full (both triangles; only one of each mirrored pair is read), its

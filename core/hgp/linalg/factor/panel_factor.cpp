@@ -123,7 +123,7 @@ void PanelFactor<Scalar>::extendAdd(int child, const Contribution<Scalar>& from,
                          : complementTo + static_cast<std::size_t>(column - pivots) * rows - pivots;
     const Scalar* source = values + static_cast<std::size_t>(j) * count;
     int i = j;
-    while (i < count) {  // runs of consecutive rows, so that the additions vectorise
+    while (i < count) {  // ranges of consecutive rows, so that the additions vectorise
       const int shift = local[childRows[i]] - i;
       int end = i + 1;
       while (end < count && local[childRows[end]] - end == shift) ++end;

@@ -1,4 +1,4 @@
-// Supernodal elimination front by front.  Role: the engine under the Cholesky classes of this module.
+// Supernodal elimination front by front.  Role: the common part of the Cholesky classes of this module.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,14 +12,14 @@
 
 namespace hgp::linalg {
 
-/// A node's Schur complement onto its rows, r × r, column-major, lower triangle (above: anything).
+/// A node's Schur complement onto its rows, r × r, column-major, lower triangle (the upper one is undefined).
 template <class Scalar>
 struct Contribution {
-  std::unique_ptr<double[]> memory;  // not std::complex[], which would be zeroed
+  std::unique_ptr<double[]> memory;  // doubles, because an array of std::complex would be zeroed
   Scalar* values() const { return reinterpret_cast<Scalar*>(memory.get()); }
 };
 
-/// What the matrix adds to the front of node t. `local[p]` is the row of position p in that front:
+/// The entries of the matrix in the front of node t. `local[p]` is the row of position p in that front:
 /// 0 … s − 1 for the node's own pivots, s … s + r − 1 for its rows (valid for these positions only).
 template <class Scalar>
 struct FrontSource {

@@ -1,6 +1,6 @@
-// Triangular solves with one panel, a right-hand side at a time.  Role: loops whose order of additions is
-// written down, so that solutions have the same bits on every processor; Eigen's follow the widths of its
-// vectors, and its complex quotients the compiler.
+// Triangular solves with one panel, one right-hand side at a time.  Role: loops with a fixed order of additions,
+// so that solutions have the same bits on every processor; in Eigen the order depends on the vector width, and
+// complex quotients depend on the compiler.
 #pragma once
 
 #include <complex>

@@ -19,17 +19,17 @@ struct PartialCholeskyOptions {
   /// graph with separators of width 2 is found three times faster, see DissectionOptions). Cliques
   /// need not be respected by the tree: each is moved up to where it fits.
   const SeparatorTree* tree = nullptr;
-  /// Expected number of factor() calls; weighs static against dynamic work.
+  /// Expected number of factor() calls, which determines the balance of static and dynamic work.
   int iterations = 12;
   /// Touched unknowns are moved up to ancestors of at most this depth (0: all in one dense root;
   /// a large number: all stay in place). −1: chosen by operation counts.
   int delayDepth = -1;
-  /// Depths whose factors and caches would exceed this many bytes are not chosen, unless even the
-  /// leanest does (then up to 1.2 × the leanest).
+  /// Depths whose factors and caches would exceed this many bytes are not chosen, unless all do
+  /// (then those up to 1.2 times the smallest are allowed).
   double maxBytes = 1.5e9;
 };
 
-/// Solves with K = real(H) + Σ_b E_bᵀ D_b E_b, and everything around it, for
+/// Factors and solves with K = real(H) + Σ_b E_bᵀ D_b E_b, and related operations, for
 ///
 ///   minimise over x ∈ Cⁿ:  ½ xᴴ H x + Re(cᴴ x) + (convex terms in the touched unknowns)
 ///
@@ -52,17 +52,17 @@ class PartialCholesky {
 
   int size() const;
   int dynamicSize() const;
-  /// Place of an unknown in the reduced problem, −1 when it is static.
+  /// Index of an unknown in the reduced problem, −1 if it is static.
   int dynamicIndex(int unknown) const;
 
   /// c_d − H_du H_uu⁻¹ c_u: the linear term of the reduced problem (complex, dynamicSize()).
   Eigen::VectorXcd reduceLinear(const Eigen::VectorXcd& c) const;
   /// H̃ x, H̃ = H_dd − H_du H_uu⁻¹ H_ud in real form; 2·dynamicSize() → 2·dynamicSize().
   Eigen::VectorXd apply(const Eigen::VectorXd& x) const;
-  /// H̃ itself, complex, dynamicSize() squared: where few unknowns are dynamic.
+  /// H̃ as a dense complex matrix, dynamicSize() × dynamicSize(), for problems with few dynamic unknowns.
   Eigen::MatrixXcd reducedForm() const;
 
-  /// Factors H̃ + Σ blocks; the dynamic part only. blocks[b] is symmetric positive semidefinite,
+  /// Factors H̃ + Σ blocks, the dynamic part only. blocks[b] is symmetric positive semidefinite,
   /// 2m × 2m for a clique of m unknowns, rows in the clique's order. When a pivot is bad, retries
   /// with relative diagonal lifts (1e-13, 1e-11, 1e-9); not ok when all fail.
   FactorStatus factor(const std::vector<Eigen::MatrixXd>& blocks);
@@ -78,7 +78,7 @@ class PartialCholesky {
   /// The full minimiser: dynamic unknowns as given, static ones −H_uu⁻¹ (c_u + H_ud x_d).
   Eigen::VectorXcd extend(const Eigen::VectorXd& xd, const Eigen::VectorXcd& c) const;
 
-  /// What was chosen, for reports and tests.
+  /// What build() chose, for reports and tests.
   struct Report {
     int delayDepth = 0;
     FactorCost staticCost;   ///< complex, once

@@ -1,5 +1,5 @@
-// The part of a partial Cholesky that changes: real fronts refilled and refactored.  Role: what an
-// interior-point iteration pays for.
+// The changing part of a partial Cholesky factorization: real fronts, assembled and factored again.  Role: the cost
+// of an interior-point iteration.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,7 +18,7 @@ class ReducedSystem {
  public:
   using ComplexSparse = Eigen::SparseMatrix<std::complex<double>>;
 
-  /// Takes over the complements that the static elimination left (by node of `full`).
+  /// Takes ownership of the complements left by the static elimination (by node of `full`).
   void build(const SymbolicFactor& full, const ComplexSparse& H, const Cliques& cliques,
              std::vector<Contribution<std::complex<double>>> complements);
 

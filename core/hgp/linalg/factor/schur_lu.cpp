@@ -75,7 +75,7 @@ double addColumn(const Matrix& A, int unknown, int position, const SymbolicFacto
   return diagonal;
 }
 
-// A child's complement into the front: its pivot columns to L, its pivot rows (conjugated) to U, the
+// Adds a child's complement to the front: its pivot columns to L, its pivot rows (conjugated) to U, the
 // rest to the complement. Rows ascend, so the first `inner` of them are the pivots.
 void extendAdd(const int* childRows, int count, const Complex* values,
                const std::vector<int>& local, bool toPanels, Front* front) {
@@ -126,7 +126,7 @@ void SchurLu::State::addToSchur(int t, const Complex* complement) {
       schur(keptAt[rows[i]], keptAt[rows[j]]) += complement[static_cast<std::size_t>(j) * r + i];
 }
 
-// Pivot columns of A and of Aᴴ into the front's zeroed panels.
+// Copies the pivot columns of A and of Aᴴ to the front's zeroed panels.
 void SchurLu::State::fillPanels(int t, const SparseRows& A, const SparseColumns& columns,
                                 const std::vector<int>& local, Front* front,
                                 std::vector<double>* threshold) const {

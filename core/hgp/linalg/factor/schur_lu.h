@@ -1,5 +1,5 @@
-// Eliminating complex rows exactly, down to a dense Schur complement.  Role: harmonic rows that hold
-// exactly; what is left lives on a few kept unknowns.
+// Elimination of complex rows down to a dense Schur complement.  Role: harmonic rows that hold
+// exactly; the remaining problem has only the few kept unknowns.
 #pragma once
 
 #include <Eigen/Core>
@@ -30,13 +30,13 @@ class SchurLu {
   SchurLu(SchurLu&&) noexcept;
   SchurLu& operator=(SchurLu&&) noexcept;
 
-  /// @param A     n × n; rows of kept unknowns may be anything, also empty
-  /// @param kept  distinct unknowns, at any place of the tree; S is dense over them
+  /// @param A     n × n; rows of kept unknowns are arbitrary and may be empty
+  /// @param kept  distinct unknowns, anywhere in the tree; S is dense over them
   /// @param tree  orders the unknowns (dissect the graph of A: width 1)
   /// @return not ok with the unknown whose pivot is not above kPivotTolerance × |A_jj|
   FactorStatus build(const SparseRows& A, const std::vector<int>& kept, const SeparatorTree& tree);
 
-  /// Costs and memory before doing it: complex multiply-adds (LU: twice Cholesky's) and entries.
+  /// Estimates the cost of build(): complex multiply-adds (twice those of Cholesky) and entries.
   static FactorCost estimate(const Graph& pattern, const std::vector<int>& kept,
                              const SeparatorTree& tree);
 

@@ -24,13 +24,13 @@ std::vector<int> inverse(const std::vector<int>& permutation) {
   return result;
 }
 
-// Nodes under construction: runs of columns of the first postordering, merged upwards.
+// Nodes under construction: ranges of columns of the first postordering, merged upwards.
 struct NodeForest {
   std::vector<int> firstColumn;  // node t is columns firstColumn[t] … firstColumn[t + 1] − 1
   std::vector<int> parent;
   std::vector<char> dynamic;
   std::vector<int> pivots, height;  // after merging: s and s + r
-  std::vector<int> mergedInto;      // −1 while a node stands for itself
+  std::vector<int> mergedInto;      // −1 for a node that has not been merged
 };
 
 struct ColumnForest {
@@ -83,7 +83,7 @@ NodeForest fundamentalNodes(const ColumnForest& f) {
   return nodes;
 }
 
-// Bottom up: each node absorbs those children whose merging saves time, tallest child first.
+// Bottom up: each node absorbs the children whose merging saves time, tallest child first.
 void amalgamate(NodeForest* nodes) {
   const int count = static_cast<int>(nodes->parent.size());
   std::vector<std::vector<int>> children(static_cast<std::size_t>(count));
@@ -114,7 +114,7 @@ void numberNodes(const ColumnForest& f, const NodeForest& nodes, SymbolicFactor*
     members[head[t]].push_back(t);
     up[t] = up[t] < 0 ? -1 : head[up[t]];
   }
-  // Merged nodes hang below their head as leaves, so one postorder visits every head in turn.
+  // Merged nodes become leaves below the node that absorbed them, so one postorder visits all of these in order.
   const std::vector<int> visited = postorder(up);
   std::vector<int> name(static_cast<std::size_t>(count), -1);
   out->nodeStart.push_back(0);
@@ -179,7 +179,8 @@ SymbolicFactor analyze(const Graph& pattern, const std::vector<int>& order,
 
 FactorCost factorCost(const SymbolicFactor& symbolic, int dynamicClass) {
   FactorCost cost;
-  std::vector<std::int64_t> waiting(symbolic.parent.size(), 0);  // contributions held for a node
+  std::vector<std::int64_t> waiting(symbolic.parent.size(),
+                                    0);  // entries of contributions to a node
   std::int64_t live = 0, peak = 0;
   for (int t = 0; t < symbolic.nodeCount(); ++t) {
     if (dynamicClass >= 0 && symbolic.dynamicNode[t] != dynamicClass) continue;

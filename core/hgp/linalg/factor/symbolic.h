@@ -1,4 +1,4 @@
-// Symbolic factorization: who fills in, how much it costs.  Role: decides before doing.
+// Symbolic factorization: the structure of the factor and its cost.  Role: planning before numbers are computed.
 #pragma once
 
 #include <cstdint>

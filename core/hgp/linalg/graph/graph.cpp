@@ -8,7 +8,7 @@
 namespace hgp::linalg {
 namespace {
 
-// Bucket sort of half-edges followed by removal of repeats within each list.
+// Bucket sort of half-edges, followed by removal of duplicates within each list.
 Graph graphFromLists(int n, const std::vector<int>& count, const auto& forEachEdge) {
   Graph g;
   g.start.assign(static_cast<std::size_t>(n) + 1, 0);

@@ -1,4 +1,4 @@
-// Undirected graphs as adjacency lists.  Role: what the orderings and the symbolic analysis see.
+// Undirected graphs as adjacency lists.  Role: input of the orderings and the symbolic analysis.
 #pragma once
 
 #include <Eigen/SparseCore>

@@ -1,4 +1,4 @@
-// The dense inner loops.  Role: the only code that is compiled per instruction set; everything else
+// The dense inner loops.  Role: the only code that is compiled once per instruction set; all other code
 // calls it through a table of functions.
 #pragma once
 
@@ -24,8 +24,8 @@ struct KernelTable {
   void (*updateComplex)(const Update& task, double* work);
 
   /// Factors the first `pivots` columns of a tall panel (rows ≥ pivots) in place: the top square
-  /// becomes L11 (lower; above it anything), the rest L21 = A21 L11⁻ᴴ. Stops at the first pivot that
-  /// is not > threshold[j] and returns j; −1 when all went well.
+  /// becomes L11 (lower; undefined above), the rest L21 = A21 L11⁻ᴴ. Stops at the first pivot that
+  /// is not > threshold[j] and returns j; −1 on success.
   int (*factorPanelReal)(int rows, int pivots, double* panel, int ld, const double* threshold,
                          double* work);
   int (*factorPanelComplex)(int rows, int pivots, double* panel, int ld, const double* threshold,
@@ -44,13 +44,14 @@ inline constexpr int kPackCols = 1024;  // columns of Bᴴ packed at a time
 inline constexpr std::size_t kKernelWorkspace =
     static_cast<std::size_t>(kPackRows + kPackCols + 64) * kPackDepth;
 
-/// The fastest table this processor can run; chosen at the first call.
+/// The fastest table that this processor can run; chosen at the first call.
 const KernelTable& kernels();
 
-/// From now on the baseline's, whose results are the same everywhere: no fused multiply-add.
+/// Makes kernels() return the baseline table from now on; its results are the same everywhere, because it has no fused
+/// multiply-add.
 void useBaselineKernels(bool isAsked);
 
-/// In ISO C++ alone, the same numbers as the baseline's bit for bit; null in WebAssembly, where every
+/// Kernels in ISO C++ only, with bit for bit the same results as the baseline; null in WebAssembly, where every
 /// compiler has vectors.
 const KernelTable* plainKernels();
 /// The table of each build, null where this program was compiled without that instruction set. Only

@@ -10,7 +10,7 @@ namespace {
 typedef double V __attribute__((vector_size(64)));
 constexpr int kWidth = 8, kTileVectors = 3, kTileCols = 8;
 inline V multiplyAdd(V a, V b, V c) { return _mm512_fmadd_pd(a, b, c); }
-// With a mask of all ones: the form without one reads an undefined vector in the headers of GCC.
+// With a mask of all ones, because the form without a mask reads an undefined vector in GCC's headers.
 inline V swapPairs(V a) { return _mm512_mask_permute_pd(a, 0xff, a, 0x55); }
 inline V pairSigns() { return V{1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0, -1.0}; }
 

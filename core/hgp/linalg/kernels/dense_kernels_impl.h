@@ -1,12 +1,12 @@
 // Body of the dense kernels.  Role: included once by each dense_kernels_<set>.cpp after it has
 // defined, in an unnamed namespace, the vector type of its instruction set:
 //   V, kWidth (doubles in V), kTileVectors × kTileCols (register tile), multiplyAdd(a, b, c) = a b + c.
-// budget: one body for every instruction set; splitting it would hide that it is one.
+// budget: one body for all instruction sets, included as a whole.
 // Everything here has internal linkage and uses no library templates, so that nothing compiled for
 // one instruction set can be picked by the linker for another.
 #include "hgp/linalg/kernels/dense_kernels.h"
 
-// Builtins where there are some: <cmath> has inline functions, which the linker could take from here.
+// Builtins if available: the linker could use the inline functions of <cmath> compiled here for the whole program.
 #if defined(__GNUC__) && !defined(HGP_PORTABLE)
 #define HGP_UNROLL _Pragma("GCC unroll 8")
 #define HGP_ALWAYS_INLINE inline __attribute__((always_inline))
@@ -188,7 +188,7 @@ int factorCorner(int n, double* P, std::ptrdiff_t ld, const double* threshold) {
   return -1;
 }
 
-// What row solves multiply each finished column by: a real number, a complex one, or nothing.
+// The factor by which row solves multiply each finished column: real, complex, or none.
 enum class Scale { kReal, kComplex, kNone };
 
 // Rows x of a panel below its corner L: x := x L⁻ᴴ, `kBlock` vectors of rows at a time. `scale` holds
@@ -222,7 +222,7 @@ inline void solveRows(int n, const double* L, std::ptrdiff_t ld, const double* s
   }
 }
 
-// The same for the last few doubles, fewer than a vector.
+// The same for the remaining doubles, fewer than a vector.
 template <bool kComplex, Scale kScale>
 void solveTail(int count, int n, const double* L, std::ptrdiff_t ld, const double* scale,
                double* x) {
@@ -253,7 +253,7 @@ void solveTail(int count, int n, const double* L, std::ptrdiff_t ld, const doubl
     }
 }
 
-// The rows from `row` on, all below the corner L.
+// Solves the rows from `row` on, all below the corner L.
 template <bool kComplex, Scale kScale>
 void solveBelow(int row, int rows, int n, const double* L, std::ptrdiff_t ld, const double* scale,
                 double* P) {
@@ -277,7 +277,7 @@ int factorBase(int rows, int n, double* P, std::ptrdiff_t ld, const double* thre
   return -1;
 }
 
-// Halves the columns, so that nearly all work is products of great depth.
+// Factors by halves of the columns, so that nearly all work is in matrix products of great depth.
 template <bool kComplex>
 int factorPanel(int rows, int pivots, double* P, int ld, const double* threshold, double* work) {
   constexpr int kStep = kComplex ? 2 : 1;

@@ -9,7 +9,7 @@
 
 namespace hgp::linalg {
 
-/// Scalars as the kernels take them: complex numbers as pairs.
+/// Scalars in the form that the kernels expect: complex numbers as pairs of doubles.
 inline double* raw(double* p) { return p; }
 inline double* raw(std::complex<double>* p) { return reinterpret_cast<double*>(p); }
 

@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kCoarsest = 48;    // small enough for several trial cuts
 constexpr int kTrials = 3;       // greedy growths tried on the coarsest graph,
-constexpr int kTrialsLarge = 8;  // and for parts of more than kLarge vertices, where cuts matter
-constexpr int kLarge = 4000;     // most and trials cost least
+constexpr int kTrialsLarge = 8;  // and for parts of more than kLarge vertices, whose cuts matter
+constexpr int kLarge = 4000;     // most and for which trials cost relatively little
 constexpr int kMaxPasses = 4;    // FM passes per level; they stop when nothing improves
 
 struct Move {
@@ -252,7 +252,7 @@ std::vector<char> bestSmallCut(const WeightedGraph& g, double imbalance, int wan
   return best;
 }
 
-// Carries sides to the finer level; returns the vertices that may lie on its boundary.
+// Transfers the sides to the finer level; returns the vertices that may lie on the boundary there.
 std::vector<int> project(const CoarseLevel& level, const std::vector<char>& coarseSide,
                          const std::vector<int>& coarseBoundary, std::vector<char>* side) {
   std::vector<char> marked(coarseSide.size(), 0);

@@ -1,4 +1,4 @@
-// Cutting a graph in two halves.  Role: the inner loop of nested dissection.
+// Bisection of a graph.  Role: the inner loop of nested dissection.
 #pragma once
 
 #include <vector>
@@ -8,12 +8,12 @@
 
 namespace hgp::linalg {
 
-/// A part of a larger graph: `vertex` names the part's vertices there.
+/// A part of a larger graph; `vertex` has the ids of the part's vertices there.
 struct Part {
   WeightedGraph graph;
   std::vector<int> vertex;
   std::vector<CoarseLevel> levels;  ///< ever coarser copies; a part may inherit them from its whole
-  int inherited = 0;                ///< how many times they were
+  int inherited = 0;                ///< number of generations since they were computed
 };
 
 /// Side 0 or 1 of every vertex such that the weight of the edges across is small and neither side
@@ -22,8 +22,8 @@ struct Part {
 /// Deterministic. A graph of fewer than two vertices leaves side 1 empty. Completes part->levels.
 std::vector<char> bisect(Part* part, double imbalance);
 
-/// The vertices of one side. Coarser copies are cut along and inherited for a few generations, which
-/// is much cheaper than coarsening afresh.
+/// The vertices of one side. Coarser copies are split as well and inherited for a few generations, which
+/// is much cheaper than coarsening again.
 Part subPart(const Part& whole, const std::vector<char>& side, char which);
 
 /// The smallest set that meets every pair (a on side 0, b on side 1) at distance ≤ width in the whole

@@ -9,8 +9,8 @@ namespace {
 
 constexpr int kWindow = 1024;
 
-// Heaviest edge first; among equals the lighter partner, which keeps clusters even. One comparison of
-// a combined score, because branches on mesh data are never predicted.
+// The partner across the heaviest edge; among equal edges the lighter partner, which keeps clusters even. One
+// comparison of a combined score, because branches on mesh data are mispredicted.
 int bestPartner(const WeightedGraph& g, int v, const std::vector<int>& cluster, int maxWeight) {
   int best = -1;
   std::int64_t bestScore = -1;
@@ -27,8 +27,8 @@ int bestPartner(const WeightedGraph& g, int v, const std::vector<int>& cluster, 
   return best;
 }
 
-// The order of matching: shuffled, because regular orders make long thin clusters; within windows,
-// because a full shuffle would miss the cache.
+// The order of matching: shuffled, because regular orders lead to long thin clusters, but only within windows,
+// because a full shuffle causes cache misses.
 std::vector<int> visitingOrder(int n) {
   std::vector<int> visit(static_cast<std::size_t>(n));
   for (int v = 0; v < n; ++v) visit[v] = v;
@@ -85,11 +85,11 @@ CoarseLevel coarsen(const WeightedGraph& fine, int maxWeight) {
   // one spare entry beyond what is kept
   g.neighbours.resize(fine.neighbours.size() + 2);
   g.edgeWeight.resize(fine.neighbours.size() + 2);
-  std::vector<int> slot(static_cast<std::size_t>(n), -1);  // where c's list holds a neighbour
+  std::vector<int> slot(static_cast<std::size_t>(n), -1);  // index of a neighbour in c's list
   int out = 0;
   for (int c = 0; c < n; ++c) {
     const int begin = out;
-    slot[c] = out++;  // edges inside the cluster gather here and are dropped at the end
+    slot[c] = out++;  // collects the edges inside the cluster, which are dropped at the end
     g.edgeWeight[begin] = 0;
     g.vertexWeight[c] = 0;
     for (int k = 0; k < 2; ++k) {

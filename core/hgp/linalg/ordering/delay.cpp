@@ -9,7 +9,7 @@ namespace {
 // Flop-equivalents per number moved while assembling, and per node: only ratios matter.
 constexpr double kMoveCost = 8.0;
 constexpr double kNodeCost = 2e4;
-// Inside a leaf, minimum degree leaves about this share of the dense work undone.
+// Inside a leaf, minimum degree saves about this fraction of the dense work.
 constexpr double kLeafSparsity = 0.3;
 
 double panelWork(double s, double r) { return s * s * s / 6 + s * s * r / 2 + s * r * r / 2; }
@@ -164,7 +164,7 @@ class DelayPlanner {
       least = std::min(least, estimates.back().bytes);
     }
     const double limit = std::max(options_.maxBytes,
-                                  1.2 * least);  // the static part alone may exceed what was asked
+                                  1.2 * least);  // the static part alone may exceed the limit
     int best = -1;
     for (int depth = 0; depth <= deepest; ++depth)
       if (estimates[depth].bytes <= limit &&

@@ -1,4 +1,4 @@
-// Where to eliminate the unknowns that change.  Role: trades work done once against work repeated.
+// Where to eliminate the unknowns that change.  Role: balances work done once and work repeated.
 #pragma once
 
 #include <vector>

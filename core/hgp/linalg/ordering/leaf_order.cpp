@@ -10,7 +10,7 @@ LeafOrder::LeafOrder(const Graph& graph, int width, int denseDegree)
       denseDegree_(denseDegree),
       local_(static_cast<std::size_t>(graph.size()), -1) {}
 
-// local_ names the leaf's vertices first, then its halo as it is met.
+// local_ numbers the leaf's vertices first, then those of its halo in the order in which they are found.
 std::vector<int> LeafOrder::order(const std::vector<int>& vertices) {
   std::vector<int> named = vertices;
   for (std::size_t i = 0; i < named.size(); ++i) local_[named[i]] = static_cast<int>(i);

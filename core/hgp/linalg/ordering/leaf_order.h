@@ -1,5 +1,5 @@
-// The order within one leaf of a dissection.  Role: minimum degree with the leaf's surroundings in
-// view; for dissections and for trees that were carried over from another graph.
+// The order within one leaf of a dissection.  Role: minimum degree that accounts for the leaf's
+// neighbourhood; for dissections and for trees taken from another graph.
 #pragma once
 
 #include <vector>

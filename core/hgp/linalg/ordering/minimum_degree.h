@@ -27,7 +27,7 @@ class BitGraph {
 };
 
 /// Eliminates vertices 0 … count − 1, fewest neighbours first (ties: smallest index); the others, the
-/// halo, stay and count as neighbours. Returns the elimination order; `graph` is used up.
+/// halo, remain and count as neighbours. Returns the elimination order; `graph` is modified.
 std::vector<int> minimumDegreeOrder(BitGraph* graph, int count);
 
 }  // namespace hgp::linalg

@@ -24,7 +24,7 @@ class Dissector {
     std::vector<int> dense;
     Part whole = wholeGraph(&dense);
     const int root = dissect(std::move(whole));
-    // Extreme vertices would spoil every cut; eliminated last they cost one row of each panel.
+    // Vertices of extreme degree would enlarge every cut; eliminated last, each costs one row of each panel.
     tree_.order.insert(tree_.order.end(), dense.begin(), dense.end());
     tree_.nodeStart.back() += static_cast<int>(dense.size());
     HGP_CHECK(root + 1 == tree_.nodeCount(), "root is node %d of %d", root, tree_.nodeCount());

@@ -21,12 +21,12 @@ struct SeparatorTree {
 struct DissectionOptions {
   /// 1: the matrix couples graph neighbours. 2: it also couples vertices at distance two (LᴴL when
   /// the graph is that of L): separators are then two vertices wide, at a third of the cost of
-  /// dissecting the squared graph. Every other width is refused (HGP_CHECK).
+  /// dissecting the squared graph. No other width is allowed (HGP_CHECK).
   int separatorWidth = 1;
   /// Parts of at most this many vertices are ordered by minimum degree. Larger is faster, with a
   /// little more fill; below about 50 nothing is gained.
   int leafSize = 200;
-  /// Larger part ÷ whole that a bisection may leave. Looser finds smaller separators.
+  /// Maximum fraction of the whole in the larger part of a bisection. Larger values allow smaller separators.
   double imbalance = 0.6;
   /// Weight of each vertex in that balance (copies at one vertex, say); empty means all 1.
   std::vector<int> vertexWeights = {};

@@ -3,8 +3,8 @@
 namespace hgp::linalg {
 namespace {
 
-constexpr int kGenerations = 3;  // then the clusters are too ragged
-constexpr int kFewest = 48;      // coarser copies than this serve nobody
+constexpr int kGenerations = 3;  // after that the clusters are too irregular
+constexpr int kFewest = 48;      // coarser copies are not needed
 
 // The subgraph of the vertices with name ≥ 0 (ascending names); vertex weights are left to the caller.
 WeightedGraph subGraph(const WeightedGraph& whole, const std::vector<int>& name, int count) {
@@ -26,8 +26,8 @@ WeightedGraph subGraph(const WeightedGraph& whole, const std::vector<int>& name,
   return g;
 }
 
-// What is left of a coarser copy: clusters with a surviving member, weighing what survives of them.
-// Edges keep their weight, which may count what was cut away: good enough to start from.
+// The rest of a coarser copy: clusters with a remaining member, with the weight of their remaining members.
+// Edges keep their weight, which may include removed edges; this suffices as a starting point.
 CoarseLevel subLevel(const CoarseLevel& whole, const WeightedGraph& finer, std::vector<int>* name) {
   CoarseLevel level;
   std::vector<int> coarseName(static_cast<std::size_t>(whole.graph.size()), -1);

@@ -12,8 +12,8 @@ struct CutPairs {
   std::vector<int> start{0}, partner;  // per left vertex: indices into right
 };
 
-// Second hops run through the whole graph: two vertices of a part may be at distance two only by way
-// of a separator that was taken out before. Vertices of extreme degree are no bridge, see Dissector.
+// Second steps run through the whole graph: two vertices of a part may be at distance two only through
+// a separator that was removed before. Paths through vertices of extreme degree do not count, see Dissector.
 class PairFinder {
  public:
   PairFinder(const Graph& whole, const Part& part, const std::vector<int>& local, int maxDegree,

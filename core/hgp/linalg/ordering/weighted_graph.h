@@ -1,15 +1,15 @@
-// A graph of clusters.  Role: what multilevel bisection coarsens, cuts and refines.
+// A graph of clusters.  Role: the graphs that multilevel bisection coarsens, cuts and refines.
 #pragma once
 
 #include <vector>
 
 namespace hgp::linalg {
 
-/// A graph whose vertices stand for clusters: weights count what they stand for.
+/// A graph whose vertices represent clusters; weights count the vertices and edges that they represent.
 struct WeightedGraph {
   std::vector<int> start{0};
   std::vector<int> neighbours;
-  std::vector<int> edgeWeight;    ///< beside neighbours
+  std::vector<int> edgeWeight;    ///< parallel to `neighbours`
   std::vector<int> vertexWeight;  ///< |V|
 
   int size() const { return static_cast<int>(start.size()) - 1; }

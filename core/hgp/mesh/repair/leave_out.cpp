@@ -41,8 +41,8 @@ std::vector<std::vector<int>> findCopies(const std::vector<Triple>& triangles) {
   return groups;
 }
 
-/// How well each face of the groups fits its neighbours: sides that run against theirs, minus sides
-/// that run along.
+/// For each face of the groups, the number of sides whose direction is consistent with that of the neighbour, minus the
+/// number of sides whose direction is not.
 std::map<int, int> fitToNeighbours(const std::vector<Triple>& triangles,
                                    const std::vector<std::vector<int>>& groups) {
   std::map<std::array<int, 2>, std::vector<int>> sidesOn;
@@ -108,7 +108,7 @@ void leaveOut(FixResult& result) {
   const std::vector<std::vector<int>> groups = findCopies(triangles);
   std::map<int, int> fit = fitToNeighbours(triangles, groups);
   for (const auto& group : groups) {
-    if (isLeftOut[at(group[0])]) continue;  // of a component without area
+    if (isLeftOut[at(group[0])]) continue;  // its component has no area
     const int best = *std::max_element(group.begin(), group.end(),
                                        [&](int f, int g) { return fit[f] < fit[g]; });
     for (int f : group) {

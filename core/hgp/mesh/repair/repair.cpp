@@ -11,7 +11,7 @@
 namespace hgp {
 namespace {
 
-/// Fewer faces than one in so many are the ones that are wrong.
+/// If fewer than one face in this many disagrees with the others, it is those faces that are wrong.
 constexpr int kClearMajority = 4;
 
 /// Edge of every side, for tables that are walked from face to face.
@@ -29,7 +29,7 @@ struct OrientedComponent {
   bool isOneSided = false;
 };
 
-/// Walks one component; isFlipped[f] says which faces to turn for all to agree with the first.
+/// Traverses one component; isFlipped[f] says which faces to flip so that all agree with the first.
 OrientedComponent walkComponent(const MeshData& mesh, const EdgeTable& table,
                                 const std::vector<int>& edge, int seed, std::vector<char>& isSeen,
                                 std::vector<char>& isFlipped) {
@@ -65,7 +65,7 @@ OrientedComponent walkComponent(const MeshData& mesh, const EdgeTable& table,
 
 double signedVolume(const MeshData& mesh, const std::vector<int>& faces,
                     const std::vector<char>& isFlipped) {
-  // Seen from one of the component's own vertices, so that a distant origin costs no digits.
+  // Relative to one of the component's vertices, to avoid cancellation far from the origin.
   const Vec3 o = mesh.positions[at(mesh.triangles[at(faces[0])][0])];
   double volume = 0.0;
   for (int f : faces) {

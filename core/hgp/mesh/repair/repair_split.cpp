@@ -65,7 +65,7 @@ struct SplitCount {
   int cutEdges = 0;
 };
 
-/// Every set of corners but the first at a vertex gets a copy of the vertex. @return  how many
+/// Gives every set of corners at a vertex except the first one a copy of the vertex. @return  number of copies
 int separateFans(FixResult& result, DisjointSets& fans, const std::vector<char>& isSkipped) {
   MeshData& mesh = result.mesh;
   std::vector<int> owner(mesh.positions.size(), -1);
@@ -129,9 +129,9 @@ SplitCount splitOnce(FixResult& result, bool isCutOpen, bool cutsInconsistent) {
 void splitNonManifold(FixResult& result, int oneSided) {
   const SplitCount paired = splitOnce(result, false, oneSided > 0);
   int copies = paired.copies;
-  // Where pairing brought both ends of an edge back together, cut it open instead.
+  // Cuts open edges whose two ends pairing has joined again.
   if (paired.badEdges > 0) copies += splitOnce(result, true, oneSided > 0).copies;
-  // A cut whose ends lie on no boundary leaves an edge with both its ends shared: cut there again.
+  // A cut whose ends are not on the boundary leaves an edge with both ends shared, which must be cut again.
   int cut = paired.cutEdges;
   if (oneSided > 0)
     result.notes.push_back(formatText("orient: %s cut along %s",

@@ -17,7 +17,7 @@ std::optional<State> fixLifts(const Problem& problem, const State& state,
   for (const MeasuredCone& wrong : attempt->certificate.angles.wrong) {
     const auto isThis = [&](const ConePoint& c) { return c.vertex == wrong.vertex; };
     const auto cone = std::find_if(cones.begin(), cones.end(), isThis);
-    // An angle that is as asked, but not exactly enough, has no wrong lift.
+    // An angle with the right integer that is merely too inexact has no wrong lift.
     const int off = wrong.measured - wrong.asked;
     bool isPositive = cone != cones.end() && off != 0 && off % problem.setup->seams.q == 0;
     if (!isPositive) continue;

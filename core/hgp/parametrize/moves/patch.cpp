@@ -10,7 +10,7 @@ constexpr int kRings = 6;
 constexpr int kWideRings = 24;
 constexpr double kLargestShare = 0.25;
 
-/// Empty when it would be a large part of the mesh, or there is no map to hold the rest at.
+/// Empty if the patch would be a large part of the mesh, or if there is no map to supply the held values.
 std::vector<FaceId> patchAround(const Problem& problem, const std::vector<FaceId>& faces, int rings,
                                 const Attempt& from) {
   if (from.program.x.size() == 0 || !from.program.x.allFinite()) return {};
@@ -32,13 +32,13 @@ std::optional<State> solvePatch(const Problem& problem, const State& state,
   if (attempt->wrong.empty() || !attempt->isFeasible() || state.growth >= weighting.growthRounds)
     return {};
   State next = state;
-  next.isWide = state.isWide || !state.patch.empty();  // one was not enough
+  next.isWide = state.isWide || !state.patch.empty();  // the narrow patch failed
   const std::vector<FaceId> grown = growFaces(problem.mesh, attempt->wrong, 1);
   next.patch = patchAround(problem, grown, next.isWide ? kWideRings : kRings, *attempt);
   next.hard.clear();
   std::set_union(state.hard.begin(), state.hard.end(), grown.begin(), grown.end(),
                  std::back_inserter(next.hard));
-  // Without a patch, no more than what the next weighting constrains anyway.
+  // Without a patch, no more triangles are constrained than by the next weighting.
   if (next.patch.empty() &&
       (next.hard.size() == state.hard.size() || next.hard.size() > problem.base.size()))
     return {};

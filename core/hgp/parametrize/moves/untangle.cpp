@@ -3,9 +3,9 @@
 namespace hgp {
 namespace {
 
-/// Newton steps × triangles that a run may spend: half a minute.
+/// Maximum of Newton steps × triangles in a run: about half a minute.
 constexpr double kLargestWork = 1.2e7;
-/// Steps that one kind may take. It is not begun where the run may not spend as many.
+/// Maximum number of steps of one kind of untangling, which starts only if the remaining work allows as many.
 constexpr int kMaxStepsOfKind = 220;
 
 }  // namespace

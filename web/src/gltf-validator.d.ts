@@ -1,4 +1,4 @@
-// What the page uses of gltf-validator, which brings no types.
+// Types for the part of gltf-validator that the page uses; the package has none.
 declare module 'gltf-validator' {
   export interface ValidatorReport {
     validatorVersion: string;

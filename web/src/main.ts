@@ -35,7 +35,7 @@ const app: App = {
 };
 const { doc, ui } = app;
 
-/** The address says what is seen, so that it can be sent to somebody. */
+/** Keeps the state of the page in its address, so that it can be shared. */
 function rememberState(): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   let hadModel = false;
@@ -61,7 +61,7 @@ function rememberState(): void {
   app.views?.model.orbit.controls.addEventListener('end', soon);
 }
 
-/** What the address asked for, once there is a model that it can be about. */
+/** Applies the state from the address as soon as there is a model. */
 function applyHash(state: HashState): void {
   const { pattern = doc.look.pattern, overlay = doc.look.overlay, tiles = doc.look.tiles } = state;
   setLook(app, { pattern, overlay, tiles });
@@ -91,7 +91,7 @@ function applyHash(state: HashState): void {
   });
 }
 
-/** While nobody waits for anything. */
+/** Prepares the views while the page is idle. */
 function warmViews({ model, uv }: NonNullable<App['views']>): void {
   const idle = globalThis.requestIdleCallback ?? ((act: () => void) => setTimeout(act, 300));
   const warmUv = (): void => void uv.warm(oneOfEach(false)).catch(() => undefined);
@@ -103,13 +103,13 @@ function warmViews({ model, uv }: NonNullable<App['views']>): void {
   });
 }
 
-/** The graphics card may take a picture away at any time; it comes back by itself. */
+/** Tells the user that a WebGL context was lost; it is restored automatically. */
 function sayContext(isLost: boolean): void {
   if (isLost) doc.say('The graphics card took the picture away. It comes back by itself.', 'error');
   else doc.say('The picture is back. Cones, result and history were never lost.', 'good');
 }
 
-/** Who looks at another tab is told when a long run ends. */
+/** Notifies users in another tab when a long run ends. */
 function notifyAtEnd(): void {
   let running: { title: string; begin: number } | undefined;
   const title = document.title;
@@ -120,12 +120,12 @@ function notifyAtEnd(): void {
     if (job || !running) return;
     const seconds = (performance.now() - running.begin) / 1000;
     running = undefined;
-    // What came of it is put in place in the same task, after the job.
+    // The outcome is set in the same task, after the job.
     if (document.hidden) setTimeout(() => callBack(seconds));
   });
 }
 
-const longRun = 10; // seconds: worth more than a title
+const longRun = 10; // seconds: from here on a notification is shown, not only a title
 
 function callBack(seconds: number): void {
   const { current, message } = doc;
@@ -149,7 +149,7 @@ function connectViews(page: Panel, keyboard: Keyboard): void {
   listenToSplitter(page.querySelector<HTMLElement>('#splitter')!, ui);
 }
 
-/** What nobody has caught is said all the same. */
+/** Reports errors that nothing has caught. */
 function catchTheRest(): void {
   addEventListener('unhandledrejection', (event) => {
     const reason: unknown = event.reason;
@@ -171,7 +171,7 @@ async function start(): Promise<void> {
   try {
     connectViews(page, new Keyboard(app));
   } catch {
-    hasViews = false; // three.js has said why in the console
+    hasViews = false; // three.js has written the reason to the console
   }
   listenToDrops(app);
   rememberState();
@@ -181,7 +181,7 @@ async function start(): Promise<void> {
   addEventListener('beforeunload', (event) => {
     if (doc.job?.kind === 'run' || doc.isUnsaved) event.preventDefault();
   });
-  setInterval(() => doc.job && (ui.now = performance.now()), 500); // the clock of a run
+  setInterval(() => doc.job && (ui.now = performance.now()), 500); // updates the elapsed time of a run
   const asked = readHash(location.hash);
   applyHash(asked);
   try {

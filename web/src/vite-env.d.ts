@@ -9,7 +9,7 @@ declare module 'hgp/lib/gzip_members.js' {
     add(chunk: Uint8Array): void;
     pause?(): Promise<void>;
   }
-  /** Returns how many bytes behind the last member are ignored. */
+  /** Returns how many bytes after the last member are ignored. */
   export function readMembers(packed: Uint8Array, how: Reading): Promise<number>;
 }
 declare module 'virtual:examples' {

@@ -1,4 +1,4 @@
-// Alignment to a grid: how many cells are requested, and what happens where alignment fails.
+// Alignment to a grid: how many cells are requested, and what happens if alignment fails.
 
 import type { Result, SolveOptions } from 'hgp';
 import { automaticCells, canAlign, gridOutcome } from '../model/grid';
@@ -6,23 +6,23 @@ import type { GridSettings, Model, Solution } from '../model/types';
 import { solverOf, type App } from './app';
 import type { JobCall } from './job';
 
-const patience = 15; // seconds of a first run, up to which another density is tried unasked
+const patience = 15; // seconds: after a longer first run no other density is tried automatically
 
-/** An aligned map has a scale of its own: another one that is asked for wins. */
+/** An aligned map has its own scale: if the user chose another scale, the map is not aligned. */
 const isAsked = ({ doc }: App, q: number, scale: SolveOptions['scale']): boolean =>
   doc.solve.grid.isOn && canAlign(q) && scale === 'solved';
 
-/** One more run where the first has found a density that works, nobody has set one, and it is quick. */
+/** Whether to run again: the first run found a density that works, the user set none, and runs are fast. */
 const isWorthAnother = ({ isOn, cells }: GridSettings, { report }: Result): boolean =>
   isOn && cells === undefined && report.seconds < patience;
 
 export interface Aligned {
   result: Result;
-  /** That were asked of the solver. */
+  /** The number requested from the solver. */
   cells?: number;
 }
 
-/** The map, aligned where that is wanted and possible. */
+/** The map, aligned if requested and possible. */
 export async function solveAligned(
   app: App,
   { surface }: Model,
@@ -45,7 +45,7 @@ export async function solveAligned(
   return run(outcome.workingCells, { cones: first.result.cones });
 }
 
-/** Of the last run, for the status bar. */
+/** A sentence for the status bar on how lines meet after the last run. */
 export function describeLines(solution: Solution): string {
   const outcome = gridOutcome(solution);
   if (!outcome) return '';

@@ -13,9 +13,9 @@ export interface App {
   readonly doc: Document;
   readonly ui: UiState;
   readonly geometry: GeometryClient;
-  /** There once the solver has started; until then nothing can be opened. */
+  /** Undefined until the solver has started; nothing can be opened before that. */
   client: Client | undefined;
-  /** There once the canvases are. */
+  /** Undefined until the canvases exist. */
   views: { model: ModelView; uv: UvView } | undefined;
 }
 
@@ -24,14 +24,14 @@ export function solverOf({ client }: App): Client {
   return client;
 }
 
-/** Says what went wrong; what was cancelled went as it should. */
+/** Reports a failure to the user; cancellation is not a failure. */
 export function sayFailure({ doc }: App, error: unknown): void {
   if (isAbort(error)) return;
   console.warn(error);
   doc.say(describeError(error, doc.model?.main ?? ''), 'error');
 }
 
-/** The error boundary: whatever `work` throws or rejects with is said, and ends here. */
+/** The error boundary: reports whatever `work` throws or rejects with, and does not propagate it. */
 export async function attempt(app: App, work: () => unknown): Promise<void> {
   try {
     await work();

@@ -1,5 +1,5 @@
-// What the solver knows about balanced cones without solving anything: the few that no map can have
-// although they add up, and those known to be out of its reach. Said before Run, not after.
+// Checks that the solver makes on balanced cones without solving: a few prescriptions have no map although they
+// satisfy Gauss–Bonnet, and others are known to fail. The user is told before Run.
 
 import { effect } from '@preact/signals-core';
 import { toCones, type Prescription } from '../model/prescription';
@@ -16,7 +16,7 @@ async function check(app: App, prescription: Prescription, surface: Surface): Pr
   if (text !== '') doc.say(text, 'error');
 }
 
-/** Asks after every change, which takes milliseconds. */
+/** Checks after every change; a check takes milliseconds. */
 export function watchCones(app: App): () => void {
   const { doc } = app;
   let last: { prescription?: Prescription; surface?: Surface } = {};
@@ -27,6 +27,6 @@ export function watchCones(app: App): () => void {
     if (objection?.prescription === prescription && objection.surface === surface) return;
     if (!budget.isReady || (last.prescription === prescription && last.surface === surface)) return;
     last = { prescription, surface };
-    check(app, prescription, surface).catch(() => undefined); // Run says what is wrong
+    check(app, prescription, surface).catch(() => undefined); // Run reports errors
   });
 }

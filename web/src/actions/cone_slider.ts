@@ -1,5 +1,5 @@
-// Cones by what they are for: few of them, or little distortion, in five steps. What the solver chose
-// for a step is kept, so that going back is at once.
+// Automatic cones by purpose, from few cones to low distortion, in five steps. The solver's choice for each
+// step is kept, so that going back to it is immediate.
 
 import type { Cones } from 'hgp';
 import type { Surface } from '../model/types';
@@ -7,14 +7,14 @@ import type { App } from './app';
 import { isLocked } from './job';
 import { chooseCones, placeCones } from './solve';
 
-/** The ends and the middle are ways to choose; the steps between have a number between theirs. */
+/** The ends and the middle are the solver's criteria; the steps between have intermediate numbers of cones. */
 const ways = ['few', undefined, 'balanced', undefined, 'low-distortion'] as const;
 export const coneSteps = ways.length;
 
 const known = new WeakMap<Surface, Map<string, Cones>>();
 const keyOf = (q: number, step: number): string => `${q} ${step}`;
 
-/** How many cones a step has, where it was asked before. */
+/** The number of cones of a step, if it is known already. */
 export function knownCount({ doc }: App, step: number): number | undefined {
   const { model, prescription } = doc;
   return model && known.get(model.surface)?.get(keyOf(prescription.q, step))?.cones.length;
@@ -47,7 +47,7 @@ async function between(app: App, step: number): Promise<Cones | undefined> {
 
 let isFollowing = false;
 
-/** Puts the cones of a step in place; the last step that was asked for while others are chosen holds. */
+/** Places the cones of a step; if several are requested while cones are being chosen, the last one counts. */
 export async function setConeStep(app: App, step: number): Promise<void> {
   const { doc } = app;
   if (isFollowing) return void (doc.coneStep = step);

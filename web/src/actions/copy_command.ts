@@ -4,7 +4,7 @@ import { automaticCells, canAlign } from '../model/grid';
 import { cliCommand } from '../text/cli_command';
 import type { App } from './app';
 
-/** Those of the map that is shown, or what Run would begin with. */
+/** The cells of the current map, or those that Run would request first. */
 function cellsOf({ current, solve, prescription, model }: App['doc']): number | undefined {
   if (current) return current.cells;
   if (!solve.grid.isOn || !canAlign(prescription.q)) return undefined;

@@ -20,16 +20,16 @@ import { filesWithAllMaps, mappedMeshes } from './download_all';
 import { runJob, stageStart } from './job';
 import { mapInWorker } from './solve';
 
-/** Nothing where there is no map of what is prescribed. */
+/** Undefined if there is no map of the current prescription. */
 export function exportSource(app: App): ExportSource | undefined {
   const { model, current: solution, prescription, look } = app.doc;
   if (!model || !solution) return undefined;
   return { model, solution, prescription, tiles: gridTilesPerUnit(look, model.surface, solution) };
 }
 
-const partBytes = 4 * 2 ** 20; // copied in one task
+const partBytes = 4 * 2 ** 20; // bytes copied per task
 
-/** A blob of a hundred megabytes copies them in one task; one of blobs copies nothing. */
+/** A blob made of blobs: making one from a hundred megabytes would copy them in one long task. */
 async function blobOf(bytes: Uint8Array, type: string): Promise<Blob> {
   const parts: Blob[] = [];
   for (let at = 0; at < bytes.length; at += partBytes) {
@@ -54,8 +54,8 @@ const zipper =
     (await geometry.call('zip', [files])).zip;
 
 /**
- * The map in another format, from the solver; nothing where that was cancelled or failed, which is said. A map
- * that the solver does not hold any more is made again.
+ * The map in another format, from the solver; undefined if that was cancelled, or failed, which is reported. A map
+ * that the solver no longer has is computed again.
  */
 export async function exportFiles(
   app: App,

@@ -1,5 +1,5 @@
-// One file with the maps of all its meshes: each is put into what the one before has made, and is then compared with
-// the one that was seen. A map that the solver does not hold any more is made again.
+// One file with the maps of all its meshes: each map is written into the result of the previous one and then compared
+// with the map that was shown. A map that the solver no longer has is computed again.
 
 import { loadOptionsOf, type MeshWork } from '../model/document';
 import { toCones } from '../model/prescription';
@@ -67,7 +67,7 @@ async function compose(app: App, parts: Part[], call: JobCall): Promise<OutputFi
   return [...made.values()];
 }
 
-/** Nothing where one of the maps could not be made again as it was. */
+/** Undefined if one of the maps could not be reproduced. */
 export async function filesWithAllMaps(app: App): Promise<OutputFile[] | undefined> {
   const { doc } = app;
   const parts = mappedMeshes(app);

@@ -9,12 +9,12 @@ import { plural } from '../text/format';
 import { solverOf, type App } from './app';
 import { isLocked } from './job';
 
-/** The one way to change what is prescribed. `kind` is "verb: field" for undo. */
+/** The only function that changes the prescription. `kind` is "verb: field" for undo. */
 export function setPrescription(app: App, prescription: Prescription, kind: string): boolean {
   if (isLocked(app)) return false;
   const { doc } = app;
   doc.history = doc.history.push({ prescription, settings: doc.settings }, kind);
-  if (doc.message?.kind !== 'note') doc.message = undefined; // it was about what is now past
+  if (doc.message?.kind !== 'note') doc.message = undefined; // it was about the previous prescription
   doc.hasUserCones = true;
   doc.isUnsaved = true;
   if (doc.selected >= prescription.cones.length) doc.selected = -1;
@@ -25,7 +25,7 @@ export function setPrescription(app: App, prescription: Prescription, kind: stri
 const setCones = (app: App, cones: readonly Cone[], kind: string): boolean =>
   setPrescription(app, { ...app.doc.prescription, cones }, kind);
 
-/** The cone that a click at a vertex would place; nothing where it cannot be one. */
+/** The cone that a click at a vertex would place; undefined if the vertex cannot be a cone. */
 export function coneToPlace({ doc }: App, picked: number): Cone | undefined {
   const model = doc.usableModel;
   const vertex = model?.surface.representative[picked] ?? -1;
@@ -35,7 +35,7 @@ export function coneToPlace({ doc }: App, picked: number): Cone | undefined {
   return { vertex, k: suggestedK(surface, vertex, doc.prescription.q, left) };
 }
 
-/** Adds a cone where there is none, with the k that suits the place; selects it otherwise. */
+/** Selects the cone at a vertex or, if there is none, adds one with a suitable k. */
 export function placeOrSelect(app: App, picked: number): void {
   const { doc } = app;
   const model = doc.usableModel;
@@ -73,7 +73,7 @@ export function setK(app: App, index: number, k: number): void {
   setCones(app, changed, `change k: ${cone.vertex}`);
 }
 
-/** `drag` names one drag, which is one step of undo however far it goes. */
+/** Moves a cone. `drag` identifies the drag, all moves of which are one undo step. */
 export function moveCone(app: App, index: number, picked: number, drag: string): void {
   const { cones } = app.doc.prescription;
   const surface = app.doc.usableModel?.surface;
@@ -97,7 +97,7 @@ export function clearCones(app: App): void {
   if (setCones(app, [], 'clear cones')) app.doc.selected = -1;
 }
 
-/** Adds the cones that are missing where they cost least. */
+/** Adds the missing cones where they cause the least distortion. */
 export async function balance(app: App): Promise<void> {
   const { doc, geometry } = app;
   const model = doc.usableModel;
@@ -109,7 +109,7 @@ export async function balance(app: App): Promise<void> {
   if (left.length === 0) return doc.say('The cones are balanced already.');
   const { q, cones } = prescription;
   const added = await geometry.call('balance', [model.surface.id, q, cones, left]);
-  if (doc.prescription !== prescription) return; // edited meanwhile
+  if (doc.prescription !== prescription) return; // edited in the meantime
   if (added.length === 0) {
     return doc.say('There is no vertex that can carry what is missing.', 'error');
   }
@@ -133,7 +133,7 @@ export function setHandle(app: App, generator: number, r: number | null): void {
   setPrescription(app, { ...prescription, handles }, `change handle: ${generator}`);
 }
 
-/** Converts what is there where that is exact; otherwise says so and offers to start again. */
+/** Converts the prescription to order q if that is exact; otherwise says so and offers to start again. */
 export function setOrder(app: App, q: number): void {
   const { doc } = app;
   const { prescription, hasUserCones } = doc;

@@ -1,4 +1,4 @@
-// What each mesh of a file with several is good for, so that a person can choose with open eyes.
+// Inspects every mesh of a file that has several, so that the user can choose one.
 
 import type { ModelInfo } from 'hgp';
 import type { MeshInstances } from '../formats/mesh_instances';
@@ -6,7 +6,7 @@ import type { MeshSummary } from '../model/types';
 import { isAbort } from '../text/error_messages';
 
 const mostMeshes = 64;
-const mostTriangles = 400_000; // all together: beyond, looking at each would take too long
+const mostTriangles = 400_000; // in total: inspecting more would take too long
 
 async function summarize(
   index: number,

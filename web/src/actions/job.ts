@@ -19,12 +19,12 @@ export interface JobOptions {
   detail?: string;
   /** In seconds. */
   timeLimit?: number;
-  /** Told of every failure but a cancelled one. */
+  /** Called for every failure except cancellation. */
   onFailure(error: unknown): void;
   onTimeout?(): void;
 }
 
-/** Progress that only goes forward. */
+/** Reports progress that never decreases. */
 function reportProgress({ doc }: App, controller: AbortController): JobCall['onProgress'] {
   const clock = new TimeLeft();
   return ({ stage, fraction, round }) => {
@@ -51,7 +51,7 @@ export const stageStart = (stage: string): Progress => ({
 const isTimeout = ({ signal }: AbortController): boolean =>
   signal.aborted && (signal.reason as Error).name === 'TimeoutError';
 
-/** Whether the work came to its end. What another job has replaced ends without a word. */
+/** Whether the work was completed. A job that another one has replaced ends silently. */
 export async function runJob(
   app: App,
   { kind, title, detail = '', timeLimit, onFailure, onTimeout }: JobOptions,
@@ -66,13 +66,13 @@ export async function runJob(
   doc.message = undefined;
   const stopLate = (): void => controller.abort(new DOMException('too late', 'TimeoutError'));
   const timer = timeLimit ? setTimeout(stopLate, 1000 * timeLimit) : undefined;
-  // Free at once, whatever the worker still does.
+  // The page is free immediately, even if the worker is still busy.
   controller.signal.addEventListener('abort', () => isOwn() && (doc.job = undefined));
   try {
     await work({ signal: controller.signal, onProgress: reportProgress(app, controller) });
     return isOwn();
   } catch (error) {
-    if (controller.signal.aborted) doc.resultInWorker = undefined; // gone with its worker
+    if (controller.signal.aborted) doc.resultInWorker = undefined; // lost with its worker
     if (isTimeout(controller)) onTimeout?.();
     else if (isOwn() && !isAbort(error)) onFailure(error);
     return false;
@@ -82,7 +82,7 @@ export async function runJob(
   }
 }
 
-/** Whether nothing can be edited now; says so, with a way out. */
+/** Whether a job prevents editing now; if so, tells the user and offers to cancel it. */
 export function isLocked(app: App): boolean {
   const { doc } = app;
   if (doc.job?.kind !== 'run') return false;

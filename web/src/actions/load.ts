@@ -1,5 +1,5 @@
-// From a set of files to a surface that can be worked on: read, welded, repaired, with the cones that
-// came with it.
+// Loads a set of files as a surface: reads, welds and repairs it, and takes the cones that come
+// with it.
 
 import type { ModelInfo } from 'hgp';
 import { ignoredBytes } from '../formats/gzip';
@@ -21,7 +21,7 @@ import { isLocked, runJob, type JobCall } from './job';
 
 type Source = Pick<Model, 'main' | 'files'>;
 
-/** Gives the solver the model that is open, after a job that has loaded others. */
+/** Loads the open model into the solver again, after a job that has loaded others. */
 export async function reloadInSolver(app: App): Promise<void> {
   const { model } = app.doc;
   if (!model) return;
@@ -31,7 +31,7 @@ export async function reloadInSolver(app: App): Promise<void> {
   await solverOf(app).load({ main, files }, options);
 }
 
-/** Does one load; what was open stays where it fails. */
+/** Runs one load as a job; if it fails, the open model stays. */
 function loading(app: App, source: Source, work: (call: JobCall) => Promise<void>) {
   const { doc } = app;
   const options = {
@@ -102,7 +102,7 @@ async function readMesh(
 const emptyFor = (q: number, info: ModelInfo): Prescription =>
   emptyPrescription(q, info.boundaryLoops ?? 0, 2 * (info.genus ?? 0));
 
-/** A model that is new to the page, or another mesh of the same file for the first time. */
+/** Opens a model that is new to the page, or another mesh of the same file for the first time. */
 export async function loadMesh(app: App, source: Source, surface?: number): Promise<void> {
   const { doc } = app;
   const isDone = await loading(app, source, async (call) => {
@@ -114,7 +114,7 @@ export async function loadMesh(app: App, source: Source, surface?: number): Prom
   if (isDone && doc.usableModel) warnOfSize(app, doc.usableModel);
 }
 
-/** Another mesh of the file that is open; what was made of this one waits. */
+/** Opens another mesh of the open file; the work on this one is kept. */
 export async function switchMesh(app: App, index: number): Promise<void> {
   const { doc } = app;
   const { work, model } = doc;
@@ -128,7 +128,7 @@ export async function switchMesh(app: App, index: number): Promise<void> {
     doc.clearMesh();
     await loadMesh(app, model, index);
   }
-  // Where it could not be read, the mesh is still the one that was open.
+  // If the mesh could not be read, the previous one is still open.
   if (doc.model?.info.surface === index) doc.meshes = meshes;
   else restoreWork(app, work);
   doc.isUnsaved = isUnsaved;
@@ -140,7 +140,7 @@ function restoreWork({ doc }: App, { history, solutions, hasUserCones }: MeshWor
   doc.hasUserCones = hasUserCones;
 }
 
-/** A mesh that was worked on before: the solver reads it again, the rest is as it was left. */
+/** Opens a mesh that was open before: the solver reads it again, everything else is restored. */
 async function restoreMesh(app: App, work: MeshWork): Promise<void> {
   const { doc } = app;
   const { model } = work;
@@ -157,7 +157,7 @@ async function restoreMesh(app: App, work: MeshWork): Promise<void> {
   });
 }
 
-/** The same mesh with other repairs or another weld: one step of undo. */
+/** Reads the same mesh with other repairs or another weld, as one undo step. */
 export async function reloadWith(app: App, settings: LoadSettings, kind: string): Promise<boolean> {
   const { doc } = app;
   const old = doc.model;
@@ -174,14 +174,14 @@ export async function reloadWith(app: App, settings: LoadSettings, kind: string)
   });
 }
 
-/** Undo and redo went to a step with other repairs: the surface follows. */
+/** Reads the surface again after undo or redo has led to a step with other repairs. */
 export function reloadForStep(app: App, model: Model): Promise<boolean> {
   return loading(app, model, async (call) => {
     await readMesh(app, model, app.doc.settings, model.info.surface, call);
   });
 }
 
-/** What was closed, as it was. */
+/** Opens a closed model again in the state in which it was left. */
 export async function reopen(
   app: App,
   source: Source,
@@ -202,7 +202,7 @@ function warnOfSize({ doc }: App, { info }: Model): void {
   doc.say(`This mesh needs about ${needed}: see the Solve panel before running it here.`);
 }
 
-/** Another version of the file that was open: the cones go along, as one step of undo. */
+/** Transfers the cones from the previous version of the file, as one undo step. */
 function transferFromPrevious(app: App, model: Model): boolean {
   const { doc } = app;
   const { previous } = doc;
@@ -218,14 +218,14 @@ function transferFromPrevious(app: App, model: Model): boolean {
   );
 }
 
-/** The job that loads locks nothing. */
+/** Sets the prescription during loading; a loading job does not prevent edits. */
 function setWhileLoading(app: App, to: Prescription, kind: string, say: () => void): boolean {
   setPrescription(app, to, kind);
   say();
   return true;
 }
 
-/** Cones stored in the file, those of its last version, or offered from an earlier session. */
+/** Takes cones from the file or its previous version, or offers those of an earlier session. */
 async function findCones(app: App, model: Model): Promise<void> {
   const { doc } = app;
   const { turnings, handles } = doc.prescription;

@@ -1,4 +1,4 @@
-// From files to a model on screen: which model, what is missing, which mesh, what is wrong with it.
+// Opens files: finds the main file, asks for missing files and for the mesh, and reports problems.
 
 import { examples, type Example } from 'virtual:examples';
 import { coneFileOf, findMissing, meshesOf, unpack } from '../formats/file_set';
@@ -14,7 +14,7 @@ import { loadMesh, reopen } from './load';
 
 const mostBytes = 512 * 2 ** 20;
 
-/** New files: a model, a cone file for the model that is open, or what was missing. */
+/** Opens new files: a model, a cone file for the open model, or files that were missing. */
 export async function open(app: App, dropped: Files): Promise<void> {
   if (dropped.size === 0) return;
   const { doc } = app;
@@ -60,14 +60,14 @@ export async function openMain(app: App, files: Files, main: string): Promise<vo
   else await loadMesh(app, { main, files });
 }
 
-/** Files that were missing, from a second drop or a Browse button. */
+/** Adds files that were missing, from a second drop or a Browse button. */
 export async function supply(app: App, more: Files): Promise<void> {
   const { state } = app.doc;
   if (state.kind !== 'needs-files') return;
   await openMain(app, new Map([...state.files, ...more]), state.main);
 }
 
-/** Goes on without images; geometry cannot be left out. */
+/** Continues without the missing images; buffers cannot be left out. */
 export async function loadWithoutImages(app: App): Promise<void> {
   const { state } = app.doc;
   if (state.kind !== 'needs-files') return;
@@ -75,14 +75,14 @@ export async function loadWithoutImages(app: App): Promise<void> {
   await loadMesh(app, state);
 }
 
-/** The question is not answered: back to the beginning. */
+/** Cancels the question about missing files and returns to the start page. */
 export function giveUp({ doc }: App): void {
   if (doc.state.kind === 'needs-files' || doc.state.kind === 'pick-model') {
     doc.state = { kind: 'empty' };
   }
 }
 
-/** Back to the beginning. What was made stays within reach: the cones by themselves, all by one click. */
+/** Closes the model. Cones are stored for the next time, and one click restores everything. */
 export function close(app: App): void {
   const { doc } = app;
   const { model, prescription, settings, hasUserCones } = doc;
@@ -92,7 +92,7 @@ export function close(app: App): void {
   doc.clearModel();
   doc.previous = undefined;
   const client = solverOf(app);
-  client.terminate(); // its memory never shrinks
+  client.terminate(); // because WebAssembly memory never shrinks
   ensureWorker(client);
   const openAgain = (): Promise<void> => {
     doc.hasUserCones = hasUserCones;
@@ -118,7 +118,7 @@ async function fetchExample(file: string): Promise<Uint8Array> {
   return new Uint8Array(await response.arrayBuffer());
 }
 
-/** One click: the example with its cones. */
+/** Opens an example with its cones. */
 export async function openExample(app: App, example: Example): Promise<void> {
   const { doc } = app;
   const own = ++doc.openRequestId;

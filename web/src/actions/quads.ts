@@ -1,5 +1,5 @@
-// The cells of a map that is aligned for it, as a quad mesh. Where the map is aligned for textures only,
-// it is run again with its cones on grid points.
+// Saves the cells of a map aligned in quad mode as a quad mesh. If the map is aligned for textures only,
+// it is first run again with its cones on grid points.
 
 import { isAligned } from '../model/grid';
 import type { Solution } from '../model/types';
@@ -14,7 +14,7 @@ import { denserButton, mapInWorker, realign } from './solve';
 
 export type QuadFile = 'obj' | 'glb';
 
-/** Why there can be no quads; empty where Run may find some. */
+/** Why there can be no quads; empty if Run may produce some. */
 export function whyNoQuads({ doc }: App): string {
   if (!doc.current) return 'Run first.';
   if (doc.prescription.q !== 4) return `Quads need q = 4, not ${doc.prescription.q}.`;
@@ -27,13 +27,13 @@ const isForQuads = (solution: Solution | undefined): solution is Solution =>
   isAligned(solution) &&
   isCertified(solution);
 
-/** The solver holds a map with its cones on grid points, or it is said why not. */
+/** Whether the solver has a map with its cones on grid points; if not, the user is told why. */
 async function hasQuadMap(app: App): Promise<boolean> {
   const { doc } = app;
   if (!isForQuads(doc.current)) await realign(app, { isOn: true, mode: 'quad' });
   else if (!(await mapInWorker(app))) return false;
   if (isForQuads(doc.current)) return doc.resultInWorker === doc.current.result;
-  if (!doc.current) return false; // cancelled, or failed and said so
+  if (!doc.current) return false; // cancelled, or failed and reported
   const reason = isCertified(doc.current)
     ? 'the grid is too coarse for these cones'
     : 'the map is not certified';

@@ -30,12 +30,12 @@ export type ActionGroup = 'File' | 'Run' | 'Cones' | 'View' | 'Page';
 export interface Action {
   readonly label: string | ((app: App) => string);
   readonly group: ActionGroup;
-  /** "Ctrl+O" works anywhere, a single key while a view has the focus. */
+  /** Ctrl combinations work anywhere, single keys only while a view has the focus. */
   readonly keys?: readonly string[];
   readonly icon?: Icon;
-  /** Why it cannot be done now; empty or undefined where it can. */
+  /** Why the action is not possible now; empty or undefined if it is. */
   whyNot?(app: App): string;
-  /** For those that are on or off. */
+  /** For actions that switch something: whether it is on. */
   isOn?(app: App): boolean;
   run(app: App): unknown;
 }
@@ -310,12 +310,12 @@ export function labelOf(app: App, id: ActionId): string {
 
 export const whyNotOf = (app: App, id: ActionId): string => actions[id].whyNot?.(app) ?? '';
 
-/** Something asks and waits for an answer: nothing behind it may change. */
+/** Whether a dialog waits for an answer: nothing behind it may change. */
 export function isDialogOpen({ doc, ui }: App): boolean {
   return ui.dialog !== '' || doc.state.kind === 'needs-files' || doc.state.kind === 'pick-model';
 }
 
-/** Does it, or says why not. Whatever goes wrong is said. */
+/** Performs the action, or tells the user why it is not possible. Failures are reported. */
 export function perform(app: App, id: ActionId): Promise<void> {
   const why = whyNotOf(app, id);
   if (why === '') return attempt(app, () => actions[id].run(app));
@@ -323,7 +323,7 @@ export function perform(app: App, id: ActionId): Promise<void> {
   return Promise.resolve();
 }
 
-/** As keys are written in the registry. */
+/** A key event in the notation of the registry. */
 export function keyOf(event: KeyboardEvent): string {
   const name = event.key.length === 1 ? event.key.toUpperCase() : event.key;
   if (!event.ctrlKey && !event.metaKey) return name;

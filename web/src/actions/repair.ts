@@ -1,4 +1,4 @@
-// Repairs that defects ask for, one by one or all at once.
+// Repairs for the defects of a mesh, one by one or all at once.
 
 import type { Repair } from '../model/repairs';
 import type { App } from './app';
@@ -20,8 +20,8 @@ export async function repair(app: App, repairs: Repair[]): Promise<boolean> {
 }
 
 /**
- * What the solver finds that the mesh needs, in one step of undo. More than the single repairs together: a
- * surface with one side is cut where it must be.
+ * Makes all repairs that the solver considers necessary, as one undo step. This is more than the single repairs
+ * together: a one-sided surface is also cut.
  */
 export async function repairAll(app: App): Promise<boolean> {
   const { model } = app.doc;
@@ -29,14 +29,14 @@ export async function repairAll(app: App): Promise<boolean> {
   return reloadWith(app, { ...model.loaded, fix: {}, hasAllRepairs: true }, 'repair all');
 }
 
-/** The mesh as it is in the file, which may not be one that can be solved. */
+/** Uses the mesh as it is in the file, even if it cannot be solved. */
 export async function leaveRepairsOut(app: App): Promise<boolean> {
   const { model } = app.doc;
   if (!model) return false;
   return reloadWith(app, { weld: model.loaded.weld, fix: {} }, 'leave repairs out');
 }
 
-/** Everything that is in the way is repaired; then Run. */
+/** Makes all necessary repairs, then runs. */
 export async function repairAndRun(app: App): Promise<void> {
   const { doc } = app;
   if (doc.model && !doc.usableModel && !(await repairAll(app))) return;

@@ -79,7 +79,7 @@ function running(app: App, title: string, work: (call: JobCall) => Promise<void>
   return runJob(app, { kind: 'run', title, timeLimit, onFailure, onTimeout }, work);
 }
 
-/** Asks the solver for cones; nothing where that was cancelled or failed. */
+/** Asks the solver for cones; undefined if that was cancelled or failed. */
 export async function chooseCones(
   app: App,
   options: Omit<SuggestOptions, 'q'> = {},
@@ -92,7 +92,7 @@ export async function chooseCones(
   return cones;
 }
 
-/** An edit like any other. */
+/** Replaces the cones, as an ordinary edit. */
 export function placeCones(app: App, cones: Cones): void {
   const { doc } = app;
   const { q, turnings, handles } = doc.prescription;
@@ -108,7 +108,7 @@ export async function suggestCones(app: App): Promise<void> {
 
 const usesField = ({ doc }: App): boolean => doc.solve.frames === 'file' && doc.field !== undefined;
 
-/** Why Run cannot be pressed; empty where it can. */
+/** Why Run is not possible; empty if it is. */
 export function whyNotRun({ doc, client }: App): string {
   if (!client || !doc.model) return 'Open a model first.';
   if (doc.isBusy) return 'Something is running already.';
@@ -118,14 +118,14 @@ export function whyNotRun({ doc, client }: App): string {
 }
 
 /**
- * Solves what is prescribed and writes the file; what is shown is read back from that file. The
- * same road is gone for cones that were prescribed and for those that the solver chooses.
+ * Solves the prescription and writes the file; the map that is shown is read back from this file. Prescribed and
+ * automatic cones are treated in the same way.
  */
 async function solve(app: App, model: Model, output: Output, call: JobCall): Promise<Solution> {
   const { doc } = app;
   const { rounds, improve, frames, grid } = doc.solve;
   const { turnings, handles, q } = doc.prescription;
-  // A component without a map is cut to a disk and fails its checks; the others are as good as without it.
+  // A component without a map is cut to a disk and fails its checks; this does not affect the others.
   const keepGoing = (model.info.components?.length ?? 1) > 1;
   const options = { maxRounds: rounds, improve, scale: output.scale, keepGoing };
   const framed = usesField(app) ? { frames, field: doc.field } : {};
@@ -144,7 +144,7 @@ export const writeOptions = ({ uvSet, embedCones, usesNewSet }: Output): WriteOp
   ...(uvSet === undefined ? {} : { uvSet }),
 });
 
-/** What a written .gltf names and does not bring: buffers and images that were there before. */
+/** The files to which a written .gltf refers without including them: existing buffers and images. */
 async function sideFiles(app: App, { files }: Model, written: OutputFile[]): Promise<OutputFile[]> {
   const [main] = written;
   if (!/\.gltf$/i.test(main.name)) return [];
@@ -154,20 +154,20 @@ async function sideFiles(app: App, { files }: Model, written: OutputFile[]): Pro
     const name = relativeName(uri);
     const file = name === undefined ? undefined : files.get(name);
     if (!name || !file || written.some((one) => one.name === name)) continue;
-    // A copy: it is lent to the worker that reads it back.
+    // A copy, because it is transferred to the worker that reads it back.
     found.set(name, (await bytesOf(file)).slice());
   }
   return [...found].map(([name, bytes]) => ({ name, bytes }));
 }
 
-/** The writer asks to keep a file beside the new one: the download brings it along. */
+/** Whether a note is settled: it asks to keep a file next to the new one, and the download includes that file. */
 const isSettled = (note: string, files: OutputFile[]): boolean =>
   files.some(({ name }) => note === `keep ${name} next to the new file`);
 
 const edgeKey = (v: number, w: number, count: number): number =>
   Math.min(v, w) * count + Math.max(v, w);
 
-/** Writes the map, reads it back and finds out what the panels say about it. */
+/** Writes the map, reads it back and computes what the panels show about it. */
 async function writeSolution(
   app: App,
   model: Model,
@@ -195,7 +195,7 @@ async function writeSolution(
   }
   call.signal.throwIfAborted();
   const { analysis, preserved, result, files } = read;
-  const keptAs = `map ${analysis.id}`; // no other of this page has this name
+  const keptAs = `map ${analysis.id}`; // unique on this page
   await solverOf(app).keep(keptAs, call);
   doc.resultInWorker = result;
   const { seams, uvToVertex } = result;
@@ -219,7 +219,7 @@ async function writeSolution(
   };
 }
 
-/** The same map in another place or size of the file: solved again only where it must be. */
+/** Writes the same map with other output settings; solves again only if necessary. */
 async function writeAs(app: App, old: Solution, output: Output): Promise<void> {
   const { doc } = app;
   const { model } = doc;
@@ -234,7 +234,7 @@ async function writeAs(app: App, old: Solution, output: Output): Promise<void> {
   });
 }
 
-/** Whether the solver holds a map again that it has made before. */
+/** Makes an earlier map the current one in the solver; false if it no longer has it. */
 async function recall(app: App, { result, keptAs }: Solution, call?: JobCall): Promise<boolean> {
   const { doc } = app;
   if (doc.resultInWorker === result) return true;
@@ -248,7 +248,7 @@ function requestOf(solution: Solution): SolveRequest {
   return { prescription, settings, improve, frames, grid, cells, output };
 }
 
-/** Whether the solver holds the map that is shown; one that it has not kept is made again. */
+/** Ensures that the solver has the map that is shown, computing it again if necessary; false if that fails. */
 export async function mapInWorker(app: App): Promise<boolean> {
   const { doc } = app;
   const { current } = doc;
@@ -257,7 +257,7 @@ export async function mapInWorker(app: App): Promise<boolean> {
   return doc.current !== undefined && doc.resultInWorker === doc.current.result;
 }
 
-/** What is chosen while the file is written is taken up afterwards. */
+/** Changes output settings; changes made while the file is being written take effect afterwards. */
 export async function rewrite(app: App, part: Partial<Output>): Promise<void> {
   const { doc } = app;
   if (!doc.current) return;
@@ -266,13 +266,13 @@ export async function rewrite(app: App, part: Partial<Output>): Promise<void> {
   for (let old: Solution | undefined = doc.current; old && doc.pendingOutput; old = doc.current) {
     const output: Output = doc.pendingOutput;
     await writeAs(app, old, output);
-    // Done, or cancelled, or failed; unless something else was chosen meanwhile.
+    // Finished, cancelled or failed, unless other settings were chosen in the meantime.
     if (doc.pendingOutput === output || doc.current === old) doc.pendingOutput = undefined;
   }
   doc.pendingOutput = undefined;
 }
 
-/** Where the grid was too coarse, the density that works is one click away. */
+/** If the grid was too coarse: a button that runs with a density that works. */
 export function denserButton(app: App, solution: Solution): MessageAction[] {
   const cells = gridOutcome(solution)?.workingCells ?? 0;
   if (cells === 0) return [];
@@ -313,7 +313,7 @@ export async function run(app: App): Promise<void> {
   });
 }
 
-/** Another grid. A map that is there is made again; otherwise the next Run heeds it. */
+/** Changes the grid settings. An existing map is computed again; otherwise they apply to the next Run. */
 export async function realign(app: App, part: Partial<GridSettings>): Promise<void> {
   const { doc } = app;
   const hadMap = doc.current !== undefined;

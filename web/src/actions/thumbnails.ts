@@ -1,11 +1,11 @@
-// Small pictures of the meshes of a file: of their shape when the file is read, with their map after Run.
+// Thumbnails of the meshes of a file: their shape when the file is read, their map after Run.
 
 import { effect, untracked } from '@preact/signals-core';
 import type { Solution, Surface } from '../model/types';
 import { gridTilesPerUnit } from '../model/grid';
 import type { App } from './app';
 
-/** What is known when the meshes are looked at one after another; pictures are not waited for. */
+/** Stores the thumbnail of a mesh when it is ready; nothing waits for it. */
 export function takeThumbnail(app: App, mesh: number, made: Promise<Uint8ClampedArray>): void {
   const { doc } = app;
   const request = doc.openRequestId;
@@ -14,7 +14,7 @@ export function takeThumbnail(app: App, mesh: number, made: Promise<Uint8Clamped
       if (doc.openRequestId === request)
         doc.thumbnails = new Map(doc.thumbnails).set(mesh, picture);
     },
-    () => undefined, // the strip has names as well
+    () => undefined, // without it the strip shows the name only
   );
 }
 
@@ -23,7 +23,7 @@ function draw(app: App, mesh: number, surface: Surface, solution: Solution | und
   takeThumbnail(app, mesh, app.geometry.call('thumbnail', [surface.id, solution?.id, tiles]));
 }
 
-/** The mesh that is open, and each map that is made of it. */
+/** Draws thumbnails of the open mesh and of each new map of it. */
 export function watchThumbnails(app: App): () => void {
   const { doc } = app;
   let last: unknown;
@@ -35,7 +35,7 @@ export function watchThumbnails(app: App): () => void {
     last = shown;
     untracked(() => {
       const { surface: mesh } = model.info;
-      // What was made of a mesh stays in its picture while others are looked at.
+      // The thumbnail of a mesh keeps its map while other meshes are open.
       if (displayed || !doc.thumbnails.has(mesh)) draw(app, mesh, model.surface, displayed);
     });
   });

@@ -1,4 +1,4 @@
-// Undo and redo, over cones and over repairs.
+// Undo and redo of changes to cones and repairs.
 
 import type { App } from './app';
 import { isLocked } from './job';
@@ -15,7 +15,7 @@ async function step(app: App, forward: boolean): Promise<void> {
   doc.selected = -1;
   const { model } = doc;
   if (!model || doc.settings === model.loaded) return;
-  // A repair or a weld was undone; or not, where reading the file again was cancelled.
+  // A repair or a weld is undone only if reading the file again is not cancelled.
   const isDone = await reloadForStep(app, model);
   if (!isDone && doc.history === after) doc.history = before;
 }

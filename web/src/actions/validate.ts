@@ -43,7 +43,7 @@ function ask(main: string, files: Map<string, Uint8Array>): Promise<ValidatorRep
   return answer.finally(() => worker.terminate());
 }
 
-/** The written file where it is a glTF, otherwise the GLB that Download offers. */
+/** Validates the written file if it is a glTF, otherwise the GLB that Download offers. */
 export async function validate(app: App): Promise<void> {
   const { doc } = app;
   const source = exportSource(app);

@@ -1,4 +1,4 @@
-// Actions on the views: places, loops, patterns, projections. None of them changes the prescription.
+// Actions on the views: highlights, loops, patterns, projections. None of them changes the prescription.
 
 import type { Where } from 'hgp';
 import { overlays, patterns, type Look, type Model, type Pattern } from '../model/types';
@@ -10,7 +10,7 @@ export function setLook({ doc }: App, part: Partial<Look>): void {
   doc.look = { ...doc.look, ...part };
 }
 
-/** Patterns that need nothing more to be shown. */
+/** Patterns that need no further input. */
 const plainPatterns: readonly Pattern[] = patterns.filter(
   (name) => name !== 'image' && name !== 'material',
 );
@@ -25,7 +25,7 @@ export function nextOverlay(app: App): void {
   setLook(app, { overlay: overlays[(at + 1) % overlays.length] });
 }
 
-const decades = 2; // log₁₀ of the range of the scale: from 3 tiles to 300
+const decades = 2; // range of the scale as a power of ten: from 3 tiles to 300
 export const sliderOf = (tiles: number): number =>
   Math.round((100 / decades) * Math.log10(tiles / 3));
 export const tilesOf = (slider: number): number => 3 * 10 ** ((decades * slider) / 100);
@@ -45,7 +45,7 @@ export function chooseFile(accept: string): Promise<File | undefined> {
 export async function choosePattern(app: App, pattern: Pattern): Promise<void> {
   if (pattern !== 'image') return setLook(app, { pattern });
   const file = await chooseFile('image/png,image/jpeg,image/webp');
-  if (!file) return setLook(app, {}); // and the list shows what it was
+  if (!file) return setLook(app, {}); // so that the list shows the previous choice again
   try {
     const image = await createImageBitmap(file, { imageOrientation: 'flipY' });
     setLook(app, { pattern: 'image', image });
@@ -55,7 +55,7 @@ export async function choosePattern(app: App, pattern: Pattern): Promise<void> {
   }
 }
 
-/** Brings a cone to the middle and selects it. */
+/** Centres a cone in the view and selects it. */
 export function lookAtCone(app: App, index: number): void {
   const cone = app.doc.prescription.cones[index];
   if (!cone) return;
@@ -64,7 +64,7 @@ export function lookAtCone(app: App, index: number): void {
   app.ui.tab = 'surface';
 }
 
-/** The selected cone, or all. */
+/** Centres the selected cone, or shows the whole model. */
 export function frame(app: App): void {
   const { doc, views } = app;
   if (doc.selected >= 0) return lookAtCone(app, doc.selected);
@@ -73,7 +73,7 @@ export function frame(app: App): void {
   views?.model.draw();
 }
 
-/** Outlines places in both views and brings the first to the middle. */
+/** Outlines places in both views and centres the first. */
 export function showPlaces({ doc, ui, views }: App, where: Where[]): void {
   const { model, displayed } = doc;
   if (!model) return;
@@ -97,7 +97,7 @@ async function handleLines(app: App, { surface }: Model): Promise<Float32Array[]
   return app.geometry.call('loopSegments', [surface.id, handles]);
 }
 
-/** The loops around handles, in the colours of their rows. */
+/** Shows or hides the loops around handles, in the colours of their rows in the panel. */
 export async function showHandles(app: App, isOn: boolean): Promise<void> {
   const { doc, ui, views } = app;
   ui.handlesShown = isOn;
@@ -106,7 +106,7 @@ export async function showHandles(app: App, isOn: boolean): Promise<void> {
   if (doc.model === model) views?.model.setHandles(loops);
 }
 
-/** The keys go to the other view, which in a narrow window takes the place of this one. */
+/** Moves the focus to the other view, which in a narrow window replaces this one. */
 export function otherView({ ui }: App): void {
   const isMap = document.activeElement?.id === 'map';
   ui.tab = isMap ? 'surface' : 'map';

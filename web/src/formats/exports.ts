@@ -1,17 +1,17 @@
-// What Download offers: the file that the preview was read back from, what the solver writes in other
-// formats, and what the page knows itself.
+// The formats that Download offers: the file from which the preview was read back, other formats written by the
+// solver, and files that the page makes itself.
 
 import type { WriteOptions } from 'hgp';
 import { toCones, type Prescription } from '../model/prescription';
 import type { Model, OutputFile, Solution } from '../model/types';
 import { safeName } from './file_set';
 
-/** What a download is made from. */
+/** The data from which a download is made. */
 export interface ExportSource {
   model: Model;
   prescription: Prescription;
   solution: Solution;
-  /** Of the pattern, per unit of uv. */
+  /** Tiles of the pattern per unit of uv. */
   tiles: number;
 }
 
@@ -34,7 +34,7 @@ export const formats: { format: Format; label: string; hint: string }[] = [
   { format: 'svg', label: 'UV layout (SVG)', hint: 'every edge of the flattened mesh' },
 ];
 
-/** What the solver writes from the map that it holds. */
+/** The formats that the solver writes from its current map. */
 export type SolverFormat = Exclude<Format, 'same' | 'cones' | 'report'>;
 
 const solverFormats: Record<SolverFormat, [WriteOptions['format'], string]> = {
@@ -59,11 +59,11 @@ const encode = (text: string): Uint8Array => new TextEncoder().encode(text);
 const stem = ({ model }: Pick<ExportSource, 'model'>): string =>
   safeName(model.main).replace(/\.[^.]*$/, '') || 'model';
 
-/** A glTF is several files, even where its buffer is written inside. */
+/** A .gltf does not count as one file, even if its buffer is embedded. */
 const isOneFile = (files: OutputFile[]): boolean =>
   files.length === 1 && !/\.gltf$/i.test(files[0].name);
 
-/** How the solver is asked for a format. */
+/** The solver's options for a format. */
 export function writeOptionsFor(source: ExportSource, format: SolverFormat): WriteOptions {
   const { solution, tiles } = source;
   const [asked, extension] = solverFormats[format];
@@ -71,7 +71,7 @@ export function writeOptionsFor(source: ExportSource, format: SolverFormat): Wri
   return { format: asked, name: `${stem(source)}.${extension}`, gridMaterial };
 }
 
-/** What a download of this format is called. */
+/** The file name of a download in this format. */
 export function nameOf(source: ExportSource, format: Format): string {
   const { solution, model } = source;
   const name = stem(source);
@@ -92,7 +92,7 @@ export function nameOf(source: ExportSource, format: Format): string {
   }
 }
 
-/** One file as it is, several in a ZIP. */
+/** A single file as it is, several files in a ZIP. */
 export async function packed(
   name: string,
   files: OutputFile[],

@@ -1,5 +1,5 @@
-// From what was dropped or chosen to one set of files with relative names, its candidates for the
-// main file, and what is still missing. Nothing is ever fetched.
+// Converts dropped or chosen files to one set with relative names; finds the candidates for the main file and the
+// files that are missing. Nothing is fetched.
 
 import type { Files, Missing } from '../model/types';
 import { gltfOf, isGltf, objectsIn, relativeName } from './glb';
@@ -9,13 +9,13 @@ import { unzip } from './zip';
 const meshEnding = /\.(glb|gltf|obj|off|ply|stl)$/i;
 const coneEnding = /\.(sing|sings|curvatures|th_hat|rawfield|rosy|ffield)$|cones?\.json$/i;
 
-/** Other files of cones have matchings at most. */
+/** Whether a cone file has directions; files in other formats have at most matchings. */
 export const hasDirections = (name: string): boolean => /\.(rawfield|rosy|ffield)$/i.test(name);
 
 async function readFolder(entry: FileSystemDirectoryEntry, into: Files): Promise<void> {
   const reader = entry.createReader();
   for (;;) {
-    // A call returns a hundred entries at most: ask until there are none.
+    // A call returns at most a hundred entries; it is repeated until there are none.
     const batch = await new Promise<FileSystemEntry[]>((resolve, reject) =>
       reader.readEntries(resolve, reject),
     );
@@ -32,7 +32,7 @@ async function readEntry(entry: FileSystemEntry, into: Files): Promise<void> {
   into.set(entry.fullPath.replace(/^\//, ''), file);
 }
 
-/** Must be called inside the event: the browser empties the list afterwards. */
+/** Must be called during the event, because the browser empties the list afterwards. */
 export function filesOfDrop(transfer: DataTransfer): Promise<Files> {
   const files: Files = new Map();
   const entries = [...transfer.items].map((item) => item.webkitGetAsEntry?.() ?? null);
@@ -51,7 +51,7 @@ export function filesOfInput(list: Iterable<File>): Files {
   return new Map([...list].map((file) => [file.webkitRelativePath || file.name, file]));
 }
 
-/** ZIP and gzip files unpacked, the folder that everything is in taken away. */
+/** Unpacks ZIP and gzip files, and removes a folder that contains everything from the names. */
 export async function unpack(files: Files): Promise<Files> {
   const all: Files = new Map();
   for (const [name, file] of files) {
@@ -72,13 +72,13 @@ export async function unpack(files: Files): Promise<Files> {
 export const meshesOf = (files: Files): string[] =>
   [...files.keys()].filter((name) => meshEnding.test(name));
 
-/** An existing model and a cone file: an import, not a new model. */
+/** The cone file, if it is the only file: it is then imported into the open model. */
 export const coneFileOf = (files: Files): string | undefined =>
   files.size === 1 ? [...files.keys()].find((name) => coneEnding.test(name)) : undefined;
 
 const baseName = (name: string): string => name.slice(name.lastIndexOf('/') + 1);
 
-/** The relative uris of buffers and images, with whether geometry needs them. */
+/** The relative URIs of buffers and images, and whether geometry needs them. */
 export async function urisIn(
   files: Files,
   main: string,
@@ -91,7 +91,7 @@ export async function urisIn(
   return [...named(buffers, true), ...named(images, false)];
 }
 
-/** Finds what the main file names; files dropped without their folders are matched by name. */
+/** Finds the files to which the main file refers; files dropped without their folders are matched by name. */
 export async function findMissing(
   files: Files,
   main: string,
@@ -108,7 +108,7 @@ export async function findMissing(
   return { missing: [...missing.values()], refused };
 }
 
-/** Makes the set answer to `name` when it holds that file, perhaps in another folder. */
+/** Adds `name` to the set if it has this file, possibly in another folder. */
 function resolve(files: Files, folder: string, name: string): boolean {
   if (files.has(name)) return true;
   const found =
@@ -118,7 +118,7 @@ function resolve(files: Files, folder: string, name: string): boolean {
   return found !== undefined;
 }
 
-/** Safe as the name of a download. */
+/** A version of the name that is safe for a download. */
 export function safeName(name: string): string {
   const safe = baseName(name)
     .replace(/[^\w.-]+/g, '_')

@@ -1,5 +1,5 @@
-// glTF in its two shapes: the chunks of a GLB, and the JSON document, parsed once per file. What is in
-// the JSON is anybody's guess: every reader here takes it as `unknown`.
+// The two forms of glTF: the chunks of a GLB and the JSON document, parsed once per file. The JSON may have
+// any content, so every reader here treats it as `unknown`.
 
 import type { Files, OutputFile } from '../model/types';
 
@@ -8,11 +8,11 @@ const magic = 0x46546c67;
 export interface GlbChunks {
   json: Uint8Array;
   bin: Uint8Array;
-  /** Chunks of other kinds, with their heads. */
+  /** Other chunks, with their headers. */
   rest: Uint8Array;
 }
 
-/** Nothing where the bytes are no GLB with a JSON chunk that is all there. */
+/** Undefined if the bytes are not a GLB with a complete JSON chunk. */
 export function splitGlb(bytes: Uint8Array): GlbChunks | undefined {
   if (bytes.length < 20) return undefined;
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -36,11 +36,11 @@ export type Json = Readonly<Record<string, unknown>>;
 export const isObject = (value: unknown): value is Json =>
   typeof value === 'object' && value !== null && !Array.isArray(value);
 
-/** The items of a list that are objects; others stay as empty objects, so that indices hold. */
+/** The items of a list; items that are not objects become empty objects, so that indices stay valid. */
 export const objectsIn = (value: unknown): Json[] =>
   Array.isArray(value) ? value.map((one) => (isObject(one) ? one : {})) : [];
 
-/** The document of a .glb or .gltf; an empty one where it is none, for the solver says why. */
+/** The document of a .glb or .gltf; empty if it is invalid, since the solver reports why. */
 export function parseGltf({ name, bytes }: OutputFile): Json {
   try {
     const text = /\.glb$/i.test(name) ? (splitGlb(bytes)?.json ?? new Uint8Array(0)) : bytes;
@@ -51,7 +51,7 @@ export function parseGltf({ name, bytes }: OutputFile): Json {
   }
 }
 
-/** The meshes that are surfaces to the solver, in its order: those with triangles that have positions. */
+/** The meshes that the solver treats as surfaces, in its order: those with triangles that have positions. */
 export const surfaceMeshes = (json: Json): number[] =>
   objectsIn(json.meshes).flatMap((mesh, index) => {
     const hasTriangles = objectsIn(mesh.primitives).some(
@@ -63,7 +63,7 @@ export const surfaceMeshes = (json: Json): number[] =>
     return hasTriangles ? [index] : [];
   });
 
-/** Relative, inside the folder, decoded once; undefined for everything else. */
+/** The decoded name of a URI that is relative and inside the folder; undefined for all others. */
 export function relativeName(uri: string): string | undefined {
   let name: string;
   try {
@@ -77,9 +77,9 @@ export function relativeName(uri: string): string | undefined {
 }
 
 const parsed = new WeakMap<Blob | Uint8Array, Promise<Json>>();
-const mostHead = 64 * 2 ** 20; // bytes of a GLB in which its JSON ends
+const mostHead = 64 * 2 ** 20; // bytes at the beginning of a GLB that must contain its JSON
 
-/** The same for a file that was dropped: read and parsed the first time only. */
+/** The same for a dropped file, which is read and parsed only once. */
 export function gltfOf(files: Files, name: string): Promise<Json> {
   const file = files.get(name);
   if (!file || !isGltf(name)) return Promise.resolve({});

@@ -1,4 +1,4 @@
-// gzip, unpacked while it is read and stopped as soon as it asks for too much.
+// Unpacks gzip while it is read, and stops as soon as the limit on bytes is exceeded.
 
 import { Gunzip } from 'fflate';
 import { readMembers } from 'hgp/lib/gzip_members.js';
@@ -9,7 +9,7 @@ const tooLarge = 'This gzip file unpacks to far more than it should. Not loaded.
 
 const ignoredBehind = new WeakMap<Blob | Uint8Array, number>();
 
-/** Collects chunks, and throws once there are too many of them. */
+/** Collects chunks, and throws if they exceed the limit. */
 function collector(packed: number): { add(chunk: Uint8Array): void; all(): Uint8Array } {
   const chunks: Uint8Array[] = [];
   const most = Math.min(caps.bytes, caps.ratio * Math.max(packed, 4096));
@@ -38,8 +38,8 @@ const endsWith = (packed: Uint8Array, bytes: Uint8Array): Uint8Array | undefined
     : undefined;
 
 /**
- * The browser's own decoder checks the sum at the end, but takes one member: what follows is an error in some engines,
- * and ignored in others. Nothing where the file does not end with the size of what was inside.
+ * Unpacks with the browser's own decoder, which verifies the checksum but reads only one member: further bytes are an
+ * error in some engines and ignored in others. Undefined if the file does not end with the size of the result.
  */
 async function oneMember(packed: Uint8Array): Promise<Uint8Array | undefined> {
   const { add, all } = collector(packed.length);
@@ -56,7 +56,7 @@ async function oneMember(packed: Uint8Array): Promise<Uint8Array | undefined> {
   }
 }
 
-/** Several members, or something behind the last, in tasks of at most about so many milliseconds. */
+/** Unpacks several members, or a file with bytes after the last one, in short tasks. */
 async function severalMembers(packed: Uint8Array): Promise<Uint8Array> {
   const { add, all } = collector(packed.length);
   let begin = performance.now();
@@ -71,7 +71,7 @@ async function severalMembers(packed: Uint8Array): Promise<Uint8Array> {
   return bytes;
 }
 
-/** Bytes behind the gzip data from which these were unpacked. */
+/** The number of bytes after the gzip data from which a file was unpacked. */
 export const ignoredBytes = (file: Blob | Uint8Array | undefined): number =>
   (file && ignoredBehind.get(file)) ?? 0;
 

@@ -13,7 +13,7 @@ export interface HashState {
   tiles?: number;
   camera?: string;
   cones?: { vertex: number; k: number }[];
-  /** Pairs: the loop and its l, the generator and its r. */
+  /** Pairs of a loop and its l, and of a generator and its r. */
   turnings?: [number, number][];
   handles?: [number, number][];
 }
@@ -23,7 +23,7 @@ const integer = (text: string | null, low: number, high: number): number | undef
   return Number.isInteger(n) && n >= low && n <= high ? n : undefined;
 };
 
-/** Pairs of whole numbers, or nothing at all. */
+/** Pairs of integers; undefined if the text has anything else. */
 function pairsOf(text: string | null): [number, number][] | undefined {
   if (!text || text.length > mostText || !/^[\w-]+$/.test(text)) return undefined;
   try {
@@ -64,14 +64,14 @@ export function readHash(hash: string): HashState {
 }
 
 export interface HashSource {
-  /** Which example is open, where one is. */
+  /** The open example, if any. */
   example?: string;
   look: Look;
   prescription: Prescription;
   camera?: string;
 }
 
-/** What is different from a fresh page. */
+/** The settings that differ from those of a new page. */
 export function writeHash({ example, look, prescription, camera }: HashSource): string {
   const words = new URLSearchParams();
   if (example) words.set('example', example);

@@ -1,5 +1,5 @@
-// How the nodes of a glTF use its meshes: how often, where, and whether mirrored. A map is made once,
-// for the mesh; what nodes do with it is said.
+// How the nodes of a glTF use its meshes: how often, where, and whether mirrored. A mesh has one map;
+// remarks say how the nodes affect it.
 
 import type { ModelInfo } from 'hgp';
 import { Matrix4, Quaternion, Vector3 } from 'three';
@@ -9,7 +9,7 @@ import { gltfOf, isGltf, isObject, objectsIn, surfaceMeshes, type Json } from '.
 export interface MeshInstances {
   count: number;
   isMirrored: boolean;
-  /** Of the first, column by column. */
+  /** Matrix of the first node, by columns. */
   matrix: readonly number[];
 }
 
@@ -29,7 +29,7 @@ function localMatrix({ matrix, translation, rotation, scale }: Json): Matrix4 {
   );
 }
 
-/** Of a node with all that are above it; a file may name itself as its own child. */
+/** The matrix of a node including its ancestors; guards against cycles in invalid files. */
 function worldMatrix(nodes: Json[], parents: Map<number, number>, start: number): Matrix4 {
   const world = new Matrix4();
   const seen = new Set<number>();
@@ -40,14 +40,14 @@ function worldMatrix(nodes: Json[], parents: Map<number, number>, start: number)
   return world;
 }
 
-/** A skinned mesh is where its joints are; at rest the first of them tells where. */
+/** A skinned mesh is placed by its joints; in the bind pose, by the first of them. */
 function skinMatrix(json: Json, node: Json, world: (i: number) => Matrix4): Matrix4 | undefined {
   const skin = typeof node.skin === 'number' ? objectsIn(json.skins)[node.skin] : undefined;
   const [joint] = numbersIn(skin?.joints) ?? [];
   return joint === undefined ? undefined : world(joint);
 }
 
-/** Copies that EXT_mesh_gpu_instancing makes of one node; 1 without it. */
+/** Number of instances that EXT_mesh_gpu_instancing makes of a node; 1 without it. */
 function copiesOf({ extensions }: Json, accessors: Json[]): number {
   const instancing = isObject(extensions) ? extensions.EXT_mesh_gpu_instancing : undefined;
   const attributes = isObject(instancing) ? instancing.attributes : undefined;
@@ -56,7 +56,7 @@ function copiesOf({ extensions }: Json, accessors: Json[]): number {
   return typeof count === 'number' ? count : 1;
 }
 
-/** By mesh with triangles, as the solver counts them; nothing where the format has no nodes. */
+/** Instances by mesh with triangles, in the solver's numbering; undefined if the format has no nodes. */
 export async function instancesOf(
   files: Files,
   main: string,
@@ -86,7 +86,7 @@ export async function instancesOf(
   return surfaceMeshes(json).map((mesh) => meshes[mesh]);
 }
 
-/** What there is to know about the loaded mesh before its texture coordinates are made. */
+/** Remarks on the loaded mesh that matter before it is mapped. */
 export function remarksOn(
   { surfaces, surface }: ModelInfo,
   instances: MeshInstances | undefined,

@@ -1,10 +1,10 @@
-// What a written glTF holds beside the texture coordinates: all of it is as it was.
+// Lists the content of a written glTF besides the texture coordinates, all of which is unchanged.
 
 import { objectsIn, type Json } from './glb';
 
 const length = (list: unknown): number => (Array.isArray(list) ? list.length : 0);
 
-/** "3 materials, 1 skin, 52 morph targets"; empty where there is nothing. */
+/** "3 materials, 1 skin, 52 morph targets"; empty if there is none. */
 export function summarizePreserved(json: Json): string {
   const primitives = objectsIn(json.meshes).flatMap((mesh) => objectsIn(mesh.primitives));
   const counts: [number, string][] = [

@@ -1,12 +1,12 @@
-// PLY as it is written: x, y, z of vertices, and per face its corners and a list texcoord of u and v. A
-// reader of its own, like read_uv.ts.
+// Reads PLY as hgp writes it: x, y, z of vertices, and per face its corners and a list texcoord of u and v.
+// Independent of the writer, like read_uv.ts.
 
 import type { Corners } from '../model/types';
 
 interface Property {
   name: string;
   type: string;
-  /** Type of the length, where it is a list. */
+  /** Type of the length, if the property is a list. */
   count?: string;
 }
 interface Element {

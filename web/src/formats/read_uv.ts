@@ -1,5 +1,5 @@
-// Reads texture coordinates back from the very bytes that Download saves. A reader of its own, which
-// shares nothing with the writer: what the preview shows is what is in the file.
+// Reads texture coordinates back from exactly the bytes that Download saves. This reader shares no code
+// with the writer, so the preview shows what the file contains.
 
 import type { Corners, OutputFile } from '../model/types';
 import { isGltf, parseGltf, relativeName, splitGlb, surfaceMeshes, type Json } from './glb';
@@ -43,7 +43,7 @@ interface Gltf {
   meshes: { primitives: Primitive[] }[];
 }
 
-/** What of a file stays compressed is decoded by the decoder that is handed in, which must be ready. */
+/** The decoder for parts of a file that stay compressed; it must be ready. */
 export interface MeshoptDecoder {
   decodeGltfBuffer(
     target: Uint8Array,
@@ -57,7 +57,7 @@ export interface MeshoptDecoder {
 const meshoptNames = ['EXT_meshopt_compression', 'KHR_meshopt_compression'];
 
 const widths: Record<string, number> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
-/** By component type: size, largest value where normalized, reader. */
+/** By component type: size, maximum if normalized, reader. */
 const readers: Record<number, [number, number, (v: DataView, at: number) => number]> = {
   5120: [1, 127, (v, at) => v.getInt8(at)],
   5121: [1, 255, (v, at) => v.getUint8(at)],
@@ -73,7 +73,7 @@ interface OpenGltf {
   decoder?: MeshoptDecoder;
 }
 
-/** The writer made these files, so their shape is known; anything else throws. */
+/** Opens files that hgp has written, whose structure is known; throws for anything else. */
 function openGltf(files: OutputFile[], decoder: MeshoptDecoder | undefined): OpenGltf {
   const [main] = files;
   const json = parseGltf(main) as unknown as Gltf;
@@ -96,7 +96,7 @@ export const isMeshoptUsed = (main: OutputFile): boolean => {
   return Array.isArray(extensionsUsed) && meshoptNames.some((one) => extensionsUsed.includes(one));
 };
 
-/** The bytes of a buffer view, and how far apart its items are where it says so. */
+/** The bytes of a buffer view, and its stride if it has one. */
 function viewOf({ json, buffers, decoder }: OpenGltf, index: number): [DataView, number?] {
   const view = json.bufferViews[index];
   const packed = meshoptOf(view);
@@ -113,7 +113,7 @@ function viewOf({ json, buffers, decoder }: OpenGltf, index: number): [DataView,
   return [new DataView(bytes.buffer, start), view.byteStride];
 }
 
-/** Item by item, from one place. */
+/** Reads consecutive items from one place. */
 function readItems(
   file: OpenGltf,
   { bufferView, byteOffset = 0, componentType }: Place,
@@ -147,8 +147,8 @@ function readAccessor(file: OpenGltf, index: number): Float64Array {
 }
 
 /**
- * Corners of the triangles of a primitive, whatever its mode, in the order of the specification; those that
- * only join strips are none, and points and lines have none.
+ * Corners of the triangles of a primitive in any mode, in the order of the specification. Degenerate triangles
+ * of strips and fans are left out; points and lines have no triangles.
  */
 function cornerIndices(list: Float64Array, mode: number): number[] {
   const out: number[] = [];
@@ -162,7 +162,7 @@ function cornerIndices(list: Float64Array, mode: number): number[] {
   return out;
 }
 
-/** Corners of one of the meshes with triangles; the uv set is the highest that a primitive has, which is the new one. */
+/** Corners of one of the meshes with triangles. The highest uv set of a primitive is the new one. */
 function readGltf(
   files: OutputFile[],
   mesh: number,
@@ -193,13 +193,13 @@ function readGltf(
 function readObj(bytes: Uint8Array): Corners {
   const text = new TextDecoder().decode(bytes);
   const lineEnd = text.includes('\n') ? '\n' : '\r';
-  // A comment that ends with a backslash ends with its line.
+  // A backslash at the end of a comment does not continue it.
   const joined = text.includes('\\')
     ? text.replace(/#[^\r\n]*/g, '').replace(/\\(\r?\n|\r)/g, ' ')
     : text;
   const v: number[] = [];
   const vt: number[] = [];
-  const corners: [v: number, vt: number][] = []; // faces may come before what they name
+  const corners: [v: number, vt: number][] = []; // resolved later, since faces may precede their vertices
   const at = (word: string | undefined, count: number): number => {
     const n = Number(word);
     return n < 0 ? count + n : n - 1;

@@ -1,4 +1,4 @@
-// Where a download is used next: which file that wants, and how it is taken up there.
+// The programs for which a download can be made: the file that each needs, and how it is used there.
 
 import type { TargetId } from '../model/ui_state';
 import type { Format } from './exports';
@@ -7,7 +7,7 @@ import { isGltf } from './glb';
 export interface Target {
   id: TargetId;
   label: string;
-  /** What a person does with the file there. */
+  /** How to use the file there. */
   hint: string;
 }
 
@@ -34,7 +34,7 @@ export const targets: readonly Target[] = [
   },
 ];
 
-/** Programs for 3D models read OBJ and glTF; what came in another format becomes a GLB. */
+/** 3D programs read OBJ and glTF; a model in another format becomes a GLB. */
 export function formatFor(
   id: TargetId,
   written: string,

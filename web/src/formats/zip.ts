@@ -1,10 +1,10 @@
-// ZIP files, unpacked while they are read and stopped as soon as they ask for too much.
+// Unpacks ZIP files while they are read, and stops as soon as the limit on bytes is exceeded.
 
 import { Unzip, UnzipInflate } from 'fflate';
 
 const caps = { bytes: 2 ** 30, ratio: 200, entries: 10_000 };
 
-/** The reader calls itself once for every file that begins in what it is given at once. */
+/** Bytes per call: the reader recurses once for every file that begins in them. */
 const sliceSize = 16384;
 
 function isSafe(name: string): boolean {
@@ -24,7 +24,7 @@ export async function unzip(archive: Blob): Promise<Map<string, Uint8Array>> {
     if (failure || entry.name.endsWith('/')) return;
     if (++entries > caps.entries) return fail(`This ZIP has more than ${caps.entries} files.`);
     if (!isSafe(entry.name)) return fail(`This ZIP names a file outside its folder: ${entry.name}`);
-    if (/\.zip$/i.test(entry.name)) return; // no archives in archives
+    if (/\.zip$/i.test(entry.name)) return; // nested archives are ignored
     const chunks: Uint8Array[] = [];
     let size = 0;
     unfinished = entry.name;

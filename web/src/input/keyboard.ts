@@ -1,4 +1,4 @@
-// Keys. Single keys only while a view has the focus; Ctrl combinations anywhere but behind a dialog.
+// Keyboard input. Single keys work only while a view has the focus, Ctrl combinations whenever no dialog is open.
 
 import { attempt, type App } from '../actions/app';
 import { placeOrSelect, select, setK } from '../actions/edit_cones';
@@ -17,7 +17,7 @@ const arrows: Record<string, [number, number]> = {
 
 export class Keyboard {
   readonly #app: App;
-  /** The vertex that the arrows walk from, −1 for none. */
+  /** The vertex from which arrow keys move the cursor, −1 for none. */
   #cursor = -1;
 
   constructor(app: App) {
@@ -29,7 +29,7 @@ export class Keyboard {
     });
   }
 
-  /** A new model: the vertex that the keyboard was at is gone. */
+  /** Resets the cursor for a new model. */
   reset(): void {
     this.#cursor = -1;
     this.#app.views?.model.setCursor(-1);
@@ -38,9 +38,9 @@ export class Keyboard {
   #combination(event: KeyboardEvent): boolean {
     const id = actionForKey(keyOf(event));
     if (!id) return false;
-    if (isDialogOpen(this.#app)) return true; // nor does the browser do anything of its own
+    if (isDialogOpen(this.#app)) return true; // handled, so that the browser does nothing either
     const { target } = event;
-    // What is being typed is committed first.
+    // A value that is being typed is committed first.
     if (target instanceof HTMLInputElement && target.type === 'number') target.blur();
     void perform(this.#app, id);
     return true;
@@ -78,7 +78,7 @@ export class Keyboard {
 
   #escape(): boolean {
     const { doc, ui } = this.#app;
-    if (document.querySelector('dialog[open], :popover-open')) return false; // it closes by itself
+    if (document.querySelector('dialog[open], :popover-open')) return false; // the browser closes it
     if (ui.stopDrag?.()) return true;
     if (doc.selected >= 0) select(this.#app, -1);
     else if (doc.job?.kind === 'run') this.#askCancel();
@@ -87,7 +87,7 @@ export class Keyboard {
     return false;
   }
 
-  /** A run may have taken minutes: one key pressed by mistake does not end it. */
+  /** Asks before cancelling: a run may have taken minutes, and a key may be pressed by mistake. */
   #askCancel(): void {
     const { doc } = this.#app;
     const question = 'Escape once more cancels the run.';
@@ -116,7 +116,7 @@ export class Keyboard {
     return true;
   }
 
-  /** Begins at the vertex nearest to the middle of the view. */
+  /** Starts at the vertex nearest to the centre of the view. */
   #start(): void {
     const view = this.#app.views?.model;
     const surface = this.#app.doc.model?.surface;
@@ -126,7 +126,7 @@ export class Keyboard {
     this.#go(view.pick(middle)?.vertex ?? surface.triangles[0]);
   }
 
-  /** To the neighbour that lies most in the direction of the arrow, on the screen. */
+  /** Moves to the neighbour whose direction on the screen is closest to that of the arrow. */
   #walk(x: number, y: number): void {
     const view = this.#app.views?.model;
     const surface = this.#app.doc.model?.surface;

@@ -1,4 +1,4 @@
-// Mouse, pen and touch on the two views: place, select, drag, and what lies under the pointer.
+// Mouse, pen and touch on the two views: placing, selecting and dragging cones, and hovering.
 
 import { attempt, type App } from '../actions/app';
 import { coneToPlace, moveCone, placeOrSelect, select } from '../actions/edit_cones';
@@ -13,7 +13,7 @@ import type { UvView } from '../views/uv_view';
 
 const reach = { mouse: 12, pen: 16, touch: 24 } as const;
 const markerReach = { mouse: 18, pen: 22, touch: 28 } as const;
-const clickMoves = 4; // pixels: further is an orbit
+const clickMoves = 4; // pixels: a longer movement orbits
 const longPress = 400; // milliseconds
 
 type View = ModelView | UvView;
@@ -41,7 +41,7 @@ export class Pointer {
     app.ui.stopDrag = () => this.#putBack();
     for (const view of [model, uv]) {
       const { canvas } = view;
-      // Before the orbiting: a cone that is dragged must not turn the model.
+      // Handled before the orbit controls, so that dragging a cone does not turn the model.
       canvas.addEventListener('pointerdown', (event) => this.#press(view, event), {
         capture: true,
       });
@@ -49,7 +49,7 @@ export class Pointer {
       canvas.addEventListener('pointerup', (event) => this.#release(view, event));
       canvas.addEventListener('pointercancel', () => this.#forget());
       canvas.addEventListener('pointerleave', () => this.#leave());
-      // What dragging turns and moves, without dragging.
+      // An alternative to dragging for turning and moving the view.
       canvas.addEventListener('dblclick', (event) => {
         if (app.ui.tool === 'orbit') view.centre(event);
       });
@@ -147,12 +147,12 @@ export class Pointer {
       if (this.#app.doc.selected >= 0) select(this.#app, -1);
       return;
     }
-    // In a coarse triangle no vertex is near: the nearest of the three is meant all the same.
+    // In a large triangle no vertex is near the pointer; the nearest of the three is taken.
     const hit = view.pick(event);
     if (hit) this.#placeAt(hit);
   }
 
-  /** The cone that is being dragged, to where it was. */
+  /** Returns the cone that is being dragged to its original vertex. */
   #putBack(): boolean {
     const down = this.#down;
     if (!down?.isDrag || down.cone < 0) return false;
@@ -182,7 +182,7 @@ export class Pointer {
     void attempt(this.#app, () => placeOrSelect(this.#app, hit.vertex));
   }
 
-  /** The same triangle in both views; the twin of a seam; what a click would place. */
+  /** Shows the hovered triangle in both views, the other side of a seam, and the cone that a click would place. */
   #hover(view: View, event: PointerEvent): void {
     const { doc, ui } = this.#app;
     const surface = this.#surface;
@@ -241,7 +241,7 @@ export class Pointer {
   }
 }
 
-/** b = turn(a) + t: the translation t. */
+/** The translation t of a seam, b = R a + t. */
 function shiftAcross(
   uv: Float64Array,
   [a]: [number, number],

@@ -1,8 +1,8 @@
-// The line between the two views: dragged, moved with the arrow keys, or clicked.
+// The divider between the two views, which can be dragged, moved with the arrow keys, or clicked.
 
 import type { UiState } from '../model/ui_state';
 
-const places = [30, 58, 80]; // percent, one click after another
+const places = [30, 58, 80]; // percent; each click moves to the next
 
 export function listenToSplitter(splitter: HTMLElement, ui: UiState): void {
   const panes = splitter.parentElement!;

@@ -28,7 +28,7 @@ import type {
 } from './types';
 import { isCertified } from './verdict';
 
-/** What is open; everything that only makes sense with a model is inside `open`. */
+/** What is open; everything that requires a model is inside `open`. */
 export type DocumentState =
   | { readonly kind: 'starting' }
   | { readonly kind: 'failed' }
@@ -42,7 +42,7 @@ export type DocumentState =
   | { readonly kind: 'pick-model'; readonly files: Files; readonly candidates: string[] }
   | { readonly kind: 'open'; readonly model: Model };
 
-/** What was made of one mesh of a file: it waits while another is looked at. */
+/** The work on one mesh of a file, kept while another mesh is open. */
 export interface MeshWork {
   readonly model: Model;
   readonly history: History<Step>;
@@ -54,37 +54,37 @@ interface Fields {
   state: DocumentState;
   job: Job | undefined;
   history: History<Step>;
-  /** The newest last, at most three: undo finds the map that belongs to it. */
+  /** At most three, the newest last, so that undo can show the map of its step. */
   solutions: readonly Solution[];
-  /** The other meshes of the file that were worked on, by index. */
+  /** The other meshes of the file that have been open, by index. */
   meshes: ReadonlyMap<number, MeshWork>;
-  /** Small pictures of the meshes, as far as they were made. */
+  /** Thumbnails of the meshes that have one. */
   thumbnails: ReadonlyMap<number, Uint8ClampedArray>;
-  /** What each mesh of the file is good for, where that is known. */
+  /** Summaries of the meshes of the file, as far as known. */
   summaries: readonly MeshSummary[];
   solve: SolveSettings;
-  /** The direction field that the cones were imported from last, as it was read. */
+  /** The direction field from which cones were last imported, as read. */
   field: { name: string; text: string } | undefined;
-  /** The user has said what the cones are, even if that is none. */
+  /** Whether the user has set the cones, possibly to none. */
   hasUserCones: boolean;
-  /** Where the slider between few cones and little distortion stands. */
+  /** Position of the slider between few cones and low distortion. */
   coneStep: number;
   /** Index of the selected cone, −1 for none. */
   selected: number;
-  /** The map that the worker holds, and can write again without solving. */
+  /** The map that the worker has and can write again without solving. */
   resultInWorker: Result | undefined;
-  /** How the file shall be written, while it is. */
+  /** Output settings that are being applied while the file is written. */
   pendingOutput: Output | undefined;
   validation: Validation | undefined;
   objection: Objection | undefined;
   message: Message | undefined;
-  /** What has been said since the page was opened, the newest last. */
+  /** Messages since the page was opened, the newest last. */
   log: readonly { time: Date; text: string }[];
   look: Look;
   isUnsaved: boolean;
 }
 
-/** As the solver reads them. */
+/** The load settings as options of the solver. */
 export const loadOptionsOf = ({ weld, fix, hasAllRepairs }: LoadSettings) =>
   hasAllRepairs ? { weld } : { weld, fix };
 export const plainSettings: LoadSettings = { fix: {} };
@@ -107,9 +107,9 @@ const begun = (prescription: Prescription, settings = plainSettings): History<St
   History.of({ prescription, settings });
 
 export class Document extends storeOf<Fields>() {
-  /** The model that was open before, where it had cones: a new version of it takes them over. */
+  /** The previously open model, if it had cones: they are transferred to a new version of it. */
   previous?: { model: Model; prescription: Prescription };
-  /** Counts what has been dropped, chosen or closed: what was asked for last is what is opened. */
+  /** Counts requests to open or close; only the result of the last request is used. */
   openRequestId = 0;
 
   constructor() {
@@ -140,7 +140,7 @@ export class Document extends storeOf<Fields>() {
   get model(): Model | undefined {
     return this.state.kind === 'open' ? this.state.model : undefined;
   }
-  /** The model, where it can be solved. */
+  /** The model, if it can be solved. */
   get usableModel(): Model | undefined {
     return this.model?.info.usable ? this.model : undefined;
   }
@@ -187,18 +187,18 @@ export class Document extends storeOf<Fields>() {
         samePrescription(one.prescription, this.prescription),
     );
   });
-  /** The solution of exactly what is prescribed now. */
+  /** The solution of exactly the current prescription. */
   get current(): Solution | undefined {
     return this.#current.value;
   }
 
   readonly #displayed = computed(() => this.#current.value ?? this.#forSurface.value.at(-1));
-  /** What the views show: the current solution, or the last one, which is then stale. */
+  /** The solution that the views show: the current one or, marked as stale, the last one. */
   get displayed(): Solution | undefined {
     return this.#displayed.value;
   }
 
-  /** Run suggests cones where nothing has been said: a turning or a rotation is something said. */
+  /** Whether Run chooses cones: only if nothing is prescribed, neither cones nor turnings nor rotations. */
   get needsCones(): boolean {
     return isSilent(this.prescription) && (!this.hasUserCones || !this.budget?.isReady);
   }
@@ -217,12 +217,12 @@ export class Document extends storeOf<Fields>() {
     return this.#stateName.value;
   }
 
-  /** A new beginning that undo does not cross. */
+  /** Starts a new history, beyond which undo does not go. */
   begin(prescription: Prescription, settings: LoadSettings = this.settings): void {
     this.history = begun(prescription, settings);
   }
 
-  /** Frames can come from a file only where one with directions was imported. */
+  /** Stores an imported field; frames can be taken from it only if it has directions. */
   takeField(field?: { name: string; text: string }): void {
     this.field = field;
     if (!field) this.solve = { ...this.solve, frames: 'auto' };
@@ -233,13 +233,13 @@ export class Document extends storeOf<Fields>() {
     this.log = [...this.log.slice(1 - mostLog), { time: new Date(), text: `${text} ${details}` }];
   }
 
-  /** The mesh that is open, to come back to. */
+  /** The work on the open mesh, to be restored later. */
   get work(): MeshWork | undefined {
     const { model, history, solutions, hasUserCones } = this;
     return model && { model, history, solutions, hasUserCones };
   }
 
-  /** Nothing is left of the mesh that was open; the file may be. */
+  /** Clears everything about the open mesh, but not the file. */
   clearMesh(): void {
     this.solutions = [];
     this.selected = -1;
@@ -254,7 +254,7 @@ export class Document extends storeOf<Fields>() {
 
   clearModel(): void {
     const { job, model, prescription } = this;
-    this.job = undefined; // what it still has to say is about a closed model
+    this.job = undefined; // its further reports are about a closed model
     job?.controller.abort();
     const isWorth = model?.info.usable && prescription.cones.length > 0;
     this.previous = isWorth ? { model, prescription } : undefined;

@@ -1,5 +1,5 @@
-// The budget of Gauss–Bonnet, in exact integers and at once: Σ(q − kᵢ) + Σlⱼ = q·χ for every
-// connected part, and what is wrong with single cones. The solver checks the same again.
+// Gauss–Bonnet in exact integers, without the solver: Σ(q − kᵢ) + Σlⱼ = q·χ for every
+// connected component, and errors of single cones. The solver checks both again.
 
 import type { ModelInfo } from 'hgp';
 import type { Prescription } from './prescription';
@@ -16,7 +16,7 @@ export interface ComponentBudget {
   have: number;
   need: number;
   left: number;
-  /** Loops whose turning is automatic; they take what is left. */
+  /** Loops whose turning is automatic; they take the remainder. */
   openLoops: number;
   isBalanced: boolean;
 }
@@ -25,9 +25,9 @@ export interface Budget {
   components: ComponentBudget[];
   cones: ConeState[];
   isReady: boolean;
-  /** One sentence: what is missing and what would settle it. */
+  /** One sentence: what is missing and how to add it. */
   text: string;
-  /** Nothing forbids these cones, but they are known to be hard. */
+  /** These cones are valid, but known to be difficult. */
   warnings?: string[];
 }
 
@@ -36,7 +36,7 @@ export function largestK(q: number, valence: number): number {
   return Math.ceil((q * valence) / 2) - 1;
 }
 
-/** What is wrong with one cone; `coneAt` knows the first cone at each vertex. */
+/** The error of one cone, if any; `coneAt` maps each vertex to the first cone there. */
 function checkCone(
   { q, cones }: Prescription,
   surface: Surface,
@@ -74,7 +74,7 @@ function checkCones(prescription: Prescription, surface: Surface): ConeState[] {
   return prescription.cones.map((_, i) => checkCone(prescription, surface, i, coneAt));
 }
 
-/** "two k = 2 or one k = 1": ways to spend what is left with cones of one kind. */
+/** "two k = 2 or one k = 1": cones of one kind that use up the remainder. */
 export function waysToSpend(left: number, q: number): string {
   const step = Math.sign(left);
   const ways: string[] = [];
@@ -104,7 +104,7 @@ function sentence(
   return `${what}${where}${ways ? `: add ${ways}, or Balance for me` : '. Balance for me settles it'}.`;
 }
 
-/** What the cones of each component add up to. */
+/** Σ(q − k) over the cones of each component. */
 function spentByComponent({ q, cones }: Prescription, surface: Surface): Map<number, number> {
   const spent = new Map<number, number>();
   for (const { vertex, k, triangle = -1 } of cones) {
@@ -144,8 +144,8 @@ export function computeBudget(
 }
 
 /**
- * The k that a click means: what bends around the vertex, not at it alone, and what is missing. Where
- * cones are missing the new one makes up for it, and never takes more than what is left.
+ * The k for a cone placed by a click, from the curvature around the vertex and the remainder. If cones are
+ * missing, the new one reduces the remainder and never exceeds it.
  */
 export function suggestedK(surface: Surface, vertex: number, q: number, left: number): number {
   const most = Math.max(1, largestK(q, surface.valence[vertex]));
@@ -158,7 +158,7 @@ export function suggestedK(surface: Surface, vertex: number, q: number, left: nu
   return within(bends < 0 ? q + 1 : q - 1);
 }
 
-/** What the component of a vertex has left to spend; nothing where a boundary takes it. */
+/** The remainder of the vertex' component; 0 if boundary loops take it. */
 export function leftAt(budget: Budget | undefined, surface: Surface, vertex: number): number {
   const component = surface.component[vertex];
   const found =

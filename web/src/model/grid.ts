@@ -1,15 +1,15 @@
-// A map aligned to a grid: what is asked, what came of it, and which patterns then run on across seams.
+// Alignment to a grid: the request, the outcome, and the patterns that then continue across seams.
 
 import type { Report, Result } from 'hgp';
 import type { GridSettings, Look, Pattern, Solution, Surface } from './types';
 
-/** A grid of squares comes back to itself under half and quarter turns only. */
+/** Only rotations by half and quarter turns map a grid of squares to itself. */
 export const canAlign = (q: number): boolean => q === 2 || q === 4;
 
 export const cellRange = { min: 10, max: 1_000_000 };
-const cellsAcross = 14; // along the diagonal, for a picture in which single tiles are seen
-const fewestCells = 800; // cones that the solver chooses keep a cell apart: fewer cells would move many
-const cellsPerCone = 40; // of cones that are given: fewer fail more often, and distort more
+const cellsAcross = 14; // along the diagonal, so that single tiles are visible
+const fewestCells = 800; // automatic cones keep a distance of one cell: with fewer cells many would be moved
+const cellsPerCone = 40; // for given cones: fewer cells fail more often and cause more distortion
 
 export function automaticCells(
   { area, diagonal }: Pick<Surface, 'area' | 'diagonal'>,
@@ -28,7 +28,7 @@ type GridReport = NonNullable<Report['components'][number]['grid']>;
 const gridReports = ({ report }: Pick<Result, 'report'>): GridReport[] =>
   report.components.flatMap(({ grid }) => grid ?? []);
 
-/** The report says that a grid was reached, and the certificate that it runs on across every seam. */
+/** The report states that alignment succeeded, and the certificate that the grid continues across every seam. */
 export function isAligned({ result }: Pick<Solution, 'result'>): boolean {
   const { integerSeams, seamEdges } = result.certificate;
   const reports = gridReports(result);
@@ -41,18 +41,18 @@ export function isAligned({ result }: Pick<Solution, 'result'>): boolean {
 
 export interface GridOutcome {
   isAligned: boolean;
-  /** Reached, of all components. */
+  /** Cells of all components together. */
   cells: number;
   cellsPerCone: number;
-  /** Edge of a cell in units of the surface. */
+  /** Edge length of a cell in units of the surface. */
   spacing: number;
-  /** Why there is none. */
+  /** Why there is no aligned map. */
   reason: string;
-  /** How many cells would work, 0 where that was not found. */
+  /** A number of cells that works, 0 if none was found. */
   workingCells: number;
 }
 
-/** Nothing where no grid was asked. */
+/** Undefined if no grid was requested. */
 export function gridOutcome({ result }: Pick<Solution, 'result'>): GridOutcome | undefined {
   const reports = gridReports(result);
   if (reports.length === 0) return undefined;
@@ -60,7 +60,7 @@ export function gridOutcome({ result }: Pick<Solution, 'result'>): GridOutcome |
   const cones = Math.max(1, result.cones.cones.length);
   const failed = reports.filter(({ aligned }) => !aligned);
   const isFound = failed.every(({ workingCells }) => workingCells > 0);
-  // All components have the same spacing: the one that needs most decides.
+  // All components have the same spacing, so the most demanding one decides.
   const denser = Math.max(1, ...failed.map((one) => one.workingCells / one.cells));
   return {
     isAligned: isAligned({ result }),
@@ -72,13 +72,13 @@ export function gridOutcome({ result }: Pick<Solution, 'result'>): GridOutcome |
   };
 }
 
-/** After how many of its tiles a pattern repeats; those that are not listed have no lines. */
+/** The number of tiles after which a pattern repeats; patterns that are not listed have no lines. */
 const periods: Partial<Record<Pattern, number>> = {
   ...{ checker: 2, brick: 2, wood: 2, hex: 2 },
   ...{ grid: 1, plaid: 1, circles: 1, image: 1 },
 };
 
-/** The order of the turns that leave a pattern as it is, where it lies on the aligned grid. */
+/** The order of the rotations that leave a pattern unchanged on the aligned grid. */
 const symmetries: Partial<Record<Pattern, number>> = {
   ...{ checker: 4, grid: 4, plaid: 4, circles: 4 },
   ...{ brick: 2, hex: 2, wood: 1, image: 1 },
@@ -87,7 +87,7 @@ const symmetries: Partial<Record<Pattern, number>> = {
 export const areSeamsShown = ({ seams }: Look, solution: Solution): boolean =>
   seams === 'auto' ? !isAligned(solution) : seams === 'on';
 
-/** On an aligned map tiles come in whole steps. */
+/** On an aligned map the number of tiles per cell is an integer. */
 export const hasSteps = (look: Look, solution: Solution | undefined): boolean =>
   solution !== undefined && look.pattern in periods && isAligned(solution);
 
@@ -103,7 +103,7 @@ export function tilesPerUnit(
   return look.tiles / (Math.sqrt(uvArea / surfaceArea) * diagonal);
 }
 
-/** The same for the grid that a file gets as its material: two tiles of it are one picture. */
+/** The same for the grid written as material of a file, whose picture consists of two tiles. */
 export const gridTilesPerUnit = (
   look: Look,
   surface: Pick<Surface, 'diagonal'>,
@@ -113,15 +113,15 @@ export const gridTilesPerUnit = (
     ? 2 * look.steps
     : tilesPerUnit({ ...look, pattern: 'checker' }, surface, solution);
 
-/** Whether a pattern looks another way on the other side of a seam that turns by r of q. */
+/** Whether a pattern looks different on the two sides of a seam with rotation r. */
 export const isTurnedBy = (pattern: Pattern, r: number, q: number): boolean =>
   (r * (symmetries[pattern] ?? q)) % q !== 0;
 
 export interface TurnedSeams {
-  /** Runs of seam edges, as they are coloured. */
+  /** Number of chains of seam edges, each of which has one colour. */
   all: number;
   turned: number;
-  /** Indices of the seam edges that turn the pattern. */
+  /** Indices of the seam edges across which the pattern is rotated. */
   edges: number[];
 }
 

@@ -1,4 +1,4 @@
-// Undo and redo over immutable values; a history is immutable, too. Edits of one kind
+// Undo and redo of immutable values; the history itself is immutable as well. Edits of one kind
 // within half a second are one step.
 
 const mergeTime = 500; // milliseconds
@@ -33,7 +33,7 @@ export class History<T> {
   get canRedo(): boolean {
     return this.#at < this.#entries.length - 1;
   }
-  /** What undo would take back. */
+  /** The kind of the edit that undo would revert. */
   get undoKind(): string {
     return verb(this.#entries[this.#at]);
   }
@@ -41,7 +41,7 @@ export class History<T> {
     return verb(this.#entries[this.#at + 1]);
   }
 
-  /** `kind` is "verb: field"; the same kind soon after merges into one step, a drag always. */
+  /** `kind` is "verb: field"; edits of the same kind in quick succession, and all moves of a drag, are one step. */
   push(value: T, kind: string, now = performance.now()): History<T> {
     const top = this.#entries[this.#at];
     const isSoon = now - top.time < mergeTime || kind.startsWith('move cone: ');

@@ -6,16 +6,16 @@ import type { Cones } from 'hgp';
 export interface Cone {
   readonly vertex: number;
   readonly k: number;
-  /** Of the file: where repairs made several vertices of one, the one that this triangle has. */
+  /** A triangle of the file: if repairs split the vertex, its copy in this triangle is meant. */
   readonly triangle?: number;
 }
 
 export interface Prescription {
   readonly q: number;
   readonly cones: readonly Cone[];
-  /** By boundary loop; null: the solver takes what is left of the budget. */
+  /** By boundary loop; null: chosen by the solver so that Gauss–Bonnet holds. */
   readonly turnings: readonly (number | null)[];
-  /** By handle generator; null: from the smooth field. */
+  /** By handle generator; null: that of the smooth field. */
   readonly handles: readonly (number | null)[];
 }
 
@@ -26,7 +26,7 @@ export function emptyPrescription(q: number, loops: number, generators: number):
   return { q, cones: [], turnings: nothing(loops), handles: nothing(generators) };
 }
 
-/** As hgp-cones; positions are added where they are known, so that the file survives remeshing. */
+/** The prescription as hgp-cones, with positions if known, so that the file can be used after remeshing. */
 export function toCones(prescription: Prescription, positions?: ArrayLike<number>): Cones {
   const position = (v: number): [number, number, number] | undefined =>
     positions && [positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]];
@@ -59,7 +59,7 @@ export function fromCones(cones: Cones, loops: number, generators: number): Pres
   };
 }
 
-/** k·q′/q for everything, or undefined where that is not an integer. */
+/** The prescription with all indices multiplied by q′/q; undefined if one is then not an integer. */
 export function withOrder(prescription: Prescription, q: number): Prescription | undefined {
   const convert = (n: number): number => (n * q) / prescription.q;
   const cones = prescription.cones.map((cone) => ({ ...cone, k: convert(cone.k) }));
@@ -87,11 +87,11 @@ export function samePrescription(a: Prescription, b: Prescription): boolean {
   );
 }
 
-/** Whether nothing at all has been said. */
+/** Whether nothing is prescribed. */
 export const isSilent = ({ cones, turnings, handles }: Prescription): boolean =>
   cones.length === 0 && [...turnings, ...handles].every((n) => n === null);
 
-/** "¾" is read out badly; "+1/4" is not. */
+/** "+1/4" instead of "¼", which screen readers pronounce badly. */
 export function indexText(k: number, q: number): string {
   let [n, d] = [q - k, q];
   if (n === 0) return '0';

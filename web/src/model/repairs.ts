@@ -1,4 +1,4 @@
-// Which repair a defect asks for, and whether repairs may settle what is wrong.
+// Which repair a defect needs, and whether repairs can make a mesh usable.
 
 import type { Model } from './types';
 
@@ -13,7 +13,7 @@ export const repairFor: Record<string, Repair> = {
   'duplicate-face': 'degenerate',
 };
 
-/** Whether repairs that have not been made yet may settle what stands in the way. */
+/** Whether repairs that have not been made yet may make the mesh usable. */
 export function canRepair({ info, loaded }: Model): boolean {
   if (info.usable || loaded.hasAllRepairs) return false;
   const fatal = info.defects.filter((defect) => defect.fatal);

@@ -1,5 +1,5 @@
 // A store: an object whose members are signals. Reading a member inside `effect` or `computed`
-// subscribes to it; assigning tells whoever has read it.
+// subscribes to it; assigning to it notifies the subscribers.
 
 import { signal } from '@preact/signals-core';
 
@@ -18,6 +18,6 @@ class Cells {
   }
 }
 
-/** The base of a store with these members; all must be there from the beginning, undefined ones, too. */
+/** The base class of a store with these members, all of which must be present from the start, even if undefined. */
 export const storeOf = <T extends object>(): new (initial: T) => T =>
   Cells as unknown as new (initial: T) => T;

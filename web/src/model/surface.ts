@@ -1,8 +1,8 @@
-// Questions about a surface that are answered at once.
+// Facts about a surface that need no worker.
 
 import type { Surface } from './types';
 
-/** What bends at v, in degrees: positive on a corner of a cube, negative on a saddle. */
+/** The angle defect at v in degrees: positive at a corner of a cube, negative at a saddle. */
 export function defectDegrees(surface: Surface, v: number): number {
   return (defect(surface, v) * 180) / Math.PI;
 }
@@ -11,7 +11,7 @@ function defect(surface: Surface, v: number): number {
   return (surface.isBoundary[v] ? Math.PI : 2 * Math.PI) - surface.angle[v];
 }
 
-const reach = 0.03; // of the diagonal
+const reach = 0.03; // as a fraction of the diagonal
 const mostVertices = 600;
 
 /** Vertices within a small distance along edges, the vertex itself first. */
@@ -33,7 +33,7 @@ export function neighbourhood(surface: Surface, vertex: number): number[] {
   return found;
 }
 
-/** What bends around v, in radians: the sum over a neighbourhood, where noise cancels. */
+/** The curvature around v in radians: the sum of defects over a neighbourhood, in which noise cancels. */
 export function curvatureAround(surface: Surface, vertex: number): number {
   return neighbourhood(surface, vertex)
     .filter((v) => !surface.isBoundary[v])

@@ -1,6 +1,6 @@
-// What was prescription goes along when the surface is read again: after a weld or a repair vertices keep
-// their numbers and may become one, go away, or come to the boundary; in another version of the file
-// the exact position tells which vertex is which.
+// Transfers the prescription when the surface is read again. After a weld or a repair, vertices keep
+// their numbers but may be merged, removed, or moved to the boundary; in another version of the file,
+// vertices are identified by their exact position.
 
 import { emptyPrescription, type Cone, type Prescription } from './prescription';
 import type { Model, Surface } from './types';
@@ -10,7 +10,7 @@ type Reading = Pick<Model, 'surface' | 'info'>;
 export interface Transfer {
   prescription: Prescription;
   kept: number;
-  /** What could not go along, in words. */
+  /** Descriptions of what could not be transferred. */
   lost: string[];
 }
 
@@ -62,7 +62,7 @@ function transferTurnings(
 const isSame = (a: Uint32Array, b: Uint32Array): boolean =>
   a.length === b.length && a.every((x, i) => x === b[i]);
 
-/** Handle loops are found by connectivity: with another one, they are other loops. */
+/** Transfers handle rotations only if connectivity is the same, because it determines the loops. */
 function transferHandles(
   { handles }: Prescription,
   { surface: old }: Reading,
@@ -79,7 +79,7 @@ function transferHandles(
   return made;
 }
 
-/** `isSameFile`: only what is made of the file has changed, and vertices have their numbers. */
+/** `isSameFile`: the file is the same, read with other repairs or another weld, so that vertices keep their numbers. */
 export function transferPrescription(
   prescription: Prescription,
   old: Reading,
@@ -88,7 +88,7 @@ export function transferPrescription(
 ): Transfer {
   const { surface, info } = now;
   if (!info.usable) {
-    // Nothing can be run, but the way on may be another repair: the cones wait for it.
+    // The mesh is not usable, but another repair may make it so; the cones are kept until then.
     return {
       prescription: { ...prescription, turnings: [], handles: [] },
       kept: prescription.cones.length,

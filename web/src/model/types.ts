@@ -13,38 +13,38 @@ export interface OutputFile {
 
 export interface Missing {
   name: string;
-  /** Geometry cannot be read without it; images can be left out. */
+  /** Whether geometry needs the file; images do not. */
   isNeeded: boolean;
 }
 
 /**
- * The loaded surface: ids are those of the file; what is known of vertices is told by the solver, of what
- * repairs and welds made of them.
+ * The loaded surface. Ids are those of the file; facts about vertices come from the solver and describe the surface
+ * after welds and repairs.
  */
 export interface Surface extends SurfaceFacts {
-  /** Names it in the geometry worker. */
+  /** Identifies it in the geometry worker. */
   id: number;
   positions: Float64Array;
   triangles: Uint32Array;
   vertexCount: number;
   diagonal: number;
-  /** Where the model is seen: positions and normals moved by the first node that uses the mesh. */
+  /** Positions as displayed, transformed by the first node that uses the mesh. */
   places: Float64Array;
   normals: Float32Array;
-  /** That node turns left hands into right ones. */
+  /** Whether that node's transformation is a reflection. */
   isMirrored: boolean;
-  /** A ball around it, where it is seen. */
+  /** Centre of a bounding sphere of the displayed positions. */
   center: [number, number, number];
   radius: number;
-  /** Three numbers per triangle corner, ready to be drawn. */
+  /** Three numbers per triangle corner, ready for drawing. */
   cornerPositions: Float32Array;
-  /** Four bytes per corner, 127 for 1: a graphics card takes long to be given more. */
+  /** Four bytes per corner, 127 for 1: more would take longer to upload to the graphics card. */
   cornerNormals: Int8Array;
 }
 
 export interface LoadSettings {
   readonly weld?: number;
-  /** All repairs that the solver knows of, instead of those of `fix`. */
+  /** All repairs that the solver finds necessary, instead of those in `fix`. */
   readonly hasAllRepairs?: boolean;
   readonly fix: {
     readonly orient?: boolean;
@@ -53,7 +53,7 @@ export interface LoadSettings {
   };
 }
 
-/** What undo goes back and forth over. */
+/** The state that undo and redo restore. */
 export interface Step {
   readonly prescription: Prescription;
   readonly settings: LoadSettings;
@@ -62,26 +62,26 @@ export interface Step {
 /** Alignment to a grid of squares. */
 export interface GridSettings {
   readonly isOn: boolean;
-  /** Grid cells in all; nothing: as many as the model and its cones need. */
+  /** Total number of grid cells; undefined: as many as the model and its cones need. */
   readonly cells?: number;
   /** `quad`: cones lie on grid points, so that the cells are a quad mesh. */
   readonly mode: 'tile' | 'quad';
 }
 
-/** How Run is done; what is asked of the map is the prescription. */
+/** Options of Run, apart from the prescription. */
 export interface SolveSettings {
   rounds: number;
-  /** Less distortion: −1 of angles, 0 of both, 1 of areas; nothing: the map as solved. */
+  /** Distortion to lower: −1 of angles, 0 of both, 1 of areas; undefined: the map as solved. */
   improve?: number;
-  /** `file`: the directions of the imported field, instead of a smooth field of the solver's own. */
+  /** `file`: the directions of the imported field; `auto`: a smooth field computed by the solver. */
   frames: 'auto' | 'file';
   grid: GridSettings;
-  /** In seconds; without it a run takes as long as it takes. */
+  /** In seconds; undefined: no limit. */
   timeLimit?: number;
 }
 
 export interface Seam {
-  /** Ends as uv vertices, corresponding ends first. */
+  /** The ends of both sides as uv vertices, in corresponding order. */
   a: [number, number];
   b: [number, number];
   r: number;
@@ -89,9 +89,9 @@ export interface Seam {
 
 /** Where and how the map goes into the file. */
 export interface Output {
-  /** glTF: the set to write; without it the next free one. */
+  /** glTF: the set to write; undefined: the next free one. */
   uvSet?: number;
-  /** glTF: the textures of the file use the set that is written. */
+  /** glTF: makes the file's textures use the written set. */
   usesNewSet: boolean;
   scale: 'solved' | 'unit' | 'fit';
   embedCones: boolean;
@@ -99,14 +99,14 @@ export interface Output {
   hasGrid: boolean;
 }
 
-/** What a solution is the solution of. */
+/** The input of a solution. */
 export interface SolveRequest {
   prescription: Prescription;
-  /** Welds and repairs of the surface that it is the map of. */
+  /** Welds and repairs of its surface. */
   settings: LoadSettings;
   improve?: number;
   frames: 'auto' | 'file';
-  /** As it was set; `cells` are those that were asked of the solver, where any were. */
+  /** The settings; `cells` is the number requested from the solver, if any. */
   grid: GridSettings;
   cells?: number;
   output: Output;
@@ -123,11 +123,11 @@ export interface Quantiles {
 }
 
 export interface Distortion {
-  /** Ratio of singular values, 1 = angles kept. */
+  /** Ratio of singular values; 1: angles preserved. */
   stretch: Quantiles;
-  /** log₂ of the area scaling relative to the whole. */
+  /** log₂ of the area scale relative to that of the whole surface. */
   area: Quantiles;
-  /** Its absolute value. */
+  /** The absolute value of `area`. */
   areaSize: Quantiles;
   seamDistance: Quantiles;
   /** Triangles that are not positive in the map. */
@@ -137,23 +137,23 @@ export interface Distortion {
 }
 
 export interface LeastArea {
-  /** In the map, of the triangle that has least of it; negative where it is folded over. */
+  /** The smallest signed area of a triangle in the map; negative if it is flipped. */
   area: number;
-  /** Of all triangles. */
+  /** The mean area of all triangles. */
   mean: number;
   triangle: number;
-  /** How many are below zero, and how many are zero. */
+  /** Number of triangles with negative area, and with area zero. */
   negative: number;
   zero: number;
-  /** The smallest that is above zero. */
+  /** The smallest positive area. */
   smallestPositive: number;
 }
 
 export interface Overlaps {
-  /** Pairs of triangles that share area and no corner. */
+  /** Pairs of triangles that overlap and share no corner. */
   pairs: number;
   triangles: Uint32Array;
-  /** There are so many that counting stopped. */
+  /** Whether counting stopped because there are too many. */
   isMore: boolean;
 }
 
@@ -163,27 +163,27 @@ export interface Corners {
   positions: Float64Array;
   /** Per triangle corner, two numbers, v pointing up. */
   uv: Float64Array;
-  /** Where there are polygons: corners of each, and all of the above is per polygon corner. */
+  /** For polygons: the number of corners of each; the arrays above are then per polygon corner. */
   sizes?: number[];
 }
 
-/** What the geometry worker finds out about a map. */
+/** What the geometry worker computes for a map. */
 export interface Analysis {
-  /** Names it in the geometry worker. */
+  /** Identifies it in the geometry worker. */
   id: number;
-  /** The written bytes hold the very map that was certified. */
+  /** Whether the written bytes contain exactly the certified map. */
   isSameAsFile: boolean;
-  /** Why not, where they do not. */
+  /** Why not, if they do not. */
   difference: string;
-  /** Two numbers per triangle corner, v pointing up: from the file where it is the same. */
+  /** Two numbers per triangle corner, v pointing up: read from the file if it has the same map. */
   cornerUv: Float32Array;
-  /** The map laid flat, three numbers per corner. */
+  /** The map as a flat mesh, three numbers per corner. */
   flatPositions: Float32Array;
   distortion: Distortion;
   least: LeastArea;
-  /** Triangles that lie on top of others, which is allowed. */
+  /** Triangles that overlap others, which is allowed. */
   overlaps: Overlaps;
-  /** Colour group of each seam edge: the two sides of a chain have the same. */
+  /** The chain of each seam edge; both sides of a chain have the same colour. */
   chains: Uint32Array;
   box: Box;
 }
@@ -199,14 +199,14 @@ export interface Box {
 export interface Solution extends SolveRequest, Analysis {
   result: Result;
   written: Written;
-  /** What the writer has to say. */
+  /** Notes of the writer. */
   notes: string[];
-  /** What else is in the file and stays: "3 materials, 1 skin". */
+  /** Other content of the file, which is kept: "3 materials, 1 skin". */
   preserved: string;
-  /** What was written, and what it names beside that. */
+  /** The written files, and the files to which they refer. */
   files: OutputFile[];
   seams: Seam[];
-  /** The solver may have kept the map under this name. */
+  /** The name under which the solver keeps the map, unless it has dropped it. */
   keptAs: string;
   /** Edge of the surface (smaller vertex × |V| + larger) → seam. */
   seamAt: Map<number, number>;
@@ -214,7 +214,7 @@ export interface Solution extends SolveRequest, Analysis {
 
 export interface MeshSummary {
   index: number;
-  /** Nodes that use the mesh; nothing where the format has no nodes. */
+  /** Number of nodes that use the mesh; undefined if the format has no nodes. */
   instances?: number;
   isUsable: boolean;
   components: number;
@@ -222,25 +222,25 @@ export interface MeshSummary {
   why: string;
 }
 
-/** A file that is open, with the mesh of it that is worked on. */
+/** An open file, with the mesh that is open. */
 export interface Model {
   readonly main: string;
   readonly files: Files;
   readonly info: ModelInfo;
   readonly surface: Surface;
-  /** What it was loaded with; undo may be ahead of it. */
+  /** The settings with which it was loaded; during undo, the document may already have others. */
   readonly loaded: LoadSettings;
-  /** About the mesh: how it is used, what it has already. */
+  /** Remarks on the mesh: how nodes use it, which uv sets it has. */
   readonly remarks: string[];
-  /** From the mesh to where its first node puts it, column by column. */
+  /** The matrix of the mesh's first node, by columns. */
   readonly matrix: readonly number[];
 }
 
-/** What the solver says of cones that add up. */
+/** The solver's objection to cones that satisfy Gauss–Bonnet. */
 export interface Objection {
   prescription: Prescription;
   surface: Surface;
-  /** Empty where there is none. */
+  /** Empty if there is none. */
   text: string;
   warnings: string[];
 }
@@ -262,7 +262,7 @@ export interface Message {
   kind: 'note' | 'good' | 'error';
   text: string;
   actions?: MessageAction[];
-  /** What is worth reading only when someone asks. */
+  /** Further text, shown on request. */
   details?: string;
 }
 
@@ -274,7 +274,7 @@ export interface Job {
   entered: string[];
   detail: string;
   fraction: number;
-  /** Where it can be said honestly. */
+  /** Undefined if it cannot be estimated reliably. */
   secondsLeft?: number;
   begin: number;
   controller: AbortController;
@@ -299,9 +299,9 @@ export interface Look {
   overlay: Overlay;
   /** Tiles along the diagonal of the bounding box. */
   tiles: number;
-  /** Tiles along a cell of an aligned map. */
+  /** Tiles along the edge of a cell of an aligned map. */
   steps: number;
-  /** `auto`: in the 3D view where lines do not meet, in the UV view always. */
+  /** `auto`: in the 3D view only seams at which lines do not meet, in the UV view all. */
   seams: 'auto' | 'on' | 'off';
   hasWire: boolean;
   image?: ImageBitmap;

@@ -1,4 +1,4 @@
-// The state of the user interface, apart from the document: tool, tab, theme, dialog, what the pointer is over.
+// The state of the user interface, apart from the document: tool, tab, theme, dialog, hovered element.
 
 import { storeOf } from './store';
 
@@ -8,7 +8,7 @@ export type Sheet = 'peek' | 'half' | 'full';
 export type Dialog = '' | 'download' | 'help' | 'log' | 'palette';
 export type SortKey = 'number' | 'vertex' | 'k';
 
-/** Where a download is used next. */
+/** The programs for which downloads can be made. */
 export const targetIds = ['blender', 'three', 'engine', 'quads'] as const;
 export type TargetId = (typeof targetIds)[number];
 
@@ -23,12 +23,12 @@ function stored(key: string): string | null {
   }
 }
 
-/** Storage may be forbidden: then it is forgotten. */
+/** Stores a setting, unless storage is not allowed. */
 function keep(key: string, value: string): void {
   try {
     localStorage.setItem(key, value);
   } catch {
-    // Nothing to do.
+    // The setting is then not remembered.
   }
 }
 
@@ -40,23 +40,23 @@ interface Fields {
   hover: string;
   theme: Theme;
   hasKeys: boolean;
-  /** Width of the 3D view in percent of both. */
+  /** Width of the 3D view in percent of both views. */
   split: number;
   mostRows: number;
   sort: { by: SortKey; isDown: boolean };
   isPhone: boolean;
   isSystemDark: boolean;
   handlesShown: boolean;
-  /** Where downloads are used next. */
+  /** The program for which downloads are made. */
   target: TargetId;
-  /** Where the wipe between before and after stands, in percent from the left; 0: only after. */
+  /** Position of the wipe between before and after, in percent from the left; 0: only after. */
   wipe: number;
-  /** Changes every second while something runs: the clock. */
+  /** The current time in milliseconds, updated while a job runs. */
   now: number;
 }
 
 export class UiState extends storeOf<Fields>() {
-  /** Puts back a cone that is being dragged; whether there was one. */
+  /** Cancels the dragging of a cone; returns whether one was being dragged. */
   stopDrag?: () => boolean;
 
   constructor() {

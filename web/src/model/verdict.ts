@@ -9,7 +9,7 @@ export interface VerdictRow {
   value: string;
   tolerance: string;
   isGood: boolean;
-  /** A fact that is shown beside the checks and decides nothing. */
+  /** Whether the row is information only and does not affect the verdict. */
   isFact?: boolean;
   where: Where[];
 }
@@ -54,8 +54,8 @@ function orientationRows({ result, least, distortion }: Solution): VerdictRow[] 
 }
 
 /**
- * Of the triangles as the file stores them. What the certificate counts as wound the other way, as a
- * copy or without area in space may be at or below zero here, so many and no more.
+ * The areas of the triangles as stored in the file. As many may be zero or negative as the certificate counts as
+ * reversed, as duplicates or as without area in space, but no more.
  */
 function areaRow({ stored }: Certificate, least: LeastArea): VerdictRow {
   const { negative, zero, area, smallestPositive, mean, triangle } = least;
@@ -72,7 +72,7 @@ function areaRow({ stored }: Certificate, least: LeastArea): VerdictRow {
   };
 }
 
-/** What is in the file and was verified otherwise, or not at all. */
+/** Triangles of the file that were verified with another orientation, or not at all. */
 function outsideRow({ stored }: Certificate): VerdictRow[] {
   const { triangles: all, judged, duplicates, zeroArea, reversed, splitVertices } = stored;
   const counts: [number, string][] = [
@@ -149,7 +149,7 @@ function seamRows({ certificate }: Solution['result']): VerdictRow[] {
   ];
 }
 
-/** Both sides of a seam may agree to the last bit: more than a certified map needs. */
+/** Whether both sides of all seams agree exactly, which a certified map does not require. */
 function exactRow({ certificate }: Solution['result']): VerdictRow[] {
   const { exactSeams, seamEdges } = certificate;
   if (exactSeams === null || exactSeams === undefined || seamEdges === 0) return [];
@@ -170,7 +170,7 @@ function exactRow({ certificate }: Solution['result']): VerdictRow[] {
   ];
 }
 
-/** Areas may span so much that the number type cannot tell them from zero. */
+/** Whether the number type can resolve the range of areas. */
 function rangeRow({ certificate }: Solution['result']): VerdictRow[] {
   if (certificate.usable) return [];
   const tolerance = `they span more than ${certificate.precision} resolves`;
@@ -179,7 +179,7 @@ function rangeRow({ certificate }: Solution['result']): VerdictRow[] {
   ];
 }
 
-/** The bytes were read again by a reader that shares no code with the writer. */
+/** Whether a reader that shares no code with the writer found the certified map in the written bytes. */
 function readBackRow({ isSameAsFile, difference, written }: Solution): VerdictRow {
   return {
     name: 'The file holds this map',
@@ -190,7 +190,7 @@ function readBackRow({ isSameAsFile, difference, written }: Solution): VerdictRo
   };
 }
 
-/** Whatever the solver refuses for a reason that has no row of its own. */
+/** Reasons of the solver against the map that have no other row. */
 function otherRow({ certificate }: Solution['result'], rows: VerdictRow[]): VerdictRow[] {
   if (certificate.certified || rows.some(({ isGood, isFact }) => !isGood && !isFact)) return [];
   const value = 'not passed';
@@ -214,7 +214,7 @@ export function verdictRows(solution: Solution): VerdictRow[] {
 
 const known = new WeakMap<Solution, boolean>();
 
-/** True when every row is. */
+/** True if all rows are. */
 export function isCertified(solution: Solution): boolean {
   let is = known.get(solution);
   if (is === undefined)

@@ -1,4 +1,4 @@
-// A button for an action: name, key, picture, and why it cannot be pressed come from the registry.
+// A button for an action. Its name, key and icon, and the reason if it is not available, come from the registry.
 
 import { html, nothing, type TemplateResult } from 'lit';
 import type { App } from '../actions/app';
@@ -8,7 +8,7 @@ import { icon } from './icons';
 export interface ButtonOptions {
   /** Instead of the name of the action. */
   text?: string | TemplateResult;
-  /** Of the element, where tests and styles find it; the action's own by default. */
+  /** The element's id, for tests and styles; by default that of the action. */
   domId?: string;
   className?: string;
   isIconOnly?: boolean;

@@ -1,4 +1,4 @@
-// The whole page: bars, views, the column at the side.
+// The whole page: bars, views and the side panel.
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { attempt, type App } from '../actions/app';
@@ -25,7 +25,7 @@ import './view_toolbar';
 import '../styles/narrow.css';
 import { plural } from '../text/format';
 
-/** What a screen reader says of the 3D view. */
+/** The description of the 3D view for screen readers. */
 function describeModel({ doc }: App): string {
   const { model, displayed, prescription } = doc;
   if (!model) return '3D view: no model';
@@ -59,7 +59,7 @@ class AppPage extends Panel {
 
   override updated(): void {
     const line = this.querySelector<HTMLElement>('.wipe-line');
-    if (line) line.style.left = `${this.app.ui.wipe}%`; // the policy forbids style attributes
+    if (line) line.style.left = `${this.app.ui.wipe}%`; // the content security policy forbids style attributes
   }
 
   #tabs(hasModel: boolean): TemplateResult {

@@ -1,12 +1,12 @@
-// On a phone the panels are a sheet at the bottom: as high as one likes, by dragging its handle or by
-// pressing it. Elsewhere the handle is not shown.
+// On a phone the panels are a bottom sheet, whose height changes by dragging or pressing its
+// handle. On larger screens the handle is hidden.
 
 import { html, type TemplateResult } from 'lit';
 import type { Sheet, UiState } from '../model/ui_state';
 
 const sizes: Sheet[] = ['peek', 'half', 'full'];
 const parts: Record<Sheet, number> = { peek: 0, half: 0.5, full: 1 };
-const clickMoves = 6; // pixels: further is a drag
+const clickMoves = 6; // pixels: a longer movement is a drag
 
 let drag: { y: number; height: number; isMoved: boolean } | undefined;
 let wasDrag = false;
@@ -30,7 +30,7 @@ function move(event: PointerEvent): void {
   asideOf(event).style.setProperty('--sheet-drag', `${height}px`);
 }
 
-/** Goes to the nearest of its three sizes. */
+/** Snaps to the nearest of the three heights. */
 function release(ui: UiState, event: PointerEvent): void {
   const aside = asideOf(event);
   if (drag?.isMoved) {

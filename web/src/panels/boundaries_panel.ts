@@ -1,4 +1,4 @@
-// Boundaries and handles: turning indices l and rotations r, automatic unless someone says otherwise.
+// Boundaries and handles: turning indices l and rotations r, automatic unless prescribed.
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { attempt } from '../actions/app';
@@ -9,10 +9,10 @@ import { angleText } from '../model/prescription';
 import { keepWhileTyping } from './keep_while_typing';
 import { Panel } from './panel';
 
-const few = 8; // handle loops that are listed without being asked for
+const few = 8; // up to this many handle loops are listed without a click
 const mostRows = 200;
 
-/** A stepper that may also stand on "auto". */
+/** A stepper with an additional value "auto". */
 function stepper(
   name: string,
   value: number | null,

@@ -1,4 +1,4 @@
-// Cones: how many, where, how strong, and what is left of the budget.
+// The Cones panel: number, positions and angles of cones, and the remainder in Gauss–Bonnet.
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
@@ -29,7 +29,7 @@ const mostBars = 8;
 const stepNames = ['As few as areas allow', 'Fewer', 'Balanced', 'More', 'Little distortion'];
 
 class ConesPanel extends Panel {
-  /** While the slider is dragged, before it is let go. */
+  /** Position of the slider while it is dragged. */
   #dragged?: number;
 
   override render(): TemplateResult | typeof nothing {
@@ -61,7 +61,7 @@ class ConesPanel extends Panel {
     const set = (event: Event): void => {
       const input = event.target as HTMLSelectElement | HTMLInputElement;
       void attempt(app, () => setOrder(app, Number(input.value)));
-      this.requestUpdate(); // and the field shows what holds
+      this.requestUpdate(); // so that the field shows the valid value again
     };
     return html`<div class="row field">
       <label for="q">Symmetry q</label>
@@ -83,7 +83,7 @@ class ConesPanel extends Panel {
     </div>`;
   }
 
-  /** By what cones are for, instead of one by one. */
+  /** Chooses automatic cones by purpose. */
   #slider(): TemplateResult {
     const { app } = this;
     const step = this.#dragged ?? app.doc.coneStep;
@@ -136,7 +136,7 @@ class ConesPanel extends Panel {
     </p>`;
   }
 
-  /** What needs no attention takes one line. */
+  /** One line for all components that need no attention. */
   #balancedOnes(count: number, all: number): TemplateResult {
     const which = count === all ? `All ${all} components` : `${count} of ${all} components`;
     return html`<div class="budget good" data-left="0">

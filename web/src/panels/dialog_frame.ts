@@ -1,4 +1,4 @@
-// What all dialogs have in common.
+// The frame of all dialogs.
 
 import { html, type TemplateResult } from 'lit';
 

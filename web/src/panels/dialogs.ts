@@ -1,4 +1,4 @@
-// Everything that asks: missing files, which model, all actions, help, the log.
+// All dialogs but Download: missing files, choice of a model, the command palette, help, the log.
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { attempt, type App } from '../actions/app';
@@ -89,7 +89,7 @@ function whichModel(app: App, { files, candidates }: StateOf<'pick-model'>): Tem
   );
 }
 
-/** What has no entry among the actions: it is said of a place, not of the page. */
+/** Gestures, which are not in the registry of actions. */
 const gestures: [string, string][] = [
   ['Arrows', 'orbit; with Shift pan; Page Up, Page Down zoom'],
   ['Arrows, Enter', 'with the Place tool: walk over the vertices, place'],
@@ -185,7 +185,7 @@ class Dialogs extends Panel {
     for (const dialog of this.querySelectorAll('dialog')) if (!dialog.open) dialog.showModal();
   }
 
-  /** Those that the words typed so far are part of. */
+  /** The actions that match the words typed so far. */
   #found(): ActionId[] {
     const words = this.#query.toLowerCase().split(/\s+/);
     const isFound = (id: ActionId): boolean =>

@@ -1,4 +1,4 @@
-// What is saved: one button for where it is used next; every format and choice under More.
+// The Download dialog: one button for the program in which the file is used next; all formats and choices under More.
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { attempt, type App } from '../actions/app';
@@ -25,11 +25,11 @@ const scales: [Output['scale'], string][] = [
 const valueOf = (event: Event): string => (event.target as HTMLSelectElement).value;
 const isChecked = (event: Event): boolean => (event.target as HTMLInputElement).checked;
 
-/** What becomes of the textures: `keep`, `use`, or the number of the set that is replaced. */
+/** The choice of the uv set: `keep`, `use`, or the number of the set that is replaced. */
 const chosenSet = ({ uvSet, usesNewSet }: Output): string =>
   uvSet === undefined ? (usesNewSet ? 'use' : 'keep') : String(uvSet);
 
-/** glTF: whether the textures of the file shall use the new coordinates, or keep the old. */
+/** glTF: whether the textures of the file use the new coordinates or keep the old ones. */
 function setChooser(app: App, output: Output): TemplateResult | typeof nothing {
   const { info } = app.doc.model!;
   const sets = info.surfaces[info.surface]?.uvSets ?? [];
@@ -52,7 +52,7 @@ function setChooser(app: App, output: Output): TemplateResult | typeof nothing {
   </label>`;
 }
 
-/** The choices that change the written file; each is written, read back and verified again. */
+/** Choices that change the written file; after each, the file is written, read back and verified again. */
 function choices(app: App, solution: Solution): TemplateResult {
   const output = app.doc.pendingOutput ?? solution.output;
   const set = (part: Partial<Output>): void => void attempt(app, () => rewrite(app, part));
@@ -93,7 +93,7 @@ function choices(app: App, solution: Solution): TemplateResult {
   </div>`;
 }
 
-/** Khronos' validator, on request. */
+/** Runs the Khronos validator on request. */
 function validation(app: App, solution: Solution): TemplateResult {
   const { doc } = app;
   const seen = doc.validation?.of === solution ? doc.validation : undefined;
@@ -146,7 +146,7 @@ function save(app: App, format: Format): Promise<void> {
   });
 }
 
-/** The dialog goes first: the map may have to be run again, which is seen behind it. */
+/** Closes the dialog first, because the map may have to be run again, and the progress is shown behind it. */
 function saveQuads(app: App, file: 'obj' | 'glb'): Promise<void> {
   app.ui.dialog = '';
   return attempt(app, () => downloadQuads(app, file));
@@ -161,7 +161,7 @@ function targetChooser({ ui }: App): TemplateResult {
   </label>`;
 }
 
-/** The one button that saves what the target wants. */
+/** The button that saves the file for the chosen program. */
 function mainButton(app: App, source: ExportSource): TemplateResult {
   const { isBusy } = app.doc;
   const format = formatFor(app.ui.target, source.solution.files[0].name);

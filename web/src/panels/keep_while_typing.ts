@@ -1,5 +1,5 @@
-// The value of a field that somebody may be typing into: what happens elsewhere on the page must not
-// take the half of a number away. What was typed counts until it is committed or left.
+// The value of a field that the user may be typing into: updates of the page must not replace an
+// unfinished number. The typed text stays until it is committed or the field loses the focus.
 
 import { noChange } from 'lit';
 import { directive, Directive, type ElementPart, type PropertyPart } from 'lit/directive.js';
@@ -8,7 +8,7 @@ import { setCommittedValue } from 'lit/directive-helpers.js';
 const beingTyped = new WeakSet<EventTarget>();
 const begin = ({ target }: Event): void => void (target && beingTyped.add(target));
 const end = ({ target }: Event): void => void (target && beingTyped.delete(target));
-// While the event comes down: before any handler of the field's own.
+// In the capture phase, before any handler of the field itself.
 document.addEventListener('input', begin, true);
 document.addEventListener('change', end, true);
 document.addEventListener('focusout', end, true);
@@ -21,7 +21,7 @@ class Typed extends Directive {
   override update(part: PropertyPart | ElementPart, [value]: [string]): unknown {
     const field = part.element as HTMLInputElement;
     if (beingTyped.has(field) || field.value === value) return noChange;
-    setCommittedValue(part as PropertyPart); // it may equal what was set last
+    setCommittedValue(part as PropertyPart); // it may be equal to the value set last
     return value;
   }
 }

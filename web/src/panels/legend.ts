@@ -1,4 +1,4 @@
-// What the colours of the overlay mean, in numbers.
+// The legend of the overlay's colours, with numbers.
 
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Overlay, Solution } from '../model/types';

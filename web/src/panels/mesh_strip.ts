@@ -1,4 +1,4 @@
-// All meshes of a file: which one is open, and how far each is.
+// All meshes of a file: which one is open, and the state of each.
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { attempt } from '../actions/app';

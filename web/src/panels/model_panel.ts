@@ -71,7 +71,7 @@ class ModelPanel extends Panel {
     </dl>`;
   }
 
-  /** One repair, or all where that one has been made and is not enough. */
+  /** A button for one repair, or for all repairs if that one was made and did not suffice. */
   #fixButton(model: Model, fix: Repair | undefined): TemplateResult | typeof nothing {
     if (!fix || !canRepair(model)) return nothing;
     const isMade = model.loaded.fix[fix] === true;

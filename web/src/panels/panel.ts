@@ -1,5 +1,5 @@
-// The base of every component: draws itself again when a signal that it has read changes. Styles are
-// those of the page, so there is no shadow root.
+// The base class of every component: renders again when a signal that it has read changes. Components use the
+// styles of the page, so there is no shadow root.
 
 import { effect } from '@preact/signals-core';
 import { LitElement } from 'lit';

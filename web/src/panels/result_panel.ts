@@ -23,7 +23,7 @@ import './result_panel.css';
 
 type Fact = [name: string, value: string];
 
-/** On the surface, in the units of the file. */
+/** The length of the seams on the surface, in the unit of the file. */
 function seamLength({ seams, result: { positions: p, uvToVertex } }: Solution): number {
   return seams.reduce((sum, { a }) => {
     const [v, w] = a.map((end) => 3 * uvToVertex[end]);
@@ -103,7 +103,7 @@ class ResultPanel extends Panel {
     </div>`;
   }
 
-  /** How much the texture is stretched, and whether parts of the map lie on others. */
+  /** How much the texture is stretched, and whether parts of the map overlap. */
   #twoNumbers({ distortion, overlaps }: Solution): TemplateResult {
     const percent = 100 * (distortion.stretch.median - 1);
     const { pairs, triangles, isMore } = overlaps;
@@ -129,7 +129,7 @@ class ResultPanel extends Panel {
     </dl>`;
   }
 
-  /** What was solved is not quite what is in the file: said where the verdict is read. */
+  /** A note next to the verdict that the solved surface differs from the one in the file. */
   #repairs(): TemplateResult | typeof nothing {
     const { app } = this;
     const { model } = app.doc;

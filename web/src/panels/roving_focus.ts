@@ -1,4 +1,4 @@
-// Toolbars and lists of tabs are one stop of the Tab key; arrows move inside, Home and End to its ends.
+// A toolbar or list of tabs is a single Tab stop; arrow keys move inside it, Home and End to its ends.
 
 const steps: Record<string, number> = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 };
 
@@ -7,7 +7,7 @@ function itemsOf(group: HTMLElement): HTMLElement[] {
   return [...all].filter((one) => one.offsetParent !== null && !one.matches(':disabled'));
 }
 
-/** Those that use the arrows themselves keep them. */
+/** Whether an element uses the arrow keys itself. */
 const usesArrows = (target: HTMLElement): boolean => target.matches('select, input[type="range"]');
 
 export function roveFocus(event: KeyboardEvent): void {
@@ -24,11 +24,11 @@ export function roveFocus(event: KeyboardEvent): void {
   focusItem(items, (to + items.length) % items.length);
 }
 
-/** The one with the focus is the one that Tab comes back to. */
+/** Makes the focused element the one to which Tab returns. */
 export function keepRoving(event: FocusEvent): void {
   const items = itemsOf(event.currentTarget as HTMLElement);
   const at = items.indexOf(event.target as HTMLElement);
-  // Lists and sliders stay stops of their own: inside them the arrows mean something else.
+  // Lists and sliders remain separate Tab stops, because they use the arrow keys themselves.
   if (at >= 0) items.forEach((one, i) => (one.tabIndex = i === at || usesArrows(one) ? 0 : -1));
 }
 

@@ -22,12 +22,12 @@ function wholeNumber(event: Event, low: number, high: number): number | undefine
   return Number.isFinite(n) && n >= low ? Math.min(Math.round(n), high) : undefined;
 }
 
-/** The slider of the density: 0 to 100 for 10 to 100 000 cells. */
+/** Position of the density slider: 0 to 100 for 10 to 100 000 cells. */
 const sliderOfCells = (cells: number): number => Math.round(25 * (Math.log10(cells) - 1));
 const cellsOfSlider = (slider: number): number => Number((10 ** (1 + slider / 25)).toPrecision(2));
 
 class SolvePanel extends Panel {
-  /** While the slider is dragged, before it is let go. */
+  /** Position of the slider while it is dragged. */
   #dragged?: number;
 
   override render(): TemplateResult | typeof nothing {
@@ -136,7 +136,7 @@ class SolvePanel extends Panel {
     </div>`;
   }
 
-  /** What became of it, for the map that is shown. */
+  /** The outcome of alignment for the map that is shown. */
   #outcome(): TemplateResult | typeof nothing {
     const { doc } = this.app;
     const outcome = doc.current && gridOutcome(doc.current);

@@ -1,4 +1,4 @@
-// The page before there is a model: what it is about, to be seen; files and examples to begin with.
+// The page before a model is open: an animated result, a button for files, and examples.
 
 import { html, type TemplateResult } from 'lit';
 import { examples } from 'virtual:examples';

@@ -1,4 +1,4 @@
-// The line at the bottom: one sentence, what can be done about it, and how far a run is.
+// The status bar: one sentence, buttons for it, and the progress of a run.
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { attempt, type App } from '../actions/app';
@@ -10,9 +10,9 @@ import { Panel } from './panel';
 import { runButton } from './top_bar';
 import './status_bar.css';
 
-const patience = 10; // seconds of a run before the page offers to call
+const patience = 10; // seconds of a run after which the page offers a notification
 
-/** What there is to say when nothing happens. */
+/** The text while nothing is running. */
 function restingText({ doc }: App): string {
   switch (doc.stateName) {
     case 'starting':

@@ -1,4 +1,4 @@
-// The bar at the top: open, examples, undo, Run, Download.
+// The top bar: Open, examples, undo, Run, Download.
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { examples } from 'virtual:examples';
@@ -11,7 +11,7 @@ import { icon } from './icons';
 import { Panel } from './panel';
 import './top_bar.css';
 
-/** Which file and Close: in the bar at the top, or beside the tabs of a phone. */
+/** The file name and Close: in the top bar, or next to the tabs on a phone. */
 export function fileParts(app: App): TemplateResult {
   const name = app.doc.model?.main ?? '';
   const close = actionButton(app, 'close', { className: 'plain', isIconOnly: true });
@@ -20,8 +20,8 @@ export function fileParts(app: App): TemplateResult {
 }
 
 /**
- * In the bar at the top; on a phone in the one at the bottom, under the thumb whatever the sheet does. All of a
- * file is run, as the command line does it; one mesh of several is run beside their names.
+ * Run, in the top bar, or on a phone in the bottom bar, where it stays visible at every height of the sheet. It runs
+ * all meshes of a file, as the command line does; buttons next to the names of meshes run a single one.
  */
 export function runButton(app: App): TemplateResult {
   const { doc } = app;
@@ -41,7 +41,7 @@ export function runOneButton(app: App, name: string): TemplateResult {
     return actionButton(app, 'repair-and-run', { className: isOnly ? 'primary' : 'small' });
   }
   const why = whyNotOf(app, 'run');
-  // Not `disabled`: a person must be able to reach the button and read why.
+  // Not `disabled`, so that users can reach the button and read the reason.
   return html`<button
       type="button"
       id="run"

@@ -1,5 +1,5 @@
-// The picture of the empty page: a model of our own with a map of our own, turning slowly; still where
-// less motion is preferred.
+// The picture on the start page: a model with a map computed by hgp, turning slowly; it stands still if the
+// user prefers reduced motion.
 
 import { nothing } from 'lit';
 import type { TurningView } from '../views/turning_view';
@@ -22,7 +22,7 @@ class TurningModel extends Panel {
   }
 
   override firstUpdated(): void {
-    void this.#start().catch(() => undefined); // without it the page is as good, only plainer
+    void this.#start().catch(() => undefined); // the page works without the picture
   }
 
   async #start(): Promise<void> {

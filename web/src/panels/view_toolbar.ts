@@ -1,4 +1,4 @@
-// What lies over the 3D view: tools, pattern, overlay, scale, before and after.
+// The toolbar over the 3D view: tools, pattern, overlay, scale, before and after.
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
@@ -36,11 +36,11 @@ const overlayNames: Record<Overlay, string> = {
   flips: 'Flips',
 };
 
-const mostSteps = 8; // tiles along a cell
+const mostSteps = 8; // maximum number of tiles along a cell
 
 const valueOf = (event: Event): string => (event.target as HTMLSelectElement).value;
 
-/** On a phone these are in reach at once, and everything else is in a menu. */
+/** The tools shown directly on a phone; all others are in a menu. */
 const phoneTools = ['orbit', 'place', 'frame'] as const;
 const allTools = [...phoneTools, 'wire', 'seams'] as const;
 
@@ -76,7 +76,7 @@ class ViewToolbar extends Panel {
     >`;
   }
 
-  /** Under the picture, so that what it does is seen. */
+  /** The menu, placed below the picture, so that its effect is visible. */
   #menu(): TemplateResult {
     const { app } = this;
     const switches = (['wire', 'seams', 'parallel', 'handles', 'reset-camera'] as const).map((id) =>
@@ -91,7 +91,7 @@ class ViewToolbar extends Panel {
     </div>`;
   }
 
-  /** Of the pattern: in whole tiles per cell where lines meet, as they do only then. */
+  /** The scale of the pattern; on an aligned map in whole tiles per cell, since lines meet only then. */
   #scale(): TemplateResult {
     const { app } = this;
     const { look, displayed } = app.doc;
@@ -124,7 +124,7 @@ class ViewToolbar extends Panel {
     const { app } = this;
     const { look, model, displayed } = app.doc;
     const hasMaterials = model !== undefined && isGltf(model.main);
-    // Flips are worth a look only where there are any, or where one looks already.
+    // The overlay of flips is offered only if there are any, or if it is already shown.
     const hasFlips = look.overlay === 'flips' || (displayed?.distortion.flipped.length ?? 0) > 0;
     return html`<label class="choice"
         ><span>Pattern</span

@@ -1,4 +1,4 @@
-// Keeps the last cones of every file, by its hash, in this browser. Never the mesh.
+// Stores the last cones of every file, by the file's hash, in this browser; never the mesh.
 
 import type { Prescription } from '../model/prescription';
 
@@ -7,7 +7,7 @@ const format = 2;
 interface SavedCones {
   sha256: string;
   time: number;
-  /** Of this record; others are not understood, and not taken. */
+  /** Version of the record's format; records of other versions are ignored. */
   version: typeof format;
   prescription: Prescription;
 }
@@ -17,7 +17,7 @@ const most = 200;
 const isCount = (x: unknown): boolean => Number.isSafeInteger(x) && (x as number) >= 0;
 const isIndex = (x: unknown): boolean => x === null || Number.isSafeInteger(x);
 
-/** What another version of the page, or somebody's hand, has left there is checked before it is used. */
+/** Checks a stored record, which another version of the page, or someone by hand, may have changed. */
 function isSavedCones(value: unknown): value is SavedCones {
   const { version, prescription, time } = (value ?? {}) as Partial<SavedCones>;
   if (version !== format || typeof time !== 'number' || !prescription) return false;
@@ -51,7 +51,7 @@ const answer = <T>(request: IDBRequest<T>): Promise<T> =>
     request.onerror = () => reject(request.error ?? new Error('storage failed'));
   });
 
-/** Storage may be forbidden: then there is nothing to restore, and that is all. */
+/** The stored cones of a file, if any; undefined as well if storage is not allowed. */
 export async function restorable(sha256: string): Promise<SavedCones | undefined> {
   try {
     const found: unknown = await answer((await openStore('readonly')).get(sha256));
@@ -72,6 +72,6 @@ export async function saveCones(sha256: string, prescription: Prescription): Pro
       if (oldest.result) store.delete(oldest.result.primaryKey);
     };
   } catch {
-    // Nothing to do: the page works without storage.
+    // The page works without storage.
   }
 }

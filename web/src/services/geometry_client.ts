@@ -1,5 +1,5 @@
-// The page's side of the geometry worker: calls that return promises. Arrays that are lent move to
-// the worker and come back with the answer, so that nothing large is copied on the main thread.
+// The page's side of the geometry worker: calls that return promises. Large arrays are transferred to
+// the worker and returned with the answer, so that nothing large is copied on the main thread.
 
 import type { Measures, Result, SurfaceFacts } from 'hgp';
 import type { Analysis, OutputFile, Surface } from '../model/types';
@@ -37,7 +37,7 @@ export class GeometryClient {
     return worker;
   }
 
-  /** Out of memory, or not to be had: what waits fails, the next call starts another. */
+  /** The worker has run out of memory or could not be loaded: pending calls fail, and the next call starts another. */
   #lose(reason: string): void {
     const pending = [...this.#pending.values()];
     this.#pending.clear();
@@ -46,7 +46,7 @@ export class GeometryClient {
     for (const { reject } of pending) reject(new Error(`The geometry worker stopped (${reason}).`));
   }
 
-  /** Ahead of the first call: a page that is open works on when its files are replaced on the server. */
+  /** Starts the worker before the first call, so that an open page keeps working if its files on the server change. */
   prepare(): void {
     this.#worker ??= this.#start();
   }
@@ -68,7 +68,7 @@ export class GeometryClient {
     return this.call('surface', [++this.#ids, arrays, facts, matrix], [arrays, facts]);
   }
 
-  /** Why a file does not hold a map; empty where it does. */
+  /** How the map in a file differs from the given one; empty if it does not. */
   compare(
     { positions, triangles, uv, cornerToUv, uvToVertex, seams }: Result,
     files: OutputFile[],
@@ -78,7 +78,7 @@ export class GeometryClient {
     return this.call('compare', [{ ...where, map, files }]);
   }
 
-  /** `measures` stay; `result` and `files` are given back with other arrays of the same content. */
+  /** `measures` are kept; `result` and `files` are returned with new arrays of the same content. */
   async analyse(
     surface: Surface,
     result: Result,

@@ -1,5 +1,5 @@
-// The worker for everything about surfaces and maps that takes long and is not solving: facts for the
-// panels, what the written file holds, colours, crosses, and trees to pick with.
+// The worker for lengthy computations other than solving: facts for the panels, comparison with the written file,
+// colours, crosses, and trees for picking.
 
 import { zipSync } from 'fflate';
 import { BufferAttribute, BufferGeometry } from 'three';
@@ -46,7 +46,7 @@ function mapOf(id: number): KnownMap {
   return found;
 }
 
-/** Arrays of a surface that are kept here while the page has its own. */
+/** Copies of a surface's arrays, which stay here while the page gets its own. */
 const copied = (surface: Surface): Surface =>
   Object.fromEntries(
     Object.entries(surface).map(([key, value]) => [
@@ -92,7 +92,7 @@ function bvhOf(positions: Float32Array): SerializedBvh {
   return MeshBVH.serialize(bvh, { cloneBuffers: false }) as unknown as SerializedBvh;
 }
 
-/** Fetched when the first file needs it. */
+/** The decoder for a file, loaded when the first file needs it. */
 async function decoderFor(main: OutputFile): Promise<MeshoptDecoder | undefined> {
   if (!isGltf(main.name) || !isMeshoptUsed(main)) return undefined;
   const { MeshoptDecoder: decoder } = await import('three/addons/libs/meshopt_decoder.module.js');
@@ -137,7 +137,7 @@ const calls: GeometryCalls = {
     const { surface: surfaceId, cornerUv, distortion } = mapOf(id);
     const surface = surfaceOf(surfaceId);
     const spacing = spacingOf(surface, tiles);
-    const seen = (spacing * 2 * surface.radius) / surface.diagonal; // where the model is seen
+    const seen = (spacing * 2 * surface.radius) / surface.diagonal; // as displayed
     const samples = samplesOf(surfaceId, seen);
     const arm = 0.42 * spacing * Math.sqrt(distortion.uvArea / distortion.surfaceArea);
     const { places: positions, triangles } = surface;

@@ -1,4 +1,4 @@
-// The page's connection to the solver in its worker, and what keeps the page working offline.
+// The page's connection to the solver in its worker, and the service worker for offline use.
 
 import { createClient, type Client } from 'hgp';
 import { offlineUrl, scriptUrl, workerUrl } from './trusted_types';
@@ -9,12 +9,12 @@ export function createSolver(): Promise<Client> {
   });
 }
 
-/** Starts another worker where one was ended, so that whatever comes next need not wait for it. */
+/** Starts a new worker after one was terminated, so that the next call need not wait for it. */
 export function ensureWorker(client: Client): void {
-  client.ready().catch(() => undefined); // the next call says what is wrong
+  client.ready().catch(() => undefined); // the next call reports the error
 }
 
-/** After everything else; where it is not allowed, the page works with a network only. */
+/** Registers the service worker last; if that is not allowed, the page needs a network. */
 export function keepOffline(): void {
   if (import.meta.env.DEV || !('serviceWorker' in navigator)) return;
   const register = (): void => {

@@ -1,4 +1,4 @@
-// The one place where this page makes URLs that may run script: its workers and its service worker.
+// The only place where the page creates URLs of scripts: those of its workers and its service worker.
 
 import workerUrl from 'hgp/worker?worker&url';
 import geometryUrl from './geometry_worker?worker&url';
@@ -22,5 +22,5 @@ const policy = (
   },
 });
 
-/** Trusted where the browser knows Trusted Types. */
+/** The URL, as a trusted one if the browser supports Trusted Types. */
 export const scriptUrl = (url: string): string => (policy?.createScriptURL(url) ?? url) as string;

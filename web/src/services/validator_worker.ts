@@ -1,4 +1,4 @@
-// The worker in which Khronos' own validator reads a file. Fetched when someone asks for it.
+// The worker that runs the Khronos glTF validator. Loaded on first use.
 
 import { validateBytes, type ValidatorReport } from 'gltf-validator';
 

@@ -1,15 +1,15 @@
-// The command line that does what the page does.
+// The equivalent command line.
 
 import type { Prescription } from '../model/prescription';
 import type { Model, SolveSettings } from '../model/types';
 
-/** For a POSIX shell; never an option, whatever a file is called. */
+/** A word quoted for a POSIX shell, such that no file name is read as an option. */
 export function quoted(word: string): string {
   const name = word.startsWith('-') ? `./${word}` : word;
   return /^[\w./:,=-]+$/.test(name) ? name : `'${name.replaceAll("'", "'\\''")}'`;
 }
 
-const mostInline = 40; // cones; beyond, they go into a file
+const mostInline = 40; // cones; more are passed in a file
 
 function coneWords({ q, cones, turnings, handles }: Prescription, stem: string): string[] {
   const words = ['--q', String(q)];
@@ -51,7 +51,7 @@ function solveWords(
   return words;
 }
 
-/** Exactly this run; `cells` of a grid, where one is asked for. */
+/** The command for exactly this run. `cells`: of a grid, if one is requested. */
 export function cliCommand(
   model: Model,
   prescription: Prescription,

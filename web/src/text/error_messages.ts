@@ -1,4 +1,4 @@
-// Failures in words a person can act on: the rule, the number, what next.
+// Failures as messages for users: the rule, the number, what to do.
 
 import { HgpError } from 'hgp';
 import { quoted } from './cli_command';
@@ -17,8 +17,8 @@ export function describeError(error: unknown, name: string): string {
 }
 
 /**
- * One sentence: the page has buttons where the command line has options, and outlines places where it
- * lists their numbers.
+ * One sentence without advice for the command line: instead of its options the page has buttons, and instead of
+ * listing ids it outlines places.
  */
 export const withoutCliAdvice = (message = 'This mesh cannot be used as it is.'): string =>
   message

@@ -1,13 +1,13 @@
-// What a run will take, before it is started.
+// Estimates of the time and memory of a run before it starts.
 
 import type { ModelInfo } from 'hgp';
 import { quoted } from './cli_command';
 import { memoryText } from './format';
 
 export const mostTriangles = 2_000_000;
-const limit = 4 * 2 ** 30; // bytes: what a page may use of WebAssembly's memory
+const limit = 4 * 2 ** 30; // bytes: the maximum of WebAssembly's memory
 const tight = 0.8;
-// Measured with the solver in a browser: the module itself, and per triangle.
+// Measured with the solver in a browser: for the module itself, and per triangle.
 const bytesAtRest = 24 * 2 ** 20;
 const bytesEach = 4.5 * 1024;
 const secondsEach = 1.2e-4;
@@ -15,7 +15,7 @@ const secondsEach = 1.2e-4;
 export interface Estimate {
   needed: string;
   takes: string;
-  /** Over 80 % of what a browser gives. */
+  /** Whether it is above 80 % of the limit. */
   isTight: boolean;
 }
 

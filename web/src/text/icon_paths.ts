@@ -1,4 +1,4 @@
-// Pictures of the page: lines on a grid of 16, in the colour of the text.
+// Icons: paths on a grid of 16 × 16, drawn in the colour of the text.
 
 export const iconPaths = {
   open: 'M2 13V3h4l1.5 2H14v8zM2 7h12',

@@ -1,4 +1,4 @@
-// What a quad mesh is, and how it differs from the cells on the screen.
+// Texts on a quad mesh and on how it differs from the displayed cells.
 
 import type { Quads } from 'hgp';
 import { count, plural } from './format';

@@ -1,4 +1,4 @@
-// What repairs did to a mesh, for a person: out of the solver's notes on it.
+// Texts on the repairs made to a mesh, from the solver's notes.
 
 import type { ModelInfo } from 'hgp';
 import type { LoadSettings } from '../model/types';
@@ -11,13 +11,13 @@ export const isRepaired = ({ fix, hasAllRepairs }: LoadSettings): boolean =>
   hasAllRepairs === true || Object.values(fix).includes(true);
 
 export interface Repairs {
-  /** What was wrong, in a sentence; empty where a person chose the repairs one by one. */
+  /** The defects, in a sentence; empty if the user chose the repairs one by one. */
   defects: string;
-  /** What was done about it. */
+  /** The repairs that were made. */
   made: string[];
 }
 
-/** Nothing where nothing was repaired. */
+/** Undefined if nothing was repaired. */
 export function repairsMade({ notes }: ModelInfo, settings: LoadSettings): Repairs | undefined {
   if (!isRepaired(settings)) return undefined;
   const defects = notes.find((note) => reason.test(note))?.replace(reason, '') ?? '';

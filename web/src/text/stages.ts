@@ -1,4 +1,4 @@
-// The stages of a run as steps, and what may be said about the time that is left.
+// The stages of a run as steps, and their shares of the total time.
 
 const spans: Record<string, [from: number, to: number]> = {
   read: [0, 0.02],
@@ -52,10 +52,10 @@ const stepOf: Record<string, (typeof runSteps)[number]> = {
 
 export const stageName = (stage: string): string => names[stage] ?? stage;
 
-/** Which of the steps a stage is part of. */
+/** The index of the step to which a stage belongs. */
 export const stepIndex = (stage: string): number => runSteps.indexOf(stepOf[stage] ?? 'field');
 
-/** How far the whole is when a stage is so far. */
+/** Progress of the whole run, given the progress of a stage. */
 export function wholeFraction(stage: string, fraction: number, before: number): number {
   const [from, to] = spans[stage] ?? [before, before];
   return Math.max(before, from + (to - from) * Math.min(Math.max(fraction, 0), 1));

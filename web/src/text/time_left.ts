@@ -1,22 +1,22 @@
-// How long a run still takes, where that can be said honestly: not before one stage has ended about
-// when half of it had promised, and never more than was said before.
+// Estimates the remaining time of a run, but only once a stage has ended at about the time predicted at
+// its middle; the estimate never increases.
 
-const trust = 0.3; // how far a prediction may be off to be believed
+const trust = 0.3; // relative error up to which predictions are trusted
 const shortest = 1.5; // seconds: shorter stages say nothing about prediction
 
 interface Stage {
   name: string;
   begin: number;
-  /** Predicted length, made when half of it was done. */
+  /** Predicted duration, made when half of the stage was done. */
   predicted?: number;
 }
 
 export class TimeLeft {
   #stage?: Stage;
   #isTrusted = false;
-  #end = Infinity; // what was said
+  #end = Infinity; // the end time last shown
 
-  /** `whole`: the part of all work that is done; times in seconds. Nothing where nothing can be said. */
+  /** `whole`: fraction of the whole run that is done; times in seconds. Undefined if there is no estimate. */
   update(
     stage: string,
     fraction: number,
@@ -35,7 +35,7 @@ export class TimeLeft {
     if (!this.#isTrusted || whole <= 0) return undefined;
     const end = begin + (now - begin) / whole;
     if (end > this.#end + 1) {
-      // It takes longer than was said: nothing more is promised.
+      // The stage takes longer than predicted: no further estimates.
       this.#isTrusted = false;
       return undefined;
     }

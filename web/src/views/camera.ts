@@ -3,8 +3,8 @@
 import { MathUtils, PerspectiveCamera, Spherical, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
-const usual = 32; // degrees of the field of view
-const parallel = 1; // so narrow that lines which are parallel look parallel
+const usual = 32; // field of view in degrees
+const parallel = 1; // so narrow that parallel lines look parallel
 const glideTime = 150; // milliseconds
 
 const startFrom = new Vector3(0.5, 0.38, 0.78).normalize();
@@ -38,7 +38,7 @@ export class Orbit {
     this.#place(direction);
   }
 
-  /** The view has another shape: fits again, unless someone has chosen where to look from. */
+  /** Fits the model again after the view's shape has changed, unless the user has moved the camera. */
   reshaped(): void {
     if (!this.#isTouched) this.fit();
   }
@@ -72,7 +72,7 @@ export class Orbit {
     return this.#camera.fov < usual;
   }
 
-  /** Parallel projection and back; what is in the middle keeps its size. */
+  /** Switches parallel projection on or off; the apparent size at the centre does not change. */
   setParallel(isOn: boolean): void {
     if (isOn === this.isParallel) return;
     const before = Math.tan(MathUtils.degToRad(this.#camera.fov / 2));
@@ -84,19 +84,19 @@ export class Orbit {
     this.controls.update();
   }
 
-  /** How much nearer lines are drawn, so that they are in front by the same depth at any field. */
+  /** How much nearer lines are drawn, chosen so that their depth offset is the same for any field of view. */
   get lift(): number {
     const tangent = (degrees: number): number => Math.tan(MathUtils.degToRad(degrees / 2));
     return (0.003 * tangent(this.#camera.fov)) / tangent(usual);
   }
 
-  /** Brings a point to the middle, softly where that is welcome; goes round where it faces away. */
+  /** Centres a point, animated unless reduced motion is preferred; moves around the model if the point faces away. */
   lookAt(point: Vector3, normal: Vector3): void {
     const { position } = this.#camera;
     const { target } = this.controls;
     const back = position.clone().sub(target);
     const isAway = normal.lengthSq() > 0 && normal.dot(back) < 0.15 * back.length();
-    // Not straight from above, where up has no meaning.
+    // Not straight from above, where the up direction is undefined.
     const front = normal.clone().addScaledVector(startFrom, 0.35);
     const wanted = isAway ? front.setLength(back.length()) : back;
     const aim = point.clone().sub(target);
@@ -115,7 +115,7 @@ export class Orbit {
     go();
   }
 
-  /** Radians around and up; factor of the distance. */
+  /** Orbits by radians around and up, and multiplies the distance by `factor`. */
   move(around: number, up: number, factor = 1): void {
     this.#isTouched = true;
     const { target } = this.controls;
@@ -128,7 +128,7 @@ export class Orbit {
     this.controls.update();
   }
 
-  /** Parts of the view's height. */
+  /** Pans by fractions of the view's height. */
   pan(x: number, y: number): void {
     this.#isTouched = true;
     const { target } = this.controls;
@@ -142,7 +142,7 @@ export class Orbit {
     this.controls.update();
   }
 
-  /** For the address of the page: position and target, rounded. */
+  /** Position and target, rounded, for the address of the page. */
   toText(): string {
     const all = [...this.#camera.position.toArray(), ...this.controls.target.toArray()];
     return all.map((x) => Number(x.toPrecision(5))).join(',');

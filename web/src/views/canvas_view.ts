@@ -1,16 +1,16 @@
-// A canvas with a scene that is drawn only when something has changed; and what happens when the
-// graphics card takes it away.
+// A canvas with a scene that is drawn only when something has changed; handles the loss of the WebGL
+// context.
 
 import { Color, type Object3D, Scene, WebGLRenderer, type Camera } from 'three';
 import { SlicedUploads } from './sliced_uploads';
 
-/** The frame in which some stage has been drawn: the other one waits, so that each task is short. */
+/** The frame in which a view was last drawn: the other view waits for the next, so that each task is short. */
 let lastFrame = -1;
 
 export interface Hit {
   triangle: number;
   vertex: number;
-  /** From the pointer to the vertex, in CSS pixels. */
+  /** Distance from the pointer to the vertex, in CSS pixels. */
   pixels: number;
 }
 
@@ -19,7 +19,7 @@ export abstract class CanvasView {
   readonly scene = new Scene();
   readonly renderer: WebGLRenderer;
   abstract readonly camera: Camera;
-  /** Told when the picture is lost, and when it is back. */
+  /** Called when the context is lost and when it is restored. */
   onContext?: (isLost: boolean) => void;
   readonly #uploads: SlicedUploads;
   #isPending = false;
@@ -30,13 +30,13 @@ export abstract class CanvasView {
     this.canvas = canvas;
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.#uploads = new SlicedUploads(this.renderer.getContext() as WebGL2RenderingContext);
-    // Asking whether a program compiled waits until it has; nobody could act on the answer.
+    // Checking for errors waits until a program is compiled, and users could not act on the result.
     this.renderer.debug.checkShaderErrors = import.meta.env.DEV;
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.setClearColor(new Color(0), 0);
     new ResizeObserver(() => this.resize()).observe(canvas);
-    // Prevented, so that the browser gives the context back as soon as it can; the renderer then
-    // makes everything anew by itself.
+    // Prevented, so that the browser restores the context as soon as it can; the renderer then
+    // recreates everything itself.
     canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
       this.#uploads.forget();
@@ -50,14 +50,14 @@ export abstract class CanvasView {
     });
   }
 
-  /** Something that must be up to date in every picture. */
+  /** Adds a step that is executed before every drawing. */
   beforeDraw(step: () => void): void {
     this.#before.push(step);
   }
 
   /**
-   * Draws one of each thing once, before any is needed: compiling the programs of the graphics card
-   * takes long, and would hold the page up in the middle of a run. Nobody waits for it here, either.
+   * Draws one object of each kind in advance: compiling shader programs takes long and would otherwise block the
+   * page in the middle of a run. Asynchronous.
    */
   async warm(things: Object3D[]): Promise<void> {
     const scene = new Scene();
@@ -67,7 +67,7 @@ export abstract class CanvasView {
       thing.position.z = -1;
     }
     await this.renderer.compileAsync(scene, this.camera);
-    if (this.canvas.clientWidth > 0) return; // someone is quicker: what is shown stays
+    if (this.canvas.clientWidth > 0) return; // the view is already visible and must not change
     this.renderer.setSize(16, 16, false);
     this.renderer.render(scene, this.camera);
     this.renderer.clear();
@@ -87,7 +87,7 @@ export abstract class CanvasView {
       this.#isPending = false;
       delete this.canvas.dataset.pending;
       if (this.canvas.clientWidth === 0 || this.#isLost) return;
-      // What is drawn before all of it is there would be thrown away.
+      // A drawing made before everything is uploaded would be discarded.
       if (this.#uploads.isBusy) {
         this.#uploads.step();
         return this.draw();
@@ -115,7 +115,7 @@ export abstract class CanvasView {
 
   protected abstract onResize(width: number, height: number): void;
 
-  /** Position of a pointer as WebGL counts it: −1 … 1. */
+  /** Position of a pointer in normalised device coordinates, −1 … 1. */
   pointer(event: { clientX: number; clientY: number }): { x: number; y: number } {
     const box = this.canvas.getBoundingClientRect();
     return {

@@ -1,5 +1,5 @@
-// Cones as markers of constant size: number inside, shape by sign. ▲ below a full turn, ▼ above. All
-// of them are one mesh with one texture.
+// Cones as markers of constant size with a number inside; the shape shows the sign: ▲ for angles below a full turn,
+// ▼ above. All markers are one mesh with one texture.
 
 import {
   BufferAttribute,
@@ -26,7 +26,7 @@ const side = 64; // pixels of one picture in the atlas
 const columns = 16;
 const rows = 16;
 
-/** The pictures of all markers that were ever asked for, each drawn once. */
+/** The pictures of all markers used so far, each drawn once. */
 class Atlas {
   readonly texture: CanvasTexture;
   readonly #context: CanvasRenderingContext2D;
@@ -47,7 +47,7 @@ class Atlas {
     const key = `${k} ${sign} ${isSelected} ${isBad}`;
     const known = this.#cells.get(key);
     if (known !== undefined) return known;
-    const cell = this.#cells.size % (columns * rows); // more than 256 kinds: the oldest is drawn over
+    const cell = this.#cells.size % (columns * rows); // beyond 256 kinds the oldest is overwritten
     this.#cells.set(key, cell);
     this.#draw(cell, k, sign, isSelected, isBad);
     this.texture.needsUpdate = true;
@@ -171,7 +171,7 @@ const usual = 30; // CSS pixels
 export class ConeMarkers extends Group {
   readonly #meshes: Mesh<BufferGeometry, ShaderMaterial>[];
 
-  /** `hasDepth`: seen where nothing hides it, and faintly through the surface. */
+  /** `hasDepth`: markers behind the surface are drawn faintly. */
   constructor(hasDepth: boolean, order = 10) {
     super();
     const kinds = hasDepth ? [false, true] : [false];
@@ -199,7 +199,7 @@ export class ConeMarkers extends Group {
     this.visible = markers.length > 0;
   }
 
-  /** Size as a part of the usual one. */
+  /** Sets the size, relative to the default, and the opacity. */
   setStyle(scale: number, opacity: number): void {
     const isLayered = this.#meshes.length > 1;
     this.#meshes.forEach(({ material }, i) => {

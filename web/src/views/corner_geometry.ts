@@ -1,12 +1,12 @@
-// From arrays to what WebGL draws: one vertex per triangle corner, so that texture coordinates and
-// overlays may differ on the two sides of an edge.
+// Geometries for WebGL: one vertex per triangle corner, so that texture coordinates and
+// overlays can differ on the two sides of an edge.
 
 import { BufferAttribute, BufferGeometry, Sphere, Vector3 } from 'three';
 import { MeshBVH, type SerializedBVH } from 'three-mesh-bvh';
 import type { Solution, Surface } from '../model/types';
 import type { SerializedBvh } from '../services/geometry/protocol';
 
-/** `same` is a geometry of the same surface, whose places are taken over. */
+/** `same`: a geometry of the same surface, whose positions are reused. */
 export function surfaceGeometry(
   surface: Surface,
   solution?: Solution,
@@ -22,7 +22,7 @@ export function surfaceGeometry(
   return geometry;
 }
 
-/** The map laid flat; it faces the viewer everywhere, so it needs no light. */
+/** The map as a flat mesh; it needs no normals, because it is not lit. */
 export function flatGeometry({ cornerUv, flatPositions, box }: Solution): BufferGeometry {
   const geometry = new BufferGeometry();
   const center = new Vector3(box.x + box.width / 2, box.y + box.height / 2, 0);
@@ -34,21 +34,21 @@ export function flatGeometry({ cornerUv, flatPositions, box }: Solution): Buffer
 }
 
 export function setTint(geometry: BufferGeometry, colours: Uint8Array): void {
-  if (colours.length !== 4 * geometry.getAttribute('position').count) return; // of another model
+  if (colours.length !== 4 * geometry.getAttribute('position').count) return; // colours of another model
   const tint = geometry.getAttribute('tint') as BufferAttribute | undefined;
   if (!tint) return void geometry.setAttribute('tint', new BufferAttribute(colours, 4, true));
   (tint.array as Uint8Array).set(colours);
   tint.needsUpdate = true;
 }
 
-/** A tree to pick with, built in the geometry worker over the same corners. */
+/** A tree for picking, built by the geometry worker for the same corners. */
 export function bvhFrom(serialized: SerializedBvh, geometry: BufferGeometry): MeshBVH {
   return MeshBVH.deserialize(serialized as unknown as SerializedBVH, geometry, { setIndex: false });
 }
 
-const smallest = 30_000; // corners: a tree over so few is built at once
+const smallest = 30_000; // corners: a tree over fewer is built synchronously
 
-/** Over a small geometry without waiting; nothing where it would take long. */
+/** A tree over a small geometry, built synchronously; undefined if that would take long. */
 export const bvhAtOnce = (geometry: BufferGeometry): MeshBVH | undefined =>
   geometry.getAttribute('position').count <= smallest
     ? new MeshBVH(geometry, { indirect: true, targetLeafSize: 10 })

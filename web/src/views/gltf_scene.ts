@@ -1,5 +1,5 @@
-// The model with its own materials, as three.js reads a glTF: one mesh of it, where its first node
-// puts it. Fetched only when there is a glTF.
+// The model with its own materials, read by three.js from a glTF: one mesh, placed by its first
+// node. This module is loaded only for a glTF.
 
 import {
   AmbientLight,
@@ -21,20 +21,20 @@ interface Source {
   /** The main file first. */
   written: OutputFile[];
   files: Files;
-  /** Among those with triangles. */
+  /** Index among the meshes with triangles. */
   mesh: number;
-  /** Column by column: from the mesh to where it is seen. */
+  /** The matrix that places the mesh, by columns. */
   matrix: readonly number[];
 }
 
-// One white pixel, in place of an image that is missing or none.
+// One white pixel, which replaces a missing or invalid image.
 const blankPng =
   'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGP4DwABAQEAsTj2FAAAAABJRU5ErkJggg==';
 const blankImage = (): Blob =>
   new Blob([Uint8Array.from(atob(blankPng), (c) => c.charCodeAt(0))], { type: 'image/png' });
 const imageEnding = /\.(png|jpe?g|webp|avif)$/i;
 
-/** By its first bytes: what ends like an image may be anything. */
+/** Whether a file is an image, by its first bytes: the extension may be wrong. */
 async function isImage(file: Blob): Promise<boolean> {
   const head = new Uint8Array(await file.slice(0, 12).arrayBuffer());
   const text = String.fromCharCode(...head);
@@ -54,7 +54,7 @@ async function usableFiles({ files, written }: Source): Promise<Map<string, Blob
   return found;
 }
 
-/** As it may be fetched under the page's policy. */
+/** The content of a data URL as a Blob, which the page's content security policy allows to be fetched. */
 function blobOfDataUrl(url: string): Blob {
   const comma = url.indexOf(',');
   const head = url.slice(5, comma);
@@ -64,7 +64,7 @@ function blobOfDataUrl(url: string): Blob {
   return new Blob([Uint8Array.from(data, (c) => c.charCodeAt(0))], { type });
 }
 
-/** Images and buffers come from the files at hand and from nowhere else. */
+/** Loads images and buffers only from the given files. */
 function managerOf(files: Map<string, Blob>): [LoadingManager, () => void] {
   const manager = new LoadingManager();
   const urls: string[] = [];
@@ -76,7 +76,7 @@ function managerOf(files: Map<string, Blob>): [LoadingManager, () => void] {
     }
     const name = decodeURIComponent(url.replace(/^(\.\/)+/, ''));
     const blob = files.get(name);
-    // As a Blob: the page's policy lets nothing be fetched from data: URLs.
+    // As a Blob, because the page's content security policy forbids fetching data: URLs.
     const otherwise = imageEnding.test(name) ? blankImage() : new Blob();
     urls.push(URL.createObjectURL(blob ?? otherwise));
     return urls.at(-1)!;
@@ -84,7 +84,7 @@ function managerOf(files: Map<string, Blob>): [LoadingManager, () => void] {
   return [manager, () => urls.forEach((url) => URL.revokeObjectURL(url))];
 }
 
-/** Skins and morph targets stay at rest: what is parametrized is the base shape. */
+/** The object without skinning and morph targets, because the base shape is parametrized. */
 function atRest(object: Object3D, matrix: Matrix4): Group {
   const group = new Group();
   object.traverse((part) => {
@@ -101,7 +101,7 @@ function atRest(object: Object3D, matrix: Matrix4): Group {
   return group;
 }
 
-/** A copy, in which the header of a GLB counts at least the chunks that are read. */
+/** A copy in which the length in the header of a GLB includes all chunks that are read. */
 function withRightLength(bytes: Uint8Array): Uint8Array<ArrayBuffer> {
   const copy = bytes.slice();
   const chunks = splitGlb(copy);
@@ -132,7 +132,7 @@ export async function loadGltfMesh(source: Source): Promise<Group> {
   }
 }
 
-/** What it holds on the graphics card. */
+/** Frees a scene's resources on the graphics card. */
 export function disposeScene(group: Group | undefined): void {
   group?.traverse((part) => {
     const { geometry, material } = part as Partial<Mesh<BufferGeometry, Material>>;

@@ -1,4 +1,4 @@
-// From targets as the solver names them to what the views can outline.
+// Converts targets in the solver's form to what the views outline.
 
 import type { Where } from 'hgp';
 import type { Solution, Surface } from '../model/types';

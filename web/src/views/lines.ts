@@ -1,7 +1,7 @@
 // Line segments with a width in pixels: seams, crosses, highlights; and a wireframe of thin ones.
 //
-// Every segment is two triangles of its own instead of an instance of one: drawing instances costs
-// software renderers (a browser without a graphics card) about as much each as a whole call.
+// Every segment has its own two triangles instead of being an instance: in software renderers (a browser
+// without a graphics card) each instance costs about as much as a whole draw call.
 
 import {
   BufferAttribute,
@@ -29,7 +29,7 @@ out vec2 at; // along the segment and across it, in pixels
 flat out float reach;
 out vec3 vTint;
 
-// What lies behind the eye has no place in the picture: the segment ends just before.
+// A point behind the eye has no position in the picture: the segment is cut off just in front of it.
 void cut(inout vec4 behind, vec4 before) {
   float near = -0.5 * projectionMatrix[3][2] / projectionMatrix[2][2];
   behind.xyz = mix(before.xyz, behind.xyz, (near - before.z) / (behind.z - before.z));
@@ -75,7 +75,7 @@ void main() {
 
 const corners = [0, 2, 1, 1, 2, 3]; // of the two triangles of one segment
 
-/** Three of every `step` numbers, four times. */
+/** Three out of every `step` numbers, repeated for the four corners of a segment. */
 function fourTimes(values: ArrayLike<number>, step: number, from: number): BufferAttribute {
   const count = values.length / step;
   const out = new Float32Array(12 * count);
@@ -112,7 +112,7 @@ function geometryOf(points: ArrayLike<number>, colours: Color[] | undefined): Bu
   return geometry;
 }
 
-/** A little nearer to the eye, which leaves it where it is in the picture: seen from either side. */
+/** Moves an object slightly towards the eye, so that it is in front of the surface at the same place in the picture. */
 function lift(thing: Mesh | LineSegments, eye: Vector3, by: number): void {
   thing.scale.setScalar(1 - by);
   thing.position.copy(eye).multiplyScalar(by);
@@ -144,7 +144,7 @@ export class Lines extends Mesh<BufferGeometry, ShaderMaterial> {
     lift(this, eye, by);
   }
 
-  /** Pairs of points; one colour for all, or one per segment. */
+  /** Sets the segments as pairs of points, with one colour for all or one per segment. */
   set(points: ArrayLike<number>, colours: Color | Color[]): void {
     this.geometry.dispose();
     this.visible = points.length > 0;
@@ -157,7 +157,7 @@ export class Lines extends Mesh<BufferGeometry, ShaderMaterial> {
   }
 }
 
-/** The edges of all triangles, as thin as the screen can draw. */
+/** The edges of all triangles, one pixel wide. */
 export class Wire extends LineSegments<BufferGeometry, LineBasicMaterial> {
   constructor(order: number, hasDepth: boolean) {
     super(new BufferGeometry(), new LineBasicMaterial({ depthTest: hasDepth, depthWrite: false }));
@@ -170,7 +170,7 @@ export class Wire extends LineSegments<BufferGeometry, LineBasicMaterial> {
     lift(this, eye, by);
   }
 
-  /** Shares the corners that the triangles are drawn from. */
+  /** Shares the corners of the triangles' geometry. */
   set(triangles: BufferGeometry, colour: Color): void {
     this.visible = true;
     this.material.color.copy(colour);
@@ -199,7 +199,7 @@ export function seamsOnSurface(surface: Surface, { seams, chains, result }: Solu
   return { points, colours: seams.map((_, s) => chainColour(chains[s])) };
 }
 
-/** Both sides of every seam edge, the twins in one colour. */
+/** Both sides of every seam edge, in the same colour. */
 export function seamsInMap({ seams, chains, result: { uv } }: Solution) {
   const points = new Float32Array(12 * seams.length);
   const colours: Color[] = [];

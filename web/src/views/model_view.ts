@@ -50,7 +50,7 @@ export class ModelView extends CanvasView {
   #image?: ImageBitmap;
   #original?: Group;
   #isOriginalShown = false;
-  /** Part of the width, from the left, where the model is seen as it was before. */
+  /** Fraction of the width, from the left, in which the original model is shown. */
   #wipe = 0;
 
   constructor(canvas: HTMLCanvasElement) {
@@ -58,7 +58,7 @@ export class ModelView extends CanvasView {
     this.scene.add(this.#mesh, this.#wire, this.#crosses, this.#seams, this.#ticks);
     this.scene.add(this.#handles, this.#light, this.#cursor, this.#markers, this.#ghost);
     this.#mesh.visible = false;
-    this.#mesh.frustumCulled = false; // it is what the camera looks at
+    this.#mesh.frustumCulled = false; // it is nearly always visible
     this.#ghost.setStyle(1.1, 0.75);
     this.beforeDraw(() => {
       const eye = this.camera.position;
@@ -75,7 +75,7 @@ export class ModelView extends CanvasView {
     this.orbit.reshaped();
   }
 
-  /** Another surface frames it; another solution keeps the camera. */
+  /** Shows a surface and its solution. A new surface is framed; a new solution keeps the camera. */
   setModel(surface: Surface | undefined, solution: Solution | undefined): void {
     if (surface === this.#surface && solution === this.#solution) return;
     const isNew = surface !== this.#surface;
@@ -101,7 +101,7 @@ export class ModelView extends CanvasView {
     this.draw();
   }
 
-  /** What picking needs, where the surface is too large to build it at once. */
+  /** Sets the tree for picking on a surface that is too large to build it synchronously. */
   setBvh(surface: Surface, serialized: SerializedBvh): void {
     if (surface === this.#surface) this.#bvh = bvhFrom(serialized, this.#mesh.geometry);
   }
@@ -123,7 +123,7 @@ export class ModelView extends CanvasView {
     this.draw();
   }
 
-  /** After Run the picture is what counts: markers step back until cones are placed again. */
+  /** Fades the markers after Run, until cones are edited again. */
   setMarkers(areFaded: boolean): void {
     this.#markers.setStyle(areFaded ? 0.42 : 1, areFaded ? 0.55 : 1);
     this.draw();
@@ -153,7 +153,7 @@ export class ModelView extends CanvasView {
     this.draw();
   }
 
-  /** Loops around handles, each in the colour that the panel gives it. */
+  /** Shows loops around handles, each in its colour in the panel. */
   setHandles(loops: Float32Array[]): void {
     const points = new Float32Array(loops.reduce((sum, loop) => sum + loop.length, 0));
     const colours: Color[] = [];
@@ -167,7 +167,7 @@ export class ModelView extends CanvasView {
     this.draw();
   }
 
-  /** The model with its own materials, to be shown in place of the pattern or before it. */
+  /** Sets the model with its own materials, shown instead of the pattern or as the state before. */
   setOriginal(original: Group | undefined, isShown: boolean): void {
     if (original !== this.#original) {
       this.#original?.removeFromParent();
@@ -191,7 +191,7 @@ export class ModelView extends CanvasView {
     this.canvas.dataset.original = isOriginal ? 'shown' : 'none';
   }
 
-  /** Twice where before and after are side by side. */
+  /** Draws twice if before and after are shown side by side. */
   protected override render(): void {
     const { renderer, scene, camera } = this;
     if (this.#wipe <= 0 || !this.#solution) return renderer.render(scene, camera);
@@ -230,7 +230,7 @@ export class ModelView extends CanvasView {
     this.draw();
   }
 
-  /** The cone that a click would place. */
+  /** Shows the cone that a click would place. */
   setGhost(cone: Cone | undefined, q = 4): void {
     if (!cone && !this.#ghost.visible) return;
     const at = cone && this.#surface ? this.#place(cone.vertex) : undefined;
@@ -248,7 +248,7 @@ export class ModelView extends CanvasView {
     return new Vector3(...this.#place(vertex));
   }
 
-  /** The vertex that the keyboard is at: a ring of its neighbours' edges. */
+  /** Shows the vertex of the keyboard cursor by the edges of its one-ring. */
   setCursor(vertex: number): void {
     const surface = this.#surface;
     const points: number[] = [];
@@ -286,7 +286,7 @@ export class ModelView extends CanvasView {
     this.draw();
   }
 
-  /** The triangle under a pointer and its vertex nearest to it; what is behind is not seen. */
+  /** The front triangle under a pointer, and its vertex nearest to the pointer. */
   pick(event: { clientX: number; clientY: number }): Hit | undefined {
     const surface = this.#surface;
     if (!surface) return undefined;
@@ -310,14 +310,14 @@ export class ModelView extends CanvasView {
     return best;
   }
 
-  /** CSS pixels from the corner of the canvas. */
+  /** The position of a vertex in CSS pixels from the corner of the canvas. */
   toScreen(vertex: number): { x: number; y: number } {
     const at = this.point(vertex).project(this.camera);
     const { clientWidth, clientHeight } = this.canvas;
     return { x: ((at.x + 1) / 2) * clientWidth, y: ((1 - at.y) / 2) * clientHeight };
   }
 
-  /** Brings a vertex to the middle. */
+  /** Centres a vertex. */
   lookAt(vertex: number): void {
     if (!this.#surface) return;
     const normal = new Vector3().fromArray(this.#surface.normals, 3 * vertex);
@@ -325,7 +325,7 @@ export class ModelView extends CanvasView {
     this.draw();
   }
 
-  /** Brings what is under a pointer to the middle. */
+  /** Centres the point under a pointer. */
   centre(event: { clientX: number; clientY: number }): void {
     const hit = this.pick(event);
     if (hit) this.lookAt(hit.vertex);

@@ -1,4 +1,4 @@
-// One material for everything: patterns drawn from (u, v) itself, so that they are sharp at any
+// One material for everything: patterns computed from (u, v) in the shader, so that they are sharp at any
 // scale; overlays as a colour per corner; light from the viewer.
 
 import {
@@ -36,7 +36,7 @@ in vec4 vTint;
 uniform int pattern;
 uniform int q;
 uniform float scale;
-uniform float repeat; // tiles after which a texture comes again
+uniform float repeat; // number of tiles after which a texture repeats
 uniform bool isAligned;
 uniform float lit;
 uniform float dim;
@@ -47,7 +47,7 @@ uniform vec3 second;
 uniform sampler2D image;
 out vec4 colour;
 
-// Coverage of lines of a given width at whole values of x; fades to its mean where it gets too fine.
+// Coverage of lines of a given width at integer x; fades to its mean where lines are too fine.
 float lines(float x, float width) {
   float w = fwidth(x);
   float d = abs(fract(x - 0.5) - 0.5);
@@ -64,14 +64,14 @@ const float s3 = 1.7320508;
 float hash(vec2 c) {
   return fract(sin(dot(c, vec2(127.1, 311.7))) * 43758.5453);
 }
-// Repeats after whole periods, so that a texture made of it goes on wherever its tiles do.
+// Periodic, so that a texture made of it continues wherever its tiles do.
 float noise(vec2 p, vec2 every) {
   vec2 c = floor(p), f = fract(p);
   f = f * f * (3.0 - 2.0 * f);
   vec2 near = mod(c, every), far = mod(c + 1.0, every);
   return mix(mix(hash(near), hash(vec2(far.x, near.y)), f.x), mix(hash(vec2(near.x, far.y)), hash(far), f.x), f.y);
 }
-// Two courses and a brick in a tile, around the middle of one: the same after half a turn.
+// Two courses and one brick length per tile, centred on a brick: invariant under half turns.
 vec3 brick(vec2 p) {
   vec2 b = vec2(p.x + 0.5, p.y * 2.0 + 0.5);
   float row = floor(b.y);
@@ -108,7 +108,7 @@ float band(float x, float centre, float half_) {
   float d = abs(fract(x - centre + 0.5) - 0.5);
   return mix(1.0 - smoothstep(half_ - w, half_ + w, d), 2.0 * half_, smoothstep(0.35, 0.9, w));
 }
-// The same along u and v and to both sides: it goes on across quarter turns.
+// The same along u and v and symmetric, so that it continues across quarter turns.
 vec3 plaid(vec2 p) {
   float a = band(p.x, 0.0, 0.17), b = band(p.y, 0.0, 0.17);
   float c = band(p.x, 0.5, 0.035), d = band(p.y, 0.5, 0.035);
@@ -121,7 +121,7 @@ vec3 plaid(vec2 p) {
 }
 
 vec3 shade(vec2 p) {
-  if (pattern == 2) { // grid: squares, or triangles where q asks for them
+  if (pattern == 2) { // grid: squares, or triangles for q = 3 and 6
     float c;
     if (q % 3 == 0) {
       c = max(lines(p.y * 2.0 / s3, 0.04), max(lines(p.x - p.y / s3, 0.04), lines(p.x + p.y / s3, 0.04)));
@@ -130,11 +130,11 @@ vec3 shade(vec2 p) {
     }
     return mix(paper, ink, c);
   }
-  if (pattern == 3) { // around the middle of a square, which quarter turns keep
+  if (pattern == 3) { // centred on a square, which is invariant under quarter turns
     float a = fold(p.x * 0.5), b = fold(p.y * 0.5);
     return mix(second, ink, a + b - 2.0 * a * b);
   }
-  if (pattern == 4) { // hexagons with their centres on a triangular lattice, or on squares in halves
+  if (pattern == 4) { // hexagons centred on a triangular lattice, stretched to fit squares if aligned
     if (isAligned) p.y *= 0.5 * s3;
     vec2 s = vec2(1.0, s3);
     vec2 a = mod(p, s) - s * 0.5;
@@ -214,7 +214,7 @@ export function surfaceMaterial(isLit: boolean): ShaderMaterial {
       image: { value: blank as Texture },
     },
   });
-  // What a geometry does not have is not sent to the graphics card, either.
+  // Attributes that a geometry lacks are not uploaded.
   const absent = { tint: [0, 0, 0, 0], uv: [0, 0], normal: [0, 0, 1] };
   material.defaultAttributeValues = absent as unknown as typeof material.defaultAttributeValues;
   return material;
@@ -224,7 +224,7 @@ export interface PatternPlace {
   q: number;
   /** Tiles per unit of uv. */
   scale: number;
-  /** Tiles go on across every seam: textures repeat after two of them, so that what is in them does, too. */
+  /** Tiles continue across every seam: textures then repeat after two tiles, so that they continue as well. */
   isAligned: boolean;
 }
 

@@ -1,10 +1,10 @@
-// What tells seams apart without colour: small marks across the middle of each chain, as geometry
-// marks equal sides. Both sides of a cut have the same number.
+// Marks that distinguish seams without colour: short strokes across the middle of each chain, like the tick marks
+// for equal sides in geometry. Both sides of a chain have the same number of strokes.
 
 import { Color, Vector3 } from 'three';
 import type { Solution, Surface } from '../model/types';
 
-// Colours that are told apart on both grounds and by most eyes; chains beyond them repeat.
+// Colours that most people can distinguish on both backgrounds; further chains repeat them.
 const hues = [
   '#e4572e',
   '#1b998b',
@@ -15,12 +15,12 @@ const hues = [
   '#b8741a',
   '#00a6c7',
 ].map((hue) => new Color(hue));
-/** To be read only: all chains of this number share it. */
+/** A shared object, which must not be modified. */
 export const chainColour = (chain: number): Color => hues[chain % hues.length];
 
 const mostTicks = 4;
 
-/** The edges in the middle of their chains, with the chain. */
+/** The middle edge of each chain, with the chain. */
 function middles({ chains }: Solution): { seam: number; chain: number }[] {
   const of = new Map<number, number[]>();
   chains.forEach((chain, seam) => {
@@ -31,7 +31,7 @@ function middles({ chains }: Solution): { seam: number; chain: number }[] {
   return [...of].map(([chain, seams]) => ({ chain, seam: seams[Math.floor(seams.length / 2)] }));
 }
 
-/** Marks across the segment a–b; `across` has the length of half a mark. */
+/** Adds marks across the segment a–b; `across` is half a mark as a vector. */
 function marks(a: Vector3, b: Vector3, across: Vector3, chain: number, out: number[]): number {
   const count = (chain % mostTicks) + 1;
   const gap = 0.9 * across.length();
@@ -65,7 +65,7 @@ export function ticksOnSurface(surface: Surface, solution: Solution): Coloured {
   return { points, colours };
 }
 
-/** Both sides of each chain; `half` is half the length of a mark in uv. */
+/** Marks on both sides of each chain; `half` is half the length of a mark in uv. */
 export function ticksInMap(solution: Solution, half: number): Coloured {
   const points: number[] = [];
   const colours: Color[] = [];

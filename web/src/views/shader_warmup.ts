@@ -1,4 +1,4 @@
-// One of each thing that the views draw.
+// One object of each kind that the views draw.
 
 import { BufferAttribute, BufferGeometry, Color, Mesh, type Object3D } from 'three';
 import { Lines, Wire } from './lines';
@@ -7,7 +7,7 @@ import { surfaceMaterial } from './pattern_material';
 
 export function oneOfEach(isLit: boolean): Object3D[] {
   const geometry = new BufferGeometry();
-  // The flat map has no normals, which makes another program of the same material.
+  // The flat map has no normals, so the same material has a different shader program for it.
   const sizes = { position: 3, uv: 2, tint: 4, ...(isLit ? { normal: 3 } : {}) };
   for (const [name, size] of Object.entries(sizes)) {
     const values = Float32Array.from({ length: 3 * size }, (_, i) => (i * 0.37) % 1);

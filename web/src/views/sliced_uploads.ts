@@ -1,11 +1,11 @@
-// Large arrays go to the graphics card in slices, a few in each frame, and none before the card has taken those of
-// the frame before: one of 40 MB at once, or one behind others, holds the main thread for as long as the card, or
-// what stands in for it, is busy.
+// Uploads large arrays to the graphics card in slices, a few per frame, and none before the card has received those of
+// the previous frame: a single upload of 40 MB, or one queued behind others, blocks the main thread for as long as the
+// card, or the software renderer, is busy.
 
 const sliceBytes = 2 ** 20;
 const frameBytes = 4 * sliceBytes;
-const longestWait = 500; // milliseconds; a card that does not answer gets the next slices all the same
-const frameTime = 8; // milliseconds of a frame that may go into slices
+const longestWait = 500; // milliseconds; after that the next slices are sent even without an answer
+const frameTime = 8; // milliseconds per frame for uploads
 
 interface Upload {
   buffer: WebGLBuffer;
@@ -13,7 +13,7 @@ interface Upload {
   done: number;
 }
 
-/** Stands between three.js and a context: what is large is allocated at once and filled afterwards. */
+/** Intercepts uploads by three.js: large buffers are allocated immediately and filled afterwards. */
 export class SlicedUploads {
   readonly #gl: WebGL2RenderingContext;
   readonly #bind: WebGL2RenderingContext['bindBuffer'];
@@ -48,7 +48,7 @@ export class SlicedUploads {
       this.#waiting.push({ buffer, bytes, done: 0 });
     }) as typeof gl.bufferData;
     gl.bufferSubData = ((...all: Parameters<typeof gl.bufferSubData>) => {
-      // All of it anew: what was waiting for this buffer is out of date.
+      // The whole buffer is replaced: slices still waiting for it are outdated.
       if (all[0] === gl.ARRAY_BUFFER && all[1] === 0) this.#drop(this.#bound);
       this.#fill(...all);
     }) as typeof gl.bufferSubData;
@@ -62,13 +62,13 @@ export class SlicedUploads {
     this.#waiting = this.#waiting.filter((upload) => upload.buffer !== buffer);
   }
 
-  /** What was lost with the context is asked for again by three.js. */
+  /** Drops everything after a lost context: three.js uploads it again. */
   forget(): void {
     this.#waiting = [];
     this.#sent = undefined;
   }
 
-  /** Whether the card has still to take what it was sent. */
+  /** Whether the card has not yet received the last slices. */
   #isCardBusy(): boolean {
     const gl = this.#gl;
     if (!this.#sent) return false;
@@ -80,7 +80,7 @@ export class SlicedUploads {
     return false;
   }
 
-  /** As many slices as a frame has time for; the first in any case, unless the card is busy. */
+  /** Uploads as many slices as a frame has time for, at least one unless the card is busy. */
   step(): void {
     if (this.#isCardBusy()) return;
     const gl = this.#gl;

@@ -1,5 +1,5 @@
-// A textured model that turns slowly. There is one for the life of the page: giving a WebGL context back stalls
-// the main thread until the graphics card has done what it was asked for.
+// A textured model that turns slowly. There is one for the lifetime of the page: releasing a WebGL context blocks
+// the main thread until the graphics card has finished its work.
 
 import {
   BufferAttribute,
@@ -46,7 +46,7 @@ export class TurningView {
     canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
   }
 
-  /** Vertex and index counts, then positions, normals and uv per vertex, then triangles. */
+  /** Loads a file: vertex and index counts, then positions, normals and uv per vertex, then triangles. */
   async load(url: string): Promise<void> {
     const response = await fetch(url);
     if (!response.ok) throw new Error(`${url}: ${response.status}`);

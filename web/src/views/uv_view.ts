@@ -1,4 +1,4 @@
-// The UV view: the same map laid flat, with the same pattern, seams and cones. Drag pans, wheel zooms.
+// The UV view: the map as a flat mesh, with the same pattern, seams and cones. Dragging pans, the wheel zooms.
 
 import { BufferGeometry, Color, Mesh, MOUSE, OrthographicCamera, Ray, TOUCH, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
@@ -41,7 +41,7 @@ export class UvView extends CanvasView {
   #bvh?: MeshBVH;
   #image?: ImageBitmap;
   #size = { width: 1, height: 1 };
-  /** Someone has chosen what to look at: another size of the window leaves it. */
+  /** Whether the user has moved the view: resizing then keeps it. */
   #isTouched = false;
 
   constructor(canvas: HTMLCanvasElement) {
@@ -102,14 +102,14 @@ export class UvView extends CanvasView {
     this.#lookAt(x, y, this.#reach * factor);
   }
 
-  /** Brings what is under a pointer to the middle, twice as large. */
+  /** Centres the point under a pointer and doubles the magnification. */
   centre(event: Place): void {
     const { x, y } = this.#toUv(event);
     this.#isTouched = true;
     this.#lookAt(x, y, this.#reach / 2);
   }
 
-  /** Parts of the visible height. */
+  /** Pans by fractions of the visible height. */
   pan(x: number, y: number): void {
     this.#isTouched = true;
     const { target } = this.controls;
@@ -181,7 +181,7 @@ export class UvView extends CanvasView {
     this.draw();
   }
 
-  /** A cone on a cut has several images in the map; each is shown. */
+  /** Shows cones; a cone on a seam has several images in the map, all of which are shown. */
   setCones({ cones, q }: Prescription, bad: boolean[], selected: number): void {
     if (!this.#solution) return this.#markers.show([]);
     const { uv, uvToVertex } = this.#solution.result;

@@ -1,5 +1,5 @@
-// Keeps the two views up to date with the document: what has changed, in order, in a task of its own.
-// What fails is said, and the rest goes on.
+// Updates the two views when the document changes: in a fixed order, in a separate task. A failure is reported and does
+// not stop the other updates.
 
 import { effect } from '@preact/signals-core';
 import { Color, type Group } from 'three';
@@ -18,9 +18,9 @@ const palettes: Record<'light' | 'dark', Palette> = {
   dark: { paper: new Color('#b9c4d0'), ink: new Color('#14304d'), second: new Color('#f0b038') },
 };
 
-const mostAtOnce = 10_000; // triangles: over so few a tree to pick with is built at once
-const mostTime = 8; // milliseconds of one task
-const mostForMaterials = 300_000; // triangles: beyond, own materials are shown on request only
+const mostAtOnce = 10_000; // triangles: for fewer, the tree for picking is built synchronously
+const mostTime = 8; // milliseconds per task
+const mostForMaterials = 300_000; // triangles: for more, the model's materials are shown only on request
 
 export interface ViewSources {
   doc: Document;
@@ -28,11 +28,11 @@ export interface ViewSources {
   geometry: GeometryClient;
   model: ModelView;
   uv: UvView;
-  /** Told of another surface. */
+  /** Called when the surface changes. */
   onSurface(): void;
 }
 
-/** One thing that the views show: what it depends on, and how it is shown. */
+/** One aspect of the views: what it depends on, and how it is shown. */
 interface Concern {
   key(): unknown[];
   show(): unknown;
@@ -46,7 +46,7 @@ export class ViewUpdates {
   readonly #concerns: Concern[];
   readonly #shown = new Map<Concern, unknown[]>();
   readonly #waiting = new Set<unknown>();
-  /** A pass over all concerns waits for its first task, or for its next. */
+  /** Whether a pass over all concerns is waiting for its first or next task. */
   #isScheduled = false;
   #pass = 0;
   #original?: { of: unknown; group?: Group };
@@ -75,13 +75,13 @@ export class ViewUpdates {
     this.#later(++this.#pass, 0);
   }
 
-  /** What has changed meanwhile begins a pass of its own. */
+  /** Schedules the rest of a pass; a change in the meantime starts a new pass. */
   #later(pass: number, first: number): void {
     this.#isScheduled = true;
     setTimeout(() => pass === this.#pass && this.#updateFrom(pass, first));
   }
 
-  /** One concern after another; where that takes long, the rest in a task of its own. */
+  /** Updates one concern after another; if that takes long, the rest follows in another task. */
   #updateFrom(pass: number, first: number): void {
     const begin = performance.now();
     for (let i = first; i < this.#concerns.length; i++) {
@@ -186,7 +186,7 @@ export class ViewUpdates {
     };
   }
   #tinted?: Solution;
-  /** Folded triangles are red without any overlay; and what was painted before must go. */
+  /** Whether colours are needed: flipped triangles are red even without an overlay, and old colours must be replaced. */
   #isTinted(solution: Solution): boolean {
     return this.#tinted === solution || solution.distortion.flipped.length > 0;
   }
@@ -228,7 +228,7 @@ export class ViewUpdates {
     return { key: () => [areFaded()], show: () => model.setMarkers(areFaded()) };
   }
 
-  /** What own materials are read from: the file as it came, or as it was written. */
+  /** The file from which the model's materials are read: the original or the written one. */
   #originalSource(): { key: unknown; isShown: boolean } | undefined {
     const { doc } = this.#in;
     const { model, displayed, look } = doc;
@@ -267,7 +267,7 @@ export class ViewUpdates {
           own.group = group;
           view.setOriginal(group, this.#originalSource()?.isShown ?? false);
         } catch (error) {
-          // Nobody has asked for it: the shape without materials is seen instead.
+          // The materials were not requested: the shape without them is shown instead.
           if (doc.look.pattern !== 'material') return;
           doc.say(`The materials cannot be shown: ${(error as Error).message}`, 'error');
         }

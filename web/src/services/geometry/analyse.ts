@@ -1,5 +1,5 @@
-// What the page wants to know of a map, from the written file and from the numbers that were
-// certified. Runs in the geometry worker.
+// Computes what the page shows about a map, from the written file and from the certified
+// numbers. Runs in the geometry worker.
 
 import type { Measures, Result } from 'hgp';
 import { isGltf, objectsIn, parseGltf } from '../../formats/glb';
@@ -19,9 +19,9 @@ export type MapArrays = Pick<
 
 export interface AnalysisRequest {
   map: MapArrays;
-  /** Of the map, from the solver. */
+  /** Measurements of the map by the solver. */
   measures: Measures;
-  /** What was written and what it names, the main one first. */
+  /** The written files and those to which they refer, the main file first. */
   files: OutputFile[];
   mesh: number;
   uvSet?: number;
@@ -29,7 +29,7 @@ export interface AnalysisRequest {
 
 export type CompareRequest = Omit<AnalysisRequest, 'measures'>;
 
-/** Per triangle and per vertex: what overlays are painted from. */
+/** Values per triangle and per vertex from which overlays are coloured. */
 export interface FaceValues extends Pick<Measures, 'stretch' | 'area' | 'flipped'> {
   /** The absolute value of `area`. */
   areaSize: Float32Array;
@@ -50,9 +50,9 @@ function cornersOf({ positions, triangles, uv, cornerToUv }: MapArrays): Corners
   return out;
 }
 
-const slack = 2e-6; // of the largest number: float32 positions and 1 − v
+const slack = 2e-6; // relative to the largest number, for float32 positions and 1 − v
 
-/** Why two sets of corners are not the same; empty where they are. */
+/** The difference between two sets of corners, in words; empty if they are equal. */
 export function differenceOf(file: Corners, map: Corners): string {
   const far = (x: Float64Array, y: Float64Array): number => {
     let largest = 1;
@@ -73,7 +73,7 @@ export function differenceOf(file: Corners, map: Corners): string {
   return positions > slack ? `positions are off by ${positions.toExponential(1)}` : '';
 }
 
-/** The file's corners, and why they are not those of the map; without corners where it cannot be read. */
+/** The file's corners, and how they differ from those of the map; no corners if the file cannot be read. */
 function readBack(
   { files, mesh, uvSet }: CompareRequest,
   map: Corners,
@@ -88,7 +88,7 @@ function readBack(
   }
 }
 
-/** Why a file does not hold a map; empty where it does. */
+/** How the map in a file differs from the given one; empty if it does not. */
 export const compareWithFile = (
   request: CompareRequest,
   decoder: MeshoptDecoder | undefined,
@@ -136,7 +136,7 @@ export function analyse(
       seamDistance: quantilesOf(seamDistance),
       ...{ flipped, uvArea, surfaceArea },
     },
-    // Of what the file holds, where that could be read.
+    // From the file's map if it could be read.
     least: leastArea(read && read.uv.length === own.uv.length ? read.uv : own.uv),
     ...{ overlaps, chains },
     box: boxOf(map.uv),
@@ -145,7 +145,7 @@ export function analyse(
   return { analysis, values: { ...faces, areaSize, seamDistance } };
 }
 
-/** What a written .gltf names beside itself. */
+/** The URIs of other files in a written .gltf. */
 export function urisOf(main: OutputFile): string[] {
   if (!/\.gltf$/i.test(main.name)) return [];
   const { buffers, images } = parseGltf(main);

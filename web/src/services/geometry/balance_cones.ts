@@ -1,6 +1,6 @@
-// Where cones that are missing cost least. The scale of the map is e^u with Δu = K − Σ 2π(q − kᵢ)/q δᵢ
-// (curvature that cones do not take up has to be stretched away), so a cone of the missing sign goes
-// to where u is most extreme; one after another, for each changes u.
+// Places missing cones where they cause the least distortion. The scale of the map is e^u with
+// Δu = K − Σ 2π(q − kᵢ)/q δᵢ (curvature that cones do not absorb causes stretch), so a cone of the missing sign is
+// placed where u is most extreme; one at a time, because each changes u.
 
 import type { Cone } from '../../model/prescription';
 import { largestK } from '../../model/gauss_bonnet';
@@ -18,7 +18,7 @@ type Graph = Pick<
 >;
 
 const mostSteps = 400; // of conjugate gradients
-const accuracy = 1e-4; // of the residual at the beginning
+const accuracy = 1e-4; // relative to the initial residual
 const mostCones = 256;
 
 /** out = L x with the combinatorial Laplacian. */
@@ -40,7 +40,7 @@ const dot = (a: Float64Array, b: Float64Array): number => {
   return sum;
 };
 
-/** L u = b by conjugate gradients from u; b adds up to zero on every component. */
+/** Solves L u = b by conjugate gradients, starting from u; the sum of b vanishes on every component. */
 function solve(graph: Graph, b: Float64Array, u: Float64Array): void {
   const r = new Float64Array(b.length);
   const lp = new Float64Array(b.length);
@@ -63,7 +63,7 @@ function solve(graph: Graph, b: Float64Array, u: Float64Array): void {
   }
 }
 
-/** Curvature that cones do not take up, with the mean of each component taken away. */
+/** The curvature that cones do not absorb, minus its mean on each component. */
 function rightHandSide(graph: Graph, q: number, cones: readonly Cone[]): Float64Array {
   const { angle, isBoundary, component, neighbourStart } = graph;
   const b = new Float64Array(angle.length);
@@ -85,7 +85,7 @@ function rightHandSide(graph: Graph, q: number, cones: readonly Cone[]): Float64
   return b;
 }
 
-/** Vertices that no other cone may share a triangle with. */
+/** The vertices that share a triangle with a cone, at which no other cone may be placed. */
 function takenBy({ neighbourStart, neighbours }: Graph, cones: readonly Cone[]): Set<number> {
   const taken = new Set<number>();
   for (const { vertex } of cones) {
@@ -96,7 +96,7 @@ function takenBy({ neighbourStart, neighbours }: Graph, cones: readonly Cone[]):
   return taken;
 }
 
-/** `left`: what each component has to spend. What is returned are the cones to add. */
+/** The cones to add. `left`: the remainder of each component. */
 export function balancingCones(
   graph: Graph,
   q: number,

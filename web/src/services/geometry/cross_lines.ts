@@ -1,4 +1,4 @@
-// Crosses whose arms follow u and v: they look the same whatever lines do across a seam.
+// Crosses whose arms follow u and v: they look right even where lines shift across a seam.
 
 import type { Sample } from './poisson_samples';
 
@@ -14,9 +14,9 @@ export interface CrossInput {
   q: number;
 }
 
-const above = 0.002; // of the flat map, in z
+const above = 0.002; // height above the flat map
 
-/** Of the triangle: the two sides at its first corner in uv, and their cross product. */
+/** The two sides at the first corner of a triangle in uv, and their cross product. */
 function sidesInUv(uv: Float32Array, t: number): [number, number, number, number, number] {
   const [ux, uy] = [uv[6 * t + 2] - uv[6 * t], uv[6 * t + 3] - uv[6 * t + 1]];
   const [vx, vy] = [uv[6 * t + 4] - uv[6 * t], uv[6 * t + 5] - uv[6 * t + 1]];
@@ -30,7 +30,7 @@ function* arms({ arm, q }: CrossInput): Generator<[number, number]> {
   }
 }
 
-/** In the map: six numbers per arm. */
+/** Crosses in the map: six numbers per arm. */
 export function flatCrosses(input: CrossInput): Float32Array {
   const { samples, cornerUv: uv, q } = input;
   const out = new Float32Array(6 * q * samples.length);
@@ -46,7 +46,7 @@ export function flatCrosses(input: CrossInput): Float32Array {
   return out;
 }
 
-/** On the surface, in the plane of the triangle of each sample. */
+/** Crosses on the surface, each in the plane of its sample's triangle. */
 export function surfaceCrosses(input: CrossInput): Float32Array {
   const { samples, cornerUv, positions: p, triangles, spacing, q } = input;
   const out = new Float32Array(6 * q * samples.length);
@@ -56,7 +56,7 @@ export function surfaceCrosses(input: CrossInput): Float32Array {
     const a = 3 * triangles[3 * t];
     for (const [x, y] of arms(input)) {
       let [ds, dr] = [(x * vy - y * vx) / det, (ux * y - uy * x) / det];
-      // Where the map is nearly flat the arm would leave the picture, and hide it.
+      // Where the map is nearly degenerate, the arm would become so long that it hides the model.
       const far = Math.hypot(ds * e[0] + dr * f[0], ds * e[1] + dr * f[1], ds * e[2] + dr * f[2]);
       const part = Math.min(1, spacing / far);
       [ds, dr] = [part * ds, part * dr];

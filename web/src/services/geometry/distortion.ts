@@ -1,9 +1,9 @@
-// What is said of a map in a few numbers.
+// Summaries of a map in a few numbers.
 
 import type { Box, LeastArea, Quantiles } from '../../model/types';
 import { forEachIndex } from './loops';
 
-/** Of values that are sorted here; 0 everywhere where there are none. */
+/** The quantiles of values, which are sorted in place; all 0 if there are none. */
 export function quantilesOf(values: Float32Array): Quantiles {
   const sorted = values.slice().sort();
   const last = sorted.length - 1;
@@ -12,7 +12,7 @@ export function quantilesOf(values: Float32Array): Quantiles {
   return { min: at(0), p5: at(0.05), median: at(0.5), p95: at(0.95), p99: at(0.99), max: at(1) };
 }
 
-/** `uv`: two numbers per triangle corner, as they are stored. */
+/** Areas of a map. `uv`: two numbers per triangle corner, as stored. */
 export function leastArea(uv: Float64Array): LeastArea {
   const count = uv.length / 6;
   let area = Infinity;

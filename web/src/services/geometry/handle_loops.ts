@@ -1,8 +1,8 @@
-// The loops around handles, which the solver finds, as lines on the surface.
+// The loops around handles, found by the solver, as lines on the surface.
 
 import type { Surface } from '../../model/types';
 
-/** From the middle of each crossed edge to the next: six numbers a segment. */
+/** Segments from the midpoint of each crossed edge to the next, six numbers each. */
 export function loopSegments(
   { places: p }: Pick<Surface, 'places'>,
   crossed: Uint32Array,

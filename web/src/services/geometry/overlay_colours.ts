@@ -1,11 +1,11 @@
-// The colours of an overlay, per triangle corner; and red where a triangle is folded over.
+// The colours of an overlay, per triangle corner; flipped triangles are red.
 
 import type { Distortion, Overlay } from '../../model/types';
 import type { FaceValues } from './analyse';
 
 type Rgb = readonly [number, number, number];
 
-// Cividis-like and vermilion–blue ramps: both are told apart without red and green.
+// Ramps similar to Cividis and from vermilion to blue, which people who confuse red and green can distinguish.
 const sequential: readonly Rgb[] = [
   [0, 34, 78],
   [66, 78, 108],
@@ -27,7 +27,7 @@ const strength = 225;
 const stops = 256;
 const byteOf = (x: number): number => Math.min(stops - 1, Math.max(0, Math.round(x * (stops - 1))));
 
-/** The ramp as a table of bytes, three a stop. */
+/** The ramp as a table of bytes, three per entry. */
 function table(colours: readonly Rgb[]): Uint8Array {
   const out = new Uint8Array(3 * stops);
   for (let s = 0; s < stops; s++) {
@@ -42,12 +42,12 @@ function table(colours: readonly Rgb[]): Uint8Array {
 const sequentialTable = table(sequential);
 const divergingTable = table(diverging);
 
-/** Where the ramps end: beyond the last percent values are clamped. */
+/** The ends of the ramps: the outermost percent of values is clamped. */
 export const stretchLimit = ({ stretch }: Pick<Distortion, 'stretch'>): number =>
   Math.max(stretch.p99, 1.001);
 export const areaLimit = ({ areaSize }: Pick<Distortion, 'areaSize'>): number =>
   Math.max(areaSize.p99, 0.01);
-/** Without seams there is no distance to one. */
+/** The same for the distance to seams; 1 if there are none. */
 export const seamLimit = ({ seamDistance }: Pick<Distortion, 'seamDistance'>): number =>
   Number.isFinite(seamDistance.p99) && seamDistance.p99 > 0 ? seamDistance.p99 : 1;
 

@@ -1,5 +1,5 @@
-// The loaded surface as it is drawn: normals, a ball around it, and where a node of the scene puts it. What is
-// known of its vertices comes from the solver.
+// The loaded surface for display: normals, a bounding sphere, and the placement by a node of the scene. Facts about
+// its vertices come from the solver.
 
 import type { Surface as Arrays, SurfaceFacts } from 'hgp';
 import type { Surface } from '../../model/types';
@@ -11,7 +11,7 @@ export type SurfaceArrays = Arrays;
 /** The surface in the coordinates of its mesh. */
 type Located = Omit<Surface, 'id' | 'places' | 'isMirrored' | 'cornerPositions' | 'cornerNormals'>;
 
-/** Of each vertex: the triangles around it, the larger the more they count. */
+/** Vertex normals: area-weighted means over the triangles at each vertex. */
 function vertexNormals(p: Float64Array, triangles: Uint32Array): Float32Array {
   const sums = new Float64Array(p.length);
   const normal = new Float64Array(3);
@@ -29,7 +29,7 @@ function vertexNormals(p: Float64Array, triangles: Uint32Array): Float32Array {
   return normals;
 }
 
-/** Of the surface as it is solved, whose triangles are all wound the same way. */
+/** Normals of the surface as it is solved, whose triangles are oriented consistently. */
 function normalsOf({ positions, triangles, repaired }: SurfaceArrays): Float32Array {
   if (!repaired) return vertexNormals(positions, triangles);
   const { vertexOrigin, vertexImage } = repaired;
@@ -77,10 +77,10 @@ export function locatedSurface(arrays: SurfaceArrays, facts: SurfaceFacts): Loca
   };
 }
 
-/** Column by column, as three.js and glTF have it. */
+/** A matrix by columns, as in three.js and glTF. */
 type Matrix = readonly number[];
 
-/** Moves points, or with `w` = 0 directions. */
+/** Transforms points or, with `w` = 0, directions. */
 function moved(
   m: Matrix,
   from: ArrayLike<number>,
@@ -99,7 +99,7 @@ export function movedBy(matrix: Matrix, positions: Float64Array): Float64Array {
   return out;
 }
 
-/** The inverse transpose of the linear part, but for its size: what normals are moved by. */
+/** The inverse transpose of the linear part up to scale, which transforms normals. */
 function normalMatrix(m: Matrix): { matrix: number[]; sign: number } {
   const column = (i: number): number[] => [m[4 * i], m[4 * i + 1], m[4 * i + 2]];
   const cross = ([a, b, c]: number[], [x, y, z]: number[]): number[] => [
@@ -121,7 +121,7 @@ function unit(values: Float32Array): void {
   }
 }
 
-/** The same surface where a node of the scene puts it. */
+/** The same surface as placed by a node of the scene. */
 export function placed(
   surface: Located,
   matrix: Matrix,

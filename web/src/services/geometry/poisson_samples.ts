@@ -1,4 +1,4 @@
-// Points spread evenly over a surface, the same every time: none nearer to another than the spacing.
+// Points evenly distributed over a surface (Poisson disk sampling), at least `spacing` apart. Deterministic.
 
 import type { Surface } from '../../model/types';
 import { areaVector, lengthOf } from './triangle';
@@ -18,7 +18,7 @@ type Vector = [number, number, number];
 const tries = 5; // candidates per point that fits
 const mostCandidates = 60_000;
 
-/** Evenly spread numbers in (0, 1) from a seed. */
+/** A sequence of uniformly distributed numbers in (0, 1) from a seed. */
 function sequence(seed: number): () => number {
   let x = seed | 0;
   return () => {
@@ -27,14 +27,14 @@ function sequence(seed: number): () => number {
   };
 }
 
-/** Accepts points that keep their distance, with a hash of cells to find the neighbours. */
+/** Accepts points that are far enough from all others, with a hash grid to find neighbours. */
 class NeighbourGrid {
   readonly #cells = new Map<number, number[]>();
   readonly #size: number;
   constructor(distance: number) {
     this.#size = distance;
   }
-  // Cells far apart may share a number: that costs a comparison and nothing else.
+  // Distant cells may have the same key, which only costs a comparison.
   #key(i: number, j: number, k: number): number {
     return (i * 73856093) ^ (j * 19349663) ^ (k * 83492791);
   }
@@ -75,7 +75,7 @@ function areaOf({ positions: p, triangles }: SampledSurface, t: number): number 
   return lengthOf(vector) / 2;
 }
 
-/** Between two crosses, where so many tiles lie along the diagonal. */
+/** The spacing of crosses for this number of tiles along the diagonal. */
 export const spacingOf = ({ diagonal }: Pick<Surface, 'diagonal'>, tiles: number): number =>
   diagonal / (tiles * 1.3);
 
@@ -85,7 +85,7 @@ export function poissonSamples(surface: SampledSurface, spacing: number): Sample
   return sampler.sorted().filter((one) => sampler.accepts(one));
 }
 
-/** Proposes points by area and lets through those that keep their distance. */
+/** Proposes points in proportion to area and keeps those that are far enough from all others. */
 class PoissonSampler {
   readonly count: number;
   readonly #surface: SampledSurface;
@@ -118,7 +118,7 @@ class PoissonSampler {
     }
   }
 
-  /** In an order of chance, the same every time. */
+  /** The samples in a pseudo-random but reproducible order. */
   sorted(): Sample[] {
     return this.#candidates.sort((x, y) => x.order - y.order).map(({ sample }) => sample);
   }

@@ -1,9 +1,9 @@
-// Polygons of a file beside the triangles that the solver made of them, in whatever way: the corners of
+// Compares the polygons of a file with the solver's triangles, however it triangulated them: the corners of
 // every triangle are found among those of its polygon.
 
 import type { Corners } from '../../model/types';
 
-/** The corner of a polygon that a corner of a triangle is: the same place, and of those the nearest uv. */
+/** The polygon corner that corresponds to a triangle corner: at the same position, with the nearest uv. */
 function cornerOf(
   file: Corners,
   [first, count]: [number, number],
@@ -27,11 +27,11 @@ function cornerOf(
   return best;
 }
 
-/** Whether triangles cover a polygon: each side is a side of one of them, each diagonal of two. */
+/** Whether triangles cover a polygon: each side belongs to one of them, each diagonal to two. */
 function coversPolygon(triples: number[][], ring: number[]): boolean {
   const sides = new Set<string>();
   for (const triple of triples) {
-    if (new Set(triple).size < 3) continue; // of a corner that is there twice
+    if (new Set(triple).size < 3) continue; // degenerate, from a corner that occurs twice
     for (let k = 0; k < 3; k++) {
       const key = `${triple[k]} ${triple[(k + 1) % 3]}`;
       if (sides.has(key)) return false;
@@ -44,7 +44,7 @@ function coversPolygon(triples: number[][], ring: number[]): boolean {
   return [...sides].every((key) => own.has(key) || sides.has(key.split(' ').reverse().join(' ')));
 }
 
-/** Per corner of a polygon the first one at the same place. */
+/** For each corner of a polygon, the first one at the same position. */
 function firstAtPlace({ positions }: Corners, first: number, count: number): number[] {
   const isSame = (i: number, j: number): boolean =>
     [0, 1, 2].every((k) => positions[3 * (first + i) + k] === positions[3 * (first + j) + k]);
@@ -55,8 +55,8 @@ function firstAtPlace({ positions }: Corners, first: number, count: number): num
 }
 
 /**
- * The file's corners in the triangles of the map; undefined where its polygons are not those that the
- * triangles are parts of.
+ * The file's corners arranged as the map's triangles; undefined if the triangles are not a triangulation of
+ * the file's polygons.
  */
 export function triangulatedLike(file: Corners, map: Corners): Corners | undefined {
   const { sizes } = file;

@@ -1,4 +1,4 @@
-// What the page asks of the geometry worker, call by call.
+// The calls that the page makes to the geometry worker.
 
 import type { SurfaceFacts } from 'hgp';
 import type { Cone } from '../../model/prescription';
@@ -13,34 +13,34 @@ export interface SerializedBvh {
 }
 
 export interface GeometryCalls {
-  /** A surface as it is drawn, with what the solver knows of it; the worker keeps it under its id. */
+  /** Prepares a surface for display, with the solver's facts; the worker keeps it under its id. */
   surface(
     id: number,
     arrays: SurfaceArrays,
     facts: SurfaceFacts,
     matrix: readonly number[],
   ): Surface;
-  /** Everything about a map of a surface; what was lent comes back. */
+  /** Analyses a map of a surface; transferred arrays are returned. */
   analyse(
     id: number,
     surface: number,
     request: AnalysisRequest,
   ): Promise<{ analysis: Analysis; preserved: string; map: MapArrays; files: OutputFile[] }>;
-  /** Why a file does not hold a map, empty where it does. Nothing is lent. */
+  /** How the map in a file differs from the given one, empty if it does not. Nothing is transferred. */
   compare(request: CompareRequest): Promise<{ difference: string }>;
   /** Relative names in a written .gltf, and the areas in uv and on the surface; both for writing. */
   urisOf(main: OutputFile): { uris: string[]; main: OutputFile };
-  /** Several files as one; nothing is lent. */
+  /** Several files as one ZIP; nothing is transferred. */
   zip(files: OutputFile[]): { zip: Uint8Array };
   overlay(id: number, overlay: Overlay): Uint8Array;
   crosses(id: number, tiles: number, q: number): { onSurface: Float32Array; inMap: Float32Array };
-  /** A small picture of a surface, with its map where one is named. */
+  /** A thumbnail of a surface, with a map if one is given. */
   thumbnail(surface: number, map?: number, tiles?: number): Uint8ClampedArray<ArrayBuffer>;
-  /** The same of a mesh that the worker does not keep. */
+  /** The same for a mesh that the worker does not keep. */
   thumbnailOf(arrays: SurfaceArrays, matrix: readonly number[]): Uint8ClampedArray<ArrayBuffer>;
-  /** Lines along the loops of the solver: two vertices for each edge that they cross. */
+  /** Lines along the solver's loops, which are given by two vertices for each crossed edge. */
   loopSegments(surface: number, loops: Uint32Array[]): Float32Array[];
-  /** For picking: over the triangles of a surface, or of the flat map. */
+  /** A tree over the triangles of a surface, or of the flat map, for picking. */
   surfaceBvh(surface: number): SerializedBvh;
   mapBvh(id: number): SerializedBvh;
   balance(surface: number, q: number, cones: readonly Cone[], left: [number, number][]): Cone[];
@@ -61,7 +61,7 @@ export interface GeometryAnswer {
   error?: string;
 }
 
-/** The buffers of all typed arrays in a value: they move instead of being copied. */
+/** The buffers of all typed arrays in a value, which are transferred instead of copied. */
 export function buffersIn(value: unknown, found = new Set<ArrayBuffer>()): Set<ArrayBuffer> {
   if (value instanceof ArrayBuffer) found.add(value);
   else if (ArrayBuffer.isView(value)) found.add(value.buffer as ArrayBuffer);

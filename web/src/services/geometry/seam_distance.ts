@@ -1,4 +1,4 @@
-// How far each vertex is from the nearest seam, along edges: Dijkstra from all seams at once.
+// The distance of each vertex from the nearest seam along edges, by Dijkstra's algorithm from all seams at once.
 
 import type { Seam, Surface } from '../../model/types';
 

@@ -1,12 +1,12 @@
-// A small picture of a mesh, without a graphics card: triangles in a depth buffer, lit from the viewer;
-// with a map, its checker. Seen as the 3D view frames a model first.
+// A thumbnail of a mesh, rendered in software: triangles with a depth buffer, lit from the viewer, and
+// a checkerboard if there is a map. The camera is the initial one of the 3D view.
 
 export const thumbnailSize = 48;
 
 export interface ThumbnailSource {
   /** Three numbers for each triangle corner. */
   cornerPositions: ArrayLike<number>;
-  /** Two for each, where there is a map, and its tiles per unit. */
+  /** Two numbers for each corner, if there is a map, and its tiles per unit of uv. */
   cornerUv?: ArrayLike<number>;
   tiles?: number;
 }
@@ -31,7 +31,7 @@ const clay: Vector = [158, 172, 188];
 const light: Vector = [243, 182, 63];
 const dark: Vector = [29, 63, 99];
 
-/** Position on the picture and depth, three numbers for each corner. */
+/** Position in the picture and depth, three numbers for each corner. */
 function project(p: ArrayLike<number>, size: number): Float32Array {
   const out = new Float32Array(p.length);
   const box = [Infinity, Infinity, -Infinity, -Infinity];
@@ -66,7 +66,7 @@ function colourAt(
   return (Math.round(along(0)) + Math.round(along(1))) % 2 === 0 ? light : dark;
 }
 
-/** Red, green, blue and opacity, row by row. */
+/** The picture as red, green, blue and opacity, row by row. */
 export function drawThumbnail(
   source: ThumbnailSource,
   size = thumbnailSize,
@@ -79,7 +79,7 @@ export function drawThumbnail(
     const area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
     if (!(Math.abs(area) > 1e-9)) continue;
     const normal = unit(cross([bx - ax, by - ay, bz - az], [cx - ax, cy - ay, cz - az]));
-    const shade = 0.45 + 0.55 * Math.abs(normal[2]); // either side is lit
+    const shade = 0.45 + 0.55 * Math.abs(normal[2]); // both sides are lit
     const [top, bottom] = [Math.min(ay, by, cy), Math.max(ay, by, cy)];
     const [left, end] = [Math.min(ax, bx, cx), Math.max(ax, bx, cx)];
     for (let y = Math.max(0, Math.ceil(top - 0.5)); y < size && y + 0.5 <= bottom; y++) {

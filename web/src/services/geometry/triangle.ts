@@ -1,5 +1,5 @@
-/** Twice the area vector of the triangle whose corners begin at a, b and c in `p`, into `out`: these
- * loops run over every triangle and must not allocate. */
+/** Writes twice the area vector of the triangle whose corners start at a, b and c in `p` to `out`; does not allocate,
+ * because it is called for every triangle. */
 export function areaVector(
   p: ArrayLike<number>,
   a: number,

@@ -1,6 +1,6 @@
 // budget: a short method for every call of the package
 // hgp::api::Session for JavaScript. Every call returns a plain object: its results, or `error` with
-// the JSON of the failure. No exception and no C++ object but the session crosses this line.
+// the JSON of the failure. No exception and no C++ object except the session crosses this boundary.
 #include <emscripten/bind.h>
 
 #include <array>
@@ -43,7 +43,7 @@ class Session {
     });
   }
 
-  /// The loaded surface, usable or not: what ids refer to; and what welds and repairs made of it.
+  /// The loaded surface, usable or not, to which ids refer, and the surface after welds and repairs.
   val surface() const {
     return guarded([&] {
       val reply = withSurface(val::object());
@@ -52,7 +52,7 @@ class Session {
     });
   }
 
-  /// Any cone file on this surface as hgp-cones; q where the file names none.
+  /// Any cone file on this surface as hgp-cones; `q` is used if the file has none.
   val readCones(const std::string& name, const std::string& text, int q) const {
     return guarded([&] {
       const auto read = api::readPrescription(name, text, q);
@@ -60,7 +60,7 @@ class Session {
     });
   }
 
-  /// The cones stored inside the file as hgp-cones; an empty reply where it has none.
+  /// The cones stored in the file as hgp-cones; an empty reply if it has none.
   val embeddedCones() const {
     return guarded([&] {
       const auto stored = session_.embeddedCones();

@@ -1,5 +1,5 @@
-// Between JavaScript values and the core's.  Role: the only file that touches views of the heap.
-// A view dies when the memory grows, so data is copied in and out at once and none is ever kept.
+// Converts between JavaScript values and those of the core.  Role: the only file that uses views of the heap.
+// A view becomes invalid when the memory grows, so data are copied immediately and views are never kept.
 #pragma once
 
 #include <emscripten/val.h>
@@ -25,7 +25,7 @@ std::vector<T> toVector(const val& array) {
   return copy;
 }
 
-/// A copy that JavaScript owns. `type` names the typed array, "Float64Array".
+/// A copy owned by JavaScript. `type` is the name of the typed array, such as "Float64Array".
 template <class T>
 val toTypedArray(const char* type, const T* data, std::size_t size) {
   return val::global(type).new_(val(emscripten::typed_memory_view(size, data)));
@@ -35,14 +35,14 @@ val toTypedArray(const char* type, const std::vector<T>& data) {
   return data.empty() ? val::global(type).new_(0) : toTypedArray(type, data.data(), data.size());
 }
 
-/// options.name where it is there, otherwise the default.
+/// options.name if it is defined, otherwise the default.
 template <class T>
 T option(const val& options, const char* name, T otherwise) {
   const val value = options[name];
   return value.isUndefined() || value.isNull() ? otherwise : value.as<T>();
 }
 
-/// Rows of three, as JavaScript's flat arrays have them; a rest that fills no row is dropped.
+/// A flat array as rows of three; an incomplete last row is dropped.
 template <class Row, class T>
 std::vector<Row> toRows(const std::vector<T>& flat) {
   std::vector<Row> rows(flat.size() / 3);
@@ -61,8 +61,8 @@ inline std::vector<std::string> toStrings(const val& array) {
   return strings;
 }
 
-/// callback(stage, fraction, iteration, residual, round, maxRounds) → true to go on; nothing where
-/// it is undefined.
+/// callback(stage, fraction, iteration, residual, round, maxRounds), which returns true to continue; empty if it is
+/// undefined.
 inline Progress toProgress(const val& callback) {
   if (callback.isUndefined()) return {};
   return [callback](const ProgressReport& r) {
@@ -81,7 +81,7 @@ inline val toSeams(const std::vector<api::SeamEdge>& seams) {
   return toTypedArray("Int32Array", flat);
 }
 
-/// What a weld or repairs made of the surface.
+/// The surface after welds and repairs.
 inline val toRepaired(const api::Repaired& mesh) {
   val out = val::object();
   out.set("triangles", toTypedArray("Uint32Array", mesh.triangles));
@@ -90,7 +90,7 @@ inline val toRepaired(const api::Repaired& mesh) {
   return out;
 }
 
-/// What is known of a surface.
+/// Facts about a surface.
 inline val toFacts(const api::SurfaceFacts& facts) {
   val out = val::object();
   out.set("representative", toTypedArray("Int32Array", facts.representative));

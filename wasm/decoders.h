@@ -1,5 +1,5 @@
-// Decoders of compressed glTF that JavaScript brings along. Role: what they hand back is only bytes;
-// io checks every size of it. They never throw: what went wrong is in `error` of their reply.
+// Decoders of compressed glTF provided by JavaScript. Role: they return bytes only, and io checks all sizes.
+// They never throw: errors are in `error` of their reply.
 #pragma once
 
 #include <memory>
@@ -59,7 +59,7 @@ inline Result<io::DracoMesh> decodeDraco(const val& decode, const io::DracoReque
   return mesh;
 }
 
-/// Which decoders a glTF will ask for: { draco, meshopt }. `json` is its text as bytes.
+/// Which decoders a glTF needs: { draco, meshopt }. `json` is its text as bytes.
 inline val neededDecoders(const val& json) {
   return guarded([&] {
     const io::GltfNeeds needs = io::gltfNeeds(toVector<std::uint8_t>(json));
@@ -70,7 +70,7 @@ inline val neededDecoders(const val& json) {
   });
 }
 
-/// { draco, meshopt }: a function, or undefined where none was loaded.
+/// { draco, meshopt }: functions, or undefined for decoders that are not loaded.
 inline std::shared_ptr<const io::GltfDecoders> toDecoders(const val& functions) {
   auto decoders = std::make_shared<io::GltfDecoders>();
   const val meshopt = functions["meshopt"], draco = functions["draco"];

@@ -1,4 +1,4 @@
-// Decoders of compressed files beside the package, as ES modules that find nothing by themselves
+// Packs the decoders of compressed files with the package, as self-contained ES modules
 // (docs/decisions/014).
 
 import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -8,8 +8,8 @@ import path from 'node:path';
 export function packDecoders(modules, out) {
   mkdirSync(out, { recursive: true });
   const sourceOf = (name) => readFileSync(path.join(modules, name), 'utf8');
-  // The script asks for CommonJS and for Node's file system where it can; in here it finds neither, and
-  // takes the bytes it is given.
+  // The script uses CommonJS and Node's file system if it finds them; here it finds neither, and uses the bytes
+  // that it is given.
   const hidden = ['process', 'require', 'module', 'exports', 'define', '__dirname', '__filename'];
   writeFileSync(
     path.join(out, 'draco_decoder.js'),

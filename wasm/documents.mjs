@@ -17,7 +17,7 @@ const names = {
 };
 const nameOf = (file) => names[file] ?? file.replace(/\W+(\w)/g, (_, c) => c.toUpperCase());
 
-/** One declaration per schema of the folder, and Where, which several share. */
+/** One declaration per schema in the folder, and Where, which several of them use. */
 export async function declareDocuments(folder) {
   const declare = (schema, name) =>
     compile(schema, name, {

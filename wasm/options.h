@@ -1,4 +1,4 @@
-// Plain objects of JavaScript as the options of the core. Names are the same on both sides.
+// Converts plain objects of JavaScript to options of the core. Names are the same on both sides.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,7 @@
 
 namespace hgp::js {
 
-/// The main file and its companions, all handed over beforehand: nothing is fetched.
+/// The main file and its side files, all of which are passed in advance: nothing is fetched.
 inline io::FileSet toFileSet(const std::string& main, const val& names, const val& contents) {
   std::map<std::string, io::Bytes> files;
   const std::vector<std::string> keys = toStrings(names);
@@ -33,7 +33,7 @@ inline api::LoadOptions toLoadOptions(const val& options) {
   api::LoadOptions o;
   o.surface = option(options, "surface", o.surface);
   o.weld = option(options, "weld", o.weld);
-  // Repairs that are named, even none of them, are those that are made.
+  // If repairs are named, even none of them, exactly those are made.
   const val fix = option(options, "fix", val::object());
   o.isStrict = option(options, "strict", !option(options, "fix", val::undefined()).isUndefined());
   o.writesRepairs = option(options, "writeRepairs", o.writesRepairs);
@@ -50,7 +50,7 @@ inline api::LoadOptions toLoadOptions(const val& options) {
   return o;
 }
 
-/// A word or a number; other things become a balance that the core refuses.
+/// A word or a number; anything else becomes a balance that the core refuses.
 inline ImproveOptions toImproveOptions(const val& word) {
   ImproveOptions improve;
   if (word.isNumber())

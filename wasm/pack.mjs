@@ -1,5 +1,5 @@
-// node pack.mjs MODULE_DIR OUT: the npm package, from its sources, the module that Emscripten linked,
-// the schemas and the decoders. What was in OUT before is removed.
+// node pack.mjs MODULE_DIR OUT: builds the npm package from its sources, the module linked by Emscripten,
+// the schemas and the decoders. Previous contents of OUT are removed.
 
 import { copyFileSync, cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
@@ -8,7 +8,7 @@ import { packDecoders } from './decoders.mjs';
 const [moduleDir, out] = process.argv.slice(2).map((name) => path.resolve(name));
 const root = path.resolve(import.meta.dirname, '..');
 
-/** Emscripten's glue names its binary where bundlers look for files; it is handed over instead. */
+/** Removes the binary's name, which bundlers would look for; the module is passed to the glue code instead. */
 function withoutBinaryName(glue) {
   const name = /new URL\("module\.wasm",\s*import\.meta\.url\)\.toString\(\)/g;
   const count = glue.match(name)?.length ?? 0;
@@ -16,7 +16,7 @@ function withoutBinaryName(glue) {
   return glue.replace(name, '""').replaceAll('module.wasm', 'hgp.wasm');
 }
 
-/** What it asks about Node and then never uses; some bundlers would bring a `process` for it. */
+/** Removes unused checks for Node, for which some bundlers would add a `process`. */
 function withoutProcess(glue) {
   const unused = /var ENVIRONMENT_IS_NODE=[^;]*;/;
   if (!unused.test(glue) || glue.match(/ENVIRONMENT_IS_NODE/g).length !== 1) {

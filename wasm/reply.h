@@ -1,4 +1,4 @@
-// What every call answers: a plain object with its results, or with `error`, the JSON of the failure.
+// The reply of every call: a plain object with its results, or with `error`, the JSON of the failure.
 #pragma once
 
 #include <emscripten/val.h>
@@ -32,7 +32,7 @@ inline val replyText(const Result<std::string>& json) {
   return json ? replyJson(*json) : failed(json.error());
 }
 
-/// Memory may already run out while arguments are copied in, before the core's own API boundary.
+/// Catches exceptions here as well, because memory may run out while arguments are copied, outside the API boundary.
 template <class Call>
 val guarded(const Call& call) {
   try {

@@ -1,5 +1,5 @@
-// Prints what a visitor downloads and waits for, and says when it is more than was promised (the
-// package's tests insist).
+// Prints the download size and start-up time of the package, and whether they exceed the documented limits, which
+// the package's tests enforce.
 
 import { readFileSync } from 'node:fs';
 import path from 'node:path';

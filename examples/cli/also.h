@@ -1,4 +1,4 @@
-// Other forms of a result, beside the map itself: --also.  Role: names become formats.
+// Further forms of a result, besides the file with the map: --also.  Role: chooses formats by file name.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace hgp::cli {
 
-/// What a name asks for: x.glb, x.gltf, x.obj, x.flat.obj, x.svg; nothing for other names.
+/// The format that a name denotes: x.glb, x.gltf, x.obj, x.flat.obj, x.svg; empty for other names.
 std::optional<api::MapFormat> alsoFormat(const std::string& name);
 
 struct AlsoFile {
@@ -18,13 +18,13 @@ struct AlsoFile {
   api::WrittenMap written;
 };
 
-/// All of --also in memory: nothing is written where one of them cannot be made.
+/// Makes all files of --also in memory, so that nothing is written if one of them fails.
 Result<std::vector<AlsoFile>> makeAlso(const api::Session& session, const Arguments& asked);
 
-/// Writes them; `notes` takes a line for each.
+/// Writes them and adds a line for each to `notes`.
 Status writeAlso(const std::vector<AlsoFile>& files, std::vector<std::string>& notes);
 
-/// --faces: a line for each triangle, from 0: triangle,stretch,log2_area,overlaps.
+/// --faces: a line for each triangle, numbered from 0: triangle,stretch,log2_area,overlaps.
 Status writeFaces(const api::Session& session, const std::string& path);
 
 /// --loops: {"boundaries": [[vertices]], "handles": [[[v, w], edges]]}.

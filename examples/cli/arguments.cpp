@@ -33,7 +33,7 @@ std::pair<int, int> takePair(const std::string& text, const char* option) {
   throw CLI::ValidationError(option, "must be two integers like 12:3, not '" + text + "'");
 }
 
-/// "obj" of "x.OBJ", and of no other name than those that a file may be converted for.
+/// "obj" for "x.OBJ"; empty for extensions to which files are not converted.
 std::string formatOf(const std::string& name) {
   std::string extension = name.substr(std::min(name.rfind('.'), name.size() - 1) + 1);
   for (char& c : extension)
@@ -118,7 +118,7 @@ class Parser {
                                "there is no command '" + words_.topic + "'" +
                                    (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
   }
-  /// CLI11's, whose own way leads to the command that was typed: help.
+  /// CLI11's help text; CLI11 itself would print that of the command `help`.
   static std::string helpOf(const CLI::App& app, const std::string& before) {
     const std::string name = (before.empty() ? "" : before + " ") + app.get_name();
     return app.get_formatter()->make_help(&app, name, CLI::AppFormatMode::Normal);
@@ -235,7 +235,7 @@ class Parser {
     return used.empty() ? app_ : *used.front();
   }
 
-  /// CLI11's text, and the nearest word where one was not understood.
+  /// CLI11's message, with the nearest known word if one was not understood.
   std::string message(const CLI::ParseError& error, int count, char** words) const {
     std::string text = error.what();
     while (!text.empty() && text.back() == '\n') text.pop_back();

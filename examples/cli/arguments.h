@@ -1,4 +1,4 @@
-// What a person typed.  Role: the one place that knows option names; everything behind it sees structs.
+// The arguments of a command.  Role: only this parser knows option names; the rest of the program uses structs.
 #pragma once
 
 #include <optional>
@@ -15,21 +15,21 @@ enum class Command { kInspect, kCheck, kCones, kParam, kQuads, kVerify };
 struct Arguments {
   Command command = Command::kInspect;
   std::string input;   ///< "-": standard input
-  std::string format;  ///< of standard input
+  std::string format;  ///< --format, of standard input
   std::string output;  ///< -o; "-": standard output
   std::string json;    ///< --json; "-": standard output
   std::string xref;
   std::string faces;              ///< a table of the result's triangles
-  std::string loops;              ///< inspect: what loops and generators are
+  std::string loops;              ///< inspect: file for boundary loops and generators
   std::vector<std::string> also;  ///< the result in other formats
   std::string root;
   bool isQuiet = false, hasNoProgress = false, mayOverwrite = false;
   std::string color = "auto";
   api::LoadOptions load;
   bool isReproducible = false;
-  bool isEmbedded = false;    ///< glTF: side files inside the main one
-  bool isCompressed = false;  ///< glTF: its data by meshopt
-  bool isEveryMesh = true;    ///< param and verify: of all meshes of the file
+  bool isEmbedded = false;    ///< glTF: embeds side files in the main one
+  bool isCompressed = false;  ///< glTF: compresses data with meshopt
+  bool isEveryMesh = true;    ///< param and verify: process all meshes of the file
 
   std::optional<int> q;
   std::string cones, field, convert;                       ///< files
@@ -41,8 +41,8 @@ struct Arguments {
   api::WriteOptions write;
 };
 
-/// Either arguments, or the exit code with which the program ends at once (help, version, usage); the
-/// text for it has been printed.
+/// Either arguments, or the exit code with which the program ends immediately (help, version, usage errors);
+/// its text has then been printed.
 struct Parsed {
   std::optional<Arguments> arguments;
   int exitCode = 0;

@@ -31,7 +31,7 @@ class Run {
   int run() {
     if (a_.isReproducible) api::setReproducible(true);
     if (Status usable = checkNames(); !usable) {
-      // The name of the report may be what is wrong: it is not written to.
+      // The name of the report may be the error, so nothing is written to it.
       return fail(usable.error(), a_.json == "-");
     }
     Result<io::FileSet> files = openFiles(a_.input, a_.format, a_.root, a_.load.limits.maxBytes);
@@ -68,7 +68,7 @@ class Run {
     return (noColor == nullptr || *noColor == '\0') && isCleverTerminal(stream);
   }
 
-  /// Says what went wrong, on standard error and as JSON where that was asked for.
+  /// Reports a failure on standard error and, if requested, as JSON.
   int fail(const Failure& failure, bool isReported = true) {
     progress_.clear();
     std::fprintf(stderr, "hgp: %s\n", printable(failure.message).c_str());
@@ -86,14 +86,14 @@ class Run {
     }
     if (!a_.json.empty() && isReported) {
       const Status written = writeText(a_.json, api::errorJson(failure));
-      // Where nothing can be written that has been said.
+      // Not reported again if writing was the failure.
       if (!written && written.error().message != failure.message)
         std::fprintf(stderr, "hgp: %s\n", printable(written.error().message).c_str());
     }
     return exitCode(failure.code);
   }
 
-  /// The document to --json, the text to standard output unless the document went there.
+  /// Writes the document to --json, and the text to standard output unless the document is written there.
   Status publish(const std::string& json, const std::string& text, bool isMessage = false) {
     progress_.clear();
     if (!a_.json.empty()) {
@@ -107,7 +107,7 @@ class Run {
 
   int finish(const Status& status, int good) { return status ? good : fail(status.error()); }
 
-  /// No output replaces what was read, or another output. Only the map may replace the mesh.
+  /// Checks that no output replaces an input or another output; only the map may replace the mesh.
   Status checkNames() const {
     const auto refuse = [](const std::string& text) {
       return Failure{ErrorCode::kUsage, "write", text, {}};
@@ -165,7 +165,7 @@ class Run {
     return read;
   }
 
-  /// What the options ask for; nothing when they leave everything open.
+  /// The prescription from the options; empty if they prescribe nothing.
   Result<std::optional<io::Prescription>> prescription() {
     std::optional<io::Prescription> asked;
     if (!a_.field.empty()) {
@@ -236,7 +236,7 @@ class Run {
     return finish(writeText(isFile ? a_.output : "-", *json), 0);
   }
 
-  /// Only glTF has several meshes; other formats need not be kept twice.
+  /// Whether the file may have several meshes, as only glTF can; files in other formats need not be kept.
   static bool holdsMeshes(const io::FileSet& files) {
     const std::size_t first = std::min<std::size_t>(files.main.size(), 4096);
     const auto begin = files.main.begin(), end = begin + static_cast<std::ptrdiff_t>(first);
@@ -282,7 +282,7 @@ class Run {
     return isWhole ? 0 : kNoMapExit;
   }
 
-  /// A run that was ended by the clock has no map.
+  /// The failure, or kNoMap if --time-limit ended the run.
   Failure inTime(Failure failure) const {
     if (progress_.isTimedOut()) {
       failure.code = ErrorCode::kNoMap;
@@ -407,9 +407,9 @@ class Run {
 
   const Arguments& a_;
   api::Session session_;
-  io::Resolver resolve_;  ///< of the input's side files
+  io::Resolver resolve_;  ///< for the input's side files
   ProgressLine progress_;
-  Style style_, messageStyle_;  ///< of standard output; of standard error
+  Style style_, messageStyle_;  ///< for standard output and standard error
 };
 
 }  // namespace

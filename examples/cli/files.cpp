@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kChunk = std::size_t{1} << 20;
 constexpr std::size_t kPackedChunk = std::size_t{1} << 16;
 
-/// The bytes of an open file as they are stored; `bytes` may hold its beginning already.
+/// Reads the bytes of an open file as stored; `bytes` may already contain the beginning.
 Status readPlain(std::FILE* file, const std::string& path, std::uint64_t maxBytes,
                  io::Bytes& bytes) {
   for (;;) {
@@ -32,7 +32,7 @@ Status readPlain(std::FILE* file, const std::string& path, std::uint64_t maxByte
   }
 }
 
-/// Unpacks while it reads: the packed bytes are never held, and what is too large ends early.
+/// Decompresses while reading: the compressed bytes are not kept, and files that are too large fail early.
 Status readPacked(std::FILE* file, const std::string& path, std::uint64_t maxBytes,
                   io::Bytes& bytes, std::vector<std::string>* notes) {
   Gunzip gunzip(maxBytes);
@@ -71,7 +71,7 @@ Result<io::Bytes> readAll(std::FILE* file, const std::string& path, std::uint64_
   return bytes;
 }
 
-/// Devices, pipes and sockets are written to, never replaced by a file; so is nothing else.
+/// Whether the path is a device, pipe or socket, which is written to instead of being replaced by a file.
 bool isSpecial(const std::string& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -87,7 +87,7 @@ Status writeInto(const std::string& path, const io::Bytes& bytes) {
   return done;
 }
 
-/// Where a symbolic link leads: the link stays, what it names is replaced.
+/// The target of a symbolic link, which is replaced while the link stays.
 std::string linkTarget(const std::string& path) {
   std::error_code error;
   if (!fs::is_symlink(path, error)) return path;
@@ -95,7 +95,7 @@ std::string linkTarget(const std::string& path) {
   return error ? path : target.string();
 }
 
-/// A name that a file may use for its companion: relative, and not upwards.
+/// Whether a side file lies inside the root folder.
 bool isInside(const fs::path& root, const fs::path& file) {
   const fs::path relative = file.lexically_relative(root);
   return !relative.empty() && *relative.begin() != ".." && relative.is_relative();
@@ -142,7 +142,7 @@ Result<io::FileSet> openFiles(const std::string& path, const std::string& format
                      "this file asks for " + name + ", which is outside its folder; not loaded",
                      {}};
     }
-    if (!fs::is_regular_file(file, error)) {  // a pipe would be waited for
+    if (!fs::is_regular_file(file, error)) {  // reading a pipe would block
       return Failure{ErrorCode::kMalformed, "read", name + " is not a regular file", {}};
     }
     return readFile(file.string(), maxBytes);
@@ -175,7 +175,7 @@ Status writeFiles(const std::string& path, const std::vector<io::OutputFile>& fi
     if (i > 0 && !isInside(folder.empty() ? "." : folder, folder.empty() ? "." / side : side)) {
       return Failure{ErrorCode::kWriteFailed, "write", name + " leaves the folder", {}};
     }
-    std::error_code ignored;  // opening the file says what is wrong
+    std::error_code ignored;  // opening the file reports errors
     if (i > 0 && side.has_parent_path()) fs::create_directories(side.parent_path(), ignored);
     if (isSpecial(name)) {
       errno = EEXIST;
@@ -204,7 +204,7 @@ Status writeText(const std::string& path, std::string_view text) {
 
 bool isSameFile(const std::string& a, const std::string& b) {
   if (a.empty() || b.empty() || a == "-" || b == "-") return false;
-  if (isSpecial(a) || isSpecial(b)) return false;  // may well be used twice
+  if (isSpecial(a) || isSpecial(b)) return false;  // may be used twice
   std::error_code error;
   if (fs::equivalent(a, b, error) && !error) return true;
   const auto place = [](const std::string& name) {  // of a file that need not exist

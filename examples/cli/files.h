@@ -1,4 +1,4 @@
-// Files for a program that must never leave half of one behind.  Role: the command line's only door to
+// File input and output that never leaves incomplete files.  Role: the only access of the command line to
 // the file system.
 #pragma once
 
@@ -10,25 +10,25 @@
 
 namespace hgp::cli {
 
-/// The whole file, "-" for standard input; gzip (of any number of members) is unpacked while it is
-/// read. Fails with kMalformed (cannot be read) or kLimit. `notes` takes what a person should know.
+/// Reads a whole file, "-" for standard input; gzip (with any number of members) is decompressed while it is
+/// read. Fails with kMalformed (cannot be read) or kLimit. `notes` receives notes for users.
 Result<io::Bytes> readFile(const std::string& path, std::uint64_t maxBytes,
                            std::vector<std::string>* notes = nullptr);
 
-/// A document's files: the main one, and a resolver that sees nothing outside `root` ("" = the
-/// folder of `path`), symbolic links followed.
+/// A document's files: the main one, and a resolver restricted to files inside `root` ("" = the
+/// folder of `path`) after symbolic links have been followed.
 Result<io::FileSet> openFiles(const std::string& path, const std::string& format,
                               const std::string& root, std::uint64_t maxBytes);
 
-/// Writes all files beside their final names, then renames them, side files first. "-" as the main
-/// name means standard output. An interruption leaves no half file. Devices and pipes are written to
-/// and stay what they are; symbolic links stay links.
+/// Writes all files under temporary names in the same folder, then renames them, side files first. "-" as the main
+/// name means standard output. An interruption leaves no incomplete file. Devices and pipes are written to
+/// directly; symbolic links are kept, and their targets replaced.
 Status writeFiles(const std::string& path, const std::vector<io::OutputFile>& files);
-/// The folder of a file, as one name whatever led to it; the current one for "-".
+/// The canonical path of a file's folder; the current folder for "-".
 std::string folderOf(const std::string& path);
 Status writeText(const std::string& path, std::string_view text);
 
-/// True when both names mean one regular file, there already or not. "" and "-" mean none.
+/// True if both names denote the same regular file, which need not exist. "" and "-" denote none.
 bool isSameFile(const std::string& a, const std::string& b);
 
 }  // namespace hgp::cli

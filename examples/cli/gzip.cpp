@@ -33,10 +33,10 @@ struct Gunzip::Stream {
   z_stream z{};
   std::uint64_t maxBytes = 0, packedBytes = 0, ignoredBytes = 0;
   enum class State { kInside, kBetween, kBehind } state = State::kBetween;
-  std::size_t magicSeen = 0;  ///< bytes of the next member's first two
+  std::size_t magicSeen = 0;  ///< how many of the next member's first two bytes were read
   bool isReady = false, hasMember = false;
 
-  /// Skips zeros between members; any other byte than a member's first two is not gzip any more.
+  /// Skips zeros between members; data that does not start with a member's first two bytes is no longer gzip.
   std::size_t passBetween(io::ByteView packed) {
     constexpr std::uint8_t kMagic[2] = {0x1f, 0x8b};
     std::size_t i = 0;
@@ -54,7 +54,7 @@ struct Gunzip::Stream {
     return i;
   }
 
-  /// zlib wants to see the two bytes itself.
+  /// Passes the two bytes to zlib, which needs them.
   bool beginMember() {
     std::uint8_t magic[2] = {0x1f, 0x8b}, nothing = 0;
     magicSeen = 0;
@@ -123,7 +123,7 @@ Status Gunzip::take(io::ByteView packed, io::Bytes& out) {
       const std::size_t before = out.size();
       if (Status done = s.inflateSome(packed, out); !done) return done;
       if (Status fits = s.checkSize(out.size()); !fits) return fits;
-      // With the input used up there may still be output that did not fit.
+      // Output that did not fit may remain after all input has been consumed.
       if (packed.empty() && (out.size() == before || s.z.avail_out > 0)) break;
     }
   }

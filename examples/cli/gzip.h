@@ -1,4 +1,4 @@
-// gzip as it comes in, piece by piece.  Role: a small file that would unpack to gigabytes ends early.
+// Decompresses gzip incrementally.  Role: stops early at a small file that would expand to gigabytes.
 #pragma once
 
 #include <memory>
@@ -8,14 +8,14 @@
 
 namespace hgp::cli {
 
-/// More than this is refused as soon as it is this many times larger than what was read of the packed
-/// data: meshes pack 3 to 30 times, a bomb a thousand times.
+/// Beyond this size, data are refused as soon as their ratio to the compressed data read so far exceeds this:
+/// meshes compress by a factor of 3 to 30, a decompression bomb by a thousand.
 inline constexpr std::uint64_t kSuspiciousBytes = std::uint64_t{64} << 20;
 inline constexpr std::uint64_t kSuspiciousRatio = 200;
 
 Failure tooLarge(std::uint64_t maxBytes);
 
-/// Unpacks the members of a gzip stream one after the other (RFC 1952: there may be several).
+/// Decompresses the members of a gzip stream in order (RFC 1952 allows several).
 class Gunzip {
  public:
   explicit Gunzip(std::uint64_t maxBytes);
@@ -23,11 +23,11 @@ class Gunzip {
   Gunzip(const Gunzip&) = delete;
   Gunzip& operator=(const Gunzip&) = delete;
 
-  /// Appends what these packed bytes unpack to. Fails with kMalformed (damaged) or kLimit.
+  /// Decompresses these bytes and appends the result. Fails with kMalformed (damaged) or kLimit.
   Status take(io::ByteView packed, io::Bytes& out);
-  /// Fails with kMalformed when the last member was not complete.
+  /// Fails with kMalformed if the last member is incomplete.
   Status finish() const;
-  /// What was ignored behind the last member, or "".
+  /// A note on bytes ignored after the last member, or "".
   std::string note() const;
 
  private:

@@ -14,10 +14,10 @@ namespace hgp::cli {
 namespace {
 
 constexpr int kInterrupted = 130;
-constexpr int kPipeClosed = 141;  // what a shell gives for SIGPIPE
+constexpr int kPipeClosed = 141;  // the exit code that shells report for SIGPIPE
 constexpr int kNameTries = 100;
 
-/// Names of half-written files, readable from a signal handler.
+/// Names of files being written, readable from a signal handler.
 std::array<char[4096], kMaxHalfFiles> halfWritten;
 volatile std::sig_atomic_t halfWrittenCount = 0;
 volatile std::sig_atomic_t blockCount = 0, isInterrupted = 0;
@@ -33,7 +33,7 @@ extern "C" void onInterrupt(int) {
   isInterrupted = 1;
 }
 
-/// The reader of our output closed it: ends as programs do then, without a message.
+/// Ends the program silently, as is usual if the reader has closed our output.
 [[noreturn]] void endOfPipe() {
 #ifdef SIGPIPE
   std::signal(SIGPIPE, SIG_DFL);
@@ -42,7 +42,7 @@ extern "C" void onInterrupt(int) {
   std::_Exit(kPipeClosed);
 }
 
-/// Six letters and digits that hardly any other program chooses at this moment.
+/// Six random letters and digits.
 std::string anySuffix() {
   constexpr char kLetters[] = "abcdefghijklmnopqrstuvwxyz0123456789";
   static std::random_device random;
@@ -51,7 +51,7 @@ std::string anySuffix() {
   return out;
 }
 
-/// A file that was not there before; `name` is what it is called.
+/// Creates a new file next to `path` and returns its name in `name`.
 std::FILE* createBeside(const std::string& path, std::string& name) {
   for (int n = 0; n < kNameTries; ++n) {
     name = path + anySuffix();

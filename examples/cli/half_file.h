@@ -1,5 +1,5 @@
-// Files that are whole or not there.  Role: what interruptions and full disks must not leave behind, with
-// nothing but ISO C++.
+// Files that are written completely or not at all.  Role: leaves nothing incomplete after an interruption or on a
+// full disk, in ISO C++ only.
 #pragma once
 
 #include <csignal>
@@ -10,11 +10,11 @@
 
 namespace hgp::cli {
 
-/// From now on SIGINT, SIGTERM and SIGHUP end the program with 130, without half-written files; a closed
-/// pipe and a file that may not grow are errors of writing.
+/// Makes SIGINT, SIGTERM and SIGHUP end the program with exit code 130 and without incomplete files; a closed
+/// pipe and a file size limit become write errors.
 void handleInterrupts();
 
-/// Interruptions wait while one lives: the renames of one result belong together.
+/// Delays interruptions during its lifetime, because the renames of one result belong together.
 class SignalBlock {
  public:
   SignalBlock();
@@ -23,16 +23,16 @@ class SignalBlock {
   SignalBlock& operator=(const SignalBlock&) = delete;
 };
 
-/// All bytes to an open file. At a closed standard output the program ends as by SIGPIPE, silently.
+/// Writes all bytes to an open file. If standard output is closed, the program ends silently, as by SIGPIPE.
 Status writeAll(std::FILE* file, const std::string& path, const io::Bytes& bytes);
 
-/// A failure that says what errno says.
+/// A failure with the text of errno.
 Failure cannot(ErrorCode code, const char* what, const std::string& path);
 
-/// How many can be there at once.
+/// Maximum number of half files at a time.
 inline constexpr std::size_t kMaxHalfFiles = 256;
 
-/// A file under a temporary name beside its own; removed unless `keep` moves it to its place.
+/// A file with a temporary name in the folder of its final one; removed unless `keep` renames it.
 class HalfFile {
  public:
   HalfFile() = default;
@@ -42,7 +42,7 @@ class HalfFile {
 
   Status create(const std::string& path, const io::Bytes& bytes);
   Status keep();
-  /// Call when all of a result are kept.
+  /// Call when all files of a result have been kept.
   static void forgetAll();
 
  private:

@@ -1,4 +1,4 @@
-// The command line of HGP.  Role: examples/cli is also the smallest complete use of hgp::api.
+// The command line of HGP.  Role: examples/cli also shows a complete use of hgp::api.
 #include <cstdio>
 #include <exception>
 #include <new>

@@ -27,8 +27,8 @@ std::string placeholderOf(const CLI::Option& option) {
   return text == " " ? option.get_name(true) : text;
 }
 
-/// The words that an option's placeholder lists, separated by blanks; empty where it lists none.
-/// Words in capitals stand for something else.
+/// The words listed in an option's placeholder, separated by blanks; empty if it lists none.
+/// Words in capitals are placeholders themselves.
 std::string choicesOf(const CLI::Option& option) {
   const std::string text = placeholderOf(option);
   std::string out;
@@ -59,7 +59,7 @@ std::string inCapitals(std::string word) {
   return word;
 }
 
-/// Text of man(7): backslashes and hyphens as themselves, no line that looks like a request.
+/// Escapes text for man(7): backslashes, hyphens, and lines that look like requests.
 std::string roff(const std::string& text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -114,7 +114,7 @@ std::string synopsisOf(const CLI::App& command) {
   return out + "\n.br\n";
 }
 
-/// What the word after this option may be, as an action of bash.
+/// Possible values of this option, as a completion action of bash.
 std::string bashAction(const CLI::Option& option) {
   const std::string choices = choicesOf(option);
   if (!choices.empty()) return "COMPREPLY=($(compgen -W '" + choices + "' -- \"$current\"))";
@@ -160,7 +160,7 @@ std::string bashScript(const std::vector<const CLI::App*>& commands) {
          "complete -o filenames -F _hgp hgp\n";
 }
 
-/// The message and action of a value for _arguments.
+/// The message and action of a value for zsh's _arguments.
 std::string zshAction(const CLI::Option& option) {
   const std::string choices = choicesOf(option);
   const std::string message = escapedFor(placeholderOf(option), "[]:", "\\");

@@ -1,4 +1,4 @@
-// The manual page and the completions of shells, from the options themselves.  Role: `hgp manual` and
+// The manual page and shell completions, generated from the options.  Role: `hgp manual` and
 // `hgp completion SHELL`, whose output the build installs.
 #pragma once
 
@@ -10,7 +10,7 @@ class App;
 
 namespace hgp::cli {
 
-/// hgp.1 in the macros of man(7).
+/// hgp.1, with the macros of man(7).
 std::string manualPage(const CLI::App& app, const std::string& version);
 
 /// For "bash", "zsh" or "fish"; empty for any other word.

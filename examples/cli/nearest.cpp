@@ -5,7 +5,7 @@
 namespace hgp::cli {
 namespace {
 
-/// Levenshtein distance, for "did you mean".
+/// Levenshtein distance.
 std::size_t editDistance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;

@@ -1,4 +1,4 @@
-// "Did you mean".  Role: usage errors name the nearest word that there is.
+// Suggestions for mistyped words.  Role: usage errors mention the nearest known word.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace hgp::cli {
 
-/// The name nearest to a word by edits or as its beginning; "" when none is near.
+/// The name nearest to a word by edit distance, or starting with it; "" if none is near.
 std::string nearestOf(const std::string& word, const std::vector<std::string>& names);
 
 }  // namespace hgp::cli

@@ -7,7 +7,7 @@
 namespace hgp::cli {
 namespace {
 
-/// CLI11's own range checks print the largest double, and let NaN through.
+/// A lower bound. CLI11's own range checks print the largest double and accept NaN.
 CLI::Validator atLeast(double low, bool isOpen = false) {
   const auto check = [low, isOpen](const std::string& text) {
     double value = 0;
@@ -53,7 +53,7 @@ class Table {
     return sub;
   }
 
-  /// Behind a command's own options.
+  /// Adds the common options after a command's own ones.
   void addCommon(CLI::App* sub, const char* examples) {
     sub->option_defaults()->group("Input");
     choice(sub->add_option("--format", out_.format,
@@ -215,7 +215,7 @@ class Table {
                     "Rounds of solve, verify, repair (default 24)")
         ->option_text("N")
         ->check(CLI::Range(1, 1000));
-    // The table is gone when these are called.
+    // These functions are called after the table has been destroyed.
     const auto improve = [&out = out_](const std::string& word) {
       out.solve.improve.emplace().balance = api::improveBalance(word).value_or(std::nan(""));
     };
@@ -240,7 +240,7 @@ class Table {
         ->check(atLeast(0, true));
   }
 
-  /// A flag that may have a number.
+  /// Adds a flag with an optional number.
   void addGridMaterial(CLI::App* sub) {
     const auto take = [&out = out_](const std::string& word) {
       double tiles = 0;

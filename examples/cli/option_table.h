@@ -1,5 +1,5 @@
-// The options table: every command and option, its placeholder, its words of help and its examples.
-// Role: --help, the manual page and the completions of shells are all made from it.
+// The options table: every command and option with its placeholder, help text and examples.
+// Role: the source of --help, the manual page and shell completions.
 #pragma once
 
 #include <string>
@@ -14,12 +14,12 @@ class App;
 
 namespace hgp::cli {
 
-/// What was typed where a word must still be understood.
+/// Words from the command line that are interpreted after parsing.
 struct TypedWords {
   std::string mesh, weld, fix, boundary, conesFor, frames, method, scale, uvSet, gridMode;
   std::vector<std::string> cone, turning, handle;
-  std::string topic;  ///< of `help`
-  std::string shell;  ///< of `completion`
+  std::string topic;  ///< argument of `help`
+  std::string shell;  ///< argument of `completion`
 };
 
 struct CommandTable {
@@ -29,10 +29,10 @@ struct CommandTable {
   CLI::App* manual = nullptr;
 };
 
-/// The exit codes, as a table of text.
+/// The exit codes as a text table.
 const char* exitCodeText();
 
-/// Adds every command to `app`; what is typed goes to `out` and `words`, which must outlive it.
+/// Adds every command to `app`, which stores arguments in `out` and `words`; both must outlive it.
 CommandTable addCommands(CLI::App& app, Arguments& out, TypedWords& words);
 
 }  // namespace hgp::cli

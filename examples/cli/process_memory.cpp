@@ -1,6 +1,6 @@
 #include "process_memory.h"
 
-#include <cstdlib>  // also says which C library this is
+#include <cstdlib>  // also defines macros that identify the C library
 
 #if defined(__GLIBC__) && !defined(HGP_PORTABLE)
 #include <malloc.h>
@@ -12,7 +12,7 @@ namespace hgp::cli {
 
 void keepFreedMemory() {
 #if defined(__GLIBC__) && !defined(HGP_PORTABLE)
-  // Everything from one heap that does not shrink. If it cannot grow, malloc falls back to mmap.
+  // All memory comes from one heap that does not shrink; if it cannot grow, malloc falls back to mmap.
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, INT_MAX);
   mallopt(M_TOP_PAD, 8 << 20);

@@ -1,12 +1,12 @@
-// How this process asks the system for memory.  Role: a program's choice, not the library's; one call
-// at the start of main.
+// Configures how this process obtains memory from the system.  Role: a decision of the program, not of the library;
+// one call at the start of main.
 #pragma once
 
 namespace hgp::cli {
 
-/// Memory that was freed is used again instead of being returned to the system and fetched anew. A
-/// run allocates and frees large blocks all the time, and every fresh page costs a fault and a
-/// clearing: 8 % of a run of a million triangles. No limit changes.
+/// Makes freed memory be reused instead of being returned to the system. A run allocates and frees large blocks all
+/// the time, and every new page costs a page fault and its clearing: 8 % of the time for a million triangles. Memory
+/// limits do not change.
 void keepFreedMemory();
 
 }  // namespace hgp::cli

@@ -17,7 +17,7 @@ Status take(Result<io::Written> made, std::vector<io::OutputFile>& files,
   return Done{};
 }
 
-/// Buffers were read already: what is missing now are images.
+/// Adds missing side files, which can only be images, because buffers have been read.
 Status addSideFiles(std::vector<io::OutputFile>& files, std::vector<std::string>& notes,
                     const io::Resolver& resolve, const Arguments& asked) {
   if (asked.isEmbedded)

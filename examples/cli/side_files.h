@@ -1,5 +1,4 @@
-// What is done with a result before it is written.  Role: the last step of a glTF; no output refers to what is
-// not there.
+// Final conversions of a result before it is written.  Role: ensures that no written glTF refers to missing files.
 #pragma once
 
 #include "arguments.h"
@@ -7,10 +6,10 @@
 
 namespace hgp::cli {
 
-/// A GLB that is to be a .gltf is taken apart, --compress packs the data. Then what the glTF needs and what is
-/// not beside it is added: inside it (--embed), or as further files, unless the same bytes are there already.
-/// Fails where another file of that name is there (not with --force), and where a side file of the input is
-/// missing. What there is to say is added to `notes`.
+/// Converts a GLB to a .gltf if requested, and compresses the data for --compress. Then adds the side files that the
+/// glTF needs: embedded (--embed), or as further files, unless the output folder already has the same bytes.
+/// Fails if another file of that name exists (except with --force), and if a side file of the input is missing.
+/// Adds notes for users to `notes`.
 Status finishFiles(std::vector<io::OutputFile>& files, std::vector<std::string>& notes,
                    const io::Resolver& resolve, const Arguments& asked);
 

@@ -1,19 +1,19 @@
-// What ISO C++ has no word for.  Role: every POSIX call of the command line; with
-// HGP_PORTABLE, and where there is no POSIX, the alternatives beside them.
+// Functions that ISO C++ lacks.  Role: all POSIX calls of the command line, with alternatives for HGP_PORTABLE and for
+// systems without POSIX.
 #pragma once
 
 namespace hgp::cli {
 
 enum class Stream { kOutput = 1, kError = 2 };
 
-/// Without POSIX never: no colour, plain lines of progress.
+/// Whether a stream is a terminal. Always false without POSIX: no colours, and progress as plain lines.
 bool isTerminal(Stream stream);
 
-/// To standard error, from a signal handler. Without POSIX nothing is said, since no function of the
+/// Writes to standard error from a signal handler. Without POSIX it does nothing, since no function of the
 /// standard library may be called there.
 void sayInSignalHandler(const char* text);
 
-/// Windows would write "\r\n" and end its reading at a 0x1a.
+/// Switches the standard streams to binary mode: in text mode Windows writes "\r\n" and stops reading at 0x1a.
 void useBinaryStreams();
 
 }  // namespace hgp::cli

@@ -12,7 +12,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMaxLines = 8;
-constexpr std::size_t kMaxComponents = 20;  ///< that are listed one by one when nothing is wrong
+constexpr std::size_t kMaxComponents = 20;  ///< listed individually if nothing is wrong
 
 std::string text(const Json& value) {
   return printable(value.is_string() ? value.get<std::string>() : value.dump());
@@ -95,7 +95,7 @@ std::string measured(const Json& c, const Style& style) {
     const std::string value =
         formatText("%lld of %lld, bit for bit%s", exact, seams,
                    whole == seams ? "; integer translations: unit grids meet" : "");
-    // A certified map need not have them.
+    // Listed only if all seams are exact, because a certified map need not have exact seams.
     if (exact == seams) line(true, "exact seams", value);
     if (exact != seams) out += formatText("  --  %-20s %s\n", "exact seams", value.c_str());
   }
@@ -118,7 +118,7 @@ std::string distortion(const Json& component) {
                     number(d, "rmsLogArea"), number(d, "minLogArea"), number(d, "maxLogArea"));
 }
 
-/// The triangles that the certificate does not cover as they are stored; empty if there are none.
+/// Text on stored triangles that the certificate does not cover as stored; empty if there are none.
 std::string outside(const Json& stored) {
   std::string list;
   const auto add = [&](const char* key, const char* text) {

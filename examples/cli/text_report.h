@@ -1,12 +1,12 @@
-// The JSON documents as text for people.  Role: nothing is computed here; what is printed is what a
-// program would read.
+// The JSON documents as text for people.  Role: computes nothing; prints the numbers that programs
+// read.
 #pragma once
 
 #include <string>
 
 namespace hgp::cli {
 
-/// Wraps words in colour when the terminal and the person want it.
+/// Colours words if the terminal supports it and the user has not turned it off.
 struct Style {
   bool isColored = false;
   std::string good(const std::string& text) const;

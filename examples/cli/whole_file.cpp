@@ -14,12 +14,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A file that is written again and again, with the side files that this makes.
+/// A file that is written once per mesh, with the side files created on the way.
 class FileChain {
  public:
   explicit FileChain(const io::FileSet& original) : current_(original) {}
 
-  /// For one more reader: the bytes are its own.
+  /// The files for another reader, as a copy.
   io::FileSet files() const {
     io::FileSet out = current_;
     out.resolve = [before = current_.resolve, made = made_](const std::string& name) {
@@ -39,7 +39,7 @@ class FileChain {
   }
 
   bool isWritten() const { return isWritten_; }
-  /// A GLB: it stays one until all of it is written.
+  /// Whether the file is a GLB; it stays one until all meshes are written.
   bool isBinary() const {
     constexpr std::string_view kMagic = "glTF";
     return current_.main.size() > 4 &&
@@ -65,7 +65,7 @@ Status open(api::Session& session, const FileChain& chain, int mesh, const Argum
   return session.load(chain.files(), load);
 }
 
-/// The cones that the mesh itself stores, as for one mesh.
+/// The cones stored in the mesh, used as for a file with one mesh.
 Result<std::optional<io::Prescription>> embedded(const api::Session& session,
                                                  const Arguments& asked) {
   if (asked.ignoresEmbedded) return std::optional<io::Prescription>();

@@ -1,4 +1,4 @@
-// Every mesh of a file, one after the other.  Role: what `param` and `verify` do where a file has several.
+// Processes every mesh of a file.  Role: `param` and `verify` for files with several meshes.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace hgp::cli {
 
-/// What became of one mesh: a document of it, or why there is none.
+/// The outcome for one mesh: its document, or the failure.
 struct MeshOutcome {
   int mesh = 0;
   bool isCertified = false;
@@ -18,19 +18,19 @@ struct MeshOutcome {
 
 struct FileOutcome {
   std::vector<MeshOutcome> meshes;
-  std::vector<io::OutputFile> files;  ///< of param: the file with every map that may be written
+  std::vector<io::OutputFile> files;  ///< param: the file with all maps that may be written
   std::vector<std::string> notes;     ///< of the writer, each with its mesh
 
   int certifiedCount() const;
   /// "hgp-file", see docs/schema.
   std::string json() const;
-  /// A line per mesh, with the reason where one is not certified.
+  /// A line per mesh, with the reason if it is not certified.
   std::string text() const;
 };
 
-/// Solves mesh after mesh and writes each into what the one before has written. A mesh that is not
-/// certified is left as it was, unless `--keep-going` or `--allow-uncertified` stores what there is.
-/// Ends early when `progress` says stop.
+/// Solves the meshes in order and writes each map into the result of the previous one. A mesh whose map is not
+/// certified is not changed, unless `--keep-going` or `--allow-uncertified` is given.
+/// Ends early when `progress` returns false.
 Result<FileOutcome> parametrizeAll(const io::FileSet& files, int meshCount, const Arguments& asked,
                                    const Progress& progress);
 Result<FileOutcome> verifyAll(const io::FileSet& files, int meshCount, const Arguments& asked);

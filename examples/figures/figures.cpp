@@ -1,4 +1,4 @@
-// figures NAME [-o FILE] [--small]: the pictures of the paper again, with models of our own.
+// figures NAME [-o FILE] [--small]: reproduces the figures of the paper with our own models.
 
 #include <cmath>
 #include <cstdio>
@@ -19,10 +19,10 @@ using picture::sideBySide;
 
 struct Request {
   std::string output;
-  bool isSmall = false;  ///< coarse models: what the tests run
+  bool isSmall = false;  ///< coarse models, for tests
 };
 
-/// Nothing was drawn when a map is missing; the caller still says so.
+/// A figure; empty if a map is missing, which the caller reports.
 struct Drawing {
   std::vector<Image> rows;
   bool isCertified = true;
@@ -33,7 +33,7 @@ bool take(const std::optional<Mapped>& m, Drawing& drawing) {
   return m.has_value();
 }
 
-/// For tests pictures are small as well: drawing them would take longer than solving.
+/// Renders a scene; small for tests, because rendering would take longer than solving.
 Image drawn(const Request& request, const picture::Scene& scene, const Camera& camera, int width,
             int height) {
   const int part = request.isSmall ? 3 : 1;
@@ -75,8 +75,8 @@ VertexId nearestVertex(const MeshData& data, const Vec3& p) {
   return VertexId(best);
 }
 
-/// uv turned, scaled and moved so that cone images lie on lattice points: three cones of 2π/3 make
-/// the sphere two equal triangles, and then the pattern itself continues across every seam.
+/// Rotates, scales and translates uv so that images of cones lie on lattice points: with three cones of 2π/3 the
+/// sphere consists of two equal triangles, and then the pattern itself continues across every seam.
 void alignToCones(const Mapped& m, picture::Scene& scene, int cells) {
   std::vector<Vec2> images;
   std::vector<char> isSeen(m.data.positions.size(), 0);
@@ -161,7 +161,7 @@ Drawing twinSeams(const Request& request) {
   return drawing;
 }
 
-/// The pattern with lines `spacing` apart at vertex v; elsewhere as the map has it.
+/// Scales the pattern so that its lines are `spacing` apart at vertex v.
 void scaleAt(const Mapped& m, VertexId v, double spacing, picture::Scene& scene) {
   using namespace hgp::models;
   double uvLength = 0, length = 0;
@@ -174,8 +174,8 @@ void scaleAt(const Mapped& m, VertexId v, double spacing, picture::Scene& scene)
   scene.uv = cornerUv(m, length / uvLength / spacing);
 }
 
-/// Eight strong cones on a coarse model. The first program gives 5π at one of them away: 3π there,
-/// 4π at a regular neighbour, and not a triangle flipped.
+/// Eight strong cones on a coarse model. In the map of the first program, one cone of 5π has only 3π, and a regular
+/// neighbour has 4π, although no triangle is flipped.
 HolonomySpec hardCones(const MeshData& data) {
   const std::pair<Vec3, int> cones[] = {
       {{-0.410, -0.083, 0.293}, 8}, {{-0.401, 0.063, -0.278}, 10}, {{-0.419, -0.019, -0.292}, 1},
@@ -186,7 +186,7 @@ HolonomySpec hardCones(const MeshData& data) {
   return spec;
 }
 
-// Fig. 8: the first program, with wrong angles (yellow where they should not be), and frames fixed.
+// Fig. 8: the map of the first program, with wrong angles (yellow at regular vertices), and after frame fixing.
 Drawing frameFixing(const Request& request) {
   Drawing drawing;
   const MeshData data = models::creature(26);

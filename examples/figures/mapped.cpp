@@ -31,7 +31,7 @@ void say(const std::string& name, const Mapped& m) {
   std::fflush(stdout);
 }
 
-/// Clearly different hues in any number.
+/// The i-th of a sequence of clearly different hues.
 Colour hue(int i) {
   const double h = std::fmod(i * 0.618034, 1.0) * 6;
   const auto channel = [&](double shift) {
@@ -204,7 +204,7 @@ picture::Paint gridPaint(int q, Colour background) {
       const double distance = std::abs(x - std::round(x));
       const double blur = std::max(spot.footprint, 1e-9);
       const double cover = std::clamp((0.06 + blur / 2 - distance) / blur, 0.0, 1.0);
-      // Where a cell is smaller than a pixel only its mean is seen.
+      // If a cell is smaller than a pixel, only its mean is visible.
       line = std::max(line, blur > 0.5 ? 0.12 : cover);
     }
     return picture::mix(background, {0.13, 0.25, 0.5}, line);

@@ -1,4 +1,4 @@
-// A model with its map, and the scenes one can make of it.  Role: what every figure has in common.
+// A model with its map, and scenes made of them.  Role: the common part of all figures.
 #pragma once
 
 #include <optional>
@@ -18,28 +18,28 @@ struct Mapped {
 
 struct Order {
   int q = 4;
-  std::optional<HolonomySpec> spec;  ///< nothing: automatic cones
+  std::optional<HolonomySpec> spec;  ///< empty: automatic cones
   int coneCount = 0;
   std::optional<ImproveOptions> improve;
   int maxRounds = 12;
   Method method = Method::kAuto;
-  GridOptions grid;  ///< asked: one cell per unit of uv
+  GridOptions grid;  ///< if given: one cell per unit of uv
 };
 
-/// Solves, and prints one line of what came out. Nothing when it could not be asked.
+/// Solves and prints one line about the result. Empty if the prescription is not possible.
 std::optional<Mapped> mapped(const std::string& name, const MeshData& data, const Order& order);
 
 /// uv of every triangle corner, times `scale`.
 std::vector<std::array<Vec2, 3>> cornerUv(const Mapped& m, double scale);
 
-/// The surface with its uv and cones as dots; `paint` is left to the caller.
-/// @param cells  roughly how many pattern cells go along the square root of the surface's area
+/// The surface with its uv, and cones as dots; the caller sets `paint`.
+/// @param cells  approximate number of pattern cells along the square root of the surface's area
 picture::Scene surfaceScene(const Mapped& m, double cells);
-/// The map itself: the plane with the cut surface laid out in it.
+/// The map itself: the cut surface in the plane.
 picture::Scene planeScene(const Mapped& m, double cells);
 
-/// Seams as lines of both scenes; the two sides of one seam have one colour, and every seam between
-/// two junctions its own.
+/// Adds seams as lines to both scenes; both sides of a chain have the same colour, and different chains have
+/// different colours.
 void drawSeams(const Mapped& m, picture::Scene& surface, picture::Scene* plane);
 
 /// μ = |f_z̄| / |f_z| of every triangle.

@@ -1,4 +1,4 @@
-// A GLB in, the same GLB with seamless texture coordinates in every mesh out.
+// Reads a GLB and writes it with seamless texture coordinates in every mesh.
 
 import { WebIO } from '@gltf-transform/core';
 import { createClient } from 'hgp';

@@ -1,4 +1,4 @@
-// generate DIR [NAME …]: the models of this folder as OBJ files. `million` only when named.
+// generate DIR [NAME …]: writes the models as OBJ files; `million` only if it is named.
 
 #include <cstdio>
 #include <filesystem>
@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: generate DIR [NAME …]\n");
     return 2;
   }
-  std::error_code ignored;  // what cannot be written is said per file
+  std::error_code ignored;  // errors are reported for each file
   std::filesystem::create_directories(argv[1], ignored);
   bool isGood = true;
   for (int i = 2; i < argc; ++i) isGood = generate(argv[1], argv[i]) && isGood;

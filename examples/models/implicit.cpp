@@ -12,7 +12,7 @@ namespace {
 
 using Quad = std::array<int, 4>;
 
-/// Inside or outside for every voxel, one layer of outside all around.
+/// Whether each voxel is inside, with one layer of outside voxels all around.
 class Voxels {
  public:
   Voxels(const Field& field, double halfSize, int cells)
@@ -35,8 +35,8 @@ class Voxels {
   }
   bool isInside(int x, int y, int z) const { return value_[index(x, y, z)] < 0; }
 
-  /// Fills voxels until no two touch in an edge or a corner alone, inside or outside: the boundary
-  /// is a manifold exactly when both are connected through faces around every grid corner.
+  /// Fills voxels until no two of them, inside or outside, touch only in an edge or a corner: the boundary
+  /// is a manifold if and only if both are connected through faces around every grid corner.
   void makeManifold() {
     for (bool isDone = false; !isDone;) {
       isDone = true;
@@ -93,7 +93,7 @@ class Voxels {
   std::vector<double> value_;
 };
 
-/// The squares between inside and outside, counterclockwise seen from outside.
+/// The squares between inside and outside voxels, counterclockwise from outside.
 class BoundarySquares {
  public:
   explicit BoundarySquares(const Voxels& voxels) : voxels_(voxels) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// The smaller of two distances with the crease between them rounded off.
+/// A smooth minimum of two distances, which rounds off the crease between them.
 double smoothMin(double a, double b, double radius) {
   const double h = std::max(radius - std::abs(a - b), 0.0) / radius;
   return std::min(a, b) - h * h * radius / 4;
@@ -59,7 +59,7 @@ double latticeField(const Vec3& p) {
   const double angle = 0.5 * p[1];
   const Vec3 q{std::cos(angle) * p[0] - std::sin(angle) * p[2], p[1],
                std::sin(angle) * p[0] + std::cos(angle) * p[2]};
-  // Distance to the nearest rod along each axis: the two other coordinates fold into one cell.
+  // Distance to the nearest rod along each axis, with the two other coordinates reduced to one cell.
   constexpr double kSpacing = 0.6, kRadius = 0.13;
   Vec3 folded, beyond;
   for (int i = 0; i < 3; ++i) {
@@ -100,7 +100,7 @@ double cubeField(const Vec3& p) {
   return std::pow(sum, 1.0 / 6) - 1;
 }
 
-/// Rows × columns of vertices; columns close up, rows do where asked.
+/// Rows × columns of vertices; columns are closed, rows if `isClosed`.
 MeshData gridSurface(int columns, int rows, bool isClosed, Vec3 (*point)(double, double)) {
   MeshData mesh;
   const int bands = isClosed ? rows : rows - 1;
@@ -126,7 +126,7 @@ Vec3 torusPoint(double a, double t) {
   return {r * std::cos(b), r * std::sin(b), -0.4 * std::sin(a)};
 }
 
-/// The trefoil lies on a torus, whose normal makes a frame that closes up by itself.
+/// The trefoil lies on a torus, whose normal gives a closed frame along the curve.
 Vec3 knotPoint(double a, double t) {
   const auto curve = [](double s, double r) {
     const double out = 1 + r * std::cos(3 * s);
@@ -158,7 +158,7 @@ MeshData sphere(int levels) {
       mesh.positions.push_back(p);
     }
   }
-  // Faces: the triples at mutual distance 2, turned outward.
+  // Faces: the triples at mutual distance 2, oriented outwards.
   for (int a = 0; a < 12; ++a) {
     for (int b = a + 1; b < 12; ++b) {
       for (int c = b + 1; c < 12; ++c) {

@@ -1,4 +1,4 @@
-// The models of the figures, each by a formula.  Role: data without anybody else's copyright.
+// The models of the figures, each given by a formula.  Role: data without third-party copyright.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace hgp::models {
 
-/// The icosahedron with every triangle cut into 4^levels, on the unit sphere.
+/// The icosahedron with every triangle divided into 4^levels, projected to the unit sphere.
 MeshData sphere(int levels);
 /// A sphere with twelve holes.
 MeshData colander(int levels);
@@ -22,11 +22,11 @@ MeshData vase(int around, int along);
 MeshData cube(int cells);
 /// A slab with three holes.
 MeshData pretzel(int cells);
-/// Body, legs, horns and a tail, grown together.
+/// Body, legs, horns and a tail, blended together.
 MeshData creature(int cells);
 /// A twisted cubic lattice of rods, genus 28.
 MeshData lattice(int cells);
-/// Five rings grown together in a row, genus 5.
+/// Five rings blended together in a row, genus 5.
 MeshData rings(int cells);
 /// About 10⁶ triangles of genus 0 and 5.
 MeshData creatureOfAMillion();
@@ -34,7 +34,7 @@ MeshData ringsOfAMillion();
 
 /// All of the above in a size for pictures, and `million`, a creature of about 10⁶ triangles.
 const std::vector<std::string>& names();
-/// Also `small-pretzel`, which is examples/meshes/pretzel.obj. Empty when there is no such model.
+/// A model by name, including `small-pretzel`, which is examples/meshes/pretzel.obj. Empty for unknown names.
 MeshData byName(const std::string& name);
 
 }  // namespace hgp::models

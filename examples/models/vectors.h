@@ -1,4 +1,4 @@
-// Vec3 with the usual signs.  Role: arithmetic of the examples, which link no algebra library.
+// Operators for Vec3.  Role: arithmetic for the examples, which link no linear algebra library.
 #pragma once
 
 #include <cmath>

@@ -18,7 +18,7 @@ void append32(Bytes& bytes, std::uint32_t value) {
   }
 }
 
-/// Length, kind, data, checksum over kind and data.
+/// Appends a PNG chunk: length, type, data, checksum over type and data.
 void appendChunk(Bytes& file, const char* kind, const Bytes& data) {
   append32(file, static_cast<std::uint32_t>(data.size()));
   const std::size_t begin = file.size();
@@ -34,7 +34,7 @@ std::uint8_t paeth(int left, int up, int corner) {
   return static_cast<std::uint8_t>(dl <= du && dl <= dc ? left : du <= dc ? up : corner);
 }
 
-/// One row minus what a filter predicts; filters 0 (nothing) and 4 (Paeth) are enough for us.
+/// One row minus the prediction of a filter; filters 0 (none) and 4 (Paeth) suffice here.
 Bytes filtered(const Bytes& row, const Bytes& above, int filter) {
   Bytes out{static_cast<std::uint8_t>(filter)};
   for (std::size_t i = 0; i < row.size(); ++i) {
@@ -57,7 +57,7 @@ Bytes scanlines(const Image& image) {
     Bytes row;
     for (int x = 0; x < image.width; ++x) {
       for (double c : image.at(x, y)) {
-        // Six bits are as good to the eye here and halve the file.
+        // Six bits look the same here and halve the file size.
         const double level = std::round(std::clamp(c, 0.0, 1.0) * 63) / 63;
         row.push_back(static_cast<std::uint8_t>(std::lround(255 * level)));
       }
@@ -135,7 +135,7 @@ bool writePng(const std::string& path, const Image& image) {
   Bytes header;
   append32(header, static_cast<std::uint32_t>(image.width));
   append32(header, static_cast<std::uint32_t>(image.height));
-  header.insert(header.end(), {8, 2, 0, 0, 0});  // 8 bits, RGB, deflate, filters per row, no lace
+  header.insert(header.end(), {8, 2, 0, 0, 0});  // 8 bits, RGB, deflate, filters, no interlacing
   appendChunk(file, "IHDR", header);
   appendChunk(file, "IDAT", packed);
   appendChunk(file, "IEND", {});

@@ -1,4 +1,4 @@
-// Pictures as plain pixels.  Role: what the renderer fills and a PNG file holds.
+// Pictures as arrays of pixels.  Role: output of the renderer, written as PNG.
 #pragma once
 
 #include <array>
@@ -20,14 +20,14 @@ struct Image {
   const Colour& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
 };
 
-/// Means over n × n pixels: what smooths edges.
+/// Averages n × n pixels, for antialiasing.
 Image shrink(const Image& image, int n);
 
-/// Panels of one height in a row.
+/// Panels of equal height side by side.
 Image sideBySide(const std::vector<Image>& panels);
 Image stacked(const std::vector<Image>& rows);
 
-/// 8 bits per channel. False when the file cannot be written.
+/// Writes 8 bits per channel. False if the file cannot be written.
 bool writePng(const std::string& path, const Image& image);
 
 }  // namespace hgp::picture

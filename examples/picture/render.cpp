@@ -16,7 +16,7 @@ constexpr int kSamples = 3;           // per pixel and direction
 constexpr double kEyeDistance = 4.5;  // in radii of the model
 const Colour kPaper = {1, 1, 1};
 
-/// Where a point of space appears: x, y in samples, and 1/distance, which is linear on the screen.
+/// The projection of a point: x, y in samples, and 1/distance, which is linear on the screen.
 struct Seen {
   double x = 0, y = 0, nearness = 0;
 };
@@ -50,7 +50,7 @@ class View {
   }
 
  private:
-  /// Center and scale that make the picture of all points fill the frame.
+  /// Sets centre and scale so that the picture of all points fills the frame.
   void frame(const std::vector<Vec3>& points, const Camera& camera) {
     Vec3 low = points[0], high = points[0];
     for (const Vec3& p : points) {
@@ -71,7 +71,7 @@ class View {
       bottom = std::max(bottom, s.y);
     }
     scale_ = 0.93 * camera.zoom * std::min(width_ / (right - left), height_ / (bottom - top));
-    // Seen with scale 1 and the middle at 0.
+    // First computed with scale 1 and the centre at 0.
     Seen middle{(left + right) / 2, (top + bottom) / 2, 0};
     const double scale = std::exchange(scale_, 1.0);
     if (camera.focus) middle = see(*camera.focus);
@@ -132,7 +132,7 @@ class Canvas {
     const double footprint = footprintOf(f, area);
     for (int y = y0; y <= y1; ++y) {
       for (int x = x0; x <= x1; ++x) {
-        Vec3 w;  // on the screen
+        Vec3 w;  // barycentric coordinates on the screen
         for (int i = 0; i < 3; ++i) {
           const Seen &a = s[(i + 1) % 3], &b = s[(i + 2) % 3];
           w[i] = ((b.x - a.x) * (y + 0.5 - a.y) - (x + 0.5 - a.x) * (b.y - a.y)) / area;
@@ -168,13 +168,13 @@ class Canvas {
       spot.uv[0] += spot.weights[i] * scene_.uv[f][i][0];
       spot.uv[1] += spot.weights[i] * scene_.uv[f][i][1];
     }
-    // The inside of an open surface shows as plain grey.
+    // The inside of an open surface is grey.
     const Colour colour = isFront || scene_.isFlat ? scene_.paint(spot) : Colour{0.62, 0.62, 0.66};
     if (!isFront) normal = -1 * normal;
     image_.at(x, y) = mix({0, 0, 0}, colour, std::min(view_.light(normal), 1.0));
   }
 
-  /// A round spot in front of whatever is nearly as near.
+  /// Draws a disc in front of everything at almost the same depth.
   void disc(const Seen& s, double radius, const Colour& colour, double lead) {
     const double r = radius * kSamples;
     for (int y = std::max(0, static_cast<int>(s.y - r));

@@ -15,7 +15,7 @@ struct Spot {
   int face = 0;
   Vec3 weights{};  ///< barycentric, of the face's corners
   Vec2 uv{};
-  double footprint = 0;  ///< uv length of one pixel: textures blur themselves with it
+  double footprint = 0;  ///< uv length of one pixel, with which textures are filtered
 };
 using Paint = std::function<Colour(const Spot&)>;
 
@@ -35,13 +35,13 @@ struct Scene {
   std::vector<Line> lines;
   std::vector<Dot> dots;
   double lineWidth = 2.0, dotRadius = 4.5;  ///< pixels
-  bool isFlat = false;                      ///< a drawing in the plane: seen from above, no light
+  bool isFlat = false;                      ///< a planar drawing: viewed from above, without light
 };
 
 struct Camera {
   double turn = 30, lift = 20;  ///< degrees around the vertical axis, and upwards
   double zoom = 1;              ///< 1: the whole model fills the picture
-  std::optional<Vec3> focus{};  ///< in the middle; nothing: the middle of the model
+  std::optional<Vec3> focus{};  ///< point at the centre; empty: the centre of the model
 };
 
 Image render(const Scene& scene, const Camera& camera, int width, int height);

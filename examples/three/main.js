@@ -1,10 +1,10 @@
-// A torus knot of three.js with a checkerboard on seamless texture coordinates, its seams drawn in red.
+// A torus knot from three.js with a checkerboard on seamless texture coordinates, and its seams in red.
 
 import { createClient } from 'hgp';
 import { parametrizeGeometry } from 'hgp/three';
 import * as THREE from 'three';
 
-/** A checkerboard of two squares a side; it repeats. */
+/** A repeating checkerboard texture of two by two squares. */
 function checkerboard() {
   const texture = new THREE.DataTexture(
     Uint8Array.of(250, 250, 245, 255, 70, 110, 160, 255, 70, 110, 160, 255, 250, 250, 245, 255),
@@ -24,7 +24,7 @@ client.terminate();
 
 const texture = checkerboard();
 texture.repeat.set(6, 6); // squares per unit of the surface
-// Drawn a little further away than it is, so that the seams lie on top.
+// The surface is drawn slightly farther away, so that the seams are in front of it.
 const offset = { polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2 };
 const material = new THREE.MeshStandardMaterial({ map: texture, ...offset });
 const model = new THREE.Mesh(geometry, material);

@@ -1,4 +1,4 @@
-// hgp/core for browsers: the solver without a worker of its own.
+// hgp/core for browsers: the solver without a worker.
 
 import * as platform from './lib/browser.js';
 import { compileWith } from './lib/compile.js';

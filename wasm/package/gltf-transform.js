@@ -1,4 +1,4 @@
-// hgp/gltf-transform: seamless texture coordinates as a transform over a document.
+// hgp/gltf-transform: seamless texture coordinates as a transform of a document.
 
 import { HgpError, usage } from './lib/error.js';
 import { toGlb } from './lib/glb.js';
@@ -6,7 +6,7 @@ import { splitAlongSeams } from './lib/split.js';
 
 const trianglesMode = 4;
 
-/** The triangles of a mesh, primitive after primitive, with vertices numbered through. */
+/** The triangles of a mesh, primitive by primitive, with vertices numbered consecutively over all primitives. */
 function gather(mesh) {
   const parts = [];
   const positions = [];
@@ -73,7 +73,7 @@ function writePrimitive(document, { primitive, triangles, firstCorner }, { uv, c
   primitive.setIndices(indices.setArray(Index.from(index)));
 }
 
-/** The set to write: the asked one, or the first that no primitive of the mesh has. */
+/** The set to write: the requested one, or the first that no primitive of the mesh has. */
 function nameOfSet(mesh, texcoord) {
   if (texcoord !== undefined) return `TEXCOORD_${texcoord}`;
   const isTaken = (name) => mesh.listPrimitives().some((one) => one.getAttribute(name));
@@ -111,7 +111,7 @@ export function seamless(options) {
       for (const part of parts) writePrimitive(document, part, result, name);
     }
   };
-  // The name is how glTF-Transform's log calls it.
+  // The name that glTF-Transform uses in its log.
   Object.defineProperty(transform, 'name', { value: 'seamless' });
   return transform;
 }

@@ -65,84 +65,84 @@ export type {
 export { HgpError } from './core.js';
 
 export interface ClientOptions extends InitOptions {
-  /** Makes the worker where a bundler or a Content-Security-Policy must know its URL. */
+  /** Creates the worker, for bundlers and Content-Security-Policies that must know its URL. */
   createWorker?: () => Worker;
   /**
-   * Where worker.js of this package is, for bundlers that do not follow it and for other origins: then
-   * a script of the page's own origin imports it.
+   * URL of worker.js of this package, for bundlers that do not find it. If it is on another origin, a script of the
+   * page's own origin imports it.
    */
   workerUrl?: string | URL;
   /**
-   * Whether the worker solves a small model first, while nothing else is asked of it, so that the
-   * engine has optimized the solver by the first call. Takes about 0.3 s; by default true.
+   * Whether the worker solves a small model when it has started, so that the engine has
+   * optimized the solver by the first call. Takes about 0.3 s; by default true.
    */
   warmUp?: boolean;
 }
 
 export interface CallOptions {
-  /** Aborting ends the worker at once; the call rejects with the signal's reason. */
+  /** Aborting terminates the worker immediately; the call rejects with the signal's reason. */
   signal?: AbortSignal;
-  /** At most ten times a second. What it throws ends the call. */
+  /** Called at most ten times per second. If it throws, the call is cancelled and rejects with that error. */
   onProgress?(progress: Progress): void;
 }
 
 /** One model in one worker. Calls run one after another, in the order made. */
 export interface Client extends AsyncDisposable {
-  /** Starts the worker where there is none, with the model, so that the next call need not wait. */
+  /** Starts the worker, with the model, if it is not running, so that the next call need not wait for it. */
   ready(call?: CallOptions): Promise<void>;
   load(source: FileSource | FileSet, options?: LoadOptions, call?: CallOptions): Promise<ModelInfo>;
   inspect(call?: CallOptions): Promise<ModelInfo>;
-  /** The loaded surface, usable or not: what vertex and triangle ids refer to. */
+  /** The loaded surface, usable or not, to which vertex and triangle ids refer. */
   surface(call?: CallOptions): Promise<Surface>;
-  /** A cone file of any known kind as cones of the loaded surface. */
+  /** A cone file of any known format as cones of the loaded surface. */
   readCones(file: ConeFile, call?: CallOptions): Promise<Cones>;
-  /** The cones that are stored inside the file, or null. */
+  /** The cones stored in the file, or null. */
   embeddedCones(call?: CallOptions): Promise<Cones | null>;
   suggestCones(options?: SuggestOptions, call?: CallOptions): Promise<Cones>;
-  /** The exact integer budget of Gauss–Bonnet; solves nothing. */
+  /** Checks cones against Gauss–Bonnet in exact integers; solves nothing. */
   check(cones: Cones, call?: CallOptions): Promise<CheckReport>;
   parametrize(options?: SolveOptions, call?: CallOptions): Promise<Result>;
   /**
-   * For meshes that come from no file, such as a three.js geometry. Replaces the loaded model. Vertices
-   * at the same place are joined first (`weld`).
+   * Maps a mesh that is not in a file, such as a three.js geometry. Replaces the loaded model. Vertices
+   * at equal positions are joined first (`weld`).
    */
   parametrizeMesh(
     mesh: MeshArrays & MeshLoadOptions & SolveOptions,
     call?: CallOptions,
   ): Promise<Result>;
   /**
-   * Every mesh of a file, one after the other, and the file with all of their maps: what `hgp param` does. One
-   * bad mesh does not spoil the rest where `keepGoing` is set. Replaces the loaded model by this file.
+   * Maps every mesh of a file and returns the file with all maps, as `hgp param` does. With `keepGoing`, a mesh
+   * without a map does not prevent the others from being written. Replaces the loaded model by this file.
    */
   parametrizeFile(
     source: FileSource | FileSet,
     options?: FileOptions,
     call?: CallOptions,
   ): Promise<FileResult>;
-  /** Verifies the texture coordinates that are in the file. */
+  /** Verifies texture coordinates in the loaded file. */
   verify(options?: VerifyOptions, call?: CallOptions): Promise<Certificate>;
-  /** The original file with the new texture coordinates and nothing else changed. */
+  /** The original file with the new texture coordinates and otherwise unchanged, or another format. */
   write(options?: WriteOptions, call?: CallOptions): Promise<Written>;
-  /** Distortion by triangle, overlaps, and which seam edges are one seam. */
+  /** Distortion per triangle, overlaps, and the seam to which each seam edge belongs. */
   measure(call?: CallOptions): Promise<Measures>;
   /**
-   * The result of the last parametrize() can be recalled by this name, though others are made: two of a surface, of up
-   * to 500 000 triangles together, the newest first.
+   * Keeps the result of the last parametrize() under a name for recall(), even after other results are computed. The
+   * two newest per surface are kept, up to 500 000 triangles in total.
    */
   keep(name: string, call?: CallOptions): Promise<void>;
   /**
-   * Makes a kept result the one that write(), measure() and quads() are about; false where it is of another surface than
-   * the one that is loaded, or not there any more, as after a call that was cancelled. Other files may have been loaded
-   * meanwhile: the maps of several meshes are written into one file by loading what was written, and recalling the next.
+   * Makes a kept result the one to which write(), measure() and quads() refer. False if it belongs to another surface
+   * than the loaded one, or is no longer kept, for instance after a cancelled call. Other files may have been loaded in
+   * the meantime: to write the maps of several meshes into one file, load what was written, and recall the next.
    */
   recall(name: string, call?: CallOptions): Promise<boolean>;
-  /** Angles, valences, boundary, components and neighbours of the loaded surface, usable or not. */
+  /** Angles, valences, boundary, components and neighbours on the loaded surface, usable or not. */
   facts(call?: CallOptions): Promise<SurfaceFacts>;
-  /** What the numbers of boundary loops and handle generators mean, on the loaded surface. */
+  /** The boundary loops and handle generators of the loaded surface, in the order of their numbers. */
   loops(call?: CallOptions): Promise<Loops>;
   /** The cells of a map aligned in quad mode (`grid`) as a quad mesh. */
   quads(options?: QuadOptions, call?: CallOptions): Promise<Quads>;
-  /** Ends the worker and forgets the model; pending calls reject with `AbortError`. */
+  /** Terminates the worker and drops the model; pending calls reject with `AbortError`. */
   terminate(): void;
 }
 

@@ -5,10 +5,10 @@ import { startClient } from './lib/client.js';
 
 export { HgpError } from './lib/error.js';
 
-/** Bundlers find the worker by exactly this expression. */
+/** Creates the worker with the exact expression by which bundlers find it. */
 function createDefaultWorker(workerAt) {
   const { origin, protocol } = new URL(import.meta.url);
-  // Served as it is from another origin (a CDN), which browsers start no worker of.
+  // The package is served from another origin (a CDN), from which browsers do not start workers.
   if (protocol.startsWith('http') && origin !== location.origin) {
     return workerAt(import.meta.url.replace(/[^/]*$/, 'worker.js'));
   }

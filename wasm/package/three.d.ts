@@ -1,4 +1,4 @@
-// hgp/three: a BufferGeometry with seamless texture coordinates. Needs three.
+// hgp/three: a BufferGeometry with seamless texture coordinates. Requires three.
 
 import type { BufferGeometry, LineSegments } from 'three';
 import type { CallOptions, Client } from './index.js';
@@ -7,7 +7,7 @@ import type { Certificate, LoadOptions, Result, SolveOptions } from './core.js';
 export interface GeometryOptions extends SolveOptions {
   /** The attribute to write; by default `uv`. */
   attribute?: string;
-  /** Join vertices closer than this; by default those at the same place. */
+  /** Join vertices closer than this; by default those at equal positions. */
   weld?: number;
   fix?: LoadOptions['fix'];
   limits?: LoadOptions['limits'];
@@ -15,21 +15,21 @@ export interface GeometryOptions extends SolveOptions {
 
 export interface ParametrizedGeometry {
   /**
-   * A copy: vertices are cut along the seams, the triangles keep their order, and so do groups, morph
-   * targets, skin weights and every other attribute. Indexed, whether the original was or not.
+   * A copy in which vertices are duplicated along the seams. Triangles keep their order; groups, morph
+   * targets, skin weights and all other attributes are kept. Always indexed.
    */
   geometry: BufferGeometry;
   /** The seams on the surface, in the default material. */
   seams: LineSegments;
-  /** Of the coordinates as they are stored in the attribute, in float32. */
+  /** Certificate of the coordinates as stored in the attribute, in float32. */
   certificate: Certificate;
   result: Result;
 }
 
 /**
- * Texture coordinates for a three.js geometry; v points up, as three's textures expect. Vertices at the
- * same place are one (renderers split them along normals and old texture coordinates); the client's
- * loaded model is replaced. Draws nothing: give `geometry` to a mesh of your own.
+ * Texture coordinates for a three.js geometry; v points up, as textures in three.js expect. Vertices at
+ * equal positions are joined, because renderers split them where normals or old texture coordinates differ. Replaces
+ * the client's loaded model. To draw the result, use `geometry` in a mesh.
  */
 export function parametrizeGeometry(
   client: Client,

@@ -5,7 +5,7 @@ import { usage } from './lib/error.js';
 import { toGlb } from './lib/glb.js';
 import { splitAlongSeams } from './lib/split.js';
 
-/** Three numbers per vertex, whatever they are stored as (interleaved, normalized …). */
+/** Three numbers per vertex, converted from any storage (interleaved, normalized …). */
 function positionsOf(geometry) {
   const position = geometry?.attributes?.position;
   if (!position) throw usage('parametrizeGeometry takes a BufferGeometry with positions');
@@ -27,7 +27,7 @@ function trianglesOf(geometry) {
   return Uint32Array.from({ length: count }, (_, i) => (index ? index.getX(i) : i));
 }
 
-/** The attribute with one entry per new vertex, in the type it had. */
+/** The attribute with one entry per new vertex, in its original type. */
 function splitAttribute(attribute, vertexOf) {
   const { itemSize, normalized } = attribute;
   const Type = (attribute.data?.array ?? attribute.array).constructor;
@@ -44,7 +44,7 @@ function splitAttribute(attribute, vertexOf) {
   return split;
 }
 
-/** A copy of the geometry whose vertices are cut along the seams, with the new attribute. */
+/** A copy of the geometry with vertices duplicated along the seams and with the new attribute. */
 function cutGeometry(geometry, { index, vertexOf, uvOf }, uv, attribute) {
   const cut = new BufferGeometry();
   cut.name = geometry.name;
@@ -88,7 +88,7 @@ export async function parametrizeGeometry(client, geometry, options = {}, call) 
   const { attribute = 'uv', weld, fix, limits, ...solve } = options;
   const positions = positionsOf(geometry);
   const triangles = trianglesOf(geometry);
-  // As a GLB: vertices at the same place are joined, and the map is verified in float32, as it is drawn.
+  // As a GLB, so that vertices at equal positions are joined and the map is verified in float32, in which it is drawn.
   const glb = toGlb(positions, triangles);
   await client.load(glb, { name: 'geometry.glb', weld, fix, limits }, call);
   const result = await client.parametrize(solve, call);

@@ -1,9 +1,9 @@
-// What differs from platform to platform, for browsers: workers and the files of this package. The
-// same names are in node/platform.js; no file that a browser loads names a module of Node.
+// The platform layer for browsers: workers and the files of this package. node/platform.js exports the
+// same names; no file that a browser loads mentions a module of Node.
 
 import { unavailable } from './error.js';
 
-/** A whole file of its own, named by URL: no bundler has to split the worker for it. */
+/** Imports a file by URL, so that bundlers do not have to split the worker. */
 export const importFile = (url) => import(/* @vite-ignore */ /* webpackIgnore: true */ url.href);
 
 export async function readFile(url) {
@@ -15,16 +15,16 @@ export async function readFile(url) {
 export async function compileFile(url) {
   const response = await fetch(url);
   if (!response.ok) throw unavailable(`${url}: HTTP ${response.status}`);
-  // Not every static host serves the type that streaming compilation insists on.
+  // Not every static host serves the content type that streaming compilation requires.
   if (response.headers.get('Content-Type')?.startsWith('application/wasm')) {
     return WebAssembly.compileStreaming(response);
   }
   return WebAssembly.compile(await response.arrayBuffer());
 }
 
-const slice = 4 * 2 ** 20; // bytes that are copied in one task
+const slice = 4 * 2 ** 20; // bytes copied per task
 
-/** A pause that no hidden tab makes longer, as it does those of setTimeout. */
+/** A pause between tasks that is not prolonged in hidden tabs, unlike setTimeout. */
 const nextTask = () =>
   new Promise((resolve) => {
     const { port1, port2 } = new MessageChannel();
@@ -33,8 +33,8 @@ const nextTask = () =>
   });
 
 /**
- * Bytes as they are sent to a worker: many of them as a Blob made slice by slice, for posting an array copies all
- * of it in one task of this thread.
+ * Bytes in the form in which they are sent to a worker: large ones as a Blob made slice by slice, because posting an
+ * array copies all of it in one task of this thread.
  */
 export async function packed(bytes) {
   if (bytes.length <= slice || !(bytes.buffer instanceof ArrayBuffer)) return bytes;
@@ -46,7 +46,7 @@ export async function packed(bytes) {
   return new Blob(parts);
 }
 
-/** A worker of another origin, such as a CDN, is started by a script of this one that imports it. */
+/** Starts a worker from another origin, such as a CDN, by a script of the page's origin that imports it. */
 function workerAt(url) {
   const isElsewhere = new URL(String(url), location.href).origin !== location.origin;
   if (!isElsewhere) return new Worker(url, { type: 'module' });
@@ -57,7 +57,7 @@ function workerAt(url) {
   return worker;
 }
 
-/** Starts a worker and gives it one face: post, onMessage, onLost, idle, busy, terminate. */
+/** Starts a worker and wraps it in a common interface: post, onMessage, onLost, idle, busy, terminate. */
 export async function startWorker({ createWorker, workerUrl }, createDefault) {
   let worker;
   if (createWorker) worker = createWorker();

@@ -1,12 +1,12 @@
-// The client: every call runs in a worker, can be cancelled and reports progress. What differs between
-// browsers and Node is in the platform that is handed in.
+// The client: every call runs in a worker, can be cancelled and reports progress. Differences between
+// browsers and Node are in the platform layer passed to it.
 
 import { compileWith } from './compile.js';
 import { HgpError, unavailable, usage } from './error.js';
 import { checkConeFile, checkCones, checkOptions } from './options.js';
 import { toFileSet, toMeshArrays } from './sources.js';
 
-/** What a cancelled call rejects with: the signal's own reason, as everywhere on the web. */
+/** The error of a cancelled call if the signal has no reason of its own. */
 const cancelled = () => new DOMException('The operation was cancelled.', 'AbortError');
 
 export async function startClient(platform, options = {}) {
@@ -21,7 +21,7 @@ class Client {
   #queue = [];
   #current;
   #nextId = 1;
-  #source; // what the last successful load or parametrizeMesh took; a fresh worker needs it again
+  #source; // the source of the last successful load or parametrizeMesh, which a new worker loads again
 
   constructor(platform, wasmModule, options) {
     this.#platform = platform;
@@ -35,12 +35,12 @@ class Client {
       client.terminate();
       throw error.code === 'worker-lost' ? unavailable(error.message, error) : error;
     });
-    // Behind the answer. Later workers profit too, for they run the same compiled module.
+    // After the answer. Later workers also benefit, because they use the same compiled module.
     if (options.warmUp ?? true) client.#running.post({ id: 0, method: 'warmUp', args: [] });
     return client;
   }
 
-  /** Starts the worker where there is none, with the model, so that the next call need not wait. */
+  /** Starts the worker, with the model, if it is not running, so that the next call need not wait for it. */
   async ready(call) {
     await this.#call('ready', [], call);
   }
@@ -142,7 +142,7 @@ class Client {
     return this.#call('quads', [options], call);
   }
 
-  /** Ends the worker, forgets the model and rejects whatever is pending. */
+  /** Terminates the worker, drops the model and rejects all pending calls. */
   terminate() {
     this.#stopWorker();
     this.#source = undefined;
@@ -175,7 +175,7 @@ class Client {
     });
   }
 
-  /** One call at a time: a waiting call is cancelled without hurting the running one. */
+  /** Starts the next call: one at a time, so that a waiting call can be cancelled without affecting the running one. */
   #next() {
     if (this.#current || this.#queue.length === 0) return;
     const job = (this.#current = this.#queue.shift());
@@ -226,7 +226,7 @@ class Client {
     }
   }
 
-  /** A callback that throws ends its call, as if the call itself had thrown. */
+  /** Reports progress; if the callback throws, its call is rejected with that error. */
   #report(job, progress) {
     try {
       job.onProgress?.(progress);
@@ -244,7 +244,7 @@ class Client {
 
   #abort(job, reason) {
     if (this.#current === job) {
-      // WebAssembly reads no messages while it works: cancelling means ending the worker.
+      // WebAssembly receives no messages while it runs, so cancelling means terminating the worker.
       this.#stopWorker();
       this.#finish(job, job.reject, reason);
     } else {

@@ -1,4 +1,4 @@
-// From wherever the options say to a compiled module; by default the file of this package.
+// Compiles the module from the place that the options specify, by default from the file of this package.
 
 import { HgpError, unavailable } from './error.js';
 

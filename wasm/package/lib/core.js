@@ -1,5 +1,5 @@
-// The solver itself, synchronous: for use inside your own worker. Everything that goes in or comes
-// out is a plain value; the one C++ object, the session with its loaded model, is owned by Core and
+// The solver itself, synchronous: for use inside your own worker. All arguments and results are plain
+// values; the only C++ object, the session with its loaded model, is owned by Core and
 // freed by `free()`.
 
 import createModule from '../module.js';
@@ -11,7 +11,7 @@ import { toMeshArrays } from './sources.js';
 import { warmUpMesh } from './warm_up.js';
 import { parametrizeFile } from './whole_file.js';
 
-/** The text of a glTF, the first chunk of a GLB; nothing for files of other kinds. */
+/** The text of a glTF or of the first chunk of a GLB; undefined for other files. */
 function gltfJson(bytes) {
   if (!bytes) return undefined;
   const starts = (text, at) => [...text].every((c, i) => bytes[at + i] === c.charCodeAt(0));
@@ -25,14 +25,14 @@ function gltfJson(bytes) {
 }
 
 /**
- * Makes a Core of a compiled module. Rejects with `wasm-unavailable` where it cannot be instantiated.
+ * Makes a Core from a compiled module. Rejects with `wasm-unavailable` if it cannot be instantiated.
  * @param platform  how files of this package are read (see ../core.js and ../node/core.js)
  */
 export async function coreOf(wasmModule, platform) {
   const module = await new Promise((resolve, reject) => {
     createModule({
-      // The glue never fetches: it gets the compiled module, which makes one file serve browsers,
-      // workers and Node alike. It would wait for ever where that fails.
+      // Emscripten's glue code does not fetch: it receives the compiled module, so that the same file works in
+      // browsers, workers and Node. If instantiation fails, it would wait forever.
       instantiateWasm(imports, receive) {
         WebAssembly.instantiate(wasmModule, imports).then(receive).catch(reject);
         return {};
@@ -47,7 +47,7 @@ export async function coreOf(wasmModule, platform) {
   return new Core(module, platform);
 }
 
-/** What write() calls its result by default: formats that can only be read are answered with an OBJ. */
+/** The default file name of write(): formats that can only be read become OBJ. */
 function nameFor(main, format) {
   const stem = main.split('/').pop();
   if (format === 'glb' || format === 'gltf') return stem || `mesh.${format}`;
@@ -61,7 +61,7 @@ function exportName(name, format) {
 }
 
 /**
- * The field file as the session takes it: all three members, q 0 where the file's own holds.
+ * The options with the field file in the session's form: all three members are set, q is 0 if the file has its own.
  * @param {{ field?: import('../core.js').ConeFile, [option: string]: unknown }} options
  */
 function withField({ field, ...options }) {
@@ -78,12 +78,12 @@ export class Core {
   #platform;
   #session;
   #decoders = {};
-  #name = 'mesh.obj'; // of what write() makes, where the caller gives none
+  #name = 'mesh.obj'; // default name of the result of write()
 
   /** Called with { stage, fraction, iteration, residual, round, maxRounds }; return false to cancel. */
   onProgress;
 
-  /** Not for callers: createCore() makes them. */
+  /** Private: use createCore(). */
   constructor(module, platform) {
     this.#module = module;
     this.#platform = platform;
@@ -94,13 +94,13 @@ export class Core {
     return this.#module.version();
   }
 
-  /** Bytes of the linear memory; it grows and never shrinks. */
+  /** Size of the linear memory in bytes; it never shrinks. */
   get memory() {
     return this.#module.HEAPU8.length;
   }
 
   /**
-   * Whatever load() cannot wait for: decompresses gzip, and loads the decoders that the file needs.
+   * Asynchronous preparation for load(): decompresses gzip, and loads the decoders that the file needs.
    * @param {import('../core.js').CoreFiles} given
    * @param {import('../core.js').LoadOptions} [options]
    * @return the files to load
@@ -119,7 +119,7 @@ export class Core {
     return prepared;
   }
 
-  /** Makes the engine optimize the solver, by a small solve beside the loaded model. */
+  /** Makes the engine optimize the solver by a small solve, which does not affect the loaded model. */
   warmUp() {
     const other = new Core(this.#module, this.#platform);
     other.loadMesh(warmUpMesh());
@@ -138,7 +138,7 @@ export class Core {
   }
 
   /**
-   * Arrays that come from no file. Vertices at the same place are joined unless `weld` is false.
+   * Loads a mesh given as arrays. Vertices at equal positions are joined unless `weld` is false.
    * @param {import('../core.js').MeshArrays} mesh
    * @param {import('../core.js').MeshLoadOptions} [options]
    */
@@ -161,14 +161,14 @@ export class Core {
     return this.#reply(this.#live.surface());
   }
 
-  /** A cone file of any known kind as hgp-cones of the loaded surface. */
+  /** A cone file of any known format as hgp-cones of the loaded surface. */
   readCones(file) {
     checkConeFile('readCones', file);
     const { name = '', text, q = 0 } = file;
     return this.#json(this.#live.readCones(name, text, q));
   }
 
-  /** The cones that are stored inside the file, or null. */
+  /** The cones stored in the file, or null. */
   embeddedCones() {
     const { json } = this.#reply(this.#live.embeddedCones());
     return json === undefined ? null : JSON.parse(json);
@@ -201,8 +201,8 @@ export class Core {
   }
 
   /**
-   * Every mesh of a file, and the file with all of their maps. What is loaded afterwards is the file given.
-   * @param {import('../core.js').CoreFiles} source  as prepare() gives it
+   * Maps every mesh of a file and returns the file with all maps. Afterwards the given file is loaded.
+   * @param {import('../core.js').CoreFiles} source  as returned by prepare()
    * @param {import('../core.js').FileOptions} [options]
    */
   parametrizeFile(source, options = {}) {
@@ -224,27 +224,27 @@ export class Core {
     return { name: files[0].name, bytes: files[0].bytes, files, ...rest };
   }
 
-  /** Distortion by triangle, overlaps, and which seam edges are one seam. */
+  /** Distortion per triangle, overlaps, and the seam to which each seam edge belongs. */
   measure() {
     return this.#reply(this.#live.measure());
   }
 
-  /** What is known of the loaded surface, usable or not, by vertex and by triangle. */
+  /** Facts about the vertices and triangles of the loaded surface, usable or not. */
   facts() {
     return this.#reply(this.#live.facts());
   }
 
-  /** What the numbers of boundary loops and handle generators mean. */
+  /** The boundary loops and handle generators, in the order of their numbers. */
   loops() {
     return this.#reply(this.#live.loops());
   }
 
-  /** The result that there is can be recalled by this name, though others are made. */
+  /** Keeps the current result under a name for recall(). */
   keep(name) {
     this.#live.keep(`${name}`);
   }
 
-  /** Whether a kept result is the one that is written and measured now. */
+  /** Makes a kept result the current one; false if it is not available. */
   recall(name) {
     return this.#live.recall(`${name}`);
   }

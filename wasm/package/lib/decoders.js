@@ -1,7 +1,7 @@
 // Decoders of compressed glTF: draco3dgltf and meshoptimizer, loaded when the first file needs them.
-// Sizes are checked by the core, before and after.
+// The core checks sizes before and after decoding.
 
-/** A decoder answers with its result or with { error }: no exception crosses WebAssembly frames. */
+/** A decoder returns its result or { error }: no exception crosses WebAssembly frames. */
 const answering = (decode) => (request) => {
   try {
     return decode(request);
@@ -22,7 +22,7 @@ async function loadMeshopt({ importFile }) {
   });
 }
 
-/** glTF's component types as Draco names them. */
+/** glTF's component types with Draco's names. */
 const dracoTypes = {
   5120: ['DT_INT8', 1],
   5121: ['DT_UINT8', 1],
@@ -37,7 +37,7 @@ function decodeDraco(draco, { source, vertexCount, indexCount, attributes }) {
   const buffer = new draco.DecoderBuffer();
   const mesh = new draco.Mesh();
   let at = 0;
-  /** Bytes that Draco writes into its own memory, copied out. */
+  /** A copy of bytes that Draco writes to its own memory. */
   const taken = (size, write) => {
     at = draco._malloc(size);
     if (!at) throw new Error('out of memory');
@@ -89,12 +89,12 @@ async function loadDraco({ importFile, readFile }) {
 const loaders = { draco: loadDraco, meshopt: loadMeshopt };
 const loaded = {}; // promises
 
-/** { draco, meshopt } with the functions that `needs` asks for and those that are there already. */
+/** { draco, meshopt } with the functions that `needs` requires and those already loaded. */
 export async function decodersFor(needs, platform) {
   for (const kind of Object.keys(loaders)) {
     if (needs[kind]) {
       loaded[kind] ??= loaders[kind](platform).catch((error) => {
-        delete loaded[kind]; // so that the next file may try again
+        delete loaded[kind]; // so that the next file tries again
         throw error;
       });
     }

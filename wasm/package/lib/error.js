@@ -1,4 +1,4 @@
-// The one error of this package.
+// The error class of this package.
 
 /** An error with the same code on the page, in this package and on the command line. */
 export class HgpError extends Error {
@@ -11,10 +11,10 @@ export class HgpError extends Error {
   }
 }
 
-/** A call that was made wrongly. */
+/** The error of a call with invalid arguments. */
 export const usage = (message) => new HgpError({ code: 'usage', message });
 
-/** WebAssembly, or a file of this package, that could not be loaded. */
+/** The error if WebAssembly, or a file of this package, could not be loaded. */
 export const unavailable = (message, cause) => {
   const error = new HgpError({ code: 'wasm-unavailable', message });
   if (cause !== undefined) error.cause = cause;

@@ -1,5 +1,5 @@
-// Positions and triangles as the smallest GLB there is: what renderers draw is verified in float32, as
-// glTF stores it.
+// Positions and triangles as a minimal GLB, so that maps for renderers are verified in float32, as
+// glTF stores them.
 
 const align = (bytes) => Math.ceil(bytes / 4) * 4;
 

@@ -1,4 +1,4 @@
-// gzip, all members of it, never more than is allowed.
+// Decompresses gzip, including all members, up to a limit.
 
 import { HgpError } from './error.js';
 import { readMembers } from './gzip_members.js';
@@ -7,7 +7,7 @@ const isGzip = (bytes) => bytes.length > 2 && bytes[0] === 0x1f && bytes[1] === 
 
 const defaultLimit = 2 ** 31; // bytes, as in the solver
 
-/** The same files, those that were gzip without it and without .gz in their names; and what is to be said of them. */
+/** The files, with gzip decompressed and .gz removed from names; and notes. */
 export async function decompressed({ main, files }, limit = defaultLimit, platform) {
   if (![...files.values()].some(isGzip)) return { main, files };
   const plain = new Map();
@@ -22,7 +22,7 @@ export async function decompressed({ main, files }, limit = defaultLimit, platfo
   return { main: plainMain, files: plain, notes };
 }
 
-/** Decompresses with fflate's streaming decoder, which is loaded when the first such file comes. */
+/** Decompresses with fflate's streaming decoder, which is loaded on first use. */
 async function gunzip(bytes, limit, platform, notes) {
   const { Gunzip } = await platform.importFile(new URL('../decoders/fflate.js', import.meta.url));
   const chunks = [];

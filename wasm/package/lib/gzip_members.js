@@ -1,6 +1,6 @@
-// The members of gzip data, each held to the sum and the size that it states [RFC 1952].
+// Decompresses the members of gzip data and checks the checksum and the size of each [RFC 1952].
 
-const step = 1 << 16; // what is compressed a thousandfold is noticed early
+const step = 1 << 16; // bytes per step, so that extreme compression ratios are noticed early
 
 const table = Uint32Array.from({ length: 256 }, (_, n) => {
   let c = n;
@@ -17,17 +17,17 @@ function crc32(bytes, before) {
 const isMember = (packed, at) =>
   packed[at] === 0x1f && packed[at + 1] === 0x8b && packed[at + 2] === 8;
 
-const noHeader = 'invalid gzip data'; // as the decoder says it
-const least = 20; // bytes of a member
+const noHeader = 'invalid gzip data'; // the decoder's message
+const least = 20; // minimum size of a member in bytes
 const damaged = () => new Error('damaged or cut off');
 
 /**
  * @typedef {{ Gunzip: any, add: (chunk: Uint8Array) => void, pause?: () => Promise<void> }} How
- *   fflate's Gunzip; what takes the chunks, and may throw; what is awaited between slices
+ *   fflate's Gunzip; a function that receives the chunks, and may throw; a function awaited between slices
  */
 
 /**
- * Members without anything between them. Returns where the last one ends.
+ * Decompresses consecutive members. Returns the end of the last one.
  * @param {Uint8Array} packed
  * @param {number} first
  * @param {How} how
@@ -46,7 +46,7 @@ async function readRun(packed, first, { Gunzip, add, pause }) {
     try {
       add(chunk);
     } catch (error) {
-      failure = error; // of the caller, and not of the decoder
+      failure = error; // an error of the caller, not of the decoder
       throw error;
     }
   });
@@ -64,19 +64,19 @@ async function readRun(packed, first, { Gunzip, add, pause }) {
   } catch (error) {
     if (failure) throw failure;
     if (error.message !== noHeader) throw damaged();
-    isWhole = false; // after a member comes what is none
+    isWhole = false; // the data after a member is not a member
   }
   if (isWhole && packed.length >= begin + least && endsAt(packed.length)) return packed.length;
-  // The decoder does not tell where the last member ended: it did where its sum and its size are.
+  // The decoder does not say where the last member ended; its checksum and size mark the end.
   for (let end = begin + least; end <= packed.length; end++) if (endsAt(end)) return end;
   throw damaged();
 }
 
 /**
- * Decompresses every member. Zeros between members are skipped; behind the last, what is not gzip is ignored.
+ * Decompresses every member. Zeros between members are skipped; data after the last member that is not gzip is ignored.
  * @param {Uint8Array} packed
  * @param {How} how
- * @return {Promise<number>} ignored bytes
+ * @return {Promise<number>} the number of ignored bytes
  */
 export async function readMembers(packed, how) {
   let at = 0;

@@ -1,5 +1,5 @@
-// The options of every call, checked before anything is sent to the worker: a name that is not known
-// or a value of another kind is an error of the caller, and never silently ignored.
+// The options of every call, checked before anything is sent to the worker: an unknown name or a value of
+// the wrong type is an error and never silently ignored.
 
 import { usage } from './error.js';
 
@@ -12,7 +12,7 @@ const describe = (value) => {
   return typeof value === 'object' ? `a ${value.constructor?.name ?? 'object'}` : typeof value;
 };
 
-/** A kind of value: what it is called in a message, and whether a value is one. */
+/** A type of values: its name in messages, and a test for values. */
 const kind = (name, test) => ({ name, test });
 
 export const boolean = kind('true or false', (value) => typeof value === 'boolean');
@@ -57,7 +57,7 @@ const improve = kind(
 );
 const order = integer(1, 64);
 
-/** The options of each call. The declarations in core.d.ts name the same; a test compares them. */
+/** The options of each call. The declarations in core.d.ts have the same names; a test compares them. */
 export const optionsOf = {
   load: {
     name: string,
@@ -114,13 +114,13 @@ optionsOf.parametrizeFile = {
   write: record(without(optionsOf.write, 'format')),
 };
 
-/** The known name that was probably meant: the same letters but for case, or one letter off. */
+/** The known name that was probably meant: equal up to case, or different in one letter. */
 function nearest(name, known) {
   const plain = (word) => word.toLowerCase().replace(/s$/, '');
   return known.find((other) => plain(other) === plain(name));
 }
 
-/** Throws a usage error that names the call, the option and what it should be. */
+/** Throws a usage error with the call, the option and the expected type. */
 export function checkOptions(call, options, fields = optionsOf[call], path = '') {
   if (!isRecord(options)) throw usage(`${call}: options are an object, not ${describe(options)}`);
   for (const [name, value] of Object.entries(options)) {

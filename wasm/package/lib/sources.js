@@ -1,4 +1,4 @@
-// What people have, as the solver takes it: files, blobs, buffers and arrays.
+// Converts files, blobs, buffers and arrays to the solver's input.
 
 import { describe } from './options.js';
 import { usage } from './error.js';
@@ -17,7 +17,7 @@ async function bytesOf(source) {
 }
 
 /**
- * File, Blob, bytes or FileSet → { main, files: Map<name, what `pack` makes of its bytes> }.
+ * File, Blob, bytes or FileSet → { main, files: Map<name, result of `pack` for its bytes> }.
  * @param {object} source
  * @param {string | undefined} name
  * @param {(bytes: Uint8Array) => Promise<Uint8Array | Blob> | Uint8Array} [pack]
@@ -37,7 +37,7 @@ export async function toFileSet(source, name, pack = (bytes) => bytes) {
   return { main: source.main, files };
 }
 
-/** Files as `pack` made them, in the worker: bytes again. */
+/** In the worker: converts the results of `pack` back to bytes. */
 export async function unpacked({ main, files }) {
   const plain = new Map();
   for (const [name, value] of files) plain.set(name, await bytesOf(value));
@@ -52,9 +52,9 @@ const isNumbers = (value) =>
     !(value instanceof BigUint64Array));
 
 /**
- * Checks arrays of a mesh, and gives each triangle of an unindexed one vertices of its own.
+ * Checks the arrays of a mesh, and adds indices if it has none.
  * @param {import('../core.js').MeshArrays} mesh  positions: 3 per vertex; triangles: 3 vertices per
- *   triangle; left out: every three vertices are a triangle
+ *   triangle; if absent, every three consecutive vertices are a triangle
  */
 export function toMeshArrays({ positions, triangles }) {
   if (!isNumbers(positions)) {

@@ -1,11 +1,11 @@
-// Cutting the vertices of a renderable mesh along the seams of its map: a vertex with several texture
-// coordinates becomes several vertices, and nothing else changes.
+// Duplicates the vertices of a renderable mesh along the seams of its map: a vertex with several texture
+// coordinates becomes several vertices; nothing else changes.
 
 /**
  * @param triangles   3 vertices per triangle
  * @param cornerToUv  3 uv vertices per triangle
  * @return index: 3 new vertices per triangle, in the same order; vertexOf: new vertex → old vertex;
- *         uvOf: new vertex → uv vertex. Vertices that no triangle has keep their place, with uvOf −1.
+ *         uvOf: new vertex → uv vertex. Vertices without triangles are kept, with uvOf −1.
  */
 export function splitAlongSeams(triangles, cornerToUv, vertexCount) {
   const vertexOf = Array.from({ length: vertexCount }, (_, v) => v);

@@ -1,8 +1,8 @@
-// A model to warm the engine up with: WebAssembly runs unoptimized code until a function has been busy
-// for a while, and cannot switch in the middle of one, so the first large solve would take four times
+// A model for warming up the engine: WebAssembly functions run unoptimized until they have been called often
+// enough, and engines do not switch in the middle of a call, so the first large solve would take four times
 // as long as the next.
 
-/** A cube of 8 × 8 squares a side: small, and every part of the solver has work to do on it. */
+/** A cube with 8 × 8 squares per side: small, but it exercises every part of the solver. */
 export function warmUpMesh(n = 8) {
   const ids = new Map();
   const positions = [];

@@ -1,18 +1,18 @@
-// Every mesh of a file, one after the other, each written into what the one before has written.
+// Maps every mesh of a file; each map is written into the result of the previous one.
 
 import { HgpError } from './error.js';
 import { checkOptions } from './options.js';
 
-/** The cones that a mesh itself stores, unless another order is asked for. */
+/** The cones stored in a mesh, unless another order is requested. */
 function storedCones(core, q) {
   const cones = core.embeddedCones();
   return cones && (q === undefined || q === cones.q) ? cones : undefined;
 }
 
 /**
- * What `hgp param` does with a file of several meshes. A mesh without a certified map is left as it was,
- * unless `keepGoing` or `write.allowUncertified` store what there is; without them nothing is written unless
- * all are certified.
+ * Does what `hgp param` does with a file of several meshes. A mesh without a certified map is not changed,
+ * unless `keepGoing` or `write.allowUncertified` is set; without them, files are returned only if all meshes
+ * are certified.
  * @param {import('../core.js').Core} core
  * @param {import('../core.js').CoreFiles} source
  * @param {import('../core.js').FileOptions} options
@@ -21,7 +21,7 @@ function storedCones(core, q) {
 export function parametrizeFile(core, source, options) {
   checkOptions('parametrizeFile', options);
   const { weld, fix, strict, writeRepairs, limits, target, write = {}, ...solve } = options;
-  delete solve.name; // the source has it
+  delete solve.name; // it belongs to the source
   const load = { weld, fix, strict, writeRepairs, limits, target };
   const storesAll = Boolean(solve.keepGoing || write.allowUncertified);
   const count = core.load(source, load).surfaces.length;
@@ -40,7 +40,7 @@ export function parametrizeFile(core, source, options) {
     if (!certificate.certified && !storesAll) return;
     const made = core.write({ ...write, allowUncertified: storesAll });
     notes.push(...made.notes.map((note) => `mesh ${mesh}: ${note}`));
-    // Side files that earlier meshes made stay; the main file is the latest.
+    // Keeps side files written with earlier meshes; the main file is the last one written.
     const others = written.slice(1);
     const isNew = ({ name }) => made.files.every((file) => file.name !== name);
     written = [...made.files, ...others.filter(isNew)];

@@ -27,7 +27,7 @@ const methods = new Set([
   'quads',
 ]);
 
-/** The buffers of all typed arrays in a result: they move instead of being copied. */
+/** The buffers of all typed arrays in a result, which are transferred instead of copied. */
 function buffersOf(value, found = new Set()) {
   if (ArrayBuffer.isView(value)) found.add(value.buffer);
   else if (value && typeof value === 'object') {
@@ -63,7 +63,7 @@ async function handle(state, post, { id, method, args, wantsProgress }) {
     ready.onProgress = wantsProgress
       ? throttled((progress) => post({ id, progress }, []))
       : undefined;
-    // A file may need more than the solver: decoders, or to be decompressed.
+    // A file may have to be decompressed or need decoders.
     const [first, ...rest] = args;
     const isFile = method === 'load' || method === 'parametrizeFile';
     const input = isFile ? await ready.prepare(await unpacked(first), ...rest) : first;
@@ -76,7 +76,7 @@ async function handle(state, post, { id, method, args, wantsProgress }) {
   }
 }
 
-/** Takes messages, one after another: the first may still be compiling when the second arrives. */
+/** Handles messages one after another: the module may still be compiling when the second one arrives. */
 export function serve(createCore, post) {
   const state = { createCore, core: undefined };
   let last = Promise.resolve();

@@ -1,4 +1,4 @@
-// hgp/core for Node: the solver without a worker of its own.
+// hgp/core for Node: the solver without a worker.
 
 import { compileWith } from '../lib/compile.js';
 import { coreOf } from '../lib/core.js';

@@ -1,4 +1,4 @@
-// What differs from platform to platform, for Node, Bun and Deno; see lib/browser.js.
+// The platform layer for Node, Bun and Deno; see lib/browser.js.
 
 import { readFile as readLocal } from 'node:fs/promises';
 import { Worker } from 'node:worker_threads';
@@ -18,9 +18,9 @@ export async function readFile(place) {
 
 export const compileFile = async (url) => WebAssembly.compile(await readFile(url));
 
-/** Starts a worker and gives it one face: post, onMessage, onLost, idle, busy, terminate. */
+/** Starts a worker and wraps it in a common interface: post, onMessage, onLost, idle, busy, terminate. */
 export async function startWorker({ createWorker, workerUrl }) {
-  // The script's own flags (--input-type, --test …) are not the worker's.
+  // The worker must not inherit the script's flags (--input-type, --test …).
   const worker = createWorker
     ? createWorker()
     : new Worker(workerUrl ? new URL(workerUrl) : new URL('./worker.js', import.meta.url), {
@@ -41,7 +41,7 @@ export async function startWorker({ createWorker, workerUrl }) {
   };
 }
 
-/** Bun and Deno have the workers of browsers, too. */
+/** The same interface for the web workers of Bun and Deno. */
 const faceOfWebWorker = (worker) => ({
   post: (message) => worker.postMessage(message),
   onMessage: (take) => worker.addEventListener('message', ({ data }) => take(data)),

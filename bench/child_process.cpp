@@ -58,7 +58,7 @@ Failure failure(std::string message) {
 Result<std::string> runInChild(const std::function<std::string()>& work,
                                const ChildLimits& limits) {
   int ends[2];
-  std::fflush(nullptr);  // or the child would print what is still buffered
+  std::fflush(nullptr);  // otherwise the child would also print buffered output
   if (pipe(ends) != 0) return failure(std::strerror(errno));
   const pid_t child = fork();
   if (child == 0) {

@@ -1,5 +1,5 @@
-// Work in a process of its own.  Role: a crash, a hang or running out of memory is one row of a table
-// and not the end of it; and peak memory is that of this work alone.
+// Work in a separate process.  Role: a crash, a hang or running out of memory affects one row of a table
+// only, and peak memory is that of this work alone.
 #pragma once
 
 #include <functional>
@@ -10,12 +10,12 @@
 namespace hgp::bench {
 
 struct ChildLimits {
-  double wallSeconds = 0.0;  ///< killed after; 0 = none
-  double cpuSeconds = 0.0;   ///< killed after; 0 = none. What counts where a machine is shared
+  double wallSeconds = 0.0;  ///< killed after this time; 0: no limit
+  double cpuSeconds = 0.0;   ///< killed after this processor time, for shared machines; 0: no limit
 };
 
-/// What work() returned in a forked child. Fails (kInternal) when the child died, naming the signal or
-/// its exit code; an exception of work() is its message.
+/// The result of work() in a forked child. Fails with kInternal and the signal or exit code if the child died, or with
+/// the message of an exception thrown by work().
 Result<std::string> runInChild(const std::function<std::string()>& work, const ChildLimits& limits);
 
 }  // namespace hgp::bench

@@ -1,5 +1,5 @@
-// corpus DIR: every mesh below a folder with automatic cones, as a table.  Role: the number that this
-// project is measured by. One failure is a bug, and the last lines say how to see it again.
+// corpus DIR: maps every mesh below a folder with automatic cones and prints a table.  Role: the main measure of
+// this project. Every failure is a bug; the last lines give the commands that reproduce it.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -35,7 +35,7 @@ bool isMesh(const fs::path& file) {
                      [&](const char* k) { return kind == k; });
 }
 
-/// Smallest first, so that a table begins at once.
+/// The meshes below a folder, smallest first, so that the table starts immediately.
 std::vector<fs::path> meshesBelow(const Arguments& a) {
   std::vector<std::pair<std::uintmax_t, fs::path>> found;
   for (const auto& entry : fs::recursive_directory_iterator(a.folder)) {
@@ -69,7 +69,7 @@ int run(const Arguments& a) {
     if (rows.back().outcome == Outcome::kFailed) {
       failures += reproduction(file.string(), a.options) + "\n";
     }
-    // After every mesh: a table that ends early still says how far it came.
+    // Saved after every mesh, so that an interrupted run leaves its results.
     isSaved = saveText("corpus", a.json, toJson(rows, a.options)) && isSaved;
   }
   const std::string sums = "\n" + totals(rows);

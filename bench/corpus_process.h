@@ -1,12 +1,12 @@
-// A mesh in a process of its own.  Role: a crash, or running out of memory, is one row of the table
-// and not the end of it; and peak memory is that of this mesh alone.
+// Runs a mesh in a separate process.  Role: a crash, or running out of memory, affects one row of the table
+// only, and peak memory is that of this mesh alone.
 #pragma once
 
 #include "corpus_run.h"
 
 namespace hgp::bench {
 
-/// runMesh() in a child process. A child that dies makes a failed row that names the signal; one
+/// runMesh() in a child process. If the child dies, the row fails with its signal; a child
 /// that takes more than twice the time limit is killed.
 CorpusRow runMeshApart(const std::string& file, const std::string& name,
                        const CorpusOptions& options);

@@ -19,7 +19,7 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// 0 where the system does not say.
+/// Peak memory of the process; 0 if the system does not provide it.
 double peakMegabytes() {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;) {
@@ -52,7 +52,7 @@ void addMeasures(CorpusRow& row, const Json& component) {
   if (!reasons.empty() && row.reason.empty()) row.reason = reasons[0]["message"];
 }
 
-/// Reads the numbers out of hgp-report, which is what `hgp param --json` prints as well.
+/// Reads the numbers from hgp-report, the document that `hgp param --json` prints.
 void readReport(CorpusRow& row, const std::string& text) {
   const Json report = Json::parse(text);
   const Json& certificate = report["certificate"];

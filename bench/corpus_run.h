@@ -13,12 +13,12 @@ struct CorpusOptions {
   std::string improve;         ///< word of --improve, "": none
   double timeLimit = 0.0;      ///< seconds per mesh; 0 = none
   bool fixDegenerate = false;  ///< remove triangles without area first
-  std::string output;          ///< where the certified map is written; empty: nowhere
+  std::string output;          ///< file for the certified map; empty: not written
 };
 
 enum class Outcome {
   kCertified,
-  kRefused,  ///< not an oriented manifold, or not a mesh at all: nothing was tried
+  kRefused,  ///< not an oriented manifold, or not a mesh: nothing was attempted
   kFailed,   ///< a valid mesh without a certified map
 };
 const char* outcomeName(Outcome outcome);
@@ -36,14 +36,14 @@ struct CorpusRow {
   double fieldSeconds = 0;  ///< cones and field
   double cutSeconds = 0;    ///< cut and assembly of the system
   double solveSeconds = 0;  ///< every round: cone program, verify, repair
-  double writeSeconds = 0;  ///< the certified file; only where CorpusOptions::output names one
-  double totalSeconds = 0;  ///< all of it, with verifying the stored map and writing the report
+  double writeSeconds = 0;  ///< writing the certified file, if CorpusOptions::output is set
+  double totalSeconds = 0;  ///< everything, with verification of the stored map and the report
   double peakMegabytes = 0;
 };
 
 CorpusRow runMesh(const std::string& file, const std::string& name, const CorpusOptions& options);
 
-/// The command that shows the same again.
+/// The command that reproduces the row.
 std::string reproduction(const std::string& file, const CorpusOptions& options);
 
 }  // namespace hgp::bench

@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A cell must not end its row.
+/// Text as a table cell: without line breaks and '|'.
 std::string asCell(std::string text) {
   std::replace(text.begin(), text.end(), '|', '/');
   std::replace(text.begin(), text.end(), '\n', ' ');

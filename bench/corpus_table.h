@@ -1,4 +1,4 @@
-// Rows as text for people and as JSON for programs.  Role: what bench/corpus prints.
+// Rows as Markdown and as JSON.  Role: the output of bench/corpus.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Seconds of processor time since the program began.  Role: other programs on the machine do not count.
+// Seconds of processor time since the program started.  Role: times that do not depend on other programs.
 #pragma once
 
 #include <ctime>

@@ -1,4 +1,4 @@
-// What the programs of this folder share.  Role: names as patterns, files that may fail.
+// Functions shared by the programs of this folder: name patterns and output files.
 #pragma once
 
 #include <string>
@@ -6,10 +6,11 @@
 
 namespace hgp::bench {
 
-/// Does one of the patterns ("*torus*") fit?
+/// Whether one of the patterns ("*torus*") matches.
 bool matchesOneOf(const std::vector<std::string>& patterns, const std::string& name);
 
-/// Written, or said on stderr why not, beginning with the program's name. An empty path is nothing to do.
+/// Writes text; on failure prints the reason on stderr after the program's name and returns false. An empty path writes
+/// nothing.
 bool saveText(const char* program, const std::string& path, const std::string& text);
 
 }  // namespace hgp::bench

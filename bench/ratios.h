@@ -1,4 +1,4 @@
-// One number of two maps, over many surfaces.  Role: the summaries of bench/distortion and bench/compare.
+// Ratios of a measurement of two maps over many surfaces.  Role: the summaries of bench/distortion and bench/compare.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace hgp::bench {
 
-/// Numbers of maps that ratios are made of.
+/// The measurements of maps for which ratios are computed.
 inline double excessOf(const MeasuredMap& m) { return m.excess; }
 inline double energyOf(const MeasuredMap& m) { return 4.0 + m.excess; }
 inline double muOf(const MeasuredMap& m) { return m.meanMu; }
@@ -23,7 +23,7 @@ class Ratios {
   using Number = std::function<double(const MeasuredMap&)>;
   using Pair = std::function<bool(const SurfaceRow&, const MeasuredMap& of, const MeasuredMap& to)>;
 
-  /// Over the surfaces that have both maps, where `counts` says so and the base is positive.
+  /// Over the surfaces that have both maps, satisfy `counts` and have a positive denominator.
   Ratios(const std::vector<SurfaceRow>& rows, const std::string& of, const std::string& to,
          const Number& number, const Pair& counts);
 

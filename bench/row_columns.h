@@ -17,7 +17,7 @@ template <class Row, class Each>
 void readColumns(const nlohmann::json& in, Row& row, const Each& eachColumn) {
   eachColumn(row, [&](const char* name, auto& member) {
     const nlohmann::json& value = in.at(name);
-    if (!value.is_null()) value.get_to(member);  // what is not finite has no JSON
+    if (!value.is_null()) value.get_to(member);  // JSON has null for numbers that are not finite
   });
 }
 

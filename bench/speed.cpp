@@ -1,5 +1,5 @@
-// speed [--runs N] [--shared DIR] [--only NAME …]: whole runs, file to certified file, stage by stage,
-// beside the yardstick of the same mesh in the same minutes. Prints the table of bench/RESULTS.md.
+// speed [--runs N] [--shared DIR] [--only NAME …]: times of whole runs, from file to certified file, by stage,
+// compared with the yardstick of the same mesh measured at the same time. Prints the table of bench/RESULTS.md.
 
 #include <unistd.h>
 

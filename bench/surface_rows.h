@@ -1,4 +1,4 @@
-// One connected surface and its maps, as the verifier measures them.  Role: the rows of bench/distortion and
+// Measurements of the maps of one connected surface by the verifier.  Role: the rows of bench/distortion and
 // bench/compare.
 #pragma once
 
@@ -12,22 +12,22 @@ namespace hgp::bench {
 /// One map.
 struct MeasuredMap {
   std::string name;
-  std::string verdict;  ///< "certified", or in a few words why not
+  std::string verdict;  ///< "certified", or briefly why not
   int cones = 0;
   bool isCertified = false;
   int flipped = 0;      ///< triangles that are not positive; distortion is measured without them
   int wrongAngles = 0;  ///< vertices and loops
   double meanMu = 0, p95Mu = 0;
   double sigma = 0;    ///< standard deviation of log₂ of the area scale
-  double excess = 0;   ///< symmetric Dirichlet above an isometry's 4, at the best global scale
-  int steps = 0;       ///< of a descent; programs of a solve
-  double seconds = 0;  ///< processor time; of a descent what it adds to the plain run
+  double excess = 0;   ///< symmetric Dirichlet energy minus 4, at the best global scale
+  int steps = 0;       ///< steps of a descent, or programs of a solve
+  double seconds = 0;  ///< processor time; of a descent, in addition to the plain run
   std::string note;
 };
 
 struct SurfaceRow {
   std::string name, failure;
-  std::string choice;  ///< of cones, where there is more than one
+  std::string choice;  ///< of cones, if there is more than one
   int triangles = 0, genus = 0, loops = 0, q = 0;
   std::vector<MeasuredMap> maps;
 

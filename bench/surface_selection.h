@@ -1,4 +1,4 @@
-// The surfaces that a comparison runs over.  Role: a folder of files, or surfaces from a seed.
+// The surfaces of a comparison: a folder of files, or random surfaces from a seed.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -13,7 +13,7 @@ namespace hgp::bench {
 
 struct SurfaceSelection {
   std::string folder;
-  int generated = 0;  ///< so many from a seed instead of the folder
+  int generated = 0;  ///< > 0: this many random surfaces instead of the folder
   std::uint64_t seed = 1;
   std::vector<std::string> only, skip;
   int smallest = 0, largest = 0;  ///< triangles; largest 0: any
@@ -22,9 +22,8 @@ struct SurfaceSelection {
   bool isUsable() const;  ///< a folder that exists, or generated ones
 };
 
-/// Every connected component by itself, of files the smallest first ("torus.obj", "many.obj #3"); of
-/// generated ones every genus to 6, closed and with holes, as bench/stress draws them ("7/surface 3").
-/// What is refused is left out.
+/// Visits every connected component: of files, smallest first ("torus.obj", "many.obj #3"), or random surfaces of
+/// genus up to 6, closed and with holes, as in bench/stress ("7/surface 3"). Refused meshes are skipped.
 void eachSurface(const SurfaceSelection& selection,
                  const std::function<void(const std::string& name, const TriMesh& mesh)>& visit);
 

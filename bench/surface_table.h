@@ -1,4 +1,5 @@
-// A table that grows by a surface at a time.  Role: each in a process of its own, printed when it is known.
+// A table to which one surface is added at a time.  Role: measures each in a separate process and prints its rows
+// immediately.
 #pragma once
 
 #include <functional>
@@ -11,10 +12,10 @@ namespace hgp::bench {
 
 class SurfaceTable {
  public:
-  /// @param lines  Markdown of a row; @param cpuSeconds  that a row may take
+  /// @param lines  Markdown of a row; @param cpuSeconds  limit for a row
   SurfaceTable(const std::string& head, std::string (*lines)(const SurfaceRow&), double cpuSeconds);
 
-  /// What work() returns, or `blank` with the reason why there is nothing. Rows without maps and without a
+  /// Adds the result of work() or, if it fails, `blank` with the reason. Rows without maps and without a
   /// reason are left out.
   void add(SurfaceRow blank, const std::function<SurfaceRow()>& work);
 

@@ -1,5 +1,5 @@
-// A program that prints a table of surfaces.  Role: the options and the ends that bench/compare and
-// bench/distortion have in common.
+// A program that prints a table of surfaces.  Role: the common options and output of bench/compare and
+// bench/distortion.
 #pragma once
 
 #include <string>
@@ -12,18 +12,18 @@ namespace hgp::bench {
 struct TableProgram {
   const char* name;  ///< "compare"
   SurfaceSelection surfaces;
-  std::string json, markdown;  ///< where to write rows and tables, empty: nowhere
-  double cpuSeconds = 600.0;   ///< of a surface
+  std::string json, markdown;  ///< files for rows and tables; empty: not written
+  double cpuSeconds = 600.0;   ///< limit for a surface
 
   void addOptions(CLI::App& app);
-  /// Whether there is something to run over; says so on stderr where there is not.
+  /// Whether there are surfaces; if not, prints an error on stderr.
   bool isUsable() const;
-  /// Prints the sums and writes what was asked for.
-  /// @return the exit code: 7 where something could not be written
+  /// Prints the sums and writes the requested files.
+  /// @return the exit code: 7 if a file could not be written
   int finish(const std::string& sums, const SurfaceTable& table) const;
 };
 
-/// main() of such a program: what is thrown ends it with 70.
+/// main() of such a program: an exception ends it with exit code 70.
 int runTableProgram(const char* name, int (*run)(int, char**), int argc, char** argv);
 
 }  // namespace hgp::bench

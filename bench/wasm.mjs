@@ -1,5 +1,5 @@
-// node bench/wasm.mjs [--runs N] [FACES …]: WebAssembly against the native program without run-time
-// dispatch, in one run, as the table of bench/WASM.md. Needs build/package and
+// node bench/wasm.mjs [--runs N] [FACES …]: compares WebAssembly with the native program without run-time
+// dispatch and prints the table of bench/WASM.md. Needs build/package and
 //   cmake --preset native-baseline && cmake --build --preset native-baseline
 
 import { execFileSync } from 'node:child_process';
@@ -33,7 +33,7 @@ const kinds = {
   'genus 1': (faces) => toObj(blocks(ring, { n: Math.round(Math.sqrt(faces / 64)) })),
 };
 
-/** The report of `hgp param`. The program states the seconds of the solve itself, as the package does. */
+/** The report of `hgp param`, which contains the seconds of the solve, as that of the package does. */
 function runNative(file) {
   const report = path.join(folder, 'report.json');
   const out = path.join(folder, 'out.obj');
@@ -44,7 +44,7 @@ function runNative(file) {
 
 const { createClient } = await import(packaged);
 const client = await createClient();
-await new Promise((done) => setTimeout(done, 1000)); // it warms up meanwhile
+await new Promise((done) => setTimeout(done, 1000)); // it warms up in the meantime
 
 const stages = ['prepare', 'cones', 'connection', 'field', 'cut', 'assemble', 'solve'];
 const head = ['mesh', 'faces', 'native s', 'WASM first s', 'WASM s', 'ratio', 'same result'];
@@ -60,7 +60,7 @@ for (const faces of sizes) {
     const seconds = { native: [], wasm: [] };
     let times = [];
     let isSame = true;
-    // Turn and turn about, so that whatever else the machine does hits both.
+    // Alternating, so that other load on the machine affects both.
     for (let i = 0; i < Number(values.runs); i++) {
       const a = runNative(file);
       const b = (await client.parametrize({ q: 4 })).report;
@@ -74,7 +74,7 @@ for (const faces of sizes) {
     worst = Math.max(worst, w / n);
     const cells = [kind, triangles, n.toFixed(2), seconds.wasm[0].toFixed(2), w.toFixed(2)];
     const spent = (stage) => times.find((t) => t.stage === stage)?.seconds.toFixed(2) ?? '';
-    // Of the whole process, so that it never falls from one row to the next.
+    // The peak of the whole process, which never decreases from one row to the next.
     const peak = Math.round((process.resourceUsage().maxRSS * 1024) / 1e6);
     cells.push((w / n).toFixed(2), isSame ? 'yes' : 'NO', ...stages.map(spent), peak);
     console.log(`| ${cells.join(' | ')} |`);

@@ -1,4 +1,4 @@
-// What one factorization of the mesh's Laplacian costs elsewhere.  Role: the unit of bench/speed, so
+// The time of one factorization of the mesh's Laplacian by another library.  Role: the unit of bench/speed, so
 // that figures of different machines and days can be compared.
 #pragma once
 

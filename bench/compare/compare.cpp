@@ -1,5 +1,5 @@
-// compare DIR | --generated N: maps with the same cones by our methods, by the programs that they come from, by a
-// harmonic map without frames and by a discrete conformal metric, each measured by the verifier.
+// compare DIR | --generated N: compares maps with the same cones by our methods, by the programs on which these are
+// based, by a harmonic map without frames and by a discrete conformal metric, each measured by the verifier.
 
 #include "method_table.h"
 #include "methods.h"

@@ -10,17 +10,17 @@
 namespace hgp::bench {
 namespace {
 
-/// A step is taken where E still falls at its end, or rises by at most this share of the first slope.
+/// A step is accepted if E still decreases at its end, or increases with at most this fraction of the initial slope.
 constexpr double kLargestRise = 0.1;
 constexpr double kShortestNewtonStep = 1e-12;
-/// Below this residual a step that does not halve it is the last: what is left is rounding.
+/// Below this residual, a step that does not halve it is the last: the rest is rounding.
 constexpr double kRounding = 1e-9;
-/// Of the mean diagonal, added where broken triangles leave rows empty.
+/// Fraction of the mean diagonal that is added to rows left empty by broken triangles.
 constexpr double kRegular = 1e-9;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// Angles of a triangle, per corner; false where the inequality is broken.
+/// The angles of a triangle, per corner; false if the triangle inequality is violated.
 bool cornerAngles(const std::array<double, 3>& opposite, std::array<double, 3>& angle) {
   for (std::size_t k = 0; k < 3; ++k) {
     const double a = opposite[k], b = opposite[(k + 1) % 3], c = opposite[(k + 2) % 3];
@@ -50,7 +50,7 @@ class Energy {
                                     turnAngle(spec.turning[j], spec.q);
   }
 
-  /// ∂E/∂u, and the angles that the Hessian is made of.
+  /// ∂E/∂u; also sets the angles from which the Hessian is computed.
   Eigen::VectorXd gradient(const Eigen::VectorXd& u) {
     Eigen::VectorXd g = asked_;
     broken_ = 0;
@@ -63,7 +63,7 @@ class Energy {
   }
   int broken() const { return broken_; }
 
-  /// Over the nodes but the first, which is held: E does not change with the size of the whole.
+  /// The Hessian over all nodes except the first, which is held fixed because E is invariant under scaling.
   Eigen::SparseMatrix<double> hessian() const {
     const int n = surface_.nodeCount - 1;
     std::vector<Eigen::Triplet<double>> entries;
@@ -71,7 +71,7 @@ class Energy {
     double trace = 0.0;
     for (FaceId f : mesh_.faces())
       for (int k = 0; k < 3; ++k) {
-        // Broken triangles keep their places in the pattern.
+        // Broken triangles keep their entries in the sparsity pattern.
         const double alpha = angle_[f][at(k)];
         const bool isBroken = alpha <= 0.0 || alpha >= kPi;
         const double w = isBroken ? 0.0 : 0.5 / std::tan(alpha);
@@ -89,7 +89,7 @@ class Energy {
     return h;
   }
 
-  /// l̃, at the size that u says.
+  /// The lengths l̃ for u.
   PerHalfedge<double> lengths(const Eigen::VectorXd& u) const {
     PerHalfedge<double> length = geometry_.length;
     for (FaceId f : mesh_.faces())
@@ -102,7 +102,7 @@ class Energy {
  private:
   int nodeOf(FaceId f, int k) const { return surface_.node[mesh_.tail(TriMesh::halfedge(f, k))]; }
 
-  /// Opposite corner 0, 1, 2, up to a common factor: u may range over more than a double does.
+  /// Lengths opposite to corners 0, 1 and 2, up to a common factor, because e^u may exceed the range of doubles.
   std::array<double, 3> oppositeLengths(const Eigen::VectorXd& u, FaceId f) const {
     std::array<double, 3> opposite{};
     const double middle = (u[nodeOf(f, 0)] + u[nodeOf(f, 1)] + u[nodeOf(f, 2)]) / 3.0;
@@ -122,7 +122,7 @@ class Energy {
   int broken_ = 0;
 };
 
-/// Towards `change` until E has nearly stopped to fall; false where no step is short enough. Leaves the
+/// Moves along `change` while E decreases; false if no step is short enough. Leaves the
 /// energy's angles at the new u.
 bool descend(Energy& energy, const Eigen::VectorXd& change, Eigen::VectorXd& u,
              Eigen::VectorXd& gradient) {

@@ -10,7 +10,7 @@
 namespace hgp::bench {
 namespace {
 
-/// In the order in which they first appear.
+/// Distinct names in the order of their first occurrence.
 template <class Name>
 std::vector<std::string> distinct(const std::vector<SurfaceRow>& rows, const Name& nameOf) {
   std::vector<std::string> names;
@@ -27,7 +27,7 @@ std::vector<std::string> methodsOf(const std::vector<SurfaceRow>& rows) {
   });
 }
 
-/// "12/14 (+2)": certified of tried, and maps without flips and with the cones asked for whose seams are open.
+/// "12/14 (+2)": certified of attempted maps, and maps without flips and with the prescribed cones but with open seams.
 std::string certifiedOf(const std::vector<SurfaceRow>& rows, const std::string& method,
                         const std::string& choice, bool hasHandles) {
   int certified = 0, tried = 0, open = 0;

@@ -1,4 +1,4 @@
-// Rows as text for people.  Role: what bench/compare prints.
+// Tables of bench/compare.  Role: converts rows to Markdown.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@ namespace hgp::bench {
 std::string methodHead();
 std::string methodLines(const SurfaceRow& row);
 
-/// How many each method certifies, per choice of cones, genus 0 and handles apart; then medians of
-/// distortion and time beside those of `auto`, over the surfaces that both certify.
+/// How many maps each method certifies, per choice of cones, separately for genus 0 and higher genus; then medians of
+/// distortion and time compared with `auto`, over the surfaces that both certify.
 std::string methodSummary(const std::vector<SurfaceRow>& rows);
 
 }  // namespace hgp::bench

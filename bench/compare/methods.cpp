@@ -33,7 +33,7 @@ double distance(const Vec3& a, const Vec3& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/// Four vertices, each as far as can be from those before.
+/// Four vertices, each as far as possible from the previous ones.
 HolonomySpec orbifoldCones(const TriMesh& mesh) {
   HolonomySpec spec;
   spec.q = 2;
@@ -93,15 +93,15 @@ class Comparison {
     add(methodName(method), parametrize(mesh_, toSpec(spec_), options));
   }
 
-  /// Of all disks the boundary is a regular polygon, and neither cones nor turning are as asked.
+  /// Maps a disk to a regular polygon; its boundary turning is not the prescribed one.
   void convex() {
     begin();
     add(kConvex, parametrizeConvex(mesh_, {}));
     row_.maps.back().cones = 0;
   }
 
-  /// The harmonic rows and the seams' rotations alone; of all such maps the most conformal one, which is the
-  /// only one on orbifolds [Aigerman and Lipman 2015].
+  /// Only the harmonic rows and the seams' rotations; of all such maps the most conformal one, which on orbifolds is
+  /// the only one [Aigerman and Lipman 2015].
   void withoutFrames() {
     begin();
     std::vector<StageTime> times;

@@ -7,7 +7,7 @@
 namespace hgp::bench {
 namespace {
 
-/// Of a triangle's angle at the tail of h.
+/// A triangle's angle at the tail of h.
 double angleAt(const PerHalfedge<double>& length, HalfedgeId h) {
   const double a = length[TriMesh::next(h)], b = length[h], c = length[TriMesh::previous(h)];
   const double left = std::max(0.0, (a - b + c) * (a + b - c));
@@ -26,8 +26,8 @@ std::vector<Complex> unfold(const TriMesh& mesh, const CutMesh& cut,
   const auto copyAt = [&](HalfedgeId h) { return static_cast<std::size_t>(cut.copy[h].i); };
   std::vector<FaceId> queue;
   queue.reserve(static_cast<std::size_t>(mesh.faceCount()));
-  // Directions add up angles and positions add up edges: built on differences of positions instead, errors
-  // would be multiplied at every thin triangle.
+  // Directions are sums of angles and positions are sums of edges: if they were computed from differences of positions,
+  // every thin triangle would amplify errors.
   const auto lay = [&](HalfedgeId h, double towards) {
     const FaceId f = TriMesh::face(h);
     if (isSeen[f]) return;

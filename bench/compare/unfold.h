@@ -1,4 +1,4 @@
-// A flat metric with cones, laid out.  Role: from the lengths of a conformal method to a map of the cut surface.
+// Lays out a flat metric with cones in the plane.  Role: converts lengths of a conformal method to a map.
 #pragma once
 
 #include "hgp/cut/cut_mesh.h"

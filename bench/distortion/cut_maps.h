@@ -1,5 +1,5 @@
-// The unknowns of a map that is already there.  Role: comparators start from our map, on our cut, with our
-// unknowns or with one per copy of a vertex.
+// The unknowns of an existing map.  Role: other methods start from our map, on our cut, with our
+// unknowns or with one unknown per copy of a vertex.
 #pragma once
 
 #include "hgp/improve/face_terms.h"
@@ -7,16 +7,16 @@
 
 namespace hgp::bench {
 
-/// One complex unknown per copy: nothing holds the two sides of a seam together.
+/// One complex unknown per copy: the two sides of a seam are independent.
 ReducedUnknowns freeUnknowns(const CutMesh& cut);
 
-/// x with copies · x = uv, by least squares; the largest gap of a copy in `gap`.
+/// x with copies · x = uv, by least squares. @param gap  receives the largest deviation of a copy
 Eigen::VectorXcd unknownsOf(const ReducedUnknowns& unknowns, const UvMap& map, double& gap);
 
-/// Scale of a map at which its symmetric Dirichlet energy against the surface is least.
+/// The scale of a map at which its symmetric Dirichlet energy relative to the surface is minimal.
 double dirichletScale(const FaceTerms& terms, const Eigen::VectorXcd& free);
 
-/// Two copies far apart on the surface, for maps that need two points held.
+/// Two copies far apart on the surface, for maps in which two points must be fixed.
 std::pair<int, int> farApart(const TriMesh& mesh, const CutMesh& cut);
 
 }  // namespace hgp::bench

@@ -1,5 +1,5 @@
-// distortion DIR | --generated N: how far maps are from angle and area preserving, as solved, improved, and
-// as others improve them on the same cut; or with other choices of cones (--cones).
+// distortion DIR | --generated N: the distortion of angles and areas of maps as solved, as improved, and as improved by
+// other methods on the same cut; or for different choices of cones (--cones).
 
 #include "distortion_run.h"
 #include "distortion_table.h"
@@ -28,7 +28,7 @@ std::string counts(const std::vector<SurfaceRow>& rows) {
                     rows.size(), plain, improved, asked);
 }
 
-/// Every order, each in a process of its own.
+/// Measures a surface for every order q, each in a separate process.
 void addSurface(const Arguments& a, const std::string& name, const TriMesh& mesh,
                 SurfaceTable& table) {
   for (const int q : a.q) {

@@ -13,7 +13,7 @@
 namespace hgp::bench {
 namespace {
 
-/// A surface with its cones and its plain map, on which everything else is measured.
+/// A surface with its cones and its plain map, with which all other maps are compared.
 class Comparison {
  public:
   Comparison(const TriMesh& mesh, SurfaceRow& row) : mesh_(mesh), row_(row) {
@@ -37,7 +37,7 @@ class Comparison {
     return true;
   }
 
-  /// What the improvement adds is the time from its beginning to the end of the run.
+  /// Measures an improved map; its time is that from the start of the improvement to the end of the run.
   void improve(const char* name, double balance) {
     ParametrizeOptions options;
     options.improve.emplace().balance = balance;
@@ -56,7 +56,7 @@ class Comparison {
     if (!run->improvement->isKept) row_.maps.back().note += ", not kept";
   }
 
-  /// The cut and the unknowns of the plain map. False where they do not reproduce it.
+  /// Computes the cut and the unknowns of the plain map; false if they do not reproduce it.
   bool setUp() {
     std::vector<StageTime> times;
     Result<SeamlessSetup> setup = prepareSeamless(*surface_, toSpec(spec_), {}, times);

@@ -1,4 +1,4 @@
-// One connected surface, mapped in every way that is compared.  Role: the measurement of bench/distortion.
+// Maps one connected surface in all ways to be compared.  Role: the measurements of bench/distortion.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace hgp::bench {
 struct DistortionOptions {
   int q = 4;
   bool hasComparators = true;  ///< SLIM and least-squares conformal maps as well
-  double slimSeconds = 60.0;   ///< processor time of each SLIM
+  double slimSeconds = 60.0;   ///< limit on the processor time of each SLIM run
 };
 
 /// Names of the maps.
@@ -22,7 +22,7 @@ inline constexpr const char* kSeamlessSlim = "SLIM, seams held";
 inline constexpr const char* kFreeSlim = "SLIM, seams free";
 inline constexpr const char* kLscm = "LSCM, seams free";
 
-/// Automatic cones; the map as solved and improved, and the comparators on the same cut.
+/// With automatic cones: the map as solved and improved, and the other methods on the same cut.
 SurfaceRow compareMaps(const std::string& name, const TriMesh& mesh,
                        const DistortionOptions& options);
 

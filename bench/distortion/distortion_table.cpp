@@ -7,7 +7,7 @@
 namespace hgp::bench {
 namespace {
 
-/// Where the plain map is worth comparing with, and nothing was cut short.
+/// Whether the plain map has enough distortion for a comparison, and no run was cut short.
 bool isMeasurable(const SurfaceRow& row, const MeasuredMap& a, const MeasuredMap& b) {
   const MeasuredMap& plain = row.maps.front();
   return plain.isCertified && plain.excess >= kMeasurableExcess && a.note != "time limit" &&

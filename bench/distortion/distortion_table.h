@@ -1,4 +1,4 @@
-// Rows as text for people.  Role: what bench/distortion prints.
+// Tables of bench/distortion.  Role: converts rows to Markdown.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@ namespace hgp::bench {
 std::string distortionHead();
 std::string distortionLines(const SurfaceRow& row);
 
-/// Medians and worst cases of what is asked of the improvement, as a Markdown table: over surfaces with more
-/// than kMeasurableExcess, a certified plain map and the maps that are compared.
+/// Medians and worst cases of the requested kinds of distortion, as a Markdown table: over surfaces with more
+/// than kMeasurableExcess that have a certified plain map and the compared maps.
 std::string improvementSummary(const std::vector<SurfaceRow>& rows);
-/// The same for choices of cones, against those of the smoothest field.
+/// The same for choices of cones, compared with those of the smoothest field.
 std::string coneSummary(const std::vector<SurfaceRow>& rows);
 inline constexpr double kMeasurableExcess = 1e-3;
 

@@ -33,7 +33,7 @@ class GridComparison {
     row.loops = static_cast<int>(surface.topology().loops.size());
   }
 
-  /// Without a grid; false where there is nothing to align.
+  /// Measures the map without a grid; false if there is nothing to align.
   bool plain(const char* kind) {
     const std::optional<Parametrization> run = solve(kind, nullptr);
     if (!run || !run->isCertified) return false;
@@ -99,7 +99,7 @@ class GridComparison {
   double seconds_ = 0.0;
 };
 
-/// Sorted values of one column.
+/// A table row with quantiles of one column.
 std::string quantiles(const std::string& label, std::vector<double> values) {
   if (values.empty()) return "| " + label + " | 0 | | | | | |\n";
   std::sort(values.begin(), values.end());
@@ -111,7 +111,7 @@ std::string quantiles(const std::string& label, std::vector<double> values) {
                     values.back());
 }
 
-/// One map of every row against that of the run without a grid.
+/// Compares one map of every row with that of the run without a grid.
 class AgainstPlain {
  public:
   AgainstPlain(const std::vector<SurfaceRow>& rows, const char* kind, const std::string& name)

@@ -12,9 +12,9 @@ namespace {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-/// Weight of staying where one is, relative to the mean diagonal: turning and moving the map is free.
+/// Weight of the proximal term relative to the mean diagonal, needed because rigid motions do not change the energy.
 constexpr double kProximal = 1e-6;
-/// Of the way to the first degenerate triangle, at most this share is gone.
+/// Maximum step as a fraction of the step at which the first triangle degenerates.
 constexpr double kDegeneracyShare = 0.8;
 constexpr double kShortestStep = 1e-9;
 
@@ -32,7 +32,7 @@ double meanEnergy(const FaceTerms& terms, const FaceParts& parts) {
   return sum;
 }
 
-/// The proxy of one triangle. W c = a c + b c̄ for a vector c of the plane, so that with P = p − r and r the
+/// The proxy energy of one triangle. W c = a c + b c̄ for a vector c of the plane, so that with P = p − r and r the
 /// rotation, ‖W (J − R)‖² = 2 (|a P + b m̄|² + |a m + b P̄|²).
 struct Proxy {
   double a;
@@ -54,7 +54,7 @@ class GlobalStep {
  public:
   explicit GlobalStep(const FaceTerms& terms) : terms_(terms) {}
 
-  /// Where the proxies around `parts` are least, as a change of y.
+  /// The minimiser of the proxy energies around `parts`, as a change of y.
   Eigen::VectorXcd change(const FaceParts& parts) {
     const Eigen::Index n = 2 * static_cast<Eigen::Index>(terms_.freeCount());
     entries_.clear();
@@ -121,14 +121,14 @@ class GlobalStep {
   Eigen::SimplicialLDLT<SparseMatrix> solver_;
 };
 
-/// y and what follows from it.
+/// y and the quantities computed from it.
 struct State {
   Eigen::VectorXcd y;
   FaceParts parts;
   double energy = 0.0;
 };
 
-/// Halved from the longest step without a degenerate triangle until the energy is lower.
+/// Line search: starts with the longest step without a degenerate triangle, and halves it until the energy decreases.
 bool descend(const FaceTerms& terms, const Eigen::VectorXcd& change, State& state) {
   FaceParts changes;
   evaluateParts(terms, change, true, changes);

@@ -1,5 +1,5 @@
-// Local/global descent of symmetric Dirichlet, as others do it.  Role: what `--improve isometric` is
-// measured beside; shares the linear forms of a triangle with it and nothing of the descent.
+// Local/global minimisation of the symmetric Dirichlet energy (SLIM).  Role: for comparison with `--improve
+// isometric`; shares the linear forms of a triangle with it, but nothing of the descent.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 namespace hgp::bench {
 
 struct SlimOptions {
-  /// Ends when a step lowers the energy's excess over an isometry by less than this share of it.
+  /// Ends when a step lowers the energy's excess over an isometry by less than this fraction.
   double relativeDecrease = 1e-3;
   int maxSteps = 60;
   double maxSeconds = 0.0;  ///< of processor time; 0 = no limit
@@ -25,7 +25,7 @@ struct SlimResult {
 /// Scalable locally injective mappings (Rabinovich, Poranne, Panozzo and Sorkine-Hornung 2017). With
 /// J = U diag(σ) Vᵀ per triangle and R = U Vᵀ, a step minimizes
 ///   Σ A ‖W (J(y) − R)‖²,  W = U diag(w) Uᵀ,  w_i² = (σ_i − σ_i⁻³)/(σ_i − 1) = (1 + σ_i)(1 + σ_i²)/σ_i³,
-/// and goes towards it as far as no triangle degenerates and the energy decreases.
+/// followed by a line search in which no triangle degenerates and the energy decreases.
 /// @param terms  f_z and f_z̄ over the unknowns: reduced ones (seams stay exact) or one per copy (free)
 /// @pre no triangle is degenerate or flipped at `start`
 SlimResult slim(const FaceTerms& terms, const Eigen::VectorXcd& start, const SlimOptions& options);

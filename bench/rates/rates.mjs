@@ -1,8 +1,8 @@
 // node bench/rates/rates.mjs FOLDER… [--hgp PROGRAM] [--limit SECONDS] [--json FILE]
 //
-// Every glTF and polygon file below the folders through `hgp param` without options, in 2 GB of address space:
-// how many are certified, which are slow, which are refused and why. What is written is checked again by code of its own
-// (tests/support/check_file.mjs): the sign of every stored triangle, and the two sides of every edge.
+// Runs `hgp param` without options, in 2 GB of address space, on every glTF and polygon file below the folders, and
+// reports how many are certified, which are slow, and which are refused and why. Written files are checked by
+// independent code (tests/support/check_file.mjs): the sign of every stored triangle, and the two sides of every edge.
 
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
@@ -42,14 +42,14 @@ const meaning = {
   8: 'limit',
 };
 
-/** Triangles of a report of one mesh or of all. */
+/** Number of triangles in a report of one or all meshes. */
 function trianglesOf(report) {
   if (!report) return 0;
   const list = report.meshes ? report.meshes.map((m) => m.document) : [report];
   return list.reduce((n, one) => n + (one.certificate?.stored?.triangles ?? 0), 0);
 }
 
-/** What a report says is outside its certificate: those triangles may lie as they like. */
+/** Triangles that a report states to be outside its certificate, whose orientation is not checked. */
 function outsideOf(report) {
   const list = report.meshes ? report.meshes.map((m) => m.document) : [report];
   return list.reduce((n, { certificate }) => {
@@ -82,7 +82,7 @@ async function runOne(file, kind) {
     document = undefined;
   }
   const one = { file, kind, seconds, code: run.status, triangles: trianglesOf(document) };
-  // Asked to stop it says so.
+  // A run that is stopped reports a timeout.
   const isTooLong = run.error?.code === 'ETIMEDOUT';
   one.outcome = isTooLong ? `over ${values.limit} s` : (meaning[run.status] ?? `${run.status}`);
   const lines = (run.stderr ?? '').split('\n').filter((line) => line.startsWith('hgp: '));

@@ -11,7 +11,7 @@ namespace {
 
 using namespace hgp::models;
 
-/// Triangles with the lists of those around each vertex; removed ones have corner −1.
+/// Triangles, and the triangles around each vertex; removed triangles have corners −1.
 class Collapser {
  public:
   explicit Collapser(const MeshData& mesh) : mesh_(mesh), around_(mesh.positions.size()) {
@@ -21,7 +21,7 @@ class Collapser {
 
   int triangleCount() const { return static_cast<int>(mesh_.triangles.size()) - removed_; }
 
-  /// Corner `corner` of triangle t and the next one, into their middle.
+  /// Collapses the edge from corner `corner` of triangle t to the next corner into its midpoint.
   bool collapse(int t, int corner) {
     const auto& triangle = mesh_.triangles[at(t)];
     const int a = triangle[at(corner)], b = triangle[at((corner + 1) % 3)];
@@ -69,7 +69,7 @@ class Collapser {
         if (w != v) found.insert(w);
     return found;
   }
-  /// As many neighbours as triangles.
+  /// Whether v is interior: it has as many neighbours as triangles.
   bool isInterior(int v, const std::set<int>& ring) const {
     return ring.size() == around_[at(v)].size();
   }

@@ -1,4 +1,4 @@
-// Random edge collapses.  Role: coarse meshes of any genus, with the triangles that they have.
+// Random edge collapses.  Role: coarse meshes of any genus with realistic triangles.
 #pragma once
 
 #include "hgp/mesh/mesh_data.h"
@@ -6,8 +6,8 @@
 
 namespace hgp::stress {
 
-/// Random edges between interior vertices collapsed to their middles until `triangles` are left or
-/// none can be collapsed without changing the topology (link condition).
+/// Collapses random edges between interior vertices to their midpoints until `triangles` are left or
+/// no edge can be collapsed without changing the topology (link condition).
 MeshData decimated(const MeshData& mesh, int triangles, Random& random);
 
 }  // namespace hgp::stress

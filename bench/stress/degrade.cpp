@@ -37,7 +37,7 @@ void addNoise(MeshData& mesh, double amount, Random& random) {
 }
 
 void addSlivers(MeshData& mesh, double height, Random& random) {
-  // Every triangle once at most: a sliver of a sliver would have no area.
+  // Each triangle at most once, because a sliver of a sliver would have no area.
   const auto whole = mesh.triangles.size();
   std::vector<char> isCut(whole, 0);
   for (std::size_t n = 0; n < std::min<std::size_t>(100, whole); ++n) {
@@ -63,7 +63,7 @@ void addSpikes(MeshData& mesh, double length, Random& random) {
   }
 }
 
-/// Away from the neighbours on the surface, in its plane.
+/// Moves boundary vertices away from their neighbours, within the surface's plane there.
 bool addNeedles(MeshData& mesh, double length, Random& random) {
   const auto surface = buildTriMesh(mesh);
   if (!surface) return false;

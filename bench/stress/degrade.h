@@ -1,4 +1,5 @@
-// Meshes made worse on purpose, the surface kept.  Role: what scanners, modellers and simplifiers do.
+// Degrades meshes on purpose without changing the surface's topology.  Role: simulates scanners, modellers and
+// simplifiers.
 #pragma once
 
 #include <optional>
@@ -10,7 +11,7 @@
 
 namespace hgp::stress {
 
-/// One kind of harm at one strength.
+/// One kind of degradation at one level.
 struct Harm {
   std::string kind;    ///< noise, anisotropy, decimation, slivers, spikes, needles
   double level = 0.0;  ///< see degraded()
@@ -22,7 +23,7 @@ const std::vector<Harm>& harms();
 /// noise: every vertex moved by at most `level` mean edges. anisotropy: one axis × level. decimation:
 /// random edges collapsed to `level` of the triangles. slivers: up to 100 vertices added at `level` heights
 /// from an edge. spikes: ten vertices moved out by `level` mean edges; needles: ten boundary
-/// vertices. Connectivity stays manifold. Nothing where the harm does not apply.
+/// vertices. Connectivity stays manifold. Empty if this kind does not apply to the mesh.
 std::optional<MeshData> degraded(const MeshData& mesh, const Harm& harm, Random& random);
 
 }  // namespace hgp::stress

@@ -17,7 +17,7 @@ int oneOf(const int (&values)[N], Random& random) {
   return values[random.below(static_cast<int>(N))];
 }
 
-/// Picks without putting back.
+/// Draws vertices without replacement.
 class VertexPool {
  public:
   explicit VertexPool(std::vector<VertexId> vertices) : left_(std::move(vertices)) {}
@@ -45,7 +45,7 @@ std::vector<VertexId> innerVertices(const TriMesh& mesh) {
   return found;
 }
 
-/// Vertices at most `reach` edges from the given ones, without them, breadth first.
+/// Vertices at most `reach` edges from the given ones, excluding these, in breadth-first order.
 std::vector<VertexId> around(const TriMesh& mesh, std::vector<VertexId> from, int reach) {
   PerVertex<char> isSeen(static_cast<std::size_t>(mesh.vertexCount()), 0);
   for (VertexId v : from) isSeen[v] = 1;
@@ -103,7 +103,7 @@ std::vector<VertexId> chooseVertices(const TriMesh& mesh, Family family, int cou
   return chosen;
 }
 
-/// Cone indices at `vertices` and turning indices that balance; empty where none do.
+/// Cone indices at `vertices` and turning indices that satisfy Lemma 6.2; empty if there are none.
 std::optional<HolonomySpec> drawIndices(const TriMesh& mesh, const Topology& topology, int q,
                                         Family family, const std::vector<VertexId>& vertices,
                                         Random& random) {

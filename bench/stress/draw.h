@@ -1,4 +1,4 @@
-// Random prescriptions, uniform over those that pass `check`.  Role: what people might ask for.
+// Random prescriptions, uniform over those that pass `check`.  Role: simulates what users might prescribe.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ enum class Family {
   kBig,           ///< k up to 3q, at least one from 2q on
   kAdjacent,      ///< in pairs 1 to 3 edges apart
   kNearBoundary,  ///< at most 2 edges from the boundary
-  kHandles,       ///< as kRandom, every handle rotation given
+  kHandles,       ///< as kRandom, with every handle rotation prescribed
 };
 inline constexpr Family kFamilies[] = {Family::kRandom,   Family::kFew,          Family::kBig,
                                        Family::kAdjacent, Family::kNearBoundary, Family::kHandles};
@@ -25,7 +25,7 @@ const char* familyName(Family family);
 
 /// q from {2, 3, 4, 5, 6, 8}; cones at random interior vertices; indices, and turning indices in
 /// [−2q, 2q], uniform over the integer vectors that satisfy Lemma 6.2; turning left open in half of
-/// the draws, handles in two thirds. Nothing where the family does not apply (no boundary, no
+/// the draws, handles in two thirds. Empty if the family does not apply (no boundary, no
 /// handle) or 50 draws did not pass checkPrescription.
 std::optional<HolonomySpec> draw(const TriMesh& mesh, const Topology& topology, Family family,
                                  Random& random);

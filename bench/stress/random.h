@@ -1,5 +1,5 @@
-// Random numbers that are the same on every machine.  Role: a draw is named by its text, "7/random/ring
-// 3/0", and can be drawn again alone.
+// Random numbers that are the same on every machine.  Role: a draw is identified by its name, "7/random/ring
+// 3/0", and can be reproduced alone.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace hgp::stress {
 
-/// SplitMix64, started from a hash (FNV-1a) of a name.
+/// SplitMix64, seeded with a hash (FNV-1a) of a name.
 class Random {
  public:
   explicit Random(std::string_view name) {

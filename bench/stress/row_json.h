@@ -1,4 +1,4 @@
-// Rows as JSON and back.  Role: what crosses from the child process, and what --json keeps.
+// Rows as JSON and back.  Role: results from child processes, and the output of --json.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,5 +1,5 @@
-// stress [DIR]: random prescriptions, on generated surfaces or on the meshes of a folder, whole or
-// damaged.  Role: how often there is no map; every failure comes with the command that shows it again.
+// stress [DIR]: random prescriptions on generated surfaces or on the meshes of a folder, intact or
+// degraded.  Role: measures how often no map is found; prints a command that reproduces each failure.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -47,7 +47,7 @@ std::vector<NamedSurface> generatedSurfaces(const Arguments& a) {
   for (int n = 0; n < a.surfaces; ++n) {
     const std::string name = formatText("surface %d", n);
     if (!isWanted(a.only, name)) continue;
-    // Every genus closed, as often with one hole, half as often with several.
+    // Every genus: closed, equally often with one hole, and half as often with several.
     const int genus = n % (a.maxGenus + 1), turn = n / (a.maxGenus + 1) % 5;
     const int holes = turn < 2 ? turn : turn == 2 ? 0 : turn == 3 ? 1 : 3;
     found.push_back(
@@ -58,7 +58,7 @@ std::vector<NamedSurface> generatedSurfaces(const Arguments& a) {
   return found;
 }
 
-/// Connected usable meshes; the others are none of this program's business.
+/// The connected usable meshes of a folder; others are skipped.
 std::vector<NamedSurface> readSurfaces(const Arguments& a) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(a.folder))
@@ -169,7 +169,7 @@ int run(const Arguments& a) {
     text += "\n" + stretchTable(stress.rows());
     if (!stress.reproducers().empty())
       text += "\nTo see the failures again:\n" + stress.reproducers();
-    // After every surface: tables that end early still say how far they came.
+    // Saved after every surface, so that an interrupted run leaves its results.
     isSaved = bench::saveText("stress", a.json, asJson(a, stress.rows())) &&
               bench::saveText("stress", a.markdown, text) && isSaved;
   }

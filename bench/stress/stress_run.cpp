@@ -93,7 +93,7 @@ void solve(Row& row, const Task& task, const RunOptions& options) {
   readReport(row, Json::parse(session.reportJson()), session.isCertified());
 }
 
-/// What the prescription will do to scale, before anything is solved.
+/// Predicts the range of scales from the prescription, before anything is solved.
 void predict(Row& row, const Task& task) {
   const auto mesh = buildTriMesh(task.data);
   if (!mesh) return;

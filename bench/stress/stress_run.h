@@ -1,4 +1,4 @@
-// One draw from its surface to its row.  Role: the measurement of bench/stress.
+// Runs one draw and measures it.  Role: the measurements of bench/stress.
 #pragma once
 
 #include <optional>
@@ -12,18 +12,18 @@ namespace hgp::stress {
 struct Task {
   std::string name;    ///< "7/random/surface 12/0": seed, family, mesh, number
   std::string mesh;    ///< "surface 12" or a file
-  std::string family;  ///< of prescriptions, or kind of harm and level
+  std::string family;  ///< of prescriptions, or kind and level of degradation
   MeshData data;
-  std::optional<HolonomySpec> spec;  ///< nothing: automatic cones, q = 4
+  std::optional<HolonomySpec> spec;  ///< empty: automatic cones, q = 4
 };
 
 enum class Verdict {
   kCertified,
-  kTooFine,    ///< every integer is right, but float64 cannot hold the map as the certificate asks
+  kTooFine,    ///< all integers are right, but float64 cannot represent the map well enough
   kTooCoarse,  ///< the check proves that the mesh has too few triangles for the angles
   kFailed,
   kLate,     ///< more processor time than allowed
-  kCrashed,  ///< also an error of the program
+  kCrashed,  ///< or an internal error
 };
 const char* verdictName(Verdict verdict);
 
@@ -33,7 +33,7 @@ struct Row {
   int triangles = 0, genus = 0, loops = 0;
   int q = 0, cones = 0, rounds = 0, flipped = 0;
   bool isAutomatic = false, areHandlesGiven = false;
-  bool isWarned = false;    ///< a note spoke of stretch
+  bool isWarned = false;    ///< a note warned of stretch
   double scaleRange = 0.0;  ///< of the cone metric: max u − min u
   double seconds = 0.0;     ///< processor time of parametrize() and of verifying
   double meanMu = 0.0, rmsLogArea = 0.0, symmetricDirichlet = 0.0;
@@ -45,10 +45,10 @@ struct RunOptions {
   api::SolveOptions solve;  ///< of every run
 };
 
-/// In a process of its own.
+/// Runs a task in a separate process.
 Row runApart(const Task& task, const RunOptions& options);
 
-/// Writes FOLDER/…obj and FOLDER/…cones.json; the command that shows the failure again, or why there
+/// Writes FOLDER/…obj and FOLDER/…cones.json; returns the command that reproduces the failure, or why there
 /// is none.
 std::string saveReproducer(const Task& task, const RunOptions& options, const std::string& folder);
 

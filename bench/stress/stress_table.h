@@ -1,4 +1,4 @@
-// Success by family and genus, by harm and by predicted stretch.  Role: what bench/stress prints.
+// Success rates by family and genus, by degradation and by predicted stretch.  Role: the tables of bench/stress.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace hgp::stress {
 
-/// Markdown. Maps that float64 cannot hold are counted apart, beside the share.
+/// A Markdown table. Maps that float64 cannot represent are counted separately, next to the rate.
 std::string familyTable(const std::vector<Row>& rows);
 std::string harmTable(const std::vector<Row>& rows);
 std::string stretchTable(const std::vector<Row>& rows);
 
-/// One line a run.
+/// One line per run.
 std::string lineOf(const Row& row);
 
 }  // namespace hgp::stress

@@ -16,7 +16,7 @@ namespace {
 
 using namespace hgp::models;
 
-/// Shapes to try for the asked genus; most often the first few have it.
+/// Maximum number of random shapes tried for a genus; usually one of the first few has it.
 constexpr int kTries = 80;
 
 struct Rod {
@@ -39,7 +39,7 @@ Vec3 pointIn(double size, Random& random) {
   return {random.between(-size, size), random.between(-size, size), random.between(-size, size)};
 }
 
-/// A tree of rods, and one arc over a detour for every handle.
+/// A tree of rods, and one additional arc for every handle.
 std::vector<Rod> randomRods(int genus, double thinnest, Random& random) {
   const int nodes = 3 + genus / 2 + random.below(3);
   std::vector<Vec3> at;
@@ -65,7 +65,7 @@ std::vector<Rod> randomRods(int genus, double thinnest, Random& random) {
   return rods;
 }
 
-/// Without the triangles that touch the ball; vertices renumbered.
+/// The mesh without the triangles that touch a ball, renumbered.
 MeshData withoutBall(const MeshData& whole, const Vec3& centre, double radius) {
   MeshData mesh;
   std::vector<int> image(whole.positions.size(), -1);
@@ -88,7 +88,7 @@ MeshData withoutBall(const MeshData& whole, const Vec3& centre, double radius) {
   return mesh;
 }
 
-/// Of one connected surface; nothing where it is none.
+/// The genus of a connected surface; empty if it is not one.
 std::optional<int> genusOf(const MeshData& data) {
   const auto mesh = buildTriMesh(data);
   if (!mesh) return {};

@@ -1,4 +1,4 @@
-// Surfaces from a seed.  Role: meshes that nobody has tuned to, and none that somebody else owns.
+// Random surfaces from a seed.  Role: meshes for which nothing was tuned, without third-party copyright.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 namespace hgp::stress {
 
-/// Rods along a random graph, grown together on a grid of 18 to 80 cells, so that some handles are a
-/// few triangles long; of several such shapes the first of the asked genus (the nearest where none
-/// is), `holes` balls cut out. One component, 400 to 20 000 triangles.
+/// Rods along a random graph, blended on a grid of 18 to 80 cells, so that some handles are only a
+/// few triangles long. Of several such shapes, the first with the requested genus (or else the nearest) is taken, and
+/// `holes` balls are cut out. One component, 400 to 20 000 triangles.
 MeshData randomSurface(const std::string& name, int genus, int holes);
 
 }  // namespace hgp::stress

@@ -10,11 +10,11 @@ namespace hgp::cli {
 namespace {
 
 constexpr double kBarSeconds = 0.1;   // between two drawings of the bar
-constexpr int kStageLines = 30;       // at every change of stage; by time alone after that
+constexpr int kStageLines = 30;       // printed at changes of stage; after that by time only
 constexpr double kLineSeconds = 5.0;  // between two plain lines of one stage
 constexpr int kBarWidth = 24;
 
-/// In these stages the residual is the excess of an energy.
+/// Whether the residual is the excess of an energy, as in the stages kImprove and kAlign.
 bool isImprovement(const ProgressReport& report) {
   return (report.stage == Stage::kImprove || report.stage == Stage::kAlign) && report.residual >= 0;
 }
@@ -44,7 +44,7 @@ Progress ProgressLine::callback() {
       return false;
     }
     if (!isShown_) return true;
-    // Of many small components not every stage of every one is worth a line.
+    // With many small components, not every change of stage gets a line.
     const bool isNewStage = stage_ != report.stage && lineCount_ < kStageLines;
     const double pause = std::chrono::duration<double>(now - last_).count();
     if (pause < (isTerminal_ ? kBarSeconds : kLineSeconds) && !(isNewStage && !isTerminal_))

@@ -1,5 +1,5 @@
-// Progress on standard error: a bar on a terminal, plain lines elsewhere.  Role: what a person sees
-// while the program works.
+// Progress on standard error: a bar on a terminal, plain lines elsewhere.  Role: feedback for users
+// during a run.
 #pragma once
 
 #include <chrono>
@@ -11,19 +11,19 @@
 
 namespace hgp::cli {
 
-/// A terminal that knows colours and can go back on a line; TERM says "dumb" where it cannot.
+/// Whether a terminal supports colours and can rewrite a line; if not, TERM is "dumb".
 bool isCleverTerminal(Stream stream);
 
 class ProgressLine {
  public:
-  /// @param isShown    false: silent, only the time limit counts
+  /// @param isShown    false: prints nothing and only watches the time limit
   ProgressLine(bool isShown, std::optional<double> timeLimit);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   Progress callback();
-  /// Takes the bar off the terminal.
+  /// Removes the bar from the terminal.
   void clear();
   bool isTimedOut() const { return isTimedOut_; }
 

@@ -1,4 +1,4 @@
-# Compilers that are known to work; others are tried, with a word of warning.
+# Compilers that are known to work; others are accepted with a warning.
 # Tested: GCC 11 and 12, Clang 14, Emscripten 3.1.6. Not tested: MSVC, Apple Clang, MinGW.
 
 foreach(known "GNU|11" "Clang|14")
@@ -10,7 +10,7 @@ foreach(known "GNU|11" "Clang|14")
   endif()
 endforeach()
 
-# What these compilers lack has an alternative in ISO C++, which our tests build and run with GCC and Clang.
+# For features that these compilers lack there are alternatives in ISO C++, which our tests build with GCC and Clang.
 if(CMAKE_CXX_COMPILER_ID MATCHES "^(MSVC|AppleClang)$" OR MINGW)
   message(WARNING "hgp: ${CMAKE_CXX_COMPILER_ID} on ${CMAKE_SYSTEM_NAME} is not tested; tested are GCC 11 and 12 and "
     "Clang 14 on Linux")

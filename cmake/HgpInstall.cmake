@@ -1,5 +1,5 @@
-# `hgp::hgp`, everything a program needs; and `cmake --install`: libraries, public headers and what
-# find_package(hgp) and pkg-config need.
+# The target `hgp::hgp`, which includes everything that a program needs; and `cmake --install`: libraries, public
+# headers and the files for find_package(hgp) and pkg-config.
 
 add_library(hgp_hgp INTERFACE)
 add_library(hgp::hgp ALIAS hgp_hgp)
@@ -9,7 +9,7 @@ if(EMSCRIPTEN OR NOT HGP_INSTALL)
   return()
 endif()
 
-# The headers that programs include, and what those include in turn; nothing else is public.
+# The headers that programs include, and those that these include; no others are public.
 function(hgp_public_headers out)
   set(todo hgp/eigen.h hgp/api/session.h hgp/parametrize/parametrize.h hgp/mesh/tri_mesh.h
     hgp/verify/certificate.h)
@@ -47,7 +47,7 @@ install(FILES "${PROJECT_BINARY_DIR}/hgpConfig.cmake" "${PROJECT_BINARY_DIR}/hgp
 install(FILES LICENSE THIRD_PARTY_NOTICES.md README.md CHANGELOG.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
-# pkg-config: the libraries of the modules, those that need others first.
+# pkg-config: the libraries of the modules, dependents first.
 get_property(targets GLOBAL PROPERTY HGP_MODULE_TARGETS)
 list(REVERSE targets)
 list(JOIN targets " -l" HGP_PC_LIBS)

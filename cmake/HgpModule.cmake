@@ -1,6 +1,6 @@
-# One static library per module of core/hgp, linked exactly as the plan of the house allows.
+# One static library per module of core/hgp, linked exactly to the modules that it may include.
 
-# Adds a directory of this project if it is there.
+# Adds a directory of this project if it exists.
 function(hgp_add_directory dir)
   if(EXISTS "${PROJECT_SOURCE_DIR}/${dir}/CMakeLists.txt")
     add_subdirectory("${PROJECT_SOURCE_DIR}/${dir}" "${PROJECT_BINARY_DIR}/${dir}")
@@ -12,8 +12,8 @@ endfunction()
 function(hgp_compile_settings target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
-  # The order of Eigen's sums depends on the width of vectors and the sizes of caches: none, and given ones, so
-  # that it is the same everywhere (decision 046). What is hot has kernels of its own.
+  # The order of Eigen's sums depends on vector widths and cache sizes. Without vectors and with fixed cache sizes it
+  # is the same everywhere (decision 046). Performance-critical code has its own kernels.
   target_compile_definitions(${target} PRIVATE EIGEN_DONT_VECTORIZE EIGEN_NO_CPUID
     EIGEN_DEFAULT_L1_CACHE_SIZE=32768 EIGEN_DEFAULT_L2_CACHE_SIZE=262144
     EIGEN_DEFAULT_L3_CACHE_SIZE=2097152)
@@ -27,7 +27,7 @@ function(hgp_compile_settings target)
       -Wno-sign-conversion $<$<BOOL:${HGP_WERROR}>:-Werror>)
   endif()
   if(EMSCRIPTEN)
-    # Iterators count in 32 bits there; the native builds check conversions.
+    # Iterators have 32-bit differences in WebAssembly; the native builds check conversions.
     target_compile_options(${target} PRIVATE -Wno-shorten-64-to-32)
   endif()
 endfunction()
@@ -54,15 +54,15 @@ function(hgp_module)
     set(scope PUBLIC)
     hgp_compile_settings(${target})
     if(EMSCRIPTEN AND R_NAME MATCHES "^(io|text|prescription|api|parametrize|cut|field|system|grid|quads|improve|mesh|verify)$")
-      # Cold, or a small part of a run: what a visitor downloads matters more than how fast it runs.
+      # Rarely executed, or a small part of a run: download size matters more than speed.
       target_compile_options(${target} PRIVATE -Os)
     endif()
     if(NOT R_NAME MATCHES "^(base|linalg|socp|optimize|improve|grid|system|field|io|text|verify|mesh|cut)$")
-      # What tests run for long is optimized in the sanitizer build; for the others compiling would take
-      # longer than it saves.
+      # In the sanitizer build, only code that takes much time in tests is optimized; for other code, compiling would
+      # take longer than it saves.
       target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O0>)
     endif()
-    if(NOT EMSCRIPTEN)  # there it would only slow every global down
+    if(NOT EMSCRIPTEN)  # which it would only slow down
       set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
     endif()
     target_link_libraries(${target} PRIVATE ${private_links})
@@ -79,7 +79,7 @@ function(hgp_module)
   set_property(GLOBAL APPEND PROPERTY HGP_MODULE_TARGETS ${target})
 endfunction()
 
-# Turns names into targets; it is an error when one of them is not in the house.
+# Converts names to targets; unknown names are an error.
 function(hgp_named_targets out who)
   set(targets "")
   foreach(name IN LISTS ARGN)

@@ -1,4 +1,4 @@
-# GoogleTest from its sources, so that the same tests run natively and as WebAssembly under Node.
+# Builds GoogleTest from source, so that the same tests run natively and as WebAssembly under Node.
 
 set(HGP_GTEST_SOURCES "/usr/src/googletest" CACHE PATH "GoogleTest's source tree")
 set(HGP_TEST_TIMEOUT 600 CACHE STRING "Seconds one test program may take")
@@ -21,13 +21,13 @@ if(NOT TARGET gtest_main)
   foreach(target gtest gtest_main)
     get_target_property(dirs ${target} INTERFACE_INCLUDE_DIRECTORIES)
     set_target_properties(${target} PROPERTIES INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${dirs}")
-    # Neither fast nor looked at by sanitizers: it is not ours, and a fifth of the time to compile.
+    # Without optimization and sanitizers: it is not our code, and then compiles in a fifth of the time.
     target_compile_options(${target} PRIVATE -O0
       $<$<CXX_COMPILER_ID:Clang>:-fno-sanitize=all>)
   endforeach()
 endif()
 
-# The test programs are scripts of the old kind; the package.json at the top says "module".
+# The test programs are CommonJS scripts, but the top-level package.json says "module".
 if(EMSCRIPTEN)
   file(WRITE "${CMAKE_BINARY_DIR}/package.json" "{ \"type\": \"commonjs\" }\n")
 endif()
@@ -35,15 +35,15 @@ endif()
 # hgp_add_tests(field smooth_field_test.cpp … LINKS field [cut …] [EVERY_BUILD | INTEGRATION]
 #               [DENSE] [MEASURES Suite.Name])
 #
-# One test program, tests_<name>, and one ctest entry for all its tests; one more for a test that measures
-# time, which tests/run.mjs runs even where nothing has changed. They read nothing of this folder: their
+# Makes one test program, tests_<name>, with one ctest entry for all its tests, and another entry for a test that
+# measures time, which tests/run.mjs runs even if nothing has changed. Tests read no files of this folder: their
 # inputs are the program and the optional data. Sources may include
-# "support/….h" from tests/. HGP_SHARED_MESHES (environment) overrides where optional data is looked
-# for; tests that need it must GTEST_SKIP() aloud when it is absent.
+# "support/….h" from tests/. The environment variable HGP_SHARED_MESHES overrides the folder of optional data;
+# tests that need it must call GTEST_SKIP() with a message if it is absent.
 #
-# Unit tests run once, where they say most: under sanitizers (HGP_TEST_SET=units). The released and the
-# WebAssembly build run integration tests, and those marked EVERY_BUILD, whose outcome may depend on
-# the compiler or the processor, such as rounding. What is left out can still be built by name.
+# Unit tests run once, where they find most: under sanitizers (HGP_TEST_SET=units). The release and
+# WebAssembly builds run integration tests and those marked EVERY_BUILD, whose results may depend on
+# the compiler or the processor, such as rounding. Other tests can still be built by name.
 function(hgp_add_tests name)
   cmake_parse_arguments(T "EVERY_BUILD;INTEGRATION;DENSE" "MEASURES" "LINKS" ${ARGN})
   hgp_named_targets(links "tests of ${name}" ${T_LINKS})
@@ -55,16 +55,16 @@ function(hgp_add_tests name)
   target_compile_definitions(${target} PRIVATE
     HGP_SHARED_MESHES_DEFAULT="${PROJECT_SOURCE_DIR}/../shared/meshes")
   target_link_libraries(${target} PRIVATE ${links} gtest_main)
-  # As one unit in every build: half of the time of a test file is GoogleTest and Eigen.
+  # One translation unit in every build: half of a test file's compile time is spent on GoogleTest and Eigen.
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
-  # Optimizing the tests' own code doubles the time they take to compile and gains nothing, except
-  # where they compare with dense algebra of their own (DENSE).
+  # Optimizing test code doubles its compile time without benefit, except for tests with their own dense linear
+  # algebra (DENSE).
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   if(NOT T_DENSE)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O0>)
   endif()
   if(EMSCRIPTEN)
-    # -O1: binaryen's passes cost twenty seconds a link and gain nothing here.
+    # -O1, because binaryen's passes cost twenty seconds per link without benefit here.
     target_link_options(${target} PRIVATE -O1 -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB
       -sNODERAWFS=1 -sEXIT_RUNTIME=1 --pre-js "${PROJECT_SOURCE_DIR}/cmake/node_environment.js")
   endif()

@@ -1,10 +1,10 @@
 # Third-party code under names of our own (hgp::eigen, hgp::json …), as SYSTEM includes.
 #
-# In this order: a target that the project around us has made, the package's own CMake files, the path of
-# its header. Under Emscripten only the path: its toolchain's find root is its own sysroot. Installed with
-# the library, so that the exported modules find the same names again.
+# Searched in this order: an existing target of the enclosing project, the package's own CMake files, the path of
+# its header. Under Emscripten only the path is used, because its toolchain searches only its own sysroot. This file is
+# installed with the library, so that the exported modules find the same names.
 
-# A copy of a header in which `text` reads `by`, written anew only where it differs.
+# Makes a copy of a header with `text` replaced by `by`; it is written only if it differs from the existing copy.
 function(hgp_edited_header header copy text by)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${header}")
   file(READ "${header}" original)
@@ -67,7 +67,7 @@ function(hgp_third_party_header name header)
   endif()
 endfunction()
 
-# A compiled library of the system; native builds only.
+# Finds a compiled library of the system; native builds only.
 function(hgp_third_party_library name header library)
   if(EMSCRIPTEN OR TARGET hgp::${name})
     return()
@@ -85,7 +85,7 @@ hgp_third_party_header(json nlohmann/json.hpp
   PACKAGE nlohmann_json TARGET nlohmann_json::nlohmann_json)
 hgp_third_party_header(fast_float fast_float/fast_float.h
   PACKAGE FastFloat TARGET FastFloat::fast_float)
-# Its messages would bring all streams and locales into the module (docs/decisions/057).
+# Its messages would link all streams and locales into the module (docs/decisions/057).
 hgp_third_party_header(tinygltf tiny_gltf.h
   EMSCRIPTEN_REPLACE "std::stringstream" "hgp::io::TextStream")
 hgp_third_party_header(cli11 CLI/CLI.hpp PACKAGE CLI11 TARGET CLI11::CLI11)
@@ -94,7 +94,7 @@ hgp_third_party_library(meshoptimizer meshoptimizer.h meshoptimizer)
 hgp_third_party_library(cholmod suitesparse/cholmod.h cholmod)
 hgp_third_party_library(metis metis.h metis)
 
-# What the library cannot do without, with the names of its packages; empty where all is there.
+# The required libraries that are missing, with the names of their packages; empty if there are none.
 function(hgp_missing_third_party out)
   set(missing "")
   foreach(one "eigen|Eigen 3.4|libeigen3-dev|eigen|eigen3"

@@ -1,4 +1,4 @@
-// Runs the stages of scripts/test and adds up what they counted.
+// Runs the stages of scripts/test and adds up their counts.
 // The last line is always "N passed, N failed, N skipped".
 
 import {
@@ -40,29 +40,29 @@ const testFiles = (folder) =>
 const nodeTests = (log, folder) =>
   counted(log, '--test', '--test-concurrency=1', ...testFiles(folder));
 
-/** Test files in one process, which takes `claims` of those that no other lane has begun. */
+/** Runs test files in one process, which claims files that no other lane has started. */
 async function lane(log, claims, files, ...args) {
   return counted(log, ...args, 'tests/support/lane.mjs', claims, ...files);
 }
 
-/** Makes a folder for the claims of lanes, and counts what they ran of `files`. */
+/** Makes a folder for the claims of lanes, and counts the tests that they ran of `files`. */
 async function inLanes(files, run) {
   const claims = mkdtempSync(path.join(tmpdir(), 'hgp-lanes-'));
   const counts = sum(await Promise.all(run(claims)));
   rmSync(claims, { recursive: true });
-  // A lane counts one test more per file: that it came to its end.
+  // A lane counts one additional test per file: that the file was completed.
   counts.passed = Math.max(0, counts.passed - files.length);
   return counts;
 }
 
-/** The page's TypeScript without a browser: one process, as most of the time goes into starting it. */
+/** Unit tests of the page's TypeScript without a browser, in one process, since starting it takes most of the time. */
 function unitTests(log) {
   const files = testFiles('web/units');
   const hooks = '--import=./tests/support/typescript.mjs';
   return inLanes(files, (claims) => [lane(log, claims, files, hooks)]);
 }
 
-/** Runs files whose inputs have changed since they passed, some at a time, and counts all. */
+/** Runs test files whose inputs have changed since they passed, several at a time, and counts all. */
 async function runChanged(log, files, lanes, inputs) {
   const keyOf = (file) => kept.key(file, ...inputs());
   const all = await inParallel(files, lanes, async (file) => {
@@ -82,7 +82,7 @@ async function runChanged(log, files, lanes, inputs) {
 const program = 'build/native-release/bin/hgp';
 const isOf = (folders) => (name) => folders.test(name) && !/\.(cpp|h)$/.test(name);
 
-/** What an installed library is made of, and what its tests read. */
+/** Tests of the installed library; their inputs are its sources and the files that they read. */
 const installTests = (log) =>
   runChanged(log, testFiles('install'), 1, () => [
     contentOf(program),
@@ -91,10 +91,10 @@ const installTests = (log) =>
     listingOf(data),
   ]);
 
-/** Of the package's tests, those that measure time or memory. */
+/** The package's tests that measure time or memory. */
 const measures = /(memory|package|soak|cost)\.test\.mjs$/;
 
-/** The package's tests, two files beside each other. */
+/** The package's tests, two files at a time. */
 const packageTests = (log) =>
   runChanged(
     log,
@@ -108,7 +108,7 @@ const packageTests = (log) =>
     ],
   );
 
-/** What the package costs: two files beside each other; then, alone, what measures time. */
+/** Measurements of the package: two files at a time; then, alone, those that measure time. */
 async function packageMeasures(log) {
   const alone = 'tests/wasm/cost.test.mjs';
   const files = testFiles('wasm').filter((file) => measures.test(file) && file !== alone);
@@ -117,8 +117,8 @@ async function packageMeasures(log) {
 }
 
 /**
- * The page's tests: two lanes that take file after file, each with one browser; then, alone, what
- * measures time. Long files first, so that both lanes end at about the same time.
+ * The page's tests: two lanes that run file after file, each with one browser; then, alone, those that
+ * measure time. Long files come first, so that both lanes end at about the same time.
  */
 async function webTests(log) {
   const alone = 'tests/web/speed.test.mjs';
@@ -144,14 +144,14 @@ async function webTests(log) {
   return sum([both, await counted(log, '--test', alone)]);
 }
 
-/** Every file compiled alone, so that none takes an include from its neighbour. */
+/** Compiles every file separately, to find missing includes. */
 const compileFiles = (log) =>
   checks(log, [
     ['cmake', '--preset', 'native-files'],
     ['cmake', '--build', '--preset', 'native-files'],
   ]);
 
-/** Planted faults count as tests: caught is passed. */
+/** Introduced faults count as tests, which pass if the fault is caught. */
 async function mutate(log) {
   const how = [...(full ? [] : ['--short']), ...(isAgain ? ['--again'] : [])];
   const { code, output } = await run(log, 'scripts/mutate', ...how);
@@ -159,7 +159,7 @@ async function mutate(log) {
     output.match(/^(\d+) of \d+ faults caught, (\d+) missed$/m) ?? [];
   const unchanged = output.match(/^unchanged since it was caught/gm)?.length ?? 0;
   const notes = output.split('\n').filter((line) => /^(WRONG|no test noticed)/.test(line));
-  // In full a few may be missed; how many, scripts/mutate knows.
+  // A few faults may be missed in the full run; scripts/mutate decides how many.
   const failed = code === 0 ? 0 : Math.max(1, Number(missed));
   return { passed: Number(caught), failed, skipped: 0, unchanged, notes };
 }
@@ -169,7 +169,7 @@ async function web(log) {
   return webTests(log);
 }
 
-/** What stages need, and the one that makes it. */
+/** The inputs of stages, each with the stage that makes it. */
 const makers = { [program]: 'native-release', 'build/package': 'wasm-release' };
 
 function checkInputs({ after = [] }) {
@@ -178,7 +178,7 @@ function checkInputs({ after = [] }) {
       throw new Error(`${file} is not there; the stage ${maker} makes it`);
 }
 
-/** `isLong`: by name or in full; `isAlone`: it measures time. */
+/** `isLong`: only by name or with --full; `isAlone`: it measures time. */
 const stages = {
   lint: { run: (log) => lint(log, { isAgain }) },
   'native-debug': { run: (log) => testBuild(log, 'native-debug') },

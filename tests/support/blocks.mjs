@@ -1,8 +1,8 @@
-// Closed and open surfaces of any genus, made of unit blocks: every kind of mesh from one generator.
+// Generates closed and open surfaces of any genus from unit blocks.
 
 /**
- * The skin of the cells '#' of a drawing, one block thick, every square cut n × n and rounded a
- * little so that no two triangles are alike. `open` names squares to leave out: 'x y +z'.
+ * The boundary of the cells '#' of a drawing, one block thick; every square is divided n × n and slightly rounded
+ * so that no two triangles are equal. `open` lists squares to leave out: 'x y +z'.
  */
 export function blocks(rows, { n = 2, open = [] } = {}) {
   const isSolid = (x, y, z) => z === 0 && rows[y]?.[x] === '#';
@@ -52,7 +52,7 @@ export function blocks(rows, { n = 2, open = [] } = {}) {
   return used({ vertices, triangles });
 }
 
-/** Without vertices that no triangle has. */
+/** The mesh without unused vertices. */
 function used({ vertices, triangles }) {
   const number = new Map();
   for (const v of triangles.flat()) if (!number.has(v)) number.set(v, number.size);
@@ -65,7 +65,7 @@ function used({ vertices, triangles }) {
 export const ring = ['###', '#.#', '###'];
 export const eight = ['#####', '#.#.#', '#####'];
 
-/** Two meshes as one, apart from one another. */
+/** Two meshes side by side as one. */
 export function beside(a, b) {
   const shift = a.vertices.length;
   return {

@@ -1,4 +1,4 @@
-// The builds of the presets and their tests by ctest, of which those run whose inputs have changed.
+// Builds the presets and runs those of their ctest tests whose inputs have changed.
 
 import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync, statSync, writeFileSync } from 'node:fs';
@@ -6,12 +6,12 @@ import { must, run, sum } from './commands.mjs';
 import { countCtest } from './counts.mjs';
 import { contentOf, listingOf, treeContent } from './results.mjs';
 
-/** With --full all tests run in every build, otherwise those that the preset names. */
+/** Builds a preset: with --full all tests, otherwise those that the preset specifies. */
 async function build(log, preset, isFull) {
   const text = readFileSync('CMakePresets.json', 'utf8');
   const { cacheVariables } = JSON.parse(text).configurePresets.find(({ name }) => name === preset);
   const set = isFull ? 'all' : cacheVariables.HGP_TEST_SET;
-  // Where presets and tools are those it was configured with, the build itself sees what has changed.
+  // Configuration is skipped if presets and tools have not changed; the build itself detects other changes.
   const stamp = `build/${preset}/configured`;
   const wanted = JSON.stringify([text, set, process.env.PATH, process.env.CXXFLAGS]);
   const isConfigured =
@@ -25,13 +25,13 @@ async function build(log, preset, isFull) {
   await must(log, 'cmake', '--build', '--preset', preset);
 }
 
-/** Everything of the checkout that scripts of tests may read; what is compiled comes in as programs. */
+/** The files of the checkout that test scripts may read; compiled code is covered by the programs. */
 const isReadByScripts = (name) =>
   !/^(core|bench|web|docs\/decisions)\//.test(name) &&
   !/\.(cpp|h)$/.test(name) &&
   name !== 'CHANGELOG.md';
 
-/** All inputs of a test of ctest: how it is run, the programs named there, scripts and data. */
+/** All inputs of a ctest test: its command, the programs in it, scripts and data. */
 function inputsOf({ name, command, properties }, data) {
   const words = JSON.stringify([name, command, properties]);
   const named = words.match(/\/[^"=\s;\\]+/g).filter((word) => existsSync(word));
@@ -46,11 +46,11 @@ function inputsOf({ name, command, properties }, data) {
   ];
 }
 
-/** Whether its outcome is no function of its inputs: it draws at random, or measures time or memory. */
+/** Whether a test's result is not a function of its inputs: it is random, or measures time or memory. */
 const isMeasurement = ({ properties }) =>
   properties.some(({ name, value }) => name === 'LABELS' && /fuzz|measures/.test(value.join()));
 
-/** Builds, runs what has changed and counts everything. */
+/** Builds a preset, runs tests that have changed, and counts all. */
 export async function ctest(log, preset, { kept, data, isFull }) {
   await build(log, preset, isFull);
   const shown = execFileSync('ctest', ['--preset', preset, '--show-only=json-v1'], {

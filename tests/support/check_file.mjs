@@ -1,21 +1,21 @@
-// A written file checked from its numbers: the sign of every triangle by exact arithmetic, and whether the two
-// sides of every edge differ by a quarter turn. Shares nothing with the core.
+// Checks a written file: the sign of every triangle by exact arithmetic, and whether the two
+// sides of every edge differ by a multiple of a quarter turn. Shares no code with the core.
 
 import { readFileSync } from 'node:fs';
 import { integerPoints, cross, minus, sign } from '../attack/exact.mjs';
 import { readIndependently } from '../gltf/independent.mjs';
 
-/** Of a seam edge's length. Float32 files may be off by what rounding does there. */
+/** Tolerances relative to a seam edge's length. Float32 files have larger rounding errors. */
 const tolerance = { float64: 1e-6, float32: 1e-2 };
 
-/** v, vt and triangles of an OBJ; polygons as fans, which is enough for signs where they are convex. */
+/** v, vt and triangles of an OBJ; polygons become fans, which have the right signs if the polygons are convex. */
 function readObj(text) {
   const positions = [];
   const uv = [];
   const triangles = [];
   const corners = [];
   let isOnlyTriangles = true;
-  // A comment that ends in a backslash ends with its line.
+  // A backslash at the end of a comment does not continue it.
   const statements = text.replace(/#[^\r\n]*/g, '').replace(/\\\r?\n/g, ' ');
   for (const line of statements.split('\n')) {
     const [key, ...rest] = line.trim().split(/\s+/);
@@ -35,7 +35,7 @@ function readObj(text) {
   return [{ positions, uv, triangles, corners, precision: 'float64', isOnlyTriangles }];
 }
 
-/** One map per mesh; vertices at equal positions are one. */
+/** One map per mesh; vertices at equal positions are joined. */
 async function readGltf(file) {
   const { document } = await readIndependently(file);
   return document
@@ -93,7 +93,7 @@ function trianglesOf(primitive, count) {
   return out;
 }
 
-/** Twice the area's sign; exact where doubles leave it open. */
+/** The sign of the area, computed exactly if doubles do not determine it. */
 function orientation(a, b, c) {
   const left = (b[0] - a[0]) * (c[1] - a[1]);
   const right = (b[1] - a[1]) * (c[0] - a[0]);
@@ -103,7 +103,7 @@ function orientation(a, b, c) {
   return Number(sign(cross(minus(q, p), minus(r, p))));
 }
 
-/** Signs of all triangles, and the worst edge whose two sides are no turn of each other. */
+/** The signs of all triangles, and the edge whose two sides deviate most from a rotation by a quarter turn. */
 export function measure(map, q = 4) {
   const at = (t, k) => map.uv[map.corners[t][k]];
   let notPositive = 0;
@@ -144,7 +144,7 @@ export function measure(map, q = 4) {
   return { notPositive, worst, seams };
 }
 
-/** @param outside  stored triangles that the certificate does not speak of */
+/** @param outside  number of stored triangles that the certificate does not cover */
 export async function checkFile(file, kind, { outside }) {
   const maps = kind === 'gltf' ? await readGltf(file) : readObj(readFileSync(file, 'utf8'));
   let notPositive = 0;
@@ -153,7 +153,7 @@ export async function checkFile(file, kind, { outside }) {
     if (map.triangles.length === 0) continue;
     if (map.lacksUv) return { good: false, why: 'a mesh has no uv' };
     const one = measure(map);
-    // A polygon's triangles are chosen by the core; a fan of a concave one proves nothing.
+    // The core may triangulate a polygon differently; the fan of a concave polygon proves nothing.
     if (map.isOnlyTriangles !== false) notPositive += one.notPositive;
     if (one.worst > tolerance[map.precision]) worst = Math.max(worst, one.worst);
   }

@@ -1,4 +1,4 @@
-// Commands of a stage, with their output in its log, and what they counted.
+// Runs the commands of a stage with their output in its log, and counts tests.
 
 import { spawn } from 'node:child_process';
 import { countNodeTest } from './counts.mjs';
@@ -52,7 +52,7 @@ export async function counted(log, ...args) {
   return counts;
 }
 
-/** `unchanged`: how many of the passed ones did not run again. */
+/** Sums counts. `unchanged`: how many of the passed tests were not run again. */
 export function sum(all) {
   const total = { passed: 0, failed: 0, skipped: 0, unchanged: 0, notes: [] };
   for (const counts of all) {
@@ -62,7 +62,7 @@ export function sum(all) {
   return total;
 }
 
-/** Calls `act` on all items, some at a time; resolves to what it gave. */
+/** Calls `act` on all items, several at a time; resolves to its results. */
 export async function inParallel(items, lanes, act) {
   const left = [...items.entries()];
   const results = [];

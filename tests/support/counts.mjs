@@ -1,8 +1,8 @@
-// Reads the real numbers of tests out of what ctest, GoogleTest and node:test print.
+// Extracts the numbers of tests from the output of ctest, GoogleTest and node:test.
 
 const first = (text, pattern) => Number(text.match(pattern)?.[1] ?? 0);
 
-/** What one test of ctest counted: that of all tests of a GoogleTest program, else one. */
+/** The counts of one ctest test: those of all tests of a GoogleTest program, otherwise one. */
 function countBlock(name, block) {
   const ended = /^Test Passed\.$/m.test(block);
   if (!block.includes('[==========]')) {
@@ -27,12 +27,12 @@ function countBlock(name, block) {
 
 /**
  * @param {string} log  Testing/Temporary/LastTest.log
- * @returns the counts of all, and those of each by name in `tests`
+ * @returns the total counts, and those of each test by name in `tests`
  */
 export function countCtest(log) {
   const counts = { passed: 0, failed: 0, skipped: 0, notes: [], tests: new Map() };
   // A block runs from "3/9 Testing: name" to "Test Passed." or "Test Failed.".
-  // GoogleTest colours its output where it takes the pipe for a terminal (WebAssembly does).
+  // GoogleTest colours its output if it takes the pipe for a terminal (as in WebAssembly).
   // eslint-disable-next-line no-control-regex
   const plain = log.replace(/\x1b\[[\d;]*m/g, '');
   for (const block of plain.split(/^\d+\/\d+ Testing: /m).slice(1)) {

@@ -1,4 +1,4 @@
-// Files as programs write them: legal, or nearly, and unlike what a careful writer would make.
+// Files as other programs write them: valid, or nearly so, with unusual but common features.
 
 import { cubeMesh } from './meshes.mjs';
 
@@ -8,7 +8,7 @@ const normals = vertices.map((p) => p.map((x) => x / Math.hypot(...p)));
 
 // ---- glTF ---------------------------------------------------------------------------------------
 
-/** Buffers are put together piece by piece; every accessor has the view that it is given. */
+/** Builds a glTF piece by piece; every accessor has the view passed to it. */
 class Gltf {
   constructor() {
     this.parts = [];
@@ -109,7 +109,7 @@ function plain(build = () => {}) {
   return gltf.primitive(attributes, primitive);
 }
 
-/** Positions, normals and texture coordinates of one vertex after the other, with a gap behind. */
+/** Interleaved positions, normals and texture coordinates, with a gap after each vertex. */
 function interleaved() {
   const gltf = new Gltf();
   const stride = 36;
@@ -129,7 +129,7 @@ function interleaved() {
   return gltf.primitive(attributes, { indices: gltf.indices() });
 }
 
-/** Every second position is zero in the view and stands in a sparse part; or all of them do. */
+/** Every second position is zero in the view and given by sparse values; or all of them are. */
 function sparse(hasBase) {
   const gltf = new Gltf();
   const chosen = vertices.map((_, v) => v).filter((v) => !hasBase || v % 2 === 1);
@@ -177,7 +177,7 @@ function quantized(isNormalized) {
   return gltf.primitive(attributes, { indices: gltf.indices() });
 }
 
-/** Strips and fans that jump by triangles without area. */
+/** Strips and fans connected by degenerate triangles. */
 function strips() {
   const gltf = new Gltf();
   const POSITION = gltf.positions();
@@ -195,7 +195,7 @@ function fans() {
   const gltf = new Gltf();
   const POSITION = gltf.positions();
   for (let i = 0; i < triangles.length; i += 2) {
-    // Two triangles of a square are a fan where they begin with the same corner.
+    // Two triangles of a square are a fan if they start with the same corner.
     const [[a, b, c], [d, e, f]] = [triangles[i], triangles[i + 1]];
     const list = a === d && c === e ? [a, b, c, f] : a === d && b === f ? [a, e, f, c] : undefined;
     const pieces = list
@@ -235,7 +235,7 @@ function materials() {
   return gltf;
 }
 
-/** Two meshes out of one array of vertices, in three nodes, one of them mirrored. */
+/** Two meshes that share one array of vertices, in three nodes, one of which is mirrored. */
 function sharedArrays() {
   const gltf = new Gltf();
   const far = vertices.map(([x, y, z]) => [x + 5, y, z]);
@@ -274,7 +274,7 @@ function figure() {
 
 const withJson = (edit) => plain((gltf) => edit(gltf.json, gltf));
 
-/** 20 000 triangles under 32-bit indices of which the largest is that of a vertex far behind. */
+/** 20 000 triangles with 32-bit indices, the largest of which is that of a vertex far beyond the others. */
 function hugeIndices() {
   const gltf = new Gltf();
   const count = 70_000;
@@ -307,7 +307,7 @@ const behind = (files, bytes) =>
     Object.entries(files).map(([name, glb]) => [name, Buffer.concat([glb, bytes])]),
   );
 
-/** The length in the header; below 0: so many bytes less than there are. */
+/** Sets the length in the header; negative: that many bytes less than the actual length. */
 function counting(files, length) {
   for (const glb of Object.values(files)) glb.writeUInt32LE(length < 0 ? glb.length + length : length, 8); // prettier-ignore
   return files;

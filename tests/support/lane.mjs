@@ -1,5 +1,5 @@
-// Runs test files in this process, one after another: those that no other lane has begun. What takes
-// long to start is then started once for all of them.
+// Runs test files in this process one after another, skipping those that another lane has started, so that slow
+// start-up work is done once for all of them.
 //
 //   node --test-reporter=tap tests/support/lane.mjs CLAIMS FILE...
 
@@ -8,12 +8,12 @@ import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { test } from 'node:test';
 
-/** What files want done when all of them are through. */
+/** Functions that test files register to be called after the last file. */
 globalThis.atEnd = [];
 
 const [claims, ...files] = process.argv.slice(2);
 
-/** Whether no other lane has taken it. */
+/** Claims a file; false if another lane has claimed it. */
 function take(file) {
   try {
     mkdirSync(path.join(claims, path.basename(file)));
@@ -26,7 +26,7 @@ function take(file) {
 for (const file of files) {
   if (!take(file)) continue;
   await import(pathToFileURL(path.resolve(file)));
-  // Tests run in the order they are declared: this one is the last of the file.
+  // Tests run in the order of their declarations, so this one is the last of the file.
   await test(`all of ${path.basename(file)}`, () => {});
 }
 for (const act of globalThis.atEnd) await act();

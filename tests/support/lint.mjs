@@ -1,4 +1,4 @@
-// Formatting, lint and types: what each tool has seen and passed is not looked at again.
+// Formatting, lint and types; files that passed a tool and have not changed are not checked again.
 
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -9,7 +9,7 @@ import { treeFiles } from './results.mjs';
 const folder = 'build/lint';
 const bin = (name) => `node_modules/.bin/${name}`;
 
-/** clang-format of the files that have changed since they passed with the same version and style. */
+/** Runs clang-format on the files that have changed since they passed with the same version and style. */
 async function clangFormat(log) {
   const version = await must(log, 'clang-format', '--version');
   const style = readFileSync('.clang-format');
@@ -32,7 +32,7 @@ async function clangFormat(log) {
   return counts;
 }
 
-/** @param {{ isAgain: boolean }} options  forgets what was seen */
+/** @param {{ isAgain: boolean }} options  `isAgain`: checks all files again */
 export async function lint(log, { isAgain }) {
   if (isAgain) rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });

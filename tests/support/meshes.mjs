@@ -88,7 +88,7 @@ export const toStl = ({ vertices, triangles }) =>
     '',
   ].join('\n');
 
-/** A .gltf that names its buffer and, where asked, an image. */
+/** A .gltf that refers to a buffer file and, optionally, an image. */
 export function toGltf(meshes, { buffer = 'cube.bin', image } = {}) {
   const parts = [];
   const json = {

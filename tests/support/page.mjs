@@ -1,6 +1,6 @@
-// Runs a page of the documentation as a reader would: every block of it, in order, in one shell, in an empty
-// home. `~/hgp` is the checkout. A block below a line "`name`:" is a file of that name; `sh` is run, and the
-// `text` after it is what must come out, … standing for anything; `sh server` is left running.
+// Runs a page of the documentation as a reader would: all blocks in order, in one shell, in an empty
+// home folder. `~/hgp` is the checkout. A block below a line "`name`:" is a file of that name; `sh` blocks are run, and
+// the `text` block after one is the expected output, in which … matches anything; `sh server` keeps running.
 
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
@@ -25,7 +25,7 @@ export function blocksOf(markdown) {
   return blocks;
 }
 
-/** An empty home with the checkout in it; remove() ends it. */
+/** An empty home folder that contains the checkout; remove() deletes it. */
 export function emptyHome() {
   const home = mkdtempSync(path.join(os.tmpdir(), 'hgp-home-'));
   symlinkSync(root, path.join(home, 'hgp'));
@@ -34,7 +34,7 @@ export function emptyHome() {
 
 const mark = (n) => `<<< ${n} >>>`;
 
-/** One script of all blocks up to the server, with a mark before what each prints. */
+/** One script of all blocks up to the server, with a marker before the output of each. */
 function scriptOf(blocks) {
   const lines = ['set -e', 'cd ~'];
   blocks.forEach(({ kind, file, text }, n) => {
@@ -56,7 +56,7 @@ const pattern = (text) =>
       .join('[^]*?')}$`,
   );
 
-/** Runs a script; resolves to its exit code and all that it printed. */
+/** Runs a script; resolves to its exit code and its output. */
 function bash(script, env) {
   const child = spawn('bash', ['-c', `exec 2>&1\n${script}`], { env });
   let printed = '';
@@ -64,7 +64,7 @@ function bash(script, env) {
   return new Promise((resolve) => child.on('close', (status) => resolve({ status, printed })));
 }
 
-/** Runs the page; resolves to { folder, server } — the folder it ends in, and what `sh server` is to run. */
+/** Runs the page; resolves to { folder, server }: the final working folder, and the command of `sh server`. */
 export async function runPage(name, home, more = {}) {
   const page = readFileSync(path.join(root, 'docs', name), 'utf8');
   const blocks = blocksOf(page);
@@ -90,14 +90,14 @@ export async function runPage(name, home, more = {}) {
   return { folder, env, server: server < 0 ? undefined : blocks[server].text };
 }
 
-/** Starts what is left running; resolves to { url, stop } when it has printed an address. */
+/** Starts a server; resolves to { url, stop } when it has printed an address. */
 export function startServer(command, { folder, env }) {
   const child = spawn('bash', ['-c', command], { cwd: folder, env, detached: true });
   const stop = () => process.kill(-child.pid);
   return new Promise((resolve, reject) => {
     let text = '';
     const read = (chunk) => {
-      // Colours stand between the host and the port.
+      // Removes the colour codes between host and port.
       text += String(chunk).replace(/\u001b\[[\d;]*m/g, ''); // eslint-disable-line no-control-regex
       const [url] = text.match(/http:\/\/localhost:\d+\//) ?? [];
       if (url) resolve({ url, stop });

@@ -1,12 +1,12 @@
-// A registry on this machine that has what is installed here, for tests that run `npm install` as printed: the
-// versions are those of package-lock.json, and nothing leaves the machine.
+// A local npm registry with the packages installed here, for tests that run `npm install` as documented: versions
+// are those of package-lock.json, and no network is used.
 
 import { spawn } from 'node:child_process';
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { createServer } from 'node:http';
 import path from 'node:path';
 
-/** Every installed package below a node_modules, nested ones too: name → version → folder. */
+/** Every package installed below a node_modules folder, including nested ones: name → version → folder. */
 function installedBelow(folder, found = new Map()) {
   for (const entry of readdirSync(folder, { withFileTypes: true })) {
     const place = path.join(folder, entry.name);

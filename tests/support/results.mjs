@@ -1,6 +1,6 @@
-// Results of tests whose outcome is a function of their inputs, kept by the content of all of these:
-// where nothing has changed since a test passed, it need not run again. What fails or was skipped is
-// never kept; what measures time or memory, or draws at random, is never asked for here.
+// Stores results of tests that depend only on their inputs, keyed by the content of all inputs: if nothing
+// has changed since a test passed, it need not run again. Failed and skipped tests are
+// not stored; tests that are random or measure time or memory do not use this.
 
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
@@ -11,7 +11,7 @@ import path from 'node:path';
 const sha256 = (content) => createHash('sha256').update(content).digest('hex');
 
 const known = new Map();
-/** The content of a file, or of a folder with all that is in it, as one word. */
+/** A hash of the content of a file, or of a folder with everything in it. */
 export function contentOf(name) {
   const stat = statSync(name);
   if (stat.isDirectory()) {
@@ -25,7 +25,7 @@ export function contentOf(name) {
   return known.get(version);
 }
 
-/** Names, sizes and times of all files of a folder: enough for data that nobody edits by hand. */
+/** Names, sizes and times of all files of a folder, which suffice for data that are not edited by hand. */
 export function listingOf(folder) {
   if (!existsSync(folder)) return `${folder} is not there`;
   const entries = readdirSync(folder, { recursive: true }).sort();
@@ -36,7 +36,7 @@ export function listingOf(folder) {
   return sha256(entries.map(line).join(''));
 }
 
-/** The files git knows or could know. */
+/** The files that git tracks, and untracked files that it does not ignore. */
 export function treeFiles() {
   const listed = execFileSync('git', ['ls-files', '-co', '--exclude-standard', '-z'], {
     encoding: 'utf8',
@@ -45,7 +45,7 @@ export function treeFiles() {
   return listed.split('\0').filter((name) => name !== '' && existsSync(name));
 }
 
-/** Those of the checkout's files that are `chosen`, by name and content. */
+/** A hash of the names and contents of those files of the checkout for which `isChosen` is true. */
 export function treeContent(isChosen) {
   const files = treeFiles().filter(isChosen).sort();
   return sha256(files.map((name) => `${name} ${contentOf(name)}\n`).join(''));
@@ -54,8 +54,8 @@ export function treeContent(isChosen) {
 const packages = '/var/lib/dpkg/status';
 
 /**
- * What every outcome depends on: the versions of all packages of the system (compilers, browser, shells)
- * and of Node's, processor, variables of ours. Null where no list of packages says so.
+ * The environment on which every result depends: the versions of all system packages (compilers, browser, shells)
+ * and npm packages, the processor, and our environment variables. Null if there is no list of packages.
  */
 function surroundings() {
   if (!existsSync(packages)) return null;
@@ -84,12 +84,12 @@ export class KeptResults {
     mkdirSync(folder, { recursive: true });
   }
 
-  /** @param {...string} inputs  all of them; null where nothing can be kept */
+  /** A key for all inputs; null if results cannot be stored. @param {...string} inputs */
   key(...inputs) {
     return this.#surroundings && sha256(JSON.stringify([this.#surroundings, inputs]));
   }
 
-  /** The counts that were kept, all of them marked as unchanged; undefined where there are none. */
+  /** The stored counts, all marked as unchanged; undefined if there are none. */
   find(key) {
     const file = key && path.join(this.#folder, key);
     if (!this.#isRead || !file || !existsSync(file)) return undefined;
@@ -97,7 +97,7 @@ export class KeptResults {
     return { passed, failed: 0, skipped: 0, unchanged: passed, notes: [] };
   }
 
-  /** Keeps what has passed whole. The key is made again: what changed under way is not kept. */
+  /** Stores a result if all tests passed. The key is computed `again`: if inputs changed meanwhile, nothing is stored. */
   keep(key, again, name, { passed, failed, skipped }) {
     if (!key || key !== again || failed > 0 || skipped > 0 || passed === 0) return;
     writeFileSync(path.join(this.#folder, key), `${JSON.stringify({ name, passed })}\n`);

@@ -1,9 +1,9 @@
-// Runs the stages of a test run two at a time: their builds are short of work at their ends, where one
-// file is compiled or linked. Stages that measure time run alone.
+// Runs the stages of a test run two at a time, because builds do not use all cores near their ends, where single
+// files are compiled or linked. Stages that measure time run alone.
 
 /**
- * @param {Map<string, {after?: string[], isAlone?: boolean}>} stages  in the order they are preferred;
- *     names in `after` that are not among them are no condition
+ * @param {Map<string, {after?: string[], isAlone?: boolean}>} stages  in order of preference;
+ *     names in `after` that are not in this map are ignored
  * @param {(name: string) => Promise<void>} run
  * @param {number} lanes  how many at a time
  */

@@ -1,6 +1,6 @@
-// Runs clang-tidy over our sources; a unit whose text and headers have not changed since it last
-// passed is not looked at again. Modules are looked at as the sanitizer build compiles them, as a whole:
-// most of the time goes into the headers of Eigen and of the standard library, once a unit.
+// Runs clang-tidy on our sources; a unit whose text and headers have not changed since it last
+// passed is not checked again. Modules are checked as the sanitizer build compiles them, as one unit each:
+// most of the time is spent on the headers of Eigen and the standard library, once per unit.
 
 import { execFileSync, execFile } from 'node:child_process';
 import { createHash } from 'node:crypto';
@@ -13,7 +13,7 @@ const root = process.cwd();
 const cache = path.join(root, 'build/tidy');
 mkdirSync(cache, { recursive: true });
 
-/** Our own files that an object depends on, by object name, from ninja's record. */
+/** Our own files on which an object depends, by object name, from ninja's record. */
 function dependencies(build) {
   const text = execFileSync('ninja', ['-C', build, '-t', 'deps'], {
     encoding: 'utf8',
@@ -31,14 +31,14 @@ function dependencies(build) {
 }
 
 let headers;
-/** What an object may depend on that the build did not make. */
+/** The files on which an object may depend that are not made by the build. */
 function ownHeaders() {
   headers ??= treeFiles().filter((name) => /^(core|bench|examples)\/.*\.(h|cpp)$/.test(name));
   return headers;
 }
 
-// These follow every path through every function, instances of templates of other libraries included,
-// and take a quarter of the time: with --full only.
+// These checks follow every path through every function, including template instances of other libraries,
+// and take a quarter of the time, so they run only with --full.
 const dear = ['bugprone-use-after-move', 'performance-move-const-arg'];
 const leftOut = process.env.HGP_FULL === '1' ? [] : dear;
 
@@ -46,7 +46,7 @@ const settings = `${readFileSync('.clang-tidy')} without ${leftOut}`;
 const seen = new Set();
 const jobs = [];
 
-/** Takes the units of a build whose path begins with one of the folders, as source or as object. */
+/** Collects the units of a build whose path, as source or as object, starts with one of the folders. */
 function collect(preset, pattern) {
   const build = path.join(root, 'build', preset);
   const deps = dependencies(build);
@@ -69,14 +69,14 @@ function collect(preset, pattern) {
 }
 collect('native-debug', /^(core|examples)\//);
 collect('native-release', /^bench\//);
-// The largest units first, so that none of them is left over for the end.
+// The largest units first, so that no large one remains at the end.
 jobs.sort((a, b) => a.size - b.size);
 
 let failures = 0;
 async function worker() {
   for (let job = jobs.pop(); job !== undefined; job = jobs.pop()) {
     try {
-      // A unit includes sources; nothing else may.
+      // Only a unity file may include sources.
       const isUnit = job.file.startsWith('build/');
       const without = [...leftOut, ...(isUnit ? ['bugprone-suspicious-include'] : [])];
       const checks = `--checks=${without.map((name) => `-${name}`).join(',')}`;

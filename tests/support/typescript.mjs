@@ -1,5 +1,5 @@
-// Lets Node import the page's TypeScript as it is: types are stripped, and a name without an ending
-// finds its file. For the unit tests of modules that need no browser:
+// Lets Node import the page's TypeScript directly: types are stripped, and names without an extension
+// are resolved. For unit tests of modules that need no browser:
 //
 //   node --import ./tests/support/typescript.mjs --test tests/web/units/*.test.mjs
 

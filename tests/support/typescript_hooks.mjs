@@ -10,7 +10,7 @@ const options = {
 };
 const builtPackage = new URL('../../build/package/', import.meta.url);
 
-/** What the page's bundler would take for `specifier`, or undefined where Node knows it itself. */
+/** The file to which the page's bundler would resolve `specifier`, or undefined if Node resolves it itself. */
 function sourceOf(specifier, parent) {
   if (specifier === 'hgp') return new URL('index.js', builtPackage);
   if (specifier.startsWith('hgp/lib/')) return new URL(specifier.slice(4), builtPackage);

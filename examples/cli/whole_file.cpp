@@ -7,6 +7,7 @@
 #include "hgp/api/session.h"
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
+#include "mesh_notes.h"
 #include "text_report.h"
 
 namespace hgp::cli {
@@ -90,6 +91,7 @@ Result<FileOutcome> parametrizeAll(const io::FileSet& files, int meshCount, cons
                                    const Progress& progress) {
   FileOutcome out;
   FileChain chain(files);
+  MeshNotes notes;
   const bool storesAll = asked.solve.keepsGoing || asked.write.allowUncertified;
   for (int mesh = 0; mesh < meshCount; ++mesh) {
     MeshOutcome one;
@@ -112,13 +114,12 @@ Result<FileOutcome> parametrizeAll(const io::FileSet& files, int meshCount, cons
       options.isSideFileNoted = false;
       Result<api::WrittenMap> written = session.write(options);
       if (!written) return written.error();
-      for (const std::string& note : written->notes) {
-        out.notes.push_back(formatText("mesh %d: ", mesh) + note);
-      }
+      for (const std::string& note : written->notes) notes.add(mesh, note);
       chain.take(std::move(*written));
     }
     out.meshes.push_back(std::move(one));
   }
+  out.notes = notes.lines();
   if (chain.isWritten()) out.files = std::move(chain).result(asked.output);
   return out;
 }
@@ -170,6 +171,7 @@ std::string FileOutcome::json() const {
 
 std::string FileOutcome::text() const {
   std::string out;
+  MeshNotes notes;
   for (const MeshOutcome& m : meshes) {
     out += formatText("mesh %d: ", m.mesh);
     if (m.failure) {
@@ -183,8 +185,7 @@ std::string FileOutcome::text() const {
                       counted(certificate["triangles"].get<long long>(), "triangle").c_str(),
                       counted(certificate["components"].size(), "component").c_str());
     if (json.contains("notes")) {
-      for (const Json& note : json["notes"])
-        out += "  note: " + printable(note.get<std::string>()) + "\n";
+      for (const Json& note : json["notes"]) notes.add(m.mesh, note.get<std::string>());
     }
     for (std::size_t p = 0; p < certificate["components"].size() && !m.isCertified; ++p) {
       for (const Json& reason : certificate["components"][p]["reasons"]) {
@@ -193,6 +194,7 @@ std::string FileOutcome::text() const {
       }
     }
   }
+  for (const std::string& line : notes.lines()) out += "  note: " + printable(line) + "\n";
   return out + formatText("%d of %s certified\n", certifiedCount(),
                           counted(meshes.size(), "mesh", "meshes").c_str());
 }

@@ -19,12 +19,12 @@ struct MeshOutcome {
 struct FileOutcome {
   std::vector<MeshOutcome> meshes;
   std::vector<io::OutputFile> files;  ///< param: the file with all maps that may be written
-  std::vector<std::string> notes;     ///< of the writer, each with its mesh
+  std::vector<std::string> notes;     ///< of the writer, each with its meshes
 
   int certifiedCount() const;
   /// "hgp-file", see docs/schema.
   std::string json() const;
-  /// A line per mesh, with the reason if it is not certified.
+  /// A line per mesh, with the reason if it is not certified; then the notes.
   std::string text() const;
 };
 

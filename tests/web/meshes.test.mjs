@@ -46,6 +46,9 @@ test('all meshes of a file are run, kept while another is shown, and saved in on
   await state(page, 'certified');
   assert.deepEqual([await meshState(0), await meshState(1)], ['waiting', 'certified']);
   assert.match(await page.getAttribute('header #run-all', 'class'), /primary/);
+  await page.click('#download');
+  assert.match(await page.innerText('dialog'), /One mesh of the file has no map yet; Run all makes it/);
+  await page.keyboard.press('Escape');
   await page.click('header #run-all');
   await statusSays(it, /2 meshes certified/);
   assert.deepEqual([await meshState(0), await meshState(1)], ['certified', 'certified']);
@@ -66,6 +69,9 @@ test('all meshes of a file are run, kept while another is shown, and saved in on
   await page.click('#redo');
   // What was solved is kept: Download only writes.
   const calls = await workerCalls(page);
+  await page.click('#download');
+  assert.doesNotMatch(await page.innerText('dialog'), /no map yet/);
+  await page.keyboard.press('Escape');
   const { bytes } = await saveAs(it, 'same');
   const called = await calls.names();
   assert.equal(called.filter((method) => method === 'recall').length, 2, `${called}`);

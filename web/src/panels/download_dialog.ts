@@ -218,10 +218,23 @@ function quadButtons(app: App): TemplateResult[] {
   );
 }
 
-function summary(app: App, { notes, preserved, result }: Solution): string {
-  const meshes = mappedMeshes(app).length;
-  if (meshes > 1)
-    return `One file with the new coordinates of ${meshes} meshes; all else stays as it was.`;
+/** Meshes of the file that the download leaves without a map. */
+function withoutMap(count: number): string {
+  if (count === 0) return '';
+  const which = count === 1 ? 'One mesh of the file has' : `${count} meshes of the file have`;
+  return ` ${which} no map yet; Run all makes ${count === 1 ? 'it' : 'them'}.`;
+}
+
+function summary(app: App, solution: Solution): string {
+  const mapped = mappedMeshes(app).length;
+  const { surfaces } = app.doc.model!.info;
+  const missing = withoutMap(surfaces.length - mapped);
+  if (mapped > 1)
+    return `One file with the new coordinates of ${mapped} meshes; all else stays as it was.${missing}`;
+  return `${ofOneMesh(app, solution)}${missing}`;
+}
+
+function ofOneMesh(app: App, { notes, preserved, result }: Solution): string {
   const { info } = app.doc.model!;
   const stored = info.surfaces[info.surface]?.storedVertices ?? 0;
   const rest = `All else in the file stays as it was${preserved ? `: ${preserved}` : ''}.`;

@@ -272,7 +272,10 @@ test('every mesh of a file is mapped, and --keep-going writes the others where o
   );
   // What is said of several meshes is said once.
   const told = run(['param', 'three.glb', '-o', 'three_out.glb']).err.match(/note: .*/g);
-  assert.ok(told.some((line) => /^note: meshes 0 to 2: /.test(line)), told.join('\n'));
+  assert.ok(
+    told.some((line) => /^note: meshes 0 to 2: /.test(line)),
+    told.join('\n'),
+  );
   const said = told.map((line) => line.replace(/^note: meshes? [\d, to]+: /, ''));
   assert.equal(new Set(said).size, said.length, told.join('\n'));
   for (const mesh of ['all', '0', '1', '2', 'largest']) {

@@ -5,7 +5,7 @@ import { spawnSync } from 'node:child_process';
 import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { featureFiles } from '../gltf/features.mjs';
+import { featureFiles, manifoldWithoutPlace } from '../gltf/features.mjs';
 import { harmlessFiles, hostileFiles } from '../gltf/hostile_files.mjs';
 
 const [program, scratch] = process.argv.slice(2);
@@ -88,6 +88,7 @@ async function seeds() {
   if (texts[target]) return texts[target].map((text, i) => [`seed${i}`, text]);
   const wanted = target === 'gltf' ? '.gltf' : '.glb';
   const files = [...hostileFiles(), ...harmlessFiles()].map(({ name, bytes }) => [name, bytes]);
+  files.push(['manifold-nan.glb', manifoldWithoutPlace()]);
   for (const { files: made } of await featureFiles()) files.push(...Object.entries(made));
   return files.filter(([name, bytes]) => name.endsWith(wanted) && bytes.length < 100_000);
 }

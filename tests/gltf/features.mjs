@@ -531,6 +531,15 @@ function manifold(edit = () => {}) {
   return asset.glb();
 }
 
+/** The halves apart, with an apex whose place is not a number: there is no map, but the surface stays what it is. */
+export function manifoldWithoutPlace() {
+  const bytes = manifold((json) => delete json.accessors[3].sparse);
+  const view = new DataView(bytes.buffer, bytes.byteOffset);
+  const binary = 20 + view.getUint32(12, true) + 8;
+  view.setFloat32(binary + 12 * 8 + 4, NaN, true);
+  return bytes;
+}
+
 /** Merges that are all zero because they have no buffer view: legal, and wrong. */
 function zeroMerges(json) {
   delete json.accessors[4].bufferView;

@@ -149,7 +149,7 @@ async function openPage(flags, options) {
     ...{ acceptDownloads: true, reducedMotion: 'reduce', ...options },
   });
   const page = await context.newPage();
-  page.setDefaultTimeout(Number(process.env.HGP_TIMEOUT ?? 20_000));
+  page.setDefaultTimeout(Number(process.env.HGP_TIMEOUT ?? 60_000));
   const problems = [];
   watch(page, url, problems);
   return { context, page, problems };

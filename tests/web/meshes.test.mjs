@@ -47,7 +47,10 @@ test('all meshes of a file are run, kept while another is shown, and saved in on
   assert.deepEqual([await meshState(0), await meshState(1)], ['waiting', 'certified']);
   assert.match(await page.getAttribute('header #run-all', 'class'), /primary/);
   await page.click('#download');
-  assert.match(await page.innerText('dialog'), /One mesh of the file has no map yet; Run all makes it/);
+  assert.match(
+    await page.innerText('dialog'),
+    /One mesh of the file has no map yet; Run all makes it/,
+  );
   await page.keyboard.press('Escape');
   await page.click('header #run-all');
   await statusSays(it, /2 meshes certified/);

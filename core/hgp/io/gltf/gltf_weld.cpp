@@ -1,6 +1,7 @@
 #include "hgp/io/gltf/gltf_weld.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -16,6 +17,13 @@ namespace {
 /// Names in notes for the primitives that are kept as they are: by mode, and without positions.
 constexpr std::array kKinds = {"points", "lines", "line loops", "line strips", "without positions"};
 constexpr std::size_t kWithoutPositions = 4;
+
+/// A coordinate that is not a number equals itself here: copies of such a vertex are still one vertex.
+bool isSamePlace(const Vec3& a, const Vec3& b) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (a[k] != b[k] && !(std::isnan(a[k]) && std::isnan(b[k]))) return false;
+  return true;
+}
 
 /// Collects the primitives of one mesh, welds their vertices and writes the notes.
 class GltfWelder {
@@ -171,7 +179,7 @@ class GltfWelder {
       const std::uint32_t from = baseAt(unsignedAt(where, sparse.indexType, k));
       const std::uint32_t to = unsignedAt(values, accessor.componentType, k);
       if (from >= positions_.size() || to >= positions_.size() ||
-          positions_[from] != positions_[to]) {
+          !isSamePlace(positions_[from], positions_[to])) {
         ignoreExtension("it merges vertices that are not at the same place");
         return std::nullopt;
       }

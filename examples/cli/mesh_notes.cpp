@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <regex>
 
 namespace hgp::cli {
 namespace {
@@ -21,22 +22,38 @@ std::string named(const std::vector<int>& meshes) {
   return out;
 }
 
+/// The text with "#" for every number and for every list of numbers.
+std::string kindOf(const std::string& text) {
+  static const std::regex number(R"([0-9][0-9.]*(e[+-]?[0-9]+)?(, (…|[0-9]+))*)");
+  return std::regex_replace(text, number, "#");
+}
+
+void addOnce(std::vector<int>& meshes, int mesh) {
+  if (meshes.empty() || meshes.back() != mesh) meshes.push_back(mesh);
+}
+
 }  // namespace
 
 void MeshNotes::add(int mesh, const std::string& note) {
+  const std::string kind = kindOf(note);
   const auto found =
-      std::find_if(notes_.begin(), notes_.end(), [&](const Note& n) { return n.text == note; });
+      std::find_if(notes_.begin(), notes_.end(), [&](const Note& n) { return n.kind == kind; });
   if (found == notes_.end()) {
-    notes_.push_back({note, {mesh}});
+    notes_.push_back({note, kind, {mesh}, {}});
+  } else if (found->text == note) {
+    addOnce(found->meshes, mesh);
   } else if (found->meshes.back() != mesh) {
-    found->meshes.push_back(mesh);
+    addOnce(found->others, mesh);
   }
 }
 
 std::vector<std::string> MeshNotes::lines() const {
   std::vector<std::string> out;
   out.reserve(notes_.size());
-  for (const Note& note : notes_) out.push_back(named(note.meshes) + ": " + note.text);
+  for (const Note& note : notes_) {
+    out.push_back(named(note.meshes) + ": " + note.text);
+    if (!note.others.empty()) out.back() += "; likewise, with other numbers, " + named(note.others);
+  }
   return out;
 }
 

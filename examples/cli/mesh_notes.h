@@ -1,4 +1,4 @@
-// Notes on the meshes of a file.  Role: what is said of many of them is said once.
+// Notes on the meshes of a file.  Role: what holds for many of them is printed once.
 #pragma once
 
 #include <string>
@@ -6,16 +6,20 @@
 
 namespace hgp::cli {
 
+/// Notes that differ in nothing but their numbers are of one kind, and a kind is one line.
 class MeshNotes {
  public:
   void add(int mesh, const std::string& note);
-  /// In the order of their first mesh: "mesh 3: …", "meshes 0 to 4, 7: …".
+  /// In the order of their first mesh: "mesh 3: 2 edges …", "meshes 0 to 4, 7: …", and for other numbers
+  /// "mesh 3: 2 edges …; likewise, with other numbers, meshes 5, 6".
   std::vector<std::string> lines() const;
 
  private:
   struct Note {
     std::string text;
-    std::vector<int> meshes;  ///< ascending
+    std::string kind;
+    std::vector<int> meshes;  ///< with these numbers; ascending
+    std::vector<int> others;  ///< with others; ascending
   };
   std::vector<Note> notes_;
 };

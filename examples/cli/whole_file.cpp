@@ -171,7 +171,7 @@ std::string FileOutcome::json() const {
 
 std::string FileOutcome::text() const {
   std::string out;
-  MeshNotes notes;
+  MeshNotes joined;
   for (const MeshOutcome& m : meshes) {
     out += formatText("mesh %d: ", m.mesh);
     if (m.failure) {
@@ -185,7 +185,7 @@ std::string FileOutcome::text() const {
                       counted(certificate["triangles"].get<long long>(), "triangle").c_str(),
                       counted(certificate["components"].size(), "component").c_str());
     if (json.contains("notes")) {
-      for (const Json& note : json["notes"]) notes.add(m.mesh, note.get<std::string>());
+      for (const Json& note : json["notes"]) joined.add(m.mesh, note.get<std::string>());
     }
     for (std::size_t p = 0; p < certificate["components"].size() && !m.isCertified; ++p) {
       for (const Json& reason : certificate["components"][p]["reasons"]) {
@@ -194,7 +194,7 @@ std::string FileOutcome::text() const {
       }
     }
   }
-  for (const std::string& line : notes.lines()) out += "  note: " + printable(line) + "\n";
+  for (const std::string& line : joined.lines()) out += "  note: " + printable(line) + "\n";
   return out + formatText("%d of %s certified\n", certifiedCount(),
                           counted(meshes.size(), "mesh", "meshes").c_str());
 }

@@ -498,7 +498,7 @@ test('glTF: a note says which set was written, and --use makes the materials use
   const first = good('param', 'look/plain.gltf', '-o', 'look/first.gltf');
   assert.doesNotMatch(first.err, /TEXCOORD/, 'the pictures had no set, and now have this one');
   const second = good('param', 'look/first.gltf', '-o', 'look/second.gltf');
-  assert.match(second.err, /mesh 1: wrote TEXCOORD_1; the materials still use TEXCOORD_0/);
+  assert.match(second.err, /meshes 0, 1: wrote TEXCOORD_1; the materials still use TEXCOORD_0/);
   const replaced = good('param', 'look/first.gltf', '--uv-set', '0', '-o', 'look/zero.gltf');
   assert.match(replaced.err, /TEXCOORD_0 was replaced: the materials' pictures .* no longer fit/);
   const sets = (file) => {

@@ -139,7 +139,7 @@ Result<io::FileSet> openFiles(const std::string& path, const std::string& format
     if (error || fs::path(name).is_absolute() || !isInside(top, file)) {
       return Failure{ErrorCode::kMalformed,
                      "read",
-                     "this file asks for " + name + ", which is outside its folder; not loaded",
+                     "this file refers to " + name + ", which is outside its folder; not loaded",
                      {}};
     }
     if (!fs::is_regular_file(file, error)) {  // reading a pipe would block

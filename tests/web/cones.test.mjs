@@ -142,7 +142,7 @@ test('the budget shows what is left and how to balance it; q converts where that
   await page.selectOption('#q', '8');
   assert.equal(await kOf(it, 0), '6');
   await page.selectOption('#q', '3'); // 6·3/8 is no integer
-  assert.match(await statusText(page), /no whole multiples/);
+  assert.match(await statusText(page), /are not whole multiples of 360/);
   assert.equal(await kOf(it, 0), '6');
   await page.keyboard.press('Control+z');
   assert.equal(await kOf(it, 0), '3');

@@ -332,7 +332,7 @@ test('a lost graphics context is reported, is restored by itself, and shows the 
     const before = share(await pixels(page, view), isLine);
     assert.ok(before > 0.01, `${view}: ${before}`);
     await context('loseContext', view);
-    assert.match(await failure(it), /took the picture away/);
+    assert.match(await failure(it), /graphics card lost the picture/);
     // Edits go on meanwhile.
     await page.click('tr[data-cone="0"] [aria-label$="larger k"]');
     await state(page, 'stale');

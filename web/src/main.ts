@@ -105,8 +105,9 @@ function warmViews({ model, uv }: NonNullable<App['views']>): void {
 
 /** Tells the user that a WebGL context was lost; it is restored automatically. */
 function sayContext(isLost: boolean): void {
-  if (isLost) doc.say('The graphics card took the picture away. It comes back by itself.', 'error');
-  else doc.say('The picture is back. Cones, result and history were never lost.', 'good');
+  if (isLost)
+    doc.say('The graphics card lost the picture. It will be restored automatically.', 'error');
+  else doc.say('The picture is back. Cones, result and history were not lost.', 'good');
 }
 
 /** Notifies users in another tab when a long run ends. */
@@ -189,7 +190,7 @@ async function start(): Promise<void> {
   } catch (error) {
     doc.state = { kind: 'failed' };
     const advice =
-      'Another browser, or a newer version of this one, may do; the command line needs none.';
+      'Another browser, or a newer version of this one, may work; the command line needs none.';
     return doc.say(`The solver could not start: ${(error as Error).message}. ${advice}`, 'error');
   }
   doc.state = { kind: 'empty' };
@@ -199,7 +200,7 @@ async function start(): Promise<void> {
   if (app.views) warmViews(app.views);
   if (!hasViews) {
     const rest = 'maps are made, verified and saved all the same';
-    doc.say(`This browser draws nothing here, as it has no WebGL 2; ${rest}.`, 'error');
+    doc.say(`This browser cannot draw here, because it has no WebGL 2; ${rest}.`, 'error');
   }
   const example = exampleById(asked.example);
   if (example) await attempt(app, () => openExample(app, example));

@@ -111,11 +111,11 @@ export async function balance(app: App): Promise<void> {
   const added = await geometry.call('balance', [model.surface.id, q, cones, left]);
   if (doc.prescription !== prescription) return; // edited in the meantime
   if (added.length === 0) {
-    return doc.say('There is no vertex that can carry what is missing.', 'error');
+    return doc.say('There is no vertex at which the missing cones could be placed.', 'error');
   }
   if (!setCones(app, [...cones, ...added], 'balance')) return;
   const kinds = [...new Set(added.map(({ k }) => `k = ${k}`))].join(' and ');
-  doc.say(`${plural(added.length, 'cone')} with ${kinds} added. Undo takes them back.`, 'good');
+  doc.say(`${plural(added.length, 'cone')} with ${kinds} added. Undo removes them.`, 'good');
 }
 
 export function setTurning(app: App, loop: number, l: number | null): void {
@@ -150,7 +150,7 @@ export function setOrder(app: App, q: number): void {
   const { turnings, handles } = prescription;
   const none = { turnings: turnings.map(() => null), handles: handles.map(() => null) };
   const clear = (): unknown => setPrescription(app, { q, cones: [], ...none }, 'change q');
-  doc.say(`These cones are no whole multiples of 360°/${q}.`, 'error', [
+  doc.say(`The angles of these cones are not whole multiples of 360°/${q}.`, 'error', [
     { label: `Clear them and use q = ${q}`, run: clear },
   ]);
 }

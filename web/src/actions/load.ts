@@ -86,7 +86,7 @@ async function readMesh(
   call.signal.throwIfAborted();
   const ignored = ignoredBytes(files.get(main));
   const remarks = remarksOn(info, instances?.[info.surface]);
-  if (ignored > 0) remarks.unshift(`Ignored: ${plural(ignored, 'byte')} behind the gzip data.`);
+  if (ignored > 0) remarks.unshift(`Ignored: ${plural(ignored, 'byte')} after the gzip data.`);
   const model = { main, files, info, surface, loaded: settings, remarks, matrix };
   doc.state = { kind: 'open', model };
   doc.resultInWorker = undefined;
@@ -94,7 +94,7 @@ async function readMesh(
   const problem = withoutCliAdvice(info.error?.message);
   if (info.usable) doc.message = undefined;
   else if (canRepair(model))
-    doc.message = { kind: 'note', text: `${problem} Repair and run settles this.` }; // prettier-ignore
+    doc.message = { kind: 'note', text: `${problem} “Repair and run” fixes this.` }; // prettier-ignore
   else doc.message = { kind: 'error', text: problem };
   return model;
 }
@@ -170,7 +170,7 @@ export async function reloadWith(app: App, settings: LoadSettings, kind: string)
     doc.hasUserCones = hasUserCones && !isSilent(moved.prescription);
     if (!model.info.usable) return;
     void saveCones(model.info.file.sha256, moved.prescription);
-    doc.say(`Done: ${kind}.${describeTransfer(moved)} Undo takes it back.`, 'good');
+    doc.say(`Done: ${kind}.${describeTransfer(moved)} Undo reverts it.`, 'good');
   });
 }
 
@@ -214,7 +214,7 @@ function transferFromPrevious(app: App, model: Model): boolean {
   const moved = transferPrescription(previous.prescription, previous.model, model, false);
   if (moved.kept === 0) return false;
   return setWhileLoading(app, moved.prescription, 'carry cones over', () =>
-    doc.say(`Another version of ${model.main}.${describeTransfer(moved)} Undo takes them off.`),
+    doc.say(`Another version of ${model.main}.${describeTransfer(moved)} Undo removes them.`),
   );
 }
 

@@ -53,7 +53,7 @@ export async function openMain(app: App, files: Files, main: string): Promise<vo
   const { missing, refused } = await findMissing(files, main);
   if (own !== doc.openRequestId) return;
   if (refused.length > 0) {
-    const outside = `This file asks for “${refused[0]}”, which is outside the dropped folder.`;
+    const outside = `This file refers to “${refused[0]}”, which is outside the dropped folder.`;
     doc.say(`${outside} Not loaded.`, 'error');
   }
   if (missing.length > 0) doc.state = { kind: 'needs-files', files, main, missing };

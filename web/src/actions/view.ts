@@ -50,7 +50,7 @@ export async function choosePattern(app: App, pattern: Pattern): Promise<void> {
     const image = await createImageBitmap(file, { imageOrientation: 'flipY' });
     setLook(app, { pattern: 'image', image });
   } catch {
-    app.doc.say(`“${file.name}” is no image that this browser can read.`, 'error');
+    app.doc.say(`“${file.name}” is not an image that this browser can read.`, 'error');
     setLook(app, {});
   }
 }

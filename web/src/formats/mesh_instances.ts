@@ -97,7 +97,7 @@ export function remarksOn(
     remarks.push(`Used ${instances.count} times in the scene: each shows the same map.`);
   }
   if (instances?.isMirrored) {
-    remarks.push('A node mirrors it: seen there, the map is mirrored, too.');
+    remarks.push('A node mirrors it, so the map is mirrored there, too.');
   }
   if (sets.length === 0) return remarks;
   const names = sets.map((n) => `TEXCOORD_${n}`).join(', ');

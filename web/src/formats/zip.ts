@@ -23,7 +23,8 @@ export async function unzip(archive: Blob): Promise<Map<string, Uint8Array>> {
   const reader = new Unzip((entry) => {
     if (failure || entry.name.endsWith('/')) return;
     if (++entries > caps.entries) return fail(`This ZIP has more than ${caps.entries} files.`);
-    if (!isSafe(entry.name)) return fail(`This ZIP names a file outside its folder: ${entry.name}`);
+    if (!isSafe(entry.name))
+      return fail(`This ZIP contains a file outside its folder: ${entry.name}`);
     if (/\.zip$/i.test(entry.name)) return; // nested archives are ignored
     const chunks: Uint8Array[] = [];
     let size = 0;

@@ -53,7 +53,7 @@ function missingFiles(app: App, { main, missing }: StateOf<'needs-files'>): Temp
   return dialogFrame(
     'needs-files',
     'Some files are missing',
-    html`<p>“${main}” names files that are not here. Drop them on the page, or browse:</p>
+    html`<p>“${main}” refers to files that are missing. Drop them on the page, or browse:</p>
       <ul class="list">
         ${items}
       </ul>
@@ -95,7 +95,7 @@ const gestures: [string, string][] = [
   ['Arrows, Enter', 'with the Place tool: walk over the vertices, place'],
   ['1–9', 'k of the selected cone'],
   ['Escape', 'put a dragged cone back, deselect; twice: cancel a run'],
-  ['Double click', 'bring that place to the middle'],
+  ['Double click', 'centre that place'],
 ];
 
 function help(app: App): TemplateResult {

@@ -46,7 +46,7 @@ function setChooser(app: App, output: Output): TemplateResult | typeof nothing {
     >The file’s own textures
     <select id="uv-set" @change=${set}>
       ${choice('keep', 'keep the old coordinates')}
-      ${choice('use', 'use the new; the old stay, too')}
+      ${choice('use', 'use the new coordinates; the old ones are kept')}
       ${sets.map((n) => choice(String(n), `use the new instead of TEXCOORD_${n}`))}
     </select>
   </label>`;

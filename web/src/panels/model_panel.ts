@@ -20,9 +20,9 @@ const defectNames: Record<string, string> = {
   'duplicate-face': 'Duplicate triangles',
   'repeated-vertex': 'Triangles that use a vertex twice',
   'isolated-vertex': 'Vertices without triangles',
-  'not-finite': 'Positions that are no numbers',
+  'not-finite': 'Positions that are not numbers',
   extent: 'Too large or too small to compute with',
-  'index-out-of-range': 'Triangles naming missing vertices',
+  'index-out-of-range': 'Triangles that refer to missing vertices',
 };
 
 const repairLabels: Record<Repair, string> = {

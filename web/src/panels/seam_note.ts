@@ -22,7 +22,7 @@ class SeamNote extends Panel {
   #sentence(solution: Solution, pattern: Pattern): TemplateResult | string {
     if (solution.seams.length === 0) return 'There are no seams.';
     if (!isAligned(solution)) {
-      return 'Directions and sizes run on across seams; lines may be shifted there.';
+      return 'Directions and sizes continue across seams; lines may be shifted there.';
     }
     if (pattern === 'cross') return 'Lines meet at every seam.';
     const { all, turned, edges } = turnedSeams(pattern, solution);

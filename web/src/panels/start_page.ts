@@ -17,7 +17,7 @@ class StartPage extends Panel {
         <div class="pitch">
           <h2>Drop a mesh</h2>
           <p class="lead">
-            It comes back with texture coordinates that run on across every seam and fold nowhere.
+            It comes back with texture coordinates that continue across every seam, without folds.
           </p>
           <p>GLB, glTF, OBJ, PLY, STL, OFF, a folder or a ZIP.<br />Files stay on this computer.</p>
           <p class="row">

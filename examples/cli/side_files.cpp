@@ -27,11 +27,11 @@ Status addSideFiles(std::vector<io::OutputFile>& files, std::vector<std::string>
   std::vector<std::string> refused;
   const std::vector<std::string> missing = api::missingSideFiles(files, &refused);
   for (const std::string& why : refused)
-    notes.push_back(why + "; it is not copied and is still named");
+    notes.push_back(why + "; it is not copied, and the reference to it is kept");
   for (const std::string& name : missing) {
     Result<io::Bytes> bytes = resolve ? resolve(name) : Result<io::Bytes>(io::Bytes());
     if (!bytes && bytes.error().code == ErrorCode::kMalformed) {
-      notes.push_back(bytes.error().message + ": it is still named and not there");
+      notes.push_back(bytes.error().message + "; the reference to it is kept");
       continue;
     }
     if (!bytes) return bytes.error();

@@ -157,7 +157,10 @@ Status prepare(Model& model, const LoadOptions& options) {
   if (source.triangles.size() > options.limits.maxTriangles) {
     return Failure{ErrorCode::kLimit,
                    "read",
-                   formatText("%zu triangles exceed the limit", source.triangles.size()),
+                   formatText("%zu triangles exceed the limit of %llu; raise it by --max-triangles "
+                              "(limits.triangles)",
+                              source.triangles.size(),
+                              static_cast<unsigned long long>(options.limits.maxTriangles)),
                    {}};
   }
   noteNotFinite(model);

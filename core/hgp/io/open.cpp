@@ -39,11 +39,13 @@ bool isNamelessStl(const Bytes& bytes, const std::string& extension) {
 
 Result<DocumentPtr> openDocument(FileSet files, const Limits& limits) {
   if (files.main.size() > limits.maxBytes) {
-    return Failure{ErrorCode::kLimit,
-                   "read",
-                   formatText("%zu bytes; the limit is %llu", files.main.size(),
-                              static_cast<unsigned long long>(limits.maxBytes)),
-                   {}};
+    return Failure{
+        ErrorCode::kLimit,
+        "read",
+        formatText(
+            "the file has %zu bytes, the limit is %llu; raise it by --max-bytes (limits.bytes)",
+            files.main.size(), static_cast<unsigned long long>(limits.maxBytes)),
+        {}};
   }
   if (files.main.empty()) return malformedByte(0, "the file is empty");
   const std::string_view text = withoutByteOrderMark(asText(files.main));

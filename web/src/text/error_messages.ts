@@ -10,7 +10,7 @@ export function describeError(error: unknown, name: string): string {
   if (!(error instanceof HgpError)) return message;
   if (error.code === 'limit') {
     const command = `hgp param ${quoted(name)}`;
-    return `${message} Your cones are saved. The command line may use more memory: ${command}`;
+    return `${message.replace(/\.?$/, '.')} Your cones are saved. The command line may use more memory: ${command}`;
   }
   if (error.code === 'malformed') return `“${name}” cannot be read: ${message}`;
   return message;

@@ -24,7 +24,9 @@ class BufferLoader {
       const int buffer = view.meshopt ? view.meshopt->buffer : view.buffer;
       if (store_.buffers[static_cast<std::size_t>(buffer)].kind != GltfBufferKind::kNone) continue;
       return refuse(formatText("/bufferViews/%zu", v),
-                    formatText("buffer %d has no data of its own", buffer));
+                    formatText("buffer %d has no data of its own: it has no 'uri', and it is not "
+                               "the first buffer of a GLB",
+                               buffer));
     }
     return Done{};
   }
@@ -56,13 +58,17 @@ class BufferLoader {
     }
     if (buffer.bytes.size() >= declared) return Done{};
     return refuse(pointer,
-                  formatText("declares %llu bytes, but there are %zu",
+                  formatText("declares %llu bytes, but there are %zu; the file may be truncated",
                              static_cast<unsigned long long>(declared), buffer.bytes.size()));
   }
 
   Status take(const std::string& pointer, std::uint64_t bytes) {
     if (bytes > limits_.maxBytes || taken_ > limits_.maxBytes - bytes) {
-      return refuse(pointer, "the files together exceed the limit on bytes", ErrorCode::kLimit);
+      return refuse(pointer,
+                    formatText("the files together exceed the limit of %llu bytes; raise it by "
+                               "--max-bytes (limits.bytes)",
+                               static_cast<unsigned long long>(limits_.maxBytes)),
+                    ErrorCode::kLimit);
     }
     taken_ += bytes;
     return Done{};
@@ -73,7 +79,7 @@ class BufferLoader {
     const auto data = parseDataUri(uri);
     if (!data) return refuse(pointer, data.error().message);
     const auto size = decodedSize(data->base64);
-    if (!size) return refuse(pointer, "the base64 text is cut off");
+    if (!size) return refuse(pointer, "the base64 text of its data URI is cut off");
     if (*size < declared) {
       return refuse(pointer, formatText("declares %llu bytes, but its data URI holds %zu",
                                         static_cast<unsigned long long>(declared), *size));
@@ -81,7 +87,7 @@ class BufferLoader {
     const Status status = take(pointer, *size);
     if (!status) return status;
     auto bytes = decodeBase64(data->base64);
-    if (!bytes) return refuse(pointer, "a data URI that is not base64");
+    if (!bytes) return refuse(pointer, "its data URI is not base64");
     buffer.kind = GltfBufferKind::kData;
     buffer.owned = std::move(*bytes);
     return Done{};
@@ -94,7 +100,8 @@ class BufferLoader {
     const Status fits = take(pointer, declared);
     if (!fits) return fits;
     if (!resolve_) {
-      return refuse(pointer, "needs the file " + inQuotes(*name, 120) + ", which was not given");
+      return refuse(pointer, "needs the file " + inQuotes(*name, 120) +
+                                 ", which was not given; load it together with the glTF");
     }
     auto bytes = resolve_(*name);
     if (!bytes) {

@@ -150,7 +150,7 @@ bool areGltfReferencesKnown(const JsonText& json) {
 
 Status GltfChecker::run() {
   if (!json_.isObject(JsonText::kRoot)) {
-    fail(JsonText::kRoot, "the top of a glTF file must be an object");
+    fail(JsonText::kRoot, "the JSON text of a glTF file must be an object");
     return *failure_;
   }
   bool isGood = checkAsset() && checkExtensionNames() && checkReferences();
@@ -190,7 +190,9 @@ bool GltfChecker::integer(int object, const char* key, std::int64_t fallback, st
     return fallback >= 0 || fail(object, formatText("'%s' is missing", key));
   }
   const auto value = json_.integer(member);
-  if (!value || *value < 0) return fail(member, "must be a non-negative integer");
+  if (!value || *value < 0) {
+    return fail(member, "must be a non-negative integer, not " + inQuotes(json_.raw(member)));
+  }
   out = *value;
   return true;
 }
@@ -212,8 +214,8 @@ bool GltfChecker::checkAsset() {
   const auto have = version(json_.string(versionNode));
   if (!have) return fail(asset, "'version' is missing or is not \"2.x\"");
   if ((*have)[0] != 2) {
-    return fail(versionNode,
-                "glTF version " + inQuotes(json_.string(versionNode)) + ", only 2.x is read");
+    return fail(versionNode, "glTF version " + inQuotes(json_.string(versionNode)) +
+                                 " is not supported, only 2.x; export the file as glTF 2.0");
   }
   const int minimum = json_.find(asset, "minVersion");
   if (minimum < 0) return true;
@@ -221,7 +223,7 @@ bool GltfChecker::checkAsset() {
   if (!wanted) return fail(minimum, "must be a version such as \"2.0\"");
   if (*wanted > std::array<int, 2>{2, 0}) {
     return fail(minimum, "needs a reader of glTF " + inQuotes(json_.string(minimum)) +
-                             ", this one reads 2.0");
+                             ", this one reads 2.0; export the file as glTF 2.0");
   }
   return true;
 }
@@ -234,8 +236,9 @@ bool GltfChecker::checkExtensionNames() {
     for (int name : json_.children(array)) {
       if (!json_.isString(name)) return fail(name, "must be a string");
       if (std::string_view(list) == "extensionsRequired" && !isKnownExtension(json_.string(name))) {
-        return fail(name, "the file requires the extension " + inQuotes(json_.string(name), 80) +
-                              ", which this reader does not know");
+        return fail(name,
+                    "the file requires the extension " + inQuotes(json_.string(name), 80) +
+                        ", which this reader does not know; export it without this extension");
       }
     }
   }
@@ -258,11 +261,14 @@ bool GltfChecker::checkReferences() {
 bool GltfChecker::checkReference(int node, std::string_view path, const char* target) {
   if (path.empty()) {
     const auto index = json_.integer(node);
-    if (!index || *index < 0) return fail(node, "must be an index: a non-negative integer");
+    if (!index || *index < 0) {
+      return fail(node,
+                  "must be an index, a non-negative integer, not " + inQuotes(json_.raw(node)));
+    }
     const int array = json_.find(JsonText::kRoot, target);
     const int count = json_.isArray(array) ? json_.node(array).count : 0;
     if (*index < count) return true;
-    return fail(node, formatText("names %s %lld, but there are %d", target,
+    return fail(node, formatText("refers to %s[%lld], but there are %d", target,
                                  static_cast<long long>(*index), count));
   }
   const std::size_t slash = std::min(path.find('/'), path.size());

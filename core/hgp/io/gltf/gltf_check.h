@@ -39,6 +39,7 @@ class GltfChecker {
   bool checkBuffers();
   bool checkView(int view);
   bool checkMeshopt(int view, int extension, std::int64_t viewLength);
+  bool checkMeshoptMode(int extension, const std::string& mode, std::int64_t stride);
   bool checkAccessor(int accessor);
   bool checkSparse(int accessor, int sparse, std::int64_t count, std::int64_t elementSize);
   bool checkSpan(int place, int view, std::int64_t offset, std::int64_t count,
@@ -52,6 +53,8 @@ class GltfChecker {
   bool checkDraco(int primitive);
 
   bool fail(int place, const std::string& message, ErrorCode code = ErrorCode::kMalformed);
+  /// "`what` would exceed the limit of … bytes".
+  std::string overLimit(const std::string& what) const;
   /// Reads a non-negative integer member; a missing one is `fallback`, or an error if that is −1.
   bool integer(int object, const char* key, std::int64_t fallback, std::int64_t& out);
   /// The i-th element of a top-level array whose reference has been checked.

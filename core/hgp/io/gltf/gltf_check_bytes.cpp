@@ -14,6 +14,12 @@ bool isInside(std::int64_t offset, std::int64_t need, std::int64_t length) {
 
 }  // namespace
 
+std::string GltfChecker::overLimit(const std::string& what) const {
+  return what +
+         formatText(" would exceed the limit of %llu bytes; raise it by --max-bytes (limits.bytes)",
+                    static_cast<unsigned long long>(limits_.maxBytes));
+}
+
 bool GltfChecker::checkBuffers() {
   std::int64_t total = 0;
   for (int buffer : buffers_) {
@@ -27,7 +33,8 @@ bool GltfChecker::checkBuffers() {
     total += length;
     if (static_cast<std::uint64_t>(total) > limits_.maxBytes) {
       return fail(buffer,
-                  formatText("the buffers declare more than the limit of %llu bytes",
+                  formatText("the buffers declare more than the limit of %llu bytes; raise it by "
+                             "--max-bytes (limits.bytes)",
                              static_cast<unsigned long long>(limits_.maxBytes)),
                   ErrorCode::kLimit);
     }
@@ -62,6 +69,31 @@ bool GltfChecker::checkView(int view) {
   return true;
 }
 
+bool GltfChecker::checkMeshoptMode(int extension, const std::string& mode, std::int64_t stride) {
+  const int filterNode = json_.find(extension, "filter");
+  const std::string filter = filterNode < 0 ? "NONE" : json_.string(filterNode);
+  const bool isVertices = mode == "ATTRIBUTES";
+  if (!isVertices && mode != "TRIANGLES" && mode != "INDICES") {
+    return fail(extension,
+                "unknown mode " + inQuotes(mode) + "; it must be ATTRIBUTES, TRIANGLES or INDICES");
+  }
+  const bool isStrideGood =
+      isVertices ? stride >= 4 && stride <= 256 && stride % 4 == 0 : stride == 2 || stride == 4;
+  if (!isStrideGood) {
+    return fail(extension, formatText("'byteStride' %lld does not suit the mode: %s",
+                                      static_cast<long long>(stride),
+                                      isVertices ? "ATTRIBUTES need a multiple of 4 from 4 to 256"
+                                                 : "indices have 2 or 4 bytes"));
+  }
+  const bool isFilterGood =
+      filter == "NONE" || (isVertices && filter == "OCTAHEDRAL" && (stride == 4 || stride == 8)) ||
+      (isVertices && filter == "QUATERNION" && stride == 8) ||
+      (isVertices && filter == "EXPONENTIAL");
+  if (isFilterGood) return true;
+  return fail(extension, "filter " + inQuotes(filter) + " does not suit mode " + mode +
+                             formatText(" with 'byteStride' %lld", static_cast<long long>(stride)));
+}
+
 bool GltfChecker::checkMeshopt(int view, int extension, std::int64_t viewLength) {
   std::int64_t offset = 0, length = 0, stride = 0, count = 0, bufferLength = 0;
   const int reference = json_.find(extension, "buffer");
@@ -73,33 +105,27 @@ bool GltfChecker::checkMeshopt(int view, int extension, std::int64_t viewLength)
     return false;
   }
   if (!isInside(offset, length, bufferLength)) {
-    return fail(extension, "the compressed bytes are outside their buffer");
+    return fail(
+        extension,
+        formatText("the compressed bytes %lld + %lld are outside their buffer of %lld bytes",
+                   static_cast<long long>(offset), static_cast<long long>(length),
+                   static_cast<long long>(bufferLength)));
   }
   const std::string mode = json_.string(json_.find(extension, "mode"));
-  const int filterNode = json_.find(extension, "filter");
-  const std::string filter = filterNode < 0 ? "NONE" : json_.string(filterNode);
-  const bool isVertices = mode == "ATTRIBUTES";
-  if (!isVertices && mode != "TRIANGLES" && mode != "INDICES") {
-    return fail(extension, "unknown mode " + inQuotes(mode));
+  if (!checkMeshoptMode(extension, mode, stride)) return false;
+  if (mode == "TRIANGLES" && count % 3 != 0) {
+    return fail(extension, formatText("'count' is %lld; mode TRIANGLES needs a multiple of 3",
+                                      static_cast<long long>(count)));
   }
-  const bool isStrideGood =
-      isVertices ? stride >= 4 && stride <= 256 && stride % 4 == 0 : stride == 2 || stride == 4;
-  if (!isStrideGood) return fail(extension, "'byteStride' does not suit the mode");
-  const bool isFilterGood =
-      filter == "NONE" || (isVertices && filter == "OCTAHEDRAL" && (stride == 4 || stride == 8)) ||
-      (isVertices && filter == "QUATERNION" && stride == 8) ||
-      (isVertices && filter == "EXPONENTIAL");
-  if (!isFilterGood)
-    return fail(extension, "filter " + inQuotes(filter) + " does not suit the data");
-  if (count < 1 || count > viewLength || count * stride != viewLength ||
-      (mode == "TRIANGLES" && count % 3 != 0)) {
-    return fail(extension, formatText("%lld × %lld bytes do not make the view's %lld",
-                                      static_cast<long long>(count), static_cast<long long>(stride),
-                                      static_cast<long long>(viewLength)));
+  if (count < 1 || count > viewLength || count * stride != viewLength) {
+    return fail(extension,
+                formatText("%lld elements of %lld bytes do not fill the view's %lld bytes",
+                           static_cast<long long>(count), static_cast<long long>(stride),
+                           static_cast<long long>(viewLength)));
   }
   zeroBytes_ += static_cast<std::uint64_t>(viewLength);
   if (zeroBytes_ <= limits_.maxBytes) return true;
-  return fail(view, "the decoded data would exceed the limit on bytes", ErrorCode::kLimit);
+  return fail(view, overLimit("the decoded data"), ErrorCode::kLimit);
 }
 
 bool GltfChecker::checkSpan(int place, int view, std::int64_t offset, std::int64_t count,
@@ -110,22 +136,29 @@ bool GltfChecker::checkSpan(int place, int view, std::int64_t offset, std::int64
     return false;
   }
   if (isSparse && stride != 0) {
-    return fail(place, "sparse data must be tightly packed, but its view has a byteStride");
+    return fail(place, formatText("sparse data must be tightly packed, but its view has the "
+                                  "byteStride %lld",
+                                  static_cast<long long>(stride)));
   }
   if (stride == 0) stride = elementSize;
   if (stride < elementSize) {
     return fail(place,
-                formatText("elements of %lld bytes at a stride of %lld",
+                formatText("elements of %lld bytes at a stride of %lld overlap",
                            static_cast<long long>(elementSize), static_cast<long long>(stride)));
   }
   if (offset % componentSize != 0 || viewOffset % componentSize != 0) {
-    return fail(place, formatText("not aligned to its components of %lld bytes",
-                                  static_cast<long long>(componentSize)));
+    return fail(place,
+                formatText("byteOffset %lld, in a view at %lld, is not aligned to "
+                           "components of %lld bytes",
+                           static_cast<long long>(offset), static_cast<long long>(viewOffset),
+                           static_cast<long long>(componentSize)));
   }
   // count ≤ length is tested first, so that the product stays far below 2⁶³.
   if (count > length || !isInside(offset, stride * (count - 1) + elementSize, length)) {
-    return fail(place, formatText("%lld elements do not fit the view of %lld bytes",
-                                  static_cast<long long>(count), static_cast<long long>(length)));
+    return fail(place, formatText("%lld elements do not fit the view of %lld bytes: they start at "
+                                  "byte %lld and have a stride of %lld",
+                                  static_cast<long long>(count), static_cast<long long>(length),
+                                  static_cast<long long>(offset), static_cast<long long>(stride)));
   }
   return true;
 }
@@ -140,7 +173,10 @@ bool GltfChecker::checkAccessor(int accessor) {
   if (count < 1) return fail(accessor, "'count' must be at least 1");
   GltfAccessor shape;
   shape.componentType = componentType < 10'000 ? static_cast<int>(componentType) : 0;
-  if (shape.componentSize() == 0) return fail(accessor, "unknown componentType");
+  if (shape.componentSize() == 0) {
+    return fail(accessor,
+                formatText("unknown componentType %lld", static_cast<long long>(componentType)));
+  }
   const std::string type = json_.string(json_.find(accessor, "type"));
   if (!gltfShape(type, shape)) return fail(accessor, "unknown type " + inQuotes(type));
   const int normalized = json_.find(accessor, "normalized");
@@ -163,9 +199,8 @@ bool GltfChecker::checkAccessor(int accessor) {
     zeroBytes_ += isHuge ? limits_.maxBytes + 1 : static_cast<std::uint64_t>(count * elementSize);
     if (zeroBytes_ > limits_.maxBytes) {
       return fail(accessor,
-                  formatText("%lld elements without data of their own exceed the limit "
-                             "on bytes",
-                             static_cast<long long>(count)),
+                  overLimit(formatText("%lld elements without data of their own",
+                                       static_cast<long long>(count))),
                   ErrorCode::kLimit);
     }
   }
@@ -186,19 +221,25 @@ bool GltfChecker::checkSparse(int accessor, int sparse, std::int64_t count,
       !integer(values, "byteOffset", 0, valueOffset)) {
     return false;
   }
-  if (changed < 1 || changed > count)
-    return fail(sparse, "'count' must be from 1 to the accessor's");
+  if (changed < 1 || changed > count) {
+    return fail(sparse, formatText("'count' must be from 1 to the accessor's %lld, not %lld",
+                                   static_cast<long long>(count), static_cast<long long>(changed)));
+  }
   if (indexType != kGltfUnsignedByte && indexType != kGltfUnsignedShort &&
       indexType != kGltfUnsignedInt) {
-    return fail(indices, "'componentType' must be an unsigned integer");
+    return fail(indices, formatText("'componentType' must be that of an unsigned integer (5121, "
+                                    "5123 or 5125), not %lld",
+                                    static_cast<long long>(indexType)));
   }
   // tinygltf stores these in 32 bits.
   if (indexOffset > INT32_MAX || valueOffset > INT32_MAX || changed > INT32_MAX) {
-    return fail(sparse, "sparse data beyond 2 GiB is not read", ErrorCode::kLimit);
+    return fail(sparse, "sparse data beyond 2 GiB is not supported", ErrorCode::kLimit);
   }
   const int indexView = json_.find(indices, "bufferView");
   const int valueView = json_.find(values, "bufferView");
-  if (indexView < 0 || valueView < 0) return fail(sparse, "a bufferView is missing");
+  if (indexView < 0 || valueView < 0) {
+    return fail(sparse, "'indices' and 'values' need a 'bufferView'");
+  }
   std::int64_t componentType = 0;
   if (!integer(accessor, "componentType", -1, componentType)) return false;
   const auto indexSize = static_cast<std::int64_t>(gltfComponentSize(static_cast<int>(indexType)));
@@ -206,7 +247,7 @@ bool GltfChecker::checkSparse(int accessor, int sparse, std::int64_t count,
       static_cast<std::int64_t>(gltfComponentSize(static_cast<int>(componentType)));
   sparseElements_ += static_cast<std::uint64_t>(changed * elementSize);
   if (sparseElements_ > limits_.maxBytes) {
-    return fail(sparse, "all sparse data together exceeds the limit on bytes", ErrorCode::kLimit);
+    return fail(sparse, overLimit("all sparse data together"), ErrorCode::kLimit);
   }
   return checkSpan(indices, element("bufferViews", indexView), indexOffset, changed, indexSize,
                    indexSize, true) &&

@@ -18,7 +18,7 @@ Status checkSparseIndices(const GltfStore& store, std::size_t index) {
     const std::int64_t at = unsignedAt(bytes.subspan(sparse.indexOffset), sparse.indexType, k);
     if (at <= last || at >= static_cast<std::int64_t>(accessor.count)) {
       return badIndex(formatText("/accessors/%zu/sparse/indices", index),
-                      formatText("entry %llu is %lld; they must increase and stay below %llu",
+                      formatText("entry %llu is %lld; entries must increase and stay below %llu",
                                  static_cast<unsigned long long>(k), static_cast<long long>(at),
                                  static_cast<unsigned long long>(accessor.count)));
     }
@@ -43,7 +43,7 @@ Status checkPrimitiveIndices(const GltfStore& store, int mesh, int index) {
     if (value < count && (value != restart || primitive.draco)) continue;
     return badIndex(
         formatText("/meshes/%d/primitives/%d/indices", mesh, index),
-        formatText(value == restart ? "entry %zu is %u, the restart value, which may not be used"
+        formatText(value == restart ? "entry %zu is %u, the restart value, which glTF forbids"
                                     : "entry %zu is %u, but there are %llu vertices",
                    k, value, static_cast<unsigned long long>(count)));
   }

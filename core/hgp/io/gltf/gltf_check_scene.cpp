@@ -48,10 +48,12 @@ bool GltfChecker::checkPrimitive(int primitive) {
   if (mode < 4) return true;
   triangles_ += static_cast<std::uint64_t>(mode == 4 ? corners / 3 : corners);
   if (triangles_ <= limits_.maxTriangles) return true;
-  return fail(primitive,
-              formatText("more than the limit of %llu triangles",
-                         static_cast<unsigned long long>(limits_.maxTriangles)),
-              ErrorCode::kLimit);
+  return fail(
+      primitive,
+      formatText(
+          "more than the limit of %llu triangles; raise it by --max-triangles (limits.triangles)",
+          static_cast<unsigned long long>(limits_.maxTriangles)),
+      ErrorCode::kLimit);
 }
 
 bool GltfChecker::checkVertexAttributes(int attributes, std::int64_t& count, bool isTarget) {
@@ -69,9 +71,11 @@ bool GltfChecker::checkVertexAttributes(int attributes, std::int64_t& count, boo
     count = own;
     const std::string type = json_.string(json_.find(accessor, "type"));
     const std::string semantic = json_.key(member);
-    if (semantic == "POSITION" && type != "VEC3") return fail(member, "POSITION must be VEC3");
+    if (semantic == "POSITION" && type != "VEC3") {
+      return fail(member, "POSITION must be VEC3, not " + type);
+    }
     if (semantic.rfind("TEXCOORD_", 0) == 0 && !isTarget && type != "VEC2") {
-      return fail(member, "TEXCOORD must be VEC2");
+      return fail(member, semantic + " must be VEC2, not " + type);
     }
     if (semantic == "POSITION" && !isOneOf(componentType, {5120, 5121, 5122, 5123, 5126})) {
       return fail(member, "POSITION cannot have 32-bit integers");
@@ -111,10 +115,10 @@ bool GltfChecker::checkDraco(int primitive) {
   for (int member : json_.children(ids)) {
     const auto id = json_.integer(member);
     if (!id || *id < 0 || *id > INT32_MAX) {
-      return fail(member, "must be a non-negative integer");
+      return fail(member, "must be a non-negative integer, not " + inQuotes(json_.raw(member)));
     }
     if (json_.find(attributes, json_.key(member)) < 0) {
-      return fail(member, "names an attribute that the primitive does not have");
+      return fail(member, "is an attribute that the primitive does not have");
     }
   }
   return true;
@@ -127,7 +131,7 @@ bool GltfChecker::checkNodes() {
     for (int child : json_.children(json_.find(nodes_[i], "children"))) {
       const auto index = static_cast<std::size_t>(*json_.integer(child));
       if (parent[index] >= 0 || index == i) {
-        return fail(child, formatText("node %zu has two parents or is its own", index));
+        return fail(child, formatText("node %zu has two parents or is its own parent", index));
       }
       parent[index] = static_cast<int>(i);
     }
@@ -151,7 +155,7 @@ bool GltfChecker::checkNodes() {
     }
   }
   if (reached == count) return true;
-  return fail(json_.find(JsonText::kRoot, "nodes"), "nodes that are their own ancestors");
+  return fail(json_.find(JsonText::kRoot, "nodes"), "some nodes are their own ancestors");
 }
 
 }  // namespace hgp::io

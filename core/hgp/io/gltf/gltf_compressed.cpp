@@ -45,7 +45,8 @@ Status decodeView(GltfStore& store, int index, const GltfDecoders& decoders) {
   const std::string pointer = formatText("/bufferViews/%d", index);
   if (!decoders.meshopt) {
     return failureAt(ErrorCode::kUnsupported, pointer,
-                     "compressed with meshopt, for which this build has no decoder");
+                     "compressed with meshopt, for which this build has no decoder; export it "
+                     "uncompressed");
   }
   MeshoptRequest request;
   request.source = store.buffers[static_cast<std::size_t>(meshopt.buffer)].bytes.subspan(
@@ -58,7 +59,7 @@ Status decodeView(GltfStore& store, int index, const GltfDecoders& decoders) {
   if (!bytes) return failureAt(bytes.error().code, pointer, bytes.error().message);
   if (bytes->size() != view.length) {
     return failureAt(ErrorCode::kMalformed, pointer,
-                     formatText("decoded to %zu bytes, not %llu", bytes->size(),
+                     formatText("the meshopt data decode to %zu bytes, not %llu", bytes->size(),
                                 static_cast<unsigned long long>(view.length)));
   }
   store.decodedViews[index] = std::move(*bytes);
@@ -78,10 +79,12 @@ Status decodeDraco(GltfStore& store, int mesh, int index, const GltfDecoders& de
     const int position = primitive.attribute("POSITION");
     if (position < 0 || accessor(position).view >= 0) return Done{};
     return failureAt(ErrorCode::kUnsupported, pointer,
-                     "compressed with Draco, for which this build has no decoder");
+                     "compressed with Draco, for which this build has no decoder; export it "
+                     "uncompressed");
   }
   if (primitive.mode != 4) {
-    return failureAt(ErrorCode::kUnsupported, pointer, "Draco strips and fans are not read");
+    return failureAt(ErrorCode::kUnsupported, pointer,
+                     "strips and fans compressed with Draco are not supported; export triangles");
   }
   DracoRequest request;
   request.source = store.viewBytes(primitive.draco->view);
@@ -94,7 +97,7 @@ Status decodeDraco(GltfStore& store, int mesh, int index, const GltfDecoders& de
     semantics.push_back(semantic);
   }
   if (semantics.empty())
-    return failureAt(ErrorCode::kMalformed, pointer, "Draco data names no attribute");
+    return failureAt(ErrorCode::kMalformed, pointer, "the Draco extension lists no attributes");
   auto decoded = decoders.draco(request);
   if (!decoded) return failureAt(decoded.error().code, pointer, decoded.error().message);
   bool isAsAsked = decoded->indices.size() == request.indexCount &&

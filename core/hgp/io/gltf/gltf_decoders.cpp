@@ -95,8 +95,11 @@ Result<DracoMesh> decodeDraco(const DracoRequest& request) {
   const std::unique_ptr<draco::Mesh> mesh = std::move(decoded).value();
   if (mesh->num_points() != request.vertexCount ||
       std::uint64_t{mesh->num_faces()} * 3 != request.indexCount) {
-    return damaged(formatText("has %u vertices and %u triangles, the accessors say otherwise",
-                              mesh->num_points(), mesh->num_faces()));
+    return damaged(formatText(
+        "has %u vertices and %u triangles, but the accessors have %llu "
+        "vertices and %llu indices",
+        mesh->num_points(), mesh->num_faces(), static_cast<unsigned long long>(request.vertexCount),
+        static_cast<unsigned long long>(request.indexCount)));
   }
   DracoMesh out;
   out.indices.reserve(request.indexCount);

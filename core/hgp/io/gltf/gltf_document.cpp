@@ -117,13 +117,16 @@ Result<DocumentPtr> readGltf(FileSet files, const Limits& limits) {
     parts.push_back(std::move(*part));
   }
   if (parts.empty()) {
-    return Failure{ErrorCode::kUnsupported, "read", "the file has no mesh with triangles", {}};
+    return Failure{ErrorCode::kUnsupported,
+                   "read",
+                   "the file has no mesh with triangles; points and lines have no surface",
+                   {}};
   }
   return DocumentPtr(std::make_unique<GltfDocument>(std::move(*store), std::move(parts)));
 }
 
 Result<DocumentPtr> GltfDocument::refined(int, const std::vector<std::array<int, 2>>&) const {
-  return Failure{ErrorCode::kUnsupported, "refine", "accessors of a glTF are not enlarged", {}};
+  return Failure{ErrorCode::kUnsupported, "refine", "glTF files cannot be refined in place", {}};
 }
 
 Result<DocumentPtr> GltfDocument::repaired(int surface, const FaceEdits& edits) const {

@@ -70,7 +70,7 @@ Status checkDracoHeader(const DracoRequest& request) {
   if (bytes[5] != 2 || bytes[6] != 2) {
     return refuse(formatText("has bitstream version %d.%d; glTF uses 2.2", bytes[5], bytes[6]));
   }
-  if (bytes[7] != 1) return refuse("holds a point cloud, not triangles");
+  if (bytes[7] != 1) return refuse("is a point cloud, not a mesh");
   DracoCursor cursor(bytes.subspan(11));
   if ((bytes[10] & 0x80) != 0) {
     std::uint64_t count = 0, id = 0;
@@ -88,9 +88,12 @@ Status checkDracoHeader(const DracoRequest& request) {
                     : cursor.varint(faces) && cursor.varint(vertices);
   if (!isGood) return refuse("is cut off");
   if (faces * 3 != request.indexCount || vertices > request.vertexCount) {
-    return refuse(formatText("claims %llu vertices and %llu triangles, the accessors say otherwise",
-                             static_cast<unsigned long long>(vertices),
-                             static_cast<unsigned long long>(faces)));
+    return refuse(formatText(
+        "claims %llu vertices and %llu triangles, but the accessors have %llu "
+        "vertices and %llu indices",
+        static_cast<unsigned long long>(vertices), static_cast<unsigned long long>(faces),
+        static_cast<unsigned long long>(request.vertexCount),
+        static_cast<unsigned long long>(request.indexCount)));
   }
   return Done{};
 }

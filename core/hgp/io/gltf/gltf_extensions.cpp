@@ -39,10 +39,9 @@ Differences differencesOf(const Bytes& merged, int componentType,
 void GltfWriter::rewriteManifold() {
   const int extension = json_.find(json_.find(meshNode_, "extensions"), kManifold);
   if (extension < 0) return;
-  if (!part_.copy.empty())
-    return dropManifold("repairs are written, and it says how it was before");
+  if (!part_.copy.empty()) return dropManifold("it describes the mesh before the repairs");
   if (!part_.isWeldedByExtension || !planManifold())
-    dropManifold("its indices are not those of the primitives, or do not agree with one another");
+    dropManifold("its indices are not those of the primitives, or contradict each other");
 }
 
 void GltfWriter::dropManifold(const char* why) {

@@ -36,8 +36,10 @@ class ChunkReader {
       const std::size_t length = word(file_, at_);
       if (length % 4 != 0 && unpadded_ == 0) unpadded_ = at_;
       if (length > file_.size() - at_ - 8) {
-        return failure(at_, formatText("a chunk of %zu bytes where %zu are left", length,
-                                       file_.size() - at_ - 8));
+        return failure(at_,
+                       formatText("a chunk of %zu bytes, but only %zu are left; the file may be "
+                                  "truncated",
+                                  length, file_.size() - at_ - 8));
       }
       const Status taken = take(index, word(file_, at_ + 4), file_.subspan(at_ + 8, length));
       if (!taken) return taken.error();
@@ -101,7 +103,9 @@ Result<GltfContainer> openLonger(ByteView file, std::size_t length) {
 Result<GltfContainer> openBinary(ByteView file) {
   if (file.size() < 20) return notGltf(file.size(), "the GLB header is cut off");
   if (word(file, 4) != 2) {
-    return notGltf(4, formatText("GLB version %u, only 2 is known", word(file, 4)));
+    return notGltf(4, formatText("GLB version %u is not supported, only 2; export the file as glTF "
+                                 "2.0",
+                                 word(file, 4)));
   }
   const std::size_t length = word(file, 8);
   if (length == file.size()) return ChunkReader(file).read();
@@ -109,8 +113,8 @@ Result<GltfContainer> openBinary(ByteView file) {
     Result<GltfContainer> out = openLonger(file, length);
     if (out) return out;
   }
-  return notGltf(
-      8, formatText("the GLB header says %zu bytes, the file has %zu", length, file.size()));
+  return notGltf(8, formatText("the GLB header says %zu bytes, but the file has %zu%s", length,
+                               file.size(), length > file.size() ? "; it may be truncated" : ""));
 }
 
 int base64Value(char c) {
@@ -153,8 +157,8 @@ const char* nameProblem(std::string_view name) {
   if (name.empty()) return "the name is empty";
   if (name.front() == '/') return "the path is absolute";
   for (char c : name) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) return "it holds a control character";
-    if (c == '\\') return "it holds a backslash";
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) return "it has a control character";
+    if (c == '\\') return "it has a backslash; separate folders by '/'";
     if (c == ':') return "only files next to this one are read: no scheme, host or drive";
   }
   for (std::size_t begin = 0; begin <= name.size();) {
@@ -178,7 +182,7 @@ Result<GltfContainer> openContainer(ByteView file) {
     ++at;
   }
   if (at == file.size()) return notGltf(at, "it is empty");
-  if (file[at] != '{') return notGltf(at, "neither the GLB magic nor a JSON object is there");
+  if (file[at] != '{') return notGltf(at, "it starts with neither the GLB magic nor a JSON object");
   GltfContainer out;
   out.json = {reinterpret_cast<const char*>(file.data()), file.size()};
   return out;
@@ -194,7 +198,7 @@ Result<DataUri> parseDataUri(std::string_view uri) {
   const std::string_view head = uri.substr(0, std::min(comma, uri.size()));
   if (comma == std::string_view::npos || head.size() < 7 ||
       head.substr(head.size() - 7) != ";base64") {
-    return Failure{ErrorCode::kMalformed, "read", "a data URI that is not base64", {}};
+    return Failure{ErrorCode::kMalformed, "read", "its data URI is not base64 (no ';base64,')", {}};
   }
   return DataUri{uri.substr(comma + 1)};
 }
@@ -246,13 +250,13 @@ Result<std::string> relativeName(std::string_view uri) {
   const auto refuse = [&](const char* why) {
     return Failure{ErrorCode::kMalformed,
                    "read",
-                   "the file asks for " + inQuotes(uri, 120) + ", which is not loaded: " + why,
+                   "the file refers to " + inQuotes(uri, 120) + ", which is not loaded: " + why,
                    {}};
   };
   if (uri.find_first_of("?#") != std::string_view::npos)
-    return refuse("it holds a query or a fragment");
+    return refuse("it has a query or a fragment; encode '?' as %3F and '#' as %23");
   const auto name = percentDecoded(uri);
-  if (!name) return refuse("its percent-encoding is broken");
+  if (!name) return refuse("its percent-encoding is invalid; encode '%' as %25");
   if (const char* problem = nameProblem(*name)) return refuse(problem);
   std::string_view plain = *name;
   while (plain.substr(0, 2) == "./") plain.remove_prefix(2);

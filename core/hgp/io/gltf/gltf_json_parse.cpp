@@ -194,7 +194,7 @@ class JsonParser {
       ++p_;
     }
     if (p_ == end_) {
-      fail("string without an end");
+      fail("string without a closing quote");
       return;
     }
     ++p_;

@@ -48,13 +48,14 @@ Result<Bytes> bytesOfUri(const std::string& uri, const Resolver& resolve) {
 bool mayBeMissing(const Failure& failure) { return failure.code == ErrorCode::kMalformed; }
 
 std::string missingNote(const Failure& failure) {
-  return failure.message + ": the picture is still named and not there";
+  return failure.message + "; the reference to it is kept";
 }
 
 Failure tooMany(const Limits& limits) {
   return {ErrorCode::kLimit,
           "read",
-          formatText("the side files are larger than %llu bytes together",
+          formatText("the side files together exceed the limit of %llu bytes; raise it by "
+                     "--max-bytes (limits.bytes)",
                      static_cast<unsigned long long>(limits.maxBytes)),
           {}};
 }
@@ -98,7 +99,11 @@ class GltfPacker {
       const auto length = static_cast<std::size_t>(
           std::max<std::int64_t>(0, json_.integer(json_.find(node, "byteLength")).value_or(0)));
       if (bytes->size() < length)
-        return Failure{ErrorCode::kMalformed, "read", "a buffer is shorter than it says", {}};
+        return Failure{
+            ErrorCode::kMalformed,
+            "read",
+            formatText("a buffer declares %zu bytes, but there are %zu", length, bytes->size()),
+            {}};
       const Status done = addToBin(ByteView(*bytes).first(length));
       if (!done) return done;
       newBuffer_.push_back({0, bin_.size() - length});
@@ -248,8 +253,9 @@ Result<Written> glbAsGltf(ByteView glb, const std::string& name) {
   out.files.push_back({name, asBytes(text)});
   if (hasBin) out.files.push_back(std::move(side));
   for (const GltfChunk& chunk : container->others)
-    out.notes.push_back(formatText("a .gltf has no chunks: %zu bytes of type %08X are not kept",
-                                   chunk.bytes.size(), chunk.type));
+    out.notes.push_back(
+        formatText("a .gltf has no chunks: one of %zu bytes and type %08X is not kept",
+                   chunk.bytes.size(), chunk.type));
   return out;
 }
 

@@ -187,7 +187,7 @@ Result<GltfModel> readGltfModel(const JsonText& json) {
   if (!isComplete(json, model)) {
     return Failure{ErrorCode::kMalformed,
                    "read",
-                   "not a readable glTF file: a mesh could not be understood " + errors,
+                   "not a readable glTF file: a mesh could not be read " + errors,
                    {}};
   }
   readGltfExtensions(json, model);

@@ -106,8 +106,10 @@ class GltfWelder {
     if (total * sizeof(Vec3) > limits_.maxBytes || total > INT32_MAX / 2) {
       return Failure{ErrorCode::kLimit,
                      "read",
-                     formatText("mesh %d has %llu vertices, more than the limit on bytes allows",
-                                out_.mesh, static_cast<unsigned long long>(total)),
+                     formatText("mesh %d has %llu vertices, more than the limit of %llu bytes "
+                                "allows; raise it by --max-bytes (limits.bytes)",
+                                out_.mesh, static_cast<unsigned long long>(total),
+                                static_cast<unsigned long long>(limits_.maxBytes)),
                      {}};
     }
     const int pool = static_cast<int>(out_.pools.size());
@@ -142,7 +144,7 @@ class GltfWelder {
         (accessor.componentType != kGltfUnsignedByte &&
          accessor.componentType != kGltfUnsignedShort &&
          accessor.componentType != kGltfUnsignedInt)) {
-      return ignoreExtension("its indices are no indices");
+      return ignoreExtension("its indices are not unsigned integers");
     }
     if (!manifoldStarts(store_, out_.mesh, out_.runs)) {
       return ignoreExtension("its indices are not those of the primitives");
@@ -150,7 +152,7 @@ class GltfWelder {
     const std::optional<std::vector<std::uint32_t>> merged = mergedVertices(accessor);
     if (!merged) return false;
     joinAll(*merged);
-    note("welded as EXT_mesh_manifold says");
+    note("welded as EXT_mesh_manifold states");
     out_.isWeldedByExtension = true;
     return true;
   }
@@ -180,7 +182,7 @@ class GltfWelder {
       const std::uint32_t to = unsignedAt(values, accessor.componentType, k);
       if (from >= positions_.size() || to >= positions_.size() ||
           !isSamePlace(positions_[from], positions_[to])) {
-        ignoreExtension("it merges vertices that are not at the same place");
+        ignoreExtension("it merges vertices that are not at the same position");
         return std::nullopt;
       }
       --unlisted[from];
@@ -191,7 +193,7 @@ class GltfWelder {
     for (std::size_t v = 0; v < merged.size(); ++v)
       isAmbiguous = isAmbiguous || (isListed[v] && merged[v] != v && unlisted[v] != 0);
     if (isAmbiguous) {
-      ignoreExtension("it merges a vertex at one corner and not, or otherwise, at another");
+      ignoreExtension("it merges a vertex differently at different corners");
       return std::nullopt;
     }
     return merged;

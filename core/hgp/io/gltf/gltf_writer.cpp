@@ -69,10 +69,11 @@ Status GltfWriter::chooseSet() {
     while (set_ > 0 && !isTaken(set_ - 1)) --set_;
   }
   if (set_ <= kHighestSet) return Done{};
-  return Failure{ErrorCode::kUsage,
-                 "write",
-                 formatText("uv set %d: sets from 0 to %d can be written", set_, kHighestSet),
-                 {}};
+  return Failure{
+      ErrorCode::kUsage,
+      "write",
+      formatText("uv set %d cannot be written; choose one from 0 to %d", set_, kHighestSet),
+      {}};
 }
 
 void GltfWriter::planPool(int pool) {

@@ -223,11 +223,13 @@ class ObjDocument final : public PolygonDocument {
 
 Result<DocumentPtr> readObj(FileSet files, const Limits& limits) {
   if (files.main.size() > limits.maxBytes) {
-    return Failure{ErrorCode::kLimit,
-                   "read",
-                   formatText("%zu bytes; the limit is %llu", files.main.size(),
-                              static_cast<unsigned long long>(limits.maxBytes)),
-                   {}};
+    return Failure{
+        ErrorCode::kLimit,
+        "read",
+        formatText(
+            "the file has %zu bytes, the limit is %llu; raise it by --max-bytes (limits.bytes)",
+            files.main.size(), static_cast<unsigned long long>(limits.maxBytes)),
+        {}};
   }
   auto document = std::make_unique<ObjDocument>();
   if (Status done = document->read(std::move(files.main), limits.maxTriangles); !done) {

@@ -28,7 +28,7 @@ class ObjScanner {
 
   Result<ObjText> scan() {
     if (const std::size_t nul = text_.find('\0'); nul != std::string_view::npos) {
-      return malformedByte(nul, "a NUL byte; this is not an OBJ text");
+      return malformedByte(nul, "a NUL byte: this is not an OBJ text");
     }
     reserve();
     if (text_.substr(0, 3) == "\xEF\xBB\xBF") position_ = 3;
@@ -142,7 +142,9 @@ class ObjScanner {
     Vec3 v;
     for (double& x : v) {
       skipBlanks(p, end);
-      if (!takeNumber(p, end, x)) return fail("a v line needs three decimal numbers");
+      if (!takeNumber(p, end, x)) {
+        return fail("a v line needs three decimal numbers, with points and not commas");
+      }
     }
     if (!isFinite(v)) {
       notFinite_.push_back({static_cast<int>(out_.polygons.positions.size()),
@@ -160,11 +162,10 @@ class ObjScanner {
   bool takeUv(const char* p, const char* end, const TextSpan& span) {
     Vec2 uv{0, 0};
     skipBlanks(p, end);
-    if (!takeNumber(p, end, uv[0])) return fail("a vt line needs decimal numbers");
+    constexpr const char* kRule = "a vt line needs decimal numbers, with points and not commas";
+    if (!takeNumber(p, end, uv[0])) return fail(kRule);
     skipBlanks(p, end);
-    if (p != end && *p != '#' && !takeNumber(p, end, uv[1])) {
-      return fail("a vt line needs decimal numbers");
-    }
+    if (p != end && *p != '#' && !takeNumber(p, end, uv[1])) return fail(kRule);
     out_.uv.push_back(uv);
     if (!out_.uvLines.empty() && out_.uvLines.back().end == span.begin) {
       out_.uvLines.back().end = span.end;
@@ -180,12 +181,18 @@ class ObjScanner {
     if (!readInt(p, end, index)) return fail("a corner of this f line is not a number");
     if (index == 0) return fail("index 0; OBJ counts from 1");
     if (index < 0) {
+      const auto relative = static_cast<long long>(index);
       index += static_cast<std::int64_t>(count);
-      if (index < 0) return fail("a relative index points before the first definition");
+      if (index < 0) {
+        return fail(formatText("relative index %lld, but only %zu v lines precede this line",
+                               relative, count));
+      }
     } else {
       --index;
     }
-    if (index > INT32_MAX) return fail("an index is out of range");
+    if (index > INT32_MAX) {
+      return fail(formatText("index %lld is out of range", static_cast<long long>(index) + 1));
+    }
     out = static_cast<int>(index);
     return true;
   }
@@ -228,17 +235,20 @@ class ObjScanner {
     if (corners < 3) return skipFace(first, span);
     if (corners > static_cast<std::size_t>(kMaxPolygonCorners)) {
       return fail(
-          formatText("a face of %zu corners; at most %d are read", corners, kMaxPolygonCorners));
+          formatText("a face of %zu corners; at most %d are supported: triangulate it first",
+                     corners, kMaxPolygonCorners));
     }
     polygons.start.push_back(static_cast<std::uint32_t>(polygons.cornerVertex.size()));
     out_.faceLines.push_back(span);
     triangles_ += corners - 2;
     if (triangles_ <= maxTriangles_) return true;
-    failure_ = {ErrorCode::kLimit,
-                "read",
-                formatText("more than %llu triangles (the limit)",
-                           static_cast<unsigned long long>(maxTriangles_)),
-                {}};
+    failure_ = {
+        ErrorCode::kLimit,
+        "read",
+        formatText(
+            "more than the limit of %llu triangles; raise it by --max-triangles (limits.triangles)",
+            static_cast<unsigned long long>(maxTriangles_)),
+        {}};
     return false;
   }
 
@@ -288,7 +298,7 @@ class ObjScanner {
                                       counted(skippedFaces_, "f line").c_str()));
     }
     if (missingUv_ > 0) {
-      out_.notes.push_back(formatText("%s without a vt, as the one that is named is not there",
+      out_.notes.push_back(formatText("%s without a vt, because no vt line has their index",
                                       counted(missingUv_, "corner").c_str()));
     }
     if (eol_ == '\r') out_.notes.push_back("the lines end in CR alone");

@@ -60,14 +60,17 @@ class OffReader {
 
   bool takeCounts() {
     if (!words_.nextInt(vertices_)) {
-      return words_.word() == "BINARY" ? fail("binary OFF files are not read") : failNumber();
+      return words_.word() == "BINARY" ? fail("binary OFF files are not supported; save it as text")
+                                       : failNumber();
     }
     if (!words_.nextInt(faces_)) return failNumber();
     takeEdgeCount();
     // Every row takes at least two bytes, so a count above the file's size must be wrong.
     const std::int64_t most = static_cast<std::int64_t>(size_);
     if (vertices_ < 0 || faces_ < 0 || vertices_ > most || faces_ > most) {
-      return fail("the counts do not fit the size of the file");
+      return fail(
+          formatText("the counts, %lld vertices and %lld faces, do not fit a file of %zu bytes",
+                     static_cast<long long>(vertices_), static_cast<long long>(faces_), size_));
     }
     return true;
   }
@@ -131,7 +134,10 @@ class OffReader {
       std::int64_t corners = 0;
       if (!words_.nextInt(corners)) return failNumber();
       if (corners < 0 || corners > kMaxPolygonCorners) {
-        return fail(formatText("a face of %lld corners", static_cast<long long>(corners)));
+        return fail(
+            formatText("a face of %lld corners; at most %d are supported: triangulate it "
+                       "first",
+                       static_cast<long long>(corners), kMaxPolygonCorners));
       }
       if (corners < 3) {
         words_.restOfLine();
@@ -142,7 +148,7 @@ class OffReader {
         std::int64_t v = 0;
         if (!words_.nextInt(v)) return failNumber();
         if (v < 0 || v >= vertices_) {
-          return fail(formatText("vertex %lld is out of range (there are %lld)",
+          return fail(formatText("vertex %lld is out of range (there are %lld, counted from 0)",
                                  static_cast<long long>(v), static_cast<long long>(vertices_)));
         }
         file_.polygons.cornerVertex.push_back(static_cast<int>(v));
@@ -155,13 +161,14 @@ class OffReader {
       if (triangles > maxTriangles_) {
         failure_ = {ErrorCode::kLimit,
                     "read",
-                    formatText("more than %llu triangles (the limit)",
+                    formatText("more than the limit of %llu triangles; raise it by --max-triangles "
+                               "(limits.triangles)",
                                static_cast<unsigned long long>(maxTriangles_)),
                     {}};
         return false;
       }
     }
-    if (file_.polygons.polygonCount() == 0) return fail("there are no faces");
+    if (file_.polygons.polygonCount() == 0) return fail("there are no faces: not a surface");
     return true;
   }
 

@@ -89,14 +89,19 @@ class PlyReader {
 
   bool take(PlyType type, double& out) {
     if (body_->next(type, out)) return true;
-    return header_.encoding == PlyEncoding::kText ? fail("expected a number, not " + body_->word())
-                                                  : fail("the file ends inside its data");
+    return header_.encoding == PlyEncoding::kText
+               ? fail("expected a number, not " + body_->word())
+               : fail("the file ends inside its data; it may be truncated");
   }
 
   bool takeElement(const PlyElement& element) {
     // Every row takes at least one byte, so a count above the file's size must be wrong.
     if (element.properties.empty()) return true;
-    if (element.count > text_.size()) return fail("an element count does not fit the file's size");
+    if (element.count > text_.size()) {
+      return fail(formatText("the count of elements %s, %llu, does not fit a file of %zu bytes",
+                             inQuotes(element.name).c_str(),
+                             static_cast<unsigned long long>(element.count), text_.size()));
+    }
     for (std::uint64_t row = 0; row < element.count; ++row) {
       if (element.name == "vertex" ? !takeVertex(element) : !takeRow(element)) return false;
     }
@@ -139,7 +144,9 @@ class PlyReader {
     const double most = isStrip_                            ? static_cast<double>(text_.size())
                         : property.role == PlyRole::kUvList ? 2.0 * kMaxPolygonCorners
                                                             : 1.0 * kMaxPolygonCorners;
-    if (!(length >= 0 && length <= most)) return fail(formatText("a list of %g entries", length));
+    if (!(length >= 0 && length <= most)) {
+      return fail(formatText("a list of %g entries; from 0 to %g are supported", length, most));
+    }
     for (int i = 0; i < static_cast<int>(length); ++i) {
       double x = 0;
       if (!take(property.type, x)) return false;
@@ -183,7 +190,8 @@ class PlyReader {
     for (double v : list_) {
       if (!(v >= 0 && v <= 2147483647.0 &&
             v == static_cast<double>(static_cast<std::int64_t>(v)))) {
-        return fail("a face names a vertex that cannot be");
+        return fail(
+            formatText("a face has vertex index %g, which must be a non-negative integer", v));
       }
       file_.polygons.cornerVertex.push_back(static_cast<int>(v));
       largest_ = std::max(largest_, static_cast<int>(v));
@@ -191,7 +199,13 @@ class PlyReader {
     file_.polygons.start.push_back(static_cast<std::uint32_t>(file_.polygons.cornerVertex.size()));
     triangles_ += list_.size() - 2;
     if (triangles_ <= maxTriangles_) return true;
-    failure_ = {ErrorCode::kLimit, "read", "more triangles than the limit allows", {}};
+    failure_ = {
+        ErrorCode::kLimit,
+        "read",
+        formatText(
+            "more than the limit of %llu triangles; raise it by --max-triangles (limits.triangles)",
+            static_cast<unsigned long long>(maxTriangles_)),
+        {}};
     return false;
   }
 
@@ -224,7 +238,8 @@ class PlyReader {
   bool finishUv() {
     const std::size_t vertices = file_.polygons.positions.size();
     if (static_cast<std::size_t>(largest_) >= vertices) {
-      return fail(formatText("a face names vertex %d (there are %zu)", largest_, vertices));
+      return fail(formatText("vertex %d is out of range (there are %zu, counted from 0)", largest_,
+                             vertices));
     }
     if (file_.cornerUv.size() == file_.polygons.cornerVertex.size()) return true;
     file_.uv.clear();

@@ -99,7 +99,9 @@ double numberAs(const unsigned char* bytes) {
 
 Result<PlyHeader> readPlyHeader(std::string_view text) {
   PlyHeader header;
-  if (text.substr(0, 3) != "ply") return malformedByte(0, "not a PLY file");
+  if (text.substr(0, 3) != "ply") {
+    return malformedByte(0, "not a PLY file (the first word must be ply)");
+  }
   // A binary body may contain any byte, so the line ending is taken from the first line.
   const std::size_t first = text.find_first_of("\r\n");
   const bool isOld =
@@ -119,10 +121,10 @@ Result<PlyHeader> readPlyHeader(std::string_view text) {
       return header;
     }
     if (!takeLine(line, header)) {
-      return malformedLine(header.lineCount, "PLY header: " + inQuotes(line));
+      return malformedLine(header.lineCount, "unknown line in the PLY header: " + inQuotes(line));
     }
   }
-  return malformedByte(position, "the PLY header has no end");
+  return malformedByte(position, "the PLY header has no end (end_header is missing)");
 }
 
 std::size_t plySize(PlyType type) {

@@ -167,7 +167,7 @@ Result<TriangleCorners> triangulate(const PolygonMesh& polygons) {
     if (tests > kMaxTests) {
       return Failure{ErrorCode::kLimit,
                      "read",
-                     "the polygons of this file are too large to be cut into triangles; "
+                     "the polygons of this file have too many corners to be triangulated here; "
                      "triangulate them first",
                      {}};
     }

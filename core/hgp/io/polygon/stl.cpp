@@ -49,7 +49,9 @@ std::string lower(std::string_view word) {
 
 Result<std::vector<Vec3>> readText(std::string_view text) {
   WordReader words(text);
-  if (lower(words.next()) != "solid") return malformedLine(words.line(), "not an STL file");
+  if (lower(words.next()) != "solid") {
+    return malformedLine(words.line(), "not an STL file (the first word must be solid)");
+  }
   words.restOfLine();
   std::vector<Vec3> corners;
   while (!words.isAtEnd()) {
@@ -63,15 +65,29 @@ Result<std::vector<Vec3>> readText(std::string_view text) {
       }
       corners.push_back(p);
     } else if (word == "endloop") {
-      if (corners.size() % 3 != 0) return malformedLine(words.line(), "a loop without 3 vertices");
+      if (corners.size() % 3 != 0) {
+        return malformedLine(words.line(), "a loop that does not have 3 vertices");
+      }
     } else if (word == "solid" || word == "endsolid" || word == "facet" || word == "color") {
       words.restOfLine();
     } else if (word != "outer" && word != "loop" && word != "endfacet") {
       return malformedLine(words.line(), "unexpected word " + inQuotes(word));
     }
   }
-  if (corners.size() % 3 != 0) return malformedLine(words.line(), "the last facet is not complete");
+  if (corners.size() % 3 != 0) {
+    return malformedLine(words.line(), "the last facet is incomplete; the file may be truncated");
+  }
   return corners;
+}
+
+Failure tooManyTriangles(std::size_t triangles, const Limits& limits) {
+  return {
+      ErrorCode::kLimit,
+      "read",
+      formatText(
+          "%zu triangles exceed the limit of %llu; raise it by --max-triangles (limits.triangles)",
+          triangles, static_cast<unsigned long long>(limits.maxTriangles)),
+      {}};
 }
 
 /// How many triangles a binary file has; empty if it is text or truncated. Some programs leave the count
@@ -110,21 +126,20 @@ Result<DocumentPtr> readStl(const FileSet& files, const Limits& limits) {
   const std::optional<std::size_t> count = binaryCount(bytes, file.notes);
   if (!count && !isStlText(asText(bytes))) {
     const std::size_t announced = bytes.size() < kHeaderBytes ? 0 : littleUint32(&bytes[80]);
-    return malformedByte(80, formatText("not an STL file, or a truncated one: %s "
-                                        "announced in %s",
+    return malformedByte(80, formatText("not an STL file, or a truncated one: %s announced "
+                                        "in a file of %s",
                                         counted(announced, "triangle").c_str(),
                                         counted(bytes.size(), "byte").c_str()));
   }
   if (count && *count > limits.maxTriangles) {
-    return Failure{
-        ErrorCode::kLimit, "read", formatText("%zu triangles exceed the limit", *count), {}};
+    return tooManyTriangles(*count, limits);
   }
   Result<std::vector<Vec3>> corners =
       count ? readBinary(bytes, *count) : readText(withoutByteOrderMark(asText(bytes)));
   if (!corners) return corners.error();
   if (corners->empty()) return malformedByte(bytes.size(), "there are no triangles");
   if (corners->size() / 3 > limits.maxTriangles) {
-    return Failure{ErrorCode::kLimit, "read", "more triangles than the limit allows", {}};
+    return tooManyTriangles(corners->size() / 3, limits);
   }
   Weld weld = weldExact(*corners);
   file.storedVertexCount = static_cast<int>(corners->size());

@@ -81,7 +81,7 @@ for (const [kind, all] of Object.entries(polygons)) {
       assert.ok(checked.good, checked.why);
       const { stored } = report.certificate;
       saysNotFinite(err, name);
-      assert.equal(stored.judged, 108, 'every triangle that has a surface');
+      assert.equal(stored.verified, 108, 'every triangle that has a surface');
     });
   }
 }

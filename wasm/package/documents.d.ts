@@ -97,7 +97,7 @@ export interface Certificate {
     /**
      * triangles that the certificate covers
      */
-    judged: number;
+    verified: number;
     /**
      * not covered: copies of a verified triangle, with its uv
      */

@@ -241,7 +241,7 @@ std::string certificateText(const Model& model, const std::vector<Certificate>& 
   json["precision"] = certificates.empty() ? "float64" : precisionName(certificates[0].precision);
   if (uvSet >= 0) json["uvSet"] = uvSet;
   addSummary(json, certificates);
-  json["stored"] = Json{{"triangles", outside.stored},           {"judged", outside.judged},
+  json["stored"] = Json{{"triangles", outside.stored},           {"verified", outside.verified},
                         {"duplicates", outside.duplicates},      {"differing", outside.differing},
                         {"zeroArea", outside.zeroArea},          {"reversed", outside.reversed},
                         {"splitVertices", outside.splitVertices}};

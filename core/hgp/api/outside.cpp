@@ -87,7 +87,7 @@ void fillOutside(const Model& model, UvMap& map) {
 OutsideFacts measureOutside(const Model& model, const UvMap& surfaceMap) {
   OutsideFacts facts;
   facts.stored = static_cast<int>(model.source().mesh.triangles.size());
-  facts.judged = static_cast<int>(model.mesh.triangles.size());
+  facts.verified = static_cast<int>(model.mesh.triangles.size());
   facts.splitVertices = model.splitVertices;
   const std::vector<int>& corner = model.cornerOrigin.raw();
   for (std::size_t f = 0; f < model.mesh.triangles.size(); ++f)

@@ -9,7 +9,7 @@ namespace hgp::api {
 /// Counts over all triangles of the surface as they are stored.
 struct OutsideFacts {
   int stored = 0;         ///< triangles of the surface
-  int judged = 0;         ///< triangles that the certificate covers
+  int verified = 0;       ///< triangles that the certificate covers
   int duplicates = 0;     ///< not covered: copies of a verified triangle, the twin
   int differing = 0;      ///< duplicates whose uv differ from the twin's: 0 in what param writes
   int zeroArea = 0;       ///< not covered: no area in 3D (LeftOut::kZeroArea)

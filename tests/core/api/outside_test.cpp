@@ -61,7 +61,7 @@ Json certified(const MeshData& mesh, const std::string& name) {
 TEST(Outside, IsEmptyForHealthySurfaces) {
   for (const test::Shape& shape : {test::icosphere(3), test::torus(9, 6), test::disk(4)}) {
     const Json stored = certified(shape.data, shape.name);
-    EXPECT_EQ(stored["judged"], shape.data.triangles.size());
+    EXPECT_EQ(stored["verified"], shape.data.triangles.size());
     EXPECT_EQ(stored["triangles"], shape.data.triangles.size());
     for (const char* key : {"duplicates", "differing", "zeroArea", "reversed", "splitVertices"})
       EXPECT_EQ(stored[key], 0) << key;
@@ -86,7 +86,7 @@ TEST(Outside, TrianglesWithoutAreaAreVerifiedAsTheyAreStored) {
     const auto t = data.triangles[2];  // needles
     data.positions[std::size_t(t[0])] = data.positions[std::size_t(t[1])];
     const Json stored = certified(data, shape.name);
-    EXPECT_EQ(stored["judged"], data.triangles.size()) << shape.name;
+    EXPECT_EQ(stored["verified"], data.triangles.size()) << shape.name;
     EXPECT_EQ(stored["zeroArea"], 0);
   }
 }
@@ -97,7 +97,7 @@ TEST(Outside, CopiesHaveTheUvOfTheirTwins) {
   for (const auto& t : once.triangles) data.triangles.push_back({t[1], t[0], t[2]});
   data.triangles.push_back(once.triangles[3]);
   const Json stored = certified(data, "double-sided");
-  EXPECT_EQ(stored["judged"], once.triangles.size());
+  EXPECT_EQ(stored["verified"], once.triangles.size());
   EXPECT_EQ(stored["duplicates"], once.triangles.size() + 1);
   EXPECT_EQ(stored["differing"], 0);
   EXPECT_EQ(stored["triangles"], data.triangles.size());
@@ -113,7 +113,7 @@ TEST(Outside, TrianglesWithoutSurfaceAndFlippedOnesAreCounted) {
   const Json stored = certified(data, "mixed");
   EXPECT_EQ(stored["zeroArea"], 2);
   EXPECT_EQ(stored["reversed"], 3);
-  EXPECT_EQ(stored["judged"], data.triangles.size() - 2);
+  EXPECT_EQ(stored["verified"], data.triangles.size() - 2);
 }
 
 TEST(Outside, VerticesThatWereSplitAreCounted) {
@@ -129,7 +129,7 @@ TEST(Outside, VerticesThatWereSplitAreCounted) {
   }
   const Json stored = certified(data, "pinched");
   EXPECT_EQ(stored["splitVertices"], 1);
-  EXPECT_EQ(stored["judged"], data.triangles.size());
+  EXPECT_EQ(stored["verified"], data.triangles.size());
 }
 
 TEST(Outside, ConesAtAVertexOfTwoPartsSayWhichPartIsMeant) {

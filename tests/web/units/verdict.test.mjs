@@ -23,7 +23,7 @@ function square() {
 }
 
 const counts = (some) => ({
-  ...{ triangles: 4, judged: 4, duplicates: 0, differing: 0, zeroArea: 0, reversed: 0 },
+  ...{ triangles: 4, verified: 4, duplicates: 0, differing: 0, zeroArea: 0, reversed: 0 },
   ...{ splitVertices: 0, ...some },
 });
 

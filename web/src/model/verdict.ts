@@ -74,7 +74,7 @@ function areaRow({ stored }: Certificate, least: LeastArea): VerdictRow {
 
 /** Triangles of the file that were verified with another orientation, or not at all. */
 function outsideRow({ stored }: Certificate): VerdictRow[] {
-  const { triangles: all, judged, duplicates, zeroArea, reversed, splitVertices } = stored;
+  const { triangles: all, verified, duplicates, zeroArea, reversed, splitVertices } = stored;
   const counts: [number, string][] = [
     [reversed, 'wound the other way in the file'],
     [duplicates, 'copies of others'],
@@ -83,8 +83,8 @@ function outsideRow({ stored }: Certificate): VerdictRow[] {
   ];
   const told = counts.filter(([count]) => count > 0).map(([count, what]) => `${count} ${what}`);
   if (told.length === 0) return [];
-  const value = `${judged} of ${all} verified`;
-  const isGood = judged === all;
+  const value = `${verified} of ${all} verified`;
+  const isGood = verified === all;
   return [
     {
       name: 'Triangles in the file',

@@ -22,7 +22,8 @@ export async function compileFile(url) {
   return WebAssembly.compile(await response.arrayBuffer());
 }
 
-const slice = 4 * 2 ** 20; // bytes copied per task
+const slice = 2 ** 20; // bytes copied per task
+const large = 4 * slice;
 
 /** A pause between tasks that is not prolonged in hidden tabs, unlike setTimeout. */
 const nextTask = () =>
@@ -34,14 +35,21 @@ const nextTask = () =>
 
 /**
  * Bytes in the form in which they are sent to a worker: large ones as a Blob made slice by slice, because posting an
- * array copies all of it in one task of this thread.
+ * array copies all of it in one task of this thread, and so does reading a file. The copy does not change when the
+ * file on disk does. The first slice is copied in a task of its own as well.
+ * @param {Uint8Array | Blob} source
  */
-export async function packed(bytes) {
-  if (bytes.length <= slice || !(bytes.buffer instanceof ArrayBuffer)) return bytes;
+export async function packed(source) {
+  const isBlob = source instanceof Blob;
+  const size = isBlob ? source.size : source.length;
+  if (isBlob && size <= large) return new Uint8Array(await source.arrayBuffer());
+  if (!isBlob && (size <= large || !(source.buffer instanceof ArrayBuffer))) return source;
   const parts = [];
-  for (let at = 0; at < bytes.length; at += slice) {
-    if (at > 0) await nextTask();
-    parts.push(new Blob([bytes.subarray(at, at + slice)]));
+  for (let at = 0; at < size; at += slice) {
+    await nextTask();
+    const end = at + slice;
+    const part = isBlob ? await source.slice(at, end).arrayBuffer() : source.subarray(at, end);
+    parts.push(new Blob([/** @type {BlobPart} */ (part)]));
   }
   return new Blob(parts);
 }

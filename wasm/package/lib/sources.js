@@ -17,23 +17,27 @@ async function bytesOf(source) {
 }
 
 /**
- * File, Blob, bytes or FileSet → { main, files: Map<name, result of `pack` for its bytes> }.
+ * File, Blob, bytes or FileSet → { main, files: Map<name, bytes, or the result of `pack` for bytes or a Blob> }.
  * @param {object} source
  * @param {string | undefined} name
- * @param {(bytes: Uint8Array) => Promise<Uint8Array | Blob> | Uint8Array} [pack]
+ * @param {(source: Uint8Array | Blob) => Promise<Uint8Array | Blob>} [pack]
  */
-export async function toFileSet(source, name, pack = (bytes) => bytes) {
+export async function toFileSet(source, name, pack) {
+  const take = async (value) => {
+    if (!pack) return bytesOf(value);
+    return pack(value instanceof Blob ? value : await bytesOf(value));
+  };
   if (source === null || typeof source !== 'object' || source.files === undefined) {
-    const bytes = await bytesOf(source);
+    const bytes = await take(source);
     const main = name ?? source.name ?? '';
-    return { main, files: new Map([[main, await pack(bytes)]]) };
+    return { main, files: new Map([[main, bytes]]) };
   }
   const given = source.files instanceof Map ? source.files : new Map(Object.entries(source.files));
   if (!given.has(source.main)) {
     throw usage(`load: files has no '${source.main}', which main names`);
   }
   const files = new Map();
-  for (const [key, value] of given) files.set(key, await pack(await bytesOf(value)));
+  for (const [key, value] of given) files.set(key, await take(value));
   return { main: source.main, files };
 }
 

@@ -121,3 +121,24 @@ test('a GLB is split into its chunks; a truncated one is refused', () => {
   assert.equal(rest.length, 0);
   for (const length of [0, 10, 19, 22]) assert.equal(splitGlb(glb.subarray(0, length)), undefined);
 });
+
+test('of a large GLB on disk only the head is read for its JSON', async () => {
+  const glb = toGlb([cubeMesh(40)]);
+  let most = 0;
+  class Watched extends Blob {
+    slice(from, to) {
+      most = Math.max(most, to - from);
+      return super.slice(from, to);
+    }
+    arrayBuffer() {
+      throw new Error('all of it is read');
+    }
+  }
+  const json = await gltfOf(new Map([['cube.glb', new Watched([glb])]]), 'cube.glb');
+  assert.equal(json.meshes.length, 1);
+  assert.ok(most < 3000 && glb.length > 100_000, `${most} of ${glb.length}`);
+  for (const length of [0, 12, 19, 30]) {
+    const cut = new Blob([glb.subarray(0, length)]);
+    assert.deepEqual(await gltfOf(new Map([['cube.glb', cut]]), 'cube.glb'), {});
+  }
+});

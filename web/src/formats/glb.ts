@@ -79,6 +79,14 @@ export function relativeName(uri: string): string | undefined {
 const parsed = new WeakMap<Blob | Uint8Array, Promise<Json>>();
 const mostHead = 64 * 2 ** 20; // bytes at the beginning of a GLB that must contain its JSON
 
+/** The JSON chunk of a GLB with the header before it: the buffers behind it may be large and are not needed. */
+async function headOf(glb: Blob): Promise<Uint8Array> {
+  const start = await bytesOf(glb.slice(0, 20));
+  if (start.length < 20) return start;
+  const length = new DataView(start.buffer).getUint32(12, true);
+  return bytesOf(glb.slice(0, Math.min(20 + length, mostHead)));
+}
+
 /** The same for a dropped file, which is read and parsed only once. */
 export function gltfOf(files: Files, name: string): Promise<Json> {
   const file = files.get(name);
@@ -86,9 +94,7 @@ export function gltfOf(files: Files, name: string): Promise<Json> {
   let json = parsed.get(file);
   if (!json) {
     const isLong = file instanceof Blob && /\.glb$/i.test(name);
-    json = bytesOf(isLong ? file.slice(0, mostHead) : file).then((bytes) =>
-      parseGltf({ name, bytes }),
-    );
+    json = (isLong ? headOf(file) : bytesOf(file)).then((bytes) => parseGltf({ name, bytes }));
     parsed.set(file, json);
   }
   return json;

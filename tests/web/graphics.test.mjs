@@ -78,3 +78,68 @@ it.test('programs are ready before they are needed; arrays go to the card in sli
   assert.ok(largest <= 4 * 2 ** 20, `${largest} bytes at once`);
   assert.ok(bytes >= 135_000 * 3 * (12 + 12 + 8), `${bytes} bytes: both views are drawn`);
 });
+
+/** Notes frames, new sizes of canvases and what is drawn on them, in their order. */
+function watchFrames() {
+  const seen = (globalThis.frames = []);
+  const request = requestAnimationFrame;
+  let last = -1;
+  globalThis.requestAnimationFrame = (act) =>
+    request((time) => {
+      if (time !== last) seen.push('frame');
+      last = time;
+      act(time);
+    });
+  const { prototype } = HTMLCanvasElement;
+  const width = Object.getOwnPropertyDescriptor(prototype, 'width');
+  Object.defineProperty(prototype, 'width', {
+    ...width,
+    set(value) {
+      if (this.id) seen.push(`size ${this.id}`);
+      width.set.call(this, value);
+    },
+  });
+  const context = WebGL2RenderingContext.prototype;
+  for (const name of ['drawArrays', 'drawElements', 'drawArraysInstanced']) {
+    const draw = context[name];
+    context[name] = function (...all) {
+      if (this.canvas.id) seen.push(`draw ${this.canvas.id}`);
+      return draw.apply(this, all);
+    };
+  }
+}
+
+/** What was noted since the last time, by frame. */
+async function framesSince(page) {
+  const all = await page.evaluate(() => globalThis.frames.splice(0));
+  return `start ${all.join(' ')}`.split('frame').map((frame) => frame.trim());
+}
+
+it.test(
+  'each canvas takes a new size in a frame of its own; a picture never goes away for a frame',
+  async () => {
+    const { page } = it;
+    await page.addInitScript(watchFrames);
+    await page.reload();
+    await state(page, 'empty');
+    await page.waitForTimeout(500); // programs are compiled on canvases of 16 × 16
+    await framesSince(page);
+    await openFiles(it, { 'disk.obj': bumpyDisk(20) });
+    await run(it);
+    await settled(page);
+    const isSize = (frame) => frame.includes('size ');
+    const opening = (await framesSince(page)).filter(isSize);
+    assert.deepEqual(opening.sort(), ['size map', 'size view']);
+    for (const [width, height] of [
+      [1100, 600],
+      [1100, 700],
+    ]) {
+      await page.setViewportSize({ width, height });
+      await page.waitForTimeout(200);
+      await settled(page);
+      const resized = (await framesSince(page)).filter(isSize);
+      assert.ok(resized.length >= 2, `${resized}`);
+      for (const frame of resized) assert.match(frame, /^size (view|map)( draw \1)+$/);
+    }
+  },
+);

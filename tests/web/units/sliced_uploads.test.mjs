@@ -98,3 +98,21 @@ test('a busy graphics card is sent nothing more, and the wait for it is limited'
   finish(uploads);
   assert.deepEqual(buffer.bytes, megabytes(30, 6));
 });
+
+test('whether the card is at rest is known a frame later, and not waited for without end', (t) => {
+  const card = { isBusy: true };
+  const { gl } = context(card);
+  const uploads = new SlicedUploads(gl);
+  let now = 1000;
+  t.mock.method(performance, 'now', () => now);
+  assert.equal(uploads.isAtRest(), false); // it is asked
+  assert.equal(uploads.isAtRest(), false);
+  card.isBusy = false;
+  assert.equal(uploads.isAtRest(), true);
+  card.isBusy = true;
+  assert.equal(uploads.isAtRest(), false); // asked anew
+  now += 5000;
+  assert.equal(uploads.isAtRest(), true);
+  gl.fenceSync = () => null; // the context is lost
+  assert.equal(uploads.isAtRest(), true);
+});

@@ -1,11 +1,12 @@
 // A canvas with a scene that is drawn only when something has changed; handles the loss of the WebGL
 // context.
 
-import { Color, type Object3D, Scene, WebGLRenderer, type Camera } from 'three';
+import { Color, type Object3D, Scene, Vector2, WebGLRenderer, type Camera } from 'three';
 import { SlicedUploads } from './sliced_uploads';
 
 /** The frame in which a view was last drawn: the other view waits for the next, so that each task is short. */
 let lastFrame = -1;
+const stages = new Set<CanvasView>();
 
 export interface Hit {
   triangle: number;
@@ -24,10 +25,13 @@ export abstract class CanvasView {
   readonly #uploads: SlicedUploads;
   #isPending = false;
   #isLost = false;
+  /** Something is drawn on the canvas, and must not disappear for a frame. */
+  #hasPicture = false;
   #before: (() => void)[] = [];
 
   constructor(canvas: HTMLCanvasElement) {
     this.canvas = canvas;
+    stages.add(this);
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.#uploads = new SlicedUploads(this.renderer.getContext() as WebGL2RenderingContext);
     // Checking for errors waits until a program is compiled, and users could not act on the result.
@@ -79,26 +83,62 @@ export abstract class CanvasView {
     this.#isPending = true;
     this.canvas.dataset.pending = '';
     const frame = (time: number): void => {
-      if (time === lastFrame) {
+      if (time === lastFrame || this.#isAnotherFirst()) {
         requestAnimationFrame(frame);
         return;
       }
       lastFrame = time;
       this.#isPending = false;
       delete this.canvas.dataset.pending;
-      if (this.canvas.clientWidth === 0 || this.#isLost) return;
-      // A drawing made before everything is uploaded would be discarded.
-      if (this.#uploads.isBusy) {
-        this.#uploads.step();
-        return this.draw();
-      }
-      for (const step of this.#before) step();
-      this.render();
-      if (this.#uploads.isBusy) this.draw();
-      this.canvas.dataset.triangles = String(this.renderer.info.render.triangles);
-      this.canvas.dataset.frames = String(this.renderer.info.render.frame);
+      if (!this.#isLost) this.#frame();
     };
     requestAnimationFrame(frame);
+  }
+
+  get #isHidden(): boolean {
+    return this.canvas.clientWidth === 0 || this.canvas.clientHeight === 0;
+  }
+
+  /** Whether canvas and drawing buffer differ in size. A new buffer waits until the card has finished everything. */
+  get #isOutgrown(): boolean {
+    const { x, y } = this.renderer.getSize(new Vector2());
+    return x !== this.canvas.clientWidth || y !== this.canvas.clientHeight;
+  }
+
+  get #isUnsized(): boolean {
+    return !this.#hasPicture && !this.#isLost && !this.#isHidden && this.#isOutgrown;
+  }
+
+  /** All first buffers are made before anything is drawn, because they would have to wait for that. */
+  #isAnotherFirst(): boolean {
+    if (this.#isUnsized) return false;
+    return [...stages].some((one) => one !== this && one.#isPending && one.#isUnsized);
+  }
+
+  #frame(): void {
+    if (this.#isHidden) {
+      // The next model must not show this one first.
+      if (this.#hasPicture) this.renderer.clear();
+      this.#hasPicture = false;
+      return;
+    }
+    // A drawing made before everything is uploaded would be discarded.
+    if (this.#uploads.isBusy) {
+      this.#uploads.step();
+      return this.draw();
+    }
+    if (this.#isOutgrown) {
+      if (!this.#uploads.isAtRest()) return this.draw();
+      this.#takeSize();
+      // A new buffer is empty: whatever was drawn is drawn again in the same frame.
+      if (!this.#hasPicture) return this.draw();
+    }
+    for (const step of this.#before) step();
+    this.render();
+    this.#hasPicture = true;
+    if (this.#uploads.isBusy) this.draw();
+    this.canvas.dataset.triangles = String(this.renderer.info.render.triangles);
+    this.canvas.dataset.frames = String(this.renderer.info.render.frame);
   }
 
   protected render(): void {
@@ -106,11 +146,13 @@ export abstract class CanvasView {
   }
 
   resize(): void {
+    if (!this.#isHidden) this.draw();
+  }
+
+  #takeSize(): void {
     const { clientWidth, clientHeight } = this.canvas;
-    if (clientWidth === 0 || clientHeight === 0) return;
     this.renderer.setSize(clientWidth, clientHeight, false);
     this.onResize(clientWidth, clientHeight);
-    this.draw();
   }
 
   protected abstract onResize(width: number, height: number): void;

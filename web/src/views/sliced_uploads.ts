@@ -5,6 +5,7 @@
 const sliceBytes = 2 ** 20;
 const frameBytes = 4 * sliceBytes;
 const longestWait = 500; // milliseconds; after that the next slices are sent even without an answer
+const longestRest = 2000; // milliseconds to wait for the card to finish everything
 const frameTime = 8; // milliseconds per frame for uploads
 
 interface Upload {
@@ -68,13 +69,28 @@ export class SlicedUploads {
     this.#sent = undefined;
   }
 
+  /** Places a fence behind everything sent to the card so far. */
+  #mark(time: number): void {
+    const gl = this.#gl;
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    if (fence) this.#sent = { fence, time };
+    gl.flush();
+  }
+
+  /** Whether the card has finished everything; if not, ask again in the next frame. */
+  isAtRest(): boolean {
+    if (this.#sent) return !this.#isCardBusy(longestRest);
+    this.#mark(performance.now());
+    return this.#sent === undefined; // a lost context has no fences
+  }
+
   /** Whether the card has not yet received the last slices. */
-  #isCardBusy(): boolean {
+  #isCardBusy(wait: number): boolean {
     const gl = this.#gl;
     if (!this.#sent) return false;
     const { fence, time } = this.#sent;
     const isTaken = gl.getSyncParameter(fence, gl.SYNC_STATUS) === gl.SIGNALED;
-    if (!isTaken && performance.now() - time < longestWait) return true;
+    if (!isTaken && performance.now() - time < wait) return true;
     gl.deleteSync(fence);
     this.#sent = undefined;
     return false;
@@ -82,7 +98,7 @@ export class SlicedUploads {
 
   /** Uploads as many slices as a frame has time for, at least one unless the card is busy. */
   step(): void {
-    if (this.#isCardBusy()) return;
+    if (this.#isCardBusy(longestWait)) return;
     const gl = this.#gl;
     const begin = performance.now();
     const before = this.#bound;
@@ -97,8 +113,6 @@ export class SlicedUploads {
       if (performance.now() - begin > frameTime) break;
     }
     this.#bind(gl.ARRAY_BUFFER, before);
-    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-    if (fence) this.#sent = { fence, time: begin };
-    gl.flush();
+    this.#mark(begin);
   }
 }

@@ -88,3 +88,29 @@ test('the corners of a cube are where missing cones cost least', () => {
   const nine = Array.from({ length: 9 }, (_, vertex) => ({ vertex, k: 3 }));
   assert.deepEqual(balancingCones(surface, 4, nine, new Map([[0, -1]])).map(({ k }) => k), [5]); // prettier-ignore
 });
+
+test('a component of few vertices is balanced with cones that share triangles, and with smaller k', () => {
+  // A tetrahedron, whose four vertices need 8, and a cube.
+  const { vertices, triangles } = cubeMesh(2);
+  const first = vertices.length;
+  const corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]].map((p) => p.map((x) => x + 5)); // prettier-ignore
+  const sides = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]].map((t) => t.map((v) => v + first)); // prettier-ignore
+  const mesh = { vertices: [...corners, ...vertices], triangles: [] };
+  mesh.triangles = [
+    ...sides.map((t) => t.map((v) => v - first)),
+    ...triangles.map((t) => t.map((v) => v + 4)),
+  ];
+  const positions = Float64Array.from(mesh.vertices.flat());
+  const arrays = { positions, triangles: Uint32Array.from(mesh.triangles.flat()) };
+  const surface = locatedSurface(arrays, plainFacts(mesh));
+  const [small, large] = [surface.component[0], surface.component[4]];
+  const spent = (cones, component) =>
+    cones.reduce((sum, { vertex, k }) => sum + (surface.component[vertex] === component ? 4 - k : 0), 0); // prettier-ignore
+  const added = balancingCones(surface, 4, [], new Map([[small, 8], [large, 8]])); // prettier-ignore
+  assert.deepEqual([spent(added, small), spent(added, large)], [8, 8]);
+  assert.ok(added.every(({ k }) => k >= 1));
+  assert.equal(new Set(added.map(({ vertex }) => vertex)).size, added.length);
+  // Where nothing fits, the other components are balanced all the same.
+  const full = balancingCones(surface, 4, [], new Map([[small, 80], [large, 8]])); // prettier-ignore
+  assert.equal(spent(full, large), 8);
+});

@@ -115,7 +115,10 @@ export async function balance(app: App): Promise<void> {
   }
   if (!setCones(app, [...cones, ...added], 'balance')) return;
   const kinds = [...new Set(added.map(({ k }) => `k = ${k}`))].join(' and ');
-  doc.say(`${plural(added.length, 'cone')} with ${kinds} added. Undo removes them.`, 'good');
+  const done = `${plural(added.length, 'cone')} with ${kinds} added.`;
+  const isBalanced = doc.budget?.components.every((one) => one.isBalanced);
+  if (isBalanced) doc.say(`${done} Undo removes them.`, 'good');
+  else doc.say(`${done} More do not fit: ${doc.budget?.text ?? ''}`, 'error');
 }
 
 export function setTurning(app: App, loop: number, l: number | null): void {

@@ -96,6 +96,52 @@ function takenBy({ neighbourStart, neighbours }: Graph, cones: readonly Cone[]):
   return taken;
 }
 
+/** The vertex where the scale of the map is most extreme, of those that may take a cone. */
+function mostExtreme(
+  { component, isBoundary, representative }: Graph,
+  u: Float64Array,
+  { of, sign, isAllowed }: { of: number; sign: number; isAllowed: (v: number) => boolean },
+): number {
+  let best = -1;
+  for (let v = 0; v < u.length; v++) {
+    if (component[v] !== of || isBoundary[v] || representative[v] !== v || !isAllowed(v)) continue;
+    if (best < 0 || sign * u[v] > sign * u[best]) best = v;
+  }
+  return best;
+}
+
+/**
+ * Adds one cone to `added`; a component of few vertices takes cones that share a triangle, and then a larger
+ * share at cones that were added before. False if there is no vertex left.
+ */
+function addOne(
+  graph: Graph,
+  q: number,
+  { cones, added, u }: { cones: readonly Cone[]; added: Cone[]; u: Float64Array },
+  { of, sign }: { of: number; sign: number },
+): boolean {
+  const all = [...cones, ...added];
+  const near = takenBy(graph, all);
+  const isCone = new Set(all.map(({ vertex }) => vertex));
+  const kAt = new Map(added.map(({ vertex, k }) => [vertex, k]));
+  const isWithin = (v: number, k: number): boolean => k >= 1 && k <= largestK(q, graph.valence[v]);
+  const fits = (v: number): boolean => isWithin(v, q - sign);
+  const ways = [
+    (v: number): boolean => !near.has(v) && fits(v),
+    (v: number): boolean => !isCone.has(v) && fits(v),
+    (v: number): boolean => kAt.has(v) && isWithin(v, kAt.get(v)! - sign),
+  ];
+  for (const isAllowed of ways) {
+    const vertex = mostExtreme(graph, u, { of, sign, isAllowed });
+    if (vertex < 0) continue;
+    const before = added.findIndex((one) => one.vertex === vertex);
+    if (before < 0) added.push({ vertex, k: q - sign });
+    else added[before] = { vertex, k: added[before].k - sign };
+    return true;
+  }
+  return false;
+}
+
 /** The cones to add. `left`: the remainder of each component. */
 export function balancingCones(
   graph: Graph,
@@ -105,25 +151,14 @@ export function balancingCones(
 ): Cone[] {
   const added: Cone[] = [];
   const u = new Float64Array(graph.angle.length);
-  const open = new Map(left);
-  while (added.length < mostCones) {
-    const next = [...open].find(([, n]) => n !== 0);
-    if (!next) break;
-    const [component, n] = next;
+  const open = new Map([...left].filter(([, n]) => n !== 0));
+  for (let step = 0; step < mostCones && open.size > 0; step++) {
+    const [[of, n]] = open;
     const sign = Math.sign(n);
-    const all = [...cones, ...added];
-    solve(graph, rightHandSide(graph, q, all), u);
-    const taken = takenBy(graph, all);
-    const k = q - sign;
-    let best = -1;
-    for (let v = 0; v < u.length; v++) {
-      if (graph.component[v] !== component || graph.isBoundary[v] || taken.has(v)) continue;
-      if (graph.representative[v] !== v || k > largestK(q, graph.valence[v])) continue;
-      if (best < 0 || sign * u[v] > sign * u[best]) best = v;
-    }
-    if (k < 1 || best < 0) break;
-    added.push({ vertex: best, k });
-    open.set(component, n - sign);
+    solve(graph, rightHandSide(graph, q, [...cones, ...added]), u);
+    const isAdded = addOne(graph, q, { cones, added, u }, { of, sign });
+    if (!isAdded || n === sign) open.delete(of);
+    else open.set(of, n - sign);
   }
   return added;
 }

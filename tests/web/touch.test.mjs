@@ -69,6 +69,23 @@ test('by finger: turn, hold to place, tap to select, run', async () => {
   assert.ok(await page.locator('#map').isVisible());
 });
 
+test('by finger with the Place tool: a tap places, a movement turns', async () => {
+  const { page } = it;
+  await openCube();
+  await page.tap('#tool-place');
+  const box = await page.locator('#view').boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const touch = await fingers();
+  await touch('touchStart', [x, y]);
+  await touch('touchEnd');
+  await page.waitForSelector('tr[data-cone="0"]');
+  await touch('touchStart', [x + 40, y]);
+  for (let i = 1; i <= 5; i++) await touch('touchMove', [x + 40 - 12 * i, y + 30]);
+  await touch('touchEnd');
+  await settled(page);
+  assert.equal(await page.locator('tr[data-cone]').count(), 1);
+});
+
 /** Where what is not background begins and ends, in pixels of the picture. */
 function extent({ data, width, height }) {
   const edge = 4; // pixels
@@ -134,6 +151,12 @@ test('Repair and run is where Run is', async () => {
   await state(page, 'invalid');
   const box = await page.locator('footer #repair-and-run').boundingBox();
   assert.ok(box.y > 760 && box.y + box.height <= 844 && box.x > 250 && box.x + box.width <= 390);
+  const words = await page.$eval('footer #repair-and-run', (button) => {
+    const range = document.createRange();
+    range.selectNodeContents(button);
+    return range.getBoundingClientRect().toJSON();
+  });
+  assert.ok(words.top >= box.y && words.bottom <= box.y + box.height, 'its words are inside');
   const text = await page.locator('#status').boundingBox();
   assert.ok(text.x + text.width <= box.x, 'the status is beside it');
   await page.tap('#repair-and-run');

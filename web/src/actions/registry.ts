@@ -228,7 +228,7 @@ const viewActions = {
     run: ({ ui, doc }) => {
       ui.tool = ui.tool === 'place' ? 'orbit' : 'place';
       if (ui.tool === 'orbit') return;
-      doc.say('Place: click the surface; or arrows and Enter in the 3D view.');
+      doc.say('Place: click or tap the surface; with keys, arrows and Enter in the 3D view.');
     },
   },
   frame: { label: 'Frame all', group: 'View', keys: ['F'], icon: 'frame', run: frame },

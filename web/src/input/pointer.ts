@@ -143,7 +143,7 @@ export class Pointer {
     this.#forget();
     if (!down || down.isDrag || down.view !== view) return;
     if (down.cone >= 0) return select(this.#app, down.cone);
-    if (this.#app.ui.tool !== 'place' || event.pointerType === 'touch') {
+    if (this.#app.ui.tool !== 'place') {
       if (this.#app.doc.selected >= 0) select(this.#app, -1);
       return;
     }

@@ -100,6 +100,30 @@ test('a refused mesh has a map after one click: repaired, run, and undone step b
   assert.equal(await page.locator('#repairs').count(), 1);
 });
 
+test('components that touch are joined by one click where a note says so', async () => {
+  const { page } = it;
+  const { vertices, triangles } = cubeMesh(3);
+  // Two halves that share positions along their boundary, and no vertex.
+  const halves = [true, false].map((isUp) =>
+    triangles.filter((t) => t.every((v) => vertices[v][2] > 0.2) === isUp),
+  );
+  const count = vertices.length;
+  const mesh = {
+    vertices: [...vertices, ...vertices],
+    triangles: [...halves[0], ...halves[1].map((t) => t.map((v) => v + count))],
+  };
+  await openFiles(it, { 'halves.obj': toObj(mesh) });
+  const panel = page.locator('#panel-model');
+  assert.match(await panel.innerText(), /joining these makes 1 of 2 components/);
+  assert.doesNotMatch(await panel.innerText(), /--/);
+  await page.click('#weld-now');
+  await statusSays(it, /Done: join equal positions/);
+  assert.match(await panel.innerText(), /Components\s+1/);
+  assert.equal(await page.locator('#weld-now').count(), 0);
+  await run(it);
+  await page.click('#undo');
+});
+
 test('a repair that is not enough is not recommended again', async () => {
   const { page } = it;
   // The projective plane: turning faces cannot make two sides of one.

@@ -15,7 +15,7 @@ export const targets: readonly Target[] = [
   {
     id: 'blender',
     label: 'Blender',
-    hint: 'File › Import, then give the material an image: its Repeat is what the map needs.',
+    hint: 'File › Import, then give the material an image texture and leave it at Repeat.',
   },
   {
     id: 'three',

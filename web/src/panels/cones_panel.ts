@@ -10,6 +10,7 @@ import { waysToSpend, type ComponentBudget } from '../model/gauss_bonnet';
 import { angleText, indexText } from '../model/prescription';
 import type { SortKey } from '../model/ui_state';
 import { plural } from '../text/format';
+import { noteForPage } from '../text/notes';
 import { actionButton } from './action_button';
 import { icon } from './icons';
 import { keepWhileTyping } from './keep_while_typing';
@@ -26,7 +27,7 @@ const orderNames: [number, string][] = [
 ];
 const mostBars = 8;
 
-const stepNames = ['As few as areas allow', 'Fewer', 'Balanced', 'More', 'Little distortion'];
+const stepNames = ['As few as areas allow', 'Few', 'In the middle', 'Many', 'Little distortion'];
 
 class ConesPanel extends Panel {
   /** Position of the slider while it is dragged. */
@@ -40,7 +41,7 @@ class ConesPanel extends Panel {
     return html`<details open id="panel-cones">
       <summary>Cones<span class="count">${cones.length}</span></summary>
       ${this.#orderChooser()} ${this.#budget()}
-      ${(doc.budget?.warnings ?? []).map((text) => html`<p class="note warn">${text}</p>`)}
+      ${(doc.budget?.warnings ?? []).map((text) => html`<p class="note warn">${noteForPage(text)}</p>`)}
       <p class="row">
         ${actionButton(app, 'suggest', { className: 'small' })}
         ${actionButton(app, 'balance', { className: 'small' })}
@@ -165,7 +166,7 @@ class ConesPanel extends Panel {
         .value=${Math.min(Math.abs(have), most)}
         aria-label="Budget used"
       ></meter>
-      ${ways ? html`<p class="note">Spend it with ${ways}.</p>` : nothing}
+      ${ways ? html`<p class="note">Add ${ways}.</p>` : nothing}
     </div>`;
   }
 

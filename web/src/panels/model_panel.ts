@@ -8,6 +8,7 @@ import { showPlaces } from '../actions/view';
 import { canRepair, repairFor, type Repair } from '../model/repairs';
 import type { Model } from '../model/types';
 import { count } from '../text/format';
+import { noteForPage, weldIn } from '../text/notes';
 import { actionButton } from './action_button';
 import { keepWhileTyping } from './keep_while_typing';
 import { Panel } from './panel';
@@ -40,7 +41,8 @@ class ModelPanel extends Panel {
     return html`<details open id="panel-model">
       <summary>Model</summary>
       ${this.#facts(model)} ${this.#defects(model)} ${this.#weld(model)}
-      ${notes.map((note) => html`<p class="note">${note}</p>`)}
+      ${notes.map((note) => html`<p class="note">${noteForPage(note)}</p>`)}
+      ${this.#weldButton(model)}
     </details>`;
   }
 
@@ -116,6 +118,20 @@ class ModelPanel extends Panel {
             </li>`
       }
     </ul>`;
+  }
+
+  /** What a note recommends, by one click. */
+  #weldButton({ info, loaded }: Model): TemplateResult | typeof nothing {
+    const { app } = this;
+    const weld = weldIn(info.notes);
+    if (weld === undefined || loaded.weld !== undefined) return nothing;
+    const kind = weld === 0 ? 'join equal positions' : `weld closer than ${weld}`;
+    const act = (): void => void attempt(app, () => reloadWith(app, { ...loaded, weld }, kind));
+    return html`<p class="row">
+      <button type="button" class="small" id="weld-now" ?disabled=${app.doc.isBusy} @click=${act}>
+        Join them
+      </button>
+    </p>`;
   }
 
   #weld({ info, loaded }: Model): TemplateResult {

@@ -15,6 +15,7 @@ import {
   type VerdictRow,
 } from '../model/verdict';
 import { count, memoryText, signed } from '../text/format';
+import { noteForPage } from '../text/notes';
 import { repairsMade } from '../text/repairs';
 import { actionButton } from './action_button';
 import { icon } from './icons';
@@ -83,7 +84,7 @@ class ResultPanel extends Panel {
         ${this.#table(solution)} ${factList(statistics(solution))}
         <p class="row">${actionButton(this.app, 'save-report', { className: 'small' })}</p>
         ${[...solution.notes, ...solution.result.report.notes].map(
-          (note) => html`<p class="note">${note}</p>`,
+          (note) => html`<p class="note">${noteForPage(note)}</p>`,
         )}
       </details>
     </details>`;
@@ -155,7 +156,7 @@ class ResultPanel extends Panel {
     return reasonsOf(solution).map(
       ({ message, where = [] }) =>
         html`<p class="note bad">
-          ${message}
+          ${noteForPage(message)}
           ${
             where.length > 0
               ? html`<button

@@ -23,7 +23,8 @@ export function repairsMade({ notes }: ModelInfo, settings: LoadSettings): Repai
   const defects = notes.find((note) => reason.test(note))?.replace(reason, '') ?? '';
   const made = notes
     .filter((note) => done.test(note))
-    .map((note) => note.replace(/^(?:orient|split): /, ''));
+    .map((note) => note.replace(/^(?:orient|split): /, ''))
+    .map((note) => (/one-sided/.test(note) ? `${note}: a texture ends at this cut` : note));
   if (!defects && made.length === 0) return undefined;
   return { defects: defects && `${withoutCliAdvice(defects)}.`, made };
 }

@@ -5,7 +5,7 @@
 const sliceBytes = 2 ** 20;
 const frameBytes = 4 * sliceBytes;
 const longestWait = 500; // milliseconds; after that the next slices are sent even without an answer
-const longestRest = 2000; // milliseconds to wait for the card to finish everything
+const longestRest = 5000; // milliseconds to wait for the card to finish everything
 const frameTime = 8; // milliseconds per frame for uploads
 
 interface Upload {

@@ -72,10 +72,10 @@ bool GltfChecker::checkVertexAttributes(int attributes, std::int64_t& count, boo
     const std::string type = json_.string(json_.find(accessor, "type"));
     const std::string semantic = json_.key(member);
     if (semantic == "POSITION" && type != "VEC3") {
-      return fail(member, "POSITION must be VEC3, not " + type);
+      return fail(member, "POSITION must be VEC3, not " + inQuotes(type));
     }
     if (semantic.rfind("TEXCOORD_", 0) == 0 && !isTarget && type != "VEC2") {
-      return fail(member, semantic + " must be VEC2, not " + type);
+      return fail(member, inQuotes(semantic, 40) + " must be VEC2, not " + inQuotes(type));
     }
     if (semantic == "POSITION" && !isOneOf(componentType, {5120, 5121, 5122, 5123, 5126})) {
       return fail(member, "POSITION cannot have 32-bit integers");

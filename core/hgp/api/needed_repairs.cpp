@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <numbers>
+#include <unordered_map>
 
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
@@ -18,7 +19,9 @@
 namespace hgp::api {
 namespace {
 
-constexpr int kMaxCells = 64;  // maximum number of grid cells for one edge
+constexpr int kMaxCells = 512;  // maximum number of grid cells for one edge
+// Maximum number of distances measured: where triangles lie all over each other, it would be quadratic.
+constexpr long long kMaxTests = 1 << 28;
 
 int componentCount(const MeshData& mesh, const std::vector<int>* image, bool& isSoup) {
   const auto vertices = static_cast<int>(mesh.positions.size());
@@ -90,6 +93,7 @@ class CrackFinder {
     CrackFacts facts;
     enterVertices();
     for (const auto& [v, beside] : neighbours_) {
+      if (left_ < 0) break;
       const double d = spread(v, beside);
       if (d == 0) continue;
       ++facts.vertices;
@@ -99,17 +103,26 @@ class CrackFinder {
     cells_.clear();
     enterEdges();
     for (const auto& [v, beside] : neighbours_) {
+      if (left_ < 0) break;
       if (isPaired_.count(v) != 0) continue;
       const double d = nearestEdge(v);
       if (d > near_) continue;
       ++facts.onEdges;
       facts.edgeGap = std::max(facts.edgeGap, d);
     }
+    facts.isPartial = left_ < 0;
     return facts;
   }
 
  private:
   using Cell = std::array<std::int64_t, 3>;
+  struct CellHash {
+    std::size_t operator()(const Cell& c) const {
+      std::uint64_t h = 0;
+      for (const std::int64_t x : c) h = (h ^ static_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15u;
+      return static_cast<std::size_t>(h ^ (h >> 32));
+    }
+  };
   const Vec3& at(int v) const { return mesh_.positions[static_cast<std::size_t>(v)]; }
   Cell cellOf(const Vec3& p, double size) const {
     Cell cell{};
@@ -120,11 +133,13 @@ class CrackFinder {
     return cell;
   }
   template <class Visit>
-  void aroundCell(const Cell& cell, Visit visit) const {
+  void aroundCell(const Cell& cell, Visit visit) {
     for (int n = 0; n < 27; ++n) {
       const auto it =
           cells_.find({cell[0] + n % 3 - 1, cell[1] + n / 3 % 3 - 1, cell[2] + n / 9 - 1});
       if (it == cells_.end()) continue;
+      left_ -= static_cast<long long>(it->second.size());
+      if (left_ < 0) return;
       for (int i : it->second) visit(i);
     }
   }
@@ -134,7 +149,7 @@ class CrackFinder {
       cells_[cellOf(at(entry.first), near_)].push_back(entry.first);
   }
   /// Distance of the farthest vertex that is still close, so that a weld by it joins all of them. 0: none is close.
-  double spread(int v, const std::vector<int>& beside) const {
+  double spread(int v, const std::vector<int>& beside) {
     double farthest = 0;
     aroundCell(cellOf(at(v), near_), [&](int u) {
       if (u == v || std::find(beside.begin(), beside.end(), u) != beside.end()) return;
@@ -145,7 +160,8 @@ class CrackFinder {
     return farthest;
   }
 
-  double edgeCell() const { return near_ / kCrackRatio; }
+  /// Wider than near_, and so small that the cells around a vertex meet few edges that are not near it.
+  double edgeCell() const { return near_ / kCrackRatio / 8; }
   void enterEdges() {
     for (std::size_t i = 0; i < edges_.size(); ++i) {
       const Vec3 &a = at(edges_[i].a), d = subtract(at(edges_[i].b), a);
@@ -161,7 +177,7 @@ class CrackFinder {
       }
     }
   }
-  double nearestEdge(int v) const {
+  double nearestEdge(int v) {
     double best = HUGE_VAL;
     aroundCell(cellOf(at(v), edgeCell()), [&](int i) {
       const BoundaryEdge& e = edges_[static_cast<std::size_t>(i)];
@@ -180,7 +196,8 @@ class CrackFinder {
   double near_ = 0;
   std::map<int, std::vector<int>> neighbours_;
   std::map<int, bool> isPaired_;
-  std::map<Cell, std::vector<int>> cells_;
+  std::unordered_map<Cell, std::vector<int>, CellHash> cells_;
+  long long left_ = kMaxTests;
 };
 
 /// x rounded up to two digits: "1.1e-05".
@@ -273,14 +290,16 @@ std::vector<std::string> crackNotes(const CrackFacts& cracks) {
   std::vector<std::string> notes;
   if (cracks.vertices > 1) {
     notes.push_back(
-        formatText("a crack: %d boundary vertices lie within %.3g of another one; --weld %s "
+        formatText("a crack: %s%d boundary vertices lie within %.3g of another one; --weld %s "
                    "closes it",
-                   cracks.vertices, cracks.gap, roundedUp(cracks.gap).c_str()));
+                   cracks.isPartial ? "at least " : "", cracks.vertices, cracks.gap,
+                   roundedUp(cracks.gap).c_str()));
   }
   if (cracks.onEdges > 0) {
     notes.push_back(formatText(
-        "T-junctions: %s on the boundary edge of another "
+        "T-junctions: %s%s on the boundary edge of another "
         "face (within %.3g); a weld cannot close them: the edge needs a vertex there",
+        cracks.isPartial ? "at least " : "",
         cracks.onEdges == 1 ? "1 boundary vertex lies"
                             : formatText("%d boundary vertices lie", cracks.onEdges).c_str(),
         cracks.edgeGap));

@@ -33,10 +33,12 @@ struct CrackFacts {
   double gap = 0;      ///< the largest of their distances
   int onEdges = 0;     ///< boundary vertices inside a boundary edge of others (T-junctions)
   double edgeGap = 0;  ///< the largest distance between such a vertex and its edge
+  bool isPartial =
+      false;  ///< the search ended early: triangles all over each other; there may be more
 };
 
 /// "Close" means closer than kCrackRatio times the median length of boundary edges, but not equal.
-/// O(boundary) expected.
+/// O(boundary) expected, and bounded.
 CrackFacts crackFacts(const MeshData& mesh);
 inline constexpr double kCrackRatio = 0.02;
 

@@ -84,7 +84,7 @@ test('an image of your own repeats on the mesh; a file that is no image is refus
   };
   await choose('notes.png', Buffer.from('no picture'));
   await page.waitForSelector('#status.error');
-  assert.match(await statusText(page), /notes\.png.*no image/);
+  assert.match(await statusText(page), /notes\.png.*not an image/);
   await choose('fields.png', pngOf([[250, 20, 200], [20, 200, 60], [20, 200, 60], [250, 20, 200]])); // prettier-ignore
   await page.waitForFunction(() => document.querySelector('#pattern').value === 'image');
   const picture = await look('pattern-image');

@@ -11,6 +11,7 @@
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
 #include "hgp/io/convert.h"
+#include "hgp/io/limits.h"
 #include "hgp/mesh/finite.h"
 #include "hgp/mesh/nearby_order.h"
 
@@ -155,13 +156,7 @@ Status prepare(Model& model, const LoadOptions& options) {
   if (!model.embeddedCones) takeEmbeddedCones(model, *model.document, model.surface);
   const MeshData& source = model.source().mesh;
   if (source.triangles.size() > options.limits.maxTriangles) {
-    return Failure{ErrorCode::kLimit,
-                   "read",
-                   formatText("%zu triangles exceed the limit of %llu; raise it by --max-triangles "
-                              "(limits.triangles)",
-                              source.triangles.size(),
-                              static_cast<unsigned long long>(options.limits.maxTriangles)),
-                   {}};
+    return io::tooManyTriangles(source.triangles.size(), options.limits.maxTriangles);
   }
   noteNotFinite(model);
   takeRepaired(model, options);

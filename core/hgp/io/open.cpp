@@ -3,6 +3,7 @@
 
 #include "hgp/base/check.h"
 #include "hgp/io/document.h"
+#include "hgp/io/limits.h"
 #include "hgp/io/polygon/polygon_document.h"
 #include "hgp/text/text.h"
 
@@ -39,13 +40,7 @@ bool isNamelessStl(const Bytes& bytes, const std::string& extension) {
 
 Result<DocumentPtr> openDocument(FileSet files, const Limits& limits) {
   if (files.main.size() > limits.maxBytes) {
-    return Failure{
-        ErrorCode::kLimit,
-        "read",
-        formatText(
-            "the file has %zu bytes, the limit is %llu; raise it by --max-bytes (limits.bytes)",
-            files.main.size(), static_cast<unsigned long long>(limits.maxBytes)),
-        {}};
+    return tooManyBytes(files.main.size(), limits.maxBytes);
   }
   if (files.main.empty()) return malformedByte(0, "the file is empty");
   const std::string_view text = withoutByteOrderMark(asText(files.main));

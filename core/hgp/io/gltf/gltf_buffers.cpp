@@ -1,5 +1,6 @@
 #include "hgp/base/check.h"
 #include "hgp/io/gltf/gltf_store.h"
+#include "hgp/io/limits.h"
 #include "hgp/text/text.h"
 
 namespace hgp::io {
@@ -64,10 +65,7 @@ class BufferLoader {
 
   Status take(const std::string& pointer, std::uint64_t bytes) {
     if (bytes > limits_.maxBytes || taken_ > limits_.maxBytes - bytes) {
-      return refuse(pointer,
-                    formatText("the files together exceed the limit of %llu bytes; raise it by "
-                               "--max-bytes (limits.bytes)",
-                               static_cast<unsigned long long>(limits_.maxBytes)),
+      return refuse(pointer, "the files together exceed " + byteLimit(limits_.maxBytes),
                     ErrorCode::kLimit);
     }
     taken_ += bytes;

@@ -3,6 +3,7 @@
 #include "hgp/base/check.h"
 #include "hgp/io/gltf/gltf_check.h"
 #include "hgp/io/gltf/gltf_model.h"
+#include "hgp/io/limits.h"
 #include "hgp/text/text.h"
 
 namespace hgp::io {
@@ -15,9 +16,7 @@ bool isInside(std::int64_t offset, std::int64_t need, std::int64_t length) {
 }  // namespace
 
 std::string GltfChecker::overLimit(const std::string& what) const {
-  return what +
-         formatText(" would exceed the limit of %llu bytes; raise it by --max-bytes (limits.bytes)",
-                    static_cast<unsigned long long>(limits_.maxBytes));
+  return what + " would exceed " + byteLimit(limits_.maxBytes);
 }
 
 bool GltfChecker::checkBuffers() {
@@ -32,10 +31,7 @@ bool GltfChecker::checkBuffers() {
     // No overflow: `total` is checked after every addition, and one addition is below 2⁵³.
     total += length;
     if (static_cast<std::uint64_t>(total) > limits_.maxBytes) {
-      return fail(buffer,
-                  formatText("the buffers declare more than the limit of %llu bytes; raise it by "
-                             "--max-bytes (limits.bytes)",
-                             static_cast<unsigned long long>(limits_.maxBytes)),
+      return fail(buffer, "the buffers declare more than " + byteLimit(limits_.maxBytes),
                   ErrorCode::kLimit);
     }
   }

@@ -2,6 +2,7 @@
 #include "hgp/base/check.h"
 #include "hgp/io/gltf/gltf_check.h"
 #include "hgp/io/gltf/gltf_model.h"
+#include "hgp/io/limits.h"
 #include "hgp/text/text.h"
 
 namespace hgp::io {
@@ -48,12 +49,7 @@ bool GltfChecker::checkPrimitive(int primitive) {
   if (mode < 4) return true;
   triangles_ += static_cast<std::uint64_t>(mode == 4 ? corners / 3 : corners);
   if (triangles_ <= limits_.maxTriangles) return true;
-  return fail(
-      primitive,
-      formatText(
-          "more than the limit of %llu triangles; raise it by --max-triangles (limits.triangles)",
-          static_cast<unsigned long long>(limits_.maxTriangles)),
-      ErrorCode::kLimit);
+  return fail(primitive, "more than " + triangleLimit(limits_.maxTriangles), ErrorCode::kLimit);
 }
 
 bool GltfChecker::checkVertexAttributes(int attributes, std::int64_t& count, bool isTarget) {

@@ -6,6 +6,7 @@
 #include "hgp/io/gltf/gltf_file.h"
 #include "hgp/io/gltf/gltf_json.h"
 #include "hgp/io/gltf/gltf_splice.h"
+#include "hgp/io/limits.h"
 
 namespace hgp::io {
 namespace {
@@ -54,9 +55,7 @@ std::string missingNote(const Failure& failure) {
 Failure tooMany(const Limits& limits) {
   return {ErrorCode::kLimit,
           "read",
-          formatText("the side files together exceed the limit of %llu bytes; raise it by "
-                     "--max-bytes (limits.bytes)",
-                     static_cast<unsigned long long>(limits.maxBytes)),
+          "the side files together exceed " + byteLimit(limits.maxBytes),
           {}};
 }
 

@@ -9,6 +9,7 @@
 #include "hgp/base/counted.h"
 #include "hgp/base/disjoint_sets.h"
 #include "hgp/io/gltf/gltf_accessor.h"
+#include "hgp/io/limits.h"
 #include "hgp/io/weld.h"
 
 namespace hgp::io {
@@ -106,10 +107,9 @@ class GltfWelder {
     if (total * sizeof(Vec3) > limits_.maxBytes || total > INT32_MAX / 2) {
       return Failure{ErrorCode::kLimit,
                      "read",
-                     formatText("mesh %d has %llu vertices, more than the limit of %llu bytes "
-                                "allows; raise it by --max-bytes (limits.bytes)",
-                                out_.mesh, static_cast<unsigned long long>(total),
-                                static_cast<unsigned long long>(limits_.maxBytes)),
+                     formatText("mesh %d has %llu vertices, more than fit into ", out_.mesh,
+                                static_cast<unsigned long long>(total)) +
+                         byteLimit(limits_.maxBytes),
                      {}};
     }
     const int pool = static_cast<int>(out_.pools.size());

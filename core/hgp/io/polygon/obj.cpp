@@ -2,6 +2,7 @@
 
 #include "hgp/base/check.h"
 #include "hgp/io/cone_files.h"
+#include "hgp/io/limits.h"
 #include "hgp/io/polygon/obj_attributes.h"
 #include "hgp/io/polygon/obj_refine.h"
 #include "hgp/io/polygon/obj_text.h"
@@ -223,13 +224,7 @@ class ObjDocument final : public PolygonDocument {
 
 Result<DocumentPtr> readObj(FileSet files, const Limits& limits) {
   if (files.main.size() > limits.maxBytes) {
-    return Failure{
-        ErrorCode::kLimit,
-        "read",
-        formatText(
-            "the file has %zu bytes, the limit is %llu; raise it by --max-bytes (limits.bytes)",
-            files.main.size(), static_cast<unsigned long long>(limits.maxBytes)),
-        {}};
+    return tooManyBytes(files.main.size(), limits.maxBytes);
   }
   auto document = std::make_unique<ObjDocument>();
   if (Status done = document->read(std::move(files.main), limits.maxTriangles); !done) {

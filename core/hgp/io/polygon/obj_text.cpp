@@ -4,6 +4,7 @@
 
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
+#include "hgp/io/limits.h"
 #include "hgp/io/polygon/not_finite.h"
 #include "hgp/text/text.h"
 
@@ -242,13 +243,7 @@ class ObjScanner {
     out_.faceLines.push_back(span);
     triangles_ += corners - 2;
     if (triangles_ <= maxTriangles_) return true;
-    failure_ = {
-        ErrorCode::kLimit,
-        "read",
-        formatText(
-            "more than the limit of %llu triangles; raise it by --max-triangles (limits.triangles)",
-            static_cast<unsigned long long>(maxTriangles_)),
-        {}};
+    failure_ = tooManyTriangles(maxTriangles_);
     return false;
   }
 

@@ -1,5 +1,6 @@
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
+#include "hgp/io/limits.h"
 #include "hgp/io/polygon/not_finite.h"
 #include "hgp/io/polygon/polygon_document.h"
 #include "hgp/text/text.h"
@@ -159,12 +160,7 @@ class OffReader {
           static_cast<std::uint32_t>(file_.polygons.cornerVertex.size()));
       triangles += static_cast<std::uint64_t>(corners) - 2;
       if (triangles > maxTriangles_) {
-        failure_ = {ErrorCode::kLimit,
-                    "read",
-                    formatText("more than the limit of %llu triangles; raise it by --max-triangles "
-                               "(limits.triangles)",
-                               static_cast<unsigned long long>(maxTriangles_)),
-                    {}};
+        failure_ = tooManyTriangles(maxTriangles_);
         return false;
       }
     }

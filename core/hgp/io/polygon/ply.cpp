@@ -2,6 +2,7 @@
 
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
+#include "hgp/io/limits.h"
 #include "hgp/io/polygon/not_finite.h"
 #include "hgp/io/polygon/ply_document.h"
 #include "hgp/text/text.h"
@@ -199,13 +200,7 @@ class PlyReader {
     file_.polygons.start.push_back(static_cast<std::uint32_t>(file_.polygons.cornerVertex.size()));
     triangles_ += list_.size() - 2;
     if (triangles_ <= maxTriangles_) return true;
-    failure_ = {
-        ErrorCode::kLimit,
-        "read",
-        formatText(
-            "more than the limit of %llu triangles; raise it by --max-triangles (limits.triangles)",
-            static_cast<unsigned long long>(maxTriangles_)),
-        {}};
+    failure_ = tooManyTriangles(maxTriangles_);
     return false;
   }
 

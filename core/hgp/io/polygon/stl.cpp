@@ -4,6 +4,7 @@
 
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
+#include "hgp/io/limits.h"
 #include "hgp/io/polygon/polygon_document.h"
 #include "hgp/io/weld.h"
 #include "hgp/text/text.h"
@@ -80,16 +81,6 @@ Result<std::vector<Vec3>> readText(std::string_view text) {
   return corners;
 }
 
-Failure tooManyTriangles(std::size_t triangles, const Limits& limits) {
-  return {
-      ErrorCode::kLimit,
-      "read",
-      formatText(
-          "%zu triangles exceed the limit of %llu; raise it by --max-triangles (limits.triangles)",
-          triangles, static_cast<unsigned long long>(limits.maxTriangles)),
-      {}};
-}
-
 /// How many triangles a binary file has; empty if it is text or truncated. Some programs leave the count
 /// at 0, others append bytes after the last triangle.
 std::optional<std::size_t> binaryCount(const Bytes& bytes, std::vector<std::string>& notes) {
@@ -132,14 +123,14 @@ Result<DocumentPtr> readStl(const FileSet& files, const Limits& limits) {
                                         counted(bytes.size(), "byte").c_str()));
   }
   if (count && *count > limits.maxTriangles) {
-    return tooManyTriangles(*count, limits);
+    return tooManyTriangles(*count, limits.maxTriangles);
   }
   Result<std::vector<Vec3>> corners =
       count ? readBinary(bytes, *count) : readText(withoutByteOrderMark(asText(bytes)));
   if (!corners) return corners.error();
   if (corners->empty()) return malformedByte(bytes.size(), "there are no triangles");
   if (corners->size() / 3 > limits.maxTriangles) {
-    return tooManyTriangles(corners->size() / 3, limits);
+    return tooManyTriangles(corners->size() / 3, limits.maxTriangles);
   }
   Weld weld = weldExact(*corners);
   file.storedVertexCount = static_cast<int>(corners->size());

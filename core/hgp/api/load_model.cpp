@@ -165,7 +165,7 @@ Status prepare(Model& model, const LoadOptions& options) {
     if (Status done = writeRepairs(model, options); !done) return done;
     if (model.unusable) return Done{};
   }
-  if (!options.isStrict && options.weld < 0) addNotes(model, crackNotes(crackFacts(model.mesh)));
+  if (options.weld < 0) addNotes(model, crackNotes(crackFacts(model.mesh)));
   return splitIntoComponents(model);
 }
 

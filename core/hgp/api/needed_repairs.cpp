@@ -20,8 +20,6 @@ namespace hgp::api {
 namespace {
 
 constexpr int kMaxCells = 512;  // maximum number of grid cells for one edge
-// Maximum number of distances measured: where triangles lie all over each other, it would be quadratic.
-constexpr long long kMaxTests = 1 << 28;
 
 int componentCount(const MeshData& mesh, const std::vector<int>* image, bool& isSoup) {
   const auto vertices = static_cast<int>(mesh.positions.size());
@@ -75,8 +73,8 @@ std::vector<BoundaryEdge> boundaryOf(const MeshData& mesh) {
 /// Boundary vertices and edges in a spatial grid.
 class CrackFinder {
  public:
-  CrackFinder(const MeshData& mesh, std::vector<BoundaryEdge> edges)
-      : mesh_(mesh), edges_(std::move(edges)) {
+  CrackFinder(const MeshData& mesh, std::vector<BoundaryEdge> edges, long long maxTests)
+      : mesh_(mesh), edges_(std::move(edges)), left_(maxTests) {
     std::vector<double> lengths;
     for (const BoundaryEdge& e : edges_) lengths.push_back(e.length);
     std::nth_element(lengths.begin(),
@@ -197,7 +195,7 @@ class CrackFinder {
   std::map<int, std::vector<int>> neighbours_;
   std::map<int, bool> isPaired_;
   std::unordered_map<Cell, std::vector<int>, CellHash> cells_;
-  long long left_ = kMaxTests;
+  long long left_;  ///< distances that may still be measured; negative: the search has ended
 };
 
 /// x rounded up to two digits: "1.1e-05".
@@ -264,10 +262,10 @@ WeldFacts weldFacts(const MeshData& mesh) {
   return facts;
 }
 
-CrackFacts crackFacts(const MeshData& mesh) {
+CrackFacts crackFacts(const MeshData& mesh, long long maxTests) {
   std::vector<BoundaryEdge> edges = boundaryOf(mesh);
   if (edges.empty()) return {};
-  return CrackFinder(mesh, std::move(edges)).find();
+  return CrackFinder(mesh, std::move(edges), maxTests).find();
 }
 
 std::vector<std::string> weldNotes(const WeldFacts& weld, bool isWelded) {

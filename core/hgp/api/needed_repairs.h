@@ -33,14 +33,16 @@ struct CrackFacts {
   double gap = 0;      ///< the largest of their distances
   int onEdges = 0;     ///< boundary vertices inside a boundary edge of others (T-junctions)
   double edgeGap = 0;  ///< the largest distance between such a vertex and its edge
-  bool isPartial =
-      false;  ///< the search ended early: triangles all over each other; there may be more
+  bool isPartial = false;  ///< the search ended at its bound; there may be more
 };
 
-/// "Close" means closer than kCrackRatio times the median length of boundary edges, but not equal.
-/// O(boundary) expected, and bounded.
-CrackFacts crackFacts(const MeshData& mesh);
 inline constexpr double kCrackRatio = 0.02;
+/// Where triangles lie all over each other, the number of distances would be quadratic.
+inline constexpr long long kMaxCrackTests = 1 << 28;
+
+/// "Close" means closer than kCrackRatio times the median length of boundary edges, but not equal. O(boundary)
+/// expected; at most about maxTests distances are measured.
+CrackFacts crackFacts(const MeshData& mesh, long long maxTests = kMaxCrackTests);
 
 /// Sentences for users; empty if there is nothing to report.
 std::vector<std::string> weldNotes(const WeldFacts& weld, bool isWelded);

@@ -1,6 +1,8 @@
 // A surface of very thin triangles, with many cones.  Role: what only evened edge lengths give a map.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 
 #include "hgp/parametrize/parametrize.h"
@@ -29,6 +31,16 @@ inline bool isEvened(const Round& round) { return round.method.starts_with("even
 
 inline long long evenedRounds(const Parametrization& p) {
   return std::count_if(p.rounds.begin(), p.rounds.end(), isEvened);
+}
+
+inline void expectMappedWithEvenedLengths(const TriMesh& mesh, const Parametrization& p) {
+  ASSERT_TRUE(p.isCertified);
+  EXPECT_TRUE(certify(mesh, p.spec, p.map).isCertified);
+  EXPECT_GT(evenedRounds(p), 0);
+  EXPECT_TRUE(isEvened(p.rounds.back()));
+  EXPECT_LE(p.rounds.size(), 24u);
+  ASSERT_FALSE(p.notes.empty());
+  EXPECT_NE(p.notes.back().find("evened lengths"), std::string::npos);
 }
 
 }  // namespace hgp::test

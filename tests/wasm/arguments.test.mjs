@@ -64,7 +64,7 @@ test('wrong arguments are usage errors, and the model stays loaded', () =>
   }));
 
 test('the options that are checked are those that are declared, and those that the core reads', () => {
-  const types = readFileSync(path.join(built, 'core.d.ts'), 'utf8');
+  const types = readFileSync(path.join(built, 'options.d.ts'), 'utf8');
   const declared = (name) => {
     const [, base, body] = types.match(
       new RegExp(`interface ${name}(?: extends (\\w+))? {\\n([^]*?)\\n}`),

@@ -57,7 +57,7 @@ const improve = kind(
 );
 const order = integer(1, 64);
 
-/** The options of each call. The declarations in core.d.ts have the same names; a test compares them. */
+/** The options of each call. The declarations in options.d.ts have the same names; a test compares them. */
 export const optionsOf = {
   load: {
     name: string,

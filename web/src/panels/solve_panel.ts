@@ -177,7 +177,7 @@ class SolvePanel extends Panel {
           />
           Less distortion
         </label>
-        <small>The report says how harmonic the map is.</small>
+        <small>Takes longer; the map stays certified.</small>
       </p>
       ${
         isOn

@@ -1,24 +1,14 @@
 // What the calls of the solver return. The JSON documents are those of the command line; their types are generated
 // from the schemas in hgp/schema.
 
-import type { Certificate, Report, Where as Places } from './documents.js';
+import type { Certificate, Failure, Report, Where as Places } from './documents.js';
 import type { Cones } from './options.js';
 
 /** A place on the mesh (ids of the surface) or in the file. */
 export type Where = Places[number];
 
-export type HgpErrorCode =
-  | 'usage'
-  | 'malformed'
-  | 'unsupported'
-  | 'prescription'
-  | 'no-map'
-  | 'write-failed'
-  | 'limit'
-  | 'internal'
-  | 'cancelled'
-  | 'worker-lost'
-  | 'wasm-unavailable';
+/** The codes of the command line's errors, and two that only the package has. */
+export type HgpErrorCode = Failure['code'] | 'worker-lost' | 'wasm-unavailable';
 
 /** The loaded surface, to which vertex and triangle ids refer. */
 export interface Surface {

@@ -8,15 +8,12 @@
 
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
+#include "hgp/io/limits.h"
 
 namespace hgp::cli {
 
 Failure tooLarge(std::uint64_t maxBytes) {
-  return {ErrorCode::kLimit,
-          "read",
-          formatText("the input is larger than %llu bytes (--max-bytes)",
-                     static_cast<unsigned long long>(maxBytes)),
-          {}};
+  return {ErrorCode::kLimit, "read", "the input is larger than " + io::byteLimit(maxBytes), {}};
 }
 
 #ifdef HGP_HAS_ZLIB

@@ -82,6 +82,13 @@ test('the component that needs most cells determines the recommended number', ()
   assert.equal(hopeless.workingCells, 0);
 });
 
+test('cells are counted for each cone where there are cones', () => {
+  const solution = solutionOf([grid(), grid()]);
+  assert.equal(gridOutcome(solution).cellsPerCone, 25);
+  solution.result.cones.cones = [];
+  assert.equal(gridOutcome(solution).cellsPerCone, Infinity);
+});
+
 test('on an aligned map a pattern comes in whole periods, elsewhere at any scale', () => {
   const surface = { diagonal: 2 };
   const aligned = solutionOf([grid()]);

@@ -43,6 +43,7 @@ export interface GridOutcome {
   isAligned: boolean;
   /** Cells of all components together. */
   cells: number;
+  /** Infinite where there are no cones. */
   cellsPerCone: number;
   /** Edge length of a cell in units of the surface. */
   spacing: number;
@@ -57,7 +58,6 @@ export function gridOutcome({ result }: Pick<Solution, 'result'>): GridOutcome |
   const reports = gridReports(result);
   if (reports.length === 0) return undefined;
   const cells = reports.reduce((sum, one) => sum + one.cells, 0);
-  const cones = Math.max(1, result.cones.cones.length);
   const failed = reports.filter(({ aligned }) => !aligned);
   const isFound = failed.every(({ workingCells }) => workingCells > 0);
   // All components have the same spacing, so the most demanding one decides.
@@ -65,7 +65,7 @@ export function gridOutcome({ result }: Pick<Solution, 'result'>): GridOutcome |
   return {
     isAligned: isAligned({ result }),
     cells: Math.round(cells),
-    cellsPerCone: cells / cones,
+    cellsPerCone: cells / result.cones.cones.length,
     spacing: reports[0].spacing,
     reason: failed.find(({ reason }) => reason)?.reason ?? '',
     workingCells: failed.length > 0 && isFound ? Math.ceil(cells * denser) : 0,

@@ -143,9 +143,11 @@ class SolvePanel extends Panel {
     if (!outcome) return nothing;
     const { isAligned, cells, cellsPerCone, spacing, reason, workingCells } = outcome;
     if (isAligned) {
+      const each = Number.isFinite(cellsPerCone)
+        ? `, ${cellsPerCone.toFixed(0)} for each cone`
+        : '';
       return html`<p class="note" id="grid-outcome">
-        ${count(cells)} cells, ${cellsPerCone.toFixed(0)} for each cone; one is
-        ${spacing.toPrecision(3)} wide.
+        ${count(cells)} cells${each}; one is ${spacing.toPrecision(3)} wide.
       </p>`;
     }
     const better = (): void => this.#setGrid({ cells: workingCells });

@@ -9,7 +9,7 @@ import { featureFiles, manifoldWithoutPlace } from '../gltf/features.mjs';
 import { harmlessFiles, hostileFiles } from '../gltf/hostile_files.mjs';
 
 const [program, scratch] = process.argv.slice(2);
-const seconds = process.env.HGP_FULL ? 300 : 5;
+const seconds = process.env.HGP_FULL ? 300 : 2;
 const target = path.basename(program).replace('fuzz_', '');
 const here = path.dirname(fileURLToPath(import.meta.url));
 

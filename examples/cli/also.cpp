@@ -69,7 +69,7 @@ Status writeFaces(const api::Session& session, const std::string& path) {
 Status writeLoops(const api::Session& session, const std::string& path) {
   const Result<api::SurfaceLoops> loops = session.loops();
   if (!loops) return loops.error();
-  const nlohmann::json json{{"boundaries", loops->boundaries}, {"handles", loops->handles}};
+  const nlohmann::ordered_json json{{"boundaries", loops->boundaries}, {"handles", loops->handles}};
   return writeText(path, json.dump() + "\n");
 }
 

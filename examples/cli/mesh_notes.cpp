@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <regex>
+#include <string_view>
 
 namespace hgp::cli {
 namespace {
@@ -22,10 +22,40 @@ std::string named(const std::vector<int>& meshes) {
   return out;
 }
 
-/// The text with "#" for every number and for every list of numbers.
-std::string kindOf(const std::string& text) {
-  static const std::regex number(R"([0-9][0-9.]*(e[+-]?[0-9]+)?(, (…|[0-9]+))*)");
-  return std::regex_replace(text, number, "#");
+constexpr std::string_view digits = "0123456789";
+
+/// The end of the number at the start of `text`; 0 without one.
+std::size_t numberLength(std::string_view text) {
+  if (text.empty() || digits.find(text[0]) == digits.npos) return 0;
+  std::size_t end = std::min(text.find_first_not_of("0123456789."), text.size());
+  if (end == text.size() || text[end] != 'e') return end;
+  const std::size_t sign = text.find_first_of("+-", end + 1) == end + 1 ? 1 : 0;
+  const std::size_t exponent =
+      std::min(text.find_first_not_of(digits, end + 1 + sign), text.size());
+  return exponent > end + 1 + sign ? exponent : end;
+}
+
+/// The text with "#" for every number and for every list of numbers, which "…" may end.
+std::string kindOf(std::string_view text) {
+  constexpr std::string_view separator = ", ";
+  constexpr std::string_view more = ", …";
+  std::string out;
+  bool isList = false;
+  while (!text.empty()) {
+    const std::size_t skipped = isList && text.starts_with(separator) ? separator.size() : 0;
+    if (const std::size_t length = numberLength(text.substr(skipped)); length > 0) {
+      if (skipped == 0) out += '#';
+      text.remove_prefix(skipped + length);
+      isList = true;
+    } else if (isList && text.starts_with(more)) {
+      text.remove_prefix(more.size());
+    } else {
+      out += text[0];
+      text.remove_prefix(1);
+      isList = false;
+    }
+  }
+  return out;
 }
 
 void addOnce(std::vector<int>& meshes, int mesh) {

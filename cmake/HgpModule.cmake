@@ -57,7 +57,7 @@ function(hgp_module)
       # Rarely executed, or a small part of a run: download size matters more than speed.
       target_compile_options(${target} PRIVATE -Os)
     endif()
-    if(NOT R_NAME MATCHES "^(base|linalg|socp|optimize|improve|grid|system|field|io|text|verify|mesh|cut)$")
+    if(NOT R_NAME MATCHES "^(base|linalg|socp|optimize|improve|grid|system|field|text|verify|mesh|cut)$")
       # In the sanitizer build, only code that takes much time in tests is optimized; for other code, compiling would
       # take longer than it saves.
       target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O0>)

@@ -3,7 +3,7 @@
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { chromium } from 'playwright-core';
+import { startChromium } from './chromium.mjs';
 import { examples } from './examples.mjs';
 import { serve } from './serve.mjs';
 
@@ -14,8 +14,7 @@ const tiles = { sphere: 16, cube: 10, torus: 9, pipe: 14, pebble: 16, rings: 22,
 
 mkdirSync(folder, { recursive: true });
 const { url, server } = await serve({ port: 0 });
-const args = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
-const browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args });
+const browser = await startChromium('--use-angle=swiftshader', '--enable-unsafe-swiftshader');
 const page = await browser.newPage({ viewport: { width: 1100, height: 700 }, reducedMotion: 'reduce', serviceWorkers: 'block' }); // prettier-ignore
 for (const { id } of examples()) {
   await page.goto(`${url}#pattern=${patterns[id]}&tiles=${tiles[id]}`);

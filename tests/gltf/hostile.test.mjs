@@ -10,7 +10,7 @@ import { hasMeshes, isWasm, meshes, runProbe, scratch } from './probe.mjs';
 
 const folder = path.join(scratch, 'hostile');
 mkdirSync(folder, { recursive: true });
-const caps = ['--max-bytes', `${256 << 20}`, '--max-triangles', '2000000'];
+const caps = ['--max-bytes', `${256 << 20}`, '--max-triangles', '200000'];
 
 function store({ name, bytes }) {
   const file = path.join(folder, name);

@@ -57,7 +57,7 @@ export function planter(root, preset) {
     const command = entry.command
       .replace(/ -o \S+/, ` -o ${object}`)
       .replace(/ -c \S+/, ` -w -c ${from}`)
-      .replace(/ -O3\b/, ' -O1');
+      .replace(/ -O[13]\b/g, ' -O0');
     return { command, cwd: entry.directory };
   }
 

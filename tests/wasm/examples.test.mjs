@@ -1,21 +1,18 @@
 // The example pages of three.js and glTF-Transform, built by Vite and used in a browser.
 
 import assert from 'node:assert/strict';
-import { cpSync, existsSync, writeFileSync } from 'node:fs';
+import { cpSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import test, { after } from 'node:test';
 import { NodeIO } from '@gltf-transform/core';
-import { chromium } from 'playwright-core';
 import { build } from 'vite';
+import { startChromium } from '../../web/chromium.mjs';
 import { cubeMesh, toGlb } from '../support/meshes.mjs';
 import { createProject, serve } from './project.mjs';
 import { root } from './support.mjs';
 
 const { folder: project } = createProject('examples');
-const browser = await chromium.launch({
-  executablePath: ['/usr/bin/chromium', '/usr/bin/google-chrome'].find(existsSync),
-  args: ['--no-sandbox', '--disable-background-networking', '--use-angle=swiftshader'],
-});
+const browser = await startChromium('--use-angle=swiftshader');
 after(() => browser.close());
 
 /** Builds the example, opens it, and hands the page over. */

@@ -8,8 +8,7 @@ import test, { after } from 'node:test';
 import { execFile } from 'node:child_process';
 import { promisify } from 'node:util';
 import { NodeIO } from '@gltf-transform/core';
-import { chromium } from 'playwright-core';
-import { existsSync } from 'node:fs';
+import { startChromium } from '../../web/chromium.mjs';
 import { emptyHome, root, runPage, startServer } from '../support/page.mjs';
 import { startRegistry } from '../support/registry.mjs';
 import { cubeMesh, toGlb } from '../support/meshes.mjs';
@@ -35,10 +34,7 @@ test('docs/five-minutes/three.md: the page that it ends with shows a textured kn
   inEmptyHome(async (home) => {
     const { server, ...where } = await runPage('five-minutes/three.md', home, settings);
     const { url, stop } = await startServer(server, where);
-    const browser = await chromium.launch({
-      executablePath: ['/usr/bin/chromium', '/usr/bin/google-chrome'].find(existsSync),
-      args: ['--no-sandbox', '--disable-background-networking', '--use-angle=swiftshader'],
-    });
+    const browser = await startChromium('--use-angle=swiftshader');
     try {
       const page = await browser.newPage({ viewport: { width: 480, height: 360 } });
       const trouble = [];

@@ -8,7 +8,7 @@ import { bumpyDisk } from '../support/disk.mjs';
 import { asFiles, bytesOf, createCore, HgpError } from './support.mjs';
 
 const core = await createCore();
-const limits = { bytes: 256 << 20, triangles: 2e6 };
+const limits = { bytes: 256 << 20, triangles: 2e5 };
 
 async function load(name, bytes) {
   const files = asFiles(name, new Uint8Array(bytes));

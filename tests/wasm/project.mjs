@@ -4,7 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import path from 'node:path';
-import { chromium } from 'playwright-core';
+import { startChromium } from '../../web/chromium.mjs';
 import { built, scratch } from './support.mjs';
 
 const readme = readFileSync(path.join(built, 'README.md'), 'utf8');
@@ -68,10 +68,7 @@ export function serve(folder, headers = {}) {
 
 /** Opens a page and resolves to what it says in its title, with everything that went wrong. */
 export async function openUrl(url) {
-  const browser = await chromium.launch({
-    executablePath: ['/usr/bin/chromium', '/usr/bin/google-chrome'].find(existsSync),
-    args: ['--no-sandbox', '--disable-gpu', '--disable-background-networking'],
-  });
+  const browser = await startChromium('--disable-gpu');
   try {
     const page = await browser.newPage();
     const trouble = [];

@@ -23,7 +23,11 @@ import {
   useBrowser,
 } from './support.mjs';
 
-const it = useBrowser({ viewport: { width: 1150, height: 800 }, deviceScaleFactor: 1 });
+const it = useBrowser({
+  viewport: { width: 1150, height: 800 },
+  deviceScaleFactor: 1,
+  antialias: true,
+});
 const { test } = it;
 const note = () => it.page.locator('.seam-note').innerText();
 

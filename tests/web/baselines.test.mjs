@@ -35,7 +35,7 @@ async function compare(page, name) {
   assert.ok(count <= most * width * height, `${name}: ${((100 * count) / width / height).toFixed(1)} % differ`); // prettier-ignore
 }
 
-const wide = useBrowser({ viewport: { width: 1280, height: 800 }, deviceScaleFactor: 0.5 });
+const wide = useBrowser({ viewport: { width: 1280, height: 800 }, antialias: true });
 
 wide.test('empty, loaded, certified in the light and in the dark look as they should', async () => {
   const { page } = wide;
@@ -50,7 +50,7 @@ wide.test('empty, loaded, certified in the light and in the dark look as they sh
   await compare(page, 'certified-dark');
 });
 
-const phone = useBrowser({ viewport: { width: 390, height: 844 }, deviceScaleFactor: 0.5, hasTouch: true, isMobile: true }); // prettier-ignore
+const phone = useBrowser({ viewport: { width: 390, height: 844 }, antialias: true, hasTouch: true, isMobile: true }); // prettier-ignore
 
 phone.test('on a phone, too', async () => {
   await example(phone, 'cube');

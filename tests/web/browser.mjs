@@ -3,12 +3,12 @@
 // takes longer than most tests, so tests of one process share pages that are alike.
 
 import assert from 'node:assert/strict';
-import { existsSync, mkdirSync, mkdtempSync, rmSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import nodeTest, { after } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { chromium } from 'playwright-core';
+import { startChromium } from '../../web/chromium.mjs';
 import { serve } from '../../web/serve.mjs';
 
 const shots = fileURLToPath(new URL('../../build/screenshots', import.meta.url));
@@ -119,12 +119,8 @@ function open() {
 
 const browsers = new Map();
 function browserWith(flags) {
-  const executablePath = ['/usr/bin/chromium', '/usr/bin/google-chrome'].find(existsSync);
-  const args = ['--no-sandbox', '--disable-background-networking', '--disable-dev-shm-usage'];
   const key = flags.join(' ');
-  if (!browsers.has(key)) {
-    browsers.set(key, chromium.launch({ executablePath, args: [...args, ...flags] }));
-  }
+  if (!browsers.has(key)) browsers.set(key, startChromium('--disable-dev-shm-usage', ...flags));
   return browsers.get(key);
 }
 
@@ -174,15 +170,17 @@ export function useBrowser({
   viewport = { width: 1100, height: 700 },
   flags = [],
   deviceScaleFactor = 0.5, // a quarter of the pixels that software has to paint
+  antialias = false, // with it, software has to paint four times as many
   serviceWorkers = 'block', // precaching would only slow the other tests down
   ...more
 } = {}) {
   const it = { allowed: [] };
   const options = { deviceScaleFactor, serviceWorkers, ...more };
-  const key = JSON.stringify([flags, options]);
+  const all = antialias ? flags : ['--webgl-antialiasing-mode=none', ...flags];
+  const key = JSON.stringify([all, options]);
   const prepare = async () => {
     const { url, folder } = await open();
-    if (!pages.has(key)) pages.set(key, await openPage(flags, { viewport, ...options }));
+    if (!pages.has(key)) pages.set(key, await openPage(all, { viewport, ...options }));
     const { page, context, problems } = pages.get(key);
     Object.assign(it, { url, folder, page, context, allowed: [] });
     const isClosed = await closed(page);

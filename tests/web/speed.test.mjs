@@ -10,7 +10,7 @@ import { openFiles, root, run, settled, state, statusText, useBrowser } from './
 // Composed as on a machine with a graphics card, only in software: otherwise every picture is read
 // back on the page's main thread, which no user's browser does.
 const flags = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'];
-const it = useBrowser({ flags, deviceScaleFactor: 1 });
+const it = useBrowser({ flags, deviceScaleFactor: 1, antialias: true });
 const { test } = it;
 const built = path.join(root, 'build/page');
 

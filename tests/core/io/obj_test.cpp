@@ -261,7 +261,7 @@ double secondsFor(int n) {
 
 TEST(Obj, ReadingAndWritingGrowsWithTheFile) {
   // 16 times as many faces; something quadratic would take 256 times as long.
-  EXPECT_LT(secondsFor(500), 64 * secondsFor(125));
+  EXPECT_LT(secondsFor(240), 64 * secondsFor(60));
 }
 
 }  // namespace

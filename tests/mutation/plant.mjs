@@ -51,7 +51,7 @@ export function planter(root, preset) {
     return entry;
   }
 
-  /** The same with `from` in its place. */
+  /** The same with `from` in its place, unoptimized: one test runs, and compiling is most of the time. */
   function compileCommand(file, from, object) {
     const entry = compilationOf(file);
     const command = entry.command

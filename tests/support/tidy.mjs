@@ -1,6 +1,7 @@
 // Runs clang-tidy on our sources, of the benchmarks only with --full: otherwise they are parsed, as no build of
-// scripts/test compiles them. A unit whose text and headers have not changed since it last passed is not checked again. Modules are checked as the sanitizer build compiles them, as one unit each:
-// most of the time is spent on the headers of Eigen and the standard library, once per unit.
+// scripts/test compiles them. A unit whose text and headers have not changed since it last passed is not checked again.
+// Modules are checked as the sanitizer build compiles them, as one unit each: most of the time is spent on the headers
+// of Eigen and the standard library, once per unit.
 
 import { exec, execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';

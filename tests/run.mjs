@@ -91,14 +91,14 @@ const installTests = (log) =>
     listingOf(data),
   ]);
 
-/** The package's tests that measure time or memory. */
-const measures = /(memory|package|soak|cost)\.test\.mjs$/;
+/** The package's tests that measure time. */
+const measures = 'tests/wasm/cost.test.mjs';
 
 /** The package's tests, two files at a time. */
 const packageTests = (log) =>
   runChanged(
     log,
-    testFiles('wasm').filter((file) => !measures.test(file)),
+    testFiles('wasm').filter((file) => file !== measures),
     2,
     () => [
       contentOf(program),
@@ -108,20 +108,12 @@ const packageTests = (log) =>
     ],
   );
 
-/** Measurements of the package: two files at a time; then, alone, those that measure time. */
-async function packageMeasures(log) {
-  const alone = 'tests/wasm/cost.test.mjs';
-  const files = testFiles('wasm').filter((file) => measures.test(file) && file !== alone);
-  const both = await counted(log, '--test', '--test-concurrency=2', ...files);
-  return sum([both, await counted(log, '--test', alone)]);
-}
-
 /**
  * The page's tests: two lanes that run file after file, each with one browser; then, alone, those that
- * measure time. Long files come first, so that both lanes end at about the same time.
+ * bound times, which they do with --full. Long files come first, so that both lanes end at about the same time.
  */
 async function webTests(log) {
-  const alone = 'tests/web/speed.test.mjs';
+  const alone = full ? ['tests/web/speed.test.mjs'] : [];
   const long = [
     'pictures',
     'looks',
@@ -135,13 +127,13 @@ async function webTests(log) {
     'touch',
   ];
   const rank = (file) => (long.indexOf(path.basename(file, '.test.mjs')) + 99) % 99;
-  const files = testFiles('web').filter((file) => file !== alone);
+  const files = testFiles('web').filter((file) => !alone.includes(file));
   files.sort((a, b) => rank(a) - rank(b));
   const both = await inLanes(files, (claims) => [
     lane(log, claims, files),
     lane(log, claims, files),
   ]);
-  return sum([both, await counted(log, '--test', alone)]);
+  return alone.length > 0 ? sum([both, await counted(log, '--test', ...alone)]) : both;
 }
 
 /** Compiles every file separately, to find missing includes. */
@@ -196,7 +188,7 @@ const stages = {
   units: { run: unitTests, after: ['wasm-release'] },
   package: { run: packageTests, after: ['native-release', 'wasm-release'] },
   measures: {
-    run: packageMeasures,
+    run: (log) => counted(log, '--test', measures),
     ...{ after: ['native-release', 'wasm-release'], isAlone: true },
   },
   web: { run: web, after: ['native-release', 'wasm-release'], isAlone: true },

@@ -59,17 +59,21 @@ function isPlain() {
   );
 }
 
+/** Chooses an option where that can be done and was not. */
+async function choose(page, select, value) {
+  if (!(await page.isVisible(select))) return;
+  if ((await page.inputValue(select)) !== value) await page.selectOption(select, value);
+}
+
 /** Puts back what tests often change, by the same controls. */
 async function tidy(page) {
   if (await page.$('#downloads, #help-dialog, #log-dialog')) await page.keyboard.press('Escape');
   if (await page.isVisible('#tab-surface')) await page.click('#tab-surface');
+  await choose(page, '#q', '4');
+  await choose(page, '#grid-mode', 'tile');
   if (!(await page.isVisible('#wire'))) return;
-  const usual = { '#pattern': 'checker', '#overlay': 'none' };
-  for (const [select, value] of Object.entries(usual)) {
-    if (!(await page.isVisible(select))) continue;
-    const now = await page.$eval(select, (one) => one.value);
-    if (now !== value) await page.selectOption(select, value);
-  }
+  await choose(page, '#pattern', 'checker');
+  await choose(page, '#overlay', 'none');
   for (const [button, pressed] of [
     ['#wire', 'false'],
     ['#tool-orbit', 'true'],

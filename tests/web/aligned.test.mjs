@@ -168,7 +168,7 @@ test('the texture continues across the seam of a cone with the grid, and breaks 
 
 test('scale in whole steps, density by slider, and a working density where it is too coarse', async () => {
   const { page } = it;
-  await example(it, 'figure');
+  await example(it, 'pebble');
   await run(it);
   const scale = page.locator('#scale');
   assert.deepEqual([await scale.getAttribute('min'), await scale.getAttribute('step')], ['1', '1']);

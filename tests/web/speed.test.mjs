@@ -93,10 +93,10 @@ async function pass() {
 
 test('20 thousand triangles: from drop to the textured result, and no long task while it solves', async (t) => {
   // The limits are those of a quiet machine. How busy this one is, the solver alone tells.
-  const busy = Math.max(1, (await solverAlone()) / quiet);
+  const busy = isBound ? Math.max(1, (await solverAlone()) / quiet) : 1;
   let best = { elapsed: Infinity, longest: Infinity };
   const isFine = () => best.elapsed <= 3000 * busy && best.longest <= 50 * busy;
-  for (let i = 0; i < 3 && !isFine(); i++) {
+  for (let i = 0; i < (isBound ? 3 : 1) && !isFine(); i++) {
     const one = await pass();
     const [read, solve] = [one.read, one.solve].map((x) => x.toFixed(0));
     t.diagnostic(`read ${read} ms, run ${solve} ms, long tasks: ${one.long.join('; ') || 'none'}`);
@@ -105,8 +105,8 @@ test('20 thousand triangles: from drop to the textured result, and no long task 
       longest: Math.min(best.longest, one.longest),
     };
   }
-  t.diagnostic(`${busy.toFixed(1)} times as busy as a quiet machine`);
   if (!isBound) return;
+  t.diagnostic(`${busy.toFixed(1)} times as busy as a quiet machine`);
   assert.ok(best.longest <= 50 * busy, `a task of ${best.longest} ms while solving`);
   assert.ok(best.elapsed <= 3000 * busy, `${best.elapsed} ms`);
 });

@@ -110,10 +110,10 @@ const packageTests = (log) =>
 
 /**
  * The page's tests: two lanes that run file after file, each with one browser; then, alone, those that
- * bound times, which they do with --full. Long files come first, so that both lanes end at about the same time.
+ * measure time. Long files come first, so that both lanes end at about the same time.
  */
 async function webTests(log) {
-  const alone = full ? ['tests/web/speed.test.mjs'] : [];
+  const alone = 'tests/web/speed.test.mjs';
   const long = [
     'pictures',
     'looks',
@@ -127,13 +127,13 @@ async function webTests(log) {
     'touch',
   ];
   const rank = (file) => (long.indexOf(path.basename(file, '.test.mjs')) + 99) % 99;
-  const files = testFiles('web').filter((file) => !alone.includes(file));
+  const files = testFiles('web').filter((file) => file !== alone);
   files.sort((a, b) => rank(a) - rank(b));
   const both = await inLanes(files, (claims) => [
     lane(log, claims, files),
     lane(log, claims, files),
   ]);
-  return alone.length > 0 ? sum([both, await counted(log, '--test', ...alone)]) : both;
+  return sum([both, await counted(log, '--test', alone)]);
 }
 
 /** Compiles every file separately, to find missing includes. */

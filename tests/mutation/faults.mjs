@@ -44,9 +44,12 @@ export const faults = [
     '- geometry.direction[h]',
     short('Geometry.TransportAroundAVertexIsItsCurvature'),
   ),
-  fault('mesh/holonomy_spec.cpp', 'report.have += *l;', 'report.have -= *l;', {
-    seenBy: 'HolonomySpec.OpenLoopsTakeWhatIsMissingWithinTheirBounds',
-  }),
+  fault(
+    'mesh/holonomy_spec.cpp',
+    'report.have += *l;',
+    'report.have -= *l;',
+    short('HolonomySpec.OpenLoopsTakeWhatIsMissingWithinTheirBounds'),
+  ),
   fault('mesh/holonomy_spec.cpp', 'return {floorHalf(low) + 1,', 'return {floorHalf(low),'),
   fault('mesh/holonomy_spec.cpp', '2LL * c.k >=', '2LL * c.k >'),
   fault('mesh/defects.cpp', 'if (fanCount[at(v)] > 1)', 'if (fanCount[at(v)] > 2)'),
@@ -228,9 +231,12 @@ export const faults = [
     'cone.measured != cone.asked',
   ),
   fault('verify/angles.cpp', 'measured.isWrong = measured.isTooFar() ||', 'measured.isWrong ='),
-  fault('verify/angles.cpp', 'out.allowed = std::min(', 'out.allowed = 1e3 * std::min(', {
-    seenBy: 'Angles.AreMeasuredInRadiansWhateverTheOrder',
-  }),
+  fault(
+    'verify/angles.cpp',
+    'out.allowed = std::min(',
+    'out.allowed = 1e3 * std::min(',
+    short('Angles.AreMeasuredInRadiansWhateverTheOrder'),
+  ),
   fault(
     'verify/angles.cpp',
     'turning += kPi - sum',

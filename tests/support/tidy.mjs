@@ -91,8 +91,8 @@ function collect(preset, pattern) {
 collect('native-debug', /^(core|examples\/cli)\//);
 collect('native-release', /^(bench|examples)\/(?!cli\/)/);
 
-// Modules that have no private name in common, the highest last. Where all of a group are to be checked, they are
-// checked as one file.
+// Modules that have no private name in common, the highest last. Where every module of a group has something to
+// check, this is checked as one file.
 const groups = [
   ['base', 'text', 'mesh', 'field', 'cut', 'linalg', 'socp', 'quads', 'parametrize', 'api'],
   ['prescription', 'io', 'verify', 'grid'],
@@ -103,7 +103,7 @@ const groups = [
 const unitsOf = (module) =>
   units.filter(({ file }) => file.includes(`core/hgp/${module}/`) && !file.includes('/kernels/'));
 
-/** One job for a group of modules; undefined if some of them have not changed. */
+/** One job for a group of modules; undefined if one of them has nothing to check. */
 function together(modules) {
   const parts = modules.map(unitsOf);
   if (parts.some((part) => part.length === 0)) return undefined;

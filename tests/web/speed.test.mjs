@@ -111,7 +111,7 @@ test('20 thousand triangles: from drop to the textured result, and no long task 
   assert.ok(best.elapsed <= 3000 * busy, `${best.elapsed} ms`);
 });
 
-test('Cancel in the middle of a solve frees the page at once', async (t) => {
+test('Cancel in the middle of a solve frees the page within 300 ms', async () => {
   await openFiles(it, { 'disk.obj': bumpyDisk(129) }); // 100 thousand triangles
   await run(it, 'running');
   await it.page.waitForFunction(() => document.querySelector('#progress')?.value > 0);
@@ -121,8 +121,6 @@ test('Cancel in the middle of a solve frees the page at once', async (t) => {
     while (document.body.dataset.state === 'running') await new Promise((r) => setTimeout(r, 5));
     return performance.now() - begin;
   });
-  t.diagnostic(`${elapsed.toFixed(0)} ms`);
-  // Beside other tests the limit is only shorter than the rest of the solve.
-  assert.ok(elapsed <= (isBound ? 300 : 3000), `${elapsed} ms`);
+  assert.ok(elapsed <= 300, `${elapsed} ms`);
   assert.match(await statusText(it.page), /Cancelled/);
 });

@@ -8,7 +8,7 @@
 #include "hgp/grid/snap.h"
 #include "hgp/improve/improve.h"
 #include "hgp/parametrize/stage_clock.h"
-#include "hgp/quads/multiple_edges.h"
+#include "hgp/quads/near_seams.h"
 
 namespace hgp {
 namespace {
@@ -161,9 +161,7 @@ Status improveOnGrid(const TriMesh& mesh, const ParametrizeOptions& options, dou
 /// Whether the quads of the map have edges that files cannot tell apart.
 bool hasMultipleEdges(const TriMesh& mesh, const UvMap& map, const SeamlessSetup& setup) {
   const std::optional<UvMap> snapped = snapAligned(mesh, map, setup.seams.q, setup.cones);
-  if (!snapped) return false;
-  const Result<QuadMesh> quads = extractQuads(mesh, *snapped, setup.seams.q);
-  return quads && countMultipleEdges(*quads).pairs > 0;
+  return snapped && hasMultipleEdges(mesh, *snapped, setup.cut.isSeam);
 }
 
 }  // namespace

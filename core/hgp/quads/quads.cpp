@@ -7,7 +7,7 @@
 #include "hgp/base/check.h"
 #include "hgp/mesh/map_area.h"
 #include "hgp/mesh/vectors.h"
-#include "hgp/quads/grid_lines.h"
+#include "hgp/quads/grid_walk.h"
 
 namespace hgp {
 namespace {
@@ -58,9 +58,8 @@ class Extraction {
   }
 
  private:
-  using PointId = std::pair<LatticePoint, int>;
-  struct PointOnEdge {
-    LatticePoint here;  ///< in the plane of mesh.halfedge(e)'s face
+  struct GridPoint {
+    LatticePoint at;  ///< on an edge e: in the plane of mesh.halfedge(e)'s face
     int node;
   };
 
@@ -118,19 +117,37 @@ class Extraction {
     }
     for (FaceId f : mesh_.faces()) {
       const std::int64_t one = lattice_.unit();
-      std::int64_t low[2], high[2];
-      for (int k = 0; k < 3; ++k) {
-        const LatticePoint& p = lattice_.corner(TriMesh::halfedge(f, k));
-        const std::int64_t x[2] = {p.u, p.v};
-        for (int j = 0; j < 2; ++j) {
-          low[j] = k == 0 ? x[j] : std::min(low[j], x[j]);
-          high[j] = k == 0 ? x[j] : std::max(high[j], x[j]);
-        }
+      std::int64_t low = lattice_.corner(TriMesh::halfedge(f, 0)).u, high = low;
+      for (int k = 1; k < 3; ++k) {
+        low = std::min(low, lattice_.corner(TriMesh::halfedge(f, k)).u);
+        high = std::max(high, lattice_.corner(TriMesh::halfedge(f, k)).u);
       }
-      for (std::int64_t u = -floorDiv(-low[0], one); u <= floorDiv(high[0], one); ++u)
-        for (std::int64_t v = -floorDiv(-low[1], one); v <= floorDiv(high[1], one); ++v)
-          addPoint(f, {u * one, v * one});
+      for (std::int64_t u = -floorDiv(-low, one); u <= floorDiv(high, one); ++u) {
+        const auto [first, last] = rowsOf(f, u * one);
+        for (std::int64_t v = first; v <= last; ++v) addPoint(f, {u * one, v * one});
+      }
     }
+  }
+
+  /// The range of whole v in which the line u meets face f, and at most one more at either end: a long triangle has few
+  /// of the grid points of its box. Rounding here is far below a cell, and addPoint() decides.
+  std::pair<std::int64_t, std::int64_t> rowsOf(FaceId f, std::int64_t u) const {
+    double low = 0.0, high = -1.0;
+    for (int k = 0; k < 3; ++k) {
+      const LatticePoint &a = lattice_.corner(TriMesh::halfedge(f, k)),
+                         &b = lattice_.corner(TriMesh::halfedge(f, (k + 1) % 3));
+      if (u < std::min(a.u, b.u) || u > std::max(a.u, b.u)) continue;
+      const double share =
+          a.u == b.u ? 0.0 : static_cast<double>(u - a.u) / static_cast<double>(b.u - a.u);
+      const double v = static_cast<double>(a.v) + share * static_cast<double>(b.v - a.v);
+      const double w = a.u == b.u ? static_cast<double>(b.v) : v;
+      const bool isFirst = high < low;
+      low = isFirst ? std::min(v, w) : std::min({low, v, w});
+      high = isFirst ? std::max(v, w) : std::max({high, v, w});
+    }
+    const auto one = static_cast<double>(lattice_.unit());
+    return {static_cast<std::int64_t>(std::ceil(low / one)) - 1,
+            static_cast<std::int64_t>(std::floor(high / one)) + 1};
   }
 
   void addPoint(FaceId f, const LatticePoint& p) {
@@ -149,55 +166,32 @@ class Extraction {
     }
   }
 
-  /// The node at p in the closed face f, −1 if there is none. `on` is the halfedge on which p lies or, if p is a
-  /// vertex, the halfedge that leaves it; invalid inside f.
-  struct Place {
-    int node = -1;
-    HalfedgeId on;
-    bool isVertex = false;
-  };
-  Place placeOf(FaceId f, const LatticePoint& p) const {
-    for (int k = 0; k < 3; ++k) {
-      const HalfedgeId h = TriMesh::halfedge(f, k);
-      if (lattice_.corner(h) == p) return {vertexNode_[mesh_.tail(h)], h, true};
-    }
-    for (int k = 0; k < 3; ++k) {
-      const HalfedgeId h = TriMesh::halfedge(f, k);
-      if (lattice_.side(h, p) != 0) continue;
-      const EdgeId e = mesh_.edge(h);
-      const LatticePoint here = mesh_.halfedge(e) == h ? p : lattice_.across(h, p);
-      for (const PointOnEdge& point : edgePoints_[e])
-        if (point.here == here) return {point.node, h, false};
-      return {};
-    }
-    for (const auto& [point, node] : facePoints_[f])
-      if (point == p) return {node, {}, false};
-    return {};
+  /// The node at p, which lies at `place` in face f; −1 if there is none.
+  int nodeIn(FaceId f, const LatticePoint& p, const GridPlace& place) const {
+    if (place.kind == GridPlace::Kind::kVertex) return vertexNode_[mesh_.tail(place.on)];
+    if (place.kind == GridPlace::Kind::kFace) return nodeAt(facePoints_[f], p);
+    const EdgeId e = mesh_.edge(place.on);
+    return nodeAt(edgePoints_[e], mesh_.halfedge(e) == place.on ? p : lattice_.across(place.on, p));
+  }
+  static bool isBefore(const LatticePoint& a, const LatticePoint& b) {
+    return a.u != b.u ? a.u < b.u : a.v < b.v;
+  }
+  /// findNodes() adds the points of a face, and thus those of an edge, in this order.
+  static int nodeAt(const std::vector<GridPoint>& sorted, const LatticePoint& p) {
+    const auto found = std::lower_bound(
+        sorted.begin(), sorted.end(), p,
+        [](const GridPoint& point, const LatticePoint& q) { return isBefore(point.at, q); });
+    return found != sorted.end() && found->at == p ? found->node : -1;
   }
 
-  /// Adds the darts in the grid directions of face f from `start` (included) to `end` (excluded), counterclockwise.
-  /// @pre `start` and `end` are at most half a turn apart
+  /// Adds the darts of a node in face f from `start` (included) to `end` (excluded), counterclockwise.
   void addDarts(int node, FaceId f, const LatticePoint& p, const LatticePoint& start,
                 const LatticePoint& end) {
-    // At most two grid directions lie in a half-open range of at most half a turn.
-    int first = -1, second = -1;
-    for (int d = 0; d < 4; ++d) {
-      if (!isBetween(start, lattice_.step(d), end)) continue;
-      (first < 0 ? first : second) = d;
-    }
-    if (second >= 0 && crossSign(lattice_.step(first), lattice_.step(second)) < 0)
-      std::swap(first, second);
-    for (int d : {first, second}) {
+    for (int d : directionsBetween(lattice_, start, end)) {
       if (d < 0) continue;
       around_[hgp::at(node)].push_back(static_cast<int>(darts_.size()));
       darts_.push_back({node, f, p, d, -1});
     }
-  }
-  static bool isBetween(const LatticePoint& start, const LatticePoint& d, const LatticePoint& end) {
-    const int fromStart = crossSign(start, d), toEnd = crossSign(d, end);
-    const bool isAlongStart = fromStart == 0 && dotSign(start, d) > 0;
-    if (crossSign(start, end) == 0) return isAlongStart || fromStart > 0;  // half a turn
-    return (isAlongStart || fromStart > 0) && toEnd > 0;
   }
   LatticePoint vectorOf(HalfedgeId h) const {
     const LatticePoint &a = lattice_.corner(h), &b = lattice_.corner(TriMesh::next(h));
@@ -219,13 +213,13 @@ class Extraction {
         out_.coneVertex[hgp::at(node)] = v.i;
     }
     for (EdgeId e : mesh_.edges())
-      for (const PointOnEdge& point : edgePoints_[e]) {
+      for (const GridPoint& point : edgePoints_[e]) {
         const HalfedgeId h = mesh_.halfedge(e);
-        addDarts(point.node, TriMesh::face(h), point.here, vectorOf(h), negative(vectorOf(h)));
+        addDarts(point.node, TriMesh::face(h), point.at, vectorOf(h), negative(vectorOf(h)));
         isClosed_[hgp::at(point.node)] = !mesh_.isBoundary(h);
         if (mesh_.isBoundary(h)) continue;
         const HalfedgeId twin = mesh_.twin(h);
-        addDarts(point.node, TriMesh::face(twin), lattice_.across(h, point.here), vectorOf(twin),
+        addDarts(point.node, TriMesh::face(twin), lattice_.across(h, point.at), vectorOf(twin),
                  negative(vectorOf(twin)));
       }
     for (FaceId f : mesh_.faces())
@@ -247,56 +241,19 @@ class Extraction {
     return -1;
   }
 
-  /// Walks one unit through the faces just left of the line: points on the line count as right of it, so
-  /// that lines through vertices and along edges are not special cases.
-  void trace(int dart) {
-    FaceId f = darts_[hgp::at(dart)].face;
-    LatticePoint p = darts_[hgp::at(dart)].at;
-    int direction = darts_[hgp::at(dart)].direction;
-    for (;;) {
-      const LatticePoint step = lattice_.step(direction);
-      const LatticePoint q{p.u + step.u, p.v + step.v};
-      bool isHere = true;
-      for (int k = 0; k < 3 && isHere; ++k) isHere = lattice_.side(TriMesh::halfedge(f, k), q) >= 0;
-      if (isHere) {
-        arrive(darts_[hgp::at(dart)], f, q, (direction + 2) & 3);
-        return;
-      }
-      HalfedgeId exit;
-      for (int k = 0; k < 3; ++k) {
-        const HalfedgeId h = TriMesh::halfedge(f, k);
-        if (!isLeft(p, step, lattice_.corner(h)) &&
-            isLeft(p, step, lattice_.corner(TriMesh::next(h))))
-          exit = h;
-      }
-      if (!exit.isValid() || mesh_.isBoundary(exit)) return;
-      p = lattice_.across(exit, p);
-      direction = lattice_.directionAcross(exit, direction);
-      f = TriMesh::face(mesh_.twin(exit));
-    }
-  }
-  static bool isLeft(const LatticePoint& p, const LatticePoint& step, const LatticePoint& c) {
-    return crossSign(step, {c.u - p.u, c.v - p.v}) > 0;
-  }
-
-  /// Finds the dart that leaves q in the opposite direction. It lies strictly inside the face just left of the line,
-  /// or on the last ray of that face's corner: then it belongs to the next face.
-  void arrive(Dart& dart, FaceId f, const LatticePoint& q, int back) const {
-    const Place place = placeOf(f, q);
-    if (place.node < 0) return;
-    dart.opposite = dartAt(place.node, f, back);
-    if (!place.on.isValid()) return;
-    const LatticePoint end =
-        negative(vectorOf(place.isVertex ? TriMesh::previous(place.on) : place.on));
-    const LatticePoint step = lattice_.step(back);
-    if (crossSign(step, end) != 0 || dotSign(step, end) < 0) return;
-    const HalfedgeId over = place.isVertex ? TriMesh::previous(place.on) : place.on;
-    if (mesh_.isBoundary(over)) {
-      dart.end = place.node;
-      return;
-    }
-    dart.opposite =
-        dartAt(place.node, TriMesh::face(mesh_.twin(over)), lattice_.directionAcross(over, back));
+  /// Walks to the other end of a dart and finds the dart that leaves it in the opposite direction.
+  void trace(int index) {
+    Dart& dart = darts_[hgp::at(index)];
+    const LatticePoint step = lattice_.step(dart.direction);
+    const std::optional<GridRay> end =
+        walkTo(lattice_, dart.face, {dart.at.u + step.u, dart.at.v + step.v}, dart.direction);
+    if (!end) return;
+    const GridPlace place = placeIn(lattice_, end->face, end->at);
+    const int node = nodeIn(end->face, end->at, place);
+    if (node < 0) return;
+    const GridArrival back = arrivalOf(lattice_, *end, place);
+    dart.opposite = dartAt(node, back.ray.face, back.ray.direction);
+    if (back.alongBoundary) dart.end = node;
   }
 
   /// The edge after `dart` around the cell on its left, −1 at the boundary.
@@ -358,8 +315,8 @@ class Extraction {
   const TriMesh& mesh_;
   std::vector<Vec3> normal_;
   PerVertex<int> vertexNode_;
-  PerEdge<std::vector<PointOnEdge>> edgePoints_;
-  PerFace<std::vector<PointId>> facePoints_;
+  PerEdge<std::vector<GridPoint>> edgePoints_;
+  PerFace<std::vector<GridPoint>> facePoints_;
   std::vector<Dart> darts_;
   std::vector<std::vector<int>> around_;  ///< per node: its darts, counterclockwise
   std::vector<int> place_;                ///< per dart: its index in `around_`

@@ -102,22 +102,22 @@ Result<HolonomySpec> chooseCones(PreparedSurface& surface, const SuggestOptions&
   PlaceOptions place = placeOptions(options, metric.nodeCount(), coneCount(mesh, context, *start));
   const auto placed = [&] {
     HolonomySpec spec = asSpec(mesh, context, options.q, placeCones(mesh, metric, *start, place));
-    makeRoom(mesh, spec);
+    makeRoom(mesh, spec, surface.shortages());
     return spec;
   };
   HolonomySpec spec = placed();
-  Result<BudgetReport> budget = checkPrescription(mesh, topology, spec);
+  Result<BudgetReport> budget = checkPrescription(mesh, topology, spec, &surface.shortages());
   if (!budget && place.keepsTurning) {
     // With the field's turning, interior vertices cannot take all units (q = 1 on a disk).
     place.keepsTurning = false;
     spec = placed();
-    budget = checkPrescription(mesh, topology, spec);
+    budget = checkPrescription(mesh, topology, spec, &surface.shortages());
   }
   if (!budget) {
     // For small q even one unit turns frames by more than the usual limit (q = 1, genus 2).
     place.largestTurn = kAnyTurn;
     spec = placed();
-    budget = checkPrescription(mesh, topology, spec);
+    budget = checkPrescription(mesh, topology, spec, &surface.shortages());
   }
   if (!budget) return std::move(budget).error();
   if (!report(options.progress, {Stage::kField, 0.8})) return stopped();
@@ -134,7 +134,8 @@ Result<HolonomySpec> fieldCones(PreparedSurface& surface, const SuggestOptions& 
   place.isFixed = place.keepsTurning = true;
   const NodeDefects placed = placeCones(mesh, ConeMetric(mesh, context, options.q), *start, place);
   HolonomySpec spec = asSpec(mesh, context, options.q, placed);
-  Result<BudgetReport> budget = checkPrescription(mesh, surface.topology(), spec);
+  Result<BudgetReport> budget =
+      checkPrescription(mesh, surface.topology(), spec, &surface.shortages());
   if (!budget) return std::move(budget).error();
   return spec;
 }

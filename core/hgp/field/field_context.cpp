@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "hgp/base/check.h"
-#include "hgp/field/mesh_trees.h"
 
 namespace hgp {
 
@@ -16,6 +15,7 @@ FieldContext prepareSurface(const TriMesh& mesh, Metric metric) {
   if (metric == Metric::kEvened)
     context.own = std::exchange(context.geometry, evenedGeometry(mesh));
   context.tree = vertexTree(mesh);
+  context.wideTree = std::make_shared<WideTree>(mesh);
   context.surface = fillBoundary(mesh, context.topology, context.geometry);
   return context;
 }

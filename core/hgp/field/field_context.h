@@ -1,13 +1,14 @@
 // The data that every field of one surface is computed from.  Role: computed once per surface.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "hgp/base/result.h"
 #include "hgp/field/filled_surface.h"
 #include "hgp/field/handle_basis.h"
+#include "hgp/field/mesh_trees.h"
 #include "hgp/field/surface_laplacian.h"
-#include "hgp/linalg/ordering/ordering.h"
 
 namespace hgp {
 
@@ -26,6 +27,7 @@ struct FieldContext {
   FilledSurface surface;
   SurfaceLaplacian laplacian;
   HandleBasis handles;
+  std::shared_ptr<WideTree> wideTree = {};  ///< with separators of width 2
 
   const Geometry& ownGeometry() const { return own ? *own : geometry; }
 };

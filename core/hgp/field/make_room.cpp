@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "hgp/mesh/angle_shortage.h"
-
 namespace hgp {
 namespace {
 
@@ -26,12 +24,12 @@ std::vector<VertexId> aroundBeyondTheRing(const TriMesh& mesh, VertexId v) {
 
 }  // namespace
 
-void makeRoom(const TriMesh& mesh, HolonomySpec& spec) {
+void makeRoom(const TriMesh& mesh, HolonomySpec& spec, AngleShortageMemo& shortages) {
   PerVertex<int> k(static_cast<std::size_t>(mesh.vertexCount()), spec.q);
   for (const ConePoint& cone : spec.cones) k[cone.vertex] = cone.k;
   bool isChanged = false;
   for (int unit = 0; unit < kMaxUnits; ++unit) {
-    const std::optional<AngleShortage> shortage = findAngleShortage(mesh, spec.q, k);
+    const std::optional<AngleShortage>& shortage = shortages.find(mesh, spec.q, k);
     if (!shortage || shortage->cones.empty()) break;
     const VertexId giver = shortage->cones.front();
     const std::vector<VertexId> near = aroundBeyondTheRing(mesh, giver);

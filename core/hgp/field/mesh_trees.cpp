@@ -36,6 +36,11 @@ SeparatorTree vertexTree(const TriMesh& mesh, int separatorWidth) {
   return linalg::nestedDissection(edgeGraph(mesh), options);
 }
 
+const SeparatorTree& WideTree::get() {
+  if (!tree_) tree_ = vertexTree(*mesh_, 2);
+  return *tree_;
+}
+
 SeparatorTree nodeTree(const TriMesh& mesh, const FilledSurface& surface,
                        const SeparatorTree& tree) {
   // Loop nodes are the first nodes of the surface; the tree has them last, because they are appended.

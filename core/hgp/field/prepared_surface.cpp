@@ -5,15 +5,18 @@
 namespace hgp {
 namespace {
 
-/// Whether `asked` prescribes exactly what `found` has.
+/// Whether `asked` prescribes exactly what `found` has; a file lists its cones in its own order.
 bool isExactly(const HolonomySpec& asked, const CompleteSpec& found) {
   if (asked.q != found.q || asked.cones.size() != found.cones.size()) return false;
   if (asked.turning.size() != found.turning.size()) return false;
   if (asked.handles.size() != found.handles.size()) return false;
+  std::vector<ConePoint> cones = asked.cones;
+  std::sort(cones.begin(), cones.end(),
+            [](const ConePoint& a, const ConePoint& b) { return a.vertex < b.vertex; });
   const auto isSame = [](const ConePoint& a, const ConePoint& b) {
     return a.vertex == b.vertex && a.k == b.k;
   };
-  return std::equal(asked.cones.begin(), asked.cones.end(), found.cones.begin(), isSame) &&
+  return std::equal(cones.begin(), cones.end(), found.cones.begin(), isSame) &&
          std::equal(asked.turning.begin(), asked.turning.end(), found.turning.begin()) &&
          std::equal(asked.handles.begin(), asked.handles.end(), found.handles.begin());
 }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "hgp/field/prescribed_field.h"
+#include "hgp/mesh/angle_shortage_memo.h"
 
 namespace hgp {
 
@@ -32,14 +33,18 @@ class PreparedSurface {
   /// Frees their memory, which is most of all; they are computed again when needed.
   void releaseConnection();
 
+  /// Kept answers about the mesh alone.
+  AngleShortageMemo& shortages() { return shortages_; }
+
   /// prescribedField(…) of this surface. The last result is kept and returned without computation when `spec` is its
-  /// completed specification; otherwise the connection is needed.
+  /// completed specification, its cones in any order; otherwise the connection is needed.
   Result<PrescribedField> field(const HolonomySpec& spec);
 
  private:
   const TriMesh* mesh_;
   std::shared_ptr<FieldContext> context_;
   bool hasConnection_ = false;
+  AngleShortageMemo shortages_;
   std::optional<PrescribedField> last_;
   std::unique_ptr<PreparedSurface> evened_;
 };

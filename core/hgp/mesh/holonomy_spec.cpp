@@ -6,7 +6,7 @@
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
 #include "hgp/base/turns.h"
-#include "hgp/mesh/angle_shortage.h"
+#include "hgp/mesh/angle_shortage_memo.h"
 
 namespace hgp {
 namespace {
@@ -243,10 +243,11 @@ void warnPoorVertices(const TriMesh& mesh, const HolonomySpec& spec, BudgetRepor
 
 /// Whether the mesh has too few triangles for the angles. This is a warning, because a finer mesh of the surface may
 /// have enough.
-bool warnShortage(const TriMesh& mesh, const HolonomySpec& spec, BudgetReport& report) {
+bool warnShortage(const TriMesh& mesh, const HolonomySpec& spec, AngleShortageMemo& shortages,
+                  BudgetReport& report) {
   PerVertex<int> k(static_cast<std::size_t>(mesh.vertexCount()), spec.q);
   for (const ConePoint& cone : spec.cones) k[cone.vertex] = cone.k;
-  const std::optional<AngleShortage> found = findAngleShortage(mesh, spec.q, k);
+  const std::optional<AngleShortage>& found = shortages.find(mesh, spec.q, k);
   if (!found) return false;
   const auto isPart = [&](const ConePoint& c) {
     return std::find(found->cones.begin(), found->cones.end(), c.vertex) != found->cones.end();
@@ -282,7 +283,7 @@ TurningRange turningRange(const TriMesh& mesh, const BoundaryLoop& loop, int q) 
 }
 
 Result<BudgetReport> checkPrescription(const TriMesh& mesh, const Topology& topology,
-                                       const HolonomySpec& spec) {
+                                       const HolonomySpec& spec, AngleShortageMemo* shortages) {
   HGP_CHECK(topology.componentCount == 1, "one component expected, got %d",
             topology.componentCount);
   if (Status ok = checkShape(mesh, topology, spec); !ok) return std::move(ok).error();
@@ -296,7 +297,8 @@ Result<BudgetReport> checkPrescription(const TriMesh& mesh, const Topology& topo
   if (!report) return report;
   if (isClosed)
     if (Status ok = checkClosed(topology, spec, *report); !ok) return std::move(ok).error();
-  report->isTooCoarse = warnShortage(mesh, spec, *report);
+  AngleShortageMemo none;
+  report->isTooCoarse = warnShortage(mesh, spec, shortages != nullptr ? *shortages : none, *report);
   if (!report->isTooCoarse) warnPoorVertices(mesh, spec, *report);
   return report;
 }

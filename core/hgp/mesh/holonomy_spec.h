@@ -10,6 +10,8 @@
 
 namespace hgp {
 
+class AngleShortageMemo;
+
 /// A cone of angle 2πk/q at an interior vertex.
 struct ConePoint {
   VertexId vertex;
@@ -65,7 +67,9 @@ struct BudgetReport {
 ///     q|C| − Σ k_i + Σ l_j = q(2 − 2g − m).
 /// Fails with kPrescription and the measured numbers when no map can have this prescription.
 /// @pre one component
+/// @param shortages  of this mesh: finds the answer of an earlier call with the same angles
 Result<BudgetReport> checkPrescription(const TriMesh& mesh, const Topology& topology,
-                                       const HolonomySpec& spec);
+                                       const HolonomySpec& spec,
+                                       AngleShortageMemo* shortages = nullptr);
 
 }  // namespace hgp

@@ -116,11 +116,12 @@ SparseC allRows(const ProgramInput& in, double quality, const HeldUnknowns& held
 
 /// The dissection of the mesh with separators of width 2, as a tree of H; dissecting H's own graph takes three times
 /// as long. Translations, which couple to whole seams, are inserted where their neighbours allow.
-linalg::SeparatorTree treeOf(const ProgramInput& in, const PenaltyForm& form, const SparseC& H) {
+linalg::SeparatorTree treeOf(const ProgramInput& in, const linalg::SeparatorTree& wideTree,
+                             const PenaltyForm& form, const SparseC& H) {
   std::vector<int> keep = in.unknowns.vertexUnknown.raw();
   for (int& unknown : keep)
     if (unknown >= 0) unknown = form.place(unknown);
-  const linalg::SeparatorTree vertices = linalg::restrictTree(vertexTree(in.mesh, 2), keep);
+  const linalg::SeparatorTree vertices = linalg::restrictTree(wideTree, keep);
   // Only the neighbours of appended unknowns are needed.
   linalg::Graph appended;
   appended.start.assign(vertices.order.size() + 1, 0);
@@ -152,7 +153,10 @@ std::unique_ptr<ProgramForm> penaltyForm(const ProgramInput& in, const PenaltyOb
   linalg::PartialCholeskyOptions options;
   linalg::SeparatorTree tree;
   if (!in.options.patch()) {  // a patch is small, so its own graph is dissected
-    tree = treeOf(in, *form, H);
+    if (objective.wideTree != nullptr)
+      tree = treeOf(in, *objective.wideTree, *form, H);
+    else
+      tree = treeOf(in, vertexTree(in.mesh, 2), *form, H);
     options.tree = &tree;
   }
   if (!form->cholesky.build(H, cliques, options)) return nullptr;

@@ -26,6 +26,8 @@ using Domain = std::variant<WholeSurface, Patch>;
 struct PenaltyObjective {
   double quality = 0.0;  ///< δ; 0: the tie-break alone
   Domain domain;
+  /// vertexTree(mesh, 2), if it is known; used for the whole surface only.
+  const linalg::SeparatorTree* wideTree = nullptr;
 };
 
 /// Exactly harmonic away from frame conditions (see exactForm); always of the whole surface.

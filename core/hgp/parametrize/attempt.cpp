@@ -159,7 +159,8 @@ bool Attempts::solve(const State& state, int round, Attempt& attempt) {
   else if (weighting.isExact)
     program.objective = ExactObjective(setup.context->tree);
   else
-    program.objective = PenaltyObjective{weighting.quality, WholeSurface{}};
+    program.objective =
+        PenaltyObjective{weighting.quality, WholeSurface{}, &setup.context->wideTree->get()};
   bool isCancelled = false;
   program.progress = [&](int iteration, double residual) {
     const double fraction = 1.0 - 1.0 / (1.0 + 0.25 * iteration);
@@ -180,7 +181,8 @@ bool Attempts::untangleFrom(const State& state, int round, Attempt& attempt) {
   const SeamlessSystem system = systemOf(problem_.mesh, setup, seamsOf(state), setup.harmonic);
   ProgramOptions start;
   start.u = attempt.u;
-  start.objective = PenaltyObjective{kStartQuality, WholeSurface{}};
+  start.objective =
+      PenaltyObjective{kStartQuality, WholeSurface{}, &setup.context->wideTree->get()};
   const auto solveStart = [&] { return solveProgram(system, Frames{}, start); };
   ProgramResult linear = solveStart();
   if (linear.x.size() == 0) {  // with these weights the factorization fails

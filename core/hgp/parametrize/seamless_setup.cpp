@@ -18,7 +18,8 @@ constexpr int kKeptFaces = 200'000;
 Status setUpField(PreparedSurface& surface, const HolonomySpec& spec,
                   const std::optional<FieldData>& frames, SeamlessSetup& setup) {
   const TriMesh& mesh = surface.mesh();
-  Result<BudgetReport> budget = checkPrescription(mesh, surface.topology(), spec);
+  Result<BudgetReport> budget =
+      checkPrescription(mesh, surface.topology(), spec, &surface.shortages());
   if (!budget) return std::move(budget).error();
   HolonomySpec asked = spec;
   std::optional<ReadField> given;
@@ -28,7 +29,7 @@ Status setUpField(PreparedSurface& surface, const HolonomySpec& spec,
     if (!read) return std::move(read).error();
     given = std::move(*read);
     asked = toSpec(given->spec);
-    budget = checkPrescription(mesh, surface.topology(), asked);
+    budget = checkPrescription(mesh, surface.topology(), asked, &surface.shortages());
     if (!budget) return std::move(budget).error();
   }
   setup.warnings = budget->warnings;

@@ -127,7 +127,8 @@ TEST(MakeRoom, MovesOnlyAsManyUnitsAsAnAngleStructureNeeds) {
     if (!isTaken && spec.cones.size() < 12) spec.cones.push_back({v, 2});
   }
   HolonomySpec changed = spec;
-  makeRoom(mesh, changed);
+  AngleShortageMemo shortages;
+  makeRoom(mesh, changed, shortages);
   EXPECT_FALSE(ask(mesh, spec).angles());
   EXPECT_TRUE(ask(mesh, changed).angles());
   int sum = 0, moved = 0;
@@ -140,7 +141,7 @@ TEST(MakeRoom, MovesOnlyAsManyUnitsAsAnAngleStructureNeeds) {
   EXPECT_EQ(sum, 8) << "Lemma 6.2";
   EXPECT_LE(moved, 4) << "a unit or two";
   HolonomySpec again = changed;
-  makeRoom(mesh, again);
+  makeRoom(mesh, again, shortages);
   ASSERT_EQ(again.cones.size(), changed.cones.size());
   for (std::size_t i = 0; i < again.cones.size(); ++i) {
     EXPECT_EQ(again.cones[i].vertex, changed.cones[i].vertex);

@@ -17,11 +17,12 @@ const mayInclude = {
   prescription: ['text', 'mesh', 'base'],
   io: ['prescription', 'text', 'mesh', 'base'],
   field: ['linalg', 'mesh', 'base'],
-  cut: ['field', 'linalg', 'mesh', 'base'],
-  system: ['cut', 'field', 'linalg', 'mesh', 'base'],
+  seams: ['mesh', 'base'],
+  cut: ['seams', 'field', 'linalg', 'mesh', 'base'],
+  system: ['cut', 'seams', 'field', 'linalg', 'mesh', 'base'],
   socp: ['linalg', 'base'],
-  optimize: ['system', 'cut', 'field', 'socp', 'linalg', 'mesh', 'base'],
-  grid: ['verify', 'socp', 'linalg', 'mesh', 'base'],
+  optimize: ['system', 'cut', 'seams', 'field', 'socp', 'linalg', 'mesh', 'base'],
+  grid: ['seams', 'verify', 'socp', 'linalg', 'mesh', 'base'],
   quads: ['mesh', 'base'],
 };
 mayInclude.improve = ['optimize', ...mayInclude.optimize, 'verify'];

@@ -137,7 +137,9 @@ export const faults = [
     'return',
   ),
   fault('cut/seam_graph.cpp', 'x.loop > y.loop', 'x.loop < y.loop'),
-  fault('cut/cut_mesh.cpp', '(degree[v] != 2 || mesh.isBoundary(v))', 'degree[v] != 2'),
+  fault('seams/chains.cpp', '(degree[v] != 2 || mesh.isBoundary(v))', 'degree[v] != 2', {
+    programs: ['seams', 'cut'],
+  }),
   fault(
     'system/harmonic.cpp',
     'rotation(-unknowns.turn',
@@ -145,18 +147,14 @@ export const faults = [
     short('HarmonicRows.AreThePapersFormulaForEveryDegree'),
   ),
   fault('system/harmonic.cpp', '|| isCone[v]', ''),
-  fault('system/reduced_unknowns.cpp', 'isLeft_[out] ? -R', 'isLeft_[out] ? R'),
+  fault('system/reduced_unknowns.cpp', 'one - Ring::turned(', 'one + Ring::turned('),
   fault(
     'system/reduced_unknowns.cpp',
-    'relations.push_back(closed.shift);',
-    'if (!relations.empty()) relations.push_back(closed.shift);',
+    'relations.push_back(closure(v).shift);',
+    'if (!relations.empty()) relations.push_back(closure(v).shift);',
   ),
   fault('system/weights.cpp', 'portable::tan(0.5 *', 'portable::tan(0.49 *'),
-  fault(
-    'system/translations.cpp',
-    'sum.push_back({other, -value});',
-    'sum.push_back({other, value});',
-  ),
+  fault('seams/relations.cpp', 'push_back({other, -factor})', 'push_back({other, factor})'),
 
   // socp
   fault(

@@ -46,7 +46,7 @@ struct MapMeasures {
   long long overlapPairs = 0;  ///< triangles that overlap in the plane and share no uv: allowed
   std::vector<int> overlapping;
   bool areMorePairs = false;             ///< counting stopped early: there are more pairs
-  std::vector<std::uint32_t> seamChain;  ///< by seam edge, the seam it belongs to (seamChains)
+  std::vector<std::uint32_t> seamChain;  ///< by seam edge, the seam it belongs to (chainsOfEdges)
 };
 
 /// The boundary loops and handle generators to which the numbers of --turning and --handle refer.

@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "hgp/api/guard.h"
-#include "hgp/api/seam_chains.h"
 #include "hgp/api/session_state.h"
+#include "hgp/seams/chains.h"
 #include "hgp/verify/face_values.h"
 #include "hgp/verify/orientation.h"
 
@@ -27,6 +27,27 @@ std::vector<int> notPositiveAsVerified(const Model& model, const UvMap& map) {
   return found;
 }
 
+/// The chain of every seam edge, component after component.
+std::vector<std::uint32_t> seamChains(const Model& model, const StoredMap& stored, int q) {
+  std::vector<std::uint32_t> out;
+  int count = 0;
+  for (std::size_t p = 0; p < model.components.size(); ++p) {
+    std::vector<EdgeId> edges;
+    std::vector<int> turn;
+    for (const MeasuredSeam& seam : stored.certificates[p].seams.seams) {
+      edges.push_back(seam.edge);
+      turn.push_back(seam.r);
+    }
+    int next = count;
+    for (const int chain : chainsOfEdges(model.components[p].mesh, edges, turn, q)) {
+      out.push_back(static_cast<std::uint32_t>(count + chain));
+      next = std::max(next, count + chain + 1);
+    }
+    count = next;
+  }
+  return out;
+}
+
 }  // namespace
 
 Result<MapMeasures> Session::measure() const {
@@ -46,8 +67,7 @@ Result<MapMeasures> Session::measure() const {
     out.overlapPairs = overlaps.pairs;
     out.overlapping = std::move(overlaps.triangles);
     out.areMorePairs = overlaps.isMore;
-    out.seamChain = seamChains(shown.solved->seams, shown.solved->stored.uvToVertex,
-                               shown.solved->prescription.q);
+    out.seamChain = seamChains(*shown.model, shown.solved->stored, shown.solved->prescription.q);
     return out;
   });
 }

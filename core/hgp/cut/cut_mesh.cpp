@@ -1,19 +1,9 @@
 #include "hgp/cut/cut_mesh.h"
 
-#include "hgp/base/check.h"
 #include "hgp/mesh/face_flood.h"
 
 namespace hgp {
 namespace {
-
-/// A halfedge leaving v at which the counterclockwise sectors start: the first one at the boundary, otherwise a seam
-/// edge if there is one.
-HalfedgeId firstOfSector(const TriMesh& mesh, const PerEdge<char>& isSeam, VertexId v) {
-  if (!mesh.isBoundary(v))
-    for (HalfedgeId h : outgoingHalfedges(mesh, v))
-      if (isSeam[mesh.edge(h)]) return h;
-  return mesh.outgoing(v);
-}
 
 void makeCopies(const TriMesh& mesh, CutMesh& cut) {
   cut.copy = PerHalfedge<CutVertexId>(static_cast<std::size_t>(mesh.halfedgeCount()));
@@ -22,7 +12,7 @@ void makeCopies(const TriMesh& mesh, CutMesh& cut) {
   parent.reserve(static_cast<std::size_t>(mesh.vertexCount()));
   for (VertexId v : mesh.vertices()) {
     if (mesh.isIsolated(v)) continue;
-    const HalfedgeId first = firstOfSector(mesh, cut.isSeam, v);
+    const HalfedgeId first = firstOfSectors(mesh, cut.isSeam, v);
     cut.firstCopy[v] = CutVertexId(static_cast<int>(parent.size()));
     parent.push_back(v);
     HalfedgeId h = first;
@@ -35,55 +25,13 @@ void makeCopies(const TriMesh& mesh, CutMesh& cut) {
   cut.parent = PerCutVertex<VertexId>(std::move(parent));
 }
 
-/// The degree of every vertex in G_s.
-PerVertex<int> seamDegree(const TriMesh& mesh, const PerEdge<char>& isSeam) {
-  PerVertex<int> degree(static_cast<std::size_t>(mesh.vertexCount()), 0);
-  for (EdgeId e : mesh.edges()) {
-    if (!isSeam[e]) continue;
-    ++degree[mesh.tail(mesh.halfedge(e))];
-    ++degree[mesh.head(mesh.halfedge(e))];
-  }
-  return degree;
-}
-
-/// The other seam edge at the head of h, leaving it.
-HalfedgeId continueChain(const TriMesh& mesh, const PerEdge<char>& isSeam, HalfedgeId h) {
-  for (HalfedgeId out : outgoingHalfedges(mesh, mesh.head(h)))
-    if (isSeam[mesh.edge(out)] && mesh.edge(out) != mesh.edge(h)) return out;
-  return {};
-}
-
-void traceChains(const TriMesh& mesh, CutMesh& cut) {
-  cut.chain = PerHalfedge<int>(static_cast<std::size_t>(mesh.halfedgeCount()), -1);
-  for (VertexId v : mesh.vertices()) {
-    if (!cut.isSeamNode[v]) continue;
-    for (HalfedgeId out : outgoingHalfedges(mesh, v)) {
-      if (!cut.isSeam[mesh.edge(out)] || cut.chain[out] >= 0) continue;
-      SeamChain chain;
-      const int id = static_cast<int>(cut.chains.size());
-      for (HalfedgeId h = out;; h = continueChain(mesh, cut.isSeam, h)) {
-        HGP_CHECK(h.isValid(), "a seam chain ends only at a node");
-        chain.left.push_back(h);
-        cut.chain[h] = cut.chain[mesh.twin(h)] = id;
-        if (cut.isSeamNode[mesh.head(h)]) break;
-      }
-      cut.chains.push_back(std::move(chain));
-    }
-  }
-}
-
 }  // namespace
 
 CutMesh cutToDisk(const TriMesh& mesh, PerEdge<char> isSeam, const std::vector<VertexId>& cones) {
   CutMesh cut;
   cut.isSeam = std::move(isSeam);
   makeCopies(mesh, cut);
-  const PerVertex<int> degree = seamDegree(mesh, cut.isSeam);
-  cut.isSeamNode = PerVertex<char>(static_cast<std::size_t>(mesh.vertexCount()), 0);
-  for (VertexId v : mesh.vertices())
-    cut.isSeamNode[v] = degree[v] > 0 && (degree[v] != 2 || mesh.isBoundary(v));
-  for (VertexId v : cones) cut.isSeamNode[v] = 1;
-  traceChains(mesh, cut);
+  static_cast<SeamChains&>(cut) = traceChains(mesh, cut.isSeam, seamNodes(mesh, cut.isSeam, cones));
   return cut;
 }
 

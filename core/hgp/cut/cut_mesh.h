@@ -4,25 +4,17 @@
 #include <vector>
 
 #include "hgp/cut/seam_graph.h"
+#include "hgp/seams/chains.h"
 
 namespace hgp {
 
-/// A run of seam edges between two seam nodes (vertices whose degree in G_s is not 2, cones, and
-/// boundary vertices). All its edges have the same rotation and translation.
-struct SeamChain {
-  std::vector<HalfedgeId> left;  ///< consecutive halfedges; their faces see the chain on the left
-};
-
 /// The faces are those of S; each corner stores which copy of its vertex it uses. An interior seam vertex of
 /// degree d in G_s has d copies, a boundary vertex of degree d has d + 1.
-struct CutMesh {
+struct CutMesh : SeamChains {
   PerEdge<char> isSeam;
   PerHalfedge<CutVertexId> copy;  ///< copy of tail(h) used by face(h)
   PerCutVertex<VertexId> parent;  ///< copies of one vertex are consecutive, counterclockwise
   PerVertex<CutVertexId> firstCopy;
-  std::vector<SeamChain> chains;
-  PerHalfedge<int> chain;  ///< chain of a seam halfedge, −1 elsewhere
-  PerVertex<char> isSeamNode;
 
   int vertexCount() const { return parent.size(); }
 };

@@ -53,7 +53,7 @@ bool GridSystem::build(GridMode mode, const linalg::SeparatorTree* tree) {
 void GridSystem::chooseOrigin() {
   Complex origin = 0.0;
   std::int64_t least = 5;
-  for (const NodeClosure& closure : seams_.closures) {
+  for (const auto& closure : seams_.closures) {
     if (closure.place.turn == 0 || gapNorm(closure.place.turn) >= least) continue;
     least = gapNorm(closure.place.turn);
     gauge_ = closure.place.shift;
@@ -65,7 +65,7 @@ void GridSystem::chooseOrigin() {
   }
   const std::vector<Complex> t = chainTranslations(seams_, mesh_, uv_);
   for (int c = 0; c < seams_.chainCount() && least > 2; ++c) {
-    const int turn = seams_.chains[at(c)].turn;
+    const int turn = seams_.chainTurn[at(c)];
     if (!gauge_.empty() || turn == 0) continue;
     gauge_ = {{c, {1, 0}}};
     origin = portable::divide(t[at(c)], 1.0 - toComplex(quarterTurn(turn)));
@@ -82,9 +82,9 @@ bool GridSystem::solveIntegers(GridMode mode) {
   int variables = 0;
   bool isTurned = false;
   for (const Complex& z : t) value[variables++] = z;
-  for (const TurnedChain& chain : seams_.chains) isTurned = isTurned || chain.turn != 0;
+  for (const int turn : seams_.chainTurn) isTurned = isTurned || turn != 0;
   for (VertexId v : whole_) value[variables++] = complexAt(uv_, seams_.firstCopy[v]);
-  for (const NodeClosure& closure : seams_.closures) {
+  for (const auto& closure : seams_.closures) {
     if (mode != GridMode::kQuad || closure.place.turn == 0) continue;
     GaussianSum relation = closure.place.shift;
     relation.push_back({variables, quarterTurn(closure.place.turn) - Gaussian{1, 0}});

@@ -5,7 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "hgp/grid/gaussian.h"
+#include "hgp/base/ids.h"
+#include "hgp/seams/gaussian.h"
 
 namespace hgp {
 

@@ -102,7 +102,7 @@ Gaussian evaluate(const GaussianSum& sum, const std::vector<Gaussian>& values) {
 }
 
 /// z = T/(1 − i^turn); T is even, and 1 − i^turn divides 2.
-Gaussian fixedPoint(const CopyPlace& closure, const std::vector<Gaussian>& chain) {
+Gaussian fixedPoint(const CopyPlace<Gaussian>& closure, const std::vector<Gaussian>& chain) {
   return exactQuotient(evaluate(closure.shift, chain), Gaussian{1, 0} - quarterTurn(closure.turn));
 }
 
@@ -168,7 +168,7 @@ std::vector<Gaussian> SeamSnapper::round(const std::vector<Vec2>& uv, int expone
     const Gaussian z = closureOf_[v] >= 0
                            ? fixedPoint(seams_.closures[at(closureOf_[v])].place, chain)
                            : Gaussian{steps(first[0]), steps(first[1])};
-    const CopyPlace& place = seams_.place(static_cast<int>(c));
+    const CopyPlace<Gaussian>& place = seams_.place(static_cast<int>(c));
     points[c] = quarterTurn(place.turn) * z + evaluate(place.shift, chain);
   }
   return points;

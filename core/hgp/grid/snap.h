@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "hgp/grid/seam_structure.h"
+#include "hgp/seams/seam_structure.h"
 
 namespace hgp {
 

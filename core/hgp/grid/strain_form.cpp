@@ -35,12 +35,12 @@ SeamlessChange::SeamlessChange(const TriMesh& mesh, const SeamStructure& seams)
 
 void SeamlessChange::append(int copy, const Complex& scale, std::vector<Term>& out) const {
   const VertexId v = seams_.vertexOf[at(copy)];
-  const CopyPlace& place = seams_.place(copy);
+  const CopyPlace<Gaussian>& place = seams_.place(copy);
   const Complex first = scale * toComplex(quarterTurn(place.turn));
   if (vertexUnknown_[v] >= 0) {
     out.push_back({vertexUnknown_[v], first});
   } else {
-    const CopyPlace& closure = seams_.closures[at(closureOf_[v])].place;
+    const CopyPlace<Gaussian>& closure = seams_.closures[at(closureOf_[v])].place;
     const Complex share = portable::divide(first, 1.0 - toComplex(quarterTurn(closure.turn)));
     for (const GaussianTerm& t : closure.shift)
       out.push_back({chainUnknown(t.variable), share * toComplex(t.factor)});

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include "hgp/grid/seam_structure.h"
+#include "hgp/seams/seam_structure.h"
 
 namespace hgp {
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "hgp/base/portable_math.h"
+#include "hgp/seams/seam_structure.h"
 #include "hgp/system/weights.h"
 
 namespace hgp {
@@ -47,8 +48,7 @@ class Residual {
     const HalfedgeId twin = mesh_.twin(h);
     const Complex here = uv(TriMesh::next(h)) - uv(h);
     const Complex there = uv(twin) - uv(TriMesh::next(twin));
-    if (here == there) return 0;
-    return reduceTurn(std::llround(portable::arg(there * std::conj(here)) * q_ / (2.0 * kPi)), q_);
+    return here == there ? 0 : measuredTurn(here, there, q_);
   }
 
   const TriMesh& mesh_;

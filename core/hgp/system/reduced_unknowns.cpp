@@ -1,121 +1,128 @@
 #include "hgp/system/reduced_unknowns.h"
 
-#include "hgp/base/check.h"
+#include <utility>
+
 #include "hgp/base/portable_math.h"
+#include "hgp/seams/relations.h"
 #include "hgp/system/row_builder.h"
-#include "hgp/system/translations.h"
 
 namespace hgp {
 namespace {
 
-/// A smaller sum of numbers of absolute value 1 is a rounding error of 0.
-constexpr double kMinSum = 1e-13;
+/// numerator / denominator, exactly; no denominator: 1.
+template <class Ring>
+struct RingFraction {
+  Ring numerator;
+  std::optional<Ring> denominator;
 
-/// z = e^{i2π turn/q} z_v + Σ factor · t
-struct CopyValue {
-  int turn = 0;
-  TranslationSum shift;
+  RingFraction times(const Ring& factor) const { return {numerator * factor, denominator}; }
+  RingFraction over(const Ring& divisor) const {
+    return {numerator, denominator ? *denominator * divisor : divisor};
+  }
+  RingFraction plus(const RingFraction& other) const {
+    if (!denominator && !other.denominator) return {numerator + other.numerator, {}};
+    if (!denominator) return {numerator * *other.denominator + other.numerator, other.denominator};
+    if (!other.denominator) return other.plus(*this);
+    if (*denominator == *other.denominator) return {numerator + other.numerator, denominator};
+    return {numerator * *other.denominator + other.numerator * *denominator,
+            *denominator * *other.denominator};
+  }
+  Complex value() const {
+    const Complex top = toComplex(numerator);
+    return denominator ? portable::divide(top, toComplex(*denominator)) : top;
+  }
 };
 
+/// Reduces the unknowns over a ring that contains the rotations.
+template <class Ring>
 class Reducer {
  public:
   Reducer(const TriMesh& mesh, const CutMesh& cut, const SeamRotations& seams)
-      : mesh_(mesh),
-        cut_(cut),
-        seams_(seams),
-        isLeft_(static_cast<std::size_t>(mesh.halfedgeCount()), 0) {
+      : mesh_(mesh), cut_(cut), order_(ringOrder<Ring>(seams.q)), step_(order_ / seams.q) {
     for (const SeamChain& chain : cut.chains)
-      for (HalfedgeId h : chain.left) isLeft_[h] = 1;
+      turn_.push_back(seams.rotation[chain.left.front()] * step_);
   }
 
   ReducedUnknowns run() {
-    values_.resize(static_cast<std::size_t>(cut_.vertexCount()));
-    closure_.resize(static_cast<std::size_t>(mesh_.vertexCount()));
-    std::vector<TranslationSum> relations;
+    places_.resize(at(cut_.vertexCount()));
+    closure_.resize(at(mesh_.vertexCount()));
+    std::vector<RingSum<Ring>> relations;
     for (VertexId v : mesh_.vertices()) {
       if (mesh_.isIsolated(v)) continue;
       walk(v);
-      const CopyValue& closed = closure(v);
-      if (cut_.isSeamNode[v] && !mesh_.isBoundary(v) && closed.turn == 0)
-        relations.push_back(closed.shift);
+      if (cut_.isSeamNode[v] && !mesh_.isBoundary(v) && closure(v).turn == 0)
+        relations.push_back(closure(v).shift);
     }
-    translations_ = solveTranslations(static_cast<int>(cut_.chains.size()), std::move(relations));
+    translations_ = eliminateRelations(cut_.chainCount(), relations);
     return collect();
   }
 
  private:
-  CopyValue& closure(VertexId v) { return closure_[static_cast<std::size_t>(v.i)]; }
+  CopyPlace<Ring>& closure(VertexId v) { return closure_[at(v.i)]; }
 
-  /// Crosses the seam edge `out`, which leaves a vertex, from its right to its left.
-  CopyValue cross(const CopyValue& from, HalfedgeId out) const {
-    const int chain = cut_.chain[out];
-    const int r = seams_.rotation[mesh_.twin(out)];  // right → left
-    const Complex R = rotation(r, seams_.q);
-    CopyValue to{reduceTurn(from.turn + r, seams_.q), from.shift};
-    for (TranslationTerm& t : to.shift) t.factor *= R;
-    // The relation of a chain is z_right = R_c z_left + t_c.
-    to.shift.push_back({chain, isLeft_[out] ? -R : Complex(1.0)});
-    return to;
-  }
-
-  /// Values of all copies of v against its first one; `closure` is the first copy met again.
   void walk(VertexId v) {
-    const CutVertexId first = cut_.firstCopy[v];
-    HalfedgeId start = mesh_.outgoing(v);
-    if (!mesh_.isBoundary(v))
-      for (HalfedgeId h : outgoingHalfedges(mesh_, v))
-        if (cut_.isSeam[mesh_.edge(h)]) {
-          start = h;
-          break;
-        }
-    CopyValue now;
-    values_[static_cast<std::size_t>(first.i)] = now;
-    HalfedgeId h = mesh_.nextOutgoing(start);
-    for (; h.isValid() && h != start; h = mesh_.nextOutgoing(h)) {
-      if (!cut_.isSeam[mesh_.edge(h)]) continue;
-      now = cross(now, h);
-      values_[static_cast<std::size_t>(cut_.copy[h].i)] = now;
-    }
-    if (h.isValid() && cut_.isSeam[mesh_.edge(start)]) closure(v) = cross(now, start);
+    const TurnedChains seams{mesh_, cut_.isSeam, cut_, turn_, order_};
+    auto closed =
+        walkSectors<Ring>(seams, v, [&](HalfedgeId h, bool isFirst, const CopyPlace<Ring>& place) {
+          if (isFirst && (place.turn != 0 || !place.shift.empty()))
+            places_[at(cut_.copy[h].i)] = place;
+        });
+    if (closed) closure(v) = std::move(*closed);
   }
 
-  TranslationSum free(const TranslationSum& sum) const {
-    TranslationSum result;
-    for (const TranslationTerm& t : sum)
-      for (const TranslationTerm& f : translations_[static_cast<std::size_t>(t.chain)])
-        result.push_back({f.chain, t.factor * f.factor});
-    return result;
-  }
-
-  ReducedUnknowns collect() {
-    ReducedUnknowns unknowns;
-    unknowns.vertexUnknown = PerVertex<int>(static_cast<std::size_t>(mesh_.vertexCount()), -1);
+  void nameUnknowns(ReducedUnknowns& unknowns) {
+    unknowns.vertexUnknown = PerVertex<int>(at(mesh_.vertexCount()), -1);
     for (VertexId v : mesh_.vertices())
       if (!mesh_.isIsolated(v) && closure(v).turn == 0)
         unknowns.vertexUnknown[v] = unknowns.count++;
     unknowns.chainUnknown.assign(cut_.chains.size(), -1);
-    for (std::size_t c = 0; c < translations_.size(); ++c)
-      if (translations_[c].size() == 1 && translations_[c][0].chain == static_cast<int>(c))
-        unknowns.chainUnknown[c] = unknowns.count++;
+    for (int c = 0; c < cut_.chainCount(); ++c)
+      if (translations_.isFree[at(c)]) unknowns.chainUnknown[at(c)] = unknowns.count++;
+  }
 
-    unknowns.turn = PerCutVertex<int>(static_cast<std::size_t>(cut_.vertexCount()), 0);
-    RowBuilder builder(unknowns.count, cut_.vertexCount(),
-                       static_cast<std::size_t>(cut_.vertexCount()));
+  /// Adds Σ factor · t / divisor to the row's translations, in terms of the free ones.
+  void addShift(const RingSum<Ring>& sum, const Ring& factor, const std::optional<Ring>& divisor) {
+    const auto addOne = [&](int c, RingFraction<Ring> fraction) {
+      if (divisor) fraction = fraction.over(*divisor);
+      for (auto& [chain, value] : shift_)
+        if (chain == c) {
+          value = value.plus(fraction);
+          return;
+        }
+      shift_.emplace_back(c, std::move(fraction));
+    };
+    for (const RingTerm<Ring>& t : sum) {
+      const Ring own = factor * t.factor;
+      if (translations_.isFree[at(t.variable)]) {
+        addOne(t.variable, {own, {}});
+        continue;
+      }
+      const auto& solved = translations_.value[at(t.variable)];
+      for (const RingTerm<Ring>& f : solved.sum)
+        addOne(f.variable, {own * f.factor, solved.denominator});
+    }
+  }
+
+  ReducedUnknowns collect() {
+    ReducedUnknowns unknowns;
+    nameUnknowns(unknowns);
+    unknowns.turn = PerCutVertex<int>(at(cut_.vertexCount()), 0);
+    RowBuilder builder(unknowns.count, cut_.vertexCount(), at(cut_.vertexCount()));
+    const Ring one = Ring::turned(0, order_);
     for (int c = 0; c < cut_.vertexCount(); ++c) {
       const VertexId v = cut_.parent[CutVertexId(c)];
-      const CopyValue& value = values_[static_cast<std::size_t>(c)];
-      unknowns.turn[CutVertexId(c)] = value.turn;
-      const Complex R = rotation(value.turn, seams_.q);
-      if (unknowns.vertexUnknown[v] >= 0) {
-        builder.add(unknowns.vertexUnknown[v], R);
-      } else {
-        const Complex scale = portable::divide(R, 1.0 - rotation(closure(v).turn, seams_.q));
-        for (const TranslationTerm& t : free(closure(v).shift))
-          builder.add(unknowns.chainUnknown[static_cast<std::size_t>(t.chain)], scale * t.factor);
-      }
-      for (const TranslationTerm& t : free(value.shift))
-        builder.add(unknowns.chainUnknown[static_cast<std::size_t>(t.chain)], t.factor);
-      builder.endRow(kMinSum);
+      const CopyPlace<Ring>& place = places_[at(c)];
+      unknowns.turn[CutVertexId(c)] = place.turn / step_;
+      const Ring R = Ring::turned(place.turn, order_);
+      shift_.clear();
+      if (unknowns.vertexUnknown[v] >= 0)
+        builder.add(unknowns.vertexUnknown[v], toComplex(R));
+      else
+        addShift(closure(v).shift, R, one - Ring::turned(closure(v).turn, order_));
+      addShift(place.shift, one, {});
+      for (const auto& [chain, value] : shift_)
+        if (!isZero(value.numerator)) builder.add(unknowns.chainUnknown[at(chain)], value.value());
+      builder.endRow(0.0);
     }
     unknowns.copies = builder.take();
     return unknowns;
@@ -123,23 +130,27 @@ class Reducer {
 
   const TriMesh& mesh_;
   const CutMesh& cut_;
-  const SeamRotations& seams_;
-  PerHalfedge<char> isLeft_;
-  std::vector<CopyValue> values_;
-  std::vector<CopyValue> closure_;
-  std::vector<TranslationSum> translations_;
+  const int order_;
+  const int step_;         // turns of the ring per turn of Z_q
+  std::vector<int> turn_;  // by chain
+  std::vector<CopyPlace<Ring>> places_;
+  std::vector<CopyPlace<Ring>> closure_;
+  FreeVariables<Ring> translations_;
+  std::vector<std::pair<int, RingFraction<Ring>>> shift_;  // of the row that is being made
 };
 
 }  // namespace
 
 ReducedUnknowns reduceUnknowns(const TriMesh& mesh, const CutMesh& cut,
                                const SeamRotations& seams) {
-  return Reducer(mesh, cut, seams).run();
+  if (Gaussian::kOrder % seams.q == 0) return Reducer<Gaussian>(mesh, cut, seams).run();
+  if (Eisenstein::kOrder % seams.q == 0) return Reducer<Eisenstein>(mesh, cut, seams).run();
+  return Reducer<Cyclotomic>(mesh, cut, seams).run();
 }
 
 Eigen::VectorXcd readUnknowns(const TriMesh& mesh, const CutMesh& cut, const SeamRotations& seams,
                               const ReducedUnknowns& unknowns, const std::vector<Complex>& z) {
-  const auto value = [&](CutVertexId c) { return z[static_cast<std::size_t>(c.i)]; };
+  const auto value = [&](CutVertexId c) { return z[at(c.i)]; };
   Eigen::VectorXcd x = Eigen::VectorXcd::Zero(unknowns.count);
   for (VertexId v : mesh.vertices())
     if (unknowns.vertexUnknown[v] >= 0) x[unknowns.vertexUnknown[v]] = value(cut.firstCopy[v]);

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "hgp/api/seam_chains.h"
 #include "hgp/api/session.h"
 #include "support/shapes.h"
 
@@ -39,15 +38,6 @@ TEST(Measure, FacesThatARepairFlippedOrLeftOutAreNotFolded) {
   ASSERT_TRUE(session.parametrize(std::nullopt, {}));
   ASSERT_TRUE(session.isCertified());
   EXPECT_TRUE(session.measure()->notPositive.empty());
-}
-
-TEST(Measure, ChainsEndWhereSeamsBranchOrTheirRotationChanges) {
-  // Vertices 0 1 2 3 in a row, then a branch at 3 to 4 and 5; uv i is vertex i.
-  const std::vector<std::uint32_t> vertex{0, 1, 2, 3, 4, 5};
-  const auto edge = [](int a, int b, int r) { return SeamEdge{{a, b}, {a, b}, r}; };
-  const auto chains = seamChains(
-      {edge(0, 1, 1), edge(1, 2, 3), edge(2, 3, 2), edge(3, 4, 2), edge(3, 5, 2)}, vertex, 4);
-  EXPECT_EQ(chains, (std::vector<std::uint32_t>{0, 0, 1, 2, 3}));  // 1 and 3 are one turn
 }
 
 TEST(Loops, AreClosedAndNumberedAsAPrescriptionNumbersThem) {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "hgp/grid/align.h"
-#include "hgp/grid/seam_structure.h"
 #include "hgp/parametrize/parametrize.h"
+#include "hgp/seams/seam_structure.h"
 #include "support/shapes.h"
 
 namespace hgp {

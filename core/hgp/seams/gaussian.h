@@ -1,15 +1,24 @@
-// Gaussian integers a + bi.  Role: rotations by quarter turns and integer translations, exactly.
+// Gaussian integers a + bi.  Role: rotations by quarter turns and integer translations, exactly: q = 1, 2, 4.
 #pragma once
 
 #include <cstdint>
 
-#include "hgp/base/ids.h"
 #include "hgp/base/turns.h"
+#include "hgp/seams/euclid.h"
 
 namespace hgp {
 
 struct Gaussian {
+  static constexpr bool kIsEuclidean = true;
+  static constexpr int kOrder = 4;  ///< of the rotations it contains: i^r
   std::int64_t re = 0, im = 0;
+
+  /// i^r for any integer r; `order` is kOrder.
+  static constexpr Gaussian turned(long long r, int /*order*/ = kOrder) {
+    constexpr int kRe[] = {1, 0, -1, 0}, kIm[] = {0, 1, 0, -1};
+    const auto n = static_cast<std::size_t>(reduceTurn(r, kOrder));
+    return {kRe[n], kIm[n]};
+  }
 
   friend constexpr bool operator==(const Gaussian&, const Gaussian&) = default;
   friend constexpr Gaussian operator+(Gaussian a, Gaussian b) { return {a.re + b.re, a.im + b.im}; }
@@ -27,34 +36,12 @@ constexpr bool isZero(Gaussian a) { return a.re == 0 && a.im == 0; }
 constexpr bool isUnit(Gaussian a) { return norm(a) == 1; }
 
 /// i^turn for any integer turn.
-constexpr Gaussian quarterTurn(long long turn) {
-  constexpr Gaussian units[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-  return units[((turn % 4) + 4) % 4];
-}
+constexpr Gaussian quarterTurn(long long turn) { return Gaussian::turned(turn); }
 
 /// The Gaussian integer nearest to a / b: |a − b·result|² ≤ |b|²/2. @pre b ≠ 0
 constexpr Gaussian nearestQuotient(Gaussian a, Gaussian b) {
   const Gaussian product = a * conjugate(b);
-  const std::int64_t n = norm(b);
-  const auto round = [n](std::int64_t x) {
-    const std::int64_t twice = 2 * x + n;  // floor(x / n + 1/2)
-    return twice >= 0 ? twice / (2 * n) : -((-twice + 2 * n - 1) / (2 * n));
-  };
-  return {round(product.re), round(product.im)};
-}
-
-/// a / b where b divides a.
-constexpr Gaussian exactQuotient(Gaussian a, Gaussian b) { return nearestQuotient(a, b); }
-constexpr bool divides(Gaussian b, Gaussian a) { return isZero(a - b * nearestQuotient(a, b)); }
-
-/// Greatest common divisor by Euclid, up to a unit; 0 for two zeros.
-constexpr Gaussian commonDivisor(Gaussian a, Gaussian b) {
-  while (!isZero(b)) {
-    const Gaussian rest = a - b * nearestQuotient(a, b);
-    a = b;
-    b = rest;
-  }
-  return a;
+  return {roundedQuotient(product.re, norm(b)), roundedQuotient(product.im, norm(b))};
 }
 
 inline Complex toComplex(Gaussian a) {

@@ -1,19 +1,18 @@
-// node bench/wasm.mjs [--runs N] [FACES …]: compares WebAssembly with the native program without run-time
-// dispatch and prints the table of bench/WASM.md. Needs build/package and
-//   cmake --preset native-baseline && cmake --build --preset native-baseline
+// node bench/wasm.mjs [--runs N] [FACES …] [FILE …]: compares whole runs of the package with those of the native
+// program in processor time and prints the table of bench/WASM.md. Needs build/package and build/native-release.
 
-import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { parseArgs } from 'node:util';
 import { blocks, ring } from '../tests/support/blocks.mjs';
 import { bumpyDisk } from '../tests/support/disk.mjs';
 import { cubeMesh, toObj } from '../tests/support/meshes.mjs';
+import { runNative, runPackage } from '../tests/support/whole_runs.mjs';
 
 const root = path.dirname(import.meta.dirname);
-const native = path.join(root, 'build/native-baseline/bin/hgp');
-const packaged = path.join(root, 'build/package/node/index.js');
-for (const file of [native, packaged]) {
+const native = process.env.HGP_BIN ?? path.join(root, 'build/native-release/bin/hgp');
+const built = path.join(root, 'build/package');
+for (const file of [native, built]) {
   if (!existsSync(file)) {
     console.error(`${path.relative(root, file)} is not built`);
     process.exit(1);
@@ -23,7 +22,8 @@ const { values, positionals } = parseArgs({
   options: { runs: { type: 'string', default: '3' } },
   allowPositionals: true,
 });
-const sizes = positionals.length > 0 ? positionals.map(Number) : [10_000, 100_000];
+const runs = Number(values.runs);
+const wanted = positionals.length > 0 ? positionals : ['10000', '100000'];
 const folder = path.join(root, 'build/bench-wasm');
 mkdirSync(folder, { recursive: true });
 
@@ -33,52 +33,35 @@ const kinds = {
   'genus 1': (faces) => toObj(blocks(ring, { n: Math.round(Math.sqrt(faces / 64)) })),
 };
 
-/** The report of `hgp param`, which contains the seconds of the solve, as that of the package does. */
-function runNative(file) {
-  const report = path.join(folder, 'report.json');
+/** Names and files of the meshes of one argument: generated ones of so many triangles, or a file. */
+function meshesOf(word) {
+  if (!/^\d+$/.test(word)) return [[path.basename(word), path.resolve(word)]];
+  return Object.entries(kinds).map(([kind, make]) => {
+    const file = path.join(folder, `${kind} ${word}.obj`);
+    writeFileSync(file, make(Number(word)));
+    return [kind, file];
+  });
+}
+
+const head = ['mesh', 'faces', 'native s', 'WASM first s', 'WASM s', 'ratio', 'same result', 'MB'];
+console.log(`| ${head.join(' | ')} |\n|---|--:|--:|--:|--:|--:|---|--:|`);
+const ratios = [];
+for (const [name, file] of wanted.flatMap(meshesOf)) {
   const out = path.join(folder, 'out.obj');
-  const args = ['param', file, '-o', out, '--json', report, '--quiet', '--force'];
-  execFileSync(native, [...args, '--q', '4', '--allow-uncertified']);
-  return JSON.parse(readFileSync(report, 'utf8'));
+  const natives = Array.from({ length: runs }, () => runNative(native, file, out));
+  const packaged = runPackage(built, file, runs);
+  const report = JSON.parse(readFileSync(natives[0].report, 'utf8'));
+  const [n, w] = [Math.min(...natives.map((run) => run.seconds)), Math.min(...packaged.seconds)];
+  const faces = readFileSync(file, 'latin1').match(/^f /gm)?.length ?? '';
+  const isSame =
+    report.certified === packaged.certified &&
+    JSON.stringify(report.cones.cones) === JSON.stringify(packaged.cones);
+  ratios.push(w / n);
+  const cells = [name, faces, n.toFixed(2), packaged.seconds[0].toFixed(2), w.toFixed(2)];
+  cells.push((w / n).toFixed(2), isSame ? 'yes' : 'NO', Math.round(packaged.peak / 1e6));
+  console.log(`| ${cells.join(' | ')} |`);
 }
-
-const { createClient } = await import(packaged);
-const client = await createClient();
-await new Promise((done) => setTimeout(done, 1000)); // it warms up in the meantime
-
-const stages = ['prepare', 'cones', 'connection', 'field', 'cut', 'assemble', 'solve'];
-const head = ['mesh', 'faces', 'native s', 'WASM first s', 'WASM s', 'ratio', 'same result'];
-console.log(`| ${[...head, ...stages, 'MB'].join(' | ')} |`);
-console.log(`|---|--:|--:|--:|--:|--:|---|${'--:|'.repeat(stages.length + 1)}`);
-let worst = 0;
-for (const faces of sizes) {
-  for (const [kind, make] of Object.entries(kinds)) {
-    const text = make(faces);
-    const file = path.join(folder, 'mesh.obj');
-    writeFileSync(file, text);
-    const { triangles } = await client.load(new TextEncoder().encode(text), { name: 'mesh.obj' });
-    const seconds = { native: [], wasm: [] };
-    let times = [];
-    let isSame = true;
-    // Alternating, so that other load on the machine affects both.
-    for (let i = 0; i < Number(values.runs); i++) {
-      const a = runNative(file);
-      const b = (await client.parametrize({ q: 4 })).report;
-      seconds.native.push(a.seconds);
-      seconds.wasm.push(b.seconds);
-      if (b.seconds === Math.min(...seconds.wasm)) times = b.components[0].times;
-      isSame &&= a.certified === b.certified;
-      isSame &&= JSON.stringify(a.cones.cones) === JSON.stringify(b.cones.cones);
-    }
-    const [n, w] = [Math.min(...seconds.native), Math.min(...seconds.wasm)];
-    worst = Math.max(worst, w / n);
-    const cells = [kind, triangles, n.toFixed(2), seconds.wasm[0].toFixed(2), w.toFixed(2)];
-    const spent = (stage) => times.find((t) => t.stage === stage)?.seconds.toFixed(2) ?? '';
-    // The peak of the whole process, which never decreases from one row to the next.
-    const peak = Math.round((process.resourceUsage().maxRSS * 1024) / 1e6);
-    cells.push((w / n).toFixed(2), isSame ? 'yes' : 'NO', ...stages.map(spent), peak);
-    console.log(`| ${cells.join(' | ')} |`);
-  }
-}
-client.terminate();
-console.log(`\nworst ratio ${worst.toFixed(2)} (wanted: at most 2.0)`);
+const mean = Math.exp(ratios.reduce((sum, ratio) => sum + Math.log(ratio), 0) / ratios.length);
+console.log(
+  `\nratios: geometric mean ${mean.toFixed(2)}, largest ${Math.max(...ratios).toFixed(2)}`,
+);

@@ -53,9 +53,11 @@ function(hgp_module)
     add_library(${target} ${R_SOURCES})
     set(scope PUBLIC)
     hgp_compile_settings(${target})
-    if(EMSCRIPTEN AND R_NAME MATCHES "^(io|text|prescription|api|parametrize|cut|seams|field|system|grid|quads|improve|mesh|verify)$")
-      # Rarely executed, or a small part of a run: download size matters more than speed.
+    # Download size counts as well as speed (decision 060): -O3 only where most of a run is spent.
+    if(EMSCRIPTEN AND R_NAME MATCHES "^(io|text|prescription|quads)$")
       target_compile_options(${target} PRIVATE -Os)
+    elseif(EMSCRIPTEN AND NOT R_NAME MATCHES "^(linalg|optimize|socp)$")
+      target_compile_options(${target} PRIVATE -O2)
     endif()
     if(NOT R_NAME MATCHES "^(base|linalg|socp|optimize|improve|grid|system|field|text|verify|mesh|cut|seams)$")
       # In the sanitizer build, only code that takes much time in tests is optimized; for other code, compiling would

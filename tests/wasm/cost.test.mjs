@@ -1,11 +1,16 @@
-// What the package costs: bytes, the time until it can be called, and no price on the first solve.
+// What the package costs: bytes, the time until it can be called, no price on the first solve, and its speed beside
+// the native program.
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
+import { writeFileSync } from 'node:fs';
 import path from 'node:path';
 import test from 'node:test';
 import { limits, measure } from '../../wasm/sizes.mjs';
-import { built, root } from './support.mjs';
+import { blocks, ring } from '../support/blocks.mjs';
+import { cubeMesh, toObj } from '../support/meshes.mjs';
+import { runNative, runPackage } from '../support/whole_runs.mjs';
+import { built, native, root, scratch } from './support.mjs';
 
 test('hgp.wasm keeps its limits of size and start-up time', async (t) => {
   const { raw, brotli, instantiation } = await measure(built);
@@ -46,4 +51,23 @@ test('the first solve does not pay for lazy compilation', (t) => {
   t.diagnostic(`the first solve takes ${times} times as long as the best of the next`);
   if (cold) t.diagnostic(`without warm-up: ${cold.first} s instead of ${warm.first} s`);
   assert.ok(warm.factor <= 2 || warm.first < 0.7 * cold.first, `${times} times as long`);
+});
+
+test('a whole run in WebAssembly takes at most twice the processor time of the native program', (t) => {
+  const folder = scratch('cost');
+  const meshes = { sphere: toObj(cubeMesh(41)), handle: toObj(blocks(ring, { n: 18 })) };
+  const times = Object.entries(meshes).map(([name, text]) => {
+    const file = path.join(folder, `${name}.obj`);
+    writeFileSync(file, text);
+    const { seconds } = runPackage(built, file, 6);
+    const out = path.join(folder, 'out.obj');
+    const natives = [0, 1, 2].map(() => runNative(native, file, out).seconds);
+    return { packaged: Math.min(...seconds), native: Math.min(...natives) };
+  });
+  const [packaged, natively] = ['packaged', 'native'].map((key) =>
+    times.reduce((sum, time) => sum + time[key], 0),
+  );
+  const ratio = packaged / natively;
+  t.diagnostic(`${packaged.toFixed(2)} s against ${natively.toFixed(2)} s: ${ratio.toFixed(2)}`);
+  assert.ok(ratio <= 2, `${ratio.toFixed(2)} times`);
 });

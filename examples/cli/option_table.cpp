@@ -209,8 +209,11 @@ class Table {
         sub->add_option("--frames", words_.frames,
                         "auto: a smooth field that hgp computes; file: the directions of --field"),
         {"auto", "file"});
-    choice(sub->add_option("--method", words_.method, "How to solve (default auto)"),
-           {"auto", "harmonic", "soft", "printed", "all-frames"});
+    choice(
+        sub->add_option(
+            "--method", words_.method,
+            "How to solve (default auto); printed: the paper's program, with a tie-break of 1e-5"),
+        {"auto", "harmonic", "soft", "printed", "all-frames"});
     sub->add_option("--rounds", out_.solve.maxRounds,
                     "Rounds of solve, verify, repair (default 24)")
         ->option_text("N")

@@ -302,7 +302,7 @@ std::string reportText(const std::string& source, const Style& style) {
     if (improvement.is_object() && improvement["onGrid"].is_object())
       out += descentText("improve on grid", improvement["onGrid"]);
     if (!component["conflict"].empty()) {
-      out += "  frames that contradict each other:" + places(component["conflict"]) + "\n";
+      out += "  frames strained most:" + places(component["conflict"]) + "\n";
     }
   }
   return out + notes(json) + certificate(json["certificate"], style);

@@ -18,12 +18,37 @@ test('the map exists and names code and tests', () => {
   assert.ok(references.some(({ file }) => file.startsWith('tests/')));
 });
 
+/** Whether C++ or JavaScript text declares or defines a name: uses, includes and comments do not count. */
+function declares(text, name) {
+  const code = text
+    .replace(/\/\*[^]*?\*\//g, '')
+    .replace(/\/\/.*$/gm, '')
+    .replace(/^#include.*$/gm, '');
+  const type = new RegExp(`\\b(?:struct|class|enum class|enum|using|concept)\\s+${name}\\b`);
+  const callable = new RegExp(
+    `^(?!\\s*(?:return|else|throw|co_return)\\b)[ \\t]*[\\w:<>,&*\\[\\] ]*[\\w>&*][ \\n]+[&*]*(?:\\w+::)*${name}\\s*\\(`,
+    'm',
+  );
+  const value = new RegExp(
+    `\\b(?:const|constexpr|let|var|function)\\b[^;=(]*\\b${name}\\b\\s*[=({;]`,
+  );
+  return type.test(code) || callable.test(code) || value.test(code);
+}
+
+test('what counts as a declaration', () => {
+  assert.ok(declares('static Result<std::vector<int>>\nsolve(int a);', 'solve'));
+  assert.ok(declares('  double& at(int);\nstruct State {};', 'State'));
+  assert.ok(declares('export function makeCut(a) {}', 'makeCut'));
+  assert.ok(!declares('#include "hgp/parametrize/a.h"\n// parametrize (x)\n', 'parametrize'));
+  assert.ok(!declares('  return parametrize(mesh, 2);\n', 'parametrize'));
+});
+
 test('every function listed exists', () => {
   const wrong = references
     .filter(({ file }) => !file.startsWith('tests/'))
     .filter(({ file, name }) => {
       if (!exists(file)) return true;
-      return name !== undefined && !new RegExp(`\\b${name.split('.').pop()}\\b`).test(textOf(file));
+      return name !== undefined && !declares(textOf(file), name.split('.').pop());
     });
   assert.deepEqual(wrong, []);
 });

@@ -119,9 +119,9 @@ Json componentJson(const ModelComponent& component, const Parametrization& run,
   for (const StageTime& t : run.times) {
     times.push_back(Json{{"stage", stageName(t.stage)}, {"seconds", t.seconds}});
   }
-  std::vector<Where> conflict;
-  for (FaceId f : run.conflict) conflict.push_back({Where::Kind::kFace, f.i});
-  toSurfaceIds(component, conflict);
+  std::vector<Where> strained;
+  for (FaceId f : run.strained) strained.push_back({Where::Kind::kFace, f.i});
+  toSurfaceIds(component, strained);
   Json json{{"certifiedBeforeStoring", run.isCertified},
             {"usable", run.isUsable},
             {"harmonic", Json{{"rows", harmonic.rows},
@@ -131,7 +131,7 @@ Json componentJson(const ModelComponent& component, const Parametrization& run,
             {"rounds", std::move(rounds)},
             {"times", std::move(times)},
             {"improvement", run.improvement ? improvementJson(*run.improvement) : Json()},
-            {"conflict", whereJson(conflict)},
+            {"conflict", whereJson(strained)},
             {"grid", gridJson(component, run.grid)},
             {"notes", run.notes}};
   addTheorem(json, harmonic, certificate);

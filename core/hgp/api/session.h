@@ -18,6 +18,8 @@ namespace hgp::api {
 
 /// Vertex and triangle ids are those of the loaded surface before any repair: the file's own or, for glTF and STL,
 /// those after vertices at equal positions were joined. JSON texts follow docs/schema.
+/// One thread at a time may use a session, in const methods as well: they keep what they compute. Different
+/// sessions are independent.
 class Session {
  public:
   Session();

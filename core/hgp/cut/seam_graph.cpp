@@ -49,7 +49,7 @@ struct ShortestPaths {
   std::vector<EdgeId> via;
 };
 
-/// Dijkstra from all sources at once; edges of `free` cost nothing.
+/// Dijkstra from all sources at once.
 ShortestPaths shortestPaths(const NodeGraph& graph, const PerEdge<double>& cost,
                             const std::vector<int>& sources) {
   const auto n = graph.start.size() - 1;

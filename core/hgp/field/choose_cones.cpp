@@ -92,11 +92,11 @@ Result<HolonomySpec> chooseCones(PreparedSurface& surface, const SuggestOptions&
   // On a sphere there are no cones for q = 1: this must be reported before any are chosen.
   if (topology.genus == 0 && topology.loops.empty() && options.q == 1)
     return checkPrescription(mesh, topology, {1, {}, {}, {}}).error();
-  if (!report(options.progress, {Stage::kField, 0.3})) return stopped();
+  if (!report(options.progress, {Stage::kCones, 0.3})) return stopped();
   Result<NodeDefects> start = fieldDefects(surface, options);
   if (!start) return std::move(start).error();
   if (Status done = surface.requireConnection(); !done) return std::move(done).error();
-  if (!report(options.progress, {Stage::kField, 0.6})) return stopped();
+  if (!report(options.progress, {Stage::kCones, 0.6})) return stopped();
   const FieldContext& context = surface.context();
   const ConeMetric metric(mesh, context, options.q);
   PlaceOptions place = placeOptions(options, metric.nodeCount(), coneCount(mesh, context, *start));
@@ -120,7 +120,7 @@ Result<HolonomySpec> chooseCones(PreparedSurface& surface, const SuggestOptions&
     budget = checkPrescription(mesh, topology, spec, &surface.shortages());
   }
   if (!budget) return std::move(budget).error();
-  if (!report(options.progress, {Stage::kField, 0.8})) return stopped();
+  if (!report(options.progress, {Stage::kCones, 0.8})) return stopped();
   return spec;
 }
 

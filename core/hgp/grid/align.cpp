@@ -245,7 +245,7 @@ class Aligner {
       Candidate repaired = candidate;
       if (!repair(all, bound, repaired)) {
         if (!goOn(0.7)) return true;
-        out_.report.attempts.push_back({"whole mesh, infeasible",
+        out_.report.attempts.push_back({"whole mesh, not solved",
                                         candidate.factor * candidate.factor,
                                         static_cast<int>(candidate.turned.size())});
         return false;

@@ -192,8 +192,8 @@ bool repairChange(const ChangeContext& in, const std::vector<FaceId>& patch,
   options.progress = [&](int, double) { return report(progress, {Stage::kAlign, 0.5}); };
   const socp::Solution solution = socp::solve(problem, options);
   work += linalg::multiplyAdds(cholesky.report(), solution.iterations);
-  if (solution.status == socp::SolveStatus::kInfeasible ||
-      solution.status == socp::SolveStatus::kCancelled || !solution.x.allFinite())
+  if (socp::isWithoutPoint(solution.status) || solution.status == socp::SolveStatus::kCancelled ||
+      !solution.x.allFinite())
     return false;
   const Eigen::VectorXcd solved = cholesky.extend(solution.x, form.c);
   for (std::size_t i = 0; i < free.size(); ++i) x[free[i]] = solved[static_cast<Eigen::Index>(i)];

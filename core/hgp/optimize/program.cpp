@@ -12,7 +12,7 @@
 namespace hgp {
 namespace {
 
-/// Triangles listed if a program is infeasible: those whose duals are at least this fraction of the
+/// Triangles listed if a program has no point: those whose duals are at least this fraction of the
 /// largest, at most this many.
 constexpr double kConflictShare = 0.1;
 constexpr std::size_t kConflictCount = 50;
@@ -23,7 +23,7 @@ constexpr int kProximalSteps = 8;
 constexpr double kProximalChange = 1e-13;
 constexpr double kVanishedEnergy = 1e-6;
 
-std::vector<FaceId> conflict(const Frames& frames, const socp::Solution& solution) {
+std::vector<FaceId> strainedMost(const Frames& frames, const socp::Solution& solution) {
   std::vector<std::size_t> order(frames.faces.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(),
@@ -125,8 +125,7 @@ ProgramResult solveProgram(const SeamlessSystem& system, const Frames& frames,
   const Eigen::VectorXcd z = system.unknowns.copies * result.x;
   result.z.assign(z.data(), z.data() + z.size());
   result.laplacianEnergy = (system.harmonic.rows * result.x).squaredNorm();
-  if (solution.status == socp::SolveStatus::kInfeasible)
-    result.conflict = conflict(frames, solution);
+  if (socp::isWithoutPoint(solution.status)) result.strained = strainedMost(frames, solution);
   return result;
 }
 

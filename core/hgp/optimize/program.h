@@ -19,7 +19,8 @@ struct ProgramResult {
   int iterations = 0;
   double work = 0.0;             ///< multiply-adds of its factorizations
   double laplacianEnergy = 0.0;  ///< ‖Lz‖², rows normalised to Σw = 1
-  std::vector<FaceId> conflict;  ///< constrained triangles with the largest duals, if infeasible
+  std::vector<FaceId>
+      strained;  ///< if isWithoutPoint(status): constrained triangles with the largest duals
 };
 
 /// minimise ‖D L z‖² + distortion [BCW17 (11)], over seamless z (12), subject to

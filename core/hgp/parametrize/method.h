@@ -11,7 +11,9 @@ enum class Method {
   kAuto,  ///< soft, then hard constraints with repairs, then untangling (docs/decisions/015, 032)
   kHarmonic,  ///< hard frame constraints on F_cb, rows weighted by e^{−u}: harmonic where possible
   kSoft,      ///< soft frame constraints (linear systems); hard ones where the map is wrong
-  kPrinted,  ///< (11)–(13) as printed, with frames and weights of the failed map for the next program
+  /// (11)–(13) as printed but for the tie-break of PenaltyObjective, with frames and weights of the failed map for the
+  /// next program
+  kPrinted,
   kAllFrames,  ///< hard frame constraints on every triangle (bounded distortion)
 };
 const char* methodName(Method method);  ///< "auto", "harmonic", "soft", "printed", "all-frames"

@@ -40,7 +40,7 @@ struct Round {
   std::string method;            ///< what was tried, in words (nameOf in strategy.h)
   int constrainedTriangles = 0;  ///< triangles with hard frame constraints
   int iterations = 0;            ///< of the interior-point method
-  std::string solverStatus;      ///< "optimal", "infeasible", "stalled", …
+  std::string solverStatus;      ///< "optimal", "infeasible", "no-progress", …
   int flipped = 0;               ///< triangles that are not positive
   int wrongAngles = 0;           ///< vertices and loops with a wrong angle sum
   double laplacianEnergy = 0.0;  ///< ‖Lz‖² of (11), in uv units squared
@@ -82,8 +82,9 @@ struct Parametrization {
   std::vector<StageTime> times;
   std::vector<std::string> notes;  ///< warnings and explanations for people
   std::optional<GridReport> grid;  ///< where a grid was asked; without one the map is as solved
-  std::vector<FaceId>
-      conflict;  ///< constrained triangles that contradict each other, if infeasible
+  /// Where the best program found no point that fulfils its frames: the constrained triangles at which it was
+  /// strained most. Notes say whether that the frames contradict each other is proven.
+  std::vector<FaceId> strained;
 };
 
 }  // namespace hgp

@@ -36,7 +36,8 @@ long long distanceToCertified(const Attempt& attempt) {
   return attempt.certificate.isMeasured ? attempt.wrongCount : 1LL << 40;
 }
 
-void explain(const SeamlessSetup& setup, bool hasGivenFrames, Parametrization& result) {
+void explain(const SeamlessSetup& setup, bool hasGivenFrames, const Attempt& best,
+             Parametrization& result) {
   const double range = setup.field.scaleRange;
   if (range > kHopelessScaleRange && !result.isCertified)
     result.notes.push_back("These cones stretch the surface by e^" +
@@ -47,10 +48,16 @@ void explain(const SeamlessSetup& setup, bool hasGivenFrames, Parametrization& r
     result.notes.push_back("These cones stretch the surface by e^" +
                            std::to_string(static_cast<int>(range)) +
                            "; expect strong area distortion. More cones lower it.");
-  if (!result.conflict.empty())
-    result.notes.push_back("No map turns all frames as asked: " +
-                           counted(result.conflict.size(), "constrained triangle") +
-                           " cannot be satisfied together (see conflict).");
+  if (!result.strained.empty()) {
+    const std::string frames = counted(best.frames.faces.size(), "constrained triangle");
+    const std::string where = counted(result.strained.size(), "of them is", "of them are");
+    const bool isProven = best.program.status == socp::SolveStatus::kInfeasible;
+    result.notes.push_back(
+        (isProven ? "The frames of the best program contradict each other, as a Farkas certificate "
+                    "shows to 8 digits: of "
+                  : "The best program found no map that turns all frames as asked: of ") +
+        frames + ", " + where + " strained most (see conflict).");
+  }
   if (!result.isCertified && hasGivenFrames)
     result.notes.push_back(
         "The frames were those of the field file. Automatic frames have the same cones, turning "
@@ -140,11 +147,11 @@ Result<Parametrization> parametrizeInMetric(PreparedSurface& surface, const Holo
       return std::move(done).error();
   result.map = std::move(mapped.map);
   result.certificate = std::move(mapped.certificate);
-  if (!result.certificate.isCertified) result.conflict = attempt.program.conflict;
+  if (!result.certificate.isCertified) result.strained = attempt.program.strained;
   result.copyOf = setup->cut.parent.raw();
   result.isCertified = result.certificate.isCertified;
   result.isUsable = result.certificate.isUsable;
-  explain(*setup, options.frames.has_value(), result);
+  explain(*setup, options.frames.has_value(), attempt, result);
   return result;
 }
 

@@ -45,11 +45,11 @@ class Splits {
   std::vector<SplitPlace> places_;
 };
 
-/// Triangles that are not positive, whose frames contradict each other, or that lie around a wrong angle.
+/// Triangles that are not positive, at which the program was strained most, or that lie around a wrong angle.
 std::vector<FaceId> wrongFaces(const TriMesh& mesh, const Parametrization& failed) {
   const Certificate& c = failed.certificate;
   std::vector<FaceId> faces = c.orientation.notPositive;
-  faces.insert(faces.end(), failed.conflict.begin(), failed.conflict.end());
+  faces.insert(faces.end(), failed.strained.begin(), failed.strained.end());
   for (const MeasuredCone& cone : c.angles.wrong)
     for (HalfedgeId h : outgoingHalfedges(mesh, cone.vertex)) faces.push_back(TriMesh::face(h));
   std::sort(faces.begin(), faces.end());

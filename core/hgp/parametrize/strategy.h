@@ -52,7 +52,7 @@ Problem problemOf(const TriMesh& mesh, const std::shared_ptr<const SeamlessSetup
 
 /// One program, its map, and the map's certificate.
 struct Attempt {
-  ProgramResult program;  ///< of an infeasible program only status and conflict are meaningful
+  ProgramResult program;  ///< if !isFeasible() only status and strained are meaningful
   PerVertex<double> u;
   Frames frames;
   UvMap map;
@@ -60,7 +60,7 @@ struct Attempt {
   std::vector<FaceId>
       wrong;           ///< not positive, or at a vertex or loop with a wrong angle; ascending
   int wrongCount = 0;  ///< triangles, vertices and loops that are wrong
-  bool isFeasible() const { return program.status != socp::SolveStatus::kInfeasible; }
+  bool isFeasible() const { return !socp::isWithoutPoint(program.status); }
 };
 
 /// Where the frames of a state come from.
@@ -92,7 +92,7 @@ struct State {
 /// a factor of two for cone programs and for Newton steps of untangling alike.
 double workOf(const Round& round, int faceCount);
 
-/// States with the same hash pose the same program.
+/// States with the same hash pose the same program, but for scale from the map before (isFromMap), which is left out.
 std::uint64_t hashOf(const State& state);
 
 /// In words, for reports: the weighting and what the moves did to it.
@@ -112,7 +112,7 @@ struct Untangling {
 };
 const std::vector<Untangling>& untanglings();
 
-/// A move: the next state, or nothing where it does not apply. Each is a pure function of its arguments.
+/// A move: the next state, or nothing where it does not apply; a function of its arguments (Problem::angles is a cache).
 using Move = std::optional<State> (*)(const Problem& problem, const State& state,
                                       const std::shared_ptr<const Attempt>& attempt);
 

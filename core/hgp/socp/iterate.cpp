@@ -3,6 +3,13 @@
 #include <algorithm>
 
 namespace hgp::socp {
+namespace {
+
+/// Conjugate gradients of withoutPull: relative decrease at which they end, and their maximum number.
+constexpr double kPullShare = 1e-12;
+constexpr int kPullSteps = 300;
+
+}  // namespace
 
 Vector3 image(const ConeConstraint& constraint, const Eigen::VectorXd& x) {
   Vector3 r = Vector3::Zero();
@@ -59,6 +66,35 @@ bool provesInfeasible(const Problem& problem, const Slacks& y, double scaleH, do
     size += scaleH * y[b].norm();
   }
   return gain > share * size && scaleH * pull.norm() <= share * gain;
+}
+
+Slacks withoutPull(const Problem& problem, Slacks y) {
+  const auto transposed = [&](const Slacks& v) {
+    Eigen::VectorXd out = Eigen::VectorXd::Zero(problem.c.size());
+    for (std::size_t b = 0; b < v.size(); ++b)
+      addTransposed(problem.constraints[b], v[b], 1.0, out);
+    return out;
+  };
+  Eigen::VectorXd pull = transposed(y), direction = pull;
+  double square = pull.squaredNorm();
+  const double target = kPullShare * kPullShare * square;
+  Slacks step(y.size());
+  for (int n = 0; n < kPullSteps && square > target && square > 0.0; ++n) {
+    double length = 0.0;
+    for (std::size_t b = 0; b < y.size(); ++b) {
+      step[b] = Vector3::Zero();
+      if (y[b] != Vector3::Zero()) step[b] = image(problem.constraints[b], direction);
+      length += step[b].squaredNorm();
+    }
+    if (!(length > 0.0)) break;
+    const double alpha = square / length;
+    for (std::size_t b = 0; b < y.size(); ++b) y[b] -= alpha * step[b];
+    pull = transposed(y);
+    const double next = pull.squaredNorm();
+    direction = pull + next / square * direction;
+    square = next;
+  }
+  return y;
 }
 
 }  // namespace hgp::socp

@@ -40,4 +40,9 @@ Residuals residualsAt(const Problem& problem, const Iterate& point, double scale
 /// converge to such a direction, so the test is relative: hᵀy > share·|h||y| and |h||Fᵀy| ≤ share·hᵀy.
 bool provesInfeasible(const Problem& problem, const Slacks& y, double scaleH, double share);
 
+/// y without its part along the columns of F, so that Fᵀy = 0 up to rounding: y − F w with the w of least squares
+/// (conjugate gradients); only rows where y is not zero take part. Where the result is still in the cones, a y that
+/// nearly proved infeasibility does prove it.
+Slacks withoutPull(const Problem& problem, Slacks y);
+
 }  // namespace hgp::socp

@@ -38,20 +38,26 @@ struct SolveOptions {
 };
 
 enum class SolveStatus {
-  kOptimal,  ///< all residuals and the gap below their targets
-  kAlmost,   ///< no further progress close to the targets; the caller must check the point
-  kInfeasible,  ///< the constraints contradict each other: y grows while F x − s − h does not shrink
+  kOptimal,     ///< all residuals and the gap below their targets
+  kAlmost,      ///< no further progress close to the targets; the caller must check the point
+  kInfeasible,  ///< the constraints contradict each other: y proves it (provesInfeasible in iterate.h)
+  /// F x − s − h has not shrunk for some iterations, which is what contradicting constraints do; nothing is proven.
+  kNoProgress,
   kStalled,  ///< steps became too short, or the factorization failed
   kIterationLimit,
   kCancelled,
 };
 const char* statusName(SolveStatus status);
+/// Whether the iterate is far from fulfilling the constraints, and nothing can be learned from it.
+inline bool isWithoutPoint(SolveStatus status) {
+  return status == SolveStatus::kInfeasible || status == SolveStatus::kNoProgress;
+}
 
 /// The last or best iterate, whatever the status.
 struct Solution {
   Eigen::VectorXd x;
   std::vector<Eigen::Vector3d>
-      y;  ///< duals; the largest belong to constraints that contradict each other
+      y;  ///< duals; the largest belong to the constraints that are strained most
   SolveStatus status = SolveStatus::kStalled;
   int iterations = 0;
   bool isFree = false;          ///< no constraint binds: the minimiser of the objective alone

@@ -16,6 +16,8 @@ const char* statusName(SolveStatus status) {
       return "almost";
     case SolveStatus::kInfeasible:
       return "infeasible";
+    case SolveStatus::kNoProgress:
+      return "no-progress";
     case SolveStatus::kStalled:
       return "stalled";
     case SolveStatus::kIterationLimit:
@@ -33,9 +35,12 @@ constexpr double kStepToBoundary = 0.99;
 /// A residual within this factor of its target is reported "almost".
 constexpr double kAlmostFactor = 100.0;
 constexpr double kTinyStep = 1e-6;
-/// |Fᵀy| against hᵀy below which y proves infeasibility, and the weaker bound after a stall.
+/// |Fᵀy| against hᵀy below which y proves infeasibility, and the bound below which it only suggests it: then
+/// a stall is not called one near a solution.
 constexpr double kCertificateShare = 1e-8;
-constexpr double kStalledCertificateShare = 1e-3;
+constexpr double kSuggestedShare = 1e-3;
+/// Constraints whose duals are at least this fraction of the largest are tried as such a proof, the fewest first.
+constexpr double kSupports[] = {0.1, 1e-3, 1e-6, 0.0};
 /// The primal residual has stalled when it fell by less than this in this many iterations, not counting the first ones.
 constexpr int kSettled = 16, kLookBack = 6;
 constexpr double kStuck = 0.96;
@@ -64,7 +69,9 @@ class InteriorPoint {
       look();
       if (o_.progress && !o_.progress(k, measure_)) return finish(SolveStatus::kCancelled);
       if (measure_ <= 1.0) return finish(SolveStatus::kOptimal);
-      if (isInfeasible(k)) return finish(SolveStatus::kInfeasible);
+      if (isFar() && provesInfeasible(p_, point_.y, scaleH_, kCertificateShare))
+        return finish(SolveStatus::kInfeasible);
+      if (isFar() && isStuck(k)) return finish(stuck());
       if (!system_.factorScaled(point_)) return finish(SolveStatus::kStalled);
 
       // Predictor: the affine scaling step; its length determines the centring.
@@ -92,6 +99,7 @@ class InteriorPoint {
   /// Measures the current point and stores it if it is the best so far.
   void look() {
     residuals_ = residualsAt(p_, point_, scaleH_);
+    history_.push_back(residuals_.primal);
     if (firstComplement_ < 0.0) firstComplement_ = residuals_.complement;
     // The objective may be exactly zero (a q-CCM exists), so the gap is also compared with its initial value.
     gap_ = residuals_.complement /
@@ -105,26 +113,39 @@ class InteriorPoint {
     best_.gap = gap_;
   }
 
-  /// The primal residual has stalled while the duals diverge.
-  bool isInfeasible(int k) {
-    history_.push_back(residuals_.primal);
-    if (residuals_.primal <= o_.primal * kAlmostFactor) return false;
-    if (k >= kSettled && residuals_.primal > kStuck * history_[history_.size() - 1 - kLookBack])
-      return true;
-    return provesInfeasible(p_, point_.y, scaleH_, kCertificateShare);
+  bool isFar() const { return residuals_.primal > o_.primal * kAlmostFactor; }
+  /// The primal residual has not fallen for some iterations.
+  bool isStuck(int k) const {
+    return k >= kSettled && residuals_.primal > kStuck * history_[history_.size() - 1 - kLookBack];
+  }
+
+  /// Why: the constraints contradict each other, if the duals of some of them, projected onto Fᵀy = 0, prove it.
+  SolveStatus stuck() {
+    double largest = 0.0;
+    for (const Vector3& v : point_.y) largest = std::max(largest, v.norm());
+    for (const double share : kSupports) {
+      Slacks y = point_.y;
+      for (Vector3& v : y)
+        if (v.norm() < share * largest) v.setZero();
+      y = withoutPull(p_, std::move(y));
+      for (Vector3& v : y) v[0] += std::max(0.0, -depth(v));
+      if (!provesInfeasible(p_, y, scaleH_, kCertificateShare)) continue;
+      point_.y = std::move(y);
+      return SolveStatus::kInfeasible;
+    }
+    return SolveStatus::kNoProgress;
   }
 
   Solution finish(SolveStatus status) {
     Solution result = best_;
     const bool isKnown = best_.x.size() > 0;
     if (!isKnown) result.x = point_.x;
+    if (status == SolveStatus::kStalled && isFar() && !point_.y.empty() &&
+        provesInfeasible(p_, point_.y, scaleH_, kSuggestedShare))
+      status = stuck();
     result.y = point_.y;
     result.isFree = isFree_;
     result.iterations = iterations_;
-    const auto farFrom = o_.primal * kAlmostFactor;
-    if (status == SolveStatus::kStalled && residuals_.primal > farFrom && !point_.y.empty() &&
-        provesInfeasible(p_, point_.y, scaleH_, kStalledCertificateShare))
-      status = SolveStatus::kInfeasible;
     const bool isCutShort =
         status == SolveStatus::kStalled || status == SolveStatus::kIterationLimit;
     const bool isClose = isKnown && bestMeasure_ <= kAlmostFactor;

@@ -347,9 +347,9 @@ TEST(Program, FramesThatContradictEachOtherAreNotCalledSolved) {
   EXPECT_NE(result.status, SolveStatus::kOptimal);
   EXPECT_NE(result.status, SolveStatus::kAlmost);
   if (result.status != SolveStatus::kInfeasible) return;  // a short step may end it first
-  ASSERT_FALSE(result.conflict.empty());
+  ASSERT_FALSE(result.strained.empty());
   int near = 0;
-  for (FaceId f : result.conflict)
+  for (FaceId f : result.strained)
     for (VertexId v : p.surface.mesh.corners(f)) near += v == VertexId(0);
   EXPECT_GT(near, 0);
 }
@@ -373,9 +373,9 @@ TEST(Program, AConflictNamesTheFramesThatContradictEachOtherAndNoOthers) {
     frames.angles.push_back(p.surface.seams.frameAngle[f] + (f == opposed[0] ? kPi : 0.0));
   const ProgramResult result = p.solve(frames, p.plainOptions());
   ASSERT_EQ(result.status, SolveStatus::kInfeasible) << socp::statusName(result.status);
-  std::vector<FaceId> conflict = result.conflict;
-  std::sort(conflict.begin(), conflict.end());
-  EXPECT_EQ(conflict, opposed);
+  std::vector<FaceId> strained = result.strained;
+  std::sort(strained.begin(), strained.end());
+  EXPECT_EQ(strained, opposed);
 }
 
 TEST(Program, SolvesASurfaceWhoseVerticesAreAllCones) {

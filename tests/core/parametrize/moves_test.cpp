@@ -62,7 +62,7 @@ std::shared_ptr<Attempt> attemptWith(const Posed& on, int wrong, double value) {
 std::shared_ptr<Attempt> infeasible(const Posed& on, const std::vector<FaceId>& conflict) {
   auto attempt = attemptWith(on, 0, 0.0);
   attempt->program.status = socp::SolveStatus::kInfeasible;
-  attempt->program.conflict = conflict;
+  attempt->program.strained = conflict;
   return attempt;
 }
 

@@ -92,6 +92,26 @@ TEST(Cancel, EndsEveryStageAtOnce) {
   }
 }
 
+TEST(Progress, StagesComeInTheirOrderAndNoneComesBack) {
+  for (const test::Shape& shape : {test::icosphere(4), test::pretzel(2, 3), test::disk(4)}) {
+    const TriMesh mesh = shape.mesh();
+    Stage last = Stage::kPrepare;
+    const Progress inOrder = [&](const ProgressReport& r) {
+      EXPECT_GE(r.stage, last) << stageName(r.stage) << " after " << stageName(last);
+      last = r.stage;
+      return true;
+    };
+    SuggestOptions suggest;
+    suggest.progress = inOrder;
+    const Result<CompleteSpec> spec = suggestCones(mesh, suggest);
+    ASSERT_TRUE(spec) << shape.name;
+    last = Stage::kPrepare;
+    ParametrizeOptions options;
+    options.progress = inOrder;
+    ASSERT_TRUE(parametrize(mesh, toSpec(*spec), options)) << shape.name;
+  }
+}
+
 TEST(Progress, FractionsStayBetweenZeroAndOneAndIterationsAndRoundsCount) {
   ParametrizeOptions options;
   int last = -1, solves = 0, rounds = 0;

@@ -88,6 +88,46 @@ TEST(ConeProgram, ContradictionIsReportedInfeasible) {
   EXPECT_TRUE(solved.x.allFinite());
 }
 
+/// Whether y proves that no x has F x − h in the cones: y in them, Fᵀy = 0 and hᵀy > 0, to 8 digits.
+bool isFarkas(const test::RandomProgram& p, const std::vector<Eigen::Vector3d>& y) {
+  Eigen::VectorXd pull = Eigen::VectorXd::Zero(p.realC().size());
+  double gain = 0.0, offset = 0.0;
+  for (std::size_t b = 0; b < y.size(); ++b) {
+    if (socp::depth(y[b]) < -1e-12 * y[b].norm()) return false;
+    pull += p.fullF(b).transpose() * y[b];
+    gain += p.h[b].dot(y[b]);
+    offset = std::max(offset, p.h[b].norm());
+  }
+  return gain > 0.0 && offset * pull.norm() <= 1e-7 * gain;
+}
+
+TEST(ConeProgram, NoProgramIsCalledInfeasibleWithoutACertificate) {
+  const auto check = [](const test::RandomProgram& p, int& proven, const std::string& name) {
+    const test::Solved solved = test::solveProgram(p);
+    const SolveStatus status = solved.solution.status;
+    EXPECT_NE(status, SolveStatus::kOptimal) << name;
+    if (status != SolveStatus::kInfeasible) return;
+    ++proven;
+    EXPECT_TRUE(isFarkas(p, solved.solution.y)) << name;
+  };
+  // Wedges that turn away from one another, the more narrowly the larger the angle between their axes.
+  int proven = 0;
+  for (int degrees = 100; degrees <= 180; degrees += 10) {
+    const double a = degrees * 3.14159265358979 / 180.0;
+    const Eigen::MatrixXd right = rows({1, 0, 0, 1, 0, 0}),
+                          turned =
+                              rows({std::cos(a), std::sin(a), -std::sin(a), std::cos(a), 0, 0});
+    check(projection({0.3, 0.1}, {right, turned}, {{1, 0, 0}, {1, 0, 0}}), proven,
+          "wedges at " + std::to_string(degrees));
+  }
+  EXPECT_EQ(proven, 9);
+  // x ≥ √(x² + 1) has no solution, and no certificate either: x → ∞ comes as close as one wants. Nothing is claimed.
+  proven = 0;
+  const Eigen::MatrixXd asymptote = rows({1, 0, 1, 0, 0, 0});
+  check(projection({0.3, 0.1}, {asymptote}, {{0, 0, -1}}), proven, "asymptote");
+  EXPECT_EQ(proven, 0);
+}
+
 TEST(ConeProgram, OptimumFulfilsTheKktConditions) {
   for (unsigned seed = 1; seed <= 60; ++seed) {
     const test::RandomProgram p = test::randomProgram(seed);

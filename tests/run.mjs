@@ -14,6 +14,7 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { ctest } from './support/builds.mjs';
 import { checks, counted, inParallel, must, run, sum } from './support/commands.mjs';
+import { countPytest } from './support/counts.mjs';
 import { lint } from './support/lint.mjs';
 import { contentOf, KeptResults, listingOf, treeContent } from './support/results.mjs';
 import { runInOrder } from './support/schedule.mjs';
@@ -143,6 +144,25 @@ const compileFiles = (log) =>
     ['cmake', '--build', '--preset', 'native-files'],
   ]);
 
+const python = '/usr/bin/python3';
+
+/** Tests of the Python package, and of its page in the documentation. */
+async function pythonTests(log) {
+  const inputs = () => [
+    contentOf(program),
+    contentOf('build/native-release/python/hgp'),
+    treeContent((name) => /^(python|docs|examples|tests\/(python|support))\/|^[^/]*$/.test(name)),
+  ];
+  const key = kept.key('python', ...inputs());
+  const found = kept.find(key);
+  if (found) return found;
+  const { code, output } = await run(log, python, '-m', 'pytest', '-q');
+  const pytest = countPytest(output, code);
+  const counts = sum([pytest, await nodeTests(log, 'python')]);
+  kept.keep(key, kept.key('python', ...inputs()), 'python', counts);
+  return counts;
+}
+
 /** Introduced faults count as tests, which pass if the fault is caught. */
 async function mutate(log) {
   const how = [...(full ? [] : ['--short']), ...(isAgain ? ['--again'] : [])];
@@ -185,6 +205,7 @@ const stages = {
     after: ['native-debug', 'native-release'],
   },
   mutate: { run: mutate, after: ['native-debug'] },
+  python: { run: pythonTests, after: ['native-release'] },
   units: { run: unitTests, after: ['wasm-release'] },
   package: { run: packageTests, after: ['native-release', 'wasm-release'] },
   measures: {

@@ -63,3 +63,17 @@ export function countNodeTest(tap) {
   }
   return counts;
 }
+
+/** @param {string} text  output of pytest -q  @param {number} code  its exit code */
+export function countPytest(text, code) {
+  const last = text.trimEnd().split('\n').at(-1);
+  const count = (word) => first(last, new RegExp(`(\\d+) ${word}`));
+  const failed = count('failed') + count('errors?');
+  const notes = [...text.matchAll(/^(FAILED|ERROR|E {2}) .*$/gm)].map(([line]) => line);
+  return {
+    passed: count('passed'),
+    failed: code === 0 ? failed : Math.max(1, failed),
+    skipped: count('skipped'),
+    notes: failed > 0 || code !== 0 ? notes.slice(0, 60) : [],
+  };
+}

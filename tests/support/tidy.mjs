@@ -90,6 +90,8 @@ function collect(preset, pattern) {
 }
 collect('native-debug', /^(core|examples\/cli)\//);
 collect('native-release', /^(bench|examples)\/(?!cli\/)/);
+// pybind11 takes as long as everything else.
+if (isFull) collect('native-release', /^python\//);
 
 // Modules that have no private name in common, the highest last. Where every module of a group has something to
 // check, this is checked as one file.

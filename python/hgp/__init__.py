@@ -1,0 +1,208 @@
+"""Seamless texture coordinates without flipped triangles, with cones where you place them, and a certificate.
+
+    import hgp
+    m = hgp.parametrize(V, F, q=4, cones={12: 3, 40: 5})
+    m.certified, m.uv, m.fuv
+
+[BCW17] Bright, Chien, Weber: Harmonic Global Parametrization with Rational Holonomy. ACM TOG 36(4), 2017.
+"""
+
+from __future__ import annotations
+
+from typing import Literal, Optional
+
+import numpy.typing as npt
+
+from . import _core
+from ._cones import Cones, ConesLike, Pairs
+from ._documents import Certificate, Check, ConesDocument, MeshInfo, Report
+from ._errors import (
+    Cancelled,
+    HgpError,
+    InternalError,
+    LimitError,
+    MalformedError,
+    NoMapError,
+    Place,
+    PrescriptionError,
+    UnsupportedError,
+    UsageError,
+    WriteError,
+)
+from ._map import Distortion, Map, Quads, Seams
+from ._mesh import ConesFor, Fix, Improve, Loops, Mesh, Method, OnProgress, Path, Progress, Weld, _mapped_mesh
+
+__version__: str = _core.version()
+
+__all__ = [
+    "Cancelled",
+    "Certificate",
+    "Check",
+    "Cones",
+    "ConesDocument",
+    "Distortion",
+    "HgpError",
+    "InternalError",
+    "LimitError",
+    "Loops",
+    "MalformedError",
+    "Map",
+    "Mesh",
+    "MeshInfo",
+    "NoMapError",
+    "Place",
+    "PrescriptionError",
+    "Progress",
+    "Quads",
+    "Report",
+    "Seams",
+    "UnsupportedError",
+    "UsageError",
+    "WriteError",
+    "check",
+    "inspect",
+    "parametrize",
+    "suggest_cones",
+    "verify",
+]
+
+for _name in __all__:
+    if isinstance(globals().get(_name), type):
+        globals()[_name].__module__ = "hgp"
+
+
+def parametrize(
+    V: npt.ArrayLike,
+    F: npt.ArrayLike,
+    *,
+    q: Optional[int] = None,
+    cones: Optional[ConesLike] = None,
+    turning: Optional[Pairs] = None,
+    handles: Optional[Pairs] = None,
+    field: Optional[Path] = None,
+    count: int = 0,
+    cones_for: ConesFor = "balanced",
+    align_to_curvature: bool = False,
+    boundary: Literal["free", "convex"] = "free",
+    method: Method = "auto",
+    max_rounds: int = 24,
+    frames: Literal["auto", "file"] = "auto",
+    improve: Improve = None,
+    scale: Literal["solved", "unit", "fit"] = "solved",
+    cells: Optional[float] = None,
+    grid: Optional[float] = None,
+    grid_mode: Optional[Literal["tile", "quad"]] = None,
+    refine: bool = False,
+    keep_going: bool = False,
+    reproducible: bool = False,
+    time_limit: Optional[float] = None,
+    progress: OnProgress = None,
+    weld: Weld = None,
+    fix: Optional[Fix] = None,
+    strict: bool = False,
+    write_repairs: bool = False,
+) -> Map:
+    """Maps a mesh given as arrays: `Mesh(V, F, …).parametrize(…)`, where the arguments are explained.
+
+    Args:
+        V: #V × 3 positions.
+        F: #F × 3 rows of V, counterclockwise from outside; any number of components.
+
+    Returns:
+        A Map, which may be not certified: `m.certified`, `m.uv`, `m.fuv`, `m.cones`, `m.certificate`.
+    """
+    return Mesh(V, F, weld=weld, fix=fix, strict=strict, write_repairs=write_repairs).parametrize(
+        q=q,
+        cones=cones,
+        turning=turning,
+        handles=handles,
+        field=field,
+        count=count,
+        cones_for=cones_for,
+        align_to_curvature=align_to_curvature,
+        boundary=boundary,
+        method=method,
+        max_rounds=max_rounds,
+        frames=frames,
+        improve=improve,
+        scale=scale,
+        cells=cells,
+        grid=grid,
+        grid_mode=grid_mode,
+        refine=refine,
+        keep_going=keep_going,
+        reproducible=reproducible,
+        time_limit=time_limit,
+        progress=progress,
+    )
+
+
+def suggest_cones(
+    V: npt.ArrayLike,
+    F: npt.ArrayLike,
+    *,
+    q: int = 4,
+    count: int = 0,
+    cones_for: ConesFor = "balanced",
+    align_to_curvature: bool = False,
+    reproducible: bool = False,
+    progress: OnProgress = None,
+) -> Cones:
+    """Chooses cones for a mesh given as arrays; see Mesh.suggest_cones."""
+    return Mesh(V, F).suggest_cones(
+        q=q,
+        count=count,
+        cones_for=cones_for,
+        align_to_curvature=align_to_curvature,
+        reproducible=reproducible,
+        progress=progress,
+    )
+
+
+def check(
+    V: npt.ArrayLike,
+    F: npt.ArrayLike,
+    cones: Optional[ConesLike] = None,
+    *,
+    q: Optional[int] = None,
+    turning: Optional[Pairs] = None,
+    handles: Optional[Pairs] = None,
+) -> Check:
+    """Whether any map of this mesh can have these cones; solves nothing. See Mesh.check."""
+    return Mesh(V, F).check(cones, q=q, turning=turning, handles=handles)
+
+
+def verify(
+    V: npt.ArrayLike,
+    F: npt.ArrayLike,
+    uv: npt.ArrayLike,
+    fuv: Optional[npt.ArrayLike] = None,
+    *,
+    q: Optional[int] = None,
+    cones: Optional[ConesLike] = None,
+    turning: Optional[Pairs] = None,
+    handles: Optional[Pairs] = None,
+    tolerance: float = 0.0,
+) -> Certificate:
+    """Verifies any map, whoever made it, on exactly these numbers.
+
+    Args:
+        V: #V × 3 positions.
+        F: #F × 3 rows of V.
+        uv: n × 2.
+        fuv: #F × 3 rows of uv; by default uv has a row per vertex, or three rows per triangle.
+        q: order of the rotations across seams; by default that of the cones, or 4.
+        cones, turning, handles: what the map must have; by default any cones are accepted.
+        tolerance: of seams, relative to the length of each edge, and of angles in radians; 0: 1e-6.
+
+    Returns:
+        docs/schema/hgp-certificate.schema.json; `["certified"]` is the verdict.
+    """
+    return _mapped_mesh(V, F, uv, fuv).verify(
+        cones, q=q, turning=turning, handles=handles, tolerance=tolerance
+    )
+
+
+def inspect(V: npt.ArrayLike, F: npt.ArrayLike) -> MeshInfo:
+    """Topology and defects of a mesh; see Mesh.inspect."""
+    return Mesh(V, F).inspect()

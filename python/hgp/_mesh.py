@@ -1,0 +1,376 @@
+"""Meshes: files or arrays, and everything that can be asked of them."""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import Any, Callable, Dict, List, Literal, NamedTuple, Optional, Sequence, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._arrays import reals, triangles
+from ._cones import Cones, ConesLike, Pairs, prescription
+from ._documents import Certificate, Check, MeshInfo
+from ._errors import UsageError
+from ._map import Integers, Map, Reals
+
+Path = Union[str, "os.PathLike[str]"]
+Fix = Sequence[Literal["orient", "split", "degenerate"]]
+ConesFor = Literal["balanced", "few", "low-distortion"]
+Method = Literal["auto", "harmonic", "soft", "printed", "all-frames"]
+Improve = Union[Literal["isometric", "conformal", "area"], float, None]
+Weld = Union[None, Literal["exact", "none"], float]
+
+
+class Progress(NamedTuple):
+    """A report of a run that is under way."""
+
+    #: "prepare", "cones", "connection", "field", "cut", "assemble", "solve", "improve" or "align"
+    stage: str
+    #: of the stage, from 0 to 1
+    fraction: float
+    #: iteration of a solver, -1 outside
+    iteration: int
+    #: residual of a solver relative to its target, or an energy's excess over an isometry; -1 otherwise
+    residual: float
+    #: round of solve, verify, repair, from 1; 0 outside
+    round: int
+    #: largest number of rounds; 0 outside
+    max_rounds: int
+    #: since the call began
+    seconds: float
+
+
+#: Called at every change of stage and about ten times a second, in the thread of the call. False cancels.
+OnProgress = Optional[Callable[[Progress], Any]]
+
+
+def _caller(progress: OnProgress) -> Optional[Callable[..., Any]]:
+    if progress is None:
+        return None
+    if not callable(progress):
+        raise UsageError(f"progress must be a function, not {progress!r}", "arguments")
+    call = progress
+    return lambda *values: call(Progress(*values))
+
+
+class Loops(NamedTuple):
+    """What the numbers of turnings and handles refer to."""
+
+    #: for each boundary loop its vertices in order, the surface on their left
+    boundaries: List[Integers]
+    #: for each handle generator the edges that it crosses in order, n × 2 vertices
+    handles: List[Integers]
+
+
+def _load_options(
+    weld: Weld, fix: Optional[Fix], strict: bool, write_repairs: bool, **others: Any
+) -> Dict[str, Any]:
+    options: Dict[str, Any] = {"strict": strict, "write_repairs": write_repairs, **others}
+    if fix is not None:
+        options["fix"] = [fix] if isinstance(fix, str) else list(fix)
+        if strict and options["fix"]:
+            raise UsageError("strict and fix exclude each other", "arguments")
+    if weld == "exact":
+        options["weld"] = 0.0
+    elif weld == "none":
+        options["weld"] = -2.0
+    elif weld is not None:
+        if isinstance(weld, (str, bool)) or not 0 <= weld < float("inf"):
+            raise UsageError(f"weld must be 'exact', 'none' or a length, not {weld!r}", "arguments")
+        options["weld"] = float(weld)
+    return options
+
+
+class Mesh:
+    """A triangle mesh: arrays, or a file by `Mesh.load`. Threads may share it; their calls follow one another.
+
+    Args:
+        V: #V × 3 positions. float64 in C order is copied once; other real numbers are converted.
+        F: #F × 3 rows of V, counterclockwise from outside; any integers.
+        weld: "exact" joins vertices at equal positions, a length those that are closer, "none" joins nothing.
+            By default vertices at equal positions are joined if every triangle is a component of its own.
+        fix: exactly these repairs; by default those that the mesh needs.
+        strict: repair and join nothing; refuse meshes that need it.
+        write_repairs: write repairs into saved files.
+
+    Raises:
+        UsageError: arrays of the wrong shape, type or range, by name.
+    """
+
+    def __init__(
+        self,
+        V: npt.ArrayLike,
+        F: npt.ArrayLike,
+        *,
+        weld: Weld = None,
+        fix: Optional[Fix] = None,
+        strict: bool = False,
+        write_repairs: bool = False,
+    ) -> None:
+        options = _load_options(weld, fix, strict, write_repairs)
+        self._core = _core.Surface.of_arrays(reals(V, "V", 3), triangles(F, "F"), options)
+
+    @classmethod
+    def load(
+        cls,
+        path: Path,
+        *,
+        mesh: Optional[int] = None,
+        target: Optional[Literal["obj", "glb", "gltf"]] = None,
+        weld: Weld = None,
+        fix: Optional[Fix] = None,
+        strict: bool = False,
+        write_repairs: bool = False,
+        root: Optional[Path] = None,
+        max_bytes: Optional[int] = None,
+        max_triangles: Optional[int] = None,
+    ) -> "Mesh":
+        """Reads OBJ, OFF, PLY, STL, glTF or GLB, also gzipped, with everything that `hgp param` keeps.
+
+        Args:
+            path: the file. Side files are read from its folder only, or below `root`.
+            mesh: which mesh of the file, from 0; by default the one with the most triangles.
+            target: convert the file to this format when it is read, as `hgp param mesh.obj -o mapped.glb` does:
+                "glb" or "gltf" from polygon files, "obj" from glTF. Ids are then those of the converted mesh.
+            weld, fix, strict, write_repairs: see Mesh.
+            max_bytes, max_triangles: larger files are refused; by default 2 GiB and 16 million.
+
+        Raises:
+            MalformedError: the file cannot be read; `places` has its line or byte.
+            LimitError: it is too large.
+        """
+        options = _load_options(
+            weld,
+            fix,
+            strict,
+            write_repairs,
+            surface=mesh,
+            target=target,
+            max_bytes=max_bytes,
+            max_triangles=max_triangles,
+        )
+        made = cls.__new__(cls)
+        made._core = _core.Surface.of_file(os.fspath(path), "" if root is None else os.fspath(root), options)
+        return made
+
+    @property
+    def vertices(self) -> Reals:
+        """#V × 3 positions of the loaded surface; ids of vertices are rows of it."""
+        return self._core.positions()
+
+    @property
+    def triangles(self) -> Integers:
+        """#F × 3 rows of `vertices`."""
+        return self._core.triangles()
+
+    @property
+    def mesh_count(self) -> int:
+        """The number of meshes with triangles in the file."""
+        return self._core.mesh_count()
+
+    @property
+    def embedded_cones(self) -> Optional[Cones]:
+        """The cones stored in the file."""
+        text = self._core.embedded_cones()
+        return None if text is None else Cones(json.loads(text))
+
+    @property
+    def loops(self) -> Loops:
+        """Boundary loops and handle generators, as `turning` and `handles` number them."""
+        found = self._core.loops()
+        return Loops(found["boundaries"], found["handles"])
+
+    def inspect(self) -> MeshInfo:
+        """Topology, defects and uv sets: docs/schema/hgp-inspect.schema.json. Also of meshes that cannot be used."""
+        info: MeshInfo = json.loads(self._core.inspect()[1])
+        return info
+
+    def check(
+        self,
+        cones: Optional[ConesLike] = None,
+        *,
+        q: Optional[int] = None,
+        turning: Optional[Pairs] = None,
+        handles: Optional[Pairs] = None,
+        field: Optional[Path] = None,
+        ignore_embedded: bool = False,
+    ) -> Check:
+        """Whether any map can have these cones (Gauss–Bonnet in integers, [BCW17] Lemma 6.2); solves nothing.
+
+        Returns:
+            docs/schema/hgp-check.schema.json; `["valid"]` is the verdict, and `["error"]` why not.
+        """
+        asked = prescription(q, cones, turning, handles, field, ignore_embedded)
+        verdict: Check = json.loads(self._core.check(asked)[1])
+        return verdict
+
+    def suggest_cones(
+        self,
+        *,
+        q: int = 4,
+        count: int = 0,
+        cones_for: ConesFor = "balanced",
+        align_to_curvature: bool = False,
+        reproducible: bool = False,
+        progress: OnProgress = None,
+    ) -> Cones:
+        """Chooses cones; `parametrize` without cones has the same ones.
+
+        Args:
+            q: angles are multiples of 2π/q, 1 to 64.
+            count: how many if possible; 0: chosen by `cones_for`.
+            cones_for: "balanced": low distortion, boundaries are followed; "few"; or as many as lower distortion.
+            align_to_curvature: follow the principal curvatures.
+            reproducible: the same on every processor.
+            progress: see OnProgress.
+        """
+        options = {
+            "q": q,
+            "count": count,
+            "cones_for": cones_for,
+            "align_to_curvature": align_to_curvature,
+            "reproducible": reproducible,
+        }
+        return Cones(json.loads(self._core.suggest(options, _caller(progress))))
+
+    def convert_cones(self, cones: ConesLike, *, q: Optional[int] = None) -> Cones:
+        """Cones of any kind, complete and in vertices of this mesh."""
+        return Cones(json.loads(self._core.convert(prescription(q, cones, None, None, None, True))))
+
+    def parametrize(
+        self,
+        *,
+        q: Optional[int] = None,
+        cones: Optional[ConesLike] = None,
+        turning: Optional[Pairs] = None,
+        handles: Optional[Pairs] = None,
+        field: Optional[Path] = None,
+        ignore_embedded: bool = False,
+        count: int = 0,
+        cones_for: ConesFor = "balanced",
+        align_to_curvature: bool = False,
+        boundary: Literal["free", "convex"] = "free",
+        method: Method = "auto",
+        max_rounds: int = 24,
+        frames: Literal["auto", "file"] = "auto",
+        improve: Improve = None,
+        scale: Literal["solved", "unit", "fit"] = "solved",
+        cells: Optional[float] = None,
+        grid: Optional[float] = None,
+        grid_mode: Optional[Literal["tile", "quad"]] = None,
+        refine: bool = False,
+        keep_going: bool = False,
+        reproducible: bool = False,
+        time_limit: Optional[float] = None,
+        progress: OnProgress = None,
+    ) -> Map:
+        """Computes a map and verifies it ([BCW17] §7). Other threads run meanwhile, and Ctrl-C interrupts it.
+
+        Args:
+            q: rotation order: angles are multiples of 2π/q, 1 to 64; by default that of the cones, or 4.
+            cones: {vertex: k} with cone angles 2πk/q; pairs; Cones; a document; or the path of a file of cones.
+                By default those stored in the file, or automatic ones. {}: none.
+            turning: {loop: l}; boundary loop `loop` turns by 2πl/q.
+            handles: {generator: r}; the rotation along the generator is 2πr/q.
+            field: a file with a direction field whose cones and holonomy are prescribed.
+            ignore_embedded: do not use cones stored in the file.
+            count, cones_for, align_to_curvature: of automatic cones, see suggest_cones.
+            boundary: "convex" maps a disk without cones onto a convex polygon.
+            method, max_rounds, frames: how to solve; see docs/cli.md.
+            improve: lower the distortion of a certified map: "isometric" (angles and areas), "conformal" (angles),
+                "area", or a number from -1 (angles) to 1 (areas).
+            scale: as solved, mean edge length 1, or fitted into the unit square.
+            cells, grid: align to a grid of about so many cells, or with cells of this edge length (q = 2 or 4): lines
+                meet at every seam, and one cell is one unit of uv.
+            grid_mode: "quad": cones on grid points as well, so that `Map.quads` gives a mesh of quads.
+            refine: if there is no map, split edges and solve again.
+            keep_going: components without a map keep their uv or are cut open; the map is then not certified.
+            reproducible: the same bytes on every processor, as `hgp param --reproducible`; calls that differ in it wait
+                for each other.
+            time_limit: seconds, after which the call ends with NoMapError.
+            progress: see OnProgress.
+
+        Returns:
+            A Map; it may be not certified (docs/not-certified.md), which is no error.
+
+        Raises:
+            UsageError: wrong or contradictory arguments.
+            UnsupportedError: a mesh that cannot be used.
+            PrescriptionError: no map can have these cones.
+            NoMapError: the time limit.
+            Cancelled: `progress` returned False.
+        """
+        asked = prescription(q, cones, turning, handles, field, ignore_embedded)
+        if boundary == "convex" and any(x is not None for x in (cones, turning, handles, field)):
+            raise UsageError("boundary='convex' cannot be combined with cones, turning, handles or a field", "arguments")
+        options = {
+            "q": q,
+            "count": count,
+            "cones_for": cones_for,
+            "align_to_curvature": align_to_curvature,
+            "boundary": boundary,
+            "method": method,
+            "max_rounds": max_rounds,
+            "frames": frames,
+            "improve": improve,
+            "scale": scale,
+            "cells": cells,
+            "grid": grid,
+            "grid_mode": grid_mode,
+            "refine": refine,
+            "keep_going": keep_going,
+            "reproducible": reproducible,
+            "time_limit": time_limit,
+        }
+        return Map(self._core.parametrize(asked, options, _caller(progress)))
+
+    def verify(
+        self,
+        cones: Optional[ConesLike] = None,
+        *,
+        q: Optional[int] = None,
+        turning: Optional[Pairs] = None,
+        handles: Optional[Pairs] = None,
+        uv_set: Optional[int] = None,
+        tolerance: float = 0.0,
+    ) -> Certificate:
+        """Verifies the texture coordinates that the file has, whoever made them.
+
+        Args:
+            cones, turning, handles: what the map must have; by default any cones are accepted.
+            q: order of the rotations; by default that of the cones, or 4.
+            uv_set: the set to verify; by default the last.
+            tolerance: of seams, relative to the length of each edge, and of angles in radians; 0: 1e-6.
+        """
+        asked = prescription(q, cones, turning, handles, None, False)
+        options = {"q": q, "uv_set": uv_set, "tolerance": tolerance}
+        certificate: Certificate = json.loads(self._core.verify(asked, options)[1])
+        return certificate
+
+    def __repr__(self) -> str:
+        return f"<hgp.Mesh {len(self.vertices)} vertices, {len(self.triangles)} triangles>"
+
+
+def _mapped_mesh(V: npt.ArrayLike, F: npt.ArrayLike, uv: npt.ArrayLike, fuv: Optional[npt.ArrayLike]) -> Mesh:
+    """A mesh with texture coordinates. @param fuv  None: a row of uv per vertex, or three per triangle"""
+    positions, faces, rows = reals(V, "V", 3), triangles(F, "F"), reals(uv, "uv", 2)
+    if fuv is not None:
+        corners = triangles(fuv, "fuv")
+    elif len(rows) == len(positions):
+        corners = faces
+    elif len(rows) == 3 * len(faces):
+        corners = np.arange(3 * len(faces), dtype=np.int64).reshape(-1, 3)
+    else:
+        raise UsageError(
+            f"uv has {len(rows)} rows, which is neither one per vertex ({len(positions)}) nor three per triangle "
+            f"({3 * len(faces)}): pass fuv",
+            "arguments",
+        )
+    if len(corners) != len(faces):
+        raise UsageError(f"fuv has {len(corners)} rows, and F has {len(faces)}", "arguments")
+    made = Mesh.__new__(Mesh)
+    made._core = _core.Surface.of_map(positions, faces, rows, corners, {})
+    return made

@@ -1,0 +1,51 @@
+#include "failures.h"
+
+namespace hgp::python {
+namespace {
+
+const char* kindOf(const Where& where) {
+  switch (where.kind) {
+    case Where::Kind::kVertex:
+      return "vertex";
+    case Where::Kind::kEdge:
+      return "edge";
+    case Where::Kind::kFace:
+      return "triangle";
+    case Where::Kind::kLoop:
+      return "loop";
+    case Where::Kind::kLine:
+      return "line";
+    case Where::Kind::kByte:
+      return "byte";
+  }
+  return "vertex";
+}
+
+}  // namespace
+
+py::list placesOf(const Failure& failure) {
+  py::list places;
+  for (const Where& w : failure.where) {
+    const bool isEdge = w.kind == Where::Kind::kEdge;
+    places.append(
+        py::make_tuple(kindOf(w), w.id, isEdge ? py::object(py::int_(w.other)) : py::none()));
+  }
+  return places;
+}
+
+void raise(const Failure& failure) {
+  // Messages may contain names from files, with any bytes.
+  const auto text = py::reinterpret_steal<py::object>(PyUnicode_DecodeUTF8(
+      failure.message.data(), static_cast<Py_ssize_t>(failure.message.size()), "backslashreplace"));
+  const py::object error =
+      py::module_::import("hgp._errors")
+          .attr("error_of")(errorName(failure.code), failure.stage, text, placesOf(failure));
+  PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(error.ptr())), error.ptr());
+  throw py::error_already_set();
+}
+
+void raiseUsage(const std::string& message) {
+  raise(Failure{ErrorCode::kUsage, "arguments", message, {}});
+}
+
+}  // namespace hgp::python

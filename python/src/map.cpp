@@ -1,0 +1,111 @@
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <mutex>
+#include <utility>
+
+#include "../../examples/cli/also.h"
+#include "../../examples/cli/files.h"
+#include "../../examples/cli/half_file.h"
+#include "../../examples/cli/side_files.h"
+#include "failures.h"
+#include "surface.h"
+
+namespace hgp::python {
+namespace {
+
+/// Writes files, one result at a time: the names of half-written files are those of the whole process.
+Status writeTogether(const std::string& path, const std::vector<io::OutputFile>& files) {
+  static std::mutex mutex;
+  const std::lock_guard lock(mutex);
+  Status done = cli::writeFiles(path, files);
+  if (!done) cli::HalfFile::forgetAll();
+  return done;
+}
+
+bool isSet(const py::dict& options, const char* name) {
+  return options.contains(name) && options[name].cast<bool>();
+}
+
+/// How the command line writes such a file: with -o if the loaded file can be written under this name, else with --also.
+api::MapFormat formatFor(const api::Session& session, const std::string& path) {
+  const auto plain = cli::alsoFormat(path);
+  const bool isDrawing = plain == api::MapFormat::kFlatObj || plain == api::MapFormat::kSvg;
+  if (!isDrawing && session.canWrite(path)) return api::MapFormat::kSame;
+  return plain.value_or(api::MapFormat::kSame);
+}
+
+}  // namespace
+
+py::dict Map::measure() {
+  api::MapMeasures made = must(alone_.run([&] { return session_.measure(); }));
+  py::dict out;
+  out["stretch"] = taken<float>(std::move(made.stretch));
+  out["log_area"] = taken<float>(std::move(made.logArea));
+  out["not_positive"] = taken<std::int32_t>(std::move(made.notPositive));
+  out["surface_area"] = made.surfaceArea;
+  out["uv_area"] = made.uvArea;
+  out["overlap_pairs"] = made.overlapPairs;
+  out["overlapping"] = taken<std::int32_t>(std::move(made.overlapping));
+  out["more_overlaps"] = made.areMorePairs;
+  out["seam_chain"] = taken<std::int32_t>(std::move(made.seamChain));
+  return out;
+}
+
+py::dict Map::quads() {
+  const api::QuadFile made = must(alone_.run([&] { return session_.quads("quads.obj"); }));
+  py::dict out;
+  out["obj"] = py::bytes(reinterpret_cast<const char*>(made.bytes.data()), made.bytes.size());
+  out["clipped"] = made.clipped;
+  out["halvings"] = made.halvings;
+  out["multiple_edges"] = made.multipleEdges;
+  out["folded"] = made.foldedQuads;
+  return out;
+}
+
+void Map::saveQuads(const std::string& path) {
+  must(alone_.run([&]() -> Status {
+    Result<api::QuadFile> made = session_.quads(path);
+    if (!made) return made.error();
+    return writeTogether(path, {{path, std::move(made->bytes)}});
+  }));
+}
+
+std::vector<std::string> Map::save(const std::string& path, const py::dict& options) {
+  cli::Arguments asked;
+  asked.input = source_->path;
+  asked.output = path;
+  asked.load = source_->options;
+  asked.isEmbedded = isSet(options, "embed");
+  asked.isCompressed = isSet(options, "compress");
+  asked.mayOverwrite = isSet(options, "overwrite");
+  api::WriteOptions how;
+  how.name = path;
+  how.isSideFileNoted = false;
+  how.isCompressedLater = asked.isCompressed;
+  how.embedCones = isSet(options, "embed_cones");
+  how.pointsMaterials = isSet(options, "use");
+  how.allowUncertified = isSet(options, "allow_uncertified");
+  if (options.contains("uv_set"))
+    how.uvSet = options["uv_set"].cast<std::optional<int>>().value_or(-1);
+  if (options.contains("grid_material"))
+    how.gridTiles = options["grid_material"].cast<std::optional<double>>();
+  if (!asked.mayOverwrite && cli::isSameFile(path, source_->path))
+    raiseUsage(path + " is the file that was loaded; overwrite=True allows to replace it");
+  std::vector<std::string> notes;
+  must(alone_.run([&]() -> Status {
+    how.format = formatFor(session_, path);
+    Result<api::WrittenMap> written = session_.write(how);
+    if (!written) return written.error();
+    notes = std::move(written->notes);
+    const bool isSame = how.format == api::MapFormat::kSame;
+    if (isSame) {
+      Status finished = cli::finishFiles(written->files, notes, source_->files.resolve, asked);
+      if (!finished) return finished;
+    }
+    return writeTogether(path, written->files);
+  }));
+  return notes;
+}
+
+}  // namespace hgp::python

@@ -1,0 +1,36 @@
+"""Uses of the package that mypy --strict must accept, and to refuse: a line marked `wrong` has an error of that kind."""
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+import hgp
+
+
+def use(V: npt.NDArray[np.float64], F: npt.NDArray[np.int64]) -> float:
+    m = hgp.parametrize(V, F, q=4, cones={12: 3, 40: 5}, cells=2000, improve="isometric")
+    uv: npt.NDArray[np.float64] = m.uv
+    fuv: npt.NDArray[np.int32] = m.fuv
+    good: bool = m.certificate["certified"]
+    layers: int = m.certificate["components"][0]["overlap"]["layers"]
+    k: int = m.cones[12]
+    notes: "list[str]" = m.save("out.glb", embed_cones=True)
+    m = hgp.Mesh.load("mesh.obj").parametrize(progress=lambda p: p.fraction < 0.5)
+    verdict = hgp.check(V, F, [(3, 4)])
+    if not verdict["valid"] and "error" in verdict:
+        print(verdict["error"]["message"])
+    try:
+        hgp.verify(V, F, uv, fuv, cones=m.cones)
+    except hgp.PrescriptionError as error:
+        place: "tuple[hgp.Place, ...]" = error.places
+        print(place, good, layers, k, notes)
+    return float(m.distortion().stretch.max())
+
+
+def misuse(V: Any, F: Any) -> None:
+    m = hgp.parametrize(V, F, method="fast")  # wrong: arg-type
+    hgp.parametrize(V, F, Q=4)  # wrong: call-arg
+    m.certificate["certifed"]  # wrong: typeddict-item
+    m.cones[3] = 4  # wrong: index
+    m.uv = m.uv  # wrong: misc

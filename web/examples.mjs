@@ -187,7 +187,7 @@ function levelSet(f, [low, high], cells) {
         if (crosses(i, j + 1, k)) quad(around([[i - 1, j, k - 1], [i - 1, j, k], [i, j, k], [i, j, k - 1]]), here); // prettier-ignore
         if (crosses(i, j, k + 1)) quad(around([[i - 1, j - 1, k], [i, j - 1, k], [i, j, k], [i - 1, j, k]]), here); // prettier-ignore
       }
-  return { vertices, triangles };
+  return { vertices, triangles, normals: vertices.map((p) => unit(gradient(p))) };
 }
 
 /** Two rings grown together: genus 2. */
@@ -231,60 +231,66 @@ function figure() {
   return levelSet(f, [[-1.05, -1.3, -0.5], [1.05, 1.65, 0.55]], [50, 70, 25]); // prettier-ignore
 }
 
-function glb({ vertices, triangles }, name) {
-  const positions = new Float32Array(vertices.flat());
+/** Vertex normals: means over the triangles at each vertex, weighted by area. */
+function normalsOf({ vertices, triangles }) {
+  const sums = vertices.map(() => [0, 0, 0]);
+  for (const triangle of triangles) {
+    const [a, b, c] = triangle.map((v) => vertices[v]);
+    const [d, e] = [b, c].map((p) => p.map((x, i) => x - a[i]));
+    const cross = [0, 1, 2].map((i) => {
+      const [j, k] = [(i + 1) % 3, (i + 2) % 3];
+      return d[j] * e[k] - d[k] * e[j];
+    });
+    for (const v of triangle) cross.forEach((x, i) => (sums[v][i] += x));
+  }
+  return sums.map(unit);
+}
+
+/** Clay: the default of glTF is metal, which has no colour of its own. */
+const clay = { baseColorFactor: [0.72, 0.52, 0.36, 1], metallicFactor: 0, roughnessFactor: 0.85 };
+
+function glb(mesh, name) {
+  const { vertices, triangles } = mesh;
   const wide = vertices.length > 65534;
   const indices = wide ? new Uint32Array(triangles.flat()) : new Uint16Array(triangles.flat());
-  const low = [0, 1, 2].map((k) =>
-    Math.fround(Math.min(...vertices.map((p) => Math.fround(p[k])))),
+  const arrays = [
+    new Float32Array(vertices.flat()),
+    new Float32Array((mesh.normals ?? normalsOf(mesh)).flat()),
+  ];
+  const bounds = [Math.min, Math.max].map((most) =>
+    [0, 1, 2].map((k) => Math.fround(most(...vertices.map((p) => Math.fround(p[k]))))),
   );
-  const high = [0, 1, 2].map((k) =>
-    Math.fround(Math.max(...vertices.map((p) => Math.fround(p[k])))),
-  );
-  const length = Math.ceil(indices.byteLength / 4) * 4;
+  const padded = Buffer.alloc(Math.ceil(indices.byteLength / 4) * 4);
+  Buffer.from(indices.buffer).copy(padded);
+  const binary = Buffer.concat([...arrays.map(({ buffer }) => Buffer.from(buffer)), padded]);
+  const size = arrays[0].byteLength;
+  const points = { componentType: 5126, count: vertices.length, type: 'VEC3' };
   const json = JSON.stringify({
     asset: { version: '2.0', generator: 'hgp examples' },
     scene: 0,
     scenes: [{ nodes: [0] }],
     nodes: [{ mesh: 0, name }],
-    meshes: [{ name, primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }],
+    materials: [{ name: 'clay', pbrMetallicRoughness: clay }],
+    meshes: [
+      { name, primitives: [{ attributes: { POSITION: 0, NORMAL: 1 }, indices: 2, material: 0 }] },
+    ],
     accessors: [
-      {
-        bufferView: 0,
-        componentType: 5126,
-        count: vertices.length,
-        type: 'VEC3',
-        min: low,
-        max: high,
-      },
-      { bufferView: 1, componentType: wide ? 5125 : 5123, count: indices.length, type: 'SCALAR' },
+      { bufferView: 0, ...points, min: bounds[0], max: bounds[1] },
+      { bufferView: 1, ...points },
+      { bufferView: 2, componentType: wide ? 5125 : 5123, count: indices.length, type: 'SCALAR' },
     ],
     bufferViews: [
-      { buffer: 0, byteOffset: 0, byteLength: positions.byteLength, target: 34962 },
-      {
-        buffer: 0,
-        byteOffset: positions.byteLength,
-        byteLength: indices.byteLength,
-        target: 34963,
-      },
+      { buffer: 0, byteOffset: 0, byteLength: size, target: 34962 },
+      { buffer: 0, byteOffset: size, byteLength: size, target: 34962 },
+      { buffer: 0, byteOffset: 2 * size, byteLength: indices.byteLength, target: 34963 },
     ],
-    buffers: [{ byteLength: positions.byteLength + length }],
+    buffers: [{ byteLength: binary.length }],
   });
   const text = Buffer.from(json.padEnd(Math.ceil(json.length / 4) * 4));
-  const head = Buffer.alloc(20);
-  [
-    0x46546c67,
-    2,
-    28 + text.length + positions.byteLength + length,
-    text.length,
-    0x4e4f534a,
-  ].forEach((n, i) => head.writeUInt32LE(n, 4 * i));
-  const chunk = Buffer.alloc(8);
-  chunk.writeUInt32LE(positions.byteLength + length, 0);
-  chunk.writeUInt32LE(0x004e4942, 4);
-  const rest = Buffer.alloc(length);
-  Buffer.from(indices.buffer).copy(rest);
-  return Buffer.concat([head, text, chunk, Buffer.from(positions.buffer), rest]);
+  const words = (...numbers) => Buffer.from(Uint32Array.from(numbers).buffer);
+  const length = 12 + 8 + text.length + 8 + binary.length;
+  const head = words(0x46546c67, 2, length, text.length, 0x4e4f534a);
+  return Buffer.concat([head, text, words(binary.length, 0x004e4942), binary]);
 }
 
 /** The vertex nearest to a direction or point. */

@@ -123,7 +123,11 @@ test('the divider between the views is moved with the arrow keys and by dragging
   const { page } = it;
   await example(it, 'cube');
   const width = async () => (await page.locator('#view').boundingBox()).width;
+  const whole = await width();
+  assert.equal(await page.isVisible('#splitter'), false); // until there is a map
+  await run(it);
   const before = await width();
+  assert.ok(before < 0.7 * whole, `${before} of ${whole}`);
   const splitter = page.locator('#splitter');
   const value = async () => Number(await splitter.getAttribute('aria-valuenow'));
   const from = await value();

@@ -46,7 +46,12 @@ class AppPage extends Panel {
     return html`
       <hgp-top-bar .app=${app}></hgp-top-bar>
       <hgp-mesh-strip .app=${app}></hgp-mesh-strip>
-      <main id="drop" class=${hasModel ? 'has-model' : 'no-model'} data-sheet=${ui.sheet}>
+      <main
+        id="drop"
+        class=${hasModel ? 'has-model' : 'no-model'}
+        data-sheet=${ui.sheet}
+        data-map=${doc.displayed ? 'shown' : 'none'}
+      >
         ${this.#tabs(hasModel)} ${this.#surfacePane(hasModel)} ${this.#splitter(hasModel)}
         ${this.#mapPane(hasModel)}
         ${hasModel ? this.#side() : html`<hgp-start-page .app=${app}></hgp-start-page>`}

@@ -7,13 +7,17 @@ const usual = 32; // field of view in degrees
 const parallel = 1; // so narrow that parallel lines look parallel
 const glideTime = 150; // milliseconds
 
+/** Three quarters from the front, which is +Z in glTF, and from above. */
 const startFrom = new Vector3(0.5, 0.38, 0.78).normalize();
+const margin = 1.16; // of the distance at which the model touches the edges: tools cover them
+const mostPoints = 20_000; // of the model that framing looks at
 
 export class Orbit {
   readonly controls: OrbitControls;
   readonly #camera: PerspectiveCamera;
   #radius = 1;
   #center = new Vector3();
+  #places: ArrayLike<number> = [];
   #isTouched = false;
 
   constructor(camera: PerspectiveCamera, canvas: HTMLCanvasElement, onChange: () => void) {
@@ -28,14 +32,13 @@ export class Orbit {
     this.controls.addEventListener('start', () => (this.#isTouched = true));
   }
 
-  frame(center: Vector3, radius: number, keepDirection = false): void {
+  /** Shows a model, given by a bounding sphere and the coordinates of its points, as large as it fits. */
+  frame(center: Vector3, radius: number, places: ArrayLike<number>): void {
     this.#center = center.clone();
     this.#radius = radius || 1;
+    this.#places = places;
     this.#isTouched = false;
-    const direction = keepDirection
-      ? this.#camera.position.clone().sub(this.controls.target).normalize()
-      : startFrom;
-    this.#place(direction);
+    this.#place(startFrom);
   }
 
   /** Fits the model again after the view's shape has changed, unless the user has moved the camera. */
@@ -52,13 +55,42 @@ export class Orbit {
   }
 
   #place(direction: Vector3): void {
-    const half = MathUtils.degToRad(this.#camera.fov / 2);
-    const narrow = Math.atan(Math.tan(half) * Math.min(1, this.#camera.aspect));
-    const distance = (1.12 * this.#radius) / Math.sin(narrow);
-    this.controls.target.copy(this.#center);
-    this.#camera.position.copy(direction).multiplyScalar(distance).add(this.#center);
+    const { target, distance } = this.#fitted(direction);
+    this.controls.target.copy(target);
+    this.#camera.position.copy(direction).multiplyScalar(distance).add(target);
     this.controls.update();
     this.#setDepth();
+  }
+
+  /** Where to look, and from how far, so that all points are in the view and as much room is left as right. */
+  #fitted(direction: Vector3): { target: Vector3; distance: number } {
+    const right = new Vector3(0, 1, 0).cross(direction).normalize();
+    const up = direction.clone().cross(right);
+    const high = Math.tan(MathUtils.degToRad(this.#camera.fov / 2));
+    const wide = high * this.#camera.aspect;
+    const target = this.#center.clone();
+    const point = new Vector3();
+    const step = 3 * Math.max(1, Math.ceil(this.#places.length / 3 / mostPoints));
+    let distance = (this.#radius * margin) / Math.sin(Math.atan(Math.min(high, wide)));
+    // The picture is centred for one distance, and the distance found for that centre, in turn.
+    for (let round = 0; round < 3 && this.#places.length > 0; round++) {
+      const [low, far] = [new Vector3(Infinity, Infinity), new Vector3(-Infinity, -Infinity)];
+      let nearest = 0;
+      for (let i = 0; i < this.#places.length; i += step) {
+        point.set(this.#places[i], this.#places[i + 1], this.#places[i + 2]).sub(target);
+        const [x, y, z] = [point.dot(right), point.dot(up), point.dot(direction)];
+        if (!Number.isFinite(x + y + z)) continue;
+        nearest = Math.max(nearest, z + Math.abs(x) / wide, z + Math.abs(y) / high);
+        const depth = Math.max(distance - z, 1e-3 * distance);
+        low.min(point.set(x / depth, y / depth, 0));
+        far.max(point);
+      }
+      if (nearest > 0) distance = nearest * margin;
+      if (round === 2) break;
+      target.addScaledVector(right, (distance * (low.x + far.x)) / 2);
+      target.addScaledVector(up, (distance * (low.y + far.y)) / 2);
+    }
+    return { target, distance };
   }
 
   #setDepth(): void {

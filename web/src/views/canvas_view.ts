@@ -36,9 +36,8 @@ export abstract class CanvasView {
     this.#uploads = new SlicedUploads(this.renderer.getContext() as WebGL2RenderingContext);
     // Checking for errors waits until a program is compiled, and users could not act on the result.
     this.renderer.debug.checkShaderErrors = import.meta.env.DEV;
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.setClearColor(new Color(0), 0);
-    new ResizeObserver(() => this.resize()).observe(canvas);
+    this.#followSize();
     // Prevented, so that the browser restores the context as soon as it can; the renderer then
     // recreates everything itself.
     canvas.addEventListener('webglcontextlost', (event) => {
@@ -49,6 +48,7 @@ export abstract class CanvasView {
     });
     canvas.addEventListener('webglcontextrestored', () => {
       this.#isLost = false;
+      this.onRestored();
       this.onContext?.(false);
       this.draw();
     });
@@ -99,10 +99,25 @@ export abstract class CanvasView {
     return this.canvas.clientWidth === 0 || this.canvas.clientHeight === 0;
   }
 
+  /** Draws again when the canvas changes, also in pixels: zoomed, or moved to a screen with smaller ones. */
+  #followSize(): void {
+    const observer = new ResizeObserver(() => this.resize());
+    try {
+      observer.observe(this.canvas, { box: 'device-pixel-content-box' });
+    } catch {
+      observer.observe(this.canvas); // in Safari
+    }
+  }
+
+  get #pixelRatio(): number {
+    return Math.min(devicePixelRatio, 2);
+  }
+
   /** Whether canvas and drawing buffer differ in size. A new buffer waits until the card has finished everything. */
   get #isOutgrown(): boolean {
     const { x, y } = this.renderer.getSize(new Vector2());
-    return x !== this.canvas.clientWidth || y !== this.canvas.clientHeight;
+    const isSharp = this.renderer.getPixelRatio() === this.#pixelRatio;
+    return !isSharp || x !== this.canvas.clientWidth || y !== this.canvas.clientHeight;
   }
 
   get #isUnsized(): boolean {
@@ -151,9 +166,13 @@ export abstract class CanvasView {
 
   #takeSize(): void {
     const { clientWidth, clientHeight } = this.canvas;
-    this.renderer.setSize(clientWidth, clientHeight, false);
+    // Both at once: each of the calls for one of them would make a buffer.
+    this.renderer.setDrawingBufferSize(clientWidth, clientHeight, this.#pixelRatio);
     this.onResize(clientWidth, clientHeight);
   }
+
+  /** Called when the context is restored: textures that were drawn are empty. */
+  protected onRestored(): void {}
 
   protected abstract onResize(width: number, height: number): void;
 

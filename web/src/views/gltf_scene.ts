@@ -1,16 +1,14 @@
 // The model with its own materials, read by three.js from a glTF: one mesh, placed by its first
-// node. This module is loaded only for a glTF.
+// node. This module is loaded only for a glTF. The 3D view lights it.
 
 import {
-  AmbientLight,
   type BufferGeometry,
-  DirectionalLight,
   Group,
-  HemisphereLight,
   LoadingManager,
   type Material,
   Matrix4,
   Mesh,
+  type MeshStandardMaterial,
   type Object3D,
   type Texture,
 } from 'three';
@@ -101,6 +99,23 @@ function atRest(object: Object3D, matrix: Matrix4): Group {
   return group;
 }
 
+const crease = Math.PI / 5; // a larger angle between triangles is shown as an edge
+const mostForCreases = 60_000; // triangles: finding creases in more of them would block the page
+
+/** Gives meshes without normals smooth ones: glTF prescribes flat triangles, which hide the shape. */
+async function smooth(group: Group): Promise<void> {
+  const { toCreasedNormals } = await import('three/addons/utils/BufferGeometryUtils.js');
+  group.traverse((part) => {
+    const mesh = part as Mesh<BufferGeometry, MeshStandardMaterial>;
+    if (!mesh.isMesh || mesh.geometry.attributes.normal) return;
+    const { geometry } = mesh;
+    const corners = geometry.index?.count ?? geometry.attributes.position.count;
+    if (corners / 3 <= mostForCreases) mesh.geometry = toCreasedNormals(geometry, crease);
+    else geometry.computeVertexNormals();
+    for (const one of [mesh.material].flat()) one.flatShading = false;
+  });
+}
+
 /** A copy in which the length in the header of a GLB includes all chunks that are read. */
 function withRightLength(bytes: Uint8Array): Uint8Array<ArrayBuffer> {
   const copy = bytes.slice();
@@ -122,10 +137,7 @@ export async function loadGltfMesh(source: Source): Promise<Group> {
     const mesh = surfaceMeshes(gltf.parser.json as Json)[source.mesh];
     const object = (await gltf.parser.getDependency('mesh', mesh)) as Object3D;
     const group = atRest(object, new Matrix4().fromArray(source.matrix));
-    const light = new DirectionalLight(0xffffff, 2);
-    light.position.set(0.4, 0.8, 1);
-    const sky = new HemisphereLight(0xffffff, 0x8d8d8d, 1.2);
-    group.add(new AmbientLight(0xffffff, 0.7), sky, light);
+    await smooth(group);
     return group;
   } finally {
     free();

@@ -4,6 +4,7 @@ import {
   BufferGeometry,
   Color,
   type Group,
+  type Matrix3,
   Mesh,
   PerspectiveCamera,
   Raycaster,
@@ -28,6 +29,7 @@ import {
   type Palette,
 } from './pattern_material';
 import { chainColour, ticksOnSurface } from './seam_marks';
+import { StudioLight } from './studio_light';
 
 const highlightColour = new Color('#ff2d95');
 
@@ -44,6 +46,7 @@ export class ModelView extends CanvasView {
   readonly #wire = new Wire(1, true);
   readonly #light = new Lines(4.5, { order: 6, depth: false });
   readonly #cursor = new Lines(3, { order: 7, depth: false });
+  readonly #studio: StudioLight;
   #surface?: Surface;
   #solution?: Solution;
   #bvh?: MeshBVH;
@@ -60,7 +63,10 @@ export class ModelView extends CanvasView {
     this.#mesh.visible = false;
     this.#mesh.frustumCulled = false; // it is nearly always visible
     this.#ghost.setStyle(1.1, 0.75);
+    const { toStudio } = this.#mesh.material.uniforms;
+    this.#studio = new StudioLight(this.renderer, this.scene, toStudio.value as Matrix3);
     this.beforeDraw(() => {
+      this.#studio.turn(this.camera, this.orbit.controls.target);
       const eye = this.camera.position;
       for (const lines of [this.#seams, this.#crosses, this.#wire, this.#ticks, this.#handles]) {
         lines.lift(eye, this.orbit.lift);
@@ -73,6 +79,10 @@ export class ModelView extends CanvasView {
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     this.orbit.reshaped();
+  }
+
+  protected override onRestored(): void {
+    this.#studio.restore();
   }
 
   /** Shows a surface and its solution. A new surface is framed; a new solution keeps the camera. */
@@ -95,7 +105,7 @@ export class ModelView extends CanvasView {
       this.#mesh.geometry = surfaceGeometry(surface, solution, isNew ? undefined : before);
       this.#mesh.material.uniforms.isMirrored.value = surface.isMirrored;
       for (const markers of [this.#markers, this.#ghost]) markers.setLift(0.08 * surface.radius);
-      if (isNew) this.orbit.frame(new Vector3(...surface.center), surface.radius);
+      if (isNew) this.orbit.frame(new Vector3(...surface.center), surface.radius, surface.places);
     }
     this.#showOriginal();
     this.draw();
@@ -173,6 +183,7 @@ export class ModelView extends CanvasView {
       this.#original?.removeFromParent();
       this.#original = original;
       if (original) this.scene.add(original);
+      if (original) this.#studio.lightMaterials();
     }
     this.#isOriginalShown = isShown;
     this.#showOriginal();
@@ -242,7 +253,7 @@ export class ModelView extends CanvasView {
 
   #place(vertex: number): [number, number, number] {
     const { places } = this.#surface!;
-    return [places[3 * vertex], places[3 * vertex + 1], places[3 * vertex + 2]];
+    return [0, 1, 2].map((i) => places[3 * vertex + i]) as [number, number, number];
   }
   point(vertex: number): Vector3 {
     return new Vector3(...this.#place(vertex));

@@ -1,17 +1,19 @@
 // One material for everything: patterns computed from (u, v) in the shader, so that they are sharp at any
-// scale; overlays as a colour per corner; light from the viewer.
+// scale; overlays as a colour per corner; lit by the studio.
 
 import {
   Color,
   DataTexture,
   DoubleSide,
   GLSL3,
+  Matrix3,
   RepeatWrapping,
   ShaderMaterial,
   SRGBColorSpace,
   Texture,
 } from 'three';
 import type { Pattern } from '../model/types';
+import { irradiance } from './studio_light';
 
 const vertexShader = /* glsl */ `
 in vec4 tint;
@@ -39,6 +41,8 @@ uniform float scale;
 uniform float repeat; // number of tiles after which a texture repeats
 uniform bool isAligned;
 uniform float lit;
+uniform float irradiance[9];
+uniform mat3 toStudio; // from the coordinates of the eye
 uniform float dim;
 uniform bool isMirrored;
 uniform vec3 paper;
@@ -158,14 +162,19 @@ vec3 shade(vec2 p) {
   return paper;
 }
 
+// As in studio_light.ts.
+float reflected(vec3 n) {
+  float c[9] = irradiance;
+  return c[0] + c[1] * n.y + c[2] * n.z + c[3] * n.x + c[4] * n.x * n.y + c[5] * n.y * n.z
+    + c[6] * (3.0 * n.z * n.z - 1.0) + c[7] * n.x * n.z + c[8] * (n.x * n.x - n.y * n.y);
+}
+
 void main() {
   vec3 base = shade(vUv * scale);
   base = mix(base, vTint.rgb, vTint.a);
   bool isBack = gl_FrontFacing == isMirrored;
   vec3 n = normalize(vNormal + vec3(0.0, 0.0, 1e-12)) * (isBack ? -1.0 : 1.0);
-  float key = max(dot(n, normalize(vec3(0.35, 0.55, 0.75))), 0.0);
-  float fill = 0.5 + 0.5 * n.y;
-  float light = mix(1.0, 0.42 + 0.5 * key + 0.16 * fill, lit);
+  float light = mix(1.0, reflected(toStudio * n), lit);
   if (lit > 0.5 && isBack) light *= 0.55;
   base *= light;
   float grey = dot(base, vec3(0.3, 0.6, 0.1));
@@ -206,6 +215,8 @@ export function surfaceMaterial(isLit: boolean): ShaderMaterial {
       repeat: { value: 64 },
       isAligned: { value: false },
       lit: { value: isLit ? 1 : 0 },
+      irradiance: { value: irradiance },
+      toStudio: { value: new Matrix3() },
       dim: { value: 0 },
       isMirrored: { value: false },
       paper: { value: new Color(0xdfe5ec) },

@@ -5,6 +5,7 @@ import {
   BufferAttribute,
   BufferGeometry,
   Color,
+  type Matrix3,
   Mesh,
   PerspectiveCamera,
   Scene,
@@ -73,6 +74,9 @@ export class TurningView {
       .set(0, 0.55, 1)
       .setLength((0.94 * radius) / Math.sin((14 * Math.PI) / 180));
     this.#camera.lookAt(0, 0, 0);
+    this.#camera.updateMatrixWorld();
+    const { toStudio } = this.#mesh.material.uniforms;
+    (toStudio.value as Matrix3).setFromMatrix4(this.#camera.matrixWorld);
     this.#resize();
   }
 

@@ -1,6 +1,6 @@
 // budget: a short method for every call of the package
 // hgp::api::Session for JavaScript. Every call returns a plain object: its results, or `error` with
-// the JSON of the failure. No exception and no C++ object except the session crosses this boundary.
+// the JSON of the failure. No exception crosses this boundary, and no C++ object except sessions and stored results.
 #include <emscripten/bind.h>
 
 #include <array>
@@ -149,8 +149,9 @@ class Session {
     });
   }
 
-  void keep(const std::string& name) { session_.keep(name); }
-  bool recall(const std::string& name) { return session_.recall(name); }
+  /// The current result as an object that JavaScript must delete().
+  api::StoredResult storedResult() const { return session_.result(); }
+  bool use(const api::StoredResult& result) { return session_.use(result); }
 
   val quads(const std::string& name) const {
     return guarded([&] {
@@ -195,6 +196,7 @@ class Session {
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(hgp) {
+  emscripten::class_<api::StoredResult>("StoredResult");
   emscripten::class_<Session>("Session")
       .constructor<>()
       .function("load", &Session::load)
@@ -210,8 +212,8 @@ EMSCRIPTEN_BINDINGS(hgp) {
       .function("write", &Session::write)
       .function("measure", &Session::measure)
       .function("facts", &Session::facts)
-      .function("keep", &Session::keep)
-      .function("recall", &Session::recall)
+      .function("storedResult", &Session::storedResult)
+      .function("use", &Session::use)
       .function("loops", &Session::loops)
       .function("quads", &Session::quads);
   emscripten::function("neededDecoders", &neededDecoders);

@@ -1,4 +1,4 @@
-// node documents.mjs: writes package/documents.d.ts, the TypeScript of the JSON documents, from the
+// node documents.mjs: writes package/src/lib/documents.ts, the TypeScript of the JSON documents, from the
 // schemas that the command line follows as well. `npm run types` calls it; a test compares.
 
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
@@ -44,5 +44,5 @@ const style = await prettier.resolveConfig(path.join(root, 'package.json'));
 
 if (import.meta.filename === process.argv[1]) {
   const text = await declareDocuments(path.join(root, 'docs/schema'));
-  writeFileSync(path.join(root, 'wasm/package/documents.d.ts'), text);
+  writeFileSync(path.join(root, 'wasm/package/src/lib/documents.ts'), text);
 }

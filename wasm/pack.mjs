@@ -1,6 +1,7 @@
-// node pack.mjs MODULE_DIR OUT: builds the npm package from its sources, the module linked by Emscripten,
+// node pack.mjs MODULE_DIR OUT: builds the npm package from its TypeScript, the module linked by Emscripten,
 // the schemas and the decoders. Previous contents of OUT are removed.
 
+import { execFileSync } from 'node:child_process';
 import { copyFileSync, cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { packDecoders } from './decoders.mjs';
@@ -27,7 +28,12 @@ function withoutProcess(glue) {
 
 rmSync(out, { recursive: true, force: true });
 mkdirSync(out, { recursive: true });
-cpSync(path.join(root, 'wasm/package'), out, { recursive: true });
+for (const name of ['package.json', 'README.md', 'hgp.wasm.d.ts']) {
+  copyFileSync(path.join(root, 'wasm/package', name), path.join(out, name));
+}
+const compiler = path.join(root, 'node_modules/typescript/bin/tsc');
+const options = ['-p', path.join(root, 'wasm'), '--noEmit', 'false', '--outDir', out];
+execFileSync(process.execPath, [compiler, ...options], { stdio: 'inherit' });
 cpSync(path.join(root, 'docs/schema'), path.join(out, 'schema'), { recursive: true });
 for (const name of ['LICENSE', 'THIRD_PARTY_NOTICES.md']) {
   copyFileSync(path.join(root, name), path.join(out, name));

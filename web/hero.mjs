@@ -23,12 +23,11 @@ function vertexNormals(positions, triangles) {
 export async function heroModel() {
   const { bytes, file } = examples().find(({ id }) => id === 'figure');
   const core = await createCore();
-  core.load({ main: file, files: new Map([[file, new Uint8Array(bytes)]]) });
-  const { positions, triangles, uv, cornerToUv, uvToVertex, certificate } = core.parametrize({
+  const model = core.load({ main: file, files: new Map([[file, new Uint8Array(bytes)]]) });
+  const { positions, uv, cornerToUv, uvToVertex, triangles, certificate } = model.parametrize({
     q: 4,
     grid: { spacing: 0.14 }, // of the surface; one unit of uv is one tile
   });
-  core.free();
   const { certified, integerSeams, seamEdges } = certificate;
   if (!certified || integerSeams !== seamEdges)
     throw new Error('the model of the empty page is not certified and aligned');

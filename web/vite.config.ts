@@ -80,7 +80,7 @@ export default defineConfig({
   resolve: {
     alias: [
       { find: /^hgp$/, replacement: path.join(built, 'index.js') },
-      { find: /^hgp\/(?=worker|lib\/)/, replacement: `${built}/` },
+      { find: /^hgp\/(?=worker|gzip)/, replacement: `${built}/` },
     ],
   },
   build: {

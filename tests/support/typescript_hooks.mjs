@@ -13,7 +13,7 @@ const builtPackage = new URL('../../build/package/', import.meta.url);
 /** The file to which the page's bundler would resolve `specifier`, or undefined if Node resolves it itself. */
 function sourceOf(specifier, parent) {
   if (specifier === 'hgp') return new URL('index.js', builtPackage);
-  if (specifier.startsWith('hgp/lib/')) return new URL(specifier.slice(4), builtPackage);
+  if (specifier === 'hgp/gzip') return new URL('gzip.js', builtPackage);
   if (!/^\.{1,2}\//.test(specifier) || !parent?.endsWith('.ts')) return undefined;
   const url = new URL(`${specifier}.ts`, parent);
   return existsSync(fileURLToPath(url)) ? url : undefined;

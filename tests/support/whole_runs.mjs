@@ -38,9 +38,12 @@ export function runPackage(folder, file, runs) {
     let result;
     for (let i = 0; i < ${runs}; i++) {
       const before = process.cpuUsage();
-      core.load({ main: file, files: new Map([[file, new Uint8Array(readFileSync(file))]]) });
-      result = core.parametrize();
-      core.write();
+      const files = new Map([[file, new Uint8Array(readFileSync(file))]]);
+      const model = core.load({ main: file, files });
+      result = model.parametrize();
+      result.write();
+      result.free();
+      model.free();
       const { user, system } = process.cpuUsage(before);
       seconds.push((user + system) / 1e6);
     }

@@ -3,7 +3,7 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { Document } from '@gltf-transform/core';
+import { Document, NodeIO } from '@gltf-transform/core';
 import * as THREE from 'three';
 import { withClient } from './support.mjs';
 import { parametrizeGeometry } from '../../build/package/three.js';
@@ -174,3 +174,43 @@ test('a glTF-Transform document gets a new set in every mesh', () =>
       box.getAttribute('POSITION').getCount(),
     );
   }));
+
+test('what the adapters write is the certified map: verified in a file, and corner by corner', () =>
+  withClient(async (client) => {
+    const document = sampleDocument();
+    const results = new Map();
+    const onMesh = (mesh, result) => results.set(mesh, result);
+    await document.transform(seamless({ client, fix: { degenerate: true }, onMesh }));
+    assert.equal(results.size, 2);
+    for (const [mesh, { uv, cornerToUv }] of results) {
+      let corner = 0;
+      for (const primitive of mesh.listPrimitives()) {
+        const set = primitive.getAttribute('TEXCOORD_1').getArray();
+        for (const v of primitive.getIndices().getArray()) {
+          const i = cornerToUv[corner++];
+          const expected = [Math.fround(uv[2 * i]), Math.fround(1 - uv[2 * i + 1])];
+          assert.deepEqual([set[2 * v], set[2 * v + 1]], expected, `${mesh.getName()} ${corner}`);
+        }
+      }
+      assert.equal(corner, cornerToUv.length);
+    }
+    document.getRoot().listMeshes()[2].dispose(); // it is empty, which glTF does not allow
+    const bytes = await new NodeIO().writeBinary(document);
+    for (const surface of [0, 1]) {
+      const model = await client.load(bytes, { name: 'both.glb', surface });
+      const certificate = await model.verify({ uvSet: 1 });
+      assert.equal(certificate.certified, true, `mesh ${surface}`);
+      assert.equal(certificate.precision, 'float32');
+    }
+    const { geometry, result } = await parametrizeGeometry(client, geometries.box());
+    const set = geometry.attributes.uv.array;
+    geometry.index.array.forEach((v, corner) => {
+      const i = result.cornerToUv[corner];
+      assert.deepEqual(
+        [set[2 * v], set[2 * v + 1]],
+        [uv32(result, 2 * i), uv32(result, 2 * i + 1)],
+      );
+    });
+  }));
+
+const uv32 = ({ uv }, i) => Math.fround(uv[i]);

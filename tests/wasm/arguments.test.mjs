@@ -9,7 +9,7 @@ import { bumpyDisk } from '../support/disk.mjs';
 import { cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
 import { built, bytesOf, createClient, HgpError, root, withClient } from './support.mjs';
 
-const { optionsOf } = await import(path.join(built, 'lib/options.js'));
+const { optionsOf } = await import(path.join(built, 'lib/check_options.js'));
 const disk = bytesOf(bumpyDisk(4));
 const cube = cubeMesh(3);
 
@@ -27,8 +27,9 @@ async function refused(client, call, message) {
 
 test('wrong arguments are usage errors, and the model stays loaded', () =>
   withClient(async (client) => {
-    await client.load(disk, { name: 'disk.obj' });
-    const { positions, triangles } = await client.surface();
+    const model = await client.load(disk, { name: 'disk.obj' });
+    const map = await model.parametrize({ boundary: 'convex' });
+    const { positions, triangles } = await model.surface();
     const big = BigInt64Array.from([0n, 1n, 2n]);
     for (const [call, message] of [
       [() => client.load(null), /not null/],
@@ -38,17 +39,19 @@ test('wrong arguments are usage errors, and the model stays loaded', () =>
       [() => client.load(disk, { nmae: 'x.obj' }), /no option 'nmae'/],
       [() => client.load(disk, { weld: '1' }), /weld is a number of at least 0, not '1'/],
       [() => client.load(disk, { fix: { orientt: true } }), /fix.orientt/],
-      [() => client.parametrize({ Q: 6 }), /did you mean 'q'/],
-      [() => client.parametrize({ cone: { q: 4, cones: [] } }), /did you mean 'cones'/],
-      [() => client.parametrize({ q: '6' }), /q is an integer from 1 to 64, not '6'/],
-      [() => client.parametrize({ q: 4.5 }), /not 4.5/],
-      [() => client.parametrize({ cones: [{ vertex: 1, k: 3 }] }), /cones is \{ q, cones/],
-      [() => client.parametrize({ boundary: 'round' }), /'free' or 'convex', not 'round'/],
-      [() => client.parametrize(4), /an object, not 4/],
-      [() => client.check([]), /not an array/],
-      [() => client.readCones({ name: 'x.cones' }), /\{ name, text \}/],
-      [() => client.verify({ tolerance: -1 }), /tolerance/],
-      [() => client.write({ uvSet: 'last' }), /uvSet/],
+      [() => model.parametrize({ Q: 6 }), /did you mean 'q'/],
+      [() => model.parametrize({ cone: { q: 4, cones: [] } }), /did you mean 'cones'/],
+      [() => model.parametrize({ q: '6' }), /q is an integer from 1 to 64, not '6'/],
+      [() => model.parametrize({ q: 4.5 }), /not 4.5/],
+      [() => model.parametrize({ cones: [{ vertex: 1, k: 3 }] }), /cones is \{ q, cones/],
+      [() => model.parametrize({ boundary: 'round' }), /'free' or 'convex', not 'round'/],
+      [() => model.parametrize(4), /an object, not 4/],
+      [() => model.parametrize({}, { sginal: undefined }), /no option 'sginal'/],
+      [() => model.inspect({ signal: 4 }), /signal is an AbortSignal, not 4/],
+      [() => model.check([]), /not an array/],
+      [() => model.readCones({ name: 'x.cones' }), /\{ name, text \}/],
+      [() => model.verify({ tolerance: -1 }), /tolerance/],
+      [() => map.write({ uvSet: 'last' }), /uvSet/],
       [() => client.parametrizeMesh(), /\{ positions, triangles/],
       [() => client.parametrizeMesh({ triangles }), /positions are numbers/],
       [() => client.parametrizeMesh({ positions: positions.subarray(1), triangles }), /there are/],
@@ -60,17 +63,23 @@ test('wrong arguments are usage errors, and the model stays loaded', () =>
     ]) {
       await refused(client, call, message);
     }
-    assert.equal((await client.inspect()).file.name, 'disk.obj');
+    assert.equal((await model.inspect()).file.name, 'disk.obj');
+    assert.equal((await map.write()).name, 'disk.obj');
+    await assert.rejects(createClient({ wasmURL: 'hgp.wasm' }), {
+      code: 'usage',
+      message: /did you mean 'wasmUrl'/,
+    });
   }));
 
 test('the options that are checked are those that are declared, and those that the core reads', () => {
-  const types = readFileSync(path.join(built, 'options.d.ts'), 'utf8');
-  const declared = (name) => {
-    const [, base, body] = types.match(
+  const types = readFileSync(path.join(built, 'lib/options.d.ts'), 'utf8');
+  const ofClient = readFileSync(path.join(built, 'lib/client.d.ts'), 'utf8');
+  const declared = (name, from = types) => {
+    const [, base, body] = from.match(
       new RegExp(`interface ${name}(?: extends (\\w+))? {\\n([^]*?)\\n}`),
     );
-    const own = [...body.matchAll(/^ {2}(\w+)\?:/gm)].map((match) => match[1]);
-    return [...own, ...(base ? declared(base) : [])].sort();
+    const own = [...body.matchAll(/^ {4}(\w+)\?[:(]/gm)].map((match) => match[1]);
+    return [...own, ...(base ? declared(base, from) : [])].sort();
   };
   const checked = (call) => Object.keys(optionsOf[call]).sort();
   assert.deepEqual(checked('load'), declared('LoadOptions'));
@@ -78,6 +87,12 @@ test('the options that are checked are those that are declared, and those that t
   assert.deepEqual(checked('parametrize'), declared('SolveOptions'));
   assert.deepEqual(checked('verify'), declared('VerifyOptions'));
   assert.deepEqual(checked('write'), declared('WriteOptions'));
+  assert.deepEqual(checked('loadMesh'), declared('MeshLoadOptions'));
+  assert.deepEqual(checked('quads'), declared('QuadOptions'));
+  assert.deepEqual(checked('createClient'), declared('ClientOptions', ofClient + types));
+  assert.deepEqual(checked('call'), declared('CallOptions', ofClient));
+  const [, combined] = types.match(/type CombineOptions = Pick<WriteOptions, ([^>]*)>/);
+  assert.deepEqual(checked('combine'), combined.match(/\w+/g).sort());
   assert.ok(
     checked('parametrizeFile').includes('keepGoing') &&
       !checked('parametrizeFile').includes('cones'),
@@ -85,7 +100,8 @@ test('the options that are checked are those that are declared, and those that t
 
   const core = readFileSync(path.join(root, 'wasm/options.h'), 'utf8');
   const read = new Set([...core.matchAll(/option\(options, "(\w+)"/g)].map((match) => match[1]));
-  const known = Object.values(optionsOf).flatMap((fields) => Object.keys(fields));
+  const { createClient: _start, call: _call, ...ofCore } = optionsOf;
+  const known = Object.values(ofCore).flatMap((fields) => Object.keys(fields));
   assert.deepEqual([...read].filter((name) => !known.includes(name)).sort(), []);
   const elsewhere = ['cones', 'write']; // a text of its own; an object that is passed on
   assert.deepEqual(
@@ -99,13 +115,13 @@ test('load accepts byte arrays, buffers, views, Blobs and sets of files', () =>
     const glb = toGlb([cube]);
     const buffer = glb.buffer.slice(glb.byteOffset, glb.byteOffset + glb.byteLength);
     for (const source of [glb, buffer, new DataView(buffer), new Blob([glb])]) {
-      await client.load(source);
-      await client.parametrize();
+      const model = await client.load(source);
+      const map = await model.parametrize();
       // Bytes have no name; what is written is called after what they were.
-      assert.match((await client.write()).name, /\.glb$/);
+      assert.match((await map.write()).name, /\.glb$/);
     }
     const files = { 'cube.obj': bytesOf(toObj(cube)) };
-    assert.equal((await client.load({ main: 'cube.obj', files })).triangles, 108);
+    assert.equal((await client.load({ main: 'cube.obj', files })).info.triangles, 108);
   }));
 
 test('gzip is decompressed, every member of it, up to the limit', () =>
@@ -113,7 +129,9 @@ test('gzip is decompressed, every member of it, up to the limit', () =>
     const text = toObj(cube);
     const half = text.indexOf('\nf ') + 1;
     const parts = [text.slice(0, half), text.slice(half)].map((part) => gzipSync(part));
-    const info = await client.load(new Uint8Array(Buffer.concat(parts)), { name: 'cube.obj.gz' });
+    const { info } = await client.load(new Uint8Array(Buffer.concat(parts)), {
+      name: 'cube.obj.gz',
+    });
     assert.equal(info.file.name, 'cube.obj');
     assert.equal(info.triangles, 108);
     const bomb = gzipSync(Buffer.alloc(1 << 24, ' '));
@@ -141,13 +159,15 @@ test('gzip: a wrong or missing byte is an error; bytes after the last member are
       await assert.rejects(client.load(cut, { name: 'a.obj.gz' }), damaged, `${missing}`);
     }
     const followed = (...parts) =>
-      client.load(Buffer.concat([all, ...parts]), { name: 'a.obj.gz' }).then(({ notes }) => notes);
+      client
+        .load(Buffer.concat([all, ...parts]), { name: 'a.obj.gz' })
+        .then(({ info }) => info.notes);
     assert.deepEqual(await followed(Buffer.alloc(512)), []);
     assert.deepEqual(await followed(Buffer.from('rubbish')), [
       'ignored: 7 bytes after the gzip data',
     ]);
     const zeros = Buffer.concat([members[0], Buffer.alloc(100), members[1]]);
-    assert.equal((await client.load(zeros, { name: 'a.obj.gz' })).triangles, 108);
+    assert.equal((await client.load(zeros, { name: 'a.obj.gz' })).info.triangles, 108);
   }));
 
 test('arrays: vertices at the same place are joined, unless that is not wanted', () =>
@@ -162,23 +182,23 @@ test('arrays: vertices at the same place are joined, unless that is not wanted',
 
 test('a signal rejects with its own reason', () =>
   withClient(async (client) => {
-    await client.load(disk, { name: 'disk.obj' });
+    const model = await client.load(disk, { name: 'disk.obj' });
     const reason = new Error('the user left');
-    await assert.rejects(client.inspect({ signal: AbortSignal.abort(reason) }), reason);
-    await client.load(bytesOf(bumpyDisk(60)), { name: 'large.obj' });
-    await assert.rejects(client.parametrize({}, { signal: AbortSignal.timeout(20) }), {
+    await assert.rejects(model.inspect({ signal: AbortSignal.abort(reason) }), reason);
+    const large = await client.load(bytesOf(bumpyDisk(60)), { name: 'large.obj' });
+    await assert.rejects(large.parametrize({}, { signal: AbortSignal.timeout(20) }), {
       name: 'TimeoutError',
     });
   }));
 
 test('a throw in onProgress rejects the call, and the next call works', () =>
   withClient(async (client) => {
-    await client.load(bytesOf(bumpyDisk(40)), { name: 'large.obj' });
+    const model = await client.load(bytesOf(bumpyDisk(40)), { name: 'large.obj' });
     const onProgress = () => {
       throw new RangeError('my own mistake');
     };
-    await assert.rejects(client.parametrize({}, { onProgress }), RangeError);
-    assert.equal((await client.inspect()).usable, true);
+    await assert.rejects(model.parametrize({}, { onProgress }), RangeError);
+    assert.equal((await model.inspect()).usable, true);
   }));
 
 test('unavailable WebAssembly is reported as an error', async () => {

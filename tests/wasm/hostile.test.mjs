@@ -13,7 +13,7 @@ const limits = { bytes: 256 << 20, triangles: 2e5 };
 async function load(name, bytes) {
   const files = asFiles(name, new Uint8Array(bytes));
   await core.prepare(files);
-  return core.load(files, { limits });
+  core.load(files, { limits }).free();
 }
 
 // The largest are verified by the native suite, and here with scripts/test --full.
@@ -58,11 +58,12 @@ for (const [name, text] of Object.entries(texts)) {
 }
 
 test('the core still works afterwards', () => {
-  core.load(asFiles('disk.obj', bytesOf(bumpyDisk(5))));
-  assert.equal(core.parametrize({ boundary: 'convex' }).certificate.certified, true);
+  const model = core.load(asFiles('disk.obj', bytesOf(bumpyDisk(5))));
+  assert.equal(model.parametrize({ boundary: 'convex' }).certificate.certified, true);
 });
 
 test('cones and options of the wrong kind are errors, not results', () => {
+  const model = core.load(asFiles('disk.obj', bytesOf(bumpyDisk(5))));
   const cones = (list, q = 4) => ({ format: 'hgp-cones', version: 1, q, cones: list });
   for (const wrong of [
     cones([{ vertex: -1, k: 3 }]),
@@ -76,7 +77,7 @@ test('cones and options of the wrong kind are errors, not results', () => {
     {},
   ]) {
     assert.throws(
-      () => core.parametrize({ cones: wrong }),
+      () => model.parametrize({ cones: wrong }),
       (error) => {
         assert.ok(error instanceof HgpError, `${JSON.stringify(wrong)}: ${error.stack}`);
         assert.match(error.code, /^(prescription|malformed|usage)$/, JSON.stringify(wrong));

@@ -11,34 +11,37 @@ test('memory does not grow over fifty runs of every kind of call', async () => {
   const core = await createCore();
   const disk = asFiles('disk.obj', bytesOf(bumpyDisk(20)));
   const cube = asFiles('cube.glb', new Uint8Array(toGlb([cubeMesh(5)])));
+  const disk3 = new Float64Array([0, 0, 0, 1, 0, 0, 0, 1, 0]);
   const broken = asFiles('x.obj', bytesOf('v 0 0 0\nf 1 2 3\n'));
   const cancelled = asFiles('ring.obj', bytesOf(toObj(blocks(ring, { n: 3 }))));
   const run = () => {
     assert.throws(() => core.load(broken), HgpError);
-    core.load(disk);
-    core.parametrize({ boundary: 'convex' });
-    core.write();
-    core.load(cube);
-    const cones = core.suggestCones({ q: 4 });
-    core.check(cones);
-    core.parametrize({ cones });
-    core.write({ embedCones: true });
-    core.load(cancelled);
+    const flat = core.load(disk);
+    const polygon = flat.parametrize({ boundary: 'convex' });
+    polygon.write();
+    const model = core.load(cube);
+    const cones = model.suggestCones({ q: 4 });
+    model.check(cones);
+    const map = model.parametrize({ cones });
+    map.write({ embedCones: true });
+    const ring_ = core.load(cancelled);
     core.onProgress = () => false;
-    assert.throws(() => core.parametrize(), { code: 'cancelled' });
+    assert.throws(() => ring_.parametrize(), { code: 'cancelled' });
     core.onProgress = undefined;
+    for (const handle of [map, polygon, flat, model, ring_]) handle.free();
+    assert.throws(() => map.write(), { code: 'usage' });
+    assert.throws(() => model.inspect(), { code: 'usage' });
+    core.parametrizeMesh({ positions: disk3, triangles: [0, 1, 2] });
   };
   for (let i = 0; i < 5; i++) run();
   const settled = core.memory;
   for (let i = 0; i < 45; i++) run();
   assert.equal(core.memory, settled);
-  core.free();
-  assert.throws(() => core.inspect(), HgpError);
 });
 
-test('loading again frees the model before it', async () => {
+test('freed models leave their memory to the next', async () => {
   const core = await createCore();
-  const load = () => core.load(asFiles('disk.obj', bytesOf(bumpyDisk(60))));
+  const load = () => core.load(asFiles('disk.obj', bytesOf(bumpyDisk(60)))).free();
   load();
   const settled = core.memory;
   for (let i = 0; i < 20; i++) load();
@@ -68,10 +71,9 @@ test('a failed allocation is the error `limit`, wherever it happens, and the cor
   for (const room of [0, 4, 8, 12, 20, 28, 36].map((mb) => mb * 2 ** 20)) {
     const core = await createCore({ wasmModule });
     const work = () => {
-      core.load(asFiles('disk.obj', disk));
+      const model = core.load(asFiles('disk.obj', disk));
       core.onProgress = ({ stage }) => void stages.add(stage);
-      core.parametrize({ q: 4 });
-      core.write({ allowUncertified: true });
+      model.parametrize({ q: 4 }).write({ allowUncertified: true });
     };
     try {
       withRoom(room, work);
@@ -79,10 +81,9 @@ test('a failed allocation is the error `limit`, wherever it happens, and the cor
       assert.ok(error instanceof HgpError, `${error.stack}`);
       assert.equal(error.code, 'limit', error.message);
       assert.match(error.message, /memory/);
-      core.load(asFiles('small.obj', bytesOf(bumpyDisk(4))));
-      assert.equal(core.parametrize({ boundary: 'convex' }).certificate.certified, true);
+      const small = core.load(asFiles('small.obj', bytesOf(bumpyDisk(4))));
+      assert.equal(small.parametrize({ boundary: 'convex' }).certificate.certified, true);
     }
-    core.free();
   }
   assert.ok(stages.size > 2, `the memory ran out before ${[...stages]}`);
 });

@@ -126,9 +126,10 @@ for (const [what, files, options] of cases) {
     const put = () => names.forEach((name) => writeFileSync(path.join(folder, name), files[name]));
     put();
     const map = new Map(names.map((name) => [name, toBytes(files[name])]));
-    core.load({ main: names[0], files: map });
-    const result = core.parametrize(options);
-    const written = core.write();
+    const model = core.load({ main: names[0], files: map });
+    const result = model.parametrize(options);
+    const written = result.write();
+    model.free();
 
     const report = runNative(names[0], options, path.join(folder, written.name), [
       '--reproducible',

@@ -10,58 +10,44 @@ import { problems } from '../cli/schema.mjs';
 import { blocks, ring } from '../support/blocks.mjs';
 import { bumpyDisk } from '../support/disk.mjs';
 import { cubeCrosses, cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
-import { built, bytesOf, createClient, createCore, HgpError, withClient } from './support.mjs';
+import { built, bytesOf, createClient, HgpError, withClient } from './support.mjs';
 
 const bytes = bytesOf;
 const disk = (n) => bytes(bumpyDisk(n));
 const isValid = (schema, value) =>
   assert.deepEqual(problems(schema, value).slice(0, 5), [], schema);
 
-test('types name exactly what is exported', async () => {
-  for (const entry of ['index', 'core']) {
-    const declared = [
-      ...readFileSync(path.join(built, `${entry}.d.ts`), 'utf8').matchAll(
-        /^export (?:declare )?(?:function|class|const) (\w+)|^export \{ (\w+) \}/gm,
-      ),
-    ].map((match) => match[1] ?? match[2]);
+test('declarations say exactly which values are exported', async () => {
+  for (const entry of ['index', 'core', 'three', 'gltf-transform']) {
+    const text = readFileSync(path.join(built, `${entry}.d.ts`), 'utf8');
+    const own = text.matchAll(/^export declare (?:function|class|const) (\w+)/gm);
+    const passedOn = text.matchAll(/^export \{ ([^}]*) \} from/gm);
+    const names = [...passedOn].flatMap(([, list]) => list.split(', '));
+    const declared = [...[...own].map(([, name]) => name), ...names];
     const exported = Object.keys(await import(path.join(built, `${entry}.js`)));
-    assert.deepEqual([...new Set(declared)].sort(), exported.sort(), entry);
+    const values = declared.filter((name) => !name.startsWith('type '));
+    assert.deepEqual(values.sort(), exported.sort(), entry);
   }
-});
-
-test('types name exactly the methods that are there', async () => {
-  const declared = (file, name) => {
-    const text = readFileSync(path.join(built, file), 'utf8');
-    const [, body] = text.match(new RegExp(`(?:interface|class) ${name}\\b[^{]*{\\n([^]*?)\\n}`));
-    return [...body.matchAll(/^ {2}(\w+)\(/gm)].map((match) => match[1]).sort();
-  };
-  const own = (prototype) =>
-    Object.entries(Object.getOwnPropertyDescriptors(prototype))
-      .filter(([name, { value }]) => typeof value === 'function' && name !== 'constructor')
-      .map(([name]) => name)
-      .sort();
-  const core = await createCore();
-  assert.deepEqual(own(Object.getPrototypeOf(core)), declared('core.d.ts', 'Core'));
-  core.free();
-  await withClient((client) => {
-    assert.deepEqual(own(Object.getPrototypeOf(client)), declared('index.d.ts', 'Client'));
-  });
+  const inNode = Object.keys(await import(path.join(built, 'node/core.js'))).sort();
+  assert.deepEqual(inNode, Object.keys(await import(path.join(built, 'core.js'))).sort());
 });
 
 test('every document follows the schema that the command line uses', () =>
   withClient(async (client) => {
-    isValid('hgp-inspect', await client.load(bytes(toObj(blocks(ring))), { name: 'ring.obj' }));
-    const cones = await client.suggestCones({ q: 4 });
+    const model = await client.load(bytes(toObj(blocks(ring))), { name: 'ring.obj' });
+    isValid('hgp-inspect', model.info);
+    const cones = await model.suggestCones({ q: 4 });
     isValid('hgp-cones', cones);
-    isValid('hgp-check', await client.check(cones));
-    isValid('hgp-check', await client.check({ ...cones, cones: [{ vertex: 0, k: 1 }] }));
-    const { report, certificate } = await client.parametrize({ cones });
+    isValid('hgp-check', await model.check(cones));
+    isValid('hgp-check', await model.check({ ...cones, cones: [{ vertex: 0, k: 1 }] }));
+    const map = await model.parametrize({ cones });
+    const { report, certificate } = map;
     isValid('hgp-report', report);
     isValid('hgp-certificate', certificate);
     isValid('hgp-cones', report.cones);
-    const { bytes: mapped, name } = await client.write();
-    await client.load(mapped, { name });
-    isValid('hgp-certificate', await client.verify({ cones }));
+    const { bytes: mapped, name } = await map.write();
+    const again = await client.load(mapped, { name });
+    isValid('hgp-certificate', await again.verify({ cones }));
     const failure = await client.load(bytes('v 1'), { name: 'x.obj' }).catch((error) => error);
     const { code, message, details } = failure;
     isValid('hgp-error', { format: 'hgp-error', version: 1, code, message, ...details });
@@ -73,26 +59,26 @@ test('cones embedded in a file are found again', () =>
       ['cube.glb', new Uint8Array(toGlb([cubeMesh(4)]))],
       ['cube.obj', bytes(toObj(cubeMesh(4)))],
     ]) {
-      await client.load(file, { name });
-      assert.equal(await client.embeddedCones(), null, name);
-      const first = await client.parametrize({ q: 4 });
+      const model = await client.load(file, { name });
+      assert.equal(await model.embeddedCones(), null, name);
+      const first = await model.parametrize({ q: 4 });
       const { cones } = first;
-      const written = await client.write({ embedCones: true });
-      await client.load(written.bytes, { name });
-      const found = await client.embeddedCones();
+      const written = await first.write({ embedCones: true });
+      const reread = await client.load(written.bytes, { name });
+      const found = await reread.embeddedCones();
       isValid('hgp-cones', found);
       assert.deepEqual(found.cones, cones.cones, name);
-      assert.equal((await client.verify({ cones: found })).certified, true, name);
-      const again = await client.parametrize();
+      assert.equal((await reread.verify({ cones: found })).certified, true, name);
+      const again = await reread.parametrize();
       assert.deepEqual(again.uv, first.uv, `${name}: its own cones give its own map`);
     }
   }));
 
 test('load, inspect, parametrize, write, verify', () =>
   withClient(async (client) => {
-    const info = await client.load(disk(12), { name: 'disk.obj' });
-    assert.deepEqual(await client.inspect(), info);
-    const result = await client.parametrize({ boundary: 'convex' });
+    const model = await client.load(disk(12), { name: 'disk.obj' });
+    assert.deepEqual(await model.inspect(), model.info);
+    const result = await model.parametrize({ boundary: 'convex' });
     assert.equal(result.certificate.certified, true);
     assert.equal(result.triangles.length, 3 * 6 * 12 * 12);
     assert.equal(result.cornerToUv.length, result.triangles.length);
@@ -101,18 +87,19 @@ test('load, inspect, parametrize, write, verify', () =>
     for (let c = 0; c < result.triangles.length; c++) {
       assert.equal(result.uvToVertex[result.cornerToUv[c]], result.triangles[c]);
     }
-    const written = await client.write();
-    await client.load(written.bytes, { name: written.name });
-    assert.equal((await client.verify()).certified, true);
+    const written = await result.write();
+    const again = await client.load(written.bytes, { name: written.name });
+    assert.equal((await again.verify()).certified, true);
   }));
 
 test('a field brings its cones, and on request its directions as frames', () =>
   withClient(async (client) => {
     const mesh = cubeMesh(4);
     const field = { name: 'cube.rosy', text: cubeCrosses(mesh) };
-    await client.load(bytes(toObj(mesh)), { name: 'cube.obj' });
+    const model = await client.load(bytes(toObj(mesh)), { name: 'cube.obj' });
     for (const frames of ['auto', 'file']) {
-      const { certificate, cones, report } = await client.parametrize({ field, frames });
+      const map = await model.parametrize({ field, frames });
+      const { certificate, cones, report } = map;
       assert.equal(certificate.certified, true, frames);
       assert.equal(report.options.frames, frames);
       isValid('hgp-report', report);
@@ -120,10 +107,10 @@ test('a field brings its cones, and on request its directions as frames', () =>
         cones.cones.map(({ k }) => k),
         Array(8).fill(3),
       );
+      const { bytes: mapped, name } = await map.write();
+      const again = await client.load(mapped, { name });
+      assert.equal((await again.verify({ field })).certified, true);
     }
-    const { bytes: mapped, name } = await client.write();
-    await client.load(mapped, { name });
-    assert.equal((await client.verify({ field })).certified, true);
     // A flat square whose crosses all stand at 0.3: the map turns them onto its axes.
     const square = {
       positions: new Float64Array([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0]),
@@ -144,7 +131,7 @@ test('a field brings its cones, and on request its directions as frames', () =>
 test('frames that are not there, or contradict the cones, are refused', () =>
   withClient(async (client) => {
     const mesh = cubeMesh(2);
-    await client.load(bytes(toObj(mesh)), { name: 'cube.obj' });
+    const model = await client.load(bytes(toObj(mesh)), { name: 'cube.obj' });
     const field = { name: 'cube.rosy', text: cubeCrosses(mesh) };
     const nowhere = { q: 4, cones: [8, 9].map((vertex) => ({ vertex, k: 3 })) };
     const bare = { name: 'bare.cones', text: 'q 4\ncones 0\nmatchings 0\n' };
@@ -159,7 +146,7 @@ test('frames that are not there, or contradict the cones, are refused', () =>
         /k = 4 where the list of cones says 3/,
       ],
     ]) {
-      const failure = await client.parametrize(options).catch((error) => error);
+      const failure = await model.parametrize(options).catch((error) => error);
       assert.ok(failure instanceof HgpError);
       assert.equal(failure.code, code, failure.message);
       assert.match(failure.message, text);
@@ -168,11 +155,11 @@ test('frames that are not there, or contradict the cones, are refused', () =>
 
 test('the surface is available before any solve, and cone files of other programs are read for it', () =>
   withClient(async (client) => {
-    const { vertices } = await client.load(disk(6), { name: 'disk.obj' });
-    const surface = await client.surface();
-    assert.equal(surface.positions.length, 3 * vertices);
+    const model = await client.load(disk(6), { name: 'disk.obj' });
+    const surface = await model.surface();
+    assert.equal(surface.positions.length, 3 * model.info.vertices);
     assert.equal(surface.triangles.length, 3 * 6 * 6 * 6);
-    const cones = await client.readCones({
+    const cones = await model.readCones({
       name: 'cones.obj',
       text: `${bumpyDisk(6)}c 1 1.5\n`,
       q: 4,
@@ -189,11 +176,11 @@ test('the repaired surface is reported, and nothing where there was no repair', 
     const fin = [...triangles, [triangles[0][0], triangles[0][1], vertices.length]];
     const mesh = { vertices: [...vertices, [-2, -2, -2]], triangles: fin };
     const file = bytes(toObj(mesh));
-    await client.load(file, { name: 'fin.obj', strict: true });
-    assert.equal((await client.surface()).repaired, undefined);
-    assert.equal((await client.load(file, { name: 'fin.obj' })).usable, true);
-    await client.load(file, { name: 'fin.obj', fix: { split: true } });
-    const { repaired } = await client.surface();
+    const asItIs = await client.load(file, { name: 'fin.obj', strict: true });
+    assert.equal((await asItIs.surface()).repaired, undefined);
+    assert.equal((await client.load(file, { name: 'fin.obj' })).info.usable, true);
+    const model = await client.load(file, { name: 'fin.obj', fix: { split: true } });
+    const { repaired } = await model.surface();
     assert.equal(repaired.triangles.length, 3 * fin.length);
     assert.ok(repaired.vertexOrigin.length > mesh.vertices.length);
     assert.equal(repaired.vertexImage.length, mesh.vertices.length);
@@ -206,21 +193,26 @@ test('repairs are written into the file where that is asked for', () =>
     const { vertices, triangles } = cubeMesh(3);
     const turned = triangles.map((t, f) => (f % 9 === 2 ? [t[0], t[2], t[1]] : t));
     const file = bytes(toObj({ vertices, triangles: turned }));
-    await client.load(file, { name: 'turned.obj', writeRepairs: true });
-    const { report } = await client.parametrize();
+    const model = await client.load(file, { name: 'turned.obj', writeRepairs: true });
+    const map = await model.parametrize();
+    const { report } = map;
     assert.equal(report.repairsWritten.facesTurned, turned.filter((_, f) => f % 9 === 2).length);
-    const { files } = await client.write();
-    await client.load(files[0].bytes, { name: 'out.obj', strict: true });
-    assert.equal((await client.verify()).certified, true);
+    const { files } = await map.write();
+    const again = await client.load(files[0].bytes, { name: 'out.obj', strict: true });
+    assert.equal((await again.verify()).certified, true);
   }));
 
 test('the raw-array path gives the same map as the file', () =>
   withClient(async (client) => {
-    await client.load(disk(6), { name: 'disk.obj' });
-    const fromFile = await client.parametrize({ boundary: 'convex' });
+    const model = await client.load(disk(6), { name: 'disk.obj' });
+    const fromFile = await model.parametrize({ boundary: 'convex' });
     const { positions, triangles } = fromFile;
     const fromArrays = await client.parametrizeMesh({ positions, triangles, boundary: 'convex' });
     assert.deepEqual(fromArrays.uv, fromFile.uv);
+    const loaded = await client.loadMesh({ positions, triangles });
+    const map = await loaded.parametrize({ boundary: 'convex' });
+    assert.deepEqual(map.uv, fromFile.uv);
+    assert.equal((await map.write()).name, 'mesh.obj');
   }));
 
 test('a file that is no mesh is an HgpError with the code of the command line', () =>
@@ -233,15 +225,9 @@ test('a file that is no mesh is an HgpError with the code of the command line', 
     await client.load(disk(3), { name: 'disk.obj' }); // and the client goes on
   }));
 
-test('a call without a model is a usage error and the client keeps working', () =>
-  withClient(async (client) => {
-    await assert.rejects(client.inspect(), HgpError);
-    await assert.rejects(client.write(), HgpError);
-  }));
-
 test('cancel in the middle of a solve: AbortError, and the next call works', () =>
   withClient(async (client) => {
-    const { triangles } = await client.load(disk(60), { name: 'disk.obj' });
+    const model = await client.load(disk(60), { name: 'disk.obj' });
     const controller = new AbortController();
     const seen = [];
     let isRejected = false;
@@ -252,7 +238,7 @@ test('cancel in the middle of a solve: AbortError, and the next call works', () 
       controller.abort();
       setImmediate(() => (isRejectedAtOnce = isRejected));
     };
-    const solving = client.parametrize({ q: 4 }, { signal: controller.signal, onProgress });
+    const solving = model.parametrize({ q: 4 }, { signal: controller.signal, onProgress });
     solving.catch(() => (isRejected = true));
     await assert.rejects(solving, { name: 'AbortError' });
     await new Promise((done) => setTimeout(done));
@@ -261,10 +247,10 @@ test('cancel in the middle of a solve: AbortError, and the next call works', () 
     const last = seen.at(-1);
     assert.ok(last.iteration >= 0 && last.residual >= 0 && last.stage.length > 0);
     assert.ok(last.round >= 1 && last.maxRounds >= last.round);
-    assert.equal((await client.inspect()).triangles, triangles); // a fresh worker has the model again
+    assert.deepEqual(await model.inspect(), model.info); // a fresh worker has the model again
     assert.ok(performance.now() - begin < 5000);
-    await client.load(disk(4), { name: 'disk.obj' });
-    assert.equal((await client.parametrize({ boundary: 'convex' })).certificate.certified, true);
+    const small = await client.load(disk(4), { name: 'disk.obj' });
+    assert.equal((await small.parametrize({ boundary: 'convex' })).certificate.certified, true);
   }));
 
 test('a worker that is killed in the middle of a solve: worker-lost, and the next call works', async () => {
@@ -275,7 +261,7 @@ test('a worker that is killed in the middle of a solve: worker-lost, and the nex
   };
   await withClient(
     async (client) => {
-      const { triangles } = await client.load(disk(60), { name: 'disk.obj' });
+      const model = await client.load(disk(60), { name: 'disk.obj' });
       let isKilled = false;
       const onProgress = ({ iteration }) => {
         if (iteration < 0 || isKilled) return;
@@ -283,9 +269,9 @@ test('a worker that is killed in the middle of a solve: worker-lost, and the nex
         void workers[0].terminate();
       };
       const lost = { code: 'worker-lost', message: /stopped unexpectedly \(exit code 1\)/ };
-      await assert.rejects(client.parametrize({ q: 4 }, { onProgress }), lost);
-      assert.equal((await client.inspect()).triangles, triangles); // a fresh worker has the model again
-      const { certificate } = await client.parametrize({ q: 4 });
+      await assert.rejects(model.parametrize({ q: 4 }, { onProgress }), lost);
+      assert.deepEqual(await model.inspect(), model.info); // a fresh worker has the model again
+      const { certificate } = await model.parametrize({ q: 4 });
       assert.deepEqual([certificate.certified, workers.length], [true, 2]);
     },
     { createWorker },
@@ -294,11 +280,11 @@ test('a worker that is killed in the middle of a solve: worker-lost, and the nex
 
 test('progress goes through the stages, at most ten times a second', () =>
   withClient(async (client) => {
-    await client.load(disk(50), { name: 'disk.obj' });
+    const model = await client.load(disk(50), { name: 'disk.obj' });
     const times = [];
     const stages = new Set();
     const begin = performance.now();
-    await client.parametrize(
+    await model.parametrize(
       { q: 4 },
       {
         onProgress: ({ stage, fraction }) => {
@@ -312,29 +298,18 @@ test('progress goes through the stages, at most ten times a second', () =>
     assert.ok(times.length <= 2 + (performance.now() - begin) / 100, `${times.length} reports`);
   }));
 
-test('an aborted call that still waits leaves the running one alone', () =>
+test('ready starts a worker in advance, with the models', () =>
   withClient(async (client) => {
-    await client.load(disk(20), { name: 'disk.obj' });
+    const model = await client.load(disk(8), { name: 'disk.obj' });
     const controller = new AbortController();
-    const first = client.parametrize({ boundary: 'convex' });
-    const second = client.inspect({ signal: controller.signal });
-    controller.abort();
-    await assert.rejects(second, { name: 'AbortError' });
-    assert.equal((await first).certificate.certified, true);
-  }));
-
-test('ready starts a worker in advance, with the model if there is one', () =>
-  withClient(async (client) => {
-    await client.load(disk(8), { name: 'disk.obj' });
-    const controller = new AbortController();
-    const solving = client.parametrize({ q: 4 }, { signal: controller.signal });
+    const solving = model.parametrize({ q: 4 }, { signal: controller.signal });
     controller.abort();
     await assert.rejects(solving, { name: 'AbortError' });
     await client.ready();
-    assert.equal((await client.inspect()).usable, true);
+    assert.equal((await model.inspect()).usable, true);
     client.terminate();
     await client.ready();
-    await assert.rejects(client.inspect(), HgpError); // the model was forgotten
+    await assert.rejects(model.inspect(), { code: 'usage', message: /terminated/ });
   }));
 
 test('terminate rejects what is pending', async () => {
@@ -347,10 +322,13 @@ test('terminate rejects what is pending', async () => {
 
 test('two clients at once do not mix', async () => {
   const [a, b] = await Promise.all([createClient(), createClient()]);
-  await Promise.all([a.load(disk(4), { name: 'a.obj' }), b.load(disk(9), { name: 'b.obj' })]);
+  const [ma, mb] = await Promise.all([
+    a.load(disk(4), { name: 'a.obj' }),
+    b.load(disk(9), { name: 'b.obj' }),
+  ]);
   const [ra, rb] = await Promise.all([
-    a.parametrize({ boundary: 'convex' }),
-    b.parametrize({ boundary: 'convex' }),
+    ma.parametrize({ boundary: 'convex' }),
+    mb.parametrize({ boundary: 'convex' }),
   ]);
   assert.equal(ra.triangles.length, 3 * 6 * 16);
   assert.equal(rb.triangles.length, 3 * 6 * 81);

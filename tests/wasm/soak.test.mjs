@@ -36,16 +36,18 @@ test(`${runs} runs in one worker give the same results, and memory does not grow
       const k = run % cases.length;
       const [name, bytes, options] = cases[k];
       let now;
+      let model;
       try {
-        await client.load(bytes, { name });
-        const result = await client.parametrize(options);
-        const written = await client.write({ allowUncertified: true, embedCones: true });
+        model = await client.load(bytes, { name });
+        const result = await model.parametrize(options);
+        const written = await result.write({ allowUncertified: true, embedCones: true });
         last = result.memory;
         certified += result.certificate.certified ? 1 : 0;
         now = { certified: result.certificate.certified, name: written.name, bytes: written.bytes };
       } catch (error) {
         now = { code: error.code, message: error.message, bytes: [] };
       }
+      await model?.dispose();
       first[k] ??= now;
       assert.ok(sameBytes(now.bytes, first[k].bytes), `${name}, run ${run}`);
       assert.deepEqual({ ...now, bytes: 0 }, { ...first[k], bytes: 0 }, `${name}, run ${run}`);

@@ -195,7 +195,7 @@ test('after undo its map is saved in every format without another run', async (t
   const after = await saveAs(it, 'obj');
   assert.deepEqual(after.bytes, before.bytes);
   const called = await calls.names();
-  assert.ok(called.includes('recall') && !called.includes('parametrize'), `${called}`);
+  assert.ok(called.includes('write') && !called.includes('parametrize'), `${called}`);
   const program = commandLine(t);
   if (program) {
     const file = path.join(it.folder, 'sphere-after-undo.obj');

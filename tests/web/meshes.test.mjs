@@ -77,7 +77,7 @@ test('all meshes of a file are run, kept while another is shown, and saved in on
   await page.keyboard.press('Escape');
   const { bytes } = await saveAs(it, 'same');
   const called = await calls.names();
-  assert.equal(called.filter((method) => method === 'recall').length, 2, `${called}`);
+  assert.equal(called.filter((method) => method === 'combine').length, 1, `${called}`);
   assert.ok(!called.includes('parametrize'), `${called}`);
   const document = await new NodeIO().readBinary(new Uint8Array(bytes));
   const meshes = document.getRoot().listMeshes();
@@ -96,12 +96,11 @@ test('a download that is cancelled leaves the mesh that is open in the solver', 
   await statusSays(it, /2 meshes certified/);
   await page.click('[data-mesh="0"]');
   await state(page, 'certified');
-  // The second mesh is never written: there is time to cancel.
+  // The file is never written: there is time to cancel.
   await page.evaluate(() => {
     const { postMessage } = Worker.prototype;
-    let written = 0;
     Worker.prototype.postMessage = function (message, ...rest) {
-      if (message?.method === 'write' && ++written === 2) globalThis.isHeld = true;
+      if (message?.method === 'combine') globalThis.isHeld = true;
       else postMessage.call(this, message, ...rest);
     };
   });

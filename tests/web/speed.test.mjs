@@ -42,9 +42,8 @@ async function solverAlone() {
   const core = await createCore();
   const begin = performance.now();
   const bytes = new TextEncoder().encode(bumpyDisk(58));
-  core.load({ main: 'disk.obj', files: new Map([['disk.obj', bytes]]) });
-  core.parametrize({ q: 4 });
-  core.write();
+  const model = core.load({ main: 'disk.obj', files: new Map([['disk.obj', bytes]]) });
+  model.parametrize({ q: 4 }).write();
   return performance.now() - begin;
 }
 

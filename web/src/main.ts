@@ -5,6 +5,7 @@ import type { App } from './actions/app';
 import { attempt } from './actions/app';
 import { watchCones } from './actions/check_cones';
 import { setPrescription } from './actions/edit_cones';
+import { watchMemory } from './actions/free_unused';
 import { exampleById, openExample } from './actions/open';
 import { watchThumbnails } from './actions/thumbnails';
 import { setLook } from './actions/view';
@@ -179,6 +180,7 @@ async function start(): Promise<void> {
   notifyAtEnd();
   watchCones(app);
   watchThumbnails(app);
+  watchMemory(app);
   addEventListener('beforeunload', (event) => {
     if (doc.job?.kind === 'run' || doc.isUnsaved) event.preventDefault();
   });

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "hgp/io/written.h"
@@ -54,6 +55,13 @@ struct SurfaceLoops {
   std::vector<std::vector<int>> boundaries;  ///< vertices in order, the surface on their left
   /// Edges that each generator crosses, in order: a closed walk over triangles.
   std::vector<std::vector<std::array<int, 2>>> handles;
+};
+
+/// A result that stays usable while its session computes others: see Session::use(). Cheap to copy.
+class StoredResult {
+  friend class Session;
+  struct Data;
+  std::shared_ptr<const Data> data_;  ///< null: no result
 };
 
 /// A quad mesh as a file, and its counts.

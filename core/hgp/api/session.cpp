@@ -36,7 +36,7 @@ Session& Session::operator=(Session&&) noexcept = default;
 
 Status Session::State::take(Result<Model> loaded) {
   if (!loaded) return loaded.error();
-  putAside();
+  clearResult();
   hash.clear();
   prepared.clear();
   model.reset();
@@ -138,7 +138,7 @@ Status Session::parametrize(const std::optional<io::Prescription>& prescription,
                             const SolveOptions& options) {
   return guarded([&]() -> Status {
     if (Status ready = requireComponents(state_->model); !ready) return ready.error();
-    state_->putAside();
+    state_->clearResult();
     return state_->solve(prescription, options);
   });
 }
@@ -182,7 +182,7 @@ Result<Verdict> Session::verify(const std::optional<io::Prescription>& prescript
   });
 }
 
-bool Session::hasResult() const { return state_->shown().solved.has_value(); }
+bool Session::hasResult() const { return state_->shown().solved != nullptr; }
 bool Session::isCertified() const {
   return hasResult() && state_->shown().solved->stored.isCertified;
 }

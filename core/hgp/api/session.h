@@ -54,13 +54,12 @@ class Session {
   Result<Verdict> verify(const std::optional<io::Prescription>& prescription,
                          const VerifyOptions& options) const;
 
-  /// Keeps the current result under a name for recall(), even after other results are computed. The two newest per
-  /// surface are kept, up to 500 000 triangles in total; refined results are not.
-  void keep(const std::string& name);
-  /// Makes a kept result the current one, which is written, measured and shown. False if it is no longer kept or
-  /// belongs to another surface. It applies to every file with an identical surface, whatever was loaded in between, so
-  /// that the maps of several meshes can be written into one file.
-  bool recall(const std::string& name);
+  /// The current result, for use() after others were computed; in memory as long as a StoredResult refers to it.
+  StoredResult result() const;
+  /// Makes a result the current one, which is written, measured and shown. False if it belongs to another surface; it
+  /// may come from another session with an identical surface, whatever else its file holds, so that the maps of several
+  /// meshes can be written into one file.
+  bool use(const StoredResult& result);
 
   bool hasResult() const;
   bool isCertified() const;
@@ -97,6 +96,7 @@ class Session {
   Result<WrittenMap> write(const WriteOptions& options) const;
 
  private:
+  friend class StoredResult;
   struct State;
   std::unique_ptr<State> state_;
 };

@@ -68,7 +68,7 @@ Status Session::State::solveAsPolygons(const std::optional<io::Prescription>& pr
   auto next = std::make_unique<State>();
   if (Status taken = next->take(modelOfPolygons(*model)); !taken) return taken;
   if (Status done = next->solve(prescription, options); !done) return done;
-  finer = next->finer ? std::move(next->finer) : std::move(next);
+  finer = next->finer ? next->finer : std::shared_ptr<State>(std::move(next));
   return Done{};
 }
 

@@ -285,7 +285,7 @@ Status Session::State::solveRequest(const Request& request, const SolveOptions& 
   result.components = std::move(maps);
   result.scale = options.scale;
   flatten(result);
-  solved = std::move(result);
+  solved = std::make_shared<Solved>(std::move(result));
   return Done{};
 }
 

@@ -21,17 +21,10 @@ struct Session::State {
     std::vector<std::uint32_t> cornerToUv;
     std::vector<SeamEdge> seams;
   };
-  std::optional<Solved> solved;
-  std::string keptAs;  ///< name of `solved` if it is kept; empty: the next result replaces it
-  struct Kept {
-    std::string name, surface;  ///< `surface`: surfaceHash() of the surface it belongs to
-    std::size_t size = 0;       ///< number of triangles
-    Solved result;
-  };
-  std::vector<Kept> aside;       ///< kept results of this surface and of others; the newest last
-  std::string hash;              ///< see surfaceHash()
-  double workShare = 1.0;        ///< fraction of the work limit of a run
-  std::unique_ptr<State> finer;  ///< the refined surface, if the map is on that
+  std::shared_ptr<Solved> solved;  ///< complete when published, and then shared with StoredResults
+  std::string hash;                ///< see surfaceHash()
+  double workShare = 1.0;          ///< fraction of the work limit of a run
+  std::shared_ptr<State> finer;    ///< the refined surface, if the map is on that; shared likewise
   std::vector<double> positions;
   std::vector<std::uint32_t> triangles;
 
@@ -41,8 +34,7 @@ struct Session::State {
   Status take(Result<Model> loaded);
   /// SHA-256 of the loaded surface as it is solved and stored; computed on first use.
   const std::string& surfaceHash();
-  /// Clears the result; moves it to `aside` if it is to be kept.
-  void putAside();
+  void clearResult();
   Status solve(const std::optional<io::Prescription>& prescription, const SolveOptions& options);
   /// Solves every component and verifies it as stored: sets all of `solved` except its report.
   Status solveRequest(const Request& request, const SolveOptions& options, RunRecord& run);
@@ -68,6 +60,12 @@ struct Session::State {
                                    std::vector<StageTime>* times = nullptr);
   PreparedSurface& surfaceOf(std::size_t p);
   void dropLarge(std::size_t p);
+};
+
+struct StoredResult::Data {
+  std::string surface;  ///< surfaceHash() of the surface it belongs to
+  std::shared_ptr<Session::State::Solved> solved;
+  std::shared_ptr<Session::State> finer;
 };
 
 /// The extension of a file name, in lower case and without the dot.

@@ -81,6 +81,21 @@ TEST(Refine, MapsWhatTheTriangulationForbidsAndWritesTheFinerMesh) {
   EXPECT_EQ(session.triangles().size(), 60u);
 }
 
+TEST(Refine, AStoredResultComesWithItsSurface) {
+  Session session = loadedAs("ball.obj", test::icosphere(1).data);
+  SolveOptions options;
+  options.refines = true;
+  ASSERT_TRUE(session.parametrize(impossible(), options).hasValue());
+  const std::vector<std::uint32_t> triangles = session.triangles();
+  const std::vector<double> uv = session.uv();
+  const StoredResult refined = session.result();
+  ASSERT_TRUE(session.parametrize(std::nullopt, {}).hasValue());
+  EXPECT_EQ(session.triangles().size(), 60u);
+  ASSERT_TRUE(session.use(refined));
+  EXPECT_EQ(session.triangles(), triangles);
+  EXPECT_EQ(session.uv(), uv);
+}
+
 TEST(Refine, DoesNothingWhereThereIsAMap) {
   Session session = loadedAs("ball.obj", test::icosphere(4).data);
   SolveOptions options;

@@ -15,11 +15,10 @@ const core = path.resolve(import.meta.dirname, '../../../build/package/node/core
 const skip = existsSync(core) ? false : 'build/package is not there: build hgp_package first';
 const { createCore } = skip ? {} : await import(core);
 
-const open = async (mesh) => {
+const open = async (mesh, options) => {
   const core = await createCore();
   const bytes = new TextEncoder().encode(toObj(mesh));
-  core.load({ main: 'mesh.obj', files: new Map([['mesh.obj', bytes]]) });
-  return core;
+  return core.load({ main: 'mesh.obj', files: new Map([['mesh.obj', bytes]]) }, options);
 };
 
 /** The text of an OBJ of triangles as a mesh. */
@@ -41,14 +40,10 @@ test(
     };
     const fan = { vertices: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0, -1, 0]], triangles: [[0, 1, 2], [0, 1, 3], [0, 1, 4]] }; // prettier-ignore
     for (const mesh of [cube, torus, meshOf(bumpyDisk(9)), parts, fan]) {
-      const core = await open(mesh);
-      if (mesh === fan) {
-        // Refused as it is, and known all the same.
-        const bytes = new TextEncoder().encode(toObj(mesh));
-        const files = new Map([['mesh.obj', bytes]]);
-        assert.equal(core.load({ main: 'mesh.obj', files }, { strict: true }).usable, false);
-      }
-      const { angle, area, ...facts } = core.facts();
+      // One of them is refused as it is, and known all the same.
+      const model = await open(mesh, { strict: mesh === fan });
+      assert.equal(model.info.usable, mesh !== fan);
+      const { angle, area, ...facts } = model.facts();
       const { angle: plainAngle, area: plainArea, ...plain } = plainFacts(mesh);
       assert.deepEqual(facts, plain);
       assert.ok(Math.abs(area / plainArea - 1) < 1e-12);
@@ -60,13 +55,13 @@ test(
 test('facts of a repaired mesh refer to the vertices of the file', { skip }, async () => {
   const core = await createCore();
   const files = new Map([['cubes.obj', new TextEncoder().encode(cubesOnAnEdge())]]);
-  const info = core.load({ main: 'cubes.obj', files });
-  assert.equal(info.components.length, 2);
-  const facts = core.facts();
+  const model = core.load({ main: 'cubes.obj', files });
+  assert.equal(model.info.components.length, 2);
+  const facts = model.facts();
   // The cubes are apart; the vertices of the edge are in both and told by their triangles.
   assert.deepEqual([...new Set(facts.triangleComponent)].sort(), [0, 1]);
   assert.ok(facts.isBoundary.every((x) => x === 0));
-  const { triangles, repaired } = core.surface();
+  const { triangles, repaired } = model.surface();
   triangles.forEach((v, c) => {
     const isShared = repaired.vertexOrigin.filter((w) => w === v).length > 1;
     if (!isShared) assert.equal(facts.component[v], facts.triangleComponent[Math.floor(c / 3)]);
@@ -86,7 +81,7 @@ test(
   { skip },
   async () => {
     const mesh = torusMesh(16, 10);
-    const core = await open(mesh);
+    const model = await open(mesh);
     const q = 4;
     const cones = [3, 5, 3, 5].map((k, i) => ({ vertex: 7 + 37 * i, k }));
     for (const asked of [
@@ -96,9 +91,9 @@ test(
       [2, 3],
     ]) {
       const handles = asked.map((r, generator) => ({ generator, r }));
-      const { seams, uvToVertex, cornerToUv, triangles, certificate } = core.parametrize({ cones: { q, cones, handles } }); // prettier-ignore
+      const { seams, uvToVertex, cornerToUv, triangles, certificate } = model.parametrize({ cones: { q, cones, handles } }); // prettier-ignore
       assert.equal(certificate.brokenSeams, 0);
-      const loops = core.loops().handles;
+      const loops = model.loops().handles;
       assert.equal(loops.length, 2);
       const isLeft = (side, v, w) =>
         triangles.some((tail, c) => {

@@ -21,17 +21,17 @@ async function differences(named) {
   const files = new Map(Object.entries(named).map(([name, content]) => [name, bytesOf(content)]));
   const [main] = files.keys();
   const core = await createCore();
-  const count = core.load({ main, files }).surfaces.length;
+  const count = core.load({ main, files }).info.surfaces.length;
   const found = [];
   for (let surface = 0; surface < count; surface++) {
-    const info = core.load({ main, files }, { surface, writeRepairs: true });
-    const map = core.parametrize({ q: 4 });
-    const written = core.write();
+    const model = core.load({ main, files }, { surface, writeRepairs: true });
+    const map = model.parametrize({ q: 4 });
+    const written = map.write();
     const beside = [...files].slice(1).map(([name, bytes]) => ({ name, bytes }));
     const all = [...written.files, ...beside];
-    found.push(compareWithFile({ map, files: all, mesh: info.surface }));
+    found.push(compareWithFile({ map, files: all, mesh: model.info.surface }));
+    model.free();
   }
-  core.free();
   return found;
 }
 

@@ -1,9 +1,9 @@
 // Alignment to a grid: how many cells are requested, and what happens if alignment fails.
 
-import type { Result, SolveOptions } from 'hgp';
+import type { Result, SolveOptions, UvMap } from 'hgp';
 import { automaticCells, canAlign, gridOutcome } from '../model/grid';
 import type { GridSettings, Model, Solution } from '../model/types';
-import { solverOf, type App } from './app';
+import type { App } from './app';
 import type { JobCall } from './job';
 
 const patience = 15; // seconds: after a longer first run no other density is tried automatically
@@ -17,7 +17,7 @@ const isWorthAnother = ({ isOn, cells }: GridSettings, { report }: Result): bool
   isOn && cells === undefined && report.seconds < patience;
 
 export interface Aligned {
-  result: Result;
+  map: UvMap;
   /** The number requested from the solver. */
   cells?: number;
 }
@@ -25,24 +25,24 @@ export interface Aligned {
 /** The map, aligned if requested and possible. */
 export async function solveAligned(
   app: App,
-  { surface }: Model,
+  { surface, solver }: Model,
   options: SolveOptions,
   call: JobCall,
 ): Promise<Aligned> {
-  const client = solverOf(app);
   const { grid } = app.doc.solve;
   const q = options.cones?.q ?? options.q ?? 4;
-  if (!isAsked(app, q, options.scale)) return { result: await client.parametrize(options, call) };
+  if (!isAsked(app, q, options.scale)) return { map: await solver.parametrize(options, call) };
   const run = async (cells: number, more: SolveOptions = {}): Promise<Aligned> => {
     const asked = { ...options, ...more, grid: { cells, mode: grid.mode } };
-    return { result: await client.parametrize(asked, call), cells };
+    return { map: await solver.parametrize(asked, call), cells };
   };
   const count = options.cones?.cones.length ?? 0;
   const first = await run(grid.cells ?? automaticCells(surface, count));
-  const outcome = gridOutcome(first);
+  const outcome = gridOutcome({ result: first.map });
   if (!outcome || outcome.isAligned || outcome.workingCells === 0) return first;
-  if (!isWorthAnother(grid, first.result)) return first;
-  return run(outcome.workingCells, { cones: first.result.cones });
+  if (!isWorthAnother(grid, first.map)) return first;
+  await first.map.dispose();
+  return run(outcome.workingCells, { cones: first.map.cones });
 }
 
 /** A sentence for the status bar on how lines meet after the last run. */

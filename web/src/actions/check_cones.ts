@@ -3,12 +3,13 @@
 
 import { effect } from '@preact/signals-core';
 import { toCones, type Prescription } from '../model/prescription';
-import type { Surface } from '../model/types';
-import { solverOf, type App } from './app';
+import type { Model } from '../model/types';
+import type { App } from './app';
 
-async function check(app: App, prescription: Prescription, surface: Surface): Promise<void> {
+async function check(app: App, prescription: Prescription, model: Model): Promise<void> {
   const { doc } = app;
-  const { components, error } = await solverOf(app).check(toCones(prescription));
+  const { surface, solver } = model;
+  const { components, error } = await solver.check(toCones(prescription));
   if (prescription !== doc.prescription || surface !== doc.model?.surface || doc.isBusy) return;
   const text = components.find((one) => one.error)?.error?.message ?? error?.message ?? '';
   const warnings = components.flatMap((one) => one.warnings);
@@ -19,7 +20,7 @@ async function check(app: App, prescription: Prescription, surface: Surface): Pr
 /** Checks after every change; a check takes milliseconds. */
 export function watchCones(app: App): () => void {
   const { doc } = app;
-  let last: { prescription?: Prescription; surface?: Surface } = {};
+  let last: { prescription?: Prescription; surface?: Model['surface'] } = {};
   return effect(() => {
     const { prescription, usableModel, hasUserCones, budget, isBusy, objection } = doc;
     if (isBusy || !usableModel || !hasUserCones || !budget) return;
@@ -27,6 +28,6 @@ export function watchCones(app: App): () => void {
     if (objection?.prescription === prescription && objection.surface === surface) return;
     if (!budget.isReady || (last.prescription === prescription && last.surface === surface)) return;
     last = { prescription, surface };
-    check(app, prescription, surface).catch(() => undefined); // Run reports errors
+    check(app, prescription, usableModel).catch(() => undefined); // Run reports errors
   });
 }

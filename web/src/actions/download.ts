@@ -15,10 +15,10 @@ import { gridTilesPerUnit } from '../model/grid';
 import type { OutputFile } from '../model/types';
 import { isCertified } from '../model/verdict';
 import { describeError } from '../text/error_messages';
-import { solverOf, type App } from './app';
+import type { App } from './app';
 import { filesWithAllMaps, mappedMeshes } from './download_all';
 import { runJob, stageStart } from './job';
-import { mapInWorker } from './solve';
+import { mapInSolver } from './solve';
 
 /** Undefined if there is no map of the current prescription. */
 export function exportSource(app: App): ExportSource | undefined {
@@ -61,7 +61,8 @@ export async function exportFiles(
   app: App,
   format: SolverFormat,
 ): Promise<OutputFile[] | undefined> {
-  if (!(await mapInWorker(app))) return undefined;
+  const map = await mapInSolver(app);
+  if (!map) return undefined;
   const source = exportSource(app);
   if (!source) return undefined;
   const allowUncertified = !isCertified(source.solution);
@@ -71,7 +72,7 @@ export async function exportFiles(
     app.doc.say(describeError(error, nameOf(source, format)), 'error');
   await runJob(app, { kind: 'run', title: 'Writing', onFailure }, async (call) => {
     call.onProgress(stageStart('write'));
-    ({ files } = await solverOf(app).write(options, call));
+    ({ files } = await map.write(options, call));
   });
   return files;
 }

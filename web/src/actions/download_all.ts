@@ -1,14 +1,15 @@
 // One file with the maps of all its meshes: each map is written into the result of the previous one and then compared
 // with the map that was shown. A map that the solver no longer has is computed again.
 
-import { loadOptionsOf, type MeshWork } from '../model/document';
+import type { UvMap } from 'hgp';
+import type { MeshWork } from '../model/document';
 import { toCones } from '../model/prescription';
-import type { Files, OutputFile, Solution } from '../model/types';
+import type { OutputFile, Solution } from '../model/types';
 import { isCertified } from '../model/verdict';
 import { describeError } from '../text/error_messages';
 import { solverOf, type App } from './app';
 import { runJob, type JobCall } from './job';
-import { reloadInSolver } from './load';
+import { loadInSolver } from './load';
 import { writeOptions } from './solve';
 
 interface Part {
@@ -27,44 +28,22 @@ export function mappedMeshes({ doc }: App): Part[] {
   return all.sort((a, b) => a.work.model.info.surface - b.work.model.info.surface);
 }
 
-async function addMap(
-  app: App,
-  { work, solution }: Part,
-  files: Files,
-  call: JobCall,
-): Promise<OutputFile[]> {
-  const client = solverOf(app);
-  const { main, info, loaded } = work.model;
-  await client.load(
-    { main, files },
-    { name: main, surface: info.surface, ...loadOptionsOf(loaded) },
-    call,
-  );
-  if (!(await client.recall(solution.keptAs, call))) {
-    const { prescription, output, improve, cells, grid } = solution;
-    const aligned = cells === undefined ? {} : { grid: { cells, mode: grid.mode } };
-    const options = { maxRounds: app.doc.solve.rounds, improve, scale: output.scale, ...aligned };
-    await client.parametrize({ cones: toCones(prescription), ...options }, call);
-    await client.keep(solution.keptAs, call);
-  }
-  const written = await client.write(writeOptions(solution.output), call);
-  return written.files;
+/** The map in the solver, computed again if that was disposed of. */
+async function mapOf(app: App, { work, solution }: Part, call: JobCall): Promise<UvMap> {
+  if (!solution.map.isDisposed) return solution.map;
+  const { model } = work;
+  const solver = model.solver.isDisposed ? await loadInSolver(app, model, call) : model.solver;
+  const { prescription, output, improve, cells, grid } = solution;
+  const aligned = cells === undefined ? {} : { grid: { cells, mode: grid.mode } };
+  const options = { maxRounds: app.doc.solve.rounds, improve, scale: output.scale, ...aligned };
+  return solver.parametrize({ cones: toCones(prescription), ...options }, call);
 }
 
 async function compose(app: App, parts: Part[], call: JobCall): Promise<OutputFile[]> {
-  const { model } = parts[0].work;
-  let files: Files = new Map(model.files);
-  const made = new Map<string, OutputFile>();
-  for (const part of parts) {
-    const written = await addMap(app, part, files, call);
-    files = new Map(files);
-    for (const file of written) {
-      const isMain = file === written[0];
-      files.set(isMain ? model.main : file.name, file.bytes);
-      made.set(isMain ? '' : file.name, file);
-    }
-  }
-  return [...made.values()];
+  const maps: UvMap[] = [];
+  for (const part of parts) maps.push(await mapOf(app, part, call));
+  const options = parts.map(({ solution }) => writeOptions(solution.output));
+  return (await solverOf(app).combine(maps, options, call)).files;
 }
 
 /** Undefined if one of the maps could not be reproduced. */
@@ -87,7 +66,6 @@ export async function filesWithAllMaps(app: App): Promise<OutputFile[] | undefin
     }
     files = made;
   });
-  if (!doc.job) await reloadInSolver(app);
   if (!files) return undefined;
   const failed = parts.filter(({ solution }) => !isCertified(solution)).length;
   const text = `${parts.length} meshes in one file`;

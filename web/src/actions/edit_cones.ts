@@ -6,7 +6,7 @@ import { hasDirections } from '../formats/file_set';
 import { saveCones } from '../services/cone_storage';
 import { describeError } from '../text/error_messages';
 import { plural } from '../text/format';
-import { solverOf, type App } from './app';
+import type { App } from './app';
 import { isLocked } from './job';
 
 /** The only function that changes the prescription. `kind` is "verb: field" for undo. */
@@ -160,9 +160,10 @@ export function setOrder(app: App, q: number): void {
 
 export async function importCones(app: App, name: string, text: string): Promise<void> {
   const { doc } = app;
-  if (isLocked(app)) return;
+  const { model } = doc;
+  if (!model || isLocked(app)) return;
   try {
-    const cones = await solverOf(app).readCones({ name, text, q: doc.prescription.q });
+    const cones = await model.solver.readCones({ name, text, q: doc.prescription.q });
     const { turnings, handles } = doc.prescription;
     setPrescription(app, fromCones(cones, turnings.length, handles.length), 'import cones');
     doc.takeField(hasDirections(name) ? { name, text } : undefined);

@@ -72,7 +72,6 @@ export async function runJob(
     await work({ signal: controller.signal, onProgress: reportProgress(app, controller) });
     return isOwn();
   } catch (error) {
-    if (controller.signal.aborted) doc.resultInWorker = undefined; // lost with its worker
     if (isTimeout(controller)) onTimeout?.();
     else if (isOwn() && !isAbort(error)) onFailure(error);
     return false;

@@ -1,7 +1,7 @@
 // Loads a set of files as a surface: reads, welds and repairs it, and takes the cones that come
 // with it.
 
-import type { ModelInfo } from 'hgp';
+import type { Model as SolverModel, ModelInfo } from 'hgp';
 import { ignoredBytes } from '../formats/gzip';
 import { identity, instancesOf, remarksOn } from '../formats/mesh_instances';
 import { loadOptionsOf, plainSettings, type MeshWork } from '../model/document';
@@ -21,14 +21,11 @@ import { isLocked, runJob, type JobCall } from './job';
 
 type Source = Pick<Model, 'main' | 'files'>;
 
-/** Loads the open model into the solver again, after a job that has loaded others. */
-export async function reloadInSolver(app: App): Promise<void> {
-  const { model } = app.doc;
-  if (!model) return;
+/** Loads the mesh of a model into the solver again. */
+export function loadInSolver(app: App, model: Model, call: JobCall): Promise<SolverModel> {
   const { main, files, info, loaded } = model;
-  app.doc.resultInWorker = undefined;
   const options = { name: main, surface: info.surface, ...loadOptionsOf(loaded) };
-  await solverOf(app).load({ main, files }, options);
+  return solverOf(app).load({ main, files }, options, call);
 }
 
 /** Runs one load as a job; if it fails, the open model stays. */
@@ -56,14 +53,15 @@ async function readMesh(
 ): Promise<Model> {
   const { doc, geometry } = app;
   const client = solverOf(app);
-  const read = (surface?: number): Promise<ModelInfo> =>
+  const read = (surface?: number): Promise<SolverModel> =>
     client.load({ main, files }, { name: main, surface, ...loadOptionsOf(settings) }, call);
-  let info = await read(surfaceIndex);
+  let solver = await read(surfaceIndex);
   const instances = await instancesOf(files, main);
-  if (surfaceIndex === undefined && info.surfaces.length > 1) {
+  if (surfaceIndex === undefined && solver.info.surfaces.length > 1) {
     const look = async (index: number): Promise<ModelInfo> => {
       const seen = await read(index);
-      const { positions, triangles } = await client.surface(call);
+      const { positions, triangles } = await seen.surface(call);
+      void seen.dispose();
       const to = instances?.[index]?.matrix ?? identity;
       const made = geometry.call(
         'thumbnailOf',
@@ -71,15 +69,17 @@ async function readMesh(
         [positions, triangles],
       );
       takeThumbnail(app, index, made);
-      return seen;
+      return seen.info;
     };
-    const { summaries, best } = await surveyMeshes(info, instances, look);
+    const { summaries, best } = await surveyMeshes(solver.info, instances, look);
     call.signal.throwIfAborted();
     doc.summaries = summaries;
-    info = await read(best);
+    void solver.dispose();
+    solver = await read(best);
   }
+  const { info } = solver;
   if (info.triangles > mostTriangles) throw new Error(tooMany(main, info.triangles));
-  const [arrays, facts] = await Promise.all([client.surface(call), client.facts(call)]);
+  const [arrays, facts] = await Promise.all([solver.surface(call), solver.facts(call)]);
   call.signal.throwIfAborted();
   const matrix = instances?.[info.surface]?.matrix ?? identity;
   const surface = await geometry.surface(arrays, facts, matrix);
@@ -87,9 +87,8 @@ async function readMesh(
   const ignored = ignoredBytes(files.get(main));
   const remarks = remarksOn(info, instances?.[info.surface]);
   if (ignored > 0) remarks.unshift(`Ignored: ${plural(ignored, 'byte')} after the gzip data.`);
-  const model = { main, files, info, surface, loaded: settings, remarks, matrix };
+  const model = { main, files, solver, info, surface, loaded: settings, remarks, matrix };
   doc.state = { kind: 'open', model };
-  doc.resultInWorker = undefined;
   doc.selected = -1;
   const problem = withoutCliAdvice(info.error?.message);
   if (info.usable) doc.message = undefined;
@@ -140,19 +139,15 @@ function restoreWork({ doc }: App, { history, solutions, hasUserCones }: MeshWor
   doc.hasUserCones = hasUserCones;
 }
 
-/** Opens a mesh that was open before: the solver reads it again, everything else is restored. */
+/** Opens a mesh that was open before: the solver reads it again if it has not kept it, the rest is restored. */
 async function restoreMesh(app: App, work: MeshWork): Promise<void> {
   const { doc } = app;
   const { model } = work;
   await loading(app, model, async (call) => {
-    const options = {
-      name: model.main,
-      surface: model.info.surface,
-      ...loadOptionsOf(model.loaded),
-    };
-    await solverOf(app).load({ main: model.main, files: model.files }, options, call);
+    const isThere = !model.solver.isDisposed;
+    const solver = isThere ? model.solver : await loadInSolver(app, model, call);
     doc.clearMesh();
-    doc.state = { kind: 'open', model };
+    doc.state = { kind: 'open', model: isThere ? model : { ...model, solver } };
     restoreWork(app, work);
   });
 }
@@ -229,9 +224,7 @@ function setWhileLoading(app: App, to: Prescription, kind: string, say: () => vo
 async function findCones(app: App, model: Model): Promise<void> {
   const { doc } = app;
   const { turnings, handles } = doc.prescription;
-  const embedded = await solverOf(app)
-    .embeddedCones()
-    .catch(() => null);
+  const embedded = await model.solver.embeddedCones().catch(() => null);
   if (embedded && embedded.cones.length > 0) {
     doc.begin(fromCones(embedded, turnings.length, handles.length));
     doc.hasUserCones = true;

@@ -10,6 +10,7 @@ import { ensureWorker } from '../services/solver';
 import { bytesOfAll, megabytes } from '../text/format';
 import { solverOf, type App } from './app';
 import { importCones } from './edit_cones';
+import { freeUnused } from './free_unused';
 import { loadMesh, reopen } from './load';
 
 const mostBytes = 512 * 2 ** 20;
@@ -29,6 +30,7 @@ export async function open(app: App, dropped: Files): Promise<void> {
   const meshes = meshesOf(files);
   if (doc.state.kind === 'needs-files' && meshes.length === 0) return supply(app, files);
   doc.clearModel();
+  freeUnused(app);
   if (meshes.length === 0) {
     const name = [...files.keys(), ...dropped.keys()][0];
     const kinds = 'Drop a GLB, glTF, OBJ, PLY, STL or OFF file.';
@@ -125,6 +127,7 @@ export async function openExample(app: App, example: Example): Promise<void> {
   const bytes = await fetchExample(example.file);
   if (own !== doc.openRequestId) return;
   doc.clearModel();
+  freeUnused(app);
   doc.begin(emptyPrescription(example.q, 0, 0));
   await openMain(app, new Map([[example.file, bytes]]), example.file);
   const { model } = doc;

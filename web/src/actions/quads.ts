@@ -7,10 +7,11 @@ import { isCertified } from '../model/verdict';
 import { safeName } from '../formats/file_set';
 import { describeError } from '../text/error_messages';
 import { quadsSaved } from '../text/quads';
-import { solverOf, type App } from './app';
+import type { UvMap } from 'hgp';
+import type { App } from './app';
 import { saveFile } from './download';
 import { runJob } from './job';
-import { denserButton, mapInWorker, realign } from './solve';
+import { denserButton, mapInSolver, realign } from './solve';
 
 export type QuadFile = 'obj' | 'glb';
 
@@ -27,18 +28,17 @@ const isForQuads = (solution: Solution | undefined): solution is Solution =>
   isAligned(solution) &&
   isCertified(solution);
 
-/** Whether the solver has a map with its cones on grid points; if not, the user is told why. */
-async function hasQuadMap(app: App): Promise<boolean> {
+/** The map with its cones on grid points; if there is none, the user is told why. */
+async function quadMap(app: App): Promise<UvMap | undefined> {
   const { doc } = app;
   if (!isForQuads(doc.current)) await realign(app, { isOn: true, mode: 'quad' });
-  else if (!(await mapInWorker(app))) return false;
-  if (isForQuads(doc.current)) return doc.resultInWorker === doc.current.result;
-  if (!doc.current) return false; // cancelled, or failed and reported
+  if (isForQuads(doc.current)) return mapInSolver(app);
+  if (!doc.current) return undefined; // cancelled, or failed and reported
   const reason = isCertified(doc.current)
     ? 'the grid is too coarse for these cones'
     : 'the map is not certified';
   doc.say(`No quad mesh: ${reason}.`, 'error', denserButton(app, doc.current));
-  return false;
+  return undefined;
 }
 
 export const quadName = ({ doc }: App, file: QuadFile): string => {
@@ -50,11 +50,12 @@ export async function downloadQuads(app: App, file: QuadFile): Promise<void> {
   const { doc } = app;
   const why = whyNoQuads(app);
   if (why) return doc.say(why, 'error');
-  if (!(await hasQuadMap(app))) return;
+  const map = await quadMap(app);
+  if (!map) return;
   const name = quadName(app, file);
   const onFailure = (error: unknown): void => doc.say(describeError(error, name), 'error');
   await runJob(app, { kind: 'run', title: 'Making quads', onFailure }, async (call) => {
-    const made = await solverOf(app).quads({ name }, call);
+    const made = await map.quads({ name }, call);
     doc.job = undefined;
     const type = file === 'glb' ? 'model/gltf-binary' : 'text/plain';
     await saveFile({ name, bytes: made.bytes, type });

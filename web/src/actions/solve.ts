@@ -5,6 +5,7 @@ import {
   type Cones,
   type Result,
   type SuggestOptions,
+  type UvMap,
   type WriteOptions,
   type Written,
 } from 'hgp';
@@ -40,7 +41,6 @@ function sayRunFailure(app: App, error: unknown): void {
   const { doc } = app;
   const text = describeError(error, doc.model?.main ?? '');
   if (isLost(error)) {
-    doc.resultInWorker = undefined;
     ensureWorker(solverOf(app));
     const again = { label: 'Run again', run: () => run(app) };
     return doc.say(`${text} Your cones and history are intact.`, 'error', [again]);
@@ -84,10 +84,12 @@ export async function chooseCones(
   app: App,
   options: Omit<SuggestOptions, 'q'> = {},
 ): Promise<Cones | undefined> {
-  const { q } = app.doc.prescription;
+  const { model, prescription } = app.doc;
+  const { q } = prescription;
+  if (!model) return undefined;
   let cones: Cones | undefined;
   await running(app, 'Suggesting cones', async (call) => {
-    cones = await solverOf(app).suggestCones({ q, ...options }, call);
+    cones = await model.solver.suggestCones({ q, ...options }, call);
   });
   return cones;
 }
@@ -131,12 +133,12 @@ async function solve(app: App, model: Model, output: Output, call: JobCall): Pro
   const framed = usesField(app) ? { frames, field: doc.field } : {};
   const isAutomatic = !usesField(app) && doc.needsCones;
   const what = isAutomatic ? { q } : { cones: toCones(doc.prescription), ...framed };
-  const { result, cells } = await solveAligned(app, model, { ...what, ...options }, call);
+  const { map, cells } = await solveAligned(app, model, { ...what, ...options }, call);
   const prescription = isAutomatic
-    ? fromCones(result.cones, turnings.length, handles.length)
+    ? fromCones(map.cones, turnings.length, handles.length)
     : doc.prescription;
   const request = { prescription, settings: model.loaded, improve, frames, grid, cells, output };
-  return writeSolution(app, model, request, result, call);
+  return writeSolution(app, model, request, { map, result: numbersOf(map) }, call);
 }
 
 export const writeOptions = ({ uvSet, embedCones, usesNewSet }: Output): WriteOptions => ({
@@ -164,6 +166,14 @@ async function sideFiles(app: App, { files }: Model, written: OutputFile[]): Pro
 const isSettled = (note: string, files: OutputFile[]): boolean =>
   files.some(({ name }) => note === `keep ${name} next to the new file`);
 
+/** The numbers of a map alone: they travel to the geometry worker and back. */
+function numbersOf(map: UvMap): Result {
+  const { positions, triangles, uv, cornerToUv, uvToVertex, seams } = map;
+  const { certificate, cones, report, memory } = map;
+  const arrays = { positions, triangles, uv, cornerToUv, uvToVertex, seams };
+  return { ...arrays, certificate, cones, report, memory };
+}
+
 const edgeKey = (v: number, w: number, count: number): number =>
   Math.min(v, w) * count + Math.max(v, w);
 
@@ -172,32 +182,29 @@ async function writeSolution(
   app: App,
   model: Model,
   request: SolveRequest,
-  solved: Result,
+  { map, result: solved }: Pick<Solution, 'map' | 'result'>,
   call: JobCall,
 ): Promise<Solution> {
   const { doc, geometry } = app;
   const { output } = request;
   call.onProgress(stageStart('write'));
-  let written = await solverOf(app).write(writeOptions(output), call);
+  let written = await map.write(writeOptions(output), call);
   const { info, surface } = model;
   const where = { mesh: info.surface, uvSet: output.uvSet };
   let all = [...written.files, ...(await sideFiles(app, model, written.files))];
   const analyse = async (result: Result, files: OutputFile[]) =>
-    geometry.analyse(surface, result, await solverOf(app).measure(call), files, where);
+    geometry.analyse(surface, result, await map.measure(call), files, where);
   let read = await analyse(solved, all);
   if (output.hasGrid) {
     const { distortion } = read.analysis;
     const tiles = gridTilesPerUnit(doc.look, surface, { result: read.result, distortion });
     const options = { ...writeOptions(output), gridMaterial: tiles };
-    written = await solverOf(app).write(options, call);
+    written = await map.write(options, call);
     all = [...written.files, ...(await sideFiles(app, model, written.files))];
     read = await analyse(read.result, all);
   }
   call.signal.throwIfAborted();
   const { analysis, preserved, result, files } = read;
-  const keptAs = `map ${analysis.id}`; // unique on this page
-  await solverOf(app).keep(keptAs, call);
-  doc.resultInWorker = result;
   const { seams, uvToVertex } = result;
   const seamAt = new Map<number, number>();
   seams.forEach(({ a }, i) => {
@@ -209,12 +216,13 @@ async function writeSolution(
     ...request,
     ...analysis,
     result,
+    map,
+    surfaceId: surface.id,
     written: newest,
     notes,
     preserved,
     files,
     seams,
-    keptAs,
     seamAt,
   };
 }
@@ -225,22 +233,13 @@ async function writeAs(app: App, old: Solution, output: Output): Promise<void> {
   const { model } = doc;
   if (!model) return;
   await running(app, 'Writing', async (call) => {
-    const isThere = old.output.scale === output.scale && (await recall(app, old, call));
+    const isThere = old.output.scale === output.scale && !old.map.isDisposed;
     const solution = isThere
-      ? await writeSolution(app, model, { ...requestOf(old), output }, old.result, call)
+      ? await writeSolution(app, model, { ...requestOf(old), output }, old, call)
       : await solve(app, model, output, call);
     doc.solutions = doc.solutions.map((one) => (one === old ? solution : one));
     doc.isUnsaved = true;
   });
-}
-
-/** Makes an earlier map the current one in the solver; false if it no longer has it. */
-async function recall(app: App, { result, keptAs }: Solution, call?: JobCall): Promise<boolean> {
-  const { doc } = app;
-  if (doc.resultInWorker === result) return true;
-  const isThere = await solverOf(app).recall(keptAs, call);
-  if (isThere) doc.resultInWorker = result;
-  return isThere;
 }
 
 function requestOf(solution: Solution): SolveRequest {
@@ -248,13 +247,13 @@ function requestOf(solution: Solution): SolveRequest {
   return { prescription, settings, improve, frames, grid, cells, output };
 }
 
-/** Ensures that the solver has the map that is shown, computing it again if necessary; false if that fails. */
-export async function mapInWorker(app: App): Promise<boolean> {
+/** The map that is shown, in the solver; computed again if necessary, undefined if that fails. */
+export async function mapInSolver(app: App): Promise<UvMap | undefined> {
   const { doc } = app;
   const { current } = doc;
-  if (!current) return false;
-  if (!(await recall(app, current))) await writeAs(app, current, current.output);
-  return doc.current !== undefined && doc.resultInWorker === doc.current.result;
+  if (current?.map.isDisposed) await writeAs(app, current, current.output);
+  const { map } = doc.current ?? {};
+  return map?.isDisposed ? undefined : map;
 }
 
 /** Changes output settings; changes made while the file is being written take effect afterwards. */

@@ -3,7 +3,7 @@
 import type { Where } from 'hgp';
 import { overlays, patterns, type Look, type Model, type Pattern } from '../model/types';
 import { highlightTargets } from '../views/highlight_targets';
-import { solverOf, type App } from './app';
+import type { App } from './app';
 import { select } from './edit_cones';
 
 export function setLook({ doc }: App, part: Partial<Look>): void {
@@ -92,8 +92,10 @@ export function clearHighlight({ views }: App): void {
   views?.uv.highlight([]);
 }
 
-async function handleLines(app: App, { surface }: Model): Promise<Float32Array[]> {
-  const { handles } = await solverOf(app).loops();
+async function handleLines(app: App, model: Model): Promise<Float32Array[]> {
+  const { surface, solver } = model;
+  const { handles } = await solver.loops();
+  if (app.doc.model !== model) return [];
   return app.geometry.call('loopSegments', [surface.id, handles]);
 }
 

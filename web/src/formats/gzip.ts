@@ -1,7 +1,7 @@
 // Unpacks gzip while it is read, and stops as soon as the limit on bytes is exceeded.
 
 import { Gunzip } from 'fflate';
-import { readMembers } from 'hgp/lib/gzip_members.js';
+import { readMembers } from 'hgp/gzip';
 
 const caps = { bytes: 2 ** 30, ratio: 200 };
 const longestTask = 20;

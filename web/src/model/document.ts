@@ -2,7 +2,6 @@
 // Panels and views read it and are notified of changes; only actions write to it.
 
 import { computed } from '@preact/signals-core';
-import type { Result } from 'hgp';
 import { computeBudget, type Budget } from './gauss_bonnet';
 import { sameGrid } from './grid';
 import { History } from './history';
@@ -71,8 +70,6 @@ interface Fields {
   coneStep: number;
   /** Index of the selected cone, −1 for none. */
   selected: number;
-  /** The map that the worker has and can write again without solving. */
-  resultInWorker: Result | undefined;
   /** Output settings that are being applied while the file is written. */
   pendingOutput: Output | undefined;
   validation: Validation | undefined;
@@ -126,7 +123,6 @@ export class Document extends storeOf<Fields>() {
       hasUserCones: false,
       coneStep: middleStep,
       selected: -1,
-      resultInWorker: undefined,
       pendingOutput: undefined,
       validation: undefined,
       objection: undefined,
@@ -245,7 +241,6 @@ export class Document extends storeOf<Fields>() {
     this.selected = -1;
     this.hasUserCones = false;
     this.coneStep = middleStep;
-    this.resultInWorker = undefined;
     this.validation = undefined;
     this.message = undefined;
     this.takeField();

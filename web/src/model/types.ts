@@ -1,6 +1,14 @@
 // Types that several parts of the page share.
 
-import type { ModelInfo, Result, SurfaceFacts, Where, Written } from 'hgp';
+import type {
+  Model as SolverModel,
+  ModelInfo,
+  Result,
+  SurfaceFacts,
+  UvMap,
+  Where,
+  Written,
+} from 'hgp';
 import type { Prescription } from './prescription';
 
 /** By relative name. */
@@ -198,6 +206,10 @@ export interface Box {
 /** One finished run: the map, the bytes that Download saves, and what is known about them. */
 export interface Solution extends SolveRequest, Analysis {
   result: Result;
+  /** The map in the solver, which writes it again; disposed of if it was large and others came. */
+  map: UvMap;
+  /** The id of the surface that was analysed. */
+  surfaceId: number;
   written: Written;
   /** Notes of the writer. */
   notes: string[];
@@ -206,8 +218,6 @@ export interface Solution extends SolveRequest, Analysis {
   /** The written files, and the files to which they refer. */
   files: OutputFile[];
   seams: Seam[];
-  /** The name under which the solver keeps the map, unless it has dropped it. */
-  keptAs: string;
   /** Edge of the surface (smaller vertex × |V| + larger) → seam. */
   seamAt: Map<number, number>;
 }
@@ -226,6 +236,8 @@ export interface MeshSummary {
 export interface Model {
   readonly main: string;
   readonly files: Files;
+  /** The mesh in the solver. Of meshes that wait, large ones are disposed of. */
+  readonly solver: SolverModel;
   readonly info: ModelInfo;
   readonly surface: Surface;
   /** The settings with which it was loaded; during undo, the document may already have others. */

@@ -23,6 +23,9 @@ export class GeometryClient {
   #pending = new Map<number, Pending>();
   #calls = 0;
   #ids = 0;
+  /** Ids of what the worker has. */
+  readonly #surfaces = new Set<number>();
+  readonly #maps = new Set<number>();
 
   #start(): Worker {
     const worker = new Worker(scriptUrl(geometryUrl), { type: 'module', name: 'geometry' });
@@ -43,6 +46,8 @@ export class GeometryClient {
     this.#pending.clear();
     this.#worker?.terminate();
     this.#worker = undefined;
+    this.#surfaces.clear();
+    this.#maps.clear();
     for (const { reject } of pending) reject(new Error(`The geometry worker stopped (${reason}).`));
   }
 
@@ -65,7 +70,19 @@ export class GeometryClient {
   }
 
   surface(arrays: SurfaceArrays, facts: SurfaceFacts, matrix: readonly number[]): Promise<Surface> {
-    return this.call('surface', [++this.#ids, arrays, facts, matrix], [arrays, facts]);
+    const id = ++this.#ids;
+    this.#surfaces.add(id);
+    return this.call('surface', [id, arrays, facts, matrix], [arrays, facts]);
+  }
+
+  /** Makes the worker forget all other surfaces and maps. */
+  keepOnly(surfaces: ReadonlySet<number>, maps: ReadonlySet<number>): void {
+    const oldSurfaces = [...this.#surfaces].filter((id) => !surfaces.has(id));
+    const oldMaps = [...this.#maps].filter((id) => !maps.has(id));
+    if (oldSurfaces.length + oldMaps.length === 0) return;
+    for (const id of oldSurfaces) this.#surfaces.delete(id);
+    for (const id of oldMaps) this.#maps.delete(id);
+    void this.call('forget', [oldSurfaces, oldMaps]).catch(() => undefined); // it has ended
   }
 
   /** How the map in a file differs from the given one; empty if it does not. */
@@ -89,7 +106,9 @@ export class GeometryClient {
     const { positions, triangles, uv, cornerToUv, uvToVertex, seams } = result;
     const map = { positions, triangles, uv, cornerToUv, uvToVertex, seams };
     const request = { ...where, map, measures, files };
-    const answer = await this.call('analyse', [++this.#ids, surface.id, request], request);
+    const id = ++this.#ids;
+    this.#maps.add(id);
+    const answer = await this.call('analyse', [id, surface.id, request], request);
     const { analysis, preserved } = answer;
     return { analysis, preserved, result: { ...result, ...answer.map }, files: answer.files };
   }

@@ -159,7 +159,7 @@ const calls: GeometryCalls = {
   forget(oldSurfaces, oldMaps) {
     for (const id of oldSurfaces) surfaces.delete(id);
     for (const id of oldMaps) maps.delete(id);
-    lastSamples = undefined;
+    if (lastSamples && !surfaces.has(lastSamples.surface)) lastSamples = undefined;
   },
 };
 

@@ -1,0 +1,20 @@
+// The solver itself, synchronous: for use inside your own worker.
+
+import * as platform from './lib/browser.js';
+import { compileWith } from './lib/compile.js';
+import { Core } from './lib/core.js';
+import type { WasmModule } from './lib/globals.js';
+import type { InitOptions } from './lib/options.js';
+
+export { Core, CoreMap, CoreModel } from './lib/core.js';
+export { HgpError, type HgpFailure } from './lib/error.js';
+export type { Certificate, CheckReport, ModelInfo, Report } from './lib/documents.js';
+export type * from './lib/options.js';
+export type * from './lib/results.js';
+
+/** Compiles hgp.wasm, for several cores or workers. */
+export const compile = (options?: InitOptions): Promise<WasmModule> =>
+  compileWith(platform, options);
+
+export const createCore = async (options?: InitOptions): Promise<Core> =>
+  Core.make(await compileWith(platform, options), platform);

@@ -1,0 +1,467 @@
+// The solver itself, synchronous: for use inside your own worker. Arguments and results are plain values, except the
+// handles: a CoreModel is a loaded mesh, a CoreMap a map of one. Both are in the memory of WebAssembly until free().
+
+import createModule, { type Module, type Session, type StoredResult } from '../module.js';
+import { checkConeFile, checkCones, checkOptions } from './check_options.js';
+import { decodersFor } from './decoders.js';
+import { defineDisposal } from './disposal.js';
+import type { Certificate, CheckReport, ModelInfo, Report } from './documents.js';
+import { HgpError, messageOf, unavailable, usage, type HgpFailure } from './error.js';
+import { toGlb } from './glb.js';
+import { decompressed } from './gzip.js';
+import type {
+  CombineOptions,
+  ConeFile,
+  Cones,
+  CoreFiles,
+  FileOptions,
+  LoadOptions,
+  MeshArrays,
+  MeshLoadOptions,
+  MeshSolveOptions,
+  QuadOptions,
+  SolveOptions,
+  SuggestOptions,
+  VerifyOptions,
+  WriteOptions,
+} from './options.js';
+import type { FileReader } from './platform.js';
+import { MapData } from './map_data.js';
+import type {
+  FileResult,
+  Loops,
+  Measures,
+  Progress,
+  Quads,
+  Result,
+  Surface,
+  SurfaceFacts,
+  Written,
+} from './results.js';
+import { checkMesh } from './sources.js';
+import { warmUpMesh } from './warm_up.js';
+import { combine, parametrizeFile, takeCombineOptions } from './whole_file.js';
+
+/** The text of a glTF or of the first chunk of a GLB; undefined for other files. */
+function gltfJson(bytes: Uint8Array | undefined): Uint8Array | undefined {
+  if (!bytes) return undefined;
+  const starts = (text: string, at: number): boolean =>
+    Array.from(text).every((c, i) => bytes[at + i] === c.charCodeAt(0));
+  if (starts('glTF', 0)) {
+    const size = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+    return bytes.length < 20 ? undefined : bytes.subarray(20, 20 + size.getUint32(12, true));
+  }
+  let first = bytes[0] === 0xef ? 3 : 0; // a byte order mark
+  while (first < 1024 && ' \t\r\n'.includes(String.fromCharCode(bytes[first]))) first++;
+  return starts('{', first) ? bytes : undefined;
+}
+
+/** The default file name of write(): formats that can only be read become OBJ. */
+function nameFor(main: string, format: string): string {
+  const stem = main.split('/').pop() ?? '';
+  if (format === 'glb' || format === 'gltf') return stem || `mesh.${format}`;
+  return stem.replace(/\.(off|ply|stl)$/i, '.obj') || 'mesh.obj';
+}
+
+/** The same for another format: "x.flat.obj" of "x.glb". */
+function exportName(name: string, format: string): string {
+  const stem = name.replace(/\.[^.]*$/, '') || 'mesh';
+  return `${stem}.${format === 'flat-obj' ? 'flat.obj' : format}`;
+}
+
+/** The options with the field file in the session's form: all members are set, q is 0 if the file has its own. */
+function withField({ field, ...options }: { field?: ConeFile }): object {
+  if (!field) return options;
+  const { name = '', text, q = 0 } = field as Partial<ConeFile>;
+  return { ...options, field: { name, text, q } };
+}
+
+function valueOf<T extends object>(reply: T | { error: string }): T {
+  if ('error' in reply) throw new HgpError(JSON.parse(reply.error) as HgpFailure);
+  return reply;
+}
+
+/** The numbers of a map that is not needed any more. */
+function resultOf(map: CoreMap): Result {
+  map.free();
+  return map.data;
+}
+
+const jsonOf = (reply: { json: string } | { error: string }): unknown =>
+  JSON.parse(valueOf(reply as { json: string }).json);
+
+/** LoadOptions::kWeldNever of the core. */
+const neverWeld = -2;
+
+/** The solver. Calls are synchronous, except prepare(), and throw HgpError. */
+export class Core {
+  readonly #module: Module;
+  readonly #platform: FileReader;
+  #decoders: object = {};
+
+  /** Called during calls; returning false cancels the call. */
+  onProgress: ((progress: Progress) => unknown) | undefined;
+
+  private constructor(module: Module, platform: FileReader) {
+    this.#module = module;
+    this.#platform = platform;
+  }
+
+  /**
+   * Rejects with `wasm-unavailable` if the module cannot be instantiated.
+   * @param platform  how files of this package are read
+   * @internal
+   */
+  static async make(wasmModule: WebAssembly.Module, platform: FileReader): Promise<Core> {
+    try {
+      const module = await new Promise<Module>((resolve, reject) => {
+        createModule({
+          // Emscripten's glue code does not fetch: it receives the compiled module, so that the same file works in
+          // browsers, workers and Node. If instantiation fails, it would wait forever.
+          instantiateWasm(
+            imports: WebAssembly.Imports,
+            receive: (instance: WebAssembly.Instance) => void,
+          ) {
+            WebAssembly.instantiate(wasmModule, imports).then(receive).catch(reject);
+            return {};
+          },
+          print: () => undefined,
+          printErr: () => undefined,
+          onAbort: reject,
+        }).then(resolve, reject);
+      });
+      return new Core(module, platform);
+    } catch (error) {
+      throw unavailable(`The solver could not be started: ${messageOf(error)}`, error);
+    }
+  }
+
+  get version(): string {
+    return this.#module.version();
+  }
+
+  /** Size of the linear memory in bytes; it never shrinks. */
+  get memory(): number {
+    return this.#module.HEAPU8.length;
+  }
+
+  /** Makes the engine optimize the solver by a small solve (about 0.3 s), so that the first call is not slow. */
+  warmUp(): void {
+    const { onProgress } = this;
+    this.onProgress = undefined;
+    try {
+      this.parametrizeMesh(warmUpMesh());
+    } finally {
+      this.onProgress = onProgress;
+    }
+  }
+
+  /**
+   * Asynchronous preparation for load(), which is synchronous: decompresses gzip, and loads the decoders of compressed
+   * glTF. Resolves to the files to load.
+   */
+  async prepare(source: CoreFiles, options: Pick<LoadOptions, 'limits'> = {}): Promise<CoreFiles> {
+    const prepared = await decompressed(source, options.limits?.bytes, this.#platform);
+    const json = gltfJson(prepared.files.get(prepared.main));
+    if (!json) return prepared;
+    const needs = valueOf(this.#module.neededDecoders(json));
+    try {
+      this.#decoders = await decodersFor(needs, this.#platform);
+    } catch (error) {
+      const message = `A decoder of compressed glTF could not be loaded: ${messageOf(error)}`;
+      throw unavailable(message, error);
+    }
+    return prepared;
+  }
+
+  /** Loads a mesh of a file. */
+  load({ main, files, notes = [] }: CoreFiles, options: LoadOptions = {}): CoreModel {
+    checkOptions('load', options);
+    const names = [...files.keys()];
+    return this.#open(options, (session) => {
+      const contents = [...files.values()];
+      const loaded = session.load(main, names, contents, this.#decoders, options);
+      const info = jsonOf(loaded) as ModelInfo;
+      return {
+        info: notes.length > 0 ? { ...info, notes: [...notes, ...info.notes] } : info,
+        name: nameFor(main, info.file.format),
+      };
+    });
+  }
+
+  /** Loads a mesh given as arrays. */
+  loadMesh(mesh: MeshArrays, options: MeshLoadOptions = {}): CoreModel {
+    checkOptions('loadMesh', options);
+    const { positions, triangles } = checkMesh(mesh);
+    const { weld = 0, ...rest } = options;
+    const asked = { ...rest, weld: weld === false ? neverWeld : weld };
+    return this.#open(asked, (session) => {
+      const info = jsonOf(session.loadMesh(positions, triangles, asked)) as ModelInfo;
+      return { info, name: 'mesh.obj' };
+    });
+  }
+
+  /** Loads a mesh given as arrays, maps it and frees it. */
+  parametrizeMesh(mesh: MeshSolveOptions): Result {
+    const { positions, triangles, weld, fix, strict, limits, ...solve } = mesh;
+    const model = this.loadMesh({ positions, triangles }, { weld, fix, strict, limits });
+    try {
+      return resultOf(model.parametrize(solve));
+    } finally {
+      model.free();
+    }
+  }
+
+  /**
+   * The same for a mesh of a renderer: in single precision, in which it is drawn, with vertices at equal positions
+   * joined. Vertex ids are those after the join.
+   * @internal
+   */
+  parametrizeRendered(mesh: MeshArrays, load: LoadOptions, solve: SolveOptions): Result {
+    const { positions, triangles } = checkMesh(mesh);
+    const files = new Map([['mesh.glb', toGlb(positions, triangles)]]);
+    const model = this.load({ main: 'mesh.glb', files }, load);
+    try {
+      return resultOf(model.parametrize(solve));
+    } finally {
+      model.free();
+    }
+  }
+
+  /** Maps every mesh of a file from prepare() and returns the file with all maps. */
+  parametrizeFile(source: CoreFiles, options: FileOptions = {}): FileResult {
+    checkOptions('parametrizeFile', options);
+    return parametrizeFile(this, source, options);
+  }
+
+  /**
+   * Writes the maps of several meshes of one file, from which a model was loaded for each, into that file.
+   * @param options  for all maps, or for each of them
+   */
+  combine(
+    source: CoreFiles,
+    maps: readonly CoreMap[],
+    options: CombineOptions | readonly CombineOptions[] = {},
+  ): Written {
+    return combine(this, source, maps, takeCombineOptions(maps.length, options));
+  }
+
+  #open(
+    options: LoadOptions,
+    load: (session: Session) => { info: ModelInfo; name: string },
+  ): CoreModel {
+    const session = new this.#module.Session();
+    try {
+      const { info, name } = load(session);
+      return new CoreModel(this, session, { info, name, options });
+    } catch (error) {
+      session.delete();
+      throw error;
+    }
+  }
+}
+
+/** A loaded mesh. */
+export class CoreModel {
+  readonly #core: Core;
+  #session: Session | undefined;
+
+  /** The facts and defects of the mesh. */
+  readonly info: ModelInfo;
+  /**
+   * Those with which it was loaded.
+   * @internal
+   */
+  readonly options: LoadOptions;
+  /**
+   * The default name of the result of write().
+   * @internal
+   */
+  readonly defaultName: string;
+
+  /** @internal */
+  constructor(
+    core: Core,
+    session: Session,
+    { info, name, options }: { info: ModelInfo; name: string; options: LoadOptions },
+  ) {
+    this.#core = core;
+    this.#session = session;
+    this.info = info;
+    this.defaultName = name;
+    this.options = options;
+  }
+
+  /** The facts and defects of the mesh. */
+  inspect(): ModelInfo {
+    return jsonOf(this.#live.inspect()) as ModelInfo;
+  }
+
+  /** The loaded surface, usable or not, to which vertex and triangle ids refer. */
+  surface(): Surface {
+    return valueOf(this.#live.surface());
+  }
+
+  /** Facts about the vertices and triangles of the surface, usable or not. */
+  facts(): SurfaceFacts {
+    return valueOf(this.#live.facts());
+  }
+
+  /** The boundary loops and handle generators, in the order of their numbers. */
+  loops(): Loops {
+    return valueOf(this.#live.loops());
+  }
+
+  /** A cone file of any known format as cones of the surface. */
+  readCones(file: ConeFile): Cones {
+    checkConeFile('readCones', file);
+    const { name = '', text, q = 0 } = file as Partial<ConeFile>;
+    return jsonOf(this.#live.readCones(name, text ?? '', q)) as Cones;
+  }
+
+  /** The cones stored in the file, or null. */
+  embeddedCones(): Cones | null {
+    const { json } = valueOf(this.#live.embeddedCones());
+    return json === undefined ? null : (JSON.parse(json) as Cones);
+  }
+
+  /** Automatic cones. */
+  suggestCones(options: SuggestOptions = {}): Cones {
+    checkOptions('suggestCones', options);
+    return jsonOf(this.#live.suggestCones(options, this.#progress())) as Cones;
+  }
+
+  /** Checks cones against Gauss–Bonnet in exact integers; solves nothing. */
+  check(cones: Cones): CheckReport {
+    checkCones('check', cones);
+    return jsonOf(this.#live.check(JSON.stringify(cones))) as CheckReport;
+  }
+
+  /** Solves, and verifies the map as it will be stored; without `cones` they are chosen automatically. */
+  parametrize(options: SolveOptions = {}): CoreMap {
+    checkOptions('parametrize', options);
+    const { cones, ...rest } = options;
+    const session = this.#live;
+    const text = cones ? JSON.stringify(cones) : '';
+    const reply = valueOf(session.parametrize(text, withField(rest), this.#progress()));
+    const seams: Result['seams'] = [];
+    for (let i = 0; i < reply.seams.length; i += 5) {
+      const [a0, a1, b0, b1, r] = reply.seams.subarray(i, i + 5);
+      seams.push({ a: [a0, a1], b: [b0, b1], r });
+    }
+    const report = JSON.parse(reply.report) as Report;
+    const { certificate, cones: completed } = report;
+    const { memory } = this.#core;
+    const result = { ...reply, seams, report, certificate, cones: completed as Cones, memory };
+    return new CoreMap(this, session.storedResult(), result);
+  }
+
+  /** Verifies texture coordinates in the file. */
+  verify(options: VerifyOptions = {}): Certificate {
+    checkOptions('verify', options);
+    const { cones, ...rest } = options;
+    const text = cones ? JSON.stringify(cones) : '';
+    return jsonOf(this.#live.verify(text, withField(rest))) as Certificate;
+  }
+
+  /**
+   * The session with a result as its current one.
+   * @internal
+   */
+  showing(result: StoredResult): Session {
+    const session = this.#live;
+    if (!session.use(result)) throw usage('the map is of another surface');
+    return session;
+  }
+
+  /** Frees the model. Neither it nor its maps can be used afterwards. */
+  free(): void {
+    this.#session?.delete();
+    this.#session = undefined;
+  }
+
+  [Symbol.dispose](): void {
+    this.free();
+  }
+
+  get #live(): Session {
+    if (this.#session) return this.#session;
+    throw usage('this model has been freed');
+  }
+
+  #progress() {
+    const { onProgress } = this.#core;
+    if (!onProgress) return undefined;
+    return (
+      stage: string,
+      fraction: number,
+      iteration: number,
+      residual: number,
+      round: number,
+      maxRounds: number,
+    ): boolean => onProgress({ stage, fraction, iteration, residual, round, maxRounds }) !== false;
+  }
+}
+
+/** A map of a model: its numbers, and calls that write and measure it. */
+export class CoreMap extends MapData {
+  /** @internal */
+  readonly model: CoreModel;
+  #stored: StoredResult | undefined;
+
+  /** @internal */
+  constructor(model: CoreModel, stored: StoredResult, result: Result) {
+    super(result);
+    this.model = model;
+    this.#stored = stored;
+  }
+
+  /** The original file with the new texture coordinates and otherwise unchanged, or another format. */
+  write(options: WriteOptions = {}): Written {
+    checkOptions('write', options);
+    return this.writeFrom(this.model, options);
+  }
+
+  /**
+   * Writes this map into the file of another model, which must be of the same surface.
+   * @internal
+   */
+  writeFrom(model: CoreModel, options: WriteOptions): Written {
+    const { format = 'same' } = options;
+    const { defaultName } = model;
+    const name = format === 'same' ? defaultName : exportName(defaultName, format);
+    const reply = model.showing(this.#live).write({ name, ...options });
+    const { files, notes, xref, certified } = valueOf(reply);
+    return { name: files[0].name, bytes: files[0].bytes, files, notes, xref, certified };
+  }
+
+  /** Distortion per triangle, overlaps, and the seam to which each seam edge belongs. */
+  measure(): Measures {
+    return valueOf(this.model.showing(this.#live).measure());
+  }
+
+  /** The cells of a map aligned in quad mode; throws `no-map` if it is not aligned. */
+  quads(options: QuadOptions = {}): Quads {
+    checkOptions('quads', options);
+    const { name = 'quads.obj' } = options;
+    return { name, ...valueOf(this.model.showing(this.#live).quads(name)) };
+  }
+
+  /** Frees the map, of which only the numbers can be used afterwards. */
+  free(): void {
+    this.#stored?.delete();
+    this.#stored = undefined;
+  }
+
+  [Symbol.dispose](): void {
+    this.free();
+  }
+
+  get #live(): StoredResult {
+    if (this.#stored) return this.#stored;
+    throw usage('this map has been freed');
+  }
+}
+
+defineDisposal(CoreModel.prototype);
+defineDisposal(CoreMap.prototype);

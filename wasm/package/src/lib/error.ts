@@ -1,0 +1,59 @@
+// The error class of this package.
+
+import type { HgpErrorCode, Where } from './results.js';
+
+/** An error with the same code on the page, in this package and on the command line. */
+export class HgpError extends Error {
+  readonly code: HgpErrorCode;
+  /** The step in which it happened. */
+  readonly stage: string | undefined;
+  /** Places on the mesh or in the file. */
+  readonly where: Where[] | undefined;
+
+  constructor(
+    { code, message, stage, where }: HgpFailure,
+    options?: {
+      /** What caused it. */
+      cause?: unknown;
+    },
+  ) {
+    super(message, options);
+    this.name = 'HgpError';
+    this.code = code;
+    this.stage = stage;
+    this.where = where;
+  }
+
+  /** `stage` and `where`. */
+  get details(): { stage?: string; where?: Where[] } {
+    return {
+      ...(this.stage === undefined ? {} : { stage: this.stage }),
+      ...(this.where === undefined ? {} : { where: this.where }),
+    };
+  }
+}
+
+/** What an HgpError says, as plain data. */
+export interface HgpFailure {
+  code: HgpErrorCode;
+  message: string;
+  stage?: string;
+  where?: Where[];
+}
+
+/**
+ * The error of a call with invalid arguments.
+ * @internal
+ */
+export const usage = (message: string): HgpError => new HgpError({ code: 'usage', message });
+
+/**
+ * The error if WebAssembly, or a file of this package, could not be loaded.
+ * @internal
+ */
+export const unavailable = (message: string, cause?: unknown): HgpError =>
+  new HgpError({ code: 'wasm-unavailable', message }, cause === undefined ? undefined : { cause });
+
+/** @internal */
+export const messageOf = (error: unknown): string =>
+  error instanceof Error ? error.message : String(error);

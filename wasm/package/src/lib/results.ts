@@ -1,0 +1,171 @@
+// What the calls of the solver return. The JSON documents are those of the command line; their types are generated
+// from the schemas in hgp/schema.
+
+import type { Certificate, Failure, Report, Where as Places } from './documents.js';
+import type { Cones } from './options.js';
+
+/** A place on the mesh (ids of the surface) or in the file. */
+export type Where = Places[number];
+
+/** The codes of the command line's errors, and two that only the package has. */
+export type HgpErrorCode = Failure['code'] | 'worker-lost' | 'wasm-unavailable';
+
+/** The loaded surface, to which vertex and triangle ids refer. */
+export interface Surface {
+  /** Three numbers per vertex, in the file's unit. */
+  positions: Float64Array;
+  /** Three vertices per triangle. */
+  triangles: Uint32Array;
+  /** The surface after welds and repairs, which is the one solved; absent if they changed nothing. */
+  repaired?: {
+    /** Three of its vertices per triangle. */
+    triangles: Uint32Array;
+    /** Its vertex → a vertex of the surface. */
+    vertexOrigin: Int32Array;
+    /** Vertex of the surface → its vertex; −1 if a repair removed it. */
+    vertexImage: Int32Array;
+  };
+}
+
+/** Facts about the surface as it is solved (after welds and repairs), in ids of the file. */
+export interface SurfaceFacts {
+  /** The vertex with which a vertex was joined, or itself; −1 if a repair removed it. */
+  representative: Int32Array;
+  /** Sum of the triangle angles at each vertex, in radians. */
+  angle: Float64Array;
+  /** Number of triangles at each vertex; the maximum over its copies if a repair split it. */
+  valence: Uint32Array;
+  /** 1 for vertices on the boundary; for a split vertex, if all copies are. */
+  isBoundary: Uint8Array;
+  /** Connected component of each vertex, in the order of `ModelInfo.components`; −1 for vertices without triangles. */
+  component: Int32Array;
+  /** Connected component of each triangle; −1 if a repair left it out. */
+  triangleComponent: Int32Array;
+  /** Neighbours of v: neighbours[neighbourStart[v]] … neighbours[neighbourStart[v + 1] − 1]. */
+  neighbourStart: Uint32Array;
+  neighbours: Uint32Array;
+  /** Total area of the triangles, in the file's unit squared. */
+  area: number;
+}
+
+/** Boundary loops and handle generators, in the order of the numbers `boundaries[].loop` and `handles[].generator`. */
+export interface Loops {
+  /** Vertices in order, the surface on their left. */
+  boundaries: Uint32Array[];
+  /** Two vertices for each edge that the generator crosses, in order along a closed walk over triangles. */
+  handles: Uint32Array[];
+}
+
+export interface Progress {
+  stage: string;
+  /** Progress of the stage, 0 to 1. */
+  fraction: number;
+  /** Iteration of the solver or of the improvement; -1 outside these. */
+  iteration: number;
+  /**
+   * Residual of the solver relative to its target; in the stages `improve` and `align`, the energy's excess over an
+   * isometry; -1 otherwise.
+   */
+  residual: number;
+  /** Round of the loop "solve, verify, repair", from 1 to at most maxRounds; both are 0 outside the loop. */
+  round: number;
+  maxRounds: number;
+  /** In parametrizeFile(): index of the mesh, and the number of meshes. */
+  mesh?: number;
+  meshes?: number;
+}
+
+export interface Result {
+  /** Three numbers per surface vertex. */
+  positions: Float64Array;
+  /** Three surface vertices per triangle. */
+  triangles: Uint32Array;
+  /** Two numbers per uv vertex, v pointing up, rounded as the file will store them. */
+  uv: Float64Array;
+  /** Three uv vertices per triangle. */
+  cornerToUv: Uint32Array;
+  /** uv vertex → surface vertex. */
+  uvToVertex: Uint32Array;
+  /** The two sides of each seam edge as uv vertices, and r: side b is side a rotated by 2πr/q and translated. */
+  seams: { a: [number, number]; b: [number, number]; r: number }[];
+  certificate: Certificate;
+  cones: Cones;
+  report: Report;
+  /** Size of the linear memory in bytes; it never shrinks. */
+  memory: number;
+}
+
+/** Measurements of the result per triangle and per seam edge, in the order of `triangles` and `seams`. */
+export interface Measures {
+  /** Ratio of the singular values of the derivative, at least 1; 1 preserves angles. */
+  stretch: Float32Array;
+  /** log₂ of uv area per surface area, minus that of all triangles together. */
+  area: Float32Array;
+  /** Triangles covered by the certificate that are flipped or have no area in the map. */
+  flipped: Uint32Array;
+  /** Total area of the triangles on the surface, in the file's unit squared. */
+  surfaceArea: number;
+  /** Total area of the triangles in the map, in absolute values. */
+  uvArea: number;
+  /** Triangles that overlap in the plane and share no uv, which is allowed; `isMore`: counting stopped early. */
+  overlaps: { pairs: number; triangles: Uint32Array; isMore: boolean };
+  /** For each seam edge, the number of the seam to which it belongs. */
+  seamChains: Uint32Array;
+}
+
+export interface Quads {
+  name: string;
+  bytes: Uint8Array;
+  vertices: number;
+  quads: number;
+  /** Number of cells that the boundary cuts; they are left out. */
+  clipped: number;
+  /** How often all cells were divided into four, so that no two edges have the same end vertices. */
+  halvings: number;
+  /** Pairs of vertices that several edges joined before cells were divided, around short handles and close cones. */
+  multipleEdges: number;
+  /** Quads that are the only one at a cone with k = 1, so that two of their edges coincide. */
+  foldedQuads: number;
+}
+
+export interface OutputFile {
+  name: string;
+  bytes: Uint8Array;
+}
+
+export interface Written {
+  /** Name and bytes of the main file. */
+  name: string;
+  bytes: Uint8Array;
+  /** The main file and its side files, in this order. */
+  files: OutputFile[];
+  notes: string[];
+  /** Written vertex → stored vertex; empty if they are the same. */
+  xref: Int32Array;
+  /** Whether the map is certified with the numbers in this file; formats round differently. */
+  certified: boolean;
+}
+
+/** The outcome for one mesh: its report, or the error if it has no map. */
+export interface MeshOutcome {
+  /** Index among the meshes of the file that have triangles. */
+  mesh: number;
+  certified: boolean;
+  report?: Report;
+  error?: { code: HgpErrorCode; message: string; stage?: string; where?: Where[] };
+}
+
+export interface FileResult {
+  /** Whether the maps of all meshes are certified. */
+  certified: boolean;
+  meshes: MeshOutcome[];
+  /**
+   * The file with all maps and its side files, the main file first. Empty if a mesh is not certified, unless
+   * `keepGoing` or `write.allowUncertified` is set.
+   */
+  files: OutputFile[];
+  /** Name and bytes of the main file, if there is one. */
+  name?: string;
+  bytes?: Uint8Array;
+  notes: string[];
+}

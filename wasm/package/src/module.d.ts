@@ -1,0 +1,72 @@
+// The module that Emscripten builds from wasm/bindings.cpp.
+
+/** The results of a call, or the JSON of its failure. */
+type Reply<T = unknown> = { error: string } | ({ error?: undefined } & T);
+type JsonReply = Reply<{ json: string }>;
+type ProgressCall = (
+  stage: string,
+  fraction: number,
+  iteration: number,
+  residual: number,
+  round: number,
+  maxRounds: number,
+) => boolean;
+
+/** An object of the module, which is freed by delete(). */
+export interface StoredResult {
+  delete(): void;
+}
+
+export interface Session {
+  load(
+    main: string,
+    names: string[],
+    contents: Uint8Array[],
+    decoders: object,
+    options: object,
+  ): JsonReply;
+  loadMesh(positions: ArrayLike<number>, triangles: ArrayLike<number>, options: object): JsonReply;
+  inspect(): JsonReply;
+  check(cones: string): JsonReply;
+  surface(): Reply<import('./lib/results.js').Surface>;
+  readCones(name: string, text: string, q: number): JsonReply;
+  embeddedCones(): Reply<{ json?: string }>;
+  suggestCones(options: object, onProgress?: ProgressCall): JsonReply;
+  parametrize(
+    cones: string,
+    options: object,
+    onProgress?: ProgressCall,
+  ): Reply<{
+    positions: Float64Array;
+    triangles: Uint32Array;
+    uv: Float64Array;
+    cornerToUv: Uint32Array;
+    uvToVertex: Uint32Array;
+    /** a0 a1 b0 b1 r of each seam edge. */
+    seams: Int32Array;
+    report: string;
+  }>;
+  storedResult(): StoredResult;
+  use(result: StoredResult): boolean;
+  verify(cones: string, options: object): JsonReply;
+  write(options: object): Reply<{
+    files: { name: string; bytes: Uint8Array }[];
+    notes: string[];
+    xref: Int32Array;
+    certified: boolean;
+  }>;
+  measure(): Reply<import('./lib/results.js').Measures>;
+  facts(): Reply<import('./lib/results.js').SurfaceFacts>;
+  loops(): Reply<import('./lib/results.js').Loops>;
+  quads(name: string): Reply<Omit<import('./lib/results.js').Quads, 'name'>>;
+  delete(): void;
+}
+
+export interface Module {
+  Session: new () => Session;
+  neededDecoders(json: Uint8Array): Reply<{ draco: boolean; meshopt: boolean }>;
+  version(): string;
+  HEAPU8: Uint8Array;
+}
+
+export default function createModule(options: object): Promise<Module>;

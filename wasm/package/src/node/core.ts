@@ -1,0 +1,16 @@
+// hgp/core for Node: the solver without a worker.
+
+import { compileWith } from '../lib/compile.js';
+import { Core } from '../lib/core.js';
+import type { WasmModule } from '../lib/globals.js';
+import type { InitOptions } from '../lib/options.js';
+import * as platform from './platform.js';
+
+export { Core, CoreMap, CoreModel } from '../lib/core.js';
+export { HgpError } from '../lib/error.js';
+
+export const compile = (options?: InitOptions): Promise<WasmModule> =>
+  compileWith(platform, options);
+
+export const createCore = async (options?: InitOptions): Promise<Core> =>
+  Core.make(await compileWith(platform, options), platform);

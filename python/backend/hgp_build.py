@@ -50,7 +50,7 @@ def project() -> Dict[str, Any]:
     found: Dict[str, Any] = {}
     for name, value in re.findall(r'^([\w-]+) = (".*"|\[.*\])$', text, re.M):
         found[name] = eval(value)  # noqa: S307 - a string or a list of strings of our own file
-    return {**found, "optional-dependencies": {"batch": found["batch"]}, "scripts": {"hgp": found["hgp"]}}
+    return {**found, "optional-dependencies": {"batch": found["batch"]}, "scripts": {name: found[name] for name in ("hgp", "hgp-batch")}}
 
 
 def metadata() -> str:

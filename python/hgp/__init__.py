@@ -9,7 +9,7 @@
 
 from __future__ import annotations
 
-from typing import Literal, Optional
+from typing import TYPE_CHECKING, Any, Callable, Iterable, Literal, Optional, Union
 
 import numpy.typing as npt
 
@@ -31,6 +31,9 @@ from ._errors import (
 )
 from ._map import Distortion, Map, Quads, Seams
 from ._mesh import ConesFor, Fix, Improve, Loops, Mesh, Method, OnProgress, Path, Progress, Weld, _mapped_mesh
+
+if TYPE_CHECKING:
+    from ._batch import Batch, Row
 
 __version__: str = _core.version()
 
@@ -59,6 +62,7 @@ __all__ = [
     "UnsupportedError",
     "UsageError",
     "WriteError",
+    "batch",
     "check",
     "inspect",
     "parametrize",
@@ -206,3 +210,49 @@ def verify(
 def inspect(V: npt.ArrayLike, F: npt.ArrayLike) -> MeshInfo:
     """Topology and defects of a mesh; see Mesh.inspect."""
     return Mesh(V, F).inspect()
+
+
+def batch(
+    paths: "Union[Path, Iterable[Path]]",
+    out: Path,
+    *,
+    scheduler: Optional[str] = None,
+    workers: Optional[int] = None,
+    format: Optional[Literal["obj", "glb"]] = None,
+    table: str = "results.csv",
+    memory_limit: Optional[int] = None,
+    hard_limit: Optional[float] = None,
+    on_row: "Optional[Callable[[Row, int, int], Any]]" = None,
+    **options: Any,
+) -> "Batch":
+    """Maps every mesh of many files on the workers of a Dask cluster, and continues where an earlier call ended.
+
+    Args:
+        paths: files, and folders that are searched for OBJ, OFF, PLY, STL, glTF and GLB, also gzipped.
+        out: folder for maps/, reports/, thumbnails/, the table and index.html; for a cluster, one that all workers share.
+        scheduler: address of a Dask scheduler, such as "tcp://10.0.0.1:8786"; by default processes of this machine.
+        workers: how many of them; by default one per core.
+        format: of the maps; by default that of the file (OBJ for OFF and STL, GLB for .gltf).
+        table: "….csv", or "….parquet" where pandas and pyarrow are installed.
+        memory_limit: bytes of address space that a file may take; beyond, its code is "limit".
+        hard_limit: seconds after which a process is killed; `time_limit` ends a solve in order.
+        on_row: called with each new row, the number of files that are done, and the number of all.
+        **options: those of Mesh.load, Mesh.parametrize and Map.save.
+
+    Returns:
+        An object with `rows` (a dictionary per mesh), `certified` and `kept` (files that were done before).
+    """
+    from ._batch import batch as run
+
+    return run(
+        paths,
+        out,
+        scheduler=scheduler,
+        workers=workers,
+        format=format,
+        table=table,
+        memory_limit=memory_limit,
+        hard_limit=hard_limit,
+        on_row=on_row,
+        **options,
+    )

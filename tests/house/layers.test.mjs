@@ -19,10 +19,10 @@ const mayInclude = {
   field: ['linalg', 'mesh', 'base'],
   seams: ['mesh', 'base'],
   cut: ['seams', 'field', 'linalg', 'mesh', 'base'],
-  system: ['cut', 'seams', 'field', 'linalg', 'mesh', 'base'],
+  system: ['cut', 'seams', 'field', 'socp', 'linalg', 'mesh', 'base'],
   socp: ['linalg', 'base'],
   optimize: ['system', 'cut', 'seams', 'field', 'socp', 'linalg', 'mesh', 'base'],
-  grid: ['seams', 'verify', 'socp', 'linalg', 'mesh', 'base'],
+  grid: ['system', 'cut', 'seams', 'field', 'verify', 'socp', 'linalg', 'mesh', 'base'],
   quads: ['mesh', 'base'],
 };
 mayInclude.improve = ['optimize', ...mayInclude.optimize, 'verify'];

@@ -177,11 +177,7 @@ export const faults = [
     'portable::exp(-in.options.u[v])',
     'portable::exp(in.options.u[v])',
   ),
-  fault(
-    'optimize/program_terms.cpp',
-    'constraint.h << in.options.margin',
-    'constraint.h << -in.options.margin',
-  ),
+  fault('system/face_rows.cpp', 'constraint.h << margin', 'constraint.h << -margin'),
   fault(
     'optimize/program_terms.cpp',
     'portable::polar(weight, in.seams.frameAngle[f])',

@@ -238,7 +238,7 @@ class Aligner {
     if (mesh_.faceCount() > kLargestWhole || !candidate.isApart) return false;
     std::vector<FaceId> all;
     for (FaceId f : mesh_.faces()) all.push_back(f);
-    std::vector<FaceId> bound = facesAround(mesh_, candidate.turned, 2);
+    std::vector<FaceId> bound = growFaces(mesh_, candidate.turned, 2);
     for (int round = 0; round < kWholeRounds; ++round) {
       if (!goOn(0.7)) return true;
       if (!affords(programWork(all.size(), bound.size()))) return false;
@@ -253,7 +253,7 @@ class Aligner {
       repaired.turned = turnedFaces(context_, repaired.x);
       if (accept(repaired, "whole mesh")) return true;
       if (repaired.turned.empty()) return false;
-      const std::vector<FaceId> more = facesAround(mesh_, repaired.turned, 2);
+      const std::vector<FaceId> more = growFaces(mesh_, repaired.turned, 2);
       bound.insert(bound.end(), more.begin(), more.end());
       std::sort(bound.begin(), bound.end());
       bound.erase(std::unique(bound.begin(), bound.end()), bound.end());

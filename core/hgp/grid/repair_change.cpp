@@ -31,39 +31,10 @@ std::vector<int> freeUnknowns(const ChangeContext& in, const std::vector<FaceId>
 }
 
 /// The change of one face as a function of the free unknowns; the other unknowns are constants.
-struct LocalStrain {
-  std::vector<int> unknowns;
-  std::vector<Complex> similar, anti;
-  Complex heldSimilar, heldAnti;
-};
-
-void localStrain(const ChangeContext& in, const std::vector<int>& place, const Eigen::VectorXcd& x,
-                 FaceId f, FaceStrain& all, LocalStrain& out) {
-  faceStrain(in.mesh, in.seams, in.change, in.uv, f, all);
-  out = {};
-  for (std::size_t i = 0; i < all.unknowns.size(); ++i) {
-    const int local = place[at(all.unknowns[i])];
-    if (local < 0) {
-      out.heldSimilar += all.similar[i] * x[all.unknowns[i]];
-      out.heldAnti += all.anti[i] * x[all.unknowns[i]];
-      continue;
-    }
-    out.unknowns.push_back(local);
-    out.similar.push_back(all.similar[i]);
-    out.anti.push_back(all.anti[i]);
-  }
-}
-
-socp::ConeConstraint positivity(const LocalStrain& s) {
-  socp::ConeConstraint constraint;
-  constraint.F.resize(3, static_cast<Eigen::Index>(2 * s.unknowns.size()));
-  for (std::size_t i = 0; i < s.unknowns.size(); ++i) {
-    const auto column = static_cast<Eigen::Index>(2 * i);
-    constraint.F.col(column) << s.similar[i].real(), s.anti[i].real(), s.anti[i].imag();
-    constraint.F.col(column + 1) << -s.similar[i].imag(), -s.anti[i].imag(), s.anti[i].real();
-  }
-  constraint.h << kMargin - 1.0 - s.heldSimilar.real(), -s.heldAnti.real(), -s.heldAnti.imag();
-  return constraint;
+void localRows(const ChangeContext& in, const std::vector<int>& place, const Eigen::VectorXcd& x,
+               FaceId f, FaceRows& rows) {
+  strainRows(
+      in.seams, in.change, in.uv, f, [&](int unknown) { return place[at(unknown)]; }, x, rows);
 }
 
 /// ½ x* H x + Re(c* x) in the free unknowns.
@@ -79,71 +50,20 @@ StrainForm strainOfFree(const ChangeContext& in, const std::vector<FaceId>& face
   const auto count = static_cast<Eigen::Index>(freeCount);
   StrainForm form{Eigen::SparseMatrix<Complex>(count, count), Eigen::VectorXcd::Zero(count)};
   std::vector<Eigen::Triplet<Complex>> entries;
-  FaceStrain all;
-  LocalStrain s;
+  FaceRows rows;
   for (FaceId f : faces) {
-    localStrain(in, place, x, f, all, s);
-    const double w = in.weights.face[f], d = w * in.weights.similarity;
-    for (std::size_t i = 0; i < s.unknowns.size(); ++i) {
-      form.c[s.unknowns[i]] +=
-          w * std::conj(s.anti[i]) * s.heldAnti + d * std::conj(s.similar[i]) * s.heldSimilar;
-      for (std::size_t j = 0; j < s.unknowns.size(); ++j)
-        entries.emplace_back(
-            s.unknowns[i], s.unknowns[j],
-            w * std::conj(s.anti[i]) * s.anti[j] + d * std::conj(s.similar[i]) * s.similar[j]);
-    }
+    localRows(in, place, x, f, rows);
+    const double w = in.weights.face[f];
+    addSquares(
+        rows, w * in.weights.similarity, w,
+        [&](int i, const Complex& value) { form.c[i] += value; },
+        [&](int i, int j, const Complex& value) { entries.emplace_back(i, j, value); });
   }
   form.H.setFromTriplets(entries.begin(), entries.end());
   return form;
 }
 
 }  // namespace
-
-std::vector<FaceId> facesAround(const TriMesh& mesh, const std::vector<FaceId>& faces, int rings) {
-  PerFace<char> isIn(at(mesh.faceCount()), 0);
-  std::vector<FaceId> all = faces, front = faces;
-  for (FaceId f : faces) isIn[f] = 1;
-  for (int ring = 0; ring < rings; ++ring) {
-    std::vector<FaceId> next;
-    for (FaceId f : front)
-      for (VertexId v : mesh.corners(f))
-        for (HalfedgeId h : outgoingHalfedges(mesh, v)) {
-          const FaceId g = TriMesh::face(h);
-          if (isIn[g]) continue;
-          isIn[g] = 1;
-          next.push_back(g);
-        }
-    all.insert(all.end(), next.begin(), next.end());
-    front = std::move(next);
-  }
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  return all;
-}
-
-std::vector<std::vector<FaceId>> patchesAround(const TriMesh& mesh,
-                                               const std::vector<FaceId>& faces, int rings) {
-  std::vector<std::vector<FaceId>> patches;
-  const std::vector<FaceId> all = facesAround(mesh, faces, rings);
-  PerFace<char> isLeft(at(mesh.faceCount()), 0);
-  for (FaceId f : all) isLeft[f] = 1;
-  for (FaceId first : all) {
-    if (!isLeft[first]) continue;
-    std::vector<FaceId> patch{first};
-    isLeft[first] = 0;
-    for (std::size_t n = 0; n < patch.size(); ++n)
-      for (VertexId v : mesh.corners(patch[n]))
-        for (HalfedgeId h : outgoingHalfedges(mesh, v)) {
-          const FaceId g = TriMesh::face(h);
-          if (!isLeft[g]) continue;
-          isLeft[g] = 0;
-          patch.push_back(g);
-        }
-    std::sort(patch.begin(), patch.end());
-    patches.push_back(std::move(patch));
-  }
-  return patches;
-}
 
 std::vector<FaceId> turnedFaces(const ChangeContext& in, const Eigen::VectorXcd& x) {
   const std::vector<Complex> dz = in.change.evaluate(x);
@@ -166,17 +86,17 @@ bool repairChange(const ChangeContext& in, const std::vector<FaceId>& patch,
   std::vector<int> place;
   const std::vector<int> free = freeUnknowns(in, patch, isHeld, place);
   if (free.empty()) return false;
-  const StrainForm form = strainOfFree(in, facesAround(in.mesh, patch, 1), place, x, free.size());
+  const StrainForm form = strainOfFree(in, growFaces(in.mesh, patch, 1), place, x, free.size());
 
   socp::Problem problem;
   linalg::Cliques cliques;
-  FaceStrain all;
-  LocalStrain s;
+  FaceRows rows;
   for (FaceId f : bound) {
-    localStrain(in, place, x, f, all, s);
-    if (s.unknowns.empty()) continue;
-    problem.constraints.push_back(positivity(s));
-    cliques.push_back(s.unknowns);
+    localRows(in, place, x, f, rows);
+    if (rows.terms.empty()) continue;
+    rows.heldSimilar += 1.0;  // of the map itself
+    problem.constraints.push_back(coneCondition(rows, 1.0, 1.0, kMargin));
+    cliques.push_back(rows.unknowns());
   }
   linalg::PartialCholesky cholesky;
   if (!cholesky.build(form.H, cliques, {})) return false;

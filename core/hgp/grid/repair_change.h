@@ -4,6 +4,7 @@
 
 #include "hgp/base/progress.h"
 #include "hgp/grid/strain_form.h"
+#include "hgp/mesh/face_rings.h"
 
 namespace hgp {
 
@@ -27,11 +28,5 @@ std::vector<FaceId> turnedFaces(const ChangeContext& context, const Eigen::Vecto
 bool repairChange(const ChangeContext& context, const std::vector<FaceId>& patch,
                   const std::vector<FaceId>& bound, const std::vector<char>& isHeld,
                   Eigen::VectorXcd& x, double& work, const Progress& progress);
-
-/// `faces` and all faces within this many rings of vertices, ascending.
-std::vector<FaceId> facesAround(const TriMesh& mesh, const std::vector<FaceId>& faces, int rings);
-/// The same in sets that have no vertex in common and can therefore be solved independently.
-std::vector<std::vector<FaceId>> patchesAround(const TriMesh& mesh,
-                                               const std::vector<FaceId>& faces, int rings);
 
 }  // namespace hgp

@@ -61,37 +61,11 @@ std::vector<Complex> SeamlessChange::evaluate(const Eigen::VectorXcd& x) const {
   return dz;
 }
 
-void faceStrain(const TriMesh&, const SeamStructure& seams, const SeamlessChange& change,
-                const std::vector<Vec2>& uv, FaceId f, FaceStrain& out) {
-  int copy[3];
-  Complex p[3];
-  for (int k = 0; k < 3; ++k) {
-    copy[k] = seams.copy[TriMesh::halfedge(f, k)];
-    p[k] = positionOf(uv, copy[k]);
-  }
+LinearParts planeParts(const SeamStructure& seams, const std::vector<Vec2>& uv, FaceId f) {
+  std::array<Complex, 3> p;
+  for (int k = 0; k < 3; ++k) p[at(k)] = positionOf(uv, seams.copy[TriMesh::halfedge(f, k)]);
   const double twiceArea = std::imag(std::conj(p[1] - p[0]) * (p[2] - p[0]));
-  out.unknowns.clear();
-  out.similar.clear();
-  out.anti.clear();
-  std::vector<SeamlessChange::Term> terms;
-  for (int k = 0; k < 3; ++k) {
-    terms.clear();
-    change.append(copy[k], 1.0, terms);
-    // Half the gradient of φ_k: the opposite edge turned by a quarter over four times the area.
-    const Complex anti =
-        Complex(0, 0.5) * (p[(k + 2) % 3] - p[(k + 1) % 3]) / std::max(twiceArea, 1e-300);
-    for (const SeamlessChange::Term& t : terms) {
-      const auto found = std::find(out.unknowns.begin(), out.unknowns.end(), t.unknown);
-      const auto i = static_cast<std::size_t>(found - out.unknowns.begin());
-      if (found == out.unknowns.end()) {
-        out.unknowns.push_back(t.unknown);
-        out.similar.push_back(0.0);
-        out.anti.push_back(0.0);
-      }
-      out.similar[i] += std::conj(anti) * t.factor;
-      out.anti[i] += anti * t.factor;
-    }
-  }
+  return linearParts(p, std::max(twiceArea, 1e-300));
 }
 
 StrainWeights strainWeights(const TriMesh& mesh, const SeamStructure& seams,
@@ -123,15 +97,14 @@ Eigen::SparseMatrix<Complex> strainForm(const TriMesh& mesh, const SeamStructure
                                         const StrainWeights& weights) {
   std::vector<Eigen::Triplet<Complex>> entries;
   entries.reserve(9 * at(mesh.faceCount()));
-  FaceStrain strain;
+  FaceRows rows;
   for (FaceId f : mesh.faces()) {
-    faceStrain(mesh, seams, change, uv, f, strain);
-    const double w = weights.face[f], s = w * weights.similarity;
-    for (std::size_t i = 0; i < strain.unknowns.size(); ++i)
-      for (std::size_t j = 0; j < strain.unknowns.size(); ++j)
-        entries.emplace_back(strain.unknowns[i], strain.unknowns[j],
-                             w * std::conj(strain.anti[i]) * strain.anti[j] +
-                                 s * std::conj(strain.similar[i]) * strain.similar[j]);
+    strainRows(
+        seams, change, uv, f, [](int unknown) { return unknown; }, {}, rows);
+    const double w = weights.face[f];
+    addSquares(
+        rows, w * weights.similarity, w, [](int, const Complex&) {},
+        [&](int i, int j, const Complex& value) { entries.emplace_back(i, j, value); });
   }
   Eigen::SparseMatrix<Complex> H(change.count(), change.count());
   H.setFromTriplets(entries.begin(), entries.end());

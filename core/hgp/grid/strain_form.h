@@ -6,6 +6,7 @@
 #include <Eigen/SparseCore>
 
 #include "hgp/seams/seam_structure.h"
+#include "hgp/system/face_rows.h"
 
 namespace hgp {
 
@@ -36,14 +37,24 @@ class SeamlessChange {
   PerVertex<int> closureOf_;
 };
 
-/// Derivatives of the changed map of a face with respect to the map's own plane: with f = z + dx, f_z = 1 + Σ similar x,
-/// f_z̄ = Σ anti x.
-struct FaceStrain {
-  std::vector<int> unknowns;
-  std::vector<Complex> similar, anti;
-};
-void faceStrain(const TriMesh& mesh, const SeamStructure& seams, const SeamlessChange& change,
-                const std::vector<Vec2>& uv, FaceId f, FaceStrain& out);
+/// Of a triangle of the map.
+LinearParts planeParts(const SeamStructure& seams, const std::vector<Vec2>& uv, FaceId f);
+
+/// Derivatives of the change of a face with respect to the map's own plane: with f = z + dx, f_z = 1 + dx_z and
+/// f_z̄ = dx_z̄.
+/// @param number, held  see gatherFaceRows
+template <class Number>
+void strainRows(const SeamStructure& seams, const SeamlessChange& change,
+                const std::vector<Vec2>& uv, FaceId f, Number number, const Eigen::VectorXcd& held,
+                FaceRows& rows) {
+  std::vector<SeamlessChange::Term> terms;
+  const auto eachTerm = [&](int k, const auto& visit) {
+    terms.clear();
+    change.append(seams.copy[TriMesh::halfedge(f, k)], 1.0, terms);
+    for (const SeamlessChange::Term& t : terms) visit(t.unknown, t.factor);
+  };
+  gatherFaceRows(planeParts(seams, uv, f), eachTerm, number, held, rows);
+}
 
 /// Weights of the strain energy Σ_f w_f (|dx_z̄|² + δ |dx_z|²).
 struct StrainWeights {

@@ -1,20 +1,12 @@
 #include "hgp/improve/face_terms.h"
 
-#include <algorithm>
 #include <cmath>
-
-#include "hgp/optimize/frames.h"
 
 namespace hgp {
 
 FaceTerms::FaceTerms(const ReducedMap& map, const std::vector<char>& isHeld,
-                     const Eigen::VectorXcd& x) {
-  std::vector<int> place(isHeld.size(), -1);
-  for (std::size_t i = 0; i < isHeld.size(); ++i)
-    if (!isHeld[i]) {
-      place[i] = freeCount();
-      unknownOf_.push_back(static_cast<int>(i));
-    }
+                     const Eigen::VectorXcd& x)
+    : free_(isHeld) {
   const auto faces = static_cast<std::size_t>(map.mesh.faceCount());
   start_.reserve(faces + 1);
   start_.push_back(0);
@@ -23,45 +15,16 @@ FaceTerms::FaceTerms(const ReducedMap& map, const std::vector<char>& isHeld,
   held_.reserve(faces);
   double surface = 0.0;
   for (FaceId f : map.mesh.faces()) surface += map.geometry.area[f];
+  FaceRows rows;
   for (FaceId f : map.mesh.faces()) {
-    const LinearParts parts = linearParts(map.geometry, f);
-    std::array<Complex, 2> held{};
-    for (int k = 0; k < 3; ++k)
-      for (SparseRows::InnerIterator it(map.unknowns.copies,
-                                        map.cut.copy[TriMesh::halfedge(f, k)].i);
-           it; ++it) {
-        const Complex similar = parts.similarity[at(k)] * it.value();
-        const Complex anti = parts.antisimilarity[at(k)] * it.value();
-        const int unknown = place[at(it.col())];
-        if (unknown < 0) {
-          held[0] += similar * x[it.col()];
-          held[1] += anti * x[it.col()];
-          continue;
-        }
-        const auto first = terms_.begin() + static_cast<std::ptrdiff_t>(start_.back());
-        const auto same = std::find_if(first, terms_.end(),
-                                       [&](const Term& term) { return term.unknown == unknown; });
-        if (same == terms_.end()) {
-          terms_.push_back({unknown, similar, anti});
-        } else {
-          same->similar += similar;
-          same->anti += anti;
-        }
-      }
+    gatherFaceRows(
+        linearParts(map.geometry, f), CornerCopies{map.cut, map.unknowns, f},
+        [&](int unknown) { return free_.number(unknown); }, x, rows);
+    terms_.insert(terms_.end(), rows.terms.begin(), rows.terms.end());
     start_.push_back(terms_.size());
     weight_.push_back(map.geometry.area[f] / surface);
-    held_.push_back(held);
+    held_.push_back({rows.heldSimilar, rows.heldAnti});
   }
-}
-
-Eigen::VectorXcd FaceTerms::gather(const Eigen::VectorXcd& x) const {
-  Eigen::VectorXcd free(freeCount());
-  for (int i = 0; i < freeCount(); ++i) free[i] = x[unknownOf_[at(i)]];
-  return free;
-}
-
-void FaceTerms::scatter(const Eigen::VectorXcd& free, Eigen::VectorXcd& x) const {
-  for (int i = 0; i < freeCount(); ++i) x[unknownOf_[at(i)]] = free[i];
 }
 
 void evaluateParts(const FaceTerms& terms, const Eigen::VectorXcd& y, bool isChange,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hgp/mesh/geometry.h"
+#include "hgp/system/face_rows.h"
 #include "hgp/system/reduced_unknowns.h"
 
 namespace hgp {
@@ -22,18 +23,15 @@ struct ReducedMap {
 /// that are free. Triangles without a free unknown are kept: their energy counts, their rows are empty.
 class FaceTerms {
  public:
-  struct Term {
-    int unknown;  ///< among the free ones
-    Complex similar, anti;
-  };
+  using Term = FaceRows::Term;  ///< its unknown: the number among the free ones
 
   /// @param isHeld  by unknown of ReducedUnknowns; held ones stay as in x
   FaceTerms(const ReducedMap& map, const std::vector<char>& isHeld, const Eigen::VectorXcd& x);
 
   int faceCount() const { return static_cast<int>(weight_.size()); }
-  int freeCount() const { return static_cast<int>(unknownOf_.size()); }
-  /// For each free unknown, its index in ReducedUnknowns.
-  const std::vector<int>& unknownOf() const { return unknownOf_; }
+  int freeCount() const { return free_.count(); }
+  /// Which unknowns of ReducedUnknowns are free.
+  const FreeUnknowns& free() const { return free_; }
 
   std::span<const Term> terms(int face) const {
     return {terms_.data() + start_[at(face)], start_[at(face) + 1] - start_[at(face)]};
@@ -43,16 +41,12 @@ class FaceTerms {
   Complex heldSimilar(int face) const { return held_[at(face)][0]; }
   Complex heldAnti(int face) const { return held_[at(face)][1]; }
 
-  /// Copies the free unknowns out of x, and back; held ones do not change.
-  Eigen::VectorXcd gather(const Eigen::VectorXcd& x) const;
-  void scatter(const Eigen::VectorXcd& free, Eigen::VectorXcd& x) const;
-
  private:
   std::vector<std::size_t> start_;
   std::vector<Term> terms_;
   std::vector<double> weight_;
   std::vector<std::array<Complex, 2>> held_;
-  std::vector<int> unknownOf_;
+  FreeUnknowns free_;
 };
 
 /// f_z and f_z̄ of every triangle.

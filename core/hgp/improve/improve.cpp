@@ -45,7 +45,7 @@ class Descent {
         terms_(map, isHeld, x),
         system_(map, terms_, tree),
         x_(x),
-        free_(terms_.gather(x)) {
+        free_(terms_.free().gather(x)) {
     evaluateParts(terms_, free_, false, parts_);
     trial_ = parts_;
     measure();
@@ -79,7 +79,7 @@ class Descent {
       const double value = meanEnergy(exponents_, terms_, trial_, scale_);
       if (!(value <= energy_ + kSufficientDecrease * length * slope)) continue;
       Eigen::VectorXcd moved = x_;
-      terms_.scatter(free_ + length * direction, moved);
+      terms_.free().scatter(free_ + length * direction, moved);
       if (!isInjective(map_, moved)) continue;
       x_ = std::move(moved);
       free_ += length * direction;

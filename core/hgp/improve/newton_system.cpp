@@ -21,13 +21,11 @@ constexpr double kStepWork = 2e3;
 linalg::SeparatorTree treeOf(const ReducedMap& map, const FaceTerms& terms,
                              const linalg::SeparatorTree& vertices,
                              const linalg::Cliques& cliques) {
-  std::vector<int> freeOf(static_cast<std::size_t>(map.unknowns.count), -1);
-  for (int i = 0; i < terms.freeCount(); ++i) freeOf[at(terms.unknownOf()[at(i)])] = i;
   // In the tree, vertices' unknowns come first and the others are appended.
   std::vector<int> rank(static_cast<std::size_t>(terms.freeCount()), -1), keep, unknownAt;
   for (VertexId v : map.mesh.vertices()) {
     const int unknown = map.unknowns.vertexUnknown[v];
-    const int free = unknown < 0 ? -1 : freeOf[at(unknown)];
+    const int free = unknown < 0 ? -1 : terms.free().number(unknown);
     keep.push_back(free < 0 ? -1 : static_cast<int>(unknownAt.size()));
     if (free < 0) continue;
     rank[at(free)] = keep.back();

@@ -14,12 +14,12 @@ class ExactForm : public ProgramForm {
  public:
   ExactForm(const ProgramInput& in, const ExactObjective& objective, const HeldUnknowns& held)
       : in_(in), vertexTree_(*objective.vertexTree), held_(held) {}
-  int place(int unknown) const override { return place_[static_cast<std::size_t>(unknown)]; }
+  int number(int unknown) const override { return number_[at(unknown)]; }
 
   Eigen::VectorXcd expand(const Eigen::VectorXcd& x) const override {
     Eigen::VectorXcd all(static_cast<Eigen::Index>(kept_.size()));
     for (std::size_t i = 0; i < kept_.size(); ++i)
-      all[static_cast<Eigen::Index>(i)] = isHeld(kept_[i]) ? 0.0 : x[place(kept_[i])];
+      all[static_cast<Eigen::Index>(i)] = isHeld(kept_[i]) ? 0.0 : x[number(kept_[i])];
     return lu_.extend(all);
   }
 
@@ -44,16 +44,16 @@ class ExactForm : public ProgramForm {
     FaceRows rows;
     const auto keep = [&](FaceId f) {
       faceRows(in_, held_, f, rows);
-      for (int unknown : rows.unknowns) isKept[static_cast<std::size_t>(unknown)] = 1;
+      for (const FaceRows::Term& term : rows.terms) isKept[at(term.unknown)] = 1;
     };
     for (FaceId f : in_.frames.faces) keep(f);
     for (FaceId f : in_.options.soft.faces) keep(f);
-    place_.assign(isKept.size(), -1);
+    number_.assign(isKept.size(), -1);
     for (std::size_t i = 0; i < isKept.size(); ++i) {
       if (!isKept[i]) continue;
       const int unknown = static_cast<int>(i);
       kept_.push_back(unknown);
-      if (!held_.isHeld[i]) place_[i] = count_++;
+      if (!held_.isHeld[i]) number_[i] = count_++;
     }
   }
 
@@ -90,9 +90,9 @@ class ExactForm : public ProgramForm {
     for (VertexId v : in_.mesh.vertices()) {
       const int unknown = in_.unknowns.vertexUnknown[v];
       if (unknown < 0) continue;
-      const auto at = std::lower_bound(kept_.begin(), kept_.end(), unknown);
-      if (at != kept_.end() && *at == unknown)
-        weight[at - kept_.begin()] = portable::exp(-in_.options.u[v]);
+      const auto found = std::lower_bound(kept_.begin(), kept_.end(), unknown);
+      if (found != kept_.end() && *found == unknown)
+        weight[found - kept_.begin()] = portable::exp(-in_.options.u[v]);
     }
     const Eigen::MatrixXcd gram = lu_.gram(weight);
     Eigen::MatrixXcd H(count_, count_);
@@ -100,25 +100,25 @@ class ExactForm : public ProgramForm {
       for (std::size_t i = j; i < kept_.size(); ++i) {
         if (isHeld(kept_[i]) || isHeld(kept_[j])) continue;
         const Complex value = gram(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-        H(place(kept_[i]), place(kept_[j])) = value;
-        H(place(kept_[j]), place(kept_[i])) = std::conj(value);
+        H(number(kept_[i]), number(kept_[j])) = value;
+        H(number(kept_[j]), number(kept_[i])) = std::conj(value);
       }
     c = Eigen::VectorXcd::Zero(count_);
     linalg::Cliques cliques;
     FaceRows rows;
-    const auto placedRows = [&](FaceId f) {
+    const auto addDistortion = [&](FaceId f, double delta) {
       faceRows(in_, held_, f, rows);
-      for (int& unknown : rows.unknowns) unknown = place(unknown);
+      for (FaceRows::Term& term : rows.terms) term.unknown = number(term.unknown);
+      scaleToDistortion(in_, f, delta, rows);
+      addSquares(
+          rows, 1.0, 1.0, [&](int i, const Complex& value) { c[i] += value; },
+          [&](int i, int j, const Complex& value) { H(i, j) += value; });
     };
     for (FaceId f : in_.frames.faces) {
-      placedRows(f);
-      addDistortion(rows, distortionRows(in_, f, in_.options.tieBreak), H);
-      cliques.push_back(rows.unknowns);
+      addDistortion(f, in_.options.tieBreak);
+      cliques.push_back(rows.unknowns());
     }
-    for (FaceId f : in_.options.soft.faces) {
-      placedRows(f);
-      addDistortion(rows, distortionRows(in_, f, in_.options.soft.weight), H);
-    }
+    for (FaceId f : in_.options.soft.faces) addDistortion(f, in_.options.soft.weight);
     linalg::SeparatorTree root;
     root.order.resize(static_cast<std::size_t>(count_));
     std::iota(root.order.begin(), root.order.end(), 0);
@@ -130,23 +130,13 @@ class ExactForm : public ProgramForm {
     return static_cast<bool>(cholesky.build(H.sparseView(), cliques, options));
   }
 
-  void addDistortion(const FaceRows& rows, const DistortionRows& d, Eigen::MatrixXcd& H) {
-    for (std::size_t i = 0; i < rows.unknowns.size(); ++i) {
-      const Complex similar = d.first * rows.similar[i], anti = d.second * rows.anti[i];
-      c[rows.unknowns[i]] += std::conj(similar) * d.heldFirst(rows);
-      for (std::size_t j = 0; j < rows.unknowns.size(); ++j)
-        H(rows.unknowns[i], rows.unknowns[j]) += std::conj(similar) * (d.first * rows.similar[j]) +
-                                                 std::conj(anti) * (d.second * rows.anti[j]);
-    }
-  }
-
   bool isHeld(int unknown) const { return held_.isHeld[static_cast<std::size_t>(unknown)] != 0; }
 
   const ProgramInput& in_;
   const linalg::SeparatorTree& vertexTree_;
   const HeldUnknowns& held_;  // the pinned unknown, held at 0
   int count_ = 0;
-  std::vector<int> kept_, place_;
+  std::vector<int> kept_, number_;
   linalg::SchurLu lu_;
 };
 

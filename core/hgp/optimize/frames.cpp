@@ -23,34 +23,4 @@ Frames fieldFrames(const SeamRotations& seams, std::vector<FaceId> faces) {
   return frames;
 }
 
-LinearParts linearParts(const Geometry& geometry, FaceId f) {
-  const auto& p = geometry.corner[f];
-  LinearParts parts;
-  for (std::size_t k = 0; k < 3; ++k) {
-    // ∇φ_k is the opposite edge turned by a quarter and divided by twice the area.
-    const Complex gradient =
-        Complex(0, 1) * (p[(k + 2) % 3] - p[(k + 1) % 3]) / (2.0 * geometry.area[f]);
-    parts.antisimilarity[k] = 0.5 * gradient;
-    parts.similarity[k] = 0.5 * std::conj(gradient);
-  }
-  return parts;
-}
-
-std::vector<FaceId> growFaces(const TriMesh& mesh, const std::vector<FaceId>& faces, int rings) {
-  PerVertex<char> isMarked(static_cast<std::size_t>(mesh.vertexCount()), 0);
-  std::vector<FaceId> grown = faces;
-  for (int ring = 0; ring < rings; ++ring) {
-    for (FaceId f : grown)
-      for (VertexId v : mesh.corners(f)) isMarked[v] = 1;
-    grown.clear();
-    for (FaceId f : mesh.faces())
-      for (VertexId v : mesh.corners(f))
-        if (isMarked[v]) {
-          grown.push_back(f);
-          break;
-        }
-  }
-  return grown;
-}
-
 }  // namespace hgp

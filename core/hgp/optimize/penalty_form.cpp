@@ -12,24 +12,20 @@ using SparseC = Eigen::SparseMatrix<Complex>;
 
 class PenaltyForm : public ProgramForm {
  public:
-  explicit PenaltyForm(const HeldUnknowns& held) : held_(held), place_(held.isHeld.size(), -1) {
-    for (std::size_t i = 0; i < place_.size(); ++i)
-      if (!held.isHeld[i]) place_[i] = count++;
-    c = Eigen::VectorXcd::Zero(count);
+  explicit PenaltyForm(const HeldUnknowns& held) : held_(held), free_(held.isHeld) {
+    c = Eigen::VectorXcd::Zero(free_.count());
   }
-  int place(int unknown) const override { return place_[static_cast<std::size_t>(unknown)]; }
+  int count() const { return free_.count(); }
+  int number(int unknown) const override { return free_.number(unknown); }
   Eigen::VectorXcd expand(const Eigen::VectorXcd& x) const override {
     Eigen::VectorXcd full = held_.value;
-    for (std::size_t i = 0; i < place_.size(); ++i)
-      if (place_[i] >= 0) full[static_cast<Eigen::Index>(i)] = x[place_[i]];
+    free_.scatter(x, full);
     return full;
   }
 
-  int count = 0;
-
  private:
   const HeldUnknowns& held_;
-  std::vector<int> place_;
+  FreeUnknowns free_;
 };
 
 /// A sum of terms |row x + constant|², collected as the matrix of all rows and the linear term.
@@ -37,7 +33,7 @@ class RowList {
  public:
   RowList(PenaltyForm& form, std::size_t expected) : form_(form) { entries_.reserve(expected); }
   void add(int unknown, const Complex& value) {
-    entries_.emplace_back(count_, form_.place(unknown), value);
+    entries_.emplace_back(count_, form_.number(unknown), value);
   }
   void endRow(const Complex& constant) {
     for (; done_ < entries_.size(); ++done_)
@@ -45,7 +41,7 @@ class RowList {
     ++count_;
   }
   SparseC take() {
-    SparseC all(count_, form_.count);
+    SparseC all(count_, form_.count());
     all.setFromTriplets(entries_.begin(), entries_.end());
     entries_ = {};
     return all;
@@ -64,14 +60,14 @@ void addHarmonicRows(const ProgramInput& in, const HeldUnknowns& held, const Pen
   for (Eigen::Index r = 0; r < harmonic.rows(); ++r) {
     bool isEmpty = true;
     for (SparseRows::InnerIterator it(harmonic, r); it && isEmpty; ++it)
-      isEmpty = form.place(static_cast<int>(it.col())) < 0;
+      isEmpty = form.number(static_cast<int>(it.col())) < 0;
     if (isEmpty) continue;
     const VertexId v = in.harmonic.rowVertex[static_cast<std::size_t>(r)];
     const double weight = portable::exp(-in.options.u[v]);
     Complex constant = 0.0;
     for (SparseRows::InnerIterator it(harmonic, r); it; ++it) {
       const auto unknown = static_cast<int>(it.col());
-      if (form.place(unknown) < 0)
+      if (form.number(unknown) < 0)
         constant += weight * it.value() * held.value[unknown];
       else
         list.add(unknown, weight * it.value());
@@ -91,14 +87,12 @@ void addDistortion(const ProgramInput& in, double quality, const HeldUnknowns& h
   for (FaceId f : in.mesh.faces()) {
     if (delta[f] <= 0.0) continue;
     faceRows(in, held, f, rows);
-    if (rows.unknowns.empty()) continue;
-    const DistortionRows d = distortionRows(in, f, delta[f]);
-    for (std::size_t i = 0; i < rows.unknowns.size(); ++i)
-      list.add(rows.unknowns[i], d.first * rows.similar[i]);
-    list.endRow(d.heldFirst(rows));
-    for (std::size_t i = 0; i < rows.unknowns.size(); ++i)
-      list.add(rows.unknowns[i], d.second * rows.anti[i]);
-    list.endRow(d.heldSecond(rows));
+    if (rows.terms.empty()) continue;
+    scaleToDistortion(in, f, delta[f], rows);
+    for (const FaceRows::Term& term : rows.terms) list.add(term.unknown, term.similar);
+    list.endRow(rows.heldSimilar);
+    for (const FaceRows::Term& term : rows.terms) list.add(term.unknown, term.anti);
+    list.endRow(rows.heldAnti);
   }
 }
 
@@ -120,7 +114,7 @@ linalg::SeparatorTree treeOf(const ProgramInput& in, const linalg::SeparatorTree
                              const PenaltyForm& form, const SparseC& H) {
   std::vector<int> keep = in.unknowns.vertexUnknown.raw();
   for (int& unknown : keep)
-    if (unknown >= 0) unknown = form.place(unknown);
+    if (unknown >= 0) unknown = form.number(unknown);
   const linalg::SeparatorTree vertices = linalg::restrictTree(wideTree, keep);
   // Only the neighbours of appended unknowns are needed.
   linalg::Graph appended;
@@ -147,8 +141,9 @@ std::unique_ptr<ProgramForm> penaltyForm(const ProgramInput& in, const PenaltyOb
   FaceRows rows;
   for (FaceId f : in.frames.faces) {
     faceRows(in, held, f, rows);
-    for (int& unknown : rows.unknowns) unknown = form->place(unknown);
-    cliques.push_back(rows.unknowns);
+    cliques.emplace_back();
+    for (const FaceRows::Term& term : rows.terms)
+      cliques.back().push_back(form->number(term.unknown));
   }
   linalg::PartialCholeskyOptions options;
   linalg::SeparatorTree tree;

@@ -59,7 +59,7 @@ double harmonicGradient(const ProgramInput& in, const ProgramForm& form, const E
   gradient = Eigen::VectorXcd::Zero(x.size());
   for (int unknown = 0; unknown < in.unknowns.count; ++unknown)
     if (!held.isHeld[static_cast<std::size_t>(unknown)])
-      gradient[form.place(unknown)] = all[unknown];
+      gradient[form.number(unknown)] = all[unknown];
   return energy;
 }
 
@@ -67,9 +67,12 @@ double harmonicGradient(const ProgramInput& in, const ProgramForm& form, const E
 /// proximal step (the minimiser with the distortion term relative to the last map instead of the frames)
 /// reduces that by a constant factor. If the energy does not vanish, x is unchanged:
 /// there is no exactly harmonic map, and the steps would only shrink it.
-void removeTieBreak(const ProgramInput& in, const ProgramForm& form, const HeldUnknowns& held,
-                    const socp::Problem& problem, Eigen::VectorXd root, Eigen::VectorXcd& x) {
-  Eigen::VectorXcd moved = x, gradient;
+/// @param root  the solution of the reduced problem
+/// @return all unknowns
+Eigen::VectorXcd withoutTieBreak(const ProgramInput& in, const ProgramForm& form,
+                                 const HeldUnknowns& held, const socp::Problem& problem,
+                                 Eigen::VectorXd root) {
+  Eigen::VectorXcd x = form.cholesky.extend(root, form.c), moved = x, gradient;
   double first = -1.0;
   for (int step = 0; step <= kProximalSteps; ++step) {
     const double energy = harmonicGradient(in, form, moved, held, gradient);
@@ -78,11 +81,12 @@ void removeTieBreak(const ProgramInput& in, const ProgramForm& form, const HeldU
     const Eigen::VectorXd change =
         form.cholesky.solve(Eigen::VectorXd(-reducedLinear(form, gradient)));
     root += change;
-    if (!root.allFinite() || !socp::isFulfilled(problem, root)) return;
+    if (!root.allFinite() || !socp::isFulfilled(problem, root)) break;
     const Eigen::VectorXcd all = form.cholesky.extend(change, gradient);
     moved += all;
-    if (all.norm() <= kProximalChange * moved.norm()) return;
+    if (all.norm() <= kProximalChange * moved.norm()) break;
   }
+  return form.expand(x);
 }
 
 }  // namespace
@@ -107,8 +111,9 @@ ProgramResult solveProgram(const SeamlessSystem& system, const Frames& frames,
   for (std::size_t j = 0; j < frames.faces.size(); ++j) {
     faceRows(in, held, frames.faces[j], rows);
     problem.constraints.push_back(frameCondition(in, rows, j));
-    for (int unknown : rows.unknowns)
-      problem.constraints.back().unknowns.push_back(cholesky.dynamicIndex(form->place(unknown)));
+    for (const FaceRows::Term& term : rows.terms)
+      problem.constraints.back().unknowns.push_back(
+          cholesky.dynamicIndex(form->number(term.unknown)));
   }
   socp::SolveOptions solveOptions;
   solveOptions.progress = options.progress;
@@ -117,11 +122,10 @@ ProgramResult solveProgram(const SeamlessSystem& system, const Frames& frames,
   result.status = solution.status;
   result.iterations = solution.iterations;
   result.work = linalg::multiplyAdds(cholesky.report(), std::max(1, solution.iterations));
-  Eigen::VectorXcd x = cholesky.extend(solution.x, form->c);
   const bool isTieBroken = penalty && penalty->quality == 0.0 && options.soft.faces.empty();
-  if (isTieBroken && (solution.isFree || frames.faces.empty()))
-    removeTieBreak(in, *form, held, problem, solution.x, x);
-  result.x = form->expand(x);
+  result.x = isTieBroken && (solution.isFree || frames.faces.empty())
+                 ? withoutTieBreak(in, *form, held, problem, solution.x)
+                 : form->translate(solution.x);
   const Eigen::VectorXcd z = system.unknowns.copies * result.x;
   result.z.assign(z.data(), z.data() + z.size());
   result.laplacianEnergy = (system.harmonic.rows * result.x).squaredNorm();

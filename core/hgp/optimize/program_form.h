@@ -15,9 +15,14 @@ class ProgramForm {
   virtual ~ProgramForm() = default;
 
   /// Number of an unknown (of ReducedUnknowns, not a held one) in `cholesky`.
-  virtual int place(int unknown) const = 0;
+  virtual int number(int unknown) const = 0;
   /// All unknowns of ReducedUnknowns from those of the form.
   virtual Eigen::VectorXcd expand(const Eigen::VectorXcd& x) const = 0;
+
+  /// All unknowns of ReducedUnknowns from the solution of the reduced problem.
+  Eigen::VectorXcd translate(const Eigen::VectorXd& reduced) const {
+    return expand(cholesky.extend(reduced, c));
+  }
 
   linalg::PartialCholesky cholesky;
   Eigen::VectorXcd c;

@@ -50,57 +50,23 @@ HeldUnknowns heldUnknowns(const ProgramInput& in) {
 }
 
 void faceRows(const ProgramInput& in, const HeldUnknowns& held, FaceId f, FaceRows& rows) {
-  rows.unknowns.clear();
-  const SparseRows& copies = in.unknowns.copies;
-  const auto isHeld = [&](Eigen::Index unknown) {
-    return held.isHeld[static_cast<std::size_t>(unknown)] != 0;
-  };
-  for (int k = 0; k < 3; ++k)
-    for (SparseRows::InnerIterator it(copies, in.cut.copy[TriMesh::halfedge(f, k)].i); it; ++it)
-      if (!isHeld(it.col())) rows.unknowns.push_back(static_cast<int>(it.col()));
-  std::sort(rows.unknowns.begin(), rows.unknowns.end());
-  rows.unknowns.erase(std::unique(rows.unknowns.begin(), rows.unknowns.end()), rows.unknowns.end());
-  rows.similar.assign(rows.unknowns.size(), 0.0);
-  rows.anti.assign(rows.unknowns.size(), 0.0);
-  rows.heldSimilar = rows.heldAnti = 0.0;
-  const LinearParts parts = linearParts(in.geometry, f);
-  for (int k = 0; k < 3; ++k)
-    for (SparseRows::InnerIterator it(copies, in.cut.copy[TriMesh::halfedge(f, k)].i); it; ++it) {
-      const Complex similar = parts.similarity[static_cast<std::size_t>(k)] * it.value();
-      const Complex anti = parts.antisimilarity[static_cast<std::size_t>(k)] * it.value();
-      if (isHeld(it.col())) {
-        rows.heldSimilar += similar * held.value[it.col()];
-        rows.heldAnti += anti * held.value[it.col()];
-        continue;
-      }
-      const auto at = static_cast<std::size_t>(
-          std::find(rows.unknowns.begin(), rows.unknowns.end(), static_cast<int>(it.col())) -
-          rows.unknowns.begin());
-      rows.similar[at] += similar;
-      rows.anti[at] += anti;
-    }
+  gatherFaceRows(
+      linearParts(in.geometry, f), CornerCopies{in.cut, in.unknowns, f},
+      [&](int unknown) { return held.isHeld[at(unknown)] ? -1 : unknown; }, held.value, rows);
+  std::sort(rows.terms.begin(), rows.terms.end(),
+            [](const auto& a, const auto& b) { return a.unknown < b.unknown; });
 }
 
 socp::ConeConstraint frameCondition(const ProgramInput& in, const FaceRows& rows, std::size_t j) {
   const double scale = portable::exp(-faceScale(in, in.frames.faces[j]));
-  const Complex turn = portable::polar(scale, in.frames.angles[j]);
-  socp::ConeConstraint constraint;
-  constraint.F.resize(3, static_cast<Eigen::Index>(2 * rows.unknowns.size()));
-  for (std::size_t i = 0; i < rows.unknowns.size(); ++i) {
-    const Complex similar = turn * rows.similar[i], anti = scale * rows.anti[i];
-    const auto column = static_cast<Eigen::Index>(2 * i);
-    constraint.F.col(column) << similar.real(), anti.real(), anti.imag();
-    constraint.F.col(column + 1) << -similar.imag(), -anti.imag(), anti.real();
-  }
-  const Complex anti = scale * rows.heldAnti;
-  constraint.h << in.options.margin - (turn * rows.heldSimilar).real(), -anti.real(), -anti.imag();
-  return constraint;
+  return coneCondition(rows, portable::polar(scale, in.frames.angles[j]), scale, in.options.margin);
 }
 
-DistortionRows distortionRows(const ProgramInput& in, FaceId f, double delta) {
+void scaleToDistortion(const ProgramInput& in, FaceId f, double delta, FaceRows& rows) {
   const double target = std::sqrt(delta * in.geometry.area[f]);  // weight · e^u
   const double weight = target * portable::exp(-faceScale(in, f));
-  return {portable::polar(weight, in.seams.frameAngle[f]), weight, target};
+  rows.scale(portable::polar(weight, in.seams.frameAngle[f]), weight);
+  rows.heldSimilar -= target;
 }
 
 }  // namespace hgp

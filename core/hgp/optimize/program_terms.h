@@ -7,6 +7,7 @@
 #include "hgp/optimize/frames.h"
 #include "hgp/optimize/program_options.h"
 #include "hgp/socp/problem.h"
+#include "hgp/system/face_rows.h"
 #include "hgp/system/seamless_system.h"
 
 namespace hgp {
@@ -22,40 +23,20 @@ struct ProgramInput : SeamlessSystem {
 /// near 0 have the finest spacing there, and rows weighted by e^{−u} determine the values around it best.
 int pinnedUnknown(const ProgramInput& in);
 
-/// Unknowns that a program does not solve for, and their values.
-struct HeldUnknowns {
-  std::vector<char> isHeld;  ///< by unknown
-  Eigen::VectorXcd value;    ///< by unknown; used where held
-};
 /// The pinned unknown or, of a patch, everything that is not free.
 HeldUnknowns heldUnknowns(const ProgramInput& in);
 
 /// Mean of u over a face's corners; e to that power is the local scale of its triangle.
 double faceScale(const ProgramInput& in, FaceId f);
 
-/// f_z = Σ similar_i x_i + heldSimilar and f_z̄ = Σ anti_i x_i + heldAnti over the unknowns that are
-/// not held, ascending.
-struct FaceRows {
-  std::vector<int> unknowns;
-  std::vector<Complex> similar, anti;
-  Complex heldSimilar, heldAnti;
-};
-/// Writes to `rows`, reusing its memory.
+/// f_z and f_z̄ over the unknowns that are not held, ascending. Writes to `rows`, reusing its memory.
 void faceRows(const ProgramInput& in, const HeldUnknowns& held, FaceId f, FaceRows& rows);
 
-/// Frame j's condition s = (Re(f_z d̄) − ε, Re f_z̄, Im f_z̄) / e^u over faceRows' unknowns;
-/// `unknowns` of the result is left empty.
+/// Frame j's condition s = (Re(f_z d̄) − ε, Re f_z̄, Im f_z̄) / e^u over the terms of faceRows.
 socp::ConeConstraint frameCondition(const ProgramInput& in, const FaceRows& rows, std::size_t j);
 
-/// The distortion term of one face as two rows over faceRows' unknowns:
-///   δ A e^{−2u} (|f_z − e^u d|² + |f_z̄|²) = |first·x − target|² + |second·x|²,  target real.
-struct DistortionRows {
-  Complex first;  ///< factor of `similar`
-  double second;  ///< factor of `anti`
-  double target;
-  Complex heldFirst(const FaceRows& rows) const { return first * rows.heldSimilar - target; }
-  Complex heldSecond(const FaceRows& rows) const { return second * rows.heldAnti; }
-};
-DistortionRows distortionRows(const ProgramInput& in, FaceId f, double delta);
+/// The distortion term of one face: with its rows scaled to the result,
+///   δ A e^{−2u} (|f_z − e^u d|² + |f_z̄|²) = |f_z|² + |f_z̄|².
+void scaleToDistortion(const ProgramInput& in, FaceId f, double delta, FaceRows& rows);
 
 }  // namespace hgp

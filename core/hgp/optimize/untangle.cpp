@@ -35,18 +35,14 @@ constexpr int kSweeps = 200;
 class Untangler {
  public:
   Untangler(const ProgramInput& in, const HeldUnknowns& held, const UntangleOptions& options)
-      : in_(in), held_(held), options_(options), place_(held.isHeld.size(), -1) {
-    for (std::size_t i = 0; i < place_.size(); ++i)
-      if (!held.isHeld[i]) place_[i] = count_++;
+      : in_(in), held_(held), options_(options), free_(held.isHeld), count_(free_.count()) {
     gatherFaces();
     analyze();
   }
 
   UntangleResult run(const Eigen::VectorXcd& start) {
     UntangleResult result;
-    x_.resize(count_);
-    for (std::size_t i = 0; i < place_.size(); ++i)
-      if (place_[i] >= 0) x_[place_[i]] = start[static_cast<Eigen::Index>(i)];
+    x_ = free_.gather(start);
     isFramed_ = true;
     for (int segment = 0; segment < kFramedSegments; ++segment) {
       for (Face& face : faces_) face.isBarrier = false;
@@ -59,8 +55,7 @@ class Untangler {
     if (!result.isCancelled) descend(result, options_.maxIterations);
     result.flipped = extremes(x_).flipped;
     result.x = held_.value;
-    for (std::size_t i = 0; i < place_.size(); ++i)
-      if (place_[i] >= 0) result.x[static_cast<Eigen::Index>(i)] = x_[place_[i]];
+    free_.scatter(x_, result.x);
     return result;
   }
 
@@ -94,8 +89,7 @@ class Untangler {
     }
     for (std::size_t i = 0; i < n; ++i) {
       const Complex back = portable::polar(1.0, -turn[i]);
-      for (Complex& value : faces_[i].rows.similar) value *= back;
-      faces_[i].rows.heldSimilar *= back;
+      faces_[i].rows.scale(back, 1.0);
     }
   }
 
@@ -123,7 +117,7 @@ class Untangler {
   }
 
   struct Face {
-    FaceRows rows;  ///< unknowns in `place_` order, in units of e^{u_f}
+    FaceRows rows;  ///< over numbers of free unknowns, in units of e^{u_f}
     bool isKept = false;
     bool isBarrier = false;  ///< kept, and positive by now
   };
@@ -155,16 +149,10 @@ class Untangler {
     FaceRows rows;
     for (FaceId f : in_.mesh.faces()) {
       faceRows(in_, held_, f, rows);
-      if (rows.unknowns.empty()) continue;
+      if (rows.terms.empty()) continue;
       const double scale = portable::exp(-faceScale(in_, f));
-      const Complex turn = portable::polar(scale, in_.seams.frameAngle[f]);
-      for (std::size_t i = 0; i < rows.unknowns.size(); ++i) {
-        rows.unknowns[i] = place_[static_cast<std::size_t>(rows.unknowns[i])];
-        rows.similar[i] *= turn;
-        rows.anti[i] *= scale;
-      }
-      rows.heldSimilar *= turn;
-      rows.heldAnti *= scale;
+      rows.scale(portable::polar(scale, in_.seams.frameAngle[f]), scale);
+      for (FaceRows::Term& term : rows.terms) term.unknown = free_.number(term.unknown);
       number[f] = static_cast<int>(faces_.size());
       faces_.push_back({rows, isKept[f] != 0});
     }
@@ -183,9 +171,9 @@ class Untangler {
   void analyze() {
     std::vector<Eigen::Triplet<double>> couples;
     for (const Face& face : faces_)
-      for (int i : face.rows.unknowns)
-        for (int j : face.rows.unknowns)
-          if (i != j) couples.emplace_back(i, j, 1.0);
+      for (const FaceRows::Term& i : face.rows.terms)
+        for (const FaceRows::Term& j : face.rows.terms)
+          if (i.unknown != j.unknown) couples.emplace_back(i.unknown, j.unknown, 1.0);
     Eigen::SparseMatrix<double> pattern(count_, count_);
     pattern.setFromTriplets(couples.begin(), couples.end());
     linalg::SeparatorTree tree = linalg::nestedDissection(linalg::graphOf(pattern));
@@ -203,9 +191,9 @@ class Untangler {
   static void parts(const Face& face, const Eigen::VectorXcd& x, Complex& similar, Complex& anti) {
     similar = face.rows.heldSimilar;
     anti = face.rows.heldAnti;
-    for (std::size_t i = 0; i < face.rows.unknowns.size(); ++i) {
-      similar += face.rows.similar[i] * x[face.rows.unknowns[i]];
-      anti += face.rows.anti[i] * x[face.rows.unknowns[i]];
+    for (const FaceRows::Term& term : face.rows.terms) {
+      similar += term.similar * x[term.unknown];
+      anti += term.anti * x[term.unknown];
     }
   }
 
@@ -246,7 +234,8 @@ class Untangler {
     std::vector<Eigen::Triplet<double>> entries;
     Eigen::MatrixXd J, K;
     for (const Face& face : faces_) {
-      const std::size_t n = face.rows.unknowns.size();
+      const std::vector<FaceRows::Term>& terms = face.rows.terms;
+      const std::size_t n = terms.size();
       Complex similar, anti;
       parts(face, x, similar, anti);
       const double a = portable::abs(similar), b = portable::abs(anti);
@@ -259,8 +248,7 @@ class Untangler {
       // Rows: radial and tangential part of f_z, radial and tangential part of f_z̄.
       J.resize(4, static_cast<Eigen::Index>(2 * n));
       for (std::size_t i = 0; i < n; ++i) {
-        const Complex s = std::conj(ra) * face.rows.similar[i],
-                      t = std::conj(rb) * face.rows.anti[i];
+        const Complex s = std::conj(ra) * terms[i].similar, t = std::conj(rb) * terms[i].anti;
         const auto column = static_cast<Eigen::Index>(2 * i);
         J.col(column) << s.real(), s.imag(), t.real(), t.imag();
         J.col(column + 1) << -s.imag(), s.real(), -t.imag(), t.real();
@@ -269,15 +257,13 @@ class Untangler {
         for (std::size_t i = 0; i < n; ++i)
           for (int part = 0; part < 2; ++part) {
             const auto column = static_cast<Eigen::Index>(2 * i) + part;
-            (*gradient)[2 * face.rows.unknowns[i] + part] += slope.dot(J.col(column));
+            (*gradient)[2 * terms[i].unknown + part] += slope.dot(J.col(column));
           }
       K.noalias() = J.transpose() * (M * J);
       for (Eigen::Index c = 0; c < K.cols(); ++c)
         for (Eigen::Index r = 0; r < K.rows(); ++r)
-          entries.emplace_back(
-              2 * face.rows.unknowns[static_cast<std::size_t>(r / 2)] + static_cast<int>(r % 2),
-              2 * face.rows.unknowns[static_cast<std::size_t>(c / 2)] + static_cast<int>(c % 2),
-              K(r, c));
+          entries.emplace_back(2 * terms[at(r / 2)].unknown + static_cast<int>(r % 2),
+                               2 * terms[at(c / 2)].unknown + static_cast<int>(c % 2), K(r, c));
     }
     Eigen::SparseMatrix<double> H(2 * count_, 2 * count_);
     H.setFromTriplets(entries.begin(), entries.end());
@@ -314,8 +300,8 @@ class Untangler {
   const ProgramInput& in_;
   const HeldUnknowns& held_;
   const UntangleOptions& options_;
-  std::vector<int> place_;
-  int count_ = 0;
+  const FreeUnknowns free_;
+  const int count_;
   std::vector<Face> faces_;
   std::vector<std::array<int, 3>> beside_;  ///< neighbours of each face, −1: none
   linalg::MultifrontalCholesky<double> factor_;

@@ -31,4 +31,18 @@ ReducedUnknowns reduceUnknowns(const TriMesh& mesh, const CutMesh& cut, const Se
 Eigen::VectorXcd readUnknowns(const TriMesh& mesh, const CutMesh& cut, const SeamRotations& seams,
                               const ReducedUnknowns& unknowns, const std::vector<Complex>& z);
 
+/// The terms of z at the corners of a triangle (see gatherFaceRows).
+struct CornerCopies {
+  const CutMesh& cut;
+  const ReducedUnknowns& unknowns;
+  FaceId face;
+
+  template <class Visit>
+  void operator()(int k, Visit visit) const {
+    const int copy = cut.copy[TriMesh::halfedge(face, k)].i;
+    for (SparseRows::InnerIterator it(unknowns.copies, copy); it; ++it)
+      visit(static_cast<int>(it.col()), it.value());
+  }
+};
+
 }  // namespace hgp

@@ -86,20 +86,5 @@ TEST(Frames, CoverTheTrianglesOfConesAndBoundaries) {
   }
 }
 
-TEST(GrowFaces, AddsTheFacesThatTouchARingAtATime) {
-  const TriMesh mesh = test::disk(6).mesh();
-  const std::vector<FaceId> one{FaceId(0)};
-  EXPECT_EQ(growFaces(mesh, one, 0), one);
-  const std::vector<FaceId> first = growFaces(mesh, one, 1);
-  for (FaceId f : mesh.faces()) {
-    bool touches = false;
-    for (VertexId v : mesh.corners(f))
-      for (VertexId w : mesh.corners(FaceId(0))) touches |= v == w;
-    EXPECT_EQ(std::binary_search(first.begin(), first.end(), f), touches);
-  }
-  EXPECT_EQ(growFaces(mesh, one, 2), growFaces(mesh, first, 1));
-  EXPECT_EQ(growFaces(mesh, one, 20).size(), static_cast<std::size_t>(mesh.faceCount()));
-}
-
 }  // namespace
 }  // namespace hgp

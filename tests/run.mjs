@@ -206,7 +206,7 @@ const stages = {
   },
   mutate: { run: mutate, after: ['native-debug'] },
   python: { run: pythonTests, after: ['native-release'] },
-  units: { run: unitTests, after: ['wasm-release'] },
+  units: { run: unitTests, after: ['native-release', 'wasm-release'] },
   package: { run: packageTests, after: ['native-release', 'wasm-release'] },
   measures: {
     run: (log) => counted(log, '--test', measures),

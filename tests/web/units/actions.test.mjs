@@ -8,7 +8,7 @@ import { suggestedK } from '../../../web/src/model/gauss_bonnet.ts';
 import { balancingCones } from '../../../web/src/services/geometry/balance_cones.ts';
 import { locatedSurface } from '../../../web/src/services/geometry/placed_surface.ts';
 import { plainFacts } from './plain_facts.mjs';
-import { cliCommand, quoted } from '../../../web/src/text/cli_command.ts';
+import { quoted } from '../../../web/src/text/cli_command.ts';
 import { TimeLeft } from '../../../web/src/text/time_left.ts';
 import { cubeMesh } from '../../support/meshes.mjs';
 
@@ -18,16 +18,6 @@ test('file names are quoted in the command line that the page copies', () => {
   assert.equal(quoted("it's.obj"), "'it'\\''s.obj'");
   assert.equal(quoted('-o.obj'), './-o.obj');
   assert.equal(quoted('--help x'), "'./--help x'");
-  const model = {
-    main: '-x.glb',
-    info: { surfaces: [{}], surface: 0 },
-    loaded: { fix: { split: true } },
-  };
-  const prescription = { q: 4, cones: [{ vertex: 1, k: 3 }], turnings: [], handles: [] };
-  assert.equal(
-    cliCommand(model, prescription, { rounds: 12, frames: 'auto' }, undefined),
-    'hgp param ./-x.glb --q 4 --cone 1:3 --fix split --embed-cones -o ./-x.mapped.glb',
-  );
 });
 
 test('remaining seconds are shown only after a stage ended as estimated, and never increase', () => {

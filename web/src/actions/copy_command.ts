@@ -1,19 +1,58 @@
 // Copies the equivalent command line to the clipboard.
 
+import { plainOutput } from '../model/document';
 import { automaticCells, canAlign } from '../model/grid';
-import { cliCommand } from '../text/cli_command';
+import type { Model, Solution } from '../model/types';
+import { isCertified } from '../model/verdict';
+import { cliCommand, type CommandOptions, type CommandOutput } from '../text/cli_command';
 import type { App } from './app';
 
-/** The cells of the current map, or those that Run would request first. */
-function cellsOf({ current, solve, prescription, model }: App['doc']): number | undefined {
-  if (current) return current.cells;
-  if (!solve.grid.isOn || !canAlign(prescription.q)) return undefined;
-  return solve.grid.cells ?? automaticCells(model!.surface, prescription.cones.length);
+/** What the solver reported to have been asked. */
+function optionsOfRun({ doc }: App, { result, frames }: Solution): CommandOptions {
+  const { rounds, improve, scale, grid } = result.report.options;
+  return {
+    rounds: rounds ?? doc.solve.rounds,
+    improve: improve?.balance,
+    scale: scale ?? 'solved',
+    cells: grid && grid.cells > 0 ? grid.cells : undefined,
+    gridMode: grid?.mode ?? 'tile',
+    field: frames === 'file' ? doc.field : undefined,
+    timeLimit: doc.solve.timeLimit,
+  };
 }
 
-export async function copyCommand({ doc }: App): Promise<void> {
-  if (!doc.model) return;
-  const command = cliCommand(doc.model, doc.prescription, doc.solve, doc.field, cellsOf(doc));
+/** What Run would ask first. */
+function optionsOfNext({ doc }: App, { surface }: Model): CommandOptions {
+  const { rounds, improve, frames, grid, timeLimit } = doc.solve;
+  const { q, cones } = doc.prescription;
+  const isAligned = grid.isOn && canAlign(q);
+  return {
+    ...{ rounds, improve, timeLimit, scale: plainOutput.scale, gridMode: grid.mode },
+    cells: isAligned ? (grid.cells ?? automaticCells(surface, cones.length)) : undefined,
+    field: frames === 'file' ? doc.field : undefined,
+  };
+}
+
+function outputOf(solution: Solution): CommandOutput {
+  const { output, gridTiles } = solution;
+  const { uvSet, usesNewSet, embedCones } = output;
+  return { uvSet, usesNewSet, embedCones, gridTiles, isUncertified: !isCertified(solution) };
+}
+
+/** The command for the map that is shown, or for the next Run; undefined if there is no model. */
+export function currentCommand(app: App): string | undefined {
+  const { model, prescription, current } = app.doc;
+  if (!model) return undefined;
+  if (current)
+    return cliCommand(model, prescription, optionsOfRun(app, current), outputOf(current));
+  const output = { ...plainOutput, isUncertified: false };
+  return cliCommand(model, prescription, optionsOfNext(app, model), output);
+}
+
+export async function copyCommand(app: App): Promise<void> {
+  const { doc } = app;
+  const command = currentCommand(app);
+  if (command === undefined) return;
   const isFile = command.includes('--cones ');
   const also = isFile ? ' It reads the cones from the file that Export saves.' : '';
   try {

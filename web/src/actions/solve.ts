@@ -195,10 +195,11 @@ async function writeSolution(
   const analyse = async (result: Result, files: OutputFile[]) =>
     geometry.analyse(surface, result, await map.measure(call), files, where);
   let read = await analyse(solved, all);
+  let gridTiles: number | undefined;
   if (output.hasGrid) {
     const { distortion } = read.analysis;
-    const tiles = gridTilesPerUnit(doc.look, surface, { result: read.result, distortion });
-    const options = { ...writeOptions(output), gridMaterial: tiles };
+    gridTiles = gridTilesPerUnit(doc.look, surface, { result: read.result, distortion });
+    const options = { ...writeOptions(output), gridMaterial: gridTiles };
     written = await map.write(options, call);
     all = [...written.files, ...(await sideFiles(app, model, written.files))];
     read = await analyse(read.result, all);
@@ -218,6 +219,7 @@ async function writeSolution(
     result,
     map,
     surfaceId: surface.id,
+    gridTiles,
     written: newest,
     notes,
     preserved,

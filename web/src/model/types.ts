@@ -210,6 +210,8 @@ export interface Solution extends SolveRequest, Analysis {
   map: UvMap;
   /** The id of the surface that was analysed. */
   surfaceId: number;
+  /** Tiles per unit of uv of the grid that was written as the material. */
+  gridTiles?: number;
   written: Written;
   /** Notes of the writer. */
   notes: string[];

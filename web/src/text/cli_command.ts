@@ -1,7 +1,7 @@
 // The equivalent command line.
 
 import type { Prescription } from '../model/prescription';
-import type { Model, SolveSettings } from '../model/types';
+import type { GridSettings, Model, Output } from '../model/types';
 
 /** A word quoted for a POSIX shell, such that no file name is read as an option. */
 export function quoted(word: string): string {
@@ -20,53 +20,90 @@ function coneWords({ q, cones, turnings, handles }: Prescription, stem: string):
   return words;
 }
 
-function meshWords({ info, loaded }: Model): string[] {
+function meshWords({ info, loaded }: CommandModel): string[] {
   const words: string[] = [];
   if (info.surfaces.length > 1) words.push('--mesh', String(info.surface));
-  if (loaded.weld !== undefined) words.push('--weld', String(loaded.weld));
+  if (loaded.weld !== undefined)
+    words.push('--weld', loaded.weld === 0 ? 'exact' : String(loaded.weld));
   const fixes = Object.entries(loaded.fix).flatMap(([name, isOn]) => (isOn ? [name] : []));
-  // Without the option the command line makes all repairs that are needed.
-  if (!loaded.hasAllRepairs && fixes.length > 0) words.push('--fix', fixes.join(','));
-  return words;
+  // Without these options the command line makes all repairs that are needed.
+  if (loaded.hasAllRepairs) return words;
+  return [...words, ...(fixes.length > 0 ? ['--fix', fixes.join(',')] : ['--strict'])];
 }
 
-function solveWords(
-  solve: SolveSettings,
-  field: { name: string } | undefined,
-  cells: number | undefined,
-): string[] {
+/** The model, as far as the command depends on it. */
+export type CommandModel = Pick<Model, 'main' | 'loaded'> & {
+  info: Pick<Model['info'], 'surface' | 'surfaces' | 'components'>;
+};
+
+/** What was, or will be, requested of the solver besides the prescription. */
+export interface CommandOptions {
+  /** Maximum number of programs. */
+  rounds: number;
+  improve?: number;
+  scale: Output['scale'];
+  /** Of a grid, if one is requested. */
+  cells?: number;
+  gridMode: GridSettings['mode'];
+  /** Whose directions are the frames. */
+  field?: { name: string };
+  /** In seconds. */
+  timeLimit?: number;
+}
+
+/** What was, or will be, requested of the writer. */
+export type CommandOutput = Omit<Output, 'scale' | 'hasGrid'> & {
+  /** Tiles per unit of uv of a grid as the material. */
+  gridTiles?: number;
+  /** Whether the map is not certified, and is written all the same. */
+  isUncertified: boolean;
+};
+
+const defaultRounds = 24; // of the command line
+
+function solveWords(options: CommandOptions): string[] {
+  const { rounds, improve, scale, cells, gridMode, field, timeLimit } = options;
   const words: string[] = [];
-  if (field && solve.frames === 'file')
-    words.push('--field', quoted(field.name), '--frames', 'file');
-  if (solve.rounds !== 12) words.push('--rounds', String(solve.rounds));
-  if (solve.improve !== undefined) {
-    const word = { [-1]: 'conformal', 0: 'isometric', 1: 'area' }[solve.improve];
-    words.push(`--improve=${word ?? solve.improve}`);
+  if (field) words.push('--field', quoted(field.name), '--frames', 'file');
+  if (rounds !== defaultRounds) words.push('--rounds', String(rounds));
+  if (improve !== undefined) {
+    const word = { [-1]: 'conformal', 0: 'isometric', 1: 'area' }[improve];
+    words.push(`--improve=${word ?? improve}`);
   }
-  if (cells !== undefined) {
-    words.push('--cells', String(cells));
-    if (solve.grid.mode === 'quad') words.push('--grid-mode', 'quad');
-  }
-  if (solve.timeLimit !== undefined) words.push('--time-limit', String(solve.timeLimit));
+  if (scale !== 'solved') words.push('--scale', scale);
+  if (cells !== undefined) words.push('--cells', String(cells), '--grid-mode', gridMode);
+  if (timeLimit !== undefined) words.push('--time-limit', String(timeLimit));
   return words;
 }
 
-/** The command for exactly this run. `cells`: of a grid, if one is requested. */
+function outputWords(output: CommandOutput): string[] {
+  const { uvSet, usesNewSet, embedCones, gridTiles, isUncertified } = output;
+  return [
+    ...(uvSet === undefined ? [] : ['--uv-set', String(uvSet)]),
+    ...(usesNewSet ? ['--use'] : []),
+    ...(embedCones ? ['--embed-cones'] : []),
+    ...(gridTiles === undefined ? [] : [`--grid-material=${gridTiles}`]),
+    ...(isUncertified ? ['--allow-uncertified'] : []),
+  ];
+}
+
+/** The command that does exactly this run, and writes the same bytes. */
 export function cliCommand(
-  model: Model,
+  model: CommandModel,
   prescription: Prescription,
-  solve: SolveSettings,
-  field: { name: string } | undefined,
-  cells?: number,
+  options: CommandOptions,
+  output: CommandOutput,
 ): string {
-  const { main } = model;
+  const { main, info } = model;
   const stem = main.replace(/^.*\//, '').replace(/\.[^.]*$/, '');
   const ending = /\.(glb|gltf)$/i.exec(main)?.[0] ?? '.obj';
   return [
     ...['hgp', 'param', quoted(main)],
     ...coneWords(prescription, stem),
     ...meshWords(model),
-    ...solveWords(solve, field, cells),
-    ...['--embed-cones', '-o', quoted(`${stem}.mapped${ending}`)],
+    ...solveWords(options),
+    ...((info.components?.length ?? 1) > 1 ? ['--keep-going'] : []),
+    ...outputWords(output),
+    ...['--reproducible', '-o', quoted(`${stem}.mapped${ending}`)],
   ].join(' ');
 }

@@ -138,6 +138,27 @@ test('one operation is one message; what a new worker lacks is in it', async () 
   client.terminate();
 });
 
+test('a new client warms its engine up after it is ready, unless that is not wanted', async () => {
+  const started = async (options) => {
+    const methods = [];
+    const createWorker = () => {
+      const worker = new Worker(path.join(built, 'node/worker.js'), { execArgv: [] });
+      const post = worker.postMessage.bind(worker);
+      worker.postMessage = (message, ...rest) => {
+        methods.push(message.method);
+        post(message, ...rest);
+      };
+      return worker;
+    };
+    const client = await createClient({ createWorker, ...options });
+    client.terminate();
+    return methods;
+  };
+  assert.deepEqual(await started({}), ['init', 'ready', 'warmUp']);
+  assert.deepEqual(await started({ warmUp: true }), ['init', 'ready', 'warmUp']);
+  assert.deepEqual(await started({ warmUp: false }), ['init', 'ready']);
+});
+
 test('a waiting call that is aborted is never executed, and the running one goes on', async () => {
   const { client, messages } = await watched();
   const model = await client.load(bytesOf(bumpyDisk(20)), { name: 'disk.obj' });

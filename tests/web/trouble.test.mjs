@@ -166,6 +166,15 @@ test('one failed component is counted, and the others are certified', async () =
   assert.match(await statusText(page), /1 of 2 components pass/);
 });
 
+test('an exception that nothing has caught is reported, and so is a rejected promise', async () => {
+  const { page } = it;
+  it.allowed = [/by accident/, /on purpose/];
+  await page.evaluate(() => void setTimeout(() => { throw new Error('by accident'); })); // prettier-ignore
+  assert.match(await failure(it), /Something went wrong: by accident/);
+  await page.evaluate(() => void Promise.reject(new Error('on purpose')));
+  await statusSays(it, /Something went wrong: on purpose/);
+});
+
 test('an exception in a view is reported, and the other views continue', async () => {
   const { page } = it;
   await example(it, 'cube');

@@ -153,13 +153,14 @@ function connectViews(page: Panel, keyboard: Keyboard): void {
 
 /** Reports errors that nothing has caught. */
 function catchTheRest(): void {
-  addEventListener('unhandledrejection', (event) => {
-    const reason: unknown = event.reason;
+  const sayIt = (reason: unknown): void =>
     doc.say(
       `Something went wrong: ${reason instanceof Error ? reason.message : String(reason)}`,
       'error',
     );
-  });
+  addEventListener('unhandledrejection', (event) => sayIt(event.reason));
+  // Without an error: the browser's own remarks, such as on observers of sizes.
+  addEventListener('error', ({ error }: ErrorEvent) => error && sayIt(error));
 }
 
 async function start(): Promise<void> {

@@ -98,6 +98,8 @@ for (const [what, [main, content, loaded, asked, written = {}, surface]] of Obje
     if (given) writeFileSync(path.join(folder, given.name), given.text);
     const command = cliCommand({ main, info, loaded }, prescription, options, output);
     assert.match(command, /^hgp param /);
+    // Few meshes need many rounds; the number is that of the run all the same.
+    assert.ok(command.includes(` --rounds ${options.rounds} `), command);
     const inShell = command.replace(/^hgp /, `${program} `);
     const { status, stderr } = spawnSync('sh', ['-c', inShell], { cwd: folder, encoding: 'utf8' });
     assert.equal(status, 0, `${command}\n${stderr}`);

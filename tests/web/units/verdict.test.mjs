@@ -111,6 +111,27 @@ test('triangles with opposite orientation are reported with the number in the ce
   assert.deepEqual(failed(counted()).map(({ name }) => name), ['Smallest area']); // prettier-ignore
 });
 
+test('triangles without area, and copies, are tolerated up to the number in the certificate', () => {
+  const flat = (...corners) => {
+    const map = square();
+    // Three corners of one line: the triangle is in the file, and has no area.
+    for (const c of corners)
+      for (const list of [map.triangles, map.cornerToUv]) list[c] = list[c + 1];
+    return map;
+  };
+  const verdictOf = (map, stored) => {
+    const solution = solutionOf(map);
+    solution.result.certificate = { ...certificate, stored: counts(stored) };
+    const row = verdictRows(solution).find(({ name }) => name === 'Smallest area');
+    return row.isGood;
+  };
+  assert.equal(verdictOf(flat(3), {}), false);
+  assert.equal(verdictOf(flat(3), { zeroArea: 1 }), true);
+  assert.equal(verdictOf(flat(3), { duplicates: 1 }), true);
+  assert.equal(verdictOf(flat(3, 6), { zeroArea: 1 }), false);
+  assert.equal(verdictOf(flat(3), { reversed: 1 }), false, 'another defect');
+});
+
 test('one vertex split in the file: the file does not hold the map, and the verdict fails', () => {
   const map = square();
   const torn = {

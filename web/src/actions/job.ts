@@ -13,6 +13,9 @@ export interface JobCall {
   onProgress(progress: Progress): void;
 }
 
+/** How a job ended; `replaced`: another one, or another file, took its place. */
+export type JobOutcome = 'done' | 'failed' | 'cancelled' | 'replaced';
+
 export interface JobOptions {
   kind: Job['kind'];
   title: string;
@@ -48,15 +51,21 @@ export const stageStart = (stage: string): Progress => ({
   ...{ stage, fraction: 0, iteration: -1, residual: -1, round: 0, maxRounds: 0 },
 });
 
+/** The reason with which cancel() aborts. */
+const byUser = new DOMException('Cancelled.', 'AbortError');
+
+const outcomeOf = ({ signal }: AbortController): JobOutcome =>
+  signal.reason === byUser ? 'cancelled' : 'replaced';
+
 const isTimeout = ({ signal }: AbortController): boolean =>
   signal.aborted && (signal.reason as Error).name === 'TimeoutError';
 
-/** Whether the work was completed. A job that another one has replaced ends silently. */
+/** A job that another one has replaced ends silently. */
 export async function runJob(
   app: App,
   { kind, title, detail = '', timeLimit, onFailure, onTimeout }: JobOptions,
   work: (call: JobCall) => Promise<void>,
-): Promise<boolean> {
+): Promise<JobOutcome> {
   const { doc } = app;
   doc.job?.controller.abort();
   const controller = new AbortController();
@@ -70,11 +79,18 @@ export async function runJob(
   controller.signal.addEventListener('abort', () => isOwn() && (doc.job = undefined));
   try {
     await work({ signal: controller.signal, onProgress: reportProgress(app, controller) });
-    return isOwn();
+    // Work may end its job itself, to say how it went.
+    return controller.signal.aborted ? outcomeOf(controller) : 'done';
   } catch (error) {
-    if (isTimeout(controller)) onTimeout?.();
-    else if (isOwn() && !isAbort(error)) onFailure(error);
-    return false;
+    if (isTimeout(controller)) {
+      onTimeout?.();
+      return 'failed';
+    }
+    if (controller.signal.aborted) return outcomeOf(controller);
+    if (!isOwn()) return 'replaced';
+    if (isAbort(error)) return 'cancelled';
+    onFailure(error);
+    return 'failed';
   } finally {
     clearTimeout(timer);
     if (isOwn()) doc.job = undefined;
@@ -95,7 +111,7 @@ export function cancel(app: App): void {
   const { doc } = app;
   const { job } = doc;
   if (!job) return;
-  job.controller.abort();
+  job.controller.abort(byUser);
   ensureWorker(solverOf(app));
   doc.say(
     job.kind === 'load'

@@ -29,7 +29,11 @@ export function loadInSolver(app: App, model: Model, call: JobCall): Promise<Sol
 }
 
 /** Runs one load as a job; if it fails, the open model stays. */
-function loading(app: App, source: Source, work: (call: JobCall) => Promise<void>) {
+async function loading(
+  app: App,
+  source: Source,
+  work: (call: JobCall) => Promise<void>,
+): Promise<boolean> {
   const { doc } = app;
   const options = {
     kind: 'load' as const,
@@ -40,7 +44,7 @@ function loading(app: App, source: Source, work: (call: JobCall) => Promise<void
       doc.say(describeError(error, source.main), 'error');
     },
   };
-  return runJob(app, options, work);
+  return (await runJob(app, options, work)) === 'done';
 }
 
 /** Reads one mesh of the files with the given settings, and opens it. */

@@ -3,7 +3,7 @@
 import type { Repair } from '../model/repairs';
 import type { App } from './app';
 import { reloadWith } from './load';
-import { run } from './solve';
+import { run, type RunOutcome } from './solve';
 
 const repairNames: Record<Repair, string> = {
   split: 'split non-manifold places',
@@ -37,8 +37,8 @@ export async function leaveRepairsOut(app: App): Promise<boolean> {
 }
 
 /** Makes all necessary repairs, then runs. */
-export async function repairAndRun(app: App): Promise<void> {
+export async function repairAndRun(app: App): Promise<RunOutcome> {
   const { doc } = app;
-  if (doc.model && !doc.usableModel && !(await repairAll(app))) return;
-  if (doc.usableModel) await run(app);
+  if (doc.model && !doc.usableModel && !(await repairAll(app))) return 'refused';
+  return doc.usableModel ? run(app) : 'refused';
 }

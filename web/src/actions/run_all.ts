@@ -5,7 +5,6 @@ import { plural } from '../text/format';
 import type { App } from './app';
 import { switchMesh } from './load';
 import { repairAndRun } from './repair';
-import { run } from './solve';
 
 export async function runAll(app: App): Promise<void> {
   const { doc } = app;
@@ -18,8 +17,8 @@ export async function runAll(app: App): Promise<void> {
   for (const { index, name } of model.info.surfaces) {
     await switchMesh(app, index);
     if (doc.openRequestId !== request || doc.model?.info.surface !== index) return;
-    if (!doc.current) await (doc.usableModel ? run(app) : repairAndRun(app));
-    if (doc.message?.text.startsWith('Cancelled')) return;
+    const outcome = doc.current ? 'done' : await repairAndRun(app);
+    if (outcome === 'cancelled' || outcome === 'replaced') return;
     if (doc.current && isCertified(doc.current)) done.push(index);
     else left.push(name || `Mesh ${index}`);
   }

@@ -31,7 +31,7 @@ import { describeLines, solveAligned } from './align';
 import { solverOf, type App } from './app';
 import { copyCommand } from './copy_command';
 import { setPrescription } from './edit_cones';
-import { isLocked, runJob, stageStart, type JobCall } from './job';
+import { isLocked, runJob, stageStart, type JobCall, type JobOutcome } from './job';
 import { showPlaces } from './view';
 
 const isLost = (error: unknown): boolean =>
@@ -298,13 +298,19 @@ function sayVerdict(app: App, solution: Solution, isOpen: boolean): void {
   doc.say(`Not certified${chosen}.${most} ${see}${other}`, 'error');
 }
 
-export async function run(app: App): Promise<void> {
+/** How a run ended; `refused`: it did not begin, and the user was told why. */
+export type RunOutcome = JobOutcome | 'refused';
+
+export async function run(app: App): Promise<RunOutcome> {
   const { doc } = app;
   const reason = whyNotRun(app);
-  if (reason) return doc.say(reason, 'error');
+  if (reason) {
+    doc.say(reason, 'error');
+    return 'refused';
+  }
   const model = doc.usableModel!;
   const isOpen = doc.needsCones && !usesField(app);
-  await running(app, isOpen ? 'Choosing cones and running' : 'Running', async (call) => {
+  return running(app, isOpen ? 'Choosing cones and running' : 'Running', async (call) => {
     const solution = await solve(app, model, doc.displayed?.output ?? plainOutput, call);
     doc.job = undefined;
     if (isOpen) setPrescription(app, solution.prescription, 'suggest cones');

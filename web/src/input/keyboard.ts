@@ -6,6 +6,7 @@ import { cancel } from '../actions/job';
 import { actionForKey, isDialogOpen, keyOf, perform } from '../actions/registry';
 import { clearHighlight } from '../actions/view';
 import { defectDegrees } from '../model/surface';
+import type { Message } from '../model/types';
 
 const turn = Math.PI / 18;
 const arrows: Record<string, [number, number]> = {
@@ -90,10 +91,12 @@ export class Keyboard {
   /** Asks before cancelling: a run may have taken minutes, and a key may be pressed by mistake. */
   #askCancel(): void {
     const { doc } = this.#app;
-    const question = 'Escape once more cancels the run.';
-    if (doc.message?.text === question) return cancel(this.#app);
-    doc.say(question, 'note', [{ label: 'Cancel the run', run: () => cancel(this.#app) }]);
+    if (doc.message && doc.message === this.#question) return cancel(this.#app);
+    const yes = { label: 'Cancel the run', run: () => cancel(this.#app) };
+    doc.say('Escape once more cancels the run.', 'note', [yes]);
+    this.#question = doc.message;
   }
+  #question?: Message;
 
   #sayCone(): void {
     const { doc } = this.#app;

@@ -59,13 +59,10 @@ export type CommandOutput = Omit<Output, 'scale' | 'hasGrid'> & {
   isUncertified: boolean;
 };
 
-const defaultRounds = 24; // of the command line
-
 function solveWords(options: CommandOptions): string[] {
   const { rounds, improve, scale, cells, gridMode, field, timeLimit } = options;
-  const words: string[] = [];
+  const words = ['--rounds', String(rounds)]; // the command line has another default
   if (field) words.push('--field', quoted(field.name), '--frames', 'file');
-  if (rounds !== defaultRounds) words.push('--rounds', String(rounds));
   if (improve !== undefined) {
     const word = { [-1]: 'conformal', 0: 'isometric', 1: 'area' }[improve];
     words.push(`--improve=${word ?? improve}`);

@@ -1,0 +1,182 @@
+// Edits as values: what one undo step is, what a repair or another version of a file does to cones, where a click
+// places which cone, and which job another file ends.
+
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { moveCone, placeOrSelect } from '../../../web/src/actions/edit_cones.ts';
+import { cancel, runJob } from '../../../web/src/actions/job.ts';
+import { Document } from '../../../web/src/model/document.ts';
+import { leftAt } from '../../../web/src/model/gauss_bonnet.ts';
+import { History } from '../../../web/src/model/history.ts';
+import { emptyPrescription } from '../../../web/src/model/prescription.ts';
+import { describeTransfer, transferPrescription } from '../../../web/src/model/transfer_cones.ts';
+import { locatedSurface } from '../../../web/src/services/geometry/placed_surface.ts';
+import { cubeMesh } from '../../support/meshes.mjs';
+import { plainFacts } from './plain_facts.mjs';
+
+function surfaceOf(mesh, changes = {}) {
+  const arrays = {
+    positions: Float64Array.from(mesh.vertices.flat()),
+    triangles: Uint32Array.from(mesh.triangles.flat()),
+  };
+  const facts = { ...plainFacts(mesh), ...changes };
+  return { id: 1, ...locatedSurface(arrays, facts) };
+}
+
+const closed = [{ component: 0, eulerCharacteristic: 2, boundaryLoops: [] }];
+const infoOf = (more = {}) => ({ usable: true, genus: 0, components: closed, ...more });
+
+/** An open cube without a solver behind it. */
+function opened() {
+  const doc = new Document();
+  const surface = surfaceOf(cubeMesh(3));
+  const file = { sha256: 'x', name: 'cube.obj' };
+  const info = infoOf({ file, surfaces: [{}] });
+  doc.state = { kind: 'open', model: { main: 'cube.obj', files: new Map(), info, surface, loaded: { fix: {} } } }; // prettier-ignore
+  doc.begin(emptyPrescription(4, 0, 0));
+  return { doc, surface };
+}
+const positionsOf = ({ doc }) => doc.prescription.cones.map(({ vertex }) => vertex);
+
+test('all moves of a drag are one undo step, however slow; another drag is another step', () => {
+  const begin = History.of('a');
+  const steps = ['b', 'c', 'd'].reduce(
+    (history, value, i) => history.push(value, 'move cone: 17', 9000 * i),
+    begin,
+  );
+  assert.equal(steps.value, 'd');
+  assert.equal(steps.undo().value, 'a');
+  const second = steps.push('e', 'move cone: 18', 27001);
+  assert.deepEqual([second.undo().value, second.undo().undo().value], ['d', 'a']);
+  // Other edits are one step only in quick succession.
+  const typed = begin.push('b', 'change k: 3', 0).push('c', 'change k: 3', 400);
+  assert.equal(typed.undo().value, 'a');
+  assert.equal(begin.push('b', 'change k: 3', 0).push('c', 'change k: 3', 600).undo().value, 'b');
+});
+
+test('dragging a cone over many vertices is undone at once', () => {
+  const app = opened();
+  const { doc } = app;
+  placeOrSelect(app, 0);
+  assert.deepEqual(positionsOf(app), [0]);
+  const path = [...Array(6).keys()].map((i) => i + 5);
+  for (const vertex of path) moveCone(app, 0, vertex, 'a drag');
+  assert.deepEqual(positionsOf(app), [path.at(-1)]);
+  doc.history = doc.history.undo();
+  assert.deepEqual(positionsOf(app), [0]);
+  doc.history = doc.history.redo();
+  moveCone(app, 0, 20, 'another drag');
+  doc.history = doc.history.undo();
+  assert.deepEqual(positionsOf(app), [path.at(-1)]);
+});
+
+test('after a repair cones keep their vertex, unless it is gone, on a boundary or one with another', () => {
+  const mesh = cubeMesh(3);
+  const old = { surface: surfaceOf(mesh), info: infoOf() };
+  const representative = Int32Array.from(mesh.vertices, (_, v) => v);
+  representative[1] = -1;
+  representative[3] = 2;
+  const isBoundary = new Uint8Array(mesh.vertices.length);
+  isBoundary[4] = 1;
+  const now = { surface: surfaceOf(mesh, { representative, isBoundary }), info: infoOf() };
+  const cones = [0, 1, 2, 3, 4, 5].map((vertex) => ({ vertex, k: 3 }));
+  const moved = transferPrescription({ q: 4, cones, turnings: [], handles: [] }, old, now, true);
+  assert.deepEqual(
+    moved.prescription.cones.map(({ vertex }) => vertex),
+    [0, 2, 5],
+  );
+  assert.equal(moved.kept, 3);
+  assert.deepEqual(moved.lost, [
+    'cone 2 (its vertex was removed)',
+    'cone 4 (now one with cone 2)',
+    'cone 5 (now on the boundary)',
+  ]);
+  assert.match(describeTransfer(moved), /3 cones kept; not kept: cone 2 \(its vertex/);
+});
+
+test('in another version of a file cones are found by their exact position', () => {
+  const mesh = cubeMesh(3);
+  const old = { surface: surfaceOf(mesh), info: infoOf() };
+  // Renumbered backwards, and one vertex moved a little.
+  const last = mesh.vertices.length - 1;
+  const vertices = mesh.vertices.map((_, v) => [...mesh.vertices[last - v]]);
+  vertices[last - 7][0] += 1e-12;
+  const triangles = mesh.triangles.map((t) => t.map((v) => last - v));
+  const now = { surface: surfaceOf({ vertices, triangles }), info: infoOf() };
+  const cones = [0, 7, 12].map((vertex) => ({ vertex, k: 3 }));
+  const asked = { q: 4, cones, turnings: [], handles: [1, null] };
+  const moved = transferPrescription(asked, old, { ...now, info: infoOf({ genus: 1 }) }, false);
+  assert.deepEqual(
+    moved.prescription.cones.map(({ vertex }) => vertex),
+    [last, last - 12],
+  );
+  assert.deepEqual(moved.lost, [
+    'cone 2 (no vertex is there now)',
+    'the rotation of handle loop 1',
+  ]);
+});
+
+test('turnings go with the vertex at which their boundary is anchored', () => {
+  const mesh = cubeMesh(2);
+  const loops = (...anchors) => infoOf({ components: [{ component: 0, eulerCharacteristic: 0, boundaryLoops: anchors.map((anchor, loop) => ({ loop, anchor })) }] }); // prettier-ignore
+  const [old, now] = [loops(5, 9), loops(9, 5)].map((info) => ({ surface: surfaceOf(mesh), info }));
+  const asked = { q: 4, cones: [], turnings: [2, null], handles: [] };
+  const moved = transferPrescription(asked, old, now, true);
+  assert.deepEqual(moved.prescription.turnings, [null, 2]);
+  const gone = transferPrescription(asked, old, { surface: now.surface, info: loops(9, 6) }, true);
+  assert.deepEqual(gone.prescription.turnings, [null, null]);
+  assert.deepEqual(gone.lost, ['the turning of boundary 1']);
+});
+
+test('a click spends what is left, unless an open boundary takes it', () => {
+  const surface = surfaceOf(cubeMesh(2));
+  const component = { component: 0, have: 0, need: 8, left: 8, isBalanced: false };
+  const budget = (openLoops) => ({ components: [{ ...component, openLoops }], cones: [] });
+  assert.equal(leftAt(budget(0), surface, 3), 8);
+  assert.equal(leftAt(budget(1), surface, 3), 0);
+  assert.equal(leftAt(undefined, surface, 3), 0);
+});
+
+/** The page's context, as far as jobs need it. */
+const contextOf = (doc) => ({ doc, client: { ready: () => Promise.resolve() } });
+const options = (onFailure = assert.fail) => ({ kind: 'run', title: 'Running', onFailure });
+const untilAborted = ({ signal }) =>
+  new Promise((_, reject) => signal.addEventListener('abort', () => reject(signal.reason)));
+
+test('how a job ends is a value: done, failed, cancelled, or replaced by another file', async () => {
+  const { doc } = opened();
+  const app = contextOf(doc);
+  assert.equal(await runJob(app, options(), async () => undefined), 'done');
+  const ends = runJob(app, options(), async () => void (doc.job = undefined));
+  assert.equal(await ends, 'done', 'although it ended its job itself, to say how it went');
+  const failures = [];
+  const failing = runJob(
+    app,
+    options((error) => failures.push(error)),
+    async () => {
+      throw new Error('no');
+    },
+  );
+  assert.equal(await failing, 'failed');
+  assert.equal(failures.length, 1);
+
+  const cancelled = runJob(app, options(), untilAborted);
+  cancel(app);
+  assert.equal(doc.isBusy, false, 'at once');
+  assert.equal(await cancelled, 'cancelled');
+
+  const replaced = runJob(app, options(), untilAborted);
+  const next = runJob(app, options(), async () => undefined);
+  assert.deepEqual(await Promise.all([replaced, next]), ['replaced', 'done']);
+
+  // Another file: its name on the status line or not, the run of the one before is ended.
+  const { signal } = await new Promise((resolve) => {
+    void runJob(app, options(), (call) => {
+      resolve(call);
+      return untilAborted(call);
+    }).then((outcome) => assert.equal(outcome, 'replaced'));
+  });
+  doc.clearModel();
+  assert.equal(signal.aborted, true);
+  assert.equal(doc.isBusy, false);
+});

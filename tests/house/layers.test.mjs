@@ -93,7 +93,7 @@ const folders = {
   mesh: { order: ['', 'repair'] },
   linalg: { order: ['graph', 'kernels', 'ordering', 'factor'] },
   io: { order: ['', 'polygon', 'gltf'], apart: [['polygon', 'gltf']] },
-  parametrize: { order: ['', 'moves'] },
+  parametrize: { order: ['', 'moves', 'live'], apart: [['moves', 'live']] },
 };
 const assembles = [
   'core/hgp/io/open.cpp',
@@ -102,6 +102,7 @@ const assembles = [
   'core/hgp/io/grid_material.cpp',
   'core/hgp/io/cone_files.h',
   'core/hgp/io/cone_files.cpp',
+  'core/hgp/parametrize/live_edit.cpp',
   'core/hgp/parametrize/parametrize.cpp',
 ];
 const folderOf = (file) => path.posix.dirname(file).split('/').slice(3).join('/');

@@ -60,19 +60,27 @@ Result<SeamlessSetup> prepareSeamless(PreparedSurface& surface, const HolonomySp
   if (mesh.faceCount() > kKeptFaces) surface.releaseConnection();
   for (const ConePoint& cone : setup.field.spec.cones) setup.cones.push_back(cone.vertex);
 
-  const FieldContext& context = *setup.context;
   if (!clock.begin(Stage::kCut)) return clock.cancelled();
+  cutOpen(mesh, setup);
+
+  if (!clock.begin(Stage::kAssemble)) return clock.cancelled();
+  assemble(mesh, setup);
+  clock.end();
+  return setup;
+}
+
+void cutOpen(const TriMesh& mesh, SeamlessSetup& setup) {
+  const FieldContext& context = *setup.context;
   setup.cut =
       cutToDisk(mesh, seamGraph(mesh, context.geometry, context.surface, setup.cones), setup.cones);
   HGP_CHECK(isDisk(mesh, setup.cut), "the cut surface is a disk");
   setup.seams = seamRotations(mesh, setup.cut, setup.field.field);
+}
 
-  if (!clock.begin(Stage::kAssemble)) return clock.cancelled();
+void assemble(const TriMesh& mesh, SeamlessSetup& setup) {
   setup.unknowns = reduceUnknowns(mesh, setup.cut, setup.seams);
-  setup.harmonic =
-      harmonicSystem(mesh, context.geometry, setup.cut, setup.unknowns, setup.seams.q, setup.cones);
-  clock.end();
-  return setup;
+  setup.harmonic = harmonicSystem(mesh, setup.context->geometry, setup.cut, setup.unknowns,
+                                  setup.seams.q, setup.cones);
 }
 
 UvMap layOut(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,

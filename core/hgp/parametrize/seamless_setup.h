@@ -37,6 +37,10 @@ Result<SeamlessSetup> prepareSeamless(PreparedSurface& surface, const HolonomySp
                                       const ParametrizeOptions& options,
                                       std::vector<StageTime>& times);
 
+/// The parts of it that follow from field and cones.
+void cutOpen(const TriMesh& mesh, SeamlessSetup& setup);
+void assemble(const TriMesh& mesh, SeamlessSetup& setup);
+
 /// The map as uv per copy: scaled to the surface's area, its box centred at the origin.
 UvMap layOut(const TriMesh& mesh, const SeamlessSetup& setup, const std::vector<Complex>& z);
 

@@ -142,7 +142,7 @@ export const optionsOf = {
   parametrizeFile: { ...loadFile, ...solveFile, write: record(writeFile) },
   combine: {
     ...{ name: string, uvSet: integer(-1), embedCones: boolean },
-    ...{ allowUncertified: boolean, use: boolean, gridMaterial: write.gridMaterial },
+    ...{ allowUncertified: boolean, use: boolean },
   },
   createClient: {
     ...{ wasmUrl: anything, wasmBinary: anything, wasmModule: anything, workerUrl: anything },

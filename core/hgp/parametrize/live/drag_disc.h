@@ -1,0 +1,103 @@
+// The linear program of a drag, reduced to the disc in which one cone may move.  Role: what a drag factors once, so that a
+// frame costs a dense factor of the disc's size and a back-substitution.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "hgp/linalg/factor/factor.h"
+#include "hgp/parametrize/live/frame_rows.h"
+#include "hgp/parametrize/live/moved_field.h"
+#include "hgp/parametrize/seamless_setup.h"
+
+namespace hgp::live {
+
+/// From a seamless map x* and a cone that has moved, the map x* + δ that minimises
+///
+///   Σ e^{−2u} |(L x)_v|²  at the corners of soft triangles
+///   + σ Σ A_f e^{−2u} (|f_z − target|² + |f_z̄ − target|²)  over soft triangles: around cones and along boundaries,
+///
+/// with (L x)_v = 0 at all other vertices of the disc, and (L δ)_v = 0 at all others outside. Targets near the moved cone
+/// are a similarity along its frames, as in a first round; elsewhere they are the parts of x*, turned and scaled by the
+/// change of the field, so that a map that has not moved is x*, however it was found. Weights are those of x*.
+class DragDisc {
+ public:
+  /// Null if the system is singular.
+  /// @param setup  of the map; outlives the object, as the mesh
+  /// @param x      the map's unknowns
+  static std::unique_ptr<DragDisc> make(const TriMesh& mesh, const SeamlessSetup& setup,
+                                        VertexId cone, Eigen::VectorXcd x);
+
+  /// Edges from the cone to v in the disc, around other cones; empty if there are none.
+  std::vector<HalfedgeId> pathTo(VertexId v) const;
+  /// All unknowns, numbered as MovedCut does; x* where nothing has moved; empty if the system is singular.
+  /// The similarity along the frames that a triangle has as a target near the cone.
+  Complex targetAt(const MovedField& field, FaceId f) const;
+  /// Vertices with a harmonic row while the cone is at `to`.
+  bool hasRow(VertexId v, VertexId to) const { return !isFixed(v) && v != to; }
+  Eigen::VectorXcd solve(const MovedCut& cut, const MovedField& field, VertexId to);
+
+  int unknownCount() const { return static_cast<int>(disc_.size()); }
+  int rootSize() const { return static_cast<int>(kept_.size()); }
+
+ private:
+  /// A soft triangle of x*.
+  struct SoftFace {
+    FaceId face;
+    double weight2 = 0.0;  ///< σ A_f e^{−2u}
+    Terms similar, anti;   ///< f_z and f_z̄ over numbers of the root
+    Complex fz, fzbar;     ///< of x*
+  };
+
+  DragDisc(const TriMesh& mesh, const SeamlessSetup& setup, VertexId cone, Eigen::VectorXcd x);
+  bool build();
+  void chooseFaces();
+  void chooseDisc();
+  void chooseKept();
+  void holdOne();
+  SparseRows outerRows() const;
+  linalg::SeparatorTree unknownTree() const;
+  bool readFaces();
+  double scaleAt(FaceId f) const;
+  bool buildDense();
+  bool buildSparse();
+  linalg::SeparatorTree sparseTree(const Eigen::SparseMatrix<Complex>& H) const;
+  bool factor(const Eigen::SparseMatrix<Complex>& H, const linalg::SeparatorTree& tree);
+  SoftFace softFace(FaceId f) const;
+  Eigen::VectorXcd startOf(const MovedCut& cut) const;
+  std::vector<FaceId> facesNear(VertexId v) const;
+  bool isFixed(VertexId v) const { return isFixed_[v] != 0; }
+  double rowWeight(VertexId v, bool isSoft) const;
+  void addRows(const MovedCut& cut, const MovedField& field, VertexId to, const Eigen::VectorXcd& x,
+               SumOfSquares& sum) const;
+  void addFaces(const MovedCut& cut, const MovedField& field, VertexId to,
+                const Eigen::VectorXcd& x, SumOfSquares& sum) const;
+  Complex gaugeOf(const MovedField& field) const;
+  Complex changeAt(const MovedField& field, FaceId f) const;
+
+  const TriMesh& mesh_;
+  const SeamlessSetup& setup_;
+  VertexId cone_;
+  Eigen::VectorXcd x_;
+  MovedCut still_;                   ///< nothing moved
+  bool isGrown_ = false;             ///< soft triangles include a ring around those at cones
+  PerVertex<char> isFixed_;          ///< other cones and boundaries
+  PerVertex<char> isSoft_;           ///< corner of a soft triangle that is there whatever moves
+  PerVertex<int> ring_;              ///< edges from the cone, up to kRings; −1 outside
+  std::vector<VertexId> near_;       ///< the disc, ring by ring
+  std::vector<FaceId> far_, close_;  ///< soft triangles of other cones: out of reach, within reach
+  std::vector<SoftFace> farFaces_;
+  Complex scale_ = 1.0;                   ///< the similarity of x* relative to u and frames
+  std::vector<int> disc_, kept_, place_;  ///< unknowns; place_: number in the root, −1
+  std::vector<int> discAt_;               ///< unknown → index into disc_, −1
+  int held_ = -1;
+  bool isSparse_ = false;  ///< the root has all unknowns, and lu_ is not used
+  linalg::SchurLu lu_;
+  linalg::PartialCholesky root_;
+};
+
+/// Rings of the disc, and the largest ring on which a cone or its path may be.
+inline constexpr int kRings = 6;
+inline constexpr int kReach = 4;
+
+}  // namespace hgp::live

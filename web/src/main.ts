@@ -9,7 +9,7 @@ import { watchMemory } from './actions/free_unused';
 import { exampleById, openExample } from './actions/open';
 import { watchThumbnails } from './actions/thumbnails';
 import { setLook } from './actions/view';
-import { readHash, writeHash, type HashState } from './formats/hash_state';
+import { modelTag, readHash, writeHash, type HashState } from './formats/hash_state';
 import { listenToDrops } from './input/drop';
 import { Keyboard } from './input/keyboard';
 import { Pointer } from './input/pointer';
@@ -45,7 +45,9 @@ function rememberState(): void {
     const camera = app.views?.model.orbit.toText();
     const stem = model?.main.replace(/\.glb$/, '');
     const example = exampleById(stem)?.id;
-    if (model) history.replaceState(null, '', writeHash({ example, look, prescription, camera }));
+    if (!model) return;
+    const state = { example, look, prescription, camera, model: modelTag(model.info) };
+    history.replaceState(null, '', writeHash(state));
   };
   const soon = (): void => {
     clearTimeout(timer);
@@ -75,7 +77,11 @@ function applyHash(state: HashState): void {
     if (!model || doc.isBusy) return;
     queueMicrotask(() => dispose());
     untracked(() => {
-      const isFitting = (cones ?? []).every(({ vertex }) => vertex < model.surface.vertexCount);
+      const isSame = state.model === undefined || state.model === modelTag(model.info);
+      const isFitting =
+        isSame && (cones ?? []).every(({ vertex }) => vertex < model.surface.vertexCount);
+      if (isAsking && !isFitting)
+        doc.say('The cones in the address belong to another model and were left out.');
       if (isAsking && isFitting && doc.prescription.cones.length === 0) {
         const from = (pairs: [number, number][], list: readonly (number | null)[]) =>
           list.map((n, i) => pairs.find(([at]) => at === i)?.[1] ?? n);

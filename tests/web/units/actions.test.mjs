@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { effect } from '@preact/signals-core';
+import { deleteCone, setPrescription } from '../../../web/src/actions/edit_cones.ts';
 import { Document } from '../../../web/src/model/document.ts';
 import { suggestedK } from '../../../web/src/model/gauss_bonnet.ts';
 import { balancingCones } from '../../../web/src/services/geometry/balance_cones.ts';
@@ -103,4 +104,19 @@ test('a component of few vertices is balanced with cones that share triangles, a
   // Where nothing fits, the other components are balanced all the same.
   const full = balancingCones(surface, 4, [], new Map([[small, 80], [large, 8]])); // prettier-ignore
   assert.equal(spent(full, large), 8);
+});
+
+test('each cone that is deleted is one step of undo, however quickly', () => {
+  const doc = new Document();
+  const app = { doc };
+  const cones = [3, 5, 7].map((vertex) => ({ vertex, k: 3 }));
+  setPrescription(app, { ...doc.prescription, cones }, 'import cones');
+  deleteCone(app, 0);
+  deleteCone(app, 0);
+  const left = () => doc.prescription.cones.map(({ vertex }) => vertex);
+  assert.deepEqual(left(), [7]);
+  doc.history = doc.history.undo();
+  assert.deepEqual(left(), [5, 7]);
+  doc.history = doc.history.undo();
+  assert.deepEqual(left(), [3, 5, 7]);
 });

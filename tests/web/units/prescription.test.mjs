@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { readHash } from '../../../web/src/formats/hash_state.ts';
+import { modelTag, readHash, writeHash } from '../../../web/src/formats/hash_state.ts';
 import { computeBudget, largestK, waysToSpend } from '../../../web/src/model/gauss_bonnet.ts';
 import { History } from '../../../web/src/model/history.ts';
 import {
@@ -164,4 +164,17 @@ test('each cone is visited a few times, however many there are', () => {
   const surface = chain(3 * count + 3);
   computeBudget({ q: 4, cones, turnings: [], handles: [] }, surface, closed);
   assert.ok(looks >= count && looks < 12 * count, `${looks} for ${count} cones`);
+});
+
+test('cones in the address name the mesh of the file to which they belong', () => {
+  const sha256 = 'c0ffee00'.repeat(8);
+  const model = modelTag({ file: { sha256 }, surface: 2 });
+  const look = { pattern: 'checker', overlay: 'none', tiles: 24 };
+  const plain = { q: 4, cones: [], turnings: [null], handles: [] };
+  const withCones = { ...plain, cones: [{ vertex: 5, k: 3 }] };
+  const read = (prescription) => readHash(writeHash({ look, prescription, model }));
+  assert.equal(read(withCones).model, 'c0ffee00.2');
+  assert.equal(read({ ...plain, turnings: [-4] }).model, 'c0ffee00.2');
+  assert.equal(read(plain).model, undefined); // nothing belongs to a model
+  assert.equal(readHash('#model=<b>').model, undefined);
 });

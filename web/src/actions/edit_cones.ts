@@ -50,7 +50,7 @@ export function placeOrSelect(app: App, picked: number): void {
     const rule = 'Boundaries have a turning index instead of cones.';
     return doc.say(`Vertex ${vertex} is on the boundary. ${rule}`, 'error');
   }
-  if (setCones(app, [...cones, cone], 'add cone')) select(app, cones.length);
+  if (setCones(app, [...cones, cone], `add cone: ${vertex}`)) select(app, cones.length);
 }
 
 export function select({ doc }: App, index: number): void {
@@ -87,10 +87,11 @@ export function moveCone(app: App, index: number, picked: number, drag: string):
 
 export function deleteCone(app: App, index: number): void {
   const { cones } = app.doc.prescription;
-  if (!cones[index] || isLocked(app)) return;
+  const cone = cones[index];
+  if (!cone || isLocked(app)) return;
   app.doc.selected = -1;
   const rest = cones.filter((_, i) => i !== index);
-  setCones(app, rest, 'delete cone');
+  setCones(app, rest, `delete cone: ${cone.vertex}`);
 }
 
 export function clearCones(app: App): void {

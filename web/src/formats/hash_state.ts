@@ -12,11 +12,17 @@ export interface HashState {
   overlay?: Overlay;
   tiles?: number;
   camera?: string;
+  /** The model to which cones, turnings and handles belong, as `modelTag` gives it. */
+  model?: string;
   cones?: { vertex: number; k: number }[];
   /** Pairs of a loop and its l, and of a generator and its r. */
   turnings?: [number, number][];
   handles?: [number, number][];
 }
+
+/** Identifies one mesh of one file: the start of its SHA-256, and the mesh's number. */
+export const modelTag = ({ file, surface }: { file: { sha256: string }; surface: number }) =>
+  `${file.sha256.slice(0, 8)}.${surface}`;
 
 const integer = (text: string | null, low: number, high: number): number | undefined => {
   const n = text === null ? NaN : Number(text);
@@ -57,6 +63,7 @@ export function readHash(hash: string): HashState {
     overlay: known(overlays, 'overlay'),
     tiles: tiles >= 1 && tiles <= 1000 ? tiles : undefined,
     camera: words.get('camera') ?? undefined,
+    model: /^[0-9a-f]{8}\.\d{1,9}$/.exec(words.get('model') ?? '')?.[0],
     cones: conesOf(words.get('cones')),
     turnings: pairsOf(words.get('turnings')),
     handles: pairsOf(words.get('handles')),
@@ -69,10 +76,11 @@ export interface HashSource {
   look: Look;
   prescription: Prescription;
   camera?: string;
+  model?: string;
 }
 
 /** The settings that differ from those of a new page. */
-export function writeHash({ example, look, prescription, camera }: HashSource): string {
+export function writeHash({ example, look, prescription, camera, model }: HashSource): string {
   const words = new URLSearchParams();
   if (example) words.set('example', example);
   words.set('q', String(prescription.q));
@@ -93,5 +101,7 @@ export function writeHash({ example, look, prescription, camera }: HashSource): 
   );
   set('turnings', said(prescription.turnings));
   set('handles', said(prescription.handles));
+  if (model && ['cones', 'turnings', 'handles'].some((key) => words.has(key)))
+    words.set('model', model);
   return `#${words}`;
 }

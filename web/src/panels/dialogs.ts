@@ -109,7 +109,8 @@ function help(app: App): TemplateResult {
   return dialogFrame(
     'help-dialog',
     'Keys',
-    html`<p class="note">Single keys work while a view has the focus.</p>
+    // The first row has the focus: on a button at the end, the list would open scrolled to it.
+    html`<p class="note" tabindex="-1" autofocus>Single keys work while a view has the focus.</p>
       <dl class="keys">
         ${[...rows, ...gestures].map(
           ([key, what]) =>

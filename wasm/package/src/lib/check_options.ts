@@ -142,7 +142,7 @@ export const optionsOf = {
   parametrizeFile: { ...loadFile, ...solveFile, write: record(writeFile) },
   combine: {
     ...{ name: string, uvSet: integer(-1), embedCones: boolean },
-    ...{ allowUncertified: boolean, use: boolean },
+    ...{ allowUncertified: boolean, use: boolean, gridMaterial: write.gridMaterial },
   },
   createClient: {
     ...{ wasmUrl: anything, wasmBinary: anything, wasmModule: anything, workerUrl: anything },

@@ -203,7 +203,7 @@ export interface FileOptions
 /** Options of combine(). */
 export type CombineOptions = Pick<
   WriteOptions,
-  'name' | 'uvSet' | 'embedCones' | 'allowUncertified' | 'use'
+  'name' | 'uvSet' | 'embedCones' | 'allowUncertified' | 'use' | 'gridMaterial'
 >;
 
 export interface QuadOptions {

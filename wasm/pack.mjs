@@ -1,12 +1,12 @@
-// node pack.mjs MODULE_DIR OUT: builds the npm package from its TypeScript, the module linked by Emscripten,
-// the schemas and the decoders. Previous contents of OUT are removed.
+// node pack.mjs MODULE_DIR OUT [CLI_DIR]: builds the npm package from its TypeScript, the module linked by Emscripten,
+// the schemas, the decoders and, if CLI_DIR is given, the command line. Previous contents of OUT are removed.
 
 import { execFileSync } from 'node:child_process';
 import { copyFileSync, cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { packDecoders } from './decoders.mjs';
 
-const [moduleDir, out] = process.argv.slice(2).map((name) => path.resolve(name));
+const [moduleDir, out, cliDir] = process.argv.slice(2).map((name) => path.resolve(name));
 const root = path.resolve(import.meta.dirname, '..');
 
 /** Removes the binary's name, which bundlers would look for; the module is passed to the glue code instead. */
@@ -42,3 +42,18 @@ packDecoders(path.join(root, 'node_modules'), path.join(out, 'decoders'));
 const glue = readFileSync(path.join(moduleDir, 'module.js'), 'utf8');
 writeFileSync(path.join(out, 'module.js'), withoutProcess(withoutBinaryName(glue)));
 copyFileSync(path.join(moduleDir, 'module.wasm'), path.join(out, 'hgp.wasm'));
+
+/** Without the command line, the package has no program. */
+function packProgram() {
+  if (cliDir) {
+    mkdirSync(path.join(out, 'cli'));
+    for (const name of ['cli.cjs', 'cli.wasm'])
+      copyFileSync(path.join(cliDir, name), path.join(out, 'cli', name));
+    return;
+  }
+  const { bin, ...others } = JSON.parse(readFileSync(path.join(out, 'package.json'), 'utf8'));
+  for (const file of Object.values(bin))
+    for (const name of [file, file.replace(/js$/, 'd.ts')]) rmSync(path.join(out, name));
+  writeFileSync(path.join(out, 'package.json'), `${JSON.stringify(others, null, 2)}\n`);
+}
+packProgram();

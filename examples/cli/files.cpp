@@ -8,6 +8,7 @@
 #include "gzip.h"
 #include "half_file.h"
 #include "hgp/base/check.h"
+#include "outside_decoders.h"
 
 namespace hgp::cli {
 namespace {
@@ -126,6 +127,7 @@ Result<io::FileSet> openFiles(const std::string& path, const std::string& format
     files.name.resize(files.name.size() - 3);
   }
   files.main = std::move(*bytes);
+  files.decoders = outsideDecoders();
   const fs::path folder = path == "-" ? fs::path(".") : fs::path(path).parent_path();
   const fs::path base = folder.empty() ? fs::path(".") : folder;
   const fs::path allowed = root.empty() ? base : fs::path(root);

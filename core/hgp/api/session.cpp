@@ -37,6 +37,7 @@ Session& Session::operator=(Session&&) noexcept = default;
 Status Session::State::take(Result<Model> loaded) {
   if (!loaded) return loaded.error();
   clearResult();
+  runs.clear();
   hash.clear();
   prepared.clear();
   model.reset();
@@ -138,8 +139,7 @@ Status Session::parametrize(const std::optional<io::Prescription>& prescription,
                             const SolveOptions& options) {
   return guarded([&]() -> Status {
     if (Status ready = requireComponents(state_->model); !ready) return ready.error();
-    state_->clearResult();
-    return state_->solve(prescription, options);
+    return state_->solveOrFind(prescription, options);
   });
 }
 

@@ -48,6 +48,7 @@ class Session {
 
   /// Solves, then verifies the map as it will be stored. Without a prescription, cones are automatic. Also succeeds if
   /// the map is not certified; fails for contradictory options, impossible prescriptions, limits and cancellation.
+  /// With the arguments of one of the last calls on this surface, its result is returned, with its report.
   Status parametrize(const std::optional<io::Prescription>& prescription,
                      const SolveOptions& options);
   /// Verifies the uv in the file: hgp-certificate. Without a prescription any cones are accepted.
@@ -56,11 +57,9 @@ class Session {
 
   /// The current result, for use() after others were computed; in memory as long as a StoredResult refers to it.
   StoredResult result() const;
-  /// Makes a result the current one, which is written, measured and shown. False if it belongs to another surface; it
-  /// may come from another session with an identical surface, whatever else its file holds, so that the maps of several
-  /// meshes can be written into one file.
+  /// Makes a result the current one, which is written, measured and shown. False if it is of another surface; it may come
+  /// from another session with an identical surface, so that the maps of several meshes can be written into one file.
   bool use(const StoredResult& result);
-
   bool hasResult() const;
   bool isCertified() const;
   const std::string& certificateJson() const;  ///< of the result: hgp-certificate
@@ -97,6 +96,7 @@ class Session {
 
  private:
   friend class StoredResult;
+  friend class LiveDrag;
   struct State;
   std::unique_ptr<State> state_;
 };

@@ -1,6 +1,8 @@
 // Results that stay usable while others are computed.
 #include "hgp/api/session_state.h"
 #include "hgp/api/sha256.h"
+#include "hgp/linalg/kernels/dense_kernels.h"
+#include "hgp/parametrize/stage_clock.h"
 
 namespace hgp::api {
 namespace {
@@ -24,6 +26,20 @@ const std::string& Session::State::surfaceHash() {
 void Session::State::clearResult() {
   solved.reset();
   finer.reset();
+}
+
+Status Session::State::solveOrFind(const std::optional<io::Prescription>& prescription,
+                                   const SolveOptions& options) {
+  clearResult();
+  RunKey key{prescription, options, linalg::areBaselineKernelsUsed()};
+  if (const std::shared_ptr<Solved>* kept = runs.find(key)) {
+    if (!report(options.progress, {Stage::kSolve, 0.0})) return cancelled(Stage::kSolve);
+    solved = *kept;
+    return Done{};
+  }
+  Status done = solve(prescription, options);
+  if (done && solved && !finer) runs.add(std::move(key), triangles.size() / 3, solved);
+  return done;
 }
 
 StoredResult Session::result() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "hgp/api/json_text.h"
+#include "hgp/api/kept_runs.h"
 #include "hgp/api/session.h"
 #include "hgp/field/prepared_surface.h"
 
@@ -23,8 +24,9 @@ struct Session::State {
   };
   std::shared_ptr<Solved> solved;  ///< complete when published, and then shared with StoredResults
   std::string hash;                ///< see surfaceHash()
-  double workShare = 1.0;          ///< fraction of the work limit of a run
-  std::shared_ptr<State> finer;    ///< the refined surface, if the map is on that; shared likewise
+  KeptRuns<std::shared_ptr<Solved>> runs;  ///< of this surface, not on refined ones
+  double workShare = 1.0;                  ///< fraction of the work limit of a run
+  std::shared_ptr<State> finer;  ///< the refined surface, if the map is on that; shared likewise
   std::vector<double> positions;
   std::vector<std::uint32_t> triangles;
 
@@ -35,6 +37,9 @@ struct Session::State {
   /// SHA-256 of the loaded surface as it is solved and stored; computed on first use.
   const std::string& surfaceHash();
   void clearResult();
+  /// solve(), or the kept result of an earlier call with the same arguments.
+  Status solveOrFind(const std::optional<io::Prescription>& prescription,
+                     const SolveOptions& options);
   Status solve(const std::optional<io::Prescription>& prescription, const SolveOptions& options);
   /// Solves every component and verifies it as stored: sets all of `solved` except its report.
   Status solveRequest(const Request& request, const SolveOptions& options, RunRecord& run);

@@ -32,5 +32,6 @@ const KernelTable& kernels() {
 }
 
 void useBaselineKernels(bool isAsked) { isBaselineAsked = isAsked; }
+bool areBaselineKernelsUsed() { return isBaselineAsked; }
 
 }  // namespace hgp::linalg

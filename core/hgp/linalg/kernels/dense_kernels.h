@@ -50,6 +50,7 @@ const KernelTable& kernels();
 /// Makes kernels() return the baseline table from now on; its results are the same everywhere, because it has no fused
 /// multiply-add.
 void useBaselineKernels(bool isAsked);
+bool areBaselineKernelsUsed();
 
 /// Kernels in ISO C++ only, with bit for bit the same results as the baseline; null in WebAssembly, where every
 /// compiler has vectors.

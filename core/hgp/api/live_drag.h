@@ -1,0 +1,48 @@
+// A cone of a session's result that is dragged.  Role: LiveEdit at the API boundary, in ids and arrays of the surface.
+#pragma once
+
+#include "hgp/api/session.h"
+#include "hgp/parametrize/live_edit.h"
+
+namespace hgp::api {
+
+/// What a position of the cone gives.
+struct LiveView {
+  LiveState state = LiveState::kHeat;
+  /// As Session::uv() and cornerToUv(): the other components as they are, this one moved; uv that no corner uses are
+  /// left in. Empty for kHeat.
+  std::vector<double> uv;
+  std::vector<std::uint32_t> cornerToUv;
+  std::vector<float>
+      logScale;  ///< log conformal factor by surface vertex; NaN outside the component
+  std::vector<int> notPositive;      ///< triangles of the surface
+  std::vector<std::string> reasons;  ///< why the map is not certified
+  std::string cones;                 ///< hgp-cones: the prescription that the map is certified for
+  bool wantsPreparation =
+      false;  ///< prepareHere() lets the cone go on, or gives a map instead of heat
+};
+
+/// The maps are certified as they are, in float64, before any rounding for a file, and are not stored: when the cone is
+/// dropped, Session::parametrize with `cones` gives the result, whose bytes do not depend on the path.
+class LiveDrag {
+ public:
+  /// Starts from the session's result. Fails with kUsage if there is none, if it is on a refined surface, and if no cone
+  /// is at the vertex.
+  /// @param session  outlives the drag, which ends when the session loads or solves
+  static Result<LiveDrag> begin(Session& session, int vertex);
+  LiveDrag(LiveDrag&&) noexcept;
+  LiveDrag& operator=(LiveDrag&&) noexcept;
+  ~LiveDrag();
+
+  /// Fails with kUsage where no cone can be: at other cones, on boundaries, on other components.
+  Result<LiveView> moveTo(int vertex);
+  /// Prepares the neighbourhood of the last certified position; takes about as long as begin().
+  Status prepareHere();
+
+ private:
+  struct State;
+  explicit LiveDrag(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace hgp::api

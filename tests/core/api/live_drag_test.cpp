@@ -1,0 +1,117 @@
+#include "hgp/api/live_drag.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "hgp/api/load_model.h"
+#include "hgp/api/request.h"
+#include "hgp/api/stored_map.h"
+#include "hgp/io/cone_files.h"
+#include "hgp/verify/certificate.h"
+#include "support/shapes.h"
+
+namespace hgp::api {
+namespace {
+
+/// Two components: the cone that is dragged is on the second one.
+MeshData twoSpheres() {
+  MeshData all = test::jittered(test::icosphere(4), 0.02).data;
+  const MeshData other = test::jittered(test::icosphere(5), 0.02, 2).data;
+  const int shift = static_cast<int>(all.positions.size());
+  for (Vec3 p : other.positions) {
+    p[0] += 3.0;
+    all.positions.push_back(p);
+  }
+  for (auto t : other.triangles) {
+    for (int& v : t) v += shift;
+    all.triangles.push_back(t);
+  }
+  return all;
+}
+
+struct Dragged {
+  Dragged() {
+    const MeshData mesh = twoSpheres();
+    EXPECT_TRUE(session.loadArrays(mesh.positions, mesh.triangles, {}));
+    EXPECT_TRUE(session.parametrize(std::nullopt, {}));
+    EXPECT_TRUE(session.isCertified());
+    const auto cones = readPrescription("c.json", session.conesJson(), 4);
+    EXPECT_TRUE(cones);
+    isCone.resize(mesh.positions.size(), 0);
+    for (const io::PrescribedCone& c : cones->cones) isCone[static_cast<std::size_t>(c.vertex)] = 1;
+    cone = cones->cones.back().vertex;
+    for (const auto& t : mesh.triangles)
+      for (std::size_t k = 0; k < 3; ++k)
+        if (t[k] == cone && isCone[static_cast<std::size_t>(t[(k + 1) % 3])] == 0)
+          beside = t[(k + 1) % 3];
+  }
+  Session session;
+  std::vector<char> isCone;
+  int cone = -1, beside = -1;
+};
+
+TEST(LiveDrag, ItsMapIsCertifiedForItsConesAlsoWhenReadFromTheArrays) {
+  Dragged on;
+  Result<LiveDrag> drag = LiveDrag::begin(on.session, on.cone);
+  ASSERT_TRUE(drag) << drag.error().message;
+  const Result<LiveView> view = drag->moveTo(on.beside);
+  ASSERT_TRUE(view) << view.error().message;
+  ASSERT_EQ(view->state, LiveState::kCertified);
+  EXPECT_TRUE(view->notPositive.empty() && view->reasons.empty());
+  EXPECT_TRUE(std::isnan(view->logScale.front()));
+  EXPECT_FALSE(std::isnan(view->logScale.back()));
+  // Nothing but the arrays and the cones: as another program would read them.
+  const auto cones = readPrescription("c.json", view->cones, 4);
+  ASSERT_TRUE(cones);
+  const Result<Model> model = modelOfArrays(twoSpheres(), {});
+  ASSERT_TRUE(model);
+  const Result<Request> request = resolve(*model, *cones);
+  ASSERT_TRUE(request);
+  UvMap map;
+  for (std::size_t i = 0; i < view->uv.size(); i += 2)
+    map.uv.push_back({view->uv[i], view->uv[i + 1]});
+  for (std::size_t i = 0; i < view->cornerToUv.size(); i += 3)
+    map.cornerUv.push_back({static_cast<int>(view->cornerToUv[i]),
+                            static_cast<int>(view->cornerToUv[i + 1]),
+                            static_cast<int>(view->cornerToUv[i + 2])});
+  for (std::size_t p = 0; p < 2; ++p) {
+    const ModelComponent& component = model->components[p];
+    EXPECT_TRUE(certify(component.mesh, request->components[p].spec, mapOfComponent(component, map))
+                    .isCertified);
+  }
+}
+
+TEST(LiveDrag, DroppingTheConeGivesTheResultOfANewRunAndEndsTheDrag) {
+  Dragged on;
+  Result<LiveDrag> drag = LiveDrag::begin(on.session, on.cone);
+  ASSERT_TRUE(drag);
+  const Result<LiveView> view = drag->moveTo(on.beside);
+  ASSERT_TRUE(view);
+  const auto cones = readPrescription("c.json", view->cones, 4);
+  ASSERT_TRUE(cones);
+  ASSERT_TRUE(on.session.parametrize(*cones, {}));
+  EXPECT_TRUE(on.session.isCertified());
+  EXPECT_EQ(on.session.conesJson(), view->cones);
+  const Result<LiveView> late = drag->moveTo(on.cone);
+  ASSERT_FALSE(late);
+  EXPECT_EQ(late.error().code, ErrorCode::kUsage);
+  EXPECT_FALSE(drag->prepareHere());
+}
+
+TEST(LiveDrag, RefusesWhatIsNoConeAndSessionsWithoutAMap) {
+  Dragged on;
+  EXPECT_FALSE(LiveDrag::begin(on.session, on.beside));
+  EXPECT_FALSE(LiveDrag::begin(on.session, -1));
+  EXPECT_FALSE(LiveDrag::begin(on.session, 1'000'000));
+  Session empty;
+  EXPECT_FALSE(LiveDrag::begin(empty, 0));
+  Result<LiveDrag> drag = LiveDrag::begin(on.session, on.cone);
+  ASSERT_TRUE(drag);
+  const Result<LiveView> elsewhere = drag->moveTo(0);  // on the other sphere
+  ASSERT_FALSE(elsewhere);
+  EXPECT_EQ(elsewhere.error().code, ErrorCode::kUsage);
+}
+
+}  // namespace
+}  // namespace hgp::api

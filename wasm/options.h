@@ -84,6 +84,7 @@ inline api::SolveOptions toSolveOptions(const val& options, const val& onProgres
   if (scale == "unit") o.scale = api::Scale::kUnit;
   if (scale == "fit") o.scale = api::Scale::kFit;
   o.refines = option(options, "refine", false);
+  o.convexPolygons = option(options, "convexPolygons", false);
   const val grid = option(options, "grid", val::object());
   o.grid.cells = option(grid, "cells", 0.0);
   o.grid.spacing = option(grid, "spacing", 0.0);

@@ -235,6 +235,9 @@ class Table {
                            "Scale of the map: as solved (default), mean edge length 1, or fitted "
                            "into the unit square"),
            {"solved", "unit", "fit"});
+    sub->add_flag("--convex-polygons", out_.solve.convexPolygons,
+                  "Certify only maps in which every polygon is convex, for readers that cut "
+                  "polygons along other diagonals");
     sub->add_flag("--reproducible", out_.isReproducible,
                   "The same bytes on every processor and in WebAssembly, somewhat slower");
     sub->add_option("--time-limit", out_.timeLimit,

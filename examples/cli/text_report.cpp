@@ -118,7 +118,8 @@ std::string distortion(const Json& component) {
                     number(d, "rmsLogArea"), number(d, "minLogArea"), number(d, "maxLogArea"));
 }
 
-/// Text on stored triangles that the certificate does not cover as stored; empty if there are none.
+/// Text on stored triangles that the certificate does not cover as stored, and on polygons of which it covers hgp's
+/// triangles only; empty if there are none.
 std::string outside(const Json& stored) {
   std::string list;
   const auto add = [&](const char* key, const char* text) {
@@ -130,9 +131,15 @@ std::string outside(const Json& stored) {
     list += formatText(" but for %lld", integer(stored, "differing"));
   add("zeroArea", "without area");
   add("reversed", "verified with the opposite winding");
-  if (list.empty()) return list;
-  return row("outside",
-             formatText("of %lld stored triangles %s", integer(stored, "triangles"), list.c_str()));
+  std::string out;
+  if (!list.empty())
+    out = row("outside", formatText("of %lld stored triangles %s", integer(stored, "triangles"),
+                                    list.c_str()));
+  if (const long long n = integer(stored, "notConvex"))
+    out += row("polygons", formatText("%lld of %lld not convex in the map: a reader that cuts them "
+                                      "along other diagonals than hgp may see flipped triangles",
+                                      n, integer(stored, "polygons")));
+  return out;
 }
 
 std::string certificate(const Json& json, const Style& style) {

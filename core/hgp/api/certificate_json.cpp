@@ -241,10 +241,15 @@ std::string certificateText(const Model& model, const std::vector<Certificate>& 
   json["precision"] = certificates.empty() ? "float64" : precisionName(certificates[0].precision);
   if (uvSet >= 0) json["uvSet"] = uvSet;
   addSummary(json, certificates);
-  json["stored"] = Json{{"triangles", outside.stored},           {"verified", outside.verified},
-                        {"duplicates", outside.duplicates},      {"differing", outside.differing},
-                        {"zeroArea", outside.zeroArea},          {"reversed", outside.reversed},
-                        {"splitVertices", outside.splitVertices}};
+  json["stored"] = Json{{"triangles", outside.stored},
+                        {"verified", outside.verified},
+                        {"duplicates", outside.duplicates},
+                        {"differing", outside.differing},
+                        {"zeroArea", outside.zeroArea},
+                        {"reversed", outside.reversed},
+                        {"splitVertices", outside.splitVertices},
+                        {"polygons", outside.polygons.polygons},
+                        {"notConvex", outside.polygons.notConvex}};
   Json& components = json["components"] = Json::array();
   for (std::size_t p = 0; p < certificates.size(); ++p) {
     components.push_back(ComponentJson(model.components[p], certificates[p]).make());

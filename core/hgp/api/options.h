@@ -59,6 +59,8 @@ struct SolveOptions {
   bool keepsGoing = false;
   /// Where there is no map, split edges and solve again on the refined mesh, which is then written.
   bool refines = false;
+  /// Certify only maps in which every polygon of the file is convex; uv are moved for that after the solve.
+  bool convexPolygons = false;
   GridOptions grid;  ///< the number of cells is that of all components together
   Progress progress;
 };

@@ -111,6 +111,7 @@ OutsideFacts measureOutside(const Model& model, const UvMap& surfaceMap) {
     }
     facts.differing += !isSame;
   }
+  facts.polygons = measurePolygons(model, model.document->polygons(model.surface), surfaceMap);
   return facts;
 }
 

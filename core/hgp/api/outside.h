@@ -2,7 +2,7 @@
 // the file is either verified as it is stored or counted here.
 #pragma once
 
-#include "hgp/api/model.h"
+#include "hgp/api/polygon_facts.h"
 
 namespace hgp::api {
 
@@ -15,6 +15,7 @@ struct OutsideFacts {
   int zeroArea = 0;       ///< not covered: no area in 3D (LeftOut::kZeroArea)
   int reversed = 0;       ///< verified with the orientation opposite to the stored one
   int splitVertices = 0;  ///< copies of vertices in the verified surface that are not in the file
+  PolygonFacts polygons;  ///< where the triangles are parts of polygons
 };
 OutsideFacts measureOutside(const Model& model, const UvMap& surfaceMap);
 

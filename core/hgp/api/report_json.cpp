@@ -8,6 +8,7 @@ namespace {
 
 Json optionsJson(const SolveOptions& o, bool isAutomatic) {
   Json json{{"rounds", o.maxRounds}, {"improve", nullptr}, {"refine", o.refines}};
+  if (o.convexPolygons) json["convexPolygons"] = true;
   if (o.improve)
     json["improve"] =
         Json{{"word", improveWord(o.improve->balance)}, {"balance", o.improve->balance}};

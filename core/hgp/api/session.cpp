@@ -176,6 +176,7 @@ Result<Verdict> Session::verify(const std::optional<io::Prescription>& prescript
           certify(model.components[p].mesh, request->components[p].spec, componentMap, rule));
       certificates.back().overlap = measureOverlap(componentMap);
     }
+    denyFoldedPolygons(model, model.document->polygons(model.surface), *map, certificates);
     return Verdict{areCertified(certificates),
                    certificateText(model, certificates, measureOutside(model, *map), set),
                    std::nullopt};

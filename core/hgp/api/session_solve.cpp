@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "hgp/api/convex_polygons.h"
 #include "hgp/api/map_notes.h"
 #include "hgp/api/session_state.h"
 #include "hgp/api/stand_in.h"
@@ -237,6 +238,17 @@ bool needsOwnNumbers(const Model& model, int q) {
   return 4 % q != 0 && model.document->uvPrecision() == io::UvPrecision::kFloat32;
 }
 
+StoredMap storedWith(const Model& model, const SolveOptions& options,
+                     std::vector<ComponentMap>& maps) {
+  if (!options.convexPolygons) return storeMap(model, maps, options.scale);
+  const io::PolygonsView polygons = model.document->polygons(model.surface);
+  makePolygonsConvex(model, polygons, maps);
+  StoredMap stored = storeMap(model, maps, options.scale);
+  denyNotConvex(model, polygons, stored.map, stored.certificates);
+  stored.isCertified = areCertified(stored.certificates);
+  return stored;
+}
+
 }  // namespace
 
 Status Session::State::solveRequest(const Request& request, const SolveOptions& options,
@@ -269,7 +281,7 @@ Status Session::State::solveRequest(const Request& request, const SolveOptions& 
   }
   Solved result;
   result.isAligned = areAligned;
-  result.stored = storeMap(*model, maps, options.scale);
+  result.stored = storedWith(*model, options, maps);
   run.notes.insert(run.notes.end(), result.stored.notes.begin(), result.stored.notes.end());
   result.prescription = describe(*model, specs);
   result.cones = io::writeConesJson(result.prescription);
@@ -315,7 +327,10 @@ Status Session::State::solve(const std::optional<io::Prescription>& prescription
   if (options.frames == FrameSource::kFile)
     run.notes.push_back("the frames are the directions of the field");
   if (Status done = solveRequest(*request, options, run); !done) return done;
-  if (!solved->stored.isCertified && options.boundary == BoundaryKind::kFree)
+  const bool hasMap = std::all_of(run.components.begin(), run.components.end(),
+                                  [](const Parametrization& c) { return c.isCertified; });
+  if (!solved->stored.isCertified && options.boundary == BoundaryKind::kFree &&
+      (options.refines || !hasMap))
     if (Status done = solveRefined(*request, options, run); !done) return done;
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   run.seconds = seconds.count();

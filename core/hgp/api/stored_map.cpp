@@ -5,6 +5,7 @@
 
 #include "hgp/api/outside.h"
 #include "hgp/api/pack_components.h"
+#include "hgp/api/polygon_facts.h"
 #include "hgp/api/snap_components.h"
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
@@ -202,7 +203,8 @@ StoredMap store(const Model& model, const StorePlace& place,
   snapper.snap(numbersOf(place), joined.uv);
   restoreKept(components, joined.uv);
   StoredMap out;
-  out.map = place.document.asStored(place.surface, onSurface(model, joined));
+  out.map =
+      place.document.asStored(place.surface, onSurface(model, joined), componentOfTriangle(model));
   check(model, place, components, earlier, out);
   return out;
 }
@@ -240,6 +242,12 @@ void redo(const Model& model, const StorePlace& place, const std::vector<Compone
   }
 }
 
+void denyFolded(const Model& model, const StorePlace& place, StoredMap& stored) {
+  denyFoldedPolygons(model, place.document.polygons(place.surface), stored.map,
+                     stored.certificates);
+  stored.isCertified = areCertified(stored.certificates);
+}
+
 /// Cells per side for measureOverlap: 512, or fewer for few triangles.
 int overlapCells(const UvMap& map) {
   int size = 32;
@@ -259,23 +267,12 @@ void denyCertificate(const std::string& whyNone, Certificate& certificate) {
   certificate.isCertified = false;
 }
 
-double gridStep(const UvMap& map) {
-  // A format that stores 1 − v rounds that value too.
-  double largest = 0;
-  for (const auto& corners : map.cornerUv)
-    for (int i : corners) {
-      if (i < 0 || i >= static_cast<int>(map.uv.size())) continue;
-      const Vec2& p = map.uv[static_cast<std::size_t>(i)];
-      largest = std::max({largest, std::abs(p[0]), std::abs(p[1]), std::abs(1 - p[1])});
-    }
-  return largest > 0 && std::isfinite(largest) ? std::scalbn(1.0, std::ilogb(largest) - 23) : 0;
-}
-
 StoredMap certifyAsItIs(const Model& model, const StorePlace& place,
                         const std::vector<ComponentMap>& components, const UvMap& map) {
   StoredMap out;
-  out.map = place.document.asStored(place.surface, map);
+  out.map = place.document.asStored(place.surface, map, componentOfTriangle(model));
   check(model, place, components, nullptr, out);
+  denyFolded(model, place, out);
   out.uvToVertex = verticesOfUv(model, out.map);
   return out;
 }
@@ -295,7 +292,8 @@ StoredMap storeMap(const Model& model, const StorePlace& place,
     out = store(model, place, components, placements, scale, snapper, &out);
     if (scale == Scale::kSolved) redo(model, place, components, snapper, placements, out);
   }
-  if (const std::size_t broken = brokenByStoring(components, out).size(); broken > 0) {
+  const std::size_t broken = brokenByStoring(components, out).size();
+  if (broken > 0) {
     out.notes.push_back(
         formatText("%zu of %s certified before the rounding of the format, but not after it",
                    broken, counted(components.size(), "component").c_str()));
@@ -304,45 +302,8 @@ StoredMap storeMap(const Model& model, const StorePlace& place,
     const UvMap map = mapOfComponent(model.components[p], out.map);
     out.certificates[p].overlap = measureOverlap(map, overlapCells(map));
   }
+  denyFolded(model, place, out);
   out.uvToVertex = verticesOfUv(model, out.map);
-  return out;
-}
-
-namespace {
-
-/// Copies to `map` the uv that its corners use, with new indices, so that the cost of a component does not
-/// depend on the others.
-void takeUsed(const std::vector<Vec2>& uv, UvMap& map) {
-  const int count = static_cast<int>(uv.size());
-  std::vector<int> used;
-  used.reserve(3 * map.cornerUv.size());
-  for (const auto& corners : map.cornerUv)
-    for (int i : corners)
-      if (i >= 0 && i < count) used.push_back(i);
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  for (auto& corners : map.cornerUv)
-    for (int& i : corners) {
-      if (i < 0 || i >= count) {
-        i = -1;
-      } else {
-        i = static_cast<int>(std::lower_bound(used.begin(), used.end(), i) - used.begin());
-      }
-    }
-  map.uv.reserve(used.size());
-  for (int i : used) map.uv.push_back(uv[static_cast<std::size_t>(i)]);
-}
-
-}  // namespace
-
-UvMap mapOfComponent(const ModelComponent& component, const UvMap& surfaceMap) {
-  UvMap out;
-  out.cornerUv.resize(at(component.mesh.faceCount()));
-  for (int c = 0; c < component.corner.size(); ++c) {
-    const SurfaceCornerId from = component.corner[HalfedgeId{c}];
-    out.cornerUv[at(c / 3)][at(c % 3)] = surfaceMap.cornerUv[at(from.i / 3)][at(from.i % 3)];
-  }
-  takeUsed(surfaceMap.uv, out);
   return out;
 }
 

@@ -2,7 +2,7 @@
 // Role: ensures that the stored numbers themselves are certified.
 #pragma once
 
-#include "hgp/api/model.h"
+#include "hgp/api/component_map.h"
 #include "hgp/mesh/holonomy_spec.h"
 #include "hgp/verify/certificate.h"
 
@@ -47,13 +47,6 @@ StoredMap storeMap(const Model& model, const StorePlace& place,
 /// has such numbers does not change.
 StoredMap certifyAsItIs(const Model& model, const StorePlace& place,
                         const std::vector<ComponentMap>& components, const UvMap& map);
-
-/// The spacing of float32 numbers at the largest |u|, |v| or |1 − v| of a component: glTF
-/// stores u and 1 − v, and its writer rounds each component to one grid.
-double gridStep(const UvMap& map);
-
-/// The part of a map on the surface's triangles that belongs to one component, with its own uv indices.
-UvMap mapOfComponent(const ModelComponent& component, const UvMap& surfaceMap);
 
 /// The uv indices of both sides of a seam edge, in corresponding order.
 struct SeamEnds {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hgp/base/result.h"
+#include "hgp/io/polygons.h"
 #include "hgp/io/written.h"
 #include "hgp/mesh/face_edits.h"
 #include "hgp/mesh/mesh_data.h"
@@ -71,7 +72,12 @@ class Document {
 
   /// Exactly the map that existingUv returns once the file is written and read again, for instance rounded to
   /// float32; polygons stay whole. A certificate must be measured on this map. Corners may be re-indexed.
-  virtual UvMap asStored(int surface, const UvMap& map) const = 0;
+  /// @param partOf  the independent part of every triangle, −1 if it follows others; empty: found by connectivity
+  virtual UvMap asStored(int surface, const UvMap& map, const std::vector<int>& partOf) const = 0;
+  UvMap asStored(int surface, const UvMap& map) const { return asStored(surface, map, {}); }
+
+  /// The polygons that the triangles of a surface are cut from; {} if all of them are triangles.
+  virtual PolygonsView polygons(int) const { return {}; }
 
   /// Cones stored inside the file; empty if there are none.
   virtual Result<std::optional<Prescription>> embeddedCones(int surface) const = 0;

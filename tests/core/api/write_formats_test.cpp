@@ -1,6 +1,9 @@
 // A result in other formats than that of its file.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "hgp/api/session.h"
@@ -148,6 +151,26 @@ TEST(WriteFormats, WithoutAResultNothingIsWritten) {
   EXPECT_EQ(Session().write(options).error().code, ErrorCode::kUsage);
   EXPECT_EQ(mapFormatNamed("flat-obj"), MapFormat::kFlatObj);
   EXPECT_FALSE(mapFormatNamed("stl"));
+}
+
+TEST(WriteFormats, PartsThatMeetAtAnEdgeAreRoundedEachOnItsOwn) {
+  const char* given = std::getenv("HGP_SHARED_MESHES");
+  const std::string name =
+      std::string(given ? given : HGP_SHARED_MESHES_DEFAULT) + "/../cases/real/glass-table.glb";
+  std::ifstream file(name, std::ios::binary);
+  if (!file) GTEST_SKIP() << "optional data are not there: " << name;
+  const io::Bytes bytes(std::istreambuf_iterator<char>(file), {});
+  for (int surface = 0; surface < 5; ++surface) {
+    io::FileSet files;
+    files.name = "table.glb";
+    files.main = bytes;
+    LoadOptions options;
+    options.surface = surface;
+    Session session;
+    ASSERT_TRUE(session.load(std::move(files), options));
+    ASSERT_TRUE(session.parametrize(std::nullopt, {}));
+    EXPECT_TRUE(session.isCertified()) << surface << session.certificateJson();
+  }
 }
 
 }  // namespace

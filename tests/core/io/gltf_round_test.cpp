@@ -156,5 +156,43 @@ TEST(GltfRound, AComponentIsRoundedAsIfItWereAlone) {
   EXPECT_EQ(again.uv, both.uv);
 }
 
+TEST(GltfRound, PartsThatShareAnEdgeOfTheSurfaceHaveGridsOfTheirOwn) {
+  // Two disks of the same vertices: one near the origin, one large and far from it.
+  MeshData mesh = test::disk(5).data;
+  const std::vector<std::array<int, 3>> once = mesh.triangles;
+  UvMap map = mapOf(mesh, [](const Vec3& p) { return Vec2{2 * p[0] / 3, 3 * p[1] / 7}; });
+  std::vector<int> partOf(once.size(), 0);
+  const auto half = static_cast<int>(map.uv.size());
+  for (int i = 0; i < half; ++i) {
+    const Vec3& p = mesh.positions[static_cast<std::size_t>(i)];
+    map.uv.push_back({1e4 * p[0] / 3 + 5e4, 1e4 * p[1] / 7});
+  }
+  for (const auto& t : once) {
+    mesh.triangles.push_back(t);
+    map.cornerUv.push_back({t[0] + half, t[1] + half, t[2] + half});
+    partOf.push_back(1);
+  }
+  // A triangle that follows the first part, with a corner of its own.
+  mesh.triangles.push_back(once[0]);
+  map.uv.push_back({map.uv[static_cast<std::size_t>(once[0][2])][0] + 1.0 / 64,
+                    map.uv[static_cast<std::size_t>(once[0][2])][1]});
+  map.cornerUv.push_back({once[0][0], once[0][1], static_cast<int>(map.uv.size()) - 1});
+  partOf.push_back(-1);
+  const UvMap stored = quantizeForGltf(mesh, map, partOf);
+  expectExact(stored);
+  EXPECT_EQ(flipped(stored), flipped(map));
+  double largest = 0;
+  for (int i = 0; i < half; ++i)
+    for (std::size_t k = 0; k < 2; ++k)
+      largest = std::max(largest, std::abs(stored.uv[static_cast<std::size_t>(i)][k] -
+                                           map.uv[static_cast<std::size_t>(i)][k] -
+                                           stored.uv[0][k] + map.uv[0][k]));
+  EXPECT_LT(largest, 2e-7);
+  EXPECT_GT(std::abs(quantizeForGltf(mesh, map).uv[1][0] - map.uv[1][0] -
+                     quantizeForGltf(mesh, map).uv[0][0] + map.uv[0][0]),
+            2e-7);
+  EXPECT_EQ(quantizeForGltf(mesh, stored, partOf).uv, stored.uv);
+}
+
 }  // namespace
 }  // namespace hgp::io

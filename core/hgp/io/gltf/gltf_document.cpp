@@ -72,8 +72,8 @@ std::optional<UvMap> GltfDocument::readUv(int surface, int set, double top) cons
   return map;
 }
 
-UvMap GltfDocument::asStored(int surface, const UvMap& map) const {
-  return quantizeForGltf(surfaces_[static_cast<std::size_t>(surface)].mesh, map);
+UvMap GltfDocument::asStored(int surface, const UvMap& map, const std::vector<int>& partOf) const {
+  return quantizeForGltf(surfaces_[static_cast<std::size_t>(surface)].mesh, map, partOf);
 }
 
 Result<std::optional<Prescription>> GltfDocument::embeddedCones(int surface) const {

@@ -24,7 +24,8 @@ class GltfDocument : public Document {
   UvPrecision uvPrecision() const override { return UvPrecision::kFloat32; }
   std::optional<UvMap> existingUv(int surface, int set) const override;
   std::optional<UvMap> exactUv(int surface, int set) const override;
-  UvMap asStored(int surface, const UvMap& map) const override;
+  using Document::asStored;
+  UvMap asStored(int surface, const UvMap& map, const std::vector<int>& partOf) const override;
   Result<std::optional<Prescription>> embeddedCones(int surface) const override;
   Result<Written> write(int surface, const UvMap& map, const WriteOptions& options) const override;
   Result<PlainFile> plain(int surface) const override;

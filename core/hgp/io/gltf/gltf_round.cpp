@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "hgp/base/disjoint_sets.h"
+#include "hgp/io/gltf/gltf_groups.h"
 #include "hgp/mesh/box.h"
 
 namespace hgp::io {
@@ -53,6 +53,9 @@ class Rounder {
     isRoundable_ = isRoundable_ && isWellFormed;
     findBox();
   }
+
+  /// Rounds without moving or scaling the group.
+  UvMap runInPlace() { return isRoundable_ ? finish(attempt({})) : map_; }
 
   UvMap run() {
     if (!isRoundable_) return map_;
@@ -235,72 +238,6 @@ class Rounder {
   std::vector<char> isTied_;
 };
 
-/// Numbers the groups of triangles that must share a grid because they are connected by edges or uv.
-std::vector<int> groupsOf(const MeshData& mesh, const UvMap& map, int& count) {
-  const auto triangles = static_cast<int>(mesh.triangles.size());
-  DisjointSets sets(triangles);
-  std::vector<int> firstOf(map.uv.size(), -1);
-  std::vector<std::pair<std::uint64_t, int>> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  for (int t = 0; t < triangles; ++t) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto& corners = mesh.triangles[static_cast<std::size_t>(t)];
-      const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
-      edges.emplace_back(static_cast<std::uint64_t>(static_cast<std::uint32_t>(low)) << 32 |
-                             static_cast<std::uint32_t>(high),
-                         t);
-      const int c = map.cornerUv[static_cast<std::size_t>(t)][k];
-      if (c < 0) continue;
-      int& first = firstOf[static_cast<std::size_t>(c)];
-      if (first < 0) first = t;
-      sets.join(first, t);
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t i = 1; i < edges.size(); ++i) {
-    if (edges[i].first == edges[i - 1].first) sets.join(edges[i].second, edges[i - 1].second);
-  }
-  std::vector<int> group(mesh.triangles.size(), -1), number(mesh.triangles.size(), -1);
-  count = 0;
-  for (int t = 0; t < triangles; ++t) {
-    int& n = number[static_cast<std::size_t>(sets.root(t))];
-    if (n < 0) n = count++;
-    group[static_cast<std::size_t>(t)] = n;
-  }
-  return group;
-}
-
-/// The triangles of one group, with local uv indices.
-struct Group {
-  MeshData mesh;
-  UvMap map;
-  std::vector<int> triangleOrigin, uvOrigin;
-};
-
-std::vector<Group> split(const MeshData& mesh, const UvMap& map, const std::vector<int>& group,
-                         int count) {
-  std::vector<Group> groups(static_cast<std::size_t>(count));
-  std::vector<int> local(map.uv.size(), -1);  // one array suffices: a uv belongs to one group
-  for (std::size_t t = 0; t < group.size(); ++t) {
-    Group& g = groups[static_cast<std::size_t>(group[t])];
-    g.triangleOrigin.push_back(static_cast<int>(t));
-    g.mesh.triangles.push_back(mesh.triangles[t]);
-    std::array<int, 3> corners = map.cornerUv[t];
-    for (int& c : corners) {
-      if (c < 0) continue;
-      int& n = local[static_cast<std::size_t>(c)];
-      if (n < 0) {
-        n = static_cast<int>(g.map.uv.size());
-        g.map.uv.push_back(map.uv[static_cast<std::size_t>(c)]);
-        g.uvOrigin.push_back(c);
-      }
-      c = n;
-    }
-    g.map.cornerUv.push_back(corners);
-  }
-  return groups;
-}
-
 bool isWellFormed(const MeshData& mesh, const UvMap& map) {
   const auto count = static_cast<int>(map.uv.size());
   return map.cornerUv.size() == mesh.triangles.size() &&
@@ -311,14 +248,12 @@ bool isWellFormed(const MeshData& mesh, const UvMap& map) {
 
 }  // namespace
 
-UvMap quantizeForGltf(const MeshData& mesh, const UvMap& map) {
+UvMap quantizeForGltf(const MeshData& mesh, const UvMap& map, const std::vector<int>& partOf) {
   if (!isWellFormed(mesh, map)) return map;
-  int count = 0;
-  const std::vector<int> group = groupsOf(mesh, map, count);
-  if (count == 1) return Rounder(mesh, map).run();
   UvMap out = map;
-  for (const Group& g : split(mesh, map, group, count)) {
-    const UvMap rounded = Rounder(g.mesh, g.map).run();
+  for (const RoundingGroup& g : roundingGroups(mesh, map, partOf)) {
+    Rounder rounder(g.mesh, g.map);
+    const UvMap rounded = g.isFollowing ? rounder.runInPlace() : rounder.run();
     for (std::size_t i = 0; i < g.uvOrigin.size(); ++i)
       out.uv[static_cast<std::size_t>(g.uvOrigin[i])] = rounded.uv[i];
   }

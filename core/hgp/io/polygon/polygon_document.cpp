@@ -78,8 +78,12 @@ std::optional<UvMap> PolygonDocument::existingUv(int surface, int set) const {
   return map;
 }
 
-UvMap PolygonDocument::asStored(int, const UvMap& map) const {
-  return keepPolygonsWhole(polygons_, corners_, map).map;
+UvMap PolygonDocument::asStored(int, const UvMap& map, const std::vector<int>& partOf) const {
+  return keepPolygonsWhole(polygons_, corners_, map, partOf).map;
+}
+
+PolygonsView PolygonDocument::polygons(int) const {
+  return polygons_.isTriangles() ? PolygonsView{} : PolygonsView{&polygons_, &corners_};
 }
 
 Result<std::optional<Prescription>> PolygonDocument::embeddedCones(int) const {

@@ -26,7 +26,9 @@ class PolygonDocument : public Document {
   const std::vector<Surface>& surfaces() const override { return surfaces_; }
   UvPrecision uvPrecision() const override { return UvPrecision::kFloat64; }
   std::optional<UvMap> existingUv(int surface, int set) const override;
-  UvMap asStored(int surface, const UvMap& map) const override;
+  using Document::asStored;
+  UvMap asStored(int surface, const UvMap& map, const std::vector<int>& partOf) const override;
+  PolygonsView polygons(int surface) const override;
   Result<std::optional<Prescription>> embeddedCones(int surface) const override;
   Result<Written> write(int surface, const UvMap& map, const WriteOptions& options) const override;
   Result<DocumentPtr> refined(int surface,

@@ -19,8 +19,9 @@ Complex toComplex(const Vec2& p) { return {p[0], p[1]}; }
 
 class PolygonKeeper {
  public:
-  PolygonKeeper(const PolygonMesh& polygons, const TriangleCorners& corners, const UvMap& map)
-      : polygons_(polygons), corners_(corners) {
+  PolygonKeeper(const PolygonMesh& polygons, const TriangleCorners& corners, const UvMap& map,
+                const std::vector<int>& partOf)
+      : polygons_(polygons), corners_(corners), partOf_(partOf) {
     out_.map = map;
     out_.cornerUv.assign(polygons.cornerVertex.size(), -1);
     for (const Vec2& p : map.uv) {
@@ -62,7 +63,12 @@ class PolygonKeeper {
     return isWhole;
   }
 
-  /// Starts with the polygon's first triangle and moves its neighbours into that chart.
+  bool isFollower(int t) const {
+    return !partOf_.empty() && partOf_[static_cast<std::size_t>(t)] < 0;
+  }
+
+  /// Starts with the polygon's first triangle that follows no other and moves its neighbours into that chart;
+  /// followers are placed once no other triangle can be.
   void carry(int p) {
     ++out_.carriedPolygons;
     const int first = polygons_.firstTriangle(p), last = polygons_.firstTriangle(p + 1);
@@ -70,17 +76,35 @@ class PolygonKeeper {
          c < polygons_.start[static_cast<std::size_t>(p) + 1]; ++c) {
       out_.cornerUv[c] = -1;
     }
-    for (std::size_t k = 0; k < 3; ++k) {
-      cornerUv(corner(static_cast<std::size_t>(first), k)) = given(first)[k];
-    }
     std::vector<int> waiting;
-    for (int t = first + 1; t < last; ++t) waiting.push_back(t);
-    while (!waiting.empty()) {
-      const auto done = std::stable_partition(waiting.begin(), waiting.end(),
-                                              [&](int t) { return !carryTriangle(t); });
-      if (done == waiting.end()) break;  // cannot happen: ears form a tree
-      waiting.erase(done, waiting.end());
+    for (int t = first; t < last; ++t) waiting.push_back(t);
+    const auto begin = std::stable_partition(waiting.begin(), waiting.end(),
+                                             [&](int t) { return !isFollower(t); });
+    for (std::size_t k = 0; k < 3; ++k)
+      cornerUv(corner(static_cast<std::size_t>(waiting[0]), k)) = given(waiting[0])[k];
+    std::vector<int> followers(begin, waiting.end());
+    waiting.erase(begin, waiting.end());
+    if (waiting.empty()) std::swap(waiting, followers);
+    waiting.erase(waiting.begin());
+    while (!waiting.empty() || !followers.empty()) {
+      if (carryAny(waiting)) continue;
+      if (!carryOne(followers)) break;  // cannot happen: ears form a tree
     }
+  }
+
+  bool carryAny(std::vector<int>& waiting) {
+    const auto done = std::stable_partition(waiting.begin(), waiting.end(),
+                                            [&](int t) { return !carryTriangle(t); });
+    const bool isAny = done != waiting.end();
+    waiting.erase(done, waiting.end());
+    return isAny;
+  }
+  bool carryOne(std::vector<int>& waiting) {
+    const auto one =
+        std::find_if(waiting.begin(), waiting.end(), [&](int t) { return carryTriangle(t); });
+    if (one == waiting.end()) return false;
+    waiting.erase(one);
+    return true;
   }
 
   /// Places triangle t if two of its corners have been placed.
@@ -161,6 +185,7 @@ class PolygonKeeper {
 
   const PolygonMesh& polygons_;
   const TriangleCorners& corners_;
+  const std::vector<int>& partOf_;
   PolygonUv out_;
   double largest_ = 0;
   std::unordered_map<int, std::vector<int>> copies_;
@@ -169,8 +194,8 @@ class PolygonKeeper {
 }  // namespace
 
 PolygonUv keepPolygonsWhole(const PolygonMesh& polygons, const TriangleCorners& corners,
-                            const UvMap& map) {
-  return PolygonKeeper(polygons, corners, map).keep();
+                            const UvMap& map, const std::vector<int>& partOf) {
+  return PolygonKeeper(polygons, corners, map, partOf).keep();
 }
 
 }  // namespace hgp::io

@@ -99,6 +99,7 @@ const parametrize: Fields = {
   keepGoing: boolean,
   scale: oneOf('solved', 'unit', 'fit'),
   refine: boolean,
+  convexPolygons: boolean,
   grid: record({ cells: number, spacing: number, mode: oneOf('tile', 'quad') }),
 };
 const write: Fields = {

@@ -118,6 +118,14 @@ export interface Certificate {
      * copies of vertices in the verified surface that are not in the file
      */
     splitVertices: number;
+    /**
+     * polygons of the file with more than three corners; the certificate is about the triangles that hgp cuts them into
+     */
+    polygons: number;
+    /**
+     * of those polygons whose triangles are all verified, the ones that are not convex in the map: along other diagonals than hgp's they have a triangle without positive area
+     */
+    notConvex: number;
   };
   /**
    * The smallest tolerances with which this map would be accepted
@@ -785,6 +793,10 @@ export interface Report {
      * edges may be split where there is no map
      */
     refine: boolean;
+    /**
+     * only maps in which every polygon is convex are certified
+     */
+    convexPolygons?: true;
     /**
      * null: the map as solved
      */

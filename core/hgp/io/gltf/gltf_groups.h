@@ -1,0 +1,24 @@
+// The parts of a map that are rounded independently.  Role: each has a grid of its own (gltf_round.h).
+#pragma once
+
+#include <vector>
+
+#include "hgp/mesh/mesh_data.h"
+
+namespace hgp::io {
+
+/// Triangles with local uv indices; `mesh` has no positions.
+struct RoundingGroup {
+  MeshData mesh;
+  UvMap map;
+  std::vector<int> uvOrigin;
+  bool isFollowing = false;  ///< triangles without a part; corners of parts are −1
+};
+
+/// Every uv that a triangle uses is in exactly one group.
+/// @param partOf  as in quantizeForGltf
+/// @pre one corner triple per triangle, indices below |uv|
+std::vector<RoundingGroup> roundingGroups(const MeshData& mesh, const UvMap& map,
+                                          const std::vector<int>& partOf);
+
+}  // namespace hgp::io

@@ -41,6 +41,14 @@ std::string formatOf(const std::string& name) {
   return extension == "obj" || extension == "glb" || extension == "gltf" ? extension : "";
 }
 
+/// LoadOptions::target of an output file.
+std::string targetOf(const std::string& name) {
+  constexpr std::string_view kPly = ".ply";
+  return name.size() > kPly.size() && name.substr(name.size() - kPly.size()) == kPly
+             ? "ply"
+             : formatOf(name);
+}
+
 void takeFix(const std::string& text, FixOptions& fix) {
   std::size_t begin = 0;
   while (begin <= text.size()) {
@@ -159,7 +167,7 @@ class Parser {
     if (words_.gridMode == "quad") out_.solve.grid.mode = GridMode::kQuad;
     if (out_.q) out_.solve.q = out_.verify.q = *out_.q;
     if (out_.command == Command::kQuads) out_.solve.grid.mode = GridMode::kQuad;
-    if (out_.command == Command::kParam) out_.load.target = formatOf(out_.output);
+    if (out_.command == Command::kParam) out_.load.target = targetOf(out_.output);
     refuseContradictions();
   }
 
@@ -237,6 +245,11 @@ class Parser {
 
   /// CLI11's message, with the nearest known word if one was not understood.
   std::string message(const CLI::ParseError& error, int count, char** words) const {
+    const std::vector<std::string> extra = usedApp().remaining();
+    const bool isExtra = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
+    if (isExtra && &usedApp() != &app_ && !extra.empty() && extra[0].compare(0, 1, "-") != 0)
+      return "one mesh per call, and '" + extra[0] +
+             "' is another one; for many files: xargs or parallel (docs/batch.md)";
     std::string text = error.what();
     while (!text.empty() && text.back() == '\n') text.pop_back();
     std::vector<std::string> names;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 
 #include "also.h"
 #include "files.h"
@@ -34,6 +35,9 @@ class Run {
       // The name of the report may be the error, so nothing is written to it.
       return fail(usable.error(), a_.json == "-");
     }
+    for (const std::string& output : outputs())
+      if (Status possible = checkWritable(output); !possible)
+        return fail(possible.error(), output != a_.json);
     Result<io::FileSet> files = openFiles(a_.input, a_.format, a_.root, a_.load.limits.maxBytes);
     if (!files) return fail(files.error());
     const bool mayBeWhole =
@@ -68,10 +72,31 @@ class Run {
     return (noColor == nullptr || *noColor == '\0') && isCleverTerminal(stream);
   }
 
+  std::string inputName() const { return a_.input == "-" ? "standard input" : a_.input; }
+
+  /// A line on standard error, with the file that it is about first.
+  void tell(const std::string& message) {
+    progress_.clear();
+    std::fprintf(stderr, "hgp: %s: %s\n", printable(inputName()).c_str(),
+                 printable(message).c_str());
+  }
+
+  /// hgp-error with the file.
+  std::string errorDocument(const Failure& failure) const {
+    auto json = nlohmann::ordered_json::parse(api::errorJson(failure));
+    json["file"] = inputName();
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  }
+
+  /// The exit code of a result that is written and not certified; with --quiet, nothing else said so.
+  int notCertified() {
+    if (a_.isQuiet) tell("written, but not certified");
+    return kNoMapExit;
+  }
+
   /// Reports a failure on standard error and, if requested, as JSON.
   int fail(const Failure& failure, bool isReported = true) {
-    progress_.clear();
-    std::fprintf(stderr, "hgp: %s\n", printable(failure.message).c_str());
+    tell(failure.message);
     for (std::size_t i = 0; i < failure.where.size() && i < 5; ++i) {
       const Where& w = failure.where[i];
       if (w.kind == Where::Kind::kLine || w.kind == Where::Kind::kByte) continue;
@@ -85,10 +110,9 @@ class Run {
       std::fputc('\n', stderr);
     }
     if (!a_.json.empty() && isReported) {
-      const Status written = writeText(a_.json, api::errorJson(failure));
+      const Status written = writeText(a_.json, errorDocument(failure));
       // Not reported again if writing was the failure.
-      if (!written && written.error().message != failure.message)
-        std::fprintf(stderr, "hgp: %s\n", printable(written.error().message).c_str());
+      if (!written && written.error().message != failure.message) tell(written.error().message);
     }
     return exitCode(failure.code);
   }
@@ -107,14 +131,19 @@ class Run {
 
   int finish(const Status& status, int good) { return status ? good : fail(status.error()); }
 
+  std::vector<std::string> outputs() const {
+    std::vector<std::string> out = {a_.output, a_.json, a_.xref};
+    out.insert(out.end(), a_.also.begin(), a_.also.end());
+    out.insert(out.end(), {a_.faces, a_.loops});
+    return out;
+  }
+
   /// Checks that no output replaces an input or another output; only the map may replace the mesh.
   Status checkNames() const {
     const auto refuse = [](const std::string& text) {
       return Failure{ErrorCode::kUsage, "write", text, {}};
     };
-    std::vector<std::string> outputs = {a_.output, a_.json, a_.xref};
-    outputs.insert(outputs.end(), a_.also.begin(), a_.also.end());
-    outputs.insert(outputs.end(), {a_.faces, a_.loops});
+    const std::vector<std::string> outputs = this->outputs();
     const bool mayReplace = a_.mayOverwrite && a_.command == Command::kParam;
     for (std::size_t i = 0; i < outputs.size(); ++i) {
       for (const std::string& input : {a_.input, a_.cones, a_.field, a_.convert}) {
@@ -268,18 +297,18 @@ class Run {
     const bool isWhole = outcome->certifiedCount() == count;
     if (!isMessage) return isWhole ? 0 : kNoMapExit;
     if (!isWhole && !a_.solve.keepsGoing && !a_.write.allowUncertified) {
-      std::fprintf(stderr, "hgp: nothing was written; --keep-going writes what is certified\n");
+      tell("nothing was written; --keep-going writes what is certified");
       return kNoMapExit;
     }
     if (outcome->files.empty()) {
-      std::fprintf(stderr, "hgp: nothing was written: no mesh has a map\n");
+      tell("nothing was written: no mesh has a map");
       return kNoMapExit;
     }
     const Status finished = finishFiles(outcome->files, outcome->notes, resolve_, a_);
     if (!finished) return fail(finished.error());
     if (Status done = writeFiles(a_.output, outcome->files); !done) return fail(done.error());
     tellWritten(outcome->notes);
-    return isWhole ? 0 : kNoMapExit;
+    return isWhole ? 0 : notCertified();
   }
 
   /// The failure, or kNoMap if --time-limit ended the run.
@@ -304,6 +333,13 @@ class Run {
     if (Status possible = session_.canWrite(a_.output, a_.solve.refines); !possible && !isQuads) {
       return fail(possible.error());
     }
+    if (a_.isCompressed && !session_.canWrite("x.glb") && !session_.canWrite("x.gltf")) {
+      return fail({ErrorCode::kUsage,
+                   "write",
+                   "--compress is for glTF, and this is written as another format: name the result "
+                   "-o x.glb or -o x.gltf",
+                   {}});
+    }
     Result<std::optional<io::Prescription>> asked = std::optional<io::Prescription>();
     if (a_.solve.boundary == api::BoundaryKind::kFree) asked = prescription();
     if (!asked) return fail(asked.error());
@@ -318,14 +354,11 @@ class Run {
       return fail(done.error());
     }
     if (!session_.isCertified() && !a_.write.allowUncertified && !a_.solve.keepsGoing) {
-      std::fprintf(
-          stderr,
-          "hgp: nothing was written; --keep-going writes the components that are certified\n");
+      tell("nothing was written; --keep-going writes the components that are certified");
       return kNoMapExit;
     }
     if (a_.solve.grid.isAsked() && !session_.isAligned()) {
-      std::fprintf(stderr,
-                   "hgp: the map is certified but not aligned to a grid; nothing was written\n");
+      tell("the map is certified but not aligned to a grid; nothing was written");
       return kNoMapExit;
     }
     return isQuads ? writeQuads() : writeResult();
@@ -393,7 +426,7 @@ class Run {
       if (Status done = writeText(a_.xref, text); !done) return fail(done.error());
     }
     tellWritten(written->notes);
-    return session_.isCertified() && areCertified ? 0 : kNoMapExit;
+    return session_.isCertified() && areCertified ? 0 : notCertified();
   }
 
   int verify() {

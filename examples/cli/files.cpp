@@ -193,6 +193,18 @@ Status writeFiles(const std::string& path, const std::vector<io::OutputFile>& fi
   return Done{};
 }
 
+Status checkWritable(const std::string& path) {
+  if (path.empty() || path == "-") return Done{};
+  std::error_code error;
+  if (fs::is_directory(path, error)) {
+    errno = EISDIR;
+    return cannot(ErrorCode::kWriteFailed, "write", path);
+  }
+  if (isSpecial(path)) return Done{};
+  HalfFile probe;
+  return probe.create(linkTarget(path), {});
+}
+
 std::string folderOf(const std::string& path) {
   const fs::path folder = path == "-" ? fs::path() : fs::path(path).parent_path();
   std::error_code error;

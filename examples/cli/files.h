@@ -24,6 +24,8 @@ Result<io::FileSet> openFiles(const std::string& path, const std::string& format
 /// name means standard output. An interruption leaves no incomplete file. Devices and pipes are written to
 /// directly; symbolic links are kept, and their targets replaced.
 Status writeFiles(const std::string& path, const std::vector<io::OutputFile>& files);
+/// Fails as writeFiles would where the place cannot be written to: finds it out before the work is done.
+Status checkWritable(const std::string& path);
 /// The canonical path of a file's folder; the current folder for "-".
 std::string folderOf(const std::string& path);
 Status writeText(const std::string& path, std::string_view text);

@@ -140,7 +140,12 @@ Status HalfFile::keep() {
 void HalfFile::forgetAll() { halfWrittenCount = 0; }
 
 HalfFile::~HalfFile() {
-  if (!temporary_.empty()) std::remove(temporary_.c_str());
+  if (temporary_.empty()) return;
+  SignalBlock block;
+  std::remove(temporary_.c_str());
+  const int last = halfWrittenCount - 1;
+  if (last >= 0 && temporary_ == halfWritten[static_cast<std::size_t>(last)])
+    halfWrittenCount = last;
 }
 
 }  // namespace hgp::cli

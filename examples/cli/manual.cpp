@@ -104,8 +104,8 @@ void describeCommand(const CLI::App& command, std::string& out) {
 }
 
 std::string synopsisOf(const CLI::App& command) {
-  std::string out = ".B hgp " + command.get_name() + "\n";
-  if (!optionsOf(command).empty()) out += "[\\fIOPTIONS\\fR]";
+  std::string out = "\\fBhgp " + command.get_name() + "\\fR";
+  if (!optionsOf(command).empty()) out += " [\\fIOPTIONS\\fR]";
   for (const CLI::Option* option : command.get_options()) {
     if (!option->get_positional()) continue;
     const std::string name = "\\fI" + roff(option->get_name(true)) + "\\fR";
@@ -220,8 +220,9 @@ std::string fishScript(const std::vector<const CLI::App*>& commands) {
 }  // namespace
 
 std::string manualPage(const CLI::App& app, const std::string& version) {
-  std::string out = ".TH HGP 1 \"\" \"hgp " + roff(version) + "\" \"\"\n.SH NAME\nhgp \\- " +
-                    roff(app.get_description()) + "\n.SH SYNOPSIS\n";
+  std::string out = ".TH HGP 1 \"2026-11-24\" \"hgp " + roff(version) +
+                    "\" \"\"\n.SH NAME\nhgp \\- " + roff(app.get_description()) +
+                    "\n.SH SYNOPSIS\n";
   for (const CLI::App* command : commandsOf(app)) out += synopsisOf(*command);
   for (const CLI::App* command : commandsOf(app)) describeCommand(*command, out);
   return out + ".SH EXIT STATUS\n.nf\n" + roff(exitCodeText()) +

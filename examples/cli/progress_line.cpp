@@ -10,7 +10,6 @@ namespace hgp::cli {
 namespace {
 
 constexpr double kBarSeconds = 0.1;   // between two drawings of the bar
-constexpr int kStageLines = 30;       // printed at changes of stage; after that by time only
 constexpr double kLineSeconds = 5.0;  // between two plain lines of one stage
 constexpr int kBarWidth = 24;
 
@@ -44,12 +43,11 @@ Progress ProgressLine::callback() {
       return false;
     }
     if (!isShown_) return true;
-    // With many small components, not every change of stage gets a line.
-    const bool isNewStage = stage_ != report.stage && lineCount_ < kStageLines;
+    // Each stage is announced once per file, not for every component and mesh; after that, lines come by time.
+    const bool isNewStage = announced_.insert(report.stage).second;
     const double pause = std::chrono::duration<double>(now - last_).count();
     if (pause < (isTerminal_ ? kBarSeconds : kLineSeconds) && !(isNewStage && !isTerminal_))
       return true;
-    stage_ = report.stage;
     last_ = now;
     if (isTerminal_)
       draw(report);
@@ -76,7 +74,6 @@ void ProgressLine::draw(const ProgressReport& report) {
 }
 
 void ProgressLine::printLine(const ProgressReport& report) {
-  ++lineCount_;
   const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
   std::fprintf(stderr, "hgp: %6.1f s  %s", elapsed, stageName(report.stage));
   if (report.round > 0) std::fprintf(stderr, ", round %d of %d", report.round, report.maxRounds);

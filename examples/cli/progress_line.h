@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "hgp/base/progress.h"
@@ -35,8 +36,7 @@ class ProgressLine {
   bool isShown_, isTerminal_;
   std::optional<double> timeLimit_;
   bool isTimedOut_ = false, isDrawn_ = false;
-  std::optional<Stage> stage_;
-  int lineCount_ = 0;
+  std::set<Stage> announced_;
   Clock::time_point start_, last_;
 };
 

@@ -1,5 +1,6 @@
 #include "side_files.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "files.h"
@@ -17,7 +18,7 @@ Status take(Result<io::Written> made, std::vector<io::OutputFile>& files,
   return Done{};
 }
 
-/// Adds missing side files, which can only be images, because buffers have been read.
+/// Adds missing side files: images of a glTF, whose buffers have been read; materials of an OBJ and their pictures.
 Status addSideFiles(std::vector<io::OutputFile>& files, std::vector<std::string>& notes,
                     const io::Resolver& resolve, const Arguments& asked) {
   if (asked.isEmbedded)
@@ -25,16 +26,21 @@ Status addSideFiles(std::vector<io::OutputFile>& files, std::vector<std::string>
   const std::string to = folderOf(asked.output);
   if (asked.output == "-" || to == folderOf(asked.input)) return Done{};
   std::vector<std::string> refused;
-  const std::vector<std::string> missing = api::missingSideFiles(files, &refused);
+  std::vector<std::string> missing = api::missingSideFiles(files, &refused);
   for (const std::string& why : refused)
     notes.push_back(why + "; it is not copied, and the reference to it is kept");
-  for (const std::string& name : missing) {
+  for (std::size_t i = 0; i < missing.size(); ++i) {
+    const std::string name = missing[i];
     Result<io::Bytes> bytes = resolve ? resolve(name) : Result<io::Bytes>(io::Bytes());
     if (!bytes && bytes.error().code == ErrorCode::kMalformed) {
       notes.push_back(bytes.error().message + "; the reference to it is kept");
       continue;
     }
     if (!bytes) return bytes.error();
+    if (name.size() > 4 && name.substr(name.size() - 4) == ".mtl")
+      for (std::string& picture : api::picturesOfMaterials(*bytes))
+        if (std::find(missing.begin(), missing.end(), picture) == missing.end())
+          missing.push_back(std::move(picture));
     const std::string place = (std::filesystem::path(to) / name).string();
     if (std::filesystem::exists(place)) {
       const Result<io::Bytes> there = readFile(place, asked.load.limits.maxBytes);

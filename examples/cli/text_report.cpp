@@ -143,7 +143,9 @@ std::string outside(const Json& stored) {
 }
 
 std::string certificate(const Json& json, const Style& style) {
-  std::string out = measured(json, style) + outside(json["stored"]);
+  std::string out;
+  for (const Json& note : json.value("notes", Json::array())) out += "  note: " + text(note) + "\n";
+  out += measured(json, style) + outside(json["stored"]);
   std::size_t untold = 0;
   for (std::size_t p = 0; p < json["components"].size(); ++p) {
     const Json& c = json["components"][p];

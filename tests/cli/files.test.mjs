@@ -388,6 +388,12 @@ test('a component that is not as prescribed is not certified, even if its substi
   const [{ rule, message }] = certificate.components[0].reasons;
   assert.equal(rule, 'prescription');
   assert.match(message, /There is no map with this prescription: .*vertex 3/);
+  const quiet = run([...asked, '--keep-going', '-q']);
+  assert.deepEqual(
+    [quiet.code, quiet.err],
+    [6, 'hgp: ring.obj: written, but not certified\n'],
+    'exit code 6 is never silent',
+  );
 });
 
 test('a component without a solution keeps the uv it had, to the last digit', () => {

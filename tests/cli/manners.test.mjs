@@ -326,3 +326,41 @@ test('zsh and fish report no error in their completions', (t) => {
   }
   assert.equal(run(['completion', 'tcsh']).code, 2);
 });
+
+test('messages begin with the file they are about, and hgp-error names it', () => {
+  put('broken here.obj', 'v 0 0 zero\n');
+  const { code, err } = run(['param', 'broken here.obj', '-o', 'x.obj', '--json', 'why.json']);
+  assert.equal(code, 3);
+  assert.match(err, /^hgp: broken here\.obj: line 1: /);
+  assert.equal(JSON.parse(readFileSync(at('why.json'), 'utf8')).file, 'broken here.obj');
+  const piped = shell('printf "v 0 0 zero\\n" | hgp inspect - --format obj');
+  assert.match(piped.stderr, /^hgp: standard input: line 1: /);
+});
+
+test('an output that cannot be written is found before anything is solved', () => {
+  put('cube.obj', cubeObj);
+  for (const more of [
+    ['-o', 'nowhere/a.obj'],
+    ['-o', '.'],
+    ['-o', 'a.obj', '--json', 'nowhere/a.json'],
+    ['-o', 'a.obj', '--also', 'nowhere/a.glb'],
+    ['-o', 'a.obj', '--xref', 'nowhere/a.txt'],
+    ['-o', 'a.obj', '--faces', 'nowhere/a.csv'],
+  ]) {
+    const { code, err } = run(['param', 'cube.obj', ...more]);
+    assert.equal(code, 7, err);
+    assert.match(err, /^hgp: cube\.obj: cannot write (nowhere\/|\.: )/);
+    assert.doesNotMatch(err, /triangles|solve/);
+    assert.ok(!existsSync(at('a.obj')));
+  }
+  const packed = shell('hgp param cube.obj --compress -o - | wc -c');
+  assert.match(packed.stderr, /^hgp: cube\.obj: --compress is for glTF/);
+  assert.equal(packed.stdout.trim(), '0');
+});
+
+test('two inputs are refused with what to do instead', () => {
+  put('cube.obj', cubeObj);
+  const { code, err } = run(['verify', 'cube.obj', 'other.obj']);
+  assert.equal(code, 2);
+  assert.match(err, /one mesh per call, and 'other\.obj' is another one.*batch\.md/);
+});

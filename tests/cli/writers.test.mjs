@@ -6,7 +6,7 @@ import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync
 import path from 'node:path';
 import test from 'node:test';
 import validator from 'gltf-validator';
-import { cubeMesh, toGlb, toGltf, toOff, toStl } from '../support/meshes.mjs';
+import { cubeMesh, toGlb, toGltf, toObj, toOff, toStl } from '../support/meshes.mjs';
 import { inFolder } from '../support/program.mjs';
 
 const { at, put, run, good } = inFolder('writers');
@@ -324,17 +324,20 @@ for (const format of ['ascii', 'binary_little_endian', 'binary_big_endian'])
       for (const { vertex_indices, texcoord } of afterwards.face)
         assert.equal(texcoord.length, 2 * vertex_indices.length);
       good('verify', 'mapped.ply');
-      // The same numbers as in OBJ, to the last bit.
+      // The same numbers as in OBJ, as floats.
       good('param', 'rich.ply', '-o', 'mapped.obj');
       const { vt, faces } = readObj(readFileSync(at('mapped.obj'), 'utf8'));
-      assert.deepEqual(
-        afterwards.face.map((f) => f.texcoord),
-        faces.map((f) => f.flatMap(([, i]) => vt[i])),
-      );
-      // Mapped again: one texcoord, not two.
+      const largest = Math.max(...vt.flat().map(Math.abs));
+      afterwards.face.forEach(({ texcoord }, f) => {
+        const wanted = faces[f].flatMap(([, i]) => vt[i]);
+        assert.ok(isNear(texcoord, wanted, 4e-7 * largest), `${texcoord} ${wanted}`);
+        for (const x of texcoord) assert.equal(Math.fround(x), x);
+      });
+      // Mapped again: the same file.
       good('param', 'mapped.ply', '-o', 'again.ply');
+      assert.deepEqual(readFileSync(at('again.ply')), readFileSync(at('mapped.ply')));
       const header = readPly(readFileSync(at('again.ply'))).header;
-      assert.equal(header.filter((l) => l.endsWith(' texcoord')).length, 1);
+      assert.ok(header.some((l) => / float texcoord$/.test(l)));
     });
 
 test('PLY colours and normals reach GLB', async () => {
@@ -497,6 +500,14 @@ test('glTF: a note says which set was written, and --use makes the materials use
   put('look/plain.gltf', JSON.stringify(json));
   const first = good('param', 'look/plain.gltf', '-o', 'look/first.gltf');
   assert.doesNotMatch(first.err, /TEXCOORD/, 'the pictures had no set, and now have this one');
+  // hgp's own set is replaced; as the set of another program it is kept.
+  const own = good('param', 'look/first.gltf', '-o', 'look/own.gltf');
+  assert.match(own.err, /TEXCOORD_0 was replaced: the materials' pictures .* no longer fit/);
+  const { accessors, ...rest } = JSON.parse(readFileSync(at('look/first.gltf'), 'utf8'));
+  const marked = accessors.filter(({ extras }) => extras?.hgp === 'uv');
+  assert.equal(marked.length, 2);
+  for (const accessor of marked) delete accessor.extras;
+  put('look/first.gltf', JSON.stringify({ ...rest, accessors }));
   const second = good('param', 'look/first.gltf', '-o', 'look/second.gltf');
   assert.match(second.err, /meshes 0, 1: wrote TEXCOORD_1; the materials still use TEXCOORD_0/);
   const replaced = good('param', 'look/first.gltf', '--uv-set', '0', '-o', 'look/zero.gltf');
@@ -536,4 +547,46 @@ test('glTF: a note says which set was written, and --use makes the materials use
     .listMaterials()
     .filter((m) => m.listParents().length > 1))
     assert.equal(each.getNormalTextureInfo().getTexCoord(), 1);
+});
+
+test('param of its own output is a fixed point, and a file has one side file for its maps', () => {
+  const cubes = Array.from({ length: 12 }, (_, i) => cubeMesh(1 + (i % 3)));
+  const { json, bin } = toGltf(cubes);
+  put(`many/${json.buffers[0].uri}`, bin);
+  put('many/cubes.gltf', JSON.stringify(json));
+  good('param', 'many/cubes.gltf', '-o', 'many/mapped.gltf');
+  const files = () => readdirSync(at('many')).sort();
+  const before = files();
+  assert.equal(before.filter((name) => name.startsWith('mapped')).length, 2, before.join());
+  const bytes = () =>
+    ['mapped.gltf', 'mapped-uv.bin'].map((name) => readFileSync(at(`many/${name}`)));
+  const once = bytes();
+  good('param', 'many/mapped.gltf', '--force', '-o', 'many/mapped.gltf');
+  assert.deepEqual(bytes(), once);
+  assert.deepEqual(files(), before);
+  assert.match(good('verify', 'many/mapped.gltf').out, /12 of 12 meshes certified/);
+  // Under another name the side file is another one.
+  good('param', 'many/mapped.gltf', '-o', 'many/next.gltf');
+  assert.deepEqual(readFileSync(at('many/next-uv.bin')), once[1]);
+  assert.match(good('verify', 'many/next.gltf').out, /12 of 12 meshes certified/);
+  for (const [name, text] of [
+    ['one.glb', toGlb(cubes.slice(0, 4))],
+    ['one.obj', richObj().text],
+  ]) {
+    put(`many/${name}`, text);
+    good('param', `many/${name}`, '-o', `many/1${name}`);
+    good('param', `many/1${name}`, '-o', `many/2${name}`);
+    assert.deepEqual(readFileSync(at(`many/2${name}`)), readFileSync(at(`many/1${name}`)), name);
+  }
+});
+
+test('an OBJ takes its materials and their pictures to another folder', () => {
+  put('with/a.obj', `mtllib a.mtl\n${toObj(cubeMesh(2))}`);
+  put('with/a.mtl', 'newmtl one\nKd 1 0 0\nmap_Kd -s 2 2 1 maps/skin.png\nmap_Bump lost.png\n');
+  put('with/maps/skin.png', pixel);
+  mkdirSync(at('away'));
+  const { err } = good('param', 'with/a.obj', '-o', 'away/b.obj');
+  assert.match(err, /lost\.png is missing; the reference to it is kept/);
+  assert.deepEqual(readFileSync(at('away/a.mtl')), readFileSync(at('with/a.mtl')));
+  assert.deepEqual(readFileSync(at('away/maps/skin.png')), readFileSync(at('with/maps/skin.png')));
 });

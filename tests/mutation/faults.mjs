@@ -270,7 +270,7 @@ export const faults = [
     'if (d <= 1000 * tolerance) {',
     short('Weld.NearKeepsApartWhatIsFartherThanTheTolerance'),
   ),
-  fault('io/gltf/gltf_round.cpp', 'if (candidate > bestArea) {', 'if (candidate < bestArea) {'),
+  fault('io/round_uv.cpp', 'if (candidate > bestArea) {', 'if (candidate < bestArea) {'),
   fault('io/polygon/polygon_uv.cpp', '< kQuarterTurn)', '< 1000 * kQuarterTurn)'),
 
   // grid

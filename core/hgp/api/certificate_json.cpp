@@ -187,6 +187,16 @@ class ComponentJson {
   const Certificate& c_;
 };
 
+/// Of the component that overlaps itself most; components lie side by side.
+Json overlapOf(const std::vector<Certificate>& certificates) {
+  OverlapFacts most;
+  for (const Certificate& c : certificates) {
+    most.share = std::max(most.share, c.overlap.share);
+    most.layers = std::max(most.layers, c.overlap.layers);
+  }
+  return Json{{"share", most.share}, {"layers", most.layers}};
+}
+
 /// The most important numbers, over all components.
 void addSummary(Json& json, const std::vector<Certificate>& certificates) {
   int triangles = 0, flipped = 0;
@@ -223,6 +233,7 @@ void addSummary(Json& json, const std::vector<Certificate>& certificates) {
   json["maxTurningDistance"] = turningDistance;
   json["maxSeamResidual"] = worst ? finite(worst->relativeResidual()) : 0;
   json["seamTolerance"] = worst ? allowed(*worst) : 0;
+  json["overlap"] = overlapOf(certificates);
   const NeededTolerance needed = neededTolerance(certificates);
   json["needed"] = Json{
       {"seam", finite(needed.seam)}, {"angle", needed.angle}, {"sufficient", needed.isSufficient}};
@@ -231,7 +242,8 @@ void addSummary(Json& json, const std::vector<Certificate>& certificates) {
 }  // namespace
 
 std::string certificateText(const Model& model, const std::vector<Certificate>& certificates,
-                            const OutsideFacts& outside, int uvSet) {
+                            const OutsideFacts& outside, int uvSet,
+                            const std::vector<std::string>& notes) {
   Json json{{"format", "hgp-certificate"}, {"version", 1}};
   bool isUsable = !certificates.empty();
   for (const Certificate& c : certificates) isUsable = isUsable && c.isUsable;
@@ -254,6 +266,7 @@ std::string certificateText(const Model& model, const std::vector<Certificate>& 
   for (std::size_t p = 0; p < certificates.size(); ++p) {
     components.push_back(ComponentJson(model.components[p], certificates[p]).make());
   }
+  if (!notes.empty()) json["notes"] = notes;
   return textOf(json);
 }
 

@@ -19,6 +19,15 @@ double gridStep(const UvMap& map) {
   return largest > 0 && std::isfinite(largest) ? std::scalbn(1.0, std::ilogb(largest) - 23) : 0;
 }
 
+int overlapCells(const UvMap& map) {
+  int size = 32;
+  while (size < 512 && static_cast<std::size_t>(size) * static_cast<std::size_t>(size) <
+                           256 * map.cornerUv.size()) {
+    size *= 2;
+  }
+  return size;
+}
+
 std::vector<int> componentOfTriangle(const Model& model) {
   std::vector<int> out(model.source().mesh.triangles.size(), -1);
   for (std::size_t p = 0; p < model.components.size(); ++p)

@@ -16,4 +16,7 @@ std::vector<int> componentOfTriangle(const Model& model);
 /// The part of a map on the surface's triangles that belongs to one component, with its own uv indices.
 UvMap mapOfComponent(const ModelComponent& component, const UvMap& surfaceMap);
 
+/// Cells per side for measureOverlap: 512, or fewer for few triangles.
+int overlapCells(const UvMap& map);
+
 }  // namespace hgp::api

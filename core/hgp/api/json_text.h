@@ -25,7 +25,8 @@ std::string checkText(const Failure& refusal);
 
 /// @param uvSet  the set of the file that was verified; −1: a map not yet written
 std::string certificateText(const Model& model, const std::vector<Certificate>& certificates,
-                            const OutsideFacts& outside, int uvSet = -1);
+                            const OutsideFacts& outside, int uvSet = -1,
+                            const std::vector<std::string>& notes = {});
 
 /// What --refine split, in ids of the surface before the refinement.
 struct RefinedFacts {

@@ -200,6 +200,7 @@ Result<Model> loadModel(io::FileSet files, const LoadOptions& options) {
   const io::FileSet copy = isPacked ?  // the GLB made from a .gltf
                                files
                                     : io::FileSet();
+  files.target = options.target;
   Result<io::DocumentPtr> document = io::openDocument(std::move(files), options.limits);
   if (!document) return document.error();
   model.document = std::move(*document);

@@ -67,4 +67,22 @@ std::optional<std::string> countNote(int asked, const CompleteSpec& chosen) {
                         : "the mesh has no vertices for more");
 }
 
+std::vector<std::string> mismatchNotes(const Model& model, const io::Prescription& cones) {
+  std::vector<std::string> notes;
+  const auto compare = [&](int asked, std::size_t have, const char* one, const char* many) {
+    if (asked < 0 || static_cast<std::size_t>(asked) == have) return;
+    notes.push_back("the cones are for a mesh of " + counted(asked, one, many) + "; this one has " +
+                    std::to_string(have));
+  };
+  compare(cones.triangleCount, model.source().mesh.triangles.size(), "triangle", "triangles");
+  compare(cones.vertexCount, model.source().mesh.positions.size(), "vertex", "vertices");
+  const std::size_t loops = model.topology.loops.size();
+  if (cones.hasCones && !cones.field && loops > cones.boundaries.size())
+    notes.push_back(
+        counted(loops - cones.boundaries.size(), "boundary loop has", "boundary loops have") +
+        " no turning among the cones: measured, and compared with nothing. If the cones "
+        "are for a closed surface, faces are missing here");
+  return notes;
+}
+
 }  // namespace hgp::api

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "hgp/api/model.h"
 #include "hgp/verify/certificate.h"
@@ -19,5 +20,9 @@ std::optional<std::string> crushedNote(const ModelComponent& component, const Uv
 
 /// A note if the number of automatic cones is not the number asked for.
 std::optional<std::string> countNote(int asked, const CompleteSpec& chosen);
+
+/// What a verified surface has and the mesh of its cones had not, or the other way round: other numbers of triangles and
+/// vertices, and boundaries for which the cones give no turning.
+std::vector<std::string> mismatchNotes(const Model& model, const io::Prescription& cones);
 
 }  // namespace hgp::api

@@ -23,7 +23,7 @@ struct LoadOptions {
   double weld = kWeldAutomatic;
   static constexpr double kWeldAutomatic = -1.0, kWeldNever = -2.0;
   /// Convert the file to this format when it is read, so that the result can be written in it: "obj", "glb" or "gltf".
-  /// "", or a format that the document can be written in anyway, changes nothing.
+  /// "", or a format that the document can be written in anyway, changes nothing; "ply" (of a PLY) stores floats.
   std::string target;
   FixOptions fix;         ///< repairs to make; none named: those that the defects need
   bool isStrict = false;  ///< if no repairs are named: make none and refuse meshes that need one
@@ -73,7 +73,7 @@ std::string improveWord(double balance);
 
 struct VerifyOptions {
   int q = 0;               ///< order of rotations if there is no prescription; 0: 4
-  int uvSet = -1;          ///< −1: the last set, to which param writes
+  int uvSet = -1;          ///< −1: the set that hgp wrote, or the last one
   double tolerance = 0.0;  ///< CertifyOptions::tolerance: of a seam edge's length; radians
 };
 
@@ -95,7 +95,7 @@ struct WriteOptions {
   /// A grid as the material, for glTF and OBJ: number of tiles per unit of uv; 0: two per cell of an aligned
   /// map, about 40 across any other.
   std::optional<double> gridTiles;
-  int uvSet = -1;    ///< −1: next free
+  int uvSet = -1;    ///< −1: the one that hgp wrote before, otherwise the next free one
   std::string name;  ///< of the main output
   bool embedCones = false;
   bool allowUncertified = false;  ///< otherwise write() fails with kNoMap

@@ -24,6 +24,14 @@ struct Repaired {
   std::vector<int> vertexImage;          ///< vertex of the surface → vertex, −1 if removed
 };
 
+/// The triangles that a certificate is about, oriented as verified, with their uv. `origin` maps each to the triangle of
+/// the surface it comes from; triangles that are left out (no area, copies of others) are not among them.
+struct SolvedTriangles {
+  std::vector<std::uint32_t> triangles;   ///< × 3, vertices of the surface
+  std::vector<std::uint32_t> cornerToUv;  ///< × 3
+  std::vector<std::uint32_t> origin;      ///< ascending
+};
+
 /// Facts on the surface as it is solved (welded, repaired), per vertex or triangle of the file.
 struct SurfaceFacts {
   /// The vertex with which a vertex was joined, or itself; −1 if removed.
@@ -40,8 +48,8 @@ struct SurfaceFacts {
 
 /// Measurements of a result per stored triangle and per seam edge.
 struct MapMeasures {
-  std::vector<float> stretch;  ///< ratio of the singular values ≥ 1; 1 preserves angles
-  std::vector<float> logArea;  ///< log₂ of uv area per area, minus that of all triangles together
+  std::vector<float> stretch;    ///< ratio of the singular values ≥ 1; 1 preserves angles
+  std::vector<float> logArea;    ///< log₂ of uv area per area, as in the component's distortion
   std::vector<int> notPositive;  ///< triangles without positive uv area, oriented as verified
   double surfaceArea = 0, uvArea = 0;
   long long overlapPairs = 0;  ///< triangles that overlap in the plane and share no uv: allowed

@@ -2,6 +2,7 @@
 
 #include "hgp/api/guard.h"
 #include "hgp/api/load_model.h"
+#include "hgp/api/map_notes.h"
 #include "hgp/api/session_state.h"
 #include "hgp/io/cone_files.h"
 #include "hgp/io/convert.h"
@@ -149,7 +150,9 @@ Result<Verdict> Session::verify(const std::optional<io::Prescription>& prescript
     if (Status ready = requireComponents(state_->model); !ready) return ready.error();
     const Model& model = *state_->model;
     const std::vector<int>& sets = model.source().uvSets;
-    const int set = options.uvSet >= 0 ? options.uvSet : sets.empty() ? 0 : sets.back();
+    const int own = model.source().ownUvSet;
+    const int last = own >= 0 ? own : sets.empty() ? 0 : sets.back();
+    const int set = options.uvSet >= 0 ? options.uvSet : last;
     std::optional<UvMap> map = model.document->exactUv(model.surface, set);
     if (!map) {
       return Failure{ErrorCode::kUnsupported,
@@ -174,11 +177,13 @@ Result<Verdict> Session::verify(const std::optional<io::Prescription>& prescript
       if (isFloat) rule.gridStep = gridStep(mapOfComponent(model.components[p], *read));
       certificates.push_back(
           certify(model.components[p].mesh, request->components[p].spec, componentMap, rule));
-      certificates.back().overlap = measureOverlap(componentMap);
+      certificates.back().overlap = measureOverlap(componentMap, overlapCells(componentMap));
     }
     denyFoldedPolygons(model, model.document->polygons(model.surface), *map, certificates);
     return Verdict{areCertified(certificates),
-                   certificateText(model, certificates, measureOutside(model, *map), set),
+                   certificateText(model, certificates, measureOutside(model, *map), set,
+                                   prescription ? mismatchNotes(model, *prescription)
+                                                : std::vector<std::string>()),
                    std::nullopt};
   });
 }

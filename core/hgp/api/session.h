@@ -16,8 +16,8 @@
 
 namespace hgp::api {
 
-/// Vertex and triangle ids are those of the loaded surface before any repair: the file's own or, for glTF and STL,
-/// those after vertices at equal positions were joined. JSON texts follow docs/schema.
+/// Ids are those of the loaded surface before any repair: the file's own or, for glTF and STL, those after vertices at
+/// equal positions were joined. JSON texts follow docs/schema.
 /// One thread at a time may use a session, in const methods as well: they keep what they compute. Different
 /// sessions are independent.
 class Session {
@@ -69,6 +69,7 @@ class Session {
   const std::vector<double>& positions() const;  ///< |V| × 3 of the surface, or the refined one
   const std::vector<std::uint32_t>& triangles() const;   ///< |F| × 3
   std::optional<Repaired> repaired() const;              ///< empty if the surface is used unchanged
+  SolvedTriangles solvedTriangles() const;               ///< of the result; empty without one
   const std::vector<double>& uv() const;                 ///< |uv| × 2, as stored
   const std::vector<std::uint32_t>& cornerToUv() const;  ///< |F| × 3
   const std::vector<std::uint32_t>& uvToVertex() const;  ///< "xref": uv vertex → surface vertex
@@ -113,7 +114,6 @@ std::string errorJson(const Failure& failure);
 /// For the whole process: avoids instructions that only some processors have (fused multiply-add), so that maps are
 /// bit-identical on all of them.
 void setReproducible(bool isAsked);
-
 /// "1.2.3"
 const char* version();
 

@@ -55,7 +55,8 @@ Result<MapMeasures> Session::measure() const {
     if (!hasResult()) return Failure{ErrorCode::kUsage, "measure", "there is no result yet", {}};
     const State& shown = state_->shown();
     const UvMap& map = shown.solved->stored.map;
-    FaceValues faces = measureFaces(shown.model->source().mesh, map);
+    FaceValues faces =
+        measureFaces(shown.model->source().mesh, map, componentOfTriangle(*shown.model));
     OverlapPairs overlaps = findOverlapPairs(map);
     MapMeasures out;
     out.stretch = std::move(faces.stretch);
@@ -95,6 +96,21 @@ Result<SurfaceLoops> Session::loops() const {
     }
     return out;
   });
+}
+
+SolvedTriangles Session::solvedTriangles() const {
+  SolvedTriangles out;
+  if (!hasResult()) return out;
+  const Model& model = *state_->shown().model;
+  const UvMap& map = state_->shown().solved->stored.map;
+  const auto& stored = model.source().mesh.triangles;
+  for (int c = 0; c < model.cornerOrigin.size(); ++c) {
+    const int from = model.cornerOrigin[MeshCornerId{c}].i;
+    out.triangles.push_back(static_cast<std::uint32_t>(stored[at(from / 3)][at(from % 3)]));
+    out.cornerToUv.push_back(static_cast<std::uint32_t>(map.cornerUv[at(from / 3)][at(from % 3)]));
+    if (c % 3 == 0) out.origin.push_back(static_cast<std::uint32_t>(from / 3));
+  }
+  return out;
 }
 
 }  // namespace hgp::api

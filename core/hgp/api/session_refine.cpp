@@ -61,6 +61,12 @@ constexpr const char* kOffer =
     "no map on this mesh: it may be too coarse for the prescription. --refine (refine: true) "
     "splits edges, tries again, and writes the refined mesh";
 
+/// Whether every component was certified before it was stored.
+bool hasMap(const RunRecord& run) {
+  return std::all_of(run.components.begin(), run.components.end(),
+                     [](const Parametrization& c) { return c.isCertified; });
+}
+
 }  // namespace
 
 Status Session::State::solveAsPolygons(const std::optional<io::Prescription>& prescription,
@@ -84,11 +90,34 @@ std::vector<std::optional<FrameField>> Session::State::fieldsOfGivenHandles(cons
   return fields;
 }
 
+Status Session::State::solveImproved(const Request& request, const SolveOptions& options,
+                                     RunRecord& run) {
+  if (!hasMap(run) || options.improve || options.convexPolygons) return Done{};
+  SolveOptions better = options;
+  better.improve.emplace();
+  RunRecord again;
+  again.options = run.options;
+  again.isAutomatic = run.isAutomatic;
+  again.notes = request.notes;
+  std::optional<Solved> before = std::move(solved);
+  solved.reset();
+  const Status done = solveRequest(request, better, again);
+  if (done && solved->stored.isCertified) {
+    again.notes.push_back(
+        "the map as solved has triangles too small for the numbers of the format; it is improved, "
+        "as by --improve isometric");
+    run = std::move(again);
+    return Done{};
+  }
+  solved = std::move(before);
+  return !done && done.error().code == ErrorCode::kCancelled ? done : Status(Done{});
+}
+
 Status Session::State::solveRefined(const Request& request, const SolveOptions& options,
                                     RunRecord& run) {
   const auto start = std::chrono::steady_clock::now();
   if (!options.refines) {
-    run.notes.push_back(kOffer);
+    if (!hasMap(run)) run.notes.push_back(kOffer);
     return Done{};
   }
   const std::vector<std::optional<FrameField>> fields = fieldsOfGivenHandles(request, run);

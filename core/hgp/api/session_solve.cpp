@@ -33,8 +33,8 @@ GridOptions sharedGrid(const Model& model, GridOptions grid) {
   return {0.0, std::sqrt(area / grid.cells), grid.mode};
 }
 
-/// Surfaces with more triangles are prepared again by every call, to leave memory for the solve.
-constexpr int kKeptFaces = 200'000;
+/// Surfaces with more triangles, and those of many components, are prepared again by every call, to leave memory.
+constexpr int kKeptFaces = 200'000, kKeptComponents = 100;
 
 /// Measures harmonicity on the stored values of every component.
 std::vector<HarmonicFacts> harmonicity(const Model& model, const std::vector<ComponentMap>& maps,
@@ -96,6 +96,13 @@ ParametrizeOptions parametrizeOptions(const SolveOptions& options, double workSh
   return out;
 }
 
+Failure negativeCount(int count) {
+  return {ErrorCode::kUsage,
+          "cones",
+          formatText("the number of automatic cones is 0 (as many as suit) or more, not %d", count),
+          {}};
+}
+
 Failure noField() {
   return {ErrorCode::kUsage,
           "field",
@@ -129,11 +136,13 @@ PreparedSurface& Session::State::surfaceOf(std::size_t p) {
 }
 
 void Session::State::dropLarge(std::size_t p) {
-  if (model->components[p].mesh.faceCount() > kKeptFaces) prepared[p].reset();
+  const bool isOneOfMany = model->components.size() > std::size_t{kKeptComponents};
+  if (isOneOfMany || model->components[p].mesh.faceCount() > kKeptFaces) prepared[p].reset();
 }
 
 Result<CompleteSpec> Session::State::chooseCones(std::size_t p, const SolveOptions& options,
                                                  std::vector<StageTime>* times) {
+  if (options.coneCount < 0) return negativeCount(options.coneCount);
   SuggestOptions suggest = suggestOptions(options.q, options);
   const GridOptions grid = sharedGrid(*model, options.grid);
   if (grid.isAsked()) suggest.spacing = roomForGrid(grid.spacing, grid.mode, options.q);
@@ -327,10 +336,9 @@ Status Session::State::solve(const std::optional<io::Prescription>& prescription
   if (options.frames == FrameSource::kFile)
     run.notes.push_back("the frames are the directions of the field");
   if (Status done = solveRequest(*request, options, run); !done) return done;
-  const bool hasMap = std::all_of(run.components.begin(), run.components.end(),
-                                  [](const Parametrization& c) { return c.isCertified; });
-  if (!solved->stored.isCertified && options.boundary == BoundaryKind::kFree &&
-      (options.refines || !hasMap))
+  if (!solved->stored.isCertified && options.boundary == BoundaryKind::kFree)
+    if (Status done = solveImproved(*request, options, run); !done) return done;
+  if (!solved->stored.isCertified && options.boundary == BoundaryKind::kFree)
     if (Status done = solveRefined(*request, options, run); !done) return done;
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   run.seconds = seconds.count();

@@ -43,8 +43,11 @@ struct Session::State {
   Status solve(const std::optional<io::Prescription>& prescription, const SolveOptions& options);
   /// Solves every component and verifies it as stored: sets all of `solved` except its report.
   Status solveRequest(const Request& request, const SolveOptions& options, RunRecord& run);
-  /// Solves on refined meshes, each finer than the last, until one has a map; sets `finer`, or adds a note to
-  /// `run` about the attempts.
+  /// Solves again with an improvement where maps were certified, but not in the numbers of the format; replaces
+  /// `solved` and `run` if that helps.
+  Status solveImproved(const Request& request, const SolveOptions& options, RunRecord& run);
+  /// Where a component has no map: solves on refined meshes, each finer than the last, until one has a map; sets
+  /// `finer`, or adds a note to `run` about the attempts.
   Status solveRefined(const Request& request, const SolveOptions& options, RunRecord& run);
   std::vector<std::optional<FrameField>> fieldsOfGivenHandles(const Request& request,
                                                               const RunRecord& run);

@@ -33,14 +33,45 @@ bool isGltf(const std::vector<io::OutputFile>& files) {
   return first != std::string_view::npos && text[first] == '{';
 }
 
+/// The rest of every line of a text that begins with this keyword ("map_": with any word that begins so), once each.
+std::vector<std::string> namesAfter(io::ByteView bytes, std::string_view keyword) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  std::vector<std::string> out;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    std::string_view line = text.substr(begin, end - begin);
+    begin = end + 1;
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    if (line.substr(0, keyword.size()) != keyword) continue;
+    line.remove_prefix(std::min(line.find_first_of(" \t"), line.size()));
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    std::string name(line.substr(0, line.find_last_not_of(" \t\r") + 1));
+    std::replace(name.begin(), name.end(), '\\', '/');
+    if (!name.empty() && std::find(out.begin(), out.end(), name) == out.end())
+      out.push_back(std::move(name));
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<std::string> missingSideFiles(const std::vector<io::OutputFile>& files,
                                           std::vector<std::string>* refused) {
   std::vector<std::string> out;
   if (files.empty()) return out;
-  for (std::string& name : io::gltfSideFiles(files[0].bytes, refused))
+  std::vector<std::string> names = isGltf(files) ? io::gltfSideFiles(files[0].bytes, refused)
+                                                 : namesAfter(files[0].bytes, "mtllib");
+  for (std::string& name : names)
     if (findFile(files, name) == nullptr) out.push_back(std::move(name));
+  return out;
+}
+
+std::vector<std::string> picturesOfMaterials(io::ByteView library) {
+  std::vector<std::string> out;
+  for (const std::string& rest : namesAfter(library, "map_")) {
+    const std::size_t last = rest.find_last_of(" \t");  // options come before the name
+    out.push_back(last == std::string::npos ? rest : rest.substr(last + 1));
+  }
   return out;
 }
 

@@ -9,10 +9,13 @@
 
 namespace hgp::api {
 
-/// Names of the side files that a written glTF needs and that are not among `files`.
+/// Names of the side files that a written glTF needs and that are not among `files`; of an OBJ, its material libraries.
 /// @param refused  if given, receives the reasons why others, such as those outside the folder, are not read
 std::vector<std::string> missingSideFiles(const std::vector<io::OutputFile>& files,
                                           std::vector<std::string>* refused = nullptr);
+
+/// Names of the pictures that a material library of an OBJ refers to.
+std::vector<std::string> picturesOfMaterials(io::ByteView library);
 
 /// The main file with its side files, from `files` or by `resolve`, embedded as data URIs; notes name missing images.
 Result<io::Written> withEmbedded(std::vector<io::OutputFile> files, const io::Resolver& resolve,

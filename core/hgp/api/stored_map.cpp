@@ -248,16 +248,6 @@ void denyFolded(const Model& model, const StorePlace& place, StoredMap& stored) 
   stored.isCertified = areCertified(stored.certificates);
 }
 
-/// Cells per side for measureOverlap: 512, or fewer for few triangles.
-int overlapCells(const UvMap& map) {
-  int size = 32;
-  while (size < 512 && static_cast<std::size_t>(size) * static_cast<std::size_t>(size) <
-                           256 * map.cornerUv.size()) {
-    size *= 2;
-  }
-  return size;
-}
-
 }  // namespace
 
 void denyCertificate(const std::string& whyNone, Certificate& certificate) {

@@ -35,6 +35,7 @@ struct GltfDecoders;  // gltf_decoders.h
 struct FileSet {
   std::string name;  ///< as the user wrote it; used for its extension and in messages
   Bytes main;
+  std::string target;  ///< the format that will be written, as far as it is known
   Resolver resolve;
   std::vector<std::string> notes;                ///< of the caller that opened the files, for users
   std::shared_ptr<const GltfDecoders> decoders;  ///< for glTF; empty: those of this build
@@ -47,6 +48,7 @@ struct Surface {
   int storedVertexCount = 0;       ///< before welding
   bool isWelded = false;           ///< vertex ids are welded ids (decided by exact position)
   std::vector<int> uvSets;         ///< sets that existingUv can read, ascending
+  int ownUvSet = -1;               ///< the one of them that hgp wrote, if it is marked
   std::vector<std::string> notes;  ///< for users (points skipped, polygons triangulated …)
 };
 

@@ -38,12 +38,42 @@ Derivative derivativeOf(const std::array<Vec3, 3>& p, const std::array<Vec2, 3>&
   return {large > 0 ? large / std::max(small, 1e-12 * large) : 1, twice / 2};
 }
 
+/// log₂ of every ratio, less the mean over its component weighted by area; 0 where there is no ratio.
+std::vector<float> logAreas(const std::vector<double>& ratio, const std::vector<double>& area,
+                            const std::vector<int>& componentOf) {
+  struct Sums {
+    double area = 0, log = 0;
+  };
+  std::vector<Sums> sums(1);
+  const auto sumOf = [&](std::size_t t) -> Sums& {
+    const auto p = componentOf.empty() ? 0 : static_cast<std::size_t>(componentOf[t] + 1);
+    if (p >= sums.size()) sums.resize(p + 1);
+    return sums[p];
+  };
+  const auto isMeasured = [&](std::size_t t) { return ratio[t] > 0 && std::isfinite(ratio[t]); };
+  for (std::size_t t = 0; t < ratio.size(); ++t) {
+    if (!isMeasured(t)) continue;
+    Sums& sum = sumOf(t);
+    sum.area += area[t];
+    sum.log += area[t] * portable::log2(ratio[t]);
+  }
+  std::vector<float> out;
+  out.reserve(ratio.size());
+  for (std::size_t t = 0; t < ratio.size(); ++t) {
+    const Sums& sum = sumOf(t);
+    out.push_back(isMeasured(t) ? static_cast<float>(portable::log2(ratio[t]) - sum.log / sum.area)
+                                : 0.0F);
+  }
+  return out;
+}
+
 }  // namespace
 
-FaceValues measureFaces(const MeshData& mesh, const UvMap& map) {
+FaceValues measureFaces(const MeshData& mesh, const UvMap& map,
+                        const std::vector<int>& componentOf) {
   FaceValues out;
   const std::size_t count = mesh.triangles.size();
-  std::vector<double> ratio(count, 0.0);  // 0: no area on the surface
+  std::vector<double> ratio(count, 0.0), area(count, 0.0);  // 0: no area on the surface
   out.stretch.reserve(count);
   for (std::size_t t = 0; t < count; ++t) {
     std::array<Vec3, 3> p;
@@ -59,13 +89,9 @@ FaceValues measureFaces(const MeshData& mesh, const UvMap& map) {
     out.surfaceArea += d.area;
     out.uvArea += uvArea;
     ratio[t] = d.area > 0 ? uvArea / d.area : 0;
+    area[t] = d.area;
   }
-  const double mean = out.surfaceArea > 0 ? out.uvArea / out.surfaceArea : 0;
-  out.logArea.reserve(count);
-  for (const double r : ratio) {
-    const bool isMeasured = r > 0 && mean > 0 && std::isfinite(r / mean);
-    out.logArea.push_back(isMeasured ? static_cast<float>(portable::log2(r / mean)) : 0.0F);
-  }
+  out.logArea = logAreas(ratio, area, componentOf);
   return out;
 }
 

@@ -10,13 +10,17 @@ namespace hgp {
 /// Values for every stored triangle, in the order and with the orientation of the file.
 struct FaceValues {
   std::vector<float> stretch;  ///< σ₁ / σ₂ ≥ 1 of the derivative; 1 keeps angles
-  std::vector<float> logArea;  ///< log₂ of |uv area| / area, less that of all triangles together
+  std::vector<float>
+      logArea;  ///< log₂ of |uv area| / area at the best global scale of its component
   std::vector<int> notPositive;        ///< by exact sign, ascending: flipped or without area
   double surfaceArea = 0, uvArea = 0;  ///< of all, absolute values
 };
 
+/// The scale of areas is that of DistortionFacts: the mean of log₂ over a component, weighted by surface area, is 0.
 /// Triangles without area on the surface have stretch 1 and logArea 0.
-FaceValues measureFaces(const MeshData& mesh, const UvMap& map);
+/// @param componentOf  of every triangle, −1: none; empty: all triangles are one component
+FaceValues measureFaces(const MeshData& mesh, const UvMap& map,
+                        const std::vector<int>& componentOf = {});
 
 struct OverlapPairs {
   long long pairs = 0;         ///< of triangles that share area and no uv

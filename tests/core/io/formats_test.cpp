@@ -219,5 +219,100 @@ TEST(SharedMeshes, AreReadWithTheirCounts) {
   }
 }
 
+using test::fileSet;
+using test::written;
+
+const char* kPlyHeader =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n";
+
+DocumentPtr openedPly(const std::string& text, const std::string& target) {
+  FileSet files = fileSet("mesh.ply", text);
+  files.target = target;
+  auto document = openDocument(std::move(files), Limits());
+  EXPECT_TRUE(document.hasValue()) << (document ? "" : document.error().message);
+  return document ? std::move(*document) : nullptr;
+}
+
+TEST(Ply, UvAreFloatsAndWritingAgainChangesNothing) {
+  const std::string text =
+      std::string(kPlyHeader) + "0 0 0\n1 0 0\n1 1 0\n0 1 0.5\n3 0 1 2\n3 0 2 3\n";
+  const DocumentPtr document = openedPly(text, "ply");
+  EXPECT_EQ(document->uvPrecision(), UvPrecision::kFloat32);
+  const UvMap map = vertexMap(document->surfaces()[0].mesh);
+  WriteOptions options;
+  options.format = "ply";
+  options.generator = "hgp test";
+  const std::string out = written(*document, map, options);
+  EXPECT_NE(out.find("property list uchar float texcoord"), std::string::npos) << out;
+  const DocumentPtr again = openedPly(out, "ply");
+  EXPECT_EQ(again->uvPrecision(), UvPrecision::kFloat32);
+  EXPECT_EQ(written(*again, map, options), out);
+  // Verified as floats; written as OBJ, solved in doubles.
+  EXPECT_EQ(openedPly(out, "")->uvPrecision(), UvPrecision::kFloat32);
+  EXPECT_EQ(openedPly(out, "obj")->uvPrecision(), UvPrecision::kFloat64);
+  EXPECT_EQ(openedPly(text, "")->uvPrecision(), UvPrecision::kFloat64);
+  const auto uv = openedPly(out, "")->existingUv(0, 0);
+  ASSERT_TRUE(uv);
+  for (const Vec2& p : uv->uv)
+    for (const double x : p) EXPECT_EQ(x, static_cast<double>(static_cast<float>(x)));
+}
+
+TEST(Ply, ListsOfDoublesStayDoubles) {
+  std::string text = std::string(kPlyHeader) +
+                     "0 0 0\n1 0 0\n1 1 0\n0 1 0.5\n3 0 1 2 6 0 0 1 0 1 1\n"
+                     "3 0 2 3 6 0 0 1 1 0 1\n";
+  text.insert(text.find("end_header"), "property list uchar double texcoord\n");
+  const DocumentPtr document = openedPly(text, "ply");
+  EXPECT_EQ(document->uvPrecision(), UvPrecision::kFloat64);
+  WriteOptions options;
+  options.format = "ply";
+  EXPECT_NE(written(*document, vertexMap(document->surfaces()[0].mesh), options)
+                .find("property list uchar double texcoord"),
+            std::string::npos);
+}
+
+TEST(Ply, LinesWithMoreValuesThanTheHeaderAreCut) {
+  const std::string text = std::string(kPlyHeader) +
+                           "0 0 0 7 8 9\n1 0 0 7 8 9\ncomment 1 2\n1 1 0 7 8 9\r\n\n0 1 0.5 7 8 9\n"
+                           "3 0 1 2 255\n3 0 2 3\n";
+  const DocumentPtr document = openedPly(text, "ply");
+  ASSERT_TRUE(document);
+  const Surface& surface = document->surfaces()[0];
+  EXPECT_EQ(surface.mesh.triangles, (std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(surface.mesh.positions[3], (Vec3{0, 1, 0.5}));
+  ASSERT_FALSE(surface.notes.empty());
+  EXPECT_EQ(surface.notes[0],
+            "5 lines have more values than the header declares; what follows those is left out");
+  WriteOptions options;
+  options.format = "ply";
+  const DocumentPtr again = openedPly(written(*document, vertexMap(surface.mesh), options), "ply");
+  EXPECT_TRUE(again->surfaces()[0].notes.empty());
+  EXPECT_EQ(again->surfaces()[0].mesh.positions, surface.mesh.positions);
+  // Several rows on a line are read value by value, as before.
+  const std::string dense =
+      std::string(kPlyHeader) + "0 0 0 1 0 0\n1 1 0 0 1 0.5\n3 0 1 2 3 0 2 3\n";
+  EXPECT_EQ(openedPly(dense, "")->surfaces()[0].mesh.triangles, surface.mesh.triangles);
+}
+
+TEST(Ply, NormalsAndColoursGoIntoAnObj) {
+  std::string text = std::string(kPlyHeader) +
+                     "0 0 0 0 0 1 255 0 51\n1 0 0 0 0 1 0 255 0\n1 1 0 0 0 1 0 0 255\n"
+                     "0 1 0 0 1 0 1 2 3\n3 0 1 2\n3 0 2 3\n";
+  text.insert(text.find("element face"),
+              "property float nx\nproperty float ny\nproperty float nz\nproperty uchar red\n"
+              "property uchar green\nproperty uchar blue\n");
+  const DocumentPtr document = openedPly(text, "obj");
+  ASSERT_TRUE(document);
+  const auto out =
+      document->write(0, document->asStored(0, vertexMap(document->surfaces()[0].mesh)), {});
+  ASSERT_TRUE(out);
+  const std::string obj = textOf(out->files[0].bytes);
+  EXPECT_NE(obj.find("v 0 0 0 1 0 0.2\n"), std::string::npos) << obj;
+  EXPECT_NE(obj.find("vn 0 1 0\n"), std::string::npos);
+  EXPECT_NE(obj.find("f 1/1/1 2/2/2 3/3/3\n"), std::string::npos);
+  EXPECT_EQ(out->notes, std::vector<std::string>{"written as OBJ, with its normals and colours"});
+}
+
 }  // namespace
 }  // namespace hgp::io

@@ -269,5 +269,80 @@ TEST(GltfDocument, CaveIsReadCompletely) {
   EXPECT_EQ((*document)->surfaces()[0].mesh.positions.size(), 296677u);
 }
 
+/// The same map written into `text`, and again into the result.
+std::pair<std::string, std::string> writtenTwice(const std::string& text,
+                                                 const WriteOptions& options = {}) {
+  const DocumentPtr first = opened(text);
+  const std::string once = written(*first, cornerMap(first->surfaces()[0].mesh), options);
+  const DocumentPtr second = opened(once);
+  return {once, written(*second, cornerMap(second->surfaces()[0].mesh), options)};
+}
+
+TEST(GltfDocument, ItsOwnSetIsReplacedAndNothingGrows) {
+  const auto [once, twice] = writtenTwice(squareText());
+  EXPECT_EQ(once, twice);
+  const DocumentPtr document = opened(once);
+  EXPECT_EQ(document->surfaces()[0].ownUvSet, 0);
+  // Also where other sets come before, and where lower sets were filled.
+  WriteOptions third;
+  third.uvSet = 2;
+  const auto [later, again] = writtenTwice(once, third);
+  EXPECT_EQ(later, again);
+  EXPECT_EQ(opened(later)->surfaces()[0].uvSets, (std::vector<int>{0, 1, 2}));
+}
+
+TEST(GltfDocument, ASetOfAnotherProgramIsKeptAndTheNewOneIsFound) {
+  const std::string text = squareText(
+      {{"{ \"POSITION\" : 0 }", "{ \"POSITION\" : 0, \"TEXCOORD_0\" : 2 }"},
+       {"\"type\" : \"SCALAR\" }",
+        "\"type\" : \"SCALAR\" }, { \"bufferView\" : 0, \"componentType\" : 5126, \"count\" : 4, "
+        "\"type\" : \"VEC2\" }"}});
+  const auto [once, twice] = writtenTwice(text);
+  EXPECT_EQ(once, twice);
+  const DocumentPtr document = opened(once);
+  EXPECT_EQ(document->surfaces()[0].uvSets, (std::vector<int>{0, 1}));
+  EXPECT_EQ(document->surfaces()[0].ownUvSet, 1);
+}
+
+TEST(GltfDocument, WhereFourSetsAreTakenOneThatNoMaterialUsesIsReplaced) {
+  const auto squareOf = [](const std::string& material, const std::string& use) {
+    return squareText(
+        {{"{ \"POSITION\" : 0 }",
+          "{ \"POSITION\" : 0, \"TEXCOORD_0\" : 2, \"TEXCOORD_1\" : 2, \"TEXCOORD_2\" : 2, "
+          "\"TEXCOORD_3\" : 2 }, " +
+              use + "\"mode\" : 4"},
+         {"\"type\" : \"SCALAR\" }",
+          "\"type\" : \"SCALAR\" }, { \"bufferView\" : 0, \"componentType\" : 5126, \"count\" : 4, "
+          "\"type\" : \"VEC2\" }"},
+         {"\"meshes\"", material + "\"meshes\""}});
+  };
+  const auto setOf = [](const std::string& text, std::string& notes) {
+    const DocumentPtr document = opened(text);
+    const auto result =
+        document->write(0, document->asStored(0, vertexMap(document->surfaces()[0].mesh)), {});
+    EXPECT_TRUE(result);
+    for (const std::string& note : result->notes) notes += note + ";";
+    return opened(textOf(result->files[0].bytes))->surfaces()[0].ownUvSet;
+  };
+  std::string notes;
+  EXPECT_EQ(setOf(squareOf("", ""), notes), 3);
+  EXPECT_NE(notes.find("TEXCOORD_3, which no material uses, was replaced"), std::string::npos);
+  const std::string picture =
+      "\"images\" : [ { \"uri\" : \"data:image/png;base64,iVBORw0KGgo=\" } ], "
+      "\"textures\" : [ { \"source\" : 0 } ], ";
+  const std::string three = picture +
+                            "\"materials\" : [ { \"emissiveTexture\" : { \"index\" : 0, "
+                            "\"texCoord\" : 3 } } ], ";
+  EXPECT_EQ(setOf(squareOf(three, "\"material\" : 0, "), notes), 2);
+  const std::string all =
+      picture +
+      "\"materials\" : [ { \"emissiveTexture\" : { \"index\" : 0, \"texCoord\" : 3 }, "
+      "\"normalTexture\" : { \"index\" : 0, \"texCoord\" : 2 }, \"occlusionTexture\" : { "
+      "\"index\" : 0, \"texCoord\" : 1 } } ], ";
+  notes.clear();
+  EXPECT_EQ(setOf(squareOf(all, "\"material\" : 0, "), notes), 4);
+  EXPECT_NE(notes.find("many viewers read TEXCOORD_0 to TEXCOORD_3 only"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace hgp::io

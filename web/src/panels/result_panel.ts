@@ -14,7 +14,7 @@ import {
   verdictRows,
   type VerdictRow,
 } from '../model/verdict';
-import { count, memoryText, signed } from '../text/format';
+import { memoryText, signed } from '../text/format';
 import { noteForPage } from '../text/notes';
 import { repairsMade } from '../text/repairs';
 import { actionButton } from './action_button';
@@ -105,9 +105,10 @@ class ResultPanel extends Panel {
   }
 
   /** How much the texture is stretched, and whether parts of the map overlap. */
-  #twoNumbers({ distortion, overlaps }: Solution): TemplateResult {
+  #twoNumbers({ distortion, overlaps, result }: Solution): TemplateResult {
     const percent = 100 * (distortion.stretch.median - 1);
-    const { pairs, triangles, isMore } = overlaps;
+    const { pairs, triangles } = overlaps;
+    const share = 100 * result.certificate.overlap.share;
     const places = Array.from(triangles, (id): Where => ({ kind: 'triangle', id }));
     return html`<dl class="facts plain">
       <div title="Of the triangle in the middle: how much longer one direction is than the other">
@@ -120,7 +121,7 @@ class ResultPanel extends Panel {
           ${
             pairs === 0
               ? 'none'
-              : html`${isMore ? 'over ' : ''}${count(pairs)} pairs
+              : html`${share < 0.05 ? 'under 0.1' : share.toFixed(1)} % of the area
                   <button type="button" class="link" @click=${() => showPlaces(this.app, places)}>
                     Show
                   </button>`

@@ -8,8 +8,8 @@
 #include "hgp/io/gltf/gltf_decoders.h"
 #include "hgp/io/gltf/gltf_pack.h"
 #include "hgp/io/gltf/gltf_plain.h"
-#include "hgp/io/gltf/gltf_round.h"
 #include "hgp/io/gltf/gltf_write.h"
+#include "hgp/io/round_uv.h"
 #include "hgp/io/weld.h"
 #include "hgp/prescription/cones.h"
 
@@ -73,7 +73,7 @@ std::optional<UvMap> GltfDocument::readUv(int surface, int set, double top) cons
 }
 
 UvMap GltfDocument::asStored(int surface, const UvMap& map, const std::vector<int>& partOf) const {
-  return quantizeForGltf(surfaces_[static_cast<std::size_t>(surface)].mesh, map, partOf);
+  return roundToFloat32(surfaces_[static_cast<std::size_t>(surface)].mesh, map, partOf);
 }
 
 Result<std::optional<Prescription>> GltfDocument::embeddedCones(int surface) const {

@@ -55,9 +55,18 @@ class GltfGrid {
     return 0;
   }
 
+  /// The set that hgp wrote, or the last one.
   int lastSet(const std::vector<int>& primitives) const {
     const int attributes = primitives.empty() ? -1 : json_.find(primitives.front(), "attributes");
-    int set = 0;
+    const std::vector<int> accessors = json_.children(json_.find(JsonText::kRoot, "accessors"));
+    int set = 0, own = -1;
+    for (int n = 0; n < 16; ++n) {
+      const auto index = json_.integer(json_.find(attributes, "TEXCOORD_" + std::to_string(n)));
+      if (!index || *index < 0 || static_cast<std::size_t>(*index) >= accessors.size()) continue;
+      const int extras = json_.find(accessors[static_cast<std::size_t>(*index)], "extras");
+      if (json_.string(json_.find(extras, "hgp")) == "uv") own = n;
+    }
+    if (own >= 0) return own;
     while (json_.find(attributes, "TEXCOORD_" + std::to_string(set + 1)) >= 0) ++set;
     return set;
   }

@@ -9,13 +9,13 @@ namespace {
 
 std::size_t aligned(std::size_t offset) { return (offset + 3) / 4 * 4; }
 
-/// The bytes of buffer 0 that a view reads, as a range of the BIN chunk: begin and end.
-std::pair<std::size_t, std::size_t> spanInBin(const GltfView& view) {
+/// The bytes of a buffer that a view reads: begin and end.
+std::pair<std::size_t, std::size_t> spanIn(int buffer, const GltfView& view) {
   if (view.meshopt) {
-    if (view.meshopt->buffer != 0) return {0, 0};
+    if (view.meshopt->buffer != buffer) return {0, 0};
     return {view.meshopt->offset, view.meshopt->offset + view.meshopt->length};
   }
-  return view.buffer == 0
+  return view.buffer == buffer
              ? std::pair<std::size_t, std::size_t>(view.offset, view.offset + view.length)
              : std::pair<std::size_t, std::size_t>(0, 0);
 }
@@ -37,16 +37,32 @@ GltfLayout::GltfLayout(const GltfStore& store, JsonPatch& patch) : store_(store)
   } else if (!store.container.isBinary && hasKind(GltfBufferKind::kFile)) {
     sink_ = Sink::kSideFile;
   }
+  if (sink_ != Sink::kBin) continueBuffer();
   appendedAt_ = bin_.size();
+}
+
+/// Continues the buffer that an earlier run or mesh made for uv, so that a file has one of them.
+void GltfLayout::continueBuffer() {
+  const std::vector<int> nodes = store_.json.children(store_.json.find(JsonText::kRoot, "buffers"));
+  const GltfBufferKind kind =
+      sink_ == Sink::kSideFile ? GltfBufferKind::kFile : GltfBufferKind::kData;
+  for (std::size_t b = 0; b < store_.buffers.size(); ++b) {
+    if (store_.buffers[b].kind != kind) continue;
+    if (store_.json.string(store_.json.find(nodes[b], "name")) != kGltfUvBuffer) continue;
+    buffer_ = static_cast<int>(b);
+    bufferNode_ = nodes[b];
+    bin_.assign(store_.buffers[b].bytes.begin(), store_.buffers[b].bytes.end());
+    return;
+  }
 }
 
 void GltfLayout::release(const std::set<int>& views) {
   released_ = views;
-  if (sink_ != Sink::kBin) return;
+  if (bin_.empty()) return;
   std::vector<std::pair<std::size_t, std::size_t>> live;
   for (std::size_t v = 0; v < store_.model.views.size(); ++v) {
     auto& list = released_.count(static_cast<int>(v)) > 0 ? holes_ : live;
-    const auto span = spanInBin(store_.model.views[v]);
+    const auto span = spanIn(buffer_, store_.model.views[v]);
     if (span.second > span.first) list.push_back(span);
   }
   std::sort(live.begin(), live.end());
@@ -93,6 +109,7 @@ std::size_t GltfLayout::allocate(std::size_t size) {
 
 int GltfLayout::place(ByteView bytes, int target, std::uint64_t stride, int wanted) {
   const std::size_t offset = allocate(bytes.size());
+  isPlaced_ = true;
   std::copy(bytes.begin(), bytes.end(), bin_.begin() + static_cast<std::ptrdiff_t>(offset));
   const auto view = wanted < 0 ? released_.begin() : released_.find(wanted);
   if (view == released_.end()) return addView(offset, bytes.size(), target, stride);
@@ -149,8 +166,9 @@ Result<OutputFile> GltfLayout::finish(const std::string& mainName) {
   };
   appendAll("bufferViews", newViews_);
   OutputFile side;
-  if (bin_.size() == appendedAt_) return side;
+  if (!isPlaced_) return side;
   if (sink_ == Sink::kBin) {
+    if (bin_.size() == appendedAt_) return side;
     const int node = json.firstChild(json.find(JsonText::kRoot, "buffers"));
     patch_.set(node, "byteLength", std::to_string(bin_.size()));
     return side;
@@ -159,8 +177,9 @@ Result<OutputFile> GltfLayout::finish(const std::string& mainName) {
   if (sink_ == Sink::kSideFile) {
     side.name = fileStem(mainName) + "-uv.bin";
     const auto isTaken = [&] {
-      return std::any_of(store_.buffers.begin(), store_.buffers.end(),
-                         [&](const GltfBuffer& b) { return b.name == side.name; });
+      for (std::size_t b = 0; b < store_.buffers.size(); ++b)
+        if (static_cast<int>(b) != buffer_ && store_.buffers[b].name == side.name) return true;
+      return false;
     };
     for (int n = 2; isTaken(); ++n) side.name = fileStem(mainName) + formatText("-uv%d.bin", n);
     uri = uriFromName(side.name);
@@ -168,8 +187,14 @@ Result<OutputFile> GltfLayout::finish(const std::string& mainName) {
   } else {
     uri = "data:application/octet-stream;base64," + encodeBase64(bin_);
   }
-  appendAll("buffers",
-            {formatText("{\"byteLength\":%zu,\"uri\":", bin_.size()) + quoteJson(uri) + "}"});
+  if (bufferNode_ >= 0) {
+    patch_.set(bufferNode_, "byteLength", std::to_string(bin_.size()));
+    patch_.set(bufferNode_, "uri", quoteJson(uri));
+    return side;
+  }
+  appendAll("buffers", {formatText("{\"name\":\"%s\",\"byteLength\":%zu,\"uri\":", kGltfUvBuffer,
+                                   bin_.size()) +
+                        quoteJson(uri) + "}"});
   return side;
 }
 

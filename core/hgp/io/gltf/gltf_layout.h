@@ -32,6 +32,7 @@ class GltfLayout {
 
  private:
   enum class Sink { kBin, kSideFile, kDataUri };
+  void continueBuffer();
   std::size_t allocate(std::size_t size);
   void showIn(int view, std::size_t offset, std::size_t size, int target, std::uint64_t stride);
   int addView(std::size_t offset, std::size_t size, int target, std::uint64_t stride);
@@ -39,8 +40,10 @@ class GltfLayout {
   const GltfStore& store_;
   JsonPatch& patch_;
   Sink sink_ = Sink::kDataUri;
-  int buffer_ = 0;  ///< index of the buffer written to
-  Bytes bin_;       ///< the BIN chunk, or the bytes of the new buffer
+  int buffer_ = 0;         ///< index of the buffer written to
+  int bufferNode_ = -1;    ///< JSON node of an old buffer for uv that is continued
+  bool isPlaced_ = false;  ///< something was placed
+  Bytes bin_;              ///< the BIN chunk, or the bytes of the buffer
   bool hasUnpacked_ = false;
   std::vector<std::pair<std::size_t, std::size_t>> holes_;  ///< unused [begin, end), ascending
   std::set<int> released_;

@@ -79,23 +79,22 @@ void GltfWriter::pointMaterials() {
   if (!copies.empty()) note(formatText("wrote TEXCOORD_%d; the materials use it", set_));
 }
 
-void GltfWriter::tellOrPointMaterials() {
+std::set<int> GltfWriter::setsOfMaterials() const {
   const std::vector<int> materials = json_.children(json_.find(JsonText::kRoot, "materials"));
-  bool usesWritten = false;
-  std::set<int> others;
+  std::set<int> sets;
   for (const GltfRun& run : part_.runs) {
     const int material = primitive(run.primitive).material;
     if (material < 0) continue;
     std::vector<int> textures;
     collectTextures(json_, materials[static_cast<std::size_t>(material)], textures);
-    for (const int texture : textures) {
-      const int set = setOf(json_, texture);
-      if (set == set_)
-        usesWritten = true;
-      else
-        others.insert(set);
-    }
+    for (const int texture : textures) sets.insert(setOf(json_, texture));
   }
+  return sets;
+}
+
+void GltfWriter::tellOrPointMaterials() {
+  std::set<int> others = setsOfMaterials();
+  const bool usesWritten = others.erase(set_) > 0;
   const bool isReplaced = std::any_of(part_.runs.begin(), part_.runs.end(), [&](const auto& run) {
     return primitive(run.primitive).attribute(semantic(set_)) >= 0;
   });

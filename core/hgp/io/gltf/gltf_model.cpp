@@ -81,6 +81,10 @@ void readGltfExtensions(const JsonText& json, GltfModel& model) {
       if (extension >= 0) model.views[i].meshopt = readMeshopt(json, extension);
     }
   }
+  const std::vector<int> accessors = json.children(json.find(JsonText::kRoot, "accessors"));
+  for (std::size_t i = 0; i < accessors.size() && i < model.accessors.size(); ++i)
+    model.accessors[i].isOwnUv =
+        json.string(json.find(json.find(accessors[i], "extras"), "hgp")) == "uv";
   const std::vector<int> meshes = json.children(json.find(JsonText::kRoot, "meshes"));
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const std::vector<int> primitives = json.children(json.find(meshes[i], "primitives"));

@@ -15,6 +15,9 @@ namespace hgp::io {
 
 /// Name of the member of a mesh's extras that contains hgp-cones JSON.
 inline constexpr const char* kGltfConesKey = "hgp";
+/// The extras of an accessor of uv that hgp wrote, which a later run replaces; the name of the buffer made for them.
+inline constexpr const char* kGltfUvExtras = "{\"hgp\":\"uv\"}";
+inline constexpr const char* kGltfUvBuffer = "hgp uv";
 
 /// EXT_meshopt_compression or KHR_meshopt_compression of a buffer view.
 struct GltfMeshopt {
@@ -44,6 +47,7 @@ struct GltfAccessor {
   int componentType = 0;
   int columns = 1, rows = 1;  ///< VEC3 is one column of three rows
   bool isNormalized = false;
+  bool isOwnUv = false;  ///< has kGltfUvExtras
   std::optional<GltfSparse> sparse;
 
   std::uint64_t componentSize() const;

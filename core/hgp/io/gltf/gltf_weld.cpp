@@ -258,7 +258,13 @@ class GltfWelder {
       const bool isEverywhere = std::all_of(
           out_.runs.begin(), out_.runs.end(),
           [&](const GltfRun& run) { return primitive(run.primitive).attribute(semantic) >= 0; });
-      if (isEverywhere) out_.surface.uvSets.push_back(set);
+      if (!isEverywhere) continue;
+      out_.surface.uvSets.push_back(set);
+      if (std::all_of(out_.runs.begin(), out_.runs.end(), [&](const GltfRun& run) {
+            const int accessor = primitive(run.primitive).attribute(semantic);
+            return store_.model.accessors[static_cast<std::size_t>(accessor)].isOwnUv;
+          }))
+        out_.surface.ownUvSet = set;
     }
   }
 

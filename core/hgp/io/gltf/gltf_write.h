@@ -11,7 +11,7 @@ namespace hgp::io {
 /// colour: old vertices keep their indices, and copies at seams follow them. Accessors with other users
 /// are cloned, indices get a wider type where needed, Draco primitives are stored uncompressed, missing lower
 /// TEXCOORD sets are filled with the new uv, and TANGENT is removed if the uv of its normal map are replaced.
-/// @pre `map` comes from quantizeForGltf
+/// @pre `map` comes from roundToFloat32
 Result<Written> writeGltf(const GltfStore& store, const GltfSurface& part, const UvMap& map,
                           const WriteOptions& options);
 

@@ -11,6 +11,8 @@ namespace {
 
 /// All missing sets below the chosen one must be filled; this limits how many.
 constexpr int kHighestSet = 15;
+/// As many sets as common viewers read; the specification asks for two.
+constexpr int kUsualSets = 4;
 
 Bytes bytesOf(const std::vector<float>& values) {
   Bytes out(values.size() * sizeof(float));
@@ -56,19 +58,41 @@ Result<Written> GltfWriter::run(const UvMap& map) {
   return finish();
 }
 
-Status GltfWriter::chooseSet() {
-  set_ = options_.uvSet;
-  const auto isTaken = [&](int set) {
+/// The set that hgp wrote before; otherwise the one after the last, even if an earlier one is missing, since the last
+/// set is the one that is verified. Where all sets that viewers have are taken, the highest that no material uses.
+int GltfWriter::defaultSet() {
+  const auto isTaken = [&](int set, bool isOwn) {
     return std::any_of(part_.runs.begin(), part_.runs.end(), [&](const GltfRun& run) {
-      return primitive(run.primitive).attribute(semantic(set)) >= 0;
+      const int a = primitive(run.primitive).attribute(semantic(set));
+      return a >= 0 && (!isOwn || accessor(a).isOwnUv);
     });
   };
-  // After the last set, even if an earlier one is missing: the last set is the one that is verified.
-  if (set_ < 0) {
-    set_ = kHighestSet + 1;
-    while (set_ > 0 && !isTaken(set_ - 1)) --set_;
+  for (int set = kHighestSet; set >= 0; --set)
+    if (isTaken(set, true)) return set;
+  int next = kHighestSet + 1;
+  while (next > 0 && !isTaken(next - 1, false)) --next;
+  if (next < kUsualSets) return next;
+  const std::set<int> used = setsOfMaterials();
+  for (int set = kUsualSets - 1; set > 0; --set) {
+    if (used.count(set) > 0) continue;
+    note(formatText(
+        "TEXCOORD_%d, which no material uses, was replaced: viewers read the first four sets",
+        set));
+    return set;
   }
-  if (set_ <= kHighestSet) return Done{};
+  return next;
+}
+
+Status GltfWriter::chooseSet() {
+  set_ = options_.uvSet >= 0 ? options_.uvSet : defaultSet();
+  if (set_ <= kHighestSet) {
+    if (set_ >= kUsualSets)
+      note(
+          formatText("wrote TEXCOORD_%d; many viewers read TEXCOORD_0 to TEXCOORD_3 only: --uv-set "
+                     "N replaces one of those",
+                     set_));
+    return Done{};
+  }
   return Failure{
       ErrorCode::kUsage,
       "write",
@@ -79,6 +103,7 @@ Status GltfWriter::chooseSet() {
 void GltfWriter::planPool(int pool) {
   const GltfPool& source = part_.pools[static_cast<std::size_t>(pool)];
   for (int p : source.primitives) dropTangents(p);
+  for (const int reference : ownUvReferences(pool)) droppedAttributes_.insert(reference);
   const std::size_t copies = splits_.pools[static_cast<std::size_t>(pool)].copyOf.size();
   if (copies > 0 || isDraco(pool)) {
     isRewritten_ = true;
@@ -113,16 +138,44 @@ bool GltfWriter::isEdited(const GltfRun& run) const {
                      [](const auto& c) { return c[0] != GltfSurface::kUnedited; });
 }
 
+/// References to uv that hgp wrote before and that are replaced now: all of one accessor that it wrote in this form.
+std::vector<int> GltfWriter::ownUvReferences(int pool) const {
+  int own = -1;
+  std::vector<int> references;
+  for (const int p : part_.pools[static_cast<std::size_t>(pool)].primitives) {
+    const int attributes = json_.find(primitiveNodes_[static_cast<std::size_t>(p)], "attributes");
+    const int chosen = primitive(p).attribute(semantic(set_));
+    if (chosen < 0 || !accessor(chosen).isOwnUv || (own >= 0 && own != chosen)) return {};
+    own = chosen;
+    for (int set = 0; set <= kHighestSet; ++set)
+      if (primitive(p).attribute(semantic(set)) == own)
+        references.push_back(json_.find(attributes, semantic(set)));
+  }
+  const int node = own < 0 ? -1 : accessorNodes_[static_cast<std::size_t>(own)];
+  const bool isAsWritten = own >= 0 && accessor(own).componentType == kGltfFloat &&
+                           !accessor(own).sparse && json_.find(node, "min") < 0 &&
+                           json_.find(node, "max") < 0;
+  return isAsWritten ? references : std::vector<int>();
+}
+
 void GltfWriter::planUv(int pool) {
   const GltfSplit& split = splits_.pools[static_cast<std::size_t>(pool)];
-  GltfNewAccessor& fresh = fresh_.emplace_back();
-  fresh.index = newAccessorCount_++;
+  GltfNewAccessor fresh;
   fresh.base = "{}";
   fresh.members = {{"componentType", "5126"},
                    {"count", std::to_string(split.uv.size() / 2)},
                    {"type", "\"VEC2\""}};
   fresh.data = bytesOf(split.uv);
   fresh.target = 34962;
+  if (const std::vector<int> own = ownUvReferences(pool); !own.empty()) {
+    const int old = static_cast<int>(*json_.integer(own.front()));
+    redirect(old, {own.begin(), own.end()}, std::move(fresh));
+    return;
+  }
+  fresh.members["extras"] = kGltfUvExtras;
+  fresh.index = newAccessorCount_++;
+  const std::string index = std::to_string(fresh.index);
+  fresh_.push_back(std::move(fresh));
   for (int p : part_.pools[static_cast<std::size_t>(pool)].primitives) {
     const int attributes = json_.find(primitiveNodes_[static_cast<std::size_t>(p)], "attributes");
     for (int set = 0; set <= set_; ++set) {
@@ -131,7 +184,7 @@ void GltfWriter::planUv(int pool) {
       if (old < 0 && set < set_) {
         note(formatText("primitive %d had no TEXCOORD_%d; it has the new uv there too", p, set));
       }
-      patch_.set(attributes, semantic(set), std::to_string(fresh.index));
+      patch_.set(attributes, semantic(set), index);
     }
   }
 }

@@ -36,12 +36,15 @@ class GltfWriter {
  private:
   // gltf_writer.cpp
   Status chooseSet();
+  int defaultSet();
+  std::vector<int> ownUvReferences(int pool) const;
   void planPool(int pool);
   void planUv(int pool);
   void dropTangents(int primitive);
   bool isNormalMapFed(int primitive) const;
   // gltf_materials.cpp: which uv set the textures of materials use
   void tellOrPointMaterials();
+  std::set<int> setsOfMaterials() const;
   void pointMaterials();
   bool isUsedElsewhere(int material) const;
   Status embedCones();

@@ -5,6 +5,7 @@
 #include "hgp/io/limits.h"
 #include "hgp/io/polygon/not_finite.h"
 #include "hgp/io/polygon/ply_document.h"
+#include "hgp/io/polygon/ply_lines.h"
 #include "hgp/text/text.h"
 
 namespace hgp::io {
@@ -51,8 +52,11 @@ class PlyBody {
 
 class PlyReader {
  public:
-  PlyReader(std::string_view text, std::uint64_t maxTriangles)
-      : text_(text), maxTriangles_(maxTriangles) {}
+  PlyReader(std::string_view text, std::uint64_t maxTriangles, std::string target,
+            std::vector<std::string> notes)
+      : text_(text), maxTriangles_(maxTriangles), target_(std::move(target)) {
+    file_.notes = std::move(notes);
+  }
 
   /// The document keeps `bytes`, of which the text is a part.
   Result<DocumentPtr> read(Bytes bytes, std::size_t textOffset) {
@@ -75,7 +79,8 @@ class PlyReader {
     if (const auto used = firstUsed(notFinite_, file_.polygons))
       return notFiniteFailure(used->place, used->vertex);
     addNotes();
-    return PlyDocument::make(std::move(bytes), std::move(header_), textOffset, std::move(file_));
+    return PlyDocument::make(std::move(bytes), std::move(header_), textOffset, std::move(file_),
+                             target_);
   }
 
  private:
@@ -248,6 +253,7 @@ class PlyReader {
 
   std::string_view text_;
   std::uint64_t maxTriangles_;
+  std::string target_;  ///< FileSet::target
   PlyHeader header_;
   PlyBody* body_ = nullptr;
   PolygonFile file_;
@@ -263,9 +269,18 @@ class PlyReader {
 }  // namespace
 
 Result<DocumentPtr> readPly(FileSet files, const Limits& limits) {
-  const std::string_view text = withoutByteOrderMark(asText(files.main));
+  std::string_view text = withoutByteOrderMark(asText(files.main));
+  std::vector<std::string> notes;
+  if (const Result<PlyHeader> header = readPlyHeader(text); header) {
+    if (std::optional<PlyTrimmed> trimmed = trimmedPly(text, *header)) {
+      notes.push_back(counted(trimmed->lines, "line has", "lines have") +
+                      " more values than the header declares; what follows those is left out");
+      files.main = asBytes(trimmed->text);
+      text = asText(files.main);
+    }
+  }
   const std::size_t offset = files.main.size() - text.size();
-  PlyReader reader(text, limits.maxTriangles);
+  PlyReader reader(text, limits.maxTriangles, std::move(files.target), std::move(notes));
   return reader.read(std::move(files.main), offset);
 }
 

@@ -6,6 +6,7 @@
 #include "hgp/base/check.h"
 #include "hgp/io/polygon/ply_edit.h"
 #include "hgp/io/polygon/ply_rows.h"
+#include "hgp/io/round_uv.h"
 #include "hgp/text/text.h"
 
 namespace hgp::io {
@@ -13,12 +14,18 @@ namespace {
 
 /// A list of two numbers per corner fits a length of one byte up to this many corners.
 constexpr std::size_t kMaxCornersOfByte = 127;
+constexpr std::string_view kUvComment = "comment uv of ";
 
 class PlyPatch {
  public:
   PlyPatch(std::string_view text, const PlyHeader& header, const PolygonMesh& polygons,
-           const UvMap& map, const std::vector<int>& cornerUv)
-      : text_(text), header_(header), polygons_(polygons), map_(map), cornerUv_(cornerUv) {
+           const UvMap& map, const std::vector<int>& cornerUv, bool isDouble)
+      : text_(text),
+        header_(header),
+        polygons_(polygons),
+        map_(map),
+        cornerUv_(cornerUv),
+        isDouble_(isDouble) {
     for (int p = 0; p < polygons.polygonCount(); ++p) {
       const auto at = static_cast<std::size_t>(p);
       mostCorners_ =
@@ -63,7 +70,8 @@ class PlyPatch {
   }
 
   std::string uvProperty() const {
-    return std::string("property list ") + (isWide_ ? "ushort" : "uchar") + " double texcoord";
+    return std::string("property list ") + (isWide_ ? "ushort" : "uchar") +
+           (isDouble_ ? " double" : " float") + " texcoord";
   }
 
   /// Rewrites the header line by line; the indices `element` and `property` follow.
@@ -83,11 +91,12 @@ class PlyPatch {
       WordReader words(line);
       const std::string_view keyword = words.next();
       position = next;
+      if (line.substr(0, kUvComment.size()) == kUvComment) continue;  // of an earlier run
       if (keyword == "element" || keyword == "end_header") {
         if (current() != nullptr && current()->name == "face")
           out_.append(uvProperty()).append(ending);
         if (keyword == "end_header" && !generator.empty())
-          out_.append("comment uv of ").append(generator).append(ending);
+          out_.append(kUvComment).append(generator).append(ending);
         element += keyword == "element";
         property = 0;
         if (keyword == "element" && isDropped(*current())) {
@@ -144,9 +153,12 @@ class PlyPatch {
       return;
     }
     std::uint64_t bits = 0;
-    std::memcpy(&bits, &x, sizeof bits);
-    for (int k = 0; k < 8; ++k) {
-      const int byte = header_.encoding == PlyEncoding::kLittle ? k : 7 - k;
+    const auto single = static_cast<float>(x);
+    const int size = isDouble_ ? 8 : 4;
+    if (isDouble_) std::memcpy(&bits, &x, sizeof x);
+    if (!isDouble_) std::memcpy(&bits, &single, sizeof single);
+    for (int k = 0; k < size; ++k) {
+      const int byte = header_.encoding == PlyEncoding::kLittle ? k : size - 1 - k;
       out_ += static_cast<char>(bits >> (8 * byte) & 0xFF);
     }
   }
@@ -190,91 +202,54 @@ class PlyPatch {
   std::size_t position_ = 0, mostCorners_ = 0;
   int polygon_ = 0;
   bool isWide_ = false, hasFaces_ = false, replacesUv_ = false;
+  bool isDouble_;
 };
-
-/// Which numbers of a vertex row are normals and colours; integer colours are fractions of their type's maximum.
-struct PlyExtras {
-  std::array<int, 3> normal{-1, -1, -1};
-  std::array<int, 4> color{-1, -1, -1, -1};
-  std::array<double, 4> largest{1, 1, 1, 1};
-
-  explicit PlyExtras(const PlyElement& element) {
-    for (std::size_t p = 0; p < element.properties.size(); ++p) {
-      const PlyProperty& property = element.properties[p];
-      const auto role = static_cast<int>(property.role);
-      const int n = role - static_cast<int>(PlyRole::kNormalX);
-      const int c = role - static_cast<int>(PlyRole::kRed);
-      if (n >= 0 && n < 3) normal[static_cast<std::size_t>(n)] = static_cast<int>(p);
-      if (c < 0 || c > 3) continue;
-      color[static_cast<std::size_t>(c)] = static_cast<int>(p);
-      if (property.type == PlyType::kUint8) largest[static_cast<std::size_t>(c)] = 255;
-      if (property.type == PlyType::kUint16) largest[static_cast<std::size_t>(c)] = 65535;
-    }
-  }
-  bool hasNormals() const { return *std::min_element(normal.begin(), normal.end()) >= 0; }
-  bool hasColors() const { return *std::min_element(color.begin(), color.begin() + 3) >= 0; }
-};
-
-void takeExtras(const PlyExtras& extras, const PlyRow& row, PlainSurface& surface) {
-  const auto number = [&](int p) { return row.numbers[row.first[static_cast<std::size_t>(p)]]; };
-  if (extras.hasNormals())
-    surface.normals.push_back(
-        {number(extras.normal[0]), number(extras.normal[1]), number(extras.normal[2])});
-  if (!extras.hasColors()) return;
-  std::array<double, 4> color{0, 0, 0, 1};
-  for (std::size_t k = 0; k < 4; ++k) {
-    if (extras.color[k] < 0) continue;
-    const double x = number(extras.color[k]) / extras.largest[k];
-    color[k] = k < 3 ? linearFromSrgb(x) : x;
-  }
-  surface.colors.push_back(color);
-}
 
 }  // namespace
 
+PlyDocument::PlyDocument(PlyHeader header, std::size_t textOffset, std::string target)
+    : PolygonDocument("ply"),
+      header_(std::move(header)),
+      textOffset_(textOffset),
+      target_(std::move(target)) {
+  const auto hasList = [&](PlyType type) {
+    for (const PlyElement& element : header_.elements)
+      for (const PlyProperty& property : element.properties)
+        if (element.name == "face" && property.role == PlyRole::kUvList && property.type == type)
+          return true;
+    return false;
+  };
+  isFloat_ = target_ == "ply" ? !hasList(PlyType::kFloat64)
+                              : target_.empty() && hasList(PlyType::kFloat32);
+}
+
+UvMap PlyDocument::asStored(int surface, const UvMap& map, const std::vector<int>& partOf) const {
+  const UvMap whole = PolygonDocument::asStored(surface, map, partOf);
+  return isFloat_ ? roundToFloat32(surfaces()[0].mesh, whole, partOf) : whole;
+}
+
 Result<DocumentPtr> PlyDocument::make(Bytes bytes, PlyHeader header, std::size_t textOffset,
-                                      PolygonFile file) {
-  std::unique_ptr<PlyDocument> document(new PlyDocument());
+                                      PolygonFile file, const std::string& target) {
+  std::unique_ptr<PlyDocument> document(new PlyDocument(std::move(header), textOffset, target));
   document->bytes_ = std::move(bytes);
-  document->header_ = std::move(header);
-  document->textOffset_ = textOffset;
   if (Status taken = document->take(std::move(file)); !taken) return taken.error();
   return DocumentPtr(std::move(document));
 }
 
 Result<Written> PlyDocument::write(int surface, const UvMap& map,
                                    const WriteOptions& options) const {
-  if (options.format != "ply") return PolygonDocument::write(surface, map, options);
+  if (options.format != "ply") return writeObj(surface, map, options);
   const std::vector<int> cornerUv = polygonCornerUv(map);
   if (cornerUv.empty()) {
     return Failure{ErrorCode::kInternal, "write", "the map does not fit this document", {}};
   }
   const std::string_view text = asText(bytes_).substr(textOffset_);
-  PlyPatch patch(text, header_, polygons_, map, cornerUv);
+  PlyPatch patch(text, header_, polygons_, map, cornerUv, !isFloat_);
   Written written;
   written.files.push_back({options.name, asBytes(patch.make(options.generator))});
   if (patch.replacesUv()) written.notes.push_back("the old texture coordinates were replaced");
   if (options.cones) written.notes.push_back("cones are not embedded: PLY has no place for them");
   return written;
-}
-
-Result<PlainFile> PlyDocument::plain(int surface) const {
-  Result<PlainFile> file = PolygonDocument::plain(surface);
-  if (!file) return file;
-  PlainSurface& out = file->surfaces[0];
-  const std::string_view text = asText(bytes_).substr(textOffset_);
-  PlyRowReader rows(text.substr(header_.bodyOffset), header_.encoding);
-  PlyRow row;
-  for (const PlyElement& element : header_.elements) {
-    const PlyExtras extras(element);
-    for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
-      if (!rows.next(element, row)) break;
-      if (element.name == "vertex") takeExtras(extras, row, out);
-    }
-    if (element.name == "vertex") break;
-  }
-  if (!out.normals.empty()) out.cornerNormal = out.mesh.triangles;
-  return file;
 }
 
 Result<DocumentPtr> PlyDocument::repaired(int, const FaceEdits& edits) const {
@@ -283,6 +258,7 @@ Result<DocumentPtr> PlyDocument::repaired(int, const FaceEdits& edits) const {
   if (!edited) return edited.error();
   FileSet files;
   files.main = asBytes(*edited);
+  files.target = target_;
   return readPly(std::move(files), {~std::uint64_t{0}, ~std::uint64_t{0}});
 }
 

@@ -166,28 +166,43 @@ void appendEmbeddedCones(std::string& out, const WriteOptions& options, std::str
 }
 
 Bytes writePolygonObj(const PolygonMesh& polygons, const std::vector<Vec2>& uv,
-                      const std::vector<int>& cornerUv, const WriteOptions& options) {
+                      const std::vector<int>& cornerUv, const WriteOptions& options,
+                      const VertexExtras& extras) {
   std::string out;
+  const bool hasColors = extras.colors.size() == polygons.positions.size();
+  const bool hasNormals = extras.normals.size() == polygons.positions.size();
+  const auto append = [&](const auto& numbers, std::size_t count) {
+    for (std::size_t k = 0; k < count; ++k) {
+      out += ' ';
+      appendDouble(out, numbers[k]);
+    }
+  };
   out.reserve(polygons.positions.size() * 56 + uv.size() * 42 + polygons.cornerVertex.size() * 14);
   if (!options.generator.empty()) out += "# " + options.generator + "\n";
   appendEmbeddedCones(out, options, "\n");
-  for (const Vec3& p : polygons.positions) {
+  for (std::size_t v = 0; v < polygons.positions.size(); ++v) {
     out += 'v';
-    for (double x : p) {
-      out += ' ';
-      appendDouble(out, x);
-    }
+    append(polygons.positions[v], 3);
+    if (hasColors) append(extras.colors[v], 3);
     out += '\n';
   }
   appendUvLines(out, uv, "\n");
+  for (std::size_t v = 0; hasNormals && v < extras.normals.size(); ++v) {
+    out += "vn";
+    append(extras.normals[v], 3);
+    out += '\n';
+  }
   for (std::size_t p = 0; p + 1 < polygons.start.size(); ++p) {
     out += 'f';
     for (std::size_t c = polygons.start[p]; c < polygons.start[p + 1]; ++c) {
       out += ' ';
       appendInt(out, polygons.cornerVertex[c] + 1);
-      if (cornerUv.empty()) continue;
+      if (cornerUv.empty() && !hasNormals) continue;
       out += '/';
-      appendInt(out, cornerUv[c] + 1);
+      if (!cornerUv.empty()) appendInt(out, cornerUv[c] + 1);
+      if (!hasNormals) continue;
+      out += '/';
+      appendInt(out, polygons.cornerVertex[c] + 1);
     }
     out += '\n';
   }

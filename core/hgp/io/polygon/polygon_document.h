@@ -56,9 +56,16 @@ class PolygonDocument : public Document {
   std::vector<Surface> surfaces_;
 };
 
-/// OBJ text of polygons with a uv index per corner (both empty: no vt).
+/// One per vertex, or none. Colours are fractions, as stored.
+struct VertexExtras {
+  std::vector<Vec3> normals;
+  std::vector<std::array<double, 4>> colors;
+};
+
+/// OBJ text of polygons with a uv index per corner (both empty: no vt). Colours follow the positions.
 Bytes writePolygonObj(const PolygonMesh& polygons, const std::vector<Vec2>& uv,
-                      const std::vector<int>& cornerUv, const WriteOptions& options);
+                      const std::vector<int>& cornerUv, const WriteOptions& options,
+                      const VertexExtras& extras = {});
 
 /// Appends the lines "vt u v" of a map.
 void appendUvLines(std::string& out, const std::vector<Vec2>& uv, std::string_view lineEnd);

@@ -78,7 +78,7 @@ const load: Fields = {
   fix: record({ orient: boolean, split: boolean, degenerate: boolean }),
   strict: boolean,
   writeRepairs: boolean,
-  target: oneOf('obj', 'glb', 'gltf'),
+  target: oneOf('obj', 'glb', 'gltf', 'ply'),
 };
 const suggestCones: Fields = {
   q: order,

@@ -128,6 +128,23 @@ export interface Certificate {
     notConvex: number;
   };
   /**
+   * Sentences for people, where there are any
+   */
+  notes?: string[];
+  /**
+   * How much of the map overlaps itself: of the component where it is most
+   */
+  overlap: {
+    /**
+     * share of the covered plane that more than one triangle covers, 0 to 1
+     */
+    share: number;
+    /**
+     * most triangles over one point
+     */
+    layers: number;
+  };
+  /**
    * The smallest tolerances with which this map would be accepted
    */
   needed: {
@@ -352,7 +369,7 @@ export interface Certificate {
       need: number;
     };
     /**
-     * How much of the map overlaps itself, counted on a grid of 512 × 512 points; reported, the verdict does not depend on it
+     * How much of the map overlaps itself, counted on a grid of up to 512 × 512 points; reported, the verdict does not depend on it
      */
     overlap: {
       /**
@@ -611,6 +628,10 @@ export interface Failure {
   stage: string;
   message: string;
   where: Where;
+  /**
+   * the input, as it was named on the command line; not in the package
+   */
+  file?: string;
 }
 
 /**

@@ -99,7 +99,7 @@ export interface Result {
 export interface Measures {
   /** Ratio of the singular values of the derivative, at least 1; 1 preserves angles. */
   stretch: Float32Array;
-  /** log₂ of uv area per surface area, minus that of all triangles together. */
+  /** log₂ of uv area per surface area at the best global scale of its component, as in the certificate. */
   area: Float32Array;
   /** Triangles covered by the certificate that are flipped or have no area in the map. */
   flipped: Uint32Array;

@@ -1,5 +1,5 @@
-// Rounds uv to float32 with v measured from the top so that the map stays certified.  Role: glTF
-// stores these values, and the certificate is measured on them.
+// Rounds uv to float32 so that the map stays certified.  Role: glTF, which measures v from the top, and PLY store these
+// values, and the certificate is measured on them.
 #pragma once
 
 #include "hgp/mesh/mesh_data.h"
@@ -17,6 +17,6 @@ namespace hgp::io {
 /// every triangle positive, or else the best one, is returned. A map that is already on such a grid is returned
 /// unchanged. Corners without uv (index −1) keep −1.
 /// @param partOf  part of every triangle; empty: found by connectivity
-UvMap quantizeForGltf(const MeshData& mesh, const UvMap& map, const std::vector<int>& partOf = {});
+UvMap roundToFloat32(const MeshData& mesh, const UvMap& map, const std::vector<int>& partOf = {});
 
 }  // namespace hgp::io

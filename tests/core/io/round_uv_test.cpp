@@ -1,5 +1,5 @@
 // What glTF stores of a map: float32 with v from the top, exactly what a certificate must measure.
-#include "hgp/io/gltf/gltf_round.h"
+#include "hgp/io/round_uv.h"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ void expectExact(const UvMap& map) {
   }
 }
 
-TEST(GltfRound, StoredUvComeBackBitForBit) {
+TEST(RoundUv, StoredUvComeBackBitForBit) {
   const MeshData mesh = test::disk(8).data;
   for (double scale : {1e-6, 0.3, 1.0, 977.0, 1e9}) {
     for (double shift : {0.0, 0.5, 1234.5, -1e5}) {
@@ -49,39 +49,39 @@ TEST(GltfRound, StoredUvComeBackBitForBit) {
         return Vec2{scale * p[0] + shift * scale, scale * p[1] - shift * scale};
       });
       ASSERT_EQ(flipped(map), 0);
-      const UvMap stored = quantizeForGltf(mesh, map);
+      const UvMap stored = roundToFloat32(mesh, map);
       expectExact(stored);
       EXPECT_EQ(flipped(stored), 0) << scale << " " << shift;
-      EXPECT_EQ(quantizeForGltf(mesh, stored).uv, stored.uv) << "rounding twice is rounding once";
+      EXPECT_EQ(roundToFloat32(mesh, stored).uv, stored.uv) << "rounding twice is rounding once";
     }
   }
 }
 
-TEST(GltfRound, KeepsWhatIsOnAGridAlready) {
+TEST(RoundUv, KeepsWhatIsOnAGridAlready) {
   const MeshData mesh = test::grid(6, 5).data;
   const UvMap map = mapOf(mesh, [](const Vec3& p) { return Vec2{p[0] / 64 + 3, p[1] / 128 - 2}; });
-  EXPECT_EQ(quantizeForGltf(mesh, map).uv, map.uv);
+  EXPECT_EQ(roundToFloat32(mesh, map).uv, map.uv);
 }
 
-TEST(GltfRound, MovesAndScalesMapsFarFromTheOrigin) {
+TEST(RoundUv, MovesAndScalesMapsFarFromTheOrigin) {
   // At 10⁶ a float32 has steps of 1/16: nothing of this map would survive where it is.
   const MeshData mesh = test::disk(10).data;
   const UvMap map = mapOf(mesh, [](const Vec3& p) {
     return Vec2{1e6 + p[0] / 8, -1e6 + p[1] / 8};
   });
   ASSERT_EQ(flipped(map), 0);
-  const UvMap stored = quantizeForGltf(mesh, map);
+  const UvMap stored = roundToFloat32(mesh, map);
   expectExact(stored);
   EXPECT_EQ(flipped(stored), 0);
 }
 
-TEST(GltfRound, MovesInnerVerticesOfSlivers) {
+TEST(RoundUv, MovesInnerVerticesOfSlivers) {
   // Rows squeezed to a hundred-millionth: rounding alone turns some of them over.
   test::Shape shape = test::jittered(test::grid(12, 12), 0.3, 5);
   const UvMap map = mapOf(shape.data, [](const Vec3& p) {
     return Vec2{p[0], p[1] < 6 ? p[1] : 6 + (p[1] - 6) * 4e-7};
   });
-  const UvMap stored = quantizeForGltf(shape.data, map);
+  const UvMap stored = roundToFloat32(shape.data, map);
   expectExact(stored);
   UvMap naive = map;
   for (Vec2& uv : naive.uv) {
@@ -91,7 +91,7 @@ TEST(GltfRound, MovesInnerVerticesOfSlivers) {
   EXPECT_LT(flipped(stored), flipped(naive));
 }
 
-TEST(GltfRound, SeamsStayRotationsWithinTwoSteps) {
+TEST(RoundUv, SeamsStayRotationsWithinTwoSteps) {
   // Two copies of a row of vertices, related by a quarter turn and a translation.
   const MeshData mesh = test::grid(1, 40).data;
   std::mt19937 random(3);
@@ -108,7 +108,7 @@ TEST(GltfRound, SeamsStayRotationsWithinTwoSteps) {
         map.uv.push_back(isTurned ? Vec2{shift[0] - p[1], shift[1] + p[0]} : Vec2{p[0], p[1]});
       }
     }
-    const UvMap stored = quantizeForGltf(mesh, map);
+    const UvMap stored = roundToFloat32(mesh, map);
     double largest = 0;
     for (const Vec2& uv : stored.uv)
       largest = std::max({largest, std::abs(uv[0]), std::abs(uv[1])});
@@ -121,20 +121,20 @@ TEST(GltfRound, SeamsStayRotationsWithinTwoSteps) {
   }
 }
 
-TEST(GltfRound, LeavesWhatCannotBeRounded) {
+TEST(RoundUv, LeavesWhatCannotBeRounded) {
   const MeshData mesh = test::triangle().data;
   UvMap map = mapOf(mesh, [](const Vec3& p) { return Vec2{p[0], p[1]}; });
   map.uv[0][0] = std::nan("");
-  EXPECT_TRUE(std::isnan(quantizeForGltf(mesh, map).uv[0][0]));
+  EXPECT_TRUE(std::isnan(roundToFloat32(mesh, map).uv[0][0]));
   map.uv[0][0] = 0;
   map.cornerUv[0][1] = -1;
-  EXPECT_EQ(quantizeForGltf(mesh, map).cornerUv, map.cornerUv);
+  EXPECT_EQ(roundToFloat32(mesh, map).cornerUv, map.cornerUv);
   map.cornerUv.clear();
-  EXPECT_TRUE(quantizeForGltf(mesh, map).cornerUv.empty());
+  EXPECT_TRUE(roundToFloat32(mesh, map).cornerUv.empty());
 }
 
 /// A disk of tiny triangles far from the origin, where its neighbours' grid is far too coarse.
-TEST(GltfRound, AComponentIsRoundedAsIfItWereAlone) {
+TEST(RoundUv, AComponentIsRoundedAsIfItWereAlone) {
   const MeshData one = test::disk(8).data;
   MeshData mesh = one;
   const auto first = static_cast<int>(one.positions.size());
@@ -143,20 +143,20 @@ TEST(GltfRound, AComponentIsRoundedAsIfItWereAlone) {
   const auto place = [](const Vec3& p) {
     return p[2] == 1.0 ? Vec2{1e-5 * p[0] + 3e-6, 1e-5 * p[1]} : Vec2{1e5 * p[0] + 3e7, 1e5 * p[1]};
   };
-  const UvMap both = quantizeForGltf(mesh, mapOf(mesh, place));
+  const UvMap both = roundToFloat32(mesh, mapOf(mesh, place));
   EXPECT_EQ(flipped(both), 0);
   expectExact(both);
-  const UvMap alone = quantizeForGltf(one, mapOf(one, [](const Vec3& p) {
+  const UvMap alone = roundToFloat32(one, mapOf(one, [](const Vec3& p) {
                                         return Vec2{1e-5 * p[0] + 3e-6, 1e-5 * p[1]};
                                       }));
   for (std::size_t i = 0; i < alone.uv.size(); ++i) {
     EXPECT_EQ(both.uv[static_cast<std::size_t>(first) + i], alone.uv[i]);
   }
-  const UvMap again = quantizeForGltf(mesh, both);
+  const UvMap again = roundToFloat32(mesh, both);
   EXPECT_EQ(again.uv, both.uv);
 }
 
-TEST(GltfRound, PartsThatShareAnEdgeOfTheSurfaceHaveGridsOfTheirOwn) {
+TEST(RoundUv, PartsThatShareAnEdgeOfTheSurfaceHaveGridsOfTheirOwn) {
   // Two disks of the same vertices: one near the origin, one large and far from it.
   MeshData mesh = test::disk(5).data;
   const std::vector<std::array<int, 3>> once = mesh.triangles;
@@ -178,7 +178,7 @@ TEST(GltfRound, PartsThatShareAnEdgeOfTheSurfaceHaveGridsOfTheirOwn) {
                     map.uv[static_cast<std::size_t>(once[0][2])][1]});
   map.cornerUv.push_back({once[0][0], once[0][1], static_cast<int>(map.uv.size()) - 1});
   partOf.push_back(-1);
-  const UvMap stored = quantizeForGltf(mesh, map, partOf);
+  const UvMap stored = roundToFloat32(mesh, map, partOf);
   expectExact(stored);
   EXPECT_EQ(flipped(stored), flipped(map));
   double largest = 0;
@@ -188,10 +188,10 @@ TEST(GltfRound, PartsThatShareAnEdgeOfTheSurfaceHaveGridsOfTheirOwn) {
                                            map.uv[static_cast<std::size_t>(i)][k] -
                                            stored.uv[0][k] + map.uv[0][k]));
   EXPECT_LT(largest, 2e-7);
-  EXPECT_GT(std::abs(quantizeForGltf(mesh, map).uv[1][0] - map.uv[1][0] -
-                     quantizeForGltf(mesh, map).uv[0][0] + map.uv[0][0]),
+  EXPECT_GT(std::abs(roundToFloat32(mesh, map).uv[1][0] - map.uv[1][0] -
+                     roundToFloat32(mesh, map).uv[0][0] + map.uv[0][0]),
             2e-7);
-  EXPECT_EQ(quantizeForGltf(mesh, stored, partOf).uv, stored.uv);
+  EXPECT_EQ(roundToFloat32(mesh, stored, partOf).uv, stored.uv);
 }
 
 }  // namespace

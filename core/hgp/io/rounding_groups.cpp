@@ -1,4 +1,4 @@
-#include "hgp/io/gltf/gltf_groups.h"
+#include "hgp/io/rounding_groups.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "hgp/io/gltf/gltf_round.h"
+#include "hgp/io/round_uv.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "hgp/io/gltf/gltf_groups.h"
+#include "hgp/io/rounding_groups.h"
 #include "hgp/mesh/box.h"
 
 namespace hgp::io {
@@ -248,7 +248,7 @@ bool isWellFormed(const MeshData& mesh, const UvMap& map) {
 
 }  // namespace
 
-UvMap quantizeForGltf(const MeshData& mesh, const UvMap& map, const std::vector<int>& partOf) {
+UvMap roundToFloat32(const MeshData& mesh, const UvMap& map, const std::vector<int>& partOf) {
   if (!isWellFormed(mesh, map)) return map;
   UvMap out = map;
   for (const RoundingGroup& g : roundingGroups(mesh, map, partOf)) {

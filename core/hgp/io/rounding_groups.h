@@ -1,4 +1,4 @@
-// The parts of a map that are rounded independently.  Role: each has a grid of its own (gltf_round.h).
+// The parts of a map that are rounded independently.  Role: each has a grid of its own (round_uv.h).
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@ struct RoundingGroup {
 };
 
 /// Every uv that a triangle uses is in exactly one group.
-/// @param partOf  as in quantizeForGltf
+/// @param partOf  as in roundToFloat32
 /// @pre one corner triple per triangle, indices below |uv|
 std::vector<RoundingGroup> roundingGroups(const MeshData& mesh, const UvMap& map,
                                           const std::vector<int>& partOf);

@@ -99,7 +99,7 @@ Status Session::State::solveImproved(const Request& request, const SolveOptions&
   again.options = run.options;
   again.isAutomatic = run.isAutomatic;
   again.notes = request.notes;
-  std::optional<Solved> before = std::move(solved);
+  std::shared_ptr<Solved> before = std::move(solved);
   solved.reset();
   const Status done = solveRequest(request, better, again);
   if (done && solved->stored.isCertified) {

@@ -155,11 +155,6 @@ export interface SolveOptions extends SuggestOptions {
    */
   convexPolygons?: boolean;
   /**
-   * Certify only maps in which every polygon of the file is convex, for readers that cut polygons along other
-   * diagonals than hgp; uv are moved for that after the solve.
-   */
-  convexPolygons?: boolean;
-  /**
    * Align the map to a grid (q = 2 or 4): all translations of seams become integers, with one cell per unit of uv, so
    * that grid lines meet at every seam. About `cells` cells in total, or cells of edge length `spacing` in the file's
    * unit; `quad`: cones lie on grid points as well. If no aligned map is found, the result is the map without a grid,

@@ -18,10 +18,10 @@ inline Bytes asBytes(const std::string& text) {
 using ByteView = std::span<const std::uint8_t>;
 
 struct WriteOptions {
-  std::string format;                ///< one that canWriteAs allows; "": outputFormat()
-  int uvSet = -1;                    ///< −1: own set or next free; otherwise the set to add or replace
-  std::string name;                  ///< of the main output; names of side files derive from it
-  std::string generator;             ///< stamped into a comment where the format has one, or ""
+  std::string format;     ///< one that canWriteAs allows; "": outputFormat()
+  int uvSet = -1;         ///< −1: own set or next free; otherwise the set to add or replace
+  std::string name;       ///< of the main output; names of side files derive from it
+  std::string generator;  ///< stamped into a comment where the format has one, or ""
   std::optional<std::string> cones;  ///< hgp-cones JSON to embed for re-opening
   bool pointsMaterials = false;      ///< glTF: makes the materials' textures use the written set
   bool isSideFileNoted = true;       ///< adds the note "keep x.bin next to the new file"

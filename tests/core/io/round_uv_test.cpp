@@ -147,8 +147,8 @@ TEST(RoundUv, AComponentIsRoundedAsIfItWereAlone) {
   EXPECT_EQ(flipped(both), 0);
   expectExact(both);
   const UvMap alone = roundToFloat32(one, mapOf(one, [](const Vec3& p) {
-                                        return Vec2{1e-5 * p[0] + 3e-6, 1e-5 * p[1]};
-                                      }));
+                                       return Vec2{1e-5 * p[0] + 3e-6, 1e-5 * p[1]};
+                                     }));
   for (std::size_t i = 0; i < alone.uv.size(); ++i) {
     EXPECT_EQ(both.uv[static_cast<std::size_t>(first) + i], alone.uv[i]);
   }

@@ -11,7 +11,9 @@ const name = 'hgp-${version}';
 const files = ${JSON.stringify(files)};
 const scope = new URL('./', location.href);
 self.addEventListener('install', (event) => {
-  const add = (cache) => cache.addAll(files.map((file) => new Request(file, { cache: 'no-cache' })));
+  // Names with a hash never change: what the page has just loaded is not loaded again.
+  const modeOf = (file) => (file.startsWith('./assets/') ? 'default' : 'no-cache');
+  const add = (cache) => cache.addAll(files.map((file) => new Request(file, { cache: modeOf(file) })));
   event.waitUntil(caches.open(name).then(add));
 });
 self.addEventListener('activate', (event) => {

@@ -1,1 +1,2 @@
 export const headers: Record<string, string>;
+export const hashed: { folder: string; cacheControl: string };

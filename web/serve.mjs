@@ -1,9 +1,13 @@
-// Serves the built page with the headers it is meant to be served with. No dependencies.
+// Serves the built page with the headers it is meant to be served with, compressed. No dependencies.
 
-import { createReadStream, statSync } from 'node:fs';
+import { createHash } from 'node:crypto';
+import { statSync } from 'node:fs';
+import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { promisify } from 'node:util';
+import { brotliCompress, constants } from 'node:zlib';
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 const built = path.resolve(here, '../build/page');
@@ -33,9 +37,46 @@ export const headers = {
   'Cache-Control': 'no-cache',
 };
 
+/** Names in this folder contain a hash of the content, so that a file with this name never changes. */
+export const hashed = { folder: 'assets', cacheControl: 'public, max-age=31536000, immutable' };
+
+const isHashed = (name) => name.startsWith(`/${hashed.folder}/`);
+const isCompressible = (name) => !/\.(png|jpg|webp|zip|gz)$/.test(name);
+const compress = promisify(brotliCompress);
+
+/** A file's content, compressed content and ETag, read again if it has changed. */
+function fileCache() {
+  const known = new Map();
+  const read = async (file) => {
+    const bytes = await readFile(file);
+    const etag = `"${createHash('sha256').update(bytes).digest('base64url').slice(0, 22)}"`;
+    return { bytes, etag, packed: undefined };
+  };
+  const pack = ({ bytes }) =>
+    compress(bytes, {
+      params: {
+        [constants.BROTLI_PARAM_QUALITY]: 9,
+        [constants.BROTLI_PARAM_LGWIN]: 22,
+        [constants.BROTLI_PARAM_SIZE_HINT]: bytes.length,
+      },
+    });
+  return async (file, { mtimeMs, size }, isPacked) => {
+    const key = `${file} ${mtimeMs} ${size}`;
+    if (!known.has(key)) known.set(key, read(file));
+    const entry = await known.get(key);
+    if (!isPacked) return entry;
+    entry.packed ??= pack(entry);
+    const packed = await entry.packed;
+    return packed.length < entry.bytes.length
+      ? { bytes: packed, etag: entry.etag.replace(/"$/, '-br"'), encoding: 'br' }
+      : entry;
+  };
+}
+
 /** Listens on localhost; port 0 takes a free one. Resolves to the server and its address. */
 export function serve({ folder = built, port = 8080 } = {}) {
-  const server = createServer((request, response) => {
+  const cached = fileCache();
+  const answer = async (request, response) => {
     const fail = (status) => response.writeHead(status, headers).end();
     let name;
     try {
@@ -49,13 +90,25 @@ export function serve({ folder = built, port = 8080 } = {}) {
     if (request.method !== 'GET' && request.method !== 'HEAD') return fail(405);
     const stat = statSync(file, { throwIfNoEntry: false });
     if (!stat?.isFile()) return fail(404);
-    response.writeHead(200, {
+    const wantsPacked =
+      isCompressible(name) && /\bbr\b/.test(request.headers['accept-encoding'] ?? '');
+    const { bytes, etag, encoding } = await cached(file, stat, wantsPacked);
+    const about = {
       ...headers,
+      ...(isHashed(name) ? { 'Cache-Control': hashed.cacheControl } : {}),
+      ...{ ETag: etag, Vary: 'Accept-Encoding' },
+    };
+    if (request.headers['if-none-match'] === etag) return response.writeHead(304, about).end();
+    response.writeHead(200, {
+      ...about,
       'Content-Type': types[path.extname(file)] ?? 'application/octet-stream',
-      'Content-Length': stat.size,
+      'Content-Length': bytes.length,
+      ...(encoding ? { 'Content-Encoding': encoding } : {}),
     });
-    if (request.method === 'HEAD') return response.end();
-    createReadStream(file).pipe(response);
+    response.end(request.method === 'HEAD' ? undefined : bytes);
+  };
+  const server = createServer((request, response) => {
+    answer(request, response).catch(() => response.destroy()); // the file vanished while it was read
   });
   return new Promise((resolve, reject) => {
     server.once('error', reject);

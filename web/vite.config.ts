@@ -2,10 +2,11 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { defineConfig, type Plugin } from 'vite';
 import { examples } from './examples.mjs';
+import { firstScreen } from './first_screen.mjs';
 import { guidePage } from './guide.mjs';
 import { heroModel } from './hero.mjs';
 import { serviceWorker } from './offline.mjs';
-import { headers } from './serve.mjs';
+import { hashed, headers } from './serve.mjs';
 
 const built = path.resolve(import.meta.dirname, '../build/package');
 
@@ -16,6 +17,8 @@ function exampleModels(): Plugin {
   return {
     name: 'hgp-examples',
     resolveId: (source) => (source === id ? `\0${id}` : undefined),
+    transformIndexHtml: (page) =>
+      page.replace('<div id="page"></div>', () => `<div id="page">${firstScreen(made)}</div>`),
     load(source) {
       if (source !== `\0${id}`) return undefined;
       const about = made.map(({ bytes: _, ...rest }) => rest);
@@ -67,8 +70,18 @@ function offline(): Plugin {
         files.set(name, readFileSync(path.join(import.meta.dirname, 'public', name)));
       }
       this.emitFile({ type: 'asset', fileName: 'sw.js', source: serviceWorker(files) });
-      const lines = Object.entries(headers).map(([name, value]) => `  ${name}: ${value}`);
-      this.emitFile({ type: 'asset', fileName: '_headers', source: `/*\n${lines.join('\n')}\n` });
+      // Not the rule on caching: some hosts would join it with that of the names that never change.
+      const { 'Cache-Control': again, ...always } = headers;
+      const rule = (place: string, values: Record<string, string>): string =>
+        [place, ...Object.entries(values).map(([name, value]) => `  ${name}: ${value}`), ''].join(
+          '\n',
+        );
+      const source = [
+        rule('/*', always),
+        ...['/', '/index.html', '/sw.js'].map((place) => rule(place, { 'Cache-Control': again })),
+        rule(`/${hashed.folder}/*`, { 'Cache-Control': hashed.cacheControl }),
+      ].join('');
+      this.emitFile({ type: 'asset', fileName: '_headers', source });
     },
   };
 }

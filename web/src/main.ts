@@ -18,10 +18,6 @@ import { Document } from './model/document';
 import { UiState } from './model/ui_state';
 import { GeometryClient } from './services/geometry_client';
 import { createSolver, keepOffline } from './services/solver';
-import { ModelView } from './views/model_view';
-import { oneOfEach } from './views/shader_warmup';
-import { UvView } from './views/uv_view';
-import { ViewUpdates } from './views/view_updates';
 import { isCertified } from './model/verdict';
 import type { Panel } from './panels/panel';
 import './panels/app_page';
@@ -98,8 +94,10 @@ function applyHash(state: HashState): void {
   });
 }
 
+type Drawing = typeof import('./views/drawing');
+
 /** Prepares the views while the page is idle. */
-function warmViews({ model, uv }: NonNullable<App['views']>): void {
+function warmViews({ model, uv }: NonNullable<App['views']>, { oneOfEach }: Drawing): void {
   const idle = globalThis.requestIdleCallback ?? ((act: () => void) => setTimeout(act, 300));
   const warmUv = (): void => void uv.warm(oneOfEach(false)).catch(() => undefined);
   idle(() => {
@@ -143,7 +141,11 @@ function callBack(seconds: number): void {
   if (Notification.permission === 'granted') new Notification('hgp', { body: text });
 }
 
-function connectViews(page: Panel, keyboard: Keyboard): void {
+function connectViews(
+  { ModelView, UvView, ViewUpdates }: Drawing,
+  page: Panel,
+  keyboard: Keyboard,
+): void {
   const model = new ModelView(page.querySelector<HTMLCanvasElement>('#view')!);
   const uv = new UvView(page.querySelector<HTMLCanvasElement>('#map')!);
   model.onContext = uv.onContext = sayContext;
@@ -173,12 +175,15 @@ async function start(): Promise<void> {
   catchTheRest();
   const page = document.createElement('hgp-page') as Panel;
   page.app = app;
-  document.getElementById('page')!.append(page);
+  document.getElementById('page')!.replaceChildren(page); // instead of the first screen
   effect(() => void (document.body.dataset.state = doc.stateName));
   await page.updateComplete;
-  let hasViews = true;
+  const keyboard = new Keyboard(app);
+  // The page is on the screen; what draws and what solves are loaded at the same time.
+  const [drawing, client] = await Promise.allSettled([import('./views/drawing'), createSolver()]);
+  let hasViews = drawing.status === 'fulfilled';
   try {
-    connectViews(page, new Keyboard(app));
+    if (drawing.status === 'fulfilled') connectViews(drawing.value, page, keyboard);
   } catch {
     hasViews = false; // three.js has written the reason to the console
   }
@@ -194,20 +199,22 @@ async function start(): Promise<void> {
   setInterval(() => doc.job && (ui.now = performance.now()), 500); // updates the elapsed time of a run
   const asked = readHash(location.hash);
   applyHash(asked);
-  try {
-    app.client = await createSolver();
-  } catch (error) {
+  if (client.status === 'rejected') {
     doc.state = { kind: 'failed' };
     const advice =
       'Another browser, or a newer version of this one, may work; the command line needs none.';
-    return doc.say(`The solver could not start: ${(error as Error).message}. ${advice}`, 'error');
+    const { message } = client.reason as Error;
+    return doc.say(`The solver could not start: ${message}. ${advice}`, 'error');
   }
+  app.client = client.value;
   doc.state = { kind: 'empty' };
   performance.mark('hgp-ready');
   app.geometry.prepare();
   keepOffline();
-  if (app.views) warmViews(app.views);
-  if (!hasViews) {
+  if (app.views && drawing.status === 'fulfilled') warmViews(app.views, drawing.value);
+  if (drawing.status === 'rejected') {
+    doc.say('What draws the model could not be loaded. Reload the page.', 'error');
+  } else if (!hasViews) {
     const rest = 'maps are made, verified and saved all the same';
     doc.say(`This browser cannot draw here, because it has no WebGL 2; ${rest}.`, 'error');
   }

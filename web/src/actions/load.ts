@@ -3,9 +3,10 @@
 
 import type { Model as SolverModel, ModelInfo } from 'hgp';
 import { ignoredBytes } from '../formats/gzip';
-import { identity, instancesOf, remarksOn } from '../formats/mesh_instances';
+import { instancesOf, remarksOn } from '../formats/mesh_instances';
 import { loadOptionsOf, plainSettings, type MeshWork } from '../model/document';
 import { emptyPrescription, fromCones, isSilent, type Prescription } from '../model/prescription';
+import { identity } from '../model/matrix';
 import { canRepair } from '../model/repairs';
 import { describeTransfer, transferPrescription } from '../model/transfer_cones';
 import type { LoadSettings, Model, Step } from '../model/types';

@@ -2,7 +2,7 @@
 // remarks say how the nodes affect it.
 
 import type { ModelInfo } from 'hgp';
-import { Matrix4, Quaternion, Vector3 } from 'three';
+import { composed, determinant, identity, product, type Matrix } from '../model/matrix';
 import type { Files } from '../model/types';
 import { gltfOf, isGltf, isObject, objectsIn, surfaceMeshes, type Json } from './glb';
 
@@ -10,38 +10,36 @@ export interface MeshInstances {
   count: number;
   isMirrored: boolean;
   /** Matrix of the first node, by columns. */
-  matrix: readonly number[];
+  matrix: Matrix;
 }
-
-export const identity: readonly number[] = new Matrix4().toArray();
 
 const numbersIn = (value: unknown): number[] | undefined =>
   Array.isArray(value) && value.every((x) => typeof x === 'number') ? value : undefined;
 
-function localMatrix({ matrix, translation, rotation, scale }: Json): Matrix4 {
+function localMatrix({ matrix, translation, rotation, scale }: Json): Matrix {
   const m = numbersIn(matrix);
-  if (m?.length === 16) return new Matrix4().fromArray(m);
+  if (m?.length === 16) return m;
   const [t, r, s] = [translation, rotation, scale].map(numbersIn);
-  return new Matrix4().compose(
-    t?.length === 3 ? new Vector3().fromArray(t) : new Vector3(),
-    r?.length === 4 ? new Quaternion().fromArray(r) : new Quaternion(),
-    s?.length === 3 ? new Vector3().fromArray(s) : new Vector3(1, 1, 1),
+  return composed(
+    t?.length === 3 ? t : [0, 0, 0],
+    r?.length === 4 ? r : [0, 0, 0, 1],
+    s?.length === 3 ? s : [1, 1, 1],
   );
 }
 
 /** The matrix of a node including its ancestors; guards against cycles in invalid files. */
-function worldMatrix(nodes: Json[], parents: Map<number, number>, start: number): Matrix4 {
-  const world = new Matrix4();
+function worldMatrix(nodes: Json[], parents: Map<number, number>, start: number): Matrix {
+  let world = identity;
   const seen = new Set<number>();
   for (let i: number | undefined = start; i !== undefined && !seen.has(i); i = parents.get(i)) {
     seen.add(i);
-    world.premultiply(localMatrix(nodes[i] ?? {}));
+    world = product(localMatrix(nodes[i] ?? {}), world);
   }
   return world;
 }
 
 /** A skinned mesh is placed by its joints; in the bind pose, by the first of them. */
-function skinMatrix(json: Json, node: Json, world: (i: number) => Matrix4): Matrix4 | undefined {
+function skinMatrix(json: Json, node: Json, world: (i: number) => Matrix): Matrix | undefined {
   const skin = typeof node.skin === 'number' ? objectsIn(json.skins)[node.skin] : undefined;
   const [joint] = numbersIn(skin?.joints) ?? [];
   return joint === undefined ? undefined : world(joint);
@@ -75,13 +73,13 @@ export async function instancesOf(
     const mesh = typeof node.mesh === 'number' ? meshes[node.mesh] : undefined;
     if (!mesh) return;
     mesh.count += copiesOf(node, accessors);
-    const world = (n: number): Matrix4 => worldMatrix(nodes, parents, n);
+    const world = (n: number): Matrix => worldMatrix(nodes, parents, n);
     const own = world(i);
-    const isFinite = own.elements.every(Number.isFinite) && own.determinant() !== 0;
+    const isFinite = own.every(Number.isFinite) && determinant(own) !== 0;
     if (mesh.matrix === identity && isFinite) {
-      mesh.matrix = (skinMatrix(json, node, world) ?? own).toArray();
+      mesh.matrix = skinMatrix(json, node, world) ?? own;
     }
-    mesh.isMirrored ||= own.determinant() < 0;
+    mesh.isMirrored ||= determinant(own) < 0;
   });
   return surfaceMeshes(json).map((mesh) => meshes[mesh]);
 }

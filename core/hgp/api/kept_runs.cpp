@@ -59,12 +59,12 @@ bool isSamePrescription(const io::Prescription& a, const io::Prescription& b) {
 
 bool isSameOptions(const SolveOptions& a, const SolveOptions& b) {
   const auto& [q, coneCount, conesFor, alignToCurvature, boundary, maxRounds, method, improve,
-               frames, scale, keepsGoing, refines, grid, progress] = a;
+               frames, scale, keepsGoing, refines, convexPolygons, grid, progress] = a;
   static_cast<void>(progress);
   return std::tie(q, coneCount, conesFor, alignToCurvature, boundary, maxRounds, method, frames,
-                  scale, keepsGoing, refines) ==
+                  scale, keepsGoing, refines, convexPolygons) ==
              std::tie(b.q, b.coneCount, b.conesFor, b.alignToCurvature, b.boundary, b.maxRounds,
-                      b.method, b.frames, b.scale, b.keepsGoing, b.refines) &&
+                      b.method, b.frames, b.scale, b.keepsGoing, b.refines, b.convexPolygons) &&
          kTied(grid, b.grid) && areSame(improve, b.improve, kTied);
 }
 

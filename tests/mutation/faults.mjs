@@ -29,9 +29,9 @@ export const faults = [
 
   // api
   fault(
-    'api/session_keep.cpp',
-    'one.name == name && one.surface == state_->surfaceHash()',
-    'one.name == name',
+    'api/session_result.cpp',
+    '!result.data_ || result.data_->surface != state_->surfaceHash()',
+    '!result.data_',
     { programs: ['api'] },
   ),
 
@@ -155,6 +155,28 @@ export const faults = [
   ),
   fault('system/weights.cpp', 'portable::tan(0.5 *', 'portable::tan(0.49 *'),
   fault('seams/relations.cpp', 'push_back({other, -factor})', 'push_back({other, factor})'),
+
+  // what no test noticed once
+  fault('io/gltf/gltf_accessor.cpp', 'value / 32767.0', 'value / 32768.0'),
+  fault(
+    'io/polygon/obj_text.cpp',
+    'index += index < 0 ? static_cast<std::int64_t>(out_.uv.size()) : -1;',
+    'index += index < 0 ? static_cast<std::int64_t>(out_.uv.size()) - 1 : -1;',
+  ),
+  fault('optimize/fold_barrier.cpp', 'e.ab = -4.0 * a * b * fdd;', 'e.ab = 4.0 * a * b * fdd;'),
+  fault('verify/exact_seams.cpp', 'a.high == b.high && a.low == b.low', 'a.high == b.high'),
+  fault('system/harmonic_residual.cpp', 'std::sqrt(2.0) * gridStep', '1e3 * gridStep'),
+  fault('grid/snap.cpp', ' && std::abs(one - p.im) <= limit', ''),
+  fault(
+    'parametrize/parametrize.cpp',
+    '!best || distanceToCertified(*attempt) < distanceToCertified(*best)',
+    'true',
+  ),
+  fault(
+    'api/stored_map.cpp',
+    'components[p].certificate.precision == options.precision &&\n               isSame(stored, components[p].map)',
+    'components[p].certificate.precision == options.precision',
+  ),
 
   // socp
   fault(

@@ -1,6 +1,10 @@
 // Plants faults of one line, one at a time, and sees whether the tests notice.
 //
 //   scripts/mutate [--short] [--again] [--preset native-debug] [WORD…]   only faults whose file has a WORD
+//   scripts/mutate --seed N [--count M] [WORD…]   M faults drawn at random instead of those of the list
+//
+// A drawn fault that does not compile is not counted. What no test notices wants to be looked at: either a test is
+// missing, or the fault changes nothing that a user can see.
 //
 // So that no fault counts as caught by accident, the tests that caught one run once more in a program
 // that is linked in the same way with a source that is not changed, and must pass there; with --short, in
@@ -13,6 +17,7 @@ import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import { inParallel } from '../support/commands.mjs';
 import { contentOf, KeptResults, listingOf } from '../support/results.mjs';
+import { drawFaults, modulesOf, programsFor } from './draw.mjs';
 import { faults } from './faults.mjs';
 import { planter } from './plant.mjs';
 
@@ -22,10 +27,13 @@ const { values: options, positionals: words } = parseArgs({
     short: { type: 'boolean', default: false },
     again: { type: 'boolean', default: false },
     preset: { type: 'string', default: 'native-debug' },
+    seed: { type: 'string' },
+    count: { type: 'string', default: '40' },
   },
   allowPositionals: true,
 });
-const wantedShare = 0.95;
+const isDrawn = options.seed !== undefined;
+const wantedShare = isDrawn ? 0.9 : 0.95;
 const wantedCount = 40;
 const lanes = 2;
 if (!existsSync(path.join(root, 'build', options.preset, 'compile_commands.json'))) {
@@ -37,15 +45,28 @@ const kept = new KeptResults(path.join(root, 'build/results'), { isRead: !option
 const data = process.env.HGP_SHARED_MESHES ?? path.join(root, '../shared/meshes');
 
 const moduleOf = (file) => file.split('/')[2];
-const chosen = faults
-  .map((fault, n) => ({ ...fault, id: `${n}`, programs: fault.programs ?? [moduleOf(fault.file)] }))
-  .filter(({ short }) => short || !options.short)
-  .filter(({ file }) => words.length === 0 || words.some((word) => file.includes(word)));
+/** Faults from the seed, more than are wanted, as some do not compile. */
+function drawn() {
+  const modules = modulesOf(root);
+  return drawFaults(root, Number(options.seed), 2 * Number(options.count), words).map(
+    (fault, n) => ({ ...fault, id: `${n}`, programs: programsFor(fault.file, modules) }),
+  );
+}
+const listed = () =>
+  faults
+    .map((fault, n) => ({
+      ...fault,
+      id: `${n}`,
+      programs: fault.programs ?? [moduleOf(fault.file)],
+    }))
+    .filter(({ short }) => short || !options.short)
+    .filter(({ file }) => words.length === 0 || words.some((word) => file.includes(word)));
+const chosen = isDrawn ? drawn() : listed();
 
 const wrong = [];
 const textOf = (file) =>
   existsSync(path.join(root, file)) ? readFileSync(path.join(root, file), 'utf8') : '';
-for (const fault of chosen) {
+for (const fault of isDrawn ? [] : chosen) {
   const text = textOf(fault.file);
   const count = text.split(fault.find).length - 1;
   fault.name = `${fault.file}: ${fault.find.split('\n')[0]}`;
@@ -80,7 +101,9 @@ async function observe({ id, file, text, programs, seenBy: likely }) {
 const caught = [];
 const missed = [];
 let unchanged = 0;
+const tested = () => caught.length + missed.length + unchanged;
 async function runTests(fault) {
+  if (isDrawn && tested() >= Number(options.count)) return;
   try {
     fault.key = await keyOf(fault);
     if (kept.find(fault.key)) {
@@ -94,7 +117,8 @@ async function runTests(fault) {
     else caught.push(fault);
     console.log(`${kind === 'passed' ? 'MISSED' : 'caught'} ${fault.name}  ${by}`);
   } catch (error) {
-    wrong.push(`${fault.name}\n  ${error.message}`);
+    if (!isDrawn || !/does not compile/.test(error.message))
+      wrong.push(`${fault.name}\n  ${error.message}`);
   }
   plant.forget(fault.id);
 }
@@ -127,10 +151,11 @@ if (wrong.length === 0) await inParallel(chosen, lanes, runTests);
 const noticing = programs.filter((program) => caughtBy(program).length > 0);
 await inParallel(options.short ? noticing.slice(0, 1) : noticing, lanes, control);
 if (wrong.length === 0) await keepCaught();
-if (words.length === 0 && faults.length < wantedCount) wrong.push(`only ${faults.length} faults; ${wantedCount} are wanted`); // prettier-ignore
+if (!isDrawn && words.length === 0 && faults.length < wantedCount) wrong.push(`only ${faults.length} faults; ${wantedCount} are wanted`); // prettier-ignore
 
 for (const text of wrong) console.log(`WRONG  ${text}`);
 for (const name of missed) console.log(`no test noticed ${name}`);
 const count = caught.length + unchanged;
-console.log(`${count} of ${chosen.length} faults caught, ${missed.length} missed`);
-process.exitCode = wrong.length > 0 || count < wantedShare * chosen.length ? 1 : 0;
+const all = count + missed.length;
+console.log(`${count} of ${all} faults caught, ${missed.length} missed`);
+process.exitCode = wrong.length > 0 || count < wantedShare * all ? 1 : 0;

@@ -8,6 +8,14 @@ import { contentOf } from '../support/results.mjs';
 
 // Of the processor, as a busy machine says nothing about a test.
 const testSeconds = 150;
+const nodeSeconds = 600;
+/** All tests but the one that measures time, which fails at random on a busy machine. */
+const untimed = '-Obj.ReadingAndWritingGrowsWithTheFile';
+
+/** The tests under Node that run hgp, without those that measure time or memory or need other builds. */
+const nodeSuites = {
+  'node:cli': ['cli', 'also', 'compress', 'files', 'harmonic', 'measures', 'quads', 'repairs', 'writers'].map((name) => `cli/${name}`), // prettier-ignore
+};
 
 /** @param {string} root  of the checkout @param {string} preset  whose build is there */
 export function planter(root, preset) {
@@ -61,13 +69,17 @@ export function planter(root, preset) {
     return { command, cwd: entry.directory };
   }
 
+  /** The program that tests run: their own or, for tests under Node ("node:cli"), hgp. */
+  const binaryOf = (program) => (program.startsWith('node:') ? 'hgp' : `tests_${program}`);
+
   const linkLines = new Map();
-  /** How the build links a test program. */
+  /** How the build links a program of tests. */
   async function linkOf(program) {
     if (!linkLines.has(program)) {
-      const link = (await ninja('-t commands', `bin/tests_${program}`)).trim().split('\n').at(-1);
+      const name = binaryOf(program);
+      const link = (await ninja('-t commands', `bin/${name}`)).trim().split('\n').at(-1);
       const body = link.match(/^: && (.*) && :$/)?.[1];
-      if (!body) throw new Error(`no way to link tests_${program}: ${link}`);
+      if (!body) throw new Error(`no way to link ${name}: ${link}`);
       linkLines.set(program, body);
     }
     return linkLines.get(program);
@@ -85,8 +97,17 @@ export function planter(root, preset) {
     return headers.get(object);
   }
 
+  /** What the tests of tests/<folder> say about the program `out`. */
+  async function underNode(program, out) {
+    const suites = nodeSuites[program].map((name) => `tests/${name}.test.mjs`).join(' ');
+    const ran = await run(`env HGP_BIN=${out} node --test ${suites}`, { cwd: root, seconds: nodeSeconds }); // prettier-ignore
+    if (ran.code === 0) return { kind: 'passed' };
+    const [, test] = ran.output.match(/^not ok \d+ - (.*)$/m) ?? ran.output.match(/✖ (.*)/) ?? [];
+    return { kind: 'failed', by: `${program}: ${test ?? ran.output.trim().slice(-200)}` };
+  }
+
   return {
-    has: (program) => existsSync(path.join(build, `bin/tests_${program}`)),
+    has: (program) => existsSync(path.join(build, 'bin', binaryOf(program))),
 
     /** Everything that the outcome of a fault depends on, but the data of the tests. */
     async inputsOf({ file, programs }) {
@@ -101,6 +122,7 @@ export function planter(root, preset) {
         path.join(root, file),
         ...(await dependenciesOf(file)),
         ...[...new Set(linked)].map((word) => path.join(build, word)),
+        ...programs.filter((name) => name.startsWith('node:')).map((name) => path.join(root, 'tests', name.slice(5))), // prettier-ignore
       ];
       return [command, cwd, ...links, ...files.map(contentOf)];
     },
@@ -110,7 +132,7 @@ export function planter(root, preset) {
      * @param {string} filter  of GoogleTest: which tests
      * @returns kind 'passed', 'failed' or 'endless', and by which test
      */
-    async outcome(file, text, program, id, filter = '*') {
+    async outcome(file, text, program, id, filter = untimed) {
       const folder = path.join(scratch, id);
       mkdirSync(folder, { recursive: true });
       const at = (name) => path.join(folder, name);
@@ -121,14 +143,15 @@ export function planter(root, preset) {
         if (compiled.code !== 0)
           throw new Error(`does not compile:\n${compiled.output.slice(0, 1500)}`);
       }
-      const out = at(`tests_${program}`);
+      const out = at(binaryOf(program));
       if (!existsSync(out)) {
         const first = `${at('fault.o')} -Wl,--allow-multiple-definition -o ${out}`;
         const linked = await run(
-          (await linkOf(program)).replace(` -o bin/tests_${program}`, ` ${first}`),
+          (await linkOf(program)).replace(` -o bin/${binaryOf(program)}`, ` ${first}`),
         );
         if (linked.code !== 0) throw new Error(`does not link:\n${linked.output.slice(0, 1500)}`);
       }
+      if (program.startsWith('node:')) return await underNode(program, out);
       const ran = await run(`${out} --gtest_brief=1 --gtest_fail_fast '--gtest_filter=${filter}'`, {
         cwd: root,
         seconds: testSeconds,

@@ -228,10 +228,26 @@ TEST(Session, ScalesAsAsked) {
   options.scale = Scale::kFit;
   ASSERT_TRUE(session.parametrize(std::nullopt, options).hasValue());
   EXPECT_TRUE(session.isCertified());
+  double largest = 0;
   for (double x : session.uv()) {
     EXPECT_GE(x, 0);
     EXPECT_LE(x, 1);
+    largest = std::max(largest, x);
   }
+  EXPECT_NEAR(largest, 1, 1e-6);
+
+  options.scale = Scale::kUnit;
+  ASSERT_TRUE(session.parametrize(std::nullopt, options).hasValue());
+  double sum = 0;
+  const auto corner = [&](std::size_t c, std::size_t k) {
+    return session.uv()[2 * session.cornerToUv()[c] + k];
+  };
+  const std::size_t sides = session.cornerToUv().size();
+  for (std::size_t c = 0; c < sides; ++c) {
+    const std::size_t next = c % 3 == 2 ? c - 2 : c + 1;
+    sum += std::hypot(corner(next, 0) - corner(c, 0), corner(next, 1) - corner(c, 1));
+  }
+  EXPECT_NEAR(sum / static_cast<double>(sides), 1, 1e-9);
 }
 
 /// A direction per triangle of a flat surface.

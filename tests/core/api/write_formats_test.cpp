@@ -69,6 +69,30 @@ TEST(WriteFormats, EveryMeshFormatIsCertifiedWithTheSameCones) {
   }
 }
 
+TEST(WriteFormats, TheCertificateIsThatOfTheBytes) {
+  // Numbers that depend on the stored digits: seams that are exact, residuals, angles.
+  const auto facts = [](const Json& certificate) {
+    Json out;
+    for (const char* key : {"exactSeams", "seams", "handles", "angles", "distortion", "triangles"})
+      if (certificate.contains(key)) out[key] = certificate[key];
+    if (certificate.contains("components"))
+      for (const Json& part : certificate["components"])
+        for (const char* key : {"exactSeams", "seams", "triangles"})
+          if (part.contains(key)) out["components"].push_back(part[key]);
+    return out;
+  };
+  for (const Scale scale : {Scale::kSolved, Scale::kUnit, Scale::kFit})
+    for (const auto& shape : {test::pretzel(3, 2), test::jittered(test::icosphere(3), 0.05)}) {
+      SolveOptions options;
+      options.scale = scale;
+      const Session session = solved(shape.data, options);
+      const Json read = facts(verified(in(session, MapFormat::kObj, "a.obj"), session));
+      const Json told = facts(Json::parse(session.certificateJson()));
+      EXPECT_FALSE(told.empty());
+      EXPECT_EQ(told, read) << shape.name;
+    }
+}
+
 TEST(WriteFormats, AMapInSinglePrecisionKeepsItsNumbers) {
   const Session first = solved(test::torus(12, 9).data);
   io::FileSet files;

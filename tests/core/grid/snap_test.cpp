@@ -108,6 +108,20 @@ TEST(SeamSnapper, IntegerTranslationsStayWhatTheyAre) {
   EXPECT_EQ(snapped->uv, map.uv);
 }
 
+TEST(SeamSnapper, NumbersWhoseFlippedOnesAreNotExactAreRefused) {
+  // v from −3/4 to 0: 24 bits hold v in steps of 2⁻²⁴, but 1 − v only in steps of 2⁻²³.
+  const TriMesh mesh = test::torus(5, 4).mesh();
+  UvMap map = test::flatTorusMap(5, 4);
+  for (Vec2& p : map.uv) p = {0.15 * p[0], 0.15 * p[1] - 0.75};
+  const auto snapper = SeamSnapper::make(mesh, map, 4, {});
+  ASSERT_TRUE(snapper);
+  EXPECT_EQ(gridExponent(map.uv, {24, false}), -24);
+  EXPECT_EQ(gridExponent(map.uv, {24, true}), -23);
+  EXPECT_TRUE(snapper->snap(map.uv, -24, {24, false}));
+  EXPECT_FALSE(snapper->snap(map.uv, -24, {24, true}));
+  EXPECT_TRUE(snapper->snap(map.uv, -23, {24, true}));
+}
+
 TEST(SeamSnapper, TrianglesThatRoundingFlipsAreRepairedWithAllCopies) {
   // On a coarse grid several triangles collapse; moving all copies of a vertex repairs them and keeps
   // the seams.

@@ -63,6 +63,18 @@ TEST(ConesJson, RefusesWhatItDoesNotUnderstand) {
   EXPECT_TRUE(isRefused("a.json", "{\"q\":" + std::string(100000, '[')));
 }
 
+TEST(ConesJson, RefusesDeepNestingWhateverStandsBetween) {
+  const auto nested = [](int depth) {
+    std::string text = R"({"q":4,"cones":[],"extra":)";
+    for (int n = 0; n < depth; ++n) text += "[0, 1, ";
+    text += "2";
+    for (int n = 0; n < depth; ++n) text += "]";
+    return text + "}";
+  };
+  EXPECT_FALSE(isRefused("a.json", nested(50)));
+  EXPECT_TRUE(isRefused("a.json", nested(70)));
+}
+
 TEST(ConesJson, AnAbsentListIsNotAnEmptyOne) {
   EXPECT_FALSE(read("a.json", R"({"q":4})")->hasCones);
   EXPECT_TRUE(read("a.json", R"({"q":4,"cones":[]})")->hasCones);

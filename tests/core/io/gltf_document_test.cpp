@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <limits>
 
 #include "hgp/io/gltf/gltf_decoders.h"
 #include "hgp/io/gltf/gltf_file.h"
@@ -57,6 +58,51 @@ void expectOnlyInserted(const std::string& before, const std::string& after) {
     if (at < before.size() && c == before[at]) ++at;
   }
   EXPECT_EQ(at, before.size());
+}
+
+/// Three vertices (least, most, most), (0, 0, 0), (most, most, 0) of a type, four numbers apart.
+template <class T>
+std::string quantizedText(int componentType, bool isNormalized) {
+  constexpr T kLeast = std::numeric_limits<T>::min(), kMost = std::numeric_limits<T>::max();
+  const T values[3][4] = {{kLeast, kMost, kMost, 0}, {0, 0, 0, 0}, {kMost, kMost, 0, 0}};
+  Bytes bytes(sizeof values);
+  std::memcpy(bytes.data(), values, sizeof values);
+  const std::string size = std::to_string(sizeof values), most = std::to_string(+kMost);
+  return R"({"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_mesh_quantization"],
+    "extensionsRequired": ["KHR_mesh_quantization"],
+    "buffers": [{"byteLength": )" +
+         size + R"(, "uri": "data:;base64,)" + encodeBase64(bytes) + R"("}],
+    "bufferViews": [{"buffer": 0, "byteLength": )" +
+         size + R"(, "byteStride": )" + std::to_string(4 * sizeof(T)) + R"(}],
+    "accessors": [{"bufferView": 0, "componentType": )" +
+         std::to_string(componentType) + R"(, "count": 3, "type": "VEC3", "normalized": )" +
+         (isNormalized ? "true" : "false") + R"(, "min": [)" + std::to_string(+kLeast) +
+         R"(, 0, 0], "max": [)" + most + ", " + most + ", " + most + R"(]}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}]})";
+}
+
+template <class T>
+void expectQuantized(int componentType) {
+  for (const bool isNormalized : {false, true}) {
+    const DocumentPtr document = opened(quantizedText<T>(componentType, isNormalized));
+    ASSERT_TRUE(document);
+    const std::vector<Vec3>& positions = document->surfaces()[0].mesh.positions;
+    ASSERT_EQ(positions.size(), 3U);
+    // c / (2ⁿ − 1) without a sign; max(c / (2ⁿ⁻¹ − 1), −1) with one.
+    const double least = std::numeric_limits<T>::min(), most = std::numeric_limits<T>::max();
+    const double low = isNormalized ? (least < 0 ? -1.0 : 0.0) : least;
+    const double high = isNormalized ? 1.0 : most;
+    EXPECT_EQ(positions[0], (Vec3{low, high, high})) << componentType << isNormalized;
+    EXPECT_EQ(positions[1], (Vec3{0.0, 0.0, 0.0})) << componentType << isNormalized;
+    EXPECT_EQ(positions[2], (Vec3{high, high, 0.0})) << componentType << isNormalized;
+  }
+}
+
+TEST(GltfDocument, QuantizedPositionsAreTheStandardsNumbers) {
+  expectQuantized<std::int8_t>(5120);
+  expectQuantized<std::uint8_t>(5121);
+  expectQuantized<std::int16_t>(5122);
+  expectQuantized<std::uint16_t>(5123);
 }
 
 TEST(GltfDocument, MapWithoutSeamsOnlyAddsText) {

@@ -51,6 +51,20 @@ TEST(Obj, ReadsPolygonsRelativeIndicesAndContinuations) {
   EXPECT_FALSE((*document)->existingUv(0, 0).has_value()) << "some corners have no vt";
 }
 
+TEST(Obj, RelativeTextureIndicesCountBackFromTheFace) {
+  const char text[] =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 0.5 0\nvt 0 0.25\nf -3/-3 -2/-2 -1/-1\n"
+      "v 5 5 5\nvt 0.75 0.75\nf -2/-2 -3/-3 -1/-1\n";
+  Result<DocumentPtr> document = openText("a.obj", text);
+  ASSERT_TRUE(document.hasValue()) << document.error().message;
+  const std::optional<UvMap> map = (*document)->existingUv(0, 0);
+  ASSERT_TRUE(map);
+  const Vec2 expected[2][3] = {{{0, 0}, {0.5, 0}, {0, 0.25}}, {{0, 0.25}, {0.5, 0}, {0.75, 0.75}}};
+  for (std::size_t f = 0; f < 2; ++f)
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_EQ(map->uv[static_cast<std::size_t>(map->cornerUv[f][k])], expected[f][k]) << f << k;
+}
+
 TEST(Obj, WritingTouchesNothingButFacesAndTextureCoordinates) {
   Result<DocumentPtr> document = openText("a.obj", kMixed);
   ASSERT_TRUE(document.hasValue());

@@ -53,6 +53,21 @@ TEST(ExactSeams, ExactSeamsNeedNotHaveIntegerTranslations) {
   EXPECT_GT(small.exact, 0);
 }
 
+TEST(ExactSeams, TranslationsThatAreEqualOnlyWhenRoundedAreInexact) {
+  // One of the two copies of a vertex is moved by 2⁻⁶⁰: the translation at it rounds to the same double as before.
+  const TriMesh mesh = test::torus(5, 4).mesh();
+  UvMap map = test::flatTorusMap(5, 4);
+  const ExactSeamFacts before = factsOf(mesh, map, 4);
+  ASSERT_TRUE(before.inexact.empty());
+  std::size_t tiny = map.uv.size();
+  for (std::size_t i = 0; i < map.uv.size(); ++i)
+    if (map.uv[i][0] == 0.0 && map.uv[i][1] > 0.0 && map.uv[i][1] < 4.0) tiny = i;
+  ASSERT_LT(tiny, map.uv.size());
+  map.uv[tiny][0] = 0x1p-60;  // a side at 0 and its other side at 5: 5 − 2⁻⁶⁰ is 5 when rounded
+  const ExactSeamFacts after = factsOf(mesh, map, 4);
+  EXPECT_EQ(after.inexact.size(), 2u);  // the two seam edges at this vertex
+}
+
 TEST(ExactSeams, OtherOrdersHaveNoExactCoordinates) {
   const TriMesh mesh = test::torus(5, 4).mesh();
   const UvMap map = test::flatTorusMap(5, 4);

@@ -53,6 +53,25 @@ TEST(Overlap, IsTheShareOfWhatIsCovered) {
   EXPECT_EQ(whole.share, 1.0);
 }
 
+TEST(Overlap, CellsCountByTheirCentres) {
+  // A square of 4 × 4 cells and a strip of its full height at the left or right border.
+  const auto share = [](double from, double to) {
+    UvMap map;
+    for (const auto& [low, high] : {std::pair{0.0, 4.0}, {from, to}}) {
+      const int first = static_cast<int>(map.uv.size());
+      map.uv.insert(map.uv.end(), {{low, 0.0}, {high, 0.0}, {high, 4.0}, {low, 4.0}});
+      map.cornerUv.push_back({first, first + 1, first + 2});
+      map.cornerUv.push_back({first, first + 2, first + 3});
+    }
+    return measureOverlap(map, 4).share;
+  };
+  EXPECT_EQ(share(0.0, 1.0), 0.25);
+  EXPECT_EQ(share(3.0, 4.0), 0.25);
+  EXPECT_EQ(share(0.0, 0.45), 0.0);  // before the first centre, 0.5
+  EXPECT_EQ(share(0.45, 0.55), 0.25);
+  EXPECT_EQ(share(1.0, 3.0), 0.5);
+}
+
 TEST(Overlap, DoesNotDependOnScalePlaceOrOrientation) {
   const UvMap map = twoSheets(6, 2);
   const OverlapFacts asked = measureOverlap(map);

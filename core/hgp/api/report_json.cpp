@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "hgp/api/json_text.h"
 #include "hgp/api/json_values.h"
 #include "hgp/api/session.h"
@@ -156,17 +158,35 @@ Json refinedJson(const RefinedFacts& facts, const Model& model) {
 constexpr const char* kConesHere = "(cones)";
 constexpr const char* kCertificateHere = "(certificate)";
 
-/// Replaces the last string `mark` by a document, indented by one more level.
-void splice(std::string& text, const char* mark, const std::string& document) {
-  const std::string quoted = std::string("\"") + mark + "\"";
-  std::string inside;
-  inside.reserve(document.size() + document.size() / 8);
+/// The length of a document that is indented by one more level, without its last line end.
+std::size_t indentedSize(const std::string& document) {
+  const auto lines = std::count(document.begin(), document.end(), '\n');
+  return document.size() + 2 * static_cast<std::size_t>(lines);
+}
+
+void appendIndented(const std::string& document, std::string& out) {
   for (std::size_t i = 0; i < document.size(); ++i) {
     if (document[i] == '\n' && i + 1 == document.size()) break;
-    inside += document[i];
-    if (document[i] == '\n') inside += "  ";
+    out += document[i];
+    if (document[i] == '\n') out += "  ";
   }
-  text.replace(text.rfind(quoted), quoted.size(), inside);
+}
+
+/// The text with the two marks replaced by documents. In one piece: for a map of many components the documents are
+/// most of the memory of a run.
+std::string spliced(const std::string& text, const std::string& cones,
+                    const std::string& certificate) {
+  const auto quoted = [](const char* mark) { return std::string("\"") + mark + "\""; };
+  const std::string marks[] = {quoted(kConesHere), quoted(kCertificateHere)};
+  const std::size_t first = text.rfind(marks[0]), second = text.rfind(marks[1]);
+  std::string out;
+  out.reserve(text.size() + indentedSize(cones) + indentedSize(certificate));
+  out.append(text, 0, first);
+  appendIndented(cones, out);
+  out.append(text, first + marks[0].size(), second - first - marks[0].size());
+  appendIndented(certificate, out);
+  out.append(text, second + marks[1].size());
+  return out;
 }
 
 }  // namespace
@@ -207,10 +227,9 @@ std::string reportText(const Model& model, const RunRecord& run,
   json["cones"] = kConesHere;
   json["certificate"] = kCertificateHere;
   // Spliced as text instead of parsed: for a map with many components they are most of the report.
-  std::string text = textOf(json);
-  splice(text, kCertificateHere, certificate);
-  splice(text, kConesHere, cones);
-  return text;
+  const std::string text = textOf(json);
+  json = Json();
+  return spliced(text, cones, certificate);
 }
 
 }  // namespace hgp::api

@@ -254,7 +254,7 @@ class GltfWelder {
   /// A uv set is listed if every triangle primitive has it.
   void findUvSets() {
     for (int set = 0; set < 64; ++set) {
-      const std::string semantic = formatText("TEXCOORD_%d", set);
+      const std::string semantic = "TEXCOORD_" + std::to_string(set);
       const bool isEverywhere = std::all_of(
           out_.runs.begin(), out_.runs.end(),
           [&](const GltfRun& run) { return primitive(run.primitive).attribute(semantic) >= 0; });

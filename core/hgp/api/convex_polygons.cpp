@@ -196,6 +196,7 @@ class Opener {
             std::max({step, std::abs(uvAt(j)[0] - uvAt(i)[0]), std::abs(uvAt(j)[1] - uvAt(i)[1])});
     step /= 4;
     std::vector<Vec2> start;
+    start.reserve(copies.size());
     for (const Copy& copy : copies) start.push_back(uvAt(copy.uv));
     Vec2 moved{0, 0};
     for (int n = 0; n < kSteps; ++n) {

@@ -329,6 +329,10 @@ TEST(GltfDocument, ItsOwnSetIsReplacedAndNothingGrows) {
   EXPECT_EQ(once, twice);
   const DocumentPtr document = opened(once);
   EXPECT_EQ(document->surfaces()[0].ownUvSet, 0);
+  // An extension that nobody knows cannot refer to it.
+  const auto [strange, same] = writtenTwice(
+      squareText({{"\"buffers\"", "\"extensionsUsed\" : [ \"X_other\" ], \"buffers\""}}));
+  EXPECT_EQ(strange, same);
   // Also where other sets come before, and where lower sets were filled.
   WriteOptions third;
   third.uvSet = 2;

@@ -147,9 +147,11 @@ void GltfWriter::releaseViews() {
     const auto known = isFree.try_emplace(view, true).first;
     known->second = known->second && freedNodes_.count(node) > 0;
   }
-  std::set<int> free;
+  std::set<int> free, own;
+  for (const GltfAccessor& one : store_.model.accessors)
+    if (one.isOwnUv) own.insert(one.view);
   for (const auto& [view, isUnread] : isFree) {
-    if (isUnread && areReferencesKnown_) free.insert(view);
+    if (isUnread && (areReferencesKnown_ || own.count(view) > 0)) free.insert(view);
   }
   layout_.release(free);
 }

@@ -46,7 +46,9 @@ Bytes GltfWriter::expanded(const Bytes& packed, std::size_t elementSize, int poo
 /// Makes `references` refer to new contents, in place of the old accessor if nothing else reads that.
 int GltfWriter::redirect(int old, const std::set<int>& references, GltfNewAccessor fresh) {
   const std::vector<int>& all = accessorReferences_[old];
-  const bool isOurs = areReferencesKnown_ && std::all_of(all.begin(), all.end(), [&](int node) {
+  // An extension that this program does not know cannot refer to what this program added.
+  const bool areKnown = areReferencesKnown_ || accessor(old).isOwnUv;
+  const bool isOurs = areKnown && std::all_of(all.begin(), all.end(), [&](int node) {
                         return references.count(node) > 0 || droppedAttributes_.count(node) > 0;
                       });
   const int node = accessorNodes_[static_cast<std::size_t>(old)];

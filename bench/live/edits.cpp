@@ -19,7 +19,7 @@ double milliseconds(const Do& what) {
 
 /// The prescription with a cone one edge beside where it is, as a drag gives it; empty where no cone can be there.
 Result<io::Prescription> movedCone(api::Session& session, int cone, const api::SurfaceFacts& facts,
-                                   stress::Random& random) {
+                                   stress::Random& random, std::vector<double>& dropped) {
   Result<api::LiveDrag> drag = api::LiveDrag::begin(session, cone);
   if (!drag) return drag.error();
   const auto v = static_cast<std::size_t>(cone);
@@ -28,6 +28,9 @@ Result<io::Prescription> movedCone(api::Session& session, int cone, const api::S
   const auto to = facts.neighbours[start + static_cast<std::uint32_t>(random.below(count))];
   const Result<api::LiveView> view = drag->moveTo(static_cast<int>(to));
   if (!view) return view.error();
+  Status done = Done{};
+  const double spent = milliseconds([&] { done = drag->drop(); });
+  if (done && session.isCertified()) dropped.push_back(spent);
   return api::readPrescription("cones.json", view->cones, 4);
 }
 
@@ -56,7 +59,7 @@ Result<EditRow> editsOf(const std::string& file, int moves, unsigned seed) {
     if (!session.use(start)) break;
     const auto n = static_cast<std::size_t>(random.below(static_cast<int>(cones->cones.size())));
     const Result<io::Prescription> moved =
-        movedCone(session, cones->cones[n].vertex, *facts, random);
+        movedCone(session, cones->cones[n].vertex, *facts, random, row.dropped);
     if (!moved) continue;
     row.moved.push_back(milliseconds([&] { done = session.parametrize(*moved, {}); }));
     row.certified += done && session.isCertified();

@@ -14,7 +14,8 @@ struct EditRow {
   int triangles = 0;
   double first = 0.0;  ///< the first run, after loading
   std::vector<double> moved,
-      again;  ///< a cone one edge farther, and the same prescription once more
+      again;                    ///< a cone one edge farther, and the same prescription once more
+  std::vector<double> dropped;  ///< the map of the drag, stored
   int certified = 0;
 };
 

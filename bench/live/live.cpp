@@ -146,9 +146,9 @@ void print(const Row& row) {
 
 int printEdits(const std::vector<std::string>& files, int moves, unsigned seed) {
   std::printf(
-      "| mesh | triangles | first run, ms | moved cone, ms | part of first | certified | same "
-      "again, ms |\n"
-      "|---|--:|--:|--:|--:|--:|--:|\n");
+      "| mesh | triangles | first run, ms | moved cone, ms | part of first | certified | same, ms "
+      "| "
+      "dropped, ms |\n|---|--:|--:|--:|--:|--:|--:|--:|\n");
   for (const std::string& file : files) {
     const Result<EditRow> row = editsOf(file, moves, seed);
     if (!row) {
@@ -156,9 +156,9 @@ int printEdits(const std::vector<std::string>& files, int moves, unsigned seed) 
       continue;
     }
     const double moved = quantile(row->moved, 0.5);
-    std::printf("| %s | %d | %.0f | %.0f | %.2f | %d of %zu | %.3f |\n", row->name.c_str(),
+    std::printf("| %s | %d | %.0f | %.0f | %.2f | %d of %zu | %.3f | %.0f |\n", row->name.c_str(),
                 row->triangles, row->first, moved, moved / row->first, row->certified,
-                row->moved.size(), quantile(row->again, 0.5));
+                row->moved.size(), quantile(row->again, 0.5), quantile(row->dropped, 0.5));
     std::fflush(stdout);
   }
   return 0;

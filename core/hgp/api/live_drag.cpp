@@ -1,5 +1,6 @@
 #include "hgp/api/live_drag.h"
 
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -24,6 +25,7 @@ struct LiveDrag::State {
   const ModelComponent& on() const { return session.model->components[component]; }
   void addMap(const LiveFrame& frame, LiveView& view) const;
   std::string conesOf(const LiveFrame& frame) const;
+  std::vector<ComponentMap> mapsNow() const;
 };
 
 namespace {
@@ -110,6 +112,61 @@ Result<LiveView> LiveDrag::moveTo(int vertex) {
     if (frame->state != LiveState::kHeat) s.addMap(*frame, view);
     view.cones = s.conesOf(*frame);
     return view;
+  });
+}
+
+/// Every component as it is stored, the dragged one as it now is.
+std::vector<ComponentMap> LiveDrag::State::mapsNow() const {
+  std::vector<ComponentMap> maps;
+  for (std::size_t p = 0; p < solved->components.size(); ++p) {
+    const TriMesh& mesh = session.model->components[p].mesh;
+    ComponentMap map;
+    if (p == component) {
+      LiveEdit::Reached reached = edit.reached();
+      map.spec = std::move(reached.spec);
+      map.map = std::move(reached.map);
+      map.copyOf = std::move(reached.copyOf);
+    } else {
+      map.spec = solved->components[p].spec;
+      map.isKept = solved->components[p].isKept;
+      map.map = mapOfComponent(session.model->components[p], solved->stored.map);
+      map.copyOf.resize(map.map.uv.size());
+      for (HalfedgeId h : mesh.halfedges())
+        map.copyOf[hgp::at(map.map.cornerUv[hgp::at(h.i / 3)][hgp::at(h.i % 3)])] = mesh.tail(h);
+    }
+    map.certificate = certify(mesh, map.spec, map.map);
+    maps.push_back(std::move(map));
+  }
+  return maps;
+}
+
+Status LiveDrag::drop() {
+  return guarded([&]() -> Status {
+    State& s = *state_;
+    if (!s.isCurrent()) return refuse("another map was loaded or solved since the drag began");
+    const auto start = std::chrono::steady_clock::now();
+    std::vector<ComponentMap> maps = s.mapsNow();
+    RunRecord run;
+    run.options = s.solved->options;
+    for (const ComponentMap& map : maps) {
+      Parametrization& component = run.components.emplace_back();
+      component.spec = map.spec;
+      component.certificate = map.certificate;
+      component.isCertified = map.certificate.isCertified;
+      component.isUsable = map.certificate.isUsable;
+    }
+    run.notes.push_back(formatText(
+        "The cone at vertex %d was dragged there. This map follows from the one before and from "
+        "the "
+        "path of the drag; the bytes of a run with the same cones depend on nothing else.",
+        s.on().vertex[s.edit.cone().vertex].i));
+    const int q = maps.front().spec.q;
+    s.session.clearResult();
+    s.session.storeMaps(std::move(maps), q, run.options, false, run);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    run.seconds = seconds.count();
+    s.session.publish(run);
+    return Done{};
   });
 }
 

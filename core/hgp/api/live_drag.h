@@ -22,8 +22,9 @@ struct LiveView {
       false;  ///< prepareHere() lets the cone go on, or gives a map instead of heat
 };
 
-/// The maps are certified as they are, in float64, before any rounding for a file, and are not stored: when the cone is
-/// dropped, Session::parametrize with `cones` gives the result, whose bytes do not depend on the path.
+/// The maps are certified as they are, in float64, before any rounding for a file, and are not stored. When the cone is
+/// dropped, drop() stores the last of them at once; Session::parametrize with its `cones` gives a result whose bytes do not
+/// depend on the path.
 class LiveDrag {
  public:
   /// Starts from the session's result. Fails with kUsage if there is none, if it is on a refined surface, and if no cone
@@ -38,6 +39,9 @@ class LiveDrag {
   Result<LiveView> moveTo(int vertex);
   /// Prepares the neighbourhood of the last certified position; takes about as long as begin().
   Status prepareHere();
+  /// Stores the last certified map as the session's result, verified as stored like that of any run; this ends the drag.
+  /// Its bytes depend on the path of the cone, which its report says.
+  Status drop();
 
  private:
   struct State;

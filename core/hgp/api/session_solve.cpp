@@ -36,22 +36,6 @@ GridOptions sharedGrid(const Model& model, GridOptions grid) {
 /// Surfaces with more triangles, and those of many components, are prepared again by every call, to leave memory.
 constexpr int kKeptFaces = 200'000, kKeptComponents = 100;
 
-/// Measures harmonicity on the stored values of every component.
-std::vector<HarmonicFacts> harmonicity(const Model& model, const std::vector<ComponentMap>& maps,
-                                       const UvMap& stored) {
-  const bool isFloat = model.document->uvPrecision() == io::UvPrecision::kFloat32;
-  std::vector<HarmonicFacts> out;
-  for (std::size_t p = 0; p < maps.size(); ++p) {
-    const ModelComponent& component = model.components[p];
-    const UvMap map = mapOfComponent(component, stored);
-    std::vector<VertexId> cones;
-    for (const ConePoint& c : maps[p].spec.cones) cones.push_back(c.vertex);
-    out.push_back(measureHarmonicity(component.mesh, computeGeometry(component.mesh), map,
-                                     maps[p].spec.q, cones, isFloat ? gridStep(map) : 0.0));
-  }
-  return out;
-}
-
 bool isAligned(const Parametrization& run) { return run.grid && run.grid->isAligned; }
 
 /// Choosing few cones takes several times as long as a solve; up to this many triangles that is about a second.
@@ -199,21 +183,6 @@ Result<Parametrization> Session::State::solveComponent(std::size_t p,
   return run;
 }
 
-/// Converts the result to the flat arrays that the session returns.
-void Session::State::flatten(Solved& result) const {
-  const StoredMap& stored = result.stored;
-  for (const Vec2& p : stored.map.uv) result.uv.insert(result.uv.end(), p.begin(), p.end());
-  for (const auto& t : stored.map.cornerUv) {
-    for (int i : t) result.cornerToUv.push_back(static_cast<std::uint32_t>(i));
-  }
-  for (std::size_t p = 0; p < model->components.size(); ++p) {
-    for (const MeasuredSeam& s : stored.certificates[p].seams.seams) {
-      const SeamEnds ends = seamEnds(model->components[p], stored.map, s.edge);
-      result.seams.push_back({{ends.a[0], ends.a[1]}, {ends.b[0], ends.b[1]}, s.r});
-    }
-  }
-}
-
 namespace {
 
 bool maySkip(const Failure& failure) {
@@ -239,33 +208,11 @@ static Status checkGrid(const SolveOptions& options, int q) {
   return Done{};
 }
 
-namespace {
-
-/// Whether the map before rounding must be kept: if rotations have no exact coefficients, seams cannot be exact in
-/// float32, and formats that store doubles are written from the unrounded map.
-bool needsOwnNumbers(const Model& model, int q) {
-  return 4 % q != 0 && model.document->uvPrecision() == io::UvPrecision::kFloat32;
-}
-
-StoredMap storedWith(const Model& model, const SolveOptions& options,
-                     std::vector<ComponentMap>& maps) {
-  if (!options.convexPolygons) return storeMap(model, maps, options.scale);
-  const io::PolygonsView polygons = model.document->polygons(model.surface);
-  makePolygonsConvex(model, polygons, maps);
-  StoredMap stored = storeMap(model, maps, options.scale);
-  denyNotConvex(model, polygons, stored.map, stored.certificates);
-  stored.isCertified = areCertified(stored.certificates);
-  return stored;
-}
-
-}  // namespace
-
 Status Session::State::solveRequest(const Request& request, const SolveOptions& options,
                                     RunRecord& run) {
   SolveOptions shared = options;
   shared.grid = sharedGrid(*model, options.grid);
   std::vector<ComponentMap> maps;
-  std::vector<HolonomySpec> specs;
   bool areAligned = true;
   for (std::size_t p = 0; p < model->components.size(); ++p) {
     Result<Parametrization> component = solveComponent(p, request.components[p], shared);
@@ -285,34 +232,10 @@ Status Session::State::solveRequest(const Request& request, const SolveOptions& 
     areAligned = areAligned && isAligned;
     maps.push_back({std::move(component->map), std::move(component->copyOf), component->spec,
                     component->certificate, isAligned ? 1.0 : 0.0, isKept, whyNone});
-    specs.push_back(toSpec(component->spec));
     run.components.push_back(std::move(*component));
   }
-  Solved result;
-  result.isAligned = areAligned;
-  result.stored = storedWith(*model, options, maps);
-  run.notes.insert(run.notes.end(), result.stored.notes.begin(), result.stored.notes.end());
-  result.prescription = describe(*model, specs);
-  result.cones = io::writeConesJson(result.prescription);
-  result.certificate = certificateText(*model, result.stored.certificates,
-                                       measureOutside(*model, result.stored.map));
-  run.harmonic = harmonicity(*model, maps, result.stored.map);
-  if (!needsOwnNumbers(*model, request.q)) {
-    for (ComponentMap& component : maps) {  // the uv are in `stored`
-      component.map = {};
-      component.copyOf = {};
-    }
-  }
-  result.components = std::move(maps);
-  result.scale = options.scale;
-  flatten(result);
-  solved = std::make_shared<Solved>(std::move(result));
+  storeMaps(std::move(maps), request.q, options, areAligned, run);
   return Done{};
-}
-
-void Session::State::publish(const RunRecord& run) {
-  solved->report =
-      reportText(*model, run, solved->stored.certificates, solved->certificate, solved->cones);
 }
 
 Status Session::State::solve(const std::optional<io::Prescription>& prescription,

@@ -12,8 +12,8 @@ struct Session::State {
   std::optional<Model> model;
   std::vector<std::unique_ptr<PreparedSurface>> prepared;  ///< per component, made on first use
   struct Solved {
-    bool isAligned = false;  ///< every component is aligned to a grid
-    Scale scale = Scale::kSolved;
+    bool isAligned = false;                ///< every component is aligned to a grid
+    SolveOptions options;                  ///< of the run, without its progress
     std::vector<ComponentMap> components;  ///< prescriptions and results, without the maps
     StoredMap stored;
     io::Prescription prescription;
@@ -43,6 +43,9 @@ struct Session::State {
   Status solve(const std::optional<io::Prescription>& prescription, const SolveOptions& options);
   /// Solves every component and verifies it as stored: sets all of `solved` except its report.
   Status solveRequest(const Request& request, const SolveOptions& options, RunRecord& run);
+  /// Stores one map per component and verifies what is stored: sets all of `solved` except its report.
+  void storeMaps(std::vector<ComponentMap> maps, int q, const SolveOptions& options,
+                 bool areAligned, RunRecord& run);
   /// Solves again with an improvement where maps were certified, but not in the numbers of the format; replaces
   /// `solved` and `run` if that helps.
   Status solveImproved(const Request& request, const SolveOptions& options, RunRecord& run);

@@ -173,7 +173,7 @@ Result<WrittenMap> Session::State::writeMesh(const WriteOptions& options) const 
   const std::vector<ComponentMap> components =
       componentsOf(*model, solved->components, solved->stored);
   StoredMap stored = certifyAsItIs(*model, place, components, solved->stored.map);
-  if (!stored.isCertified) stored = storeMap(*model, place, components, solved->scale);
+  if (!stored.isCertified) stored = storeMap(*model, place, components, solved->options.scale);
   if (!stored.isCertified && !options.allowUncertified) {
     return Failure{ErrorCode::kNoMap,
                    "write",

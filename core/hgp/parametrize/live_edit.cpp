@@ -205,6 +205,24 @@ Status LiveEdit::beginHere() {
   return s.anchor(map);
 }
 
+LiveEdit::Reached LiveEdit::reached() const {
+  const TriMesh& mesh = state_->surface.mesh();
+  Reached out{state_->lastSpec, {}, {}};
+  out.map.cornerUv = state_->lastMap.cornerUv;
+  std::vector<int> name(state_->lastMap.uv.size(), -1);
+  for (HalfedgeId h : mesh.halfedges()) {
+    int& corner = out.map.cornerUv[at(h.i / 3)][at(h.i % 3)];
+    int& renamed = name[at(corner)];
+    if (renamed < 0) {
+      renamed = static_cast<int>(out.map.uv.size());
+      out.map.uv.push_back(state_->lastMap.uv[at(corner)]);
+      out.copyOf.push_back(mesh.tail(h));
+    }
+    corner = renamed;
+  }
+  return out;
+}
+
 ConePoint LiveEdit::cone() const { return {state_->last, state_->cone.k}; }
 int LiveEdit::preparations() const { return state_->preparations; }
 

@@ -46,6 +46,13 @@ class LiveEdit {
   /// Prepares the neighbourhood of the cone's last position that had a certified map, and starts from that map.
   Status beginHere();
 
+  /// The last certified map, or that of the start.
+  struct Reached {
+    CompleteSpec spec;
+    UvMap map;  ///< every uv is used
+    std::vector<VertexId> copyOf;
+  };
+  Reached reached() const;
   ConePoint cone() const;    ///< at the last position with a certified map
   int preparations() const;  ///< begin() and beginHere(), where they had something to do
 

@@ -99,6 +99,38 @@ TEST(LiveDrag, DroppingTheConeGivesTheResultOfANewRunAndEndsTheDrag) {
   EXPECT_FALSE(drag->prepareHere());
 }
 
+TEST(LiveDrag, DropStoresTheMapOfTheDragAndCertifiesWhatIsStored) {
+  Dragged on;
+  Result<LiveDrag> drag = LiveDrag::begin(on.session, on.cone);
+  ASSERT_TRUE(drag);
+  const Result<LiveView> view = drag->moveTo(on.beside);
+  ASSERT_TRUE(view);
+  ASSERT_EQ(view->state, LiveState::kCertified);
+  ASSERT_TRUE(drag->drop());
+  EXPECT_TRUE(on.session.isCertified());
+  EXPECT_EQ(on.session.conesJson(), view->cones);
+  EXPECT_NE(on.session.reportJson().find("was dragged there"), std::string::npos);
+  EXPECT_FALSE(drag->drop()) << "the drag has ended";
+  // What is written is read and verified like any file.
+  const Result<WrittenMap> written = on.session.write({});
+  ASSERT_TRUE(written) << written.error().message;
+  EXPECT_TRUE(written->isCertified);
+  io::FileSet files;
+  files.name = "mesh.obj";
+  files.main = written->files[0].bytes;
+  Session reader;
+  ASSERT_TRUE(reader.load(std::move(files), {}));
+  const auto cones = readPrescription("c.json", view->cones, 4);
+  ASSERT_TRUE(cones);
+  const Result<Verdict> verdict = reader.verify(*cones, {});
+  ASSERT_TRUE(verdict);
+  EXPECT_TRUE(verdict->isGood);
+  EXPECT_TRUE(LiveDrag::begin(on.session, on.beside)) << "the next drag starts from it";
+  const std::vector<double> dragged = on.session.uv();
+  ASSERT_TRUE(on.session.parametrize(*cones, {}));
+  EXPECT_NE(on.session.uv(), dragged) << "a run with these cones is a run of its own";
+}
+
 TEST(LiveDrag, RefusesWhatIsNoConeAndSessionsWithoutAMap) {
   Dragged on;
   EXPECT_FALSE(LiveDrag::begin(on.session, on.beside));

@@ -168,7 +168,9 @@ function catchTheRest(): void {
     );
   addEventListener('unhandledrejection', (event) => sayIt(event.reason));
   // Without an error: the browser's own remarks, such as on observers of sizes.
-  addEventListener('error', ({ error }: ErrorEvent) => error && sayIt(error));
+  addEventListener('error', ({ error }: { error?: unknown }) => {
+    if (error) sayIt(error);
+  });
 }
 
 async function start(): Promise<void> {

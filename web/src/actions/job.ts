@@ -23,8 +23,8 @@ export interface JobOptions {
   /** In seconds. */
   timeLimit?: number;
   /** Called for every failure except cancellation. */
-  onFailure(error: unknown): void;
-  onTimeout?(): void;
+  onFailure: (error: unknown) => void;
+  onTimeout?: () => void;
 }
 
 /** Reports progress that never decreases. */

@@ -10,7 +10,7 @@ const tooLarge = 'This gzip file unpacks to far more than it should. Not loaded.
 const ignoredBehind = new WeakMap<Blob | Uint8Array, number>();
 
 /** Collects chunks, and throws if they exceed the limit. */
-function collector(packed: number): { add(chunk: Uint8Array): void; all(): Uint8Array } {
+function collector(packed: number): { add: (chunk: Uint8Array) => void; all: () => Uint8Array } {
   const chunks: Uint8Array[] = [];
   const most = Math.min(caps.bytes, caps.ratio * Math.max(packed, 4096));
   let size = 0;

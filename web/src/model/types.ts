@@ -269,7 +269,7 @@ export interface Validation {
 
 export interface MessageAction {
   label: string;
-  run(): unknown;
+  run: () => unknown;
 }
 
 export interface Message {

@@ -24,8 +24,7 @@ interface ComponentCertificate {
   reasons?: { message: string; where?: Where[] }[];
 }
 
-export const componentsOf = ({ components }: Certificate): ComponentCertificate[] =>
-  components as ComponentCertificate[];
+export const componentsOf = ({ components }: Certificate): ComponentCertificate[] => components;
 
 /** "1.2e−7" */
 export const shortNumber = (x: number): string =>

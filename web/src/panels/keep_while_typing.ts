@@ -21,7 +21,7 @@ class Typed extends Directive {
   override update(part: PropertyPart | ElementPart, [value]: [string]): unknown {
     const field = part.element as HTMLInputElement;
     if (beingTyped.has(field) || field.value === value) return noChange;
-    setCommittedValue(part as PropertyPart); // it may be equal to the value set last
+    setCommittedValue(part); // it may be equal to the value set last
     return value;
   }
 }

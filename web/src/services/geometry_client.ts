@@ -14,8 +14,8 @@ import type { SurfaceArrays } from './geometry/placed_surface';
 import { geometryUrl, scriptUrl } from './trusted_types';
 
 interface Pending {
-  resolve(result: never): void;
-  reject(error: Error): void;
+  resolve: (result: never) => void;
+  reject: (error: Error) => void;
 }
 
 export class GeometryClient {
@@ -59,7 +59,7 @@ export class GeometryClient {
   call<M extends GeometryMethod>(
     method: M,
     args: Parameters<GeometryCalls[M]>,
-    lent: unknown = undefined,
+    lent?: unknown,
   ): Promise<Awaited<ReturnType<GeometryCalls[M]>>> {
     this.prepare();
     const call = ++this.#calls;

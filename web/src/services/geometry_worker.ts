@@ -97,7 +97,7 @@ async function decoderFor(main: OutputFile): Promise<MeshoptDecoder | undefined>
   if (!isGltf(main.name) || !isMeshoptUsed(main)) return undefined;
   const { MeshoptDecoder: decoder } = await import('three/addons/libs/meshopt_decoder.module.js');
   await decoder.ready;
-  return decoder as MeshoptDecoder;
+  return decoder;
 }
 
 const calls: GeometryCalls = {
@@ -163,7 +163,7 @@ const calls: GeometryCalls = {
   },
 };
 
-addEventListener('message', async ({ data }: MessageEvent<GeometryMessage>) => {
+async function answer(data: GeometryMessage): Promise<void> {
   const { call, method, args } = data;
   try {
     const result = await (calls[method] as (...all: unknown[]) => unknown)(...args);
@@ -171,4 +171,6 @@ addEventListener('message', async ({ data }: MessageEvent<GeometryMessage>) => {
   } catch (error) {
     postMessage({ call, error: (error as Error).message });
   }
-});
+}
+
+addEventListener('message', ({ data }: MessageEvent<GeometryMessage>) => void answer(data));

@@ -24,6 +24,7 @@ async function validate({ main, files }: ToValidate): Promise<ValidatorReport> {
 addEventListener('message', ({ data }: MessageEvent<ToValidate>) => {
   validate(data).then(
     (report) => postMessage({ report }),
-    (error: Error) => postMessage({ error: String(error.message ?? error) }),
+    (error: unknown) =>
+      postMessage({ error: error instanceof Error ? error.message : String(error) }),
   );
 });

@@ -2,7 +2,7 @@
 // overlays can differ on the two sides of an edge.
 
 import { BufferAttribute, BufferGeometry, Sphere, Vector3 } from 'three';
-import { MeshBVH, type SerializedBVH } from 'three-mesh-bvh';
+import { MeshBVH } from 'three-mesh-bvh';
 import type { Solution, Surface } from '../model/types';
 import type { SerializedBvh } from '../services/geometry/protocol';
 
@@ -43,7 +43,7 @@ export function setTint(geometry: BufferGeometry, colours: Uint8Array): void {
 
 /** A tree for picking, built by the geometry worker for the same corners. */
 export function bvhFrom(serialized: SerializedBvh, geometry: BufferGeometry): MeshBVH {
-  return MeshBVH.deserialize(serialized as unknown as SerializedBVH, geometry, { setIndex: false });
+  return MeshBVH.deserialize(serialized, geometry, { setIndex: false });
 }
 
 const smallest = 30_000; // corners: a tree over fewer is built synchronously

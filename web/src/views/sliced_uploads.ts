@@ -37,7 +37,7 @@ export class SlicedUploads {
       if (target === gl.ARRAY_BUFFER) this.#bound = buffer;
       this.#bind(target, buffer);
     };
-    gl.bufferData = ((target: number, data: unknown, usage: number, ...rest: unknown[]) => {
+    gl.bufferData = (target: number, data: unknown, usage: number, ...rest: unknown[]) => {
       const buffer = this.#bound;
       const isLarge = ArrayBuffer.isView(data) && data.byteLength > 4 * sliceBytes;
       if (target !== gl.ARRAY_BUFFER || !isLarge || !buffer || rest.length > 0) {
@@ -47,7 +47,7 @@ export class SlicedUploads {
       allocate(target, data.byteLength, usage);
       const bytes = new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
       this.#waiting.push({ buffer, bytes, done: 0 });
-    }) as typeof gl.bufferData;
+    };
     gl.bufferSubData = ((...all: Parameters<typeof gl.bufferSubData>) => {
       // The whole buffer is replaced: slices still waiting for it are outdated.
       if (all[0] === gl.ARRAY_BUFFER && all[1] === 0) this.#drop(this.#bound);

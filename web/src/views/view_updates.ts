@@ -29,7 +29,7 @@ export interface ViewSources {
   model: ModelView;
   uv: UvView;
   /** Called when the surface changes. */
-  onSurface(): void;
+  onSurface: () => void;
 }
 
 /** One aspect of the views: what it depends on, and how it is shown. */

@@ -5,7 +5,7 @@ import type { Measures, Result } from 'hgp';
 import { isGltf, objectsIn, parseGltf } from '../../formats/glb';
 import { summarizePreserved } from '../../formats/preserved_content';
 import { readUv, type MeshoptDecoder } from '../../formats/read_uv';
-import type { Analysis, Corners, OutputFile, Seam } from '../../model/types';
+import type { Analysis, Corners, OutputFile } from '../../model/types';
 import { boxOf, leastArea, quantilesOf } from './distortion';
 import { forEachIndex } from './loops';
 import { triangulatedLike } from './polygon_corners';
@@ -122,7 +122,7 @@ export function analyse(
   const { overlaps, seamChains: chains, ...faces } = request.measures;
   const areaSize = faces.area.map(Math.abs);
   const surface = { ...edges, positions: map.positions };
-  const seamDistance = distanceToSeams(surface, map.seams as Seam[], map.uvToVertex);
+  const seamDistance = distanceToSeams(surface, map.seams, map.uvToVertex);
   const { flipped, uvArea, surfaceArea } = faces;
   const analysis: Analysed = {
     isSameAsFile,

@@ -1,5 +1,6 @@
 #include <cstring>
 
+#include "hgp/io/plain_surface.h"
 #include "hgp/io/weld.h"
 #include "io_support.h"
 
@@ -312,6 +313,24 @@ TEST(Ply, NormalsAndColoursGoIntoAnObj) {
   EXPECT_NE(obj.find("vn 0 1 0\n"), std::string::npos);
   EXPECT_NE(obj.find("f 1/1/1 2/2/2 3/3/3\n"), std::string::npos);
   EXPECT_EQ(out->notes, std::vector<std::string>{"written as OBJ, with its normals and colours"});
+}
+
+TEST(Obj, WhatAnotherFormatCannotKeepIsSaid) {
+  const auto document =
+      openText("a.obj", "v 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0 0 0 1\nf 1 2 3\nl 1 2\np 3\n");
+  ASSERT_TRUE(document);
+  const Result<PlainFile> plain = (*document)->plain(0);
+  ASSERT_TRUE(plain);
+  ASSERT_EQ(plain->surfaces[0].colors.size(), 3U);
+  EXPECT_EQ(plain->surfaces[0].colors[1], (std::array<double, 4>{1, 1, 1, 1}));
+  EXPECT_EQ(plain->surfaces[0].colors[2], (std::array<double, 4>{0, 0, 1, 1}));
+  EXPECT_EQ(plain->lost,
+            (std::vector<std::string>{"1 vertex without a colour is white",
+                                      "2 lines of lines or points (l, p) are left out"}));
+  const auto none = openText("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  ASSERT_TRUE(none);
+  EXPECT_TRUE((*none)->plain(0)->surfaces[0].colors.empty());
+  EXPECT_TRUE((*none)->plain(0)->lost.empty());
 }
 
 }  // namespace

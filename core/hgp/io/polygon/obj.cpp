@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "hgp/base/check.h"
+#include "hgp/base/counted.h"
 #include "hgp/io/cone_files.h"
 #include "hgp/io/limits.h"
 #include "hgp/io/polygon/obj_attributes.h"
@@ -180,6 +181,13 @@ class ObjDocument final : public PolygonDocument {
               extras.polygonMaterial[static_cast<std::size_t>(p)];
       file->lost.push_back("of the materials only their names are kept");
     }
+    if (extras.uncolored > 0)
+      file->lost.push_back(counted(extras.uncolored, "vertex without a colour is white",
+                                   "vertices without a colour are white"));
+    if (extras.linesAndPoints > 0)
+      file->lost.push_back(counted(extras.linesAndPoints, "line of lines or points (l, p) is",
+                                   "lines of lines or points (l, p) are") +
+                           " left out");
     if (extras.hasGroups) file->lost.push_back("groups (o, g) become one mesh");
     return file;
   }

@@ -27,7 +27,10 @@ class ObjAttributeReader {
         takeLine(p, text_.data() + end);
       position_ = end;
     }
-    if (out_.colors.size() != vertices_) out_.colors.clear();
+    if (out_.uncolored == static_cast<int>(out_.colors.size())) {
+      out_.colors.clear();
+      out_.uncolored = 0;
+    }
     if (!hasNormals_ || out_.cornerNormal.size() != cornerCount) out_.cornerNormal.clear();
     const int count = static_cast<int>(out_.normals.size());
     for (int& n : out_.cornerNormal)
@@ -66,19 +69,25 @@ class ObjAttributeReader {
     } else if (word == "o" || word == "g") {
       out_.hasGroups = out_.hasGroups || groups_ > 0;
       ++groups_;
+    } else if (word == "l" || word == "p") {
+      ++out_.linesAndPoints;
     }
   }
 
   /// Reads the colour of "v x y z r g b"; a single fourth number is a weight.
   void takeVertex(const char* p, const char* end) {
-    ++vertices_;
     double numbers[6] = {};
     int count = 0;
     for (; count < 6; ++count) {
       skipBlanks(p, end);
       if (!readAnyDouble(p, end, numbers[count])) break;
     }
-    if (count == 6) out_.colors.push_back({numbers[3], numbers[4], numbers[5]});
+    out_.uncolored += count != 6;
+    if (count == 6) {
+      out_.colors.push_back({numbers[3], numbers[4], numbers[5]});
+    } else {
+      out_.colors.push_back({1, 1, 1});
+    }
   }
 
   static bool isSeparator(char c) { return isBlank(c) || c == '\n' || c == '\\'; }
@@ -107,7 +116,7 @@ class ObjAttributeReader {
   char eol_;
   ObjAttributes out_;
   std::map<std::string, int> ids_;
-  std::size_t position_ = 0, face_ = 0, vertices_ = 0;
+  std::size_t position_ = 0, face_ = 0;
   int material_ = -1, groups_ = 0;
   bool hasNormals_ = false;
 };

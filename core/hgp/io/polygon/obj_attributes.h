@@ -13,9 +13,11 @@ struct ObjAttributes {
   std::vector<Vec3> normals;      ///< vn lines in order
   std::vector<int> cornerNormal;  ///< per polygon corner, −1 none; empty when no corner has one
   std::vector<std::array<double, 3>>
-      colors;                          ///< per vertex, sRGB; empty unless every v line has one
+      colors;  ///< per vertex, sRGB; white where a v line has none, empty if no line has one
   std::vector<std::string> materials;  ///< names, in order of first use
   std::vector<int> polygonMaterial;    ///< per polygon, −1: none; empty without usemtl
+  int uncolored = 0;                   ///< vertices without a colour, where others have one
+  int linesAndPoints = 0;              ///< l and p lines
   bool hasGroups = false;              ///< more than one o or g line
 };
 

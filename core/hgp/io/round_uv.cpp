@@ -13,7 +13,7 @@
 namespace hgp::io {
 namespace {
 
-constexpr int kPasses = 8;                  ///< over the triangles that rounding flipped
+constexpr int kMendPasses = 8;              ///< over the triangles that rounding flipped
 constexpr int kReach = 2;                   ///< grid steps that a vertex may be moved
 constexpr double kFloatSteps = 16777216.0;  ///< 2²⁴: integers up to here are exact in float32
 
@@ -124,7 +124,7 @@ class Rounder {
     }
     out.grid = std::move(placed);
     findBroken(out);
-    for (int pass = 0; pass < kPasses && !out.broken.empty(); ++pass) {
+    for (int pass = 0; pass < kMendPasses && !out.broken.empty(); ++pass) {
       if (!repair(out)) break;
       findBroken(out);
     }

@@ -145,7 +145,9 @@ TEST(LiveEdit, CrossingAGeneratorChangesItsRotationAndReversesNoTriangle) {
   int crossed = 0;
   for (const test::Shape& shape : {test::pretzel(2, 3), test::pretzel(3, 2)}) {
     Solved on(shape);
+    const int before = crossed;
     for (const ConePoint& cone : on.result.spec.cones) {
+      if (crossed >= before + 6) break;
       LiveEdit edit = on.edit(cone.vertex);
       for (HalfedgeId h : outgoingHalfedges(on.mesh, cone.vertex)) {
         const VertexId to = on.mesh.head(h);

@@ -878,5 +878,25 @@ TEST(Certificate, ReasonsNameAsManyPlacesAsAskedWorstFirst) {
   EXPECT_EQ(c.reasons[0].count, mesh.faceCount());
 }
 
+TEST(Certificate, ALineAboutHandlesCountsAllAndNamesTheFirst) {
+  const TriMesh mesh = test::torus(5, 4).mesh();
+  HolonomySpec spec;
+  spec.q = 4;
+  spec.handles = {1, 2};
+  const Certificate certificate = certify(mesh, spec, test::flatTorusMap(5, 4));
+  EXPECT_FALSE(certificate.isCertified);
+  int lines = 0;
+  for (const Reason& reason : certificate.reasons) {
+    if (reason.rule != Rule::kHandle) continue;
+    ++lines;
+    EXPECT_EQ(reason.count, 2);
+    EXPECT_NE(reason.message.find("first is handle 0: measured 0, asked 1"), std::string::npos)
+        << reason.message;
+    for (const Where& place : reason.where) EXPECT_EQ(place.kind, Where::Kind::kEdge);
+    EXPECT_FALSE(reason.where.empty());
+  }
+  EXPECT_EQ(lines, 1);
+}
+
 }  // namespace
 }  // namespace hgp

@@ -29,6 +29,7 @@ def members(package: pathlib.Path) -> "list[tuple[str, bytes]]":
         found.append((f"hgp_uv/{path.name}", text.encode()))
     for name in ("LICENSE", "THIRD_PARTY_NOTICES.md"):
         found.append((f"hgp_uv/{name}", (ROOT / name).read_bytes()))
+    found += [(f"hgp_uv/{name}", data) for name, data in backend["texts"](package)]
     for path in sorted(package.iterdir()) if package.is_dir() else []:
         if path.suffix not in (".py", ".so", ".pyd", ".typed"):
             continue

@@ -36,6 +36,10 @@ from typing import Any, Dict, List, Literal, TypedDict, Union
 PLAIN = {"string": "str", "integer": "int", "number": "float", "boolean": "bool", "null": "None"}
 
 
+def literal(value: Any) -> str:
+    return json.dumps(value) if isinstance(value, str) else repr(value)
+
+
 def title(word: str) -> str:
     return word[:1].upper() + word[1:]
 
@@ -61,9 +65,9 @@ class Writer:
             key = ref.split("/")[-1]
             return self.type_of(defs[key], {"where": "Wheres", "error": "Failure"}[key], defs)
         if "const" in schema:
-            return f"Literal[{json.dumps(schema['const'])}]"
+            return f"Literal[{literal(schema['const'])}]"
         if "enum" in schema:
-            return f"Literal[{', '.join(json.dumps(word) for word in schema['enum'])}]"
+            return f"Literal[{', '.join(map(literal, schema['enum']))}]"
         choices = schema.get("oneOf")
         if choices is None and isinstance(schema["type"], list):
             choices = [{**schema, "type": kind} for kind in schema["type"]]

@@ -2,7 +2,15 @@
 // the schemas, the decoders and, if CLI_DIR is given, the command line. Previous contents of OUT are removed.
 
 import { execFileSync } from 'node:child_process';
-import { copyFileSync, cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import {
+  copyFileSync,
+  cpSync,
+  existsSync,
+  mkdirSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
 import path from 'node:path';
 import { packDecoders } from './decoders.mjs';
 
@@ -38,6 +46,9 @@ cpSync(path.join(root, 'docs/schema'), path.join(out, 'schema'), { recursive: tr
 for (const name of ['LICENSE', 'THIRD_PARTY_NOTICES.md']) {
   copyFileSync(path.join(root, name), path.join(out, name));
 }
+// Written by packaging/release.py.
+const licences = path.join(moduleDir, '../THIRD_PARTY_LICENSES.txt');
+if (existsSync(licences)) copyFileSync(licences, path.join(out, path.basename(licences)));
 packDecoders(path.join(root, 'node_modules'), path.join(out, 'decoders'));
 const glue = readFileSync(path.join(moduleDir, 'module.js'), 'utf8');
 writeFileSync(path.join(out, 'module.js'), withoutProcess(withoutBinaryName(glue)));

@@ -120,13 +120,19 @@ def shared_libraries(module: pathlib.Path) -> List[pathlib.Path]:
     ]
 
 
+def texts(package: pathlib.Path) -> List[Tuple[str, bytes]]:
+    """The licences of what is linked, if packaging/release.py has written them into the build folder."""
+    written = package.parents[1] / "THIRD_PARTY_LICENSES.txt"
+    return [(written.name, written.read_bytes())] if written.exists() else []
+
+
 def members(settings: Settings) -> List[Tuple[str, bytes]]:
     package = built(settings)
     files = sorted(path for path in package.iterdir() if path.is_file())
     found = [(f"hgp/{path.name}", path.read_bytes()) for path in files]
     for module in (path for path in files if path.suffix in (".so", ".pyd")):
         found += [(f"hgp/{path.name}", path.read_bytes()) for path in shared_libraries(module)]
-    return found
+    return found + [(f"{info_folder()}/{name}", data) for name, data in texts(package)]
 
 
 def info_folder() -> str:

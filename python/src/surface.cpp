@@ -141,6 +141,7 @@ std::string Surface::suggest(const py::dict& options, const py::object& progress
   how.progress = watch.progress();
   const bool isReproducible =
       options.contains("reproducible") && options["reproducible"].cast<bool>();
+  Arithmetic::check(isReproducible);
   Result<std::string> made = alone_.run([&]() -> Result<std::string> {
     if (Status done = ready(); !done) return done.error();
     const Arithmetic arithmetic(isReproducible);
@@ -174,6 +175,7 @@ std::shared_ptr<Map> Surface::parametrize(const py::dict& asked, const py::dict&
   if (how.boundary == api::BoundaryKind::kFree) wanted = prescription(asked);
   const bool isReproducible =
       options.contains("reproducible") && options["reproducible"].cast<bool>();
+  Arithmetic::check(isReproducible);
   Result<std::shared_ptr<Map>> made = alone_.run([&]() -> Result<std::shared_ptr<Map>> {
     if (Status done = ready(); !done) return done.error();
     const Arithmetic arithmetic(isReproducible);

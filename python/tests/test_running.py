@@ -97,6 +97,15 @@ def test_reproducible_calls_are_so_among_others(pretzel: Any) -> None:
         assert all((a == b).all() for a, b in zip(found, alone))
 
 
+def test_a_progress_function_that_would_wait_for_itself_is_refused(cube: Any, square: Any) -> None:
+    mesh = hgp.Mesh(*cube)
+    with pytest.raises(hgp.UsageError, match="cannot call the mesh"):
+        mesh.parametrize(progress=lambda p: mesh.inspect())
+    with pytest.raises(hgp.UsageError, match="inside a progress function"):
+        mesh.parametrize(progress=lambda p: hgp.parametrize(*square, reproducible=True))
+    assert mesh.parametrize(progress=lambda p: hgp.parametrize(*square).certified).certified
+
+
 def _resident() -> int:
     with open("/proc/self/statm", encoding="ascii") as file:
         return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")

@@ -4,7 +4,9 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import { filesOf, textOf } from './source_tree.mjs';
 
-const texts = filesOf('.', '.h', '.cpp', '.mjs', '.js', '.ts', '.md', '.txt', '.cmake', '.json');
+const endings =
+  '.h .cpp .mjs .js .ts .md .txt .cmake .json .py .pyi .toml .yml scripts/release packaging/elsewhere';
+const texts = filesOf('.', ...endings.split(' '));
 
 test('no path of a particular machine', () => {
   const path = new RegExp(`(^|[\\s"'=(])/${'(work|home|root)'}/[a-z]`, 'm');
@@ -12,6 +14,10 @@ test('no path of a particular machine', () => {
     texts.filter((file) => path.test(textOf(file))),
     [],
   );
+});
+
+test('nothing that a program has made from sources is kept', () => {
+  assert.deepEqual(filesOf('.', '.pyc', '.o', '.so', '.whl', '.deb', '.tgz'), []);
 });
 
 test('the lock file holds no download addresses', () => {

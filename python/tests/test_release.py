@@ -1,0 +1,103 @@
+"""What a release is made of; making all of it runs with --full."""
+
+from __future__ import annotations
+
+import json
+import pathlib
+import re
+import subprocess
+import sys
+from typing import Any, List
+
+import pytest
+import yaml
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "packaging"))
+import release  # noqa: E402
+import third_party  # noqa: E402
+
+
+def test_the_version_is_in_one_place_and_the_same_in_all_manifests() -> None:
+    citation = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
+    package = json.loads((ROOT / "wasm/package/package.json").read_text(encoding="utf-8"))
+    assert str(citation["version"]) == package["version"] == release.VERSION
+
+
+def test_notes_are_the_section_of_the_version() -> None:
+    log = "# Changelog\n\n## Unreleased\n\n- new\n\n## 0.0.9 - 2020-01-01\n\n- old\n"
+    assert release.notes(log, "0.1.0") == "- new\n"
+    cut = release.cut(log, "0.1.0", "2026-11-24")
+    assert release.notes(cut, "0.1.0") == "- new\n" and release.notes(cut, "0.0.9") == "- old\n"
+    assert release.notes(cut, "0.2.0").strip() == ""
+    with pytest.raises(ValueError, match="already has"):
+        release.cut(cut, "0.1.0", "2026-11-25")
+    assert "Python" in release.notes((ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), release.VERSION)
+
+
+def test_licences_have_the_text_and_the_copyright_of_every_component() -> None:
+    text = third_party.licences()
+    for component in third_party.COMPONENTS:
+        part = third_party.licence_text(component)
+        assert re.search(r"copyright", part, re.I) and len(part) > 400, component.name
+        assert part.strip() in text
+    named = (ROOT / "THIRD_PARTY_NOTICES.md").read_text(encoding="utf-8").lower()
+    for component in third_party.COMPONENTS:
+        assert component.name.split(" ")[0].split(",")[0].lower() in named, component.name
+
+
+def test_the_bill_of_materials_names_versions_and_checksums(tmp_path: Any) -> None:
+    file = tmp_path / "hgp.tar.gz"
+    file.write_bytes(b"x")
+    bill = third_party.bill("0.1.0", "2026-11-24T00:00:00Z", [file])
+    assert bill["spdxVersion"] == "SPDX-2.3"
+    versions = {part["name"]: part["versionInfo"] for part in bill["packages"]}
+    assert versions["hgp"] == "0.1.0" and versions["Eigen"].startswith("3.4") and all(versions.values())
+    ids = [part["SPDXID"] for part in [*bill["packages"], *bill["files"]]]
+    assert len(set(ids)) == len(ids) and all(re.fullmatch(r"SPDXRef-[A-Za-z0-9.-]+", one) for one in ids)
+    related = {relation["relatedSpdxElement"] for relation in bill["relationships"]}
+    assert related == set(ids)
+    assert bill["files"][0]["checksums"][0]["checksumValue"].startswith("2d711642b726b044")
+
+
+@pytest.mark.parametrize("name", ["test", "release"])
+def test_workflows_are_well_formed_and_call_scripts_that_exist(name: str) -> None:
+    workflow = yaml.safe_load((ROOT / f".github/workflows/{name}.yml").read_text(encoding="utf-8"))
+    assert workflow["name"] == name and workflow[True]  # `on`, which YAML 1.1 takes for a truth value
+    calls: List[str] = []
+    for job in workflow["jobs"].values():
+        assert job["runs-on"] and job["timeout-minutes"] <= 120
+        for step in job["steps"]:
+            assert set(step) <= {"run", "uses", "with", "env"} and ("run" in step) != ("uses" in step)
+            assert re.fullmatch(r"actions/[\w-]+@v\d+", step.get("uses", "actions/x@v1"))
+            calls += re.findall(r"^(?:scripts|packaging)/\S+", step.get("run", ""), re.M)
+    assert calls
+    for call in calls:
+        assert (ROOT / call).exists(), call
+        subprocess.run(["bash", "-n", str(ROOT / call)], check=True)
+
+
+@pytest.mark.full
+def test_a_release_is_complete_reproducible_and_usable(tmp_path: Any) -> None:
+    """Made twice, unpacked and used."""
+    folder = ROOT / f"build/release/hgp-{release.VERSION}"
+    sums = []
+    for _ in range(2):
+        subprocess.run([str(ROOT / "scripts/release")], check=True, cwd=ROOT)
+        sums.append((folder / "SHA256SUMS").read_text())
+    assert sums[0] == sums[1]
+    subprocess.run(["sha256sum", "--check", "--quiet", "SHA256SUMS"], check=True, cwd=folder)
+    (deb,) = folder.glob("*.deb")
+    subprocess.run(["dpkg-deb", "-x", str(deb), str(tmp_path / "root")], check=True)
+    program = tmp_path / "root/usr/bin/hgp"
+    said = subprocess.run([str(program), "--version"], check=True, capture_output=True, text=True).stdout
+    assert said == f"hgp {release.VERSION}\n"
+    for place in ("man/man1/hgp.1", "bash-completion/completions/hgp", "doc/hgp/LICENSE"):
+        assert list((tmp_path / "root/usr/share").glob(place + "*")), place
+    fields = subprocess.run(["dpkg-deb", "-f", str(deb), "Depends"], check=True, capture_output=True, text=True).stdout
+    assert "libdraco" in fields and "libc6" in fields
+    subprocess.run([sys.executable, "-m", "venv", "--system-site-packages", str(tmp_path / "env")], check=True)
+    (wheel,) = folder.glob("*.whl")
+    subprocess.run([str(tmp_path / "env/bin/pip"), "install", "--quiet", "--no-index", str(wheel)], check=True)
+    used = [str(tmp_path / "env/bin/hgp"), "param", str(ROOT / "examples/meshes/pretzel.obj"), "-o", str(tmp_path / "a.obj")]
+    subprocess.run(used, check=True, cwd=tmp_path)

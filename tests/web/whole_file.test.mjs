@@ -73,7 +73,7 @@ test('the choice of coordinates in Download holds for every mesh of the file, an
     0: { sets: 'TEXCOORD_0 TEXCOORD_1', read: [0, 1] },
     1: { sets: 'TEXCOORD_0 TEXCOORD_1', read: [0, 1] },
   };
-  for (const choice of ['use', '1', 'keep']) {
+  for (const choice of ['use', '0', '1', 'keep']) {
     await page.click('#download');
     await page.selectOption('#uv-set', choice);
     await page.waitForFunction(

@@ -47,6 +47,11 @@ class RelationRows {
     return isSmall_;
   }
 
+  /// The same, where a row without a unit is divided by the coefficient of its least used variable.
+  bool run() {
+    return run([this](int r) { return leastUsed(r); });
+  }
+
   Row& row(int r) { return rows_[at(r)]; }
   bool isSmall() const { return isSmall_; }
   int variableCount() const { return static_cast<int>(pivotRow_.size()); }
@@ -212,7 +217,7 @@ template <class Ring>
 FreeVariables<Ring> eliminateRelations(int variableCount,
                                        const std::vector<RingSum<Ring>>& relations) {
   RelationRows<Ring> rows(variableCount, relations);
-  const bool isExact = rows.run([&](int r) { return rows.leastUsed(r); });
+  const bool isExact = rows.run();
   HGP_CHECK(isExact, "coefficients of relations between translations stay small");
   FreeVariables<Ring> out;
   for (int v = 0; v < variableCount; ++v) {

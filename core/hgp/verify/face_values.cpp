@@ -41,11 +41,11 @@ Derivative derivativeOf(const std::array<Vec3, 3>& p, const std::array<Vec2, 3>&
 /// log₂ of every ratio, less the mean over its component weighted by area; 0 where there is no ratio.
 std::vector<float> logAreas(const std::vector<double>& ratio, const std::vector<double>& area,
                             const std::vector<int>& componentOf) {
-  struct Sums {
+  struct LogSum {
     double area = 0, log = 0;
   };
-  std::vector<Sums> sums(1);
-  const auto sumOf = [&](std::size_t t) -> Sums& {
+  std::vector<LogSum> sums(1);
+  const auto sumOf = [&](std::size_t t) -> LogSum& {
     const auto p = componentOf.empty() ? 0 : static_cast<std::size_t>(componentOf[t] + 1);
     if (p >= sums.size()) sums.resize(p + 1);
     return sums[p];
@@ -53,14 +53,14 @@ std::vector<float> logAreas(const std::vector<double>& ratio, const std::vector<
   const auto isMeasured = [&](std::size_t t) { return ratio[t] > 0 && std::isfinite(ratio[t]); };
   for (std::size_t t = 0; t < ratio.size(); ++t) {
     if (!isMeasured(t)) continue;
-    Sums& sum = sumOf(t);
+    LogSum& sum = sumOf(t);
     sum.area += area[t];
     sum.log += area[t] * portable::log2(ratio[t]);
   }
   std::vector<float> out;
   out.reserve(ratio.size());
   for (std::size_t t = 0; t < ratio.size(); ++t) {
-    const Sums& sum = sumOf(t);
+    const LogSum& sum = sumOf(t);
     out.push_back(isMeasured(t) ? static_cast<float>(portable::log2(ratio[t]) - sum.log / sum.area)
                                 : 0.0F);
   }

@@ -13,7 +13,7 @@ namespace {
 constexpr int kMaxCorners = 64;  // as far as clipEars compares all ears
 // A polygon whose other triangles would be inverted waits for its neighbour in the first passes, and gives way itself
 // in the others.
-constexpr int kPatientPasses = 3, kPasses = 6;
+constexpr int kPatientPasses = 3, kDiagonalPasses = 6;
 constexpr double kCostOfSide = 4, kCostOfDiagonal = 2, kPatient = 3, kForced = 1;
 
 using Edge = std::pair<int, int>;  // smaller vertex first
@@ -34,7 +34,7 @@ class Separator {
   void run() {
     findTwins();
     copyTwins();
-    for (int pass = 0; pass < kPasses && tests_ <= kMaxEarTests; ++pass) {
+    for (int pass = 0; pass < kDiagonalPasses && tests_ <= kMaxEarTests; ++pass) {
       const std::vector<int> found = conflicts();
       if (found.empty()) return;
       countUses(found);

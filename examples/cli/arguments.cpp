@@ -166,7 +166,10 @@ class Parser {
     if (words_.scale == "fit") out_.solve.scale = api::Scale::kFit;
     if (words_.gridMode == "quad") out_.solve.grid.mode = GridMode::kQuad;
     if (out_.q) out_.solve.q = out_.verify.q = *out_.q;
-    if (out_.command == Command::kQuads) out_.solve.grid.mode = GridMode::kQuad;
+    if (out_.command == Command::kQuads) {
+      out_.solve.grid.mode = GridMode::kQuad;
+      out_.solve.choosesCells = true;
+    }
     if (out_.command == Command::kParam) out_.load.target = targetOf(out_.output);
     refuseContradictions();
   }
@@ -203,13 +206,12 @@ class Parser {
       refuse("--frames file needs --field");
     const GridOptions& grid = out_.solve.grid;
     if (grid.cells > 0 && grid.spacing > 0) refuse("--cells and --grid exclude each other");
-    if (out_.command == Command::kQuads && !grid.isAsked())
-      refuse("quads needs --cells N (approximate number) or --grid LENGTH (edge of a cell)");
     if (!words_.gridMode.empty() && !grid.isAsked()) refuse("--grid-mode needs --cells or --grid");
-    if (grid.isAsked() && !words_.scale.empty() && words_.scale != "solved") {
+    const bool isGrid = grid.isAsked() || out_.solve.choosesCells;
+    if (isGrid && !words_.scale.empty() && words_.scale != "solved") {
       refuse("--scale unit and fit would undo a grid: one cell is one unit of uv");
     }
-    if (grid.isAsked() && out_.solve.boundary == api::BoundaryKind::kConvex)
+    if (isGrid && out_.solve.boundary == api::BoundaryKind::kConvex)
       refuse("--boundary convex has no seams to align to a grid");
     const bool isGltf = out_.load.target == "glb" || out_.load.target == "gltf";
     if (out_.isCompressed && !isGltf && out_.output != "-")

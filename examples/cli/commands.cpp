@@ -144,12 +144,13 @@ class Run {
       return Failure{ErrorCode::kUsage, "write", text, {}};
     };
     const std::vector<std::string> outputs = this->outputs();
-    const bool mayReplace = a_.mayOverwrite && a_.command == Command::kParam;
+    const bool isResult = a_.command == Command::kParam || a_.command == Command::kQuads;
+    const bool mayReplace = a_.mayOverwrite && isResult;
     for (std::size_t i = 0; i < outputs.size(); ++i) {
       for (const std::string& input : {a_.input, a_.cones, a_.field, a_.convert}) {
         if (!isSameFile(outputs[i], input)) continue;
         if (i == 0 && mayReplace && input == a_.input) continue;
-        const bool isMap = i == 0 && a_.command == Command::kParam && input == a_.input;
+        const bool isMap = i == 0 && isResult && input == a_.input;
         return refuse(outputs[i] + (isMap ? " is the input; --force allows to replace it"
                                           : " is read; it cannot be written, too"));
       }
@@ -357,7 +358,7 @@ class Run {
       tell("nothing was written; --keep-going writes the components that are certified");
       return kNoMapExit;
     }
-    if (a_.solve.grid.isAsked() && !session_.isAligned()) {
+    if ((isQuads || a_.solve.grid.isAsked()) && !session_.isAligned()) {
       tell("the map is certified but not aligned to a grid; nothing was written");
       return kNoMapExit;
     }

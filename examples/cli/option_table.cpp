@@ -151,8 +151,10 @@ class Table {
 
   void addGrid(CLI::App* sub) {
     sub->option_defaults()->group("Grid");
-    sub->add_option("--cells", out_.solve.grid.cells,
-                    "Align to a grid of about N cells: lines meet at every seam (q = 2, 4)")
+    sub->add_option(
+           "--cells", out_.solve.grid.cells,
+           "Align to a grid of about N cells: lines meet at every seam (q = 2, 4; quads: by "
+           "default 14 along the diagonal, at least 800)")
         ->option_text("N")
         ->check(atLeast(1));
     sub->add_option("--grid", out_.solve.grid.spacing,
@@ -268,10 +270,20 @@ class Table {
             ""));
   }
 
+  void addForce(CLI::App* sub) {
+    sub->add_flag("-f,--force", out_.mayOverwrite, "Allow the output to replace the input");
+  }
+
+  void addRefine(CLI::App* sub) {
+    sub->add_flag("--refine", out_.solve.refines,
+                  "If there is no map, split edges, solve again, and write the refined mesh with "
+                  "its map, or its quads");
+  }
+
   void addParam() {
     CLI::App* sub = add("param", "Compute and write a certified map", Command::kParam);
     addOutput(sub, "Where to write (- for standard output)", true);
-    sub->add_flag("-f,--force", out_.mayOverwrite, "Allow the output to replace the input");
+    addForce(sub);
     sub->add_option("--uv-set", words_.uvSet, "glTF: the set to write (default next)")
         ->option_text("next|N");
     repeatable(sub, "--also", out_.also, "FILE",
@@ -295,9 +307,7 @@ class Table {
     sub->add_flag("--keep-going", out_.solve.keepsGoing,
                   "Write what is certified; other components keep their uv or are cut open to "
                   "disks (exit code 6)");
-    sub->add_flag(
-        "--refine", out_.solve.refines,
-        "If there is no map, split edges, solve again, and write the refined mesh with its map");
+    addRefine(sub);
     sub->add_option("--xref", out_.xref, "Write the input vertex of every output texture vertex")
         ->option_text("FILE");
     addPrescription(sub);
@@ -318,13 +328,15 @@ class Table {
     CLI::App* sub =
         add("quads", "Align a map to a grid and write its cells as quads", Command::kQuads);
     addOutput(sub, "An .obj, or a .glb of triangles for viewing", true);
+    addForce(sub);
     addPrescription(sub);
-    sub->add_option("--count", out_.solve.coneCount, "Automatic cones: about how many")
-        ->option_text("N")
-        ->check(atLeast(0));
+    addChoice(sub, "--count");
+    addSolve(sub);
+    addRefine(sub);
     addGrid(sub);
     addCommon(sub,
-              "  hgp quads mesh.obj --cells 400 -o quads.obj\n"
+              "  hgp quads mesh.obj -o quads.obj\n"
+              "  hgp quads mesh.obj --cells 400 --improve isometric -o quads.obj\n"
               "  hgp quads mesh.obj --grid 0.2 -o quads.obj");
   }
 

@@ -134,6 +134,57 @@ test('around a handle of two cells, cells are cut so that no two edges have the 
   }
 });
 
+/** Coefficient of variation of the areas of the quads in an OBJ. */
+function unevenness(text) {
+  const rows = text.split('\n').map((line) => line.split(' '));
+  const points = rows.filter((r) => r[0] === 'v').map((r) => r.slice(1).map(Number));
+  const areas = rows
+    .filter((r) => r[0] === 'f')
+    .map((r) => {
+      const [a, b, c, d] = r.slice(1).map((word) => points[Number(word.split('/')[0]) - 1]);
+      const [p, q] = [c.map((x, k) => x - a[k]), d.map((x, k) => x - b[k])];
+      return Math.hypot(...[0, 1, 2].map((k) => p[k] * q[(k + 1) % 3] - p[(k + 1) % 3] * q[k])) / 2;
+    });
+  const mean = areas.reduce((sum, x) => sum + x, 0) / areas.length;
+  return Math.sqrt(areas.reduce((sum, x) => sum + (x - mean) ** 2, 0) / areas.length) / mean;
+}
+
+test('quads take the options of param, and a number of cells where none is given', () => {
+  const file = put('pear.obj', stretched(cubeMesh(16), [1, 0.6, 2.2]));
+  const out = path.join(folder, 'pear-quads.obj');
+  const report = path.join(folder, 'pear.json');
+  const run = (...options) => {
+    const done = spawnSync(hgp, ['quads', file, '-o', out, '--json', report, ...options], {
+      encoding: 'utf8',
+    });
+    assert.equal(done.status, 0, `${options}: ${done.stderr}`);
+    const text = readFileSync(out, 'utf8');
+    const { cones } = JSON.parse(readFileSync(report, 'utf8')).cones;
+    checkQuads(
+      text,
+      2,
+      cones.map((c) => c.k),
+      `${options}`,
+    );
+    return { text, quads: text.match(/^f /gm).length };
+  };
+  const plain = run();
+  assert.ok(plain.quads > 600 && plain.quads < 1100, `${plain.quads} quads for about 800 cells`);
+  const even = run('--improve', 'area');
+  assert.ok(unevenness(even.text) < 0.8 * unevenness(plain.text));
+  for (const options of [
+    ['--align', '--cells', '3000'],
+    ['--method', 'soft', '--cells', '1500'],
+    ['--cones-for', 'few', '--cells', '1500'],
+    ['--refine', '--cells', '1500'],
+  ])
+    run(...options);
+  writeFileSync(out, readFileSync(file));
+  const replaced = (...options) => spawnSync(hgp, ['quads', out, '-o', out, ...options]).status;
+  assert.equal(replaced(), 2);
+  assert.equal(replaced('--force'), 0);
+});
+
 for (const [file, euler] of models) {
   const name = path.basename(file);
   const options = existsSync(file) ? {} : { skip: `${file} is not here` };

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "hgp/optimize/program.h"
+#include "hgp/parametrize/parametrize.h"
+#include "hgp/system/harmonic_residual.h"
 #include "hgp/verify/certificate.h"
 #include "support/seamless.h"
 
@@ -89,6 +91,41 @@ TEST(Theorem61, HarmonicMapsThatMeetTheHypothesesAreLocallyInjective) {
   }
   EXPECT_GT(harmonic, 10);
   EXPECT_GT(applies, 10);
+}
+
+/// What parametrize() gives without any option, for cones that it chose itself.
+Result<Parametrization> defaultMap(const TriMesh& mesh, HolonomySpec& spec) {
+  const Result<CompleteSpec> cones = suggestCones(mesh, SuggestOptions{});
+  if (!cones) return cones.error();
+  spec = toSpec(*cones);
+  return parametrize(mesh, spec, {});
+}
+
+TEST(Theorem61, AppliesToDefaultMaps) {
+  int count = 0;
+  for (const test::Shape& shape : {test::jittered(test::icosphere(8), 0.03), test::disk(6),
+                                   test::jittered(test::puncturedTorus(20, 14), 0.02),
+                                   test::jittered(test::doubleTorus(4), 0.02), test::cube(4),
+                                   test::jittered(test::torus(24, 12), 0.05),
+                                   test::withoutFaces(test::icosphere(6), {0, 200})}) {
+    const TriMesh mesh = shape.mesh();
+    HolonomySpec spec;
+    const Result<Parametrization> run = defaultMap(mesh, spec);
+    ASSERT_TRUE(run) << shape.name << ": " << run.error().message;
+    ASSERT_TRUE(run->isCertified) << shape.name;
+    std::vector<VertexId> cones;
+    for (const ConePoint& cone : run->spec.cones) cones.push_back(cone.vertex);
+    if (cones.empty() && computeTopology(mesh).loops.empty()) continue;  // a flat torus has none
+    const HarmonicFacts harmonic =
+        measureHarmonicity(mesh, computeGeometry(mesh), run->map, run->spec.q, cones);
+    EXPECT_GT(harmonic.rows, 0) << shape.name;
+    EXPECT_LE(harmonic.largestResidual, 1e-9) << shape.name;
+    const Certificate& c = run->certificate;
+    EXPECT_EQ(c.orientation.constrainedPositive, c.orientation.constrained) << shape.name;
+    EXPECT_TRUE(c.angles.wrong.empty()) << shape.name;
+    ++count;
+  }
+  EXPECT_GE(count, 6);
 }
 
 Solved goodMap() {

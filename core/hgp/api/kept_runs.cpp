@@ -59,12 +59,14 @@ bool isSamePrescription(const io::Prescription& a, const io::Prescription& b) {
 
 bool isSameOptions(const SolveOptions& a, const SolveOptions& b) {
   const auto& [q, coneCount, conesFor, alignToCurvature, boundary, maxRounds, method, improve,
-               frames, scale, keepsGoing, refines, convexPolygons, grid, progress] = a;
+               frames, scale, keepsGoing, refines, convexPolygons, grid, choosesCells, progress] =
+      a;
   static_cast<void>(progress);
   return std::tie(q, coneCount, conesFor, alignToCurvature, boundary, maxRounds, method, frames,
-                  scale, keepsGoing, refines, convexPolygons) ==
+                  scale, keepsGoing, refines, convexPolygons, choosesCells) ==
              std::tie(b.q, b.coneCount, b.conesFor, b.alignToCurvature, b.boundary, b.maxRounds,
-                      b.method, b.frames, b.scale, b.keepsGoing, b.refines, b.convexPolygons) &&
+                      b.method, b.frames, b.scale, b.keepsGoing, b.refines, b.convexPolygons,
+                      b.choosesCells) &&
          kTied(grid, b.grid) && areSame(improve, b.improve, kTied);
 }
 

@@ -62,6 +62,8 @@ struct SolveOptions {
   /// Certify only maps in which every polygon of the file is convex; uv are moved for that after the solve.
   bool convexPolygons = false;
   GridOptions grid;  ///< the number of cells is that of all components together
+  /// Align to a grid also where `grid` has neither a number of cells nor their length: automaticCells of them.
+  bool choosesCells = false;
   Progress progress;
 };
 

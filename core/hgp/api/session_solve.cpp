@@ -239,13 +239,14 @@ Status Session::State::solveRequest(const Request& request, const SolveOptions& 
 }
 
 Status Session::State::solve(const std::optional<io::Prescription>& prescription,
-                             const SolveOptions& options) {
+                             const SolveOptions& asked) {
   const auto start = std::chrono::steady_clock::now();
-  if (options.refines && std::string_view(model->document->outputFormat()) != "obj")
-    return solveAsPolygons(prescription, options);
+  if (asked.refines && std::string_view(model->document->outputFormat()) != "obj")
+    return solveAsPolygons(prescription, asked);
   Result<Request> request = prescription ? resolve(*model, *prescription)
-                                         : Result<Request>(automaticRequest(*model, options.q));
+                                         : Result<Request>(automaticRequest(*model, asked.q));
   if (!request) return request.error();
+  const SolveOptions options = withCells(*request, asked);
   if (Status possible = checkGrid(options, request->q); !possible) return possible.error();
   if (options.improve && !(std::fabs(options.improve->balance) <= 1.0)) return wrongBalance();
   if (options.frames == FrameSource::kFile && options.refines) return cannotRefineFrames();

@@ -41,6 +41,8 @@ struct Session::State {
   Status solveOrFind(const std::optional<io::Prescription>& prescription,
                      const SolveOptions& options);
   Status solve(const std::optional<io::Prescription>& prescription, const SolveOptions& options);
+  /// The same options, with automaticCells where choosesCells asks for them.
+  SolveOptions withCells(const Request& request, SolveOptions options) const;
   /// Solves every component and verifies it as stored: sets all of `solved` except its report.
   Status solveRequest(const Request& request, const SolveOptions& options, RunRecord& run);
   /// Stores one map per component and verifies what is stored: sets all of `solved` except its report.

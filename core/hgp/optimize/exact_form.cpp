@@ -2,9 +2,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "hgp/base/check.h"
 #include "hgp/base/portable_math.h"
 #include "hgp/linalg/factor/factor.h"
+#include "hgp/optimize/harmonic_rows.h"
 #include "hgp/optimize/program_form.h"
 
 namespace hgp {
@@ -26,19 +26,15 @@ class ExactForm : public ProgramForm {
   bool build() {
     chooseKept();
     if (static_cast<int>(kept_.size()) > kLargestExactRoot) return false;
-    if (!lu_.build(harmonicMatrix(), kept_, unknownTree())) return false;
+    if (!lu_.build(squareRows(in_), kept_, unknownTree(in_, vertexTree_))) return false;
     return buildRoot();
   }
 
  private:
   /// Keeps unknowns that occur in a frame condition or have no harmonic row: translations, boundary, cones.
   void chooseKept() {
-    std::vector<char> isKept(static_cast<std::size_t>(in_.unknowns.count), 1);
-    for (VertexId v : in_.harmonic.rowVertex) {
-      const int unknown = in_.unknowns.vertexUnknown[v];
-      HGP_CHECK(unknown >= 0, "vertex %d has a harmonic row and no unknown", v.i);
-      isKept[static_cast<std::size_t>(unknown)] = 0;
-    }
+    std::vector<char> isKept = unknownsWithRows(in_);
+    for (char& kept : isKept) kept = !kept;
     for (std::size_t i = 0; i < isKept.size(); ++i)
       if (held_.isHeld[i]) isKept[i] = 1;
     FaceRows rows;
@@ -55,33 +51,6 @@ class ExactForm : public ProgramForm {
       kept_.push_back(unknown);
       if (!held_.isHeld[i]) number_[i] = count_++;
     }
-  }
-
-  /// The harmonic rows as a square matrix, each at the index of its vertex' unknown; the other rows are empty.
-  SparseRows harmonicMatrix() const {
-    const SparseRows& rows = in_.harmonic.rows;
-    std::vector<int> start(static_cast<std::size_t>(in_.unknowns.count) + 1, 0);
-    for (std::size_t r = 0; r < in_.harmonic.rowVertex.size(); ++r) {
-      const int unknown = in_.unknowns.vertexUnknown[in_.harmonic.rowVertex[r]];
-      start[static_cast<std::size_t>(unknown) + 1] =
-          static_cast<int>(rows.outerIndexPtr()[r + 1] - rows.outerIndexPtr()[r]);
-    }
-    // Unknowns ascend with their vertices, so that the entries stay sorted.
-    std::partial_sum(start.begin(), start.end(), start.begin());
-    return Eigen::Map<const SparseRows>(in_.unknowns.count, in_.unknowns.count, rows.nonZeros(),
-                                        start.data(), rows.innerIndexPtr(), rows.valuePtr());
-  }
-
-  /// Unknowns that are not vertices are all kept, and kept ones are eliminated last in any case.
-  linalg::SeparatorTree unknownTree() const {
-    linalg::SeparatorTree tree =
-        linalg::restrictTree(vertexTree_, in_.unknowns.vertexUnknown.raw());
-    std::vector<char> isVertex(static_cast<std::size_t>(in_.unknowns.count), 0);
-    for (int unknown : tree.order) isVertex[static_cast<std::size_t>(unknown)] = 1;
-    for (int unknown = 0; unknown < in_.unknowns.count; ++unknown)
-      if (!isVertex[static_cast<std::size_t>(unknown)]) tree.order.push_back(unknown);
-    tree.nodeStart.back() = in_.unknowns.count;
-    return tree;
   }
 
   /// H = SᴴD²S + the distortion of the constrained faces, which makes the minimiser unique.

@@ -7,6 +7,7 @@
 #include "hgp/base/check.h"
 #include "hgp/base/portable_math.h"
 #include "hgp/linalg/factor/factor.h"
+#include "hgp/optimize/harmonic_basis.h"
 #include "hgp/optimize/program_form.h"
 
 namespace hgp {
@@ -95,25 +96,29 @@ ProgramResult solveProgram(const SeamlessSystem& system, const Frames& frames,
                            const ProgramOptions& options) {
   HGP_CHECK(frames.faces.size() == frames.angles.size(), "one direction per frame");
   const ProgramInput in{system, frames, options};
-  const HeldUnknowns held = heldUnknowns(in);
+  HeldUnknowns held = heldUnknowns(in);
   ProgramResult result;
   const auto* penalty = std::get_if<PenaltyObjective>(&options.objective);
+  const auto* harmonic = std::get_if<HarmonicObjective>(&options.objective);
   const std::unique_ptr<ProgramForm> form =
-      penalty ? penaltyForm(in, *penalty, held)
-              : exactForm(in, std::get<ExactObjective>(options.objective), held);
+      penalty    ? penaltyForm(in, *penalty, held)
+      : harmonic ? harmonicForm(in, *harmonic)
+                 : exactForm(in, std::get<ExactObjective>(options.objective), held);
   if (!form) return result;
+  if (harmonic) held.isHeld.assign(held.isHeld.size(), 0);  // the basis holds one itself
   linalg::PartialCholesky& cholesky = form->cholesky;
 
   socp::Problem problem;
   problem.form = &cholesky;
   problem.c = reducedLinear(*form, form->c);
+  problem.sharesBlock = form->isDense() && !frames.faces.empty();
   FaceRows rows;
   for (std::size_t j = 0; j < frames.faces.size(); ++j) {
     faceRows(in, held, frames.faces[j], rows);
+    form->rewrite(rows);
     problem.constraints.push_back(frameCondition(in, rows, j));
     for (const FaceRows::Term& term : rows.terms)
-      problem.constraints.back().unknowns.push_back(
-          cholesky.dynamicIndex(form->number(term.unknown)));
+      problem.constraints.back().unknowns.push_back(cholesky.dynamicIndex(term.unknown));
   }
   socp::SolveOptions solveOptions;
   solveOptions.progress = options.progress;
@@ -121,7 +126,8 @@ ProgramResult solveProgram(const SeamlessSystem& system, const Frames& frames,
 
   result.status = solution.status;
   result.iterations = solution.iterations;
-  result.work = linalg::multiplyAdds(cholesky.report(), std::max(1, solution.iterations));
+  result.work = linalg::multiplyAdds(cholesky.report(), std::max(1, solution.iterations)) +
+                (harmonic ? harmonic->basis->work() : 0.0);
   const bool isTieBroken = penalty && penalty->quality == 0.0 && options.soft.faces.empty();
   result.x = isTieBroken && (solution.isFree || frames.faces.empty())
                  ? withoutTieBreak(in, *form, held, problem, solution.x)

@@ -16,6 +16,12 @@ class ProgramForm {
 
   /// Number of an unknown (of ReducedUnknowns, not a held one) in `cholesky`.
   virtual int number(int unknown) const = 0;
+  /// Rows over unknowns of ReducedUnknowns become rows over the form's.
+  virtual void rewrite(FaceRows& rows) const {
+    for (FaceRows::Term& term : rows.terms) term.unknown = number(term.unknown);
+  }
+  /// All frame conditions contain all unknowns, in their order.
+  virtual bool isDense() const { return false; }
   /// All unknowns of ReducedUnknowns from those of the form.
   virtual Eigen::VectorXcd expand(const Eigen::VectorXcd& x) const = 0;
 
@@ -40,5 +46,10 @@ std::unique_ptr<ProgramForm> penaltyForm(const ProgramInput& in, const PenaltyOb
 std::unique_ptr<ProgramForm> exactForm(const ProgramInput& in, const ExactObjective& objective,
                                        const HeldUnknowns& held);
 inline constexpr int kLargestExactRoot = 1200;
+
+/// Harmonic at every vertex that is neither cone nor boundary: the program over objective.basis.
+/// Null when there is no basis, or the soft faces do not determine the map.
+std::unique_ptr<ProgramForm> harmonicForm(const ProgramInput& in,
+                                          const HarmonicObjective& objective);
 
 }  // namespace hgp

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <memory>
 #include <variant>
 #include <vector>
 
@@ -37,7 +38,13 @@ struct ExactObjective {
   const linalg::SeparatorTree* vertexTree;
 };
 
-using Objective = std::variant<PenaltyObjective, ExactObjective>;
+class HarmonicBasis;
+/// Harmonic at every vertex off cones and boundary; of these maps, the one with the least distortion of all faces.
+struct HarmonicObjective {
+  std::shared_ptr<const HarmonicBasis> basis;  ///< null: the program has no solution
+};
+
+using Objective = std::variant<PenaltyObjective, ExactObjective, HarmonicObjective>;
 
 /// Soft frame constraints: instead of a condition (13), the distortion term of these faces has this weight. A program
 /// without hard ones is one linear system.

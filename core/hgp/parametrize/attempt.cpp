@@ -5,6 +5,7 @@
 
 #include "hgp/base/portable_math.h"
 #include "hgp/optimize/frame_fixing.h"
+#include "hgp/optimize/program_form.h"
 #include "hgp/optimize/untangle.h"
 
 namespace hgp {
@@ -143,10 +144,19 @@ std::shared_ptr<const Attempt> Attempts::make(const State& state, int round) {
   return attempt;
 }
 
+std::shared_ptr<const HarmonicBasis> Attempts::basisOf(const State& state, const Attempt& attempt) {
+  const SeamlessSetup& setup = *problem_.setup;
+  if (!basis_)
+    basis_ = HarmonicBasis::make(systemOf(problem_.mesh, setup, seamsOf(state), setup.harmonic),
+                                 attempt.u, setup.context->tree);
+  return basis_;
+}
+
 bool Attempts::solve(const State& state, int round, Attempt& attempt) {
   const SeamlessSetup& setup = *problem_.setup;
   const Weighting& weighting = problem_.weightings[state.weighting];
   attempt.frames = framesOf(state);
+  if (!weighting.isHarmonic) basis_.reset();
   ProgramOptions program;
   program.u = attempt.u;
   if (problem_.method == Method::kPrinted) {
@@ -156,6 +166,8 @@ bool Attempts::solve(const State& state, int round, Attempt& attempt) {
   if (weighting.soft > 0.0) program.soft = {problem_.soft, weighting.soft};
   if (!state.patch.empty())
     program.objective = PenaltyObjective{weighting.quality, patchOf(problem_, state)};
+  else if (weighting.isHarmonic)
+    program.objective = HarmonicObjective{basisOf(state, attempt)};
   else if (weighting.isExact)
     program.objective = ExactObjective(setup.context->tree);
   else

@@ -8,8 +8,8 @@ namespace hgp {
 
 /// How a map is computed. kAuto combines the others, each of which tries nothing else.
 enum class Method {
-  kAuto,  ///< soft, then hard constraints with repairs, then untangling (docs/decisions/015, 032)
-  kHarmonic,  ///< hard frame constraints on F_cb, rows weighted by e^{−u}: harmonic where possible
+  kAuto,  ///< harmonic, then soft and hard constraints with repairs, then untangling (docs/decisions/032, 071)
+  kHarmonic,  ///< harmonic; then hard frame constraints on F_cb with the least harmonic energy
   kSoft,      ///< soft frame constraints (linear systems); hard ones where the map is wrong
   /// (11)–(13) as printed but for the tie-break of PenaltyObjective, with frames and weights of the failed map for the
   /// next program

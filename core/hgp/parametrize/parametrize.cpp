@@ -5,6 +5,7 @@
 
 #include "hgp/base/counted.h"
 #include "hgp/parametrize/attempt.h"
+#include "hgp/parametrize/free_rotation.h"
 #include "hgp/parametrize/in_metric.h"
 #include "hgp/parametrize/moves/moves.h"
 #include "hgp/parametrize/seamless_setup.h"
@@ -34,6 +35,25 @@ Round describe(const Problem& problem, const State& state, const Attempt& attemp
 long long distanceToCertified(const Attempt& attempt) {
   if (attempt.certificate.isCertified) return -1;
   return attempt.certificate.isMeasured ? attempt.wrongCount : 1LL << 40;
+}
+
+/// A harmonic map of more mean μ than this is compared with the next map that is certified, and is kept unless its μ is
+/// larger by more than this factor.
+constexpr double kDistorted = 0.06;
+constexpr double kMuchLarger = 1.05;
+
+/// Orbifolds and flat tori have one harmonic map, to which soft constraints are no alternative.
+bool isDistorted(const Problem& problem, const State& state, const Attempt& attempt) {
+  const bool hasRival = state.weighting + 1 < problem.weightings.size() &&
+                        problem.weightings[state.weighting + 1].soft > 0.0;
+  return hasRival && problem.weightings[state.weighting].isHarmonic &&
+         attempt.certificate.isCertified && attempt.certificate.distortion.meanMu > kDistorted;
+}
+
+bool isBetter(const Attempt& attempt, const Attempt& best) {
+  if (attempt.certificate.isCertified && best.certificate.isCertified)
+    return kMuchLarger * attempt.certificate.distortion.meanMu < best.certificate.distortion.meanMu;
+  return distanceToCertified(attempt) < distanceToCertified(best);
 }
 
 void explain(const SeamlessSetup& setup, bool hasGivenFrames, const Attempt& best,
@@ -70,8 +90,9 @@ double secondsSince(Clock::time_point start) {
 }
 
 /// The moves in order: local repairs first, then other frames, then everything again with another weighting.
-constexpr Move kMoves[] = {frameByMap, widenPatch, solvePatch,    frameByAngles, untangleNext,
-                           fixLifts,   enlarge,    iterateFrames, nextWeighting};
+constexpr Move kMoves[] = {constrainHarmonic, harmonicByAngles, frameByMap,    widenPatch,
+                           solvePatch,        fixLifts,         frameByAngles, untangleNext,
+                           enlarge,           iterateFrames,    nextWeighting};
 
 /// The first move to a state that was not tried before.
 std::optional<State> firstMove(const Problem& problem, const State& state,
@@ -107,10 +128,12 @@ static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
     const std::shared_ptr<const Attempt> attempt = attempts.make(state, round);
     if (!attempt) return cancelled(Stage::kSolve);
     rounds.push_back(describe(problem, state, *attempt, secondsSince(start)));
-    if (!best || distanceToCertified(*attempt) < distanceToCertified(*best)) best = attempt;
+    if (!best || isBetter(*attempt, *best)) best = attempt;
     work -= workOf(rounds.back(), problem.mesh.faceCount());
-    if (best->certificate.isCertified || work <= 0.0) break;
-    std::optional<State> next = firstMove(problem, state, attempt, tried);
+    const bool isOdd = isDistorted(problem, state, *attempt);
+    if ((attempt->certificate.isCertified && !isOdd) || work <= 0.0) break;
+    std::optional<State> next =
+        isOdd ? nextWeighting(problem, state, attempt) : firstMove(problem, state, attempt, tried);
     if (!next) break;
     state = std::move(*next);
   }
@@ -136,6 +159,7 @@ Result<Parametrization> parametrizeInMetric(PreparedSurface& surface, const Holo
   const Attempt& attempt = **best;
   MappedSolution mapped{
       {setup, attempt.program.x, attempt.u, attempt.frames}, attempt.map, attempt.certificate};
+  if (!options.frames) turnAsTheSurfaceLies(mesh, mapped);
   const bool isOnlyTooFine = !mapped.certificate.isCertified && attempt.wrongCount == 0;
   if (isOnlyTooFine && options.method == Method::kAuto)
     if (Status done = evenOut(mesh, options, mapped, result); !done) return std::move(done).error();

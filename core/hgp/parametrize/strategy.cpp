@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/optimize/harmonic_basis.h"
 #include "hgp/optimize/program_form.h"
 
 namespace hgp {
@@ -16,7 +17,7 @@ constexpr double kSoft = 0.3;
 constexpr double kClamp = 5.0;
 /// Range of u up to which one linear system usually gives the map (automatic cones: 0.9 to 5.6
 /// on all meshes of the corpus).
-constexpr double kSoftScaleRange = 8.0;
+constexpr double kMildScaleRange = 8.0;
 
 /// The number of unknowns up to which the dense system costs a fraction of the sparse one, which costs |V|^1.5.
 int cheapRoot(const TriMesh& mesh) {
@@ -33,15 +34,20 @@ int touchedUnknowns(const Problem& problem, const std::vector<FaceId>& faces) {
       std::count_if(chains.begin(), chains.end(), [](int unknown) { return unknown >= 0; }));
 }
 
-/// Soft constraints suffice on disks, and where the scale of the cone metric varies little. Flat tori and orbifolds of
-/// the sphere have an exactly harmonic map, which hard constraints find.
-bool suitsSoft(const SeamlessSetup& setup) {
+/// Where the scale of the cone metric varies little, and on disks, some map near the conformal one has these cones.
+bool isMild(const SeamlessSetup& setup) {
   const Topology& topology = setup.context->topology;
   if (topology.genus == 0 && topology.loops.size() == 1) return true;
+  return setup.field.scaleRange <= kMildScaleRange;
+}
+
+/// Flat tori and orbifolds of the sphere have an exactly harmonic map, which needs no soft constraints.
+bool suitsSoft(const SeamlessSetup& setup) {
+  const Topology& topology = setup.context->topology;
   const bool isClosed = topology.loops.empty();
   if (isClosed && (setup.cones.empty() || (topology.genus == 0 && setup.cones.size() <= 4)))
     return false;
-  return setup.field.scaleRange <= kSoftScaleRange;
+  return isMild(setup);
 }
 
 /// Soft constraints on F_cb, and a ring around it where the dense root stays small.
@@ -92,10 +98,17 @@ Problem problemOf(const TriMesh& mesh, const std::shared_ptr<const SeamlessSetup
       {},
       coneAndBoundaryFaces(mesh, setup->cones),
       {},
+      options.frames.has_value(),
+      HarmonicBasis::countOf(systemOf(mesh, *setup)),
       options.largestWork * std::max(mesh.faceCount(), ParametrizeOptions::kSmallSurface),
       std::make_shared<AngleFrames>()};
   const Weighting hard{"hard constraints", kNoClamp, 0.0, 3, false};
   const Method method = options.method;
+  const bool isTorus = setup->cones.empty() && setup->context->topology.loops.empty();
+  const bool isSmall = problem.harmonicCount <= kLargestExactRoot;
+  if (isSmall && !isTorus &&
+      (method == Method::kHarmonic || (method == Method::kAuto && isMild(*setup))))
+    problem.weightings.push_back({"harmonic", kNoClamp, 0.0, 0, false, false, 0.0, true});
   if (method == Method::kSoft || (method == Method::kAuto && suitsSoft(*setup)))
     problem.weightings.push_back(softWeighting(problem));
   if (method == Method::kHarmonic || method == Method::kAuto) problem.weightings.push_back(hard);
@@ -158,7 +171,8 @@ std::string nameOf(const Problem& problem, const State& state) {
 State startOf(const Problem& problem, std::size_t weighting) {
   State state;
   state.weighting = weighting;
-  if (problem.weightings[weighting].soft == 0.0) state.hard = problem.base;
+  const Weighting& kind = problem.weightings[weighting];
+  if (kind.soft == 0.0 && !kind.isHarmonic) state.hard = problem.base;
   return state;
 }
 

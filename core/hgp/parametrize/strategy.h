@@ -32,8 +32,8 @@ struct Weighting {
   int growthRounds;  ///< enlargements of the constrained set
   bool isFromMap;    ///< u from log|f_z| of the map before
   bool isExact = false;
-  double soft =
-      0.0;  ///< > 0: frames are soft constraints of this weight; only what went wrong is hard
+  double soft = 0.0;        ///< > 0: weight of soft frame constraints; only what went wrong is hard
+  bool isHarmonic = false;  ///< harmonic at every vertex that is neither cone nor boundary
 };
 
 /// What does not change from round to round.
@@ -42,9 +42,11 @@ struct Problem {
   std::shared_ptr<const SeamlessSetup> setup;
   Method method = Method::kAuto;
   std::vector<Weighting> weightings;
-  std::vector<FaceId> base;  ///< F_cb
-  std::vector<FaceId> soft;  ///< F_cb, with a ring around it where that is cheap
-  double largestWork = 0.0;  ///< maximum work of the run, in units of workOf()
+  std::vector<FaceId> base;     ///< F_cb
+  std::vector<FaceId> soft;     ///< F_cb, with a ring around it where that is cheap
+  bool hasGivenFrames = false;  ///< those of a field file, which the map follows
+  int harmonicCount = 0;        ///< unknowns of harmonic maps (HarmonicBasis)
+  double largestWork = 0.0;     ///< maximum work of the run, in units of workOf()
   std::shared_ptr<AngleFrames> angles;
 };
 Problem problemOf(const TriMesh& mesh, const std::shared_ptr<const SeamlessSetup>& setup,
@@ -57,9 +59,8 @@ struct Attempt {
   Frames frames;
   UvMap map;
   Certificate certificate;
-  std::vector<FaceId>
-      wrong;           ///< not positive, or at a vertex or loop with a wrong angle; ascending
-  int wrongCount = 0;  ///< triangles, vertices and loops that are wrong
+  std::vector<FaceId> wrong;  ///< not positive, or where an angle is wrong; ascending
+  int wrongCount = 0;         ///< triangles, vertices and loops that are wrong
   bool isFeasible() const { return !socp::isWithoutPoint(program.status); }
 };
 

@@ -1,6 +1,26 @@
 #include "hgp/socp/newton_system.h"
 
+#include <cmath>
+
+#include "hgp/linalg/factor/times_adjoint.h"
+
 namespace hgp::socp {
+
+/// H + Σ (R_b F_b)ᵀ R_b F_b with the given symmetric 3 × 3 roots R_b of the metrics, as one dense block.
+template <class RootOf>
+bool NewtonSystem::factorShared(const RootOf& rootOf) {
+  const auto& constraints = problem_.constraints;
+  const Eigen::Index size = constraints.front().F.cols();
+  Eigen::MatrixXd scaled(size, 3 * static_cast<Eigen::Index>(constraints.size()));
+  for (std::size_t b = 0; b < constraints.size(); ++b)
+    scaled.middleCols(3 * static_cast<Eigen::Index>(b), 3) =
+        (rootOf(b) * constraints[b].F).transpose();
+  values_.resize(problem_.form->blockStorage());
+  Eigen::Map<Eigen::MatrixXd> block(values_.data(), size, size);
+  block = linalg::timesAdjoint(scaled);
+  block = Eigen::MatrixXd(block.selfadjointView<Eigen::Lower>());
+  return static_cast<bool>(problem_.form->factor(values_.data()));
+}
 
 /// H + Σ F_bᵀ M_b F_b with the given 3 × 3 metrics.
 template <class MetricOf>
@@ -16,6 +36,9 @@ bool NewtonSystem::factorWith(const MetricOf& metricOf) {
 }
 
 bool NewtonSystem::factorUniform(double rho) {
+  if (problem_.sharesBlock)
+    return factorShared(
+        [rho](std::size_t) -> Matrix3 { return std::sqrt(rho) * Matrix3::Identity(); });
   return factorWith([rho](std::size_t) -> Matrix3 { return rho * Matrix3::Identity(); });
 }
 
@@ -25,6 +48,8 @@ bool NewtonSystem::factorScaled(const Iterate& point) {
     scaling_[b] = ntScaling(point.s[b], point.y[b]);
     if (!scaling_[b].inverse.allFinite()) return false;
   }
+  if (problem_.sharesBlock)
+    return factorShared([&](std::size_t b) -> Matrix3 { return scaling_[b].inverse; });
   return factorWith(
       [&](std::size_t b) -> Matrix3 { return scaling_[b].inverse * scaling_[b].inverse; });
 }

@@ -27,6 +27,8 @@ class NewtonSystem {
   void correct(Slacks& target, const Iterate& predictor, double centring) const;
 
  private:
+  template <class RootOf>
+  bool factorShared(const RootOf& rootOf);
   template <class MetricOf>
   bool factorWith(const MetricOf& metricOf);
 

@@ -25,6 +25,8 @@ struct Problem {
   linalg::PartialCholesky* form = nullptr;
   Eigen::VectorXd c;  ///< 2·form->dynamicSize()
   std::vector<ConeConstraint> constraints;
+  /// All constraints have the same unknowns in the same order, and `form` has one clique for all of them.
+  bool sharesBlock = false;
 };
 
 struct SolveOptions {

@@ -75,6 +75,65 @@ TEST(SchurLu, AgreesWithDenseAlgebra) {
   EXPECT_LT((lu.schur() * block - Eigen::MatrixXcd::Identity(4, 4)).norm(), 1e-10);
 }
 
+TEST(SchurLu, ExtensionToSomeUnknownsIsTheSame) {
+  for (const Graph& graph : allGraphs()) {
+    const ComplexSparse A = dominantRows(graph, 0.01);
+    const std::vector<int> kept = everyKth(graph.size(), 20), wanted = everyKth(graph.size(), 13);
+    SchurLu lu;
+    ASSERT_TRUE(lu.build(A, kept, nestedDissection(graph, {.leafSize = 25})).ok);
+    const Eigen::MatrixXcd xk = Eigen::MatrixXcd::Random(static_cast<int>(kept.size()), 3);
+    const Eigen::MatrixXcd all = lu.extend(xk), some = lu.extend(xk, wanted);
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      EXPECT_EQ(all.row(wanted[i]), some.row(static_cast<int>(i)));
+  }
+}
+
+/// |row · x − target|² for every edge of the graph and every vertex.
+FormElements edgeTerms(const Graph& graph, std::vector<std::vector<int>>& unknowns) {
+  for (int v = 0; v < graph.size(); ++v) {
+    unknowns.push_back({v});
+    for (const int* u = graph.begin(v); u != graph.end(v); ++u) unknowns.push_back({*u, v});
+  }
+  FormElements elements;
+  elements.count = static_cast<int>(unknowns.size());
+  elements.unknownsOf = [&unknowns](int e, std::vector<int>& out) {
+    out = unknowns[static_cast<std::size_t>(e)];
+  };
+  elements.get = [&unknowns](int e, FormElements::Element& out) {
+    out.unknowns = unknowns[static_cast<std::size_t>(e)];
+    Eigen::RowVectorXcd row(static_cast<int>(out.unknowns.size()));
+    for (int i = 0; i < row.size(); ++i) row[i] = std::polar(1.0 + 0.3 * i, 0.7 * e + i);
+    out.H = row.adjoint() * row;
+    out.c = -row.adjoint() * std::sin(0.1 * e);
+  };
+  return elements;
+}
+
+TEST(SchurLu, RestrictedFormsHaveTheValuesOfTheFormOnExtensions) {
+  for (const Graph& graph : allGraphs())
+    for (const int k : {1, 7, 90}) {
+      const ComplexSparse A = dominantRows(graph, 0.01);
+      const std::vector<int> kept = everyKth(graph.size(), k);
+      SchurLu lu;
+      ASSERT_TRUE(lu.build(A, kept, nestedDissection(graph, {.leafSize = 25})).ok);
+      std::vector<std::vector<int>> unknowns;
+      const FormElements elements = edgeTerms(graph, unknowns);
+      const QuadraticForm form = lu.restrict(elements);
+      const Eigen::VectorXcd xk = Eigen::VectorXcd::Random(static_cast<int>(kept.size()));
+      const Eigen::MatrixXcd x = lu.extend(Eigen::MatrixXcd(xk));
+      double expected = 0.0;
+      FormElements::Element element;
+      for (int e = 0; e < elements.count; ++e) {
+        elements.get(e, element);
+        Eigen::VectorXcd at(static_cast<int>(element.unknowns.size()));
+        for (int i = 0; i < at.size(); ++i) at[i] = x(element.unknowns[i], 0);
+        expected += (at.dot(element.H * at) + 2.0 * element.c.dot(at)).real();
+      }
+      const double value = (xk.dot(form.H * xk) + 2.0 * form.c.dot(xk)).real();
+      EXPECT_NEAR(value, expected, 1e-10 * (1.0 + std::abs(expected))) << graph.size() << " " << k;
+    }
+}
+
 TEST(SchurLu, NamesAnEmptyRow) {
   ComplexSparse A(4, 4);
   A.insert(0, 0) = 1.0;

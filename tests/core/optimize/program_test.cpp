@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/optimize/solved.h"
+#include "hgp/optimize/harmonic_basis.h"
 
 namespace hgp {
 namespace {
@@ -155,6 +156,75 @@ TEST(Program, NoFeasibleNeighbourOfTheExactFormIsBetter) {
       }
     }
   }
+}
+
+/// Σ A e^{−2u} (|f_z − e^u d|² + |f_z̄|²) over all faces.
+double distortionOf(const test::SeamlessProblem& p, const ProgramOptions& options,
+                    const std::vector<Complex>& z) {
+  double value = 0.0;
+  for (FaceId f : p.surface.mesh.faces()) {
+    double u = 0.0;
+    for (VertexId v : p.surface.mesh.corners(f)) u += options.u[v] / 3.0;
+    const auto [similar, anti] = p.partsOf(f, z);
+    const Complex turned = similar * std::polar(1.0, p.surface.seams.frameAngle[f]);
+    value += p.surface.context.geometry.area[f] * std::exp(-2.0 * u) *
+             (std::norm(turned - std::exp(u)) + std::norm(anti));
+  }
+  return value;
+}
+
+bool isFlatTorus(const test::SeamlessProblem& p) {
+  return p.surface.cones.empty() && p.surface.context.topology.loops.empty();
+}
+
+TEST(Program, TheHarmonicFormIsHarmonicAtEveryVertexAndOfLeastDistortion) {
+  for (const test::SeamlessProblem& p : easyProblems()) {
+    ProgramOptions options = p.weightedOptions();
+    const auto basis = HarmonicBasis::make(p.system(), options.u, p.surface.context.tree);
+    EXPECT_EQ(basis == nullptr, isFlatTorus(p)) << p.surface.name;
+    if (!basis) continue;
+    options.objective = HarmonicObjective{basis};
+    const ProgramResult free = p.solve({}, options), framed = p.solve(p.frames(), options);
+    for (const ProgramResult* result : {&free, &framed}) {
+      ASSERT_FALSE(result->z.empty()) << p.surface.name;
+      EXPECT_LT(residualAway(p, {}, result->z), 1e-11 * extentOf(result->z)) << p.surface.name;
+    }
+    EXPECT_TRUE(p.certify(framed.z).isCertified) << p.surface.name;
+    const double least = distortionOf(p, options, free.z);
+    EXPECT_GE(distortionOf(p, options, framed.z), least * (1 - 1e-9) - 1e-20) << p.surface.name;
+    for (int draw = 0; draw < 5; ++draw) {
+      const Eigen::VectorXcd y = Eigen::VectorXcd::Random(basis->count());
+      const Eigen::VectorXcd other = p.unknowns.copies * (free.x + 1e-3 * basis->expand(y));
+      EXPECT_GT(distortionOf(p, options, {other.data(), other.data() + other.size()}), least)
+          << p.surface.name;
+    }
+  }
+}
+
+TEST(Program, TheHarmonicFormFulfilsFrameConditionsThatBind) {
+  const test::SeamlessProblem p = test::sphereProblem(4, 4, {1, 2, 3, 3, 5, 6, 3, 1});
+  ProgramOptions options = p.weightedOptions();
+  options.margin = 0.5;
+  options.objective =
+      HarmonicObjective{HarmonicBasis::make(p.system(), options.u, p.surface.context.tree)};
+  const Frames frames = p.frames();
+  const ProgramResult free = p.solve({}, options), framed = p.solve(frames, options);
+  ASSERT_EQ(framed.status, SolveStatus::kOptimal);
+  const auto least = [&](const ProgramResult& result) {
+    double smallest = 1e300;
+    for (std::size_t j = 0; j < frames.faces.size(); ++j) {
+      const auto [similar, anti] = p.partsOf(frames.faces[j], result.z);
+      double u = 0.0;
+      for (VertexId v : p.surface.mesh.corners(frames.faces[j])) u += options.u[v] / 3.0;
+      smallest = std::min(
+          smallest,
+          ((similar * std::polar(1.0, frames.angles[j])).real() - std::abs(anti)) * std::exp(-u));
+    }
+    return smallest;
+  };
+  EXPECT_LT(least(free), options.margin) << "an example that shows nothing";
+  EXPECT_GT(least(framed), 0.99 * options.margin);
+  EXPECT_LT(residualAway(p, {}, framed.z), 1e-11 * extentOf(framed.z));
 }
 
 TEST(Program, SoftFrameConstraintsNeedNoIteration) {

@@ -1,6 +1,7 @@
 // Frames of a field that somebody else computed, and what is refused of it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "hgp/field/prescribed_field.h"
@@ -20,14 +21,14 @@ struct Problem {
 };
 
 /// Fields that turn by less than half a turn across every edge: their directions tell all.
-std::vector<Problem> problems() {
+std::vector<Problem> problems(const std::vector<int>& orders = {3, 4, 6}) {
   std::mt19937 random(41);
   std::vector<Problem> out;
   for (const test::Shape& shape : {test::icosphere(5), test::pretzel(1, 2), test::doubleTorus(2),
                                    test::annulus(16, 5), test::puncturedTorus(12, 10)}) {
     TriMesh mesh = shape.mesh();
     const Result<FieldContext> context = prepareFields(mesh);
-    for (int q : {3, 4, 6}) {
+    for (int q : orders) {
       const auto spec = test::randomSpec(mesh, context->topology, {q, 8, false, false}, random);
       if (!spec) continue;
       Result<PrescribedField> own = prescribedField(mesh, *context, *spec);
@@ -58,12 +59,24 @@ double distance(const Parametrization& a, const Parametrization& b, double turne
   return largest / extent;
 }
 
-TEST(GivenFrames, TheSolversOwnFieldFedBackGivesTheSameMap) {
+/// The rotation from a to b. Without given frames a map is turned as the surface lies; with them, as they say.
+double turnBetween(const Parametrization& a, const Parametrization& b) {
+  Complex sum = 0.0;
+  for (std::size_t i = 0; i < a.map.uv.size(); ++i) sum += std::conj(uvOf(a, i)) * uvOf(b, i);
+  return std::arg(sum);
+}
+
+TEST(GivenFrames, TheSolversOwnFieldFedBackGivesTheSameMapUpToARotation) {
   int count = 0;
-  for (const Problem& one : problems()) {
+  for (const Problem& one : problems({3, 4, 6, 3, 4, 6})) {
     SCOPED_TRACE(one.name);
     const Result<Parametrization> own = parametrize(one.mesh, toSpec(one.own.spec), {});
     ASSERT_TRUE(own) << own.error().message;
+    // Frames of an angle structure are in no file: given frames leave that round out.
+    const auto isByAngles = [](const Round& round) {
+      return round.method == "harmonic, frames of angles";
+    };
+    if (std::any_of(own->rounds.begin(), own->rounds.end(), isByAngles)) continue;
     for (int sign : {1, -1}) {
       const Result<Parametrization> p = parametrize(
           one.mesh, toSpec(one.own.spec), withFrames(test::dataOf(one.mesh, one.own.field, sign)));
@@ -72,7 +85,7 @@ TEST(GivenFrames, TheSolversOwnFieldFedBackGivesTheSameMap) {
       ASSERT_EQ(p->rounds.size(), own->rounds.size());
       ASSERT_EQ(p->map.uv.size(), own->map.uv.size());
       if (own->isCertified) {
-        EXPECT_LT(distance(*own, *p), 1e-6);
+        EXPECT_LT(distance(*own, *p, turnBetween(*own, *p)), 1e-6);
       }
     }
     count += own->isCertified;
@@ -85,7 +98,8 @@ TEST(GivenFrames, DirectionsTurnedByAConstantAngleTurnTheMapBack) {
   int count = 0;
   for (Problem& one : problems()) {
     SCOPED_TRACE(one.name);
-    const Result<Parametrization> own = parametrize(one.mesh, toSpec(one.own.spec), {});
+    const Result<Parametrization> own = parametrize(
+        one.mesh, toSpec(one.own.spec), withFrames(test::dataOf(one.mesh, one.own.field)));
     ASSERT_TRUE(own);
     for (double& a : one.own.field.angle.raw()) a += angle;
     const Result<Parametrization> p = parametrize(

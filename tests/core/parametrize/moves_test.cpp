@@ -28,6 +28,8 @@ struct Posed {
     return 0;
   }
   State hardState() const { return startOf(*problem, indexOf("hard constraints")); }
+  State softState() const { return startOf(*problem, indexOf("soft constraints, exact rows")); }
+  State harmonicState() const { return startOf(*problem, indexOf("harmonic")); }
 };
 
 Posed sphere(int n, const std::vector<int>& indices = std::vector<int>(8, 3),
@@ -91,22 +93,57 @@ TEST(Problem, HasSoftConstraintsOfARingMoreWhereTheDenseSystemStaysSmall) {
   EXPECT_EQ(large.problem->soft, growFaces(*large.mesh, large.problem->base, 1));
 }
 
-TEST(Problem, OfANamedMethodHasOneWeighting) {
+TEST(Problem, OfANamedMethodHasItsWeightingAndHarmonicOneMore) {
   for (const Method method :
        {Method::kHarmonic, Method::kSoft, Method::kPrinted, Method::kAllFrames}) {
     const Posed on = sphere(8, std::vector<int>(8, 3), method);
-    EXPECT_EQ(on.problem->weightings.size(), 1U) << methodName(method);
+    EXPECT_EQ(on.problem->weightings.size(), method == Method::kHarmonic ? 2U : 1U)
+        << methodName(method);
     EXPECT_EQ(methodNamed(methodName(method)), method);
   }
   const Posed all = sphere(8, std::vector<int>(8, 3), Method::kAllFrames);
   EXPECT_EQ(static_cast<int>(firstState(*all.problem).hard.size()), all.mesh->faceCount());
 }
 
+TEST(Problem, StartsWithTheHarmonicMapWithoutFrames) {
+  const Posed on = sphere(8);
+  const State first = firstState(*on.problem);
+  EXPECT_EQ(nameOf(*on.problem, first), "harmonic");
+  EXPECT_TRUE(first.hard.empty());
+}
+
+TEST(ConstrainHarmonic, TakesTheFramesOfConesAndBoundaryWhereLittleIsWrong) {
+  const Posed on = sphere(8);
+  const State first = on.harmonicState();
+  const auto next = constrainHarmonic(*on.problem, first, attemptWith(on, 2, 1.0));
+  ASSERT_TRUE(next);
+  EXPECT_EQ(next->hard, on.problem->base);
+  EXPECT_FALSE(constrainHarmonic(*on.problem, *next, attemptWith(on, 2, 1.0))) << "once";
+  EXPECT_FALSE(constrainHarmonic(*on.problem, first, attemptWith(on, 30, 1.0)));
+  EXPECT_FALSE(constrainHarmonic(*on.problem, on.softState(), attemptWith(on, 2, 1.0)));
+  Problem large = *on.problem;  // as many unknowns as on a surface with long boundaries
+  large.harmonicCount = 300;
+  const auto part = constrainHarmonic(large, first, attemptWith(on, 1, 1.0));
+  EXPECT_TRUE(!part || part->hard.size() < large.base.size());
+}
+
+TEST(HarmonicByAngles, UsesFramesOfAnAngleStructureOnce) {
+  const Posed on = sphere(8);
+  const AttemptPtr failed = attemptWith(on, 30, 1.0);
+  const auto next = harmonicByAngles(*on.problem, on.harmonicState(), failed);
+  ASSERT_TRUE(next);
+  EXPECT_EQ(next->source, FrameSource::kAngles);
+  EXPECT_EQ(next->hard, on.problem->base);
+  EXPECT_FALSE(harmonicByAngles(*on.problem, *next, failed));
+  Attempts attempts(*on.problem, on.options);
+  EXPECT_TRUE(attempts.make(*next, 1)->certificate.isCertified);
+}
+
 TEST(FixLifts, OutsideAPatchRingsAreLeftAlone) {
   const Posed on = sphere(32);
   Attempts attempts(*on.problem, on.options);
   const AttemptPtr whole = attempts.make(on.hardState(), 1);
-  State patch = firstState(*on.problem);
+  State patch = on.softState();
   const VertexId far = on.problem->setup->cones[5];
   patch.from = whole;
   patch.hard = ringOf(on, on.problem->setup->cones[0]);
@@ -211,7 +248,7 @@ TEST(FrameByAngles, IsFeasibleWhereTheConnectionsFramesContradictEachOther) {
 
 TEST(FrameByAngles, IsForHardConstraintsAndNotForThePaperAsPrinted) {
   const Posed soft = sphere(8), printed = sphere(8, std::vector<int>(8, 3), Method::kPrinted);
-  EXPECT_FALSE(frameByAngles(*soft.problem, firstState(*soft.problem), attemptWith(soft, 3, 1.0)));
+  EXPECT_FALSE(frameByAngles(*soft.problem, soft.softState(), attemptWith(soft, 3, 1.0)));
   EXPECT_FALSE(
       frameByAngles(*printed.problem, firstState(*printed.problem), attemptWith(printed, 3, 1.0)));
 }
@@ -261,7 +298,7 @@ TEST(FrameByMap, ContinuesWhileItHelpsAndOnlyWithoutFlips) {
 
 TEST(Patch, IsSolvedAroundWhatIsWrongWidenedWhereWorseAndFollowedByHardConstraints) {
   const Posed on = sphere(32);
-  const State soft = firstState(*on.problem);
+  const State soft = on.softState();
   const AttemptPtr first = attemptWith(on, 2, 1.0);
   const auto patch = solvePatch(*on.problem, soft, first);
   ASSERT_TRUE(patch) << "two wrong triangles need no program of everything";
@@ -291,7 +328,7 @@ TEST(Patch, IsSolvedAroundWhatIsWrongWidenedWhereWorseAndFollowedByHardConstrain
 
 TEST(Patch, IsNoLargePartOfTheMesh) {
   const Posed on = sphere(4);
-  const auto next = solvePatch(*on.problem, firstState(*on.problem), attemptWith(on, 2, 1.0));
+  const auto next = solvePatch(*on.problem, on.softState(), attemptWith(on, 2, 1.0));
   EXPECT_TRUE(!next || next->patch.empty());
 }
 
@@ -373,8 +410,8 @@ TEST(Untangle, EveryKindGivesACertifiedMapOfAPrescriptionThatHardConstraintsFail
 
 TEST(NextWeighting, StartsFromFcbAndEndsWithTheLast) {
   const Posed on = sphere(8);
-  State state = firstState(*on.problem);
-  std::size_t count = 1;
+  State state = on.softState();
+  std::size_t count = on.indexOf("soft constraints, exact rows") + 1;
   for (auto next = nextWeighting(*on.problem, state, attemptWith(on, 2, 1.0)); next;
        next = nextWeighting(*on.problem, state, attemptWith(on, 2, 1.0)), ++count) {
     EXPECT_EQ(next->hard, on.problem->base);

@@ -1,19 +1,14 @@
-#include "hgp/linalg/factor/schur_lu.h"
-
 #include <algorithm>
 #include <vector>
 
 #include "hgp/base/check.h"
 #include "hgp/base/portable_math.h"
 #include "hgp/linalg/factor/panel_solve.h"
-#include "hgp/linalg/kernels/kernel_workspace.h"
+#include "hgp/linalg/factor/schur_lu_state.h"
+#include "hgp/linalg/factor/times_adjoint.h"
 
 namespace hgp::linalg {
 namespace {
-
-using Complex = std::complex<double>;
-using SparseRows = SchurLu::SparseRows;
-using SparseColumns = Eigen::SparseMatrix<Complex>;
 
 // Kept unknowns last, the others as the tree says.
 SymbolicFactor analyzeKeptLast(const Graph& pattern, const std::vector<int>& kept,
@@ -29,36 +24,7 @@ SymbolicFactor analyzeKeptLast(const Graph& pattern, const std::vector<int>& kep
   return analyze(pattern, order, options);
 }
 
-std::unique_ptr<double[]> allocate(std::size_t complexNumbers) {
-  return std::unique_ptr<double[]>(new double[2 * complexNumbers]);  // not zeroed
-}
-
-// One front: pivot columns of A and of Aᴴ side by side, and the full square complement.
-struct Front {
-  int s, r;
-  std::vector<Complex> L;
-  Complex* U;
-  std::unique_ptr<double[]> complement;
-};
-
 }  // namespace
-
-struct SchurLu::State {
-  SymbolicFactor symbolic;
-  std::vector<int> kept;
-  std::vector<int> keptAt;              // position → index in kept, −1
-  std::vector<std::size_t> panelStart;  // of eliminated nodes; Uᴴ panels, (s + r) × s
-  std::unique_ptr<double[]> panels;
-  Eigen::MatrixXcd schur;
-
-  Complex* panel(int t) const { return reinterpret_cast<Complex*>(panels.get()) + panelStart[t]; }
-  void layOut();
-  FactorStatus eliminate(const SparseRows& A, const SparseColumns& columns);
-  void addToSchur(int t, const Complex* complement);
-  void fillPanels(int t, const SparseRows& A, const SparseColumns& columns,
-                  const std::vector<int>& local, Front* front,
-                  std::vector<double>* threshold) const;
-};
 
 namespace {
 
@@ -114,7 +80,7 @@ void SchurLu::State::layOut() {
     const std::size_t s = symbolic.pivots(t), r = symbolic.rowCount(t);
     panelStart.push_back(panelStart.back() + (symbolic.dynamicNode[t] ? 0 : s * (s + r)));
   }
-  panels = allocate(panelStart.back() + 1);
+  panels = allocateComplex(panelStart.back() + 1);
   schur.setZero(static_cast<int>(kept.size()), static_cast<int>(kept.size()));
 }
 
@@ -165,7 +131,7 @@ FactorStatus SchurLu::State::eliminate(const SparseRows& A, const SparseColumns&
                                             threshold.data(), work.data());
     if (bad >= 0) return {false, f.order[first + bad], 0.0};
     if (r == 0) continue;
-    front.complement = allocate(static_cast<std::size_t>(r) * r);
+    front.complement = allocateComplex(static_cast<std::size_t>(r) * r);
     kernels().updateComplex({r, r, s, raw(front.L.data() + s), raw(front.U + s),
                              front.complement.get(), rows, rows, r, false, true},
                             work.data());
@@ -221,16 +187,56 @@ FactorCost SchurLu::estimate(const Graph& pattern, const std::vector<int>& kept,
   return cost;
 }
 
+FactorCost SchurLu::cost() const {
+  FactorCost cost = factorCost(state_->symbolic, 0);
+  cost.multiplyAdds *= 2.0;
+  return cost;
+}
+
 const Eigen::MatrixXcd& SchurLu::schur() const { return state_->schur; }
 
 Eigen::MatrixXcd SchurLu::gram(const Eigen::VectorXd& weight) const {
-  const Eigen::MatrixXcd B = (weight.asDiagonal() * state_->schur).adjoint();
-  const int n = static_cast<int>(B.rows());
-  Eigen::MatrixXcd C(n, n);
-  const KernelWorkspace work;
-  const auto* from = reinterpret_cast<const double*>(B.data());
-  kernels().updateComplex({n, n, n, from, from, raw(C.data()), n, n, n, true, true}, work.data());
-  return -C;
+  return timesAdjoint(Eigen::MatrixXcd((weight.asDiagonal() * state_->schur).adjoint()));
+}
+
+/// Nodes that hold one of the unknowns, and all their ancestors.
+std::vector<char> SchurLu::State::nodesOf(const std::vector<int>& unknowns) const {
+  std::vector<char> isPosition(symbolic.order.size(), 0);
+  for (const int unknown : unknowns) isPosition[symbolic.position[unknown]] = 1;
+  std::vector<char> isNeeded(static_cast<std::size_t>(symbolic.nodeCount()), 0);
+  for (int t = 0; t < symbolic.nodeCount(); ++t) {
+    for (int k = symbolic.nodeStart[t]; k < symbolic.nodeStart[t + 1]; ++k)
+      isNeeded[t] |= isPosition[k];
+    if (isNeeded[t] && symbolic.parent[t] >= 0) isNeeded[symbolic.parent[t]] = 1;
+  }
+  return isNeeded;
+}
+
+void SchurLu::State::backward(int t, Eigen::MatrixXcd& x) const {
+  const int s = symbolic.pivots(t), r = symbolic.rowCount(t);
+  const Panel<Complex> U{panel(t), s + r, s};
+  std::vector<Complex> w;
+  for (Eigen::Index c = 0; c < x.cols(); ++c) {
+    w.assign(static_cast<std::size_t>(s), 0.0);
+    for (int i = 0; i < r; ++i) w.push_back(x(symbolic.rowsOf(t)[i], c));
+    U.backward(w.data());
+    std::copy(w.begin(), w.begin() + s, &x(symbolic.nodeStart[t], c));
+  }
+}
+
+Eigen::MatrixXcd SchurLu::extend(const Eigen::MatrixXcd& xKept,
+                                 const std::vector<int>& wanted) const {
+  const SymbolicFactor& f = state_->symbolic;
+  const std::vector<char> isNeeded = state_->nodesOf(wanted);
+  Eigen::MatrixXcd x(f.size(), xKept.cols());
+  for (int k = 0; k < f.size(); ++k)
+    if (state_->keptAt[k] >= 0) x.row(k) = xKept.row(state_->keptAt[k]);
+  for (int t = f.nodeCount() - 1; t >= 0; --t)
+    if (!f.dynamicNode[t] && isNeeded[t]) state_->backward(t, x);
+  Eigen::MatrixXcd result(static_cast<Eigen::Index>(wanted.size()), x.cols());
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    result.row(static_cast<Eigen::Index>(i)) = x.row(f.position[wanted[i]]);
+  return result;
 }
 
 Eigen::MatrixXcd SchurLu::extend(const Eigen::MatrixXcd& xKept) const {
@@ -240,18 +246,8 @@ Eigen::MatrixXcd SchurLu::extend(const Eigen::MatrixXcd& xKept) const {
   Eigen::MatrixXcd x(f.size(), xKept.cols());
   for (int k = 0; k < f.size(); ++k)
     if (state_->keptAt[k] >= 0) x.row(k) = xKept.row(state_->keptAt[k]);
-  std::vector<Complex> w;
-  for (int t = f.nodeCount() - 1; t >= 0; --t) {
-    if (f.dynamicNode[t]) continue;
-    const int s = f.pivots(t), r = f.rowCount(t);
-    const Panel<Complex> U{state_->panel(t), s + r, s};
-    for (Eigen::Index c = 0; c < x.cols(); ++c) {
-      w.assign(static_cast<std::size_t>(s), 0.0);
-      for (int i = 0; i < r; ++i) w.push_back(x(f.rowsOf(t)[i], c));
-      U.backward(w.data());
-      std::copy(w.begin(), w.begin() + s, &x(f.nodeStart[t], c));
-    }
-  }
+  for (int t = f.nodeCount() - 1; t >= 0; --t)
+    if (!f.dynamicNode[t]) state_->backward(t, x);
   Eigen::MatrixXcd result(f.size(), x.cols());
   for (int k = 0; k < f.size(); ++k) result.row(f.order[k]) = x.row(k);
   return result;

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <complex>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -13,6 +14,25 @@
 #include "hgp/linalg/ordering/ordering.h"
 
 namespace hgp::linalg {
+
+/// xᴴ H x + 2 Re(cᴴ x).
+struct QuadraticForm {
+  Eigen::MatrixXcd H;  ///< Hermitian, in full
+  Eigen::VectorXcd c;
+};
+
+/// A quadratic form given as a sum of small ones. The unknowns of an element must be neighbours in the pattern of A, or
+/// kept.
+struct FormElements {
+  struct Element {
+    std::vector<int> unknowns;  ///< distinct
+    Eigen::MatrixXcd H;         ///< its lower triangle is read
+    Eigen::VectorXcd c;
+  };
+  int count = 0;
+  std::function<void(int element, std::vector<int>& unknowns)> unknownsOf;
+  std::function<void(int element, Element& out)> get;  ///< reuses the memory of `out`
+};
 
 /// With the unknowns split into eliminated e and kept k,
 ///
@@ -40,15 +60,23 @@ class SchurLu {
   static FactorCost estimate(const Graph& pattern, const std::vector<int>& kept,
                              const SeparatorTree& tree);
 
+  /// The same of the factor that was built.
+  FactorCost cost() const;
+
   /// |kept| × |kept|, rows and columns in the order of `kept`.
   const Eigen::MatrixXcd& schur() const;
   /// Sᴴ D² S with D = diag(weight) over the kept rows; only the lower triangle is defined.
   Eigen::MatrixXcd gram(const Eigen::VectorXd& weight) const;
   /// All n unknowns from the kept ones; kept.size() × any columns.
   Eigen::MatrixXcd extend(const Eigen::MatrixXcd& xKept) const;
+  /// The same for these unknowns only, in their order; only their part of the tree is visited.
+  Eigen::MatrixXcd extend(const Eigen::MatrixXcd& xKept, const std::vector<int>& wanted) const;
+  /// xᴴ H x + 2 Re(cᴴ x) in terms of the kept unknowns, x = extend(x_k). Costs about three times what build() did.
+  QuadraticForm restrict(const FormElements& elements) const;
+
+  struct State;  // of the files that implement this class
 
  private:
-  struct State;
   std::unique_ptr<State> state_;
 };
 

@@ -7,7 +7,7 @@ namespace hgp {
 std::optional<State> fixLifts(const Problem& problem, const State& state,
                               const std::shared_ptr<const Attempt>& attempt) {
   const bool isSoft = problem.weightings[state.weighting].soft > 0.0;
-  if (state.untangling >= 0 || isSoft || !attempt->isFeasible()) return {};
+  if (state.untangling >= 0 || isSoft || state.hard.empty() || !attempt->isFeasible()) return {};
   if (!attempt->certificate.isMeasured) return {};
   PerFace<char> isWrong(static_cast<std::size_t>(problem.mesh.faceCount()), 0);
   for (FaceId f : attempt->certificate.orientation.notPositive) isWrong[f] = 1;

@@ -12,6 +12,7 @@ constexpr int kMaxCorrections = 4;
 std::optional<State> frameByMap(const Problem& problem, const State& state,
                                 const std::shared_ptr<const Attempt>& attempt) {
   if (problem.method != Method::kAuto || !attempt->isFeasible()) return {};
+  if (problem.weightings[state.weighting].isHarmonic) return {};
   if (!attempt->certificate.isMeasured || !attempt->certificate.orientation.notPositive.empty())
     return {};
   if (attempt->wrongCount == 0 || attempt->program.z.empty() || !attempt->program.x.allFinite())

@@ -20,6 +20,14 @@ std::optional<State> frameByAngles(const Problem&, const State&,
 /// ring that is embedded with the right angle (embedConeRing).
 std::optional<State> fixLifts(const Problem&, const State&, const std::shared_ptr<const Attempt>&);
 
+/// The harmonic map that frames only chose is wrong: the harmonic map that they constrain on F_cb.
+std::optional<State> constrainHarmonic(const Problem&, const State&,
+                                       const std::shared_ptr<const Attempt>&);
+
+/// The same with frames of an angle structure.
+std::optional<State> harmonicByAngles(const Problem&, const State&,
+                                      const std::shared_ptr<const Attempt>&);
+
 /// Frames were soft constraints: hard ones where the map is wrong, and only a patch around these is solved again.
 std::optional<State> solvePatch(const Problem&, const State&,
                                 const std::shared_ptr<const Attempt>&);

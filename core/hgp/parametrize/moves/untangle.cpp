@@ -13,7 +13,8 @@ constexpr int kMaxStepsOfKind = 220;
 std::optional<State> untangleNext(const Problem& problem, const State& state,
                                   const std::shared_ptr<const Attempt>& attempt) {
   // Tried after the first weighting with hard constraints and before later weightings.
-  if (problem.method != Method::kAuto || problem.weightings[state.weighting].soft > 0.0) return {};
+  const Weighting& weighting = problem.weightings[state.weighting];
+  if (problem.method != Method::kAuto || weighting.soft > 0.0 || weighting.isHarmonic) return {};
   auto next = static_cast<std::size_t>(state.untangling + 1);
   std::shared_ptr<const SeamRotations> frames;
   for (; next < untanglings().size(); ++next) {

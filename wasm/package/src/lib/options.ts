@@ -123,9 +123,9 @@ export interface SolveOptions extends SuggestOptions {
   /** Maximum number of programs per component; by default 24. */
   maxRounds?: number;
   /**
-   * `auto`: soft frame constraints if they suffice, then hard ones with the frames of the connection and of an angle
-   * structure, then untangling.
-   * `harmonic`: hard constraints on triangles at cones and boundary. `soft`: soft ones. `printed`: program and
+   * `auto`: the harmonic map, then soft frame constraints, hard ones with the frames of the connection and of an angle
+   * structure, and untangling.
+   * `harmonic`: the harmonic map, then hard constraints on triangles at cones and boundary. `soft`: soft ones. `printed`: program and
    * iteration as printed in the paper. `all-frames`: hard constraints on every triangle.
    */
   method?: 'auto' | 'harmonic' | 'soft' | 'printed' | 'all-frames';

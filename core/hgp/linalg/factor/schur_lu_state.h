@@ -1,0 +1,46 @@
+// The factor of SchurLu.  Role: shared by the files that implement it.
+#pragma once
+
+#include "hgp/linalg/factor/schur_lu.h"
+#include "hgp/linalg/kernels/kernel_workspace.h"
+
+namespace hgp::linalg {
+
+using Complex = std::complex<double>;
+using SparseRows = SchurLu::SparseRows;
+using SparseColumns = Eigen::SparseMatrix<Complex>;
+
+inline std::unique_ptr<double[]> allocateComplex(std::size_t complexNumbers) {
+  return std::unique_ptr<double[]>(new double[2 * complexNumbers]);  // not zeroed
+}
+
+/// One front: pivot columns of A and of Aᴴ side by side, and the full square complement.
+struct Front {
+  int s, r;
+  std::vector<Complex> L;
+  Complex* U;
+  std::unique_ptr<double[]> complement;
+};
+
+struct SchurLu::State {
+  SymbolicFactor symbolic;
+  std::vector<int> kept;
+  std::vector<int> keptAt;              // position → index in kept, −1
+  std::vector<std::size_t> panelStart;  // of eliminated nodes; Uᴴ panels, (s + r) × s
+  std::unique_ptr<double[]> panels;
+  Eigen::MatrixXcd schur;
+
+  Complex* panel(int t) const { return reinterpret_cast<Complex*>(panels.get()) + panelStart[t]; }
+  /// Nodes that hold one of the unknowns, and all their ancestors.
+  std::vector<char> nodesOf(const std::vector<int>& unknowns) const;
+  /// x at the pivots of t from x at its rows; x by position.
+  void backward(int t, Eigen::MatrixXcd& x) const;
+  void layOut();
+  FactorStatus eliminate(const SparseRows& A, const SparseColumns& columns);
+  void addToSchur(int t, const Complex* complement);
+  void fillPanels(int t, const SparseRows& A, const SparseColumns& columns,
+                  const std::vector<int>& local, Front* front,
+                  std::vector<double>* threshold) const;
+};
+
+}  // namespace hgp::linalg

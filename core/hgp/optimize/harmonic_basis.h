@@ -1,0 +1,51 @@
+// All maps that are harmonic at every vertex off cones and boundary.  Role: the hypothesis of Theorem 6.1 as a linear
+// parametrization: programs over it have few unknowns and exactly harmonic maps.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "hgp/linalg/factor/factor.h"
+#include "hgp/optimize/program_options.h"
+#include "hgp/system/seamless_system.h"
+
+namespace hgp {
+
+/// The unknowns without a harmonic row (cones, boundary vertices, translations) are free, but for one that is held at 0
+/// because a translation of the whole map is free. All others follow from the rows of [BCW17 (7), (8), (14)], which are
+/// eliminated once: x = extend(y).
+///
+/// A flat torus, which has no cone, has no such basis: mean-value weights are not symmetric, so that the rows, summed
+/// with positive factors, give a real equation between its two translations, and every harmonic map is degenerate.
+class HarmonicBasis {
+ public:
+  /// @param u     log scale: where the map is smallest, its unknown is held
+  /// @param tree  of the mesh's vertices (vertexTree)
+  /// Null where the rows are singular, and on a flat torus.
+  static std::shared_ptr<const HarmonicBasis> make(const SeamlessSystem& system,
+                                                   const PerVertex<double>& u,
+                                                   const linalg::SeparatorTree& tree);
+
+  /// Number of unknowns y of a basis, before it is made.
+  static int countOf(const SeamlessSystem& system);
+  int count() const { return static_cast<int>(free_.size()); }  ///< of y
+  /// All unknowns from y.
+  Eigen::VectorXcd expand(const Eigen::VectorXcd& y) const;
+  /// Some unknowns from y: x = B y, |unknowns| × count().
+  Eigen::MatrixXcd rowsOf(const std::vector<int>& unknowns) const;
+  /// The distortion term of all faces (distortionRows, δ = 1) in terms of y.
+  const linalg::QuadraticForm& distortion() const { return distortion_; }
+  double work() const { return work_; }  ///< multiply-adds of the elimination and the distortion
+
+ private:
+  Eigen::MatrixXcd keptOf(const Eigen::MatrixXcd& y) const;
+  void restrictDistortion(const SeamlessSystem& system, const PerVertex<double>& u);
+
+  std::vector<int> kept_;  // unknowns without a row, ascending
+  std::vector<int> free_;  // y, as indices into kept_: all but the one that is held
+  linalg::SchurLu lu_;
+  linalg::QuadraticForm distortion_;
+  double work_ = 0.0;
+};
+
+}  // namespace hgp

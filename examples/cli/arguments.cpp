@@ -176,7 +176,8 @@ class Parser {
 
   void takeMesh() {
     const bool isAsked = !out_.cones.empty() || !words_.cone.empty() || !words_.turning.empty() ||
-                         !words_.handle.empty() || !out_.field.empty() || !out_.xref.empty() ||
+                         !words_.handle.empty() || !out_.field.empty() || out_.hasRims ||
+                         out_.creaseDegrees || !out_.features.empty() || !out_.xref.empty() ||
                          !out_.also.empty() || !out_.faces.empty();
     out_.isEveryMesh = words_.mesh == "all" || (words_.mesh.empty() && !isAsked);
     if (words_.mesh == "all" && isAsked) {
@@ -198,9 +199,11 @@ class Parser {
       refuse("--strict and --fix exclude each other");
     if (!out_.cones.empty() && !out_.cone.empty()) refuse("--cones and --cone exclude each other");
     const bool isAsked = !out_.cones.empty() || !out_.cone.empty() || !out_.turning.empty() ||
-                         !out_.handle.empty() || !out_.field.empty();
+                         !out_.handle.empty() || !out_.field.empty() || out_.hasRims ||
+                         out_.creaseDegrees || !out_.features.empty();
     if (isAsked && out_.solve.boundary == api::BoundaryKind::kConvex) {
-      refuse("--boundary convex cannot be combined with cones, turning, handles or a field");
+      refuse(
+          "--boundary convex cannot be combined with cones, turning, handles, features or a field");
     }
     if (out_.solve.frames == api::FrameSource::kFile && out_.field.empty())
       refuse("--frames file needs --field");

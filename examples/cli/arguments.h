@@ -32,6 +32,9 @@ struct Arguments {
   bool isEveryMesh = true;    ///< param and verify: process all meshes of the file
 
   std::optional<int> q;
+  bool hasRims = false;                                    ///< --rims
+  std::optional<double> creaseDegrees;                     ///< --creases
+  std::string features;                                    ///< file
   std::string cones, field, convert;                       ///< files
   std::vector<std::pair<int, int>> cone, turning, handle;  ///< V:K, L:J, G:R
   bool ignoresEmbedded = false;

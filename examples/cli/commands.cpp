@@ -147,7 +147,7 @@ class Run {
     const bool isResult = a_.command == Command::kParam || a_.command == Command::kQuads;
     const bool mayReplace = a_.mayOverwrite && isResult;
     for (std::size_t i = 0; i < outputs.size(); ++i) {
-      for (const std::string& input : {a_.input, a_.cones, a_.field, a_.convert}) {
+      for (const std::string& input : {a_.input, a_.cones, a_.field, a_.convert, a_.features}) {
         if (!isSameFile(outputs[i], input)) continue;
         if (i == 0 && mayReplace && input == a_.input) continue;
         const bool isMap = i == 0 && isResult && input == a_.input;
@@ -173,11 +173,15 @@ class Run {
                   verdict->isGood ? 0 : exitCode(ErrorCode::kUnsupported));
   }
 
+  static std::string withoutGz(std::string name) {
+    if (name.size() > 3 && name.substr(name.size() - 3) == ".gz") name.resize(name.size() - 3);
+    return name;
+  }
+
   Result<io::Prescription> readFileOf(const std::string& path) {
     Result<io::Bytes> bytes = readFile(path, a_.load.limits.maxBytes);
     if (!bytes) return bytes.error();
-    std::string name = path;
-    if (name.size() > 3 && name.substr(name.size() - 3) == ".gz") name.resize(name.size() - 3);
+    const std::string name = withoutGz(path);
     const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
     Result<io::Prescription> read = api::readPrescription(name, text, a_.q.value_or(4));
     if (!read) {
@@ -195,6 +199,26 @@ class Run {
     return read;
   }
 
+  /// Adds the features of --rims and --features.
+  Status addFeatures(io::PrescribedFeatures& features) {
+    features.hasRims = features.hasRims || a_.hasRims;
+    if (a_.creaseDegrees) features.creaseDegrees = a_.creaseDegrees;
+    if (a_.features.empty()) return Done{};
+    Result<io::Bytes> bytes = readFile(a_.features, a_.load.limits.maxBytes);
+    if (!bytes) return bytes.error();
+    const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    Result<io::PrescribedFeatures> read = api::readFeatures(withoutGz(a_.features), text);
+    if (!read) {
+      Failure failure = read.error();
+      failure.message = a_.features + ": " + failure.message;
+      return failure;
+    }
+    read->hasRims = features.hasRims;
+    read->creaseDegrees = features.creaseDegrees;
+    features = std::move(*read);
+    return Done{};
+  }
+
   /// The prescription from the options; empty if they prescribe nothing.
   Result<std::optional<io::Prescription>> prescription() {
     std::optional<io::Prescription> asked;
@@ -210,7 +234,8 @@ class Run {
       if (!cones) return cones.error();
       asked = std::move(*cones);
     }
-    const bool isTyped = !a_.cone.empty() || !a_.turning.empty() || !a_.handle.empty();
+    const bool isTyped = !a_.cone.empty() || !a_.turning.empty() || !a_.handle.empty() ||
+                         a_.hasRims || a_.creaseDegrees || !a_.features.empty();
     if (!asked && !isTyped && !a_.ignoresEmbedded) {
       Result<std::optional<io::Prescription>> embedded = session_.embeddedCones();
       if (!embedded) return embedded.error();
@@ -222,7 +247,7 @@ class Run {
     if (!asked && isTyped) {
       asked.emplace();
       asked->q = a_.q.value_or(4);
-      asked->hasCones = true;
+      asked->hasCones = !a_.cone.empty() || !a_.turning.empty() || !a_.handle.empty();
     }
     if (!asked) return asked;
     for (const auto& [v, k] : a_.cone) {
@@ -231,6 +256,7 @@ class Run {
     }
     for (const auto& [loop, l] : a_.turning) asked->boundaries.push_back({loop, l, -1});
     for (const auto& [g, r] : a_.handle) asked->handles.push_back({g, r});
+    if (Status done = addFeatures(asked->features); !done) return done.error();
     return asked;
   }
 

@@ -4,6 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 
+#include "hgp/features/creases.h"
+
 namespace hgp::cli {
 namespace {
 
@@ -128,6 +130,7 @@ class Table {
         ->option_text("FILE");
     sub->add_flag("--ignore-embedded", out_.ignoresEmbedded,
                   "Do not use cones stored in the input");
+    addFeatures(sub);
   }
 
   void addChoice(CLI::App* sub, const char* count) {
@@ -200,6 +203,38 @@ class Table {
               "  hgp cones mesh.obj -o cones.json\n"
               "  hgp cones mesh.obj --cones-for few\n"
               "  hgp cones mesh.obj --convert mesh.cones -o cones.json");
+  }
+
+  void addFeatures(CLI::App* sub) {
+    sub->option_defaults()->group("Features");
+    sub->add_flag(
+        "--rims", out_.hasRims,
+        "Boundary edges become straight lines along the axes of the map, exactly (q = 4)");
+    // This function is called after the table has been destroyed.
+    const auto take = [&out = out_](const std::string& word) {
+      double degrees = kCreaseDegrees;
+      if (!word.empty()) CLI::detail::lexical_cast(word, degrees);
+      out.creaseDegrees = degrees;
+    };
+    sub->add_option_function<std::string>(
+           "--creases", take,
+           "So do edges with a dihedral angle above DEGREES (default 30), and boundary edges")
+        ->option_text("[DEGREES]")
+        ->expected(0, 1)
+        ->check(CLI::Validator(
+            [](const std::string& word) {
+              double degrees = 0;
+              const bool isGood = word.empty() || (CLI::detail::lexical_cast(word, degrees) &&
+                                                   degrees > 0 && degrees < 180);
+              return isGood ? std::string()
+                            : "must be an angle between 0 and 180 degrees, not '" + word + "'";
+            },
+            ""));
+    sub->add_option(
+           "--features", out_.features,
+           "So do these edges and all boundary edges: .sharp, OBJ with l lines, or rows of "
+           "two vertices from 0")
+        ->option_text("FILE");
   }
 
   void addSolve(CLI::App* sub) {

@@ -99,6 +99,13 @@ std::string measured(const Json& c, const Style& style) {
     if (exact == seams) line(true, "exact seams", value);
     if (exact != seams) out += formatText("  --  %-20s %s\n", "exact seams", value.c_str());
   }
+  if (c.contains("features")) {
+    const Json& f = c["features"];
+    const long long chains = integer(f, "chains"), straight = integer(f, "straightChains");
+    line(chains == straight, "features",
+         formatText("%lld of %lld chains straight, exactly; %lld edges, %lld corners", straight,
+                    chains, integer(f, "edges"), integer(f, "corners")));
+  }
   return out;
 }
 
@@ -262,9 +269,9 @@ std::string checkText(const std::string& source, const Style& style) {
   for (const Json& c : json["components"]) {
     const Json& budget = c["budget"];
     std::string line =
-        c["automatic"].get<bool>() ? std::string("cones are chosen automatically")
+        c.contains("error") ? "refused: " + text(c["error"]["message"])
         : budget.is_null()
-            ? "refused: " + text(c["error"]["message"])
+            ? std::string("cones are chosen automatically")
             : formatText(
                   "Σ(q − k) + Σl = %lld, need %lld (q = %lld, genus %lld, "
                   "%lld loops); %lld cones, %lld loops open",

@@ -17,12 +17,13 @@ const mayInclude = {
   prescription: ['text', 'mesh', 'base'],
   io: ['prescription', 'text', 'mesh', 'base'],
   field: ['linalg', 'mesh', 'base'],
+  features: ['field', 'linalg', 'mesh', 'base'],
   seams: ['mesh', 'base'],
   cut: ['seams', 'field', 'linalg', 'mesh', 'base'],
   system: ['cut', 'seams', 'field', 'socp', 'linalg', 'mesh', 'base'],
   socp: ['linalg', 'base'],
-  optimize: ['system', 'cut', 'seams', 'field', 'socp', 'linalg', 'mesh', 'base'],
-  grid: ['system', 'cut', 'seams', 'field', 'verify', 'socp', 'linalg', 'mesh', 'base'],
+  optimize: ['system', 'cut', 'features', 'seams', 'field', 'socp', 'linalg', 'mesh', 'base'],
+  grid: ['system', 'cut', 'features', 'seams', 'field', 'verify', 'socp', 'linalg', 'mesh', 'base'],
   quads: ['mesh', 'base'],
 };
 mayInclude.improve = ['optimize', ...mayInclude.optimize, 'verify'];

@@ -32,6 +32,14 @@ Json thresholds(const Certificate& c) {
               {"areaSpan", c.thresholds.smallestAreaSpan}};
 }
 
+Json featureCounts(const FeatureFacts& f) {
+  return Json{{"edges", f.edges},
+              {"straightEdges", f.straightEdges},
+              {"chains", f.chains},
+              {"straightChains", f.straightChains},
+              {"corners", f.corners}};
+}
+
 class ComponentJson {
  public:
   ComponentJson(const ModelComponent& component, const Certificate& c)
@@ -52,6 +60,7 @@ class ComponentJson {
     json["turnings"] = turnings();
     json["handles"] = handles();
     json["seams"] = seams();
+    if (c_.features.edges > 0) json["features"] = features();
     json["gaussBonnet"] = Json{{"have", c_.gaussBonnetHave}, {"need", c_.gaussBonnetNeed}};
     json["distortion"] = distortion();
     json["overlap"] = Json{{"share", c_.overlap.share}, {"layers", c_.overlap.layers}};
@@ -153,6 +162,17 @@ class ComponentJson {
                 {"meanUvEdge", s.meanEdge}};
   }
 
+  Json features() const {
+    Json json = featureCounts(c_.features);
+    Json& list = json["notStraight"] = Json::array();
+    for (EdgeId e : c_.features.notStraight) {
+      if (list.size() >= kMaxListed) break;
+      const HalfedgeId h = component_.mesh.halfedge(e);
+      list.push_back({vertex(component_.mesh.tail(h)), vertex(component_.mesh.head(h))});
+    }
+    return json;
+  }
+
   Json distortion() const {
     const DistortionFacts& d = c_.distortion;
     return Json{{"meanMu", d.meanMu},
@@ -205,6 +225,7 @@ void addSummary(Json& json, const std::vector<Certificate>& certificates) {
   bool isExactApplicable = !certificates.empty();
   double coneDistance = 0, turningDistance = 0;
   const MeasuredSeam* worst = nullptr;
+  FeatureFacts features;
   for (const Certificate& c : certificates) {
     triangles += c.faceCount;
     flipped += c.orientation.zero + c.orientation.negative;
@@ -213,6 +234,11 @@ void addSummary(Json& json, const std::vector<Certificate>& certificates) {
     seams += c.seams.seams.size();
     exact += c.exactSeams.exact;
     integer += c.exactSeams.integer;
+    features.edges += c.features.edges;
+    features.straightEdges += c.features.straightEdges;
+    features.chains += c.features.chains;
+    features.straightChains += c.features.straightChains;
+    features.corners += c.features.corners;
     isExactApplicable = isExactApplicable && c.exactSeams.isApplicable;
     coneDistance = std::max(coneDistance, c.angles.worstDistance);
     for (const MeasuredTurning& t : c.angles.turnings) {
@@ -229,6 +255,7 @@ void addSummary(Json& json, const std::vector<Certificate>& certificates) {
   json["brokenSeams"] = broken;
   json["exactSeams"] = isExactApplicable ? Json(exact) : Json();
   json["integerSeams"] = isExactApplicable ? Json(integer) : Json();
+  if (features.edges > 0) json["features"] = featureCounts(features);
   json["maxConeDistance"] = coneDistance;
   json["maxTurningDistance"] = turningDistance;
   json["maxSeamResidual"] = worst ? finite(worst->relativeResidual()) : 0;

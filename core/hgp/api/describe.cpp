@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "hgp/api/request.h"
+#include "hgp/api/feature_request.h"
 
 namespace hgp::api {
 namespace {
@@ -65,6 +65,7 @@ io::Prescription describe(const Model& model, const std::vector<HolonomySpec>& s
           {component.generatorOffset + static_cast<int>(j), *specs[p].handles[j]});
     }
   }
+  out.features = describeFeatures(model, specs);
   return out;
 }
 

@@ -47,14 +47,25 @@ bool isSameField(const FieldData& a, const FieldData& b) {
          areSame(matchings, b.matchings, kTied);
 }
 
+auto tie(const io::PrescribedLine& line) {
+  const auto& [vertices, positions] = line;
+  return std::tie(vertices, positions);
+}
+bool isSameFeatures(const io::PrescribedFeatures& a, const io::PrescribedFeatures& b) {
+  const auto& [hasRims, creaseDegrees, lines, sides] = a;
+  return std::tie(hasRims, creaseDegrees, sides) == std::tie(b.hasRims, b.creaseDegrees, b.sides) &&
+         areSame(lines, b.lines, [](const auto& c, const auto& d) { return tie(c) == tie(d); });
+}
+
 bool isSamePrescription(const io::Prescription& a, const io::Prescription& b) {
-  const auto& [q, hasCones, cones, boundaries, handles, field, totalAngles, vertexCount,
+  const auto& [q, hasCones, cones, boundaries, handles, field, features, totalAngles, vertexCount,
                triangleCount, sha256, notes] = a;
   return std::tie(q, hasCones, totalAngles, vertexCount, triangleCount, sha256, notes) ==
              std::tie(b.q, b.hasCones, b.totalAngles, b.vertexCount, b.triangleCount, b.sha256,
                       b.notes) &&
          areSame(cones, b.cones, kTied) && areSame(boundaries, b.boundaries, kTied) &&
-         areSame(handles, b.handles, kTied) && areSame(field, b.field, isSameField);
+         areSame(handles, b.handles, kTied) && areSame(field, b.field, isSameField) &&
+         isSameFeatures(features, b.features);
 }
 
 bool isSameOptions(const SolveOptions& a, const SolveOptions& b) {

@@ -318,7 +318,7 @@ class Resolver {
 
 }  // namespace
 
-Result<Request> resolve(const Model& model, const io::Prescription& prescription) {
+Result<Request> resolveCones(const Model& model, const io::Prescription& prescription) {
   if (prescription.totalAngles.empty()) return Resolver(model, prescription).resolve();
   if (prescription.totalAngles.size() != model.source().mesh.positions.size()) {
     return refusal(formatText("%s for a mesh of %zu vertices",

@@ -23,6 +23,8 @@ struct Request {
 /// their position, and for fields that contradict the cones that came with them.
 /// @pre model.components is not empty
 Result<Request> resolve(const Model& model, const io::Prescription& prescription);
+/// The same without features.
+Result<Request> resolveCones(const Model& model, const io::Prescription& prescription);
 
 /// A request in which the cones of every component are chosen automatically.
 Request automaticRequest(const Model& model, int q);

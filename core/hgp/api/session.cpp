@@ -7,6 +7,8 @@
 #include "hgp/io/cone_files.h"
 #include "hgp/io/convert.h"
 #include "hgp/linalg/kernels/dense_kernels.h"
+#include "hgp/parametrize/along_features.h"
+#include "hgp/prescription/feature_files.h"
 
 #ifndef HGP_VERSION
 #define HGP_VERSION "0.0.0"
@@ -89,7 +91,11 @@ Result<Verdict> Session::check(const io::Prescription& prescription) const {
       const ComponentRequest& component = request->components[p];
       ComponentCheck check;
       check.isAutomatic = component.isAutomatic;
-      if (!component.isAutomatic) {
+      if (!component.spec.features.empty()) {
+        PreparedSurface surface(model.components[p].mesh);
+        if (Status possible = checkAlongFeatures(surface, component.spec); !possible)
+          check.refusal = toSurfaceIds(model, model.components[p], possible.error());
+      } else if (!component.isAutomatic) {
         Result<BudgetReport> budget = checkPrescription(
             model.components[p].mesh, model.components[p].topology, component.spec);
         if (budget)
@@ -261,6 +267,10 @@ Status Session::canWrite(const std::string& name, bool isRefined) const {
 
 Result<io::Prescription> readPrescription(std::string_view name, std::string_view text, int q) {
   return guarded([&] { return io::readPrescription(name, text, q); });
+}
+
+Result<io::PrescribedFeatures> readFeatures(std::string_view name, std::string_view text) {
+  return guarded([&] { return io::readFeatures(name, text); });
 }
 
 Result<io::Prescription> withField(io::Prescription cones, io::Prescription field) {

@@ -102,8 +102,9 @@ class Session {
   std::unique_ptr<State> state_;
 };
 
-/// io::readPrescription at the API boundary: reads cone and field files of every known format.
+/// io::readPrescription and io::readFeatures at the API boundary: files of every known format.
 Result<io::Prescription> readPrescription(std::string_view name, std::string_view text, int q);
+Result<io::PrescribedFeatures> readFeatures(std::string_view name, std::string_view text);
 
 /// `cones` with the field of `field`, which determines what the cones leave open. Fails with kUsage if q differs.
 Result<io::Prescription> withField(io::Prescription cones, io::Prescription field);
@@ -111,8 +112,7 @@ Result<io::Prescription> withField(io::Prescription cones, io::Prescription fiel
 /// hgp-error: {"code", "stage", "message", "where"}.
 std::string errorJson(const Failure& failure);
 
-/// For the whole process: avoids instructions that only some processors have (fused multiply-add), so that maps are
-/// bit-identical on all of them.
+/// For the whole process: no instructions that only some processors have, so that maps are bit-identical on all.
 void setReproducible(bool isAsked);
 /// "1.2.3"
 const char* version();

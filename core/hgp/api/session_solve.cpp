@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include "hgp/api/convex_polygons.h"
+#include "hgp/api/feature_request.h"
 #include "hgp/api/map_notes.h"
+#include "hgp/api/possible_options.h"
 #include "hgp/api/session_state.h"
 #include "hgp/api/stand_in.h"
 #include "hgp/base/check.h"
@@ -94,22 +96,6 @@ Failure noField() {
           {}};
 }
 
-Failure cannotRefineFrames() {
-  return {ErrorCode::kUsage,
-          "refine",
-          "Frames of a file belong to its triangles and cannot be refined with the mesh; leave out "
-          "either.",
-          {}};
-}
-
-Failure wrongBalance() {
-  return {ErrorCode::kUsage,
-          "improve",
-          "An improvement is \"isometric\", \"conformal\", \"area\", or a number from -1 (angles) "
-          "through 0 (isometric) to 1 (areas).",
-          {}};
-}
-
 }  // namespace
 
 /// The data that all solves of a component share; kept if it is small compared with the factors of a program.
@@ -162,6 +148,7 @@ Result<Parametrization> Session::State::solveComponent(std::size_t p,
     if (auto note = countNote(options.coneCount, *chosen)) notes.push_back(std::move(*note));
     return hgp::parametrize(surfaceOf(p), toSpec(*chosen), core);
   };
+  if (!request.spec.features.empty()) return solveAlong(p, request, core);
   SolveOptions choice = options;
   choice.q = request.spec.q;
   Result<Parametrization> run =
@@ -190,23 +177,6 @@ bool maySkip(const Failure& failure) {
 }
 
 }  // namespace
-
-/// Checks that options and q allow an aligned grid.
-static Status checkGrid(const SolveOptions& options, int q) {
-  if (!options.grid.isAsked()) return Done{};
-  const auto refuse = [](std::string text) {
-    return Failure{ErrorCode::kUsage, "align", std::move(text), {}};
-  };
-  if (q != 2 && q != 4)
-    return refuse(formatText("a grid of squares needs q = 2 or 4; these cones have q = %d", q));
-  if (options.boundary == BoundaryKind::kConvex)
-    return refuse("a convex boundary has no seams to align; leave out the grid");
-  if (options.scale != Scale::kSolved)
-    return refuse("an aligned map has one cell per unit of uv; leave out the scale or the grid");
-  if (options.grid.cells > 0 && options.grid.spacing > 0)
-    return refuse("cells and spacing exclude each other; give one of them");
-  return Done{};
-}
 
 Status Session::State::solveRequest(const Request& request, const SolveOptions& options,
                                     RunRecord& run) {
@@ -247,22 +217,24 @@ Status Session::State::solve(const std::optional<io::Prescription>& prescription
                                          : Result<Request>(automaticRequest(*model, asked.q));
   if (!request) return request.error();
   const SolveOptions options = withCells(*request, asked);
-  if (Status possible = checkGrid(options, request->q); !possible) return possible.error();
-  if (options.improve && !(std::fabs(options.improve->balance) <= 1.0)) return wrongBalance();
-  if (options.frames == FrameSource::kFile && options.refines) return cannotRefineFrames();
+  if (Status possible = checkOptions(options, request->q); !possible) return possible.error();
+  if (Status possible = checkFeatures(prescription, options); !possible) return possible.error();
   if (options.frames == FrameSource::kAuto) {
     for (ComponentRequest& component : request->components) component.field.reset();
   }
   RunRecord run;
   run.options = options;
-  run.isAutomatic = !prescription && options.boundary == BoundaryKind::kFree;
+  run.isAutomatic =
+      (!prescription || isFeaturesOnly(*prescription)) && options.boundary == BoundaryKind::kFree;
   run.notes = request->notes;
   if (options.frames == FrameSource::kFile)
     run.notes.push_back("the frames are the directions of the field");
   if (Status done = solveRequest(*request, options, run); !done) return done;
-  if (!solved->stored.isCertified && options.boundary == BoundaryKind::kFree)
+  const bool hasFeatures = prescription && !prescription->features.isEmpty();
+  const bool mayRepair = options.boundary == BoundaryKind::kFree && !hasFeatures;
+  if (!solved->stored.isCertified && mayRepair)
     if (Status done = solveImproved(*request, options, run); !done) return done;
-  if (!solved->stored.isCertified && options.boundary == BoundaryKind::kFree)
+  if (!solved->stored.isCertified && mayRepair)
     if (Status done = solveRefined(*request, options, run); !done) return done;
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   run.seconds = seconds.count();

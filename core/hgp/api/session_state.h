@@ -62,6 +62,9 @@ struct Session::State {
                          const SolveOptions& options);
   Result<Parametrization> solveComponent(std::size_t p, const ComponentRequest& request,
                                          const SolveOptions& options);
+  /// The same along its features.
+  Result<Parametrization> solveAlong(std::size_t p, const ComponentRequest& request,
+                                     const ParametrizeOptions& options);
   void flatten(Solved& result) const;
   double tilesOfGrid(const WriteOptions& options) const;
   /// The original with the map as a uv set.

@@ -14,7 +14,8 @@ ComponentSnapper::ComponentSnapper(const Model& model, const std::vector<Compone
     std::vector<VertexId> cones;
     for (const ConePoint& cone : components[p].spec.cones) cones.push_back(cone.vertex);
     snappers_.push_back(SeamSnapper::make(model.components[p].mesh, components[p].map,
-                                          components[p].spec.q, cones));
+                                          components[p].spec.q, cones,
+                                          components[p].spec.features));
   }
 }
 

@@ -25,6 +25,8 @@ constexpr int kSweeps = 6;
 constexpr double kMinShrinking = 0.9;
 /// Shift relative to the mean diagonal, so that the matrix can be factored even if there is an exactly parallel field.
 constexpr double kShift = 1e-8;
+/// Weight of a held direction: beside it, no dual edge matters.
+constexpr double kHeldWeight = 1e3;
 
 /// Edge length over the distance of the face centres, clamped: the dual edge's weight.
 double dualWeight(const Geometry& geometry, HalfedgeId h, double areas) {
@@ -153,6 +155,8 @@ Result<FrameField> smoothField(const TriMesh& mesh, const FieldContext& context,
     const auto more = curvatureTerms(mesh, geometry, options.q);
     aligned.insert(aligned.end(), more.begin(), more.end());
   }
+  for (const HeldDirection& held : options.held)
+    aligned.push_back({held.face, kHeldWeight, portable::polar(1.0, options.q * held.angle)});
   std::vector<Complex> x =
       minimise(fieldSystem(mesh, geometry, options.q, aligned), !aligned.empty());
   if (x.empty())
@@ -166,6 +170,7 @@ Result<FrameField> smoothField(const TriMesh& mesh, const FieldContext& context,
   field.angle = PerFace<double>(static_cast<std::size_t>(mesh.faceCount()), 0.0);
   for (FaceId f : mesh.faces())
     field.angle[f] = portable::arg(x[static_cast<std::size_t>(f.i)]) / options.q;
+  for (const HeldDirection& held : options.held) field.angle[held.face] = held.angle;
   matchPrincipally(mesh, geometry, field);
   return field;
 }

@@ -5,10 +5,17 @@
 
 namespace hgp {
 
+/// One direction of the field in a triangle, radians in the triangle's coordinates.
+struct HeldDirection {
+  FaceId face;
+  double angle = 0.0;
+};
+
 struct SmoothFieldOptions {
   int q = 4;
   bool alignToBoundary = true;    ///< one direction follows every boundary edge (soft constraint)
   bool alignToCurvature = false;  ///< follow principal directions where they are distinct; q even
+  std::vector<HeldDirection> held = {};  ///< these triangles have exactly these directions
 };
 
 /// Minimises Σ_e w_e |x_g − e^{iqρ} x_f|² for x = e^{iqθ} per face, |x| = 1 on average (smallest

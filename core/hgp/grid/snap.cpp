@@ -21,9 +21,10 @@ WideInteger doubleArea(Gaussian a, Gaussian b, Gaussian c) {
 /// Moves vertices of triangles that are not positive, all copies of a vertex together.
 class PositiveRepair {
  public:
+  /// @param straight  vertices on features stay; may be null
   PositiveRepair(const TriMesh& mesh, const SeamStructure& seams, const PerVertex<int>& closureOf,
-                 GridPoints& points)
-      : mesh_(mesh), seams_(seams), closureOf_(closureOf), points_(points) {}
+                 const StraightPlaces* straight, GridPoints& points)
+      : mesh_(mesh), seams_(seams), closureOf_(closureOf), straight_(straight), points_(points) {}
 
   bool isPositive(FaceId f) const { return area(f, VertexId(), {}).sign() > 0; }
 
@@ -35,7 +36,8 @@ class PositiveRepair {
       bool isAny = false;
       for (FaceId f : broken)
         for (VertexId v : mesh_.corners(f)) {
-          if (closureOf_[v] >= 0 || !move(v, reach)) continue;
+          if (closureOf_[v] >= 0 || (straight_ && straight_->isTied(v)) || !move(v, reach))
+            continue;
           isMoved[at(v.i)] = 1;
           isAny = true;
         }
@@ -92,6 +94,7 @@ class PositiveRepair {
   const TriMesh& mesh_;
   const SeamStructure& seams_;
   const PerVertex<int>& closureOf_;
+  const StraightPlaces* straight_;
   GridPoints& points_;
 };
 
@@ -139,12 +142,18 @@ SeamSnapper::SeamSnapper(const TriMesh& mesh, SeamStructure seams, IntegerBasis 
 }
 
 std::optional<SeamSnapper> SeamSnapper::make(const TriMesh& mesh, const UvMap& map, int q,
-                                             const std::vector<VertexId>& cones) {
+                                             const std::vector<VertexId>& cones,
+                                             const std::vector<EdgeId>& features) {
   std::optional<SeamStructure> seams = readSeams(mesh, map, q, cones);
   if (!seams) return {};
   std::optional<IntegerBasis> basis = solveRelations(seams->chainCount(), closureRelations(*seams));
   if (!basis) return {};
-  return SeamSnapper(mesh, std::move(*seams), std::move(*basis));
+  SeamSnapper snapper(mesh, std::move(*seams), std::move(*basis));
+  if (features.empty()) return snapper;
+  snapper.straight_ =
+      StraightPlaces::make(mesh, snapper.seams_, snapper.basis_, snapper.closureOf_, map, features);
+  if (!snapper.straight_) return {};
+  return snapper;
 }
 
 std::vector<Gaussian> SeamSnapper::round(const std::vector<Vec2>& uv, int exponent,
@@ -174,12 +183,32 @@ std::vector<Gaussian> SeamSnapper::round(const std::vector<Vec2>& uv, int expone
   return points;
 }
 
+std::optional<GridPoints> SeamSnapper::roundStraight(const std::vector<Vec2>& uv,
+                                                     int exponent) const {
+  const double steps = std::ldexp(1.0, -exponent);
+  std::vector<Complex> first(at(mesh_->vertexCount()));
+  for (VertexId v : mesh_->vertices()) {
+    const int c = seams_.firstCopy[v];
+    if (c >= 0) first[at(v.i)] = {uv[at(c)][0] * steps, uv[at(c)][1] * steps};
+  }
+  const std::vector<Complex> t = chainTranslations(seams_, *mesh_, uv);
+  std::vector<Complex> translation;
+  for (const GaussianSum& sum : basis_.coordinate) {
+    Complex value = 0.0;
+    for (const GaussianTerm& term : sum) value += toComplex(term.factor) * t[at(term.variable)];
+    translation.push_back(value * steps);
+  }
+  return straight_->round(first, translation);
+}
+
 std::optional<SnappedMap> SeamSnapper::snap(const std::vector<Vec2>& uv, int exponent,
                                             const StoredNumbers& numbers) const {
-  GridPoints points = round(uv, exponent, numbers.hasIntegerTranslations);
-  if (!fits(points, exponent, numbers)) return {};
+  std::optional<GridPoints> rounded =
+      straight_ ? roundStraight(uv, exponent) : round(uv, exponent, numbers.hasIntegerTranslations);
+  if (!rounded || !fits(*rounded, exponent, numbers)) return {};
+  GridPoints& points = *rounded;
   SnappedMap out;
-  PositiveRepair repair(*mesh_, seams_, closureOf_, points);
+  PositiveRepair repair(*mesh_, seams_, closureOf_, straight_ ? &*straight_ : nullptr, points);
   for (FaceId f : mesh_->faces())
     if (!repair.isPositive(f)) out.notPositive.push_back(f);
   if (!out.notPositive.empty()) {

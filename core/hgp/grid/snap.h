@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "hgp/seams/seam_structure.h"
+#include "hgp/grid/straight_places.h"
 
 namespace hgp {
 
@@ -31,13 +31,15 @@ class SeamSnapper {
  public:
   /// @param map    positive and seamless up to rounding; @param q  1, 2 or 4
   /// @param cones  vertices with a prescribed cone angle
+  /// @param features  edges whose ends get equal u or equal v, whichever is closer to being equal
   /// @return nothing where q does not allow it or copies do not follow seams (see readSeams)
   static std::optional<SeamSnapper> make(const TriMesh& mesh, const UvMap& map, int q,
-                                         const std::vector<VertexId>& cones);
+                                         const std::vector<VertexId>& cones,
+                                         const std::vector<EdgeId>& features = {});
 
   /// Rounds vertices to multiples of 2^exponent and translations to multiples of twice that (integers are kept);
   /// computes copies and cones z = T/(1 − i^r) from them in integers. A triangle that this flips
-  /// is repaired by moving all copies of one of its vertices together, by a few steps.
+  /// is repaired by moving all copies of one of its vertices together, by a few steps; not of vertices on features.
   /// @param uv  uv of the map, possibly moved or scaled; finite
   /// @return nothing where a number is not exact at this exponent: try the next one
   std::optional<SnappedMap> snap(const std::vector<Vec2>& uv, int exponent,
@@ -46,11 +48,14 @@ class SeamSnapper {
  private:
   SeamSnapper(const TriMesh& mesh, SeamStructure seams, IntegerBasis basis);
   std::vector<Gaussian> round(const std::vector<Vec2>& uv, int exponent, bool isInteger) const;
+  std::optional<std::vector<Gaussian>> roundStraight(const std::vector<Vec2>& uv,
+                                                     int exponent) const;
 
   const TriMesh* mesh_;
   SeamStructure seams_;
   IntegerBasis basis_;
-  PerVertex<int> closureOf_;  ///< −1 where a vertex is free
+  PerVertex<int> closureOf_;                ///< −1 where a vertex is free
+  std::optional<StraightPlaces> straight_;  ///< where there are features
 };
 
 /// Snaps a map whose translations are integers up to rounding, as finely as doubles allow; nothing where its

@@ -266,7 +266,7 @@ bool warnShortage(const TriMesh& mesh, const HolonomySpec& spec, AngleShortageMe
 }  // namespace
 
 HolonomySpec toSpec(const CompleteSpec& spec) {
-  HolonomySpec out{spec.q, spec.cones, {}, {}};
+  HolonomySpec out{spec.q, spec.cones, {}, {}, spec.features};
   out.turning.assign(spec.turning.begin(), spec.turning.end());
   out.handles.assign(spec.handles.begin(), spec.handles.end());
   return out;

@@ -29,6 +29,8 @@ struct HolonomySpec {
   /// rotation r_h, where the edge's uv vector seen from the face entered is e^{i2πr_h/q} times the
   /// one seen from the face left.
   std::vector<std::optional<int>> handles;
+  /// Edges that the map must send to lines u = const or v = const, exactly (module features); ascending.
+  std::vector<EdgeId> features = {};
 };
 
 /// A prescription in which every number is given.
@@ -37,6 +39,7 @@ struct CompleteSpec {
   std::vector<ConePoint> cones;  ///< ascending by vertex, no k = q entries
   std::vector<int> turning;
   std::vector<int> handles;  ///< r ∈ {0, …, q − 1}
+  std::vector<EdgeId> features = {};
 };
 
 HolonomySpec toSpec(const CompleteSpec& spec);

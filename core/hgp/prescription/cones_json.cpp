@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -145,6 +146,60 @@ void readLists(const Json& json, Members& m, Prescription& out) {
   }
 }
 
+void readLine(const Json& entry, Members& m, PrescribedLine& line) {
+  const auto vertices = entry.find("vertices");
+  if (vertices == entry.end() || !vertices->is_array() || vertices->size() < 2) {
+    m.wrong("vertices", "must be a list of at least two vertices");
+    return;
+  }
+  for (const Json& v : *vertices) {
+    if (!v.is_number_integer() || v < 0 || v > INT32_MAX) {
+      m.wrong("vertices", "must hold vertices from 0");
+      return;
+    }
+    line.vertices.push_back(v.get<int>());
+    if (line.vertices.size() > 1 && line.vertices.back() == line.vertices.rbegin()[1])
+      m.wrong("vertices", "names a vertex twice in succession");
+  }
+  const auto positions = entry.find("positions");
+  if (positions == entry.end() || positions->is_null()) return;
+  const auto isPoint = [](const Json& p) {
+    return p.is_array() && p.size() == 3 && p[0].is_number() && p[1].is_number() &&
+           p[2].is_number();
+  };
+  if (!positions->is_array() || positions->size() != vertices->size() ||
+      !std::all_of(positions->begin(), positions->end(), isPoint)) {
+    m.wrong("positions", "must be three numbers per vertex");
+    return;
+  }
+  for (const Json& p : *positions) line.positions.push_back(p.get<Vec3>());
+}
+
+void readFeatureLines(const Json& json, Members& m, Prescription& out) {
+  const auto features = json.find("features");
+  if (features == json.end() || features->is_null()) return;
+  if (!features->is_object()) {
+    m.wrong("features", "must be an object");
+    return;
+  }
+  const auto rims = features->find("rims");
+  if (rims != features->end() && !rims->is_boolean()) m.wrong("rims", "must be true or false");
+  out.features.hasRims = rims != features->end() && rims->is_boolean() && rims->get<bool>();
+  const auto creases = features->find("creases");
+  if (creases != features->end()) {
+    const bool isAngle = creases->is_number() && *creases > 0 && *creases < 180;
+    if (isAngle)
+      out.features.creaseDegrees = creases->get<double>();
+    else
+      m.wrong("creases", "must be an angle between 0 and 180 degrees");
+  }
+  const Json* lines = m.list(*features, "lines");
+  for (std::size_t i = 0; lines && i < lines->size(); ++i) {
+    m.enter("features/lines", i);
+    readLine((*lines)[i], m, out.features.lines.emplace_back());
+  }
+}
+
 void readMatchings(const Json& json, Members& m, Prescription& out) {
   const Json* matchings = m.list(json, "matchings");
   if (!matchings) return;
@@ -178,6 +233,7 @@ Result<Prescription> readConesJson(std::string_view text) {
   readHeader(json, members, out);
   readLists(json, members, out);
   readMatchings(json, members, out);
+  readFeatureLines(json, members, out);
   if (!members.isFine()) return members.failure();
   return out;
 }
@@ -206,6 +262,17 @@ std::string writeConesJson(const Prescription& p, int indent) {
   if (!p.handles.empty()) json["handles"] = Json::array();
   for (const PrescribedHandle& h : p.handles) {
     json["handles"].push_back(Json{{"generator", h.generator}, {"r", h.r}});
+  }
+  if (!p.features.isEmpty()) {
+    Json& features = json["features"] = Json::object();
+    if (p.features.hasRims) features["rims"] = true;
+    if (p.features.creaseDegrees) features["creases"] = *p.features.creaseDegrees;
+    Json& lines = features["lines"] = Json::array();
+    for (const PrescribedLine& line : p.features.lines) {
+      Json entry{{"vertices", line.vertices}};
+      if (!line.positions.empty()) entry["positions"] = line.positions;
+      lines.push_back(std::move(entry));
+    }
   }
   if (p.field && p.field->hasMatchings) {
     Json& matchings = json["matchings"] = Json::array();

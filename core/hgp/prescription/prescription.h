@@ -2,6 +2,7 @@
 // cone files and field files.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,6 +35,21 @@ struct PrescribedHandle {
   int r = 0;
 };
 
+/// A polyline of feature edges. `positions`, empty or one per vertex, identify the vertices if the mesh has changed.
+struct PrescribedLine {
+  std::vector<int> vertices;
+  std::vector<Vec3> positions = {};
+};
+
+/// Edges that a map is to send to lines u = const or v = const, exactly. With any feature, boundary edges are features.
+struct PrescribedFeatures {
+  bool hasRims = false;  ///< the boundary edges, also where there is no other feature
+  std::optional<double> creaseDegrees;  ///< inner edges with a larger dihedral angle (findCreases)
+  std::vector<PrescribedLine> lines;
+  std::vector<std::array<int, 2>> sides;  ///< triangle and side: side k joins corners k and k + 1
+  bool isEmpty() const { return !hasRims && !creaseDegrees && lines.empty() && sides.empty(); }
+};
+
 /// Ids as in the file, not checked against a mesh. If there is a `field`, it determines everything that the lists
 /// leave open; stored matchings must be realised.
 struct Prescription {
@@ -43,6 +59,7 @@ struct Prescription {
   std::vector<PrescribedTurning> boundaries;
   std::vector<PrescribedHandle> handles;
   std::optional<FieldData> field;
+  PrescribedFeatures features = {};
   /// Total angle per vertex in radians (`_Th_hat`), reduced by reduceTotalAngles; otherwise empty.
   std::vector<double> totalAngles;
   int vertexCount = -1;  ///< of the mesh it was made for; −1 unknown

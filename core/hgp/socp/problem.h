@@ -22,8 +22,8 @@ struct ConeConstraint {
 ///
 /// H is the reduced form of `form`, whose cliques are the constraints' unknowns in the same order.
 struct Problem {
-  linalg::PartialCholesky* form = nullptr;
-  Eigen::VectorXd c;  ///< 2·form->dynamicSize()
+  linalg::ChangingForm* form = nullptr;
+  Eigen::VectorXd c;  ///< two numbers per unknown of the form
   std::vector<ConeConstraint> constraints;
   /// All constraints have the same unknowns in the same order, and `form` has one clique for all of them.
   bool sharesBlock = false;

@@ -143,7 +143,9 @@ void measure(const TriMesh& mesh, const Topology& topology, const AskedMap& aske
   for (std::size_t n = 0; n < asked.handles.size(); ++n)
     certificate.seams.handles[n].asked = asked.handles[n];
   SeamTurns turns = seamTurns(mesh, certificate.seams, rule);
-  certificate.angles = measureAngles(mesh, topology, asked.angles, computeUvAngles(mesh, measured),
+  const PerHalfedge<double> angles = computeUvAngles(mesh, measured);
+  certificate.features = measureFeatures(mesh, asked.features, uv, angles);
+  certificate.angles = measureAngles(mesh, topology, asked.angles, angles,
                                      {rule.tolerance, rule.largestRounding,
                                       std::move(turns.rounding), std::move(turns.explained)});
   certificate.distortion = measureDistortion(mesh, certificate.orientation, measured);
@@ -173,6 +175,8 @@ const char* ruleName(Rule rule) {
       return "seam";
     case Rule::kHandle:
       return "handle";
+    case Rule::kFeature:
+      return "feature";
     case Rule::kGaussBonnet:
       return "gauss-bonnet";
     case Rule::kEuler:

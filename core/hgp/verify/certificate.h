@@ -11,6 +11,7 @@
 #include "hgp/verify/angles.h"
 #include "hgp/verify/distortion.h"
 #include "hgp/verify/exact_seams.h"
+#include "hgp/verify/features.h"
 #include "hgp/verify/overlap.h"
 #include "hgp/verify/seams.h"
 #include "hgp/verify/thresholds.h"
@@ -27,6 +28,7 @@ enum class Rule {
   kTurning,       ///< a boundary loop whose turning is not as asked
   kSeam,          ///< a seam whose sides are not related by a rotation by a multiple of 2π/q
   kHandle,        ///< a handle whose rotation is not as asked
+  kFeature,       ///< a prescribed feature edge that is not exactly straight
   kGaussBonnet,   ///< the measured integers break Lemma 6.2
   kEuler,         ///< V − E + F ≠ 2c − 2g − m
   /// Deviations above the tolerance that the resolution of the number type explains, or areas that
@@ -57,6 +59,7 @@ struct Certificate {
   AngleFacts angles;
   SeamFacts seams;
   ExactSeamFacts exactSeams;  ///< reported; the verdict does not depend on it
+  FeatureFacts features;      ///< of the prescribed features
   DistortionFacts distortion;
   OverlapFacts overlap;  ///< reported; certify() leaves it empty, the API fills it (measureOverlap)
   /// Gauss–Bonnet from measured integers: Σ(q − k) + Σl = q(2c − 2g − m).
@@ -73,7 +76,7 @@ struct Certificate {
 /// Certified means: there are triangles, and every one has positive signed area (exact sign); every interior
 /// angle sum is 2πk/q with the prescribed k (k = q where no cone is listed); every given turning index and
 /// handle rotation is as prescribed; the sides of every seam edge differ by a rotation by a multiple of 2π/q; all
-/// within `Thresholds`; and the areas span no more than the number type resolves. Empty
+/// within `Thresholds`; every prescribed feature edge is exactly straight; and the areas span no more than the number type resolves. Empty
 /// optionals are measured and not compared; handles are measured on connected surfaces only.
 class Verifier {
  public:

@@ -207,6 +207,23 @@ void checkHandles(const TriMesh& mesh, const Certificate& facts, const std::vect
   reasons.push_back(std::move(reason));
 }
 
+void checkFeatures(const TriMesh& mesh, const Certificate& facts, const CertifyOptions& options,
+                   std::vector<Reason>& reasons) {
+  const FeatureFacts& f = facts.features;
+  if (f.notStraight.empty()) return;
+  Reason reason{Rule::kFeature,
+                static_cast<int>(f.notStraight.size()),
+                double(f.notStraight.size()),
+                formatText("%zu of %d feature edges %s not straight: neither u nor v is the same "
+                           "number at both ends.",
+                           f.notStraight.size(), f.edges, f.notStraight.size() == 1 ? "is" : "are"),
+                {}};
+  for (EdgeId e : f.notStraight)
+    if (static_cast<int>(reason.where.size()) < options.placesPerReason)
+      reason.where.push_back(whereEdge(mesh, mesh.halfedge(e)));
+  reasons.push_back(std::move(reason));
+}
+
 void checkIntegers(const Certificate& facts, std::vector<Reason>& reasons) {
   if (facts.gaussBonnetHave != facts.gaussBonnetNeed)
     reasons.push_back(
@@ -225,6 +242,19 @@ void checkIntegers(const Certificate& facts, std::vector<Reason>& reasons) {
          double(facts.eulerCharacteristic - expected),
          formatText("V − E + F = %d, but 2c − 2g − m = %d.", facts.eulerCharacteristic, expected),
          {}});
+}
+
+void takeFeatures(const TriMesh& mesh, const HolonomySpec& asked, AskedMap& out) {
+  int missing = 0;
+  for (EdgeId e : asked.features) {
+    if (e.i >= 0 && e.i < mesh.edgeCount())
+      out.features.push_back(e);
+    else
+      ++missing;
+  }
+  if (missing > 0)
+    out.mismatches.push_back(mismatch(
+        formatText("%d feature%s no edge of the mesh.", missing, missing == 1 ? " is" : "s are")));
 }
 
 }  // namespace
@@ -273,6 +303,7 @@ AskedMap layOutAsked(const TriMesh& mesh, const Topology& topology, int handleCo
     out.mismatches.push_back(mismatch(formatText(
         "%zu handle rotations are given for %d generators.", asked.handles.size(), handleCount)));
   }
+  takeFeatures(mesh, asked, out);
   return out;
 }
 
@@ -284,6 +315,7 @@ std::vector<Reason> findReasons(const TriMesh& mesh, const Certificate& facts, c
   checkTurnings(facts, options, reasons);
   checkSeams(mesh, facts, options, reasons);
   checkHandles(mesh, facts, loops, options, reasons);
+  checkFeatures(mesh, facts, options, reasons);
   checkIntegers(facts, reasons);
   checkCoordinates(mesh, facts, options, reasons);
   checkAreas(facts, reasons);

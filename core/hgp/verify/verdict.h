@@ -12,6 +12,7 @@ namespace hgp {
 struct AskedMap {
   AskedAngles angles;
   std::vector<std::optional<int>> handles;  ///< reduced mod q
+  std::vector<EdgeId> features;             ///< those that are edges of the mesh
   std::vector<Reason> mismatches;           ///< of Rule::kPrescription
 };
 

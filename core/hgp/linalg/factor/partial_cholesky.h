@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "hgp/linalg/factor/changing_form.h"
 #include "hgp/linalg/factor/factor_status.h"
 #include "hgp/linalg/factor/symbolic.h"
 #include "hgp/linalg/ordering/ordering.h"
@@ -37,10 +38,10 @@ struct PartialCholeskyOptions {
 /// that no changing term reaches are *static*: eliminated once, in complex arithmetic. The others,
 /// all touched ones among them, form the *reduced problem* of dynamicSize() complex unknowns.
 /// Pivots are compared with their own diagonal entry (kPivotTolerance): scale-invariant.
-class PartialCholesky {
+class PartialCholesky : public ChangingForm {
  public:
   PartialCholesky();
-  ~PartialCholesky();
+  ~PartialCholesky() override;
   PartialCholesky(PartialCholesky&&) noexcept;
   PartialCholesky& operator=(PartialCholesky&&) noexcept;
 
@@ -58,7 +59,7 @@ class PartialCholesky {
   /// c_d − H_du H_uu⁻¹ c_u: the linear term of the reduced problem (complex, dynamicSize()).
   Eigen::VectorXcd reduceLinear(const Eigen::VectorXcd& c) const;
   /// H̃ x, H̃ = H_dd − H_du H_uu⁻¹ H_ud in real form; 2·dynamicSize() → 2·dynamicSize().
-  Eigen::VectorXd apply(const Eigen::VectorXd& x) const;
+  Eigen::VectorXd apply(const Eigen::VectorXd& x) const override;
   /// H̃ as a dense complex matrix, dynamicSize() × dynamicSize(), for problems with few dynamic unknowns.
   Eigen::MatrixXcd reducedForm() const;
 
@@ -67,12 +68,12 @@ class PartialCholesky {
   /// with relative diagonal lifts (1e-13, 1e-11, 1e-9); not ok when all fail.
   FactorStatus factor(const std::vector<Eigen::MatrixXd>& blocks);
   /// The same from flat storage: block b is the column-major square at values[blockOffset(b)].
-  FactorStatus factor(const double* values);
-  std::size_t blockOffset(int b) const;
-  std::size_t blockStorage() const;  ///< doubles in all blocks
+  FactorStatus factor(const double* values) override;
+  std::size_t blockOffset(int b) const override;
+  std::size_t blockStorage() const override;  ///< doubles in all blocks
 
   /// (H̃ + Σ blocks)⁻¹ B for the last good factor; 2·dynamicSize() rows.
-  Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const;
+  Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const override;
   Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) const;
 
   /// The full minimiser: dynamic unknowns as given, static ones −H_uu⁻¹ (c_u + H_ud x_d).

@@ -13,7 +13,7 @@ export type Where = {
 }[];
 
 /**
- * The verdict on a map and the measurements behind it, all of the stored values. Certified: there are triangles, each has positive area (exact sign), every interior angle sum and every boundary turning is as prescribed, the sides of every seam differ by a rotation by a multiple of 2π/q, all within the thresholds, and the areas span no more than the number type resolves.
+ * The verdict on a map and the measurements behind it, all of the stored values. Certified: there are triangles, each has positive area (exact sign), every interior angle sum and every boundary turning is as prescribed, the sides of every seam differ by a rotation by a multiple of 2π/q, all within the thresholds, every prescribed feature edge is exactly straight, and the areas span no more than the number type resolves.
  */
 export interface Certificate {
   format: 'hgp-certificate';
@@ -70,6 +70,31 @@ export interface Certificate {
    * of exactSeams, those with an integer translation: a grid of unit squares continues across them
    */
   integerSeams: number | null;
+  /**
+   * Only where features are prescribed, over all components
+   */
+  features?: {
+    /**
+     * prescribed feature edges, boundary edges included
+     */
+    edges: number;
+    /**
+     * of these, edges whose ends have the same u or the same v on every side, bit for bit
+     */
+    straightEdges: number;
+    /**
+     * runs of feature edges between branches, ends and corners
+     */
+    chains: number;
+    /**
+     * of these, chains of straight edges
+     */
+    straightChains: number;
+    /**
+     * vertices between two feature edges where the line of the map turns
+     */
+    corners: number;
+  };
   /**
    * largest distance of an interior angle sum from a multiple of 2π/q, radians
    */
@@ -362,6 +387,35 @@ export interface Certificate {
       meanUvEdge: number;
     };
     /**
+     * Only where features are prescribed
+     */
+    features?: {
+      /**
+       * prescribed feature edges, boundary edges included
+       */
+      edges: number;
+      /**
+       * of these, edges whose ends have the same u or the same v on every side, bit for bit
+       */
+      straightEdges: number;
+      /**
+       * runs of feature edges between branches, ends and corners
+       */
+      chains: number;
+      /**
+       * of these, chains of straight edges
+       */
+      straightChains: number;
+      /**
+       * vertices between two feature edges where the line of the map turns
+       */
+      corners: number;
+      /**
+       * vertices of the edges that are not straight, at most 10 000
+       */
+      notStraight: [number, number][];
+    };
+    /**
      * Lemma 6.2 for the measured integers: have = Σ(q − k) + Σl, need = q(2 − 2g − m)
      */
     gaussBonnet: {
@@ -472,6 +526,7 @@ export interface Certificate {
         | 'turning'
         | 'seam'
         | 'handle'
+        | 'feature'
         | 'gauss-bonnet'
         | 'euler'
         | 'range'
@@ -588,6 +643,31 @@ export interface ConesDocument {
      */
     r: number;
   }[];
+  /**
+   * Edges that the map sends to lines u = const or v = const, exactly (q = 4); with any of them, boundary edges are features
+   */
+  features?: {
+    /**
+     * the boundary edges, also where there is no other feature
+     */
+    rims?: boolean;
+    /**
+     * inner edges with a larger dihedral angle, degrees; hgp writes what it found as lines
+     */
+    creases?: number;
+    lines?: {
+      /**
+       * consecutive ones are joined by an edge
+       *
+       * @minItems 2
+       */
+      vertices: [number, number, ...number[]];
+      /**
+       * one per vertex; where the file differs, vertices are found by them
+       */
+      positions?: [number, number, number][];
+    }[];
+  };
   /**
    * Where present, edges that are not listed have turn 0, and the map realises exactly this holonomy
    */

@@ -1,0 +1,166 @@
+#include "hgp/features/index_flow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+#include "hgp/base/counted.h"
+
+namespace hgp {
+namespace {
+
+constexpr double kQuarter = kPi / 2.0;
+/// Cost of a path per edge, relative to the costs of nodes.
+constexpr double kEdgeCost = 0.05;
+/// Largest gain by a single unit that a longer path may still have: searches end there.
+constexpr double kLargestGain = 12.0;
+/// Cost of an index per unit beyond its bounds.
+constexpr double kImpossible = 1e6;
+
+/// Nodes are vertices off Γ and sectors (Sectors::node); the edges of a node's corners lead to its neighbours.
+class IndexFlow {
+ public:
+  IndexFlow(const TriMesh& mesh, const Geometry& geometry, AlignedField& field)
+      : mesh_(mesh), field_(field), sectors_(field.sectors) {
+    const std::size_t count = at(mesh.vertexCount()) + sectors_.list.size();
+    angle_.assign(count, 0.0);
+    distance_.assign(count, 0.0);
+    via_.assign(count, HalfedgeId());
+    isForward_.assign(count, 0);
+    from_.assign(count, -1);
+    for (HalfedgeId h : mesh.halfedges())
+      angle_[at(sectors_.node(mesh, h))] += geometry.cornerAngle[h];
+  }
+
+  Status run() {
+    std::vector<Where> stuck;
+    for (int n = 0; n < static_cast<int>(angle_.size()); ++n) {
+      if (!exists(n)) continue;
+      while (index(n) < 1 || index(n) > largestIndex(mesh_, sectors_, n)) {
+        if (!moveUnit(n, index(n) < 1 ? 1 : -1)) {
+          stuck.push_back({Where::Kind::kVertex, vertexOf(n).i});
+          break;
+        }
+      }
+    }
+    if (stuck.empty()) return Done{};
+    return Failure{ErrorCode::kPrescription, "features",
+                   "No cones and corners are possible between these features: " +
+                       counted(stuck.size(), "corner") +
+                       " cannot have a positive multiple of 90° that its triangles hold. Refine "
+                       "the mesh there or leave out a feature edge.",
+                   std::move(stuck)};
+  }
+
+ private:
+  bool exists(int n) const {
+    if (n >= mesh_.vertexCount()) return true;
+    const VertexId v(n);
+    return !mesh_.isIsolated(v) && !sectors_.isOnFeature[v];
+  }
+  VertexId vertexOf(int n) const {
+    return n < mesh_.vertexCount() ? VertexId(n)
+                                   : mesh_.tail(sectors_.list[at(n - mesh_.vertexCount())].first);
+  }
+  int& index(int n) { return field_.index[at(n)]; }
+
+  double cost(int n, int value) const {
+    const int excess = std::max(1 - value, value - largestIndex(mesh_, sectors_, n));
+    if (excess > 0) return kImpossible * excess;
+    if (n < mesh_.vertexCount()) return std::abs(value - 4);
+    const double miss = value - angle_[at(n)] / kQuarter;
+    return kSectorCost * miss * miss;
+  }
+
+  /// Calls use(h, isForward, neighbour) for every step from node n: along halfedge h from its tail, or backwards.
+  template <class Use>
+  void forSteps(int n, const Use& use) const {
+    const auto corner = [&](HalfedgeId h) {
+      const HalfedgeId into = TriMesh::previous(h);
+      use(h, true, sectors_.node(mesh_, TriMesh::next(h)));
+      // A feature edge that ends the sector is a step on this side alone; others are seen from the next corner.
+      if (sectors_.isFeature[mesh_.edge(into)]) use(into, false, sectors_.node(mesh_, into));
+    };
+    if (n < mesh_.vertexCount()) {
+      for (HalfedgeId h : outgoingHalfedges(mesh_, VertexId(n))) corner(h);
+      return;
+    }
+    HalfedgeId h = sectors_.list[at(n - mesh_.vertexCount())].first;
+    for (;; h = mesh_.twin(TriMesh::previous(h))) {
+      corner(h);
+      if (sectors_.isFeature[mesh_.edge(TriMesh::previous(h))]) return;
+    }
+  }
+
+  /// Dijkstra from `start` to the node that gives a unit (sign 1) or takes one (−1) most cheaply.
+  bool moveUnit(int start, int sign) {
+    using Entry = std::pair<double, int>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    std::vector<int> reached{start};
+    std::fill(distance_.begin(), distance_.end(), std::numeric_limits<double>::infinity());
+    distance_[at(start)] = 0.0;
+    via_[at(start)] = HalfedgeId();
+    queue.push({0.0, start});
+    double best = 0.5 * kImpossible;
+    int end = -1;
+    while (!queue.empty()) {
+      const auto [d, n] = queue.top();
+      queue.pop();
+      if (d > distance_[at(n)]) continue;
+      if (d - kLargestGain > best) break;
+      const double change = cost(n, index(n) - sign) - cost(n, index(n));
+      if (n != start && d + change < best) {
+        best = d + change;
+        end = n;
+      }
+      forSteps(n, [&](HalfedgeId h, bool isForward, int to) {
+        if (d + kEdgeCost >= distance_[at(to)]) return;
+        distance_[at(to)] = d + kEdgeCost;
+        via_[at(to)] = h;
+        isForward_[at(to)] = isForward;
+        from_[at(to)] = n;
+        queue.push({distance_[at(to)], to});
+      });
+    }
+    if (end < 0) return false;
+    for (int n = end; n != start; n = from_[at(n)]) {
+      // The step leads from from_[n] to n; a unit moves back along it, towards `start`, if sign is 1.
+      const HalfedgeId h = via_[at(n)];
+      hgp::moveUnit(mesh_, h, isForward_[at(n)] == (sign < 0) ? 1 : -1, field_);
+    }
+    ++field_.moved;
+    return true;
+  }
+
+  const TriMesh& mesh_;
+  AlignedField& field_;
+  const Sectors& sectors_;
+  std::vector<double> angle_, distance_;
+  std::vector<HalfedgeId> via_;
+  std::vector<char> isForward_;
+  std::vector<int> from_;
+};
+
+}  // namespace
+
+void moveUnit(const TriMesh& mesh, HalfedgeId h, int units, AlignedField& field) {
+  const HalfedgeId twin = mesh.twin(h);
+  field.index[at(field.sectors.node(mesh, h))] -= units;
+  field.index[at(field.sectors.node(mesh, TriMesh::next(h)))] += units;
+  if (field.sectors.isFeature[mesh.edge(h)]) {
+    field.axis[h] += units;
+    field.tilt[h] += units * kQuarter;
+  }
+  if (!twin.isValid()) return;
+  field.field.matching[h] -= units;
+  field.field.matching[twin] += units;
+  field.turn[h] -= units * kQuarter;
+  field.turn[twin] += units * kQuarter;
+}
+
+Status makeIndicesPossible(const TriMesh& mesh, const Geometry& geometry, AlignedField& field) {
+  return IndexFlow(mesh, geometry, field).run();
+}
+
+}  // namespace hgp

@@ -1,0 +1,21 @@
+// Moves units of index between sectors and vertices.  Role: makes the indices of an aligned field possible: a ≥ 1, and
+// no more than the triangles hold.
+#pragma once
+
+#include "hgp/features/aligned_field.h"
+
+namespace hgp {
+
+/// While a node has an index below 1 or above largestIndex(), moves a unit along the cheapest path of edges of its patch
+/// to or from the node where that costs least: a unit that moves along an edge changes the matching across it by one, or
+/// the axis on this side of a feature edge, so that all equations of AlignedField stay true and Gauss–Bonnet holds on
+/// every patch. Costs per node: kSectorCost (a − angle/(π/2))² for sectors, |k − 4| for vertices.
+/// Fails with kPrescription, and the places, where a patch has no node that can give or take a unit.
+Status makeIndicesPossible(const TriMesh& mesh, const Geometry& geometry, AlignedField& field);
+inline constexpr double kSectorCost = 10.0;
+
+/// Moves `units` from the node at tail(h) to the node at head(h), along h or, if it is a feature, along this side of it. The
+/// angles of the field do not change: turns and tilts do, until fitField().
+void moveUnit(const TriMesh& mesh, HalfedgeId h, int units, AlignedField& field);
+
+}  // namespace hgp

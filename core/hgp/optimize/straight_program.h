@@ -1,0 +1,48 @@
+// The convex program of a map whose features are straight.  Role: [BCW17 (11)–(13)] over real unknowns, with one
+// linear inequality per feature edge instead of frames along features.
+#pragma once
+
+#include "hgp/features/real_unknowns.h"
+#include "hgp/optimize/program.h"
+
+namespace hgp {
+
+/// The map sends halfedge h, in the chart of its face, to a positive multiple of i^heading.
+struct StraightEdge {
+  HalfedgeId h;
+  int heading = 0;  ///< 0 … 3
+};
+
+/// References only; the objects must outlive it.
+struct StraightSystem {
+  const SeamlessSystem& system;
+  const RealUnknowns& unknowns;            ///< of system.unknowns.copies and the edges' equations
+  const std::vector<StraightEdge>& edges;  ///< one side of every feature edge
+  const PerVertex<char>& hasRow;  ///< harmonic: inner vertices off features that are no cones
+};
+
+struct StraightOptions {
+  PerVertex<double> u;  ///< as ProgramOptions::u
+  double margin =
+      0.05;  ///< ε of (13), and of a feature edge relative to its length in the metric e^u
+  double quality = 1e-4;  ///< δ of the distortion term
+  std::function<bool(int, double)> progress;
+};
+
+struct StraightResult {
+  Eigen::VectorXd x;
+  std::vector<Complex> z;  ///< per copy
+  socp::SolveStatus status = socp::SolveStatus::kStalled;
+  int iterations = 0;
+  double work = 0.0;
+  double laplacianEnergy = 0.0;
+  std::vector<FaceId> conflict;  ///< with the largest duals, if infeasible: of frames and of edges
+  std::vector<HalfedgeId> conflictEdges;  ///< of these, the feature edges
+};
+
+/// minimise ‖D L z‖² + δ Σ A e^{−2u} (|f_z − e^u d|² + |f_z̄|²), L the rows of hasRow, subject to
+///   (13) on the faces of `frames`,   Re(i^{−heading} (z_head − z_tail)) ≥ ε e^u ℓ on every edge,  ℓ its length.
+StraightResult solveStraight(const StraightSystem& straight, const Frames& frames,
+                             const StraightOptions& options);
+
+}  // namespace hgp

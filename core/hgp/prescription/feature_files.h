@@ -1,0 +1,20 @@
+// Lists of feature edges in files.  Role: bytes → features, before they are found on a mesh.
+#pragma once
+
+#include <string_view>
+
+#include "hgp/base/result.h"
+#include "hgp/prescription/prescription.h"
+
+namespace hgp::io {
+
+/// Maximum number of edges in one file.
+inline constexpr int kMaxFeatures = 10'000'000;
+
+/// `.sharp`: the number of rows, then rows "type,triangle,side", type 0 concave or 1 convex; an edge is listed from either
+/// side or from both. `.obj`: its lines "l a b …", polylines through vertices counted from 1. `.json`: the features of
+/// hgp-cones. Otherwise rows of two vertices from 0; empty rows and what follows a # are skipped. Fails with kMalformed,
+/// and the line.
+Result<PrescribedFeatures> readFeatures(std::string_view name, std::string_view text);
+
+}  // namespace hgp::io

@@ -1,0 +1,276 @@
+// Lines along features from outside: the files that the program writes, read by nothing of the project's own.
+import assert from 'node:assert/strict';
+import { existsSync, readFileSync } from 'node:fs';
+import path from 'node:path';
+import test from 'node:test';
+import { toObj } from '../support/meshes.mjs';
+import { inFolder, shared } from '../support/program.mjs';
+import { problems } from './schema.mjs';
+
+const { at, put, read, run, good } = inFolder('features');
+
+/** The surface of a box of n × n squares a side; `isOpen`: without its top. Edges of the box are its creases. */
+function box(n, isOpen = false) {
+  const vertices = [];
+  const ids = new Map();
+  const id = (p) => {
+    const key = p.join(' ');
+    if (!ids.has(key)) ids.set(key, vertices.push([p[0], p[1] * 1.3, p[2] * 0.7]) - 1);
+    return ids.get(key);
+  };
+  const triangles = [];
+  for (let axis = 0; axis < 3; axis++)
+    for (const side of [0, n]) {
+      if (isOpen && axis === 2 && side) continue;
+      for (let i = 0; i < n; i++)
+        for (let j = 0; j < n; j++) {
+          const place = (u, v) => {
+            const p = [0, 0, 0];
+            [p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3]] = [side, u, v];
+            return id(p);
+          };
+          const [a, b, c, d] = [place(i, j), place(i + 1, j), place(i + 1, j + 1), place(i, j + 1)];
+          if (side) triangles.push([a, b, c], [a, c, d]);
+          else triangles.push([a, c, b], [a, d, c]);
+        }
+    }
+  const isOnTwoSides = (key) => key.split(' ').map(Number).map((x) => x === 0 || x === n); // prettier-ignore
+  const sides = new Map([...ids].map(([key, v]) => [v, isOnTwoSides(key)]));
+  const creases = new Map();
+  for (const t of triangles)
+    for (let k = 0; k < 3; k++) {
+      const [a, b] = [t[k], t[(k + 1) % 3]].sort((x, y) => x - y);
+      const common = [0, 1, 2].filter((i) => sides.get(a)[i] && sides.get(b)[i] && vertices[a][i] === vertices[b][i]); // prettier-ignore
+      if (common.length === 2) creases.set(`${a} ${b}`, [a, b]);
+    }
+  return { vertices, triangles, creases: [...creases.values()] };
+}
+
+/** uv of every corner of an OBJ of triangles, as numbers. */
+function cornersOf(name) {
+  const [uv, corners, faces] = [[], [], []];
+  for (const line of read(name).split('\n')) {
+    const [word, ...rest] = line.trim().split(/\s+/);
+    if (word === 'vt') uv.push(rest.slice(0, 2).map(Number));
+    if (word !== 'f') continue;
+    faces.push(rest.map((c) => Number(c.split('/')[0]) - 1));
+    corners.push(rest.map((c) => uv[Number(c.split('/')[1]) - 1]));
+  }
+  return { corners, faces };
+}
+
+const key = (a, b) => (a < b ? `${a} ${b}` : `${b} ${a}`);
+
+/** Sides of edges, `isAsked` by their vertices, that have no coordinate in common; every triangle must be positive. */
+function crookedSides({ corners, faces }, isAsked) {
+  let [count, crooked] = [0, 0];
+  faces.forEach((t, f) => {
+    const [[a, b], [c, d], [e, g]] = corners[f];
+    assert.ok((c - a) * (g - b) - (d - b) * (e - a) > 0, `triangle ${f}`);
+    for (let k = 0; k < 3; k++) {
+      if (!isAsked(key(t[k], t[(k + 1) % 3]))) continue;
+      count++;
+      const [p, q] = [corners[f][k], corners[f][(k + 1) % 3]];
+      if ((p[0] === q[0]) === (p[1] === q[1])) crooked++;
+    }
+  });
+  assert.ok(count > 0);
+  return crooked;
+}
+
+function rimsOf({ triangles }) {
+  const count = new Map();
+  for (const t of triangles)
+    for (let k = 0; k < 3; k++) {
+      const edge = key(t[k], t[(k + 1) % 3]);
+      count.set(edge, (count.get(edge) ?? 0) + 1);
+    }
+  return new Set([...count].filter(([, n]) => n === 1).map(([edge]) => edge));
+}
+
+const closed = box(5);
+const open = box(6, true);
+put('closed.obj', toObj(closed));
+put('open.obj', toObj(open));
+put('creases.txt', closed.creases.map((e) => e.join(' ')).join('\n'));
+
+test('creases of a file are straight, bit for bit, in every format', () => {
+  good(
+    'param',
+    'closed.obj',
+    '--features',
+    'creases.txt',
+    '-o',
+    'out.obj',
+    '--json',
+    'report.json',
+  );
+  const asked = new Set(closed.creases.map(([a, b]) => key(a, b)));
+  assert.equal(asked.size, 12 * 5);
+  assert.equal(
+    crookedSides(cornersOf('out.obj'), (edge) => asked.has(edge)),
+    0,
+  );
+  const report = JSON.parse(read('report.json'));
+  assert.deepEqual(problems('hgp-report', report), []);
+  const { features } = report.certificate;
+  assert.deepEqual(features, { edges: 60, straightEdges: 60, chains: 12, straightChains: 12, corners: 0 }); // prettier-ignore
+  assert.equal(report.options.automaticCones, true);
+  assert.deepEqual(report.certificate.components[0].cones.map((c) => c.measured), Array(8).fill(3)); // prettier-ignore
+});
+
+test('rims are straight, and the map is verified as such', () => {
+  good('param', 'open.obj', '--rims', '-o', 'rims.obj');
+  const rims = rimsOf(open);
+  assert.equal(rims.size, 4 * 6);
+  assert.equal(
+    crookedSides(cornersOf('rims.obj'), (edge) => rims.has(edge)),
+    0,
+  );
+  const { out } = good('verify', 'rims.obj', '--rims');
+  assert.match(out, /ok +features +(\d+) of \1 chains straight, exactly; 24 edges/);
+});
+
+test('without features rims are as before', () => {
+  good('param', 'open.obj', '-o', 'plain.obj', '--json', 'plain.json');
+  const rims = rimsOf(open);
+  assert.ok(crookedSides(cornersOf('plain.obj'), (edge) => rims.has(edge)) > 0);
+  assert.equal('features' in JSON.parse(read('plain.json')).certificate, false);
+  const { code, out } = run('verify', 'plain.obj', '--rims');
+  assert.equal(code, 6);
+  assert.match(out, /no +features/);
+  assert.match(out, /feature: \d+ of 24 feature edges are not straight/);
+});
+
+test('one changed bit makes verify say no', () => {
+  good('param', 'open.obj', '--rims', '-o', 'one.obj');
+  const lines = read('one.obj').split('\n');
+  const { corners, faces } = cornersOf('one.obj');
+  const rims = rimsOf(open);
+  const places = faces.flatMap((t, f) => [0, 1, 2].map((k) => [f, k]));
+  const [f, k] = places.find(([f, k]) => rims.has(key(faces[f][k], faces[f][(k + 1) % 3])));
+  const uv = corners[f][k];
+  const n = lines.findIndex((line) => {
+    const [word, u, v] = line.trim().split(/\s+/);
+    return word === 'vt' && Number(u) === uv[0] && Number(v) === uv[1];
+  });
+  const next = (x) => {
+    const view = new DataView(new ArrayBuffer(8));
+    view.setFloat64(0, x);
+    view.setBigInt64(0, view.getBigInt64(0) + 1n);
+    return view.getFloat64(0);
+  };
+  lines[n] = `vt ${uv.map((x) => next(x)).join(' ')}`;
+  put('bent.obj', lines.join('\n'));
+  assert.equal(run('verify', 'bent.obj').code, 0);
+  assert.equal(run('verify', 'bent.obj', '--rims').code, 6);
+});
+
+test('features are stored with the cones, and solving these again gives the same map', () => {
+  good(
+    'param',
+    'closed.obj',
+    '--features',
+    'creases.txt',
+    '-o',
+    'first.obj',
+    '--json',
+    'first.json',
+  );
+  const { cones } = JSON.parse(read('first.json'));
+  assert.deepEqual(problems('hgp-cones', cones), []);
+  const edges = cones.features.lines.flatMap(({ vertices: v }) => v.slice(1).map((b, i) => key(v[i], b))); // prettier-ignore
+  assert.deepEqual(edges.sort(), closed.creases.map(([a, b]) => key(a, b)).sort());
+  put('cones.json', JSON.stringify(cones));
+  good('param', 'closed.obj', '--cones', 'cones.json', '-o', 'again.obj');
+  assert.equal(read('again.obj'), read('first.obj'));
+  good('verify', 'again.obj', '--cones', 'cones.json');
+  good('param', 'closed.obj', '--cones', 'cones.json', '-o', 'again.glb', '--embed-cones');
+  const { out } = good('verify', 'again.glb');
+  assert.match(out, /ok +features +12 of 12 chains straight/);
+});
+
+test('features by sides of triangles and by lines of an OBJ are the same', () => {
+  const asked = new Set(closed.creases.map(([a, b]) => key(a, b)));
+  const rows = closed.triangles.flatMap((t, f) => [0, 1, 2].filter((k) => asked.has(key(t[k], t[(k + 1) % 3]))).map((k) => `1,${f},${k}`)); // prettier-ignore
+  put('part.sharp', [rows.length, ...rows, ''].join('\n'));
+  put('lines.obj', closed.creases.map((e) => `l ${e.map((v) => v + 1).join(' ')}`).join('\n'));
+  good('param', 'closed.obj', '--features', 'creases.txt', '-o', 'a.obj');
+  good('param', 'closed.obj', '--features', 'part.sharp', '-o', 'b.obj');
+  good('param', 'closed.obj', '--features', 'lines.obj', '-o', 'c.obj');
+  assert.equal(read('b.obj'), read('a.obj'));
+  assert.equal(read('c.obj'), read('a.obj'));
+});
+
+test('creases are found by their angle', () => {
+  good('param', 'closed.obj', '-o', 'found.obj', '--creases', '--json', 'found.json');
+  good('param', 'closed.obj', '--features', 'creases.txt', '-o', 'listed.obj');
+  assert.equal(read('found.obj'), read('listed.obj'));
+  const { features } = JSON.parse(read('found.json')).cones;
+  assert.equal(
+    features.lines.reduce((sum, { vertices }) => sum + vertices.length - 1, 0),
+    60,
+  );
+  good('param', 'closed.obj', '-o', 'none.obj', '--creases', '95', '--json', 'none.json');
+  assert.equal('features' in JSON.parse(read('none.json')).certificate, false);
+  for (const wrong of ['0', '180', 'nan', 'steep'])
+    assert.equal(run('param', 'closed.obj', '-o', 'no.obj', '--creases', wrong).code, 2, wrong);
+});
+
+test('check says in integers whether features have corners', () => {
+  assert.match(good('check', 'closed.obj', '--creases').out, /chosen automatically\nvalid/);
+  const [a, b, c] = closed.triangles[7];
+  put('triangle.txt', `${a} ${b}\n${b} ${c}\n${c} ${a}\n`);
+  const { code, out } = run('check', 'closed.obj', '--features', 'triangle.txt', '--json', 'check.json'); // prettier-ignore
+  assert.equal(code, 5);
+  assert.match(out, /refused: 1 triangle with three feature edges/);
+  const json = JSON.parse(read('check.json'));
+  assert.deepEqual(problems('hgp-check', json), []);
+  assert.deepEqual(json.components[0].error.where, [{ kind: 'triangle', id: 7 }]);
+});
+
+test('what does not go together is refused', () => {
+  const refused = (code, pattern, ...words) => {
+    const result = run('param', 'closed.obj', '-o', 'no.obj', '--features', 'creases.txt', words);
+    assert.equal(result.code, code, words.join(' '));
+    assert.match(result.err, pattern);
+    assert.ok(!existsSync(at('no.obj')));
+  };
+  refused(2, /q = 4/, '--q', '6');
+  refused(2, /grid does not go with features/, '--cells', '200');
+  refused(2, /improvement does not go with features/, '--improve', 'isometric');
+  refused(2, /not carried over to a refined/, '--refine');
+  refused(2, /--boundary convex cannot be combined/, '--boundary', 'convex');
+  refused(5, /cones? differs? from the prescribed/, '--cone', '0:2', '--cone', '1:2');
+  put('strange.txt', '0 3\n0 99999\n');
+  const strange = run('param', 'closed.obj', '--features', 'strange.txt', '-o', 'no.obj');
+  assert.equal(strange.code, 5);
+  assert.match(strange.err, /feature at vertex 99999/);
+  put('diagonal.txt', '0 3\n2 5\n0 140\n');
+  const diagonal = run('param', 'closed.obj', '--features', 'diagonal.txt', '-o', 'no.obj');
+  assert.equal(diagonal.code, 5);
+  assert.match(diagonal.err, /no edges? of the mesh/);
+  put('bad.txt', '0 x\n');
+  assert.equal(run('param', 'closed.obj', '--features', 'bad.txt', '-o', 'no.obj').code, 3);
+});
+
+test('parts with lists of their sharp edges', (t) => {
+  const folder = path.join(shared, '../cases/features');
+  if (!existsSync(folder)) return t.skip(`${folder} is absent`);
+  for (const name of ['wrench', 'joint']) {
+    const sharp = path.join(folder, `${name}_rem.sharp`);
+    good('param', path.join(folder, `${name}_rem.obj`), '--features', sharp, '-o', 'part.obj');
+    const map = cornersOf('part.obj');
+    const rows = readFileSync(sharp, 'utf8').trim().split('\n').slice(1);
+    const asked = new Set(rows.map((row) => {
+      const [, f, k] = row.split(',').map(Number);
+      return key(map.faces[f][k], map.faces[f][(k + 1) % 3]);
+    })); // prettier-ignore
+    assert.ok(asked.size > 300);
+    assert.equal(
+      crookedSides(map, (edge) => asked.has(edge)),
+      0,
+      name,
+    );
+  }
+});

@@ -1,0 +1,197 @@
+// Maps along features.  Laws: certified and exactly straight; cones are those of the field; what does not go together is
+// refused with the reason.
+#include "hgp/parametrize/along_features.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "hgp/features/field_along.h"
+#include "hgp/grid/snap.h"
+#include "support/creases.h"
+
+namespace hgp {
+namespace {
+
+Result<Parametrization> along(const TriMesh& mesh, const std::vector<EdgeId>& features,
+                              const ParametrizeOptions& options = {}) {
+  PreparedSurface surface(mesh);
+  HolonomySpec spec;
+  spec.features = features;
+  return parametrizeAlongFeatures(surface, spec, options);
+}
+
+void expectStraight(const std::string& name, const TriMesh& mesh, const Parametrization& run) {
+  EXPECT_TRUE(run.isCertified) << name << ": "
+                               << (run.certificate.reasons.empty()
+                                       ? ""
+                                       : run.certificate.reasons[0].message);
+  EXPECT_EQ(run.certificate.features.edges, static_cast<int>(run.spec.features.size())) << name;
+  EXPECT_EQ(run.certificate.features.straightChains, run.certificate.features.chains) << name;
+  // Once more by hand: a common coordinate on every side of every feature edge.
+  const auto uv = [&](HalfedgeId h) {
+    return run.map.uv[at(run.map.cornerUv[at(h.i / 3)][at(h.i % 3)])];
+  };
+  for (EdgeId e : run.spec.features) {
+    HalfedgeId h = mesh.halfedge(e);
+    for (int side = 0; side < 2 && h.isValid(); ++side, h = mesh.twin(h)) {
+      const Vec2 a = uv(h), b = uv(TriMesh::next(h));
+      EXPECT_TRUE((a[0] == b[0]) != (a[1] == b[1])) << name << " edge " << e.i;
+    }
+  }
+}
+
+TEST(AlongFeatures, MapsAreCertifiedAndStraight) {
+  for (const test::CreasedShape& shape : test::creasedShapes()) {
+    const Result<Parametrization> run = along(shape.mesh, shape.features);
+    ASSERT_TRUE(run) << shape.name;
+    expectStraight(shape.name, shape.mesh, *run);
+  }
+}
+
+TEST(AlongFeatures, StayExactlyStraightInTheNumbersOfEveryFormat) {
+  for (const test::CreasedShape& shape : test::creasedShapes()) {
+    const Result<Parametrization> run = along(shape.mesh, shape.features);
+    ASSERT_TRUE(run) << shape.name;
+    std::vector<VertexId> cones;
+    for (const ConePoint& cone : run->spec.cones) cones.push_back(cone.vertex);
+    const auto snapper = SeamSnapper::make(shape.mesh, run->map, 4, cones, run->spec.features);
+    ASSERT_TRUE(snapper) << shape.name;
+    for (const StoredNumbers& numbers : {StoredNumbers{}, StoredNumbers{24, true, false}}) {
+      UvMap map = run->map;
+      const int exponent = gridExponent(map.uv, numbers) + 1;
+      const auto snapped = snapper->snap(map.uv, exponent, numbers);
+      ASSERT_TRUE(snapped) << shape.name;
+      EXPECT_TRUE(snapped->notPositive.empty()) << shape.name;
+      map.uv = snapped->uv;
+      const Certificate certificate = certify(shape.mesh, run->spec, map);
+      EXPECT_TRUE(certificate.isCertified) << shape.name;
+      EXPECT_EQ(certificate.exactSeams.exact, static_cast<int>(certificate.seams.seams.size()))
+          << shape.name;
+      EXPECT_EQ(certificate.features.straightChains, certificate.features.chains) << shape.name;
+    }
+  }
+}
+
+TEST(AlongFeatures, ASquareGridIsMappedToARectangle) {
+  const TriMesh mesh = test::jittered(test::grid(9, 6), 0.0).mesh();
+  const Result<Parametrization> run = along(mesh, test::creasesOf(mesh));
+  ASSERT_TRUE(run);
+  EXPECT_EQ(run->certificate.features.corners, 4);
+  EXPECT_LT(run->certificate.distortion.maxMu, 1e-3);
+}
+
+TEST(AlongFeatures, SomeEdgesOfASphereMayDangle) {
+  const TriMesh mesh = test::icosphere(5).mesh();
+  // Two edges that share a vertex, and one elsewhere.
+  const HalfedgeId h(0);
+  const std::vector<EdgeId> features{mesh.edge(h), mesh.edge(TriMesh::next(h)),
+                                     mesh.edge(HalfedgeId(900))};
+  std::vector<EdgeId> sorted = features;
+  std::sort(sorted.begin(), sorted.end());
+  const Result<Parametrization> run = along(mesh, sorted);
+  ASSERT_TRUE(run);
+  expectStraight("dangling", mesh, *run);
+}
+
+TEST(AlongFeatures, RimsAreFeaturesWithAnyOther) {
+  const TriMesh mesh = test::cylinder(16, 6).mesh();
+  const Result<Parametrization> run = along(mesh, {mesh.edge(HalfedgeId(50))});
+  ASSERT_TRUE(run);
+  EXPECT_GE(run->spec.features.size(), 32u);
+  expectStraight("cylinder", mesh, *run);
+}
+
+TEST(AlongFeatures, ConesOfTheFieldMayBePrescribedAndNoOthers) {
+  const TriMesh mesh = test::cube(4).mesh();
+  const std::vector<EdgeId> features = test::creasesOf(mesh);
+  const Result<Parametrization> first = along(mesh, features);
+  ASSERT_TRUE(first);
+  PreparedSurface surface(mesh);
+  HolonomySpec spec = toSpec(first->spec);
+  const Result<Parametrization> again = parametrizeAlongFeatures(surface, spec, {});
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->map.uv, first->map.uv);
+  spec.cones[0].k = 2;
+  spec.cones[1].k = 4;
+  const Result<Parametrization> other = parametrizeAlongFeatures(surface, spec, {});
+  ASSERT_FALSE(other);
+  EXPECT_EQ(other.error().code, ErrorCode::kPrescription);
+  EXPECT_FALSE(other.error().where.empty());
+}
+
+TEST(AlongFeatures, RefusesWhatDoesNotGoTogether) {
+  const TriMesh mesh = test::cube(3).mesh();
+  const std::vector<EdgeId> features = test::creasesOf(mesh);
+  ParametrizeOptions grid, improve;
+  grid.grid.cells = 100;
+  improve.improve.emplace();
+  for (const ParametrizeOptions& options : {grid, improve}) {
+    const Result<Parametrization> run = along(mesh, features, options);
+    ASSERT_FALSE(run);
+    EXPECT_EQ(run.error().code, ErrorCode::kUsage);
+  }
+  PreparedSurface surface(mesh);
+  HolonomySpec spec;
+  spec.q = 6;
+  spec.features = features;
+  EXPECT_EQ(parametrizeAlongFeatures(surface, spec, {}).error().code, ErrorCode::kUsage);
+}
+
+/// A cylinder whose lower rim climbs slowly all around and falls back within one edge, while the upper one is straight.
+TriMesh steppedCylinder(int m, int n, double fall) {
+  MeshData data = test::cylinder(m, n).data;
+  double top = 0.0;
+  for (const Vec3& p : data.positions) top = std::max(top, p[2]);
+  for (Vec3& p : data.positions) {
+    const double around = 0.5 + std::atan2(p[1], p[0]) / (2.0 * kPi);  // from 0 to 1
+    const double low = fall * (around < 1.0 - 0.5 / m ? around : 0.0);
+    p[2] = low + (top - low) * p[2] / top;
+  }
+  return test::meshOf(data);
+}
+
+TEST(AlongFeatures, AStepThatCanHaveNoLengthIsStraightenedAndSaid) {
+  const TriMesh mesh = steppedCylinder(48, 8, 0.7);
+  const std::vector<EdgeId> rims = test::creasesOf(mesh);
+  // The field has the step: two corners on the lower rim and none on the upper one.
+  const Result<AlignedField> field = alignedField(mesh, prepareSurface(mesh), rims);
+  ASSERT_TRUE(field);
+  int corners = 0;
+  for (const Sector& s : field->sectors.list)
+    corners += field->index[at(field->sectors.node(mesh, s.first))] != 2;
+  EXPECT_EQ(corners, 2);
+  const Result<Parametrization> run = along(mesh, rims);
+  ASSERT_TRUE(run);
+  expectStraight("stepped cylinder", mesh, *run);
+  EXPECT_EQ(run->certificate.features.corners, 0);
+  ASSERT_FALSE(run->notes.empty());
+  EXPECT_NE(run->notes.back().find("1 step"), std::string::npos) << run->notes.back();
+}
+
+TEST(AlongFeatures, CheckRefusesWhatTheSolveRefuses) {
+  const TriMesh mesh = test::cube(4).mesh();
+  PreparedSurface surface(mesh);
+  HolonomySpec spec;
+  spec.features = test::creasesOf(mesh);
+  EXPECT_TRUE(checkAlongFeatures(surface, spec));
+  spec.q = 2;
+  EXPECT_EQ(checkAlongFeatures(surface, spec).error().code, ErrorCode::kUsage);
+  const TriMesh one = test::triangle().mesh();
+  PreparedSurface small(one);
+  spec.q = 4;
+  spec.features = test::creasesOf(one);
+  EXPECT_EQ(checkAlongFeatures(small, spec).error().code, ErrorCode::kPrescription);
+}
+
+TEST(AlongFeatures, IsCancelled) {
+  const TriMesh mesh = test::cube(4).mesh();
+  ParametrizeOptions options;
+  options.progress = [](const ProgressReport& r) { return r.stage != Stage::kSolve; };
+  const Result<Parametrization> run = along(mesh, test::creasesOf(mesh), options);
+  ASSERT_FALSE(run);
+  EXPECT_EQ(run.error().code, ErrorCode::kCancelled);
+}
+
+}  // namespace
+}  // namespace hgp

@@ -162,8 +162,11 @@ class Session {
       reply.set("vertices", quads->vertices);
       reply.set("quads", quads->quads);
       reply.set("clipped", quads->clipped);
-      reply.set("halvings", quads->halvings);
       reply.set("multipleEdges", quads->multipleEdges);
+      reply.set("cuts", quads->cuts);
+      reply.set("replaced", quads->replaced);
+      reply.set("halvings", quads->halvings);
+      reply.set("foldedInSpace", quads->foldedInSpace);
       reply.set("foldedQuads", quads->foldedQuads);
       return reply;
     });

@@ -321,7 +321,7 @@ class Run {
     if (Status done = publish(outcome->json(), outcome->text(), isMessage); !done) {
       return fail(done.error());
     }
-    const bool isWhole = outcome->certifiedCount() == count;
+    const bool isWhole = outcome->goodCount() == count;
     if (!isMessage) return isWhole ? 0 : kNoMapExit;
     if (!isWhole && !a_.solve.keepsGoing && !a_.write.allowUncertified) {
       tell("nothing was written; --keep-going writes what is certified");
@@ -367,6 +367,9 @@ class Run {
                    "-o x.glb or -o x.gltf",
                    {}});
     }
+    if (Status possible = api::canWriteQuads(a_.output); !possible && isQuads) {
+      return fail(possible.error());
+    }
     Result<std::optional<io::Prescription>> asked = std::optional<io::Prescription>();
     if (a_.solve.boundary == api::BoundaryKind::kFree) asked = prescription();
     if (!asked) return fail(asked.error());
@@ -405,6 +408,30 @@ class Run {
     std::fprintf(stderr, "  wrote %s: %d vertices, %s%s\n", printable(a_.output).c_str(),
                  quads.vertices, counted(quads.quads, "quad").c_str(),
                  quads.clipped > 0 ? "; cells that the boundary cuts are left out" : "");
+    if (quads.cuts > 0) {
+      std::fprintf(stderr,
+                   "  note: %s of quads %s cut lengthwise: otherwise more than one edge would join "
+                   "%s, around "
+                   "handles and cones one or two cells apart\n",
+                   counted(quads.cuts, "strip").c_str(), quads.cuts == 1 ? "is" : "are",
+                   counted(quads.multipleEdges, "pair of vertices", "pairs of vertices").c_str());
+    }
+    if (quads.replaced > 0) {
+      std::fprintf(
+          stderr,
+          "  note: %s replaced by a vertex of valence 3, beside vertices of valence 3 and 5: "
+          "otherwise "
+          "more than one edge would join %s, around handles and cones one or two cells apart\n",
+          counted(quads.replaced, "edge is", "edges are").c_str(),
+          counted(quads.multipleEdges, "pair of vertices", "pairs of vertices").c_str());
+    }
+    if (quads.foldedInSpace > 0) {
+      std::fprintf(
+          stderr,
+          "  note: %s folded in space, where the surface bends more than a cell can follow; "
+          "more cells lower that\n",
+          counted(quads.foldedInSpace, "quad is", "quads are").c_str());
+    }
     if (quads.halvings > 0) {
       std::fprintf(
           stderr,

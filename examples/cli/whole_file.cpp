@@ -1,6 +1,7 @@
 #include "whole_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -85,12 +86,57 @@ Status solveOne(api::Session& session, const Arguments& asked, const Progress& p
   return session.parametrize(*cones, options);
 }
 
+double areaOf(const api::Session& session) {
+  const std::vector<double>& x = session.positions();
+  const std::vector<std::uint32_t>& t = session.triangles();
+  double area = 0.0;
+  for (std::size_t f = 0; f + 2 < t.size(); f += 3) {
+    const auto side = [&](std::size_t to, std::size_t k) {
+      return x[3 * std::size_t{t[f + to]} + k] - x[3 * std::size_t{t[f]} + k];
+    };
+    double square = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t l = (k + 1) % 3;
+      const double n = side(1, k) * side(2, l) - side(1, l) * side(2, k);
+      square += n * n;
+    }
+    area += 0.5 * std::sqrt(square);
+  }
+  return area;
+}
+
+/// Options in which a number of cells has become an edge length: that of so many cells on all meshes together.
+Arguments withSharedGrid(const FileChain& chain, int meshCount, Arguments asked) {
+  if (!(asked.solve.grid.cells > 0.0)) return asked;
+  double area = 0.0;
+  for (int mesh = 0; mesh < meshCount; ++mesh) {
+    api::Session session;
+    if (open(session, chain, mesh, asked)) area += areaOf(session);
+  }
+  if (area > 0.0)
+    asked.solve.grid = {0.0, std::sqrt(area / asked.solve.grid.cells), asked.solve.grid.mode};
+  return asked;
+}
+
+/// Why a certified map is not on the grid, per component.
+std::string gridReasons(const Json& report) {
+  std::string out;
+  for (std::size_t p = 0; p < report["components"].size(); ++p) {
+    const Json& grid = report["components"][p]["grid"];
+    if (!grid.is_null() && !grid["aligned"].get<bool>())
+      out +=
+          formatText("  component %zu: ", p) + printable(grid["reason"].get<std::string>()) + "\n";
+  }
+  return out;
+}
+
 }  // namespace
 
-Result<FileOutcome> parametrizeAll(const io::FileSet& files, int meshCount, const Arguments& asked,
+Result<FileOutcome> parametrizeAll(const io::FileSet& files, int meshCount, const Arguments& given,
                                    const Progress& progress) {
   FileOutcome out;
   FileChain chain(files);
+  const Arguments asked = withSharedGrid(chain, meshCount, given);
   MeshNotes notes;
   const bool storesAll = asked.solve.keepsGoing || asked.write.allowUncertified;
   for (int mesh = 0; mesh < meshCount; ++mesh) {
@@ -102,11 +148,12 @@ Result<FileOutcome> parametrizeAll(const io::FileSet& files, int meshCount, cons
     if (!done && done.error().code == ErrorCode::kCancelled) return done.error();
     if (done) {
       one.isCertified = session.isCertified();
+      one.isAligned = !asked.solve.grid.isAsked() || session.isAligned();
       one.json = session.reportJson();
     } else {
       one.failure = done.error();
     }
-    if (done && (one.isCertified || storesAll)) {
+    if (done && ((one.isCertified && one.isAligned) || storesAll)) {
       api::WriteOptions options = asked.write;
       options.name = chain.isBinary() && asked.load.target == "gltf" ? "mesh.glb" : asked.output;
       options.isCompressedLater = asked.isCompressed;
@@ -154,6 +201,12 @@ int FileOutcome::certifiedCount() const {
                                         [](const MeshOutcome& m) { return m.isCertified; }));
 }
 
+int FileOutcome::goodCount() const {
+  return static_cast<int>(std::count_if(meshes.begin(), meshes.end(), [](const MeshOutcome& m) {
+    return m.isCertified && m.isAligned;
+  }));
+}
+
 std::string FileOutcome::json() const {
   std::string out = formatText(
       "{\n\"format\": \"hgp-file\",\n\"version\": 1,\n\"certified\": %s,\n"
@@ -181,9 +234,11 @@ std::string FileOutcome::text() const {
     const Json json = Json::parse(m.json);
     const Json& certificate = json.contains("certificate") ? json["certificate"] : json;
     out += m.isCertified ? "certified" : "not certified";
+    if (m.isCertified && !m.isAligned) out += ", but not aligned to a grid";
     out += formatText(", %s in %s\n",
                       counted(certificate["triangles"].get<long long>(), "triangle").c_str(),
                       counted(certificate["components"].size(), "component").c_str());
+    if (m.isCertified && !m.isAligned) out += gridReasons(json);
     if (json.contains("notes")) {
       for (const Json& note : json["notes"]) joined.add(m.mesh, note.get<std::string>());
     }
@@ -195,8 +250,10 @@ std::string FileOutcome::text() const {
     }
   }
   for (const std::string& line : joined.lines()) out += "  note: " + printable(line) + "\n";
-  return out + formatText("%d of %s certified\n", certifiedCount(),
-                          counted(meshes.size(), "mesh", "meshes").c_str());
+  out += formatText("%d of %s certified", certifiedCount(),
+                    counted(meshes.size(), "mesh", "meshes").c_str());
+  if (goodCount() < certifiedCount()) out += formatText(", %d aligned to a grid", goodCount());
+  return out + "\n";
 }
 
 }  // namespace hgp::cli

@@ -12,7 +12,8 @@ namespace hgp::cli {
 struct MeshOutcome {
   int mesh = 0;
   bool isCertified = false;
-  std::string json;  ///< hgp-report or hgp-certificate
+  bool isAligned = true;  ///< false where a grid was asked for and the map is not on it
+  std::string json;       ///< hgp-report or hgp-certificate
   std::optional<Failure> failure;
 };
 
@@ -22,6 +23,8 @@ struct FileOutcome {
   std::vector<std::string> notes;     ///< of the writer, each with its meshes
 
   int certifiedCount() const;
+  /// Certified and, where a grid was asked for, aligned.
+  int goodCount() const;
   /// "hgp-file", see docs/schema.
   std::string json() const;
   /// A line per mesh, with the reason if it is not certified; then the notes.
@@ -29,7 +32,8 @@ struct FileOutcome {
 };
 
 /// Solves the meshes in order and writes each map into the result of the previous one. A mesh whose map is not
-/// certified is not changed, unless `--keep-going` or `--allow-uncertified` is given.
+/// certified, or not on the grid that was asked for, is not changed, unless `--keep-going` or `--allow-uncertified` is
+/// given. A number of cells is that of all meshes together: their cells have the same size.
 /// Ends early when `progress` returns false.
 Result<FileOutcome> parametrizeAll(const io::FileSet& files, int meshCount, const Arguments& asked,
                                    const Progress& progress);

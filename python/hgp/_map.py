@@ -68,8 +68,14 @@ class Quads:
         self.quads: Integers = np.array(corners, dtype=np.int32).reshape(-1, 4) - np.int32(1)
         #: cells that the boundary cuts; they are left out
         self.clipped: int = made["clipped"]
-        #: how often every cell was cut into four, so that no two vertices are joined by several edges
+        #: strips that were cut lengthwise, so that no two vertices are joined by several edges
+        self.cuts: int = made["cuts"]
+        #: edges that were replaced by a vertex of three edges, where strips are long
+        self.replaced: int = made["replaced"]
+        #: how often every cell was cut into four, where neither removes such edges
         self.halvings: int = made["halvings"]
+        #: quads with a corner that is turned over in space
+        self.folded_in_space: int = made["folded_in_space"]
         #: quads at cones of k = 1, which meet themselves
         self.folded: int = made["folded"]
 

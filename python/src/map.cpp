@@ -57,7 +57,10 @@ py::dict Map::quads() {
   py::dict out;
   out["obj"] = py::bytes(reinterpret_cast<const char*>(made.bytes.data()), made.bytes.size());
   out["clipped"] = made.clipped;
+  out["cuts"] = made.cuts;
+  out["replaced"] = made.replaced;
   out["halvings"] = made.halvings;
+  out["folded_in_space"] = made.foldedInSpace;
   out["multiple_edges"] = made.multipleEdges;
   out["folded"] = made.foldedQuads;
   return out;

@@ -278,6 +278,13 @@ test('every mesh of a file is mapped, and --keep-going writes the others where o
     parts(all.out),
     [0, 1, 2].map((m) => [m, true]),
   );
+  // Cells have one size in the whole file, so that a number of cells is that of all meshes.
+  const grid = run(['param', 'three.glb', '-o', 'grid.glb', '--cells', '1200', '--json', '-']);
+  assert.equal(grid.code, 0, grid.err);
+  const grids = JSON.parse(grid.out).meshes.map((m) => m.document.components[0].grid);
+  assert.ok(grids.every((g) => g.aligned));
+  const total = grids.reduce((sum, g) => sum + g.cells, 0);
+  assert.ok(Math.abs(total / 1200 - 1) < 0.25, `${total} cells`);
   // A note on several meshes is printed once.
   const notes = (meshes) => {
     writeFileSync(at('noted.glb'), toGlb(meshes));

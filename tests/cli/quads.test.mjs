@@ -116,21 +116,23 @@ function checkQuads(text, euler, cones, name) {
   assert.ok(points.flat().every(Number.isFinite));
 }
 
-test('around a handle of two cells, cells are cut so that no two edges have the same ends', () => {
+test('around a handle of two cells, strips are cut so that no two edges have the same ends', () => {
   const file = put('hoop.obj', torus(60, 16, 0.05));
   const out = path.join(folder, 'hoop-quads.obj');
-  for (const [cells, parts] of [
-    [40, 16],
-    [80, 4],
-    [160, 1],
+  for (const [cells, most, cuts] of [
+    [40, 4, true],
+    [80, 2, true],
+    [160, 1.2, false],
   ]) {
     const run = spawnSync(hgp, ['quads', file, '--cells', `${cells}`, '-o', out], {
       encoding: 'utf8',
     });
     assert.equal(run.status, 0, run.stderr);
-    checkQuads(readFileSync(out, 'utf8'), 0, [], `hoop, ${cells} cells`);
-    const said = Number(/cut into (\d+) quads/.exec(run.stderr)?.[1] ?? 1);
-    assert.equal(said, parts, run.stderr);
+    const text = readFileSync(out, 'utf8');
+    checkQuads(text, 0, [], `hoop, ${cells} cells`);
+    const count = text.match(/^f /gm).length;
+    assert.ok(count <= most * cells, `${count} quads for ${cells} cells`);
+    assert.equal(/strips? of quads (is|are) cut lengthwise/.test(run.stderr), cuts, run.stderr);
   }
 });
 
@@ -183,6 +185,21 @@ test('quads take the options of param, and a number of cells where none is given
   const replaced = (...options) => spawnSync(hgp, ['quads', out, '-o', out, ...options]).status;
   assert.equal(replaced(), 2);
   assert.equal(replaced('--force'), 0);
+});
+
+test('a name that quads are not written to is refused before anything is solved', () => {
+  const file = put('small.obj', cubeMesh(4));
+  for (const name of ['quads.gltf', 'quads.ply', 'quads', 'quads.obj.txt']) {
+    const out = path.join(folder, name);
+    const run = spawnSync(hgp, ['quads', file, '--cells', '60', '-o', out], { encoding: 'utf8' });
+    assert.equal(run.status, 2, run.stderr);
+    assert.match(run.stderr, /\.obj, or as \.glb/);
+    assert.ok(!existsSync(out));
+  }
+  const upper = path.join(folder, 'QUADS.OBJ');
+  const run = spawnSync(hgp, ['quads', file, '--cells', '60', '-o', upper], { encoding: 'utf8' });
+  assert.equal(run.status, 0, run.stderr);
+  assert.match(readFileSync(upper, 'utf8'), /^f /m);
 });
 
 for (const [file, euler] of models) {

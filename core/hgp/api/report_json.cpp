@@ -49,7 +49,9 @@ std::string gridReason(const GridReport& grid, const std::vector<Where>& cones) 
     text += formatText("%s cones %d and %d are %.2f cells apart", n == 0 ? ":" : ",",
                        static_cast<int>(cones[n].id), static_cast<int>(cones[n].other),
                        grid.closest[n].cells);
-  if (grid.workingCells > 0) text += formatText("; %.0f cells would work", grid.workingCells);
+  if (grid.workingCells > 0)
+    text += formatText("; %.0f cells would work%s", grid.workingCells,
+                       grid.needsTheseCones ? " with the cones of this run (--cones)" : "");
   return text;
 }
 

@@ -72,14 +72,21 @@ class StoredResult {
   std::shared_ptr<const Data> data_;  ///< null: no result
 };
 
+/// Whether Session::quads() writes files of this name: .obj, .glb, or none.
+Status canWriteQuads(const std::string& name);
+
 /// A quad mesh as a file, and its counts.
 struct QuadFile {
   io::Bytes bytes;
   int vertices = 0, quads = 0;
   int clipped = 0;        ///< cells that the boundary cuts; they are left out
-  int halvings = 0;       ///< how often cells were divided into four to remove multiple edges
-  int multipleEdges = 0;  ///< pairs of vertices joined by several edges before cells were divided
-  int foldedQuads = 0;    ///< at cones with k = 1, whose only quad is joined to itself
+  int multipleEdges = 0;  ///< pairs of vertices joined by several edges in the grid as it is
+  int cuts = 0;           ///< lines added along strips of quads, which remove them
+  int replaced = 0;       ///< edges replaced by a vertex of three edges, which removes them, too
+  int halvings = 0;  ///< how often all cells were divided into four, where no strips remove them
+  int foldedInSpace =
+      0;                ///< quads of which a corner is turned over: too large for the surface there
+  int foldedQuads = 0;  ///< at cones with k = 1, whose only quad is joined to itself
 };
 
 /// The files of write(), and whether the map is certified as stored in them: glTF stores float32, OBJ float64.

@@ -79,6 +79,17 @@ Result<Verdict> Session::inspect() const {
   });
 }
 
+/// The budget with what a search from all vertices proves.
+static BudgetReport provedOrNot(const ModelComponent& component, const HolonomySpec& spec,
+                                BudgetReport budget) {
+  if (budget.isTooCoarse) return budget;
+  const std::optional<std::string> proof =
+      proveImpossible(component.mesh, component.topology, spec);
+  budget.isTooCoarse = proof.has_value();
+  if (proof) budget.warnings.insert(budget.warnings.begin(), *proof);
+  return budget;
+}
+
 Result<Verdict> Session::check(const io::Prescription& prescription) const {
   return guarded([&]() -> Result<Verdict> {
     if (Status ready = requireComponents(state_->model); !ready) return ready.error();
@@ -99,7 +110,7 @@ Result<Verdict> Session::check(const io::Prescription& prescription) const {
         Result<BudgetReport> budget = checkPrescription(
             model.components[p].mesh, model.components[p].topology, component.spec);
         if (budget)
-          check.budget = *budget;
+          check.budget = provedOrNot(model.components[p], component.spec, std::move(*budget));
         else
           check.refusal = toSurfaceIds(model, model.components[p], budget.error());
       }

@@ -85,7 +85,7 @@ class Session {
   /// Whether every component is aligned to the grid that the options asked for.
   bool isAligned() const;
   /// The cells of a result that is aligned in quad mode, as an OBJ of quads or, if `name` ends in .glb, as a GLB
-  /// of triangles. Fails with kNoMap if the result is not aligned.
+  /// of triangles. Fails with kNoMap if the result is not aligned, with kUsage for another extension.
   Result<QuadFile> quads(const std::string& name) const;
 
   /// Whether write() can produce a file of this name, judged by its extension.

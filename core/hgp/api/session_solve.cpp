@@ -4,6 +4,7 @@
 
 #include "hgp/api/convex_polygons.h"
 #include "hgp/api/feature_request.h"
+#include "hgp/api/grid_retries.h"
 #include "hgp/api/map_notes.h"
 #include "hgp/api/possible_options.h"
 #include "hgp/api/session_state.h"
@@ -37,39 +38,6 @@ GridOptions sharedGrid(const Model& model, GridOptions grid) {
 
 /// Surfaces with more triangles, and those of many components, are prepared again by every call, to leave memory.
 constexpr int kKeptFaces = 200'000, kKeptComponents = 100;
-
-bool isAligned(const Parametrization& run) { return run.grid && run.grid->isAligned; }
-
-/// Choosing few cones takes several times as long as a solve; up to this many triangles that is about a second.
-constexpr int kChosenTwice = 10'000;
-
-/// If the usual automatic cones are too close for the grid, tries fewer cones, which are farther apart. On larger
-/// surfaces a note suggests this instead.
-template <class Solve>
-Status withFewCones(const TriMesh& mesh, SolveOptions choice, const GridOptions& grid,
-                    const Solve& solveWith, Result<Parametrization>& run,
-                    std::vector<std::string>& notes) {
-  const bool isOpen = grid.isAsked() && choice.coneCount == 0 && !choice.alignToCurvature &&
-                      choice.conesFor == ConesFor::kBalanced;
-  if (!isOpen || !run || !run->isCertified || isAligned(*run)) return Done{};
-  if (mesh.faceCount() > kChosenTwice) {
-    notes.emplace_back("fewer cones leave more room for a grid: try --cones-for few");
-    return Done{};
-  }
-  choice.conesFor = ConesFor::kFew;
-  choice.grid = grid;
-  std::vector<std::string> before = notes;
-  Result<Parametrization> few = solveWith(choice);
-  if (!few && few.error().code == ErrorCode::kCancelled) return few.error();
-  if (few && few->isCertified && isAligned(*few)) {
-    run = std::move(few);
-    notes.push_back(
-        "the default cones have no map on this grid; those of --cones-for few are used instead");
-  } else {
-    notes = std::move(before);
-  }
-  return Done{};
-}
 
 ParametrizeOptions parametrizeOptions(const SolveOptions& options, double workShare) {
   ParametrizeOptions out;
@@ -141,24 +109,28 @@ Result<Parametrization> Session::State::solveComponent(std::size_t p,
   surfaceOf(p);
   clock.end();
   std::vector<std::string> notes;
-  const auto solveWith = [&](const SolveOptions& choice) -> Result<Parametrization> {
+  const auto solveWith = [&](const SolveOptions& choice,
+                             const GridOptions& grid) -> Result<Parametrization> {
     Result<CompleteSpec> chosen = chooseCones(p, choice, &times);
     if (!chosen) return chosen.error();
     notes.clear();
     if (auto note = countNote(options.coneCount, *chosen)) notes.push_back(std::move(*note));
+    core.grid = grid;
     return hgp::parametrize(surfaceOf(p), toSpec(*chosen), core);
   };
   if (!request.spec.features.empty()) return solveAlong(p, request, core);
   SolveOptions choice = options;
   choice.q = request.spec.q;
-  Result<Parametrization> run =
-      request.isAutomatic ? solveWith(choice) : hgp::parametrize(surfaceOf(p), request.spec, core);
+  Result<Parametrization> run = request.isAutomatic
+                                    ? solveWith(choice, options.grid)
+                                    : hgp::parametrize(surfaceOf(p), request.spec, core);
   if (run && !run->isCertified && request.isAutomatic && choice.grid.isAsked()) {
     choice.grid = {};  // without cones spaced for the grid, since a map matters more than a grid
-    run = solveWith(choice);
+    run = solveWith(choice, options.grid);
   }
   if (request.isAutomatic)
-    if (Status done = withFewCones(component.mesh, choice, options.grid, solveWith, run, notes);
+    if (Status done =
+            withOtherCones(component.mesh.faceCount(), choice, options.grid, solveWith, run, notes);
         !done)
       return toSurfaceIds(*model, component, done.error());
   dropLarge(p);
@@ -178,6 +150,29 @@ bool maySkip(const Failure& failure) {
 
 }  // namespace
 
+/// The component with cells of the shared size, or of a whole fraction where it is too small for these.
+Result<Parametrization> Session::State::solveOnGrid(std::size_t p, const ComponentRequest& request,
+                                                    const SolveOptions& shared, RunRecord& run) {
+  const bool isCounted = run.options.grid.cells > 0.0 && model->components.size() == 1;
+  if (!shared.grid.isAsked() || isCounted) return solveComponent(p, request, shared);
+  const double area = surfaceArea(model->components[p].mesh);
+  const bool isSmall = area < kFewCells * shared.grid.spacing * shared.grid.spacing;
+  SolveOptions own = shared;
+  int halvings = 0;
+  for (int extra = 0;; ++extra) {
+    own.grid = wholeFraction(shared.grid, area, extra, halvings);
+    Result<Parametrization> component = solveComponent(p, request, own);
+    const bool isOver = !component || !component->grid || component->grid->isAligned || !isSmall ||
+                        extra == kMostFiner;
+    if (!isOver) continue;
+    if (component && component->grid && component->grid->isAligned && halvings > 0)
+      run.notes.push_back(
+          formatText("component %zu is small for cells of this size: its own are 1/%d as long", p,
+                     1 << halvings));
+    return component;
+  }
+}
+
 Status Session::State::solveRequest(const Request& request, const SolveOptions& options,
                                     RunRecord& run) {
   SolveOptions shared = options;
@@ -185,7 +180,7 @@ Status Session::State::solveRequest(const Request& request, const SolveOptions& 
   std::vector<ComponentMap> maps;
   bool areAligned = true;
   for (std::size_t p = 0; p < model->components.size(); ++p) {
-    Result<Parametrization> component = solveComponent(p, request.components[p], shared);
+    Result<Parametrization> component = solveOnGrid(p, request.components[p], shared, run);
     bool isKept = false;
     std::string whyNone;
     if (!component && options.keepsGoing && maySkip(component.error())) {

@@ -65,6 +65,8 @@ struct Session::State {
   /// The same along its features.
   Result<Parametrization> solveAlong(std::size_t p, const ComponentRequest& request,
                                      const ParametrizeOptions& options);
+  Result<Parametrization> solveOnGrid(std::size_t p, const ComponentRequest& request,
+                                      const SolveOptions& shared, RunRecord& run);
   void flatten(Solved& result) const;
   double tilesOfGrid(const WriteOptions& options) const;
   /// The original with the map as a uv set.

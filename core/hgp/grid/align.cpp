@@ -13,8 +13,10 @@
 namespace hgp {
 namespace {
 
-/// Densities tried by the linear step, as factors of the map's scale.
-constexpr double kFactors[] = {1.0, 1.06, 0.94, 1.12, 1.19, 1.27, 1.35};
+/// Densities tried by the linear step, as factors of the map's scale. The first ones change the number of cells by at
+/// most a tenth; the others are tried only if none of these gives a map.
+constexpr double kFactors[] = {1.0, 1.03, 0.97, 1.045, 0.955, 1.12, 1.19, 1.27, 1.35};
+constexpr double kNear = 1.05;
 /// Number of rings of a patch around flipped triangles, and its minimum width in cells, which matters on fine meshes.
 constexpr int kRings = 6;
 constexpr double kPatchCells = 1.2;
@@ -126,6 +128,7 @@ class Aligner {
     if (!goOn(kBegun)) return candidates;
     const IntegerChoice choice = system_.choice(2.0 * kReach / scale_);
     for (double factor : kFactors) {
+      if (factor > kNear && secondChoice_) break;
       const double tried = static_cast<double>(candidates.size()) / std::size(kFactors);
       if (!goOn(kBegun + kStepping * tried) || (!candidates.empty() && !affords(stepWork()))) break;
       candidates.push_back(linearStep(choice, factor));

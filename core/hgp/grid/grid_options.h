@@ -45,6 +45,8 @@ struct GridReport {
   std::vector<ConeDistance>
       closest;                ///< if there is none: the cones that are too close, closest first
   double workingCells = 0.0;  ///< if there is none: a number of cells that works, 0 if unknown
+  bool needsTheseCones =
+      false;  ///< that number was tried with the cones of this run only, which were automatic
 };
 
 }  // namespace hgp

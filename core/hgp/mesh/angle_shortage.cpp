@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "hgp/base/check.h"
 #include "hgp/base/turns.h"
 
 namespace hgp {
@@ -13,47 +14,74 @@ constexpr int kMaxVisits = 2'000'000;
 
 /// Corner angles in units of π / (q N). With N above the number of corners, a minimum of one unit per corner is
 /// equivalent to positive angles: a solution with one exists if and only if one with the other does.
+///
+/// The nodes that receive angle are the vertices, and behind them the loops with a given turning, each in place of its
+/// vertices. Vertices of other loops ask for what they like and give the rest.
 class AngleFlow {
  public:
-  AngleFlow(const TriMesh& mesh, int q, const PerVertex<int>& k)
+  AngleFlow(const TriMesh& mesh, int q, const PerVertex<int>& k,
+            const std::vector<LoopAngle>& loops)
       : mesh_(mesh),
         unit_(3LL * mesh.faceCount() + 1),
-        asked_(k.size(), 0),
-        sum_(asked_.size(), 0),
+        nodeOf_(k.size()),
+        members_(k.size() + loops.size()),
+        asked_(members_.size(), 0),
+        sum_(members_.size(), 0),
+        corners_(members_.size(), 0),
         corner_(static_cast<std::size_t>(mesh.halfedgeCount()), 0),
-        reachedBy_(asked_.size()),
-        isReached_(asked_.size(), 0) {
-    for (VertexId v : mesh.vertices()) asked_[v] = 2LL * k[v] * unit_;
+        reachedBy_(members_.size()),
+        isOpen_(members_.size(), 0),
+        isReached_(members_.size(), 0) {
+    for (VertexId v : mesh.vertices()) {
+      asked_[at(v.i)] = 2LL * k[v] * unit_;
+      isOpen_[at(v.i)] = mesh.isBoundary(v);
+      nodeOf_[v] = v.i;
+    }
+    for (std::size_t j = 0; j < loops.size(); ++j) addLoop(k.size() + j, q, loops[j]);
+    for (VertexId v : mesh.vertices()) {
+      members_[at(nodeOf_[v])].push_back(v);
+      if (!mesh.isIsolated(v)) corners_[at(nodeOf_[v])] += mesh.valence(v);
+    }
     for (FaceId f : mesh.faces()) share(f, q * unit_);
   }
 
-  /// Moves angle to the vertex until it has what it needs. False if that is impossible: reached() is then W.
-  bool satisfy(VertexId v) {
-    while (sum_[v] < asked_[v]) {
-      const Search found = search(v);
+  bool isOpen(int node) const { return isOpen_[at(node)] != 0; }
+  int nodeOf(VertexId v) const { return nodeOf_[v]; }
+
+  /// Moves angle to the node until it has what it needs. False if that is impossible: reached() is then W.
+  bool satisfy(int node, std::size_t largestSearch) {
+    while (sum_[at(node)] < asked_[at(node)]) {
+      const Search found = search(node, largestSearch);
       if (found.isTooLarge) return true;
-      if (!found.donor.isValid()) return false;
-      push(v, found.donor);
+      if (found.donor < 0) return false;
+      push(node, found.donor);
     }
     return true;
   }
 
-  const std::vector<VertexId>& reached() const { return queue_; }
-  bool isReached(VertexId v) const { return isReached_[v] != 0; }
+  const std::vector<int>& reached() const { return queue_; }
+  bool isReached(VertexId v) const { return isReached_[at(nodeOf_[v])] != 0; }
 
  private:
   struct Search {
-    VertexId donor;
+    int donor = -1;
     bool isTooLarge = false;
   };
 
-  /// Initial angles of f, in proportion to what the corners' vertices need per triangle.
+  /// Σ θ_v = π n − 2π l/q over the n vertices of the loop.
+  void addLoop(std::size_t node, int q, const LoopAngle& loop) {
+    const auto n = static_cast<long long>(loop.loop->halfedges.size());
+    asked_[node] = (q * n - 2LL * loop.turning) * unit_;
+    for (HalfedgeId h : loop.loop->halfedges) nodeOf_[mesh_.tail(h)] = static_cast<int>(node);
+  }
+
+  /// Initial angles of f, in proportion to what the corners' nodes need per triangle.
   void share(FaceId f, long long all) {
     std::array<double, 3> weight{};
     double total = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
-      const VertexId v = mesh_.tail(TriMesh::halfedge(f, static_cast<int>(k)));
-      weight[k] = static_cast<double>(asked_[v]) / mesh_.valence(v);
+      const std::size_t node = nodeAt(TriMesh::halfedge(f, static_cast<int>(k)));
+      weight[k] = static_cast<double>(asked_[node]) / corners_[node];
       total += weight[k];
     }
     long long rest = all;
@@ -62,44 +90,48 @@ class AngleFlow {
       const auto part = static_cast<long long>(static_cast<double>(all) * weight[k] / total);
       corner_[h] = k == 2 ? rest : std::clamp(part, 1LL, rest - 2);
       rest -= corner_[h];
-      sum_[mesh_.tail(h)] += corner_[h];
+      sum_[nodeAt(h)] += corner_[h];
     }
   }
 
-  bool mayGive(VertexId v) const { return mesh_.isBoundary(v) || sum_[v] > asked_[v]; }
+  std::size_t nodeAt(HalfedgeId h) const { return at(nodeOf_[mesh_.tail(h)]); }
+  bool mayGive(std::size_t node) const { return isOpen_[node] || sum_[node] > asked_[node]; }
 
-  /// Breadth-first search from v over corners that can give up angle.
-  Search search(VertexId v) {
-    for (VertexId u : queue_) isReached_[u] = 0;
-    queue_.assign(1, v);
-    isReached_[v] = 1;
+  /// Breadth-first search from a node over corners that can give up angle.
+  Search search(int start, std::size_t largest) {
+    for (const int node : queue_) isReached_[at(node)] = 0;
+    queue_.assign(1, start);
+    isReached_[at(start)] = 1;
     for (std::size_t next = 0; next < queue_.size(); ++next) {
-      if (queue_.size() > kLargestSearch || --visitsLeft_ < 0) return {{}, true};
-      for (HalfedgeId out : outgoingHalfedges(mesh_, queue_[next])) {
-        for (const HalfedgeId h : {TriMesh::next(out), TriMesh::previous(out)}) {
-          const VertexId u = mesh_.tail(h);
-          if (isReached_[u] != 0 || corner_[h] <= 1) continue;
-          isReached_[u] = 1;
-          reachedBy_[u] = {out, h};
-          queue_.push_back(u);
-          if (mayGive(u)) return {u, false};
-        }
+      if (queue_.size() > largest) return {-1, true};
+      for (const VertexId v : members_[at(queue_[next])]) {
+        if (--visitsLeft_ < 0) return {-1, true};
+        for (HalfedgeId out : outgoingHalfedges(mesh_, v))
+          for (const HalfedgeId h : {TriMesh::next(out), TriMesh::previous(out)}) {
+            const std::size_t node = nodeAt(h);
+            if (isReached_[node] != 0 || corner_[h] <= 1) continue;
+            isReached_[node] = 1;
+            reachedBy_[node] = {out, h};
+            queue_.push_back(static_cast<int>(node));
+            if (mayGive(node)) return {static_cast<int>(node), false};
+          }
       }
     }
     return {};
   }
 
-  void push(VertexId v, VertexId donor) {
-    long long amount = asked_[v] - sum_[v];
-    if (!mesh_.isBoundary(donor)) amount = std::min(amount, sum_[donor] - asked_[donor]);
-    for (VertexId u = donor; u != v; u = mesh_.tail(reachedBy_[u].to))
-      amount = std::min(amount, corner_[reachedBy_[u].from] - 1);
-    for (VertexId u = donor; u != v; u = mesh_.tail(reachedBy_[u].to)) {
-      corner_[reachedBy_[u].from] -= amount;
-      corner_[reachedBy_[u].to] += amount;
+  void push(int to, int donor) {
+    long long amount = asked_[at(to)] - sum_[at(to)];
+    if (!isOpen(donor)) amount = std::min(amount, sum_[at(donor)] - asked_[at(donor)]);
+    const auto before = [&](int node) { return nodeOf_[mesh_.tail(reachedBy_[at(node)].to)]; };
+    for (int node = donor; node != to; node = before(node))
+      amount = std::min(amount, corner_[reachedBy_[at(node)].from] - 1);
+    for (int node = donor; node != to; node = before(node)) {
+      corner_[reachedBy_[at(node)].from] -= amount;
+      corner_[reachedBy_[at(node)].to] += amount;
     }
-    sum_[donor] -= amount;
-    sum_[v] += amount;
+    sum_[at(donor)] -= amount;
+    sum_[at(to)] += amount;
   }
 
   struct Step {
@@ -108,23 +140,37 @@ class AngleFlow {
 
   const TriMesh& mesh_;
   long long unit_;  ///< N
-  PerVertex<long long> asked_, sum_;
+  PerVertex<int> nodeOf_;
+  std::vector<std::vector<VertexId>> members_;  ///< per node
+  std::vector<long long> asked_, sum_;          ///< per node
+  std::vector<int> corners_;                    ///< per node: how many corners it has
   PerHalfedge<long long> corner_;
-  PerVertex<Step> reachedBy_;
-  PerVertex<char> isReached_;
-  std::vector<VertexId> queue_;
+  std::vector<Step> reachedBy_;
+  std::vector<char> isOpen_, isReached_;
+  std::vector<int> queue_;
   int visitsLeft_ = kMaxVisits;
 };
 
-AngleShortage describe(const TriMesh& mesh, int q, const PerVertex<int>& k, const AngleFlow& flow) {
+AngleShortage describe(const TriMesh& mesh, const AngleQuestion& question, const AngleFlow& flow) {
   AngleShortage out;
-  out.vertices = static_cast<int>(flow.reached().size());
-  for (VertexId v : flow.reached()) {
-    out.asked += turnAngle(k[v], q);
-    if (k[v] != q) out.cones.push_back(v);
+  for (const int node : flow.reached()) {
+    if (node >= mesh.vertexCount()) {
+      const LoopAngle& loop = question.loops[at(node - mesh.vertexCount())];
+      out.loops.push_back(loop.index);
+      out.asked += kPi * static_cast<double>(loop.loop->halfedges.size()) -
+                   turnAngle(loop.turning, question.q);
+      continue;
+    }
+    const VertexId v(node);
+    ++out.vertices;
+    out.asked += turnAngle(question.k[v], question.q);
+    (question.k[v] != question.q ? out.cones : out.regular).push_back(v);
   }
-  std::sort(out.cones.begin(), out.cones.end(),
-            [&](VertexId a, VertexId b) { return k[a] != k[b] ? k[a] > k[b] : a < b; });
+  std::sort(out.cones.begin(), out.cones.end(), [&](VertexId a, VertexId b) {
+    return question.k[a] != question.k[b] ? question.k[a] > question.k[b] : a < b;
+  });
+  std::sort(out.regular.begin(), out.regular.end());
+  std::sort(out.loops.begin(), out.loops.end());
   for (FaceId f : mesh.faces()) {
     const auto corners = mesh.corners(f);
     out.triangles +=
@@ -133,24 +179,47 @@ AngleShortage describe(const TriMesh& mesh, int q, const PerVertex<int>& k, cons
   return out;
 }
 
+/// Steep cones and the vertices beside them.
+std::vector<VertexId> steepPlaces(const TriMesh& mesh, int q, const PerVertex<int>& k) {
+  std::vector<VertexId> out;
+  for (VertexId v : mesh.vertices()) {
+    if (k[v] == q || mesh.isIsolated(v) || mesh.isBoundary(v)) continue;
+    if (turnAngle(k[v], q) <= kSteepCornerAngle * mesh.valence(v)) continue;
+    out.push_back(v);
+    for (HalfedgeId h : outgoingHalfedges(mesh, v)) out.push_back(mesh.head(h));
+  }
+  return out;
+}
+
+std::optional<AngleShortage> search(const TriMesh& mesh, const AngleQuestion& question,
+                                    const std::vector<VertexId>& first, std::size_t largest) {
+  AngleFlow flow(mesh, question.q, question.k, question.loops);
+  std::vector<int> nodes;
+  for (std::size_t j = 0; j < question.loops.size(); ++j)
+    nodes.push_back(mesh.vertexCount() + static_cast<int>(j));
+  for (const VertexId v : first) nodes.push_back(v.i);
+  for (VertexId v : mesh.vertices())
+    if (!mesh.isIsolated(v)) nodes.push_back(v.i);
+  for (const int node : nodes) {
+    if (node < mesh.vertexCount() && mesh.isBoundary(VertexId(node))) continue;
+    if (!flow.satisfy(node, largest)) return describe(mesh, question, flow);
+  }
+  return {};
+}
+
 }  // namespace
 
 std::optional<AngleShortage> findAngleShortage(const TriMesh& mesh, int q,
                                                const PerVertex<int>& k) {
-  std::vector<VertexId> suspects;
-  for (VertexId v : mesh.vertices()) {
-    if (k[v] == q || mesh.isIsolated(v) || mesh.isBoundary(v)) continue;
-    if (turnAngle(k[v], q) <= kSteepCornerAngle * mesh.valence(v)) continue;
-    suspects.push_back(v);
-    for (HalfedgeId h : outgoingHalfedges(mesh, v)) suspects.push_back(mesh.head(h));
-  }
-  if (suspects.empty()) return {};
-  for (VertexId v : mesh.vertices())
-    if (!mesh.isIsolated(v)) suspects.push_back(v);
-  AngleFlow flow(mesh, q, k);
-  for (const VertexId v : suspects)
-    if (!mesh.isBoundary(v) && !flow.satisfy(v)) return describe(mesh, q, k, flow);
-  return {};
+  const std::vector<VertexId> steep = steepPlaces(mesh, q, k);
+  if (steep.empty()) return {};
+  return search(mesh, {q, k, {}}, steep, kLargestSearch);
+}
+
+std::optional<AngleShortage> findAnyAngleShortage(const TriMesh& mesh,
+                                                  const AngleQuestion& question) {
+  return search(mesh, question, steepPlaces(mesh, question.q, question.k),
+                at(mesh.vertexCount()) + question.loops.size());
 }
 
 }  // namespace hgp

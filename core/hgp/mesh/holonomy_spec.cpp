@@ -4,9 +4,9 @@
 #include <numeric>
 
 #include "hgp/base/check.h"
-#include "hgp/base/counted.h"
 #include "hgp/base/turns.h"
 #include "hgp/mesh/angle_shortage_memo.h"
+#include "hgp/mesh/describe_shortage.h"
 
 namespace hgp {
 namespace {
@@ -249,21 +249,24 @@ bool warnShortage(const TriMesh& mesh, const HolonomySpec& spec, AngleShortageMe
   for (const ConePoint& cone : spec.cones) k[cone.vertex] = cone.k;
   const std::optional<AngleShortage>& found = shortages.find(mesh, spec.q, k);
   if (!found) return false;
-  const auto isPart = [&](const ConePoint& c) {
-    return std::find(found->cones.begin(), found->cones.end(), c.vertex) != found->cones.end();
-  };
-  const auto cones = selectCones(spec, isPart);
-  report.warnings.push_back(formatText(
-      "No locally injective map on this mesh has these angles: %s with the cones %s need %gπ "
-      "together, and the %s around them have less than π each. Lower k there, move these cones "
-      "apart, or split edges there (--refine).",
-      counted(static_cast<std::size_t>(found->vertices), "vertex", "vertices").c_str(),
-      listCones(cones).c_str(), found->asked / kPi,
-      counted(static_cast<std::size_t>(found->triangles), "triangle").c_str()));
+  report.warnings.push_back(describeShortage({spec.q, k, {}}, *found));
   return true;
 }
 
 }  // namespace
+
+std::optional<std::string> proveImpossible(const TriMesh& mesh, const Topology& topology,
+                                           const HolonomySpec& spec) {
+  PerVertex<int> k(static_cast<std::size_t>(mesh.vertexCount()), spec.q);
+  for (const ConePoint& cone : spec.cones) k[cone.vertex] = cone.k;
+  AngleQuestion question{spec.q, k, {}};
+  for (std::size_t j = 0; j < spec.turning.size() && j < topology.loops.size(); ++j)
+    if (spec.turning[j])
+      question.loops.push_back({static_cast<int>(j), &topology.loops[j], *spec.turning[j]});
+  const std::optional<AngleShortage> found = findAnyAngleShortage(mesh, question);
+  if (!found) return {};
+  return describeShortage(question, *found);
+}
 
 HolonomySpec toSpec(const CompleteSpec& spec) {
   HolonomySpec out{spec.q, spec.cones, {}, {}, spec.features};

@@ -75,4 +75,9 @@ Result<BudgetReport> checkPrescription(const TriMesh& mesh, const Topology& topo
                                        const HolonomySpec& spec,
                                        AngleShortageMemo* shortages = nullptr);
 
+/// The sentence that proves the angles and turnings that `spec` gives impossible on this mesh (findAnyAngleShortage).
+/// @pre checkPrescription(mesh, topology, spec) succeeds
+std::optional<std::string> proveImpossible(const TriMesh& mesh, const Topology& topology,
+                                           const HolonomySpec& spec);
+
 }  // namespace hgp

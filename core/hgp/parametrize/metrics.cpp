@@ -78,7 +78,7 @@ Result<Parametrization> parametrize(PreparedSurface& surface, const HolonomySpec
   ParametrizeOptions first = options;
   first.maxRounds = std::min(options.maxRounds, kUnevenRounds);
   Result<Parametrization> run = parametrizeInMetric(surface, spec, first);
-  if (!run || run->isCertified) return run;
+  if (!run || run->isCertified || run->isImpossible) return run;
   return inEvenedMetric(surface, spec, options, std::move(*run));
 }
 

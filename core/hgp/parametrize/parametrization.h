@@ -76,7 +76,8 @@ struct Parametrization {
   CompleteSpec spec;             ///< what was asked, completed
   Certificate certificate;       ///< of `map`, by inspection
   bool isCertified = false;
-  bool isUsable = false;  ///< double precision resolves its areas; true of certified maps
+  bool isUsable = false;      ///< double precision resolves its areas; true of certified maps
+  bool isImpossible = false;  ///< proven: no locally injective map on this mesh has these angles
   std::vector<Round> rounds;
   std::optional<ImprovementFacts> improvement;  ///< where one was asked for and the map certified
   std::vector<StageTime> times;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include "hgp/base/counted.h"
@@ -109,18 +110,17 @@ std::optional<State> firstMove(const Problem& problem, const State& state,
 
 /// The loop [BCW17 §7]: solve and verify a state, keep the best map, take the first move that applies; until a map is
 /// certified, no move applies, or the work or the rounds are spent.
+/// @param isImpossible  asked once, after a first round without a map
 static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
                                                     const ParametrizeOptions& options,
+                                                    const std::function<bool()>& isImpossible,
                                                     std::vector<Round>& rounds) {
   Attempts attempts(problem, options);
   std::shared_ptr<const Attempt> best;
   std::set<std::uint64_t> tried;
   State state = firstState(problem);
   double work = problem.largestWork;
-  // No map on this mesh can have the angles: one round only, whose map shows --refine which edges to split.
-  const int mostRounds =
-      problem.setup->isTooCoarse ? std::min(1, options.maxRounds) : options.maxRounds;
-  for (int round = 1; round <= mostRounds; ++round) {
+  for (int round = 1; round <= options.maxRounds; ++round) {
     if (!report(options.progress, {Stage::kSolve, 0.0, -1, -1.0, round, options.maxRounds}))
       return cancelled(Stage::kSolve);
     const auto start = Clock::now();
@@ -132,6 +132,8 @@ static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
     work -= workOf(rounds.back(), problem.mesh.faceCount());
     const bool isOdd = isDistorted(problem, state, *attempt);
     if ((attempt->certificate.isCertified && !isOdd) || work <= 0.0) break;
+    // Where no map on this mesh has the angles, the map of one round shows --refine which edges to split.
+    if (round == 1 && !attempt->certificate.isCertified && isImpossible()) break;
     std::optional<State> next =
         isOdd ? nextWeighting(problem, state, attempt) : firstMove(problem, state, attempt, tried);
     if (!next) break;
@@ -153,7 +155,15 @@ Result<Parametrization> parametrizeInMetric(PreparedSurface& surface, const Holo
 
   const auto start = Clock::now();
   const Problem problem = problemOf(mesh, setup, options);
-  Result<std::shared_ptr<const Attempt>> best = solve(problem, options, result.rounds);
+  const auto isImpossible = [&] {
+    std::optional<std::string> proof;
+    if (!setup->isTooCoarse) proof = proveImpossible(mesh, surface.topology(), spec);
+    if (proof) result.notes.push_back(std::move(*proof));
+    result.isImpossible = setup->isTooCoarse || proof;
+    return result.isImpossible;
+  };
+  Result<std::shared_ptr<const Attempt>> best =
+      solve(problem, options, isImpossible, result.rounds);
   if (!best) return std::move(best).error();
   result.times.push_back({Stage::kSolve, secondsSince(start)});
   const Attempt& attempt = **best;

@@ -17,7 +17,13 @@ Pair unordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 }  // namespace
 
 MultipleEdges countMultipleEdges(const QuadMesh& mesh) {
-  MultipleEdges out;
+  const MultipleEdgePairs found = findMultipleEdges(mesh);
+  return {static_cast<int>(found.pairs.size()), found.foldedQuads};
+}
+
+MultipleEdgePairs findMultipleEdges(const QuadMesh& mesh) {
+  MultipleEdgePairs out;
+  std::set<Pair>& pairs = out.pairs;
   std::vector<int> valence(mesh.positions.size(), 0);
   std::vector<Pair> directed;
   directed.reserve(4 * mesh.quads.size());
@@ -28,7 +34,6 @@ MultipleEdges countMultipleEdges(const QuadMesh& mesh) {
     }
   // The faces at an edge traverse it once in each direction: a directed pair that occurs twice belongs to two edges.
   std::sort(directed.begin(), directed.end());
-  std::set<Pair> pairs;
   for (std::size_t n = 0; n < directed.size(); ++n) {
     const auto [a, b] = directed[n];
     if (a == b || (n > 0 && directed[n] == directed[n - 1])) pairs.insert(unordered(a, b));
@@ -40,7 +45,6 @@ MultipleEdges countMultipleEdges(const QuadMesh& mesh) {
       ++out.foldedQuads;
       pairs.erase(unordered(after, quad[(k + 2) % 4]));
     }
-  out.pairs = static_cast<int>(pairs.size());
   return out;
 }
 

@@ -2,6 +2,8 @@
 // edges apart.
 #pragma once
 
+#include <set>
+
 #include "hgp/quads/quads.h"
 
 namespace hgp {
@@ -15,6 +17,13 @@ struct MultipleEdges {
   int foldedQuads = 0;
 };
 MultipleEdges countMultipleEdges(const QuadMesh& quads);
+
+/// The same with the pairs, each in ascending order.
+struct MultipleEdgePairs {
+  std::set<std::array<int, 2>> pairs;
+  int foldedQuads = 0;
+};
+MultipleEdgePairs findMultipleEdges(const QuadMesh& quads);
 
 /// Each doubles the number of edges of a cycle, and three are a polygon.
 inline constexpr int kMaxHalvings = 2;

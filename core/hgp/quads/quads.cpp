@@ -63,7 +63,12 @@ class Extraction {
     int node;
   };
 
-  int addNode(const Vec3& position, const Vec3& normal) {
+  int addNode(const LatticePoint& p, const Vec3& position, const Vec3& normal) {
+    const auto line = [&](std::int64_t x) {
+      const std::int64_t rest = x / lattice_.unit() & 3;
+      return static_cast<std::int8_t>(std::min(rest, 4 - rest));
+    };
+    out_.lines.push_back({line(p.u), line(p.v)});
     out_.positions.push_back(position);
     out_.normals.push_back(normal);
     out_.coneVertex.push_back(-1);
@@ -102,7 +107,7 @@ class Extraction {
         normal[j] += weight[k] / total * normal_[hgp::at(v.i)][j];
       }
     }
-    return addNode(position, unit(normal));
+    return addNode(p, position, unit(normal));
   }
   static Vec3 unit(const Vec3& n) {
     const double length = norm(n);
@@ -113,7 +118,8 @@ class Extraction {
     findNormals();
     for (VertexId v : mesh_.vertices()) {
       if (mesh_.isIsolated(v) || !lattice_.isWhole(lattice_.corner(mesh_.outgoing(v)))) continue;
-      vertexNode_[v] = addNode(mesh_.position(v), unit(normal_[hgp::at(v.i)]));
+      vertexNode_[v] = addNode(lattice_.corner(mesh_.outgoing(v)), mesh_.position(v),
+                               unit(normal_[hgp::at(v.i)]));
     }
     for (FaceId f : mesh_.faces()) {
       const std::int64_t one = lattice_.unit();
@@ -302,10 +308,12 @@ class Extraction {
       name[v] = count;
       out_.positions[hgp::at(count)] = out_.positions[v];
       out_.normals[hgp::at(count)] = out_.normals[v];
+      out_.lines[hgp::at(count)] = out_.lines[v];
       out_.coneVertex[hgp::at(count++)] = out_.coneVertex[v];
     }
     out_.positions.resize(hgp::at(count));
     out_.normals.resize(hgp::at(count));
+    out_.lines.resize(hgp::at(count));
     out_.coneVertex.resize(hgp::at(count));
     for (auto& quad : out_.quads)
       for (int& v : quad) v = name[hgp::at(v)];

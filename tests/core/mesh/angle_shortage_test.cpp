@@ -79,6 +79,94 @@ TEST(AngleShortage, IsNotLookedForWithoutASteepConeAndBoundariesGiveWhatIsMissin
   EXPECT_FALSE(findAngleShortage(disk, 2, one));
 }
 
+/// Hall's condition over all sets of vertices of a closed surface: positive angles exist if and only if every
+/// set but that of all vertices asks for less than its triangles hold.
+bool hasRoom(const TriMesh& mesh, int q, const PerVertex<int>& k) {
+  for (unsigned set = 1; set + 1 < 1U << mesh.vertexCount(); ++set) {
+    long long asked = 0, triangles = 0;
+    for (VertexId v : mesh.vertices()) asked += (set >> v.i & 1U) != 0 ? 2LL * k[v] : 0;
+    for (FaceId f : mesh.faces()) {
+      const auto corners = mesh.corners(f);
+      triangles += std::any_of(corners.begin(), corners.end(),
+                               [&](VertexId v) { return (set >> v.i & 1U) != 0; });
+    }
+    if (asked >= q * triangles) return false;
+  }
+  return true;
+}
+
+TEST(AngleShortage, FromEveryVertexIsFoundIfAndOnlyIfSomeSetOfVerticesHasOne) {
+  std::mt19937 random(11);
+  int found = 0, none = 0;
+  for (const test::Shape& shape : {test::octahedron(), test::icosphere(1)}) {
+    const TriMesh mesh = shape.mesh();
+    for (int draw = 0; draw < 150; ++draw) {
+      const int q = 3 + draw % 3;
+      PerVertex<int> k(at(mesh.vertexCount()), 1);
+      // Gauss–Bonnet: Σ k = q (V − 2).
+      for (int rest = q * (mesh.vertexCount() - 2) - mesh.vertexCount(); rest > 0; --rest)
+        ++k[VertexId(test::randomBelow(random, draw % 2 == 0 ? mesh.vertexCount() : 4))];
+      const bool isShort = findAnyAngleShortage(mesh, {q, k, {}}).has_value();
+      EXPECT_EQ(isShort, !hasRoom(mesh, q, k)) << shape.name << " draw " << draw;
+      ++(isShort ? found : none);
+    }
+  }
+  EXPECT_GE(found, 50);
+  EXPECT_GE(none, 50);
+}
+
+TEST(AngleShortage, OfManyWeakConesIsFoundFromEveryVertexOnly) {
+  // All vertices within four edges of the centre: 61 · 2.5π, and 150 triangles. None is steep.
+  const TriMesh mesh = test::disk(8).mesh();
+  PerVertex<int> k = regular(mesh, 4);
+  std::vector<VertexId> ball{VertexId(0)};
+  for (std::size_t n = 0, end = 1, ring = 0; ring < 4; ++ring, end = ball.size())
+    for (; n < end; ++n)
+      for (HalfedgeId h : outgoingHalfedges(mesh, ball[n]))
+        if (std::find(ball.begin(), ball.end(), mesh.head(h)) == ball.end())
+          ball.push_back(mesh.head(h));
+  for (const VertexId v : ball) k[v] = 5;
+  EXPECT_FALSE(findAngleShortage(mesh, 4, k));
+  const auto found = findAnyAngleShortage(mesh, {4, k, {}});
+  ASSERT_TRUE(found);
+  EXPECT_GE(found->asked, kPi * found->triangles - 1e-9);
+  for (std::size_t n = 37; n < ball.size(); ++n) k[ball[n]] = 4;
+  EXPECT_FALSE(findAnyAngleShortage(mesh, {4, k, {}})) << "37 · 2.5π fit into 96 triangles";
+}
+
+/// An annulus whose first rim asks for `turning`, and cones of k = 3 that balance it.
+HolonomySpec steepRim(const TriMesh& mesh, int turning) {
+  HolonomySpec spec;
+  spec.turning = {turning, 0};
+  for (VertexId v : mesh.vertices())
+    if (!mesh.isBoundary(v) && static_cast<int>(spec.cones.size()) < -turning)
+      spec.cones.push_back({v, 3});
+  return spec;
+}
+
+TEST(AngleShortage, OfARimThatTurnsTooFar) {
+  // Two triangles of each edge of the rim share three corners at it: 8 edges hold 16π, and the bound of turningRange,
+  // which counts corners one by one, is 24π. Turning l asks for 8π − lπ/2.
+  const TriMesh mesh = test::annulus(8, 6).mesh();
+  const Topology topology = computeTopology(mesh);
+  ASSERT_EQ(topology.loops.size(), 2u);
+  for (const int turning : {-14, -16, -20}) {
+    const HolonomySpec spec = steepRim(mesh, turning);
+    const Result<BudgetReport> budget = checkPrescription(mesh, topology, spec);
+    ASSERT_TRUE(budget) << budget.error().message;
+    EXPECT_FALSE(budget->isTooCoarse) << "the search from steep cones does not look at rims";
+    const std::optional<std::string> proof = proveImpossible(mesh, topology, spec);
+    EXPECT_EQ(proof.has_value(), turning <= -16) << turning;
+    if (!proof) continue;
+    const std::string rim = "the rim 0 (turning " + std::to_string(turning) + ")";
+    for (const std::string& part : {rim, std::string("16 triangles"), std::string("--refine")})
+      EXPECT_NE(proof->find(part), std::string::npos) << *proof;
+    HolonomySpec open = spec;
+    open.turning[0].reset();
+    EXPECT_FALSE(proveImpossible(mesh, topology, open)) << "a rim that may turn as it likes";
+  }
+}
+
 TEST(AngleShortage, IsAWarningOfTheCheckWithWhatToDo) {
   const TriMesh mesh = test::icosphere(6).mesh();
   const VertexId a = regularPair(mesh), b = mesh.head(mesh.outgoing(a));
@@ -91,7 +179,8 @@ TEST(AngleShortage, IsAWarningOfTheCheckWithWhatToDo) {
   EXPECT_TRUE(report->isTooCoarse);
   ASSERT_FALSE(report->warnings.empty());
   const std::string& warning = report->warnings.back();
-  for (const char* part : {"2 vertices", "(k=10)", "10π", "10 triangles", "--refine"})
+  for (const char* part :
+       {"the cones ", " and ", "(k=10)", "10π together", "10 triangles", "--refine"})
     EXPECT_NE(warning.find(part), std::string::npos) << warning;
 }
 

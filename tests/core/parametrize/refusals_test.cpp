@@ -1,6 +1,7 @@
 // What is refused, cancelled or explained instead of solved.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "hgp/parametrize/parametrize.h"
@@ -90,6 +91,28 @@ TEST(Cancel, EndsEveryStageAtOnce) {
     EXPECT_EQ(p.error().code, ErrorCode::kCancelled) << stageName(stage);
     EXPECT_EQ(after, 0) << stageName(stage);
   }
+}
+
+TEST(Impossible, APrescriptionThatIsProvedSoEndsAfterOneProgramWithTheProof) {
+  // No cone is steep, but the rim asks for more than its triangles hold.
+  const TriMesh mesh = test::annulus(8, 6).mesh();
+  HolonomySpec spec;
+  spec.turning = {-20, 0};
+  for (VertexId v : mesh.vertices())
+    if (!mesh.isBoundary(v) && spec.cones.size() < 20) spec.cones.push_back({v, 3});
+  const Result<Parametrization> run = parametrize(mesh, spec, {});
+  ASSERT_TRUE(run) << run.error().message;
+  EXPECT_FALSE(run->isCertified);
+  EXPECT_TRUE(run->isImpossible);
+  EXPECT_EQ(run->rounds.size(), 1u);
+  EXPECT_TRUE(std::any_of(run->notes.begin(), run->notes.end(), [](const std::string& note) {
+    return note.find("the rim 0 (turning -20)") != std::string::npos;
+  }));
+  spec.turning = {};
+  spec.cones.clear();
+  const Result<Parametrization> possible = parametrize(mesh, spec, {});
+  ASSERT_TRUE(possible && possible->isCertified);
+  EXPECT_FALSE(possible->isImpossible);
 }
 
 TEST(Progress, StagesComeInTheirOrderAndNoneComesBack) {

@@ -33,7 +33,15 @@ const solutionOf = (grids, certificate = {}) => ({
 });
 
 test('a quad mesh that differs from the cells on the screen reports how', () => {
-  const plain = { quads: 1200, clipped: 0, halvings: 0, foldedQuads: 0 };
+  const plain = {
+    quads: 1200,
+    clipped: 0,
+    cuts: 0,
+    replaced: 0,
+    halvings: 0,
+    foldedInSpace: 0,
+    foldedQuads: 0,
+  };
   assert.equal(quadsSaved(plain, 'a.obj'), '1 200 quads saved as a.obj.');
   assert.equal(
     quadsSaved({ ...plain, clipped: 1, halvings: 1, foldedQuads: 2 }, 'a.obj'),

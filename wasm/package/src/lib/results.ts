@@ -120,10 +120,16 @@ export interface Quads {
   quads: number;
   /** Number of cells that the boundary cuts; they are left out. */
   clipped: number;
-  /** How often all cells were divided into four, so that no two edges have the same end vertices. */
-  halvings: number;
-  /** Pairs of vertices that several edges joined before cells were divided, around short handles and close cones. */
+  /** Pairs of vertices that several edges join in the grid as it is, around short handles and close cones. */
   multipleEdges: number;
+  /** Strips of quads that were cut lengthwise so that no two edges have the same end vertices. */
+  cuts: number;
+  /** Edges that were replaced by a vertex of three edges for the same purpose, where strips are long. */
+  replaced: number;
+  /** How often all cells were divided into four, where cutting strips does not achieve that. */
+  halvings: number;
+  /** Quads of which a corner is turned over in space: the surface bends more there than a cell can follow. */
+  foldedInSpace: number;
   /** Quads that are the only one at a cone with k = 1, so that two of their edges coincide. */
   foldedQuads: number;
 }

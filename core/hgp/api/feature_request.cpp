@@ -12,13 +12,13 @@ namespace hgp::api {
 namespace {
 
 // If the mesh has changed, a vertex is searched within this fraction of the bounding box's diagonal.
-constexpr double kSamePlace = 1e-6;
+constexpr double kSameFeaturePlace = 1e-6;
 
 using Pair = std::array<int, 2>;
 
 Pair sorted(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
-Failure refusal(std::string message, std::vector<Where> where = {}) {
+Failure refusedFeature(std::string message, std::vector<Where> where = {}) {
   return {ErrorCode::kPrescription, "features", std::move(message), std::move(where)};
 }
 
@@ -27,7 +27,7 @@ class FeatureFinder {
   FeatureFinder(const Model& model, const io::Prescription& asked)
       : model_(model), asked_(asked), positions_(model.source().mesh.positions) {
     isMoved_ = (!asked.sha256.empty() && asked.sha256 != model.sha256) || !model.hasOwnVertexIds;
-    reach_ = kSamePlace * diagonal(finiteBoxOf(positions_));
+    reach_ = kSameFeaturePlace * diagonal(finiteBoxOf(positions_));
   }
 
   /// All asked edges as pairs of surface vertices, ascending.
@@ -51,7 +51,7 @@ class FeatureFinder {
   Result<int> vertex(const io::PrescribedLine& line, std::size_t i) const {
     const int v = line.vertices[i], count = static_cast<int>(positions_.size());
     if (line.positions.empty() && !model_.hasOwnVertexIds)
-      return refusal(
+      return refusedFeature(
           "vertices get new ids when the file is converted to another format: features need "
           "positions (those of hgp-cones have them), or the ids of the new file");
     const bool isThere = v >= 0 && v < count;
@@ -62,23 +62,26 @@ class FeatureFinder {
           positions_.begin(), positions_.end(),
           [&](const Vec3& a, const Vec3& b) { return distance(a, p) < distance(b, p); });
       if (nearest == positions_.end() || distance(*nearest, p) > reach_)
-        return refusal(formatText("no vertex within %.3g of the feature at (%.9g, %.9g, %.9g)",
-                                  reach_, p[0], p[1], p[2]));
+        return refusedFeature(
+            formatText("no vertex within %.3g of the feature at (%.9g, %.9g, %.9g)", reach_, p[0],
+                       p[1], p[2]));
       return static_cast<int>(nearest - positions_.begin());
     }
     if (isThere) return v;
-    return refusal(formatText("feature at vertex %d: the mesh has vertices 0 to %d", v, count - 1));
+    return refusedFeature(
+        formatText("feature at vertex %d: the mesh has vertices 0 to %d", v, count - 1));
   }
 
   Status addSides() {
     if (asked_.features.sides.empty()) return Done{};
     if (!model_.hasOwnFaceIds)
-      return refusal("features refer to triangles, which get new ids in the other format");
+      return refusedFeature("features refer to triangles, which get new ids in the other format");
     const auto& triangles = model_.source().mesh.triangles;
     for (const auto& [face, side] : asked_.features.sides) {
       if (face < 0 || at(face) >= triangles.size() || side < 0 || side > 2)
-        return refusal(formatText("features name side %d of triangle %d; the mesh has %s", side,
-                                  face, counted(triangles.size(), "triangle").c_str()));
+        return refusedFeature(formatText("features name side %d of triangle %d; the mesh has %s",
+                                         side, face,
+                                         counted(triangles.size(), "triangle").c_str()));
       const auto& corners = triangles[at(face)];
       pairs_.push_back(sorted(corners[at(side)], corners[at((side + 1) % 3)]));
     }
@@ -133,9 +136,9 @@ Status addFeatures(const Model& model, const io::Prescription& prescription, Req
   for (std::size_t i = 0; i < pairs->size(); ++i)
     if (!isFound[i]) where.push_back({Where::Kind::kEdge, (*pairs)[i][0], (*pairs)[i][1]});
   if (where.empty()) return Done{};
-  return refusal(counted(where.size(), "feature is no edge", "features are no edges") +
-                     " of the mesh. Is this the mesh they were made for?",
-                 std::move(where));
+  return refusedFeature(counted(where.size(), "feature is no edge", "features are no edges") +
+                            " of the mesh. Is this the mesh they were made for?",
+                        std::move(where));
 }
 
 bool isFeaturesOnly(const io::Prescription& prescription) {

@@ -10,7 +10,7 @@
 namespace hgp {
 namespace {
 
-constexpr double kQuarter = kPi / 2.0;
+constexpr double kQuarterTurn = kPi / 2.0;
 /// Cost of a path per edge, relative to the costs of nodes.
 constexpr double kEdgeCost = 0.05;
 /// Largest gain by a single unit that a longer path may still have: searches end there.
@@ -69,7 +69,7 @@ class IndexFlow {
     const int excess = std::max(1 - value, value - largestIndex(mesh_, sectors_, n));
     if (excess > 0) return kImpossible * excess;
     if (n < mesh_.vertexCount()) return std::abs(value - 4);
-    const double miss = value - angle_[at(n)] / kQuarter;
+    const double miss = value - angle_[at(n)] / kQuarterTurn;
     return kSectorCost * miss * miss;
   }
 
@@ -105,7 +105,8 @@ class IndexFlow {
     double best = 0.5 * kImpossible;
     int end = -1;
     while (!queue.empty()) {
-      const auto [d, n] = queue.top();
+      const double d = queue.top().first;
+      const int n = queue.top().second;
       queue.pop();
       if (d > distance_[at(n)]) continue;
       if (d - kLargestGain > best) break;
@@ -150,13 +151,13 @@ void moveUnit(const TriMesh& mesh, HalfedgeId h, int units, AlignedField& field)
   field.index[at(field.sectors.node(mesh, TriMesh::next(h)))] += units;
   if (field.sectors.isFeature[mesh.edge(h)]) {
     field.axis[h] += units;
-    field.tilt[h] += units * kQuarter;
+    field.tilt[h] += units * kQuarterTurn;
   }
   if (!twin.isValid()) return;
   field.field.matching[h] -= units;
   field.field.matching[twin] += units;
-  field.turn[h] -= units * kQuarter;
-  field.turn[twin] += units * kQuarter;
+  field.turn[h] -= units * kQuarterTurn;
+  field.turn[twin] += units * kQuarterTurn;
 }
 
 Status makeIndicesPossible(const TriMesh& mesh, const Geometry& geometry, AlignedField& field) {

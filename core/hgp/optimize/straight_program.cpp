@@ -12,8 +12,8 @@ namespace hgp {
 namespace {
 
 /// Triangles listed if a program is infeasible: at most this many, with duals of at least this share of the largest.
-constexpr double kConflictShare = 0.1;
-constexpr std::size_t kConflictCount = 50;
+constexpr double kStraightConflictShare = 0.1;
+constexpr std::size_t kStraightConflictCount = 50;
 
 /// A sparse sum over the unknowns, collected term by term.
 class RealRow {
@@ -267,8 +267,8 @@ class StraightProgram {
     std::sort(order.begin(), order.end(),
               [&](std::size_t a, std::size_t b) { return solution.y[a][0] > solution.y[b][0]; });
     for (const std::size_t b : order) {
-      if (result.conflict.size() >= kConflictCount ||
-          solution.y[b][0] < kConflictShare * solution.y[order[0]][0])
+      if (result.conflict.size() >= kStraightConflictCount ||
+          solution.y[b][0] < kStraightConflictShare * solution.y[order[0]][0])
         break;
       const bool isEdge = b < in_.edges.size();
       if (isEdge) result.conflictEdges.push_back(in_.edges[b].h);

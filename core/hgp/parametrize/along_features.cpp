@@ -14,7 +14,7 @@ namespace hgp {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-double secondsSince(Clock::time_point start) {
+double elapsedSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
@@ -182,7 +182,7 @@ class StraightRun {
     attempt.map = layOut(mesh_, seamless, attempt.program.z);
     attempt.certificate = verifier_.certify(toSpec(seamless.field.spec), attempt.map);
     findWrong(mesh_, seamless.context->topology, attempt);
-    record(weighting, growth, hard.size(), attempt, secondsSince(start));
+    record(weighting, growth, hard.size(), attempt, elapsedSince(start));
     return attempt;
   }
 
@@ -245,7 +245,7 @@ class StepSearch {
       const auto start = Clock::now();
       StraightRun run(surface_.mesh(), setup, options_, result_.rounds);
       std::optional<StraightAttempt> attempt = run.run();
-      result_.times.push_back({Stage::kSolve, secondsSince(start)});
+      result_.times.push_back({Stage::kSolve, elapsedSince(start)});
       if (!attempt) return cancelled(Stage::kSolve);
       const std::vector<HalfedgeId> edges = run.shortEdges();
       contradicting_ = static_cast<int>(edges.size());

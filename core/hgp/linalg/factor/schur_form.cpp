@@ -7,6 +7,8 @@
 namespace hgp::linalg {
 namespace {
 
+using Complex = std::complex<double>;
+
 /// Columns that are solved for by loops before the rest is updated by one product.
 constexpr int kBlock = 24;
 

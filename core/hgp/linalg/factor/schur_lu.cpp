@@ -10,6 +10,8 @@
 namespace hgp::linalg {
 namespace {
 
+using Complex = std::complex<double>;
+
 // Kept unknowns last, the others as the tree says.
 SymbolicFactor analyzeKeptLast(const Graph& pattern, const std::vector<int>& kept,
                                const SeparatorTree& tree) {

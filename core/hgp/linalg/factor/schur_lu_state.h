@@ -6,9 +6,8 @@
 
 namespace hgp::linalg {
 
-using Complex = std::complex<double>;
 using SparseRows = SchurLu::SparseRows;
-using SparseColumns = Eigen::SparseMatrix<Complex>;
+using SparseColumns = Eigen::SparseMatrix<std::complex<double>>;
 
 inline std::unique_ptr<double[]> allocateComplex(std::size_t complexNumbers) {
   return std::unique_ptr<double[]>(new double[2 * complexNumbers]);  // not zeroed
@@ -17,8 +16,8 @@ inline std::unique_ptr<double[]> allocateComplex(std::size_t complexNumbers) {
 /// One front: pivot columns of A and of Aᴴ side by side, and the full square complement.
 struct Front {
   int s, r;
-  std::vector<Complex> L;
-  Complex* U;
+  std::vector<std::complex<double>> L;
+  std::complex<double>* U;
   std::unique_ptr<double[]> complement;
 };
 
@@ -30,14 +29,16 @@ struct SchurLu::State {
   std::unique_ptr<double[]> panels;
   Eigen::MatrixXcd schur;
 
-  Complex* panel(int t) const { return reinterpret_cast<Complex*>(panels.get()) + panelStart[t]; }
+  std::complex<double>* panel(int t) const {
+    return reinterpret_cast<std::complex<double>*>(panels.get()) + panelStart[t];
+  }
   /// Nodes that hold one of the unknowns, and all their ancestors.
   std::vector<char> nodesOf(const std::vector<int>& unknowns) const;
   /// x at the pivots of t from x at its rows; x by position.
   void backward(int t, Eigen::MatrixXcd& x) const;
   void layOut();
   FactorStatus eliminate(const SparseRows& A, const SparseColumns& columns);
-  void addToSchur(int t, const Complex* complement);
+  void addToSchur(int t, const std::complex<double>* complement);
   void fillPanels(int t, const SparseRows& A, const SparseColumns& columns,
                   const std::vector<int>& local, Front* front,
                   std::vector<double>* threshold) const;

@@ -8,14 +8,14 @@ namespace {
 
 /// More wrong triangles, vertices and loops than this share of F_cb: with the connection's frames there is hardly ever a
 /// harmonic map.
-constexpr double kLargestShare = 0.2;
+constexpr double kLargestWrongShare = 0.2;
 /// Maximum multiply-adds per iteration and triangle of the mesh, of a dense program with so many constraints.
-constexpr double kLargestWork = 1e4;
+constexpr double kLargestConicWork = 1e4;
 
 bool isAffordable(const Problem& problem, std::size_t constraints) {
   const double unknowns = problem.harmonicCount;
   return 6.0 * static_cast<double>(constraints) * unknowns * unknowns <=
-         kLargestWork * problem.mesh.faceCount();
+         kLargestConicWork * problem.mesh.faceCount();
 }
 
 /// F_cb or, where that is too much, the part of it around what is wrong; empty where that is too much as well.
@@ -37,7 +37,8 @@ std::optional<State> constrainHarmonic(const Problem& problem, const State& stat
   State next = state;
   next.from = attempt;
   if (state.hard.empty()) {
-    if (attempt->wrongCount > kLargestShare * static_cast<double>(problem.base.size())) return {};
+    if (attempt->wrongCount > kLargestWrongShare * static_cast<double>(problem.base.size()))
+      return {};
     next.hard = constrainedFaces(problem, *attempt);
   } else {  // constrained where the map was wrong, and now wrong elsewhere
     if (!attempt->isFeasible() || state.hard.size() == problem.base.size()) return {};

@@ -353,16 +353,8 @@ test('a component without a solution is cut to a disk, the others keep their cer
 
 test('where the usual automatic cones leave a grid no room, few cones are tried, with a note', () => {
   const pretzel = path.join(import.meta.dirname, '../../examples/meshes/pretzel.obj');
-  const asked = [
-    'param',
-    pretzel,
-    '-o',
-    'pretzel_out.obj',
-    '--cells',
-    '30',
-    '--json',
-    'pretzel.json',
-  ];
+  const coarse = ['--cells', '4', '--grid-mode', 'quad'];
+  const asked = ['param', pretzel, '-o', 'pretzel_out.obj', ...coarse, '--json', 'pretzel.json'];
   const { code, err } = run(asked);
   assert.equal(code, 0, err);
   const few = /no map on this grid; those of --cones-for few are used instead/;
@@ -371,7 +363,7 @@ test('where the usual automatic cones leave a grid no room, few cones are tried,
   // The map is that of its own cones, whoever names them; a choice that was made is kept.
   const { cones } = JSON.parse(readFileSync(at('pretzel.json'), 'utf8'));
   put('pretzel_cones.json', JSON.stringify(cones));
-  const again = run([...asked.slice(0, 2), '-o', 'pretzel_again.obj', '--cells', '30', '--cones', 'pretzel_cones.json']); // prettier-ignore
+  const again = run([...asked.slice(0, 2), '-o', 'pretzel_again.obj', ...coarse, '--cones', 'pretzel_cones.json']); // prettier-ignore
   assert.equal(again.code, 0, again.err);
   assert.deepEqual(readFileSync(at('pretzel_again.obj')), readFileSync(at('pretzel_out.obj')));
   assert.doesNotMatch(run([...asked, '--cones-for', 'low-distortion']).err, few);

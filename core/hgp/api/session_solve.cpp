@@ -89,6 +89,14 @@ Result<CompleteSpec> Session::State::chooseCones(std::size_t p, const SolveOptio
   return spec;
 }
 
+namespace {
+
+void add(std::optional<std::string> note, std::vector<std::string>& notes) {
+  if (note) notes.push_back(std::move(*note));
+}
+
+}  // namespace
+
 /// Automatic and prescribed cones are solved in the same way: chosen cones are completed and then prescribed.
 Result<Parametrization> Session::State::solveComponent(std::size_t p,
                                                        const ComponentRequest& request,
@@ -114,7 +122,7 @@ Result<Parametrization> Session::State::solveComponent(std::size_t p,
     Result<CompleteSpec> chosen = chooseCones(p, choice, &times);
     if (!chosen) return chosen.error();
     notes.clear();
-    if (auto note = countNote(options.coneCount, *chosen)) notes.push_back(std::move(*note));
+    add(countNote(options.coneCount, *chosen), notes);
     core.grid = grid;
     return hgp::parametrize(surfaceOf(p), toSpec(*chosen), core);
   };
@@ -135,8 +143,7 @@ Result<Parametrization> Session::State::solveComponent(std::size_t p,
       return toSurfaceIds(*model, component, done.error());
   dropLarge(p);
   if (!run) return toSurfaceIds(*model, component, run.error());
-  if (run->isCertified)
-    if (auto note = crushedNote(component, run->map)) notes.push_back(std::move(*note));
+  if (run->isCertified) add(crushedNote(component, run->map), notes);
   run->notes.insert(run->notes.end(), notes.begin(), notes.end());
   run->times.insert(run->times.begin(), times.begin(), times.end());
   return run;

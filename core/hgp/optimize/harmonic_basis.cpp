@@ -1,5 +1,8 @@
 #include "hgp/optimize/harmonic_basis.h"
 
+#include <algorithm>
+#include <array>
+
 #include "hgp/optimize/harmonic_rows.h"
 #include "hgp/optimize/program_terms.h"
 
@@ -24,6 +27,35 @@ int heldUnknown(const SeamlessSystem& system, const std::vector<char>& hasRow,
   return -1;
 }
 
+/// The rows of the harmonic equations, with zeros for pairs of unknowns that meet in a triangle only: beside a seam,
+/// a triangle's corners may depend on a translation that no row of theirs contains.
+SparseRows rowsWithTriangles(const SeamlessSystem& system, const std::vector<char>& hasRow) {
+  const Frames noFrames;
+  const ProgramOptions options;
+  const ProgramInput in{system, noFrames, options};
+  const HeldUnknowns none{std::vector<char>(static_cast<std::size_t>(system.unknowns.count), 0),
+                          {}};
+  std::vector<Eigen::Triplet<std::complex<double>>> zeros;
+  FaceRows rows;
+  for (FaceId f : system.mesh.faces()) {
+    faceRows(in, none, f, rows);
+    const std::vector<int> unknowns = rows.unknowns();
+    const std::array<VertexId, 3> corners = system.mesh.corners(f);
+    const auto isOfCorner = [&](int unknown) {
+      return std::any_of(corners.begin(), corners.end(),
+                         [&](VertexId v) { return system.unknowns.vertexUnknown[v] == unknown; });
+    };
+    if (std::all_of(unknowns.begin(), unknowns.end(), isOfCorner)) continue;
+    for (int a : unknowns)
+      for (int b : unknowns)
+        if (hasRow[static_cast<std::size_t>(a)] || hasRow[static_cast<std::size_t>(b)])
+          zeros.emplace_back(a, b, 0.0);
+  }
+  SparseRows pattern(system.unknowns.count, system.unknowns.count);
+  pattern.setFromTriplets(zeros.begin(), zeros.end());
+  return squareRows(system) + pattern;
+}
+
 /// Multiply-adds of restricting a form, relative to the elimination before it.
 constexpr double kFormShare = 3.0;
 
@@ -46,7 +78,7 @@ std::shared_ptr<const HarmonicBasis> HarmonicBasis::make(const SeamlessSystem& s
     basis->kept_.push_back(unknown);
   }
   if (basis->free_.empty() ||
-      !basis->lu_.build(squareRows(system), basis->kept_, unknownTree(system, tree)))
+      !basis->lu_.build(rowsWithTriangles(system, hasRow), basis->kept_, unknownTree(system, tree)))
     return nullptr;
   basis->restrictDistortion(system, u);
   basis->work_ = 4.0 * (1.0 + kFormShare) * basis->lu_.cost().multiplyAdds;

@@ -89,7 +89,8 @@ TEST(FaceRows, TheConditionIsTheConeOfTheTurnedMap) {
       reals[n++] = y[term.unknown].real();
       reals[n++] = y[term.unknown].imag();
     }
-    const Eigen::Vector3d s = condition.F * reals - condition.h;
+    Eigen::Vector3d s = -condition.h;
+    if (n > 0) s += condition.F * reals;
     const double size = 1e-11 * (1.0 + std::abs(of.similar) + std::abs(of.anti));
     EXPECT_NEAR(s[0], (turn * of.similar).real() - 0.25, size);
     EXPECT_NEAR(s[1], 0.6 * of.anti.real(), size);

@@ -54,7 +54,7 @@ function(hgp_module)
     set(scope PUBLIC)
     hgp_compile_settings(${target})
     # Download size counts as well as speed (decision 060): -O3 only where most of a run is spent.
-    if(EMSCRIPTEN AND R_NAME MATCHES "^(io|text|prescription|quads|improve|parametrize|grid)$")
+    if(EMSCRIPTEN AND R_NAME MATCHES "^(io|text|prescription|quads|improve|parametrize|grid|features|cut|seams)$")
       target_compile_options(${target} PRIVATE -Os)
     elseif(EMSCRIPTEN AND NOT R_NAME MATCHES "^(linalg|optimize|socp)$")
       target_compile_options(${target} PRIVATE -O2)

@@ -88,7 +88,7 @@ class Comparison {
     const Eigen::VectorXcd free = leastSquaresConformal(terms);
     const double seconds = processorSeconds() - start;
     if (free.size() == 0) return;
-    terms.scatter(free, x);
+    terms.free().scatter(free, x);
     certifyAndAdd(kLscm, x, seconds);
   }
 
@@ -113,13 +113,13 @@ class Comparison {
     const std::vector<char> none(at(unknowns.count), 0);
     const double start = processorSeconds();
     const FaceTerms terms(reduced, none, x);
-    const double scale = dirichletScale(terms, terms.gather(x));
+    const double scale = dirichletScale(terms, terms.free().gather(x));
     SlimOptions options;
     options.maxSeconds = limit;
-    const SlimResult run = slim(terms, terms.gather(x) / scale, options);
+    const SlimResult run = slim(terms, terms.free().gather(x) / scale, options);
     const double seconds = processorSeconds() - start;
     Eigen::VectorXcd end = x;
-    terms.scatter(run.free, end);
+    terms.free().scatter(run.free, end);
     certifyAndAdd(name, unknowns.copies * end, seconds);
     row_.maps.back().steps = static_cast<int>(run.energies.size()) - 1;
     if (run.isLate) row_.maps.back().note = "time limit";

@@ -77,7 +77,8 @@ void expectCertifiedWithOwnFrames(const std::string& meshName, const std::string
   const Result<Parametrization> p = parametrize(mesh, toSpec(*spec), options);
   ASSERT_TRUE(p) << p.error().message;
   EXPECT_TRUE(p->isCertified);
-  EXPECT_EQ(p->rounds.size(), 1U);
+  // The harmonic map without frames, and then the one with the file's frames.
+  EXPECT_LE(p->rounds.size(), 2U);
   EXPECT_EQ(p->spec.handles, spec->handles);
   EXPECT_LT(p->certificate.distortion.meanMu, 0.2);
 }

@@ -231,6 +231,8 @@ async function textured(bytes) {
   const picture = document.createTexture().setImage(pngOf([[20, 190, 40]])).setMimeType('image/png'); // prettier-ignore
   const material = document.createMaterial().setBaseColorTexture(picture);
   document.getRoot().listMeshes()[0].listPrimitives()[0].setMaterial(material);
+  // As another program writes it: a set that is marked as hgp's own would be replaced.
+  for (const accessor of document.getRoot().listAccessors()) accessor.setExtras({});
   return new NodeIO().writeBinary(document);
 }
 

@@ -59,6 +59,7 @@ void Session::State::flatten(Solved& result) const {
 void Session::State::storeMaps(std::vector<ComponentMap> maps, int q, const SolveOptions& options,
                                bool areAligned, RunRecord& run) {
   std::vector<HolonomySpec> specs;
+  specs.reserve(maps.size());
   for (const ComponentMap& component : maps) specs.push_back(toSpec(component.spec));
   Solved result;
   result.isAligned = areAligned;

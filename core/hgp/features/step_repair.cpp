@@ -61,6 +61,7 @@ std::vector<FeatureStep> findSteps(const TriMesh& mesh, const Geometry& geometry
   std::stable_sort(found.begin(), found.end(),
                    [](const Found& a, const Found& b) { return a.length < b.length; });
   std::vector<FeatureStep> steps;
+  steps.reserve(found.size());
   for (Found& f : found) steps.push_back(std::move(f.step));
   return steps;
 }

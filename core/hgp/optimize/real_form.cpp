@@ -10,9 +10,9 @@ constexpr double kLifts[] = {0.0, 1e-13, 1e-11, 1e-9};
 
 }  // namespace
 
-RealForm::RealForm(Eigen::SparseMatrix<double> H, const linalg::SeparatorTree& tree,
-                   std::vector<std::vector<int>> pairs, std::vector<std::vector<char>> used)
-    : H_(std::move(H)) {
+RealForm::RealForm(const Eigen::SparseMatrix<double>& H, const linalg::SeparatorTree& tree,
+                   std::vector<std::vector<int>> pairs, const std::vector<std::vector<char>>& used)
+    : H_(H) {
   layOut(std::move(pairs), used);
   factor_.analyze(linalg::graphOf(K_), tree);
 }

@@ -17,8 +17,8 @@ class RealForm : public linalg::ChangingForm {
   /// @param tree   orders the unknowns
   /// @param pairs  per block, its pairs in order
   /// @param used   per block, whether each of its columns may be other than 0
-  RealForm(Eigen::SparseMatrix<double> H, const linalg::SeparatorTree& tree,
-           std::vector<std::vector<int>> pairs, std::vector<std::vector<char>> used);
+  RealForm(const Eigen::SparseMatrix<double>& H, const linalg::SeparatorTree& tree,
+           std::vector<std::vector<int>> pairs, const std::vector<std::vector<char>>& used);
 
   int size() const { return static_cast<int>(H_.cols()); }
   double multiplyAdds() const { return factor_.cost().multiplyAdds; }  ///< of one factorization

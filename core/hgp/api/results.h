@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "hgp/base/result.h"
 #include "hgp/io/written.h"
 
 namespace hgp::api {

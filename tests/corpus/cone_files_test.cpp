@@ -63,7 +63,9 @@ TEST(ConeFiles, HexTorusWithoutConesIsCertified) {
 }
 
 /// Directions alone, as the file has them, both for the holonomy and as frames.
-void expectCertifiedWithOwnFrames(const std::string& meshName, const std::string& fieldName) {
+/// @param rounds  1, or 2 where the harmonic map without frames is not yet right
+void expectCertifiedWithOwnFrames(const std::string& meshName, const std::string& fieldName,
+                                  std::size_t rounds = 1) {
   SCOPED_TRACE(fieldName);
   if (!test::hasFile(fieldName) || !test::hasFile(meshName))
     GTEST_SKIP() << "SKIPPED: " << test::corpusFolder() << "/" << fieldName << " is not there";
@@ -77,8 +79,7 @@ void expectCertifiedWithOwnFrames(const std::string& meshName, const std::string
   const Result<Parametrization> p = parametrize(mesh, toSpec(*spec), options);
   ASSERT_TRUE(p) << p.error().message;
   EXPECT_TRUE(p->isCertified);
-  // The harmonic map without frames, and then the one with the file's frames.
-  EXPECT_LE(p->rounds.size(), 2U);
+  EXPECT_EQ(p->rounds.size(), rounds);
   EXPECT_EQ(p->spec.handles, spec->handles);
   EXPECT_LT(p->certificate.distortion.meanMu, 0.2);
 }
@@ -98,7 +99,7 @@ TEST(FieldFiles, HexTorusIsCertifiedWithItsOwnFrames) {
 
 #ifndef __EMSCRIPTEN__  // the field is packed
 TEST(FieldFiles, EightIsCertifiedWithItsOwnFrames) {
-  expectCertifiedWithOwnFrames("Directional/eight.off", "Directional/eight.rawfield.gz");
+  expectCertifiedWithOwnFrames("Directional/eight.off", "Directional/eight.rawfield.gz", 2);
 }
 #endif
 

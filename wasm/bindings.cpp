@@ -7,6 +7,7 @@
 #include <string>
 
 #include "decoders.h"
+#include "drag.h"
 #include "options.h"
 #include "reply.h"
 
@@ -153,6 +154,14 @@ class Session {
   api::StoredResult storedResult() const { return session_.result(); }
   bool use(const api::StoredResult& result) { return session_.use(result); }
 
+  /// A new drag, which begins from the current result.
+  val beginDrag(Drag& drag, int vertex) {
+    return guarded([&] {
+      const Status begun = drag.begin(session_, vertex);
+      return begun ? val::object() : failed(begun.error());
+    });
+  }
+
   val quads(const std::string& name) const {
     return guarded([&] {
       const Result<api::QuadFile> quads = session_.quads(name);
@@ -172,6 +181,17 @@ class Session {
     });
   }
 
+  /// The current result; after a drag, the map that was dropped.
+  val result() const {
+    val reply = withSurface(val::object());
+    reply.set("report", session_.reportJson());
+    reply.set("uv", toTypedArray("Float64Array", session_.uv()));
+    reply.set("cornerToUv", toTypedArray("Uint32Array", session_.cornerToUv()));
+    reply.set("uvToVertex", toTypedArray("Uint32Array", session_.uvToVertex()));
+    reply.set("seams", toSeams(session_.seams()));
+    return reply;
+  }
+
  private:
   val afterLoad(const Status& loaded) const {
     return loaded ? replyVerdict(session_.inspect()) : failed(loaded.error());
@@ -183,16 +203,6 @@ class Session {
     return reply;
   }
 
-  val result() const {
-    val reply = withSurface(val::object());
-    reply.set("report", session_.reportJson());
-    reply.set("uv", toTypedArray("Float64Array", session_.uv()));
-    reply.set("cornerToUv", toTypedArray("Uint32Array", session_.cornerToUv()));
-    reply.set("uvToVertex", toTypedArray("Uint32Array", session_.uvToVertex()));
-    reply.set("seams", toSeams(session_.seams()));
-    return reply;
-  }
-
   api::Session session_;
 };
 
@@ -200,6 +210,11 @@ class Session {
 
 EMSCRIPTEN_BINDINGS(hgp) {
   emscripten::class_<api::StoredResult>("StoredResult");
+  emscripten::class_<Drag>("Drag")
+      .constructor<>()
+      .function("moveTo", &Drag::moveTo)
+      .function("prepareHere", &Drag::prepareHere)
+      .function("drop", &Drag::drop);
   emscripten::class_<Session>("Session")
       .constructor<>()
       .function("load", &Session::load)
@@ -217,6 +232,8 @@ EMSCRIPTEN_BINDINGS(hgp) {
       .function("facts", &Session::facts)
       .function("storedResult", &Session::storedResult)
       .function("use", &Session::use)
+      .function("beginDrag", &Session::beginDrag)
+      .function("result", &Session::result)
       .function("loops", &Session::loops)
       .function("quads", &Session::quads);
   emscripten::function("neededDecoders", &neededDecoders);

@@ -9,6 +9,7 @@ import { runInNewContext } from 'node:vm';
 import { Worker } from 'node:worker_threads';
 import * as THREE from 'three';
 import { bumpyDisk } from '../support/disk.mjs';
+import { faultOf } from '../support/frames.mjs';
 import { cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
 import { torusMesh } from '../web/shapes.mjs';
 import { built, bytesOf, createClient, withClient } from './support.mjs';
@@ -258,6 +259,7 @@ async function play(random, alone) {
   const pick = (list) => list[Math.floor(random() * list.length)];
   const models = [];
   const maps = [];
+  const dropped = [];
   const pending = [];
   let isKilled = 0;
   let checked = 0;
@@ -270,7 +272,8 @@ async function play(random, alone) {
           checked += 1;
         },
         (error) => {
-          const isCaused = mayFail || (isKilled > 0 && error.code === 'worker-lost');
+          const isExpected = typeof mayFail === 'function' ? mayFail(error) : mayFail;
+          const isCaused = isExpected || (isKilled > 0 && error.code === 'worker-lost');
           if (!isCaused) throw error;
         },
       ),
@@ -316,6 +319,34 @@ async function play(random, alone) {
       const { options, mayFail } = call();
       expects(map.write({}, options), ({ bytes }) => assert.deepEqual(bytes, alone.bytes[i][k]), mayFail); // prettier-ignore
     },
+    drag() {
+      const { map } = maps.length > 0 ? pick(maps) : {};
+      const isUsed = (v) => map.cones.cones.some(({ vertex }) => vertex === v);
+      const of = map?.cones.cones[0]?.vertex;
+      const corner = map?.triangles.findIndex(
+        (v, i) => v === of && !isUsed(map.triangles[beside(i)]),
+      );
+      if (corner === undefined || corner < 0) return;
+      const to = map.triangles[beside(corner)];
+      const isGone = (error) => map.isDisposed || error.code === 'worker-lost';
+      const whole = async () => {
+        const drag = await map.beginDrag(of);
+        const frames = await Promise.all([of, to, of, to].map((v) => drag.dragTo(v)));
+        const last = frames.at(-1);
+        assert.notEqual(last.state, 'superseded');
+        for (const frame of frames)
+          if (frame.state === 'certified') assert.equal(faultOf(map.triangles, frame), '');
+        const made = await drag.endDrag();
+        assert.equal(made.certificate.certified, true);
+        dropped.push({ made, bytes: (await made.write()).bytes });
+      };
+      // Beside a boundary the way may lead to it.
+      expects(
+        whole(),
+        () => undefined,
+        (error) => /no cone can be/.test(error.message) || isGone(error),
+      );
+    },
     inspect() {
       if (models.length === 0) return;
       const { model, i } = pick(models);
@@ -354,9 +385,16 @@ async function play(random, alone) {
   // Whatever happened, all that is left works.
   for (const { model, i } of models) assert.deepEqual(await model.inspect(), alone.infos[i]);
   for (const { map, i, k } of maps) assert.deepEqual((await map.write()).bytes, alone.bytes[i][k]);
+  for (const { made, bytes } of dropped) {
+    if (!made.isDisposed) assert.deepEqual((await made.write()).bytes, bytes);
+  }
   client.terminate();
+  drags += dropped.length;
   return checked;
 }
+let drags = 0;
+/** The next corner of its triangle. */
+const beside = (corner) => (corner % 3 === 2 ? corner - 2 : corner + 1);
 
 test('calls at random, cancelled, with reused buffers and dying workers: each gives what it gives alone', async (t) => {
   const alone = await resultsAlone();
@@ -366,6 +404,7 @@ test('calls at random, cancelled, with reused buffers and dying workers: each gi
       checked += await play(randomFrom(seed), alone);
     });
   }
-  t.diagnostic(`${checked} results compared`);
+  t.diagnostic(`${checked} results compared, ${drags} maps dragged`);
+  assert.ok(drags >= rounds, `${drags} maps dragged`);
   assert.ok(checked >= rounds * 10, `${checked} results compared`);
 });

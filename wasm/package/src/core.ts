@@ -7,6 +7,7 @@ import type { WasmModule } from './lib/globals.js';
 import type { InitOptions } from './lib/options.js';
 
 export { Core, CoreMap, CoreModel } from './lib/core.js';
+export { CoreDrag } from './lib/drag.js';
 export { HgpError, type HgpFailure } from './lib/error.js';
 export type { Certificate, CheckReport, ModelInfo, Report } from './lib/documents.js';
 export type * from './lib/options.js';

@@ -7,7 +7,7 @@ import { Client, type ClientOptions } from './lib/client.js';
 export { HgpError, type HgpFailure } from './lib/error.js';
 export type { CallOptions, Client, ClientOptions } from './lib/client.js';
 export type { Certificate, CheckReport, ModelInfo, Report } from './lib/documents.js';
-export type { Model, UvMap } from './lib/handles.js';
+export type { Drag, Model, UvMap } from './lib/handles.js';
 export type * from './lib/options.js';
 export type * from './lib/results.js';
 

@@ -17,6 +17,30 @@ export interface StoredResult {
   delete(): void;
 }
 
+export interface SessionResult {
+  positions: Float64Array;
+  triangles: Uint32Array;
+  uv: Float64Array;
+  cornerToUv: Uint32Array;
+  uvToVertex: Uint32Array;
+  /** a0 a1 b0 b1 r of each seam edge. */
+  seams: Int32Array;
+  report: string;
+}
+
+/** A cone that is dragged, once a session has begun it. */
+export interface Drag {
+  moveTo(vertex: number): Reply<
+    Omit<import('./lib/results.js').DragFrame, 'vertex' | 'cones'> & {
+      cones: string;
+      wantsPreparation: boolean;
+    }
+  >;
+  prepareHere(): Reply;
+  drop(): Reply;
+  delete(): void;
+}
+
 export interface Session {
   load(
     main: string,
@@ -32,20 +56,9 @@ export interface Session {
   readCones(name: string, text: string, q: number): JsonReply;
   embeddedCones(): Reply<{ json?: string }>;
   suggestCones(options: object, onProgress?: ProgressCall): JsonReply;
-  parametrize(
-    cones: string,
-    options: object,
-    onProgress?: ProgressCall,
-  ): Reply<{
-    positions: Float64Array;
-    triangles: Uint32Array;
-    uv: Float64Array;
-    cornerToUv: Uint32Array;
-    uvToVertex: Uint32Array;
-    /** a0 a1 b0 b1 r of each seam edge. */
-    seams: Int32Array;
-    report: string;
-  }>;
+  parametrize(cones: string, options: object, onProgress?: ProgressCall): Reply<SessionResult>;
+  result(): Reply<SessionResult>;
+  beginDrag(drag: Drag, vertex: number): Reply;
   storedResult(): StoredResult;
   use(result: StoredResult): boolean;
   verify(cones: string, options: object): JsonReply;
@@ -64,6 +77,7 @@ export interface Session {
 
 export interface Module {
   Session: new () => Session;
+  Drag: new () => Drag;
   neededDecoders(json: Uint8Array): Reply<{ draco: boolean; meshopt: boolean }>;
   version(): string;
   HEAPU8: Uint8Array;

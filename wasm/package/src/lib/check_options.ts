@@ -201,3 +201,10 @@ export function checkConeFile(call: string, value: unknown): void {
     throw usage(`${call}: a file of cones is ${coneFile.name}, not ${describe(value)}`);
   }
 }
+
+/** @internal */
+export function checkVertex(call: string, value: unknown): void {
+  const vertex = integer(0);
+  if (!vertex.test(value))
+    throw usage(`${call}: a vertex is ${vertex.name}, not ${describe(value)}`);
+}

@@ -1,12 +1,18 @@
 // The solver itself, synchronous: for use inside your own worker. Arguments and results are plain values, except the
 // handles: a CoreModel is a loaded mesh, a CoreMap a map of one. Both are in the memory of WebAssembly until free().
 
-import createModule, { type Module, type Session, type StoredResult } from '../module.js';
-import { checkConeFile, checkCones, checkOptions } from './check_options.js';
+import createModule, {
+  type Module,
+  type Session,
+  type SessionResult,
+  type StoredResult,
+} from '../module.js';
+import { checkConeFile, checkCones, checkOptions, checkVertex } from './check_options.js';
 import { decodersFor } from './decoders.js';
 import { defineDisposal } from './disposal.js';
+import { CoreDrag, type DragPath } from './drag.js';
 import type { Certificate, CheckReport, ModelInfo, Report } from './documents.js';
-import { HgpError, messageOf, unavailable, usage, type HgpFailure } from './error.js';
+import { messageOf, unavailable, usage, valueOf } from './error.js';
 import { toGlb } from './glb.js';
 import { decompressed } from './gzip.js';
 import type {
@@ -76,11 +82,6 @@ function withField({ field, ...options }: { field?: ConeFile }): object {
   return { ...options, field: { name, text, q } };
 }
 
-function valueOf<T extends object>(reply: T | { error: string }): T {
-  if ('error' in reply) throw new HgpError(JSON.parse(reply.error) as HgpFailure);
-  return reply;
-}
-
 /** The numbers of a map that is not needed any more. */
 function resultOf(map: CoreMap): Result {
   map.free();
@@ -138,6 +139,11 @@ export class Core {
 
   get version(): string {
     return this.#module.version();
+  }
+
+  /** @internal */
+  get module(): Module {
+    return this.#module;
   }
 
   /** Size of the linear memory in bytes; it never shrinks. */
@@ -343,17 +349,31 @@ export class CoreModel {
     const { cones, ...rest } = options;
     const session = this.#live;
     const text = cones ? JSON.stringify(cones) : '';
-    const reply = valueOf(session.parametrize(text, withField(rest), this.#progress()));
-    const seams: Result['seams'] = [];
-    for (let i = 0; i < reply.seams.length; i += 5) {
-      const [a0, a1, b0, b1, r] = reply.seams.subarray(i, i + 5);
-      seams.push({ a: [a0, a1], b: [b0, b1], r });
-    }
-    const report = JSON.parse(reply.report) as Report;
-    const { certificate, cones: completed } = report;
-    const { memory } = this.#core;
-    const result = { ...reply, seams, report, certificate, cones: completed as Cones, memory };
-    return new CoreMap(this, session.storedResult(), result);
+    return this.#mapOf(session.parametrize(text, withField(rest), this.#progress()));
+  }
+
+  /**
+   * The map that was dropped at the end of a drag, which is the session's result.
+   * @internal
+   */
+  dropped(): CoreMap {
+    return this.#mapOf(this.#live.result());
+  }
+
+  /**
+   * The map of parametrize() after drags, each given by its cone and its path.
+   * @internal
+   */
+  dragged(options: SolveOptions, drags: readonly [number, DragPath][]): CoreMap {
+    return drags.reduce((map, [cone, path]) => {
+      const drag = map.beginDrag(cone);
+      try {
+        return drag.repeat(path).endDrag();
+      } finally {
+        drag.free();
+        map.free();
+      }
+    }, this.parametrize(options));
   }
 
   /** Verifies texture coordinates in the file. */
@@ -389,6 +409,20 @@ export class CoreModel {
     throw usage('this model has been freed');
   }
 
+  #mapOf(reply: SessionResult | { error: string }): CoreMap {
+    const numbers = valueOf(reply);
+    const seams: Result['seams'] = [];
+    for (let i = 0; i < numbers.seams.length; i += 5) {
+      const [a0, a1, b0, b1, r] = numbers.seams.subarray(i, i + 5);
+      seams.push({ a: [a0, a1], b: [b0, b1], r });
+    }
+    const report = JSON.parse(numbers.report) as Report;
+    const { certificate, cones } = report;
+    const { memory, module } = this.#core;
+    const result = { ...numbers, seams, report, certificate, cones: cones as Cones, memory };
+    return new CoreMap(this, module, this.#live.storedResult(), result);
+  }
+
   #progress() {
     const { onProgress } = this.#core;
     if (!onProgress) return undefined;
@@ -407,13 +441,24 @@ export class CoreModel {
 export class CoreMap extends MapData {
   /** @internal */
   readonly model: CoreModel;
+  readonly #module: Module;
   #stored: StoredResult | undefined;
 
   /** @internal */
-  constructor(model: CoreModel, stored: StoredResult, result: Result) {
+  constructor(model: CoreModel, module: Module, stored: StoredResult, result: Result) {
     super(result);
     this.model = model;
+    this.#module = module;
     this.#stored = stored;
+  }
+
+  /**
+   * Starts to drag a cone of this map, which must be certified and not on a refined mesh. This prepares the
+   * neighbourhood of the cone, which takes a part of the time of parametrize().
+   */
+  beginDrag(vertex: number): CoreDrag {
+    checkVertex('beginDrag', vertex);
+    return new CoreDrag(this.#module, this, vertex);
   }
 
   /** The original file with the new texture coordinates and otherwise unchanged, or another format. */
@@ -430,21 +475,29 @@ export class CoreMap extends MapData {
     const { format = 'same' } = options;
     const { defaultName } = model;
     const name = format === 'same' ? defaultName : exportName(defaultName, format);
-    const reply = model.showing(this.#live).write({ name, ...options });
+    const reply = this.current(model).write({ name, ...options });
     const { files, notes, xref, certified } = valueOf(reply);
     return { name: files[0].name, bytes: files[0].bytes, files, notes, xref, certified };
   }
 
   /** Distortion per triangle, overlaps, and the seam to which each seam edge belongs. */
   measure(): Measures {
-    return valueOf(this.model.showing(this.#live).measure());
+    return valueOf(this.current().measure());
   }
 
   /** The cells of a map aligned in quad mode; throws `no-map` if it is not aligned. */
   quads(options: QuadOptions = {}): Quads {
     checkOptions('quads', options);
     const { name = 'quads.obj' } = options;
-    return { name, ...valueOf(this.model.showing(this.#live).quads(name)) };
+    return { name, ...valueOf(this.current().quads(name)) };
+  }
+
+  /**
+   * The session of its model, or of another one of the same surface, with this map as its current result.
+   * @internal
+   */
+  current(model = this.model): Session {
+    return model.showing(this.#live);
   }
 
   /** Frees the map, of which only the numbers can be used afterwards. */

@@ -57,3 +57,12 @@ export const unavailable = (message: string, cause?: unknown): HgpError =>
 /** @internal */
 export const messageOf = (error: unknown): string =>
   error instanceof Error ? error.message : String(error);
+
+/**
+ * A reply of the solver; throws the failure that it has instead.
+ * @internal
+ */
+export function valueOf<T extends object>(reply: T | { error: string }): T {
+  if ('error' in reply) throw new HgpError(JSON.parse(reply.error) as HgpFailure);
+  return reply;
+}

@@ -12,6 +12,13 @@ import type { Answer, Call, Recipe } from './protocol.js';
 type Request = Pick<Call, 'method' | 'on' | 'makes'> & {
   /** Further handles that it needs. */
   needs?: number[];
+  /**
+   * Makes it a preview, and is its result if another preview of the same handle is made while it waits: at most one of
+   * them waits. Aborting a preview never ends the worker, whose answer is then ignored.
+   */
+  superseded?: object;
+  /** Called with the result before the next call is sent; returns the recipe of the handle that was made, if it is not this call. */
+  learn?: (result: unknown) => Omit<Recipe, 'id'> | undefined;
 };
 
 interface Job extends Request {
@@ -86,6 +93,7 @@ export class Queue {
         reject: settled(reject),
       };
       signal?.addEventListener('abort', onAbort, { once: true });
+      if (job.superseded) this.#supersede(job.on);
       this.#waiting.push(job);
       this.#next();
     });
@@ -94,7 +102,12 @@ export class Queue {
   /** Whether a handle may still be used. */
   isLive(id: number): boolean {
     const { on } = this.#recipes.get(id) ?? {};
-    return this.#live.has(id) && (on === undefined || this.#live.has(on));
+    return this.#live.has(id) && (on === undefined || this.isLive(on));
+  }
+
+  /** How a worker makes a handle; undefined if it was released. */
+  recipeOf(id: number): Recipe | undefined {
+    return this.#recipes.get(id);
   }
 
   /** The files from which the model of a map was loaded; undefined if it was loaded from arrays. */
@@ -126,6 +139,14 @@ export class Queue {
       if (job.method === 'release') job.resolve(undefined);
       else job.reject(cancelled());
     }
+  }
+
+  /** Takes the waiting preview of a handle out of the queue. */
+  #supersede(handle: number | undefined): void {
+    const isOld = (job: Job): boolean => job.superseded !== undefined && job.on === handle;
+    const old = this.#waiting.filter(isOld);
+    this.#waiting = this.#waiting.filter((job) => !isOld(job));
+    for (const job of old) job.resolve(job.superseded);
   }
 
   #requireLive(id: number | undefined): void {
@@ -170,8 +191,8 @@ export class Queue {
   /** Forgets a handle and those that belong to it; false if the worker has none of them. */
   #forget(id: number): boolean {
     let isThere = false;
-    for (const [other, { on }] of [...this.#recipes]) {
-      if (other !== id && on !== id) continue;
+    const isOf = (other: number): boolean => this.#chainTo(other).includes(id);
+    for (const other of [...this.#recipes.keys(), id].filter(isOf)) {
       this.#recipes.delete(other);
       this.#live.delete(other);
       isThere = this.#there.delete(other) || isThere;
@@ -184,11 +205,17 @@ export class Queue {
     const isModel = ({ on: of }: Recipe): boolean => of === undefined;
     const models = [...this.#recipes.values()].filter(isModel).map(({ id }) => id);
     const wanted = method === 'ready' ? models : on === undefined ? needs : [on, ...needs];
-    const chain = wanted.flatMap((id) => [this.#recipes.get(id)?.on, id]);
+    const chain = wanted.flatMap((id) => this.#chainTo(id));
     return [...new Set(chain)].flatMap((id) => {
-      const recipe = id === undefined || this.#there.has(id) ? undefined : this.#recipes.get(id);
+      const recipe = this.#there.has(id) ? undefined : this.#recipes.get(id);
       return recipe ? [recipe] : [];
     });
+  }
+
+  /** A handle after those to which it belongs: a model, a map of it, a drag of that. */
+  #chainTo(id: number): number[] {
+    const of = this.#recipes.get(id)?.on;
+    return of === undefined ? [id] : [...this.#chainTo(of), id];
   }
 
   async #start(): Promise<WorkerLink> {
@@ -223,9 +250,10 @@ export class Queue {
   }
 
   #succeed(job: Job, result: unknown): void {
-    const { makes, method, on, sent = [] } = job;
+    const { makes, method, on, sent = [], learn } = job;
+    const recipe = learn?.(result) ?? { method, on, args: sent };
     if (makes !== undefined) {
-      this.#recipes.set(makes, { id: makes, method, on, args: sent });
+      this.#recipes.set(makes, { id: makes, ...recipe });
       this.#live.add(makes);
     }
     job.resolve(result);
@@ -248,7 +276,9 @@ export class Queue {
   }
 
   #abort(job: Job, reason: unknown): void {
-    if (this.#current === job) {
+    if (this.#current === job && job.superseded && job.sent) {
+      job.reject(reason);
+    } else if (this.#current === job) {
       // WebAssembly receives no messages while it runs, so cancelling means terminating the worker.
       if (job.sent) this.#stopWorker();
       this.#finish(job, () => job.reject(reason));

@@ -113,6 +113,32 @@ export interface Measures {
   seamChains: Uint32Array;
 }
 
+/** What a position of a dragged cone gives. */
+export interface DragFrame {
+  /**
+   * `certified`: the map as it is here is certified, in double precision and not stored. `fails`: it is not, for
+   * `reasons`. `heat`: there is no map of this position, only `logScale`.
+   */
+  state: 'heat' | 'certified' | 'fails';
+  vertex: number;
+  /** As in a result, with uv that no corner uses; empty for `heat`. */
+  uv: Float64Array;
+  cornerToUv: Uint32Array;
+  /** The logarithm of the conformal factor by surface vertex; NaN where nothing is dragged. */
+  logScale: Float32Array;
+  /** Triangles that are flipped or have no area. */
+  notPositive: Uint32Array;
+  reasons: string[];
+  /** The cones of this map, completed: rotations around handles follow the path of the cone. */
+  cones: Cones;
+}
+
+/** A position that was not computed, because the cone has been dragged on. */
+export interface SupersededFrame {
+  state: 'superseded';
+  vertex: number;
+}
+
 export interface Quads {
   name: string;
   bytes: Uint8Array;

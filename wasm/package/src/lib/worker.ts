@@ -1,6 +1,7 @@
 // The worker: one Core, one call at a time.
 
 import { Core, CoreMap, CoreModel } from './core.js';
+import { CoreDrag, type DragPath } from './drag.js';
 import { HgpError, messageOf, type HgpFailure } from './error.js';
 import type {
   CombineOptions,
@@ -46,22 +47,27 @@ function throttled(report: (progress: Progress) => void): (progress: Progress) =
 /** Methods of the handles that can be called by messages. */
 const methodsOfModel = [
   ...['inspect', 'surface', 'facts', 'loops', 'readCones', 'embeddedCones'],
-  ...['suggestCones', 'check', 'parametrize', 'verify'],
+  ...['suggestCones', 'check', 'parametrize', 'verify', 'dragged'],
 ];
-const methodsOfMap = ['write', 'measure', 'quads'];
+const methodsOfMap = ['write', 'measure', 'quads', 'beginDrag'];
+const methodsOfDrag = ['dragTo', 'endDrag'];
+
+/** Milliseconds without a call after which a drag prepares what the next positions need. */
+const rest = 30;
 
 /** The core with the models and maps that clients refer to by number. */
 class Server {
   readonly #core: Core;
   readonly #models = new Map<number, CoreModel>();
   readonly #maps = new Map<number, { map: CoreMap; of: number }>();
+  readonly #drags = new Map<number, { drag: CoreDrag; of: number }>();
 
   constructor(core: Core) {
     this.#core = core;
   }
 
   get has(): number[] {
-    return [...this.#models.keys(), ...this.#maps.keys()];
+    return [...this.#models.keys(), ...this.#maps.keys(), ...this.#drags.keys()];
   }
 
   async perform({ method, on, makes, args, restore }: Call): Promise<unknown> {
@@ -77,6 +83,7 @@ class Server {
         args,
         ...(on === undefined ? {} : { on }),
       });
+      if (made instanceof CoreDrag) return undefined;
       return made instanceof CoreMap ? made.data : made.info;
     }
     if (on !== undefined) return this.#callHandle(on, method, args);
@@ -117,11 +124,17 @@ class Server {
     this.#core.onProgress = report;
   }
 
-  async #make({ id, method, on, args }: Recipe): Promise<CoreModel | CoreMap> {
+  async #make({ id, method, on, args }: Recipe): Promise<CoreModel | CoreMap | CoreDrag> {
     if (on !== undefined) {
-      const map = this.#callHandle(on, method, args) as CoreMap;
-      this.#maps.set(id, { map, of: on });
-      return map;
+      const [first, path] = args as [number, DragPath?];
+      const made = this.#callHandle(on, method, method === 'beginDrag' ? [first] : args);
+      if (made instanceof CoreDrag) {
+        this.#drags.set(id, { drag: made, of: on });
+        return path ? made.repeat(path) : made;
+      }
+      const of = method === 'endDrag' ? this.#modelOf(on) : on;
+      this.#maps.set(id, { map: made as CoreMap, of });
+      return made as CoreMap;
     }
     const model =
       method === 'load'
@@ -136,16 +149,40 @@ class Server {
     return this.#core.load(await this.#core.prepare(await unpacked(files), options), options);
   }
 
+  #modelOf(drag: number): number {
+    return this.#maps.get(this.#drags.get(drag)?.of ?? 0)?.of ?? 0;
+  }
+
   #callHandle(id: number, method: string, args: unknown[]): unknown {
-    const handle = this.#models.get(id) ?? this.#maps.get(id)?.map;
-    const methods = handle instanceof CoreModel ? methodsOfModel : methodsOfMap;
-    if (!handle || !methods.includes(method))
+    const handle =
+      this.#models.get(id) ?? this.#maps.get(id)?.map ?? this.#drags.get(id)?.drag ?? undefined;
+    if (!handle || !methodsOf(handle).includes(method))
       throw new HgpError({ code: 'usage', message: `no such call: ${method}` });
     const calls = handle as unknown as Record<string, (...args: unknown[]) => unknown>;
-    return calls[method](...args);
+    const result = calls[method](...args);
+    if (!(handle instanceof CoreDrag) || method !== 'dragTo') return result;
+    this.#dragged = handle;
+    return { frame: result, path: handle.path };
+  }
+  #dragged?: CoreDrag;
+
+  /** What can be done while nobody waits; what goes wrong here is found by the next call of the drag. */
+  useRest(): void {
+    try {
+      this.#dragged?.prepare();
+    } catch (error) {
+      if (!(error instanceof HgpError)) throw error;
+    } finally {
+      this.#dragged = undefined;
+    }
   }
 
   #release(id: number): void {
+    for (const [other, { drag, of }] of [...this.#drags]) {
+      if (other !== id && of !== id && this.#maps.get(of)?.of !== id) continue;
+      drag.free();
+      this.#drags.delete(other);
+    }
     for (const [other, { map, of }] of [...this.#maps]) {
       if (other !== id && of !== id) continue;
       map.free();
@@ -154,6 +191,11 @@ class Server {
     this.#models.get(id)?.free();
     this.#models.delete(id);
   }
+}
+
+function methodsOf(handle: CoreModel | CoreMap | CoreDrag): string[] {
+  if (handle instanceof CoreModel) return methodsOfModel;
+  return handle instanceof CoreMap ? methodsOfMap : methodsOfDrag;
 }
 
 /**
@@ -185,8 +227,15 @@ export function serve(
     }
   };
   let last = Promise.resolve();
+  let resting: ReturnType<typeof setTimeout> | undefined;
   return (message) => {
-    last = last.then(() => handle(message as Call));
+    clearTimeout(resting);
+    last = last
+      .then(() => handle(message as Call))
+      .then(() => {
+        clearTimeout(resting);
+        resting = setTimeout(() => server?.useRest(), rest);
+      });
   };
 }
 

@@ -7,6 +7,7 @@ import type { InitOptions } from '../lib/options.js';
 import * as platform from './platform.js';
 
 export { Core, CoreMap, CoreModel } from '../lib/core.js';
+export { CoreDrag } from '../lib/drag.js';
 export { HgpError } from '../lib/error.js';
 
 export const compile = (options?: InitOptions): Promise<WasmModule> =>

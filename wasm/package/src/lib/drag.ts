@@ -1,0 +1,114 @@
+// A cone that is dragged over a certified map, in the thread of the solver.
+
+import type { Drag, Module } from '../module.js';
+import { checkVertex } from './check_options.js';
+import type { CoreMap } from './core.js';
+import { defineDisposal } from './disposal.js';
+import { usage, valueOf } from './error.js';
+import type { Cones } from './options.js';
+import type { DragFrame } from './results.js';
+
+/** Where a drag prepared the neighbourhood of its cone, and its last certified position: enough to repeat it. */
+export type DragPath = readonly number[];
+
+/** A cone that is dragged. */
+export class CoreDrag {
+  readonly #map: CoreMap;
+  #drag: Drag | undefined;
+  /** Positions at which it was prepared. */
+  readonly #anchors: number[] = [];
+  #last: number;
+  #wantsPreparation = false;
+
+  /** @internal */
+  constructor(module: Module, map: CoreMap, vertex: number) {
+    this.#map = map;
+    this.#last = vertex;
+    const drag = new module.Drag();
+    try {
+      valueOf(map.current().beginDrag(drag, vertex));
+    } catch (error) {
+      drag.delete();
+      throw error;
+    }
+    this.#drag = drag;
+  }
+
+  /** The map with the cone at a vertex. Throws `usage` where no cone can be: at other cones and on boundaries. */
+  dragTo(vertex: number): DragFrame {
+    checkVertex('dragTo', vertex);
+    const drag = this.#current();
+    let reply = valueOf(drag.moveTo(vertex));
+    this.#wantsPreparation = reply.wantsPreparation;
+    if (reply.state === 'heat' && reply.wantsPreparation) {
+      this.prepare();
+      reply = valueOf(drag.moveTo(vertex));
+      this.#wantsPreparation = reply.state !== 'heat' && reply.wantsPreparation;
+    }
+    const { wantsPreparation: _, cones, ...frame } = reply;
+    if (frame.state === 'certified') this.#last = vertex;
+    return { ...frame, vertex, cones: JSON.parse(cones) as Cones };
+  }
+
+  /**
+   * Prepares the neighbourhood of the last certified position if the next positions will need it, for about as long as
+   * the drag took to begin. Otherwise dragTo() does it when it is needed.
+   */
+  prepare(): void {
+    if (!this.#wantsPreparation) return;
+    this.#wantsPreparation = false;
+    try {
+      valueOf(this.#current().prepareHere());
+    } catch (error) {
+      this.free(); // its state is not that of a position any more
+      throw error;
+    }
+    if (this.#anchors.at(-1) !== this.#last) this.#anchors.push(this.#last);
+  }
+
+  /**
+   * Ends the drag with its last certified map, verified as it is stored. The bytes of this map depend on the path of the
+   * cone; parametrize() with its cones gives one that depends on nothing else.
+   */
+  endDrag(): CoreMap {
+    valueOf(this.#current().drop());
+    this.free();
+    return this.#map.model.dropped();
+  }
+
+  /** @internal */
+  get path(): DragPath {
+    return [...this.#anchors, this.#last];
+  }
+
+  /**
+   * Does again what a drag with this path did.
+   * @internal
+   */
+  repeat(path: DragPath): this {
+    path.forEach((vertex, i) => {
+      this.dragTo(vertex);
+      this.#wantsPreparation = i < path.length - 1;
+      this.prepare();
+    });
+    return this;
+  }
+
+  /** Ends the drag; the map is as it was. */
+  free(): void {
+    this.#drag?.delete();
+    this.#drag = undefined;
+  }
+
+  [Symbol.dispose](): void {
+    this.free();
+  }
+
+  #current(): Drag {
+    if (!this.#drag) throw usage('this drag has ended');
+    this.#map.current();
+    return this.#drag;
+  }
+}
+
+defineDisposal(CoreDrag.prototype);

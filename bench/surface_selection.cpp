@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "files.h"
-#include "hgp/api/load_model.h"
+#include "hgp/api/model/load_model.h"
 #include "hgp/base/check.h"
 #include "program.h"
 #include "surfaces.h"

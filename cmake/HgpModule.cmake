@@ -59,7 +59,7 @@ function(hgp_module)
     elseif(EMSCRIPTEN AND NOT R_NAME MATCHES "^(linalg|optimize|socp)$")
       target_compile_options(${target} PRIVATE -O2)
     endif()
-    if(NOT R_NAME MATCHES "^(base|linalg|socp|optimize|improve|grid|system|field|text|verify|mesh|cut|seams)$")
+    if(NOT R_NAME MATCHES "^(base|linalg|socp|optimize|improve|grid|system|field|cones|text|verify|mesh|cut|seams)$")
       # In the sanitizer build, only code that takes much time in tests is optimized; for other code, compiling would
       # take longer than it saves.
       target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O0>)

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "convert.h"
-#include "hgp/io/gltf/gltf_decoders.h"
-#include "hgp/io/gltf/gltf_draco_header.h"
+#include "hgp/io/gltf/decode/decoders.h"
+#include "hgp/io/gltf/decode/draco_header.h"
 #include "reply.h"
 
 namespace hgp::js {

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "hgp/api/guard.h"
 #include "hgp/api/session.h"
+#include "hgp/api/session/guard.h"
 
 namespace hgp::js {
 

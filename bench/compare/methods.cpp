@@ -8,7 +8,7 @@
 #include "conformal_metric.h"
 #include "draw.h"
 #include "hgp/base/check.h"
-#include "hgp/field/choose_cones.h"
+#include "hgp/cones/choose_cones.h"
 #include "hgp/optimize/program.h"
 #include "hgp/parametrize/parametrize.h"
 #include "hgp/parametrize/seamless_setup.h"

@@ -7,7 +7,7 @@
 
 #include "edits.h"
 #include "files.h"
-#include "hgp/api/load_model.h"
+#include "hgp/api/model/load_model.h"
 #include "hgp/parametrize/live_edit.h"
 #include "hgp/parametrize/parametrize.h"
 #include "processor_time.h"

@@ -8,7 +8,7 @@
 #include "also.h"
 #include "files.h"
 #include "hgp/api/session.h"
-#include "hgp/api/side_files.h"
+#include "hgp/api/session/side_files.h"
 #include "manual.h"
 #include "nearest.h"
 #include "option_table.h"

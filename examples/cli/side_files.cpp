@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "files.h"
-#include "hgp/api/side_files.h"
+#include "hgp/api/session/side_files.h"
 #include "hgp/base/check.h"
 
 namespace hgp::cli {

@@ -1,7 +1,7 @@
 // Whatever can be read can be written, and comes back with the new uv and the same surface.
 #include "fuzz_support.h"
 #include "glb_mutator.h"
-#include "hgp/io/gltf/gltf_json.h"
+#include "hgp/io/gltf/json/json.h"
 
 using namespace hgp;
 

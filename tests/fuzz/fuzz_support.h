@@ -9,8 +9,8 @@
 #include <memory>
 
 #include "hgp/io/document.h"
-#include "hgp/io/gltf/gltf_decoders.h"
-#include "hgp/io/gltf/gltf_draco_header.h"
+#include "hgp/io/gltf/decode/decoders.h"
+#include "hgp/io/gltf/decode/draco_header.h"
 
 namespace hgp::fuzz {
 

@@ -13,7 +13,7 @@
 
 #include "hgp/base/check.h"
 #include "hgp/io/document.h"
-#include "hgp/io/gltf/gltf_json.h"
+#include "hgp/io/gltf/json/json.h"
 
 namespace {
 

@@ -29,7 +29,7 @@ export const faults = [
 
   // api
   fault(
-    'api/session_result.cpp',
+    'api/session/session_result.cpp',
     '!result.data_ || result.data_->surface != state_->surfaceHash()',
     '!result.data_',
     { programs: ['api'] },
@@ -121,8 +121,8 @@ export const faults = [
     'field.matching[mesh.twin(found)] = -sign * m.turn;',
     'field.matching[mesh.twin(found)] = sign * m.turn;',
   ),
-  fault('field/cancel_cones.cpp', 'defect[other] += moved;', ''),
-  fault('field/cancel_cones.cpp', 'spread(mesh, q, defect, search);', ''),
+  fault('cones/cancel_cones.cpp', 'defect[other] += moved;', ''),
+  fault('cones/cancel_cones.cpp', 'spread(mesh, q, defect, search);', ''),
 
   // cut, system
   fault(
@@ -162,7 +162,7 @@ export const faults = [
     'if (reason.count++ > 0) continue;',
     'if (reason.count++ > 1) continue;',
   ),
-  fault('io/gltf/gltf_accessor.cpp', 'value / 32767.0', 'value / 32768.0'),
+  fault('io/gltf/decode/accessor.cpp', 'value / 32767.0', 'value / 32768.0'),
   fault(
     'io/polygon/obj_text.cpp',
     'index += index < 0 ? static_cast<std::int64_t>(out_.uv.size()) : -1;',
@@ -173,12 +173,12 @@ export const faults = [
   fault('system/harmonic_residual.cpp', 'std::sqrt(2.0) * gridStep', '1e3 * gridStep'),
   fault('grid/snap.cpp', ' && std::abs(one - p.im) <= limit', ''),
   fault(
-    'parametrize/parametrize.cpp',
+    'parametrize/strategy/loop.cpp',
     '!best || distanceToCertified(*attempt) < distanceToCertified(*best)',
     'true',
   ),
   fault(
-    'api/stored_map.cpp',
+    'api/stored/stored_map.cpp',
     'components[p].certificate.precision == options.precision &&\n               isSame(stored, components[p].map)',
     'components[p].certificate.precision == options.precision',
   ),
@@ -217,7 +217,7 @@ export const faults = [
     'size()) +\n        turnAngle(spec.turning[i], spec.q);',
   ),
   fault(
-    'parametrize/shape_frames.cpp',
+    'parametrize/strategy/frames_of_metric.cpp',
     'seams.frameAngle[f] -= portable::arg(similarity);',
     'seams.frameAngle[f] += portable::arg(similarity);',
   ),
@@ -226,7 +226,7 @@ export const faults = [
     'asked_[v] = 2LL * k[v] * unit_;',
     'asked_[v] = (2LL * k[v] - 1) * unit_;',
   ),
-  fault('field/make_room.cpp', '++k[*receiver];', '--k[*receiver];'),
+  fault('cones/make_room.cpp', '++k[*receiver];', '--k[*receiver];'),
   fault(
     'optimize/frame_fixing.cpp',
     'turn += seams.rotation[mesh.twin(h)];',
@@ -303,7 +303,7 @@ export const faults = [
   // grid
   fault('grid/align.cpp', 'accepts_ ? accepts_(*map) :', 'accepts_ && false ? accepts_(*map) :'),
   fault('quads/multiple_edges.cpp', 'a == b ||', 'a == b &&'),
-  fault('field/place_cones.cpp', 'metric.q() - smallestK', 'metric.q() - smallestK + 1'),
+  fault('cones/place_cones.cpp', 'metric.q() - smallestK', 'metric.q() - smallestK + 1'),
   fault('grid/integer_choice.cpp', 'form_->rounded(spread(w0))', 'form_->rounded(w0)'),
   fault('grid/integer_choice.cpp', 'now.second) < kZero;', 'now.second) > kZero;'),
   fault(
@@ -324,27 +324,36 @@ export const faults = [
   fault('improve/energy.cpp', 'kKnee = 2.0 * 0.02 * 0.02;', 'kKnee = 2e9 * 0.02 * 0.02;'),
   fault('system/reduced_unknowns.cpp', '- R * value(cut.copy[left]);', '- value(cut.copy[left]);'),
   fault(
-    'parametrize/solution.cpp',
+    'parametrize/after/solution.cpp',
     'return improveOnGrid(mesh, options, aligned.workLeft, mapped, result);',
     'return Done{};',
     short('GridImprovement.GainsWhileEveryIntegerStaysWhereAlignmentPutIt'),
   ),
   fault(
-    'parametrize/solution.cpp',
+    'parametrize/after/solution.cpp',
     'for (const int unknown : setup.unknowns.chainUnknown) hold(unknown);',
     '',
   ),
-  fault('parametrize/solution.cpp', 'if (mode == GridMode::kQuad)', 'if (mode == GridMode::kTile)'),
   fault(
-    'parametrize/metrics.cpp',
+    'parametrize/after/solution.cpp',
+    'if (mode == GridMode::kQuad)',
+    'if (mode == GridMode::kTile)',
+  ),
+  fault(
+    'parametrize/parametrize.cpp',
     'return count >= kUnevenShare * mesh.faceCount();',
     'return false;',
   ),
   fault('mesh/geometry.cpp', 'x = std::sqrt(x * x + kEvening * kEvening);', 'x += 0.0;'),
   fault('parametrize/convex.cpp', 'walked += geometry.length[h];', 'walked += 1.0;'),
-  fault('api/stored_map.cpp', '(1 - 1e-7) / size', '1.001 / size', short('Session.ScalesAsAsked')),
-  fault('api/stored_map.cpp', 'if (mean > 0) moveAndScale(map.uv, {0, 0}, 1 / mean);', ''),
-  fault('api/request.cpp', 'reduceTurn(h.r, asked_.q)', 'reduceTurn(-h.r, asked_.q)'),
-  fault('api/request.cpp', 'if (anchored >= 0) loop = anchored;', ''),
-  fault('api/load_model.cpp', 'if (edits.faces.empty()) return Done{};', 'return Done{};'),
+  fault(
+    'api/stored/stored_map.cpp',
+    '(1 - 1e-7) / size',
+    '1.001 / size',
+    short('Session.ScalesAsAsked'),
+  ),
+  fault('api/stored/stored_map.cpp', 'if (mean > 0) moveAndScale(map.uv, {0, 0}, 1 / mean);', ''),
+  fault('api/request/request.cpp', 'reduceTurn(h.r, asked_.q)', 'reduceTurn(-h.r, asked_.q)'),
+  fault('api/request/request.cpp', 'if (anchored >= 0) loop = anchored;', ''),
+  fault('api/model/load_model.cpp', 'if (edits.faces.empty()) return Done{};', 'return Done{};'),
 ];

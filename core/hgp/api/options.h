@@ -6,7 +6,7 @@
 #include <string>
 
 #include "hgp/base/progress.h"
-#include "hgp/field/choose_cones.h"
+#include "hgp/cones/choose_cones.h"
 #include "hgp/grid/grid_options.h"
 #include "hgp/improve/improve_options.h"
 #include "hgp/io/document.h"

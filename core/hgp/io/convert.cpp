@@ -1,7 +1,7 @@
 #include "hgp/io/convert.h"
 
 #include "hgp/base/check.h"
-#include "hgp/io/gltf/gltf_pack.h"
+#include "hgp/io/gltf/pack/pack.h"
 #include "hgp/io/plain_surface.h"
 
 namespace hgp::io {

@@ -30,7 +30,7 @@ struct Limits {
 /// caller decides which files may be read; io itself refuses names that leave the folder.
 using Resolver = std::function<Result<Bytes>(const std::string& relativeName)>;
 
-struct GltfDecoders;  // gltf_decoders.h
+struct GltfDecoders;  // decoders.h
 /// The main file and access to its side files (such as a .gltf's .bin). `resolve` may be empty.
 struct FileSet {
   std::string name;  ///< as the user wrote it; used for its extension and in messages

@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "hgp/base/check.h"
-#include "hgp/io/gltf/gltf_file.h"
-#include "hgp/io/gltf/gltf_grid.h"
+#include "hgp/io/gltf/json/file.h"
+#include "hgp/io/gltf/patch/grid.h"
 #include "hgp/text/text.h"
 
 namespace hgp::io {

@@ -7,7 +7,7 @@
 
 #include "hgp/base/progress.h"
 #include "hgp/base/result.h"
-#include "hgp/field/choose_cones.h"
+#include "hgp/cones/choose_cones.h"
 #include "hgp/grid/grid_options.h"
 #include "hgp/improve/improve_options.h"
 #include "hgp/mesh/field_data.h"
@@ -20,7 +20,7 @@ namespace hgp {
 
 struct ParametrizeOptions {
   int maxRounds = 24;  ///< maximum number of programs
-  /// No further program once this much is spent, in units of workOf() (strategy.h) per triangle of the
+  /// No further program once this much is spent, in units of workOf() (strategy/state.h) per triangle of the
   /// surface, or per kSmallSurface triangles where it has fewer.
   double largestWork = 1000.0;
   static constexpr int kSmallSurface = 20'000;
@@ -37,7 +37,7 @@ struct ParametrizeOptions {
 
 /// One pass of "solve, verify, repair".
 struct Round {
-  std::string method;            ///< what was tried, in words (nameOf in strategy.h)
+  std::string method;            ///< what was tried, in words (nameOf in strategy/state.h)
   int constrainedTriangles = 0;  ///< triangles with hard frame constraints
   int iterations = 0;            ///< of the interior-point method
   std::string solverStatus;      ///< "optimal", "infeasible", "no-progress", …

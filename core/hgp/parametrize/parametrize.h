@@ -1,4 +1,4 @@
-// From cones to a certified, locally injective, seamless map.  Role: the method of [BCW17 §7]; parametrize.cpp
+// From cones to a certified, locally injective, seamless map.  Role: the method of [BCW17 §7]; strategy/loop.cpp
 // has the only loop over "solve, verify, choose the next move".
 #pragma once
 

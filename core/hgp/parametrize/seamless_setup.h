@@ -1,5 +1,5 @@
 // Everything a cone program needs that does not change from round to round.  Role: the first half of
-// the method in parametrize.cpp: holonomy → field → cut → system.
+// the loop in strategy/loop.cpp: holonomy → field → cut → system.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-#include "hgp/field/choose_cones.h"
+#include "hgp/cones/choose_cones.h"
 #include "hgp/field/read_holonomy.h"
 #include "hgp/parametrize/parametrize.h"
 #include "hgp/parametrize/seamless_setup.h"

@@ -1,7 +1,7 @@
 // Boundaries that run alongside each other without being joined, and the bound of the search for them.
 #include <gtest/gtest.h>
 
-#include "hgp/api/needed_repairs.h"
+#include "hgp/api/model/needed_repairs.h"
 
 namespace hgp {
 namespace {

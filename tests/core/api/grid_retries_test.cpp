@@ -1,6 +1,6 @@
 // Other cones for a grid.  Laws: the cones of coarser grids are tried in order and the first near result wins; what
 // is advised was solved; small components get whole fractions of a cell.
-#include "hgp/api/grid_retries.h"
+#include "hgp/api/request/grid_retries.h"
 
 #include <gtest/gtest.h>
 

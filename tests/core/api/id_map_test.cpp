@@ -1,4 +1,4 @@
-#include "hgp/api/id_map.h"
+#include "hgp/api/model/id_map.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The same prescription, undo and redo return the kept result; its bytes are those of a new session.
-#include "hgp/api/kept_runs.h"
+#include "hgp/api/session/kept_runs.h"
 
 #include <gtest/gtest.h>
 

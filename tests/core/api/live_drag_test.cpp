@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "hgp/api/load_model.h"
-#include "hgp/api/request.h"
-#include "hgp/api/stored_map.h"
+#include "hgp/api/model/load_model.h"
+#include "hgp/api/request/request.h"
+#include "hgp/api/stored/stored_map.h"
 #include "hgp/io/cone_files.h"
 #include "hgp/verify/certificate.h"
 #include "support/shapes.h"

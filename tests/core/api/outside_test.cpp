@@ -1,4 +1,4 @@
-#include "hgp/api/outside.h"
+#include "hgp/api/stored/outside.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Components beside each other: apart, near the origin, and shifted by what costs no digit.
-#include "hgp/api/pack_components.h"
+#include "hgp/api/stored/pack_components.h"
 
 #include <gtest/gtest.h>
 

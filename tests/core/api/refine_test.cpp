@@ -3,9 +3,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "hgp/api/load_model.h"
-#include "hgp/api/refined_model.h"
+#include "hgp/api/model/load_model.h"
 #include "hgp/api/session.h"
+#include "hgp/api/session/refined_model.h"
 #include "hgp/base/turns.h"
 #include "hgp/prescription/cones.h"
 #include "support/shapes.h"

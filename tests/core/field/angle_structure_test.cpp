@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hgp/field/make_room.h"
+#include "hgp/cones/make_room.h"
 #include "hgp/field/prescribed_field.h"
 #include "support/prescriptions.h"
 #include "support/shapes.h"

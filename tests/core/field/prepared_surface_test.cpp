@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "hgp/field/choose_cones.h"
+#include "hgp/cones/choose_cones.h"
 #include "support/shapes.h"
 
 namespace hgp {

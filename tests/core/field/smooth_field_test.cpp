@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "hgp/field/cancel_cones.h"
+#include "hgp/cones/cancel_cones.h"
 #include "hgp/field/read_holonomy.h"
 #include "support/prescriptions.h"
 #include "support/shapes.h"

@@ -3,8 +3,8 @@
 #include <cstring>
 #include <limits>
 
-#include "hgp/io/gltf/gltf_decoders.h"
-#include "hgp/io/gltf/gltf_file.h"
+#include "hgp/io/gltf/decode/decoders.h"
+#include "hgp/io/gltf/json/file.h"
 #include "io_support.h"
 
 namespace hgp::io {

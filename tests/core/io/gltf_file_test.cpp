@@ -1,6 +1,6 @@
-#include "hgp/io/gltf/gltf_file.h"
-
 #include <gtest/gtest.h>
+
+#include "hgp/io/gltf/json/file.h"
 
 namespace hgp::io {
 namespace {

@@ -1,8 +1,7 @@
-#include "hgp/io/gltf/gltf_json.h"
-
 #include <gtest/gtest.h>
 
-#include "hgp/io/gltf/gltf_splice.h"
+#include "hgp/io/gltf/json/json.h"
+#include "hgp/io/gltf/patch/splice.h"
 
 namespace hgp::io {
 namespace {

@@ -1,6 +1,6 @@
 // Maps along features.  Laws: certified and exactly straight; cones are those of the field; what does not go together is
 // refused with the reason.
-#include "hgp/parametrize/along_features.h"
+#include "hgp/parametrize/along/along_features.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "hgp/parametrize/free_rotation.h"
+#include "hgp/parametrize/after/free_rotation.h"
 
 #include <gtest/gtest.h>
 

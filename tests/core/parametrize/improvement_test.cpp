@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "hgp/parametrize/attempt.h"
+#include "hgp/parametrize/after/solution.h"
 #include "hgp/parametrize/parametrize.h"
-#include "hgp/parametrize/solution.h"
+#include "hgp/parametrize/strategy/attempt.h"
 #include "support/prescriptions.h"
 #include "support/shapes.h"
 

@@ -1,12 +1,12 @@
-#include "hgp/parametrize/moves/moves.h"
+#include "hgp/parametrize/strategy/moves/moves.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "hgp/parametrize/attempt.h"
-#include "hgp/parametrize/shape_frames.h"
+#include "hgp/parametrize/strategy/attempt.h"
+#include "hgp/parametrize/strategy/frames_of_metric.h"
 #include "support/prescriptions.h"
 #include "support/shapes.h"
 

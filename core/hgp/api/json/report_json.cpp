@@ -1,0 +1,237 @@
+#include <algorithm>
+
+#include "hgp/api/json/json_text.h"
+#include "hgp/api/json/json_values.h"
+#include "hgp/api/session.h"
+#include "hgp/base/check.h"
+
+namespace hgp::api {
+namespace {
+
+Json optionsJson(const SolveOptions& o, bool isAutomatic) {
+  Json json{{"rounds", o.maxRounds}, {"improve", nullptr}, {"refine", o.refines}};
+  if (o.convexPolygons) json["convexPolygons"] = true;
+  if (o.improve)
+    json["improve"] =
+        Json{{"word", improveWord(o.improve->balance)}, {"balance", o.improve->balance}};
+  json["method"] = methodName(o.method);
+  json["boundary"] = o.boundary == BoundaryKind::kConvex ? "convex" : "free";
+  json["scale"] = o.scale == Scale::kUnit ? "unit" : o.scale == Scale::kFit ? "fit" : "solved";
+  json["frames"] = o.frames == FrameSource::kFile ? "file" : "auto";
+  json["grid"] = Json{{"cells", o.grid.cells},
+                      {"spacing", o.grid.spacing},
+                      {"mode", o.grid.mode == GridMode::kQuad ? "quad" : "tile"}};
+  json["automaticCones"] = isAutomatic;
+  if (isAutomatic) {
+    json["q"] = o.q;
+    json["coneCount"] = o.coneCount;
+    json["conesFor"] = conesForName(o.conesFor);
+    json["alignToCurvature"] = o.alignToCurvature;
+  }
+  return json;
+}
+
+Json roundJson(const Round& r) {
+  return Json{{"method", r.method},
+              {"constrainedTriangles", r.constrainedTriangles},
+              {"iterations", r.iterations},
+              {"solverStatus", r.solverStatus},
+              {"flipped", r.flipped},
+              {"wrongAngles", r.wrongAngles},
+              {"laplacianEnergy", r.laplacianEnergy},
+              {"seconds", r.seconds}};
+}
+
+/// The reason, with the cones that are too close to each other as ids of the file.
+std::string gridReason(const GridReport& grid, const std::vector<Where>& cones) {
+  std::string text = grid.reason;
+  for (std::size_t n = 0; n < cones.size(); ++n)
+    text += formatText("%s cones %d and %d are %.2f cells apart", n == 0 ? ":" : ",",
+                       static_cast<int>(cones[n].id), static_cast<int>(cones[n].other),
+                       grid.closest[n].cells);
+  if (grid.workingCells > 0)
+    text += formatText("; %.0f cells would work%s", grid.workingCells,
+                       grid.needsTheseCones ? " with the cones of this run (--cones)" : "");
+  return text;
+}
+
+Json gridJson(const ModelComponent& component, const std::optional<GridReport>& grid) {
+  if (!grid) return Json();
+  std::vector<Where> cones;
+  for (const ConeDistance& pair : grid->closest)
+    cones.push_back({Where::Kind::kEdge, pair.a.i, pair.b.i});
+  toSurfaceIds(component, cones);
+  Json closest = Json::array();
+  for (std::size_t n = 0; n < cones.size(); ++n)
+    closest.push_back(
+        Json{{"vertices", {cones[n].id, cones[n].other}}, {"cells", grid->closest[n].cells}});
+  Json attempts = Json::array();
+  for (const GridAttempt& a : grid->attempts)
+    attempts.push_back(
+        Json{{"method", a.method}, {"density", a.factor}, {"turnedTriangles", a.turned}});
+  return Json{{"aligned", grid->isAligned},         {"cells", grid->cells},
+              {"spacing", grid->spacing},           {"cellsPerCone", grid->cellsPerCone},
+              {"integers", grid->integers},         {"attempts", std::move(attempts)},
+              {"reason", gridReason(*grid, cones)}, {"closestCones", std::move(closest)},
+              {"workingCells", grid->workingCells}};
+}
+
+/// The verifier's measurements that an improvement changes.
+Json distortionJson(const DistortionFacts& d) {
+  return Json{{"meanMu", d.meanMu},
+              {"p95Mu", d.p95Mu},
+              {"rmsLogArea", d.rmsLogArea},
+              {"symmetricDirichlet", d.symmetricDirichlet}};
+}
+
+Json descentJson(const DescentFacts& facts) {
+  Json steps = Json::array();
+  for (const ImproveStep& step : facts.steps)
+    steps.push_back(Json{{"excess", step.excess}, {"length", step.length}});
+  return Json{{"kept", facts.isKept},
+              {"outcome", outcomeName(facts.outcome)},
+              {"steps", std::move(steps)},
+              {"before", distortionJson(facts.before)},
+              {"after", distortionJson(facts.after)}};
+}
+
+Json improvementJson(const ImprovementFacts& facts) {
+  Json json = descentJson(facts);
+  json["balance"] = facts.asked.balance;
+  json["onGrid"] = facts.onGrid ? descentJson(*facts.onGrid) : Json();
+  return json;
+}
+
+/// Whether Theorem 6.1 applies to the map, and if not, why.
+void addTheorem(Json& json, const HarmonicFacts& harmonic, const Certificate& certificate) {
+  std::string reason;
+  if (!certificate.isCertified) {
+    reason = "the map is not certified";
+  } else if (harmonic.violated > 0) {
+    reason = formatText("%d of %d harmonic rows are violated by more than %.0e", harmonic.violated,
+                        harmonic.rows, kHarmonicTolerance);
+  }
+  json["theorem61"] = reason.empty() ? "applies" : "silent";
+  json["theorem61Reason"] = reason.empty() ? "harmonic, with cones, turnings and the triangles at "
+                                             "cones and boundary as it asks"
+                                           : reason;
+}
+
+Json componentJson(const ModelComponent& component, const Parametrization& run,
+                   const HarmonicFacts& harmonic, const Certificate& certificate) {
+  Json rounds = Json::array(), times = Json::array();
+  for (const Round& r : run.rounds) rounds.push_back(roundJson(r));
+  for (const StageTime& t : run.times) {
+    times.push_back(Json{{"stage", stageName(t.stage)}, {"seconds", t.seconds}});
+  }
+  std::vector<Where> strained;
+  for (FaceId f : run.strained) strained.push_back({Where::Kind::kFace, f.i});
+  toSurfaceIds(component, strained);
+  Json json{{"certifiedBeforeStoring", run.isCertified},
+            {"usable", run.isUsable},
+            {"harmonic", Json{{"rows", harmonic.rows},
+                              {"violated", harmonic.violated},
+                              {"largestResidual", harmonic.largestResidual}}},
+            {"cones", run.spec.cones.size()},
+            {"rounds", std::move(rounds)},
+            {"times", std::move(times)},
+            {"improvement", run.improvement ? improvementJson(*run.improvement) : Json()},
+            {"conflict", whereJson(strained)},
+            {"grid", gridJson(component, run.grid)},
+            {"notes", run.notes}};
+  addTheorem(json, harmonic, certificate);
+  return json;
+}
+
+Json refinedJson(const RefinedFacts& facts, const Model& model) {
+  Json where = Json::array();
+  for (const RefinedFacts::Place& place : facts.places)
+    where.push_back(Json{{"reason", place.reason},
+                         {"component", place.component},
+                         {"count", place.edges.size()},
+                         {"edges", whereJson(place.edges)}});
+  return Json{{"edges", facts.edges},
+              {"vertices", model.source().mesh.positions.size()},
+              {"triangles", model.source().mesh.triangles.size()},
+              {"roundsBefore", facts.roundsBefore},
+              {"where", std::move(where)}};
+}
+
+constexpr const char* kConesHere = "(cones)";
+constexpr const char* kCertificateHere = "(certificate)";
+
+/// The length of a document that is indented by one more level, without its last line end.
+std::size_t indentedSize(const std::string& document) {
+  const auto lines = std::count(document.begin(), document.end(), '\n');
+  return document.size() + 2 * static_cast<std::size_t>(lines);
+}
+
+void appendIndented(const std::string& document, std::string& out) {
+  for (std::size_t i = 0; i < document.size(); ++i) {
+    if (document[i] == '\n' && i + 1 == document.size()) break;
+    out += document[i];
+    if (document[i] == '\n') out += "  ";
+  }
+}
+
+/// The text with the two marks replaced by documents. In one piece: for a map of many components the documents are
+/// most of the memory of a run.
+std::string spliced(const std::string& text, const std::string& cones,
+                    const std::string& certificate) {
+  const auto quoted = [](const char* mark) { return std::string("\"") + mark + "\""; };
+  const std::string marks[] = {quoted(kConesHere), quoted(kCertificateHere)};
+  const std::size_t first = text.rfind(marks[0]), second = text.rfind(marks[1]);
+  std::string out;
+  out.reserve(text.size() + indentedSize(cones) + indentedSize(certificate));
+  out.append(text, 0, first);
+  appendIndented(cones, out);
+  out.append(text, first + marks[0].size(), second - first - marks[0].size());
+  appendIndented(certificate, out);
+  out.append(text, second + marks[1].size());
+  return out;
+}
+
+}  // namespace
+
+std::string reportText(const Model& model, const RunRecord& run,
+                       const std::vector<Certificate>& certificates, const std::string& certificate,
+                       const std::string& cones) {
+  Json json{{"format", "hgp-report"}, {"version", 1}};
+  json["program"] = Json{{"name", "hgp"}, {"version", version()}};
+  json["certified"] = areCertified(certificates);
+  json["input"] = Json{{"name", model.fileName},
+                       {"format", model.document->format()},
+                       {"bytes", model.byteCount},
+                       {"sha256", model.sha256},
+                       {"surface", model.surface},
+                       {"vertices", model.source().mesh.positions.size()},
+                       {"triangles", model.source().mesh.triangles.size()}};
+  if (run.refined) {
+    json["input"]["vertices"] = run.refined->verticesBefore;
+    json["input"]["triangles"] = run.refined->trianglesBefore;
+  }
+  if (model.written) json["input"]["vertices"] = model.written->verticesBefore;
+  json["refined"] = run.refined ? refinedJson(*run.refined, model) : Json();
+  json["repairsWritten"] = model.written ? Json{{"facesTurned", model.written->facesTurned},
+                                                {"verticesCopied", model.written->verticesCopied}}
+                                         : Json();
+  json["options"] = optionsJson(run.options, run.isAutomatic);
+  json["seconds"] = run.seconds;
+  std::vector<std::string> notes = model.source().notes;
+  notes.insert(notes.end(), model.notes.begin(), model.notes.end());
+  notes.insert(notes.end(), run.notes.begin(), run.notes.end());
+  json["notes"] = notes;
+  Json& components = json["components"] = Json::array();
+  for (std::size_t p = 0; p < run.components.size(); ++p) {
+    components.push_back(
+        componentJson(model.components[p], run.components[p], run.harmonic[p], certificates[p]));
+  }
+  json["cones"] = kConesHere;
+  json["certificate"] = kCertificateHere;
+  // Spliced as text instead of parsed: for a map with many components they are most of the report.
+  const std::string text = textOf(json);
+  json = Json();
+  return spliced(text, cones, certificate);
+}
+
+}  // namespace hgp::api

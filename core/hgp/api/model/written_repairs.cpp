@@ -1,0 +1,57 @@
+#include "hgp/api/model/written_repairs.h"
+
+#include <algorithm>
+#include <map>
+
+#include "hgp/base/check.h"
+#include "hgp/base/counted.h"
+
+namespace hgp::api {
+
+FaceEdits editsOf(const Model& model) {
+  FaceEdits edits;
+  const MeshData& source = model.source().mesh;
+  const auto before = static_cast<int>(source.positions.size());
+  std::map<std::pair<int, int>, int> copies;  // vertex of the surface, vertex of the mesh → copy
+  for (std::size_t f = 0; f < model.mesh.triangles.size(); ++f) {
+    const MeshFaceId inMesh{static_cast<int>(f)};
+    EditedFace edit{model.faceOrigin[inMesh].i, {}, {}};
+    const auto& stored = source.triangles[static_cast<std::size_t>(edit.face)];
+    bool isChanged = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      edit.corner[k] =
+          model.cornerOrigin[MeshCornerId{3 * inMesh.i + static_cast<int>(k)}].i - 3 * edit.face;
+      const int own = stored[static_cast<std::size_t>(edit.corner[k])];
+      const int mine = model.mesh.triangles[f][k];
+      edit.vertex[k] = own;
+      if (model.vertexImage[SurfaceVertexId{own}].i != mine) {
+        const int next = before + static_cast<int>(edits.copyOf.size());
+        const auto [it, isNew] = copies.try_emplace({own, mine}, next);
+        if (isNew) edits.copyOf.push_back(own);
+        edit.vertex[k] = it->second;
+      }
+      isChanged = isChanged || edit.vertex[k] != own;
+    }
+    const bool isTurned = (edit.corner[1] - edit.corner[0] + 3) % 3 == 2;
+    edits.turned += isTurned;
+    if (isTurned || isChanged) edits.faces.push_back(edit);
+  }
+  const auto byFace = [](const EditedFace& a, const EditedFace& b) { return a.face < b.face; };
+  std::sort(edits.faces.begin(), edits.faces.end(), byFace);
+  for (const LeftOutFace& left : model.leftOut) edits.outside.push_back(left.face);
+  std::sort(edits.outside.begin(), edits.outside.end());
+  return edits;
+}
+
+std::string noteOn(const FaceEdits& edits, int surfaceVertices) {
+  std::string note = "THE REPAIRS ARE WRITTEN:";
+  if (edits.turned > 0)
+    note += formatText(" %s with the corners in the other order%s",
+                       counted(edits.turned, "face").c_str(), edits.copyOf.empty() ? "" : ",");
+  if (!edits.copyOf.empty())
+    note += formatText(" %s of vertices follow behind vertex %d",
+                       counted(edits.copyOf.size(), "copy", "copies").c_str(), surfaceVertices - 1);
+  return note;
+}
+
+}  // namespace hgp::api

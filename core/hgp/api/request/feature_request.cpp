@@ -1,0 +1,201 @@
+#include "hgp/api/request/feature_request.h"
+
+#include <algorithm>
+
+#include "hgp/base/check.h"
+#include "hgp/base/counted.h"
+#include "hgp/features/creases.h"
+#include "hgp/mesh/finite.h"
+#include "hgp/mesh/vectors.h"
+
+namespace hgp::api {
+namespace {
+
+// If the mesh has changed, a vertex is searched within this fraction of the bounding box's diagonal.
+constexpr double kSameFeaturePlace = 1e-6;
+
+using Pair = std::array<int, 2>;
+
+Pair sorted(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+
+Failure refusedFeature(std::string message, std::vector<Where> where = {}) {
+  return {ErrorCode::kPrescription, "features", std::move(message), std::move(where)};
+}
+
+class FeatureFinder {
+ public:
+  FeatureFinder(const Model& model, const io::Prescription& asked)
+      : model_(model), asked_(asked), positions_(model.source().mesh.positions) {
+    isMoved_ = (!asked.sha256.empty() && asked.sha256 != model.sha256) || !model.hasOwnVertexIds;
+    reach_ = kSameFeaturePlace * diagonal(finiteBoxOf(positions_));
+  }
+
+  /// All asked edges as pairs of surface vertices, ascending.
+  Result<std::vector<Pair>> run() {
+    for (const io::PrescribedLine& line : asked_.features.lines) {
+      int before = -1;
+      for (std::size_t i = 0; i < line.vertices.size(); ++i) {
+        Result<int> v = vertex(line, i);
+        if (!v) return std::move(v).error();
+        if (i > 0) pairs_.push_back(sorted(before, *v));
+        before = *v;
+      }
+    }
+    if (Status done = addSides(); !done) return std::move(done).error();
+    std::sort(pairs_.begin(), pairs_.end());
+    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+    return std::move(pairs_);
+  }
+
+ private:
+  Result<int> vertex(const io::PrescribedLine& line, std::size_t i) const {
+    const int v = line.vertices[i], count = static_cast<int>(positions_.size());
+    if (line.positions.empty() && !model_.hasOwnVertexIds)
+      return refusedFeature(
+          "vertices get new ids when the file is converted to another format: features need "
+          "positions (those of hgp-cones have them), or the ids of the new file");
+    const bool isThere = v >= 0 && v < count;
+    if (isMoved_ && !line.positions.empty()) {
+      const Vec3& p = line.positions[i];
+      if (isThere && distance(positions_[at(v)], p) <= reach_) return v;
+      const auto nearest = std::min_element(
+          positions_.begin(), positions_.end(),
+          [&](const Vec3& a, const Vec3& b) { return distance(a, p) < distance(b, p); });
+      if (nearest == positions_.end() || distance(*nearest, p) > reach_)
+        return refusedFeature(
+            formatText("no vertex within %.3g of the feature at (%.9g, %.9g, %.9g)", reach_, p[0],
+                       p[1], p[2]));
+      return static_cast<int>(nearest - positions_.begin());
+    }
+    if (isThere) return v;
+    return refusedFeature(
+        formatText("feature at vertex %d: the mesh has vertices 0 to %d", v, count - 1));
+  }
+
+  Status addSides() {
+    if (asked_.features.sides.empty()) return Done{};
+    if (!model_.hasOwnFaceIds)
+      return refusedFeature("features refer to triangles, which get new ids in the other format");
+    const auto& triangles = model_.source().mesh.triangles;
+    for (const auto& [face, side] : asked_.features.sides) {
+      if (face < 0 || at(face) >= triangles.size() || side < 0 || side > 2)
+        return refusedFeature(formatText("features name side %d of triangle %d; the mesh has %s",
+                                         side, face,
+                                         counted(triangles.size(), "triangle").c_str()));
+      const auto& corners = triangles[at(face)];
+      pairs_.push_back(sorted(corners[at(side)], corners[at((side + 1) % 3)]));
+    }
+    return Done{};
+  }
+
+  const Model& model_;
+  const io::Prescription& asked_;
+  const std::vector<Vec3>& positions_;
+  bool isMoved_ = false;
+  double reach_ = 0.0;
+  std::vector<Pair> pairs_;
+};
+
+}  // namespace
+
+Status addFeatures(const Model& model, const io::Prescription& prescription, Request& request) {
+  if (prescription.features.isEmpty()) return Done{};
+  Result<std::vector<Pair>> pairs = FeatureFinder(model, prescription).run();
+  if (!pairs) return std::move(pairs).error();
+  std::vector<char> isFound(pairs->size(), 0);
+  int leftOut = 0;
+  for (std::size_t p = 0; p < model.components.size(); ++p) {
+    const ModelComponent& component = model.components[p];
+    const TriMesh& mesh = component.mesh;
+    std::vector<EdgeId> features;
+    if (prescription.features.creaseDegrees) {
+      Creases creases = findCreases(mesh, *prescription.features.creaseDegrees);
+      features = std::move(creases.edges);
+      leftOut += creases.leftOut;
+    }
+    bool hasFeature = !features.empty();
+    for (EdgeId e : mesh.edges()) {
+      const HalfedgeId h = mesh.halfedge(e);
+      const Pair ends = sorted(component.vertex[mesh.tail(h)].i, component.vertex[mesh.head(h)].i);
+      const auto found = std::lower_bound(pairs->begin(), pairs->end(), ends);
+      const bool isListed = found != pairs->end() && *found == ends;
+      if (isListed) isFound[at(found - pairs->begin())] = 1;
+      if (isListed || mesh.isBoundary(h)) features.push_back(e);
+      hasFeature = hasFeature || isListed || (prescription.features.hasRims && mesh.isBoundary(h));
+    }
+    std::sort(features.begin(), features.end());
+    features.erase(std::unique(features.begin(), features.end()), features.end());
+    if (hasFeature) request.components[p].spec.features = std::move(features);
+  }
+  if (leftOut > 0)
+    request.notes.push_back(
+        counted(leftOut, "crease is", "creases are") +
+        " left out: the third edge of a triangle whose other two are creases, too; no "
+        "map sends all three to lines along two axes");
+  std::vector<Where> where;
+  for (std::size_t i = 0; i < pairs->size(); ++i)
+    if (!isFound[i]) where.push_back({Where::Kind::kEdge, (*pairs)[i][0], (*pairs)[i][1]});
+  if (where.empty()) return Done{};
+  return refusedFeature(counted(where.size(), "feature is no edge", "features are no edges") +
+                            " of the mesh. Is this the mesh they were made for?",
+                        std::move(where));
+}
+
+bool isFeaturesOnly(const io::Prescription& prescription) {
+  return !prescription.features.isEmpty() && !prescription.hasCones && !prescription.field &&
+         prescription.boundaries.empty() && prescription.handles.empty() &&
+         prescription.totalAngles.empty();
+}
+
+Status checkFeatures(const std::optional<io::Prescription>& prescription,
+                     const SolveOptions& options) {
+  if (!prescription || prescription->features.isEmpty()) return Done{};
+  const auto refuse = [](const char* text) {
+    return Failure{ErrorCode::kUsage, "features", text, {}};
+  };
+  if (options.boundary == BoundaryKind::kConvex)
+    return refuse("A convex boundary does not follow features; leave out either.");
+  if (options.refines)
+    return refuse(
+        "Features are edges of this mesh and are not carried over to a refined one; leave out "
+        "either.");
+  return Done{};
+}
+
+io::PrescribedFeatures describeFeatures(const Model& model,
+                                        const std::vector<HolonomySpec>& specs) {
+  io::PrescribedFeatures out;
+  for (std::size_t p = 0; p < specs.size(); ++p) {
+    const ModelComponent& component = model.components[p];
+    const TriMesh& mesh = component.mesh;
+    PerEdge<char> isOpen(at(mesh.edgeCount()), 0);
+    for (EdgeId e : specs[p].features) isOpen[e] = 1;
+    // The next open edge at v, also the one at which the fan of a boundary vertex ends.
+    const auto nextAt = [&](VertexId v) {
+      for (HalfedgeId h : outgoingHalfedges(mesh, v))
+        for (const HalfedgeId side : {h, TriMesh::previous(h)})
+          if (isOpen[mesh.edge(side)]) return mesh.edge(side);
+      return EdgeId();
+    };
+    for (EdgeId first : specs[p].features) {
+      if (!isOpen[first]) continue;
+      io::PrescribedLine line;
+      VertexId v = mesh.tail(mesh.halfedge(first));
+      const auto add = [&] {
+        line.vertices.push_back(component.vertex[v].i);
+        line.positions.push_back(mesh.position(v));
+      };
+      add();
+      for (EdgeId e = first; e.isValid(); e = nextAt(v)) {
+        isOpen[e] = 0;
+        const HalfedgeId h = mesh.halfedge(e);
+        v = mesh.tail(h) == v ? mesh.head(h) : mesh.tail(h);
+        add();
+      }
+      out.lines.push_back(std::move(line));
+    }
+  }
+  return out;
+}
+
+}  // namespace hgp::api

@@ -1,0 +1,22 @@
+// Features of a prescription on a mesh.  Role: io::PrescribedFeatures → HolonomySpec::features, and back.
+#pragma once
+
+#include "hgp/api/request/request.h"
+
+namespace hgp::api {
+
+/// Sets spec.features of every component that has features, its boundary edges included. Vertices are found by their
+/// positions if the mesh has changed. Fails with kPrescription and the places where an edge is none of the surface.
+Status addFeatures(const Model& model, const io::Prescription& prescription, Request& request);
+
+/// Whether nothing but features is prescribed, so that cones are chosen automatically.
+bool isFeaturesOnly(const io::Prescription& prescription);
+
+/// Fails with kUsage for options that do not go with features.
+Status checkFeatures(const std::optional<io::Prescription>& prescription,
+                     const SolveOptions& options);
+
+/// The features of all components as polylines, in ids of the surface and with positions.
+io::PrescribedFeatures describeFeatures(const Model& model, const std::vector<HolonomySpec>& specs);
+
+}  // namespace hgp::api

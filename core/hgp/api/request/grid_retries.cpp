@@ -1,0 +1,152 @@
+#include "hgp/api/request/grid_retries.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hgp/base/check.h"
+
+namespace hgp::api {
+namespace {
+
+/// Up to this many triangles, few cones and the advised number of cells are tried: about a second each.
+constexpr int kChosenTwice = 10'000;
+/// Cones are chosen for cells that are larger by these factors. On larger surfaces only the first are tried.
+constexpr double kCoarser[] = {1.5, 2.0, 3.0, 4.0, 8.0};
+constexpr std::size_t kCoarserOnLarge = 2;
+constexpr int kLarge = 100'000;
+/// A number of cells within this fraction of the one asked for is near it.
+constexpr double kNearCells = 0.12;
+/// Advised numbers of cells, each twice the one before, that are tried.
+constexpr int kAdvised = 3;
+
+bool isAligned(const Result<Parametrization>& run) {
+  return run && run->isCertified && run->grid && run->grid->isAligned;
+}
+/// Whether it also has about as many cells as asked for: alignment takes what it can get from densities farther off.
+bool isNear(const Result<Parametrization>& run, const GridOptions& grid) {
+  if (!isAligned(run)) return false;
+  const double ratio = grid.spacing / run->grid->spacing;
+  return std::fabs(ratio * ratio - 1.0) <= kNearCells;
+}
+bool isCancelled(const Result<Parametrization>& run) {
+  return !run && run.error().code == ErrorCode::kCancelled;
+}
+
+class Retries {
+ public:
+  Retries(int triangles, const SolveOptions& options, const SolveAutomatic& solve)
+      : triangles_(triangles), options_(options), solve_(solve) {}
+
+  /// An aligned result with cones for a coarser grid, if there is one, one that is near before others; or a cancelled
+  /// one.
+  std::optional<Result<Parametrization>> coarser(const GridOptions& grid, bool mustBeNear,
+                                                 double& factor) {
+    const std::size_t count = triangles_ > kLarge ? kCoarserOnLarge : std::size(kCoarser);
+    std::optional<Result<Parametrization>> far;
+    for (std::size_t n = 0; n < count; ++n) {
+      SolveOptions choice = options_;
+      choice.grid = {0.0, kCoarser[n] * grid.spacing, grid.mode};
+      Result<Parametrization> run = solve_(choice, grid);
+      if (isCancelled(run) || isNear(run, grid)) {
+        factor = kCoarser[n];
+        return run;
+      }
+      if (far || mustBeNear || !isAligned(run)) continue;
+      factor = kCoarser[n];
+      far = std::move(run);
+    }
+    return far;
+  }
+  std::optional<Result<Parametrization>> few(const GridOptions& grid) {
+    SolveOptions choice = options_;
+    choice.conesFor = ConesFor::kFew;
+    choice.grid = grid;
+    Result<Parametrization> run = solve_(choice, grid);
+    if (isCancelled(run) || isAligned(run)) return run;
+    return {};
+  }
+  /// What a new run would do.
+  std::optional<Result<Parametrization>> all(const GridOptions& grid) {
+    SolveOptions choice = options_;
+    choice.grid = grid;
+    Result<Parametrization> run = solve_(choice, grid);
+    if (isCancelled(run) || isAligned(run)) return run;
+    double factor = 1.0;
+    return coarser(grid, false, factor);
+  }
+
+ private:
+  int triangles_;
+  const SolveOptions& options_;
+  const SolveAutomatic& solve_;
+};
+
+/// The advised number of cells, or twice or four times as many, if a run with it is aligned; else none.
+Status testAdvice(Retries& retries, const GridOptions& grid, GridReport& report) {
+  double cells = report.workingCells;
+  report.workingCells = 0.0;
+  for (int n = 0; n < kAdvised && cells > 0.0; ++n, cells *= 2.0) {
+    const double spacing = grid.spacing * std::sqrt(report.cells / cells);
+    const auto run = retries.all({0.0, spacing, grid.mode});
+    if (run && isCancelled(*run)) return run->error();
+    if (!run) continue;
+    report.workingCells = cells;
+    break;
+  }
+  return Done{};
+}
+
+}  // namespace
+
+Status withOtherCones(int triangles, const SolveOptions& options, const GridOptions& grid,
+                      const SolveAutomatic& solve, Result<Parametrization>& run,
+                      std::vector<std::string>& notes) {
+  if (!grid.isAsked() || !run || !run->isCertified || isNear(run, grid)) return Done{};
+  Retries retries(triangles, options, solve);
+  std::vector<std::string> before = notes;
+  double factor = 1.0;
+  std::optional<Result<Parametrization>> other = retries.coarser(grid, isAligned(run), factor);
+  if (other && isCancelled(*other)) return other->error();
+  if (other) {
+    notes.push_back(formatText(
+        "the cones for cells of this size leave them no room; those for cells %g times as long are "
+        "used instead",
+        factor));
+    run = std::move(*other);
+    return Done{};
+  }
+  notes = before;
+  if (isAligned(run)) return Done{};
+  const bool mayBeFew = options.coneCount == 0 && !options.alignToCurvature &&
+                        options.conesFor == ConesFor::kBalanced;
+  if (triangles > kChosenTwice) {
+    if (mayBeFew) notes.emplace_back("fewer cones leave more room for a grid: try --cones-for few");
+    run->grid->needsTheseCones = true;
+    return Done{};
+  }
+  if (mayBeFew) {
+    other = retries.few(grid);
+    if (other && isCancelled(*other)) return other->error();
+    if (other) {
+      notes.emplace_back(
+          "the default cones have no map on this grid; those of --cones-for few are used instead");
+      run = std::move(*other);
+      return Done{};
+    }
+  }
+  const Status done = testAdvice(retries, grid, *run->grid);
+  notes = std::move(before);
+  return done;
+}
+
+GridOptions wholeFraction(const GridOptions& grid, double area, int finer, int& halvings) {
+  GridOptions out = grid;
+  halvings = finer;
+  if (!(area > 0.0) || !(grid.spacing > 0.0)) return out;
+  double cells = area / (grid.spacing * grid.spacing);
+  for (; cells < kLeastCells; cells *= 4.0) ++halvings;
+  out.spacing = std::ldexp(grid.spacing, -halvings);
+  return out;
+}
+
+}  // namespace hgp::api

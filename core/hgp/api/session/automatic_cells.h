@@ -1,0 +1,14 @@
+// How many cells a grid has when nobody says.  Role: the density of `hgp quads` without --cells; the page takes the
+// same.
+#pragma once
+
+#include "hgp/api/model/model.h"
+#include "hgp/api/request/request.h"
+
+namespace hgp::api {
+
+/// 14 cells along the diagonal of the model, at least 800, and at least 40 per prescribed cone: fewer cells fail more
+/// often and cause more distortion.
+double automaticCells(const Model& model, const Request& request);
+
+}  // namespace hgp::api

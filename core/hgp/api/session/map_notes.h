@@ -1,0 +1,28 @@
+// Notes on a map in addition to its verdict.  Role: sentences for users about one component.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hgp/api/model/model.h"
+#include "hgp/verify/certificate.h"
+
+namespace hgp::api {
+
+/// Triangles whose area scale (uv area per surface area) is below this fraction of the median are crushed:
+/// a texture is stretched about thirtyfold in length there.
+inline constexpr double kCrushedScale = 1e-3;
+
+/// Count and place of crushed triangles; nothing if there are none.
+/// @param map  of the component's own mesh
+std::optional<std::string> crushedNote(const ModelComponent& component, const UvMap& map);
+
+/// A note if the number of automatic cones is not the number asked for.
+std::optional<std::string> countNote(int asked, const CompleteSpec& chosen);
+
+/// What a verified surface has and the mesh of its cones had not, or the other way round: other numbers of triangles and
+/// vertices, and boundaries for which the cones give no turning.
+std::vector<std::string> mismatchNotes(const Model& model, const io::Prescription& cones);
+
+}  // namespace hgp::api

@@ -1,0 +1,76 @@
+// Facts about the loaded surface, in ids of the file.
+#include <algorithm>
+
+#include "hgp/api/session/guard.h"
+#include "hgp/api/session/session_state.h"
+#include "hgp/mesh/vertex_facts.h"
+
+namespace hgp::api {
+namespace {
+
+/// Copies the facts of mesh vertices to the vertices of the surface; removed vertices keep the defaults.
+void pullBackVertices(const Model& model, const VertexFacts& mesh, SurfaceFacts& out) {
+  const int count = model.vertexImage.size();
+  const auto size = static_cast<std::size_t>(count);
+  out.representative.assign(size, -1);
+  out.angle.assign(size, 0.0);
+  out.valence.assign(size, 0);
+  out.isBoundary.assign(size, 0);
+  out.component.assign(size, -1);
+  out.neighbourStart.assign(size + 1, 0);
+  out.neighbours.reserve(mesh.neighbours.size());
+  for (std::size_t v = 0; v < size; ++v) {
+    const MeshVertexId m = model.vertexImage[SurfaceVertexId{static_cast<int>(v)}];
+    if (m.isValid()) {
+      out.representative[v] = model.vertexOrigin[m].i;
+      out.angle[v] = mesh.angle[at(m.i)];
+      out.valence[v] = static_cast<std::uint32_t>(mesh.valence[at(m.i)]);
+      out.isBoundary[v] = static_cast<std::uint8_t>(mesh.isBoundary[at(m.i)]);
+      out.component[v] = mesh.component[at(m.i)];
+      for (auto n = mesh.neighbourStart[at(m.i)]; n < mesh.neighbourStart[at(m.i) + 1]; ++n) {
+        const MeshVertexId w{static_cast<int>(mesh.neighbours[n])};
+        out.neighbours.push_back(static_cast<std::uint32_t>(model.vertexOrigin[w].i));
+      }
+    }
+    out.neighbourStart[v + 1] = static_cast<std::uint32_t>(out.neighbours.size());
+  }
+}
+
+/// Where repairs split a vertex, any copy may be a cone, so the values that allow the most are reported.
+void takeTheMost(const Model& model, const VertexFacts& mesh, SurfaceFacts& out) {
+  for (int m = 0; m < model.vertexOrigin.size(); ++m) {
+    const SurfaceVertexId v = model.vertexOrigin[MeshVertexId{m}];
+    if (!v.isValid() || out.representative[at(v.i)] < 0) continue;
+    auto& valence = out.valence[at(v.i)];
+    valence = std::max(valence, static_cast<std::uint32_t>(mesh.valence[at(m)]));
+    if (mesh.isBoundary[at(m)] == 0) out.isBoundary[at(v.i)] = 0;
+  }
+}
+
+void pullBackFaces(const Model& model, const VertexFacts& mesh, SurfaceFacts& out) {
+  out.triangleComponent.assign(model.source().mesh.triangles.size(), -1);
+  for (int f = 0; f < model.faceOrigin.size(); ++f) {
+    const SurfaceFaceId face = model.faceOrigin[MeshFaceId{f}];
+    const int corner = model.mesh.triangles[at(f)][0];
+    if (!face.isValid() || corner < 0 || at(corner) >= mesh.component.size()) continue;
+    out.triangleComponent[at(face.i)] = mesh.component[at(corner)];
+  }
+}
+
+}  // namespace
+
+Result<SurfaceFacts> Session::facts() const {
+  return guarded([&]() -> Result<SurfaceFacts> {
+    if (!state_->model) return notLoaded();
+    const Model& model = *state_->model;
+    const VertexFacts mesh = vertexFacts(model.mesh);
+    SurfaceFacts out;
+    out.area = mesh.area;
+    pullBackVertices(model, mesh, out);
+    takeTheMost(model, mesh, out);
+    pullBackFaces(model, mesh, out);
+    return out;
+  });
+}
+
+}  // namespace hgp::api

@@ -1,0 +1,247 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "hgp/api/request/feature_request.h"
+#include "hgp/api/request/grid_retries.h"
+#include "hgp/api/request/possible_options.h"
+#include "hgp/api/session/map_notes.h"
+#include "hgp/api/session/session_state.h"
+#include "hgp/api/stored/convex_polygons.h"
+#include "hgp/api/stored/stand_in.h"
+#include "hgp/base/check.h"
+#include "hgp/grid/grid_measures.h"
+#include "hgp/parametrize/stage_clock.h"
+#include "hgp/prescription/cones.h"
+
+namespace hgp::api {
+
+namespace {
+
+SuggestOptions suggestOptions(int q, const SolveOptions& options) {
+  SuggestOptions suggest;
+  suggest.q = q;
+  suggest.coneCount = options.coneCount;
+  suggest.conesFor = options.conesFor;
+  suggest.alignToCurvature = options.alignToCurvature;
+  suggest.progress = options.progress;
+  return suggest;
+}
+
+/// Grid options with the same spacing for every component.
+GridOptions sharedGrid(const Model& model, GridOptions grid) {
+  if (!grid.isAsked() || grid.spacing > 0) return grid;
+  double area = 0;
+  for (const ModelComponent& component : model.components) area += surfaceArea(component.mesh);
+  return {0.0, std::sqrt(area / grid.cells), grid.mode};
+}
+
+/// Surfaces with more triangles, and those of many components, are prepared again by every call, to leave memory.
+constexpr int kKeptFaces = 200'000, kKeptComponents = 100;
+
+ParametrizeOptions parametrizeOptions(const SolveOptions& options, double workShare) {
+  ParametrizeOptions out;
+  out.maxRounds = options.maxRounds;
+  out.method = options.method;
+  out.largestWork *= workShare;
+  out.grid = options.grid;
+  out.improve = options.improve;
+  out.progress = options.progress;
+  return out;
+}
+
+Failure negativeCount(int count) {
+  return {ErrorCode::kUsage,
+          "cones",
+          formatText("the number of automatic cones is 0 (as many as suit) or more, not %d", count),
+          {}};
+}
+
+Failure noField() {
+  return {ErrorCode::kUsage,
+          "field",
+          "Frames from a file need a field file (.rawfield, .rosy or .ffield).",
+          {}};
+}
+
+}  // namespace
+
+/// The data that all solves of a component share; kept if it is small compared with the factors of a program.
+PreparedSurface& Session::State::surfaceOf(std::size_t p) {
+  prepared.resize(model->components.size());
+  if (!prepared[p]) prepared[p] = std::make_unique<PreparedSurface>(model->components[p].mesh);
+  return *prepared[p];
+}
+
+void Session::State::dropLarge(std::size_t p) {
+  const bool isOneOfMany = model->components.size() > std::size_t{kKeptComponents};
+  if (isOneOfMany || model->components[p].mesh.faceCount() > kKeptFaces) prepared[p].reset();
+}
+
+Result<CompleteSpec> Session::State::chooseCones(std::size_t p, const SolveOptions& options,
+                                                 std::vector<StageTime>* times) {
+  if (options.coneCount < 0) return negativeCount(options.coneCount);
+  SuggestOptions suggest = suggestOptions(options.q, options);
+  const GridOptions grid = sharedGrid(*model, options.grid);
+  if (grid.isAsked()) suggest.spacing = roomForGrid(grid.spacing, grid.mode, options.q);
+  Result<CompleteSpec> spec = suggestCones(surfaceOf(p), suggest, times);
+  if (!spec) return toSurfaceIds(*model, model->components[p], spec.error());
+  return spec;
+}
+
+namespace {
+
+void add(std::optional<std::string> note, std::vector<std::string>& notes) {
+  if (note) notes.push_back(std::move(*note));
+}
+
+}  // namespace
+
+/// Automatic and prescribed cones are solved in the same way: chosen cones are completed and then prescribed.
+Result<Parametrization> Session::State::solveComponent(std::size_t p,
+                                                       const ComponentRequest& request,
+                                                       const SolveOptions& options) {
+  const ModelComponent& component = model->components[p];
+  ParametrizeOptions core = parametrizeOptions(options, workShare);
+  if (options.frames == FrameSource::kFile) {
+    core.frames = request.field;
+    if (!core.frames) return noField();
+  }
+  if (options.boundary == BoundaryKind::kConvex) {
+    Result<Parametrization> run = parametrizeConvex(component.mesh, core);
+    return run ? std::move(run) : toSurfaceIds(*model, component, run.error());
+  }
+  std::vector<StageTime> times;
+  StageClock clock(options.progress, times);
+  if (!clock.begin(Stage::kPrepare)) return clock.cancelled();
+  surfaceOf(p);
+  clock.end();
+  std::vector<std::string> notes;
+  const auto solveWith = [&](const SolveOptions& choice,
+                             const GridOptions& grid) -> Result<Parametrization> {
+    Result<CompleteSpec> chosen = chooseCones(p, choice, &times);
+    if (!chosen) return chosen.error();
+    notes.clear();
+    add(countNote(options.coneCount, *chosen), notes);
+    core.grid = grid;
+    return hgp::parametrize(surfaceOf(p), toSpec(*chosen), core);
+  };
+  if (!request.spec.features.empty()) return solveAlong(p, request, core);
+  SolveOptions choice = options;
+  choice.q = request.spec.q;
+  Result<Parametrization> run = request.isAutomatic
+                                    ? solveWith(choice, options.grid)
+                                    : hgp::parametrize(surfaceOf(p), request.spec, core);
+  if (run && !run->isCertified && request.isAutomatic && choice.grid.isAsked()) {
+    choice.grid = {};  // without cones spaced for the grid, since a map matters more than a grid
+    run = solveWith(choice, options.grid);
+  }
+  if (request.isAutomatic)
+    if (Status done =
+            withOtherCones(component.mesh.faceCount(), choice, options.grid, solveWith, run, notes);
+        !done)
+      return toSurfaceIds(*model, component, done.error());
+  dropLarge(p);
+  if (!run) return toSurfaceIds(*model, component, run.error());
+  if (run->isCertified) add(crushedNote(component, run->map), notes);
+  run->notes.insert(run->notes.end(), notes.begin(), notes.end());
+  run->times.insert(run->times.begin(), times.begin(), times.end());
+  return run;
+}
+
+namespace {
+
+bool maySkip(const Failure& failure) {
+  return failure.code != ErrorCode::kCancelled && failure.code != ErrorCode::kUsage;
+}
+
+}  // namespace
+
+/// The component with cells of the shared size, or of a whole fraction where it is too small for these.
+Result<Parametrization> Session::State::solveOnGrid(std::size_t p, const ComponentRequest& request,
+                                                    const SolveOptions& shared, RunRecord& run) {
+  const bool isCounted = run.options.grid.cells > 0.0 && model->components.size() == 1;
+  if (!shared.grid.isAsked() || isCounted) return solveComponent(p, request, shared);
+  const double area = surfaceArea(model->components[p].mesh);
+  const bool isSmall = area < kFewCells * shared.grid.spacing * shared.grid.spacing;
+  SolveOptions own = shared;
+  int halvings = 0;
+  for (int extra = 0;; ++extra) {
+    own.grid = wholeFraction(shared.grid, area, extra, halvings);
+    Result<Parametrization> component = solveComponent(p, request, own);
+    const bool isOver = !component || !component->grid || component->grid->isAligned || !isSmall ||
+                        extra == kMostFiner;
+    if (!isOver) continue;
+    if (component && component->grid && component->grid->isAligned && halvings > 0)
+      run.notes.push_back(
+          formatText("component %zu is small for cells of this size: its own are 1/%d as long", p,
+                     1 << halvings));
+    return component;
+  }
+}
+
+Status Session::State::solveRequest(const Request& request, const SolveOptions& options,
+                                    RunRecord& run) {
+  SolveOptions shared = options;
+  shared.grid = sharedGrid(*model, options.grid);
+  std::vector<ComponentMap> maps;
+  bool areAligned = true;
+  for (std::size_t p = 0; p < model->components.size(); ++p) {
+    Result<Parametrization> component = solveOnGrid(p, request.components[p], shared, run);
+    bool isKept = false;
+    std::string whyNone;
+    if (!component && options.keepsGoing && maySkip(component.error())) {
+      whyNone = component.error().message;
+      run.notes.push_back(
+          formatText("component %zu has no map of its own; it keeps its uv or is cut to a disk: ",
+                     p) +
+          component.error().message);
+      component =
+          standIn(*model, model->components[p], request.q, options.progress, whyNone, isKept);
+    }
+    if (!component) return component.error();
+    const bool isAligned = component->grid && component->grid->isAligned;
+    areAligned = areAligned && isAligned;
+    maps.push_back({std::move(component->map), std::move(component->copyOf), component->spec,
+                    component->certificate, isAligned ? 1.0 : 0.0, isKept, whyNone});
+    run.components.push_back(std::move(*component));
+  }
+  storeMaps(std::move(maps), request.q, options, areAligned, run);
+  return Done{};
+}
+
+Status Session::State::solve(const std::optional<io::Prescription>& prescription,
+                             const SolveOptions& asked) {
+  const auto start = std::chrono::steady_clock::now();
+  if (asked.refines && std::string_view(model->document->outputFormat()) != "obj")
+    return solveAsPolygons(prescription, asked);
+  Result<Request> request = prescription ? resolve(*model, *prescription)
+                                         : Result<Request>(automaticRequest(*model, asked.q));
+  if (!request) return request.error();
+  const SolveOptions options = withCells(*request, asked);
+  if (Status possible = checkOptions(options, request->q); !possible) return possible.error();
+  if (Status possible = checkFeatures(prescription, options); !possible) return possible.error();
+  if (options.frames == FrameSource::kAuto) {
+    for (ComponentRequest& component : request->components) component.field.reset();
+  }
+  RunRecord run;
+  run.options = options;
+  run.isAutomatic =
+      (!prescription || isFeaturesOnly(*prescription)) && options.boundary == BoundaryKind::kFree;
+  run.notes = request->notes;
+  if (options.frames == FrameSource::kFile)
+    run.notes.push_back("the frames are the directions of the field");
+  if (Status done = solveRequest(*request, options, run); !done) return done;
+  const bool hasFeatures = prescription && !prescription->features.isEmpty();
+  const bool mayRepair = options.boundary == BoundaryKind::kFree && !hasFeatures;
+  if (!solved->stored.isCertified && mayRepair)
+    if (Status done = solveImproved(*request, options, run); !done) return done;
+  if (!solved->stored.isCertified && mayRepair)
+    if (Status done = solveRefined(*request, options, run); !done) return done;
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  run.seconds = seconds.count();
+  if (!finer) publish(run);
+  return Done{};
+}
+
+}  // namespace hgp::api

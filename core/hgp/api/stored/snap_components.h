@@ -1,0 +1,29 @@
+// Rounds the maps of all components so that seams hold exactly in the stored numbers.
+// Role: applies grid/snap.h to the components of a file.
+#pragma once
+
+#include <vector>
+
+#include "hgp/api/stored/stored_map.h"
+#include "hgp/grid/snap.h"
+
+namespace hgp::api {
+
+class ComponentSnapper {
+ public:
+  /// Keeps references to both.
+  ComponentSnapper(const Model& model, const std::vector<ComponentMap>& components);
+
+  /// Rounds the uv of all components in order, each on its own grid. A component stays unchanged if its q
+  /// has no exact rotations (3, 5, 6, …) or if it was left out.
+  void snap(const StoredNumbers& numbers, std::vector<Vec2>& uv) const;
+
+  /// Excludes a component that rounding breaks: snap() does not change it any more.
+  void leave(std::size_t component) { snappers_[component].reset(); }
+
+ private:
+  const std::vector<ComponentMap>& components_;
+  std::vector<std::optional<SeamSnapper>> snappers_;
+};
+
+}  // namespace hgp::api

@@ -1,0 +1,110 @@
+#include "hgp/cones/cone_metric.h"
+
+#include <cmath>
+
+#include "hgp/base/portable_math.h"
+
+namespace hgp {
+
+ConeMetric::ConeMetric(const TriMesh& mesh, const FieldContext& context, int q)
+    : context_(context), q_(q), total_(q * (2 - 2 * context.topology.genus)) {
+  const FilledSurface& surface = context.surface;
+  area_ = Eigen::VectorXd::Zero(surface.nodeCount);
+  for (FaceId f : mesh.faces())
+    for (VertexId v : mesh.corners(f)) area_[surface.node[v]] += context.geometry.area[f];
+  size_ = context.geometry.unit * std::sqrt(area_.sum() / 3.0);
+  area_ /= area_.sum();
+  const auto& loops = context.handles.loops;
+  transport_ = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(loops.size()));
+  for (std::size_t j = 0; j < loops.size(); ++j)
+    for (HalfedgeId h : loops[j].crossed)
+      transport_[static_cast<Eigen::Index>(j)] += transport(mesh, context.geometry, h);
+  if (loops.empty()) return;
+  meanPotential_ = context.handles.potential.transpose() * area_;
+  rounding_ = NearestPlane(context.handles.periods);
+}
+
+Eigen::VectorXd ConeMetric::centred(Eigen::VectorXd u) const {
+  u.array() -= u.dot(area_);
+  return u;
+}
+
+ConeCost ConeMetric::cost(const NodeDefects& defects) const {
+  Eigen::VectorXd gap(nodeCount());
+  long long sum = 0;
+  for (int n = 0; n < nodeCount(); ++n) {
+    const auto at = static_cast<std::size_t>(n);
+    gap[n] = turnAngle(defects[at], q_) - context_.surface.curvature[at];
+    sum += defects[at];
+  }
+  gap += turnAngle(static_cast<double>(total_ - sum), q_) * area_;
+  gap.array() -= gap.mean();  // removes rounding errors: the sum is 0
+  ConeCost cost;
+  cost.u = centred(context_.laplacian.solve(gap));
+  // Σ over the crossed edges of w du = −(div w ξ⁰)·L⁻¹ gap = −f·gap.
+  cost.natural = transport_;
+  if (transport_.size() > 0) cost.natural -= context_.handles.potential.transpose() * gap;
+  measure(cost);
+  return cost;
+}
+
+void ConeMetric::measure(ConeCost& cost) const {
+  cost.scale = cost.u.cwiseAbs2().dot(area_);
+  cost.energy = cost.scale;
+  if (cost.natural.size() == 0) return;
+  const Eigen::VectorXd step = Eigen::VectorXd::Constant(cost.natural.size(), turnAngle(1, q_));
+  const Eigen::VectorXd offset = rounding_.round(-cost.natural, step);
+  cost.twist = rounding_.solve(offset);
+  cost.energy += kTwistWeight * offset.dot(cost.twist);
+}
+
+Eigen::VectorXd ConeMetric::gradient(const ConeCost& cost) const {
+  Eigen::VectorXd weighted = area_.cwiseProduct(cost.u);
+  weighted.array() -= weighted.mean();
+  Eigen::VectorXd g = context_.laplacian.solve(weighted);
+  if (cost.twist.size() > 0) g += kTwistWeight * (context_.handles.potential * cost.twist);
+  return 2.0 * turnAngle(1, q_) * centred(std::move(g));
+}
+
+Eigen::MatrixXd ConeMetric::response(const std::vector<int>& nodes) const {
+  Eigen::MatrixXd gap(nodeCount(), static_cast<Eigen::Index>(nodes.size()));
+  for (Eigen::Index i = 0; i < gap.cols(); ++i) {
+    gap.col(i) = -area_;
+    gap(nodes[static_cast<std::size_t>(i)], i) += 1.0;
+  }
+  return responseTo(std::move(gap));
+}
+
+Eigen::MatrixXd ConeMetric::moveResponse(const std::vector<UnitMove>& moves) const {
+  Eigen::MatrixXd gap = Eigen::MatrixXd::Zero(nodeCount(), static_cast<Eigen::Index>(moves.size()));
+  for (Eigen::Index i = 0; i < gap.cols(); ++i) {
+    const UnitMove& move = moves[static_cast<std::size_t>(i)];
+    gap(move.from, i) -= move.units;
+    gap(move.to, i) += move.units;
+  }
+  return responseTo(std::move(gap));
+}
+
+Eigen::MatrixXd ConeMetric::responseTo(Eigen::MatrixXd gap) const {
+  gap *= turnAngle(1, q_);
+  Eigen::MatrixXd G = context_.laplacian.solve(gap);
+  for (Eigen::Index i = 0; i < G.cols(); ++i) G.col(i) = centred(G.col(i));
+  return G;
+}
+
+Eigen::VectorXd ConeMetric::naturalResponse(int node) const {
+  if (transport_.size() == 0) return {};
+  return -turnAngle(1, q_) * (context_.handles.potential.row(node).transpose() - meanPotential_);
+}
+
+int coneCount(const TriMesh& mesh, const FieldContext& context, const NodeDefects& defects) {
+  int count = 0;
+  for (VertexId v : mesh.vertices())
+    if (context.surface.isInterior(mesh, v))
+      count += defects[static_cast<std::size_t>(context.surface.node[v])] != 0;
+  return count;
+}
+
+double areaSpread(double scale) { return 2.0 / portable::log(2.0) * std::sqrt(scale); }
+
+}  // namespace hgp

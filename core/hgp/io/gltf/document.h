@@ -1,0 +1,45 @@
+// A glTF asset as a Document.  Role: hands out surfaces and writes uv; the store stays as it was read.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "hgp/io/document.h"
+#include "hgp/io/gltf/decode/store.h"
+#include "hgp/io/gltf/decode/weld.h"
+
+namespace hgp::io {
+
+class GltfDocument : public Document {
+ public:
+  GltfDocument(std::shared_ptr<const GltfStore> store, std::vector<GltfSurface> parts);
+
+  const char* format() const override { return store_->container.isBinary ? "glb" : "gltf"; }
+  const char* outputFormat() const override { return format(); }
+  /// Besides its own format: a GLB as a .gltf with a side file.
+  bool canWriteAs(std::string_view wanted) const override {
+    return wanted == format() || (wanted == "gltf" && store_->container.isBinary);
+  }
+  const std::vector<Surface>& surfaces() const override { return surfaces_; }
+  UvPrecision uvPrecision() const override { return UvPrecision::kFloat32; }
+  std::optional<UvMap> existingUv(int surface, int set) const override;
+  std::optional<UvMap> exactUv(int surface, int set) const override;
+  using Document::asStored;
+  UvMap asStored(int surface, const UvMap& map, const std::vector<int>& partOf) const override;
+  Result<std::optional<Prescription>> embeddedCones(int surface) const override;
+  Result<Written> write(int surface, const UvMap& map, const WriteOptions& options) const override;
+  Result<PlainFile> plain(int surface) const override;
+  Result<DocumentPtr> refined(int surface,
+                              const std::vector<std::array<int, 2>>& edges) const override;
+  Result<DocumentPtr> repaired(int surface, const FaceEdits& edits) const override;
+
+ private:
+  /// The uv set with v = top − stored v; empty if a triangle primitive does not have it.
+  std::optional<UvMap> readUv(int surface, int set, double top) const;
+
+  std::shared_ptr<const GltfStore> store_;
+  std::vector<GltfSurface> parts_;  ///< without their `surface`, which is in surfaces_
+  std::vector<Surface> surfaces_;
+};
+
+}  // namespace hgp::io

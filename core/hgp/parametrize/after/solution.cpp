@@ -1,0 +1,240 @@
+#include "hgp/parametrize/after/solution.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hgp/grid/align.h"
+#include "hgp/grid/grid_measures.h"
+#include "hgp/grid/snap.h"
+#include "hgp/improve/improve.h"
+#include "hgp/parametrize/stage_clock.h"
+#include "hgp/quads/near_seams.h"
+
+namespace hgp {
+namespace {
+
+/// Multiply-adds per triangle of a run apart from its programs: fields, cut, verifying (measured).
+constexpr double kBesidePrograms = 1.2e4;
+/// Maximum work of alignment and the descent after it, relative to that of the run without a grid.
+constexpr double kAlignShare = 1.5;
+/// That descent ends at this multiple of the requested relative decrease, because it starts near its end.
+constexpr double kHeldDecrease = 3.0;
+/// Fraction of the stage "align" that is done when that descent starts.
+constexpr double kAlignedFraction = 0.9;
+
+ReducedMap reducedMap(const TriMesh& mesh, const SeamlessSetup& setup) {
+  return {mesh, setup.context->ownGeometry(), setup.cut, setup.unknowns};
+}
+
+/// The requested distortion as the verifier measures it: on the surface itself, while the descent works with thickened
+/// slivers; and as a mean, while single triangles can dominate an energy.
+double askedNumber(const ImproveOptions& asked, const DistortionFacts& facts) {
+  if (asked.balance == -1.0) return facts.meanMu;
+  return asked.balance == 1.0 ? facts.rmsLogArea : facts.symmetricDirichlet;
+}
+
+/// A distortion that is requested by name must not rise as the verifier measures it; the docs promise that.
+bool isBetter(const Improvement& run, const ImproveOptions& asked, const Certificate& before,
+              const Certificate& after) {
+  if (!after.isCertified || after.isUsable < before.isUsable) return false;
+  if (!(run.excessAfter < run.excessBefore)) return false;
+  const bool isNamed = asked.balance == 0.0 || std::fabs(asked.balance) == 1.0;
+  return !isNamed || askedNumber(asked, after.distortion) <= askedNumber(asked, before.distortion);
+}
+
+/// Replaces `mapped` by `improved`, if there is one, and returns the facts of the descent.
+DescentFacts takeOver(const Improvement& run, std::optional<MappedSolution> improved,
+                      MappedSolution& mapped) {
+  DescentFacts facts;
+  facts.steps = run.steps;
+  facts.outcome = run.outcome;
+  facts.work = run.work;
+  facts.before = mapped.certificate.distortion;
+  facts.isKept = improved.has_value();
+  if (improved) mapped = std::move(*improved);
+  facts.after = mapped.certificate.distortion;
+  return facts;
+}
+
+/// The map of the improved unknowns with its certificate; nothing, with a note, if it is not certified.
+std::optional<MappedSolution> accepted(const TriMesh& mesh, const Improvement& run,
+                                       const ImproveOptions& asked, const MappedSolution& mapped,
+                                       Parametrization& result) {
+  if (run.steps.empty()) return {};
+  MappedSolution improved{mapped.solution, {}, {}};
+  improved.solution.x = run.x;
+  improved.map = layOut(mesh, improved.solution);
+  improved.certificate = certify(mesh, result.spec, improved.map);
+  if (isBetter(run, asked, mapped.certificate, improved.certificate)) return improved;
+  result.notes.push_back(
+      "The map is not improved, as the verifier did not accept the improved map: " +
+      (improved.certificate.reasons.empty() ? std::string("it is no better on the surface itself.")
+                                            : improved.certificate.reasons[0].message));
+  return {};
+}
+
+/// Per unknown, 1 if alignment determined it: translations and, in quad mode, cones.
+std::vector<char> heldByGrid(const SeamlessSetup& setup, GridMode mode) {
+  std::vector<char> isHeld(static_cast<std::size_t>(setup.unknowns.count), 0);
+  const auto hold = [&](int unknown) {
+    if (unknown >= 0) isHeld[static_cast<std::size_t>(unknown)] = 1;
+  };
+  for (const int unknown : setup.unknowns.chainUnknown) hold(unknown);
+  if (mode == GridMode::kQuad)
+    for (VertexId cone : setup.cones) hold(setup.unknowns.vertexUnknown[cone]);
+  return isHeld;
+}
+
+Eigen::VectorXcd unknownsOf(const TriMesh& mesh, const SeamlessSetup& setup, const UvMap& map) {
+  std::vector<Complex> z;
+  z.reserve(map.uv.size());
+  for (const Vec2& p : map.uv) z.emplace_back(p[0], p[1]);
+  return readUnknowns(mesh, setup.cut, setup.seams, setup.unknowns, z);
+}
+
+/// The improved unknowns in cells, snapped and verified; nothing unless the map is better and still aligned, and the
+/// held values are the same bits.
+std::optional<MappedSolution> acceptedOnGrid(const TriMesh& mesh, const Improvement& run,
+                                             const ImproveOptions& asked,
+                                             const std::vector<char>& isHeld,
+                                             const MappedSolution& mapped,
+                                             const CompleteSpec& spec) {
+  if (run.steps.empty()) return {};
+  const SeamlessSetup& setup = *mapped.solution.setup;
+  UvMap moved = mapped.map;
+  const Eigen::VectorXcd z = setup.unknowns.copies * run.x;
+  for (std::size_t c = 0; c < moved.uv.size(); ++c) {
+    const Complex p = z[static_cast<Eigen::Index>(c)];
+    moved.uv[c] = {p.real(), p.imag()};
+  }
+  std::optional<UvMap> snapped = snapAligned(mesh, std::move(moved), setup.seams.q, setup.cones);
+  if (!snapped) return {};
+  MappedSolution improved{mapped.solution, std::move(*snapped), {}};
+  improved.solution.x = unknownsOf(mesh, setup, improved.map);
+  for (std::size_t i = 0; i < isHeld.size(); ++i) {
+    const auto unknown = static_cast<Eigen::Index>(i);
+    if (isHeld[i] && improved.solution.x[unknown] != mapped.solution.x[unknown]) return {};
+  }
+  improved.certificate = certify(mesh, spec, improved.map);
+  if (improved.certificate.exactSeams.integer != mapped.certificate.exactSeams.integer) return {};
+  if (!isBetter(run, asked, mapped.certificate, improved.certificate)) return {};
+  return improved;
+}
+
+/// @param work  multiply-adds that may be spent
+Status improveOnGrid(const TriMesh& mesh, const ParametrizeOptions& options, double work,
+                     MappedSolution& mapped, Parametrization& result) {
+  const SeamlessSetup& setup = *mapped.solution.setup;
+  const std::vector<char> isHeld = heldByGrid(setup, options.grid.mode);
+  if (std::find(isHeld.begin(), isHeld.end(), 1) == isHeld.end()) return Done{};
+  const Progress silent;
+  StageClock clock(silent,
+                   result.times);  // not reported: for the caller it is part of stage "align"
+  clock.begin(Stage::kImprove);
+  ImproveOptions asked = *options.improve;
+  asked.largestWork = work;
+  asked.relativeDecrease *= kHeldDecrease;
+  const ImprovementFacts& first = *result.improvement;
+  // Alignment added less distortion than the decrease at which a descent ends, so a descent would gain nothing.
+  if (first.isKept &&
+      askedNumber(asked, mapped.certificate.distortion) <=
+          (1.0 + options.improve->relativeDecrease) * askedNumber(asked, first.after)) {
+    Improvement none;
+    none.outcome = DescentOutcome::kNothingToGain;
+    result.improvement->onGrid = takeOver(none, {}, mapped);
+    return Done{};
+  }
+  const Progress progress = [&](const ProgressReport& r) {
+    const double fraction = kAlignedFraction + (1.0 - kAlignedFraction) * r.fraction;
+    return report(options.progress, {Stage::kAlign, fraction, r.iteration, r.residual});
+  };
+  const Improvement run = improve(reducedMap(mesh, setup), setup.context->tree, mapped.solution.x,
+                                  asked, isHeld, progress);
+  if (run.outcome == DescentOutcome::kCancelled) return cancelled(Stage::kAlign);
+  std::optional<MappedSolution> improved =
+      acceptedOnGrid(mesh, run, asked, isHeld, mapped, result.spec);
+  result.improvement->onGrid = takeOver(run, std::move(improved), mapped);
+  describeGrid(mesh, mapped.map, setup.cones.size(), *result.grid);
+  return Done{};
+}
+
+/// Whether the quads of the map have edges that files cannot tell apart.
+bool hasMultipleEdges(const TriMesh& mesh, const UvMap& map, const SeamlessSetup& setup) {
+  const std::optional<UvMap> snapped = snapAligned(mesh, map, setup.seams.q, setup.cones);
+  return snapped && hasMultipleEdges(mesh, *snapped, setup.cut.isSeam);
+}
+
+}  // namespace
+
+Status improveSolution(const TriMesh& mesh, const ParametrizeOptions& options,
+                       MappedSolution& mapped, Parametrization& result) {
+  StageClock clock(options.progress, result.times);
+  if (!clock.begin(Stage::kImprove)) return clock.cancelled();
+  const SeamlessSetup& setup = *mapped.solution.setup;
+  const Improvement run = improve(reducedMap(mesh, setup), setup.context->tree, mapped.solution.x,
+                                  *options.improve, {}, options.progress);
+  if (run.outcome == DescentOutcome::kCancelled) return cancelled(Stage::kImprove);
+  std::optional<MappedSolution> improved = accepted(mesh, run, *options.improve, mapped, result);
+  result.improvement = {takeOver(run, std::move(improved), mapped), *options.improve, {}};
+  return Done{};
+}
+
+Status evenOut(const TriMesh& mesh, const ParametrizeOptions& options, MappedSolution& mapped,
+               Parametrization& result) {
+  if (!mapped.certificate.isMeasured) return Done{};
+  StageClock clock(options.progress, result.times);
+  if (!clock.begin(Stage::kImprove)) return clock.cancelled();
+  const SeamlessSetup& setup = *mapped.solution.setup;
+  const Improvement run = improve(reducedMap(mesh, setup), setup.context->tree, mapped.solution.x,
+                                  {}, {}, options.progress);
+  if (run.outcome == DescentOutcome::kCancelled) return cancelled(Stage::kImprove);
+  MappedSolution even{mapped.solution, {}, {}};
+  even.solution.x = run.x;
+  even.map = layOut(mesh, even.solution);
+  even.certificate = certify(mesh, result.spec, even.map);
+  if (!even.certificate.isCertified) return Done{};
+  mapped = std::move(even);
+  result.notes.emplace_back(
+      "Areas of the map spanned more than double precision resolves: its distortion was lowered.");
+  return Done{};
+}
+
+Status alignSolution(const TriMesh& mesh, const ParametrizeOptions& options, MappedSolution& mapped,
+                     Parametrization& result) {
+  StageClock clock(options.progress, result.times);
+  if (!clock.begin(Stage::kAlign)) return clock.cancelled();
+  const SeamlessSetup& setup = *mapped.solution.setup;
+  double work = kBesidePrograms * mesh.faceCount();
+  for (const Round& round : result.rounds) work += round.work;
+  if (result.improvement) work += result.improvement->work;
+  Certificate certificate, secondChoice;
+  const auto accepts = [&](const UvMap& map) {
+    certificate = certify(mesh, result.spec, map);
+    if (!certificate.isCertified) return Acceptance::kRefused;
+    if (options.grid.mode == GridMode::kTile || !hasMultipleEdges(mesh, map, setup))
+      return Acceptance::kAccepted;
+    if (!secondChoice.isCertified) secondChoice = certificate;
+    return Acceptance::kSecondChoice;
+  };
+  AlignedMap aligned =
+      alignToGrid(mesh, mapped.map, setup.seams.q, setup.cones, options.grid, &setup.context->tree,
+                  options.progress, kAlignShare * work, accepts);
+  if (aligned.isCancelled) return cancelled(Stage::kAlign);
+  result.grid = std::move(aligned.report);
+  if (!aligned.map) return Done{};
+  mapped.solution.x = unknownsOf(mesh, setup, *aligned.map);
+  mapped.map = std::move(*aligned.map);
+  mapped.certificate = std::move(aligned.isSecondChoice ? secondChoice : certificate);
+  if (!options.improve) return Done{};
+  clock.end();
+  return improveOnGrid(mesh, options, aligned.workLeft, mapped, result);
+}
+
+UvMap layOut(const TriMesh& mesh, const Solution& solution) {
+  const SeamlessSetup& setup = *solution.setup;
+  if (solution.x.size() == 0) return layOut(mesh, setup, {});
+  const Eigen::VectorXcd z = setup.unknowns.copies * solution.x;
+  return layOut(mesh, setup, std::vector<Complex>(z.data(), z.data() + z.size()));
+}
+
+}  // namespace hgp

@@ -1,0 +1,193 @@
+#include "hgp/parametrize/strategy/loop.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <set>
+
+#include "hgp/base/counted.h"
+#include "hgp/parametrize/after/free_rotation.h"
+#include "hgp/parametrize/after/solution.h"
+#include "hgp/parametrize/seamless_setup.h"
+#include "hgp/parametrize/stage_clock.h"
+#include "hgp/parametrize/strategy/attempt.h"
+#include "hgp/parametrize/strategy/moves/moves.h"
+
+namespace hgp {
+namespace {
+
+Round describe(const Problem& problem, const State& state, const Attempt& attempt, double seconds) {
+  Round round;
+  round.method = nameOf(problem, state);
+  round.constrainedTriangles = static_cast<int>(attempt.frames.faces.size());
+  round.iterations = attempt.program.iterations;
+  round.solverStatus = socp::statusName(attempt.program.status);
+  round.flipped = attempt.certificate.orientation.zero + attempt.certificate.orientation.negative;
+  round.wrongAngles = static_cast<int>(attempt.certificate.angles.wrong.size());
+  for (const MeasuredTurning& t : attempt.certificate.angles.turnings)
+    round.wrongAngles += t.isWrong;
+  round.laplacianEnergy = attempt.program.laplacianEnergy;
+  round.work = attempt.program.work;
+  round.seconds = seconds;
+  return round;
+}
+
+/// Orders maps, to keep the best one: −1 when certified, then by the number of wrong triangles, vertices and loops.
+long long distanceToCertified(const Attempt& attempt) {
+  if (attempt.certificate.isCertified) return -1;
+  return attempt.certificate.isMeasured ? attempt.wrongCount : 1LL << 40;
+}
+
+/// A harmonic map of more mean μ than this is compared with the next map that is certified, and is kept unless its μ is
+/// larger by more than this factor.
+constexpr double kDistorted = 0.06;
+constexpr double kMuchLarger = 1.05;
+
+/// Orbifolds and flat tori have one harmonic map, to which soft constraints are no alternative.
+bool isDistorted(const Problem& problem, const State& state, const Attempt& attempt) {
+  const bool hasRival = state.weighting + 1 < problem.weightings.size() &&
+                        problem.weightings[state.weighting + 1].soft > 0.0;
+  return hasRival && problem.weightings[state.weighting].isHarmonic &&
+         attempt.certificate.isCertified && attempt.certificate.distortion.meanMu > kDistorted;
+}
+
+bool isBetter(const Attempt& attempt, const Attempt& best) {
+  if (attempt.certificate.isCertified && best.certificate.isCertified)
+    return kMuchLarger * attempt.certificate.distortion.meanMu < best.certificate.distortion.meanMu;
+  return distanceToCertified(attempt) < distanceToCertified(best);
+}
+
+void explain(const SeamlessSetup& setup, bool hasGivenFrames, const Attempt& best,
+             Parametrization& result) {
+  const double range = setup.field.scaleRange;
+  if (range > kHopelessScaleRange && !result.isCertified)
+    result.notes.push_back("These cones stretch the surface by e^" +
+                           std::to_string(static_cast<int>(range)) +
+                           " where angles are kept: double precision cannot resolve such areas. "
+                           "Add cones in the regions that shrink.");
+  else if (range > kHardScaleRange)
+    result.notes.push_back("These cones stretch the surface by e^" +
+                           std::to_string(static_cast<int>(range)) +
+                           "; expect strong area distortion. More cones lower it.");
+  if (!result.strained.empty()) {
+    const std::string frames = counted(best.frames.faces.size(), "constrained triangle");
+    const std::string where = counted(result.strained.size(), "of them is", "of them are");
+    const bool isProven = best.program.status == socp::SolveStatus::kInfeasible;
+    result.notes.push_back(
+        (isProven ? "The frames of the best program contradict each other, as a Farkas certificate "
+                    "shows to 8 digits: of "
+                  : "The best program found no map that turns all frames as asked: of ") +
+        frames + ", " + where + " strained most (see conflict).");
+  }
+  if (!result.isCertified && hasGivenFrames)
+    result.notes.push_back(
+        "The frames were those of the field file. Automatic frames have the same cones, turning "
+        "and handles but turn evenly: a map with them may be certified.");
+}
+
+using Clock = std::chrono::steady_clock;
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// The moves in order: local repairs first, then other frames, then everything again with another weighting.
+constexpr Move kMoves[] = {constrainHarmonic, harmonicByAngles, frameByMap,    widenPatch,
+                           solvePatch,        fixLifts,         frameByAngles, untangleNext,
+                           enlarge,           iterateFrames,    nextWeighting};
+
+/// The first move to a state that was not tried before.
+std::optional<State> firstMove(const Problem& problem, const State& state,
+                               const std::shared_ptr<const Attempt>& attempt,
+                               const std::set<std::uint64_t>& tried) {
+  for (const Move move : kMoves) {
+    std::optional<State> next = move(problem, state, attempt);
+    if (next && !tried.contains(hashOf(*next))) return next;
+  }
+  return {};
+}
+
+}  // namespace
+
+/// The loop [BCW17 §7]: solve and verify a state, keep the best map, take the first move that applies; until a map is
+/// certified, no move applies, or the work or the rounds are spent.
+/// @param isImpossible  asked once, after a first round without a map
+static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
+                                                    const ParametrizeOptions& options,
+                                                    const std::function<bool()>& isImpossible,
+                                                    std::vector<Round>& rounds) {
+  Attempts attempts(problem, options);
+  std::shared_ptr<const Attempt> best;
+  std::set<std::uint64_t> tried;
+  State state = firstState(problem);
+  double work = problem.largestWork;
+  for (int round = 1; round <= options.maxRounds; ++round) {
+    if (!report(options.progress, {Stage::kSolve, 0.0, -1, -1.0, round, options.maxRounds}))
+      return cancelled(Stage::kSolve);
+    const auto start = Clock::now();
+    tried.insert(hashOf(state));
+    const std::shared_ptr<const Attempt> attempt = attempts.make(state, round);
+    if (!attempt) return cancelled(Stage::kSolve);
+    rounds.push_back(describe(problem, state, *attempt, secondsSince(start)));
+    if (!best || isBetter(*attempt, *best)) best = attempt;
+    work -= workOf(rounds.back(), problem.mesh.faceCount());
+    const bool isOdd = isDistorted(problem, state, *attempt);
+    if ((attempt->certificate.isCertified && !isOdd) || work <= 0.0) break;
+    // Where no map on this mesh has the angles, the map of one round shows --refine which edges to split.
+    if (round == 1 && !attempt->certificate.isCertified && isImpossible()) break;
+    std::optional<State> next =
+        isOdd ? nextWeighting(problem, state, attempt) : firstMove(problem, state, attempt, tried);
+    if (!next) break;
+    state = std::move(*next);
+  }
+  if (!best) return Failure{ErrorCode::kUsage, "solve", "At least one round is needed.", {}};
+  return best;
+}
+
+Result<Parametrization> parametrizeInMetric(PreparedSurface& surface, const HolonomySpec& spec,
+                                            const ParametrizeOptions& options) {
+  const TriMesh& mesh = surface.mesh();
+  Parametrization result;
+  Result<SeamlessSetup> prepared = prepareSeamless(surface, spec, options, result.times);
+  if (!prepared) return std::move(prepared).error();
+  const auto setup = std::make_shared<const SeamlessSetup>(std::move(*prepared));
+  result.spec = setup->field.spec;
+  result.notes = setup->warnings;
+
+  const auto start = Clock::now();
+  const Problem problem = problemOf(mesh, setup, options);
+  const auto isImpossible = [&] {
+    std::optional<std::string> proof;
+    if (!setup->isTooCoarse) proof = proveImpossible(mesh, surface.topology(), spec);
+    if (proof) result.notes.push_back(std::move(*proof));
+    result.isImpossible = setup->isTooCoarse || proof;
+    return result.isImpossible;
+  };
+  Result<std::shared_ptr<const Attempt>> best =
+      solve(problem, options, isImpossible, result.rounds);
+  if (!best) return std::move(best).error();
+  result.times.push_back({Stage::kSolve, secondsSince(start)});
+  const Attempt& attempt = **best;
+  MappedSolution mapped{
+      {setup, attempt.program.x, attempt.u, attempt.frames}, attempt.map, attempt.certificate};
+  if (!options.frames) turnAsTheSurfaceLies(mesh, mapped);
+  const bool isOnlyTooFine = !mapped.certificate.isCertified && attempt.wrongCount == 0;
+  if (isOnlyTooFine && options.method == Method::kAuto)
+    if (Status done = evenOut(mesh, options, mapped, result); !done) return std::move(done).error();
+  if (mapped.certificate.isCertified && options.improve)
+    if (Status done = improveSolution(mesh, options, mapped, result); !done)
+      return std::move(done).error();
+  if (mapped.certificate.isCertified && options.grid.isAsked())
+    if (Status done = alignSolution(mesh, options, mapped, result); !done)
+      return std::move(done).error();
+  result.map = std::move(mapped.map);
+  result.certificate = std::move(mapped.certificate);
+  if (!result.certificate.isCertified) result.strained = attempt.program.strained;
+  result.copyOf = setup->cut.parent.raw();
+  result.isCertified = result.certificate.isCertified;
+  result.isUsable = result.certificate.isUsable;
+  explain(*setup, options.frames.has_value(), attempt, result);
+  return result;
+}
+
+}  // namespace hgp

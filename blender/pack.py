@@ -27,9 +27,8 @@ def members(package: pathlib.Path) -> "list[tuple[str, bytes]]":
             numbers = ", ".join(backend["version"]().split("."))
             text = re.sub(r'("version": )\([\d, ]+\)', rf"\1({numbers})", text)
         found.append((f"hgp_uv/{path.name}", text.encode()))
-    for name in ("LICENSE", "THIRD_PARTY_NOTICES.md"):
+    for name in backend["LEGAL"]:
         found.append((f"hgp_uv/{name}", (ROOT / name).read_bytes()))
-    found += [(f"hgp_uv/{name}", data) for name, data in backend["texts"](package)]
     for path in sorted(package.iterdir()) if package.is_dir() else []:
         if path.suffix not in (".py", ".so", ".pyd", ".typed"):
             continue

@@ -44,10 +44,8 @@ write_basic_package_version_file("${PROJECT_BINARY_DIR}/hgpConfigVersion.cmake"
   COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/hgpConfig.cmake" "${PROJECT_BINARY_DIR}/hgpConfigVersion.cmake"
   cmake/HgpThirdParty.cmake DESTINATION ${HGP_PACKAGE_DIR})
-install(FILES LICENSE THIRD_PARTY_NOTICES.md README.md CHANGELOG.md
+install(FILES LICENSE THIRD_PARTY_NOTICES.md THIRD_PARTY_LICENSES.txt README.md CHANGELOG.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
-# Written by packaging/release.py.
-install(FILES "${PROJECT_BINARY_DIR}/THIRD_PARTY_LICENSES.txt" DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)
 
 # pkg-config: the libraries of the modules, dependents first.
 get_property(targets GLOBAL PROPERTY HGP_MODULE_TARGETS)

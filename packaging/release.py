@@ -114,10 +114,9 @@ def main() -> None:
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
     source(out)
-    # Goes into every archive.
-    for folder in (BUILD, ROOT / "build/wasm-release"):
-        folder.mkdir(parents=True, exist_ok=True)
-        (folder / "THIRD_PARTY_LICENSES.txt").write_text(third_party.licences(), encoding="utf-8")
+    for file, content in third_party.made():
+        if file.read_text(encoding="utf-8") != content:
+            sys.exit(f"release: {file.name} is out of date: python3 packaging/third_party.py --write")
     if {"deb", "wheel", "addon"} - left_out:
         configure()
     for name, make in makers.items():
@@ -126,7 +125,7 @@ def main() -> None:
     made: List[pathlib.Path] = sorted(out.iterdir())
     history = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
     (out / "NOTES.md").write_text(f"# hgp {VERSION}\n\n{notes(history, VERSION)}", encoding="utf-8")
-    (out / "THIRD_PARTY_LICENSES.txt").write_text(third_party.licences(), encoding="utf-8")
+    shutil.copy(third_party.LICENCES, out)
     bill = third_party.bill(VERSION, moment, made)
     (out / f"hgp-{VERSION}.spdx.json").write_text(json.dumps(bill, indent=2) + "\n", encoding="utf-8")
     sums = "".join(f"{hashlib.sha256(file.read_bytes()).hexdigest()}  {file.name}\n" for file in sorted(out.iterdir()))

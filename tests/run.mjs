@@ -104,7 +104,7 @@ const packageTests = (log) =>
     () => [
       contentOf(program),
       contentOf('build/package'),
-      treeContent(isOf(/^(wasm|docs|examples|tests\/(wasm|support|gltf|cli))\/|^[^/]*$/)),
+      treeContent(isOf(/^(wasm|docs|examples|packaging|tests\/(wasm|support|gltf|cli))\/|^[^/]*$/)),
       listingOf(data),
     ],
   );
@@ -145,13 +145,15 @@ const compileFiles = (log) =>
   ]);
 
 const python = '/usr/bin/python3';
+const inPython =
+  /^(python|blender|packaging|\.github|docs|examples|tests\/(python|support))\/|^[^/]*$/;
 
 /** Tests of the Python package, and of its page in the documentation. */
 async function pythonTests(log) {
   const inputs = () => [
     contentOf(program),
     contentOf('build/native-release/python/hgp'),
-    treeContent((name) => /^(python|docs|examples|tests\/(python|support))\/|^[^/]*$/.test(name)),
+    treeContent((name) => inPython.test(name)),
   ];
   const key = kept.key('python', ...inputs());
   const found = kept.find(key);

@@ -2,15 +2,7 @@
 // the schemas, the decoders and, if CLI_DIR is given, the command line. Previous contents of OUT are removed.
 
 import { execFileSync } from 'node:child_process';
-import {
-  copyFileSync,
-  cpSync,
-  existsSync,
-  mkdirSync,
-  readFileSync,
-  rmSync,
-  writeFileSync,
-} from 'node:fs';
+import { copyFileSync, cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { packDecoders } from './decoders.mjs';
 
@@ -43,12 +35,9 @@ const compiler = path.join(root, 'node_modules/typescript/bin/tsc');
 const options = ['-p', path.join(root, 'wasm'), '--noEmit', 'false', '--outDir', out];
 execFileSync(process.execPath, [compiler, ...options], { stdio: 'inherit' });
 cpSync(path.join(root, 'docs/schema'), path.join(out, 'schema'), { recursive: true });
-for (const name of ['LICENSE', 'THIRD_PARTY_NOTICES.md']) {
+for (const name of ['LICENSE', 'THIRD_PARTY_NOTICES.md', 'THIRD_PARTY_LICENSES.txt']) {
   copyFileSync(path.join(root, name), path.join(out, name));
 }
-// Written by packaging/release.py.
-const licences = path.join(moduleDir, '../THIRD_PARTY_LICENSES.txt');
-if (existsSync(licences)) copyFileSync(licences, path.join(out, path.basename(licences)));
 packDecoders(path.join(root, 'node_modules'), path.join(out, 'decoders'));
 const glue = readFileSync(path.join(moduleDir, 'module.js'), 'utf8');
 writeFileSync(path.join(out, 'module.js'), withoutProcess(withoutBinaryName(glue)));
@@ -63,6 +52,7 @@ function packProgram() {
     return;
   }
   const { bin, ...others } = JSON.parse(readFileSync(path.join(out, 'package.json'), 'utf8'));
+  others.files = others.files.filter((name) => name !== 'cli');
   for (const file of Object.values(bin))
     for (const name of [file, file.replace(/js$/, 'd.ts')]) rmSync(path.join(out, name));
   writeFileSync(path.join(out, 'package.json'), `${JSON.stringify(others, null, 2)}\n`);

@@ -5,6 +5,7 @@ import { examples } from './examples.mjs';
 import { firstScreen } from './first_screen.mjs';
 import { guidePage } from './guide.mjs';
 import { heroModel } from './hero.mjs';
+import { licences } from './licences.mjs';
 import { serviceWorker } from './offline.mjs';
 import { hashed, headers } from './serve.mjs';
 
@@ -89,7 +90,7 @@ function offline(): Plugin {
 export default defineConfig({
   root: import.meta.dirname,
   base: './', // any path on any static host
-  plugins: [exampleModels(), guide(), offline()],
+  plugins: [exampleModels(), guide(), licences({ isPage: true }), offline()],
   resolve: {
     alias: [
       { find: /^hgp$/, replacement: path.join(built, 'index.js') },
@@ -104,5 +105,5 @@ export default defineConfig({
     modulePreload: { polyfill: false },
     chunkSizeWarningLimit: 1200,
   },
-  worker: { format: 'es' },
+  worker: { format: 'es', plugins: () => [licences({ isPage: false })] },
 });

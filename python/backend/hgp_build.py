@@ -120,10 +120,7 @@ def shared_libraries(module: pathlib.Path) -> List[pathlib.Path]:
     ]
 
 
-def texts(package: pathlib.Path) -> List[Tuple[str, bytes]]:
-    """The licences of what is linked, if packaging/release.py has written them into the build folder."""
-    written = package.parents[1] / "THIRD_PARTY_LICENSES.txt"
-    return [(written.name, written.read_bytes())] if written.exists() else []
+LEGAL = ("LICENSE", "THIRD_PARTY_NOTICES.md", "THIRD_PARTY_LICENSES.txt")
 
 
 def members(settings: Settings) -> List[Tuple[str, bytes]]:
@@ -132,7 +129,7 @@ def members(settings: Settings) -> List[Tuple[str, bytes]]:
     found = [(f"hgp/{path.name}", path.read_bytes()) for path in files]
     for module in (path for path in files if path.suffix in (".so", ".pyd")):
         found += [(f"hgp/{path.name}", path.read_bytes()) for path in shared_libraries(module)]
-    return found + [(f"{info_folder()}/{name}", data) for name, data in texts(package)]
+    return found
 
 
 def info_folder() -> str:
@@ -143,7 +140,7 @@ def info_files(name: str) -> List[Tuple[str, bytes]]:
     about = f"Wheel-Version: 1.0\nGenerator: hgp_build\nRoot-Is-Purelib: false\nTag: {name}\n"
     texts = {"METADATA": metadata(), "WHEEL": about, "entry_points.txt": scripts()}
     found = [(f"{info_folder()}/{key}", text.encode()) for key, text in texts.items()]
-    for licence in ("LICENSE", "THIRD_PARTY_NOTICES.md"):
+    for licence in LEGAL:
         found.append((f"{info_folder()}/{licence}", (ROOT / licence).read_bytes()))
     return found
 

@@ -44,7 +44,7 @@ def test_a_wheel_is_complete_and_reproducible(backend: Any, tmp_path: Any) -> No
                 actual = base64.urlsafe_b64encode(hashlib.sha256(archive.read(path)).digest()).rstrip(b"=").decode()
                 assert digest == f"sha256={actual}", path
         # The files that other languages' package managers would call licences.
-        assert {f"{info}/LICENSE", f"{info}/THIRD_PARTY_NOTICES.md"} <= names
+        assert {f"{info}/{name}" for name in backend.LEGAL} <= names
         # Everything that the module needs from outside the C and C++ runtime travels along.
         assert any(name.startswith("hgp/libdraco.so") for name in names)
         assert {path.name for path in (ROOT / "python/hgp").iterdir() if path.is_file()} <= {

@@ -19,10 +19,7 @@ test('the packed files are those that package.json and its exports name', () => 
   const named = Object.values(exports).flatMap((entry) =>
     typeof entry === 'string' ? [entry] : Object.values(entry),
   );
-  // The command line is part of the package that is published, build/package-with-cli.
-  const optional = ['cli', 'THIRD_PARTY_LICENSES.txt'];
-  const isHere = (name) => !name.includes('*') && !optional.includes(name);
-  for (const file of [...files, ...named].filter(isHere)) {
+  for (const file of [...files, ...named].filter((name) => !name.includes('*'))) {
     assert.ok(existsSync(path.join(installed, file)), file);
   }
   assert.deepEqual(

@@ -136,6 +136,9 @@ function help(app: App): TemplateResult {
         ${actionButton(app, 'palette', { domId: 'help-palette', className: 'small' })}
       </p>
       <p><a href="./guide.html">Guide: cones, certificate, Blender, three.js, quads</a></p>
+      <p>
+        <a href="./THIRD_PARTY_LICENSES.txt">Works of others in this page, and their licences</a>
+      </p>
       <p class="row end">
         <button type="button" class="primary" autofocus @click=${close}>Close</button>
       </p>`,

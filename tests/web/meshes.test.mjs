@@ -155,6 +155,52 @@ test('a model is shown at once with its own materials and node transforms', asyn
   await page.locator('#wipe').fill('0');
 });
 
+test('a scene is shown whole: a click on a quiet mesh opens it, and meshes with maps keep their pattern', async () => {
+  const { page } = it;
+  const { json, bin } = toGltf([cubeMesh(4), torusMesh(16, 8)]);
+  // Beside each other as the camera sees them, and the cube once more.
+  json.nodes[0].translation = [-4, 0, 2.6];
+  json.nodes.push({ mesh: 0, translation: [4, 0, -2.6] });
+  json.scenes[0].nodes.push(2);
+  await openFiles(it, { 'scene.gltf': JSON.stringify(json), 'cube.bin': bin });
+  await settled(page);
+  const thirds = async (isSo) => {
+    const { data, width } = await pixels(page, '#view');
+    const found = [0, 0, 0];
+    for (let i = 0; i < data.length; i += 4) {
+      const third = Math.floor((3 * ((i / 4) % width)) / width);
+      found[third] += isSo(...data.subarray(i, i + 4)) ? 1 : 0;
+    }
+    return found;
+  };
+  const isDark = (r, g, b) => r + g + b < 640; // the stage is nearly white
+  assert.ok(
+    (await thirds(isDark)).every((n) => n > 100),
+    `${await thirds(isDark)}`,
+  );
+  assert.equal(await page.getAttribute('[data-mesh="1"]', 'aria-current'), 'true');
+  const box = await page.locator('#view').boundingBox();
+  const at = [box.x + 0.2 * box.width, box.y + 0.5 * box.height];
+  await page.mouse.move(...at);
+  await page.waitForFunction(() =>
+    /mesh 0: click/.test(document.querySelector('.hover').innerText),
+  );
+  await page.mouse.click(...at);
+  await page.waitForSelector('[data-mesh="0"][aria-current="true"]');
+  await state(page, 'ready');
+  await page.click('.mesh-strip #run');
+  await state(page, 'certified');
+  await settled(page);
+  // The other instance of the cube has the pattern as well; the torus has none.
+  const isAmber = (r, g, b) => r > b + 60;
+  const [left, middle, right] = await thirds(isAmber);
+  assert.ok(left > 100 && right > 100 && middle < 0.2 * right, `${[left, middle, right]}`);
+  await page.click('[data-mesh="1"]');
+  await state(page, 'ready');
+  await settled(page);
+  assert.ok((await thirds(isAmber))[0] > 100);
+});
+
 test('a glTF with data: URIs is shown with its own materials', async () => {
   const { page } = it;
   const { json, bin } = toGltf([cubeMesh(3)], { image: 'leaf.png' });

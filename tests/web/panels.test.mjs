@@ -100,7 +100,7 @@ test('handle loops have rows, steppers and colours on the surface', async () => 
   const isRed = (r, g, b) => r > 200 && g < 130 && b < 90;
   const isTeal = (r, g, b) => g > 120 && r < 80 && b > 100;
   await page.locator('[data-handle="0"] button.link').click();
-  await page.click('[aria-label="Frame all"]');
+  await page.click('[aria-label="Frame the model"]');
   await settled(page);
   const seen = await pixels(page, '#view', 'handles');
   assert.ok(share(seen, isRed) + share(seen, isTeal) > 0.001);

@@ -102,13 +102,21 @@ test('a mesh is placed by all nodes above it, a skinned mesh by its joints', asy
       { mesh: 3 },
       { mesh: 5, skin: 0, translation: [9, 9, 9] },
       { translation: [0, 5, 0] },
+      { mesh: 3, translation: [7, 0, 0] },
+      { mesh: 3, scale: [0, 0, 0] },
     ],
   };
   const found = await instancesOf(new Map([['x.gltf', gltf(json)]]), 'x.gltf');
   assert.deepEqual(found[0].matrix.slice(12, 15), [2, 4, -6]);
   assert.equal(found.length, 3);
   assert.equal(found[0].isMirrored, true);
-  assert.deepEqual([found[1].count, found[1].isMirrored], [1, false]);
+  assert.deepEqual([found[1].count, found[1].isMirrored], [3, false]);
+  // Each node that shows anything is an instance, the first of them the one that is edited.
+  assert.deepEqual(
+    found[1].matrices.map((matrix) => matrix[12]),
+    [0, 7],
+  );
+  assert.equal(found[1].matrix, found[1].matrices[0]);
   assert.deepEqual(found[2].matrix.slice(12, 15), [0, 5, 0]);
 });
 

@@ -1,14 +1,15 @@
 // Loads a set of files as a surface: reads, welds and repairs it, and takes the cones that come
 // with it.
 
-import type { Model as SolverModel, ModelInfo } from 'hgp';
+import type { Model as SolverModel, ModelInfo, Surface as SurfaceArrays } from 'hgp';
 import { ignoredBytes } from '../formats/gzip';
-import { instancesOf, remarksOn } from '../formats/mesh_instances';
+import { instancesOf, remarksOn, type MeshInstances } from '../formats/mesh_instances';
 import { loadOptionsOf, plainSettings, type MeshWork } from '../model/document';
 import { emptyPrescription, fromCones, isSilent, type Prescription } from '../model/prescription';
 import { identity } from '../model/matrix';
 import { canRepair } from '../model/repairs';
 import { describeTransfer, transferPrescription } from '../model/transfer_cones';
+import type { ScenePart } from '../model/scene';
 import type { LoadSettings, Model, Step } from '../model/types';
 import { restorable, saveCones } from '../services/cone_storage';
 import { describeError, withoutCliAdvice } from '../text/error_messages';
@@ -17,7 +18,6 @@ import { bytesOfAll, megabytes, plural } from '../text/format';
 import { solverOf, type App } from './app';
 import { setPrescription } from './edit_cones';
 import { surveyMeshes } from './inspect_meshes';
-import { takeThumbnail } from './thumbnails';
 import { isLocked, runJob, type JobCall } from './job';
 
 type Source = Pick<Model, 'main' | 'files'>;
@@ -48,6 +48,48 @@ async function loading(
   return (await runJob(app, options, work)) === 'done';
 }
 
+/** The meshes of the files, and those of them that are drawn beside the open one. */
+interface Seen {
+  best: number;
+  parts: ScenePart[];
+}
+
+/** Reads every mesh, for the strip and the scene. */
+async function lookAround(
+  app: App,
+  info: ModelInfo,
+  instances: MeshInstances[] | undefined,
+  read: (surface: number) => Promise<SolverModel>,
+  call: JobCall,
+): Promise<Seen> {
+  const parts: ScenePart[] = [];
+  const look = async (index: number): Promise<ModelInfo> => {
+    const seen = await read(index);
+    const arrays = await seen.surface(call);
+    void seen.dispose();
+    parts.push(await partOf(app, index, arrays, instances?.[index]));
+    return seen.info;
+  };
+  const { summaries, best } = await surveyMeshes(info, instances, look);
+  call.signal.throwIfAborted();
+  app.doc.summaries = summaries;
+  return { best, parts };
+}
+
+/** A mesh as it is drawn beside others. */
+async function partOf(
+  { doc, geometry }: App,
+  mesh: number,
+  { positions, triangles, repaired }: SurfaceArrays,
+  instances: MeshInstances | undefined,
+): Promise<ScenePart> {
+  const to = instances?.matrix ?? identity;
+  const arrays = { positions, triangles, repaired };
+  const { picture, shape } = await geometry.call('part', [arrays, to], [positions, triangles]);
+  doc.thumbnails = new Map(doc.thumbnails).set(mesh, picture);
+  return { mesh, ...shape, matrices: instances?.matrices ?? [identity] };
+}
+
 /** Reads one mesh of the files with the given settings, and opens it. */
 async function readMesh(
   app: App,
@@ -62,25 +104,14 @@ async function readMesh(
     client.load({ main, files }, { name: main, surface, ...loadOptionsOf(settings) }, call);
   let solver = await read(surfaceIndex);
   const instances = await instancesOf(files, main);
+  let parts: ScenePart[] | undefined;
   if (surfaceIndex === undefined && solver.info.surfaces.length > 1) {
-    const look = async (index: number): Promise<ModelInfo> => {
-      const seen = await read(index);
-      const { positions, triangles } = await seen.surface(call);
-      void seen.dispose();
-      const to = instances?.[index]?.matrix ?? identity;
-      const made = geometry.call(
-        'thumbnailOf',
-        [{ positions, triangles }, to],
-        [positions, triangles],
-      );
-      takeThumbnail(app, index, made);
-      return seen.info;
-    };
-    const { summaries, best } = await surveyMeshes(solver.info, instances, look);
-    call.signal.throwIfAborted();
-    doc.summaries = summaries;
+    const seen = await lookAround(app, solver.info, instances, read, call);
+    ({ parts } = seen);
     void solver.dispose();
-    solver = await read(best);
+    solver = await read(seen.best);
+  } else if (surfaceIndex === undefined && (instances?.[0]?.matrices.length ?? 0) > 1) {
+    parts = [await partOf(app, 0, await solver.surface(call), instances?.[0])];
   }
   const { info } = solver;
   if (info.triangles > mostTriangles) throw new Error(tooMany(main, info.triangles));
@@ -93,6 +124,7 @@ async function readMesh(
   const remarks = remarksOn(info, instances?.[info.surface]);
   if (ignored > 0) remarks.unshift(`Ignored: ${plural(ignored, 'byte')} after the gzip data.`);
   const model = { main, files, solver, info, surface, loaded: settings, remarks, matrix };
+  if (surfaceIndex === undefined) doc.parts = parts ?? [];
   doc.state = { kind: 'open', model };
   doc.selected = -1;
   const problem = withoutCliAdvice(info.error?.message);

@@ -231,7 +231,7 @@ const viewActions = {
       doc.say('Place: click or tap the surface; with keys, arrows and Enter in the 3D view.');
     },
   },
-  frame: { label: 'Frame all', group: 'View', keys: ['F'], icon: 'frame', run: frame },
+  frame: { label: 'Frame the model', group: 'View', keys: ['F'], icon: 'frame', run: frame },
   'reset-camera': {
     label: 'Reset the camera',
     group: 'View',

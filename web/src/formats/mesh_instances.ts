@@ -11,6 +11,8 @@ export interface MeshInstances {
   isMirrored: boolean;
   /** Matrix of the first node, by columns. */
   matrix: Matrix;
+  /** Of every node, the first included; without the copies of EXT_mesh_gpu_instancing. */
+  matrices: Matrix[];
 }
 
 const numbersIn = (value: unknown): number[] | undefined =>
@@ -67,7 +69,7 @@ export async function instancesOf(
     nodes.flatMap(({ children }, i) => (numbersIn(children) ?? []).map((c) => [c, i])),
   );
   const meshes = objectsIn(json.meshes).map((): MeshInstances => ({
-    ...{ count: 0, isMirrored: false, matrix: identity },
+    ...{ count: 0, isMirrored: false, matrix: identity, matrices: [] },
   }));
   nodes.forEach((node, i) => {
     const mesh = typeof node.mesh === 'number' ? meshes[node.mesh] : undefined;
@@ -76,8 +78,9 @@ export async function instancesOf(
     const world = (n: number): Matrix => worldMatrix(nodes, parents, n);
     const own = world(i);
     const isFinite = own.every(Number.isFinite) && determinant(own) !== 0;
-    if (mesh.matrix === identity && isFinite) {
-      mesh.matrix = skinMatrix(json, node, world) ?? own;
+    if (isFinite) {
+      mesh.matrices.push(skinMatrix(json, node, world) ?? own);
+      mesh.matrix = mesh.matrices[0];
     }
     mesh.isMirrored ||= determinant(own) < 0;
   });

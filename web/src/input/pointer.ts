@@ -2,6 +2,7 @@
 
 import { attempt, type App } from '../actions/app';
 import { coneToPlace, moveCone, placeOrSelect, select } from '../actions/edit_cones';
+import { switchMesh } from '../actions/load';
 import { undo } from '../actions/undo';
 import { clearHighlight } from '../actions/view';
 import { isAligned } from '../model/grid';
@@ -143,6 +144,7 @@ export class Pointer {
     this.#forget();
     if (!down || down.isDrag || down.view !== view) return;
     if (down.cone >= 0) return select(this.#app, down.cone);
+    if (this.#chooseMesh(view, event)) return;
     if (this.#app.ui.tool !== 'place') {
       if (this.#app.doc.selected >= 0) select(this.#app, -1);
       return;
@@ -150,6 +152,28 @@ export class Pointer {
     // In a large triangle no vertex is near the pointer; the nearest of the three is taken.
     const hit = view.pick(event);
     if (hit) this.#placeAt(hit);
+  }
+
+  /** A click on another mesh of the file opens it. */
+  #chooseMesh(view: View, event: PointerEvent): boolean {
+    const mesh = view === this.#model && !this.#app.doc.isBusy ? this.#model.pickPart(event) : -1;
+    if (mesh < 0 || mesh === this.#app.doc.model?.info.surface) return false;
+    this.#leave();
+    void attempt(this.#app, () => switchMesh(this.#app, mesh));
+    return true;
+  }
+
+  /** Shows which mesh a click would open; whether there is one. */
+  #pointAtMesh(view: View, event: PointerEvent): boolean {
+    const { doc, ui } = this.#app;
+    const mesh = view === this.#model ? this.#model.pickPart(event) : -1;
+    const isOther = mesh >= 0 && mesh !== doc.model?.info.surface;
+    this.#model.pointAt(isOther ? mesh : -1);
+    if (!isOther) return false;
+    this.#leave();
+    this.#model.pointAt(mesh);
+    ui.hover = `${doc.model?.info.surfaces[mesh]?.name || `Mesh ${mesh}`}: click to work on it`;
+    return true;
   }
 
   /** Returns the cone that is being dragged to its original vertex. */
@@ -171,6 +195,7 @@ export class Pointer {
 
   #leave(): void {
     const { ui } = this.#app;
+    this.#model.pointAt(-1);
     if (ui.hover === '') return;
     ui.hover = '';
     clearHighlight(this.#app);
@@ -187,6 +212,7 @@ export class Pointer {
     const { doc, ui } = this.#app;
     const surface = this.#surface;
     if (!surface || doc.isBusy) return;
+    if (this.#pointAtMesh(view, event)) return;
     const hit = view.pick(event);
     if (!hit) return this.#leave();
     const seam = this.#seamOf(hit);

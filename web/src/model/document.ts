@@ -7,6 +7,7 @@ import { sameGrid } from './grid';
 import { History } from './history';
 import { emptyPrescription, isSilent, samePrescription, type Prescription } from './prescription';
 import { storeOf } from './store';
+import type { ScenePart } from './scene';
 import type {
   Files,
   GridSettings,
@@ -59,6 +60,8 @@ interface Fields {
   meshes: ReadonlyMap<number, MeshWork>;
   /** Thumbnails of the meshes that have one. */
   thumbnails: ReadonlyMap<number, Uint8ClampedArray>;
+  /** The meshes of the file as they are drawn beside the open one: of several meshes, or of one that is used often. */
+  parts: readonly ScenePart[];
   /** Summaries of the meshes of the file, as far as known. */
   summaries: readonly MeshSummary[];
   solve: SolveSettings;
@@ -117,6 +120,7 @@ export class Document extends storeOf<Fields>() {
       solutions: [],
       meshes: new Map(),
       thumbnails: new Map(),
+      parts: [],
       summaries: [],
       solve: { rounds: 12, frames: 'auto', grid: plainGrid },
       field: undefined,
@@ -255,6 +259,7 @@ export class Document extends storeOf<Fields>() {
     this.previous = isWorth ? { model, prescription } : undefined;
     this.state = { kind: 'empty' };
     this.meshes = new Map();
+    this.parts = [];
     this.summaries = [];
     this.thumbnails = new Map();
     this.isUnsaved = false;

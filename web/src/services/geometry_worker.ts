@@ -5,6 +5,7 @@ import { zipSync } from 'fflate';
 import { BufferAttribute, BufferGeometry } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
 import { isGltf } from '../formats/glb';
+import type { SerializedBvh } from '../model/scene';
 import type { Analysis, OutputFile, Surface } from '../model/types';
 import { isMeshoptUsed, type MeshoptDecoder } from '../formats/read_uv';
 import { analyse, compareWithFile, urisOf, type FaceValues } from './geometry/analyse';
@@ -13,13 +14,8 @@ import { flatCrosses, surfaceCrosses } from './geometry/cross_lines';
 import { loopSegments } from './geometry/handle_loops';
 import { overlayColours } from './geometry/overlay_colours';
 import { poissonSamples, spacingOf, type Sample } from './geometry/poisson_samples';
-import {
-  buffersIn,
-  type GeometryCalls,
-  type GeometryMessage,
-  type SerializedBvh,
-} from './geometry/protocol';
-import { locatedSurface, movedBy, placed } from './geometry/placed_surface';
+import { buffersIn, type GeometryCalls, type GeometryMessage } from './geometry/protocol';
+import { locatedSurface, movedBy, normalsOf, placed } from './geometry/placed_surface';
 import { drawThumbnail } from './geometry/thumbnail';
 
 interface KnownMap {
@@ -149,8 +145,13 @@ const calls: GeometryCalls = {
     const cornerUv = map === undefined ? undefined : maps.get(map)?.cornerUv;
     return drawThumbnail({ cornerPositions, cornerUv, tiles });
   },
-  thumbnailOf({ positions, triangles }, matrix) {
-    return drawThumbnail({ cornerPositions: cornersOf(movedBy(matrix, positions), triangles) });
+  part(arrays, matrix) {
+    const { positions, triangles } = arrays;
+    const seen = cornersOf(movedBy(matrix, positions), triangles);
+    const cornerPositions = cornersOf(positions, triangles);
+    const cornerNormals = packedNormals(normalsOf(arrays), triangles);
+    const shape = { cornerPositions, cornerNormals, tree: bvhOf(cornerPositions) };
+    return { picture: drawThumbnail({ cornerPositions: seen }), shape };
   },
   loopSegments: (id, loops) => loops.map((loop) => loopSegments(surfaceOf(id), loop)),
   surfaceBvh: (id) => bvhOf(surfaceOf(id).cornerPositions),

@@ -12,12 +12,21 @@ const startFrom = new Vector3(0.5, 0.38, 0.78).normalize();
 const margin = 1.16; // of the distance at which the model touches the edges: tools cover them
 const mostPoints = 20_000; // of the model that framing looks at
 
+/** What can be framed: a bounding sphere, and the coordinates of points. */
+export interface Shape {
+  center: Vector3;
+  radius: number;
+  places: ArrayLike<number>;
+}
+
 export class Orbit {
   readonly controls: OrbitControls;
   readonly #camera: PerspectiveCamera;
-  #radius = 1;
-  #center = new Vector3();
-  #places: ArrayLike<number> = [];
+  /** All that is drawn, and the part of it on which the user works. */
+  #whole: Shape = { center: new Vector3(), radius: 1, places: [] };
+  #part = this.#whole;
+  /** Which of them is shown as large as it fits. */
+  #framed = this.#whole;
   #isTouched = false;
 
   constructor(camera: PerspectiveCamera, canvas: HTMLCanvasElement, onChange: () => void) {
@@ -25,33 +34,47 @@ export class Orbit {
     this.controls = new OrbitControls(camera, canvas);
     this.controls.enableDamping = false;
     this.controls.zoomToCursor = true;
+    let isHeld = false;
     this.controls.addEventListener('change', () => {
+      this.#isTouched ||= isHeld; // a click alone moves nothing
       this.#setDepth();
       onChange();
     });
-    this.controls.addEventListener('start', () => (this.#isTouched = true));
+    this.controls.addEventListener('start', () => (isHeld = true));
+    this.controls.addEventListener('end', () => (isHeld = false));
   }
 
-  /** Shows a model, given by a bounding sphere and the coordinates of its points, as large as it fits. */
-  frame(center: Vector3, radius: number, places: ArrayLike<number>): void {
-    this.#center = center.clone();
-    this.#radius = radius || 1;
-    this.#places = places;
+  /** Shows a model as large as it fits. */
+  frame(whole: Shape, part = whole): void {
+    this.#whole = this.#framed = { ...whole, radius: whole.radius || 1 };
+    this.#part = part;
     this.#isTouched = false;
     this.#place(startFrom);
   }
 
+  /** Another part of the same model: the camera stays. */
+  workOn(part: Shape): void {
+    this.#part = part;
+  }
+
   /** Fits the model again after the view's shape has changed, unless the user has moved the camera. */
   reshaped(): void {
-    if (!this.#isTouched) this.fit();
+    if (!this.#isTouched) this.#place(this.#direction);
   }
 
   reset(): void {
+    this.#framed = this.#whole;
     this.#place(startFrom);
   }
 
+  /** The part on which the user works, from where the camera is. */
   fit(): void {
-    this.#place(this.#camera.position.clone().sub(this.controls.target).normalize());
+    this.#framed = this.#part;
+    this.#place(this.#direction);
+  }
+
+  get #direction(): Vector3 {
+    return this.#camera.position.clone().sub(this.controls.target).normalize();
   }
 
   #place(direction: Vector3): void {
@@ -68,16 +91,17 @@ export class Orbit {
     const up = direction.clone().cross(right);
     const high = Math.tan(MathUtils.degToRad(this.#camera.fov / 2));
     const wide = high * this.#camera.aspect;
-    const target = this.#center.clone();
+    const { center, radius, places } = this.#framed;
+    const target = center.clone();
     const point = new Vector3();
-    const step = 3 * Math.max(1, Math.ceil(this.#places.length / 3 / mostPoints));
-    let distance = (this.#radius * margin) / Math.sin(Math.atan(Math.min(high, wide)));
+    const step = 3 * Math.max(1, Math.ceil(places.length / 3 / mostPoints));
+    let distance = (radius * margin) / Math.sin(Math.atan(Math.min(high, wide)));
     // The picture is centred for one distance, and the distance found for that centre, in turn.
-    for (let round = 0; round < 3 && this.#places.length > 0; round++) {
+    for (let round = 0; round < 3 && places.length > 0; round++) {
       const [low, far] = [new Vector3(Infinity, Infinity), new Vector3(-Infinity, -Infinity)];
       let nearest = 0;
-      for (let i = 0; i < this.#places.length; i += step) {
-        point.set(this.#places[i], this.#places[i + 1], this.#places[i + 2]).sub(target);
+      for (let i = 0; i < places.length; i += step) {
+        point.set(places[i], places[i + 1], places[i + 2]).sub(target);
         const [x, y, z] = [point.dot(right), point.dot(up), point.dot(direction)];
         if (!Number.isFinite(x + y + z)) continue;
         nearest = Math.max(nearest, z + Math.abs(x) / wide, z + Math.abs(y) / high);
@@ -95,8 +119,8 @@ export class Orbit {
 
   #setDepth(): void {
     const distance = this.#camera.position.distanceTo(this.controls.target);
-    this.#camera.near = Math.max(this.#radius / 200, distance - this.#radius * 40);
-    this.#camera.far = distance + this.#radius * 40;
+    this.#camera.near = Math.max(this.#whole.radius / 200, distance - this.#whole.radius * 40);
+    this.#camera.far = distance + this.#whole.radius * 40;
     this.#camera.updateProjectionMatrix();
   }
 

@@ -3,8 +3,8 @@
 
 import { BufferAttribute, BufferGeometry, Sphere, Vector3 } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
+import type { SerializedBvh } from '../model/scene';
 import type { Solution, Surface } from '../model/types';
-import type { SerializedBvh } from '../services/geometry/protocol';
 
 /** `same`: a geometry of the same surface, whose positions are reused. */
 export function surfaceGeometry(

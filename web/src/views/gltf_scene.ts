@@ -1,8 +1,9 @@
-// The model with its own materials, read by three.js from a glTF: one mesh, placed by its first
-// node. This module is loaded only for a glTF. The 3D view lights it.
+// The model with its own materials, read by three.js from a glTF: its meshes, each placed by its
+// nodes. This module is loaded only for a glTF. The 3D view lights it.
 
 import {
   type BufferGeometry,
+  Color,
   Group,
   LoadingManager,
   type Material,
@@ -19,10 +20,26 @@ interface Source {
   /** The main file first. */
   written: OutputFile[];
   files: Files;
+  meshes: readonly PlacedMesh[];
+}
+
+interface PlacedMesh {
   /** Index among the meshes with triangles. */
   mesh: number;
-  /** The matrix that places the mesh, by columns. */
-  matrix: readonly number[];
+  /** What places its instances, by columns. */
+  matrices: readonly (readonly number[])[];
+}
+
+/** The instances of each mesh; those of one that could not be read are missing. */
+export interface OwnScene {
+  group: Group;
+  instances: ReadonlyMap<number, readonly OwnInstance[]>;
+}
+
+/** One instance: how quiet it is, from 0 to 1, and the colour to which that fades it. */
+export class OwnInstance extends Group {
+  readonly quiet = { value: 0 };
+  readonly paper = { value: new Color() };
 }
 
 // One white pixel, which replaces a missing or invalid image.
@@ -82,28 +99,45 @@ function managerOf(files: Map<string, Blob>): [LoadingManager, () => void] {
   return [manager, () => urls.forEach((url) => URL.revokeObjectURL(url))];
 }
 
-/** The object without skinning and morph targets, because the base shape is parametrized. */
-function atRest(object: Object3D, matrix: Matrix4): Group {
-  const group = new Group();
+/** A copy of a material that can be made quiet. */
+function quietable(material: Material, { quiet, paper }: OwnInstance): Material {
+  const own = material.clone();
+  own.side = 2;
+  own.onBeforeCompile = (shader) => {
+    Object.assign(shader.uniforms, { quiet, quietPaper: paper });
+    const fade =
+      'float grey = dot(gl_FragColor.rgb, vec3(0.3, 0.6, 0.1));' +
+      'gl_FragColor.rgb = mix(gl_FragColor.rgb, mix(vec3(grey), quietPaper, 0.55), quiet);';
+    shader.fragmentShader = shader.fragmentShader
+      .replace('void main() {', 'uniform float quiet; uniform vec3 quietPaper; void main() {')
+      .replace('#include <colorspace_fragment>', `${fade}\n#include <colorspace_fragment>`);
+  };
+  own.customProgramCacheKey = () => 'quietable';
+  return own;
+}
+
+/** An instance without skinning and morph targets, because the base shape is parametrized. */
+function atRest(object: Object3D, matrix: Matrix4): OwnInstance {
+  const instance = new OwnInstance();
   object.traverse((part) => {
-    const { geometry, material } = part as Partial<Mesh<BufferGeometry, Material>>;
+    const { geometry, material } = part as Partial<Mesh>;
     if (!geometry || !material || !(part as Mesh).isMesh) return;
     geometry.morphAttributes = {};
-    const mesh = new Mesh(geometry, material);
-    for (const one of [material].flat()) one.side = 2;
+    const [first] = [material].flat();
+    const mesh = new Mesh(geometry, quietable(first, instance));
     mesh.frustumCulled = false;
     mesh.matrixAutoUpdate = false;
     mesh.matrix.copy(matrix);
-    group.add(mesh);
+    instance.add(mesh);
   });
-  return group;
+  return instance;
 }
 
 const crease = Math.PI / 5; // a larger angle between triangles is shown as an edge
 const mostForCreases = 60_000; // triangles: finding creases in more of them would block the page
 
 /** Gives meshes without normals smooth ones: glTF prescribes flat triangles, which hide the shape. */
-async function smooth(group: Group): Promise<void> {
+async function smooth(group: Object3D): Promise<void> {
   const { toCreasedNormals } = await import('three/addons/utils/BufferGeometryUtils.js');
   group.traverse((part) => {
     const mesh = part as Mesh<BufferGeometry, MeshStandardMaterial>;
@@ -126,7 +160,7 @@ function withRightLength(bytes: Uint8Array): Uint8Array<ArrayBuffer> {
   return copy;
 }
 
-export async function loadGltfMesh(source: Source): Promise<Group> {
+export async function loadGltfScene(source: Source): Promise<OwnScene> {
   const { GLTFLoader } = await import('three/addons/loaders/GLTFLoader.js');
   const { MeshoptDecoder } = await import('three/addons/libs/meshopt_decoder.module.js');
   const [manager, free] = managerOf(await usableFiles(source));
@@ -134,11 +168,17 @@ export async function loadGltfMesh(source: Source): Promise<Group> {
     const { bytes } = source.written[0];
     const loader = new GLTFLoader(manager).setMeshoptDecoder(MeshoptDecoder);
     const gltf = await loader.parseAsync(withRightLength(bytes).buffer, '');
-    const mesh = surfaceMeshes(gltf.parser.json as Json)[source.mesh];
-    const object = (await gltf.parser.getDependency('mesh', mesh)) as Object3D;
-    const group = atRest(object, new Matrix4().fromArray(source.matrix));
-    await smooth(group);
-    return group;
+    const indices = surfaceMeshes(gltf.parser.json as Json);
+    const group = new Group();
+    const instances = new Map<number, OwnInstance[]>();
+    for (const { mesh, matrices } of source.meshes) {
+      const object = (await gltf.parser.getDependency('mesh', indices[mesh])) as Object3D;
+      await smooth(object);
+      const own = matrices.map((matrix) => atRest(object, new Matrix4().fromArray(matrix)));
+      instances.set(mesh, own);
+      if (own.length > 0) group.add(...own);
+    }
+    return { group, instances };
   } finally {
     free();
   }

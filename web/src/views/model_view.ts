@@ -2,25 +2,26 @@
 
 import {
   BufferGeometry,
-  Color,
-  type Group,
+  type Intersection,
   type Matrix3,
   Mesh,
   PerspectiveCamera,
+  type Ray,
   Raycaster,
+  Sphere,
   Vector2,
   Vector3,
 } from 'three';
 import type { MeshBVH } from 'three-mesh-bvh';
 import type { Cone, Prescription } from '../model/prescription';
-import { areSeamsShown, isAligned, tilesPerUnit } from '../model/grid';
+import { isAligned, tilesPerUnit } from '../model/grid';
+import type { ScenePart, SerializedBvh } from '../model/scene';
 import type { Look, Solution, Surface } from '../model/types';
-import type { SerializedBvh } from '../services/geometry/protocol';
-import { Orbit } from './camera';
+import { Orbit, type Shape } from './camera';
 import { CanvasView, type Hit } from './canvas_view';
 import { ConeMarkers, type Marker } from './cone_markers';
 import { bvhAtOnce, bvhFrom, setTint, surfaceGeometry } from './corner_geometry';
-import { Lines, seamsOnSurface, Wire } from './lines';
+import type { OwnInstance, OwnScene } from './gltf_scene';
 import {
   setImage,
   setPalette,
@@ -28,10 +29,11 @@ import {
   surfaceMaterial,
   type Palette,
 } from './pattern_material';
-import { chainColour, ticksOnSurface } from './seam_marks';
 import { StudioLight } from './studio_light';
+import { SurfaceMarks } from './surface_marks';
+import { pointsOf, WholeScene, type SceneContent } from './whole_scene';
 
-const highlightColour = new Color('#ff2d95');
+type Place = { clientX: number; clientY: number };
 
 export class ModelView extends CanvasView {
   readonly camera = new PerspectiveCamera(32, 1, 0.01, 100);
@@ -39,27 +41,23 @@ export class ModelView extends CanvasView {
   readonly #mesh = new Mesh(new BufferGeometry(), surfaceMaterial(true));
   readonly #markers = new ConeMarkers(true);
   readonly #ghost = new ConeMarkers(false, 12);
-  readonly #seams = new Lines(3.5, { order: 3, bias: 2 });
-  readonly #ticks = new Lines(2.5, { order: 3, bias: 2 });
-  readonly #handles = new Lines(4, { order: 4, bias: 2 });
-  readonly #crosses = new Lines(2, { order: 1, bias: 1 });
-  readonly #wire = new Wire(1, true);
-  readonly #light = new Lines(4.5, { order: 6, depth: false });
-  readonly #cursor = new Lines(3, { order: 7, depth: false });
+  readonly #marks = new SurfaceMarks();
   readonly #studio: StudioLight;
   #surface?: Surface;
   #solution?: Solution;
   #bvh?: MeshBVH;
   #image?: ImageBitmap;
-  #original?: Group;
+  readonly #others = new WholeScene();
+  #original?: OwnScene;
+  /** The instance of the open mesh in it. */
+  #ownOpen?: OwnInstance;
   #isOriginalShown = false;
   /** Fraction of the width, from the left, in which the original model is shown. */
   #wipe = 0;
 
   constructor(canvas: HTMLCanvasElement) {
     super(canvas);
-    this.scene.add(this.#mesh, this.#wire, this.#crosses, this.#seams, this.#ticks);
-    this.scene.add(this.#handles, this.#light, this.#cursor, this.#markers, this.#ghost);
+    this.scene.add(this.#mesh, this.#others, this.#marks, this.#markers, this.#ghost);
     this.#mesh.visible = false;
     this.#mesh.frustumCulled = false; // it is nearly always visible
     this.#ghost.setStyle(1.1, 0.75);
@@ -67,10 +65,7 @@ export class ModelView extends CanvasView {
     this.#studio = new StudioLight(this.renderer, this.scene, toStudio.value as Matrix3);
     this.beforeDraw(() => {
       this.#studio.turn(this.camera, this.orbit.controls.target);
-      const eye = this.camera.position;
-      for (const lines of [this.#seams, this.#crosses, this.#wire, this.#ticks, this.#handles]) {
-        lines.lift(eye, this.orbit.lift);
-      }
+      this.#marks.lift(this.camera.position, this.orbit.lift);
     });
     this.orbit = new Orbit(this.camera, canvas, () => this.draw());
   }
@@ -85,18 +80,20 @@ export class ModelView extends CanvasView {
     this.#studio.restore();
   }
 
-  /** Shows a surface and its solution. A new surface is framed; a new solution keeps the camera. */
-  setModel(surface: Surface | undefined, solution: Solution | undefined): void {
+  /** Shows a surface and its solution. What is new is framed with the parts beside it. */
+  setModel(
+    surface: Surface | undefined,
+    solution: Solution | undefined,
+    { parts, isSameFile }: { parts: readonly ScenePart[]; isSameFile: boolean },
+  ): void {
     if (surface === this.#surface && solution === this.#solution) return;
     const isNew = surface !== this.#surface;
     this.#surface = surface;
     this.#solution = solution;
     const before = this.#mesh.geometry;
     before.dispose();
-    for (const lines of [this.#seams, this.#ticks, this.#crosses, this.#wire, this.#light]) {
-      lines.visible = false;
-    }
-    if (isNew) this.#cursor.visible = this.#handles.visible = this.#ghost.visible = false;
+    this.#marks.hide(isNew);
+    if (isNew) this.#ghost.visible = false;
     if (isNew) this.#bvh = undefined;
     if (!surface) {
       this.#mesh.geometry = new BufferGeometry();
@@ -105,8 +102,28 @@ export class ModelView extends CanvasView {
       this.#mesh.geometry = surfaceGeometry(surface, solution, isNew ? undefined : before);
       this.#mesh.material.uniforms.isMirrored.value = surface.isMirrored;
       for (const markers of [this.#markers, this.#ghost]) markers.setLift(0.08 * surface.radius);
-      if (isNew) this.orbit.frame(new Vector3(...surface.center), surface.radius, surface.places);
+      if (isNew) this.#frame(surface, parts, isSameFile);
     }
+    this.#showOriginal();
+    this.draw();
+  }
+
+  #frame(surface: Surface, parts: readonly ScenePart[], isSameFile: boolean): void {
+    const own: Shape = { ...surface, center: new Vector3(...surface.center) };
+    if (isSameFile) return this.orbit.workOn(own);
+    const places = pointsOf(parts);
+    if (places.length === 0) return this.orbit.frame(own);
+    const { center, radius } = new Sphere().setFromPoints(
+      Array.from({ length: places.length / 3 }, (_, i) => new Vector3().fromArray(places, 3 * i)),
+    );
+    this.orbit.frame({ center, radius, places }, own);
+  }
+
+  /** Shows the meshes beside the open one. */
+  setScene(content: SceneContent): void {
+    this.#others.show(content);
+    this.#ownOpen = this.#original?.instances.get(content.open)?.[0];
+    if (content.parts.length > 0) this.#studio.lightMaterials();
     this.#showOriginal();
     this.draw();
   }
@@ -129,7 +146,7 @@ export class ModelView extends CanvasView {
     material.uniforms.dim.value = isStale ? 0.65 : 0;
     if (look.image && look.image !== this.#image) setImage(material, (this.#image = look.image));
     this.canvas.dataset.seams = look.seams;
-    this.#setLines(look, palette);
+    this.#marks.setLook(look, palette, { surface, solution, geometry: this.#mesh.geometry });
     this.draw();
   }
 
@@ -139,52 +156,31 @@ export class ModelView extends CanvasView {
     this.draw();
   }
 
-  #setLines(look: Look, palette: Palette): void {
-    const surface = this.#surface;
-    const solution = this.#solution;
-    this.#crosses.visible &&= look.pattern === 'cross';
-    this.#seams.visible = this.#ticks.visible = this.#wire.visible = false;
-    if (surface && solution && areSeamsShown(look, solution)) {
-      const { points, colours } = seamsOnSurface(surface, solution);
-      this.#seams.set(points, colours);
-      const ticks = ticksOnSurface(surface, solution);
-      this.#ticks.set(ticks.points, ticks.colours);
-    }
-    if (surface && look.hasWire) this.#wire.set(this.#mesh.geometry, palette.ink);
-  }
-
   setOverlay(colours: Uint8Array): void {
     setTint(this.#mesh.geometry, colours);
     this.draw();
   }
 
   setCrosses(points: Float32Array, palette: Palette): void {
-    this.#crosses.set(points, palette.ink);
+    this.#marks.setCrosses(points, palette);
     this.draw();
   }
 
-  /** Shows loops around handles, each in its colour in the panel. */
   setHandles(loops: Float32Array[]): void {
-    const points = new Float32Array(loops.reduce((sum, loop) => sum + loop.length, 0));
-    const colours: Color[] = [];
-    let at = 0;
-    loops.forEach((loop, i) => {
-      points.set(loop, at);
-      at += loop.length;
-      for (let s = 0; s < loop.length; s += 6) colours.push(chainColour(i));
-    });
-    this.#handles.set(points, colours);
+    this.#marks.setHandles(loops);
     this.draw();
   }
 
   /** Sets the model with its own materials, shown instead of the pattern or as the state before. */
-  setOriginal(original: Group | undefined, isShown: boolean): void {
+  setOriginal(original: OwnScene | undefined, mesh: number, isShown: boolean): void {
     if (original !== this.#original) {
-      this.#original?.removeFromParent();
+      this.#original?.group.removeFromParent();
       this.#original = original;
-      if (original) this.scene.add(original);
+      if (original) this.scene.add(original.group);
       if (original) this.#studio.lightMaterials();
+      this.#others.setOwn(original?.instances);
     }
+    this.#ownOpen = original?.instances.get(mesh)?.[0];
     this.#isOriginalShown = isShown;
     this.#showOriginal();
     this.draw();
@@ -196,8 +192,8 @@ export class ModelView extends CanvasView {
   }
 
   #showOriginal(): void {
-    const isOriginal = this.#original !== undefined && this.#isOriginalShown;
-    if (this.#original) this.#original.visible = isOriginal;
+    const isOriginal = this.#ownOpen !== undefined && this.#isOriginalShown;
+    if (this.#ownOpen) this.#ownOpen.visible = isOriginal;
     this.#mesh.visible = this.#surface !== undefined && !isOriginal;
     this.canvas.dataset.original = isOriginal ? 'shown' : 'none';
   }
@@ -211,14 +207,14 @@ export class ModelView extends CanvasView {
     renderer.setScissorTest(true);
     renderer.setScissor(split, 0, width - split, height);
     renderer.render(scene, camera);
-    const over = [this.#seams, this.#ticks, this.#crosses, this.#markers];
+    const over = [...this.#marks.ofMap, this.#markers];
     const wasVisible = over.map(({ visible }) => visible);
     const { pattern } = this.#mesh.material.uniforms;
     const usual: unknown = pattern.value;
     for (const thing of over) thing.visible = false;
     pattern.value = 0;
-    if (this.#original) {
-      this.#original.visible = true;
+    if (this.#ownOpen) {
+      this.#ownOpen.visible = true;
       this.#mesh.visible = false;
     }
     renderer.setScissor(0, 0, split, height);
@@ -259,54 +255,48 @@ export class ModelView extends CanvasView {
     return new Vector3(...this.#place(vertex));
   }
 
-  /** Shows the vertex of the keyboard cursor by the edges of its one-ring. */
+  /** Shows where the keyboard's cursor is; −1: nowhere. */
   setCursor(vertex: number): void {
-    const surface = this.#surface;
-    const points: number[] = [];
-    if (surface && vertex >= 0) {
-      const at = this.point(vertex);
-      for (let n = surface.neighbourStart[vertex]; n < surface.neighbourStart[vertex + 1]; n++) {
-        points.push(...at.toArray(), ...this.point(surface.neighbours[n]).lerp(at, 0.4).toArray());
-      }
-    }
-    this.#cursor.set(points, highlightColour);
+    this.#marks.setCursor(this.#surface, vertex);
     this.draw();
   }
 
   /** Outlines triangles, and edges given by two vertices. */
   highlight(triangles: number[], edges: [number, number][] = []): void {
-    const surface = this.#surface;
-    if (!surface || triangles.length + edges.length === 0) {
-      if (this.#light.visible) this.draw();
-      this.#light.visible = false;
-      return;
-    }
-    const points: number[] = [];
-    const add = (v: number, w: number): void => {
-      points.push(...this.#place(v), ...this.#place(w));
-    };
-    for (const t of triangles.slice(0, 2000)) {
-      const [a, b, c] = surface.triangles.subarray(3 * t, 3 * t + 3);
-      if (c === undefined) continue;
-      add(a, b);
-      add(b, c);
-      add(c, a);
-    }
-    for (const [v, w] of edges) add(v, w);
-    this.#light.set(points, highlightColour);
-    this.draw();
+    if (this.#marks.highlight(this.#surface, triangles, edges)) this.draw();
   }
 
-  /** The front triangle under a pointer, and its vertex nearest to the pointer. */
-  pick(event: { clientX: number; clientY: number }): Hit | undefined {
-    const surface = this.#surface;
-    if (!surface) return undefined;
-    this.#bvh ??= bvhAtOnce(this.#mesh.geometry);
+  #rayOf(event: Place): Ray {
     const { x, y } = this.pointer(event);
     const caster = new Raycaster();
     caster.setFromCamera(new Vector2(x, y), this.camera);
-    const hit = this.#bvh?.raycastFirst(caster.ray, 2);
+    return caster.ray;
+  }
+
+  #onSurface(ray: Ray): Intersection | undefined {
+    this.#bvh ??= bvhAtOnce(this.#mesh.geometry);
+    return this.#bvh?.raycastFirst(ray, 2) ?? undefined;
+  }
+
+  /** The mesh under a pointer, in front of the open one; −1: none. */
+  pickPart(event: Place): number {
+    const ray = this.#rayOf(event);
+    return this.#others.pick(ray, this.#onSurface(ray)?.distance ?? Infinity);
+  }
+
+  /** Shows that a click would choose a mesh; −1: none. */
+  pointAt(mesh: number): void {
+    if (this.#others.pointAt(mesh)) this.draw();
+  }
+
+  /** The front triangle under a pointer, and its vertex nearest to the pointer. */
+  pick(event: Place): Hit | undefined {
+    const surface = this.#surface;
+    if (!surface) return undefined;
+    const ray = this.#rayOf(event);
+    const hit = this.#onSurface(ray);
     if (hit?.faceIndex === undefined || hit.faceIndex === null) return undefined;
+    if (this.#others.pick(ray, hit.distance) >= 0) return undefined;
     const corners = surface.triangles.subarray(3 * hit.faceIndex, 3 * hit.faceIndex + 3);
     const box = this.canvas.getBoundingClientRect();
     let best: Hit = { triangle: hit.faceIndex, vertex: -1, pixels: Infinity };
@@ -337,7 +327,7 @@ export class ModelView extends CanvasView {
   }
 
   /** Centres the point under a pointer. */
-  centre(event: { clientX: number; clientY: number }): void {
+  centre(event: Place): void {
     const hit = this.pick(event);
     if (hit) this.lookAt(hit.vertex);
   }

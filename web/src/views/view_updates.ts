@@ -2,20 +2,29 @@
 // not stop the other updates.
 
 import { effect } from '@preact/signals-core';
-import { Color, type Group } from 'three';
+import { Color } from 'three';
 import type { Document } from '../model/document';
-import type { Solution } from '../model/types';
+import { isAligned, tilesPerUnit } from '../model/grid';
+import type { Model, Solution } from '../model/types';
+import { isCertified } from '../model/verdict';
 import type { UiState } from '../model/ui_state';
 import type { GeometryClient } from '../services/geometry_client';
 import { isGltf } from '../formats/glb';
-import { disposeScene, loadGltfMesh } from './gltf_scene';
+import { disposeScene, loadGltfScene, type OwnScene } from './gltf_scene';
 import type { ModelView } from './model_view';
 import type { Palette } from './pattern_material';
 import type { UvView } from './uv_view';
+import type { PartMap } from './whole_scene';
 
 const palettes: Record<'light' | 'dark', Palette> = {
   light: { paper: new Color('#e9edf2'), ink: new Color('#1d3f63'), second: new Color('#f3b63f') },
   dark: { paper: new Color('#b9c4d0'), ink: new Color('#14304d'), second: new Color('#f0b038') },
+};
+
+/** Of meshes that are not open. */
+const quietPalettes: typeof palettes = {
+  light: { ...palettes.light, paper: new Color('#d5dce4') },
+  dark: { ...palettes.dark, paper: new Color('#4a5663') },
 };
 
 const mostAtOnce = 10_000; // triangles: for fewer, the tree for picking is built synchronously
@@ -49,7 +58,7 @@ export class ViewUpdates {
   /** Whether a pass over all concerns is waiting for its first or next task. */
   #isScheduled = false;
   #pass = 0;
-  #original?: { of: unknown; group?: Group };
+  #original?: { of: unknown; scene?: OwnScene };
 
   constructor(sources: ViewSources) {
     this.#in = sources;
@@ -62,6 +71,7 @@ export class ViewUpdates {
       this.#cones(),
       this.#markers(),
       this.#originals(),
+      this.#scene(),
       this.#wipe(),
     ];
     effect(() => {
@@ -134,15 +144,17 @@ export class ViewUpdates {
   #models(): Concern {
     const { doc, geometry, model, uv, onSurface } = this.#in;
     let last: unknown;
+    let lastFiles: unknown;
     return {
       key: () => [doc.model?.surface, doc.displayed],
       show: () => {
         const surface = doc.model?.surface;
         const solution = doc.displayed;
         const isNew = surface !== last;
-        last = surface;
+        const isSameFile = doc.model !== undefined && doc.model.files === lastFiles;
+        [last, lastFiles] = [surface, doc.model?.files];
         if (isNew) onSurface();
-        model.setModel(surface, solution);
+        model.setModel(surface, solution, { parts: doc.parts, isSameFile });
         uv.setModel(surface, solution);
         if (!surface || surface.triangles.length / 3 <= mostAtOnce) return undefined;
         const trees: Promise<void>[] = [];
@@ -233,9 +245,9 @@ export class ViewUpdates {
     const { doc } = this.#in;
     const { model, displayed, look } = doc;
     if (!model || !isGltf(model.main)) return undefined;
-    if (look.pattern === 'material') return { key: displayed ?? model, isShown: true };
+    if (look.pattern === 'material') return { key: displayed ?? model.files, isShown: true };
     const isSmall = model.info.triangles <= mostForMaterials;
-    return isSmall ? { key: model, isShown: displayed === undefined } : undefined;
+    return isSmall ? { key: model.files, isShown: displayed === undefined } : undefined;
   }
 
   #originals(): Concern {
@@ -247,30 +259,60 @@ export class ViewUpdates {
       },
       show: async () => {
         const source = this.#originalSource();
-        const old = this.#original;
-        if (old && old.of === source?.key) return view.setOriginal(old.group, source!.isShown);
-        const own: { of: unknown; group?: Group } = { of: source?.key };
-        this.#original = own;
-        view.setOriginal(undefined, false);
-        disposeScene(old?.group);
         const { model, displayed } = doc;
+        const old = this.#original;
+        const mesh = model?.info.surface ?? 0;
+        if (old && old.of === source?.key)
+          return view.setOriginal(old.scene, mesh, source!.isShown);
+        const own: { of: unknown; scene?: OwnScene } = { of: source?.key };
+        this.#original = own;
+        view.setOriginal(undefined, mesh, false);
+        disposeScene(old?.scene?.group);
         if (!source || !model) return;
         const isWritten = displayed !== undefined && source.key === displayed;
         const file = model.files.get(model.main)!;
         const bytes = file instanceof Blob ? new Uint8Array(await file.arrayBuffer()) : file;
         const written = isWritten ? displayed.files : [{ name: model.main, bytes }];
-        const mesh = model.info.surface;
         const { files, matrix } = model;
+        const meshes = doc.parts.length > 0 ? doc.parts : [{ mesh, matrices: [matrix] }];
         try {
-          const group = await loadGltfMesh({ written, files, mesh, matrix });
-          if (this.#original !== own) return disposeScene(group);
-          own.group = group;
-          view.setOriginal(group, this.#originalSource()?.isShown ?? false);
+          const scene = await loadGltfScene({ written, files, meshes });
+          if (this.#original !== own) return disposeScene(scene.group);
+          own.scene = scene;
+          const open = doc.model?.info.surface ?? mesh;
+          view.setOriginal(scene, open, this.#originalSource()?.isShown ?? false);
         } catch (error) {
           // The materials were not requested: the shape without them is shown instead.
           if (doc.look.pattern !== 'material') return;
           doc.say(`The materials cannot be shown: ${(error as Error).message}`, 'error');
         }
+      },
+    };
+  }
+
+  /** The other meshes of the file, with the maps that they have. */
+  #scene(): Concern {
+    const { doc, model: view } = this.#in;
+    return {
+      key: () => [doc.parts, doc.model, doc.displayed, doc.meshes, doc.look, this.#palette],
+      show: () => {
+        const { model, look, displayed } = doc;
+        const maps = new Map<number, PartMap>();
+        const add = ({ surface, info }: Model, solution: Solution | undefined): void => {
+          if (!solution || look.pattern === 'material') return;
+          const { prescription, cornerUv } = solution;
+          const scale = tilesPerUnit(look, surface, solution);
+          const pattern = look.pattern === 'image' ? 'checker' : look.pattern;
+          const about = { isAligned: isAligned(solution), isCertified: isCertified(solution) };
+          maps.set(info.surface, { cornerUv, pattern, q: prescription.q, scale, ...about });
+        };
+        for (const { model: waiting, solutions } of doc.meshes.values())
+          add(waiting, solutions.at(-1));
+        if (model) add(model, displayed);
+        const open = model?.info.surface ?? -1;
+        const isOwnShown = look.pattern === 'material';
+        const palette = quietPalettes[this.#in.ui.isDark ? 'dark' : 'light'];
+        view.setScene({ parts: doc.parts, open, maps, isOwnShown, palette });
       },
     };
   }

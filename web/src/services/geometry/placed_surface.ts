@@ -30,7 +30,7 @@ function vertexNormals(p: Float64Array, triangles: Uint32Array): Float32Array {
 }
 
 /** Normals of the surface as it is solved, whose triangles are oriented consistently. */
-function normalsOf({ positions, triangles, repaired }: SurfaceArrays): Float32Array {
+export function normalsOf({ positions, triangles, repaired }: SurfaceArrays): Float32Array {
   if (!repaired) return vertexNormals(positions, triangles);
   const { vertexOrigin, vertexImage } = repaired;
   const moved = new Float64Array(3 * vertexOrigin.length);

@@ -2,15 +2,10 @@
 
 import type { SurfaceFacts } from 'hgp';
 import type { Cone } from '../../model/prescription';
+import type { ScenePart, SerializedBvh } from '../../model/scene';
 import type { Analysis, OutputFile, Overlay, Surface } from '../../model/types';
 import type { AnalysisRequest, CompareRequest, MapArrays } from './analyse';
 import type { SurfaceArrays } from './placed_surface';
-
-export interface SerializedBvh {
-  roots: ArrayBuffer[];
-  index: null;
-  indirectBuffer: Uint32Array | Uint16Array | null;
-}
 
 export interface GeometryCalls {
   /** Prepares a surface for display, with the solver's facts; the worker keeps it under its id. */
@@ -36,8 +31,14 @@ export interface GeometryCalls {
   crosses(id: number, tiles: number, q: number): { onSurface: Float32Array; inMap: Float32Array };
   /** A thumbnail of a surface, with a map if one is given. */
   thumbnail(surface: number, map?: number, tiles?: number): Uint8ClampedArray<ArrayBuffer>;
-  /** The same for a mesh that the worker does not keep. */
-  thumbnailOf(arrays: SurfaceArrays, matrix: readonly number[]): Uint8ClampedArray<ArrayBuffer>;
+  /** A mesh to be drawn beside others, which the worker does not keep, and a thumbnail of it. */
+  part(
+    arrays: SurfaceArrays,
+    matrix: readonly number[],
+  ): {
+    picture: Uint8ClampedArray<ArrayBuffer>;
+    shape: Pick<ScenePart, 'cornerPositions' | 'cornerNormals' | 'tree'>;
+  };
   /** Lines along the solver's loops, which are given by two vertices for each crossed edge. */
   loopSegments(surface: number, loops: Uint32Array[]): Float32Array[];
   /** A tree over the triangles of a surface, or of the flat map, for picking. */

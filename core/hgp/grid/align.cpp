@@ -5,9 +5,11 @@
 
 #include "hgp/base/check.h"
 #include "hgp/base/portable_math.h"
+#include "hgp/grid/align_work.h"
 #include "hgp/grid/grid_measures.h"
 #include "hgp/grid/grid_system.h"
 #include "hgp/grid/repair_change.h"
+#include "hgp/grid/rounded_map.h"
 #include "hgp/mesh/map_area.h"
 
 namespace hgp {
@@ -17,6 +19,8 @@ namespace {
 /// most a tenth; the others are tried only if none of these gives a map.
 constexpr double kFactors[] = {1.0, 1.03, 0.97, 1.045, 0.955, 1.12, 1.19, 1.27, 1.35};
 constexpr double kNear = 1.05;
+/// Quads are as many as asked for within this fraction.
+constexpr double kAsAsked = 0.1;
 /// Number of rings of a patch around flipped triangles, and its minimum width in cells, which matters on fine meshes.
 constexpr int kRings = 6;
 constexpr double kPatchCells = 1.2;
@@ -29,22 +33,6 @@ constexpr int kWholeRounds = 4;
 /// Cones closer than this many cells are kept apart.
 constexpr double kReach = 3.0;
 constexpr int kDenser = 8;  ///< doublings of the number of cells to find one that works
-/// Fraction of all work that is reserved for finding such a number.
-constexpr double kExplaining = 0.15;
-/// Fraction of all work that is reserved for repairs, however long the choice of many integers took.
-constexpr double kRepairShare = 0.25;
-/// Multiply-adds per triangle of verifying a map.
-constexpr double kVerifyWork = 3e3;
-/// Multiply-adds per triangle of a linear step apart from its back-substitution: copies, exact orientation.
-constexpr double kStepWork = 1200.0;
-/// Multiply-adds of the choice of k integers, divided by k³; most of it separates close cones (measured).
-constexpr double kRoundingWork = 1.5;
-/// Multiply-adds of one factorization of a program over n triangles, divided by n^(3/2), and of the rest of an
-/// iteration, divided by n (measured).
-constexpr double kPlanarWork = 22.0;
-constexpr double kProgramWork = 3e3;
-/// Interior-point iterations that a program is expected to need.
-constexpr int kExpectedIterations = 14;
 /// Reported progress as fractions of the stage: before the first density, and the part of all densities together.
 constexpr double kBegun = 0.1, kStepping = 0.5;
 constexpr std::size_t kNamed = 3;  ///< pairs of cones that the report names
@@ -61,7 +49,7 @@ class Aligner {
  public:
   Aligner(const TriMesh& mesh, const UvMap& map, const GridSystem& system,
           const std::vector<VertexId>& cones, const GridOptions& options, const Progress& progress,
-          double work, const std::function<Acceptance(const UvMap&)>& accepts)
+          double work, const std::function<Verdict(const UvMap&)>& accepts)
       : mesh_(mesh),
         system_(system),
         cones_(cones),
@@ -70,6 +58,7 @@ class Aligner {
         mapArea_(mapArea(map)),
         surfaceArea_(surfaceArea(mesh)),
         accepts_(accepts),
+        isForQuads_(options.mode == GridMode::kQuad),
         repairWork_(kRepairShare * work),
         work_(work - system.factorWork()) {
     const double cells =
@@ -127,11 +116,14 @@ class Aligner {
     std::vector<Candidate> candidates;
     if (!goOn(kBegun)) return candidates;
     const IntegerChoice choice = system_.choice(2.0 * kReach / scale_);
+    Candidate first = firstStep(choice);
+    const double base = first.factor;
     for (double factor : kFactors) {
-      if (factor > kNear && secondChoice_) break;
+      if (factor > kNear && secondChoice_ && secondOff_ <= kAsAsked) break;
       const double tried = static_cast<double>(candidates.size()) / std::size(kFactors);
       if (!goOn(kBegun + kStepping * tried) || (!candidates.empty() && !affords(stepWork()))) break;
-      candidates.push_back(linearStep(choice, factor));
+      candidates.push_back(candidates.empty() ? std::move(first)
+                                              : linearStep(choice, base * factor));
       if (accept(candidates.back(), "linear step")) break;
       // The choice of many integers may have used up the work; repairs have their own reserve.
       if (candidates.size() == 1) work_ = std::max(work_, repairWork_ + reserved_);
@@ -140,25 +132,29 @@ class Aligner {
     return candidates;
   }
   double stepWork() const {
-    const double k = system_.integerCount();
-    return kStepWork * mesh_.faceCount() + system_.solveWork() + kRoundingWork * k * k * k;
-  }
-  /// Expected work of a program over this many triangles with conditions on `bound` of them.
-  static double programWork(std::size_t triangles, std::size_t bound) {
-    // Elimination of a planar system of n unknowns costs O(n^(3/2)); real pairs cost twice as much as complex unknowns.
-    const auto planar = [](std::size_t n) {
-      return kPlanarWork * portable::pow(static_cast<double>(n), 1.5);
-    };
-    return kProgramWork * static_cast<double>(triangles) + 0.5 * planar(triangles) +
-           kExpectedIterations * planar(std::min(triangles, bound));
+    return linearStepWork(mesh_.faceCount(), system_.solveWork(), system_.integerCount());
   }
 
+  /// The linear step at the requested density or, for quads, at one that gives the requested number of cells.
+  Candidate firstStep(const IntegerChoice& choice) {
+    if (!isForQuads_) return linearStep(choice, 1.0);
+    const auto affordsStep = [this] {
+      // Without exact orientations.
+      const double step = kCountShare * stepWork();
+      if (!affords(step)) return false;
+      work_ -= step;
+      return true;
+    };
+    return candidate(
+        choice, roundedToCells(system_, context_, choice, scale_, out_.report.cells, affordsStep));
+  }
   Candidate linearStep(const IntegerChoice& choice, double factor) {
+    return candidate(choice, roundedMap(system_, context_, choice, scale_, factor));
+  }
+  Candidate candidate(const IntegerChoice& choice, RoundedMap map) {
     work_ -= stepWork();
-    Candidate out{factor, scale_ * factor, {}, {}};
-    const std::vector<Gaussian> y = choice.near(system_.relaxed(out.scale));
-    out.isApart = choice.wrongPairs(system_.relaxed(out.scale), y) == 0;
-    out.x = system_.changeTo(y, out.scale);
+    Candidate out{map.factor, map.scale, std::move(map.x), {}};
+    out.isApart = choice.wrongPairs(system_.relaxed(out.scale), map.y) == 0;
     out.turned = turnedFaces(context_, out.x);
     return out;
   }
@@ -169,14 +165,21 @@ class Aligner {
     if (!candidate.turned.empty()) return false;
     std::optional<UvMap> map = system_.alignedMap(candidate.x, candidate.scale);
     if (!map) return false;
-    switch (accepts_ ? accepts_(*map) : Acceptance::kAccepted) {
+    Verdict verdict = accepts_ ? accepts_(*map) : Acceptance::kAccepted;
+    const double quads = mapArea(*map) + verdict.added;
+    const double off = isForQuads_ ? std::fabs(quads / out_.report.cells - 1.0) : 0.0;
+    if (verdict.acceptance == Acceptance::kAccepted && off > kAsAsked)
+      verdict.acceptance = Acceptance::kSecondChoice;
+    switch (verdict.acceptance) {
       case Acceptance::kAccepted:
-        take(std::move(*map));
+        take(std::move(*map), verdict.added);
         return true;
       case Acceptance::kSecondChoice:
         out_.report.attempts.back().method += ", second choice";
-        if (secondChoice_) break;
+        if (secondChoice_ && (secondOff_ <= kAsAsked || off >= secondOff_)) break;
         secondChoice_ = std::move(map);
+        secondOff_ = off;
+        secondAdded_ = verdict.added;
         secondAttempt_ = out_.report.attempts.size() - 1;
         break;
       case Acceptance::kRefused:
@@ -186,9 +189,10 @@ class Aligner {
     work_ -= kVerifyWork * mesh_.faceCount();
     return false;
   }
-  void take(UvMap map) {
+  void take(UvMap map, double added) {
     out_.map = std::move(map);
     out_.report.isAligned = true;
+    out_.report.added = added;
     describeGrid(mesh_, *out_.map, cones_.size(), out_.report);
   }
   void takeSecondChoice() {
@@ -196,7 +200,7 @@ class Aligner {
     std::vector<GridAttempt>& attempts = out_.report.attempts;
     const auto chosen = attempts.begin() + static_cast<std::ptrdiff_t>(secondAttempt_);
     std::rotate(chosen, chosen + 1, attempts.end());
-    take(std::move(*secondChoice_));
+    take(std::move(*secondChoice_), secondAdded_);
     out_.isSecondChoice = true;
   }
 
@@ -280,7 +284,7 @@ class Aligner {
         isCutShort_ ? "; further attempts would have taken longer than the map itself" : "");
     // Programs may have cost more than expected. This search still has its reserve, and at least the cost of its linear
     // steps if there are few integers.
-    const double plainStep = kStepWork * mesh_.faceCount() + system_.solveWork();
+    const double plainStep = linearStepWork(mesh_.faceCount(), system_.solveWork(), 0);
     work_ = std::max({work_, reserved_, 1.5 * kDenser * plainStep});
     reserved_ = 0.0;
     double factor = 1.0;
@@ -304,13 +308,15 @@ class Aligner {
   const Progress& progress_;
   const ChangeContext context_;
   const double mapArea_, surfaceArea_;
-  const std::function<Acceptance(const UvMap&)>& accepts_;
+  const std::function<Verdict(const UvMap&)>& accepts_;
+  const bool isForQuads_;
   const double repairWork_;  ///< multiply-adds reserved for repairs
   double scale_ = 1.0;
   double work_, reserved_ = 0.0;  ///< multiply-adds left, and how many of them are for explain()
   bool isCutShort_ = false;
   double fraction_ = 0.0;  ///< of the stage, as last reported
   std::optional<UvMap> secondChoice_;
+  double secondOff_ = 0.0, secondAdded_ = 0.0;
   std::size_t secondAttempt_ = 0;
   AlignedMap out_;
 };
@@ -320,7 +326,7 @@ class Aligner {
 AlignedMap alignToGrid(const TriMesh& mesh, const UvMap& map, int q,
                        const std::vector<VertexId>& cones, const GridOptions& options,
                        const linalg::SeparatorTree* tree, const Progress& progress, double work,
-                       const std::function<Acceptance(const UvMap&)>& accepts) {
+                       const std::function<Verdict(const UvMap&)>& accepts) {
   AlignedMap failed;
   if (q != 2 && q != 4) {
     failed.report.reason = formatText("a grid of squares needs q = 2 or 4, not %d", q);

@@ -22,10 +22,18 @@ enum class Acceptance {
   kAccepted,
 };
 
+struct Verdict {
+  Acceptance acceptance = Acceptance::kAccepted;
+  double added = 0.0;  ///< quads that the quad mesh of the map has beyond its cells
+  // NOLINTNEXTLINE(google-explicit-constructor): most callers have nothing to add
+  Verdict(Acceptance a, double more = 0.0) : acceptance(a), added(more) {}
+};
+
 struct AlignedMap {
-  std::optional<UvMap> map;     ///< one unit of uv is one cell
-  bool isSecondChoice = false;  ///< `map` is the first that was kSecondChoice
-  bool isCancelled = false;     ///< by `progress`; there is no map then
+  std::optional<UvMap> map;  ///< one unit of uv is one cell
+  bool isSecondChoice =
+      false;  ///< `map` is one for which `accepts` said kSecondChoice or whose cells are far off
+  bool isCancelled = false;  ///< by `progress`; there is no map then
   GridReport report;
   double workLeft = 0.0;  ///< of `work`, multiply-adds
 };
@@ -33,7 +41,9 @@ struct AlignedMap {
 /// Changes a certified map so that every translation is an integer. The relations of the seam nodes are
 /// solved over Z[i]; the strain energy of the change is reduced to the free integers; these are rounded one by
 /// one so that neighbouring cones stay apart; the map then follows from one linear system. Where triangles
-/// flip, cone programs on patches and on the whole mesh follow, and then other densities.
+/// flip, cone programs on patches and on the whole mesh follow, and then other densities. For quads the density is
+/// corrected so that the rounded map has the number of cells that was asked for; maps whose quads are more than a tenth
+/// off are second choices, too, and the nearest of them is taken.
 /// @param map    locally injective and seamless; its copies follow its seams
 /// @param cones  vertices with a prescribed angle
 /// @param tree   separators of the vertices, or null
@@ -44,6 +54,6 @@ AlignedMap alignToGrid(const TriMesh& mesh, const UvMap& map, int q,
                        const std::vector<VertexId>& cones, const GridOptions& options,
                        const linalg::SeparatorTree* tree, const Progress& progress,
                        double work = std::numeric_limits<double>::infinity(),
-                       const std::function<Acceptance(const UvMap&)>& accepts = {});
+                       const std::function<Verdict(const UvMap&)>& accepts = {});
 
 }  // namespace hgp

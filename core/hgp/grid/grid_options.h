@@ -39,6 +39,7 @@ struct GridReport {
   double cells = 0.0;         ///< area of the aligned map in cells
   double spacing = 0.0;       ///< edge length of its cells, in units of the surface
   double cellsPerCone = 0.0;  ///< of the aligned map or, if there is none, as requested
+  double added = 0.0;         ///< quads that its quad mesh has beyond that: see quads/cut_strips.h
   int integers = 0;           ///< free Gaussian integers
   std::vector<GridAttempt> attempts;
   std::string reason;  ///< why there is no aligned map; empty if there is one

@@ -65,19 +65,34 @@ StrainForm strainOfFree(const ChangeContext& in, const std::vector<FaceId>& face
 
 }  // namespace
 
-std::vector<FaceId> turnedFaces(const ChangeContext& in, const Eigen::VectorXcd& x) {
+/// Calls see(face, corners) for every face after the change x.
+template <typename See>
+static void forChangedFaces(const ChangeContext& in, const Eigen::VectorXcd& x, const See& see) {
   const std::vector<Complex> dz = in.change.evaluate(x);
-  std::vector<FaceId> turned;
   const auto moved = [&](HalfedgeId h) {
     const auto c = at(in.seams.copy[h]);
     return Vec2{in.uv[c][0] + dz[c].real(), in.uv[c][1] + dz[c].imag()};
   };
   for (FaceId f : in.mesh.faces()) {
     const HalfedgeId h = TriMesh::halfedge(f, 0);
-    if (orientationSign(moved(h), moved(TriMesh::next(h)), moved(TriMesh::previous(h))) <= 0)
-      turned.push_back(f);
+    see(f, moved(h), moved(TriMesh::next(h)), moved(TriMesh::previous(h)));
   }
+}
+
+std::vector<FaceId> turnedFaces(const ChangeContext& in, const Eigen::VectorXcd& x) {
+  std::vector<FaceId> turned;
+  forChangedFaces(in, x, [&](FaceId f, const Vec2& a, const Vec2& b, const Vec2& c) {
+    if (orientationSign(a, b, c) <= 0) turned.push_back(f);
+  });
   return turned;
+}
+
+double changedArea(const ChangeContext& in, const Eigen::VectorXcd& x) {
+  double area = 0.0;
+  forChangedFaces(in, x, [&](FaceId, const Vec2& a, const Vec2& b, const Vec2& c) {
+    area += 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+  });
+  return area;
 }
 
 bool repairChange(const ChangeContext& in, const std::vector<FaceId>& patch,

@@ -19,6 +19,8 @@ struct ChangeContext {
 
 /// Faces that are not positive after the change x.
 std::vector<FaceId> turnedFaces(const ChangeContext& context, const Eigen::VectorXcd& x);
+/// The signed area of the map after the change x.
+double changedArea(const ChangeContext& context, const Eigen::VectorXcd& x);
 
 /// Minimises the strain over the vertices of `patch` that are free, everything else held as in x,
 /// subject to Re f_z − |f_z̄| ≥ ε on `bound`: its frames are those of the map itself, f_z = 1.

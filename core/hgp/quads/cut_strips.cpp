@@ -127,6 +127,7 @@ QuadMesh Net::quads() {
     name[at(v)] = static_cast<int>(out.positions.size());
     out.positions.push_back(fine_.positions[at(v)]);
     out.normals.push_back(fine_.normals[at(v)]);
+    out.face.push_back(fine_.face[at(v)]);
     out.coneVertex.push_back(fine_.coneVertex[at(v)]);
     out.lines.push_back(fine_.lines[at(v)]);
     return name[at(v)];
@@ -168,6 +169,7 @@ QuadNet Net::plain() {
         name[at(v)] = static_cast<int>(out.middle.size());
         out.middle.push_back(fine_.positions[at(v)]);
         out.middleNormal.push_back(fine_.normals[at(v)]);
+        out.middleFace.push_back(fine_.face[at(v)]);
       }
       out.edge[n][k] = name[at(v)];
     }

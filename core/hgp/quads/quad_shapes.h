@@ -5,8 +5,11 @@
 
 namespace hgp {
 
-/// Quads of four vertices with a corner that does not turn the way the quad as a whole does, that is, whose scaled
-/// Jacobian is not positive: (b − a) × (d − a) · n ≤ 0 for n, the cross product of the diagonals.
+/// The least of a quad's four corners: (b − a) × (d − a) · n, n the cross product of the diagonals, all vectors of unit
+/// length; 0 for a corner without a side, and 1 for a quad of fewer than four vertices.
+double scaledJacobian(const QuadMesh& quads, int quad);
+
+/// Quads with a corner that does not turn the way the quad as a whole does: scaledJacobian() is not positive.
 int countFoldedInSpace(const QuadMesh& quads);
 
 }  // namespace hgp

@@ -63,12 +63,13 @@ class Extraction {
     int node;
   };
 
-  int addNode(const LatticePoint& p, const Vec3& position, const Vec3& normal) {
+  int addNode(FaceId f, const LatticePoint& p, const Vec3& position, const Vec3& normal) {
     const auto line = [&](std::int64_t x) {
       const std::int64_t rest = x / lattice_.unit() & 3;
       return static_cast<std::int8_t>(std::min(rest, 4 - rest));
     };
     out_.lines.push_back({line(p.u), line(p.v)});
+    out_.face.push_back(f);
     out_.positions.push_back(position);
     out_.normals.push_back(normal);
     out_.coneVertex.push_back(-1);
@@ -107,7 +108,7 @@ class Extraction {
         normal[j] += weight[k] / total * normal_[hgp::at(v.i)][j];
       }
     }
-    return addNode(p, position, unit(normal));
+    return addNode(f, p, position, unit(normal));
   }
   static Vec3 unit(const Vec3& n) {
     const double length = norm(n);
@@ -118,8 +119,8 @@ class Extraction {
     findNormals();
     for (VertexId v : mesh_.vertices()) {
       if (mesh_.isIsolated(v) || !lattice_.isWhole(lattice_.corner(mesh_.outgoing(v)))) continue;
-      vertexNode_[v] = addNode(lattice_.corner(mesh_.outgoing(v)), mesh_.position(v),
-                               unit(normal_[hgp::at(v.i)]));
+      vertexNode_[v] = addNode(TriMesh::face(mesh_.outgoing(v)), lattice_.corner(mesh_.outgoing(v)),
+                               mesh_.position(v), unit(normal_[hgp::at(v.i)]));
     }
     for (FaceId f : mesh_.faces()) {
       const std::int64_t one = lattice_.unit();
@@ -308,11 +309,13 @@ class Extraction {
       name[v] = count;
       out_.positions[hgp::at(count)] = out_.positions[v];
       out_.normals[hgp::at(count)] = out_.normals[v];
+      out_.face[hgp::at(count)] = out_.face[v];
       out_.lines[hgp::at(count)] = out_.lines[v];
       out_.coneVertex[hgp::at(count++)] = out_.coneVertex[v];
     }
     out_.positions.resize(hgp::at(count));
     out_.normals.resize(hgp::at(count));
+    out_.face.resize(hgp::at(count));
     out_.lines.resize(hgp::at(count));
     out_.coneVertex.resize(hgp::at(count));
     for (auto& quad : out_.quads)

@@ -18,6 +18,7 @@ struct QuadMesh {
   std::vector<Vec3> positions;            ///< on the input surface
   std::vector<Vec3> normals;              ///< of the input surface, unit length
   std::vector<std::array<int, 4>> quads;  ///< counterclockwise
+  std::vector<FaceId> face;               ///< per vertex: a face of the input surface that holds it
   std::vector<int> coneVertex;  ///< per vertex: the surface vertex of its cone, −1 elsewhere
   int clipped = 0;              ///< cells that the boundary cuts; they are left out
   /// Per vertex: how far its two coordinates are from the next multiple of four cells (0, 1 or 2), in any face's plane

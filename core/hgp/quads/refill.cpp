@@ -137,6 +137,7 @@ class Refill {
       for (const int v : mesh.quads[at(n)]) --valence_[at(v)];
     mesh.positions.push_back(net_.middle[at(shared)]);
     mesh.normals.push_back(net_.middleNormal[at(shared)]);
+    mesh.face.push_back(net_.middleFace[at(shared)]);
     mesh.coneVertex.push_back(-1);
     mesh.lines.push_back({0, 0});
     valence_.push_back(0);
@@ -169,6 +170,7 @@ class Refill {
     }
     net_.middle.push_back(p);
     net_.middleNormal.push_back(n);
+    net_.middleFace.push_back(net_.mesh.face[at(a)]);
   }
 
   QuadNet net_;

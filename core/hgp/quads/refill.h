@@ -13,7 +13,8 @@ struct QuadNet {
   QuadMesh mesh;
   /// Per quad and side (from corner k to corner k + 1): the number of its edge.
   std::vector<std::array<int, 4>> edge;
-  std::vector<Vec3> middle, middleNormal;  ///< per edge: its middle on the surface
+  std::vector<Vec3> middle, middleNormal;  ///< per edge: its middle on the surface …
+  std::vector<FaceId> middleFace;          ///< … and the face that holds it
 };
 
 struct Refilled {

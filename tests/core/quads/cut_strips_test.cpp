@@ -81,6 +81,7 @@ QuadNet torusNet(int m, int n) {
   for (int v = 0; v < m * n; ++v) {
     net.mesh.positions.push_back({static_cast<double>(v / n), static_cast<double>(v % n), 0.0});
     net.mesh.normals.push_back({0, 0, 1});
+    net.mesh.face.push_back(FaceId(0));
     net.mesh.coneVertex.push_back(-1);
     net.mesh.lines.push_back({0, 0});
   }
@@ -94,6 +95,7 @@ QuadNet torusNet(int m, int n) {
     }
   net.middle.assign(at(2 * m * n), Vec3{0.3, 0.4, 0.0});
   net.middleNormal.assign(at(2 * m * n), Vec3{0, 0, 1});
+  net.middleFace.assign(at(2 * m * n), FaceId(0));
   return net;
 }
 

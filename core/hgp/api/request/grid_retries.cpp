@@ -14,8 +14,6 @@ constexpr int kChosenTwice = 10'000;
 constexpr double kCoarser[] = {1.5, 2.0, 3.0, 4.0, 8.0};
 constexpr std::size_t kCoarserOnLarge = 2;
 constexpr int kLarge = 100'000;
-/// A number of cells within this fraction of the one asked for is near it.
-constexpr double kNearCells = 0.12;
 /// Advised numbers of cells, each twice the one before, that are tried.
 constexpr int kAdvised = 3;
 
@@ -24,9 +22,7 @@ bool isAligned(const Result<Parametrization>& run) {
 }
 /// Whether it also has about as many cells as asked for: alignment takes what it can get from densities farther off.
 bool isNear(const Result<Parametrization>& run, const GridOptions& grid) {
-  if (!isAligned(run)) return false;
-  const double ratio = grid.spacing / run->grid->spacing;
-  return std::fabs(ratio * ratio - 1.0) <= kNearCells;
+  return isAligned(run) && std::fabs(cellsToAsked(*run->grid, grid) - 1.0) <= kNearCells;
 }
 bool isCancelled(const Result<Parametrization>& run) {
   return !run && run.error().code == ErrorCode::kCancelled;
@@ -37,8 +33,8 @@ class Retries {
   Retries(int triangles, const SolveOptions& options, const SolveAutomatic& solve)
       : triangles_(triangles), options_(options), solve_(solve) {}
 
-  /// An aligned result with cones for a coarser grid, if there is one, one that is near before others; or a cancelled
-  /// one.
+  /// An aligned result with cones for a coarser grid, if there is one: the first that is near or, unless it must be, the
+  /// nearest; or a cancelled one.
   std::optional<Result<Parametrization>> coarser(const GridOptions& grid, bool mustBeNear,
                                                  double& factor) {
     const std::size_t count = triangles_ > kLarge ? kCoarserOnLarge : std::size(kCoarser);
@@ -51,7 +47,8 @@ class Retries {
         factor = kCoarser[n];
         return run;
       }
-      if (far || mustBeNear || !isAligned(run)) continue;
+      if (mustBeNear || !isAligned(run)) continue;
+      if (far && offBy(*far, grid) <= offBy(run, grid)) continue;
       factor = kCoarser[n];
       far = std::move(run);
     }
@@ -76,6 +73,11 @@ class Retries {
   }
 
  private:
+  static double offBy(const Result<Parametrization>& run, const GridOptions& grid) {
+    const double ratio = cellsToAsked(*run->grid, grid);
+    return std::max(ratio, 1.0 / ratio);
+  }
+
   int triangles_;
   const SolveOptions& options_;
   const SolveAutomatic& solve_;
@@ -116,9 +118,10 @@ Status withOtherCones(int triangles, const SolveOptions& options, const GridOpti
     return Done{};
   }
   notes = before;
-  if (isAligned(run)) return Done{};
+  const bool isFar = isAligned(run);
   const bool mayBeFew = options.coneCount == 0 && !options.alignToCurvature &&
                         options.conesFor == ConesFor::kBalanced;
+  if (isFar && (!mayBeFew || triangles > kChosenTwice)) return Done{};
   if (triangles > kChosenTwice) {
     if (mayBeFew) notes.emplace_back("fewer cones leave more room for a grid: try --cones-for few");
     run->grid->needsTheseCones = true;
@@ -127,16 +130,26 @@ Status withOtherCones(int triangles, const SolveOptions& options, const GridOpti
   if (mayBeFew) {
     other = retries.few(grid);
     if (other && isCancelled(*other)) return other->error();
-    if (other) {
+    if (other && (!isFar || isNear(*other, grid))) {
       notes.emplace_back(
           "the default cones have no map on this grid; those of --cones-for few are used instead");
       run = std::move(*other);
       return Done{};
     }
   }
+  if (isFar) {
+    notes = std::move(before);
+    return Done{};
+  }
   const Status done = testAdvice(retries, grid, *run->grid);
   notes = std::move(before);
   return done;
+}
+
+double cellsToAsked(const GridReport& report, const GridOptions& grid) {
+  const double ratio =
+      grid.spacing > 0.0 ? grid.spacing / report.spacing : std::sqrt(report.cells / grid.cells);
+  return ratio * ratio * (1.0 + report.added / report.cells);
 }
 
 GridOptions wholeFraction(const GridOptions& grid, double area, int finer, int& halvings) {

@@ -22,6 +22,11 @@ Status withOtherCones(int triangles, const SolveOptions& options, const GridOpti
                       const SolveAutomatic& solve, Result<Parametrization>& run,
                       std::vector<std::string>& notes);
 
+/// The cells of an aligned map, in quad mode with the quads added beyond them, relative to those asked for.
+double cellsToAsked(const GridReport& report, const GridOptions& grid);
+/// A number of cells within this fraction of the one asked for is near it.
+inline constexpr double kNearCells = 0.1;
+
 /// The grid of a component among others: cells of the shared size or, where that leaves fewer than kLeastCells, of a half,
 /// a quarter, … of their length, so that textures that fit the others' cells fit these.
 /// @param grid  by spacing; @param finer  halvings in addition

@@ -6,6 +6,7 @@
 #include "hgp/quads/cut_strips.h"
 #include "hgp/quads/multiple_edges.h"
 #include "hgp/quads/quad_shapes.h"
+#include "hgp/quads/unfold.h"
 #include "hgp/quads/write_quads.h"
 
 namespace hgp::api {
@@ -83,6 +84,7 @@ Result<QuadFile> Session::quads(const std::string& name) const {
       Result<QuadMesh> part = quadsOf(component.mesh, mapOfComponent(component, stored.map),
                                       stored.certificates[p].q, out);
       if (!part) return toSurfaceIds(model, component, part.error());
+      unfoldInSpace(component.mesh, *part);
       append(*part, all);
     }
     out.foldedQuads = countMultipleEdges(all).foldedQuads;

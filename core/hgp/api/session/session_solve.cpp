@@ -157,11 +157,26 @@ bool maySkip(const Failure& failure) {
 
 }  // namespace
 
+/// Says where a map has far more or fewer cells than were asked for.
+static void noteCells(const GridReport& grid, RunRecord& run) {
+  const double asked = run.options.grid.cells;
+  if (std::fabs(cellsToAsked(grid, {asked, 0.0, GridMode::kTile}) - 1.0) <= kNearCells) return;
+  run.notes.push_back(formatText(
+      "%.0f cells instead of %.0f: with %.1f cells per cone no number nearer to it was found; ask "
+      "for more cells, or for fewer cones (--cones-for few)",
+      grid.cells + grid.added, asked, grid.cellsPerCone));
+}
+
 /// The component with cells of the shared size, or of a whole fraction where it is too small for these.
 Result<Parametrization> Session::State::solveOnGrid(std::size_t p, const ComponentRequest& request,
                                                     const SolveOptions& shared, RunRecord& run) {
   const bool isCounted = run.options.grid.cells > 0.0 && model->components.size() == 1;
-  if (!shared.grid.isAsked() || isCounted) return solveComponent(p, request, shared);
+  if (!shared.grid.isAsked()) return solveComponent(p, request, shared);
+  if (isCounted) {
+    Result<Parametrization> only = solveComponent(p, request, shared);
+    if (only && only->grid && only->grid->isAligned) noteCells(*only->grid, run);
+    return only;
+  }
   const double area = surfaceArea(model->components[p].mesh);
   const bool isSmall = area < kFewCells * shared.grid.spacing * shared.grid.spacing;
   SolveOptions own = shared;

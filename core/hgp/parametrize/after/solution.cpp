@@ -7,7 +7,9 @@
 #include "hgp/grid/grid_measures.h"
 #include "hgp/grid/snap.h"
 #include "hgp/improve/improve.h"
+#include "hgp/mesh/map_area.h"
 #include "hgp/parametrize/stage_clock.h"
+#include "hgp/quads/cut_strips.h"
 #include "hgp/quads/near_seams.h"
 
 namespace hgp {
@@ -158,10 +160,13 @@ Status improveOnGrid(const TriMesh& mesh, const ParametrizeOptions& options, dou
   return Done{};
 }
 
-/// Whether the quads of the map have edges that files cannot tell apart.
-bool hasMultipleEdges(const TriMesh& mesh, const UvMap& map, const SeamlessSetup& setup) {
+/// Maps whose quads have edges that files cannot tell apart are second choices, with what separating these edges adds.
+Verdict verdictOnQuads(const TriMesh& mesh, const UvMap& map, const SeamlessSetup& setup) {
   const std::optional<UvMap> snapped = snapAligned(mesh, map, setup.seams.q, setup.cones);
-  return snapped && hasMultipleEdges(mesh, *snapped, setup.cut.isSeam);
+  if (!snapped || !hasMultipleEdges(mesh, *snapped, setup.cut.isSeam)) return Acceptance::kAccepted;
+  const Result<CutQuads> cut = cutStrips(mesh, *snapped, setup.seams.q);
+  // Otherwise all cells are cut into four, at least.
+  return {Acceptance::kSecondChoice, cut ? cut->added : 3.0 * mapArea(*snapped)};
 }
 
 }  // namespace
@@ -207,14 +212,12 @@ Status alignSolution(const TriMesh& mesh, const ParametrizeOptions& options, Map
   double work = kBesidePrograms * mesh.faceCount();
   for (const Round& round : result.rounds) work += round.work;
   if (result.improvement) work += result.improvement->work;
-  Certificate certificate, secondChoice;
-  const auto accepts = [&](const UvMap& map) {
+  Certificate certificate;
+  const auto accepts = [&](const UvMap& map) -> Verdict {
     certificate = certify(mesh, result.spec, map);
     if (!certificate.isCertified) return Acceptance::kRefused;
-    if (options.grid.mode == GridMode::kTile || !hasMultipleEdges(mesh, map, setup))
-      return Acceptance::kAccepted;
-    if (!secondChoice.isCertified) secondChoice = certificate;
-    return Acceptance::kSecondChoice;
+    if (options.grid.mode == GridMode::kTile) return Acceptance::kAccepted;
+    return verdictOnQuads(mesh, map, setup);
   };
   AlignedMap aligned =
       alignToGrid(mesh, mapped.map, setup.seams.q, setup.cones, options.grid, &setup.context->tree,
@@ -224,7 +227,8 @@ Status alignSolution(const TriMesh& mesh, const ParametrizeOptions& options, Map
   if (!aligned.map) return Done{};
   mapped.solution.x = unknownsOf(mesh, setup, *aligned.map);
   mapped.map = std::move(*aligned.map);
-  mapped.certificate = std::move(aligned.isSecondChoice ? secondChoice : certificate);
+  mapped.certificate =
+      aligned.isSecondChoice ? certify(mesh, result.spec, mapped.map) : std::move(certificate);
   if (!options.improve) return Done{};
   clock.end();
   return improveOnGrid(mesh, options, aligned.workLeft, mapped, result);

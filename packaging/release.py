@@ -11,6 +11,7 @@ import argparse
 import datetime
 import gzip
 import hashlib
+import io
 import json
 import os
 import pathlib
@@ -19,7 +20,8 @@ import runpy
 import shutil
 import subprocess
 import sys
-from typing import Any, List, Set
+import tarfile
+from typing import Any, Dict, List, Set
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import third_party  # noqa: E402
@@ -52,14 +54,19 @@ def cut(changelog: str, version: str, day: str) -> str:
     return changelog.replace("## Unreleased\n", f"## Unreleased\n\n## {version} - {day}\n", 1)
 
 
+def pack(place: pathlib.Path, plain: bytes) -> None:
+    """Compresses, without name and time."""
+    with open(place, "wb") as file:
+        with gzip.GzipFile("", "wb", 9, file, mtime=0) as packed:
+            packed.write(plain)
+
+
 def source(out: pathlib.Path) -> None:
     """The files of the commit."""
     plain = subprocess.run(
         ["git", "archive", "--format=tar", f"--prefix=hgp-{VERSION}/", "HEAD"], check=True, cwd=ROOT, capture_output=True
     ).stdout
-    with open(out / f"hgp-{VERSION}.tar.gz", "wb") as file:
-        with gzip.GzipFile("", "wb", 9, file, mtime=0) as packed:
-            packed.write(plain)
+    pack(out / f"hgp-{VERSION}.tar.gz", plain)
 
 
 def configure() -> None:
@@ -86,19 +93,54 @@ def addon(out: pathlib.Path) -> None:
     run(sys.executable, "blender/pack.py", name, str(BUILD / "python/hgp"))
 
 
+def published(manifest: Dict[str, Any], commit: str, repository: str) -> Dict[str, Any]:
+    """package.json as it is published: with the commit, and with the repository that npm compares with the attestation
+    of where the archive was built."""
+    result = {**manifest, "gitHead": commit, "publishConfig": {"access": "public", "provenance": bool(repository)}}
+    if repository:
+        result = {
+            **result,
+            "repository": {"type": "git", "url": f"git+{repository}.git"},
+            "homepage": f"{repository}#readme",
+            "bugs": {"url": f"{repository}/issues"},
+        }
+    return result
+
+
 def npm(out: pathlib.Path) -> None:
     run("cmake", "--preset", "wasm-release")
     run("cmake", "--build", "--preset", "wasm-release", "--target", "hgp_package_with_cli")
-    run("npm", "pack", "--silent", "--pack-destination", str(out), str(ROOT / "build/package-with-cli"))
+    folder = ROOT / "build/package-with-cli"
+    manifest = json.loads((folder / "package.json").read_text(encoding="utf-8"))
+    whole = published(manifest, run("git", "rev-parse", "HEAD"), os.environ.get("HGP_REPOSITORY", ""))
+    (folder / "package.json").write_text(json.dumps(whole, indent=2) + "\n", encoding="utf-8")
+    run("npm", "pack", "--silent", "--pack-destination", str(out), str(folder))
     (out / f"hgp-{VERSION}.tgz").rename(out / f"hgp-npm-{VERSION}.tgz")
 
 
+def site(out: pathlib.Path) -> None:
+    """The site as an archive, to be unpacked on any static host."""
+    repository = os.environ.get("HGP_REPOSITORY", "")
+    run("scripts/site", *(["--repository", repository] if repository else []))
+    folder = ROOT / "build/site"
+    plain = io.BytesIO()
+    with tarfile.open(fileobj=plain, mode="w", format=tarfile.PAX_FORMAT) as archive:
+        for path in sorted(path for path in folder.rglob("*") if path.is_file()):
+            entry = tarfile.TarInfo(f"hgp-site-{VERSION}/{path.relative_to(folder).as_posix()}")
+            entry.size, entry.mode, entry.mtime = path.stat().st_size, 0o644, int(os.environ["SOURCE_DATE_EPOCH"])
+            with open(path, "rb") as file:
+                archive.addfile(entry, file)
+    pack(out / f"hgp-site-{VERSION}.tar.gz", plain.getvalue())
+
+
 def main() -> None:
-    makers = {"deb": debian, "wheel": wheel, "addon": addon, "npm": npm}
+    makers = {"deb": debian, "wheel": wheel, "addon": addon, "npm": npm, "site": site}
     parser = argparse.ArgumentParser("scripts/release", description="Makes everything of a release.")
     parser.add_argument("--without", default="", help="comma-separated: " + ", ".join(makers))
     parser.add_argument("--cut", action="store_true", help="only make a section of this version in CHANGELOG.md")
+    parser.add_argument("--repository", default="", help="address of the public repository, for npm and the bill of materials")
     asked = parser.parse_args()
+    os.environ["HGP_REPOSITORY"] = asked.repository
     if asked.cut:
         day = datetime.date.today().isoformat()
         changelog = ROOT / "CHANGELOG.md"
@@ -126,7 +168,7 @@ def main() -> None:
     history = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
     (out / "NOTES.md").write_text(f"# hgp {VERSION}\n\n{notes(history, VERSION)}", encoding="utf-8")
     shutil.copy(third_party.LICENCES, out)
-    bill = third_party.bill(VERSION, moment, made)
+    bill = third_party.bill(VERSION, moment, made, asked.repository or None)
     (out / f"hgp-{VERSION}.spdx.json").write_text(json.dumps(bill, indent=2) + "\n", encoding="utf-8")
     sums = "".join(f"{hashlib.sha256(file.read_bytes()).hexdigest()}  {file.name}\n" for file in sorted(out.iterdir()))
     (out / "SHA256SUMS").write_text(sums, encoding="utf-8")

@@ -25,7 +25,7 @@ PARTS = {
     "native": "command line and C++ library",
     "python": "Python package, Blender add-on",
     "npm": "npm package",
-    "page": "page",
+    "page": "page and site",
 }
 
 
@@ -112,7 +112,7 @@ def licences() -> str:
     """THIRD_PARTY_LICENSES.txt."""
     text = "Works that are part of hgp or linked to it, with their copyright notices and licences.\n\n"
     text += "Each entry says which of these contain it: " + "; ".join(PARTS.values()) + ".\n"
-    text += "The page contains the npm package. C library and GCC's run time are those of the system.\n"
+    text += "The page contains the npm package, and the site the page. C library and GCC's run time are those of the system.\n"
     for component in COMPONENTS:
         parts = "; ".join(PARTS[part] for part in component.parts)
         origin = f"\nUnmodified source: {component.origin}" if component.origin else ""

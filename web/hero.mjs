@@ -19,18 +19,8 @@ function vertexNormals(positions, triangles) {
   return sums;
 }
 
-/** Counts, positions, normals, uv in tiles, triangles: as views/turning_view.ts reads them. */
-export async function heroModel() {
-  const { bytes, file } = examples().find(({ id }) => id === 'figure');
-  const core = await createCore();
-  const model = core.load({ main: file, files: new Map([[file, new Uint8Array(bytes)]]) });
-  const { positions, uv, cornerToUv, uvToVertex, triangles, certificate } = model.parametrize({
-    q: 4,
-    grid: { spacing: 0.14 }, // of the surface; one unit of uv is one tile
-  });
-  const { certified, integerSeams, seamEdges } = certificate;
-  if (!certified || integerSeams !== seamEdges)
-    throw new Error('the model of the empty page is not certified and aligned');
+/** Counts, positions, normals, uv, triangles of a map: as views/turning_view.ts reads them. */
+export function modelBytes({ positions, uv, cornerToUv, uvToVertex, triangles }) {
   const normals = vertexNormals(positions, triangles);
   const count = uvToVertex.length;
   const out = new ArrayBuffer(8 + 32 * count + 4 * cornerToUv.length);
@@ -45,4 +35,19 @@ export async function heroModel() {
   at(uv, 2, 8 + 24 * count, (i) => i);
   new Uint32Array(out, 8 + 32 * count).set(cornerToUv);
   return new Uint8Array(out);
+}
+
+/** The model of the empty page; uv in tiles. */
+export async function heroModel() {
+  const { bytes, file } = examples().find(({ id }) => id === 'figure');
+  const core = await createCore();
+  const model = core.load({ main: file, files: new Map([[file, new Uint8Array(bytes)]]) });
+  const map = model.parametrize({
+    q: 4,
+    grid: { spacing: 0.14 }, // of the surface; one unit of uv is one tile
+  });
+  const { certified, integerSeams, seamEdges } = map.certificate;
+  if (!certified || integerSeams !== seamEdges)
+    throw new Error('the model of the empty page is not certified and aligned');
+  return modelBytes(map);
 }

@@ -1,1 +1,1 @@
-export function serviceWorker(files: Map<string, string | Uint8Array>): string;
+export function serviceWorker(files: Map<string, string | Uint8Array>, prefix?: string): string;

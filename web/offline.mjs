@@ -5,9 +5,10 @@ import { createHash } from 'node:crypto';
 
 const script = (
   files,
+  prefix,
   version,
 ) => `// Keeps this page working offline. Nothing else is cached, and nothing is sent.
-const name = 'hgp-${version}';
+const name = '${prefix}${version}';
 const files = ${JSON.stringify(files)};
 const scope = new URL('./', location.href);
 self.addEventListener('install', (event) => {
@@ -17,7 +18,7 @@ self.addEventListener('install', (event) => {
   event.waitUntil(caches.open(name).then(add));
 });
 self.addEventListener('activate', (event) => {
-  const old = (key) => key.startsWith('hgp-') && key !== name;
+  const old = (key) => key.startsWith('${prefix}') && key !== name;
   event.waitUntil(
     caches.keys().then((keys) => Promise.all(keys.filter(old).map((key) => caches.delete(key)))),
   );
@@ -28,19 +29,23 @@ self.addEventListener('fetch', (event) => {
   const find = async () => {
     const cache = await caches.open(name);
     const page = url.split(/[?#]/)[0];
-    return (await cache.match(page === scope.href ? './index.html' : page)) ?? fetch(event.request);
+    return (await cache.match(page.endsWith('/') ? page + 'index.html' : page)) ?? fetch(event.request);
   };
   event.respondWith(find());
 });
 `;
 
-/** `files`: name → content, all that the page needs once it is open. */
-export function serviceWorker(files) {
+/**
+ * `files`: name → content, all that the page needs once it is open. `prefix`: of the names of its caches; two pages of one
+ * host that have the same delete one another's.
+ */
+export function serviceWorker(files, prefix = 'hgp-') {
   const names = [...files.keys()].sort();
   const hash = createHash('sha256');
   for (const file of names) hash.update(file).update(files.get(file));
   return script(
     names.map((file) => `./${file}`),
+    prefix,
     hash.digest('hex').slice(0, 16),
   );
 }

@@ -42,6 +42,7 @@ export const policy =
 
 const types = {
   '.html': 'text/html',
+  '.svg': 'image/svg+xml',
   '.css': 'text/css',
   '.js': 'text/javascript',
   '.wasm': 'application/wasm',

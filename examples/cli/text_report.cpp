@@ -120,9 +120,13 @@ std::string gridText(const Json& grid) {
 
 std::string distortion(const Json& component) {
   const Json& d = component["distortion"];
-  return formatText("μ mean %.4f, 95%% %.4f, max %.4f; log₂ area rms %.3f (%.2f … %.2f)",
-                    number(d, "meanMu"), number(d, "p95Mu"), number(d, "maxMu"),
-                    number(d, "rmsLogArea"), number(d, "minLogArea"), number(d, "maxLogArea"));
+  const double mu = number(d, "medianMu");
+  return formatText(
+      "stretch typically %.3g %%, size varies × %.2f (5–95 %%); "
+      "μ mean %.4f, 95%% %.4f, max %.4f; log₂ area rms %.3f (%.2f … %.2f)",
+      200 * mu / (1 - mu), number(d, "sizeSpread"), number(d, "meanMu"), number(d, "p95Mu"),
+      number(d, "maxMu"), number(d, "rmsLogArea"), number(d, "minLogArea"),
+      number(d, "maxLogArea"));
 }
 
 /// Text on stored triangles that the certificate does not cover as stored, and on polygons of which it covers hgp's

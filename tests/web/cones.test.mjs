@@ -26,6 +26,39 @@ const it = useBrowser();
 const { test } = it;
 const vertexOf = (i) => it.page.locator(`tr[data-cone="${i}"] td`).first().innerText();
 
+test('where sizes differ ten times, one click adds cones there, and the numbers before stay in view', async () => {
+  const { page } = it;
+  const mesh = cubeMesh(8);
+  for (const p of mesh.vertices) p[2] *= 4; // a tower, with all its cones at one end
+  await openFiles(it, { 'tower.obj': toObj(mesh) });
+  const low = [...mesh.vertices.keys()].filter((v) => mesh.vertices[v][2] <= Math.min(...mesh.vertices.map((p) => p[2])) + 1.01); // prettier-ignore
+  const cones = [0, 4, 8, 12, 16, 20, 24, 28].map((i) => ({ vertex: low[i], k: 3 }));
+  await drop(it, { 'low.cones.json': JSON.stringify({ format: 'hgp-cones', version: 1, q: 4, cones }) }); // prettier-ignore
+  await page.waitForSelector('tr[data-cone="7"]');
+  await run(it);
+  const sizes = () => page.locator('#size').innerText();
+  const first = Number(/× (\d+)/.exec(await sizes())[1]);
+  assert.ok(first > 3, await sizes());
+  assert.match(await page.innerText('#sizes-differ'), /times larger in some places than in others/);
+  await page.click('#sizes-differ button >> text=Show');
+  assert.match(await statusText(page), /triangles are outlined|Shown: triangle/);
+  await page.click('#sizes-differ button >> text=/Add .* and run/');
+  await page.waitForSelector('#size .before');
+  const [, before, after] = /× (\d+).*now:\s*× ([\d.]+)/s.exec(await sizes());
+  assert.equal(Number(before), first);
+  assert.ok(Number(after) < 0.6 * first, await sizes());
+  await page.click('#undo'); // one step
+  assert.equal(await coneCount(it), 8);
+  // The pointer shows the local size.
+  const box = await page.locator('#view').boundingBox();
+  await page.click('#seams'); // so that it is not about a seam
+  await settled(page);
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.waitForFunction(() =>
+    /pattern × [\d.]+ · [\d.]+ cells per unit/.test(document.querySelector('.hover').innerText),
+  );
+});
+
 async function openCube() {
   await openFiles(it, { 'cube.obj': toObj(cubeMesh(8)) });
   await settled(it.page);

@@ -122,8 +122,9 @@ struct Sums {
 void measureSpread(const std::vector<TriangleMap>& triangles, const Sums& sums,
                    DistortionFacts& facts) {
   double squares = 0.0, smallestScale = DBL_MAX, smallestArea = DBL_MAX;
-  std::vector<std::pair<double, double>> mu, logArea;
+  std::vector<std::pair<double, double>> mu, logArea, size;
   mu.reserve(triangles.size());
+  size.reserve(triangles.size());
   logArea.reserve(triangles.size());
   facts.minLogArea = DBL_MAX;
   facts.maxLogArea = -DBL_MAX;
@@ -132,6 +133,7 @@ void measureSpread(const std::vector<TriangleMap>& triangles, const Sums& sums,
     squares += t.area * log * log;
     mu.emplace_back(t.mu, t.area);
     logArea.emplace_back(std::fabs(log), t.area);
+    size.emplace_back(t.uvArea / t.area, t.area);
     facts.minLogArea = std::min(facts.minLogArea, log);
     facts.maxLogArea = std::max(facts.maxLogArea, log);
     smallestArea = std::min(smallestArea, t.uvArea);
@@ -147,6 +149,8 @@ void measureSpread(const std::vector<TriangleMap>& triangles, const Sums& sums,
   facts.rmsLogArea = std::sqrt(squares / sums.area);
   facts.p95Mu = weightedQuantile(mu, 0.95);
   facts.p95LogArea = weightedQuantile(logArea, 0.95);
+  facts.medianMu = weightedQuantile(mu, 0.5);
+  facts.sizeSpread = finite(std::sqrt(weightedQuantile(size, 0.95) / weightedQuantile(size, 0.05)));
   facts.areaSpan = smallestScale / (sums.uvArea / sums.area);
   facts.smallestToMeanArea = smallestArea / (sums.uvArea / facts.triangleCount);
 }

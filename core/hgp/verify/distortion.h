@@ -10,11 +10,13 @@ namespace hgp {
 struct DistortionFacts {
   int triangleCount = 0;  ///< triangles measured
   double meanMu = 0;      ///< μ = |f_z̄| / |f_z| ∈ [0, 1), 0 = conformal
+  double medianMu = 0;    ///< half of the area has at most this
   double p95Mu = 0;       ///< 95 % of the area has at most this
   double maxMu = 0;
   double rmsLogArea = 0;  ///< log₂(uv area / surface area) at the best global scale
   double p95LogArea = 0;  ///< of the absolute value
   double minLogArea = 0, maxLogArea = 0;
+  double sizeSpread = 1;  ///< √(uv area / surface area), at 95 % of the surface area over at 5 %
   double symmetricDirichlet = 0;  ///< excess over an isometry at the best global scale, ≥ 0
   double areaSpan = 0;            ///< smallest to mean of uv area per surface area
   double smallestToMeanArea = 0;  ///< smallest to mean uv area

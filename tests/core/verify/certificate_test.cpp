@@ -336,6 +336,8 @@ TEST(Certificate, DistortionOfALinearMapIsTheClosedForm) {
   EXPECT_NEAR(d.meanMu, mu, 1e-14);
   EXPECT_NEAR(d.p95Mu, mu, 1e-14);
   EXPECT_NEAR(d.maxMu, mu, 1e-14);
+  EXPECT_NEAR(d.medianMu, mu, 1e-14);
+  EXPECT_NEAR(d.sizeSpread, 1.0, 1e-13);
   EXPECT_NEAR(d.rmsLogArea, 0.0, 1e-13);
   EXPECT_NEAR(d.symmetricDirichlet, 2 * (a / b + b / a) - 4, 1e-12);
   EXPECT_EQ(d.triangleCount, mesh.faceCount());
@@ -348,7 +350,7 @@ TEST(Certificate, DistortionAgreesWithSingularValuesAndASortedList) {
   const DistortionFacts d = certify(mesh, regular(4), map).distortion;
   ASSERT_EQ(d.triangleCount, mesh.faceCount());
   // Singular values from the metric tensors, in another way than the verifier's.
-  std::vector<std::pair<double, double>> mu;
+  std::vector<std::pair<double, double>> mu, size;
   double total = 0, sum = 0;
   for (FaceId f : mesh.faces()) {
     const auto t = mesh.corners(f);
@@ -370,19 +372,25 @@ TEST(Certificate, DistortionAgreesWithSingularValuesAndASortedList) {
     const double product = std::sqrt((H[0] * H[2] - H[1] * H[1]) / det);
     const double plus = std::sqrt(trace + 2 * product), minus = std::sqrt(trace - 2 * product);
     mu.emplace_back(minus / plus, 0.5 * std::sqrt(det));
+    size.emplace_back(std::sqrt(product), 0.5 * std::sqrt(det));
     total += mu.back().second;
     sum += mu.back().first * mu.back().second;
   }
   EXPECT_NEAR(d.meanMu, sum / total, 1e-12);
-  std::sort(mu.begin(), mu.end());
+  const auto quantile = [&](std::vector<std::pair<double, double>>& values, double share) {
+    std::sort(values.begin(), values.end());
+    double below = 0;
+    for (const auto& [value, weight] : values) {
+      below += weight;
+      if (below >= share * total) return value;
+    }
+    return values.back().first;
+  };
+  EXPECT_NEAR(d.p95Mu, quantile(mu, 0.95), 1e-12);
+  EXPECT_NEAR(d.medianMu, quantile(mu, 0.5), 1e-12);
   EXPECT_NEAR(d.maxMu, mu.back().first, 1e-12);
-  double below = 0, p95 = 0;
-  for (const auto& [value, weight] : mu) {
-    below += weight;
-    p95 = value;
-    if (below >= 0.95 * total) break;
-  }
-  EXPECT_NEAR(d.p95Mu, p95, 1e-12);
+  // The scale of a size is the root of that of areas.
+  EXPECT_NEAR(d.sizeSpread, quantile(size, 0.95) / quantile(size, 0.05), 1e-12);
 }
 
 TEST(Certificate, QuantileIsWeightedByArea) {

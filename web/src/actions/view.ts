@@ -2,6 +2,7 @@
 
 import type { Where } from 'hgp';
 import { overlays, patterns, type Look, type Model, type Pattern } from '../model/types';
+import { count } from '../text/format';
 import { highlightTargets } from '../views/highlight_targets';
 import type { App } from './app';
 import { select } from './edit_cones';
@@ -73,16 +74,19 @@ export function frame(app: App): void {
   views?.model.draw();
 }
 
-/** Outlines places in both views and centres the first. */
-export function showPlaces({ doc, ui, views }: App, where: Where[]): void {
+/** Outlines places in both views and centres a vertex, by default of the first. */
+export function showPlaces({ doc, ui, views }: App, where: Where[], at?: number): void {
   const { model, displayed } = doc;
   if (!model) return;
   const targets = highlightTargets(where, model.surface, displayed);
   views?.model.highlight(targets.triangles, targets.edges);
   views?.uv.highlight(targets.triangles, targets.uvEdges);
-  if (targets.first >= 0) views?.model.lookAt(targets.first);
+  const first = at ?? targets.first;
+  if (first >= 0) views?.model.lookAt(first);
+  const isPlain = where.every(({ kind }) => kind === 'triangle');
+  const what = isPlain ? 'triangles are outlined' : 'places are shown';
   doc.say(
-    where.length === 1 ? `Shown: ${targets.text}.` : `${where.length} places shown, in pink.`,
+    where.length === 1 ? `Shown: ${targets.text}.` : `${count(where.length)} ${what}, in pink.`,
   );
   ui.tab = 'surface';
 }

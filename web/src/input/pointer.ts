@@ -6,8 +6,9 @@ import { switchMesh } from '../actions/load';
 import { undo } from '../actions/undo';
 import { clearHighlight } from '../actions/view';
 import { isAligned } from '../model/grid';
-import { defectDegrees } from '../model/surface';
+import { defectDegrees, scaleAt } from '../model/surface';
 import type { Surface } from '../model/types';
+import { timesText } from '../text/format';
 import type { Hit } from '../views/canvas_view';
 import type { ModelView } from '../views/model_view';
 import type { UvView } from '../views/uv_view';
@@ -226,7 +227,7 @@ export class Pointer {
     const isOutlined = !isPlacing;
     this.#model.highlight(isOutlined ? [hit.triangle] : [], edges as [number, number][]);
     this.#uv.highlight([hit.triangle], ends ? [ends.a, ends.b] : []);
-    ui.hover = ends ? this.#seamText(seam!) : this.#vertexText(hit.vertex, surface);
+    ui.hover = ends ? this.#seamText(seam!) : this.#vertexText(hit, surface);
   }
 
   get #surface(): Surface | undefined {
@@ -259,11 +260,25 @@ export class Pointer {
     return `Seam: turns by ${r}·360°/${q} = ${((360 * r) / q).toFixed(0)}°, shifts by ${by}`;
   }
 
-  #vertexText(vertex: number, surface: Surface): string {
+  #vertexText({ vertex, triangle }: Hit, surface: Surface): string {
     const cone = this.#app.doc.prescription.cones.findIndex((one) => one.vertex === vertex);
     const at = cone >= 0 ? `Cone ${cone + 1} · v` : 'v';
-    const degrees = defectDegrees(surface, vertex).toFixed(0).replace('-', '−');
-    return `${at} ${vertex} · valence ${surface.valence[vertex]} · curvature ${degrees}°`;
+    const degrees = defectDegrees(surface, vertex)
+      .toFixed(0)
+      .replace(/^-0$/, '0')
+      .replace('-', '−');
+    return `${at} ${vertex} · valence ${surface.valence[vertex]} · curvature ${degrees}°${this.#sizeText(triangle, surface)}`;
+  }
+
+  /** The local scale of the map, relative to the typical one and absolute. */
+  #sizeText(triangle: number, surface: Surface): string {
+    const solution = this.#app.doc.displayed;
+    if (!solution || solution.cornerUv.length !== 2 * surface.triangles.length) return '';
+    const scale = scaleAt(surface, solution.cornerUv, triangle);
+    if (!(scale > 0)) return '';
+    const unit = isAligned(solution) ? 'cells' : 'uv';
+    const larger = timesText(solution.sizes.typicalScale / scale);
+    return ` · pattern ${larger} · ${Number(scale.toPrecision(3))} ${unit} per unit of length`;
   }
 }
 

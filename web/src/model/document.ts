@@ -198,6 +198,12 @@ export class Document extends storeOf<Fields>() {
     return this.#displayed.value;
   }
 
+  /** The solution that the displayed one has replaced, if that is the newest. */
+  get beforeDisplayed(): Solution | undefined {
+    const all = this.#forSurface.value;
+    return all.at(-1) === this.displayed ? all.at(-2) : undefined;
+  }
+
   /** Whether Run chooses cones: only if nothing is prescribed, neither cones nor turnings nor rotations. */
   get needsCones(): boolean {
     return isSilent(this.prescription) && (!this.hasUserCones || !this.budget?.isReady);

@@ -9,6 +9,7 @@ import type {
   Where,
   Written,
 } from 'hgp';
+import type { Distortion, LeastArea, Overlaps, Sizes } from './measures';
 import type { Prescription } from './prescription';
 
 /** By relative name. */
@@ -120,51 +121,6 @@ export interface SolveRequest {
   output: Output;
 }
 
-/** Values at 0, 5, 50, 95, 99 and 100 percent. */
-export interface Quantiles {
-  min: number;
-  p5: number;
-  median: number;
-  p95: number;
-  p99: number;
-  max: number;
-}
-
-export interface Distortion {
-  /** Ratio of singular values; 1: angles preserved. */
-  stretch: Quantiles;
-  /** log₂ of the area scale relative to that of the whole surface. */
-  area: Quantiles;
-  /** The absolute value of `area`. */
-  areaSize: Quantiles;
-  seamDistance: Quantiles;
-  /** Triangles that are not positive in the map. */
-  flipped: Uint32Array;
-  uvArea: number;
-  surfaceArea: number;
-}
-
-export interface LeastArea {
-  /** The smallest signed area of a triangle in the map; negative if it is flipped. */
-  area: number;
-  /** The mean area of all triangles. */
-  mean: number;
-  triangle: number;
-  /** Number of triangles with negative area, and with area zero. */
-  negative: number;
-  zero: number;
-  /** The smallest positive area. */
-  smallestPositive: number;
-}
-
-export interface Overlaps {
-  /** Pairs of triangles that overlap and share no corner. */
-  pairs: number;
-  triangles: Uint32Array;
-  /** Whether counting stopped because there are too many. */
-  isMore: boolean;
-}
-
 /** A surface with its map, corner by corner. */
 export interface Corners {
   /** Per triangle corner, three numbers. */
@@ -188,6 +144,7 @@ export interface Analysis {
   /** The map as a flat mesh, three numbers per corner. */
   flatPositions: Float32Array;
   distortion: Distortion;
+  sizes: Sizes;
   least: LeastArea;
   /** Triangles that overlap others, which is allowed. */
   overlaps: Overlaps;

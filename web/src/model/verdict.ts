@@ -2,7 +2,8 @@
 // these rows; each row's tick is computed from the number that the row shows.
 
 import type { Certificate, Where } from 'hgp';
-import type { LeastArea, Solution } from './types';
+import type { LeastArea } from './measures';
+import type { Solution } from './types';
 
 export interface VerdictRow {
   name: string;

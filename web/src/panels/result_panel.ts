@@ -1,7 +1,6 @@
-// The Result panel: verdict, two summary numbers, and the checks under Details.
+// The Result panel: verdict, three summary numbers, and the checks under Details.
 
 import { html, nothing, type TemplateResult } from 'lit';
-import type { Where } from 'hgp';
 import { attempt } from '../actions/app';
 import { leaveRepairsOut } from '../actions/repair';
 import { showPlaces } from '../actions/view';
@@ -20,6 +19,7 @@ import { repairsMade } from '../text/repairs';
 import { actionButton } from './action_button';
 import { icon } from './icons';
 import { Panel } from './panel';
+import { sizeRows } from './size_rows';
 import './result_panel.css';
 
 type Fact = [name: string, value: string];
@@ -77,7 +77,7 @@ class ResultPanel extends Panel {
     const isGood = isCertified(solution);
     return html`<details open id="panel-result" class=${doc.current === solution ? '' : 'stale'}>
       <summary>Result</summary>
-      ${this.#banner(solution, isGood)} ${this.#twoNumbers(solution)}
+      ${this.#banner(solution, isGood)} ${sizeRows(this.app, solution)}
       ${isGood ? nothing : this.#reasons(solution)} ${this.#repairs()}
       <details id="result-details" ?open=${!isGood}>
         <summary>Details</summary>
@@ -102,33 +102,6 @@ class ResultPanel extends Panel {
         <p>${isStale ? 'For the previous cones. ' : ''}${text}</p>
       </div>
     </div>`;
-  }
-
-  /** How much the texture is stretched, and whether parts of the map overlap. */
-  #twoNumbers({ distortion, overlaps, result }: Solution): TemplateResult {
-    const percent = 100 * (distortion.stretch.median - 1);
-    const { pairs, triangles } = overlaps;
-    const share = 100 * result.certificate.overlap.share;
-    const places = Array.from(triangles, (id): Where => ({ kind: 'triangle', id }));
-    return html`<dl class="facts plain">
-      <div title="Of the triangle in the middle: how much longer one direction is than the other">
-        <dt>Typical stretch</dt>
-        <dd id="stretch">${percent < 10 ? percent.toFixed(1) : percent.toFixed(0)} %</dd>
-      </div>
-      <div title="Distant parts of the map may lie on top of each other; neighbours never do">
-        <dt>Overlaps</dt>
-        <dd id="overlaps">
-          ${
-            pairs === 0
-              ? 'none'
-              : html`${share < 0.05 ? 'under 0.1' : share.toFixed(1)} % of the area
-                  <button type="button" class="link" @click=${() => showPlaces(this.app, places)}>
-                    Show
-                  </button>`
-          }
-        </dd>
-      </div>
-    </dl>`;
   }
 
   /** A note next to the verdict that the solved surface differs from the one in the file. */

@@ -24,4 +24,11 @@ export const count = (n: number | undefined): string => grouped.format(n ?? 0).r
 export const plural = (n: number, one: string, many = `${one}s`): string =>
   `${count(n)} ${n === 1 ? one : many}`;
 
+/** "4.8 %", "41 %" */
+export const percentText = (x: number): string => `${x.toFixed(x < 9.95 ? 1 : 0)} %`;
+
+/** "× 1.6", "× 24" */
+export const timesText = (x: number): string =>
+  `× ${x < 9.95 ? x.toFixed(1) : count(Math.round(x))}`;
+
 export const signed = (x: number): string => (x < 0 ? `−${(-x).toFixed(2)}` : x.toFixed(2));

@@ -176,6 +176,7 @@ class ComponentJson {
   Json distortion() const {
     const DistortionFacts& d = c_.distortion;
     return Json{{"meanMu", d.meanMu},
+                {"medianMu", d.medianMu},
                 {"p95Mu", d.p95Mu},
                 {"maxMu", d.maxMu},
                 {"worstMuTriangle", face(d.worstMu)},
@@ -183,6 +184,7 @@ class ComponentJson {
                 {"p95LogArea", d.p95LogArea},
                 {"minLogArea", d.minLogArea},
                 {"maxLogArea", d.maxLogArea},
+                {"sizeSpread", d.sizeSpread},
                 {"symmetricDirichlet", d.symmetricDirichlet},
                 {"areaSpan", d.areaSpan},
                 {"smallestToMeanArea", d.smallestToMeanArea},

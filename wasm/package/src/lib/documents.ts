@@ -444,6 +444,10 @@ export interface Certificate {
        */
       meanMu: number;
       /**
+       * half of the surface area has at most this μ; its stretch σ₁/σ₂ = (1 + μ)/(1 − μ) is the typical one
+       */
+      medianMu: number;
+      /**
        * 95 % of the surface area have at most this μ
        */
       p95Mu: number;
@@ -471,6 +475,10 @@ export interface Certificate {
        * largest value of it
        */
       maxLogArea: number;
+      /**
+       * how much sizes vary: the scale √(uv area / surface area) that 95 % of the surface area have at most, over the one that 5 % have at most; 1 if all are equal
+       */
+      sizeSpread: number;
       /**
        * mean symmetric Dirichlet energy minus that of an isometry, at the best global scale; ≥ 0
        */

@@ -5,12 +5,13 @@ import type { Measures, Result } from 'hgp';
 import { isGltf, objectsIn, parseGltf } from '../../formats/glb';
 import { summarizePreserved } from '../../formats/preserved_content';
 import { readUv, type MeshoptDecoder } from '../../formats/read_uv';
-import type { Analysis, Corners, OutputFile } from '../../model/types';
+import type { Analysis, Corners, OutputFile, Surface } from '../../model/types';
 import { boxOf, leastArea, quantilesOf } from './distortion';
 import { forEachIndex } from './loops';
 import { triangulatedLike } from './polygon_corners';
 
 import { distanceToSeams } from './seam_distance';
+import { sizesOf } from './sizes';
 
 export type MapArrays = Pick<
   Result,
@@ -103,11 +104,10 @@ function flatten(uv: Float32Array): Float32Array {
   return flat;
 }
 
-interface Edges {
-  neighbourStart: Uint32Array;
-  neighbours: Uint32Array;
-  vertexCount: number;
-}
+type Edges = Pick<
+  Surface,
+  'neighbourStart' | 'neighbours' | 'vertexCount' | 'isBoundary' | 'representative'
+>;
 
 export function analyse(
   request: AnalysisRequest,
@@ -136,6 +136,7 @@ export function analyse(
       seamDistance: quantilesOf(seamDistance),
       ...{ flipped, uvArea, surfaceArea },
     },
+    sizes: sizesOf({ ...faces, triangles: map.triangles, positions: map.positions }, edges),
     // From the file's map if it could be read.
     least: leastArea(read && read.uv.length === own.uv.length ? read.uv : own.uv),
     ...{ overlaps, chains },

@@ -1,6 +1,7 @@
 // Summaries of a map in a few numbers.
 
-import type { Box, LeastArea, Quantiles } from '../../model/types';
+import type { LeastArea, Quantiles } from '../../model/measures';
+import type { Box } from '../../model/types';
 import { forEachIndex } from './loops';
 
 /** The quantiles of values, which are sorted in place; all 0 if there are none. */

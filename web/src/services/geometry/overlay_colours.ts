@@ -1,6 +1,7 @@
 // The colours of an overlay, per triangle corner; flipped triangles are red.
 
-import type { Distortion, Overlay } from '../../model/types';
+import type { Distortion } from '../../model/measures';
+import type { Overlay } from '../../model/types';
 import type { FaceValues } from './analyse';
 
 type Rgb = readonly [number, number, number];

@@ -1,0 +1,120 @@
+// How sizes vary, against a sorted list, and against the certificate of the solver.
+
+import assert from 'node:assert/strict';
+import { existsSync } from 'node:fs';
+import path from 'node:path';
+import test from 'node:test';
+import { scaleAt } from '../../../web/src/model/surface.ts';
+import { sizesOf, weightedQuantile } from '../../../web/src/services/geometry/sizes.ts';
+import { percentText, timesText } from '../../../web/src/text/format.ts';
+import { bumpyDisk } from '../../support/disk.mjs';
+
+const core = path.resolve(import.meta.dirname, '../../../build/package/node/core.js');
+const skip = existsSync(core) ? false : 'build/package is not there: build hgp_package first';
+
+test('a weighted quantile is that of the sorted list, also with equal values and weights of zero', () => {
+  let seed = 5;
+  const random = () => (seed = (seed * 16807) % 2147483647) / 2147483647;
+  for (let round = 0; round < 300; round++) {
+    const n = 1 + Math.floor(40 * random());
+    const values = Array.from({ length: n }, () => Math.floor(6 * random()) - 3);
+    const weights = values.map(() => (random() < 0.2 ? 0 : Math.ceil(5 * random())));
+    const total = weights.reduce((sum, x) => sum + x, 0);
+    if (total === 0) continue;
+    for (const share of [0.01, 0.05, 0.5, 0.95, 1]) {
+      const order = [...values.keys()].sort((a, b) => values[a] - values[b]);
+      let below = 0;
+      const wanted = values[order.find((i) => (below += weights[i]) >= share * total)];
+      assert.equal(
+        weightedQuantile(Uint32Array.from(values.keys()), values, weights, share),
+        wanted,
+      );
+    }
+  }
+});
+
+/** A strip of squares along x, two triangles each, and how each is scaled in the map. */
+function strip(scales) {
+  const n = scales.length;
+  const positions = Float64Array.from({ length: 2 * (n + 1) }, (_, i) => i).reduce((all, i) => all.concat([i >> 1, i & 1, 0]), []); // prettier-ignore
+  const triangles = scales.flatMap((_, s) => [2 * s, 2 * s + 2, 2 * s + 3, 2 * s, 2 * s + 3, 2 * s + 1]); // prettier-ignore
+  const area = scales.flatMap((x) => [2 * Math.log2(x), 2 * Math.log2(x)]);
+  const around = Array.from({ length: 2 * (n + 1) }, (_, v) => [v ^ 1, v - 2, v + 2].filter((w) => w >= 0 && w < 2 * (n + 1))); // prettier-ignore
+  const neighbourStart = [0];
+  for (const all of around) neighbourStart.push(neighbourStart.at(-1) + all.length);
+  return {
+    faces: {
+      positions: Float64Array.from(positions),
+      triangles: Uint32Array.from(triangles),
+      area: Float32Array.from(area),
+      stretch: new Float32Array(2 * n).fill(1.25),
+      flipped: new Uint32Array(0),
+      uvArea: scales.reduce((sum, x) => sum + x * x, 0),
+      surfaceArea: n,
+    },
+    around: {
+      vertexCount: 2 * (n + 1),
+      neighbourStart: Uint32Array.from(neighbourStart),
+      neighbours: Uint32Array.from(around.flat()),
+      representative: Int32Array.from({ length: 2 * (n + 1) }, (_, v) => v),
+      isBoundary: new Uint8Array(2 * (n + 1)),
+    },
+  };
+}
+
+test('places of very different size are found, each once, with a vertex inside', () => {
+  const scales = new Array(60).fill(1);
+  scales.fill(0.05, 10, 13).fill(20, 40, 44);
+  const { faces, around } = strip(scales);
+  const sizes = sizesOf(faces, around);
+  assert.equal(sizes.typicalStretch, 1.25);
+  assert.ok(Math.abs(sizes.typicalScale - 1) < 1e-6, `${sizes.typicalScale}`);
+  assert.ok(Math.abs(sizes.range / 400 - 1) < 1e-6, `${sizes.range}`);
+  const { larger, smaller } = sizes;
+  assert.ok(Math.abs(larger.share - 3 / 60) < 1e-12 && Math.abs(smaller.share - 4 / 60) < 1e-12);
+  assert.equal(larger.vertices.length, 1);
+  assert.ok(larger.vertices[0] >= 20 && larger.vertices[0] <= 27, `${larger.vertices}`);
+  assert.ok(smaller.vertices[0] >= 80 && smaller.vertices[0] <= 89, `${smaller.vertices}`);
+  assert.deepEqual(
+    [...larger.triangles].sort((a, b) => a - b),
+    [20, 21, 22, 23, 24, 25],
+  );
+  // On a boundary there are no cones.
+  around.isBoundary.fill(1);
+  assert.deepEqual(sizesOf(faces, around).larger.vertices, []);
+});
+
+test('a map with equal sizes has no such places', () => {
+  const { faces, around } = strip(new Array(30).fill(1));
+  const { spread, range, larger, smaller } = sizesOf(faces, around);
+  assert.deepEqual([spread, range], [1, 1]);
+  assert.deepEqual([larger.vertices, smaller.vertices, larger.share], [[], [], 0]);
+});
+
+test('stretch and spread of sizes are the numbers of the certificate', { skip }, async () => {
+  const { createCore } = await import(core);
+  const solver = await createCore();
+  const files = new Map([['disk.obj', new TextEncoder().encode(bumpyDisk(14))]]);
+  const model = solver.load({ main: 'disk.obj', files });
+  const map = model.parametrize({});
+  const [{ distortion }] = map.certificate.components;
+  const measures = map.measure();
+  const { triangles, positions } = map;
+  const sizes = sizesOf({ ...measures, triangles, positions }, { ...model.facts(), vertexCount: positions.length / 3 }); // prettier-ignore
+  const stretch = (1 + distortion.medianMu) / (1 - distortion.medianMu);
+  assert.ok(
+    Math.abs(sizes.typicalStretch / stretch - 1) < 1e-6,
+    `${sizes.typicalStretch} ${stretch}`,
+  );
+  assert.ok(Math.abs(sizes.spread / distortion.sizeSpread - 1) < 1e-6);
+  assert.ok(sizes.spread > 1.01);
+  // The local scale at the pointer is the root of a triangle's area in the map over that on the surface.
+  const uv = Float64Array.from(map.cornerToUv).reduce((all, at) => [...all, map.uv[2 * at], map.uv[2 * at + 1]], []); // prettier-ignore
+  const mean = measures.area.map((x, t) => x - 2 * Math.log2(scaleAt({ positions, triangles }, uv, t))); // prettier-ignore
+  assert.ok(mean.every((x) => Math.abs(x - mean[0]) < 1e-4));
+});
+
+test('numbers are said in few digits', () => {
+  assert.deepEqual([4.81, 9.94, 9.97, 41.4].map(percentText), ['4.8 %', '9.9 %', '10 %', '41 %']);
+  assert.deepEqual([1.64, 23.7, 1234].map(timesText), ['× 1.6', '× 24', '× 1 234']);
+});

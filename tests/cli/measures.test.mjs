@@ -58,3 +58,33 @@ test('inspect: the size of a mesh is that of its finite vertices', () => {
   assert.ok(size('torus.obj') > 1);
   assert.equal(size('unused.obj'), size('torus.obj'));
 });
+
+test('with several components the log₂ areas are those of each, and a reason names its component', () => {
+  const one = torusMesh(12, 8);
+  const big = one.vertices.map((p) => p.map((x) => 3 * x + 20));
+  const shift = one.vertices.length;
+  const mesh = {
+    vertices: [...one.vertices, ...big],
+    triangles: [...one.triangles, ...one.triangles.map((t) => t.map((v) => v + shift))],
+  };
+  put('two.obj', toObj(mesh));
+  good('param', 'two.obj', '-o', 'two-map.obj', '--faces', 'faces.csv', '--json', 'r.json');
+  const areas = read('faces.csv').trim().split('\n').slice(1).map((row) => Number(row.split(',')[2])); // prettier-ignore
+  JSON.parse(read('r.json')).certificate.components.forEach(({ distortion }, p) => {
+    const own = areas.slice(p * one.triangles.length, (p + 1) * one.triangles.length);
+    assert.ok(Math.abs(Math.min(...own) - distortion.minLogArea) < 1e-5, `component ${p}`);
+    assert.ok(Math.abs(Math.max(...own) - distortion.maxLogArea) < 1e-5, `component ${p}`);
+  });
+  const lines = read('two-map.obj').trim().split('\n');
+  const last = lines.findLastIndex((line) => line.startsWith('vt '));
+  lines[last] = 'vt 1000 1000';
+  put('torn.obj', `${lines.join('\n')}\n`);
+  assert.equal(run('verify', 'torn.obj', '--json', 'torn.json').code, 6);
+  const { components, triangles, flipped } = JSON.parse(read('torn.json'));
+  assert.deepEqual(components[0].reasons, []);
+  const { message } = components[1].reasons.find(({ rule }) => rule === 'orientation');
+  assert.ok(
+    message.startsWith(`In component 1: ${flipped} of ${triangles / 2} triangles`),
+    message,
+  );
+});

@@ -39,14 +39,19 @@ function statistics(solution: Solution): Fact[] {
     (one) => (one.rounds as { iterations: number; laplacianEnergy?: number }[]) ?? [],
   );
   const energy = rounds.at(-1)?.laplacianEnergy;
-  const mu = componentsOf(certificate)[0]?.distortion;
+  const parts = componentsOf(certificate).flatMap((one) =>
+    one.distortion ? [one.distortion] : [],
+  );
+  const mu = parts.toSorted((a, b) => b.p95Mu - a.p95Mu)[0];
   const { stretch, area } = distortion;
+  const least = Math.min(...parts.map((one) => one.minLogArea));
+  const most = Math.max(...parts.map((one) => one.maxLogArea));
   const iterations = rounds.reduce((sum, one) => sum + one.iterations, 0);
   const facts: (Fact | undefined)[] = [
-    mu && ['μ, mean · 95 % · most', [mu.meanMu, mu.p95Mu, mu.maxMu].map((x) => x.toFixed(3)).join(' · ')], // prettier-ignore
+    mu && [`μ${parts.length > 1 ? ' of the worst component' : ''}, mean · 95 % · most`, [mu.meanMu, mu.p95Mu, mu.maxMu].map((x) => x.toFixed(3)).join(' · ')], // prettier-ignore
     ['Stretch σ₁/σ₂, 50 · 95 %', `${stretch.median.toFixed(2)} · ${stretch.p95.toFixed(2)}`],
     ['log₂ area, 5 · 95 %', `${signed(area.p5)} · ${signed(area.p95)}`],
-    ['log₂ area, least · most', `${signed(area.min)} · ${signed(area.max)}`],
+    mu && ['log₂ area, least · most', `${signed(least)} · ${signed(most)}`],
     ['Map, width × height', `${box.width.toPrecision(3)} × ${box.height.toPrecision(3)}`],
     ['Seam length', seamLength(solution).toPrecision(3)],
     energy === undefined ? undefined : ['Energy ‖Lz‖²', shortNumber(energy)],

@@ -46,7 +46,7 @@ function overlapRow(app: App, { overlaps, result }: Solution): TemplateResult {
     <dt>Overlaps</dt>
     <dd id="overlaps">
       ${
-        overlaps.pairs === 0
+        result.certificate.overlap.layers <= 1
           ? 'none'
           : html`${share < 0.05 ? 'under 0.1' : share.toFixed(1)} % of the area
               <button type="button" class="link" @click=${show}>Show</button>`

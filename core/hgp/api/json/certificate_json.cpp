@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
 
 #include "hgp/api/json/json_text.h"
 #include "hgp/api/json/json_values.h"
@@ -42,8 +44,9 @@ Json featureCounts(const FeatureFacts& f) {
 
 class ComponentJson {
  public:
-  ComponentJson(const ModelComponent& component, const Certificate& c)
-      : component_(component), c_(c) {}
+  /// @param name  begins its reasons where there are several components, since they count in their component only
+  ComponentJson(const ModelComponent& component, const Certificate& c, std::string name)
+      : component_(component), c_(c), name_(std::move(name)) {}
 
   Json make() const {
     Json json{{"certified", c_.isCertified}, {"usable", c_.isUsable}, {"measured", c_.isMeasured}};
@@ -199,7 +202,7 @@ class ComponentJson {
       out.push_back(Json{{"rule", ruleName(reason.rule)},
                          {"count", reason.count},
                          {"worst", finite(reason.worst)},
-                         {"message", reason.message},
+                         {"message", name_ + reason.message},
                          {"where", whereJson(where)}});
     }
     return out;
@@ -207,6 +210,7 @@ class ComponentJson {
 
   const ModelComponent& component_;
   const Certificate& c_;
+  const std::string name_;
 };
 
 /// Of the component that overlaps itself most; components lie side by side.
@@ -293,7 +297,9 @@ std::string certificateText(const Model& model, const std::vector<Certificate>& 
                         {"notConvex", outside.polygons.notConvex}};
   Json& components = json["components"] = Json::array();
   for (std::size_t p = 0; p < certificates.size(); ++p) {
-    components.push_back(ComponentJson(model.components[p], certificates[p]).make());
+    const std::string name =
+        certificates.size() > 1 ? "In component " + std::to_string(p) + ": " : std::string();
+    components.push_back(ComponentJson(model.components[p], certificates[p], name).make());
   }
   if (!notes.empty()) json["notes"] = notes;
   return textOf(json);

@@ -43,6 +43,8 @@ function(hgp_module)
   endif()
   hgp_named_targets(links "module ${R_NAME}" ${R_LINKS})
   hgp_named_targets(private_links "module ${R_NAME}" ${R_PRIVATE_LINKS})
+  # Headers alone: programs that use the installed library do not need them.
+  list(TRANSFORM private_links REPLACE "^hgp::(eigen|json|fast_float|tinygltf)$" "$<BUILD_INTERFACE:hgp::\\1>")
 
   set(target hgp_${R_NAME})
   if(R_HEADER_ONLY)

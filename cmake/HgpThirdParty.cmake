@@ -2,7 +2,8 @@
 #
 # Searched in this order: an existing target of the enclosing project, the package's own CMake files, the path of
 # its header. Under Emscripten only the path is used, because its toolchain searches only its own sysroot. This file is
-# installed with the library, so that the exported modules find the same names.
+# installed with the library, so that the exported modules find the same names: there HGP_THIRD_PARTY lists what the
+# installed archives need, and nothing else is searched.
 
 # Makes a copy of a header with `text` replaced by `by`; it is written only if it differs from the existing copy.
 function(hgp_edited_header header copy text by)
@@ -30,7 +31,7 @@ endfunction()
 #   [EMSCRIPTEN_REPLACE text by])   a copy of the header with other text, instead of the link
 function(hgp_third_party_header name header)
   cmake_parse_arguments(T "" "PACKAGE;TARGET;SUFFIX" "EMSCRIPTEN_REPLACE" ${ARGN})
-  if(TARGET hgp::${name})
+  if(TARGET hgp::${name} OR (DEFINED HGP_THIRD_PARTY AND NOT name IN_LIST HGP_THIRD_PARTY))
     return()
   endif()
   if(T_PACKAGE AND NOT EMSCRIPTEN)
@@ -69,11 +70,15 @@ endfunction()
 
 # Finds a compiled library of the system; native builds only.
 function(hgp_third_party_library name header library)
-  if(EMSCRIPTEN OR TARGET hgp::${name})
+  if(EMSCRIPTEN OR TARGET hgp::${name} OR (DEFINED HGP_THIRD_PARTY AND NOT name IN_LIST HGP_THIRD_PARTY))
     return()
   endif()
   find_library(HGP_${name}_LIBRARY NAMES ${library})
-  hgp_third_party_header(${name} ${header})
+  if(NOT DEFINED HGP_THIRD_PARTY)
+    hgp_third_party_header(${name} ${header})
+  elseif(HGP_${name}_LIBRARY)  # no installed header includes one of it
+    add_library(hgp::${name} INTERFACE IMPORTED GLOBAL)
+  endif()
   if(TARGET hgp::${name} AND HGP_${name}_LIBRARY)
     set_target_properties(hgp::${name} PROPERTIES
       INTERFACE_LINK_LIBRARIES "${HGP_${name}_LIBRARY}")
@@ -97,13 +102,19 @@ hgp_third_party_library(metis metis.h metis)
 # The required libraries that are missing, with the names of their packages; empty if there are none.
 function(hgp_missing_third_party out)
   set(missing "")
+  set(needed eigen json fast_float tinygltf)
+  if(DEFINED HGP_THIRD_PARTY)
+    set(needed ${HGP_THIRD_PARTY})
+  endif()
   foreach(one "eigen|Eigen 3.4|libeigen3-dev|eigen|eigen3"
               "json|nlohmann/json 3.11|nlohmann-json3-dev|nlohmann-json|nlohmann-json"
               "fast_float|fast_float 3.9|libfast-float-dev|fast_float|fast-float"
-              "tinygltf|tinygltf 2.7|libtinygltf-dev|-|tinygltf")
+              "tinygltf|tinygltf 2.7|libtinygltf-dev|-|tinygltf"
+              "draco|Draco 1.5|libdraco-dev|draco|draco"
+              "meshoptimizer|meshoptimizer 0.18|libmeshoptimizer-dev|meshoptimizer|meshoptimizer")
     string(REPLACE "|" ";" one "${one}")
     list(GET one 0 name)
-    if(NOT TARGET hgp::${name})
+    if(name IN_LIST needed AND NOT TARGET hgp::${name})
       list(GET one 1 title)
       list(GET one 2 debian)
       list(GET one 3 brew)

@@ -1,5 +1,5 @@
 // hgp::parametrize(V, F) with Eigen matrices.  Role: does in one call, without files, what the command line does
-// (repairs, components, cones, certificate).
+// (repairs, components, cones, certificate). Calls are independent of each other: any number of threads may make them.
 #pragma once
 
 #include <Eigen/Core>
@@ -31,7 +31,11 @@ struct MatrixMap {
   Eigen::VectorXi origin;  ///< #S: the row of the given F (or of the refined one) for each row of F
   Eigen::MatrixXd UV;      ///< #uv × 2, one row per vertex of the cut surface
   Eigen::MatrixXi FUV;     ///< #S × 3, rows of UV; row s belongs to row s of F
+  Eigen::VectorXi uvToVertex;  ///< #uv: the row of V of each row of UV
+  Eigen::MatrixXi seams;  ///< #seam edges × 5: rows of UV of both sides in the same order, r ∈ Z_q
   bool isCertified = false;
+  api::MapFacts
+      facts;  ///< the certificate as numbers: cones, turnings, handles and reasons by component
   std::string
       report;  ///< JSON, docs/schema/hgp-report.schema.json: cones, certificate, rounds, notes
 };
@@ -63,7 +67,13 @@ inline MatrixMap mapOf(const api::Session& session) {
   map.origin = rowsOf<1>(solved.origin).template cast<int>();
   map.UV = rowsOf<2>(session.uv());
   map.FUV = rowsOf<3>(solved.cornerToUv).template cast<int>();
+  map.uvToVertex = rowsOf<1>(session.uvToVertex()).template cast<int>();
   map.isCertified = session.isCertified();
+  map.facts = session.mapFacts();
+  std::vector<int> seams;
+  for (const api::SeamEdge& s : session.seams())
+    seams.insert(seams.end(), {s.a[0], s.a[1], s.b[0], s.b[1], s.r});
+  map.seams = rowsOf<5>(seams);
   map.report = session.reportJson();
   return map;
 }

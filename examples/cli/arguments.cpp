@@ -34,6 +34,8 @@ std::pair<int, int> takePair(const std::string& text, const char* option) {
 }
 
 /// "obj" for "x.OBJ"; empty for extensions to which files are not converted.
+constexpr int kHighestUvSet = 15;  // the core writes no set above it
+
 std::string formatOf(const std::string& name) {
   std::string extension = name.substr(std::min(name.rfind('.'), name.size() - 1) + 1);
   for (char& c : extension)
@@ -149,9 +151,9 @@ class Parser {
     }
     if (!words_.uvSet.empty() && words_.uvSet != "next") {
       int set = -1;
-      if (!CLI::detail::lexical_cast(words_.uvSet, set) || set < 0) {
-        throw CLI::ValidationError("--uv-set",
-                                   "must be 'next' or a number, not '" + words_.uvSet + "'");
+      if (!CLI::detail::lexical_cast(words_.uvSet, set) || set < 0 || set > kHighestUvSet) {
+        throw CLI::ValidationError(
+            "--uv-set", "must be 'next' or a number from 0 to 15, not '" + words_.uvSet + "'");
       }
       out_.write.uvSet = out_.verify.uvSet = set;
     }

@@ -40,15 +40,16 @@ class Run {
         return fail(possible.error(), output != a_.json);
     Result<io::FileSet> files = openFiles(a_.input, a_.format, a_.root, a_.load.limits.maxBytes);
     if (!files) return fail(files.error());
+    if (a_.command == Command::kParam) {
+      if (Status possible = checkSideFiles(*files, a_); !possible) return fail(possible.error());
+    }
     const bool mayBeWhole =
         a_.isEveryMesh && (a_.command == Command::kParam || a_.command == Command::kVerify);
-    io::FileSet copy;
-    if (mayBeWhole && holdsMeshes(*files)) copy = *files;
     resolve_ = files->resolve;
     if (Status loaded = session_.load(std::move(*files), a_.load); !loaded) {
       return fail(loaded.error());
     }
-    if (mayBeWhole && session_.surfaceCount() > 1) return wholeFile(copy);
+    if (mayBeWhole && session_.surfaceCount() > 1) return wholeFile();
     switch (a_.command) {
       case Command::kInspect:
         return inspect();
@@ -292,14 +293,7 @@ class Run {
     return finish(writeText(isFile ? a_.output : "-", *json), 0);
   }
 
-  /// Whether the file may have several meshes, as only glTF can; files in other formats need not be kept.
-  static bool holdsMeshes(const io::FileSet& files) {
-    const std::size_t first = std::min<std::size_t>(files.main.size(), 4096);
-    const auto begin = files.main.begin(), end = begin + static_cast<std::ptrdiff_t>(first);
-    return first > 4 && (std::equal(begin, begin + 4, "glTF") || std::find(begin, end, '{') != end);
-  }
-
-  int wholeFile(const io::FileSet& files) {
+  int wholeFile() {
     const int count = session_.surfaceCount();
     if (a_.command == Command::kParam && a_.solve.refines) {
       return fail(
@@ -312,10 +306,9 @@ class Run {
       if (Status possible = session_.canWrite(a_.output, a_.solve.refines); !possible)
         return fail(possible.error());
     }
-    session_ = api::Session();
     Result<FileOutcome> outcome = a_.command == Command::kParam
-                                      ? parametrizeAll(files, count, a_, progress_.callback())
-                                      : verifyAll(files, count, a_);
+                                      ? parametrizeAll(session_, a_, progress_.callback())
+                                      : verifyAll(session_, a_);
     if (!outcome) return fail(inTime(outcome.error()));
     const bool isMessage = a_.command == Command::kParam;
     if (Status done = publish(outcome->json(), outcome->text(), isMessage); !done) {

@@ -152,6 +152,15 @@ Result<io::FileSet> openFiles(const std::string& path, const std::string& format
   return files;
 }
 
+Status checkFileCount(std::size_t count) {
+  if (count <= kMaxHalfFiles / 2) return Done{};
+  return Failure{
+      ErrorCode::kLimit,
+      "write",
+      formatText("%zu side files; --embed needs none, and neither does a .glb", count - 1),
+      {}};
+}
+
 Status writeFiles(const std::string& path, const std::vector<io::OutputFile>& files) {
   if (path == "-") {
     if (files.size() != 1) {
@@ -163,12 +172,7 @@ Status writeFiles(const std::string& path, const std::vector<io::OutputFile>& fi
     if (files.size() == 1) return writeInto(path, files[0].bytes);
     return Failure{ErrorCode::kUsage, "write", "several files cannot go to " + path, {}};
   }
-  if (files.size() > kMaxHalfFiles / 2) {
-    return Failure{ErrorCode::kLimit,
-                   "write",
-                   formatText("%zu side files; write a .glb, which needs none", files.size() - 1),
-                   {}};
-  }
+  if (Status few = checkFileCount(files.size()); !few) return few;
   const fs::path folder = fs::path(path).parent_path();
   std::vector<HalfFile> half(files.size());
   for (std::size_t i = 0; i < files.size(); ++i) {

@@ -24,6 +24,8 @@ Result<io::FileSet> openFiles(const std::string& path, const std::string& format
 /// name means standard output. An interruption leaves no incomplete file. Devices and pipes are written to
 /// directly; symbolic links are kept, and their targets replaced.
 Status writeFiles(const std::string& path, const std::vector<io::OutputFile>& files);
+/// Fails if writeFiles cannot take so many files.
+Status checkFileCount(std::size_t count);
 /// Fails as writeFiles would where the place cannot be written to: finds it out before the work is done.
 Status checkWritable(const std::string& path);
 /// The canonical path of a file's folder; the current folder for "-".

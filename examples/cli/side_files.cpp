@@ -18,11 +18,24 @@ Status take(Result<io::Written> made, std::vector<io::OutputFile>& files,
   return Done{};
 }
 
+/// Where a side file will be, if another file of that name is already there and may not be replaced.
+Status refuseOther(const std::string& place, const io::Bytes& bytes, const Arguments& asked,
+                   bool& isThere) {
+  const Result<io::Bytes> there = readFile(place, asked.load.limits.maxBytes);
+  isThere = there && *there == bytes;
+  if (isThere || asked.mayOverwrite) return Done{};
+  return Failure{ErrorCode::kUsage,
+                 "write",
+                 place +
+                     " is another file than the one the input needs; --force replaces it, "
+                     "--embed needs none",
+                 {}};
+}
+
 /// Adds missing side files: images of a glTF, whose buffers have been read; materials of an OBJ and their pictures.
+/// @param isOnlyChecked  what may be added is looked at and not added
 Status addSideFiles(std::vector<io::OutputFile>& files, std::vector<std::string>& notes,
-                    const io::Resolver& resolve, const Arguments& asked) {
-  if (asked.isEmbedded)
-    return take(api::withEmbedded(std::move(files), resolve, asked.load.limits), files, notes);
+                    const io::Resolver& resolve, const Arguments& asked, bool isOnlyChecked) {
   const std::string to = folderOf(asked.output);
   if (asked.output == "-" || to == folderOf(asked.input)) return Done{};
   std::vector<std::string> refused;
@@ -31,32 +44,26 @@ Status addSideFiles(std::vector<io::OutputFile>& files, std::vector<std::string>
     notes.push_back(why + "; it is not copied, and the reference to it is kept");
   for (std::size_t i = 0; i < missing.size(); ++i) {
     const std::string name = missing[i];
+    const bool isLibrary = name.size() > 4 && name.substr(name.size() - 4) == ".mtl";
+    const std::string place = (std::filesystem::path(to) / name).string();
+    bool isThere = std::filesystem::exists(place);
+    if (isOnlyChecked && !isLibrary && !isThere) continue;
     Result<io::Bytes> bytes = resolve ? resolve(name) : Result<io::Bytes>(io::Bytes());
     if (!bytes && bytes.error().code == ErrorCode::kMalformed) {
       notes.push_back(bytes.error().message + "; the reference to it is kept");
       continue;
     }
     if (!bytes) return bytes.error();
-    if (name.size() > 4 && name.substr(name.size() - 4) == ".mtl")
+    if (isLibrary)
       for (std::string& picture : api::picturesOfMaterials(*bytes))
         if (std::find(missing.begin(), missing.end(), picture) == missing.end())
           missing.push_back(std::move(picture));
-    const std::string place = (std::filesystem::path(to) / name).string();
-    if (std::filesystem::exists(place)) {
-      const Result<io::Bytes> there = readFile(place, asked.load.limits.maxBytes);
-      if (there && *there == *bytes) continue;
-      if (!asked.mayOverwrite) {
-        return Failure{ErrorCode::kUsage,
-                       "write",
-                       place +
-                           " is another file than the one the input needs; --force replaces it, "
-                           "--embed needs none",
-                       {}};
-      }
+    if (isThere) {
+      if (Status done = refuseOther(place, *bytes, asked, isThere); !done) return done;
     }
-    files.push_back({name, std::move(*bytes)});
+    if (!isThere && !isOnlyChecked) files.push_back({name, std::move(*bytes)});
   }
-  return Done{};
+  return checkFileCount(files.size() + (isOnlyChecked ? missing.size() : 0));
 }
 
 }  // namespace
@@ -71,7 +78,24 @@ Status finishFiles(std::vector<io::OutputFile>& files, std::vector<std::string>&
     const Status done = take(api::compressed(files, resolve, asked.load.limits), files, notes);
     if (!done) return done;
   }
-  return addSideFiles(files, notes, resolve, asked);
+  if (asked.isEmbedded)
+    return take(api::withEmbedded(std::move(files), resolve, asked.load.limits), files, notes);
+  return addSideFiles(files, notes, resolve, asked, false);
+}
+
+Status checkSideFiles(io::FileSet& input, const Arguments& asked) {
+  const bool isGltf = asked.load.target == "glb" || asked.load.target == "gltf";
+  if (isGltf && asked.isCompressed) {
+    if (Status possible = api::canCompress(input.main); !possible) return possible;
+  }
+  const bool isText = !input.main.empty() && input.main[0] != 'g' && input.main[0] != '{';
+  if (asked.isEmbedded || isGltf == isText) return Done{};  // or another format, without side files
+  std::vector<std::string> notes;
+  std::vector<io::OutputFile> files;
+  files.push_back({asked.output, std::move(input.main)});
+  Status done = addSideFiles(files, notes, input.resolve, asked, true);
+  input.main = std::move(files[0].bytes);
+  return done;
 }
 
 }  // namespace hgp::cli

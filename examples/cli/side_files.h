@@ -13,4 +13,7 @@ namespace hgp::cli {
 Status finishFiles(std::vector<io::OutputFile>& files, std::vector<std::string>& notes,
                    const io::Resolver& resolve, const Arguments& asked);
 
+/// Before anything is solved: whether finishFiles() will refuse what the input's side files and extensions ask for.
+Status checkSideFiles(io::FileSet& input, const Arguments& asked);
+
 }  // namespace hgp::cli

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
 
-#include "hgp/api/session.h"
+#include "hgp/api/file_maps.h"
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
 #include "mesh_notes.h"
@@ -15,57 +14,6 @@ namespace hgp::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// A file that is written once per mesh, with the side files created on the way.
-class FileChain {
- public:
-  explicit FileChain(const io::FileSet& original) : current_(original) {}
-
-  /// The files for another reader, as a copy.
-  io::FileSet files() const {
-    io::FileSet out = current_;
-    out.resolve = [before = current_.resolve, made = made_](const std::string& name) {
-      const auto found = made.find(name);
-      if (found != made.end()) return Result<io::Bytes>(found->second);
-      if (before) return before(name);
-      return Result<io::Bytes>(Failure{ErrorCode::kMalformed, "read", name + " is missing", {}});
-    };
-    return out;
-  }
-
-  void take(io::Written written) {
-    current_.main = std::move(written.files[0].bytes);
-    for (std::size_t i = 1; i < written.files.size(); ++i)
-      made_[written.files[i].name] = std::move(written.files[i].bytes);
-    isWritten_ = true;
-  }
-
-  bool isWritten() const { return isWritten_; }
-  /// Whether the file is a GLB; it stays one until all meshes are written.
-  bool isBinary() const {
-    constexpr std::string_view kMagic = "glTF";
-    return current_.main.size() > 4 &&
-           std::equal(kMagic.begin(), kMagic.end(), current_.main.begin());
-  }
-
-  std::vector<io::OutputFile> result(const std::string& name) && {
-    std::vector<io::OutputFile> out;
-    out.push_back({name, std::move(current_.main)});
-    for (auto& [side, bytes] : made_) out.push_back({side, std::move(bytes)});
-    return out;
-  }
-
- private:
-  io::FileSet current_;
-  std::map<std::string, io::Bytes> made_;
-  bool isWritten_ = false;
-};
-
-Status open(api::Session& session, const FileChain& chain, int mesh, const Arguments& asked) {
-  api::LoadOptions load = asked.load;
-  load.surface = mesh;
-  return session.load(chain.files(), load);
-}
 
 /// The cones stored in the mesh, used as for a file with one mesh.
 Result<std::optional<io::Prescription>> embedded(const api::Session& session,
@@ -106,16 +54,25 @@ double areaOf(const api::Session& session) {
 }
 
 /// Options in which a number of cells has become an edge length: that of so many cells on all meshes together.
-Arguments withSharedGrid(const FileChain& chain, int meshCount, Arguments asked) {
+Arguments withSharedGrid(api::Session& session, Arguments asked) {
   if (!(asked.solve.grid.cells > 0.0)) return asked;
   double area = 0.0;
-  for (int mesh = 0; mesh < meshCount; ++mesh) {
-    api::Session session;
-    if (open(session, chain, mesh, asked)) area += areaOf(session);
-  }
+  for (int mesh = 0; mesh < session.surfaceCount(); ++mesh)
+    if (session.choose(mesh)) area += areaOf(session);
   if (area > 0.0)
     asked.solve.grid = {0.0, std::sqrt(area / asked.solve.grid.cells), asked.solve.grid.mode};
   return asked;
+}
+
+/// A GLB that becomes a .gltf stays one until all meshes are written.
+api::WriteOptions writeOptions(const api::Session& session, const Arguments& asked) {
+  api::WriteOptions options = asked.write;
+  const bool isGlb = session.canWrite("x.glb").hasValue();
+  options.name = isGlb && asked.load.target == "gltf" ? "mesh.glb" : asked.output;
+  options.isCompressedLater = asked.isCompressed;
+  options.allowUncertified = asked.solve.keepsGoing || asked.write.allowUncertified;
+  options.isSideFileNoted = false;
+  return options;
 }
 
 /// Why a certified map is not on the grid, per component.
@@ -132,18 +89,17 @@ std::string gridReasons(const Json& report) {
 
 }  // namespace
 
-Result<FileOutcome> parametrizeAll(const io::FileSet& files, int meshCount, const Arguments& given,
+Result<FileOutcome> parametrizeAll(api::Session& session, const Arguments& given,
                                    const Progress& progress) {
   FileOutcome out;
-  FileChain chain(files);
-  const Arguments asked = withSharedGrid(chain, meshCount, given);
-  MeshNotes notes;
+  const Arguments asked = withSharedGrid(session, given);
   const bool storesAll = asked.solve.keepsGoing || asked.write.allowUncertified;
-  for (int mesh = 0; mesh < meshCount; ++mesh) {
+  api::FileMaps maps(writeOptions(session, asked));
+  std::vector<int> written;
+  for (int mesh = 0; mesh < session.surfaceCount(); ++mesh) {
     MeshOutcome one;
     one.mesh = mesh;
-    api::Session session;
-    Status done = open(session, chain, mesh, asked);
+    Status done = session.choose(mesh);
     if (done) done = solveOne(session, asked, progress);
     if (!done && done.error().code == ErrorCode::kCancelled) return done.error();
     if (done) {
@@ -154,31 +110,30 @@ Result<FileOutcome> parametrizeAll(const io::FileSet& files, int meshCount, cons
       one.failure = done.error();
     }
     if (done && ((one.isCertified && one.isAligned) || storesAll)) {
-      api::WriteOptions options = asked.write;
-      options.name = chain.isBinary() && asked.load.target == "gltf" ? "mesh.glb" : asked.output;
-      options.isCompressedLater = asked.isCompressed;
-      options.allowUncertified = storesAll;
-      options.isSideFileNoted = false;
-      Result<api::WrittenMap> written = session.write(options);
-      if (!written) return written.error();
-      for (const std::string& note : written->notes) notes.add(mesh, note);
-      chain.take(std::move(*written));
+      if (Status kept = maps.add(session); !kept) return kept.error();
+      written.push_back(mesh);
     }
     out.meshes.push_back(std::move(one));
   }
+  const bool isWhole = out.goodCount() == static_cast<int>(out.meshes.size());
+  if (written.empty() || (!isWhole && !storesAll)) return out;
+  Result<api::WrittenFile> made = maps.write();
+  if (!made) return made.error();
+  MeshNotes notes;
+  for (std::size_t i = 0; i < written.size(); ++i)
+    for (const std::string& note : made->mapNotes[i]) notes.add(written[i], note);
   out.notes = notes.lines();
-  if (chain.isWritten()) out.files = std::move(chain).result(asked.output);
+  out.notes.insert(out.notes.end(), made->notes.begin(), made->notes.end());
+  out.files = std::move(made->files);
   return out;
 }
 
-Result<FileOutcome> verifyAll(const io::FileSet& files, int meshCount, const Arguments& asked) {
+Result<FileOutcome> verifyAll(api::Session& session, const Arguments& asked) {
   FileOutcome out;
-  const FileChain chain(files);
-  for (int mesh = 0; mesh < meshCount; ++mesh) {
+  for (int mesh = 0; mesh < session.surfaceCount(); ++mesh) {
     MeshOutcome one;
     one.mesh = mesh;
-    api::Session session;
-    Status done = open(session, chain, mesh, asked);
+    Status done = session.choose(mesh);
     if (done) {
       const auto cones = embedded(session, asked);
       Result<api::Verdict> verdict =

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "arguments.h"
+#include "hgp/api/session.h"
 
 namespace hgp::cli {
 
@@ -31,12 +32,12 @@ struct FileOutcome {
   std::string text() const;
 };
 
-/// Solves the meshes in order and writes each map into the result of the previous one. A mesh whose map is not
+/// Solves the meshes of the loaded file in order and writes all maps at once. A mesh whose map is not
 /// certified, or not on the grid that was asked for, is not changed, unless `--keep-going` or `--allow-uncertified` is
 /// given. A number of cells is that of all meshes together: their cells have the same size.
 /// Ends early when `progress` returns false.
-Result<FileOutcome> parametrizeAll(const io::FileSet& files, int meshCount, const Arguments& asked,
+Result<FileOutcome> parametrizeAll(api::Session& session, const Arguments& asked,
                                    const Progress& progress);
-Result<FileOutcome> verifyAll(const io::FileSet& files, int meshCount, const Arguments& asked);
+Result<FileOutcome> verifyAll(api::Session& session, const Arguments& asked);
 
 }  // namespace hgp::cli

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import test from 'node:test';
-import { cubeMesh } from '../support/meshes.mjs';
+import { cubeMesh, toGlb } from '../support/meshes.mjs';
 import { hgp, inFolder } from '../support/program.mjs';
 
 const { folder, put } = inFolder('growth');
@@ -19,20 +19,34 @@ function row(count) {
   return `${lines.join('\n')}\n`;
 }
 
+/** The lesser user time of two runs, as others use the machine, too; of the program alone. */
+function secondsOf(...args) {
+  const times = [0, 1].map(() => {
+    const timed = spawnSync(
+      '/bin/bash',
+      ['-c', 'TIMEFORMAT=%U; time "$0" "$@"', hgp, ...args, '--force', '--quiet'],
+      { cwd: folder },
+    );
+    assert.equal(timed.status, 0, String(timed.stderr));
+    return Number(String(timed.stderr).trim());
+  });
+  return Math.min(...times);
+}
+
 test('the cost of a component does not grow with the number of components', () => {
   const seconds = [500, 4000].map((count) => {
     put('row.obj', row(count));
-    // Twice, as others use the machine, too; user time of the program alone.
-    const times = [0, 1].map(() => {
-      const args = ['param', 'row.obj', '-o', 'row_out.obj', '--quiet'];
-      const timed = spawnSync('/bin/bash', ['-c', 'TIMEFORMAT=%U; time "$0" "$@"', hgp, ...args], {
-        cwd: folder,
-      });
-      assert.equal(timed.status, 0);
-      return Number(String(timed.stderr).trim());
-    });
-    return Math.min(...times);
+    return secondsOf('param', 'row.obj', '-o', 'row_out.obj');
   });
   // Eight times the components: quadratic cost would be 64 times the time.
+  assert.ok(seconds[1] < 16 * (seconds[0] + 0.02), seconds.join(' and '));
+});
+
+test('the cost of a mesh does not grow with the number of meshes in a file', () => {
+  const seconds = [100, 800].map((count) => {
+    put('many.glb', toGlb(Array.from({ length: count }, () => cubeMesh(1))));
+    return secondsOf('param', 'many.glb', '-o', 'many_out.glb');
+  });
+  // Quadratic cost would be 64 times the time; it was 9 s for 800.
   assert.ok(seconds[1] < 16 * (seconds[0] + 0.02), seconds.join(' and '));
 });

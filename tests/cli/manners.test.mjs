@@ -6,7 +6,7 @@ import { existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import test from 'node:test';
 import { gzipSync } from 'node:zlib';
-import { cubeMesh, toGlb } from '../support/meshes.mjs';
+import { cubeMesh, toGlb, toGltf } from '../support/meshes.mjs';
 import { hasPosix, hgp, inFolder } from '../support/program.mjs';
 
 const env = { ...process.env };
@@ -356,6 +356,29 @@ test('an output that cannot be written is found before anything is solved', () =
   const packed = shell('hgp param cube.obj --compress -o - | wc -c');
   assert.match(packed.stderr, /^hgp: cube\.obj: --compress is for glTF/);
   assert.equal(packed.stdout.trim(), '0');
+});
+
+test('what the side files of the input forbid is found before anything is solved', () => {
+  const { json, bin } = toGltf([cubeMesh(1)], { image: 'wood.png' });
+  put('apart/in.gltf', JSON.stringify(json));
+  put('apart/cube.bin', bin);
+  put('apart/wood.png', 'a picture');
+  put('there/wood.png', 'another picture');
+  const other = run(['param', 'apart/in.gltf', '-o', 'there/out.gltf']);
+  assert.equal(other.code, 2, other.err);
+  assert.match(other.err, /^hgp: apart\/in\.gltf: .*wood\.png is another file than the one the/);
+  assert.doesNotMatch(other.err, /certified/);
+  assert.equal(run(['param', 'apart/in.gltf', '-o', 'there/out.gltf', '--force']).code, 0);
+  // More files than are replaced together.
+  json.images = Array.from({ length: 600 }, (_, i) => ({ uri: `${i}.png` }));
+  put('apart/many.gltf', JSON.stringify(json));
+  const many = run(['param', 'apart/many.gltf', '-o', 'there/many.gltf']);
+  assert.equal(many.code, 8, many.err);
+  assert.match(many.err, /60\d side files; --embed needs none/);
+  assert.doesNotMatch(many.err, /certified/);
+  const set = run(['param', 'apart/in.gltf', '-o', 'there/out.gltf', '--uv-set', '16']);
+  assert.equal(set.code, 2);
+  assert.match(set.err, /--uv-set: must be 'next' or a number from 0 to 15/);
 });
 
 test('two inputs are refused with what to do instead', () => {

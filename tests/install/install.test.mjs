@@ -42,18 +42,105 @@ test('the C++ example of the README builds and runs as printed', () => {
   assert.match(run(path.join(build, 'your_program')), /^certified: yes$/m);
 });
 
-test('the modules can be linked one by one', () => {
+/** Where the libraries are that the installed archives need; they are hidden from find_library. */
+const withoutLibraries = [
+  '-DCMAKE_IGNORE_PATH=/usr/lib/x86_64-linux-gnu;/lib/x86_64-linux-gnu;/usr/lib;/lib',
+];
+
+test('hgp::core is found and linked without any library of file formats', () => {
   const build = path.join(folder, 'example');
   const source = path.join(here, 'example');
-  run('cmake', '-G', 'Ninja', '-S', source, '-B', build, `-DCMAKE_PREFIX_PATH=${prefix}`);
+  const settings = [`-DCMAKE_PREFIX_PATH=${prefix}`, ...withoutLibraries];
+  run('cmake', '-G', 'Ninja', '-S', source, '-B', build, ...settings);
   run('cmake', '--build', build);
   assert.match(run(path.join(build, 'example')), /^certified: yes$/m);
+  assert.doesNotMatch(run('ldd', path.join(build, 'example')), /draco|meshopt/);
+});
+
+test('find_package asks for what the archives need, and for nothing that no header includes', () => {
+  const [targets] = installed(/hgpTargets\.cmake$/);
+  const named = readFileSync(path.join(prefix, targets), 'utf8').match(/hgp::\w+/g);
+  const strangers = ['json', 'tinygltf', 'fast_float', 'cli11', 'cholmod', 'metis', 'zlib'];
+  for (const name of strangers) assert.ok(!named.includes(`hgp::${name}`), name);
+  const source = project('strict', { 'CMakeLists.txt': block('cmake'), 'main.cpp': block('cpp') });
+  const configure = (...more) =>
+    spawnSync(
+      'cmake',
+      [
+        ...['-G', 'Ninja', '-S', source, '-B', path.join(source, `build${more.length}`)],
+        `-DCMAKE_PREFIX_PATH=${prefix}`,
+        ...more,
+      ],
+      { encoding: 'utf8' },
+    );
+  const found = configure();
+  assert.equal(found.status, 0, found.stderr);
+  assert.doesNotMatch(found.stdout, /third party/);
+  if (!named.includes('hgp::draco')) return;
+  const missing = configure(...withoutLibraries);
+  assert.notEqual(missing.status, 0);
+  assert.match(missing.stderr, /hgp needs:\s+Draco 1\.5: Debian libdraco-dev/);
+  assert.doesNotMatch(missing.stderr, /nlohmann|tinygltf/);
+});
+
+test('no installed file for build systems has a path of the machine that built it', () => {
+  for (const name of installed(/\.(cmake|pc)$/)) {
+    const text = readFileSync(path.join(prefix, name), 'utf8');
+    assert.ok(!text.includes(root), name);
+    assert.doesNotMatch(text, /lib\w+\.(a|so)\b.*\/usr\/|\/usr\/lib\/x86/, name);
+  }
+});
+
+test('a program may have a tinygltf of its own', () => {
+  const source = project('two', {
+    'CMakeLists.txt': block('cmake'),
+    'main.cpp': `#define TINYGLTF_IMPLEMENTATION
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#define TINYGLTF_NO_EXTERNAL_IMAGE
+#include <tiny_gltf.h>
+#include <hgp/api/session.h>
+#include <cstdio>
+int main() {
+  tinygltf::TinyGLTF loader;
+  tinygltf::Model model;
+  std::string errors, warnings;
+  const std::string text = R"({"asset":{"version":"2.0"}})";
+  const bool isRead = loader.LoadASCIIFromString(&model, &errors, &warnings, text.data(), text.size(), "");
+  hgp::io::FileSet files;
+  files.name = "a.gltf";
+  files.main.assign(text.begin(), text.end());
+  hgp::api::Session session;
+  std::printf("%d %s\\n", isRead, session.load(std::move(files), {}).error().message.c_str());
+}
+`,
+  });
+  const build = path.join(source, 'build');
+  run('cmake', '-G', 'Ninja', '-S', source, '-B', build, `-DCMAKE_PREFIX_PATH=${prefix}`);
+  run('cmake', '--build', build);
+  assert.match(run(path.join(build, 'your_program')), /^1 .*no mesh/);
+});
+
+test('an incomplete build is not installed: what to build is said before anything is copied', () => {
+  const build = path.join(root, 'build/native-release');
+  const check = readFileSync(path.join(build, 'hgp_is_built-Release.cmake'), 'utf8');
+  const rules = readFileSync(path.join(build, 'cmake_install.cmake'), 'utf8');
+  assert.ok(rules.indexOf('hgp_is_built') < rules.indexOf('file(INSTALL'));
+  const source = project('incomplete', {
+    'whole.cmake': check,
+    'part.cmake': check.replace('libhgp_api.a', 'libhgp_none.a').replace('hgp.1', 'none.1'),
+  });
+  run('cmake', '-P', path.join(source, 'whole.cmake'));
+  const part = spawnSync('cmake', ['-P', path.join(source, 'part.cmake')], { encoding: 'utf8' });
+  assert.notEqual(part.status, 0);
+  assert.match(part.stderr, /nothing is installed; missing:\s+libhgp_none\.a\s+none\.1/);
+  assert.match(part.stderr, /cmake --build\s+\S+\s+--target\s+hgp_installed/);
 });
 
 test('pkg-config gives the flags that a program needs', () => {
   const [pc] = installed(/hgp\.pc$/);
   const env = { ...process.env, PKG_CONFIG_PATH: path.dirname(path.join(prefix, pc)) };
-  const flags = execFileSync('pkg-config', ['--cflags', '--libs', 'hgp'], {
+  const flags = execFileSync('pkg-config', ['--static', '--cflags', '--libs', 'hgp'], {
     env,
     encoding: 'utf8',
   });
@@ -66,7 +153,7 @@ test('pkg-config gives the flags that a program needs', () => {
 test('every installed header compiles alone, and none is private', () => {
   const headers = installed(/include\/.*\.h$/);
   assert.ok(headers.some((name) => name.endsWith('hgp/eigen.h')));
-  const hidden = /linalg|socp|io\/(gltf|polygon)\/|_impl\.h|json_values/;
+  const hidden = /linalg|socp|io\/(?!(document|written|polygons)\.h)|_impl\.h|json_values/;
   assert.deepEqual(
     headers.filter((name) => hidden.test(name)),
     [],

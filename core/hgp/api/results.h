@@ -6,17 +6,11 @@
 #include <memory>
 #include <vector>
 
+#include "hgp/api/map_facts.h"
 #include "hgp/base/result.h"
 #include "hgp/io/written.h"
 
 namespace hgp::api {
-
-/// A seam edge of the result: the uv indices of its two sides, in corresponding order, and r ∈ Z_q.
-struct SeamEdge {
-  int a[2] = {-1, -1};
-  int b[2] = {-1, -1};
-  int r = 0;
-};
 
 /// The surface after welds and repairs, with its own vertex ids.
 struct Repaired {

@@ -33,18 +33,18 @@ class Session {
   Status loadArrays(std::vector<Vec3> positions, std::vector<std::array<int, 3>> triangles,
                     const LoadOptions& options);
 
-  /// Number of meshes with triangles in the loaded file; LoadOptions::surface chooses one of them.
+  /// Number of meshes with triangles in the file; LoadOptions::surface, and then choose() without reading, take one.
   int surfaceCount() const;
-  /// hgp-inspect; isGood: the mesh can be parametrized.
-  Result<Verdict> inspect() const;
+  Status choose(int surface);
+  Result<Verdict> inspect() const;  ///< hgp-inspect; isGood: the mesh can be parametrized
   /// hgp-check: whether the prescription satisfies Lemma 6.2 on every component, in integers; solves nothing.
   Result<Verdict> check(const io::Prescription& prescription) const;
   /// Automatic cones as hgp-cones.
   Result<std::string> suggest(const SolveOptions& options) const;
   /// Any prescription on this surface as complete hgp-cones with positions; a field becomes cones and rotations.
   Result<std::string> convert(const io::Prescription& prescription) const;
-  /// Cones stored inside the file; empty if there are none.
-  Result<std::optional<io::Prescription>> embeddedCones() const;
+  Result<std::optional<io::Prescription>> embeddedCones()
+      const;  ///< stored in the file, if any are
 
   /// Solves, then verifies the map as it will be stored. Without a prescription, cones are automatic. Also succeeds if
   /// the map is not certified; fails for contradictory options, impossible prescriptions, limits and cancellation.
@@ -74,16 +74,17 @@ class Session {
   const std::vector<std::uint32_t>& cornerToUv() const;  ///< |F| × 3
   const std::vector<std::uint32_t>& uvToVertex() const;  ///< "xref": uv vertex → surface vertex
   const std::vector<SeamEdge>& seams() const;
+  MapFacts mapFacts() const;  ///< the certificate of the result as numbers; empty without one
+  MapArrays release();        ///< moves the arrays of the result out, which ends it
 
-  /// Measurements of the result, for overlays, seam colours and statistics.
-  Result<MapMeasures> measure() const;
+  Result<MapMeasures> measure()
+      const;  ///< of the result, for overlays, seam colours and statistics
   /// Facts on the loaded surface, whether usable or not.
   Result<SurfaceFacts> facts() const;
   /// Boundary loops and handle generators, in the order in which a prescription numbers them.
   Result<SurfaceLoops> loops() const;
 
-  /// Whether every component is aligned to the grid that the options asked for.
-  bool isAligned() const;
+  bool isAligned() const;  ///< every component, to the grid that the options asked for
   /// The cells of a result that is aligned in quad mode, as an OBJ of quads or, if `name` ends in .glb, as a GLB
   /// of triangles. Fails with kNoMap if the result is not aligned, with kUsage for another extension.
   Result<QuadFile> quads(const std::string& name) const;
@@ -96,6 +97,7 @@ class Session {
   Result<WrittenMap> write(const WriteOptions& options) const;
 
  private:
+  friend class FileMaps;
   friend class StoredResult;
   friend class LiveDrag;
   struct State;
@@ -108,13 +110,11 @@ Result<io::PrescribedFeatures> readFeatures(std::string_view name, std::string_v
 
 /// `cones` with the field of `field`, which determines what the cones leave open. Fails with kUsage if q differs.
 Result<io::Prescription> withField(io::Prescription cones, io::Prescription field);
-
-/// hgp-error: {"code", "stage", "message", "where"}.
-std::string errorJson(const Failure& failure);
+std::string errorJson(
+    const Failure& failure);  ///< hgp-error: {"code", "stage", "message", "where"}
 
 /// For the whole process: no instructions that only some processors have, so that maps are bit-identical on all.
 void setReproducible(bool isAsked);
-/// "1.2.3"
-const char* version();
+const char* version();  ///< "1.2.3"
 
 }  // namespace hgp::api

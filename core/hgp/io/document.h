@@ -43,12 +43,13 @@ struct FileSet {
 
 /// One mesh of a document, as it is parametrized.
 struct Surface {
-  std::string name;                ///< the file's own name, or ""
-  MeshData mesh;                   ///< welded for glTF and STL, the file's connectivity otherwise
-  int storedVertexCount = 0;       ///< before welding
-  bool isWelded = false;           ///< vertex ids are welded ids (decided by exact position)
-  std::vector<int> uvSets;         ///< sets that existingUv can read, ascending
-  int ownUvSet = -1;               ///< the one of them that hgp wrote, if it is marked
+  std::string name;           ///< the file's own name, or ""
+  MeshData mesh;              ///< welded for glTF and STL, the file's connectivity otherwise
+  int meshInFile = 0;         ///< glTF: its index in the file, where meshes without triangles count
+  int storedVertexCount = 0;  ///< before welding
+  bool isWelded = false;      ///< vertex ids are welded ids (decided by exact position)
+  std::vector<int> uvSets;    ///< sets that existingUv can read, ascending
+  int ownUvSet = -1;          ///< the one of them that hgp wrote, if it is marked
   std::vector<std::string> notes;  ///< for users (points skipped, polygons triangulated …)
 };
 
@@ -86,6 +87,8 @@ class Document {
 
   /// The original with `map` as a uv set of this surface. `map` must come from asStored.
   virtual Result<Written> write(int surface, const UvMap& map, const WriteOptions& o) const = 0;
+  /// The same for several surfaces of a glTF, in time linear in their number; kUnsupported in other formats.
+  virtual Result<WrittenMaps> writeAll(const std::vector<SurfaceUv>&, const WriteOptions&) const;
 
   /// The content that other formats can store as well; `surface` −1: the whole file, as placed by its nodes.
   virtual Result<PlainFile> plain(int surface) const = 0;
@@ -95,7 +98,8 @@ class Document {
       int surface, const std::vector<std::array<int, 2>>& edges) const = 0;
 
   /// The same file with these edits of its faces; cones stored in it may be lost. In glTF, where vertices at
-  /// equal positions are welded, copies are stored separately but welded again when the file is read.
+  /// equal positions are welded, copies are stored separately but welded again when the file is read; the other
+  /// surfaces of the result are empty.
   virtual Result<std::unique_ptr<Document>> repaired(int surface, const FaceEdits& edits) const = 0;
 };
 using DocumentPtr = std::unique_ptr<Document>;

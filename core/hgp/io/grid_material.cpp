@@ -73,18 +73,24 @@ std::string gridStem(const std::string& name) {
 
 }  // namespace
 
+Result<std::vector<OutputFile>> withGridMaterials(std::vector<OutputFile> files,
+                                                  const std::vector<GridMaterial>& grids) {
+  HGP_CHECK(!files.empty(), "there is a main file");
+  std::vector<GltfGridPlace> places;
+  places.reserve(grids.size());
+  for (const GridMaterial& grid : grids)
+    places.push_back({grid.mesh, grid.uvSet, scaleOf(grid.tiles)});
+  Result<Bytes> made = gltfWithGrids(files.front().bytes, places, picture());
+  if (!made) return made.error();
+  files.front().bytes = std::move(*made);
+  return files;
+}
+
 Result<std::vector<OutputFile>> withGridMaterial(std::vector<OutputFile> files,
                                                  std::string_view format,
                                                  const GridMaterial& grid) {
   HGP_CHECK(!files.empty(), "there is a main file");
-  OutputFile& main = files.front();
-  if (format == "glb" || format == "gltf") {
-    Result<Bytes> made =
-        gltfWithGrid(main.bytes, {grid.mesh, grid.uvSet}, scaleOf(grid.tiles), picture());
-    if (!made) return made.error();
-    main.bytes = std::move(*made);
-    return files;
-  }
+  if (format == "glb" || format == "gltf") return withGridMaterials(std::move(files), {grid});
   if (format != "obj") {
     return Failure{
         ErrorCode::kUnsupported,
@@ -92,6 +98,7 @@ Result<std::vector<OutputFile>> withGridMaterial(std::vector<OutputFile> files,
         "a grid as material needs a format with materials: glTF or OBJ, not " + std::string(format),
         {}};
   }
+  OutputFile& main = files.front();
   const std::string stem = gridStem(main.name);
   main.bytes = objWithGrid(main.bytes, "mtllib " + stem + ".mtl\nusemtl hgp_grid\n");
   const std::string scale = scaleOf(grid.tiles);

@@ -12,7 +12,7 @@ namespace hgp::io {
 
 struct GridMaterial {
   double tiles = 1;  ///< squares per unit of uv; the picture consists of two by two squares
-  int mesh = 0;      ///< glTF: the mesh whose primitives get the material
+  int mesh = 0;      ///< glTF: the mesh whose primitives get the material (Surface::meshInFile)
   int uvSet = -1;    ///< glTF; −1: the last set before the first one that a primitive lacks
 };
 
@@ -21,5 +21,8 @@ struct GridMaterial {
 /// materials become comments. `format`: "glb", "gltf" or "obj"; kUnsupported for others.
 Result<std::vector<OutputFile>> withGridMaterial(std::vector<OutputFile> files,
                                                  std::string_view format, const GridMaterial& grid);
+/// The same for several meshes of a glTF, which share the image.
+Result<std::vector<OutputFile>> withGridMaterials(std::vector<OutputFile> files,
+                                                  const std::vector<GridMaterial>& grids);
 
 }  // namespace hgp::io

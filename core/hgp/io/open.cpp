@@ -71,4 +71,11 @@ Result<DocumentPtr> openDocument(FileSet files, const Limits& limits) {
   return readObj(std::move(files), limits);
 }
 
+Result<WrittenMaps> Document::writeAll(const std::vector<SurfaceUv>&, const WriteOptions&) const {
+  return Failure{ErrorCode::kUnsupported,
+                 "write",
+                 std::string("a file in the format ") + format() + " has one mesh",
+                 {}};
+}
+
 }  // namespace hgp::io

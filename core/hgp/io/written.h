@@ -7,7 +7,12 @@
 #include <string>
 #include <vector>
 
+namespace hgp {
+struct UvMap;
+}
+
 namespace hgp::io {
+class Document;
 
 using Bytes = std::vector<std::uint8_t>;
 /// Copies the text in one step, since appending byte by byte is slow for large meshes.
@@ -37,6 +42,19 @@ struct Written {
   std::vector<OutputFile> files;
   std::vector<std::string> notes;  ///< what changed besides the uv ("TANGENT dropped …")
   std::vector<int> xref;           ///< written vertex → stored vertex; empty when identical
+};
+
+/// A map for Document::writeAll.
+struct SurfaceUv {
+  const Document* document = nullptr;  ///< the one that writes, or the result of its repaired()
+  int surface = 0;
+  const UvMap* map = nullptr;
+  std::optional<std::string> cones;
+};
+
+/// The maps of several surfaces, written at once.
+struct WrittenMaps : Written {  // its notes are on the file as a whole, xref is empty
+  std::vector<std::vector<std::string>> mapNotes;  ///< by map
 };
 
 }  // namespace hgp::io

@@ -1,4 +1,4 @@
-// S, an oriented manifold triangle mesh.  Role: the object to be parametrized [BCW17 §3.3, §4].
+// S, an oriented manifold triangle mesh.  Role: the object to be parametrized [BCW17 §3.3, §4]. Threads may share a const one.
 #pragma once
 
 #include <array>

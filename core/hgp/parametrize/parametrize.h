@@ -1,5 +1,5 @@
 // From cones to a certified, locally injective, seamless map.  Role: the method of [BCW17 §7]; strategy/loop.cpp
-// has the only loop over "solve, verify, choose the next move".
+// has the only loop over "solve, verify, choose the next move". Threads may call it at once.
 #pragma once
 
 #include "hgp/parametrize/parametrization.h"

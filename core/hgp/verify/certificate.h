@@ -1,5 +1,5 @@
 // The verifier: measures a map and decides whether it is certified.  Role: hypotheses and conclusion of
-// [BCW17 Thm 6.1], Def. C.1. Shares no code with the method; its input is a mesh, the prescription and uv.
+// [BCW17 Thm 6.1], Def. C.1. Shares no code with the method; its input is a mesh, the prescription and uv. Threads may call it at once.
 #pragma once
 
 #include <string>

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <complex>
 #include <cstdint>
 #include <random>
 
@@ -52,6 +54,36 @@ void expectPromises(const MeshData& mesh, const MatrixMap& map) {
     EXPECT_EQ(isThere[from], 0);
     isThere[from] = 1;
   }
+}
+
+/// The typed facts, against the arrays and the report.
+void expectFacts(const MatrixMap& map) {
+  ASSERT_EQ(map.uvToVertex.size(), map.UV.rows());
+  for (Eigen::Index s = 0; s < map.F.rows(); ++s)
+    for (Eigen::Index k = 0; k < 3; ++k) EXPECT_EQ(map.uvToVertex(map.FUV(s, k)), map.F(s, k));
+  const double step = 2.0 * M_PI / map.facts.q;
+  for (Eigen::Index s = 0; s < map.seams.rows(); ++s) {
+    const auto side = [&](Eigen::Index first) {
+      const Eigen::RowVector2d d =
+          map.UV.row(map.seams(s, first + 1)) - map.UV.row(map.seams(s, first));
+      return std::complex<double>(d.x(), d.y());
+    };
+    EXPECT_LT(std::abs(side(2) - std::polar(1.0, step * map.seams(s, 4)) * side(0)), 1e-9) << s;
+    for (Eigen::Index end = 0; end < 2; ++end)
+      EXPECT_EQ(map.uvToVertex(map.seams(s, end)), map.uvToVertex(map.seams(s, 2 + end)));
+  }
+  EXPECT_TRUE(map.facts.isCertified);
+  int triangles = 0, left = 0;
+  for (const api::ComponentFacts& component : map.facts.components) {
+    EXPECT_TRUE(component.isCertified && component.reasons.empty());
+    EXPECT_EQ(component.positive, component.triangles);
+    triangles += component.triangles;
+    left += map.facts.q * (2 - 2 * component.genus - component.boundaries);
+    for (const api::ConeFact& cone : component.cones) left -= map.facts.q - cone.k;
+    for (const api::TurningFact& turning : component.turnings) left -= turning.l;
+  }
+  EXPECT_EQ(triangles, map.F.rows());
+  EXPECT_EQ(left, 0) << "Lemma 6.2, from the typed numbers alone";
 }
 
 /// Faces without a row of the map, whose given index is in `gone`.
@@ -135,6 +167,34 @@ TEST(EigenMap, ANegativeNumberOfConesIsRefused) {
   ASSERT_FALSE(map);
   EXPECT_EQ(map.error().code, ErrorCode::kUsage);
   EXPECT_NE(map.error().message.find("not -3"), std::string::npos) << map.error().message;
+}
+
+TEST(Eigen, FactsAreTypedAndAgreeWithTheArrays) {
+  for (const auto& shape : {test::icosphere(2), test::torus(12, 9), test::disk(5)}) {
+    const auto map = parametrize(positionsOf(shape.data), rowsOf<int>(shape.data));
+    ASSERT_TRUE(map);
+    expectFacts(*map);
+  }
+}
+
+TEST(Eigen, ArraysCanBeMovedOutOfASessionAndStoredResultsKeepTheirs) {
+  const test::Shape shape = test::torus(12, 9);
+  api::Session session;
+  ASSERT_TRUE(session.loadArrays(shape.data.positions, shape.data.triangles, {}));
+  ASSERT_TRUE(session.parametrize(std::nullopt, {}));
+  const std::vector<double> uv = session.uv();
+  const double* place = session.uv().data();
+  const api::MapArrays moved = session.release();
+  EXPECT_EQ(moved.uv, uv);
+  EXPECT_EQ(moved.uv.data(), place) << "moved, not copied";
+  EXPECT_FALSE(session.hasResult());
+  EXPECT_TRUE(session.release().uv.empty());
+  ASSERT_TRUE(session.parametrize(std::nullopt, {}));
+  const api::StoredResult kept = session.result();
+  EXPECT_EQ(session.release().uv, uv);
+  ASSERT_TRUE(session.use(kept));
+  EXPECT_EQ(session.uv(), uv);
+  EXPECT_EQ(session.seams().size(), moved.seams.size());
 }
 
 }  // namespace

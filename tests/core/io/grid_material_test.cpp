@@ -54,6 +54,23 @@ TEST(GridMaterial, AGltfGetsItOnPrimitivesWithTheUvSetAndKeepsItsNumbers) {
   EXPECT_EQ(json["images"][0]["uri"].get<std::string>().substr(0, 22), "data:image/png;base64,");
 }
 
+TEST(GridMaterial, MaterialsOfSeveralMeshesShareOnePicture) {
+  const std::string text =
+      R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"TEXCOORD_0":0}}]},)"
+      R"({"primitives":[{"attributes":{"TEXCOORD_0":1}}]}]})";
+  const auto made = withGridMaterials(one("a.gltf", text), {{2.0, 0, -1}, {8.0, 1, -1}});
+  ASSERT_TRUE(made);
+  const Json json = Json::parse(plainText(made->front().bytes));
+  ASSERT_EQ(json["images"].size(), 1U);
+  ASSERT_EQ(json["materials"].size(), 2U);
+  for (std::size_t m = 0; m < 2; ++m) {
+    EXPECT_EQ(json["meshes"][m]["primitives"][0]["material"], m);
+    const Json& texture = json["materials"][m]["pbrMetallicRoughness"]["baseColorTexture"];
+    EXPECT_EQ(texture["index"], 0);
+    EXPECT_EQ(texture["extensions"]["KHR_texture_transform"]["scale"][0], m == 0 ? 1 : 4);
+  }
+}
+
 TEST(GridMaterial, ReportsWhereNoneIsPossible) {
   EXPECT_EQ(withGridMaterial(one("a.ply", "ply"), "ply", {}).error().code, ErrorCode::kUnsupported);
   EXPECT_EQ(withGridMaterial(one("a.gltf", R"({"meshes":[]})"), "gltf", {}).error().code,

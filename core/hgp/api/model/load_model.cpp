@@ -124,12 +124,12 @@ void noteNotFinite(Model& model) {
 }
 
 /// Reads the cones stored in the file. They are optional: if they are invalid, a note says so.
-void takeEmbeddedCones(Model& model, const io::Document& document, int surface) {
+void takeEmbeddedCones(OpenedFile& file, const io::Document& document, int surface) {
   Result<std::optional<io::Prescription>> cones = document.embeddedCones(surface);
   if (cones) {
-    model.embeddedCones = std::move(*cones);
+    file.embeddedCones = std::move(*cones);
   } else {
-    model.notes.push_back("the cones stored in the file are not used: " + cones.error().message);
+    file.notes.push_back("the cones stored in the file are not used: " + cones.error().message);
   }
 }
 
@@ -169,28 +169,29 @@ Status prepare(Model& model, const LoadOptions& options) {
   return splitIntoComponents(model);
 }
 
-Status convert(Model& model, const io::FileSet& files, const LoadOptions& options) {
-  Result<ConvertedDocument> made = convertDocument(*model.document, files, options);
+Status convert(OpenedFile& file, const io::FileSet& files, const LoadOptions& options) {
+  Result<ConvertedDocument> made = convertDocument(*file.document, files, options);
   if (!made) return made.error();
-  addNotes(model, std::move(made->notes));
-  model.hasOwnVertexIds = made->hasOwnVertexIds;
-  model.hasOwnFaceIds = made->hasOwnFaceIds;
+  file.notes.insert(file.notes.end(), made->notes.begin(), made->notes.end());
+  file.hasOwnVertexIds = made->hasOwnVertexIds;
+  file.hasOwnFaceIds = made->hasOwnFaceIds;
   const bool isObj = options.target == "obj";
-  if (model.hasOwnVertexIds && (isObj || std::string_view(model.document->format()) != "gltf"))
-    takeEmbeddedCones(model, *model.document, 0);
-  model.document = std::move(made->document);
+  if (file.hasOwnVertexIds && (isObj || std::string_view(file.document->format()) != "gltf"))
+    takeEmbeddedCones(file, *file.document, 0);
+  file.document = std::move(made->document);
+  file.isJoined = std::string_view(file.document->format()) == "obj";
   return Done{};
 }
 
 }  // namespace
 
-Result<Model> loadModel(io::FileSet files, const LoadOptions& options) {
-  Model model;
-  model.fileName = files.name;
-  model.notes = std::move(files.notes);
-  model.byteCount = files.main.size();
+Result<OpenedFile> openFile(io::FileSet files, const LoadOptions& options) {
+  OpenedFile file;
+  file.fileName = files.name;
+  file.notes = std::move(files.notes);
+  file.byteCount = files.main.size();
   if (files.main.size() <= options.limits.maxBytes) {
-    model.sha256 = sha256(files.main.data(), files.main.size());
+    file.sha256 = sha256(files.main.data(), files.main.size());
   }
   const std::string_view start =
       std::string_view(reinterpret_cast<const char*>(files.main.data()), files.main.size())
@@ -203,14 +204,26 @@ Result<Model> loadModel(io::FileSet files, const LoadOptions& options) {
   files.target = options.target;
   Result<io::DocumentPtr> document = io::openDocument(std::move(files), options.limits);
   if (!document) return document.error();
-  model.document = std::move(*document);
-  LoadOptions of = options;
-  if (!options.target.empty() && io::canConvert(*model.document, options.target)) {
-    if (Status done = convert(model, copy, options); !done) return done.error();
-    of.surface = std::string_view(model.document->format()) == "obj" ? -1 : options.surface;
+  file.document = std::move(*document);
+  if (!options.target.empty() && io::canConvert(*file.document, options.target)) {
+    if (Status done = convert(file, copy, options); !done) return done.error();
   }
+  return file;
+}
+
+Result<Model> modelOfFile(OpenedFile file, const LoadOptions& options) {
+  Model model;
+  static_cast<OpenedFile&>(model) = std::move(file);
+  LoadOptions of = options;
+  if (model.isJoined) of.surface = -1;
   if (Status done = prepare(model, of); !done) return done.error();
   return model;
+}
+
+Result<Model> loadModel(io::FileSet files, const LoadOptions& options) {
+  Result<OpenedFile> file = openFile(std::move(files), options);
+  if (!file) return file.error();
+  return modelOfFile(std::move(*file), options);
 }
 
 Result<Model> modelOfDocument(io::DocumentPtr document, const LoadOptions& options) {

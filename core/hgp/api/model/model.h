@@ -31,12 +31,23 @@ struct WrittenRepairs {
   int verticesBefore = 0;  ///< of the surface
 };
 
-struct Model {
-  io::DocumentPtr document;
-  LoadOptions load;  ///< the options with which it was loaded
+/// A file that is read, before one of its meshes is chosen: what all of them share.
+struct OpenedFile {
+  std::shared_ptr<const io::Document> document;
   std::string fileName;
   std::string sha256;  ///< of the main file
   std::uint64_t byteCount = 0;
+  /// False after a conversion to another format: ids of the file are then not those of `source()`.
+  bool hasOwnVertexIds = true, hasOwnFaceIds = true;
+  bool isJoined =
+      false;  ///< all meshes of the file became one, which LoadOptions::surface does not name
+  std::vector<std::string> notes;  ///< what reading, welding and repairs did
+  std::optional<io::Prescription>
+      embeddedCones;  ///< stored in the file; invalid ones only give a note
+};
+
+struct Model : OpenedFile {
+  LoadOptions load;  ///< the options with which it was loaded
   int surface = 0;
 
   MeshData mesh;                                      ///< after welding and repairs
@@ -47,12 +58,7 @@ struct Model {
   std::vector<LeftOutFace> leftOut;       ///< faces of the surface that are not in `mesh`
   int splitVertices = 0;                  ///< vertices that repairs added
   std::optional<WrittenRepairs> written;  ///< set if `document` is the repaired file
-  /// False after a conversion to another format: ids of the file are then not those of `source()`.
-  bool hasOwnVertexIds = true, hasOwnFaceIds = true;
-  bool isChanged = false;          ///< a weld or a repair changed the surface
-  std::vector<std::string> notes;  ///< what reading, welding and repairs did
-  std::optional<io::Prescription>
-      embeddedCones;  ///< stored in the file; invalid ones only give a note
+  bool isChanged = false;                 ///< a weld or a repair changed the surface
 
   std::vector<Defect> defects;      ///< of `mesh`
   std::optional<Failure> unusable;  ///< why there are no components

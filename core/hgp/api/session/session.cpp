@@ -58,13 +58,32 @@ Status Session::State::take(Result<Model> loaded) {
 }
 
 Status Session::load(io::FileSet files, const LoadOptions& options) {
-  return guarded([&] { return state_->take(loadModel(std::move(files), options)); });
+  return guarded([&]() -> Status {
+    Result<OpenedFile> file = openFile(std::move(files), options);
+    if (!file) return file.error();
+    if (Status done = state_->take(modelOfFile(*file, options)); !done) return done;
+    state_->file.reset();
+    if (file->document->surfaces().size() > 1) state_->file = std::move(*file);
+    return Done{};
+  });
+}
+
+Status Session::choose(int surface) {
+  return guarded([&]() -> Status {
+    if (!state_->file)
+      return Failure{ErrorCode::kUsage, "session", "no file with several meshes is loaded", {}};
+    LoadOptions options = state_->model->load;
+    options.surface = surface;
+    return state_->take(modelOfFile(*state_->file, options));
+  });
 }
 
 Status Session::loadArrays(std::vector<Vec3> positions, std::vector<std::array<int, 3>> triangles,
                            const LoadOptions& options) {
-  return guarded([&] {
-    return state_->take(modelOfArrays({std::move(positions), std::move(triangles)}, options));
+  return guarded([&]() -> Status {
+    Result<Model> made = modelOfArrays({std::move(positions), std::move(triangles)}, options);
+    if (made) state_->file.reset();
+    return state_->take(std::move(made));
   });
 }
 

@@ -57,7 +57,61 @@ void pullBackFaces(const Model& model, const VertexFacts& mesh, SurfaceFacts& ou
   }
 }
 
+/// The certificate of one component with ids of the surface.
+ComponentFacts factsOf(const ModelComponent& component, const Certificate& certificate) {
+  ComponentFacts out;
+  out.isCertified = certificate.isCertified;
+  out.reasons = certificate.reasons;
+  for (Reason& reason : out.reasons) toSurfaceIds(component, reason.where);
+  out.triangles = certificate.faceCount;
+  out.genus = certificate.genus;
+  out.boundaries = certificate.loopCount;
+  out.positive = certificate.orientation.positive;
+  for (const MeasuredCone& c : certificate.angles.cones)
+    out.cones.push_back({component.vertex[c.vertex].i, c.measured, c.distance});
+  for (const MeasuredTurning& t : certificate.angles.turnings)
+    out.turnings.push_back({component.loop[t.loop].i, t.measured});
+  for (const MeasuredHandle& h : certificate.seams.handles)
+    out.handles.push_back({component.generatorOffset + h.index, h.measured});
+  return out;
+}
+
 }  // namespace
+
+MapFacts Session::mapFacts() const {
+  MapFacts out;
+  if (!hasResult()) return out;
+  const State& shown = state_->shown();
+  out.isCertified = shown.solved->stored.isCertified;
+  out.q = shown.solved->prescription.q;
+  const std::vector<Certificate>& certificates = shown.solved->stored.certificates;
+  for (std::size_t p = 0; p < certificates.size(); ++p)
+    out.components.push_back(factsOf(shown.model->components[p], certificates[p]));
+  return out;
+}
+
+MapArrays Session::release() {
+  MapArrays out;
+  if (!hasResult()) return out;
+  state_->runs.clear();
+  const State& shown = state_->shown();
+  out.positions = shown.positions;
+  out.triangles = shown.triangles;
+  const std::shared_ptr<State::Solved> solved = shown.solved;
+  state_->clearResult();
+  if (solved.use_count() > 1) {  // a StoredResult has it, too
+    out.uv = solved->uv;
+    out.cornerToUv = solved->cornerToUv;
+    out.uvToVertex = solved->stored.uvToVertex;
+    out.seams = solved->seams;
+    return out;
+  }
+  out.uv = std::move(solved->uv);
+  out.cornerToUv = std::move(solved->cornerToUv);
+  out.uvToVertex = std::move(solved->stored.uvToVertex);
+  out.seams = std::move(solved->seams);
+  return out;
+}
 
 Result<SurfaceFacts> Session::facts() const {
   return guarded([&]() -> Result<SurfaceFacts> {

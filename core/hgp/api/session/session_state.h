@@ -9,6 +9,7 @@
 namespace hgp::api {
 
 struct Session::State {
+  std::optional<OpenedFile> file;  ///< of the model, if it was read from one
   std::optional<Model> model;
   std::vector<std::unique_ptr<PreparedSurface>> prepared;  ///< per component, made on first use
   struct Solved {
@@ -88,6 +89,9 @@ struct StoredResult::Data {
 
 /// The extension of a file name, in lower case and without the dot.
 std::string extensionOf(const std::string& name);
+
+/// The options of a format's writer; `format` and `cones` are the caller's.
+io::WriteOptions ioOptions(const WriteOptions& options);
 
 Failure notLoaded();
 Status requireComponents(const std::optional<Model>& model);

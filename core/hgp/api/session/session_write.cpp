@@ -130,6 +130,8 @@ std::vector<io::UvEdge> bothSides(const std::vector<SeamEdge>& seams) {
   return out;
 }
 
+}  // namespace
+
 io::WriteOptions ioOptions(const WriteOptions& options) {
   io::WriteOptions out;
   out.uvSet = options.uvSet;
@@ -140,8 +142,6 @@ io::WriteOptions ioOptions(const WriteOptions& options) {
   out.generator = generator();
   return out;
 }
-
-}  // namespace
 
 double Session::State::tilesOfGrid(const WriteOptions& options) const {
   const double asked = options.gridTiles.value_or(0);
@@ -159,7 +159,7 @@ Result<WrittenMap> Session::State::writeOriginal(const WriteOptions& options) co
   const std::string format =
       out.format.empty() ? std::string(model->document->outputFormat()) : out.format;
   if (options.gridTiles) {
-    const io::GridMaterial grid{tilesOfGrid(options), model->surface, options.uvSet};
+    const io::GridMaterial grid{tilesOfGrid(options), model->source().meshInFile, options.uvSet};
     if (Status done = addGrid(grid, format, made); !done) return done.error();
   }
   return made;

@@ -105,6 +105,9 @@ Result<io::Written> compressed(const std::vector<io::OutputFile>& files,
 }
 
 bool canCompress() { return io::canPackViews(); }
+Status canCompress(io::ByteView main) {
+  return guarded([&] { return io::canCompressGltf(main); });
+}
 
 Result<io::Written> asGltf(std::vector<io::OutputFile> files, const std::string& name) {
   return guarded([&]() -> Result<io::Written> {

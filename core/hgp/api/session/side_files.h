@@ -22,12 +22,14 @@ Result<io::Written> withEmbedded(std::vector<io::OutputFile> files, const io::Re
                                  const io::Limits& limits);
 
 /// The same file with its data losslessly compressed by meshopt (EXT_meshopt_compression); the certificate also
-/// holds for the decoded data. A note states the sizes. Fails with kUnsupported where io::compressGltf does.
+/// holds for the decoded data. A note states the sizes. Fails with kUsage where io::compressGltf does.
 Result<io::Written> compressed(const std::vector<io::OutputFile>& files,
                                const io::Resolver& resolve, const io::Limits& limits);
 
 /// Whether this build can compress: true for native builds with libmeshoptimizer.
 bool canCompress();
+/// Whether compressed() takes a glTF with the extensions of this one, told before anything is solved.
+Status canCompress(io::ByteView main);
 
 /// The GLB in `files` as a .gltf of this name with a side file; a .gltf is returned unchanged.
 Result<io::Written> asGltf(std::vector<io::OutputFile> files, const std::string& name);

@@ -87,14 +87,36 @@ Result<std::optional<Prescription>> GltfDocument::embeddedCones(int surface) con
   return std::optional<Prescription>(std::move(*read));
 }
 
+/// A GLB that was asked for as a .gltf is one.
+Status GltfDocument::storeApart(Written& written, const WriteOptions& options) const {
+  if (options.format != "gltf" || !store_->container.isBinary) return Done{};
+  auto apart = glbAsGltf(written.files[0].bytes, options.name);
+  if (!apart) return apart.error();
+  written.files = std::move(apart->files);
+  written.notes.insert(written.notes.end(), apart->notes.begin(), apart->notes.end());
+  return Done{};
+}
+
 Result<Written> GltfDocument::write(int surface, const UvMap& map,
                                     const WriteOptions& options) const {
   auto written = writeGltf(*store_, parts_[static_cast<std::size_t>(surface)], map, options);
-  if (!written || options.format != "gltf" || !store_->container.isBinary) return written;
-  auto apart = glbAsGltf(written->files[0].bytes, options.name);
-  if (!apart) return apart.error();
-  written->files = std::move(apart->files);
-  written->notes.insert(written->notes.end(), apart->notes.begin(), apart->notes.end());
+  if (!written) return written;
+  if (Status done = storeApart(*written, options); !done) return done.error();
+  return written;
+}
+
+Result<WrittenMaps> GltfDocument::writeAll(const std::vector<SurfaceUv>& maps,
+                                           const WriteOptions& options) const {
+  std::vector<GltfMap> list;
+  for (const SurfaceUv& one : maps) {
+    const auto* of = dynamic_cast<const GltfDocument*>(one.document);
+    if (of == nullptr || of->store_ != store_)
+      return Failure{ErrorCode::kUsage, "write", "the maps are not all of one file", {}};
+    list.push_back({&of->parts_[static_cast<std::size_t>(one.surface)], one.map, one.cones});
+  }
+  auto written = writeGltfMaps(*store_, list, options);
+  if (!written) return written;
+  if (Status done = storeApart(*written, options); !done) return done.error();
   return written;
 }
 
@@ -130,9 +152,10 @@ Result<DocumentPtr> GltfDocument::refined(int, const std::vector<std::array<int,
 }
 
 Result<DocumentPtr> GltfDocument::repaired(int surface, const FaceEdits& edits) const {
-  std::vector<GltfSurface> parts = parts_;
-  for (std::size_t s = 0; s < parts.size(); ++s) parts[s].surface = surfaces_[s];
+  std::vector<GltfSurface> parts(parts_.size());
   GltfSurface& part = parts[static_cast<std::size_t>(surface)];
+  part = parts_[static_cast<std::size_t>(surface)];
+  part.surface = surfaces_[static_cast<std::size_t>(surface)];
   const auto before = static_cast<int>(part.surface.mesh.positions.size());
   part.copy.assign(part.stored.size(), {GltfSurface::kUnedited, 0, 0});
   for (const EditedFace& edit : edits.faces) {

@@ -28,12 +28,15 @@ class GltfDocument : public Document {
   UvMap asStored(int surface, const UvMap& map, const std::vector<int>& partOf) const override;
   Result<std::optional<Prescription>> embeddedCones(int surface) const override;
   Result<Written> write(int surface, const UvMap& map, const WriteOptions& options) const override;
+  Result<WrittenMaps> writeAll(const std::vector<SurfaceUv>& maps,
+                               const WriteOptions& options) const override;
   Result<PlainFile> plain(int surface) const override;
   Result<DocumentPtr> refined(int surface,
                               const std::vector<std::array<int, 2>>& edges) const override;
   Result<DocumentPtr> repaired(int surface, const FaceEdits& edits) const override;
 
  private:
+  Status storeApart(Written& written, const WriteOptions& options) const;
   /// The uv set with v = top − stored v; empty if a triangle primitive does not have it.
   std::optional<UvMap> readUv(int surface, int set, double top) const;
 

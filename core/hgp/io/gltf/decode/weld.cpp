@@ -32,6 +32,7 @@ class GltfWelder {
   GltfWelder(const GltfStore& store, int mesh, const Limits& limits)
       : store_(store), mesh_(store.model.meshes[static_cast<std::size_t>(mesh)]), limits_(limits) {
     out_.mesh = mesh;
+    out_.surface.meshInFile = mesh;
     out_.surface.name = mesh_.name;
     out_.surface.isWelded = true;
   }

@@ -9,13 +9,17 @@
 #define TINYGLTF_NO_STB_IMAGE
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #define TINYGLTF_NO_EXTERNAL_IMAGE
+#define tinygltf hgp_tinygltf  // of our own, since programs that link this library may have another
 #include <tiny_gltf.h>
+#undef tinygltf
 
 #include "hgp/base/check.h"
 #include "hgp/io/gltf/json/model.h"
 
 namespace hgp::io {
 namespace {
+
+namespace tinygltf = hgp_tinygltf;
 
 /// Builds the text for tinygltf from pieces of the original text.
 class ReducedText {

@@ -7,6 +7,7 @@
 #include "hgp/io/gltf/check/check.h"
 #include "hgp/io/gltf/decode/decoders.h"
 #include "hgp/io/gltf/decode/store.h"
+#include "hgp/io/gltf/json/file.h"
 #include "hgp/io/gltf/pack/encoders.h"
 #include "hgp/io/gltf/patch/writer.h"
 
@@ -254,14 +255,30 @@ class GltfCompressor {
   int packedCount_ = 0;
 };
 
+Failure cannotCompress(const char* why) {
+  return {ErrorCode::kUsage, "write", std::string("--compress: ") + why, {}};
+}
+Failure noEncoder() {
+  return cannotCompress("this build has no meshopt encoder (libmeshoptimizer)");
+}
+Failure unknownReferences() {
+  return cannotCompress(
+      "an extension of this file may point into its buffers; leave the option out");
+}
+
 }  // namespace
+
+Status canCompressGltf(ByteView main) {
+  if (!canPackViews()) return noEncoder();
+  const auto container = openContainer(main);
+  if (!container) return Done{};
+  const auto json = JsonText::parse(std::string(container->json));
+  return json && !areGltfReferencesKnown(*json) ? Status(unknownReferences()) : Status(Done{});
+}
 
 Result<Written> compressGltf(const std::vector<OutputFile>& files, const Resolver& resolve,
                              const Limits& limits) {
-  const auto refuse = [](const char* why) {
-    return Failure{ErrorCode::kUnsupported, "write", std::string("--compress: ") + why, {}};
-  };
-  if (!canPackViews()) return refuse("this build has no meshopt encoder (libmeshoptimizer)");
+  if (!canPackViews()) return noEncoder();
   FileSet set;
   set.name = files[0].name;
   set.main = files[0].bytes;
@@ -273,8 +290,7 @@ Result<Written> compressGltf(const std::vector<OutputFile>& files, const Resolve
   };
   auto store = loadGltf(std::move(set), limits, builtInDecoders());
   if (!store) return store.error();
-  if (!areGltfReferencesKnown((*store)->json))
-    return refuse("an extension of this file may point into its buffers; leave the option out");
+  if (!areGltfReferencesKnown((*store)->json)) return unknownReferences();
   (*store)->container.hasBin = true;
   return GltfCompressor(**store, files[0].name).run();
 }

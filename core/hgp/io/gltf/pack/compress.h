@@ -11,8 +11,10 @@ namespace hgp::io {
 /// the certificate of the file also holds for the decoded data. A GLB stays a GLB; a .gltf gets one
 /// side file "stem-packed.bin", or none if all of its buffers were data URIs. A note states the sizes.
 ///
-/// Fails with kUnsupported if this build has no encoder or if the file uses an extension that may refer to
+/// Fails with kUsage if this build has no encoder or if the file uses an extension that may refer to
 /// bytes of the buffers.
+/// Whether compressGltf takes a file with the extensions of this one; texts that cannot be read are not refused here.
+Status canCompressGltf(ByteView main);
 Result<Written> compressGltf(const std::vector<OutputFile>& files, const Resolver& resolve,
                              const Limits& limits);
 

@@ -39,8 +39,8 @@ Differences differencesOf(const Bytes& merged, int componentType,
 void GltfWriter::rewriteManifold() {
   const int extension = json_.find(json_.find(meshNode_, "extensions"), kManifold);
   if (extension < 0) return;
-  if (!part_.copy.empty()) return dropManifold("it describes the mesh before the repairs");
-  if (!part_.isWeldedByExtension || !planManifold())
+  if (!part_->copy.empty()) return dropManifold("it describes the mesh before the repairs");
+  if (!part_->isWeldedByExtension || !planManifold())
     dropManifold("its indices are not those of the primitives, or contradict each other");
 }
 
@@ -49,21 +49,21 @@ void GltfWriter::dropManifold(const char* why) {
   patch_.remove(json_.find(extensions, kManifold));
   if (patch_.isEmptied(extensions)) patch_.remove(extensions);
   note(std::string("EXT_mesh_manifold dropped: ") + why);
-  dropName(kManifold);
+  ++droppedManifolds_;
 }
 
 /// The manifold's indices are those of all primitives in one array, with sparse values that map
 /// every copy to one vertex. Old vertices keep their indices, so the old merged values remain valid;
 /// what changes is the base array and the set of entries that differ from it.
 bool GltfWriter::planManifold() {
-  const auto& manifold = store_.model.meshes[static_cast<std::size_t>(part_.mesh)].manifold;
-  if (!manifold || part_.pools.size() != 1) return false;
-  const auto starts = manifoldStarts(store_, part_.mesh, part_.runs);
+  const auto& manifold = store_.model.meshes[static_cast<std::size_t>(part_->mesh)].manifold;
+  if (!manifold || part_->pools.size() != 1) return false;
+  const auto starts = manifoldStarts(store_, part_->mesh, part_->runs);
   if (!starts) return false;
   const GltfAccessor& whole = accessor(manifold->indices);
   std::vector<std::uint32_t> base(whole.count, UINT32_MAX);
-  for (std::size_t r = 0; r < part_.runs.size(); ++r) {
-    const std::vector<std::uint32_t> indices = writtenIndices(part_.runs[r]);
+  for (std::size_t r = 0; r < part_->runs.size(); ++r) {
+    const std::vector<std::uint32_t> indices = writtenIndices(part_->runs[r]);
     const std::size_t start = (*starts)[r];
     if (indices.size() > base.size() - start) return false;
     std::copy(indices.begin(), indices.end(), base.begin() + static_cast<std::ptrdiff_t>(start));
@@ -87,8 +87,8 @@ bool GltfWriter::planManifold() {
   setRange(all, manifold->indices, all.data);
   const int shared =
       redirect(manifold->indices, {json_.find(manifoldPrimitive, "indices")}, std::move(all));
-  for (std::size_t r = 0; r < part_.runs.size(); ++r) {
-    const GltfRun& run = part_.runs[r];
+  for (std::size_t r = 0; r < part_->runs.size(); ++r) {
+    const GltfRun& run = part_->runs[r];
     if (newIndices_.count(run.primitive) == 0) {
       planIndices(run, writtenIndices(run), kGltfUnsignedInt);
     }
@@ -121,10 +121,13 @@ int GltfWriter::planMerge(int extension, const char* key, const std::vector<std:
 }
 
 void GltfWriter::dropUnusedExtensions() {
-  int dracoCount = 0;
+  int dracoCount = 0, manifoldCount = 0;
   for (const GltfMesh& mesh : store_.model.meshes) {
     for (const GltfPrimitive& p : mesh.primitives) dracoCount += p.draco ? 1 : 0;
   }
+  for (const int mesh : meshNodes_)
+    manifoldCount += json_.find(json_.find(mesh, "extensions"), kManifold) >= 0 ? 1 : 0;
+  if (droppedManifolds_ > 0 && droppedManifolds_ == manifoldCount) dropName(kManifold);
   if (droppedDraco_ > 0 && droppedDraco_ == dracoCount) dropName("KHR_draco_mesh_compression");
 }
 

@@ -1,6 +1,7 @@
 #include "hgp/io/gltf/patch/grid.h"
 
 #include <algorithm>
+#include <map>
 
 #include "hgp/base/check.h"
 #include "hgp/io/gltf/json/file.h"
@@ -13,10 +14,17 @@ namespace {
 /// Appends to the top-level lists of a glTF and creates those that are missing.
 class GltfGrid {
  public:
-  GltfGrid(const JsonText& json, const std::string& scale)
-      : json_(json), patch_(json), scale_(scale) {}
+  explicit GltfGrid(const JsonText& json)
+      : json_(json),
+        patch_(json),
+        meshes_(json.children(json.find(JsonText::kRoot, "meshes"))),
+        accessors_(json.children(json.find(JsonText::kRoot, "accessors"))) {}
 
-  std::string text() const { return patch_.text(); }
+  std::string text() {
+    for (const auto& [list, elements] : missing_)
+      patch_.set(JsonText::kRoot, list, "[" + elements + "]");
+    return patch_.text();
+  }
 
   /// An image whose bytes are appended to the binary chunk.
   std::string inChunk(std::size_t begin, std::size_t size) {
@@ -29,17 +37,26 @@ class GltfGrid {
     return formatText("\"bufferView\":%d", view);
   }
 
-  Status assign(const std::string& image, const GltfGridPlace& grid) {
-    const std::vector<int> meshes = json_.children(json_.find(JsonText::kRoot, "meshes"));
-    if (grid.mesh < 0 || grid.mesh >= static_cast<int>(meshes.size())) {
+  void addTexture(const std::string& image) {
+    const int source =
+        add("images", "{\"name\":\"hgp grid\",\"mimeType\":\"image/png\"," + image + "}");
+    const int sampler =
+        add("samplers", "{\"wrapS\":10497,\"wrapT\":10497,\"magFilter\":9729,\"minFilter\":9987}");
+    texture_ = add("textures", formatText("{\"name\":\"hgp grid\",\"sampler\":%d,\"source\":%d}",
+                                          sampler, source));
+    needTransform();
+  }
+
+  Status assign(const GltfGridPlace& grid) {
+    if (grid.mesh < 0 || grid.mesh >= static_cast<int>(meshes_.size())) {
       return Failure{
           ErrorCode::kUsage, "write", formatText("there is no mesh %d for a grid", grid.mesh), {}};
     }
     const std::vector<int> primitives =
-        json_.children(json_.find(meshes[static_cast<std::size_t>(grid.mesh)], "primitives"));
+        json_.children(json_.find(meshes_[static_cast<std::size_t>(grid.mesh)], "primitives"));
     const int set = grid.uvSet >= 0 ? grid.uvSet : lastSet(primitives);
     const std::string semantic = "TEXCOORD_" + std::to_string(set);
-    const int material = addMaterial(image, set);
+    const int material = addMaterial(set, grid.scale);
     for (const int primitive : primitives) {
       if (json_.find(json_.find(primitive, "attributes"), semantic) >= 0)
         patch_.set(primitive, "material", std::to_string(material));
@@ -51,19 +68,19 @@ class GltfGrid {
   int add(std::string_view list, std::string element) {
     const int node = json_.find(JsonText::kRoot, list);
     if (json_.isArray(node)) return patch_.append(node, std::move(element));
-    patch_.set(JsonText::kRoot, list, "[" + element + "]");
-    return 0;
+    std::string& elements = missing_[std::string(list)];
+    elements += (elements.empty() ? "" : ",") + element;
+    return missingCount_[std::string(list)]++;
   }
 
   /// The set that hgp wrote, or the last one.
   int lastSet(const std::vector<int>& primitives) const {
     const int attributes = primitives.empty() ? -1 : json_.find(primitives.front(), "attributes");
-    const std::vector<int> accessors = json_.children(json_.find(JsonText::kRoot, "accessors"));
     int set = 0, own = -1;
     for (int n = 0; n < 16; ++n) {
       const auto index = json_.integer(json_.find(attributes, "TEXCOORD_" + std::to_string(n)));
-      if (!index || *index < 0 || static_cast<std::size_t>(*index) >= accessors.size()) continue;
-      const int extras = json_.find(accessors[static_cast<std::size_t>(*index)], "extras");
+      if (!index || *index < 0 || static_cast<std::size_t>(*index) >= accessors_.size()) continue;
+      const int extras = json_.find(accessors_[static_cast<std::size_t>(*index)], "extras");
       if (json_.string(json_.find(extras, "hgp")) == "uv") own = n;
     }
     if (own >= 0) return own;
@@ -71,20 +88,12 @@ class GltfGrid {
     return set;
   }
 
-  int addMaterial(const std::string& image, int set) {
-    const int source =
-        add("images", "{\"name\":\"hgp grid\",\"mimeType\":\"image/png\"," + image + "}");
-    const int sampler =
-        add("samplers", "{\"wrapS\":10497,\"wrapT\":10497,\"magFilter\":9729,\"minFilter\":9987}");
-    const int texture =
-        add("textures",
-            formatText("{\"name\":\"hgp grid\",\"sampler\":%d,\"source\":%d}", sampler, source));
-    needTransform();
+  int addMaterial(int set, const std::string& scale) {
     return add("materials",
                formatText("{\"name\":\"hgp grid\",\"pbrMetallicRoughness\":{\"baseColorTexture\":{"
                           "\"index\":%d,\"texCoord\":%d,\"extensions\":{\"KHR_texture_transform\":",
-                          texture, set) +
-                   "{\"scale\":[" + scale_ + "," + scale_ +
+                          texture_, set) +
+                   "{\"scale\":[" + scale + "," + scale +
                    "]}}},\"metallicFactor\":0,\"roughnessFactor\":0.9}}");
   }
 
@@ -98,18 +107,22 @@ class GltfGrid {
 
   const JsonText& json_;
   JsonPatch patch_;
-  const std::string& scale_;
+  std::vector<int> meshes_, accessors_;
+  int texture_ = 0;
+  std::map<std::string, std::string>
+      missing_;  ///< lists that the file does not have: their elements
+  std::map<std::string, int> missingCount_;
 };
 
 }  // namespace
 
-Result<Bytes> gltfWithGrid(const Bytes& file, const GltfGridPlace& place, const std::string& scale,
-                           ByteView picture) {
+Result<Bytes> gltfWithGrids(const Bytes& file, const std::vector<GltfGridPlace>& places,
+                            ByteView picture) {
   Result<GltfContainer> container = openContainer(file);
   if (!container) return container.error();
   Result<JsonText> json = JsonText::parse(std::string(container->json));
   if (!json) return json.error();
-  GltfGrid editor(*json, scale);
+  GltfGrid editor(*json);
   // The first buffer of a GLB is its binary chunk only if it has no URI.
   const int buffer = json->firstChild(json->find(JsonText::kRoot, "buffers"));
   const bool isInside = container->isBinary && container->hasBin && json->find(buffer, "uri") < 0;
@@ -121,7 +134,9 @@ Result<Bytes> gltfWithGrid(const Bytes& file, const GltfGridPlace& place, const 
   } else {
     image = "\"uri\":\"data:image/png;base64," + encodeBase64(picture) + "\"";
   }
-  if (Status done = editor.assign(image, place); !done) return done.error();
+  editor.addTexture(image);
+  for (const GltfGridPlace& place : places)
+    if (Status done = editor.assign(place); !done) return done.error();
   return packContainer(*container, editor.text(), bin);
 }
 

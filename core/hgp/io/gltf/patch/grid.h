@@ -1,7 +1,8 @@
-// A grid as the material of one mesh of a glTF.  Role: the glTF half of grid_material.h.
+// A grid as the material of meshes of a glTF.  Role: the glTF half of grid_material.h.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "hgp/base/result.h"
 #include "hgp/io/written.h"
@@ -10,12 +11,13 @@ namespace hgp::io {
 
 struct GltfGridPlace {
   int mesh = 0;
-  int uvSet = -1;  ///< −1: the last one that the primitives have without a gap
+  int uvSet = -1;     ///< −1: the last one that the primitives have without a gap
+  std::string scale;  ///< repeats of the picture per unit of uv, as JSON
 };
 
-/// The file with `picture`, a PNG, as a new image, and a new material for the primitives that have the uv set.
-/// All other text and data stay byte for byte. @param scale  repeats of the picture per unit of uv, as JSON
-Result<Bytes> gltfWithGrid(const Bytes& file, const GltfGridPlace& place, const std::string& scale,
-                           ByteView picture);
+/// The file with `picture`, a PNG, as a new image, and per place a new material for the primitives that have the uv
+/// set. All other text and data stay byte for byte.
+Result<Bytes> gltfWithGrids(const Bytes& file, const std::vector<GltfGridPlace>& places,
+                            ByteView picture);
 
 }  // namespace hgp::io

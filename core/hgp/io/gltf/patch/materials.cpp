@@ -32,61 +32,71 @@ int setOf(const JsonText& json, int texture) {
   return static_cast<int>(moved.value_or(own.value_or(0)));
 }
 
+/// The text of a material whose textures use the set.
+std::string withSet(const std::string& material, int set) {
+  const auto own = JsonText::parse(material);
+  if (!own) return material;
+  std::vector<int> textures;
+  collectTextures(*own, JsonText::kRoot, textures);
+  JsonPatch changed(*own);
+  for (const int texture : textures) {
+    changed.set(texture, "texCoord", std::to_string(set));
+    const int transform = own->find(own->find(texture, "extensions"), kTransform);
+    if (own->find(transform, "texCoord") >= 0)
+      changed.set(transform, "texCoord", std::to_string(set));
+  }
+  return changed.text();
+}
+
 }  // namespace
 
-bool GltfWriter::isUsedElsewhere(int material) const {
-  for (std::size_t m = 0; m < store_.model.meshes.size(); ++m) {
-    if (static_cast<int>(m) == part_.mesh) continue;
-    for (const GltfPrimitive& p : store_.model.meshes[m].primitives)
-      if (p.material == material) return true;
-  }
-  const auto& own = store_.model.meshes[static_cast<std::size_t>(part_.mesh)].primitives;
-  return std::any_of(own.begin(), own.end(), [&](const GltfPrimitive& p) {
-    return p.material == material && !p.isTriangles();
-  });
-}
-
-/// A material that only this mesh uses is changed in place; one with other users is copied.
-void GltfWriter::pointMaterials() {
-  const int list = json_.find(JsonText::kRoot, "materials");
-  const std::vector<int> materials = json_.children(list);
-  std::map<int, int> copies;
-  for (const GltfRun& run : part_.runs) {
-    const int material = primitive(run.primitive).material;
-    if (material < 0) continue;
-    const int node = materials[static_cast<std::size_t>(material)];
-    if (!copies.contains(material)) {
-      const auto own = JsonText::parse(std::string(json_.raw(node)));
-      std::vector<int> textures;
-      if (own) collectTextures(*own, JsonText::kRoot, textures);
-      if (textures.empty()) continue;
-      JsonPatch changed(*own);
-      for (const int texture : textures) {
-        changed.set(texture, "texCoord", std::to_string(set_));
-        const int transform = own->find(own->find(texture, "extensions"), kTransform);
-        if (own->find(transform, "texCoord") >= 0)
-          changed.set(transform, "texCoord", std::to_string(set_));
-      }
-      const bool isShared = isUsedElsewhere(material);
-      copies[material] = isShared ? patch_.append(list, changed.text()) : material;
-      if (!isShared) patch_.replace(node, changed.text());
-    }
-    if (copies[material] != material) {
-      patch_.set(primitiveNodes_[static_cast<std::size_t>(run.primitive)], "material",
-                 std::to_string(copies[material]));
-    }
-  }
-  if (!copies.empty()) note(formatText("wrote TEXCOORD_%d; the materials use it", set_));
-}
-
-std::set<int> GltfWriter::setsOfMaterials() const {
-  const std::vector<int> materials = json_.children(json_.find(JsonText::kRoot, "materials"));
-  std::set<int> sets;
-  for (const GltfRun& run : part_.runs) {
+/// Records which primitives use their material with the written set; pointMaterials() carries it out for all meshes.
+void GltfWriter::planMaterials() {
+  bool isAny = false;
+  for (const GltfRun& run : part_->runs) {
     const int material = primitive(run.primitive).material;
     if (material < 0) continue;
     std::vector<int> textures;
-    collectTextures(json_, materials[static_cast<std::size_t>(material)], textures);
+    collectTextures(json_, materialNodes_[static_cast<std::size_t>(material)], textures);
+    if (textures.empty()) continue;
+    pointed_[material][set_].push_back(primitiveNodes_[static_cast<std::size_t>(run.primitive)]);
+    isAny = true;
+  }
+  if (isAny) note(formatText("wrote TEXCOORD_%d; the materials use it", set_));
+}
+
+/// A material whose every user is pointed to one set is changed in place; others are copied, once per set.
+void GltfWriter::pointMaterials() {
+  if (pointed_.empty()) return;
+  std::map<int, std::size_t> users;
+  for (const GltfMesh& mesh : store_.model.meshes)
+    for (const GltfPrimitive& p : mesh.primitives) ++users[p.material];
+  const int list = json_.find(JsonText::kRoot, "materials");
+  for (const auto& [material, sets] : pointed_) {
+    std::size_t moved = 0;
+    for (const auto& [set, primitives] : sets) moved += primitives.size();
+    bool isFree = moved == users[material];
+    for (const auto& [set, primitives] : sets) {
+      const int node = materialNodes_[static_cast<std::size_t>(material)];
+      const std::string changed = withSet(std::string(json_.raw(node)), set);
+      if (isFree) {
+        patch_.replace(node, changed);
+        isFree = false;
+        continue;
+      }
+      const std::string index = std::to_string(patch_.append(list, changed));
+      for (const int primitive : primitives) patch_.set(primitive, "material", index);
+    }
+  }
+}
+
+std::set<int> GltfWriter::setsOfMaterials() const {
+  std::set<int> sets;
+  for (const GltfRun& run : part_->runs) {
+    const int material = primitive(run.primitive).material;
+    if (material < 0) continue;
+    std::vector<int> textures;
+    collectTextures(json_, materialNodes_[static_cast<std::size_t>(material)], textures);
     for (const int texture : textures) sets.insert(setOf(json_, texture));
   }
   return sets;
@@ -95,7 +105,7 @@ std::set<int> GltfWriter::setsOfMaterials() const {
 void GltfWriter::tellOrPointMaterials() {
   std::set<int> others = setsOfMaterials();
   const bool usesWritten = others.erase(set_) > 0;
-  const bool isReplaced = std::any_of(part_.runs.begin(), part_.runs.end(), [&](const auto& run) {
+  const bool isReplaced = std::any_of(part_->runs.begin(), part_->runs.end(), [&](const auto& run) {
     return primitive(run.primitive).attribute(semantic(set_)) >= 0;
   });
   if (usesWritten && isReplaced) {
@@ -104,7 +114,7 @@ void GltfWriter::tellOrPointMaterials() {
         "no longer fit",
         set_));
   }
-  if (options_.pointsMaterials && !others.empty()) return pointMaterials();
+  if (options_.pointsMaterials && !others.empty()) return planMaterials();
   std::string list;
   for (const int set : others) list += (list.empty() ? "" : " and ") + semantic(set);
   if (!others.empty()) note(formatText("wrote TEXCOORD_%d; the materials still use ", set_) + list);

@@ -64,6 +64,7 @@ int GltfWriter::redirect(int old, const std::set<int>& references, GltfNewAccess
     fresh.index = newAccessorCount_++;
     fresh.base = std::string(json_.raw(node));
     for (int reference : references) patch_.replace(reference, std::to_string(fresh.index));
+    droppedAttributes_.insert(references.begin(), references.end());
   }
   fresh_.push_back(std::move(fresh));
   return static_cast<int>(fresh_.size()) - 1;
@@ -136,7 +137,7 @@ void GltfWriter::rewriteAttributes(int pool) {
       source.references.insert(reference);
     }
   };
-  for (int p : part_.pools[static_cast<std::size_t>(pool)].primitives) {
+  for (int p : part_->pools[static_cast<std::size_t>(pool)].primitives) {
     const int node = primitiveNodes_[static_cast<std::size_t>(p)];
     add(p, json_.find(node, "attributes"), primitive(p).attributes, -1);
     const std::vector<int> targets = json_.children(json_.find(node, "targets"));
@@ -154,8 +155,8 @@ void GltfWriter::rewriteAttributes(int pool) {
     const std::size_t size = accessor(old).elementSize();
     GltfNewAccessor fresh;
     fresh.data = expanded(
-        packedAttribute(store_, part_.mesh, source.primitive, source.semantic, source.target), size,
-        pool);
+        packedAttribute(store_, part_->mesh, source.primitive, source.semantic, source.target),
+        size, pool);
     fresh.stride = size % 4 == 0 ? 0 : (size + 3) / 4 * 4;
     fresh.target = 34962;
     const std::size_t step = fresh.stride != 0 ? fresh.stride : size;
@@ -181,13 +182,13 @@ std::vector<std::uint32_t> GltfWriter::writtenIndices(const GltfRun& run) const 
     }
   }
   if (primitive(run.primitive).mode != 4) return out;
-  const auto old = readIndices(store_, part_.mesh, run.primitive);
+  const auto old = readIndices(store_, part_->mesh, run.primitive);
   for (std::size_t k = out.size(); old && k < old->size(); ++k) out.push_back((*old)[k]);
   return out;
 }
 
 void GltfWriter::rewriteIndices(const GltfRun& run) {
-  const GltfPool& pool = part_.pools[static_cast<std::size_t>(run.pool)];
+  const GltfPool& pool = part_->pools[static_cast<std::size_t>(run.pool)];
   const GltfPrimitive& source = primitive(run.primitive);
   const GltfSplit& split = splits_.pools[static_cast<std::size_t>(run.pool)];
   // A primitive without indices draws all vertices, including the copies made for other primitives.
@@ -196,7 +197,7 @@ void GltfWriter::rewriteIndices(const GltfRun& run) {
   for (int face = run.firstTriangle; face < run.firstTriangle + run.triangleCount; ++face) {
     const auto t = static_cast<std::size_t>(face);
     for (std::size_t k = 0; k < 3; ++k) {
-      isChanged = isChanged || splits_.corner[t][k] != part_.stored[t][k] - pool.firstStored;
+      isChanged = isChanged || splits_.corner[t][k] != part_->stored[t][k] - pool.firstStored;
     }
   }
   if (!isChanged) return;

@@ -27,8 +27,27 @@ void appendChunk(Bytes& out, std::uint32_t type, ByteView content, std::uint8_t 
 
 Result<Written> writeGltf(const GltfStore& store, const GltfSurface& part, const UvMap& map,
                           const WriteOptions& options) {
-  GltfWriter writer(store, part, options);
-  return writer.run(map);
+  Result<WrittenMaps> written = writeGltfMaps(store, {{&part, &map, options.cones}}, options);
+  if (!written) return written.error();
+  std::vector<std::string>& notes = written->mapNotes.front();
+  notes.insert(notes.end(), written->notes.begin(), written->notes.end());
+  written->notes = std::move(notes);
+  return Written(std::move(*written));
+}
+
+Result<WrittenMaps> writeGltfMaps(const GltfStore& store, const std::vector<GltfMap>& maps,
+                                  const WriteOptions& options) {
+  GltfWriter writer(store, options);
+  WrittenMaps out;
+  for (const GltfMap& one : maps) {
+    auto notes = writer.add(*one.part, *one.map, one.cones);
+    if (!notes) return notes.error();
+    out.mapNotes.push_back(std::move(*notes));
+  }
+  Result<Written> written = writer.finish();
+  if (!written) return written.error();
+  static_cast<Written&>(out) = std::move(*written);
+  return out;
 }
 
 Result<Bytes> packContainer(const GltfContainer& container, const std::string& json, ByteView bin) {

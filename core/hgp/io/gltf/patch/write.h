@@ -15,4 +15,13 @@ namespace hgp::io {
 Result<Written> writeGltf(const GltfStore& store, const GltfSurface& part, const UvMap& map,
                           const WriteOptions& options);
 
+/// One map for each of several meshes; `notes` gets those on each.
+struct GltfMap {
+  const GltfSurface* part = nullptr;
+  const UvMap* map = nullptr;
+  std::optional<std::string> cones;
+};
+Result<WrittenMaps> writeGltfMaps(const GltfStore& store, const std::vector<GltfMap>& maps,
+                                  const WriteOptions& options);
+
 }  // namespace hgp::io

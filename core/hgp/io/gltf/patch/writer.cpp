@@ -22,10 +22,9 @@ Bytes bytesOf(const std::vector<float>& values) {
 
 }  // namespace
 
-GltfWriter::GltfWriter(const GltfStore& store, const GltfSurface& part, const WriteOptions& options)
+GltfWriter::GltfWriter(const GltfStore& store, const WriteOptions& options)
     : store_(store),
       json_(store.json),
-      part_(part),
       options_(options),
       patch_(store.json),
       layout_(store, patch_) {
@@ -34,35 +33,64 @@ GltfWriter::GltfWriter(const GltfStore& store, const GltfSurface& part, const Wr
   };
   accessorNodes_ = list("accessors");
   newAccessorCount_ = static_cast<int>(accessorNodes_.size());
-  meshNode_ = list("meshes")[static_cast<std::size_t>(part.mesh)];
-  primitiveNodes_ = json_.children(json_.find(meshNode_, "primitives"));
+  meshNodes_ = list("meshes");
+  materialNodes_ = list("materials");
   areReferencesKnown_ = areGltfReferencesKnown(json_);
   for (int node : gltfReferences(json_, "accessors")) {
     accessorReferences_[static_cast<int>(*json_.integer(node))].push_back(node);
   }
 }
 
-Result<Written> GltfWriter::run(const UvMap& map) {
-  auto splits = splitForUv(part_, map);
+Result<std::vector<std::string>> GltfWriter::add(const GltfSurface& part, const UvMap& map,
+                                                 const std::optional<std::string>& cones) {
+  part_ = &part;
+  meshNode_ = meshNodes_[static_cast<std::size_t>(part.mesh)];
+  primitiveNodes_ = json_.children(json_.find(meshNode_, "primitives"));
+  isRewritten_ = false;
+  newIndices_.clear();
+  notes_.clear();
+  ++meshCount_;
+  auto splits = splitForUv(part, map);
   if (!splits) return splits.error();
   splits_ = std::move(*splits);
   Status status = chooseSet();
   if (!status) return status.error();
-  for (std::size_t p = 0; p < part_.pools.size(); ++p) planPool(static_cast<int>(p));
+  for (std::size_t p = 0; p < part_->pools.size(); ++p) planPool(static_cast<int>(p));
   tellOrPointMaterials();
-  if (isRewritten_ || !part_.copy.empty()) rewriteManifold();
+  if (isRewritten_ || !part_->copy.empty()) rewriteManifold();
+  status = embedCones(cones);
+  if (!status) return status.error();
+  collectXref();
+  return std::move(notes_);
+}
+
+Result<Written> GltfWriter::finish() {
+  pointMaterials();
   placeAccessors();
   dropUnusedExtensions();
-  status = embedCones();
-  if (!status) return status.error();
-  return finish();
+  Written out;
+  auto side = layout_.finish(options_.name);
+  if (!side) return side.error();
+  auto main = packGltf(store_, patch_.text(), layout_.bin());
+  if (!main) return main.error();
+  const bool isUnpacked = droppedDraco_ > 0 || layout_.hasUnpacked();
+  if (isUnpacked && !options_.isCompressedLater)
+    out.notes.push_back(sizeNote(main->size() + side->bytes.size()));
+  out.files.push_back({options_.name, std::move(*main)});
+  if (!side->name.empty()) out.files.push_back(std::move(*side));
+  for (const GltfBuffer& buffer : store_.buffers) {
+    if (buffer.kind == GltfBufferKind::kFile && options_.isSideFileNoted)
+      out.notes.push_back("keep " + buffer.name + " next to the new file");
+  }
+  if (meshCount_ == 1) out.xref = std::move(xref_);
+  return out;
 }
 
 /// The set that hgp wrote before; otherwise the one after the last, even if an earlier one is missing, since the last
 /// set is the one that is verified. Where all sets that viewers have are taken, the highest that no material uses.
 int GltfWriter::defaultSet() {
   const auto isTaken = [&](int set, bool isOwn) {
-    return std::any_of(part_.runs.begin(), part_.runs.end(), [&](const GltfRun& run) {
+    return std::any_of(part_->runs.begin(), part_->runs.end(), [&](const GltfRun& run) {
       const int a = primitive(run.primitive).attribute(semantic(set));
       return a >= 0 && (!isOwn || accessor(a).isOwnUv);
     });
@@ -101,19 +129,19 @@ Status GltfWriter::chooseSet() {
 }
 
 void GltfWriter::planPool(int pool) {
-  const GltfPool& source = part_.pools[static_cast<std::size_t>(pool)];
+  const GltfPool& source = part_->pools[static_cast<std::size_t>(pool)];
   for (int p : source.primitives) dropTangents(p);
   for (const int reference : ownUvReferences(pool)) droppedAttributes_.insert(reference);
   const std::size_t copies = splits_.pools[static_cast<std::size_t>(pool)].copyOf.size();
   if (copies > 0 || isDraco(pool)) {
     isRewritten_ = true;
     rewriteAttributes(pool);
-    for (const GltfRun& run : part_.runs) {
+    for (const GltfRun& run : part_->runs) {
       if (run.pool == pool) rewriteIndices(run);
     }
     for (int p : source.primitives) dropDraco(p);
   } else {
-    for (const GltfRun& run : part_.runs) {
+    for (const GltfRun& run : part_->runs) {
       if (run.pool == pool && isEdited(run)) rewriteIndices(run);
     }
   }
@@ -125,15 +153,15 @@ void GltfWriter::planPool(int pool) {
 }
 
 bool GltfWriter::isDraco(int pool) const {
-  const std::vector<int>& list = part_.pools[static_cast<std::size_t>(pool)].primitives;
+  const std::vector<int>& list = part_->pools[static_cast<std::size_t>(pool)].primitives;
   return std::any_of(list.begin(), list.end(),
                      [&](int p) { return primitive(p).draco.has_value(); });
 }
 
 /// Whether repairs changed a triangle of the run.
 bool GltfWriter::isEdited(const GltfRun& run) const {
-  if (part_.copy.empty()) return false;
-  const auto first = part_.copy.begin() + run.firstTriangle;
+  if (part_->copy.empty()) return false;
+  const auto first = part_->copy.begin() + run.firstTriangle;
   return std::any_of(first, first + run.triangleCount,
                      [](const auto& c) { return c[0] != GltfSurface::kUnedited; });
 }
@@ -142,7 +170,7 @@ bool GltfWriter::isEdited(const GltfRun& run) const {
 std::vector<int> GltfWriter::ownUvReferences(int pool) const {
   int own = -1;
   std::vector<int> references;
-  for (const int p : part_.pools[static_cast<std::size_t>(pool)].primitives) {
+  for (const int p : part_->pools[static_cast<std::size_t>(pool)].primitives) {
     const int attributes = json_.find(primitiveNodes_[static_cast<std::size_t>(p)], "attributes");
     const int chosen = primitive(p).attribute(semantic(set_));
     if (chosen < 0 || !accessor(chosen).isOwnUv || (own >= 0 && own != chosen)) return {};
@@ -176,7 +204,7 @@ void GltfWriter::planUv(int pool) {
   fresh.index = newAccessorCount_++;
   const std::string index = std::to_string(fresh.index);
   fresh_.push_back(std::move(fresh));
-  for (int p : part_.pools[static_cast<std::size_t>(pool)].primitives) {
+  for (int p : part_->pools[static_cast<std::size_t>(pool)].primitives) {
     const int attributes = json_.find(primitiveNodes_[static_cast<std::size_t>(p)], "attributes");
     for (int set = 0; set <= set_; ++set) {
       const int old = json_.find(attributes, semantic(set));
@@ -192,8 +220,7 @@ void GltfWriter::planUv(int pool) {
 bool GltfWriter::isNormalMapFed(int p) const {
   const int material = primitive(p).material;
   if (material < 0) return false;
-  const std::vector<int> materials = json_.children(json_.find(JsonText::kRoot, "materials"));
-  const int map = json_.find(materials[static_cast<std::size_t>(material)], "normalTexture");
+  const int map = json_.find(materialNodes_[static_cast<std::size_t>(material)], "normalTexture");
   if (map < 0) return false;
   const int transform = json_.find(json_.find(map, "extensions"), "KHR_texture_transform");
   const auto moved = json_.integer(json_.find(transform, "texCoord"));
@@ -220,9 +247,9 @@ void GltfWriter::dropTangents(int p) {
   }
 }
 
-Status GltfWriter::embedCones() {
-  if (!options_.cones) return Done{};
-  const auto cones = JsonText::parse(*options_.cones);
+Status GltfWriter::embedCones(const std::optional<std::string>& text) {
+  if (!text) return Done{};
+  const auto cones = JsonText::parse(*text);
   if (!cones || !cones->isObject(JsonText::kRoot)) {
     return Failure{
         ErrorCode::kWriteFailed, "write", "the cones to embed are not a JSON object", {}};
@@ -242,38 +269,23 @@ Status GltfWriter::embedCones() {
 }
 
 /// Compares the size of what is written with that of what was read, side files included.
-void GltfWriter::noteSize(std::size_t written) {
+std::string GltfWriter::sizeNote(std::size_t written) const {
   std::size_t before = store_.container.isBinary ? store_.file.size() : json_.text().size();
   for (const GltfBuffer& buffer : store_.buffers) {
     if (buffer.kind != GltfBufferKind::kFile) continue;
     before += buffer.bytes.size();
     written += buffer.bytes.size();
   }
-  note(formatText("what was compressed is stored uncompressed: %zu bytes, %.2g times the input",
-                  written, static_cast<double>(written) / static_cast<double>(before)));
+  return formatText("what was compressed is stored uncompressed: %zu bytes, %.2g times the input",
+                    written, static_cast<double>(written) / static_cast<double>(before));
 }
 
-Result<Written> GltfWriter::finish() {
-  Written out;
-  auto side = layout_.finish(options_.name);
-  if (!side) return side.error();
-  auto main = packGltf(store_, patch_.text(), layout_.bin());
-  if (!main) return main.error();
-  const bool isUnpacked = droppedDraco_ > 0 || layout_.hasUnpacked();
-  if (isUnpacked && !options_.isCompressedLater) noteSize(main->size() + side->bytes.size());
-  out.files.push_back({options_.name, std::move(*main)});
-  if (!side->name.empty()) out.files.push_back(std::move(*side));
-  for (const GltfBuffer& buffer : store_.buffers) {
-    if (buffer.kind == GltfBufferKind::kFile && options_.isSideFileNoted)
-      note("keep " + buffer.name + " next to the new file");
+void GltfWriter::collectXref() {
+  for (std::size_t p = 0; isRewritten_ && p < part_->pools.size(); ++p) {
+    const GltfPool& pool = part_->pools[p];
+    for (int v = 0; v < pool.vertexCount; ++v) xref_.push_back(pool.firstStored + v);
+    for (int v : splits_.pools[p].copyOf) xref_.push_back(pool.firstStored + v);
   }
-  for (std::size_t p = 0; isRewritten_ && p < part_.pools.size(); ++p) {
-    const GltfPool& pool = part_.pools[p];
-    for (int v = 0; v < pool.vertexCount; ++v) out.xref.push_back(pool.firstStored + v);
-    for (int v : splits_.pools[p].copyOf) out.xref.push_back(pool.firstStored + v);
-  }
-  out.notes = std::move(notes_);
-  return out;
 }
 
 }  // namespace hgp::io

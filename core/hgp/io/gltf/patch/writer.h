@@ -1,4 +1,5 @@
-// The plan of one patch.  Role: decides which accessors change and how; GltfLayout and JsonPatch carry it out.
+// The plan of one patch, for the maps of one or more meshes.  Role: decides which accessors change and how; GltfLayout
+// and JsonPatch carry it out.
 #pragma once
 
 #include <map>
@@ -8,30 +9,20 @@
 #include <vector>
 
 #include "hgp/io/gltf/patch/layout.h"
+#include "hgp/io/gltf/patch/new_accessor.h"
 #include "hgp/io/gltf/patch/splice.h"
 #include "hgp/io/gltf/patch/split.h"
 
 namespace hgp::io {
 
-/// New contents of an accessor: of the old one, in place, if nothing else reads it, and of a new one otherwise.
-struct GltfNewAccessor {
-  int index = -1;    ///< of the accessor in the written file
-  int node = -1;     ///< the old accessor, edited in place; −1: a new one
-  std::string base;  ///< text from which a new one is made; "{}" if there is no old one
-  std::map<std::string, std::string> members;  ///< members to set in it
-  Bytes data;
-  int target = 0;  ///< of the view: 34962 vertices, 34963 indices, 0 neither
-  std::uint64_t stride = 0;
-  int oldView = -1;
-  int sharedWith = -1;  ///< index in the plan of the accessor whose data contain this one's
-  std::uint64_t sharedOffset = 0;
-  int sparseIndices = -1, sparseValues = -1;  ///< indices in the plan
-};
-
 class GltfWriter {
  public:
-  GltfWriter(const GltfStore& store, const GltfSurface& part, const WriteOptions& options);
-  Result<Written> run(const UvMap& map);
+  GltfWriter(const GltfStore& store, const WriteOptions& options);
+  /// Plans the map of one mesh, each mesh at most once. @return  notes on it; on failure nothing can be written
+  Result<std::vector<std::string>> add(const GltfSurface& part, const UvMap& map,
+                                       const std::optional<std::string>& cones);
+  /// The file with all maps. Written::xref is that of the mesh if there is one.
+  Result<Written> finish();
 
  private:
   // writer.cpp
@@ -45,11 +36,11 @@ class GltfWriter {
   // materials.cpp: which uv set the textures of materials use
   void tellOrPointMaterials();
   std::set<int> setsOfMaterials() const;
+  void planMaterials();
   void pointMaterials();
-  bool isUsedElsewhere(int material) const;
-  Status embedCones();
-  Result<Written> finish();
-  void noteSize(std::size_t written);
+  Status embedCones(const std::optional<std::string>& cones);
+  void collectXref();
+  std::string sizeNote(std::size_t written) const;
   // rewrite.cpp: attributes and indices of a pool whose vertices change
   void rewriteAttributes(int pool);
   void rewriteIndices(const GltfRun& run);
@@ -75,7 +66,7 @@ class GltfWriter {
   std::string editedAccessor(const GltfNewAccessor& fresh) const;
 
   const GltfPrimitive& primitive(int p) const {
-    return store_.model.meshes[static_cast<std::size_t>(part_.mesh)]
+    return store_.model.meshes[static_cast<std::size_t>(part_->mesh)]
         .primitives[static_cast<std::size_t>(p)];
   }
   const GltfAccessor& accessor(int a) const {
@@ -88,23 +79,31 @@ class GltfWriter {
 
   const GltfStore& store_;
   const JsonText& json_;
-  const GltfSurface& part_;
   const WriteOptions& options_;
   JsonPatch patch_;
   GltfLayout layout_;
-  GltfSplits splits_;
-  int set_ = 0;
-  int meshNode_ = -1;
-  std::vector<int> primitiveNodes_, accessorNodes_;
+  std::vector<int> meshNodes_, materialNodes_, accessorNodes_;
   std::map<int, std::vector<int>> accessorReferences_;  ///< by accessor
   bool areReferencesKnown_ = false;
   std::vector<GltfNewAccessor> fresh_;
   int newAccessorCount_ = 0;
   std::set<int> freedNodes_;         ///< references to views that the patch removes
   int droppedDraco_ = 0;             ///< primitives
-  bool isRewritten_ = false;         ///< some pool has new vertices
-  std::set<int> droppedAttributes_;  ///< references to accessors that the patch removes
-  std::map<int, int> newIndices_;    ///< primitive → index in the plan
+  int droppedManifolds_ = 0;         ///< meshes
+  std::set<int> droppedAttributes_;  ///< references to accessors that the patch removes or moves
+  /// Material → set → primitive nodes that use it with that set from now on.
+  std::map<int, std::map<int, std::vector<int>>> pointed_;
+  int meshCount_ = 0;
+  std::vector<int> xref_;
+
+  // Of the mesh that is added.
+  const GltfSurface* part_ = nullptr;
+  GltfSplits splits_;
+  int set_ = 0;
+  int meshNode_ = -1;
+  std::vector<int> primitiveNodes_;
+  bool isRewritten_ = false;       ///< some pool has new vertices
+  std::map<int, int> newIndices_;  ///< primitive → index in the plan
   std::vector<std::string> notes_;
 };
 

@@ -1,0 +1,36 @@
+// The maps of several meshes of one file, written at once.  Role: what Session::write is for one mesh, in time linear in
+// their number.
+#pragma once
+
+#include "hgp/api/session.h"
+
+namespace hgp::api {
+
+/// WrittenMap::notes are about the file as a whole.
+struct WrittenFile : WrittenMap {
+  std::vector<std::vector<std::string>> mapNotes;  ///< by map, in the order of add()
+};
+
+/// One thread at a time may use it. It may outlive the session.
+class FileMaps {
+ public:
+  /// All maps are written with the same options; WriteOptions::format is kSame.
+  explicit FileMaps(WriteOptions options);
+  ~FileMaps();
+  FileMaps(FileMaps&&) noexcept;
+  FileMaps& operator=(FileMaps&&) noexcept;
+
+  /// Keeps the result of the session, which has taken one mesh of the file by load() or choose(). Fails with kNoMap for a
+  /// map that is not certified unless the options allow it, and with kUsage without a result.
+  Status add(const Session& session);
+  bool isEmpty() const;
+  /// The file with the maps. Fails with kUsage if they are not of different meshes of one file.
+  Result<WrittenFile> write() const;
+
+ private:
+  struct Kept;
+  WriteOptions options_;
+  std::vector<Kept> kept_;
+};
+
+}  // namespace hgp::api

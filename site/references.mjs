@@ -95,7 +95,7 @@ const modules = {
   parametrize: 'One surface',
   grid: 'Grid options',
   improve: 'Improvement options',
-  field: 'Automatic cones',
+  cones: 'Automatic cones',
   io: 'Files',
 };
 
@@ -148,15 +148,13 @@ function declarationsOf(xml, header) {
 /** Writes a page for each module with public headers. */
 function writeCppPages(folder, headers, xml) {
   mkdirSync(folder, { recursive: true });
-  const of = (module) => headers.filter((name) => name.includes(`/core/hgp/${module}/`));
-  const missing = headers.filter(
-    (name) => !Object.keys(modules).some((one) => of(one).includes(name)),
-  );
-  if (missing.some((name) => !name.endsWith('/hgp/eigen.h')))
-    throw new Error(`no page of the C++ reference has ${missing.join(', ')}`);
-  const shown = Object.keys(modules).filter((module) => of(module).length > 0);
+  const moduleOf = (name) => name.match(/\/core\/hgp\/(?:(\w+)\/)?/)[1] ?? '';
+  const of = (module) => headers.filter((name) => moduleOf(name) === module);
+  // Modules that are not in the table come last, by their own names.
+  const all = new Set([...Object.keys(modules), ...headers.map(moduleOf)]);
+  const shown = [...all].filter((module) => module && of(module).length > 0);
   for (const module of shown) {
-    const title = modules[module];
+    const title = modules[module] ?? `Module ${module}`;
     const files = of(module).map((name) => {
       const short = name.replace(/.*\/core\//, '');
       return `${short}\n${'-'.repeat(short.length)}\n\n${declarationsOf(xml, short).join('')}`;

@@ -12,6 +12,8 @@ import tempfile
 import threading
 from typing import Any, Dict, List, NamedTuple, Optional
 
+import numpy as np
+
 from . import exchange
 
 
@@ -106,7 +108,9 @@ class Run:
             self.error = error
 
     def _solved(self, folder: pathlib.Path) -> Done:
-        exchange.write_ply(folder / "in.ply", self.job.mesh)
+        # With coordinates in doubles, which the program keeps: by default it would round them, and Blender would round again.
+        corners = len(self.job.mesh.corners)
+        exchange.write_ply(folder / "in.ply", self.job.mesh, np.zeros((corners, 2)))
         module = None if self.job.program else package()
         if module is not None:
             report, stored = self._by_package(module, folder)

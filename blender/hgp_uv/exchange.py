@@ -78,6 +78,21 @@ def _spread(sizes: Any) -> "tuple[Any, Any]":
     return polygon, np.arange(len(polygon)) - starts[polygon]
 
 
+def drawn_flipped(mesh: Any, uv: Any) -> int:
+    """How many of the triangles that Blender draws are not positive. It divides polygons in its own way: of a quad that
+    is not convex in the map, one of the two diagonals gives a flipped triangle.
+
+    @param uv  of every corner, rounded to the float32 that Blender stores
+    """
+    mesh.calc_loop_triangles()
+    loops = np.empty(3 * len(mesh.loop_triangles), np.int32)
+    mesh.loop_triangles.foreach_get("loops", loops)
+    # float64 holds the differences of float32 numbers of similar size, and their products, exactly.
+    stored = uv.astype(np.float32).astype(np.float64)[loops].reshape(-1, 3, 2)
+    (x, y), (s, t) = (stored[:, 1] - stored[:, 0]).T, (stored[:, 2] - stored[:, 0]).T
+    return int((x * t - y * s <= 0).sum())
+
+
 def write_ply(path: pathlib.Path, mesh: Polygons, uv: Optional[Any] = None) -> None:
     """@param uv  float64, two numbers per corner"""
     header = [
@@ -113,7 +128,10 @@ def read_uv(path: pathlib.Path, sizes: Any) -> Any:
     end = content.index(b"end_header\n") + len(b"end_header\n")
     header = content[:end].decode()
     vertices = int(re.search(r"element vertex (\d+)", header)[1])  # type: ignore[index]
-    count = {"uchar": 1, "ushort": 2}[re.search(r"property list (\w+) double texcoord", header)[1]]  # type: ignore[index]
+    found = re.search(r"property list (uchar|ushort) double texcoord", header)
+    if not found:
+        raise ValueError(f"{path} has no coordinates in doubles")
+    count = {"uchar": 1, "ushort": 2}[found[1]]
     wide = sizes.astype(np.int64)
     lengths = 2 + 4 * wide + count + 16 * wide
     data = np.frombuffer(content, np.uint8, offset=end + 12 * vertices)

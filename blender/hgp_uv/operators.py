@@ -166,7 +166,8 @@ class HGP_OT_seamless(bpy.types.Operator):
         exchange.write_uv(mesh, self.uv_map, done.uv)
         cones = {int(self._origins[cone["vertex"]]): cone["k"] for cone in done.report["cones"]["cones"]}
         store_cones(mesh, cones)
-        mesh["hgp"] = json.dumps(summary(done, self.uv_map, len(cones)))
+        facts = summary(done, self.uv_map, len(cones))
+        mesh["hgp"] = json.dumps({**facts, "drawn_flipped": exchange.drawn_flipped(mesh, done.uv)})
         if done.quads is not None:
             self._add_quads(context, thing, *done.quads)
         level, text = verdict(json.loads(mesh["hgp"]))
@@ -267,6 +268,12 @@ def verdict(facts: Dict[str, Any]) -> "tuple[str, str]":
         return "WARNING", (
             f"hgp: in float32, which Blender stores, {facts['flipped']} triangles are not positive, and seams are off by "
             f"up to {facts['worst_seam']:.0e} of their length"
+        )
+    if facts["drawn_flipped"]:
+        return "WARNING", (
+            f"hgp: certified, {facts['triangles']} triangles, {facts['cones']} cones; but Blender divides some polygons along "
+            f"the other diagonal, and {facts['drawn_flipped']} triangles that it draws are flipped: triangulate the mesh first "
+            "(Edit Mode, Ctrl T)"
         )
     return "INFO", (
         f"hgp: certified, {facts['triangles']} triangles, {facts['cones']} cones; "

@@ -39,6 +39,7 @@ class HGP_PT_panel(bpy.types.Panel):
         for text in (
             f"UV map {facts['uv_map']}, q = {facts['q']}, {facts['cones']} cones",
             f"{facts['triangles']} triangles, {facts['flipped']} not positive",
+            *([f"As Blender divides polygons: {facts['drawn_flipped']} flipped"] if facts.get("drawn_flipped") else []),
             f"Seams off by {facts['worst_seam']:.1e} of their length",
             f"Angles off by {facts['worst_angle']:.1e} rad",
         ):

@@ -252,22 +252,37 @@ function checkQuads({ v, faces }, cones) {
   assert.equal(valence.filter((n) => n !== 4).length, cones);
 }
 
-test('Quad mesh: the map is run again for it; pure quads of the right valences, as OBJ and GLB', async () => {
+test('Quad mesh: the map that is shown stays; pure quads of the right valences, seen on the model, as OBJ and GLB', async () => {
   const { page } = it;
   await example(it, 'pebble');
   await run(it);
   const cones = await page.locator('#cones tbody tr[data-cone]').count();
   await page.click('#download');
   await page.selectOption('#target', 'quads');
-  assert.match(await page.locator('#target-hint').innerText(), /run again/);
+  assert.match(await page.locator('#target-hint').innerText(), /the map that you see stays/);
+  const certified = await page.locator('#certificate').textContent();
   const { name, bytes } = await download(page, () => page.click('[data-format="quads"]'));
   assert.equal(name, 'pebble.quads.obj');
   checkQuads(readObj(bytes), cones);
   await statusSays(it, /^\d[\d ]* quads saved as pebble\.quads\.obj/);
-  assert.equal(await page.locator('#grid-mode').inputValue(), 'quad');
+  assert.equal(await page.locator('#grid-mode').inputValue(), 'tile');
+  assert.equal(await page.locator('#certificate').textContent(), certified);
+  // They are on the model, with their numbers, until one goes back.
+  const { faces } = readObj(bytes);
+  const note = await page.innerText('#quads-note');
+  assert.ok(note.replaceAll(/\s/g, '').includes(`${faces.length}quads.`), note);
+  const irregular = [...note.matchAll(/with [^4]\s+(\d+)/g)].reduce((sum, [, n]) => sum + Number(n), 0); // prettier-ignore
+  assert.equal(irregular, cones);
+  await settled(page);
+  const isAmber = (r, g, b) => r > b + 60;
+  assert.ok(share(await pixels(page, '#view'), isAmber) < 0.02);
+  await page.click('#hide-quads');
+  await settled(page);
+  assert.ok(share(await pixels(page, '#view'), isAmber) > 0.05);
+  await page.click('#preview-quads');
+  await page.waitForSelector('#quads-note'); // at once: they are kept
 
   await page.click('#download');
-  assert.doesNotMatch(await page.locator('#target-hint').innerText(), /run again/);
   await openDetails(page, '#more-formats');
   const glb = await download(page, () => page.click('[data-format="quads-glb"]'));
   const read = await new NodeIO().readBinary(new Uint8Array(glb.bytes));

@@ -9,8 +9,8 @@ import type { JobCall } from './job';
 const patience = 15; // seconds: after a longer first run no other density is tried automatically
 
 /** An aligned map has its own scale: if the user chose another scale, the map is not aligned. */
-const isAsked = ({ doc }: App, q: number, scale: SolveOptions['scale']): boolean =>
-  doc.solve.grid.isOn && canAlign(q) && scale === 'solved';
+const isAsked = (grid: GridSettings, q: number, scale: SolveOptions['scale'] = 'solved'): boolean =>
+  grid.isOn && canAlign(q) && scale === 'solved';
 
 /** Whether to run again: the first run found a density that works, the user set none, and runs are fast. */
 const isWorthAnother = ({ isOn, cells }: GridSettings, { report }: Result): boolean =>
@@ -22,16 +22,16 @@ export interface Aligned {
   cells?: number;
 }
 
-/** The map, aligned if requested and possible. */
+/** The map, aligned if requested and possible; by default as the document says. */
 export async function solveAligned(
   app: App,
   { surface, solver }: Model,
   options: SolveOptions,
   call: JobCall,
+  grid = app.doc.solve.grid,
 ): Promise<Aligned> {
-  const { grid } = app.doc.solve;
   const q = options.cones?.q ?? options.q ?? 4;
-  if (!isAsked(app, q, options.scale)) return { map: await solver.parametrize(options, call) };
+  if (!isAsked(grid, q, options.scale)) return { map: await solver.parametrize(options, call) };
   const run = async (cells: number, more: SolveOptions = {}): Promise<Aligned> => {
     const asked = { ...options, ...more, grid: { cells, mode: grid.mode } };
     return { map: await solver.parametrize(asked, call), cells };

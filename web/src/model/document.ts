@@ -21,6 +21,7 @@ import type {
   Model,
   Objection,
   Output,
+  QuadPreview,
   SolveSettings,
   Solution,
   Step,
@@ -81,6 +82,7 @@ interface Fields {
   /** Messages since the page was opened, the newest last. */
   log: readonly { time: Date; text: string }[];
   look: Look;
+  quads: QuadPreview | undefined;
   isUnsaved: boolean;
 }
 
@@ -133,6 +135,7 @@ export class Document extends storeOf<Fields>() {
       message: undefined,
       log: [],
       look: plainLook,
+      quads: undefined,
       isUnsaved: false,
     });
   }
@@ -252,6 +255,7 @@ export class Document extends storeOf<Fields>() {
     this.hasUserCones = false;
     this.coneStep = middleStep;
     this.validation = undefined;
+    this.quads = undefined;
     this.message = undefined;
     this.takeField();
     this.begin(emptyPrescription(this.prescription.q, 0, 0), plainSettings);

@@ -3,12 +3,14 @@
 import type {
   Model as SolverModel,
   ModelInfo,
+  Quads,
   Result,
   SurfaceFacts,
   UvMap,
   Where,
   Written,
 } from 'hgp';
+import type { QuadShape } from './quad_shape';
 import type { Distortion, LeastArea, Overlaps, Sizes } from './measures';
 import type { Prescription } from './prescription';
 
@@ -179,6 +181,18 @@ export interface Solution extends SolveRequest, Analysis {
   seams: Seam[];
   /** Edge of the surface (smaller vertex × |V| + larger) → seam. */
   seamAt: Map<number, number>;
+}
+
+/** The quads of a map, which are shown on the model before they are saved. */
+export interface QuadPreview {
+  of: Solution;
+  /** As OBJ. */
+  made: Quads;
+  glb: Uint8Array;
+  shape: QuadShape;
+  /** The number of cells that was requested, if any. */
+  asked?: number;
+  isShown: boolean;
 }
 
 export interface MeshSummary {

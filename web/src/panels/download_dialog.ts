@@ -193,7 +193,8 @@ function hintOf({ ui }: App, solution: Solution): string {
     return `${hint}${unit}`;
   }
   const isThere = isAligned(solution) && solution.grid.mode === 'quad';
-  return isThere ? hint : `${hint} The map is run again, with its cones on grid points.`;
+  const rest = 'They are made with the cones on grid points; the map that you see stays.';
+  return isThere ? hint : `${hint} ${rest}`;
 }
 
 function quadButtons(app: App): TemplateResult[] {

@@ -19,6 +19,7 @@ import { repairsMade } from '../text/repairs';
 import { actionButton } from './action_button';
 import { icon } from './icons';
 import { Panel } from './panel';
+import { quadsNote } from './quads_note';
 import { sizeRows } from './size_rows';
 import './result_panel.css';
 
@@ -82,7 +83,7 @@ class ResultPanel extends Panel {
     const isGood = isCertified(solution);
     return html`<details open id="panel-result" class=${doc.current === solution ? '' : 'stale'}>
       <summary>Result</summary>
-      ${this.#banner(solution, isGood)} ${sizeRows(this.app, solution)}
+      ${this.#banner(solution, isGood)} ${sizeRows(this.app, solution)} ${quadsNote(this.app)}
       ${isGood ? nothing : this.#reasons(solution)} ${this.#repairs()}
       <details id="result-details" ?open=${!isGood}>
         <summary>Details</summary>

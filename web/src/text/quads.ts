@@ -8,6 +8,35 @@ type Counts = Pick<
   'quads' | 'clipped' | 'cuts' | 'replaced' | 'halvings' | 'foldedInSpace' | 'foldedQuads'
 >;
 
+/** How the number of quads compares with the one that was asked for, and why it differs. */
+export function askedFor(
+  { quads, halvings, clipped }: Counts,
+  asked: number | undefined,
+  cones: number,
+): string {
+  if (asked === undefined || Math.abs(quads - asked) <= 0.1 * asked) return '';
+  if (halvings > 0)
+    return `${count(asked)} were asked for: each cell is divided, because two cones or a handle are within two cells.`;
+  if (quads > asked)
+    return `${count(asked)} were asked for: that is too coarse for ${plural(cones, 'cone')}, each of which needs a grid point of its own.`;
+  return clipped > 0
+    ? `${count(asked)} were asked for: those that the boundary cuts are left out.`
+    : `${count(asked)} were asked for; this is the nearest grid that fits.`;
+}
+
+/** What was done to make it a clean mesh. */
+export function quadFaults({ clipped, cuts, replaced, foldedQuads }: Counts): string[] {
+  const near = 'because a handle or two cones are close';
+  return [
+    clipped > 0
+      ? `${plural(clipped, 'cell')} that a boundary cuts ${clipped === 1 ? 'is' : 'are'} left out.`
+      : '',
+    cuts > 0 ? `${plural(cuts, 'strip')} cut lengthwise, ${near}.` : '',
+    replaced > 0 ? `${plural(replaced, 'edge')} replaced, ${near}.` : '',
+    foldedQuads > 0 ? `${plural(foldedQuads, 'quad')} closed up at a cone of k = 1.` : '',
+  ].filter((text) => text !== '');
+}
+
 export function quadsSaved(
   { quads, clipped, cuts, replaced, halvings, foldedInSpace, foldedQuads }: Counts,
   name: string,

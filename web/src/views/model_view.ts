@@ -3,7 +3,7 @@
 import {
   BufferGeometry,
   type Intersection,
-  type Matrix3,
+  Matrix3,
   Mesh,
   PerspectiveCamera,
   type Ray,
@@ -13,6 +13,7 @@ import {
   Vector3,
 } from 'three';
 import type { MeshBVH } from 'three-mesh-bvh';
+import type { QuadShape } from '../model/quad_shape';
 import type { Cone, Prescription } from '../model/prescription';
 import { isAligned, tilesPerUnit } from '../model/grid';
 import type { ScenePart, SerializedBvh } from '../model/scene';
@@ -29,8 +30,9 @@ import {
   surfaceMaterial,
   type Palette,
 } from './pattern_material';
+import { QuadsView } from './quads_view';
 import { StudioLight } from './studio_light';
-import { SurfaceMarks } from './surface_marks';
+import { placeOf, SurfaceMarks } from './surface_marks';
 import { pointsOf, WholeScene, type SceneContent } from './whole_scene';
 
 type Place = { clientX: number; clientY: number };
@@ -38,16 +40,18 @@ type Place = { clientX: number; clientY: number };
 export class ModelView extends CanvasView {
   readonly camera = new PerspectiveCamera(32, 1, 0.01, 100);
   readonly orbit: Orbit;
-  readonly #mesh = new Mesh(new BufferGeometry(), surfaceMaterial(true));
+  readonly #toStudio = new Matrix3();
+  readonly #mesh = new Mesh(new BufferGeometry(), surfaceMaterial(true, this.#toStudio));
   readonly #markers = new ConeMarkers(true);
   readonly #ghost = new ConeMarkers(false, 12);
   readonly #marks = new SurfaceMarks();
+  readonly #quads = new QuadsView(this.#toStudio);
   readonly #studio: StudioLight;
   #surface?: Surface;
   #solution?: Solution;
   #bvh?: MeshBVH;
   #image?: ImageBitmap;
-  readonly #others = new WholeScene();
+  readonly #others = new WholeScene(this.#toStudio);
   #original?: OwnScene;
   /** The instance of the open mesh in it. */
   #ownOpen?: OwnInstance;
@@ -58,11 +62,11 @@ export class ModelView extends CanvasView {
   constructor(canvas: HTMLCanvasElement) {
     super(canvas);
     this.scene.add(this.#mesh, this.#others, this.#marks, this.#markers, this.#ghost);
+    this.scene.add(this.#quads);
     this.#mesh.visible = false;
     this.#mesh.frustumCulled = false; // it is nearly always visible
     this.#ghost.setStyle(1.1, 0.75);
-    const { toStudio } = this.#mesh.material.uniforms;
-    this.#studio = new StudioLight(this.renderer, this.scene, toStudio.value as Matrix3);
+    this.#studio = new StudioLight(this.renderer, this.scene, this.#toStudio);
     this.beforeDraw(() => {
       this.#studio.turn(this.camera, this.orbit.controls.target);
       this.#marks.lift(this.camera.position, this.orbit.lift);
@@ -186,22 +190,32 @@ export class ModelView extends CanvasView {
     this.draw();
   }
 
+  /** Shows quads instead of the model. */
+  setQuads(shape: QuadShape | undefined, matrix: readonly number[], palette: Palette): void {
+    this.#quads.show(shape, matrix, palette);
+    this.#showOriginal();
+    this.draw();
+  }
+
   setWipe(part: number): void {
     this.#wipe = part;
     this.draw();
   }
 
   #showOriginal(): void {
-    const isOriginal = this.#ownOpen !== undefined && this.#isOriginalShown;
+    const isWanted = this.#isOriginalShown && !this.#quads.visible;
+    const isOriginal = this.#ownOpen !== undefined && isWanted;
     if (this.#ownOpen) this.#ownOpen.visible = isOriginal;
-    this.#mesh.visible = this.#surface !== undefined && !isOriginal;
+    this.#mesh.visible = this.#surface !== undefined && !isOriginal && !this.#quads.visible;
+    this.#marks.visible = this.#markers.visible = !this.#quads.visible;
     this.canvas.dataset.original = isOriginal ? 'shown' : 'none';
   }
 
   /** Draws twice if before and after are shown side by side. */
   protected override render(): void {
     const { renderer, scene, camera } = this;
-    if (this.#wipe <= 0 || !this.#solution) return renderer.render(scene, camera);
+    if (this.#wipe <= 0 || !this.#solution || this.#quads.visible)
+      return renderer.render(scene, camera);
     const { clientWidth: width, clientHeight: height } = this.canvas;
     const split = Math.round(width * this.#wipe);
     renderer.setScissorTest(true);
@@ -230,7 +244,7 @@ export class ModelView extends CanvasView {
     if (!surface) return;
     const markers = cones.flatMap(({ vertex, k }, i): Marker[] =>
       vertex < surface.vertexCount
-        ? [{ at: this.#place(vertex), k, q, isSelected: i === selected, isBad: bad[i] }]
+        ? [{ at: placeOf(this.#surface!, vertex), k, q, isSelected: i === selected, isBad: bad[i] }]
         : [],
     );
     this.#markers.show(markers);
@@ -240,19 +254,15 @@ export class ModelView extends CanvasView {
   /** Shows the cone that a click would place. */
   setGhost(cone: Cone | undefined, q = 4): void {
     if (!cone && !this.#ghost.visible) return;
-    const at = cone && this.#surface ? this.#place(cone.vertex) : undefined;
+    const at = cone && this.#surface ? placeOf(this.#surface, cone.vertex) : undefined;
     const plain = { isSelected: false, isBad: false };
     this.#ghost.show(cone && at ? [{ at, k: cone.k, q, ...plain }] : []);
     this.canvas.dataset.ghost = cone ? String(cone.k) : '';
     this.draw();
   }
 
-  #place(vertex: number): [number, number, number] {
-    const { places } = this.#surface!;
-    return [0, 1, 2].map((i) => places[3 * vertex + i]) as [number, number, number];
-  }
   point(vertex: number): Vector3 {
-    return new Vector3(...this.#place(vertex));
+    return new Vector3(...placeOf(this.#surface!, vertex));
   }
 
   /** Shows where the keyboard's cursor is; −1: nowhere. */

@@ -197,7 +197,8 @@ export interface Palette {
 const blank = new DataTexture(new Uint8Array([200, 200, 200, 255]), 1, 1);
 blank.needsUpdate = true;
 
-export function surfaceMaterial(isLit: boolean): ShaderMaterial {
+/** `toStudio`: shared by all materials of a scene, which turns it. */
+export function surfaceMaterial(isLit: boolean, toStudio = new Matrix3()): ShaderMaterial {
   const material = new ShaderMaterial({
     glslVersion: GLSL3,
     vertexShader,
@@ -216,7 +217,7 @@ export function surfaceMaterial(isLit: boolean): ShaderMaterial {
       isAligned: { value: false },
       lit: { value: isLit ? 1 : 0 },
       irradiance: { value: irradiance },
-      toStudio: { value: new Matrix3() },
+      toStudio: { value: toStudio },
       dim: { value: 0 },
       isMirrored: { value: false },
       paper: { value: new Color(0xdfe5ec) },

@@ -13,7 +13,7 @@ const mostOutlined = 2000; // triangles
 
 type Point = [number, number, number];
 
-const placeOf = ({ places }: Surface, v: number): Point => [
+export const placeOf = ({ places }: Surface, v: number): Point => [
   places[3 * v],
   places[3 * v + 1],
   places[3 * v + 2],

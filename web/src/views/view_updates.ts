@@ -5,7 +5,8 @@ import { effect } from '@preact/signals-core';
 import { Color } from 'three';
 import type { Document } from '../model/document';
 import { isAligned, tilesPerUnit } from '../model/grid';
-import type { Model, Solution } from '../model/types';
+import { identity } from '../model/matrix';
+import type { Model, QuadPreview, Solution } from '../model/types';
 import { isCertified } from '../model/verdict';
 import type { UiState } from '../model/ui_state';
 import type { GeometryClient } from '../services/geometry_client';
@@ -72,6 +73,7 @@ export class ViewUpdates {
       this.#markers(),
       this.#originals(),
       this.#scene(),
+      this.#quads(),
       this.#wipe(),
     ];
     effect(() => {
@@ -314,6 +316,18 @@ export class ViewUpdates {
         const palette = quietPalettes[this.#in.ui.isDark ? 'dark' : 'light'];
         view.setScene({ parts: doc.parts, open, maps, isOwnShown, palette });
       },
+    };
+  }
+
+  #quads(): Concern {
+    const { doc, model: view } = this.#in;
+    const shown = (): QuadPreview | undefined => {
+      const { quads, displayed } = doc;
+      return quads?.isShown && quads.of === displayed ? quads : undefined;
+    };
+    return {
+      key: () => [shown(), doc.model, this.#palette],
+      show: () => view.setQuads(shown()?.shape, doc.model?.matrix ?? identity, this.#palette),
     };
   }
 

@@ -5,6 +5,7 @@ import {
   BufferAttribute,
   BufferGeometry,
   Group,
+  type Matrix3,
   Matrix4,
   Mesh,
   type Ray,
@@ -51,11 +52,17 @@ const quiet = { withMap: 0.3, certified: 0.12, plain: 0.62, pointedAt: 0.08 };
 const mostPoints = 4000; // of each part that framing looks at
 
 export class WholeScene extends Group {
+  readonly #toStudio: Matrix3;
   #of?: readonly ScenePart[];
   #parts: Part[] = [];
   #content?: SceneContent;
   #pointedAt = -1;
   #own?: ReadonlyMap<number, readonly OwnInstance[]>;
+
+  constructor(toStudio: Matrix3) {
+    super();
+    this.#toStudio = toStudio;
+  }
 
   show(content: SceneContent): void {
     this.#content = content;
@@ -76,7 +83,7 @@ export class WholeScene extends Group {
       const geometry = new BufferGeometry();
       geometry.setAttribute('position', new BufferAttribute(cornerPositions, 3));
       geometry.setAttribute('normal', new BufferAttribute(cornerNormals, 4, true));
-      const material = surfaceMaterial(true);
+      const material = surfaceMaterial(true, this.#toStudio);
       const instances = matrices.map((matrix, instance) => {
         const one = new Mesh(geometry, material);
         one.matrixAutoUpdate = false;

@@ -32,6 +32,11 @@ function(hgp_compile_settings target)
   endif()
 endfunction()
 
+# In WebAssembly, modules in which most of a run is spent are compiled for speed, all others for size. With -Os and
+# -Oz Emscripten adds -fno-inline-functions, after which not even an index into a vector is inlined (decision 060).
+set(HGP_HOT_MODULES "linalg|optimize|socp|verify")
+set(HGP_COLD_OPTIONS -Oz -finline-functions)
+
 # hgp_module(NAME field SOURCES a.cpp b.cpp LINKS base mesh [PRIVATE_LINKS eigen] [HEADER_ONLY])
 #
 # LINKS and PRIVATE_LINKS take module names and third-party names (eigen, json, tinygltf, cli11 …, see
@@ -55,11 +60,8 @@ function(hgp_module)
     add_library(${target} ${R_SOURCES})
     set(scope PUBLIC)
     hgp_compile_settings(${target})
-    # Download size counts as well as speed (decision 060): -O3 only where most of a run is spent.
-    if(EMSCRIPTEN AND R_NAME MATCHES "^(io|text|prescription|quads|improve|parametrize|grid|features|cut|seams)$")
-      target_compile_options(${target} PRIVATE -Os)
-    elseif(EMSCRIPTEN AND NOT R_NAME MATCHES "^(linalg|optimize|socp)$")
-      target_compile_options(${target} PRIVATE -O2)
+    if(EMSCRIPTEN AND NOT R_NAME MATCHES "^(${HGP_HOT_MODULES})$")
+      target_compile_options(${target} PRIVATE ${HGP_COLD_OPTIONS})
     endif()
     if(NOT R_NAME MATCHES "^(base|linalg|socp|optimize|improve|grid|system|field|cones|text|verify|mesh|cut|seams)$")
       # In the sanitizer build, only code that takes much time in tests is optimized; for other code, compiling would

@@ -186,18 +186,20 @@ HolonomySpec hardCones(const MeshData& data) {
   return spec;
 }
 
-// Fig. 8: the map of the first program, with wrong angles (yellow at regular vertices), and after frame fixing.
+// Fig. 8: the map of the first program with frames, with wrong angles (yellow at regular vertices), and after frame fixing.
 Drawing frameFixing(const Request& request) {
   Drawing drawing;
   const MeshData data = models::creature(26);
   Order order;
   order.spec = hardCones(data);
+  order.method = Method::kHarmonic;  // the default untangles here instead
   const VertexId hard = order.spec->cones[1].vertex;
   Camera camera{190, 15, 7, data.positions[hard.i]};
   std::vector<Image> panels;
-  for (int rounds : {1, 12}) {
+  // The third round is the first with frames on F_cb; the map of least errors is drawn.
+  for (int rounds : {3, 12}) {
     order.maxRounds = rounds;
-    const std::optional<Mapped> m = mapped(rounds == 1 ? "before" : "after", data, order);
+    const std::optional<Mapped> m = mapped(rounds == 3 ? "before" : "after", data, order);
     if (!m) return {{}, false};
     drawing.isCertified = m->result.isCertified;
     picture::Scene scene = surfaceScene(*m, 1);
@@ -235,9 +237,12 @@ Drawing distortion(const Request& request) {
     scene.paint = [&](const picture::Spot& spot) { return heat(mu[spot.face], 0.3); };
     panels.push_back(drawn(request, scene, {38, 14, 1}, 300, 285));
   }
-  Image scale(60, 285);
-  for (int y = 22; y < 262; ++y) {
-    for (int x = 20; x < 36; ++x) scale.at(x, y) = heat((262 - y) / 240.0, 1);
+  const int part = request.isSmall ? 3 : 1;
+  Image scale(60 / part, 285 / part);
+  const int top = 22 / part, bottom = 262 / part;
+  for (int y = top; y < bottom; ++y) {
+    for (int x = 20 / part; x < 36 / part; ++x)
+      scale.at(x, y) = heat(static_cast<double>(bottom - y) / (bottom - top), 1);
   }
   panels.push_back(scale);
   drawing.rows = {sideBySide(panels)};

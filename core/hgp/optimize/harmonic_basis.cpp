@@ -69,6 +69,7 @@ std::shared_ptr<const HarmonicBasis> HarmonicBasis::make(const SeamlessSystem& s
                                                          const PerVertex<double>& u,
                                                          const linalg::SeparatorTree& tree) {
   auto basis = std::make_shared<HarmonicBasis>();
+  basis->rows_ = std::make_shared<std::map<int, Eigen::RowVectorXcd>>();
   const std::vector<char> hasRow = unknownsWithRows(system);
   const int held = heldUnknown(system, hasRow, u);
   if (held < 0) return nullptr;
@@ -138,7 +139,19 @@ Eigen::VectorXcd HarmonicBasis::expand(const Eigen::VectorXcd& y) const {
 
 Eigen::MatrixXcd HarmonicBasis::rowsOf(const std::vector<int>& unknowns) const {
   const auto size = static_cast<Eigen::Index>(free_.size());
-  return lu_.extend(keptOf(Eigen::MatrixXcd::Identity(size, size)), unknowns);
+  std::vector<int> missing;
+  for (const int unknown : unknowns)
+    if (!rows_->contains(unknown)) missing.push_back(unknown);
+  if (!missing.empty()) {
+    const Eigen::MatrixXcd rows =
+        lu_.extend(keptOf(Eigen::MatrixXcd::Identity(size, size)), missing);
+    for (std::size_t i = 0; i < missing.size(); ++i)
+      (*rows_)[missing[i]] = rows.row(static_cast<Eigen::Index>(i));
+  }
+  Eigen::MatrixXcd result(static_cast<Eigen::Index>(unknowns.size()), size);
+  for (std::size_t i = 0; i < unknowns.size(); ++i)
+    result.row(static_cast<Eigen::Index>(i)) = rows_->at(unknowns[i]);
+  return result;
 }
 
 }  // namespace hgp

@@ -2,6 +2,7 @@
 // parametrization: programs over it have few unknowns and exactly harmonic maps.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -31,7 +32,7 @@ class HarmonicBasis {
   int count() const { return static_cast<int>(free_.size()); }  ///< of y
   /// All unknowns from y.
   Eigen::VectorXcd expand(const Eigen::VectorXcd& y) const;
-  /// Some unknowns from y: x = B y, |unknowns| × count().
+  /// Some unknowns from y: x = B y, |unknowns| × count(). Rows are computed once; not to be called by two threads.
   Eigen::MatrixXcd rowsOf(const std::vector<int>& unknowns) const;
   /// The distortion term of all faces (distortionRows, δ = 1) in terms of y.
   const linalg::QuadraticForm& distortion() const { return distortion_; }
@@ -44,6 +45,7 @@ class HarmonicBasis {
   std::vector<int> kept_;  // unknowns without a row, ascending
   std::vector<int> free_;  // y, as indices into kept_: all but the one that is held
   linalg::SchurLu lu_;
+  std::shared_ptr<std::map<int, Eigen::RowVectorXcd>> rows_;  // that rowsOf() has computed
   linalg::QuadraticForm distortion_;
   double work_ = 0.0;
 };

@@ -88,6 +88,18 @@ TEST(SchurLu, ExtensionToSomeUnknownsIsTheSame) {
   }
 }
 
+TEST(SchurLu, ExtensionOfManyColumnsHasTheBitsOfEachAlone) {
+  const Graph graph = triangulatedGrid(14, 11);
+  const std::vector<int> kept = everyKth(graph.size(), 20);
+  SchurLu lu;
+  ASSERT_TRUE(
+      lu.build(dominantRows(graph, 0.01), kept, nestedDissection(graph, {.leafSize = 25})).ok);
+  const Eigen::MatrixXcd xk = Eigen::MatrixXcd::Random(static_cast<int>(kept.size()), 11);
+  const Eigen::MatrixXcd all = lu.extend(xk);
+  for (int c = 0; c < xk.cols(); ++c)
+    EXPECT_EQ(all.col(c), lu.extend(Eigen::MatrixXcd(xk.col(c))).col(0)) << c;
+}
+
 /// |row · x − target|² for every edge of the graph and every vertex.
 FormElements edgeTerms(const Graph& graph, std::vector<std::vector<int>>& unknowns) {
   for (int v = 0; v < graph.size(); ++v) {

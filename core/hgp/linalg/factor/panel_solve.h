@@ -1,6 +1,5 @@
-// Triangular solves with one panel, one right-hand side at a time.  Role: loops with a fixed order of additions,
-// so that solutions have the same bits on every processor; in Eigen the order depends on the vector width, and
-// complex quotients depend on the compiler.
+// Triangular solves with one panel.  Role: loops with a fixed order of additions, so that solutions have the same bits on
+// every processor; in Eigen the order depends on the vector width, and complex quotients depend on the compiler.
 #pragma once
 
 #include <complex>
@@ -51,6 +50,30 @@ inline std::complex<double> conjugateDot(int count, const std::complex<double>* 
   return {re[0] + re[1], im[0] + im[1]};
 }
 
+/// Complex numbers of one row of four right-hand sides: real parts, then imaginary parts.
+struct FourComplex {
+  double re[4], im[4];
+  void set(int c, const std::complex<double>& z) { re[c] = z.real(), im[c] = z.imag(); }
+};
+
+/// conjugateDot with each of four right-hand sides, with the same bits.
+inline FourComplex conjugateDot(int count, const std::complex<double>* p, const FourComplex* w) {
+  FourComplex lane[2] = {};
+  for (int i = 0; i < count; ++i) {
+    FourComplex& sum = lane[i % 2];
+    const double a = p[i].real(), b = p[i].imag();
+    for (int c = 0; c < 4; ++c) {
+      sum.re[c] += a * w[i].re[c] + b * w[i].im[c];
+      sum.im[c] += a * w[i].im[c] - b * w[i].re[c];
+    }
+  }
+  for (int c = 0; c < 4; ++c) {
+    lane[0].re[c] += lane[1].re[c];
+    lane[0].im[c] += lane[1].im[c];
+  }
+  return lane[0];
+}
+
 /// A panel of `pivots` columns and `rows` rows, column-major: L11 (lower) over L21.
 template <class Scalar>
 struct Panel {
@@ -77,6 +100,19 @@ struct Panel {
         w[k] = rest / p[k];
       else
         w[k] = quotient(rest, std::conj(p[k]));
+    }
+  }
+
+  /// The same for four right-hand sides, with the same bits.
+  void backward(FourComplex* w) const {
+    for (int k = pivots - 1; k >= 0; --k) {
+      const Scalar* const p = column(k);
+      const FourComplex dot = conjugateDot(rows - k - 1, p + k + 1, w + k + 1);
+      const Scalar pivot = std::conj(p[k]);
+      for (int c = 0; c < 4; ++c) {
+        const Scalar rest(w[k].re[c] - dot.re[c], w[k].im[c] - dot.im[c]);
+        w[k].set(c, quotient(rest, pivot));
+      }
     }
   }
 };

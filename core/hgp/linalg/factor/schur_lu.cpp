@@ -217,12 +217,26 @@ std::vector<char> SchurLu::State::nodesOf(const std::vector<int>& unknowns) cons
 void SchurLu::State::backward(int t, Eigen::MatrixXcd& x) const {
   const int s = symbolic.pivots(t), r = symbolic.rowCount(t);
   const Panel<Complex> U{panel(t), s + r, s};
+  const auto first = symbolic.nodeStart[t];
+  std::vector<FourComplex> four(static_cast<std::size_t>(s) + r, FourComplex{});
+  Eigen::Index done = 0;
+  for (; done + 4 <= x.cols(); done += 4) {
+    std::fill(four.begin(), four.begin() + s, FourComplex{});
+    for (int c = 0; c < 4; ++c)
+      for (int i = 0; i < r; ++i)
+        four[static_cast<std::size_t>(s) + i].set(c, x(symbolic.rowsOf(t)[i], done + c));
+    U.backward(four.data());
+    for (int c = 0; c < 4; ++c)
+      for (int i = 0; i < s; ++i)
+        x(first + i, done + c) = {four[static_cast<std::size_t>(i)].re[c],
+                                  four[static_cast<std::size_t>(i)].im[c]};
+  }
   std::vector<Complex> w;
-  for (Eigen::Index c = 0; c < x.cols(); ++c) {
+  for (Eigen::Index c = done; c < x.cols(); ++c) {
     w.assign(static_cast<std::size_t>(s), 0.0);
     for (int i = 0; i < r; ++i) w.push_back(x(symbolic.rowsOf(t)[i], c));
     U.backward(w.data());
-    std::copy(w.begin(), w.begin() + s, &x(symbolic.nodeStart[t], c));
+    std::copy(w.begin(), w.begin() + s, &x(first, c));
   }
 }
 

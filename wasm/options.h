@@ -88,7 +88,9 @@ inline api::SolveOptions toSolveOptions(const val& options, const val& onProgres
   const val grid = option(options, "grid", val::object());
   o.grid.cells = option(grid, "cells", 0.0);
   o.grid.spacing = option(grid, "spacing", 0.0);
-  if (option(grid, "mode", std::string("tile")) == "quad") o.grid.mode = GridMode::kQuad;
+  const std::string mode = option(grid, "mode", std::string());
+  if (mode == "quad") o.grid.mode = GridMode::kQuad;
+  o.choosesCells = !mode.empty() && !o.grid.isAsked();
   o.progress = toProgress(onProgress);
   return o;
 }

@@ -1,6 +1,7 @@
 #include "method_table.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "hgp/base/check.h"
 #include "hgp/parametrize/method.h"
@@ -61,6 +62,14 @@ std::string successTable(const std::vector<SurfaceRow>& rows) {
   return table;
 }
 
+/// The rows with automatic cones, or all others.
+std::vector<SurfaceRow> rowsWith(bool areAutomatic, const std::vector<SurfaceRow>& rows) {
+  std::vector<SurfaceRow> part;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(part),
+               [&](const SurfaceRow& row) { return (row.choice == "balanced") == areAutomatic; });
+  return part;
+}
+
 std::string ratioTable(const std::vector<SurfaceRow>& rows) {
   const std::string ours = methodName(Method::kAuto);
   const auto bothCertified = [](const SurfaceRow&, const MeasuredMap& a, const MeasuredMap& b) {
@@ -109,7 +118,14 @@ std::string methodLines(const SurfaceRow& row) {
 }
 
 std::string methodSummary(const std::vector<SurfaceRow>& rows) {
-  return successTable(rows) + "\n" + ratioTable(rows);
+  std::string summary = successTable(rows);
+  for (const bool areAutomatic : {true, false}) {
+    const std::vector<SurfaceRow> part = rowsWith(areAutomatic, rows);
+    if (part.empty()) continue;
+    summary += areAutomatic ? "\nAutomatic cones:\n\n" : "\nDrawn cones:\n\n";
+    summary += ratioTable(part);
+  }
+  return summary;
 }
 
 }  // namespace hgp::bench

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import test from 'node:test';
 import { Worker } from 'node:worker_threads';
@@ -10,7 +10,7 @@ import { problems } from '../cli/schema.mjs';
 import { blocks, ring } from '../support/blocks.mjs';
 import { bumpyDisk } from '../support/disk.mjs';
 import { cubeCrosses, cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
-import { built, bytesOf, createClient, HgpError, withClient } from './support.mjs';
+import { built, bytesOf, createClient, HgpError, native, scratch, withClient } from './support.mjs';
 
 const bytes = bytesOf;
 const disk = (n) => bytes(bumpyDisk(n));
@@ -51,6 +51,23 @@ test('every document follows the schema that the command line uses', () =>
     const failure = await client.load(bytes('v 1'), { name: 'x.obj' }).catch((error) => error);
     const { code, message, details } = failure;
     isValid('hgp-error', { format: 'hgp-error', version: 1, code, message, ...details });
+  }));
+
+test('a mode of the grid alone gives the quads that the command line gives without --cells', () =>
+  withClient(async (client) => {
+    const folder = scratch('quads');
+    const [input, output] = ['in.obj', 'out.obj'].map((name) => path.join(folder, name));
+    writeFileSync(input, toObj(blocks(ring, { n: 4 })));
+    const improved = ['--improve', 'isometric', '--align', '--method', 'harmonic'];
+    const words = ['quads', input, '-o', output, '-q', '--reproducible', ...improved];
+    assert.equal(spawnSync(native, words).status, 0);
+    const lines = readFileSync(output, 'utf8').split('\n');
+    const model = await client.load(readFileSync(input), { name: 'in.obj' });
+    const options = { improve: 'isometric', alignToCurvature: true, method: 'harmonic' };
+    const map = await model.parametrize({ ...options, grid: { mode: 'quad' } });
+    const made = await map.quads();
+    assert.equal(made.quads, lines.filter((line) => line.startsWith('f ')).length);
+    assert.equal(made.vertices, lines.filter((line) => line.startsWith('v ')).length);
   }));
 
 test('cones embedded in a file are found again', () =>

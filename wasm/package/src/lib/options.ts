@@ -157,7 +157,8 @@ export interface SolveOptions extends SuggestOptions {
   /**
    * Align the map to a grid (q = 2 or 4): all translations of seams become integers, with one cell per unit of uv, so
    * that grid lines meet at every seam. About `cells` cells in total, or cells of edge length `spacing` in the file's
-   * unit; `quad`: cones lie on grid points as well. If no aligned map is found, the result is the map without a grid,
+   * unit; `quad`: cones lie on grid points as well. With `mode` alone the number of cells is that of `hgp quads`: 14 along
+   * the diagonal, at least 800 and 40 per cone. If no aligned map is found, the result is the map without a grid,
    * and `report.components[].grid` says why and how many cells would work.
    */
   grid?: { cells?: number; spacing?: number; mode?: 'tile' | 'quad' };

@@ -35,6 +35,8 @@ test('where sizes differ ten times, one click adds cones there, and the numbers 
   const cones = [0, 4, 8, 12, 16, 20, 24, 28].map((i) => ({ vertex: low[i], k: 3 }));
   await drop(it, { 'low.cones.json': JSON.stringify({ format: 'hgp-cones', version: 1, q: 4, cones }) }); // prettier-ignore
   await page.waitForSelector('tr[data-cone="7"]');
+  // The slider does not claim them.
+  assert.match(await page.innerText('#cone-step-count'), /^8 cones, from a file/);
   await run(it);
   const sizes = () => page.locator('#size').innerText();
   const first = Number(/× (\d+)/.exec(await sizes())[1]);

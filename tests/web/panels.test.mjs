@@ -269,6 +269,13 @@ test('Download: another uv set, another scale, without cones; each is verified a
   assert.equal(texCoord(next), 0);
   await page.click('#download');
   assert.equal(await page.locator('#uv-set').inputValue(), 'keep');
+  // Where the new set is found, in the words of each program, and what becomes of the old textures.
+  const hints = { three: /texture\.channel = 1/, engine: /channel 1/, blender: /“UVMap\.001”/ };
+  for (const [target, hint] of Object.entries(hints)) {
+    await page.selectOption('#target', target);
+    assert.match(await page.innerText('#target-hint'), hint);
+  }
+  assert.match(await page.innerText('#own-textures'), /stay on the old coordinates/);
   await page.selectOption('#uv-set', 'use');
   await idle();
   await page.waitForFunction(() => document.querySelector('#uv-set')?.value === 'use');
@@ -279,6 +286,8 @@ test('Download: another uv set, another scale, without cones; each is verified a
   await page.selectOption('#uv-set', '0');
   await idle();
   await page.waitForFunction(() => document.querySelector('#uv-set')?.value === '0');
+  assert.doesNotMatch(await page.innerText('#target-hint'), /UVMap\.0/);
+  assert.match(await page.innerText('#own-textures'), /will not fit the new ones/);
   await openDetails(page, '#more-formats');
   await page.selectOption('#uv-scale', 'fit');
   await idle();

@@ -34,6 +34,25 @@ export const targets: readonly Target[] = [
   },
 ];
 
+/** How a program is told to read a set of coordinates other than the first; empty for the first. */
+export function setHint(id: TargetId, set: number): string {
+  if (set === 0 || id === 'quads') return '';
+  if (id === 'blender') {
+    const name = `UVMap.${String(set).padStart(3, '0')}`;
+    return `The new coordinates are the UV map “${name}”: name it in a UV Map node before the image texture, or make it the active one in the mesh’s data.`;
+  }
+  if (id === 'three')
+    return `The new coordinates are set ${set}: texture.channel = ${set} for each texture that is to use them.`;
+  return `The new coordinates are UV channel ${set}, where the first is 0 (Unreal: coordinate index ${set}; Unity: UV${set}; Godot: ${set === 1 ? 'UV2' : 'none beyond UV2, so replace TEXCOORD_0'}).`;
+}
+
+/** What becomes of textures that were painted for the old coordinates. */
+export function textureHint(isKept: boolean): string {
+  return isKept
+    ? 'The textures of the file stay on the old coordinates and look as before; those that you add use the new ones.'
+    : 'The textures of the file were painted for the old coordinates and will not fit the new ones. Keep the old coordinates for them, or bake them (in Blender: Bake, with the old UV map on the image nodes and the new one active).';
+}
+
 /** 3D programs read OBJ and glTF; a model in another format becomes a GLB. */
 export function formatFor(
   id: TargetId,

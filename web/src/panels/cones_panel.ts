@@ -2,7 +2,7 @@
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
-import { attempt } from '../actions/app';
+import { attempt, type App } from '../actions/app';
 import { coneSteps, knownCount, setConeStep } from '../actions/cone_slider';
 import { deleteCone, select, setK, setOrder } from '../actions/edit_cones';
 import { lookAtCone } from '../actions/view';
@@ -28,6 +28,14 @@ const orderNames: [number, string][] = [
 const mostBars = 8;
 
 const stepNames = ['As few as areas allow', 'Few', 'In the middle', 'Many', 'Little distortion'];
+
+/** Who placed the cones, if it was not the slider. */
+function ownerOf({ doc }: App): string {
+  const { undoKind, canUndo } = doc.history;
+  if (undoKind === 'suggest cones') return '';
+  if (!canUndo || undoKind === 'import cones') return 'from a file';
+  return 'placed by you';
+}
 
 class ConesPanel extends Panel {
   /** Position of the slider while it is dragged. */
@@ -92,8 +100,9 @@ class ConesPanel extends Panel {
     const known =
       knownCount(app, step) ?? (this.#dragged === undefined && placed > 0 ? placed : undefined);
     const text = known === undefined ? '' : plural(known, 'cone');
+    const owner = this.#dragged === undefined && placed > 0 ? ownerOf(app) : '';
     const at = (event: Event): number => Number((event.target as HTMLInputElement).value);
-    return html`<label class="ends" for="cone-step"
+    return html`<label class="ends ${owner ? 'pale' : ''}" for="cone-step"
         ><span>Fewer</span>
         <input
           id="cone-step"
@@ -116,7 +125,11 @@ class ConesPanel extends Panel {
         <span>Less distortion</span></label
       >
       <p class="note" id="cone-step-count">
-        ${stepNames[step]}${text ? html`: <b>${text}</b>` : nothing}
+        ${
+          owner
+            ? html`<b>${plural(placed, 'cone')}</b>, ${owner}; the slider replaces them`
+            : html`${stepNames[step]}${text ? html`: <b>${text}</b>` : nothing}`
+        }
       </p>`;
   }
 

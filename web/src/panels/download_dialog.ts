@@ -8,9 +8,9 @@ import { perform } from '../actions/registry';
 import { rewrite } from '../actions/solve';
 import { downloadQuads, quadName, whyNoQuads } from '../actions/quads';
 import { formats, nameOf, type ExportSource, type Format } from '../formats/exports';
-import { formatFor, targets } from '../formats/targets';
+import { formatFor, setHint, targets, textureHint } from '../formats/targets';
 import { isAligned } from '../model/grid';
-import type { Output, Solution } from '../model/types';
+import type { Model, Output, Solution } from '../model/types';
 import type { TargetId } from '../model/ui_state';
 import { isCertified } from '../model/verdict';
 import { dialogFrame } from './dialog_frame';
@@ -181,16 +181,36 @@ function mainButton(app: App, source: ExportSource): TemplateResult {
         ${icon('download')} Save ${name}
       </button>
     </p>
-    <p class="note" id="target-hint">${why || hintOf(app, source.solution)}</p>`;
+    <p class="note" id="target-hint">${why || hintOf(app, source.solution)}</p>
+    ${ownTextures(app, source.solution)}`;
 }
 
-function hintOf({ ui }: App, solution: Solution): string {
+/** The number of the set that is written; 0 for formats with one. */
+function writtenSet({ info }: Model, { uvSet }: Output): number {
+  const sets = info.surfaces[info.surface]?.uvSets ?? [];
+  let free = 0;
+  while (sets.includes(free)) free += 1;
+  return /^(glb|gltf)$/.test(info.file.format) ? (uvSet ?? free) : 0;
+}
+
+/** A sentence on the textures of the file, if it has some on a mesh with coordinates. */
+function ownTextures(app: App, { output, preserved }: Solution): TemplateResult | typeof nothing {
+  const { info } = app.doc.model!;
+  const hasOld = (info.surfaces[info.surface]?.uvSets ?? []).length > 0;
+  if (app.ui.target === 'quads' || !hasOld || !/\btextures?\b/.test(preserved)) return nothing;
+  const isKept = output.uvSet === undefined && !output.usesNewSet;
+  return html`<p class="note" id="own-textures">${textureHint(isKept)}</p>`;
+}
+
+function hintOf(app: App, solution: Solution): string {
+  const { ui } = app;
   const { hint } = targets.find(({ id }) => id === ui.target)!;
   if (ui.target !== 'quads') {
     const unit = isAligned(solution)
       ? ' One repeat of an image is one cell; it fits across every seam.'
       : '';
-    return `${hint}${unit}`;
+    const set = solution.output.hasGrid ? 0 : writtenSet(app.doc.model!, solution.output);
+    return [`${hint}${unit}`, setHint(ui.target, set)].filter(Boolean).join(' ');
   }
   const isThere = isAligned(solution) && solution.grid.mode === 'quad';
   const rest = 'They are made with the cones on grid points; the map that you see stays.';

@@ -6,8 +6,11 @@ import type { Cone } from '../../model/prescription';
 import { largestK } from '../../model/gauss_bonnet';
 import type { Surface } from '../../model/types';
 
-type Graph = Pick<
+export type Graph = Pick<
   Surface,
+  | 'positions'
+  | 'triangles'
+  | 'diagonal'
   | 'neighbourStart'
   | 'neighbours'
   | 'angle'
@@ -17,19 +20,79 @@ type Graph = Pick<
   | 'representative'
 >;
 
+type Weighted = Graph & { weights: Float64Array };
+
+const smallestWeight = 1e-2;
+const apart = 0.06; // of the diagonal: cones are not placed nearer to each other if there is another place
 const mostSteps = 400; // of conjugate gradients
 const accuracy = 1e-4; // relative to the initial residual
 const mostCones = 256;
 
-/** out = L x with the combinatorial Laplacian. */
+/** Of edges, in the order of `neighbours`: the cotangent weights, kept positive. */
+export function weightsOf({
+  positions: p,
+  triangles,
+  representative,
+  neighbourStart,
+  neighbours,
+}: Graph): Float64Array {
+  const weights = new Float64Array(neighbours.length);
+  const add = (v: number, w: number, x: number): void => {
+    for (let n = neighbourStart[v]; n < neighbourStart[v + 1]; n++)
+      if (neighbours[n] === w) weights[n] += x;
+  };
+  for (let c = 0; c < triangles.length; c++) {
+    const t = c - (c % 3);
+    const [o, a, b] = [c, t + ((c + 1) % 3), t + ((c + 2) % 3)].map((at) => triangles[at]);
+    const [u, w] = [a, b].map((end) => [0, 1, 2].map((i) => p[3 * end + i] - p[3 * o + i]));
+    const dot = u[0] * w[0] + u[1] * w[1] + u[2] * w[2];
+    const across = Math.hypot(u[1] * w[2] - u[2] * w[1], u[2] * w[0] - u[0] * w[2], u[0] * w[1] - u[1] * w[0]); // prettier-ignore
+    const half = dot / across / 2;
+    if (!Number.isFinite(half)) continue;
+    const [v, x] = [representative[a], representative[b]];
+    if (v < 0 || x < 0) continue;
+    add(v, x, half);
+    add(x, v, half);
+  }
+  // Negative weights of obtuse triangles would move the extremes of u away from curvature.
+  return weights.map((x) => Math.min(Math.max(x, smallestWeight), 1 / smallestWeight));
+}
+
+/** Spreads from each cone along edges as far as `reach`: the vertices that are nearer than that to one. */
+function nearTo(
+  { positions: p, neighbourStart, neighbours }: Graph,
+  cones: readonly Cone[],
+  reach: number,
+): Set<number> {
+  const near = new Set<number>();
+  const square = reach * reach;
+  for (const { vertex } of cones) {
+    const open = [vertex];
+    const seen = new Set(open);
+    for (const v of open) {
+      near.add(v);
+      for (let n = neighbourStart[v]; n < neighbourStart[v + 1]; n++) {
+        const w = neighbours[n];
+        const [x, y, z] = [0, 1, 2].map((i) => p[3 * w + i] - p[3 * vertex + i]);
+        if (seen.has(w) || x * x + y * y + z * z > square) continue;
+        seen.add(w);
+        open.push(w);
+      }
+    }
+  }
+  return near;
+}
+
+/** out = L x with the cotangent Laplacian. */
 function laplacian(
-  { neighbourStart, neighbours }: Graph,
+  { neighbourStart, neighbours, weights }: Weighted,
   x: Float64Array,
   out: Float64Array,
 ): void {
   for (let v = 0; v + 1 < neighbourStart.length; v++) {
     let sum = 0;
-    for (let n = neighbourStart[v]; n < neighbourStart[v + 1]; n++) sum += x[v] - x[neighbours[n]];
+    for (let n = neighbourStart[v]; n < neighbourStart[v + 1]; n++)
+      sum += weights[n] * (x[v] - x[neighbours[n]]);
     out[v] = sum;
   }
 }
@@ -41,7 +104,7 @@ const dot = (a: Float64Array, b: Float64Array): number => {
 };
 
 /** Solves L u = b by conjugate gradients, starting from u; the sum of b vanishes on every component. */
-function solve(graph: Graph, b: Float64Array, u: Float64Array): void {
+function solve(graph: Weighted, b: Float64Array, u: Float64Array): void {
   const r = new Float64Array(b.length);
   const lp = new Float64Array(b.length);
   laplacian(graph, u, r);
@@ -115,18 +178,20 @@ function mostExtreme(
  * share at cones that were added before. False if there is no vertex left.
  */
 function addOne(
-  graph: Graph,
+  graph: Weighted,
   q: number,
   { cones, added, u }: { cones: readonly Cone[]; added: Cone[]; u: Float64Array },
   { of, sign }: { of: number; sign: number },
 ): boolean {
   const all = [...cones, ...added];
   const near = takenBy(graph, all);
+  const around = nearTo(graph, all, apart * graph.diagonal);
   const isCone = new Set(all.map(({ vertex }) => vertex));
   const kAt = new Map(added.map(({ vertex, k }) => [vertex, k]));
   const isWithin = (v: number, k: number): boolean => k >= 1 && k <= largestK(q, graph.valence[v]);
   const fits = (v: number): boolean => isWithin(v, q - sign);
   const ways = [
+    (v: number): boolean => !around.has(v) && !near.has(v) && fits(v),
     (v: number): boolean => !near.has(v) && fits(v),
     (v: number): boolean => !isCone.has(v) && fits(v),
     (v: number): boolean => kAt.has(v) && isWithin(v, kAt.get(v)! - sign),
@@ -144,12 +209,13 @@ function addOne(
 
 /** The cones to add. `left`: the remainder of each component. */
 export function balancingCones(
-  graph: Graph,
+  surface: Graph,
   q: number,
   cones: readonly Cone[],
   left: ReadonlyMap<number, number>,
 ): Cone[] {
   const added: Cone[] = [];
+  const graph = { ...surface, weights: weightsOf(surface) };
   const u = new Float64Array(graph.angle.length);
   const open = new Map([...left].filter(([, n]) => n !== 0));
   for (let step = 0; step < mostCones && open.size > 0; step++) {

@@ -53,11 +53,14 @@ export async function copyCommand(app: App): Promise<void> {
   const { doc } = app;
   const command = currentCommand(app);
   if (command === undefined) return;
+  const does = doc.current?.isDragged
+    ? 'that makes a map of these cones anew, which does not depend on how they were dragged'
+    : 'that does this run';
   const isFile = command.includes('--cones ');
   const also = isFile ? ' It reads the cones from the file that Export saves.' : '';
   try {
     await navigator.clipboard.writeText(command);
-    doc.say(`Copied: the command that does this run.${also}`, 'good');
+    doc.say(`Copied: the command ${does}.${also}`, 'good');
   } catch {
     doc.say(`The browser does not let this page copy. The command: ${command}`);
   }

@@ -167,7 +167,7 @@ const isSettled = (note: string, files: OutputFile[]): boolean =>
   files.some(({ name }) => note === `keep ${name} next to the new file`);
 
 /** The numbers of a map alone: they travel to the geometry worker and back. */
-function numbersOf(map: UvMap): Result {
+export function numbersOf(map: UvMap): Result {
   const { positions, triangles, uv, cornerToUv, uvToVertex, seams } = map;
   const { certificate, cones, report, memory } = map;
   const arrays = { positions, triangles, uv, cornerToUv, uvToVertex, seams };
@@ -178,7 +178,7 @@ const edgeKey = (v: number, w: number, count: number): number =>
   Math.min(v, w) * count + Math.max(v, w);
 
 /** Writes the map, reads it back and computes what the panels show about it. */
-async function writeSolution(
+export async function writeSolution(
   app: App,
   model: Model,
   request: SolveRequest,
@@ -244,9 +244,9 @@ async function writeAs(app: App, old: Solution, output: Output): Promise<void> {
   });
 }
 
-function requestOf(solution: Solution): SolveRequest {
-  const { prescription, settings, improve, frames, grid, cells, output } = solution;
-  return { prescription, settings, improve, frames, grid, cells, output };
+export function requestOf(solution: Solution): SolveRequest {
+  const { prescription, settings, improve, frames, grid, cells, output, isDragged } = solution;
+  return { prescription, settings, improve, frames, grid, cells, output, isDragged };
 }
 
 /** The map that is shown, in the solver; computed again if necessary, undefined if that fails. */

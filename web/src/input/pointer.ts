@@ -1,6 +1,7 @@
 // Mouse, pen and touch on the two views: placing, selecting and dragging cones, and hovering.
 
 import { attempt, type App } from '../actions/app';
+import { beginLive, cancelLive, dragLive, dropLive } from '../actions/drag_live';
 import { coneToPlace, moveCone, placeOrSelect, select } from '../actions/edit_cones';
 import { switchMesh } from '../actions/load';
 import { undo } from '../actions/undo';
@@ -97,6 +98,7 @@ export class Pointer {
     const { clientX: x, clientY: y } = event;
     const from = this.#app.doc.prescription.cones[cone]?.vertex;
     this.#down = { x, y, view, cone, from, time: performance.now(), isDrag: false };
+    if (cone >= 0) void attempt(this.#app, () => beginLive(this.#app, cone));
     if (cone >= 0 && view === this.#model) {
       this.#model.orbit.controls.enabled = false;
       view.canvas.setPointerCapture(event.pointerId);
@@ -118,14 +120,16 @@ export class Pointer {
       const far = Math.hypot(event.clientX - down.x, event.clientY - down.y) > clickMoves;
       if (far) {
         clearTimeout(this.#timer);
+        if (!down.isDrag && down.cone >= 0) this.#leave();
         down.isDrag = true;
       }
       if (down.isDrag && down.cone >= 0) {
         const hit = view.pick(event);
         if (hit) {
-          void attempt(this.#app, () =>
-            moveCone(this.#app, down.cone, hit.vertex, String(down.time)),
-          );
+          void attempt(this.#app, () => {
+            moveCone(this.#app, down.cone, hit.vertex, String(down.time));
+            dragLive(this.#app);
+          });
         }
         if (this.#app.doc.selected !== down.cone) select(this.#app, down.cone);
       }
@@ -142,6 +146,10 @@ export class Pointer {
   #release(view: View, event: PointerEvent): void {
     const down = this.#down;
     clearTimeout(this.#timer);
+    if (down && down.cone >= 0) {
+      this.#down = undefined;
+      void attempt(this.#app, () => dropLive(this.#app, `move cone: ${down.time}`));
+    }
     this.#forget();
     if (!down || down.isDrag || down.view !== view) return;
     if (down.cone >= 0) return select(this.#app, down.cone);
@@ -189,6 +197,7 @@ export class Pointer {
 
   #forget(): void {
     clearTimeout(this.#timer);
+    if (this.#down && this.#down.cone >= 0) cancelLive(this.#app);
     this.#down = undefined;
     this.#model.orbit.controls.enabled = true;
     this.#uv.controls.enabled = true;

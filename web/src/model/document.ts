@@ -5,6 +5,7 @@ import { computed } from '@preact/signals-core';
 import { computeBudget, type Budget } from './gauss_bonnet';
 import { sameGrid } from './grid';
 import { History } from './history';
+import type { LiveMap } from './live';
 import { emptyPrescription, isSilent, samePrescription, type Prescription } from './prescription';
 import { storeOf } from './store';
 import type { ScenePart } from './scene';
@@ -54,6 +55,8 @@ export interface MeshWork {
 interface Fields {
   state: DocumentState;
   job: Job | undefined;
+  /** The map of a cone that is being dragged. */
+  live: LiveMap | undefined;
   history: History<Step>;
   /** At most three, the newest last, so that undo can show the map of its step. */
   solutions: readonly Solution[];
@@ -118,6 +121,7 @@ export class Document extends storeOf<Fields>() {
     super({
       state: { kind: 'starting' },
       job: undefined,
+      live: undefined,
       history: begun(emptyPrescription(4, 0, 0)),
       solutions: [],
       meshes: new Map(),
@@ -217,6 +221,7 @@ export class Document extends storeOf<Fields>() {
     if (job) return job.kind === 'load' ? 'loading' : 'running';
     if (state.kind !== 'open') return state.kind;
     if (!state.model.info.usable) return 'invalid';
+    if (this.live) return 'dragging';
     if (this.current) return isCertified(this.current) ? 'certified' : 'not-certified';
     if (this.displayed) return 'stale';
     return this.budget?.isReady || this.needsCones ? 'ready' : 'unbalanced';
@@ -250,6 +255,7 @@ export class Document extends storeOf<Fields>() {
 
   /** Clears everything about the open mesh, but not the file. */
   clearMesh(): void {
+    this.live = undefined;
     this.solutions = [];
     this.selected = -1;
     this.hasUserCones = false;

@@ -103,6 +103,18 @@ export function tilesPerUnit(
   return look.tiles / (Math.sqrt(uvArea / surfaceArea) * diagonal);
 }
 
+/** The look with which a map that is not aligned shows tiles of the size that they had on another map. */
+export function sameTiles(
+  look: Look,
+  surface: Pick<Surface, 'diagonal'>,
+  before: Pick<Solution, 'result' | 'distortion'>,
+  after: Pick<Solution, 'result' | 'distortion'>,
+): Look {
+  if (!isAligned(before) || isAligned(after) || !(look.pattern in periods)) return look;
+  const scale = tilesPerUnit(look, surface, before) / tilesPerUnit(look, surface, after);
+  return { ...look, tiles: Math.round(look.tiles * scale) };
+}
+
 /** The same for the grid written as material of a file, whose picture consists of two tiles. */
 export const gridTilesPerUnit = (
   look: Look,

@@ -121,6 +121,8 @@ export interface SolveRequest {
   grid: GridSettings;
   cells?: number;
   output: Output;
+  /** The map follows from another one by dragging a cone: its bytes are not those of a run. */
+  isDragged?: boolean;
 }
 
 /** A surface with its map, corner by corner. */

@@ -13,6 +13,7 @@ import './boundaries_panel';
 import './cones_panel';
 import './dialogs';
 import './legend';
+import './live_badge';
 import './mesh_strip';
 import './model_panel';
 import './result_panel';
@@ -114,6 +115,7 @@ class AppPage extends Panel {
       ${ui.wipe > 0 && doc.displayed ? html`<i class="wipe-line"></i>` : nothing}
       <hgp-legend .app=${app}></hgp-legend>
       <hgp-seam-note .app=${app}></hgp-seam-note>
+      <hgp-live-badge .app=${app}></hgp-live-badge>
       ${doc.stateName === 'stale' ? html`<p class="badge">Result is for the previous cones</p>` : nothing}
     </section>`;
   }

@@ -3,6 +3,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { attempt } from '../actions/app';
 import { leaveRepairsOut } from '../actions/repair';
+import { run } from '../actions/solve';
 import { showPlaces } from '../actions/view';
 import type { Solution } from '../model/types';
 import {
@@ -13,6 +14,7 @@ import {
   verdictRows,
   type VerdictRow,
 } from '../model/verdict';
+import { draggedNote } from '../text/dragged';
 import { memoryText, signed } from '../text/format';
 import { noteForPage } from '../text/notes';
 import { repairsMade } from '../text/repairs';
@@ -84,7 +86,7 @@ class ResultPanel extends Panel {
     return html`<details open id="panel-result" class=${doc.current === solution ? '' : 'stale'}>
       <summary>Result</summary>
       ${this.#banner(solution, isGood)} ${sizeRows(this.app, solution)} ${quadsNote(this.app)}
-      ${isGood ? nothing : this.#reasons(solution)} ${this.#repairs()}
+      ${isGood ? nothing : this.#reasons(solution)} ${this.#dragged(solution)} ${this.#repairs()}
       <details id="result-details" ?open=${!isGood}>
         <summary>Details</summary>
         ${this.#table(solution)} ${factList(statistics(solution))}
@@ -107,6 +109,18 @@ class ResultPanel extends Panel {
         <b id="verdict">${isGood ? 'Certified' : 'Not certified'}</b>
         <p>${isStale ? 'For the previous cones. ' : ''}${text}</p>
       </div>
+    </div>`;
+  }
+
+  /** A note that the map is not that of a run. */
+  #dragged(solution: Solution): TemplateResult | typeof nothing {
+    if (!solution.isDragged) return nothing;
+    const runAnew = (): void => void attempt(this.app, () => run(this.app));
+    return html`<div class="note" id="dragged">
+      <p><b>Dragged.</b> ${draggedNote(solution)}</p>
+      <button type="button" class="small" ?disabled=${this.app.doc.isBusy} @click=${runAnew}>
+        Run anew
+      </button>
     </div>`;
   }
 

@@ -15,6 +15,20 @@ export interface Hit {
   pixels: number;
 }
 
+/** The corner of a triangle that is nearest to the pointer. */
+export function nearestOf(
+  triangle: number,
+  corners: Iterable<number>,
+  pixelsTo: (vertex: number) => number,
+): Hit {
+  let best: Hit = { triangle, vertex: -1, pixels: Infinity };
+  for (const vertex of corners) {
+    const pixels = pixelsTo(vertex);
+    if (pixels < best.pixels) best = { ...best, vertex, pixels };
+  }
+  return best;
+}
+
 export abstract class CanvasView {
   readonly canvas: HTMLCanvasElement;
   readonly scene = new Scene();

@@ -8,21 +8,22 @@ import {
   PerspectiveCamera,
   type Ray,
   Raycaster,
-  Sphere,
   Vector2,
   Vector3,
 } from 'three';
 import type { MeshBVH } from 'three-mesh-bvh';
 import type { QuadShape } from '../model/quad_shape';
+import type { LiveMap } from '../model/live';
 import type { Cone, Prescription } from '../model/prescription';
 import { isAligned, tilesPerUnit } from '../model/grid';
 import type { ScenePart, SerializedBvh } from '../model/scene';
 import type { Look, Solution, Surface } from '../model/types';
 import { Orbit, type Shape } from './camera';
-import { CanvasView, type Hit } from './canvas_view';
+import { CanvasView, nearestOf, type Hit } from './canvas_view';
 import { ConeMarkers, type Marker } from './cone_markers';
 import { bvhAtOnce, bvhFrom, setTint, surfaceGeometry } from './corner_geometry';
 import type { OwnInstance, OwnScene } from './gltf_scene';
+import { LiveGeometry } from './live_geometry';
 import {
   setImage,
   setPalette,
@@ -33,7 +34,7 @@ import {
 import { QuadsView } from './quads_view';
 import { StudioLight } from './studio_light';
 import { placeOf, SurfaceMarks } from './surface_marks';
-import { pointsOf, WholeScene, type SceneContent } from './whole_scene';
+import { shapeOf, WholeScene, type SceneContent } from './whole_scene';
 
 type Place = { clientX: number; clientY: number };
 
@@ -47,6 +48,7 @@ export class ModelView extends CanvasView {
   readonly #marks = new SurfaceMarks();
   readonly #quads = new QuadsView(this.#toStudio);
   readonly #studio: StudioLight;
+  readonly #live = new LiveGeometry(false);
   #surface?: Surface;
   #solution?: Solution;
   #bvh?: MeshBVH;
@@ -94,11 +96,11 @@ export class ModelView extends CanvasView {
     const isNew = surface !== this.#surface;
     this.#surface = surface;
     this.#solution = solution;
+    this.#live.restore();
     const before = this.#mesh.geometry;
     before.dispose();
     this.#marks.hide(isNew);
-    if (isNew) this.#ghost.visible = false;
-    if (isNew) this.#bvh = undefined;
+    if (isNew) [this.#ghost.visible, this.#bvh] = [false, undefined];
     if (!surface) {
       this.#mesh.geometry = new BufferGeometry();
       this.#markers.show([]);
@@ -115,12 +117,8 @@ export class ModelView extends CanvasView {
   #frame(surface: Surface, parts: readonly ScenePart[], isSameFile: boolean): void {
     const own: Shape = { ...surface, center: new Vector3(...surface.center) };
     if (isSameFile) return this.orbit.workOn(own);
-    const places = pointsOf(parts);
-    if (places.length === 0) return this.orbit.frame(own);
-    const { center, radius } = new Sphere().setFromPoints(
-      Array.from({ length: places.length / 3 }, (_, i) => new Vector3().fromArray(places, 3 * i)),
-    );
-    this.orbit.frame({ center, radius, places }, own);
+    const all = shapeOf(parts);
+    this.orbit.frame(all ?? own, all && own);
   }
 
   /** Shows the meshes beside the open one. */
@@ -157,6 +155,13 @@ export class ModelView extends CanvasView {
   /** Fades the markers after Run, until cones are edited again. */
   setMarkers(areFaded: boolean): void {
     this.#markers.setStyle(areFaded ? 0.42 : 1, areFaded ? 0.55 : 1);
+    this.draw();
+  }
+
+  /** Shows a map that is not stored in place of the solution's; undefined: the solution's again. */
+  setLive(live: LiveMap | undefined): void {
+    this.#live.show(this.#mesh.geometry, live, this.#surface);
+    if (live) for (const lines of this.#marks.ofMap) lines.visible = false;
     this.draw();
   }
 
@@ -309,16 +314,10 @@ export class ModelView extends CanvasView {
     if (this.#others.pick(ray, hit.distance) >= 0) return undefined;
     const corners = surface.triangles.subarray(3 * hit.faceIndex, 3 * hit.faceIndex + 3);
     const box = this.canvas.getBoundingClientRect();
-    let best: Hit = { triangle: hit.faceIndex, vertex: -1, pixels: Infinity };
-    for (const vertex of corners) {
+    return nearestOf(hit.faceIndex, corners, (vertex) => {
       const at = this.toScreen(vertex);
-      const pixels = Math.hypot(
-        at.x - (event.clientX - box.left),
-        at.y - (event.clientY - box.top),
-      );
-      if (pixels < best.pixels) best = { ...best, vertex, pixels };
-    }
-    return best;
+      return Math.hypot(at.x - (event.clientX - box.left), at.y - (event.clientY - box.top));
+    });
   }
 
   /** The position of a vertex in CSS pixels from the corner of the canvas. */

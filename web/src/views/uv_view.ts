@@ -4,12 +4,15 @@ import { BufferGeometry, Color, Mesh, MOUSE, OrthographicCamera, Ray, TOUCH, Vec
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { MeshBVH } from 'three-mesh-bvh';
 import { isAligned, tilesPerUnit } from '../model/grid';
+import type { LiveMap } from '../model/live';
 import type { Prescription } from '../model/prescription';
 import type { SerializedBvh } from '../model/scene';
 import type { Look, Solution, Surface } from '../model/types';
 import { CanvasView, type Hit } from './canvas_view';
 import { ConeMarkers, type Marker } from './cone_markers';
+import { boxOf } from '../services/geometry/distortion';
 import { bvhAtOnce, bvhFrom, flatGeometry, setTint } from './corner_geometry';
+import { LiveGeometry } from './live_geometry';
 import { Lines, seamsInMap, Wire } from './lines';
 import {
   setImage,
@@ -38,6 +41,7 @@ export class UvView extends CanvasView {
   readonly #square = new Lines(1.2, { order: 0, depth: false });
   #surface?: Surface;
   #solution?: Solution;
+  readonly #live = new LiveGeometry(true);
   #bvh?: MeshBVH;
   #image?: ImageBitmap;
   #size = { width: 1, height: 1 };
@@ -89,8 +93,20 @@ export class UvView extends CanvasView {
 
   fit(): void {
     this.#isTouched = false;
-    if (!this.#solution) return;
-    const { x, y, width, height } = this.#solution.box;
+    if (this.#solution) this.#fitTo(this.#solution.box);
+  }
+
+  /** Shows all of a box, if that is not so already: while a cone is dragged the view should rest. */
+  #keepInView(box: Solution['box']): void {
+    const { x, y } = this.controls.target;
+    const tall = this.#reach;
+    const wide = (tall * this.#size.width) / this.#size.height;
+    const isInside =
+      box.x > x - wide && box.x + box.width < x + wide && box.y > y - tall && box.y + box.height < y + tall; // prettier-ignore
+    if (!isInside) this.#fitTo(box);
+  }
+
+  #fitTo({ x, y, width, height }: Solution['box']): void {
     const aspect = this.#size.width / this.#size.height;
     const reach = 0.55 * Math.max(height, width / aspect) || 0.6;
     this.#lookAt(x + width / 2, y + height / 2, reach);
@@ -125,6 +141,7 @@ export class UvView extends CanvasView {
 
   setModel(surface: Surface | undefined, solution: Solution | undefined): void {
     if (solution === this.#solution) return;
+    this.#live.restore();
     this.#solution = solution;
     this.#surface = surface;
     this.#bvh = undefined;
@@ -134,8 +151,9 @@ export class UvView extends CanvasView {
       lines.visible = false;
     this.#light.visible = this.#square.visible = false;
     this.#mesh.geometry = solution ? flatGeometry(solution) : new BufferGeometry();
-    if (solution) this.fit();
-    else this.#markers.show([]);
+    // A cone that was dropped leaves the map where the hand has left it.
+    if (solution && !solution.isDragged) this.fit();
+    if (!solution) this.#markers.show([]);
     this.draw();
   }
 
@@ -171,6 +189,20 @@ export class UvView extends CanvasView {
     if (look.hasWire) this.#wire.set(this.#mesh.geometry, palette.ink);
   }
 
+  /** Shows a map that is not stored in place of the solution's; undefined: the solution's again. */
+  setLive(live: LiveMap | undefined): void {
+    if (!live && !this.#live.isShown) return;
+    this.#live.show(this.#mesh.geometry, live, this.#surface);
+    this.#bvh?.refit();
+    if (live) {
+      for (const lines of [this.#seams, this.#ticks, this.#crosses, this.#wire])
+        lines.visible = false;
+    }
+    if (!this.#isTouched && live) this.#keepInView(boxOf(live.cornerUv));
+    else if (!this.#isTouched) this.fit();
+    this.draw();
+  }
+
   setOverlay(colours: Uint8Array): void {
     setTint(this.#mesh.geometry, colours);
     this.draw();
@@ -183,18 +215,25 @@ export class UvView extends CanvasView {
 
   /** Shows cones; a cone on a seam has several images in the map, all of which are shown. */
   setCones({ cones, q }: Prescription, bad: boolean[], selected: number): void {
-    if (!this.#solution) return this.#markers.show([]);
-    const { uv, uvToVertex } = this.#solution.result;
+    const solution = this.#solution;
+    if (!solution) return this.#markers.show([]);
     const coneAt = new Map(cones.map(({ vertex }, i) => [vertex, i]));
-    const markers: Marker[] = [];
-    for (let i = 0; i < uvToVertex.length; i++) {
-      const cone = coneAt.get(uvToVertex[i]);
-      if (cone === undefined) continue;
-      const at: Marker['at'] = [uv[2 * i], uv[2 * i + 1], 0.01];
-      const { k } = cones[cone];
-      markers.push({ at, k, q, isSelected: cone === selected, isBad: bad[cone] });
+    const markers = new Map<string, Marker>();
+    const add = (vertex: number, x: number, y: number): void => {
+      const cone = coneAt.get(vertex);
+      if (cone === undefined) return;
+      const isSelected = cone === selected;
+      const at: Marker['at'] = [x, y, 0.01];
+      markers.set(`${x} ${y}`, { at, k: cones[cone].k, q, isSelected, isBad: bad[cone] });
+    };
+    const { uv, uvToVertex, triangles } = solution.result;
+    if (this.#live.isShown) {
+      const at = this.#mesh.geometry.getAttribute('uv').array;
+      for (let c = 0; c < triangles.length; c++) add(triangles[c], at[2 * c], at[2 * c + 1]);
+    } else {
+      for (let i = 0; i < uvToVertex.length; i++) add(uvToVertex[i], uv[2 * i], uv[2 * i + 1]);
     }
-    this.#markers.show(markers);
+    this.#markers.show([...markers.values()]);
     this.draw();
   }
 
@@ -231,11 +270,12 @@ export class UvView extends CanvasView {
     const ray = new Ray(new Vector3(at.x, at.y, 5), new Vector3(0, 0, -1));
     const hit = this.#bvh?.raycastFirst(ray, 2);
     if (hit?.faceIndex === undefined || hit.faceIndex === null) return undefined;
-    const { uv, cornerToUv, triangles } = solution.result;
+    const { triangles } = solution.result;
+    const uv = this.#mesh.geometry.getAttribute('uv').array;
     const perPixel = (2 * this.#reach) / this.#size.height;
     let best: Hit = { triangle: hit.faceIndex, vertex: -1, pixels: Infinity };
     for (let k = 0; k < 3; k++) {
-      const i = cornerToUv[3 * hit.faceIndex + k];
+      const i = 3 * hit.faceIndex + k;
       const pixels = Math.hypot(uv[2 * i] - at.x, uv[2 * i + 1] - at.y) / perPixel;
       const vertex = triangles[3 * hit.faceIndex + k];
       if (pixels < best.pixels) best = { ...best, vertex, pixels };

@@ -12,6 +12,7 @@ import type { UiState } from '../model/ui_state';
 import type { GeometryClient } from '../services/geometry_client';
 import { isGltf } from '../formats/glb';
 import { disposeScene, loadGltfScene, type OwnScene } from './gltf_scene';
+import { isStale, liveConcern, markersConcern, wipeConcern } from './small_concerns';
 import type { ModelView } from './model_view';
 import type { Palette } from './pattern_material';
 import type { UvView } from './uv_view';
@@ -69,12 +70,13 @@ export class ViewUpdates {
       this.#looks(this.#in.uv),
       this.#overlays(),
       this.#crosses(),
+      liveConcern(this.#in.doc, [this.#in.model, this.#in.uv], (view) => this.#showLook(view)),
       this.#cones(),
-      this.#markers(),
+      markersConcern(this.#in),
       this.#originals(),
       this.#scene(),
       this.#quads(),
-      this.#wipe(),
+      wipeConcern(this.#in),
     ];
     effect(() => {
       for (const concern of this.#concerns) concern.key();
@@ -177,11 +179,22 @@ export class ViewUpdates {
 
   #looks(view: ModelView | UvView): Concern {
     const { doc } = this.#in;
-    const isStale = (): boolean => doc.displayed !== undefined && doc.displayed !== doc.current;
     return {
-      key: () => [doc.look, doc.model?.surface, doc.displayed, isStale(), this.#q, this.#palette],
-      show: () => view.setLook(doc.look, this.#q, isStale(), this.#palette),
+      key: () => [
+        doc.look,
+        doc.model?.surface,
+        doc.displayed,
+        isStale(doc),
+        this.#q,
+        this.#palette,
+      ],
+      show: () => this.#showLook(view),
     };
+  }
+
+  #showLook(view: ModelView | UvView): void {
+    const { doc } = this.#in;
+    view.setLook(doc.look, this.#q, isStale(doc), this.#palette);
   }
 
   #overlays(): Concern {
@@ -228,18 +241,19 @@ export class ViewUpdates {
   #cones(): Concern {
     const { doc, model, uv } = this.#in;
     return {
-      key: () => [doc.prescription, doc.selected, doc.budget, doc.model?.surface, doc.displayed],
+      key: () => [
+        doc.prescription,
+        doc.selected,
+        doc.budget,
+        doc.model?.surface,
+        doc.displayed,
+        doc.live,
+      ],
       show: () => {
         const bad = doc.budget?.cones.map(({ isGood }) => !isGood) ?? [];
         for (const view of [model, uv]) view.setCones(doc.prescription, bad, doc.selected);
       },
     };
-  }
-
-  #markers(): Concern {
-    const { doc, ui, model } = this.#in;
-    const areFaded = (): boolean => doc.current !== undefined && ui.tool === 'orbit';
-    return { key: () => [areFaded()], show: () => model.setMarkers(areFaded()) };
   }
 
   /** The file from which the model's materials are read: the original or the written one. */
@@ -328,14 +342,6 @@ export class ViewUpdates {
     return {
       key: () => [shown(), doc.model, this.#palette],
       show: () => view.setQuads(shown()?.shape, doc.model?.matrix ?? identity, this.#palette),
-    };
-  }
-
-  #wipe(): Concern {
-    const { ui, model, doc } = this.#in;
-    return {
-      key: () => [ui.wipe, doc.displayed],
-      show: () => model.setWipe(doc.displayed ? ui.wipe / 100 : 0),
     };
   }
 }

@@ -10,11 +10,13 @@ import {
   Mesh,
   type Ray,
   type ShaderMaterial,
+  Sphere,
   Vector3,
 } from 'three';
 import type { MeshBVH } from 'three-mesh-bvh';
 import type { ScenePart } from '../model/scene';
 import type { Pattern } from '../model/types';
+import type { Shape } from './camera';
 import { bvhFrom } from './corner_geometry';
 import type { OwnInstance } from './gltf_scene';
 import { setPalette, setPattern, surfaceMaterial, type Palette } from './pattern_material';
@@ -169,7 +171,7 @@ export class WholeScene extends Group {
 }
 
 /** Points of the whole scene, three numbers each, for framing; empty if nothing is placed. */
-export function pointsOf(parts: readonly ScenePart[]): Float64Array {
+function pointsOf(parts: readonly ScenePart[]): Float64Array {
   const found: number[] = [];
   const point = new Vector3();
   for (const { cornerPositions: p, matrices } of parts) {
@@ -183,4 +185,14 @@ export function pointsOf(parts: readonly ScenePart[]): Float64Array {
     }
   }
   return Float64Array.from(found);
+}
+
+/** All parts as what a camera frames; undefined if there are none. */
+export function shapeOf(parts: readonly ScenePart[]): Shape | undefined {
+  const places = pointsOf(parts);
+  if (places.length === 0) return undefined;
+  const { center, radius } = new Sphere().setFromPoints(
+    Array.from({ length: places.length / 3 }, (_, i) => new Vector3().fromArray(places, 3 * i)),
+  );
+  return { center, radius, places };
 }

@@ -1,0 +1,45 @@
+// Small aspects of the views: the map of a cone that is dragged, markers, the wipe.
+
+import type { Document } from '../model/document';
+import type { UiState } from '../model/ui_state';
+import type { ModelView } from './model_view';
+import type { UvView } from './uv_view';
+
+/** Whether the map that is shown is not that of the prescription. */
+export const isStale = ({ displayed, current, live }: Document): boolean =>
+  displayed !== undefined && displayed !== current && !live;
+
+/** @param show  shows the solution in a view as before */
+export function liveConcern(
+  doc: Document,
+  views: readonly (ModelView | UvView)[],
+  show: (view: ModelView | UvView) => void,
+) {
+  return {
+    key: () => [doc.live],
+    show: () => {
+      for (const view of views) {
+        view.setLive(doc.live);
+        view.canvas.dataset.live = doc.live?.state ?? '';
+        if (!doc.live) show(view);
+      }
+    },
+  };
+}
+
+interface Sources {
+  doc: Document;
+  ui: UiState;
+  model: ModelView;
+}
+
+/** Markers are faded after Run, until cones are edited again. */
+export function markersConcern({ doc, ui, model }: Sources) {
+  const areFaded = (): boolean => doc.current !== undefined && ui.tool === 'orbit';
+  return { key: () => [areFaded()], show: () => model.setMarkers(areFaded()) };
+}
+
+export const wipeConcern = ({ doc, ui, model }: Sources) => ({
+  key: () => [ui.wipe, doc.displayed],
+  show: () => model.setWipe(doc.displayed ? ui.wipe / 100 : 0),
+});

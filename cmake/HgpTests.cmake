@@ -1,7 +1,7 @@
 # Builds GoogleTest from source, so that the same tests run natively and as WebAssembly under Node.
 
 set(HGP_GTEST_SOURCES "/usr/src/googletest" CACHE PATH "GoogleTest's source tree")
-set(HGP_TEST_TIMEOUT 600 CACHE STRING "Seconds one test program may take")
+set(HGP_TEST_TIMEOUT 1800 CACHE STRING "Seconds after which a test program counts as hanging")
 set(HGP_TEST_SET all CACHE STRING "Tests that are built and run: all, units or integration")
 set_property(CACHE HGP_TEST_SET PROPERTY STRINGS all units integration)
 if(NOT HGP_TEST_SET MATCHES "^(all|units|integration)$")

@@ -3,6 +3,7 @@
 // `tests/core/cut/cut_mesh_test.cpp:CutMesh.IsADisk`; these tests keep it from going stale.
 
 import assert from 'node:assert/strict';
+import path from 'node:path';
 import test from 'node:test';
 import { exists, filesOf, textOf } from './source_tree.mjs';
 
@@ -100,5 +101,27 @@ test('decisions follow the template: number, title, status, context, decision', 
   const wrong = filesOf('docs/decisions', '.md')
     .filter((file) => !file.endsWith('README.md'))
     .filter((file) => !parts.every((part) => part.test(textOf(file))));
+  assert.deepEqual(wrong, []);
+});
+
+test('the index of decisions has every page once, with its title, and says which are out of force', () => {
+  const index = textOf('docs/decisions/README.md');
+  const listed = [...index.matchAll(/^- \[(\d{3})\]\(([^)]+)\) (.*(?:\n {2}.*)*)/gm)].map(
+    ([line, number, file, title]) => ({ line, number, file, title: title.replace(/\s+/g, ' ') }),
+  );
+  const pages = filesOf('docs/decisions', '.md').filter((file) => !file.endsWith('README.md'));
+  assert.deepEqual(
+    listed.map(({ file }) => file).sort(),
+    pages.map((file) => path.basename(file)).sort(),
+  );
+  const wrong = [];
+  for (const { number, file, title, line } of listed) {
+    const text = textOf(`docs/decisions/${file}`);
+    const own = text.match(/^# (\d{3}) · (.*)/);
+    if (own?.[1] !== number || !title.startsWith(own[2])) wrong.push(`${file}: ${own?.[2]}`);
+    const isReplaced = /^\*\*Status:\*\* [Rr]eplaced by/m.test(text);
+    const isOut = index.indexOf(line) > index.indexOf('## No longer in force');
+    if (isReplaced !== isOut) wrong.push(`${file}: ${isReplaced ? '' : 'not '}replaced`);
+  }
   assert.deepEqual(wrong, []);
 });

@@ -121,7 +121,7 @@ export const faults = [
     'field.matching[mesh.twin(found)] = -sign * m.turn;',
     'field.matching[mesh.twin(found)] = sign * m.turn;',
   ),
-  fault('cones/cancel_cones.cpp', 'defect[other] += moved;', ''),
+  fault('cones/cancel_cones.cpp', '++defect[other];', ''),
   fault('cones/cancel_cones.cpp', 'spread(mesh, q, defect, search);', ''),
 
   // cut, system

@@ -63,19 +63,16 @@ bool isBearable(const TriMesh& mesh, const FieldContext& context, int q, VertexI
 }
 
 void cancelWithin(const TriMesh& mesh, const FieldContext& context, int q, PerVertex<int>& defect,
-                  int reach, NearestSearch& search, int stopAt) {
-  int count = coneCount(defect);
+                  int reach, NearestSearch& search) {
   for (VertexId v : mesh.vertices()) {
-    while (defect[v] > 0 && count > stopAt) {
+    while (defect[v] > 0) {
       if (!isBearable(mesh, context, q, v, defect[v], defect[v] - 1)) break;
       const VertexId other = search.find(v, reach, [&](VertexId w) {
         return defect[w] < 0 && isBearable(mesh, context, q, w, defect[w], defect[w] + 1);
       });
       if (!other.isValid()) break;
-      const int moved = 1;
-      defect[v] -= moved;
-      defect[other] += moved;
-      count -= (defect[v] == 0) + (defect[other] == 0);
+      --defect[v];
+      ++defect[other];
     }
   }
 }
@@ -109,16 +106,11 @@ std::vector<ConePoint> cancelCones(const TriMesh& mesh, const FieldContext& cont
   const int few = std::max(mesh.vertexCount() / kNoiseShare, kNeverNoise);
   for (int reach = 1;
        reach <= options.reach || (reach <= options.noiseReach && coneCount(defect) > few); ++reach)
-    cancelWithin(mesh, context, q, defect, reach, search, 0);
-  if (options.targetCount > 0)
-    for (int reach = options.reach;
-         coneCount(defect) > options.targetCount && reach < mesh.vertexCount();
-         reach += reach / 2 + 1)
-      cancelWithin(mesh, context, q, defect, reach, search, options.targetCount);
+    cancelWithin(mesh, context, q, defect, reach, search);
   spread(mesh, q, defect, search);
   // A closed torus has no map with exactly one cone q − 1 and one q + 1.
   if (topology.genus == 1 && topology.loops.empty() && coneCount(defect) == 2)
-    cancelWithin(mesh, context, q, defect, mesh.vertexCount(), search, 0);
+    cancelWithin(mesh, context, q, defect, mesh.vertexCount(), search);
 
   std::vector<ConePoint> cones;
   for (VertexId v : mesh.vertices())

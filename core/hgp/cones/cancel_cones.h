@@ -15,9 +15,8 @@ inline constexpr int kNoiseShare = 50;
 inline constexpr int kNeverNoise = 24;
 
 struct CancelOptions {
-  int reach = 2;        ///< opposite cones at most this many edges apart cancel
-  int noiseReach = 6;   ///< the same while more than every kNoiseShare-th vertex is a cone
-  int targetCount = 0;  ///< > 0: go on cancelling the closest pairs until about this many are left
+  int reach = 2;       ///< opposite cones at most this many edges apart cancel
+  int noiseReach = 6;  ///< the same while more than every kNoiseShare-th vertex is a cone
 };
 
 /// Defects q − k per interior vertex → cones that pass checkPrescription: opposite ones cancelled,

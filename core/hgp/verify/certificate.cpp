@@ -225,11 +225,6 @@ Certificate certify(const TriMesh& mesh, const HolonomySpec& asked, const UvMap&
   return Verifier(mesh).certify(asked, map, options);
 }
 
-UvMap roundedToFloat32(UvMap map) {
-  for (Vec2& p : map.uv) p = {roundToFloat(p[0]), roundToFloat(p[1])};
-  return map;
-}
-
 Certificate certify(const TriMesh& mesh, const CompleteSpec& asked, const UvMap& map,
                     const CertifyOptions& options) {
   return certify(mesh, toSpec(asked), map, options);

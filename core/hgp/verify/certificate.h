@@ -95,9 +95,6 @@ class Verifier {
 /// Nothing else decides this.
 bool areCertified(const std::vector<Certificate>& components);
 
-/// Every uv rounded to the nearest float32. (A glTF stores 1 − v and therefore rounds differently.)
-UvMap roundedToFloat32(UvMap map);
-
 /// One map, measured and certified.
 Certificate certify(const TriMesh& mesh, const HolonomySpec& asked, const UvMap& map,
                     const CertifyOptions& options = {});

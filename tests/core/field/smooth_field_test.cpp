@@ -114,20 +114,5 @@ TEST(CancelCones, LeavesAPrescriptionThatPassesTheCheckWithTheSameTotal) {
   }
 }
 
-TEST(CancelCones, ContinuesToTheRequestedNumber) {
-  const TriMesh mesh = test::icosphere(5).mesh();
-  const Result<FieldContext> context = prepareFields(mesh);
-  PerVertex<int> defect(static_cast<std::size_t>(mesh.vertexCount()), 0);
-  for (int i = 0; i < 8; ++i) defect[VertexId(i)] = 1;
-  for (int i = 20; i < 60; ++i) defect[VertexId(i)] += i % 2 ? 1 : -1;
-  CancelOptions options;
-  options.reach = 1;
-  const auto before = cancelCones(mesh, *context, 4, defect, options);
-  options.targetCount = 8;
-  const auto after = cancelCones(mesh, *context, 4, defect, options);
-  EXPECT_LE(after.size(), before.size());
-  EXPECT_EQ(after.size(), 8u);
-}
-
 }  // namespace
 }  // namespace hgp

@@ -590,6 +590,11 @@ TEST(Certificate, CatchesAConeThatWasNotAsked) {
   EXPECT_EQ(reason.where[0].id, 7);
 }
 
+UvMap roundedToFloat32(UvMap map) {
+  for (Vec2& p : map.uv) p = {roundToFloat(p[0]), roundToFloat(p[1])};
+  return map;
+}
+
 TEST(Certificate, CatchesWhatRoundingToFloatDoes) {
   const TriMesh mesh = test::grid(1, 1).mesh();
   UvMap map = planarMap(mesh);

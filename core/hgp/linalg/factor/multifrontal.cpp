@@ -28,12 +28,7 @@ FrontSource<Scalar> matrixSource(const Eigen::SparseMatrix<Scalar>& A, const Sym
 
 template <class Scalar>
 void MultifrontalCholesky<Scalar>::analyze(const Graph& pattern, const SeparatorTree& tree) {
-  analyze(std::make_shared<const SymbolicFactor>(linalg::analyze(pattern, tree.order)));
-}
-
-template <class Scalar>
-void MultifrontalCholesky<Scalar>::analyze(std::shared_ptr<const SymbolicFactor> symbolic) {
-  symbolic_ = std::move(symbolic);
+  symbolic_ = std::make_shared<const SymbolicFactor>(linalg::analyze(pattern, tree.order));
   panels_.layOut(symbolic_);
 }
 

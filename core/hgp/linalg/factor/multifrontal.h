@@ -27,8 +27,6 @@ class MultifrontalCholesky {
 
   /// Fixes the elimination. `tree` orders exactly the unknowns of `pattern`.
   void analyze(const Graph& pattern, const SeparatorTree& tree);
-  /// Uses an earlier analysis, or one shared with another matrix of the same pattern.
-  void analyze(std::shared_ptr<const SymbolicFactor> symbolic);
 
   /// Factors A, stored in full (both triangles; only one of each mirrored pair is read), its
   /// pattern within the analyzed one. On a bad pivot the factor is empty and the status names the
@@ -42,7 +40,6 @@ class MultifrontalCholesky {
   /// Flop and memory counts; valid after analyze.
   FactorCost cost() const { return factorCost(*symbolic_); }
   const SymbolicFactor& symbolic() const { return *symbolic_; }
-  std::shared_ptr<const SymbolicFactor> sharedSymbolic() const { return symbolic_; }
 
  private:
   std::shared_ptr<const SymbolicFactor> symbolic_;

@@ -73,9 +73,7 @@ void findWrong(const Problem& problem, Attempt& attempt) {
   std::vector<FaceId> faces = c.orientation.notPositive;
   attempt.wrongCount = static_cast<int>(faces.size() + c.angles.wrong.size());
   const auto addRing = [&](VertexId v) {
-    for (HalfedgeId h : outgoingHalfedges(problem.mesh, v))
-      if (!problem.mesh.isBoundary(h) || TriMesh::face(h).isValid())
-        faces.push_back(TriMesh::face(h));
+    for (HalfedgeId h : outgoingHalfedges(problem.mesh, v)) faces.push_back(TriMesh::face(h));
   };
   for (const MeasuredCone& cone : c.angles.wrong) addRing(cone.vertex);
   for (const MeasuredTurning& turning : c.angles.turnings) {

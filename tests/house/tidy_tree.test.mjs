@@ -35,3 +35,11 @@ test('sources say `#pragma once` and end with a line break', () => {
     [],
   );
 });
+
+test('every JSON schema has an absolute identifier, in which its name is', () => {
+  for (const file of filesOf('docs/schema', '.json'))
+    assert.equal(
+      new URL(JSON.parse(textOf(file)).$id).pathname.split('/').at(-1),
+      file.split('/').at(-1),
+    );
+});

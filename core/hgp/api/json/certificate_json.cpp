@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "hgp/api/json/json_text.h"
-#include "hgp/api/json/json_values.h"
+#include "hgp/api/json/spliced_text.h"
 #include "hgp/verify/needed_tolerance.h"
 
 namespace hgp::api {
@@ -274,9 +274,10 @@ void addSummary(Json& json, const std::vector<Certificate>& certificates) {
 
 }  // namespace
 
-std::string certificateText(const Model& model, const std::vector<Certificate>& certificates,
-                            const OutsideFacts& outside, int uvSet,
-                            const std::vector<std::string>& notes) {
+SplicedDocument certificateDocument(const Model& model,
+                                    const std::vector<Certificate>& certificates,
+                                    const OutsideFacts& outside, int uvSet,
+                                    const std::vector<std::string>& notes) {
   Json json{{"format", "hgp-certificate"}, {"version", 1}};
   bool isUsable = !certificates.empty();
   for (const Certificate& c : certificates) isUsable = isUsable && c.isUsable;
@@ -295,14 +296,21 @@ std::string certificateText(const Model& model, const std::vector<Certificate>& 
                         {"splitVertices", outside.splitVertices},
                         {"polygons", outside.polygons.polygons},
                         {"notConvex", outside.polygons.notConvex}};
-  Json& components = json["components"] = Json::array();
-  for (std::size_t p = 0; p < certificates.size(); ++p) {
+  constexpr const char* kHere = "(components)";
+  json["components"] = kHere;
+  if (!notes.empty()) json["notes"] = notes;
+  const auto component = [&model, &certificates](std::size_t p) {
     const std::string name =
         certificates.size() > 1 ? "In component " + std::to_string(p) + ": " : std::string();
-    components.push_back(ComponentJson(model.components[p], certificates[p], name).make());
-  }
-  if (!notes.empty()) json["notes"] = notes;
-  return textOf(json);
+    return ComponentJson(model.components[p], certificates[p], name).make();
+  };
+  return {std::move(json), {arrayMember(kHere, certificates.size(), component)}};
+}
+
+std::string certificateText(const Model& model, const std::vector<Certificate>& certificates,
+                            const OutsideFacts& outside, int uvSet,
+                            const std::vector<std::string>& notes) {
+  return certificateDocument(model, certificates, outside, uvSet, notes).text();
 }
 
 }  // namespace hgp::api

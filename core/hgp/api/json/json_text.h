@@ -41,6 +41,15 @@ struct RefinedFacts {
   std::size_t roundsBefore = 0;  ///< programs solved on the surface before
 };
 
+/// The same as a document that is part of another one; it refers to model and certificates.
+struct SplicedDocument;
+SplicedDocument certificateDocument(const Model& model,
+                                    const std::vector<Certificate>& certificates,
+                                    const OutsideFacts& outside, int uvSet,
+                                    const std::vector<std::string>& notes);
+/// The hgp-certificate in a report.
+std::string certificateOf(const std::string& report);
+
 /// The results of a run besides the map.
 struct RunRecord {
   SolveOptions options;
@@ -51,10 +60,10 @@ struct RunRecord {
   double seconds = 0;
   std::optional<RefinedFacts> refined;  ///< of the run that gave the map
 };
-/// The text of hgp-report. @param certificates  per component, of the stored map
-/// @param certificate, cones  JSON texts that become members of the report
+/// The text of hgp-report, which has the certificate. @param certificates  per component, of the stored map
+/// @param cones  the JSON text that becomes a member of the report
 std::string reportText(const Model& model, const RunRecord& run,
-                       const std::vector<Certificate>& certificates, const std::string& certificate,
+                       const std::vector<Certificate>& certificates, const OutsideFacts& outside,
                        const std::string& cones);
 
 }  // namespace hgp::api

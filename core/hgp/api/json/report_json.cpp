@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "hgp/api/json/json_text.h"
-#include "hgp/api/json/json_values.h"
+#include "hgp/api/json/spliced_text.h"
 #include "hgp/api/session.h"
 #include "hgp/base/check.h"
 
@@ -157,44 +157,14 @@ Json refinedJson(const RefinedFacts& facts, const Model& model) {
               {"where", std::move(where)}};
 }
 
+constexpr const char* kComponentsHere = "(components)";
 constexpr const char* kConesHere = "(cones)";
 constexpr const char* kCertificateHere = "(certificate)";
-
-/// The length of a document that is indented by one more level, without its last line end.
-std::size_t indentedSize(const std::string& document) {
-  const auto lines = std::count(document.begin(), document.end(), '\n');
-  return document.size() + 2 * static_cast<std::size_t>(lines);
-}
-
-void appendIndented(const std::string& document, std::string& out) {
-  for (std::size_t i = 0; i < document.size(); ++i) {
-    if (document[i] == '\n' && i + 1 == document.size()) break;
-    out += document[i];
-    if (document[i] == '\n') out += "  ";
-  }
-}
-
-/// The text with the two marks replaced by documents. In one piece: for a map of many components the documents are
-/// most of the memory of a run.
-std::string spliced(const std::string& text, const std::string& cones,
-                    const std::string& certificate) {
-  const auto quoted = [](const char* mark) { return std::string("\"") + mark + "\""; };
-  const std::string marks[] = {quoted(kConesHere), quoted(kCertificateHere)};
-  const std::size_t first = text.rfind(marks[0]), second = text.rfind(marks[1]);
-  std::string out;
-  out.reserve(text.size() + indentedSize(cones) + indentedSize(certificate));
-  out.append(text, 0, first);
-  appendIndented(cones, out);
-  out.append(text, first + marks[0].size(), second - first - marks[0].size());
-  appendIndented(certificate, out);
-  out.append(text, second + marks[1].size());
-  return out;
-}
 
 }  // namespace
 
 std::string reportText(const Model& model, const RunRecord& run,
-                       const std::vector<Certificate>& certificates, const std::string& certificate,
+                       const std::vector<Certificate>& certificates, const OutsideFacts& outside,
                        const std::string& cones) {
   Json json{{"format", "hgp-report"}, {"version", 1}};
   json["program"] = Json{{"name", "hgp"}, {"version", version()}};
@@ -221,17 +191,21 @@ std::string reportText(const Model& model, const RunRecord& run,
   notes.insert(notes.end(), model.notes.begin(), model.notes.end());
   notes.insert(notes.end(), run.notes.begin(), run.notes.end());
   json["notes"] = notes;
-  Json& components = json["components"] = Json::array();
-  for (std::size_t p = 0; p < run.components.size(); ++p) {
-    components.push_back(
-        componentJson(model.components[p], run.components[p], run.harmonic[p], certificates[p]));
-  }
+  json["components"] = kComponentsHere;
   json["cones"] = kConesHere;
   json["certificate"] = kCertificateHere;
-  // Spliced as text instead of parsed: for a map with many components they are most of the report.
-  const std::string text = textOf(json);
-  json = Json();
-  return spliced(text, cones, certificate);
+  const auto component = [&](std::size_t p) {
+    return componentJson(model.components[p], run.components[p], run.harmonic[p], certificates[p]);
+  };
+  const SplicedDocument document{
+      std::move(json),
+      {arrayMember(kComponentsHere, run.components.size(), component),
+       textMember(kConesHere, cones),
+       documentMember(kCertificateHere,
+                      certificateDocument(model, certificates, outside, -1, {}))}};
+  return document.text();
 }
+
+std::string certificateOf(const std::string& report) { return lastDocument(report, "certificate"); }
 
 }  // namespace hgp::api

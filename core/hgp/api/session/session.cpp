@@ -229,7 +229,10 @@ bool Session::isCertified() const {
   return hasResult() && state_->shown().solved->stored.isCertified;
 }
 const std::string& Session::certificateJson() const {
-  return hasResult() ? state_->shown().solved->certificate : kEmpty;
+  if (!hasResult()) return kEmpty;
+  if (state_->certificate.empty())
+    state_->certificate = certificateOf(state_->shown().solved->report);
+  return state_->certificate;
 }
 const std::string& Session::reportJson() const {
   return hasResult() ? state_->shown().solved->report : kEmpty;

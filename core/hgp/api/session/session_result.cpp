@@ -26,6 +26,7 @@ const std::string& Session::State::surfaceHash() {
 void Session::State::clearResult() {
   solved.reset();
   finer.reset();
+  certificate.clear();
 }
 
 Status Session::State::solveOrFind(const std::optional<io::Prescription>& prescription,
@@ -54,6 +55,7 @@ bool Session::use(const StoredResult& result) {
   if (!result.data_ || result.data_->surface != state_->surfaceHash()) return false;
   state_->solved = result.data_->solved;
   state_->finer = result.data_->finer;
+  state_->certificate.clear();
   return true;
 }
 

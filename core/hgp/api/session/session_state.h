@@ -18,12 +18,13 @@ struct Session::State {
     std::vector<ComponentMap> components;  ///< prescriptions and results, without the maps
     StoredMap stored;
     io::Prescription prescription;
-    std::string certificate, report, cones;
+    std::string report, cones;
     std::vector<double> uv;
     std::vector<std::uint32_t> cornerToUv;
     std::vector<SeamEdge> seams;
   };
   std::shared_ptr<Solved> solved;  ///< complete when published, and then shared with StoredResults
+  std::string certificate;         ///< of `solved`, taken from its report when it is asked for
   std::string hash;                ///< see surfaceHash()
   KeptRuns<std::shared_ptr<Solved>> runs;  ///< of this surface, not on refined ones
   double workShare = 1.0;                  ///< fraction of the work limit of a run

@@ -67,8 +67,6 @@ void Session::State::storeMaps(std::vector<ComponentMap> maps, int q, const Solv
   run.notes.insert(run.notes.end(), result.stored.notes.begin(), result.stored.notes.end());
   result.prescription = describe(*model, specs);
   result.cones = io::writeConesJson(result.prescription);
-  result.certificate = certificateText(*model, result.stored.certificates,
-                                       measureOutside(*model, result.stored.map));
   run.harmonic = harmonicity(*model, maps, result.stored.map);
   if (!needsOwnNumbers(*model, q)) {
     for (ComponentMap& component : maps) {  // the uv are in `stored`
@@ -81,11 +79,12 @@ void Session::State::storeMaps(std::vector<ComponentMap> maps, int q, const Solv
   result.options.progress = nullptr;
   flatten(result);
   solved = std::make_shared<Solved>(std::move(result));
+  certificate.clear();
 }
 
 void Session::State::publish(const RunRecord& run) {
-  solved->report =
-      reportText(*model, run, solved->stored.certificates, solved->certificate, solved->cones);
+  solved->report = reportText(*model, run, solved->stored.certificates,
+                              measureOutside(*model, solved->stored.map), solved->cones);
 }
 
 }  // namespace hgp::api

@@ -116,14 +116,14 @@ class Aligner {
     std::vector<Candidate> candidates;
     if (!goOn(kBegun)) return candidates;
     const IntegerChoice choice = system_.choice(2.0 * kReach / scale_);
-    Candidate first = firstStep(choice);
-    const double base = first.factor;
+    Candidate next = firstStep(choice);
+    const double base = next.factor;
     for (double factor : kFactors) {
       if (factor > kNear && secondChoice_ && secondOff_ <= kAsAsked) break;
       const double tried = static_cast<double>(candidates.size()) / std::size(kFactors);
       if (!goOn(kBegun + kStepping * tried) || (!candidates.empty() && !affords(stepWork()))) break;
-      candidates.push_back(candidates.empty() ? std::move(first)
-                                              : linearStep(choice, base * factor));
+      if (!candidates.empty()) next = linearStep(choice, base * factor);
+      candidates.push_back(next);
       if (accept(candidates.back(), "linear step")) break;
       // The choice of many integers may have used up the work; repairs have their own reserve.
       if (candidates.size() == 1) work_ = std::max(work_, repairWork_ + reserved_);

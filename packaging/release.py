@@ -112,7 +112,7 @@ def npm(out: pathlib.Path) -> None:
     run("cmake", "--build", "--preset", "wasm-release", "--target", "hgp_package_with_cli")
     folder = ROOT / "build/package-with-cli"
     manifest = json.loads((folder / "package.json").read_text(encoding="utf-8"))
-    whole = published(manifest, run("git", "rev-parse", "HEAD"), os.environ.get("HGP_REPOSITORY", ""))
+    whole = published(manifest, os.environ["HGP_COMMIT"], os.environ.get("HGP_REPOSITORY", ""))
     (folder / "package.json").write_text(json.dumps(whole, indent=2) + "\n", encoding="utf-8")
     run("npm", "pack", "--silent", "--pack-destination", str(out), str(folder))
     (out / f"hgp-{VERSION}.tgz").rename(out / f"hgp-npm-{VERSION}.tgz")
@@ -149,6 +149,7 @@ def main() -> None:
     left_out: Set[str] = set(filter(None, asked.without.split(",")))
     if left_out - set(makers):
         parser.error(f"there is no part {', '.join(sorted(left_out - set(makers)))}")
+    os.environ["HGP_COMMIT"] = run("git", "rev-parse", "HEAD")
     # What tools take for the time of everything: the time of the commit.
     os.environ["SOURCE_DATE_EPOCH"] = run("git", "log", "-1", "--format=%ct")
     moment = run("git", "log", "-1", "--format=%cd", "--date=format-local:%Y-%m-%dT%H:%M:%SZ", env={**os.environ, "TZ": "UTC"})

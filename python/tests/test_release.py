@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import json
+import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
+import tarfile
 from typing import Any, List
 
 import pytest
@@ -106,27 +109,76 @@ def test_workflows_are_well_formed_and_call_scripts_that_exist(name: str) -> Non
         subprocess.run(["bash", "-n", str(ROOT / call)], check=True)
 
 
+def use_debian_package(folder: pathlib.Path, scratch: pathlib.Path) -> None:
+    (deb,) = folder.glob("*.deb")
+    subprocess.run(["dpkg-deb", "-x", str(deb), str(scratch / "root")], check=True)
+    program = scratch / "root/usr/bin/hgp"
+    said = subprocess.run([str(program), "--version"], check=True, capture_output=True, text=True).stdout
+    assert said == f"hgp {release.VERSION}\n"
+    for place in ("man/man1/hgp.1", "bash-completion/completions/hgp", "doc/hgp/LICENSE", "doc/hgp/THIRD_PARTY_LICENSES.txt"):
+        assert list((scratch / "root/usr/share").glob(place + "*")), place
+    fields = subprocess.run(["dpkg-deb", "-f", str(deb), "Depends"], check=True, capture_output=True, text=True).stdout
+    assert "libdraco" in fields and "libc6" in fields
+
+
+def use_wheel(folder: pathlib.Path, scratch: pathlib.Path) -> None:
+    subprocess.run([sys.executable, "-m", "venv", "--system-site-packages", str(scratch / "env")], check=True)
+    (wheel,) = folder.glob("*.whl")
+    subprocess.run([str(scratch / "env/bin/pip"), "install", "--quiet", "--no-index", str(wheel)], check=True)
+    given = str(ROOT / "examples/meshes/pretzel.obj")
+    script = f"import hgp; assert hgp.Mesh.load({given!r}).parametrize().certified; print(hgp.__file__)"
+    env = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+    command = [str(scratch / "env/bin/python"), "-c", script]
+    said = subprocess.run(command, check=True, cwd=scratch, env=env, capture_output=True, text=True).stdout
+    assert said.startswith(str(scratch / "env")), said
+
+
+def use_npm_package(folder: pathlib.Path, scratch: pathlib.Path) -> None:
+    project = scratch / "npm"
+    project.mkdir()
+    (project / "package.json").write_text('{ "private": true }')
+    archive = folder / f"hgp-npm-{release.VERSION}.tgz"
+    options = ["--offline", "--no-audit", "--no-fund", "--silent"]
+    subprocess.run(["npm", "install", *options, str(archive)], check=True, cwd=project)
+    said = subprocess.run(["npx", "--offline", "hgp", "--version"], check=True, cwd=project, capture_output=True, text=True).stdout
+    assert said == f"hgp {release.VERSION}\n"
+    manifest = json.loads((project / "node_modules/hgp/package.json").read_text(encoding="utf-8"))
+    commit = subprocess.run(["git", "rev-parse", "HEAD"], check=True, cwd=ROOT, capture_output=True, text=True).stdout.strip()
+    assert manifest["gitHead"] == commit and manifest["publishConfig"] == {"access": "public", "provenance": False}
+
+
+def use_site(folder: pathlib.Path, scratch: pathlib.Path) -> None:
+    with tarfile.open(folder / f"hgp-site-{release.VERSION}.tar.gz") as archive:
+        archive.extractall(scratch)
+    site = scratch / f"hgp-site-{release.VERSION}"
+    for name in ("index.html", "app/index.html", "api/cpp/index.html", "api/js/index.html", "api/python/index.html", "sw.js"):
+        assert (site / name).exists(), name
+
+
+def use_release(folder: pathlib.Path, scratch: pathlib.Path) -> None:
+    subprocess.run(["sha256sum", "--check", "--quiet", "SHA256SUMS"], check=True, cwd=folder)
+    for use in (use_debian_package, use_wheel, use_npm_package, use_site):
+        use(folder, scratch)
+    # No path of this machine is in anything that was compiled.
+    for program in [scratch / "root/usr/bin/hgp", *(scratch / "env").rglob("_core*.so")]:
+        assert str(ROOT).encode() not in program.read_bytes(), program
+
+
 @pytest.mark.full
 def test_a_release_is_complete_reproducible_and_usable(tmp_path: Any) -> None:
-    """Made twice, unpacked and used."""
+    """Made twice, the second time from an empty build folder; unpacked and used."""
     folder = ROOT / f"build/release/hgp-{release.VERSION}"
     sums = []
     for _ in range(2):
+        shutil.rmtree(release.BUILD, ignore_errors=True)
         subprocess.run([str(ROOT / "scripts/release")], check=True, cwd=ROOT)
         sums.append((folder / "SHA256SUMS").read_text())
     assert sums[0] == sums[1]
-    subprocess.run(["sha256sum", "--check", "--quiet", "SHA256SUMS"], check=True, cwd=folder)
-    (deb,) = folder.glob("*.deb")
-    subprocess.run(["dpkg-deb", "-x", str(deb), str(tmp_path / "root")], check=True)
-    program = tmp_path / "root/usr/bin/hgp"
-    said = subprocess.run([str(program), "--version"], check=True, capture_output=True, text=True).stdout
-    assert said == f"hgp {release.VERSION}\n"
-    for place in ("man/man1/hgp.1", "bash-completion/completions/hgp", "doc/hgp/LICENSE"):
-        assert list((tmp_path / "root/usr/share").glob(place + "*")), place
-    fields = subprocess.run(["dpkg-deb", "-f", str(deb), "Depends"], check=True, capture_output=True, text=True).stdout
-    assert "libdraco" in fields and "libc6" in fields
-    subprocess.run([sys.executable, "-m", "venv", "--system-site-packages", str(tmp_path / "env")], check=True)
-    (wheel,) = folder.glob("*.whl")
-    subprocess.run([str(tmp_path / "env/bin/pip"), "install", "--quiet", "--no-index", str(wheel)], check=True)
-    used = [str(tmp_path / "env/bin/hgp"), "param", str(ROOT / "examples/meshes/pretzel.obj"), "-o", str(tmp_path / "a.obj")]
-    subprocess.run(used, check=True, cwd=tmp_path)
+    use_release(folder, tmp_path)
+
+
+def test_the_manifest_of_a_public_repository_has_what_npm_compares_with_the_attestation() -> None:
+    whole = release.published({"name": "hgp", "files": []}, "abc", "https://example.org/a/hgp")
+    assert whole["repository"] == {"type": "git", "url": "git+https://example.org/a/hgp.git"}
+    assert whole["publishConfig"] == {"access": "public", "provenance": True}
+    assert "repository" not in release.published({"name": "hgp"}, "abc", "")

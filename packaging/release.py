@@ -121,7 +121,8 @@ def npm(out: pathlib.Path) -> None:
 def site(out: pathlib.Path) -> None:
     """The site as an archive, to be unpacked on any static host."""
     repository = os.environ.get("HGP_REPOSITORY", "")
-    run("scripts/site", *(["--repository", repository] if repository else []))
+    asked = ["--repository", repository] if repository else []
+    run("scripts/site", *asked, env={**os.environ, "HGP_BUILD": str(BUILD.relative_to(ROOT))})
     folder = ROOT / "build/site"
     plain = io.BytesIO()
     with tarfile.open(fileobj=plain, mode="w", format=tarfile.PAX_FORMAT) as archive:
@@ -160,7 +161,7 @@ def main() -> None:
     for file, content in third_party.made():
         if file.read_text(encoding="utf-8") != content:
             sys.exit(f"release: {file.name} is out of date: python3 packaging/third_party.py --write")
-    if {"deb", "wheel", "addon"} - left_out:
+    if {"deb", "wheel", "addon", "site"} - left_out:
         configure()
     for name, make in makers.items():
         if name not in left_out:

@@ -8,6 +8,7 @@ import { render } from './markdown.mjs';
 
 const root = path.resolve(import.meta.dirname, '..');
 const scratch = path.join(root, 'build/site-references');
+const native = path.join(root, process.env.HGP_BUILD ?? 'build/native-release');
 
 function run(command, args, env = {}) {
   try {
@@ -62,12 +63,12 @@ function sphinx(from, name, out, env) {
 
 const python = () =>
   sphinx(path.join(root, 'site/sphinx/python'), 'python', 'api/python', {
-    PYTHONPATH: path.join(root, 'build/native-release/python'),
+    PYTHONPATH: path.join(native, 'python'),
   });
 
 /** The headers that `cmake --install` installs, as the build configured it. */
 function publicHeaders() {
-  const rules = readFileSync(path.join(root, 'build/native-release/cmake_install.cmake'), 'utf8');
+  const rules = readFileSync(path.join(native, 'cmake_install.cmake'), 'utf8');
   return [...rules.matchAll(/"([^"]*\/core\/hgp\/[\w/]+\.h)"/g)].map(([, file]) => file);
 }
 

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { NodeIO } from '@gltf-transform/core';
 import { cubeMesh, toGlb, toGltf, toObj } from '../support/meshes.mjs';
-import { torusMesh } from './shapes.mjs';
+import { cubesOnAnEdge, torusMesh } from './shapes.mjs';
 import {
   certificate,
   coneCount,
@@ -302,6 +302,18 @@ test('the Place tool previews the cone before the click', async () => {
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   await page.waitForSelector('#view[data-ghost="3"]');
   await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  assert.equal(await coneCount(it), 1);
+  await page.click('#tool-orbit');
+});
+
+test('the Place tool repairs a mesh that needs it, says so, and places the cone', async () => {
+  const { page } = it;
+  await openFiles(it, { 'cubes.obj': cubesOnAnEdge() }, 'invalid');
+  await settled(page);
+  await page.click('#tool-place');
+  const box = await page.locator('#view').boundingBox();
+  await page.mouse.click(box.x + 0.45 * box.width, box.y + 0.55 * box.height);
+  await statusSays(it, /Repaired first, so that cones can be placed/);
   assert.equal(await coneCount(it), 1);
   await page.click('#tool-orbit');
 });

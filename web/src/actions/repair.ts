@@ -1,7 +1,9 @@
 // Repairs for the defects of a mesh, one by one or all at once.
 
-import type { Repair } from '../model/repairs';
+import { canRepair, type Repair } from '../model/repairs';
+import { withoutCliAdvice } from '../text/error_messages';
 import type { App } from './app';
+import { placeOrSelect } from './edit_cones';
 import { reloadWith } from './load';
 import { run, type RunOutcome } from './solve';
 
@@ -34,6 +36,20 @@ export async function leaveRepairsOut(app: App): Promise<boolean> {
   const { model } = app.doc;
   if (!model) return false;
   return reloadWith(app, { weld: model.loaded.weld, fix: {} }, 'leave repairs out');
+}
+
+/** Places a cone, or selects the one there, after the repairs without which there can be none. */
+export async function placeOnAny(app: App, vertex: number): Promise<void> {
+  const { doc } = app;
+  const { model } = doc;
+  if (!model || doc.usableModel) return placeOrSelect(app, vertex);
+  if (!canRepair(model)) {
+    const why = withoutCliAdvice(model.info.error?.message);
+    return doc.say(`${why} No cone can be placed on it.`, 'error');
+  }
+  if (!(await repairAll(app)) || !doc.usableModel) return;
+  placeOrSelect(app, vertex);
+  doc.say('Repaired first, so that cones can be placed. Undo reverts it.');
 }
 
 /** Makes all necessary repairs, then runs. */

@@ -1,7 +1,8 @@
 // Keyboard input. Single keys work only while a view has the focus, Ctrl combinations whenever no dialog is open.
 
 import { attempt, type App } from '../actions/app';
-import { placeOrSelect, select, setK } from '../actions/edit_cones';
+import { select, setK } from '../actions/edit_cones';
+import { placeOnAny } from '../actions/repair';
 import { cancel } from '../actions/job';
 import { actionForKey, isDialogOpen, keyOf, perform } from '../actions/registry';
 import { clearHighlight } from '../actions/view';
@@ -54,7 +55,7 @@ export class Keyboard {
     if (!['view', 'map'].includes(view) || event.altKey || isDialogOpen(this.#app)) return false;
     if (event.key in arrows || event.key.startsWith('Page')) return this.#move(view, event);
     if (event.key === 'Enter' && view === 'view' && ui.tool === 'place') {
-      if (this.#cursor >= 0) void attempt(this.#app, () => placeOrSelect(this.#app, this.#cursor));
+      if (this.#cursor >= 0) void attempt(this.#app, () => placeOnAny(this.#app, this.#cursor));
       return true;
     }
     return ui.hasKeys && this.#letter(event);

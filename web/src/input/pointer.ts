@@ -2,8 +2,9 @@
 
 import { attempt, type App } from '../actions/app';
 import { beginLive, cancelLive, dragLive, dropLive } from '../actions/drag_live';
-import { coneToPlace, moveCone, placeOrSelect, select } from '../actions/edit_cones';
+import { coneToPlace, moveCone, select } from '../actions/edit_cones';
 import { switchMesh } from '../actions/load';
+import { placeOnAny } from '../actions/repair';
 import { undo } from '../actions/undo';
 import { clearHighlight } from '../actions/view';
 import { isAligned } from '../model/grid';
@@ -214,7 +215,7 @@ export class Pointer {
 
   #placeAt(hit: Hit): void {
     this.#model.setGhost(undefined);
-    void attempt(this.#app, () => placeOrSelect(this.#app, hit.vertex));
+    void attempt(this.#app, () => placeOnAny(this.#app, hit.vertex));
   }
 
   /** Shows the hovered triangle in both views, the other side of a seam, and the cone that a click would place. */

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hgp/grid/align.h"
+#include "hgp/parametrize/after/solution.h"
 #include "hgp/parametrize/parametrize.h"
 #include "hgp/seams/seam_structure.h"
 #include "support/shapes.h"
@@ -66,12 +67,13 @@ std::vector<Complex> integersOf(const TriMesh& mesh, const UvMap& map, int q, Gr
   return values;
 }
 
-/// The same in two steps: a run without a grid, aligned by itself.
+/// The same in two steps: a run without a grid, aligned by itself at the same cost.
 UvMap alignedAlone(const TriMesh& mesh, const HolonomySpec& spec, const AskedOfGrid& asked) {
   const Result<Parametrization> run = parametrize(mesh, spec, optionsOf(asked, spec, false));
   EXPECT_TRUE(run && run->isCertified);
-  const AlignedMap aligned = alignToGrid(mesh, run->map, spec.q, conesOf(*run),
-                                         optionsOf(asked, spec, true).grid, nullptr, {});
+  const AlignedMap aligned =
+      alignToGrid(mesh, run->map, spec.q, conesOf(*run), optionsOf(asked, spec, true).grid, nullptr,
+                  {}, alignmentWork(mesh, *run));
   EXPECT_TRUE(aligned.map);
   return aligned.map.value_or(UvMap());
 }

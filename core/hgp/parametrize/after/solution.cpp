@@ -204,14 +204,18 @@ Status evenOut(const TriMesh& mesh, const ParametrizeOptions& options, MappedSol
   return Done{};
 }
 
+double alignmentWork(const TriMesh& mesh, const Parametrization& result) {
+  double work = kBesidePrograms * mesh.faceCount();
+  for (const Round& round : result.rounds) work += round.work;
+  if (result.improvement) work += result.improvement->work;
+  return kAlignShare * work;
+}
+
 Status alignSolution(const TriMesh& mesh, const ParametrizeOptions& options, MappedSolution& mapped,
                      Parametrization& result) {
   StageClock clock(options.progress, result.times);
   if (!clock.begin(Stage::kAlign)) return clock.cancelled();
   const SeamlessSetup& setup = *mapped.solution.setup;
-  double work = kBesidePrograms * mesh.faceCount();
-  for (const Round& round : result.rounds) work += round.work;
-  if (result.improvement) work += result.improvement->work;
   Certificate certificate;
   const auto accepts = [&](const UvMap& map) -> Verdict {
     certificate = certify(mesh, result.spec, map);
@@ -221,7 +225,7 @@ Status alignSolution(const TriMesh& mesh, const ParametrizeOptions& options, Map
   };
   AlignedMap aligned =
       alignToGrid(mesh, mapped.map, setup.seams.q, setup.cones, options.grid, &setup.context->tree,
-                  options.progress, kAlignShare * work, accepts);
+                  options.progress, alignmentWork(mesh, result), accepts);
   if (aligned.isCancelled) return cancelled(Stage::kAlign);
   result.grid = std::move(aligned.report);
   if (!aligned.map) return Done{};

@@ -43,7 +43,8 @@ int nearestTurn(double angle, int q) {
 AngleDistance compare(double angle, int turn, int q, const AngleRule& rule, double rounding,
                       double explained) {
   AngleDistance out;
-  out.distance = std::fabs(angle - turnAngle(turn, q));
+  out.excess = angle - turnAngle(turn, q);
+  out.distance = std::fabs(out.excess);
   const double excused = std::min(rule.tolerance + rounding, rule.largestRounding);
   out.allowed = std::min(std::max(rule.tolerance, excused), turnAngle(kLargestAngleAllowance, q));
   out.isExplained = out.distance <= rule.tolerance + explained;

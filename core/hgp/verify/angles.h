@@ -22,7 +22,8 @@ inline constexpr double kLargestAngleAllowance = 0.25;
 
 /// An angle compared with the nearest multiple of 2π/q, in radians.
 struct AngleDistance {
-  double distance = 0;  ///< to 2π·measured/q
+  double excess = 0;    ///< the angle minus 2π·measured/q
+  double distance = 0;  ///< |excess|
   double allowed = 0;   ///< largest accepted distance here
   bool isExplained =
       false;  ///< at most AngleRule::explained: due to the number type, not to the map

@@ -2,6 +2,8 @@
 // [BCW17 Thm 6.1], Def. C.1. Shares no code with the method; its input is a mesh, the prescription and uv. Threads may call it at once.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +41,14 @@ enum class Rule {
 /// Short stable name used in JSON ("orientation", "cone-angle", …).
 const char* ruleName(Rule rule);
 
+/// The id, of the mesh that was verified, which stands in a message as a number; who numbers otherwise replaces it.
+struct NamedId {
+  enum class Kind : std::uint8_t { kVertex, kLoop, kHandle };
+  Kind kind;
+  int id;
+  std::size_t at;  ///< where in the message its digits begin
+};
+
 /// Why a map is not certified.
 struct Reason {
   Rule rule;
@@ -46,6 +56,7 @@ struct Reason {
   double worst = 0;          ///< measured number at the worst place, in the rule's own unit
   std::string message;       ///< one sentence: rule, numbers
   std::vector<Where> where;  ///< the worst places, worst first ("Show worst")
+  std::optional<NamedId> named = {};  ///< in `message`
 };
 
 /// Facts first, verdict last. Facts that could not be measured keep their defaults.

@@ -63,6 +63,17 @@ void checkOrientation(const Certificate& facts, const CornerUv& uv, const Certif
        worstPlaces(std::move(places), options.placesPerReason)});
 }
 
+/// |angle − 2π·asked/q|, of an angle whose nearest integer is `measured`.
+double offBy(const AngleDistance& angle, int measured, int asked, int q) {
+  return std::fabs(turnAngle(double(measured) - asked, q) + angle.excess);
+}
+
+/// Ends the message of a reason with an id and what follows it.
+void name(NamedId::Kind kind, int id, const std::string& rest, Reason& reason) {
+  reason.named = NamedId{kind, id, reason.message.size()};
+  reason.message += std::to_string(id) + rest;
+}
+
 /// The integer is as prescribed, and the deviation of the angle is due to the number type.
 bool isOutOfRange(const MeasuredCone& c) { return c.measured == c.asked && c.isExplained; }
 bool isOutOfRange(const MeasuredTurning& t) {
@@ -79,22 +90,22 @@ void checkConeAngles(const Certificate& facts, const CertifyOptions& options,
                      std::vector<Reason>& reasons) {
   std::vector<Place> places;
   const MeasuredCone* worst = nullptr;
-  const auto error = [&](const MeasuredCone& c) {
-    return std::fabs(double(c.measured) - c.asked) + c.distance / turnAngle(1, facts.q);
-  };
+  const auto error = [&](const MeasuredCone& c) { return offBy(c, c.measured, c.asked, facts.q); };
   for (const MeasuredCone& c : facts.angles.wrong) {
     if (isOutOfRange(c)) continue;
     places.push_back({error(c), whereVertex(c.vertex)});
     if (!worst || error(c) > error(*worst)) worst = &c;
   }
   if (!worst) return;
-  reasons.push_back(
-      {Rule::kConeAngle, static_cast<int>(places.size()), error(*worst),
-       formatText("%zu interior angle sum%s not as asked; worst at vertex %d: k = %d, off by %.3g "
-                  "rad (accepted %.3g), asked k = %d (angle 2πk/%d).",
-                  places.size(), places.size() == 1 ? " is" : "s are", worst->vertex.i,
-                  worst->measured, worst->distance, worst->allowed, worst->asked, facts.q),
-       worstPlaces(std::move(places), options.placesPerReason)});
+  reasons.push_back({Rule::kConeAngle, static_cast<int>(places.size()),
+                     error(*worst) / turnAngle(1, facts.q),
+                     formatText("%zu interior angle sum%s not as asked; worst at vertex ",
+                                places.size(), places.size() == 1 ? " is" : "s are"),
+                     worstPlaces(std::move(places), options.placesPerReason)});
+  name(NamedId::Kind::kVertex, worst->vertex.i,
+       formatText(": k = %d, asked k = %d (angle 2πk/%d), off by %.3g rad (accepted %.3g).",
+                  worst->measured, worst->asked, facts.q, error(*worst), worst->allowed),
+       reasons.back());
 }
 
 void checkTurnings(const Certificate& facts, const CertifyOptions& options,
@@ -102,8 +113,7 @@ void checkTurnings(const Certificate& facts, const CertifyOptions& options,
   std::vector<Place> places;
   const MeasuredTurning* worst = nullptr;
   const auto error = [&](const MeasuredTurning& t) {
-    return std::fabs(double(t.measured) - t.asked.value_or(t.measured)) +
-           t.distance / turnAngle(1, facts.q);
+    return offBy(t, t.measured, t.asked.value_or(t.measured), facts.q);
   };
   for (const MeasuredTurning& t : facts.angles.turnings) {
     if (!t.isWrong || isOutOfRange(t)) continue;
@@ -112,13 +122,15 @@ void checkTurnings(const Certificate& facts, const CertifyOptions& options,
   }
   if (!worst) return;
   const std::string asked = worst->asked ? std::to_string(*worst->asked) : "an integer";
-  reasons.push_back(
-      {Rule::kTurning, static_cast<int>(places.size()), error(*worst),
-       formatText("%zu boundary loop%s not turned as asked; worst loop %d: l = %d, off by %.3g rad "
-                  "(accepted %.3g), asked l = %s (turning 2πl/%d).",
-                  places.size(), places.size() == 1 ? " is" : "s are", worst->loop.i,
-                  worst->measured, worst->distance, worst->allowed, asked.c_str(), facts.q),
-       worstPlaces(std::move(places), options.placesPerReason)});
+  reasons.push_back({Rule::kTurning, static_cast<int>(places.size()),
+                     error(*worst) / turnAngle(1, facts.q),
+                     formatText("%zu boundary loop%s not turned as asked; worst loop ",
+                                places.size(), places.size() == 1 ? " is" : "s are"),
+                     worstPlaces(std::move(places), options.placesPerReason)});
+  name(NamedId::Kind::kLoop, worst->loop.i,
+       formatText(": l = %d, asked l = %s (turning 2πl/%d), off by %.3g rad (accepted %.3g).",
+                  worst->measured, asked.c_str(), facts.q, error(*worst), worst->allowed),
+       reasons.back());
 }
 
 void checkSeams(const TriMesh& mesh, const Certificate& facts, const CertifyOptions& options,
@@ -188,22 +200,23 @@ void checkAreas(const Certificate& facts, std::vector<Reason>& reasons) {
 void checkHandles(const TriMesh& mesh, const Certificate& facts, const std::vector<DualLoop>& loops,
                   const CertifyOptions& options, std::vector<Reason>& reasons) {
   Reason reason{Rule::kHandle, 0, 0.0, "", {}};
+  const MeasuredHandle* first = nullptr;
   for (const MeasuredHandle& h : facts.seams.handles) {
     if (!h.asked || h.asked == h.measured) continue;
     if (reason.count++ > 0) continue;
-    const std::string measured = h.measured ? std::to_string(*h.measured) : "no rotation";
+    first = &h;
     reason.worst = h.measured ? *h.measured : -1;
-    reason.message = formatText(
-        " not rotated as asked; first is handle %d: measured %s, asked %d "
-        "(of %d).",
-        h.index, measured.c_str(), *h.asked, facts.q);
     for (HalfedgeId c : loops[static_cast<std::size_t>(h.index)].crossed)
       if (static_cast<int>(reason.where.size()) < options.placesPerReason)
         reason.where.push_back(whereEdge(mesh, c));
   }
-  if (reason.count == 0) return;
-  reason.message =
-      formatText("%d handle%s", reason.count, reason.count == 1 ? " is" : "s are") + reason.message;
+  if (!first) return;
+  const std::string measured = first->measured ? std::to_string(*first->measured) : "no rotation";
+  reason.message = formatText("%d handle%s not rotated as asked; first is handle ", reason.count,
+                              reason.count == 1 ? " is" : "s are");
+  name(NamedId::Kind::kHandle, first->index,
+       formatText(": measured %s, asked %d (of %d).", measured.c_str(), *first->asked, facts.q),
+       reason);
   reasons.push_back(std::move(reason));
 }
 

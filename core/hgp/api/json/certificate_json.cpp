@@ -196,14 +196,13 @@ class ComponentJson {
 
   Json reasons() const {
     Json out = Json::array();
-    for (const Reason& reason : c_.reasons) {
-      std::vector<Where> where = reason.where;
-      toSurfaceIds(component_, where);
+    for (const Reason& own : c_.reasons) {
+      const Reason reason = toSurfaceIds(component_, own);
       out.push_back(Json{{"rule", ruleName(reason.rule)},
                          {"count", reason.count},
                          {"worst", finite(reason.worst)},
                          {"message", name_ + reason.message},
-                         {"where", whereJson(where)}});
+                         {"where", whereJson(reason.where)}});
     }
     return out;
   }

@@ -5,6 +5,7 @@
 #include "hgp/api/model/id_map.h"
 #include "hgp/api/options.h"
 #include "hgp/mesh/topology.h"
+#include "hgp/verify/certificate.h"
 
 namespace hgp::api {
 
@@ -73,5 +74,7 @@ struct Model : OpenedFile {
 /// Replaces the ids of a component in `where` by ids of the surface.
 Failure toSurfaceIds(const Model& model, const ModelComponent& component, Failure failure);
 void toSurfaceIds(const ModelComponent& component, std::vector<Where>& where);
+/// Also the id in its message.
+Reason toSurfaceIds(const ModelComponent& component, Reason reason);
 
 }  // namespace hgp::api

@@ -84,7 +84,8 @@ void LiveDrag::State::addMap(const LiveFrame& frame, LiveView& view) const {
   }
   for (FaceId f : frame.certificate.orientation.notPositive)
     if (const SurfaceFaceId s = on().face[f]; s.isValid()) view.notPositive.push_back(s.i);
-  for (const Reason& reason : frame.certificate.reasons) view.reasons.push_back(reason.message);
+  for (const Reason& reason : frame.certificate.reasons)
+    view.reasons.push_back(toSurfaceIds(on(), reason).message);
 }
 
 std::string LiveDrag::State::conesOf(const LiveFrame& frame) const {

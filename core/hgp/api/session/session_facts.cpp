@@ -61,8 +61,8 @@ void pullBackFaces(const Model& model, const VertexFacts& mesh, SurfaceFacts& ou
 ComponentFacts factsOf(const ModelComponent& component, const Certificate& certificate) {
   ComponentFacts out;
   out.isCertified = certificate.isCertified;
-  out.reasons = certificate.reasons;
-  for (Reason& reason : out.reasons) toSurfaceIds(component, reason.where);
+  for (const Reason& reason : certificate.reasons)
+    out.reasons.push_back(toSurfaceIds(component, reason));
   out.triangles = certificate.faceCount;
   out.genus = certificate.genus;
   out.boundaries = certificate.loopCount;

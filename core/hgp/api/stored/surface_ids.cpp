@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "hgp/api/model/model.h"
 #include "hgp/api/stored/stored_map.h"
@@ -24,6 +25,32 @@ void toSurfaceIds(const ModelComponent& component, std::vector<Where>& where) {
       w.id = component.loop[loop].i;
     }
   }
+}
+
+namespace {
+
+int surfaceId(const ModelComponent& component, const NamedId& named) {
+  switch (named.kind) {
+    case NamedId::Kind::kVertex:
+      return component.vertex[VertexId{named.id}].i;
+    case NamedId::Kind::kLoop:
+      return component.loop[LoopId{named.id}].i;
+    case NamedId::Kind::kHandle:
+      return component.generatorOffset + named.id;
+  }
+  return named.id;
+}
+
+}  // namespace
+
+Reason toSurfaceIds(const ModelComponent& component, Reason reason) {
+  toSurfaceIds(component, reason.where);
+  if (!reason.named) return reason;
+  NamedId& named = *reason.named;
+  const std::size_t digits = std::to_string(named.id).size();
+  named.id = surfaceId(component, named);
+  reason.message.replace(named.at, digits, std::to_string(named.id));
+  return reason;
 }
 
 Failure toSurfaceIds(const Model& model, const ModelComponent& component, Failure failure) {

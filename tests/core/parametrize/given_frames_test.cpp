@@ -96,7 +96,7 @@ TEST(GivenFrames, TheSolversOwnFieldFedBackGivesTheSameMapUpToARotation) {
 TEST(GivenFrames, DirectionsTurnedByAConstantAngleTurnTheMapBack) {
   const double angle = 0.4;
   int count = 0;
-  for (Problem& one : problems()) {
+  for (Problem& one : problems({3, 4, 6, 3, 4, 6})) {
     SCOPED_TRACE(one.name);
     const Result<Parametrization> own = parametrize(
         one.mesh, toSpec(one.own.spec), withFrames(test::dataOf(one.mesh, one.own.field)));

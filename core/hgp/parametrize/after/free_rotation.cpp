@@ -96,6 +96,24 @@ class FreeRotation {
   const std::vector<Complex>& z_;
 };
 
+std::vector<Complex> copiesOf(const Solution& solution) {
+  const Eigen::VectorXcd copies = solution.setup->unknowns.copies * solution.x;
+  return {copies.data(), copies.data() + copies.size()};
+}
+
+bool isThere(const Solution& solution) { return solution.x.size() > 0 && solution.x.allFinite(); }
+
+void turn(const TriMesh& mesh, double angle, MappedSolution& mapped) {
+  if (angle == 0.0) return;
+  MappedSolution turned = mapped;
+  turned.solution.x *= portable::polar(1.0, angle);
+  for (double& frame : turned.solution.frames.angles) frame -= angle;
+  turned.map = layOut(mesh, turned.solution);
+  turned.certificate = certify(mesh, toSpec(turned.solution.setup->field.spec), turned.map);
+  if (mapped.certificate.isCertified && !turned.certificate.isCertified) return;
+  mapped = std::move(turned);
+}
+
 }  // namespace
 
 double freeRotation(const TriMesh& mesh, const CutMesh& cut, int q, const std::vector<Complex>& z) {
@@ -103,20 +121,26 @@ double freeRotation(const TriMesh& mesh, const CutMesh& cut, int q, const std::v
 }
 
 void turnAsTheSurfaceLies(const TriMesh& mesh, MappedSolution& mapped) {
+  if (!isThere(mapped.solution)) return;
   const SeamlessSetup& setup = *mapped.solution.setup;
-  const Eigen::VectorXcd& x = mapped.solution.x;
-  if (x.size() == 0 || !x.allFinite()) return;
-  const Eigen::VectorXcd copies = setup.unknowns.copies * x;
-  const std::vector<Complex> z(copies.data(), copies.data() + copies.size());
-  const double angle = freeRotation(mesh, setup.cut, setup.seams.q, z);
-  if (angle == 0.0) return;
-  MappedSolution turned = mapped;
-  turned.solution.x *= portable::polar(1.0, angle);
-  for (double& frame : turned.solution.frames.angles) frame -= angle;
-  turned.map = layOut(mesh, turned.solution);
-  turned.certificate = certify(mesh, toSpec(setup.field.spec), turned.map);
-  if (mapped.certificate.isCertified && !turned.certificate.isCertified) return;
-  mapped = std::move(turned);
+  turn(mesh, freeRotation(mesh, setup.cut, setup.seams.q, copiesOf(mapped.solution)), mapped);
+}
+
+void turnAsFramesSay(const TriMesh& mesh, MappedSolution& mapped) {
+  if (!isThere(mapped.solution)) return;
+  const SeamlessSetup& setup = *mapped.solution.setup;
+  const std::vector<Complex> z = copiesOf(mapped.solution);
+  Directions directions;
+  for (FaceId f : mesh.faces()) {
+    const LinearParts parts = linearParts(setup.context->geometry, f);
+    Complex similarity = 0.0;
+    for (int k = 0; k < 3; ++k)
+      similarity += parts.similarity[static_cast<std::size_t>(k)] *
+                    z[static_cast<std::size_t>(setup.cut.copy[TriMesh::halfedge(f, k)].i)];
+    directions.add(similarity * portable::polar(1.0, setup.seams.frameAngle[f]),
+                   setup.context->geometry.area[f], 1);
+  }
+  if (directions.isDecided()) turn(mesh, -portable::arg(directions.sum), mapped);
 }
 
 }  // namespace hgp

@@ -1,5 +1,5 @@
 // The rotation that seam conditions leave free.  Role: a seamless map may be turned as a whole; here the way the
-// surface lies decides, and not the order of its triangles in a file.
+// surface lies decides, or the directions of a field file, and not the order of its triangles in a file.
 #pragma once
 
 #include "hgp/parametrize/after/solution.h"
@@ -19,5 +19,9 @@ double freeRotation(const TriMesh& mesh, const CutMesh& cut, int q, const std::v
 
 /// Turns the solution by freeRotation and verifies its map again.
 void turnAsTheSurfaceLies(const TriMesh& mesh, MappedSolution& mapped);
+
+/// Turns the solution by −arg Σ_f A_f e^{i a_f} f_z/|f_z|, a_f the frame of triangle f in the setup, and verifies its map
+/// again: on average, given directions are then sent to the positive real axis, whatever frames the map was solved with.
+void turnAsFramesSay(const TriMesh& mesh, MappedSolution& mapped);
 
 }  // namespace hgp

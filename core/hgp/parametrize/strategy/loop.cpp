@@ -170,7 +170,7 @@ Result<Parametrization> parametrizeInMetric(PreparedSurface& surface, const Holo
   const Attempt& attempt = **best;
   MappedSolution mapped{
       {setup, attempt.program.x, attempt.u, attempt.frames}, attempt.map, attempt.certificate};
-  if (!options.frames) turnAsTheSurfaceLies(mesh, mapped);
+  (options.frames ? turnAsFramesSay : turnAsTheSurfaceLies)(mesh, mapped);
   const bool isOnlyTooFine = !mapped.certificate.isCertified && attempt.wrongCount == 0;
   if (isOnlyTooFine && options.method == Method::kAuto)
     if (Status done = evenOut(mesh, options, mapped, result); !done) return std::move(done).error();

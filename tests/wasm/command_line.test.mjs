@@ -11,6 +11,7 @@ import { gzipSync } from 'node:zlib';
 import { blocks, eight, ring } from '../support/blocks.mjs';
 import { cubeMesh, toGlb, toGltf, toObj, toOff, toPly, toStl } from '../support/meshes.mjs';
 import { hgp } from '../support/program.mjs';
+import { missingFiles } from './project.mjs';
 
 const root = path.resolve(import.meta.dirname, '../..');
 const isFull = process.env.HGP_FULL === '1';
@@ -76,6 +77,12 @@ const files = {
 
 const theTests = async (t) => {
   for (const [name, content] of Object.entries(files)) writeFileSync(at(name), content);
+
+  await t.test('every file that package.json names is there, packed and installed', () => {
+    program();
+    assert.deepEqual(missingFiles(path.join(root, 'build/package-with-cli')), []);
+    assert.deepEqual(missingFiles(at('node_modules/hgp')), []);
+  });
 
   await t.test('version, help and errors of usage are the same', () => {
     same(['--version']);

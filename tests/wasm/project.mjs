@@ -1,7 +1,7 @@
 // An empty project with the packed package installed, and a browser that opens what it builds.
 
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import path from 'node:path';
 import { startChromium } from '../../web/chromium.mjs';
@@ -12,6 +12,25 @@ const readme = readFileSync(path.join(built, 'README.md'), 'utf8');
 /** The first block of code below these words of the package's README. */
 export const example = (title, language = 'js') =>
   readme.match(new RegExp(`${title}[^]*?\`\`\`${language}\\n([^]*?)\`\`\``))[1];
+
+/** What the package.json of a folder names, in `files`, `exports` and `bin`, and is not there. */
+export function missingFiles(folder) {
+  const {
+    files,
+    exports,
+    bin = {},
+  } = JSON.parse(readFileSync(path.join(folder, 'package.json'), 'utf8'));
+  const leaves = (entry) =>
+    typeof entry === 'string' ? [entry] : Object.values(entry).flatMap(leaves);
+  const isThere = (name) => {
+    if (!name.includes('*')) return existsSync(path.join(folder, name));
+    const [before, after] = path.basename(name).split('*');
+    const inside = path.join(folder, path.dirname(name));
+    const matches = (file) => file.startsWith(before) && file.endsWith(after);
+    return existsSync(inside) && readdirSync(inside).some(matches);
+  };
+  return [...files, ...leaves(exports), ...leaves(bin)].filter((name) => !isThere(name));
+}
 
 /** A project below build/package-tests: { folder, run, put }. */
 export function createProject(name) {

@@ -4,6 +4,7 @@
 import { execFileSync } from 'node:child_process';
 import { copyFileSync, cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
+import { writeCommonJs } from './commonjs.mjs';
 import { packDecoders } from './decoders.mjs';
 
 const [moduleDir, out, cliDir] = process.argv.slice(2).map((name) => path.resolve(name));
@@ -34,6 +35,7 @@ for (const name of ['package.json', 'README.md', 'hgp.wasm.d.ts']) {
 const compiler = path.join(root, 'node_modules/typescript/bin/tsc');
 const options = ['-p', path.join(root, 'wasm'), '--noEmit', 'false', '--outDir', out];
 execFileSync(process.execPath, [compiler, ...options], { stdio: 'inherit' });
+writeCommonJs(out);
 cpSync(path.join(root, 'docs/schema'), path.join(out, 'schema'), { recursive: true });
 for (const name of ['LICENSE', 'THIRD_PARTY_NOTICES.md', 'THIRD_PARTY_LICENSES.txt']) {
   copyFileSync(path.join(root, name), path.join(out, name));

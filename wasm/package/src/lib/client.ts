@@ -7,7 +7,7 @@ import { compileWith } from './compile.js';
 import { defineDisposal } from './disposal.js';
 import type { ModelInfo } from './documents.js';
 import { HgpError, unavailable, usage } from './error.js';
-import type { WebWorker } from './globals.js';
+import type { WebSignal, WebUrl, WebWorker } from './globals.js';
 import { Model, UvMap } from './handles.js';
 import type {
   CombineOptions,
@@ -34,7 +34,7 @@ export interface ClientOptions extends InitOptions {
    * URL of worker.js of this package, for bundlers that do not find it. If it is on another origin, a script of the
    * page's own origin imports it.
    */
-  workerUrl?: string | URL;
+  workerUrl?: string | WebUrl;
   /**
    * Whether the worker solves a small model when it has started, so that the engine has
    * optimized the solver by the first call. Takes about 0.3 s; by default true.
@@ -44,7 +44,7 @@ export interface ClientOptions extends InitOptions {
 
 export interface CallOptions {
   /** Aborting terminates the worker immediately; the call rejects with the signal's reason. */
-  signal?: AbortSignal;
+  signal?: WebSignal;
   /** Called at most ten times per second. If it throws, the call is cancelled and rejects with that error. */
   onProgress?: (progress: Progress) => void;
 }

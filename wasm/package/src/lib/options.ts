@@ -1,16 +1,16 @@
 // What the calls of the solver take: files, meshes, prescriptions and options.
 
-import type { WasmModule } from './globals.js';
+import type { WasmModule, WebBlob, WebFile, WebUrl } from './globals.js';
 
 export interface InitOptions {
   /** Where hgp.wasm is; by default in this package. In Node also a path. */
-  wasmUrl?: string | URL;
+  wasmUrl?: string | WebUrl;
   wasmBinary?: ArrayBuffer | ArrayBufferView;
   wasmModule?: WasmModule;
 }
 
 /** A File or Blob, or the bytes of one; gzip is decompressed. */
-export type FileSource = File | Blob | ArrayBuffer | ArrayBufferView;
+export type FileSource = WebFile | WebBlob | ArrayBuffer | ArrayBufferView;
 
 /** Relative names only; `main` is one of them. */
 export interface FileSet {

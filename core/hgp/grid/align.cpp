@@ -123,13 +123,19 @@ class Aligner {
       const double tried = static_cast<double>(candidates.size()) / std::size(kFactors);
       if (!goOn(kBegun + kStepping * tried) || (!candidates.empty() && !affords(stepWork()))) break;
       if (!candidates.empty()) next = linearStep(choice, base * factor);
-      candidates.push_back(next);
-      if (accept(candidates.back(), "linear step")) break;
-      // The choice of many integers may have used up the work; repairs have their own reserve.
-      if (candidates.size() == 1) work_ = std::max(work_, repairWork_ + reserved_);
-      if (repairOnPatches(candidates.back(), rings())) break;
+      if (tryStep(std::move(next), candidates)) break;
     }
+    // The density itself, which explain() may have recommended: a map of more or fewer cells is better than none.
+    if (base != 1.0 && !isDone() && !secondChoice_ && affords(stepWork()))
+      tryStep(linearStep(choice, 1.0), candidates);
     return candidates;
+  }
+  bool tryStep(Candidate next, std::vector<Candidate>& candidates) {
+    candidates.push_back(std::move(next));
+    if (accept(candidates.back(), "linear step")) return true;
+    // The choice of many integers may have used up the work; repairs have their own reserve.
+    if (candidates.size() == 1) work_ = std::max(work_, repairWork_ + reserved_);
+    return repairOnPatches(candidates.back(), rings());
   }
   double stepWork() const {
     return linearStepWork(mesh_.faceCount(), system_.solveWork(), system_.integerCount());

@@ -67,16 +67,23 @@ test('an HGP_ environment variable is an input of every test', () => {
 });
 
 test('each test of ctest has counts of its own', () => {
-  const log = `1/2 Testing: a
+  const log = `1/4 Testing: a
 [==========] 3 tests
 [  PASSED  ] 2 tests.
 [  SKIPPED ] 1 test, listed below
 Test Passed.
-2/2 Testing: b
+2/4 Testing: b
 Test Failed.
+3/4 Testing: c
+Test Pass Reason:
+Required regular expression found. Regex=[x]
+4/4 Testing: d
+Test Fail Reason:
+Required regular expression not found. Regex=[x]
 `;
   const counts = countCtest(log);
-  assert.deepEqual([counts.passed, counts.failed, counts.skipped], [2, 1, 1]);
+  assert.deepEqual([counts.passed, counts.failed, counts.skipped], [3, 2, 1]);
   assert.equal(counts.tests.get('a').skipped, 1);
   assert.equal(counts.tests.get('b').failed, 1);
+  assert.equal(counts.tests.get('d').failed, 1);
 });

@@ -4,7 +4,7 @@ const first = (text, pattern) => Number(text.match(pattern)?.[1] ?? 0);
 
 /** The counts of one ctest test: those of all tests of a GoogleTest program, otherwise one. */
 function countBlock(name, block) {
-  const ended = /^Test Passed\.$/m.test(block);
+  const ended = /^Test (Passed\.|Pass Reason:)$/m.test(block);
   if (!block.includes('[==========]')) {
     return { passed: ended ? 1 : 0, failed: ended ? 0 : 1, skipped: 0, notes: [] };
   }

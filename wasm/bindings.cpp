@@ -189,6 +189,9 @@ class Session {
     reply.set("cornerToUv", toTypedArray("Uint32Array", session_.cornerToUv()));
     reply.set("uvToVertex", toTypedArray("Uint32Array", session_.uvToVertex()));
     reply.set("seams", toSeams(session_.seams()));
+    const api::SolvedTriangles solved = session_.solvedTriangles();
+    if (solved.triangles != session_.triangles() || solved.cornerToUv != session_.cornerToUv())
+      reply.set("solved", toSolved(solved));
     return reply;
   }
 

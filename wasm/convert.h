@@ -90,6 +90,14 @@ inline val toRepaired(const api::Repaired& mesh) {
   return out;
 }
 
+inline val toSolved(const api::SolvedTriangles& solved) {
+  val out = val::object();
+  out.set("triangles", toTypedArray("Uint32Array", solved.triangles));
+  out.set("uvTriangles", toTypedArray("Uint32Array", solved.cornerToUv));
+  out.set("origin", toTypedArray("Uint32Array", solved.origin));
+  return out;
+}
+
 /// Facts about a surface.
 inline val toFacts(const api::SurfaceFacts& facts) {
   val out = val::object();

@@ -29,7 +29,7 @@ from ._errors import (
     UsageError,
     WriteError,
 )
-from ._map import Distortion, Map, Quads, Seams
+from ._map import Distortion, Map, Quads, Seams, Solved
 from ._mesh import ConesFor, Fix, Improve, Loops, Mesh, Method, OnProgress, Path, Progress, Weld, _mapped_mesh
 
 if TYPE_CHECKING:
@@ -59,6 +59,7 @@ __all__ = [
     "Quads",
     "Report",
     "Seams",
+    "Solved",
     "UnsupportedError",
     "UsageError",
     "WriteError",

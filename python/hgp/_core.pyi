@@ -12,6 +12,7 @@ class Map:
     triangles: npt.NDArray[np.int32]
     uv_to_vertex: npt.NDArray[np.int32]
     seams: npt.NDArray[np.int32]
+    solved: Tuple[npt.NDArray[np.int32], npt.NDArray[np.int32], npt.NDArray[np.int32]]
     certified: bool
     aligned: bool
     report: str

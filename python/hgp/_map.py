@@ -29,6 +29,18 @@ class Seams(NamedTuple):
     r: Integers
 
 
+class Solved(NamedTuple):
+    """The triangles that the certificate is about, one row each: those of `Map.triangles` without the ones that are no
+    surface (copies of others, a vertex named twice), turned over where neighbours disagreed."""
+
+    #: s × 3 rows of Map.vertices
+    triangles: Integers
+    #: s × 3 rows of Map.uv, corner by corner; in a certified map each has exactly positive area
+    fuv: Integers
+    #: s: the row of Map.triangles that each comes from, ascending
+    origin: Integers
+
+
 @dataclasses.dataclass(frozen=True, eq=False)
 class Distortion:
     """Measurements of a map. Arrays have one entry per triangle, unless stated otherwise."""
@@ -99,9 +111,9 @@ class Map:
 
     @property
     def certified(self) -> bool:
-        """Whether every verified triangle has exactly positive area, cones and turnings are as prescribed, and every
-        seam is a rotation by a multiple of 2π/q and a shift. What the certificate covers is in `certificate["stored"]`:
-        triangles that repairs turned over or left out are counted there."""
+        """Whether every row of `solved.fuv` has exactly positive area in `uv`, cones and turnings are as prescribed, and
+        every seam is a rotation by a multiple of 2π/q and a shift. Rows of `fuv` are the same unless repairs turned
+        triangles over or left some out, which `certificate["stored"]` counts."""
         return self._core.certified
 
     @property
@@ -116,7 +128,7 @@ class Map:
 
     @property
     def fuv(self) -> Integers:
-        """m × 3 rows of uv; row f belongs to row f of `triangles`, corner by corner."""
+        """m × 3 rows of uv; row f belongs to row f of `triangles`, corner by corner. What is verified is `solved.fuv`."""
         return self._core.fuv
 
     @property
@@ -128,6 +140,11 @@ class Map:
     def triangles(self) -> Integers:
         """The triangles that were mapped, m × 3 rows of `vertices`: the given ones, or those of the refined mesh."""
         return self._core.triangles
+
+    @property
+    def solved(self) -> Solved:
+        """The triangles as solved, with their rows of uv and the rows of `triangles` that they come from."""
+        return Solved(*self._core.solved)
 
     @property
     def uv_to_vertex(self) -> Integers:

@@ -38,6 +38,15 @@ py::array seams(const Map& map) {
   return taken<std::int32_t>(std::move(rows), 5);
 }
 
+py::tuple solved(const Map& map) {
+  api::SolvedTriangles rows = map.session().solvedTriangles();
+  py::tuple out = py::make_tuple(taken<std::int32_t>(std::move(rows.triangles), 3),
+                                 taken<std::int32_t>(std::move(rows.cornerToUv), 3),
+                                 taken<std::int32_t>(std::move(rows.origin)));
+  for (const py::handle& array : out) array.attr("setflags")(py::arg("write") = false);
+  return out;
+}
+
 void addMap(py::module_& module) {
   using S = api::Session;
   py::class_<Map, std::shared_ptr<Map>>(module, "Map")
@@ -49,6 +58,7 @@ void addMap(py::module_& module) {
       .def_property_readonly("uv_to_vertex",
                              &resultArray<std::uint32_t, &S::uvToVertex, std::int32_t, 0>)
       .def_property_readonly("seams", &seams)
+      .def_property_readonly("solved", &solved)
       .def_property_readonly("certified", [](const Map& m) { return m.session().isCertified(); })
       .def_property_readonly("aligned", [](const Map& m) { return m.session().isAligned(); })
       .def_property_readonly("report", [](const Map& m) { return m.session().reportJson(); })

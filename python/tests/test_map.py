@@ -35,6 +35,30 @@ def test_every_triangle_is_positive(mapped: hgp.Map) -> None:
     assert signed_areas(mapped.uv, mapped.fuv).min() > 0
 
 
+def test_every_solved_row_is_positive_whatever_was_repaired(pretzel: Any) -> None:
+    V, F = pretzel
+    healthy = hgp.parametrize(V, F)
+    assert (healthy.solved.fuv == healthy.fuv).all() and (healthy.solved.triangles == F).all()
+    given = F.copy()
+    turned = [3, 40, 41, 900]
+    given[turned] = given[turned][:, [1, 0, 2]]
+    more = [[given[7, 1], given[7, 2], given[7, 0]], [5, 5, 6]]
+    m = hgp.parametrize(V, np.vstack([more[1:], given, more[:1]]))
+    assert m.certified
+    assert len(m.fuv) == len(F) + 2
+    triangles, fuv, origin = m.solved
+    assert signed_areas(m.uv, fuv).min() > 0
+    assert (origin == np.arange(1, len(F) + 1)).all()
+    assert (np.sort(m.triangles[origin]) == np.sort(triangles)).all()
+    assert (m.uv_to_vertex[fuv] == triangles).all()
+    # As given, the turned ones are negative.
+    assert signed_areas(m.uv, m.fuv[origin[turned]]).max() < 0
+    with pytest.raises(ValueError, match="read-only"):
+        fuv[0, 0] = 1
+    with pytest.raises(hgp.UnsupportedError):
+        hgp.parametrize(V, given, strict=True)
+
+
 def test_angles_at_cones_are_as_stated_and_full_elsewhere(mapped: hgp.Map) -> None:
     k = np.full(len(mapped.vertices), 4)
     for vertex, index in mapped.cones.items():

@@ -232,6 +232,49 @@ test('the raw-array path gives the same map as the file', () =>
     assert.equal((await map.write()).name, 'mesh.obj');
   }));
 
+test('every triangle as solved is positive, whatever repairs turned over or left out', () =>
+  withClient(async (client) => {
+    const { vertices, triangles } = blocks(ring);
+    const positions = vertices.flat();
+    const healthy = await client.parametrizeMesh({ positions, triangles: triangles.flat() });
+    assert.deepEqual(healthy.solved.triangles, healthy.triangles);
+    assert.deepEqual(healthy.solved.uvTriangles, healthy.cornerToUv);
+    assert.deepEqual([...healthy.solved.origin], [...triangles.keys()]);
+    const isTurned = (f) => f % 37 === 5;
+    const given = [
+      [4, 4, 9],
+      ...triangles.map(([a, b, c], f) => (isTurned(f) ? [b, a, c] : [a, b, c])),
+      [triangles[2][1], triangles[2][2], triangles[2][0]],
+    ];
+    const result = await client.parametrizeMesh({ positions, triangles: given.flat() });
+    assert.equal(result.certificate.certified, true);
+    assert.deepEqual([...result.triangles], given.flat());
+    const { solved, uv, uvToVertex, cornerToUv } = result;
+    assert.deepEqual(
+      [...solved.origin],
+      [...triangles.keys()].map((f) => f + 1),
+    );
+    triangles.forEach(([a, b, c], row) => {
+      const rotations = [[a, b, c].join(), [b, c, a].join(), [c, a, b].join()];
+      assert.ok(rotations.includes(solved.triangles.subarray(3 * row, 3 * row + 3).join()));
+    });
+    const area = (corners) => {
+      const [a, b, c] = [...corners].map((n) => [uv[2 * n], uv[2 * n + 1]]);
+      return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    };
+    solved.origin.forEach((f, row) => {
+      const corners = solved.uvTriangles.subarray(3 * row, 3 * row + 3);
+      assert.ok(area(corners) > 0, `row ${row}`);
+      corners.forEach((n, k) => assert.equal(uvToVertex[n], solved.triangles[3 * row + k]));
+      // In the given order of corners, a triangle that was turned over is negative.
+      assert.equal(
+        area(cornerToUv.subarray(3 * f, 3 * f + 3)) > 0,
+        !isTurned(row),
+        `triangle ${f}`,
+      );
+    });
+  }));
+
 test('a file that is no mesh is an HgpError with the code of the command line', () =>
   withClient(async (client) => {
     await assert.rejects(client.load(bytes('not a mesh'), { name: 'x.obj' }), (error) => {

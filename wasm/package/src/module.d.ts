@@ -25,6 +25,8 @@ export interface SessionResult {
   uvToVertex: Uint32Array;
   /** a0 a1 b0 b1 r of each seam edge. */
   seams: Int32Array;
+  /** Absent where they are `triangles` and `cornerToUv`. */
+  solved?: import('./lib/results.js').SolvedTriangles;
   report: string;
 }
 

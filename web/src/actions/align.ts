@@ -1,8 +1,8 @@
 // Alignment to a grid: how many cells are requested, and what happens if alignment fails.
 
-import type { Result, SolveOptions, UvMap } from 'hgp';
+import type { SolveOptions, UvMap } from 'hgp';
 import { automaticCells, canAlign, gridOutcome } from '../model/grid';
-import type { GridSettings, Model, Solution } from '../model/types';
+import type { GridSettings, MapNumbers, Model, Solution } from '../model/types';
 import type { App } from './app';
 import type { JobCall } from './job';
 
@@ -13,7 +13,7 @@ const isAsked = (grid: GridSettings, q: number, scale: SolveOptions['scale'] = '
   grid.isOn && canAlign(q) && scale === 'solved';
 
 /** Whether to run again: the first run found a density that works, the user set none, and runs are fast. */
-const isWorthAnother = ({ isOn, cells }: GridSettings, { report }: Result): boolean =>
+const isWorthAnother = ({ isOn, cells }: GridSettings, { report }: MapNumbers): boolean =>
   isOn && cells === undefined && report.seconds < patience;
 
 export interface Aligned {

@@ -3,7 +3,6 @@
 import {
   HgpError,
   type Cones,
-  type Result,
   type SuggestOptions,
   type UvMap,
   type WriteOptions,
@@ -15,6 +14,7 @@ import { gridOutcome, gridTilesPerUnit } from '../model/grid';
 import { fromCones, toCones } from '../model/prescription';
 import type {
   GridSettings,
+  MapNumbers,
   MessageAction,
   Model,
   Output,
@@ -167,7 +167,7 @@ const isSettled = (note: string, files: OutputFile[]): boolean =>
   files.some(({ name }) => note === `keep ${name} next to the new file`);
 
 /** The numbers of a map alone: they travel to the geometry worker and back. */
-export function numbersOf(map: UvMap): Result {
+export function numbersOf(map: UvMap): MapNumbers {
   const { positions, triangles, uv, cornerToUv, uvToVertex, seams } = map;
   const { certificate, cones, report, memory } = map;
   const arrays = { positions, triangles, uv, cornerToUv, uvToVertex, seams };
@@ -192,7 +192,7 @@ export async function writeSolution(
   const { info, surface } = model;
   const where = { mesh: info.surface, uvSet: output.uvSet };
   let all = [...written.files, ...(await sideFiles(app, model, written.files))];
-  const analyse = async (result: Result, files: OutputFile[]) =>
+  const analyse = async (result: MapNumbers, files: OutputFile[]) =>
     geometry.analyse(surface, result, await map.measure(call), files, where);
   let read = await analyse(solved, all);
   let gridTiles: number | undefined;

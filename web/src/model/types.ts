@@ -164,9 +164,12 @@ export interface Box {
   height: number;
 }
 
+/** What the page keeps of a map: its views number triangles as the file does. */
+export type MapNumbers = Omit<Result, 'solved'>;
+
 /** One finished run: the map, the bytes that Download saves, and what is known about them. */
 export interface Solution extends SolveRequest, Analysis {
-  result: Result;
+  result: MapNumbers;
   /** The map in the solver, which writes it again; disposed of if it was large and others came. */
   map: UvMap;
   /** The id of the surface that was analysed. */

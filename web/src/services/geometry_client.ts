@@ -1,8 +1,8 @@
 // The page's side of the geometry worker: calls that return promises. Large arrays are transferred to
 // the worker and returned with the answer, so that nothing large is copied on the main thread.
 
-import type { Measures, Result, SurfaceFacts } from 'hgp';
-import type { Analysis, OutputFile, Surface } from '../model/types';
+import type { Measures, SurfaceFacts } from 'hgp';
+import type { Analysis, MapNumbers, OutputFile, Surface } from '../model/types';
 import type { AnalysisRequest } from './geometry/analyse';
 import {
   buffersIn,
@@ -87,7 +87,7 @@ export class GeometryClient {
 
   /** How the map in a file differs from the given one; empty if it does not. */
   compare(
-    { positions, triangles, uv, cornerToUv, uvToVertex, seams }: Result,
+    { positions, triangles, uv, cornerToUv, uvToVertex, seams }: MapNumbers,
     files: OutputFile[],
     where: Pick<AnalysisRequest, 'mesh' | 'uvSet'>,
   ): Promise<{ difference: string }> {
@@ -98,11 +98,11 @@ export class GeometryClient {
   /** `measures` are kept; `result` and `files` are returned with new arrays of the same content. */
   async analyse(
     surface: Surface,
-    result: Result,
+    result: MapNumbers,
     measures: Measures,
     files: OutputFile[],
     where: Pick<AnalysisRequest, 'mesh' | 'uvSet'>,
-  ): Promise<{ analysis: Analysis; preserved: string; result: Result; files: OutputFile[] }> {
+  ): Promise<{ analysis: Analysis; preserved: string; result: MapNumbers; files: OutputFile[] }> {
     const { positions, triangles, uv, cornerToUv, uvToVertex, seams } = result;
     const map = { positions, triangles, uv, cornerToUv, uvToVertex, seams };
     const request = { ...where, map, measures, files };

@@ -104,6 +104,10 @@ SolvedTriangles Session::solvedTriangles() const {
   const Model& model = *state_->shown().model;
   const UvMap& map = state_->shown().solved->stored.map;
   const auto& stored = model.source().mesh.triangles;
+  const auto corners = at(model.cornerOrigin.size());
+  out.triangles.reserve(corners);
+  out.cornerToUv.reserve(corners);
+  out.origin.reserve(corners / 3);
   for (int c = 0; c < model.cornerOrigin.size(); ++c) {
     const int from = model.cornerOrigin[MeshCornerId{c}].i;
     out.triangles.push_back(static_cast<std::uint32_t>(stored[at(from / 3)][at(from % 3)]));

@@ -419,7 +419,20 @@ export class CoreModel {
     const report = JSON.parse(numbers.report) as Report;
     const { certificate, cones } = report;
     const { memory, module } = this.#core;
-    const result = { ...numbers, seams, report, certificate, cones: cones as Cones, memory };
+    const solved = numbers.solved ?? {
+      triangles: numbers.triangles,
+      uvTriangles: numbers.cornerToUv,
+      origin: Uint32Array.from({ length: numbers.triangles.length / 3 }, (_, f) => f),
+    };
+    const result = {
+      ...numbers,
+      solved,
+      seams,
+      report,
+      certificate,
+      cones: cones as Cones,
+      memory,
+    };
     return new CoreMap(this, module, this.#live.storedResult(), result);
   }
 

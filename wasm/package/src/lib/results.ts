@@ -75,15 +75,31 @@ export interface Progress {
   meshes?: number;
 }
 
+/**
+ * The triangles that the certificate is about, one row each: those of `triangles` without the ones that are no surface
+ * (copies of others, a vertex named twice), turned over where neighbours disagreed. If the map is certified, every row
+ * of `uvTriangles` has exactly positive area in `uv`.
+ */
+export interface SolvedTriangles {
+  /** Three surface vertices per row. */
+  triangles: Uint32Array;
+  /** Three uv vertices per row, corner by corner those of `triangles` here. */
+  uvTriangles: Uint32Array;
+  /** Row → the row of the result's `triangles` that it comes from; ascending. */
+  origin: Uint32Array;
+}
+
 export interface Result {
   /** Three numbers per surface vertex. */
   positions: Float64Array;
-  /** Three surface vertices per triangle. */
+  /** Three surface vertices per triangle, as given: also those that repairs turn over or leave out. */
   triangles: Uint32Array;
   /** Two numbers per uv vertex, v pointing up, rounded as the file will store them. */
   uv: Float64Array;
   /** Three uv vertices per triangle. */
   cornerToUv: Uint32Array;
+  /** The triangles as solved; the same arrays, unless repairs turned triangles over or left some out. */
+  solved: SolvedTriangles;
   /** uv vertex → surface vertex. */
   uvToVertex: Uint32Array;
   /** The two sides of each seam edge as uv vertices, and r: side b is side a rotated by 2πr/q and translated. */

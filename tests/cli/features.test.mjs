@@ -131,6 +131,52 @@ test('rims are straight, and the map is verified as such', () => {
   assert.match(out, /ok +features +(\d+) of \1 chains straight, exactly; 24 edges/);
 });
 
+test('with a grid features lie on integers, in both modes', () => {
+  const asked = new Set(closed.creases.map(([a, b]) => key(a, b)));
+  for (const mode of ['tile', 'quad']) {
+    good('param', 'closed.obj', '--features', 'creases.txt', '--cells', '200', '--grid-mode', mode, '-o', 'grid.obj'); // prettier-ignore
+    const { corners, faces } = cornersOf('grid.obj');
+    let count = 0;
+    faces.forEach((t, f) => {
+      for (let k = 0; k < 3; k++) {
+        if (!asked.has(key(t[k], t[(k + 1) % 3]))) continue;
+        const [p, q] = [corners[f][k], corners[f][(k + 1) % 3]];
+        assert.ok(Number.isInteger(p[0] === q[0] ? p[0] : p[1]), `triangle ${f}`);
+        count++;
+      }
+    });
+    assert.equal(count, 2 * 60);
+  }
+});
+
+test('quads cover the whole surface up to its rims, and corners are vertices', () => {
+  const { out } = good('quads', 'open.obj', '--creases', '--cells', '150', '-o', 'quads.obj');
+  assert.doesNotMatch(out, /left out|clipped/);
+  const [vertices, count] = [[], new Map()];
+  for (const line of read('quads.obj').split('\n')) {
+    const [word, ...rest] = line.trim().split(/\s+/);
+    if (word === 'v') vertices.push(rest.map(Number));
+    if (word !== 'f') continue;
+    const quad = rest.map((c) => Number(c.split('/')[0]) - 1);
+    quad.forEach((v, k) => {
+      const edge = key(v, quad[(k + 1) % 4]);
+      count.set(edge, (count.get(edge) ?? 0) + 1);
+    });
+  }
+  // Open edges lie on the rim z = 4.2, and all around it: a box of 6 by 7.8.
+  let length = 0;
+  for (const [edge, n] of count) {
+    const [a, b] = edge.split(' ').map((v) => vertices[v]);
+    assert.ok(n === 2 || (n === 1 && Math.abs(a[2] - 4.2) < 1e-6 && Math.abs(b[2] - 4.2) < 1e-6));
+    if (n === 1) length += Math.hypot(...a.map((x, i) => x - b[i]));
+  }
+  assert.ok(Math.abs(length - 2 * (6 + 7.8)) < 1e-5, `${length}`);
+  for (const x of [0, 6])
+    for (const y of [0, 7.8])
+      for (const z of [0, 4.2])
+        assert.ok(vertices.some((v) => Math.hypot(v[0] - x, v[1] - y, v[2] - z) < 1e-6));
+});
+
 test('without features rims are as before', () => {
   good('param', 'open.obj', '-o', 'plain.obj', '--json', 'plain.json');
   const rims = rimsOf(open);
@@ -237,7 +283,6 @@ test('what does not go together is refused', () => {
     assert.ok(!existsSync(at('no.obj')));
   };
   refused(2, /q = 4/, '--q', '6');
-  refused(2, /grid does not go with features/, '--cells', '200');
   refused(2, /improvement does not go with features/, '--improve', 'isometric');
   refused(2, /not carried over to a refined/, '--refine');
   refused(2, /--boundary convex cannot be combined/, '--boundary', 'convex');

@@ -183,8 +183,8 @@ std::vector<Gaussian> SeamSnapper::round(const std::vector<Vec2>& uv, int expone
   return points;
 }
 
-std::optional<GridPoints> SeamSnapper::roundStraight(const std::vector<Vec2>& uv,
-                                                     int exponent) const {
+std::optional<GridPoints> SeamSnapper::roundStraight(const std::vector<Vec2>& uv, int exponent,
+                                                     bool isInteger) const {
   const double steps = std::ldexp(1.0, -exponent);
   std::vector<Complex> first(at(mesh_->vertexCount()));
   for (VertexId v : mesh_->vertices()) {
@@ -196,6 +196,7 @@ std::optional<GridPoints> SeamSnapper::roundStraight(const std::vector<Vec2>& uv
   for (const GaussianSum& sum : basis_.coordinate) {
     Complex value = 0.0;
     for (const GaussianTerm& term : sum) value += toComplex(term.factor) * t[at(term.variable)];
+    if (isInteger) value = {std::nearbyint(value.real()), std::nearbyint(value.imag())};
     translation.push_back(value * steps);
   }
   return straight_->round(first, translation);
@@ -204,7 +205,8 @@ std::optional<GridPoints> SeamSnapper::roundStraight(const std::vector<Vec2>& uv
 std::optional<SnappedMap> SeamSnapper::snap(const std::vector<Vec2>& uv, int exponent,
                                             const StoredNumbers& numbers) const {
   std::optional<GridPoints> rounded =
-      straight_ ? roundStraight(uv, exponent) : round(uv, exponent, numbers.hasIntegerTranslations);
+      straight_ ? roundStraight(uv, exponent, numbers.hasIntegerTranslations)
+                : round(uv, exponent, numbers.hasIntegerTranslations);
   if (!rounded || !fits(*rounded, exponent, numbers)) return {};
   GridPoints& points = *rounded;
   SnappedMap out;
@@ -224,8 +226,9 @@ std::optional<SnappedMap> SeamSnapper::snap(const std::vector<Vec2>& uv, int exp
 }
 
 std::optional<UvMap> snapAligned(const TriMesh& mesh, UvMap map, int q,
-                                 const std::vector<VertexId>& cones) {
-  const std::optional<SeamSnapper> snapper = SeamSnapper::make(mesh, map, q, cones);
+                                 const std::vector<VertexId>& cones,
+                                 const std::vector<EdgeId>& features) {
+  const std::optional<SeamSnapper> snapper = SeamSnapper::make(mesh, map, q, cones, features);
   if (!snapper) return {};
   StoredNumbers numbers;
   numbers.hasIntegerTranslations = true;

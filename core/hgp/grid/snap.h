@@ -48,8 +48,8 @@ class SeamSnapper {
  private:
   SeamSnapper(const TriMesh& mesh, SeamStructure seams, IntegerBasis basis);
   std::vector<Gaussian> round(const std::vector<Vec2>& uv, int exponent, bool isInteger) const;
-  std::optional<std::vector<Gaussian>> roundStraight(const std::vector<Vec2>& uv,
-                                                     int exponent) const;
+  std::optional<std::vector<Gaussian>> roundStraight(const std::vector<Vec2>& uv, int exponent,
+                                                     bool isInteger) const;
 
   const TriMesh* mesh_;
   SeamStructure seams_;
@@ -60,7 +60,9 @@ class SeamSnapper {
 
 /// Snaps a map whose translations are integers up to rounding, as finely as doubles allow; nothing where its
 /// seams cannot be read or a triangle would not be positive.
+/// @param features  lie on integers up to rounding
 std::optional<UvMap> snapAligned(const TriMesh& mesh, UvMap map, int q,
-                                 const std::vector<VertexId>& cones);
+                                 const std::vector<VertexId>& cones,
+                                 const std::vector<EdgeId>& features = {});
 
 }  // namespace hgp

@@ -1,11 +1,13 @@
 #include "hgp/optimize/straight_program.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
 #include "hgp/base/portable_math.h"
 #include "hgp/optimize/real_form.h"
+#include "hgp/optimize/real_row.h"
 #include "hgp/system/face_rows.h"
 
 namespace hgp {
@@ -14,70 +16,39 @@ namespace {
 /// Triangles listed if a program is infeasible: at most this many, with duals of at least this share of the largest.
 constexpr double kStraightConflictShare = 0.1;
 constexpr std::size_t kStraightConflictCount = 50;
-
-/// A sparse sum over the unknowns, collected term by term.
-class RealRow {
- public:
-  explicit RealRow(const RealUnknowns& unknowns, const std::vector<int>& place)
-      : unknowns_(unknowns), place_(place), value_(place.size(), 0.0), isUsed_(place.size(), 0) {}
-
-  /// Adds factor times the real (part 0) or imaginary part (1) of a copy.
-  void add(int copy, int part, double factor) {
-    for (RealUnknowns::Rows::InnerIterator it(unknowns_.rows, 2 * copy + part); it; ++it) {
-      const auto i = static_cast<std::size_t>(it.col());
-      if (place_[i] < 0) continue;  // held at 0
-      if (!isUsed_[i]) {
-        isUsed_[i] = 1;
-        used_.push_back(static_cast<int>(i));
-      }
-      value_[i] += factor * it.value();
-    }
-  }
-  /// Calls use(place, value) for every term, ascending, and clears the row.
-  template <class Use>
-  void take(const Use& use) {
-    std::sort(used_.begin(), used_.end());
-    for (const int unknown : used_) {
-      const auto i = static_cast<std::size_t>(unknown);
-      if (value_[i] != 0.0) use(place_[i], value_[i]);
-      value_[i] = 0.0;
-      isUsed_[i] = 0;
-    }
-    used_.clear();
-  }
-
- private:
-  const RealUnknowns& unknowns_;
-  const std::vector<int>& place_;
-  std::vector<double> value_;
-  std::vector<char> isUsed_;
-  std::vector<int> used_;
-};
+/// Stiffness that holds the map's translation in a covariance, relative to that of the distortion term.
+constexpr double kFreeShare = 0.1;
+/// Right-hand sides that are solved for together.
+constexpr Eigen::Index kColumns = 64;
 
 class StraightProgram {
  public:
   StraightProgram(const StraightSystem& in, const Frames& frames, const StraightOptions& options)
       : in_(in), s_(in.system), frames_(frames), o_(options) {
     place_.assign(at(in.unknowns.count), 0);
-    hold(0);
-    hold(1);
+    given_.assign(place_.size(), 0.0);
+    for (const auto& [unknown, value] : options.given) {
+      place_[at(unknown)] = -1;
+      given_[at(unknown)] = value;
+    }
+    for (const int part : {0, 1}) {
+      origin_[at(part)] = originOf(part);
+      if (options.given.empty() && origin_[at(part)] >= 0) place_[at(origin_[at(part)])] = -1;
+    }
     for (int& p : place_) p = p < 0 ? -1 : count_++;
     padded_ = count_ + count_ % 2;
     c_ = Eigen::VectorXd::Zero(padded_);
   }
 
   StraightResult run() {
-    RealRow row(in_.unknowns, place_);
+    RealRow row(in_.unknowns, place_, given_);
     addHarmonic(row);
     addDistortion(row);
     addEdges(row);
     addFrames(row);
-    Eigen::SparseMatrix<double> rows(rowCount_, count_);
-    rows.setFromTriplets(entries_.begin(), entries_.end());
-    entries_ = {};
-    Eigen::SparseMatrix<double> H = rows.transpose() * rows;
+    const Eigen::SparseMatrix<double> H = objective();
     const linalg::SeparatorTree tree = orderUnknowns(H);
-    RealForm form(std::move(H), tree, std::move(pairs_), std::move(used_));
+    RealForm form(H, tree, std::move(pairs_), used_);
     problem_.form = &form;
     problem_.c = c_;
     socp::SolveOptions solveOptions;
@@ -90,7 +61,7 @@ class StraightProgram {
     result.work = form.multiplyAdds() * (solution.iterations + 2);
     result.x = Eigen::VectorXd::Zero(in_.unknowns.count);
     for (int i = 0; i < in_.unknowns.count; ++i)
-      if (place_[at(i)] >= 0) result.x[i] = solution.x[place_[at(i)]];
+      result.x[i] = place_[at(i)] >= 0 ? solution.x[place_[at(i)]] : given_[at(i)];
     const Eigen::VectorXd parts = in_.unknowns.rows * result.x;
     for (Eigen::Index n = 0; n < parts.size(); n += 2)
       result.z.emplace_back(parts[n], parts[n + 1]);
@@ -98,7 +69,45 @@ class StraightProgram {
     return result;
   }
 
+  /// See straightCovariance.
+  Eigen::MatrixXd covariance(const std::vector<int>& variables) {
+    for (int& p : place_) p = 0;
+    count_ = 0;
+    for (int& p : place_) p = count_++;
+    c_ = Eigen::VectorXd::Zero(count_);
+    RealRow row(in_.unknowns, place_, given_);
+    addHarmonic(row);
+    addDistortion(row);
+    for (const int origin : origin_)
+      if (origin >= 0) {
+        const double nearly = kFreeShare * std::sqrt(o_.quality) * portable::exp(-o_.u[smallest_]);
+        entries_.emplace_back(rowCount_++, origin, nearly);
+      }
+    const Eigen::SparseMatrix<double> H = objective();
+    linalg::MultifrontalCholesky<double> factor;
+    factor.analyze(linalg::graphOf(H), orderUnknowns(H));
+    if (!factor.factor(H)) return {};
+    const auto n = static_cast<Eigen::Index>(variables.size());
+    Eigen::MatrixXd out(n, n);
+    for (Eigen::Index first = 0; first < n; first += kColumns) {
+      const Eigen::Index some = std::min<Eigen::Index>(kColumns, n - first);
+      Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(count_, some);
+      for (Eigen::Index j = 0; j < some; ++j) unit(variables[at(first + j)], j) = 1.0;
+      const Eigen::MatrixXd columns = factor.solve(unit);
+      for (Eigen::Index j = 0; j < some; ++j)
+        for (Eigen::Index i = 0; i < n; ++i) out(i, first + j) = columns(variables[at(i)], j);
+    }
+    return out;
+  }
+
  private:
+  Eigen::SparseMatrix<double> objective() {
+    Eigen::SparseMatrix<double> rows(rowCount_, count_);
+    rows.setFromTriplets(entries_.begin(), entries_.end());
+    entries_ = {};
+    return rows.transpose() * rows;
+  }
+
   double scaleAt(HalfedgeId h) const {
     return portable::exp(0.5 * (o_.u[s_.mesh.tail(h)] + o_.u[s_.mesh.head(h)]));
   }
@@ -109,33 +118,35 @@ class StraightProgram {
   }
   int copyAt(FaceId f, int k) const { return s_.cut.copy[TriMesh::halfedge(f, k)].i; }
 
-  /// Holds the real (0) or imaginary (1) part of the vertex where the map is smallest: a translation of the whole map is
+  /// The real (0) or imaginary (1) part of the vertex where the map is smallest: a translation of the whole map is
   /// free.
-  void hold(int part) {
+  int originOf(int part) {
     int best = -1;
     double smallest = 0.0;
     std::vector<double> scale(at(s_.unknowns.count), 0.0);
-    std::vector<char> isVertex(at(s_.unknowns.count), 0);
+    std::vector<VertexId> vertex(at(s_.unknowns.count));
     for (VertexId v : s_.mesh.vertices())
       if (s_.unknowns.vertexUnknown[v] >= 0) {
         scale[at(s_.unknowns.vertexUnknown[v])] = o_.u[v];
-        isVertex[at(s_.unknowns.vertexUnknown[v])] = 1;
+        vertex[at(s_.unknowns.vertexUnknown[v])] = v;
       }
     for (int i = 0; i < in_.unknowns.count; ++i) {
       const int variable = in_.unknowns.variable[at(i)];
-      if (variable % 2 != part || !isVertex[at(variable / 2)]) continue;
+      if (variable % 2 != part || !vertex[at(variable / 2)].isValid()) continue;
       if (best >= 0 && scale[at(variable / 2)] >= smallest) continue;
       best = i;
       smallest = scale[at(variable / 2)];
     }
-    if (best >= 0) place_[at(best)] = -1;
+    if (best >= 0) smallest_ = vertex[at(in_.unknowns.variable[at(best)] / 2)];
+    return best;
   }
 
   void endRow(RealRow& row, double constant = 0.0) {
-    row.take([&](int place, double value) {
-      entries_.emplace_back(rowCount_, place, value);
-      c_[place] += value * constant;
-    });
+    const std::size_t begin = entries_.size();
+    constant +=
+        row.take([&](int place, double value) { entries_.emplace_back(rowCount_, place, value); });
+    for (std::size_t n = begin; n < entries_.size(); ++n)
+      c_[entries_[n].col()] += entries_[n].value() * constant;
     ++rowCount_;
   }
 
@@ -194,27 +205,29 @@ class StraightProgram {
     }
   }
 
-  /// Appends a constraint whose row r is filled by fill(r), a sum over the unknowns.
+  /// Appends a constraint whose row r is filled by fill(r), a sum over the unknowns; false if none of them is free.
   template <class Fill>
-  void addConstraint(RealRow& row, int rowCount, const Eigen::Vector3d& h, const Fill& fill) {
+  bool addConstraint(RealRow& row, int rowCount, const Eigen::Vector3d& h, const Fill& fill) {
     struct Entry {
       int row, place;
       double value;
     };
     std::vector<Entry> entries;
     std::vector<int> pairs;
+    Eigen::Vector3d given = Eigen::Vector3d::Zero();
     for (int r = 0; r < rowCount; ++r) {
       fill(r);
-      row.take([&](int place, double value) {
+      given[r] = row.take([&](int place, double value) {
         entries.push_back({r, place, value});
         pairs.push_back(place / 2);
       });
     }
+    if (pairs.empty() && !o_.given.empty()) return false;
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     socp::ConeConstraint constraint;
     constraint.F.setZero(3, static_cast<Eigen::Index>(2 * pairs.size()));
-    constraint.h = h;
+    constraint.h = h - given;
     std::vector<char> used(2 * pairs.size(), 0);
     for (const Entry& e : entries) {
       const auto pair = std::lower_bound(pairs.begin(), pairs.end(), e.place / 2) - pairs.begin();
@@ -225,6 +238,7 @@ class StraightProgram {
     problem_.constraints.push_back(std::move(constraint));
     pairs_.push_back(std::move(pairs));
     used_.push_back(std::move(used));
+    return true;
   }
 
   /// A linear inequality is a cone whose other two rows are empty.
@@ -232,10 +246,11 @@ class StraightProgram {
     for (const StraightEdge& e : in_.edges) {
       const double scale = 1.0 / (scaleAt(e.h) * s_.geometry.length[e.h]);
       const double sign = e.heading < 2 ? scale : -scale;
-      addConstraint(row, 1, {o_.margin, 0.0, 0.0}, [&](int) {
+      const bool isFree = addConstraint(row, 1, {o_.margin, 0.0, 0.0}, [&](int) {
         row.add(s_.cut.copy[TriMesh::next(e.h)].i, e.heading % 2, sign);
         row.add(s_.cut.copy[e.h].i, e.heading % 2, -sign);
       });
+      if (isFree) edges_.push_back(e.h);
     }
   }
 
@@ -245,7 +260,7 @@ class StraightProgram {
       const LinearParts parts = linearParts(s_.geometry, f);
       const double scale = 1.0 / faceScale(f);
       const Complex turn = portable::polar(scale, frames_.angles[j]);
-      addConstraint(row, 3, {o_.margin, 0.0, 0.0}, [&](int r) {
+      const bool isFree = addConstraint(row, 3, {o_.margin, 0.0, 0.0}, [&](int r) {
         for (int k = 0; k < 3; ++k) {
           // f_z d̄, then f_z̄: rows (Re, −Im) of a factor give a real part, (Im, Re) an imaginary part.
           const Complex factor =
@@ -254,6 +269,7 @@ class StraightProgram {
           row.add(copyAt(f, k), 1, r < 2 ? -factor.imag() : factor.real());
         }
       });
+      if (isFree) faces_.push_back(f);
     }
   }
 
@@ -270,10 +286,9 @@ class StraightProgram {
       if (result.conflict.size() >= kStraightConflictCount ||
           solution.y[b][0] < kStraightConflictShare * solution.y[order[0]][0])
         break;
-      const bool isEdge = b < in_.edges.size();
-      if (isEdge) result.conflictEdges.push_back(in_.edges[b].h);
-      result.conflict.push_back(isEdge ? TriMesh::face(in_.edges[b].h)
-                                       : frames_.faces[b - in_.edges.size()]);
+      const bool isEdge = b < edges_.size();
+      if (isEdge) result.conflictEdges.push_back(edges_[b]);
+      result.conflict.push_back(isEdge ? TriMesh::face(edges_[b]) : faces_[b - edges_.size()]);
     }
   }
 
@@ -281,7 +296,12 @@ class StraightProgram {
   const SeamlessSystem& s_;
   const Frames& frames_;
   const StraightOptions& o_;
-  std::vector<int> place_;  ///< per real unknown; −1 where it is held at 0
+  std::vector<int> place_;     ///< per real unknown; −1 where it is given
+  std::vector<double> given_;  ///< per real unknown
+  std::array<int, 2> origin_{-1, -1};
+  VertexId smallest_;              ///< where the map is smallest
+  std::vector<HalfedgeId> edges_;  ///< of the first constraints
+  std::vector<FaceId> faces_;      ///< of those after them
   int count_ = 0, padded_ = 0;
   Eigen::VectorXd c_;
   std::vector<Eigen::Triplet<double>> entries_;
@@ -292,6 +312,12 @@ class StraightProgram {
 };
 
 }  // namespace
+
+Eigen::MatrixXd straightCovariance(const StraightSystem& straight, const StraightOptions& options,
+                                   const std::vector<int>& variables) {
+  const Frames none;
+  return StraightProgram(straight, none, options).covariance(variables);
+}
 
 StraightResult solveStraight(const StraightSystem& straight, const Frames& frames,
                              const StraightOptions& options) {

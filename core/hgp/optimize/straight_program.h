@@ -26,6 +26,8 @@ struct StraightOptions {
   double margin =
       0.05;  ///< ε of (13), and of a feature edge relative to its length in the metric e^u
   double quality = 1e-4;  ///< δ of the distortion term
+  /// Values of unknowns that are given, such as integers of a grid; the others are solved for.
+  std::vector<std::pair<int, double>> given;
   std::function<bool(int, double)> progress;
 };
 
@@ -40,9 +42,15 @@ struct StraightResult {
   std::vector<HalfedgeId> conflictEdges;  ///< of these, the feature edges
 };
 
+/// Without given values, the translation of the whole map is fixed where it is smallest.
 /// minimise ‖D L z‖² + δ Σ A e^{−2u} (|f_z − e^u d|² + |f_z̄|²), L the rows of hasRow, subject to
 ///   (13) on the faces of `frames`,   Re(i^{−heading} (z_head − z_tail)) ≥ ε e^u ℓ on every edge,  ℓ its length.
 StraightResult solveStraight(const StraightSystem& straight, const Frames& frames,
                              const StraightOptions& options);
+
+/// The covariance of unknowns in the objective alone, (H⁻¹) restricted to `variables`; translations of the whole map are
+/// nearly free. Empty where H cannot be factored.
+Eigen::MatrixXd straightCovariance(const StraightSystem& straight, const StraightOptions& options,
+                                   const std::vector<int>& variables);
 
 }  // namespace hgp

@@ -1,44 +1,18 @@
 #include "hgp/parametrize/along/along_features.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "hgp/base/counted.h"
 #include "hgp/features/field_along.h"
 #include "hgp/features/step_repair.h"
-#include "hgp/mesh/face_rings.h"
-#include "hgp/parametrize/along/straight_setup.h"
+#include "hgp/parametrize/along/along_grid.h"
 #include "hgp/parametrize/stage_clock.h"
 
 namespace hgp {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-double elapsedSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// How the programs of one pass are weighted: the scale e^{share·u}, and δ.
-struct StraightWeighting {
-  const char* name;
-  double share;
-  double quality;
-};
-constexpr StraightWeighting kWeightings[] = {{"straight features", 1.0, 1e-4},
-                                             {"straight features, even weights", 0.0, 1e-4},
-                                             {"straight features, light distortion", 1.0, 1e-2}};
-/// Enlargements of the constrained set for each of them.
-constexpr int kGrowthRounds = 3;
 /// Steps that are straightened at most, because lengths contradict each other.
 constexpr int kMostSteps = 8;
-
-struct StraightAttempt {
-  StraightResult program;
-  UvMap map;
-  Certificate certificate;
-  std::vector<FaceId> wrong;  ///< not positive, or at a vertex or loop with a wrong angle
-  int wrongCount = 0;
-};
 
 Failure refusal(std::string message) {
   return {ErrorCode::kUsage, "features", std::move(message), {}};
@@ -48,8 +22,6 @@ Status checkOptions(const HolonomySpec& spec, const ParametrizeOptions& options)
   if (spec.q != 4)
     return refusal("features need q = 4; these cones have q = " + std::to_string(spec.q) + ".");
   if (options.frames) return refusal("Frames of a file do not go with features; leave out either.");
-  if (options.grid.isAsked())
-    return refusal("A grid does not go with features yet; leave out either.");
   if (options.improve)
     return refusal("An improvement does not go with features yet; leave out either.");
   return Done{};
@@ -89,131 +61,6 @@ Status checkCones(const HolonomySpec& asked, const CompleteSpec& found) {
                  std::move(where)};
 }
 
-void findWrong(const TriMesh& mesh, const Topology& topology, StraightAttempt& attempt) {
-  const Certificate& c = attempt.certificate;
-  if (!c.isMeasured) {
-    attempt.wrongCount = 1 << 30;
-    return;
-  }
-  attempt.wrong = c.orientation.notPositive;
-  attempt.wrongCount = static_cast<int>(attempt.wrong.size() + c.angles.wrong.size());
-  const auto addRing = [&](VertexId v) {
-    for (HalfedgeId h : outgoingHalfedges(mesh, v)) attempt.wrong.push_back(TriMesh::face(h));
-  };
-  for (const MeasuredCone& cone : c.angles.wrong) addRing(cone.vertex);
-  for (const MeasuredTurning& turning : c.angles.turnings) {
-    if (!turning.isWrong) continue;
-    ++attempt.wrongCount;
-    for (HalfedgeId h : topology.loops[at(turning.loop.i)].halfedges) addRing(mesh.tail(h));
-  }
-  std::sort(attempt.wrong.begin(), attempt.wrong.end());
-  attempt.wrong.erase(std::unique(attempt.wrong.begin(), attempt.wrong.end()), attempt.wrong.end());
-}
-
-class StraightRun {
- public:
-  StraightRun(const TriMesh& mesh, const StraightSetup& setup, const ParametrizeOptions& options,
-              std::vector<Round>& rounds)
-      : mesh_(mesh), setup_(setup), options_(options), rounds_(rounds), verifier_(mesh) {}
-
-  /// The first certified map, or the one that is nearest to it. Nothing if it was cancelled.
-  std::optional<StraightAttempt> run() {
-    for (const StraightWeighting& weighting : kWeightings) {
-      std::vector<FaceId> hard = setup_.base;
-      for (int growth = 0; growth <= kGrowthRounds; ++growth) {
-        if (static_cast<int>(rounds_.size()) >= options_.maxRounds) return std::move(best_);
-        StraightAttempt attempt = solve(weighting, growth, hard);
-        if (isCancelled_) return {};
-        const std::vector<FaceId> wrong = attempt.wrong;
-        const bool isInfeasible = socp::isWithoutPoint(attempt.program.status);
-        if (!best_ || attempt.certificate.isCertified || attempt.wrongCount < best_->wrongCount)
-          best_ = std::move(attempt);
-        if (best_->certificate.isCertified) return std::move(best_);
-        if (isInfeasible && growth == 0 && !findShort(weighting)) return std::move(best_);
-        if (isInfeasible || wrong.empty()) break;
-        const std::vector<FaceId> more = growFaces(mesh_, wrong, 1);
-        const std::size_t before = hard.size();
-        hard.insert(hard.end(), more.begin(), more.end());
-        std::sort(hard.begin(), hard.end());
-        hard.erase(std::unique(hard.begin(), hard.end()), hard.end());
-        if (hard.size() == before) break;
-      }
-    }
-    return std::move(best_);
-  }
-
-  /// Edges whose lengths alone contradict each other, with frames left out; empty where they do not.
-  const std::vector<HalfedgeId>& shortEdges() const { return short_; }
-
- private:
-  /// Looks whether the lengths of feature edges contradict each other; false if that is so, or if it was cancelled.
-  bool findShort(const StraightWeighting& weighting) {
-    const StraightOptions program = optionsOf(weighting);
-    const SeamlessSystem system = systemOf(mesh_, setup_.seamless);
-    const StraightResult lengths = solveStraight(straightSystemOf(setup_, system), {}, program);
-    if (socp::isWithoutPoint(lengths.status)) short_ = lengths.conflictEdges;
-    return short_.empty() && !isCancelled_;
-  }
-
-  StraightOptions optionsOf(const StraightWeighting& weighting) {
-    StraightOptions program;
-    program.u = setup_.seamless.field.u;
-    for (double& u : program.u.raw()) u *= weighting.share;
-    program.quality = weighting.quality;
-    const int round = static_cast<int>(rounds_.size()) + 1;
-    program.progress = [this, round](int iteration, double residual) {
-      const double fraction = 1.0 - 1.0 / (1.0 + 0.25 * iteration);
-      isCancelled_ = !report(options_.progress, {Stage::kSolve, fraction, iteration, residual,
-                                                 round, options_.maxRounds});
-      return !isCancelled_;
-    };
-    return program;
-  }
-
-  StraightAttempt solve(const StraightWeighting& weighting, int growth,
-                        const std::vector<FaceId>& hard) {
-    const auto start = Clock::now();
-    const SeamlessSetup& seamless = setup_.seamless;
-    const StraightOptions program = optionsOf(weighting);
-    const SeamlessSystem system = systemOf(mesh_, seamless);
-    StraightAttempt attempt;
-    attempt.program =
-        solveStraight(straightSystemOf(setup_, system), fieldFrames(seamless.seams, hard), program);
-    attempt.map = layOut(mesh_, seamless, attempt.program.z);
-    attempt.certificate = verifier_.certify(toSpec(seamless.field.spec), attempt.map);
-    findWrong(mesh_, seamless.context->topology, attempt);
-    record(weighting, growth, hard.size(), attempt, elapsedSince(start));
-    return attempt;
-  }
-
-  void record(const StraightWeighting& weighting, int growth, std::size_t hardCount,
-              const StraightAttempt& attempt, double seconds) {
-    Round round;
-    round.method = weighting.name;
-    if (growth > 0) round.method += " + enlarged " + std::to_string(growth);
-    round.constrainedTriangles = static_cast<int>(hardCount);
-    round.iterations = attempt.program.iterations;
-    round.solverStatus = socp::statusName(attempt.program.status);
-    round.flipped = attempt.certificate.orientation.zero + attempt.certificate.orientation.negative;
-    round.wrongAngles = static_cast<int>(attempt.certificate.angles.wrong.size());
-    for (const MeasuredTurning& t : attempt.certificate.angles.turnings)
-      round.wrongAngles += t.isWrong;
-    round.laplacianEnergy = attempt.program.laplacianEnergy;
-    round.work = attempt.program.work;
-    round.seconds = seconds;
-    rounds_.push_back(round);
-  }
-
-  const TriMesh& mesh_;
-  const StraightSetup& setup_;
-  const ParametrizeOptions& options_;
-  std::vector<Round>& rounds_;
-  Verifier verifier_;
-  std::optional<StraightAttempt> best_;
-  std::vector<HalfedgeId> short_;
-  bool isCancelled_ = false;
-};
-
 /// The given features and all boundary edges, ascending.
 std::vector<EdgeId> withRims(const TriMesh& mesh, std::vector<EdgeId> features) {
   for (EdgeId e : mesh.edges())
@@ -222,10 +69,6 @@ std::vector<EdgeId> withRims(const TriMesh& mesh, std::vector<EdgeId> features) 
   features.erase(std::unique(features.begin(), features.end()), features.end());
   return features;
 }
-
-}  // namespace
-
-namespace {
 
 /// What the programs of one field led to.
 struct StraightOutcome {
@@ -242,11 +85,12 @@ class StepSearch {
 
   Result<StraightOutcome> run(StraightSetup setup) {
     for (;;) {
-      const auto start = Clock::now();
+      StageClock clock(options_.progress, result_.times);
+      if (!clock.begin(Stage::kSolve)) return clock.cancelled();
       StraightRun run(surface_.mesh(), setup, options_, result_.rounds);
       std::optional<StraightAttempt> attempt = run.run();
-      result_.times.push_back({Stage::kSolve, elapsedSince(start)});
-      if (!attempt) return cancelled(Stage::kSolve);
+      if (!attempt) return clock.cancelled();
+      clock.end();
       const std::vector<HalfedgeId> edges = run.shortEdges();
       contradicting_ = static_cast<int>(edges.size());
       StraightOutcome outcome{std::move(setup), std::move(*attempt)};
@@ -310,6 +154,20 @@ class StepSearch {
   int contradicting_ = 0, straightened_ = 0;
 };
 
+/// A certified map is put on the grid that is asked for.
+Status alignToLines(const TriMesh& mesh, const ParametrizeOptions& options,
+                    StraightOutcome& outcome, Parametrization& result) {
+  if (!options.grid.isAsked() || !outcome.attempt.certificate.isCertified) return Done{};
+  StageClock clock(options.progress, result.times);
+  if (!clock.begin(Stage::kAlign)) return clock.cancelled();
+  const StraightResult& program = outcome.attempt.program;
+  StraightGrid grid = alignAlong(mesh, outcome.setup, program.z, program.x, options);
+  if (grid.isCancelled) return clock.cancelled();
+  result.grid = std::move(grid.report);
+  if (grid.attempt) outcome.attempt = std::move(*grid.attempt);
+  return Done{};
+}
+
 }  // namespace
 
 Result<Parametrization> parametrizeAlongFeatures(PreparedSurface& surface, const HolonomySpec& spec,
@@ -329,6 +187,8 @@ Result<Parametrization> parametrizeAlongFeatures(PreparedSurface& surface, const
   result.notes = seamless.warnings;
   search.note();
   result.copyOf = seamless.cut.parent.raw();
+  if (Status done = alignToLines(mesh, options, *outcome, result); !done)
+    return std::move(done).error();
   result.map = std::move(outcome->attempt.map);
   result.certificate = std::move(outcome->attempt.certificate);
   result.isCertified = result.certificate.isCertified;

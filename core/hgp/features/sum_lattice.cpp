@@ -1,0 +1,69 @@
+#include "hgp/features/sum_lattice.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hgp/base/ids.h"
+
+namespace hgp {
+namespace {
+
+constexpr std::int64_t kLargestStep = std::int64_t{1} << 40;
+
+}  // namespace
+
+bool SumLattice::add(const RealSum& sum) {
+  Row row;
+  for (const auto& [variable, factor] : sum) row[variable] = std::llround(kFactorSteps * factor);
+  while (!row.empty()) {
+    const int first = row.begin()->first;
+    const auto found = rows_.find(first);
+    if (found == rows_.end()) {
+      rows_[first] = std::move(row);
+      return true;
+    }
+    Row& own = found->second;
+    // Euclid's algorithm on the first factors.
+    while (!row.empty() && row.begin()->first == first) {
+      const std::int64_t times = row.at(first) / own.at(first);
+      for (const auto& [variable, step] : own) {
+        std::int64_t& entry = row[variable];
+        entry -= times * step;
+        if (std::abs(entry) > kLargestStep) return false;
+        if (entry == 0) row.erase(variable);
+      }
+      if (!row.empty() && row.begin()->first == first) std::swap(row, own);
+    }
+  }
+  return true;
+}
+
+bool SumLattice::isComplete() const {
+  return std::all_of(rows_.begin(), rows_.end(), [&](const auto& named) {
+    return std::all_of(named.second.begin(), named.second.end(),
+                       [&](const auto& term) { return rows_.contains(term.first); });
+  });
+}
+
+std::vector<int> SumLattice::variables() const {
+  std::vector<int> out;
+  for (const auto& [variable, row] : rows_) out.push_back(variable);
+  return out;
+}
+
+Eigen::MatrixXd SumLattice::basis() const {
+  const std::vector<int> order = variables();
+  const auto n = static_cast<Eigen::Index>(order.size());
+  Eigen::MatrixXd B = Eigen::MatrixXd::Zero(n, n);
+  Eigen::Index i = 0;
+  for (const auto& [first, row] : rows_) {
+    for (const auto& [variable, step] : row) {
+      const auto j = std::lower_bound(order.begin(), order.end(), variable) - order.begin();
+      B(i, j) = static_cast<double>(step) / kFactorSteps;
+    }
+    ++i;
+  }
+  return B;
+}
+
+}  // namespace hgp

@@ -1,0 +1,164 @@
+#include "hgp/parametrize/along/straight_run.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "hgp/base/portable_math.h"
+#include "hgp/mesh/face_rings.h"
+#include "hgp/parametrize/stage_clock.h"
+
+namespace hgp {
+
+/// How the programs of one pass are weighted: the scale e^{share·u}, and δ.
+struct StraightRun::Weighting {
+  const char* name;
+  double share;
+  double quality;
+};
+
+namespace {
+
+/// Enlargements of the constrained set for each of the weightings.
+constexpr int kGrowthRounds = 3;
+/// Lines on integers need lengths that are shorter than those of the map as solved, some of which are at their least.
+constexpr double kGridMargin = 0.1;
+/// Integers with which this share of the triangles is wrong are given up.
+constexpr double kHopeless = 0.1;
+
+void findWrong(const TriMesh& mesh, const Topology& topology, StraightAttempt& attempt) {
+  const Certificate& c = attempt.certificate;
+  if (!c.isMeasured) {
+    attempt.wrongCount = 1 << 30;
+    return;
+  }
+  attempt.wrong = c.orientation.notPositive;
+  attempt.wrongCount = static_cast<int>(attempt.wrong.size() + c.angles.wrong.size());
+  const auto addRing = [&](VertexId v) {
+    for (HalfedgeId h : outgoingHalfedges(mesh, v)) attempt.wrong.push_back(TriMesh::face(h));
+  };
+  for (const MeasuredCone& cone : c.angles.wrong) addRing(cone.vertex);
+  for (const MeasuredTurning& turning : c.angles.turnings) {
+    if (!turning.isWrong) continue;
+    ++attempt.wrongCount;
+    for (HalfedgeId h : topology.loops[at(turning.loop.i)].halfedges) addRing(mesh.tail(h));
+  }
+  std::sort(attempt.wrong.begin(), attempt.wrong.end());
+  attempt.wrong.erase(std::unique(attempt.wrong.begin(), attempt.wrong.end()), attempt.wrong.end());
+}
+
+/// In cells, as solved.
+UvMap plainMap(const TriMesh& mesh, const CutMesh& cut, const std::vector<Complex>& z) {
+  UvMap map;
+  for (FaceId f : mesh.faces()) {
+    const HalfedgeId h = TriMesh::halfedge(f, 0);
+    map.cornerUv.push_back(
+        {cut.copy[h].i, cut.copy[TriMesh::next(h)].i, cut.copy[TriMesh::previous(h)].i});
+  }
+  for (const Complex& p : z) map.uv.push_back({p.real(), p.imag()});
+  return map;
+}
+
+}  // namespace
+
+std::optional<StraightAttempt> StraightRun::run() {
+  static constexpr Weighting kWeightings[] = {{"straight features", 1.0, 1e-4},
+                                              {"straight features, even weights", 0.0, 1e-4},
+                                              {"straight features, light distortion", 1.0, 1e-2}};
+  for (const Weighting& weighting : kWeightings) {
+    std::vector<FaceId> hard = setup_.base;
+    for (int growth = 0; growth <= kGrowthRounds; ++growth) {
+      if (static_cast<int>(rounds_.size()) >= options_.maxRounds) return std::move(best_);
+      StraightAttempt attempt = solve(weighting, growth, hard);
+      if (isCancelled_) return {};
+      const std::vector<FaceId> wrong = attempt.wrong;
+      const bool isInfeasible = socp::isWithoutPoint(attempt.program.status);
+      if (!best_ || attempt.certificate.isCertified || attempt.wrongCount < best_->wrongCount)
+        best_ = std::move(attempt);
+      if (best_->certificate.isCertified) return std::move(best_);
+      if (isInfeasible && growth == 0 && (grid_ || !findShort(weighting))) return std::move(best_);
+      if (isInfeasible || wrong.empty()) break;
+      if (grid_ && static_cast<double>(wrong.size()) > kHopeless * mesh_.faceCount())
+        return std::move(best_);
+      const std::vector<FaceId> more = growFaces(mesh_, wrong, 1);
+      const std::size_t before = hard.size();
+      hard.insert(hard.end(), more.begin(), more.end());
+      std::sort(hard.begin(), hard.end());
+      hard.erase(std::unique(hard.begin(), hard.end()), hard.end());
+      if (hard.size() == before) break;
+    }
+  }
+  return std::move(best_);
+}
+
+/// Looks whether the lengths of feature edges contradict each other; false if that is so, or if it was cancelled.
+bool StraightRun::findShort(const Weighting& weighting) {
+  const StraightOptions program = optionsOf(weighting);
+  const SeamlessSystem system = systemOf(mesh_, setup_.seamless);
+  const StraightResult lengths = solveStraight(straightSystemOf(setup_, system), {}, program);
+  if (socp::isWithoutPoint(lengths.status)) short_ = lengths.conflictEdges;
+  return short_.empty() && !isCancelled_;
+}
+
+StraightOptions StraightRun::optionsOf(const Weighting& weighting) {
+  StraightOptions program;
+  program.u = setup_.seamless.field.u;
+  for (double& u : program.u.raw()) u *= weighting.share;
+  program.quality = weighting.quality;
+  if (grid_) {
+    const double shift = portable::log(grid_->scale);
+    for (double& u : program.u.raw()) u += shift;
+    program.given = grid_->given;
+    program.margin *= kGridMargin;
+  }
+  const int round = static_cast<int>(rounds_.size()) + 1;
+  program.progress = [this, round](int iteration, double residual) {
+    const double fraction = 1.0 - 1.0 / (1.0 + 0.25 * iteration);
+    const ProgressReport now = grid_ ? ProgressReport{Stage::kAlign, 0.0}
+                                     : ProgressReport{Stage::kSolve, fraction, iteration,
+                                                      residual,      round,    options_.maxRounds};
+    isCancelled_ = !report(options_.progress, now);
+    return !isCancelled_;
+  };
+  return program;
+}
+
+StraightAttempt StraightRun::solve(const Weighting& weighting, int growth,
+                                   const std::vector<FaceId>& hard) {
+  const auto start = std::chrono::steady_clock::now();
+  const SeamlessSetup& seamless = setup_.seamless;
+  const StraightOptions program = optionsOf(weighting);
+  const SeamlessSystem system = systemOf(mesh_, seamless);
+  StraightAttempt attempt;
+  Frames frames = fieldFrames(seamless.seams, hard);
+  if (grid_)
+    for (std::size_t j = 0; j < frames.faces.size(); ++j)
+      frames.angles[j] = grid_->angle[frames.faces[j]];
+  attempt.program = solveStraight(straightSystemOf(setup_, system), frames, program);
+  attempt.map = grid_ ? plainMap(mesh_, seamless.cut, attempt.program.z)
+                      : layOut(mesh_, seamless, attempt.program.z);
+  attempt.certificate = verifier_.certify(toSpec(seamless.field.spec), attempt.map);
+  findWrong(mesh_, seamless.context->topology, attempt);
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  record(weighting, growth, hard.size(), attempt, spent.count());
+  return attempt;
+}
+
+void StraightRun::record(const Weighting& weighting, int growth, std::size_t hardCount,
+                         const StraightAttempt& attempt, double seconds) {
+  Round round;
+  round.method = weighting.name;
+  if (growth > 0) round.method += " + enlarged " + std::to_string(growth);
+  round.constrainedTriangles = static_cast<int>(hardCount);
+  round.iterations = attempt.program.iterations;
+  round.solverStatus = socp::statusName(attempt.program.status);
+  round.flipped = attempt.certificate.orientation.zero + attempt.certificate.orientation.negative;
+  round.wrongAngles = static_cast<int>(attempt.certificate.angles.wrong.size());
+  for (const MeasuredTurning& t : attempt.certificate.angles.turnings)
+    round.wrongAngles += t.isWrong;
+  round.laplacianEnergy = attempt.program.laplacianEnergy;
+  round.work = attempt.program.work;
+  round.seconds = seconds;
+  rounds_.push_back(round);
+}
+
+}  // namespace hgp

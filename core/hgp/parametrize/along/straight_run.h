@@ -1,0 +1,65 @@
+// The programs of one field along features.  Role: attempts with other weights and larger constrained sets until the
+// verifier accepts the map.
+#pragma once
+
+#include <optional>
+
+#include "hgp/parametrize/along/straight_setup.h"
+#include "hgp/verify/verdict.h"
+
+namespace hgp {
+
+struct StraightAttempt {
+  StraightResult program;
+  UvMap map;
+  Certificate certificate;
+  std::vector<FaceId> wrong;  ///< not positive, or at a vertex or loop with a wrong angle
+  int wrongCount = 0;
+};
+
+/// Unknowns on a grid.
+struct GridValues {
+  double scale = 1.0;                         ///< cells per unit of the map as solved
+  std::vector<std::pair<int, double>> given;  ///< in cells
+  PerFace<double> angle;                      ///< frames of the map as solved, as Frames::angles
+};
+
+class StraightRun {
+ public:
+  /// @param grid  null: without one. Its maps are in cells, and lengths that contradict each other are not looked for.
+  StraightRun(const TriMesh& mesh, const StraightSetup& setup, const ParametrizeOptions& options,
+              std::vector<Round>& rounds, const GridValues* grid = nullptr)
+      : mesh_(mesh),
+        setup_(setup),
+        options_(options),
+        rounds_(rounds),
+        grid_(grid),
+        verifier_(mesh) {}
+
+  /// The first certified map, or the one that is nearest to it. Nothing if it was cancelled.
+  std::optional<StraightAttempt> run();
+
+  /// Edges whose lengths alone contradict each other, with frames left out; empty where they do not.
+  const std::vector<HalfedgeId>& shortEdges() const { return short_; }
+
+ private:
+  struct Weighting;
+
+  bool findShort(const Weighting& weighting);
+  StraightOptions optionsOf(const Weighting& weighting);
+  StraightAttempt solve(const Weighting& weighting, int growth, const std::vector<FaceId>& hard);
+  void record(const Weighting& weighting, int growth, std::size_t hardCount,
+              const StraightAttempt& attempt, double seconds);
+
+  const TriMesh& mesh_;
+  const StraightSetup& setup_;
+  const ParametrizeOptions& options_;
+  std::vector<Round>& rounds_;
+  const GridValues* grid_;
+  Verifier verifier_;
+  std::optional<StraightAttempt> best_;
+  std::vector<HalfedgeId> short_;
+  bool isCancelled_ = false;
+};
+
+}  // namespace hgp

@@ -1,0 +1,53 @@
+// Numbers of which given sums are integers.  Laws: every integer y gives such numbers, and all of them come from one.
+#include "hgp/features/sum_lattice.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+
+namespace hgp {
+namespace {
+
+double valueOf(const RealSum& sum, const Eigen::VectorXd& x) {
+  double value = 0.0;
+  for (const auto& [variable, factor] : sum) value += factor * x[variable];
+  return value;
+}
+
+TEST(SumLattice, IntegersGiveExactlyTheNumbersWithIntegerSums) {
+  const std::vector<RealSum> sums{
+      {{0, 1.0}, {2, 0.5}}, {{0, 1.0}, {2, -0.5}}, {{1, -1.0}, {2, 1.0}}, {{0, 2.0}, {3, 0.5}},
+      {{2, 1.0}},           {{3, 1.0}, {1, 3.0}}};
+  SumLattice lattice;
+  for (const RealSum& sum : sums) ASSERT_TRUE(lattice.add(sum));
+  ASSERT_TRUE(lattice.isComplete());
+  ASSERT_EQ(lattice.variables(), (std::vector<int>{0, 1, 2, 3}));
+  const Eigen::MatrixXd B = lattice.basis(), inverse = B.inverse();
+  for (int i = 0; i < 4; ++i) {
+    const Eigen::VectorXd x = inverse * Eigen::VectorXd::Unit(4, i);
+    for (const RealSum& sum : sums)
+      EXPECT_NEAR(valueOf(sum, x), std::nearbyint(valueOf(sum, x)), 1e-12);
+  }
+  // Halves of the units in y do not: no coarser lattice would do.
+  for (int i = 0; i < 4; ++i) {
+    const Eigen::VectorXd x = inverse * (0.5 * Eigen::VectorXd::Unit(4, i));
+    bool areIntegers = true;
+    for (const RealSum& sum : sums) {
+      const double value = valueOf(sum, x);
+      areIntegers = areIntegers && std::fabs(value - std::nearbyint(value)) < 1e-12;
+    }
+    EXPECT_FALSE(areIntegers) << i;
+  }
+}
+
+TEST(SumLattice, IsNotCompleteWhereASumAloneTiesTwoNumbers) {
+  SumLattice lattice;
+  ASSERT_TRUE(lattice.add({{0, 1.0}, {1, 1.0}}));
+  EXPECT_FALSE(lattice.isComplete());
+  ASSERT_TRUE(lattice.add({{0, 1.0}, {1, -1.0}}));
+  EXPECT_TRUE(lattice.isComplete());
+}
+
+}  // namespace
+}  // namespace hgp

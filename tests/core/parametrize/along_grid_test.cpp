@@ -1,0 +1,166 @@
+// Maps along features on a grid.  Laws: every feature edge lies on a line of integers, in both modes; the quads cover the whole
+// surface, and every chain of features is a chain of their edges, with its corners as vertices.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hgp/mesh/vectors.h"
+#include "hgp/parametrize/along/along_features.h"
+#include "hgp/quads/quads.h"
+#include "support/creases.h"
+
+namespace hgp {
+namespace {
+
+Result<Parametrization> onGrid(const TriMesh& mesh, const std::vector<EdgeId>& features,
+                               const GridOptions& grid) {
+  PreparedSurface surface(mesh);
+  HolonomySpec spec;
+  spec.features = features;
+  ParametrizeOptions options;
+  options.grid = grid;
+  return parametrizeAlongFeatures(surface, spec, options);
+}
+
+bool isWhole(double x) { return x == std::nearbyint(x); }
+
+/// Feature edges in cells, and the corners and ends of features.
+struct Lines {
+  double length = 0.0, rims = 0.0;
+  int edges = 0, vertices = 0;
+  std::vector<VertexId> nodes;
+};
+
+Lines linesOf(const TriMesh& mesh, const Parametrization& run) {
+  Lines out;
+  PerVertex<int> degree(at(mesh.vertexCount()), 0);
+  const auto uv = [&](HalfedgeId h) {
+    return run.map.uv[at(run.map.cornerUv[at(h.i / 3)][at(h.i % 3)])];
+  };
+  for (EdgeId e : run.spec.features) {
+    const HalfedgeId h = mesh.halfedge(e);
+    const Vec2 a = uv(h), b = uv(TriMesh::next(h));
+    const bool isU = a[0] == b[0];
+    EXPECT_TRUE(isWhole(a[isU ? 0 : 1])) << "edge " << e.i;
+    const double length = std::fabs(isU ? b[1] - a[1] : b[0] - a[0]);
+    out.length += length;
+    if (mesh.isBoundary(h)) out.rims += length;
+    ++out.edges;
+    for (VertexId v : {mesh.tail(h), mesh.head(h)}) out.vertices += degree[v]++ == 0;
+  }
+  for (VertexId v : mesh.vertices())
+    if (degree[v] > 0 && degree[v] != 2) out.nodes.push_back(v);
+  return out;
+}
+
+double apart(const Vec3& a, const Vec3& b) { return norm(subtract(a, b)); }
+
+double distanceToEdge(const TriMesh& mesh, EdgeId e, const Vec3& p) {
+  const HalfedgeId h = mesh.halfedge(e);
+  const Vec3 a = mesh.position(mesh.tail(h)), d = subtract(mesh.position(mesh.head(h)), a);
+  const double t = std::clamp(dot(subtract(p, a), d) / dot(d, d), 0.0, 1.0);
+  return apart(p, {a[0] + t * d[0], a[1] + t * d[1], a[2] + t * d[2]});
+}
+
+/// Edges of quads that have a quad on one side only.
+int openEdges(const QuadMesh& quads) {
+  std::vector<std::pair<int, int>> sides;
+  for (const auto& q : quads.quads)
+    for (std::size_t k = 0; k < 4; ++k) sides.push_back({q[k], q[(k + 1) % 4]});
+  std::sort(sides.begin(), sides.end());
+  return static_cast<int>(std::count_if(sides.begin(), sides.end(), [&](const auto& s) {
+    return !std::binary_search(sides.begin(), sides.end(), std::pair{s.second, s.first});
+  }));
+}
+
+TEST(AlongGrid, FeaturesLieOnIntegersInBothModes) {
+  for (const test::CreasedShape& shape : test::creasedShapes())
+    for (const GridMode mode : {GridMode::kTile, GridMode::kQuad}) {
+      const Result<Parametrization> run = onGrid(shape.mesh, shape.features, {900.0, 0.0, mode});
+      ASSERT_TRUE(run) << shape.name;
+      EXPECT_TRUE(run->isCertified) << shape.name;
+      ASSERT_TRUE(run->grid && run->grid->isAligned) << shape.name << ": " << run->grid->reason;
+      if (!run->certificate.seams.seams.empty())
+        EXPECT_TRUE(run->certificate.exactSeams.integer) << shape.name;
+      linesOf(shape.mesh, *run);
+    }
+}
+
+TEST(AlongGrid, QuadsCoverTheWholeSurfaceAndFollowEveryFeature) {
+  for (const test::CreasedShape& shape : test::creasedShapes()) {
+    const TriMesh& mesh = shape.mesh;
+    const Result<Parametrization> run = onGrid(mesh, shape.features, {900.0, 0.0, GridMode::kQuad});
+    ASSERT_TRUE(run && run->grid && run->grid->isAligned) << shape.name;
+    const Result<QuadMesh> quads = extractQuads(mesh, run->map, 4);
+    ASSERT_TRUE(quads) << shape.name << ": " << quads.error().message;
+    const Lines lines = linesOf(mesh, *run);
+    EXPECT_EQ(quads->clipped, 0) << shape.name;
+    EXPECT_EQ(static_cast<double>(quads->quads.size()), std::nearbyint(run->grid->cells))
+        << shape.name;
+    EXPECT_NEAR(run->grid->cells, std::nearbyint(run->grid->cells), 1e-6) << shape.name;
+    EXPECT_EQ(openEdges(*quads), std::lround(lines.rims)) << shape.name;
+    // As many vertices of quads lie on features as unit steps do, but for the Euler characteristic of the lines.
+    Vec3 low = mesh.position(VertexId(0)), high = low;
+    for (VertexId v : mesh.vertices())
+      for (std::size_t k = 0; k < 3; ++k) {
+        low[k] = std::min(low[k], mesh.position(v)[k]);
+        high[k] = std::max(high[k], mesh.position(v)[k]);
+      }
+    const double near = 1e-6 * apart(low, high);
+    const auto isOnFeature = [&](const Vec3& p) {
+      return std::any_of(run->spec.features.begin(), run->spec.features.end(),
+                         [&](EdgeId e) { return distanceToEdge(mesh, e, p) <= near; });
+    };
+    const auto onFeatures =
+        std::count_if(quads->positions.begin(), quads->positions.end(), isOnFeature);
+    EXPECT_EQ(onFeatures, std::lround(lines.length) + lines.vertices - lines.edges) << shape.name;
+    for (VertexId v : lines.nodes)
+      EXPECT_TRUE(std::any_of(quads->positions.begin(), quads->positions.end(),
+                              [&](const Vec3& p) { return apart(p, mesh.position(v)) <= near; }))
+          << shape.name << " vertex " << v.i;
+  }
+}
+
+TEST(AlongGrid, DanglingEndsAreGridPointsOfQuads) {
+  const TriMesh mesh = test::icosphere(5).mesh();
+  const HalfedgeId h(0);
+  std::vector<EdgeId> features{mesh.edge(h), mesh.edge(TriMesh::next(h)),
+                               mesh.edge(HalfedgeId(900))};
+  std::sort(features.begin(), features.end());
+  const Result<Parametrization> run = onGrid(mesh, features, {3000.0, 0.0, GridMode::kQuad});
+  ASSERT_TRUE(run && run->grid && run->grid->isAligned);
+  const Result<QuadMesh> quads = extractQuads(mesh, run->map, 4);
+  ASSERT_TRUE(quads);
+  for (VertexId v : linesOf(mesh, *run).nodes)
+    EXPECT_TRUE(std::any_of(quads->positions.begin(), quads->positions.end(), [&](const Vec3& p) {
+      return apart(p, mesh.position(v)) < 1e-6;
+    })) << v.i;
+}
+
+TEST(AlongGrid, AFewCellsAreEnoughForACube) {
+  const TriMesh mesh = test::cube(4).mesh();
+  const Result<Parametrization> run =
+      onGrid(mesh, test::creasesOf(mesh), {6.0, 0.0, GridMode::kQuad});
+  ASSERT_TRUE(run && run->grid && run->grid->isAligned);
+  const Result<QuadMesh> quads = extractQuads(mesh, run->map, 4);
+  ASSERT_TRUE(quads);
+  EXPECT_EQ(quads->quads.size(), 6u);
+  EXPECT_EQ(quads->positions.size(), 8u);
+}
+
+TEST(AlongGrid, CanBeCancelled) {
+  const TriMesh mesh = test::cube(4).mesh();
+  PreparedSurface surface(mesh);
+  HolonomySpec spec;
+  spec.features = test::creasesOf(mesh);
+  ParametrizeOptions options;
+  options.grid.cells = 100.0;
+  options.progress = [](const ProgressReport& r) { return r.stage != Stage::kAlign; };
+  const Result<Parametrization> run = parametrizeAlongFeatures(surface, spec, options);
+  ASSERT_FALSE(run);
+  EXPECT_EQ(run.error().code, ErrorCode::kCancelled);
+}
+
+}  // namespace
+}  // namespace hgp

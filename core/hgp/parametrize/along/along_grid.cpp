@@ -23,7 +23,7 @@ constexpr double kFinerFactors[] = {2.0, 2.83, 4.0, 5.66};
 constexpr double kLineReach = 12.0;
 /// Programs per density.
 constexpr int kRoundsPerDensity = 6;
-/// The choice is dense: with twice as many integers it takes more than four times as long.
+/// The choice is dense: its matrices have the square of this many entries.
 constexpr std::size_t kMostLineIntegers = 2000;
 
 double areaOf(const TriMesh& mesh, const CutMesh& cut, const std::vector<Complex>& z) {

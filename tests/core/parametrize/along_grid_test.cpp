@@ -81,8 +81,9 @@ TEST(AlongGrid, FeaturesLieOnIntegersInBothModes) {
       ASSERT_TRUE(run) << shape.name;
       EXPECT_TRUE(run->isCertified) << shape.name;
       ASSERT_TRUE(run->grid && run->grid->isAligned) << shape.name << ": " << run->grid->reason;
-      if (!run->certificate.seams.seams.empty())
+      if (!run->certificate.seams.seams.empty()) {
         EXPECT_TRUE(run->certificate.exactSeams.integer) << shape.name;
+      }
       linesOf(shape.mesh, *run);
     }
 }

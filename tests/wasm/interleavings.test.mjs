@@ -399,13 +399,13 @@ const beside = (corner) => (corner % 3 === 2 ? corner - 2 : corner + 1);
 test('calls at random, cancelled, with reused buffers and dying workers: each gives what it gives alone', async (t) => {
   const alone = await resultsAlone();
   let checked = 0;
-  for (let seed = 1; seed <= rounds; seed++) {
+  // How many maps are dragged depends on which calls are cancelled in time; more rounds follow until there are enough.
+  for (let seed = 1; seed <= rounds || (drags < rounds && seed <= 2 * rounds); seed++) {
     await t.test(`seed ${seed}`, async () => {
       checked += await play(randomFrom(seed), alone);
     });
   }
   t.diagnostic(`${checked} results compared, ${drags} maps dragged`);
-  // How many there are depends on which calls are cancelled in time: 9 to 12 of 10 rounds were seen.
-  assert.ok(2 * drags >= rounds, `${drags} maps dragged`);
+  assert.ok(drags >= rounds, `${drags} maps dragged`);
   assert.ok(checked >= rounds * 10, `${checked} results compared`);
 });

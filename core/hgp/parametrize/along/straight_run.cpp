@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string>
+#include <utility>
 
 #include "hgp/base/portable_math.h"
 #include "hgp/mesh/face_rings.h"
+#include "hgp/parametrize/round.h"
 #include "hgp/parametrize/stage_clock.h"
 
 namespace hgp {
@@ -145,20 +148,10 @@ StraightAttempt StraightRun::solve(const Weighting& weighting, int growth,
 
 void StraightRun::record(const Weighting& weighting, int growth, std::size_t hardCount,
                          const StraightAttempt& attempt, double seconds) {
-  Round round;
-  round.method = weighting.name;
-  if (growth > 0) round.method += " + enlarged " + std::to_string(growth);
-  round.constrainedTriangles = static_cast<int>(hardCount);
-  round.iterations = attempt.program.iterations;
-  round.solverStatus = socp::statusName(attempt.program.status);
-  round.flipped = attempt.certificate.orientation.zero + attempt.certificate.orientation.negative;
-  round.wrongAngles = static_cast<int>(attempt.certificate.angles.wrong.size());
-  for (const MeasuredTurning& t : attempt.certificate.angles.turnings)
-    round.wrongAngles += t.isWrong;
-  round.laplacianEnergy = attempt.program.laplacianEnergy;
-  round.work = attempt.program.work;
-  round.seconds = seconds;
-  rounds_.push_back(round);
+  std::string method = weighting.name;
+  if (growth > 0) method += " + enlarged " + std::to_string(growth);
+  rounds_.push_back(
+      roundOf(std::move(method), hardCount, attempt.program, attempt.certificate, seconds));
 }
 
 }  // namespace hgp

@@ -9,6 +9,7 @@
 #include "hgp/base/counted.h"
 #include "hgp/parametrize/after/free_rotation.h"
 #include "hgp/parametrize/after/solution.h"
+#include "hgp/parametrize/round.h"
 #include "hgp/parametrize/seamless_setup.h"
 #include "hgp/parametrize/stage_clock.h"
 #include "hgp/parametrize/strategy/attempt.h"
@@ -16,22 +17,6 @@
 
 namespace hgp {
 namespace {
-
-Round describe(const Problem& problem, const State& state, const Attempt& attempt, double seconds) {
-  Round round;
-  round.method = nameOf(problem, state);
-  round.constrainedTriangles = static_cast<int>(attempt.frames.faces.size());
-  round.iterations = attempt.program.iterations;
-  round.solverStatus = socp::statusName(attempt.program.status);
-  round.flipped = attempt.certificate.orientation.zero + attempt.certificate.orientation.negative;
-  round.wrongAngles = static_cast<int>(attempt.certificate.angles.wrong.size());
-  for (const MeasuredTurning& t : attempt.certificate.angles.turnings)
-    round.wrongAngles += t.isWrong;
-  round.laplacianEnergy = attempt.program.laplacianEnergy;
-  round.work = attempt.program.work;
-  round.seconds = seconds;
-  return round;
-}
 
 /// Orders maps, to keep the best one: −1 when certified, then by the number of wrong triangles, vertices and loops.
 long long distanceToCertified(const Attempt& attempt) {
@@ -128,7 +113,8 @@ static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
     tried.insert(hashOf(state));
     const std::shared_ptr<const Attempt> attempt = attempts.make(state, round);
     if (!attempt) return cancelled(Stage::kSolve);
-    rounds.push_back(describe(problem, state, *attempt, secondsSince(start)));
+    rounds.push_back(roundOf(nameOf(problem, state), attempt->frames.faces.size(), attempt->program,
+                             attempt->certificate, secondsSince(start)));
     if (!best || isBetter(*attempt, *best)) best = attempt;
     work -= workOf(rounds.back(), problem.mesh.faceCount());
     const bool isOdd = isDistorted(problem, state, *attempt);

@@ -63,7 +63,7 @@ class Writer:
             if not ref.startswith("#"):
                 return NAMES[ref.split(".")[0]]
             key = ref.split("/")[-1]
-            return self.type_of(defs[key], {"where": "Wheres", "error": "Failure"}[key], defs)
+            return self.type_of(defs[key], {"where": "Wheres", "error": "Failure", "note": "Note"}[key], defs)
         if "const" in schema:
             return f"Literal[{literal(schema['const'])}]"
         if "enum" in schema:

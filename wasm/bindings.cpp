@@ -8,6 +8,7 @@
 
 #include "decoders.h"
 #include "drag.h"
+#include "hgp/api/notes.h"
 #include "options.h"
 #include "reply.h"
 
@@ -98,7 +99,7 @@ class Session {
       if (!written) return failed(written.error());
       val reply = val::object();
       reply.set("files", toFiles(written->files));
-      reply.set("notes", val::array(written->notes));
+      reply.set("notes", api::notesDocument(written->notes));
       reply.set("xref", toTypedArray("Int32Array", written->xref));
       reply.set("certified", written->isCertified);
       return reply;

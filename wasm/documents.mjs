@@ -17,7 +17,13 @@ const names = {
 };
 const nameOf = (file) => names[file] ?? file.replace(/\W+(\w)/g, (_, c) => c.toUpperCase());
 
-/** One declaration per schema in the folder, and Where, which several of them use. */
+/** A definition of a schema as a schema of its own. */
+const withDefinitions = ({ $defs }, name) => {
+  const { [name]: one, ...others } = $defs;
+  return { ...one, $defs: others };
+};
+
+/** One declaration per schema in the folder, and Where and Note, which several of them use. */
 export async function declareDocuments(folder) {
   const declare = (schema, name) =>
     compile(schema, name, {
@@ -32,11 +38,15 @@ export async function declareDocuments(folder) {
   const parts = [
     '// Made from schema/*.schema.json by wasm/documents.mjs: the JSON documents of calls and files.\n',
     await declare(read('hgp-error.schema.json').$defs.where, 'Where'),
+    await declare(withDefinitions(read('hgp-error.schema.json'), 'note'), 'Note'),
+    await declare(withDefinitions(read('hgp-check.schema.json'), 'error'), 'Refusal'),
   ];
   for (const file of readdirSync(folder).sort()) {
     parts.push(await declare(read(file), nameOf(file)));
   }
-  return prettier.format(parts.join('\n'), { ...style, parser: 'typescript' });
+  // The name of the definition is also that of a global of JavaScript.
+  const text = parts.join('\n').replace(/\berror\?: Error\b/g, 'error?: Refusal');
+  return prettier.format(text, { ...style, parser: 'typescript' });
 }
 
 const root = path.resolve(import.meta.dirname, '..');

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "hgp/base/check.h"
+#include "hgp/base/phrase.h"
 #include "hgp/field/prepared_surface.h"
 #include "hgp/grid/grid_measures.h"
 #include "hgp/parametrize/parametrize.h"
@@ -48,7 +49,7 @@ class GridComparison {
     const bool isAligned = run->grid && run->grid->isAligned;
     MeasuredMap last = bench::measured(alignedName(kind, grid), run->certificate);
     if (!isAligned) {
-      last.note = run->grid ? run->grid->reason : "not certified";
+      last.note = run->grid && run->grid->reason ? phrase(*run->grid->reason) : "not certified";
       last.isCertified = false;
       add(last, *run);
       return;

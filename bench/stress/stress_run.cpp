@@ -44,7 +44,7 @@ Row rowOf(const Task& task) {
 
 bool speaksOfStretch(const Json& notes) {
   return std::any_of(notes.begin(), notes.end(), [](const Json& n) {
-    return n.get<std::string>().find("stretch") != std::string::npos;
+    return n["code"] == "map-stretched" || n["code"] == "map-unresolved";
   });
 }
 

@@ -253,7 +253,7 @@ def summary(done: engine.Done, name: str, cones: int) -> Dict[str, Any]:
         "worst_angle": stored["maxConeDistance"],
         "integer_seams": solved["integerSeams"],
         "seams": solved["seamEdges"],
-        "notes": done.report["notes"][:8],
+        "notes": done.notes[:8],
     }
 
 

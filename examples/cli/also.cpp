@@ -8,6 +8,7 @@
 
 #include "files.h"
 #include "hgp/base/check.h"
+#include "hgp/base/phrase.h"
 
 namespace hgp::cli {
 namespace {
@@ -73,11 +74,11 @@ Status writeLoops(const api::Session& session, const std::string& path) {
   return writeText(path, json.dump() + "\n");
 }
 
-Status writeAlso(const std::vector<AlsoFile>& files, std::vector<std::string>& notes) {
+Status writeAlso(const std::vector<AlsoFile>& files, std::vector<std::string>& lines) {
   for (const AlsoFile& file : files) {
     if (Status done = writeFiles(file.path, file.written.files); !done) return done;
-    for (const std::string& note : file.written.notes) notes.push_back(file.path + ": " + note);
-    notes.push_back("also wrote " + file.path +
+    for (const Note& note : file.written.notes) lines.push_back(file.path + ": " + phrase(note));
+    lines.push_back("also wrote " + file.path +
                     (file.written.isCertified ? "" : ", which is not certified"));
   }
   return Done{};

@@ -21,8 +21,8 @@ struct AlsoFile {
 /// Makes all files of --also in memory, so that nothing is written if one of them fails.
 Result<std::vector<AlsoFile>> makeAlso(const api::Session& session, const Arguments& asked);
 
-/// Writes them and adds a line for each to `notes`.
-Status writeAlso(const std::vector<AlsoFile>& files, std::vector<std::string>& notes);
+/// Writes them and adds lines on each to `lines`.
+Status writeAlso(const std::vector<AlsoFile>& files, std::vector<std::string>& lines);
 
 /// --faces: a line for each triangle, numbered from 0: triangle,stretch,log2_area,overlaps.
 Status writeFaces(const api::Session& session, const std::string& path);

@@ -11,6 +11,7 @@
 #include "hgp/api/session.h"
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
+#include "hgp/base/phrase.h"
 #include "progress_line.h"
 #include "side_files.h"
 #include "text_report.h"
@@ -97,7 +98,7 @@ class Run {
 
   /// Reports a failure on standard error and, if requested, as JSON.
   int fail(const Failure& failure, bool isReported = true) {
-    tell(failure.message);
+    tell(told(failure));
     for (std::size_t i = 0; i < failure.where.size() && i < 5; ++i) {
       const Where& w = failure.where[i];
       if (w.kind == Where::Kind::kLine || w.kind == Where::Kind::kByte) continue;
@@ -113,7 +114,7 @@ class Run {
     if (!a_.json.empty() && isReported) {
       const Status written = writeText(a_.json, errorDocument(failure));
       // Not reported again if writing was the failure.
-      if (!written && written.error().message != failure.message) tell(written.error().message);
+      if (!written && written.error().message != failure.message) tell(told(written.error()));
     }
     return exitCode(failure.code);
   }
@@ -242,7 +243,7 @@ class Run {
       if (!embedded) return embedded.error();
       if (*embedded && (!a_.q || *a_.q == (*embedded)->q)) {
         asked = std::move(**embedded);
-        asked->notes.push_back("the cones stored in the input are used");
+        asked->notes.push_back(Note("cones-of-input"));
       }
     }
     if (!asked && isTyped) {
@@ -324,8 +325,10 @@ class Run {
       tell("nothing was written: no mesh has a map");
       return kNoMapExit;
     }
-    const Status finished = finishFiles(outcome->files, outcome->notes, resolve_, a_);
+    Notes more;
+    const Status finished = finishFiles(outcome->files, more, resolve_, a_);
     if (!finished) return fail(finished.error());
+    for (const Note& note : more) outcome->notes.push_back(phrase(note));
     if (Status done = writeFiles(a_.output, outcome->files); !done) return fail(done.error());
     tellWritten(outcome->notes);
     return isWhole ? 0 : notCertified();
@@ -340,10 +343,10 @@ class Run {
     return failure;
   }
 
-  void tellWritten(const std::vector<std::string>& notes) const {
+  void tellWritten(const std::vector<std::string>& lines) const {
     if (a_.isQuiet) return;
-    for (const std::string& note : notes) {
-      std::fprintf(stderr, "  note: %s\n", printable(note).c_str());
+    for (const std::string& line : lines) {
+      std::fprintf(stderr, "  note: %s\n", printable(line).c_str());
     }
     std::fprintf(stderr, "  wrote %s\n", printable(a_.output).c_str());
   }
@@ -457,7 +460,9 @@ class Run {
     const bool areCertified = std::all_of(
         also->begin(), also->end(), [](const AlsoFile& file) { return file.written.isCertified; });
     if (Status done = writeFiles(a_.output, written->files); !done) return fail(done.error());
-    if (Status done = writeAlso(*also, written->notes); !done) {
+    std::vector<std::string> lines;
+    for (const Note& note : written->notes) lines.push_back(phrase(note));
+    if (Status done = writeAlso(*also, lines); !done) {
       return fail(done.error());
     }
     if (!a_.faces.empty()) {
@@ -472,7 +477,7 @@ class Run {
       }
       if (Status done = writeText(a_.xref, text); !done) return fail(done.error());
     }
-    tellWritten(written->notes);
+    tellWritten(lines);
     return session_.isCertified() && areCertified ? 0 : notCertified();
   }
 

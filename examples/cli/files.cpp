@@ -35,7 +35,7 @@ Status readPlain(std::FILE* file, const std::string& path, std::uint64_t maxByte
 
 /// Decompresses while reading: the compressed bytes are not kept, and files that are too large fail early.
 Status readPacked(std::FILE* file, const std::string& path, std::uint64_t maxBytes,
-                  io::Bytes& bytes, std::vector<std::string>* notes) {
+                  io::Bytes& bytes, Notes* notes) {
   Gunzip gunzip(maxBytes);
   io::Bytes packed = std::move(bytes);
   bytes.clear();
@@ -47,12 +47,13 @@ Status readPacked(std::FILE* file, const std::string& path, std::uint64_t maxByt
     packed.resize(got);
   }
   Status done = gunzip.finish();
-  if (notes != nullptr && !gunzip.note().empty()) notes->push_back(gunzip.note());
+  if (const std::uint64_t ignored = gunzip.ignoredBytes(); notes != nullptr && ignored > 0)
+    notes->push_back(Note("read-gzip-longer", {{"bytes", ignored}}));
   return done;
 }
 
 Result<io::Bytes> readAll(std::FILE* file, const std::string& path, std::uint64_t maxBytes,
-                          std::vector<std::string>* notes) {
+                          Notes* notes) {
   io::Bytes bytes;
   std::error_code error;
   const bool isRegular = path != "-" && fs::is_regular_file(path, error);
@@ -104,8 +105,7 @@ bool isInside(const fs::path& root, const fs::path& file) {
 
 }  // namespace
 
-Result<io::Bytes> readFile(const std::string& path, std::uint64_t maxBytes,
-                           std::vector<std::string>* notes) {
+Result<io::Bytes> readFile(const std::string& path, std::uint64_t maxBytes, Notes* notes) {
   const bool isStandardInput = path == "-";
   std::FILE* file = isStandardInput ? stdin : std::fopen(path.c_str(), "rb");
   if (file == nullptr) return cannot(ErrorCode::kMalformed, "open", path);

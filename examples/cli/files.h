@@ -12,8 +12,7 @@ namespace hgp::cli {
 
 /// Reads a whole file, "-" for standard input; gzip (with any number of members) is decompressed while it is
 /// read. Fails with kMalformed (cannot be read) or kLimit. `notes` receives notes for users.
-Result<io::Bytes> readFile(const std::string& path, std::uint64_t maxBytes,
-                           std::vector<std::string>* notes = nullptr);
+Result<io::Bytes> readFile(const std::string& path, std::uint64_t maxBytes, Notes* notes = nullptr);
 
 /// A document's files: the main one, and a resolver restricted to files inside `root` ("" = the
 /// folder of `path`) after symbolic links have been followed.

@@ -13,7 +13,11 @@
 namespace hgp::cli {
 
 Failure tooLarge(std::uint64_t maxBytes) {
-  return {ErrorCode::kLimit, "read", "the input is larger than " + io::byteLimit(maxBytes), {}};
+  return {ErrorCode::kLimit,
+          "read",
+          "the input is larger than " + io::byteLimit(maxBytes),
+          {},
+          {Note("raise-bytes")}};
 }
 
 #ifdef HGP_HAS_ZLIB
@@ -133,10 +137,7 @@ Status Gunzip::finish() const {
   return Done{};
 }
 
-std::string Gunzip::note() const {
-  const std::uint64_t bytes = stream_->ignoredBytes;
-  return bytes == 0 ? "" : "ignored: " + counted(bytes, "byte") + " after the gzip data";
-}
+std::uint64_t Gunzip::ignoredBytes() const { return stream_->ignoredBytes; }
 
 #else
 
@@ -147,7 +148,7 @@ Status Gunzip::take(io::ByteView, io::Bytes&) {
   return Failure{ErrorCode::kUnsupported, "read", "this build cannot unpack gzip", {}};
 }
 Status Gunzip::finish() const { return Done{}; }
-std::string Gunzip::note() const { return ""; }
+std::uint64_t Gunzip::ignoredBytes() const { return 0; }
 
 #endif
 

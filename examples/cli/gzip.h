@@ -27,8 +27,8 @@ class Gunzip {
   Status take(io::ByteView packed, io::Bytes& out);
   /// Fails with kMalformed if the last member is incomplete.
   Status finish() const;
-  /// A note on bytes ignored after the last member, or "".
-  std::string note() const;
+  /// Bytes after the last member, which are ignored.
+  std::uint64_t ignoredBytes() const;
 
  private:
   struct Stream;

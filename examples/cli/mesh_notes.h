@@ -6,22 +6,22 @@
 
 namespace hgp::cli {
 
-/// Notes that differ in nothing but their numbers are of one kind, and a kind is one line.
+/// Notes with one code are of one kind, and a kind is one line.
 class MeshNotes {
  public:
-  void add(int mesh, const std::string& note);
+  void add(int mesh, const std::string& code, const std::string& text);
   /// In the order of their first mesh: "mesh 3: 2 edges …", "meshes 0 to 4, 7: …", and for other numbers
   /// "mesh 3: 2 edges …; likewise, with other numbers, meshes 5, 6".
   std::vector<std::string> lines() const;
 
  private:
-  struct Note {
+  struct Kind {
     std::string text;
-    std::string kind;
+    std::string code;
     std::vector<int> meshes;  ///< with these numbers; ascending
     std::vector<int> others;  ///< with others; ascending
   };
-  std::vector<Note> notes_;
+  std::vector<Kind> notes_;
 };
 
 }  // namespace hgp::cli

@@ -10,11 +10,10 @@
 namespace hgp::cli {
 namespace {
 
-Status take(Result<io::Written> made, std::vector<io::OutputFile>& files,
-            std::vector<std::string>& notes) {
+Status take(Result<io::Written> made, std::vector<io::OutputFile>& files, Notes& notes) {
   if (!made) return made.error();
   files = std::move(made->files);
-  notes.insert(notes.end(), made->notes.begin(), made->notes.end());
+  addNotes(notes, std::move(made->notes));
   return Done{};
 }
 
@@ -34,14 +33,14 @@ Status refuseOther(const std::string& place, const io::Bytes& bytes, const Argum
 
 /// Adds missing side files: images of a glTF, whose buffers have been read; materials of an OBJ and their pictures.
 /// @param isOnlyChecked  what may be added is looked at and not added
-Status addSideFiles(std::vector<io::OutputFile>& files, std::vector<std::string>& notes,
-                    const io::Resolver& resolve, const Arguments& asked, bool isOnlyChecked) {
+Status addSideFiles(std::vector<io::OutputFile>& files, Notes& notes, const io::Resolver& resolve,
+                    const Arguments& asked, bool isOnlyChecked) {
   const std::string to = folderOf(asked.output);
   if (asked.output == "-" || to == folderOf(asked.input)) return Done{};
   std::vector<std::string> refused;
   std::vector<std::string> missing = api::missingSideFiles(files, &refused);
   for (const std::string& why : refused)
-    notes.push_back(why + "; it is not copied, and the reference to it is kept");
+    notes.push_back(Note("write-file-refused", {{"why", why}}));
   for (std::size_t i = 0; i < missing.size(); ++i) {
     const std::string name = missing[i];
     const bool isLibrary = name.size() > 4 && name.substr(name.size() - 4) == ".mtl";
@@ -50,7 +49,7 @@ Status addSideFiles(std::vector<io::OutputFile>& files, std::vector<std::string>
     if (isOnlyChecked && !isLibrary && !isThere) continue;
     Result<io::Bytes> bytes = resolve ? resolve(name) : Result<io::Bytes>(io::Bytes());
     if (!bytes && bytes.error().code == ErrorCode::kMalformed) {
-      notes.push_back(bytes.error().message + "; the reference to it is kept");
+      notes.push_back(Note("read-file-refused", {{"why", bytes.error().message}}));
       continue;
     }
     if (!bytes) return bytes.error();
@@ -68,8 +67,8 @@ Status addSideFiles(std::vector<io::OutputFile>& files, std::vector<std::string>
 
 }  // namespace
 
-Status finishFiles(std::vector<io::OutputFile>& files, std::vector<std::string>& notes,
-                   const io::Resolver& resolve, const Arguments& asked) {
+Status finishFiles(std::vector<io::OutputFile>& files, Notes& notes, const io::Resolver& resolve,
+                   const Arguments& asked) {
   if (asked.load.target == "gltf") {
     const Status done = take(api::asGltf(std::move(files), asked.output), files, notes);
     if (!done) return done;
@@ -90,7 +89,7 @@ Status checkSideFiles(io::FileSet& input, const Arguments& asked) {
   }
   const bool isText = !input.main.empty() && input.main[0] != 'g' && input.main[0] != '{';
   if (asked.isEmbedded || isGltf == isText) return Done{};  // or another format, without side files
-  std::vector<std::string> notes;
+  Notes notes;
   std::vector<io::OutputFile> files;
   files.push_back({asked.output, std::move(input.main)});
   Status done = addSideFiles(files, notes, input.resolve, asked, true);

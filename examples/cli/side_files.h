@@ -10,8 +10,8 @@ namespace hgp::cli {
 /// glTF needs: embedded (--embed), or as further files, unless the output folder already has the same bytes.
 /// Fails if another file of that name exists (except with --force), and if a side file of the input is missing.
 /// Adds notes for users to `notes`.
-Status finishFiles(std::vector<io::OutputFile>& files, std::vector<std::string>& notes,
-                   const io::Resolver& resolve, const Arguments& asked);
+Status finishFiles(std::vector<io::OutputFile>& files, Notes& notes, const io::Resolver& resolve,
+                   const Arguments& asked);
 
 /// Before anything is solved: whether finishFiles() will refuse what the input's side files and extensions ask for.
 Status checkSideFiles(io::FileSet& input, const Arguments& asked);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "hgp/api/notes.h"
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
 
@@ -32,11 +33,24 @@ std::string row(const char* label, const std::string& value) {
   return formatText("  %-20s %s\n", label, value.c_str());
 }
 
+/// A note of a document as a sentence.
+std::string sentence(const Json& note) { return printable(api::phraseJson(note.dump())); }
+
+/// An error of a document with its advice.
+std::string toldText(const Json& failure) {
+  std::string out = text(failure["message"]);
+  const Json advice = failure.value("advice", Json::array());
+  if (advice.empty()) return out;
+  if (!out.empty() && out.back() == '.') out.pop_back();
+  for (const Json& note : advice) out += ". " + sentence(note);
+  return out + ".";
+}
+
 std::string notes(const Json& json) {
   std::string out;
   const auto it = json.find("notes");
   if (it == json.end()) return out;
-  for (const Json& note : *it) out += "  note: " + text(note) + "\n";
+  for (const Json& note : *it) out += "  note: " + sentence(note) + "\n";
   return out;
 }
 
@@ -54,7 +68,7 @@ std::string places(const Json& where) {
 
 std::string error(const Json& json) {
   const auto it = json.find("error");
-  return it == json.end() ? "" : "  " + text((*it)["message"]) + "\n";
+  return it == json.end() ? "" : "  " + toldText(*it) + "\n";
 }
 
 std::string measured(const Json& c, const Style& style) {
@@ -111,7 +125,7 @@ std::string measured(const Json& c, const Style& style) {
 
 std::string gridText(const Json& grid) {
   const std::size_t tried = grid["attempts"].size();
-  if (!grid["aligned"].get<bool>()) return "not aligned: " + text(grid["reason"]);
+  if (!grid["aligned"].get<bool>()) return "not aligned: " + sentence(grid["reason"]);
   return formatText("%.0f cells, %.1f per cone, spacing %.4g; %lld integers, %s%s",
                     number(grid, "cells"), number(grid, "cellsPerCone"), number(grid, "spacing"),
                     integer(grid, "integers"), text(grid["attempts"].back()["method"]).c_str(),
@@ -155,8 +169,7 @@ std::string outside(const Json& stored) {
 
 std::string certificate(const Json& json, const Style& style) {
   std::string out;
-  for (const Json& note : json.value("notes", Json::array())) out += "  note: " + text(note) + "\n";
-  out += measured(json, style) + outside(json["stored"]);
+  out += notes(json) + measured(json, style) + outside(json["stored"]);
   std::size_t untold = 0;
   for (std::size_t p = 0; p < json["components"].size(); ++p) {
     const Json& c = json["components"][p];
@@ -273,7 +286,7 @@ std::string checkText(const std::string& source, const Style& style) {
   for (const Json& c : json["components"]) {
     const Json& budget = c["budget"];
     std::string line =
-        c.contains("error") ? "refused: " + text(c["error"]["message"])
+        c.contains("error") ? "refused: " + toldText(c["error"])
         : budget.is_null()
             ? std::string("cones are chosen automatically")
             : formatText(
@@ -283,7 +296,7 @@ std::string checkText(const std::string& source, const Style& style) {
                   integer(c, "genus"), integer(c, "boundaryLoops"), integer(c, "cones"),
                   integer(budget, "openLoops"));
     out += row(("component " + c["component"].dump()).c_str(), line);
-    for (const Json& warning : c["warnings"]) out += "  warning: " + text(warning) + "\n";
+    for (const Json& warning : c["warnings"]) out += "  warning: " + sentence(warning) + "\n";
   }
   out += notes(json) + error(json);
   const bool isValid = json["valid"].get<bool>();

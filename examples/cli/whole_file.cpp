@@ -5,8 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "hgp/api/file_maps.h"
+#include "hgp/api/notes.h"
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
+#include "hgp/base/phrase.h"
 #include "mesh_notes.h"
 #include "text_report.h"
 
@@ -81,8 +83,8 @@ std::string gridReasons(const Json& report) {
   for (std::size_t p = 0; p < report["components"].size(); ++p) {
     const Json& grid = report["components"][p]["grid"];
     if (!grid.is_null() && !grid["aligned"].get<bool>())
-      out +=
-          formatText("  component %zu: ", p) + printable(grid["reason"].get<std::string>()) + "\n";
+      out += formatText("  component %zu: ", p) +
+             printable(api::phraseJson(grid["reason"].dump())) + "\n";
   }
   return out;
 }
@@ -121,9 +123,9 @@ Result<FileOutcome> parametrizeAll(api::Session& session, const Arguments& given
   if (!made) return made.error();
   MeshNotes notes;
   for (std::size_t i = 0; i < written.size(); ++i)
-    for (const std::string& note : made->mapNotes[i]) notes.add(written[i], note);
+    for (const Note& note : made->mapNotes[i]) notes.add(written[i], note.code, phrase(note));
   out.notes = notes.lines();
-  out.notes.insert(out.notes.end(), made->notes.begin(), made->notes.end());
+  for (const Note& note : made->notes) out.notes.push_back(phrase(note));
   out.files = std::move(made->files);
   return out;
 }
@@ -183,7 +185,7 @@ std::string FileOutcome::text() const {
   for (const MeshOutcome& m : meshes) {
     out += formatText("mesh %d: ", m.mesh);
     if (m.failure) {
-      out += "no map: " + printable(m.failure->message) + "\n";
+      out += "no map: " + printable(told(*m.failure)) + "\n";
       continue;
     }
     const Json json = Json::parse(m.json);
@@ -195,7 +197,8 @@ std::string FileOutcome::text() const {
                       counted(certificate["components"].size(), "component").c_str());
     if (m.isCertified && !m.isAligned) out += gridReasons(json);
     if (json.contains("notes")) {
-      for (const Json& note : json["notes"]) joined.add(m.mesh, note.get<std::string>());
+      for (const Json& note : json["notes"])
+        joined.add(m.mesh, note["code"].get<std::string>(), api::phraseJson(note.dump()));
     }
     for (std::size_t p = 0; p < certificate["components"].size() && !m.isCertified; ++p) {
       for (const Json& reason : certificate["components"][p]["reasons"]) {

@@ -177,8 +177,8 @@ class Map:
 
     @property
     def notes(self) -> List[str]:
-        """Sentences on what was repaired, joined or found."""
-        return self.report["notes"]
+        """Sentences on what was repaired, joined or found; `report["notes"]` has the codes (docs/notes.md)."""
+        return [_core.phrase(json.dumps(note)) for note in self.report["notes"]]
 
     def distortion(self) -> Distortion:
         """Measures angles, areas and overlaps per triangle."""

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "../../examples/cli/program.h"
+#include "hgp/api/notes.h"
 #include "surface.h"
 
 namespace hgp::python {
@@ -96,6 +97,7 @@ PYBIND11_MODULE(_core, module) {
   addMap(module);
   addSurface(module);
   module.def("version", &api::version);
+  module.def("phrase", [](const std::string& note) { return api::phraseJson(note); });
   module.def("run_command_line", &runCommandLine);
 }
 

@@ -35,8 +35,9 @@ py::list placesOf(const Failure& failure) {
 
 void raise(const Failure& failure) {
   // Messages may contain names from files, with any bytes.
+  const std::string message = told(failure);
   const auto text = py::reinterpret_steal<py::object>(PyUnicode_DecodeUTF8(
-      failure.message.data(), static_cast<Py_ssize_t>(failure.message.size()), "backslashreplace"));
+      message.data(), static_cast<Py_ssize_t>(message.size()), "backslashreplace"));
   const py::object error =
       py::module_::import("hgp._errors")
           .attr("error_of")(errorName(failure.code), failure.stage, text, placesOf(failure));

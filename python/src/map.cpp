@@ -9,6 +9,7 @@
 #include "../../examples/cli/half_file.h"
 #include "../../examples/cli/side_files.h"
 #include "failures.h"
+#include "hgp/base/phrase.h"
 #include "surface.h"
 
 namespace hgp::python {
@@ -95,7 +96,7 @@ std::vector<std::string> Map::save(const std::string& path, const py::dict& opti
     how.gridTiles = options["grid_material"].cast<std::optional<double>>();
   if (!asked.mayOverwrite && cli::isSameFile(path, source_->path))
     raiseUsage(path + " is the file that was loaded; overwrite=True allows to replace it");
-  std::vector<std::string> notes;
+  Notes notes;
   must(alone_.run([&]() -> Status {
     how.format = formatFor(session_, path);
     Result<api::WrittenMap> written = session_.write(how);
@@ -108,7 +109,9 @@ std::vector<std::string> Map::save(const std::string& path, const py::dict& opti
     }
     return writeTogether(path, written->files);
   }));
-  return notes;
+  std::vector<std::string> sentences;
+  for (const Note& note : notes) sentences.push_back(phrase(note));
+  return sentences;
 }
 
 }  // namespace hgp::python

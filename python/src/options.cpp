@@ -250,7 +250,7 @@ std::optional<io::Prescription> toPrescription(const py::dict& asked,
   if (!out && !isTyped && embedded && !get<bool>(asked, "ignore_embedded", false) &&
       (!q || *q == embedded->q)) {
     out = std::move(embedded);
-    out->notes.emplace_back("the cones stored in the input are used");
+    out->notes.emplace_back("cones-of-input");
   }
   if (!out && isTyped) {
     out.emplace();

@@ -18,6 +18,7 @@ import { gzipSync } from 'node:zlib';
 import { cubeMesh, toGltf } from '../support/meshes.mjs';
 import { problems } from './schema.mjs';
 import { hgp, inFolder, shared } from '../support/program.mjs';
+import { sentenceOf } from '../support/notes.mjs';
 
 const { folder, at, put, read, run } = inFolder('cli');
 
@@ -215,12 +216,12 @@ test('unusable geometry is repaired, or with --strict refused (4) with the place
   assert.equal(run(['param', 'flipped.obj', '-o', 'x.obj', '--strict']).code, 4);
   const repaired = run(['param', 'flipped.obj', '-o', 'x.obj']);
   assert.equal(repaired.code, 0);
-  assert.match(repaired.err, /repaired: 3 edges have two faces of opposite orientation/);
+  assert.match(repaired.err, sentenceOf('defect-inconsistent-edge', { count: 3 }));
   assert.equal(run(['verify', 'x.obj']).code, 0);
   assert.equal(run(['param', 'ball.obj', '-o', 'x.obj', '--strict', '--fix', 'split']).code, 2);
   const fixed = run(['inspect', 'flipped.obj', '--fix', 'orient', '--json', '-']);
   assert.equal(fixed.code, 0);
-  assert.ok(isValid('hgp-inspect', fixed.out).notes.length > 0);
+  assert.ok(isValid('hgp-inspect', fixed.out).notes.some(({ code }) => code === 'repair-turned'));
 });
 
 test('gzip and standard input are read', () => {

@@ -8,6 +8,7 @@ import test from 'node:test';
 import validator from 'gltf-validator';
 import { cubeMesh, toGlb, toGltf, toObj, toOff, toStl } from '../support/meshes.mjs';
 import { inFolder } from '../support/program.mjs';
+import { sentenceOf } from '../support/notes.mjs';
 
 const { at, put, run, good } = inFolder('writers');
 
@@ -77,7 +78,7 @@ test('OBJ, OFF, STL and PLY become GLB, with normals, colours and the names of m
   const { text, vertices, triangles } = richObj();
   put('rich.obj', text);
   const { err } = good('param', 'rich.obj', '-o', 'rich.glb');
-  assert.match(err, /of the materials only their names are kept/);
+  assert.match(err, sentenceOf('convert-materials-lost'));
   await isValidGlb('rich.glb');
   const document = await new NodeIO().read(at('rich.glb'));
   const [mesh] = document.getRoot().listMeshes();
@@ -401,7 +402,7 @@ test('a .gltf written elsewhere copies or embeds its side files, or becomes a GL
   mkdirSync(at('gone'), { recursive: true });
   for (const words of [['gone/packed.glb'], ['gone/scene.gltf'], ['gone/inside.gltf', '--embed']]) {
     const { err } = good('param', 'model/scene.gltf', '-o', ...words);
-    assert.match(err, /note: tex\/a b\.png is missing; the reference to it is kept/, words[0]);
+    assert.match(err, sentenceOf('read-file-refused', { why: 'tex/a b.png' }), words[0]);
     const bytes = readFileSync(at(words[0]));
     const text = words[0].endsWith('.glb')
       ? bytes.subarray(20, 20 + bytes.readUInt32LE(12))
@@ -433,7 +434,7 @@ test('images whose names need encoding are copied; those outside the folder are 
   const { err } = good('param', 'named/scene.gltf', '-o', 'moved/deeper/scene.gltf');
   assert.deepEqual(readFileSync(at('moved/deeper/Material #25.png')), pixel);
   assert.deepEqual(readFileSync(at('moved/deeper/cube & 100%.bin')), Buffer.from(bin));
-  assert.match(err, /note: .*'\.\.\/above\.png'.* leaves the folder; it is not copied/);
+  assert.match(err, sentenceOf('write-file-refused'));
   assert.doesNotMatch(err, /far\.png/);
   assert.equal(existsSync(at('moved/above.png')), false);
   good('verify', 'moved/deeper/scene.gltf');
@@ -486,7 +487,7 @@ test('output names of no format, or of one that this input cannot have, are refu
   }
 });
 
-test('glTF: a note says which set was written, and --use makes the materials use it', async () => {
+test('glTF: a note says which set was written, and --use lets the materials follow', async () => {
   const { json, bin } = toGltf([cubeMesh(3), cubeMesh(2)], { image: 'pixel.png' });
   json.extensionsUsed = ['KHR_texture_transform', 'KHR_materials_clearcoat'];
   const [material] = json.materials;
@@ -509,7 +510,7 @@ test('glTF: a note says which set was written, and --use makes the materials use
   for (const accessor of marked) delete accessor.extras;
   put('look/first.gltf', JSON.stringify({ ...rest, accessors }));
   const second = good('param', 'look/first.gltf', '-o', 'look/second.gltf');
-  assert.match(second.err, /meshes 0, 1: wrote TEXCOORD_1; the materials still use TEXCOORD_0/);
+  assert.match(second.err, sentenceOf('write-set-unused', { set: 1, others: 'TEXCOORD_0' }));
   const replaced = good('param', 'look/first.gltf', '--uv-set', '0', '-o', 'look/zero.gltf');
   assert.match(replaced.err, /TEXCOORD_0 was replaced: the materials' pictures .* no longer fit/);
   const sets = (file) => {
@@ -529,7 +530,7 @@ test('glTF: a note says which set was written, and --use makes the materials use
   ]);
   // One mesh of two: the other one keeps the material as it was.
   const used = good('param', 'look/first.gltf', '--mesh', '1', '--use', '-o', 'look/one.gltf');
-  assert.match(used.err, /wrote TEXCOORD_1; the materials use it/);
+  assert.match(used.err, sentenceOf('write-set-used', { set: 1 }));
   assert.deepEqual(sets('look/one.gltf'), [
     [0, 0, 0],
     [1, 1, 1],
@@ -586,7 +587,7 @@ test('an OBJ takes its materials and their pictures to another folder', () => {
   put('with/maps/skin.png', pixel);
   mkdirSync(at('away'));
   const { err } = good('param', 'with/a.obj', '-o', 'away/b.obj');
-  assert.match(err, /lost\.png is missing; the reference to it is kept/);
+  assert.match(err, sentenceOf('read-file-refused', { why: 'lost.png' }));
   assert.deepEqual(readFileSync(at('away/a.mtl')), readFileSync(at('with/a.mtl')));
   assert.deepEqual(readFileSync(at('away/maps/skin.png')), readFileSync(at('with/maps/skin.png')));
 });

@@ -48,16 +48,16 @@ FileSet fileSet(const std::string& name) {
   return files;
 }
 
-std::string strings(const std::vector<std::string>& list) {
+std::string codes(const Notes& list) {
   std::string out = "[";
-  for (const std::string& item : list) out += (out.size() > 1 ? "," : "") + quoteJson(item);
+  for (const Note& note : list) out += (out.size() > 1 ? "," : "") + quoteJson(note.code);
   return out + "]";
 }
 
 std::string failureText(const Failure& failure) {
   return formatText("\"ok\":false,\"exit\":%d,\"code\":\"%s\",\"message\":%s",
                     exitCode(failure.code), errorName(failure.code),
-                    quoteJson(failure.message).c_str());
+                    quoteJson(told(failure)).c_str());
 }
 
 /// A map with a known shape: every corner its own uv, one uv per vertex, or a few patches.
@@ -145,7 +145,7 @@ std::string writeAndCompare(const Document& document, const Arguments& arguments
           ? "true"
           : "false",
       isSameUv ? "true" : "false", written->xref.size(), reread.storedVertexCount,
-      cones && cones->has_value() ? "true" : "false", strings(written->notes).c_str(),
+      cones && cones->has_value() ? "true" : "false", codes(written->notes).c_str(),
       written->files.size());
 }
 
@@ -159,7 +159,7 @@ std::string report(const std::string& name, const Arguments& arguments) {
         "%s{\"name\":%s,\"vertices\":%zu,\"triangles\":%zu,\"stored\":%d,"
         "\"uvSets\":%zu,\"notes\":%s}",
         surfaces.empty() ? "" : ",", quoteJson(s.name).c_str(), s.mesh.positions.size(),
-        s.mesh.triangles.size(), s.storedVertexCount, s.uvSets.size(), strings(s.notes).c_str());
+        s.mesh.triangles.size(), s.storedVertexCount, s.uvSets.size(), codes(s.notes).c_str());
   }
   return "\"ok\":true,\"exit\":0,\"surfaces\":[" + surfaces + "]";
 }

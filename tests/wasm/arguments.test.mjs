@@ -164,7 +164,7 @@ test('gzip: a wrong or missing byte is an error; bytes after the last member are
         .then(({ info }) => info.notes);
     assert.deepEqual(await followed(Buffer.alloc(512)), []);
     assert.deepEqual(await followed(Buffer.from('rubbish')), [
-      'ignored: 7 bytes after the gzip data',
+      { code: 'read-gzip-longer', numbers: { bytes: 7 }, words: {}, where: [] },
     ]);
     const zeros = Buffer.concat([members[0], Buffer.alloc(100), members[1]]);
     assert.equal((await client.load(zeros, { name: 'a.obj.gz' })).info.triangles, 108);

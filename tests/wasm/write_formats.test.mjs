@@ -101,12 +101,7 @@ test('combine: the maps of several meshes go into one file without another solve
     for (const model of models) maps.push(await model.parametrize({ q: 4 }));
     const { bytes, certified, notes } = await client.combine(maps);
     assert.equal(certified, true);
-    assert.deepEqual(
-      notes
-        .map((note) => note.slice(0, 7))
-        .filter((start) => !/^mesh [01]$/.test(start.slice(0, 6))),
-      [],
-    );
+    assert.ok(notes.every(({ mesh }) => mesh === 0 || mesh === 1));
     for (const surface of [0, 1]) {
       const again = await load(surface, bytes);
       assert.equal((await again.verify({ q: 4 })).certified, true);

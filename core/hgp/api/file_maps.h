@@ -8,7 +8,7 @@ namespace hgp::api {
 
 /// WrittenMap::notes are about the file as a whole.
 struct WrittenFile : WrittenMap {
-  std::vector<std::vector<std::string>> mapNotes;  ///< by map, in the order of add()
+  std::vector<Notes> mapNotes;  ///< by map, in the order of add()
 };
 
 /// One thread at a time may use it. It may outlive the session.

@@ -110,8 +110,7 @@ Result<io::PrescribedFeatures> readFeatures(std::string_view name, std::string_v
 
 /// `cones` with the field of `field`, which determines what the cones leave open. Fails with kUsage if q differs.
 Result<io::Prescription> withField(io::Prescription cones, io::Prescription field);
-std::string errorJson(
-    const Failure& failure);  ///< hgp-error: {"code", "stage", "message", "where"}
+std::string errorJson(const Failure& failure);  ///< hgp-error
 
 /// For the whole process: no instructions that only some processors have, so that maps are bit-identical on all.
 void setReproducible(bool isAsked);

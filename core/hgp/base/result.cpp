@@ -1,5 +1,7 @@
 #include "hgp/base/result.h"
 
+#include "hgp/base/phrase.h"
+
 namespace hgp {
 
 const char* errorName(ErrorCode code) {
@@ -48,6 +50,14 @@ int exitCode(ErrorCode code) {
       return 130;
   }
   return 70;
+}
+
+std::string told(const Failure& failure) {
+  if (failure.advice.empty()) return failure.message;
+  std::string out = failure.message;
+  if (!out.empty() && out.back() == '.') out.pop_back();
+  for (const Note& note : failure.advice) out += ". " + phrase(note);
+  return out + ".";
 }
 
 }  // namespace hgp

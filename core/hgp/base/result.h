@@ -1,11 +1,12 @@
 // Results that a caller must check.  Role: the error model of every module (docs/architecture.md, Errors).
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
+
+#include "hgp/base/note.h"
 
 namespace hgp {
 
@@ -27,21 +28,18 @@ const char* errorName(ErrorCode code);
 /// Process exit code of the command line for this kind of failure.
 int exitCode(ErrorCode code);
 
-/// A place on the mesh that a failure points at.
-struct Where {
-  enum class Kind : std::uint8_t { kVertex, kEdge, kFace, kLoop, kLine, kByte };
-  Kind kind;
-  std::int64_t id;          ///< vertex / face / loop id, line number or byte offset
-  std::int64_t other = -1;  ///< second vertex of an edge
-};
-
 /// The rule that was broken, the measured number, where, and what to do next.
 struct Failure {
   ErrorCode code = ErrorCode::kInternal;
   std::string stage;    ///< "read", "topology", "prescription", "field", …
   std::string message;  ///< one or two sentences: rule, number, what to do
   std::vector<Where> where;
+  /// What to do, where that differs between command line, package and page; otherwise it is in the message.
+  Notes advice = {};
 };
+
+/// The message with its advice, for users of the command line and of the libraries in C++ and Python.
+std::string told(const Failure& failure);
 
 /// Either a value or a Failure. A substitute for std::expected, which the supported compilers lack.
 template <class T>

@@ -282,12 +282,9 @@ class Aligner {
     std::sort(report.closest.begin(), report.closest.end(),
               [](const ConeDistance& a, const ConeDistance& b) { return a.cells < b.cells; });
     report.closest.resize(std::min(report.closest.size(), kNamed));
-    report.reason = formatText(
-        "no choice of integers kept all triangles positive and all angles as asked at %.0f cells "
-        "(%.1f "
-        "per cone)%s",
-        report.cells, report.cellsPerCone,
-        isCutShort_ ? "; further attempts would have taken longer than the map itself" : "");
+    report.reason = Note("grid-no-integers", {{"cells", report.cells},
+                                              {"perCone", report.cellsPerCone},
+                                              {"cutShort", isCutShort_ ? 1 : 0}});
     // Programs may have cost more than expected. This search still has its reserve, and at least the cost of its linear
     // steps if there are few integers.
     const double plainStep = linearStepWork(mesh_.faceCount(), system_.solveWork(), 0);
@@ -335,13 +332,13 @@ AlignedMap alignToGrid(const TriMesh& mesh, const UvMap& map, int q,
                        const std::function<Verdict(const UvMap&)>& accepts) {
   AlignedMap failed;
   if (q != 2 && q != 4) {
-    failed.report.reason = formatText("a grid of squares needs q = 2 or 4, not %d", q);
+    failed.report.reason = Note("grid-order", {{"q", q}});
     return failed;
   }
   const std::unique_ptr<GridSystem> system =
       GridSystem::make(mesh, map, q, cones, options.mode, tree);
   if (!system) {
-    failed.report.reason = "the map's seams could not be read, or its strain is singular";
+    failed.report.reason = Note("grid-seams");
     return failed;
   }
   return Aligner(mesh, map, *system, cones, options, progress, work, accepts).run();

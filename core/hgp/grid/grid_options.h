@@ -1,10 +1,12 @@
 // Options and report of an alignment to a grid.  Role: the types of align.h that other options and reports contain.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "hgp/base/ids.h"
+#include "hgp/base/note.h"
 
 namespace hgp {
 
@@ -42,7 +44,7 @@ struct GridReport {
   double added = 0.0;         ///< quads that its quad mesh has beyond that: see quads/cut_strips.h
   int integers = 0;           ///< free Gaussian integers
   std::vector<GridAttempt> attempts;
-  std::string reason;  ///< why there is no aligned map; empty if there is one
+  std::optional<Note> reason;  ///< why there is no aligned map
   std::vector<ConeDistance>
       closest;                ///< if there is none: the cones that are too close, closest first
   double workingCells = 0.0;  ///< if there is none: a number of cells that works, 0 if unknown

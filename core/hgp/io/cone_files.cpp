@@ -152,9 +152,8 @@ Result<Prescription> readHgpConeLines(std::string_view text, const std::vector<T
     const MeshData mesh = triangleMesh(polygons, corners);
     if (Status done = completeMatchings(*out.field, mesh.triangles); !done) return done.error();
   }
-  out.notes.push_back(formatText("%s%s from the file's own c and sm lines",
-                                 counted(out.cones.size(), "cone").c_str(),
-                                 out.field ? " and seam rotations" : ""));
+  out.notes.push_back(
+      Note("cones-from-file", {{"cones", out.cones.size()}, {"rotations", out.field ? 1 : 0}}));
   return out;
 }
 

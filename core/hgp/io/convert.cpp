@@ -29,9 +29,11 @@ Result<FileSet> convertFiles(const Document& document, const FileSet& files,
   if (!plain) return plain.error();
   for (const Surface& from : document.surfaces())
     out.notes.insert(out.notes.end(), from.notes.begin(), from.notes.end());
-  for (const std::string& lost : plain->lost)
-    out.notes.push_back(
-        formatText("from %s to %s: ", document.format(), std::string(format).c_str()) + lost);
+  for (Note& lost : plain->lost) {
+    lost.values.push_back({"from", document.format()});
+    lost.values.push_back({"to", std::string(format)});
+    out.notes.push_back(std::move(lost));
+  }
   out.main = format == "obj" ? plainObj(*plain, "") : plainGlb(*plain, "hgp");
   return out;
 }

@@ -37,7 +37,7 @@ struct FileSet {
   Bytes main;
   std::string target;  ///< the format that will be written, as far as it is known
   Resolver resolve;
-  std::vector<std::string> notes;                ///< of the caller that opened the files, for users
+  Notes notes;                                   ///< of the caller that opened the files, for users
   std::shared_ptr<const GltfDecoders> decoders;  ///< for glTF; empty: those of this build
 };
 
@@ -50,7 +50,7 @@ struct Surface {
   bool isWelded = false;      ///< vertex ids are welded ids (decided by exact position)
   std::vector<int> uvSets;    ///< sets that existingUv can read, ascending
   int ownUvSet = -1;          ///< the one of them that hgp wrote, if it is marked
-  std::vector<std::string> notes;  ///< for users (points skipped, polygons triangulated …)
+  Notes notes;                ///< for users (points skipped, polygons triangulated …)
 };
 
 enum class UvPrecision { kFloat32, kFloat64 };

@@ -11,10 +11,10 @@
 
 namespace hgp::io {
 
-/// "the limit of N bytes; raise it by --max-bytes (limits.bytes)".
+/// "the limit of N bytes", of a failure whose advice is Note("raise-bytes").
 std::string byteLimit(std::uint64_t maxBytes);
 
-/// "the limit of N triangles; raise it by --max-triangles (limits.triangles)".
+/// "the limit of N triangles", of a failure whose advice is Note("raise-triangles").
 std::string triangleLimit(std::uint64_t maxTriangles);
 
 /// kLimit: a file of `bytes` bytes.

@@ -22,7 +22,7 @@ struct PlainSurface {
 
 struct PlainFile {
   std::vector<PlainSurface> surfaces;
-  std::vector<std::string> lost;  ///< what is not kept, one sentence each, for users
+  Notes lost;  ///< what is not kept; convertFiles() adds the two formats
 };
 
 /// The sRGB transfer function and its inverse; colours of OBJ and PLY are sRGB, those of glTF linear.

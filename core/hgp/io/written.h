@@ -40,8 +40,8 @@ struct OutputFile {
 
 struct Written {
   std::vector<OutputFile> files;
-  std::vector<std::string> notes;  ///< what changed besides the uv ("TANGENT dropped …")
-  std::vector<int> xref;           ///< written vertex → stored vertex; empty when identical
+  Notes notes;            ///< what changed besides the uv ("TANGENT dropped …")
+  std::vector<int> xref;  ///< written vertex → stored vertex; empty when identical
 };
 
 /// A map for Document::writeAll.
@@ -54,7 +54,7 @@ struct SurfaceUv {
 
 /// The maps of several surfaces, written at once.
 struct WrittenMaps : Written {  // its notes are on the file as a whole, xref is empty
-  std::vector<std::vector<std::string>> mapNotes;  ///< by map
+  std::vector<Notes> mapNotes;  ///< by map
 };
 
 }  // namespace hgp::io

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <map>
 
-#include "hgp/base/check.h"
 #include "hgp/base/disjoint_sets.h"
 #include "hgp/base/ids.h"
+#include "hgp/base/phrase.h"
 #include "hgp/mesh/edge_table.h"
 #include "hgp/mesh/finite.h"
 
@@ -147,60 +147,6 @@ void findEdgeDefects(const Triangles& triangles, const std::vector<char>& isBrok
     if (fanCount[at(v)] > 1) places[DefectKind::kNonManifoldVertex].push_back(vertexAt(v));
 }
 
-/// "17 edges have more than two faces".
-std::string describe(const Defect& defect) {
-  const std::size_t n = defect.where.size();
-  const bool one = n == 1;
-  const char* text = "";
-  switch (defect.kind) {
-    case DefectKind::kIndexOutOfRange:
-      text = one ? "face names a vertex that does not exist"
-                 : "faces name a vertex that does not exist";
-      break;
-    case DefectKind::kNotFinite:
-      text = one ? "vertex has a position that is not finite"
-                 : "vertices have a position that is not finite";
-      break;
-    case DefectKind::kExtent:
-      return "the mesh is too large or too small to compute with (1e-100 to 1e18)";
-    case DefectKind::kRepeatedVertex:
-      text = one ? "face names one vertex twice" : "faces name one vertex twice";
-      break;
-    case DefectKind::kZeroArea:
-      text = one ? "face has no area" : "faces have no area";
-      break;
-    case DefectKind::kDuplicateFace:
-      text = one ? "face repeats another one" : "faces repeat another one";
-      break;
-    case DefectKind::kNonManifoldEdge:
-      text = one ? "edge has more than two faces" : "edges have more than two faces";
-      break;
-    case DefectKind::kInconsistentEdge:
-      text = one ? "edge has two faces of opposite orientation"
-                 : "edges have two faces of opposite orientation";
-      break;
-    case DefectKind::kNonManifoldVertex:
-      text = one ? "vertex joins several fans of faces" : "vertices join several fans of faces";
-      break;
-    case DefectKind::kIsolatedVertex:
-      text = one ? "vertex has no face" : "vertices have no face";
-      break;
-  }
-  return formatText("%zu %s", n, text);
-}
-
-std::string describePlaces(const Defect& defect) {
-  constexpr std::size_t kShown = 5;
-  std::string list;
-  for (std::size_t n = 0; n < std::min(kShown, defect.where.size()); ++n) {
-    const Where& w = defect.where[n];
-    if (n > 0) list.append(", ");
-    list.append(std::to_string(w.id));
-    if (w.kind == Where::Kind::kEdge) list.append("–").append(std::to_string(w.other));
-  }
-  return list + (defect.where.size() > kShown ? ", …" : "");
-}
-
 const char* remedy(DefectKind kind) {
   switch (kind) {
     case DefectKind::kRepeatedVertex:
@@ -292,24 +238,34 @@ std::vector<Defect> findDefects(const MeshData& data) {
   return defects;
 }
 
+Note noteOn(const Defect& defect, bool wasRepaired) {
+  constexpr std::size_t kShown = 5;
+  const std::size_t count = defect.where.size();
+  Note note(std::string("defect-") + defectName(defect.kind), {{"count", count}});
+  note.values.push_back({count == 1 ? "only" : "first", 1});
+  if (count > kShown) note.values.push_back({"more", 1});
+  if (wasRepaired) note.values.push_back({"repaired", 1});
+  note.where.assign(defect.where.begin(),
+                    defect.where.begin() + static_cast<std::ptrdiff_t>(std::min(kShown, count)));
+  return note;
+}
+
 Status requireUsable(const std::vector<Defect>& defects, bool allowsZeroArea) {
   Failure failure{ErrorCode::kUnsupported, "topology", "", {}};
+  Notes found;
   std::string fixes;
   for (const Defect& defect : defects) {
     if (!isFatal(defect.kind, allowsZeroArea)) continue;
-    if (!failure.message.empty()) failure.message.append("; ");
-    failure.message.append(describe(defect));
-    failure.message.append(defect.where.size() == 1 ? " (" : " (first: ");
-    failure.message.append(describePlaces(defect)).append(")");
+    found.push_back(noteOn(defect));
     failure.where.insert(failure.where.end(), defect.where.begin(), defect.where.end());
     const char* fix = remedy(defect.kind);
     if (!fix || fixes.find(fix) != std::string::npos) continue;
     if (!fixes.empty()) fixes.append(",");
     fixes.append(fix);
   }
-  if (failure.message.empty()) return Done{};
-  if (!fixes.empty()) failure.message.append(". Repair with --fix ").append(fixes);
-  failure.message.append(".");
+  if (found.empty()) return Done{};
+  failure.message = phrase(found) + ".";
+  if (!fixes.empty()) failure.advice.push_back(Note("repair-with", {{"fixes", fixes}}));
   return failure;
 }
 

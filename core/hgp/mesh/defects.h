@@ -46,7 +46,11 @@ inline constexpr double kLargestExtent = 1e18, kSmallestExtent = 1e-100;
 /// All defects, one entry per kind that occurs, in the order of the enum. O(|F|).
 std::vector<Defect> findDefects(const MeshData& data);
 
+/// The code "defect-…" with count and first places. @param wasRepaired  it is no longer there
+Note noteOn(const Defect& defect, bool wasRepaired = false);
+
 /// Fails with kUnsupported and one sentence for the fatal defects: "17 edges have more than two faces (first: 3–9, …)".
+/// The advice names the repairs that remove them.
 Status requireUsable(const std::vector<Defect>& defects, bool allowsZeroArea = false);
 
 /// Opt-in repairs of `--fix orient,split,degenerate`.
@@ -74,7 +78,7 @@ struct FixResult {
       faceOrigin;  ///< new face → old face, with its corners in the same or reverse order
   std::vector<int> vertexOrigin;  ///< new vertex → old vertex
   std::vector<LeftOutFace> leftOut;
-  std::vector<std::string> notes;  ///< what was done, with counts
+  Notes notes;  ///< what was done, with counts
 };
 
 /// Applies the chosen repairs in the order degenerate, orient, split. Adjacency of faces changes only at split

@@ -1,13 +1,13 @@
-// The sentence that says why a mesh has no map with some angles.  Role: for checks, notes and the page.
+// The note that says why a mesh has no map with some angles.  Role: for checks, reports and the page.
 #pragma once
 
-#include <string>
-
+#include "hgp/base/note.h"
 #include "hgp/mesh/angle_shortage.h"
 
 namespace hgp {
 
-/// "No locally injective map on this mesh has these angles: the cones 20 (k=5) and 31 (k=6) ask for …", with what to do.
-std::string describeShortage(const AngleQuestion& question, const AngleShortage& shortage);
+/// The code "angle-shortage": which cones, vertices and rims ask for how much, and how many triangles cannot give it.
+/// Its places and names are vertices of the mesh and loops of its topology.
+Note noteOn(const AngleQuestion& question, const AngleShortage& shortage);
 
 }  // namespace hgp

@@ -206,25 +206,21 @@ Status checkClosed(const Topology& topology, const HolonomySpec& spec, BudgetRep
         p.q - 1, p.q + 1, reduced.c_str(), p.q);
     if (p.divisor == 1 || p.areHandlesKnown) return refuse(text + ": add two more cones.");
     report.warnings.push_back(
-        text + formatText(" unless a handle rotation is not a multiple of %d.", p.divisor));
+        Note("budget-two-cones",
+             {{"low", p.q - 1}, {"high", p.q + 1}, {"divisor", p.divisor}, {"q", p.q}}));
   }
   const bool isEmptyStratum = topology.genus == 2 && p.q == 2 &&
                               (p.k == std::vector<int>{3, 5} || p.k == std::vector<int>{6});
   // One cone of k=6 and trivial handles is a translation surface, which exists; it reduces to q = 1.
   const bool isEitherOr = topology.genus == 2 && p.q == 1 && p.k == std::vector<int>{3} &&
                           p.divisor % 2 == 0 && !p.areHandlesKnown;
-  const char* unless = p.areHandlesKnown || p.divisor == 1
-                           ? ""
-                           : ", unless a handle rotation is not a multiple of that divisor";
+  const int divisor = p.divisor == 1 ? 0 : p.divisor;
   if (isEmptyStratum)
     report.warnings.push_back(
-        "Closed surfaces of genus 2 have no flat metric with q=2 and cones "
-        "{3,5} or {6}" +
-        reduced + unless + ": expect no map.");
+        Note("budget-empty-stratum",
+             {{"divisor", divisor}, {"q", p.q}, {"unless", p.areHandlesKnown ? 0 : divisor}}));
   if (isEitherOr)
-    report.warnings.push_back("One cone on a closed surface of genus 2" + reduced +
-                              " needs handle "
-                              "rotations that are all 0, or that are not all half turns.");
+    report.warnings.push_back(Note("budget-one-cone", {{"divisor", divisor}, {"q", p.q}}));
   return Done{};
 }
 
@@ -234,11 +230,9 @@ void warnPoorVertices(const TriMesh& mesh, const HolonomySpec& spec, BudgetRepor
   };
   const auto poor = selectCones(spec, isPoor);
   if (poor.empty()) return;
-  report.warnings.push_back(formatText(
-      "%zu cone%s with few triangles for the angle (more than %.3g rad each on average): vertex "
-      "%s. "
-      "Refine the mesh there.",
-      poor.size(), poor.size() == 1 ? "" : "s", kPoorCornerAngle, listCones(poor).c_str()));
+  Note note("budget-few-triangles", {{"cones", poor.size()}, {"angle", kPoorCornerAngle}});
+  for (const ConePoint& c : poor) note.where.push_back({Where::Kind::kVertex, c.vertex.i});
+  report.warnings.push_back(std::move(note));
 }
 
 /// Whether the mesh has too few triangles for the angles. This is a warning, because a finer mesh of the surface may
@@ -249,14 +243,14 @@ bool warnShortage(const TriMesh& mesh, const HolonomySpec& spec, AngleShortageMe
   for (const ConePoint& cone : spec.cones) k[cone.vertex] = cone.k;
   const std::optional<AngleShortage>& found = shortages.find(mesh, spec.q, k);
   if (!found) return false;
-  report.warnings.push_back(describeShortage({spec.q, k, {}}, *found));
+  report.warnings.push_back(noteOn({spec.q, k, {}}, *found));
   return true;
 }
 
 }  // namespace
 
-std::optional<std::string> proveImpossible(const TriMesh& mesh, const Topology& topology,
-                                           const HolonomySpec& spec) {
+std::optional<Note> proveImpossible(const TriMesh& mesh, const Topology& topology,
+                                    const HolonomySpec& spec) {
   PerVertex<int> k(static_cast<std::size_t>(mesh.vertexCount()), spec.q);
   for (const ConePoint& cone : spec.cones) k[cone.vertex] = cone.k;
   AngleQuestion question{spec.q, k, {}};
@@ -265,7 +259,7 @@ std::optional<std::string> proveImpossible(const TriMesh& mesh, const Topology& 
       question.loops.push_back({static_cast<int>(j), &topology.loops[j], *spec.turning[j]});
   const std::optional<AngleShortage> found = findAnyAngleShortage(mesh, question);
   if (!found) return {};
-  return describeShortage(question, *found);
+  return noteOn(question, *found);
 }
 
 HolonomySpec toSpec(const CompleteSpec& spec) {

@@ -58,11 +58,11 @@ TurningRange turningRange(const TriMesh& mesh, const BoundaryLoop& loop, int q);
 
 /// Both sides of Lemma 6.2 in integers.
 struct BudgetReport {
-  long long have = 0;                 ///< q|C| − Σk + Σl over the loops with given l
-  long long need = 0;                 ///< q(2 − 2g − m)
-  int openLoops = 0;                  ///< loops whose turning is not given
-  std::vector<std::string> warnings;  ///< prescriptions that are known to fail; kPoorCornerAngle
-  /// No map on this mesh has these angles (findAngleShortage); `warnings` has the sentence.
+  long long have = 0;  ///< q|C| − Σk + Σl over the loops with given l
+  long long need = 0;  ///< q(2 − 2g − m)
+  int openLoops = 0;   ///< loops whose turning is not given
+  Notes warnings;      ///< prescriptions that are known to fail; kPoorCornerAngle
+  /// No map on this mesh has these angles (findAngleShortage); `warnings` has the note.
   bool isTooCoarse = false;
 };
 
@@ -77,7 +77,7 @@ Result<BudgetReport> checkPrescription(const TriMesh& mesh, const Topology& topo
 
 /// The sentence that proves the angles and turnings that `spec` gives impossible on this mesh (findAnyAngleShortage).
 /// @pre checkPrescription(mesh, topology, spec) succeeds
-std::optional<std::string> proveImpossible(const TriMesh& mesh, const Topology& topology,
-                                           const HolonomySpec& spec);
+std::optional<Note> proveImpossible(const TriMesh& mesh, const Topology& topology,
+                                    const HolonomySpec& spec);
 
 }  // namespace hgp

@@ -87,8 +87,9 @@ Status requireDisk(const Topology& topology, const ParametrizeOptions& options) 
         "surface has " +
             std::to_string(topology.componentCount) + " components, genus " +
             std::to_string(topology.genus) + " and " + std::to_string(topology.loops.size()) +
-            " loops. Leave out --boundary convex to use cones.",
-        {}};
+            " loops.",
+        {},
+        {Note("use-cones")}};
   return Done{};
 }
 

@@ -81,7 +81,7 @@ struct Parametrization {
   std::vector<Round> rounds;
   std::optional<ImprovementFacts> improvement;  ///< where one was asked for and the map certified
   std::vector<StageTime> times;
-  std::vector<std::string> notes;  ///< warnings and explanations for people
+  Notes notes;                     ///< warnings and explanations
   std::optional<GridReport> grid;  ///< where a grid was asked; without one the map is as solved
   /// Where the best program found no point that fulfils its frames: the constrained triangles at which it was
   /// strained most. Notes say whether that the frames contradict each other is proven.

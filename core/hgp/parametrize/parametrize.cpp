@@ -56,12 +56,7 @@ Result<Parametrization> inEvenedMetric(PreparedSurface& surface, const HolonomyS
   prepend(run->rounds, before.rounds);
   prepend(run->times, before.times);
   if (run->isCertified) {
-    run->notes.emplace_back(
-        "Many triangles are very thin, and the surface's own edge lengths gave no map. This one is "
-        "harmonic with "
-        "evened lengths instead: as seamless and as free of folds, with more distortion. --improve "
-        "isometric "
-        "(improve) lowers it.");
+    run->notes.emplace_back("map-evened-lengths");
     return run;
   }
   before.rounds = std::move(run->rounds);

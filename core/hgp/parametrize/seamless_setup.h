@@ -19,7 +19,7 @@ struct SeamlessSetup {
   ReducedUnknowns unknowns;
   HarmonicSystem harmonic;
   std::vector<VertexId> cones;
-  std::vector<std::string> warnings;
+  Notes warnings;
   bool isTooCoarse = false;  ///< no map on this mesh has these angles
 };
 

@@ -127,9 +127,7 @@ Result<Prescription> readSings(std::string_view text) {
   }
   in.atEnd();
   if (!in.isFine()) return in.failure();
-  out.notes.push_back(formatText("%s with k = %d − index",
-                                 counted(out.cones.size(), "singularity", "singularities").c_str(),
-                                 out.q));
+  out.notes.push_back(Note("cones-from-list", {{"cones", out.cones.size()}, {"q", out.q}}));
   return out;
 }
 
@@ -151,8 +149,7 @@ Result<Prescription> readCurvatures(std::string_view text, int q) {
     if (cone.k != q) out.cones.push_back(cone);
   }
   if (!in.isFine()) return in.failure();
-  out.notes.push_back(
-      formatText("%s from curvatures in radians", counted(out.cones.size(), "cone").c_str()));
+  out.notes.push_back(Note("cones-from-curvatures", {{"cones", out.cones.size()}}));
   return out;
 }
 
@@ -207,13 +204,9 @@ Result<Prescription> reduceTotalAngles(const Prescription& angles, const TriMesh
     }
     out.boundaries.push_back({static_cast<int>(j), static_cast<int>(std::lround(l)), anchor});
   }
-  out.notes.push_back(
-      formatText("%s from total angles", counted(out.cones.size(), "cone").c_str()));
-  if (!topology.loops.empty()) {
-    out.notes.push_back(formatText(
-        "the angles of boundary vertices were reduced to the turning index of each loop (%zu)",
-        topology.loops.size()));
-  }
+  out.notes.push_back(Note("cones-from-angles", {{"cones", out.cones.size()}}));
+  if (!topology.loops.empty())
+    out.notes.push_back(Note("cones-rims-reduced", {{"loops", topology.loops.size()}}));
   return out;
 }
 

@@ -64,8 +64,8 @@ struct Prescription {
   std::vector<double> totalAngles;
   int vertexCount = -1;  ///< of the mesh it was made for; −1 unknown
   int triangleCount = -1;
-  std::string sha256;              ///< of the file it was made for, or ""
-  std::vector<std::string> notes;  ///< for users: what was read and reduced
+  std::string sha256;  ///< of the file it was made for, or ""
+  Notes notes;         ///< for users: what was read and reduced
 };
 
 }  // namespace hgp::io

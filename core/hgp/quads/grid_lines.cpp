@@ -77,7 +77,7 @@ Result<LatticeMap> LatticeMap::make(const TriMesh& mesh, const UvMap& map) {
     for (int c : corners)
       for (double x : map.uv[at(c)]) largest = std::max(largest, std::fabs(x));
   if (!(std::ldexp(largest, -exponent) <= kLargest))
-    return refusal("the map's coordinates share no grid: align it to a grid first (--cells)");
+    return refusal("the map's coordinates share no grid: align it to a grid first");
   out.unit_ = std::int64_t{1} << -exponent;
   out.corner_ = PerHalfedge<LatticePoint>(at(mesh.halfedgeCount()));
   for (HalfedgeId h : mesh.halfedges()) {

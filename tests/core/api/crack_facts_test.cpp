@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "hgp/api/model/needed_repairs.h"
+#include "support/notes.h"
 
 namespace hgp {
 namespace {
@@ -43,9 +44,9 @@ TEST(CrackFacts, TheSearchEndsAtItsBoundAndSaysSo) {
   EXPECT_TRUE(facts.isPartial);
   EXPECT_GT(facts.onEdges, 0);
   EXPECT_LT(facts.onEdges, 19);
-  const std::vector<std::string> notes = api::crackNotes(facts);
-  ASSERT_EQ(notes.size(), 1u);
-  EXPECT_NE(notes[0].find("at least"), std::string::npos) << notes[0];
+  const Notes notes = api::crackNotes(facts);
+  ASSERT_EQ(test::codesOf(notes), test::Codes{"t-junctions"});
+  EXPECT_EQ(*notes[0].find("partial"), NoteValue("partial", 1));
 }
 
 }  // namespace

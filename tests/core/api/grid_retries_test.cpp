@@ -38,21 +38,20 @@ SolveAutomatic alignedFrom(double least, Calls& calls) {
 TEST(GridRetries, TheConesOfTheLeastCoarserGridThatWorksAreUsed) {
   Calls calls;
   Result<Parametrization> run = result({});
-  std::vector<std::string> notes;
+  Notes notes;
   ASSERT_TRUE(
       withOtherCones(100, {}, {0.0, 1.0, GridMode::kQuad}, alignedFrom(1.9, calls), run, notes));
   EXPECT_TRUE(run->grid->isAligned);
   EXPECT_EQ(calls.cones, (std::vector<double>{1.5, 2.0}));
   EXPECT_EQ(calls.grids, (std::vector<double>{1.0, 1.0})) << "the grid stays as asked";
-  ASSERT_EQ(notes.size(), 1u);
-  EXPECT_NE(notes[0].find("2 times"), std::string::npos) << notes[0];
+  EXPECT_EQ(notes, Notes{Note("grid-other-cones", {{"factor", 2.0}})});
 }
 
 TEST(GridRetries, AnAlignedResultFarFromTheNumberOfCellsIsReplacedByANearOneOnly) {
   for (const double least : {0.0, 100.0}) {
     Calls calls;
     Result<Parametrization> run = result(0.8);  // 56 % more cells
-    std::vector<std::string> notes;
+    Notes notes;
     ASSERT_TRUE(withOtherCones(100, {}, {0.0, 1.0, GridMode::kQuad}, alignedFrom(least, calls), run,
                                notes));
     EXPECT_TRUE(run->grid->isAligned);
@@ -61,7 +60,7 @@ TEST(GridRetries, AnAlignedResultFarFromTheNumberOfCellsIsReplacedByANearOneOnly
   }
   Calls calls;
   Result<Parametrization> run = result(0.97);  // 6 %
-  std::vector<std::string> notes;
+  Notes notes;
   ASSERT_TRUE(
       withOtherCones(100, {}, {0.0, 1.0, GridMode::kQuad}, alignedFrom(0.0, calls), run, notes));
   EXPECT_TRUE(calls.cones.empty());
@@ -75,7 +74,7 @@ TEST(GridRetries, AnAdvisedNumberOfCellsWasTriedAndNothingElseIsAdvised) {
       return Result<Parametrization>(isAligned ? result(grid.spacing) : result({}, 200.0));
     };
     Result<Parametrization> run = result({}, 200.0);
-    std::vector<std::string> notes;
+    Notes notes;
     ASSERT_TRUE(withOtherCones(100, {}, {0.0, 1.0, GridMode::kQuad}, solve, run, notes));
     EXPECT_FALSE(run->grid->isAligned);
     EXPECT_EQ(run->grid->workingCells, works ? 400.0 : 0.0) << "200 cells were tried first";
@@ -86,7 +85,7 @@ TEST(GridRetries, AnAdvisedNumberOfCellsWasTriedAndNothingElseIsAdvised) {
 TEST(GridRetries, OnLargeSurfacesTheAdviceBelongsToTheConesOfTheRun) {
   Calls calls;
   Result<Parametrization> run = result({}, 400.0);
-  std::vector<std::string> notes;
+  Notes notes;
   ASSERT_TRUE(
       withOtherCones(50'000, {}, {0.0, 1.0, GridMode::kQuad}, alignedFrom(1e9, calls), run, notes));
   EXPECT_EQ(run->grid->workingCells, 400.0);
@@ -99,7 +98,7 @@ TEST(GridRetries, ACancelledRetryCancels) {
     return Result<Parametrization>(Failure{ErrorCode::kCancelled, "solve", "", {}});
   };
   Result<Parametrization> run = result({});
-  std::vector<std::string> notes;
+  Notes notes;
   const Status done = withOtherCones(100, {}, {0.0, 1.0, GridMode::kTile}, solve, run, notes);
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().code, ErrorCode::kCancelled);

@@ -109,7 +109,7 @@ TEST(LiveDrag, DropStoresTheMapOfTheDragAndCertifiesWhatIsStored) {
   ASSERT_TRUE(drag->drop());
   EXPECT_TRUE(on.session.isCertified());
   EXPECT_EQ(on.session.conesJson(), view->cones);
-  EXPECT_NE(on.session.reportJson().find("was dragged there"), std::string::npos);
+  EXPECT_NE(on.session.reportJson().find("\"map-dragged\""), std::string::npos);
   EXPECT_FALSE(drag->drop()) << "the drag has ended";
   // What is written is read and verified like any file.
   const Result<WrittenMap> written = on.session.write({});

@@ -124,8 +124,10 @@ TEST(Measure, VerifyingWithTheConesOfAnotherSurfaceSaysSo) {
   text.erase(text.rfind("f "));  // the last face
   const auto notes = verified()["notes"];
   ASSERT_EQ(notes.size(), 2U) << notes;
-  EXPECT_EQ(notes[0], "the cones are for a mesh of 180 triangles; this one has 179");
-  EXPECT_NE(notes[1].get<std::string>().find("1 boundary loop has no turning"), std::string::npos);
+  EXPECT_EQ(notes[0]["code"], "cones-other-triangles");
+  EXPECT_EQ(notes[0]["numbers"], (nlohmann::json{{"asked", 180}, {"found", 179}}));
+  EXPECT_EQ(notes[1]["code"], "cones-without-turning");
+  EXPECT_EQ(notes[1]["numbers"]["loops"], 1);
 }
 
 }  // namespace

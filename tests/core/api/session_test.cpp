@@ -81,7 +81,7 @@ TEST(Session, AnUnusableMeshIsRepairedOrWhereStrictInspectedAndNotSolved) {
   MeshData mesh = hgp::test::cube().data;
   std::swap(mesh.triangles[0][0], mesh.triangles[0][1]);
   EXPECT_TRUE(loaded(mesh).inspect()->isGood);
-  EXPECT_TRUE(contains(loaded(mesh).inspect()->json, "repaired: 3 edges"));
+  EXPECT_TRUE(contains(loaded(mesh).inspect()->json, "\"defect-inconsistent-edge\""));
   LoadOptions strict;
   strict.isStrict = true;
   Session session = loaded(mesh, strict);
@@ -268,7 +268,7 @@ TEST(Session, FramesOfAFieldAreTakenForEveryComponent) {
   ASSERT_TRUE(done.hasValue()) << done.error().message;
   EXPECT_TRUE(session.isCertified());
   EXPECT_TRUE(contains(session.reportJson(), "\"frames\": \"file\""));
-  EXPECT_TRUE(contains(session.reportJson(), "the frames are the directions of the field"));
+  EXPECT_TRUE(contains(session.reportJson(), "\"field-frames\""));
   options.frames = FrameSource::kAuto;
   ASSERT_TRUE(session.parametrize(field, options).hasValue());
   EXPECT_TRUE(contains(session.reportJson(), "\"frames\": \"auto\""));
@@ -459,12 +459,13 @@ TEST(Session, ConesTooCloseToEachOtherAreNamedByTheFilesIds) {
   int inSecond = 0;
   const auto report = nlohmann::json::parse(session.reportJson());
   for (const auto& component : report["components"]) {
-    const std::string reason = component["grid"]["reason"];
+    if (component["grid"]["reason"].is_null()) continue;
+    const auto& places = component["grid"]["reason"]["where"];
     for (const auto& pair : component["grid"]["closestCones"]) {
       const int a = pair["vertices"][0], b = pair["vertices"][1];
       EXPECT_TRUE(known.contains(a) && known.contains(b)) << a << ' ' << b;
-      EXPECT_TRUE(contains(reason, "cones " + std::to_string(a) + " and " + std::to_string(b)))
-          << reason;
+      const nlohmann::json place{{"kind", "edge"}, {"id", a}, {"other", b}};
+      EXPECT_NE(std::find(places.begin(), places.end(), place), places.end()) << places;
       inSecond += a >= offset;
     }
   }

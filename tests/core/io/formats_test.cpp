@@ -1,8 +1,10 @@
 #include <cstring>
 
+#include "hgp/base/phrase.h"
 #include "hgp/io/plain_surface.h"
 #include "hgp/io/weld.h"
 #include "io_support.h"
+#include "support/notes.h"
 
 namespace hgp::io {
 namespace {
@@ -283,8 +285,7 @@ TEST(Ply, LinesWithMoreValuesThanTheHeaderAreCut) {
   EXPECT_EQ(surface.mesh.triangles, (std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 2, 3}}));
   EXPECT_EQ(surface.mesh.positions[3], (Vec3{0, 1, 0.5}));
   ASSERT_FALSE(surface.notes.empty());
-  EXPECT_EQ(surface.notes[0],
-            "5 lines have more values than the header declares; what follows those is left out");
+  EXPECT_EQ(surface.notes[0], Note("read-extra-values", {{"lines", 5}}));
   WriteOptions options;
   options.format = "ply";
   const DocumentPtr again = openedPly(written(*document, vertexMap(surface.mesh), options), "ply");
@@ -312,7 +313,8 @@ TEST(Ply, NormalsAndColoursGoIntoAnObj) {
   EXPECT_NE(obj.find("v 0 0 0 1 0 0.2\n"), std::string::npos) << obj;
   EXPECT_NE(obj.find("vn 0 1 0\n"), std::string::npos);
   EXPECT_NE(obj.find("f 1/1/1 2/2/2 3/3/3\n"), std::string::npos);
-  EXPECT_EQ(out->notes, std::vector<std::string>{"written as OBJ, with its normals and colours"});
+  ASSERT_EQ(test::codesOf(out->notes), test::Codes{"write-as-obj"});
+  EXPECT_EQ(phrase(out->notes[0]), "written as OBJ, with its normals and colours");
 }
 
 TEST(Obj, WhatAnotherFormatCannotKeepIsSaid) {
@@ -324,9 +326,8 @@ TEST(Obj, WhatAnotherFormatCannotKeepIsSaid) {
   ASSERT_EQ(plain->surfaces[0].colors.size(), 3U);
   EXPECT_EQ(plain->surfaces[0].colors[1], (std::array<double, 4>{1, 1, 1, 1}));
   EXPECT_EQ(plain->surfaces[0].colors[2], (std::array<double, 4>{0, 0, 1, 1}));
-  EXPECT_EQ(plain->lost,
-            (std::vector<std::string>{"1 vertex without a colour is white",
-                                      "2 lines of lines or points (l, p) are left out"}));
+  EXPECT_EQ(plain->lost, (Notes{Note("convert-uncoloured", {{"vertices", 1}}),
+                                Note("convert-lines-lost", {{"lines", 2}})}));
   const auto none = openText("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   ASSERT_TRUE(none);
   EXPECT_TRUE((*none)->plain(0)->surfaces[0].colors.empty());

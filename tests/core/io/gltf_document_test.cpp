@@ -3,9 +3,11 @@
 #include <cstring>
 #include <limits>
 
+#include "hgp/base/phrase.h"
 #include "hgp/io/gltf/decode/decoders.h"
 #include "hgp/io/gltf/json/file.h"
 #include "io_support.h"
+#include "support/notes.h"
 
 namespace hgp::io {
 namespace {
@@ -134,15 +136,17 @@ TEST(GltfDocument, PrimitivesOfAKindAreCountedInOneNote) {
     return opened(squareText({{one, primitives(modes)}}))->surfaces()[0].notes;
   };
   // Corners 0 1 2 0 2 3: of the four of a strip, one names a corner twice; of a fan, two do.
-  EXPECT_EQ(notes({5}),
-            (std::vector<std::string>{
-                "1 triangle strip is read as 3 triangles (1 degenerate one is skipped)"}));
-  EXPECT_EQ(
-      notes({4, 5, 6, 6, 1, 1, 0}),
-      (std::vector<std::string>{
-          "1 primitive (points) is kept as it is", "2 primitives (lines) are kept as they are",
-          "1 triangle strip and 2 triangle fans are read as 7 triangles (5 degenerate ones "
-          "are skipped)"}));
+  EXPECT_EQ(phrase(notes({5})),
+            "1 triangle strip is read as 3 triangles (1 degenerate one is skipped)");
+  EXPECT_EQ(phrase(notes({6})),
+            "1 triangle fan is read as 2 triangles (2 degenerate ones are skipped)");
+  const Notes mixed = notes({4, 5, 6, 6, 1, 1, 0});
+  EXPECT_EQ(test::codesOf(mixed),
+            (test::Codes{"read-primitives-kept", "read-primitives-kept", "read-strips-unrolled"}));
+  EXPECT_EQ(phrase(mixed),
+            "1 primitive (points) is kept as it is; 2 primitives (lines) are kept as they are; 1 "
+            "triangle strip and 2 triangle fans are read as 7 triangles (5 degenerate ones are "
+            "skipped)");
 }
 
 TEST(GltfDocument, UvComeBackAsStoredWhereVerticesSplit) {
@@ -366,17 +370,18 @@ TEST(GltfDocument, WhereFourSetsAreTakenOneThatNoMaterialUsesIsReplaced) {
           "\"type\" : \"VEC2\" }"},
          {"\"meshes\"", material + "\"meshes\""}});
   };
-  const auto setOf = [](const std::string& text, std::string& notes) {
+  const auto setOf = [](const std::string& text, Notes& notes) {
     const DocumentPtr document = opened(text);
     const auto result =
         document->write(0, document->asStored(0, vertexMap(document->surfaces()[0].mesh)), {});
     EXPECT_TRUE(result);
-    for (const std::string& note : result->notes) notes += note + ";";
+    addNotes(notes, result->notes);
     return opened(textOf(result->files[0].bytes))->surfaces()[0].ownUvSet;
   };
-  std::string notes;
+  Notes notes;
   EXPECT_EQ(setOf(squareOf("", ""), notes), 3);
-  EXPECT_NE(notes.find("TEXCOORD_3, which no material uses, was replaced"), std::string::npos);
+  ASSERT_TRUE(findNote(notes, "write-set-unread"));
+  EXPECT_EQ(*findNote(notes, "write-set-unread")->find("set"), NoteValue("set", 3));
   const std::string picture =
       "\"images\" : [ { \"uri\" : \"data:image/png;base64,iVBORw0KGgo=\" } ], "
       "\"textures\" : [ { \"source\" : 0 } ], ";
@@ -391,7 +396,7 @@ TEST(GltfDocument, WhereFourSetsAreTakenOneThatNoMaterialUsesIsReplaced) {
       "\"index\" : 0, \"texCoord\" : 1 } } ], ";
   notes.clear();
   EXPECT_EQ(setOf(squareOf(all, "\"material\" : 0, "), notes), 4);
-  EXPECT_NE(notes.find("many viewers read TEXCOORD_0 to TEXCOORD_3 only"), std::string::npos);
+  EXPECT_TRUE(findNote(notes, "write-set-high"));
 }
 
 }  // namespace

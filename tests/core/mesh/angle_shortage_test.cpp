@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "hgp/base/phrase.h"
 #include "hgp/base/turns.h"
 #include "hgp/mesh/holonomy_spec.h"
 #include "hgp/mesh/topology.h"
@@ -155,12 +156,15 @@ TEST(AngleShortage, OfARimThatTurnsTooFar) {
     const Result<BudgetReport> budget = checkPrescription(mesh, topology, spec);
     ASSERT_TRUE(budget) << budget.error().message;
     EXPECT_FALSE(budget->isTooCoarse) << "the search from steep cones does not look at rims";
-    const std::optional<std::string> proof = proveImpossible(mesh, topology, spec);
+    const std::optional<Note> proof = proveImpossible(mesh, topology, spec);
     EXPECT_EQ(proof.has_value(), turning <= -16) << turning;
     if (!proof) continue;
+    EXPECT_EQ(proof->code, "angle-shortage");
+    EXPECT_EQ(proof->where, (std::vector<Where>{{Where::Kind::kLoop, 0}}));
+    const std::string sentence = phrase(*proof);
     const std::string rim = "the rim 0 (turning " + std::to_string(turning) + ")";
     for (const std::string& part : {rim, std::string("16 triangles"), std::string("--refine")})
-      EXPECT_NE(proof->find(part), std::string::npos) << *proof;
+      EXPECT_NE(sentence.find(part), std::string::npos) << sentence;
     HolonomySpec open = spec;
     open.turning[0].reset();
     EXPECT_FALSE(proveImpossible(mesh, topology, open)) << "a rim that may turn as it likes";
@@ -178,9 +182,13 @@ TEST(AngleShortage, IsAWarningOfTheCheckWithWhatToDo) {
   ASSERT_TRUE(report) << report.error().message;
   EXPECT_TRUE(report->isTooCoarse);
   ASSERT_FALSE(report->warnings.empty());
-  const std::string& warning = report->warnings.back();
+  EXPECT_EQ(report->warnings.back().code, "angle-shortage");
+  EXPECT_EQ(report->warnings.back().where,
+            (std::vector<Where>{{Where::Kind::kVertex, std::min(a.i, b.i)},
+                                {Where::Kind::kVertex, std::max(a.i, b.i)}}));
+  const std::string warning = phrase(report->warnings.back());
   for (const char* part :
-       {"the cones ", " and ", "(k=10)", "10π together", "10 triangles", "--refine"})
+       {"2 cones with k = 10, 10 (vertex ", "10π together", "10 triangles", "--refine"})
     EXPECT_NE(warning.find(part), std::string::npos) << warning;
 }
 

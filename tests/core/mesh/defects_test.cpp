@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "hgp/base/phrase.h"
 #include "support/shapes.h"
 
 namespace hgp {
@@ -118,6 +119,27 @@ TEST(Defects, NonManifoldVertex) {
   EXPECT_EQ(placesOf(data, DefectKind::kNonManifoldVertex), Ids{0});
 }
 
+TEST(Defects, EveryKindHasItsCode) {
+  const std::pair<DefectKind, const char*> kinds[] = {
+      {DefectKind::kIndexOutOfRange, "defect-index-out-of-range"},
+      {DefectKind::kNotFinite, "defect-not-finite"},
+      {DefectKind::kExtent, "defect-extent"},
+      {DefectKind::kRepeatedVertex, "defect-repeated-vertex"},
+      {DefectKind::kZeroArea, "defect-zero-area"},
+      {DefectKind::kDuplicateFace, "defect-duplicate-face"},
+      {DefectKind::kNonManifoldEdge, "defect-non-manifold-edge"},
+      {DefectKind::kInconsistentEdge, "defect-inconsistent-edge"},
+      {DefectKind::kNonManifoldVertex, "defect-non-manifold-vertex"}};
+  for (const auto& [kind, code] : kinds) {
+    const Note note = noteOn({kind, {{Where::Kind::kVertex, 3}}});
+    EXPECT_EQ(note.code, code);
+    EXPECT_NE(phrase(note), code) << "it is in the catalogue";
+    EXPECT_EQ(note.where, (std::vector<Where>{{Where::Kind::kVertex, 3}}));
+  }
+  const std::vector<Where> many(9, {Where::Kind::kVertex, 3});
+  EXPECT_EQ(noteOn({DefectKind::kZeroArea, many}).where.size(), 5u);
+}
+
 TEST(Defects, RefusalNamesRuleCountPlacesAndRemedy) {
   MeshData data = test::grid(1, 1).data;
   data.positions.push_back({0, 0, 1});
@@ -125,8 +147,11 @@ TEST(Defects, RefusalNamesRuleCountPlacesAndRemedy) {
   const Status status = requireUsable(findDefects(data));
   ASSERT_FALSE(status);
   EXPECT_EQ(status.error().code, ErrorCode::kUnsupported);
-  EXPECT_EQ(status.error().message,
-            "1 edge has more than two faces (0–3). Repair with --fix split.");
+  const Note expected("defect-non-manifold-edge", {{"count", 1}, {"only", 1}},
+                      {{Where::Kind::kEdge, 0, 3}});
+  EXPECT_EQ(status.error().message, phrase(expected) + ".");
+  EXPECT_EQ(status.error().advice, Notes{Note("repair-with", {{"fixes", "split"}})});
+  EXPECT_EQ(told(status.error()), phrase(expected) + ". Repair with --fix split.");
   EXPECT_EQ(status.error().where.size(), 1u);
 }
 

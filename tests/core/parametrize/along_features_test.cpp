@@ -163,7 +163,7 @@ TEST(AlongFeatures, AStepThatCanHaveNoLengthIsStraightenedAndSaid) {
   expectStraight("stepped cylinder", mesh, *run);
   EXPECT_EQ(run->certificate.features.corners, 0);
   ASSERT_FALSE(run->notes.empty());
-  EXPECT_NE(run->notes.back().find("1 step"), std::string::npos) << run->notes.back();
+  EXPECT_EQ(run->notes.back(), Note("features-straightened", {{"steps", 1}}));
 }
 
 TEST(AlongFeatures, CheckRefusesWhatTheSolveRefuses) {

@@ -104,7 +104,7 @@ TEST(GridImprovement, GainsWhileEveryIntegerStaysWhereAlignmentPutIt) {
       const HolonomySpec spec = automaticCones(mesh, asked.q);
       const Result<Parametrization> run = parametrize(mesh, spec, optionsOf(asked, spec, true));
       ASSERT_TRUE(run && run->grid && run->improvement) << shape.name;
-      ASSERT_TRUE(run->grid->isAligned) << shape.name << ": " << run->grid->reason;
+      ASSERT_TRUE(run->grid->isAligned) << shape.name << ": " << run->grid->attempts.size();
       ASSERT_TRUE(run->improvement->onGrid) << shape.name;
       const DescentFacts& descent = *run->improvement->onGrid;
       expectHeld(shape.name, mesh, spec, asked, *run);
@@ -150,7 +150,7 @@ TEST(GridImprovement, HoldsConesWithoutRotationInQuadMode) {
   const AskedOfGrid asked{4, GridMode::kQuad, 0.0, 40.0};
   const Result<Parametrization> run = parametrize(mesh, spec, optionsOf(asked, spec, true));
   ASSERT_TRUE(run && run->isCertified && run->grid);
-  ASSERT_TRUE(run->grid->isAligned) << run->grid->reason;
+  ASSERT_TRUE(run->grid->isAligned) << run->grid->attempts.size();
   ASSERT_TRUE(run->improvement && run->improvement->onGrid);
   EXPECT_TRUE(run->improvement->onGrid->isKept);
   expectHeld("two full turns", mesh, spec, asked, *run);

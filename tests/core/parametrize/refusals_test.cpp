@@ -5,6 +5,7 @@
 #include <set>
 
 #include "hgp/parametrize/parametrize.h"
+#include "support/notes.h"
 #include "support/prescriptions.h"
 #include "support/shapes.h"
 
@@ -105,9 +106,8 @@ TEST(Impossible, APrescriptionThatIsProvedSoEndsAfterOneProgramWithTheProof) {
   EXPECT_FALSE(run->isCertified);
   EXPECT_TRUE(run->isImpossible);
   EXPECT_EQ(run->rounds.size(), 1u);
-  EXPECT_TRUE(std::any_of(run->notes.begin(), run->notes.end(), [](const std::string& note) {
-    return note.find("the rim 0 (turning -20)") != std::string::npos;
-  }));
+  ASSERT_TRUE(findNote(run->notes, "angle-shortage"));
+  EXPECT_EQ(*findNote(run->notes, "angle-shortage")->find("turning"), NoteValue("turning", "-20"));
   spec.turning = {};
   spec.cones.clear();
   const Result<Parametrization> possible = parametrize(mesh, spec, {});
@@ -170,9 +170,7 @@ TEST(Notes, SayWhenConesStretchTheSurfaceTooFar) {
   options.maxRounds = 1;
   const Result<Parametrization> p = parametrize(mesh, spec, options);
   ASSERT_TRUE(p) << p.error().message;
-  bool isSaid = false;
-  for (const std::string& note : p->notes) isSaid |= note.find("stretch") != std::string::npos;
-  EXPECT_TRUE(isSaid);
+  EXPECT_TRUE(findNote(p->notes, "map-unresolved") || findNote(p->notes, "map-stretched"));
 }
 
 TEST(Notes, AMapIsLessConformalWhereTheConformalOneIsBeyondFloat64) {
@@ -186,8 +184,7 @@ TEST(Notes, AMapIsLessConformalWhereTheConformalOneIsBeyondFloat64) {
   // Weighted with e^u as it is, it takes thirteen.
   EXPECT_LE(p->rounds.size(), 6U);
   // Stretched it is, and that is all that is said: nothing of maps that cannot be.
-  ASSERT_EQ(p->notes.size(), 1U);
-  EXPECT_NE(p->notes[0].find("expect strong area distortion"), std::string::npos) << p->notes[0];
+  EXPECT_EQ(test::codesOf(p->notes), test::Codes{"map-stretched"});
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ inline void expectMappedWithEvenedLengths(const TriMesh& mesh, const Parametriza
   EXPECT_TRUE(isEvened(p.rounds.back()));
   EXPECT_LE(p.rounds.size(), 24u);
   ASSERT_FALSE(p.notes.empty());
-  EXPECT_NE(p.notes.back().find("evened lengths"), std::string::npos);
+  EXPECT_EQ(p.notes.back().code, "map-evened-lengths");
 }
 
 }  // namespace hgp::test

@@ -1,28 +1,85 @@
+// Notes as the page says them: buttons instead of options, places outlined instead of listed.
+
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { noteForPage, weldIn } from '../../../web/src/text/notes.ts';
+import { messageForPage } from '../../../web/src/text/error_messages.ts';
+import { defectsInWords, noteForPage, weldIn } from '../../../web/src/text/notes.ts';
+import { repairsMade } from '../../../web/src/text/repairs.ts';
+import { readCatalogue } from '../../../wasm/phrases.mjs';
 
-const equal =
-  '2 vertices have the position of another one; --weld exact would join 14 components into 12';
-const crack =
-  'a crack: 64 boundary vertices lie within 2e-06 of another one; --weld 2.1e-06 closes it';
+const note = (code, numbers = {}, words = {}, where = []) => ({ code, numbers, words, where });
+
+const equal = note('weld-would-join', { vertices: 2, before: 14, after: 12 });
+const crack = note('crack', { vertices: 64, gap: 2e-6, weld: 2.1e-6, partial: 0 });
+
+test('every code has a sentence on the page, and only advice for the command line is silent', () => {
+  for (const code of readCatalogue().keys()) {
+    const text = noteForPage(note(code));
+    assert.notEqual(text, code);
+    assert.doesNotMatch(
+      text.replace(/command line: --refine|command line, --refine/, ''),
+      /--[a-z]/,
+    );
+  }
+});
 
 test('notes name buttons of the page instead of options of the command line', () => {
   assert.equal(
     noteForPage(equal),
     '2 vertices have the position of another one; joining these makes 12 of 14 components',
   );
-  assert.match(noteForPage(crack), /; joining vertices closer than 2\.1e-06 closes it$/);
-  const joined = 'vertices were joined, and 9 components became 1 (--weld none keeps them apart)';
-  assert.doesNotMatch(noteForPage(joined), /--/);
-  const thin = 'as free of folds, with more distortion. --improve isometric (improve) lowers it.';
-  assert.match(noteForPage(thin), /“Less distortion” under Solve lowers it\.$/);
-  assert.doesNotMatch(noteForPage('more room for a grid: try --cones-for few'), /--/);
-  assert.equal(noteForPage('T-junctions: 4 (within 0)'), 'T-junctions: 4 (within 0)');
+  assert.match(
+    noteForPage(crack),
+    /within 2e-06 .*; joining vertices closer than 2\.1e-06 closes it$/,
+  );
+  assert.match(
+    noteForPage(note('map-evened-lengths')),
+    /“Less distortion” under Solve lowers it\.$/,
+  );
+  assert.match(noteForPage(note('grid-few-advised')), /move the slider to Fewer$/);
 });
 
 test('a note offers the length at which vertices are joined', () => {
   assert.equal(weldIn([equal]), 0);
   assert.equal(weldIn([equal, crack]), 2.1e-6);
-  assert.equal(weldIn(['T-junctions: 4']), undefined);
+  assert.equal(weldIn([note('t-junctions', { vertices: 4 })]), undefined);
+});
+
+test('defects are told without ids, and those that may stay are not told', () => {
+  const defects = [
+    { kind: 'non-manifold-edge', fatal: true, count: 1 },
+    { kind: 'inconsistent-edge', fatal: true, count: 3 },
+    { kind: 'isolated-vertex', fatal: false, count: 7 },
+  ];
+  assert.equal(
+    defectsInWords(defects),
+    '1 edge has more than two faces; 3 edges have two faces of opposite orientation.',
+  );
+  assert.equal(defectsInWords([]), '');
+});
+
+test('repairs are told with their reasons; a cut of a one-sided surface says what it costs', () => {
+  const edge = [{ kind: 'edge', id: 0, other: 3 }];
+  const notes = [
+    note('read-polygons', { polygons: 2 }),
+    note('defect-inconsistent-edge', { count: 1, only: 1, repaired: 1 }, {}, edge),
+    note('repair-one-sided-cut', { components: 1, edges: 4 }),
+    note('repair-copies', { triangles: 2 }),
+  ];
+  const made = repairsMade({ notes }, { fix: {}, hasAllRepairs: true });
+  assert.equal(made.defects, '1 edge has two faces of opposite orientation.');
+  assert.deepEqual(made.made, [
+    '1 one-sided component cut along 4 edges: a texture ends at this cut',
+    '2 triangles left out as copies of others, with the uv of those',
+  ]);
+  assert.equal(repairsMade({ notes }, { fix: {} }), undefined);
+});
+
+test('an error keeps its rule and number, and gets the advice that the page has', () => {
+  const rule = '9 triangles, more than the limit of 4 triangles';
+  assert.equal(messageForPage(rule, [note('raise-triangles')]), rule);
+  assert.equal(
+    messageForPage('2 edges have more than two faces.', [note('repair-by-hand')]),
+    '2 edges have more than two faces. No repair removes this; edit the mesh there.',
+  );
 });

@@ -9,7 +9,8 @@ import type { InitOptions } from './lib/options.js';
 export { Core, CoreMap, CoreModel } from './lib/core.js';
 export { CoreDrag } from './lib/drag.js';
 export { HgpError, type HgpFailure } from './lib/error.js';
-export type { Certificate, CheckReport, ModelInfo, Report } from './lib/documents.js';
+export type { Certificate, CheckReport, ModelInfo, Note, Report } from './lib/documents.js';
+export { phrase, type Phrases } from './lib/phrases.js';
 export type * from './lib/options.js';
 export type * from './lib/results.js';
 

@@ -6,8 +6,9 @@ import { Client, type ClientOptions } from './lib/client.js';
 
 export { HgpError, type HgpFailure } from './lib/error.js';
 export type { CallOptions, Client, ClientOptions } from './lib/client.js';
-export type { Certificate, CheckReport, ModelInfo, Report } from './lib/documents.js';
+export type { Certificate, CheckReport, ModelInfo, Note, Report } from './lib/documents.js';
 export type { Drag, Model, UvMap } from './lib/handles.js';
+export { phrase, type Phrases } from './lib/phrases.js';
 export type * from './lib/options.js';
 export type * from './lib/results.js';
 

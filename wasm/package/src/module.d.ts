@@ -66,7 +66,8 @@ export interface Session {
   verify(cones: string, options: object): JsonReply;
   write(options: object): Reply<{
     files: { name: string; bytes: Uint8Array }[];
-    notes: string[];
+    /** JSON of Note[]. */
+    notes: string;
     xref: Int32Array;
     certified: boolean;
   }>;

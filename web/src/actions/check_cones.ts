@@ -4,6 +4,8 @@
 import { effect } from '@preact/signals-core';
 import { toCones, type Prescription } from '../model/prescription';
 import type { Model } from '../model/types';
+import { messageForPage } from '../text/error_messages';
+import { noteForPage } from '../text/notes';
 import type { App } from './app';
 
 async function check(app: App, prescription: Prescription, model: Model): Promise<void> {
@@ -11,8 +13,9 @@ async function check(app: App, prescription: Prescription, model: Model): Promis
   const { surface, solver } = model;
   const { components, error } = await solver.check(toCones(prescription));
   if (prescription !== doc.prescription || surface !== doc.model?.surface || doc.isBusy) return;
-  const text = components.find((one) => one.error)?.error?.message ?? error?.message ?? '';
-  const warnings = components.flatMap((one) => one.warnings);
+  const refusal = components.find((one) => one.error)?.error ?? error;
+  const text = refusal ? messageForPage(refusal.message, refusal.advice) : '';
+  const warnings = components.flatMap((one) => one.warnings).map((note) => noteForPage(note));
   doc.objection = { prescription, surface, text, warnings };
   if (text !== '') doc.say(text, 'error');
 }

@@ -12,9 +12,10 @@ import { describeTransfer, transferPrescription } from '../model/transfer_cones'
 import type { ScenePart } from '../model/scene';
 import type { LoadSettings, Model, Step } from '../model/types';
 import { restorable, saveCones } from '../services/cone_storage';
-import { describeError, withoutCliAdvice } from '../text/error_messages';
+import { describeError, whyUnusable } from '../text/error_messages';
 import { estimateFor, mostTriangles, tooMany } from '../text/estimate';
 import { bytesOfAll, megabytes, plural } from '../text/format';
+import { gzipNote, noteForPage } from '../text/notes';
 import { solverOf, type App } from './app';
 import { setPrescription } from './edit_cones';
 import { surveyMeshes } from './inspect_meshes';
@@ -122,12 +123,12 @@ async function readMesh(
   call.signal.throwIfAborted();
   const ignored = ignoredBytes(files.get(main));
   const remarks = remarksOn(info, instances?.[info.surface]);
-  if (ignored > 0) remarks.unshift(`Ignored: ${plural(ignored, 'byte')} after the gzip data.`);
+  if (ignored > 0) remarks.unshift(noteForPage(gzipNote(ignored)));
   const model = { main, files, solver, info, surface, loaded: settings, remarks, matrix };
   if (surfaceIndex === undefined) doc.parts = parts ?? [];
   doc.state = { kind: 'open', model };
   doc.selected = -1;
-  const problem = withoutCliAdvice(info.error?.message);
+  const problem = whyUnusable(info);
   if (info.usable) doc.message = undefined;
   else if (canRepair(model))
     doc.message = { kind: 'note', text: `${problem} “Repair and run” fixes this.` }; // prettier-ignore

@@ -1,7 +1,7 @@
 // Repairs for the defects of a mesh, one by one or all at once.
 
 import { canRepair, type Repair } from '../model/repairs';
-import { withoutCliAdvice } from '../text/error_messages';
+import { whyUnusable } from '../text/error_messages';
 import type { App } from './app';
 import { placeOrSelect } from './edit_cones';
 import { reloadWith } from './load';
@@ -44,8 +44,7 @@ export async function placeOnAny(app: App, vertex: number): Promise<void> {
   const { model } = doc;
   if (!model || doc.usableModel) return placeOrSelect(app, vertex);
   if (!canRepair(model)) {
-    const why = withoutCliAdvice(model.info.error?.message);
-    return doc.say(`${why} No cone can be placed on it.`, 'error');
+    return doc.say(`${whyUnusable(model.info)} No cone can be placed on it.`, 'error');
   }
   if (!(await repairAll(app)) || !doc.usableModel) return;
   placeOrSelect(app, vertex);

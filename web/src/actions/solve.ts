@@ -3,6 +3,7 @@
 import {
   HgpError,
   type Cones,
+  type Note,
   type SuggestOptions,
   type UvMap,
   type WriteOptions,
@@ -163,8 +164,8 @@ async function sideFiles(app: App, { files }: Model, written: OutputFile[]): Pro
 }
 
 /** Whether a note is settled: it asks to keep a file next to the new one, and the download includes that file. */
-const isSettled = (note: string, files: OutputFile[]): boolean =>
-  files.some(({ name }) => note === `keep ${name} next to the new file`);
+const isSettled = ({ code, words }: Note, files: OutputFile[]): boolean =>
+  code === 'write-keep-beside' && files.some(({ name }) => name === words.name);
 
 /** The numbers of a map alone: they travel to the geometry worker and back. */
 export function numbersOf(map: UvMap): MapNumbers {

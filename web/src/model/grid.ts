@@ -1,6 +1,6 @@
 // Alignment to a grid: the request, the outcome, and the patterns that then continue across seams.
 
-import type { Report, Result } from 'hgp';
+import type { Note, Report, Result } from 'hgp';
 import type { GridSettings, Look, Pattern, Solution, Surface } from './types';
 
 /** Only rotations by half and quarter turns map a grid of squares to itself. */
@@ -48,7 +48,7 @@ export interface GridOutcome {
   /** Edge length of a cell in units of the surface. */
   spacing: number;
   /** Why there is no aligned map. */
-  reason: string;
+  reason?: Note;
   /** A number of cells that works, 0 if none was found. */
   workingCells: number;
 }
@@ -67,7 +67,7 @@ export function gridOutcome({ result }: Pick<Solution, 'result'>): GridOutcome |
     cells: Math.round(cells),
     cellsPerCone: cells / result.cones.cones.length,
     spacing: reports[0].spacing,
-    reason: failed.find(({ reason }) => reason)?.reason ?? '',
+    reason: failed.find(({ reason }) => reason)?.reason ?? undefined,
     workingCells: failed.length > 0 && isFound ? Math.ceil(cells * denser) : 0,
   };
 }

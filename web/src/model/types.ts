@@ -9,6 +9,7 @@ import type {
   UvMap,
   Where,
   Written,
+  Note,
 } from 'hgp';
 import type { QuadShape } from './quad_shape';
 import type { Distortion, LeastArea, Overlaps, Sizes } from './measures';
@@ -178,7 +179,7 @@ export interface Solution extends SolveRequest, Analysis {
   gridTiles?: number;
   written: Written;
   /** Notes of the writer. */
-  notes: string[];
+  notes: Note[];
   /** Other content of the file, which is kept: "3 materials, 1 skin". */
   preserved: string;
   /** The written files, and the files to which they refer. */

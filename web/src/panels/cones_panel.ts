@@ -10,7 +10,6 @@ import { waysToSpend, type ComponentBudget } from '../model/gauss_bonnet';
 import { angleText, indexText } from '../model/prescription';
 import type { SortKey } from '../model/ui_state';
 import { plural } from '../text/format';
-import { noteForPage } from '../text/notes';
 import { actionButton } from './action_button';
 import { icon } from './icons';
 import { keepWhileTyping } from './keep_while_typing';
@@ -49,7 +48,7 @@ class ConesPanel extends Panel {
     return html`<details open id="panel-cones">
       <summary>Cones<span class="count">${cones.length}</span></summary>
       ${this.#orderChooser()} ${this.#budget()}
-      ${(doc.budget?.warnings ?? []).map((text) => html`<p class="note warn">${noteForPage(text)}</p>`)}
+      ${(doc.budget?.warnings ?? []).map((text) => html`<p class="note warn">${text}</p>`)}
       <p class="row">
         ${actionButton(app, 'suggest', { className: 'small' })}
         ${actionButton(app, 'balance', { className: 'small' })}

@@ -13,6 +13,7 @@ import { isAligned } from '../model/grid';
 import type { Model, Output, Solution } from '../model/types';
 import type { TargetId } from '../model/ui_state';
 import { isCertified } from '../model/verdict';
+import { noteForPage } from '../text/notes';
 import { dialogFrame } from './dialog_frame';
 import { icon } from './icons';
 
@@ -259,7 +260,7 @@ function ofOneMesh(app: App, { notes, preserved, result }: Solution): string {
   const { info } = app.doc.model!;
   const stored = info.surfaces[info.surface]?.storedVertices ?? 0;
   const rest = `All else in the file stays as it was${preserved ? `: ${preserved}` : ''}.`;
-  if (notes.length > 0) return `${notes.join('; ')}. ${rest}`;
+  if (notes.length > 0) return `${notes.map((note) => noteForPage(note)).join('; ')}. ${rest}`;
   return `${stored} vertices; ${result.uvToVertex.length} texture vertices, as seams are split.`;
 }
 

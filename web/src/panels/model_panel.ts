@@ -37,12 +37,12 @@ class ModelPanel extends Panel {
     const { model } = this.app.doc;
     if (!model) return nothing;
     const { info, remarks } = model;
-    const notes = [...remarks, ...(info.surfaces[info.surface]?.notes ?? []), ...info.notes];
+    const told = [...(info.surfaces[info.surface]?.notes ?? []), ...info.notes];
+    const notes = [...remarks, ...told.map((note) => noteForPage(note))];
     return html`<details open id="panel-model">
       <summary>Model</summary>
       ${this.#facts(model)} ${this.#defects(model)} ${this.#weld(model)}
-      ${notes.map((note) => html`<p class="note">${noteForPage(note)}</p>`)}
-      ${this.#weldButton(model)}
+      ${notes.map((note) => html`<p class="note">${note}</p>`)} ${this.#weldButton(model)}
     </details>`;
   }
 

@@ -150,7 +150,7 @@ class ResultPanel extends Panel {
     return reasonsOf(solution).map(
       ({ message, where = [] }) =>
         html`<p class="note bad">
-          ${noteForPage(message)}
+          ${message}
           ${
             where.length > 0
               ? html`<button

@@ -7,6 +7,7 @@ import { attempt } from '../actions/app';
 import { realign } from '../actions/solve';
 import { automaticCells, canAlign, gridOutcome } from '../model/grid';
 import type { GridSettings, SolveSettings } from '../model/types';
+import { noteForPage } from '../text/notes';
 import { estimateFor } from '../text/estimate';
 import { count } from '../text/format';
 import { actionButton } from './action_button';
@@ -152,7 +153,7 @@ class SolvePanel extends Panel {
     }
     const better = (): void => this.#setGrid({ cells: workingCells });
     return html`<p class="note warn" id="grid-outcome">
-      Not aligned: ${reason || 'no whole numbers were found for its seams'}.
+      Not aligned: ${reason ? noteForPage(reason) : 'no whole numbers were found for its seams'}.
       ${
         workingCells > 0
           ? html`<button type="button" class="small" id="denser" @click=${better}>

@@ -2,10 +2,18 @@
 
 import type { ModelInfo } from 'hgp';
 import type { LoadSettings } from '../model/types';
-import { withoutCliAdvice } from './error_messages';
+import { noteForPage } from './notes';
 
-const reason = /^repaired: /;
-const done = /^(?:orient|split): |^\d+ triangles? left out /;
+/** Notes on what was done, as the page says it. */
+const done: Readonly<Record<string, string>> = {
+  'repair-turned': '{faces|face} turned over',
+  'repair-one-sided-left': '{components|one-sided component} cannot be oriented without a cut',
+  'repair-one-sided-cut':
+    '{components|one-sided component} cut along {edges|edge}: a texture ends at this cut',
+  'repair-split':
+    '{vertices|vertex|vertices} duplicated[edges: ({edges|edge} had more than two faces)]',
+};
+const leftOut = new Set(['repair-no-surface', 'repair-copies']);
 
 export const isRepaired = ({ fix, hasAllRepairs }: LoadSettings): boolean =>
   hasAllRepairs === true || Object.values(fix).includes(true);
@@ -20,11 +28,12 @@ export interface Repairs {
 /** Undefined if nothing was repaired. */
 export function repairsMade({ notes }: ModelInfo, settings: LoadSettings): Repairs | undefined {
   if (!isRepaired(settings)) return undefined;
-  const defects = notes.find((note) => reason.test(note))?.replace(reason, '') ?? '';
+  const defects = notes
+    .filter(({ code }) => code.startsWith('defect-'))
+    .map((note) => noteForPage({ ...note, numbers: { ...note.numbers, repaired: 0 } }));
   const made = notes
-    .filter((note) => done.test(note))
-    .map((note) => note.replace(/^(?:orient|split): /, ''))
-    .map((note) => (/one-sided/.test(note) ? `${note}: a texture ends at this cut` : note));
-  if (!defects && made.length === 0) return undefined;
-  return { defects: defects && `${withoutCliAdvice(defects)}.`, made };
+    .filter(({ code }) => code in done || leftOut.has(code))
+    .map((note) => noteForPage(note, done));
+  if (defects.length === 0 && made.length === 0) return undefined;
+  return { defects: defects.length > 0 ? `${defects.join('; ')}.` : '', made };
 }

@@ -275,8 +275,7 @@ void addSummary(Json& json, const std::vector<Certificate>& certificates) {
 
 SplicedDocument certificateDocument(const Model& model,
                                     const std::vector<Certificate>& certificates,
-                                    const OutsideFacts& outside, int uvSet,
-                                    const std::vector<std::string>& notes) {
+                                    const OutsideFacts& outside, int uvSet, const Notes& notes) {
   Json json{{"format", "hgp-certificate"}, {"version", 1}};
   bool isUsable = !certificates.empty();
   for (const Certificate& c : certificates) isUsable = isUsable && c.isUsable;
@@ -297,7 +296,7 @@ SplicedDocument certificateDocument(const Model& model,
                         {"notConvex", outside.polygons.notConvex}};
   constexpr const char* kHere = "(components)";
   json["components"] = kHere;
-  if (!notes.empty()) json["notes"] = notes;
+  if (!notes.empty()) json["notes"] = notesJson(notes);
   const auto component = [&model, &certificates](std::size_t p) {
     const std::string name =
         certificates.size() > 1 ? "In component " + std::to_string(p) + ": " : std::string();
@@ -307,8 +306,7 @@ SplicedDocument certificateDocument(const Model& model,
 }
 
 std::string certificateText(const Model& model, const std::vector<Certificate>& certificates,
-                            const OutsideFacts& outside, int uvSet,
-                            const std::vector<std::string>& notes) {
+                            const OutsideFacts& outside, int uvSet, const Notes& notes) {
   return certificateDocument(model, certificates, outside, uvSet, notes).text();
 }
 

@@ -21,7 +21,7 @@ Json surfacesJson(const Model& model) {
                        {"welded", s.isWelded},
                        {"triangles", s.mesh.triangles.size()},
                        {"uvSets", s.uvSets},
-                       {"notes", s.notes}});
+                       {"notes", notesJson(s.notes)}});
   }
   return out;
 }
@@ -118,7 +118,7 @@ std::string inspectText(const Model& model) {
   }
   json["diagonal"] = diagonal(finiteBoxOf(model.mesh.positions));
   json["defects"] = defectsJson(model);
-  json["notes"] = model.notes;
+  json["notes"] = notesJson(model.notes);
   if (model.unusable) json["error"] = failureJson(*model.unusable);
   return textOf(json);
 }
@@ -138,7 +138,8 @@ std::string checkText(const Model& model, const Request& request,
                {"boundaryLoops", component.loop.size()},
                {"cones", spec.cones.size()},
                {"budget", budgetJson(checks[p])}};
-    entry["warnings"] = checks[p].budget ? checks[p].budget->warnings : std::vector<std::string>();
+    entry["warnings"] =
+        checks[p].budget ? notesJson(checks[p].budget->warnings, component) : Json::array();
     if (checks[p].refusal) entry["error"] = failureJson(*checks[p].refusal);
     components.push_back(std::move(entry));
   }
@@ -147,7 +148,7 @@ std::string checkText(const Model& model, const Request& request,
             {"valid", isValid},
             {"q", request.q},
             {"components", std::move(components)},
-            {"notes", request.notes}};
+            {"notes", notesJson(request.notes)}};
   return textOf(json);
 }
 

@@ -25,8 +25,7 @@ std::string checkText(const Failure& refusal);
 
 /// @param uvSet  the set of the file that was verified; −1: a map not yet written
 std::string certificateText(const Model& model, const std::vector<Certificate>& certificates,
-                            const OutsideFacts& outside, int uvSet = -1,
-                            const std::vector<std::string>& notes = {});
+                            const OutsideFacts& outside, int uvSet = -1, const Notes& notes = {});
 
 /// What --refine split, in ids of the surface before the refinement.
 struct RefinedFacts {
@@ -45,8 +44,7 @@ struct RefinedFacts {
 struct SplicedDocument;
 SplicedDocument certificateDocument(const Model& model,
                                     const std::vector<Certificate>& certificates,
-                                    const OutsideFacts& outside, int uvSet,
-                                    const std::vector<std::string>& notes);
+                                    const OutsideFacts& outside, int uvSet, const Notes& notes);
 /// The hgp-certificate in a report.
 std::string certificateOf(const std::string& report);
 
@@ -56,7 +54,7 @@ struct RunRecord {
   bool isAutomatic = false;
   std::vector<Parametrization> components;  ///< their maps may be empty
   std::vector<HarmonicFacts> harmonic;      ///< per component, of the stored map
-  std::vector<std::string> notes;
+  Notes notes;
   double seconds = 0;
   std::optional<RefinedFacts> refined;  ///< of the run that gave the map
 };

@@ -5,47 +5,61 @@
 #include <optional>
 #include <vector>
 
+#include "hgp/api/model/model.h"
 #include "hgp/base/result.h"
 
 namespace hgp::api {
 
 using Json = nlohmann::ordered_json;
 
-inline const char* whereName(Where::Kind kind) {
-  switch (kind) {
-    case Where::Kind::kVertex:
-      return "vertex";
-    case Where::Kind::kEdge:
-      return "edge";
-    case Where::Kind::kFace:
-      return "triangle";
-    case Where::Kind::kLoop:
-      return "loop";
-    case Where::Kind::kLine:
-      return "line";
-    case Where::Kind::kByte:
-      return "byte";
-  }
-  return "vertex";
-}
-
 /// [{"kind": "edge", "id": 3, "other": 9}, …]
 inline Json whereJson(const std::vector<Where>& where, std::size_t most = 1000) {
   Json out = Json::array();
   for (const Where& w : where) {
     if (out.size() >= most) break;
-    Json entry{{"kind", whereName(w.kind)}, {"id", w.id}};
+    Json entry{{"kind", kindName(w.kind)}, {"id", w.id}};
     if (w.kind == Where::Kind::kEdge) entry["other"] = w.other;
     out.push_back(std::move(entry));
   }
   return out;
 }
 
+/// {"code": "crack", "numbers": {"vertices": 8, …}, "words": {…}, "where": […]}; names and lists are words.
+inline Json noteJson(const Note& note) {
+  Json numbers = Json::object(), words = Json::object();
+  for (const NoteValue& v : note.values) {
+    if (const auto* text = std::get_if<std::string>(&v.value))
+      words[v.name] = *text;
+    else if (const auto* whole = std::get_if<long long>(&v.value))
+      numbers[v.name] = *whole;
+    else
+      numbers[v.name] = std::get<double>(v.value);
+  }
+  return Json{{"code", note.code},
+              {"numbers", std::move(numbers)},
+              {"words", std::move(words)},
+              {"where", whereJson(note.where)}};
+}
+
+inline Json notesJson(const Notes& notes) {
+  Json out = Json::array();
+  for (const Note& note : notes) out.push_back(noteJson(note));
+  return out;
+}
+
+/// @param component  to whose ids the places belong; in the document they are those of the surface
+inline Json notesJson(Notes notes, const ModelComponent& component) {
+  for (Note& note : notes) toSurfaceIds(component, note.where);
+  return notesJson(notes);
+}
+
 inline Json failureJson(const Failure& failure) {
-  return Json{{"code", errorName(failure.code)},
-              {"stage", failure.stage},
-              {"message", failure.message},
-              {"where", whereJson(failure.where)}};
+  Json json{{"code", errorName(failure.code)},
+            {"stage", failure.stage},
+            {"message", failure.message},
+            {"where", whereJson(failure.where)}};
+  if (!failure.advice.empty()) json["advice"] = notesJson(failure.advice);
+  return json;
 }
 
 inline Json optionalNumber(const std::optional<int>& number) {

@@ -42,17 +42,18 @@ Json roundJson(const Round& r) {
               {"seconds", r.seconds}};
 }
 
-/// The reason, with the cones that are too close to each other as ids of the file.
-std::string gridReason(const GridReport& grid, const std::vector<Where>& cones) {
-  std::string text = grid.reason;
+/// The reason, with the cones that are too close to each other as its places, and what would work.
+Json gridReason(const GridReport& grid, const std::vector<Where>& cones) {
+  if (!grid.reason) return {};
+  Note note = *grid.reason;
+  std::string near;
   for (std::size_t n = 0; n < cones.size(); ++n)
-    text += formatText("%s cones %d and %d are %.2f cells apart", n == 0 ? ":" : ",",
-                       static_cast<int>(cones[n].id), static_cast<int>(cones[n].other),
-                       grid.closest[n].cells);
-  if (grid.workingCells > 0)
-    text += formatText("; %.0f cells would work%s", grid.workingCells,
-                       grid.needsTheseCones ? " with the cones of this run (--cones)" : "");
-  return text;
+    near += formatText("%s%.2f", n == 0 ? "" : ", ", grid.closest[n].cells);
+  note.where = cones;
+  note.values.push_back({"near", near});
+  note.values.push_back({"working", grid.workingCells});
+  note.values.push_back({"these", grid.workingCells > 0 && grid.needsTheseCones ? 1 : 0});
+  return noteJson(note);
 }
 
 Json gridJson(const ModelComponent& component, const std::optional<GridReport>& grid) {
@@ -138,7 +139,7 @@ Json componentJson(const ModelComponent& component, const Parametrization& run,
             {"improvement", run.improvement ? improvementJson(*run.improvement) : Json()},
             {"conflict", whereJson(strained)},
             {"grid", gridJson(component, run.grid)},
-            {"notes", run.notes}};
+            {"notes", notesJson(run.notes, component)}};
   addTheorem(json, harmonic, certificate);
   return json;
 }
@@ -187,10 +188,10 @@ std::string reportText(const Model& model, const RunRecord& run,
                                          : Json();
   json["options"] = optionsJson(run.options, run.isAutomatic);
   json["seconds"] = run.seconds;
-  std::vector<std::string> notes = model.source().notes;
-  notes.insert(notes.end(), model.notes.begin(), model.notes.end());
-  notes.insert(notes.end(), run.notes.begin(), run.notes.end());
-  json["notes"] = notes;
+  Notes notes = model.source().notes;
+  addNotes(notes, model.notes);
+  addNotes(notes, run.notes);
+  json["notes"] = notesJson(notes);
   json["components"] = kComponentsHere;
   json["cones"] = kConesHere;
   json["certificate"] = kCertificateHere;

@@ -8,7 +8,7 @@ namespace hgp::api {
 
 struct ConvertedDocument {
   io::DocumentPtr document;
-  std::vector<std::string> notes;
+  Notes notes;
   /// Whether vertex ids and triangle ids are those of the file that was read.
   bool hasOwnVertexIds = true, hasOwnFaceIds = true;
 };

@@ -40,7 +40,7 @@ Status chooseSurface(Model& model, int wanted) {
   model.surface = static_cast<int>(largest - surfaces.begin());
   if (surfaces.size() > 1) {
     model.notes.push_back(
-        formatText("the file has %zu meshes; mesh %d is used", surfaces.size(), model.surface));
+        Note("read-mesh-chosen", {{"meshes", surfaces.size()}, {"mesh", model.surface}}));
   }
   return Done{};
 }
@@ -116,11 +116,9 @@ Status splitIntoComponents(Model& model) {
 void noteNotFinite(Model& model) {
   const std::vector<int> found = unusedNotFinite(model.source().mesh);
   if (found.empty()) return;
-  const bool isOne = found.size() == 1;
-  model.notes.push_back(
-      counted(found.size(), "vertex", "vertices") +
-      formatText(" that no face uses %s no finite position (%s%d); kept as in the file",
-                 isOne ? "has" : "have", isOne ? "" : "first: ", found.front()));
+  model.notes.push_back(Note("read-not-finite",
+                             {{"vertices", found.size()}, {"several", found.size() > 1 ? 1 : 0}},
+                             {{Where::Kind::kVertex, found.front()}}));
 }
 
 /// Reads the cones stored in the file. They are optional: if they are invalid, a note says so.
@@ -129,7 +127,7 @@ void takeEmbeddedCones(OpenedFile& file, const io::Document& document, int surfa
   if (cones) {
     file.embeddedCones = std::move(*cones);
   } else {
-    file.notes.push_back("the cones stored in the file are not used: " + cones.error().message);
+    file.notes.push_back(Note("read-cones-unused", {{"why", cones.error().message}}));
   }
 }
 
@@ -142,7 +140,7 @@ Status writeRepairs(Model& model, const LoadOptions& options) {
   if (!repaired) return repaired.error();
   const auto vertices = static_cast<int>(model.source().mesh.positions.size());
   model.notes.push_back(noteOn(edits, vertices));
-  const std::vector<std::string> notes = model.notes;
+  const Notes notes = model.notes;
   model.document = std::move(*repaired);
   model.written = {edits.turned, static_cast<int>(edits.copyOf.size()), vertices};
   takeRepaired(model, options);

@@ -198,10 +198,10 @@ class CrackFinder {
   long long left_;  ///< distances that may still be measured; negative: the search has ended
 };
 
-/// x rounded up to two digits: "1.1e-05".
-std::string roundedUp(double x) {
+/// x rounded up to two digits: 1.1e-05.
+double roundedUp(double x) {
   const double unit = portable::pow(10.0, std::floor(portable::log(x) / std::numbers::ln10) - 1);
-  return formatText("%.2g", (std::floor(x / unit) + 1) * unit);
+  return (std::floor(x / unit) + 1) * unit;
 }
 
 }  // namespace
@@ -229,25 +229,22 @@ FixOptions neededRepairs(const std::vector<Defect>& defects) {
   return fix;
 }
 
-std::string withoutAdvice(const std::string& message) {
-  return message.substr(0, message.find(". Repair with --fix"));
-}
-
-std::string withoutGiven(const std::string& message, const FixOptions& done, bool isAutomatic) {
-  const std::string start = withoutAdvice(message);
-  if (start == message) return message;
-  const std::string advice = message.substr(start.size());
+Notes adviceAfter(const Notes& advice, const FixOptions& done, bool isAutomatic) {
+  const Note* before = findNote(advice, "repair-with");
+  if (!before) return advice;
+  const NoteValue* named = before->find("fixes");
+  const std::string fixes = named ? std::get<std::string>(named->value) : "";
   std::string more;
   const auto add = [&](const char* name, bool isDone) {
-    if (isDone || advice.find(name) == std::string::npos) return;
+    if (isDone || fixes.find(name) == std::string::npos) return;
     if (!more.empty()) more += ',';
     more += name;
   };
   add("orient", done.orient);
   add("split", done.split);
   add("degenerate", done.degenerate);
-  if (!isAutomatic && !more.empty()) return start + ". Repair with --fix " + more + " as well.";
-  return start + ". No repair removes this; edit the mesh there.";
+  if (isAutomatic || more.empty()) return {Note("repair-by-hand")};
+  return {Note("repair-with", {{"fixes", more}, {"more", 1}})};
 }
 
 WeldFacts weldFacts(const MeshData& mesh) {
@@ -268,40 +265,25 @@ CrackFacts crackFacts(const MeshData& mesh, long long maxTests) {
   return CrackFinder(mesh, std::move(edges), maxTests).find();
 }
 
-std::vector<std::string> weldNotes(const WeldFacts& weld, bool isWelded) {
+Notes weldNotes(const WeldFacts& weld, bool isWelded) {
   if (weld.componentsAfter >= weld.componentsBefore) return {};
-  if (isWelded) {
-    return {formatText(
-        "every face was a component of its own: vertices at equal positions were joined, "
-        "and %d components became %d (--weld none keeps them apart)",
-        weld.componentsBefore, weld.componentsAfter)};
-  }
-  return {formatText(
-      "%s the position of another one; --weld exact would join %d "
-      "components into %d",
-      (counted(weld.sharing, "vertex", "vertices") + (weld.sharing == 1 ? " has" : " have"))
-          .c_str(),
-      weld.componentsBefore, weld.componentsAfter)};
+  return {Note(isWelded ? "weld-soup" : "weld-would-join", {{"vertices", weld.sharing},
+                                                            {"before", weld.componentsBefore},
+                                                            {"after", weld.componentsAfter}})};
 }
 
-std::vector<std::string> crackNotes(const CrackFacts& cracks) {
-  std::vector<std::string> notes;
-  if (cracks.vertices > 1) {
+Notes crackNotes(const CrackFacts& cracks) {
+  Notes notes;
+  const int isPartial = cracks.isPartial ? 1 : 0;
+  if (cracks.vertices > 1)
+    notes.push_back(Note("crack", {{"vertices", cracks.vertices},
+                                   {"gap", cracks.gap},
+                                   {"weld", roundedUp(cracks.gap)},
+                                   {"partial", isPartial}}));
+  if (cracks.onEdges > 0)
     notes.push_back(
-        formatText("a crack: %s%d boundary vertices lie within %.3g of another one; --weld %s "
-                   "closes it",
-                   cracks.isPartial ? "at least " : "", cracks.vertices, cracks.gap,
-                   roundedUp(cracks.gap).c_str()));
-  }
-  if (cracks.onEdges > 0) {
-    notes.push_back(formatText(
-        "T-junctions: %s%s on the boundary edge of another "
-        "face (within %.3g); a weld cannot close them: the edge needs a vertex there",
-        cracks.isPartial ? "at least " : "",
-        cracks.onEdges == 1 ? "1 boundary vertex lies"
-                            : formatText("%d boundary vertices lie", cracks.onEdges).c_str(),
-        cracks.edgeGap));
-  }
+        Note("t-junctions",
+             {{"vertices", cracks.onEdges}, {"gap", cracks.edgeGap}, {"partial", isPartial}}));
   return notes;
 }
 

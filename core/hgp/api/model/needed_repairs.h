@@ -12,10 +12,8 @@ namespace hgp::api {
 /// The repairs that these defects need.
 FixOptions neededRepairs(const std::vector<Defect>& defects);
 
-/// The message of requireUsable without its advice ("Repair with --fix …").
-std::string withoutAdvice(const std::string& message);
-/// The same message with advice that mentions only repairs that have not been made yet.
-std::string withoutGiven(const std::string& message, const FixOptions& done, bool isAutomatic);
+/// The advice of requireUsable after these repairs were made: names only those that have not been made yet.
+Notes adviceAfter(const Notes& advice, const FixOptions& done, bool isAutomatic);
 
 /// The effect that joining vertices at equal positions would have.
 struct WeldFacts {
@@ -44,8 +42,8 @@ inline constexpr long long kMaxCrackTests = 1 << 28;
 /// expected; at most about maxTests distances are measured.
 CrackFacts crackFacts(const MeshData& mesh, long long maxTests = kMaxCrackTests);
 
-/// Sentences for users; empty if there is nothing to report.
-std::vector<std::string> weldNotes(const WeldFacts& weld, bool isWelded);
-std::vector<std::string> crackNotes(const CrackFacts& cracks);
+/// Empty if there is nothing to report.
+Notes weldNotes(const WeldFacts& weld, bool isWelded);
+Notes crackNotes(const CrackFacts& cracks);
 
 }  // namespace hgp::api

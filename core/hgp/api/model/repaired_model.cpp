@@ -14,7 +14,7 @@ void weldNearVertices(Model& model, double tolerance) {
   const std::size_t before = model.mesh.positions.size();
   if (weld.positions.size() == before) return;
   model.isChanged = true;
-  model.notes.push_back(formatText("weld: %zu vertices became %zu", before, weld.positions.size()));
+  model.notes.push_back(Note("weld", {{"before", before}, {"after", weld.positions.size()}}));
   model.mesh.positions = std::move(weld.positions);
   for (auto& t : model.mesh.triangles) {
     for (int& v : t) {
@@ -131,10 +131,7 @@ void repairAndCheck(Model& model, const FixOptions& fix) {
   }
   for (const Defect& defect : model.defects) {
     if (defect.kind != DefectKind::kZeroArea) continue;
-    model.notes.push_back(
-        formatText("%zu triangle%s no area: all edge lengths are slightly increased so that every "
-                   "triangle has one",
-                   defect.where.size(), defect.where.size() == 1 ? " has" : "s have"));
+    model.notes.push_back(Note("repair-lengths", {{"triangles", defect.where.size()}}));
   }
 }
 
@@ -146,9 +143,8 @@ void repairAsAsked(Model& model, const LoadOptions& options) {
   if (isAutomatic) {
     const std::vector<Defect> defects = findDefects(model.mesh);
     fix = neededRepairs(defects);
-    if (isAny(fix)) {
-      model.notes.push_back("repaired: " + withoutAdvice(requireUsable(defects).error().message));
-    }
+    for (const Defect& defect : defects)
+      if (isAny(fix) && isFatal(defect.kind)) model.notes.push_back(noteOn(defect, true));
   }
   const bool mayTryAll = isAutomatic && isAny(fix) && !(fix.orient && fix.split && fix.degenerate);
   Model before;
@@ -159,16 +155,13 @@ void repairAsAsked(Model& model, const LoadOptions& options) {
     repairAndCheck(model, {true, true, true});
   }
   if (model.unusable && !options.isStrict) {
-    model.unusable->message = withoutGiven(model.unusable->message, fix, isAutomatic);
+    model.unusable->advice = adviceAfter(model.unusable->advice, fix, isAutomatic);
   }
 }
 
 }  // namespace
 
-void addNotes(Model& model, std::vector<std::string> more) {
-  model.notes.insert(model.notes.end(), std::make_move_iterator(more.begin()),
-                     std::make_move_iterator(more.end()));
-}
+void addNotes(Model& model, Notes more) { hgp::addNotes(model.notes, std::move(more)); }
 
 void takeRepaired(Model& model, const LoadOptions& options) {
   model.leftOut.clear();

@@ -10,6 +10,6 @@ namespace hgp::api {
 /// @pre model.document and model.surface are set
 void takeRepaired(Model& model, const LoadOptions& options);
 
-void addNotes(Model& model, std::vector<std::string> more);
+void addNotes(Model& model, Notes more);
 
 }  // namespace hgp::api

@@ -43,15 +43,11 @@ FaceEdits editsOf(const Model& model) {
   return edits;
 }
 
-std::string noteOn(const FaceEdits& edits, int surfaceVertices) {
-  std::string note = "THE REPAIRS ARE WRITTEN:";
-  if (edits.turned > 0)
-    note += formatText(" %s with the corners in the other order%s",
-                       counted(edits.turned, "face").c_str(), edits.copyOf.empty() ? "" : ",");
-  if (!edits.copyOf.empty())
-    note += formatText(" %s of vertices follow behind vertex %d",
-                       counted(edits.copyOf.size(), "copy", "copies").c_str(), surfaceVertices - 1);
-  return note;
+Note noteOn(const FaceEdits& edits, int surfaceVertices) {
+  return Note("repairs-written", {{"turned", edits.turned},
+                                  {"comma", edits.turned > 0 && !edits.copyOf.empty() ? 1 : 0},
+                                  {"copies", edits.copyOf.size()},
+                                  {"last", surfaceVertices - 1}});
 }
 
 }  // namespace hgp::api

@@ -11,6 +11,6 @@ namespace hgp::api {
 FaceEdits editsOf(const Model& model);
 
 /// The note on these edits, "3 faces are written …". @pre edits.faces is not empty
-std::string noteOn(const FaceEdits& edits, int surfaceVertices);
+Note noteOn(const FaceEdits& edits, int surfaceVertices);
 
 }  // namespace hgp::api

@@ -127,11 +127,7 @@ Status addFeatures(const Model& model, const io::Prescription& prescription, Req
     features.erase(std::unique(features.begin(), features.end()), features.end());
     if (hasFeature) request.components[p].spec.features = std::move(features);
   }
-  if (leftOut > 0)
-    request.notes.push_back(
-        counted(leftOut, "crease is", "creases are") +
-        " left out: the third edge of a triangle whose other two are creases, too; no "
-        "map sends all three to lines along two axes");
+  if (leftOut > 0) request.notes.push_back(Note("creases-left-out", {{"creases", leftOut}}));
   std::vector<Where> where;
   for (std::size_t i = 0; i < pairs->size(); ++i)
     if (!isFound[i]) where.push_back({Where::Kind::kEdge, (*pairs)[i][0], (*pairs)[i][1]});

@@ -101,19 +101,15 @@ Status testAdvice(Retries& retries, const GridOptions& grid, GridReport& report)
 }  // namespace
 
 Status withOtherCones(int triangles, const SolveOptions& options, const GridOptions& grid,
-                      const SolveAutomatic& solve, Result<Parametrization>& run,
-                      std::vector<std::string>& notes) {
+                      const SolveAutomatic& solve, Result<Parametrization>& run, Notes& notes) {
   if (!grid.isAsked() || !run || !run->isCertified || isNear(run, grid)) return Done{};
   Retries retries(triangles, options, solve);
-  std::vector<std::string> before = notes;
+  Notes before = notes;
   double factor = 1.0;
   std::optional<Result<Parametrization>> other = retries.coarser(grid, isAligned(run), factor);
   if (other && isCancelled(*other)) return other->error();
   if (other) {
-    notes.push_back(formatText(
-        "the cones for cells of this size leave them no room; those for cells %g times as long are "
-        "used instead",
-        factor));
+    notes.push_back(Note("grid-other-cones", {{"factor", factor}}));
     run = std::move(*other);
     return Done{};
   }
@@ -123,7 +119,7 @@ Status withOtherCones(int triangles, const SolveOptions& options, const GridOpti
                         options.conesFor == ConesFor::kBalanced;
   if (isFar && (!mayBeFew || triangles > kChosenTwice)) return Done{};
   if (triangles > kChosenTwice) {
-    if (mayBeFew) notes.emplace_back("fewer cones leave more room for a grid: try --cones-for few");
+    if (mayBeFew) notes.emplace_back("grid-few-advised");
     run->grid->needsTheseCones = true;
     return Done{};
   }
@@ -131,8 +127,7 @@ Status withOtherCones(int triangles, const SolveOptions& options, const GridOpti
     other = retries.few(grid);
     if (other && isCancelled(*other)) return other->error();
     if (other && (!isFar || isNear(*other, grid))) {
-      notes.emplace_back(
-          "the default cones have no map on this grid; those of --cones-for few are used instead");
+      notes.emplace_back("grid-few-used");
       run = std::move(*other);
       return Done{};
     }

@@ -19,8 +19,7 @@ using SolveAutomatic =
 /// not tried, and the report says that the number belongs to its cones. Fails with kCancelled only.
 /// @param grid  by spacing
 Status withOtherCones(int triangles, const SolveOptions& options, const GridOptions& grid,
-                      const SolveAutomatic& solve, Result<Parametrization>& run,
-                      std::vector<std::string>& notes);
+                      const SolveAutomatic& solve, Result<Parametrization>& run, Notes& notes);
 
 /// The cells of an aligned map, in quad mode with the quads added beyond them, relative to those asked for.
 double cellsToAsked(const GridReport& report, const GridOptions& grid);

@@ -301,10 +301,7 @@ class Resolver {
                  !checkPrescription(model_.components[p].mesh, model_.components[p].topology,
                                     component.spec)) {
         component.isAutomatic = true;
-        out_.notes.push_back(
-            formatText("component %zu has no cones in the list; they are chosen "
-                       "automatically",
-                       p));
+        out_.notes.push_back(Note("cones-added", {{"component", p}}));
       }
     }
   }

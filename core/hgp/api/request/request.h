@@ -16,7 +16,7 @@ struct ComponentRequest {
 struct Request {
   int q = 4;
   std::vector<ComponentRequest> components;
-  std::vector<std::string> notes;
+  Notes notes;
 };
 
 /// Fails with kPrescription for vertices, loops or generators that do not exist, for cones without a vertex at

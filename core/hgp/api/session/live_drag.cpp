@@ -156,11 +156,8 @@ Status LiveDrag::drop() {
       component.isCertified = map.certificate.isCertified;
       component.isUsable = map.certificate.isUsable;
     }
-    run.notes.push_back(formatText(
-        "The cone at vertex %d was dragged there. This map follows from the one before and from "
-        "the "
-        "path of the drag; the bytes of a run with the same cones depend on nothing else.",
-        s.on().vertex[s.edit.cone().vertex].i));
+    const Where dropped{Where::Kind::kVertex, s.on().vertex[s.edit.cone().vertex].i};
+    run.notes.push_back(Note("map-dragged", {}, {dropped}));
     const int q = maps.front().spec.q;
     s.session.clearResult();
     s.session.storeMaps(std::move(maps), q, run.options, false, run);

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "hgp/base/check.h"
-#include "hgp/base/counted.h"
 #include "hgp/mesh/vectors.h"
 
 namespace hgp::api {
@@ -25,7 +24,7 @@ double uvArea(const UvMap& map, FaceId f) {
 
 }  // namespace
 
-std::optional<std::string> crushedNote(const ModelComponent& component, const UvMap& map) {
+std::optional<Note> crushedNote(const ModelComponent& component, const UvMap& map) {
   const TriMesh& mesh = component.mesh;
   if (map.cornerUv.size() != static_cast<std::size_t>(mesh.faceCount())) return {};
   PerFace<double> scale(static_cast<std::size_t>(mesh.faceCount()), -1.0);
@@ -48,40 +47,36 @@ std::optional<std::string> crushedNote(const ModelComponent& component, const Uv
     if (!worst.isValid() || scale[f] < scale[worst]) worst = f;
   }
   if (count == 0) return {};
-  std::vector<Where> place{{Where::Kind::kFace, worst.i}};
-  toSurfaceIds(component, place);
   const Vec3& p = mesh.position(mesh.corners(worst)[0]);
-  return formatText(
-      "%d of %s crushed: area scale below %g of the median, the smallest %.1e of it "
-      "(triangle %lld, at %.4g %.4g %.4g). Place a cone there, or more cones.",
-      count, (counted(mesh.faceCount(), "triangle") + (count == 1 ? " is" : " are")).c_str(),
-      kCrushedScale, scale[worst] / median, static_cast<long long>(place[0].id), p[0], p[1], p[2]);
+  return Note("map-crushed",
+              {{"crushed", count},
+               {"triangles", mesh.faceCount()},
+               {"scale", kCrushedScale},
+               {"smallest", scale[worst] / median},
+               {"x", p[0]},
+               {"y", p[1]},
+               {"z", p[2]}},
+              {{Where::Kind::kFace, worst.i}});
 }
 
-std::optional<std::string> countNote(int asked, const CompleteSpec& chosen) {
+std::optional<Note> countNote(int asked, const CompleteSpec& chosen) {
   const int have = static_cast<int>(chosen.cones.size());
   if (asked == 0 || have == asked) return {};
-  return formatText("%s asked for, %d placed: %s.", counted(asked, "cone").c_str(), have,
-                    have > asked
-                        ? "fewer would break Gauss–Bonnet or be too strong for the triangles"
-                        : "the mesh has no vertices for more");
+  return Note("cones-other-number",
+              {{"asked", asked}, {"placed", have}, {"more", have > asked ? 1 : 0}});
 }
 
-std::vector<std::string> mismatchNotes(const Model& model, const io::Prescription& cones) {
-  std::vector<std::string> notes;
-  const auto compare = [&](int asked, std::size_t have, const char* one, const char* many) {
+Notes mismatchNotes(const Model& model, const io::Prescription& cones) {
+  Notes notes;
+  const auto compare = [&](int asked, std::size_t have, const char* code) {
     if (asked < 0 || static_cast<std::size_t>(asked) == have) return;
-    notes.push_back("the cones are for a mesh of " + counted(asked, one, many) + "; this one has " +
-                    std::to_string(have));
+    notes.push_back(Note(code, {{"asked", asked}, {"found", have}}));
   };
-  compare(cones.triangleCount, model.source().mesh.triangles.size(), "triangle", "triangles");
-  compare(cones.vertexCount, model.source().mesh.positions.size(), "vertex", "vertices");
+  compare(cones.triangleCount, model.source().mesh.triangles.size(), "cones-other-triangles");
+  compare(cones.vertexCount, model.source().mesh.positions.size(), "cones-other-vertices");
   const std::size_t loops = model.topology.loops.size();
   if (cones.hasCones && !cones.field && loops > cones.boundaries.size())
-    notes.push_back(
-        counted(loops - cones.boundaries.size(), "boundary loop has", "boundary loops have") +
-        " no turning among the cones: measured, and compared with nothing. If the cones "
-        "are for a closed surface, faces are missing here");
+    notes.push_back(Note("cones-without-turning", {{"loops", loops - cones.boundaries.size()}}));
   return notes;
 }
 

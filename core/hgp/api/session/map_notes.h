@@ -1,4 +1,4 @@
-// Notes on a map in addition to its verdict.  Role: sentences for users about one component.
+// Notes on a map in addition to its verdict.  Role: what users are told about one component.
 #pragma once
 
 #include <optional>
@@ -14,15 +14,15 @@ namespace hgp::api {
 /// a texture is stretched about thirtyfold in length there.
 inline constexpr double kCrushedScale = 1e-3;
 
-/// Count and place of crushed triangles; nothing if there are none.
+/// Count of crushed triangles and the worst, with ids of the component; nothing if there are none.
 /// @param map  of the component's own mesh
-std::optional<std::string> crushedNote(const ModelComponent& component, const UvMap& map);
+std::optional<Note> crushedNote(const ModelComponent& component, const UvMap& map);
 
 /// A note if the number of automatic cones is not the number asked for.
-std::optional<std::string> countNote(int asked, const CompleteSpec& chosen);
+std::optional<Note> countNote(int asked, const CompleteSpec& chosen);
 
 /// What a verified surface has and the mesh of its cones had not, or the other way round: other numbers of triangles and
 /// vertices, and boundaries for which the cones give no turning.
-std::vector<std::string> mismatchNotes(const Model& model, const io::Prescription& cones);
+Notes mismatchNotes(const Model& model, const io::Prescription& cones);
 
 }  // namespace hgp::api

@@ -131,7 +131,7 @@ Result<Model> modelOfPolygons(const Model& model) {
     file.polygons.start.push_back(static_cast<std::uint32_t>(file.polygons.cornerVertex.size()));
   }
   file.notes = model.source().notes;
-  file.notes.push_back("only positions and triangles are kept: the result is written as OBJ");
+  file.notes.push_back(Note("refine-as-obj"));
   file.storedVertexCount = model.source().storedVertexCount;
   Result<io::DocumentPtr> document =
       io::PolygonDocument::make(model.document->format(), std::move(file));

@@ -102,8 +102,7 @@ Result<Verdict> Session::inspect() const {
 static BudgetReport provedOrNot(const ModelComponent& component, const HolonomySpec& spec,
                                 BudgetReport budget) {
   if (budget.isTooCoarse) return budget;
-  const std::optional<std::string> proof =
-      proveImpossible(component.mesh, component.topology, spec);
+  const std::optional<Note> proof = proveImpossible(component.mesh, component.topology, spec);
   budget.isTooCoarse = proof.has_value();
   if (proof) budget.warnings.insert(budget.warnings.begin(), *proof);
   return budget;
@@ -218,8 +217,7 @@ Result<Verdict> Session::verify(const std::optional<io::Prescription>& prescript
     denyFoldedPolygons(model, model.document->polygons(model.surface), *map, certificates);
     return Verdict{areCertified(certificates),
                    certificateText(model, certificates, measureOutside(model, *map), set,
-                                   prescription ? mismatchNotes(model, *prescription)
-                                                : std::vector<std::string>()),
+                                   prescription ? mismatchNotes(model, *prescription) : Notes()),
                    std::nullopt};
   });
 }
@@ -270,12 +268,11 @@ Status Session::canWrite(const std::string& name, bool isRefined) const {
     if (!state_->model) return notLoaded();
     const std::string wanted = extensionOf(name);
     if (isRefined && !wanted.empty() && wanted != "obj") {
-      return Failure{
-          ErrorCode::kUsage,
-          "write",
-          "a refined mesh is written as OBJ: name the result -o x.obj (--also x.glb adds "
-          "a plain GLB of it); a glTF cannot be extended",
-          {}};
+      return Failure{ErrorCode::kUsage,
+                     "write",
+                     "a refined mesh is written as OBJ; a glTF cannot be extended",
+                     {},
+                     {Note("name-obj")}};
     }
     const io::Document& document = *state_->shown().model->document;
     const std::string given = document.outputFormat();

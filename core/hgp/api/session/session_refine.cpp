@@ -4,7 +4,6 @@
 #include "hgp/api/session/refined_model.h"
 #include "hgp/api/session/session_state.h"
 #include "hgp/base/check.h"
-#include "hgp/base/counted.h"
 
 namespace hgp::api {
 namespace {
@@ -35,7 +34,7 @@ bool isAnyGiven(const std::vector<std::optional<int>>& handles) {
   return std::any_of(handles.begin(), handles.end(), [](const auto& r) { return r.has_value(); });
 }
 
-std::string refinedNote(const RefinedFacts& facts, const Model& refined) {
+Note refinedNote(const RefinedFacts& facts, const Model& refined) {
   std::string reasons;
   std::vector<std::pair<std::string, std::size_t>> sums;
   for (const RefinedFacts::Place& place : facts.places) {
@@ -48,18 +47,14 @@ std::string refinedNote(const RefinedFacts& facts, const Model& refined) {
   }
   for (const auto& [reason, count] : sums)
     reasons += formatText("%s%zu %s", reasons.empty() ? "" : ", ", count, reason.c_str());
-  return formatText(
-      "THE MESH WAS REFINED: %s split (%s), because %s gave no map of the original mesh. "
-      "The certified and written mesh has %zu vertices and %zu triangles instead of %d and %d; "
-      "vertices keep their ids, new ones follow.",
-      (counted(facts.edges, "edge") + (facts.edges == 1 ? " is" : " are")).c_str(), reasons.c_str(),
-      counted(facts.roundsBefore, "program").c_str(), refined.source().mesh.positions.size(),
-      refined.source().mesh.triangles.size(), facts.verticesBefore, facts.trianglesBefore);
+  return Note("refined", {{"edges", facts.edges},
+                          {"places", reasons},
+                          {"programs", facts.roundsBefore},
+                          {"vertices", refined.source().mesh.positions.size()},
+                          {"triangles", refined.source().mesh.triangles.size()},
+                          {"verticesBefore", facts.verticesBefore},
+                          {"trianglesBefore", facts.trianglesBefore}});
 }
-
-constexpr const char* kOffer =
-    "no map on this mesh: it may be too coarse for the prescription. --refine (refine: true) "
-    "splits edges, tries again, and writes the refined mesh";
 
 /// Whether every component was certified before it was stored.
 bool hasMap(const RunRecord& run) {
@@ -103,9 +98,7 @@ Status Session::State::solveImproved(const Request& request, const SolveOptions&
   solved.reset();
   const Status done = solveRequest(request, better, again);
   if (done && solved->stored.isCertified) {
-    again.notes.push_back(
-        "the map as solved has triangles too small for the numbers of the format; it is improved, "
-        "as by --improve isometric");
+    again.notes.push_back(Note("map-small-improved"));
     run = std::move(again);
     return Done{};
   }
@@ -117,7 +110,7 @@ Status Session::State::solveRefined(const Request& request, const SolveOptions& 
                                     RunRecord& run) {
   const auto start = std::chrono::steady_clock::now();
   if (!options.refines) {
-    if (!hasMap(run)) run.notes.push_back(kOffer);
+    if (!hasMap(run)) run.notes.push_back(Note("refine-offered"));
     return Done{};
   }
   const std::vector<std::optional<FrameField>> fields = fieldsOfGivenHandles(request, run);
@@ -158,9 +151,8 @@ Status Session::State::solveRefined(const Request& request, const SolveOptions& 
     if (finer->solved->stored.isCertified) return Done{};
   }
   if (!finer)
-    run.notes.push_back(
-        tried.empty() ? "nothing was refined: the places where this map is wrong are not known"
-                      : "no map on the mesh refined to " + tried + " triangles either");
+    run.notes.push_back(tried.empty() ? Note("refine-nowhere")
+                                      : Note("refine-in-vain", {{"triangles", tried}}));
   return Done{};
 }
 

@@ -91,7 +91,7 @@ Result<CompleteSpec> Session::State::chooseCones(std::size_t p, const SolveOptio
 
 namespace {
 
-void add(std::optional<std::string> note, std::vector<std::string>& notes) {
+void add(std::optional<Note> note, Notes& notes) {
   if (note) notes.push_back(std::move(*note));
 }
 
@@ -116,7 +116,7 @@ Result<Parametrization> Session::State::solveComponent(std::size_t p,
   if (!clock.begin(Stage::kPrepare)) return clock.cancelled();
   surfaceOf(p);
   clock.end();
-  std::vector<std::string> notes;
+  Notes notes;
   const auto solveWith = [&](const SolveOptions& choice,
                              const GridOptions& grid) -> Result<Parametrization> {
     Result<CompleteSpec> chosen = chooseCones(p, choice, &times);
@@ -161,10 +161,9 @@ bool maySkip(const Failure& failure) {
 static void noteCells(const GridReport& grid, RunRecord& run) {
   const double asked = run.options.grid.cells;
   if (std::fabs(cellsToAsked(grid, {asked, 0.0, GridMode::kTile}) - 1.0) <= kNearCells) return;
-  run.notes.push_back(formatText(
-      "%.0f cells instead of %.0f: with %.1f cells per cone no number nearer to it was found; ask "
-      "for more cells, or for fewer cones (--cones-for few)",
-      grid.cells + grid.added, asked, grid.cellsPerCone));
+  run.notes.push_back(
+      Note("grid-cells-far",
+           {{"cells", grid.cells + grid.added}, {"asked", asked}, {"perCone", grid.cellsPerCone}}));
 }
 
 /// The component with cells of the shared size, or of a whole fraction where it is too small for these.
@@ -188,9 +187,7 @@ Result<Parametrization> Session::State::solveOnGrid(std::size_t p, const Compone
                         extra == kMostFiner;
     if (!isOver) continue;
     if (component && component->grid && component->grid->isAligned && halvings > 0)
-      run.notes.push_back(
-          formatText("component %zu is small for cells of this size: its own are 1/%d as long", p,
-                     1 << halvings));
+      run.notes.push_back(Note("grid-smaller-cells", {{"component", p}, {"parts", 1 << halvings}}));
     return component;
   }
 }
@@ -207,10 +204,10 @@ Status Session::State::solveRequest(const Request& request, const SolveOptions& 
     std::string whyNone;
     if (!component && options.keepsGoing && maySkip(component.error())) {
       whyNone = component.error().message;
-      run.notes.push_back(
-          formatText("component %zu has no map of its own; it keeps its uv or is cut to a disk: ",
-                     p) +
-          component.error().message);
+      run.notes.push_back(Note(
+          "component-without-map",
+          {{"component", p}, {"error", errorName(component.error().code)}, {"message", whyNone}},
+          component.error().where));
       component =
           standIn(*model, model->components[p], request.q, options.progress, whyNone, isKept);
     }
@@ -244,8 +241,7 @@ Status Session::State::solve(const std::optional<io::Prescription>& prescription
   run.isAutomatic =
       (!prescription || isFeaturesOnly(*prescription)) && options.boundary == BoundaryKind::kFree;
   run.notes = request->notes;
-  if (options.frames == FrameSource::kFile)
-    run.notes.push_back("the frames are the directions of the field");
+  if (options.frames == FrameSource::kFile) run.notes.push_back(Note("field-frames"));
   if (Status done = solveRequest(*request, options, run); !done) return done;
   const bool hasFeatures = prescription && !prescription->features.isEmpty();
   const bool mayRepair = options.boundary == BoundaryKind::kFree && !hasFeatures;

@@ -99,7 +99,7 @@ Result<io::Written> compressed(const std::vector<io::OutputFile>& files,
                                const io::Resolver& resolve, const io::Limits& limits) {
   return guarded([&]() -> Result<io::Written> {
     if (!isGltf(files))
-      return Failure{ErrorCode::kUsage, "write", "--compress is for glTF and GLB", {}};
+      return Failure{ErrorCode::kUsage, "write", "only glTF and GLB can be compressed", {}};
     return io::compressGltf(files, resolve, limits);
   });
 }

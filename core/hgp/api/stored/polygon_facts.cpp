@@ -151,8 +151,8 @@ void denyNotConvex(const Model& model, io::PolygonsView polygons, const UvMap& s
       denials.add(reader.component(reader.first(p)), reader.first(p));
   denials.apply(
       "polygon is", "polygons are",
-      " not convex in the map, and convex polygons were asked for; try cones elsewhere, or leave "
-      "--convex-polygons (convexPolygons) out and triangulate the file");
+      " not convex in the map, and convex polygons were asked for; try cones elsewhere, or "
+      "triangulate the file and do not ask for them");
 }
 
 }  // namespace hgp::api

@@ -236,9 +236,8 @@ void redo(const Model& model, const StorePlace& place, const std::vector<Compone
     stored = store(model, place, components, placements, Scale::kSolved, snapper, &stored);
   }
   if (broken.size() < before) {
-    stored.notes.push_back(
-        formatText("%zu of %s moved or scaled to survive the rounding of the format",
-                   before - broken.size(), counted(components.size(), "component").c_str()));
+    stored.notes.push_back(Note(
+        "stored-moved", {{"moved", before - broken.size()}, {"components", components.size()}}));
   }
 }
 
@@ -285,8 +284,7 @@ StoredMap storeMap(const Model& model, const StorePlace& place,
   const std::size_t broken = brokenByStoring(components, out).size();
   if (broken > 0) {
     out.notes.push_back(
-        formatText("%zu of %s certified before the rounding of the format, but not after it",
-                   broken, counted(components.size(), "component").c_str()));
+        Note("stored-broken", {{"broken", broken}, {"components", components.size()}}));
   }
   for (std::size_t p = 0; p < model.components.size(); ++p) {
     const UvMap map = mapOfComponent(model.components[p], out.map);

@@ -26,7 +26,7 @@ struct StoredMap {
   UvMap map;                              ///< on the surface's triangles, as stored
   std::vector<std::uint32_t> uvToVertex;  ///< uv → surface vertex
   std::vector<Certificate> certificates;  ///< per component, of the stored values
-  std::vector<std::string> notes;
+  Notes notes;
   bool isCertified = false;
 };
 

@@ -179,16 +179,13 @@ class ObjDocument final : public PolygonDocument {
         for (int t = polygons_.firstTriangle(p); t < polygons_.firstTriangle(p + 1); ++t)
           out.triangleMaterial[static_cast<std::size_t>(t)] =
               extras.polygonMaterial[static_cast<std::size_t>(p)];
-      file->lost.push_back("of the materials only their names are kept");
+      file->lost.push_back(Note("convert-materials-lost"));
     }
     if (extras.uncolored > 0)
-      file->lost.push_back(counted(extras.uncolored, "vertex without a colour is white",
-                                   "vertices without a colour are white"));
+      file->lost.push_back(Note("convert-uncoloured", {{"vertices", extras.uncolored}}));
     if (extras.linesAndPoints > 0)
-      file->lost.push_back(counted(extras.linesAndPoints, "line of lines or points (l, p) is",
-                                   "lines of lines or points (l, p) are") +
-                           " left out");
-    if (extras.hasGroups) file->lost.push_back("groups (o, g) become one mesh");
+      file->lost.push_back(Note("convert-lines-lost", {{"lines", extras.linesAndPoints}}));
+    if (extras.hasGroups) file->lost.push_back(Note("convert-groups-joined"));
     return file;
   }
 
@@ -200,10 +197,9 @@ class ObjDocument final : public PolygonDocument {
     Written written;
     const std::string text = ObjPatch(asText(text_), places_, map, cornerUv, options).make();
     written.files.push_back({options.name, asBytes(text)});
-    if (!places_.uvLines.empty()) written.notes.push_back("the old vt lines were replaced");
+    if (!places_.uvLines.empty()) written.notes.push_back(Note("write-vt-replaced"));
     if (!places_.elementLines.empty()) {
-      written.notes.push_back(
-          "polylines (l) and skipped faces lost their references to the old vt lines");
+      written.notes.push_back(Note("write-lines-without-vt"));
     }
     return written;
   }

@@ -283,20 +283,16 @@ class ObjScanner {
     const auto& start = out_.polygons.start;
     for (std::size_t p = 0; p + 1 < start.size(); ++p) large += start[p + 1] - start[p] > 3;
     if (large > 0) {
-      out_.notes.push_back(
-          formatText("%s solved as triangles and kept whole in the file",
-                     (counted(large, "polygon") + (large == 1 ? " is" : " are")).c_str()));
+      out_.notes.push_back(Note("read-polygons", {{"polygons", large}}));
     }
-    if (hasCommands_) out_.notes.push_back("call and csh lines are not executed");
+    if (hasCommands_) out_.notes.push_back(Note("read-commands-skipped"));
     if (skippedFaces_ > 0) {
-      out_.notes.push_back(formatText("skipped: %s with fewer than three corners",
-                                      counted(skippedFaces_, "f line").c_str()));
+      out_.notes.push_back(Note("read-small-lines-skipped", {{"lines", skippedFaces_}}));
     }
     if (missingUv_ > 0) {
-      out_.notes.push_back(formatText("%s without a vt, because no vt line has their index",
-                                      counted(missingUv_, "corner").c_str()));
+      out_.notes.push_back(Note("read-uv-missing", {{"corners", missingUv_}}));
     }
-    if (eol_ == '\r') out_.notes.push_back("the lines end in CR alone");
+    if (eol_ == '\r') out_.notes.push_back(Note("read-line-ends"));
   }
 
   std::string_view text_;

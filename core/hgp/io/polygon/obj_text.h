@@ -24,7 +24,7 @@ struct ObjText {
   std::vector<TextSpan> elementLines;  ///< l lines and skipped f lines that name a vt
   std::vector<TextSpan> coneLines;     ///< c and sm lines of the HGP format
   TextSpan embedded;                   ///< our "# hgp-cones {…}" line, or empty
-  std::vector<std::string> notes;
+  Notes notes;
 };
 
 /// Beginning of the comment that stores cones in an OBJ.

@@ -22,8 +22,7 @@ class OffReader {
     if (const auto used = firstUsed(notFinite_, file_.polygons))
       return notFiniteFailure(used->place, used->vertex);
     if (skippedFaces_ > 0) {
-      file_.notes.push_back(formatText("skipped: %s with fewer than three corners",
-                                       counted(skippedFaces_, "face").c_str()));
+      file_.notes.push_back(Note("read-small-faces-skipped", {{"faces", skippedFaces_}}));
     }
     return PolygonDocument::make("off", std::move(file_));
   }
@@ -55,7 +54,7 @@ class OffReader {
       return fail("not an OFF file (the first word must be OFF)");
     }
     words_ = start;
-    file_.notes.push_back("the keyword OFF is missing");
+    file_.notes.push_back(Note("read-keyword-missing"));
     return true;
   }
 

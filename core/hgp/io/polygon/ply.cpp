@@ -52,8 +52,7 @@ class PlyBody {
 
 class PlyReader {
  public:
-  PlyReader(std::string_view text, std::uint64_t maxTriangles, std::string target,
-            std::vector<std::string> notes)
+  PlyReader(std::string_view text, std::uint64_t maxTriangles, std::string target, Notes notes)
       : text_(text), maxTriangles_(maxTriangles), target_(std::move(target)) {
     file_.notes = std::move(notes);
   }
@@ -228,10 +227,9 @@ class PlyReader {
   }
 
   void addNotes() {
-    if (strips_ > 0) file_.notes.push_back("triangle strips are read as triangles");
+    if (strips_ > 0) file_.notes.push_back(Note("read-strips"));
     if (skippedFaces_ > 0) {
-      file_.notes.push_back(formatText("skipped: %s with fewer than three corners",
-                                       counted(skippedFaces_, "face").c_str()));
+      file_.notes.push_back(Note("read-small-faces-skipped", {{"faces", skippedFaces_}}));
     }
   }
 
@@ -270,11 +268,10 @@ class PlyReader {
 
 Result<DocumentPtr> readPly(FileSet files, const Limits& limits) {
   std::string_view text = withoutByteOrderMark(asText(files.main));
-  std::vector<std::string> notes;
+  Notes notes;
   if (const Result<PlyHeader> header = readPlyHeader(text); header) {
     if (std::optional<PlyTrimmed> trimmed = trimmedPly(text, *header)) {
-      notes.push_back(counted(trimmed->lines, "line has", "lines have") +
-                      " more values than the header declares; what follows those is left out");
+      notes.push_back(Note("read-extra-values", {{"lines", trimmed->lines}}));
       files.main = asBytes(trimmed->text);
       text = asText(files.main);
     }

@@ -247,8 +247,8 @@ Result<Written> PlyDocument::write(int surface, const UvMap& map,
   PlyPatch patch(text, header_, polygons_, map, cornerUv, !isFloat_);
   Written written;
   written.files.push_back({options.name, asBytes(patch.make(options.generator))});
-  if (patch.replacesUv()) written.notes.push_back("the old texture coordinates were replaced");
-  if (options.cones) written.notes.push_back("cones are not embedded: PLY has no place for them");
+  if (patch.replacesUv()) written.notes.push_back(Note("write-uv-replaced"));
+  if (options.cones) written.notes.push_back(Note("write-cones-ply"));
   return written;
 }
 

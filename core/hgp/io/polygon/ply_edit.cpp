@@ -184,11 +184,11 @@ class PlyEdit {
 };
 
 Failure unwritable(const char* why) {
-  return {
-      ErrorCode::kUnsupported,
-      "repair",
-      formatText("the repairs cannot be written into this PLY: %s; write an OBJ (-o x.obj)", why),
-      {}};
+  return {ErrorCode::kUnsupported,
+          "repair",
+          formatText("the repairs cannot be written into this PLY: %s", why),
+          {},
+          {Note("write-obj")}};
 }
 
 }  // namespace

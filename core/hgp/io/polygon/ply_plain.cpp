@@ -82,10 +82,10 @@ Result<Written> PlyDocument::writeObj(int, const UvMap& map, const WriteOptions&
   Written written;
   written.files.push_back(
       {options.name, writePolygonObj(polygons_, map.uv, cornerUv, options, found)});
-  std::string with;
-  if (!found.normals.empty()) with += ", with its normals";
-  if (!found.colors.empty()) with += with.empty() ? ", with its colours" : " and colours";
-  written.notes.push_back("written as OBJ" + with);
+  const bool hasNormals = !found.normals.empty(), hasColours = !found.colors.empty();
+  written.notes.push_back(Note("write-as-obj", {{"normals", hasNormals ? 1 : 0},
+                                                {"onlyColours", hasColours && !hasNormals ? 1 : 0},
+                                                {"andColours", hasColours && hasNormals ? 1 : 0}}));
   return written;
 }
 

@@ -57,7 +57,7 @@ Status PolygonDocument::take(PolygonFile file) {
   const bool isComplete = std::find(cornerUv_.begin(), cornerUv_.end(), -1) == cornerUv_.end();
   if (!cornerUv_.empty() && isComplete) surface.uvSets = {0};
   if (!cornerUv_.empty() && !isComplete) {
-    surface.notes.push_back("some corners have no texture coordinates; the set cannot be verified");
+    surface.notes.push_back(Note("read-uv-incomplete"));
   }
   surfaces_.push_back(std::move(surface));
   return Done{};
@@ -112,7 +112,7 @@ Result<Written> PolygonDocument::write(int, const UvMap& map, const WriteOptions
   }
   Written written;
   written.files.push_back({options.name, writePolygonObj(polygons_, map.uv, cornerUv, options)});
-  written.notes.push_back("written as OBJ");
+  written.notes.push_back(Note("write-as-obj"));
   return written;
 }
 
@@ -123,12 +123,9 @@ Result<PlainFile> PolygonDocument::plain(int) const {
   const std::vector<int> unplaced = unusedNotFinite(mesh);  // glTF allows only finite numbers
   for (const int v : unplaced) mesh.positions[static_cast<std::size_t>(v)] = {0, 0, 0};
   if (!unplaced.empty())
-    file.lost.push_back(
-        counted(unplaced.size(), "unused vertex", "unused vertices") +
-        (unplaced.size() == 1 ? " without a finite position is" : " without finite positions are") +
-        " put at the origin");
-  if (!polygons_.isTriangles()) file.lost.push_back("polygons become triangles");
-  if (!cornerUv_.empty()) file.lost.push_back("the old texture coordinates are not kept");
+    file.lost.push_back(Note("convert-unused-placed", {{"vertices", unplaced.size()}}));
+  if (!polygons_.isTriangles()) file.lost.push_back(Note("convert-polygons-cut"));
+  if (!cornerUv_.empty()) file.lost.push_back(Note("convert-uv-lost"));
   return file;
 }
 

@@ -15,7 +15,7 @@ struct PolygonFile {
   PolygonMesh polygons;
   std::vector<Vec2> uv;       ///< may be empty
   std::vector<int> cornerUv;  ///< per polygon corner, −1 none; empty when there is no uv
-  std::vector<std::string> notes;
+  Notes notes;
   int storedVertexCount = -1;  ///< before welding; −1: as many as there are positions
 };
 

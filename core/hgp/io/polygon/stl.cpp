@@ -83,7 +83,7 @@ Result<std::vector<Vec3>> readText(std::string_view text) {
 
 /// How many triangles a binary file has; empty if it is text or truncated. Some programs leave the count
 /// at 0, others append bytes after the last triangle.
-std::optional<std::size_t> binaryCount(const Bytes& bytes, std::vector<std::string>& notes) {
+std::optional<std::size_t> binaryCount(const Bytes& bytes, Notes& notes) {
   if (bytes.size() < kHeaderBytes) return std::nullopt;
   const std::size_t announced = littleUint32(bytes.data() + 80);
   const std::size_t room = (bytes.size() - kHeaderBytes) / kTriangleBytes;
@@ -91,14 +91,12 @@ std::optional<std::size_t> binaryCount(const Bytes& bytes, std::vector<std::stri
   if (announced > 0 && announced == room && left == 0) return announced;
   if (isStlText(asText(bytes))) return std::nullopt;
   if (announced == 0 && room > 0 && left == 0) {
-    notes.push_back(formatText("the count in the header is 0; the file holds %s",
-                               counted(room, "triangle").c_str()));
+    notes.push_back(Note("read-stl-count", {{"triangles", room}}));
     return room;
   }
   if (announced == 0 || announced > room) return std::nullopt;
-  notes.push_back(formatText(
-      "ignored: %s after the last triangle",
-      counted(bytes.size() - kHeaderBytes - announced * kTriangleBytes, "byte").c_str()));
+  const std::size_t behind = bytes.size() - kHeaderBytes - announced * kTriangleBytes;
+  notes.push_back(Note("read-stl-longer", {{"bytes", behind}}));
   return announced;
 }
 
@@ -139,7 +137,7 @@ Result<DocumentPtr> readStl(const FileSet& files, const Limits& limits) {
   for (std::size_t c = 3; c <= corners->size(); c += 3) {
     file.polygons.start.push_back(static_cast<std::uint32_t>(c));
   }
-  file.notes.push_back("vertices at equal positions were joined (STL has no connectivity)");
+  file.notes.push_back(Note("read-joined-equal"));
   return PolygonDocument::make("stl", std::move(file));
 }
 

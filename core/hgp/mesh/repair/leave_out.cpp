@@ -3,7 +3,6 @@
 #include <map>
 
 #include "hgp/base/check.h"
-#include "hgp/base/counted.h"
 #include "hgp/base/disjoint_sets.h"
 #include "hgp/base/ids.h"
 #include "hgp/mesh/edge_table.h"
@@ -84,8 +83,8 @@ std::vector<char> findFlatComponents(const MeshData& mesh) {
   return isFlat;
 }
 
-void note(FixResult& result, std::size_t count, const char* text) {
-  if (count > 0) result.notes.push_back(counted(count, "triangle") + text);
+void note(FixResult& result, std::size_t count, const char* code) {
+  if (count > 0) result.notes.push_back(Note(code, {{"triangles", count}}));
 }
 
 }  // namespace
@@ -126,11 +125,8 @@ void leaveOut(FixResult& result) {
   }
   mesh.triangles.resize(kept);
   result.faceOrigin.resize(kept);
-  note(result, zeroArea,
-       " left out as no surface (a vertex named twice, or a component without area)");
-  note(result, copies,
-       copies == 1 ? " left out as a copy of another one, with its uv"
-                   : " left out as copies of others, with the uv of those");
+  note(result, zeroArea, "repair-no-surface");
+  note(result, copies, "repair-copies");
 }
 
 }  // namespace hgp

@@ -122,12 +122,9 @@ int orientFaces(FixResult& result, bool isCutLater) {
       ++flippedCount;
     }
   }
-  if (flippedCount > 0)
-    result.notes.push_back(
-        formatText("orient: %s turned over", counted(flippedCount, "face").c_str()));
+  if (flippedCount > 0) result.notes.push_back(Note("repair-turned", {{"faces", flippedCount}}));
   if (oneSidedCount > 0 && !isCutLater)
-    result.notes.push_back(formatText("orient: %s cannot be oriented without a cut (split)",
-                                      counted(oneSidedCount, "one-sided component").c_str()));
+    result.notes.push_back(Note("repair-one-sided-left", {{"components", oneSidedCount}}));
   return oneSidedCount;
 }
 
@@ -139,7 +136,7 @@ FixResult fixDefects(const MeshData& data, const FixOptions& options) {
   std::iota(result.faceOrigin.begin(), result.faceOrigin.end(), 0);
   std::iota(result.vertexOrigin.begin(), result.vertexOrigin.end(), 0);
   if (hasIndexOutOfRange(data)) {
-    result.notes.push_back("nothing was repaired: a face names a vertex that does not exist");
+    result.notes.push_back(Note("repair-none"));
     return result;
   }
   if (options.degenerate) leaveOut(result);

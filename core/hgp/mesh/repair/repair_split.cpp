@@ -134,13 +134,10 @@ void splitNonManifold(FixResult& result, int oneSided) {
   // A cut whose ends are not on the boundary leaves an edge with both ends shared, which must be cut again.
   int cut = paired.cutEdges;
   if (oneSided > 0)
-    result.notes.push_back(formatText("orient: %s cut along %s",
-                                      counted(oneSided, "one-sided component").c_str(),
-                                      counted(cut, "edge").c_str()));
+    result.notes.push_back(
+        Note("repair-one-sided-cut", {{"components", oneSided}, {"edges", cut}}));
   if (copies == 0) return;
-  result.notes.push_back("split: " + counted(copies, "vertex", "vertices") + " duplicated");
-  if (paired.badEdges > 0)
-    result.notes.back() += " (" + counted(paired.badEdges, "edge") + " had more than two faces)";
+  result.notes.push_back(Note("repair-split", {{"vertices", copies}, {"edges", paired.badEdges}}));
 }
 
 }  // namespace hgp

@@ -68,10 +68,10 @@ std::optional<MappedSolution> accepted(const TriMesh& mesh, const Improvement& r
   improved.map = layOut(mesh, improved.solution);
   improved.certificate = certify(mesh, result.spec, improved.map);
   if (isBetter(run, asked, mapped.certificate, improved.certificate)) return improved;
-  result.notes.push_back(
-      "The map is not improved, as the verifier did not accept the improved map: " +
-      (improved.certificate.reasons.empty() ? std::string("it is no better on the surface itself.")
-                                            : improved.certificate.reasons[0].message));
+  Note note("map-not-improved");
+  if (const auto& reasons = improved.certificate.reasons; !reasons.empty())
+    note.values = {{"rule", ruleName(reasons[0].rule)}, {"message", reasons[0].message}};
+  result.notes.push_back(std::move(note));
   return {};
 }
 
@@ -199,8 +199,7 @@ Status evenOut(const TriMesh& mesh, const ParametrizeOptions& options, MappedSol
   even.certificate = certify(mesh, result.spec, even.map);
   if (!even.certificate.isCertified) return Done{};
   mapped = std::move(even);
-  result.notes.emplace_back(
-      "Areas of the map spanned more than double precision resolves: its distortion was lowered.");
+  result.notes.emplace_back("map-areas-lowered");
   return Done{};
 }
 

@@ -108,14 +108,9 @@ class StepSearch {
 
   void note() const {
     if (contradicting_ > 0)
-      result_.notes.push_back(
-          "The lengths of features contradict each other: " +
-          counted(contradicting_, "feature edge") +
-          " would have no length, whatever the map (see conflict). Leave out one of these.");
+      result_.notes.push_back(Note("features-contradict", {{"edges", contradicting_}}));
     if (straightened_ > 0 && contradicting_ == 0)
-      result_.notes.push_back(counted(straightened_, "step") +
-                              " of features would have no length, because the lines around allow "
-                              "none; the map goes straight on there.");
+      result_.notes.push_back(Note("features-straightened", {{"steps", straightened_}}));
   }
 
  private:

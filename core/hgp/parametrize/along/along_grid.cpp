@@ -62,15 +62,13 @@ class GridAligner {
     report.cellsPerCone = cells / std::max<double>(1.0, static_cast<double>(coneCount()));
     if (!goOn(0.05)) return std::move(out_);
     if (!findLattice()) {
-      report.reason = "the lines of these features and the seams have no common grid";
+      report.reason = Note("features-no-grid");
       return std::move(out_);
     }
     report.integers = static_cast<int>(variables_.size());
     if (variables_.size() > kMostLineIntegers) {
-      report.reason = formatText(
-          "the lines of these features have %d integers to choose, and at most %d are chosen; with "
-          "fewer features there are fewer",
-          report.integers, static_cast<int>(kMostLineIntegers));
+      report.reason = Note("features-many-integers",
+                           {{"integers", report.integers}, {"most", kMostLineIntegers}});
       return std::move(out_);
     }
     prepareChoice();
@@ -86,8 +84,7 @@ class GridAligner {
  private:
   void explain(double cells) {
     GridReport& report = out_.report;
-    report.reason = formatText(
-        "no choice of integers kept lines apart and all triangles positive at %.0f cells", cells);
+    report.reason = Note("features-no-integers", {{"cells", cells}});
     const GridReport asked = report;
     for (const double factor : kFinerFactors) {
       if (!goOn(0.9)) return;

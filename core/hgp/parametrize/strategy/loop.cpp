@@ -47,28 +47,16 @@ void explain(const SeamlessSetup& setup, bool hasGivenFrames, const Attempt& bes
              Parametrization& result) {
   const double range = setup.field.scaleRange;
   if (range > kHopelessScaleRange && !result.isCertified)
-    result.notes.push_back("These cones stretch the surface by e^" +
-                           std::to_string(static_cast<int>(range)) +
-                           " where angles are kept: double precision cannot resolve such areas. "
-                           "Add cones in the regions that shrink.");
+    result.notes.push_back(Note("map-unresolved", {{"range", static_cast<int>(range)}}));
   else if (range > kHardScaleRange)
-    result.notes.push_back("These cones stretch the surface by e^" +
-                           std::to_string(static_cast<int>(range)) +
-                           "; expect strong area distortion. More cones lower it.");
+    result.notes.push_back(Note("map-stretched", {{"range", static_cast<int>(range)}}));
   if (!result.strained.empty()) {
-    const std::string frames = counted(best.frames.faces.size(), "constrained triangle");
-    const std::string where = counted(result.strained.size(), "of them is", "of them are");
     const bool isProven = best.program.status == socp::SolveStatus::kInfeasible;
     result.notes.push_back(
-        (isProven ? "The frames of the best program contradict each other, as a Farkas certificate "
-                    "shows to 8 digits: of "
-                  : "The best program found no map that turns all frames as asked: of ") +
-        frames + ", " + where + " strained most (see conflict).");
+        Note(isProven ? "map-frames-contradict" : "map-frames-unmet",
+             {{"frames", best.frames.faces.size()}, {"strained", result.strained.size()}}));
   }
-  if (!result.isCertified && hasGivenFrames)
-    result.notes.push_back(
-        "The frames were those of the field file. Automatic frames have the same cones, turning "
-        "and handles but turn evenly: a map with them may be certified.");
+  if (!result.isCertified && hasGivenFrames) result.notes.push_back(Note("map-given-frames"));
 }
 
 using Clock = std::chrono::steady_clock;
@@ -143,7 +131,7 @@ Result<Parametrization> parametrizeInMetric(PreparedSurface& surface, const Holo
   const auto start = Clock::now();
   const Problem problem = problemOf(mesh, setup, options);
   const auto isImpossible = [&] {
-    std::optional<std::string> proof;
+    std::optional<Note> proof;
     if (!setup->isTooCoarse) proof = proveImpossible(mesh, surface.topology(), spec);
     if (proof) result.notes.push_back(std::move(*proof));
     result.isImpossible = setup->isTooCoarse || proof;

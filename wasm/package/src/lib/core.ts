@@ -11,7 +11,7 @@ import { checkConeFile, checkCones, checkOptions, checkVertex } from './check_op
 import { decodersFor } from './decoders.js';
 import { defineDisposal } from './disposal.js';
 import { CoreDrag, type DragPath } from './drag.js';
-import type { Certificate, CheckReport, ModelInfo, Report } from './documents.js';
+import type { Certificate, CheckReport, ModelInfo, Note, Report } from './documents.js';
 import { messageOf, unavailable, usage, valueOf } from './error.js';
 import { toGlb } from './glb.js';
 import { decompressed } from './gzip.js';
@@ -490,7 +490,8 @@ export class CoreMap extends MapData {
     const name = format === 'same' ? defaultName : exportName(defaultName, format);
     const reply = this.current(model).write({ name, ...options });
     const { files, notes, xref, certified } = valueOf(reply);
-    return { name: files[0].name, bytes: files[0].bytes, files, notes, xref, certified };
+    const told = JSON.parse(notes) as Note[];
+    return { name: files[0].name, bytes: files[0].bytes, files, notes: told, xref, certified };
   }
 
   /** Distortion per triangle, overlaps, and the seam to which each seam edge belongs. */

@@ -13,6 +13,46 @@ export type Where = {
 }[];
 
 /**
+ * What users are told, as a code with its numbers: docs/notes.md lists the codes and a sentence for each
+ */
+export interface Note {
+  code: string;
+  /**
+   * counts and measurements by name
+   */
+  numbers: {
+    [k: string]: number | null;
+  };
+  /**
+   * names from files and lists by name
+   */
+  words: {
+    [k: string]: string;
+  };
+  where: Where;
+}
+
+export interface Refusal {
+  code:
+    | 'usage'
+    | 'malformed'
+    | 'unsupported'
+    | 'prescription'
+    | 'no-map'
+    | 'write-failed'
+    | 'limit'
+    | 'internal'
+    | 'cancelled';
+  stage: string;
+  message: string;
+  where: Where;
+  /**
+   * what to do, where it is not in the message
+   */
+  advice?: Note[];
+}
+
+/**
  * The verdict on a map and the measurements behind it, all of the stored values. Certified: there are triangles, each has positive area (exact sign), every interior angle sum and every boundary turning is as prescribed, the sides of every seam differ by a rotation by a multiple of 2π/q, all within the thresholds, every prescribed feature edge is exactly straight, and the areas span no more than the number type resolves.
  */
 export interface Certificate {
@@ -152,10 +192,7 @@ export interface Certificate {
      */
     notConvex: number;
   };
-  /**
-   * Sentences for people, where there are any
-   */
-  notes?: string[];
+  notes?: Note[];
   /**
    * How much of the map overlaps itself: of the component where it is most
    */
@@ -577,14 +614,11 @@ export interface CheckReport {
       left: number;
       openLoops: number;
     };
-    warnings: string[];
-    error?: Error;
+    warnings: Note[];
+    error?: Refusal;
   }[];
-  /**
-   * Sentences for people
-   */
-  notes: string[];
-  error?: Error;
+  notes: Note[];
+  error?: Refusal;
 }
 
 /**
@@ -720,6 +754,10 @@ export interface Failure {
    * the input, as it was named on the command line; not in the package
    */
   file?: string;
+  /**
+   * what to do, where it is not in the message
+   */
+  advice?: Note[];
 }
 
 /**
@@ -769,10 +807,7 @@ export interface ModelInfo {
     welded: boolean;
     triangles: number;
     uvSets: number[];
-    /**
-     * Sentences for people
-     */
-    notes: string[];
+    notes: Note[];
   }[];
   /**
    * the mesh that is used, as index into surfaces
@@ -829,11 +864,8 @@ export interface ModelInfo {
     count: number;
     where: Where;
   }[];
-  /**
-   * Sentences for people
-   */
-  notes: string[];
-  error?: Error;
+  notes: Note[];
+  error?: Refusal;
 }
 
 /**
@@ -944,10 +976,7 @@ export interface Report {
     alignToCurvature?: boolean;
   };
   seconds: number;
-  /**
-   * Sentences for people
-   */
-  notes: string[];
+  notes: Note[];
   components: {
     certifiedBeforeStoring: boolean;
     usable: boolean;
@@ -1012,9 +1041,9 @@ export interface Report {
         turnedTriangles: number;
       }[];
       /**
-       * why there is no aligned map; empty if there is one
+       * why there is no aligned map; null if there is one. Its places are the cones that are too close
        */
-      reason: string;
+      reason: Note | null;
       /**
        * without an aligned map: the cones that are too close, closest first
        */
@@ -1125,10 +1154,7 @@ export interface Report {
       };
     };
     conflict: Where;
-    /**
-     * Sentences for people
-     */
-    notes: string[];
+    notes: Note[];
   }[];
   cones: ConesDocument;
   certificate: Certificate;

@@ -1,5 +1,7 @@
 // The error class of this package.
 
+import type { Note } from './documents.js';
+import { withAdvice } from './phrases.js';
 import type { HgpErrorCode, Where } from './results.js';
 
 /** An error with the same code on the page, in this package and on the command line. */
@@ -9,26 +11,33 @@ export class HgpError extends Error {
   readonly stage: string | undefined;
   /** Places on the mesh or in the file. */
   readonly where: Where[] | undefined;
+  /** The message without the sentences of `advice`, for programs that phrase these themselves. */
+  readonly rule: string;
+  /** What to do, as codes: sentences of the message already name options of this package. */
+  readonly advice: Note[] | undefined;
 
   constructor(
-    { code, message, stage, where }: HgpFailure,
+    { code, message, stage, where, advice }: HgpFailure,
     options?: {
       /** What caused it. */
       cause?: unknown;
     },
   ) {
-    super(message, options);
+    super(withAdvice(message, advice), options);
     this.name = 'HgpError';
     this.code = code;
     this.stage = stage;
     this.where = where;
+    this.rule = message;
+    this.advice = advice;
   }
 
-  /** `stage` and `where`. */
-  get details(): { stage?: string; where?: Where[] } {
+  /** `stage`, `where` and `advice`. */
+  get details(): { stage?: string; where?: Where[]; advice?: Note[] } {
     return {
       ...(this.stage === undefined ? {} : { stage: this.stage }),
       ...(this.where === undefined ? {} : { where: this.where }),
+      ...(this.advice === undefined ? {} : { advice: this.advice }),
     };
   }
 }
@@ -39,6 +48,8 @@ export interface HgpFailure {
   message: string;
   stage?: string;
   where?: Where[];
+  /** What to do, where that is not in the message. */
+  advice?: Note[];
 }
 
 /**

@@ -2,6 +2,7 @@
 
 import { HgpError, messageOf } from './error.js';
 import { readMembers, type HowToUnpack } from './gzip_members.js';
+import type { Note } from './documents.js';
 import type { CoreFiles } from './options.js';
 import type { FileReader } from './platform.js';
 
@@ -21,7 +22,7 @@ export async function decompressed(
 ): Promise<CoreFiles> {
   if (![...files.values()].some(isGzip)) return { main, files };
   const plain = new Map<string, Uint8Array>();
-  const notes: string[] = [];
+  const notes: Note[] = [];
   let plainMain = main;
   for (const [name, bytes] of files) {
     const isCompressed = isGzip(bytes);
@@ -40,7 +41,7 @@ async function gunzip(
   bytes: Uint8Array,
   limit: number,
   platform: FileReader,
-  notes: string[],
+  notes: Note[],
 ): Promise<Uint8Array> {
   const url = new URL('../decoders/fflate.js', import.meta.url);
   const { Gunzip } = (await platform.importFile(url)) as Pick<HowToUnpack, 'Gunzip'>;
@@ -57,7 +58,7 @@ async function gunzip(
   try {
     const ignored = await readMembers(bytes, { Gunzip, add });
     if (ignored > 0)
-      notes.push(`ignored: ${ignored} byte${ignored === 1 ? '' : 's'} after the gzip data`);
+      notes.push({ code: 'read-gzip-longer', numbers: { bytes: ignored }, words: {}, where: [] });
   } catch (error) {
     if (error instanceof HgpError) throw error;
     const message = `The gzip data are ${messageOf(error)}.`;

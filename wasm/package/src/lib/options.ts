@@ -1,5 +1,6 @@
 // What the calls of the solver take: files, meshes, prescriptions and options.
 
+import type { Note } from './documents.js';
 import type { WasmModule, WebBlob, WebFile, WebUrl } from './globals.js';
 
 export interface InitOptions {
@@ -23,7 +24,7 @@ export interface CoreFiles {
   main: string;
   files: Map<string, Uint8Array>;
   /** Notes of prepare() on the files, which precede those of load(). */
-  notes?: string[];
+  notes?: Note[];
 }
 
 export interface LoadOptions {

@@ -1,7 +1,8 @@
 // What the calls of the solver return. The JSON documents are those of the command line; their types are generated
 // from the schemas in hgp/schema.
 
-import type { Certificate, Failure, Report, Where as Places } from './documents.js';
+import type { Certificate, Failure, Note, Report, Where as Places } from './documents.js';
+import type { HgpFailure } from './error.js';
 import type { Cones } from './options.js';
 
 /** A place on the mesh (ids of the surface) or in the file. */
@@ -187,7 +188,7 @@ export interface Written {
   bytes: Uint8Array;
   /** The main file and its side files, in this order. */
   files: OutputFile[];
-  notes: string[];
+  notes: Note[];
   /** Written vertex → stored vertex; empty if they are the same. */
   xref: Int32Array;
   /** Whether the map is certified with the numbers in this file; formats round differently. */
@@ -200,7 +201,12 @@ export interface MeshOutcome {
   mesh: number;
   certified: boolean;
   report?: Report;
-  error?: { code: HgpErrorCode; message: string; stage?: string; where?: Where[] };
+  error?: HgpFailure;
+}
+
+/** A note on a mesh of a file. */
+export interface MeshNote extends Note {
+  mesh: number;
 }
 
 export interface FileResult {
@@ -215,5 +221,5 @@ export interface FileResult {
   /** Name and bytes of the main file, if there is one. */
   name?: string;
   bytes?: Uint8Array;
-  notes: string[];
+  notes: MeshNote[];
 }

@@ -4,13 +4,13 @@ import type { Core, CoreMap } from './core.js';
 import { checkOptions } from './check_options.js';
 import { HgpError, usage, type HgpFailure } from './error.js';
 import type { CombineOptions, Cones, CoreFiles, FileOptions } from './options.js';
-import type { FileResult, MeshOutcome, OutputFile, Written } from './results.js';
+import type { FileResult, MeshNote, MeshOutcome, OutputFile, Written } from './results.js';
 
 /** A file into which maps are written one after another. */
 class Composition {
   /** The main file and its side files, in this order. */
   written: OutputFile[] = [];
-  readonly notes: string[] = [];
+  readonly notes: MeshNote[] = [];
   #source: CoreFiles;
 
   constructor(source: CoreFiles) {
@@ -23,7 +23,7 @@ class Composition {
 
   /** Side files written with earlier meshes are kept; the main file is the last one written. */
   add(mesh: number, made: Written): void {
-    this.notes.push(...made.notes.map((note) => `mesh ${mesh}: ${note}`));
+    this.notes.push(...made.notes.map((note) => ({ ...note, mesh })));
     const others = this.written.slice(1);
     const isNew = ({ name }: OutputFile): boolean => made.files.every((file) => file.name !== name);
     this.written = [...made.files, ...others.filter(isNew)];
@@ -94,9 +94,9 @@ export function parametrizeFile(core: Core, source: CoreFiles, options: FileOpti
 }
 
 /** @internal */
-export const failureOf = ({ code, message, details }: HgpError): HgpFailure => ({
+export const failureOf = ({ code, rule, details }: HgpError): HgpFailure => ({
   code,
-  message,
+  message: rule,
   ...details,
 });
 

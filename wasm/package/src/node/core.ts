@@ -9,6 +9,7 @@ import * as platform from './platform.js';
 export { Core, CoreMap, CoreModel } from '../lib/core.js';
 export { CoreDrag } from '../lib/drag.js';
 export { HgpError } from '../lib/error.js';
+export { phrase, type Phrases } from '../lib/phrases.js';
 
 export const compile = (options?: InitOptions): Promise<WasmModule> =>
   compileWith(platform, options);

@@ -4,6 +4,7 @@ import { Client, type ClientOptions } from '../lib/client.js';
 import * as platform from './platform.js';
 
 export { HgpError } from '../lib/error.js';
+export { phrase, type Phrases } from '../lib/phrases.js';
 
 export const createClient = (options?: ClientOptions): Promise<Client> =>
   Client.start(platform, options);

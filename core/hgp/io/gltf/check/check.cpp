@@ -179,6 +179,7 @@ bool GltfChecker::fail(int place, const std::string& message, ErrorCode code) {
   if (failure_) return false;
   const std::string pointer = json_.pointer(place);
   failure_ = Failure{code, "read", (pointer.empty() ? "glTF" : pointer) + ": " + message, {}};
+  if (code == ErrorCode::kLimit) failure_->advice = {Note("raise-bytes")};
   if (place >= 0) failure_->where.push_back({Where::Kind::kByte, json_.node(place).begin});
   return false;
 }

@@ -49,7 +49,9 @@ bool GltfChecker::checkPrimitive(int primitive) {
   if (mode < 4) return true;
   triangles_ += static_cast<std::uint64_t>(mode == 4 ? corners / 3 : corners);
   if (triangles_ <= limits_.maxTriangles) return true;
-  return fail(primitive, "more than " + triangleLimit(limits_.maxTriangles), ErrorCode::kLimit);
+  fail(primitive, "more than " + triangleLimit(limits_.maxTriangles), ErrorCode::kLimit);
+  failure_->advice = {Note("raise-triangles")};
+  return false;
 }
 
 bool GltfChecker::checkVertexAttributes(int attributes, std::int64_t& count, bool isTarget) {

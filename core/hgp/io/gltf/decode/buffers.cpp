@@ -35,7 +35,9 @@ class BufferLoader {
  private:
   static Failure refuse(const std::string& pointer, const std::string& message,
                         ErrorCode code = ErrorCode::kMalformed) {
-    return {code, "read", pointer + ": " + message, {}};
+    Failure failure{code, "read", pointer + ": " + message, {}};
+    if (code == ErrorCode::kLimit) failure.advice = {Note("raise-bytes")};
+    return failure;
   }
 
   Status load(int node, std::size_t index) {

@@ -223,15 +223,14 @@ class GltfFlattener {
     const auto has = [&](const char* name) {
       return !json_.children(json_.find(JsonText::kRoot, name)).empty();
     };
-    if (has("materials")) out_.lost.push_back("of the materials only their names are kept");
-    if (has("skins") || has("animations"))
-      out_.lost.push_back("skins and animations are not kept: the model is in its rest pose");
+    if (has("materials")) out_.lost.push_back(Note("convert-materials-lost"));
+    if (has("skins") || has("animations")) out_.lost.push_back(Note("convert-rest-pose"));
     const auto& meshes = store_.model.meshes;
     const bool hasMorphs = std::any_of(meshes.begin(), meshes.end(), [](const GltfMesh& mesh) {
       return std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
                          [](const GltfPrimitive& p) { return !p.targets.empty(); });
     });
-    if (hasMorphs) out_.lost.push_back("morph targets are not kept");
+    if (hasMorphs) out_.lost.push_back(Note("convert-morphs-lost"));
   }
 
   const GltfStore& store_;

@@ -39,7 +39,7 @@ struct GltfStore {
   std::vector<GltfBuffer> buffers;
   std::map<int, Bytes> decodedViews;                          ///< meshopt views that meshes use
   std::map<std::pair<int, int>, GltfDracoData> decodedDraco;  ///< by mesh and primitive
-  std::vector<std::string> notes;
+  Notes notes;
 
   /// Bytes of a view; empty when they are compressed and no mesh needed them.
   ByteView viewBytes(int view) const;

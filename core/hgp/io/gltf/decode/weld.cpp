@@ -111,7 +111,8 @@ class GltfWelder {
                      formatText("mesh %d has %llu vertices, more than fit into ", out_.mesh,
                                 static_cast<unsigned long long>(total)) +
                          byteLimit(limits_.maxBytes),
-                     {}};
+                     {},
+                     {Note("raise-bytes")}};
     }
     const int pool = static_cast<int>(out_.pools.size());
     poolOfKey_[key] = pool;
@@ -137,7 +138,7 @@ class GltfWelder {
     const GltfManifold& manifold = *mesh_.manifold;
     if (manifold.indices < 0 || out_.pools.size() != 1 ||
         manifold.position != primitive(out_.pools[0].primitives[0]).attribute("POSITION")) {
-      return ignoreExtension("it does not share the primitives' vertices");
+      return ignoreExtension("read-manifold-vertices");
     }
     const GltfAccessor& accessor =
         store_.model.accessors[static_cast<std::size_t>(manifold.indices)];
@@ -145,15 +146,15 @@ class GltfWelder {
         (accessor.componentType != kGltfUnsignedByte &&
          accessor.componentType != kGltfUnsignedShort &&
          accessor.componentType != kGltfUnsignedInt)) {
-      return ignoreExtension("its indices are not unsigned integers");
+      return ignoreExtension("read-manifold-types");
     }
     if (!manifoldStarts(store_, out_.mesh, out_.runs)) {
-      return ignoreExtension("its indices are not those of the primitives");
+      return ignoreExtension("read-manifold-indices");
     }
     const std::optional<std::vector<std::uint32_t>> merged = mergedVertices(accessor);
     if (!merged) return false;
     joinAll(*merged);
-    note("welded as EXT_mesh_manifold states");
+    note("read-manifold-used");
     out_.isWeldedByExtension = true;
     return true;
   }
@@ -183,7 +184,7 @@ class GltfWelder {
       const std::uint32_t to = unsignedAt(values, accessor.componentType, k);
       if (from >= positions_.size() || to >= positions_.size() ||
           !isSamePlace(positions_[from], positions_[to])) {
-        ignoreExtension("it merges vertices that are not at the same position");
+        ignoreExtension("read-manifold-apart");
         return std::nullopt;
       }
       --unlisted[from];
@@ -194,7 +195,7 @@ class GltfWelder {
     for (std::size_t v = 0; v < merged.size(); ++v)
       isAmbiguous = isAmbiguous || (isListed[v] && merged[v] != v && unlisted[v] != 0);
     if (isAmbiguous) {
-      ignoreExtension("it merges a vertex differently at different corners");
+      ignoreExtension("read-manifold-corners");
       return std::nullopt;
     }
     return merged;
@@ -215,8 +216,8 @@ class GltfWelder {
     }
   }
 
-  bool ignoreExtension(const char* why) {
-    note(std::string("EXT_mesh_manifold is not used: ") + why);
+  bool ignoreExtension(const char* code) {
+    note(code);
     return false;
   }
 
@@ -224,21 +225,15 @@ class GltfWelder {
   void addPrimitiveNotes() {
     for (std::size_t kind = 0; kind < kept_.size(); ++kind)
       if (const int count = kept_[kind]; count > 0)
-        note(counted(count, "primitive") + " (" + kKinds[kind] +
-             (count == 1 ? ") is kept as it is" : ") are kept as they are"));
-    if (strips_ + fans_ > 0) {
-      std::string text = strips_ > 0 ? counted(strips_, "triangle strip") : "";
-      if (fans_ > 0) text += (strips_ > 0 ? " and " : "") + counted(fans_, "triangle fan");
-      text += (strips_ + fans_ == 1 ? " is read as " : " are read as ") +
-              counted(unrolled_, "triangle");
-      if (degenerate_ > 0)
-        text += formatText(" (%zu degenerate %s skipped)", degenerate_,
-                           degenerate_ == 1 ? "one is" : "ones are");
-      note(text);
-    }
-    if (incomplete_ > 0)
-      note(counted(incomplete_, "primitive") + (incomplete_ == 1 ? " ends" : " end") +
-           " in an incomplete triangle");
+        note("read-primitives-kept", {{"primitives", count}, {"kind", kKinds[kind]}});
+    if (strips_ + fans_ > 0)
+      note(strips_ > 0 ? "read-strips-unrolled" : "read-fans-unrolled",
+           {{"strips", strips_},
+            {"fans", fans_},
+            {"all", strips_ + fans_},
+            {"triangles", unrolled_},
+            {"degenerate", degenerate_}});
+    if (incomplete_ > 0) note("read-incomplete-triangles", {{"primitives", incomplete_}});
   }
 
   void addNotes() {
@@ -248,8 +243,8 @@ class GltfWelder {
       hasTargets = hasTargets || !primitive(run.primitive).targets.empty();
       isSkinned = isSkinned || primitive(run.primitive).attribute("JOINTS_0") >= 0;
     }
-    if (hasTargets) note("morph targets: the base shape is used");
-    if (isSkinned) note("skinned: the bind pose is used");
+    if (hasTargets) note("read-morph-targets");
+    if (isSkinned) note("read-skinned");
   }
 
   /// A uv set is listed if every triangle primitive has it.
@@ -269,7 +264,9 @@ class GltfWelder {
     }
   }
 
-  void note(std::string text) { out_.surface.notes.push_back(std::move(text)); }
+  void note(const char* code, std::vector<NoteValue> values = {}) {
+    out_.surface.notes.emplace_back(code, std::move(values));
+  }
 
   const GltfStore& store_;
   const GltfMesh& mesh_;

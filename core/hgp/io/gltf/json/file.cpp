@@ -45,7 +45,7 @@ class ChunkReader {
       if (!taken) return taken.error();
       at_ += 8 + length;
     }
-    if (unpadded_ > 0) out_.notes.push_back("a chunk's length is not a multiple of 4");
+    if (unpadded_ > 0) out_.notes.push_back(Note("read-glb-unpadded"));
     return std::move(out_);
   }
 
@@ -81,19 +81,19 @@ class ChunkReader {
 /// A file that is longer than its header states: the bytes beyond the stated length are ignored, unless they
 /// contain the BIN chunk or the chunks can be read only as a whole.
 Result<GltfContainer> openLonger(ByteView file, std::size_t length) {
-  const std::string behind = counted(file.size() - length, "byte");
+  const std::size_t behind = file.size() - length;
   std::optional<GltfContainer> part;
   if (length >= 20) {
     Result<GltfContainer> read = ChunkReader(file.first(length)).read();
     if (read) {
-      read->notes.push_back("ignored: " + behind + " after the end of the GLB");
+      read->notes.push_back(Note("read-glb-followed", {{"bytes", behind}}));
       if (read->hasBin) return read;
       part = std::move(*read);
     }
   }
   Result<GltfContainer> all = ChunkReader(file).read();
   if (all && (all->hasBin || !part)) {
-    all->notes.push_back("the length in the GLB header leaves out " + behind + ", which are read");
+    all->notes.push_back(Note("read-glb-longer", {{"bytes", behind}}));
     return all;
   }
   if (part) return std::move(*part);

@@ -26,7 +26,7 @@ struct GltfContainer {
   bool hasBin = false;
   ByteView bin;
   std::vector<GltfChunk> others;
-  std::vector<std::string> notes;  ///< about wrong lengths that were tolerated
+  Notes notes;  ///< about wrong lengths that were tolerated
 };
 
 /// Distinguishes GLB from JSON and checks every length of a GLB. Fails with kMalformed at a byte. Accepted with

@@ -118,7 +118,7 @@ class GltfCompressor {
     if (bytes.size() != view.length) {
       return Failure{ErrorCode::kUnsupported,
                      "write",
-                     formatText("--compress: view %d has no bytes of its own", v),
+                     formatText("compressing: view %d has no bytes of its own", v),
                      {}};
     }
     const std::optional<PackedView> pack = packed(v);
@@ -235,13 +235,11 @@ class GltfCompressor {
     return out;
   }
 
-  std::string sizeNote(std::size_t total) const {
-    if (packedCount_ == 0)
-      return formatText("nothing is shorter compressed: %zu bytes as they are", total);
-    return formatText(
-        "compressed with meshopt, lossless: %zu bytes; %d views, %llu bytes as they are, take %llu",
-        total, packedCount_, static_cast<unsigned long long>(before_),
-        static_cast<unsigned long long>(after_));
+  Note sizeNote(std::size_t total) const {
+    if (packedCount_ == 0) return Note("write-not-shorter", {{"bytes", total}});
+    return Note(
+        "write-packed",
+        {{"bytes", total}, {"views", packedCount_}, {"before", before_}, {"after", after_}});
   }
 
   const GltfStore& store_;
@@ -256,7 +254,7 @@ class GltfCompressor {
 };
 
 Failure cannotCompress(const char* why) {
-  return {ErrorCode::kUsage, "write", std::string("--compress: ") + why, {}};
+  return {ErrorCode::kUsage, "write", std::string("compressing: ") + why, {}};
 }
 Failure noEncoder() {
   return cannotCompress("this build has no meshopt encoder (libmeshoptimizer)");

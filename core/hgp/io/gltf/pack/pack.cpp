@@ -48,21 +48,21 @@ Result<Bytes> bytesOfUri(const std::string& uri, const Resolver& resolve) {
 /// The geometry does not need images: a reference to one that does not exist is kept.
 bool mayBeMissing(const Failure& failure) { return failure.code == ErrorCode::kMalformed; }
 
-std::string missingNote(const Failure& failure) {
-  return failure.message + "; the reference to it is kept";
+Note missingNote(const Failure& failure) {
+  return Note("read-file-refused", {{"why", failure.message}});
 }
 
 Failure tooMany(const Limits& limits) {
   return {ErrorCode::kLimit,
           "read",
           "the side files together exceed " + byteLimit(limits.maxBytes),
-          {}};
+          {},
+          {Note("raise-bytes")}};
 }
 
 class GltfPacker {
  public:
-  GltfPacker(const JsonText& json, const Resolver& resolve, const Limits& limits,
-             std::vector<std::string>& notes)
+  GltfPacker(const JsonText& json, const Resolver& resolve, const Limits& limits, Notes& notes)
       : json_(json), resolve_(resolve), limits_(limits), notes_(notes), patch_(json) {}
 
   Result<Bytes> run() {
@@ -184,7 +184,7 @@ class GltfPacker {
   const JsonText& json_;
   const Resolver& resolve_;
   const Limits& limits_;
-  std::vector<std::string>& notes_;
+  Notes& notes_;
   JsonPatch patch_;
   Bytes bin_;
   std::vector<std::pair<int, std::size_t>> newBuffer_;  ///< old buffer → new one and offset
@@ -193,8 +193,7 @@ class GltfPacker {
 
 }  // namespace
 
-Result<Bytes> gltfAsGlb(const FileSet& files, const Limits& limits,
-                        std::vector<std::string>& notes) {
+Result<Bytes> gltfAsGlb(const FileSet& files, const Limits& limits, Notes& notes) {
   auto container = openContainer(files.main);
   if (!container) return container.error();
   auto json = JsonText::parse(std::string(container->json));
@@ -203,7 +202,7 @@ Result<Bytes> gltfAsGlb(const FileSet& files, const Limits& limits,
 }
 
 Result<Bytes> gltfWithEmbedded(ByteView text, const Resolver& resolve, const Limits& limits,
-                               std::vector<std::string>& notes) {
+                               Notes& notes) {
   auto json = JsonText::parse(std::string(reinterpret_cast<const char*>(text.data()), text.size()));
   if (!json) return json.error();
   JsonPatch patch(*json);
@@ -252,9 +251,8 @@ Result<Written> glbAsGltf(ByteView glb, const std::string& name) {
   out.files.push_back({name, asBytes(text)});
   if (hasBin) out.files.push_back(std::move(side));
   for (const GltfChunk& chunk : container->others)
-    out.notes.push_back(
-        formatText("a .gltf has no chunks: one of %zu bytes and type %08X is not kept",
-                   chunk.bytes.size(), chunk.type));
+    out.notes.push_back(Note("write-chunk-dropped", {{"bytes", chunk.bytes.size()},
+                                                     {"type", formatText("%08X", chunk.type)}}));
   return out;
 }
 

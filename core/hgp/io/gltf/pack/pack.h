@@ -8,13 +8,12 @@ namespace hgp::io {
 
 /// The .gltf in `files` as a GLB: its buffers are concatenated in the binary chunk, and images get views of
 /// their own. Fails as reading does if a buffer's file is missing, and with kLimit beyond limits.maxBytes.
-Result<Bytes> gltfAsGlb(const FileSet& files, const Limits& limits,
-                        std::vector<std::string>& notes);
+Result<Bytes> gltfAsGlb(const FileSet& files, const Limits& limits, Notes& notes);
 
 /// The .gltf text with buffers and images as data URIs. An image that cannot be read keeps its URI, and a note
 /// says so, here and in gltfAsGlb().
 Result<Bytes> gltfWithEmbedded(ByteView text, const Resolver& resolve, const Limits& limits,
-                               std::vector<std::string>& notes);
+                               Notes& notes);
 
 /// A GLB as the text file `name` and a side file with its binary chunk, byte for byte; views and embedded images
 /// stay as they are. The side file's name differs from those of the files that the GLB refers to.

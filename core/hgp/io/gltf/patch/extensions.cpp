@@ -39,16 +39,15 @@ Differences differencesOf(const Bytes& merged, int componentType,
 void GltfWriter::rewriteManifold() {
   const int extension = json_.find(json_.find(meshNode_, "extensions"), kManifold);
   if (extension < 0) return;
-  if (!part_->copy.empty()) return dropManifold("it describes the mesh before the repairs");
-  if (!part_->isWeldedByExtension || !planManifold())
-    dropManifold("its indices are not those of the primitives, or contradict each other");
+  if (!part_->copy.empty()) return dropManifold("write-manifold-repaired");
+  if (!part_->isWeldedByExtension || !planManifold()) dropManifold("write-manifold-other");
 }
 
-void GltfWriter::dropManifold(const char* why) {
+void GltfWriter::dropManifold(const char* code) {
   const int extensions = json_.find(meshNode_, "extensions");
   patch_.remove(json_.find(extensions, kManifold));
   if (patch_.isEmptied(extensions)) patch_.remove(extensions);
-  note(std::string("EXT_mesh_manifold dropped: ") + why);
+  note(code);
   ++droppedManifolds_;
 }
 

@@ -62,7 +62,7 @@ void GltfWriter::planMaterials() {
     pointed_[material][set_].push_back(primitiveNodes_[static_cast<std::size_t>(run.primitive)]);
     isAny = true;
   }
-  if (isAny) note(formatText("wrote TEXCOORD_%d; the materials use it", set_));
+  if (isAny) note("write-set-used", {{"set", set_}});
 }
 
 /// A material whose every user is pointed to one set is changed in place; others are copied, once per set.
@@ -109,15 +109,12 @@ void GltfWriter::tellOrPointMaterials() {
     return primitive(run.primitive).attribute(semantic(set_)) >= 0;
   });
   if (usesWritten && isReplaced) {
-    note(formatText(
-        "TEXCOORD_%d was replaced: the materials' pictures were made for the old one and "
-        "no longer fit",
-        set_));
+    note("write-set-replaced", {{"set", set_}});
   }
   if (options_.pointsMaterials && !others.empty()) return planMaterials();
   std::string list;
-  for (const int set : others) list += (list.empty() ? "" : " and ") + semantic(set);
-  if (!others.empty()) note(formatText("wrote TEXCOORD_%d; the materials still use ", set_) + list);
+  for (const int set : others) list += (list.empty() ? "" : ", ") + semantic(set);
+  if (!others.empty()) note("write-set-unused", {{"set", set_}, {"others", list}});
 }
 
 }  // namespace hgp::io

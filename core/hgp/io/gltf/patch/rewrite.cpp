@@ -207,7 +207,7 @@ void GltfWriter::rewriteIndices(const GltfRun& run) {
   planIndices(run, writtenIndices(run), type);
   if (source.mode == 4) return;
   patch_.set(primitiveNodes_[static_cast<std::size_t>(run.primitive)], "mode", "4");
-  note(formatText("primitive %d is now a list of triangles", run.primitive));
+  note("write-list", {{"primitive", run.primitive}});
 }
 
 void GltfWriter::planIndices(const GltfRun& run, const std::vector<std::uint32_t>& indices,
@@ -240,8 +240,7 @@ void GltfWriter::dropDraco(int p) {
   patch_.remove(draco);
   if (patch_.isEmptied(extensions)) patch_.remove(extensions);
   ++droppedDraco_;
-  if (!options_.isCompressedLater)
-    note(formatText("primitive %d was compressed with Draco and is stored uncompressed", p));
+  if (!options_.isCompressedLater) note("write-draco-unpacked", {{"primitive", p}});
 }
 
 }  // namespace hgp::io

@@ -29,7 +29,7 @@ Result<Written> writeGltf(const GltfStore& store, const GltfSurface& part, const
                           const WriteOptions& options) {
   Result<WrittenMaps> written = writeGltfMaps(store, {{&part, &map, options.cones}}, options);
   if (!written) return written.error();
-  std::vector<std::string>& notes = written->mapNotes.front();
+  Notes& notes = written->mapNotes.front();
   notes.insert(notes.end(), written->notes.begin(), written->notes.end());
   written->notes = std::move(notes);
   return Written(std::move(*written));

@@ -41,8 +41,8 @@ GltfWriter::GltfWriter(const GltfStore& store, const WriteOptions& options)
   }
 }
 
-Result<std::vector<std::string>> GltfWriter::add(const GltfSurface& part, const UvMap& map,
-                                                 const std::optional<std::string>& cones) {
+Result<Notes> GltfWriter::add(const GltfSurface& part, const UvMap& map,
+                              const std::optional<std::string>& cones) {
   part_ = &part;
   meshNode_ = meshNodes_[static_cast<std::size_t>(part.mesh)];
   primitiveNodes_ = json_.children(json_.find(meshNode_, "primitives"));
@@ -80,7 +80,7 @@ Result<Written> GltfWriter::finish() {
   if (!side->name.empty()) out.files.push_back(std::move(*side));
   for (const GltfBuffer& buffer : store_.buffers) {
     if (buffer.kind == GltfBufferKind::kFile && options_.isSideFileNoted)
-      out.notes.push_back("keep " + buffer.name + " next to the new file");
+      out.notes.push_back(Note("write-keep-beside", {{"name", buffer.name}}));
   }
   if (meshCount_ == 1) out.xref = std::move(xref_);
   return out;
@@ -103,9 +103,7 @@ int GltfWriter::defaultSet() {
   const std::set<int> used = setsOfMaterials();
   for (int set = kUsualSets - 1; set > 0; --set) {
     if (used.count(set) > 0) continue;
-    note(formatText(
-        "TEXCOORD_%d, which no material uses, was replaced: viewers read the first four sets",
-        set));
+    note("write-set-unread", {{"set", set}});
     return set;
   }
   return next;
@@ -114,11 +112,7 @@ int GltfWriter::defaultSet() {
 Status GltfWriter::chooseSet() {
   set_ = options_.uvSet >= 0 ? options_.uvSet : defaultSet();
   if (set_ <= kHighestSet) {
-    if (set_ >= kUsualSets)
-      note(
-          formatText("wrote TEXCOORD_%d; many viewers read TEXCOORD_0 to TEXCOORD_3 only: --uv-set "
-                     "N replaces one of those",
-                     set_));
+    if (set_ >= kUsualSets) note("write-set-high", {{"set", set_}});
     return Done{};
   }
   return Failure{
@@ -146,8 +140,9 @@ void GltfWriter::planPool(int pool) {
     }
   }
   if (copies > 0) {
-    note(formatText("%d vertices became %zu along seams", source.vertexCount,
-                    static_cast<std::size_t>(source.vertexCount) + copies));
+    note("write-vertices-copied",
+         {{"before", source.vertexCount},
+          {"after", static_cast<std::size_t>(source.vertexCount) + copies}});
   }
   planUv(pool);
 }
@@ -210,7 +205,7 @@ void GltfWriter::planUv(int pool) {
       const int old = json_.find(attributes, semantic(set));
       if (old >= 0 && set < set_) continue;
       if (old < 0 && set < set_) {
-        note(formatText("primitive %d had no TEXCOORD_%d; it has the new uv there too", p, set));
+        note("write-set-filled", {{"primitive", p}, {"set", set}});
       }
       patch_.set(attributes, semantic(set), index);
     }
@@ -241,8 +236,7 @@ void GltfWriter::dropTangents(int p) {
     droppedAttributes_.insert(tangent);
     patch_.remove(tangent);
     if (owner == attributes) {
-      note(formatText("primitive %d: TANGENT dropped, it belonged to the replaced TEXCOORD_%d", p,
-                      set_));
+      note("write-tangents-dropped", {{"primitive", p}, {"set", set_}});
     }
   }
 }
@@ -263,21 +257,22 @@ Status GltfWriter::embedCones(const std::optional<std::string>& text) {
   } else if (json_.isObject(extras)) {
     patch_.set(extras, kGltfConesKey, raw);
   } else {
-    note("cones are not embedded: the mesh's extras are not an object");
+    note("write-cones-extras");
   }
   return Done{};
 }
 
 /// Compares the size of what is written with that of what was read, side files included.
-std::string GltfWriter::sizeNote(std::size_t written) const {
+Note GltfWriter::sizeNote(std::size_t written) const {
   std::size_t before = store_.container.isBinary ? store_.file.size() : json_.text().size();
   for (const GltfBuffer& buffer : store_.buffers) {
     if (buffer.kind != GltfBufferKind::kFile) continue;
     before += buffer.bytes.size();
     written += buffer.bytes.size();
   }
-  return formatText("what was compressed is stored uncompressed: %zu bytes, %.2g times the input",
-                    written, static_cast<double>(written) / static_cast<double>(before));
+  return Note(
+      "write-unpacked",
+      {{"bytes", written}, {"ratio", static_cast<double>(written) / static_cast<double>(before)}});
 }
 
 void GltfWriter::collectXref() {

@@ -19,8 +19,8 @@ class GltfWriter {
  public:
   GltfWriter(const GltfStore& store, const WriteOptions& options);
   /// Plans the map of one mesh, each mesh at most once. @return  notes on it; on failure nothing can be written
-  Result<std::vector<std::string>> add(const GltfSurface& part, const UvMap& map,
-                                       const std::optional<std::string>& cones);
+  Result<Notes> add(const GltfSurface& part, const UvMap& map,
+                    const std::optional<std::string>& cones);
   /// The file with all maps. Written::xref is that of the mesh if there is one.
   Result<Written> finish();
 
@@ -40,7 +40,7 @@ class GltfWriter {
   void pointMaterials();
   Status embedCones(const std::optional<std::string>& cones);
   void collectXref();
-  std::string sizeNote(std::size_t written) const;
+  Note sizeNote(std::size_t written) const;
   // rewrite.cpp: attributes and indices of a pool whose vertices change
   void rewriteAttributes(int pool);
   void rewriteIndices(const GltfRun& run);
@@ -57,7 +57,7 @@ class GltfWriter {
   void rewriteManifold();
   bool planManifold();
   int planMerge(int extension, const char* key, const std::vector<std::uint32_t>& words);
-  void dropManifold(const char* why);
+  void dropManifold(const char* code);
   void dropUnusedExtensions();
   void dropName(const char* extension);
   void releaseViews();
@@ -75,7 +75,9 @@ class GltfWriter {
   std::string semantic(int set) const { return "TEXCOORD_" + std::to_string(set); }
   bool isDraco(int pool) const;
   bool isEdited(const GltfRun& run) const;
-  void note(std::string text) { notes_.push_back(std::move(text)); }
+  void note(const char* code, std::vector<NoteValue> values = {}) {
+    notes_.emplace_back(code, std::move(values));
+  }
 
   const GltfStore& store_;
   const JsonText& json_;
@@ -104,7 +106,7 @@ class GltfWriter {
   std::vector<int> primitiveNodes_;
   bool isRewritten_ = false;       ///< some pool has new vertices
   std::map<int, int> newIndices_;  ///< primitive → index in the plan
-  std::vector<std::string> notes_;
+  Notes notes_;
 };
 
 /// The file with the patched text: the text itself, or a GLB with every other chunk kept.

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "hgp/base/note.h"
+
 namespace hgp {
 struct UvMap;
 }

@@ -10,7 +10,7 @@
 
 namespace hgp::cli {
 
-enum class Command { kInspect, kCheck, kCones, kParam, kQuads, kVerify };
+enum class Command { kInspect, kCheck, kCones, kFeatures, kParam, kQuads, kVerify };
 
 struct Arguments {
   Command command = Command::kInspect;
@@ -34,6 +34,7 @@ struct Arguments {
   std::optional<int> q;
   bool hasRims = false;                                    ///< --rims
   std::optional<double> creaseDegrees;                     ///< --creases
+  std::vector<io::FeatureMark> marks;                      ///< --marked
   std::string features;                                    ///< file
   std::string cones, field, convert;                       ///< files
   std::vector<std::pair<int, int>> cone, turning, handle;  ///< V:K, L:J, G:R

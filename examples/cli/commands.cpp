@@ -12,6 +12,7 @@
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
 #include "hgp/base/phrase.h"
+#include "hgp/features/creases.h"
 #include "progress_line.h"
 #include "side_files.h"
 #include "text_report.h"
@@ -58,6 +59,8 @@ class Run {
         return check();
       case Command::kCones:
         return cones();
+      case Command::kFeatures:
+        return features();
       case Command::kParam:
       case Command::kQuads:
         return param();
@@ -205,6 +208,7 @@ class Run {
   Status addFeatures(io::PrescribedFeatures& features) {
     features.hasRims = features.hasRims || a_.hasRims;
     if (a_.creaseDegrees) features.creaseDegrees = a_.creaseDegrees;
+    if (!a_.marks.empty()) features.marks = a_.marks;
     if (a_.features.empty()) return Done{};
     Result<io::Bytes> bytes = readFile(a_.features, a_.load.limits.maxBytes);
     if (!bytes) return bytes.error();
@@ -215,10 +219,15 @@ class Run {
       failure.message = a_.features + ": " + failure.message;
       return failure;
     }
-    read->hasRims = features.hasRims;
-    read->creaseDegrees = features.creaseDegrees;
+    read->hasRims = read->hasRims || features.hasRims;
+    if (features.creaseDegrees) read->creaseDegrees = features.creaseDegrees;
+    if (!features.marks.empty()) read->marks = features.marks;
     features = std::move(*read);
     return Done{};
+  }
+
+  bool hasFeatures() const {
+    return a_.hasRims || a_.creaseDegrees || !a_.marks.empty() || !a_.features.empty();
   }
 
   /// The prescription from the options; empty if they prescribe nothing.
@@ -236,8 +245,8 @@ class Run {
       if (!cones) return cones.error();
       asked = std::move(*cones);
     }
-    const bool isTyped = !a_.cone.empty() || !a_.turning.empty() || !a_.handle.empty() ||
-                         a_.hasRims || a_.creaseDegrees || !a_.features.empty();
+    const bool isTyped =
+        !a_.cone.empty() || !a_.turning.empty() || !a_.handle.empty() || hasFeatures();
     if (!asked && !isTyped && !a_.ignoresEmbedded) {
       Result<std::optional<io::Prescription>> embedded = session_.embeddedCones();
       if (!embedded) return embedded.error();
@@ -292,6 +301,27 @@ class Run {
     }
     if (a_.json == "-" && !isFile) return 0;
     return finish(writeText(isFile ? a_.output : "-", *json), 0);
+  }
+
+  int features() {
+    io::Prescription asked;
+    if (Status done = addFeatures(asked.features); !done) return fail(done.error());
+    if (!hasFeatures()) asked.features.creaseDegrees = kCreaseDegrees;
+    const bool isFile = !a_.output.empty() && a_.output != "-";
+    Result<api::FeatureList> list = session_.features(asked, isFile ? a_.output : "features.json");
+    if (!list) return fail(list.error());
+    if (!a_.isQuiet) {
+      tell(counted(list->creaseEdges, "crease edge") + " and " +
+           counted(list->rimEdges, "rim edge") + " in " + counted(list->chains, "chain"));
+      for (const Note& note : list->notes) tell(phrase(note));
+    }
+    if (!a_.json.empty()) {
+      Result<api::FeatureList> json = session_.features(asked, "features.json");
+      if (!json) return fail(json.error());
+      if (Status done = writeText(a_.json, json->text); !done) return fail(done.error());
+      if (a_.json == "-" && !isFile) return 0;
+    }
+    return finish(writeText(isFile ? a_.output : "-", list->text), 0);
   }
 
   int wholeFile() {

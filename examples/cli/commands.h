@@ -1,4 +1,4 @@
-// The five commands.  Role: arguments in, exit code out.
+// The commands.  Role: arguments in, exit code out.
 #pragma once
 
 #include "arguments.h"

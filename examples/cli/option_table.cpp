@@ -28,6 +28,20 @@ CLI::Option* choice(CLI::Option* option, const std::vector<std::string>& choices
   return option->option_text(CLI::detail::join(choices, "|"))->check(oneOf(choices));
 }
 
+/// The words of a list; all for an empty one, none where a word is unknown.
+std::optional<std::vector<io::FeatureMark>> marksOf(const std::string& list) {
+  std::vector<io::FeatureMark> marks;
+  for (std::size_t m = 0; m < std::size(io::kFeatureMarks) && list.empty(); ++m)
+    marks.push_back(static_cast<io::FeatureMark>(m));
+  if (list.empty()) return marks;
+  for (const std::string& word : CLI::detail::split(list, ',')) {
+    const auto* found = std::find(std::begin(io::kFeatureMarks), std::end(io::kFeatureMarks), word);
+    if (found == std::end(io::kFeatureMarks)) return std::nullopt;
+    marks.push_back(static_cast<io::FeatureMark>(found - std::begin(io::kFeatureMarks)));
+  }
+  return marks;
+}
+
 class Table {
  public:
   Table(CLI::App& app, Arguments& out, TypedWords& words) : app_(app), out_(out), words_(words) {}
@@ -36,6 +50,7 @@ class Table {
     addInspect();
     addCheck();
     addCones();
+    addFeatureLists();
     addParam();
     addQuads();
     addVerify();
@@ -230,11 +245,42 @@ class Table {
                             : "must be an angle between 0 and 180 degrees, not '" + word + "'";
             },
             ""));
+    const auto takeMarks = [&out = out_](const std::string& list) {
+      out.marks = marksOf(list).value_or(std::vector<io::FeatureMark>());
+    };
+    sub->add_option_function<std::string>(
+           "--marked", takeMarks,
+           "So do edges that the file itself marks: lines,smoothing,materials,normals (default: "
+           "all of these)")
+        ->option_text("[LIST]")
+        ->expected(0, 1)
+        ->check(CLI::Validator(
+            [](const std::string& word) {
+              return marksOf(word) ? std::string()
+                                   : "must be of lines, smoothing, materials and normals, with "
+                                     "commas between, not '" +
+                                         word + "'";
+            },
+            ""));
     sub->add_option(
            "--features", out_.features,
            "So do these edges and all boundary edges: .sharp, OBJ with l lines, or rows of "
            "two vertices from 0")
         ->option_text("FILE");
+  }
+
+  void addFeatureLists() {
+    CLI::App* sub = add("features",
+                        "List creases, rims and marked edges, or convert such a list (default: "
+                        "--creases)",
+                        Command::kFeatures);
+    addOutput(sub, "A .json, a .sharp, an .obj of l lines, or rows of two vertices (default: JSON)",
+              false);
+    addFeatures(sub);
+    addCommon(sub,
+              "  hgp features part.obj -o part.sharp\n"
+              "  hgp features part.obj --creases 40 --rims -o features.json\n"
+              "  hgp features part.obj --features part.sharp -o features.json");
   }
 
   void addSolve(CLI::App* sub) {

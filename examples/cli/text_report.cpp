@@ -263,6 +263,10 @@ std::string inspectText(const std::string& source, const Style& style) {
     out += row("Euler characteristic", json["eulerCharacteristic"].dump());
     out += row("genus", json["genus"].dump());
     out += row("boundary loops", json["boundaryLoops"].dump());
+    const Json& features = json["features"];
+    out += row("creases", counted(integer(features, "creaseEdges"), "edge") +
+                              formatText(" above %g°, in ", number(features, "degrees")) +
+                              counted(integer(features, "creaseChains"), "chain"));
     for (const Json& component : json["components"]) {
       for (const Json& loop : component["boundaryLoops"]) {
         out += row(("loop " + loop["loop"].dump()).c_str(),

@@ -60,6 +60,15 @@ struct SurfaceLoops {
   std::vector<std::vector<std::array<int, 2>>> handles;
 };
 
+/// The features that a prescription means on a surface, rims included, as a file of a name: `.json` (hgp-cones with
+/// positions and without cones), `.sharp`, `.obj` (l lines), otherwise rows of two vertices; and their numbers.
+struct FeatureList {
+  std::string text;
+  int creaseEdges = 0, rimEdges = 0;
+  int chains = 0;  ///< runs between ends and crossings (countRuns)
+  Notes notes;
+};
+
 /// A result that stays usable while its session computes others: see Session::use(). Cheap to copy.
 class StoredResult {
   friend class Session;

@@ -43,6 +43,7 @@ class Session {
   Result<std::string> suggest(const SolveOptions& options) const;
   /// Any prescription on this surface as complete hgp-cones with positions; a field becomes cones and rotations.
   Result<std::string> convert(const io::Prescription& prescription) const;
+  Result<FeatureList> features(const io::Prescription& asked, const std::string& name) const;
   Result<std::optional<io::Prescription>> embeddedCones()
       const;  ///< stored in the file, if any are
 

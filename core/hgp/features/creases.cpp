@@ -1,7 +1,9 @@
 #include "hgp/features/creases.h"
 
+#include <array>
 #include <cmath>
 
+#include "hgp/base/disjoint_sets.h"
 #include "hgp/base/portable_math.h"
 #include "hgp/base/turns.h"
 #include "hgp/mesh/vectors.h"
@@ -135,6 +137,29 @@ class CreaseFinder {
 
 Creases findCreases(const TriMesh& mesh, double degrees) {
   return CreaseFinder(mesh, degrees).run();
+}
+
+int countRuns(const TriMesh& mesh, const std::vector<EdgeId>& edges) {
+  PerVertex<int> degree(at(mesh.vertexCount()), 0);
+  const auto ends = [&](EdgeId e) {
+    const HalfedgeId h = mesh.halfedge(e);
+    return std::array<VertexId, 2>{mesh.tail(h), mesh.head(h)};
+  };
+  for (EdgeId e : edges)
+    for (VertexId v : ends(e)) ++degree[v];
+  // Edges that meet at a vertex where a run goes on belong together.
+  DisjointSets runs(static_cast<int>(edges.size()));
+  PerVertex<int> first(at(mesh.vertexCount()), -1);
+  int count = static_cast<int>(edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for (VertexId v : ends(edges[i])) {
+      if (degree[v] != 2) continue;
+      if (first[v] < 0)
+        first[v] = static_cast<int>(i);
+      else
+        count -= runs.join(first[v], static_cast<int>(i));
+    }
+  return count;
 }
 
 }  // namespace hgp

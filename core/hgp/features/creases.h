@@ -26,4 +26,7 @@ struct Creases {
 };
 Creases findCreases(const TriMesh& mesh, double degrees = kCreaseDegrees);
 
+/// Runs of edges between vertices at which not just two of them meet; a closed run without such a vertex is one.
+int countRuns(const TriMesh& mesh, const std::vector<EdgeId>& edges);
+
 }  // namespace hgp

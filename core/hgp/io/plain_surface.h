@@ -18,6 +18,8 @@ struct PlainSurface {
   std::vector<std::array<double, 4>> colors;  ///< per vertex, linear RGBA in [0, 1]; may be empty
   std::vector<std::string> materials;         ///< names
   std::vector<int> triangleMaterial;          ///< per triangle, −1: none; may be empty
+  std::vector<int> triangleSmoothing;         ///< group per triangle, 0: none; may be empty
+  std::vector<std::array<int, 2>> lines;      ///< edges that the file draws as lines
 };
 
 struct PlainFile {

@@ -175,6 +175,18 @@ void readLine(const Json& entry, Members& m, PrescribedLine& line) {
   for (const Json& p : *positions) line.positions.push_back(p.get<Vec3>());
 }
 
+void readMarks(const Json& list, Members& m, PrescribedFeatures& out) {
+  for (const Json& word : list) {
+    const auto* found = std::find_if(
+        std::begin(kFeatureMarks), std::end(kFeatureMarks),
+        [&](const char* name) { return word.is_string() && word.get<std::string>() == name; });
+    if (found == std::end(kFeatureMarks))
+      m.wrong("marked", "must hold \"lines\", \"smoothing\", \"materials\" or \"normals\"");
+    else
+      out.marks.push_back(static_cast<FeatureMark>(found - std::begin(kFeatureMarks)));
+  }
+}
+
 void readFeatureLines(const Json& json, Members& m, Prescription& out) {
   const auto features = json.find("features");
   if (features == json.end() || features->is_null()) return;
@@ -193,6 +205,7 @@ void readFeatureLines(const Json& json, Members& m, Prescription& out) {
     else
       m.wrong("creases", "must be an angle between 0 and 180 degrees");
   }
+  if (const Json* marks = m.list(*features, "marked")) readMarks(*marks, m, out.features);
   const Json* lines = m.list(*features, "lines");
   for (std::size_t i = 0; lines && i < lines->size(); ++i) {
     m.enter("features/lines", i);
@@ -246,12 +259,14 @@ std::string writeConesJson(const Prescription& p, int indent) {
     if (p.triangleCount >= 0) mesh["triangles"] = p.triangleCount;
     if (!p.sha256.empty()) mesh["sha256"] = p.sha256;
   }
-  Json& cones = json["cones"] = Json::array();
+  // A list of features alone leaves the cones open.
+  const bool hasList = p.hasCones || p.features.isEmpty();
+  if (hasList) json["cones"] = Json::array();
   for (const PrescribedCone& c : p.cones) {
     Json cone{{"vertex", c.vertex}, {"k", c.k}};
     if (c.position) cone["position"] = *c.position;
     if (c.triangle >= 0) cone["triangle"] = c.triangle;
-    cones.push_back(std::move(cone));
+    json["cones"].push_back(std::move(cone));
   }
   if (!p.boundaries.empty()) json["boundaries"] = Json::array();
   for (const PrescribedTurning& t : p.boundaries) {
@@ -267,6 +282,8 @@ std::string writeConesJson(const Prescription& p, int indent) {
     Json& features = json["features"] = Json::object();
     if (p.features.hasRims) features["rims"] = true;
     if (p.features.creaseDegrees) features["creases"] = *p.features.creaseDegrees;
+    for (const FeatureMark mark : p.features.marks)
+      features["marked"].push_back(kFeatureMarks[static_cast<int>(mark)]);
     Json& lines = features["lines"] = Json::array();
     for (const PrescribedLine& line : p.features.lines) {
       Json entry{{"vertices", line.vertices}};

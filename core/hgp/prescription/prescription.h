@@ -41,13 +41,25 @@ struct PrescribedLine {
   std::vector<Vec3> positions = {};
 };
 
+/// How a file itself marks edges.
+enum class FeatureMark {
+  kLines,      ///< OBJ l lines
+  kSmoothing,  ///< between groups of OBJ s lines
+  kMaterials,  ///< between materials
+  kNormals,    ///< where corners of two triangles have different normals
+};
+inline constexpr const char* kFeatureMarks[] = {"lines", "smoothing", "materials", "normals"};
+
 /// Edges that a map is to send to lines u = const or v = const, exactly. With any feature, boundary edges are features.
 struct PrescribedFeatures {
   bool hasRims = false;  ///< the boundary edges, also where there is no other feature
   std::optional<double> creaseDegrees;  ///< inner edges with a larger dihedral angle (findCreases)
+  std::vector<FeatureMark> marks;       ///< what the mesh's own file marks in these ways
   std::vector<PrescribedLine> lines;
   std::vector<std::array<int, 2>> sides;  ///< triangle and side: side k joins corners k and k + 1
-  bool isEmpty() const { return !hasRims && !creaseDegrees && lines.empty() && sides.empty(); }
+  bool isEmpty() const {
+    return !hasRims && !creaseDegrees && marks.empty() && lines.empty() && sides.empty();
+  }
 };
 
 /// Ids as in the file, not checked against a mesh. If there is a `field`, it determines everything that the lists

@@ -78,5 +78,14 @@ TEST(Creases, LeaveOutTheWeakestEdgeOfATriangle) {
   EXPECT_EQ(findCreases(cube).leftOut, 0);
 }
 
+TEST(Creases, RunsEndWhereNotJustTwoEdgesMeet) {
+  const TriMesh cube = test::meshOf(test::cube(3).data);
+  EXPECT_EQ(countRuns(cube, findCreases(cube).edges), 12);
+  const TriMesh plane = test::grid(4, 3).mesh();
+  EXPECT_EQ(countRuns(plane, test::creasesOf(plane)), 1);  // its rim, which is closed
+  EXPECT_EQ(countRuns(plane, {}), 0);
+  EXPECT_EQ(countRuns(plane, {EdgeId(0)}), 1);
+}
+
 }  // namespace
 }  // namespace hgp

@@ -1,6 +1,7 @@
 #include "hgp/api/json/json_text.h"
 #include "hgp/api/json/json_values.h"
 #include "hgp/api/session.h"
+#include "hgp/features/creases.h"
 #include "hgp/mesh/finite.h"
 #include "hgp/mesh/geometry.h"
 
@@ -89,6 +90,21 @@ Json componentsJson(const Model& model) {
   return out;
 }
 
+Json featuresJson(const Model& model) {
+  int creases = 0, chains = 0, rims = 0;
+  for (const ModelComponent& component : model.components) {
+    const std::vector<EdgeId> edges = findCreases(component.mesh).edges;
+    creases += static_cast<int>(edges.size());
+    chains += countRuns(component.mesh, edges);
+    for (const BoundaryLoop& loop : component.topology.loops)
+      rims += static_cast<int>(loop.halfedges.size());
+  }
+  return Json{{"degrees", kCreaseDegrees},
+              {"creaseEdges", creases},
+              {"creaseChains", chains},
+              {"rimEdges", rims}};
+}
+
 Json budgetJson(const ComponentCheck& check) {
   if (!check.budget) return Json();
   const BudgetReport& b = *check.budget;
@@ -115,6 +131,7 @@ std::string inspectText(const Model& model) {
     json["boundaryLoops"] = t.loops.size();
     json["isolatedVertices"] = t.isolatedVertexCount;
     json["components"] = componentsJson(model);
+    json["features"] = featuresJson(model);
   }
   json["diagonal"] = diagonal(finiteBoxOf(model.mesh.positions));
   json["defects"] = defectsJson(model);

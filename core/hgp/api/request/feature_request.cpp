@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hgp/api/request/file_marks.h"
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
 #include "hgp/features/creases.h"
@@ -102,6 +103,8 @@ Status addFeatures(const Model& model, const io::Prescription& prescription, Req
   if (prescription.features.isEmpty()) return Done{};
   Result<std::vector<Pair>> pairs = FeatureFinder(model, prescription).run();
   if (!pairs) return std::move(pairs).error();
+  Result<std::vector<Pair>> marked = markedEdges(model, prescription.features.marks);
+  if (!marked) return std::move(marked).error();
   std::vector<char> isFound(pairs->size(), 0);
   int leftOut = 0;
   for (std::size_t p = 0; p < model.components.size(); ++p) {
@@ -118,8 +121,9 @@ Status addFeatures(const Model& model, const io::Prescription& prescription, Req
       const HalfedgeId h = mesh.halfedge(e);
       const Pair ends = sorted(component.vertex[mesh.tail(h)].i, component.vertex[mesh.head(h)].i);
       const auto found = std::lower_bound(pairs->begin(), pairs->end(), ends);
-      const bool isListed = found != pairs->end() && *found == ends;
+      bool isListed = found != pairs->end() && *found == ends;
       if (isListed) isFound[at(found - pairs->begin())] = 1;
+      isListed = isListed || std::binary_search(marked->begin(), marked->end(), ends);
       if (isListed || mesh.isBoundary(h)) features.push_back(e);
       hasFeature = hasFeature || isListed || (prescription.features.hasRims && mesh.isBoundary(h));
     }

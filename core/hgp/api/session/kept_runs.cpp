@@ -52,8 +52,9 @@ auto tie(const io::PrescribedLine& line) {
   return std::tie(vertices, positions);
 }
 bool isSameFeatures(const io::PrescribedFeatures& a, const io::PrescribedFeatures& b) {
-  const auto& [hasRims, creaseDegrees, lines, sides] = a;
-  return std::tie(hasRims, creaseDegrees, sides) == std::tie(b.hasRims, b.creaseDegrees, b.sides) &&
+  const auto& [hasRims, creaseDegrees, marks, lines, sides] = a;
+  return std::tie(hasRims, creaseDegrees, marks, sides) ==
+             std::tie(b.hasRims, b.creaseDegrees, b.marks, b.sides) &&
          areSame(lines, b.lines, [](const auto& c, const auto& d) { return tie(c) == tie(d); });
 }
 

@@ -172,13 +172,11 @@ class ObjDocument final : public PolygonDocument {
     out.colors.reserve(extras.colors.size());
     for (const auto& c : extras.colors)
       out.colors.push_back({linearFromSrgb(c[0]), linearFromSrgb(c[1]), linearFromSrgb(c[2]), 1});
+    out.triangleSmoothing = byTriangle(extras.polygonSmoothing);
+    out.lines = std::move(extras.lines);
     if (!extras.polygonMaterial.empty()) {
       out.materials = std::move(extras.materials);
-      out.triangleMaterial.resize(triangles);
-      for (int p = 0; p < polygons_.polygonCount(); ++p)
-        for (int t = polygons_.firstTriangle(p); t < polygons_.firstTriangle(p + 1); ++t)
-          out.triangleMaterial[static_cast<std::size_t>(t)] =
-              extras.polygonMaterial[static_cast<std::size_t>(p)];
+      out.triangleMaterial = byTriangle(extras.polygonMaterial);
       file->lost.push_back(Note("convert-materials-lost"));
     }
     if (extras.uncolored > 0)
@@ -212,6 +210,17 @@ class ObjDocument final : public PolygonDocument {
   }
 
  private:
+  /// Values of polygons, per triangle; none for none.
+  std::vector<int> byTriangle(const std::vector<int>& values) const {
+    std::vector<int> out;
+    if (values.empty()) return out;
+    out.reserve(surfaces_[0].mesh.triangles.size());
+    for (int p = 0; p < polygons_.polygonCount(); ++p)
+      for (int t = polygons_.firstTriangle(p); t < polygons_.firstTriangle(p + 1); ++t)
+        out.push_back(values[static_cast<std::size_t>(p)]);
+    return out;
+  }
+
   Result<DocumentPtr> withFaces(RefinedPolygons refined) const {
     const std::string text =
         rewriteObjFaces(asText(text_), places_, polygons_, cornerUv_, std::move(refined));

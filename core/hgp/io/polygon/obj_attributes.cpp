@@ -36,6 +36,7 @@ class ObjAttributeReader {
     for (int& n : out_.cornerNormal)
       if (n >= count) n = -1;
     if (out_.materials.empty()) out_.polygonMaterial.clear();
+    if (!hasSmoothing_) out_.polygonSmoothing.clear();
     return std::move(out_);
   }
 
@@ -69,8 +70,11 @@ class ObjAttributeReader {
     } else if (word == "o" || word == "g") {
       out_.hasGroups = out_.hasGroups || groups_ > 0;
       ++groups_;
+    } else if (word == "s") {
+      takeSmoothing(takeWord(p, end));
     } else if (word == "l" || word == "p") {
       ++out_.linesAndPoints;
+      if (word == "l") takePolyline(p, end);
     }
   }
 
@@ -87,6 +91,33 @@ class ObjAttributeReader {
       out_.colors.push_back({numbers[3], numbers[4], numbers[5]});
     } else {
       out_.colors.push_back({1, 1, 1});
+    }
+  }
+
+  /// "s off" is group 0.
+  void takeSmoothing(std::string_view word) {
+    while (!word.empty() && word.back() == eol_) word.remove_suffix(1);
+    const char* w = word.data();
+    std::int64_t group = 0;
+    if (!readInt(w, word.data() + word.size(), group) || group < 0 || group > INT32_MAX) group = 0;
+    smoothing_ = static_cast<int>(group);
+    hasSmoothing_ = true;
+  }
+
+  void takePolyline(const char* p, const char* end) {
+    int before = -1;
+    for (;;) {
+      while (p != end && isSeparator(*p)) ++p;
+      ObjCorner corner;
+      if (p == end || *p == '#' || !takeObjCorner(p, end, corner)) return;
+      std::int64_t index = 0;
+      const char* v = corner.vertex.data();
+      if (!readInt(v, v + corner.vertex.size(), index)) return;
+      index += index < 0 ? static_cast<std::int64_t>(out_.colors.size()) : -1;
+      if (index < 0 || index > INT32_MAX) return;
+      const int here = static_cast<int>(index);
+      if (before >= 0 && before != here) out_.lines.push_back({before, here});
+      before = here;
     }
   }
 
@@ -108,6 +139,7 @@ class ObjAttributeReader {
       out_.cornerNormal.push_back(isUsable ? static_cast<int>(index) : -1);
     }
     out_.polygonMaterial.push_back(material_);
+    out_.polygonSmoothing.push_back(smoothing_);
     ++face_;
   }
 
@@ -117,8 +149,8 @@ class ObjAttributeReader {
   ObjAttributes out_;
   std::map<std::string, int> ids_;
   std::size_t position_ = 0, face_ = 0;
-  int material_ = -1, groups_ = 0;
-  bool hasNormals_ = false;
+  int material_ = -1, groups_ = 0, smoothing_ = 0;
+  bool hasNormals_ = false, hasSmoothing_ = false;
 };
 
 }  // namespace

@@ -14,11 +14,13 @@ struct ObjAttributes {
   std::vector<int> cornerNormal;  ///< per polygon corner, −1 none; empty when no corner has one
   std::vector<std::array<double, 3>>
       colors;  ///< per vertex, sRGB; white where a v line has none, empty if no line has one
-  std::vector<std::string> materials;  ///< names, in order of first use
-  std::vector<int> polygonMaterial;    ///< per polygon, −1: none; empty without usemtl
-  int uncolored = 0;                   ///< vertices without a colour, where others have one
-  int linesAndPoints = 0;              ///< l and p lines
-  bool hasGroups = false;              ///< more than one o or g line
+  std::vector<std::string> materials;     ///< names, in order of first use
+  std::vector<int> polygonMaterial;       ///< per polygon, −1: none; empty without usemtl
+  std::vector<int> polygonSmoothing;      ///< per polygon, 0: off; empty without s lines
+  std::vector<std::array<int, 2>> lines;  ///< the edges of l lines, vertices from 0
+  int uncolored = 0;                      ///< vertices without a colour, where others have one
+  int linesAndPoints = 0;                 ///< l and p lines
+  bool hasGroups = false;                 ///< more than one o or g line
 };
 
 /// @param places  the result of scanObj for the same text

@@ -1,0 +1,129 @@
+// Lists of features: what the file marks, what `hgp features` writes, and that every format means the same edges.
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { inFolder } from '../support/program.mjs';
+import { problems } from './schema.mjs';
+
+const { put, read, run, good } = inFolder('feature-lists');
+
+/** A strip of n × 2 squares that is folded by 90° along its middle line; `head(f)` is written before square f. */
+function folded(n, head = () => '', corner = (v) => `${v}`) {
+  const lines = [];
+  for (let i = 0; i <= n; i++) lines.push(`v ${i} -1 0`, `v ${i} 0 0`, `v ${i} 0 1`);
+  for (let f = 0; f < 2 * n; f++) {
+    const [i, j] = [f >> 1, f & 1];
+    const [a, b, c, d] = [3 * i + j, 3 * i + 3 + j, 3 * i + 4 + j, 3 * i + j + 1].map((v) => v + 1);
+    lines.push(head(f), `f ${[a, b, c].map((v) => corner(v, j)).join(' ')}`, `f ${[a, c, d].map((v) => corner(v, j)).join(' ')}`); // prettier-ignore
+  }
+  return lines.filter(Boolean).join('\n') + '\n';
+}
+
+/** The edges of rows of two vertices, without the rim of the strip. */
+const inner = (text, n) =>
+  text
+    .trim()
+    .split('\n')
+    .map((row) => row.split(' ').map(Number))
+    .filter(([a, b]) => a % 3 === 1 && b % 3 === 1 && Math.abs(a - b) === 3 && a <= 3 * n + 1)
+    .map(([a, b]) => `${Math.min(a, b)} ${Math.max(a, b)}`)
+    .sort();
+const fold = [0, 1, 2, 3, 4].map((i) => `${3 * i + 1} ${3 * i + 4}`).sort();
+const n = 5;
+const polyline = 'l ' + [0, 1, 2, 3, 4, 5].map((i) => 3 * i + 2).join(' ');
+const normals = 'vn 0 0 1\nvn 0 -1 0\n';
+const marked = {
+  lines: folded(n) + polyline + '\n',
+  smoothing: folded(n, (f) => `s ${f & 1 ? 'off' : 1}`),
+  materials: folded(n, (f) => `usemtl m${f & 1}`),
+  normals: normals + folded(n, undefined, (v, j) => `${v}//${j + 1}`),
+};
+
+for (const [kind, text] of Object.entries(marked)) {
+  test(`edges that a file marks by ${kind} are features`, () => {
+    put(`${kind}.obj`, text);
+    good('features', `${kind}.obj`, '--marked', kind, '-o', `${kind}.txt`);
+    assert.deepEqual(inner(read(`${kind}.txt`), n), fold);
+    good('features', `${kind}.obj`, '--marked', '-o', 'all.txt');
+    assert.equal(read('all.txt'), read(`${kind}.txt`));
+    for (const other of Object.keys(marked).filter((k) => k !== kind)) {
+      const { code, err } = run('features', `${kind}.obj`, '--marked', other);
+      assert.equal(code, 5);
+      assert.match(err, /the file marks no edges/);
+    }
+  });
+}
+
+test('materials and split normals of a GLB mark the same edges, and the map follows them', () => {
+  for (const kind of ['materials', 'normals']) {
+    put(`${kind}.obj`, marked[kind]);
+    good('param', `${kind}.obj`, '--rims', '-o', `${kind}.glb`);
+    good('features', `${kind}.glb`, '--marked', kind, '-o', 'glb.json');
+    const { features, cones } = JSON.parse(read('glb.json'));
+    assert.equal(cones, undefined);
+    assert.deepEqual(problems('hgp-cones', JSON.parse(read('glb.json'))), []);
+    const onFold = features.lines.flatMap(
+      ({ positions }) =>
+      positions.slice(1).filter((p, i) => p[1] === 0 && p[2] === 0 && positions[i][1] === 0 && positions[i][2] === 0), // prettier-ignore
+    );
+    assert.equal(onFold.length, n);
+    good('param', `${kind}.glb`, '--marked', kind, '-o', 'out.glb', '--json', 'out.json');
+    const report = JSON.parse(read('out.json'));
+    assert.equal(report.certificate.features.straightEdges, 5 + 2 * n + 4);
+  }
+});
+
+test('a file that is shaded flat marks nothing by its normals, and the message says what to do', () => {
+  // A hill: no two triangles are coplanar, and each has a normal of its own.
+  const [lines, faces] = [[], []];
+  for (let i = 0; i <= 4; i++)
+    for (let j = 0; j <= 4; j++) lines.push(`v ${i} ${j} ${Math.sin(i) + Math.cos(j * 1.3)}`);
+  for (let i = 0; i < 4; i++)
+    for (let j = 0; j < 4; j++) {
+      const a = 5 * i + j + 1;
+      for (const t of [
+        [a, a + 5, a + 6],
+        [a, a + 6, a + 1],
+      ]) {
+        // prettier-ignore
+        const k = faces.length;
+        lines.push(`vn ${Math.cos(k)} ${Math.sin(k)} 1`);
+        faces.push(`f ${t.map((v) => `${v}//${k + 1}`).join(' ')}`);
+      }
+    }
+  put('flat.obj', [...lines, ...faces].join('\n'));
+  const { code, err } = run('features', 'flat.obj', '--marked', 'normals');
+  assert.equal(code, 5);
+  assert.match(err, /normals differ at 40 of 40 edges: the file is shaded flat.*--creases/s);
+});
+
+test('a list means the same edges in every format that it is written in', () => {
+  put('fold.obj', folded(n));
+  good('features', 'fold.obj', '-o', 'fold.txt');
+  for (const end of ['sharp', 'obj', 'json']) {
+    good('features', 'fold.obj', '-o', `list.${end}`);
+    good('features', 'fold.obj', '--features', `list.${end}`, '-o', `from-${end}.txt`);
+    assert.equal(read(`from-${end}.txt`), read('fold.txt'), end);
+  }
+  // The strip is folded upwards: seen from its outer side the fold is a valley.
+  const rows = read('list.sharp').trim().split('\n');
+  assert.equal(Number(rows[0]), rows.length - 1);
+  assert.equal(rows.filter((row) => row.startsWith('0,')).length, n);
+});
+
+test('without options creases above 30° are listed, and inspect counts them', () => {
+  put('fold.obj', folded(n));
+  const { out, err } = good('features', 'fold.obj');
+  assert.equal(JSON.parse(out).features.lines.length > 0, true);
+  assert.match(err, /5 crease edges and 14 rim edges in 3 chains/);
+  good('inspect', 'fold.obj', '--json', 'inspect.json');
+  const document = JSON.parse(read('inspect.json'));
+  assert.deepEqual(problems('hgp-inspect', document), []);
+  assert.deepEqual(document.features, { degrees: 30, creaseEdges: 5, creaseChains: 1, rimEdges: 14 }); // prettier-ignore
+});
+
+test('an unknown kind of mark is refused with the known ones', () => {
+  put('fold.obj', folded(n));
+  const { code, err } = run('features', 'fold.obj', '--marked', 'lines,colours');
+  assert.equal(code, 2);
+  assert.match(err, /lines, smoothing, materials and normals/);
+});

@@ -17,7 +17,7 @@ export const firstScreen = (examples) => `<header>
 <div class="hero">
 <div class="turning"></div>
 <div class="pitch">
-<h2>Drop a mesh</h2>
+<h2><span class="for-mouse">Drop</span><span class="for-fingers">Open</span> a mesh</h2>
 <p class="lead">It comes back with texture coordinates that continue across every seam, without folds.</p>
 <p>GLB, glTF, OBJ, PLY, STL, OFF, a folder or a ZIP.<br />Files stay on this computer.</p>
 <p class="row">

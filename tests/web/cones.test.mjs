@@ -5,6 +5,7 @@ import { spawnSync } from 'node:child_process';
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { cubeMesh, toObj } from '../support/meshes.mjs';
+import { bumpyBall } from './shapes.mjs';
 import {
   commandLine,
   coneCount,
@@ -168,7 +169,7 @@ test('the budget shows what is left and how to balance it; q converts where that
   await page.waitForSelector('.budget[data-left="1"]');
   assert.match(
     await page.locator('.budget').innerText(),
-    /have|7 of q·χ = 8[\s\S]*1 left[\s\S]*k = 3/,
+    /^7 of 8 quarter turns[\s\S]*1 left[\s\S]*k = 3/,
   );
   assert.equal(await page.locator('#run').getAttribute('aria-disabled'), 'true');
   assert.match(await page.locator('#run-why').textContent(), /1 left/);
@@ -301,4 +302,93 @@ test('the slider from angles to areas lowers distortion and appears in the comma
   assert.ok(higher - lower < 0.8 * (high - low), `${low} ${high} to ${lower} ${higher}`);
   await page.locator('#quality').uncheck();
   assert.equal(await page.getAttribute('body', 'data-state'), 'certified'); // the map before is there
+});
+
+test('Run takes as few cones as make a good map, otherwise more; the slider says which', async () => {
+  const { page } = it;
+  const slider = page.locator('#cone-step');
+  await openFiles(it, { 'low.obj': toObj(bumpyBall(10, 0.12, 3)) });
+  await run(it);
+  const few = await coneCount(it);
+  assert.ok(few > 0 && few < 8, `${few}`);
+  assert.match(await page.innerText('#cone-step-count'), new RegExp(`^As few .*: ${few} cones$`));
+  assert.equal(await slider.inputValue(), '0');
+  assert.ok(parseFloat(await page.innerText('#stretch')) <= 15);
+  await openFiles(it, { 'high.obj': toObj(bumpyBall(14, 0.25, 5)) });
+  await run(it);
+  assert.ok((await coneCount(it)) > few);
+  assert.equal(await slider.inputValue(), '2');
+  assert.match(await page.innerText('#cone-step-count'), /^In the middle: \d+ cones$/);
+  assert.ok(parseFloat(await page.innerText('#stretch')) <= 15);
+});
+
+/** Cones at the first vertices of an open mesh. */
+const dropCones = (ks) =>
+  drop(it, { 'many.cones.json': JSON.stringify({ format: 'hgp-cones', version: 1, q: 4, cones: ks.map((k, i) => ({ vertex: 5 * i, k })) }) }); // prettier-ignore
+
+test('up to twenty cones are listed, more are counted by angle; a count opens, and what is selected is listed', async () => {
+  const { page } = it;
+  await openCube();
+  await dropCones(Array(20).fill(3));
+  await page.waitForSelector('tr[data-cone="19"]');
+  assert.equal(await page.locator('#cones .kind').count(), 0);
+  await dropCones([...Array(15).fill(3), ...Array(8).fill(5)]);
+  await page.waitForSelector('#cones .kind');
+  const groups = await page.locator('#cones .kind').allInnerTexts();
+  assert.deepEqual(groups.map((text) => text.trim()), ['15 cones of 270°, k = 3', '8 cones of 450°, k = 5']); // prettier-ignore
+  assert.equal(await coneCount(it), 0);
+  await page.click('[data-group="5"] button');
+  assert.equal(await coneCount(it), 8);
+  await page.click('[data-group="5"] button');
+  await page.locator('#view').focus();
+  await page.keyboard.press('n'); // the next cone
+  assert.equal(await coneCount(it), 1);
+  await page.click('tr[data-cone] [aria-label$="delete"]');
+  await page.waitForFunction(() => /14 cones of 270°/.test(document.querySelector('#cones').innerText)); // prettier-ignore
+});
+
+test('the table of cones is one stop for Tab; arrows, Home and End move in it, and a number keeps its arrows', async () => {
+  const { page } = it;
+  await example(it, 'cube');
+  const focused = () =>
+    page.evaluate(() => {
+      const { activeElement: at } = document;
+      return [at.closest('tr')?.dataset.cone, at.getAttribute('aria-label') ?? at.id].join(' ');
+    });
+  await page.locator('#cone-step').focus();
+  await page.keyboard.press('Tab');
+  assert.equal(await focused(), '0 Cone 1: select');
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('ArrowDown');
+  assert.equal(await focused(), '2 Cone 3: select');
+  await page.keyboard.press('End');
+  assert.equal(await focused(), '2 Cone 3: delete');
+  await page.keyboard.press('Home');
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('ArrowRight');
+  assert.equal(await focused(), '2 Cone 3: k');
+  await page.keyboard.press('ArrowUp'); // a larger k
+  assert.equal(await focused(), '2 Cone 3: k');
+  assert.equal(await kOf(it, 2), '4');
+  await page.keyboard.press('Tab');
+  assert.equal(await page.evaluate(() => document.activeElement.closest('table')), null);
+  await page.keyboard.press('Shift+Tab'); // back to where it was
+  assert.equal(await focused(), '2 Cone 3: k');
+});
+
+test('the UV view has a bar as long as it says, in cells, which follows the zoom', async () => {
+  const { page } = it;
+  await example(it, 'cube');
+  await run(it);
+  const bar = async () => {
+    await settled(page);
+    const cells = Number(/^([\d.]+) cells?$/.exec((await page.innerText('.map-scale')).trim())[1]);
+    return (await page.locator('.map-scale i').boundingBox()).width / cells;
+  };
+  await page.waitForSelector('.map-scale');
+  const before = await bar();
+  await page.locator('#map').focus();
+  for (let i = 0; i < 6; i++) await page.keyboard.press('PageUp');
+  const after = await bar();
+  assert.ok(Math.abs((after / before) * 0.85 ** 6 - 1) < 0.05, `${before} to ${after} pixels`);
 });

@@ -91,3 +91,18 @@ export function cubesOnAnEdge() {
   }
   return `${[...lines, ...faces].join('\n')}\n`;
 }
+
+/** A ball with bumps: where they are low, few cones map it well; where they are high, more are needed. */
+export function bumpyBall(n, height, waves) {
+  const mesh = cubeMesh(n);
+  const middle = [0, 1, 2].map(
+    (i) => mesh.vertices.reduce((sum, p) => sum + p[i], 0) / mesh.vertices.length,
+  );
+  for (const p of mesh.vertices) {
+    const away = p.map((x, i) => x - middle[i]);
+    const [x, y, z] = away.map((d) => d / Math.hypot(...away));
+    const r = 1 + height * Math.sin(waves * x) * Math.sin(waves * y + 1) * Math.cos(waves * z);
+    [x, y, z].forEach((d, i) => (p[i] = d * r));
+  }
+  return mesh;
+}

@@ -116,6 +116,7 @@ test('two fingers in the UV view: dragging moves it, spreading enlarges it', asy
   await page.selectOption('#pattern', 'plain');
   await page.tap('#view-options [popovertargetaction="hide"]');
   await page.click('#tab-map');
+  await page.evaluate(() => (document.querySelector('hgp-map-scale').hidden = true));
   await settled(page);
   const touch = await fingers();
   const box = await page.locator('#map').boundingBox();

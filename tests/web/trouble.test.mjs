@@ -114,7 +114,7 @@ test('components that touch are joined by one click where a note says so', async
   };
   await openFiles(it, { 'halves.obj': toObj(mesh) });
   const panel = page.locator('#panel-model');
-  assert.match(await panel.innerText(), /joining these makes 1 of 2 components/);
+  assert.match(await panel.innerText(), /joining would make 2 parts into 1/);
   assert.doesNotMatch(await panel.innerText(), /--/);
   await page.click('#weld-now');
   await statusSays(it, /Done: join equal positions/);

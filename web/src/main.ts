@@ -150,6 +150,7 @@ function connectViews(
   const uv = new UvView(page.querySelector<HTMLCanvasElement>('#map')!);
   model.onContext = uv.onContext = sayContext;
   app.views = { model, uv };
+  uv.onScale = (pixels) => (ui.mapScale = pixels);
   const onSurface = (): void => {
     keyboard.reset();
     ui.handlesShown = false;

@@ -26,7 +26,7 @@ test('every code has a sentence on the page, and only advice for the command lin
 test('notes name buttons of the page instead of options of the command line', () => {
   assert.equal(
     noteForPage(equal),
-    '2 vertices have the position of another one; joining these makes 12 of 14 components',
+    '2 vertices have the position of another one; joining would make 14 parts into 12',
   );
   assert.match(
     noteForPage(crack),

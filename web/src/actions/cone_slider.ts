@@ -4,12 +4,9 @@
 import type { Cones } from 'hgp';
 import type { Surface } from '../model/types';
 import type { App } from './app';
+import { ways } from './cone_steps';
 import { isLocked } from './job';
 import { chooseCones, placeCones } from './solve';
-
-/** The ends and the middle are the solver's criteria; the steps between have intermediate numbers of cones. */
-const ways = ['few', undefined, 'balanced', undefined, 'low-distortion'] as const;
-export const coneSteps = ways.length;
 
 const known = new WeakMap<Surface, Map<string, Cones>>();
 const keyOf = (q: number, step: number): string => `${q} ${step}`;

@@ -29,7 +29,9 @@ import { describeError } from '../text/error_messages';
 import { count, plural } from '../text/format';
 import { repairsMade } from '../text/repairs';
 import { describeLines, solveAligned } from './align';
+import { solveAutomatic } from './automatic';
 import { solverOf, type App } from './app';
+import { balancedStep } from './cone_steps';
 import { copyCommand } from './copy_command';
 import { setPrescription } from './edit_cones';
 import { isLocked, runJob, stageStart, type JobCall, type JobOutcome } from './job';
@@ -106,7 +108,9 @@ export function placeCones(app: App, cones: Cones): void {
 export async function suggestCones(app: App): Promise<void> {
   if (isLocked(app)) return;
   const cones = await chooseCones(app);
-  if (cones) placeCones(app, cones);
+  if (!cones) return;
+  placeCones(app, cones);
+  app.doc.coneStep = balancedStep;
 }
 
 const usesField = ({ doc }: App): boolean => doc.solve.frames === 'file' && doc.field !== undefined;
@@ -134,7 +138,11 @@ async function solve(app: App, model: Model, output: Output, call: JobCall): Pro
   const framed = usesField(app) ? { frames, field: doc.field } : {};
   const isAutomatic = !usesField(app) && doc.needsCones;
   const what = isAutomatic ? { q } : { cones: toCones(doc.prescription), ...framed };
-  const { map, cells } = await solveAligned(app, model, { ...what, ...options }, call);
+  const all = { ...what, ...options };
+  const { map, cells, step } = isAutomatic
+    ? await solveAutomatic(app, model, all, call)
+    : { ...(await solveAligned(app, model, all, call)), step: doc.coneStep };
+  doc.coneStep = step;
   const prescription = isAutomatic
     ? fromCones(map.cones, turnings.length, handles.length)
     : doc.prescription;
@@ -311,7 +319,7 @@ export async function run(app: App): Promise<RunOutcome> {
   }
   const model = doc.usableModel!;
   const isOpen = doc.needsCones && !usesField(app);
-  return running(app, isOpen ? 'Choosing cones and running' : 'Running', async (call) => {
+  return running(app, 'Running', async (call) => {
     const solution = await solve(app, model, doc.displayed?.output ?? plainOutput, call);
     doc.job = undefined;
     if (isOpen) setPrescription(app, solution.prescription, 'suggest cones');

@@ -8,6 +8,7 @@ import { actionForKey, isDialogOpen, keyOf, perform } from '../actions/registry'
 import { clearHighlight } from '../actions/view';
 import { defectDegrees } from '../model/surface';
 import type { Message } from '../model/types';
+import { wholeDegrees } from '../text/format';
 
 const turn = Math.PI / 18;
 const arrows: Record<string, [number, number]> = {
@@ -162,7 +163,7 @@ export class Keyboard {
     const { doc } = this.#app;
     const surface = doc.model?.surface;
     if (!surface) return;
-    const degrees = defectDegrees(surface, vertex).toFixed(0).replace('-', '−');
+    const degrees = wholeDegrees(defectDegrees(surface, vertex));
     const where = surface.isBoundary[vertex] ? ', on the boundary' : '';
     const valence = surface.valence[vertex];
     doc.say(`${before}vertex ${vertex}, valence ${valence}, ${degrees}° defect${where}`);

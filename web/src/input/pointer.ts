@@ -10,7 +10,7 @@ import { clearHighlight } from '../actions/view';
 import { isAligned } from '../model/grid';
 import { defectDegrees, scaleAt } from '../model/surface';
 import type { Surface } from '../model/types';
-import { timesText } from '../text/format';
+import { timesText, wholeDegrees } from '../text/format';
 import type { Hit } from '../views/canvas_view';
 import type { ModelView } from '../views/model_view';
 import type { UvView } from '../views/uv_view';
@@ -273,10 +273,7 @@ export class Pointer {
   #vertexText({ vertex, triangle }: Hit, surface: Surface): string {
     const cone = this.#app.doc.prescription.cones.findIndex((one) => one.vertex === vertex);
     const at = cone >= 0 ? `Cone ${cone + 1} · v` : 'v';
-    const degrees = defectDegrees(surface, vertex)
-      .toFixed(0)
-      .replace(/^-0$/, '0')
-      .replace('-', '−');
+    const degrees = wholeDegrees(defectDegrees(surface, vertex));
     return `${at} ${vertex} · valence ${surface.valence[vertex]} · curvature ${degrees}°${this.#sizeText(triangle, surface)}`;
   }
 

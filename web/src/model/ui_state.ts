@@ -43,8 +43,14 @@ interface Fields {
   /** Width of the 3D view in percent of both views. */
   split: number;
   mostRows: number;
+  /** The values of k whose cones are listed, where there are so many cones that the table counts them. */
+  openGroups: ReadonlySet<number>;
+  /** Pixels per unit of uv in the UV view. */
+  mapScale: number;
   sort: { by: SortKey; isDown: boolean };
   isPhone: boolean;
+  /** Whether there is no room for all tools beside the panels, as on a phone or at a large zoom. */
+  isNarrow: boolean;
   isSystemDark: boolean;
   handlesShown: boolean;
   /** The program for which downloads are made. */
@@ -61,6 +67,7 @@ export class UiState extends storeOf<Fields>() {
 
   constructor() {
     const phone = matchMedia('(max-width: 640px)'); // as in narrow.css
+    const narrow = matchMedia('(max-width: 900px)');
     const dark = matchMedia('(prefers-color-scheme: dark)');
     super({
       tool: 'orbit',
@@ -72,8 +79,11 @@ export class UiState extends storeOf<Fields>() {
       hasKeys: stored('hgp-keys') !== 'off',
       split: 58,
       mostRows: 60,
+      openGroups: new Set(),
+      mapScale: 0,
       sort: { by: 'number', isDown: false },
       isPhone: phone.matches,
+      isNarrow: narrow.matches,
       isSystemDark: dark.matches,
       handlesShown: false,
       target: targetIds.find((id) => id === stored('hgp-target')) ?? 'blender',
@@ -81,6 +91,7 @@ export class UiState extends storeOf<Fields>() {
       now: performance.now(),
     });
     phone.addEventListener('change', ({ matches }) => (this.isPhone = matches));
+    narrow.addEventListener('change', ({ matches }) => (this.isNarrow = matches));
     dark.addEventListener('change', ({ matches }) => (this.isSystemDark = matches));
     document.documentElement.dataset.theme = this.theme;
   }

@@ -75,13 +75,15 @@ function areaRow({ stored }: Certificate, least: LeastArea): VerdictRow {
 /** Triangles of the file that were verified with another orientation, or not at all. */
 function outsideRow({ stored }: Certificate): VerdictRow[] {
   const { triangles: all, verified, duplicates, zeroArea, reversed, splitVertices } = stored;
-  const counts: [number, string][] = [
-    [reversed, 'wound the other way in the file'],
-    [duplicates, 'copies of others'],
-    [zeroArea, 'without area'],
-    [splitVertices, 'vertices verified as several'],
+  const counts: [number, string, string][] = [
+    [reversed, 'wound the other way in the file', 'wound the other way in the file'],
+    [duplicates, 'a copy of another', 'copies of others'],
+    [zeroArea, 'without area', 'without area'],
+    [splitVertices, 'vertex verified as several', 'vertices verified as several'],
   ];
-  const told = counts.filter(([count]) => count > 0).map(([count, what]) => `${count} ${what}`);
+  const told = counts
+    .filter(([count]) => count > 0)
+    .map(([count, one, more]) => `${count} ${count === 1 ? one : more}`);
   if (told.length === 0) return [];
   const value = `${verified} of ${all} verified`;
   const isGood = verified === all;

@@ -14,6 +14,7 @@ import './cones_panel';
 import './dialogs';
 import './legend';
 import './live_badge';
+import './map_scale';
 import './mesh_strip';
 import './model_panel';
 import './result_panel';
@@ -104,7 +105,8 @@ class AppPage extends Panel {
       <canvas
         id="view"
         tabindex="0"
-        role="img"
+        role="application"
+        aria-roledescription="3D view"
         aria-label=${describeModel(app)}
         aria-describedby="keys"
       ></canvas>
@@ -148,8 +150,14 @@ class AppPage extends Panel {
       data-shown=${ui.tab === 'map'}
       ?hidden=${!hasModel}
     >
-      <canvas id="map" tabindex="0" role="img" aria-label=${label}></canvas>
-      ${doc.displayed ? nothing : html`<p class="hint">The flat map appears here after Run.</p>`}
+      <canvas
+        id="map"
+        tabindex="0"
+        role="application"
+        aria-roledescription="UV view"
+        aria-label=${label}
+      ></canvas>
+      ${doc.displayed ? html`<hgp-map-scale .app=${this.app}></hgp-map-scale>` : html`<p class="hint">The flat map appears here after Run.</p>`}
     </section>`;
   }
 
@@ -158,9 +166,9 @@ class AppPage extends Panel {
     return html`<aside aria-label="Inspector">
       ${sheetHandle(app.ui)}
       <hgp-result-panel .app=${app}></hgp-result-panel>
+      <hgp-solve-panel .app=${app}></hgp-solve-panel>
       <hgp-cones-panel .app=${app}></hgp-cones-panel>
       <hgp-boundaries-panel .app=${app}></hgp-boundaries-panel>
-      <hgp-solve-panel .app=${app}></hgp-solve-panel>
       <hgp-model-panel .app=${app}></hgp-model-panel>
       <p class="note guide">
         <a href="./guide.html">How cones work, and what to do with the result</a>

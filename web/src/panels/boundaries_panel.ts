@@ -96,7 +96,8 @@ class BoundariesPanel extends Panel {
           (n) => void attempt(app, () => setTurning(app, loop, n)),
         )}
         <small
-          >${vertices} vertices · length ${length.toPrecision(3)} · by shape ${natural}${now}</small
+          >${vertices} vertices · length ${length.toPrecision(3)} · by shape
+          ${String(natural).replace('-', '−')}${now}</small
         >
       </div>`;
     });

@@ -3,17 +3,16 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { attempt, type App } from '../actions/app';
-import { coneSteps, knownCount, setConeStep } from '../actions/cone_slider';
-import { deleteCone, select, setK, setOrder } from '../actions/edit_cones';
-import { lookAtCone } from '../actions/view';
+import { knownCount, setConeStep } from '../actions/cone_slider';
+import { coneSteps } from '../actions/cone_steps';
+import { setOrder } from '../actions/edit_cones';
 import { waysToSpend, type ComponentBudget } from '../model/gauss_bonnet';
-import { angleText, indexText } from '../model/prescription';
-import type { SortKey } from '../model/ui_state';
 import { plural } from '../text/format';
 import { actionButton } from './action_button';
 import { icon } from './icons';
 import { keepWhileTyping } from './keep_while_typing';
 import { Panel } from './panel';
+import './cone_table';
 import './cones_panel.css';
 
 const orderNames: [number, string][] = [
@@ -25,6 +24,16 @@ const orderNames: [number, string][] = [
   [8, '8'],
 ];
 const mostBars = 8;
+
+const minus = (n: number): string => String(n).replace('-', '−');
+
+/** What cones are counted in: one turn is cut into q equal parts. */
+function turnsText(q: number, count: number): string {
+  const parts: Record<number, string> = { 1: 'turn', 2: 'half turn', 3: 'third of a turn', 4: 'quarter turn', 5: 'fifth of a turn', 6: 'sixth of a turn', 8: 'eighth of a turn' }; // prettier-ignore
+  const one = parts[q];
+  if (!one) return `× 1/${q} turn`;
+  return count === 1 ? one : one.replace(/^(third|fifth|sixth|eighth)/, '$1s').replace(/turn$/, one.includes('of') ? 'turn' : 'turns'); // prettier-ignore
+}
 
 const stepNames = ['As few as areas allow', 'Few', 'In the middle', 'Many', 'Little distortion'];
 
@@ -53,7 +62,8 @@ class ConesPanel extends Panel {
         ${actionButton(app, 'suggest', { className: 'small' })}
         ${actionButton(app, 'balance', { className: 'small' })}
       </p>
-      ${this.#slider()} ${cones.length > 0 ? this.#table() : nothing}
+      ${this.#slider()}
+      ${cones.length > 0 ? html`<hgp-cone-table .app=${app}></hgp-cone-table>` : nothing}
       <p class="row">
         ${actionButton(app, 'import-cones', { className: 'small', text: 'Import…' })}
         ${actionButton(app, 'export-cones', { className: 'small', text: 'Export' })}
@@ -145,7 +155,10 @@ class ConesPanel extends Panel {
       ];
     }
     return html`<p class="note">
-      No cones yet. <b>Run</b> suggests them; or click the surface with the Place tool (C).
+      No cones yet. <b>Run</b> suggests them; or <span class="for-mouse">click</span
+      ><span class="for-fingers">tap</span> the surface with the Place tool<span class="for-mouse">
+        (C)</span
+      >.
     </p>`;
   }
 
@@ -164,11 +177,11 @@ class ConesPanel extends Panel {
     const open = left > 0 ? `${left} left` : `${-left} too much`;
     const taken = openLoops > 0 && left !== 0 ? `the boundary takes ${left}` : 'balanced';
     const ways = isBalanced ? '' : waysToSpend(left, q);
+    const formula = `Σ(q − k)${turnings.length > 0 ? ' + Σl' : ''} = ${have} of q·χ = ${need}`;
     return html`<div class="budget ${isBalanced ? 'good' : 'open'}" data-left=${left}>
       <p>
-        ${isOnly ? '' : `Component ${component + 1}: `}<span class="sum"
-          >Σ(q − k)${turnings.length > 0 ? ' + Σl' : ''} = <b>${have}</b> of q·χ =
-          <b>${need}</b></span
+        ${isOnly ? '' : `Component ${component + 1}: `}<span class="sum" title=${formula}
+          ><b>${minus(have)}</b> of <b>${minus(need)}</b> ${turnsText(q, need)}</span
         >
         <strong>${icon(isBalanced ? 'check' : 'cross')}${isBalanced ? taken : open}</strong>
       </p>
@@ -180,133 +193,6 @@ class ConesPanel extends Panel {
       ></meter>
       ${ways ? html`<p class="note">Add ${ways}.</p>` : nothing}
     </div>`;
-  }
-
-  /** Indices of the cones in the order of the table. */
-  #sorted(): number[] {
-    const { cones } = this.app.doc.prescription;
-    const { sort } = this.app.ui;
-    const order = cones.map((_, i) => i);
-    if (sort.by === 'vertex') order.sort((a, b) => cones[a].vertex - cones[b].vertex);
-    if (sort.by === 'k') order.sort((a, b) => cones[a].k - cones[b].k || a - b);
-    return sort.isDown ? order.reverse() : order;
-  }
-
-  #column(by: SortKey, title: string): TemplateResult {
-    const { ui } = this.app;
-    const { sort } = ui;
-    const direction = sort.by !== by ? 'none' : sort.isDown ? 'descending' : 'ascending';
-    return html`<th scope="col" aria-sort=${direction}>
-      <button type="button" class="link" data-sort=${by} @click=${() => ui.sortBy(by)}>
-        ${title}${direction === 'none' ? '' : sort.isDown ? ' ↓' : ' ↑'}
-      </button>
-    </th>`;
-  }
-
-  #table(): TemplateResult {
-    const { ui, doc } = this.app;
-    const { cones } = doc.prescription;
-    const shown = this.#sorted().slice(0, ui.mostRows);
-    return html`<div class="scroll">
-        <table id="cones">
-          <thead>
-            <tr>
-              ${this.#column('number', '#')} ${this.#column('vertex', 'Vertex')}
-              ${this.#column('k', 'k')}
-              <th scope="col">Angle</th>
-              <td></td>
-            </tr>
-          </thead>
-          <tbody>
-            ${shown.map((i) => this.#row(i))}
-          </tbody>
-        </table>
-      </div>
-      ${
-        cones.length > shown.length
-          ? html`<p>
-              <button type="button" class="small" @click=${() => (ui.mostRows = Infinity)}>
-                Show all ${cones.length}
-              </button>
-            </p>`
-          : nothing
-      }`;
-  }
-
-  #row(i: number): TemplateResult {
-    const { app } = this;
-    const { doc } = app;
-    const { q, cones } = doc.prescription;
-    const { vertex, k } = cones[i];
-    const state = doc.budget?.cones[i] ?? { isGood: true, text: '' };
-    const name = `Cone ${i + 1}`;
-    const isSelected = i === doc.selected;
-    return html`<tr
-        class="${isSelected ? 'selected' : ''} ${state.isGood ? '' : 'bad'}"
-        data-cone=${i}
-        aria-selected=${isSelected}
-      >
-        <th scope="row">
-          <button
-            type="button"
-            class="link"
-            aria-label="${name}: select"
-            @click=${() => select(app, i)}
-          >
-            <span class="shape" data-sign=${Math.sign(q - k)} aria-hidden="true"></span>${i + 1}
-          </button>
-        </th>
-        <td>${vertex}</td>
-        <td>${this.#stepper(i, k, name)}</td>
-        <td class="angle">${angleText(k, q)}<small>index ${indexText(k, q)}</small></td>
-        <td class="acts">
-          <button
-            type="button"
-            class="only-icon plain"
-            aria-label="${name}: frame"
-            title="Look at it"
-            @click=${() => lookAtCone(app, i)}
-          >
-            ${icon('frame')}
-          </button>
-          <button
-            type="button"
-            class="only-icon plain"
-            aria-label="${name}: delete"
-            @click=${() => void attempt(app, () => deleteCone(app, i))}
-          >
-            ${icon('cross')}
-          </button>
-        </td>
-      </tr>
-      ${
-        state.text === 'ok'
-          ? nothing
-          : html`<tr class="why ${state.isGood ? '' : 'bad'}">
-              <td colspan="5">${state.text}</td>
-            </tr>`
-      }`;
-  }
-
-  #stepper(i: number, k: number, name: string): TemplateResult {
-    const { app } = this;
-    const set = (n: number): void => void attempt(app, () => setK(app, i, n));
-    const typed = (event: Event): void => {
-      set(Number((event.target as HTMLInputElement).value));
-      this.requestUpdate();
-    };
-    return html`<span class="stepper">
-      <button type="button" aria-label="${name}: smaller k" @click=${() => set(k - 1)}>−</button>
-      <input
-        type="number"
-        min="1"
-        inputmode="numeric"
-        aria-label="${name}: k"
-        .value=${keepWhileTyping(String(k))}
-        @change=${typed}
-      />
-      <button type="button" aria-label="${name}: larger k" @click=${() => set(k + 1)}>+</button>
-    </span>`;
   }
 }
 customElements.define('hgp-cones-panel', ConesPanel);

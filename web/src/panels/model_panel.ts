@@ -13,18 +13,33 @@ import { actionButton } from './action_button';
 import { keepWhileTyping } from './keep_while_typing';
 import { Panel } from './panel';
 
-const defectNames: Record<string, string> = {
-  'non-manifold-edge': 'Edges with more than two triangles',
-  'non-manifold-vertex': 'Vertices where fans of triangles touch',
-  'inconsistent-edge': 'Edges between triangles of opposite orientation',
-  'zero-area': 'Triangles without area',
-  'duplicate-face': 'Duplicate triangles',
-  'repeated-vertex': 'Triangles that use a vertex twice',
-  'isolated-vertex': 'Vertices without triangles',
-  'not-finite': 'Positions that are not numbers',
-  extent: 'Too large or too small to compute with',
-  'index-out-of-range': 'Triangles that refer to missing vertices',
+/** Of one, and of several. */
+const defectNames: Record<string, [string, string]> = {
+  'non-manifold-edge': ['Edge with more than two triangles', 'Edges with more than two triangles'],
+  'non-manifold-vertex': [
+    'Vertex where fans of triangles touch',
+    'Vertices where fans of triangles touch',
+  ],
+  'inconsistent-edge': [
+    'Edge between triangles of opposite orientation',
+    'Edges between triangles of opposite orientation',
+  ],
+  'zero-area': ['Triangle without area', 'Triangles without area'],
+  'duplicate-face': ['Duplicate triangle', 'Duplicate triangles'],
+  'repeated-vertex': ['Triangle that uses a vertex twice', 'Triangles that use a vertex twice'],
+  'isolated-vertex': ['Vertex without triangles', 'Vertices without triangles'],
+  'not-finite': ['Position that is not a number', 'Positions that are not numbers'],
+  extent: ['Too large or too small to compute with', 'Too large or too small to compute with'],
+  'index-out-of-range': [
+    'Triangle that refers to a missing vertex',
+    'Triangles that refer to missing vertices',
+  ],
 };
+
+function defectName(kind: string, found: number): string {
+  const [one, several] = defectNames[kind] ?? Array<string>(2).fill(kind.replaceAll('-', ' '));
+  return found === 1 ? one : several;
+}
 
 const repairLabels: Record<Repair, string> = {
   split: 'Split them',
@@ -96,7 +111,7 @@ class ModelPanel extends Panel {
       ${info.defects.map(({ kind, count: found, where, fatal }) => {
         const fix = fatal ? repairFor[kind] : undefined;
         return html`<li class=${fatal ? 'fatal' : ''}>
-          <span><b>${count(found)}</b> ${defectNames[kind] ?? kind.replaceAll('-', ' ')}</span>
+          <span><b>${count(found)}</b> ${defectName(kind, found)}</span>
           <span class="row">
             <button
               type="button"

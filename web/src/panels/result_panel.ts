@@ -27,6 +27,9 @@ import './result_panel.css';
 
 type Fact = [name: string, value: string];
 
+/** "90°", "51.4°" */
+const shortDegrees = (q: number): string => `${Number((360 / q).toFixed(1))}°`;
+
 /** The length of the seams on the surface, in the unit of the file. */
 function seamLength({ seams, result: { positions: p, uvToVertex } }: Solution): number {
   return seams.reduce((sum, { a }) => {
@@ -99,9 +102,14 @@ class ResultPanel extends Panel {
   }
 
   #banner(solution: Solution, isGood: boolean): TemplateResult {
-    const isStale = this.app.doc.current !== solution;
+    const { doc } = this.app;
+    const isStale = doc.current !== solution;
+    const angles =
+      doc.history.undoKind === 'suggest cones'
+        ? `every angle is a multiple of ${shortDegrees(solution.prescription.q)}`
+        : 'every angle is the one you asked for';
     const text = isGood
-      ? 'No triangle is folded, every angle is the one you asked for, every seam fits.'
+      ? `No triangle is folded, ${angles}, every seam fits.`
       : 'This map does not pass. You may look at it and download it as it is.';
     return html`<div class="verdict ${isGood ? 'good' : 'bad'} ${isStale ? 'stale' : ''}">
       ${icon(isGood ? 'check' : 'cross')}

@@ -86,7 +86,7 @@ class SolvePanel extends Panel {
     const automatic = current?.cells ?? automaticCells(model!.surface, prescription.cones.length);
     const cells = this.#dragged ?? grid.cells ?? automatic;
     return html`<div class="row field">
-      <label for="cells">Cells</label>
+      <label for="cells">Cells, about</label>
       <output for="cells" id="cells-shown">${count(cells)}</output>
       <button
         type="button"
@@ -123,7 +123,7 @@ class SolvePanel extends Panel {
     const { doc } = this.app;
     const { mode } = doc.solve.grid;
     return html`<div class="row field">
-      <label for="grid-mode">For</label>
+      <label for="grid-mode">Lines are for</label>
       <select
         id="grid-mode"
         ?disabled=${doc.isBusy}
@@ -148,7 +148,7 @@ class SolvePanel extends Panel {
         ? `, ${cellsPerCone.toFixed(0)} for each cone`
         : '';
       return html`<p class="note" id="grid-outcome">
-        ${count(cells)} cells${each}; one is ${spacing.toPrecision(3)} wide.
+        ${count(cells)} cells${each}; each is ${spacing.toPrecision(3)} units of the file wide.
       </p>`;
     }
     const better = (): void => this.#setGrid({ cells: workingCells });

@@ -15,7 +15,7 @@ class StartPage extends Panel {
       <div class="hero">
         <hgp-turning-model .app=${app}></hgp-turning-model>
         <div class="pitch">
-          <h2>Drop a mesh</h2>
+          <h2><span class="for-mouse">Drop</span><span class="for-fingers">Open</span> a mesh</h2>
           <p class="lead">
             It comes back with texture coordinates that continue across every seam, without folds.
           </p>

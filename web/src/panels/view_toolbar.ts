@@ -40,15 +40,15 @@ const mostSteps = 8; // maximum number of tiles along a cell
 
 const valueOf = (event: Event): string => (event.target as HTMLSelectElement).value;
 
-/** The tools shown directly on a phone; all others are in a menu. */
-const phoneTools = ['orbit', 'place', 'frame'] as const;
-const allTools = [...phoneTools, 'wire', 'seams'] as const;
+/** The tools shown directly where there is little room; all others are in a menu. */
+const fewTools = ['orbit', 'place', 'frame'] as const;
+const allTools = [...fewTools, 'wire', 'seams'] as const;
 
 class ViewToolbar extends Panel {
   override render(): TemplateResult {
     const { app } = this;
-    const { isPhone } = app.ui;
-    const tools = (isPhone ? phoneTools : allTools).map((id) =>
+    const { isNarrow } = app.ui;
+    const tools = (isNarrow ? fewTools : allTools).map((id) =>
       actionButton(app, id, {
         isIconOnly: true,
         domId: id === 'orbit' || id === 'place' ? `tool-${id}` : id,
@@ -62,10 +62,10 @@ class ViewToolbar extends Panel {
         @focusin=${keepRoving}
       >
         <span class="group tools">${tools}</span>
-        ${isPhone ? this.#menuButton() : nothing}
-        ${!isPhone && app.doc.displayed ? html`<span class="group">${this.#looks()}</span>` : nothing}
+        ${isNarrow ? this.#menuButton() : nothing}
+        ${!isNarrow && app.doc.displayed ? html`<span class="group">${this.#looks()}</span>` : nothing}
       </div>
-      ${isPhone ? this.#menu() : nothing}`;
+      ${isNarrow ? this.#menu() : nothing}`;
   }
 
   #menuButton(): TemplateResult {

@@ -32,3 +32,7 @@ export const timesText = (x: number): string =>
   `× ${x < 9.95 ? x.toFixed(1) : count(Math.round(x))}`;
 
 export const signed = (x: number): string => (x < 0 ? `−${(-x).toFixed(2)}` : x.toFixed(2));
+
+/** "−12", "0": an angle in whole degrees. */
+export const wholeDegrees = (x: number): string =>
+  x.toFixed(0).replace(/^-0$/, '0').replace('-', '−');

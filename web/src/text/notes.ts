@@ -8,8 +8,8 @@ const pagePhrases: Phrases = {
     'every face was a component of its own: vertices at equal positions were joined, and {before} components ' +
     'became {after}',
   'weld-would-join':
-    '{vertices|vertex has|vertices have} the position of another one; joining these makes {after} of {before} ' +
-    'components',
+    '{vertices|vertex has|vertices have} the position of another one; joining would make {before} parts into ' +
+    '{after}',
   crack:
     'a crack: [partial:at least ]{vertices} boundary vertices lie within {gap:.3g} of another one; joining vertices ' +
     'closer than {weld:.2g} closes it',
@@ -34,7 +34,7 @@ const pagePhrases: Phrases = {
     'for more cells, or move the slider to Fewer',
   'grid-few-used': 'the default cones have no map on this grid; fewer cones are used instead',
   'write-set-high':
-    'wrote TEXCOORD_{set}; many viewers read TEXCOORD_0 to TEXCOORD_3 only: choose one of those under UV set',
+    'Wrote TEXCOORD_{set}; many viewers read TEXCOORD_0 to TEXCOORD_3 only: choose one of those under UV set',
   'repair-with': '',
   'repair-by-hand': 'No repair removes this; edit the mesh there',
   'raise-bytes': '',
@@ -49,7 +49,7 @@ const defectPhrases: Phrases = Object.fromEntries(
   Object.entries({
     'index-out-of-range': '{count|face names|faces name} a vertex that does not exist',
     'not-finite': '{count|vertex has|vertices have} a position that is not finite',
-    extent: 'the mesh is too large or too small to compute with (1e-100 to 1e18)',
+    extent: 'The mesh is too large or too small to compute with (1e-100 to 1e18)',
     'repeated-vertex': '{count|face names|faces name} one vertex twice',
     'zero-area': '{count|face has|faces have} no area',
     'duplicate-face': '{count|face repeats|faces repeat} another one',

@@ -75,9 +75,15 @@ class Atlas {
     context.clearRect(-side / 2, -side / 2, side, side);
     this.#shape(sign);
     context.lineJoin = 'round';
-    context.lineWidth = isSelected ? 10 : 6;
-    context.strokeStyle = isSelected ? '#ffffff' : '#10161c';
+    // A light rim around the dark one: seen on every background.
+    context.lineWidth = 10;
+    context.strokeStyle = isSelected ? '#ffffff' : 'rgb(255 255 255 / 75%)';
     context.stroke();
+    if (!isSelected) {
+      context.lineWidth = 6;
+      context.strokeStyle = '#10161c';
+      context.stroke();
+    }
     const plain = sign > 0 ? '#ffc23d' : sign < 0 ? '#58b4ff' : '#c9d2db';
     context.fillStyle = isBad ? '#ff7a6e' : plain;
     context.fill();

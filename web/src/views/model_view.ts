@@ -154,7 +154,7 @@ export class ModelView extends CanvasView {
 
   /** Fades the markers after Run, until cones are edited again. */
   setMarkers(areFaded: boolean): void {
-    this.#markers.setStyle(areFaded ? 0.42 : 1, areFaded ? 0.55 : 1);
+    this.#markers.setStyle(areFaded ? 0.46 : 1, areFaded ? 0.8 : 1);
     this.draw();
   }
 

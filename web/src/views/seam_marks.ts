@@ -20,15 +20,31 @@ export const chainColour = (chain: number): Color => hues[chain % hues.length];
 
 const mostTicks = 4;
 
-/** The middle edge of each chain, with the chain. */
-function middles({ chains }: Solution): { seam: number; chain: number }[] {
+/** A chain shorter than this many strokes has none: they would only be scribbles. */
+const shortest = 3;
+
+interface Middle {
+  seam: number;
+  chain: number;
+}
+
+/** The middle edge of each chain that is long enough for strokes of length `stroke`. */
+function middles(
+  { chains }: Solution,
+  stroke: number,
+  lengthOf: (seam: number) => number,
+): Middle[] {
   const of = new Map<number, number[]>();
   chains.forEach((chain, seam) => {
     const list = of.get(chain);
     if (list) list.push(seam);
     else of.set(chain, [seam]);
   });
-  return [...of].map(([chain, seams]) => ({ chain, seam: seams[Math.floor(seams.length / 2)] }));
+  return [...of].flatMap(([chain, seams]) => {
+    const length = seams.reduce((sum, seam) => sum + lengthOf(seam), 0);
+    const enough = shortest * stroke * (1 + (chain % mostTicks) / mostTicks);
+    return length < enough ? [] : [{ chain, seam: seams[Math.floor(seams.length / 2)] }];
+  });
 }
 
 /** Adds marks across the segment a–b; `across` is half a mark as a vector. */
@@ -54,11 +70,17 @@ export function ticksOnSurface(surface: Surface, solution: Solution): Coloured {
   const colours: Color[] = [];
   const at = (v: number): Vector3 => new Vector3().fromArray(surface.places, 3 * v);
   const { uvToVertex } = solution.result;
-  for (const { seam, chain } of middles(solution)) {
-    const [v, w] = solution.seams[seam].a.map((end) => uvToVertex[end]);
+  const half = 0.012 * surface.radius;
+  const endsOf = (seam: number): number[] => solution.seams[seam].a.map((end) => uvToVertex[end]);
+  const lengthOf = (seam: number): number => {
+    const [v, w] = endsOf(seam);
+    return at(v).distanceTo(at(w));
+  };
+  for (const { seam, chain } of middles(solution, 2 * half, lengthOf)) {
+    const [v, w] = endsOf(seam);
     const edge = at(w).sub(at(v));
     const normal = new Vector3().fromArray(surface.normals, 3 * v);
-    const across = normal.cross(edge).setLength(0.006 * surface.radius * 2);
+    const across = normal.cross(edge).setLength(half);
     const count = marks(at(v), at(w), across, chain, points);
     for (let i = 0; i < count; i++) colours.push(chainColour(chain));
   }
@@ -71,7 +93,11 @@ export function ticksInMap(solution: Solution, half: number): Coloured {
   const colours: Color[] = [];
   const { uv } = solution.result;
   const at = (i: number): Vector3 => new Vector3(uv[2 * i], uv[2 * i + 1], 0.002);
-  for (const { seam, chain } of middles(solution)) {
+  const lengthOf = (seam: number): number => {
+    const [i, j] = solution.seams[seam].a;
+    return at(i).distanceTo(at(j));
+  };
+  for (const { seam, chain } of middles(solution, 2 * half, lengthOf)) {
     const { a, b } = solution.seams[seam];
     for (const [i, j] of [a, b]) {
       const edge = at(j).sub(at(i));

@@ -39,6 +39,8 @@ export class UvView extends CanvasView {
   readonly #wire = new Wire(1, false);
   readonly #light = new Lines(4, { order: 6, depth: false });
   readonly #square = new Lines(1.2, { order: 0, depth: false });
+  /** Called with the pixels per unit of uv before every drawing. */
+  onScale?: (pixels: number) => void;
   #surface?: Surface;
   #solution?: Solution;
   readonly #live = new LiveGeometry(true);
@@ -56,6 +58,7 @@ export class UvView extends CanvasView {
     this.#mesh.frustumCulled = false;
     this.#markers.setStyle(0.5, 0.8);
     this.controls = this.#makeControls(canvas);
+    this.beforeDraw(() => this.onScale?.(this.#size.height / (2 * this.#reach)));
     this.#lookAt(0.5, 0.5, 0.6);
   }
 
@@ -171,7 +174,8 @@ export class UvView extends CanvasView {
     setPalette(material, palette);
     material.uniforms.dim.value = isStale ? 0.65 : 0;
     if (look.image && look.image !== this.#image) setImage(material, (this.#image = look.image));
-    this.#square.set(unitSquare, palette.ink);
+    // Of other maps it is any square; the bar says how large one cell is.
+    this.#square.set(solution.output.scale === 'fit' ? unitSquare : [], palette.ink);
     this.#setLines(look, palette, solution);
     this.draw();
   }

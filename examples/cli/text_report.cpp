@@ -107,7 +107,8 @@ std::string measured(const Json& c, const Style& style) {
   if (!c["exactSeams"].is_null() && seams > 0) {
     const long long exact = integer(c, "exactSeams"), whole = integer(c, "integerSeams");
     const std::string value =
-        formatText("%lld of %lld, bit for bit%s", exact, seams,
+        formatText("%lld of %lld, %s%s", exact, seams,
+                   integer(c, "q") % 3 == 0 ? "as points of a triangular lattice" : "bit for bit",
                    whole == seams ? "; integer translations: unit grids meet" : "");
     // Listed only if all seams are exact, because a certified map need not have exact seams.
     if (exact == seams) line(true, "exact seams", value);

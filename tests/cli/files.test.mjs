@@ -450,3 +450,17 @@ test('broken c and sm lines are noted where cones are automatic, refused where a
   const asked = run(['param', 'ball.obj', '-o', 'out.obj', '--cones', broken]);
   assert.equal(asked.code, 3, asked.err);
 });
+
+test('for q = 3 and 6 every stored seam is exact between the points of a triangular lattice', () => {
+  put('octahedron.obj', octahedron);
+  for (const q of ['3', '6'])
+    for (const output of ['sixths.obj', 'sixths.glb']) {
+      const solved = run(['param', 'octahedron.obj', '--q', q, '-o', output]);
+      assert.equal(solved.code, 0, solved.err);
+      const { code, out } = run(['verify', output, '--q', q, '--json', '-']);
+      assert.equal(code, 0, output);
+      const { exactSeams, seamEdges } = JSON.parse(out);
+      assert.ok(seamEdges > 2, output);
+      assert.equal(exactSeams, seamEdges, output);
+    }
+});

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "hgp/verify/lattice_points.h"
+
 namespace hgp {
 namespace {
 
@@ -45,10 +47,43 @@ Translation translation(int turn, const Vec2& from, const Vec2& to) {
   return {sumOf(to[0], -p[0]), sumOf(to[1], -p[1])};
 }
 
+LatticePoint difference(const LatticePoint& p, const LatticePoint& q) {
+  return {p.a - q.a, p.b - q.b};
+}
+
+/// n 2^exponent is an integer.
+bool isWhole(std::int64_t n, int exponent) {
+  const double value = std::ldexp(static_cast<double>(n), exponent);
+  return value == std::rint(value);
+}
+
+ExactSeamFacts onTriangularLattice(const TriMesh& mesh, int q, const CornerUv& uv,
+                                   const SeamFacts& seams) {
+  ExactSeamFacts facts;
+  facts.isApplicable = facts.isTriangular = true;
+  const std::optional<LatticePoints> points = latticePoints(uv);
+  for (const MeasuredSeam& seam : seams.seams) {
+    const HalfedgeId h = mesh.halfedge(seam.edge), twin = mesh.twin(h);
+    const auto translation = [&](HalfedgeId from, HalfedgeId to) {
+      const auto& corner = points->corner;
+      return difference(corner[at(to.i)], turnedBySixths(seam.r * (6 / q), corner[at(from.i)]));
+    };
+    if (!points || translation(h, TriMesh::next(twin)) != translation(TriMesh::next(h), twin)) {
+      facts.inexact.push_back(seam.edge);
+      continue;
+    }
+    ++facts.exact;
+    const LatticePoint t = translation(h, TriMesh::next(twin));
+    facts.integer += isWhole(t.a, points->exponent) && isWhole(t.b, points->exponent);
+  }
+  return facts;
+}
+
 }  // namespace
 
 ExactSeamFacts measureExactSeams(const TriMesh& mesh, int q, const CornerUv& uv,
                                  const SeamFacts& seams) {
+  if (q == 3 || q == 6) return onTriangularLattice(mesh, q, uv, seams);
   ExactSeamFacts facts;
   facts.isApplicable = q == 1 || q == 2 || q == 4;
   if (!facts.isApplicable) return facts;

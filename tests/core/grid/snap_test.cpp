@@ -138,11 +138,61 @@ TEST(SeamSnapper, TrianglesThatRoundingFlipsAreRepairedWithAllCopies) {
   EXPECT_GT(repaired, 0);
 }
 
+/// Points of 2^exponent Z[ω], read back from uv with the arithmetic of this test: u = a − b/2, v = b √3/2.
+std::vector<Eisenstein> trianglePoints(const std::vector<Vec2>& uv, int exponent,
+                                       const StoredNumbers& numbers) {
+  std::vector<Eisenstein> points;
+  for (const Vec2& z : uv) {
+    double v = z[1];
+    if (numbers.digits == 24) v = 1.0 - static_cast<double>(static_cast<float>(1.0 - v));
+    const double halves = std::ldexp(z[0], 1 - exponent);
+    const auto b = std::llround(std::ldexp(v, -exponent) * 2.0 / std::sqrt(3.0));
+    const auto m = std::llround(halves);
+    EXPECT_EQ(halves, std::rint(halves));
+    EXPECT_EQ((m + b) % 2, 0);
+    points.push_back({(m + b) / 2, b});
+  }
+  return points;
+}
+
+TEST(SeamSnapper, SeamsOfSixthsAreExactBetweenLatticePoints) {
+  for (const test::Shape& shape : shapes())
+    for (int q : {3, 6}) {
+      const Solved s = solve(shape, q);
+      const auto snapper = SeamSnapper::make(s.mesh, s.run.map, q, s.cones);
+      ASSERT_TRUE(snapper) << shape.name;
+      for (const StoredNumbers& numbers : {StoredNumbers{53, false}, StoredNumbers{24, true}}) {
+        int exponent = snapper->firstExponent(s.run.map.uv, numbers);
+        auto snapped = snapper->snap(s.run.map.uv, exponent, numbers);
+        if (!snapped) snapped = snapper->snap(s.run.map.uv, ++exponent, numbers);
+        ASSERT_TRUE(snapped) << shape.name;
+        EXPECT_TRUE(snapped->notPositive.empty()) << shape.name;
+        for (std::size_t c = 0; c < snapped->uv.size(); ++c)
+          for (std::size_t k = 0; k < 2; ++k)
+            EXPECT_NEAR(snapped->uv[c][k], s.run.map.uv[c][k], std::ldexp(80.0, exponent));
+        const std::vector<Eisenstein> points = trianglePoints(snapped->uv, exponent, numbers);
+        const auto corner = [&](HalfedgeId h) {
+          return points[at(s.run.map.cornerUv[at(h.i / 3)][at(h.i % 3)])];
+        };
+        for (EdgeId e : s.mesh.edges()) {
+          const HalfedgeId h = s.mesh.halfedge(e), twin = s.mesh.twin(h);
+          if (!twin.isValid()) continue;
+          const Eisenstein left = corner(TriMesh::next(h)) - corner(h);
+          const Eisenstein right = corner(twin) - corner(TriMesh::next(twin));
+          bool isTurned = false;
+          for (int r = 0; r < 6; r += 6 / q)
+            isTurned = isTurned || Eisenstein::turned(r) * left == right;
+          EXPECT_TRUE(isTurned) << shape.name << " q = " << q << " edge " << e.i;
+        }
+      }
+    }
+}
+
 TEST(SeamSnapper, OtherOrdersAndForeignCopiesAreLeftAlone) {
   const TriMesh mesh = test::torus(5, 4).mesh();
   UvMap map = test::flatTorusMap(5, 4);
-  EXPECT_FALSE(SeamSnapper::make(mesh, map, 3, {}));
-  EXPECT_FALSE(SeamSnapper::make(mesh, map, 6, {}));
+  EXPECT_FALSE(SeamSnapper::make(mesh, map, 5, {}));
+  EXPECT_FALSE(SeamSnapper::make(mesh, map, 8, {}));
   map.cornerUv[0][0] = map.cornerUv[0][1];
   EXPECT_FALSE(SeamSnapper::make(mesh, map, 4, {}));
   map.cornerUv[0][0] = -1;

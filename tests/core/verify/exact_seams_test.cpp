@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <numbers>
 
 #include "hgp/verify/certificate.h"
 #include "support/maps.h"
@@ -68,11 +70,62 @@ TEST(ExactSeams, TranslationsThatAreEqualOnlyWhenRoundedAreInexact) {
   EXPECT_EQ(after.inexact.size(), 2u);  // the two seam edges at this vertex
 }
 
-TEST(ExactSeams, OtherOrdersHaveNoExactCoordinates) {
+/// The torus of 5 × 4 parallelograms with corners a + bω, as it is stored in one of the formats.
+UvMap triangularMap(double scale, const std::function<double(double)>& stored) {
+  UvMap map = test::flatTorusMap(5, 4);
+  for (Vec2& p : map.uv) {
+    const double a = p[0], b = p[1];
+    p = {scale * (a - 0.5 * b), stored(scale * (b * (0.5 * std::numbers::sqrt3)))};
+  }
+  return map;
+}
+
+TEST(ExactSeams, OfSixthsHoldBetweenThePointsOfATriangularLattice) {
+  const TriMesh mesh = test::torus(5, 4).mesh();
+  // As doubles and as float32 on a grid, on which 1 − v is exact as well.
+  const std::vector<std::function<double(double)>> formats = {
+      [](double v) { return v; }, [](double v) { return 0x1p-20 * std::nearbyint(0x1p20 * v); }};
+  for (int q : {3, 6})
+    for (const auto& stored : formats) {
+      const ExactSeamFacts whole = factsOf(mesh, triangularMap(1.0, stored), q);
+      EXPECT_TRUE(whole.isApplicable && whole.isTriangular);
+      EXPECT_TRUE(whole.inexact.empty());
+      EXPECT_EQ(whole.exact, 5 + 4);
+      EXPECT_EQ(whole.integer, whole.exact);
+      const ExactSeamFacts small = factsOf(mesh, triangularMap(0x1p-9, stored), q);
+      EXPECT_TRUE(small.inexact.empty());
+      EXPECT_EQ(small.integer, 0);
+    }
+}
+
+TEST(ExactSeams, OneUlpBesideALatticePointIsNoPoint) {
+  const TriMesh mesh = test::torus(5, 4).mesh();
+  const auto asIs = [](double v) { return v; };
+  UvMap off = triangularMap(1.0, asIs);
+  off.uv[7][1] = std::nextafter(off.uv[7][1], 9.0);
+  EXPECT_EQ(factsOf(mesh, off, 6).exact, 0);
+  // A point of the lattice, but not where the other side of the seam has it.
+  UvMap moved = triangularMap(1.0, asIs);
+  const UvMap finer = triangularMap(0x1p-20, asIs);
+  for (std::size_t k = 0; k < 2; ++k) moved.uv[0][k] += finer.uv[1][k] - finer.uv[0][k];
+  const ExactSeamFacts facts = factsOf(mesh, moved, 6);
+  EXPECT_GE(facts.inexact.size(), 1u);
+  EXPECT_LE(facts.inexact.size(), 4u);
+  EXPECT_EQ(facts.exact + static_cast<int>(facts.inexact.size()), 5 + 4);
+}
+
+TEST(ExactSeams, MapsOnNoLatticeHaveNoExactSeamsOfSixths) {
+  const TriMesh mesh = test::torus(5, 4).mesh();
+  UvMap map = triangularMap(1.0, [](double v) { return v; });
+  for (Vec2& p : map.uv) p[0] *= 1.0 / 3.0;
+  EXPECT_EQ(factsOf(mesh, map, 3).exact, 0);
+}
+
+TEST(ExactSeams, OtherOrdersKeepNoLattice) {
   const TriMesh mesh = test::torus(5, 4).mesh();
   const UvMap map = test::flatTorusMap(5, 4);
-  for (int q : {3, 5, 6}) EXPECT_FALSE(factsOf(mesh, map, q).isApplicable);
-  for (int q : {1, 2, 4}) EXPECT_TRUE(factsOf(mesh, map, q).isApplicable);
+  for (int q : {5, 7, 8, 12}) EXPECT_FALSE(factsOf(mesh, map, q).isApplicable);
+  for (int q : {1, 2, 3, 4, 6}) EXPECT_TRUE(factsOf(mesh, map, q).isApplicable);
 }
 
 }  // namespace

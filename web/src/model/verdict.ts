@@ -153,14 +153,15 @@ function seamRows({ certificate }: Solution['result']): VerdictRow[] {
 
 /** Whether both sides of all seams agree exactly, which a certified map does not require. */
 function exactRow({ certificate }: Solution['result']): VerdictRow[] {
-  const { exactSeams, seamEdges } = certificate;
+  const { exactSeams, seamEdges, q } = certificate;
+  const exactly = q % 3 === 0 ? 'as points of a triangular lattice' : 'bit for bit';
   if (exactSeams === null || exactSeams === undefined || seamEdges === 0) return [];
   const value = `${exactSeams} of ${seamEdges}`;
   const isGood = exactSeams === seamEdges;
   const { integerSeams } = certificate;
   const whole = `${integerSeams ?? 0} of ${seamEdges}`;
   return [
-    { name: 'Exact seams', value, tolerance: 'bit for bit', isGood, isFact: true, where: [] },
+    { name: 'Exact seams', value, tolerance: exactly, isGood, isFact: true, where: [] },
     {
       name: 'Lines meet',
       value: whole,

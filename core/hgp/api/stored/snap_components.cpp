@@ -28,8 +28,8 @@ void ComponentSnapper::snap(const StoredNumbers& numbers, std::vector<Vec2>& uv)
     if (!snappers_[p]) continue;
     const std::vector<Vec2> part(begin, begin + count);
     // Rounded copies may exceed the largest exact number: a second attempt uses a coarser grid.
-    for (int exponent = gridExponent(part, numbers), last = exponent + 1; exponent <= last;
-         ++exponent) {
+    for (int exponent = snappers_[p]->firstExponent(part, numbers), last = exponent + 1;
+         exponent <= last; ++exponent) {
       const std::optional<SnappedMap> snapped = snappers_[p]->snap(part, exponent, numbers);
       if (!snapped) continue;
       std::copy(snapped->uv.begin(), snapped->uv.end(), begin);

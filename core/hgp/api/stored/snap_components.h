@@ -15,7 +15,7 @@ class ComponentSnapper {
   ComponentSnapper(const Model& model, const std::vector<ComponentMap>& components);
 
   /// Rounds the uv of all components in order, each on its own grid. A component stays unchanged if its q
-  /// has no exact rotations (3, 5, 6, …) or if it was left out.
+  /// has no lattice (5, 7, 8, …) or if it was left out.
   void snap(const StoredNumbers& numbers, std::vector<Vec2>& uv) const;
 
   /// Excludes a component that rounding breaks: snap() does not change it any more.

@@ -103,11 +103,11 @@ export interface Certificate {
    */
   brokenSeams: number;
   /**
-   * seam edges whose two sides satisfy z' = i^r z + t exactly in the stored numbers; null unless q is 1, 2 or 4
+   * seam edges whose two sides satisfy z' = e^{i2πr/q} z + t exactly: in the stored numbers for q = 1, 2, 4, between the points of the triangular lattice that they stand for where q = 3, 6; null for other q
    */
   exactSeams: number | null;
   /**
-   * of exactSeams, those with an integer translation: a grid of unit squares continues across them
+   * of exactSeams, those with an integer translation: a grid of unit squares (q = 3, 6: unit triangles) continues across them
    */
   integerSeams: number | null;
   /**
@@ -387,7 +387,7 @@ export interface Certificate {
        */
       broken: number;
       /**
-       * seam edges that hold without any rounding; null unless q is 1, 2 or 4
+       * seam edges that hold without any rounding, as exactSeams says; null unless q is 1, 2, 3, 4 or 6
        */
       exact?: number | null;
       /**

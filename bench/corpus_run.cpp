@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "files.h"
+#include "hgp/api/option_words.h"
 #include "hgp/api/session.h"
 
 namespace hgp::bench {

@@ -18,19 +18,23 @@ namespace {
 class Session {
  public:
   val load(const std::string& name, const val& names, const val& contents, const val& decoders,
-           const val& options) {
+           const std::string& options) {
     return guarded([&] {
+      const auto asked = api::optionsFromJson<api::LoadOptions>(options);
+      if (!asked) return failed(asked.error());
       io::FileSet files = toFileSet(name, names, contents);
       files.decoders = toDecoders(decoders);
-      return afterLoad(session_.load(std::move(files), toLoadOptions(options)));
+      return afterLoad(session_.load(std::move(files), *asked));
     });
   }
 
-  val loadMesh(const val& positions, const val& triangles, const val& options) {
+  val loadMesh(const val& positions, const val& triangles, const std::string& options) {
     return guarded([&] {
+      const auto asked = api::optionsFromJson<api::LoadOptions>(options);
+      if (!asked) return failed(asked.error());
       return afterLoad(session_.loadArrays(toRows<Vec3>(toVector<double>(positions)),
                                            toRows<std::array<int, 3>>(toVector<int>(triangles)),
-                                           toLoadOptions(options)));
+                                           *asked));
     });
   }
 
@@ -71,31 +75,39 @@ class Session {
     });
   }
 
-  val suggestCones(const val& options, const val& onProgress) const {
-    return guarded(
-        [&] { return replyText(session_.suggest(toSolveOptions(options, onProgress))); });
+  val suggestCones(const std::string& options, const val& onProgress) const {
+    return guarded([&] {
+      const auto how = toSolveOptions(options, onProgress);
+      return how ? replyText(session_.suggest(*how)) : failed(how.error());
+    });
   }
 
-  val parametrize(const std::string& cones, const val& options, const val& onProgress) {
+  val parametrize(const std::string& cones, const val& field, const std::string& options,
+                  const val& onProgress) {
     return guarded([&] {
-      const MaybePrescription asked = toPrescription(cones, options);
+      const MaybePrescription asked = toPrescription(cones, field);
       if (!asked) return failed(asked.error());
-      const Status done = session_.parametrize(*asked, toSolveOptions(options, onProgress));
+      const auto how = toSolveOptions(options, onProgress);
+      if (!how) return failed(how.error());
+      const Status done = session_.parametrize(*asked, *how);
       return done ? result() : failed(done.error());
     });
   }
 
-  val verify(const std::string& cones, const val& options) const {
+  val verify(const std::string& cones, const val& field, const std::string& options) const {
     return guarded([&] {
-      const MaybePrescription asked = toPrescription(cones, options);
+      const MaybePrescription asked = toPrescription(cones, field);
       if (!asked) return failed(asked.error());
-      return replyVerdict(session_.verify(*asked, toVerifyOptions(options)));
+      const auto how = api::optionsFromJson<api::VerifyOptions>(options);
+      return how ? replyVerdict(session_.verify(*asked, *how)) : failed(how.error());
     });
   }
 
-  val write(const val& options) const {
+  val write(const std::string& options) const {
     return guarded([&] {
-      const Result<api::WrittenMap> written = session_.write(toWriteOptions(options));
+      const auto how = api::optionsFromJson<api::WriteOptions>(options);
+      if (!how) return failed(how.error());
+      const Result<api::WrittenMap> written = session_.write(*how);
       if (!written) return failed(written.error());
       val reply = val::object();
       reply.set("files", toFiles(written->files));

@@ -18,8 +18,9 @@ double milliseconds(const Do& what) {
 }
 
 /// The prescription with a cone one edge beside where it is, as a drag gives it; empty where no cone can be there.
-Result<io::Prescription> movedCone(api::Session& session, int cone, const api::SurfaceFacts& facts,
-                                   stress::Random& random, std::vector<double>& dropped) {
+Result<prescription::Prescription> movedCone(api::Session& session, int cone,
+                                             const api::SurfaceFacts& facts, stress::Random& random,
+                                             std::vector<double>& dropped) {
   Result<api::LiveDrag> drag = api::LiveDrag::begin(session, cone);
   if (!drag) return drag.error();
   const auto v = static_cast<std::size_t>(cone);
@@ -48,7 +49,7 @@ Result<EditRow> editsOf(const std::string& file, int moves, unsigned seed) {
   Status done = Done{};
   row.first = milliseconds([&] { done = session.parametrize(std::nullopt, {}); });
   if (!done) return done.error();
-  const Result<io::Prescription> cones =
+  const Result<prescription::Prescription> cones =
       api::readPrescription("cones.json", session.conesJson(), 4);
   const Result<api::SurfaceFacts> facts = session.facts();
   if (!cones || !facts || cones->cones.empty())
@@ -58,7 +59,7 @@ Result<EditRow> editsOf(const std::string& file, int moves, unsigned seed) {
   for (int i = 0; i < moves; ++i) {
     if (!session.use(start)) break;
     const auto n = static_cast<std::size_t>(random.below(static_cast<int>(cones->cones.size())));
-    const Result<io::Prescription> moved =
+    const Result<prescription::Prescription> moved =
         movedCone(session, cones->cones[n].vertex, *facts, random, row.dropped);
     if (!moved) continue;
     row.moved.push_back(milliseconds([&] { done = session.parametrize(*moved, {}); }));

@@ -17,8 +17,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-io::Prescription asPrescription(const HolonomySpec& spec) {
-  io::Prescription out;
+prescription::Prescription asPrescription(const HolonomySpec& spec) {
+  prescription::Prescription out;
   out.q = spec.q;
   out.hasCones = true;
   for (const ConePoint& c : spec.cones) out.cones.push_back({c.vertex.i, c.k, {}});
@@ -81,7 +81,7 @@ void solve(Row& row, const Task& task, const RunOptions& options) {
   solve.progress = [&](const ProgressReport&) {
     return bench::processorSeconds() - start < options.timeLimit;
   };
-  std::optional<io::Prescription> asked;
+  std::optional<prescription::Prescription> asked;
   if (task.spec) asked = asPrescription(*task.spec);
   const Status solved = session.parametrize(asked, solve);
   row.seconds = bench::processorSeconds() - start;
@@ -148,7 +148,8 @@ std::string saveReproducer(const Task& task, const RunOptions& options, const st
   std::string command = "hgp param " + path + ".obj -o out.obj";
   if (task.spec) {
     if (saved)
-      saved = cli::writeText(path + ".cones.json", io::writeConesJson(asPrescription(*task.spec)));
+      saved = cli::writeText(path + ".cones.json",
+                             prescription::writeConesJson(asPrescription(*task.spec)));
     command += " --cones " + path + ".cones.json";
   }
   if (options.solve.improve) command += " --improve isometric";

@@ -16,9 +16,10 @@ namespace hgp {
 
 /// Options of hgp::parametrize(V, F).
 struct MatrixOptions {
-  api::LoadOptions load;                         ///< repairs, welding, limits
-  api::SolveOptions solve;                       ///< order q, number of cones, scale …
-  std::optional<io::Prescription> prescription;  ///< cones, turnings, handles; none: automatic
+  api::LoadOptions load;    ///< repairs, welding, limits
+  api::SolveOptions solve;  ///< order q, number of cones, scale …
+  /// Cones, turnings, handles; none: automatic.
+  std::optional<prescription::Prescription> prescription;
 };
 
 /// A map of the rows of `F`, the triangles as they were solved: those of the given F without the ones that are no
@@ -34,8 +35,7 @@ struct MatrixMap {
   Eigen::VectorXi uvToVertex;  ///< #uv: the row of V of each row of UV
   Eigen::MatrixXi seams;  ///< #seam edges × 5: rows of UV of both sides in the same order, r ∈ Z_q
   bool isCertified = false;
-  api::MapFacts
-      facts;  ///< the certificate as numbers: cones, turnings, handles and reasons by component
+  api::MapFacts facts;  ///< the certificate as numbers, by component
   std::string
       report;  ///< JSON, docs/schema/hgp-report.schema.json: cones, certificate, rounds, notes
 };

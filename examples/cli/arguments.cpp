@@ -7,10 +7,11 @@
 
 #include "also.h"
 #include "files.h"
+#include "hgp/api/option_words.h"
 #include "hgp/api/session.h"
 #include "hgp/api/session/side_files.h"
+#include "hgp/text/nearest.h"
 #include "manual.h"
-#include "nearest.h"
 #include "option_table.h"
 
 namespace hgp::cli {
@@ -123,7 +124,7 @@ class Parser {
       if (sub->get_name() == words_.topic) return helpOf(*sub, "hgp");
       names.push_back(sub->get_name());
     }
-    const std::string nearest = nearestOf(words_.topic, names);
+    const std::string nearest = text::nearestOf(words_.topic, names);
     throw CLI::ValidationError("help",
                                "there is no command '" + words_.topic + "'" +
                                    (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
@@ -138,10 +139,8 @@ class Parser {
     if (!words_.fix.empty()) takeFix(words_.fix, out_.load.fix);
     if (words_.fix == "none") out_.load.isStrict = true;
     takeMesh();
-    if (words_.weld == "exact") {
-      out_.load.weld = 0;
-    } else if (words_.weld == "none") {
-      out_.load.weld = api::LoadOptions::kWeldNever;
+    if (const auto weld = api::weldNamed(words_.weld)) {
+      out_.load.weld = *weld;
     } else if (!words_.weld.empty()) {
       if (!CLI::detail::lexical_cast(words_.weld, out_.load.weld) || !(out_.load.weld >= 0) ||
           !std::isfinite(out_.load.weld)) {
@@ -160,13 +159,7 @@ class Parser {
     for (const std::string& c : words_.cone) out_.cone.push_back(takePair(c, "--cone"));
     for (const std::string& t : words_.turning) out_.turning.push_back(takePair(t, "--turning"));
     for (const std::string& h : words_.handle) out_.handle.push_back(takePair(h, "--handle"));
-    if (words_.boundary == "convex") out_.solve.boundary = api::BoundaryKind::kConvex;
-    if (const auto method = methodNamed(words_.method)) out_.solve.method = *method;
-    if (const auto choice = conesForNamed(words_.conesFor)) out_.solve.conesFor = *choice;
-    if (words_.frames == "file") out_.solve.frames = api::FrameSource::kFile;
-    if (words_.scale == "unit") out_.solve.scale = api::Scale::kUnit;
-    if (words_.scale == "fit") out_.solve.scale = api::Scale::kFit;
-    if (words_.gridMode == "quad") out_.solve.grid.mode = GridMode::kQuad;
+    takeWords(out_.solve);
     if (out_.q) out_.solve.q = out_.verify.q = *out_.q;
     if (out_.command == Command::kQuads) {
       out_.solve.grid.mode = GridMode::kQuad;
@@ -174,6 +167,15 @@ class Parser {
     }
     if (out_.command == Command::kParam) out_.load.target = targetOf(out_.output);
     refuseContradictions();
+  }
+
+  void takeWords(api::SolveOptions& o) const {
+    o.boundary = api::boundaryNamed(words_.boundary).value_or(o.boundary);
+    o.method = methodNamed(words_.method).value_or(o.method);
+    o.conesFor = conesForNamed(words_.conesFor).value_or(o.conesFor);
+    o.frames = api::framesNamed(words_.frames).value_or(o.frames);
+    o.scale = api::scaleNamed(words_.scale).value_or(o.scale);
+    o.grid.mode = api::gridModeNamed(words_.gridMode).value_or(o.grid.mode);
   }
 
   void takeMesh() {
@@ -274,7 +276,7 @@ class Parser {
       const bool isOption = word.compare(0, 2, "--") == 0;
       if (isOption != (&app != &app_)) continue;
       if (std::find(names.begin(), names.end(), word) != names.end()) continue;
-      const std::string nearest = nearestOf(word, names);
+      const std::string nearest = text::nearestOf(word, names);
       if (!nearest.empty()) text += "; did you mean " + nearest + "?";
       break;
     }

@@ -34,7 +34,7 @@ struct Arguments {
   std::optional<int> q;
   bool hasRims = false;                                    ///< --rims
   std::optional<double> creaseDegrees;                     ///< --creases
-  std::vector<io::FeatureMark> marks;                      ///< --marked
+  std::vector<prescription::FeatureMark> marks;            ///< --marked
   std::string features;                                    ///< file
   std::string cones, field, convert;                       ///< files
   std::vector<std::pair<int, int>> cone, turning, handle;  ///< V:K, L:J, G:R

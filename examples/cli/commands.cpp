@@ -183,12 +183,12 @@ class Run {
     return name;
   }
 
-  Result<io::Prescription> readFileOf(const std::string& path) {
+  Result<prescription::Prescription> readFileOf(const std::string& path) {
     Result<io::Bytes> bytes = readFile(path, a_.load.limits.maxBytes);
     if (!bytes) return bytes.error();
     const std::string name = withoutGz(path);
     const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-    Result<io::Prescription> read = api::readPrescription(name, text, a_.q.value_or(4));
+    Result<prescription::Prescription> read = api::readPrescription(name, text, a_.q.value_or(4));
     if (!read) {
       Failure failure = read.error();
       failure.message = path + ": " + failure.message;
@@ -205,7 +205,7 @@ class Run {
   }
 
   /// Adds the features of --rims and --features.
-  Status addFeatures(io::PrescribedFeatures& features) {
+  Status addFeatures(prescription::PrescribedFeatures& features) {
     features.hasRims = features.hasRims || a_.hasRims;
     if (a_.creaseDegrees) features.creaseDegrees = a_.creaseDegrees;
     if (!a_.marks.empty()) features.marks = a_.marks;
@@ -213,7 +213,7 @@ class Run {
     Result<io::Bytes> bytes = readFile(a_.features, a_.load.limits.maxBytes);
     if (!bytes) return bytes.error();
     const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-    Result<io::PrescribedFeatures> read = api::readFeatures(withoutGz(a_.features), text);
+    Result<prescription::PrescribedFeatures> read = api::readFeatures(withoutGz(a_.features), text);
     if (!read) {
       Failure failure = read.error();
       failure.message = a_.features + ": " + failure.message;
@@ -231,15 +231,15 @@ class Run {
   }
 
   /// The prescription from the options; empty if they prescribe nothing.
-  Result<std::optional<io::Prescription>> prescription() {
-    std::optional<io::Prescription> asked;
+  Result<std::optional<prescription::Prescription>> prescription() {
+    std::optional<prescription::Prescription> asked;
     if (!a_.field.empty()) {
-      Result<io::Prescription> field = readFileOf(a_.field);
+      Result<prescription::Prescription> field = readFileOf(a_.field);
       if (!field) return field.error();
       asked = std::move(*field);
     }
     if (!a_.cones.empty()) {
-      Result<io::Prescription> cones = readFileOf(a_.cones);
+      Result<prescription::Prescription> cones = readFileOf(a_.cones);
       if (!cones) return cones.error();
       if (asked) cones = api::withField(std::move(*cones), std::move(*asked));
       if (!cones) return cones.error();
@@ -248,7 +248,7 @@ class Run {
     const bool isTyped =
         !a_.cone.empty() || !a_.turning.empty() || !a_.handle.empty() || hasFeatures();
     if (!asked && !isTyped && !a_.ignoresEmbedded) {
-      Result<std::optional<io::Prescription>> embedded = session_.embeddedCones();
+      Result<std::optional<prescription::Prescription>> embedded = session_.embeddedCones();
       if (!embedded) return embedded.error();
       if (*embedded && (!a_.q || *a_.q == (*embedded)->q)) {
         asked = std::move(**embedded);
@@ -272,9 +272,9 @@ class Run {
   }
 
   int check() {
-    Result<std::optional<io::Prescription>> asked = prescription();
+    Result<std::optional<prescription::Prescription>> asked = prescription();
     if (!asked) return fail(asked.error());
-    io::Prescription empty;
+    prescription::Prescription empty;
     empty.q = a_.q.value_or(4);
     Result<api::Verdict> verdict = session_.check(*asked ? **asked : empty);
     if (!verdict) return fail(verdict.error());
@@ -289,7 +289,7 @@ class Run {
       options.progress = progress_.callback();
       json = session_.suggest(options);
     } else {
-      Result<io::Prescription> read = readFileOf(a_.convert);
+      Result<prescription::Prescription> read = readFileOf(a_.convert);
       if (!read) return fail(read.error());
       json = session_.convert(*read);
     }
@@ -304,7 +304,7 @@ class Run {
   }
 
   int features() {
-    io::Prescription asked;
+    prescription::Prescription asked;
     if (Status done = addFeatures(asked.features); !done) return fail(done.error());
     if (!hasFeatures()) asked.features.creaseDegrees = kCreaseDegrees;
     const bool isFile = !a_.output.empty() && a_.output != "-";
@@ -396,7 +396,8 @@ class Run {
     if (Status possible = api::canWriteQuads(a_.output); !possible && isQuads) {
       return fail(possible.error());
     }
-    Result<std::optional<io::Prescription>> asked = std::optional<io::Prescription>();
+    Result<std::optional<prescription::Prescription>> asked =
+        std::optional<prescription::Prescription>();
     if (a_.solve.boundary == api::BoundaryKind::kFree) asked = prescription();
     if (!asked) return fail(asked.error());
     api::SolveOptions options = a_.solve;
@@ -512,7 +513,7 @@ class Run {
   }
 
   int verify() {
-    Result<std::optional<io::Prescription>> asked = prescription();
+    Result<std::optional<prescription::Prescription>> asked = prescription();
     if (!asked) return fail(asked.error());
     Result<api::Verdict> verdict = session_.verify(*asked, a_.verify);
     if (!verdict) return fail(verdict.error());

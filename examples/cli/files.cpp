@@ -80,7 +80,7 @@ bool isSpecial(const std::string& path) {
   return fs::exists(status) && !fs::is_regular_file(status);
 }
 
-Status writeInto(const std::string& path, const io::Bytes& bytes) {
+Status writeInto(const std::string& path, io::ByteView bytes) {
   std::FILE* file = std::fopen(path.c_str(), "wb");
   if (file == nullptr) return cannot(ErrorCode::kWriteFailed, "write", path);
   std::setvbuf(file, nullptr, _IONBF, 0);
@@ -161,7 +161,13 @@ Status checkFileCount(std::size_t count) {
       {}};
 }
 
-Status writeFiles(const std::string& path, const std::vector<io::OutputFile>& files) {
+/// The name and the bytes of an output, which belong to somebody else.
+struct OutputView {
+  std::string name;
+  io::ByteView bytes;
+};
+
+static Status writeViews(const std::string& path, const std::vector<OutputView>& files) {
   if (path == "-") {
     if (files.size() != 1) {
       return Failure{ErrorCode::kUsage, "write", "several files cannot go to standard output", {}};
@@ -197,6 +203,13 @@ Status writeFiles(const std::string& path, const std::vector<io::OutputFile>& fi
   return Done{};
 }
 
+Status writeFiles(const std::string& path, const std::vector<io::OutputFile>& files) {
+  std::vector<OutputView> views;
+  views.reserve(files.size());
+  for (const io::OutputFile& file : files) views.push_back({file.name, file.bytes});
+  return writeViews(path, views);
+}
+
 Status checkWritable(const std::string& path) {
   if (path.empty() || path == "-") return Done{};
   std::error_code error;
@@ -217,7 +230,8 @@ std::string folderOf(const std::string& path) {
 }
 
 Status writeText(const std::string& path, std::string_view text) {
-  return writeFiles(path, {{path, io::Bytes(text.begin(), text.end())}});
+  return writeViews(path,
+                    {{path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}}});
 }
 
 bool isSameFile(const std::string& a, const std::string& b) {

@@ -91,7 +91,7 @@ Failure cannot(ErrorCode code, const char* what, const std::string& path) {
           {}};
 }
 
-Status writeAll(std::FILE* file, const std::string& path, const io::Bytes& bytes) {
+Status writeAll(std::FILE* file, const std::string& path, io::ByteView bytes) {
   const std::size_t done = std::fwrite(bytes.data(), 1, bytes.size(), file);
   if (done == bytes.size() && std::fflush(file) == 0) return Done{};
 #ifdef EPIPE
@@ -100,7 +100,7 @@ Status writeAll(std::FILE* file, const std::string& path, const io::Bytes& bytes
   return cannot(ErrorCode::kWriteFailed, "write", path);
 }
 
-Status HalfFile::create(const std::string& path, const io::Bytes& bytes) {
+Status HalfFile::create(const std::string& path, io::ByteView bytes) {
   path_ = path;
   if (path.size() + 8 > sizeof halfWritten[0] ||
       static_cast<std::size_t>(halfWrittenCount) >= halfWritten.size()) {

@@ -24,7 +24,7 @@ class SignalBlock {
 };
 
 /// Writes all bytes to an open file. If standard output is closed, the program ends silently, as by SIGPIPE.
-Status writeAll(std::FILE* file, const std::string& path, const io::Bytes& bytes);
+Status writeAll(std::FILE* file, const std::string& path, io::ByteView bytes);
 
 /// A failure with the text of errno.
 Failure cannot(ErrorCode code, const char* what, const std::string& path);
@@ -40,7 +40,7 @@ class HalfFile {
   HalfFile(const HalfFile&) = delete;
   HalfFile& operator=(const HalfFile&) = delete;
 
-  Status create(const std::string& path, const io::Bytes& bytes);
+  Status create(const std::string& path, io::ByteView bytes);
   Status keep();
   /// Call when all files of a result have been kept.
   static void forgetAll();

@@ -4,6 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 
+#include "hgp/api/option_table.h"
+#include "hgp/api/option_words.h"
 #include "hgp/features/creases.h"
 
 namespace hgp::cli {
@@ -23,21 +25,24 @@ CLI::Validator atLeast(double low, bool isOpen = false) {
 
 CLI::Validator oneOf(const std::vector<std::string>& choices) { return CLI::IsMember(choices); }
 
-/// An option that takes one of these words; the placeholder lists them.
-CLI::Option* choice(CLI::Option* option, const std::vector<std::string>& choices) {
+/// An option that takes one of these words; the placeholder lists them. By default those of the core's table.
+CLI::Option* choice(CLI::Option* option, std::vector<std::string> choices = {}) {
+  if (choices.empty()) choices = api::wordsOfFlag("--" + option->get_lnames().front());
   return option->option_text(CLI::detail::join(choices, "|"))->check(oneOf(choices));
 }
 
 /// The words of a list; all for an empty one, none where a word is unknown.
-std::optional<std::vector<io::FeatureMark>> marksOf(const std::string& list) {
-  std::vector<io::FeatureMark> marks;
-  for (std::size_t m = 0; m < std::size(io::kFeatureMarks) && list.empty(); ++m)
-    marks.push_back(static_cast<io::FeatureMark>(m));
+std::optional<std::vector<prescription::FeatureMark>> marksOf(const std::string& list) {
+  std::vector<prescription::FeatureMark> marks;
+  for (std::size_t m = 0; m < std::size(prescription::kFeatureMarks) && list.empty(); ++m)
+    marks.push_back(static_cast<prescription::FeatureMark>(m));
   if (list.empty()) return marks;
   for (const std::string& word : CLI::detail::split(list, ',')) {
-    const auto* found = std::find(std::begin(io::kFeatureMarks), std::end(io::kFeatureMarks), word);
-    if (found == std::end(io::kFeatureMarks)) return std::nullopt;
-    marks.push_back(static_cast<io::FeatureMark>(found - std::begin(io::kFeatureMarks)));
+    const auto* found = std::find(std::begin(prescription::kFeatureMarks),
+                                  std::end(prescription::kFeatureMarks), word);
+    if (found == std::end(prescription::kFeatureMarks)) return std::nullopt;
+    marks.push_back(
+        static_cast<prescription::FeatureMark>(found - std::begin(prescription::kFeatureMarks)));
   }
   return marks;
 }
@@ -154,8 +159,7 @@ class Table {
         ->check(atLeast(0));
     choice(sub->add_option("--cones-for", words_.conesFor,
                            "Automatic cones: low distortion with boundaries followed (default); as "
-                           "few as possible; or as many as lower distortion"),
-           {"balanced", "few", "low-distortion"});
+                           "few as possible; or as many as lower distortion"));
     sub->add_flag("--align", out_.solve.alignToCurvature,
                   "Automatic cones: follow the principal curvatures");
   }
@@ -246,7 +250,7 @@ class Table {
             },
             ""));
     const auto takeMarks = [&out = out_](const std::string& list) {
-      out.marks = marksOf(list).value_or(std::vector<io::FeatureMark>());
+      out.marks = marksOf(list).value_or(std::vector<prescription::FeatureMark>());
     };
     sub->add_option_function<std::string>(
            "--marked", takeMarks,
@@ -285,18 +289,15 @@ class Table {
 
   void addSolve(CLI::App* sub) {
     sub->option_defaults()->group("Solve");
-    choice(sub->add_option("--boundary", words_.boundary,
-                           "convex: a disk onto a convex polygon (Tutte); no cones (default free)"),
-           {"free", "convex"});
+    choice(
+        sub->add_option("--boundary", words_.boundary,
+                        "convex: a disk onto a convex polygon (Tutte); no cones (default free)"));
     choice(
         sub->add_option("--frames", words_.frames,
-                        "auto: a smooth field that hgp computes; file: the directions of --field"),
-        {"auto", "file"});
-    choice(
-        sub->add_option(
-            "--method", words_.method,
-            "How to solve (default auto); printed: the paper's program, with a tie-break of 1e-5"),
-        {"auto", "harmonic", "soft", "printed", "all-frames"});
+                        "auto: a smooth field that hgp computes; file: the directions of --field"));
+    choice(sub->add_option(
+        "--method", words_.method,
+        "How to solve (default auto); printed: the paper's program, with a tie-break of 1e-5"));
     sub->add_option("--rounds", out_.solve.maxRounds,
                     "Rounds of solve, verify, repair (default 24)")
         ->option_text("N")
@@ -316,8 +317,7 @@ class Table {
         ->option_text(" ");
     choice(sub->add_option("--scale", words_.scale,
                            "Scale of the map: as solved (default), mean edge length 1, or fitted "
-                           "into the unit square"),
-           {"solved", "unit", "fit"});
+                           "into the unit square"));
     sub->add_flag("--convex-polygons", out_.solve.convexPolygons,
                   "Certify only maps in which every polygon is convex, for readers that cut "
                   "polygons along other diagonals");
@@ -396,8 +396,7 @@ class Table {
     addSolve(sub);
     addGrid(sub);
     choice(sub->add_option("--grid-mode", words_.gridMode,
-                           "quad: cones on grid points as well (default tile)"),
-           {"tile", "quad"});
+                           "quad: cones on grid points as well (default tile)"));
     addCommon(sub,
               "  hgp param mesh.obj -o mapped.obj\n"
               "  hgp param mesh.obj --cones cones.json -o mapped.obj --improve isometric\n"

@@ -6,6 +6,7 @@
 #include "hgp/api/notes.h"
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
+#include "short_document.h"
 
 namespace hgp::cli {
 namespace {
@@ -13,7 +14,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMaxLines = 8;
-constexpr std::size_t kMaxComponents = 20;  ///< listed individually if nothing is wrong
 
 std::string text(const Json& value) {
   return printable(value.is_string() ? value.get<std::string>() : value.dump());
@@ -168,20 +168,14 @@ std::string outside(const Json& stored) {
   return out;
 }
 
-std::string certificate(const Json& json, const Style& style) {
+std::string certificate(const Json& json, const Style& style, std::size_t untold) {
   std::string out;
   out += notes(json) + measured(json, style) + outside(json["stored"]);
-  std::size_t untold = 0;
-  for (std::size_t p = 0; p < json["components"].size(); ++p) {
-    const Json& c = json["components"][p];
-    if (p >= kMaxComponents && c["reasons"].empty()) {
-      ++untold;
-      continue;
-    }
+  const std::size_t count = json["components"].size() + untold;
+  for (const Json& c : json["components"]) {
     const bool isMeasured = c["measured"].get<bool>();
-    out +=
-        row(json["components"].size() > 1 ? formatText("component %zu", p).c_str() : "distortion",
-            isMeasured ? distortion(c) : "not measured");
+    out += row(count > 1 ? ("component " + c["number"].dump()).c_str() : "distortion",
+               isMeasured ? distortion(c) : "not measured");
     if (isMeasured) out += row("cones", formatText("%zu measured", c["cones"].size()));
     const Json& overlap = c["overlap"];
     if (integer(overlap, "layers") > 1) {
@@ -309,19 +303,19 @@ std::string checkText(const std::string& source, const Style& style) {
 }
 
 std::string certificateText(const std::string& source, const Style& style) {
-  return certificate(Json::parse(source), style);
+  const ShortDocument document(source);
+  return certificate(document.json, style, document.untold);
 }
 
 std::string reportText(const std::string& source, const Style& style) {
-  const Json json = Json::parse(source);
+  const ShortDocument document(source);
+  const Json& json = document.json;
   std::string out = style.strong(text(json["input"]["name"])) +
                     formatText("  %s, %s of q = %lld, %.2f s\n",
                                counted(integer(json["input"], "triangles"), "triangle").c_str(),
-                               counted(json["cones"]["cones"].size(), "cone").c_str(),
-                               integer(json["cones"], "q"), number(json, "seconds"));
-  for (std::size_t p = 0; p < json["components"].size(); ++p) {
-    const Json& component = json["components"][p];
-    if (p >= kMaxComponents && component["certifiedBeforeStoring"].get<bool>()) continue;
+                               counted(document.cones, "cone").c_str(), integer(json["cones"], "q"),
+                               number(json, "seconds"));
+  for (const Json& component : json["components"]) {
     for (const Json& round : component["rounds"]) {
       out += row("round",
                  formatText("%s: %s, %s, %lld flipped, %s, %.2f s", text(round["method"]).c_str(),
@@ -343,7 +337,7 @@ std::string reportText(const std::string& source, const Style& style) {
       out += "  frames strained most:" + places(component["conflict"]) + "\n";
     }
   }
-  return out + notes(json) + certificate(json["certificate"], style);
+  return out + notes(json) + certificate(json["certificate"], style, document.untold);
 }
 
 }  // namespace hgp::cli

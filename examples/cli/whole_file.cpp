@@ -18,17 +18,18 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// The cones stored in the mesh, used as for a file with one mesh.
-Result<std::optional<io::Prescription>> embedded(const api::Session& session,
-                                                 const Arguments& asked) {
-  if (asked.ignoresEmbedded) return std::optional<io::Prescription>();
+Result<std::optional<prescription::Prescription>> embedded(const api::Session& session,
+                                                           const Arguments& asked) {
+  if (asked.ignoresEmbedded) return std::optional<prescription::Prescription>();
   auto cones = session.embeddedCones();
   if (cones && *cones && asked.q && *asked.q != (*cones)->q)
-    return std::optional<io::Prescription>();
+    return std::optional<prescription::Prescription>();
   return cones;
 }
 
 Status solveOne(api::Session& session, const Arguments& asked, const Progress& progress) {
-  Result<std::optional<io::Prescription>> cones = std::optional<io::Prescription>();
+  Result<std::optional<prescription::Prescription>> cones =
+      std::optional<prescription::Prescription>();
   if (asked.solve.boundary == api::BoundaryKind::kFree) cones = embedded(session, asked);
   if (!cones) return cones.error();
   api::SolveOptions options = asked.solve;

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Callable, Iterable, Literal, Optional, Un
 import numpy.typing as npt
 
 from . import _core
-from ._cones import Cones, ConesLike, Pairs
+from ._cones import Cones, ConesLike, Mark, Pairs
 from ._documents import Certificate, Check, ConesDocument, MeshInfo, Report
 from ._errors import (
     Cancelled,
@@ -85,6 +85,10 @@ def parametrize(
     turning: Optional[Pairs] = None,
     handles: Optional[Pairs] = None,
     field: Optional[Path] = None,
+    rims: bool = False,
+    creases: Union[bool, float, None] = None,
+    features: Optional[Path] = None,
+    marked: Union[bool, Iterable[Mark]] = False,
     count: int = 0,
     cones_for: ConesFor = "balanced",
     align_to_curvature: bool = False,
@@ -99,6 +103,7 @@ def parametrize(
     grid_mode: Optional[Literal["tile", "quad"]] = None,
     refine: bool = False,
     keep_going: bool = False,
+    convex_polygons: bool = False,
     reproducible: bool = False,
     time_limit: Optional[float] = None,
     progress: OnProgress = None,
@@ -122,6 +127,10 @@ def parametrize(
         turning=turning,
         handles=handles,
         field=field,
+        rims=rims,
+        creases=creases,
+        features=features,
+        marked=marked,
         count=count,
         cones_for=cones_for,
         align_to_curvature=align_to_curvature,
@@ -136,6 +145,7 @@ def parametrize(
         grid_mode=grid_mode,
         refine=refine,
         keep_going=keep_going,
+        convex_polygons=convex_polygons,
         reproducible=reproducible,
         time_limit=time_limit,
         progress=progress,

@@ -100,7 +100,7 @@ def _names(files: List[pathlib.Path], ending: Optional[str]) -> List[Tuple[str, 
 def _split(options: Dict[str, Any]) -> Dict[str, Dict[str, Any]]:
     """The options by the call that takes them; unknown ones are refused."""
     takers: Dict[str, Callable[..., Any]] = {"load": Mesh.load, "solve": Mesh.parametrize, "save": Map.save}
-    ours = {"self", "path", "mesh", "target", "progress", "overwrite", "allow_uncertified", "keep_going", "field"}
+    ours = {"self", "path", "mesh", "target", "progress", "overwrite", "allow_uncertified", "keep_going", "field", "features"}
     known = {name: set(_inspect.signature(taker).parameters) - ours for name, taker in takers.items()}
     parts: Dict[str, Dict[str, Any]] = {name: {} for name in takers}
     for option, value in options.items():

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import pathlib
-from typing import Any, Dict, Iterable, Iterator, List, Mapping, Optional, Tuple, Union
+from typing import Any, Dict, Iterable, Iterator, List, Literal, Mapping, Optional, Tuple, Union, get_args
 
 from ._documents import ConesDocument
 from ._errors import UsageError
@@ -47,6 +47,8 @@ class Cones(Mapping[int, int]):
         pathlib.Path(path).write_text(json.dumps(self.document, indent=2) + "\n", encoding="utf-8")
 
 
+#: How a file itself marks edges: OBJ l lines, smoothing groups, materials, split normals.
+Mark = Literal["lines", "smoothing", "materials", "normals"]
 #: A mapping or pairs of integers.
 Pairs = Union[Mapping[int, int], Iterable[Tuple[int, int]]]
 #: A file by its path, Cones, a document (ConesDocument), or cones as pairs (vertex, k).
@@ -73,6 +75,14 @@ def _integer(value: Any) -> int:
     return number
 
 
+def _degrees(creases: Any) -> float:
+    if creases is True:
+        return 30.0
+    if not hasattr(creases, "__float__") or not 0 < float(creases) < 180:
+        raise UsageError(f"creases must be True or an angle between 0 and 180 degrees, not {creases!r}", "arguments")
+    return float(creases)
+
+
 def prescription(
     q: Optional[int],
     cones: Optional[ConesLike],
@@ -80,9 +90,20 @@ def prescription(
     handles: Optional[Pairs],
     field: "Optional[Union[str, os.PathLike[str]]]",
     ignore_embedded: bool,
+    rims: bool = False,
+    creases: Union[bool, float, None] = None,
+    features: "Optional[Union[str, os.PathLike[str]]]" = None,
+    marked: "Union[bool, Iterable[Mark]]" = False,
 ) -> Dict[str, Any]:
     """The arguments of a prescription as src/options.cpp takes them."""
-    asked: Dict[str, Any] = {"q": q, "ignore_embedded": ignore_embedded}
+    asked: Dict[str, Any] = {"q": q, "ignore_embedded": ignore_embedded, "rims": rims}
+    if creases is not None and creases is not False:
+        asked["creases"] = _degrees(creases)
+    if marked:
+        words = list(get_args(Mark)) if marked is True else [marked] if isinstance(marked, str) else list(marked)
+        asked["marked"] = words
+    if features is not None:
+        asked["features"] = os.fspath(features)
     if isinstance(cones, (str, os.PathLike)):
         asked["cones_file"] = os.fspath(cones)
     elif isinstance(cones, Cones):

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import json
 import os
-from typing import Any, Callable, Dict, List, Literal, NamedTuple, Optional, Sequence, Union
+from typing import Any, Callable, Dict, Iterable, List, Literal, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
 from ._arrays import reals, triangles
-from ._cones import Cones, ConesLike, Pairs, prescription
+from ._cones import Cones, ConesLike, Mark, Pairs, prescription
 from ._documents import Certificate, Check, MeshInfo
 from ._errors import UsageError
 from ._map import Integers, Map, Reals
@@ -68,19 +68,11 @@ class Loops(NamedTuple):
 def _load_options(
     weld: Weld, fix: Optional[Fix], strict: bool, write_repairs: bool, **others: Any
 ) -> Dict[str, Any]:
-    options: Dict[str, Any] = {"strict": strict, "write_repairs": write_repairs, **others}
+    options: Dict[str, Any] = {"strict": strict or None, "write_repairs": write_repairs, "weld": weld, **others}
     if fix is not None:
         options["fix"] = [fix] if isinstance(fix, str) else list(fix)
         if strict and options["fix"]:
             raise UsageError("strict and fix exclude each other", "arguments")
-    if weld == "exact":
-        options["weld"] = 0.0
-    elif weld == "none":
-        options["weld"] = -2.0
-    elif weld is not None:
-        if isinstance(weld, (str, bool)) or not 0 <= weld < float("inf"):
-            raise UsageError(f"weld must be 'exact', 'none' or a length, not {weld!r}", "arguments")
-        options["weld"] = float(weld)
     return options
 
 
@@ -119,7 +111,7 @@ class Mesh:
         path: Path,
         *,
         mesh: Optional[int] = None,
-        target: Optional[Literal["obj", "glb", "gltf"]] = None,
+        target: Optional[Literal["obj", "glb", "gltf", "ply"]] = None,
         weld: Weld = None,
         fix: Optional[Fix] = None,
         strict: bool = False,
@@ -134,7 +126,8 @@ class Mesh:
             path: the file. Side files are read from its folder only, or below `root`.
             mesh: which mesh of the file, from 0; by default the one with the most triangles.
             target: convert the file to this format when it is read, as `hgp param mesh.obj -o mapped.glb` does:
-                "glb" or "gltf" from polygon files, "obj" from glTF. Ids are then those of the converted mesh.
+                "glb" or "gltf" from polygon files, "obj" from glTF. Ids are then those of the converted mesh. "ply" of a
+                PLY stores the coordinates as float, which more programs read than double.
             weld, fix, strict, write_repairs: see Mesh.
             max_bytes, max_triangles: larger files are refused; by default 2 GiB and 16 million.
 
@@ -197,13 +190,17 @@ class Mesh:
         handles: Optional[Pairs] = None,
         field: Optional[Path] = None,
         ignore_embedded: bool = False,
+        rims: bool = False,
+        creases: Union[bool, float, None] = None,
+        features: Optional[Path] = None,
+        marked: Union[bool, Iterable[Mark]] = False,
     ) -> Check:
         """Whether any map can have these cones (Gauss–Bonnet in integers, [BCW17] Lemma 6.2); solves nothing.
 
         Returns:
             docs/schema/hgp-check.schema.json; `["valid"]` is the verdict, and `["error"]` why not.
         """
-        asked = prescription(q, cones, turning, handles, field, ignore_embedded)
+        asked = prescription(q, cones, turning, handles, field, ignore_embedded, rims, creases, features, marked)
         verdict: Check = json.loads(self._core.check(asked)[1])
         return verdict
 
@@ -232,9 +229,8 @@ class Mesh:
             "count": count,
             "cones_for": cones_for,
             "align_to_curvature": align_to_curvature,
-            "reproducible": reproducible,
         }
-        return Cones(json.loads(self._core.suggest(options, _caller(progress))))
+        return Cones(json.loads(self._core.suggest(options, bool(reproducible), _caller(progress))))
 
     def convert_cones(self, cones: ConesLike, *, q: Optional[int] = None) -> Cones:
         """Cones of any kind, complete and in vertices of this mesh."""
@@ -249,6 +245,10 @@ class Mesh:
         handles: Optional[Pairs] = None,
         field: Optional[Path] = None,
         ignore_embedded: bool = False,
+        rims: bool = False,
+        creases: Union[bool, float, None] = None,
+        features: Optional[Path] = None,
+        marked: Union[bool, Iterable[Mark]] = False,
         count: int = 0,
         cones_for: ConesFor = "balanced",
         align_to_curvature: bool = False,
@@ -263,6 +263,7 @@ class Mesh:
         grid_mode: Optional[Literal["tile", "quad"]] = None,
         refine: bool = False,
         keep_going: bool = False,
+        convex_polygons: bool = False,
         reproducible: bool = False,
         time_limit: Optional[float] = None,
         progress: OnProgress = None,
@@ -277,6 +278,11 @@ class Mesh:
             handles: {generator: r}; the rotation along the generator is 2πr/q.
             field: a file with a direction field whose cones and holonomy are prescribed.
             ignore_embedded: do not use cones stored in the file.
+            rims: boundary edges become straight lines along the axes of the map, exactly (q = 4).
+            creases: so do edges with a dihedral angle above so many degrees (True: 30), and boundary edges.
+            features: so do the edges of this file (.sharp, OBJ with l lines, or rows of two vertices), and boundary edges.
+            marked: so do edges that the file itself marks in these ways: "lines" (OBJ), "smoothing" groups, "materials",
+                split "normals"; True: all of them.
             count, cones_for, align_to_curvature: of automatic cones, see suggest_cones.
             boundary: "convex" maps a disk without cones onto a convex polygon.
             method, max_rounds, frames: how to solve; see docs/cli.md.
@@ -288,6 +294,8 @@ class Mesh:
             grid_mode: "quad": cones on grid points as well, so that `Map.quads` gives a mesh of quads.
             refine: if there is no map, split edges and solve again.
             keep_going: components without a map keep their uv or are cut open; the map is then not certified.
+            convex_polygons: certify only maps in which every polygon of the file is convex, for readers that cut polygons
+                along other diagonals.
             reproducible: the same bytes on every processor, as `hgp param --reproducible`; calls that differ in it wait
                 for each other.
             time_limit: seconds, after which the call ends with NoMapError.
@@ -303,9 +311,14 @@ class Mesh:
             NoMapError: the time limit.
             Cancelled: `progress` returned False.
         """
-        asked = prescription(q, cones, turning, handles, field, ignore_embedded)
-        if boundary == "convex" and any(x is not None for x in (cones, turning, handles, field)):
-            raise UsageError("boundary='convex' cannot be combined with cones, turning, handles or a field", "arguments")
+        asked = prescription(q, cones, turning, handles, field, ignore_embedded, rims, creases, features, marked)
+        if boundary == "convex" and (
+            rims or creases or marked or any(x is not None for x in (cones, turning, handles, field, features))
+        ):
+            message = "boundary='convex' cannot be combined with cones, turning, handles, features or a field"
+            raise UsageError(message, "arguments")
+        if grid_mode is not None and cells is None and grid is None:
+            raise UsageError("grid_mode needs cells or grid", "arguments")
         options = {
             "q": q,
             "count": count,
@@ -315,17 +328,17 @@ class Mesh:
             "method": method,
             "max_rounds": max_rounds,
             "frames": frames,
-            "improve": improve,
+            "improve": None if improve is False else improve,
             "scale": scale,
             "cells": cells,
             "grid": grid,
             "grid_mode": grid_mode,
             "refine": refine,
             "keep_going": keep_going,
-            "reproducible": reproducible,
-            "time_limit": time_limit,
+            "convex_polygons": convex_polygons,
         }
-        return Map(self._core.parametrize(asked, options, _caller(progress)))
+        made = self._core.parametrize(asked, options, bool(reproducible), time_limit, _caller(progress))
+        return Map(made)
 
     def verify(
         self,
@@ -334,18 +347,25 @@ class Mesh:
         q: Optional[int] = None,
         turning: Optional[Pairs] = None,
         handles: Optional[Pairs] = None,
+        field: Optional[Path] = None,
+        ignore_embedded: bool = False,
+        rims: bool = False,
+        creases: Union[bool, float, None] = None,
+        features: Optional[Path] = None,
+        marked: Union[bool, Iterable[Mark]] = False,
         uv_set: Optional[int] = None,
         tolerance: float = 0.0,
     ) -> Certificate:
         """Verifies the texture coordinates that the file has, whoever made them.
 
         Args:
-            cones, turning, handles: what the map must have; by default any cones are accepted.
+            cones, turning, handles, field, ignore_embedded, rims, creases, features, marked: what the map must have, see
+                parametrize; by default any cones are accepted.
             q: order of the rotations; by default that of the cones, or 4.
             uv_set: the set to verify; by default the last.
             tolerance: of seams, relative to the length of each edge, and of angles in radians; 0: 1e-6.
         """
-        asked = prescription(q, cones, turning, handles, None, False)
+        asked = prescription(q, cones, turning, handles, field, ignore_embedded, rims, creases, features, marked)
         options = {"q": q, "uv_set": uv_set, "tolerance": tolerance}
         certificate: Certificate = json.loads(self._core.verify(asked, options)[1])
         return certificate

@@ -7,6 +7,7 @@
 
 #include "../../examples/cli/program.h"
 #include "hgp/api/notes.h"
+#include "hgp/api/option_table.h"
 #include "surface.h"
 
 namespace hgp::python {
@@ -46,6 +47,20 @@ py::tuple solved(const Map& map) {
                                  taken<std::int32_t>(std::move(rows.origin)));
   for (const py::handle& array : out) array.attr("setflags")(py::arg("write") = false);
   return out;
+}
+
+/// Rows (call, name in JSON, flag of the command line, keyword of Python, words) of the core's table of options.
+py::list optionRows() {
+  py::list rows;
+  const auto add = [&rows](const char* call, std::span<const api::OptionRow> some) {
+    for (const api::OptionRow& row : some)
+      rows.append(py::make_tuple(call, row.name, row.flag, row.keyword, api::wordsOf(row)));
+  };
+  add("load", api::optionRows<api::LoadOptions>());
+  add("solve", api::optionRows<api::SolveOptions>());
+  add("verify", api::optionRows<api::VerifyOptions>());
+  add("write", api::optionRows<api::WriteOptions>());
+  return rows;
 }
 
 void addMap(py::module_& module) {
@@ -98,6 +113,7 @@ PYBIND11_MODULE(_core, module) {
   addSurface(module);
   module.def("version", &api::version);
   module.def("phrase", [](const std::string& note) { return api::phraseJson(note); });
+  module.def("option_rows", &optionRows);
   module.def("run_command_line", &runCommandLine);
 }
 

@@ -10,6 +10,7 @@
 #include "../../examples/cli/side_files.h"
 #include "failures.h"
 #include "hgp/base/phrase.h"
+#include "options.h"
 #include "surface.h"
 
 namespace hgp::python {
@@ -22,10 +23,6 @@ Status writeTogether(const std::string& path, const std::vector<io::OutputFile>&
   Status done = cli::writeFiles(path, files);
   if (!done) cli::HalfFile::forgetAll();
   return done;
-}
-
-bool isSet(const py::dict& options, const char* name) {
-  return options.contains(name) && options[name].cast<bool>();
 }
 
 /// How the command line writes such a file: with -o if the loaded file can be written under this name, else with --also.
@@ -83,17 +80,13 @@ std::vector<std::string> Map::save(const std::string& path, const py::dict& opti
   asked.isEmbedded = isSet(options, "embed");
   asked.isCompressed = isSet(options, "compress");
   asked.mayOverwrite = isSet(options, "overwrite");
-  api::WriteOptions how;
+  py::dict core;  // without what happens after the core has written
+  for (const auto& [name, value] : options) core[name] = value;
+  for (const char* name : {"embed", "compress", "overwrite"}) core.attr("pop")(name, py::none());
+  api::WriteOptions how = toWriteOptions(core);
   how.name = path;
   how.isSideFileNoted = false;
   how.isCompressedLater = asked.isCompressed;
-  how.embedCones = isSet(options, "embed_cones");
-  how.pointsMaterials = isSet(options, "use");
-  how.allowUncertified = isSet(options, "allow_uncertified");
-  if (options.contains("uv_set"))
-    how.uvSet = options["uv_set"].cast<std::optional<int>>().value_or(-1);
-  if (options.contains("grid_material"))
-    how.gridTiles = options["grid_material"].cast<std::optional<double>>();
   if (!asked.mayOverwrite && cli::isSameFile(path, source_->path))
     raiseUsage(path + " is the file that was loaded; overwrite=True allows to replace it");
   Notes notes;

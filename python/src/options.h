@@ -1,5 +1,4 @@
-// Options of the core from dictionaries that hgp/_options.py makes.  Role: words become values, and wrong ones are
-// refused by name.
+// Options and prescriptions of the core from dictionaries of Python.  Role: the core checks options by its own table.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -13,14 +12,19 @@ namespace hgp::python {
 
 namespace py = pybind11;
 
+// optionsFromJson of dictionaries with the names of Python. Raise TypeError for values of the wrong type, UsageError otherwise.
 api::LoadOptions toLoadOptions(const py::dict& options);
-/// @param isAutomatic  whether nothing is prescribed, so that `q` is that of the automatic cones
 api::SolveOptions toSolveOptions(const py::dict& options);
 api::VerifyOptions toVerifyOptions(const py::dict& options);
+api::WriteOptions toWriteOptions(const py::dict& options);
 
+/// A truth value, False if it is absent.
+bool isSet(const py::dict& options, const char* name);
+/// The order q of a prescription, where it is given.
+std::optional<int> orderOf(const py::dict& asked);
 /// What is prescribed: a file of cones or a document, a field, pairs of integers. Empty: nothing.
 /// @param embedded  cones stored in the file, used if nothing else is prescribed and `ignore_embedded` is not set
-std::optional<io::Prescription> toPrescription(const py::dict& asked,
-                                               std::optional<io::Prescription> embedded);
+std::optional<prescription::Prescription> toPrescription(
+    const py::dict& asked, std::optional<prescription::Prescription> embedded);
 
 }  // namespace hgp::python

@@ -22,7 +22,7 @@ io::Bytes objOf(const std::vector<Vec3>& positions,
     text += word;
     for (std::size_t i = 0; i < count; ++i) {
       text += ' ';
-      io::appendDouble(text, from[i]);
+      text::appendDouble(text, from[i]);
     }
     text += '\n';
   };
@@ -32,9 +32,9 @@ io::Bytes objOf(const std::vector<Vec3>& positions,
     text += 'f';
     for (std::size_t k = 0; k < 3; ++k) {
       text += ' ';
-      io::appendInt(text, triangles[f][k] + 1);
+      text::appendInt(text, triangles[f][k] + 1);
       text += '/';
-      io::appendInt(text, corners[f][k] + 1);
+      text::appendInt(text, corners[f][k] + 1);
     }
     text += '\n';
   }
@@ -100,11 +100,12 @@ auto Surface::with(Work work) {
   }));
 }
 
-std::optional<io::Prescription> Surface::prescription(const py::dict& asked, bool usesEmbedded) {
-  std::optional<io::Prescription> embedded;
+std::optional<prescription::Prescription> Surface::prescription(const py::dict& asked,
+                                                                bool usesEmbedded) {
+  std::optional<prescription::Prescription> embedded;
   if (usesEmbedded) {
-    Result<std::optional<io::Prescription>> stored =
-        alone_.run([&]() -> Result<std::optional<io::Prescription>> {
+    Result<std::optional<prescription::Prescription>> stored =
+        alone_.run([&]() -> Result<std::optional<prescription::Prescription>> {
           if (Status done = ready(); !done) return done.error();
           return session_.embeddedCones();
         });
@@ -119,28 +120,27 @@ std::pair<bool, std::string> Surface::inspect() {
 }
 
 std::pair<bool, std::string> Surface::check(const py::dict& asked) {
-  std::optional<io::Prescription> wanted = prescription(asked);
+  std::optional<prescription::Prescription> wanted = prescription(asked);
   if (!wanted) {
     wanted.emplace();
-    wanted->q = toSolveOptions(asked).q;
+    wanted->q = orderOf(asked).value_or(4);
   }
   api::Verdict verdict = with([&] { return session_.check(*wanted); });
   return {verdict.isGood, std::move(verdict.json)};
 }
 
 std::pair<bool, std::string> Surface::verify(const py::dict& asked, const py::dict& options) {
-  const std::optional<io::Prescription> wanted = prescription(asked);
+  const std::optional<prescription::Prescription> wanted = prescription(asked);
   const api::VerifyOptions how = toVerifyOptions(options);
   api::Verdict verdict = with([&] { return session_.verify(wanted, how); });
   return {verdict.isGood, std::move(verdict.json)};
 }
 
-std::string Surface::suggest(const py::dict& options, const py::object& progress) {
+std::string Surface::suggest(const py::dict& options, bool isReproducible,
+                             const py::object& progress) {
   Watch watch(progress, std::nullopt);
   api::SolveOptions how = toSolveOptions(options);
   how.progress = watch.progress();
-  const bool isReproducible =
-      options.contains("reproducible") && options["reproducible"].cast<bool>();
   Arithmetic::check(isReproducible);
   Result<std::string> made = alone_.run([&]() -> Result<std::string> {
     if (Status done = ready(); !done) return done.error();
@@ -152,29 +152,26 @@ std::string Surface::suggest(const py::dict& options, const py::object& progress
 }
 
 std::string Surface::convert(const py::dict& asked) {
-  std::optional<io::Prescription> wanted = prescription(asked);
+  std::optional<prescription::Prescription> wanted = prescription(asked);
   if (!wanted) raiseUsage("nothing is prescribed");
   return with([&] { return session_.convert(*wanted); });
 }
 
 std::optional<std::string> Surface::embeddedCones() {
-  std::optional<io::Prescription> stored = with([&] { return session_.embeddedCones(); });
+  std::optional<prescription::Prescription> stored = with([&] { return session_.embeddedCones(); });
   if (!stored) return std::nullopt;
   return with([&] { return session_.convert(*stored); });
 }
 
 std::shared_ptr<Map> Surface::parametrize(const py::dict& asked, const py::dict& options,
+                                          bool isReproducible, std::optional<double> limit,
                                           const py::object& progress) {
-  std::optional<double> limit;
-  if (options.contains("time_limit")) limit = options["time_limit"].cast<std::optional<double>>();
   if (limit && !(*limit > 0)) raiseUsage("time_limit must be a number of seconds above 0");
   Watch watch(progress, limit);
   api::SolveOptions how = toSolveOptions(options);
   how.progress = watch.progress();
-  std::optional<io::Prescription> wanted;
+  std::optional<prescription::Prescription> wanted;
   if (how.boundary == api::BoundaryKind::kFree) wanted = prescription(asked);
-  const bool isReproducible =
-      options.contains("reproducible") && options["reproducible"].cast<bool>();
   Arithmetic::check(isReproducible);
   Result<std::shared_ptr<Map>> made = alone_.run([&]() -> Result<std::shared_ptr<Map>> {
     if (Status done = ready(); !done) return done.error();

@@ -59,11 +59,13 @@ class Surface {
   std::pair<bool, std::string> inspect();
   std::pair<bool, std::string> check(const py::dict& asked);
   std::pair<bool, std::string> verify(const py::dict& asked, const py::dict& options);
-  std::string suggest(const py::dict& options, const py::object& progress);
+  std::string suggest(const py::dict& options, bool isReproducible, const py::object& progress);
   std::string convert(const py::dict& asked);
   /// The cones stored in the file as hgp-cones, or None.
   std::optional<std::string> embeddedCones();
+  /// @param limit  seconds
   std::shared_ptr<Map> parametrize(const py::dict& asked, const py::dict& options,
+                                   bool isReproducible, std::optional<double> limit,
                                    const py::object& progress);
   py::array positions();
   py::array triangles();
@@ -77,7 +79,8 @@ class Surface {
   template <class Work>
   auto with(Work work);
   Status ready();
-  std::optional<io::Prescription> prescription(const py::dict& asked, bool usesEmbedded = true);
+  std::optional<prescription::Prescription> prescription(const py::dict& asked,
+                                                         bool usesEmbedded = true);
 
   std::shared_ptr<const Source> source_;
   api::Session session_;

@@ -62,7 +62,7 @@ def test_a_mesh_that_cannot_be_used_says_where() -> None:
         ({"count": -3}, "count must be at least 0, not -3"),
         ({"cells": 0}, "cells must be at least 1"),
         ({"cells": 9, "grid": 1.0}, "cells and grid exclude each other"),
-        ({"grid": -1.0}, "grid must be a length above 0"),
+        ({"grid": -1.0}, "grid must be above 0, not -1.0"),
         ({"grid_mode": "quad"}, "grid_mode needs cells or grid"),
         ({"cells": 9, "scale": "fit"}, "would undo a grid"),
         ({"boundary": "open"}, "boundary must be 'free' or 'convex'"),

@@ -6,15 +6,15 @@
 namespace hgp {
 namespace {
 
-std::vector<ConePoint> conesOf(const io::Prescription& file) {
+std::vector<ConePoint> conesOf(const prescription::Prescription& file) {
   std::vector<ConePoint> cones;
-  for (const io::PrescribedCone& cone : file.cones)
+  for (const prescription::PrescribedCone& cone : file.cones)
     cones.push_back({VertexId(cone.vertex), cone.k});
   return cones;
 }
 
 /// The prescription of a file with everything that it decides.
-Result<CompleteSpec> specOfFile(const TriMesh& mesh, const io::Prescription& file) {
+Result<CompleteSpec> specOfFile(const TriMesh& mesh, const prescription::Prescription& file) {
   FieldData field = *file.field;
   field.order = file.q;
   return readHolonomy(mesh, field, conesOf(file));
@@ -70,7 +70,7 @@ void expectCertifiedWithOwnFrames(const std::string& meshName, const std::string
   if (!test::hasFile(fieldName) || !test::hasFile(meshName))
     GTEST_SKIP() << "SKIPPED: " << test::corpusFolder() << "/" << fieldName << " is not there";
   const TriMesh mesh = test::meshOfFile(meshName);
-  const auto file = io::readRawField(test::textOf(fieldName));
+  const auto file = prescription::readRawField(test::textOf(fieldName));
   ASSERT_TRUE(file) << file.error().message;
   const Result<CompleteSpec> spec = readHolonomy(mesh, *file->field);
   ASSERT_TRUE(spec) << spec.error().message;
@@ -127,13 +127,13 @@ void expectTotalAngles(const std::string& meshName, const std::string& anglesNam
   ASSERT_EQ(topology.componentCount, 1);
   const auto file = io::readPrescription(anglesName, test::textOf(anglesName), 4);
   ASSERT_TRUE(file) << file.error().message;
-  const auto reduced = io::reduceTotalAngles(*file, mesh, topology, {});
+  const auto reduced = prescription::reduceTotalAngles(*file, mesh, topology, {});
   ASSERT_TRUE(reduced) << reduced.error().message;
   HolonomySpec spec;
   spec.q = 4;
   spec.cones = conesOf(*reduced);
   spec.turning.resize(topology.loops.size());
-  for (const io::PrescribedTurning& turning : reduced->boundaries)
+  for (const prescription::PrescribedTurning& turning : reduced->boundaries)
     spec.turning[static_cast<std::size_t>(turning.loop)] = turning.l;
   const Result<Parametrization> p = parametrize(mesh, spec, {});
   ASSERT_TRUE(p) << p.error().message;

@@ -6,9 +6,9 @@ using namespace hgp;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  const auto json = io::readConesJson(text);
+  const auto json = prescription::readConesJson(text);
   if (json) {
-    const auto again = io::readConesJson(io::writeConesJson(*json));
+    const auto again = prescription::readConesJson(prescription::writeConesJson(*json));
     fuzz::require(
         again.hasValue() && again->q == json->q && again->cones.size() == json->cones.size(),
         "cones that were read can be written and read");

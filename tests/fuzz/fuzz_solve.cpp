@@ -63,7 +63,7 @@ bool isPlain(const std::vector<std::uint32_t>& triangles) {
   return true;
 }
 
-void checkMap(const api::Session& session, const std::optional<io::Prescription>& asked) {
+void checkMap(const api::Session& session, const std::optional<prescription::Prescription>& asked) {
   fuzz::FlatMap map{session.triangles(), session.cornerToUv(), session.uv(), 4, {}, 2e-6};
   const auto cones = nlohmann::json::parse(session.conesJson());
   map.q = cones["q"].get<int>();
@@ -72,7 +72,7 @@ void checkMap(const api::Session& session, const std::optional<io::Prescription>
   const bool isPlainSurface = !session.repaired() && isPlain(session.triangles());
   if (asked && isPlainSurface) {
     fuzz::require(asked->q == map.q, "the order is the one that was asked for");
-    for (const io::PrescribedCone& cone : asked->cones)
+    for (const prescription::PrescribedCone& cone : asked->cones)
       fuzz::require(cone.k == map.q || map.cones.count(cone.vertex) > 0,
                     "cones that are asked for are there");
   }
@@ -112,7 +112,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const api::SolveOptions options = solveOptions(bytes);
   MeshData mesh = fuzz::baseSurface(bytes);
   for (int n = bytes.below(40); n > 0; --n) fuzz::change(mesh, bytes);
-  const std::optional<io::Prescription> asked = fuzz::prescription(mesh, bytes);
+  const std::optional<prescription::Prescription> asked = fuzz::prescription(mesh, bytes);
   api::LoadOptions load;
   load.isStrict = bytes.below(4) == 0;
   api::Session session;

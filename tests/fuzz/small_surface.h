@@ -145,9 +145,10 @@ inline void change(MeshData& mesh, Bytewise& bytes) {
 }
 
 /// Cones anywhere, of any angle; what they leave open is open, and whether they can be is not asked.
-inline std::optional<io::Prescription> prescription(const MeshData& mesh, Bytewise& bytes) {
+inline std::optional<prescription::Prescription> prescription(const MeshData& mesh,
+                                                              Bytewise& bytes) {
   if (bytes.below(3) == 0) return std::nullopt;
-  io::Prescription out;
+  prescription::Prescription out;
   out.q = 1 + bytes.below(8);
   out.hasCones = true;
   const int chi2 = 2 * out.q;  // of a sphere, which the last cone balances

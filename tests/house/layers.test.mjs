@@ -49,6 +49,31 @@ test('every folder of core/hgp is a module of the table', () => {
   assert.deepEqual(unknown, []);
 });
 
+// The method is one namespace; what it rests on and what surrounds it has that of its folder (decision 083).
+const ownNamespace = ['linalg', 'socp', 'text', 'prescription', 'io', 'api'];
+
+test('namespaces follow the folders', () => {
+  const wrong = sources
+    .filter((file) => file.endsWith('.h'))
+    .flatMap((file) => {
+      const module = moduleOf(file);
+      const rooms = file.split('/').slice(3, -1);
+      const expected = ownNamespace.includes(module) ? `hgp::${module}` : 'hgp';
+      return [
+        ...textOf(file).matchAll(/^namespace (hgp[\w:]*) \{\n(?!(?:struct|class) \w+;\n\})/gm),
+      ]
+        .map((match) => match[1])
+        .filter((name) => name !== expected && !rooms.some((room) => name === `hgp::${room}`))
+        .map((name) => `${file}: ${name}`);
+    });
+  // Functions that stand for those of <cmath>.
+  const exceptions = ['core/hgp/base/portable_math.h: hgp::portable'];
+  assert.deepEqual(
+    wrong.filter((one) => !exceptions.includes(one)),
+    [],
+  );
+});
+
 test('only public headers lie beside the modules', () => {
   const beside = sources.filter((file) => moduleOf(file) === 'hgp');
   assert.deepEqual(

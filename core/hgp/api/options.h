@@ -67,12 +67,6 @@ struct SolveOptions {
   Progress progress;
 };
 
-/// The balance of ImproveOptions that a word denotes: "isometric" (0), "conformal" (−1), "area" (1) or
-/// a number from −1 to 1; empty for other words.
-std::optional<double> improveBalance(const std::string& word);
-/// The word for a balance; "" for values other than these three.
-std::string improveWord(double balance);
-
 struct VerifyOptions {
   int q = 0;               ///< order of rotations if there is no prescription; 0: 4
   int uvSet = -1;          ///< −1: the set that hgp wrote, or the last one
@@ -88,9 +82,6 @@ enum class MapFormat {
   kFlatObj,  ///< the map as a flat mesh, as an OBJ
   kSvg,      ///< the edges of the map as a drawing
 };
-
-/// The format for "same", "glb", "gltf", "obj", "flat-obj" or "svg"; empty for other words.
-std::optional<MapFormat> mapFormatNamed(const std::string& word);
 
 struct WriteOptions {
   MapFormat format = MapFormat::kSame;

@@ -38,22 +38,21 @@ class Session {
   Status choose(int surface);
   Result<Verdict> inspect() const;  ///< hgp-inspect; isGood: the mesh can be parametrized
   /// hgp-check: whether the prescription satisfies Lemma 6.2 on every component, in integers; solves nothing.
-  Result<Verdict> check(const io::Prescription& prescription) const;
-  /// Automatic cones as hgp-cones.
-  Result<std::string> suggest(const SolveOptions& options) const;
+  Result<Verdict> check(const prescription::Prescription& prescription) const;
+  Result<std::string> suggest(const SolveOptions& options) const;  ///< automatic cones as hgp-cones
   /// Any prescription on this surface as complete hgp-cones with positions; a field becomes cones and rotations.
-  Result<std::string> convert(const io::Prescription& prescription) const;
-  Result<FeatureList> features(const io::Prescription& asked, const std::string& name) const;
-  Result<std::optional<io::Prescription>> embeddedCones()
-      const;  ///< stored in the file, if any are
+  Result<std::string> convert(const prescription::Prescription& prescription) const;
+  Result<FeatureList> features(const prescription::Prescription& p, const std::string& name) const;
+  /// Stored in the file, if any are.
+  Result<std::optional<prescription::Prescription>> embeddedCones() const;
 
   /// Solves, then verifies the map as it will be stored. Without a prescription, cones are automatic. Also succeeds if
   /// the map is not certified; fails for contradictory options, impossible prescriptions, limits and cancellation.
   /// With the arguments of one of the last calls on this surface, its result is returned, with its report.
-  Status parametrize(const std::optional<io::Prescription>& prescription,
+  Status parametrize(const std::optional<prescription::Prescription>& prescription,
                      const SolveOptions& options);
   /// Verifies the uv in the file: hgp-certificate. Without a prescription any cones are accepted.
-  Result<Verdict> verify(const std::optional<io::Prescription>& prescription,
+  Result<Verdict> verify(const std::optional<prescription::Prescription>& prescription,
                          const VerifyOptions& options) const;
 
   /// The current result, for use() after others were computed; in memory as long as a StoredResult refers to it.
@@ -78,8 +77,7 @@ class Session {
   MapFacts mapFacts() const;  ///< the certificate of the result as numbers; empty without one
   MapArrays release();        ///< moves the arrays of the result out, which ends it
 
-  Result<MapMeasures> measure()
-      const;  ///< of the result, for overlays, seam colours and statistics
+  Result<MapMeasures> measure() const;  ///< of the result, for overlays and statistics
   /// Facts on the loaded surface, whether usable or not.
   Result<SurfaceFacts> facts() const;
   /// Boundary loops and handle generators, in the order in which a prescription numbers them.
@@ -105,12 +103,14 @@ class Session {
   std::unique_ptr<State> state_;
 };
 
-/// io::readPrescription and io::readFeatures at the API boundary: files of every known format.
-Result<io::Prescription> readPrescription(std::string_view name, std::string_view text, int q);
-Result<io::PrescribedFeatures> readFeatures(std::string_view name, std::string_view text);
+/// io::readPrescription and prescription::readFeatures at the API boundary: files of every known format.
+Result<prescription::Prescription> readPrescription(std::string_view name, std::string_view text,
+                                                    int q);
+Result<prescription::PrescribedFeatures> readFeatures(std::string_view name, std::string_view text);
 
 /// `cones` with the field of `field`, which determines what the cones leave open. Fails with kUsage if q differs.
-Result<io::Prescription> withField(io::Prescription cones, io::Prescription field);
+Result<prescription::Prescription> withField(prescription::Prescription cones,
+                                             prescription::Prescription field);
 std::string errorJson(const Failure& failure);  ///< hgp-error
 
 /// For the whole process: no instructions that only some processors have, so that maps are bit-identical on all.

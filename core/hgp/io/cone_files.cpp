@@ -22,18 +22,18 @@ class HgpLines {
   bool take(std::string_view line) {
     const char* p = line.data();
     const char* end = p + line.size();
-    skipBlanks(p, end);
+    text::skipBlanks(p, end);
     const bool isCone = *p == 'c';
     p += isCone ? 1 : 2;
     std::int64_t first = 0;
-    skipBlanks(p, end);
-    if (!readInt(p, end, first)) return fail("the first number is not an index");
-    skipBlanks(p, end);
+    text::skipBlanks(p, end);
+    if (!text::readInt(p, end, first)) return fail("the first number is not an index");
+    text::skipBlanks(p, end);
     return isCone ? takeCone(p, end, first) : takeSeam(p, end, first);
   }
 
   const std::string& message() const { return message_; }
-  Result<Prescription> finish() {
+  Result<prescription::Prescription> finish() {
     if (out_.field) {
       std::vector<Matching>& list = out_.field->matchings;
       // The file lists every edge once per side, with opposite rotations.
@@ -68,9 +68,9 @@ class HgpLines {
 
   bool takeCone(const char* p, const char* end, std::int64_t vertex) {
     double angle = 0;
-    if (!readDouble(p, end, angle)) return fail("a cone's angle is not a number");
+    if (!text::readDouble(p, end, angle)) return fail("a cone's angle is not a number");
     const double k = 2 * angle;
-    if (std::abs(k - std::round(k)) > kAngleIndexTolerance || std::abs(k) > 1e6) {
+    if (std::abs(k - std::round(k)) > prescription::kAngleIndexTolerance || std::abs(k) > 1e6) {
       return fail(formatText("the cone angle %.9g π is no multiple of π/2", angle));
     }
     if (vertex < 1 || vertex > static_cast<std::int64_t>(polygons_.positions.size())) {
@@ -84,9 +84,9 @@ class HgpLines {
   /// The halfedge of polygon F whose target is V; the next column is its rotation in quarter turns.
   bool takeSeam(const char* p, const char* end, std::int64_t face) {
     std::int64_t vertex = 0, turn = 0;
-    if (!readInt(p, end, vertex)) return fail("the vertex is not an index");
-    skipBlanks(p, end);
-    if (!readInt(p, end, turn) || std::abs(turn) > 1'000'000) {
+    if (!text::readInt(p, end, vertex)) return fail("the vertex is not an index");
+    text::skipBlanks(p, end);
+    if (!text::readInt(p, end, turn) || std::abs(turn) > 1'000'000) {
       return fail("the rotation is not an integer");
     }
     if (face < 1 || face > polygons_.polygonCount()) return fail("the face is out of range");
@@ -107,14 +107,14 @@ class HgpLines {
   }
 
   const PolygonMesh& polygons_;
-  Prescription out_;
+  prescription::Prescription out_;
   std::string message_;
 };
 
 /// A list with one number per row gives angles; "N n" followed by n pairs gives singularities; any other list
 /// gives curvatures.
-Result<Prescription> readUnnamedList(std::string_view text, int q) {
-  WordReader words(text);
+Result<prescription::Prescription> readUnnamedList(std::string_view text, int q) {
+  text::WordReader words(text);
   double first = 0, second = 0;
   if (!words.nextDouble(first)) {
     return Failure{ErrorCode::kMalformed,
@@ -124,7 +124,8 @@ Result<Prescription> readUnnamedList(std::string_view text, int q) {
                    {}};
   }
   const int firstLine = words.line();
-  if (!words.nextDouble(second) || words.line() != firstLine) return readTotalAngles(text, q);
+  if (!words.nextDouble(second) || words.line() != firstLine)
+    return prescription::readTotalAngles(text, q);
   std::int64_t rows = 0;
   while (!words.isAtEnd()) {
     words.next();
@@ -132,32 +133,37 @@ Result<Prescription> readUnnamedList(std::string_view text, int q) {
     ++rows;
   }
   const bool isHeader = std::floor(first) == first && static_cast<double>(rows) == second;
-  return isHeader && first >= 1 && first <= 64 ? readSings(text) : readCurvatures(text, q);
+  return isHeader && first >= 1 && first <= 64 ? prescription::readSings(text)
+                                               : prescription::readCurvatures(text, q);
 }
 
 }  // namespace
 
-Result<Prescription> readHgpConeLines(std::string_view text, const std::vector<TextSpan>& lines,
-                                      const PolygonMesh& polygons, const TriangleCorners& corners) {
+Result<prescription::Prescription> readHgpConeLines(std::string_view text,
+                                                    const std::vector<TextSpan>& lines,
+                                                    const PolygonMesh& polygons,
+                                                    const TriangleCorners& corners) {
   HgpLines reader(polygons);
   for (const TextSpan& span : lines) {
     if (!reader.take(text.substr(span.begin, span.end - span.begin))) {
-      return malformedLine(lineAt(text, span.begin), "c/sm: " + reader.message());
+      return text::malformedLine(text::lineAt(text, span.begin), "c/sm: " + reader.message());
     }
   }
-  Result<Prescription> finished = reader.finish();
+  Result<prescription::Prescription> finished = reader.finish();
   if (!finished) return finished.error();
-  Prescription out = std::move(*finished);
+  prescription::Prescription out = std::move(*finished);
   if (out.field) {
     const MeshData mesh = triangleMesh(polygons, corners);
-    if (Status done = completeMatchings(*out.field, mesh.triangles); !done) return done.error();
+    if (Status done = prescription::completeMatchings(*out.field, mesh.triangles); !done)
+      return done.error();
   }
   out.notes.push_back(
       Note("cones-from-file", {{"cones", out.cones.size()}, {"rotations", out.field ? 1 : 0}}));
   return out;
 }
 
-Result<Prescription> readPrescription(std::string_view name, std::string_view text, int q) {
+Result<prescription::Prescription> readPrescription(std::string_view name, std::string_view text,
+                                                    int q) {
   std::string lower(name);
   std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](unsigned char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : char(c); });
@@ -166,12 +172,12 @@ Result<Prescription> readPrescription(std::string_view name, std::string_view te
   if (start == std::string_view::npos) {
     return Failure{ErrorCode::kMalformed, "cones", "the file is empty", {}};
   }
-  if (text[start] == '{') return readConesJson(text);
-  if (endsWith(lower, ".rawfield")) return readRawField(text);
-  if (endsWith(lower, ".rosy")) return readRosy(text);
-  if (endsWith(lower, ".ffield")) return readFField(text);
-  if (endsWith(lower, ".sing") || endsWith(lower, ".sings")) return readSings(text);
-  if (endsWith(lower, "th_hat")) return readTotalAngles(text, q);
+  if (text[start] == '{') return prescription::readConesJson(text);
+  if (endsWith(lower, ".rawfield")) return prescription::readRawField(text);
+  if (endsWith(lower, ".rosy")) return prescription::readRosy(text);
+  if (endsWith(lower, ".ffield")) return prescription::readFField(text);
+  if (endsWith(lower, ".sing") || endsWith(lower, ".sings")) return prescription::readSings(text);
+  if (endsWith(lower, "th_hat")) return prescription::readTotalAngles(text, q);
   if (endsWith(lower, ".obj")) {
     Result<ObjText> obj = scanObj(text, Limits().maxTriangles);
     if (!obj) return obj.error();
@@ -182,10 +188,10 @@ Result<Prescription> readPrescription(std::string_view name, std::string_view te
     }
     return readHgpConeLines(text, obj->coneLines, obj->polygons, *corners);
   }
-  WordReader words(text);
+  text::WordReader words(text);
   const std::string_view first = words.next();
-  if (endsWith(lower, ".cones") || first == "q") return readConesText(text);
-  if (first == "target_frame" || first == "shape_operator") return readFField(text);
+  if (endsWith(lower, ".cones") || first == "q") return prescription::readConesText(text);
+  if (first == "target_frame" || first == "shape_operator") return prescription::readFField(text);
   return readUnnamedList(text, q);
 }
 

@@ -11,10 +11,13 @@ namespace hgp::io {
 
 /// Chooses the format by content and name. `q` is the order for files that give angles only (curvature lists,
 /// `_Th_hat`); files that state their own order keep it.
-Result<Prescription> readPrescription(std::string_view name, std::string_view text, int q);
+Result<prescription::Prescription> readPrescription(std::string_view name, std::string_view text,
+                                                    int q);
 
 /// HGP's `c V A` (cone angle Aπ, k = A·q/2) and `sm F V R` lines of an OBJ; q = 4.
-Result<Prescription> readHgpConeLines(std::string_view text, const std::vector<TextSpan>& lines,
-                                      const PolygonMesh& polygons, const TriangleCorners& corners);
+Result<prescription::Prescription> readHgpConeLines(std::string_view text,
+                                                    const std::vector<TextSpan>& lines,
+                                                    const PolygonMesh& polygons,
+                                                    const TriangleCorners& corners);
 
 }  // namespace hgp::io

@@ -83,7 +83,7 @@ class Document {
   virtual PolygonsView polygons(int) const { return {}; }
 
   /// Cones stored inside the file; empty if there are none.
-  virtual Result<std::optional<Prescription>> embeddedCones(int surface) const = 0;
+  virtual Result<std::optional<prescription::Prescription>> embeddedCones(int surface) const = 0;
 
   /// The original with `map` as a uv set of this surface. `map` must come from asStored.
   virtual Result<Written> write(int surface, const UvMap& map, const WriteOptions& o) const = 0;

@@ -39,7 +39,7 @@ std::string_view textOf(const Bytes& bytes) {
 /// How often the picture repeats per unit of uv. Not by printf, which writes a comma in some locales.
 std::string scaleOf(double tiles) {
   std::string out;
-  appendDouble(out, tiles / 2);
+  text::appendDouble(out, tiles / 2);
   return out;
 }
 
@@ -64,7 +64,7 @@ Bytes objWithGrid(const Bytes& file, const std::string& head) {
 std::string gridStem(const std::string& name) {
   std::string out = fileStem(name);
   for (char& c : out) {
-    const bool isWord = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || isDigit(c) ||
+    const bool isWord = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || text::isDigit(c) ||
                         c == '_' || c == '.' || c == '-';
     if (!isWord) c = '_';
   }

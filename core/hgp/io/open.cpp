@@ -42,7 +42,7 @@ Result<DocumentPtr> openDocument(FileSet files, const Limits& limits) {
   if (files.main.size() > limits.maxBytes) {
     return tooManyBytes(files.main.size(), limits.maxBytes);
   }
-  if (files.main.empty()) return malformedByte(0, "the file is empty");
+  if (files.main.empty()) return text::malformedByte(0, "the file is empty");
   const std::string_view text = withoutByteOrderMark(asText(files.main));
   const auto startsWith = [&](std::string_view start) {
     return text.substr(0, start.size()) == start;
@@ -56,14 +56,14 @@ Result<DocumentPtr> openDocument(FileSet files, const Limits& limits) {
   if (isNamelessStl(files.main, extension)) return readStl(files, limits);
   if (c == '{' || extension == "gltf" || extension == "glb")
     return readGltf(std::move(files), limits);
-  if (c == '<') return malformedByte(first, "this is HTML or XML, not a mesh");
+  if (c == '<') return text::malformedByte(first, "this is HTML or XML, not a mesh");
   if (isStlText(text) && extension != "obj") return readStl(files, limits);
   if (extension == "off" || extension == "stl" || extension == "ply") {
     if (extension == "off") return readOff(std::move(files), limits);
     if (extension == "stl") return readStl(files, limits);
     return readPly(std::move(files), limits);
   }
-  WordReader words(text.substr(0, std::min<std::size_t>(text.size(), 4096)));
+  text::WordReader words(text.substr(0, std::min<std::size_t>(text.size(), 4096)));
   const std::string_view word = words.next();
   if (extension != "obj" && word.size() >= 3 && word.substr(word.size() - 3) == "OFF") {
     return readOff(std::move(files), limits);

@@ -21,7 +21,7 @@ void appendNumbers(std::string& out, const char* word, const Vec3& numbers) {
   out += word;
   for (const double x : numbers) {
     out += ' ';
-    appendDouble(out, x);
+    text::appendDouble(out, x);
   }
 }
 
@@ -62,11 +62,11 @@ class PlainObjText {
     out += 'f';
     for (std::size_t k = 0; k < 3; ++k) {
       out += ' ';
-      appendInt(out, surface.mesh.triangles[t][k] + firstVertex_);
+      text::appendInt(out, surface.mesh.triangles[t][k] + firstVertex_);
       const int normal = surface.cornerNormal.empty() ? -1 : surface.cornerNormal[t][k];
       if (normal < 0) continue;
       out += "//";
-      appendInt(out, normal + firstNormal_);
+      text::appendInt(out, normal + firstNormal_);
     }
     out += '\n';
   }

@@ -53,7 +53,7 @@ class Drawing {
   /// Writes x rounded to hundredths, without printf, which is too slow for millions of numbers.
   static void number(std::string& out, double x) {
     const auto hundredths = static_cast<std::int64_t>(std::llround(100 * std::max(x, 0.0)));
-    appendInt(out, hundredths / 100);
+    text::appendInt(out, hundredths / 100);
     const auto rest = static_cast<int>(hundredths % 100);
     if (rest == 0) return;
     out += '.';

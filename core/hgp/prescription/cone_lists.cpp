@@ -6,7 +6,7 @@
 #include "hgp/prescription/cones.h"
 #include "hgp/text/text.h"
 
-namespace hgp::io {
+namespace hgp::prescription {
 namespace {
 
 /// Reads words and records the first line with an error.
@@ -18,7 +18,8 @@ class ListReader {
     std::int64_t value = 0;
     if (!isFine()) return 0;
     if (!words_.nextInt(value) || value < INT32_MIN || value > INT32_MAX) {
-      wrong(formatText("%s must be an integer, not %s", what, inQuotes(words_.word()).c_str()));
+      wrong(
+          formatText("%s must be an integer, not %s", what, text::inQuotes(words_.word()).c_str()));
       return 0;
     }
     return static_cast<int>(value);
@@ -26,13 +27,13 @@ class ListReader {
   double number(const char* what) {
     double value = 0;
     if (isFine() && !words_.nextDouble(value)) {
-      wrong(formatText("%s must be a number, not %s", what, inQuotes(words_.word()).c_str()));
+      wrong(formatText("%s must be a number, not %s", what, text::inQuotes(words_.word()).c_str()));
     }
     return value;
   }
   void keyword(const char* word) {
     if (isFine() && words_.next() != word) {
-      wrong(formatText("expected '%s', not %s", word, inQuotes(words_.word()).c_str()));
+      wrong(formatText("expected '%s', not %s", word, text::inQuotes(words_.word()).c_str()));
     }
   }
   int count(const char* what) {
@@ -47,7 +48,7 @@ class ListReader {
   bool isFine() const { return message_.empty(); }
   int line() const { return words_.line(); }
   Failure failure() const {
-    Failure f = malformedLine(line_, message_);
+    Failure f = text::malformedLine(line_, message_);
     f.stage = "cones";
     return f;
   }
@@ -57,7 +58,7 @@ class ListReader {
   }
 
  private:
-  WordReader words_;
+  text::WordReader words_;
   std::string message_;
   int line_ = 0;
 };
@@ -210,4 +211,4 @@ Result<Prescription> reduceTotalAngles(const Prescription& angles, const TriMesh
   return out;
 }
 
-}  // namespace hgp::io
+}  // namespace hgp::prescription

@@ -8,7 +8,7 @@
 #include "hgp/mesh/topology.h"
 #include "hgp/prescription/prescription.h"
 
-namespace hgp::io {
+namespace hgp::prescription {
 
 /// Accepted distance of k or l to an integer where a file gives angles, in units of 2π/q.
 inline constexpr double kAngleIndexTolerance = 1e-6;
@@ -50,4 +50,4 @@ Result<Prescription> readFField(std::string_view text);
 /// Sets `to` of matchings that lack it, using the triangles.
 Status completeMatchings(FieldData& field, const std::vector<std::array<int, 3>>& triangles);
 
-}  // namespace hgp::io
+}  // namespace hgp::prescription

@@ -6,7 +6,7 @@
 #include "hgp/prescription/cones.h"
 #include "hgp/text/text.h"
 
-namespace hgp::io {
+namespace hgp::prescription {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -251,6 +251,31 @@ Result<Prescription> readConesJson(std::string_view text) {
   return out;
 }
 
+/// The array of cones as dump(indent) gives it inside the document. Each cone becomes text on its own: as a tree, the cones of
+/// ten thousand components take several times their text.
+static std::string coneList(const std::vector<PrescribedCone>& cones, int indent) {
+  const auto lineOf = [indent](int levels) {
+    return indent < 0 ? std::string()
+                      : "\n" + std::string(static_cast<std::size_t>(levels * indent), ' ');
+  };
+  const std::string between = lineOf(2);
+  std::string out = "[";
+  for (const PrescribedCone& c : cones) {
+    Json cone{{"vertex", c.vertex}, {"k", c.k}};
+    if (c.position) cone["position"] = *c.position;
+    if (c.triangle >= 0) cone["triangle"] = c.triangle;
+    if (out.size() > 1) out += ',';
+    out += between;
+    for (const char letter : cone.dump(indent)) {
+      if (letter == '\n')
+        out += between;
+      else
+        out += letter;
+    }
+  }
+  return out + lineOf(1) + "]";
+}
+
 std::string writeConesJson(const Prescription& p, int indent) {
   Json json{{"format", "hgp-cones"}, {"version", 1}, {"q", p.q}};
   if (p.vertexCount >= 0 || !p.sha256.empty()) {
@@ -260,14 +285,7 @@ std::string writeConesJson(const Prescription& p, int indent) {
     if (!p.sha256.empty()) mesh["sha256"] = p.sha256;
   }
   // A list of features alone leaves the cones open.
-  const bool hasList = p.hasCones || p.features.isEmpty();
-  if (hasList) json["cones"] = Json::array();
-  for (const PrescribedCone& c : p.cones) {
-    Json cone{{"vertex", c.vertex}, {"k", c.k}};
-    if (c.position) cone["position"] = *c.position;
-    if (c.triangle >= 0) cone["triangle"] = c.triangle;
-    json["cones"].push_back(std::move(cone));
-  }
+  if (p.hasCones || p.features.isEmpty() || !p.cones.empty()) json["cones"] = Json::array();
   if (!p.boundaries.empty()) json["boundaries"] = Json::array();
   for (const PrescribedTurning& t : p.boundaries) {
     Json loop{{"loop", t.loop}, {"l", t.l}};
@@ -298,7 +316,12 @@ std::string writeConesJson(const Prescription& p, int indent) {
           {"from", m.from}, {"to", m.to}, {"tail", m.tail}, {"head", m.head}, {"turn", m.turn}});
     }
   }
-  return json.dump(indent, ' ', false, Json::error_handler_t::replace) + (indent < 0 ? "" : "\n");
+  std::string text =
+      json.dump(indent, ' ', false, Json::error_handler_t::replace) + (indent < 0 ? "" : "\n");
+  const std::string empty = indent < 0 ? R"("cones":[])" : R"("cones": [])";
+  if (!p.cones.empty())
+    text.replace(text.find(empty) + empty.size() - 2, 2, coneList(p.cones, indent));
+  return text;
 }
 
-}  // namespace hgp::io
+}  // namespace hgp::prescription

@@ -7,13 +7,13 @@
 #include "hgp/prescription/cones.h"
 #include "hgp/text/text.h"
 
-namespace hgp::io {
+namespace hgp::prescription {
 namespace {
 
 /// Calls use(line, number) for every line until it returns a failure; the line ends are left out.
 template <class Use>
 Status forLines(std::string_view text, const Use& use) {
-  const char end = lineEndOf(text);
+  const char end = text::lineEndOf(text);
   std::int64_t number = 0;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t stop = std::min(text.find(end, begin), text.size());
@@ -24,7 +24,7 @@ Status forLines(std::string_view text, const Use& use) {
 }
 
 Failure wrong(std::int64_t line, const std::string& message) {
-  Failure failure = malformedLine(line, message);
+  Failure failure = text::malformedLine(line, message);
   failure.stage = "features";
   return failure;
 }
@@ -34,14 +34,14 @@ bool readNumbers(std::string_view line, std::vector<int>& out) {
   out.clear();
   const char *p = line.data(), *end = p + line.size();
   for (;;) {
-    skipBlanks(p, end);
+    text::skipBlanks(p, end);
     if (p != end && *p == ',' && !out.empty()) {
       ++p;
-      skipBlanks(p, end);
+      text::skipBlanks(p, end);
     }
     if (p == end || *p == '#') return true;
     std::int64_t value = 0;
-    if (!readInt(p, end, value) || value < INT32_MIN || value > INT32_MAX) return false;
+    if (!text::readInt(p, end, value) || value < INT32_MIN || value > INT32_MAX) return false;
     out.push_back(static_cast<int>(value));
   }
 }
@@ -51,16 +51,17 @@ Result<PrescribedFeatures> readSharp(std::string_view text) {
   std::vector<int> row;
   std::int64_t count = -1;
   Status done = forLines(text, [&](std::string_view line, std::int64_t number) -> Status {
-    if (!readNumbers(line, row)) return wrong(number, "must hold integers, not " + inQuotes(line));
+    if (!readNumbers(line, row))
+      return wrong(number, "must hold integers, not " + text::inQuotes(line));
     if (row.empty()) return Done{};
     if (count < 0) {
       if (row.size() != 1 || row[0] < 0 || row[0] > kMaxFeatures)
-        return wrong(number, "must be the number of rows, not " + inQuotes(line));
+        return wrong(number, "must be the number of rows, not " + text::inQuotes(line));
       count = row[0];
       return Done{};
     }
     if (row.size() != 3 || row[1] < 0 || row[2] < 0 || row[2] > 2)
-      return wrong(number, "must be type, triangle and side 0 to 2, not " + inQuotes(line));
+      return wrong(number, "must be type, triangle and side 0 to 2, not " + text::inQuotes(line));
     out.sides.push_back({row[1], row[2]});
     return Done{};
   });
@@ -76,10 +77,10 @@ Result<PrescribedFeatures> readPairs(std::string_view text) {
   std::vector<int> row;
   Status done = forLines(text, [&](std::string_view line, std::int64_t number) -> Status {
     const bool isRow = readNumbers(line, row) && (row.empty() || row.size() == 2);
-    if (!isRow) return wrong(number, "must be two vertices, not " + inQuotes(line));
+    if (!isRow) return wrong(number, "must be two vertices, not " + text::inQuotes(line));
     if (row.empty()) return Done{};
     if (row[0] < 0 || row[1] < 0 || row[0] == row[1])
-      return wrong(number, "must be two different vertices from 0, not " + inQuotes(line));
+      return wrong(number, "must be two different vertices from 0, not " + text::inQuotes(line));
     out.lines.push_back({{row[0], row[1]}});
     return out.lines.size() <= static_cast<std::size_t>(kMaxFeatures)
                ? Status(Done{})
@@ -94,13 +95,13 @@ Result<PrescribedFeatures> readObjLines(std::string_view text) {
   PrescribedFeatures out;
   std::vector<int> row;
   Status done = forLines(text, [&](std::string_view line, std::int64_t number) -> Status {
-    if (line.size() < 2 || line[0] != 'l' || !isBlank(line[1])) return Done{};
+    if (line.size() < 2 || line[0] != 'l' || !text::isBlank(line[1])) return Done{};
     if (!readNumbers(line.substr(1), row))
-      return wrong(number, "must be a line through vertices, not " + inQuotes(line));
-    if (row.size() < 2) return wrong(number, "must name two vertices, not " + inQuotes(line));
+      return wrong(number, "must be a line through vertices, not " + text::inQuotes(line));
+    if (row.size() < 2) return wrong(number, "must name two vertices, not " + text::inQuotes(line));
     for (std::size_t i = 0; i < row.size(); ++i)
       if (row[i]-- < 1 || (i > 0 && row[i - 1] == row[i]))
-        return wrong(number, "must name different vertices from 1, not " + inQuotes(line));
+        return wrong(number, "must name different vertices from 1, not " + text::inQuotes(line));
     out.lines.push_back({row});
     return Done{};
   });
@@ -125,4 +126,4 @@ Result<PrescribedFeatures> readFeatures(std::string_view name, std::string_view 
   return readPairs(text);
 }
 
-}  // namespace hgp::io
+}  // namespace hgp::prescription

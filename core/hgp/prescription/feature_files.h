@@ -6,7 +6,7 @@
 #include "hgp/base/result.h"
 #include "hgp/prescription/prescription.h"
 
-namespace hgp::io {
+namespace hgp::prescription {
 
 /// Maximum number of edges in one file.
 inline constexpr int kMaxFeatures = 10'000'000;
@@ -17,4 +17,4 @@ inline constexpr int kMaxFeatures = 10'000'000;
 /// and the line.
 Result<PrescribedFeatures> readFeatures(std::string_view name, std::string_view text);
 
-}  // namespace hgp::io
+}  // namespace hgp::prescription

@@ -9,7 +9,7 @@
 #include "hgp/prescription/cones.h"
 #include "hgp/text/text.h"
 
-namespace hgp::io {
+namespace hgp::prescription {
 namespace {
 
 // Tolerance of the directions of an N-RoSy, because files have few digits.
@@ -17,14 +17,14 @@ constexpr double kRosyTolerance = 1e-2;
 constexpr std::int64_t kMaxFaces = 100'000'000;
 constexpr std::int64_t kMaxOrder = 64;
 
-Failure fieldFailure(const WordReader& words, const std::string& message) {
-  Failure f = malformedLine(words.line(), message);
+Failure fieldFailure(const text::WordReader& words, const std::string& message) {
+  Failure f = text::malformedLine(words.line(), message);
   f.stage = "field";
   return f;
 }
 
-Failure notANumber(const WordReader& words) {
-  return fieldFailure(words, "expected a number, not " + inQuotes(words.word()));
+Failure notANumber(const text::WordReader& words) {
+  return fieldFailure(words, "expected a number, not " + text::inQuotes(words.word()));
 }
 
 /// Whether the directions are at the angles 2πj/N from direction `from`, each as often as in an N-RoSy.
@@ -56,7 +56,7 @@ bool isRosy(const std::vector<Vec3>& directions) {
   return true;
 }
 
-bool readVector(WordReader& words, Vec3& out) {
+bool readVector(text::WordReader& words, Vec3& out) {
   return words.nextDouble(out[0]) && words.nextDouble(out[1]) && words.nextDouble(out[2]);
 }
 
@@ -68,10 +68,10 @@ class FFieldReader {
     if (mark != std::string_view::npos && mark < 200) {
       const char* p = text.data() + mark + 7;
       const char* end = text.data() + text.size();
-      skipBlanks(p, end);
+      text::skipBlanks(p, end);
       double version = 0;
       // Files of versions below 2 have the opposite sign.
-      if (readDouble(p, end, version) && version < 2) sign_ = 1;
+      if (text::readDouble(p, end, version) && version < 2) sign_ = 1;
     }
   }
 
@@ -94,7 +94,7 @@ class FFieldReader {
       } else if (block.find("matchings") != std::string::npos) {
         done = readMatchings();
       } else {
-        return fieldFailure(words_, "unknown block " + inQuotes(block));
+        return fieldFailure(words_, "unknown block " + text::inQuotes(block));
       }
       if (!done) return done.error();
     }
@@ -161,7 +161,7 @@ class FFieldReader {
     }
   }
 
-  WordReader words_;
+  text::WordReader words_;
   FieldData* field_ = nullptr;
   std::vector<Matching> reversed_;
   int sign_ = -1;
@@ -170,7 +170,7 @@ class FFieldReader {
 }  // namespace
 
 Result<Prescription> readRawField(std::string_view text) {
-  WordReader words(text);
+  text::WordReader words(text);
   std::int64_t N = 0, faces = 0;
   if (!words.nextInt(N) || !words.nextInt(faces)) return notANumber(words);
   if (N < 1 || N > kMaxOrder || faces < 1 || faces > kMaxFaces) {
@@ -198,7 +198,7 @@ Result<Prescription> readRawField(std::string_view text) {
 }
 
 Result<Prescription> readRosy(std::string_view text) {
-  WordReader words(text);
+  text::WordReader words(text);
   std::int64_t faces = 0, N = 0;
   if (!words.nextInt(faces) || !words.nextInt(N)) return notANumber(words);
   if (N < 1 || N > kMaxOrder || faces < 1 || faces > kMaxFaces) {
@@ -259,4 +259,4 @@ Status completeMatchings(FieldData& field, const std::vector<std::array<int, 3>>
   return Done{};
 }
 
-}  // namespace hgp::io
+}  // namespace hgp::prescription

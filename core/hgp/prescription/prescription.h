@@ -11,7 +11,7 @@
 #include "hgp/mesh/field_data.h"
 #include "hgp/mesh/mesh_data.h"
 
-namespace hgp::io {
+namespace hgp::prescription {
 
 /// Cone angle 2πk/q at a vertex; `position` identifies the vertex if the mesh has changed.
 /// If several fans of triangles meet at the vertex, `triangle` is a triangle of the fan that is meant; −1 otherwise.
@@ -80,4 +80,4 @@ struct Prescription {
   Notes notes;         ///< for users: what was read and reduced
 };
 
-}  // namespace hgp::io
+}  // namespace hgp::prescription

@@ -10,7 +10,7 @@
 
 #include "hgp/base/check.h"
 
-namespace hgp::io {
+namespace hgp::text {
 
 namespace {
 
@@ -151,4 +151,4 @@ Failure malformedByte(std::uint64_t offset, const std::string& message) {
           {{Where::Kind::kByte, static_cast<std::int64_t>(offset)}}};
 }
 
-}  // namespace hgp::io
+}  // namespace hgp::text

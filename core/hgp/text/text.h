@@ -8,7 +8,7 @@
 
 #include "hgp/base/result.h"
 
-namespace hgp::io {
+namespace hgp::text {
 
 /// Whether c is a blank inside a line.
 constexpr bool isBlank(char c) {
@@ -92,4 +92,4 @@ Failure malformedLine(std::int64_t line, const std::string& message);
 /// A kMalformed failure of the reading stage that names a byte.
 Failure malformedByte(std::uint64_t offset, const std::string& message);
 
-}  // namespace hgp::io
+}  // namespace hgp::text

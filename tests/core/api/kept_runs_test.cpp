@@ -28,8 +28,8 @@ Session loaded(const test::Shape& shape) {
   return session;
 }
 
-io::Prescription octahedralCones(int moved) {
-  io::Prescription cones;
+prescription::Prescription octahedralCones(int moved) {
+  prescription::Prescription cones;
   cones.q = 4;
   cones.hasCones = true;
   for (const int v : {0, 1, 2, 3, 4, 5, 6, moved}) cones.cones.push_back({v, 3, {}});
@@ -65,7 +65,7 @@ TEST(KeptRuns, UndoAndRedoSolveNothingAndHaveTheBytesOfANewSession) {
 TEST(KeptRuns, AreNotFoundForOtherArgumentsOrAnotherSurface) {
   Session session = loaded(test::icosphere(3));
   Counted on;
-  const auto isComputed = [&](const std::optional<io::Prescription>& prescription) {
+  const auto isComputed = [&](const std::optional<prescription::Prescription>& prescription) {
     on.reports = 0;
     EXPECT_TRUE(session.parametrize(prescription, on.options));
     return on.reports > 1;
@@ -83,7 +83,7 @@ TEST(KeptRuns, AreNotFoundForOtherArgumentsOrAnotherSurface) {
   EXPECT_TRUE(isComputed({})) << "on processors with fused multiply-add, the bytes differ";
   setReproducible(false);
   EXPECT_FALSE(isComputed({}));
-  io::Prescription cones = octahedralCones(7);
+  prescription::Prescription cones = octahedralCones(7);
   EXPECT_TRUE(isComputed(cones));
   std::swap(cones.cones[0], cones.cones[1]);
   EXPECT_TRUE(isComputed(cones)) << "notes and order are those of the arguments";

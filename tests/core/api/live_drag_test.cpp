@@ -39,7 +39,8 @@ struct Dragged {
     const auto cones = readPrescription("c.json", session.conesJson(), 4);
     EXPECT_TRUE(cones);
     isCone.resize(mesh.positions.size(), 0);
-    for (const io::PrescribedCone& c : cones->cones) isCone[static_cast<std::size_t>(c.vertex)] = 1;
+    for (const prescription::PrescribedCone& c : cones->cones)
+      isCone[static_cast<std::size_t>(c.vertex)] = 1;
     cone = cones->cones.back().vertex;
     for (const auto& t : mesh.triangles)
       for (std::size_t k = 0; k < 3; ++k)

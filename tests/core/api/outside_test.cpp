@@ -159,7 +159,7 @@ TEST(Outside, ConesAtAVertexOfTwoPartsSayWhichPartIsMeant) {
   EXPECT_GE(*triangles.rbegin(), static_cast<int>(once.triangles.size()));
   // Given back, they give the same map.
   const std::vector<double> uv = session.uv();
-  Result<io::Prescription> given = readPrescription("cones.json", cones, 0);
+  Result<prescription::Prescription> given = readPrescription("cones.json", cones, 0);
   ASSERT_TRUE(given);
   ASSERT_TRUE(session.parametrize(*given, {}));
   EXPECT_EQ(session.uv(), uv);

@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 struct Twice {
   int vertices = 0, loops = 0, handles = 0;
   Session mapped;
-  io::Prescription cones;
+  prescription::Prescription cones;
 };
 
 Twice twice(const test::Shape& shape) {
@@ -63,8 +63,8 @@ bool says(const Json& reason, const std::string& words) {
 
 TEST(Reasons, NameTheVertexOfTheFileAndByHowMuchItsAngleDiffersFromTheAskedOne) {
   Twice file = twice(test::icosphere(2));
-  std::vector<io::PrescribedCone*> second;
-  for (io::PrescribedCone& cone : file.cones.cones)
+  std::vector<prescription::PrescribedCone*> second;
+  for (prescription::PrescribedCone& cone : file.cones.cones)
     if (cone.vertex >= file.vertices) second.push_back(&cone);
   ASSERT_GE(second.size(), 4U);
   second[2]->k += 2;  // half a turn, which two others pay for
@@ -83,9 +83,9 @@ TEST(Reasons, NameTheVertexOfTheFileAndByHowMuchItsAngleDiffersFromTheAskedOne) 
 
 TEST(Reasons, NameTheLoopAndTheHandleOfTheFile) {
   Twice file = twice(test::puncturedTorus(12, 10));
-  for (io::PrescribedTurning& turning : file.cones.boundaries)
+  for (prescription::PrescribedTurning& turning : file.cones.boundaries)
     if (turning.loop >= file.loops) turning.l += 1;
-  for (io::PrescribedHandle& handle : file.cones.handles)
+  for (prescription::PrescribedHandle& handle : file.cones.handles)
     if (handle.generator == file.handles + 1) handle.r = (handle.r + 1) % 4;
   bool isLoop = false, isHandle = false;
   for (const Json& reason : reasons(file)) {

@@ -27,8 +27,8 @@ Session loadedAs(const std::string& name, const MeshData& mesh) {
 
 /// Two neighbours with 2π·9/4 each among five triangles: the two triangles between them would have to
 /// give each at least 4.5π − 3π, together 3π, and have 2π.
-io::Prescription impossible() {
-  io::Prescription asked;
+prescription::Prescription impossible() {
+  prescription::Prescription asked;
   asked.q = 4;
   asked.hasCones = true;
   const TriMesh mesh = test::icosphere(1).mesh();

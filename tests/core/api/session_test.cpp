@@ -125,7 +125,7 @@ TEST(Session, TheSurfaceThatAWeldChangedIsReturned) {
 
 TEST(Session, CheckCountsTheBudget) {
   const Session session = loaded(hgp::test::icosphere(3).data);
-  io::Prescription cones;
+  prescription::Prescription cones;
   cones.q = 4;
   cones.hasCones = true;
   for (int v : {0, 1, 2, 3, 4, 5, 6, 7}) cones.cones.push_back({v, 3, {}});
@@ -142,7 +142,7 @@ TEST(Session, CheckCountsTheBudget) {
 }
 
 /// Solves, writes, reads again and verifies what was read: the law of the whole program.
-void expectRoundTrip(const MeshData& mesh, const std::optional<io::Prescription>& asked,
+void expectRoundTrip(const MeshData& mesh, const std::optional<prescription::Prescription>& asked,
                      const SolveOptions& options = {}) {
   Session session = loaded(mesh);
   const Status solved = session.parametrize(asked, options);
@@ -159,7 +159,7 @@ void expectRoundTrip(const MeshData& mesh, const std::optional<io::Prescription>
   ASSERT_TRUE(written.hasValue());
   Session again;
   ASSERT_TRUE(again.load(fileSet("out.obj", written->files[0].bytes), {}).hasValue());
-  Result<io::Prescription> cones = readPrescription("c.json", session.conesJson(), 4);
+  Result<prescription::Prescription> cones = readPrescription("c.json", session.conesJson(), 4);
   ASSERT_TRUE(cones.hasValue()) << session.conesJson();
   Result<Verdict> verdict = again.verify(*cones, {});
   ASSERT_TRUE(verdict.hasValue()) << verdict.error().message;
@@ -167,7 +167,7 @@ void expectRoundTrip(const MeshData& mesh, const std::optional<io::Prescription>
 }
 
 TEST(Session, WhatIsWrittenIsCertifiedAgainAfterReading) {
-  io::Prescription cones;
+  prescription::Prescription cones;
   cones.hasCones = true;
   for (int v = 0; v < 8; ++v) cones.cones.push_back({v, 3, {}});
   expectRoundTrip(hgp::test::icosphere(3).data, cones);
@@ -251,8 +251,8 @@ TEST(Session, ScalesAsAsked) {
 }
 
 /// A direction per triangle of a flat surface.
-io::Prescription crosses(std::size_t faces, double angle) {
-  io::Prescription field;
+prescription::Prescription crosses(std::size_t faces, double angle) {
+  prescription::Prescription field;
   field.field.emplace();
   field.field->directions.assign(faces, Vec3{std::cos(angle), std::sin(angle), 0});
   return field;
@@ -263,7 +263,7 @@ TEST(Session, FramesOfAFieldAreTakenForEveryComponent) {
   Session session = loaded(mesh);
   SolveOptions options;
   options.frames = FrameSource::kFile;
-  const io::Prescription field = crosses(mesh.triangles.size(), 0.3);
+  const prescription::Prescription field = crosses(mesh.triangles.size(), 0.3);
   const Status done = session.parametrize(field, options);
   ASSERT_TRUE(done.hasValue()) << done.error().message;
   EXPECT_TRUE(session.isCertified());
@@ -279,12 +279,13 @@ TEST(Session, FramesOfAFileNeedAFieldWithDirections) {
   Session session = loaded(mesh);
   SolveOptions options;
   options.frames = FrameSource::kFile;
-  io::Prescription bare;
+  prescription::Prescription bare;
   bare.hasCones = true;
-  io::Prescription matched = bare;
+  prescription::Prescription matched = bare;
   matched.field.emplace();
   matched.field->hasMatchings = true;
-  const std::vector<std::optional<io::Prescription>> without = {std::nullopt, bare, matched};
+  const std::vector<std::optional<prescription::Prescription>> without = {std::nullopt, bare,
+                                                                          matched};
   for (const auto& asked : without) {
     const Status done = session.parametrize(asked, options);
     ASSERT_FALSE(done.hasValue());
@@ -299,7 +300,7 @@ TEST(Session, ConesThatTheFieldDoesNotHaveAreRefusedWithTheirPlaces) {
   Session session = loaded(mesh);
   SolveOptions options;
   options.frames = FrameSource::kFile;
-  io::Prescription cones;
+  prescription::Prescription cones;
   cones.hasCones = true;
   cones.cones = {{12, 3, std::nullopt}};
   const auto asked = withField(cones, crosses(mesh.triangles.size(), 0));
@@ -309,7 +310,7 @@ TEST(Session, ConesThatTheFieldDoesNotHaveAreRefusedWithTheirPlaces) {
   EXPECT_EQ(done.error().code, ErrorCode::kPrescription);
   ASSERT_EQ(done.error().where.size(), 1U);
   EXPECT_EQ(done.error().where[0].id, 12);
-  io::Prescription other = cones;
+  prescription::Prescription other = cones;
   other.q = 6;
   EXPECT_FALSE(withField(other, crosses(mesh.triangles.size(), 0)).hasValue());
 }
@@ -336,7 +337,7 @@ TEST(Session, AFileInScatteredOrderIsReportedByItsOwnIds) {
   const TriMesh mesh = torus.mesh();
   ASSERT_TRUE(isScattered(mesh));
   Session session = loaded(torus.data);
-  io::Prescription asked;
+  prescription::Prescription asked;
   asked.hasCones = true;
   // Outside and inside of the tube, where the surface itself bends that way.
   for (const double x : {1.4, -1.4}) asked.cones.push_back({vertexAt(mesh, {x, 0, 0}), 3, {}});
@@ -399,7 +400,7 @@ TEST(Session, AFileInScatteredOrderIsReportedByItsOwnIds) {
 
 TEST(Session, AFieldInScatteredOrderStaysOnItsTriangles) {
   const Shape torus = scatteredTorus();
-  io::Prescription field;
+  prescription::Prescription field;
   field.field.emplace();
   for (const auto& t : torus.data.triangles) {
     Vec3 c{0, 0, 0};
@@ -439,7 +440,8 @@ TEST(Session, ConesTooCloseToEachOtherAreNamedByTheFilesIds) {
   auto cones = readPrescription("cones.json", session.conesJson(), 4);
   ASSERT_TRUE(cones) << cones.error().message;
   std::set<int> known;
-  for (const io::PrescribedCone& cone : cones->cones) known.insert(static_cast<int>(cone.vertex));
+  for (const prescription::PrescribedCone& cone : cones->cones)
+    known.insert(static_cast<int>(cone.vertex));
   // Fifty pairs of neighbours leave a grid even less room.
   for (std::size_t f = 0; f < crowded.triangles.size() && known.size() < 124; f += 5) {
     const int a = crowded.triangles[f][0] + offset, b = crowded.triangles[f][1] + offset;
@@ -491,7 +493,7 @@ TEST(Session, CancellingWhileTheMapIsAlignedIsNoResult) {
 TEST(Session, ConesFollowTheirPositionsToAChangedFile) {
   MeshData mesh = hgp::test::icosphere(2).data;
   const Session first = loaded(mesh);
-  io::Prescription cones;
+  prescription::Prescription cones;
   cones.hasCones = true;
   for (int v = 0; v < 8; ++v) cones.cones.push_back({v, 3, {}});
   Result<std::string> json = first.convert(cones);
@@ -502,13 +504,13 @@ TEST(Session, ConesFollowTheirPositionsToAChangedFile) {
     for (int& v : t) v = last - v;
   }
   const Session second = loaded(mesh);
-  Result<io::Prescription> read = readPrescription("c.json", *json, 4);
+  Result<prescription::Prescription> read = readPrescription("c.json", *json, 4);
   ASSERT_TRUE(read.hasValue());
   Result<std::string> moved = second.convert(*read);
   ASSERT_TRUE(moved.hasValue());
-  Result<io::Prescription> found = readPrescription("c.json", *moved, 4);
+  Result<prescription::Prescription> found = readPrescription("c.json", *moved, 4);
   ASSERT_EQ(found->cones.size(), 8u);
-  for (const io::PrescribedCone& c : found->cones) EXPECT_GE(c.vertex, last - 7);
+  for (const prescription::PrescribedCone& c : found->cones) EXPECT_GE(c.vertex, last - 7);
   read->cones[0].position = Vec3{5, 5, 5};
   EXPECT_FALSE(second.convert(*read).hasValue());
 }

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "hgp/api/option_words.h"
 #include "hgp/api/session.h"
 #include "hgp/io/convert.h"
 #include "support/shapes.h"

@@ -7,17 +7,18 @@
 namespace hgp::io {
 namespace {
 
-Result<Prescription> read(const std::string& name, const std::string& text, int q = 4) {
+Result<prescription::Prescription> read(const std::string& name, const std::string& text,
+                                        int q = 4) {
   return readPrescription(name, text, q);
 }
 
 bool isRefused(const std::string& name, const std::string& text) {
-  Result<Prescription> p = read(name, text);
+  Result<prescription::Prescription> p = read(name, text);
   return !p && !p.error().message.empty();
 }
 
 TEST(ConesJson, WrittenConesAreReadBackTheSame) {
-  Prescription p;
+  prescription::Prescription p;
   p.q = 6;
   p.hasCones = true;
   p.cones = {{4, 5, Vec3{0.1, 1.0 / 3.0, -2}}, {9, 7, std::nullopt}};
@@ -31,7 +32,8 @@ TEST(ConesJson, WrittenConesAreReadBackTheSame) {
   p.field->hasMatchings = true;
   p.field->matchings = {{3, 4, 10, 11, 2}};
   for (int indent : {-1, 2}) {
-    Result<Prescription> r = readConesJson(writeConesJson(p, indent));
+    Result<prescription::Prescription> r =
+        prescription::readConesJson(prescription::writeConesJson(p, indent));
     ASSERT_TRUE(r.hasValue()) << r.error().message;
     EXPECT_EQ(r->q, 6);
     ASSERT_EQ(r->cones.size(), 2u);
@@ -81,7 +83,7 @@ TEST(ConesJson, AnAbsentListIsNotAnEmptyOne) {
 }
 
 TEST(ConesText, ReadsConesAndMatchings) {
-  Result<Prescription> p =
+  Result<prescription::Prescription> p =
       read("a.cones", "# comment\nq 5\ncones 2\n3 4\n7 6\nmatchings 1\n10 11 3 7 -2\n");
   ASSERT_TRUE(p.hasValue()) << p.error().message;
   EXPECT_EQ(p->q, 5);
@@ -98,19 +100,19 @@ TEST(ConesText, ReadsConesAndMatchings) {
 }
 
 TEST(Sings, KIsOrderMinusIndex) {
-  Result<Prescription> p = read("a.sings", "4 3\n5 1\n6 -1\n7 0\n");
+  Result<prescription::Prescription> p = read("a.sings", "4 3\n5 1\n6 -1\n7 0\n");
   ASSERT_TRUE(p.hasValue());
   ASSERT_EQ(p->cones.size(), 2u);
   EXPECT_EQ(p->cones[0].k, 3);
   EXPECT_EQ(p->cones[1].k, 5);
-  Result<Prescription> broken = read("a.sings", "4 2\n5 1\n61\n");
+  Result<prescription::Prescription> broken = read("a.sings", "4 2\n5 1\n61\n");
   ASSERT_FALSE(broken.hasValue());
   EXPECT_NE(broken.error().message.find("line"), std::string::npos);
 }
 
 TEST(Sings, NumbersThatNoIntHoldsAreRefused) {
   for (const char* text : {"1963793227 1\n5 -1231582227\n", "4 1\n1532679322831853 1\n"}) {
-    Result<Prescription> p = read("a.sings", text);
+    Result<prescription::Prescription> p = read("a.sings", text);
     ASSERT_FALSE(p.hasValue()) << text;
     EXPECT_EQ(p.error().code, ErrorCode::kMalformed);
     EXPECT_EQ(p.error().where.at(0).id, 2);
@@ -118,12 +120,13 @@ TEST(Sings, NumbersThatNoIntHoldsAreRefused) {
 }
 
 TEST(Curvatures, AreExactOrRefused) {
-  Result<Prescription> p = read("a.txt", "# x\n3 1.5707963267948966\n4 -1.5707963267948966\n5 0\n");
+  Result<prescription::Prescription> p =
+      read("a.txt", "# x\n3 1.5707963267948966\n4 -1.5707963267948966\n5 0\n");
   ASSERT_TRUE(p.hasValue()) << p.error().message;
   ASSERT_EQ(p->cones.size(), 2u);
   EXPECT_EQ(p->cones[0].k, 3);
   EXPECT_EQ(p->cones[1].k, 5);
-  Result<Prescription> off = read("a.txt", "3 1.5707963267948966\n4 0.3\n9 1\n");
+  Result<prescription::Prescription> off = read("a.txt", "3 1.5707963267948966\n4 0.3\n9 1\n");
   ASSERT_FALSE(off.hasValue());
   EXPECT_EQ(off.error().code, ErrorCode::kPrescription);
   EXPECT_NE(off.error().message.find("line 2"), std::string::npos) << off.error().message;
@@ -140,16 +143,17 @@ TEST(TotalAngles, BecomeConesAndTurning) {
   const Topology topology = computeTopology(*mesh);
   std::string text = "4.71238898038469\n";                     // k = 3
   for (int i = 0; i < 4; ++i) text += "1.9634954084936207\n";  // 5π/8 each: Σ(π − θ) = 3π/2
-  Result<Prescription> raw = read("x_Th_hat", text);
+  Result<prescription::Prescription> raw = read("x_Th_hat", text);
   ASSERT_TRUE(raw.hasValue());
-  Result<Prescription> p = reduceTotalAngles(*raw, *mesh, topology, {});
+  Result<prescription::Prescription> p = prescription::reduceTotalAngles(*raw, *mesh, topology, {});
   ASSERT_TRUE(p.hasValue()) << p.error().message;
   ASSERT_EQ(p->cones.size(), 1u);
   EXPECT_EQ(p->cones[0].k, 3);
   ASSERT_EQ(p->boundaries.size(), 1u);
   EXPECT_EQ(p->boundaries[0].l, 3);
   raw->totalAngles[0] += 0.01;
-  Result<Prescription> off = reduceTotalAngles(*raw, *mesh, topology, {});
+  Result<prescription::Prescription> off =
+      prescription::reduceTotalAngles(*raw, *mesh, topology, {});
   ASSERT_FALSE(off.hasValue());
   EXPECT_NE(off.error().message.find("line 1"), std::string::npos);
 }
@@ -158,7 +162,7 @@ TEST(HgpObj, ConeAndSeamLines) {
   const std::string text =
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
       "c 1 1.5\nc 2 1\nsm 2 2 1\nsm 1 1 3\n";
-  Result<Prescription> p = read("a.obj", text);
+  Result<prescription::Prescription> p = read("a.obj", text);
   ASSERT_TRUE(p.hasValue()) << p.error().message;
   EXPECT_EQ(p->q, 4);
   EXPECT_EQ(p->cones[0].vertex, 0);
@@ -189,7 +193,7 @@ TEST(RawField, MustBeARosy) {
 }
 
 TEST(Rosy, TakesOneDirectionPerFace) {
-  Result<Prescription> p = read("a.rosy", "2\n4\n1 0 0\n0 1 0\n");
+  Result<prescription::Prescription> p = read("a.rosy", "2\n4\n1 0 0\n0 1 0\n");
   ASSERT_TRUE(p.hasValue());
   EXPECT_EQ(p->field->directions.size(), 2u);
   EXPECT_TRUE(isRefused("a.rosy", "2\n4\n1 0 0\n"));
@@ -202,7 +206,7 @@ TEST(FField, StoredMatchingsAreTaken) {
   // Faces (0 1 2) and (0 2 3) share the edge 0–2; the halfedge of face 0 that points to 0 is 2 → 0.
   const std::string tail = "MI_matchings_and_sharp\n0 1 2 1 0 0 0 0 0\n0 2 3 0 -1 0 0 0 0\n";
   for (int version : {1, 2}) {
-    Result<Prescription> p =
+    Result<prescription::Prescription> p =
         read("a.ffield", "# version " + std::to_string(version) + "\n" + head + tail);
     ASSERT_TRUE(p.hasValue()) << p.error().message;
     EXPECT_EQ(p->q, 4);
@@ -212,7 +216,7 @@ TEST(FField, StoredMatchingsAreTaken) {
     if (m.from == 1) std::swap(m.tail, m.head), m.turn = -m.turn;
     EXPECT_EQ(reduceTurn(m.turn, 4), reduceTurn(version == 2 ? -1 : 1, 4));
     EXPECT_EQ(m.tail, 2);
-    Status done = completeMatchings(*p->field, {{0, 1, 2}, {0, 2, 3}});
+    Status done = prescription::completeMatchings(*p->field, {{0, 1, 2}, {0, 2, 3}});
     EXPECT_TRUE(done.hasValue());
     EXPECT_GE(p->field->matchings[0].to, 0);
   }
@@ -233,7 +237,7 @@ TEST(SharedCones, AreReadCompletely) {
     std::string text;
     if (!test::readShared(k.name, text))
       GTEST_SKIP() << "no data folder at " << test::sharedMeshes();
-    Result<Prescription> p = read(k.name, text);
+    Result<prescription::Prescription> p = read(k.name, text);
     ASSERT_TRUE(p.hasValue()) << k.name << ": " << p.error().message;
     EXPECT_EQ(p->q, k.q) << k.name;
   }

@@ -11,16 +11,16 @@ namespace {
 using Pair = std::array<int, 2>;
 
 TEST(FeatureFiles, SharpListsSidesOfTriangles) {
-  const Result<PrescribedFeatures> read =
-      readFeatures("part.sharp", "3\n1,0,2\r\n0, 7, 1\n1,8,0\n");
+  const Result<prescription::PrescribedFeatures> read =
+      prescription::readFeatures("part.sharp", "3\n1,0,2\r\n0, 7, 1\n1,8,0\n");
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(read->sides, (std::vector<Pair>{{0, 2}, {7, 1}, {8, 0}}));
   EXPECT_TRUE(read->lines.empty());
 }
 
 TEST(FeatureFiles, ObjLinesAreCountedFromOne) {
-  const Result<PrescribedFeatures> read =
-      readFeatures("part.obj", "v 0 0 0\nl 1 2 3\nf 1 2 3\nl 4 1\n");
+  const Result<prescription::PrescribedFeatures> read =
+      prescription::readFeatures("part.obj", "v 0 0 0\nl 1 2 3\nf 1 2 3\nl 4 1\n");
   ASSERT_TRUE(read) << read.error().message;
   ASSERT_EQ(read->lines.size(), 2u);
   EXPECT_EQ(read->lines[0].vertices, (std::vector<int>{0, 1, 2}));
@@ -28,8 +28,8 @@ TEST(FeatureFiles, ObjLinesAreCountedFromOne) {
 }
 
 TEST(FeatureFiles, OtherwiseRowsAreTwoVertices) {
-  const Result<PrescribedFeatures> read =
-      readFeatures("edges.txt", "# creases\n\n0 4\n4,\t9 # last\n");
+  const Result<prescription::PrescribedFeatures> read =
+      prescription::readFeatures("edges.txt", "# creases\n\n0 4\n4,\t9 # last\n");
   ASSERT_TRUE(read) << read.error().message;
   ASSERT_EQ(read->lines.size(), 2u);
   EXPECT_EQ(read->lines[1].vertices, (std::vector<int>{4, 9}));
@@ -53,7 +53,7 @@ TEST(FeatureFiles, WrongRowsAreNamed) {
                {"a.txt", "0 1 2\n", 1},
                {"a.txt", "1 99999999999999999999\n", 1}};
   for (const auto& [name, text, line] : wrong) {
-    const Result<PrescribedFeatures> read = readFeatures(name, text);
+    const Result<prescription::PrescribedFeatures> read = prescription::readFeatures(name, text);
     ASSERT_FALSE(read) << name << ": " << text;
     EXPECT_EQ(read.error().code, ErrorCode::kMalformed);
     ASSERT_FALSE(read.error().where.empty()) << text;
@@ -62,22 +62,24 @@ TEST(FeatureFiles, WrongRowsAreNamed) {
 }
 
 TEST(FeatureFiles, FeaturesAreStoredWithCones) {
-  Prescription p;
+  prescription::Prescription p;
   p.hasCones = true;
   p.features.hasRims = true;
   p.features.lines = {{{3, 1, 4}, {{0, 0, 0}, {0.1, 0, 1}, {1, 2, 3}}}, {{5, 9}}};
-  const Result<Prescription> read = readConesJson(writeConesJson(p));
+  const Result<prescription::Prescription> read =
+      prescription::readConesJson(prescription::writeConesJson(p));
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_TRUE(read->features.hasRims);
   ASSERT_EQ(read->features.lines.size(), 2u);
   EXPECT_EQ(read->features.lines[0].vertices, p.features.lines[0].vertices);
   EXPECT_EQ(read->features.lines[0].positions, p.features.lines[0].positions);
   EXPECT_TRUE(read->features.lines[1].positions.empty());
-  const Result<PrescribedFeatures> alone = readFeatures("x.json", writeConesJson(p));
+  const Result<prescription::PrescribedFeatures> alone =
+      prescription::readFeatures("x.json", prescription::writeConesJson(p));
   ASSERT_TRUE(alone);
   EXPECT_EQ(alone->lines.size(), 2u);
   p.features = {};
-  EXPECT_EQ(writeConesJson(p).find("features"), std::string::npos);
+  EXPECT_EQ(prescription::writeConesJson(p).find("features"), std::string::npos);
 }
 
 TEST(FeatureFiles, WrongFeaturesInJsonAreNamed) {
@@ -87,8 +89,8 @@ TEST(FeatureFiles, WrongFeaturesInJsonAreNamed) {
         "{\"lines\": [{\"vertices\": [1, 1]}]}",
         "{\"lines\": [{\"vertices\": [1, 2], \"positions\": [[0, 0, 0]]}]}",
         "{\"lines\": [{\"vertices\": [1, 2], \"positions\": [[0, 0, 0], [0, 0]]}]}"}) {
-    const Result<Prescription> read =
-        readConesJson(std::string("{\"q\": 4, \"features\": ") + features + "}");
+    const Result<prescription::Prescription> read =
+        prescription::readConesJson(std::string("{\"q\": 4, \"features\": ") + features + "}");
     ASSERT_FALSE(read) << features;
     EXPECT_EQ(read.error().code, ErrorCode::kMalformed) << features;
   }

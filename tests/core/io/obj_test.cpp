@@ -166,7 +166,7 @@ TEST(Obj, EmbeddedConesComeBackAndAreReplaced) {
   const std::string text = test::written(**document, map, options);
   Result<DocumentPtr> again = openText("b.obj", text);
   ASSERT_TRUE(again.hasValue());
-  Result<std::optional<Prescription>> cones = (*again)->embeddedCones(0);
+  Result<std::optional<prescription::Prescription>> cones = (*again)->embeddedCones(0);
   ASSERT_TRUE(cones.hasValue() && cones->has_value());
   EXPECT_EQ((*cones)->q, 6);
   EXPECT_EQ((*cones)->cones[0].k, 5);
@@ -244,9 +244,9 @@ std::string gridText(int n) {
   for (int i = 0; i <= n; ++i) {
     for (int j = 0; j <= n; ++j) {
       text += "v ";
-      appendDouble(text, 0.001234567 * i);
+      text::appendDouble(text, 0.001234567 * i);
       text += ' ';
-      appendDouble(text, 0.00198765 * j);
+      text::appendDouble(text, 0.00198765 * j);
       text += " -0.123456\n";
     }
   }

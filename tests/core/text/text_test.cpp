@@ -14,7 +14,7 @@ namespace {
 bool readsAs(const std::string& text, double expected) {
   const char* p = text.data();
   double value = -12345;
-  return readDouble(p, text.data() + text.size(), value) && p == text.data() + text.size() &&
+  return text::readDouble(p, text.data() + text.size(), value) && p == text.data() + text.size() &&
          std::memcmp(&value, &expected, sizeof value) == 0;
 }
 
@@ -26,7 +26,7 @@ TEST(ReadDouble, IsTheNearestDoubleForEveryPrintedOne) {
     std::memcpy(&x, &bits, sizeof x);
     if (!std::isfinite(x)) continue;
     std::string text;
-    appendDouble(text, x);
+    text::appendDouble(text, x);
     ASSERT_TRUE(readsAs(text, x)) << text;
     char buffer[64];
     int exponent = 0;
@@ -78,7 +78,7 @@ TEST(ReadDouble, RefusesWhatIsNoFiniteNumber) {
        {"", "-", ".", "e5", "nan", "inf", "-inf", "1e999", "1e", "x1", "1e+"}) {
     const char* p = text.data();
     double value = 0;
-    EXPECT_FALSE(readDouble(p, text.data() + text.size(), value)) << text;
+    EXPECT_FALSE(text::readDouble(p, text.data() + text.size(), value)) << text;
     EXPECT_EQ(p, text.data());
   }
 }
@@ -88,11 +88,11 @@ TEST(ReadDouble, StopsAtACommaWhateverTheLocale) {
   const std::string text = "1,5";
   const char* p = text.data();
   double value = 0;
-  EXPECT_TRUE(readDouble(p, text.data() + text.size(), value));
+  EXPECT_TRUE(text::readDouble(p, text.data() + text.size(), value));
   EXPECT_EQ(value, 1);
   EXPECT_EQ(p - text.data(), 1);
   std::string printed;
-  appendDouble(printed, 0.5);
+  text::appendDouble(printed, 0.5);
   EXPECT_EQ(printed, "0.5");
   std::setlocale(LC_ALL, "C");
 }
@@ -101,12 +101,12 @@ TEST(ReadInt, RefusesOverflow) {
   const std::string text = "9999999999999999999";
   const char* p = text.data();
   std::int64_t value = 0;
-  EXPECT_FALSE(readInt(p, text.data() + text.size(), value));
+  EXPECT_FALSE(text::readInt(p, text.data() + text.size(), value));
 }
 
 TEST(Quoted, HidesControlBytesAndLength) {
-  EXPECT_EQ(inQuotes("a\x1b[31m"), "'a?[31m'");
-  EXPECT_EQ(inQuotes(std::string(100, 'x'), 3), "'xxx…'");
+  EXPECT_EQ(text::inQuotes("a\x1b[31m"), "'a?[31m'");
+  EXPECT_EQ(text::inQuotes(std::string(100, 'x'), 3), "'xxx…'");
 }
 
 }  // namespace

@@ -43,28 +43,34 @@ export interface Drag {
   delete(): void;
 }
 
+/** `options` are objects as JSON, which optionsFromJson of the core reads. */
 export interface Session {
   load(
     main: string,
     names: string[],
     contents: Uint8Array[],
     decoders: object,
-    options: object,
+    options: string,
   ): JsonReply;
-  loadMesh(positions: ArrayLike<number>, triangles: ArrayLike<number>, options: object): JsonReply;
+  loadMesh(positions: ArrayLike<number>, triangles: ArrayLike<number>, options: string): JsonReply;
   inspect(): JsonReply;
   check(cones: string): JsonReply;
   surface(): Reply<import('./lib/results.js').Surface>;
   readCones(name: string, text: string, q: number): JsonReply;
   embeddedCones(): Reply<{ json?: string }>;
-  suggestCones(options: object, onProgress?: ProgressCall): JsonReply;
-  parametrize(cones: string, options: object, onProgress?: ProgressCall): Reply<SessionResult>;
+  suggestCones(options: string, onProgress?: ProgressCall): JsonReply;
+  parametrize(
+    cones: string,
+    field: object | undefined,
+    options: string,
+    onProgress?: ProgressCall,
+  ): Reply<SessionResult>;
   result(): Reply<SessionResult>;
   beginDrag(drag: Drag, vertex: number): Reply;
   storedResult(): StoredResult;
   use(result: StoredResult): boolean;
-  verify(cones: string, options: object): JsonReply;
-  write(options: object): Reply<{
+  verify(cones: string, field: object | undefined, options: string): JsonReply;
+  write(options: string): Reply<{
     files: { name: string; bytes: Uint8Array }[];
     /** JSON of Note[]. */
     notes: string;

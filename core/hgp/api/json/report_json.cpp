@@ -2,6 +2,7 @@
 
 #include "hgp/api/json/json_text.h"
 #include "hgp/api/json/spliced_text.h"
+#include "hgp/api/option_words.h"
 #include "hgp/api/session.h"
 #include "hgp/base/check.h"
 

@@ -123,7 +123,7 @@ void noteNotFinite(Model& model) {
 
 /// Reads the cones stored in the file. They are optional: if they are invalid, a note says so.
 void takeEmbeddedCones(OpenedFile& file, const io::Document& document, int surface) {
-  Result<std::optional<io::Prescription>> cones = document.embeddedCones(surface);
+  Result<std::optional<prescription::Prescription>> cones = document.embeddedCones(surface);
   if (cones) {
     file.embeddedCones = std::move(*cones);
   } else {

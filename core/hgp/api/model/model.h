@@ -43,7 +43,7 @@ struct OpenedFile {
   bool isJoined =
       false;    ///< all meshes of the file became one, which LoadOptions::surface does not name
   Notes notes;  ///< what reading, welding and repairs did
-  std::optional<io::Prescription>
+  std::optional<prescription::Prescription>
       embeddedCones;  ///< stored in the file; invalid ones only give a note
 };
 

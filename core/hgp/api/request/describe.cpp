@@ -35,8 +35,8 @@ int anchorOf(const ModelComponent& component, const BoundaryLoop& loop, const Na
 
 }  // namespace
 
-io::Prescription describe(const Model& model, const std::vector<HolonomySpec>& specs) {
-  io::Prescription out;
+prescription::Prescription describe(const Model& model, const std::vector<HolonomySpec>& specs) {
+  prescription::Prescription out;
   out.hasCones = true;
   out.sha256 = model.sha256;
   out.vertexCount = static_cast<int>(model.source().mesh.positions.size());

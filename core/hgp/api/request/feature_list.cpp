@@ -37,52 +37,52 @@ std::string sharpText(const Model& model, const Request& request) {
       const int from = component.corner[h].i, to = component.corner[TriMesh::next(h)].i;
       const int corner =
           (from % 3 + 1) % 3 == to % 3 ? from : to;  // repairs may have turned it over
-      io::appendInt(rows, mesh.isBoundary(h) || isConvexAt(mesh, h));
+      text::appendInt(rows, mesh.isBoundary(h) || isConvexAt(mesh, h));
       rows += ',';
-      io::appendInt(rows, corner / 3);
+      text::appendInt(rows, corner / 3);
       rows += ',';
-      io::appendInt(rows, corner % 3);
+      text::appendInt(rows, corner % 3);
       rows += '\n';
       ++count;
     }
   }
   std::string out;
-  io::appendInt(out, count);
+  text::appendInt(out, count);
   return out + "\n" + rows;
 }
 
 void appendLine(std::string& out, const std::vector<int>& vertices, int first) {
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     if (i > 0) out += ' ';
-    io::appendInt(out, vertices[i] + first);
+    text::appendInt(out, vertices[i] + first);
   }
   out += '\n';
 }
 
-std::string objText(const Model& model, const io::PrescribedFeatures& features) {
+std::string objText(const Model& model, const prescription::PrescribedFeatures& features) {
   std::string out;
   for (const Vec3& p : model.source().mesh.positions) {
     out += 'v';
     for (const double x : p) {
       out += ' ';
-      io::appendDouble(out, x);
+      text::appendDouble(out, x);
     }
     out += '\n';
   }
-  for (const io::PrescribedLine& line : features.lines) {
+  for (const prescription::PrescribedLine& line : features.lines) {
     out += "l ";
     appendLine(out, line.vertices, 1);
   }
   return out;
 }
 
-std::string jsonText(const Model& model, io::PrescribedFeatures features) {
-  io::Prescription list;
+std::string jsonText(const Model& model, prescription::PrescribedFeatures features) {
+  prescription::Prescription list;
   list.sha256 = model.sha256;
   list.vertexCount = static_cast<int>(model.source().mesh.positions.size());
   list.triangleCount = static_cast<int>(model.source().mesh.triangles.size());
   list.features = std::move(features);
-  return io::writeConesJson(list);
+  return prescription::writeConesJson(list);
 }
 
 }  // namespace
@@ -105,13 +105,13 @@ FeatureList listFeatures(const Model& model, const Request& request, const std::
     out.text = sharpText(model, request);
     return out;
   }
-  io::PrescribedFeatures features = describeFeatures(model, specs);
+  prescription::PrescribedFeatures features = describeFeatures(model, specs);
   if (endsIn(name, ".json")) {
     out.text = jsonText(model, std::move(features));
   } else if (endsIn(name, ".obj")) {
     out.text = objText(model, features);
   } else {
-    for (const io::PrescribedLine& line : features.lines)
+    for (const prescription::PrescribedLine& line : features.lines)
       for (std::size_t i = 1; i < line.vertices.size(); ++i)
         appendLine(out.text, {line.vertices[i - 1], line.vertices[i]}, 0);
   }

@@ -25,7 +25,7 @@ Failure refusedFeature(std::string message, std::vector<Where> where = {}) {
 
 class FeatureFinder {
  public:
-  FeatureFinder(const Model& model, const io::Prescription& asked)
+  FeatureFinder(const Model& model, const prescription::Prescription& asked)
       : model_(model), asked_(asked), positions_(model.source().mesh.positions) {
     isMoved_ = (!asked.sha256.empty() && asked.sha256 != model.sha256) || !model.hasOwnVertexIds;
     reach_ = kSameFeaturePlace * diagonal(finiteBoxOf(positions_));
@@ -33,7 +33,7 @@ class FeatureFinder {
 
   /// All asked edges as pairs of surface vertices, ascending.
   Result<std::vector<Pair>> run() {
-    for (const io::PrescribedLine& line : asked_.features.lines) {
+    for (const prescription::PrescribedLine& line : asked_.features.lines) {
       int before = -1;
       for (std::size_t i = 0; i < line.vertices.size(); ++i) {
         Result<int> v = vertex(line, i);
@@ -49,7 +49,7 @@ class FeatureFinder {
   }
 
  private:
-  Result<int> vertex(const io::PrescribedLine& line, std::size_t i) const {
+  Result<int> vertex(const prescription::PrescribedLine& line, std::size_t i) const {
     const int v = line.vertices[i], count = static_cast<int>(positions_.size());
     if (line.positions.empty() && !model_.hasOwnVertexIds)
       return refusedFeature(
@@ -90,7 +90,7 @@ class FeatureFinder {
   }
 
   const Model& model_;
-  const io::Prescription& asked_;
+  const prescription::Prescription& asked_;
   const std::vector<Vec3>& positions_;
   bool isMoved_ = false;
   double reach_ = 0.0;
@@ -99,7 +99,8 @@ class FeatureFinder {
 
 }  // namespace
 
-Status addFeatures(const Model& model, const io::Prescription& prescription, Request& request) {
+Status addFeatures(const Model& model, const prescription::Prescription& prescription,
+                   Request& request) {
   if (prescription.features.isEmpty()) return Done{};
   Result<std::vector<Pair>> pairs = FeatureFinder(model, prescription).run();
   if (!pairs) return std::move(pairs).error();
@@ -141,13 +142,13 @@ Status addFeatures(const Model& model, const io::Prescription& prescription, Req
                         std::move(where));
 }
 
-bool isFeaturesOnly(const io::Prescription& prescription) {
+bool isFeaturesOnly(const prescription::Prescription& prescription) {
   return !prescription.features.isEmpty() && !prescription.hasCones && !prescription.field &&
          prescription.boundaries.empty() && prescription.handles.empty() &&
          prescription.totalAngles.empty();
 }
 
-Status checkFeatures(const std::optional<io::Prescription>& prescription,
+Status checkFeatures(const std::optional<prescription::Prescription>& prescription,
                      const SolveOptions& options) {
   if (!prescription || prescription->features.isEmpty()) return Done{};
   const auto refuse = [](const char* text) {
@@ -162,9 +163,9 @@ Status checkFeatures(const std::optional<io::Prescription>& prescription,
   return Done{};
 }
 
-io::PrescribedFeatures describeFeatures(const Model& model,
-                                        const std::vector<HolonomySpec>& specs) {
-  io::PrescribedFeatures out;
+prescription::PrescribedFeatures describeFeatures(const Model& model,
+                                                  const std::vector<HolonomySpec>& specs) {
+  prescription::PrescribedFeatures out;
   for (std::size_t p = 0; p < specs.size(); ++p) {
     const ModelComponent& component = model.components[p];
     const TriMesh& mesh = component.mesh;
@@ -179,7 +180,7 @@ io::PrescribedFeatures describeFeatures(const Model& model,
     };
     for (EdgeId first : specs[p].features) {
       if (!isOpen[first]) continue;
-      io::PrescribedLine line;
+      prescription::PrescribedLine line;
       VertexId v = mesh.tail(mesh.halfedge(first));
       const auto add = [&] {
         line.vertices.push_back(component.vertex[v].i);

@@ -1,4 +1,4 @@
-// Features of a prescription on a mesh.  Role: io::PrescribedFeatures → HolonomySpec::features, and back.
+// Features of a prescription on a mesh.  Role: prescription::PrescribedFeatures → HolonomySpec::features, and back.
 #pragma once
 
 #include "hgp/api/request/request.h"
@@ -7,16 +7,18 @@ namespace hgp::api {
 
 /// Sets spec.features of every component that has features, its boundary edges included. Vertices are found by their
 /// positions if the mesh has changed. Fails with kPrescription and the places where an edge is none of the surface.
-Status addFeatures(const Model& model, const io::Prescription& prescription, Request& request);
+Status addFeatures(const Model& model, const prescription::Prescription& prescription,
+                   Request& request);
 
 /// Whether nothing but features is prescribed, so that cones are chosen automatically.
-bool isFeaturesOnly(const io::Prescription& prescription);
+bool isFeaturesOnly(const prescription::Prescription& prescription);
 
 /// Fails with kUsage for options that do not go with features.
-Status checkFeatures(const std::optional<io::Prescription>& prescription,
+Status checkFeatures(const std::optional<prescription::Prescription>& prescription,
                      const SolveOptions& options);
 
 /// The features of all components as polylines, in ids of the surface and with positions.
-io::PrescribedFeatures describeFeatures(const Model& model, const std::vector<HolonomySpec>& specs);
+prescription::PrescribedFeatures describeFeatures(const Model& model,
+                                                  const std::vector<HolonomySpec>& specs);
 
 }  // namespace hgp::api

@@ -43,17 +43,17 @@ class MarkFinder {
   explicit MarkFinder(const io::PlainSurface& surface)
       : surface_(surface), sides_(sidesOf(surface.mesh)) {}
 
-  Status add(io::FeatureMark mark, bool isAsked) {
+  Status add(prescription::FeatureMark mark, bool isAsked) {
     switch (mark) {
-      case io::FeatureMark::kLines:
+      case prescription::FeatureMark::kLines:
         for (const auto& [a, b] : surface_.lines)
           found_.push_back({std::min(a, b), std::max(a, b)});
         return Done{};
-      case io::FeatureMark::kSmoothing:
+      case prescription::FeatureMark::kSmoothing:
         return addBetween(surface_.triangleSmoothing);
-      case io::FeatureMark::kMaterials:
+      case prescription::FeatureMark::kMaterials:
         return addBetween(surface_.triangleMaterial);
-      case io::FeatureMark::kNormals:
+      case prescription::FeatureMark::kNormals:
         return addNormals(isAsked);
     }
     return Done{};
@@ -124,15 +124,16 @@ class MarkFinder {
 }  // namespace
 
 Result<std::vector<Pair>> markedEdges(const Model& model,
-                                      const std::vector<io::FeatureMark>& marks) {
+                                      const std::vector<prescription::FeatureMark>& marks) {
   if (marks.empty()) return std::vector<Pair>();
   Result<io::PlainFile> plain = model.document->plain(model.surface);
   if (!plain) return plain.error();
   MarkFinder finder(plain->surfaces.front());
   std::string names;
-  for (const io::FeatureMark mark : marks) {
+  for (const prescription::FeatureMark mark : marks) {
     if (Status done = finder.add(mark, marks.size() == 1); !done) return done.error();
-    names += (names.empty() ? "" : ", ") + std::string(io::kFeatureMarks[static_cast<int>(mark)]);
+    names += (names.empty() ? "" : ", ") +
+             std::string(prescription::kFeatureMarks[static_cast<int>(mark)]);
   }
   std::vector<Pair> found = finder.take();
   if (!found.empty()) return found;

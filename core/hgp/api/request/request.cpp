@@ -23,7 +23,8 @@ Failure refusal(const std::string& message, std::vector<Where> where = {}) {
 
 class Resolver {
  public:
-  Resolver(const Model& model, const io::Prescription& asked) : model_(model), asked_(asked) {
+  Resolver(const Model& model, const prescription::Prescription& asked)
+      : model_(model), asked_(asked) {
     out_.q = asked.q;
     out_.notes = asked.notes;
     local_ = Per<MeshVertexId, Local>(model.mesh.positions.size());
@@ -64,7 +65,7 @@ class Resolver {
     VertexId vertex;
   };
 
-  Result<Local> locate(const io::PrescribedCone& cone) {
+  Result<Local> locate(const prescription::PrescribedCone& cone) {
     const int count = model_.vertexImage.size();
     int v = cone.vertex;
     if (!model_.hasOwnVertexIds && !cone.position) {
@@ -134,7 +135,7 @@ class Resolver {
   }
 
   Status placeCones() {
-    for (const io::PrescribedCone& cone : asked_.cones) {
+    for (const prescription::PrescribedCone& cone : asked_.cones) {
       Result<Local> local = locate(cone);
       if (!local) return local.error();
       HolonomySpec& spec = out_.components[static_cast<std::size_t>(local->component)].spec;
@@ -145,7 +146,7 @@ class Resolver {
 
   /// Finds loops by number, or by a vertex on them if the file gives one.
   Status placeTurnings() {
-    for (const io::PrescribedTurning& t : asked_.boundaries) {
+    for (const prescription::PrescribedTurning& t : asked_.boundaries) {
       int loop = t.loop;
       const int anchored = loopAt(t.anchor);
       if (anchored >= 0) loop = anchored;
@@ -189,7 +190,7 @@ class Resolver {
   Status placeHandles() {
     int count = 0;
     for (const ModelComponent& component : model_.components) count += 2 * component.topology.genus;
-    for (const io::PrescribedHandle& h : asked_.handles) {
+    for (const prescription::PrescribedHandle& h : asked_.handles) {
       if (h.generator < 0 || h.generator >= count) {
         return refusal(formatText("handle generator %d: the mesh has %d (counted from 0)",
                                   h.generator, count));
@@ -217,7 +218,7 @@ class Resolver {
           "a field cannot be used on a mesh that was repaired or welded; repair the mesh "
           "and its field together");
     }
-    if (Status done = io::completeMatchings(field, triangles); !done) return done.error();
+    if (Status done = prescription::completeMatchings(field, triangles); !done) return done.error();
     std::vector<std::pair<int, FaceId>> faceOf(triangles.size());  // component and face
     for (std::size_t p = 0; p < model_.components.size(); ++p) {
       const ModelComponent& component = model_.components[p];
@@ -307,7 +308,7 @@ class Resolver {
   }
 
   const Model& model_;
-  const io::Prescription& asked_;
+  const prescription::Prescription& asked_;
   Request out_;
   Per<MeshVertexId, Local> local_;
   double reach_ = -1;
@@ -315,7 +316,7 @@ class Resolver {
 
 }  // namespace
 
-Result<Request> resolveCones(const Model& model, const io::Prescription& prescription) {
+Result<Request> resolveCones(const Model& model, const prescription::Prescription& prescription) {
   if (prescription.totalAngles.empty()) return Resolver(model, prescription).resolve();
   if (prescription.totalAngles.size() != model.source().mesh.positions.size()) {
     return refusal(formatText("%s for a mesh of %zu vertices",
@@ -324,8 +325,8 @@ Result<Request> resolveCones(const Model& model, const io::Prescription& prescri
   }
   Result<TriMesh> mesh = buildTriMesh(model.mesh);
   if (!mesh) return mesh.error();
-  Result<io::Prescription> reduced =
-      io::reduceTotalAngles(prescription, *mesh, model.topology, model.vertexOrigin.raw());
+  Result<prescription::Prescription> reduced = prescription::reduceTotalAngles(
+      prescription, *mesh, model.topology, model.vertexOrigin.raw());
   if (!reduced) return reduced.error();
   return Resolver(model, *reduced).resolve();
 }

@@ -1,5 +1,5 @@
 // Resolves the ids, loops, generators and fields of a prescription on a mesh.
-// Role: io::Prescription → one HolonomySpec per connected component, and back.
+// Role: prescription::Prescription → one HolonomySpec per connected component, and back.
 #pragma once
 
 #include "hgp/api/model/model.h"
@@ -22,14 +22,14 @@ struct Request {
 /// Fails with kPrescription for vertices, loops or generators that do not exist, for cones without a vertex at
 /// their position, and for fields that contradict the cones that came with them.
 /// @pre model.components is not empty
-Result<Request> resolve(const Model& model, const io::Prescription& prescription);
+Result<Request> resolve(const Model& model, const prescription::Prescription& prescription);
 /// The same without features.
-Result<Request> resolveCones(const Model& model, const io::Prescription& prescription);
+Result<Request> resolveCones(const Model& model, const prescription::Prescription& prescription);
 
 /// A request in which the cones of every component are chosen automatically.
 Request automaticRequest(const Model& model, int q);
 
 /// The prescription of all components, in ids of the surface and with the cones' positions.
-io::Prescription describe(const Model& model, const std::vector<HolonomySpec>& specs);
+prescription::Prescription describe(const Model& model, const std::vector<HolonomySpec>& specs);
 
 }  // namespace hgp::api

@@ -3,7 +3,7 @@
 
 namespace hgp::api {
 
-Result<Request> resolve(const Model& model, const io::Prescription& prescription) {
+Result<Request> resolve(const Model& model, const prescription::Prescription& prescription) {
   Result<Request> request = resolveCones(model, prescription);
   if (!request) return request;
   if (Status done = addFeatures(model, prescription, *request); !done) return done.error();

@@ -38,7 +38,8 @@ Status FileMaps::add(const Session& session) {
     one.document = shown.model->document;
     one.surface = shown.model->surface;
     one.map = shown.solved->stored.map;
-    if (options_.embedCones) one.cones = io::writeConesJson(shown.solved->prescription, -1);
+    if (options_.embedCones)
+      one.cones = prescription::writeConesJson(shown.solved->prescription, -1);
     if (options_.gridTiles) one.tiles = shown.tilesOfGrid(options_);
     one.isCertified = session.isCertified();
     kept_.push_back(std::move(one));

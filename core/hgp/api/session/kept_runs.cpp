@@ -15,15 +15,15 @@ bool areSame(const std::optional<T>& a, const std::optional<T>& b, const Same& s
 }
 
 // Structured bindings name every member, so that a new one is not forgotten here: it does not compile.
-auto tie(const io::PrescribedCone& c) {
+auto tie(const prescription::PrescribedCone& c) {
   const auto& [vertex, k, position, triangle] = c;
   return std::tie(vertex, k, position, triangle);
 }
-auto tie(const io::PrescribedTurning& t) {
+auto tie(const prescription::PrescribedTurning& t) {
   const auto& [loop, l, anchor] = t;
   return std::tie(loop, l, anchor);
 }
-auto tie(const io::PrescribedHandle& h) {
+auto tie(const prescription::PrescribedHandle& h) {
   const auto& [generator, r] = h;
   return std::tie(generator, r);
 }
@@ -47,18 +47,19 @@ bool isSameField(const FieldData& a, const FieldData& b) {
          areSame(matchings, b.matchings, kTied);
 }
 
-auto tie(const io::PrescribedLine& line) {
+auto tie(const prescription::PrescribedLine& line) {
   const auto& [vertices, positions] = line;
   return std::tie(vertices, positions);
 }
-bool isSameFeatures(const io::PrescribedFeatures& a, const io::PrescribedFeatures& b) {
+bool isSameFeatures(const prescription::PrescribedFeatures& a,
+                    const prescription::PrescribedFeatures& b) {
   const auto& [hasRims, creaseDegrees, marks, lines, sides] = a;
   return std::tie(hasRims, creaseDegrees, marks, sides) ==
              std::tie(b.hasRims, b.creaseDegrees, b.marks, b.sides) &&
          areSame(lines, b.lines, [](const auto& c, const auto& d) { return tie(c) == tie(d); });
 }
 
-bool isSamePrescription(const io::Prescription& a, const io::Prescription& b) {
+bool isSamePrescription(const prescription::Prescription& a, const prescription::Prescription& b) {
   const auto& [q, hasCones, cones, boundaries, handles, field, features, totalAngles, vertexCount,
                triangleCount, sha256, notes] = a;
   return std::tie(q, hasCones, totalAngles, vertexCount, triangleCount, sha256, notes) ==

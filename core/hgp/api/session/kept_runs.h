@@ -13,7 +13,7 @@ namespace hgp::api {
 
 /// Everything that determines the bytes of a result on one surface.
 struct RunKey {
-  std::optional<io::Prescription> prescription;
+  std::optional<prescription::Prescription> prescription;
   SolveOptions options;  ///< `progress` does not matter
   bool isReproducible = false;
 };

@@ -92,7 +92,7 @@ std::string LiveDrag::State::conesOf(const LiveFrame& frame) const {
   std::vector<HolonomySpec> specs;
   for (std::size_t p = 0; p < solved->components.size(); ++p)
     specs.push_back(toSpec(p == component ? frame.spec : solved->components[p].spec));
-  return io::writeConesJson(describe(*session.model, specs));
+  return prescription::writeConesJson(describe(*session.model, specs));
 }
 
 Result<LiveView> LiveDrag::moveTo(int vertex) {

@@ -66,7 +66,7 @@ std::optional<Note> countNote(int asked, const CompleteSpec& chosen) {
               {{"asked", asked}, {"placed", have}, {"more", have > asked ? 1 : 0}});
 }
 
-Notes mismatchNotes(const Model& model, const io::Prescription& cones) {
+Notes mismatchNotes(const Model& model, const prescription::Prescription& cones) {
   Notes notes;
   const auto compare = [&](int asked, std::size_t have, const char* code) {
     if (asked < 0 || static_cast<std::size_t>(asked) == have) return;

@@ -23,6 +23,6 @@ std::optional<Note> countNote(int asked, const CompleteSpec& chosen);
 
 /// What a verified surface has and the mesh of its cones had not, or the other way round: other numbers of triangles and
 /// vertices, and boundaries for which the cones give no turning.
-Notes mismatchNotes(const Model& model, const io::Prescription& cones);
+Notes mismatchNotes(const Model& model, const prescription::Prescription& cones);
 
 }  // namespace hgp::api

@@ -108,7 +108,7 @@ static BudgetReport provedOrNot(const ModelComponent& component, const HolonomyS
   return budget;
 }
 
-Result<Verdict> Session::check(const io::Prescription& prescription) const {
+Result<Verdict> Session::check(const prescription::Prescription& prescription) const {
   return guarded([&]() -> Result<Verdict> {
     if (Status ready = requireComponents(state_->model); !ready) return ready.error();
     const Model& model = *state_->model;
@@ -149,29 +149,29 @@ Result<std::string> Session::suggest(const SolveOptions& options) const {
       state_->dropLarge(p);
       specs.push_back(toSpec(*spec));
     }
-    return io::writeConesJson(describe(*state_->model, specs));
+    return prescription::writeConesJson(describe(*state_->model, specs));
   });
 }
 
-Result<std::string> Session::convert(const io::Prescription& prescription) const {
+Result<std::string> Session::convert(const prescription::Prescription& prescription) const {
   return guarded([&]() -> Result<std::string> {
     if (Status ready = requireComponents(state_->model); !ready) return ready.error();
     Result<Request> request = resolve(*state_->model, prescription);
     if (!request) return request.error();
     std::vector<HolonomySpec> specs;
     for (const ComponentRequest& component : request->components) specs.push_back(component.spec);
-    return io::writeConesJson(describe(*state_->model, specs));
+    return prescription::writeConesJson(describe(*state_->model, specs));
   });
 }
 
-Result<std::optional<io::Prescription>> Session::embeddedCones() const {
-  return guarded([&]() -> Result<std::optional<io::Prescription>> {
+Result<std::optional<prescription::Prescription>> Session::embeddedCones() const {
+  return guarded([&]() -> Result<std::optional<prescription::Prescription>> {
     if (!state_->model) return notLoaded();
     return state_->model->embeddedCones;
   });
 }
 
-Status Session::parametrize(const std::optional<io::Prescription>& prescription,
+Status Session::parametrize(const std::optional<prescription::Prescription>& prescription,
                             const SolveOptions& options) {
   return guarded([&]() -> Status {
     if (Status ready = requireComponents(state_->model); !ready) return ready.error();
@@ -179,7 +179,7 @@ Status Session::parametrize(const std::optional<io::Prescription>& prescription,
   });
 }
 
-Result<Verdict> Session::verify(const std::optional<io::Prescription>& prescription,
+Result<Verdict> Session::verify(const std::optional<prescription::Prescription>& prescription,
                                 const VerifyOptions& options) const {
   return guarded([&]() -> Result<Verdict> {
     if (Status ready = requireComponents(state_->model); !ready) return ready.error();
@@ -295,15 +295,18 @@ Status Session::canWrite(const std::string& name, bool isRefined) const {
   });
 }
 
-Result<io::Prescription> readPrescription(std::string_view name, std::string_view text, int q) {
+Result<prescription::Prescription> readPrescription(std::string_view name, std::string_view text,
+                                                    int q) {
   return guarded([&] { return io::readPrescription(name, text, q); });
 }
 
-Result<io::PrescribedFeatures> readFeatures(std::string_view name, std::string_view text) {
-  return guarded([&] { return io::readFeatures(name, text); });
+Result<prescription::PrescribedFeatures> readFeatures(std::string_view name,
+                                                      std::string_view text) {
+  return guarded([&] { return prescription::readFeatures(name, text); });
 }
 
-Result<io::Prescription> withField(io::Prescription cones, io::Prescription field) {
+Result<prescription::Prescription> withField(prescription::Prescription cones,
+                                             prescription::Prescription field) {
   if (field.q != cones.q) {
     return Failure{ErrorCode::kUsage,
                    "prescription",

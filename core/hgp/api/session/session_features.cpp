@@ -4,7 +4,7 @@
 
 namespace hgp::api {
 
-Result<FeatureList> Session::features(const io::Prescription& prescription,
+Result<FeatureList> Session::features(const prescription::Prescription& prescription,
                                       const std::string& name) const {
   return guarded([&]() -> Result<FeatureList> {
     if (Status ready = requireComponents(state_->model); !ready) return ready.error();

@@ -64,8 +64,8 @@ bool hasMap(const RunRecord& run) {
 
 }  // namespace
 
-Status Session::State::solveAsPolygons(const std::optional<io::Prescription>& prescription,
-                                       const SolveOptions& options) {
+Status Session::State::solveAsPolygons(
+    const std::optional<prescription::Prescription>& prescription, const SolveOptions& options) {
   auto next = std::make_unique<State>();
   if (Status taken = next->take(modelOfPolygons(*model)); !taken) return taken;
   if (Status done = next->solve(prescription, options); !done) return done;

@@ -29,7 +29,7 @@ void Session::State::clearResult() {
   certificate.clear();
 }
 
-Status Session::State::solveOrFind(const std::optional<io::Prescription>& prescription,
+Status Session::State::solveOrFind(const std::optional<prescription::Prescription>& prescription,
                                    const SolveOptions& options) {
   clearResult();
   RunKey key{prescription, options, linalg::areBaselineKernelsUsed()};

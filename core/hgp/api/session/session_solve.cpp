@@ -197,6 +197,8 @@ Status Session::State::solveRequest(const Request& request, const SolveOptions& 
   SolveOptions shared = options;
   shared.grid = sharedGrid(*model, options.grid);
   std::vector<ComponentMap> maps;
+  maps.reserve(model->components.size());
+  run.components.reserve(model->components.size());
   bool areAligned = true;
   for (std::size_t p = 0; p < model->components.size(); ++p) {
     Result<Parametrization> component = solveOnGrid(p, request.components[p], shared, run);
@@ -215,14 +217,14 @@ Status Session::State::solveRequest(const Request& request, const SolveOptions& 
     const bool isAligned = component->grid && component->grid->isAligned;
     areAligned = areAligned && isAligned;
     maps.push_back({std::move(component->map), std::move(component->copyOf), component->spec,
-                    component->certificate, isAligned ? 1.0 : 0.0, isKept, whyNone});
+                    std::move(component->certificate), isAligned ? 1.0 : 0.0, isKept, whyNone});
     run.components.push_back(std::move(*component));
   }
   storeMaps(std::move(maps), request.q, options, areAligned, run);
   return Done{};
 }
 
-Status Session::State::solve(const std::optional<io::Prescription>& prescription,
+Status Session::State::solve(const std::optional<prescription::Prescription>& prescription,
                              const SolveOptions& asked) {
   const auto start = std::chrono::steady_clock::now();
   if (asked.refines && std::string_view(model->document->outputFormat()) != "obj")
@@ -251,6 +253,7 @@ Status Session::State::solve(const std::optional<io::Prescription>& prescription
     if (Status done = solveRefined(*request, options, run); !done) return done;
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   run.seconds = seconds.count();
+  request = Result<Request>(Request());  // not needed any more, and the report is large
   if (!finer) publish(run);
   return Done{};
 }

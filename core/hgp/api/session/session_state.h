@@ -17,7 +17,7 @@ struct Session::State {
     SolveOptions options;                  ///< of the run, without its progress
     std::vector<ComponentMap> components;  ///< prescriptions and results, without the maps
     StoredMap stored;
-    io::Prescription prescription;
+    prescription::Prescription prescription;
     std::string report, cones;
     std::vector<double> uv;
     std::vector<std::uint32_t> cornerToUv;
@@ -40,9 +40,10 @@ struct Session::State {
   const std::string& surfaceHash();
   void clearResult();
   /// solve(), or the kept result of an earlier call with the same arguments.
-  Status solveOrFind(const std::optional<io::Prescription>& prescription,
+  Status solveOrFind(const std::optional<prescription::Prescription>& prescription,
                      const SolveOptions& options);
-  Status solve(const std::optional<io::Prescription>& prescription, const SolveOptions& options);
+  Status solve(const std::optional<prescription::Prescription>& prescription,
+               const SolveOptions& options);
   /// The same options, with automaticCells where choosesCells asks for them.
   SolveOptions withCells(const Request& request, SolveOptions options) const;
   /// Solves every component and verifies it as stored: sets all of `solved` except its report.
@@ -60,7 +61,7 @@ struct Session::State {
                                                               const RunRecord& run);
   void publish(const RunRecord& run);
   /// For formats that cannot be refined: solves on the surface converted to polygons, set as `finer`.
-  Status solveAsPolygons(const std::optional<io::Prescription>& prescription,
+  Status solveAsPolygons(const std::optional<prescription::Prescription>& prescription,
                          const SolveOptions& options);
   Result<Parametrization> solveComponent(std::size_t p, const ComponentRequest& request,
                                          const SolveOptions& options);

@@ -44,6 +44,8 @@ StoredMap storedWith(const Model& model, const SolveOptions& options,
 /// Converts the result to the flat arrays that the session returns.
 void Session::State::flatten(Solved& result) const {
   const StoredMap& stored = result.stored;
+  result.uv.reserve(2 * stored.map.uv.size());
+  result.cornerToUv.reserve(3 * stored.map.cornerUv.size());
   for (const Vec2& p : stored.map.uv) result.uv.insert(result.uv.end(), p.begin(), p.end());
   for (const auto& t : stored.map.cornerUv) {
     for (int i : t) result.cornerToUv.push_back(static_cast<std::uint32_t>(i));
@@ -66,7 +68,7 @@ void Session::State::storeMaps(std::vector<ComponentMap> maps, int q, const Solv
   result.stored = storedWith(*model, options, maps);
   run.notes.insert(run.notes.end(), result.stored.notes.begin(), result.stored.notes.end());
   result.prescription = describe(*model, specs);
-  result.cones = io::writeConesJson(result.prescription);
+  result.cones = prescription::writeConesJson(result.prescription);
   run.harmonic = harmonicity(*model, maps, result.stored.map);
   if (!needsOwnNumbers(*model, q)) {
     for (ComponentMap& component : maps) {  // the uv are in `stored`

@@ -152,7 +152,7 @@ Result<WrittenMap> Session::State::writeOriginal(const WriteOptions& options) co
   io::WriteOptions out = ioOptions(options);
   out.format = extensionOf(options.name);
   if (!model->document->canWriteAs(out.format)) out.format.clear();
-  if (options.embedCones) out.cones = io::writeConesJson(solved->prescription, -1);
+  if (options.embedCones) out.cones = prescription::writeConesJson(solved->prescription, -1);
   Result<io::Written> written = model->document->write(model->surface, solved->stored.map, out);
   if (!written) return written.error();
   WrittenMap made{std::move(*written), solved->stored.isCertified};

@@ -76,15 +76,15 @@ UvMap GltfDocument::asStored(int surface, const UvMap& map, const std::vector<in
   return roundToFloat32(surfaces_[static_cast<std::size_t>(surface)].mesh, map, partOf);
 }
 
-Result<std::optional<Prescription>> GltfDocument::embeddedCones(int surface) const {
+Result<std::optional<prescription::Prescription>> GltfDocument::embeddedCones(int surface) const {
   const JsonText& json = store_->json;
   const std::vector<int> meshes = json.children(json.find(JsonText::kRoot, "meshes"));
   const int mesh = meshes[static_cast<std::size_t>(parts_[static_cast<std::size_t>(surface)].mesh)];
   const int cones = json.find(json.find(mesh, "extras"), kGltfConesKey);
-  if (!json.isObject(cones)) return std::optional<Prescription>();
-  auto read = readConesJson(json.raw(cones));
+  if (!json.isObject(cones)) return std::optional<prescription::Prescription>();
+  auto read = prescription::readConesJson(json.raw(cones));
   if (!read) return read.error();
-  return std::optional<Prescription>(std::move(*read));
+  return std::optional<prescription::Prescription>(std::move(*read));
 }
 
 /// A GLB that was asked for as a .gltf is one.

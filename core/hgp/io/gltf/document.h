@@ -26,7 +26,7 @@ class GltfDocument : public Document {
   std::optional<UvMap> exactUv(int surface, int set) const override;
   using Document::asStored;
   UvMap asStored(int surface, const UvMap& map, const std::vector<int>& partOf) const override;
-  Result<std::optional<Prescription>> embeddedCones(int surface) const override;
+  Result<std::optional<prescription::Prescription>> embeddedCones(int surface) const override;
   Result<Written> write(int surface, const UvMap& map, const WriteOptions& options) const override;
   Result<WrittenMaps> writeAll(const std::vector<SurfaceUv>& maps,
                                const WriteOptions& options) const override;

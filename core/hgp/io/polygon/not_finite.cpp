@@ -17,8 +17,8 @@ std::optional<NotFiniteVertex> firstUsed(const std::vector<NotFiniteVertex>& ver
 }
 
 Failure notFiniteFailure(std::int64_t line, int vertex) {
-  return malformedLine(line,
-                       formatText("vertex %d has no finite position, and a face uses it", vertex));
+  return text::malformedLine(
+      line, formatText("vertex %d has no finite position, and a face uses it", vertex));
 }
 
 }  // namespace hgp::io

@@ -25,7 +25,7 @@ class ObjPatch {
     const std::size_t firstLine = text_.find('\n');
     if (firstLine != std::string_view::npos && firstLine > 0 && text_[firstLine - 1] == '\r') {
       lineEnd_ = "\r\n";
-    } else if (lineEndOf(text_) == '\r') {
+    } else if (text::lineEndOf(text_) == '\r') {
       lineEnd_ = "\r";
     }
     std::size_t face = 0, uvRun = 0, element = 0;
@@ -71,7 +71,7 @@ class ObjPatch {
     appendUvLines(out_, map_.uv, lineEnd_);
   }
 
-  static bool isSeparator(char c) { return isBlank(c) || c == '\n' || c == '\\'; }
+  static bool isSeparator(char c) { return text::isBlank(c) || c == '\n' || c == '\\'; }
 
   /// Copies a line and passes every word after the keyword to `rewrite`.
   template <class Rewrite>
@@ -99,7 +99,7 @@ class ObjPatch {
     patchWords(line, [&](const ObjCorner& corner) {
       out_ += corner.vertex;
       out_ += '/';
-      appendInt(out_, cornerUv_[corner_++] + 1);
+      text::appendInt(out_, cornerUv_[corner_++] + 1);
       if (corner.normal.empty()) return;
       out_ += '/';
       out_ += corner.normal;
@@ -136,20 +136,21 @@ class ObjDocument final : public PolygonDocument {
     return take(std::move(file));
   }
 
-  Result<std::optional<Prescription>> embeddedCones(int) const override {
+  Result<std::optional<prescription::Prescription>> embeddedCones(int) const override {
     const std::string_view text = asText(text_);
     if (places_.embedded.end > 0) {
       const std::size_t begin = places_.embedded.begin;
       std::string_view line = text.substr(begin, places_.embedded.end - begin);
       line.remove_prefix(line.find(kEmbeddedConesMark) + kEmbeddedConesMark.size());
-      Result<Prescription> cones = readConesJson(line);
+      Result<prescription::Prescription> cones = prescription::readConesJson(line);
       if (!cones) return cones.error();
-      return std::optional<Prescription>(std::move(*cones));
+      return std::optional<prescription::Prescription>(std::move(*cones));
     }
-    if (places_.coneLines.empty()) return std::optional<Prescription>();
-    Result<Prescription> cones = readHgpConeLines(text, places_.coneLines, polygons_, corners_);
+    if (places_.coneLines.empty()) return std::optional<prescription::Prescription>();
+    Result<prescription::Prescription> cones =
+        readHgpConeLines(text, places_.coneLines, polygons_, corners_);
     if (!cones) return cones.error();
-    return std::optional<Prescription>(std::move(*cones));
+    return std::optional<prescription::Prescription>(std::move(*cones));
   }
 
   Result<PlainFile> plain(int surface) const override {

@@ -11,7 +11,7 @@ namespace {
 class ObjAttributeReader {
  public:
   ObjAttributeReader(std::string_view text, const ObjText& places)
-      : text_(text), places_(places), eol_(lineEndOf(text)) {}
+      : text_(text), places_(places), eol_(text::lineEndOf(text)) {}
 
   ObjAttributes read(std::size_t cornerCount) {
     out_.cornerNormal.reserve(cornerCount);
@@ -42,9 +42,9 @@ class ObjAttributeReader {
 
  private:
   static std::string_view takeWord(const char*& p, const char* end) {
-    skipBlanks(p, end);
+    text::skipBlanks(p, end);
     const char* begin = p;
-    while (p != end && !isBlank(*p) && *p != '\n') ++p;
+    while (p != end && !text::isBlank(*p) && *p != '\n') ++p;
     return {begin, static_cast<std::size_t>(p - begin)};
   }
 
@@ -55,14 +55,15 @@ class ObjAttributeReader {
     } else if (word == "vn") {
       Vec3 n{};
       for (double& x : n) {
-        skipBlanks(p, end);
-        readDouble(p, end, x);
+        text::skipBlanks(p, end);
+        text::readDouble(p, end, x);
       }
       out_.normals.push_back(n);
     } else if (word == "usemtl") {
-      skipBlanks(p, end);
+      text::skipBlanks(p, end);
       std::string_view name(p, static_cast<std::size_t>(end - p));
-      while (!name.empty() && (isBlank(name.back()) || name.back() == eol_)) name.remove_suffix(1);
+      while (!name.empty() && (text::isBlank(name.back()) || name.back() == eol_))
+        name.remove_suffix(1);
       const auto [found, isNew] =
           ids_.try_emplace(std::string(name), static_cast<int>(out_.materials.size()));
       if (isNew) out_.materials.emplace_back(name);
@@ -83,8 +84,8 @@ class ObjAttributeReader {
     double numbers[6] = {};
     int count = 0;
     for (; count < 6; ++count) {
-      skipBlanks(p, end);
-      if (!readAnyDouble(p, end, numbers[count])) break;
+      text::skipBlanks(p, end);
+      if (!text::readAnyDouble(p, end, numbers[count])) break;
     }
     out_.uncolored += count != 6;
     if (count == 6) {
@@ -99,7 +100,8 @@ class ObjAttributeReader {
     while (!word.empty() && word.back() == eol_) word.remove_suffix(1);
     const char* w = word.data();
     std::int64_t group = 0;
-    if (!readInt(w, word.data() + word.size(), group) || group < 0 || group > INT32_MAX) group = 0;
+    if (!text::readInt(w, word.data() + word.size(), group) || group < 0 || group > INT32_MAX)
+      group = 0;
     smoothing_ = static_cast<int>(group);
     hasSmoothing_ = true;
   }
@@ -112,7 +114,7 @@ class ObjAttributeReader {
       if (p == end || *p == '#' || !takeObjCorner(p, end, corner)) return;
       std::int64_t index = 0;
       const char* v = corner.vertex.data();
-      if (!readInt(v, v + corner.vertex.size(), index)) return;
+      if (!text::readInt(v, v + corner.vertex.size(), index)) return;
       index += index < 0 ? static_cast<std::int64_t>(out_.colors.size()) : -1;
       if (index < 0 || index > INT32_MAX) return;
       const int here = static_cast<int>(index);
@@ -121,7 +123,7 @@ class ObjAttributeReader {
     }
   }
 
-  static bool isSeparator(char c) { return isBlank(c) || c == '\n' || c == '\\'; }
+  static bool isSeparator(char c) { return text::isBlank(c) || c == '\n' || c == '\\'; }
 
   void takeFace(const char* p, const char* end) {
     while (p != end && isSeparator(*p)) ++p;
@@ -132,7 +134,8 @@ class ObjAttributeReader {
       if (p == end || *p == '#' || !takeObjCorner(p, end, corner)) break;
       std::int64_t index = 0;
       const char* n = corner.normal.data();
-      const bool isThere = !corner.normal.empty() && readInt(n, n + corner.normal.size(), index);
+      const bool isThere =
+          !corner.normal.empty() && text::readInt(n, n + corner.normal.size(), index);
       index += index < 0 ? static_cast<std::int64_t>(out_.normals.size()) : -1;
       const bool isUsable = isThere && index >= 0 && index <= INT32_MAX;
       hasNormals_ = hasNormals_ || isUsable;

@@ -12,7 +12,7 @@ namespace {
 class DataLines {
  public:
   explicit DataLines(std::string_view text) : text_(text) {
-    const char eol = lineEndOf(text);
+    const char eol = text::lineEndOf(text);
     std::size_t at = text.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0;
     while (at < text.size()) {
       const std::size_t begin = at;
@@ -41,9 +41,9 @@ class DataLines {
   void take(const std::string& line, std::size_t, std::size_t lineEnd) {
     const char* p = line.data();
     const char* stop = p + line.size();
-    skipBlanks(p, stop);
+    text::skipBlanks(p, stop);
     const char* word = p;
-    while (p != stop && !isBlank(*p)) ++p;
+    while (p != stop && !text::isBlank(*p)) ++p;
     const std::string_view name(word, static_cast<std::size_t>(p - word));
     if (name == "f" || name == "fo" || name == "l" || name == "p") {
       isRelative = isRelative || std::find(p, stop, '-') != stop;
@@ -53,7 +53,8 @@ class DataLines {
     if (list == nullptr) return;
     std::vector<double> numbers;
     double x = 0.0;
-    for (skipBlanks(p, stop); readDouble(p, stop, x); skipBlanks(p, stop)) numbers.push_back(x);
+    for (text::skipBlanks(p, stop); text::readDouble(p, stop, x); text::skipBlanks(p, stop))
+      numbers.push_back(x);
     list->push_back(std::move(numbers));
     if (list == &normals) normalEnds.push_back(lineEnd);
     end = lineEnd;
@@ -80,7 +81,7 @@ void appendLine(std::string& out, const char* word, const std::vector<double>& n
   out += word;
   for (double x : numbers) {
     out += ' ';
-    appendDouble(out, x);
+    text::appendDouble(out, x);
   }
   out += lineEnd;
 }
@@ -100,7 +101,7 @@ class ObjRefinement {
     const std::size_t first = text.find('\n');
     if (first != std::string_view::npos && first > 0 && text[first - 1] == '\r') {
       lineEnd_ = "\r\n";
-    } else if (lineEndOf(text) == '\r') {
+    } else if (text::lineEndOf(text) == '\r') {
       lineEnd_ = "\r";
     }
   }
@@ -149,16 +150,17 @@ class ObjRefinement {
     std::replace(line.begin(), line.end(), '\n', ' ');
     const char* p = line.data();
     const char* end = p + line.size();
-    skipBlanks(p, end);
-    while (p != end && !isBlank(*p)) ++p;
+    text::skipBlanks(p, end);
+    while (p != end && !text::isBlank(*p)) ++p;
     const auto known = static_cast<std::int64_t>(
         std::upper_bound(data_.normalEnds.begin(), data_.normalEnds.end(), span.begin) -
         data_.normalEnds.begin());
     ObjCorner corner;
-    for (skipBlanks(p, end); p != end && takeObjCorner(p, end, corner); skipBlanks(p, end)) {
+    for (text::skipBlanks(p, end); p != end && takeObjCorner(p, end, corner);
+         text::skipBlanks(p, end)) {
       const char* n = corner.normal.data();
       std::int64_t index = 0;
-      if (corner.normal.empty() || !readInt(n, n + corner.normal.size(), index)) index = 0;
+      if (corner.normal.empty() || !text::readInt(n, n + corner.normal.size(), index)) index = 0;
       index += index < 0 ? known : -1;
       const bool isThere = index >= 0 && index < static_cast<std::int64_t>(data_.normals.size());
       out.push_back(isThere ? static_cast<int>(index) : -1);
@@ -198,12 +200,12 @@ class ObjRefinement {
     const int uv = uv_.of(uvAt(pair[0]), uvAt(pair[1]));
     const int normal = normal_.of(normalAt(pair[0]), normalAt(pair[1]));
     out += ' ';
-    appendInt(out, refined_.polygons.cornerVertex[c] + 1);
+    text::appendInt(out, refined_.polygons.cornerVertex[c] + 1);
     if (uv >= 0 || normal >= 0) out += '/';
-    if (uv >= 0) appendInt(out, uv + 1);
+    if (uv >= 0) text::appendInt(out, uv + 1);
     if (normal < 0) return;
     out += '/';
-    appendInt(out, normal + 1);
+    text::appendInt(out, normal + 1);
   }
 
   void insert() {

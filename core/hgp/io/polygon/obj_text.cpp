@@ -17,7 +17,7 @@ bool takeIndexText(const char*& p, const char* end, std::string_view& out) {
   const char* begin = p;
   if (p != end && (*p == '-' || *p == '+')) ++p;
   const char* digits = p;
-  while (p != end && isDigit(*p)) ++p;
+  while (p != end && text::isDigit(*p)) ++p;
   out = std::string_view(begin, static_cast<std::size_t>(p - begin));
   return p != digits;
 }
@@ -25,11 +25,11 @@ bool takeIndexText(const char*& p, const char* end, std::string_view& out) {
 class ObjScanner {
  public:
   ObjScanner(std::string_view text, std::uint64_t maxTriangles)
-      : text_(text), maxTriangles_(maxTriangles), eol_(lineEndOf(text)) {}
+      : text_(text), maxTriangles_(maxTriangles), eol_(text::lineEndOf(text)) {}
 
   Result<ObjText> scan() {
     if (const std::size_t nul = text_.find('\0'); nul != std::string_view::npos) {
-      return malformedByte(nul, "a NUL byte: this is not an OBJ text");
+      return text::malformedByte(nul, "a NUL byte: this is not an OBJ text");
     }
     reserve();
     if (text_.substr(0, 3) == "\xEF\xBB\xBF") position_ = 3;
@@ -38,7 +38,8 @@ class ObjScanner {
     }
     if (!checkRanges()) return std::move(failure_);
     if (const auto used = firstUsed(notFinite_, out_.polygons))
-      return notFiniteFailure(lineAt(text_, static_cast<std::size_t>(used->place)), used->vertex);
+      return notFiniteFailure(text::lineAt(text_, static_cast<std::size_t>(used->place)),
+                              used->vertex);
     if (out_.polygons.positions.empty() || out_.polygons.polygonCount() == 0) {
       return Failure{
           ErrorCode::kMalformed, "read", "not an OBJ mesh: there are no v and f lines", {}};
@@ -60,7 +61,7 @@ class ObjScanner {
   }
 
   bool fail(const std::string& message) {
-    failure_ = malformedLine(lineAt(text_, lineBegin_), message);
+    failure_ = text::malformedLine(text::lineAt(text_, lineBegin_), message);
     return false;
   }
 
@@ -102,11 +103,11 @@ class ObjScanner {
   }
 
   bool takeStatement(const char* p, const char* end, const char* original) {
-    skipBlanks(p, end);
+    text::skipBlanks(p, end);
     if (p == end) return true;
     if (*p == '#') return takeComment(p, end, original);
     const char* word = p;
-    while (p != end && !isBlank(*p)) ++p;
+    while (p != end && !text::isBlank(*p)) ++p;
     const std::size_t length = static_cast<std::size_t>(p - word);
     // Lines with names (o, g, usemtl …) may be of any length: they are not read.
     const bool isRead = length <= 2 && *word != 'o' && *word != 'g';
@@ -142,7 +143,7 @@ class ObjScanner {
   bool takeVertex(const char* p, const char* end) {
     Vec3 v;
     for (double& x : v) {
-      skipBlanks(p, end);
+      text::skipBlanks(p, end);
       if (!takeNumber(p, end, x)) {
         return fail("a v line needs three decimal numbers, with points and not commas");
       }
@@ -157,15 +158,15 @@ class ObjScanner {
 
   /// A number must be followed by a blank, so that "1,5" is not read as 1.
   static bool takeNumber(const char*& p, const char* end, double& out) {
-    return readAnyDouble(p, end, out) && (p == end || isBlank(*p) || *p == '#');
+    return text::readAnyDouble(p, end, out) && (p == end || text::isBlank(*p) || *p == '#');
   }
 
   bool takeUv(const char* p, const char* end, const TextSpan& span) {
     Vec2 uv{0, 0};
-    skipBlanks(p, end);
+    text::skipBlanks(p, end);
     constexpr const char* kRule = "a vt line needs decimal numbers, with points and not commas";
     if (!takeNumber(p, end, uv[0])) return fail(kRule);
-    skipBlanks(p, end);
+    text::skipBlanks(p, end);
     if (p != end && *p != '#' && !takeNumber(p, end, uv[1])) return fail(kRule);
     out_.uv.push_back(uv);
     if (!out_.uvLines.empty() && out_.uvLines.back().end == span.begin) {
@@ -179,7 +180,7 @@ class ObjScanner {
   /// One index of a corner, made absolute and 0-based.
   bool takeIndex(const char*& p, const char* end, std::size_t count, int& out) {
     std::int64_t index = 0;
-    if (!readInt(p, end, index)) return fail("a corner of this f line is not a number");
+    if (!text::readInt(p, end, index)) return fail("a corner of this f line is not a number");
     if (index == 0) return fail("index 0; OBJ counts from 1");
     if (index < 0) {
       const auto relative = static_cast<long long>(index);
@@ -201,7 +202,7 @@ class ObjScanner {
   /// An index of a vt line that does not exist counts as none; checkRanges() checks forward references.
   bool takeUvIndex(const char*& p, const char* end, int& out) {
     std::int64_t index = 0;
-    if (!readInt(p, end, index)) return fail("a corner of this f line is not a number");
+    if (!text::readInt(p, end, index)) return fail("a corner of this f line is not a number");
     index += index < 0 ? static_cast<std::int64_t>(out_.uv.size()) : -1;
     const bool isThere = index >= 0 && index <= INT32_MAX;
     out = isThere ? static_cast<int>(index) : -1;
@@ -213,21 +214,22 @@ class ObjScanner {
   bool takeFace(const char* p, const char* end, const TextSpan& span) {
     PolygonMesh& polygons = out_.polygons;
     const std::size_t first = polygons.cornerVertex.size();
-    for (skipBlanks(p, end); p != end && *p != '#'; skipBlanks(p, end)) {
+    for (text::skipBlanks(p, end); p != end && *p != '#'; text::skipBlanks(p, end)) {
       int v = -1, vt = -1;
       std::int64_t vn = 0;
       if (!takeIndex(p, end, polygons.positions.size(), v)) return false;
       if (p != end && *p == '/') {
         ++p;
-        if (p != end && *p != '/' && !isBlank(*p)) {
+        if (p != end && *p != '/' && !text::isBlank(*p)) {
           if (!takeUvIndex(p, end, vt)) return false;
         }
         // Indices of vn lines need no check: they are written as they were.
-        if (p != end && *p == '/' && ++p != end && !isBlank(*p) && !readInt(p, end, vn)) {
+        if (p != end && *p == '/' && ++p != end && !text::isBlank(*p) &&
+            !text::readInt(p, end, vn)) {
           return fail("a corner of this f line is not a number");
         }
       }
-      if (p != end && !isBlank(*p) && *p != '#')
+      if (p != end && !text::isBlank(*p) && *p != '#')
         return fail("a corner of this f line is not v/vt/vn");
       polygons.cornerVertex.push_back(v);
       out_.cornerUv.push_back(vt);

@@ -29,13 +29,13 @@ class OffReader {
 
  private:
   bool fail(const std::string& message) {
-    failure_ = malformedLine(words_.line(), message);
+    failure_ = text::malformedLine(words_.line(), message);
     return false;
   }
-  bool failNumber() { return fail("expected a number, not " + inQuotes(words_.word())); }
+  bool failNumber() { return fail("expected a number, not " + text::inQuotes(words_.word())); }
 
   bool takeHeader() {
-    WordReader start = words_;
+    text::WordReader start = words_;
     std::string keyword(words_.next());
     const auto takePrefix = [&](const char* prefix) {
       const std::string p(prefix);
@@ -49,7 +49,7 @@ class OffReader {
     isHomogeneous_ = keyword == "4OFF" && takePrefix("4");
     if (keyword == "OFF") return true;
     std::int64_t count = 0;
-    WordReader counts = start;
+    text::WordReader counts = start;
     if (hasUv_ || hasColor_ || hasNormal_ || isHomogeneous_ || !counts.nextInt(count)) {
       return fail("not an OFF file (the first word must be OFF)");
     }
@@ -78,11 +78,11 @@ class OffReader {
   /// Skips the number of edges, which follows the other two counts, is on a separate line, or is missing.
   void takeEdgeCount() {
     std::int64_t ignored = 0;
-    WordReader rest(words_.restOfLine());
+    text::WordReader rest(words_.restOfLine());
     if (!rest.isAtEnd()) return;
-    WordReader ahead = words_;
+    text::WordReader ahead = words_;
     if (!ahead.nextInt(ignored)) return;
-    WordReader behind(ahead.restOfLine());
+    text::WordReader behind(ahead.restOfLine());
     if (behind.isAtEnd()) words_ = ahead;
   }
 
@@ -106,7 +106,7 @@ class OffReader {
   /// Skips what follows a position: normal, colour (three or four numbers), texture coordinates. It extends to the
   /// end of the line, or, if the line is too short, over as many numbers as the keyword implies.
   bool takeExtras() {
-    WordReader line(words_.restOfLine());
+    text::WordReader line(words_.restOfLine());
     if (!hasUv_) {
       const bool isCut = (hasColor_ || hasNormal_) && line.isAtEnd();
       double ignored = 0;
@@ -167,7 +167,7 @@ class OffReader {
     return true;
   }
 
-  WordReader words_;
+  text::WordReader words_;
   std::size_t size_;
   std::uint64_t maxTriangles_;
   PolygonFile file_;

@@ -32,7 +32,7 @@ class PlyBody {
   }
   std::size_t offset() const { return offset_; }
   int line() const { return text_.line(); }
-  std::string word() const { return inQuotes(text_.word()); }
+  std::string word() const { return text::inQuotes(text_.word()); }
 
  private:
   /// Skips comments, which some writers put between the rows.
@@ -44,7 +44,7 @@ class PlyBody {
     return true;
   }
 
-  WordReader text_;
+  text::WordReader text_;
   std::string_view body_;
   PlyEncoding encoding_;
   std::size_t offset_ = 0;
@@ -68,7 +68,7 @@ class PlyReader {
       if (!takeElement(element)) return std::move(failure_);
     }
     if (file_.polygons.positions.empty() || file_.polygons.polygonCount() == 0) {
-      return malformedByte(
+      return text::malformedByte(
           header_.bodyOffset,
           formatText("%s and %s: not a surface (a point cloud?)",
                      counted(file_.polygons.positions.size(), "vertex", "vertices").c_str(),
@@ -85,9 +85,9 @@ class PlyReader {
  private:
   bool fail(const std::string& message) {
     if (header_.encoding == PlyEncoding::kText) {
-      failure_ = malformedLine(header_.lineCount + body_->line(), message);
+      failure_ = text::malformedLine(header_.lineCount + body_->line(), message);
     } else {
-      failure_ = malformedByte(header_.bodyOffset + body_->offset(), message);
+      failure_ = text::malformedByte(header_.bodyOffset + body_->offset(), message);
     }
     return false;
   }
@@ -104,7 +104,7 @@ class PlyReader {
     if (element.properties.empty()) return true;
     if (element.count > text_.size()) {
       return fail(formatText("the count of elements %s, %llu, does not fit a file of %zu bytes",
-                             inQuotes(element.name).c_str(),
+                             text::inQuotes(element.name).c_str(),
                              static_cast<unsigned long long>(element.count), text_.size()));
     }
     for (std::uint64_t row = 0; row < element.count; ++row) {

@@ -88,7 +88,7 @@ class PlyPatch {
       const std::string_view line = head.substr(position, next - position);
       const std::size_t last = line.find_last_not_of("\r\n \t");
       const std::string ending(last == std::string_view::npos ? line : line.substr(last + 1));
-      WordReader words(line);
+      text::WordReader words(line);
       const std::string_view keyword = words.next();
       position = next;
       if (line.substr(0, kUvComment.size()) == kUvComment) continue;  // of an earlier run
@@ -135,7 +135,7 @@ class PlyPatch {
   void addLength(std::size_t length) {
     if (header_.encoding == PlyEncoding::kText) {
       out_ += ' ';
-      appendInt(out_, static_cast<std::int64_t>(length));
+      text::appendInt(out_, static_cast<std::int64_t>(length));
     } else if (!isWide_) {
       out_ += static_cast<char>(length);
     } else {
@@ -149,7 +149,7 @@ class PlyPatch {
   void addNumber(double x) {
     if (header_.encoding == PlyEncoding::kText) {
       out_ += ' ';
-      appendDouble(out_, x);
+      text::appendDouble(out_, x);
       return;
     }
     std::uint64_t bits = 0;
@@ -180,7 +180,7 @@ class PlyPatch {
         const int v = polygons_.cornerVertex[3 * static_cast<std::size_t>(p) + k];
         if (isText) {
           out_ += ' ';
-          appendInt(out_, v);
+          text::appendInt(out_, v);
           continue;
         }
         for (int i = 0; i < 4; ++i) {

@@ -137,7 +137,7 @@ class PlyEdit {
   void addNumber(PlyType type, double x, bool isFirst) {
     if (isText_) {
       if (!isFirst) out_ += ' ';
-      return appendDouble(out_, x);
+      return text::appendDouble(out_, x);
     }
     const std::uint64_t bits = bitsOf(type, x);
     const auto size = static_cast<int>(plySize(type));
@@ -154,7 +154,7 @@ class PlyEdit {
       const std::size_t next = std::min(head.find(*lineEnd_, at), head.size() - 1) + 1;
       const std::string_view line = head.substr(at, next - at);
       at = next;
-      WordReader words(line);
+      text::WordReader words(line);
       std::int64_t count = 0;
       const bool isElement = words.next() == "element";
       const std::string_view name = isElement ? words.next() : std::string_view();
@@ -165,7 +165,7 @@ class PlyEdit {
       const std::size_t added = name == "vertex" ? edited_.parents.size() : addedFaces_;
       const std::size_t end = line.find_last_not_of("\r\n \t") + 1;
       out += "element " + std::string(name) + ' ';
-      appendInt(out, count + static_cast<std::int64_t>(added));
+      text::appendInt(out, count + static_cast<std::int64_t>(added));
       out += line.substr(end);
     }
     return out;

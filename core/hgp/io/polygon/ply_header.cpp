@@ -45,7 +45,7 @@ PlyRole roleOf(std::string_view name) {
   return PlyRole::kNone;
 }
 
-bool takeProperty(WordReader& words, PlyHeader& header) {
+bool takeProperty(text::WordReader& words, PlyHeader& header) {
   if (header.elements.empty()) return false;
   PlyProperty property;
   std::string_view type = words.next();
@@ -61,7 +61,7 @@ bool takeProperty(WordReader& words, PlyHeader& header) {
 }
 
 bool takeLine(std::string_view line, PlyHeader& header) {
-  WordReader words(line);
+  text::WordReader words(line);
   const std::string_view keyword = words.next();
   if (keyword == "format") {
     const std::string_view encoding = words.next();
@@ -100,7 +100,7 @@ double numberAs(const unsigned char* bytes) {
 Result<PlyHeader> readPlyHeader(std::string_view text) {
   PlyHeader header;
   if (text.substr(0, 3) != "ply") {
-    return malformedByte(0, "not a PLY file (the first word must be ply)");
+    return text::malformedByte(0, "not a PLY file (the first word must be ply)");
   }
   // A binary body may contain any byte, so the line ending is taken from the first line.
   const std::size_t first = text.find_first_of("\r\n");
@@ -115,16 +115,17 @@ Result<PlyHeader> readPlyHeader(std::string_view text) {
     std::string_view line = text.substr(position, end - position);
     ++header.lineCount;
     position = end + 1;
-    while (!line.empty() && isBlank(line.back())) line.remove_suffix(1);
+    while (!line.empty() && text::isBlank(line.back())) line.remove_suffix(1);
     if (line == "end_header") {
       header.bodyOffset = position;
       return header;
     }
     if (!takeLine(line, header)) {
-      return malformedLine(header.lineCount, "unknown line in the PLY header: " + inQuotes(line));
+      return text::malformedLine(header.lineCount,
+                                 "unknown line in the PLY header: " + text::inQuotes(line));
     }
   }
-  return malformedByte(position, "the PLY header has no end (end_header is missing)");
+  return text::malformedByte(position, "the PLY header has no end (end_header is missing)");
 }
 
 std::size_t plySize(PlyType type) {

@@ -9,7 +9,7 @@ namespace {
 class RowLines {
  public:
   RowLines(std::string_view text, std::size_t from)
-      : text_(text), end_(lineEndOf(text)), next_(from) {}
+      : text_(text), end_(text::lineEndOf(text)), next_(from) {}
 
   /// Moves to the next row; false at the end.
   bool next() {
@@ -17,7 +17,7 @@ class RowLines {
       begin_ = next_;
       next_ = std::min(text_.find(end_, begin_), text_.size() - 1) + 1;
       const std::string_view line = text_.substr(begin_, next_ - begin_);
-      const std::string_view first = WordReader(line).next();
+      const std::string_view first = text::WordReader(line).next();
       if (!first.empty() && first != "comment" && first != "obj_info") return true;
     }
     return false;
@@ -34,7 +34,7 @@ class RowLines {
 /// The length of the part of a line that has the declared values; nullopt if it has fewer. `isLonger`: it has more.
 std::optional<std::size_t> usedLength(std::string_view line, const PlyElement& element,
                                       bool& isLonger) {
-  WordReader words(line);
+  text::WordReader words(line);
   std::string_view last;
   for (const PlyProperty& property : element.properties) {
     double count = 1;

@@ -10,7 +10,7 @@ bool PlyRowReader::take(PlyType type, double& out) {
       word = words_.next();
     }
     const char* p = word.data();
-    if (word.empty() || !readAnyDouble(p, p + word.size(), out)) return false;
+    if (word.empty() || !text::readAnyDouble(p, p + word.size(), out)) return false;
     begin_ = static_cast<std::size_t>(word.data() - body_.data());
     end_ = begin_ + word.size();
     return true;

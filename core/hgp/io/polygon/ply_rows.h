@@ -29,7 +29,7 @@ class PlyRowReader {
   bool take(PlyType type, double& out);
 
   std::string_view body_;
-  WordReader words_;
+  text::WordReader words_;
   PlyEncoding encoding_;
   std::size_t begin_ = 0, end_ = 0;  ///< of the value read last
 };

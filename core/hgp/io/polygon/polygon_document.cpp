@@ -86,8 +86,8 @@ PolygonsView PolygonDocument::polygons(int) const {
   return polygons_.isTriangles() ? PolygonsView{} : PolygonsView{&polygons_, &corners_};
 }
 
-Result<std::optional<Prescription>> PolygonDocument::embeddedCones(int) const {
-  return std::optional<Prescription>();
+Result<std::optional<prescription::Prescription>> PolygonDocument::embeddedCones(int) const {
+  return std::optional<prescription::Prescription>();
 }
 
 std::vector<int> PolygonDocument::polygonCornerUv(const UvMap& map) const {
@@ -148,9 +148,9 @@ Result<DocumentPtr> PolygonDocument::repaired(int, const FaceEdits& edits) const
 void appendUvLines(std::string& out, const std::vector<Vec2>& uv, std::string_view lineEnd) {
   for (const Vec2& p : uv) {
     out += "vt ";
-    appendDouble(out, p[0]);
+    text::appendDouble(out, p[0]);
     out += ' ';
-    appendDouble(out, p[1]);
+    text::appendDouble(out, p[1]);
     out += lineEnd;
   }
 }
@@ -171,7 +171,7 @@ Bytes writePolygonObj(const PolygonMesh& polygons, const std::vector<Vec2>& uv,
   const auto append = [&](const auto& numbers, std::size_t count) {
     for (std::size_t k = 0; k < count; ++k) {
       out += ' ';
-      appendDouble(out, numbers[k]);
+      text::appendDouble(out, numbers[k]);
     }
   };
   out.reserve(polygons.positions.size() * 56 + uv.size() * 42 + polygons.cornerVertex.size() * 14);
@@ -193,13 +193,13 @@ Bytes writePolygonObj(const PolygonMesh& polygons, const std::vector<Vec2>& uv,
     out += 'f';
     for (std::size_t c = polygons.start[p]; c < polygons.start[p + 1]; ++c) {
       out += ' ';
-      appendInt(out, polygons.cornerVertex[c] + 1);
+      text::appendInt(out, polygons.cornerVertex[c] + 1);
       if (cornerUv.empty() && !hasNormals) continue;
       out += '/';
-      if (!cornerUv.empty()) appendInt(out, cornerUv[c] + 1);
+      if (!cornerUv.empty()) text::appendInt(out, cornerUv[c] + 1);
       if (!hasNormals) continue;
       out += '/';
-      appendInt(out, polygons.cornerVertex[c] + 1);
+      text::appendInt(out, polygons.cornerVertex[c] + 1);
     }
     out += '\n';
   }

@@ -29,7 +29,7 @@ class PolygonDocument : public Document {
   using Document::asStored;
   UvMap asStored(int surface, const UvMap& map, const std::vector<int>& partOf) const override;
   PolygonsView polygons(int surface) const override;
-  Result<std::optional<Prescription>> embeddedCones(int surface) const override;
+  Result<std::optional<prescription::Prescription>> embeddedCones(int surface) const override;
   Result<Written> write(int surface, const UvMap& map, const WriteOptions& options) const override;
   Result<DocumentPtr> refined(int surface,
                               const std::vector<std::array<int, 2>>& edges) const override;

@@ -49,9 +49,9 @@ std::string lower(std::string_view word) {
 }
 
 Result<std::vector<Vec3>> readText(std::string_view text) {
-  WordReader words(text);
+  text::WordReader words(text);
   if (lower(words.next()) != "solid") {
-    return malformedLine(words.line(), "not an STL file (the first word must be solid)");
+    return text::malformedLine(words.line(), "not an STL file (the first word must be solid)");
   }
   words.restOfLine();
   std::vector<Vec3> corners;
@@ -61,22 +61,24 @@ Result<std::vector<Vec3>> readText(std::string_view text) {
       Vec3 p{};
       for (double& x : p) {
         if (!words.nextDouble(x)) {
-          return malformedLine(words.line(), "expected a number, not " + inQuotes(words.word()));
+          return text::malformedLine(words.line(),
+                                     "expected a number, not " + text::inQuotes(words.word()));
         }
       }
       corners.push_back(p);
     } else if (word == "endloop") {
       if (corners.size() % 3 != 0) {
-        return malformedLine(words.line(), "a loop that does not have 3 vertices");
+        return text::malformedLine(words.line(), "a loop that does not have 3 vertices");
       }
     } else if (word == "solid" || word == "endsolid" || word == "facet" || word == "color") {
       words.restOfLine();
     } else if (word != "outer" && word != "loop" && word != "endfacet") {
-      return malformedLine(words.line(), "unexpected word " + inQuotes(word));
+      return text::malformedLine(words.line(), "unexpected word " + text::inQuotes(word));
     }
   }
   if (corners.size() % 3 != 0) {
-    return malformedLine(words.line(), "the last facet is incomplete; the file may be truncated");
+    return text::malformedLine(words.line(),
+                               "the last facet is incomplete; the file may be truncated");
   }
   return corners;
 }
@@ -103,7 +105,7 @@ std::optional<std::size_t> binaryCount(const Bytes& bytes, Notes& notes) {
 }  // namespace
 
 bool isStlText(std::string_view text) {
-  WordReader words(withoutByteOrderMark(text.substr(0, 4096)));
+  text::WordReader words(withoutByteOrderMark(text.substr(0, 4096)));
   if (lower(words.next()) != "solid") return false;
   // A binary header may also begin with "solid", but then a zero byte follows soon.
   return text.substr(0, 512).find('\0') == std::string_view::npos;
@@ -115,10 +117,10 @@ Result<DocumentPtr> readStl(const FileSet& files, const Limits& limits) {
   const std::optional<std::size_t> count = binaryCount(bytes, file.notes);
   if (!count && !isStlText(asText(bytes))) {
     const std::size_t announced = bytes.size() < kHeaderBytes ? 0 : littleUint32(&bytes[80]);
-    return malformedByte(80, formatText("not an STL file, or a truncated one: %s announced "
-                                        "in a file of %s",
-                                        counted(announced, "triangle").c_str(),
-                                        counted(bytes.size(), "byte").c_str()));
+    return text::malformedByte(80, formatText("not an STL file, or a truncated one: %s announced "
+                                              "in a file of %s",
+                                              counted(announced, "triangle").c_str(),
+                                              counted(bytes.size(), "byte").c_str()));
   }
   if (count && *count > limits.maxTriangles) {
     return tooManyTriangles(*count, limits.maxTriangles);
@@ -126,7 +128,7 @@ Result<DocumentPtr> readStl(const FileSet& files, const Limits& limits) {
   Result<std::vector<Vec3>> corners =
       count ? readBinary(bytes, *count) : readText(withoutByteOrderMark(asText(bytes)));
   if (!corners) return corners.error();
-  if (corners->empty()) return malformedByte(bytes.size(), "there are no triangles");
+  if (corners->empty()) return text::malformedByte(bytes.size(), "there are no triangles");
   if (corners->size() / 3 > limits.maxTriangles) {
     return tooManyTriangles(corners->size() / 3, limits.maxTriangles);
   }

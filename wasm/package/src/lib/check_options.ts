@@ -1,7 +1,8 @@
 // The options of every call, checked before anything is sent to the worker: an unknown name or a value of
-// the wrong type is an error and never silently ignored.
+// the wrong type is an error and never silently ignored. Names, types and bounds are those of the core's table.
 
 import { usage } from './error.js';
+import { optionTable, type OptionRow } from './option_table.js';
 
 /** @internal */
 export const describe = (value: unknown): string => {
@@ -30,8 +31,6 @@ const isFinite = (value: unknown): value is number =>
   typeof value === 'number' && Number.isFinite(value);
 const boolean = kind('true or false', (value) => typeof value === 'boolean');
 const string = kind('a string', (value) => typeof value === 'string');
-const positive = kind('a positive number', (value) => isFinite(value) && value > 0);
-const number = kind('a number of at least 0', (value) => isFinite(value) && value >= 0);
 const integer = (low: number, high = Number.MAX_SAFE_INTEGER): Kind =>
   kind(
     high === Number.MAX_SAFE_INTEGER
@@ -62,58 +61,65 @@ const signal = kind(
 );
 const anything = kind('anything', () => true);
 
-const improve = kind(
-  "'isometric', 'conformal', 'area' or a number from -1 to 1",
-  (value) =>
-    ['isometric', 'conformal', 'area'].includes(value as string) ||
-    (isFinite(value) && value >= -1 && value <= 1),
-);
-const order = integer(1, 64);
+const bounded = ({ low = -Infinity, high = Infinity, isOpen }: OptionRow, value: number) =>
+  (isOpen ? value > low : value >= low) && value <= high;
 
-const load: Fields = {
-  name: string,
-  surface: integer(0),
-  weld: number,
-  limits: record({ bytes: positive, triangles: positive }),
-  fix: record({ orient: boolean, split: boolean, degenerate: boolean }),
-  strict: boolean,
-  writeRepairs: boolean,
-  target: oneOf('obj', 'glb', 'gltf', 'ply'),
-};
-const suggestCones: Fields = {
-  q: order,
-  count: integer(0),
-  conesFor: oneOf('balanced', 'few', 'low-distortion'),
-  alignToCurvature: boolean,
-};
-const parametrize: Fields = {
-  ...suggestCones,
-  cones,
-  field: coneFile,
-  frames: oneOf('auto', 'file'),
-  boundary: oneOf('free', 'convex'),
-  maxRounds: integer(1),
-  method: oneOf('auto', 'harmonic', 'soft', 'printed', 'all-frames'),
-  improve,
-  quality: boolean,
-  keepGoing: boolean,
-  scale: oneOf('solved', 'unit', 'fit'),
-  refine: boolean,
-  convexPolygons: boolean,
-  grid: record({ cells: number, spacing: number, mode: oneOf('tile', 'quad') }),
-};
-const write: Fields = {
-  format: oneOf('same', 'glb', 'gltf', 'obj', 'flat-obj', 'svg'),
-  gridMaterial: kind(
-    'true or a positive number',
-    (value) => typeof value === 'boolean' || positive.test(value),
-  ),
-  uvSet: integer(-1),
-  name: string,
-  embedCones: boolean,
-  allowUncertified: boolean,
-  use: boolean,
-};
+/** "a number from -1 to 1" */
+function numberName({ low, high, isOpen }: OptionRow): string {
+  if (high !== undefined) return `a number from ${low} to ${high}`;
+  if (low === undefined) return 'a number';
+  return isOpen
+    ? low === 0
+      ? 'a positive number'
+      : `a number above ${low}`
+    : `a number of at least ${low}`;
+}
+
+/** The values of a row of the core's table. */
+function kindOf(row: OptionRow): Kind {
+  const { words = [], low = 0, high } = row;
+  const isNumber = (value: unknown): boolean => isFinite(value) && bounded(row, value);
+  switch (row.kind) {
+    case 'flag':
+      return boolean;
+    case 'integer':
+      return integer(low, high);
+    case 'number':
+      return kind(numberName(row), isNumber);
+    case 'text':
+      return string;
+    case 'word':
+      return oneOf(...words);
+    case 'wordOrNumber':
+      return kind(
+        `${words.map((word) => `'${word}'`).join(', ')} or ${numberName(row)}`,
+        (value) => words.includes(value as string) || isNumber(value),
+      );
+    case 'flagOrNumber':
+      return kind(
+        `true, false or ${numberName(row)}`,
+        (value) => typeof value === 'boolean' || isNumber(value),
+      );
+    case 'words':
+      return record(Object.fromEntries(words.map((word) => [word, boolean])));
+  }
+}
+
+/** The rows of the core's table as fields; "grid.cells" is a member of the record `grid`. */
+function fieldsOf(rows: OptionRow[]): Fields {
+  const fields: Fields = {};
+  for (const row of rows) {
+    const [name, member] = row.name.split('.');
+    if (!member) fields[name] = kindOf(row);
+    else ((fields[name] ??= record({})).fields ?? {})[member] = kindOf(row);
+  }
+  return fields;
+}
+
+const load: Fields = { name: string, ...fieldsOf(optionTable.load) };
+const parametrize: Fields = { ...fieldsOf(optionTable.solve), cones, field: coneFile };
+const { q, count, conesFor, alignToCurvature } = parametrize;
+const write = fieldsOf(optionTable.write);
 const { surface: _surface, ...loadFile } = load;
 const {
   cones: _cones,
@@ -123,7 +129,7 @@ const {
   ...solveFile
 } = parametrize;
 const { format: _format, ...writeFile } = write;
-const { limits, fix, strict } = load;
+const { limits, fix, strict, weld } = load;
 
 /**
  * The options of each call. The declarations in ./options.ts and ./client.ts have the same names; a test compares them.
@@ -132,12 +138,12 @@ const { limits, fix, strict } = load;
 export const optionsOf = {
   load,
   loadMesh: {
-    weld: kind('a number of at least 0 or false', (value) => value === false || number.test(value)),
+    weld: kind(`${weld.name} or false`, (value) => value === false || weld.test(value)),
     ...{ limits, fix, strict },
   },
-  suggestCones,
+  suggestCones: { q, count, conesFor, alignToCurvature },
   parametrize,
-  verify: { cones, field: coneFile, q: integer(0, 64), uvSet: integer(-1), tolerance: number },
+  verify: { cones, field: coneFile, ...fieldsOf(optionTable.verify) },
   write,
   quads: { name: string },
   parametrizeFile: { ...loadFile, ...solveFile, write: record(writeFile) },

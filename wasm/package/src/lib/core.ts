@@ -75,11 +75,11 @@ function exportName(name: string, format: string): string {
   return `${stem}.${format === 'flat-obj' ? 'flat.obj' : format}`;
 }
 
-/** The options with the field file in the session's form: all members are set, q is 0 if the file has its own. */
-function withField({ field, ...options }: { field?: ConeFile }): object {
-  if (!field) return options;
+/** A field file in the session's form: all members are set, q is 0 if the file has its own. */
+function fieldFile(field?: ConeFile): object | undefined {
+  if (!field) return undefined;
   const { name = '', text, q = 0 } = field as Partial<ConeFile>;
-  return { ...options, field: { name, text, q } };
+  return { name, text, q };
 }
 
 /** The numbers of a map that is not needed any more. */
@@ -90,9 +90,6 @@ function resultOf(map: CoreMap): Result {
 
 const jsonOf = (reply: { json: string } | { error: string }): unknown =>
   JSON.parse(valueOf(reply as { json: string }).json);
-
-/** LoadOptions::kWeldNever of the core. */
-const neverWeld = -2;
 
 /** The solver. Calls are synchronous, except prepare(), and throw HgpError. */
 export class Core {
@@ -183,10 +180,11 @@ export class Core {
   /** Loads a mesh of a file. */
   load({ main, files, notes = [] }: CoreFiles, options: LoadOptions = {}): CoreModel {
     checkOptions('load', options);
+    const { name: _name, ...asked } = options;
     const names = [...files.keys()];
     return this.#open(options, (session) => {
       const contents = [...files.values()];
-      const loaded = session.load(main, names, contents, this.#decoders, options);
+      const loaded = session.load(main, names, contents, this.#decoders, JSON.stringify(asked));
       const info = jsonOf(loaded) as ModelInfo;
       return {
         info: notes.length > 0 ? { ...info, notes: [...notes, ...info.notes] } : info,
@@ -200,9 +198,11 @@ export class Core {
     checkOptions('loadMesh', options);
     const { positions, triangles } = checkMesh(mesh);
     const { weld = 0, ...rest } = options;
-    const asked = { ...rest, weld: weld === false ? neverWeld : weld };
+    const asked: LoadOptions = { ...rest, weld: weld === false ? 'none' : weld };
     return this.#open(asked, (session) => {
-      const info = jsonOf(session.loadMesh(positions, triangles, asked)) as ModelInfo;
+      const info = jsonOf(
+        session.loadMesh(positions, triangles, JSON.stringify(asked)),
+      ) as ModelInfo;
       return { info, name: 'mesh.obj' };
     });
   }
@@ -334,7 +334,7 @@ export class CoreModel {
   /** Automatic cones. */
   suggestCones(options: SuggestOptions = {}): Cones {
     checkOptions('suggestCones', options);
-    return jsonOf(this.#live.suggestCones(options, this.#progress())) as Cones;
+    return jsonOf(this.#live.suggestCones(JSON.stringify(options), this.#progress())) as Cones;
   }
 
   /** Checks cones against Gauss–Bonnet in exact integers; solves nothing. */
@@ -346,10 +346,11 @@ export class CoreModel {
   /** Solves, and verifies the map as it will be stored; without `cones` they are chosen automatically. */
   parametrize(options: SolveOptions = {}): CoreMap {
     checkOptions('parametrize', options);
-    const { cones, ...rest } = options;
+    const { cones, field, ...rest } = options;
     const session = this.#live;
     const text = cones ? JSON.stringify(cones) : '';
-    return this.#mapOf(session.parametrize(text, withField(rest), this.#progress()));
+    const asked = JSON.stringify(rest);
+    return this.#mapOf(session.parametrize(text, fieldFile(field), asked, this.#progress()));
   }
 
   /**
@@ -379,9 +380,10 @@ export class CoreModel {
   /** Verifies texture coordinates in the file. */
   verify(options: VerifyOptions = {}): Certificate {
     checkOptions('verify', options);
-    const { cones, ...rest } = options;
+    const { cones, field, ...rest } = options;
     const text = cones ? JSON.stringify(cones) : '';
-    return jsonOf(this.#live.verify(text, withField(rest))) as Certificate;
+    const reply = this.#live.verify(text, fieldFile(field), JSON.stringify(rest));
+    return jsonOf(reply) as Certificate;
   }
 
   /**
@@ -488,7 +490,7 @@ export class CoreMap extends MapData {
     const { format = 'same' } = options;
     const { defaultName } = model;
     const name = format === 'same' ? defaultName : exportName(defaultName, format);
-    const reply = this.current(model).write({ name, ...options });
+    const reply = this.current(model).write(JSON.stringify({ name, ...options }));
     const { files, notes, xref, certified } = valueOf(reply);
     const told = JSON.parse(notes) as Note[];
     return { name: files[0].name, bytes: files[0].bytes, files, notes: told, xref, certified };

@@ -34,9 +34,10 @@ export interface LoadOptions {
   surface?: number;
   /**
    * Join vertices closer than this, in the file's unit. By default vertices at equal positions are joined where the
-   * format requires it (glTF, STL), and in other formats if no two faces share a vertex.
+   * format requires it (glTF, STL), and in other formats if no two faces share a vertex. `exact`: 0. `none`: only
+   * where the format requires it.
    */
-  weld?: number;
+  weld?: number | 'exact' | 'none';
   /** Larger files are refused with the code `limit`; by default 2 GiB and 16 million triangles. */
   limits?: { bytes?: number; triangles?: number };
   /** Make exactly these repairs; by default those that the defects of the mesh need. */
@@ -67,9 +68,9 @@ export interface MeshArrays {
 export interface MeshLoadOptions {
   /**
    * Join vertices closer than this. By default 0: vertices at equal positions are joined, because renderers split
-   * vertices where normals or texture coordinates differ. `false`: vertices are not joined.
+   * vertices where normals or texture coordinates differ. `false`, `none`: vertices are not joined.
    */
-  weld?: number | false;
+  weld?: number | 'exact' | 'none' | false;
   limits?: LoadOptions['limits'];
   fix?: LoadOptions['fix'];
   strict?: LoadOptions['strict'];

@@ -107,7 +107,7 @@ std::optional<std::array<int, 2>> version(const std::string& text) {
   std::array<int, 2> out{};
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (i == dot) continue;
-    if (!isDigit(text[i])) return std::nullopt;
+    if (!text::isDigit(text[i])) return std::nullopt;
     int& part = out[i > dot ? 1 : 0];
     part = part * 10 + (text[i] - '0');
   }
@@ -192,7 +192,7 @@ bool GltfChecker::integer(int object, const char* key, std::int64_t fallback, st
   }
   const auto value = json_.integer(member);
   if (!value || *value < 0) {
-    return fail(member, "must be a non-negative integer, not " + inQuotes(json_.raw(member)));
+    return fail(member, "must be a non-negative integer, not " + text::inQuotes(json_.raw(member)));
   }
   out = *value;
   return true;
@@ -215,7 +215,7 @@ bool GltfChecker::checkAsset() {
   const auto have = version(json_.string(versionNode));
   if (!have) return fail(asset, "'version' is missing or is not \"2.x\"");
   if ((*have)[0] != 2) {
-    return fail(versionNode, "glTF version " + inQuotes(json_.string(versionNode)) +
+    return fail(versionNode, "glTF version " + text::inQuotes(json_.string(versionNode)) +
                                  " is not supported, only 2.x; export the file as glTF 2.0");
   }
   const int minimum = json_.find(asset, "minVersion");
@@ -223,7 +223,7 @@ bool GltfChecker::checkAsset() {
   const auto wanted = version(json_.string(minimum));
   if (!wanted) return fail(minimum, "must be a version such as \"2.0\"");
   if (*wanted > std::array<int, 2>{2, 0}) {
-    return fail(minimum, "needs a reader of glTF " + inQuotes(json_.string(minimum)) +
+    return fail(minimum, "needs a reader of glTF " + text::inQuotes(json_.string(minimum)) +
                              ", this one reads 2.0; export the file as glTF 2.0");
   }
   return true;
@@ -238,7 +238,7 @@ bool GltfChecker::checkExtensionNames() {
       if (!json_.isString(name)) return fail(name, "must be a string");
       if (std::string_view(list) == "extensionsRequired" && !isKnownExtension(json_.string(name))) {
         return fail(name,
-                    "the file requires the extension " + inQuotes(json_.string(name), 80) +
+                    "the file requires the extension " + text::inQuotes(json_.string(name), 80) +
                         ", which this reader does not know; export it without this extension");
       }
     }
@@ -263,8 +263,8 @@ bool GltfChecker::checkReference(int node, std::string_view path, const char* ta
   if (path.empty()) {
     const auto index = json_.integer(node);
     if (!index || *index < 0) {
-      return fail(node,
-                  "must be an index, a non-negative integer, not " + inQuotes(json_.raw(node)));
+      return fail(
+          node, "must be an index, a non-negative integer, not " + text::inQuotes(json_.raw(node)));
     }
     const int array = json_.find(JsonText::kRoot, target);
     const int count = json_.isArray(array) ? json_.node(array).count : 0;

@@ -70,8 +70,8 @@ bool GltfChecker::checkMeshoptMode(int extension, const std::string& mode, std::
   const std::string filter = filterNode < 0 ? "NONE" : json_.string(filterNode);
   const bool isVertices = mode == "ATTRIBUTES";
   if (!isVertices && mode != "TRIANGLES" && mode != "INDICES") {
-    return fail(extension,
-                "unknown mode " + inQuotes(mode) + "; it must be ATTRIBUTES, TRIANGLES or INDICES");
+    return fail(extension, "unknown mode " + text::inQuotes(mode) +
+                               "; it must be ATTRIBUTES, TRIANGLES or INDICES");
   }
   const bool isStrideGood =
       isVertices ? stride >= 4 && stride <= 256 && stride % 4 == 0 : stride == 2 || stride == 4;
@@ -86,7 +86,7 @@ bool GltfChecker::checkMeshoptMode(int extension, const std::string& mode, std::
       (isVertices && filter == "QUATERNION" && stride == 8) ||
       (isVertices && filter == "EXPONENTIAL");
   if (isFilterGood) return true;
-  return fail(extension, "filter " + inQuotes(filter) + " does not suit mode " + mode +
+  return fail(extension, "filter " + text::inQuotes(filter) + " does not suit mode " + mode +
                              formatText(" with 'byteStride' %lld", static_cast<long long>(stride)));
 }
 
@@ -174,7 +174,7 @@ bool GltfChecker::checkAccessor(int accessor) {
                 formatText("unknown componentType %lld", static_cast<long long>(componentType)));
   }
   const std::string type = json_.string(json_.find(accessor, "type"));
-  if (!gltfShape(type, shape)) return fail(accessor, "unknown type " + inQuotes(type));
+  if (!gltfShape(type, shape)) return fail(accessor, "unknown type " + text::inQuotes(type));
   const int normalized = json_.find(accessor, "normalized");
   if (normalized >= 0 && !json_.isTrue(normalized) && !json_.isKind(normalized, JsonKind::kFalse)) {
     return fail(normalized, "must be true or false");

@@ -70,10 +70,11 @@ bool GltfChecker::checkVertexAttributes(int attributes, std::int64_t& count, boo
     const std::string type = json_.string(json_.find(accessor, "type"));
     const std::string semantic = json_.key(member);
     if (semantic == "POSITION" && type != "VEC3") {
-      return fail(member, "POSITION must be VEC3, not " + inQuotes(type));
+      return fail(member, "POSITION must be VEC3, not " + text::inQuotes(type));
     }
     if (semantic.rfind("TEXCOORD_", 0) == 0 && !isTarget && type != "VEC2") {
-      return fail(member, inQuotes(semantic, 40) + " must be VEC2, not " + inQuotes(type));
+      return fail(member,
+                  text::inQuotes(semantic, 40) + " must be VEC2, not " + text::inQuotes(type));
     }
     if (semantic == "POSITION" && !isOneOf(componentType, {5120, 5121, 5122, 5123, 5126})) {
       return fail(member, "POSITION cannot have 32-bit integers");
@@ -113,7 +114,8 @@ bool GltfChecker::checkDraco(int primitive) {
   for (int member : json_.children(ids)) {
     const auto id = json_.integer(member);
     if (!id || *id < 0 || *id > INT32_MAX) {
-      return fail(member, "must be a non-negative integer, not " + inQuotes(json_.raw(member)));
+      return fail(member,
+                  "must be a non-negative integer, not " + text::inQuotes(json_.raw(member)));
     }
     if (json_.find(attributes, json_.key(member)) < 0) {
       return fail(member, "is an attribute that the primitive does not have");

@@ -100,7 +100,7 @@ class BufferLoader {
     const Status fits = take(pointer, declared);
     if (!fits) return fits;
     if (!resolve_) {
-      return refuse(pointer, "needs the file " + inQuotes(*name, 120) +
+      return refuse(pointer, "needs the file " + text::inQuotes(*name, 120) +
                                  ", which was not given; load it together with the glTF");
     }
     auto bytes = resolve_(*name);

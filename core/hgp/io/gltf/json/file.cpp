@@ -21,7 +21,7 @@ std::uint32_t word(ByteView bytes, std::size_t offset) {
 }
 
 Failure notGltf(std::size_t offset, const std::string& message) {
-  return malformedByte(offset, "not a glTF file: " + message);
+  return text::malformedByte(offset, "not a glTF file: " + message);
 }
 
 /// Reads the chunks of a GLB, the last of which must end where `file` does. A length that is not a multiple
@@ -130,7 +130,7 @@ std::string_view withoutPadding(std::string_view base64) {
 }
 
 int hexValue(char c) {
-  if (isDigit(c)) return c - '0';
+  if (text::isDigit(c)) return c - '0';
   const char lower = static_cast<char>(c | 0x20);
   return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
 }
@@ -248,10 +248,11 @@ std::string encodeBase64(ByteView bytes) {
 
 Result<std::string> relativeName(std::string_view uri) {
   const auto refuse = [&](const char* why) {
-    return Failure{ErrorCode::kMalformed,
-                   "read",
-                   "the file refers to " + inQuotes(uri, 120) + ", which is not loaded: " + why,
-                   {}};
+    return Failure{
+        ErrorCode::kMalformed,
+        "read",
+        "the file refers to " + text::inQuotes(uri, 120) + ", which is not loaded: " + why,
+        {}};
   };
   if (uri.find_first_of("?#") != std::string_view::npos)
     return refuse("it has a query or a fragment; encode '?' as %3F and '#' as %23");
@@ -279,7 +280,7 @@ std::string freeSideName(const std::string& stem, const std::vector<std::string>
 std::string uriFromName(std::string_view name) {
   std::string out;
   for (char c : name) {
-    const bool isPlain = isDigit(c) || ((c | 0x20) >= 'a' && (c | 0x20) <= 'z') ||
+    const bool isPlain = text::isDigit(c) || ((c | 0x20) >= 'a' && (c | 0x20) <= 'z') ||
                          std::string_view("-._~/").find(c) != std::string_view::npos;
     if (isPlain) {
       out.push_back(c);

@@ -32,7 +32,7 @@ void appendUtf8(std::string& out, std::uint32_t code) {
 std::uint32_t hexCode(std::string_view digits) {
   std::uint32_t code = 0;
   for (char c : digits) {
-    const int value = isDigit(c) ? c - '0' : (c | 0x20) - 'a' + 10;
+    const int value = text::isDigit(c) ? c - '0' : (c | 0x20) - 'a' + 10;
     code = code * 16 + static_cast<std::uint32_t>(value);
   }
   return code;
@@ -138,7 +138,7 @@ std::optional<std::int64_t> JsonText::integer(int i) const {
   }
   std::int64_t value = 0;
   const char* p = literal.data();
-  if (!readInt(p, literal.data() + literal.size(), value)) return std::nullopt;
+  if (!text::readInt(p, literal.data() + literal.size(), value)) return std::nullopt;
   if (value > (std::int64_t{1} << 53) || value < -(std::int64_t{1} << 53)) return std::nullopt;
   return value;
 }
@@ -148,7 +148,7 @@ std::optional<double> JsonText::number(int i) const {
   const std::string_view literal = raw(i);
   const char* p = literal.data();
   double value = 0;
-  if (!readDouble(p, literal.data() + literal.size(), value) || !std::isfinite(value)) {
+  if (!text::readDouble(p, literal.data() + literal.size(), value) || !std::isfinite(value)) {
     return std::nullopt;
   }
   return value;

@@ -95,7 +95,7 @@ void GltfWriter::setRange(GltfNewAccessor& fresh, int old, ByteView data) const 
     std::string out = "[";
     for (double value : values) {
       if (out.size() > 1) out += ',';
-      appendDouble(out, value);
+      text::appendDouble(out, value);
     }
     return out + "]";
   };

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-namespace hgp::cli {
+namespace hgp::text {
 
 /// The name nearest to a word by edit distance, or starting with it; "" if none is near.
 std::string nearestOf(const std::string& word, const std::vector<std::string>& names);
 
-}  // namespace hgp::cli
+}  // namespace hgp::text

@@ -1,8 +1,8 @@
-#include "nearest.h"
+#include "hgp/text/nearest.h"
 
 #include <algorithm>
 
-namespace hgp::cli {
+namespace hgp::text {
 namespace {
 
 /// Levenshtein distance.
@@ -37,4 +37,4 @@ std::string nearestOf(const std::string& word, const std::vector<std::string>& n
   return best;
 }
 
-}  // namespace hgp::cli
+}  // namespace hgp::text

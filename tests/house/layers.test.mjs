@@ -49,7 +49,7 @@ test('every folder of core/hgp is a module of the table', () => {
   assert.deepEqual(unknown, []);
 });
 
-// The method is one namespace; what it rests on and what surrounds it has that of its folder (decision 083).
+// The method is one namespace; what it rests on and what surrounds it has that of its folder (decision 084).
 const ownNamespace = ['linalg', 'socp', 'text', 'prescription', 'io', 'api'];
 
 test('namespaces follow the folders', () => {

@@ -77,3 +77,13 @@ test('only panels draw with lit, only views with three; text is never put in as 
   }
   assert.deepEqual(wrong, []);
 });
+
+test('only actions write the document: views, panels and input have it in a type whose members are readonly', () => {
+  const readers = sources.filter((file) => ['views', 'panels', 'input'].includes(folderOf(file)));
+  const named = readers.filter((file) =>
+    /\bimport\b[^;]*\b(?:App|Document|OpenDocument)\b[^;]*\bfrom\b/.test(textOf(file)),
+  );
+  assert.deepEqual(named, []);
+  assert.match(textOf('web/src/panels/panel.ts'), /declare app: AppView;/);
+  assert.match(textOf('web/src/model/document.ts'), /ReadonlyDocument = Readonly<OpenDocument>/);
+});

@@ -22,6 +22,7 @@ import type {
   OutputFile,
   Solution,
   SolveRequest,
+  SolveSettings,
 } from '../model/types';
 import { componentsOf, isCertified } from '../model/verdict';
 import { ensureWorker } from '../services/solver';
@@ -327,6 +328,11 @@ export async function run(app: App): Promise<RunOutcome> {
     doc.isUnsaved = true;
     sayVerdict(app, solution, isOpen);
   });
+}
+
+/** Changes settings that apply to the next Run. */
+export function setSolve({ doc }: App, part: Partial<SolveSettings>): void {
+  doc.solve = { ...doc.solve, ...part };
 }
 
 /** Changes the grid settings. An existing map is computed again; otherwise they apply to the next Run. */

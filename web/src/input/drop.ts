@@ -1,10 +1,10 @@
 // Files dropped anywhere on the page.
 
-import { attempt, type App } from '../actions/app';
+import { attempt, type AppView } from '../actions/app';
 import { open } from '../actions/open';
 import { filesOfDrop } from '../formats/file_set';
 
-export function listenToDrops(app: App): void {
+export function listenToDrops(app: AppView): void {
   let depth = 0;
   const change = (to: number): void => {
     depth = to;

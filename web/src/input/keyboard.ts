@@ -1,6 +1,6 @@
 // Keyboard input. Single keys work only while a view has the focus, Ctrl combinations whenever no dialog is open.
 
-import { attempt, type App } from '../actions/app';
+import { attempt, type AppView } from '../actions/app';
 import { select, setK } from '../actions/edit_cones';
 import { placeOnAny } from '../actions/repair';
 import { cancel } from '../actions/job';
@@ -19,11 +19,11 @@ const arrows: Record<string, [number, number]> = {
 };
 
 export class Keyboard {
-  readonly #app: App;
+  readonly #app: AppView;
   /** The vertex from which arrow keys move the cursor, −1 for none. */
   #cursor = -1;
 
-  constructor(app: App) {
+  constructor(app: AppView) {
     this.#app = app;
     document.addEventListener('keydown', (event) => {
       const isCombination = event.ctrlKey || event.metaKey;

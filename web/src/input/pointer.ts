@@ -1,6 +1,6 @@
 // Mouse, pen and touch on the two views: placing, selecting and dragging cones, and hovering.
 
-import { attempt, type App } from '../actions/app';
+import { attempt, type AppView } from '../actions/app';
 import { beginLive, cancelLive, dragLive, dropLive } from '../actions/drag_live';
 import { coneToPlace, moveCone, select } from '../actions/edit_cones';
 import { switchMesh } from '../actions/load';
@@ -23,7 +23,7 @@ const longPress = 400; // milliseconds
 type View = ModelView | UvView;
 
 export class Pointer {
-  readonly #app: App;
+  readonly #app: AppView;
   readonly #model: ModelView;
   readonly #uv: UvView;
   #down?: {
@@ -38,7 +38,7 @@ export class Pointer {
   #timer?: ReturnType<typeof setTimeout>;
   #hoverPending = false;
 
-  constructor(app: App, model: ModelView, uv: UvView) {
+  constructor(app: AppView, model: ModelView, uv: UvView) {
     this.#app = app;
     this.#model = model;
     this.#uv = uv;

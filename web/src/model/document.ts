@@ -283,5 +283,10 @@ export class Document extends storeOf<Fields>() {
   }
 }
 
+/** The members of a document. */
+export type OpenDocument = Pick<Document, keyof Document>;
+/** The same for those who only read it: views, panels, input. What they have to say goes through say(). */
+export type ReadonlyDocument = Readonly<OpenDocument>;
+
 const sameSettings = (a: LoadSettings, b: LoadSettings | undefined): boolean =>
   JSON.stringify(a) === JSON.stringify(b);

@@ -1,7 +1,7 @@
 // A button for an action. Its name, key and icon, and the reason if it is not available, come from the registry.
 
 import { html, nothing, type TemplateResult } from 'lit';
-import type { App } from '../actions/app';
+import type { AppView } from '../actions/app';
 import { actions, labelOf, perform, whyNotOf, type ActionId } from '../actions/registry';
 import { icon } from './icons';
 
@@ -16,7 +16,7 @@ export interface ButtonOptions {
 }
 
 export function actionButton(
-  app: App,
+  app: AppView,
   id: ActionId,
   { text, domId = id, className = '', isIconOnly = false, hasIcon = true }: ButtonOptions = {},
 ): TemplateResult {

@@ -1,7 +1,7 @@
 // The whole page: bars, views and the side panel.
 
 import { html, nothing, type TemplateResult } from 'lit';
-import { attempt, type App } from '../actions/app';
+import { attempt, type AppView } from '../actions/app';
 import { open } from '../actions/open';
 import { filesOfInput } from '../formats/file_set';
 import type { Tab } from '../model/ui_state';
@@ -28,7 +28,7 @@ import '../styles/narrow.css';
 import { plural } from '../text/format';
 
 /** The description of the 3D view for screen readers. */
-function describeModel({ doc }: App): string {
+function describeModel({ doc }: AppView): string {
   const { model, displayed, prescription } = doc;
   if (!model) return '3D view: no model';
   const texture = displayed ? ', textured' : '';

@@ -2,7 +2,7 @@
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
-import { attempt, type App } from '../actions/app';
+import { attempt, type AppView } from '../actions/app';
 import { knownCount, setConeStep } from '../actions/cone_slider';
 import { coneSteps } from '../actions/cone_steps';
 import { setOrder } from '../actions/edit_cones';
@@ -38,7 +38,7 @@ function turnsText(q: number, count: number): string {
 const stepNames = ['As few as areas allow', 'Few', 'In the middle', 'Many', 'Little distortion'];
 
 /** Who placed the cones, if it was not the slider. */
-function ownerOf({ doc }: App): string {
+function ownerOf({ doc }: AppView): string {
   const { undoKind, canUndo } = doc.history;
   if (undoKind === 'suggest cones') return '';
   if (!canUndo || undoKind === 'import cones') return 'from a file';

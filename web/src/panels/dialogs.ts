@@ -1,7 +1,7 @@
 // All dialogs but Download: missing files, choice of a model, the command palette, help, the log.
 
 import { html, nothing, type TemplateResult } from 'lit';
-import { attempt, type App } from '../actions/app';
+import { attempt, type AppView } from '../actions/app';
 import { giveUp, loadWithoutImages, openMain, supply } from '../actions/open';
 import {
   actionIds,
@@ -22,7 +22,7 @@ import './dialogs.css';
 
 type StateOf<K extends DocumentState['kind']> = Extract<DocumentState, { kind: K }>;
 
-function missingFiles(app: App, { main, missing }: StateOf<'needs-files'>): TemplateResult {
+function missingFiles(app: AppView, { main, missing }: StateOf<'needs-files'>): TemplateResult {
   const isNeeded = missing.some((file) => file.isNeeded);
   const browse = (name: string) => (event: Event) => {
     const file = (event.target as HTMLInputElement).files?.[0];
@@ -65,7 +65,7 @@ function missingFiles(app: App, { main, missing }: StateOf<'needs-files'>): Temp
   );
 }
 
-function whichModel(app: App, { files, candidates }: StateOf<'pick-model'>): TemplateResult {
+function whichModel(app: AppView, { files, candidates }: StateOf<'pick-model'>): TemplateResult {
   const stop = (): void => giveUp(app);
   return dialogFrame(
     'pick-model',
@@ -98,7 +98,7 @@ const gestures: [string, string][] = [
   ['Double click', 'centre that place'],
 ];
 
-function help(app: App): TemplateResult {
+function help(app: AppView): TemplateResult {
   const { ui } = app;
   const close = (): void => void (ui.dialog = '');
   const keyed = actionIds.filter((id) => actions[id].keys);
@@ -146,7 +146,7 @@ function help(app: App): TemplateResult {
   );
 }
 
-function log({ doc, ui }: App): TemplateResult {
+function log({ doc, ui }: AppView): TemplateResult {
   const close = (): void => void (ui.dialog = '');
   return dialogFrame(
     'log-dialog',

@@ -1,7 +1,7 @@
 // The Download dialog: one button for the program in which the file is used next; all formats and choices under More.
 
 import { html, nothing, type TemplateResult } from 'lit';
-import { attempt, type App } from '../actions/app';
+import { attempt, type AppView } from '../actions/app';
 import { download, exportSource } from '../actions/download';
 import { mappedMeshes } from '../actions/download_all';
 import { perform } from '../actions/registry';
@@ -31,7 +31,7 @@ const chosenSet = ({ uvSet, usesNewSet }: Output): string =>
   uvSet === undefined ? (usesNewSet ? 'use' : 'keep') : String(uvSet);
 
 /** glTF: whether the textures of the file use the new coordinates or keep the old ones. */
-function setChooser(app: App, output: Output): TemplateResult | typeof nothing {
+function setChooser(app: AppView, output: Output): TemplateResult | typeof nothing {
   const { info } = app.doc.model!;
   const sets = info.surfaces[info.surface]?.uvSets ?? [];
   if (!/^(glb|gltf)$/.test(info.file.format) || sets.length === 0) return nothing;
@@ -54,7 +54,7 @@ function setChooser(app: App, output: Output): TemplateResult | typeof nothing {
 }
 
 /** Choices that change the written file; after each, the file is written, read back and verified again. */
-function choices(app: App, solution: Solution): TemplateResult {
+function choices(app: AppView, solution: Solution): TemplateResult {
   const output = app.doc.pendingOutput ?? solution.output;
   const set = (part: Partial<Output>): void => void attempt(app, () => rewrite(app, part));
   return html`<div class="choices">
@@ -95,7 +95,7 @@ function choices(app: App, solution: Solution): TemplateResult {
 }
 
 /** Runs the Khronos validator on request. */
-function validation(app: App, solution: Solution): TemplateResult {
+function validation(app: AppView, solution: Solution): TemplateResult {
   const { doc } = app;
   const seen = doc.validation?.of === solution ? doc.validation : undefined;
   const isIt = /\.(glb|gltf)$/i.test(solution.written.files[0].name);
@@ -123,7 +123,7 @@ function validation(app: App, solution: Solution): TemplateResult {
 }
 
 function formatButton(
-  app: App,
+  app: AppView,
   source: ExportSource,
   { format, label, hint }: (typeof formats)[number],
 ): TemplateResult {
@@ -140,7 +140,7 @@ function formatButton(
   </li>`;
 }
 
-function save(app: App, format: Format): Promise<void> {
+function save(app: AppView, format: Format): Promise<void> {
   return attempt(app, async () => {
     await download(app, format);
     app.ui.dialog = '';
@@ -148,12 +148,12 @@ function save(app: App, format: Format): Promise<void> {
 }
 
 /** Closes the dialog first, because the map may have to be run again, and the progress is shown behind it. */
-function saveQuads(app: App, file: 'obj' | 'glb'): Promise<void> {
+function saveQuads(app: AppView, file: 'obj' | 'glb'): Promise<void> {
   app.ui.dialog = '';
   return attempt(app, () => downloadQuads(app, file));
 }
 
-function targetChooser({ ui }: App): TemplateResult {
+function targetChooser({ ui }: AppView): TemplateResult {
   return html`<label
     >Use it in
     <select id="target" @change=${(event: Event) => ui.setTarget(valueOf(event) as TargetId)}>
@@ -163,7 +163,7 @@ function targetChooser({ ui }: App): TemplateResult {
 }
 
 /** The button that saves the file for the chosen program. */
-function mainButton(app: App, source: ExportSource): TemplateResult {
+function mainButton(app: AppView, source: ExportSource): TemplateResult {
   const { isBusy } = app.doc;
   const format = formatFor(app.ui.target, source.solution.files[0].name);
   const isQuads = format === 'quads';
@@ -195,7 +195,10 @@ function writtenSet({ info }: Model, { uvSet }: Output): number {
 }
 
 /** A sentence on the textures of the file, if it has some on a mesh with coordinates. */
-function ownTextures(app: App, { output, preserved }: Solution): TemplateResult | typeof nothing {
+function ownTextures(
+  app: AppView,
+  { output, preserved }: Solution,
+): TemplateResult | typeof nothing {
   const { info } = app.doc.model!;
   const hasOld = (info.surfaces[info.surface]?.uvSets ?? []).length > 0;
   if (app.ui.target === 'quads' || !hasOld || !/\btextures?\b/.test(preserved)) return nothing;
@@ -203,7 +206,7 @@ function ownTextures(app: App, { output, preserved }: Solution): TemplateResult 
   return html`<p class="note" id="own-textures">${textureHint(isKept)}</p>`;
 }
 
-function hintOf(app: App, solution: Solution): string {
+function hintOf(app: AppView, solution: Solution): string {
   const { ui } = app;
   const { hint } = targets.find(({ id }) => id === ui.target)!;
   if (ui.target !== 'quads') {
@@ -218,7 +221,7 @@ function hintOf(app: App, solution: Solution): string {
   return isThere ? hint : `${hint} ${rest}`;
 }
 
-function quadButtons(app: App): TemplateResult[] {
+function quadButtons(app: AppView): TemplateResult[] {
   const files = [
     ['obj', 'Quad mesh (OBJ)', 'the cells of the grid, with normals'],
     ['glb', 'Quad mesh (GLB)', 'two triangles for each, to look at'],
@@ -247,7 +250,7 @@ function withoutMap(count: number): string {
   return ` ${which} no map yet; Run all makes ${count === 1 ? 'it' : 'them'}.`;
 }
 
-function summary(app: App, solution: Solution): string {
+function summary(app: AppView, solution: Solution): string {
   const mapped = mappedMeshes(app).length;
   const { surfaces } = app.doc.model!.info;
   const missing = withoutMap(surfaces.length - mapped);
@@ -256,7 +259,7 @@ function summary(app: App, solution: Solution): string {
   return `${ofOneMesh(app, solution)}${missing}`;
 }
 
-function ofOneMesh(app: App, { notes, preserved, result }: Solution): string {
+function ofOneMesh(app: AppView, { notes, preserved, result }: Solution): string {
   const { info } = app.doc.model!;
   const stored = info.surfaces[info.surface]?.storedVertices ?? 0;
   const rest = `All else in the file stays as it was${preserved ? `: ${preserved}` : ''}.`;
@@ -264,7 +267,7 @@ function ofOneMesh(app: App, { notes, preserved, result }: Solution): string {
   return `${stored} vertices; ${result.uvToVertex.length} texture vertices, as seams are split.`;
 }
 
-export function downloadDialog(app: App, solution: Solution): TemplateResult {
+export function downloadDialog(app: AppView, solution: Solution): TemplateResult {
   const close = (): void => void (app.ui.dialog = '');
   const source = exportSource(app);
   if (!source) return html``;

@@ -3,11 +3,11 @@
 
 import { effect } from '@preact/signals-core';
 import { LitElement } from 'lit';
-import type { App } from '../actions/app';
+import type { AppView } from '../actions/app';
 
 export abstract class Panel extends LitElement {
   static override properties = { app: { attribute: false } };
-  declare app: App;
+  declare app: AppView;
   #dispose?: () => void;
 
   protected override createRenderRoot(): HTMLElement {

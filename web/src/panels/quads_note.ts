@@ -1,13 +1,13 @@
 // What came out as quads, while they are shown on the model.
 
 import { html, nothing, type TemplateResult } from 'lit';
-import { attempt, type App } from '../actions/app';
+import { attempt, type AppView } from '../actions/app';
 import { downloadQuads, hideQuads, previewQuads, whyNoQuads } from '../actions/quads';
 import { valencesOf } from '../model/quad_shape';
 import { count, plural } from '../text/format';
 import { askedFor, quadFaults } from '../text/quads';
 
-export function quadsNote(app: App): TemplateResult | typeof nothing {
+export function quadsNote(app: AppView): TemplateResult | typeof nothing {
   const { doc } = app;
   const { quads, current } = doc;
   if (!current || whyNoQuads(app) !== '') return nothing;

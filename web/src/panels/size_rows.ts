@@ -3,7 +3,7 @@
 
 import { html, nothing, type TemplateResult } from 'lit';
 import type { Where } from 'hgp';
-import { attempt, type App } from '../actions/app';
+import { attempt, type AppView } from '../actions/app';
 import { evenOut } from '../actions/even_out';
 import { showPlaces } from '../actions/view';
 import type { Solution } from '../model/types';
@@ -37,7 +37,7 @@ function withBefore(
   </dd>`;
 }
 
-function overlapRow(app: App, { overlaps, result }: Solution): TemplateResult {
+function overlapRow(app: AppView, { overlaps, result }: Solution): TemplateResult {
   const share = 100 * result.certificate.overlap.share;
   const show = (): void => showPlaces(app, places(overlaps.triangles));
   return html`<div
@@ -57,7 +57,7 @@ function overlapRow(app: App, { overlaps, result }: Solution): TemplateResult {
 
 /** Where the pattern is ten times larger than elsewhere, and cones that would even it out. */
 function sizeNote(
-  app: App,
+  app: AppView,
   { sizes }: Solution,
   isCurrent: boolean,
 ): TemplateResult | typeof nothing {
@@ -86,7 +86,7 @@ function sizeNote(
   </div>`;
 }
 
-export function sizeRows(app: App, solution: Solution): TemplateResult {
+export function sizeRows(app: AppView, solution: Solution): TemplateResult {
   const { sizes } = solution;
   const before = app.doc.beforeDisplayed?.sizes;
   return html`<dl class="facts plain">

@@ -4,7 +4,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { attempt } from '../actions/app';
-import { realign } from '../actions/solve';
+import { realign, setSolve } from '../actions/solve';
 import { automaticCells, canAlign, gridOutcome } from '../model/grid';
 import type { GridSettings, SolveSettings } from '../model/types';
 import { noteForPage } from '../text/notes';
@@ -46,8 +46,7 @@ class SolvePanel extends Panel {
   }
 
   #set(part: Partial<SolveSettings>): void {
-    const { doc } = this.app;
-    doc.solve = { ...doc.solve, ...part };
+    setSolve(this.app, part);
     this.requestUpdate();
   }
 

@@ -1,7 +1,7 @@
 // The status bar: one sentence, buttons for it, and the progress of a run.
 
 import { html, nothing, type TemplateResult } from 'lit';
-import { attempt, type App } from '../actions/app';
+import { attempt, type AppView } from '../actions/app';
 import type { Job, Message } from '../model/types';
 import { runSteps, stageName, stepIndex } from '../text/stages';
 import { plural } from '../text/format';
@@ -13,7 +13,7 @@ import './status_bar.css';
 const patience = 10; // seconds of a run after which the page offers a notification
 
 /** The text while nothing is running. */
-function restingText({ doc }: App): string {
+function restingText({ doc }: AppView): string {
   switch (doc.stateName) {
     case 'starting':
       return 'Starting…';

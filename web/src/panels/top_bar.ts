@@ -2,7 +2,7 @@
 
 import { html, nothing, type TemplateResult } from 'lit';
 import { examples } from 'virtual:examples';
-import { attempt, type App } from '../actions/app';
+import { attempt, type AppView } from '../actions/app';
 import { openExample } from '../actions/open';
 import { labelOf, perform, whyNotOf } from '../actions/registry';
 import { canRepair } from '../model/repairs';
@@ -12,7 +12,7 @@ import { Panel } from './panel';
 import './top_bar.css';
 
 /** The file name and Close: in the top bar, or next to the tabs on a phone. */
-export function fileParts(app: App): TemplateResult {
+export function fileParts(app: AppView): TemplateResult {
   const name = app.doc.model?.main ?? '';
   const close = actionButton(app, 'close', { className: 'plain', isIconOnly: true });
   return html`<p class="file" title=${name}>${name}</p>
@@ -23,7 +23,7 @@ export function fileParts(app: App): TemplateResult {
  * Run, in the top bar, or on a phone in the bottom bar, where it stays visible at every height of the sheet. It runs
  * all meshes of a file, as the command line does; buttons next to the names of meshes run a single one.
  */
-export function runButton(app: App): TemplateResult {
+export function runButton(app: AppView): TemplateResult {
   const { doc } = app;
   if (doc.isBusy) return actionButton(app, 'cancel', { className: 'primary' });
   const meshes = doc.model?.info.surfaces.length ?? 0;
@@ -34,7 +34,7 @@ export function runButton(app: App): TemplateResult {
   return runOneButton(app, 'Run');
 }
 
-export function runOneButton(app: App, name: string): TemplateResult {
+export function runOneButton(app: AppView, name: string): TemplateResult {
   const { doc } = app;
   const isOnly = (doc.model?.info.surfaces.length ?? 1) === 1;
   if (doc.model && canRepair(doc.model)) {

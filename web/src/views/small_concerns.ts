@@ -1,17 +1,17 @@
 // Small aspects of the views: the map of a cone that is dragged, markers, the wipe.
 
-import type { Document } from '../model/document';
+import type { ReadonlyDocument } from '../model/document';
 import type { UiState } from '../model/ui_state';
 import type { ModelView } from './model_view';
 import type { UvView } from './uv_view';
 
 /** Whether the map that is shown is not that of the prescription. */
-export const isStale = ({ displayed, current, live }: Document): boolean =>
+export const isStale = ({ displayed, current, live }: ReadonlyDocument): boolean =>
   displayed !== undefined && displayed !== current && !live;
 
 /** @param show  shows the solution in a view as before */
 export function liveConcern(
-  doc: Document,
+  doc: ReadonlyDocument,
   views: readonly (ModelView | UvView)[],
   show: (view: ModelView | UvView) => void,
 ) {
@@ -28,7 +28,7 @@ export function liveConcern(
 }
 
 interface Sources {
-  doc: Document;
+  doc: ReadonlyDocument;
   ui: UiState;
   model: ModelView;
 }

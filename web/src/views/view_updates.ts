@@ -3,7 +3,7 @@
 
 import { effect } from '@preact/signals-core';
 import { Color } from 'three';
-import type { Document } from '../model/document';
+import type { ReadonlyDocument } from '../model/document';
 import { isAligned, tilesPerUnit } from '../model/grid';
 import { identity } from '../model/matrix';
 import type { Model, QuadPreview, Solution } from '../model/types';
@@ -34,7 +34,7 @@ const mostTime = 8; // milliseconds per task
 const mostForMaterials = 300_000; // triangles: for more, the model's materials are shown only on request
 
 export interface ViewSources {
-  doc: Document;
+  doc: ReadonlyDocument;
   ui: UiState;
   geometry: GeometryClient;
   model: ModelView;

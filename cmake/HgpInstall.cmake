@@ -16,7 +16,8 @@ endif()
 
 # The headers that programs include, and those that these include; no others are public.
 function(hgp_public_headers out)
-  set(todo hgp/eigen.h hgp/api/session.h hgp/api/file_maps.h hgp/parametrize/parametrize.h hgp/mesh/tri_mesh.h
+  set(todo hgp/eigen.h hgp/api/session.h hgp/api/file_maps.h hgp/api/notes.h
+    hgp/api/options_from_json.h hgp/api/option_table.h hgp/api/option_words.h hgp/parametrize/parametrize.h hgp/mesh/tri_mesh.h
     hgp/verify/certificate.h)
   set(found "")
   while(todo)

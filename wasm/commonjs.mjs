@@ -9,7 +9,8 @@ function valuesOf(text) {
   const own = text.matchAll(/^export declare (?:function|class|const) (\w+)/gm);
   const passedOn = text.matchAll(/^export \{ ([^}]*) \} from/gm);
   const listed = [...passedOn].flatMap(([, list]) => list.split(', '));
-  return [...[...own].map(([, name]) => name), ...listed.filter((name) => !/^type /.test(name))];
+  const values = listed.filter((name) => !/^type /.test(name));
+  return [...new Set([...[...own].map(([, name]) => name), ...values])]; // overloads are declared once
 }
 
 /** The declarations of an entry for CommonJS. */

@@ -74,6 +74,15 @@ test('namespaces follow the folders', () => {
   );
 });
 
+test('every header of the API says what threads may do', () => {
+  const headers = sources.filter((file) => /^core\/hgp\/(?:api\/)?\w+\.h$/.test(file));
+  assert.ok(headers.length > 8);
+  assert.deepEqual(
+    headers.filter((file) => !/thread/i.test(textOf(file))),
+    [],
+  );
+});
+
 test('only public headers lie beside the modules', () => {
   const beside = sources.filter((file) => moduleOf(file) === 'hgp');
   assert.deepEqual(

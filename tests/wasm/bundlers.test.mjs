@@ -131,6 +131,41 @@ for (const mode of ['production', 'development']) {
   });
 }
 
+test('hgp/lite in Vite and webpack 5, with no settings at all', async () => {
+  const { vertices, triangles } = cubeMesh(2);
+  const mesh = { positions: vertices.flat(), triangles: triangles.flat() };
+  const program = `import { createLite } from 'hgp/lite';
+const lite = await createLite();
+const { certificate } = lite.parametrizeMesh(${JSON.stringify(mesh)});
+document.title = JSON.stringify(certificate.certified);`;
+  put('lite/index.html', html);
+  put('lite/main.js', program);
+  put('lite/packed/index.html', html);
+  const { build, createLogger } = await import('vite');
+  const root = path.join(project, 'lite');
+  await build({
+    ...{ root, configFile: false, customLogger: createLogger('silent') },
+    build: { target: 'es2022' },
+  });
+  const { default: webpack } = await import('webpack');
+  const stats = await new Promise((resolve, reject) =>
+    webpack(
+      {
+        ...{ mode: 'production', context: root, entry: './main.js', performance: { hints: false } },
+        output: { path: path.join(root, 'packed'), filename: 'main.js' },
+      },
+      (error, done) => (error ? reject(error) : resolve(done.toJson())),
+    ),
+  );
+  assert.deepEqual([...stats.errors, ...stats.warnings], []);
+  for (const folder of ['lite/dist', 'lite/packed']) {
+    const { title, trouble } = await open(path.join(project, folder));
+    assert.deepEqual([title, trouble], ['true', []], folder);
+    const binaries = readdirSync(path.join(project, folder), { recursive: true, encoding: 'utf8' });
+    assert.equal(binaries.filter((name) => name.endsWith('.wasm')).length, 1, folder);
+  }
+});
+
 /** Bundlers that do not follow workers: the package is copied beside the bundle. */
 const copied = exampleWith(example('copy the package'));
 

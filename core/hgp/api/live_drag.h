@@ -1,4 +1,5 @@
 // A cone of a session's result that is dragged.  Role: LiveEdit at the API boundary, in ids and arrays of the surface.
+// A drag uses its session: calls of both are made by one thread at a time.
 #pragma once
 
 #include "hgp/api/session.h"

@@ -1,4 +1,5 @@
-// Notes as JSON and back.  Role: command line, bindings and Python pass on the notes of documents.
+// Notes as JSON and back.  Role: command line, bindings and Python pass on the notes of documents. Any thread may
+// call these functions.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // The words of every option: how JSON objects, the command line and Python name it, and which values it has.
-// Role: the one table that optionsFromJson, the command line, the package and Python follow.
+// Role: the one table that optionsFromJson, the command line, the package and Python follow; constant, for any thread.
 #pragma once
 
 #include <limits>

@@ -9,7 +9,7 @@
 
 namespace hgp::api {
 
-// The words themselves are those of option_table.h; empty for others.
+// The words themselves are those of option_table.h; empty for others. Any thread may call these functions.
 
 std::optional<BoundaryKind> boundaryNamed(std::string_view word);
 std::optional<FrameSource> framesNamed(std::string_view word);

@@ -1,5 +1,5 @@
 // Options of the calls of session.h and their verdicts.
-// Role: types for clients that do not include the session itself.
+// Role: types for clients that do not include the session itself. Plain values that any thread may copy and read.
 #pragma once
 
 #include <optional>

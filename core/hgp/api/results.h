@@ -1,4 +1,5 @@
-// Results of a session that are not JSON.  Role: return types of session.h.
+// Results of a session that are not JSON.  Role: return types of session.h, plain values that any thread
+// may copy and read.
 #pragma once
 
 #include <array>

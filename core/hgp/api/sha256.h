@@ -1,4 +1,4 @@
-// SHA-256 (FIPS 180-4).  Role: identifies the input of a report and the mesh of a cone file.
+// SHA-256 (FIPS 180-4).  Role: identifies the input of a report and the mesh of a cone file. Any thread may call it.
 #pragma once
 
 #include <cstddef>

@@ -5,6 +5,7 @@ import { compileWith } from './lib/compile.js';
 import { Core } from './lib/core.js';
 import type { WasmModule } from './lib/globals.js';
 import type { InitOptions } from './lib/options.js';
+import { wholeWasm } from './lib/whole_wasm.js';
 
 export { Core, CoreMap, CoreModel } from './lib/core.js';
 export { CoreDrag } from './lib/drag.js';
@@ -16,7 +17,7 @@ export type * from './lib/results.js';
 
 /** Compiles hgp.wasm, for several cores or workers. */
 export const compile = (options?: InitOptions): Promise<WasmModule> =>
-  compileWith(platform, options);
+  compileWith(platform, options, wholeWasm);
 
 export const createCore = async (options?: InitOptions): Promise<Core> =>
-  Core.make(await compileWith(platform, options), platform);
+  Core.make(await compileWith(platform, options, wholeWasm), platform);

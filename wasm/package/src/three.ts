@@ -10,6 +10,7 @@ import {
 import type { CallOptions, Client } from './lib/client.js';
 import type { Certificate } from './lib/documents.js';
 import { usage } from './lib/error.js';
+import type { Lite, LiteResult, LiteSolveOptions } from './lib/lite.js';
 import type { LoadOptions, SolveOptions } from './lib/options.js';
 import type { Result } from './lib/results.js';
 import { splitAlongSeams, type SplitMesh } from './lib/split.js';
@@ -34,6 +35,16 @@ export interface ParametrizedGeometry {
   /** Certificate of the coordinates as stored in the attribute, in float32. */
   certificate: Certificate;
   result: Result;
+}
+
+/** The options of a geometry that hgp/lite maps. */
+export interface LiteGeometryOptions extends LiteSolveOptions {
+  attribute?: string;
+}
+
+export interface LiteParametrizedGeometry extends Pick<ParametrizedGeometry, 'geometry' | 'seams'> {
+  certificate: LiteResult['certificate'];
+  result: LiteResult;
 }
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
@@ -114,7 +125,7 @@ function cutGeometry(
 }
 
 /** The seams on the surface, one segment per edge. */
-function seamLines({ seams, uvToVertex, positions }: Result): LineSegments {
+function seamLines({ seams, uvToVertex, positions }: LiteResult | Result): LineSegments {
   const points = new Float32Array(6 * seams.length);
   seams.forEach(({ a }, i) => {
     a.forEach((end, k) => {
@@ -132,17 +143,34 @@ function seamLines({ seams, uvToVertex, positions }: Result): LineSegments {
  * equal positions are joined, because renderers split them where normals or old texture coordinates differ. To draw the
  * result, use `geometry` in a mesh. The geometry is copied when this is called; nothing stays in the client.
  */
-export async function parametrizeGeometry(
+export function parametrizeGeometry(
   client: Client,
+  geometry: BufferGeometry,
+  options?: GeometryOptions,
+  call?: CallOptions,
+): Promise<ParametrizedGeometry>;
+/** The same with hgp/lite, in this thread. */
+export function parametrizeGeometry(
+  lite: Lite,
+  geometry: BufferGeometry,
+  options?: LiteGeometryOptions,
+): Promise<LiteParametrizedGeometry>;
+export async function parametrizeGeometry(
+  client: Client | Lite,
   geometry: BufferGeometry,
   options: GeometryOptions = {},
   call?: CallOptions,
-): Promise<ParametrizedGeometry> {
+): Promise<ParametrizedGeometry | LiteParametrizedGeometry> {
   const { attribute = 'uv', weld, fix, limits, ...solve } = options;
   const positions = positionsOf(geometry);
   const triangles = trianglesOf(geometry);
   const mesh = { positions, triangles };
-  const result = await client.parametrizeRendered(mesh, { weld, fix, limits }, solve, call);
+  const result = await (client as Client).parametrizeRendered(
+    mesh,
+    { weld, fix, limits },
+    solve,
+    call,
+  );
   const split = splitAlongSeams(triangles, result.cornerToUv, positions.length / 3);
   return {
     geometry: cutGeometry(geometry, split, result.uv, attribute),

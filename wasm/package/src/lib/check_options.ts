@@ -156,6 +156,11 @@ export const optionsOf = {
     ...{ createWorker: callback, warmUp: boolean },
   },
   call: { signal, onProgress: callback },
+  'lite.parametrizeMesh': {
+    ...{ q, count, conesFor, cones, improve: parametrize.improve, weld: boolean },
+    precision: oneOf('double', 'single'),
+  },
+  'lite.verifyMesh': { q, cones, weld: boolean, tolerance: fieldsOf(optionTable.verify).tolerance },
 } satisfies Record<string, Fields>;
 
 /** @internal */

@@ -26,6 +26,7 @@ import { Queue } from './queue.js';
 import type { FileResult, Progress, Result, Written } from './results.js';
 import { takeFiles, takeMesh } from './sources.js';
 import { takeCombineOptions } from './whole_file.js';
+import { wholeWasm } from './whole_wasm.js';
 
 export interface ClientOptions extends InitOptions {
   /** Creates the worker, for bundlers and Content-Security-Policies that must know its URL. */
@@ -65,7 +66,7 @@ export class Client implements AsyncDisposable {
   /** @internal */
   static async start(platform: Platform, options: ClientOptions = {}): Promise<Client> {
     checkOptions('createClient', options);
-    const wasmModule = await compileWith(platform, options);
+    const wasmModule = await compileWith(platform, options, wholeWasm);
     const queue = new Queue(platform, wasmModule, options);
     const client = new Client(platform, queue);
     try {

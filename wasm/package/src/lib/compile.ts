@@ -1,4 +1,5 @@
-// Compiles the module from the place that the options specify, by default from the file of this package.
+// Compiles a module from the place that the options specify, by default from a file of this package. Each entry names its
+// own, so that bundlers take only that along.
 
 import { HgpError, messageOf, unavailable } from './error.js';
 import type { InitOptions } from './options.js';
@@ -8,13 +9,15 @@ import type { FileReader } from './platform.js';
 export async function compileWith(
   platform: FileReader,
   { wasmModule, wasmBinary, wasmUrl }: InitOptions = {},
+  file: () => URL,
+  name = 'hgp.wasm',
 ): Promise<WebAssembly.Module> {
   if (wasmModule) return wasmModule;
   try {
     if (wasmBinary) return await WebAssembly.compile(wasmBinary as BufferSource);
-    return await platform.compileFile(wasmUrl ?? new URL('../hgp.wasm', import.meta.url));
+    return await platform.compileFile(wasmUrl ?? file());
   } catch (error) {
     if (error instanceof HgpError) throw error;
-    throw unavailable(`hgp.wasm could not be loaded: ${messageOf(error)}`, error);
+    throw unavailable(`${name} could not be loaded: ${messageOf(error)}`, error);
   }
 }

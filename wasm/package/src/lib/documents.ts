@@ -697,6 +697,10 @@ export interface ConesDocument {
      * inner edges with a larger dihedral angle, degrees; hgp writes what it found as lines
      */
     creases?: number;
+    /**
+     * edges that the file of the mesh itself marks: OBJ l lines, between OBJ s groups, between materials, where normals differ; hgp writes what it found as lines
+     */
+    marked?: ('lines' | 'smoothing' | 'materials' | 'normals')[];
     lines?: {
       /**
        * consecutive ones are joined by an edge
@@ -820,6 +824,21 @@ export interface ModelInfo {
   triangles: number;
   eulerCharacteristic?: number;
   genus?: number;
+  /**
+   * What --creases and --rims would take (absent for unusable meshes)
+   */
+  features?: {
+    /**
+     * dihedral angle above which an edge is a crease
+     */
+    degrees: number;
+    creaseEdges: number;
+    /**
+     * runs of creases between ends and crossings
+     */
+    creaseChains: number;
+    rimEdges: number;
+  };
   boundaryLoops?: number;
   isolatedVertices?: number;
   components?: {

@@ -5,6 +5,7 @@ import { Core } from '../lib/core.js';
 import type { WasmModule } from '../lib/globals.js';
 import type { InitOptions } from '../lib/options.js';
 import * as platform from './platform.js';
+import { wholeWasm } from '../lib/whole_wasm.js';
 
 export { Core, CoreMap, CoreModel } from '../lib/core.js';
 export { CoreDrag } from '../lib/drag.js';
@@ -12,7 +13,7 @@ export { HgpError } from '../lib/error.js';
 export { phrase, type Phrases } from '../lib/phrases.js';
 
 export const compile = (options?: InitOptions): Promise<WasmModule> =>
-  compileWith(platform, options);
+  compileWith(platform, options, wholeWasm);
 
 export const createCore = async (options?: InitOptions): Promise<Core> =>
-  Core.make(await compileWith(platform, options), platform);
+  Core.make(await compileWith(platform, options, wholeWasm), platform);

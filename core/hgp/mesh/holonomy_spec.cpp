@@ -254,9 +254,23 @@ std::optional<Note> proveImpossible(const TriMesh& mesh, const Topology& topolog
   PerVertex<int> k(static_cast<std::size_t>(mesh.vertexCount()), spec.q);
   for (const ConePoint& cone : spec.cones) k[cone.vertex] = cone.k;
   AngleQuestion question{spec.q, k, {}};
-  for (std::size_t j = 0; j < spec.turning.size() && j < topology.loops.size(); ++j)
-    if (spec.turning[j])
-      question.loops.push_back({static_cast<int>(j), &topology.loops[j], *spec.turning[j]});
+  // Σ (q − k) + Σ l = q χ: where one loop is open, its turning is determined by all others.
+  const int loops = static_cast<int>(topology.loops.size());
+  long long rest = static_cast<long long>(spec.q) * (2 - 2 * topology.genus - loops);
+  for (const ConePoint& cone : spec.cones) rest -= spec.q - cone.k;
+  std::vector<int> open;
+  for (int j = 0; j < loops; ++j) {
+    const auto i = static_cast<std::size_t>(j);
+    if (i < spec.turning.size() && spec.turning[i]) {
+      question.loops.push_back({j, &topology.loops[i], *spec.turning[i]});
+      rest -= *spec.turning[i];
+    } else {
+      open.push_back(j);
+    }
+  }
+  if (open.size() == 1)
+    question.loops.push_back(
+        {open[0], &topology.loops[static_cast<std::size_t>(open[0])], static_cast<int>(rest)});
   const std::optional<AngleShortage> found = findAnyAngleShortage(mesh, question);
   if (!found) return {};
   return noteOn(question, *found);

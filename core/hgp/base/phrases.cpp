@@ -208,7 +208,8 @@ constexpr Phrase kPhrases[] = {
      "distortion. --improve isometric (improve) lowers it."},
     {"map-not-improved",
      "The map is not improved, as the verifier did not accept the improved map: "
-     "[rule:{message}][!rule:it is no better on the surface itself.]"},
+     "[rule:it breaks the rule {rule} at {places|place}, by {worst} at worst ({@}).]"
+     "[!rule:it is no better on the surface itself.]"},
     {"map-areas-lowered",
      "Areas of the map spanned more than double precision resolves: its distortion was "
      "lowered."},

@@ -251,3 +251,22 @@ test('a PLY with its list of texture coordinates is read back, as text and as by
     /off by/,
   );
 });
+
+test('with several components each row shows the worst place of the file, not of the first component', () => {
+  const one = (triangle, size, vertex, angle, edge, residual) => ({
+    distortion: { smallestTriangle: triangle, smallestToMeanArea: size },
+    angles: { worstVertex: vertex, worstDistance: angle },
+    seams: { worstEdge: edge, worstResidual: residual },
+  });
+  const solution = solutionOf(square());
+  const components = [
+    one(0, 1e-1, 0, 1e-12, [], 0),
+    one(1, 1e-6, 1, 1e-7, [1, 4], 1e-13),
+    one(2, 1e-3, 2, 1e-9, [2, 4], 1e-11),
+  ];
+  solution.result.certificate = { ...certificate, components };
+  const where = (name) => verdictRows(solution).find((row) => row.name === name).where;
+  assert.deepEqual(where('Flipped triangles'), [{ kind: 'triangle', id: 1 }]);
+  assert.deepEqual(where('Regular vertices'), [{ kind: 'vertex', id: 1 }]);
+  assert.deepEqual(where('Seams'), [{ kind: 'edge', id: 2, other: 4 }]);
+});

@@ -17,10 +17,10 @@ export interface VerdictRow {
 
 interface ComponentCertificate {
   orientation?: { notPositive?: number[] };
-  angles?: { worstVertex?: number };
+  angles?: { worstVertex?: number; worstDistance?: number };
   wrongCones?: { vertex: number }[];
   distortion?: Record<string, number>;
-  seams?: { worstEdge?: number[] };
+  seams?: { worstEdge?: number[]; worstResidual?: number };
   turnings?: unknown[];
   reasons?: { message: string; where?: Where[] }[];
 }
@@ -31,6 +31,19 @@ export const componentsOf = ({ components }: Certificate): ComponentCertificate[
 export const shortNumber = (x: number): string =>
   x === 0 ? '0' : x.toExponential(1).replace('e+0', '').replaceAll('-', '−');
 
+/** The id of the largest measure in the file, over all components; −1 where none has an id. */
+function foremost(
+  components: ComponentCertificate[],
+  of: (one: ComponentCertificate) => { id?: number; measure: number },
+): number {
+  let most = { id: -1, measure: -Infinity };
+  for (const one of components) {
+    const { id = -1, measure } = of(one);
+    if (id >= 0 && (most.id < 0 || measure > most.measure)) most = { id, measure };
+  }
+  return most.id;
+}
+
 const triangles = (ids: Iterable<number>): Where[] =>
   Array.from(ids, (id): Where => ({ kind: 'triangle', id }));
 
@@ -39,7 +52,10 @@ function orientationRows({ result, least, distortion }: Solution): VerdictRow[] 
   const components = componentsOf(certificate);
   const reported = components.flatMap(({ orientation }) => orientation?.notPositive ?? []);
   const folded = reported.length > 0 ? reported : distortion.flipped;
-  const smallest = components[0]?.distortion?.smallestTriangle ?? -1;
+  const smallest = foremost(components, ({ distortion: d }) => ({
+    id: d?.smallestTriangle,
+    measure: -(d?.smallestToMeanArea ?? Infinity),
+  }));
   return [
     {
       name: 'Flipped triangles',
@@ -115,7 +131,10 @@ function turningRow({ certificate }: Solution['result']): VerdictRow[] {
 function angleRows({ result: { certificate }, prescription }: Solution): VerdictRow[] {
   const components = componentsOf(certificate);
   const wrongCones = components.flatMap((one) => one.wrongCones ?? []);
-  const worst = components[0]?.angles?.worstVertex ?? -1;
+  const worst = foremost(components, ({ angles }) => ({
+    id: angles?.worstVertex,
+    measure: angles?.worstDistance ?? 0,
+  }));
   const wrongRegular = certificate.wrongAngles - wrongCones.length;
   return [
     {
@@ -137,9 +156,10 @@ function angleRows({ result: { certificate }, prescription }: Solution): Verdict
 
 function seamRows({ certificate }: Solution['result']): VerdictRow[] {
   const { brokenSeams, seamEdges, maxSeamResidual, seamTolerance } = certificate;
-  const edge = componentsOf(certificate)
-    .map(({ seams }) => seams?.worstEdge ?? [])
-    .find((ends) => ends.length === 2);
+  const [edge] = componentsOf(certificate)
+    .flatMap(({ seams }) => (seams?.worstEdge?.length === 2 ? [seams] : []))
+    .sort((a, b) => (b.worstResidual ?? 0) - (a.worstResidual ?? 0))
+    .map(({ worstEdge = [] }) => worstEdge);
   return [
     {
       name: 'Seams',

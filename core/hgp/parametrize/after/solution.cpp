@@ -70,7 +70,11 @@ std::optional<MappedSolution> accepted(const TriMesh& mesh, const Improvement& r
   if (isBetter(run, asked, mapped.certificate, improved.certificate)) return improved;
   Note note("map-not-improved");
   if (const auto& reasons = improved.certificate.reasons; !reasons.empty())
-    note.values = {{"rule", ruleName(reasons[0].rule)}, {"message", reasons[0].message}};
+    note = Note("map-not-improved",
+                {{"rule", ruleName(reasons[0].rule)},
+                 {"places", reasons[0].count},
+                 {"worst", reasons[0].worst}},
+                reasons[0].where);
   result.notes.push_back(std::move(note));
   return {};
 }

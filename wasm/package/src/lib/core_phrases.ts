@@ -135,7 +135,7 @@ export const corePhrases = {
   'map-given-frames':
     'The frames were those of the field file. Automatic frames have the same cones, turning and handles but turn evenly: a map with them may be certified.',
   'map-not-improved':
-    'The map is not improved, as the verifier did not accept the improved map: [rule:{message}][!rule:it is no better on the surface itself.]',
+    'The map is not improved, as the verifier did not accept the improved map: [rule:it breaks the rule {rule} at {places|place}, by {worst} at worst ({@}).][!rule:it is no better on the surface itself.]',
   'map-areas-lowered':
     'Areas of the map spanned more than double precision resolves: its distortion was lowered.',
   'features-contradict':

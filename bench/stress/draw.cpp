@@ -7,8 +7,9 @@
 namespace hgp::stress {
 namespace {
 
-constexpr int kOrders[] = {2, 3, 4, 5, 6, 8};
+constexpr int kOrders[] = {1, 2, 2, 3, 3, 4, 4, 5, 6, 7, 8, 10, 12};
 constexpr int kCounts[] = {3, 4, 5, 6, 8, 12, 16, 24, 32, 48, 64};
+constexpr int kManyCounts[] = {100, 200, 400, 800, 1600, 2500};
 constexpr int kMaxCones = 64;
 constexpr int kAttempts = 50;
 
@@ -111,7 +112,9 @@ std::optional<HolonomySpec> drawIndices(const TriMesh& mesh, const Topology& top
   for (VertexId v : vertices) {
     const int most =
         std::min(family == Family::kBig ? 3 * q : 2 * q - 1, (q * mesh.valence(v) - 1) / 2);
-    ranges.push_back({q - most, q - 1, 0});
+    const bool isMany = family == Family::kMany;
+    ranges.push_back(
+        {isMany ? std::max(q - most, -1) : q - most, isMany ? std::min(1, q - 1) : q - 1, 0});
   }
   for (const BoundaryLoop& loop : topology.loops) {
     const TurningRange range = turningRange(mesh, loop, q);
@@ -140,8 +143,8 @@ bool belongs(const HolonomySpec& spec, Family family) {
 }  // namespace
 
 const char* familyName(Family family) {
-  static const char* const kNames[] = {"random",   "few",           "big",
-                                       "adjacent", "near-boundary", "handles"};
+  static const char* const kNames[] = {"random",        "few",     "big", "adjacent",
+                                       "near-boundary", "handles", "many"};
   return kNames[static_cast<int>(family)];
 }
 
@@ -152,9 +155,12 @@ std::optional<HolonomySpec> draw(const TriMesh& mesh, const Topology& topology, 
     return {};
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     const int q = oneOf(kOrders, random);
-    int count = family == Family::kFew ? 3 + random.below(4) : oneOf(kCounts, random);
+    int count = family == Family::kFew    ? 3 + random.below(4)
+                : family == Family::kMany ? oneOf(kManyCounts, random)
+                                          : oneOf(kCounts, random);
+    if (family == Family::kMany) count = std::min(count, mesh.vertexCount() / 4);
     std::optional<HolonomySpec> spec;
-    for (; !spec && count <= kMaxCones; ++count) {
+    for (; !spec && (count <= kMaxCones || family == Family::kMany); ++count) {
       spec = drawIndices(mesh, topology, q, family, chooseVertices(mesh, family, count, random),
                          random);
       if (family != Family::kFew) break;

@@ -17,13 +17,15 @@ enum class Family {
   kAdjacent,      ///< in pairs 1 to 3 edges apart
   kNearBoundary,  ///< at most 2 edges from the boundary
   kHandles,       ///< as kRandom, with every handle rotation prescribed
+  kMany,          ///< 100 to 2500 cones anywhere, k = q ± 1; at most every fourth vertex
 };
 inline constexpr Family kFamilies[] = {Family::kRandom,   Family::kFew,          Family::kBig,
-                                       Family::kAdjacent, Family::kNearBoundary, Family::kHandles};
-/// "random", "few", "big", "adjacent", "near-boundary", "handles"
+                                       Family::kAdjacent, Family::kNearBoundary, Family::kHandles,
+                                       Family::kMany};
+/// "random", "few", "big", "adjacent", "near-boundary", "handles", "many"
 const char* familyName(Family family);
 
-/// q from {2, 3, 4, 5, 6, 8}; cones at random interior vertices; indices, and turning indices in
+/// q from 1 to 12; cones at random interior vertices; indices, and turning indices in
 /// [−2q, 2q], uniform over the integer vectors that satisfy Lemma 6.2; turning left open in half of
 /// the draws, handles in two thirds. Empty if the family does not apply (no boundary, no
 /// handle) or 50 draws did not pass checkPrescription.

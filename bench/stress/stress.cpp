@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "collapse.h"
 #include "degrade.h"
 #include "draw.h"
 #include "files.h"
@@ -28,7 +29,7 @@ struct Arguments {
   std::string folder, json, markdown, reproducers;
   std::vector<std::string> only, families, repeat;
   std::uint64_t seed = 1;
-  int surfaces = 16, draws = 2, maxGenus = 6, maxTriangles = 20000;
+  int surfaces = 16, draws = 2, maxGenus = 6, maxTriangles = 20000, triangles = 0;
   bool isDamaged = false;
   RunOptions run;
 };
@@ -163,7 +164,11 @@ int run(const Arguments& a) {
   Stress stress(a);
   std::string text;
   bool isSaved = true;
-  for (const NamedSurface& s : a.folder.empty() ? generatedSurfaces(a) : readSurfaces(a)) {
+  for (NamedSurface& s : a.folder.empty() ? generatedSurfaces(a) : readSurfaces(a)) {
+    if (a.triangles > 0 && static_cast<int>(s.data.triangles.size()) > a.triangles) {
+      Random random(s.name);
+      s.data = decimated(s.data, a.triangles, random);
+    }
     a.isDamaged ? stress.onDamaged(s) : stress.onWhole(s);
     text = a.isDamaged ? harmTable(stress.rows()) : familyTable(stress.rows());
     text += "\n" + stretchTable(stress.rows());
@@ -187,10 +192,12 @@ int runProgram(int argc, char** argv) {
   app.add_option("--max-genus", a.maxGenus, "genus of generated surfaces, about");
   app.add_option("--draws", a.draws, "per family and surface");
   app.add_option("--only", a.only, "surfaces to take, as a pattern: 'surface 3'");
-  app.add_option("--family", a.families,
-                 "automatic, random, few, big, adjacent, near-boundary, handles, or 'noise *' …");
+  app.add_option(
+      "--family", a.families,
+      "automatic, random, few, big, adjacent, near-boundary, handles, many, or 'noise *' …");
   app.add_option("--repeat", a.repeat, "runs to take, by their printed names, as a pattern");
   app.add_option("--max-triangles", a.maxTriangles, "leave out larger meshes of the folder");
+  app.add_option("--triangles", a.triangles, "collapse edges of surfaces until so many are left");
   app.add_flag("--damaged", a.isDamaged, "noise, anisotropy, decimation, slivers, spikes, needles");
   app.add_flag_callback(
       "--improve", [&a] { a.run.solve.improve.emplace(); }, "isometric, after the solve");

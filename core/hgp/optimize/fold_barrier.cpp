@@ -60,6 +60,12 @@ void makeConvex(FaceEnergy& e) {
 
 }  // namespace
 
+FramedArea framedArea(double A, double epsilon) {
+  const double r = std::sqrt(A * A + epsilon);
+  if (!(r > 0.0)) return {0.0, 0.0, 0.0};
+  return {A * r, (2.0 * A * A + epsilon) / r, A * (2.0 * A * A + 3.0 * epsilon) / (r * r * r)};
+}
+
 double barrierValue(double N, double D, double scaleWeight, double epsilon) {
   return (N + scaleWeight * (D * D + 1.0)) / chi(D, epsilon);
 }
@@ -80,21 +86,22 @@ Eigen::Matrix4d freeModel(double a, double b, double scaleWeight, double epsilon
 
 Eigen::Matrix4d framedModel(Complex similar, double b, double scaleWeight, double epsilon,
                             Eigen::Vector4d& slope) {
-  const double A = similar.real(), T = similar.imag(), sign = A < 0.0 ? -1.0 : 1.0;
-  const double D = sign * A * A - b * b, N = A * A + T * T + b * b;
+  const double A = similar.real(), T = similar.imag();
+  const FramedArea P = framedArea(A, epsilon);
+  const double D = P.value - b * b, N = A * A + T * T + b * b;
   const double s = std::sqrt(D * D + epsilon * epsilon), x = chi(D, epsilon);
   const double M0 = N + scaleWeight * (D * D + 1.0);
   const double FN = 1.0 / x, fnd = -1.0 / (x * s);
   const double FD = 2.0 * scaleWeight * D / x - M0 / (x * s);
   const double fdd =
       2.0 * scaleWeight / x - 4.0 * scaleWeight * D / (x * s) + 2.0 * M0 / (s * s * s);
-  slope << 2.0 * A * (FN + sign * FD), 2.0 * T * FN, 2.0 * b * (FN - FD), 0.0;
+  slope << 2.0 * A * FN + P.slope * FD, 2.0 * T * FN, 2.0 * b * (FN - FD), 0.0;
   Eigen::Matrix3d H;
-  H(0, 0) = 2.0 * (FN + sign * FD) + 8.0 * sign * A * A * fnd + 4.0 * A * A * fdd;
+  H(0, 0) = 2.0 * FN + 4.0 * A * P.slope * fnd + P.slope * P.slope * fdd + P.curvature * FD;
   H(1, 1) = 2.0 * FN;
   H(2, 2) = 2.0 * (FN - FD) + 4.0 * b * b * (-2.0 * fnd + fdd);
-  H(0, 1) = H(1, 0) = 4.0 * sign * A * T * fnd;
-  H(0, 2) = H(2, 0) = 2.0 * A * (-2.0 * b * fnd + 2.0 * sign * b * fnd - 2.0 * sign * b * fdd);
+  H(0, 1) = H(1, 0) = 2.0 * P.slope * T * fnd;
+  H(0, 2) = H(2, 0) = 2.0 * b * ((P.slope - 2.0 * A) * fnd - P.slope * fdd);
   H(1, 2) = H(2, 1) = -4.0 * T * b * fnd;
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(H);
   const Eigen::Vector3d values = eigen.eigenvalues().cwiseMax(0.0);

@@ -18,7 +18,13 @@ double barrierValue(double N, double D, double scaleWeight, double epsilon);
 Eigen::Matrix4d freeModel(double a, double b, double scaleWeight, double epsilon,
                           Eigen::Vector4d& slope);
 
-/// The same for D = A|A| − |f_z̄|², A = Re(f_z d̄), in (Re, Im) of f_z d̄ and the radial and tangential
+/// P(A) = A √(A² + ε) and its derivatives: A|A| for ε → 0, but with a slope at A = 0, so that collapsed triangles open.
+struct FramedArea {
+  double value, slope, curvature;
+};
+FramedArea framedArea(double A, double epsilon);
+
+/// The same for D = P(A) − |f_z̄|², A = Re(f_z d̄), in (Re, Im) of f_z d̄ and the radial and tangential
 /// part of f_z̄: positive D is then the frame condition [BCW17 (13)] without its margin.
 /// @param similar  f_z d̄
 Eigen::Matrix4d framedModel(Complex similar, double b, double scaleWeight, double epsilon,

@@ -26,6 +26,9 @@ constexpr double kMinDecrease = 1e-4;
 /// Newton steps with fixed frames, and how often the frames are then rotated towards the map.
 constexpr int kSegmentSteps = 15;
 constexpr int kFramedSegments = 8;
+/// So many where each still leaves at most this share of the flips of the one before.
+constexpr int kMostFramedSegments = 16;
+constexpr double kWorthwhile = 0.93;
 /// Weight of a triangle's own direction relative to its neighbours' when frames follow the map, and
 /// the number of Jacobi sweeps.
 constexpr double kTrust = 0.02;
@@ -44,10 +47,12 @@ class Untangler {
     UntangleResult result;
     x_ = free_.gather(start);
     isFramed_ = true;
-    for (int segment = 0; segment < kFramedSegments; ++segment) {
+    for (int segment = 0, before = 0; segment < kMostFramedSegments; ++segment) {
       for (Face& face : faces_) face.isBarrier = false;
       if (!descend(result, kSegmentSteps)) break;
       if (result.flipped == 0) break;
+      if (segment + 1 >= kFramedSegments && result.flipped > kWorthwhile * before) break;
+      before = result.flipped;
       followMap();
     }
     isFramed_ = false;
@@ -197,9 +202,9 @@ class Untangler {
     }
   }
 
-  /// |f_z|² or, with frames, A|A| for the part A along the frame.
-  double areaOf(Complex similar) const {
-    return isFramed_ ? similar.real() * std::abs(similar.real()) : std::norm(similar);
+  /// |f_z|² or, with frames, framedArea of the part along the frame.
+  double areaOf(Complex similar, double epsilon) const {
+    return isFramed_ ? framedArea(similar.real(), epsilon).value : std::norm(similar);
   }
 
   /// Also sets which faces are barriers from now on.
@@ -208,7 +213,7 @@ class Untangler {
     Complex similar, anti;
     for (Face& face : faces_) {
       parts(face, x, similar, anti);
-      const double D = areaOf(similar) - std::norm(anti);
+      const double D = areaOf(similar, 0.0) - std::norm(anti);
       e.least = std::min(e.least, D);
       e.flipped += !(D > 0.0);
       face.isBarrier = face.isBarrier || (face.isKept && D > kMinBarrier);
@@ -221,7 +226,7 @@ class Untangler {
     Complex similar, anti;
     for (const Face& face : faces_) {
       parts(face, x, similar, anti);
-      const double P = areaOf(similar), Q = std::norm(anti);
+      const double P = areaOf(similar, epsilonOf(face)), Q = std::norm(anti);
       if (face.isBarrier && !(P > Q)) return std::numeric_limits<double>::infinity();
       const double D = P - Q;
       sum += barrierValue(std::norm(similar) + Q, D, options_.scaleWeight, epsilonOf(face));

@@ -34,8 +34,8 @@ struct UntangleResult {
 ///
 /// each triangle in units of e^{u_f}, while ε shrinks with the most negative D. For ε → 0 and
 /// D > 0 that is the conformal energy with a weak bound on scale: a barrier against flips. In a first phase
-/// |f_z|² in D is replaced by A|A|, A the part of f_z along the frames of `system.seams` (framedModel), which decides
-/// the winding numbers; from time to time the frames are rotated smoothly after the map, which keeps their holonomy.
+/// |f_z|² in D is replaced by A √(A² + ε), A the part of f_z along the frames of `system.seams` (framedModel), which decides
+/// the winding numbers and opens what has collapsed; from time to time the frames are rotated smoothly after the map, which keeps their holonomy.
 /// Ends soon after the last flip. The map is not harmonic.
 /// @param x  the initial unknowns, any values
 UntangleResult untangle(const SeamlessSystem& system, const Eigen::VectorXcd& x,

@@ -50,7 +50,8 @@ double freeEnergy(const Eigen::Vector4d& x, double epsilon) {
 }
 double framedEnergy(const Eigen::Vector4d& x, double epsilon) {
   const double Q = x[2] * x[2] + x[3] * x[3], A = x[0];
-  return barrierValue(A * A + x[1] * x[1] + Q, A * std::abs(A) - Q, kScaleWeight, epsilon);
+  return barrierValue(A * A + x[1] * x[1] + Q, A * std::sqrt(A * A + epsilon) - Q, kScaleWeight,
+                      epsilon);
 }
 
 template <class Check>
@@ -93,6 +94,16 @@ TEST(FoldBarrier, FramedModelsAreTheDerivativesOfTheValue) {
     folded += a < 0.0;
   });
   EXPECT_GT(folded, 100);
+}
+
+TEST(FoldBarrier, CollapsedTrianglesOpenAlongTheirFrames) {
+  for (const double epsilon : {1e-6, 1e-3, 1.0}) {
+    Eigen::Vector4d slope;
+    framedModel(0.0, 0.0, kScaleWeight, epsilon, slope);
+    EXPECT_LT(slope[0], 0.0) << epsilon;
+    EXPECT_DOUBLE_EQ(framedArea(2.0, 0.0).value, 4.0);
+    EXPECT_DOUBLE_EQ(framedArea(-2.0, 0.0).value, -4.0);
+  }
 }
 
 TEST(FoldBarrier, ValuesAreFiniteForFoldedTrianglesAndGrowAsTheyFold) {

@@ -19,7 +19,7 @@ double freeValue(Complex similar, Complex anti, double epsilon) {
 
 double framedValue(Complex similar, Complex anti, double epsilon) {
   const double A = similar.real(), Q = std::norm(anti);
-  return barrierValue(std::norm(similar) + Q, A * std::abs(A) - Q, 0.3, epsilon);
+  return barrierValue(std::norm(similar) + Q, A * std::sqrt(A * A + epsilon) - Q, 0.3, epsilon);
 }
 
 TEST(FoldBarrier, SlopesAreThoseOfTheValueAndModelsAreConvex) {

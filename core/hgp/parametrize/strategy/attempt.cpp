@@ -15,6 +15,8 @@ namespace {
 constexpr double kStartQuality = 1.0;
 /// Bound on |u| in that program if it cannot be factored otherwise.
 constexpr double kStartClamp = 8.0;
+/// Bound on |u| where u is that of a map, which may have triangles of almost no area.
+constexpr double kMapClamp = 12.0;
 /// ε of (13) as printed.
 constexpr double kPrintedMargin = 0.01;
 
@@ -184,25 +186,47 @@ bool Attempts::solve(const State& state, int round, Attempt& attempt) {
   return !isCancelled;
 }
 
-/// Untangles, starting from the least-squares solution with soft frames on all faces.
+/// The scale that triangles are measured in: where the frames are those of a map, that of this map.
+PerVertex<double> Attempts::untanglingScale(const State& state, const Attempt& attempt) const {
+  const bool isOfMap =
+      state.source == FrameSource::kMap && state.from && !state.from->program.z.empty();
+  if (!isOfMap) return attempt.u;
+  PerVertex<double> u = scaleOfMap(problem_, state.from->program.z);
+  const double median = medianOf(u.raw());
+  for (double& value : u.raw()) value = std::clamp(value - median, -kMapClamp, kMapClamp);
+  return u;
+}
+
+/// The least-squares solution with soft frames on all faces.
+/// @param isFramed  with hard frames around cones and along the boundary, whose winding numbers are then right from the
+///                  beginning, unless these frames contradict each other
+ProgramResult Attempts::untanglingStart(const SeamlessSystem& system, const PerVertex<double>& u,
+                                        bool isFramed) const {
+  ProgramOptions start;
+  start.u = u;
+  start.objective =
+      PenaltyObjective{kStartQuality, WholeSurface{}, &problem_.setup->context->wideTree->get()};
+  if (isFramed) {
+    ProgramResult hard = solveProgram(system, fieldFrames(system.seams, problem_.base), start);
+    const bool isUsable = !socp::isWithoutPoint(hard.status) && hard.x.size() > 0;
+    if (isUsable && hard.x.allFinite()) return hard;
+  }
+  ProgramResult linear = solveProgram(system, Frames{}, start);
+  if (linear.x.size() > 0) return linear;
+  // With these weights the factorization fails.
+  for (double& value : start.u.raw()) value = std::clamp(value, -kStartClamp, kStartClamp);
+  return solveProgram(system, Frames{}, start);
+}
+
 bool Attempts::untangleFrom(const State& state, int round, Attempt& attempt) {
   const SeamlessSetup& setup = *problem_.setup;
   const Untangling& kind = untanglings()[static_cast<std::size_t>(state.untangling)];
   const SeamlessSystem system = systemOf(problem_.mesh, setup, seamsOf(state), setup.harmonic);
-  ProgramOptions start;
-  start.u = attempt.u;
-  start.objective =
-      PenaltyObjective{kStartQuality, WholeSurface{}, &setup.context->wideTree->get()};
-  const auto solveStart = [&] { return solveProgram(system, Frames{}, start); };
-  ProgramResult linear = solveStart();
-  if (linear.x.size() == 0) {  // with these weights the factorization fails
-    for (double& value : start.u.raw()) value = std::clamp(value, -kStartClamp, kStartClamp);
-    linear = solveStart();
-  }
-  attempt.program.status = socp::SolveStatus::kStalled;
-  if (linear.x.size() == 0 || !linear.x.allFinite()) return true;
   UntangleOptions options;
-  options.u = attempt.u;
+  options.u = untanglingScale(state, attempt);
+  const ProgramResult start = untanglingStart(system, options.u, kind.startsFramed);
+  attempt.program.status = socp::SolveStatus::kStalled;
+  if (start.x.size() == 0 || !start.x.allFinite()) return true;
   options.kept = problem_.base;
   options.scaleWeight = kind.scaleWeight;
   options.epsilonShare = kind.epsilonShare;
@@ -211,7 +235,7 @@ bool Attempts::untangleFrom(const State& state, int round, Attempt& attempt) {
     return report(options_.progress,
                   {Stage::kSolve, fraction, iteration, wrong, round, options_.maxRounds});
   };
-  const UntangleResult result = untangle(system, linear.x, options);
+  const UntangleResult result = untangle(system, start.x, options);
   attempt.program.x = result.x;
   attempt.program.iterations = result.iterations;
   if (result.flipped == 0) attempt.program.status = socp::SolveStatus::kOptimal;

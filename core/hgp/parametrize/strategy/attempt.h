@@ -21,6 +21,9 @@ class Attempts {
   const SeamRotations& seamsOf(const State& state) const;
   std::shared_ptr<const HarmonicBasis> basisOf(const State& state, const Attempt& attempt);
   bool solve(const State& state, int round, Attempt& attempt);
+  PerVertex<double> untanglingScale(const State& state, const Attempt& attempt) const;
+  ProgramResult untanglingStart(const SeamlessSystem& system, const PerVertex<double>& u,
+                                bool isFramed) const;
   bool untangleFrom(const State& state, int round, Attempt& attempt);
 
   const Problem& problem_;

@@ -104,12 +104,12 @@ State firstState(const Problem& problem);
 /// A state that starts a weighting: F_cb alone, the connection's frames.
 State startOf(const Problem& problem, std::size_t weighting);
 
-/// A kind of untangling: where its frames come from, and the numbers of UntangleOptions.
+/// A kind of untangling: where its frames come from, the numbers of UntangleOptions, and whether the map that it starts
+/// from obeys the frames around cones and along the boundary.
 struct Untangling {
-  FrameSource
-      source;  ///< kinds with kAngles are left out where the prescription has no angle structure
-  double scaleWeight;
-  double epsilonShare;
+  FrameSource source;  ///< kAngles is left out where the prescription has no angle structure
+  double scaleWeight, epsilonShare;
+  bool startsFramed;
 };
 const std::vector<Untangling>& untanglings();
 

@@ -6,6 +6,11 @@ namespace {
 
 /// Maximum number of corrections in a row; hardly any map needs more than two.
 constexpr int kMaxCorrections = 4;
+/// An untangled map may be wrong in this share of the triangles: mostly one that is crushed beside a vertex that turns
+/// once too often, while a cone turns once too little. The map of a cone program, which other frames may still mend, may
+/// be wrong in one triangle and its vertices.
+constexpr double kFewWrongShare = 0.01;
+constexpr int kFewWrongOfProgram = 4;
 
 }  // namespace
 
@@ -13,8 +18,11 @@ std::optional<State> frameByMap(const Problem& problem, const State& state,
                                 const std::shared_ptr<const Attempt>& attempt) {
   if (problem.method != Method::kAuto || !attempt->isFeasible()) return {};
   if (problem.weightings[state.weighting].isHarmonic) return {};
-  if (!attempt->certificate.isMeasured || !attempt->certificate.orientation.notPositive.empty())
-    return {};
+  if (!attempt->certificate.isMeasured) return {};
+  const double few =
+      state.untangling >= 0 ? kFewWrongShare * problem.mesh.faceCount() : kFewWrongOfProgram;
+  const bool isFolded = !attempt->certificate.orientation.notPositive.empty();
+  if (isFolded && attempt->wrongCount > few) return {};
   if (attempt->wrongCount == 0 || attempt->program.z.empty() || !attempt->program.x.allFinite())
     return {};
   const bool isBetter = state.corrections == 0 || attempt->wrongCount < state.from->wrongCount;

@@ -6,8 +6,8 @@
 
 namespace hgp {
 
-/// The map has no flipped triangle, but other cone angles than prescribed: frames that turn as the map does, corrected
-/// by the difference, and then untangling along these frames.
+/// The map has few flipped triangles or none, but other cone angles than prescribed: frames that turn as the map does,
+/// corrected by the difference, and then untangling along these frames.
 std::optional<State> frameByMap(const Problem&, const State&,
                                 const std::shared_ptr<const Attempt>&);
 

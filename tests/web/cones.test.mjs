@@ -5,7 +5,7 @@ import { spawnSync } from 'node:child_process';
 import { writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { cubeMesh, toObj } from '../support/meshes.mjs';
-import { bumpyBall } from './shapes.mjs';
+import { bumpyBall, hornedBox } from './shapes.mjs';
 import {
   commandLine,
   coneCount,
@@ -322,9 +322,75 @@ test('Run takes as few cones as make a good map, otherwise more; the slider says
   assert.ok(parseFloat(await page.innerText('#stretch')) <= 15);
 });
 
-/** Cones at the first vertices of an open mesh. */
-const dropCones = (ks) =>
-  drop(it, { 'many.cones.json': JSON.stringify({ format: 'hgp-cones', version: 1, q: 4, cones: ks.map((k, i) => ({ vertex: 5 * i, k })) }) }); // prettier-ignore
+/** Cones at vertices of the open mesh, by default far apart. */
+const dropCones = (ks, at = ks.map((_, i) => 5 * i)) =>
+  drop(it, { 'many.cones.json': JSON.stringify({ format: 'hgp-cones', version: 1, q: 4, cones: ks.map((k, i) => ({ vertex: at[i], k })) }) }); // prettier-ignore
+
+test('X mirrors the selected cone, as one step of undo; what cannot be mirrored is said', async () => {
+  const { page } = it;
+  const first = 'Cone 1: select';
+  await openFiles(it, { 'box.obj': toObj(hornedBox(0.4, 0.3).mesh) });
+  await dropCones([3], [7]);
+  await page.click(`[aria-label="${first}"]`);
+  await page.locator('#view').focus();
+  await page.keyboard.press('x');
+  await page.waitForSelector('tr[data-cone="1"].selected');
+  assert.equal(await kOf(it, 1), '3');
+  assert.equal(await vertexOf(1), '6'); // the first eight vertices are the corners, 6 and 7 apart in x
+  await page.keyboard.press('x'); // and back
+  await page.waitForSelector('tr[data-cone="0"].selected');
+  assert.equal(await coneCount(it), 2);
+  await page.click('#undo');
+  assert.equal(await coneCount(it), 1);
+  const odd = cubeMesh(8);
+  for (const p of odd.vertices) {
+    const [x, y, z] = p;
+    [p[0], p[1], p[2]] = [x + 0.35 * y + 0.04 * z * z, y * (1 + 0.08 * x) + 0.3 * z, 1.4 * z + 0.1 * x * y]; // prettier-ignore
+  }
+  await openFiles(it, { 'odd.obj': toObj(odd) });
+  await dropCones([3]);
+  await page.click(`[aria-label="${first}"]`);
+  await page.click('#mirror-cone');
+  await page.waitForSelector('#status.error');
+  assert.match(await statusText(page), /not its own mirror image/);
+});
+
+test('a click near the corner of a box places the cone on it, with Alt at the nearest vertex', async () => {
+  const { page } = it;
+  const box = cubeMesh(8);
+  for (const p of box.vertices) {
+    const most = Math.max(...p.map(Math.abs));
+    p.forEach((x, i) => (p[i] = x / most));
+  }
+  await openFiles(it, { 'box.obj': toObj(box) });
+  await settled(page);
+  await page.click('#tool-place');
+  // From far away, where the corner is within reach of its neighbours.
+  const view = await page.locator('#view').boundingBox();
+  await page.mouse.move(view.x + view.width / 2, view.y + view.height / 2);
+  for (let i = 0; i < 10; i++) await page.mouse.wheel(0, 120);
+  await settled(page);
+  // Along a line from the middle to the corner that is nearest to the eye, above and to the right: (1, 1, 1) is vertex 7.
+  const nearest = async (options) => {
+    const placed = new Set();
+    for (let far = 0; far < 40; far += 4) {
+      await page.mouse.move(view.x + view.width / 2 + far, view.y + view.height / 2 - far);
+      if (options) await page.keyboard.down('Alt');
+      await page.mouse.down();
+      await page.mouse.up();
+      if (options) await page.keyboard.up('Alt');
+      if ((await coneCount(it)) === 0) continue;
+      placed.add(Number(await vertexOf(0)));
+      await page.click('#clear-cones');
+      await page.waitForSelector('#cones', { state: 'detached' });
+    }
+    return placed;
+  };
+  const snapped = await nearest(false);
+  assert.ok(snapped.has(7), `${[...snapped]}`);
+  const exact = await nearest(true);
+  assert.ok(exact.size > snapped.size, `${[...exact]} and ${[...snapped]}`);
+});
 
 test('up to twenty cones are listed, more are counted by angle; a count opens, and what is selected is listed', async () => {
   const { page } = it;

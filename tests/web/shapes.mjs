@@ -106,3 +106,21 @@ export function bumpyBall(n, height, waves) {
   }
   return mesh;
 }
+
+/** A box with horns, its own mirror image in one plane only, turned and moved; and the normal of that plane. */
+export function hornedBox(turn, shift) {
+  const mesh = cubeMesh(8);
+  const xs = mesh.vertices.map(([x]) => x);
+  const middle = (Math.min(...xs) + Math.max(...xs)) / 2;
+  for (const p of mesh.vertices) {
+    const side = Math.abs(p[0] - middle);
+    p[1] = 1.7 * p[1] + (p[1] > 0 ? p[1] * (1.5 * side ** 2 + 0.3 * p[2]) : 0);
+    p[2] = 0.6 * p[2] + 0.05 * p[1] ** 2;
+  }
+  const [c, s] = [Math.cos(turn), Math.sin(turn)];
+  for (const p of mesh.vertices) {
+    const [x, y, z] = p;
+    [p[0], p[1], p[2]] = [c * x - s * z + shift, y - 2 * shift, s * x + c * z + 0.3];
+  }
+  return { mesh, normal: [c, 0, s] };
+}

@@ -7,9 +7,11 @@ import { watchCones } from './actions/check_cones';
 import { setPrescription } from './actions/edit_cones';
 import { watchMemory } from './actions/free_unused';
 import { exampleById, openExample } from './actions/open';
+import { refreshRecent } from './actions/recent';
+import { flushAddress } from './actions/remember';
 import { watchThumbnails } from './actions/thumbnails';
 import { setLook } from './actions/view';
-import { modelTag, readHash, writeHash, type HashState } from './formats/hash_state';
+import { modelTag, readHash, type HashState } from './formats/hash_state';
 import { listenToDrops } from './input/drop';
 import { Keyboard } from './input/keyboard';
 import { Pointer } from './input/pointer';
@@ -36,22 +38,13 @@ const { doc, ui } = app;
 function rememberState(): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   let hadModel = false;
-  const remember = (): void => {
-    const { model, look, prescription } = doc;
-    const camera = app.views?.model.orbit.toText();
-    const stem = model?.main.replace(/\.glb$/, '');
-    const example = exampleById(stem)?.id;
-    if (!model) return;
-    const state = { example, look, prescription, camera, model: modelTag(model.info) };
-    history.replaceState(null, '', writeHash(state));
-  };
   const soon = (): void => {
     clearTimeout(timer);
-    timer = setTimeout(remember, 400);
+    timer = setTimeout(() => flushAddress(app), 400);
   };
   effect(() => {
     const { model } = doc;
-    void [doc.look, doc.prescription];
+    void [doc.look, doc.prescription, doc.solve];
     clearTimeout(timer);
     if (!model && hadModel) history.replaceState(null, '', location.pathname);
     hadModel = model !== undefined;
@@ -65,6 +58,8 @@ function applyHash(state: HashState): void {
   const { pattern = doc.look.pattern, overlay = doc.look.overlay, tiles = doc.look.tiles } = state;
   setLook(app, { pattern, overlay, tiles });
   if (state.q) doc.begin({ ...doc.prescription, q: state.q });
+  const { grid = doc.solve.grid, improve = doc.solve.improve } = state;
+  doc.solve = { ...doc.solve, grid, improve };
   const { cones, camera, q, turnings = [], handles = [] } = state;
   const isAsking = cones !== undefined || turnings.length + handles.length > 0;
   if (!isAsking && !camera) return;
@@ -221,7 +216,10 @@ async function start(): Promise<void> {
     const rest = 'maps are made, verified and saved all the same';
     doc.say(`This browser cannot draw here, because it has no WebGL 2; ${rest}.`, 'error');
   }
+  void refreshRecent(app);
   const example = exampleById(asked.example);
+  if (!example && asked.model)
+    doc.say('Open the file that this link is about: its cones and settings come with the link.');
   if (example) await attempt(app, () => openExample(app, example));
 }
 

@@ -66,20 +66,41 @@ test('a placement is a reflection exactly if it turns the surface inside out', (
   }
 });
 
+test('a link holds the settings of Run that differ from those of a new page', () => {
+  const { look, solve } = new Document();
+  const prescription = emptyPrescription(4, 0, 0);
+  const read = (more) => readHash(writeHash({ look, prescription, solve: { ...solve, ...more } }));
+  const none = read({});
+  assert.deepEqual([none.grid, none.improve], [undefined, undefined]);
+  for (const grid of [
+    { isOn: false, mode: 'tile', cells: undefined },
+    { isOn: true, mode: 'quad', cells: undefined },
+    { isOn: true, mode: 'tile', cells: 1200 },
+  ])
+    assert.deepEqual(read({ grid }).grid, grid);
+  for (const improve of [-1, 0, 0.25, 1]) assert.equal(read({ improve }).improve, improve);
+  for (const bad of ['#improve=2', '#improve=x', '#grid=hex', '#cells=12'])
+    assert.deepEqual([readHash(bad).grid, readHash(bad).improve], [undefined, undefined]);
+});
+
 test('a link holds every q from 1 to 64, and nothing else', () => {
   for (const q of [1, 4, 63, 64]) assert.equal(readHash(`#q=${q}`).q, q);
   for (const q of ['0', '65', '-4', '4.5', 'four', '1e9', '']) assert.equal(readHash(`#q=${q}`).q, undefined, q); // prettier-ignore
-  const { look } = new Document();
+  const { look, solve } = new Document();
   const prescription = { ...emptyPrescription(64, 2, 2), cones: [{ vertex: 12, k: 63 }] };
   prescription.turnings = [null, -5];
   prescription.handles = [7, null];
-  const read = readHash(writeHash({ look: { ...look, overlay: 'area' }, prescription }));
+  const read = readHash(writeHash({ look: { ...look, overlay: 'area' }, solve, prescription }));
   assert.equal(read.q, 64);
   assert.deepEqual(read.cones, [{ vertex: 12, k: 63 }]);
   assert.deepEqual([read.turnings, read.handles], [[[1, -5]], [[0, 7]]]);
   assert.deepEqual([read.overlay, read.pattern], ['area', look.pattern]);
   // Of a cone without an angle, and of pictures, which are not in the link, nothing is taken.
-  const bad = writeHash({ look, prescription: { ...prescription, cones: [{ vertex: 1, k: 0 }] } });
+  const bad = writeHash({
+    look,
+    solve,
+    prescription: { ...prescription, cones: [{ vertex: 1, k: 0 }] },
+  });
   assert.equal(readHash(bad).cones, undefined);
   for (const pattern of ['image', 'material', 'javascript:'])
     assert.equal(readHash(`#pattern=${pattern}`).pattern, undefined);

@@ -172,7 +172,10 @@ test('cones in the address name the mesh of the file to which they belong', () =
   const look = { pattern: 'checker', overlay: 'none', tiles: 24 };
   const plain = { q: 4, cones: [], turnings: [null], handles: [] };
   const withCones = { ...plain, cones: [{ vertex: 5, k: 3 }] };
-  const read = (prescription) => readHash(writeHash({ look, prescription, model }));
+  const read = (prescription) =>
+    readHash(
+      writeHash({ look, solve: { grid: { isOn: true, mode: 'tile' } }, prescription, model }),
+    );
   assert.equal(read(withCones).model, 'c0ffee00.2');
   assert.equal(read({ ...plain, turnings: [-4] }).model, 'c0ffee00.2');
   assert.equal(read(plain).model, undefined); // nothing belongs to a model

@@ -40,7 +40,11 @@ async function blobOf(bytes: Uint8Array, type: string): Promise<Blob> {
 }
 
 export async function saveFile({ name, bytes, type }: Download): Promise<void> {
-  const url = URL.createObjectURL(await blobOf(bytes, type));
+  saveBlob(await blobOf(bytes, type), name);
+}
+
+export function saveBlob(blob: Blob, name: string): void {
+  const url = URL.createObjectURL(blob);
   const link = document.createElement('a');
   link.href = url;
   link.download = name;

@@ -12,6 +12,7 @@ import { solverOf, type App } from './app';
 import { importCones } from './edit_cones';
 import { freeUnused } from './free_unused';
 import { loadMesh, reopen } from './load';
+import { refreshRecent, remember } from './recent';
 
 const mostBytes = 512 * 2 ** 20;
 
@@ -59,7 +60,11 @@ export async function openMain(app: App, files: Files, main: string): Promise<vo
     doc.say(`${outside} Not loaded.`, 'error');
   }
   if (missing.length > 0) doc.state = { kind: 'needs-files', files, main, missing };
-  else await loadMesh(app, { main, files });
+  else {
+    await loadMesh(app, { main, files });
+    const isExample = examples.some(({ file }) => file === main);
+    if (own === doc.openRequestId && !isExample) void remember(app, files);
+  }
 }
 
 /** Adds files that were missing, from a second drop or a Browse button. */
@@ -93,6 +98,7 @@ export function close(app: App): void {
   if (prescription.cones.length > 0) void saveCones(model.info.file.sha256, prescription);
   doc.clearModel();
   doc.previous = undefined;
+  void refreshRecent(app);
   const client = solverOf(app);
   client.terminate(); // because WebAssembly memory never shrinks
   ensureWorker(client);

@@ -1,46 +1,25 @@
 // Every action of the page, one entry each: buttons, keys, the list of keys and the palette read it.
 
-import { areSeamsShown } from '../model/grid';
 import { canRepair } from '../model/repairs';
-import type { Icon } from '../text/icon_paths';
+import { noModel, type Action } from './action';
 import { attempt, type App } from './app';
+import { showRuns, whyNotCompare } from './compare_runs';
 import { copyCommand } from './copy_command';
 import { exportCones, download } from './download';
 import { balance, clearCones, deleteCone, importCones, selectNext, setK } from './edit_cones';
 import { cancel } from './job';
 import { close } from './open';
+import { copyLink } from './share';
+import { mirrorCone } from './mirror_cone';
 import { repairAndRun } from './repair';
 import { downloadQuads, whyNoQuads } from './quads';
 import { runAll } from './run_all';
 import { run, suggestCones, whyNotRun } from './solve';
 import { redo, undo } from './undo';
 import { validate } from './validate';
-import {
-  chooseFile,
-  frame,
-  nextOverlay,
-  nextPattern,
-  otherView,
-  setLook,
-  showHandles,
-} from './view';
+import { chooseFile } from './view';
+import { pageActions, viewActions } from './view_actions';
 
-export type ActionGroup = 'File' | 'Run' | 'Cones' | 'View' | 'Page';
-
-export interface Action {
-  readonly label: string | ((app: App) => string);
-  readonly group: ActionGroup;
-  /** Ctrl combinations work anywhere, single keys only while a view has the focus. */
-  readonly keys?: readonly string[];
-  readonly icon?: Icon;
-  /** Why the action is not possible now; empty or undefined if it is. */
-  whyNot?(app: App): string;
-  /** For actions that switch something: whether it is on. */
-  isOn?(app: App): boolean;
-  run(app: App): unknown;
-}
-
-const noModel = ({ doc }: App): string => (doc.model ? '' : 'Open a model first.');
 const noMap = ({ doc }: App): string => (doc.current ? '' : 'Run first.');
 const noCones = ({ doc }: App): string =>
   doc.prescription.cones.length > 0 ? '' : 'There are no cones.';
@@ -84,6 +63,13 @@ const fileActions = {
     whyNot: whyNoQuads,
     run: (app) => downloadQuads(app, 'obj'),
   },
+  'copy-link': {
+    label: 'Copy a link to these cones and settings',
+    group: 'File',
+    icon: 'link',
+    whyNot: noModel,
+    run: copyLink,
+  },
   'save-report': {
     label: 'Save report',
     group: 'File',
@@ -126,6 +112,12 @@ const runActions = {
     icon: 'cross',
     whyNot: ({ doc }) => (doc.isBusy ? '' : 'Nothing is running.'),
     run: cancel,
+  },
+  compare: {
+    label: 'Compare runs',
+    group: 'Run',
+    whyNot: whyNotCompare,
+    run: showRuns,
   },
   undo: {
     label: ({ doc }) => `Undo ${doc.history.undoKind}`.trim(),
@@ -198,6 +190,14 @@ const coneActions = {
     whyNot: notSelected,
     run: (app) => setK(app, app.doc.selected, selectedK(app) - 1),
   },
+  'mirror-cone': {
+    label: 'Mirror the cone',
+    group: 'Cones',
+    keys: ['X'],
+    icon: 'mirror',
+    whyNot: notSelected,
+    run: mirrorCone,
+  },
   'delete-cone': {
     label: 'Delete the cone',
     group: 'Cones',
@@ -205,95 +205,6 @@ const coneActions = {
     icon: 'cross',
     whyNot: notSelected,
     run: (app) => deleteCone(app, app.doc.selected),
-  },
-} satisfies Record<string, Action>;
-
-const seamsShown = ({ doc }: App): boolean =>
-  doc.displayed !== undefined && areSeamsShown(doc.look, doc.displayed);
-
-const viewActions = {
-  orbit: {
-    label: 'Orbit',
-    group: 'View',
-    icon: 'orbit',
-    isOn: ({ ui }) => ui.tool === 'orbit',
-    run: ({ ui }) => (ui.tool = 'orbit'),
-  },
-  place: {
-    label: 'Place cones',
-    group: 'View',
-    keys: ['C'],
-    icon: 'place',
-    isOn: ({ ui }) => ui.tool === 'place',
-    run: ({ ui, doc }) => {
-      ui.tool = ui.tool === 'place' ? 'orbit' : 'place';
-      if (ui.tool === 'orbit') return;
-      doc.say('Place: click or tap the surface; with keys, arrows and Enter in the 3D view.');
-    },
-  },
-  frame: { label: 'Frame the model', group: 'View', keys: ['F'], icon: 'frame', run: frame },
-  'reset-camera': {
-    label: 'Reset the camera',
-    group: 'View',
-    keys: ['R'],
-    run: ({ views }) => views?.model.orbit.reset(),
-  },
-  wire: {
-    label: 'Wireframe',
-    group: 'View',
-    keys: ['L'],
-    icon: 'wire',
-    isOn: ({ doc }) => doc.look.hasWire,
-    run: (app) => setLook(app, { hasWire: !app.doc.look.hasWire }),
-  },
-  seams: {
-    label: 'Seams',
-    group: 'View',
-    keys: ['S'],
-    icon: 'seams',
-    whyNot: ({ doc }) => (doc.displayed ? '' : 'Run first.'),
-    isOn: seamsShown,
-    run: (app) => setLook(app, { seams: seamsShown(app) ? 'off' : 'on' }),
-  },
-  parallel: {
-    label: 'Parallel projection',
-    group: 'View',
-    keys: ['O'],
-    run: ({ views }) => views?.model.toggleParallel(),
-  },
-  'next-pattern': { label: 'Next pattern', group: 'View', keys: ['G'], run: nextPattern },
-  'next-overlay': { label: 'Next overlay', group: 'View', keys: ['H'], run: nextOverlay },
-  'other-view': { label: 'To the UV view and back', group: 'View', keys: ['U'], run: otherView },
-  handles: {
-    label: 'Loops around handles',
-    group: 'View',
-    whyNot: noModel,
-    isOn: ({ ui }) => ui.handlesShown,
-    run: (app) => showHandles(app, !app.ui.handlesShown),
-  },
-} satisfies Record<string, Action>;
-
-const pageActions = {
-  palette: {
-    label: 'All actions',
-    group: 'Page',
-    keys: ['Ctrl+K'],
-    icon: 'list',
-    run: ({ ui }) => (ui.dialog = 'palette'),
-  },
-  help: {
-    label: 'Help and shortcuts',
-    group: 'Page',
-    keys: ['?'],
-    icon: 'help',
-    run: ({ ui }) => (ui.dialog = 'help'),
-  },
-  log: { label: 'Log', group: 'Page', run: ({ ui }) => (ui.dialog = 'log') },
-  theme: {
-    label: ({ ui }) => `Theme: ${ui.theme}`,
-    group: 'Page',
-    icon: 'theme',
-    run: ({ ui }) => ui.nextTheme(),
   },
 } satisfies Record<string, Action>;
 

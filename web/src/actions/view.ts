@@ -1,7 +1,7 @@
 // Actions on the views: highlights, loops, patterns, projections. None of them changes the prescription.
 
 import type { Where } from 'hgp';
-import { overlays, patterns, type Look, type Model, type Pattern } from '../model/types';
+import { lights, overlays, patterns, type Look, type Model, type Pattern } from '../model/types';
 import { count } from '../text/format';
 import { highlightTargets } from '../views/highlight_targets';
 import type { App } from './app';
@@ -19,6 +19,11 @@ const plainPatterns: readonly Pattern[] = patterns.filter(
 export function nextPattern(app: App): void {
   const at = plainPatterns.indexOf(app.doc.look.pattern);
   setLook(app, { pattern: plainPatterns[(at + 1) % plainPatterns.length] });
+}
+
+export function nextLight(app: App): void {
+  const at = lights.indexOf(app.doc.look.light);
+  setLook(app, { light: lights[(at + 1) % lights.length] });
 }
 
 export function nextOverlay(app: App): void {

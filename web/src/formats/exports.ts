@@ -4,7 +4,7 @@
 import type { WriteOptions } from 'hgp';
 import { toCones, type Prescription } from '../model/prescription';
 import type { Model, OutputFile, Solution } from '../model/types';
-import { safeName } from './file_set';
+import { nameStem, safeName } from './file_set';
 
 /** The data from which a download is made. */
 export interface ExportSource {
@@ -56,8 +56,7 @@ const types: Record<string, string> = {
 };
 
 const encode = (text: string): Uint8Array => new TextEncoder().encode(text);
-const stem = ({ model }: Pick<ExportSource, 'model'>): string =>
-  safeName(model.main).replace(/\.[^.]*$/, '') || 'model';
+const stem = ({ model }: Pick<ExportSource, 'model'>): string => nameStem(model.main);
 
 /** A .gltf does not count as one file, even if its buffer is embedded. */
 const isOneFile = (files: OutputFile[]): boolean =>

@@ -118,6 +118,9 @@ function resolve(files: Files, folder: string, name: string): boolean {
   return found !== undefined;
 }
 
+/** The name of a file without folder and ending, safe for a download. */
+export const nameStem = (name: string): string => safeName(name).replace(/\.[^.]*$/, '') || 'model';
+
 /** A version of the name that is safe for a download. */
 export function safeName(name: string): string {
   const safe = baseName(name)

@@ -1,7 +1,15 @@
 // The address of the page: q, pattern, overlay, scale, camera, cones. Numbers and known words only.
 
 import type { Prescription } from '../model/prescription';
-import { overlays, patterns, type Look, type Overlay, type Pattern } from '../model/types';
+import {
+  overlays,
+  patterns,
+  type GridSettings,
+  type Look,
+  type Overlay,
+  type Pattern,
+  type SolveSettings,
+} from '../model/types';
 
 const mostText = 8192;
 
@@ -12,6 +20,9 @@ export interface HashState {
   overlay?: Overlay;
   tiles?: number;
   camera?: string;
+  /** The settings of Run that differ from those of a new page. */
+  grid?: GridSettings;
+  improve?: number;
   /** The model to which cones, turnings and handles belong, as `modelTag` gives it. */
   model?: string;
   cones?: { vertex: number; k: number }[];
@@ -48,11 +59,19 @@ function conesOf(text: string | null): HashState['cones'] {
   return pairs.map(([vertex, k]) => ({ vertex, k }));
 }
 
+function gridOf(words: URLSearchParams): GridSettings | undefined {
+  const word = words.get('grid');
+  const cells = integer(words.get('cells'), 1, 1_000_000);
+  if (word === 'off') return { isOn: false, mode: 'tile', cells };
+  return word === 'tile' || word === 'quad' ? { isOn: true, mode: word, cells } : undefined;
+}
+
 export function readHash(hash: string): HashState {
   const words = new URLSearchParams(hash.replace(/^#/, ''));
   const known = <T>(list: readonly T[], key: string): T | undefined =>
     list.find((word) => word === words.get(key));
   const tiles = Number(words.get('tiles'));
+  const improve = Number(words.get('improve') ?? NaN);
   return {
     example: /^[a-z0-9-]{1,40}$/.exec(words.get('example') ?? '')?.[0],
     q: integer(words.get('q'), 1, 64),
@@ -63,6 +82,8 @@ export function readHash(hash: string): HashState {
     overlay: known(overlays, 'overlay'),
     tiles: tiles >= 1 && tiles <= 1000 ? tiles : undefined,
     camera: words.get('camera') ?? undefined,
+    grid: gridOf(words),
+    improve: improve >= -1 && improve <= 1 ? improve : undefined,
     model: /^[0-9a-f]{8}\.\d{1,9}$/.exec(words.get('model') ?? '')?.[0],
     cones: conesOf(words.get('cones')),
     turnings: pairsOf(words.get('turnings')),
@@ -75,12 +96,14 @@ export interface HashSource {
   example?: string;
   look: Look;
   prescription: Prescription;
+  solve: Pick<SolveSettings, 'grid' | 'improve'>;
   camera?: string;
   model?: string;
 }
 
 /** The settings that differ from those of a new page. */
-export function writeHash({ example, look, prescription, camera, model }: HashSource): string {
+export function writeHash(source: HashSource): string {
+  const { example, look, prescription, camera, model, solve } = source;
   const words = new URLSearchParams();
   if (example) words.set('example', example);
   words.set('q', String(prescription.q));
@@ -88,6 +111,11 @@ export function writeHash({ example, look, prescription, camera, model }: HashSo
   if (look.overlay !== 'none') words.set('overlay', look.overlay);
   words.set('tiles', look.tiles.toFixed(0));
   if (camera) words.set('camera', camera);
+  const { grid, improve } = solve;
+  if (!grid.isOn || grid.mode !== 'tile' || grid.cells !== undefined)
+    words.set('grid', grid.isOn ? grid.mode : 'off');
+  if (grid.cells !== undefined) words.set('cells', String(grid.cells));
+  if (improve !== undefined) words.set('improve', String(improve));
   const set = (key: string, pairs: number[][]): void => {
     const text = btoa(JSON.stringify(pairs));
     const safe = text.replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');

@@ -8,6 +8,7 @@ import { placeOnAny } from '../actions/repair';
 import { undo } from '../actions/undo';
 import { clearHighlight } from '../actions/view';
 import { isAligned } from '../model/grid';
+import { cornerNear } from '../model/snapping';
 import { defectDegrees, scaleAt } from '../model/surface';
 import type { Surface } from '../model/types';
 import { timesText, wholeDegrees } from '../text/format';
@@ -111,7 +112,7 @@ export class Pointer {
 
   #place(view: View, event: PointerEvent, within: number): void {
     const hit = view.pick(event);
-    if (hit && hit.pixels <= within * 2.5) this.#placeAt(hit);
+    if (hit && hit.pixels <= within * 2.5) this.#placeAt(this.#snapped(view, hit, event));
     this.#forget();
   }
 
@@ -161,7 +162,7 @@ export class Pointer {
     }
     // In a large triangle no vertex is near the pointer; the nearest of the three is taken.
     const hit = view.pick(event);
-    if (hit) this.#placeAt(hit);
+    if (hit) this.#placeAt(this.#snapped(view, hit, event));
   }
 
   /** A click on another mesh of the file opens it. */
@@ -213,9 +214,22 @@ export class Pointer {
     this.#model.setGhost(undefined);
   }
 
-  #placeAt(hit: Hit): void {
+  /** The corner or tip near the pointer, else the nearest vertex; with Alt always that one. */
+  #snapped(view: View, { vertex }: Hit, event: PointerEvent): number {
+    const surface = this.#surface;
+    if (!surface || view !== this.#model || event.altKey) return vertex;
+    const box = view.canvas.getBoundingClientRect();
+    const [x, y] = [event.clientX - box.left, event.clientY - box.top];
+    const within = reach[event.pointerType as keyof typeof reach] ?? reach.mouse;
+    return cornerNear(surface, vertex, (v) => {
+      const at = this.#model.toScreen(v);
+      return Math.hypot(at.x - x, at.y - y) < within;
+    });
+  }
+
+  #placeAt(vertex: number): void {
     this.#model.setGhost(undefined);
-    void attempt(this.#app, () => placeOnAny(this.#app, hit.vertex));
+    void attempt(this.#app, () => placeOnAny(this.#app, vertex));
   }
 
   /** Shows the hovered triangle in both views, the other side of a seam, and the cone that a click would place. */
@@ -231,7 +245,7 @@ export class Pointer {
     const ends = seam === undefined || !current ? undefined : current.seams[seam];
     const edges = ends ? [ends.a.map((end) => current!.result.uvToVertex[end])] : [];
     const isPlacing = ui.tool === 'place' && view === this.#model;
-    const cone = isPlacing ? coneToPlace(this.#app, hit.vertex) : undefined;
+    const cone = isPlacing ? coneToPlace(this.#app, this.#snapped(view, hit, event)) : undefined;
     const isTaken = doc.prescription.cones.some(({ vertex }) => vertex === cone?.vertex);
     this.#model.setGhost(isTaken ? undefined : cone, doc.prescription.q);
     const isOutlined = !isPlacing;

@@ -104,6 +104,7 @@ const plainLook: Look = {
   steps: 1,
   seams: 'auto',
   hasWire: false,
+  light: 'studio',
 };
 const middleStep = 2; // of five: balanced
 const mostLog = 200;
@@ -203,6 +204,11 @@ export class Document extends storeOf<Fields>() {
   /** The solution that the views show: the current one or, marked as stale, the last one. */
   get displayed(): Solution | undefined {
     return this.#displayed.value;
+  }
+
+  /** The runs on this surface that are kept, the newest last. */
+  get runs(): readonly Solution[] {
+    return this.#forSurface.value;
   }
 
   /** The solution that the displayed one has replaced, if that is the newest. */

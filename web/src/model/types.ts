@@ -283,6 +283,9 @@ export type Pattern =
   | 'image'
   | 'material'
   | 'plain';
+/** `side`: the studio turned, so that relief is seen; `gloss`: as if polished; `flat`: the colours alone. */
+export type Light = 'studio' | 'side' | 'gloss' | 'flat';
+export const lights: readonly Light[] = ['studio', 'side', 'gloss', 'flat'];
 export type Overlay = 'none' | 'angle' | 'area' | 'seams' | 'flips';
 
 export interface Look {
@@ -295,6 +298,7 @@ export interface Look {
   /** `auto`: in the 3D view only seams at which lines do not meet, in the UV view all. */
   seams: 'auto' | 'on' | 'off';
   hasWire: boolean;
+  light: Light;
   image?: ImageBitmap;
 }
 

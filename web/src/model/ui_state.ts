@@ -1,11 +1,12 @@
 // The state of the user interface, apart from the document: tool, tab, theme, dialog, hovered element.
 
+import type { Recent } from './recent';
 import { storeOf } from './store';
 
 export type Tool = 'orbit' | 'place';
 export type Tab = 'surface' | 'map';
 export type Sheet = 'peek' | 'half' | 'full';
-export type Dialog = '' | 'download' | 'help' | 'log' | 'palette';
+export type Dialog = '' | 'download' | 'help' | 'log' | 'palette' | 'compare';
 export type SortKey = 'number' | 'vertex' | 'k';
 
 /** The programs for which downloads can be made. */
@@ -53,6 +54,10 @@ interface Fields {
   isNarrow: boolean;
   isSystemDark: boolean;
   handlesShown: boolean;
+  /** The files that were opened last, the newest first. */
+  recent: readonly Recent[];
+  /** Whether a turntable is being recorded. */
+  isRecording: boolean;
   /** The program for which downloads are made. */
   target: TargetId;
   /** Position of the wipe between before and after, in percent from the left; 0: only after. */
@@ -86,6 +91,8 @@ export class UiState extends storeOf<Fields>() {
       isNarrow: narrow.matches,
       isSystemDark: dark.matches,
       handlesShown: false,
+      isRecording: false,
+      recent: [],
       target: targetIds.find((id) => id === stored('hgp-target')) ?? 'blender',
       wipe: 0,
       now: performance.now(),

@@ -61,6 +61,7 @@ class ConesPanel extends Panel {
       <p class="row">
         ${actionButton(app, 'suggest', { className: 'small' })}
         ${actionButton(app, 'balance', { className: 'small' })}
+        ${doc.selected >= 0 ? actionButton(app, 'mirror-cone', { className: 'small', text: 'Mirror' }) : nothing}
       </p>
       ${this.#slider()}
       ${cones.length > 0 ? html`<hgp-cone-table .app=${app}></hgp-cone-table>` : nothing}

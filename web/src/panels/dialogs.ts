@@ -1,19 +1,13 @@
 // All dialogs but Download: missing files, choice of a model, the command palette, help, the log.
 
 import { html, nothing, type TemplateResult } from 'lit';
+import type { ActionGroup } from '../actions/action';
 import { attempt, type AppView } from '../actions/app';
 import { giveUp, loadWithoutImages, openMain, supply } from '../actions/open';
-import {
-  actionIds,
-  actions,
-  labelOf,
-  perform,
-  whyNotOf,
-  type ActionGroup,
-  type ActionId,
-} from '../actions/registry';
+import { actionIds, actions, labelOf, perform, whyNotOf, type ActionId } from '../actions/registry';
 import type { DocumentState } from '../model/document';
 import { actionButton } from './action_button';
+import { compareDialog } from './compare_dialog';
 import { downloadDialog } from './download_dialog';
 import { dialogFrame } from './dialog_frame';
 import { icon } from './icons';
@@ -94,6 +88,7 @@ const gestures: [string, string][] = [
   ['Arrows', 'orbit; with Shift pan; Page Up, Page Down zoom'],
   ['Arrows, Enter', 'with the Place tool: walk over the vertices, place'],
   ['1–9', 'k of the selected cone'],
+  ['Alt', 'with the Place tool: at the nearest vertex, not at a corner near it'],
   ['Escape', 'put a dragged cone back, deselect; twice: cancel a run'],
   ['Double click', 'centre that place'],
 ];
@@ -179,6 +174,7 @@ class Dialogs extends Panel {
     if (state.kind === 'needs-files') return missingFiles(this.app, state);
     if (state.kind === 'pick-model') return whichModel(this.app, state);
     if (ui.dialog === 'download' && doc.current) return downloadDialog(this.app, doc.current);
+    if (ui.dialog === 'compare') return compareDialog(this.app);
     if (ui.dialog === 'log') return log(this.app);
     if (ui.dialog === 'help') return help(this.app);
     if (ui.dialog === 'palette') return this.#palette();

@@ -90,6 +90,10 @@ class ResultPanel extends Panel {
       <summary>Result</summary>
       ${this.#banner(solution, isGood)} ${sizeRows(this.app, solution)} ${quadsNote(this.app)}
       ${isGood ? nothing : this.#reasons(solution)} ${this.#dragged(solution)} ${this.#repairs()}
+      <p class="row">
+        ${this.app.doc.runs.length > 1 ? actionButton(this.app, 'compare', { className: 'small' }) : nothing}
+        ${actionButton(this.app, 'copy-link', { className: 'small', text: 'Copy a link' })}
+      </p>
       <details id="result-details" ?open=${!isGood}>
         <summary>Details</summary>
         ${this.#table(solution)} ${factList(statistics(solution))}

@@ -4,6 +4,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { attempt } from '../actions/app';
+import { isPreset, presets, usePreset } from '../actions/presets';
 import { realign, setSolve } from '../actions/solve';
 import { automaticCells, canAlign, gridOutcome } from '../model/grid';
 import type { GridSettings, SolveSettings } from '../model/types';
@@ -36,11 +37,11 @@ class SolvePanel extends Panel {
     if (!doc.usableModel) return nothing;
     return html`<details open id="panel-solve">
       <summary>Solve</summary>
-      ${this.#grid()} ${this.#improve()}
+      ${this.#presets()} ${this.#grid()} ${this.#improve()}
       <details id="solve-more">
         <summary>More: limits, frames, command line</summary>
         ${this.#limits()} ${this.#frames()} ${this.#estimate()}
-        <p>${actionButton(this.app, 'copy-command', { className: 'small' })}</p>
+        <p class="row">${actionButton(this.app, 'copy-command', { className: 'small' })}</p>
       </details>
     </details>`;
   }
@@ -53,6 +54,26 @@ class SolvePanel extends Panel {
   #setGrid(part: Partial<GridSettings>): void {
     void attempt(this.app, () => realign(this.app, part));
     this.requestUpdate();
+  }
+
+  #presets(): TemplateResult {
+    const { app } = this;
+    return html`<p class="row presets" role="group" aria-label="Settings for a purpose">
+      ${presets.map(
+        ({ id, label, hint }) =>
+          html`<button
+            type="button"
+            class="small"
+            data-preset=${id}
+            title=${hint}
+            aria-pressed=${isPreset(app, id)}
+            ?disabled=${app.doc.isBusy || (id !== 'few' && !canAlign(app.doc.prescription.q))}
+            @click=${() => void attempt(app, () => usePreset(app, id))}
+          >
+            ${label}
+          </button>`,
+      )}
+    </p>`;
   }
 
   #grid(): TemplateResult {

@@ -1,14 +1,47 @@
 // The page before a model is open: an animated result, a button for files, and examples.
 
-import { html, type TemplateResult } from 'lit';
+import { html, nothing, type TemplateResult } from 'lit';
 import { examples } from 'virtual:examples';
 import { attempt } from '../actions/app';
-import { openExample } from '../actions/open';
+import { open, openExample } from '../actions/open';
+import { clearRecent } from '../actions/recent';
 import { actionButton } from './action_button';
 import { Panel } from './panel';
 import './start_page.css';
 
 class StartPage extends Panel {
+  /** The files that were opened last. */
+  #recent(): TemplateResult | typeof nothing {
+    const { app } = this;
+    const { recent } = app.ui;
+    if (recent.length === 0) return nothing;
+    return html`<div class="recent" role="group" aria-label="Recent files">
+      <h3>or go on with</h3>
+      <p class="row">
+        ${recent.map(
+          (one) =>
+            html`<button
+              type="button"
+              data-recent=${one.id}
+              title=${new Date(one.time).toLocaleString()}
+              @click=${() => void attempt(app, () => open(app, new Map(one.files)))}
+            >
+              ${one.main}
+            </button>`,
+        )}
+        <button
+          type="button"
+          class="link"
+          id="forget-recent"
+          title="They are kept in this browser only"
+          @click=${() => void attempt(app, () => clearRecent(app))}
+        >
+          Forget these
+        </button>
+      </p>
+    </div>`;
+  }
+
   override render(): TemplateResult {
     const { app } = this;
     return html`<section class="empty" aria-label="Start">
@@ -26,6 +59,7 @@ class StartPage extends Panel {
           </p>
         </div>
       </div>
+      ${this.#recent()}
       <h3>or try an example</h3>
       <ul class="cards">
         ${examples.map(

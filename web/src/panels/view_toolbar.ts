@@ -42,7 +42,7 @@ const valueOf = (event: Event): string => (event.target as HTMLSelectElement).va
 
 /** The tools shown directly where there is little room; all others are in a menu. */
 const fewTools = ['orbit', 'place', 'frame'] as const;
-const allTools = [...fewTools, 'wire', 'seams'] as const;
+const allTools = [...fewTools, 'wire', 'seams', 'next-light', 'picture', 'turntable'] as const;
 
 class ViewToolbar extends Panel {
   override render(): TemplateResult {
@@ -86,6 +86,7 @@ class ViewToolbar extends Panel {
       <p class="row">${switches}</p>
       ${app.doc.displayed ? this.#looks() : nothing}
       <p class="row end">
+        ${(['next-light', 'picture', 'turntable'] as const).map((id) => actionButton(app, id, { isIconOnly: true }))}
         <button type="button" popovertarget="view-options" popovertargetaction="hide">Done</button>
       </p>
     </div>`;

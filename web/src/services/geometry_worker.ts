@@ -12,6 +12,7 @@ import { analyse, compareWithFile, urisOf, type FaceValues } from './geometry/an
 import { balancingCones } from './geometry/balance_cones';
 import { flatCrosses, surfaceCrosses } from './geometry/cross_lines';
 import { loopSegments } from './geometry/handle_loops';
+import { Mirror } from './geometry/mirror_plane';
 import { overlayColours } from './geometry/overlay_colours';
 import { poissonSamples, spacingOf, type Sample } from './geometry/poisson_samples';
 import { buffersIn, type GeometryCalls, type GeometryMessage } from './geometry/protocol';
@@ -29,6 +30,7 @@ interface KnownMap {
 
 const surfaces = new Map<number, Surface>();
 const maps = new Map<number, KnownMap>();
+const mirrors = new WeakMap<Surface, Mirror>();
 let lastSamples: { surface: number; spacing: number; samples: Sample[] } | undefined;
 
 function surfaceOf(id: number): Surface {
@@ -157,6 +159,12 @@ const calls: GeometryCalls = {
   surfaceBvh: (id) => bvhOf(surfaceOf(id).cornerPositions),
   mapBvh: (id) => bvhOf(mapOf(id).flatPositions),
   balance: (id, q, cones, left) => balancingCones(surfaceOf(id), q, cones, new Map(left)),
+  opposite(id, vertex) {
+    const surface = surfaceOf(id);
+    const mirror = mirrors.get(surface) ?? new Mirror(surface);
+    mirrors.set(surface, mirror);
+    return { vertex: mirror.opposite(vertex), hasPlane: mirror.plane !== undefined };
+  },
   forget(oldSurfaces, oldMaps) {
     for (const id of oldSurfaces) surfaces.delete(id);
     for (const id of oldMaps) maps.delete(id);

@@ -129,8 +129,8 @@ export class Orbit {
   }
 
   /** Switches parallel projection on or off; the apparent size at the centre does not change. */
-  setParallel(isOn: boolean): void {
-    if (isOn === this.isParallel) return;
+  toggleParallel(): void {
+    const isOn = !this.isParallel;
     const before = Math.tan(MathUtils.degToRad(this.#camera.fov / 2));
     this.#camera.fov = isOn ? parallel : usual;
     const factor = before / Math.tan(MathUtils.degToRad(this.#camera.fov / 2));

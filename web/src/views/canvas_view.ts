@@ -4,6 +4,9 @@
 import { Color, type Object3D, Scene, Vector2, WebGLRenderer, type Camera } from 'three';
 import { SlicedUploads } from './sliced_uploads';
 
+/** Pixels of a picture per CSS pixel. */
+const mostEnlarged = 6;
+
 /** The frame in which a view was last drawn: the other view waits for the next, so that each task is short. */
 let lastFrame = -1;
 const stages = new Set<CanvasView>();
@@ -172,6 +175,29 @@ export abstract class CanvasView {
 
   protected render(): void {
     this.renderer.render(this.scene, this.camera);
+  }
+
+  /** What the view shows, at least `width` pixels wide where that is possible. */
+  async picture(width: number): Promise<Blob> {
+    const { clientWidth, clientHeight } = this.canvas;
+    if (this.#isHidden || this.#isLost) throw new Error('the view is not on the screen');
+    const ratio = Math.min(mostEnlarged, Math.max(this.#pixelRatio, width / clientWidth));
+    this.renderer.setDrawingBufferSize(clientWidth, clientHeight, ratio);
+    for (const step of this.#before) step();
+    this.render();
+    // The picture is taken before toBlob returns.
+    const made = new Promise<Blob | null>((done) => this.canvas.toBlob(done, 'image/png'));
+    this.renderer.setDrawingBufferSize(clientWidth, clientHeight, this.#pixelRatio);
+    this.render();
+    const blob = await made;
+    if (!blob) throw new Error('the browser could not make a picture');
+    return blob;
+  }
+
+  /** What is behind the drawing: a colour, or nothing. */
+  setBacking(colour: string | undefined): void {
+    this.renderer.setClearColor(new Color(colour ?? 0), colour === undefined ? 0 : 1);
+    this.draw();
   }
 
   resize(): void {

@@ -20,12 +20,14 @@ import type { ScenePart, SerializedBvh } from '../model/scene';
 import type { Look, Solution, Surface } from '../model/types';
 import { Orbit, type Shape } from './camera';
 import { CanvasView, nearestOf, type Hit } from './canvas_view';
+import { ContactShadow } from './contact_shadow';
 import { ConeMarkers, type Marker } from './cone_markers';
 import { bvhAtOnce, bvhFrom, setTint, surfaceGeometry } from './corner_geometry';
 import type { OwnInstance, OwnScene } from './gltf_scene';
 import { LiveGeometry } from './live_geometry';
 import {
   setImage,
+  setLight,
   setPalette,
   setPattern,
   surfaceMaterial,
@@ -53,6 +55,7 @@ export class ModelView extends CanvasView {
   #solution?: Solution;
   #bvh?: MeshBVH;
   #image?: ImageBitmap;
+  readonly #shadow = new ContactShadow();
   readonly #others = new WholeScene(this.#toStudio);
   #original?: OwnScene;
   /** The instance of the open mesh in it. */
@@ -63,8 +66,8 @@ export class ModelView extends CanvasView {
 
   constructor(canvas: HTMLCanvasElement) {
     super(canvas);
-    this.scene.add(this.#mesh, this.#others, this.#marks, this.#markers, this.#ghost);
-    this.scene.add(this.#quads);
+    this.scene.add(this.#mesh, this.#others, this.#shadow, this.#quads);
+    this.scene.add(this.#marks, this.#markers, this.#ghost);
     this.#mesh.visible = false;
     this.#mesh.frustumCulled = false; // it is nearly always visible
     this.#ghost.setStyle(1.1, 0.75);
@@ -110,6 +113,7 @@ export class ModelView extends CanvasView {
       for (const markers of [this.#markers, this.#ghost]) markers.setLift(0.08 * surface.radius);
       if (isNew) this.#frame(surface, parts, isSameFile);
     }
+    this.#shadow.show(shapeOf(parts)?.places ?? surface?.places);
     this.#showOriginal();
     this.draw();
   }
@@ -145,6 +149,8 @@ export class ModelView extends CanvasView {
       setPattern(material, look.pattern, { q, scale, isAligned: isAligned(solution) });
     }
     setPalette(material, palette);
+    setLight(look.light);
+    this.#studio.isFromSide = look.light === 'side';
     material.uniforms.dim.value = isStale ? 0.65 : 0;
     if (look.image && look.image !== this.#image) setImage(material, (this.#image = look.image));
     this.canvas.dataset.seams = look.seams;
@@ -339,10 +345,5 @@ export class ModelView extends CanvasView {
   centre(event: Place): void {
     const hit = this.pick(event);
     if (hit) this.lookAt(hit.vertex);
-  }
-
-  toggleParallel(): void {
-    this.orbit.setParallel(!this.orbit.isParallel);
-    this.draw();
   }
 }

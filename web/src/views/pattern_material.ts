@@ -12,7 +12,7 @@ import {
   SRGBColorSpace,
   Texture,
 } from 'three';
-import type { Pattern } from '../model/types';
+import { lights, type Light, type Pattern } from '../model/types';
 import { irradiance } from './studio_light';
 
 const vertexShader = /* glsl */ `
@@ -43,6 +43,7 @@ uniform bool isAligned;
 uniform float lit;
 uniform float irradiance[9];
 uniform mat3 toStudio; // from the coordinates of the eye
+uniform int light;
 uniform float dim;
 uniform bool isMirrored;
 uniform vec3 paper;
@@ -174,9 +175,15 @@ void main() {
   base = mix(base, vTint.rgb, vTint.a);
   bool isBack = gl_FrontFacing == isMirrored;
   vec3 n = normalize(vNormal + vec3(0.0, 0.0, 1e-12)) * (isBack ? -1.0 : 1.0);
-  float light = mix(1.0, reflected(toStudio * n), lit);
-  if (lit > 0.5 && isBack) light *= 0.55;
-  base *= light;
+  float shade = mix(1.0, reflected(toStudio * n), lit);
+  if (lit > 0.5 && light == 2) {
+    float facing = 0.5 + 0.5 * dot(n, normalize(vec3(0.3, 0.6, 0.75)));
+    shade = 0.16 + 0.84 * facing * facing;
+    base += 0.4 * pow(max(dot(n, normalize(vec3(0.35, 0.5, 0.8))), 0.0), 36.0);
+  }
+  if (light == 3) shade = 1.0;
+  else if (lit > 0.5 && isBack) shade *= 0.55;
+  base *= shade;
   float grey = dot(base, vec3(0.3, 0.6, 0.1));
   base = mix(base, mix(vec3(grey), paper, 0.55), dim);
   colour = vec4(base, 1.0);
@@ -187,6 +194,14 @@ const numbers: Record<Pattern, number> = {
   ...{ plain: 0, material: 0, cross: 1, grid: 2, checker: 3, hex: 4, circles: 5, image: 6 },
   ...{ brick: 7, wood: 8, plaid: 9 },
 };
+
+/** Of all surfaces that are lit, as there is one 3D view. */
+const sharedLight = { value: 0 };
+const noLight = { value: 0 };
+
+export function setLight(light: Light): void {
+  sharedLight.value = lights.indexOf(light);
+}
 
 export interface Palette {
   paper: Color;
@@ -218,6 +233,7 @@ export function surfaceMaterial(isLit: boolean, toStudio = new Matrix3()): Shade
       lit: { value: isLit ? 1 : 0 },
       irradiance: { value: irradiance },
       toStudio: { value: toStudio },
+      light: isLit ? sharedLight : noLight,
       dim: { value: 0 },
       isMirrored: { value: false },
       paper: { value: new Color(0xdfe5ec) },

@@ -1,6 +1,7 @@
 // One object of each kind that the views draw.
 
 import { BufferAttribute, BufferGeometry, Color, Mesh, type Object3D } from 'three';
+import { ContactShadow } from './contact_shadow';
 import { Lines, Wire } from './lines';
 import { ConeMarkers } from './cone_markers';
 import { surfaceMaterial } from './pattern_material';
@@ -19,5 +20,9 @@ export function oneOfEach(isLit: boolean): Object3D[] {
   wire.set(geometry, new Color(0));
   const markers = new ConeMarkers(isLit);
   markers.show([{ at: [0, 0, 0], k: 1, q: 4, isSelected: false, isBad: false }]);
-  return [new Mesh(geometry, surfaceMaterial(isLit)), lines, wire, markers];
+  const all = [new Mesh(geometry, surfaceMaterial(isLit)), lines, wire, markers];
+  if (!isLit) return all;
+  const shadow = new ContactShadow();
+  shadow.show([0, 0, 0, 1, 0, 1]);
+  return [...all, shadow];
 }

@@ -53,6 +53,8 @@ export function radiance(x: number, y: number, z: number): number {
   return sum;
 }
 
+const sideways = 1.1; // radians
+
 const [width, height] = [512, 256];
 
 /** Calls with the direction and the solid angle of each pixel of the equirectangular picture, by rows from below. */
@@ -112,6 +114,12 @@ export class StudioLight {
     renderer.toneMapping = NeutralToneMapping; // of materials, not of patterns
   }
 
+  /** Turns the studio, so that the strongest lamp is at the side. */
+  set isFromSide(isOn: boolean) {
+    this.#turned = isOn ? sideways : 0;
+  }
+  #turned = 0;
+
   /** Lights materials. */
   lightMaterials(): void {
     if (this.#scene.environment) return;
@@ -132,7 +140,7 @@ export class StudioLight {
   /** The studio follows the camera around its target, but stays upright. */
   turn(camera: Camera, target: Vector3): void {
     const back = camera.position.clone().sub(target);
-    const around = Math.atan2(back.x, back.z);
+    const around = Math.atan2(back.x, back.z) + this.#turned;
     this.#scene.environmentRotation.set(0, around, 0);
     const eye = new Matrix4().makeRotationY(-around).multiply(camera.matrixWorld);
     this.#toStudio.setFromMatrix4(eye);

@@ -45,6 +45,8 @@ export interface GeometryCalls {
   surfaceBvh(surface: number): SerializedBvh;
   mapBvh(id: number): SerializedBvh;
   balance(surface: number, q: number, cones: readonly Cone[], left: [number, number][]): Cone[];
+  /** The vertex opposite to one in the plane of symmetry: itself if it is on the plane, −1 if there is none. */
+  opposite(surface: number, vertex: number): { vertex: number; hasPlane: boolean };
   forget(surfaces: number[], maps: number[]): void;
 }
 

@@ -1,0 +1,77 @@
+// The files that were opened last, in this browser only: they never leave it, and one click forgets them.
+
+import type { Recent } from '../model/recent';
+
+const most = 6;
+const mostBytes = 48 * 2 ** 20;
+const database = 'hgp-recent';
+
+function opened(mode: IDBTransactionMode): Promise<IDBObjectStore> {
+  return new Promise((resolve, reject) => {
+    const opening = indexedDB.open(database, 1);
+    opening.onupgradeneeded = () => opening.result.createObjectStore('files', { keyPath: 'id' });
+    opening.onerror = () => reject(opening.error ?? new Error('no storage'));
+    opening.onsuccess = () => {
+      const transaction = opening.result.transaction('files', mode);
+      transaction.oncomplete = () => opening.result.close();
+      resolve(transaction.objectStore('files'));
+    };
+  });
+}
+
+const answer = <T>(request: IDBRequest<T>): Promise<T> =>
+  new Promise((resolve, reject) => {
+    request.onsuccess = () => resolve(request.result);
+    request.onerror = () => reject(request.error ?? new Error('storage failed'));
+  });
+
+const isRecent = (value: unknown): value is Recent => {
+  const { id, main, time, files } = (value ?? {}) as Partial<Recent>;
+  return (
+    typeof id === 'string' &&
+    typeof main === 'string' &&
+    typeof time === 'number' &&
+    Array.isArray(files) &&
+    files.every((one) => Array.isArray(one) && one[1] instanceof Blob)
+  );
+};
+
+/** The newest first; none where storage is not allowed. */
+export async function recentFiles(): Promise<Recent[]> {
+  try {
+    const all: unknown[] = await answer((await opened('readonly')).getAll());
+    return all.filter(isRecent).sort((a, b) => b.time - a.time);
+  } catch {
+    return [];
+  }
+}
+
+/** Stores files, unless they are large; the oldest give way. */
+export async function keepRecent(
+  id: string,
+  main: string,
+  files: ReadonlyMap<string, Blob | Uint8Array>,
+): Promise<void> {
+  const blobs = [...files].map(([name, content]): [string, Blob] => [
+    name,
+    content instanceof Blob ? content : new Blob([content as BlobPart]),
+  ]);
+  if (blobs.reduce((sum, [, blob]) => sum + blob.size, 0) > mostBytes) return;
+  try {
+    const store = await opened('readwrite');
+    store.put({ id, main, time: Date.now(), files: blobs } satisfies Recent);
+    const all: unknown[] = await answer(store.getAll());
+    const old = all.filter(isRecent).sort((a, b) => b.time - a.time);
+    for (const one of old.slice(most)) store.delete(one.id);
+  } catch {
+    // The page works without storage.
+  }
+}
+
+export async function forgetRecent(): Promise<void> {
+  try {
+    (await opened('readwrite')).clear();
+  } catch {
+    // There is nothing to forget.
+  }
+}

@@ -75,6 +75,18 @@ class Session {
     });
   }
 
+  val logScale(const std::string& cones) const {
+    return guarded([&] {
+      const auto asked = api::readPrescription("cones.json", cones, 0);
+      if (!asked) return failed(asked.error());
+      const Result<std::vector<float>> scale = session_.logScale(*asked);
+      if (!scale) return failed(scale.error());
+      val reply = val::object();
+      reply.set("logScale", toTypedArray("Float32Array", *scale));
+      return reply;
+    });
+  }
+
   val suggestCones(const std::string& options, const val& onProgress) const {
     return guarded([&] {
       const auto how = toSolveOptions(options, onProgress);
@@ -240,6 +252,7 @@ EMSCRIPTEN_BINDINGS(hgp) {
       .function("surface", &Session::surface)
       .function("readCones", &Session::readCones)
       .function("embeddedCones", &Session::embeddedCones)
+      .function("logScale", &Session::logScale)
       .function("suggestCones", &Session::suggestCones)
       .function("parametrize", &Session::parametrize)
       .function("verify", &Session::verify)

@@ -190,6 +190,80 @@ test('a run with the cones of a drag depends on nothing else', () =>
     assert.notDeepEqual(fresh.uv, dropped.uv);
   }));
 
+test('a run that keeps the worker stops at its next step, and leaves maps and later runs as they would be', async () => {
+  const { client, messages, workers } = await watched();
+  const { map, model, cone, track } = await mapped(client);
+  const moved = { ...map.cones, cones: map.cones.cones.map((one) => ({ ...one })) };
+  moved.cones.find(({ vertex }) => vertex === cone).vertex = track[0];
+  const stop = new AbortController();
+  const stages = [];
+  const onProgress = ({ stage }) => {
+    stages.push(stage);
+    stop.abort();
+  };
+  const call = { signal: stop.signal, keepWorker: true, onProgress };
+  await assert.rejects(model.parametrize({ cones: moved }, call), { name: 'AbortError' });
+  assert.equal(stages.length, 1, 'nothing is reported of a call that was aborted');
+  await assert.rejects(model.parametrize({ cones: moved }, call), { name: 'AbortError' });
+  const waiting = new AbortController();
+  const busy = model.parametrize({ q: 2 });
+  const never = model.inspect({ signal: waiting.signal, keepWorker: true });
+  waiting.abort();
+  await assert.rejects(never, { name: 'AbortError' });
+  await busy;
+  messages.length = 0;
+  const drag = await map.beginDrag(cone);
+  assertCertified(map.triangles, await drag.dragTo(track[0]));
+  await drag.dispose();
+  assert.ok(
+    messages.every(({ restore }) => restore.length === 0),
+    'everything is still there',
+  );
+  const run = await model.parametrize({ cones: moved }, { keepWorker: true });
+  const alone = await withClient(async (other) => {
+    const again = await other.loadMesh(arraysOf(cubeMesh(12)));
+    return again.parametrize({ cones: moved });
+  });
+  assert.deepEqual(run.uv, alone.uv);
+  assert.equal(workers.length, 1);
+  client.terminate();
+});
+
+test('a map that was finished when its run was aborted does not stay in the worker', async () => {
+  const { client, messages, workers } = await watched();
+  const { model } = await mapped(client);
+  messages.length = 0;
+  const stop = new AbortController();
+  const late = model.parametrize({ q: 2 }, { signal: stop.signal, keepWorker: true });
+  const answered = new Promise((done) => {
+    workers[0].on('message', ({ result }) => result && done());
+  });
+  // The answer is there before the client reads it: both happen in one turn.
+  workers[0].prependOnceListener('message', () => stop.abort());
+  await answered;
+  await assert.rejects(late, { name: 'AbortError' });
+  await model.inspect();
+  assert.deepEqual(
+    messages.map(({ method }) => method),
+    ['parametrize', 'release', 'inspect'],
+  );
+  client.terminate();
+});
+
+test('the scale of cones is that of their map, before there is one', () =>
+  withClient(async (client) => {
+    const { map, model, cone, track } = await mapped(client);
+    const drag = await map.beginDrag(cone);
+    const { cones, logScale } = await drag.dragTo(track[0]);
+    const scale = await model.logScale(cones);
+    assert.equal(scale.length, logScale.length);
+    assert.ok(scale.every((u, v) => Math.abs(u - logScale[v]) < 1e-4));
+    assert.ok(Math.max(...scale) - Math.min(...scale) > 0.1);
+    const few = { ...cones, cones: cones.cones.slice(1) };
+    await assert.rejects(model.logScale(few), { code: 'prescription' });
+    await assert.rejects(model.logScale({}), { code: 'usage' });
+  }));
+
 test('what cannot be dragged is refused with what can be done', () =>
   withClient(async (client) => {
     const { map, cone, track } = await mapped(client);

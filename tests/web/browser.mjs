@@ -141,13 +141,23 @@ function watch(page, url, problems) {
   });
 }
 
+/** Whether a run follows an edit by itself must not depend on how fast this machine is. */
+function onlyByRun() {
+  try {
+    localStorage.setItem('hgp-automatic', 'off');
+  } catch {
+    // Where nothing can be stored, tests do not edit.
+  }
+}
+
 const pages = new Map();
-async function openPage(flags, options) {
+async function openPage(flags, { isAutomatic, ...options }) {
   const { url } = await open();
   const browser = await browserWith(flags);
   const context = await browser.newContext({
     ...{ acceptDownloads: true, reducedMotion: 'reduce', ...options },
   });
+  if (!isAutomatic) await context.addInitScript(onlyByRun);
   const page = await context.newPage();
   page.setDefaultTimeout(Number(process.env.HGP_TIMEOUT ?? 60_000));
   const problems = [];
@@ -176,10 +186,11 @@ export function useBrowser({
   deviceScaleFactor = 0.5, // a quarter of the pixels that software has to paint
   antialias = false, // with it, software has to paint four times as many
   serviceWorkers = 'block', // precaching would only slow the other tests down
+  isAutomatic = false, // whether the page decides about runs after edits, as it does for everybody
   ...more
 } = {}) {
   const it = { allowed: [] };
-  const options = { deviceScaleFactor, serviceWorkers, ...more };
+  const options = { deviceScaleFactor, serviceWorkers, isAutomatic, ...more };
   const all = antialias ? flags : ['--webgl-antialiasing-mode=none', ...flags];
   const key = JSON.stringify([all, options]);
   const prepare = async () => {

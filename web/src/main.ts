@@ -3,6 +3,7 @@
 import { effect, untracked } from '@preact/signals-core';
 import type { App } from './actions/app';
 import { attempt } from './actions/app';
+import { watchEdits } from './actions/follow_edits';
 import { watchCones } from './actions/check_cones';
 import { setPrescription } from './actions/edit_cones';
 import { watchMemory } from './actions/free_unused';
@@ -191,6 +192,7 @@ async function start(): Promise<void> {
   watchCones(app);
   watchThumbnails(app);
   watchMemory(app);
+  watchEdits(app);
   addEventListener('beforeunload', (event) => {
     if (doc.job?.kind === 'run' || doc.isUnsaved) event.preventDefault();
   });

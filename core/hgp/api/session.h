@@ -78,10 +78,10 @@ class Session {
   MapArrays release();        ///< moves the arrays of the result out, which ends it
 
   Result<MapMeasures> measure() const;  ///< of the result, for overlays and statistics
-  /// Facts on the loaded surface, whether usable or not.
-  Result<SurfaceFacts> facts() const;
-  /// Boundary loops and handle generators, in the order in which a prescription numbers them.
-  Result<SurfaceLoops> loops() const;
+  Result<SurfaceFacts> facts() const;   ///< on the loaded surface, whether usable or not
+  Result<SurfaceLoops> loops() const;   ///< in the order in which a prescription numbers them
+  /// The log conformal factor of a prescription by surface vertex; NaN on components of which nothing is prescribed.
+  Result<std::vector<float>> logScale(const prescription::Prescription& prescription) const;
 
   bool isAligned() const;  ///< every component, to the grid that the options asked for
   /// The cells of a result that is aligned in quad mode, as an OBJ of quads or, if `name` ends in .glb, as a GLB

@@ -146,5 +146,52 @@ TEST(LiveDrag, RefusesWhatIsNoConeAndSessionsWithoutAMap) {
   EXPECT_EQ(elsewhere.error().code, ErrorCode::kUsage);
 }
 
+TEST(LogScale, IsThatOfTheRunAndKeepsNothingThatARunWouldSee) {
+  Dragged on;
+  const auto cones = readPrescription("c.json", on.session.conesJson(), 4);
+  ASSERT_TRUE(cones);
+  Result<LiveDrag> drag = LiveDrag::begin(on.session, on.cone);
+  ASSERT_TRUE(drag);
+  const Result<LiveView> view = drag->moveTo(on.beside);
+  ASSERT_TRUE(view);
+  prescription::Prescription moved = *cones;
+  for (prescription::PrescribedCone& c : moved.cones)
+    if (c.vertex == on.cone) c.vertex = on.beside;
+  const Result<std::vector<float>> scale = on.session.logScale(moved);
+  ASSERT_TRUE(scale) << scale.error().message;
+  ASSERT_EQ(scale->size(), view->logScale.size());
+  double spread = 0.0;
+  for (std::size_t v = 0; v < scale->size(); ++v) {
+    ASSERT_FALSE(std::isnan((*scale)[v])) << "both components have cones";
+    if (std::isnan(view->logScale[v])) continue;
+    spread = std::max(spread, std::fabs(static_cast<double>((*scale)[v] - view->logScale[v])));
+  }
+  EXPECT_LT(spread, 1e-4);
+
+  ASSERT_TRUE(on.session.parametrize(moved, {}));
+  Session other;
+  const MeshData mesh = twoSpheres();
+  ASSERT_TRUE(other.loadArrays(mesh.positions, mesh.triangles, {}));
+  ASSERT_TRUE(other.parametrize(moved, {}));
+  EXPECT_EQ(on.session.uv(), other.uv());
+}
+
+TEST(LogScale, IsUnknownWhereNothingIsPrescribedAndRefusesWhatHasNoMap) {
+  Dragged on;
+  const auto cones = readPrescription("c.json", on.session.conesJson(), 4);
+  prescription::Prescription few = *cones;
+  few.cones.clear();
+  few.handles.clear();
+  const Result<std::vector<float>> none = on.session.logScale(few);
+  ASSERT_TRUE(none);
+  for (const float u : *none) ASSERT_TRUE(std::isnan(u));
+  few = *cones;
+  few.cones.pop_back();
+  const Result<std::vector<float>> bad = on.session.logScale(few);
+  ASSERT_FALSE(bad);
+  EXPECT_EQ(bad.error().code, ErrorCode::kPrescription);
+  EXPECT_FALSE(Session().logScale(few));
+}
+
 }  // namespace
 }  // namespace hgp::api

@@ -55,6 +55,7 @@ export interface Session {
   loadMesh(positions: ArrayLike<number>, triangles: ArrayLike<number>, options: string): JsonReply;
   inspect(): JsonReply;
   check(cones: string): JsonReply;
+  logScale(cones: string): Reply<{ logScale: Float32Array }>;
   surface(): Reply<import('./lib/results.js').Surface>;
   readCones(name: string, text: string, q: number): JsonReply;
   embeddedCones(): Reply<{ json?: string }>;

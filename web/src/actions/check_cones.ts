@@ -25,8 +25,9 @@ export function watchCones(app: App): () => void {
   const { doc } = app;
   let last: { prescription?: Prescription; surface?: Model['surface'] } = {};
   return effect(() => {
-    const { prescription, usableModel, hasUserCones, budget, isBusy, objection, live } = doc;
-    if (isBusy || live || !usableModel || !hasUserCones || !budget) return;
+    const { prescription, usableModel, hasUserCones, budget, isBusy, objection, live, automatic } =
+      doc;
+    if (isBusy || (live && !automatic) || !usableModel || !hasUserCones || !budget) return;
     const { surface } = usableModel;
     if (objection?.prescription === prescription && objection.surface === surface) return;
     if (!budget.isReady || (last.prescription === prescription && last.surface === surface)) return;

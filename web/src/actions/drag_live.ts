@@ -2,19 +2,20 @@
 // when the cone is dropped, the map of its place is stored and becomes the result.
 
 import type { Drag, DragFrame, SupersededFrame, UvMap } from 'hgp';
-import { sameTiles } from '../model/grid';
 import { beforeFirst, liveMapOf } from '../model/live';
 import { samePrescription, type Prescription } from '../model/prescription';
 import type { Model, Solution } from '../model/types';
 import { isCertified } from '../model/verdict';
 import type { App } from './app';
 import { setPrescription } from './edit_cones';
-import { numbersOf, requestOf, run, writeSolution } from './solve';
+import { keepSolution, numbersOf, requestOf, run, writeSolution } from './solve';
 
 interface Going {
   base: Solution;
   /** Index of the cone. */
   cone: number;
+  /** Its vertex when the button was pressed: elsewhere than in `base` if a map of this place is missing. */
+  pressed: number;
   drag: Promise<Drag>;
   /** The vertex that was asked for last. */
   wanted: number;
@@ -27,19 +28,34 @@ const goingIn = new WeakMap<App, Going>();
 /** The end of the last drag, before which none begins. */
 const storingIn = new WeakMap<App, Promise<void>>();
 
-/** The map of a prescription that a cone can take with it; undefined if maps have to be made by Run. */
-function baseOf({ doc }: App, prescription: Prescription): Solution | undefined {
+/** While a cone is held, no map is made by itself: the solver is free for its frames. */
+function noteHold(app: App): void {
+  app.ui.holdsCone = pressIn.has(app) || storingIn.has(app);
+}
+
+/** The prescription with a cone at the vertex at which another one has it. */
+function withConeOf(prescription: Prescription, other: Prescription, cone: number): Prescription {
+  const { vertex } = other.cones[cone] ?? {};
+  if (vertex === undefined) return prescription;
+  const cones = prescription.cones.map((one, i) => (i === cone ? { ...one, vertex } : one));
+  return { ...prescription, cones };
+}
+
+/** The map that a cone can take with it, whatever its own place in it; undefined if maps have to be made by Run. */
+function baseOf({ doc }: App, prescription: Prescription, cone: number): Solution | undefined {
   const { solutions, usableModel, isBusy, solve } = doc;
   if (!usableModel || isBusy || solve.frames === 'file') return undefined;
-  return solutions.findLast(
-    (one) =>
-      samePrescription(one.prescription, prescription) &&
-      one.surfaceId === usableModel.surface.id &&
-      one.improve === solve.improve &&
-      one.map.model === usableModel.solver &&
-      !one.map.isDisposed &&
-      isCertified(one),
-  );
+  const isHere = (one: Solution): boolean => samePrescription(one.prescription, prescription);
+  const isBeside = (one: Solution): boolean =>
+    samePrescription(one.prescription, withConeOf(prescription, one.prescription, cone));
+  const isUsable = (one: Solution): boolean =>
+    one.surfaceId === usableModel.surface.id &&
+    one.improve === solve.improve &&
+    one.map.model === usableModel.solver &&
+    !one.map.isDisposed &&
+    isCertified(one);
+  const usable = solutions.filter(isUsable);
+  return usable.findLast(isHere) ?? usable.findLast(isBeside);
 }
 
 /** Prepares the map for a cone that is about to be dragged. */
@@ -47,12 +63,15 @@ export async function beginLive(app: App, cone: number): Promise<void> {
   const { prescription } = app.doc;
   const press = {};
   pressIn.set(app, press);
+  noteHold(app);
   await storingIn.get(app);
-  const base = baseOf(app, prescription);
-  const vertex = prescription.cones[cone]?.vertex;
+  const base = baseOf(app, prescription, cone);
+  const vertex = base?.prescription.cones[cone]?.vertex;
   if (!base || vertex === undefined || pressIn.get(app) !== press) return;
   const drag = base.map.beginDrag(vertex);
-  const going: Going = { base, cone, drag, wanted: vertex, latest: Promise.resolve(undefined) };
+  const pressed = prescription.cones[cone].vertex;
+  const latest = Promise.resolve(undefined);
+  const going: Going = { base, cone, pressed, drag, wanted: vertex, latest };
   goingIn.set(app, going);
   dragLive(app); // the hand may have moved already
   try {
@@ -84,6 +103,7 @@ export function dragLive(app: App): void {
 export function cancelLive(app: App): void {
   pressIn.delete(app);
   if (!storingIn.has(app)) endLive(app);
+  noteHold(app);
 }
 
 function endLive(app: App): void {
@@ -97,15 +117,17 @@ function endLive(app: App): void {
 export async function dropLive(app: App, step: string): Promise<void> {
   const going = goingIn.get(app);
   pressIn.delete(app);
-  if (!going) return;
+  if (!going) return noteHold(app);
   const start = going.base.prescription.cones[going.cone]?.vertex;
-  if (going.wanted === start) return cancelLive(app);
+  const now = app.doc.prescription.cones[going.cone]?.vertex;
+  if (going.wanted === start || now === going.pressed) return cancelLive(app);
   const storing = store(app, going, step);
   storingIn.set(app, storing);
   try {
     await storing;
   } finally {
     storingIn.delete(app);
+    noteHold(app);
   }
 }
 
@@ -124,9 +146,7 @@ async function store(app: App, going: Going, step: string): Promise<void> {
     if (doc.model !== model || doc.settings !== settings) return;
     if (doc.prescription === prescription && dropped !== prescription)
       setPrescription(app, dropped, step);
-    doc.look = sameTiles(doc.look, model.surface, going.base, solution);
-    doc.solutions = [...doc.solutions.slice(-2), solution];
-    doc.isUnsaved = true;
+    keepSolution(app, solution, going.base);
     if (doc.current === solution) sayDropped(app, solution);
   } finally {
     if (goingIn.get(app) === going) endLive(app);

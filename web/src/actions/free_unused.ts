@@ -65,7 +65,8 @@ export function watchMemory(app: App): () => void {
   return effect(() => {
     void [doc.model, doc.solutions, doc.meshes];
     clearTimeout(timer);
+    const isOver = (): boolean => !doc.isBusy && !doc.automatic;
     // Actions change several members, some of them when their job is over.
-    if (!doc.isBusy) timer = setTimeout(() => untracked(() => !doc.isBusy && freeUnused(app)));
+    if (isOver()) timer = setTimeout(() => untracked(() => isOver() && freeUnused(app)));
   });
 }

@@ -11,6 +11,8 @@ import { solverOf, type App } from './app';
 export interface JobCall {
   signal: AbortSignal;
   onProgress(progress: Progress): void;
+  /** The solver stops at its next step and is not ended. */
+  keepWorker?: boolean;
 }
 
 /** How a job ended; `replaced`: another one, or another file, took its place. */

@@ -171,10 +171,12 @@ export async function switchMesh(app: App, index: number): Promise<void> {
   doc.isUnsaved = isUnsaved;
 }
 
-function restoreWork({ doc }: App, { history, solutions, hasUserCones }: MeshWork): void {
+function restoreWork({ doc }: App, work: MeshWork): void {
+  const { history, solutions, hasUserCones, firstRun } = work;
   doc.history = history;
   doc.solutions = solutions;
   doc.hasUserCones = hasUserCones;
+  doc.firstRun = firstRun;
 }
 
 /** Opens a mesh that was open before: the solver reads it again if it has not kept it, the rest is restored. */

@@ -9,9 +9,8 @@ import {
   type WriteOptions,
   type Written,
 } from 'hgp';
-import { bytesOf, relativeName } from '../formats/glb';
 import { plainOutput } from '../model/document';
-import { gridOutcome, gridTilesPerUnit } from '../model/grid';
+import { gridOutcome, gridTilesPerUnit, sameTiles } from '../model/grid';
 import { fromCones, toCones } from '../model/prescription';
 import type {
   GridSettings,
@@ -36,12 +35,13 @@ import { balancedStep } from './cone_steps';
 import { copyCommand } from './copy_command';
 import { setPrescription } from './edit_cones';
 import { isLocked, runJob, stageStart, type JobCall, type JobOutcome } from './job';
+import { sideFiles } from './side_files';
 import { showPlaces } from './view';
 
 const isLost = (error: unknown): boolean =>
   error instanceof HgpError && error.code === 'worker-lost';
 
-function sayRunFailure(app: App, error: unknown): void {
+export function sayRunFailure(app: App, error: unknown): void {
   const { doc } = app;
   const text = describeError(error, doc.model?.main ?? '');
   if (isLost(error)) {
@@ -129,7 +129,12 @@ export function whyNotRun({ doc, client }: App): string {
  * Solves the prescription and writes the file; the map that is shown is read back from this file. Prescribed and
  * automatic cones are treated in the same way.
  */
-async function solve(app: App, model: Model, output: Output, call: JobCall): Promise<Solution> {
+export async function solve(
+  app: App,
+  model: Model,
+  output: Output,
+  call: JobCall,
+): Promise<Solution> {
   const { doc } = app;
   const { rounds, improve, frames, grid } = doc.solve;
   const { turnings, handles, q } = doc.prescription;
@@ -148,29 +153,26 @@ async function solve(app: App, model: Model, output: Output, call: JobCall): Pro
     ? fromCones(map.cones, turnings.length, handles.length)
     : doc.prescription;
   const request = { prescription, settings: model.loaded, improve, frames, grid, cells, output };
-  return writeSolution(app, model, request, { map, result: numbersOf(map) }, call);
+  try {
+    return await writeSolution(app, model, request, { map, result: numbersOf(map) }, call);
+  } catch (error) {
+    if (call.keepWorker) void map.dispose();
+    throw error;
+  }
+}
+
+/** Makes a solution the newest. @param before  what was shown before */
+export function keepSolution({ doc }: App, solution: Solution, before?: Solution): void {
+  const surface = doc.model?.surface;
+  if (before && surface) doc.look = sameTiles(doc.look, surface, before, solution);
+  doc.solutions = [...doc.solutions.slice(-2), solution];
+  doc.isUnsaved = true;
 }
 
 export const writeOptions = ({ uvSet, embedCones, usesNewSet }: Output): WriteOptions => ({
   ...{ allowUncertified: true, embedCones, use: usesNewSet },
   ...(uvSet === undefined ? {} : { uvSet }),
 });
-
-/** The files to which a written .gltf refers without including them: existing buffers and images. */
-async function sideFiles(app: App, { files }: Model, written: OutputFile[]): Promise<OutputFile[]> {
-  const [main] = written;
-  if (!/\.gltf$/i.test(main.name)) return [];
-  const answer = await app.geometry.call('urisOf', [main]);
-  const found = new Map<string, Uint8Array>();
-  for (const uri of answer.uris) {
-    const name = relativeName(uri);
-    const file = name === undefined ? undefined : files.get(name);
-    if (!name || !file || written.some((one) => one.name === name)) continue;
-    // A copy, because it is transferred to the worker that reads it back.
-    found.set(name, (await bytesOf(file)).slice());
-  }
-  return [...found].map(([name, bytes]) => ({ name, bytes }));
-}
 
 /** Whether a note is settled: it asks to keep a file next to the new one, and the download includes that file. */
 const isSettled = ({ code, words }: Note, files: OutputFile[]): boolean =>
@@ -290,7 +292,7 @@ export function denserButton(app: App, solution: Solution): MessageAction[] {
   return [{ label: `Align with ${count(cells)} cells`, run: () => realign(app, { cells }) }];
 }
 
-function sayVerdict(app: App, solution: Solution, isOpen: boolean): void {
+export function sayVerdict(app: App, solution: Solution, isOpen: boolean): void {
   const { doc } = app;
   const cones = solution.prescription.cones.length;
   const chosen = isOpen && cones > 0 ? ` (${plural(cones, 'cone')} suggested)` : '';
@@ -320,12 +322,13 @@ export async function run(app: App): Promise<RunOutcome> {
   }
   const model = doc.usableModel!;
   const isOpen = doc.needsCones && !usesField(app);
+  const begin = performance.now();
   return running(app, 'Running', async (call) => {
     const solution = await solve(app, model, doc.displayed?.output ?? plainOutput, call);
     doc.job = undefined;
     if (isOpen) setPrescription(app, solution.prescription, 'suggest cones');
-    doc.solutions = [...doc.solutions.slice(-2), solution];
-    doc.isUnsaved = true;
+    doc.firstRun ??= performance.now() - begin;
+    keepSolution(app, solution);
     sayVerdict(app, solution, isOpen);
   });
 }

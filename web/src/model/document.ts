@@ -50,12 +50,17 @@ export interface MeshWork {
   readonly history: History<Step>;
   readonly solutions: readonly Solution[];
   readonly hasUserCones: boolean;
+  readonly firstRun: number | undefined;
 }
 
 interface Fields {
   state: DocumentState;
   job: Job | undefined;
-  /** The map of a cone that is being dragged. */
+  /** The map that is being made without Run; the document can be edited meanwhile. */
+  automatic: { readonly controller: AbortController; readonly stage: string } | undefined;
+  /** Milliseconds that the first run on this mesh took. */
+  firstRun: number | undefined;
+  /** What is shown instead of a map: of a cone that is being dragged, or the scale of cones whose map is being made. */
   live: LiveMap | undefined;
   history: History<Step>;
   /** At most three, the newest last, so that undo can show the map of its step. */
@@ -122,6 +127,8 @@ export class Document extends storeOf<Fields>() {
     super({
       state: { kind: 'starting' },
       job: undefined,
+      automatic: undefined,
+      firstRun: undefined,
       live: undefined,
       history: begun(emptyPrescription(4, 0, 0)),
       solutions: [],
@@ -227,6 +234,7 @@ export class Document extends storeOf<Fields>() {
     if (job) return job.kind === 'load' ? 'loading' : 'running';
     if (state.kind !== 'open') return state.kind;
     if (!state.model.info.usable) return 'invalid';
+    if (this.automatic) return 'renewing';
     if (this.live) return 'dragging';
     if (this.current) return isCertified(this.current) ? 'certified' : 'not-certified';
     if (this.displayed) return 'stale';
@@ -255,13 +263,16 @@ export class Document extends storeOf<Fields>() {
 
   /** The work on the open mesh, to be restored later. */
   get work(): MeshWork | undefined {
-    const { model, history, solutions, hasUserCones } = this;
-    return model && { model, history, solutions, hasUserCones };
+    const { model, history, solutions, hasUserCones, firstRun } = this;
+    return model && { model, history, solutions, hasUserCones, firstRun };
   }
 
   /** Clears everything about the open mesh, but not the file. */
   clearMesh(): void {
+    this.automatic?.controller.abort();
+    this.automatic = undefined;
     this.live = undefined;
+    this.firstRun = undefined;
     this.solutions = [];
     this.selected = -1;
     this.hasUserCones = false;

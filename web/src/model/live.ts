@@ -43,6 +43,12 @@ export const beforeFirst = (base: Solution): LiveMap => ({
   ...{ notPositive: new Uint32Array(0), reasons: [] },
 });
 
+/** The map of other cones, with the scale that these will have. */
+export const heatMapOf = (base: Solution, logScale: Float32Array): LiveMap => ({
+  ...beforeFirst(base),
+  heat: heatOf(logScale),
+});
+
 /** The next picture of a drag; without a map, the previous one stays. */
 export function liveMapOf(base: Solution, frame: DragFrame, before: LiveMap | undefined): LiveMap {
   const isHeat = frame.state === 'heat';

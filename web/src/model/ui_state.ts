@@ -62,6 +62,10 @@ interface Fields {
   target: TargetId;
   /** Position of the wipe between before and after, in percent from the left; 0: only after. */
   wipe: number;
+  /** Whether maps follow edits without Run; undefined: where that takes little time. */
+  automatic: boolean | undefined;
+  /** Whether a cone is being dragged, or its map is being stored. */
+  holdsCone: boolean;
   /** The current time in milliseconds, updated while a job runs. */
   now: number;
 }
@@ -95,6 +99,8 @@ export class UiState extends storeOf<Fields>() {
       recent: [],
       target: targetIds.find((id) => id === stored('hgp-target')) ?? 'blender',
       wipe: 0,
+      automatic: { on: true, off: false }[stored('hgp-automatic') ?? ''],
+      holdsCone: false,
       now: performance.now(),
     });
     phone.addEventListener('change', ({ matches }) => (this.isPhone = matches));
@@ -110,6 +116,11 @@ export class UiState extends storeOf<Fields>() {
   setKeys(isOn: boolean): void {
     this.hasKeys = isOn;
     keep('hgp-keys', isOn ? 'on' : 'off');
+  }
+
+  setAutomatic(isOn: boolean): void {
+    this.automatic = isOn;
+    keep('hgp-automatic', isOn ? 'on' : 'off');
   }
 
   setTarget(target: TargetId): void {

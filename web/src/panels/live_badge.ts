@@ -7,9 +7,11 @@ import './live_badge.css';
 
 class LiveBadge extends Panel {
   override render(): TemplateResult | typeof nothing {
-    const { live } = this.app.doc;
+    const { live, automatic } = this.app.doc;
     if (!live) return nothing;
-    return html`<p class="badge live ${live.state}" id="live">${liveText(live)}</p>`;
+    return html`<p class="badge live ${live.state}" id="live">
+      ${liveText(live, automatic !== undefined)}
+    </p>`;
   }
 }
 customElements.define('hgp-live-badge', LiveBadge);

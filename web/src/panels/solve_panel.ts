@@ -4,6 +4,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { attempt } from '../actions/app';
+import { isAutomatic } from '../actions/follow_edits';
 import { isPreset, presets, usePreset } from '../actions/presets';
 import { realign, setSolve } from '../actions/solve';
 import { automaticCells, canAlign, gridOutcome } from '../model/grid';
@@ -37,7 +38,7 @@ class SolvePanel extends Panel {
     if (!doc.usableModel) return nothing;
     return html`<details open id="panel-solve">
       <summary>Solve</summary>
-      ${this.#presets()} ${this.#grid()} ${this.#improve()}
+      ${this.#automatic()} ${this.#presets()} ${this.#grid()} ${this.#improve()}
       <details id="solve-more">
         <summary>More: limits, frames, command line</summary>
         ${this.#limits()} ${this.#frames()} ${this.#estimate()}
@@ -73,6 +74,22 @@ class SolvePanel extends Panel {
             ${label}
           </button>`,
       )}
+    </p>`;
+  }
+
+  #automatic(): TemplateResult {
+    const { app } = this;
+    return html`<p>
+      <label class="tick">
+        <input
+          type="checkbox"
+          id="automatic"
+          .checked=${live(isAutomatic(app))}
+          @change=${(event: Event) => app.ui.setAutomatic(isChecked(event))}
+        />
+        Run automatically
+      </label>
+      <small>After every change. If not chosen: where the first run takes less than 2 s.</small>
     </p>`;
   }
 

@@ -22,7 +22,10 @@ function restingText({ doc }: AppView): string {
     case 'empty':
       return 'Ready.';
     case 'stale':
+      if (doc.budget && !doc.budget.isReady) return doc.budget.text;
       return 'The result is for the previous cones. Run again, or undo.';
+    case 'renewing':
+      return `The map of these cones is being made: ${stageName(doc.automatic?.stage ?? '').toLowerCase()}`;
     case 'invalid':
     case 'needs-files':
     case 'pick-model':

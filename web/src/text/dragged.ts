@@ -15,10 +15,11 @@ export function draggedNote({ grid, prescription }: Solution): string {
   );
 }
 
-/** The state of the map under the hand. */
-export function liveText({ state, notPositive, reasons }: LiveMap): string {
+/** The state of the map under the hand. @param isMade  whether the map is being made by a run */
+export function liveText({ state, notPositive, reasons }: LiveMap, isMade = false): string {
   switch (state) {
     case 'heat':
+      if (isMade) return 'Scale only: the map is being made';
       return 'Scale only: the map of this place is not known yet';
     case 'certified':
       return 'Passes every check · not stored yet';

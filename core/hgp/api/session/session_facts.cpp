@@ -1,6 +1,8 @@
 // Facts about the loaded surface, in ids of the file.
 #include <algorithm>
+#include <limits>
 
+#include "hgp/api/request/request.h"
 #include "hgp/api/session/guard.h"
 #include "hgp/api/session/session_state.h"
 #include "hgp/mesh/vertex_facts.h"
@@ -123,6 +125,33 @@ Result<SurfaceFacts> Session::facts() const {
     pullBackVertices(model, mesh, out);
     takeTheMost(model, mesh, out);
     pullBackFaces(model, mesh, out);
+    return out;
+  });
+}
+
+Result<std::vector<float>> Session::logScale(const prescription::Prescription& prescription) const {
+  return guarded([&]() -> Result<std::vector<float>> {
+    State& state = *state_;
+    if (Status ready = requireComponents(state.model); !ready) return ready.error();
+    const Result<Request> request = resolveCones(*state.model, prescription);
+    if (!request) return request.error();
+    std::vector<float> out(state.model->source().mesh.positions.size(),
+                           std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t p = 0; p < state.model->components.size(); ++p) {
+      const ModelComponent& component = state.model->components[p];
+      const HolonomySpec& spec = request->components[p].spec;
+      if (request->components[p].isAutomatic) continue;
+      PreparedSurface& surface = state.surfaceOf(p);
+      const Result<BudgetReport> possible =
+          checkPrescription(component.mesh, surface.topology(), spec, &surface.shortages());
+      if (!possible) return toSurfaceIds(*state.model, component, possible.error());
+      const Result<PrescribedField> field = surface.field(spec);
+      if (!field) return toSurfaceIds(*state.model, component, field.error());
+      for (VertexId v : component.mesh.vertices())
+        if (const SurfaceVertexId s = component.vertex[v]; s.isValid())
+          out[at(s.i)] = static_cast<float>(field->u[v]);
+      state.dropLarge(p);
+    }
     return out;
   });
 }

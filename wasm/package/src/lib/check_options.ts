@@ -155,7 +155,7 @@ export const optionsOf = {
     ...{ wasmUrl: anything, wasmBinary: anything, wasmModule: anything, workerUrl: anything },
     ...{ createWorker: callback, warmUp: boolean },
   },
-  call: { signal, onProgress: callback },
+  call: { signal, onProgress: callback, keepWorker: boolean },
   'lite.parametrizeMesh': {
     ...{ q, count, conesFor, cones, improve: parametrize.improve, weld: boolean },
     precision: oneOf('double', 'single'),

@@ -46,6 +46,13 @@ export interface ClientOptions extends InitOptions {
 export interface CallOptions {
   /** Aborting terminates the worker immediately; the call rejects with the signal's reason. */
   signal?: WebSignal;
+  /**
+   * Aborting does not terminate the worker, which keeps what it has prepared: the call rejects immediately, and the
+   * worker stops it at its next step. Calls behind it wait until then: for milliseconds, or on large meshes for tenths of a
+   * second. In browsers this needs an isolated page, or a policy that allows to read Blobs (connect-src blob:); otherwise
+   * they wait until the call would have ended.
+   */
+  keepWorker?: boolean;
   /** Called at most ten times per second. If it throws, the call is cancelled and rejects with that error. */
   onProgress?: (progress: Progress) => void;
 }

@@ -343,6 +343,15 @@ export class CoreModel {
     return jsonOf(this.#live.check(JSON.stringify(cones))) as CheckReport;
   }
 
+  /**
+   * The logarithm of the conformal factor that the map of these cones follows, by surface vertex: a preview in a part of
+   * the time of parametrize(). NaN on components for which nothing is prescribed.
+   */
+  logScale(cones: Cones): Float32Array {
+    checkCones('logScale', cones);
+    return valueOf(this.#live.logScale(JSON.stringify(cones))).logScale;
+  }
+
   /** Solves, and verifies the map as it will be stored; without `cones` they are chosen automatically. */
   parametrize(options: SolveOptions = {}): CoreMap {
     checkOptions('parametrize', options);

@@ -108,6 +108,18 @@ export class Model implements AsyncDisposable {
     return this.#call('check', checked, call);
   }
 
+  /**
+   * The logarithm of the conformal factor that the map of these cones follows, by surface vertex: a preview in a part of
+   * the time of parametrize(). NaN on components for which nothing is prescribed.
+   */
+  logScale(cones: Cones, call?: CallOptions): Promise<Float32Array> {
+    const checked = (): unknown[] => {
+      checkCones('logScale', cones);
+      return [structuredClone(cones)];
+    };
+    return this.#call('logScale', checked, call);
+  }
+
   /** Solves, and verifies the map as it will be stored; without `cones` they are chosen automatically. */
   async parametrize(options: SolveOptions = {}, call?: CallOptions): Promise<UvMap> {
     const makes = this.#queue.newId();

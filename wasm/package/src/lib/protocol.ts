@@ -1,6 +1,7 @@
 // Messages between a client and its worker. One operation is one message, and has one answer; progress comes before it.
 
 import type { HgpFailure } from './error.js';
+import type { Leash } from './leash.js';
 import type { Progress } from './results.js';
 
 /** What makes a handle. A worker that does not have the handle makes it again: results are deterministic. */
@@ -22,6 +23,8 @@ export interface Call {
   /** Makes handles that the call needs and this worker does not have, in this order. */
   restore: Recipe[];
   wantsProgress: boolean;
+  /** By which it is asked to stop. */
+  leash?: Leash;
 }
 
 export interface Answer {

@@ -5,6 +5,7 @@
 import { checkOptions } from './check_options.js';
 import { HgpError, usage } from './error.js';
 import type { CallOptions, ClientOptions } from './client.js';
+import { Stopper } from './leash.js';
 import type { Platform, WorkerLink } from './platform.js';
 import type { Answer, Call, Recipe } from './protocol.js';
 
@@ -25,6 +26,9 @@ interface Job extends Request {
   readonly id: number;
   readonly args: Promise<unknown[]>;
   readonly onProgress: CallOptions['onProgress'];
+  /** Of a call that is not cancelled by ending the worker. */
+  readonly stopper: Stopper | undefined;
+  isAborted: boolean;
   /** The arguments, once it is sent. */
   sent: unknown[] | undefined;
   resolve(value: unknown): void;
@@ -71,7 +75,7 @@ export class Queue {
   ): Promise<T> {
     return new Promise((resolve, reject) => {
       checkOptions('call', call);
-      const { signal, onProgress } = call;
+      const { signal, onProgress, keepWorker } = call;
       for (const handle of [request.on, ...(request.needs ?? [])]) this.#requireLive(handle);
       const args = Promise.resolve(prepare());
       args.catch(() => undefined); // the call reports it when its turn comes
@@ -88,6 +92,8 @@ export class Queue {
         id: this.newId(),
         args,
         onProgress,
+        stopper: keepWorker ? new Stopper() : undefined,
+        isAborted: false,
         sent: undefined,
         resolve: settled(resolve as (value: unknown) => void),
         reject: settled(reject),
@@ -136,6 +142,7 @@ export class Queue {
     this.#current = undefined;
     this.#waiting = [];
     for (const job of pending) {
+      job.stopper?.stop();
       if (job.method === 'release') job.resolve(undefined);
       else job.reject(cancelled());
     }
@@ -182,9 +189,11 @@ export class Queue {
     }
     if (this.#current !== job) return; // cancelled while the worker started
     worker.busy();
-    const { id, method, on, makes, onProgress } = job;
+    const { id, method, on, makes, onProgress, stopper } = job;
     const wantsProgress = onProgress !== undefined;
-    worker.post({ id, method, on, makes, args, restore: this.#missing(job), wantsProgress }, []);
+    const restore = this.#missing(job);
+    const leash = stopper && { leash: stopper.leash };
+    worker.post({ id, method, on, makes, args, restore, wantsProgress, ...leash }, []);
     job.sent = args;
   }
 
@@ -241,7 +250,7 @@ export class Queue {
     }
     if (job?.id !== id) return;
     if (progress) {
-      this.#report(job, progress);
+      if (!job.isAborted) this.#report(job, progress);
       return;
     }
     if (has) this.#there = new Set(has);
@@ -255,6 +264,7 @@ export class Queue {
     if (makes !== undefined) {
       this.#recipes.set(makes, { id: makes, ...recipe });
       this.#live.add(makes);
+      if (job.isAborted) void this.release(makes); // nobody has it
     }
     job.resolve(result);
   }
@@ -271,12 +281,15 @@ export class Queue {
   #finish(job: Job, settle: () => void): void {
     if (this.#current === job) this.#current = undefined;
     this.#running?.idle();
+    job.stopper?.stop();
     settle();
     this.#next();
   }
 
   #abort(job: Job, reason: unknown): void {
-    if (this.#current === job && job.superseded && job.sent) {
+    if (this.#current === job && (job.superseded ?? job.stopper) && job.sent) {
+      job.isAborted = true;
+      job.stopper?.stop();
       job.reject(reason);
     } else if (this.#current === job) {
       // WebAssembly receives no messages while it runs, so cancelling means terminating the worker.
@@ -284,6 +297,7 @@ export class Queue {
       this.#finish(job, () => job.reject(reason));
     } else {
       this.#waiting = this.#waiting.filter((other) => other !== job);
+      job.stopper?.stop();
       job.reject(reason);
     }
   }

@@ -13,6 +13,7 @@ import type {
   MeshSolveOptions,
   SolveOptions,
 } from './options.js';
+import { stopTest } from './leash.js';
 import type { Answer, Call, Recipe } from './protocol.js';
 import type { Progress } from './results.js';
 import { unpacked, type PackedFiles } from './sources.js';
@@ -44,10 +45,24 @@ function throttled(report: (progress: Progress) => void): (progress: Progress) =
   };
 }
 
+/** What the core calls during a call; undefined if nobody listens and nothing can stop it. */
+function progressOf(
+  { wantsProgress, leash }: Call,
+  report: (progress: Progress) => void,
+): Core['onProgress'] {
+  const listen = wantsProgress ? throttled(report) : undefined;
+  if (!leash) return listen;
+  const isStopped = stopTest(leash);
+  return (progress) => {
+    listen?.(progress);
+    return !isStopped();
+  };
+}
+
 /** Methods of the handles that can be called by messages. */
 const methodsOfModel = [
   ...['inspect', 'surface', 'facts', 'loops', 'readCones', 'embeddedCones'],
-  ...['suggestCones', 'check', 'parametrize', 'verify', 'dragged'],
+  ...['suggestCones', 'check', 'logScale', 'parametrize', 'verify', 'dragged'],
 ];
 const methodsOfMap = ['write', 'measure', 'quads', 'beginDrag'];
 const methodsOfDrag = ['dragTo', 'endDrag'];
@@ -208,16 +223,14 @@ export function serve(
 ): (message: unknown) => void {
   let server: Server | undefined;
   const handle = async (call: Call): Promise<void> => {
-    const { id, wantsProgress } = call;
+    const { id } = call;
     try {
       if (call.method === 'init') {
         server = new Server(await createCore({ wasmModule: call.args[0] as WebAssembly.Module }));
         return;
       }
       if (!server) throw new Error('the worker was not initialized');
-      server.onProgress = wantsProgress
-        ? throttled((progress) => post({ id, progress }, []))
-        : undefined;
+      server.onProgress = progressOf(call, (progress) => post({ id, progress }, []));
       const result = await server.perform(call);
       if (id !== 0) post({ id, result, has: server.has }, [...buffersOf(result)]);
     } catch (error) {

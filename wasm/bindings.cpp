@@ -87,6 +87,24 @@ class Session {
     });
   }
 
+  val features(const val& list, const std::string& name) const {
+    return guarded([&] {
+      val files = val::object();
+      files.set("features", list);
+      const MaybePrescription asked = toPrescription("", files);
+      if (!asked) return failed(asked.error());
+      const auto found = session_.features(asked->value_or(prescription::Prescription()), name);
+      if (!found) return failed(found.error());
+      val reply = val::object();
+      reply.set("text", found->text);
+      reply.set("creaseEdges", found->creaseEdges);
+      reply.set("rimEdges", found->rimEdges);
+      reply.set("chains", found->chains);
+      reply.set("notes", api::notesDocument(found->notes));
+      return reply;
+    });
+  }
+
   val suggestCones(const std::string& options, const val& onProgress) const {
     return guarded([&] {
       const auto how = toSolveOptions(options, onProgress);
@@ -94,10 +112,10 @@ class Session {
     });
   }
 
-  val parametrize(const std::string& cones, const val& field, const std::string& options,
+  val parametrize(const std::string& cones, const val& files, const std::string& options,
                   const val& onProgress) {
     return guarded([&] {
-      const MaybePrescription asked = toPrescription(cones, field);
+      const MaybePrescription asked = toPrescription(cones, files);
       if (!asked) return failed(asked.error());
       const auto how = toSolveOptions(options, onProgress);
       if (!how) return failed(how.error());
@@ -106,9 +124,9 @@ class Session {
     });
   }
 
-  val verify(const std::string& cones, const val& field, const std::string& options) const {
+  val verify(const std::string& cones, const val& files, const std::string& options) const {
     return guarded([&] {
-      const MaybePrescription asked = toPrescription(cones, field);
+      const MaybePrescription asked = toPrescription(cones, files);
       if (!asked) return failed(asked.error());
       const auto how = api::optionsFromJson<api::VerifyOptions>(options);
       return how ? replyVerdict(session_.verify(*asked, *how)) : failed(how.error());
@@ -253,6 +271,7 @@ EMSCRIPTEN_BINDINGS(hgp) {
       .function("readCones", &Session::readCones)
       .function("embeddedCones", &Session::embeddedCones)
       .function("logScale", &Session::logScale)
+      .function("features", &Session::features)
       .function("suggestCones", &Session::suggestCones)
       .function("parametrize", &Session::parametrize)
       .function("verify", &Session::verify)

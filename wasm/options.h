@@ -38,20 +38,29 @@ inline Result<api::SolveOptions> toSolveOptions(const std::string& options, cons
 
 using MaybePrescription = Result<std::optional<prescription::Prescription>>;
 
-/// The text of a cone file, or "" for none, with the field file {name, text, q}, or undefined.
-inline MaybePrescription toPrescription(const std::string& cones, const val& file) {
+/// The text of a cone file, or "" for none, with the field file files.field = {name, text, q} and the list of features
+/// files.features = {name, text}, where they are there.
+inline MaybePrescription toPrescription(const std::string& cones, const val& files) {
   std::optional<prescription::Prescription> asked;
   if (!cones.empty()) {
     auto read = api::readPrescription("cones.json", cones, 0);
     if (!read) return MaybePrescription(read.error());
     asked = std::move(*read);
   }
+  const val file = files["field"], list = files["features"];
   if (!file.isUndefined()) {
     auto field = api::readPrescription(file["name"].as<std::string>(),
                                        file["text"].as<std::string>(), file["q"].as<int>());
     if (field && asked) field = api::withField(std::move(*asked), std::move(*field));
     if (!field) return MaybePrescription(field.error());
     asked = std::move(*field);
+  }
+  if (!list.isUndefined()) {
+    auto features =
+        api::readFeatures(list["name"].as<std::string>(), list["text"].as<std::string>());
+    if (!features) return MaybePrescription(features.error());
+    if (!asked) asked.emplace();
+    asked->features = std::move(*features);
   }
   return MaybePrescription(std::move(asked));
 }

@@ -107,8 +107,8 @@ test('the options that are checked are those that are declared, and those that t
   const ofCore = (call) => [...new Set(tables[call].map((row) => row.name.split('.')[0]))].sort();
   const without = (call, ...names) => checked(call).filter((name) => !names.includes(name));
   assert.deepEqual(without('load', 'name'), ofCore('load'));
-  assert.deepEqual(without('parametrize', 'cones', 'field'), ofCore('solve'));
-  assert.deepEqual(without('verify', 'cones', 'field'), ofCore('verify'));
+  assert.deepEqual(without('parametrize', 'cones', 'field', 'features'), ofCore('solve'));
+  assert.deepEqual(without('verify', 'cones', 'field', 'features'), ofCore('verify'));
   assert.deepEqual(checked('write'), ofCore('write'));
 });
 

@@ -26,8 +26,10 @@ constexpr int kRepairSteps = 60, kHopelesslyBroken = 40;
 
 LineChoice::LineChoice(Eigen::MatrixXd covariance, std::vector<LineDemand> demands)
     : C_(std::move(covariance)), demands_(std::move(demands)), users_(at(C_.rows())) {
-  for (std::size_t n = 0; n < demands_.size(); ++n)
+  for (std::size_t n = 0; n < demands_.size(); ++n) {
     for (const auto& [j, factor] : demands_[n].terms) users_[at(j)].push_back(static_cast<int>(n));
+    termCount_ += static_cast<double>(demands_[n].terms.size());
+  }
 }
 
 double LineChoice::valueOf(const LineDemand& demand, const Eigen::VectorXd& y) const {
@@ -42,7 +44,8 @@ int LineChoice::broken(const Eigen::VectorXd& y) const {
       [&](const LineDemand& demand) { return valueOf(demand, y) < demand.least - kLineZero; }));
 }
 
-void LineChoice::spread(Eigen::VectorXd& y, Eigen::MatrixXd& C) const {
+void LineChoice::spread(Eigen::VectorXd& y, Eigen::MatrixXd& C, double& work) const {
+  const auto size = static_cast<double>(y.size());
   const auto direction = [&](const LineDemand& demand) {
     Eigen::VectorXd step = Eigen::VectorXd::Zero(y.size());
     for (const auto& [j, factor] : demand.terms) step += factor * C.col(j);
@@ -50,13 +53,18 @@ void LineChoice::spread(Eigen::VectorXd& y, Eigen::MatrixXd& C) const {
   };
   std::vector<double> dual(demands_.size(), 0.0);
   std::vector<Eigen::VectorXd> steps(demands_.size());
-  for (int sweep = 0; sweep < kLineSweeps; ++sweep) {
+  for (int sweep = 0; sweep < kLineSweeps && work > 0.0; ++sweep) {
     double largest = 0.0;
+    work -= termCount_;
     for (std::size_t n = 0; n < demands_.size(); ++n) {
       const LineDemand& demand = demands_[n];
       const double missing = demand.least - valueOf(demand, y);
       if (missing <= 0.0 && dual[n] == 0.0) continue;
-      if (steps[n].size() == 0) steps[n] = direction(demand);
+      work -= size;
+      if (steps[n].size() == 0) {
+        steps[n] = direction(demand);
+        work -= size * static_cast<double>(demand.terms.size());
+      }
       const double curvature = valueOf(demand, steps[n]);
       double scale = 0.0;
       for (const auto& [j, factor] : demand.terms) scale += factor * factor * C_(j, j);
@@ -69,7 +77,8 @@ void LineChoice::spread(Eigen::VectorXd& y, Eigen::MatrixXd& C) const {
     if (largest < 1e-3) break;
   }
   for (std::size_t n = 0; n < demands_.size(); ++n) {
-    if (!(dual[n] > 0.0)) continue;
+    if (!(dual[n] > 0.0) || work <= 0.0) continue;
+    work -= size * size;
     const Eigen::VectorXd step = direction(demands_[n]);
     const double curvature = valueOf(demands_[n], step);
     if (!(curvature > kDetermined * valueOf(demands_[n], steps[n]))) continue;
@@ -100,12 +109,15 @@ double LineChoice::roundedAt(Eigen::Index j, Eigen::VectorXd& y,
 
 /// Moves what is not fixed behind the demands that are broken, as far as that is possible.
 void LineChoice::moveBack(const Eigen::MatrixXd& C, const std::vector<char>& isFixed,
-                          Eigen::VectorXd& y) const {
+                          Eigen::VectorXd& y, double& work) const {
+  const auto size = static_cast<double>(y.size());
   for (int sweep = 0; sweep < kSweepsBetween; ++sweep) {
     bool isAny = false;
+    work -= termCount_;
     for (const LineDemand& demand : demands_) {
       const double lack = missing(demand, y);
       if (lack <= 0.0) continue;
+      work -= size * static_cast<double>(demand.terms.size() + 3);
       Eigen::VectorXd way = Eigen::VectorXd::Zero(y.size());
       double scale = 0.0;
       for (const auto& [j, factor] : demand.terms)
@@ -126,10 +138,11 @@ void LineChoice::moveBack(const Eigen::MatrixXd& C, const std::vector<char>& isF
   }
 }
 
-Eigen::VectorXd LineChoice::near(const Eigen::VectorXd& y0) const {
+std::optional<Eigen::VectorXd> LineChoice::near(const Eigen::VectorXd& y0, double& work) const {
   Eigen::VectorXd y = y0;
   Eigen::MatrixXd C = C_;
-  spread(y, C);
+  spread(y, C, work);
+  const auto size = static_cast<double>(y.size());
   const Eigen::VectorXd least = kDetermined * C_.diagonal();
   std::vector<char> isFixed(at(y.size()), 0);
   const auto moveAlong = [&](const Eigen::VectorXd& column, double factor) {
@@ -138,6 +151,7 @@ Eigen::VectorXd LineChoice::near(const Eigen::VectorXd& y0) const {
       if (!isFixed[at(i)]) y[i] += factor * column[i];
   };
   for (Eigen::Index step = 0; step < y.size(); ++step) {
+    if (work <= 0.0) return std::nullopt;
     Eigen::Index next = -1;
     double nearest = std::numeric_limits<double>::infinity();
     for (Eigen::Index j = 0; j < y.size(); ++j) {
@@ -153,10 +167,12 @@ Eigen::VectorXd LineChoice::near(const Eigen::VectorXd& y0) const {
     if (column[next] > least[next]) {
       moveAlong(column, change / column[next]);
       C.noalias() -= column * (column / column[next]).transpose();
+      work -= size * size;
     }
-    moveBack(C, isFixed, y);
+    moveBack(C, isFixed, y, work);
   }
-  repair(y);
+  repair(y, work);
+  if (work <= 0.0) return std::nullopt;
   return y;
 }
 
@@ -194,16 +210,17 @@ void LineChoice::push(Eigen::Index j, double unit, Eigen::VectorXd& y) const {
     }
 }
 
-void LineChoice::repair(Eigen::VectorXd& y) const {
+void LineChoice::repair(Eigen::VectorXd& y, double& work) const {
   if (broken(y) > kHopelesslyBroken) return;
   double lack = missing(y);
-  for (int step = 0; step < kRepairSteps && lack > 0.0; ++step) {
+  for (int step = 0; step < kRepairSteps && lack > 0.0 && work > 0.0; ++step) {
     Eigen::VectorXd best;
     double bestLack = lack, bestMove = 0.0;
     for (const LineDemand& demand : demands_) {
       if (missing(demand, y) <= 0.0) continue;
       for (const auto& [j, factor] : demand.terms) {
         Eigen::VectorXd moved = y;
+        work -= termCount_ + static_cast<double>(y.size());
         push(j, factor > 0.0 ? 1.0 : -1.0, moved);
         const double own = missing(moved), move = (moved - y).lpNorm<1>();
         if (own > bestLack || (own == bestLack && (best.size() == 0 || move >= bestMove))) continue;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -22,25 +23,27 @@ class LineChoice {
   /// Moves y₀ to the nearest point that fulfils the demands, by Hildreth's method; rounds one number after another, nearest
   /// first, and moves the others to their conditional minimum and back behind demands that this has broken; steps by ±1
   /// then repair what is still broken, and push what they press on. Deterministic.
-  Eigen::VectorXd near(const Eigen::VectorXd& y0) const;
+  /// @param work  multiply-adds that are left, from which those that were done are taken; at 0 and below nothing is returned
+  std::optional<Eigen::VectorXd> near(const Eigen::VectorXd& y0, double& work) const;
 
   /// Broken demands.
   int broken(const Eigen::VectorXd& y) const;
 
  private:
   double valueOf(const LineDemand& demand, const Eigen::VectorXd& y) const;
-  void spread(Eigen::VectorXd& y, Eigen::MatrixXd& C) const;
+  void spread(Eigen::VectorXd& y, Eigen::MatrixXd& C, double& work) const;
   double roundedAt(Eigen::Index j, Eigen::VectorXd& y, const std::vector<char>& isFixed) const;
-  void moveBack(const Eigen::MatrixXd& C, const std::vector<char>& isFixed,
-                Eigen::VectorXd& y) const;
+  void moveBack(const Eigen::MatrixXd& C, const std::vector<char>& isFixed, Eigen::VectorXd& y,
+                double& work) const;
   double missing(const LineDemand& demand, const Eigen::VectorXd& y) const;
   double missing(const Eigen::VectorXd& y) const;
   void push(Eigen::Index j, double unit, Eigen::VectorXd& y) const;
-  void repair(Eigen::VectorXd& y) const;
+  void repair(Eigen::VectorXd& y, double& work) const;
 
   Eigen::MatrixXd C_;
   std::vector<LineDemand> demands_;
   std::vector<std::vector<int>> users_;  ///< per number: demands with it
+  double termCount_ = 0.0;               ///< of all demands
 };
 
 }  // namespace hgp

@@ -176,6 +176,7 @@ void readLine(const Json& entry, Members& m, PrescribedLine& line) {
 }
 
 void readMarks(const Json& list, Members& m, PrescribedFeatures& out) {
+  if (!list.is_array()) m.wrong("marked", "must be a list of words");
   for (const Json& word : list) {
     const auto* found = std::find_if(
         std::begin(kFeatureMarks), std::end(kFeatureMarks),
@@ -205,7 +206,8 @@ void readFeatureLines(const Json& json, Members& m, Prescription& out) {
     else
       m.wrong("creases", "must be an angle between 0 and 180 degrees");
   }
-  if (const Json* marks = m.list(*features, "marked")) readMarks(*marks, m, out.features);
+  const auto marks = features->find("marked");
+  if (marks != features->end()) readMarks(*marks, m, out.features);
   const Json* lines = m.list(*features, "lines");
   for (std::size_t i = 0; lines && i < lines->size(); ++i) {
     m.enter("features/lines", i);

@@ -19,7 +19,9 @@ std::vector<LineDemand> inOrder(int n) {
 TEST(LineChoice, WithoutDemandsTheNearestIntegersAreTaken) {
   const Eigen::Vector3d y0(0.4, -2.7, 9.1);
   const LineChoice choice(Eigen::MatrixXd::Identity(3, 3), {});
-  EXPECT_EQ(choice.near(y0), Eigen::Vector3d(0, -3, 9));
+  double work = 1e6;
+  EXPECT_EQ(choice.near(y0, work).value(), Eigen::Vector3d(0, -3, 9));
+  EXPECT_LT(work, 1e6);
 }
 
 TEST(LineChoice, CrowdedLinesKeepTheirOrder) {
@@ -31,11 +33,17 @@ TEST(LineChoice, CrowdedLinesKeepTheirOrder) {
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) C(i, j) = std::pow(0.8, std::abs(i - j));
     const LineChoice choice(C, inOrder(n));
-    const Eigen::VectorXd y = choice.near(y0);
+    double work = 1e7;
+    const Eigen::VectorXd y = choice.near(y0, work).value();
     EXPECT_EQ(choice.broken(y), 0) << n;
     for (int i = 0; i < n; ++i) EXPECT_EQ(y[i], std::nearbyint(y[i])) << n;
     // Spread on both sides: the middle one stays.
     EXPECT_LE(std::fabs(y[n / 2] - y0[n / 2]), 2.0) << n;
+    // The same with just that much work; with less, nothing.
+    const double spent = 1e7 - work;
+    double enough = spent + 1.0, less = spent;
+    EXPECT_EQ(choice.near(y0, enough).value(), y) << n;
+    EXPECT_FALSE(choice.near(y0, less)) << n;
   }
 }
 
@@ -45,7 +53,8 @@ TEST(LineChoice, AFixedSumIsPushedThrough) {
   y0 << 0.1, 0.4, 0.5, 0.6, 4.2;
   stiff << 1e-3, 1.0, 1.0, 1.0, 1e-3;
   const LineChoice choice(stiff.asDiagonal().toDenseMatrix(), inOrder(5));
-  const Eigen::VectorXd y = choice.near(y0);
+  double work = 1e6;
+  const Eigen::VectorXd y = choice.near(y0, work).value();
   EXPECT_EQ(y, (Eigen::VectorXd(5) << 0, 1, 2, 3, 4).finished());
 }
 

@@ -163,5 +163,31 @@ TEST(AlongGrid, CanBeCancelled) {
   EXPECT_EQ(run.error().code, ErrorCode::kCancelled);
 }
 
+TEST(AlongGrid, TheChoiceOfIntegersHasABudget) {
+  const test::CreasedShape shape = test::creasedShapes().front();
+  HolonomySpec spec;
+  spec.features = shape.features;
+  ParametrizeOptions options;
+  options.grid = {900.0, 0.0, GridMode::kQuad};
+  const auto reasonWith = [&](double share) -> std::optional<Note> {
+    PreparedSurface surface(shape.mesh);
+    ParametrizeOptions less = options;
+    less.largestWork *= share;
+    const Result<Parametrization> run = parametrizeAlongFeatures(surface, spec, less);
+    EXPECT_TRUE(run && run->isCertified) << "the map without a grid stays";
+    return run && run->grid ? run->grid->reason : std::nullopt;
+  };
+  EXPECT_FALSE(reasonWith(1.0)) << "aligned";
+  const std::optional<Note> many = reasonWith(1e-10);
+  ASSERT_TRUE(many);
+  EXPECT_EQ(many->code, "features-many-integers");
+  PreparedSurface surface(shape.mesh);
+  const int integers = parametrizeAlongFeatures(surface, spec, options)->grid->integers;
+  // So much that it may begin, but not end.
+  const std::optional<Note> exhausted = reasonWith(1.01 * std::pow(integers, 3) / 6e10);
+  ASSERT_TRUE(exhausted);
+  EXPECT_EQ(exhausted->code, "features-grid-work");
+}
+
 }  // namespace
 }  // namespace hgp

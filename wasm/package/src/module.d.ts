@@ -59,10 +59,19 @@ export interface Session {
   surface(): Reply<import('./lib/results.js').Surface>;
   readCones(name: string, text: string, q: number): JsonReply;
   embeddedCones(): Reply<{ json?: string }>;
+  features(
+    list: object,
+    name: string,
+  ): Reply<
+    Omit<import('./lib/results.js').FeatureList, 'name' | 'notes'> & {
+      /** JSON of Note[]. */
+      notes: string;
+    }
+  >;
   suggestCones(options: string, onProgress?: ProgressCall): JsonReply;
   parametrize(
     cones: string,
-    field: object | undefined,
+    files: object,
     options: string,
     onProgress?: ProgressCall,
   ): Reply<SessionResult>;
@@ -70,7 +79,7 @@ export interface Session {
   beginDrag(drag: Drag, vertex: number): Reply;
   storedResult(): StoredResult;
   use(result: StoredResult): boolean;
-  verify(cones: string, field: object | undefined, options: string): JsonReply;
+  verify(cones: string, files: object, options: string): JsonReply;
   write(options: string): Reply<{
     files: { name: string; bytes: Uint8Array }[];
     /** JSON of Note[]. */

@@ -8,7 +8,7 @@ import { cliCommand, type CommandOptions, type CommandOutput } from '../text/cli
 import type { App } from './app';
 
 /** What the solver reported to have been asked. */
-function optionsOfRun({ doc }: App, { result, frames }: Solution): CommandOptions {
+function optionsOfRun({ doc }: App, { result, frames, features }: Solution): CommandOptions {
   const { rounds, improve, scale, grid } = result.report.options;
   return {
     rounds: rounds ?? doc.solve.rounds,
@@ -17,6 +17,7 @@ function optionsOfRun({ doc }: App, { result, frames }: Solution): CommandOption
     cells: grid && grid.cells > 0 ? grid.cells : undefined,
     gridMode: grid?.mode ?? 'tile',
     field: frames === 'file' ? doc.field : undefined,
+    features,
     timeLimit: doc.solve.timeLimit,
   };
 }
@@ -30,6 +31,7 @@ function optionsOfNext({ doc }: App, { surface }: Model): CommandOptions {
     ...{ rounds, improve, timeLimit, scale: plainOutput.scale, gridMode: grid.mode },
     cells: isAligned ? (grid.cells ?? automaticCells(surface, cones.length)) : undefined,
     field: frames === 'file' ? doc.field : undefined,
+    features: frames === 'file' || q !== 4 ? undefined : doc.features,
   };
 }
 
@@ -56,8 +58,13 @@ export async function copyCommand(app: App): Promise<void> {
   const does = doc.current?.isDragged
     ? 'that makes a map of these cones anew, which does not depend on how they were dragged'
     : 'that does this run';
-  const isFile = command.includes('--cones ');
-  const also = isFile ? ' It reads the cones from the file that Export saves.' : '';
+  const readsCones = command.includes('--cones ');
+  const readsEdges = command.includes('--features ');
+  const also = readsCones
+    ? ' It reads the cones from the file that Export saves.'
+    : readsEdges
+      ? ' It reads the edges from the file that Save the list saves.'
+      : '';
   try {
     await navigator.clipboard.writeText(command);
     doc.say(`Copied: the command ${does}.${also}`, 'good');

@@ -5,6 +5,7 @@
 import type { CombineOptions, UvMap } from 'hgp';
 import { plainOutput, type MeshWork } from '../model/document';
 import { gridTilesPerUnit } from '../model/grid';
+import { toFeatures } from '../model/features';
 import { toCones } from '../model/prescription';
 import type { Model, Output, OutputFile, Solution } from '../model/types';
 import { describeError } from '../text/error_messages';
@@ -39,10 +40,11 @@ async function mapOf(
   if (!solution.map.isDisposed && solution.output.scale === scale) return solution.map;
   const { model } = work;
   const solver = model.solver.isDisposed ? await loadInSolver(app, model, call) : model.solver;
-  const { prescription, improve, cells, grid } = solution;
+  const { prescription, improve, cells, grid, features } = solution;
   const aligned = cells === undefined ? {} : { grid: { cells, mode: grid.mode } };
   const options = { maxRounds: app.doc.solve.rounds, improve, scale, ...aligned };
-  return solver.parametrize({ cones: toCones(prescription), ...options }, call);
+  const along = features && { features: toFeatures(features) };
+  return solver.parametrize({ cones: toCones(prescription), ...along, ...options }, call);
 }
 
 /**

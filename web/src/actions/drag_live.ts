@@ -4,11 +4,12 @@
 import type { Drag, DragFrame, SupersededFrame, UvMap } from 'hgp';
 import { beforeFirst, liveMapOf } from '../model/live';
 import { samePrescription, type Prescription } from '../model/prescription';
+import { requestOf } from '../model/request';
 import type { Model, Solution } from '../model/types';
 import { isCertified } from '../model/verdict';
 import type { App } from './app';
 import { setPrescription } from './edit_cones';
-import { keepSolution, numbersOf, requestOf, run, writeSolution } from './solve';
+import { keepSolution, numbersOf, run, writeSolution } from './solve';
 
 interface Going {
   base: Solution;
@@ -51,6 +52,7 @@ function baseOf({ doc }: App, prescription: Prescription, cone: number): Solutio
   const isUsable = (one: Solution): boolean =>
     one.surfaceId === usableModel.surface.id &&
     one.improve === solve.improve &&
+    one.features === undefined &&
     one.map.model === usableModel.solver &&
     !one.map.isDisposed &&
     isCertified(one);

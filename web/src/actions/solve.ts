@@ -10,8 +10,10 @@ import {
   type Written,
 } from 'hgp';
 import { plainOutput } from '../model/document';
+import { askedFeatures, describeFollowed } from '../model/features';
 import { gridOutcome, gridTilesPerUnit, sameTiles } from '../model/grid';
 import { fromCones, toCones } from '../model/prescription';
+import { requestOf } from '../model/request';
 import type {
   GridSettings,
   MapNumbers,
@@ -142,17 +144,20 @@ export async function solve(
   const keepGoing = (model.info.components?.length ?? 1) > 1;
   const options = { maxRounds: rounds, improve, scale: output.scale, keepGoing };
   const framed = usesField(app) ? { frames, field: doc.field } : {};
-  const isAutomatic = !usesField(app) && doc.needsCones;
-  const what = isAutomatic ? { q } : { cones: toCones(doc.prescription), ...framed };
-  const all = { ...what, ...options };
-  const { map, cells, step } = isAutomatic
-    ? await solveAutomatic(app, model, all, call)
-    : { ...(await solveAligned(app, model, all, call)), step: doc.coneStep };
+  const features = usesField(app) || q !== 4 ? undefined : doc.features; // they bring their cones
+  const isAutomatic = features !== undefined || (!usesField(app) && doc.needsCones);
+  const own = isAutomatic ? { q } : { cones: toCones(doc.prescription), ...framed };
+  const all = { ...own, ...askedFeatures(features), ...options };
+  const { map, cells, step } =
+    isAutomatic && !features
+      ? await solveAutomatic(app, model, all, call)
+      : { ...(await solveAligned(app, model, all, call)), step: doc.coneStep };
   doc.coneStep = step;
   const prescription = isAutomatic
     ? fromCones(map.cones, turnings.length, handles.length)
     : doc.prescription;
-  const request = { prescription, settings: model.loaded, improve, frames, grid, cells, output };
+  const asked = { prescription, settings: model.loaded, improve, frames, features };
+  const request = { ...asked, grid, cells, output };
   try {
     return await writeSolution(app, model, request, { map, result: numbersOf(map) }, call);
   } catch (error) {
@@ -256,11 +261,6 @@ async function writeAs(app: App, old: Solution, output: Output): Promise<void> {
   });
 }
 
-export function requestOf(solution: Solution): SolveRequest {
-  const { prescription, settings, improve, frames, grid, cells, output, isDragged } = solution;
-  return { prescription, settings, improve, frames, grid, cells, output, isDragged };
-}
-
 /** The map that is shown, in the solver; computed again if necessary, undefined if that fails. */
 export async function mapInSolver(app: App): Promise<UvMap | undefined> {
   const { doc } = app;
@@ -299,7 +299,8 @@ export function sayVerdict(app: App, solution: Solution, isOpen: boolean): void 
   if (isCertified(solution)) {
     const isRepaired = doc.model && repairsMade(doc.model.info, doc.model.loaded) !== undefined;
     const repaired = isRepaired ? ' It was repaired first: what was done is under Result.' : '';
-    const text = `Certified: no triangle is folded${describeLines(solution)}${chosen}.${repaired}`;
+    const followed = describeFollowed(solution.features, doc.model?.info.boundaryLoops);
+    const text = `Certified: no triangle is folded${followed}${describeLines(solution)}${chosen}.${repaired}`;
     return doc.say(text, 'good', denserButton(app, solution));
   }
   const other = solution.frames === 'file' ? ' Automatic frames may do better.' : '';

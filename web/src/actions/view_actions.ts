@@ -39,6 +39,20 @@ export const viewActions = {
       doc.say('Place: click or tap the surface; with keys, arrows and Enter in the 3D view.');
     },
   },
+  edges: {
+    label: 'Choose edges that lines follow',
+    group: 'View',
+    keys: ['E'],
+    icon: 'edges',
+    isOn: ({ ui }) => ui.tool === 'edges',
+    run: ({ ui, doc }) => {
+      ui.tool = ui.tool === 'edges' ? 'orbit' : 'edges';
+      if (ui.tool === 'orbit') return;
+      doc.say(
+        'Edges: click one, and its chain up to the next corner is chosen; with Alt it is removed.',
+      );
+    },
+  },
   frame: { label: 'Frame the model', group: 'View', keys: ['F'], icon: 'frame', run: frame },
   'reset-camera': {
     label: 'Reset the camera',

@@ -3,6 +3,7 @@
 import { attempt, type AppView } from '../actions/app';
 import { beginLive, cancelLive, dragLive, dropLive } from '../actions/drag_live';
 import { coneToPlace, moveCone, select } from '../actions/edit_cones';
+import { chooseChain, edgeMap } from '../actions/features';
 import { switchMesh } from '../actions/load';
 import { placeOnAny } from '../actions/repair';
 import { undo } from '../actions/undo';
@@ -14,6 +15,7 @@ import type { Surface } from '../model/types';
 import { timesText, wholeDegrees } from '../text/format';
 import type { Hit } from '../views/canvas_view';
 import type { ModelView } from '../views/model_view';
+import { edgeUnder } from '../views/nearest_side';
 import type { UvView } from '../views/uv_view';
 
 const reach = { mouse: 12, pen: 16, touch: 24 } as const;
@@ -156,6 +158,7 @@ export class Pointer {
     if (!down || down.isDrag || down.view !== view) return;
     if (down.cone >= 0) return select(this.#app, down.cone);
     if (this.#chooseMesh(view, event)) return;
+    if (this.#chooseEdge(view, event)) return;
     if (this.#app.ui.tool !== 'place') {
       if (this.#app.doc.selected >= 0) select(this.#app, -1);
       return;
@@ -163,6 +166,14 @@ export class Pointer {
     // In a large triangle no vertex is near the pointer; the nearest of the three is taken.
     const hit = view.pick(event);
     if (hit) this.#placeAt(this.#snapped(view, hit, event));
+  }
+
+  /** With the tool for edges, a click on the surface chooses a chain, or with Alt takes it out. */
+  #chooseEdge(view: View, event: PointerEvent): boolean {
+    if (this.#app.ui.tool !== 'edges' || view !== this.#model || !this.#surface) return false;
+    const edge = edgeUnder(this.#model, this.#surface, event);
+    if (edge) void attempt(this.#app, () => chooseChain(this.#app, edge, event.altKey));
+    return true;
   }
 
   /** A click on another mesh of the file opens it. */
@@ -248,10 +259,24 @@ export class Pointer {
     const cone = isPlacing ? coneToPlace(this.#app, this.#snapped(view, hit, event)) : undefined;
     const isTaken = doc.prescription.cones.some(({ vertex }) => vertex === cone?.vertex);
     this.#model.setGhost(isTaken ? undefined : cone, doc.prescription.q);
-    const isOutlined = !isPlacing;
+    const isOutlined = !isPlacing && !this.#outlineChain(view, event);
+    if (ui.tool === 'edges' && view === this.#model) return;
     this.#model.highlight(isOutlined ? [hit.triangle] : [], edges as [number, number][]);
     this.#uv.highlight([hit.triangle], ends ? [ends.a, ends.b] : []);
     ui.hover = ends ? this.#seamText(seam!) : this.#vertexText(hit, surface);
+  }
+
+  /** Shows the chain that a click would choose. */
+  #outlineChain(view: View, event: PointerEvent): boolean {
+    if (this.#app.ui.tool !== 'edges' || view !== this.#model || !this.#surface) return false;
+    const edge = edgeUnder(this.#model, this.#surface, event);
+    const chain = edge && edgeMap(this.#app)?.chainThrough(edge);
+    this.#model.highlight(
+      [],
+      (chain ?? []).map(([v, w]): [number, number] => [v, w]),
+    );
+    this.#app.ui.hover = chain ? `Click: lines follow these ${chain.length} edges` : '';
+    return true;
   }
 
   get #surface(): Surface | undefined {

@@ -3,6 +3,7 @@
 
 import { computed } from '@preact/signals-core';
 import { computeBudget, type Budget } from './gauss_bonnet';
+import { sameFeatures, type FeatureChoice } from './features';
 import { sameGrid } from './grid';
 import { History } from './history';
 import type { LiveMap } from './live';
@@ -76,6 +77,8 @@ interface Fields {
   solve: SolveSettings;
   /** The direction field from which cones were last imported, as read. */
   field: { name: string; text: string } | undefined;
+  /** The edges that the next map is to have as straight lines. */
+  features: FeatureChoice | undefined;
   /** Whether the user has set the cones, possibly to none. */
   hasUserCones: boolean;
   /** Position of the slider between few cones and low distortion. */
@@ -138,6 +141,7 @@ export class Document extends storeOf<Fields>() {
       summaries: [],
       solve: { rounds: 12, frames: 'auto', grid: plainGrid },
       field: undefined,
+      features: undefined,
       hasUserCones: false,
       coneStep: middleStep,
       selected: -1,
@@ -198,6 +202,7 @@ export class Document extends storeOf<Fields>() {
       (one) =>
         one.improve === improve &&
         one.frames === frames &&
+        sameFeatures(one.features, this.features) &&
         sameGrid(one.grid, grid, one.prescription.q) &&
         samePrescription(one.prescription, this.prescription),
     );
@@ -280,6 +285,7 @@ export class Document extends storeOf<Fields>() {
     this.validation = undefined;
     this.quads = undefined;
     this.message = undefined;
+    this.features = undefined;
     this.takeField();
     this.begin(emptyPrescription(this.prescription.q, 0, 0), plainSettings);
   }

@@ -11,6 +11,7 @@ import type {
   Written,
   Note,
 } from 'hgp';
+import type { FeatureChoice } from './features';
 import type { QuadShape } from './quad_shape';
 import type { Distortion, LeastArea, Overlaps, Sizes } from './measures';
 import type { Prescription } from './prescription';
@@ -118,6 +119,8 @@ export interface SolveRequest {
   settings: LoadSettings;
   improve?: number;
   frames: 'auto' | 'file';
+  /** Edges that are straight lines. */
+  features?: FeatureChoice;
   /** The settings; `cells` is the number requested from the solver, if any. */
   grid: GridSettings;
   cells?: number;

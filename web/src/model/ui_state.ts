@@ -3,7 +3,7 @@
 import type { Recent } from './recent';
 import { storeOf } from './store';
 
-export type Tool = 'orbit' | 'place';
+export type Tool = 'orbit' | 'place' | 'edges';
 export type Tab = 'surface' | 'map';
 export type Sheet = 'peek' | 'half' | 'full';
 export type Dialog = '' | 'download' | 'help' | 'log' | 'palette' | 'compare';

@@ -13,6 +13,7 @@ import { noteForPage } from '../text/notes';
 import { estimateFor } from '../text/estimate';
 import { count } from '../text/format';
 import { actionButton } from './action_button';
+import './features_panel';
 import { keepWhileTyping } from './keep_while_typing';
 import { Panel } from './panel';
 import './solve_panel.css';
@@ -38,7 +39,9 @@ class SolvePanel extends Panel {
     if (!doc.usableModel) return nothing;
     return html`<details open id="panel-solve">
       <summary>Solve</summary>
-      ${this.#automatic()} ${this.#presets()} ${this.#grid()} ${this.#improve()}
+      ${this.#automatic()} ${this.#presets()} ${this.#grid()}
+      <hgp-features-panel .app=${this.app}></hgp-features-panel>
+      ${this.#improve()}
       <details id="solve-more">
         <summary>More: limits, frames, command line</summary>
         ${this.#limits()} ${this.#frames()} ${this.#estimate()}

@@ -42,7 +42,10 @@ const valueOf = (event: Event): string => (event.target as HTMLSelectElement).va
 
 /** The tools shown directly where there is little room; all others are in a menu. */
 const fewTools = ['orbit', 'place', 'frame'] as const;
-const allTools = [...fewTools, 'wire', 'seams', 'next-light', 'picture', 'turntable'] as const;
+const allTools = [
+  ...['orbit', 'place', 'edges', 'frame', 'wire', 'seams'],
+  ...['next-light', 'picture', 'turntable'],
+] as const;
 
 class ViewToolbar extends Panel {
   override render(): TemplateResult {
@@ -51,7 +54,7 @@ class ViewToolbar extends Panel {
     const tools = (isNarrow ? fewTools : allTools).map((id) =>
       actionButton(app, id, {
         isIconOnly: true,
-        domId: id === 'orbit' || id === 'place' ? `tool-${id}` : id,
+        domId: id === 'orbit' || id === 'place' || id === 'edges' ? `tool-${id}` : id,
       }),
     );
     return html`<div
@@ -79,9 +82,9 @@ class ViewToolbar extends Panel {
   /** The menu, placed below the picture, so that its effect is visible. */
   #menu(): TemplateResult {
     const { app } = this;
-    const switches = (['wire', 'seams', 'parallel', 'handles', 'reset-camera'] as const).map((id) =>
-      actionButton(app, id, { className: 'small' }),
-    );
+    const switches = (
+      ['edges', 'wire', 'seams', 'parallel', 'handles', 'reset-camera'] as const
+    ).map((id) => actionButton(app, id, { className: 'small' }));
     return html`<div class="popup" id="view-options" popover role="group" aria-label="View">
       <p class="row">${switches}</p>
       ${app.doc.displayed ? this.#looks() : nothing}

@@ -1,5 +1,6 @@
 // The equivalent command line.
 
+import type { FeatureChoice } from '../model/features';
 import type { Prescription } from '../model/prescription';
 import type { GridSettings, Model, Output } from '../model/types';
 
@@ -47,6 +48,8 @@ export interface CommandOptions {
   gridMode: GridSettings['mode'];
   /** Whose directions are the frames. */
   field?: { name: string };
+  /** Edges that lines follow; cones are then automatic. */
+  features?: FeatureChoice;
   /** In seconds. */
   timeLimit?: number;
 }
@@ -73,6 +76,11 @@ function solveWords(options: CommandOptions): string[] {
   return words;
 }
 
+function featureWords({ hasRims, edges }: FeatureChoice, stem: string): string[] {
+  const list = edges.length > 0 ? ['--features', quoted(`${stem}.features.json`)] : [];
+  return [...(hasRims ? ['--rims'] : []), ...list];
+}
+
 function outputWords(output: CommandOutput): string[] {
   const { uvSet, usesNewSet, embedCones, gridTiles, isUncertified } = output;
   return [
@@ -96,7 +104,7 @@ export function cliCommand(
   const ending = /\.(glb|gltf)$/i.exec(main)?.[0] ?? '.obj';
   return [
     ...['hgp', 'param', quoted(main)],
-    ...coneWords(prescription, stem),
+    ...(options.features ? featureWords(options.features, stem) : coneWords(prescription, stem)),
     ...meshWords(model),
     ...solveWords(options),
     ...((info.components?.length ?? 1) > 1 ? ['--keep-going'] : []),

@@ -47,7 +47,7 @@ export class ModelView extends CanvasView {
   readonly #mesh = new Mesh(new BufferGeometry(), surfaceMaterial(true, this.#toStudio));
   readonly #markers = new ConeMarkers(true);
   readonly #ghost = new ConeMarkers(false, 12);
-  readonly #marks = new SurfaceMarks();
+  readonly marks = new SurfaceMarks();
   readonly #quads = new QuadsView(this.#toStudio);
   readonly #studio: StudioLight;
   readonly #live = new LiveGeometry(false);
@@ -67,14 +67,14 @@ export class ModelView extends CanvasView {
   constructor(canvas: HTMLCanvasElement) {
     super(canvas);
     this.scene.add(this.#mesh, this.#others, this.#shadow, this.#quads);
-    this.scene.add(this.#marks, this.#markers, this.#ghost);
+    this.scene.add(this.marks, this.#markers, this.#ghost);
     this.#mesh.visible = false;
     this.#mesh.frustumCulled = false; // it is nearly always visible
     this.#ghost.setStyle(1.1, 0.75);
     this.#studio = new StudioLight(this.renderer, this.scene, this.#toStudio);
     this.beforeDraw(() => {
       this.#studio.turn(this.camera, this.orbit.controls.target);
-      this.#marks.lift(this.camera.position, this.orbit.lift);
+      this.marks.lift(this.camera.position, this.orbit.lift);
     });
     this.orbit = new Orbit(this.camera, canvas, () => this.draw());
   }
@@ -102,7 +102,7 @@ export class ModelView extends CanvasView {
     this.#live.restore();
     const before = this.#mesh.geometry;
     before.dispose();
-    this.#marks.hide(isNew);
+    this.marks.hide(isNew);
     if (isNew) [this.#ghost.visible, this.#bvh] = [false, undefined];
     if (!surface) {
       this.#mesh.geometry = new BufferGeometry();
@@ -154,7 +154,7 @@ export class ModelView extends CanvasView {
     material.uniforms.dim.value = isStale ? 0.65 : 0;
     if (look.image && look.image !== this.#image) setImage(material, (this.#image = look.image));
     this.canvas.dataset.seams = look.seams;
-    this.#marks.setLook(look, palette, { surface, solution, geometry: this.#mesh.geometry });
+    this.marks.setLook(look, palette, { surface, solution, geometry: this.#mesh.geometry });
     this.draw();
   }
 
@@ -167,7 +167,7 @@ export class ModelView extends CanvasView {
   /** Shows a map that is not stored in place of the solution's; undefined: the solution's again. */
   setLive(live: LiveMap | undefined): void {
     this.#live.show(this.#mesh.geometry, live, this.#surface);
-    if (live) for (const lines of this.#marks.ofMap) lines.visible = false;
+    if (live) for (const lines of this.marks.ofMap) lines.visible = false;
     this.draw();
   }
 
@@ -177,12 +177,12 @@ export class ModelView extends CanvasView {
   }
 
   setCrosses(points: Float32Array, palette: Palette): void {
-    this.#marks.setCrosses(points, palette);
+    this.marks.setCrosses(points, palette);
     this.draw();
   }
 
   setHandles(loops: Float32Array[]): void {
-    this.#marks.setHandles(loops);
+    this.marks.setHandles(loops);
     this.draw();
   }
 
@@ -218,7 +218,7 @@ export class ModelView extends CanvasView {
     const isOriginal = this.#ownOpen !== undefined && isWanted;
     if (this.#ownOpen) this.#ownOpen.visible = isOriginal;
     this.#mesh.visible = this.#surface !== undefined && !isOriginal && !this.#quads.visible;
-    this.#marks.visible = this.#markers.visible = !this.#quads.visible;
+    this.marks.visible = this.#markers.visible = !this.#quads.visible;
     this.canvas.dataset.original = isOriginal ? 'shown' : 'none';
   }
 
@@ -232,7 +232,7 @@ export class ModelView extends CanvasView {
     renderer.setScissorTest(true);
     renderer.setScissor(split, 0, width - split, height);
     renderer.render(scene, camera);
-    const over = [...this.#marks.ofMap, this.#markers];
+    const over = [...this.marks.ofMap, this.#markers];
     const wasVisible = over.map(({ visible }) => visible);
     const { pattern } = this.#mesh.material.uniforms;
     const usual: unknown = pattern.value;
@@ -278,13 +278,13 @@ export class ModelView extends CanvasView {
 
   /** Shows where the keyboard's cursor is; −1: nowhere. */
   setCursor(vertex: number): void {
-    this.#marks.setCursor(this.#surface, vertex);
+    this.marks.setCursor(this.#surface, vertex);
     this.draw();
   }
 
   /** Outlines triangles, and edges given by two vertices. */
   highlight(triangles: number[], edges: [number, number][] = []): void {
-    if (this.#marks.highlight(this.#surface, triangles, edges)) this.draw();
+    if (this.marks.highlight(this.#surface, triangles, edges)) this.draw();
   }
 
   #rayOf(event: Place): Ray {

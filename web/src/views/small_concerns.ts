@@ -39,7 +39,19 @@ export function markersConcern({ doc, ui, model }: Sources) {
   return { key: () => [areFaded()], show: () => model.setMarkers(areFaded()) };
 }
 
-export const wipeConcern = ({ doc, ui, model }: Sources) => ({
+/** The edges that lines follow. */
+const featuresConcern = ({ doc, model }: Sources) => ({
+  key: () => [doc.features, doc.model?.surface],
+  show: () => {
+    const { edges = [], rims = [] } = doc.features ?? {};
+    model.marks.setFeatures(doc.model?.surface, [...edges, ...rims]);
+    model.draw();
+  },
+});
+
+const wipeConcern = ({ doc, ui, model }: Sources) => ({
   key: () => [ui.wipe, doc.displayed],
   show: () => model.setWipe(doc.displayed ? ui.wipe / 100 : 0),
 });
+
+export const lastConcerns = (sources: Sources) => [featuresConcern(sources), wipeConcern(sources)];

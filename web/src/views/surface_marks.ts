@@ -9,6 +9,7 @@ import type { Palette } from './pattern_material';
 import { chainColour, ticksOnSurface } from './seam_marks';
 
 const highlightColour = new Color('#ff2d95');
+const featureColour = new Color('#e0452f');
 const mostOutlined = 2000; // triangles
 
 type Point = [number, number, number];
@@ -23,6 +24,7 @@ export class SurfaceMarks extends Group {
   readonly #seams = new Lines(3.5, { order: 3, bias: 2 });
   readonly #ticks = new Lines(2.5, { order: 3, bias: 2 });
   readonly #handles = new Lines(4, { order: 4, bias: 2 });
+  readonly #features = new Lines(4, { order: 3, bias: 2 });
   readonly #crosses = new Lines(2, { order: 1, bias: 1 });
   readonly #wire = new Wire(1, true);
   readonly #light = new Lines(4.5, { order: 6, depth: false });
@@ -32,19 +34,20 @@ export class SurfaceMarks extends Group {
 
   constructor() {
     super();
-    this.add(this.#wire, this.#crosses, this.#seams, this.#ticks, this.#handles);
+    this.add(this.#wire, this.#crosses, this.#features, this.#seams, this.#ticks, this.#handles);
     this.add(this.#light, this.#cursor);
   }
 
   /** Draws lines nearer to the eye, so that the surface does not cover them. */
   lift(eye: Vector3, by: number): void {
-    for (const lines of [...this.ofMap, this.#wire, this.#handles]) lines.lift(eye, by);
+    for (const lines of [...this.ofMap, this.#wire, this.#features, this.#handles])
+      lines.lift(eye, by);
   }
 
   /** Hides what belongs to an earlier map or, if it is new, to another surface. */
   hide(isNewSurface: boolean): void {
     for (const lines of [...this.ofMap, this.#wire, this.#light]) lines.visible = false;
-    if (isNewSurface) this.#cursor.visible = this.#handles.visible = false;
+    if (isNewSurface) this.#cursor.visible = this.#handles.visible = this.#features.visible = false;
   }
 
   setLook(
@@ -78,6 +81,14 @@ export class SurfaceMarks extends Group {
       for (let s = 0; s < loop.length; s += 6) colours.push(chainColour(i));
     });
     this.#handles.set(points, colours);
+  }
+
+  /** Shows edges that lines of the map follow. */
+  setFeatures(surface: Surface | undefined, edges: readonly (readonly [number, number])[]): void {
+    const points = surface
+      ? edges.flatMap(([v, w]) => [...placeOf(surface, v), ...placeOf(surface, w)])
+      : [];
+    this.#features.set(points, featureColour);
   }
 
   /** Shows the vertex of the keyboard cursor by the edges of its one-ring. */

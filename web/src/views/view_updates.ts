@@ -12,7 +12,7 @@ import type { UiState } from '../model/ui_state';
 import type { GeometryClient } from '../services/geometry_client';
 import { isGltf } from '../formats/glb';
 import { disposeScene, loadGltfScene, type OwnScene } from './gltf_scene';
-import { isStale, liveConcern, markersConcern, wipeConcern } from './small_concerns';
+import { isStale, lastConcerns, liveConcern, markersConcern } from './small_concerns';
 import type { ModelView } from './model_view';
 import type { Palette } from './pattern_material';
 import type { UvView } from './uv_view';
@@ -76,7 +76,7 @@ export class ViewUpdates {
       this.#originals(),
       this.#scene(),
       this.#quads(),
-      wipeConcern(this.#in),
+      ...lastConcerns(this.#in),
     ];
     effect(() => {
       for (const concern of this.#concerns) concern.key();

@@ -23,8 +23,8 @@ constexpr double kFinerFactors[] = {2.0, 2.83, 4.0, 5.66};
 constexpr double kLineReach = 12.0;
 /// Programs per density.
 constexpr int kRoundsPerDensity = 6;
-/// The choice is dense: its matrices have the square of this many entries.
-constexpr std::size_t kMostLineIntegers = 2000;
+/// Multiply-adds that all choices of integers of a run may take, per unit of ParametrizeOptions::largestWork.
+constexpr double kChoiceWork = 6e7;
 
 double areaOf(const TriMesh& mesh, const CutMesh& cut, const std::vector<Complex>& z) {
   double area = 0.0;
@@ -49,7 +49,8 @@ class GridAligner {
         isQuad_(options.grid.mode == GridMode::kQuad),
         isNode_(nodes()),
         plane_{mesh,    setup.seamless.cut,   setup.aligned.sectors, setup.unknowns, z,
-               isNode_, setup.seamless.cones, setup.aligned.index} {}
+               isNode_, setup.seamless.cones, setup.aligned.index},
+        work_(kChoiceWork * options.largestWork) {}
 
   StraightGrid run() {
     const double mapArea = areaOf(mesh_, setup_.seamless.cut, z_), area = surfaceArea(mesh_);
@@ -66,9 +67,11 @@ class GridAligner {
       return std::move(out_);
     }
     report.integers = static_cast<int>(variables_.size());
-    if (variables_.size() > kMostLineIntegers) {
-      report.reason = Note("features-many-integers",
-                           {{"integers", report.integers}, {"most", kMostLineIntegers}});
+    // A choice begins with as many updates of a dense matrix as there are integers.
+    const double most = std::floor(portable::pow(work_, 1.0 / 3.0));
+    if (static_cast<double>(variables_.size()) > most) {
+      report.reason =
+          Note("features-many-integers", {{"integers", report.integers}, {"most", most}});
       return std::move(out_);
     }
     prepareChoice();
@@ -84,12 +87,17 @@ class GridAligner {
  private:
   void explain(double cells) {
     GridReport& report = out_.report;
+    if (isExhausted_) {
+      report.reason = Note("features-grid-work", {{"integers", report.integers}, {"cells", cells}});
+      return;
+    }
     report.reason = Note("features-no-integers", {{"cells", cells}});
     const GridReport asked = report;
     for (const double factor : kFinerFactors) {
       if (!goOn(0.9)) return;
       if (!attempt(factor)) continue;
       if (out_.isCancelled) return;
+      if (isExhausted_) break;
       const double works = report.cells;
       report = asked;
       report.workingCells = works;
@@ -207,7 +215,13 @@ class GridAligner {
   bool attempt(double factor) {
     const double scale = factor * scale_;
     const LineChoice choice(covariance_, demands_);
-    const Eigen::VectorXd y = choice.near(scale * y0_);
+    const std::optional<Eigen::VectorXd> chosen = choice.near(scale * y0_, work_);
+    isExhausted_ = !chosen;
+    if (!chosen) {
+      out_.report.attempts.push_back({"work limit", factor * factor, 0});
+      return true;
+    }
+    const Eigen::VectorXd& y = *chosen;
     GridAttempt record{"straight program", factor * factor, choice.broken(y)};
     if (record.turned > 0) {
       record.method = "lines that meet";
@@ -295,6 +309,8 @@ class GridAligner {
   PerFace<double> frames_;
   std::vector<LineDemand> demands_;
   double scale_ = 1.0;
+  double work_;  ///< multiply-adds left for choices
+  bool isExhausted_ = false;
   StraightGrid out_;
 };
 

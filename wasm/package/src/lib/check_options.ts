@@ -53,6 +53,13 @@ const coneFile = kind(
   '{ name, text }',
   (value) => isRecord(value) && typeof value.text === 'string',
 );
+const features = kind(
+  '{ rims, creases, marked, lines } or { name, text }',
+  (value) =>
+    isRecord(value) &&
+    (typeof value.text === 'string' ||
+      Object.keys(value).every((name) => ['rims', 'creases', 'marked', 'lines'].includes(name))),
+);
 const record = (fields: Fields): Kind => ({ name: 'an object', test: isRecord, fields });
 const callback = kind('a function', (value) => typeof value === 'function');
 const signal = kind(
@@ -117,7 +124,7 @@ function fieldsOf(rows: OptionRow[]): Fields {
 }
 
 const load: Fields = { name: string, ...fieldsOf(optionTable.load) };
-const parametrize: Fields = { ...fieldsOf(optionTable.solve), cones, field: coneFile };
+const parametrize: Fields = { ...fieldsOf(optionTable.solve), cones, field: coneFile, features };
 const { q, count, conesFor, alignToCurvature } = parametrize;
 const write = fieldsOf(optionTable.write);
 const { surface: _surface, ...loadFile } = load;
@@ -143,9 +150,10 @@ export const optionsOf = {
   },
   suggestCones: { q, count, conesFor, alignToCurvature },
   parametrize,
-  verify: { cones, field: coneFile, ...fieldsOf(optionTable.verify) },
+  verify: { cones, field: coneFile, features, ...fieldsOf(optionTable.verify) },
   write,
   quads: { name: string },
+  listFeatures: { name: string },
   parametrizeFile: { ...loadFile, ...solveFile, write: record(writeFile) },
   combine: {
     ...{ name: string, uvSet: integer(-1), embedCones: boolean },
@@ -211,6 +219,12 @@ export function checkConeFile(call: string, value: unknown): void {
   if (!coneFile.test(value)) {
     throw usage(`${call}: a file of cones is ${coneFile.name}, not ${describe(value)}`);
   }
+}
+
+/** @internal */
+export function checkFeatures(call: string, value: unknown): void {
+  if (!features.test(value))
+    throw usage(`${call}: features are ${features.name}, not ${describe(value)}`);
 }
 
 /** @internal */

@@ -7,7 +7,13 @@ import createModule, {
   type SessionResult,
   type StoredResult,
 } from '../module.js';
-import { checkConeFile, checkCones, checkOptions, checkVertex } from './check_options.js';
+import {
+  checkConeFile,
+  checkCones,
+  checkFeatures,
+  checkOptions,
+  checkVertex,
+} from './check_options.js';
 import { decodersFor } from './decoders.js';
 import { defineDisposal } from './disposal.js';
 import { CoreDrag, type DragPath } from './drag.js';
@@ -20,6 +26,9 @@ import type {
   ConeFile,
   Cones,
   CoreFiles,
+  FeatureFile,
+  FeatureListOptions,
+  Features,
   FileOptions,
   LoadOptions,
   MeshArrays,
@@ -34,6 +43,7 @@ import type {
 import type { FileReader } from './platform.js';
 import { MapData } from './map_data.js';
 import type {
+  FeatureList,
   FileResult,
   Loops,
   Measures,
@@ -75,11 +85,22 @@ function exportName(name: string, format: string): string {
   return `${stem}.${format === 'flat-obj' ? 'flat.obj' : format}`;
 }
 
-/** A field file in the session's form: all members are set, q is 0 if the file has its own. */
-function fieldFile(field?: ConeFile): object | undefined {
-  if (!field) return undefined;
-  const { name = '', text, q = 0 } = field as Partial<ConeFile>;
-  return { name, text, q };
+/** Features in the session's form: a file. */
+function listFile(features: Features | FeatureFile): FeatureFile {
+  if ('text' in features) {
+    const { name = '', text = '' } = features as Partial<FeatureFile>;
+    return { name, text };
+  }
+  return { name: 'features.json', text: JSON.stringify({ q: 4, features }) };
+}
+
+/** Files in the session's form: all members of each are set, q is 0 if a field has its own. */
+function filesOf(field?: ConeFile, features?: Features | FeatureFile): object {
+  const { name = '', text, q = 0 } = (field ?? {}) as Partial<ConeFile>;
+  return {
+    ...(field && { field: { name, text, q } }),
+    ...(features && { features: listFile(features) }),
+  };
 }
 
 /** The numbers of a map that is not needed any more. */
@@ -352,14 +373,30 @@ export class CoreModel {
     return valueOf(this.#live.logScale(JSON.stringify(cones))).logScale;
   }
 
+  /**
+   * The edges that features mean on this mesh, rims included, as a file of a name: `.json` (hgp-cones with positions),
+   * `.sharp`, `.obj` (`l` lines), otherwise rows of two vertices.
+   */
+  listFeatures(
+    features: Features | FeatureFile,
+    { name = 'features.json', ...rest }: FeatureListOptions = {},
+  ): FeatureList {
+    checkFeatures('listFeatures', features);
+    checkOptions('listFeatures', { name, ...rest });
+    const { notes, ...list } = valueOf(this.#live.features(listFile(features), name));
+    return { name, ...list, notes: JSON.parse(notes) as Note[] };
+  }
+
   /** Solves, and verifies the map as it will be stored; without `cones` they are chosen automatically. */
   parametrize(options: SolveOptions = {}): CoreMap {
     checkOptions('parametrize', options);
-    const { cones, field, ...rest } = options;
+    const { cones, field, features, ...rest } = options;
     const session = this.#live;
     const text = cones ? JSON.stringify(cones) : '';
     const asked = JSON.stringify(rest);
-    return this.#mapOf(session.parametrize(text, fieldFile(field), asked, this.#progress()));
+    return this.#mapOf(
+      session.parametrize(text, filesOf(field, features), asked, this.#progress()),
+    );
   }
 
   /**
@@ -389,9 +426,9 @@ export class CoreModel {
   /** Verifies texture coordinates in the file. */
   verify(options: VerifyOptions = {}): Certificate {
     checkOptions('verify', options);
-    const { cones, field, ...rest } = options;
+    const { cones, field, features, ...rest } = options;
     const text = cones ? JSON.stringify(cones) : '';
-    const reply = this.#live.verify(text, fieldFile(field), JSON.stringify(rest));
+    const reply = this.#live.verify(text, filesOf(field, features), JSON.stringify(rest));
     return jsonOf(reply) as Certificate;
   }
 

@@ -145,6 +145,8 @@ export const corePhrases = {
   'features-no-grid': 'the lines of these features and the seams have no common grid',
   'features-many-integers':
     'the lines of these features have {integers} integers to choose, and at most {most} are chosen; with fewer features there are fewer',
+  'features-grid-work':
+    'the {integers} integers of the lines of these features were not chosen within the work allowed at {cells:.0f} cells; with fewer features, or more cells, there is less to choose',
   'features-no-integers':
     'no choice of integers kept lines apart and all triangles positive at {cells:.0f} cells[working:; {working:.0f} cells would work][these: with the cones of this run]',
   'map-dragged':

@@ -4,6 +4,7 @@
 import {
   checkConeFile,
   checkCones,
+  checkFeatures,
   checkOptions,
   checkVertex,
   type CallName,
@@ -16,6 +17,9 @@ import { MapData } from './map_data.js';
 import type {
   ConeFile,
   Cones,
+  FeatureFile,
+  FeatureListOptions,
+  Features,
   QuadOptions,
   SolveOptions,
   SuggestOptions,
@@ -26,6 +30,7 @@ import type { Recipe } from './protocol.js';
 import type { Queue } from './queue.js';
 import type {
   DragFrame,
+  FeatureList,
   Loops,
   Measures,
   Quads,
@@ -97,6 +102,22 @@ export class Model implements AsyncDisposable {
   /** Automatic cones. */
   suggestCones(options: SuggestOptions = {}, call?: CallOptions): Promise<Cones> {
     return this.#call('suggestCones', () => [taken('suggestCones', options)], call);
+  }
+
+  /**
+   * The edges that features mean on this mesh, rims included, as a file of a name: `.json` (hgp-cones with positions),
+   * `.sharp`, `.obj` (`l` lines), otherwise rows of two vertices.
+   */
+  listFeatures(
+    features: Features | FeatureFile,
+    options: FeatureListOptions = {},
+    call?: CallOptions,
+  ): Promise<FeatureList> {
+    const checked = (): unknown[] => {
+      checkFeatures('listFeatures', features);
+      return [structuredClone(features), taken('listFeatures', options)];
+    };
+    return this.#call('listFeatures', checked, call);
   }
 
   /** Checks cones against Gauss–Bonnet in exact integers; solves nothing. */

@@ -96,6 +96,27 @@ export interface ConeFile {
   q?: number;
 }
 
+/** How the file of a mesh marks edges: OBJ `l` lines, borders of smoothing groups and of materials, split normals. */
+export type FeatureMark = 'lines' | 'smoothing' | 'materials' | 'normals';
+
+/** Edges that become lines u = const or v = const, exactly (q = 4). With any of them, all boundary edges are features. */
+export interface Features {
+  /** The boundary edges, also where there is no other feature. */
+  rims?: boolean;
+  /** Inner edges with a larger dihedral angle, in degrees. */
+  creases?: number;
+  /** Edges that the file marks. */
+  marked?: FeatureMark[];
+  /** Polylines along edges. Where the file has changed since, vertices are found by their positions. */
+  lines?: { vertices: number[]; positions?: [number, number, number][] }[];
+}
+
+/** A list of edges: `.sharp`, OBJ with `l` lines, hgp-cones JSON, otherwise rows of two vertices. */
+export interface FeatureFile {
+  name: string;
+  text: string;
+}
+
 export interface SuggestOptions {
   q?: number;
   /** Number of cones; by default chosen by `conesFor`. A note says so if this number is not possible. */
@@ -114,6 +135,8 @@ export interface SolveOptions extends SuggestOptions {
   cones?: Cones;
   /** A direction field (.rawfield, .rosy, .ffield): it determines what `cones` leave open, and must have these cones. */
   field?: ConeFile;
+  /** Edges that become straight lines; cones and corners are then those of a field along them. */
+  features?: Features | FeatureFile;
   /**
    * Frames of the map. `auto`: a smooth field that hgp computes with the prescribed cones, turnings and rotations.
    * `file`: the directions of `field`, which must have exactly these; otherwise the call fails with `prescription`,
@@ -171,6 +194,8 @@ export interface VerifyOptions {
   cones?: Cones;
   /** As in SolveOptions. */
   field?: ConeFile;
+  /** Edges that must be straight. */
+  features?: Features | FeatureFile;
   /** Order of the rotations, if no cones are given; by default 4. */
   q?: number;
   /** The uv set to verify; by default the last one. */
@@ -213,6 +238,11 @@ export type CombineOptions = Pick<
   WriteOptions,
   'name' | 'uvSet' | 'embedCones' | 'allowUncertified' | 'use' | 'gridMaterial'
 >;
+
+export interface FeatureListOptions {
+  /** The name of the file, whose extension decides the format; by default features.json. */
+  name?: string;
+}
 
 export interface QuadOptions {
   /** File name, whose extension determines the format: .obj for quads, .glb for triangles, for viewing. */

@@ -177,6 +177,18 @@ export interface Quads {
   foldedQuads: number;
 }
 
+/** A list of features. */
+export interface FeatureList {
+  name: string;
+  text: string;
+  /** Edges inside the surface, and on its boundary. */
+  creaseEdges: number;
+  rimEdges: number;
+  /** Runs of edges between ends and crossings. */
+  chains: number;
+  notes: Note[];
+}
+
 export interface OutputFile {
   name: string;
   bytes: Uint8Array;

@@ -62,7 +62,7 @@ function progressOf(
 /** Methods of the handles that can be called by messages. */
 const methodsOfModel = [
   ...['inspect', 'surface', 'facts', 'loops', 'readCones', 'embeddedCones'],
-  ...['suggestCones', 'check', 'logScale', 'parametrize', 'verify', 'dragged'],
+  ...['suggestCones', 'listFeatures', 'check', 'logScale', 'parametrize', 'verify', 'dragged'],
 ];
 const methodsOfMap = ['write', 'measure', 'quads', 'beginDrag'];
 const methodsOfDrag = ['dragTo', 'endDrag'];

@@ -1,0 +1,85 @@
+// Lines along features on the page: creases that are found, rims, chains that are clicked, and what the file then says.
+
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { cubeMesh, toObj } from '../support/meshes.mjs';
+import { flatSquare } from './shapes.mjs';
+import {
+  commandLine,
+  openFiles,
+  run,
+  saveAs,
+  settled,
+  shots,
+  state,
+  statusSays,
+  statusText,
+  useBrowser,
+  violations,
+} from './support.mjs';
+
+const it = useBrowser();
+const { test } = it;
+const note = () => it.page.innerText('#features-note');
+
+test('lines follow the creases of a cube: the map and the file have them straight', async (t) => {
+  const { page } = it;
+  await openFiles(it, { 'cube.obj': toObj(cubeMesh(6)) });
+  await page.click('#follow-creases');
+  await page.waitForSelector('#features-note');
+  assert.match(await note(), /With Run, lines follow 12 creases: 72 edges/);
+  await run(it);
+  assert.match(await statusText(page), /lines follow 12 creases, and lines meet at every seam/);
+  assert.match(await note(), /^Lines follow 12 creases/);
+  await settled(page);
+  await page.screenshot({ path: path.join(shots, 'features.png') });
+  assert.deepEqual(await violations(page, '#panel-solve'), []);
+  const program = commandLine(t);
+  const saved = await saveAs(it, 'same');
+  if (program) {
+    const file = path.join(it.folder, 'mapped.obj');
+    writeFileSync(file, saved.bytes);
+    const { stdout, status } = spawnSync(program, ['verify', file, '--creases'], { encoding: 'utf8' }); // prettier-ignore
+    assert.equal(status, 0, stdout);
+    assert.match(stdout, /12 of 12 chains straight, exactly/);
+  }
+  // Another choice makes the map stale.
+  await page.click('#features-clear');
+  await state(page, 'stale');
+  assert.equal(await page.locator('#features-note').count(), 0);
+});
+
+test('a click chooses the chain to the next corners, and with Alt takes it out', async () => {
+  const { page } = it;
+  await openFiles(it, { 'cube.obj': toObj(cubeMesh(6)) });
+  await settled(page);
+  await page.click('#tool-edges');
+  const box = await page.locator('#view').boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.click(x, y);
+  await statusSays(it, /edges? chosen/);
+  const count = async () => Number(/(\d+) edges inside/.exec(await note())[1]);
+  const chosen = await count();
+  assert.ok(chosen === 1 || chosen === 6, await note());
+  await page.keyboard.down('Alt');
+  await page.mouse.click(x, y);
+  await page.keyboard.up('Alt');
+  await statusSays(it, /not followed any more/);
+  assert.equal(await page.locator('#features-note').count(), 0);
+});
+
+test('rims are offered where there are some, and a click on one chooses them', async () => {
+  const { page } = it;
+  await openFiles(it, { 'square.obj': toObj(flatSquare(6)) });
+  await page.click('#follow-rims');
+  await page.waitForSelector('#features-note');
+  assert.match(await note(), /lines follow 1 rim: 0 edges/);
+  await run(it);
+  assert.match(await statusText(page), /lines follow 1 rim/);
+  await openFiles(it, { 'cube.obj': toObj(cubeMesh(4)) });
+  assert.equal(await page.locator('#follow-rims').count(), 0);
+  assert.equal(await page.isChecked('#follow-creases'), false);
+});

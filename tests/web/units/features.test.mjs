@@ -1,0 +1,102 @@
+// Edges that lines follow, as the page chooses them: chains up to the next corner, runs, and the command for them.
+
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import {
+  countRuns,
+  EdgeMap,
+  featuresText,
+  noFeatures,
+  sameFeatures,
+  toFeatures,
+  withChain,
+} from '../../../web/src/model/features.ts';
+import { cliCommand } from '../../../web/src/text/cli_command.ts';
+import { flatSquare } from '../shapes.mjs';
+
+const surfaceOf = ({ vertices, triangles }) => ({
+  places: Float64Array.from(vertices.flat()),
+  triangles: Uint32Array.from(triangles.flat()),
+});
+const n = 4;
+/** A box of n × n squares a side. */
+function box() {
+  const [vertices, triangles, ids] = [[], [], new Map()];
+  const id = (p) => {
+    const key = p.join();
+    if (!ids.has(key)) ids.set(key, vertices.push(p) - 1);
+    return ids.get(key);
+  };
+  for (let axis = 0; axis < 3; axis++)
+    for (const side of [0, n])
+      for (let i = 0; i < n; i++)
+        for (let j = 0; j < n; j++) {
+          const corner = (u, v) => {
+            const p = [0, 0, 0];
+            [p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3]] = [side, u, v];
+            return id(p);
+          };
+          const [a, b, c, d] = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)]; // prettier-ignore
+          triangles.push(...(side ? [[a, b, c], [a, c, d]] : [[a, c, b], [a, d, c]])); // prettier-ignore
+        }
+  return { vertices, triangles };
+}
+const cube = surfaceOf(box());
+const at = (...p) => [...Array(cube.places.length / 3).keys()].find((v) => p.every((x, i) => cube.places[3 * v + i] === x)); // prettier-ignore
+
+test('a chain goes on to the corners of a cube, from whichever of its edges', () => {
+  const map = new EdgeMap(cube);
+  const row = [...Array(n + 1).keys()].map((i) => at(i, 0, 0));
+  const keys = (chain) => chain.map((edge) => [...edge].sort((a, b) => a - b).join(' ')).sort();
+  const all = keys(row.slice(1).map((v, i) => [row[i], v]));
+  for (let i = 0; i < n; i++) {
+    assert.deepEqual(keys(map.chainThrough([row[i], row[i + 1]])), all);
+    assert.deepEqual(keys(map.chainThrough([row[i + 1], row[i]])), all);
+  }
+  // An edge within a side is chosen alone.
+  const inside = [at(1, 1, 0), at(2, 1, 0)];
+  assert.deepEqual(map.chainThrough(inside), [inside]);
+  assert.deepEqual(map.rims(), []);
+});
+
+test('the rim of a square is known, and a chain on it ends at the corners', () => {
+  const square = surfaceOf(flatSquare(n));
+  const map = new EdgeMap(square);
+  const rims = map.rims();
+  assert.equal(rims.length, 4 * n);
+  assert.equal(countRuns(rims), 1);
+  assert.equal(map.chainThrough(rims[0]).length, n);
+});
+
+test('chosen chains are added once and taken out again', () => {
+  const chain = [[0, 1], [2, 1]]; // prettier-ignore
+  const once = withChain(noFeatures, chain, false);
+  const twice = withChain(once, [[1, 0]], false);
+  assert.equal(twice.edges.length, 2);
+  assert.ok(sameFeatures(once, twice));
+  assert.ok(sameFeatures(noFeatures, undefined));
+  const none = withChain(twice, chain, true);
+  assert.ok(sameFeatures(none, undefined));
+  assert.ok(!sameFeatures(once, { ...once, hasRims: true }));
+  assert.deepEqual(toFeatures(once), { rims: false, lines: [{ vertices: [0, 1] }, { vertices: [2, 1] }] }); // prettier-ignore
+});
+
+test('runs are counted between crossings', () => {
+  assert.equal(countRuns([]), 0);
+  assert.equal(countRuns([[0, 1], [1, 2], [2, 0]]), 1); // prettier-ignore
+  assert.equal(countRuns([[0, 1], [0, 2], [0, 3]]), 3); // prettier-ignore
+  const choice = { ...noFeatures, edges: [[0, 1], [1, 2], [5, 6]] }; // prettier-ignore
+  assert.equal(featuresText(choice, 0), 'lines follow 2 creases');
+  assert.equal(featuresText(choice, 1), 'lines follow 2 creases and 1 rim');
+  assert.equal(featuresText({ ...noFeatures, hasRims: true }, 2), 'lines follow 2 rims');
+});
+
+test('the command has features instead of cones', () => {
+  const model = { main: 'part.obj', loaded: { fix: {}, hasAllRepairs: true }, info: { surface: 0, surfaces: [{}], components: [{}] } }; // prettier-ignore
+  const prescription = { q: 4, cones: [{ vertex: 3, k: 3 }], turnings: [], handles: [] };
+  const features = { ...noFeatures, hasRims: true, edges: [[0, 1]] };
+  const options = { rounds: 12, scale: 'solved', gridMode: 'tile', features };
+  const command = cliCommand(model, prescription, options, { embedCones: true });
+  assert.match(command, / --rims --features part\.features\.json /);
+  assert.doesNotMatch(command, /--cone/);
+});

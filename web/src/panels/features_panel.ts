@@ -1,0 +1,71 @@
+// Part of the Solve panel: which edges become straight lines.
+
+import { html, nothing, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
+import { attempt } from '../actions/app';
+import { clearFeatures, exportFeatures, followCreases, followRims } from '../actions/features';
+import { featuresText, hasFeatures } from '../model/features';
+import { count } from '../text/format';
+import { Panel } from './panel';
+
+class FeaturesPanel extends Panel {
+  override render(): TemplateResult | typeof nothing {
+    const { doc } = this.app;
+    const model = doc.usableModel;
+    if (!model) return nothing;
+    const { features, isBusy } = doc;
+    const isPossible = doc.prescription.q === 4;
+    const loops = model.info.boundaryLoops ?? 0;
+    const tick = (id: string, text: string, isOn: boolean, set: (isOn: boolean) => unknown) =>
+      html`<label class="tick">
+        <input
+          type="checkbox"
+          id=${id}
+          ?disabled=${!isPossible || isBusy}
+          .checked=${live(isOn)}
+          @change=${(event: Event) =>
+            void attempt(this.app, () => set((event.target as HTMLInputElement).checked))}
+        />
+        ${text}
+      </label>`;
+    const { hasCreases = false, hasRims = false } = features ?? {};
+    return html`<p>
+        ${tick('follow-creases', 'Lines follow creases', hasCreases, (isOn) => followCreases(this.app, isOn))}
+        ${loops > 0 ? tick('follow-rims', 'Lines follow rims', hasRims, (isOn) => followRims(this.app, isOn)) : nothing}
+        <small
+          >${isPossible ? 'Edges become straight lines, exactly; cones are chosen to fit.' : `Lines along edges need q = 4, not ${doc.prescription.q}.`}</small
+        >
+      </p>
+      ${features && isPossible ? this.#chosen(loops) : nothing}`;
+  }
+
+  #chosen(loops: number): TemplateResult | typeof nothing {
+    const { doc } = this.app;
+    const { features, current, isBusy } = doc;
+    if (!features || !hasFeatures(features)) return nothing;
+    const text = featuresText(features, loops);
+    const isDone = current?.features !== undefined && current.result.certificate.certified;
+    return html`<p class="note" id="features-note">
+      ${isDone ? text[0].toUpperCase() + text.slice(1) : `With Run, ${text}`}:
+      ${count(features.edges.length)} edges inside the surface.
+      <button
+        type="button"
+        class="small"
+        id="features-export"
+        @click=${() => void attempt(this.app, () => exportFeatures(this.app))}
+      >
+        Save the list
+      </button>
+      <button
+        type="button"
+        class="small"
+        id="features-clear"
+        ?disabled=${isBusy}
+        @click=${() => clearFeatures(this.app)}
+      >
+        None
+      </button>
+    </p>`;
+  }
+}
+customElements.define('hgp-features-panel', FeaturesPanel);

@@ -8,15 +8,16 @@ namespace hgp {
 namespace {
 
 using test::evenedRounds;
-using test::expectMappedWithEvenedLengths;
 using test::manyCones;
 using test::stretched;
 
-TEST(Metrics, TrianglesStretchedFiveThousandTimesAreMappedWithEvenedLengths) {
+TEST(Metrics, TrianglesStretchedFiveThousandTimesAreMapped) {
   const TriMesh mesh = stretched(5000.0);
   const Result<Parametrization> p = parametrize(mesh, manyCones(mesh), {});
   ASSERT_TRUE(p) << p.error().message;
-  expectMappedWithEvenedLengths(mesh, *p);
+  ASSERT_TRUE(p->isCertified);
+  EXPECT_TRUE(certify(mesh, p->spec, p->map).isCertified);
+  EXPECT_LE(p->rounds.size(), 24u);
 }
 
 TEST(Metrics, RoundsOfBothAreCountedTogether) {

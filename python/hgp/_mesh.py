@@ -140,7 +140,7 @@ class Mesh:
             fix,
             strict,
             write_repairs,
-            surface=mesh,
+            mesh=mesh,
             target=target,
             max_bytes=max_bytes,
             max_triangles=max_triangles,

@@ -85,6 +85,7 @@ test('runs with other cones: as many maps stay as undo shows', async () => {
   const { page } = it;
   const counted = await census(page);
   await openFiles(it, { 'cube.obj': toObj(cubeMesh(6)) });
+  await page.click('#suggest'); // one cone at every corner
   await run(it);
   for (let turn = 0; turn < 4; turn++) {
     await page.click('tr[data-cone="0"] [aria-label$="smaller k"]');

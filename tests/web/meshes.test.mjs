@@ -253,7 +253,7 @@ test('the toolbar and the tabs are one Tab stop each, and arrow keys move inside
   await page.keyboard.press('Home');
   assert.equal(await focused(), 'tool-orbit');
   await page.keyboard.press('ArrowLeft');
-  assert.equal(await focused(), 'wire'); // seams come with the map
+  assert.equal(await focused(), 'turntable');
   await page.keyboard.press('Tab');
   assert.equal(await focused(), 'view');
   await page.setViewportSize({ width: 900, height: 700 });

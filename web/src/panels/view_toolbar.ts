@@ -82,14 +82,14 @@ class ViewToolbar extends Panel {
   /** The menu, placed below the picture, so that its effect is visible. */
   #menu(): TemplateResult {
     const { app } = this;
-    const switches = (
-      ['edges', 'wire', 'seams', 'parallel', 'handles', 'reset-camera'] as const
-    ).map((id) => actionButton(app, id, { className: 'small' }));
+    const switches = (['wire', 'seams', 'parallel', 'handles', 'reset-camera'] as const).map((id) =>
+      actionButton(app, id, { className: 'small' }),
+    );
     return html`<div class="popup" id="view-options" popover role="group" aria-label="View">
       <p class="row">${switches}</p>
       ${app.doc.displayed ? this.#looks() : nothing}
       <p class="row end">
-        ${(['next-light', 'picture', 'turntable'] as const).map((id) => actionButton(app, id, { isIconOnly: true }))}
+        ${(['edges', 'next-light', 'picture', 'turntable'] as const).map((id) => actionButton(app, id, { isIconOnly: true }))}
         <button type="button" popovertarget="view-options" popovertargetaction="hide">Done</button>
       </p>
     </div>`;

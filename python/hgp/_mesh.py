@@ -291,7 +291,8 @@ class Mesh:
             scale: as solved, mean edge length 1, or fitted into the unit square.
             cells, grid: align to a grid of about so many cells, or with cells of this edge length (q = 2 or 4): lines
                 meet at every seam, and one cell is one unit of uv.
-            grid_mode: "quad": cones on grid points as well, so that `Map.quads` gives a mesh of quads.
+            grid_mode: "quad": cones on grid points as well, so that `Map.quads` gives a mesh of quads; the cells are chosen
+                if neither `cells` nor `grid` is given.
             refine: if there is no map, split edges and solve again.
             keep_going: components without a map keep their uv or are cut open; the map is then not certified.
             convex_polygons: certify only maps in which every polygon of the file is convex, for readers that cut polygons
@@ -317,8 +318,6 @@ class Mesh:
         ):
             message = "boundary='convex' cannot be combined with cones, turning, handles, features or a field"
             raise UsageError(message, "arguments")
-        if grid_mode is not None and cells is None and grid is None:
-            raise UsageError("grid_mode needs cells or grid", "arguments")
         options = {
             "q": q,
             "count": count,

@@ -110,6 +110,11 @@ def test_quads_are_a_closed_mesh_of_quads_on_the_surface(pretzel: Any, tmp_path:
     assert sum(line.startswith("f ") for line in lines) == len(Q)
 
 
+def test_quads_need_no_density(pretzel: Any) -> None:
+    m = hgp.parametrize(*pretzel, grid_mode="quad")
+    assert m.aligned and 600 <= len(m.quads().quads) <= 1100
+
+
 def test_without_a_grid_there_are_no_quads(mapped: hgp.Map) -> None:
     with pytest.raises(hgp.NoMapError, match="not aligned"):
         mapped.quads()

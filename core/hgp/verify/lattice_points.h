@@ -25,7 +25,8 @@ struct LatticePoints {
 };
 
 /// u must be a − b/2 in steps of 2^exponent exactly, and v the multiple of 2^m nearest to b √3/2, where 2^m, the
-/// largest power of two that divides every v, is at most a quarter of a step: each number stands for one point at most.
+/// largest power of two that divides every v, is at most a quarter of a step, and |v| at most 2⁵¹ steps: each number
+/// stands for one point at most.
 /// @return nothing where that is not so for one and the same exponent at every corner
 std::optional<LatticePoints> latticePoints(const CornerUv& uv);
 

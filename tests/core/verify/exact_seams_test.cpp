@@ -114,6 +114,24 @@ TEST(ExactSeams, OneUlpBesideALatticePointIsNoPoint) {
   EXPECT_EQ(facts.exact + static_cast<int>(facts.inexact.size()), 5 + 4);
 }
 
+TEST(ExactSeams, NumbersThatMayStandForTwoPointsAreNoneOfTheLattice) {
+  // One vertex at b = 1 says how fine the lattice is. 4 · 2⁴⁸ rows up, doubles are a quarter of a step apart; 4 · 2⁵⁰ rows
+  // up they are half a step apart, and two rows may become the same double.
+  const TriMesh mesh = test::torus(5, 4).mesh();
+  for (const double size : {0x1p48, 0x1p50}) {
+    UvMap map = test::flatTorusMap(5, 4);
+    bool isFirst = true;
+    for (Vec2& p : map.uv) {
+      const bool isInside = p[0] > 0.0 && p[0] < 5.0 && p[1] > 0.0 && p[1] < 4.0;
+      const double a = p[0] * 0x1p48, b = isInside && isFirst ? 1.0 : p[1] * size;
+      isFirst = isFirst && !isInside;
+      p = {a - 0.5 * b, b * (0.5 * std::numbers::sqrt3)};
+    }
+    ASSERT_FALSE(isFirst);
+    EXPECT_EQ(factsOf(mesh, map, 6).exact, size == 0x1p48 ? 5 + 4 : 0) << size;
+  }
+}
+
 TEST(ExactSeams, MapsOnNoLatticeHaveNoExactSeamsOfSixths) {
   const TriMesh mesh = test::torus(5, 4).mesh();
   UvMap map = triangularMap(1.0, [](double v) { return v; });

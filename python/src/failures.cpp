@@ -1,34 +1,12 @@
 #include "failures.h"
 
 namespace hgp::python {
-namespace {
-
-const char* kindOf(const Where& where) {
-  switch (where.kind) {
-    case Where::Kind::kVertex:
-      return "vertex";
-    case Where::Kind::kEdge:
-      return "edge";
-    case Where::Kind::kFace:
-      return "triangle";
-    case Where::Kind::kLoop:
-      return "loop";
-    case Where::Kind::kLine:
-      return "line";
-    case Where::Kind::kByte:
-      return "byte";
-  }
-  return "vertex";
-}
-
-}  // namespace
-
 py::list placesOf(const Failure& failure) {
   py::list places;
   for (const Where& w : failure.where) {
     const bool isEdge = w.kind == Where::Kind::kEdge;
-    places.append(
-        py::make_tuple(kindOf(w), w.id, isEdge ? py::object(py::int_(w.other)) : py::none()));
+    places.append(py::make_tuple(kindName(w.kind), w.id,
+                                 isEdge ? py::object(py::int_(w.other)) : py::none()));
   }
   return places;
 }

@@ -55,6 +55,7 @@ import type {
   Written,
 } from './results.js';
 import { checkMesh } from './sources.js';
+import { startModule } from './start_module.js';
 import { warmUpMesh } from './warm_up.js';
 import { combine, parametrizeFile, takeCombineOptions } from './whole_file.js';
 
@@ -132,27 +133,7 @@ export class Core {
    * @internal
    */
   static async make(wasmModule: WebAssembly.Module, platform: FileReader): Promise<Core> {
-    try {
-      const module = await new Promise<Module>((resolve, reject) => {
-        createModule({
-          // Emscripten's glue code does not fetch: it receives the compiled module, so that the same file works in
-          // browsers, workers and Node. If instantiation fails, it would wait forever.
-          instantiateWasm(
-            imports: WebAssembly.Imports,
-            receive: (instance: WebAssembly.Instance) => void,
-          ) {
-            WebAssembly.instantiate(wasmModule, imports).then(receive).catch(reject);
-            return {};
-          },
-          print: () => undefined,
-          printErr: () => undefined,
-          onAbort: reject,
-        }).then(resolve, reject);
-      });
-      return new Core(module, platform);
-    } catch (error) {
-      throw unavailable(`The solver could not be started: ${messageOf(error)}`, error);
-    }
+    return new Core(await startModule(createModule, wasmModule), platform);
   }
 
   get version(): string {

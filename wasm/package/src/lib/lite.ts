@@ -3,10 +3,11 @@
 
 import createModule, { type LiteModule } from '../lite_module.js';
 import { checkOptions } from './check_options.js';
-import { messageOf, unavailable, usage, valueOf } from './error.js';
+import { usage, valueOf } from './error.js';
 import type { Cones, MeshArrays, SuggestOptions } from './options.js';
 import type { Progress, Result } from './results.js';
 import { checkMesh } from './sources.js';
+import { startModule } from './start_module.js';
 
 export interface LiteSolveOptions extends Omit<SuggestOptions, 'alignToCurvature'> {
   /** Chosen automatically if absent. Turnings of boundaries and rotations along handles are chosen by hgp. */
@@ -90,25 +91,7 @@ export class Lite {
 
   /** @internal */
   static async make(wasmModule: WebAssembly.Module): Promise<Lite> {
-    try {
-      const module = await new Promise<LiteModule>((resolve, reject) => {
-        createModule({
-          instantiateWasm(
-            imports: WebAssembly.Imports,
-            receive: (instance: WebAssembly.Instance) => void,
-          ) {
-            WebAssembly.instantiate(wasmModule, imports).then(receive).catch(reject);
-            return {};
-          },
-          print: () => undefined,
-          printErr: () => undefined,
-          onAbort: reject,
-        }).then(resolve, reject);
-      });
-      return new Lite(module);
-    } catch (error) {
-      throw unavailable(`The solver could not be started: ${messageOf(error)}`, error);
-    }
+    return new Lite(await startModule(createModule, wasmModule));
   }
 
   /** Maps a mesh given as arrays, which must be an oriented manifold: hgp/lite repairs nothing. */

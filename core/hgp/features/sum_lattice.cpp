@@ -28,6 +28,8 @@ bool SumLattice::add(const RealSum& sum) {
       const std::int64_t times = row.at(first) / own.at(first);
       for (const auto& [variable, step] : own) {
         std::int64_t& entry = row[variable];
+        if (std::abs(step) > 2 * kLargestStep / std::max<std::int64_t>(1, std::abs(times)))
+          return false;  // the product is not computed: it may exceed the integers
         entry -= times * step;
         if (std::abs(entry) > kLargestStep) return false;
         if (entry == 0) row.erase(variable);

@@ -100,8 +100,9 @@ Result<PrescribedFeatures> readObjLines(std::string_view text) {
       return wrong(number, "must be a line through vertices, not " + text::inQuotes(line));
     if (row.size() < 2) return wrong(number, "must name two vertices, not " + text::inQuotes(line));
     for (std::size_t i = 0; i < row.size(); ++i)
-      if (row[i]-- < 1 || (i > 0 && row[i - 1] == row[i]))
+      if (row[i] < 1 || (i > 0 && row[i - 1] == row[i]))
         return wrong(number, "must name different vertices from 1, not " + text::inQuotes(line));
+    for (int& vertex : row) --vertex;
     out.lines.push_back({row});
     return Done{};
   });

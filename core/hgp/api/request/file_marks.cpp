@@ -124,7 +124,9 @@ class MarkFinder {
 }  // namespace
 
 Result<std::vector<Pair>> markedEdges(const Model& model,
-                                      const std::vector<prescription::FeatureMark>& marks) {
+                                      std::vector<prescription::FeatureMark> marks) {
+  std::sort(marks.begin(), marks.end());
+  marks.erase(std::unique(marks.begin(), marks.end()), marks.end());
   if (marks.empty()) return std::vector<Pair>();
   Result<io::PlainFile> plain = model.document->plain(model.surface);
   if (!plain) return plain.error();

@@ -14,7 +14,7 @@ namespace hgp::api {
 /// their corners differ by more than a degree at either end. Lines are taken as they are, whether they are edges or not.
 /// Fails with kPrescription where nothing is marked in any of these ways, and where normals differ at more than half of all
 /// edges, since the file is then shaded flat.
-Result<std::vector<std::array<int, 2>>> markedEdges(
-    const Model& model, const std::vector<prescription::FeatureMark>& marks);
+Result<std::vector<std::array<int, 2>>> markedEdges(const Model& model,
+                                                    std::vector<prescription::FeatureMark> marks);
 
 }  // namespace hgp::api

@@ -163,11 +163,11 @@ class GridAligner {
         if (!addBoth(v)) return false;
     if (!lattice_.isComplete()) return false;
     variables_ = lattice_.variables();
-    B_ = lattice_.basis();
     return true;
   }
 
   void prepareChoice() {
+    B_ = lattice_.basis();  // dense: only where so many integers are within the budget
     const SeamlessSystem system = systemOf(mesh_, setup_.seamless);
     StraightOptions program;
     program.u = setup_.seamless.field.u;

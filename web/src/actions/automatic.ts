@@ -28,7 +28,15 @@ export async function solveAutomatic(
     ? await withFew(app, model, options, call)
     : undefined;
   if (few && isGoodWithFew(few.map.certificate)) return { ...few, step: fewStep };
-  const more = await solveAligned(app, model, options, call);
+  let more: Aligned;
+  try {
+    more = await solveAligned(app, model, options, call);
+  } catch (error) {
+    if (few && error instanceof HgpError && error.code === 'no-map')
+      return { ...few, step: fewStep };
+    void few?.map.dispose();
+    throw error;
+  }
   if (few && isAsGoodWithFew(few.map.certificate, more.map.certificate)) {
     await more.map.dispose();
     return { ...few, step: fewStep };

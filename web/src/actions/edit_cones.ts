@@ -1,7 +1,14 @@
 // Every edit of the prescription. Each is one undo step.
 
 import { leftAt, suggestedK } from '../model/gauss_bonnet';
-import { fromCones, orders, withOrder, type Cone, type Prescription } from '../model/prescription';
+import {
+  fromCones,
+  orders,
+  samePrescription,
+  withOrder,
+  type Cone,
+  type Prescription,
+} from '../model/prescription';
 import { hasDirections } from '../formats/file_set';
 import { saveCones } from '../services/cone_storage';
 import { describeError } from '../text/error_messages';
@@ -172,4 +179,10 @@ export async function importCones(app: App, name: string, text: string): Promise
   } catch (error) {
     doc.say(describeError(error, name), 'error');
   }
+}
+
+/** Cones that a run has chosen, because there were none or along features, become those of the document. */
+export function takeCones(app: App, chosen: Prescription): void {
+  if (!samePrescription(chosen, app.doc.prescription))
+    setPrescription(app, chosen, 'suggest cones');
 }

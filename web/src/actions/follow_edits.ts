@@ -7,6 +7,7 @@ import { samePrescription, toCones, type Prescription } from '../model/prescript
 import type { Model, SolveSettings } from '../model/types';
 import type { App } from './app';
 import type { JobCall } from './job';
+import { takeCones } from './edit_cones';
 import { keepSolution, sayRunFailure, sayVerdict, solve, whyNotRun } from './solve';
 
 const quick = 2000; // milliseconds: where the first run was faster, maps follow edits unless the user chose otherwise
@@ -78,6 +79,7 @@ async function renew(app: App, { prescription, model, controller }: Renewal): Pr
     const solution = await solve(app, model, base.output, call);
     if (!isOn()) return void solution.map.dispose();
     end(app);
+    takeCones(app, solution.prescription);
     keepSolution(app, solution, base);
     sayVerdict(app, solution, false);
   } catch (error) {

@@ -127,6 +127,7 @@ async function readMesh(
   const model = { main, files, solver, info, surface, loaded: settings, remarks, matrix };
   if (surfaceIndex === undefined) doc.parts = parts ?? [];
   doc.state = { kind: 'open', model };
+  doc.features = undefined; // edges are named by vertices of the surface before
   doc.selected = -1;
   const problem = whyUnusable(info);
   if (info.usable) doc.message = undefined;
@@ -172,11 +173,12 @@ export async function switchMesh(app: App, index: number): Promise<void> {
 }
 
 function restoreWork({ doc }: App, work: MeshWork): void {
-  const { history, solutions, hasUserCones, firstRun } = work;
+  const { history, solutions, hasUserCones, firstRun, features } = work;
   doc.history = history;
   doc.solutions = solutions;
   doc.hasUserCones = hasUserCones;
   doc.firstRun = firstRun;
+  doc.features = features;
 }
 
 /** Opens a mesh that was open before: the solver reads it again if it has not kept it, the rest is restored. */

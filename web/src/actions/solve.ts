@@ -35,7 +35,7 @@ import { solveAutomatic } from './automatic';
 import { solverOf, type App } from './app';
 import { balancedStep } from './cone_steps';
 import { copyCommand } from './copy_command';
-import { setPrescription } from './edit_cones';
+import { setPrescription, takeCones } from './edit_cones';
 import { isLocked, runJob, stageStart, type JobCall, type JobOutcome } from './job';
 import { sideFiles } from './side_files';
 import { showPlaces } from './view';
@@ -144,7 +144,7 @@ export async function solve(
   const keepGoing = (model.info.components?.length ?? 1) > 1;
   const options = { maxRounds: rounds, improve, scale: output.scale, keepGoing };
   const framed = usesField(app) ? { frames, field: doc.field } : {};
-  const features = usesField(app) || q !== 4 ? undefined : doc.features; // they bring their cones
+  const features = doc.askedFeatures; // they bring their cones
   const isAutomatic = features !== undefined || (!usesField(app) && doc.needsCones);
   const own = isAutomatic ? { q } : { cones: toCones(doc.prescription), ...framed };
   const all = { ...own, ...askedFeatures(features), ...options };
@@ -327,7 +327,7 @@ export async function run(app: App): Promise<RunOutcome> {
   return running(app, 'Running', async (call) => {
     const solution = await solve(app, model, doc.displayed?.output ?? plainOutput, call);
     doc.job = undefined;
-    if (isOpen) setPrescription(app, solution.prescription, 'suggest cones');
+    takeCones(app, solution.prescription);
     doc.firstRun ??= performance.now() - begin;
     keepSolution(app, solution);
     sayVerdict(app, solution, isOpen);

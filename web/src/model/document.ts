@@ -52,6 +52,7 @@ export interface MeshWork {
   readonly solutions: readonly Solution[];
   readonly hasUserCones: boolean;
   readonly firstRun: number | undefined;
+  readonly features: FeatureChoice | undefined;
 }
 
 interface Fields {
@@ -202,11 +203,16 @@ export class Document extends storeOf<Fields>() {
       (one) =>
         one.improve === improve &&
         one.frames === frames &&
-        sameFeatures(one.features, this.features) &&
+        sameFeatures(one.features, this.askedFeatures) &&
         sameGrid(one.grid, grid, one.prescription.q) &&
         samePrescription(one.prescription, this.prescription),
     );
   });
+  /** The features that a run follows: lines follow them for q = 4 and where frames are not those of a file. */
+  get askedFeatures(): FeatureChoice | undefined {
+    const usesField = this.solve.frames === 'file' && this.field !== undefined;
+    return usesField || this.prescription.q !== 4 ? undefined : this.features;
+  }
   /** The solution of exactly the current prescription. */
   get current(): Solution | undefined {
     return this.#current.value;
@@ -268,8 +274,8 @@ export class Document extends storeOf<Fields>() {
 
   /** The work on the open mesh, to be restored later. */
   get work(): MeshWork | undefined {
-    const { model, history, solutions, hasUserCones, firstRun } = this;
-    return model && { model, history, solutions, hasUserCones, firstRun };
+    const { model, history, solutions, hasUserCones, firstRun, features } = this;
+    return model && { model, history, solutions, hasUserCones, firstRun, features };
   }
 
   /** Clears everything about the open mesh, but not the file. */

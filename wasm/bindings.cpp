@@ -4,6 +4,7 @@
 #include <emscripten/bind.h>
 
 #include <array>
+#include <optional>
 #include <string>
 
 #include "decoders.h"
@@ -11,6 +12,7 @@
 #include "hgp/api/notes.h"
 #include "options.h"
 #include "reply.h"
+#include "written.h"
 
 namespace hgp::js {
 namespace {
@@ -112,6 +114,27 @@ class Session {
     });
   }
 
+  val balanceCones(const std::string& cones) const {
+    return guarded([&] {
+      const auto asked = api::readPrescription("cones.json", cones, 0);
+      return replyText(asked ? session_.balance(*asked) : Result<std::string>(asked.error()));
+    });
+  }
+
+  /// Cones of the surface of `from` on this one, and notes on what is left out.
+  val transferCones(const std::string& cones, const Session& from) const {
+    return guarded([&] {
+      const auto asked = api::readPrescription("cones.json", cones, 0);
+      if (!asked) return failed(asked.error());
+      const Result<api::MovedCones> moved = session_.transfer(*asked, from.session_);
+      if (!moved) return failed(moved.error());
+      val reply = val::object();
+      reply.set("json", moved->json);
+      reply.set("lost", api::notesDocument(moved->lost));
+      return reply;
+    });
+  }
+
   val parametrize(const std::string& cones, const val& files, const std::string& options,
                   const val& onProgress) {
     return guarded([&] {
@@ -138,15 +161,34 @@ class Session {
       const auto how = api::optionsFromJson<api::WriteOptions>(options);
       if (!how) return failed(how.error());
       const Result<api::WrittenMap> written = session_.write(*how);
-      if (!written) return failed(written.error());
-      val reply = val::object();
-      reply.set("files", toFiles(written->files));
-      reply.set("notes", api::notesDocument(written->notes));
-      reply.set("xref", toTypedArray("Int32Array", written->xref));
-      reply.set("certified", written->isCertified);
+      return written ? toWritten(*written) : failed(written.error());
+    });
+  }
+
+  /// All meshes of the file: {meshes, file}; `file` as from write(), with the notes of each mesh, if it may be written.
+  val parametrizeFile(const std::string& options, const std::string& write, const val& onProgress,
+                      const val& onMesh) {
+    return guarded([&] {
+      auto solve = toSolveOptions(options, onProgress);
+      if (!solve) return failed(solve.error());
+      auto how = api::optionsFromJson<api::WriteOptions>(write);
+      if (!how) return failed(how.error());
+      api::WholeFileOptions asked;
+      if (options.find("\"q\":") != std::string::npos) asked.q = solve->q;
+      asked.solve = std::move(*solve);
+      asked.write = std::move(*how);
+      asked.onMesh = [&](int mesh) { onMesh(mesh, session_.surfaceCount()); };
+      const Result<api::FileOutcome> made = api::parametrizeFile(session_, asked);
+      if (!made) return failed(made.error());
+      val reply = val::object(), meshes = val::array();
+      for (const api::MeshOutcome& one : made->meshes) meshes.call<void>("push", toOutcome(one));
+      reply.set("meshes", meshes);
+      if (made->written) reply.set("file", toFile(*made->written, made->inFile));
       return reply;
     });
   }
+
+  const api::Session& session() const { return session_; }
 
   val measure() const {
     return guarded([&] {
@@ -171,6 +213,24 @@ class Session {
     return guarded([&] {
       const Result<api::SurfaceFacts> made = session_.facts();
       return made ? toFacts(*made) : failed(made.error());
+    });
+  }
+
+  /// By mesh of the file; undefined in formats without nodes.
+  val placements() const {
+    return guarded([&] {
+      val reply = val::object(), meshes = val::array();
+      for (const io::Placements& one : session_.placements()) {
+        val mesh = val::object();
+        std::vector<double> numbers;
+        for (const auto& m : one.matrices) numbers.insert(numbers.end(), m.begin(), m.end());
+        mesh.set("count", static_cast<double>(one.count));
+        mesh.set("isMirrored", one.isMirrored);
+        mesh.set("matrices", toTypedArray("Float64Array", numbers));
+        meshes.call<void>("push", mesh);
+      }
+      reply.set("meshes", meshes);
+      return reply;
     });
   }
 
@@ -252,9 +312,38 @@ class Session {
   api::Session session_;
 };
 
+/// Maps of several meshes of a file, from sessions that have read it.
+class FileMaps {
+ public:
+  /// @param options  of this map; of the file are those of the first
+  val add(const Session& session, const std::string& options) {
+    return guarded([&] {
+      const auto how = api::optionsFromJson<api::WriteOptions>(options);
+      if (!how) return failed(how.error());
+      if (!maps_) maps_.emplace(*how);
+      const Status kept = maps_->add(session.session(), *how);
+      return kept ? val::object() : failed(kept.error());
+    });
+  }
+  /// @param meshes  of the maps, in their order
+  val write(const val& meshes) const {
+    return guarded([&] {
+      const Result<api::WrittenFile> made = maps_->write();
+      return made ? toFile(*made, toVector<int>(meshes)) : failed(made.error());
+    });
+  }
+
+ private:
+  std::optional<api::FileMaps> maps_;
+};
+
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(hgp) {
+  emscripten::class_<FileMaps>("FileMaps")
+      .constructor<>()
+      .function("add", &FileMaps::add)
+      .function("write", &FileMaps::write);
   emscripten::class_<api::StoredResult>("StoredResult");
   emscripten::class_<Drag>("Drag")
       .constructor<>()
@@ -273,8 +362,11 @@ EMSCRIPTEN_BINDINGS(hgp) {
       .function("logScale", &Session::logScale)
       .function("features", &Session::features)
       .function("suggestCones", &Session::suggestCones)
+      .function("balanceCones", &Session::balanceCones)
+      .function("transferCones", &Session::transferCones)
       .function("parametrize", &Session::parametrize)
       .function("verify", &Session::verify)
+      .function("parametrizeFile", &Session::parametrizeFile)
       .function("write", &Session::write)
       .function("measure", &Session::measure)
       .function("facts", &Session::facts)
@@ -283,6 +375,7 @@ EMSCRIPTEN_BINDINGS(hgp) {
       .function("beginDrag", &Session::beginDrag)
       .function("result", &Session::result)
       .function("loops", &Session::loops)
+      .function("placements", &Session::placements)
       .function("quads", &Session::quads);
   emscripten::function("neededDecoders", &neededDecoders);
   emscripten::function("version",

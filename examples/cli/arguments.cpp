@@ -161,10 +161,12 @@ class Parser {
     for (const std::string& h : words_.handle) out_.handle.push_back(takePair(h, "--handle"));
     takeWords(out_.solve);
     if (out_.q) out_.solve.q = out_.verify.q = *out_.q;
-    if (out_.command == Command::kQuads) {
-      out_.solve.grid.mode = GridMode::kQuad;
-      out_.solve.choosesCells = true;
-    }
+    const bool isSaid = !words_.cells.empty() || out_.solve.grid.spacing > 0;
+    out_.solve.choosesCells =
+        words_.cells == "auto" || (out_.command == Command::kQuads && !isSaid);
+    if (!words_.cells.empty() && words_.cells != "auto")
+      CLI::detail::lexical_cast(words_.cells, out_.solve.grid.cells);
+    if (out_.command == Command::kQuads) out_.solve.grid.mode = GridMode::kQuad;
     if (out_.command == Command::kParam) out_.load.target = targetOf(out_.output);
     refuseContradictions();
   }
@@ -215,9 +217,9 @@ class Parser {
     if (out_.solve.frames == api::FrameSource::kFile && out_.field.empty())
       refuse("--frames file needs --field");
     const GridOptions& grid = out_.solve.grid;
-    if (grid.cells > 0 && grid.spacing > 0) refuse("--cells and --grid exclude each other");
-    if (!words_.gridMode.empty() && !grid.isAsked()) refuse("--grid-mode needs --cells or --grid");
+    if (!words_.cells.empty() && grid.spacing > 0) refuse("--cells and --grid exclude each other");
     const bool isGrid = grid.isAsked() || out_.solve.choosesCells;
+    if (!words_.gridMode.empty() && !isGrid) refuse("--grid-mode needs --cells or --grid");
     if (isGrid && !words_.scale.empty() && words_.scale != "solved") {
       refuse("--scale unit and fit would undo a grid: one cell is one unit of uv");
     }

@@ -152,7 +152,8 @@ class Run {
     const bool isResult = a_.command == Command::kParam || a_.command == Command::kQuads;
     const bool mayReplace = a_.mayOverwrite && isResult;
     for (std::size_t i = 0; i < outputs.size(); ++i) {
-      for (const std::string& input : {a_.input, a_.cones, a_.field, a_.convert, a_.features}) {
+      for (const std::string& input : {a_.input, a_.cones, a_.field, a_.convert, a_.features,
+                                       a_.balance, a_.transfer, a_.from}) {
         if (!isSameFile(outputs[i], input)) continue;
         if (i == 0 && mayReplace && input == a_.input) continue;
         const bool isMap = i == 0 && isResult && input == a_.input;
@@ -282,17 +283,36 @@ class Run {
                   verdict->isGood ? 0 : exitCode(ErrorCode::kPrescription));
   }
 
-  int cones() {
-    Result<std::string> json = std::string();
-    if (a_.convert.empty()) {
-      api::SolveOptions options = a_.solve;
-      options.progress = progress_.callback();
-      json = session_.suggest(options);
-    } else {
-      Result<prescription::Prescription> read = readFileOf(a_.convert);
-      if (!read) return fail(read.error());
-      json = session_.convert(*read);
+  /// The cones of --transfer on this mesh; what has no place on it is said.
+  Result<std::string> transferred(const prescription::Prescription& cones) {
+    Result<io::FileSet> files = openFiles(a_.from, "", a_.root, a_.load.limits.maxBytes);
+    if (!files) return files.error();
+    api::Session from;
+    if (Status loaded = from.load(std::move(*files), a_.load); !loaded) return loaded.error();
+    Result<api::MovedCones> moved = session_.transfer(cones, from);
+    if (!moved) return moved.error();
+    progress_.clear();
+    for (const Note& note : moved->lost)
+      if (!a_.isQuiet) std::fprintf(stderr, "  note: %s\n", printable(phrase(note)).c_str());
+    return std::move(moved->json);
+  }
+
+  Result<std::string> askedCones() {
+    if (!a_.transfer.empty() || !a_.balance.empty() || !a_.convert.empty()) {
+      Result<prescription::Prescription> read = readFileOf(!a_.transfer.empty()  ? a_.transfer
+                                                           : !a_.balance.empty() ? a_.balance
+                                                                                 : a_.convert);
+      if (!read) return read.error();
+      if (!a_.transfer.empty()) return transferred(*read);
+      return a_.balance.empty() ? session_.convert(*read) : session_.balance(*read);
     }
+    api::SolveOptions options = a_.solve;
+    options.progress = progress_.callback();
+    return session_.suggest(options);
+  }
+
+  int cones() {
+    const Result<std::string> json = askedCones();
     progress_.clear();
     if (!json) return fail(json.error());
     const bool isFile = !a_.output.empty() && a_.output != "-";
@@ -414,7 +434,7 @@ class Run {
       tell("nothing was written; --keep-going writes the components that are certified");
       return kNoMapExit;
     }
-    if ((isQuads || a_.solve.grid.isAsked()) && !session_.isAligned()) {
+    if ((a_.solve.choosesCells || a_.solve.grid.isAsked()) && !session_.isAligned()) {
       tell("the map is certified but not aligned to a grid; nothing was written");
       return kNoMapExit;
     }

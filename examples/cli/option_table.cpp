@@ -159,7 +159,8 @@ class Table {
         ->check(atLeast(0));
     choice(sub->add_option("--cones-for", words_.conesFor,
                            "Automatic cones: low distortion with boundaries followed (default); as "
-                           "few as possible; or as many as lower distortion"));
+                           "few as possible; as many as lower distortion; or a number halfway "
+                           "between two of these"));
     sub->add_flag("--align", out_.solve.alignToCurvature,
                   "Automatic cones: follow the principal curvatures");
   }
@@ -174,11 +175,15 @@ class Table {
   void addGrid(CLI::App* sub) {
     sub->option_defaults()->group("Grid");
     sub->add_option(
-           "--cells", out_.solve.grid.cells,
-           "Align to a grid of about N cells: lines meet at every seam (q = 2, 4; quads: by "
-           "default 14 along the diagonal, at least 800)")
-        ->option_text("N")
-        ->check(atLeast(1));
+           "--cells", words_.cells,
+           "Align to a grid of about N cells: lines meet at every seam (q = 2, 4). auto, the "
+           "default of quads: 14 along the diagonal, at least 800")
+        ->option_text("N|auto")
+        ->check(CLI::Validator(
+            [](const std::string& word) {
+              return word == "auto" ? std::string() : atLeast(1)(const_cast<std::string&>(word));
+            },
+            ""));
     sub->add_option("--grid", out_.solve.grid.spacing,
                     "The same, given the edge length of a cell in units of the mesh")
         ->option_text("LENGTH")
@@ -218,10 +223,30 @@ class Table {
     sub->add_option("--convert", out_.convert,
                     "Instead of choosing cones, convert this file of cones or of a field")
         ->option_text("FILE");
+    CLI::Option* balance =
+        sub->add_option("--balance", out_.balance,
+                        "Keep the cones of this file and add those that Gauss–Bonnet misses, where "
+                        "they cause the least distortion")
+            ->option_text("FILE")
+            ->excludes("--convert");
+    CLI::Option* from = sub->add_option("--from", out_.from,
+                                        "With --transfer: the mesh for which the cones were made")
+                            ->option_text("MESH");
+    CLI::Option* transfer =
+        sub->add_option("--transfer", out_.transfer,
+                        "Move the cones of this file from another version of the mesh, by the "
+                        "positions of their vertices")
+            ->option_text("FILE")
+            ->needs(from)
+            ->excludes("--convert")
+            ->excludes(balance);
+    from->needs(transfer);
     addCommon(sub,
               "  hgp cones mesh.obj -o cones.json\n"
               "  hgp cones mesh.obj --cones-for few\n"
-              "  hgp cones mesh.obj --convert mesh.cones -o cones.json");
+              "  hgp cones mesh.obj --convert mesh.cones -o cones.json\n"
+              "  hgp cones mesh.obj --balance mine.json -o cones.json\n"
+              "  hgp cones new.obj --transfer cones.json --from old.obj -o cones-of-new.json");
   }
 
   void addFeatures(CLI::App* sub) {

@@ -1,11 +1,10 @@
 #include "whole_file.h"
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "hgp/api/file_maps.h"
 #include "hgp/api/notes.h"
+#include "hgp/api/whole_file.h"
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
 #include "hgp/base/phrase.h"
@@ -16,56 +15,6 @@ namespace hgp::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// The cones stored in the mesh, used as for a file with one mesh.
-Result<std::optional<prescription::Prescription>> embedded(const api::Session& session,
-                                                           const Arguments& asked) {
-  if (asked.ignoresEmbedded) return std::optional<prescription::Prescription>();
-  auto cones = session.embeddedCones();
-  if (cones && *cones && asked.q && *asked.q != (*cones)->q)
-    return std::optional<prescription::Prescription>();
-  return cones;
-}
-
-Status solveOne(api::Session& session, const Arguments& asked, const Progress& progress) {
-  Result<std::optional<prescription::Prescription>> cones =
-      std::optional<prescription::Prescription>();
-  if (asked.solve.boundary == api::BoundaryKind::kFree) cones = embedded(session, asked);
-  if (!cones) return cones.error();
-  api::SolveOptions options = asked.solve;
-  options.progress = progress;
-  return session.parametrize(*cones, options);
-}
-
-double areaOf(const api::Session& session) {
-  const std::vector<double>& x = session.positions();
-  const std::vector<std::uint32_t>& t = session.triangles();
-  double area = 0.0;
-  for (std::size_t f = 0; f + 2 < t.size(); f += 3) {
-    const auto side = [&](std::size_t to, std::size_t k) {
-      return x[3 * std::size_t{t[f + to]} + k] - x[3 * std::size_t{t[f]} + k];
-    };
-    double square = 0.0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t l = (k + 1) % 3;
-      const double n = side(1, k) * side(2, l) - side(1, l) * side(2, k);
-      square += n * n;
-    }
-    area += 0.5 * std::sqrt(square);
-  }
-  return area;
-}
-
-/// Options in which a number of cells has become an edge length: that of so many cells on all meshes together.
-Arguments withSharedGrid(api::Session& session, Arguments asked) {
-  if (!(asked.solve.grid.cells > 0.0)) return asked;
-  double area = 0.0;
-  for (int mesh = 0; mesh < session.surfaceCount(); ++mesh)
-    if (session.choose(mesh)) area += areaOf(session);
-  if (area > 0.0)
-    asked.solve.grid = {0.0, std::sqrt(area / asked.solve.grid.cells), asked.solve.grid.mode};
-  return asked;
-}
 
 /// A GLB that becomes a .gltf stays one until all meshes are written.
 api::WriteOptions writeOptions(const api::Session& session, const Arguments& asked) {
@@ -92,42 +41,28 @@ std::string gridReasons(const Json& report) {
 
 }  // namespace
 
-Result<FileOutcome> parametrizeAll(api::Session& session, const Arguments& given,
+Result<FileOutcome> parametrizeAll(api::Session& session, const Arguments& asked,
                                    const Progress& progress) {
-  FileOutcome out;
-  const Arguments asked = withSharedGrid(session, given);
-  const bool storesAll = asked.solve.keepsGoing || asked.write.allowUncertified;
-  api::FileMaps maps(writeOptions(session, asked));
-  std::vector<int> written;
-  for (int mesh = 0; mesh < session.surfaceCount(); ++mesh) {
-    MeshOutcome one;
-    one.mesh = mesh;
-    Status done = session.choose(mesh);
-    if (done) done = solveOne(session, asked, progress);
-    if (!done && done.error().code == ErrorCode::kCancelled) return done.error();
-    if (done) {
-      one.isCertified = session.isCertified();
-      one.isAligned = !asked.solve.grid.isAsked() || session.isAligned();
-      one.json = session.reportJson();
-    } else {
-      one.failure = done.error();
-    }
-    if (done && ((one.isCertified && one.isAligned) || storesAll)) {
-      if (Status kept = maps.add(session); !kept) return kept.error();
-      written.push_back(mesh);
-    }
-    out.meshes.push_back(std::move(one));
-  }
-  const bool isWhole = out.goodCount() == static_cast<int>(out.meshes.size());
-  if (written.empty() || (!isWhole && !storesAll)) return out;
-  Result<api::WrittenFile> made = maps.write();
+  api::WholeFileOptions options;
+  options.solve = asked.solve;
+  options.solve.progress = progress;
+  options.write = writeOptions(session, asked);
+  options.q = asked.q;
+  options.ignoresEmbedded = asked.ignoresEmbedded;
+  Result<api::FileOutcome> made = api::parametrizeFile(session, options);
   if (!made) return made.error();
+  FileOutcome out;
+  for (api::MeshOutcome& one : made->meshes)
+    out.meshes.push_back(
+        {one.mesh, one.isCertified, one.isAligned, std::move(one.report), std::move(one.failure)});
+  if (!made->written) return out;
   MeshNotes notes;
-  for (std::size_t i = 0; i < written.size(); ++i)
-    for (const Note& note : made->mapNotes[i]) notes.add(written[i], note.code, phrase(note));
+  for (std::size_t i = 0; i < made->inFile.size(); ++i)
+    for (const Note& note : made->written->mapNotes[i])
+      notes.add(made->inFile[i], note.code, phrase(note));
   out.notes = notes.lines();
-  for (const Note& note : made->notes) out.notes.push_back(phrase(note));
-  out.files = std::move(made->files);
+  for (const Note& note : made->written->notes) out.notes.push_back(phrase(note));
+  out.files = std::move(made->written->files);
   return out;
 }
 
@@ -138,7 +73,7 @@ Result<FileOutcome> verifyAll(api::Session& session, const Arguments& asked) {
     one.mesh = mesh;
     Status done = session.choose(mesh);
     if (done) {
-      const auto cones = embedded(session, asked);
+      const auto cones = api::storedCones(session, asked.q, asked.ignoresEmbedded);
       Result<api::Verdict> verdict =
           cones ? session.verify(*cones, asked.verify) : Result<api::Verdict>(cones.error());
       if (verdict) {

@@ -98,7 +98,7 @@ def parametrize(
     frames: Literal["auto", "file"] = "auto",
     improve: Improve = None,
     scale: Literal["solved", "unit", "fit"] = "solved",
-    cells: Optional[float] = None,
+    cells: Union[float, Literal["auto"], None] = None,
     grid: Optional[float] = None,
     grid_mode: Optional[Literal["tile", "quad"]] = None,
     refine: bool = False,

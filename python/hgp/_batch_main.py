@@ -39,7 +39,7 @@ def _parser() -> argparse.ArgumentParser:
     solve = parser.add_argument_group("as for hgp param")
     solve.add_argument("--q", type=int)
     solve.add_argument("--count", type=int, metavar="N")
-    solve.add_argument("--cones-for", choices=["balanced", "few", "low-distortion"])
+    solve.add_argument("--cones-for", choices=["balanced", "few", "fewer", "more", "low-distortion"])
     solve.add_argument("--improve", type=_improve, metavar="isometric|conformal|area|X")
     solve.add_argument("--cells", type=float, metavar="N")
     solve.add_argument("--grid", type=float, metavar="LENGTH")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from typing import Any, Callable, Dict, Iterable, List, Literal, NamedTuple, Optional, Sequence, Union
+from typing import Any, Callable, Dict, Iterable, List, Literal, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -18,7 +18,7 @@ from ._map import Integers, Map, Reals
 
 Path = Union[str, "os.PathLike[str]"]
 Fix = Sequence[Literal["orient", "split", "degenerate"]]
-ConesFor = Literal["balanced", "few", "low-distortion"]
+ConesFor = Literal["balanced", "few", "fewer", "more", "low-distortion"]
 Method = Literal["auto", "harmonic", "soft", "printed", "all-frames"]
 Improve = Union[Literal["isometric", "conformal", "area"], float, None]
 Weld = Union[None, Literal["exact", "none"], float]
@@ -219,7 +219,8 @@ class Mesh:
         Args:
             q: angles are multiples of 2π/q, 1 to 64.
             count: how many if possible; 0: chosen by `cones_for`.
-            cones_for: "balanced": low distortion, boundaries are followed; "few"; or as many as lower distortion.
+            cones_for: "balanced": low distortion, boundaries are followed; "few"; "low-distortion": as many as lower
+                distortion; "fewer", "more": a number halfway between "balanced" and these.
             align_to_curvature: follow the principal curvatures.
             reproducible: the same on every processor.
             progress: see OnProgress.
@@ -235,6 +236,19 @@ class Mesh:
     def convert_cones(self, cones: ConesLike, *, q: Optional[int] = None) -> Cones:
         """Cones of any kind, complete and in vertices of this mesh."""
         return Cones(json.loads(self._core.convert(prescription(q, cones, None, None, None, True))))
+
+    def balance_cones(self, cones: ConesLike, *, q: Optional[int] = None) -> Cones:
+        """These cones and those that Gauss–Bonnet misses ([BCW17] Lemma 6.2), where they cause the least distortion."""
+        return Cones(json.loads(self._core.balance(prescription(q, cones, None, None, None, True))))
+
+    def transfer_cones(self, cones: ConesLike, source: "Mesh", *, q: Optional[int] = None) -> "Tuple[Cones, List[str]]":
+        """The cones of another version of this mesh on this one, and sentences on those that have no place here.
+
+        Vertices keep their numbers where both have the same vertices and triangles (read with other repairs);
+        otherwise they are found by their exact positions.
+        """
+        made, lost = self._core.transfer(prescription(q, cones, None, None, None, True), source._core)
+        return Cones(json.loads(made)), lost
 
     def parametrize(
         self,
@@ -258,7 +272,7 @@ class Mesh:
         frames: Literal["auto", "file"] = "auto",
         improve: Improve = None,
         scale: Literal["solved", "unit", "fit"] = "solved",
-        cells: Optional[float] = None,
+        cells: Union[float, Literal["auto"], None] = None,
         grid: Optional[float] = None,
         grid_mode: Optional[Literal["tile", "quad"]] = None,
         refine: bool = False,
@@ -290,7 +304,8 @@ class Mesh:
                 "area", or a number from -1 (angles) to 1 (areas).
             scale: as solved, mean edge length 1, or fitted into the unit square.
             cells, grid: align to a grid of about so many cells, or with cells of this edge length (q = 2 or 4): lines
-                meet at every seam, and one cell is one unit of uv.
+                meet at every seam, and one cell is one unit of uv. cells="auto": 14 along the diagonal, at least 800
+                and 40 per cone, and another number where that gives no aligned map.
             grid_mode: "quad": cones on grid points as well, so that `Map.quads` gives a mesh of quads; the cells are chosen
                 if neither `cells` nor `grid` is given.
             refine: if there is no map, split edges and solve again.
@@ -329,9 +344,9 @@ class Mesh:
             "frames": frames,
             "improve": None if improve is False else improve,
             "scale": scale,
-            "cells": cells,
+            "cells": None if cells == "auto" else cells,
             "grid": grid,
-            "grid_mode": grid_mode,
+            "grid_mode": grid_mode or ("tile" if cells == "auto" else None),
             "refine": refine,
             "keep_going": keep_going,
             "convex_polygons": convex_polygons,

@@ -97,6 +97,8 @@ void addSurface(py::module_& module) {
       .def("verify", &Surface::verify)
       .def("suggest", &Surface::suggest)
       .def("convert", &Surface::convert)
+      .def("balance", &Surface::balance)
+      .def("transfer", &Surface::transfer)
       .def("embedded_cones", &Surface::embeddedCones)
       .def("parametrize", &Surface::parametrize)
       .def("positions", &Surface::positions)

@@ -6,6 +6,7 @@
 
 #include "../../examples/cli/files.h"
 #include "failures.h"
+#include "hgp/base/phrase.h"
 #include "hgp/text/text.h"
 #include "options.h"
 #include "watch.h"
@@ -155,6 +156,27 @@ std::string Surface::convert(const py::dict& asked) {
   std::optional<prescription::Prescription> wanted = prescription(asked);
   if (!wanted) raiseUsage("nothing is prescribed");
   return with([&] { return session_.convert(*wanted); });
+}
+
+std::string Surface::balance(const py::dict& asked) {
+  std::optional<prescription::Prescription> wanted = prescription(asked);
+  if (!wanted) raiseUsage("nothing is prescribed");
+  return with([&] { return session_.balance(*wanted); });
+}
+
+/// `from` is read once more, so that no two surfaces wait for each other.
+std::pair<std::string, std::vector<std::string>> Surface::transfer(const py::dict& asked,
+                                                                   const Surface& from) {
+  std::optional<prescription::Prescription> wanted = prescription(asked);
+  if (!wanted) raiseUsage("nothing is prescribed");
+  api::MovedCones moved = with([&]() -> Result<api::MovedCones> {
+    api::Session before;
+    if (Status loaded = from.source_->load(before); !loaded) return loaded.error();
+    return session_.transfer(*wanted, before);
+  });
+  std::vector<std::string> lost;
+  for (const Note& note : moved.lost) lost.push_back(phrase(note));
+  return {std::move(moved.json), std::move(lost)};
 }
 
 std::optional<std::string> Surface::embeddedCones() {

@@ -61,6 +61,10 @@ class Surface {
   std::pair<bool, std::string> verify(const py::dict& asked, const py::dict& options);
   std::string suggest(const py::dict& options, bool isReproducible, const py::object& progress);
   std::string convert(const py::dict& asked);
+  std::string balance(const py::dict& asked);
+  /// (hgp-cones, sentences about what has no place)
+  std::pair<std::string, std::vector<std::string>> transfer(const py::dict& asked,
+                                                            const Surface& from);
   /// The cones stored in the file as hgp-cones, or None.
   std::optional<std::string> embeddedCones();
   /// @param limit  seconds

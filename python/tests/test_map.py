@@ -189,3 +189,30 @@ def test_verify_reads_numbers_to_the_last_bit(square: Any) -> None:
     assert hgp.verify(V, F, uv)["flipped"] == 0
     uv[4, 1] = 0.0
     assert hgp.verify(V, F, uv)["flipped"] == 1
+
+
+def test_cones_are_completed_and_move_to_another_version(pretzel: Any) -> None:
+    V, F = pretzel
+    mesh = hgp.Mesh(V, F)
+    given = {5: 5}
+    made = mesh.balance_cones(given, q=4)
+    assert made[5] == 5
+    (component,) = mesh.inspect()["components"]
+    assert sum(4 - k for k in made.values()) == 4 * component["eulerCharacteristic"]
+    assert mesh.check(made)["valid"]
+    last = len(V) - 1
+    newer = hgp.Mesh(V[::-1].copy(), last - F)
+    moved, lost = newer.transfer_cones(made, mesh)
+    assert lost == []
+    assert dict(moved) == {last - vertex: k for vertex, k in made.items()}
+    none, lost = hgp.Mesh(V + 1, F).transfer_cones({5: 3}, mesh)
+    assert len(none) == 0
+    assert "vertex 5" in lost[0]
+
+
+def test_cells_are_chosen(pretzel: Any) -> None:
+    chosen = hgp.parametrize(*pretzel, cells="auto")
+    assert chosen.aligned
+    assert chosen.report["options"]["grid"]["cells"] >= 800
+    with pytest.raises(hgp.UsageError):
+        hgp.parametrize(*pretzel, cells="auto", grid=1.0)

@@ -14,15 +14,18 @@ struct WrittenFile : WrittenMap {
 /// One thread at a time may use it. It may outlive the session.
 class FileMaps {
  public:
-  /// All maps are written with the same options; WriteOptions::format is kSame.
+  /// The options of the file, and of all maps that have none of their own; WriteOptions::format is kSame.
   explicit FileMaps(WriteOptions options);
   ~FileMaps();
   FileMaps(FileMaps&&) noexcept;
   FileMaps& operator=(FileMaps&&) noexcept;
 
-  /// Keeps the result of the session, which has taken one mesh of the file by load() or choose(). Fails with kNoMap for a
-  /// map that is not certified unless the options allow it, and with kUsage without a result.
+  /// Keeps the result of the session, which has taken one mesh of the file by load() or choose(); other sessions may have
+  /// read the same file. Fails with kNoMap for a map that is not certified unless the options allow it, and with kUsage
+  /// without a result.
   Status add(const Session& session);
+  /// @param own  options of this map; of the file are the others
+  Status add(const Session& session, const WriteOptions& own);
   bool isEmpty() const;
   /// The file with the maps. Fails with kUsage if they are not of different meshes of one file.
   Result<WrittenFile> write() const;

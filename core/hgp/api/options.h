@@ -62,7 +62,8 @@ struct SolveOptions {
   /// Certify only maps in which every polygon of the file is convex; uv are moved for that after the solve.
   bool convexPolygons = false;
   GridOptions grid;  ///< the number of cells is that of all components together
-  /// Align to a grid also where `grid` has neither a number of cells nor their length: automaticCells of them.
+  /// Align to a grid also where `grid` has neither a number of cells nor their length: automaticCells of them. Where the
+  /// map is then not aligned, or not with the number that `grid` has, one with which it is, up to 100 000 triangles.
   bool choosesCells = false;
   Progress progress;
 };

@@ -10,6 +10,7 @@
 #include "hgp/api/map_facts.h"
 #include "hgp/base/result.h"
 #include "hgp/io/written.h"
+#include "hgp/prescription/prescription.h"
 
 namespace hgp::api {
 
@@ -68,6 +69,13 @@ struct FeatureList {
   int creaseEdges = 0, rimEdges = 0;
   int chains = 0;  ///< runs between ends and crossings (countRuns)
   Notes notes;
+};
+
+/// Cones that Session::transfer() has moved; `json` as hgp-cones.
+struct MovedCones {
+  prescription::Prescription cones;
+  std::string json;
+  Notes lost;  ///< what has no place
 };
 
 /// A result that stays usable while its session computes others: see Session::use(). Cheap to copy.

@@ -6,13 +6,12 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "hgp/api/options.h"
+#include "hgp/api/read_prescription.h"
 #include "hgp/api/results.h"
 #include "hgp/io/document.h"
-#include "hgp/prescription/prescription.h"
 
 namespace hgp::api {
 
@@ -45,6 +44,12 @@ class Session {
   Result<FeatureList> features(const prescription::Prescription& p, const std::string& name) const;
   /// Stored in the file, if any are.
   Result<std::optional<prescription::Prescription>> embeddedCones() const;
+  /// hgp-cones with these cones and those that Gauss–Bonnet misses, where they cause the least distortion (balanceCones).
+  Result<std::string> balance(const prescription::Prescription& prescription) const;
+  /// The cones of `from`, another reading or version of this surface, on this one: by number where both have the same
+  /// vertices and triangles, otherwise by exact position. What has no place is left out, with a note.
+  Result<MovedCones> transfer(const prescription::Prescription& prescription,
+                              const Session& from) const;
 
   /// Solves, then verifies the map as it will be stored. Without a prescription, cones are automatic. Also succeeds if
   /// the map is not certified; fails for contradictory options, impossible prescriptions, limits and cancellation.
@@ -82,6 +87,8 @@ class Session {
   Result<SurfaceLoops> loops() const;   ///< in the order in which a prescription numbers them
   /// The log conformal factor of a prescription by surface vertex; NaN on components of which nothing is prescribed.
   Result<std::vector<float>> logScale(const prescription::Prescription& prescription) const;
+  /// By mesh of the file, how its nodes use it; {} in formats without nodes.
+  std::vector<io::Placements> placements() const;
 
   bool isAligned() const;  ///< every component, to the grid that the options asked for
   /// The cells of a result that is aligned in quad mode, as an OBJ of quads or, if `name` ends in .glb, as a GLB
@@ -103,14 +110,6 @@ class Session {
   std::unique_ptr<State> state_;
 };
 
-/// io::readPrescription and prescription::readFeatures at the API boundary: files of every known format.
-Result<prescription::Prescription> readPrescription(std::string_view name, std::string_view text,
-                                                    int q);
-Result<prescription::PrescribedFeatures> readFeatures(std::string_view name, std::string_view text);
-
-/// `cones` with the field of `field`, which determines what the cones leave open. Fails with kUsage if q differs.
-Result<prescription::Prescription> withField(prescription::Prescription cones,
-                                             prescription::Prescription field);
 std::string errorJson(const Failure& failure);  ///< hgp-error
 
 /// For the whole process: no instructions that only some processors have, so that maps are bit-identical on all.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
+#include <optional>
 
 #include "hgp/base/check.h"
 
@@ -125,21 +126,36 @@ std::string filled(const Note& note, std::string_view text) {
   return out;
 }
 
+/// Empty if none of these has the code.
+std::optional<std::string> phraseOf(const Note& note, std::span<const Phrase> some) {
+  const auto it =
+      std::find_if(some.begin(), some.end(), [&](const Phrase& p) { return p.code == note.code; });
+  if (it == some.end()) return std::nullopt;
+  return filled(note, it->text);
+}
+
+void append(std::string& out, std::string_view between, const std::string& sentence) {
+  if (!out.empty()) out += between;
+  out += sentence;
+}
+
 }  // namespace
 
 std::string phrase(const Note& note) {
-  const std::span<const Phrase> all = phrases();
-  const auto it =
-      std::find_if(all.begin(), all.end(), [&](const Phrase& p) { return p.code == note.code; });
-  return it == all.end() ? note.code : filled(note, it->text);
+  if (auto sentence = phraseOf(note, otherPhrases())) return *sentence;
+  return phraseOf(note, defectPhrases()).value_or(note.code);
 }
 
 std::string phrase(const Notes& notes, std::string_view between) {
   std::string out;
-  for (const Note& note : notes) {
-    if (!out.empty()) out += between;
-    out += phrase(note);
-  }
+  for (const Note& note : notes) append(out, between, phrase(note));
+  return out;
+}
+
+std::string phraseDefects(const Notes& notes) {
+  std::string out;
+  for (const Note& note : notes)
+    append(out, "; ", phraseOf(note, defectPhrases()).value_or(note.code));
   return out;
 }
 

@@ -22,12 +22,15 @@ struct Phrase {
   std::string_view code, text;
 };
 
-/// All codes, in the order of docs/notes.md.
-std::span<const Phrase> phrases();
+/// The codes of defects, and all others. The two are apart because the core phrases defects itself, and only these.
+std::span<const Phrase> defectPhrases();
+std::span<const Phrase> otherPhrases();
 
 /// The sentence; the code itself if the catalogue does not have it, and "?" for a value that is missing.
 std::string phrase(const Note& note);
 /// The sentences of several notes, with this between them.
 std::string phrase(const Notes& notes, std::string_view between = "; ");
+/// The same for notes on defects.
+std::string phraseDefects(const Notes& notes);
 
 }  // namespace hgp

@@ -4,8 +4,39 @@ namespace hgp {
 
 namespace {
 
-// An entry begins on a line of its own: wasm/phrases.mjs reads the catalogue.
-constexpr Phrase kPhrases[] = {
+// An entry begins on a line of its own: wasm/phrases.mjs reads the catalogue. Defects are apart, because nothing else is
+// phrased in the core itself, and programs that phrase everything on their own need not contain the rest.
+constexpr Phrase kDefects[] = {
+    // A defect: of a mesh that is refused, or one that was repaired.
+    {"defect-index-out-of-range",
+     "[repaired:repaired: ]{count|face names|faces name} a vertex that does not exist"
+     "[first: (first: {@})][only: ({@})]"},
+    {"defect-not-finite",
+     "[repaired:repaired: ]{count|vertex has|vertices have} a position that is not finite"
+     "[first: (first: {@})][only: ({@})]"},
+    {"defect-extent",
+     "[repaired:repaired: ]the mesh is too large or too small to compute with (1e-100 to 1e18)"
+     "[first: (first: {@})][only: ({@})]"},
+    {"defect-repeated-vertex",
+     "[repaired:repaired: ]{count|face names|faces name} one vertex twice"
+     "[first: (first: {@})][only: ({@})]"},
+    {"defect-zero-area",
+     "[repaired:repaired: ]{count|face has|faces have} no area[first: (first: {@})][only: ({@})]"},
+    {"defect-duplicate-face",
+     "[repaired:repaired: ]{count|face repeats|faces repeat} another one"
+     "[first: (first: {@})][only: ({@})]"},
+    {"defect-non-manifold-edge",
+     "[repaired:repaired: ]{count|edge has|edges have} more than two faces"
+     "[first: (first: {@})][only: ({@})]"},
+    {"defect-inconsistent-edge",
+     "[repaired:repaired: ]{count|edge has|edges have} two faces of opposite orientation"
+     "[first: (first: {@})][only: ({@})]"},
+    {"defect-non-manifold-vertex",
+     "[repaired:repaired: ]{count|vertex joins|vertices join} several fans of faces"
+     "[first: (first: {@})][only: ({@})]"},
+};
+
+constexpr Phrase kOthers[] = {
     // Reading.
     {"read-gzip-longer", "ignored: {bytes|byte} after the gzip data"},
     {"read-stl-longer", "ignored: {bytes|byte} after the last triangle"},
@@ -73,42 +104,13 @@ constexpr Phrase kPhrases[] = {
      "(l, p) are} left out"},
     {"convert-groups-joined", "from {from} to {to}: groups (o, g) become one mesh"},
     // Defects, welds and repairs.
-    // A defect: of a mesh that is refused, or one that was repaired.
-    {"defect-index-out-of-range",
-     "[repaired:repaired: ]{count|face names|faces name} a vertex that does not exist"
-     "[first: (first: {@})][only: ({@})]"},
-    {"defect-not-finite",
-     "[repaired:repaired: ]{count|vertex has|vertices have} a position that is not finite"
-     "[first: (first: {@})][only: ({@})]"},
-    {"defect-extent",
-     "[repaired:repaired: ]the mesh is too large or too small to compute with (1e-100 to 1e18)"
-     "[first: (first: {@})][only: ({@})]"},
-    {"defect-repeated-vertex",
-     "[repaired:repaired: ]{count|face names|faces name} one vertex twice"
-     "[first: (first: {@})][only: ({@})]"},
-    {"defect-zero-area",
-     "[repaired:repaired: ]{count|face has|faces have} no area"
-     "[first: (first: {@})][only: ({@})]"},
-    {"defect-duplicate-face",
-     "[repaired:repaired: ]{count|face repeats|faces repeat} another one"
-     "[first: (first: {@})][only: ({@})]"},
-    {"defect-non-manifold-edge",
-     "[repaired:repaired: ]{count|edge has|edges have} more than two faces"
-     "[first: (first: {@})][only: ({@})]"},
-    {"defect-inconsistent-edge",
-     "[repaired:repaired: ]{count|edge has|edges have} two faces of opposite orientation"
-     "[first: (first: {@})][only: ({@})]"},
-    {"defect-non-manifold-vertex",
-     "[repaired:repaired: ]{count|vertex joins|vertices join} several fans of faces"
-     "[first: (first: {@})][only: ({@})]"},
     {"repair-none", "nothing was repaired: a face names a vertex that does not exist"},
     {"repair-turned", "orient: {faces|face} turned over"},
     {"repair-one-sided-left",
      "orient: {components|one-sided component} cannot be oriented without a cut (split)"},
     {"repair-one-sided-cut", "orient: {components|one-sided component} cut along {edges|edge}"},
     {"repair-split",
-     "split: {vertices|vertex|vertices} duplicated[edges: ({edges|edge} had more than two "
-     "faces)]"},
+     "split: {vertices|vertex|vertices} duplicated[edges: ({edges|edge} had more than two faces)]"},
     {"repair-no-surface",
      "{triangles|triangle} left out as no surface (a vertex named twice, or a component without "
      "area)"},
@@ -146,6 +148,20 @@ constexpr Phrase kPhrases[] = {
     {"cones-of-input", "the cones stored in the input are used"},
     {"cones-added",
      "component {component} has no cones in the list; they are chosen automatically"},
+    {"moved-cone-removed", "the cone at vertex {vertex} is left out: a repair removed the vertex"},
+    {"moved-cone-gone",
+     "the cone at vertex {vertex} is left out: no vertex is at its position now"},
+    {"moved-cone-several",
+     "the cone at vertex {vertex} is left out: {count|vertex is|vertices are} at its position now"},
+    {"moved-cone-boundary",
+     "the cone at vertex {vertex} is left out: its vertex is on the boundary now"},
+    {"moved-cone-joined",
+     "the cone at vertex {vertex} is left out: its vertex is now one with that of the cone at "
+     "vertex {other}"},
+    {"moved-turning-gone",
+     "the turning of boundary loop {loop} is left out: there is no such loop now"},
+    {"moved-handle-gone",
+     "the rotation along handle generator {generator} is left out: the triangles have changed"},
     {"cones-other-number",
      "{asked|cone} asked for, {placed} placed: [more:fewer would break Gauss–Bonnet or be too "
      "strong for the triangles][!more:the mesh has no vertices for more]."},
@@ -211,8 +227,7 @@ constexpr Phrase kPhrases[] = {
      "[rule:it breaks the rule {rule} at {places|place}, by {worst} at worst ({@}).]"
      "[!rule:it is no better on the surface itself.]"},
     {"map-areas-lowered",
-     "Areas of the map spanned more than double precision resolves: its distortion was "
-     "lowered."},
+     "Areas of the map spanned more than double precision resolves: its distortion was lowered."},
     {"map-small-improved",
      "the map as solved has triangles too small for the numbers of the format; it is improved, "
      "as by --improve isometric"},
@@ -234,11 +249,9 @@ constexpr Phrase kPhrases[] = {
      "cells[working:; {working:.0f} cells would work][these: with the cones of this run]"},
     {"map-dragged",
      "The cone at vertex {@vertex} was dragged there. This map follows from the one before and "
-     "from the path of the drag; the bytes of a run with the same cones depend on nothing "
-     "else."},
+     "from the path of the drag; the bytes of a run with the same cones depend on nothing else."},
     {"component-without-map",
-     "component {component} has no map of its own; it keeps its uv or is cut to a disk: "
-     "{message}"},
+     "component {component} has no map of its own; it keeps its uv or is cut to a disk: {message}"},
     {"refine-offered",
      "no map on this mesh: it may be too coarse for the prescription. --refine (refine: true) "
      "splits edges, tries again, and writes the refined mesh"},
@@ -273,8 +286,7 @@ constexpr Phrase kPhrases[] = {
      "no choice of integers kept all triangles positive and all angles as asked at {cells:.0f} "
      "cells ({perCone:.1f} per cone)[cutShort:; further attempts would have taken longer than "
      "the map itself][near:: cones {@edge} are {near} cells apart][working:; {working:.0f} cells "
-     "would work][these: "
-     "with the cones of this run (--cones)]"},
+     "would work][these: with the cones of this run (--cones)]"},
     // Writing.
     {"write-as-obj",
      "written as OBJ[normals:, with its normals][onlyColours:, with its colours][andColours: "
@@ -330,6 +342,7 @@ constexpr Phrase kPhrases[] = {
 
 }  // namespace
 
-std::span<const Phrase> phrases() { return kPhrases; }
+std::span<const Phrase> defectPhrases() { return kDefects; }
+std::span<const Phrase> otherPhrases() { return kOthers; }
 
 }  // namespace hgp

@@ -73,15 +73,40 @@ HolonomySpec asSpec(const TriMesh& mesh, const FieldContext& context, int q,
   return spec;
 }
 
+/// The choices between which `choice` lies, if it lies between two.
+std::optional<std::pair<ConesFor, ConesFor>> endsOf(ConesFor choice) {
+  if (choice == ConesFor::kFewer) return std::pair(ConesFor::kFew, ConesFor::kBalanced);
+  if (choice == ConesFor::kMore) return std::pair(ConesFor::kBalanced, ConesFor::kLowDistortion);
+  return {};
+}
+
+/// As many cones as the mean of two choices; the second one where they hardly differ.
+Result<HolonomySpec> conesBetween(PreparedSurface& surface, const SuggestOptions& options,
+                                  const std::pair<ConesFor, ConesFor>& ends) {
+  SuggestOptions asked = options;
+  asked.conesFor = ends.first;
+  const Result<HolonomySpec> one = chooseCones(surface, asked);
+  if (!one) return one.error();
+  asked.conesFor = ends.second;
+  Result<HolonomySpec> other = chooseCones(surface, asked);
+  if (!other) return other.error();
+  const auto a = static_cast<int>(one->cones.size()), b = static_cast<int>(other->cones.size());
+  if (std::abs(a - b) < 2) return other;
+  asked.conesFor = ConesFor::kBalanced;
+  asked.coneCount = (a + b + 1) / 2;
+  return chooseCones(surface, asked);
+}
+
 }  // namespace
 
 const char* conesForName(ConesFor choice) {
-  static const char* const kNames[] = {"balanced", "few", "low-distortion"};
+  static const char* const kNames[] = {"balanced", "few", "low-distortion", "fewer", "more"};
   return kNames[static_cast<int>(choice)];
 }
 
 std::optional<ConesFor> conesForNamed(std::string_view name) {
-  for (const ConesFor c : {ConesFor::kBalanced, ConesFor::kFew, ConesFor::kLowDistortion})
+  for (const ConesFor c : {ConesFor::kBalanced, ConesFor::kFew, ConesFor::kLowDistortion,
+                           ConesFor::kFewer, ConesFor::kMore})
     if (name == conesForName(c)) return c;
   return {};
 }
@@ -89,6 +114,8 @@ std::optional<ConesFor> conesForNamed(std::string_view name) {
 Result<HolonomySpec> chooseCones(PreparedSurface& surface, const SuggestOptions& options) {
   const TriMesh& mesh = surface.mesh();
   const Topology& topology = surface.topology();
+  if (const auto ends = endsOf(options.conesFor); ends && options.coneCount == 0)
+    return conesBetween(surface, options, *ends);
   // On a sphere there are no cones for q = 1: this must be reported before any are chosen.
   if (topology.genus == 0 && topology.loops.empty() && options.q == 1)
     return checkPrescription(mesh, topology, {1, {}, {}, {}}).error();

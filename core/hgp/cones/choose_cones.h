@@ -19,8 +19,10 @@ enum class ConesFor {
   kBalanced,       ///< moved or cancelled where that lowers distortion; the map follows boundaries
   kFew,            ///< as few as keep the standard deviation of log₂ area below kFewSpread
   kLowDistortion,  ///< as many as lower the energy by kWorthwhile; the turning of boundaries is free
+  kFewer,          ///< halfway between kFew and kBalanced in number
+  kMore,           ///< halfway between kBalanced and kLowDistortion
 };
-/// "balanced", "few", "low-distortion"
+/// "balanced", "few", "low-distortion", "fewer", "more"
 const char* conesForName(ConesFor choice);
 std::optional<ConesFor> conesForNamed(std::string_view name);
 inline constexpr double kFewSpread = 1.0;

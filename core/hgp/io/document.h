@@ -1,6 +1,5 @@
 // A loaded file of any format: hands out surfaces, writes uv, and leaves everything else unchanged.
-// Role: bytes → MeshData, and the lossless patch back. Uses neither file system nor network and throws nothing
-// itself.
+// Role: bytes → MeshData, and the lossless patch back. Uses neither file system nor network and throws nothing itself.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "hgp/base/result.h"
+#include "hgp/io/placements.h"
 #include "hgp/io/polygons.h"
 #include "hgp/io/written.h"
 #include "hgp/mesh/face_edits.h"
@@ -78,7 +78,6 @@ class Document {
   /// @param partOf  the independent part of every triangle, −1 if it follows others; empty: found by connectivity
   virtual UvMap asStored(int surface, const UvMap& map, const std::vector<int>& partOf) const = 0;
   UvMap asStored(int surface, const UvMap& map) const { return asStored(surface, map, {}); }
-
   /// The polygons that the triangles of a surface are cut from; {} if all of them are triangles.
   virtual PolygonsView polygons(int) const { return {}; }
 
@@ -89,10 +88,11 @@ class Document {
   virtual Result<Written> write(int surface, const UvMap& map, const WriteOptions& o) const = 0;
   /// The same for several surfaces of a glTF, in time linear in their number; kUnsupported in other formats.
   virtual Result<WrittenMaps> writeAll(const std::vector<SurfaceUv>&, const WriteOptions&) const;
+  /// By surface; {} without nodes.
+  virtual std::vector<Placements> placements() const { return {}; }
 
   /// The content that other formats can store as well; `surface` −1: the whole file, as placed by its nodes.
   virtual Result<PlainFile> plain(int surface) const = 0;
-
   /// The same file after splitEdges(): stored attributes are interpolated, cones are left out. Not for glTF.
   virtual Result<std::unique_ptr<Document>> refined(
       int surface, const std::vector<std::array<int, 2>>& edges) const = 0;

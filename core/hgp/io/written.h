@@ -52,6 +52,8 @@ struct SurfaceUv {
   int surface = 0;
   const UvMap* map = nullptr;
   std::optional<std::string> cones;
+  int uvSet = -1;                ///< as WriteOptions::uvSet, for this map
+  bool pointsMaterials = false;  ///< likewise
 };
 
 /// The maps of several surfaces, written at once.

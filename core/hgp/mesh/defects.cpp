@@ -264,7 +264,7 @@ Status requireUsable(const std::vector<Defect>& defects, bool allowsZeroArea) {
     fixes.append(fix);
   }
   if (found.empty()) return Done{};
-  failure.message = phrase(found) + ".";
+  failure.message = phraseDefects(found) + ".";
   if (!fixes.empty()) failure.advice.push_back(Note("repair-with", {{"fixes", fixes}}));
   return failure;
 }

@@ -167,10 +167,43 @@ TEST(FileMaps, MeshesShareThePictureOfAGrid) {
     EXPECT_EQ(json["meshes"][m]["primitives"][0]["material"], m + 1);
 }
 
+TEST(FileMaps, SessionsThatReadTheSameFileGiveTheSameBytesAndEachMapHasItsOwnOptions) {
+  Session one;
+  ASSERT_TRUE(one.load(filesOfMany(manyMeshes(2, false)), {}));
+  const Result<WrittenFile> expected = mapsOf(one, {0, 1}, {}).write();
+  ASSERT_TRUE(expected);
+  WriteOptions options;
+  options.name = "out.gltf";
+  FileMaps maps(options), own(options);
+  for (const int mesh : {0, 1}) {
+    Session session;
+    ASSERT_TRUE(session.load(filesOfMany(manyMeshes(2, false)), {}));
+    ASSERT_TRUE(session.choose(mesh));
+    ASSERT_TRUE(session.parametrize(std::nullopt, {}));
+    ASSERT_TRUE(maps.add(session));
+    WriteOptions other = options;
+    other.uvSet = 2 * mesh;
+    other.embedCones = mesh == 1;
+    ASSERT_TRUE(own.add(session, other));
+  }
+  const Result<WrittenFile> written = maps.write(), mixed = own.write();
+  ASSERT_TRUE(written);
+  ASSERT_EQ(written->files.size(), expected->files.size());
+  for (std::size_t i = 0; i < written->files.size(); ++i)
+    EXPECT_TRUE(written->files[i].bytes == expected->files[i].bytes) << i;
+  ASSERT_TRUE(mixed);
+  const Json json = Json::parse(mixed->files[0].bytes);
+  const Json &first = json["meshes"][0], &second = json["meshes"][1];
+  EXPECT_FALSE(first["primitives"][0]["attributes"].contains("TEXCOORD_1"));
+  EXPECT_TRUE(second["primitives"][0]["attributes"].contains("TEXCOORD_2"));
+  EXPECT_FALSE(first.contains("extras"));
+  EXPECT_TRUE(second.contains("extras"));
+}
+
 TEST(FileMaps, RefusesTwoMapsOfOneMeshMapsOfOtherFilesAndNone) {
   Session one, other;
   ASSERT_TRUE(one.load(filesOfMany(manyMeshes(2, false)), {}));
-  ASSERT_TRUE(other.load(filesOfMany(manyMeshes(2, false)), {}));
+  ASSERT_TRUE(other.load(filesOfMany(manyMeshes(3, false)), {}));
   EXPECT_EQ(mapsOf(one, {1, 1}, {}).write().error().code, ErrorCode::kUsage);
   EXPECT_EQ(mapsOf(one, {}, {}).write().error().code, ErrorCode::kUsage);
   FileMaps maps = mapsOf(one, {0}, {});

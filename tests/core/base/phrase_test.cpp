@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <vector>
 
 #include "hgp/base/result.h"
 
@@ -38,9 +39,18 @@ TEST(Phrase, SeveralNotesAreJoined) {
             "triangle strips are read as triangles; the lines end in CR alone");
 }
 
+TEST(Phrase, DefectsAreAllTheCodesThatBeginSoAndAreJoinedAlike) {
+  for (const Phrase& p : defectPhrases()) EXPECT_EQ(p.code.substr(0, 7), "defect-");
+  for (const Phrase& p : otherPhrases()) EXPECT_NE(p.code.substr(0, 7), "defect-");
+  const Notes two{Note("defect-zero-area", {{"count", 2}}), Note("defect-extent")};
+  EXPECT_EQ(phraseDefects(two), phrase(two));
+}
+
 TEST(Phrase, EveryTemplateIsWellFormedAndItsCodeUnique) {
   std::set<std::string_view> codes;
-  for (const Phrase& p : phrases()) {
+  std::vector<Phrase> all(defectPhrases().begin(), defectPhrases().end());
+  all.insert(all.end(), otherPhrases().begin(), otherPhrases().end());
+  for (const Phrase& p : all) {
     EXPECT_TRUE(codes.insert(p.code).second) << p.code;
     // Throws where a bracket is not closed.
     EXPECT_FALSE(phrase(Note(std::string(p.code))).empty()) << p.code;

@@ -9,7 +9,6 @@ import { Document } from '../../../web/src/model/document.ts';
 import { leftAt } from '../../../web/src/model/gauss_bonnet.ts';
 import { History } from '../../../web/src/model/history.ts';
 import { emptyPrescription } from '../../../web/src/model/prescription.ts';
-import { describeTransfer, transferPrescription } from '../../../web/src/model/transfer_cones.ts';
 import { locatedSurface } from '../../../web/src/services/geometry/placed_surface.ts';
 import { cubeMesh } from '../../support/meshes.mjs';
 import { plainFacts } from './plain_facts.mjs';
@@ -68,64 +67,6 @@ test('dragging a cone over many vertices is undone at once', () => {
   moveCone(app, 0, 20, 'another drag');
   doc.history = doc.history.undo();
   assert.deepEqual(positionsOf(app), [path.at(-1)]);
-});
-
-test('after a repair cones keep their vertex, unless it is gone, on a boundary or one with another', () => {
-  const mesh = cubeMesh(3);
-  const old = { surface: surfaceOf(mesh), info: infoOf() };
-  const representative = Int32Array.from(mesh.vertices, (_, v) => v);
-  representative[1] = -1;
-  representative[3] = 2;
-  const isBoundary = new Uint8Array(mesh.vertices.length);
-  isBoundary[4] = 1;
-  const now = { surface: surfaceOf(mesh, { representative, isBoundary }), info: infoOf() };
-  const cones = [0, 1, 2, 3, 4, 5].map((vertex) => ({ vertex, k: 3 }));
-  const moved = transferPrescription({ q: 4, cones, turnings: [], handles: [] }, old, now, true);
-  assert.deepEqual(
-    moved.prescription.cones.map(({ vertex }) => vertex),
-    [0, 2, 5],
-  );
-  assert.equal(moved.kept, 3);
-  assert.deepEqual(moved.lost, [
-    'cone 2 (its vertex was removed)',
-    'cone 4 (now one with cone 2)',
-    'cone 5 (now on the boundary)',
-  ]);
-  assert.match(describeTransfer(moved), /3 cones kept; not kept: cone 2 \(its vertex/);
-});
-
-test('in another version of a file cones are found by their exact position', () => {
-  const mesh = cubeMesh(3);
-  const old = { surface: surfaceOf(mesh), info: infoOf() };
-  // Renumbered backwards, and one vertex moved a little.
-  const last = mesh.vertices.length - 1;
-  const vertices = mesh.vertices.map((_, v) => [...mesh.vertices[last - v]]);
-  vertices[last - 7][0] += 1e-12;
-  const triangles = mesh.triangles.map((t) => t.map((v) => last - v));
-  const now = { surface: surfaceOf({ vertices, triangles }), info: infoOf() };
-  const cones = [0, 7, 12].map((vertex) => ({ vertex, k: 3 }));
-  const asked = { q: 4, cones, turnings: [], handles: [1, null] };
-  const moved = transferPrescription(asked, old, { ...now, info: infoOf({ genus: 1 }) }, false);
-  assert.deepEqual(
-    moved.prescription.cones.map(({ vertex }) => vertex),
-    [last, last - 12],
-  );
-  assert.deepEqual(moved.lost, [
-    'cone 2 (no vertex is there now)',
-    'the rotation of handle loop 1',
-  ]);
-});
-
-test('turnings go with the vertex at which their boundary is anchored', () => {
-  const mesh = cubeMesh(2);
-  const loops = (...anchors) => infoOf({ components: [{ component: 0, eulerCharacteristic: 0, boundaryLoops: anchors.map((anchor, loop) => ({ loop, anchor })) }] }); // prettier-ignore
-  const [old, now] = [loops(5, 9), loops(9, 5)].map((info) => ({ surface: surfaceOf(mesh), info }));
-  const asked = { q: 4, cones: [], turnings: [2, null], handles: [] };
-  const moved = transferPrescription(asked, old, now, true);
-  assert.deepEqual(moved.prescription.turnings, [null, 2]);
-  const gone = transferPrescription(asked, old, { surface: now.surface, info: loops(9, 6) }, true);
-  assert.deepEqual(gone.prescription.turnings, [null, null]);
-  assert.deepEqual(gone.lost, ['the turning of boundary 1']);
 });
 
 test('a click spends what is left, unless an open boundary takes it', () => {

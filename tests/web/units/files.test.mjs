@@ -3,7 +3,6 @@ import test from 'node:test';
 import { findMissing, safeName, unpack } from '../../../web/src/formats/file_set.ts';
 import { gltfOf, relativeName, splitGlb } from '../../../web/src/formats/glb.ts';
 import { cubeMesh, toGlb } from '../../support/meshes.mjs';
-import { instancesOf } from '../../../web/src/formats/mesh_instances.ts';
 
 const bytes = (text) => new TextEncoder().encode(text);
 const gltf = (json) => bytes(JSON.stringify(json));
@@ -86,38 +85,7 @@ test('lists of a glTF with arbitrary contents: nothing is reported missing, noth
     const files = new Map([['x.gltf', gltf(json)]]);
     const text = JSON.stringify(json);
     assert.deepEqual(await findMissing(files, 'x.gltf'), { missing: [], refused: [] }, text);
-    assert.ok(Array.isArray(await instancesOf(files, 'x.gltf')), text);
   }
-});
-
-test('a mesh is placed by all nodes above it, a skinned mesh by its joints', async () => {
-  const of = (mode) => ({ primitives: [{ attributes: { POSITION: 0 }, mode }] });
-  const json = {
-    // Lines, and triangles without positions, are no surfaces: the solver does not count them.
-    meshes: [of(1), of(4), { primitives: [{ attributes: {} }] }, of(6), {}, of(undefined)],
-    skins: [{ joints: [4] }],
-    nodes: [
-      { mesh: 1, translation: [1, 2, 3] },
-      { children: [0], scale: [2, 2, -2] },
-      { mesh: 3 },
-      { mesh: 5, skin: 0, translation: [9, 9, 9] },
-      { translation: [0, 5, 0] },
-      { mesh: 3, translation: [7, 0, 0] },
-      { mesh: 3, scale: [0, 0, 0] },
-    ],
-  };
-  const found = await instancesOf(new Map([['x.gltf', gltf(json)]]), 'x.gltf');
-  assert.deepEqual(found[0].matrix.slice(12, 15), [2, 4, -6]);
-  assert.equal(found.length, 3);
-  assert.equal(found[0].isMirrored, true);
-  assert.deepEqual([found[1].count, found[1].isMirrored], [3, false]);
-  // Each node that shows anything is an instance, the first of them the one that is edited.
-  assert.deepEqual(
-    found[1].matrices.map((matrix) => matrix[12]),
-    [0, 7],
-  );
-  assert.equal(found[1].matrix, found[1].matrices[0]);
-  assert.deepEqual(found[2].matrix.slice(12, 15), [0, 5, 0]);
 });
 
 test('a GLB is split into its chunks; a truncated one is refused', () => {

@@ -5,7 +5,6 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import {
   areSeamsShown,
-  automaticCells,
   canAlign,
   gridOutcome,
   gridTilesPerUnit,
@@ -57,13 +56,6 @@ test('square cells fit only rotations by half and quarter turns', () => {
   assert.equal(sameGrid(on, { ...on, mode: 'quad' }, 2), false);
   assert.equal(sameGrid(on, { isOn: false, mode: 'quad' }, 6), true); // no grid either way
   assert.equal(sameGrid({ ...on, isOn: false }, { isOn: false, mode: 'quad' }, 4), true);
-});
-
-test('the default number of cells follows the picture and the number of cones', () => {
-  const cube = { area: 6, diagonal: Math.sqrt(3) };
-  assert.equal(automaticCells({ area: 60, diagonal: Math.sqrt(3) }, 8), 3920); // 14 along the diagonal
-  assert.equal(automaticCells(cube, 44), 1760);
-  assert.equal(automaticCells({ area: 1e-9, diagonal: 1 }, 0), 800);
 });
 
 test('lines meet where the report says so and the certificate counts every seam', () => {

@@ -17,6 +17,37 @@ export interface StoredResult {
   delete(): void;
 }
 
+/** As write() of a session; notes are JSON of Note[]. */
+interface WrittenReply {
+  files: { name: string; bytes: Uint8Array }[];
+  notes: string;
+  xref: Int32Array;
+  certified: boolean;
+}
+
+export interface WrittenFile extends WrittenReply {
+  mapNotes: { mesh: number; notes: string }[];
+}
+
+/** Maps of several meshes of a file. */
+export interface FileMaps {
+  add(session: Session, options: string): Reply;
+  write(meshes: number[]): Reply<WrittenFile>;
+  delete(): void;
+}
+
+export interface WholeFile {
+  /** JSON of the report, or of the error. */
+  meshes: {
+    mesh: number;
+    certified: boolean;
+    aligned: boolean;
+    report?: string;
+    error?: string;
+  }[];
+  file?: WrittenFile;
+}
+
 export interface SessionResult {
   positions: Float64Array;
   triangles: Uint32Array;
@@ -69,6 +100,8 @@ export interface Session {
     }
   >;
   suggestCones(options: string, onProgress?: ProgressCall): JsonReply;
+  balanceCones(cones: string): JsonReply;
+  transferCones(cones: string, from: Session): Reply<{ json: string; lost: string }>;
   parametrize(
     cones: string,
     files: object,
@@ -80,15 +113,16 @@ export interface Session {
   storedResult(): StoredResult;
   use(result: StoredResult): boolean;
   verify(cones: string, files: object, options: string): JsonReply;
-  write(options: string): Reply<{
-    files: { name: string; bytes: Uint8Array }[];
-    /** JSON of Note[]. */
-    notes: string;
-    xref: Int32Array;
-    certified: boolean;
-  }>;
+  write(options: string): Reply<WrittenReply>;
+  parametrizeFile(
+    options: string,
+    write: string,
+    onProgress: ProgressCall | undefined,
+    onMesh: (mesh: number, meshes: number) => void,
+  ): Reply<WholeFile>;
   measure(): Reply<import('./lib/results.js').Measures>;
   facts(): Reply<import('./lib/results.js').SurfaceFacts>;
+  placements(): Reply<{ meshes: import('./lib/results.js').Placements[] }>;
   loops(): Reply<import('./lib/results.js').Loops>;
   quads(name: string): Reply<Omit<import('./lib/results.js').Quads, 'name'>>;
   delete(): void;
@@ -97,6 +131,7 @@ export interface Session {
 export interface Module {
   Session: new () => Session;
   Drag: new () => Drag;
+  FileMaps: new () => FileMaps;
   neededDecoders(json: Uint8Array): Reply<{ draco: boolean; meshopt: boolean }>;
   version(): string;
   HEAPU8: Uint8Array;

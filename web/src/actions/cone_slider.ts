@@ -25,21 +25,9 @@ async function conesFor(app: App, step: number): Promise<Cones | undefined> {
   known.set(surface, all);
   const found = all.get(keyOf(q, step));
   if (found) return found;
-  const conesFor_ = ways[step];
-  const cones = conesFor_
-    ? await chooseCones(app, { conesFor: conesFor_ })
-    : await between(app, step);
+  const cones = await chooseCones(app, { conesFor: ways[step] });
   if (cones) all.set(keyOf(q, step), cones);
   return cones;
-}
-
-async function between(app: App, step: number): Promise<Cones | undefined> {
-  const fewer = await conesFor(app, step - 1);
-  const more = fewer && (await conesFor(app, step + 1));
-  if (!more) return undefined;
-  const [a, b] = [fewer.cones.length, more.cones.length];
-  if (Math.abs(a - b) < 2) return more;
-  return chooseCones(app, { count: Math.round((a + b) / 2) });
 }
 
 let isFollowing = false;

@@ -1,8 +1,8 @@
 // Copies the equivalent command line to the clipboard.
 
 import { plainOutput } from '../model/document';
-import { automaticCells, canAlign } from '../model/grid';
-import type { Model, Solution } from '../model/types';
+import { canAlign } from '../model/grid';
+import type { Solution } from '../model/types';
 import { isCertified } from '../model/verdict';
 import { cliCommand, type CommandOptions, type CommandOutput } from '../text/cli_command';
 import type { App } from './app';
@@ -23,13 +23,13 @@ function optionsOfRun({ doc }: App, { result, frames, features }: Solution): Com
 }
 
 /** What Run would ask first. */
-function optionsOfNext({ doc }: App, { surface }: Model): CommandOptions {
+function optionsOfNext({ doc }: App): CommandOptions {
   const { rounds, improve, frames, grid, timeLimit } = doc.solve;
-  const { q, cones } = doc.prescription;
+  const { q } = doc.prescription;
   const isAligned = grid.isOn && canAlign(q);
   return {
     ...{ rounds, improve, timeLimit, scale: plainOutput.scale, gridMode: grid.mode },
-    cells: isAligned ? (grid.cells ?? automaticCells(surface, cones.length)) : undefined,
+    cells: isAligned ? (grid.cells ?? 'auto') : undefined,
     field: frames === 'file' ? doc.field : undefined,
     features: frames === 'file' || q !== 4 ? undefined : doc.features,
   };
@@ -48,7 +48,7 @@ export function currentCommand(app: App): string | undefined {
   if (current)
     return cliCommand(model, prescription, optionsOfRun(app, current), outputOf(current));
   const output = { ...plainOutput, isUncertified: false };
-  return cliCommand(model, prescription, optionsOfNext(app, model), output);
+  return cliCommand(model, prescription, optionsOfNext(app), output);
 }
 
 export async function copyCommand(app: App): Promise<void> {

@@ -5,10 +5,12 @@ import {
   fromCones,
   orders,
   samePrescription,
+  toCones,
   withOrder,
   type Cone,
   type Prescription,
 } from '../model/prescription';
+import type { Model } from '../model/types';
 import { hasDirections } from '../formats/file_set';
 import { saveCones } from '../services/cone_storage';
 import { describeError } from '../text/error_messages';
@@ -105,28 +107,38 @@ export function clearCones(app: App): void {
   if (setCones(app, [], 'clear cones')) app.doc.selected = -1;
 }
 
+/** These cones and those that the solver adds for a balance, the given ones first. */
+export async function balanced(
+  { solver }: Model,
+  prescription: Prescription,
+): Promise<readonly Cone[]> {
+  const { cones } = await solver.balanceCones(toCones(prescription));
+  const isGiven = (one: Cone): boolean =>
+    prescription.cones.some(({ vertex }) => vertex === one.vertex);
+  const added = cones.filter((one) => !isGiven(one)).map(({ vertex, k }) => ({ vertex, k }));
+  return [...prescription.cones, ...added];
+}
+
 /** Adds the missing cones where they cause the least distortion. */
 export async function balance(app: App): Promise<void> {
-  const { doc, geometry } = app;
+  const { doc } = app;
   const model = doc.usableModel;
   const { prescription, budget } = doc;
   if (!model || !budget || isLocked(app)) return;
-  const left = budget.components
-    .filter(({ isBalanced }) => !isBalanced)
-    .map((one): [number, number] => [one.component, one.left]);
-  if (left.length === 0) return doc.say('The cones are balanced already.');
-  const { q, cones } = prescription;
-  const added = await geometry.call('balance', [model.surface.id, q, cones, left]);
-  if (doc.prescription !== prescription) return; // edited in the meantime
-  if (added.length === 0) {
-    return doc.say('There is no vertex at which the missing cones could be placed.', 'error');
+  if (budget.components.every(({ isBalanced }) => isBalanced))
+    return doc.say('The cones are balanced already.');
+  const { cones } = prescription;
+  let all: readonly Cone[];
+  try {
+    all = await balanced(model, prescription);
+  } catch (error) {
+    return doc.say(describeError(error, model.main), 'error');
   }
-  if (!setCones(app, [...cones, ...added], 'balance')) return;
+  if (doc.prescription !== prescription) return; // edited in the meantime
+  if (!setCones(app, all, 'balance')) return;
+  const added = all.slice(cones.length);
   const kinds = [...new Set(added.map(({ k }) => `k = ${k}`))].join(' and ');
-  const done = `${plural(added.length, 'cone')} with ${kinds} added.`;
-  const isBalanced = doc.budget?.components.every((one) => one.isBalanced);
-  if (isBalanced) doc.say(`${done} Undo removes them.`, 'good');
-  else doc.say(`${done} More do not fit: ${doc.budget?.text ?? ''}`, 'error');
+  doc.say(`${plural(added.length, 'cone')} with ${kinds} added. Undo removes them.`, 'good');
 }
 
 export function setTurning(app: App, loop: number, l: number | null): void {

@@ -4,16 +4,16 @@ import type { Cone } from '../model/prescription';
 import { plural } from '../text/format';
 import { largestK } from '../model/gauss_bonnet';
 import type { App } from './app';
-import { setPrescription } from './edit_cones';
+import { balanced, setPrescription } from './edit_cones';
 import { isLocked } from './job';
 import { run } from './solve';
 
 /** Places cones at the extremes of the scale, balances them, and runs: one undo step. */
 export async function evenOut(app: App): Promise<void> {
-  const { doc, geometry } = app;
-  const { current, prescription } = doc;
-  const surface = doc.usableModel?.surface;
-  if (!current || !surface || isLocked(app)) return;
+  const { doc } = app;
+  const { current, prescription, usableModel: model } = doc;
+  if (!current || !model || isLocked(app)) return;
+  const { surface } = model;
   const { q, cones } = prescription;
   const { larger, smaller } = current.sizes;
   const taken = new Set(cones.map(({ vertex }) => vertex));
@@ -23,17 +23,11 @@ export async function evenOut(app: App): Promise<void> {
       .map((vertex) => ({ vertex, k }));
   // A tip is shrunk by the map: a cone of positive curvature there makes it larger; and the other way round.
   const added = [...conesAt(larger.vertices, q - 1), ...conesAt(smaller.vertices, q + 1)];
-  const left = new Map<number, number>();
-  for (const { vertex, k } of added) {
-    const component = surface.component[vertex];
-    left.set(component, (left.get(component) ?? 0) - (q - k));
-  }
-  const all = [...cones, ...added];
-  const rest = await geometry.call('balance', [surface.id, q, all, [...left]]);
+  const wanted = { ...prescription, cones: [...cones, ...added] };
+  const all = added.length > 0 ? await balanced(model, wanted).catch(() => wanted.cones) : [];
   if (doc.prescription !== prescription || added.length === 0) return;
-  if (!setPrescription(app, { ...prescription, cones: [...all, ...rest] }, 'even out sizes'))
-    return;
-  const count = plural(added.length + rest.length, 'cone');
+  if (!setPrescription(app, { ...prescription, cones: all }, 'even out sizes')) return;
+  const count = plural(all.length - cones.length, 'cone');
   if ((await run(app)) === 'done')
     doc.say(
       `${count} added where the pattern was largest and smallest. Undo removes them.`,

@@ -1,7 +1,6 @@
 // Inspects every mesh of a file that has several, so that the user can choose one.
 
-import type { ModelInfo } from 'hgp';
-import type { MeshInstances } from '../formats/mesh_instances';
+import type { ModelInfo, Placements } from 'hgp';
 import type { MeshSummary } from '../model/types';
 import { isAbort } from '../text/error_messages';
 
@@ -26,7 +25,7 @@ async function summarize(
 /** Reads the meshes one by one; the best is the largest that can be used. */
 export async function surveyMeshes(
   info: ModelInfo,
-  instances: MeshInstances[] | undefined,
+  placements: readonly Placements[],
   read: (index: number) => Promise<ModelInfo>,
 ): Promise<{ summaries: MeshSummary[]; best: number }> {
   const total = info.surfaces.reduce((sum, { triangles }) => sum + triangles, 0);
@@ -35,7 +34,7 @@ export async function surveyMeshes(
   }
   const summaries: MeshSummary[] = [];
   for (const { index } of info.surfaces) {
-    summaries.push(await summarize(index, instances?.[index]?.count, read));
+    summaries.push(await summarize(index, placements[index]?.count, read));
   }
   const size = (index: number): number => info.surfaces[index].triangles;
   const usable = summaries.filter(({ isUsable }) => isUsable).map(({ index }) => index);

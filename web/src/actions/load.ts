@@ -1,21 +1,27 @@
 // Loads a set of files as a surface: reads, welds and repairs it, and takes the cones that come
 // with it.
 
-import type { Model as SolverModel, ModelInfo, Surface as SurfaceArrays } from 'hgp';
+import type { Model as SolverModel, ModelInfo, Placements, Surface as SurfaceArrays } from 'hgp';
 import { ignoredBytes } from '../formats/gzip';
-import { instancesOf, remarksOn, type MeshInstances } from '../formats/mesh_instances';
 import { loadOptionsOf, plainSettings, type MeshWork } from '../model/document';
-import { emptyPrescription, fromCones, isSilent, type Prescription } from '../model/prescription';
-import { identity } from '../model/matrix';
+import {
+  emptyPrescription,
+  fromCones,
+  isSilent,
+  toCones,
+  type Prescription,
+} from '../model/prescription';
+import { identity, type Matrix } from '../model/matrix';
 import { canRepair } from '../model/repairs';
-import { describeTransfer, transferPrescription } from '../model/transfer_cones';
 import type { ScenePart } from '../model/scene';
 import type { LoadSettings, Model, Step } from '../model/types';
 import { restorable, saveCones } from '../services/cone_storage';
 import { describeError, whyUnusable } from '../text/error_messages';
+import { remarksOn } from '../text/remarks';
 import { estimateFor, mostTriangles, tooMany } from '../text/estimate';
 import { bytesOfAll, megabytes, plural } from '../text/format';
 import { gzipNote, noteForPage } from '../text/notes';
+import { describeTransfer } from '../text/transfer';
 import { solverOf, type App } from './app';
 import { setPrescription } from './edit_cones';
 import { surveyMeshes } from './inspect_meshes';
@@ -59,7 +65,7 @@ interface Seen {
 async function lookAround(
   app: App,
   info: ModelInfo,
-  instances: MeshInstances[] | undefined,
+  placements: readonly Placements[],
   read: (surface: number) => Promise<SolverModel>,
   call: JobCall,
 ): Promise<Seen> {
@@ -68,13 +74,22 @@ async function lookAround(
     const seen = await read(index);
     const arrays = await seen.surface(call);
     void seen.dispose();
-    parts.push(await partOf(app, index, arrays, instances?.[index]));
+    parts.push(await partOf(app, index, arrays, placements[index]));
     return seen.info;
   };
-  const { summaries, best } = await surveyMeshes(info, instances, look);
+  const { summaries, best } = await surveyMeshes(info, placements, look);
   call.signal.throwIfAborted();
   app.doc.summaries = summaries;
   return { best, parts };
+}
+
+/** The places of a mesh in the scene; the first is where it is edited. */
+function matricesOf(placements: Placements | undefined): readonly Matrix[] {
+  const { matrices = new Float64Array() } = placements ?? {};
+  const each = Array.from({ length: matrices.length / 16 }, (_, n) => [
+    ...matrices.subarray(16 * n, 16 * n + 16),
+  ]);
+  return each.length > 0 ? each : [identity];
 }
 
 /** A mesh as it is drawn beside others. */
@@ -82,13 +97,14 @@ async function partOf(
   { doc, geometry }: App,
   mesh: number,
   { positions, triangles, repaired }: SurfaceArrays,
-  instances: MeshInstances | undefined,
+  placements: Placements | undefined,
 ): Promise<ScenePart> {
-  const to = instances?.matrix ?? identity;
+  const matrices = matricesOf(placements);
+  const [to] = matrices;
   const arrays = { positions, triangles, repaired };
   const { picture, shape } = await geometry.call('part', [arrays, to], [positions, triangles]);
   doc.thumbnails = new Map(doc.thumbnails).set(mesh, picture);
-  return { mesh, ...shape, matrices: instances?.matrices ?? [identity] };
+  return { mesh, ...shape, matrices };
 }
 
 /** Reads one mesh of the files with the given settings, and opens it. */
@@ -104,25 +120,25 @@ async function readMesh(
   const read = (surface?: number): Promise<SolverModel> =>
     client.load({ main, files }, { name: main, surface, ...loadOptionsOf(settings) }, call);
   let solver = await read(surfaceIndex);
-  const instances = await instancesOf(files, main);
+  const placements = await solver.placements(call);
   let parts: ScenePart[] | undefined;
   if (surfaceIndex === undefined && solver.info.surfaces.length > 1) {
-    const seen = await lookAround(app, solver.info, instances, read, call);
+    const seen = await lookAround(app, solver.info, placements, read, call);
     ({ parts } = seen);
     void solver.dispose();
     solver = await read(seen.best);
-  } else if (surfaceIndex === undefined && (instances?.[0]?.matrices.length ?? 0) > 1) {
-    parts = [await partOf(app, 0, await solver.surface(call), instances?.[0])];
+  } else if (surfaceIndex === undefined && matricesOf(placements[0]).length > 1) {
+    parts = [await partOf(app, 0, await solver.surface(call), placements[0])];
   }
   const { info } = solver;
   if (info.triangles > mostTriangles) throw new Error(tooMany(main, info.triangles));
   const [arrays, facts] = await Promise.all([solver.surface(call), solver.facts(call)]);
   call.signal.throwIfAborted();
-  const matrix = instances?.[info.surface]?.matrix ?? identity;
+  const [matrix] = matricesOf(placements[info.surface]);
   const surface = await geometry.surface(arrays, facts, matrix);
   call.signal.throwIfAborted();
   const ignored = ignoredBytes(files.get(main));
-  const remarks = remarksOn(info, instances?.[info.surface]);
+  const remarks = remarksOn(info, placements[info.surface]);
   if (ignored > 0) remarks.unshift(noteForPage(gzipNote(ignored)));
   const model = { main, files, solver, info, surface, loaded: settings, remarks, matrix };
   if (surfaceIndex === undefined) doc.parts = parts ?? [];
@@ -147,7 +163,7 @@ export async function loadMesh(app: App, source: Source, surface?: number): Prom
     const model = await readMesh(app, source, plainSettings, surface, call);
     doc.solutions = [];
     doc.begin(emptyFor(doc.prescription.q, model.info), plainSettings);
-    if (model.info.usable) await findCones(app, model);
+    if (model.info.usable) await findCones(app, model, call);
   });
   if (isDone && doc.usableModel) warnOfSize(app, doc.usableModel);
 }
@@ -194,6 +210,35 @@ async function restoreMesh(app: App, work: MeshWork): Promise<void> {
   });
 }
 
+interface Transferred {
+  prescription: Prescription;
+  kept: number;
+  /** What was kept and what was not. */
+  text: string;
+}
+
+/** A prescription on another reading of its surface. */
+async function transferred(
+  { solver, info }: Model,
+  prescription: Prescription,
+  from: SolverModel,
+  call: JobCall,
+): Promise<Transferred> {
+  if (!info.usable) {
+    // Another repair may make the mesh usable; the cones are kept until then.
+    const waiting = { ...prescription, turnings: [], handles: [] };
+    return { prescription: waiting, kept: prescription.cones.length, text: '' };
+  }
+  const { cones, lost } = await solver.transferCones(toCones(prescription), from, call);
+  const empty = emptyFor(prescription.q, info);
+  const kept = cones.cones.length;
+  return {
+    prescription: fromCones(cones, empty.turnings.length, empty.handles.length),
+    kept,
+    text: describeTransfer(kept, lost),
+  };
+}
+
 /** Reads the same mesh with other repairs or another weld, as one undo step. */
 export async function reloadWith(app: App, settings: LoadSettings, kind: string): Promise<boolean> {
   const { doc } = app;
@@ -202,12 +247,12 @@ export async function reloadWith(app: App, settings: LoadSettings, kind: string)
   const { prescription, hasUserCones } = doc;
   return loading(app, old, async (call) => {
     const model = await readMesh(app, old, settings, old.info.surface, call);
-    const moved = transferPrescription(prescription, old, model, true);
+    const moved = await transferred(model, prescription, old.solver, call);
     doc.history = doc.history.push({ prescription: moved.prescription, settings }, kind);
     doc.hasUserCones = hasUserCones && !isSilent(moved.prescription);
     if (!model.info.usable) return;
     void saveCones(model.info.file.sha256, moved.prescription);
-    doc.say(`Done: ${kind}.${describeTransfer(moved)} Undo reverts it.`, 'good');
+    doc.say(`Done: ${kind}.${moved.text} Undo reverts it.`, 'good');
   });
 }
 
@@ -240,7 +285,7 @@ function warnOfSize({ doc }: App, { info }: Model): void {
 }
 
 /** Transfers the cones from the previous version of the file, as one undo step. */
-function transferFromPrevious(app: App, model: Model): boolean {
+async function transferFromPrevious(app: App, model: Model, call: JobCall): Promise<boolean> {
   const { doc } = app;
   const { previous } = doc;
   doc.previous = undefined;
@@ -248,10 +293,11 @@ function transferFromPrevious(app: App, model: Model): boolean {
   const { info } = previous.model;
   if (info.file.sha256 === model.info.file.sha256) return false;
   if (model.info.surfaces.length > 1 && info.surface !== model.info.surface) return false;
-  const moved = transferPrescription(previous.prescription, previous.model, model, false);
+  await using from = await loadInSolver(app, previous.model, call);
+  const moved = await transferred(model, previous.prescription, from, call);
   if (moved.kept === 0) return false;
   return setWhileLoading(app, moved.prescription, 'carry cones over', () =>
-    doc.say(`Another version of ${model.main}.${describeTransfer(moved)} Undo removes them.`),
+    doc.say(`Another version of ${model.main}.${moved.text} Undo removes them.`),
   );
 }
 
@@ -263,7 +309,7 @@ function setWhileLoading(app: App, to: Prescription, kind: string, say: () => vo
 }
 
 /** Takes cones from the file or its previous version, or offers those of an earlier session. */
-async function findCones(app: App, model: Model): Promise<void> {
+async function findCones(app: App, model: Model, call: JobCall): Promise<void> {
   const { doc } = app;
   const { turnings, handles } = doc.prescription;
   const embedded = await model.solver.embeddedCones().catch(() => null);
@@ -276,7 +322,7 @@ async function findCones(app: App, model: Model): Promise<void> {
     };
     return;
   }
-  if (transferFromPrevious(app, model)) return;
+  if (await transferFromPrevious(app, model, call)) return;
   await offerSaved(app, model);
 }
 

@@ -7,19 +7,6 @@ import type { GridSettings, Look, Pattern, Solution, Surface } from './types';
 export const canAlign = (q: number): boolean => q === 2 || q === 4;
 
 export const cellRange = { min: 10, max: 1_000_000 };
-const cellsAcross = 14; // along the diagonal, so that single tiles are visible
-const fewestCells = 800; // automatic cones keep a distance of one cell: with fewer cells many would be moved
-const cellsPerCone = 40; // for given cones: fewer cells fail more often and cause more distortion
-
-export function automaticCells(
-  { area, diagonal }: Pick<Surface, 'area' | 'diagonal'>,
-  cones: number,
-): number {
-  const bySize = area * (cellsAcross / diagonal) ** 2;
-  const cells = Math.max(bySize, fewestCells, cellsPerCone * cones);
-  return Math.round(Math.min(Math.max(cells, cellRange.min), cellRange.max));
-}
-
 export const sameGrid = (a: GridSettings, b: GridSettings, q: number): boolean =>
   !canAlign(q) || (a.isOn === b.isOn && (!a.isOn || (a.cells === b.cells && a.mode === b.mode)));
 

@@ -7,7 +7,7 @@ import { attempt } from '../actions/app';
 import { isAutomatic } from '../actions/follow_edits';
 import { isPreset, presets, usePreset } from '../actions/presets';
 import { realign, setSolve } from '../actions/solve';
-import { automaticCells, canAlign, gridOutcome } from '../model/grid';
+import { canAlign, gridOutcome } from '../model/grid';
 import type { GridSettings, SolveSettings } from '../model/types';
 import { noteForPage } from '../text/notes';
 import { estimateFor } from '../text/estimate';
@@ -25,6 +25,9 @@ function wholeNumber(event: Event, low: number, high: number): number | undefine
   const n = Number(textOf(event));
   return Number.isFinite(n) && n >= low ? Math.min(Math.round(n), high) : undefined;
 }
+
+/** Where the slider is until a run has chosen a number. */
+const usualCells = 1000;
 
 /** Position of the density slider: 0 to 100 for 10 to 100 000 cells. */
 const sliderOfCells = (cells: number): number => Math.round(25 * (Math.log10(cells) - 1));
@@ -122,12 +125,11 @@ class SolvePanel extends Panel {
   #density(): TemplateResult {
     const { doc } = this.app;
     const { grid } = doc.solve;
-    const { current, prescription, model } = doc;
-    const automatic = current?.cells ?? automaticCells(model!.surface, prescription.cones.length);
-    const cells = this.#dragged ?? grid.cells ?? automatic;
+    const cells = this.#dragged ?? grid.cells ?? doc.current?.cells;
+    const shown = cells === undefined ? 'automatic' : count(cells);
     return html`<div class="row field">
       <label for="cells">Cells, about</label>
-      <output for="cells" id="cells-shown">${count(cells)}</output>
+      <output for="cells" id="cells-shown">${shown}</output>
       <button
         type="button"
         class="link"
@@ -145,8 +147,8 @@ class SolvePanel extends Panel {
         max="100"
         step="1"
         ?disabled=${doc.isBusy}
-        .value=${live(String(sliderOfCells(cells)))}
-        aria-valuetext="${count(cells)} cells"
+        .value=${live(String(sliderOfCells(cells ?? usualCells)))}
+        aria-valuetext=${cells === undefined ? 'automatic' : `${shown} cells`}
         @input=${(event: Event) => {
           this.#dragged = cellsOfSlider(Number(textOf(event)));
           this.requestUpdate();

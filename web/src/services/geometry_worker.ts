@@ -9,7 +9,6 @@ import type { SerializedBvh } from '../model/scene';
 import type { Analysis, OutputFile, Surface } from '../model/types';
 import { isMeshoptUsed, type MeshoptDecoder } from '../formats/read_uv';
 import { analyse, compareWithFile, urisOf, type FaceValues } from './geometry/analyse';
-import { balancingCones } from './geometry/balance_cones';
 import { flatCrosses, surfaceCrosses } from './geometry/cross_lines';
 import { loopSegments } from './geometry/handle_loops';
 import { Mirror } from './geometry/mirror_plane';
@@ -158,7 +157,6 @@ const calls: GeometryCalls = {
   loopSegments: (id, loops) => loops.map((loop) => loopSegments(surfaceOf(id), loop)),
   surfaceBvh: (id) => bvhOf(surfaceOf(id).cornerPositions),
   mapBvh: (id) => bvhOf(mapOf(id).flatPositions),
-  balance: (id, q, cones, left) => balancingCones(surfaceOf(id), q, cones, new Map(left)),
   opposite(id, vertex) {
     const surface = surfaceOf(id);
     const mirror = mirrors.get(surface) ?? new Mirror(surface);

@@ -44,7 +44,7 @@ export interface CommandOptions {
   improve?: number;
   scale: Output['scale'];
   /** Of a grid, if one is requested. */
-  cells?: number;
+  cells?: number | 'auto';
   gridMode: GridSettings['mode'];
   /** Whose directions are the frames. */
   field?: { name: string };

@@ -13,6 +13,7 @@ constexpr std::size_t kMaxPlaces = 1000;
 Json surfacesJson(const Model& model) {
   Json out = Json::array();
   const auto& surfaces = model.document->surfaces();
+  const std::vector<io::Placements> places = model.document->placements();
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const io::Surface& s = surfaces[i];
     out.push_back(Json{{"index", i},
@@ -23,6 +24,10 @@ Json surfacesJson(const Model& model) {
                        {"triangles", s.mesh.triangles.size()},
                        {"uvSets", s.uvSets},
                        {"notes", notesJson(s.notes)}});
+    if (i < places.size()) {
+      out.back()["uses"] = places[i].count;
+      out.back()["mirrored"] = places[i].isMirrored;
+    }
   }
   return out;
 }

@@ -15,6 +15,23 @@ constexpr double kCellsAcross = 14.0;
 constexpr double kFewest = 800.0;
 constexpr double kPerCone = 40.0;
 constexpr double kMost = 1e6;
+/// A second run is worth its time up to this many triangles.
+constexpr std::size_t kRunTwice = 100'000;
+
+/// A number of cells with which every component is aligned; 0 if one of them knows none. All have one spacing, so that the
+/// most demanding one decides.
+double workingCells(const std::vector<Parametrization>& components) {
+  double cells = 0.0, denser = 1.0;
+  for (const Parametrization& component : components) {
+    if (!component.grid) return 0.0;
+    const GridReport& grid = *component.grid;
+    cells += grid.cells;
+    if (grid.isAligned) continue;
+    if (!(grid.workingCells > 0.0)) return 0.0;
+    denser = std::max(denser, grid.workingCells / grid.cells);
+  }
+  return std::ceil(cells * denser);
+}
 
 }  // namespace
 
@@ -33,6 +50,34 @@ SolveOptions Session::State::withCells(const Request& request, SolveOptions opti
   if (options.choosesCells && !options.grid.isAsked())
     options.grid.cells = automaticCells(*model, request);
   return options;
+}
+
+Status Session::State::solveWithWorkingCells(const SolveOptions& options, RunRecord& run) {
+  if (!options.choosesCells || solved->isAligned || !solved->stored.isCertified) return Done{};
+  if (model->mesh.triangles.size() > kRunTwice) return Done{};
+  SolveOptions denser = options;
+  denser.grid.cells = workingCells(run.components);
+  if (!(denser.grid.cells > 0.0)) return Done{};
+  denser.grid.spacing = 0.0;
+  Request request;
+  request.q = options.q;
+  for (const Parametrization& component : run.components) {
+    request.q = component.spec.q;
+    request.components.push_back({toSpec(component.spec), false, std::nullopt});
+  }
+  RunRecord again;
+  again.options = denser;
+  again.isAutomatic = run.isAutomatic;
+  again.notes = run.notes;
+  std::shared_ptr<Solved> before = std::move(solved);
+  solved.reset();
+  const Status done = solveRequest(request, denser, again);
+  if (done && solved->isAligned) {
+    run = std::move(again);
+    return Done{};
+  }
+  solved = std::move(before);
+  return !done && done.error().code == ErrorCode::kCancelled ? done : Status(Done{});
 }
 
 }  // namespace hgp::api

@@ -15,6 +15,7 @@ struct FileMaps::Kept {
   int surface = 0;
   UvMap map;
   std::optional<std::string> cones;
+  WriteOptions options;
   double tiles = 0.0;
   bool isCertified = false;
 };
@@ -25,11 +26,13 @@ FileMaps::FileMaps(FileMaps&&) noexcept = default;
 FileMaps& FileMaps::operator=(FileMaps&&) noexcept = default;
 bool FileMaps::isEmpty() const { return kept_.empty(); }
 
-Status FileMaps::add(const Session& session) {
+Status FileMaps::add(const Session& session) { return add(session, options_); }
+
+Status FileMaps::add(const Session& session, const WriteOptions& own) {
   return guarded([&]() -> Status {
     if (!session.hasResult() || !session.state_->file)
       return Failure{ErrorCode::kUsage, "write", "there is no result on a mesh of a file", {}};
-    if (!session.isCertified() && !options_.allowUncertified)
+    if (!session.isCertified() && !own.allowUncertified)
       return Failure{ErrorCode::kNoMap, "write", "the map is not certified", {}};
     if (Status possible = session.canWrite(options_.name); !possible) return possible;
     const Session::State& shown = session.state_->shown();
@@ -38,9 +41,9 @@ Status FileMaps::add(const Session& session) {
     one.document = shown.model->document;
     one.surface = shown.model->surface;
     one.map = shown.solved->stored.map;
-    if (options_.embedCones)
-      one.cones = prescription::writeConesJson(shown.solved->prescription, -1);
-    if (options_.gridTiles) one.tiles = shown.tilesOfGrid(options_);
+    one.options = own;
+    if (own.embedCones) one.cones = prescription::writeConesJson(shown.solved->prescription, -1);
+    if (own.gridTiles) one.tiles = shown.tilesOfGrid(own);
     one.isCertified = session.isCertified();
     kept_.push_back(std::move(one));
     return Done{};
@@ -58,9 +61,11 @@ Result<WrittenFile> FileMaps::write() const {
     for (const Kept& one : kept_) {
       if (!meshes.insert(one.surface).second)
         return Failure{ErrorCode::kUsage, "write", "two maps are of the same mesh", {}};
-      maps.push_back({one.document.get(), one.surface, &one.map, one.cones});
+      maps.push_back({one.document.get(), one.surface, &one.map, one.cones, one.options.uvSet,
+                      one.options.pointsMaterials});
       const io::Surface& surface = one.file->surfaces()[static_cast<std::size_t>(one.surface)];
-      grids.push_back({one.tiles, surface.meshInFile, options_.uvSet});
+      if (one.options.gridTiles)
+        grids.push_back({one.tiles, surface.meshInFile, one.options.uvSet});
       out.isCertified = out.isCertified && one.isCertified;
     }
     const io::Document& file = *kept_.front().file;
@@ -71,7 +76,7 @@ Result<WrittenFile> FileMaps::write() const {
     if (!written) return written.error();
     out.mapNotes = std::move(written->mapNotes);
     static_cast<io::Written&>(out) = std::move(*written);
-    if (options_.gridTiles) {
+    if (!grids.empty()) {
       auto files = io::withGridMaterials(std::move(out.files), grids);
       if (!files) return files.error();
       out.files = std::move(*files);

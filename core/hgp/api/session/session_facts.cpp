@@ -115,6 +115,10 @@ MapArrays Session::release() {
   return out;
 }
 
+std::vector<io::Placements> Session::placements() const {
+  return state_->model ? state_->model->document->placements() : std::vector<io::Placements>();
+}
+
 Result<SurfaceFacts> Session::facts() const {
   return guarded([&]() -> Result<SurfaceFacts> {
     if (!state_->model) return notLoaded();

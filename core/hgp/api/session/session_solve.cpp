@@ -245,6 +245,7 @@ Status Session::State::solve(const std::optional<prescription::Prescription>& pr
   run.notes = request->notes;
   if (options.frames == FrameSource::kFile) run.notes.push_back(Note("field-frames"));
   if (Status done = solveRequest(*request, options, run); !done) return done;
+  if (Status done = solveWithWorkingCells(options, run); !done) return done;
   const bool hasFeatures = prescription && !prescription->features.isEmpty();
   const bool mayRepair = options.boundary == BoundaryKind::kFree && !hasFeatures;
   if (!solved->stored.isCertified && mayRepair)

@@ -46,6 +46,9 @@ struct Session::State {
                const SolveOptions& options);
   /// The same options, with automaticCells where choosesCells asks for them.
   SolveOptions withCells(const Request& request, SolveOptions options) const;
+  /// With choosesCells: if the map is not aligned and a number of cells is known to work, solves with that and the same
+  /// cones; replaces `solved` and `run` if the map is then aligned.
+  Status solveWithWorkingCells(const SolveOptions& options, RunRecord& run);
   /// Solves every component and verifies it as stored: sets all of `solved` except its report.
   Status solveRequest(const Request& request, const SolveOptions& options, RunRecord& run);
   /// Stores one map per component and verifies what is stored: sets all of `solved` except its report.

@@ -22,6 +22,17 @@ bool isExactSum(double a, double b) {
   return (a - (sum - fromB)) + (b - fromB) == 0.0;
 }
 
+/// Whether both were read from the same bytes, so that the indices of one are those of the other.
+bool isSameFile(const GltfStore& a, const GltfStore& b) {
+  if (&a == &b) return true;
+  return a.json.text() == b.json.text() &&
+         std::equal(a.buffers.begin(), a.buffers.end(), b.buffers.begin(), b.buffers.end(),
+                    [](const auto& x, const auto& y) {
+                      return std::equal(x.bytes.begin(), x.bytes.end(), y.bytes.begin(),
+                                        y.bytes.end());
+                    });
+}
+
 }  // namespace
 
 GltfDocument::GltfDocument(std::shared_ptr<const GltfStore> store, std::vector<GltfSurface> parts)
@@ -110,9 +121,10 @@ Result<WrittenMaps> GltfDocument::writeAll(const std::vector<SurfaceUv>& maps,
   std::vector<GltfMap> list;
   for (const SurfaceUv& one : maps) {
     const auto* of = dynamic_cast<const GltfDocument*>(one.document);
-    if (of == nullptr || of->store_ != store_)
+    if (of == nullptr || !isSameFile(*of->store_, *store_))
       return Failure{ErrorCode::kUsage, "write", "the maps are not all of one file", {}};
-    list.push_back({&of->parts_[static_cast<std::size_t>(one.surface)], one.map, one.cones});
+    list.push_back({&of->parts_[static_cast<std::size_t>(one.surface)], one.map, one.cones,
+                    one.uvSet, one.pointsMaterials});
   }
   auto written = writeGltfMaps(*store_, list, options);
   if (!written) return written;

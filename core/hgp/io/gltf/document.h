@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hgp/io/document.h"
+#include "hgp/io/gltf/decode/placements.h"
 #include "hgp/io/gltf/decode/store.h"
 #include "hgp/io/gltf/decode/weld.h"
 
@@ -30,6 +31,7 @@ class GltfDocument : public Document {
   Result<Written> write(int surface, const UvMap& map, const WriteOptions& options) const override;
   Result<WrittenMaps> writeAll(const std::vector<SurfaceUv>& maps,
                                const WriteOptions& options) const override;
+  std::vector<Placements> placements() const override { return placementsOf(*store_, parts_); }
   Result<PlainFile> plain(int surface) const override;
   Result<DocumentPtr> refined(int surface,
                               const std::vector<std::array<int, 2>>& edges) const override;

@@ -25,7 +25,11 @@ interface Kind {
 }
 type Fields = Record<string, Kind>;
 
-const kind = (name: string, test: Kind['test']): Kind => ({ name, test });
+const kind = (name: string, test: Kind['test'], fields?: Fields): Kind => ({
+  name,
+  test,
+  ...(fields && { fields }),
+});
 
 const isFinite = (value: unknown): value is number =>
   typeof value === 'number' && Number.isFinite(value);
@@ -124,7 +128,13 @@ function fieldsOf(rows: OptionRow[]): Fields {
 }
 
 const load: Fields = { name: string, ...fieldsOf(optionTable.load) };
-const parametrize: Fields = { ...fieldsOf(optionTable.solve), cones, field: coneFile, features };
+const solve = fieldsOf(optionTable.solve);
+const { cells, ...gridFields } = solve.grid.fields ?? {};
+const grid = kind("'auto' or an object", (value) => value === 'auto' || isRecord(value), {
+  ...gridFields,
+  cells: kind(`${cells.name} or 'auto'`, (value) => value === 'auto' || cells.test(value)),
+});
+const parametrize: Fields = { ...solve, grid, cones, field: coneFile, features };
 const { q, count, conesFor, alignToCurvature } = parametrize;
 const write = fieldsOf(optionTable.write);
 const { surface: _surface, ...loadFile } = load;
@@ -194,7 +204,7 @@ function checkFields(call: string, options: unknown, fields: Fields, path: strin
     if (!test(value)) {
       throw usage(`${call}: ${path}${name} is ${wanted}, not ${describe(value)}`);
     }
-    if (inner) checkFields(call, value, inner, `${path}${name}.`);
+    if (inner && isRecord(value)) checkFields(call, value, inner, `${path}${name}.`);
   }
   if (options.frames === 'file' && !options.field) {
     throw usage("parametrize: frames: 'file' needs the field that they come from (field)");

@@ -188,9 +188,9 @@ export class Client implements AsyncDisposable {
         throw usage('combine takes a list of maps that parametrize() of a model returned');
       if (needs.length === 0) throw usage('combine: there are no maps');
       const each = takeCombineOptions(needs.length, options);
-      const files = this.#queue.filesOf(needs[0]);
-      if (!files) throw usage('combine: the maps are of meshes of a file, not of arrays');
-      return [files, needs, each];
+      if (!this.#queue.isOfFile(needs[0]))
+        throw usage('combine: the maps are of meshes of a file, not of arrays');
+      return [needs, each];
     };
     return this.#queue.add({ method: 'combine', needs }, prepare, call);
   }

@@ -6,6 +6,7 @@ import createModule, {
   type Session,
   type SessionResult,
   type StoredResult,
+  type WholeFile,
 } from '../module.js';
 import {
   checkConeFile,
@@ -47,6 +48,8 @@ import type {
   FileResult,
   Loops,
   Measures,
+  MovedCones,
+  Placements,
   Progress,
   Quads,
   Result,
@@ -112,6 +115,32 @@ function resultOf(map: CoreMap): Result {
 
 const jsonOf = (reply: { json: string } | { error: string }): unknown =>
   JSON.parse(valueOf(reply as { json: string }).json);
+
+/** The options as the core's table has them: 'auto' is a mode without a number of cells. */
+function forCore({ grid, ...options }: Pick<SolveOptions, 'grid'>): object {
+  if (grid === undefined) return options;
+  const { cells, spacing, mode = 'tile' } = grid === 'auto' ? {} : grid;
+  const isAutomatic = grid === 'auto' || cells === 'auto';
+  const asked = typeof cells === 'number' ? { cells } : {};
+  if (isAutomatic) return { ...options, grid: { mode } };
+  return {
+    ...options,
+    grid: { ...asked, ...(spacing === undefined ? {} : { spacing }), ...(grid.mode && { mode }) },
+  };
+}
+
+/** The callback in the form in which the core calls it. */
+function progressCall(onProgress: Core['onProgress']) {
+  if (!onProgress) return undefined;
+  return (
+    stage: string,
+    fraction: number,
+    iteration: number,
+    residual: number,
+    round: number,
+    maxRounds: number,
+  ): boolean => onProgress({ stage, fraction, iteration, residual, round, maxRounds }) !== false;
+}
 
 /** The solver. Calls are synchronous, except prepare(), and throw HgpError. */
 export class Core {
@@ -247,11 +276,10 @@ export class Core {
    * @param options  for all maps, or for each of them
    */
   combine(
-    source: CoreFiles,
     maps: readonly CoreMap[],
     options: CombineOptions | readonly CombineOptions[] = {},
   ): Written {
-    return combine(this, source, maps, takeCombineOptions(maps.length, options));
+    return combine(this, maps, takeCombineOptions(maps.length, options));
   }
 
   #open(
@@ -315,6 +343,11 @@ export class CoreModel {
     return valueOf(this.#live.facts());
   }
 
+  /** By mesh of the file, how its nodes use it; empty in formats without nodes. */
+  placements(): Placements[] {
+    return valueOf(this.#live.placements()).meshes;
+  }
+
   /** The boundary loops and handle generators, in the order of their numbers. */
   loops(): Loops {
     return valueOf(this.#live.loops());
@@ -337,6 +370,22 @@ export class CoreModel {
   suggestCones(options: SuggestOptions = {}): Cones {
     checkOptions('suggestCones', options);
     return jsonOf(this.#live.suggestCones(JSON.stringify(options), this.#progress())) as Cones;
+  }
+
+  /** The cones with those that Gauss–Bonnet misses, placed where they cause the least distortion. */
+  balanceCones(cones: Cones): Cones {
+    checkCones('balanceCones', cones);
+    return jsonOf(this.#live.balanceCones(JSON.stringify(cones))) as Cones;
+  }
+
+  /**
+   * The cones of another reading or version of this surface on this one: by number where both have the same vertices and
+   * triangles, otherwise by exact position.
+   */
+  transferCones(cones: Cones, from: CoreModel): MovedCones {
+    checkCones('transferCones', cones);
+    const { json, lost } = valueOf(this.#live.transferCones(JSON.stringify(cones), from.#live));
+    return { cones: JSON.parse(json) as Cones, lost: JSON.parse(lost) as Note[] };
   }
 
   /** Checks cones against Gauss–Bonnet in exact integers; solves nothing. */
@@ -374,7 +423,7 @@ export class CoreModel {
     const { cones, field, features, ...rest } = options;
     const session = this.#live;
     const text = cones ? JSON.stringify(cones) : '';
-    const asked = JSON.stringify(rest);
+    const asked = JSON.stringify(forCore(rest));
     return this.#mapOf(
       session.parametrize(text, filesOf(field, features), asked, this.#progress()),
     );
@@ -402,6 +451,20 @@ export class CoreModel {
         map.free();
       }
     }, this.parametrize(options));
+  }
+
+  /**
+   * Maps every mesh of its file.
+   * @internal
+   */
+  parametrizeFile({ write = {}, ...solve }: Omit<FileOptions, keyof LoadOptions>): WholeFile {
+    const { onProgress } = this.#core;
+    let [mesh, meshes] = [0, 1];
+    const onMesh = (...now: [number, number]): void => void ([mesh, meshes] = now);
+    const report = onProgress && ((p: Progress) => onProgress({ ...p, mesh, meshes }));
+    const [options, how] = [forCore(solve), { name: this.defaultName, ...write }];
+    const texts = [options, how].map((one) => JSON.stringify(one)) as [string, string];
+    return valueOf(this.#live.parametrizeFile(...texts, progressCall(report), onMesh));
   }
 
   /** Verifies texture coordinates in the file. */
@@ -466,16 +529,7 @@ export class CoreModel {
   }
 
   #progress() {
-    const { onProgress } = this.#core;
-    if (!onProgress) return undefined;
-    return (
-      stage: string,
-      fraction: number,
-      iteration: number,
-      residual: number,
-      round: number,
-      maxRounds: number,
-    ): boolean => onProgress({ stage, fraction, iteration, residual, round, maxRounds }) !== false;
+    return progressCall(this.#core.onProgress);
   }
 }
 
@@ -506,18 +560,10 @@ export class CoreMap extends MapData {
   /** The original file with the new texture coordinates and otherwise unchanged, or another format. */
   write(options: WriteOptions = {}): Written {
     checkOptions('write', options);
-    return this.writeFrom(this.model, options);
-  }
-
-  /**
-   * Writes this map into the file of another model, which must be of the same surface.
-   * @internal
-   */
-  writeFrom(model: CoreModel, options: WriteOptions): Written {
     const { format = 'same' } = options;
-    const { defaultName } = model;
+    const { defaultName } = this.model;
     const name = format === 'same' ? defaultName : exportName(defaultName, format);
-    const reply = this.current(model).write(JSON.stringify({ name, ...options }));
+    const reply = this.current().write(JSON.stringify({ name, ...options }));
     const { files, notes, xref, certified } = valueOf(reply);
     const told = JSON.parse(notes) as Note[];
     return { name: files[0].name, bytes: files[0].bytes, files, notes: told, xref, certified };
@@ -536,11 +582,11 @@ export class CoreMap extends MapData {
   }
 
   /**
-   * The session of its model, or of another one of the same surface, with this map as its current result.
+   * The session of its model with this map as its current result.
    * @internal
    */
-  current(model = this.model): Session {
-    return model.showing(this.#live);
+  current(): Session {
+    return this.model.showing(this.#live);
   }
 
   /** Frees the map, of which only the numbers can be used afterwards. */

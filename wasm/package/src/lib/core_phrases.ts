@@ -2,6 +2,24 @@
 
 /** @internal */
 export const corePhrases = {
+  'defect-index-out-of-range':
+    '[repaired:repaired: ]{count|face names|faces name} a vertex that does not exist[first: (first: {@})][only: ({@})]',
+  'defect-not-finite':
+    '[repaired:repaired: ]{count|vertex has|vertices have} a position that is not finite[first: (first: {@})][only: ({@})]',
+  'defect-extent':
+    '[repaired:repaired: ]the mesh is too large or too small to compute with (1e-100 to 1e18)[first: (first: {@})][only: ({@})]',
+  'defect-repeated-vertex':
+    '[repaired:repaired: ]{count|face names|faces name} one vertex twice[first: (first: {@})][only: ({@})]',
+  'defect-zero-area':
+    '[repaired:repaired: ]{count|face has|faces have} no area[first: (first: {@})][only: ({@})]',
+  'defect-duplicate-face':
+    '[repaired:repaired: ]{count|face repeats|faces repeat} another one[first: (first: {@})][only: ({@})]',
+  'defect-non-manifold-edge':
+    '[repaired:repaired: ]{count|edge has|edges have} more than two faces[first: (first: {@})][only: ({@})]',
+  'defect-inconsistent-edge':
+    '[repaired:repaired: ]{count|edge has|edges have} two faces of opposite orientation[first: (first: {@})][only: ({@})]',
+  'defect-non-manifold-vertex':
+    '[repaired:repaired: ]{count|vertex joins|vertices join} several fans of faces[first: (first: {@})][only: ({@})]',
   'read-gzip-longer': 'ignored: {bytes|byte} after the gzip data',
   'read-stl-longer': 'ignored: {bytes|byte} after the last triangle',
   'read-glb-followed': 'ignored: {bytes|byte} after the end of the GLB',
@@ -59,24 +77,6 @@ export const corePhrases = {
   'convert-lines-lost':
     'from {from} to {to}: {lines|line of lines or points (l, p) is|lines of lines or points (l, p) are} left out',
   'convert-groups-joined': 'from {from} to {to}: groups (o, g) become one mesh',
-  'defect-index-out-of-range':
-    '[repaired:repaired: ]{count|face names|faces name} a vertex that does not exist[first: (first: {@})][only: ({@})]',
-  'defect-not-finite':
-    '[repaired:repaired: ]{count|vertex has|vertices have} a position that is not finite[first: (first: {@})][only: ({@})]',
-  'defect-extent':
-    '[repaired:repaired: ]the mesh is too large or too small to compute with (1e-100 to 1e18)[first: (first: {@})][only: ({@})]',
-  'defect-repeated-vertex':
-    '[repaired:repaired: ]{count|face names|faces name} one vertex twice[first: (first: {@})][only: ({@})]',
-  'defect-zero-area':
-    '[repaired:repaired: ]{count|face has|faces have} no area[first: (first: {@})][only: ({@})]',
-  'defect-duplicate-face':
-    '[repaired:repaired: ]{count|face repeats|faces repeat} another one[first: (first: {@})][only: ({@})]',
-  'defect-non-manifold-edge':
-    '[repaired:repaired: ]{count|edge has|edges have} more than two faces[first: (first: {@})][only: ({@})]',
-  'defect-inconsistent-edge':
-    '[repaired:repaired: ]{count|edge has|edges have} two faces of opposite orientation[first: (first: {@})][only: ({@})]',
-  'defect-non-manifold-vertex':
-    '[repaired:repaired: ]{count|vertex joins|vertices join} several fans of faces[first: (first: {@})][only: ({@})]',
   'repair-none': 'nothing was repaired: a face names a vertex that does not exist',
   'repair-turned': 'orient: {faces|face} turned over',
   'repair-one-sided-left':
@@ -104,6 +104,18 @@ export const corePhrases = {
     'the angles of boundary vertices were reduced to the turning index of each loop ({loops})',
   'cones-of-input': 'the cones stored in the input are used',
   'cones-added': 'component {component} has no cones in the list; they are chosen automatically',
+  'moved-cone-removed': 'the cone at vertex {vertex} is left out: a repair removed the vertex',
+  'moved-cone-gone': 'the cone at vertex {vertex} is left out: no vertex is at its position now',
+  'moved-cone-several':
+    'the cone at vertex {vertex} is left out: {count|vertex is|vertices are} at its position now',
+  'moved-cone-boundary':
+    'the cone at vertex {vertex} is left out: its vertex is on the boundary now',
+  'moved-cone-joined':
+    'the cone at vertex {vertex} is left out: its vertex is now one with that of the cone at vertex {other}',
+  'moved-turning-gone':
+    'the turning of boundary loop {loop} is left out: there is no such loop now',
+  'moved-handle-gone':
+    'the rotation along handle generator {generator} is left out: the triangles have changed',
   'cones-other-number':
     '{asked|cone} asked for, {placed} placed: [more:fewer would break Gauss–Bonnet or be too strong for the triangles][!more:the mesh has no vertices for more].',
   'cones-other-triangles': 'the cones are for a mesh of {asked|triangle}; this one has {found}',

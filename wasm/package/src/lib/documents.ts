@@ -810,6 +810,14 @@ export interface ModelInfo {
     storedVertices: number;
     welded: boolean;
     triangles: number;
+    /**
+     * glTF: how often the nodes of the file show this mesh; each shows the same map
+     */
+    uses?: number;
+    /**
+     * glTF: whether one of them mirrors it, and its map with it
+     */
+    mirrored?: boolean;
     uvSets: number[];
     notes: Note[];
   }[];
@@ -991,7 +999,7 @@ export interface Report {
     /**
      * what automatic cones are optimised for, where their number is not given
      */
-    conesFor?: 'balanced' | 'few' | 'low-distortion';
+    conesFor?: 'balanced' | 'few' | 'fewer' | 'more' | 'low-distortion';
     alignToCurvature?: boolean;
   };
   seconds: number;

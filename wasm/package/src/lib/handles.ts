@@ -13,6 +13,7 @@ import type { CallOptions } from './client.js';
 import { defineDisposal } from './disposal.js';
 import type { Certificate, CheckReport, ModelInfo } from './documents.js';
 import type { DragPath } from './drag.js';
+import { usage } from './error.js';
 import { MapData } from './map_data.js';
 import type {
   ConeFile,
@@ -33,6 +34,8 @@ import type {
   FeatureList,
   Loops,
   Measures,
+  MovedCones,
+  Placements,
   Quads,
   Result,
   SupersededFrame,
@@ -80,6 +83,11 @@ export class Model implements AsyncDisposable {
     return this.#call('facts', () => [], call);
   }
 
+  /** By mesh of the file, how its nodes use it; empty in formats without nodes. */
+  placements(call?: CallOptions): Promise<Placements[]> {
+    return this.#call('placements', () => [], call);
+  }
+
   /** The boundary loops and handle generators, in the order of their numbers. */
   loops(call?: CallOptions): Promise<Loops> {
     return this.#call('loops', () => [], call);
@@ -118,6 +126,30 @@ export class Model implements AsyncDisposable {
       return [structuredClone(features), taken('listFeatures', options)];
     };
     return this.#call('listFeatures', checked, call);
+  }
+
+  /** The cones with those that Gauss–Bonnet misses, placed where they cause the least distortion. */
+  balanceCones(cones: Cones, call?: CallOptions): Promise<Cones> {
+    const checked = (): unknown[] => {
+      checkCones('balanceCones', cones);
+      return [structuredClone(cones)];
+    };
+    return this.#call('balanceCones', checked, call);
+  }
+
+  /**
+   * The cones of another reading or version of this surface on this one: by number where both have the same vertices and
+   * triangles, otherwise by exact position. `from` is a model of the same client.
+   */
+  transferCones(cones: Cones, from: Model, call?: CallOptions): Promise<MovedCones> {
+    const isModel = from instanceof Model && from.#queue === this.#queue;
+    const checked = (): unknown[] => {
+      checkCones('transferCones', cones);
+      if (!isModel) throw usage('transferCones: the cones are of another model of this client');
+      return [structuredClone(cones), from.#id];
+    };
+    const needs = isModel ? [this.#id, from.#id] : [];
+    return this.#queue.add({ method: 'transferCones', on: this.#id, needs }, checked, call);
   }
 
   /** Checks cones against Gauss–Bonnet in exact integers; solves nothing. */

@@ -28,7 +28,11 @@ export const optionTable: Record<'load' | 'solve' | 'verify' | 'write', OptionRo
   solve: [
     { name: 'q', kind: 'integer', low: 1, high: 64 },
     { name: 'count', kind: 'integer', low: 0 },
-    { name: 'conesFor', kind: 'word', words: ['balanced', 'few', 'low-distortion'] },
+    {
+      name: 'conesFor',
+      kind: 'word',
+      words: ['balanced', 'few', 'fewer', 'more', 'low-distortion'],
+    },
     { name: 'alignToCurvature', kind: 'flag' },
     { name: 'boundary', kind: 'word', words: ['free', 'convex'] },
     { name: 'maxRounds', kind: 'integer', low: 1, high: 1000 },

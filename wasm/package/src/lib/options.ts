@@ -124,8 +124,9 @@ export interface SuggestOptions {
   /**
    * `balanced` (default): low distortion, and the map follows boundaries. `few`: as few as keep areas within a
    * factor of about two. `low-distortion`: as many as lower distortion noticeably, with free boundary turning.
+   * `fewer` and `more`: a number halfway between `balanced` and these.
    */
-  conesFor?: 'balanced' | 'few' | 'low-distortion';
+  conesFor?: 'balanced' | 'few' | 'fewer' | 'more' | 'low-distortion';
   /** Align the field that determines the cones to principal curvature directions; q must be even. */
   alignToCurvature?: boolean;
 }
@@ -182,11 +183,12 @@ export interface SolveOptions extends SuggestOptions {
   /**
    * Align the map to a grid (q = 2 or 4): all translations of seams become integers, with one cell per unit of uv, so
    * that grid lines meet at every seam. About `cells` cells in total, or cells of edge length `spacing` in the file's
-   * unit; `quad`: cones lie on grid points as well. With `mode` alone the number of cells is that of `hgp quads`: 14 along
-   * the diagonal, at least 800 and 40 per cone. If no aligned map is found, the result is the map without a grid,
+   * unit; `quad`: cones lie on grid points as well. `'auto'`, also as `cells`, and `mode` alone choose the number: 14 cells
+   * along the diagonal, at least 800 and 40 per cone, and where that gives no aligned map, a number that does
+   * (up to 100 000 triangles). If no aligned map is found, the result is the map without a grid,
    * and `report.components[].grid` says why and how many cells would work.
    */
-  grid?: { cells?: number; spacing?: number; mode?: 'tile' | 'quad' };
+  grid?: 'auto' | { cells?: number | 'auto'; spacing?: number; mode?: 'tile' | 'quad' };
 }
 
 export interface VerifyOptions {

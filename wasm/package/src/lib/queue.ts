@@ -116,10 +116,9 @@ export class Queue {
     return this.#recipes.get(id);
   }
 
-  /** The files from which the model of a map was loaded; undefined if it was loaded from arrays. */
-  filesOf(map: number): unknown {
-    const recipe = this.#recipes.get(this.#recipes.get(map)?.on ?? 0);
-    return recipe?.method === 'load' ? recipe.args[0] : undefined;
+  /** Whether the model of a map was loaded from files. */
+  isOfFile(map: number): boolean {
+    return this.#recipes.get(this.#recipes.get(map)?.on ?? 0)?.method === 'load';
   }
 
   /** Releases a handle, after the calls made before. */

@@ -57,6 +57,23 @@ export interface Loops {
   handles: Uint32Array[];
 }
 
+/** Cones that transferCones() has moved to another surface. */
+export interface MovedCones {
+  cones: Cones;
+  /** What has no place on it. */
+  lost: Note[];
+}
+
+/** How the nodes of a glTF use one of its meshes; each of them shows the same map. */
+export interface Placements {
+  /** How often, with the copies of EXT_mesh_gpu_instancing. */
+  count: number;
+  /** Whether one of them mirrors the mesh, and its map with it. */
+  isMirrored: boolean;
+  /** Sixteen numbers, by columns, for each node whose matrix is invertible. */
+  matrices: Float64Array;
+}
+
 export interface Progress {
   stage: string;
   /** Progress of the stage, 0 to 1. */
@@ -212,13 +229,15 @@ export interface MeshOutcome {
   /** Index among the meshes of the file that have triangles. */
   mesh: number;
   certified: boolean;
+  /** False if a grid was asked for and the map is not aligned to it; the mesh then counts as one without a map. */
+  aligned: boolean;
   report?: Report;
   error?: HgpFailure;
 }
 
-/** A note on a mesh of a file. */
+/** A note on a mesh of a file, or on the file as a whole. */
 export interface MeshNote extends Note {
-  mesh: number;
+  mesh?: number;
 }
 
 export interface FileResult {

@@ -1,96 +1,45 @@
-// Files of several meshes: each map is written into the result of the previous one.
+// Files of several meshes.
 
 import type { Core, CoreMap } from './core.js';
 import { checkOptions } from './check_options.js';
-import { HgpError, usage, type HgpFailure } from './error.js';
-import type { CombineOptions, Cones, CoreFiles, FileOptions } from './options.js';
-import type { FileResult, MeshNote, MeshOutcome, OutputFile, Written } from './results.js';
+import type { Note, Report } from './documents.js';
+import { HgpError, usage, valueOf, type HgpFailure } from './error.js';
+import type { CombineOptions, CoreFiles, FileOptions } from './options.js';
+import type { FileResult, MeshNote, MeshOutcome, Written } from './results.js';
+import type { WrittenFile } from '../module.js';
 
-/** A file into which maps are written one after another. */
-class Composition {
-  /** The main file and its side files, in this order. */
-  written: OutputFile[] = [];
-  readonly notes: MeshNote[] = [];
-  #source: CoreFiles;
+const parsed = (notes: string): Note[] => JSON.parse(notes) as Note[];
 
-  constructor(source: CoreFiles) {
-    this.#source = source;
-  }
-
-  get source(): CoreFiles {
-    return this.#source;
-  }
-
-  /** Side files written with earlier meshes are kept; the main file is the last one written. */
-  add(mesh: number, made: Written): void {
-    this.notes.push(...made.notes.map((note) => ({ ...note, mesh })));
-    const others = this.written.slice(1);
-    const isNew = ({ name }: OutputFile): boolean => made.files.every((file) => file.name !== name);
-    this.written = [...made.files, ...others.filter(isNew)];
-    const files = new Map(this.#source.files);
-    for (const { name, bytes } of this.written) files.set(name, bytes);
-    this.#source = { main: made.name, files };
-  }
-}
-
-/** The cones stored in a mesh, unless another order is requested. */
-const storedCones = (cones: Cones | null, q: number | undefined): Cones | undefined =>
-  cones && (q === undefined || q === cones.q) ? cones : undefined;
+/** The notes of each map with its mesh, then those on the file. */
+const notesOf = ({ mapNotes, notes }: WrittenFile): MeshNote[] => [
+  ...mapNotes.flatMap(({ mesh, notes: own }) => parsed(own).map((note) => ({ ...note, mesh }))),
+  ...parsed(notes),
+];
 
 /**
- * Does what `hgp param` does with a file of several meshes. A mesh without a certified map is not changed, unless
- * `keepGoing` or `write.allowUncertified` is set; without them, files are returned only if all meshes are certified.
+ * Does what `hgp param` does with a file. A mesh without a certified map, or whose map is not aligned to the grid that was
+ * asked for, is not changed, unless `keepGoing` or `write.allowUncertified` is set; without them, files are returned only
+ * if all meshes are good.
  * @internal
  */
 export function parametrizeFile(core: Core, source: CoreFiles, options: FileOptions): FileResult {
-  const { weld, fix, strict, writeRepairs, limits, target, write = {}, ...rest } = options;
-  const { name: _ofSource, ...solve } = rest;
-  const load = { weld, fix, strict, writeRepairs, limits, target };
-  const storesAll = solve.keepGoing === true || write.allowUncertified === true;
-  const first = core.load(source, load);
-  const count = first.info.surfaces.length;
-  first.free();
-  const { onProgress } = core;
-  const whole = new Composition(source);
-  const meshes: MeshOutcome[] = [];
-  const takeOne = (mesh: number): void => {
-    const model = core.load(whole.source, { ...load, surface: mesh });
-    try {
-      const isConvex = solve.boundary === 'convex';
-      const cones = isConvex ? undefined : storedCones(model.embeddedCones(), solve.q);
-      const map = model.parametrize({ ...solve, cones });
-      const { certified } = map.certificate;
-      try {
-        if (certified || storesAll)
-          whole.add(mesh, map.write({ ...write, allowUncertified: storesAll }));
-        meshes.push({ mesh, certified, report: map.report });
-      } finally {
-        map.free();
-      }
-    } finally {
-      model.free();
-    }
-  };
+  const { weld, fix, strict, writeRepairs, limits, target, name: _ofSource, ...solve } = options;
+  const model = core.load(source, { weld, fix, strict, writeRepairs, limits, target });
   try {
-    for (let mesh = 0; mesh < count; mesh++) {
-      core.onProgress =
-        onProgress && ((progress) => onProgress({ ...progress, mesh, meshes: count }));
-      try {
-        takeOne(mesh);
-      } catch (error) {
-        if (!(error instanceof HgpError) || error.code === 'cancelled') throw error;
-        meshes.push({ mesh, certified: false, error: failureOf(error) });
-      }
-    }
+    const made = model.parametrizeFile(solve);
+    const meshes = made.meshes.map(({ mesh, certified, aligned, report, error }): MeshOutcome => ({
+      ...{ mesh, certified, aligned },
+      ...(report === undefined ? {} : { report: JSON.parse(report) as Report }),
+      ...(error === undefined ? {} : { error: JSON.parse(error) as HgpFailure }),
+    }));
+    const certified = meshes.every((one) => one.certified);
+    const { file } = made;
+    if (!file) return { certified, meshes, notes: [], files: [] };
+    const [{ name, bytes }] = file.files;
+    return { certified, meshes, notes: notesOf(file), files: file.files, name, bytes };
   } finally {
-    core.onProgress = onProgress;
+    model.free();
   }
-  const certified = meshes.every((one) => one.certified);
-  const { written, notes } = whole;
-  if (written.length === 0 || !(certified || storesAll))
-    return { certified, meshes, notes: [], files: [] };
-  const [{ name, bytes }] = written;
-  return { certified, meshes, notes, files: written, name, bytes };
 }
 
 /** @internal */
@@ -123,40 +72,31 @@ export function takeCombineOptions(
  */
 export function combine(
   core: Core,
-  source: CoreFiles,
   maps: readonly CoreMap[],
   options: readonly CombineOptions[],
 ): Written {
   if (maps.length === 0) throw usage('combine: there are no maps');
   const [{ model: first }] = maps;
-  const whole = new Composition(source);
-  let certified = true;
-  let xref: Int32Array = new Int32Array();
-  const seen = new Set<number>();
-  for (const [i, map] of maps.entries()) {
-    const { info, options: loadedWith } = map.model;
-    if (info.file.sha256 !== first.info.file.sha256)
-      throw usage('combine: the maps are of meshes of different files');
-    if (seen.has(info.surface)) throw usage(`combine: two maps are of mesh ${info.surface}`);
-    seen.add(info.surface);
-    const model = core.load(whole.source, { ...loadedWith, surface: info.surface });
-    try {
-      const made = map.writeFrom(model, options[i]);
-      certified &&= made.certified;
-      ({ xref } = made);
-      whole.add(info.surface, made);
-    } finally {
-      model.free();
-    }
+  if (maps.length === 1) {
+    const made = maps[0].write(options[0]);
+    const notes = made.notes.map((note) => ({ ...note, mesh: first.info.surface }));
+    return { ...made, notes };
   }
-  const { written: files, notes } = whole;
-  const [{ name, bytes }] = files;
-  return {
-    name,
-    bytes,
-    files,
-    notes,
-    xref: maps.length === 1 ? xref : new Int32Array(),
-    certified,
-  };
+  const meshes = maps.map(({ model }) => model.info.surface);
+  if (maps.some(({ model }) => model.info.file.sha256 !== first.info.file.sha256))
+    throw usage('combine: the maps are of meshes of different files');
+  const twice = meshes.find((mesh, i) => meshes.indexOf(mesh) !== i);
+  if (twice !== undefined) throw usage(`combine: two maps are of mesh ${twice}`);
+  const name = options.findLast((one) => one.name !== undefined)?.name ?? first.defaultName;
+  const whole = new core.module.FileMaps();
+  try {
+    maps.forEach((map, i) =>
+      valueOf(whole.add(map.current(), JSON.stringify({ ...options[i], name }))),
+    );
+    const made = valueOf(whole.write(meshes));
+    const { files, certified } = made;
+    return { ...files[0], files, notes: notesOf(made), xref: new Int32Array(), certified };
+  } finally {
+    whole.delete();
+  }
 }

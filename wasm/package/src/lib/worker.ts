@@ -61,8 +61,9 @@ function progressOf(
 
 /** Methods of the handles that can be called by messages. */
 const methodsOfModel = [
-  ...['inspect', 'surface', 'facts', 'loops', 'readCones', 'embeddedCones'],
-  ...['suggestCones', 'listFeatures', 'check', 'logScale', 'parametrize', 'verify', 'dragged'],
+  ...['inspect', 'surface', 'facts', 'loops', 'placements', 'readCones', 'embeddedCones'],
+  ...['suggestCones', 'balanceCones', 'transferCones', 'listFeatures', 'check', 'logScale'],
+  ...['parametrize', 'verify', 'dragged'],
 ];
 const methodsOfMap = ['write', 'measure', 'quads', 'beginDrag'];
 const methodsOfDrag = ['dragTo', 'endDrag'];
@@ -123,9 +124,8 @@ class Server {
         return core.parametrizeFile(files, options);
       }
       case 'combine': {
-        const files = await core.prepare(await unpacked(args[0] as PackedFiles));
-        const maps = (args[1] as number[]).flatMap((id) => this.#maps.get(id)?.map ?? []);
-        return core.combine(files, maps, args[2] as CombineOptions[]);
+        const maps = (args[0] as number[]).flatMap((id) => this.#maps.get(id)?.map ?? []);
+        return core.combine(maps, args[1] as CombineOptions[]);
       }
       case 'release':
         this.#release(args[0] as number);
@@ -174,7 +174,9 @@ class Server {
     if (!handle || !methodsOf(handle).includes(method))
       throw new HgpError({ code: 'usage', message: `no such call: ${method}` });
     const calls = handle as unknown as Record<string, (...args: unknown[]) => unknown>;
-    const result = calls[method](...args);
+    const given =
+      method === 'transferCones' ? [args[0], this.#models.get(args[1] as number)] : args;
+    const result = calls[method](...given);
     if (!(handle instanceof CoreDrag) || method !== 'dragTo') return result;
     this.#dragged = handle;
     return { frame: result, path: handle.path };

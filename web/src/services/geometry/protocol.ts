@@ -1,7 +1,6 @@
 // The calls that the page makes to the geometry worker.
 
 import type { SurfaceFacts } from 'hgp';
-import type { Cone } from '../../model/prescription';
 import type { ScenePart, SerializedBvh } from '../../model/scene';
 import type { Analysis, OutputFile, Overlay, Surface } from '../../model/types';
 import type { AnalysisRequest, CompareRequest, MapArrays } from './analyse';
@@ -44,7 +43,6 @@ export interface GeometryCalls {
   /** A tree over the triangles of a surface, or of the flat map, for picking. */
   surfaceBvh(surface: number): SerializedBvh;
   mapBvh(id: number): SerializedBvh;
-  balance(surface: number, q: number, cones: readonly Cone[], left: [number, number][]): Cone[];
   /** The vertex opposite to one in the plane of symmetry: itself if it is on the plane, −1 if there is none. */
   opposite(surface: number, vertex: number): { vertex: number; hasPlane: boolean };
   forget(surfaces: number[], maps: number[]): void;

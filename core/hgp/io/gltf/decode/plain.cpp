@@ -7,43 +7,15 @@
 
 #include "hgp/base/check.h"
 #include "hgp/io/gltf/decode/accessor.h"
+#include "hgp/io/gltf/decode/affine.h"
 #include "hgp/mesh/vectors.h"
 
 namespace hgp::io {
 namespace {
 
-/// An affine map stored by columns, as in glTF: x ↦ m[0] x₀ + m[1] x₁ + m[2] x₂ + m[3].
-using Affine = std::array<Vec3, 4>;
-constexpr Affine kIdentity = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}};
-
-Vec3 applied(const Affine& m, const Vec3& x) {
-  Vec3 out{};
-  for (std::size_t i = 0; i < 3; ++i) out[i] = m[0][i] * x[0] + m[1][i] * x[1] + m[2][i] * x[2];
-  return out;
-}
-
-Vec3 placed(const Affine& m, const Vec3& x) {
-  Vec3 out = applied(m, x);
-  for (std::size_t i = 0; i < 3; ++i) out[i] += m[3][i];
-  return out;
-}
-
-Affine product(const Affine& a, const Affine& b) {
-  return {applied(a, b[0]), applied(a, b[1]), applied(a, b[2]), placed(a, b[3])};
-}
-
-Vec3 crossProduct(const Vec3& a, const Vec3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// Normals are transformed by the cofactor matrix, which is the inverse transpose times the determinant.
 Affine cofactors(const Affine& m) {
-  return {crossProduct(m[1], m[2]), crossProduct(m[2], m[0]), crossProduct(m[0], m[1]), {}};
-}
-
-double determinant(const Affine& m) {
-  const Vec3 c = crossProduct(m[1], m[2]);
-  return m[0][0] * c[0] + m[0][1] * c[1] + m[0][2] * c[2];
+  return {cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1]), {}};
 }
 
 class GltfFlattener {
@@ -56,43 +28,17 @@ class GltfFlattener {
     for (const int material : json_.children(json_.find(JsonText::kRoot, "materials")))
       materials_.push_back(json_.string(json_.find(material, "name")));
     if (surface >= 0) {
-      add(static_cast<std::size_t>(surface), kIdentity, "");
+      add(static_cast<std::size_t>(surface), kIdentityPlace, "");
     } else {
       walkScene();
       for (std::size_t p = 0; p < parts_.size(); ++p)
-        if (!shown_.contains(static_cast<int>(p))) add(p, kIdentity, "");
+        if (!shown_.contains(static_cast<int>(p))) add(p, kIdentityPlace, "");
     }
     tellLoss();
     return std::move(out_);
   }
 
  private:
-  std::vector<double> numbers(int array) const {
-    std::vector<double> out;
-    for (const int child : json_.children(array)) out.push_back(json_.number(child).value_or(0));
-    return out;
-  }
-
-  Affine transformOf(int node) const {
-    const std::vector<double> m = numbers(json_.find(node, "matrix"));
-    if (m.size() == 16)
-      return {{{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}, {m[12], m[13], m[14]}}};
-    std::vector<double> t = numbers(json_.find(node, "translation"));
-    std::vector<double> r = numbers(json_.find(node, "rotation"));
-    std::vector<double> s = numbers(json_.find(node, "scale"));
-    if (t.size() != 3) t = {0, 0, 0};
-    if (r.size() != 4) r = {0, 0, 0, 1};
-    if (s.size() != 3) s = {1, 1, 1};
-    const double x = r[0], y = r[1], z = r[2], w = r[3];
-    Affine out = {{{1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)},
-                   {2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)},
-                   {2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)},
-                   {t[0], t[1], t[2]}}};
-    for (std::size_t k = 0; k < 3; ++k)
-      for (double& c : out[k]) c *= s[k];
-    return out;
-  }
-
   /// The nodes form a forest (checked when the file was read). Without a scene, every root is visible.
   void walkScene() {
     const std::vector<int> nodes = json_.children(json_.find(JsonText::kRoot, "nodes"));
@@ -108,11 +54,11 @@ class GltfFlattener {
           open.emplace_back(nodes[static_cast<std::size_t>(*node)], parent);
       }
     };
-    if (scene < scenes.size()) push(json_.find(scenes[scene], "nodes"), kIdentity);
+    if (scene < scenes.size()) push(json_.find(scenes[scene], "nodes"), kIdentityPlace);
     while (!open.empty()) {
       const auto [node, parent] = open.back();
       open.pop_back();
-      const Affine here = product(parent, transformOf(node));
+      const Affine here = product(parent, localPlace(json_, node));
       if (const auto mesh = json_.integer(json_.find(node, "mesh"))) show(*mesh, here, node);
       push(json_.find(node, "children"), here);
     }

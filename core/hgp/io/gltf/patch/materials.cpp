@@ -111,7 +111,7 @@ void GltfWriter::tellOrPointMaterials() {
   if (usesWritten && isReplaced) {
     note("write-set-replaced", {{"set", set_}});
   }
-  if (options_.pointsMaterials && !others.empty()) return planMaterials();
+  if (pointsMaterials_ && !others.empty()) return planMaterials();
   std::string list;
   for (const int set : others) list += (list.empty() ? "" : ", ") + semantic(set);
   if (!others.empty()) note("write-set-unused", {{"set", set_}, {"others", list}});

@@ -27,7 +27,8 @@ void appendChunk(Bytes& out, std::uint32_t type, ByteView content, std::uint8_t 
 
 Result<Written> writeGltf(const GltfStore& store, const GltfSurface& part, const UvMap& map,
                           const WriteOptions& options) {
-  Result<WrittenMaps> written = writeGltfMaps(store, {{&part, &map, options.cones}}, options);
+  Result<WrittenMaps> written = writeGltfMaps(
+      store, {{&part, &map, options.cones, options.uvSet, options.pointsMaterials}}, options);
   if (!written) return written.error();
   Notes& notes = written->mapNotes.front();
   notes.insert(notes.end(), written->notes.begin(), written->notes.end());
@@ -40,7 +41,7 @@ Result<WrittenMaps> writeGltfMaps(const GltfStore& store, const std::vector<Gltf
   GltfWriter writer(store, options);
   WrittenMaps out;
   for (const GltfMap& one : maps) {
-    auto notes = writer.add(*one.part, *one.map, one.cones);
+    auto notes = writer.add(one);
     if (!notes) return notes.error();
     out.mapNotes.push_back(std::move(*notes));
   }

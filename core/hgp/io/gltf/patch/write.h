@@ -4,6 +4,7 @@
 
 #include "hgp/io/document.h"
 #include "hgp/io/gltf/decode/weld.h"
+#include "hgp/io/gltf/patch/map.h"
 
 namespace hgp::io {
 
@@ -16,11 +17,6 @@ Result<Written> writeGltf(const GltfStore& store, const GltfSurface& part, const
                           const WriteOptions& options);
 
 /// One map for each of several meshes; `notes` gets those on each.
-struct GltfMap {
-  const GltfSurface* part = nullptr;
-  const UvMap* map = nullptr;
-  std::optional<std::string> cones;
-};
 Result<WrittenMaps> writeGltfMaps(const GltfStore& store, const std::vector<GltfMap>& maps,
                                   const WriteOptions& options);
 

@@ -41,16 +41,18 @@ GltfWriter::GltfWriter(const GltfStore& store, const WriteOptions& options)
   }
 }
 
-Result<Notes> GltfWriter::add(const GltfSurface& part, const UvMap& map,
-                              const std::optional<std::string>& cones) {
+Result<Notes> GltfWriter::add(const GltfMap& one) {
+  const GltfSurface& part = *one.part;
   part_ = &part;
+  askedSet_ = one.uvSet;
+  pointsMaterials_ = one.pointsMaterials;
   meshNode_ = meshNodes_[static_cast<std::size_t>(part.mesh)];
   primitiveNodes_ = json_.children(json_.find(meshNode_, "primitives"));
   isRewritten_ = false;
   newIndices_.clear();
   notes_.clear();
   ++meshCount_;
-  auto splits = splitForUv(part, map);
+  auto splits = splitForUv(part, *one.map);
   if (!splits) return splits.error();
   splits_ = std::move(*splits);
   Status status = chooseSet();
@@ -58,7 +60,7 @@ Result<Notes> GltfWriter::add(const GltfSurface& part, const UvMap& map,
   for (std::size_t p = 0; p < part_->pools.size(); ++p) planPool(static_cast<int>(p));
   tellOrPointMaterials();
   if (isRewritten_ || !part_->copy.empty()) rewriteManifold();
-  status = embedCones(cones);
+  status = embedCones(one.cones);
   if (!status) return status.error();
   collectXref();
   return std::move(notes_);
@@ -110,7 +112,7 @@ int GltfWriter::defaultSet() {
 }
 
 Status GltfWriter::chooseSet() {
-  set_ = options_.uvSet >= 0 ? options_.uvSet : defaultSet();
+  set_ = askedSet_ >= 0 ? askedSet_ : defaultSet();
   if (set_ <= kHighestSet) {
     if (set_ >= kUsualSets) note("write-set-high", {{"set", set_}});
     return Done{};

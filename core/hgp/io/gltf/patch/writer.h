@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hgp/io/gltf/patch/layout.h"
+#include "hgp/io/gltf/patch/map.h"
 #include "hgp/io/gltf/patch/new_accessor.h"
 #include "hgp/io/gltf/patch/splice.h"
 #include "hgp/io/gltf/patch/split.h"
@@ -19,8 +20,7 @@ class GltfWriter {
  public:
   GltfWriter(const GltfStore& store, const WriteOptions& options);
   /// Plans the map of one mesh, each mesh at most once. @return  notes on it; on failure nothing can be written
-  Result<Notes> add(const GltfSurface& part, const UvMap& map,
-                    const std::optional<std::string>& cones);
+  Result<Notes> add(const GltfMap& one);
   /// The file with all maps. Written::xref is that of the mesh if there is one.
   Result<Written> finish();
 
@@ -104,6 +104,8 @@ class GltfWriter {
   int set_ = 0;
   int meshNode_ = -1;
   std::vector<int> primitiveNodes_;
+  int askedSet_ = -1;              ///< WriteOptions::uvSet of the mesh
+  bool pointsMaterials_ = false;   ///< likewise
   bool isRewritten_ = false;       ///< some pool has new vertices
   std::map<int, int> newIndices_;  ///< primitive → index in the plan
   Notes notes_;

@@ -1,0 +1,21 @@
+// Remarks on a loaded mesh that matter before it is mapped: it has one map, whoever shows it.
+
+import type { ModelInfo, Placements } from 'hgp';
+
+export function remarksOn(
+  { surfaces, surface }: ModelInfo,
+  placements: Placements | undefined,
+): string[] {
+  const remarks: string[] = [];
+  const sets = surfaces[surface]?.uvSets ?? [];
+  if (placements && placements.count > 1) {
+    remarks.push(`Used ${placements.count} times in the scene: each shows the same map.`);
+  }
+  if (placements?.isMirrored) {
+    remarks.push('A node mirrors it, so the map is mirrored there, too.');
+  }
+  if (sets.length === 0) return remarks;
+  const names = sets.map((n) => `TEXCOORD_${n}`).join(', ');
+  const isKept = `It has ${names}: kept, unless Download is told to replace one.`;
+  return [...remarks, placements ? isKept : 'It has texture coordinates: they are replaced.'];
+}

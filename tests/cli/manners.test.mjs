@@ -146,6 +146,9 @@ test('every example of --help runs as printed', () => {
   assert.equal(run(['cones', 'mesh.obj', '-o', 'cones.json']).code, 0);
   const { cones } = JSON.parse(readFileSync(at('cones.json'), 'utf8'));
   put('mesh.cones', `q 4\ncones ${cones.length}\n${cones.map((c) => `${c.vertex} ${c.k}\n`).join('')}`); // prettier-ignore
+  const mine = JSON.parse(readFileSync(at('cones.json'), 'utf8'));
+  put('mine.json', JSON.stringify({ ...mine, cones: mine.cones.slice(0, 6) }));
+  for (const name of ['old.obj', 'new.obj']) put(name, readFileSync(at('mesh.obj'), 'utf8'));
   const corner = (p) => cube.points.findIndex((q) => q.every((x, k) => x === p[k]));
   // The two cones of the example's check are there to be refused: they leave six missing.
   const expected = { 'hgp check mesh.obj --q 4 --cone 0:3 --cone 5:3': 5 };

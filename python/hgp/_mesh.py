@@ -333,6 +333,8 @@ class Mesh:
         ):
             message = "boundary='convex' cannot be combined with cones, turning, handles, features or a field"
             raise UsageError(message, "arguments")
+        if cells == "auto" and grid is not None:
+            raise UsageError("cells and grid exclude each other", "arguments")
         options = {
             "q": q,
             "count": count,

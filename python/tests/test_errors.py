@@ -63,6 +63,7 @@ def test_a_mesh_that_cannot_be_used_says_where() -> None:
         ({"cells": 0}, "cells must be at least 1"),
         ({"cells": 9, "grid": 1.0}, "cells and grid exclude each other"),
         ({"grid": -1.0}, "grid must be above 0, not -1.0"),
+        ({"cells": "auto", "grid": 1.0}, "cells and grid exclude each other"),
         ({"cells": 9, "scale": "fit"}, "would undo a grid"),
         ({"boundary": "open"}, "boundary must be 'free' or 'convex'"),
         ({"boundary": "convex", "cones": {}}, "cannot be combined"),

@@ -210,6 +210,11 @@ def test_cones_are_completed_and_move_to_another_version(pretzel: Any) -> None:
     assert "vertex 5" in lost[0]
 
 
+def test_quads_need_no_density(pretzel: Any) -> None:
+    m = hgp.parametrize(*pretzel, grid_mode="quad")
+    assert m.aligned and 600 <= len(m.quads().quads) <= 1100
+
+
 def test_cells_are_chosen(pretzel: Any) -> None:
     chosen = hgp.parametrize(*pretzel, cells="auto")
     assert chosen.aligned

@@ -19,6 +19,7 @@ CALLS = {"load": hgp.Mesh.load, "solve": hgp.Mesh.parametrize, "verify": hgp.Mes
 #: Options of the command line that concern its files and messages, with what does the same in Python.
 ELSEWHERE = {
     "--also": hgp.Map.save,
+    "--balance": hgp.Mesh.balance_cones,
     "--color": None,
     "--compress": hgp.Map.save,
     "--cone": hgp.Mesh.parametrize,
@@ -27,6 +28,7 @@ ELSEWHERE = {
     "--faces": hgp.Map.distortion,
     "--force": hgp.Map.save,
     "--format": None,
+    "--from": hgp.Mesh.transfer_cones,
     "--handle": hgp.Mesh.parametrize,
     "--help": None,
     "--json": hgp.Map.report,
@@ -36,6 +38,7 @@ ELSEWHERE = {
     "--quality": hgp.Mesh.parametrize,
     "--quiet": None,
     "--suggest": hgp.Mesh.suggest_cones,
+    "--transfer": hgp.Mesh.transfer_cones,
     "--xref": hgp.Map.uv_to_vertex,
 }
 

@@ -164,12 +164,17 @@ test('Balance for me adds the missing cones where they cost least, as one step o
   await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
   await page.waitForSelector('tr[data-cone="0"]');
   assert.equal(await kOf(it, 0), '3');
+  const cell = 'tr[data-cone] td:nth-of-type(1)';
+  const before = (await page.locator(cell).allInnerTexts()).map(Number);
   await page.click('#balance');
   await page.waitForSelector('.budget.good');
   assert.equal(await coneCount(it), 8);
-  // The corners of the cube are where the curvature is: vertices 0 to 7.
-  const vertices = await page.locator('tr[data-cone] td:nth-of-type(1)').allInnerTexts();
-  assert.ok(vertices.slice(1).every((v) => Number(v) < 8), `${vertices}`); // prettier-ignore
+  // The corners of the cube are where the curvature is: the added cones are at them or one edge away.
+  const { vertices } = cubeMesh(8);
+  const isCorner = (v) => vertices[v].every((x) => Math.abs(x) > 0.6);
+  const placed = await page.locator(cell).allInnerTexts();
+  const added = placed.map(Number).filter((v) => !before.includes(v));
+  assert.ok(added.length === 7 && added.every(isCorner), `${placed}`);
   await page.click('#undo');
   assert.equal(await coneCount(it), 1);
   await page.click('#tool-orbit');

@@ -39,9 +39,12 @@ export function freeUnused(app: App): void {
   const kept = keptMeshes(waiting);
   const inSolver = [...doc.solutions, ...kept.flatMap(({ solutions }) => solutions)];
   const open = doc.model ? [doc.model] : [];
+  // The file of the previous model may have been overwritten: its cones are moved from what was read.
+  const previous = doc.previous ? [doc.previous.model] : [];
+  const models = [...open, ...previous, ...kept.map(({ model }) => model)];
   const now: Handles = {
     maps: new Set(inSolver.map(({ map }) => map)),
-    models: new Set([...open, ...kept.map(({ model }) => model)].map(({ solver }) => solver)),
+    models: new Set(models.map(({ solver }) => solver)),
   };
   // An earlier state of the mesh, to which undo can lead.
   for (const { model } of now.maps) now.models.add(model);

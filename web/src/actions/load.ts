@@ -289,12 +289,14 @@ async function transferFromPrevious(app: App, model: Model, call: JobCall): Prom
   const { doc } = app;
   const { previous } = doc;
   doc.previous = undefined;
-  if (!previous || previous.model.main !== model.main) return false;
+  // Without the reading of before there is nothing to move cones from: its file may have changed since.
+  if (!previous || previous.model.main !== model.main || previous.model.solver.isDisposed) {
+    return false;
+  }
   const { info } = previous.model;
   if (info.file.sha256 === model.info.file.sha256) return false;
   if (model.info.surfaces.length > 1 && info.surface !== model.info.surface) return false;
-  await using from = await loadInSolver(app, previous.model, call);
-  const moved = await transferred(model, previous.prescription, from, call);
+  const moved = await transferred(model, previous.prescription, previous.model.solver, call);
   if (moved.kept === 0) return false;
   return setWhileLoading(app, moved.prescription, 'carry cones over', () =>
     doc.say(`Another version of ${model.main}.${moved.text} Undo removes them.`),

@@ -31,8 +31,9 @@ export async function open(app: App, dropped: Files): Promise<void> {
   const meshes = meshesOf(files);
   if (doc.state.kind === 'needs-files' && meshes.length === 0) return supply(app, files);
   doc.clearModel();
-  freeUnused(app);
   if (meshes.length === 0) {
+    doc.previous = undefined;
+    freeUnused(app);
     const name = [...files.keys(), ...dropped.keys()][0];
     const kinds = 'Drop a GLB, glTF, OBJ, PLY, STL or OFF file.';
     return doc.say(`“${name}” holds no mesh. ${kinds}`, 'error');
@@ -45,6 +46,8 @@ export async function openMain(app: App, files: Files, main: string): Promise<vo
   const { doc } = app;
   const own = ++doc.openRequestId;
   doc.state = { kind: 'empty' };
+  if (doc.previous && doc.previous.model.main !== main) doc.previous = undefined;
+  freeUnused(app);
   const size = bytesOfAll(files);
   if (size > mostBytes) {
     return doc.say(

@@ -25,7 +25,8 @@ constexpr std::array kLoadRows{
 constexpr std::array kSolveRows{
     OptionRow{"q", "--q", "q", K::kInteger, "", 1, 64},
     OptionRow{"count", "--count", "count", K::kInteger, "", 0, kAnyInt},
-    OptionRow{"conesFor", "--cones-for", "cones_for", K::kWord, "balanced|few|fewer|more|low-distortion"},
+    OptionRow{"conesFor", "--cones-for", "cones_for", K::kWord,
+              "balanced|few|fewer|more|low-distortion"},
     OptionRow{"alignToCurvature", "--align", "align_to_curvature", K::kFlag},
     OptionRow{"boundary", "--boundary", "boundary", K::kWord, "free|convex"},
     OptionRow{"maxRounds", "--rounds", "max_rounds", K::kInteger, "", 1, 1000},

@@ -7,9 +7,11 @@
 
 #include "also.h"
 #include "files.h"
+#include "hgp/api/option_table.h"
 #include "hgp/api/option_words.h"
 #include "hgp/api/session.h"
 #include "hgp/api/session/side_files.h"
+#include "hgp/base/check.h"
 #include "hgp/text/nearest.h"
 #include "manual.h"
 #include "option_table.h"
@@ -35,8 +37,6 @@ std::pair<int, int> takePair(const std::string& text, const char* option) {
 }
 
 /// "obj" for "x.OBJ"; empty for extensions to which files are not converted.
-constexpr int kHighestUvSet = 15;  // the core writes no set above it
-
 std::string formatOf(const std::string& name) {
   std::string extension = name.substr(std::min(name.rfind('.'), name.size() - 1) + 1);
   for (char& c : extension)
@@ -149,10 +149,15 @@ class Parser {
       }
     }
     if (!words_.uvSet.empty() && words_.uvSet != "next") {
+      // More sets can be read than are written.
+      const bool isRead = out_.command == Command::kVerify;
+      const api::OptionRow* row = isRead ? api::rowOfFlag<api::VerifyOptions>("--uv-set")
+                                         : api::rowOfFlag<api::WriteOptions>("--uv-set");
       int set = -1;
-      if (!CLI::detail::lexical_cast(words_.uvSet, set) || set < 0 || set > kHighestUvSet) {
+      if (!CLI::detail::lexical_cast(words_.uvSet, set) || set < 0 || set > row->high) {
         throw CLI::ValidationError(
-            "--uv-set", "must be 'next' or a number from 0 to 15, not '" + words_.uvSet + "'");
+            "--uv-set", formatText("must be 'next' or a number from 0 to %g, not '", row->high) +
+                            words_.uvSet + "'");
       }
       out_.write.uvSet = out_.verify.uvSet = set;
     }

@@ -13,6 +13,7 @@
 #include "hgp/base/counted.h"
 #include "hgp/base/phrase.h"
 #include "hgp/features/creases.h"
+#include "hgp/prescription/feature_files.h"
 #include "progress_line.h"
 #include "side_files.h"
 #include "text_report.h"
@@ -207,10 +208,20 @@ class Run {
 
   /// Adds the features of --rims and --features.
   Status addFeatures(prescription::PrescribedFeatures& features) {
-    features.hasRims = features.hasRims || a_.hasRims;
-    if (a_.creaseDegrees) features.creaseDegrees = a_.creaseDegrees;
-    if (!a_.marks.empty()) features.marks = a_.marks;
-    if (a_.features.empty()) return Done{};
+    prescription::PrescribedFeatures flags;
+    flags.hasRims = a_.hasRims;
+    flags.creaseDegrees = a_.creaseDegrees;
+    flags.marks = a_.marks;
+    Result<std::optional<prescription::PrescribedFeatures>> list = readFeatureList();
+    if (!list) return list.error();
+    prescription::addFeatures(features, std::move(*list), flags);
+    return Done{};
+  }
+
+  /// The file of --features, if there is one.
+  Result<std::optional<prescription::PrescribedFeatures>> readFeatureList() {
+    using List = std::optional<prescription::PrescribedFeatures>;
+    if (a_.features.empty()) return List();
     Result<io::Bytes> bytes = readFile(a_.features, a_.load.limits.maxBytes);
     if (!bytes) return bytes.error();
     const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
@@ -220,11 +231,7 @@ class Run {
       failure.message = a_.features + ": " + failure.message;
       return failure;
     }
-    read->hasRims = read->hasRims || features.hasRims;
-    if (features.creaseDegrees) read->creaseDegrees = features.creaseDegrees;
-    if (!features.marks.empty()) read->marks = features.marks;
-    features = std::move(*read);
-    return Done{};
+    return List(std::move(*read));
   }
 
   bool hasFeatures() const {

@@ -31,20 +31,10 @@ CLI::Option* choice(CLI::Option* option, std::vector<std::string> choices = {}) 
   return option->option_text(CLI::detail::join(choices, "|"))->check(oneOf(choices));
 }
 
-/// The words of a list; all for an empty one, none where a word is unknown.
-std::optional<std::vector<prescription::FeatureMark>> marksOf(const std::string& list) {
-  std::vector<prescription::FeatureMark> marks;
-  for (std::size_t m = 0; m < std::size(prescription::kFeatureMarks) && list.empty(); ++m)
-    marks.push_back(static_cast<prescription::FeatureMark>(m));
-  if (list.empty()) return marks;
-  for (const std::string& word : CLI::detail::split(list, ',')) {
-    const auto* found = std::find(std::begin(prescription::kFeatureMarks),
-                                  std::end(prescription::kFeatureMarks), word);
-    if (found == std::end(prescription::kFeatureMarks)) return std::nullopt;
-    marks.push_back(
-        static_cast<prescription::FeatureMark>(found - std::begin(prescription::kFeatureMarks)));
-  }
-  return marks;
+/// The marks of a list with commas; all for an empty one, none where a word is unknown.
+std::optional<std::vector<prescription::FeatureMark>> marksOfList(const std::string& list) {
+  return prescription::featureMarksNamed(list.empty() ? std::vector<std::string>()
+                                                      : CLI::detail::split(list, ','));
 }
 
 class Table {
@@ -275,7 +265,7 @@ class Table {
             },
             ""));
     const auto takeMarks = [&out = out_](const std::string& list) {
-      out.marks = marksOf(list).value_or(std::vector<prescription::FeatureMark>());
+      out.marks = marksOfList(list).value_or(std::vector<prescription::FeatureMark>());
     };
     sub->add_option_function<std::string>(
            "--marked", takeMarks,
@@ -285,10 +275,10 @@ class Table {
         ->expected(0, 1)
         ->check(CLI::Validator(
             [](const std::string& word) {
-              return marksOf(word) ? std::string()
-                                   : "must be of lines, smoothing, materials and normals, with "
-                                     "commas between, not '" +
-                                         word + "'";
+              return marksOfList(word) ? std::string()
+                                       : "must be of lines, smoothing, materials and normals, with "
+                                         "commas between, not '" +
+                                             word + "'";
             },
             ""));
     sub->add_option(

@@ -12,6 +12,7 @@
 #include "hgp/api/options_from_json.h"
 #include "hgp/api/session.h"
 #include "hgp/base/check.h"
+#include "hgp/prescription/feature_files.h"
 
 namespace hgp::python {
 namespace {
@@ -43,21 +44,21 @@ std::pair<io::Bytes, std::string> bytesOf(const std::string& path) {
 }
 
 std::vector<prescription::FeatureMark> marksOf(const std::vector<std::string>& words) {
-  std::vector<prescription::FeatureMark> marks;
-  for (const std::string& word : words) {
-    const auto* found = std::find(std::begin(prescription::kFeatureMarks),
-                                  std::end(prescription::kFeatureMarks), word);
-    if (found == std::end(prescription::kFeatureMarks))
-      raiseUsage("marked must be of 'lines', 'smoothing', 'materials' and 'normals', not '" + word +
-                 "'");
-    marks.push_back(
-        static_cast<prescription::FeatureMark>(found - std::begin(prescription::kFeatureMarks)));
+  if (words.empty()) return {};
+  auto marks = prescription::featureMarksNamed(words);
+  if (!marks) {
+    const auto isKnown = [](const std::string& word) {
+      return prescription::featureMarksNamed({word}).has_value();
+    };
+    raiseUsage("marked must be of 'lines', 'smoothing', 'materials' and 'normals', not '" +
+               *std::find_if_not(words.begin(), words.end(), isKnown) + "'");
   }
-  return marks;
+  return std::move(*marks);
 }
 
 /// What `rims`, `creases`, `marked` and the file `features` add.
 void addFeatures(const py::dict& asked, prescription::PrescribedFeatures& features) {
+  std::optional<prescription::PrescribedFeatures> list;
   if (const auto path = textOf(asked, "features")) {
     const auto [bytes, name] = bytesOf(*path);
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -67,15 +68,13 @@ void addFeatures(const py::dict& asked, prescription::PrescribedFeatures& featur
       failure.message = *path + ": " + failure.message;
       raise(failure);
     }
-    read->hasRims = read->hasRims || features.hasRims;
-    if (features.creaseDegrees) read->creaseDegrees = features.creaseDegrees;
-    if (!features.marks.empty()) read->marks = features.marks;
-    features = std::move(*read);
+    list = std::move(*read);
   }
-  features.hasRims = features.hasRims || isSet(asked, "rims");
-  if (has(asked, "marked"))
-    features.marks = marksOf(asked["marked"].cast<std::vector<std::string>>());
-  if (has(asked, "creases")) features.creaseDegrees = asked["creases"].cast<double>();
+  prescription::PrescribedFeatures given;
+  given.hasRims = isSet(asked, "rims");
+  if (has(asked, "creases")) given.creaseDegrees = asked["creases"].cast<double>();
+  if (has(asked, "marked")) given.marks = marksOf(asked["marked"].cast<std::vector<std::string>>());
+  prescription::addFeatures(features, std::move(list), given);
 }
 
 prescription::Prescription read(const std::string& shown, const std::string& name,

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { inFolder } from '../support/program.mjs';
+import { sentenceOf } from '../support/notes.mjs';
 import { problems } from './schema.mjs';
 
 const { put, read, run, good } = inFolder('feature-lists');
@@ -126,4 +127,67 @@ test('an unknown kind of mark is refused with the known ones', () => {
   const { code, err } = run('features', 'fold.obj', '--marked', 'lines,colours');
   assert.equal(code, 2);
   assert.match(err, /lines, smoothing, materials and normals/);
+});
+
+test('a list that was made for another file says so, and vertices are found by their positions', () => {
+  put('fold.obj', folded(n));
+  good('features', 'fold.obj', '-o', 'fold.json');
+  const { err: same } = good('features', 'fold.obj', '--features', 'fold.json', '-o', 'same.txt');
+  assert.doesNotMatch(same, sentenceOf('features-other-file'));
+  // Vertices in reverse order: the same edges have other numbers.
+  const lines = folded(n).trim().split('\n');
+  const vertices = lines.filter((line) => line.startsWith('v '));
+  const turned = (word) => `${vertices.length + 1 - Number(word)}`;
+  const faces = lines
+    .filter((line) => line.startsWith('f '))
+    .map((line) => `f ${line.slice(2).split(' ').map(turned).join(' ')}`);
+  put('turned.obj', [...vertices.reverse(), ...faces].join('\n') + '\n');
+  const { err } = good('features', 'turned.obj', '--features', 'fold.json', '-o', 'turned.txt');
+  assert.match(err, sentenceOf('features-other-file'));
+  assert.match(err, /positions/);
+  const last = vertices.length - 1;
+  const back = read('turned.txt').replace(/\d+/g, (word) => `${last - Number(word)}`);
+  assert.deepEqual(inner(back, n), fold);
+  // Without positions the numbers are all there is.
+  const list = JSON.parse(read('fold.json'));
+  for (const line of list.features.lines) delete line.positions;
+  put('numbers.json', JSON.stringify(list));
+  const { err: numbers } = run(
+    'features',
+    'turned.obj',
+    '--features',
+    'numbers.json',
+    '-o',
+    'x.txt',
+  );
+  assert.match(numbers, sentenceOf('features-other-file'));
+  assert.match(numbers, /numbers/);
+});
+
+test('marked pairs that are no edges are counted, and where all are none the run is refused', () => {
+  put('some.obj', folded(n) + polyline + '\nl 1 18\nl 1 12\n');
+  const { err } = good('features', 'some.obj', '--marked', 'lines', '-o', 'some.txt');
+  assert.match(err, sentenceOf('marks-no-edges', { pairs: 2 }));
+  assert.deepEqual(inner(read('some.txt'), n), fold);
+  put('none.obj', folded(n) + 'l 1 18\n');
+  const none = run('features', 'none.obj', '--marked', 'lines');
+  assert.equal(none.code, 5);
+  assert.match(
+    none.err,
+    /the file marks 1 pair of vertices, and none is an edge of the mesh.*--creases/,
+  );
+});
+
+test('lines that name a vertex which a weld joins to another one are edges', () => {
+  const twice = folded(n).trim().split('\n');
+  const vertices = twice.filter((line) => line.startsWith('v '));
+  const moved = (line) => `f ${line.slice(2).split(' ').map((v) => Number(v) + vertices.length).join(' ')}`; // prettier-ignore
+  const faces = twice.filter((line) => line.startsWith('f '));
+  const half = faces.map((line, i) => (i < 4 ? line : moved(line)));
+  // The second half of the strip has its own copies of the vertices, and the line uses these alone.
+  const line = 'l ' + [0, 1, 2, 3, 4, 5].map((i) => vertices.length + 3 * i + 2).join(' ');
+  put('halves.obj', [...vertices, ...vertices, ...half, line].join('\n') + '\n');
+  const { err } = good('features', 'halves.obj', '--weld', 'exact', '--marked', 'lines', '--json', 'halves.json', '-o', 'halves.txt'); // prettier-ignore
+  assert.doesNotMatch(err, sentenceOf('marks-no-edges'));
+  assert.match(err, /5 crease edges/);
 });

@@ -137,6 +137,21 @@ test('an incomplete build is not installed: what to build is said before anythin
   assert.match(part.stderr, /cmake --build\s+\S+\s+--target\s+hgp_installed/);
 });
 
+test('of a build of which nothing is made, cmake --install copies nothing and says what to build', () => {
+  const build = path.join(folder, 'unmade');
+  const parts = ['TESTS', 'BENCH', 'PYTHON'].map((part) => `-DHGP_${part}=OFF`);
+  run('cmake', '-G', 'Ninja', '-S', root, '-B', build, '-DCMAKE_BUILD_TYPE=Release', ...parts);
+  const to = path.join(folder, 'nothing');
+  const { status, stderr } = spawnSync('cmake', ['--install', build, '--prefix', to], {
+    encoding: 'utf8',
+  });
+  assert.notEqual(status, 0);
+  assert.match(stderr, /nothing is installed; missing:/);
+  assert.match(stderr, /libhgp_\w+\.a/);
+  assert.match(stderr, /cmake --build\s+\S+\s+--target\s+hgp_installed/);
+  assert.ok(!existsSync(to));
+});
+
 test('pkg-config gives the flags that a program needs', () => {
   const [pc] = installed(/hgp\.pc$/);
   const env = { ...process.env, PKG_CONFIG_PATH: path.dirname(path.join(prefix, pc)) };

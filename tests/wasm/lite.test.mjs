@@ -135,6 +135,41 @@ test('hgp/three takes hgp/lite', async () => {
   });
 });
 
+test('hgp/three passes progress and signals to hgp/lite', async () => {
+  const geometry = new BoxGeometry(1, 1, 1, 12, 12, 12);
+  const stages = new Set();
+  const onProgress = ({ stage }) => stages.add(stage);
+  const { certificate } = await parametrizeGeometry(lite, geometry, {}, { onProgress });
+  assert.ok(certificate.certified && stages.size > 2, [...stages].join());
+  assert.equal(lite.onProgress, undefined);
+
+  const reason = new Error('closed');
+  const early = { signal: AbortSignal.abort(reason), onProgress: () => assert.fail('it ran') };
+  await assert.rejects(parametrizeGeometry(lite, geometry, {}, early), reason);
+  const controller = new AbortController();
+  let calls = 0;
+  const late = {
+    signal: controller.signal,
+    onProgress: () => {
+      calls += 1;
+      controller.abort(reason);
+    },
+  };
+  await assert.rejects(parametrizeGeometry(lite, geometry, {}, late), reason);
+  assert.equal(calls, 1);
+  const wrong = {
+    onProgress: () => {
+      throw reason;
+    },
+  };
+  await assert.rejects(parametrizeGeometry(lite, geometry, {}, wrong), reason);
+  await assert.rejects(parametrizeGeometry(lite, geometry, {}, { keepWorker: true }), {
+    code: 'usage',
+    message: /no option 'keepWorker'/,
+  });
+  assert.ok((await parametrizeGeometry(lite, geometry)).certificate.certified);
+});
+
 test('errors have codes, and what only the whole package does is refused', () => {
   const refused = (call, code, message) =>
     assert.throws(call, (error) => {

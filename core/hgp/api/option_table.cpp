@@ -46,7 +46,7 @@ constexpr std::array kSolveRows{
 
 constexpr std::array kVerifyRows{
     OptionRow{"q", "--q", "q", K::kInteger, "", 0, 64},
-    OptionRow{"uvSet", "--uv-set", "uv_set", K::kInteger, "", -1, kAnyInt},
+    OptionRow{"uvSet", "--uv-set", "uv_set", K::kInteger, "", -1, 63},
     OptionRow{"tolerance", "--tol", "tolerance", K::kNumber, "", 0, kNoEnd},
 };
 
@@ -54,7 +54,7 @@ constexpr std::array kWriteRows{
     OptionRow{"name", "--output", "path", K::kText},
     OptionRow{"format", "", "", K::kWord, "same|glb|gltf|obj|flat-obj|svg"},
     OptionRow{"gridMaterial", "--grid-material", "grid_material", K::kFlagOrNumber, "", 0, kNoEnd},
-    OptionRow{"uvSet", "--uv-set", "uv_set", K::kInteger, "", -1, kAnyInt},
+    OptionRow{"uvSet", "--uv-set", "uv_set", K::kInteger, "", -1, 15},
     OptionRow{"embedCones", "--embed-cones", "embed_cones", K::kFlag},
     OptionRow{"allowUncertified", "--allow-uncertified", "allow_uncertified", K::kFlag},
     OptionRow{"use", "--use", "use", K::kFlag},

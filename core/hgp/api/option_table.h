@@ -55,6 +55,13 @@ std::span<const OptionRow> optionRows<WriteOptions>();
 
 /// The words of the option with this flag, in the order of the table; empty for flags without words.
 std::vector<std::string> wordsOfFlag(std::string_view flag);
+/// The row of one call's options with this flag; null if it has none.
+template <class Options>
+const OptionRow* rowOfFlag(std::string_view flag) {
+  for (const OptionRow& row : optionRows<Options>())
+    if (flag == row.flag) return &row;
+  return nullptr;
+}
 /// The words of a row.
 std::vector<std::string> wordsOf(const OptionRow& row);
 

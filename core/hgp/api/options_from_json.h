@@ -15,8 +15,8 @@ enum class Spelling {
   kPython,  ///< {"max_rounds": 8, "cells": 400}
 };
 
-/// Options that are absent or null keep their defaults. `fix`, even an empty one, is the list of repairs to make
-/// (LoadOptions::isStrict); `improve: false` is none; `grid.mode` alone chooses the number of cells.
+/// Options that are absent or null keep their defaults. `fix` lists the repairs to make, and no others are made: an empty
+/// list is the same as `strict` (LoadOptions::isStrict). `grid.mode` alone chooses the number of cells.
 /// Fails with kUsage, naming the option and the nearest known one, for unknown names, values of the wrong type or outside
 /// their bounds, contradictions, and texts that are not JSON objects; `stage` is "type" if a value has the wrong type.
 /// Any thread may call it.

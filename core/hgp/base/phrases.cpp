@@ -1,3 +1,4 @@
+// budget: an entry for every code
 #include "hgp/base/phrase.h"
 
 namespace hgp {
@@ -174,6 +175,10 @@ constexpr Phrase kOthers[] = {
     {"creases-left-out",
      "{creases|crease is|creases are} left out: the third edge of a triangle whose other two "
      "are creases, too; no map sends all three to lines along two axes"},
+    {"features-other-file",
+     "the features are of another file; found by [placed:positions][!placed:vertex numbers]"},
+    {"marks-no-edges",
+     "left out: {pairs|marked pair|marked pairs} of vertices without an edge between them"},
     {"field-frames", "the frames are the directions of the field"},
     {"budget-two-cones",
      "A closed torus with exactly two cones, k={low} and k={high}[divisor: (reduced by the "

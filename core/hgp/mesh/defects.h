@@ -59,6 +59,7 @@ struct FixOptions {
   bool split = false;   ///< duplicate vertices until edges and vertices are manifold
   /// Allow faces without area; leave out duplicate faces and faces that are not part of a surface.
   bool degenerate = false;
+  bool isAny() const { return orient || split || degenerate; }
 };
 
 /// Why a face is not part of the surface.

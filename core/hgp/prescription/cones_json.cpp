@@ -14,28 +14,6 @@ using Json = nlohmann::ordered_json;
 constexpr int kMaxDepth = 64;
 constexpr std::size_t kMaxJson = std::size_t{64} << 20;
 
-/// Checks the nesting before parsing, so that the parser's stack cannot overflow.
-bool isTooDeep(std::string_view text) {
-  int depth = 0;
-  bool isInString = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (isInString) {
-      if (c == '\\')
-        ++i;
-      else if (c == '"')
-        isInString = false;
-    } else if (c == '"') {
-      isInString = true;
-    } else if (c == '[' || c == '{') {
-      if (++depth > kMaxDepth) return true;
-    } else if (c == ']' || c == '}') {
-      --depth;
-    }
-  }
-  return false;
-}
-
 /// Reads members and records the first error.
 class Members {
  public:
@@ -236,7 +214,7 @@ void readMatchings(const Json& json, Members& m, Prescription& out) {
 }  // namespace
 
 Result<Prescription> readConesJson(std::string_view text) {
-  if (text.size() > kMaxJson || isTooDeep(text)) {
+  if (text.size() > kMaxJson || text::isNestedDeeper(text, kMaxDepth)) {
     return Failure{ErrorCode::kLimit, "cones", "cones JSON: too large or nested too deep", {}};
   }
   const Json json = Json::parse(text.begin(), text.end(), nullptr, false);

@@ -122,9 +122,39 @@ Result<PrescribedFeatures> readFeatures(std::string_view name, std::string_view 
   if (endsWith(name, ".json")) {
     Result<Prescription> read = readConesJson(text);
     if (!read) return std::move(read).error();
+    read->features.sha256 = std::move(read->sha256);
     return std::move(read->features);
   }
   return readPairs(text);
+}
+
+std::optional<std::vector<FeatureMark>> featureMarksNamed(const std::vector<std::string>& words) {
+  std::vector<FeatureMark> marks;
+  for (std::size_t m = 0; m < std::size(kFeatureMarks); ++m) {
+    const bool isNamed = std::find(words.begin(), words.end(), kFeatureMarks[m]) != words.end();
+    if (words.empty() || isNamed) marks.push_back(static_cast<FeatureMark>(m));
+  }
+  const bool areKnown = std::all_of(words.begin(), words.end(), [](const std::string& word) {
+    return std::find(std::begin(kFeatureMarks), std::end(kFeatureMarks), word) !=
+           std::end(kFeatureMarks);
+  });
+  if (!areKnown) return std::nullopt;
+  return marks;
+}
+
+void addFeatures(PrescribedFeatures& features, std::optional<PrescribedFeatures> list,
+                 const PrescribedFeatures& asked) {
+  const auto takeRest = [&features](const PrescribedFeatures& other) {
+    features.hasRims = features.hasRims || other.hasRims;
+    if (other.creaseDegrees) features.creaseDegrees = other.creaseDegrees;
+    if (!other.marks.empty()) features.marks = other.marks;
+  };
+  if (list) {
+    const PrescribedFeatures before = std::move(features);
+    features = std::move(*list);
+    takeRest(before);
+  }
+  takeRest(asked);
 }
 
 }  // namespace hgp::prescription

@@ -17,4 +17,10 @@ inline constexpr int kMaxFeatures = 10'000'000;
 /// and the line.
 Result<PrescribedFeatures> readFeatures(std::string_view name, std::string_view text);
 
+/// Adds to the features of a prescription those that a user asks for beside it: a list that was read, whose lines and sides
+/// come instead of those before, and rims, an angle and marks. The angle and the marks that are asked for come before those
+/// of the prescription, and these before those of the list.
+void addFeatures(PrescribedFeatures& features, std::optional<PrescribedFeatures> list,
+                 const PrescribedFeatures& asked);
+
 }  // namespace hgp::prescription

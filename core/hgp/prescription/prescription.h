@@ -49,6 +49,8 @@ enum class FeatureMark {
   kNormals,    ///< where corners of two triangles have different normals
 };
 inline constexpr const char* kFeatureMarks[] = {"lines", "smoothing", "materials", "normals"};
+/// The marks that these words name, all for none; empty where a word is none of kFeatureMarks.
+std::optional<std::vector<FeatureMark>> featureMarksNamed(const std::vector<std::string>& words);
 
 /// Edges that a map is to send to lines u = const or v = const, exactly. With any feature, boundary edges are features.
 struct PrescribedFeatures {
@@ -57,6 +59,8 @@ struct PrescribedFeatures {
   std::vector<FeatureMark> marks;       ///< what the mesh's own file marks in these ways
   std::vector<PrescribedLine> lines;
   std::vector<std::array<int, 2>> sides;  ///< triangle and side: side k joins corners k and k + 1
+  std::string
+      sha256;  ///< of the file for which lines and sides were listed; "": that of the prescription
   bool isEmpty() const {
     return !hasRims && !creaseDegrees && marks.empty() && lines.empty() && sides.empty();
   }

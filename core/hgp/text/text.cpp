@@ -129,9 +129,39 @@ std::int64_t lineAt(std::string_view text, std::size_t offset) {
   return 1 + std::count(text.begin(), stop, lineEndOf(text));
 }
 
+std::string_view beginningOf(std::string_view text, std::size_t limit) {
+  if (text.size() <= limit) return text;
+  // Bytes 10xxxxxx continue a character, of which there are at most three.
+  std::size_t end = limit;
+  while (end > 0 && limit - end < 3 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U)
+    --end;
+  return text.substr(0, end);
+}
+
+bool isNestedDeeper(std::string_view json, int depth) {
+  int open = 0;
+  bool isInString = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    if (isInString) {
+      if (c == '\\')
+        ++i;
+      else if (c == '"')
+        isInString = false;
+    } else if (c == '"') {
+      isInString = true;
+    } else if (c == '[' || c == '{') {
+      if (++open > depth) return true;
+    } else if (c == ']' || c == '}') {
+      --open;
+    }
+  }
+  return false;
+}
+
 std::string inQuotes(std::string_view text, std::size_t limit) {
   std::string out = "'";
-  for (char c : text.substr(0, limit)) {
+  for (char c : beginningOf(text, limit)) {
     out += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
   }
   return out + (text.size() > limit ? "…'" : "'");

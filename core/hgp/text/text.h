@@ -84,6 +84,13 @@ class WordReader {
 /// The number of the line of `text` that contains `offset`, counted from 1.
 std::int64_t lineAt(std::string_view text, std::size_t offset);
 
+/// The first characters of UTF-8 that fit in `limit` bytes; a character is not cut in two.
+std::string_view beginningOf(std::string_view text, std::size_t limit);
+
+/// Whether arrays and objects of this JSON are nested more than `depth` deep. Checked before parsing, since what parses and
+/// writes such a document needs stack.
+bool isNestedDeeper(std::string_view json, int depth);
+
 /// Text from a file, quoted for a message: at most `limit` bytes, with control bytes replaced.
 std::string inQuotes(std::string_view text, std::size_t limit = 40);
 

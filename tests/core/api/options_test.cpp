@@ -5,6 +5,7 @@
 #include "hgp/api/option_table.h"
 #include "hgp/api/option_words.h"
 #include "hgp/api/options_from_json.h"
+#include "hgp/base/check.h"
 
 namespace hgp::api {
 namespace {
@@ -88,7 +89,10 @@ TEST(OptionsFromJson, WrongOptionsAreRefusedByName) {
   EXPECT_EQ(refusal<SolveOptions>(R"({"q": 4.5})"), "q must be an integer, not 4.5");
   EXPECT_EQ(refusal<SolveOptions>(R"({"q": true})"), "q must be an integer, not true");
   EXPECT_EQ(refusal<SolveOptions>(R"({"count": 99999999999})"),
-            "count must be at least 0, not 99999999999");
+            "count must be at most 2147483647, not 99999999999");
+  EXPECT_EQ(refusal<SolveOptions>(R"({"count": -1})"), "count must be at least 0, not -1");
+  EXPECT_EQ(refusal<LoadOptions>(R"({"limits": {"bytes": 0}})"),
+            "limits.bytes must be at least 1, not 0");
   EXPECT_EQ(refusal<SolveOptions>(R"({"scale": "big"})"),
             "scale must be 'solved', 'unit' or 'fit', not 'big'");
   EXPECT_EQ(refusal<SolveOptions>(R"({"improve": 1.5})"),
@@ -105,6 +109,58 @@ TEST(OptionsFromJson, WrongOptionsAreRefusedByName) {
   EXPECT_EQ(refusal<LoadOptions>("[1]"), "options must be a JSON object");
   EXPECT_EQ(refusal<LoadOptions>("{"), "options must be a JSON object");
   EXPECT_EQ(refusal<WriteOptions>(R"({"": 1})").substr(0, 21), "there is no option ''");
+}
+
+TEST(OptionsFromJson, RepairsThatAreNamedContradictStrict) {
+  EXPECT_EQ(refusal<LoadOptions>(R"({"strict": true, "fix": ["orient"]})"),
+            "strict and fix exclude each other: 'strict' makes no repairs; leave out either");
+  // Without a repair both say the same; and false is what an absent value is.
+  for (const char* strict : {R"({"strict": true, "fix": []})", R"({"strict": false, "fix": []})",
+                             R"({"strict": true, "fix": {"orient": false}})", R"({"fix": []})"}) {
+    const auto load = optionsFromJson<LoadOptions>(strict);
+    ASSERT_TRUE(load) << strict << load.error().message;
+    EXPECT_TRUE(load->isStrict && !load->fix.isAny()) << strict;
+  }
+  EXPECT_FALSE(optionsFromJson<LoadOptions>(R"({"strict": false})")->isStrict);
+  EXPECT_FALSE(optionsFromJson<LoadOptions>(R"({"fix": ["orient"]})")->isStrict);
+}
+
+TEST(OptionsFromJson, AScaleAndAGridAreNamedAsTheyWereGiven) {
+  const std::string why =
+      " exclude each other: 'unit' and 'fit' would undo a grid, in which one cell "
+      "is one unit of uv";
+  for (const std::string name : {"cells", "spacing", "mode"}) {
+    const std::string value = name == "mode" ? "\"quad\"" : "2";
+    const std::string grid = "{\"scale\": \"unit\", \"grid\": {\"" + name + "\": " + value + "}}";
+    EXPECT_EQ(refusal<SolveOptions>(grid), "scale and grid." + name + why);
+  }
+  EXPECT_EQ(refusal<SolveOptions>(R"({"scale": "fit", "grid_mode": "quad"})", Spelling::kPython),
+            "scale and grid_mode" + why);
+}
+
+TEST(OptionsFromJson, DeepAndLongValuesAreRefusedAndShownInPart) {
+  const auto nested = [](int depth) {
+    return "{\"q\": " + std::string(at(depth), '[') + std::string(at(depth), ']') + "}";
+  };
+  EXPECT_EQ(refusal<SolveOptions>(nested(9)), "q must be an integer, not [[[[[[[[[]]]]]]]]]");
+  EXPECT_EQ(refusal<SolveOptions>(nested(1'000'000)),
+            "options must not be nested deeper than 16 lists and objects");
+  std::string umlauts;
+  for (int i = 0; i < 100; ++i) umlauts += "ü";
+  const std::string shown = umlauts.substr(0, 40);
+  EXPECT_EQ(refusal<LoadOptions>("{\"target\": \"" + umlauts + "\"}"),
+            "target must be 'obj', 'glb', 'gltf' or 'ply', not '" + shown + "…'");
+  EXPECT_EQ(refusal<LoadOptions>("{\"target\": \"x" + umlauts + "\"}"),
+            "target must be 'obj', 'glb', 'gltf' or 'ply', not 'x" + umlauts.substr(0, 38) + "…'");
+  const std::string list = refusal<LoadOptions>("{\"fix\": [\"" + umlauts + "\"]}");
+  EXPECT_NE(list.find("not [\"" + umlauts.substr(0, 58) + "…"), std::string::npos) << list;
+}
+
+TEST(OptionsFromJson, SetsAreThoseThatAreWrittenAndThoseThatAreRead) {
+  EXPECT_EQ(optionsFromJson<WriteOptions>(R"({"uvSet": 15})")->uvSet, 15);
+  EXPECT_EQ(refusal<WriteOptions>(R"({"uvSet": 16})"), "uvSet must be from -1 to 15, not 16");
+  EXPECT_EQ(optionsFromJson<VerifyOptions>(R"({"uvSet": 63})")->uvSet, 63);
+  EXPECT_EQ(refusal<VerifyOptions>(R"({"uvSet": 64})"), "uvSet must be from -1 to 63, not 64");
 }
 
 TEST(OptionsFromJson, PythonHasItsOwnNamesAndValues) {

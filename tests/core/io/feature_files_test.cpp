@@ -82,6 +82,57 @@ TEST(FeatureFiles, FeaturesAreStoredWithCones) {
   EXPECT_EQ(prescription::writeConesJson(p).find("features"), std::string::npos);
 }
 
+TEST(FeatureFiles, AListInJsonKnowsTheFileItIsFor) {
+  prescription::Prescription p;
+  p.sha256 = std::string(64, 'a');
+  p.features.lines = {{{3, 1, 4}}};
+  const auto list = prescription::readFeatures("x.json", prescription::writeConesJson(p));
+  ASSERT_TRUE(list);
+  EXPECT_EQ(list->sha256, p.sha256);
+}
+
+TEST(FeatureFiles, WhatIsAskedForComesBeforeThePrescriptionAndThisBeforeTheList) {
+  using Mark = prescription::FeatureMark;
+  prescription::PrescribedFeatures own, list, asked;
+  own.lines = {{{0, 1}}};
+  own.creaseDegrees = 20;
+  list.lines = {{{5, 6}}};
+  list.sides = {{7, 0}};
+  list.sha256 = "file";
+  list.creaseDegrees = 10;
+  list.marks = {Mark::kLines};
+  list.hasRims = true;
+
+  prescription::PrescribedFeatures none = own;
+  prescription::addFeatures(none, std::nullopt, asked);
+  EXPECT_EQ(none.lines[0].vertices, (std::vector<int>{0, 1}));
+  EXPECT_EQ(none.creaseDegrees, 20);
+
+  prescription::PrescribedFeatures both = own;
+  prescription::addFeatures(both, list, asked);
+  ASSERT_EQ(both.lines.size(), 1U);
+  EXPECT_EQ(both.lines[0].vertices, (std::vector<int>{5, 6}));
+  EXPECT_EQ(both.sides, list.sides);
+  EXPECT_EQ(both.sha256, "file");
+  EXPECT_EQ(both.creaseDegrees, 20);
+  EXPECT_EQ(both.marks, list.marks);
+  EXPECT_TRUE(both.hasRims);
+
+  asked.creaseDegrees = 40;
+  asked.marks = {Mark::kNormals};
+  prescription::addFeatures(own, list, asked);
+  EXPECT_EQ(own.creaseDegrees, 40);
+  EXPECT_EQ(own.marks, asked.marks);
+}
+
+TEST(FeatureFiles, MarksAreNamedByWords) {
+  using Mark = prescription::FeatureMark;
+  EXPECT_EQ(prescription::featureMarksNamed({})->size(), 4U);
+  EXPECT_EQ(prescription::featureMarksNamed({"normals", "lines", "normals"}),
+            (std::vector<Mark>{Mark::kLines, Mark::kNormals}));
+  EXPECT_FALSE(prescription::featureMarksNamed({"lines", "colours"}));
+}
+
 TEST(FeatureFiles, WrongFeaturesInJsonAreNamed) {
   for (const char* features :
        {"[]", "{\"rims\": 1}", "{\"lines\": 3}", "{\"lines\": [{}]}",

@@ -109,5 +109,26 @@ TEST(Quoted, HidesControlBytesAndLength) {
   EXPECT_EQ(text::inQuotes(std::string(100, 'x'), 3), "'xxx…'");
 }
 
+TEST(Quoted, CutsNoCharacterInTwo) {
+  const std::string o = "ö", euro = "€", clef = "\xf0\x9d\x84\x9e";
+  for (const std::string& letter : {o, euro, clef}) {
+    const std::string word = letter + letter + letter;
+    for (std::size_t limit = 0; limit <= word.size(); ++limit) {
+      const std::size_t whole = limit / letter.size() * letter.size();
+      EXPECT_EQ(text::beginningOf(word, limit), word.substr(0, whole)) << limit;
+    }
+  }
+  EXPECT_EQ(text::inQuotes(o + o, 3), "'ö…'");
+  // Bytes that are no UTF-8 are cut anywhere.
+  EXPECT_EQ(text::beginningOf(std::string(9, '\x80'), 6).size(), 3U);
+}
+
+TEST(Nesting, IsCountedOutsideOfStrings) {
+  EXPECT_FALSE(text::isNestedDeeper("{\"a\": [1, {}]}", 3));
+  EXPECT_TRUE(text::isNestedDeeper("{\"a\": [1, {}]}", 2));
+  EXPECT_FALSE(text::isNestedDeeper("[[],[],[[]]]", 3));
+  EXPECT_FALSE(text::isNestedDeeper("[\"[[[\\\"[[[\"]", 1));
+}
+
 }  // namespace
 }  // namespace hgp::io

@@ -10,7 +10,7 @@ import {
 import type { CallOptions, Client } from './lib/client.js';
 import type { Certificate } from './lib/documents.js';
 import { usage } from './lib/error.js';
-import type { Lite, LiteResult, LiteSolveOptions } from './lib/lite.js';
+import type { Lite, LiteCallOptions, LiteResult, LiteSolveOptions } from './lib/lite.js';
 import type { LoadOptions, SolveOptions } from './lib/options.js';
 import type { Result } from './lib/results.js';
 import { splitAlongSeams, type SplitMesh } from './lib/split.js';
@@ -154,12 +154,13 @@ export function parametrizeGeometry(
   lite: Lite,
   geometry: BufferGeometry,
   options?: LiteGeometryOptions,
+  call?: LiteCallOptions,
 ): Promise<LiteParametrizedGeometry>;
 export async function parametrizeGeometry(
   client: Client | Lite,
   geometry: BufferGeometry,
   options: GeometryOptions = {},
-  call?: CallOptions,
+  call?: CallOptions | LiteCallOptions,
 ): Promise<ParametrizedGeometry | LiteParametrizedGeometry> {
   const { attribute = 'uv', weld, fix, limits, ...solve } = options;
   const positions = positionsOf(geometry);

@@ -5,9 +5,13 @@
 
 #include "hgp/base/check.h"
 #include "hgp/text/nearest.h"
+#include "hgp/text/text.h"
 
 namespace hgp::api {
 namespace {
+
+/// Options need two levels, and wrong ones of a few more can still be shown.
+constexpr int kMaxDepth = 16;
 
 Failure wrongOption(std::string message, const char* stage = "arguments") {
   return {ErrorCode::kUsage, stage, std::move(message), {}};
@@ -22,8 +26,10 @@ class Speller {
 
   std::string value(const OptionJson& value) const {
     if (value.is_boolean() && isPython_) return value.get<bool>() ? "True" : "False";
-    if (value.is_string()) return "'" + value.get<std::string>().substr(0, 40) + "'";
-    return value.dump(-1, ' ', false, OptionJson::error_handler_t::replace).substr(0, 60);
+    if (value.is_string()) return text::inQuotes(value.get_ref<const std::string&>());
+    const std::string json = value.dump(-1, ' ', false, OptionJson::error_handler_t::replace);
+    const std::string_view shown = text::beginningOf(json, 60);
+    return std::string(shown) + (shown.size() < json.size() ? "…" : "");
   }
 
   std::string flag() const { return isPython_ ? "True or False" : "true or false"; }
@@ -34,8 +40,9 @@ class Speller {
 
 std::string number(double x) { return formatText("%.15g", x); }
 
-/// "from 1 to 64", "at least 0", "above 0"
-std::string rangeOf(const OptionRow& row) {
+/// "from 1 to 64", "at least 0", "above 0"; the end of all integers is named to who passed it.
+std::string rangeOf(const OptionRow& row, double x = 0.0) {
+  if (row.high == kLargestInt && x > row.high) return "at most " + number(row.high);
   if (row.high < kLargestInt) return "from " + number(row.low) + " to " + number(row.high);
   if (std::isfinite(row.low)) return (row.isOpen ? "above " : "at least ") + number(row.low);
   return "";
@@ -123,13 +130,17 @@ Status checkValue(const OptionRow& row, const OptionJson& value, const Speller& 
   const bool isAbove = row.isOpen ? x > row.low : x >= row.low;
   if (std::isfinite(x) && isAbove && x <= row.high) return Done{};
   const bool isPlain = row.kind == OptionKind::kInteger || row.kind == OptionKind::kNumber;
-  return refuse(isPlain ? rangeOf(row) : kindOf(row, speller), "arguments");
+  return refuse(isPlain ? rangeOf(row, x) : kindOf(row, speller), "arguments");
 }
 
 }  // namespace
 
 Result<GivenOptions> GivenOptions::read(std::string_view text, std::span<const OptionRow> rows,
                                         Spelling spelling) {
+  if (text::isNestedDeeper(text, kMaxDepth))
+    return wrongOption(
+        formatText("options must not be nested deeper than %d lists and objects", kMaxDepth),
+        "type");
   const OptionJson json = OptionJson::parse(text.begin(), text.end(), nullptr, false);
   if (!json.is_object()) return wrongOption("options must be a JSON object", "type");
   GivenOptions given(rows, spelling);
@@ -192,7 +203,7 @@ Failure GivenOptions::unknown(const std::string& name) const {
     if (!names.back().empty()) all += (all.empty() ? "" : ", ") + names.back();
   }
   const std::string nearest = text::nearestOf(name, names);
-  return wrongOption("there is no option '" + name + "'; " +
+  return wrongOption("there is no option " + text::inQuotes(name) + "; " +
                      (nearest.empty() ? "there are: " + all : "did you mean '" + nearest + "'?"));
 }
 

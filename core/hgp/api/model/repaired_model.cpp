@@ -109,11 +109,9 @@ void weld(Model& model, const LoadOptions& options) {
   addNotes(model, weldNotes(facts, joins));
 }
 
-bool isAny(const FixOptions& fix) { return fix.orient || fix.split || fix.degenerate; }
-
 /// Repairs the mesh, then sets `unusable` if defects remain.
 void repairAndCheck(Model& model, const FixOptions& fix) {
-  if (isAny(fix)) repair(model, fix);
+  if (fix.isAny()) repair(model, fix);
   model.unusable.reset();
   if (model.mesh.triangles.empty()) {
     model.unusable = Failure{ErrorCode::kUnsupported,
@@ -138,15 +136,15 @@ void repairAndCheck(Model& model, const FixOptions& fix) {
 /// Makes the repairs that the options name; otherwise those that the defects need, and then all of them if the mesh
 /// is still unusable, since one defect can hide another.
 void repairAsAsked(Model& model, const LoadOptions& options) {
-  const bool isAutomatic = !isAny(options.fix) && !options.isStrict;
+  const bool isAutomatic = !options.fix.isAny() && !options.isStrict;
   FixOptions fix = options.fix;
   if (isAutomatic) {
     const std::vector<Defect> defects = findDefects(model.mesh);
     fix = neededRepairs(defects);
     for (const Defect& defect : defects)
-      if (isAny(fix) && isFatal(defect.kind)) model.notes.push_back(noteOn(defect, true));
+      if (fix.isAny() && isFatal(defect.kind)) model.notes.push_back(noteOn(defect, true));
   }
-  const bool mayTryAll = isAutomatic && isAny(fix) && !(fix.orient && fix.split && fix.degenerate);
+  const bool mayTryAll = isAutomatic && fix.isAny() && !(fix.orient && fix.split && fix.degenerate);
   Model before;
   if (mayTryAll) keepSurface(model, before);
   repairAndCheck(model, fix);

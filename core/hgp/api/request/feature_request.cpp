@@ -23,11 +23,86 @@ Failure refusedFeature(std::string message, std::vector<Where> where = {}) {
   return {ErrorCode::kPrescription, "features", std::move(message), std::move(where)};
 }
 
+/// Whether the list of features names a file, and it is not this one.
+bool isForAnotherFile(const Model& model, const prescription::Prescription& asked) {
+  const std::string& own = asked.features.sha256;
+  const std::string& sha = own.empty() ? asked.sha256 : own;
+  return !sha.empty() && sha != model.sha256;
+}
+
+/// Pairs by the vertices that stand for them after welds, ascending and without repetition.
+std::vector<Pair> afterWelds(const Model& model, std::vector<Pair> pairs) {
+  const auto standIn = [&model](int v) {
+    const MeshVertexId image = model.vertexImage[SurfaceVertexId{v}];
+    return image.isValid() ? model.vertexOrigin[image].i : v;
+  };
+  for (Pair& ends : pairs) ends = sorted(standIn(ends[0]), standIn(ends[1]));
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+/// Pairs of vertices of which some are edges of the mesh.
+class PairSet {
+ public:
+  explicit PairSet(std::vector<Pair> pairs)
+      : pairs_(std::move(pairs)), isFound_(pairs_.size(), 0) {}
+
+  /// Whether the pair is in the set, which then knows that it is an edge.
+  bool take(const Pair& ends) {
+    const auto found = std::lower_bound(pairs_.begin(), pairs_.end(), ends);
+    if (found == pairs_.end() || *found != ends) return false;
+    isFound_[at(found - pairs_.begin())] = 1;
+    return true;
+  }
+  std::size_t size() const { return pairs_.size(); }
+  /// The pairs that were not taken.
+  std::vector<Where> rest() const {
+    std::vector<Where> where;
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+      if (!isFound_[i]) where.push_back({Where::Kind::kEdge, pairs_[i][0], pairs_[i][1]});
+    return where;
+  }
+
+ private:
+  std::vector<Pair> pairs_;
+  std::vector<char> isFound_;
+};
+
+/// Notes on what of the listed and the marked pairs is no edge; fails for a listed pair, and where no mark is an edge.
+Status checkFound(const PairSet& listed, const PairSet& marked, Notes& notes) {
+  if (std::vector<Where> where = listed.rest(); !where.empty()) {
+    const std::string count = counted(where.size(), "feature is no edge", "features are no edges");
+    return refusedFeature(count + " of the mesh. Is this the mesh they were made for?",
+                          std::move(where));
+  }
+  std::vector<Where> where = marked.rest();
+  if (where.empty()) return Done{};
+  const std::size_t pairs = where.size();
+  if (pairs == marked.size())
+    return refusedFeature("the file marks " + counted(pairs, "pair", "pairs") +
+                              " of vertices, and none is an edge of the mesh. Find edges by angle: "
+                              "--creases",
+                          std::move(where));
+  notes.push_back(Note("marks-no-edges", {{"pairs", pairs}}, std::move(where)));
+  return Done{};
+}
+
+/// Says how the vertices of a list for another file were found.
+void addMovedNote(const prescription::PrescribedFeatures& features, Notes& notes) {
+  const auto& lines = features.lines;
+  if (lines.empty() && features.sides.empty()) return;
+  const bool arePlaced = std::all_of(lines.begin(), lines.end(),
+                                     [](const auto& line) { return !line.positions.empty(); });
+  notes.push_back(
+      Note("features-other-file", {{"placed", arePlaced && features.sides.empty() ? 1 : 0}}));
+}
+
 class FeatureFinder {
  public:
   FeatureFinder(const Model& model, const prescription::Prescription& asked)
       : model_(model), asked_(asked), positions_(model.source().mesh.positions) {
-    isMoved_ = (!asked.sha256.empty() && asked.sha256 != model.sha256) || !model.hasOwnVertexIds;
+    isMoved_ = isForAnotherFile(model, asked) || !model.hasOwnVertexIds;
     reach_ = kSameFeaturePlace * diagonal(finiteBoxOf(positions_));
   }
 
@@ -106,7 +181,8 @@ Status addFeatures(const Model& model, const prescription::Prescription& prescri
   if (!pairs) return std::move(pairs).error();
   Result<std::vector<Pair>> marked = markedEdges(model, prescription.features.marks);
   if (!marked) return std::move(marked).error();
-  std::vector<char> isFound(pairs->size(), 0);
+  PairSet listed(afterWelds(model, std::move(*pairs)));
+  PairSet marks(afterWelds(model, std::move(*marked)));
   int leftOut = 0;
   for (std::size_t p = 0; p < model.components.size(); ++p) {
     const ModelComponent& component = model.components[p];
@@ -121,25 +197,18 @@ Status addFeatures(const Model& model, const prescription::Prescription& prescri
     for (EdgeId e : mesh.edges()) {
       const HalfedgeId h = mesh.halfedge(e);
       const Pair ends = sorted(component.vertex[mesh.tail(h)].i, component.vertex[mesh.head(h)].i);
-      const auto found = std::lower_bound(pairs->begin(), pairs->end(), ends);
-      bool isListed = found != pairs->end() && *found == ends;
-      if (isListed) isFound[at(found - pairs->begin())] = 1;
-      isListed = isListed || std::binary_search(marked->begin(), marked->end(), ends);
-      if (isListed || mesh.isBoundary(h)) features.push_back(e);
-      hasFeature = hasFeature || isListed || (prescription.features.hasRims && mesh.isBoundary(h));
+      const bool isListed = listed.take(ends), isMarked = marks.take(ends);
+      if (isListed || isMarked || mesh.isBoundary(h)) features.push_back(e);
+      hasFeature = hasFeature || isListed || isMarked ||
+                   (prescription.features.hasRims && mesh.isBoundary(h));
     }
     std::sort(features.begin(), features.end());
     features.erase(std::unique(features.begin(), features.end()), features.end());
     if (hasFeature) request.components[p].spec.features = std::move(features);
   }
+  if (isForAnotherFile(model, prescription)) addMovedNote(prescription.features, request.notes);
   if (leftOut > 0) request.notes.push_back(Note("creases-left-out", {{"creases", leftOut}}));
-  std::vector<Where> where;
-  for (std::size_t i = 0; i < pairs->size(); ++i)
-    if (!isFound[i]) where.push_back({Where::Kind::kEdge, (*pairs)[i][0], (*pairs)[i][1]});
-  if (where.empty()) return Done{};
-  return refusedFeature(counted(where.size(), "feature is no edge", "features are no edges") +
-                            " of the mesh. Is this the mesh they were made for?",
-                        std::move(where));
+  return checkFound(listed, marks, request.notes);
 }
 
 bool isFeaturesOnly(const prescription::Prescription& prescription) {

@@ -53,9 +53,9 @@ auto tie(const prescription::PrescribedLine& line) {
 }
 bool isSameFeatures(const prescription::PrescribedFeatures& a,
                     const prescription::PrescribedFeatures& b) {
-  const auto& [hasRims, creaseDegrees, marks, lines, sides] = a;
-  return std::tie(hasRims, creaseDegrees, marks, sides) ==
-             std::tie(b.hasRims, b.creaseDegrees, b.marks, b.sides) &&
+  const auto& [hasRims, creaseDegrees, marks, lines, sides, sha256] = a;
+  return std::tie(hasRims, creaseDegrees, marks, sides, sha256) ==
+             std::tie(b.hasRims, b.creaseDegrees, b.marks, b.sides, b.sha256) &&
          areSame(lines, b.lines, [](const auto& c, const auto& d) { return tie(c) == tie(d); });
 }
 

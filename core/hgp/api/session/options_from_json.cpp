@@ -55,8 +55,11 @@ Result<SolveOptions> solveOptions(const GivenOptions& given) {
   o.choosesCells = given.has("grid.mode") && !o.grid.isAsked();
   if (given.has("grid.cells") && given.has("grid.spacing"))
     return given.contradiction("grid.cells", "grid.spacing", "exclude each other");
+  const char* grid = given.has("grid.cells")     ? "grid.cells"
+                     : given.has("grid.spacing") ? "grid.spacing"
+                                                 : "grid.mode";
   if ((o.grid.isAsked() || o.choosesCells) && o.scale != Scale::kSolved)
-    return given.contradiction("scale", o.grid.spacing > 0 ? "grid.spacing" : "grid.cells",
+    return given.contradiction("scale", grid,
                                "exclude each other: 'unit' and 'fit' would undo a grid, in which "
                                "one cell is one unit of uv");
   return o;
@@ -78,7 +81,10 @@ Result<LoadOptions> optionsFromJson(std::string_view json, Spelling spelling) {
     given->read("limits.triangles", o.limits.maxTriangles);
     const bool isNamed = given->has("fix");
     if (isNamed) o.fix = fixesOf(given->at("fix"));
-    o.isStrict = given->has("strict") ? given->isSet("strict") : isNamed;
+    if (given->isSet("strict") && o.fix.isAny())
+      return given->contradiction(
+          "strict", "fix", "exclude each other: 'strict' makes no repairs; leave out either");
+    o.isStrict = given->isSet("strict") || (isNamed && !o.fix.isAny());
     given->read("writeRepairs", o.writesRepairs);
     given->read("target", o.target);
     return o;

@@ -6,7 +6,7 @@ import { optionTable, type OptionRow } from './option_table.js';
 
 /** @internal */
 export const describe = (value: unknown): string => {
-  if (typeof value === 'string') return `'${value.slice(0, 40)}'`;
+  if (typeof value === 'string') return `'${Array.from(value.slice(0, 80)).slice(0, 40).join('')}'`;
   if (typeof value === 'number' || typeof value === 'boolean') return String(value);
   if (typeof value === 'bigint') return `${value}n (a BigInt)`;
   if (value === null) return 'null';
@@ -166,7 +166,7 @@ export const optionsOf = {
   listFeatures: { name: string },
   parametrizeFile: { ...loadFile, ...solveFile, write: record(writeFile) },
   combine: {
-    ...{ name: string, uvSet: integer(-1), embedCones: boolean },
+    ...{ name: string, uvSet: write.uvSet, embedCones: boolean },
     ...{ allowUncertified: boolean, use: boolean, gridMaterial: write.gridMaterial },
   },
   createClient: {
@@ -178,6 +178,7 @@ export const optionsOf = {
     ...{ q, count, conesFor, cones, improve: parametrize.improve, weld: boolean },
     precision: oneOf('double', 'single'),
   },
+  'lite.call': { signal, onProgress: callback },
   'lite.verifyMesh': { q, cones, weld: boolean, tolerance: fieldsOf(optionTable.verify).tolerance },
 } satisfies Record<string, Fields>;
 

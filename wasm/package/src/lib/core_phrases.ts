@@ -125,6 +125,10 @@ export const corePhrases = {
     '{loops|boundary loop has|boundary loops have} no turning among the cones: measured, and compared with nothing. If the cones are for a closed surface, faces are missing here',
   'creases-left-out':
     '{creases|crease is|creases are} left out: the third edge of a triangle whose other two are creases, too; no map sends all three to lines along two axes',
+  'features-other-file':
+    'the features are of another file; found by [placed:positions][!placed:vertex numbers]',
+  'marks-no-edges':
+    'left out: {pairs|marked pair|marked pairs} of vertices without an edge between them',
   'field-frames': 'the frames are the directions of the field',
   'budget-two-cones':
     'A closed torus with exactly two cones, k={low} and k={high}[divisor: (reduced by the common divisor {divisor} to q={q})], has no map with all rotations multiples of 2π/{q} unless a handle rotation is not a multiple of {divisor}.',

@@ -4,6 +4,7 @@
 import createModule, { type LiteModule } from '../lite_module.js';
 import { checkOptions } from './check_options.js';
 import { usage, valueOf } from './error.js';
+import type { WebSignal } from './globals.js';
 import type { Cones, MeshArrays, SuggestOptions } from './options.js';
 import type { Progress, Result } from './results.js';
 import { checkMesh } from './sources.js';
@@ -63,6 +64,17 @@ export interface LiteResult extends Pick<
   'positions' | 'triangles' | 'uv' | 'cornerToUv' | 'uvToVertex' | 'seams'
 > {
   certificate: LiteCertificate;
+}
+
+/** What belongs to one call of hgp/three with hgp/lite. */
+export interface LiteCallOptions {
+  /**
+   * A call that is aborted before it begins, or by its own `onProgress`, rejects with the signal's reason: it runs in this
+   * thread, where nothing else can abort it meanwhile.
+   */
+  signal?: WebSignal;
+  /** If it throws, the call is cancelled and rejects with that error. */
+  onProgress?: (progress: Progress) => void;
 }
 
 const balances = { isometric: 0, conformal: -1, area: 1 };
@@ -143,10 +155,43 @@ export class Lite {
    * What hgp/three calls: a mesh of a renderer, mapped in single precision.
    * @internal
    */
-  parametrizeRendered(mesh: MeshArrays, load: object, solve: LiteSolveOptions): LiteResult {
+  parametrizeRendered(
+    mesh: MeshArrays,
+    load: object,
+    solve: LiteSolveOptions,
+    call: LiteCallOptions = {},
+  ): LiteResult {
     const given = Object.entries(load).filter(([, value]) => value !== undefined);
     if (given.length > 0) throw usage(`hgp/lite has no option '${given[0][0]}'; hgp has`);
-    return this.parametrizeMesh({ ...solve, ...mesh, precision: 'single' });
+    checkOptions('lite.call', call);
+    return this.#watched(call, () =>
+      this.parametrizeMesh({ ...solve, ...mesh, precision: 'single' }),
+    );
+  }
+
+  /** Runs one call with its own progress and signal, beside the progress of all calls. */
+  #watched<Value>({ signal, onProgress }: LiteCallOptions, run: () => Value): Value {
+    if (signal?.aborted) throw signal.reason;
+    const ofAll = this.onProgress;
+    let failed: { with: unknown } | undefined;
+    if (signal || onProgress) {
+      this.onProgress = (progress) => {
+        try {
+          onProgress?.(progress);
+        } catch (error) {
+          failed = { with: error };
+        }
+        return !failed && !signal?.aborted && ofAll?.(progress) !== false;
+      };
+    }
+    try {
+      return run();
+    } catch (error) {
+      if (failed) throw failed.with;
+      throw signal?.aborted ? signal.reason : error;
+    } finally {
+      this.onProgress = ofAll;
+    }
   }
 
   #progress() {

@@ -56,14 +56,14 @@ export const optionTable: Record<'load' | 'solve' | 'verify' | 'write', OptionRo
   ],
   verify: [
     { name: 'q', kind: 'integer', low: 0, high: 64 },
-    { name: 'uvSet', kind: 'integer', low: -1 },
+    { name: 'uvSet', kind: 'integer', low: -1, high: 63 },
     { name: 'tolerance', kind: 'number', low: 0 },
   ],
   write: [
     { name: 'name', kind: 'text' },
     { name: 'format', kind: 'word', words: ['same', 'glb', 'gltf', 'obj', 'flat-obj', 'svg'] },
     { name: 'gridMaterial', kind: 'flagOrNumber', low: 0 },
-    { name: 'uvSet', kind: 'integer', low: -1 },
+    { name: 'uvSet', kind: 'integer', low: -1, high: 15 },
     { name: 'embedCones', kind: 'flag' },
     { name: 'allowUncertified', kind: 'flag' },
     { name: 'use', kind: 'flag' },

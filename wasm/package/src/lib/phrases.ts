@@ -27,9 +27,10 @@ const optionPhrases: Phrases = {
     '[!rims:Lower k there, move these cones apart], or split edges there (refine: true).',
   'map-evened-lengths':
     "Many triangles are very thin, and the surface's own edge lengths gave no map. This one is harmonic with evened " +
-    'lengths instead: as seamless and as free of folds, with more distortion. improve: true lowers it.',
+    "lengths instead: as seamless and as free of folds, with more distortion. improve: 'isometric' lowers it.",
   'map-small-improved':
-    'the map as solved has triangles too small for the numbers of the format; it is improved, as by improve: true',
+    'the map as solved has triangles too small for the numbers of the format; it is improved, as by ' +
+    "improve: 'isometric'",
   'refine-offered':
     'no map on this mesh: it may be too coarse for the prescription. refine: true splits edges, tries again, and ' +
     'writes the refined mesh',

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "hgp/field/cone_angles.h"
+
 namespace hgp {
 namespace {
 
@@ -24,7 +26,15 @@ bool isExactly(const HolonomySpec& asked, const CompleteSpec& found) {
 }  // namespace
 
 PreparedSurface::PreparedSurface(const TriMesh& mesh, Metric metric)
-    : mesh_(&mesh), context_(std::make_shared<FieldContext>(prepareSurface(mesh, metric))) {}
+    : mesh_(&mesh), context_(std::make_shared<FieldContext>(prepareSurface(mesh, metric))) {
+  // What was freed because the surface is large is not computed again for this.
+  const auto angles = [this](const AngleQuestion& question) {
+    return !wasReleased_ && requireConnection()
+               ? std::optional(coneAngles(*mesh_, *context_, question))
+               : std::nullopt;
+  };
+  shortages_.startFrom(angles);
+}
 
 PreparedSurface& PreparedSurface::evened() {
   if (isEvened()) return *this;
@@ -36,6 +46,7 @@ Status PreparedSurface::requireConnection() {
   if (hasConnection_) return Done{};
   if (Status done = prepareConnection(*mesh_, *context_); !done) return done;
   hasConnection_ = true;
+  wasReleased_ = false;
   return Done{};
 }
 
@@ -43,6 +54,7 @@ void PreparedSurface::releaseConnection() {
   context_->laplacian = {};
   context_->handles = {};
   hasConnection_ = false;
+  wasReleased_ = true;
 }
 
 Result<PrescribedField> PreparedSurface::field(const HolonomySpec& spec) {

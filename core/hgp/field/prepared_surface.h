@@ -43,7 +43,7 @@ class PreparedSurface {
  private:
   const TriMesh* mesh_;
   std::shared_ptr<FieldContext> context_;
-  bool hasConnection_ = false;
+  bool hasConnection_ = false, wasReleased_ = false;
   AngleShortageMemo shortages_;
   std::optional<PrescribedField> last_;
   std::unique_ptr<PreparedSurface> evened_;

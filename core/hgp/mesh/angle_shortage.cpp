@@ -12,45 +12,40 @@ namespace {
 /// Maximum number of vertices visited by all searches together, which take a fraction of a second.
 constexpr int kMaxVisits = 2'000'000;
 
+/// Of a flow that starts from rounded angles: what may be missing per corner, in units, and the smallest angle as a
+/// part of π/q.
+constexpr long long kMissing = 1 << 8;
+constexpr long long kSmallestPart = 1 << 20;
+
 /// Corner angles in units of π / (q N). With N above the number of corners, a minimum of one unit per corner is
 /// equivalent to positive angles: a solution with one exists if and only if one with the other does.
+///
+/// A flow from rounded angles has finer units and asks for kMissing less per corner, and its minimum per corner is above
+/// 3|F| times that. What is missing in total can then be moved through any corner: a solution is a proof again.
 ///
 /// The nodes that receive angle are the vertices, and behind them the loops with a given turning, each in place of its
 /// vertices. Vertices of other loops ask for what they like and give the rest.
 class AngleFlow {
  public:
-  AngleFlow(const TriMesh& mesh, int q, const PerVertex<int>& k,
-            const std::vector<LoopAngle>& loops)
-      : mesh_(mesh),
-        unit_(3LL * mesh.faceCount() + 1),
-        nodeOf_(k.size()),
-        members_(k.size() + loops.size()),
-        asked_(members_.size(), 0),
-        sum_(members_.size(), 0),
-        corners_(members_.size(), 0),
-        corner_(static_cast<std::size_t>(mesh.halfedgeCount()), 0),
-        reachedBy_(members_.size()),
-        isOpen_(members_.size(), 0),
-        isReached_(members_.size(), 0) {
-    for (VertexId v : mesh.vertices()) {
-      asked_[at(v.i)] = 2LL * k[v] * unit_;
-      isOpen_[at(v.i)] = mesh.isBoundary(v);
-      nodeOf_[v] = v.i;
-    }
-    for (std::size_t j = 0; j < loops.size(); ++j) addLoop(k.size() + j, q, loops[j]);
-    for (VertexId v : mesh.vertices()) {
-      members_[at(nodeOf_[v])].push_back(v);
-      if (!mesh.isIsolated(v)) corners_[at(nodeOf_[v])] += mesh.valence(v);
-    }
-    for (FaceId f : mesh.faces()) share(f, q * unit_);
+  AngleFlow(const TriMesh& mesh, const AngleQuestion& question)
+      : AngleFlow(mesh, question, 1, 3LL * mesh.faceCount() + 1) {
+    for (FaceId f : mesh_.faces()) share(f, question.q * unit_);
+  }
+  /// @param start  radians; need neither be positive nor have the sums asked for
+  AngleFlow(const TriMesh& mesh, const AngleQuestion& question, const PerHalfedge<double>& start)
+      : AngleFlow(mesh, question, kMissing * (3LL * mesh.faceCount() + 1),
+                  kSmallestPart * kMissing * (3LL * mesh.faceCount() + 1)) {
+    for (std::size_t n = 0; n < asked_.size(); ++n) asked_[n] -= kMissing * corners_[n];
+    for (FaceId f : mesh_.faces()) round(f, question.q * unit_, start);
   }
 
   bool isOpen(int node) const { return isOpen_[at(node)] != 0; }
   int nodeOf(VertexId v) const { return nodeOf_[v]; }
+  bool isMissing(int node) const { return sum_[at(node)] < asked_[at(node)]; }
 
   /// Moves angle to the node until it has what it needs. False if that is impossible: reached() is then W.
   bool satisfy(int node, std::size_t largestSearch) {
-    while (sum_[at(node)] < asked_[at(node)]) {
+    while (isMissing(node)) {
       const Search found = search(node, largestSearch);
       if (found.isTooLarge) return true;
       if (found.donor < 0) return false;
@@ -67,6 +62,32 @@ class AngleFlow {
     int donor = -1;
     bool isTooLarge = false;
   };
+
+  AngleFlow(const TriMesh& mesh, const AngleQuestion& question, long long least, long long unit)
+      : mesh_(mesh),
+        least_(least),
+        unit_(unit),
+        nodeOf_(question.k.size()),
+        members_(question.k.size() + question.loops.size()),
+        asked_(members_.size(), 0),
+        sum_(members_.size(), 0),
+        corners_(members_.size(), 0),
+        corner_(static_cast<std::size_t>(mesh.halfedgeCount()), 0),
+        reachedBy_(members_.size()),
+        isOpen_(members_.size(), 0),
+        isReached_(members_.size(), 0) {
+    for (VertexId v : mesh.vertices()) {
+      asked_[at(v.i)] = 2LL * question.k[v] * unit_;
+      isOpen_[at(v.i)] = mesh.isBoundary(v);
+      nodeOf_[v] = v.i;
+    }
+    for (std::size_t j = 0; j < question.loops.size(); ++j)
+      addLoop(question.k.size() + j, question.q, question.loops[j]);
+    for (VertexId v : mesh.vertices()) {
+      members_[at(nodeOf_[v])].push_back(v);
+      if (!mesh.isIsolated(v)) corners_[at(nodeOf_[v])] += mesh.valence(v);
+    }
+  }
 
   /// Σ θ_v = π n − 2π l/q over the n vertices of the loop.
   void addLoop(std::size_t node, int q, const LoopAngle& loop) {
@@ -94,6 +115,24 @@ class AngleFlow {
     }
   }
 
+  /// Initial angles of f: those of `start`, none below the minimum.
+  void round(FaceId f, long long all, const PerHalfedge<double>& start) {
+    const double scale = static_cast<double>(all) / kPi;
+    std::array<HalfedgeId, 3> h;
+    for (std::size_t k = 0; k < 3; ++k) h[k] = TriMesh::halfedge(f, static_cast<int>(k));
+    std::sort(h.begin(), h.end(), [&](HalfedgeId a, HalfedgeId b) { return start[a] < start[b]; });
+    long long rest = all;
+    for (std::size_t k = 0; k < 3; ++k) {
+      // The smallest first: what it is raised by is missing at the larger ones.
+      const double part = std::clamp(scale * start[h[k]], 0.0, static_cast<double>(all));
+      const auto left = static_cast<long long>(2 - k);
+      corner_[h[k]] =
+          k == 2 ? rest : std::clamp(static_cast<long long>(part), least_, rest - left * least_);
+      rest -= corner_[h[k]];
+      sum_[nodeAt(h[k])] += corner_[h[k]];
+    }
+  }
+
   std::size_t nodeAt(HalfedgeId h) const { return at(nodeOf_[mesh_.tail(h)]); }
   bool mayGive(std::size_t node) const { return isOpen_[node] || sum_[node] > asked_[node]; }
 
@@ -109,7 +148,7 @@ class AngleFlow {
         for (HalfedgeId out : outgoingHalfedges(mesh_, v))
           for (const HalfedgeId h : {TriMesh::next(out), TriMesh::previous(out)}) {
             const std::size_t node = nodeAt(h);
-            if (isReached_[node] != 0 || corner_[h] <= 1) continue;
+            if (isReached_[node] != 0 || corner_[h] <= least_) continue;
             isReached_[node] = 1;
             reachedBy_[node] = {out, h};
             queue_.push_back(static_cast<int>(node));
@@ -125,7 +164,7 @@ class AngleFlow {
     if (!isOpen(donor)) amount = std::min(amount, sum_[at(donor)] - asked_[at(donor)]);
     const auto before = [&](int node) { return nodeOf_[mesh_.tail(reachedBy_[at(node)].to)]; };
     for (int node = donor; node != to; node = before(node))
-      amount = std::min(amount, corner_[reachedBy_[at(node)].from] - 1);
+      amount = std::min(amount, corner_[reachedBy_[at(node)].from] - least_);
     for (int node = donor; node != to; node = before(node)) {
       corner_[reachedBy_[at(node)].from] -= amount;
       corner_[reachedBy_[at(node)].to] += amount;
@@ -139,7 +178,8 @@ class AngleFlow {
   };
 
   const TriMesh& mesh_;
-  long long unit_;  ///< N
+  long long least_;  ///< of a corner
+  long long unit_;   ///< N
   PerVertex<int> nodeOf_;
   std::vector<std::vector<VertexId>> members_;  ///< per node
   std::vector<long long> asked_, sum_;          ///< per node
@@ -191,9 +231,25 @@ std::vector<VertexId> steepPlaces(const TriMesh& mesh, int q, const PerVertex<in
   return out;
 }
 
+/// Whether positive angles with the sums asked for are found near those of `nearAngles`: a proof that nothing is short.
+bool hasPositiveAngles(const TriMesh& mesh, const AngleQuestion& question,
+                       const NearAngles& nearAngles) {
+  const auto start = nearAngles ? nearAngles(question) : std::nullopt;
+  if (!start) return false;
+  AngleFlow flow(mesh, question, *start);
+  const auto isMet = [&](int node) {
+    return flow.satisfy(node, kLargestSearch) && !flow.isMissing(node);
+  };
+  for (std::size_t j = 0; j < question.loops.size(); ++j)
+    if (!isMet(mesh.vertexCount() + static_cast<int>(j))) return false;
+  for (VertexId v : mesh.vertices())
+    if (!mesh.isIsolated(v) && !mesh.isBoundary(v) && !isMet(v.i)) return false;
+  return true;
+}
+
 std::optional<AngleShortage> search(const TriMesh& mesh, const AngleQuestion& question,
                                     const std::vector<VertexId>& first, std::size_t largest) {
-  AngleFlow flow(mesh, question.q, question.k, question.loops);
+  AngleFlow flow(mesh, question);
   std::vector<int> nodes;
   for (std::size_t j = 0; j < question.loops.size(); ++j)
     nodes.push_back(mesh.vertexCount() + static_cast<int>(j));
@@ -209,15 +265,18 @@ std::optional<AngleShortage> search(const TriMesh& mesh, const AngleQuestion& qu
 
 }  // namespace
 
-std::optional<AngleShortage> findAngleShortage(const TriMesh& mesh, int q,
-                                               const PerVertex<int>& k) {
+std::optional<AngleShortage> findAngleShortage(const TriMesh& mesh, int q, const PerVertex<int>& k,
+                                               const NearAngles& nearAngles) {
   const std::vector<VertexId> steep = steepPlaces(mesh, q, k);
   if (steep.empty()) return {};
+  if (hasPositiveAngles(mesh, {q, k, {}}, nearAngles)) return {};
   return search(mesh, {q, k, {}}, steep, kLargestSearch);
 }
 
 std::optional<AngleShortage> findAnyAngleShortage(const TriMesh& mesh,
-                                                  const AngleQuestion& question) {
+                                                  const AngleQuestion& question,
+                                                  const NearAngles& nearAngles) {
+  if (hasPositiveAngles(mesh, question, nearAngles)) return {};
   return search(mesh, question, steepPlaces(mesh, question.q, question.k),
                 at(mesh.vertexCount()) + question.loops.size());
 }

@@ -2,6 +2,7 @@
 // map has these angles, where strong cones are close to each other or to vertices of low valence.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -24,16 +25,6 @@ struct AngleShortage {
   double asked = 0.0;      ///< Σ_W Θ, radians
 };
 
-/// Searches of findAngleShortage start only at cones whose mean corner angle is above this, in radians.
-inline constexpr double kSteepCornerAngle = 1.4;
-
-/// Angles are a flow from triangles to vertices. If a vertex gets less than Θ_v and no augmenting path is left, W is
-/// the set that a search from it reaches (Hall's condition). Searches start at steep cones and end after kLargestSearch
-/// vertices: a result is a proof, but an empty one does not prove that there is no shortage.
-/// @param k  per vertex; q where there is no cone; ignored at boundary vertices
-std::optional<AngleShortage> findAngleShortage(const TriMesh& mesh, int q, const PerVertex<int>& k);
-inline constexpr int kLargestSearch = 4000;
-
 /// A boundary loop whose turning is given.
 struct LoopAngle {
   int index = 0;  ///< in Topology::loops
@@ -42,12 +33,28 @@ struct LoopAngle {
 };
 struct AngleQuestion {
   int q = 4;
-  const PerVertex<int>& k;  ///< as for findAngleShortage
+  const PerVertex<int>& k;  ///< per vertex; q where there is no cone; ignored at boundary vertices
   std::vector<LoopAngle> loops;
 };
+/// Angles of the corners, radians, that about have the sums asked for; none where they are not to be had.
+using NearAngles = std::function<std::optional<PerHalfedge<double>>(const AngleQuestion&)>;
+
+/// Searches of findAngleShortage start only at cones whose mean corner angle is above this, in radians.
+inline constexpr double kSteepCornerAngle = 1.4;
+
+/// Angles are a flow from triangles to vertices. If a vertex gets less than Θ_v and no augmenting path is left, W is
+/// the set that a search from it reaches (Hall's condition). Searches start at steep cones and end after kLargestSearch
+/// vertices: a result is a proof, but an empty one does not prove that there is no shortage.
+/// @param k  as in AngleQuestion
+/// @param nearAngles  angles from which positive ones are soon found where they exist; they change time and no result
+std::optional<AngleShortage> findAngleShortage(const TriMesh& mesh, int q, const PerVertex<int>& k,
+                                               const NearAngles& nearAngles = {});
+inline constexpr int kLargestSearch = 4000;
+
 /// The same from every vertex and every given loop, with no limit but the number of visits in all: an empty result means
 /// that positive angles exist, unless that limit (two million) is met. Milliseconds on a thousand triangles.
 std::optional<AngleShortage> findAnyAngleShortage(const TriMesh& mesh,
-                                                  const AngleQuestion& question);
+                                                  const AngleQuestion& question,
+                                                  const NearAngles& nearAngles = {});
 
 }  // namespace hgp

@@ -250,7 +250,7 @@ bool warnShortage(const TriMesh& mesh, const HolonomySpec& spec, AngleShortageMe
 }  // namespace
 
 std::optional<Note> proveImpossible(const TriMesh& mesh, const Topology& topology,
-                                    const HolonomySpec& spec) {
+                                    const HolonomySpec& spec, const NearAngles& nearAngles) {
   PerVertex<int> k(static_cast<std::size_t>(mesh.vertexCount()), spec.q);
   for (const ConePoint& cone : spec.cones) k[cone.vertex] = cone.k;
   AngleQuestion question{spec.q, k, {}};
@@ -271,7 +271,7 @@ std::optional<Note> proveImpossible(const TriMesh& mesh, const Topology& topolog
   if (open.size() == 1)
     question.loops.push_back(
         {open[0], &topology.loops[static_cast<std::size_t>(open[0])], static_cast<int>(rest)});
-  const std::optional<AngleShortage> found = findAnyAngleShortage(mesh, question);
+  const std::optional<AngleShortage> found = findAnyAngleShortage(mesh, question, nearAngles);
   if (!found) return {};
   return noteOn(question, *found);
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "hgp/mesh/topology.h"
+#include "hgp/mesh/angle_shortage.h"
 
 namespace hgp {
 
@@ -78,6 +78,6 @@ Result<BudgetReport> checkPrescription(const TriMesh& mesh, const Topology& topo
 /// The sentence that proves the angles and turnings that `spec` gives impossible on this mesh (findAnyAngleShortage).
 /// @pre checkPrescription(mesh, topology, spec) succeeds
 std::optional<Note> proveImpossible(const TriMesh& mesh, const Topology& topology,
-                                    const HolonomySpec& spec);
+                                    const HolonomySpec& spec, const NearAngles& nearAngles = {});
 
 }  // namespace hgp

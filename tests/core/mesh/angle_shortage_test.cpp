@@ -116,6 +116,41 @@ TEST(AngleShortage, FromEveryVertexIsFoundIfAndOnlyIfSomeSetOfVerticesHasOne) {
   EXPECT_GE(none, 50);
 }
 
+TEST(AngleShortage, IsTheSameFromWhateverAnglesTheSearchStarts) {
+  std::mt19937 random(12);
+  int found = 0, none = 0;
+  for (const test::Shape& shape : {test::octahedron(), test::icosphere(1), test::annulus(5, 3)}) {
+    const TriMesh mesh = shape.mesh();
+    for (int draw = 0; draw < 150; ++draw) {
+      const int q = 3 + draw % 3;
+      PerVertex<int> k(at(mesh.vertexCount()), 1);
+      for (int rest = q * (mesh.vertexCount() - 2) - mesh.vertexCount(); rest > 0; --rest)
+        ++k[VertexId(test::randomBelow(random, draw % 2 == 0 ? mesh.vertexCount() : 4))];
+      int starts = 0;
+      const NearAngles drawn = [&](const AngleQuestion&) -> std::optional<PerHalfedge<double>> {
+        ++starts;
+        PerHalfedge<double> out(at(mesh.halfedgeCount()), kPi / 3.0);
+        // From a third in each corner to angles that are far from any triangle's.
+        for (double& angle : out.raw())
+          angle += (draw % 3) * (0.01 * test::randomBelow(random, 400) - 2.0);
+        return out;
+      };
+      const auto alone = findAnyAngleShortage(mesh, {q, k, {}});
+      const auto near = findAnyAngleShortage(mesh, {q, k, {}}, drawn);
+      EXPECT_EQ(starts, 1);
+      ASSERT_EQ(near.has_value(), alone.has_value()) << shape.name << " draw " << draw;
+      if (near) {
+        EXPECT_EQ(near->cones, alone->cones);
+      }
+      ++(near ? found : none);
+      EXPECT_EQ(findAngleShortage(mesh, q, k, drawn).has_value(),
+                findAngleShortage(mesh, q, k).has_value());
+    }
+  }
+  EXPECT_GE(found, 50);
+  EXPECT_GE(none, 50);
+}
+
 TEST(AngleShortage, OfManyWeakConesIsFoundFromEveryVertexOnly) {
   // All vertices within four edges of the centre: 61 · 2.5π, and 150 triangles. None is steep.
   const TriMesh mesh = test::disk(8).mesh();

@@ -132,7 +132,8 @@ Result<Parametrization> parametrizeInMetric(PreparedSurface& surface, const Holo
   const Problem problem = problemOf(mesh, setup, options);
   const auto isImpossible = [&] {
     std::optional<Note> proof;
-    if (!setup->isTooCoarse) proof = proveImpossible(mesh, surface.topology(), spec);
+    if (!setup->isTooCoarse)
+      proof = proveImpossible(mesh, surface.topology(), spec, surface.shortages().nearAngles());
     if (proof) result.notes.push_back(std::move(*proof));
     result.isImpossible = setup->isTooCoarse || proof;
     return result.isImpossible;

@@ -24,8 +24,8 @@ function(hgp_edited_header header copy text by)
   file(WRITE "${copy}" "${edited}")
 endfunction()
 
-# Under Emscripten /usr/include must never be on the include path (glibc's headers would shadow
-# musl's), so single headers are linked into a folder of the build tree.
+# Under Emscripten and MinGW /usr/include must never be on the include path (glibc's headers would shadow
+# those of the target), so single headers are linked into a folder of the build tree.
 #
 # hgp_third_party_header(eigen Eigen/Core [PACKAGE Eigen3] [TARGET Eigen3::Eigen] [SUFFIX eigen3]
 #   [EMSCRIPTEN_REPLACE text by])   a copy of the header with other text, instead of the link
@@ -51,11 +51,11 @@ function(hgp_third_party_header name header)
     return()
   endif()
   set(dir "${HGP_${name}_DIR}")
-  if(EMSCRIPTEN AND NOT dir MATCHES "eigen3")
+  if((EMSCRIPTEN OR (MINGW AND CMAKE_CROSSCOMPILING)) AND NOT dir MATCHES "eigen3")
     string(REGEX REPLACE "/.*" "" top "${header}")
     set(links "${CMAKE_BINARY_DIR}/third_party")
     file(MAKE_DIRECTORY "${links}")
-    if(T_EMSCRIPTEN_REPLACE)
+    if(T_EMSCRIPTEN_REPLACE AND EMSCRIPTEN)
       hgp_edited_header("${dir}/${header}" "${links}/${header}" ${T_EMSCRIPTEN_REPLACE})
     else()
       file(CREATE_LINK "${dir}/${top}" "${links}/${top}" SYMBOLIC)
@@ -74,6 +74,13 @@ function(hgp_third_party_library name header library)
     return()
   endif()
   find_library(HGP_${name}_LIBRARY NAMES ${library})
+  if(MINGW AND CMAKE_CROSSCOMPILING)  # the headers of this machine say nothing about the target's libraries
+    if(HGP_${name}_LIBRARY)
+      add_library(hgp::${name} INTERFACE IMPORTED GLOBAL)
+      set_target_properties(hgp::${name} PROPERTIES INTERFACE_LINK_LIBRARIES "${HGP_${name}_LIBRARY}")
+    endif()
+    return()
+  endif()
   if(NOT DEFINED HGP_THIRD_PARTY)
     hgp_third_party_header(${name} ${header})
   elseif(HGP_${name}_LIBRARY)  # no installed header includes one of it

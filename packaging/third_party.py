@@ -13,6 +13,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import urllib.parse
 from typing import Any, Dict, List, NamedTuple, Optional, Set, Tuple
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
@@ -156,7 +157,9 @@ def bill(hgp_version: str, moment: str, files: List[pathlib.Path], repository: O
     def of(one: Component) -> Dict[str, Any]:
         kind, name = one.source.split(":")
         part = package(one.name, version(one), one.licence, f"{one.source}; in: {' '.join(one.parts)}", None)
-        where = f"pkg:npm/{name.replace('@', '%40')}@{version(one)}" if kind == "npm" else f"pkg:deb/debian/{name}@{version(one)}"
+        # In a package URL everything but letters, digits and -._~: is percent-encoded.
+        place = urllib.parse.quote(name if kind == "npm" else f"debian/{name}")
+        where = f"pkg:{kind if kind == 'npm' else 'deb'}/{place}@{urllib.parse.quote(version(one), safe=':')}"
         part["externalRefs"] = [{"referenceCategory": "PACKAGE-MANAGER", "referenceType": "purl", "referenceLocator": where}]
         return part
 

@@ -76,6 +76,7 @@ class Parser {
   Parser()
       : app_("Seamless, provably fold-free texture coordinates with cones of your choice.", "hgp") {
     app_.require_subcommand(1);
+    app_.allow_windows_style_options(false);  // "/tmp/part.obj" is a file there, too
     app_.set_version_flag("-V,--version", std::string("hgp ") + api::version());
     app_.set_help_flag("-h,--help", "Print this help");
     table_ = addCommands(app_, out_, words_);

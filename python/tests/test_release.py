@@ -16,8 +16,9 @@ import pytest
 import yaml
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "packaging"))
+sys.path[:0] = [str(ROOT / "packaging"), str(ROOT / "python/tests")]
 import release  # noqa: E402
+import spdx_rules  # noqa: E402
 import third_party  # noqa: E402
 
 
@@ -90,6 +91,39 @@ def test_the_bill_of_materials_names_versions_and_checksums(tmp_path: Any) -> No
     assert related == set(ids)
     sums = {one["algorithm"]: one["checksumValue"][:8] for one in bill["files"][0]["checksums"]}
     assert sums == {"SHA1": "11f6ad8e", "SHA256": "2d711642"}
+
+
+def test_the_bill_of_materials_keeps_the_rules_of_spdx(tmp_path: Any) -> None:
+    file = tmp_path / "hgp.tar.gz"
+    file.write_bytes(b"x")
+    for repository in (None, "https://example.org/a/hgp"):
+        bill = third_party.bill("0.1.0", "2026-11-24T00:00:00Z", [file], repository)
+        assert spdx_rules.problems(json.loads(json.dumps(bill))) == []
+
+
+SPOILED = {
+    "packages[1]: versionInfo": lambda bill: bill["packages"][1].update(versionInfo=""),
+    "packages[2]: name is missing": lambda bill: bill["packages"][2].pop("name"),
+    "packages[0]: licenseConcluded": lambda bill: bill["packages"][0].update(licenseConcluded="MIT OR"),
+    "packages[0]: licenseDeclared": lambda bill: bill["packages"][0].update(licenseDeclared="Expat"),
+    "packages[1]: externalRefs": lambda bill: bill["packages"][1]["externalRefs"][0].update(referenceLocator="pkg:deb/debian/x@1.5+dfsg"),
+    "files[0]: fileName": lambda bill: bill["files"][0].update(fileName="/hgp.tar.gz"),
+    "files[0]: checksums": lambda bill: bill["files"][0]["checksums"].pop(0),
+    "creationInfo: created": lambda bill: bill["creationInfo"].update(created="2026-11-24"),
+    "document: documentNamespace": lambda bill: bill.update(documentNamespace="https://spdx.org/a#b"),
+    "document: describes nothing": lambda bill: bill["relationships"].pop(0),
+    "relationships[1]": lambda bill: bill["relationships"][1].update(relatedSpdxElement="SPDXRef-nothing"),
+    "SPDXRef-hgp: used twice": lambda bill: bill["packages"][1].update(SPDXID="SPDXRef-hgp"),
+}
+
+
+@pytest.mark.parametrize("problem", SPOILED)
+def test_a_bill_that_breaks_a_rule_is_noticed(problem: str, tmp_path: Any) -> None:
+    file = tmp_path / "hgp.tar.gz"
+    file.write_bytes(b"x")
+    bill = third_party.bill("0.1.0", "2026-11-24T00:00:00Z", [file])
+    SPOILED[problem](bill)
+    assert any(one.startswith(problem) for one in spdx_rules.problems(bill)), spdx_rules.problems(bill)
 
 
 @pytest.mark.parametrize("name", ["test", "release"])

@@ -644,7 +644,10 @@ test('input files are never overwritten, not even by a run that is refused', () 
   assert.ok(!existsSync(at('y.obj')) && !existsSync(at('z')) && !existsSync(at('missing.obj')));
 });
 
-test('devices and pipes are written to and stay what they are, links stay links', async () => {
+// A program for Windows under Wine writes to files alone.
+const hasDevices = process.env.HGP_ON_WINDOWS === undefined;
+const inDevices = hasDevices ? test : (name) => console.log(`SKIPPING on Windows: ${name}`);
+inDevices('devices and pipes are written to and stay what they are, links stay links', async () => {
   symlinkSync('/dev/null', at('sink.obj'));
   assert.equal(run(['param', 'ball.obj', '-o', 'sink.obj', '--json', 'sink.obj']).code, 0);
   assert.ok(lstatSync(at('sink.obj')).isSymbolicLink());
@@ -703,7 +706,7 @@ const hostile = {
   'early.obj': ['v 0 0 0\nv 1 0 0\nf -1 -2 -3\nv 0 1 0\n', 3, /line 3/],
   'comma.obj': ['v 0,5 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n', 3, /line 1/],
   'long.obj': [`v 0 0 0\nf ${'1 '.repeat(600_000)}\n`, 3, /longer than 1 MiB/],
-  'nul.obj': ['v 0 0 0\0\n', 3, /NUL/],
+  'null_byte.obj': ['v 0 0 0\0\n', 3, /NUL/],
   'utf16.obj': [Buffer.from('\ufeffv 0 0 0\n', 'utf16le'), 3, /NUL/],
   'count.off': ['OFF\n2000000000 2000000000 0\n', 3, /counts/],
   'negative.off': ['OFF\n-1 -5 0\n', 3, /counts/],

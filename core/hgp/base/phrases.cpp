@@ -56,6 +56,9 @@ constexpr Phrase kOthers[] = {
     {"read-line-ends", "the lines end in CR alone"},
     {"read-keyword-missing", "the keyword OFF is missing"},
     {"read-strips", "triangle strips are read as triangles"},
+    {"read-unknown-lines",
+     "{lines|line|lines} of the header {lines#has an unknown keyword|have unknown keywords} and "
+     "{lines#is|are} skipped"},
     {"read-extra-values",
      "{lines|line has|lines have} more values than the header declares; what follows those is "
      "left out"},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/base/turns.h"
 #include "hgp/mesh/geometry.h"
 #include "hgp/optimize/program_form.h"
 
@@ -60,7 +61,7 @@ std::vector<FaceId> wrongFaces(const TriMesh& mesh, const Parametrization& faile
 void splitConeRings(const TriMesh& mesh, const CompleteSpec& spec, Splits& splits) {
   splits.begin("cone rings");
   for (const ConePoint& cone : spec.cones) {
-    const double angle = 2 * M_PI * cone.k / spec.q;
+    const double angle = 2 * kPi * cone.k / spec.q;
     if (angle <= kPoorCornerAngle * mesh.valence(cone.vertex)) continue;
     for (HalfedgeId h : outgoingHalfedges(mesh, cone.vertex))
       splits.add(mesh.edge(TriMesh::next(h)));

@@ -237,6 +237,30 @@ DocumentPtr openedPly(const std::string& text, const std::string& target) {
   return document ? std::move(*document) : nullptr;
 }
 
+TEST(Ply, LinesOfTheHeaderWithOtherKeywordsAreSkippedAndKept) {
+  const std::string body = "0 0 0\n1 0 0\n1 1 0\n0 1 0.5\n3 0 1 2\n3 0 2 3\n";
+  const std::string line = "Created by a program of 2006\n";
+  std::string text = kPlyHeader;
+  text.insert(text.find("element"), line);
+  const DocumentPtr document = openedPly(text + body, "ply");
+  ASSERT_TRUE(document);
+  const Notes& notes = document->surfaces()[0].notes;
+  ASSERT_TRUE(findNote(notes, "read-unknown-lines"));
+  EXPECT_EQ(*findNote(notes, "read-unknown-lines")->find("lines"), NoteValue("lines", 1));
+  const UvMap map = vertexMap(document->surfaces()[0].mesh);
+  WriteOptions options;
+  options.format = "ply";
+  options.generator = "hgp test";
+  const std::string out = written(*document, map, options);
+  EXPECT_NE(out.find(line), std::string::npos) << out;
+  // A property that is mistyped would shift all that follow.
+  for (const char* wrong : {"proprety float w\n", "Property float w\n", "elment edge 1\n"}) {
+    std::string other = kPlyHeader;
+    other.insert(other.find("element face"), wrong);
+    EXPECT_FALSE(openText("a.ply", other + body)) << wrong;
+  }
+}
+
 TEST(Ply, UvAreFloatsAndWritingAgainChangesNothing) {
   const std::string text =
       std::string(kPlyHeader) + "0 0 0\n1 0 0\n1 1 0\n0 1 0.5\n3 0 1 2\n3 0 2 3\n";

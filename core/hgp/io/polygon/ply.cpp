@@ -270,6 +270,8 @@ Result<DocumentPtr> readPly(FileSet files, const Limits& limits) {
   std::string_view text = withoutByteOrderMark(asText(files.main));
   Notes notes;
   if (const Result<PlyHeader> header = readPlyHeader(text); header) {
+    if (header->unknownLines > 0)
+      notes.push_back(Note("read-unknown-lines", {{"lines", header->unknownLines}}));
     if (std::optional<PlyTrimmed> trimmed = trimmedPly(text, *header)) {
       notes.push_back(Note("read-extra-values", {{"lines", trimmed->lines}}));
       files.main = asBytes(trimmed->text);

@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "hgp/text/nearest.h"
 #include "hgp/text/text.h"
 
 namespace hgp::io {
@@ -85,7 +86,15 @@ bool takeLine(std::string_view line, PlyHeader& header) {
     return header.elements.size() <= 64;
   }
   if (keyword == "property") return takeProperty(words, header);
-  return keyword == "comment" || keyword == "obj_info" || keyword == "ply" || keyword.empty();
+  if (keyword == "comment" || keyword == "obj_info" || keyword == "ply" || keyword.empty())
+    return true;
+  // A mistyped property would change what all numbers mean.
+  if (!text::nearestOf(std::string(keyword.substr(0, 40)),
+                       {"property", "element", "format", "end_header"})
+           .empty())
+    return false;
+  ++header.unknownLines;
+  return true;
 }
 
 template <class T>

@@ -50,7 +50,8 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
   std::size_t bodyOffset = 0;
   PlyLineEnd lineEnd = PlyLineEnd::kNew;
-  int lineCount = 0;  ///< lines before the body
+  int lineCount = 0;     ///< lines before the body
+  int unknownLines = 0;  ///< with other keywords, skipped: comments that are not marked as such
 };
 
 Result<PlyHeader> readPlyHeader(std::string_view text);

@@ -37,6 +37,8 @@ export const corePhrases = {
   'read-line-ends': 'the lines end in CR alone',
   'read-keyword-missing': 'the keyword OFF is missing',
   'read-strips': 'triangle strips are read as triangles',
+  'read-unknown-lines':
+    '{lines|line|lines} of the header {lines#has an unknown keyword|have unknown keywords} and {lines#is|are} skipped',
   'read-extra-values':
     '{lines|line has|lines have} more values than the header declares; what follows those is left out',
   'read-manifold-used': 'welded as EXT_mesh_manifold states',

@@ -9,6 +9,7 @@ import {
   coneCount,
   drop,
   example,
+  killSolver,
   kOf,
   model,
   modelSays,
@@ -17,6 +18,7 @@ import {
   openMesh,
   run,
   state,
+  statusSays,
   statusText,
   useBrowser,
 } from './support.mjs';
@@ -107,6 +109,46 @@ test('a repair keeps the cones that still have their vertex', async () => {
   assert.deepEqual(await vertices(), before);
 });
 
+test('a weld keeps the edges that lines follow, and so does its undo', async () => {
+  const { page } = it;
+  await openMesh(it, cubeMesh(4));
+  await page.click('#follow-creases');
+  await page.waitForSelector('#features-note');
+  const note = await page.innerText('#features-note');
+  assert.match(note, /12 creases: 48 edges/);
+  await weld('0.0001');
+  await page.waitForSelector('#status.good');
+  assert.equal(await page.innerText('#features-note'), note);
+  await page.click('#undo');
+  await page.waitForFunction(() => document.querySelector('#weld').value !== '0.0001');
+  await state(page, 'ready', 'unbalanced');
+  assert.equal(await page.innerText('#features-note'), note);
+});
+
+test('cones are not waited for: files open where the storage of the browser never answers', async () => {
+  const { page } = it;
+  await page.evaluate(() => {
+    IDBFactory.prototype.open = () => new EventTarget();
+  });
+  await openMesh(it, cubeMesh(3));
+  await run(it);
+  await page.reload();
+  await state(page, 'empty');
+  // A database without the store of the page, as another program may have made it, is made anew.
+  await page.evaluate(async () => {
+    const ended = (request) => new Promise((resolve) => (request.onsuccess = () => resolve(request.result))); // prettier-ignore
+    await ended(indexedDB.deleteDatabase('hgp'));
+    (await ended(indexedDB.open('hgp', 1))).close();
+  });
+  await openMesh(it, cubeMesh(3));
+  const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((vertex) => ({ vertex, k: 3 }));
+  await drop(it, coneFile(4, corners));
+  await page.waitForSelector('#cones');
+  await openMesh(it, cubeMesh(4), 'other.obj');
+  await openMesh(it, cubeMesh(3));
+  await statusSays(it, /You placed 8 cones on this file/);
+});
+
 test('a turning index stays with its boundary', async () => {
   const { page } = it;
   const square = flatSquare(8);
@@ -151,6 +193,30 @@ test('a new version of the file keeps the cones whose positions it has', async (
   await page.click('#redo');
   await openFiles(it, { 'other.obj': toObj(cubeMesh(3)) });
   assert.equal(await coneCount(it), 0);
+});
+
+test('a new version that needs a repair, or that comes after the solver was lost, keeps the cones as well', async () => {
+  const { page } = it;
+  const at = [0, 1, 2, 3, 4, 5, 6, 7].map((vertex) => ({ vertex, k: 3 }));
+  await openFiles(it, { 'part.obj': toObj(cubeMesh(4)) });
+  await drop(it, coneFile(4, at));
+  await page.waitForSelector('#cones');
+  const { vertices: points, triangles } = cubeMesh(6);
+  const fin = [...triangles, [triangles[0][0], triangles[0][1], points.length]];
+  const broken = { vertices: [...points, [-2, -2, -2]], triangles: fin };
+  // What cannot be read at all comes between.
+  await drop(it, { 'part.obj': 'v 0 0\nf 1 2 3\n' });
+  await page.waitForSelector('#status.error');
+  await openFiles(it, { 'part.obj': toObj(broken) }, 'invalid');
+  await page.click('[data-fix="split"]');
+  await state(page, 'ready');
+  assert.match(await statusText(page), /^Another version of part\.obj\. 8 cones kept/);
+  assert.equal(await coneCount(it), 8);
+  await killSolver(it);
+  await openFiles(it, { 'part.obj': toObj(cubeMesh(5)) }, 'empty', 'ready');
+  await openFiles(it, { 'part.obj': toObj(cubeMesh(5)) });
+  assert.match(await statusText(page), /^Another version of part\.obj\. 8 cones kept/);
+  assert.equal(await coneCount(it), 8);
 });
 
 test('Close returns to the start page, and one click restores everything', async () => {

@@ -7,6 +7,7 @@ import { cubeMesh } from '../support/meshes.mjs';
 import {
   drop,
   kOf,
+  openDetails,
   openMesh,
   run,
   saveAs,
@@ -229,4 +230,44 @@ test('where a cone has too few triangles its frame fails and shows which; droppe
   await liveIs(page, '');
   await state(page, 'stale');
   assert.match(await statusText(page), /3 triangles; k = 6 would need a corner above 180°/);
+});
+
+test('who cancels a run, stops a map or sets a limit that is too short, asks for the next run', async () => {
+  const { page } = it;
+  await mapped(true);
+  const goOn = await holdRuns(page);
+  const asked = () => page.evaluate(() => globalThis.held.length);
+  await turnTwo();
+  await page.waitForFunction(() => globalThis.held.length === 1);
+  await page.click('#stop');
+  await state(page, 'stale');
+  assert.match(await statusText(page), /^Stopped\. Run makes the map of these cones\./);
+  // Nothing begins by itself, not even after other changes of the page.
+  await page.selectOption('#pattern', 'brick');
+  await settled(page);
+  await page.waitForTimeout(300);
+  assert.equal(await page.getAttribute('body', 'data-state'), 'stale');
+  const before = await asked();
+  // The same after a run that the user cancels.
+  await page.click('#run');
+  await state(page, 'running');
+  await page.click('#cancel');
+  await state(page, 'stale');
+  await page.waitForTimeout(300);
+  assert.equal(await page.getAttribute('body', 'data-state'), 'stale');
+  assert.match(await statusText(page), /^Cancelled/);
+  // A limit that is set begins it anew, and ends it.
+  await openDetails(page, '#solve-more');
+  await page.fill('#time-limit', '1');
+  await page.press('#time-limit', 'Enter');
+  await state(page, 'renewing');
+  await state(page, 'stale');
+  assert.match(await statusText(page), /^No map of this edit within 1 second\. Run makes it\./);
+  assert.ok((await asked()) >= before);
+  await goOn();
+  await page.waitForTimeout(300);
+  assert.equal(await page.getAttribute('body', 'data-state'), 'stale');
+  await page.fill('#time-limit', '');
+  await page.press('#time-limit', 'Enter');
+  await state(page, 'certified');
 });

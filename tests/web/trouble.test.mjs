@@ -406,3 +406,22 @@ test('leaving the page asks for confirmation only where something would be lost'
   await saveAs(it, 'same');
   assert.equal(await asks(), false);
 });
+
+test('a file that is dropped while the solver is still on its way is opened when it is there', async () => {
+  const { page } = it;
+  let go;
+  const gate = new Promise((resolve) => (go = resolve));
+  await page.route(/\.wasm$/, async (route) => {
+    await gate;
+    await route.continue();
+  });
+  await page.reload({ waitUntil: 'commit' });
+  await page.waitForSelector('hgp-status-bar');
+  await drop(it, { 'early.obj': toObj(cubeMesh(3)) });
+  await statusSays(it, /still starting; early\.obj is opened then/);
+  assert.equal(await page.getAttribute('body', 'data-state'), 'starting');
+  go();
+  await state(page, 'ready');
+  assert.equal(await page.locator('.file').innerText(), 'early.obj');
+  await page.unroute(/\.wasm$/);
+});

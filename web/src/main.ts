@@ -1,18 +1,17 @@
 // Starts the page: the document, the workers, the two views, and what connects them.
 
-import { effect, untracked } from '@preact/signals-core';
+import { effect } from '@preact/signals-core';
 import type { App } from './actions/app';
 import { attempt } from './actions/app';
 import { watchEdits } from './actions/follow_edits';
 import { watchCones } from './actions/check_cones';
-import { setPrescription } from './actions/edit_cones';
+import { followLink } from './actions/follow_link';
 import { watchMemory } from './actions/free_unused';
 import { exampleById, openExample } from './actions/open';
 import { refreshRecent } from './actions/recent';
 import { flushAddress } from './actions/remember';
 import { watchThumbnails } from './actions/thumbnails';
-import { setLook } from './actions/view';
-import { modelTag, readHash, type HashState } from './formats/hash_state';
+import { readHash } from './formats/hash_state';
 import { listenToDrops } from './input/drop';
 import { Keyboard } from './input/keyboard';
 import { Pointer } from './input/pointer';
@@ -45,49 +44,13 @@ function rememberState(): void {
   };
   effect(() => {
     const { model } = doc;
-    void [doc.look, doc.prescription, doc.solve];
+    void [doc.look, doc.prescription, doc.solve, doc.features];
     clearTimeout(timer);
     if (!model && hadModel) history.replaceState(null, '', location.pathname);
     hadModel = model !== undefined;
     if (model) soon();
   });
   app.views?.model.orbit.controls.addEventListener('end', soon);
-}
-
-/** Applies the state from the address as soon as there is a model. */
-function applyHash(state: HashState): void {
-  const { pattern = doc.look.pattern, overlay = doc.look.overlay, tiles = doc.look.tiles } = state;
-  setLook(app, { pattern, overlay, tiles });
-  if (state.q) doc.begin({ ...doc.prescription, q: state.q });
-  const { grid = doc.solve.grid, improve = doc.solve.improve } = state;
-  doc.solve = { ...doc.solve, grid, improve };
-  const { cones, camera, q, turnings = [], handles = [] } = state;
-  const isAsking = cones !== undefined || turnings.length + handles.length > 0;
-  if (!isAsking && !camera) return;
-  const dispose = effect(() => {
-    const model = doc.usableModel;
-    if (!model || doc.isBusy) return;
-    queueMicrotask(() => dispose());
-    untracked(() => {
-      const isSame = state.model === undefined || state.model === modelTag(model.info);
-      const isFitting =
-        isSame && (cones ?? []).every(({ vertex }) => vertex < model.surface.vertexCount);
-      if (isAsking && !isFitting)
-        doc.say('The cones in the address belong to another model and were left out.');
-      if (isAsking && isFitting && doc.prescription.cones.length === 0) {
-        const from = (pairs: [number, number][], list: readonly (number | null)[]) =>
-          list.map((n, i) => pairs.find(([at]) => at === i)?.[1] ?? n);
-        const { prescription } = doc;
-        const more = {
-          turnings: from(turnings, prescription.turnings),
-          handles: from(handles, prescription.handles),
-        };
-        const all = { q: q ?? prescription.q, cones: cones ?? [], ...more };
-        setPrescription(app, all, 'cones of the address');
-      }
-      if (camera) setTimeout(() => app.views?.model.orbit.fromText(camera), 50);
-    });
-  });
 }
 
 type Drawing = typeof import('./views/drawing');
@@ -178,6 +141,7 @@ async function start(): Promise<void> {
   effect(() => void (document.body.dataset.state = doc.stateName));
   await page.updateComplete;
   const keyboard = new Keyboard(app);
+  listenToDrops(app);
   // The page is on the screen; what draws and what solves are loaded at the same time.
   const [drawing, client] = await Promise.allSettled([import('./views/drawing'), createSolver()]);
   let hasViews = drawing.status === 'fulfilled';
@@ -186,7 +150,8 @@ async function start(): Promise<void> {
   } catch {
     hasViews = false; // three.js has written the reason to the console
   }
-  listenToDrops(app);
+  // Another link, opened in this tab: the page writes its own address without this event.
+  addEventListener('hashchange', () => location.reload());
   rememberState();
   notifyAtEnd();
   watchCones(app);
@@ -198,7 +163,7 @@ async function start(): Promise<void> {
   });
   setInterval(() => doc.job && (ui.now = performance.now()), 500); // updates the elapsed time of a run
   const asked = readHash(location.hash);
-  applyHash(asked);
+  followLink(app, asked);
   if (client.status === 'rejected') {
     doc.state = { kind: 'failed' };
     const advice =

@@ -69,7 +69,8 @@ test('a placement is a reflection exactly if it turns the surface inside out', (
 test('a link holds the settings of Run that differ from those of a new page', () => {
   const { look, solve } = new Document();
   const prescription = emptyPrescription(4, 0, 0);
-  const read = (more) => readHash(writeHash({ look, prescription, solve: { ...solve, ...more } }));
+  const read = (more) =>
+    readHash(writeHash({ look, prescription, solve: { ...solve, ...more } }).hash);
   const none = read({});
   assert.deepEqual([none.grid, none.improve], [undefined, undefined]);
   for (const grid of [
@@ -79,8 +80,38 @@ test('a link holds the settings of Run that differ from those of a new page', ()
   ])
     assert.deepEqual(read({ grid }).grid, grid);
   for (const improve of [-1, 0, 0.25, 1]) assert.equal(read({ improve }).improve, improve);
+  assert.deepEqual([none.rounds, none.timeLimit, none.features], [undefined, undefined, undefined]);
+  assert.equal(read({ rounds: 30 }).rounds, 30);
+  assert.equal(read({ timeLimit: 90 }).timeLimit, 90);
+  for (const bad of ['#rounds=0', '#rounds=2.5', '#limit=-1', '#limit=soon'])
+    assert.deepEqual([readHash(bad).rounds, readHash(bad).timeLimit], [undefined, undefined]);
   for (const bad of ['#improve=2', '#improve=x', '#grid=hex', '#cells=12'])
     assert.deepEqual([readHash(bad).grid, readHash(bad).improve], [undefined, undefined]);
+});
+
+test('a link holds the edges that lines follow, and tells what it has no room for', () => {
+  const { look, solve } = new Document();
+  const model = 'c0ffee00.0';
+  const none = emptyPrescription(4, 0, 0);
+  const written = (features, prescription = none) =>
+    writeHash({ look, solve, prescription, features, model });
+  const chosen = { hasCreases: true, hasRims: true, edges: [[3, 5], [5, 8]], rims: [[0, 1]] }; // prettier-ignore
+  const read = readHash(written(chosen).hash);
+  const { rims: _, ...asked } = chosen;
+  assert.deepEqual(read.features, asked);
+  assert.equal(read.model, model);
+  const onlyRims = { hasCreases: false, hasRims: true, edges: [] };
+  assert.deepEqual(readHash(written(onlyRims).hash).features, onlyRims);
+  assert.equal(readHash(written(undefined).hash).features, undefined);
+  assert.equal(readHash('#creases=1').features, undefined);
+  assert.equal(readHash(`#edges=${btoa('[[-1,2]]').replaceAll('=', '')}`).features, undefined);
+  assert.deepEqual(written(chosen).omitted, []);
+  const many = (n) => Array.from({ length: n }, (_, i) => [i, i + 1]);
+  const cones = many(5000).map(([vertex]) => ({ vertex, k: 3 }));
+  const long = written({ ...chosen, edges: many(4000) }, { ...none, cones });
+  assert.deepEqual(long.omitted, ['5000 cones', '4000 edges that lines follow']);
+  assert.ok(long.hash.length < 500);
+  assert.equal(readHash(long.hash).cones, undefined);
 });
 
 test('a link holds every q from 1 to 64, and nothing else', () => {
@@ -90,7 +121,9 @@ test('a link holds every q from 1 to 64, and nothing else', () => {
   const prescription = { ...emptyPrescription(64, 2, 2), cones: [{ vertex: 12, k: 63 }] };
   prescription.turnings = [null, -5];
   prescription.handles = [7, null];
-  const read = readHash(writeHash({ look: { ...look, overlay: 'area' }, solve, prescription }));
+  const read = readHash(
+    writeHash({ look: { ...look, overlay: 'area' }, solve, prescription }).hash,
+  );
   assert.equal(read.q, 64);
   assert.deepEqual(read.cones, [{ vertex: 12, k: 63 }]);
   assert.deepEqual([read.turnings, read.handles], [[[1, -5]], [[0, 7]]]);
@@ -101,7 +134,7 @@ test('a link holds every q from 1 to 64, and nothing else', () => {
     solve,
     prescription: { ...prescription, cones: [{ vertex: 1, k: 0 }] },
   });
-  assert.equal(readHash(bad).cones, undefined);
+  assert.equal(readHash(bad.hash).cones, undefined);
   for (const pattern of ['image', 'material', 'javascript:'])
     assert.equal(readHash(`#pattern=${pattern}`).pattern, undefined);
   for (const tiles of ['0', '1001', 'NaN']) assert.equal(readHash(`#tiles=${tiles}`).tiles, undefined); // prettier-ignore

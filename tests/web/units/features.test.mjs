@@ -2,6 +2,7 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import { keepFeatures } from '../../../web/src/actions/keep_features.ts';
 import {
   countRuns,
   EdgeMap,
@@ -99,4 +100,43 @@ test('the command has features instead of cones', () => {
   const command = cliCommand(model, prescription, options, { embedCones: true });
   assert.match(command, / --rims --features part\.features\.json /);
   assert.doesNotMatch(command, /--cone/);
+});
+
+test('after a weld, edges are named by the vertices that stand for theirs; a seam that is closed is no rim', () => {
+  // Two squares of two triangles, side by side, that share no vertex: 1 and 4, and 2 and 7, are at the same place.
+  const places = Float64Array.from([0,0,0, 1,0,0, 1,1,0, 0,1,0, 1,0,0, 2,0,0, 2,1,0, 1,1,0]); // prettier-ignore
+  const triangles = Uint32Array.from([0,1,2, 0,2,3, 4,5,6, 4,6,7]); // prettier-ignore
+  const apart = new EdgeMap({ places, triangles });
+  assert.ok(apart.isRim([4, 7]));
+  const joined = new EdgeMap({ places, triangles, representative: Int32Array.of(0, 1, 2, 3, 1, 5, 6, 2) }); // prettier-ignore
+  assert.equal(joined.isRim([4, 7]), false);
+  assert.equal(joined.rims().length, 6);
+  assert.deepEqual(joined.chainThrough([4, 7]), [[1, 2]]);
+  const choice = { ...noFeatures, hasRims: true, edges: [[0, 2], [7, 4], [0, 6], [0, 1]] }; // prettier-ignore
+  const kept = joined.kept(choice);
+  assert.deepEqual(kept.edges, [[0, 2], [2, 1]]); // prettier-ignore
+  assert.equal(kept.rims.length, 6);
+  assert.equal(kept.hasRims, true);
+  // A vertex that a repair removed has no edges; of a closed surface there are no rims.
+  const less = new EdgeMap({ places, triangles, representative: Int32Array.of(0, -1, 2, 3, 4, 5, 6, 7) }); // prettier-ignore
+  assert.deepEqual(
+    less.kept(choice).edges,
+    [[7, 4]].filter(() => false),
+  );
+  assert.equal(new EdgeMap(cube).kept(choice).hasRims, false);
+});
+
+test('what a repair takes away of the edges that lines follow is said', () => {
+  const places = Float64Array.from([0,0,0, 1,0,0, 1,1,0, 0,1,0]); // prettier-ignore
+  const surface = { places, triangles: Uint32Array.of(0, 1, 2, 0, 2, 3) };
+  const app = { doc: { usableModel: { surface } } };
+  assert.equal(keepFeatures(app, undefined), '');
+  assert.equal(keepFeatures(app, { ...noFeatures, edges: [[0, 2]] }), '');
+  assert.deepEqual(app.doc.features.edges, [[0, 2]]);
+  const edges = [[0, 2], [1, 3], [5, 6]]; // prettier-ignore
+  assert.match(keepFeatures(app, { ...noFeatures, edges }), /^ 2 of 3 edges that lines follow are gone\.$/); // prettier-ignore
+  assert.deepEqual(app.doc.features.edges, [[0, 2]]);
+  app.doc.usableModel = { surface: cube };
+  assert.match(keepFeatures(app, { ...noFeatures, hasRims: true }), /no rim any more/);
+  assert.equal(app.doc.features, undefined);
 });

@@ -174,7 +174,7 @@ test('cones in the address name the mesh of the file to which they belong', () =
   const withCones = { ...plain, cones: [{ vertex: 5, k: 3 }] };
   const read = (prescription) =>
     readHash(
-      writeHash({ look, solve: { grid: { isOn: true, mode: 'tile' } }, prescription, model }),
+      writeHash({ look, solve: { grid: { isOn: true, mode: 'tile' } }, prescription, model }).hash,
     );
   assert.equal(read(withCones).model, 'c0ffee00.2');
   assert.equal(read({ ...plain, turnings: [-4] }).model, 'c0ffee00.2');

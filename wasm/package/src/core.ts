@@ -7,7 +7,9 @@ import type { WasmModule } from './lib/globals.js';
 import type { InitOptions } from './lib/options.js';
 import { wholeWasm } from './lib/whole_wasm.js';
 
-export { Core, CoreMap, CoreModel } from './lib/core.js';
+export { Core } from './lib/core.js';
+export { CoreMap } from './lib/core_map.js';
+export { CoreModel } from './lib/core_model.js';
 export { CoreDrag } from './lib/drag.js';
 export { HgpError, type HgpFailure } from './lib/error.js';
 export type { Certificate, CheckReport, ModelInfo, Note, Report } from './lib/documents.js';

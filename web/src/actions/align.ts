@@ -21,7 +21,7 @@ export interface Aligned {
 /** The map, aligned if requested and possible; by default as the document says. */
 export async function solveAligned(
   { doc }: App,
-  { solver }: Model,
+  { solver }: Pick<Model, 'solver'>,
   options: SolveOptions,
   call: JobCall,
   grid = doc.solve.grid,

@@ -1,6 +1,7 @@
 // The context of every action (document, page state, workers, views), and the error boundary in which
 // actions run.
 
+import { effect } from '@preact/signals-core';
 import type { Client } from 'hgp';
 import type { OpenDocument, ReadonlyDocument } from '../model/document';
 import type { UiState } from '../model/ui_state';
@@ -27,6 +28,17 @@ export interface App extends AppView {
 export function solverOf({ client }: App): Client {
   if (!client) throw new Error('The solver has not started yet.');
   return client;
+}
+
+/** Waits until files can be opened, or never will be. */
+export function started({ doc }: App): Promise<void> {
+  return new Promise((resolve) => {
+    const dispose = effect(() => {
+      if (doc.state.kind === 'starting') return;
+      resolve();
+      queueMicrotask(() => dispose());
+    });
+  });
 }
 
 /** Reports a failure to the user; cancellation is not a failure. */

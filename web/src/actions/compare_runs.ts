@@ -15,11 +15,12 @@ export function showRuns({ ui }: App): void {
 /** Makes a run the current one: its cones and its settings. */
 export function returnTo(
   app: App,
-  { prescription, improve, frames, grid, features }: Solution,
+  { prescription, improve, frames, field, grid, features }: Solution,
 ): void {
   const { doc } = app;
   if (isLocked(app)) return;
   doc.solve = { ...doc.solve, improve, frames, grid };
   doc.features = features;
+  if (field) doc.field = field;
   if (doc.prescription !== prescription) setPrescription(app, prescription, 'choose run');
 }

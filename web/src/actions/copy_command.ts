@@ -8,7 +8,7 @@ import { cliCommand, type CommandOptions, type CommandOutput } from '../text/cli
 import type { App } from './app';
 
 /** What the solver reported to have been asked. */
-function optionsOfRun({ doc }: App, { result, frames, features }: Solution): CommandOptions {
+function optionsOfRun({ doc }: App, { result, field, features }: Solution): CommandOptions {
   const { rounds, improve, scale, grid } = result.report.options;
   return {
     rounds: rounds ?? doc.solve.rounds,
@@ -16,22 +16,20 @@ function optionsOfRun({ doc }: App, { result, frames, features }: Solution): Com
     scale: scale ?? 'solved',
     cells: grid && grid.cells > 0 ? grid.cells : undefined,
     gridMode: grid?.mode ?? 'tile',
-    field: frames === 'file' ? doc.field : undefined,
-    features,
+    ...{ field, features },
     timeLimit: doc.solve.timeLimit,
   };
 }
 
 /** What Run would ask first. */
 function optionsOfNext({ doc }: App): CommandOptions {
-  const { rounds, improve, frames, grid, timeLimit } = doc.solve;
+  const { rounds, improve, grid, timeLimit } = doc.solve;
   const { q } = doc.prescription;
   const isAligned = grid.isOn && canAlign(q);
   return {
     ...{ rounds, improve, timeLimit, scale: plainOutput.scale, gridMode: grid.mode },
     cells: isAligned ? (grid.cells ?? 'auto') : undefined,
-    field: frames === 'file' ? doc.field : undefined,
-    features: frames === 'file' || q !== 4 ? undefined : doc.features,
+    ...{ field: doc.askedField, features: doc.askedFeatures },
   };
 }
 

@@ -5,10 +5,10 @@
 import type { CombineOptions, UvMap } from 'hgp';
 import { plainOutput, type MeshWork } from '../model/document';
 import { gridTilesPerUnit } from '../model/grid';
-import { toFeatures } from '../model/features';
-import { toCones } from '../model/prescription';
+import { optionsAgain } from '../model/request';
 import type { Model, Output, OutputFile, Solution } from '../model/types';
 import { describeError } from '../text/error_messages';
+import { solveAligned } from './align';
 import { solverOf, type App } from './app';
 import { runJob, type JobCall } from './job';
 import { loadInSolver } from './load';
@@ -40,11 +40,10 @@ async function mapOf(
   if (!solution.map.isDisposed && solution.output.scale === scale) return solution.map;
   const { model } = work;
   const solver = model.solver.isDisposed ? await loadInSolver(app, model, call) : model.solver;
-  const { prescription, improve, cells, grid, features } = solution;
-  const aligned = cells === undefined ? {} : { grid: { cells, mode: grid.mode } };
-  const options = { maxRounds: app.doc.solve.rounds, improve, scale, ...aligned };
-  const along = features && { features: toFeatures(features) };
-  return solver.parametrize({ cones: toCones(prescription), ...along, ...options }, call);
+  const { cells, grid } = solution;
+  const asked = { ...grid, cells: cells ?? grid.cells };
+  const { map } = await solveAligned(app, { solver }, optionsAgain(solution, scale), call, asked);
+  return map;
 }
 
 /**

@@ -27,7 +27,7 @@ export function setPrescription(app: App, prescription: Prescription, kind: stri
   doc.hasUserCones = true;
   doc.isUnsaved = true;
   if (doc.selected >= prescription.cones.length) doc.selected = -1;
-  if (doc.model) void saveCones(doc.model.info.file.sha256, prescription);
+  if (doc.model) void saveCones(doc.model.info, prescription);
   return true;
 }
 

@@ -1,7 +1,6 @@
 // Which edges become straight lines: creases that are found, rims, chains that are chosen.
 
 import {
-  EdgeMap,
   edgesOf,
   hasFeatures,
   noFeatures,
@@ -10,22 +9,12 @@ import {
   type Edge,
   type FeatureChoice,
 } from '../model/features';
-import type { Surface } from '../model/types';
 import { describeError } from '../text/error_messages';
 import { plural } from '../text/format';
 import type { App } from './app';
 import { saveFile } from './download';
 import { isLocked } from './job';
-
-let known: { surface: Surface; map: EdgeMap } | undefined;
-
-/** Edges of the open surface, made when first needed. */
-export function edgeMap({ doc }: App): EdgeMap | undefined {
-  const surface = doc.usableModel?.surface;
-  if (!surface) return undefined;
-  if (known?.surface !== surface) known = { surface, map: new EdgeMap(surface) };
-  return known.map;
-}
+import { edgeMap } from './keep_features';
 
 function choose(app: App, choice: FeatureChoice): void {
   const rims = edgeMap(app)?.rims() ?? [];

@@ -3,47 +3,45 @@
 
 import { effect, untracked } from '@preact/signals-core';
 import { heatMapOf } from '../model/live';
-import { samePrescription, toCones, type Prescription } from '../model/prescription';
-import type { Model, SolveSettings } from '../model/types';
+import { sameWanted, type Wanted } from '../model/wanted';
+import { samePrescription, toCones } from '../model/prescription';
+import { plural } from '../text/format';
 import type { App } from './app';
 import type { JobCall } from './job';
 import { takeCones } from './edit_cones';
-import { keepSolution, sayRunFailure, sayVerdict, solve, whyNotRun } from './solve';
+import { keepSolution, run, sayRunFailure, sayVerdict, solve, whyNotRun } from './solve';
 
 const quick = 2000; // milliseconds: where the first run was faster, maps follow edits unless the user chose otherwise
+const mostSeconds = 60; // for a map that nobody asked for, whatever the limit of Run
 
 /** Whether maps are made without Run: as the user chose, otherwise where that takes little time. */
 export const isAutomatic = ({ doc, ui }: App): boolean =>
   ui.automatic ?? (doc.firstRun !== undefined && doc.firstRun < quick);
 
 interface Renewal {
-  prescription: Prescription;
-  solve: SolveSettings;
-  model: Model;
+  wanted: Wanted;
   controller: AbortController;
 }
 
 /** The map that is to be made now; undefined if the one that is shown is right, or others have precedence. */
-function wanted(app: App): Omit<Renewal, 'controller'> | undefined {
+function nextMap(app: App): Wanted | undefined {
   const { doc, ui } = app;
-  const { prescription, solve: settings, usableModel: model, displayed, current } = doc;
-  if (!isAutomatic(app) || !model || !displayed || current) return undefined;
+  const { wanted, displayed, current } = doc;
+  if (!isAutomatic(app) || !displayed || current) return undefined;
   if (ui.holdsCone || doc.needsCones || whyNotRun(app) !== '') return undefined;
-  return { prescription, solve: settings, model };
+  // Whoever cancelled a run, or saw it fail, asks for the next one.
+  return wanted && !sameWanted(doc.notAgain, wanted) ? wanted : undefined;
 }
-
-const isSame = (a: Renewal | undefined, b: Omit<Renewal, 'controller'> | undefined): boolean =>
-  a?.prescription === b?.prescription && a?.solve === b?.solve && a?.model === b?.model;
 
 /** Makes the maps of edits while that is switched on. */
 export function watchEdits(app: App): () => void {
   let going: Renewal | undefined;
   return effect(() => {
-    const next = wanted(app);
-    if (isSame(going, next)) return; // also after a failure: nothing is tried twice
+    const next = nextMap(app);
+    if (sameWanted(going?.wanted, next)) return;
     const before = going;
-    going = next && { ...next, controller: new AbortController() };
-    const now = going;
+    const now = next && { wanted: next, controller: new AbortController() };
+    going = now;
     untracked(() => {
       before?.controller.abort();
       if (!now) end(app);
@@ -59,9 +57,25 @@ function end({ doc }: App): void {
   doc.live = undefined;
 }
 
-async function renew(app: App, { prescription, model, controller }: Renewal): Promise<void> {
+/** Ends the map that is being made; Run makes it. */
+function giveUp(app: App, wanted: Wanted, why: string): void {
+  const { doc } = app;
+  doc.notAgain = wanted;
+  doc.automatic?.controller.abort();
+  end(app);
+  doc.say(why, 'note', [{ label: 'Run', run: () => run(app) }]);
+}
+
+/** Stops the map that is being made without Run. */
+export function stopAutomatic(app: App): void {
+  const { automatic, wanted } = app.doc;
+  if (automatic && wanted) giveUp(app, wanted, 'Stopped. Run makes the map of these cones.');
+}
+
+async function renew(app: App, { wanted, controller }: Renewal): Promise<void> {
   const { doc } = app;
   const { signal } = controller;
+  const { model, prescription } = wanted;
   const base = doc.displayed;
   if (signal.aborted || !base) return;
   const isOn = (): boolean => !signal.aborted && doc.automatic?.controller === controller;
@@ -69,6 +83,10 @@ async function renew(app: App, { prescription, model, controller }: Renewal): Pr
     if (isOn() && doc.automatic?.stage !== stage) doc.automatic = { controller, stage };
   };
   const call: JobCall = { signal, onProgress, keepWorker: true };
+  const seconds = Math.min(wanted.solve.timeLimit ?? Infinity, mostSeconds);
+  const stopLate = (): void =>
+    giveUp(app, wanted, `No map of this edit within ${plural(seconds, 'second')}. Run makes it.`);
+  const timer = setTimeout(() => isOn() && stopLate(), 1000 * seconds);
   doc.automatic = { controller, stage: 'prepare' };
   try {
     if (!samePrescription(base.prescription, prescription)) {
@@ -84,7 +102,10 @@ async function renew(app: App, { prescription, model, controller }: Renewal): Pr
     sayVerdict(app, solution, false);
   } catch (error) {
     if (!isOn()) return;
+    doc.notAgain = wanted;
     end(app);
     sayRunFailure(app, error);
+  } finally {
+    clearTimeout(timer);
   }
 }

@@ -4,26 +4,20 @@
 import type { Model as SolverModel, ModelInfo, Placements, Surface as SurfaceArrays } from 'hgp';
 import { ignoredBytes } from '../formats/gzip';
 import { loadOptionsOf, plainSettings, type MeshWork } from '../model/document';
-import {
-  emptyPrescription,
-  fromCones,
-  isSilent,
-  toCones,
-  type Prescription,
-} from '../model/prescription';
+import { isSilent } from '../model/prescription';
 import { identity, type Matrix } from '../model/matrix';
 import { canRepair } from '../model/repairs';
 import type { ScenePart } from '../model/scene';
 import type { LoadSettings, Model, Step } from '../model/types';
-import { restorable, saveCones } from '../services/cone_storage';
+import { saveCones } from '../services/cone_storage';
 import { describeError, whyUnusable } from '../text/error_messages';
 import { remarksOn } from '../text/remarks';
 import { estimateFor, mostTriangles, tooMany } from '../text/estimate';
-import { bytesOfAll, megabytes, plural } from '../text/format';
+import { bytesOfAll, megabytes } from '../text/format';
 import { gzipNote, noteForPage } from '../text/notes';
-import { describeTransfer } from '../text/transfer';
 import { solverOf, type App } from './app';
-import { setPrescription } from './edit_cones';
+import { keepFeatures } from './keep_features';
+import { emptyFor, findCones, moveFromPrevious, offerSaved, transferred } from './first_cones';
 import { surveyMeshes } from './inspect_meshes';
 import { isLocked, runJob, type JobCall } from './job';
 
@@ -153,9 +147,6 @@ async function readMesh(
   return model;
 }
 
-const emptyFor = (q: number, info: ModelInfo): Prescription =>
-  emptyPrescription(q, info.boundaryLoops ?? 0, 2 * (info.genus ?? 0));
-
 /** Opens a model that is new to the page, or another mesh of the same file for the first time. */
 export async function loadMesh(app: App, source: Source, surface?: number): Promise<void> {
   const { doc } = app;
@@ -164,8 +155,13 @@ export async function loadMesh(app: App, source: Source, surface?: number): Prom
     doc.solutions = [];
     doc.begin(emptyFor(doc.prescription.q, model.info), plainSettings);
     if (model.info.usable) await findCones(app, model, call);
+    // Unless a repair makes this version usable, the one before is of no more use.
+    else if (!canRepair(model)) doc.previous = undefined;
   });
-  if (isDone && doc.usableModel) warnOfSize(app, doc.usableModel);
+  const opened = doc.usableModel;
+  if (!isDone || !opened) return;
+  warnOfSize(app, opened);
+  if (isSilent(doc.prescription) && !doc.hasUserCones) void offerSaved(app, opened);
 }
 
 /** Opens another mesh of the open file; the work on this one is kept. */
@@ -210,56 +206,32 @@ async function restoreMesh(app: App, work: MeshWork): Promise<void> {
   });
 }
 
-interface Transferred {
-  prescription: Prescription;
-  kept: number;
-  /** What was kept and what was not. */
-  text: string;
-}
-
-/** A prescription on another reading of its surface. */
-async function transferred(
-  { solver, info }: Model,
-  prescription: Prescription,
-  from: SolverModel,
-  call: JobCall,
-): Promise<Transferred> {
-  if (!info.usable) {
-    // Another repair may make the mesh usable; the cones are kept until then.
-    const waiting = { ...prescription, turnings: [], handles: [] };
-    return { prescription: waiting, kept: prescription.cones.length, text: '' };
-  }
-  const { cones, lost } = await solver.transferCones(toCones(prescription), from, call);
-  const empty = emptyFor(prescription.q, info);
-  const kept = cones.cones.length;
-  return {
-    prescription: fromCones(cones, empty.turnings.length, empty.handles.length),
-    kept,
-    text: describeTransfer(kept, lost),
-  };
-}
-
 /** Reads the same mesh with other repairs or another weld, as one undo step. */
 export async function reloadWith(app: App, settings: LoadSettings, kind: string): Promise<boolean> {
   const { doc } = app;
   const old = doc.model;
   if (!old || isLocked(app)) return false;
-  const { prescription, hasUserCones } = doc;
+  const { prescription, hasUserCones, features } = doc;
   return loading(app, old, async (call) => {
     const model = await readMesh(app, old, settings, old.info.surface, call);
+    const lines = keepFeatures(app, features);
     const moved = await transferred(model, prescription, old.solver, call);
     doc.history = doc.history.push({ prescription: moved.prescription, settings }, kind);
     doc.hasUserCones = hasUserCones && !isSilent(moved.prescription);
     if (!model.info.usable) return;
-    void saveCones(model.info.file.sha256, moved.prescription);
-    doc.say(`Done: ${kind}.${moved.text} Undo reverts it.`, 'good');
+    if (!old.info.usable && (await moveFromPrevious(app, model, call))) return;
+    void saveCones(model.info, moved.prescription);
+    doc.say(`Done: ${kind}.${moved.text}${lines} Undo reverts it.`, 'good');
   });
 }
 
 /** Reads the surface again after undo or redo has led to a step with other repairs. */
 export function reloadForStep(app: App, model: Model): Promise<boolean> {
+  const { features } = app.doc;
   return loading(app, model, async (call) => {
     await readMesh(app, model, app.doc.settings, model.info.surface, call);
+    const lines = keepFeatures(app, features);
+    if (lines) app.doc.say(lines.trim());
   });
 }
 
@@ -282,66 +254,4 @@ function warnOfSize({ doc }: App, { info }: Model): void {
   const { needed, isTight } = estimateFor(info);
   if (!isTight || doc.message) return;
   doc.say(`This mesh needs about ${needed}: see the Solve panel before running it here.`);
-}
-
-/** Transfers the cones from the previous version of the file, as one undo step. */
-async function transferFromPrevious(app: App, model: Model, call: JobCall): Promise<boolean> {
-  const { doc } = app;
-  const { previous } = doc;
-  doc.previous = undefined;
-  // Without the reading of before there is nothing to move cones from: its file may have changed since.
-  if (!previous || previous.model.main !== model.main || previous.model.solver.isDisposed) {
-    return false;
-  }
-  const { info } = previous.model;
-  if (info.file.sha256 === model.info.file.sha256) return false;
-  if (model.info.surfaces.length > 1 && info.surface !== model.info.surface) return false;
-  const moved = await transferred(model, previous.prescription, previous.model.solver, call);
-  if (moved.kept === 0) return false;
-  return setWhileLoading(app, moved.prescription, 'carry cones over', () =>
-    doc.say(`Another version of ${model.main}.${moved.text} Undo removes them.`),
-  );
-}
-
-/** Sets the prescription during loading; a loading job does not prevent edits. */
-function setWhileLoading(app: App, to: Prescription, kind: string, say: () => void): boolean {
-  setPrescription(app, to, kind);
-  say();
-  return true;
-}
-
-/** Takes cones from the file or its previous version, or offers those of an earlier session. */
-async function findCones(app: App, model: Model, call: JobCall): Promise<void> {
-  const { doc } = app;
-  const { turnings, handles } = doc.prescription;
-  const embedded = await model.solver.embeddedCones().catch(() => null);
-  if (embedded && embedded.cones.length > 0) {
-    doc.begin(fromCones(embedded, turnings.length, handles.length));
-    doc.hasUserCones = true;
-    doc.message = {
-      kind: 'note',
-      text: `${plural(embedded.cones.length, 'cone')} came with the file.`,
-    };
-    return;
-  }
-  if (await transferFromPrevious(app, model, call)) return;
-  await offerSaved(app, model);
-}
-
-async function offerSaved(app: App, model: Model): Promise<void> {
-  const { doc } = app;
-  const saved = await restorable(model.info.file.sha256);
-  const count = saved?.prescription.cones.length ?? 0;
-  if (!saved || count === 0) return;
-  const cones = plural(count, 'cone');
-  const when = new Date(saved.time).toLocaleDateString(undefined, { dateStyle: 'medium' });
-  const restore = (): void => {
-    setPrescription(app, saved.prescription, 'restore cones');
-    doc.say(`${cones} restored.`);
-  };
-  doc.message = {
-    kind: 'note',
-    text: `You placed ${cones} on this file (${when}).`,
-    actions: [{ label: `Restore ${cones}`, run: restore }],
-  };
 }

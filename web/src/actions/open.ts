@@ -8,7 +8,7 @@ import type { Files } from '../model/types';
 import { saveCones } from '../services/cone_storage';
 import { ensureWorker } from '../services/solver';
 import { bytesOfAll, megabytes } from '../text/format';
-import { solverOf, type App } from './app';
+import { solverOf, started, type App } from './app';
 import { importCones } from './edit_cones';
 import { freeUnused } from './free_unused';
 import { loadMesh, reopen } from './load';
@@ -21,6 +21,11 @@ export async function open(app: App, dropped: Files): Promise<void> {
   if (dropped.size === 0) return;
   const { doc } = app;
   const own = ++doc.openRequestId;
+  if (doc.state.kind === 'starting') {
+    doc.say(`The solver is still starting; ${[...dropped.keys()][0]} is opened then.`);
+    await started(app);
+    if (own !== doc.openRequestId || !app.client) return;
+  }
   const coneFile = doc.model ? coneFileOf(dropped) : undefined;
   if (coneFile) {
     const text = new TextDecoder().decode(await bytesOf(dropped.get(coneFile)!));
@@ -98,7 +103,7 @@ export function close(app: App): void {
   const { model, prescription, settings, hasUserCones } = doc;
   if (!model) return;
   doc.openRequestId += 1;
-  if (prescription.cones.length > 0) void saveCones(model.info.file.sha256, prescription);
+  if (prescription.cones.length > 0) void saveCones(model.info, prescription);
   doc.clearModel();
   doc.previous = undefined;
   void refreshRecent(app);

@@ -5,8 +5,7 @@ import type { UvMap } from 'hgp';
 import { safeName } from '../formats/file_set';
 import { readQuads } from '../model/quad_shape';
 import { gridOutcome, isAligned } from '../model/grid';
-import { toFeatures } from '../model/features';
-import { toCones } from '../model/prescription';
+import { optionsAgain } from '../model/request';
 import type { QuadPreview, Solution } from '../model/types';
 import { isCertified } from '../model/verdict';
 import { describeError } from '../text/error_messages';
@@ -37,13 +36,8 @@ async function quadMap(app: App, current: Solution, call: JobCall): Promise<UvMa
   const model = doc.usableModel;
   if (isForQuads(current) && !current.map.isDisposed) return current.map;
   if (!model) return undefined;
-  const { rounds, improve, grid } = doc.solve;
-  const { features } = current;
-  const what = features
-    ? { q: 4, features: toFeatures(features) }
-    : { cones: toCones(current.prescription) };
-  const options = { ...what, maxRounds: rounds, improve };
-  const settings = { ...grid, isOn: true, mode: 'quad' as const };
+  const options = optionsAgain(current, 'solved');
+  const settings = { ...doc.solve.grid, isOn: true, mode: 'quad' as const };
   const { map } = await solveAligned(app, model, options, call, settings);
   const outcome = gridOutcome({ result: map });
   if (outcome?.isAligned && map.certificate.certified) return map;

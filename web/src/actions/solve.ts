@@ -10,10 +10,10 @@ import {
   type Written,
 } from 'hgp';
 import { plainOutput } from '../model/document';
-import { askedFeatures, describeFollowed } from '../model/features';
+import { describeFollowed } from '../model/features';
 import { gridOutcome, gridTilesPerUnit, sameTiles } from '../model/grid';
-import { fromCones, toCones } from '../model/prescription';
-import { requestOf } from '../model/request';
+import { fromCones } from '../model/prescription';
+import { requestOf, runOptions } from '../model/request';
 import type {
   GridSettings,
   MapNumbers,
@@ -64,7 +64,7 @@ export function sayRunFailure(app: App, error: unknown): void {
   };
   doc.say(isNoMap ? `${text} ${advice}` : text, 'error', [
     ...(where.length > 0 ? [{ label: 'Show', run: () => showPlaces(app, where) }] : []),
-    ...(usesField(app) ? [{ label: 'Run with automatic frames', run: runAutomatic }] : []),
+    ...(doc.askedField ? [{ label: 'Run with automatic frames', run: runAutomatic }] : []),
     { label: 'Suggest cones', run: () => suggestCones(app) },
   ]);
 }
@@ -116,8 +116,6 @@ export async function suggestCones(app: App): Promise<void> {
   app.doc.coneStep = balancedStep;
 }
 
-const usesField = ({ doc }: App): boolean => doc.solve.frames === 'file' && doc.field !== undefined;
-
 /** Why Run is not possible; empty if it is. */
 export function whyNotRun({ doc, client }: App): string {
   if (!client || !doc.model) return 'Open a model first.';
@@ -139,24 +137,24 @@ export async function solve(
 ): Promise<Solution> {
   const { doc } = app;
   const { rounds, improve, frames, grid } = doc.solve;
-  const { turnings, handles, q } = doc.prescription;
+  const { turnings, handles } = doc.prescription;
   // A component without a map is cut to a disk and fails its checks; this does not affect the others.
   const keepGoing = (model.info.components?.length ?? 1) > 1;
-  const options = { maxRounds: rounds, improve, scale: output.scale, keepGoing };
-  const framed = usesField(app) ? { frames, field: doc.field } : {};
-  const features = doc.askedFeatures; // they bring their cones
-  const isAutomatic = features !== undefined || (!usesField(app) && doc.needsCones);
-  const own = isAutomatic ? { q } : { cones: toCones(doc.prescription), ...framed };
-  const all = { ...own, ...askedFeatures(features), ...options };
-  const { map, cells, step } =
-    isAutomatic && !features
-      ? await solveAutomatic(app, model, all, call)
-      : { ...(await solveAligned(app, model, all, call)), step: doc.coneStep };
+  const { askedFeatures: features, askedField: field, coneStep } = doc;
+  const isAutomatic = !field && !features && doc.needsCones;
+  const options = runOptions({
+    ...{ prescription: doc.prescription, isAutomatic, features, field },
+    ...{ rounds, improve, scale: output.scale, keepGoing },
+  });
+  const { map, cells, step } = isAutomatic
+    ? await solveAutomatic(app, model, options, call)
+    : { ...(await solveAligned(app, model, options, call)), step: coneStep };
   doc.coneStep = step;
-  const prescription = isAutomatic
-    ? fromCones(map.cones, turnings.length, handles.length)
-    : doc.prescription;
-  const asked = { prescription, settings: model.loaded, improve, frames, features };
+  const prescription =
+    isAutomatic || features
+      ? fromCones(map.cones, turnings.length, handles.length)
+      : doc.prescription;
+  const asked = { prescription, settings: model.loaded, improve, frames, field, features };
   const request = { ...asked, grid, cells, output };
   try {
     return await writeSolution(app, model, request, { map, result: numbersOf(map) }, call);
@@ -322,13 +320,15 @@ export async function run(app: App): Promise<RunOutcome> {
     return 'refused';
   }
   const model = doc.usableModel!;
-  const isOpen = doc.needsCones && !usesField(app);
+  doc.notAgain = doc.wanted;
+  const isOpen = doc.needsCones && !doc.askedField;
   const begin = performance.now();
   return running(app, 'Running', async (call) => {
     const solution = await solve(app, model, doc.displayed?.output ?? plainOutput, call);
     doc.job = undefined;
     takeCones(app, solution.prescription);
     doc.firstRun ??= performance.now() - begin;
+    doc.notAgain = undefined;
     keepSolution(app, solution);
     sayVerdict(app, solution, isOpen);
   });

@@ -1,5 +1,7 @@
-// The address of the page: q, pattern, overlay, scale, camera, cones. Numbers and known words only.
+// The address of the page: look, camera, cones, features and the settings of Run. Numbers and known words only.
 
+import type { Edge, FeatureChoice } from '../model/features';
+import { plainRounds } from '../model/request';
 import type { Prescription } from '../model/prescription';
 import {
   overlays,
@@ -23,6 +25,11 @@ export interface HashState {
   /** The settings of Run that differ from those of a new page. */
   grid?: GridSettings;
   improve?: number;
+  rounds?: number;
+  /** In seconds. */
+  timeLimit?: number;
+  /** Edges that lines follow, of the model. */
+  features?: Omit<FeatureChoice, 'rims'>;
   /** The model to which cones, turnings and handles belong, as `modelTag` gives it. */
   model?: string;
   cones?: { vertex: number; k: number }[];
@@ -66,6 +73,14 @@ function gridOf(words: URLSearchParams): GridSettings | undefined {
   return word === 'tile' || word === 'quad' ? { isOn: true, mode: word, cells } : undefined;
 }
 
+function featuresOf(words: URLSearchParams): HashState['features'] {
+  const edges: Edge[] | undefined = pairsOf(words.get('edges'));
+  const hasRims = words.get('rims') === '1';
+  const isGood = (edges ?? []).every(([v, w]) => v >= 0 && w >= 0);
+  if (!isGood || (!edges && !hasRims)) return undefined;
+  return { hasCreases: words.get('creases') === '1', hasRims, edges: edges ?? [] };
+}
+
 export function readHash(hash: string): HashState {
   const words = new URLSearchParams(hash.replace(/^#/, ''));
   const known = <T>(list: readonly T[], key: string): T | undefined =>
@@ -84,6 +99,9 @@ export function readHash(hash: string): HashState {
     camera: words.get('camera') ?? undefined,
     grid: gridOf(words),
     improve: improve >= -1 && improve <= 1 ? improve : undefined,
+    rounds: integer(words.get('rounds'), 1, 1000),
+    timeLimit: integer(words.get('limit'), 1, 1_000_000),
+    features: featuresOf(words),
     model: /^[0-9a-f]{8}\.\d{1,9}$/.exec(words.get('model') ?? '')?.[0],
     cones: conesOf(words.get('cones')),
     turnings: pairsOf(words.get('turnings')),
@@ -96,14 +114,22 @@ export interface HashSource {
   example?: string;
   look: Look;
   prescription: Prescription;
-  solve: Pick<SolveSettings, 'grid' | 'improve'>;
+  solve: Pick<SolveSettings, 'grid' | 'improve' | 'rounds' | 'timeLimit'>;
+  features?: FeatureChoice;
   camera?: string;
   model?: string;
 }
 
+export interface Written {
+  hash: string;
+  /** What is too long for an address. */
+  omitted: string[];
+}
+
 /** The settings that differ from those of a new page. */
-export function writeHash(source: HashSource): string {
-  const { example, look, prescription, camera, model, solve } = source;
+export function writeHash(source: HashSource): Written {
+  const { example, look, prescription, camera, model, solve, features } = source;
+  const omitted: string[] = [];
   const words = new URLSearchParams();
   if (example) words.set('example', example);
   words.set('q', String(prescription.q));
@@ -111,25 +137,33 @@ export function writeHash(source: HashSource): string {
   if (look.overlay !== 'none') words.set('overlay', look.overlay);
   words.set('tiles', look.tiles.toFixed(0));
   if (camera) words.set('camera', camera);
-  const { grid, improve } = solve;
+  const { grid, improve, rounds, timeLimit } = solve;
   if (!grid.isOn || grid.mode !== 'tile' || grid.cells !== undefined)
     words.set('grid', grid.isOn ? grid.mode : 'off');
   if (grid.cells !== undefined) words.set('cells', String(grid.cells));
   if (improve !== undefined) words.set('improve', String(improve));
-  const set = (key: string, pairs: number[][]): void => {
+  if (rounds !== plainRounds) words.set('rounds', String(rounds));
+  if (timeLimit !== undefined) words.set('limit', String(timeLimit));
+  const set = (key: string, pairs: readonly (readonly number[])[], what: string): void => {
     const text = btoa(JSON.stringify(pairs));
     const safe = text.replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
-    if (pairs.length > 0 && safe.length <= mostText) words.set(key, safe);
+    if (pairs.length === 0) return;
+    if (safe.length <= mostText) words.set(key, safe);
+    else omitted.push(`${pairs.length} ${what}`);
   };
   const said = (list: readonly (number | null)[]): number[][] =>
     list.flatMap((n, i) => (n === null ? [] : [[i, n]]));
   set(
     'cones',
     prescription.cones.map(({ vertex, k }) => [vertex, k]),
+    'cones',
   );
-  set('turnings', said(prescription.turnings));
-  set('handles', said(prescription.handles));
-  if (model && ['cones', 'turnings', 'handles'].some((key) => words.has(key)))
-    words.set('model', model);
-  return `#${words}`;
+  set('turnings', said(prescription.turnings), 'turnings');
+  set('handles', said(prescription.handles), 'rotations around handles');
+  set('edges', features?.edges ?? [], 'edges that lines follow');
+  if (features?.hasRims) words.set('rims', '1');
+  if (features?.hasCreases && words.has('edges')) words.set('creases', '1');
+  const ofModel = ['cones', 'turnings', 'handles', 'edges', 'rims'];
+  if (model && ofModel.some((key) => words.has(key))) words.set('model', model);
+  return { hash: `#${words}`, omitted };
 }

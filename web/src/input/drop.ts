@@ -17,7 +17,7 @@ export function listenToDrops(app: AppView): void {
     event.preventDefault();
     change(0);
     const { dataTransfer } = event;
-    if (!dataTransfer || !app.client) return;
+    if (!dataTransfer) return;
     const files = filesOfDrop(dataTransfer);
     void attempt(app, async () => open(app, await files));
   });

@@ -3,7 +3,8 @@
 import { attempt, type AppView } from '../actions/app';
 import { beginLive, cancelLive, dragLive, dropLive } from '../actions/drag_live';
 import { coneToPlace, moveCone, select } from '../actions/edit_cones';
-import { chooseChain, edgeMap } from '../actions/features';
+import { chooseChain } from '../actions/features';
+import { edgeMap } from '../actions/keep_features';
 import { switchMesh } from '../actions/load';
 import { placeOnAny } from '../actions/repair';
 import { undo } from '../actions/undo';

@@ -1,5 +1,6 @@
 // Runs side by side: which numbers, and which of them is the best of its row.
 
+import { countRuns, followedLines } from './features';
 import { isAligned } from './grid';
 import type { Solution } from './types';
 import { isCertified } from './verdict';
@@ -52,6 +53,10 @@ const plainRow = (name: string, texts: string[]): CompareRow => ({
   cells: texts.map((text) => ({ text, isBest: false })),
 });
 
+/** What lines follow, in a cell of the table. */
+const followed = ({ features }: Run): string =>
+  features ? followedLines(features, countRuns(features.rims)) : 'nothing';
+
 export const compareRuns = (runs: readonly Run[]): CompareRow[] => [
   plainRow(
     'Verdict',
@@ -62,6 +67,7 @@ export const compareRuns = (runs: readonly Run[]): CompareRow[] => [
     'Lines meet',
     runs.map((run) => (isAligned(run) ? 'at every seam' : 'not everywhere')),
   ),
+  plainRow('Lines follow', runs.map(followed)),
   plainRow(
     'Less distortion',
     runs.map(({ improve }) => (improve === undefined ? 'off' : 'on')),

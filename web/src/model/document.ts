@@ -8,9 +8,11 @@ import { sameGrid } from './grid';
 import { History } from './history';
 import type { LiveMap } from './live';
 import { emptyPrescription, isSilent, samePrescription, type Prescription } from './prescription';
+import { plainRounds } from './request';
 import { storeOf } from './store';
 import type { ScenePart } from './scene';
 import type {
+  DirectionField,
   Files,
   GridSettings,
   Job,
@@ -30,6 +32,7 @@ import type {
   Validation,
 } from './types';
 import { isCertified } from './verdict';
+import type { Wanted } from './wanted';
 
 /** What is open; everything that requires a model is inside `open`. */
 export type DocumentState =
@@ -60,6 +63,8 @@ interface Fields {
   job: Job | undefined;
   /** The map that is being made without Run; the document can be edited meanwhile. */
   automatic: { readonly controller: AbortController; readonly stage: string } | undefined;
+  /** For what a run was cancelled, took too long or failed, or is under way: no map of it is made without Run. */
+  notAgain: Wanted | undefined;
   /** Milliseconds that the first run on this mesh took. */
   firstRun: number | undefined;
   /** What is shown instead of a map: of a cone that is being dragged, or the scale of cones whose map is being made. */
@@ -77,7 +82,7 @@ interface Fields {
   summaries: readonly MeshSummary[];
   solve: SolveSettings;
   /** The direction field from which cones were last imported, as read. */
-  field: { name: string; text: string } | undefined;
+  field: DirectionField | undefined;
   /** The edges that the next map is to have as straight lines. */
   features: FeatureChoice | undefined;
   /** Whether the user has set the cones, possibly to none. */
@@ -132,6 +137,7 @@ export class Document extends storeOf<Fields>() {
       state: { kind: 'starting' },
       job: undefined,
       automatic: undefined,
+      notAgain: undefined,
       firstRun: undefined,
       live: undefined,
       history: begun(emptyPrescription(4, 0, 0)),
@@ -140,7 +146,7 @@ export class Document extends storeOf<Fields>() {
       thumbnails: new Map(),
       parts: [],
       summaries: [],
-      solve: { rounds: 12, frames: 'auto', grid: plainGrid },
+      solve: { rounds: plainRounds, frames: 'auto', grid: plainGrid },
       field: undefined,
       features: undefined,
       hasUserCones: false,
@@ -203,15 +209,30 @@ export class Document extends storeOf<Fields>() {
       (one) =>
         one.improve === improve &&
         one.frames === frames &&
+        one.field === this.askedField &&
         sameFeatures(one.features, this.askedFeatures) &&
         sameGrid(one.grid, grid, one.prescription.q) &&
         samePrescription(one.prescription, this.prescription),
     );
   });
+  /** What Run would make a map of; undefined if there is nothing to run. */
+  get wanted(): Wanted | undefined {
+    const {
+      usableModel: model,
+      prescription,
+      solve,
+      askedFeatures: features,
+      askedField: field,
+    } = this;
+    return model && { model, prescription, solve, features, field };
+  }
+  /** The field whose directions are the frames of a run. */
+  get askedField(): DirectionField | undefined {
+    return this.solve.frames === 'file' ? this.field : undefined;
+  }
   /** The features that a run follows: lines follow them for q = 4 and where frames are not those of a file. */
   get askedFeatures(): FeatureChoice | undefined {
-    const usesField = this.solve.frames === 'file' && this.field !== undefined;
-    return usesField || this.prescription.q !== 4 ? undefined : this.features;
+    return this.askedField || this.prescription.q !== 4 ? undefined : this.features;
   }
   /** The solution of exactly the current prescription. */
   get current(): Solution | undefined {
@@ -262,7 +283,7 @@ export class Document extends storeOf<Fields>() {
   }
 
   /** Stores an imported field; frames can be taken from it only if it has directions. */
-  takeField(field?: { name: string; text: string }): void {
+  takeField(field?: DirectionField): void {
     this.field = field;
     if (!field) this.solve = { ...this.solve, frames: 'auto' };
   }
@@ -282,6 +303,7 @@ export class Document extends storeOf<Fields>() {
   clearMesh(): void {
     this.automatic?.controller.abort();
     this.automatic = undefined;
+    this.notAgain = undefined;
     this.live = undefined;
     this.firstRun = undefined;
     this.solutions = [];
@@ -301,7 +323,8 @@ export class Document extends storeOf<Fields>() {
     this.job = undefined; // its further reports are about a closed model
     job?.controller.abort();
     const isWorth = model?.info.usable && prescription.cones.length > 0;
-    this.previous = isWorth ? { model, prescription } : undefined;
+    // A version that could not be read does not end what is known of the one before.
+    if (model) this.previous = isWorth ? { model, prescription } : undefined;
     this.state = { kind: 'empty' };
     this.meshes = new Map();
     this.parts = [];

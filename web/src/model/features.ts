@@ -6,6 +6,8 @@ import type { Features } from 'hgp';
 export interface Shape {
   readonly places: Float64Array;
   readonly triangles: Uint32Array;
+  /** The vertex that stands for each vertex after welds; −1 if a repair removed it. */
+  readonly representative?: Int32Array;
 }
 
 export type Edge = readonly [number, number];
@@ -81,14 +83,18 @@ export function countRuns(edges: readonly Edge[]): number {
   return count;
 }
 
-/** What lines follow, in words. */
-export function featuresText(choice: FeatureChoice, rims: number): string {
+/** What lines follow: "12 creases and 1 rim". */
+export function followedLines(choice: FeatureChoice, rims: number): string {
   const creases = countRuns(choice.edges);
   const many = (n: number, word: string): string => `${n} ${word}${n === 1 ? '' : 's'}`;
   const parts = creases > 0 ? [many(creases, 'crease')] : [];
   if (rims > 0 || creases === 0) parts.push(many(rims, 'rim'));
-  return `lines follow ${parts.join(' and ')}`;
+  return parts.join(' and ');
 }
+
+/** The same as a sentence. */
+export const featuresText = (choice: FeatureChoice, rims: number): string =>
+  `lines follow ${followedLines(choice, rims)}`;
 
 const cornerAngle = Math.cos((40 * Math.PI) / 180); // a chain ends where it turns by more
 const sharp = Math.cos((18 * Math.PI) / 180); // edges with a smaller dihedral angle are smooth
@@ -103,7 +109,10 @@ export class EdgeMap {
     this.#surface = surface;
     const { triangles } = surface;
     for (let c = 0; c < triangles.length; c++) {
-      const [v, w] = [triangles[c], triangles[c % 3 === 2 ? c - 2 : c + 1]];
+      const t = c - (c % 3);
+      const [v, w] = this.#named([triangles[c], triangles[c % 3 === 2 ? t : c + 1]]);
+      const [u] = this.#named([triangles[t + ((c + 2) % 3)], v]);
+      if (Math.min(u, v, w) < 0 || u === v || v === w || w === u) continue; // no triangle any more
       const key = keyOf([v, w]);
       const sides = this.#sides.get(key);
       if (sides) sides.push(Math.floor(c / 3));
@@ -131,7 +140,21 @@ export class EdgeMap {
   }
 
   isRim(edge: Edge): boolean {
-    return this.#sides.get(keyOf(edge))?.length === 1;
+    return this.#sides.get(keyOf(this.#named(edge)))?.length === 1;
+  }
+
+  /** A choice of another reading of the surface, without the edges that this one does not have inside. */
+  kept(choice: FeatureChoice): FeatureChoice {
+    const isInside = (edge: Edge): boolean => (this.#sides.get(keyOf(edge))?.length ?? 0) > 1;
+    const edges = choice.edges.map((edge) => this.#named(edge)).filter(isInside);
+    const rims = this.rims();
+    return { ...choice, edges, rims, hasRims: choice.hasRims && rims.length > 0 };
+  }
+
+  /** An edge by the vertices that stand for its own. */
+  #named([v, w]: Edge): Edge {
+    const { representative: of } = this.#surface;
+    return of ? [of[v] ?? -1, of[w] ?? -1] : [v, w];
   }
 
   #point(v: number): number[] {
@@ -151,7 +174,8 @@ export class EdgeMap {
   }
 
   /** The edge, and those that go on from it in both directions, of the same kind, up to the next corner or crossing. */
-  chainThrough(edge: Edge): Edge[] {
+  chainThrough(picked: Edge): Edge[] {
+    const edge = this.#named(picked);
     const isRim = this.isRim(edge);
     if (!isRim && !this.isSharp(edge)) return [edge];
     const chain = [edge];
@@ -188,10 +212,6 @@ function unit(a: number[]): number[] {
   const length = Math.hypot(...a) || 1;
   return a.map((x) => x / length);
 }
-
-/** The option of a run. */
-export const askedFeatures = (features: FeatureChoice | undefined) =>
-  features ? { features: toFeatures(features) } : {};
 
 /** The same as a part of a sentence, after a comma; rims are counted by boundary loops. */
 export const describeFollowed = (features: FeatureChoice | undefined, rims = 0): string =>

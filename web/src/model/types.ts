@@ -112,6 +112,12 @@ export interface Output {
   hasGrid: boolean;
 }
 
+/** A file with a direction at every place of the surface. */
+export interface DirectionField {
+  name: string;
+  text: string;
+}
+
 /** The input of a solution. */
 export interface SolveRequest {
   prescription: Prescription;
@@ -119,6 +125,8 @@ export interface SolveRequest {
   settings: LoadSettings;
   improve?: number;
   frames: 'auto' | 'file';
+  /** That of `frames`, if they are those of a file. */
+  field?: DirectionField;
   /** Edges that are straight lines. */
   features?: FeatureChoice;
   /** The settings; `cells` is the number requested from the solver, if any. */

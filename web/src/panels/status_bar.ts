@@ -3,6 +3,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { attempt, type AppView } from '../actions/app';
 import type { Job, Message } from '../model/types';
+import { stopAutomatic } from '../actions/follow_edits';
 import { runSteps, stageName, stepIndex } from '../text/stages';
 import { plural } from '../text/format';
 import { actionButton } from './action_button';
@@ -50,7 +51,7 @@ class StatusBar extends Panel {
     return html`<footer>
       <p id="status" role="status" class=${job ? '' : (message?.kind ?? '')}>${said}</p>
       <p id="aside" role="status">${job ? message?.text : ''}</p>
-      ${this.#actions(message)} ${job ? this.#progress(job) : nothing}
+      ${this.#actions(message)} ${job ? this.#progress(job) : this.#stop()}
       ${actionButton(app, 'log', { className: 'small log-button' })}
       ${ui.isPhone ? runButton(app) : nothing}
     </footer>`;
@@ -63,6 +64,18 @@ class StatusBar extends Panel {
           ${label}
         </button>`,
     );
+  }
+
+  #stop(): TemplateResult | typeof nothing {
+    if (!this.app.doc.automatic) return nothing;
+    return html`<button
+      type="button"
+      class="small"
+      id="stop"
+      @click=${() => void attempt(this.app, () => stopAutomatic(this.app))}
+    >
+      Stop
+    </button>`;
   }
 
   #progress(job: Job): TemplateResult {

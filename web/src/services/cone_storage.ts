@@ -1,8 +1,10 @@
 // Stores the last cones of every file, by the file's hash, in this browser; never the mesh.
 
 import type { Prescription } from '../model/prescription';
+import { answer, openStore, type Store } from './storage';
 
 const format = 2;
+const cones: Store = { database: 'hgp', name: 'cones', keyPath: 'sha256', indices: ['time'] };
 
 interface SavedCones {
   sha256: string;
@@ -31,39 +33,29 @@ function isSavedCones(value: unknown): value is SavedCones {
   );
 }
 
-function openStore(mode: IDBTransactionMode): Promise<IDBObjectStore> {
-  return new Promise((resolve, reject) => {
-    const opening = indexedDB.open('hgp', 1);
-    opening.onupgradeneeded = () =>
-      opening.result.createObjectStore('cones', { keyPath: 'sha256' }).createIndex('time', 'time');
-    opening.onerror = () => reject(opening.error ?? new Error('no storage'));
-    opening.onsuccess = () => {
-      const transaction = opening.result.transaction('cones', mode);
-      transaction.oncomplete = () => opening.result.close();
-      resolve(transaction.objectStore('cones'));
-    };
-  });
+/** Identifies one mesh of a file. */
+interface Place {
+  file: { sha256: string };
+  surface: number;
 }
 
-const answer = <T>(request: IDBRequest<T>): Promise<T> =>
-  new Promise((resolve, reject) => {
-    request.onsuccess = () => resolve(request.result);
-    request.onerror = () => reject(request.error ?? new Error('storage failed'));
-  });
+const keyOf = ({ file, surface }: Place): string =>
+  surface === 0 ? file.sha256 : `${file.sha256}.${surface}`;
 
-/** The stored cones of a file, if any; undefined as well if storage is not allowed. */
-export async function restorable(sha256: string): Promise<SavedCones | undefined> {
+/** The stored cones of a mesh, if any; undefined as well if storage is not allowed. */
+export async function restorable(mesh: Place): Promise<SavedCones | undefined> {
   try {
-    const found: unknown = await answer((await openStore('readonly')).get(sha256));
+    const found: unknown = await answer((await openStore(cones, 'readonly')).get(keyOf(mesh)));
     return isSavedCones(found) ? found : undefined;
   } catch {
     return undefined;
   }
 }
 
-export async function saveCones(sha256: string, prescription: Prescription): Promise<void> {
+export async function saveCones(mesh: Place, prescription: Prescription): Promise<void> {
   try {
-    const store = await openStore('readwrite');
+    const store = await openStore(cones, 'readwrite');
+    const sha256 = keyOf(mesh);
     store.put({ sha256, time: Date.now(), version: format, prescription } satisfies SavedCones);
     const count = await answer(store.count());
     if (count <= most) return;

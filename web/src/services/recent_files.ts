@@ -1,29 +1,11 @@
 // The files that were opened last, in this browser only: they never leave it, and one click forgets them.
 
 import type { Recent } from '../model/recent';
+import { answer, openStore, type Store } from './storage';
 
 const most = 6;
 const mostBytes = 48 * 2 ** 20;
-const database = 'hgp-recent';
-
-function opened(mode: IDBTransactionMode): Promise<IDBObjectStore> {
-  return new Promise((resolve, reject) => {
-    const opening = indexedDB.open(database, 1);
-    opening.onupgradeneeded = () => opening.result.createObjectStore('files', { keyPath: 'id' });
-    opening.onerror = () => reject(opening.error ?? new Error('no storage'));
-    opening.onsuccess = () => {
-      const transaction = opening.result.transaction('files', mode);
-      transaction.oncomplete = () => opening.result.close();
-      resolve(transaction.objectStore('files'));
-    };
-  });
-}
-
-const answer = <T>(request: IDBRequest<T>): Promise<T> =>
-  new Promise((resolve, reject) => {
-    request.onsuccess = () => resolve(request.result);
-    request.onerror = () => reject(request.error ?? new Error('storage failed'));
-  });
+const place: Store = { database: 'hgp-recent', name: 'files', keyPath: 'id' };
 
 const isRecent = (value: unknown): value is Recent => {
   const { id, main, time, files } = (value ?? {}) as Partial<Recent>;
@@ -39,7 +21,7 @@ const isRecent = (value: unknown): value is Recent => {
 /** The newest first; none where storage is not allowed. */
 export async function recentFiles(): Promise<Recent[]> {
   try {
-    const all: unknown[] = await answer((await opened('readonly')).getAll());
+    const all: unknown[] = await answer((await openStore(place, 'readonly')).getAll());
     return all.filter(isRecent).sort((a, b) => b.time - a.time);
   } catch {
     return [];
@@ -58,7 +40,7 @@ export async function keepRecent(
   ]);
   if (blobs.reduce((sum, [, blob]) => sum + blob.size, 0) > mostBytes) return;
   try {
-    const store = await opened('readwrite');
+    const store = await openStore(place, 'readwrite');
     store.put({ id, main, time: Date.now(), files: blobs } satisfies Recent);
     const all: unknown[] = await answer(store.getAll());
     const old = all.filter(isRecent).sort((a, b) => b.time - a.time);
@@ -70,7 +52,7 @@ export async function keepRecent(
 
 export async function forgetRecent(): Promise<void> {
   try {
-    (await opened('readwrite')).clear();
+    (await openStore(place, 'readwrite')).clear();
   } catch {
     // There is nothing to forget.
   }

@@ -21,6 +21,10 @@ const grouped = new Intl.NumberFormat('en');
 /** "12 345", with a thin space. */
 export const count = (n: number | undefined): string => grouped.format(n ?? 0).replaceAll(',', ' ');
 
+/** "a, b and c". */
+export const listed = (parts: readonly string[]): string =>
+  [parts.slice(0, -1).join(', '), ...parts.slice(-1)].filter(Boolean).join(' and ');
+
 export const plural = (n: number, one: string, many = `${one}s`): string =>
   `${count(n)} ${n === 1 ? one : many}`;
 

@@ -2,7 +2,7 @@
 
 import type { Drag, Module } from '../module.js';
 import { checkVertex } from './check_options.js';
-import type { CoreMap } from './core.js';
+import type { CoreMap } from './core_map.js';
 import { defineDisposal } from './disposal.js';
 import { usage, valueOf } from './error.js';
 import type { Cones } from './options.js';

@@ -1,19 +1,13 @@
 // What a client returns: a loaded mesh, and a map of it. They stay usable when a call was cancelled or a worker was
 // lost: the next call on them makes them again, from a copy of the source and with the same options.
 
-import {
-  checkConeFile,
-  checkCones,
-  checkFeatures,
-  checkOptions,
-  checkVertex,
-  type CallName,
-} from './check_options.js';
+import { checkConeFile, checkCones, checkFeatures, checkVertex } from './check_options.js';
 import type { CallOptions } from './client.js';
 import { defineDisposal } from './disposal.js';
+import { Drag } from './drag_handle.js';
 import type { Certificate, CheckReport, ModelInfo } from './documents.js';
-import type { DragPath } from './drag.js';
 import { usage } from './error.js';
+import { lost, taken } from './handle.js';
 import { MapData } from './map_data.js';
 import type {
   ConeFile,
@@ -27,10 +21,8 @@ import type {
   VerifyOptions,
   WriteOptions,
 } from './options.js';
-import type { Recipe } from './protocol.js';
 import type { Queue } from './queue.js';
 import type {
-  DragFrame,
   FeatureList,
   Loops,
   Measures,
@@ -38,16 +30,10 @@ import type {
   Placements,
   Quads,
   Result,
-  SupersededFrame,
   Surface,
   SurfaceFacts,
   Written,
 } from './results.js';
-
-/** Releases handles that a program has lost. */
-const lost = new FinalizationRegistry<{ queue: Queue; id: number }>(
-  ({ queue, id }) => void queue.release(id),
-);
 
 /**
  * A loaded mesh, in the client's worker. Calls run one after another with all others of the client, in the order made.
@@ -276,89 +262,5 @@ export class UvMap extends MapData implements AsyncDisposable {
   }
 }
 
-/** A cone that is dragged over a map. */
-export class Drag implements AsyncDisposable {
-  readonly #queue: Queue;
-  readonly #id: number;
-  /** The map where the drag began; it does not change. */
-  readonly map: UvMap;
-
-  /** @internal */
-  constructor(queue: Queue, id: number, map: UvMap) {
-    this.#queue = queue;
-    this.#id = id;
-    this.map = map;
-    lost.register(this, { queue, id }, this);
-  }
-
-  /**
-   * The map with the cone at a vertex, as a preview: at most one waits. If the cone is dragged on before the worker has
-   * begun with it, it resolves to `superseded`. Aborting it never ends the worker. Rejects with `usage` where no cone
-   * can be: at other cones and on boundaries.
-   */
-  async dragTo(vertex: number, call?: CallOptions): Promise<DragFrame | SupersededFrame> {
-    const prepare = (): unknown[] => {
-      checkVertex('dragTo', vertex);
-      return [vertex];
-    };
-    const superseded: SupersededFrame = { state: 'superseded', vertex };
-    const learn = (result: unknown): undefined => {
-      const recipe = this.#queue.recipeOf(this.#id);
-      if (recipe && 'path' in (result as object))
-        recipe.args = [recipe.args[0], (result as PathedFrame).path];
-    };
-    const request = { method: 'dragTo', on: this.#id, superseded, learn };
-    const result = await this.#queue.add<PathedFrame | SupersededFrame>(request, prepare, call);
-    return 'path' in result ? result.frame : result;
-  }
-
-  /**
-   * Ends the drag after the calls made before, with its last certified map, verified as it is stored. The bytes of this
-   * map depend on the path of the cone; parametrize() with its cones gives one that depends on nothing else.
-   */
-  async endDrag(call?: CallOptions): Promise<UvMap> {
-    const makes = this.#queue.newId();
-    const learn = (): Omit<Recipe, 'id'> | undefined => {
-      const drag = this.#queue.recipeOf(this.#id);
-      const base = this.#queue.recipeOf(drag?.on ?? 0);
-      if (!drag || !base) return undefined;
-      const [options, drags = []] = base.args as [object, unknown[]?];
-      return { method: 'dragged', on: base.on, args: [options, [...drags, drag.args]] };
-    };
-    const request = { method: 'endDrag', on: this.#id, makes, learn };
-    const dropped = await this.#queue.add<Result>(request, () => [], call);
-    void this.dispose();
-    return new UvMap(this.#queue, makes, this.map.model, dropped);
-  }
-
-  /** Whether it cannot go on: after endDrag() and dispose(), also of its map, and the client's terminate(). */
-  get isDisposed(): boolean {
-    return !this.#queue.isLive(this.#id);
-  }
-
-  /** Ends the drag without a map, after the calls made before. */
-  dispose(): Promise<void> {
-    lost.unregister(this);
-    return this.#queue.release(this.#id);
-  }
-
-  [Symbol.asyncDispose](): Promise<void> {
-    return this.dispose();
-  }
-}
-
-/** What the worker answers: also the path that repeats the drag. */
-interface PathedFrame {
-  frame: DragFrame;
-  path: DragPath;
-}
-
-/** A checked copy of options, which the caller may change before the call runs. */
-function taken(call: CallName, options: object): object {
-  checkOptions(call, options);
-  return structuredClone(options);
-}
-
 defineDisposal(Model.prototype);
 defineDisposal(UvMap.prototype);
-defineDisposal(Drag.prototype);

@@ -1,6 +1,7 @@
 // Files of several meshes.
 
-import type { Core, CoreMap } from './core.js';
+import type { Core } from './core.js';
+import type { CoreMap } from './core_map.js';
 import { checkOptions } from './check_options.js';
 import type { Note, Report } from './documents.js';
 import { HgpError, usage, valueOf, type HgpFailure } from './error.js';

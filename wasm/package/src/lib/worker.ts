@@ -1,6 +1,8 @@
 // The worker: one Core, one call at a time.
 
-import { Core, CoreMap, CoreModel } from './core.js';
+import { Core } from './core.js';
+import { CoreMap } from './core_map.js';
+import { CoreModel } from './core_model.js';
 import { CoreDrag, type DragPath } from './drag.js';
 import { HgpError, messageOf, type HgpFailure } from './error.js';
 import type {

@@ -7,7 +7,9 @@ import type { InitOptions } from '../lib/options.js';
 import * as platform from './platform.js';
 import { wholeWasm } from '../lib/whole_wasm.js';
 
-export { Core, CoreMap, CoreModel } from '../lib/core.js';
+export { Core } from '../lib/core.js';
+export { CoreMap } from '../lib/core_map.js';
+export { CoreModel } from '../lib/core_model.js';
 export { CoreDrag } from '../lib/drag.js';
 export { HgpError } from '../lib/error.js';
 export { phrase, type Phrases } from '../lib/phrases.js';

@@ -1,0 +1,271 @@
+// A loaded mesh in the memory of WebAssembly, synchronous.
+
+import type { Session, SessionResult, StoredResult, WholeFile } from '../module.js';
+import { checkConeFile, checkCones, checkFeatures, checkOptions } from './check_options.js';
+import type { Core } from './core.js';
+import { CoreMap } from './core_map.js';
+import { defineDisposal } from './disposal.js';
+import type { Certificate, CheckReport, ModelInfo, Note, Report } from './documents.js';
+import type { DragPath } from './drag.js';
+import { usage, valueOf } from './error.js';
+import type {
+  ConeFile,
+  Cones,
+  FeatureFile,
+  FeatureListOptions,
+  Features,
+  FileOptions,
+  LoadOptions,
+  SolveOptions,
+  SuggestOptions,
+  VerifyOptions,
+} from './options.js';
+import type {
+  FeatureList,
+  Loops,
+  MovedCones,
+  Placements,
+  Progress,
+  Result,
+  Surface,
+  SurfaceFacts,
+} from './results.js';
+import { filesOf, forCore, jsonOf, listFile, progressCall } from './to_core.js';
+
+/** A loaded mesh. */
+export class CoreModel {
+  readonly #core: Core;
+  #session: Session | undefined;
+
+  /** The facts and defects of the mesh. */
+  readonly info: ModelInfo;
+  /**
+   * Those with which it was loaded.
+   * @internal
+   */
+  readonly options: LoadOptions;
+  /**
+   * The default name of the result of write().
+   * @internal
+   */
+  readonly defaultName: string;
+
+  /** @internal */
+  constructor(
+    core: Core,
+    session: Session,
+    { info, name, options }: { info: ModelInfo; name: string; options: LoadOptions },
+  ) {
+    this.#core = core;
+    this.#session = session;
+    this.info = info;
+    this.defaultName = name;
+    this.options = options;
+  }
+
+  /** The facts and defects of the mesh. */
+  inspect(): ModelInfo {
+    return jsonOf(this.#live.inspect()) as ModelInfo;
+  }
+
+  /** The loaded surface, usable or not, to which vertex and triangle ids refer. */
+  surface(): Surface {
+    return valueOf(this.#live.surface());
+  }
+
+  /** Facts about the vertices and triangles of the surface, usable or not. */
+  facts(): SurfaceFacts {
+    return valueOf(this.#live.facts());
+  }
+
+  /** By mesh of the file, how its nodes use it; empty in formats without nodes. */
+  placements(): Placements[] {
+    return valueOf(this.#live.placements()).meshes;
+  }
+
+  /** The boundary loops and handle generators, in the order of their numbers. */
+  loops(): Loops {
+    return valueOf(this.#live.loops());
+  }
+
+  /** A cone file of any known format as cones of the surface. */
+  readCones(file: ConeFile): Cones {
+    checkConeFile('readCones', file);
+    const { name = '', text, q = 0 } = file as Partial<ConeFile>;
+    return jsonOf(this.#live.readCones(name, text ?? '', q)) as Cones;
+  }
+
+  /** The cones stored in the file, or null. */
+  embeddedCones(): Cones | null {
+    const { json } = valueOf(this.#live.embeddedCones());
+    return json === undefined ? null : (JSON.parse(json) as Cones);
+  }
+
+  /** Automatic cones. */
+  suggestCones(options: SuggestOptions = {}): Cones {
+    checkOptions('suggestCones', options);
+    return jsonOf(this.#live.suggestCones(JSON.stringify(options), this.#progress())) as Cones;
+  }
+
+  /** The cones with those that Gauss–Bonnet misses, placed where they cause the least distortion. */
+  balanceCones(cones: Cones): Cones {
+    checkCones('balanceCones', cones);
+    return jsonOf(this.#live.balanceCones(JSON.stringify(cones))) as Cones;
+  }
+
+  /**
+   * The cones of another reading or version of this surface on this one: by number where both have the same vertices and
+   * triangles, otherwise by exact position.
+   */
+  transferCones(cones: Cones, from: CoreModel): MovedCones {
+    checkCones('transferCones', cones);
+    const { json, lost } = valueOf(this.#live.transferCones(JSON.stringify(cones), from.#live));
+    return { cones: JSON.parse(json) as Cones, lost: JSON.parse(lost) as Note[] };
+  }
+
+  /** Checks cones against Gauss–Bonnet in exact integers; solves nothing. */
+  check(cones: Cones): CheckReport {
+    checkCones('check', cones);
+    return jsonOf(this.#live.check(JSON.stringify(cones))) as CheckReport;
+  }
+
+  /**
+   * The logarithm of the conformal factor that the map of these cones follows, by surface vertex: a preview in a part of
+   * the time of parametrize(). NaN on components for which nothing is prescribed.
+   */
+  logScale(cones: Cones): Float32Array {
+    checkCones('logScale', cones);
+    return valueOf(this.#live.logScale(JSON.stringify(cones))).logScale;
+  }
+
+  /**
+   * The edges that features mean on this mesh, rims included, as a file of a name: `.json` (hgp-cones with positions),
+   * `.sharp`, `.obj` (`l` lines), otherwise rows of two vertices.
+   */
+  listFeatures(
+    features: Features | FeatureFile,
+    { name = 'features.json', ...rest }: FeatureListOptions = {},
+  ): FeatureList {
+    checkFeatures('listFeatures', features);
+    checkOptions('listFeatures', { name, ...rest });
+    const { notes, ...list } = valueOf(this.#live.features(listFile(features), name));
+    return { name, ...list, notes: JSON.parse(notes) as Note[] };
+  }
+
+  /** Solves, and verifies the map as it will be stored; without `cones` they are chosen automatically. */
+  parametrize(options: SolveOptions = {}): CoreMap {
+    checkOptions('parametrize', options);
+    const { cones, field, features, ...rest } = options;
+    const session = this.#live;
+    const text = cones ? JSON.stringify(cones) : '';
+    const asked = JSON.stringify(forCore(rest));
+    return this.#mapOf(
+      session.parametrize(text, filesOf(field, features), asked, this.#progress()),
+    );
+  }
+
+  /**
+   * The map that was dropped at the end of a drag, which is the session's result.
+   * @internal
+   */
+  dropped(): CoreMap {
+    return this.#mapOf(this.#live.result());
+  }
+
+  /**
+   * The map of parametrize() after drags, each given by its cone and its path.
+   * @internal
+   */
+  dragged(options: SolveOptions, drags: readonly [number, DragPath][]): CoreMap {
+    return drags.reduce((map, [cone, path]) => {
+      const drag = map.beginDrag(cone);
+      try {
+        return drag.repeat(path).endDrag();
+      } finally {
+        drag.free();
+        map.free();
+      }
+    }, this.parametrize(options));
+  }
+
+  /**
+   * Maps every mesh of its file.
+   * @internal
+   */
+  parametrizeFile({ write = {}, ...solve }: Omit<FileOptions, keyof LoadOptions>): WholeFile {
+    const { onProgress } = this.#core;
+    let [mesh, meshes] = [0, 1];
+    const onMesh = (...now: [number, number]): void => void ([mesh, meshes] = now);
+    const report = onProgress && ((p: Progress) => onProgress({ ...p, mesh, meshes }));
+    const [options, how] = [forCore(solve), { name: this.defaultName, ...write }];
+    const texts = [options, how].map((one) => JSON.stringify(one)) as [string, string];
+    return valueOf(this.#live.parametrizeFile(...texts, progressCall(report), onMesh));
+  }
+
+  /** Verifies texture coordinates in the file. */
+  verify(options: VerifyOptions = {}): Certificate {
+    checkOptions('verify', options);
+    const { cones, field, features, ...rest } = options;
+    const text = cones ? JSON.stringify(cones) : '';
+    const reply = this.#live.verify(text, filesOf(field, features), JSON.stringify(rest));
+    return jsonOf(reply) as Certificate;
+  }
+
+  /**
+   * The session with a result as its current one.
+   * @internal
+   */
+  showing(result: StoredResult): Session {
+    const session = this.#live;
+    if (!session.use(result)) throw usage('the map is of another surface');
+    return session;
+  }
+
+  /** Frees the model. Neither it nor its maps can be used afterwards. */
+  free(): void {
+    this.#session?.delete();
+    this.#session = undefined;
+  }
+
+  [Symbol.dispose](): void {
+    this.free();
+  }
+
+  get #live(): Session {
+    if (this.#session) return this.#session;
+    throw usage('this model has been freed');
+  }
+
+  #mapOf(reply: SessionResult | { error: string }): CoreMap {
+    const numbers = valueOf(reply);
+    const seams: Result['seams'] = [];
+    for (let i = 0; i < numbers.seams.length; i += 5) {
+      const [a0, a1, b0, b1, r] = numbers.seams.subarray(i, i + 5);
+      seams.push({ a: [a0, a1], b: [b0, b1], r });
+    }
+    const report = JSON.parse(numbers.report) as Report;
+    const { certificate, cones } = report;
+    const { memory, module } = this.#core;
+    const solved = numbers.solved ?? {
+      triangles: numbers.triangles,
+      uvTriangles: numbers.cornerToUv,
+      origin: Uint32Array.from({ length: numbers.triangles.length / 3 }, (_, f) => f),
+    };
+    const result = {
+      ...numbers,
+      solved,
+      seams,
+      report,
+      certificate,
+      cones: cones as Cones,
+      memory,
+    };
+    return new CoreMap(this, module, this.#live.storedResult(), result);
+  }
+
+  #progress() {
+    return progressCall(this.#core.onProgress);
+  }
+}
+
+defineDisposal(CoreModel.prototype);

@@ -16,9 +16,18 @@ mkdirSync(folder, { recursive: true });
 const { url, server } = await serve({ port: 0 });
 const browser = await startChromium('--use-angle=swiftshader', '--enable-unsafe-swiftshader');
 const page = await browser.newPage({ viewport: { width: 1100, height: 700 }, reducedMotion: 'reduce', serviceWorkers: 'block' }); // prettier-ignore
+/** Waits until nothing has been left to draw for some frames. */
+const drawn = () =>
+  page.evaluate(async () => {
+    const frame = () => new Promise((resolve) => requestAnimationFrame(resolve));
+    for (let still = 0; still < 10;) {
+      await frame();
+      still = document.querySelector('[data-pending]') ? 0 : still + 1;
+    }
+  });
 for (const { id } of examples()) {
+  await page.goto('about:blank');
   await page.goto(`${url}#pattern=${patterns[id]}&tiles=${tiles[id]}`);
-  await page.reload();
   await page.waitForSelector('body[data-state="empty"]');
   await page.click(`[data-card="${id}"]`);
   await page.waitForSelector('body[data-state="ready"]');
@@ -34,8 +43,7 @@ for (const { id } of examples()) {
     document.documentElement.style.background = document.body.style.background = 'transparent';
     Object.assign(view.style, { position: 'fixed', inset: '0', width: '240px', height: '240px', zIndex: 99 }); // prettier-ignore
   });
-  await page.waitForTimeout(900);
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))); // prettier-ignore
+  await drawn();
   const clip = { x: 0, y: 0, width: 240, height: 240 };
   writeFileSync(
     path.join(folder, `${id}.png`),
@@ -51,7 +59,7 @@ async function wholePage(id, hash, file) {
   await page.waitForSelector('body[data-state="ready"]');
   await page.click('#run');
   await page.waitForSelector('body[data-state="certified"]');
-  await page.waitForTimeout(1500);
+  await drawn();
   writeFileSync(path.join(images, file), await page.screenshot());
 }
 await wholePage('figure', '&pattern=plaid&tiles=20', 'page.png');

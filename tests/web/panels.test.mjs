@@ -161,6 +161,7 @@ test('Balance for me adds the missing cones where they cost least, as one step o
   // One corner by hand: what a click places is a cone of the missing sign.
   await page.click('#tool-place');
   const box = await page.locator('#view').boundingBox();
+  await settled(page); // what is not drawn cannot be clicked
   await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
   await page.waitForSelector('tr[data-cone="0"]');
   assert.equal(await kOf(it, 0), '3');

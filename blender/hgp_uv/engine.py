@@ -43,6 +43,7 @@ class Done(NamedTuple):
     report: Dict[str, Any]
     quads: Optional[Any]  # (positions, quads)
     stored: Dict[str, Any]  # the certificate of the float32 numbers that Blender keeps
+    notes: List[str]  # sentences of the package; of the command line's document the codes
 
 
 def package() -> Any:
@@ -113,12 +114,13 @@ class Run:
         exchange.write_ply(folder / "in.ply", self.job.mesh, np.zeros((corners, 2)))
         module = None if self.job.program else package()
         if module is not None:
-            report, stored = self._by_package(module, folder)
+            report, stored, notes = self._by_package(module, folder)
         else:
             report, stored = self._by_program(folder)
+            notes = [str(note["code"]) for note in report["notes"]]
         uv = exchange.read_uv(folder / "out.ply", self.job.mesh.sizes)
         quads = exchange.read_quads(folder / "quads.obj") if self.job.makes_quads else None
-        return Done(uv, report, quads, stored)
+        return Done(uv, report, quads, stored, notes)
 
     def _round(self, folder: pathlib.Path) -> None:
         """stored.ply: the map as Blender will store it."""
@@ -151,7 +153,7 @@ class Run:
             stored = hgp.Mesh.load(folder / "stored.ply").verify(m.cones)
         except hgp.HgpError as error:
             raise Failed(error.message, error.places) from error
-        return m.report, stored
+        return m.report, stored, m.notes
 
     def _by_program(self, folder: pathlib.Path) -> Any:
         job = self.job

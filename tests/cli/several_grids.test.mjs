@@ -1,12 +1,39 @@
 // A file of several meshes with one grid: every component is aligned, or the run ends with 6 and says which is not.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import path from 'node:path';
 import test from 'node:test';
+import { NodeIO } from '@gltf-transform/core';
 import { Random } from '../attack/random.mjs';
 import { cubeMesh, toGlb } from '../support/meshes.mjs';
 import { inFolder } from '../support/program.mjs';
 import { flatSquare, torusMesh } from '../web/shapes.mjs';
 
-const { put, run, read } = inFolder('several-grids');
+const { folder, put, run, read } = inFolder('several-grids');
+
+/** Twice the area of a triangle with these corners; with two coordinates, signed. */
+function doubleArea([a, b, c]) {
+  const [u, v] = [b, c].map((p) => p.map((x, i) => x - a[i]));
+  if (u.length === 2) return u[0] * v[1] - u[1] * v[0];
+  return Math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]); // prettier-ignore
+}
+
+/** Of every group `o` of an OBJ file: its area in space and in uv. */
+function areasOfObj(text) {
+  const [v, vt, groups] = [[], [], []];
+  for (const line of text.split('\n')) {
+    const [key, ...words] = line.split(' ');
+    if (key === 'v') v.push(words.slice(0, 3).map(Number));
+    else if (key === 'vt') vt.push(words.slice(0, 2).map(Number));
+    else if (key === 'o') groups.push({ inSpace: 0, inUv: 0 });
+    else if (key === 'f') {
+      const corners = words.map((word) => word.split('/').map((n) => Number(n) - 1));
+      groups.at(-1).inSpace += doubleArea(corners.map(([i]) => v[i])) / 2;
+      groups.at(-1).inUv += doubleArea(corners.map(([, i]) => vt[i])) / 2;
+    }
+  }
+  return groups;
+}
 
 const scaled = ({ vertices, triangles }, size) => ({
   vertices: vertices.map((point) => point.map((x) => size * x)),
@@ -33,4 +60,74 @@ test('with several meshes every component is aligned, or the run ends with 6 and
     aligned++;
   }
   assert.ok(aligned >= 4, `${aligned} of 8 files are aligned`);
+});
+
+/** The same of every mesh of a GLB file; uv is that of the set TEXCOORD_0, V downwards. */
+async function areasOfGlb(file) {
+  const document = await new NodeIO().readBinary(readFileSync(path.join(folder, file)));
+  return document
+    .getRoot()
+    .listMeshes()
+    .map((mesh) => {
+      const [part] = mesh.listPrimitives();
+      const [p, t] = ['POSITION', 'TEXCOORD_0'].map((name) => part.getAttribute(name));
+      const index = [...part.getIndices().getArray()];
+      const sum = { inSpace: 0, inUv: 0 };
+      for (let i = 0; i < index.length; i += 3) {
+        const corners = index.slice(i, i + 3);
+        sum.inSpace += doubleArea(corners.map((n) => p.getElement(n, []))) / 2;
+        sum.inUv -= doubleArea(corners.map((n) => t.getElement(n, []))) / 2;
+      }
+      return sum;
+    });
+}
+
+/** Those without a note have cells of one size, the others the part of it that their note says. */
+function checkCells(what, areas, partsOf) {
+  // A cell is a unit square in uv; maps keep areas about as well as cones, rims and integers allow.
+  const cell = areas.map(({ inSpace, inUv }) => Math.sqrt(inSpace / inUv));
+  areas.forEach(({ inUv }, n) => {
+    const ratio = (cell[n] * partsOf(n)) / cell[0];
+    assert.ok(ratio > 0.7 && ratio < 1.4, `${what}, component ${n}: cells of ${cell}`);
+    assert.ok(Number.isInteger(Math.log2(partsOf(n))), `${what}, component ${n}`);
+    assert.ok(inUv > 1, `${what}, component ${n} has the area of ${inUv} cells`);
+  });
+  assert.equal(partsOf(1), 1, what);
+  assert.ok(partsOf(areas.length - 1) > 1, what);
+}
+
+test('cells have one size within a file; a component smaller than a few cells has a half, a quarter … of it', async () => {
+  const parts = [20, 5, 1, 0.4, 0.1, 0.02].map((size, n) =>
+    scaled([cubeMesh(4), torusMesh(12, 8)][n % 2], size),
+  );
+  let offset = 0;
+  const text = parts.flatMap(({ vertices, triangles }, n) => {
+    const first = offset + 1;
+    offset += vertices.length;
+    return [
+      `o part${n}`,
+      ...vertices.map(([x, y, z]) => `v ${x + 60 * n} ${y} ${z}`),
+      ...triangles.map((corners) => `f ${corners.map((i) => i + first).join(' ')}`),
+    ];
+  });
+  put('sizes.obj', `${text.join('\n')}\n`);
+  put('sizes.glb', toGlb(parts));
+  for (const mode of ['tile', 'quad'])
+    for (const format of ['obj', 'glb']) {
+      const done = run('param', `sizes.${format}`, '--cells', '400', '--grid-mode', mode, '-o', `sized.${format}`, '--force', '--json', 'sized.json'); // prettier-ignore
+      assert.equal(done.code, 0, done.err);
+      const areas =
+        format === 'obj' ? areasOfObj(read('sized.obj')) : await areasOfGlb('sized.glb');
+      assert.equal(areas.length, parts.length);
+      const report = JSON.parse(read('sized.json'));
+      const reports = report.meshes?.map(({ document }) => document) ?? [report];
+      const found = reports.flatMap(({ components, notes }) =>
+        components.map((component, n) => ({
+          ...component,
+          parts: notes.find(({ code, numbers }) => code === 'grid-smaller-cells' && numbers.component === n)?.numbers.parts ?? 1, // prettier-ignore
+        })),
+      );
+      assert.ok(found.every(({ grid }) => grid.aligned));
+      checkCells(`${mode} ${format}`, areas, (n) => found[n].parts);
+    }
 });

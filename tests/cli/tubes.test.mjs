@@ -5,7 +5,7 @@ import test from 'node:test';
 import { toObj } from '../support/meshes.mjs';
 import { inFolder } from '../support/program.mjs';
 
-const { put, run } = inFolder('tubes');
+const { put, run, read } = inFolder('tubes');
 
 /** A closed tube of a × b fields, its radius much less than its length. */
 function tube(a, b, radius) {
@@ -32,5 +32,21 @@ test('three cones and both handles on a long tube are certified', () => {
     const asked = [...cones.map((cone) => ['--cone', cone]), ...handles.map((turn) => ['--handle', turn])].flat(); // prettier-ignore
     const done = run('param', file, '--q', `${q}`, asked, '-o', 'map.obj', '--force', '--reproducible'); // prettier-ignore
     assert.equal(done.code, 0, done.err);
+  }
+});
+
+test('handles that are left open turn otherwise where their smoothest turns have no map, and the report says so', () => {
+  for (const [a, b, radius, q, cones] of [
+    [32, 6, 0.08, 4, ['62:2', '26:6', '74:4', '107:4']],
+    [24, 8, 0.15, 3, ['120:1', '99:5', '4:3', '79:3']],
+  ]) {
+    const file = put('open.obj', toObj(tube(a, b, radius)));
+    const asked = cones.flatMap((cone) => ['--cone', cone]);
+    const all = ['--q', `${q}`, ...asked, '-o', 'map.obj', '--force', '--reproducible'];
+    const done = run('param', file, all, '--json', 'open.json');
+    assert.equal(done.code, 0, done.err);
+    const [component] = JSON.parse(read('open.json')).components;
+    assert.match(component.rounds.at(-1).method, /^other handles: /);
+    assert.ok(component.rounds.some(({ method }) => /^untangled/.test(method)));
   }
 });

@@ -65,6 +65,30 @@ Eigen::VectorXd handleCoefficients(const TriMesh& mesh, const FieldContext& cont
   return periods.ldlt().solve(handleCorrections(periods, natural, spec.q, handles));
 }
 
+/// The cone metric of a spec whose turnings are complete, and the part of the adjustment that comes from it.
+struct ConeMetric {
+  Eigen::VectorXd u;      ///< per node
+  PerEdge<double> omega;  ///< w (u_head − u_tail)
+};
+
+ConeMetric coneMetricOf(const TriMesh& mesh, const FieldContext& context,
+                        const HolonomySpec& spec) {
+  const FilledSurface& surface = context.surface;
+  Eigen::VectorXd gap = curvatureGap(surface, spec);
+  HGP_CHECK(std::abs(gap.sum()) < 1e-6 * surface.nodeCount,
+            "Gauss–Bonnet was checked, yet %g is left", gap.sum());
+  gap.array() -= gap.mean();
+  ConeMetric metric{context.laplacian.solve(gap),
+                    PerEdge<double>(static_cast<std::size_t>(mesh.edgeCount()), 0.0)};
+  const auto at = [&](VertexId v) { return metric.u[surface.node[v]]; };
+  for (EdgeId e : mesh.edges()) {
+    const HalfedgeId h = mesh.halfedge(e);
+    if (!mesh.isBoundary(h))
+      metric.omega[e] = surface.weight[e] * (at(mesh.head(h)) - at(mesh.tail(h)));
+  }
+  return metric;
+}
+
 /// Integrates the field along a breadth-first dual tree and computes the matchings, which are integers because the
 /// connection is trivial.
 void integrateField(const TriMesh& mesh, const Geometry& geometry, const PerEdge<double>& omega,
@@ -112,19 +136,7 @@ Result<PrescribedField> prescribedField(const TriMesh& mesh, const FieldContext&
   full.turning.assign(turning->begin(), turning->end());
 
   const FilledSurface& surface = context.surface;
-  Eigen::VectorXd gap = curvatureGap(surface, full);
-  HGP_CHECK(std::abs(gap.sum()) < 1e-6 * surface.nodeCount,
-            "Gauss–Bonnet was checked, yet %g is left", gap.sum());
-  gap.array() -= gap.mean();
-  const Eigen::VectorXd u = context.laplacian.solve(gap);
-
-  PerEdge<double> omega(static_cast<std::size_t>(mesh.edgeCount()), 0.0);
-  for (EdgeId e : mesh.edges()) {
-    const HalfedgeId h = mesh.halfedge(e);
-    if (!mesh.isBoundary(h))
-      omega[e] =
-          surface.weight[e] * (u[surface.node[mesh.head(h)]] - u[surface.node[mesh.tail(h)]]);
-  }
+  auto [u, omega] = coneMetricOf(mesh, context, full);
   const Eigen::VectorXd c = handleCoefficients(mesh, context, omega, spec);
   const PerEdge<double> harmonic = combineForms(mesh, surface, context.handles, c);
   for (EdgeId e : mesh.edges()) {
@@ -147,6 +159,35 @@ Result<PrescribedField> prescribedField(const TriMesh& mesh, const FieldContext&
     if (surface.node[v] >= 0) result.u[v] = u[surface.node[v]];
   result.scaleRange = u.maxCoeff() - u.minCoeff();
   return result;
+}
+
+std::vector<std::vector<int>> otherHandles(const TriMesh& mesh, const FieldContext& context,
+                                           const HolonomySpec& asked, const CompleteSpec& chosen) {
+  const Eigen::MatrixXd& periods = context.handles.periods;
+  const PerEdge<double> omega = coneMetricOf(mesh, context, toSpec(chosen)).omega;
+  const Eigen::VectorXd natural = coexactTransport(mesh, context, omega);
+  struct Choice {
+    double energy;
+    std::vector<int> handles;
+  };
+  std::vector<Choice> choices;
+  for (std::size_t i = 0; i < chosen.handles.size(); ++i) {
+    if (i < asked.handles.size() && asked.handles[i]) continue;
+    for (int step = 1; step < std::min(chosen.q, 3); ++step) {
+      Choice choice{0.0, chosen.handles};
+      choice.handles[i] = reduceTurn(choice.handles[i] + (step == 1 ? 1 : -1), chosen.q);
+      std::vector<std::optional<int>> given(choice.handles.begin(), choice.handles.end());
+      const Eigen::VectorXd change = handleCorrections(periods, natural, chosen.q, given);
+      choice.energy = change.dot(periods.ldlt().solve(change));
+      choices.push_back(std::move(choice));
+    }
+  }
+  std::stable_sort(choices.begin(), choices.end(),
+                   [](const Choice& a, const Choice& b) { return a.energy < b.energy; });
+  std::vector<std::vector<int>> out;
+  out.reserve(choices.size());
+  for (Choice& choice : choices) out.push_back(std::move(choice.handles));
+  return out;
 }
 
 }  // namespace hgp

@@ -3,6 +3,8 @@
 // what the spec leaves open by the smoothest choice.
 #pragma once
 
+#include <vector>
+
 #include "hgp/base/progress.h"
 #include "hgp/field/field_context.h"
 #include "hgp/field/frame_field.h"
@@ -26,5 +28,11 @@ struct PrescribedField {
 /// @pre checkPrescription(spec) passed; one component
 Result<PrescribedField> prescribedField(const TriMesh& mesh, const FieldContext& context,
                                         const HolonomySpec& spec);
+
+/// Other rotations of all handles: one that `asked` leaves open is a step of 2π/q away from that of `chosen`. Smoothest
+/// connection first; empty where none is open or q = 1.
+/// @param chosen  prescribedField(asked).spec
+std::vector<std::vector<int>> otherHandles(const TriMesh& mesh, const FieldContext& context,
+                                           const HolonomySpec& asked, const CompleteSpec& chosen);
 
 }  // namespace hgp

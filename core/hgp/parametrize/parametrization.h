@@ -19,7 +19,8 @@
 namespace hgp {
 
 struct ParametrizeOptions {
-  int maxRounds = 24;  ///< maximum number of programs
+  int maxRounds =
+      24;  ///< maximum number of programs, with each choice of the handles that are left open
   /// No further program once this much is spent, in units of workOf() (strategy/state.h) per triangle of the
   /// surface, or per kSmallSurface triangles where it has fewer.
   double largestWork = 1000.0;

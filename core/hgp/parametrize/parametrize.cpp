@@ -17,6 +17,13 @@ constexpr double kUnevenShare = 0.1;
 /// of 38 without a map, the evened metric gave one for 2, at twice the time.)
 constexpr int kUnevenRounds = 8;
 
+/// Iterations per triangle with one choice of the handles' rotations while there are others, enough for two or three
+/// untanglings; with each of these; their number; and iterations × triangles with all of them, about ten seconds.
+constexpr double kWorkOfHandles = 350.0;
+constexpr double kWorkOfOthers = 230.0;
+constexpr int kMostHandles = 8;
+constexpr double kMostHandleWork = 6e6;
+
 bool isUneven(const TriMesh& mesh, const Geometry& geometry) {
   const auto isThin = [&](FaceId f) {
     double longest = 0.0;
@@ -64,18 +71,93 @@ Result<Parametrization> inEvenedMetric(PreparedSurface& surface, const HolonomyS
   return before;
 }
 
-}  // namespace
-
-Result<Parametrization> parametrize(PreparedSurface& surface, const HolonomySpec& spec,
-                                    const ParametrizeOptions& options) {
-  const bool mayEven = options.method == Method::kAuto && !options.frames &&
-                       isUneven(surface.mesh(), surface.context().ownGeometry());
+/// In the surface's own metric and, where that is uneven, in the evened one.
+Result<Parametrization> inEitherMetric(PreparedSurface& surface, const HolonomySpec& spec,
+                                       const ParametrizeOptions& options, bool mayEven) {
   if (!mayEven) return parametrizeInMetric(surface, spec, options);
   ParametrizeOptions first = options;
   first.maxRounds = std::min(options.maxRounds, kUnevenRounds);
   Result<Parametrization> run = parametrizeInMetric(surface, spec, first);
   if (!run || run->isCertified || run->isImpossible) return run;
   return inEvenedMetric(surface, spec, options, std::move(*run));
+}
+
+bool hasOpenHandles(const PreparedSurface& surface, const HolonomySpec& spec) {
+  const auto isOpen = [](const std::optional<int>& r) { return !r; };
+  return surface.topology().genus > 0 && spec.features.empty() &&
+         (spec.handles.empty() || std::any_of(spec.handles.begin(), spec.handles.end(), isOpen));
+}
+
+double workOf(const std::vector<Round>& rounds, int faceCount) {
+  double work = 0.0;
+  for (const Round& round : rounds) work += hgp::workOf(round, faceCount);
+  return work;
+}
+
+/// The options with at most this work per triangle.
+ParametrizeOptions within(const ParametrizeOptions& options, double work, int faceCount) {
+  ParametrizeOptions out = options;
+  const double share = work * faceCount / std::max(faceCount, ParametrizeOptions::kSmallSurface);
+  out.largestWork = std::min(options.largestWork, share);
+  return out;
+}
+
+/// Tries other rotations of the handles that the prescription leaves open. Returns `before`, with the rounds of all,
+/// where none has a map.
+Result<Parametrization> withOtherHandles(PreparedSurface& surface, const HolonomySpec& spec,
+                                         const ParametrizeOptions& options,
+                                         Parametrization before) {
+  if (Status done = surface.requireConnection(); !done) return before;
+  const int faceCount = surface.mesh().faceCount();
+  const ParametrizeOptions few = within(options, kWorkOfOthers, faceCount);
+  int tried = 0;
+  double work = 0.0;
+  for (const std::vector<int>& handles :
+       otherHandles(surface.mesh(), surface.context(), spec, before.spec)) {
+    if (tried++ == kMostHandles || work > kMostHandleWork) break;
+    HolonomySpec other = spec;
+    other.turning.assign(before.spec.turning.begin(), before.spec.turning.end());
+    other.handles.assign(handles.begin(), handles.end());
+    Result<Parametrization> run = parametrizeInMetric(surface, other, few);
+    if (!run) return run;
+    work += workOf(run->rounds, faceCount);
+    for (Round& round : run->rounds) round.method = "other handles: " + round.method;
+    prepend(run->rounds, before.rounds);
+    prepend(run->times, before.times);
+    if (run->isCertified) return run;
+    before.rounds = std::move(run->rounds);
+    before.times = std::move(run->times);
+  }
+  return before;
+}
+
+}  // namespace
+
+Result<Parametrization> parametrize(PreparedSurface& surface, const HolonomySpec& spec,
+                                    const ParametrizeOptions& options) {
+  const int faceCount = surface.mesh().faceCount();
+  const bool isFree = options.method == Method::kAuto && !options.frames;
+  const bool mayEven = isFree && isUneven(surface.mesh(), surface.context().ownGeometry());
+  const bool mayTurn = isFree && hasOpenHandles(surface, spec);
+  // What a few untanglings do not solve, other handles mostly do, and sooner than more untanglings.
+  const bool isCut = mayTurn && !mayEven;
+  const ParametrizeOptions first = isCut ? within(options, kWorkOfHandles, faceCount) : options;
+  Result<Parametrization> run = inEitherMetric(surface, spec, first, mayEven);
+  if (!mayTurn || !run || run->isCertified || run->isImpossible) return run;
+  const std::vector<Round> before = run->rounds;
+  run = withOtherHandles(surface, spec, options, std::move(*run));
+  const bool isAtEnd = static_cast<int>(before.size()) == options.maxRounds;
+  if (!isCut || isAtEnd || !run || run->isCertified) return run;
+  Result<Parametrization> whole = parametrizeInMetric(surface, spec, options);
+  if (!whole) return whole;
+  // It begins with the same rounds again.
+  const auto isSame = [](const Round& a, const Round& b) { return a.method == b.method; };
+  const auto again = std::mismatch(before.begin(), before.end(), whole->rounds.begin(),
+                                   whole->rounds.end(), isSame);
+  whole->rounds.erase(whole->rounds.begin(), again.second);
+  prepend(whole->rounds, run->rounds);
+  prepend(whole->times, run->times);
+  return whole;
 }
 
 Result<Parametrization> parametrize(const TriMesh& mesh, const HolonomySpec& spec,

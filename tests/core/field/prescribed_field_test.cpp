@@ -237,5 +237,43 @@ TEST(TrivialConnection, IsTheSmallestAdjustmentOfItsClass) {
   }
 }
 
+TEST(OtherHandles, DifferInOneOpenRotationByOneStepAndAreAsPrescribedSmoothestFirst) {
+  int choices = 0;
+  forAllFields([&](const TriMesh& mesh, const FieldContext& context, const HolonomySpec& spec,
+                   const PrescribedField& chosen) {
+    if (context.handles.loops.empty() || chosen.spec.cones.empty()) return;
+    const int q = spec.q;
+    double last = 0.0;
+    for (const std::vector<int>& handles : otherHandles(mesh, context, spec, chosen.spec)) {
+      int changed = 0;
+      for (std::size_t i = 0; i < handles.size(); ++i) {
+        const int step = reduceTurn(handles[i] - chosen.spec.handles[i], q);
+        if (step == 0) continue;
+        ++changed;
+        EXPECT_TRUE(step == 1 || step == q - 1);
+        EXPECT_FALSE(i < spec.handles.size() && spec.handles[i]) << "given";
+      }
+      EXPECT_EQ(changed, 1);
+      HolonomySpec other = toSpec(chosen.spec);
+      other.handles.assign(handles.begin(), handles.end());
+      const Result<PrescribedField> field = prescribedField(mesh, context, other);
+      ASSERT_TRUE(field);
+      EXPECT_EQ(field->spec.handles, handles);
+      // What handles add to the adjustment is orthogonal to the rest in Σ ω²/w.
+      double energy = 0.0;
+      for (EdgeId e : mesh.edges()) {
+        const HalfedgeId h = mesh.halfedge(e);
+        if (mesh.isBoundary(h) || !(context.surface.weight[e] > 0.0)) continue;
+        const double omega = adjustment(mesh, context.geometry, field->field, h);
+        energy += omega * omega / context.surface.weight[e];
+      }
+      EXPECT_GE(energy, last - 1e-6 * (1.0 + last));
+      last = energy;
+      ++choices;
+    }
+  });
+  EXPECT_GT(choices, 40);
+}
+
 }  // namespace
 }  // namespace hgp

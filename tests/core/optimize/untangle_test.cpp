@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hgp/optimize/fold_barrier.h"
+#include "hgp/optimize/kernels.h"
 #include "solved.h"
 #include "support/random.h"
 
@@ -76,6 +77,48 @@ TEST(Untangle, UnfoldsACertifiedMapThatWasPerturbed) {
   EXPECT_EQ(result.flipped, 0);
   const Eigen::VectorXcd unfolded = p.unknowns.copies * result.x;
   EXPECT_TRUE(p.certify({unfolded.data(), unfolded.data() + unfolded.size()}).isCertified);
+}
+
+/// Three vertices, on the seam or beside cones as well as elsewhere, leave their rings.
+Eigen::VectorXcd crushed(const test::SeamlessProblem& p, const ProgramResult& solved, int seed) {
+  std::mt19937 random(static_cast<unsigned>(seed));
+  Eigen::VectorXcd x = solved.x;
+  const auto noise = [&] { return (test::randomBelow(random, 2001) - 1000) * 1e-3; };
+  for (int moved = 0; moved < 3; ++moved) {
+    const VertexId v(test::randomBelow(random, p.surface.mesh.vertexCount()));
+    const int unknown = p.unknowns.vertexUnknown[v];
+    if (unknown < 0) continue;
+    double edge = 0.0;
+    for (HalfedgeId h : outgoingHalfedges(p.surface.mesh, v))
+      edge = std::max(edge, std::abs(p.partsOf(TriMesh::face(h), solved.z).first));
+    x[unknown] += 3.0 * edge * Complex(noise(), noise());
+  }
+  return x;
+}
+
+TEST(Kernels, TakeVerticesThatLeftTheirRingsBackAndKeepSeamsAndAngles) {
+  const test::SeamlessProblem p = test::sphereProblem(6, 4, std::vector<int>(8, 3));
+  const ProgramResult solved = p.solve(p.frames(), p.weightedOptions());
+  const auto mapOf = [&](const Eigen::VectorXcd& x) {
+    const Eigen::VectorXcd z = p.unknowns.copies * x;
+    return std::vector<Complex>(z.data(), z.data() + z.size());
+  };
+  int folded = 0, mended = 0;
+  for (int seed = 0; seed < 40; ++seed) {
+    UntangleResult result;
+    result.x = crushed(p, solved, seed);
+    result.flipped = static_cast<int>(p.certify(mapOf(result.x)).orientation.notPositive.size());
+    if (result.flipped == 0) continue;
+    ++folded;
+    const UntangleResult before = result;
+    moveIntoKernels(p.system(), result);
+    const Certificate after = p.certify(mapOf(result.x));
+    EXPECT_EQ(result.flipped, static_cast<int>(after.orientation.notPositive.size()));
+    EXPECT_TRUE(result.flipped == 0 || result.x == before.x) << "all or nothing";
+    mended += after.isCertified;
+  }
+  EXPECT_GE(folded, 20) << "examples that show nothing";
+  EXPECT_GE(mended, folded - 2);
 }
 
 TEST(Untangle, StopsWhenCancelled) {

@@ -5,6 +5,7 @@
 
 #include "hgp/base/portable_math.h"
 #include "hgp/optimize/frame_fixing.h"
+#include "hgp/optimize/kernels.h"
 #include "hgp/optimize/program_form.h"
 #include "hgp/optimize/untangle.h"
 
@@ -235,7 +236,8 @@ bool Attempts::untangleFrom(const State& state, int round, Attempt& attempt) {
     return report(options_.progress,
                   {Stage::kSolve, fraction, iteration, wrong, round, options_.maxRounds});
   };
-  const UntangleResult result = untangle(system, start.x, options);
+  UntangleResult result = untangle(system, start.x, options);
+  if (result.flipped > 0 && !result.isCancelled) moveIntoKernels(system, result);
   attempt.program.x = result.x;
   attempt.program.iterations = result.iterations;
   if (result.flipped == 0) attempt.program.status = socp::SolveStatus::kOptimal;

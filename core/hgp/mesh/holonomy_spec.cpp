@@ -268,9 +268,13 @@ std::optional<Note> proveImpossible(const TriMesh& mesh, const Topology& topolog
       open.push_back(j);
     }
   }
-  if (open.size() == 1)
-    question.loops.push_back(
-        {open[0], &topology.loops[static_cast<std::size_t>(open[0])], static_cast<int>(rest)});
+  if (open.size() == 1) {
+    // Outside this range nothing is left to prove: completing the turning fails.
+    const BoundaryLoop& loop = topology.loops[static_cast<std::size_t>(open[0])];
+    const TurningRange range = turningRange(mesh, loop, spec.q);
+    if (rest >= range.lowest && rest <= range.highest)
+      question.loops.push_back({open[0], &loop, static_cast<int>(rest)});
+  }
   const std::optional<AngleShortage> found = findAnyAngleShortage(mesh, question, nearAngles);
   if (!found) return {};
   return noteOn(question, *found);

@@ -166,9 +166,11 @@ class Session {
   }
 
   /// All meshes of the file: {meshes, file}; `file` as from write(), with the notes of each mesh, if it may be written.
-  val parametrizeFile(const std::string& options, const std::string& write, const val& onProgress,
-                      const val& onMesh) {
+  val parametrizeFile(const std::string& options, const std::string& write, const val& files,
+                      const val& onProgress, const val& onMesh) {
     return guarded([&] {
+      const MaybePrescription all = toPrescription("", files);
+      if (!all) return failed(all.error());
       auto solve = toSolveOptions(options, onProgress);
       if (!solve) return failed(solve.error());
       auto how = api::optionsFromJson<api::WriteOptions>(write);
@@ -177,6 +179,7 @@ class Session {
       if (options.find("\"q\":") != std::string::npos) asked.q = solve->q;
       asked.solve = std::move(*solve);
       asked.write = std::move(*how);
+      if (*all) asked.features = (*all)->features;
       asked.onMesh = [&](int mesh) { onMesh(mesh, session_.surfaceCount()); };
       const Result<api::FileOutcome> made = api::parametrizeFile(session_, asked);
       if (!made) return failed(made.error());

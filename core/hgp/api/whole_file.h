@@ -11,9 +11,10 @@ namespace hgp::api {
 struct WholeFileOptions {
   SolveOptions solve;  ///< a number of cells is that of all meshes together
   WriteOptions write;
-  std::optional<int> q;                  ///< cones stored with another order are not used
-  bool ignoresEmbedded = false;          ///< nor any others
-  std::function<void(int mesh)> onMesh;  ///< called before each
+  std::optional<int> q;                            ///< cones stored with another order are not used
+  bool ignoresEmbedded = false;                    ///< nor any others
+  prescription::PrescribedFeatures features = {};  ///< of every mesh
+  std::function<void(int mesh)> onMesh;            ///< called before each
 };
 
 /// What happened to one mesh.

@@ -68,14 +68,14 @@ class AngleFlow {
         least_(least),
         unit_(unit),
         nodeOf_(question.k.size()),
-        members_(question.k.size() + question.loops.size()),
-        asked_(members_.size(), 0),
-        sum_(members_.size(), 0),
-        corners_(members_.size(), 0),
+        loopMembers_(question.loops.size()),
+        asked_(question.k.size() + question.loops.size(), 0),
+        sum_(asked_.size(), 0),
+        corners_(asked_.size(), 0),
         corner_(static_cast<std::size_t>(mesh.halfedgeCount()), 0),
-        reachedBy_(members_.size()),
-        isOpen_(members_.size(), 0),
-        isReached_(members_.size(), 0) {
+        reachedBy_(asked_.size()),
+        isOpen_(asked_.size(), 0),
+        isReached_(asked_.size(), 0) {
     for (VertexId v : mesh.vertices()) {
       asked_[at(v.i)] = 2LL * question.k[v] * unit_;
       isOpen_[at(v.i)] = mesh.isBoundary(v);
@@ -84,7 +84,7 @@ class AngleFlow {
     for (std::size_t j = 0; j < question.loops.size(); ++j)
       addLoop(question.k.size() + j, question.q, question.loops[j]);
     for (VertexId v : mesh.vertices()) {
-      members_[at(nodeOf_[v])].push_back(v);
+      if (nodeOf_[v] != v.i) loopMembers_[at(nodeOf_[v] - mesh.vertexCount())].push_back(v);
       if (!mesh.isIsolated(v)) corners_[at(nodeOf_[v])] += mesh.valence(v);
     }
   }
@@ -143,20 +143,34 @@ class AngleFlow {
     isReached_[at(start)] = 1;
     for (std::size_t next = 0; next < queue_.size(); ++next) {
       if (queue_.size() > largest) return {-1, true};
-      for (const VertexId v : members_[at(queue_[next])]) {
+      const int node = queue_[next];
+      const bool isVertex = node < mesh_.vertexCount();
+      const std::size_t members = isVertex ? 1 : membersOf(node).size();
+      for (std::size_t i = 0; i < members; ++i) {
         if (--visitsLeft_ < 0) return {-1, true};
-        for (HalfedgeId out : outgoingHalfedges(mesh_, v))
-          for (const HalfedgeId h : {TriMesh::next(out), TriMesh::previous(out)}) {
-            const std::size_t node = nodeAt(h);
-            if (isReached_[node] != 0 || corner_[h] <= least_) continue;
-            isReached_[node] = 1;
-            reachedBy_[node] = {out, h};
-            queue_.push_back(static_cast<int>(node));
-            if (mayGive(node)) return {static_cast<int>(node), false};
-          }
+        const int donor = reachAround(isVertex ? VertexId(node) : membersOf(node)[i]);
+        if (donor >= 0) return {donor, false};
       }
     }
     return {};
+  }
+
+  const std::vector<VertexId>& membersOf(int loopNode) const {
+    return loopMembers_[at(loopNode - mesh_.vertexCount())];
+  }
+
+  /// Reaches the nodes whose corners can give up angle to those at v. A node with angle to give, or −1.
+  int reachAround(VertexId v) {
+    for (HalfedgeId out : outgoingHalfedges(mesh_, v))
+      for (const HalfedgeId h : {TriMesh::next(out), TriMesh::previous(out)}) {
+        const std::size_t node = nodeAt(h);
+        if (isReached_[node] != 0 || corner_[h] <= least_) continue;
+        isReached_[node] = 1;
+        reachedBy_[node] = {out, h};
+        queue_.push_back(static_cast<int>(node));
+        if (mayGive(node)) return static_cast<int>(node);
+      }
+    return -1;
   }
 
   void push(int to, int donor) {
@@ -181,9 +195,10 @@ class AngleFlow {
   long long least_;  ///< of a corner
   long long unit_;   ///< N
   PerVertex<int> nodeOf_;
-  std::vector<std::vector<VertexId>> members_;  ///< per node
-  std::vector<long long> asked_, sum_;          ///< per node
-  std::vector<int> corners_;                    ///< per node: how many corners it has
+  std::vector<std::vector<VertexId>>
+      loopMembers_;                     ///< per given loop; another node is its own vertex
+  std::vector<long long> asked_, sum_;  ///< per node
+  std::vector<int> corners_;            ///< per node: how many corners it has
   PerHalfedge<long long> corner_;
   std::vector<Step> reachedBy_;
   std::vector<char> isOpen_, isReached_;

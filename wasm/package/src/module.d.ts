@@ -117,6 +117,7 @@ export interface Session {
   parametrizeFile(
     options: string,
     write: string,
+    files: object,
     onProgress: ProgressCall | undefined,
     onMesh: (mesh: number, meshes: number) => void,
   ): Reply<WholeFile>;

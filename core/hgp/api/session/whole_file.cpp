@@ -36,6 +36,10 @@ Status solveOne(Session& session, const WholeFileOptions& options, const SolveOp
       std::optional<prescription::Prescription>();
   if (solve.boundary == BoundaryKind::kFree)
     cones = storedCones(session, options.q, options.ignoresEmbedded);
+  if (cones && !options.features.isEmpty()) {
+    if (!*cones) cones->emplace().q = options.solve.q;
+    (*cones)->features = options.features;
+  }
   return cones ? session.parametrize(*cones, solve) : Status(cones.error());
 }
 

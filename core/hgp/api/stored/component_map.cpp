@@ -37,27 +37,47 @@ std::vector<int> componentOfTriangle(const Model& model) {
 
 namespace {
 
+/// Up to this many uv of the surface per uv corner of a component, a table of all is faster than sorting.
+constexpr std::size_t kTableShare = 8;
+
+/// The indices below `count` that corners use, ascending.
+std::vector<int> usedIndices(const UvMap& map, int count) {
+  std::vector<int> used;
+  const auto visit = [&](const auto& take) {
+    for (const auto& corners : map.cornerUv)
+      for (const int i : corners)
+        if (i >= 0 && i < count) take(i);
+  };
+  if (at(count) > kTableShare * 3 * map.cornerUv.size()) {
+    used.reserve(3 * map.cornerUv.size());
+    visit([&](int i) { used.push_back(i); });
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    return used;
+  }
+  std::vector<char> isUsed(at(count), 0);
+  visit([&](int i) { isUsed[at(i)] = 1; });
+  for (int i = 0; i < count; ++i)
+    if (isUsed[at(i)] != 0) used.push_back(i);
+  return used;
+}
+
 /// Copies to `map` the uv that its corners use, with new indices, so that the cost of a component does not
 /// depend on the others.
 void takeUsed(const std::vector<Vec2>& uv, UvMap& map) {
   const int count = static_cast<int>(uv.size());
-  std::vector<int> used;
-  used.reserve(3 * map.cornerUv.size());
-  for (const auto& corners : map.cornerUv)
-    for (int i : corners)
-      if (i >= 0 && i < count) used.push_back(i);
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
+  const std::vector<int> used = usedIndices(map, count);
+  const bool isAll = at(count) == used.size();
   for (auto& corners : map.cornerUv)
     for (int& i : corners) {
       if (i < 0 || i >= count) {
         i = -1;
-      } else {
+      } else if (!isAll) {
         i = static_cast<int>(std::lower_bound(used.begin(), used.end(), i) - used.begin());
       }
     }
   map.uv.reserve(used.size());
-  for (int i : used) map.uv.push_back(uv[static_cast<std::size_t>(i)]);
+  for (int i : used) map.uv.push_back(uv[at(i)]);
 }
 
 }  // namespace

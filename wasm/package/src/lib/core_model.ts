@@ -192,14 +192,19 @@ export class CoreModel {
    * Maps every mesh of its file.
    * @internal
    */
-  parametrizeFile({ write = {}, ...solve }: Omit<FileOptions, keyof LoadOptions>): WholeFile {
+  parametrizeFile({
+    write = {},
+    features,
+    ...solve
+  }: Omit<FileOptions, keyof LoadOptions>): WholeFile {
     const { onProgress } = this.#core;
     let [mesh, meshes] = [0, 1];
     const onMesh = (...now: [number, number]): void => void ([mesh, meshes] = now);
     const report = onProgress && ((p: Progress) => onProgress({ ...p, mesh, meshes }));
     const [options, how] = [forCore(solve), { name: this.defaultName, ...write }];
     const texts = [options, how].map((one) => JSON.stringify(one)) as [string, string];
-    return valueOf(this.#live.parametrizeFile(...texts, progressCall(report), onMesh));
+    const files = filesOf(undefined, features);
+    return valueOf(this.#live.parametrizeFile(...texts, files, progressCall(report), onMesh));
   }
 
   /** Verifies texture coordinates in the file. */

@@ -1,7 +1,9 @@
 // The service worker that keeps the page working without a network: made by the build, which knows
-// the names of all files. Cache first; a new version takes over when its page is opened anew.
+// the names of all files. Cache first; a new version takes over when its page is opened anew. It also
+// isolates the page where the host does not.
 
 import { createHash } from 'node:crypto';
+import { isolation } from './serve.mjs';
 
 const script = (
   files,
@@ -11,6 +13,17 @@ const script = (
 const name = '${prefix}${version}';
 const files = ${JSON.stringify(files)};
 const scope = new URL('./', location.href);
+// Shared memory is there only on isolated pages, and few static hosts send what isolates them. Documents and
+// workers need it; everything else is passed on as it is, with what the browser has compiled of it.
+const isolation = ${JSON.stringify(Object.entries(isolation))};
+const isolated = ['document', 'worker', 'sharedworker'];
+const isolate = (answer) => {
+  if (answer.status === 0) return answer; // a redirection, or no network
+  const { status, statusText } = answer;
+  const headers = new Headers(answer.headers);
+  for (const [header, value] of isolation) headers.set(header, value);
+  return new Response(answer.body, { status, statusText, headers });
+};
 self.addEventListener('install', (event) => {
   // Names with a hash never change: what the page has just loaded is not loaded again.
   const modeOf = (file) => (file.startsWith('./assets/') ? 'default' : 'no-cache');
@@ -24,14 +37,14 @@ self.addEventListener('activate', (event) => {
   );
 });
 self.addEventListener('fetch', (event) => {
-  const { method, url } = event.request;
+  const { method, url, destination } = event.request;
   if (method !== 'GET' || !url.startsWith(scope.href)) return;
   const find = async () => {
     const cache = await caches.open(name);
     const page = url.split(/[?#]/)[0];
     return (await cache.match(page.endsWith('/') ? page + 'index.html' : page)) ?? fetch(event.request);
   };
-  event.respondWith(find());
+  event.respondWith(isolated.includes(destination) ? find().then(isolate) : find());
 });
 `;
 

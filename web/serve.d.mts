@@ -1,2 +1,3 @@
 export const headers: Record<string, string>;
+export const isolation: Record<string, string>;
 export const hashed: { folder: string; cacheControl: string };

@@ -26,6 +26,12 @@ const types = {
   '.obj': 'text/plain; charset=utf-8',
 };
 
+/** What isolates a page from others, so that it may share memory with its workers; all that it loads is its own. */
+export const isolation = {
+  'Cross-Origin-Opener-Policy': 'same-origin',
+  'Cross-Origin-Embedder-Policy': 'require-corp',
+};
+
 export const headers = {
   'Content-Security-Policy':
     "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; " +
@@ -73,11 +79,15 @@ function fileCache() {
   };
 }
 
-/** Listens on localhost; port 0 takes a free one. Resolves to the server and its address. */
-export function serve({ folder = built, port = 8080 } = {}) {
+/**
+ * Listens on localhost; port 0 takes a free one. Resolves to the server and its address. `isIsolating: false` serves as
+ * hosts do that know nothing of the page's headers for isolation.
+ */
+export function serve({ folder = built, port = 8080, isIsolating = true } = {}) {
   const cached = fileCache();
+  const always = isIsolating ? { ...headers, ...isolation } : headers;
   const answer = async (request, response) => {
-    const fail = (status) => response.writeHead(status, headers).end();
+    const fail = (status) => response.writeHead(status, always).end();
     let name;
     try {
       name = decodeURIComponent(new URL(request.url, 'http://localhost').pathname);
@@ -94,7 +104,7 @@ export function serve({ folder = built, port = 8080 } = {}) {
       isCompressible(name) && /\bbr\b/.test(request.headers['accept-encoding'] ?? '');
     const { bytes, etag, encoding } = await cached(file, stat, wantsPacked);
     const about = {
-      ...headers,
+      ...always,
       ...(isHashed(name) ? { 'Cache-Control': hashed.cacheControl } : {}),
       ...{ ETag: etag, Vary: 'Accept-Encoding' },
     };

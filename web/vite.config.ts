@@ -7,7 +7,7 @@ import { guidePage } from './guide.mjs';
 import { heroModel } from './hero.mjs';
 import { licences } from './licences.mjs';
 import { serviceWorker } from './offline.mjs';
-import { hashed, headers } from './serve.mjs';
+import { hashed, headers, isolation } from './serve.mjs';
 
 const built = path.resolve(import.meta.dirname, '../build/package');
 
@@ -72,7 +72,7 @@ function offline(): Plugin {
       }
       this.emitFile({ type: 'asset', fileName: 'sw.js', source: serviceWorker(files) });
       // Not the rule on caching: some hosts would join it with that of the names that never change.
-      const { 'Cache-Control': again, ...always } = headers;
+      const { 'Cache-Control': again, ...always } = { ...headers, ...isolation };
       const rule = (place: string, values: Record<string, string>): string =>
         [place, ...Object.entries(values).map(([name, value]) => `  ${name}: ${value}`), ''].join(
           '\n',

@@ -110,15 +110,15 @@ async function closed(page) {
   return true;
 }
 
-/** Where the page is served and files are written, once for the process. */
-let place;
-function open() {
-  place ??= (async () => {
-    mkdirSync(shots, { recursive: true });
-    const folder = mkdtempSync(path.join(tmpdir(), 'hgp-web-'));
-    return { folder, ...(await serve({ port: 0 })) };
-  })();
-  return place;
+/** Where files are written, once for the process. */
+let folder;
+/** Where the page is served: by a host that isolates it, and by one that does not. */
+const places = new Map();
+function open(isIsolating) {
+  mkdirSync(shots, { recursive: true });
+  folder ??= mkdtempSync(path.join(tmpdir(), 'hgp-web-'));
+  if (!places.has(isIsolating)) places.set(isIsolating, serve({ port: 0, isIsolating }));
+  return places.get(isIsolating);
 }
 
 const browsers = new Map();
@@ -151,8 +151,8 @@ function onlyByRun() {
 }
 
 const pages = new Map();
-async function openPage(flags, { isAutomatic, ...options }) {
-  const { url } = await open();
+async function openPage(flags, { isAutomatic, isIsolating, ...options }) {
+  const { url } = await open(isIsolating);
   const browser = await browserWith(flags);
   const context = await browser.newContext({
     ...{ acceptDownloads: true, reducedMotion: 'reduce', ...options },
@@ -167,10 +167,8 @@ async function openPage(flags, { isAutomatic, ...options }) {
 
 async function closeAll() {
   for (const browser of browsers.values()) await (await browser).close();
-  if (!place) return;
-  const { server, folder } = await place;
-  server.close();
-  rmSync(folder, { recursive: true, force: true });
+  for (const place of places.values()) (await place).server.close();
+  if (folder) rmSync(folder, { recursive: true, force: true });
 }
 // With one file, after its tests; in a lane, after its files.
 if (globalThis.atEnd) globalThis.atEnd.push(closeAll);
@@ -187,14 +185,15 @@ export function useBrowser({
   antialias = false, // with it, software has to paint four times as many
   serviceWorkers = 'block', // precaching would only slow the other tests down
   isAutomatic = false, // whether the page decides about runs after edits, as it does for everybody
+  isIsolating = true, // whether the host sends the headers that isolate the page, which few static hosts do
   ...more
 } = {}) {
   const it = { allowed: [] };
-  const options = { deviceScaleFactor, serviceWorkers, isAutomatic, ...more };
+  const options = { deviceScaleFactor, serviceWorkers, isAutomatic, isIsolating, ...more };
   const all = antialias ? flags : ['--webgl-antialiasing-mode=none', ...flags];
   const key = JSON.stringify([all, options]);
   const prepare = async () => {
-    const { url, folder } = await open();
+    const { url } = await open(isIsolating);
     if (!pages.has(key)) pages.set(key, await openPage(all, { viewport, ...options }));
     const { page, context, problems } = pages.get(key);
     Object.assign(it, { url, folder, page, context, allowed: [] });

@@ -20,6 +20,7 @@ import {
 } from './support.mjs';
 
 const it = useBrowser({ isAutomatic: true });
+const plain = useBrowser({ isAutomatic: true, isIsolating: false });
 const { test } = it;
 
 const liveIs = (page, ...states) =>
@@ -29,27 +30,27 @@ const liveIs = (page, ...states) =>
   );
 
 /** A map with eight cones, and automatic runs as asked. */
-async function mapped(isOn, mesh = cubeMesh(16)) {
-  const { page } = it;
-  await openMesh(it, mesh);
-  await run(it);
+async function mapped(isOn, mesh = cubeMesh(16), one = it) {
+  const { page } = one;
+  await openMesh(one, mesh);
+  await run(one);
   await page.locator('#automatic').setChecked(isOn);
   await settled(page);
 }
 
 /** Sets k of a cone as a person does. */
-async function setK(i, k) {
-  const input = it.page.locator(`tr[data-cone="${i}"] input`);
+async function setK(i, k, { page } = it) {
+  const input = page.locator(`tr[data-cone="${i}"] input`);
   await input.fill(String(k));
   await input.press('Enter');
 }
 
 /** Two cones change by opposite amounts, so that Gauss-Bonnet holds again; returns the first one's k before. */
-async function turnTwo() {
-  const [k, other] = [Number(await kOf(it, 0)), Number(await kOf(it, 1))];
-  await setK(0, k + 1);
-  await state(it.page, 'stale', 'unbalanced', 'renewing');
-  await setK(1, other - 1);
+async function turnTwo(one = it) {
+  const [k, other] = [Number(await kOf(one, 0)), Number(await kOf(one, 1))];
+  await setK(0, k + 1, one);
+  await state(one.page, 'stale', 'unbalanced', 'renewing');
+  await setK(1, other - 1, one);
   return k;
 }
 
@@ -59,8 +60,7 @@ const savedBytes = async () => {
 };
 
 /** The middle of the 3D view, where framing a cone shows it. */
-async function framed(i) {
-  const { page } = it;
+async function framed(i, { page } = it) {
   await page.click(`tr[data-cone="${i}"] [aria-label$="frame"]`);
   await settled(page);
   const box = await page.locator('#view').boundingBox();
@@ -148,16 +148,16 @@ test('undo and redo show the maps that are there, and no run is made', async () 
   assert.deepEqual(made, []);
 });
 
-test('a run that an edit has started yields to a cone that is dragged, in the same worker', async () => {
-  const { page } = it;
-  await mapped(true);
-  const { x, y } = await framed(2);
+async function yieldsToDrag(one) {
+  const { page } = one;
+  await mapped(true, cubeMesh(16), one);
+  const { x, y } = await framed(2, one);
   const workers = page.workers().length;
   let ended = 0;
   page.on('worker', (worker) => worker.once('close', () => (ended += 1)));
   const calls = await workerCalls(page);
   const goOn = await holdRuns(page);
-  await turnTwo();
+  await turnTwo(one);
   await page.waitForFunction(() => globalThis.held.length === 1);
   await page.mouse.move(x, y);
   await page.mouse.down();
@@ -173,6 +173,17 @@ test('a run that an edit has started yields to a cone that is dragged, in the sa
   const names = await calls.names();
   assert.equal(names.filter((name) => name === 'parametrize').length, 2, names.join());
   assert.ok(!names.includes('load'), 'nothing is read again');
+}
+
+test('a run that an edit has started yields to a cone that is dragged, in the same worker', async () => {
+  await yieldsToDrag(it);
+  assert.equal(await it.page.evaluate(() => crossOriginIsolated), true);
+});
+
+// Not shared memory, but a Blob that is revoked tells the worker.
+plain.test('so it does where the host does not isolate the page', async () => {
+  await yieldsToDrag(plain);
+  assert.equal(await plain.page.evaluate(() => crossOriginIsolated), false);
 });
 
 /** A cube of three triangles for each: of its vertices, two of three have three triangles. */

@@ -3,11 +3,87 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
-import { headers } from '../../web/serve.mjs';
-import { example, root, run, state, useBrowser } from './support.mjs';
+import { unzipSync } from 'fflate';
+import { cubeMesh, toGltf } from '../support/meshes.mjs';
+import { headers, isolation } from '../../web/serve.mjs';
+import {
+  coarseGrid,
+  example,
+  openFiles,
+  pixels,
+  pngOf,
+  root,
+  run,
+  saveAs,
+  settled,
+  share,
+  state,
+  useBrowser,
+} from './support.mjs';
 
 const it = useBrowser({ serviceWorkers: 'allow' });
 const { test } = it;
+const bare = useBrowser({ serviceWorkers: 'allow', isIsolating: false });
+
+/** What a person does: a textured model dropped, a run, its pattern and its own picture seen, the file saved. */
+async function wholeVisit({ page }) {
+  const { json, bin } = toGltf([cubeMesh(4)], { image: 'leaf.png' });
+  const files = {
+    'cube.gltf': JSON.stringify(json),
+    'cube.bin': bin,
+    'leaf.png': pngOf([[20, 190, 40]]),
+  };
+  await openFiles(bare, files);
+  await coarseGrid(page);
+  await run(bare);
+  await settled(page);
+  const inked = share(await pixels(page, '#view'), (r, g, b) => b > r + 15 && b < 140);
+  assert.ok(inked > 0.005, `${inked}`);
+  await page.selectOption('#pattern', 'material');
+  await page.waitForFunction(() => document.querySelector('#view').dataset.original === 'shown');
+  await settled(page);
+  const green = share(await pixels(page, '#view'), (r, g, b) => g > r + 30 && g > b + 30);
+  assert.ok(green > 0.05, `${green}`);
+  const { bytes } = await saveAs(bare, 'same');
+  await page.click('#download');
+  await page.click('#more-formats > summary');
+  await page.click('#validate');
+  await page.waitForFunction(() => document.querySelector('#validation').textContent.trim());
+  const said = await page.locator('#validation').innerText();
+  await page.keyboard.press('Escape');
+  return { bytes, said };
+}
+
+bare.test(
+  'a host without headers: from the second visit on the page is isolated, and nothing else changes',
+  async () => {
+    const { page, context } = bare;
+    const isIsolated = (one) => one.evaluate(() => crossOriginIsolated);
+    await page.evaluate(() => navigator.serviceWorker.ready.then(() => undefined));
+    assert.equal(await isIsolated(page), false);
+    const first = await wholeVisit(bare);
+    assert.match(first.said, /no errors|valid/i);
+
+    page.on('dialog', (dialog) => void dialog.accept());
+    await page.reload();
+    await state(page, 'empty');
+    assert.equal(await isIsolated(page), true);
+    for (const worker of page.workers()) assert.equal(await isIsolated(worker), true, worker.url());
+    assert.ok(page.workers().length > 0);
+    const second = await wholeVisit(bare);
+    assert.equal(second.said, first.said);
+    assert.deepEqual(unzipSync(second.bytes), unzipSync(first.bytes));
+
+    // Without a network too, and the guide beside it.
+    await context.setOffline(true);
+    await page.reload();
+    await state(page, 'empty');
+    assert.equal(await isIsolated(page), true);
+    await page.goto(`${bare.url}guide.html`, { waitUntil: 'domcontentloaded' });
+    assert.equal(await isIsolated(page), true);
+    bare.allowed = [/ERR_(INTERNET_DISCONNECTED|FAILED)/]; // the guide's picture is not kept
+  },
+);
 
 test('after one visit the page opens, solves and shows its guide without a network', async () => {
   const { page, context } = it;
@@ -30,6 +106,8 @@ test('page, server and shipped headers have the same security policy', () => {
   const policy = headers['Content-Security-Policy'];
   assert.ok(policy.startsWith(`${meta}; frame-ancestors`), policy);
   assert.ok(readFileSync(path.join(built, '_headers'), 'utf8').includes(policy));
+  for (const [name, value] of Object.entries(isolation))
+    assert.ok(readFileSync(path.join(built, '_headers'), 'utf8').includes(`  ${name}: ${value}\n`));
   for (const [name, value] of policy.split('; ').map((rule) => rule.split(/ (.*)/))) {
     assert.doesNotMatch(value, /unsafe-inline|'unsafe-eval'|https?:|\*/, name);
   }

@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import test, { after } from 'node:test';
 import { brotliDecompressSync } from 'node:zlib';
-import { headers, serve } from '../../../web/serve.mjs';
+import { headers, isolation, serve } from '../../../web/serve.mjs';
 
 const folder = mkdtempSync(path.join(tmpdir(), 'hgp-serve-'));
 mkdirSync(path.join(folder, 'assets'));
@@ -89,6 +89,8 @@ test('every answer has the policy; nothing outside of the folder is served', asy
     const answer = await get(name, {}, method);
     assert.equal(answer.status, status, `${method} ${name}`);
     assert.equal(answer.headers['content-security-policy'], headers['Content-Security-Policy']);
+    for (const [key, value] of Object.entries(isolation))
+      assert.equal(answer.headers[key.toLowerCase()], value, name);
     if (method === 'HEAD') assert.equal(answer.body.length, 0);
   }
 });

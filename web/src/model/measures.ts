@@ -1,6 +1,6 @@
 // What is measured on a map.
 
-/** Values at 0, 5, 50, 95, 99 and 100 percent. */
+/** Values at 0, 5, 50, 95, 99 and 100 percent of their number, whatever the areas of the triangles. */
 export interface Quantiles {
   min: number;
   p5: number;
@@ -13,7 +13,7 @@ export interface Quantiles {
 export interface Distortion {
   /** Ratio of singular values; 1: angles preserved. */
   stretch: Quantiles;
-  /** log₂ of the area scale relative to that of the whole surface. */
+  /** log₂ of the area scale relative to the best one of its component, as in the certificate. */
   area: Quantiles;
   /** The absolute value of `area`. */
   areaSize: Quantiles;

@@ -5,7 +5,7 @@ import type { CallOptions } from './client.js';
 import { defineDisposal } from './disposal.js';
 import type { DragPath } from './drag.js';
 import { lost } from './handle.js';
-import { UvMap } from './handles.js';
+import type { UvMap } from './handles.js';
 import type { Recipe } from './protocol.js';
 import type { Queue } from './queue.js';
 import type { DragFrame, Result, SupersededFrame } from './results.js';
@@ -14,14 +14,19 @@ import type { DragFrame, Result, SupersededFrame } from './results.js';
 export class Drag implements AsyncDisposable {
   readonly #queue: Queue;
   readonly #id: number;
+  readonly #mapOf: (id: number, dropped: Result) => UvMap;
   /** The map where the drag began; it does not change. */
   readonly map: UvMap;
 
-  /** @internal */
-  constructor(queue: Queue, id: number, map: UvMap) {
+  /**
+   * @param mapOf  the handle of the map that is dropped
+   * @internal
+   */
+  constructor(queue: Queue, id: number, map: UvMap, mapOf: (id: number, dropped: Result) => UvMap) {
     this.#queue = queue;
     this.#id = id;
     this.map = map;
+    this.#mapOf = mapOf;
     lost.register(this, { queue, id }, this);
   }
 
@@ -62,7 +67,7 @@ export class Drag implements AsyncDisposable {
     const request = { method: 'endDrag', on: this.#id, makes, learn };
     const dropped = await this.#queue.add<Result>(request, () => [], call);
     void this.dispose();
-    return new UvMap(this.#queue, makes, this.map.model, dropped);
+    return this.#mapOf(makes, dropped);
   }
 
   /** Whether it cannot go on: after endDrag() and dispose(), also of its map, and the client's terminate(). */

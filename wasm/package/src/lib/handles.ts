@@ -224,7 +224,9 @@ export class UvMap extends MapData implements AsyncDisposable {
       return [vertex];
     };
     await this.#queue.add({ method: 'beginDrag', on: this.#id, makes }, prepare, call);
-    return new Drag(this.#queue, makes, this);
+    const mapOf = (id: number, dropped: Result): UvMap =>
+      new UvMap(this.#queue, id, this.model, dropped);
+    return new Drag(this.#queue, makes, this, mapOf);
   }
 
   /** Distortion per triangle, overlaps, and the seam to which each seam edge belongs. */

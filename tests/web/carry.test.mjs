@@ -179,8 +179,8 @@ test('a new version of the file keeps the cones whose positions it has', async (
   };
   await drop(it, { 'part.obj': toObj(turned) });
   await modelSays(it, /Triangles\s*432/);
-  assert.match(
-    await statusText(page),
+  await statusSays(
+    it,
     startsThen('Another version of part\\.obj\\. 1 cone kept; ', 'moved-cone-gone', {
       vertex: middle,
     }),

@@ -91,7 +91,7 @@ test('during a run nothing is edited and nothing is run twice; another file ends
 
 test('a half-typed number stays while the page redraws', async () => {
   const { page } = it;
-  await openFiles(it, { 'disk.obj': bumpyDisk(80) });
+  await openFiles(it, { 'disk.obj': bumpyDisk(129) });
   await page.click('#solve-more > summary');
   await page.click('#run');
   await state(page, 'running');
@@ -109,7 +109,7 @@ test('a half-typed number stays while the page redraws', async () => {
 
 test('after Close during a run or a read, one click restores everything', async () => {
   const { page } = it;
-  await openFiles(it, { 'disk.obj': bumpyDisk(60) });
+  await openFiles(it, { 'disk.obj': bumpyDisk(129) });
   await run(it, 'running');
   await page.click('#close');
   await state(page, 'empty');

@@ -416,7 +416,8 @@ test('a file that is dropped while the solver is still on its way is opened when
     await route.continue();
   });
   await page.reload({ waitUntil: 'commit' });
-  await page.waitForSelector('hgp-status-bar');
+  // The first screen is there before the script that takes drops.
+  await page.waitForFunction(() => customElements.get('hgp-status-bar'));
   await drop(it, { 'early.obj': toObj(cubeMesh(3)) });
   await statusSays(it, /still starting; early\.obj is opened then/);
   assert.equal(await page.getAttribute('body', 'data-state'), 'starting');

@@ -7,6 +7,9 @@
 namespace hgp {
 namespace {
 
+/// Up to this many triangles the Laplacian is factored for the search for too few triangles alone.
+constexpr int kFactorForAngles = 200'000;
+
 /// Whether `asked` prescribes exactly what `found` has; a file lists its cones in its own order.
 bool isExactly(const HolonomySpec& asked, const CompleteSpec& found) {
   if (asked.q != found.q || asked.cones.size() != found.cones.size()) return false;
@@ -27,11 +30,11 @@ bool isExactly(const HolonomySpec& asked, const CompleteSpec& found) {
 
 PreparedSurface::PreparedSurface(const TriMesh& mesh, Metric metric)
     : mesh_(&mesh), context_(std::make_shared<FieldContext>(prepareSurface(mesh, metric))) {
-  // What was freed because the surface is large is not computed again for this.
+  // On a large surface the factor costs more than the search, and is soon freed.
   const auto angles = [this](const AngleQuestion& question) {
-    return !wasReleased_ && requireConnection()
-               ? std::optional(coneAngles(*mesh_, *context_, question))
-               : std::nullopt;
+    const bool isWorthIt = hasConnection_ || mesh_->faceCount() <= kFactorForAngles;
+    return isWorthIt && requireConnection() ? std::optional(coneAngles(*mesh_, *context_, question))
+                                            : std::nullopt;
   };
   shortages_.startFrom(angles);
 }
@@ -46,7 +49,6 @@ Status PreparedSurface::requireConnection() {
   if (hasConnection_) return Done{};
   if (Status done = prepareConnection(*mesh_, *context_); !done) return done;
   hasConnection_ = true;
-  wasReleased_ = false;
   return Done{};
 }
 
@@ -54,7 +56,6 @@ void PreparedSurface::releaseConnection() {
   context_->laplacian = {};
   context_->handles = {};
   hasConnection_ = false;
-  wasReleased_ = true;
 }
 
 Result<PrescribedField> PreparedSurface::field(const HolonomySpec& spec) {

@@ -16,6 +16,8 @@ namespace hgp {
 class PreparedSurface {
  public:
   explicit PreparedSurface(const TriMesh& mesh, Metric metric = Metric::kOwn);
+  PreparedSurface(const PreparedSurface&) = delete;  // its searches refer to it
+  PreparedSurface& operator=(const PreparedSurface&) = delete;
 
   const TriMesh& mesh() const { return *mesh_; }
   const Topology& topology() const { return context_->topology; }
@@ -43,7 +45,7 @@ class PreparedSurface {
  private:
   const TriMesh* mesh_;
   std::shared_ptr<FieldContext> context_;
-  bool hasConnection_ = false, wasReleased_ = false;
+  bool hasConnection_ = false;
   AngleShortageMemo shortages_;
   std::optional<PrescribedField> last_;
   std::unique_ptr<PreparedSurface> evened_;

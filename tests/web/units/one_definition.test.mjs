@@ -1,6 +1,5 @@
 // A quantity has one definition: what the command line verifies of a file, what the package says of the same file, and
-// what the page writes beside it are the same numbers. Not compared: quantiles, which the page counts by triangles in its
-// facts on areas and the certificate by area.
+// what the page writes beside it are the same numbers.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -76,6 +75,7 @@ for (const [what, [name, content]] of Object.entries(meshes))
       const all = native.components.map((one) => one.distortion);
       near(analysis.distortion.area.min, Math.min(...all.map((d) => d.minLogArea)), 'least', 1e-5);
       near(analysis.distortion.area.max, Math.max(...all.map((d) => d.maxLogArea)), 'most', 1e-5);
+      if (all.length === 1) near(analysis.distortion.areaSize.p95, all[0].p95LogArea, 'p95', 1e-5);
       const cells = new Map(compareRuns([solution]).map((row) => [row.name, row.cells[0].text]));
       const share = 100 * native.overlap.share;
       assert.equal(cells.get('Overlaps'), share > 0 && share < 0.05 ? 'under 0.1 %' : `${share.toFixed(1)} %`); // prettier-ignore

@@ -12,14 +12,7 @@ export interface LiteModule {
   parametrize(
     mesh: Arrays,
     options: object,
-    onProgress?: (
-      stage: string,
-      fraction: number,
-      iteration: number,
-      residual: number,
-      round: number,
-      maxRounds: number,
-    ) => boolean,
+    onProgress?: import('./lib/progress_call.js').ProgressCall,
   ): Reply<{
     uv: Float64Array;
     cornerToUv: Uint32Array;

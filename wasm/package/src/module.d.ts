@@ -3,14 +3,7 @@
 /** The results of a call, or the JSON of its failure. */
 type Reply<T = unknown> = { error: string } | ({ error?: undefined } & T);
 type JsonReply = Reply<{ json: string }>;
-type ProgressCall = (
-  stage: string,
-  fraction: number,
-  iteration: number,
-  residual: number,
-  round: number,
-  maxRounds: number,
-) => boolean;
+type ProgressCall = import('./lib/progress_call.js').ProgressCall;
 
 /** An object of the module, which is freed by delete(). */
 export interface StoredResult {

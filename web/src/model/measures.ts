@@ -1,6 +1,6 @@
 // What is measured on a map.
 
-/** Values at 0, 5, 50, 95, 99 and 100 percent of their number, whatever the areas of the triangles. */
+/** Values at 0, 5, 50, 95, 99 and 100 percent: of the area for values of triangles, of their number for others. */
 export interface Quantiles {
   min: number;
   p5: number;

@@ -30,7 +30,8 @@ import type {
   Surface,
   SurfaceFacts,
 } from './results.js';
-import { filesOf, forCore, jsonOf, listFile, progressCall } from './to_core.js';
+import { progressCall } from './progress_call.js';
+import { filesOf, forCore, jsonOf, listFile } from './to_core.js';
 
 /** A loaded mesh. */
 export class CoreModel {

@@ -6,6 +6,7 @@ import { checkOptions } from './check_options.js';
 import { usage, valueOf } from './error.js';
 import type { WebSignal } from './globals.js';
 import type { Cones, MeshArrays, SuggestOptions } from './options.js';
+import { progressCall } from './progress_call.js';
 import type { Progress, Result } from './results.js';
 import { checkMesh } from './sources.js';
 import { startModule } from './start_module.js';
@@ -121,7 +122,7 @@ export class Lite {
         join: weld,
         float: precision === 'single',
       },
-      this.#progress(),
+      progressCall(this.onProgress),
     );
     const made = valueOf(reply);
     const seams: Result['seams'] = [];
@@ -192,19 +193,6 @@ export class Lite {
     } finally {
       this.onProgress = ofAll;
     }
-  }
-
-  #progress() {
-    const { onProgress } = this;
-    if (!onProgress) return undefined;
-    return (
-      stage: string,
-      fraction: number,
-      iteration: number,
-      residual: number,
-      round: number,
-      maxRounds: number,
-    ): boolean => onProgress({ stage, fraction, iteration, residual, round, maxRounds }) !== false;
   }
 }
 

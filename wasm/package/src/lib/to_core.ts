@@ -2,7 +2,6 @@
 
 import { valueOf } from './error.js';
 import type { ConeFile, FeatureFile, Features, SolveOptions } from './options.js';
-import type { Progress } from './results.js';
 
 /** Features in the session's form: a file. */
 export function listFile(features: Features | FeatureFile): FeatureFile {
@@ -36,17 +35,4 @@ export function forCore({ grid, ...options }: Pick<SolveOptions, 'grid'>): objec
     ...options,
     grid: { ...asked, ...(spacing === undefined ? {} : { spacing }), ...(grid.mode && { mode }) },
   };
-}
-
-/** The callback in the form in which the core calls it. */
-export function progressCall(onProgress: ((progress: Progress) => unknown) | undefined) {
-  if (!onProgress) return undefined;
-  return (
-    stage: string,
-    fraction: number,
-    iteration: number,
-    residual: number,
-    round: number,
-    maxRounds: number,
-  ): boolean => onProgress({ stage, fraction, iteration, residual, round, maxRounds }) !== false;
 }

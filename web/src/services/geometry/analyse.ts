@@ -11,7 +11,7 @@ import { forEachIndex } from './loops';
 import { triangulatedLike } from './polygon_corners';
 
 import { distanceToSeams } from './seam_distance';
-import { sizesOf } from './sizes';
+import { sizesOf, weightsOf } from './sizes';
 
 export type MapArrays = Pick<
   Result,
@@ -124,15 +124,16 @@ export function analyse(
   const surface = { ...edges, positions: map.positions };
   const seamDistance = distanceToSeams(surface, map.seams, map.uvToVertex);
   const { flipped, uvArea, surfaceArea } = faces;
+  const weights = weightsOf({ flipped, triangles: map.triangles, positions: map.positions });
   const analysis: Analysed = {
     isSameAsFile,
     difference,
     cornerUv,
     flatPositions: flatten(cornerUv),
     distortion: {
-      stretch: quantilesOf(faces.stretch),
-      area: quantilesOf(faces.area),
-      areaSize: quantilesOf(areaSize),
+      stretch: quantilesOf(faces.stretch, weights),
+      area: quantilesOf(faces.area, weights),
+      areaSize: quantilesOf(areaSize, weights),
       seamDistance: quantilesOf(seamDistance),
       ...{ flipped, uvArea, surfaceArea },
     },

@@ -3,14 +3,23 @@
 import type { LeastArea, Quantiles } from '../../model/measures';
 import type { Box } from '../../model/types';
 import { forEachIndex } from './loops';
+import { weightedQuantile } from './sizes';
 
-/** The quantiles of values, which are sorted in place; all 0 if there are none. */
-export function quantilesOf(values: Float32Array): Quantiles {
-  const sorted = values.slice().sort();
-  const last = sorted.length - 1;
-  const at = (part: number): number =>
-    last < 0 ? 0 : sorted[Math.min(last, Math.floor(part * sorted.length))];
-  return { min: at(0), p5: at(0.05), median: at(0.5), p95: at(0.95), p99: at(0.99), max: at(1) };
+/**
+ * The quantiles of values: those of triangles by area, as the certificate has them, where `weights` are their areas, and
+ * of those alone that have one; all 0 if there are none.
+ */
+export function quantilesOf(values: Float32Array, weights?: Float64Array): Quantiles {
+  const each = weights ?? new Float64Array(values.length).fill(1);
+  const ids = Uint32Array.from(values.keys()).filter((i) => each[i] > 0);
+  const at = (share: number): number => weightedQuantile(ids, values, each, share);
+  let [min, max] = [Infinity, -Infinity];
+  for (const i of ids) {
+    if (values[i] < min) min = values[i];
+    if (values[i] > max) max = values[i];
+  }
+  if (ids.length === 0) [min, max] = [0, 0];
+  return { min, p5: at(0.05), median: at(0.5), p95: at(0.95), p99: at(0.99), max };
 }
 
 /** Areas of a map. `uv`: two numbers per triangle corner, as stored. */

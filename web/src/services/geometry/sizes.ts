@@ -72,7 +72,12 @@ const mostShown = 2000; // triangles
 const mostPlaces = 8;
 const fewestVertices = 3; // of a place: fewer are one odd triangle
 
-function weightsOf({ triangles, positions, flipped }: FaceSizes): Float64Array {
+/** The areas of the triangles; 0 for those that are not positive in the map. */
+export function weightsOf({
+  triangles,
+  positions,
+  flipped,
+}: Pick<FaceSizes, 'triangles' | 'positions' | 'flipped'>): Float64Array {
   const weights = new Float64Array(triangles.length / 3);
   const normal = new Float64Array(3);
   for (let t = 0; t < weights.length; t++) {

@@ -224,6 +224,11 @@ if (unknown.length > 0) {
 }
 const hasData = existsSync(data);
 if (!hasData) console.log(`SKIPPING tests on real meshes: ${data} is not there`);
+const hasBlender = process.env.PATH.split(':').some((at) => existsSync(path.join(at, 'blender')));
+if (!hasBlender && (only.length === 0 || only.includes('python')))
+  console.log(
+    'SKIPPING the add-on in Blender: `scripts/setup full` installs Blender, which is large',
+  );
 
 const total = { passed: 0, failed: 0, skipped: 0, unchanged: 0 };
 

@@ -68,7 +68,7 @@ def test_the_zip_is_reproducible_and_complete(tmp_path: Any) -> None:
     assert any(name.startswith("hgp_uv/bundled/hgp/_core.") for name in names)
 
 
-@pytest.mark.full
+@pytest.mark.blender
 def test_in_blender(tmp_path: Any) -> None:
     """Ten models compared with the command line, cones, seams, quads, both engines, cancelling."""
     pack(tmp_path / "addon.zip")

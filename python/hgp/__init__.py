@@ -29,8 +29,10 @@ from ._errors import (
     UsageError,
     WriteError,
 )
+from ._features import Features, FeaturesLike
 from ._map import Distortion, Map, Quads, Seams, Solved
 from ._mesh import ConesFor, Fix, Improve, Loops, Mesh, Method, OnProgress, Path, Progress, Weld, _mapped_mesh
+from ._whole_file import FileResult, MeshOutcome, combine, parametrize_file
 
 if TYPE_CHECKING:
     from ._batch import Batch, Row
@@ -44,6 +46,8 @@ __all__ = [
     "Cones",
     "ConesDocument",
     "Distortion",
+    "Features",
+    "FileResult",
     "HgpError",
     "InternalError",
     "LimitError",
@@ -52,6 +56,7 @@ __all__ = [
     "Map",
     "Mesh",
     "MeshInfo",
+    "MeshOutcome",
     "NoMapError",
     "Place",
     "PrescriptionError",
@@ -65,8 +70,11 @@ __all__ = [
     "WriteError",
     "batch",
     "check",
+    "combine",
     "inspect",
+    "list_features",
     "parametrize",
+    "parametrize_file",
     "suggest_cones",
     "verify",
 ]
@@ -87,7 +95,7 @@ def parametrize(
     field: Optional[Path] = None,
     rims: bool = False,
     creases: Union[bool, float, None] = None,
-    features: Optional[Path] = None,
+    features: Optional[FeaturesLike] = None,
     marked: Union[bool, Iterable[Mark]] = False,
     count: int = 0,
     cones_for: ConesFor = "balanced",
@@ -172,6 +180,18 @@ def suggest_cones(
         reproducible=reproducible,
         progress=progress,
     )
+
+
+def list_features(
+    V: npt.ArrayLike,
+    F: npt.ArrayLike,
+    *,
+    rims: bool = False,
+    creases: Union[bool, float, None] = None,
+    features: Optional[FeaturesLike] = None,
+) -> Features:
+    """Edges of a mesh given as arrays that lines of a map can follow; see Mesh.list_features."""
+    return Mesh(V, F).list_features(rims=rims, creases=creases, features=features)
 
 
 def check(

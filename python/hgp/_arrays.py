@@ -39,7 +39,12 @@ def reals(value: Any, name: str, columns: int) -> "npt.NDArray[np.float64]":
 
 def triangles(value: Any, name: str) -> "npt.NDArray[Any]":
     """An n × 3 array of int32 or int64 in C order; the same object if it is one already."""
-    array = _array(value, name, 3, "vertex numbers")
+    return integers(value, name, 3)
+
+
+def integers(value: Any, name: str, columns: int) -> "npt.NDArray[Any]":
+    """Likewise n × columns."""
+    array = _array(value, name, columns, "vertex numbers")
     if array.size == 0:
         return np.ascontiguousarray(array, dtype=np.int32)
     if array.dtype.kind not in "iu":

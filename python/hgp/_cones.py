@@ -9,6 +9,7 @@ from typing import Any, Dict, Iterable, Iterator, List, Literal, Mapping, Option
 
 from ._documents import ConesDocument
 from ._errors import UsageError
+from ._features import FeaturesLike, listed
 
 
 class Cones(Mapping[int, int]):
@@ -92,7 +93,7 @@ def prescription(
     ignore_embedded: bool,
     rims: bool = False,
     creases: Union[bool, float, None] = None,
-    features: "Optional[Union[str, os.PathLike[str]]]" = None,
+    features: Optional[FeaturesLike] = None,
     marked: "Union[bool, Iterable[Mark]]" = False,
 ) -> Dict[str, Any]:
     """The arguments of a prescription as src/options.cpp takes them."""
@@ -103,7 +104,7 @@ def prescription(
         words = list(get_args(Mark)) if marked is True else [marked] if isinstance(marked, str) else list(marked)
         asked["marked"] = words
     if features is not None:
-        asked["features"] = os.fspath(features)
+        asked.update(listed(features))
     if isinstance(cones, (str, os.PathLike)):
         asked["cones_file"] = os.fspath(cones)
     elif isinstance(cones, Cones):

@@ -3,7 +3,7 @@ from typing import Any, Callable, Dict, List, Optional, Tuple
 import numpy as np
 import numpy.typing as npt
 
-_Progress = Optional[Callable[[str, float, int, float, int, int, float], Any]]
+_Progress = Optional[Callable[[str, float, int, float, int, int, float, int], Any]]
 
 class Map:
     uv: npt.NDArray[np.float64]
@@ -22,6 +22,8 @@ class Map:
     def quads(self) -> Dict[str, Any]: ...
     def save_quads(self, path: str) -> None: ...
     def save(self, path: str, options: Dict[str, Any]) -> List[str]: ...
+    @staticmethod
+    def save_all(maps: List[Map], path: str, options: Dict[str, Any]) -> List[str]: ...
 
 class Surface:
     @staticmethod
@@ -45,6 +47,17 @@ class Surface:
     def convert(self, asked: Dict[str, Any]) -> str: ...
     def balance(self, asked: Dict[str, Any]) -> str: ...
     def transfer(self, asked: Dict[str, Any], source: Surface) -> Tuple[str, List[str]]: ...
+    def features(self, asked: Dict[str, Any], name: str) -> Dict[str, Any]: ...
+    def parametrize_file(
+        self,
+        asked: Dict[str, Any],
+        options: Dict[str, Any],
+        path: str,
+        saving: Dict[str, Any],
+        reproducible: bool,
+        time_limit: Optional[float],
+        progress: _Progress,
+    ) -> Dict[str, Any]: ...
     def embedded_cones(self) -> Optional[str]: ...
     def parametrize(
         self,

@@ -14,6 +14,7 @@ from ._arrays import reals, triangles
 from ._cones import Cones, ConesLike, Mark, Pairs, prescription
 from ._documents import Certificate, Check, MeshInfo
 from ._errors import UsageError
+from ._features import Features, FeaturesLike
 from ._map import Integers, Map, Reals
 
 Path = Union[str, "os.PathLike[str]"]
@@ -41,6 +42,8 @@ class Progress(NamedTuple):
     max_rounds: int
     #: since the call began
     seconds: float
+    #: of the file, from 0: the one that parametrize_file maps
+    mesh: int = 0
 
 
 #: Called at every change of stage and about ten times a second, in the thread of the call. False cancels.
@@ -73,6 +76,22 @@ def _load_options(
         options["fix"] = [fix] if isinstance(fix, str) else list(fix)
         if strict and options["fix"]:
             raise UsageError("strict and fix exclude each other", "arguments")
+    return options
+
+
+def _solve_options(asked: Dict[str, Any], **options: Any) -> Dict[str, Any]:
+    """The options of parametrize as the core's table has them."""
+    prescribes = set(asked) - {"q", "ignore_embedded", "rims"} or asked["rims"]
+    if options["boundary"] == "convex" and prescribes:
+        message = "boundary='convex' cannot be combined with cones, turning, handles, features or a field"
+        raise UsageError(message, "arguments")
+    cells, improve = options["cells"], options["improve"]
+    if cells == "auto":
+        if options["grid"] is not None:
+            raise UsageError("cells and grid exclude each other", "arguments")
+        options.update(cells=None, grid_mode=options["grid_mode"] or "tile")
+    if improve is False:
+        options["improve"] = None
     return options
 
 
@@ -192,7 +211,7 @@ class Mesh:
         ignore_embedded: bool = False,
         rims: bool = False,
         creases: Union[bool, float, None] = None,
-        features: Optional[Path] = None,
+        features: Optional[FeaturesLike] = None,
         marked: Union[bool, Iterable[Mark]] = False,
     ) -> Check:
         """Whether any map can have these cones (Gauss–Bonnet in integers, [BCW17] Lemma 6.2); solves nothing.
@@ -233,6 +252,25 @@ class Mesh:
         }
         return Cones(json.loads(self._core.suggest(options, bool(reproducible), _caller(progress))))
 
+    def list_features(
+        self,
+        *,
+        rims: bool = False,
+        creases: Union[bool, float, None] = None,
+        features: Optional[FeaturesLike] = None,
+        marked: Union[bool, Iterable[Mark]] = False,
+    ) -> Features:
+        """Lists edges that lines of a map can follow, as `hgp features` does. Without arguments: creases above 30°.
+
+        Args:
+            rims, creases, features, marked: see parametrize, which takes the list as its `features`.
+
+        Returns:
+            `edges` (n × 2 vertices), their numbers, and `save`.
+        """
+        asked = prescription(None, None, None, None, None, True, rims, creases, features, marked)
+        return Features(self._core, asked)
+
     def convert_cones(self, cones: ConesLike, *, q: Optional[int] = None) -> Cones:
         """Cones of any kind, complete and in vertices of this mesh."""
         return Cones(json.loads(self._core.convert(prescription(q, cones, None, None, None, True))))
@@ -261,7 +299,7 @@ class Mesh:
         ignore_embedded: bool = False,
         rims: bool = False,
         creases: Union[bool, float, None] = None,
-        features: Optional[Path] = None,
+        features: Optional[FeaturesLike] = None,
         marked: Union[bool, Iterable[Mark]] = False,
         count: int = 0,
         cones_for: ConesFor = "balanced",
@@ -294,7 +332,8 @@ class Mesh:
             ignore_embedded: do not use cones stored in the file.
             rims: boundary edges become straight lines along the axes of the map, exactly (q = 4).
             creases: so do edges with a dihedral angle above so many degrees (True: 30), and boundary edges.
-            features: so do the edges of this file (.sharp, OBJ with l lines, or rows of two vertices), and boundary edges.
+            features: so do these edges, and boundary edges: n × 2 vertices, Features, or a file (.sharp, OBJ with l lines, or
+                rows of two vertices).
             marked: so do edges that the file itself marks in these ways: "lines" (OBJ), "smoothing" groups, "materials",
                 split "normals"; True: all of them.
             count, cones_for, align_to_curvature: of automatic cones, see suggest_cones.
@@ -328,31 +367,25 @@ class Mesh:
             Cancelled: `progress` returned False.
         """
         asked = prescription(q, cones, turning, handles, field, ignore_embedded, rims, creases, features, marked)
-        if boundary == "convex" and (
-            rims or creases or marked or any(x is not None for x in (cones, turning, handles, field, features))
-        ):
-            message = "boundary='convex' cannot be combined with cones, turning, handles, features or a field"
-            raise UsageError(message, "arguments")
-        if cells == "auto" and grid is not None:
-            raise UsageError("cells and grid exclude each other", "arguments")
-        options = {
-            "q": q,
-            "count": count,
-            "cones_for": cones_for,
-            "align_to_curvature": align_to_curvature,
-            "boundary": boundary,
-            "method": method,
-            "max_rounds": max_rounds,
-            "frames": frames,
-            "improve": None if improve is False else improve,
-            "scale": scale,
-            "cells": None if cells == "auto" else cells,
-            "grid": grid,
-            "grid_mode": grid_mode or ("tile" if cells == "auto" else None),
-            "refine": refine,
-            "keep_going": keep_going,
-            "convex_polygons": convex_polygons,
-        }
+        options = _solve_options(
+            asked,
+            q=q,
+            count=count,
+            cones_for=cones_for,
+            align_to_curvature=align_to_curvature,
+            boundary=boundary,
+            method=method,
+            max_rounds=max_rounds,
+            frames=frames,
+            improve=improve,
+            scale=scale,
+            cells=cells,
+            grid=grid,
+            grid_mode=grid_mode,
+            refine=refine,
+            keep_going=keep_going,
+            convex_polygons=convex_polygons,
+        )
         made = self._core.parametrize(asked, options, bool(reproducible), time_limit, _caller(progress))
         return Map(made)
 
@@ -367,7 +400,7 @@ class Mesh:
         ignore_embedded: bool = False,
         rims: bool = False,
         creases: Union[bool, float, None] = None,
-        features: Optional[Path] = None,
+        features: Optional[FeaturesLike] = None,
         marked: Union[bool, Iterable[Mark]] = False,
         uv_set: Optional[int] = None,
         tolerance: float = 0.0,

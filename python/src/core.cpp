@@ -84,7 +84,8 @@ void addMap(py::module_& module) {
       .def("measure", &Map::measure)
       .def("quads", &Map::quads)
       .def("save_quads", &Map::saveQuads)
-      .def("save", &Map::save);
+      .def("save", &Map::save)
+      .def_static("save_all", &Map::saveAll);
 }
 
 void addSurface(py::module_& module) {
@@ -99,6 +100,8 @@ void addSurface(py::module_& module) {
       .def("convert", &Surface::convert)
       .def("balance", &Surface::balance)
       .def("transfer", &Surface::transfer)
+      .def("features", &Surface::features)
+      .def("parametrize_file", &Surface::parametrizeFile)
       .def("embedded_cones", &Surface::embeddedCones)
       .def("parametrize", &Surface::parametrize)
       .def("positions", &Surface::positions)

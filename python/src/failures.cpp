@@ -11,14 +11,17 @@ py::list placesOf(const Failure& failure) {
   return places;
 }
 
-void raise(const Failure& failure) {
+py::object errorOf(const Failure& failure) {
   // Messages may contain names from files, with any bytes.
   const std::string message = told(failure);
   const auto text = py::reinterpret_steal<py::object>(PyUnicode_DecodeUTF8(
       message.data(), static_cast<Py_ssize_t>(message.size()), "backslashreplace"));
-  const py::object error =
-      py::module_::import("hgp._errors")
-          .attr("error_of")(errorName(failure.code), failure.stage, text, placesOf(failure));
+  return py::module_::import("hgp._errors")
+      .attr("error_of")(errorName(failure.code), failure.stage, text, placesOf(failure));
+}
+
+void raise(const Failure& failure) {
+  const py::object error = errorOf(failure);
   PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(error.ptr())), error.ptr());
   throw py::error_already_set();
 }

@@ -11,6 +11,8 @@ namespace hgp::python {
 
 namespace py = pybind11;
 
+/// The exception of hgp/_errors.py for this failure, not raised. @pre the GIL is held
+py::object errorOf(const Failure& failure);
 /// Raises the exception of hgp/_errors.py for this failure. @pre the GIL is held
 [[noreturn]] void raise(const Failure& failure);
 [[noreturn]] void raiseUsage(const std::string& message);

@@ -1,29 +1,17 @@
 #include <pybind11/stl.h>
 
-#include <algorithm>
-#include <mutex>
 #include <utility>
 
 #include "../../examples/cli/also.h"
 #include "../../examples/cli/files.h"
-#include "../../examples/cli/half_file.h"
-#include "../../examples/cli/side_files.h"
 #include "failures.h"
+#include "hgp/api/file_maps.h"
 #include "hgp/base/phrase.h"
-#include "options.h"
 #include "surface.h"
+#include "writing.h"
 
 namespace hgp::python {
 namespace {
-
-/// Writes files, one result at a time: the names of half-written files are those of the whole process.
-Status writeTogether(const std::string& path, const std::vector<io::OutputFile>& files) {
-  static std::mutex mutex;
-  const std::lock_guard lock(mutex);
-  Status done = cli::writeFiles(path, files);
-  if (!done) cli::HalfFile::forgetAll();
-  return done;
-}
 
 /// How the command line writes such a file: with -o if the loaded file can be written under this name, else with --also.
 api::MapFormat formatFor(const api::Session& session, const std::string& path) {
@@ -31,6 +19,18 @@ api::MapFormat formatFor(const api::Session& session, const std::string& path) {
   const bool isDrawing = plain == api::MapFormat::kFlatObj || plain == api::MapFormat::kSvg;
   if (!isDrawing && session.canWrite(path)) return api::MapFormat::kSame;
   return plain.value_or(api::MapFormat::kSame);
+}
+
+/// Whether both are the same file with the same bytes, converted alike.
+bool isSameReading(const Source& a, const Source& b) {
+  return cli::isSameFile(a.path, b.path) && a.options.target == b.options.target &&
+         a.files.main == b.files.main;
+}
+
+std::vector<std::string> phrases(const Notes& notes) {
+  std::vector<std::string> sentences;
+  for (const Note& note : notes) sentences.push_back(phrase(note));
+  return sentences;
 }
 
 }  // namespace
@@ -73,38 +73,44 @@ void Map::saveQuads(const std::string& path) {
 }
 
 std::vector<std::string> Map::save(const std::string& path, const py::dict& options) {
-  cli::Arguments asked;
-  asked.input = source_->path;
-  asked.output = path;
-  asked.load = source_->options;
-  asked.isEmbedded = isSet(options, "embed");
-  asked.isCompressed = isSet(options, "compress");
-  asked.mayOverwrite = isSet(options, "overwrite");
-  py::dict core;  // without what happens after the core has written
-  for (const auto& [name, value] : options) core[name] = value;
-  for (const char* name : {"embed", "compress", "overwrite"}) core.attr("pop")(name, py::none());
-  api::WriteOptions how = toWriteOptions(core);
-  how.name = path;
-  how.isSideFileNoted = false;
-  how.isCompressedLater = asked.isCompressed;
-  if (!asked.mayOverwrite && cli::isSameFile(path, source_->path))
-    raiseUsage(path + " is the file that was loaded; overwrite=True allows to replace it");
+  Writing writing = toWriting(*source_, path, options);
   Notes notes;
   must(alone_.run([&]() -> Status {
-    how.format = formatFor(session_, path);
-    Result<api::WrittenMap> written = session_.write(how);
+    writing.core.format = formatFor(session_, path);
+    Result<api::WrittenMap> written = session_.write(writing.core);
     if (!written) return written.error();
     notes = std::move(written->notes);
-    const bool isSame = how.format == api::MapFormat::kSame;
-    if (isSame) {
-      Status finished = cli::finishFiles(written->files, notes, source_->files.resolve, asked);
-      if (!finished) return finished;
-    }
-    return writeTogether(path, written->files);
+    const bool isSame = writing.core.format == api::MapFormat::kSame;
+    return isSame ? finishAndWrite(written->files, notes, *source_, writing)
+                  : writeTogether(path, written->files);
   }));
-  std::vector<std::string> sentences;
-  for (const Note& note : notes) sentences.push_back(phrase(note));
-  return sentences;
+  return phrases(notes);
+}
+
+std::vector<std::string> Map::saveAll(const std::vector<std::shared_ptr<Map>>& maps,
+                                      const std::string& path, const py::dict& options) {
+  if (maps.empty()) raiseUsage("there are no maps");
+  if (maps.size() == 1) return maps[0]->save(path, options);
+  const Source& source = *maps[0]->source_;
+  for (const std::shared_ptr<Map>& map : maps)
+    if (!isSameReading(*map->source_, source))
+      raiseUsage("the maps are not all of meshes of one file");
+  Writing writing = toWriting(source, path, options);
+  must(maps[0]->session_.canWrite(path));
+  writing.core.name = nameOfWhole(maps[0]->session_, writing);
+  api::FileMaps whole(writing.core);
+  for (const std::shared_ptr<Map>& map : maps)
+    must(map->alone_.run([&] { return whole.add(map->session_); }));
+  Notes notes;
+  must([&]() -> Status {
+    const py::gil_scoped_release release;
+    Result<api::WrittenFile> written = whole.write();
+    if (!written) return written.error();
+    for (const Notes& own : written->mapNotes) notes.insert(notes.end(), own.begin(), own.end());
+    notes.insert(notes.end(), written->notes.begin(), written->notes.end());
+    return finishAndWrite(written->files, notes, source, writing);
+  }());
+  return phrases(notes);
 }
 
 }  // namespace hgp::python

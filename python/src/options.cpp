@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -56,25 +57,34 @@ std::vector<prescription::FeatureMark> marksOf(const std::vector<std::string>& w
   return std::move(*marks);
 }
 
-/// What `rims`, `creases`, `marked` and the file `features` add.
-void addFeatures(const py::dict& asked, prescription::PrescribedFeatures& features) {
-  std::optional<prescription::PrescribedFeatures> list;
+/// A list of features from a file, or from rows of two vertices.
+std::optional<prescription::PrescribedFeatures> listOf(const py::dict& asked) {
+  std::string shown = "features", name = "features.txt", text;
   if (const auto path = textOf(asked, "features")) {
-    const auto [bytes, name] = bytesOf(*path);
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    Result<prescription::PrescribedFeatures> read = api::readFeatures(name, text);
-    if (!read) {
-      Failure failure = read.error();
-      failure.message = *path + ": " + failure.message;
-      raise(failure);
-    }
-    list = std::move(*read);
+    shown = *path;
+    io::Bytes bytes;
+    std::tie(bytes, name) = bytesOf(*path);
+    text.assign(bytes.begin(), bytes.end());
+  } else if (auto rows = textOf(asked, "features_text")) {
+    text = std::move(*rows);
+  } else {
+    return std::nullopt;
   }
+  Result<prescription::PrescribedFeatures> read = api::readFeatures(name, text);
+  if (!read) {
+    Failure failure = read.error();
+    failure.message = shown + ": " + failure.message;
+    raise(failure);
+  }
+  return std::move(*read);
+}
+
+void addFeatures(const py::dict& asked, prescription::PrescribedFeatures& features) {
   prescription::PrescribedFeatures given;
   given.hasRims = isSet(asked, "rims");
   if (has(asked, "creases")) given.creaseDegrees = asked["creases"].cast<double>();
   if (has(asked, "marked")) given.marks = marksOf(asked["marked"].cast<std::vector<std::string>>());
-  prescription::addFeatures(features, std::move(list), given);
+  prescription::addFeatures(features, listOf(asked), given);
 }
 
 prescription::Prescription read(const std::string& shown, const std::string& name,
@@ -132,6 +142,12 @@ api::WriteOptions toWriteOptions(const py::dict& options) {
   return optionsOf<api::WriteOptions>(options);
 }
 
+prescription::PrescribedFeatures toFeatures(const py::dict& asked) {
+  prescription::PrescribedFeatures features;
+  addFeatures(asked, features);
+  return features;
+}
+
 std::optional<prescription::Prescription> toPrescription(
     const py::dict& asked, std::optional<prescription::Prescription> embedded) {
   const std::optional<int> q = orderOf(asked);
@@ -146,7 +162,7 @@ std::optional<prescription::Prescription> toPrescription(
                              handles = pairsOf(asked, "handles");
   const bool isTyped = pairs || turning || handles;
   const bool hasFeatures = isSet(asked, "rims") || has(asked, "creases") || has(asked, "marked") ||
-                           has(asked, "features");
+                           has(asked, "features") || has(asked, "features_text");
   if (!out && !isTyped && !hasFeatures && embedded && !isSet(asked, "ignore_embedded") &&
       (!q || *q == embedded->q)) {
     out = std::move(embedded);

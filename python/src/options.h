@@ -27,4 +27,7 @@ std::optional<int> orderOf(const py::dict& asked);
 std::optional<prescription::Prescription> toPrescription(
     const py::dict& asked, std::optional<prescription::Prescription> embedded);
 
+/// What `rims`, `creases`, `marked` and `features` ask for; empty: nothing.
+prescription::PrescribedFeatures toFeatures(const py::dict& asked);
+
 }  // namespace hgp::python

@@ -7,6 +7,7 @@
 #include "../../examples/cli/files.h"
 #include "failures.h"
 #include "hgp/base/phrase.h"
+#include "hgp/features/creases.h"
 #include "hgp/text/text.h"
 #include "options.h"
 #include "watch.h"
@@ -179,6 +180,23 @@ std::pair<std::string, std::vector<std::string>> Surface::transfer(const py::dic
   return {std::move(moved.json), std::move(lost)};
 }
 
+py::dict Surface::features(const py::dict& asked, const std::string& name) {
+  prescription::Prescription wanted;
+  wanted.features = toFeatures(asked);
+  if (wanted.features.isEmpty() && !asked.contains("features_text"))
+    wanted.features.creaseDegrees = kCreaseDegrees;
+  api::FeatureList list = with([&] { return session_.features(wanted, name); });
+  std::vector<std::string> notes;
+  for (const Note& note : list.notes) notes.push_back(phrase(note));
+  py::dict out;
+  out["text"] = std::move(list.text);
+  out["crease_edges"] = list.creaseEdges;
+  out["rim_edges"] = list.rimEdges;
+  out["chains"] = list.chains;
+  out["notes"] = std::move(notes);
+  return out;
+}
+
 std::optional<std::string> Surface::embeddedCones() {
   std::optional<prescription::Prescription> stored = with([&] { return session_.embeddedCones(); });
   if (!stored) return std::nullopt;
@@ -188,7 +206,6 @@ std::optional<std::string> Surface::embeddedCones() {
 std::shared_ptr<Map> Surface::parametrize(const py::dict& asked, const py::dict& options,
                                           bool isReproducible, std::optional<double> limit,
                                           const py::object& progress) {
-  if (limit && !(*limit > 0)) raiseUsage("time_limit must be a number of seconds above 0");
   Watch watch(progress, limit);
   api::SolveOptions how = toSolveOptions(options);
   how.progress = watch.progress();

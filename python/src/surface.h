@@ -38,6 +38,9 @@ class Map {
   void saveQuads(const std::string& path);
   /// Writes the map, and returns notes. @param options  see Map.save in hgp/_map.py
   std::vector<std::string> save(const std::string& path, const py::dict& options);
+  /// Writes maps of different meshes of one file into that file.
+  static std::vector<std::string> saveAll(const std::vector<std::shared_ptr<Map>>& maps,
+                                          const std::string& path, const py::dict& options);
 
  private:
   api::Session session_;
@@ -65,6 +68,12 @@ class Surface {
   /// (hgp-cones, sentences about what has no place)
   std::pair<std::string, std::vector<std::string>> transfer(const py::dict& asked,
                                                             const Surface& from);
+  /// Edges as a file of this name, and their numbers. Without any in `asked`: creases above 30 degrees.
+  py::dict features(const py::dict& asked, const std::string& name);
+  /// Maps every mesh of the file and writes them into `path`. @param saving  see Map.save in hgp/_map.py
+  py::dict parametrizeFile(const py::dict& asked, const py::dict& options, const std::string& path,
+                           const py::dict& saving, bool isReproducible, std::optional<double> limit,
+                           const py::object& progress);
   /// The cones stored in the file as hgp-cones, or None.
   std::optional<std::string> embeddedCones();
   /// @param limit  seconds

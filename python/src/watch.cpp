@@ -13,10 +13,17 @@ constexpr double kCallSeconds = 0.1, kSignalSeconds = 0.05;
 }  // namespace
 
 Watch::Watch(py::object callback, std::optional<double> timeLimit)
-    : callback_(std::move(callback)), timeLimit_(timeLimit), start_(Clock::now()) {}
+    : callback_(std::move(callback)), timeLimit_(timeLimit), start_(Clock::now()) {
+  if (timeLimit && !(*timeLimit > 0)) raiseUsage("time_limit must be a number of seconds above 0");
+}
 
 Progress Watch::progress() {
   return [this](const ProgressReport& report) { return step(report); };
+}
+
+void Watch::begin(int mesh) {
+  mesh_ = mesh;
+  lastCall_ = -1.0;
 }
 
 bool Watch::step(const ProgressReport& report) {
@@ -42,8 +49,9 @@ bool Watch::step(const ProgressReport& report) {
 bool Watch::call(const ProgressReport& report, double elapsed) {
   lastCall_ = elapsed;
   stage_ = report.stage;
-  const py::object answer = callback_(stageName(report.stage), report.fraction, report.iteration,
-                                      report.residual, report.round, report.maxRounds, elapsed);
+  const py::object answer =
+      callback_(stageName(report.stage), report.fraction, report.iteration, report.residual,
+                report.round, report.maxRounds, elapsed, mesh_);
   return !answer.is(py::bool_(false));
 }
 

@@ -15,14 +15,16 @@ namespace hgp::python {
 
 namespace py = pybind11;
 
-/// Calls `callback(stage, fraction, iteration, residual, round, max_rounds, seconds)` at every change of stage and
-/// every tenth of a second; False cancels. Signals such as Ctrl-C are handled twenty times a second.
+/// Calls `callback(stage, fraction, iteration, residual, round, max_rounds, seconds, mesh)` at every change of stage or
+/// mesh and every tenth of a second; False cancels. Signals such as Ctrl-C are handled twenty times a second.
 class Watch {
  public:
-  /// @param callback  may be None  @param timeLimit  seconds
+  /// @param callback  may be None  @param timeLimit  seconds; raises UsageError if it is not above 0
   Watch(py::object callback, std::optional<double> timeLimit);
 
   Progress progress();
+  /// What is reported from now on is about this mesh of the file.
+  void begin(int mesh);
   /// Raises what the callback or a signal handler raised; otherwise the failure. @pre the GIL is held
   [[noreturn]] void raise(Failure failure);
 
@@ -36,6 +38,7 @@ class Watch {
   Clock::time_point start_;
   double lastCall_ = -1.0, lastSignals_ = 0.0;
   Stage stage_ = Stage::kPrepare;
+  int mesh_ = 0;
   bool isTimedOut_ = false;
   std::exception_ptr raised_;
 };

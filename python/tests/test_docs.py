@@ -45,9 +45,17 @@ def test_the_example_of_the_package(tmp_path: Any, monkeypatch: Any, pretzel: An
 def test_the_readme_names_everything_public() -> None:
     text = (ROOT / "python/README.md").read_text(encoding="utf-8")
     documents = {"Certificate", "Check", "ConesDocument", "MeshInfo", "Report"}
-    pieces = {"Cones", "Distortion", "Loops", "Place", "Progress", "Quads", "Seams"}
+    pieces = {"Cones", "Distortion", "Features", "FileResult", "Loops", "MeshOutcome", "Place", "Progress", "Quads", "Seams"}
     for name in set(hgp.__all__) - documents - pieces:
         assert name in text, name
+
+
+def test_the_reference_has_everything_public() -> None:
+    sources = (ROOT / "site/sphinx/python").glob("*.rst")
+    named = set(re.findall(r"^.. auto\w+:: hgp\.(\w+)$", "\n".join(path.read_text() for path in sources), re.M))
+    assert {"_documents"} <= named  # with all members
+    documents = {"Certificate", "Check", "ConesDocument", "MeshInfo", "Report"}
+    assert set(hgp.__all__) - documents - named == set()
 
 
 @pytest.mark.full

@@ -20,6 +20,13 @@ def use(V: npt.NDArray[np.float64], F: npt.NDArray[np.int64]) -> float:
     verdict = hgp.check(V, F, [(3, 4)])
     if not verdict["valid"] and "error" in verdict:
         print(verdict["error"]["message"])
+    found: "npt.NDArray[np.int32]" = hgp.list_features(V, F, creases=30).edges
+    m = hgp.parametrize(V, F, features=found)
+    done = hgp.parametrize_file("scene.glb", "mapped.glb", features=hgp.list_features(V, F), keep_going=True)
+    for one in done.meshes:
+        print(one.mesh, one.report["certificate"]["certified"] if one.report else one.error)
+    written: "list[str]" = hgp.combine([m], "out.glb")
+    print(written, done.path)
     try:
         hgp.verify(V, F, uv, fuv, cones=m.cones)
     except hgp.PrescriptionError as error:
@@ -34,3 +41,5 @@ def misuse(V: Any, F: Any) -> None:
     m.certificate["certifed"]  # wrong: typeddict-item
     m.cones[3] = 4  # wrong: index
     m.uv = m.uv  # wrong: misc
+    hgp.parametrize_file("scene.glb")  # wrong: call-arg
+    hgp.parametrize_file("a.glb", "b.glb").meshes[0].report["certificate"]  # wrong: index

@@ -40,7 +40,7 @@ const kinds = {
   negation: [/!(?=[a-zA-Z_(])/g, () => ''],
   arguments: [new RegExp(String.raw`\b(\w+)\((${word}), (${word})\)`, 'g'), (_, f, a, b) => `${f}(${b}, ${a})`], // prettier-ignore
   term: [/ [+-] [\w.]+(?:\([^()]*\)|\[[^[\]]*\])*(?=[;,)])/g, () => ''],
-  statement: [new RegExp(String.raw`(?<=[;{})]\n)( +)${notAStatement}[\w:.>[\]()*&-]+(?:\(.*\)| [+*/-]?= .*);(?=\n)`, 'g'), (_, space) => `${space};`], // prettier-ignore
+  statement: [new RegExp(String.raw`(?<=[;{})]\n)( +)${notAStatement}[\w:.>[\]()*&-]+(?:\(.*\)| [+*/-]?= .*);(?=\n)`, 'g'), (line, space) => (/\.reserve\(/.test(line) ? line : `${space};`)], // prettier-ignore
   constant: [/(?<=constexpr double \w+ = )([^;,]+)(?=;)/g, (value) => `10.0 * (${value})`],
   number: [/(?<![\w.])\d+\.\d+(?:e-?\d+)?(?![\w.])/g, (value) => (Number(value) === 0 ? '1.0' : `(10.0 * ${value})`)], // prettier-ignore
   one: [/ [+-] 1(?=[;,)\] ])/g, () => ''],

@@ -171,12 +171,13 @@ export const faults = [
   fault('optimize/fold_barrier.cpp', 'e.ab = -4.0 * a * b * fdd;', 'e.ab = 4.0 * a * b * fdd;'),
   fault('verify/exact_seams.cpp', 'a.high == b.high && a.low == b.low', 'a.high == b.high'),
   fault('system/harmonic_residual.cpp', 'std::sqrt(2.0) * gridStep', '1e3 * gridStep'),
-  fault('grid/snap.cpp', ' && std::abs(one - p.im) <= limit', ''),
   fault(
-    'parametrize/strategy/loop.cpp',
-    '!best || distanceToCertified(*attempt) < distanceToCertified(*best)',
-    'true',
+    'grid/lattice_snapper.cpp',
+    'return Lattice<Ring>::fits(p, exponent, numbers);',
+    'return p == p;',
+    { programs: ['grid', 'api'] },
   ),
+  fault('parametrize/strategy/loop.cpp', '!best || isBetter(*attempt, *best)', 'true'),
   fault(
     'api/stored/stored_map.cpp',
     'components[p].certificate.precision == options.precision &&\n               isSame(stored, components[p].map)',
@@ -223,8 +224,8 @@ export const faults = [
   ),
   fault(
     'mesh/angle_shortage.cpp',
-    'asked_[v] = 2LL * k[v] * unit_;',
-    'asked_[v] = (2LL * k[v] - 1) * unit_;',
+    'asked_[at(v.i)] = 2LL * question.k[v] * unit_;',
+    'asked_[at(v.i)] = (2LL * question.k[v] - 1) * unit_;',
   ),
   fault('cones/make_room.cpp', '++k[*receiver];', '--k[*receiver];'),
   fault(
@@ -325,7 +326,7 @@ export const faults = [
   fault('system/reduced_unknowns.cpp', '- R * value(cut.copy[left]);', '- value(cut.copy[left]);'),
   fault(
     'parametrize/after/solution.cpp',
-    'return improveOnGrid(mesh, options, aligned.workLeft, mapped, result);',
+    'return improveOnGrid(mesh, options, aligned.multiplyAddsLeft, mapped, result);',
     'return Done{};',
     short('GridImprovement.GainsWhileEveryIntegerStaysWhereAlignmentPutIt'),
   ),

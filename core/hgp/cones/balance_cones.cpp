@@ -11,8 +11,8 @@ namespace {
 
 /// Radians per edge around a vertex: no vertex is forced to take a cone.
 constexpr double kAnyTurnPerEdge = 100.0;
-/// Work limit (nodes × solves) for moving the cones that were added.
-constexpr double kBalanceWork = 3e6;
+/// Limit of nodes × solves for moving the cones that were added.
+constexpr double kBalanceSolves = 3e6;
 
 /// q·χ − Σ(q − k) − Σl over what is given.
 long long missingUnits(const Topology& topology, const HolonomySpec& spec) {
@@ -47,7 +47,7 @@ class Balancer {
     ConePlacer placer(mesh_, metric_, given_, std::move(bounds));
     if (!placer.balance()) return std::nullopt;
     placer.keepCount();
-    placer.setWork(kBalanceWork);
+    placer.setNodeSolves(kBalanceSolves);
     placer.relax();
     HolonomySpec out = spec_;
     for (const VertexId v : mesh_.vertices()) {

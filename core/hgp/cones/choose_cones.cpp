@@ -12,13 +12,13 @@
 namespace hgp {
 namespace {
 
-/// Work limit (nodes × solves) for balanced cones: it reaches four fifths of the gain of unlimited work in at most a
+/// Limit of nodes × solves for balanced cones: it reaches four fifths of the gain of unlimited work in at most a
 /// fifth of a run's time (docs/decisions/034, 044).
-double balancedWork(int nodes) {
+double balancedSolves(int nodes) {
   return std::max(5.0 * nodes, std::min(16.0 * nodes + 1.6e5, 1.6e6));
 }
-/// Work limit for the other choices, which are made only on request.
-constexpr double kAskedWork = 3e7;
+/// The limit for the other choices, which are made only on request.
+constexpr double kAskedSolves = 3e7;
 constexpr double kAnyTurn = 100.0;
 
 Failure stopped() { return {ErrorCode::kCancelled, "cones", "Cancelled.", {}}; }
@@ -50,7 +50,7 @@ PlaceOptions placeOptions(const SuggestOptions& options, int nodes, int cones) {
   place.isFixed = options.alignToCurvature;
   const bool isBalanced = options.conesFor == ConesFor::kBalanced;
   place.keepsTurning = isBalanced || options.alignToCurvature;
-  place.work = isBalanced && options.coneCount == 0 ? balancedWork(nodes) : kAskedWork;
+  place.nodeSolves = isBalanced && options.coneCount == 0 ? balancedSolves(nodes) : kAskedSolves;
   if (options.coneCount > 0 || place.isFixed) return place;
   if (options.conesFor == ConesFor::kFew) place.spread = kFewSpread;
   if (options.conesFor == ConesFor::kLowDistortion) place.mostCones = 2 * cones + 8;

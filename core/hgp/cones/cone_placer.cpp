@@ -13,7 +13,7 @@ constexpr int kFirstReach = 16;
 constexpr double kMinDecrease = 5e-3;
 /// Fractions of the cones to move at once: first all, then fewer, because many simultaneous moves can overshoot.
 constexpr double kParts[] = {1.0, 0.5, 0.25, 0.1};
-/// Fraction of the remaining work for moving cones after some were added or removed.
+/// Fraction of the remaining node solves for moving cones after some were added or removed.
 constexpr double kShareOfOneStep = 0.2;
 /// Maximum number of right-hand sides per solve, and of the numbers in them.
 constexpr std::size_t kBlock = 32;
@@ -49,13 +49,13 @@ void ConePlacer::setCost(ConeCost cost) {
 }
 
 void ConePlacer::relax(double share) {
-  const double before = work_;
-  work_ *= share;
+  const double before = nodeSolves_;
+  nodeSolves_ *= share;
   for (const double part : kParts)
     for (int reach = kFirstReach; reach >= 1;)
       reach = walkTogether(reach, part) ? reach : reach / 2;
   for (int reach = kFirstReach; reach >= 1;) reach = walkOneByOne(reach) ? reach : reach / 4;
-  work_ += (1.0 - share) * before;
+  nodeSolves_ += (1.0 - share) * before;
 }
 
 void ConePlacer::growTo(int count) {
@@ -99,7 +99,7 @@ int ConePlacer::walk(int node, double sign, int reach, const Eigen::VectorXd& g)
 const Eigen::VectorXd& ConePlacer::slope() {
   if (slope_.size() == 0) {
     slope_ = metric_.gradient(cost_);
-    work_ -= metric_.nodeCount();
+    nodeSolves_ -= metric_.nodeCount();
   }
   return slope_;
 }
@@ -136,14 +136,14 @@ void ConePlacer::apply(const UnitMove& m) {
 /// Applies the fraction `share` of the moves with the largest first-order decrease. Undoes them and returns false if
 /// the energy does not decrease by kMinDecrease.
 bool ConePlacer::walkTogether(int reach, double share) {
-  if (work_ <= 0.0) return false;
+  if (nodeSolves_ <= 0.0) return false;
   const NodeDefects before = defects_;
   const std::vector<UnitMove> moves = downhillMoves(reach);
   const auto count = static_cast<std::size_t>(std::ceil(share * static_cast<double>(moves.size())));
   for (std::size_t i = 0; i < count; ++i)
     if (isAllowed(moves[i])) apply(moves[i]);
   ConeCost cost = metric_.cost(defects_);
-  work_ -= metric_.nodeCount();
+  nodeSolves_ -= metric_.nodeCount();
   if (cost.energy < (1.0 - kMinDecrease) * cost_.energy) {
     setCost(std::move(cost));
     return true;
@@ -153,17 +153,17 @@ bool ConePlacer::walkTogether(int reach, double share) {
 }
 
 bool ConePlacer::walkOneByOne(int reach) {
-  if (work_ <= 0.0) return false;
+  if (nodeSolves_ <= 0.0) return false;
   const double before = cost_.energy;
   const std::vector<UnitMove> moves = downhillMoves(reach);
   const std::size_t size =
       std::clamp<std::size_t>(kBlockNumbers / at(metric_.nodeCount() + 1), 1, kBlock);
-  for (std::size_t first = 0; first < moves.size() && work_ > 0.0; first += size) {
+  for (std::size_t first = 0; first < moves.size() && nodeSolves_ > 0.0; first += size) {
     const auto begin = moves.begin() + static_cast<std::ptrdiff_t>(first);
     const std::vector<UnitMove> block(
         begin, begin + static_cast<std::ptrdiff_t>(std::min(size, moves.size() - first)));
     const Eigen::MatrixXd response = metric_.moveResponse(block);
-    work_ -= static_cast<double>(metric_.nodeCount()) * static_cast<double>(block.size());
+    nodeSolves_ -= static_cast<double>(metric_.nodeCount()) * static_cast<double>(block.size());
     for (std::size_t i = 0; i < block.size(); ++i) {
       const UnitMove& move = block[i];
       if (!isAllowed(move)) continue;

@@ -25,11 +25,11 @@ class ConePlacer {
   bool balance();
 
   /// Moves cones along the negative gradient of the energy: all at once while that lowers it, then one by one.
-  /// @param share  of the remaining work that may be spent
+  /// @param share  of the remaining node solves that may be spent
   void relax(double share = 1.0);
   /// From now on moves neither cancel nor absorb cones.
   void keepCount() { keepsCount_ = true; }
-  void setWork(double work) { work_ = work; }  ///< work limit: nodes × solves
+  void setNodeSolves(double limit) { nodeSolves_ = limit; }  ///< nodes × solves that are left
 
   /// Adds one unit of every given sign at its best node. False where there is none.
   /// @param isNew  only at nodes without a cone
@@ -80,8 +80,7 @@ class ConePlacer {
   bool walkTogether(int reach, double share);
   bool walkOneByOne(int reach);
   std::vector<int> bestNodes(int sign, const Eigen::VectorXd& g, bool isNew) const;
-  int placeAside(ConeDistances& distances, VertexId v, double least,
-                 const Eigen::VectorXd& g) const;
+  int nodeAside(ConeDistances& distances, VertexId v, double least, const Eigen::VectorXd& g) const;
   struct PricedMove {
     UnitMove move;
     double price = 0.0;                  ///< increase of the energy
@@ -114,7 +113,7 @@ class ConePlacer {
   ConeCost cost_;
   Eigen::VectorXd slope_;  ///< metric_.gradient(cost_), or empty
   bool keepsCount_ = false;
-  double work_ = 0.0;
+  double nodeSolves_ = 0.0;
 };
 
 }  // namespace hgp

@@ -54,7 +54,7 @@ NodeDefects placeCones(const TriMesh& mesh, const ConeMetric& metric, NodeDefect
     raiseSmallestK(mesh, metric, options.spacing.smallestK, bounds, start);
   ConePlacer placer(mesh, metric, std::move(start), std::move(bounds));
   if (!placer.balance()) return placer.defects();
-  placer.setWork(options.isFixed ? 0.0 : options.work);
+  placer.setNodeSolves(options.isFixed ? 0.0 : options.nodeSolves);
   if (options.coneCount > 0) {
     placer.keepCount();
     placer.growTo(options.coneCount);

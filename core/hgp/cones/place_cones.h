@@ -18,7 +18,7 @@ struct PlaceOptions {
   double largestTurn = kLargestTurnPerEdge;  ///< see defectBounds
   ConeSpacing spacing;                       ///< distances are those in their own metric
   bool isFixed = false;  ///< cones stay where they are, except as bounds and Gauss–Bonnet require
-  double work = 3e7;     ///< nodes × solves that may be spent
+  double nodeSolves = 3e7;  ///< nodes × solves that may be spent
 };
 inline constexpr double kWorthwhile = 0.2;
 

@@ -20,7 +20,7 @@ constexpr double kAside = 2.0;
 constexpr double kWidestRange = 7.5;
 
 /// Limits on the solves, and on nodes × solves, of a separation.
-constexpr double kMinSolves = 8.0, kMaxSolves = 250.0, kMaxWork = 2e7;
+constexpr double kMinSolves = 8.0, kMaxSolves = 250.0, kMaxNodeSolves = 2e7;
 /// Number of candidate moves per pair whose energy is computed, and how many of them share one block of solves, in
 /// which each costs a fraction of a single solve.
 constexpr std::size_t kWaysMeasured = 2, kWaysAtOnce = 32;
@@ -33,8 +33,8 @@ double rangeOf(const Eigen::VectorXd& u) { return u.maxCoeff() - u.minCoeff(); }
 }  // namespace
 
 /// The node near v, at least `least` from all other cones, at which v's defect costs least to first order; −1: none.
-int ConePlacer::placeAside(ConeDistances& distances, VertexId v, double least,
-                           const Eigen::VectorXd& g) const {
+int ConePlacer::nodeAside(ConeDistances& distances, VertexId v, double least,
+                          const Eigen::VectorXd& g) const {
   const int d = defects_[at(surface_.node[v])];
   std::vector<VertexId> others, around = distances.around({v}, (1.0 + kAside) * least);
   for (VertexId w : around)
@@ -75,7 +75,7 @@ std::vector<ConePlacer::PricedMove> ConePlacer::waysApart(ConeDistances& distanc
     const int d = defects_[at(i)];
     if (!fits(i, 0)) continue;
     if (!keepsCount_ && fits(j, defects_[at(j)] + d)) offer({i, j, d});
-    if (const int place = placeAside(distances, from, least, g); place >= 0) offer({i, place, d});
+    if (const int node = nodeAside(distances, from, least, g); node >= 0) offer({i, node, d});
   }
   std::stable_sort(ways.begin(), ways.end(), isCheaper);
   ways.resize(std::min(ways.size(), kWaysMeasured));
@@ -113,7 +113,7 @@ std::vector<ConePlacer::PricedMove> ConePlacer::cheapestOfEach(
 /// Applies moves first … last − 1 together; undoes them and returns false if the result exceeds the limits.
 bool ConePlacer::applyAll(const std::vector<PricedMove>& moves, std::size_t first, std::size_t last,
                           const EnergyLimits& limits) {
-  work_ -= metric_.nodeCount();
+  nodeSolves_ -= metric_.nodeCount();
   const NodeDefects defectsBefore = defects_;
   const ConeCost costBefore = cost_;
   for (std::size_t i = first; i < last; ++i) {
@@ -130,7 +130,7 @@ bool ConePlacer::applyAll(const std::vector<PricedMove>& moves, std::size_t firs
 /// The same; if it fails, the two halves separately, so that one expensive move does not prevent the others.
 bool ConePlacer::applyWithin(const std::vector<PricedMove>& moves, std::size_t first,
                              std::size_t last, const EnergyLimits& limits) {
-  if (first == last || work_ <= 0.0) return false;
+  if (first == last || nodeSolves_ <= 0.0) return false;
   if (applyAll(moves, first, last, limits)) return true;
   if (last - first == 1) return false;
   const std::size_t middle = first + (last - first + 1) / 2;
@@ -148,10 +148,10 @@ bool ConePlacer::partPairs(ConeDistances& distances, const std::vector<ConeDista
     // A cone takes part in one move per round; the next round measures the metric after it.
     const bool isFresh = std::none_of(touched.begin(), touched.end(),
                                       [&](VertexId v) { return v == pair.a || v == pair.b; });
-    if (!isFresh || work_ <= 0.0 || held.contains({pair.a, pair.b})) continue;
+    if (!isFresh || nodeSolves_ <= 0.0 || held.contains({pair.a, pair.b})) continue;
     std::vector<PricedMove> ways = waysApart(distances, pair.a, pair.b, least, g);
     if (ways.empty()) continue;
-    work_ -= kShareOfBlock * metric_.nodeCount() * static_cast<double>(ways.size());
+    nodeSolves_ -= kShareOfBlock * metric_.nodeCount() * static_cast<double>(ways.size());
     groups.push_back(std::move(ways));
     touched.insert(touched.end(), {pair.a, pair.b});
   }
@@ -197,17 +197,17 @@ void ConePlacer::separate(const ConeSpacing& spacing) {
                             std::max(kWidestRange, 1.02 * rangeOf(cost_.u))};
   const double nodes = metric_.nodeCount();
   std::set<std::pair<VertexId, VertexId>> held;  // pairs that cannot be separated within the limits
-  work_ = std::max(kMinSolves * nodes, std::min(kMaxSolves * nodes, kMaxWork));
+  nodeSolves_ = std::max(kMinSolves * nodes, std::min(kMaxSolves * nodes, kMaxNodeSolves));
   NodeDefects last, lastButOne;
   bool isDownhill = !keepsCount_;
-  for (int round = 0; round < kSeparatingRounds && work_ > 0.0; ++round) {
+  for (int round = 0; round < kSeparatingRounds && nodeSolves_ > 0.0; ++round) {
     ConeDistances distances(mesh_, metric_, cost_.u);
     const std::vector<ConeDistances::Pair> pairs = distances.closer(defects_, least);
     const bool isBackAndForth = defects_ == lastButOne && defects_ != last;
     if (pairs.empty() || isBackAndForth) return;
     lastButOne = std::exchange(last, defects_);
     const Eigen::VectorXd g = metric_.gradient(cost_);
-    work_ -= nodes;
+    nodeSolves_ -= nodes;
     if (isDownhill && mergeDownhill(pairs, g, limits)) continue;
     isDownhill = false;
     if (!partPairs(distances, pairs, least, g, limits, held)) return;

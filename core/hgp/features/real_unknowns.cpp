@@ -61,11 +61,11 @@ class Equator {
     std::optional<std::map<int, RealSum>> solved = solveSums(std::move(relations_));
     if (!solved) return {};
     RealUnknowns out;
-    std::vector<int> place(link_.size(), -1);
+    std::vector<int> index(link_.size(), -1);
     for (int i = 0; i < static_cast<int>(link_.size()); ++i) {
       const bool isFree = isShared_[at(i / 2)] ? !solved->contains(i) : link_[at(i)].root == i;
       if (!isFree) continue;
-      place[at(i)] = out.count++;
+      index[at(i)] = out.count++;
       out.variable.push_back(i);
     }
     out.rows = RealUnknowns::Rows(2 * copies_.rows(), out.count);
@@ -84,7 +84,7 @@ class Equator {
       addTo(sum, roots, 1.0);
       out.rows.startVec(row);
       for (const auto& [variable, factor] : sum)
-        out.rows.insertBack(row, place[at(variable)]) = factor;
+        out.rows.insertBack(row, index[at(variable)]) = factor;
     }
     out.rows.finalize();
     return out;

@@ -52,7 +52,7 @@ FieldSystem pairUp(const FieldSystem& fine, Patches& patches) {
   coarse.faces.assign(n, 0);
   coarse.mass.assign(n, 0.0);
   coarse.pull.assign(n, 0.0);
-  std::vector<int> place(n, -1);  // index of a patch in the current row
+  std::vector<int> index(n, -1);  // index of a patch in the current row
   for (std::size_t c = 0; c < n; ++c) {
     const int begin = static_cast<int>(coarse.other.size());
     for (const int i : members[c]) {
@@ -67,11 +67,11 @@ FieldSystem pairUp(const FieldSystem& fine, Patches& patches) {
         const Complex value = back * fine.coupling[e] * patches.turn[j];
         if (d == static_cast<int>(c)) {
           coarse.diagonal[c] += value.real();
-        } else if (place[d] >= begin) {
-          coarse.coupling[place[d]] += value;
-          coarse.strength[place[d]] += fine.strength[e];
+        } else if (index[d] >= begin) {
+          coarse.coupling[index[d]] += value;
+          coarse.strength[index[d]] += fine.strength[e];
         } else {
-          place[d] = static_cast<int>(coarse.other.size());
+          index[d] = static_cast<int>(coarse.other.size());
           coarse.other.push_back(d);
           coarse.coupling.push_back(value);
           coarse.strength.push_back(fine.strength[e]);

@@ -15,6 +15,9 @@ namespace hgp {
 /// @pre mesh has one component
 class PreparedSurface {
  public:
+  /// On larger surfaces memory counts more than time: what is prepared is freed when it has been used.
+  static constexpr int kKeptFaces = 200'000;
+
   explicit PreparedSurface(const TriMesh& mesh, Metric metric = Metric::kOwn);
   PreparedSurface(const PreparedSurface&) = delete;  // its searches refer to it
   PreparedSurface& operator=(const PreparedSurface&) = delete;

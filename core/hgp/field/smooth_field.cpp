@@ -28,10 +28,24 @@ constexpr double kShift = 1e-8;
 /// Weight of a held direction: beside it, no dual edge matters.
 constexpr double kHeldWeight = 1e3;
 
+/// Centroids lie at a third of the heights, so that those of two triangles with areas A + B over an edge of length l
+/// are 2(A + B)/(3l) apart across it.
+constexpr double kLengthOverDistance = 1.5;
+/// Bounds of a dual edge's weight, which is √3 between equilateral triangles: a sliver neither decides alone nor comes
+/// loose.
+constexpr double kMinDualWeight = 0.05, kMaxDualWeight = 20.0;
+constexpr double kMinAreas = 1e-12;  ///< in units of the mean edge length squared: no division by 0
+/// π(3 − √5): multiples of the golden angle are spread evenly and never repeat.
+constexpr double kGoldenAngle = 2.399963229728653;
+/// |κ₁ − κ₂| times the mean edge length: from 1 on a principal direction counts fully, and below 10⁻³ it is rounding
+/// of the normals or of a sphere's vertices.
+constexpr double kFullBending = 1.0, kMinBending = 1e-3;
+
 /// Edge length over the distance of the face centres, clamped: the dual edge's weight.
 double dualWeight(const Geometry& geometry, HalfedgeId h, double areas) {
   const double length = geometry.length[h];
-  return std::clamp(1.5 * length * length / std::max(areas, 1e-12), 0.05, 20.0);
+  return std::clamp(kLengthOverDistance * length * length / std::max(areas, kMinAreas),
+                    kMinDualWeight, kMaxDualWeight);
 }
 
 struct AlignedTerm {
@@ -102,7 +116,7 @@ SparseC matrixOf(const FieldSystem& system) {
 /// A start vector that is not constant and depends only on the index of the face.
 Eigen::VectorXcd startVector(int n) {
   Eigen::VectorXcd x(n);
-  for (int i = 0; i < n; ++i) x[i] = portable::polar(1.0, 2.399963229728653 * i);
+  for (int i = 0; i < n; ++i) x[i] = portable::polar(1.0, kGoldenAngle * i);
   return x;
 }
 
@@ -142,47 +156,10 @@ std::vector<Complex> minimise(const FieldSystem& system, bool isPulled) {
   return x;
 }
 
-}  // namespace
-
-std::vector<AlignedTerm> curvatureTerms(const TriMesh& mesh, const Geometry& geometry, int q);
-
-Result<FrameField> smoothField(const TriMesh& mesh, const FieldContext& context,
-                               const SmoothFieldOptions& options) {
-  const Geometry& geometry = context.geometry;
-  std::vector<AlignedTerm> aligned;
-  if (options.alignToBoundary) aligned = boundaryTerms(mesh, geometry, options.q);
-  if (options.alignToCurvature && options.q % 2 == 0) {
-    const auto more = curvatureTerms(mesh, geometry, options.q);
-    aligned.insert(aligned.end(), more.begin(), more.end());
-  }
-  for (const HeldDirection& held : options.held)
-    aligned.push_back({held.face, kHeldWeight, portable::polar(1.0, options.q * held.angle)});
-  std::vector<Complex> x =
-      minimise(fieldSystem(mesh, geometry, options.q, aligned), !aligned.empty());
-  if (x.empty())
-    return Failure{ErrorCode::kUnsupported,
-                   "field",
-                   "The smooth field could not be computed: the surface's geometry is not "
-                   "numerically usable.",
-                   {}};
-  FrameField field;
-  field.q = options.q;
-  field.angle = PerFace<double>(static_cast<std::size_t>(mesh.faceCount()), 0.0);
-  for (FaceId f : mesh.faces())
-    field.angle[f] = portable::arg(x[static_cast<std::size_t>(f.i)]) / options.q;
-  for (const HeldDirection& held : options.held) field.angle[held.face] = held.angle;
-  matchPrincipally(mesh, geometry, field);
-  return field;
-}
-
-namespace {
-
 Vec3 unit(const Vec3& a) {
   const double n = norm(a);
   return n > 0 ? scaled(a, 1.0 / n) : a;
 }
-
-}  // namespace
 
 /// Principal directions of the shape operator from vertex normals, weighted by |κ₁ − κ₂| in units
 /// of the mean edge length.
@@ -212,11 +189,42 @@ std::vector<AlignedTerm> curvatureTerms(const TriMesh& mesh, const Geometry& geo
     }
     const Eigen::Vector3d s = A.fullPivLu().solve(b);
     const double weight = portable::hypot(s[0] - s[2], 2 * s[1]);
-    if (!std::isfinite(weight) || weight < 1e-3) continue;
+    if (!std::isfinite(weight) || weight < kMinBending) continue;
     const double angle = 0.5 * portable::atan2(2 * s[1], s[0] - s[2]);
-    terms.push_back({f, std::min(weight, 1.0), portable::polar(1.0, q * angle)});
+    terms.push_back({f, std::min(weight, kFullBending), portable::polar(1.0, q * angle)});
   }
   return terms;
+}
+
+}  // namespace
+
+Result<FrameField> smoothField(const TriMesh& mesh, const FieldContext& context,
+                               const SmoothFieldOptions& options) {
+  const Geometry& geometry = context.geometry;
+  std::vector<AlignedTerm> aligned;
+  if (options.alignToBoundary) aligned = boundaryTerms(mesh, geometry, options.q);
+  if (options.alignToCurvature && options.q % 2 == 0) {
+    const auto more = curvatureTerms(mesh, geometry, options.q);
+    aligned.insert(aligned.end(), more.begin(), more.end());
+  }
+  for (const HeldDirection& held : options.held)
+    aligned.push_back({held.face, kHeldWeight, portable::polar(1.0, options.q * held.angle)});
+  std::vector<Complex> x =
+      minimise(fieldSystem(mesh, geometry, options.q, aligned), !aligned.empty());
+  if (x.empty())
+    return Failure{ErrorCode::kUnsupported,
+                   "field",
+                   "The smooth field could not be computed: the surface's geometry is not "
+                   "numerically usable.",
+                   {}};
+  FrameField field;
+  field.q = options.q;
+  field.angle = PerFace<double>(static_cast<std::size_t>(mesh.faceCount()), 0.0);
+  for (FaceId f : mesh.faces())
+    field.angle[f] = portable::arg(x[static_cast<std::size_t>(f.i)]) / options.q;
+  for (const HeldDirection& held : options.held) field.angle[held.face] = held.angle;
+  matchPrincipally(mesh, geometry, field);
+  return field;
 }
 
 }  // namespace hgp

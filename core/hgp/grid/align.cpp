@@ -76,7 +76,7 @@ class Aligner {
     tryAll();
     if (!isDone() && secondChoice_) takeSecondChoice();
     if (!isDone()) explain();
-    out_.workLeft = std::max(0.0, work_);
+    out_.multiplyAddsLeft = std::max(0.0, work_);
     return std::move(out_);
   }
 

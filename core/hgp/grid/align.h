@@ -35,7 +35,7 @@ struct AlignedMap {
       false;  ///< `map` is one for which `accepts` said kSecondChoice or whose cells are far off
   bool isCancelled = false;  ///< by `progress`; there is no map then
   GridReport report;
-  double workLeft = 0.0;  ///< of `work`, multiply-adds
+  double multiplyAddsLeft = 0.0;  ///< of those that might be spent
 };
 
 /// Changes a certified map so that every translation is an integer. The relations of the seam nodes are

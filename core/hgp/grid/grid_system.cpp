@@ -116,37 +116,41 @@ bool GridSystem::solveIntegers(GridMode mode) {
   return true;
 }
 
+linalg::SeparatorTree GridSystem::freeTree(const linalg::SeparatorTree& vertexTree) const {
+  // The tree needs ids 0 … n − 1 without gaps; held vertices are appended afterwards.
+  std::vector<int> numbers = change_->vertexUnknowns(), list;
+  for (int u : numbers)
+    if (u >= 0 && !isHeld_[at(u)]) list.push_back(u);
+  const FreeUnknowns free(list, change_->count());
+  for (int& u : numbers)
+    if (u >= 0) u = free.number(u);
+  linalg::SeparatorTree own = linalg::restrictTree(vertexTree, numbers);
+  for (int& u : own.order) u = free.unknownOf()[at(u)];
+  for (int u : heldUnknowns_) own.order.push_back(u);
+  own.nodeStart.back() = static_cast<int>(own.order.size());
+  return own;
+}
+
 bool GridSystem::factor(const linalg::SeparatorTree* tree) {
   weights_ = strainWeights(mesh_, seams_, uv_);
-  const Eigen::SparseMatrix<Complex> H = strainForm(mesh_, seams_, *change_, uv_, weights_);
   isHeld_.assign(at(change_->count()), 0);
+  std::vector<FaceId> all;
+  for (FaceId f : mesh_.faces()) all.push_back(f);
+  const StrainForm strain = strainForm({mesh_, seams_, *change_, uv_, weights_}, all,
+                                       FreeUnknowns(isHeld_), Eigen::VectorXcd());
   for (int u : heldUnknowns_) isHeld_[at(u)] = 1;
   linalg::PartialCholeskyOptions options;
   options.delayDepth = 0;
   linalg::SeparatorTree own;
   if (tree) {
-    std::vector<int> keep = change_->vertexUnknowns();
-    for (int& u : keep)
-      if (u >= 0 && isHeld_[at(u)]) u = -1;
-    // The tree needs ids 0 … n − 1 without gaps; held vertices are appended afterwards.
-    std::vector<int> number(at(change_->count()), -1), nameOf;
-    for (int& u : keep)
-      if (u >= 0) {
-        number[at(u)] = static_cast<int>(nameOf.size());
-        nameOf.push_back(u);
-        u = number[at(u)];
-      }
-    own = linalg::restrictTree(*tree, keep);
-    for (int& place : own.order) place = nameOf[at(place)];
-    for (int u : heldUnknowns_) own.order.push_back(u);
-    own.nodeStart.back() = static_cast<int>(own.order.size());
+    own = freeTree(*tree);
     options.tree = &own;
   }
   if (heldUnknowns_.empty()) {
     integers_ = std::make_shared<const IntegerForm>(Eigen::MatrixXcd(0, 0));
     return true;
   }
-  if (!cholesky_.build(H, {heldUnknowns_}, options)) return false;
+  if (!cholesky_.build(strain.H, {heldUnknowns_}, options)) return false;
   const auto n = static_cast<Eigen::Index>(heldUnknowns_.size());
   const Eigen::MatrixXcd reduced = cholesky_.reducedForm();
   Eigen::MatrixXcd form(n, n);
@@ -213,10 +217,10 @@ Eigen::VectorXcd GridSystem::changeTo(const std::vector<Gaussian>& y, double sca
   const Eigen::VectorXcd held = rows_ * chosen - held0_;
   Eigen::VectorXd reduced(2 * held.size());
   for (std::size_t i = 0; i < heldUnknowns_.size(); ++i) {
-    const auto place = 2 * cholesky_.dynamicIndex(heldUnknowns_[i]);
+    const auto index = 2 * cholesky_.dynamicIndex(heldUnknowns_[i]);
     const Complex z = held[static_cast<Eigen::Index>(i)];
-    reduced[place] = z.real();
-    reduced[place + 1] = z.imag();
+    reduced[index] = z.real();
+    reduced[index + 1] = z.imag();
   }
   return cholesky_.extend(reduced, Eigen::VectorXcd::Zero(change_->count()));
 }

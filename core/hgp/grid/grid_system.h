@@ -50,6 +50,8 @@ class GridSystem {
   bool build(GridMode mode, const linalg::SeparatorTree* tree);
   void chooseOrigin();
   bool solveIntegers(GridMode mode);
+  /// Of the vertices that are not held, and then the held unknowns, as the root.
+  linalg::SeparatorTree freeTree(const linalg::SeparatorTree& vertexTree) const;
   bool factor(const linalg::SeparatorTree* tree);
 
   const TriMesh& mesh_;

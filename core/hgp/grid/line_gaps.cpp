@@ -92,8 +92,8 @@ class GapFinder {
   }
   void keep(RealSum sum, double length, bool isOfCone) {
     if (sum.empty()) return;
-    const auto [place, isNew] = found_.try_emplace(std::move(sum), Found{length, isOfCone});
-    if (!isNew) place->second.isOfCone = place->second.isOfCone && isOfCone;
+    const auto [entry, isNew] = found_.try_emplace(std::move(sum), Found{length, isOfCone});
+    if (!isNew) entry->second.isOfCone = entry->second.isOfCone && isOfCone;
   }
 
   /// Walks to the next feature.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "hgp/linalg/factor/factor.h"
 #include "hgp/socp/solve.h"
@@ -15,52 +16,16 @@ constexpr double kMargin = 0.03;
 /// Maximum number of iterations. No feasible program needed more in tests; infeasible ones took up to 47.
 constexpr int kIterations = 24;
 
-/// Local numbers of the free unknowns.
-std::vector<int> freeUnknowns(const ChangeContext& in, const std::vector<FaceId>& patch,
-                              const std::vector<char>& isHeld, std::vector<int>& place) {
-  std::vector<int> free;
-  place.assign(at(in.change.count()), -1);
+/// The unknowns of a patch's vertices that are not held.
+FreeUnknowns freeUnknowns(const ChangeContext& in, const std::vector<FaceId>& patch,
+                          const std::vector<char>& isHeld) {
+  std::vector<int> list;
   for (FaceId f : patch)
     for (VertexId v : in.mesh.corners(f)) {
       const int u = in.change.vertexUnknown(v);
-      if (u < 0 || isHeld[at(u)] || place[at(u)] >= 0) continue;
-      place[at(u)] = static_cast<int>(free.size());
-      free.push_back(u);
+      if (u >= 0 && !isHeld[at(u)]) list.push_back(u);
     }
-  return free;
-}
-
-/// The change of one face as a function of the free unknowns; the other unknowns are constants.
-void localRows(const ChangeContext& in, const std::vector<int>& place, const Eigen::VectorXcd& x,
-               FaceId f, FaceRows& rows) {
-  strainRows(
-      in.seams, in.change, in.uv, f, [&](int unknown) { return place[at(unknown)]; }, x, rows);
-}
-
-/// ½ x* H x + Re(c* x) in the free unknowns.
-struct StrainForm {
-  Eigen::SparseMatrix<Complex> H;
-  Eigen::VectorXcd c;
-};
-
-/// The strain of these faces as a function of the free unknowns, all others being fixed.
-StrainForm strainOfFree(const ChangeContext& in, const std::vector<FaceId>& faces,
-                        const std::vector<int>& place, const Eigen::VectorXcd& x,
-                        std::size_t freeCount) {
-  const auto count = static_cast<Eigen::Index>(freeCount);
-  StrainForm form{Eigen::SparseMatrix<Complex>(count, count), Eigen::VectorXcd::Zero(count)};
-  std::vector<Eigen::Triplet<Complex>> entries;
-  FaceRows rows;
-  for (FaceId f : faces) {
-    localRows(in, place, x, f, rows);
-    const double w = in.weights.face[f];
-    addSquares(
-        rows, w * in.weights.similarity, w,
-        [&](int i, const Complex& value) { form.c[i] += value; },
-        [&](int i, int j, const Complex& value) { entries.emplace_back(i, j, value); });
-  }
-  form.H.setFromTriplets(entries.begin(), entries.end());
-  return form;
+  return {list, in.change.count()};
 }
 
 }  // namespace
@@ -98,30 +63,25 @@ double changedArea(const ChangeContext& in, const Eigen::VectorXcd& x) {
 bool repairChange(const ChangeContext& in, const std::vector<FaceId>& patch,
                   const std::vector<FaceId>& bound, const std::vector<char>& isHeld,
                   Eigen::VectorXcd& x, double& work, const Progress& progress) {
-  std::vector<int> place;
-  const std::vector<int> free = freeUnknowns(in, patch, isHeld, place);
-  if (free.empty()) return false;
-  const StrainForm form = strainOfFree(in, growFaces(in.mesh, patch, 1), place, x, free.size());
+  const FreeUnknowns free = freeUnknowns(in, patch, isHeld);
+  if (free.count() == 0) return false;
+  const StrainForm form = strainForm(in, growFaces(in.mesh, patch, 1), free, x);
 
-  socp::Problem problem;
+  std::vector<socp::ConeConstraint> conditions;
   linalg::Cliques cliques;
   FaceRows rows;
   for (FaceId f : bound) {
-    localRows(in, place, x, f, rows);
+    strainRows(in, f, free, x, rows);
     if (rows.terms.empty()) continue;
     rows.heldSimilar += 1.0;  // of the map itself
-    problem.constraints.push_back(coneCondition(rows, 1.0, 1.0, kMargin));
+    conditions.push_back(coneCondition(rows, 1.0, 1.0, kMargin));
     cliques.push_back(rows.unknowns());
   }
   linalg::PartialCholesky cholesky;
   if (!cholesky.build(form.H, cliques, {})) return false;
+  socp::Problem problem = socp::problemOver(cholesky, form.c);
   for (std::size_t b = 0; b < cliques.size(); ++b)
-    for (int unknown : cliques[b])
-      problem.constraints[b].unknowns.push_back(cholesky.dynamicIndex(unknown));
-  problem.form = &cholesky;
-  const Eigen::VectorXcd reduced = cholesky.reduceLinear(form.c);
-  problem.c = Eigen::Map<const Eigen::VectorXd>(reinterpret_cast<const double*>(reduced.data()),
-                                                2 * reduced.size());
+    socp::append(std::move(conditions[b]), cliques[b], cholesky, problem);
   socp::SolveOptions options;
   options.maxIterations = kIterations;
   options.progress = [&](int, double) { return report(progress, {Stage::kAlign, 0.5}); };
@@ -130,8 +90,7 @@ bool repairChange(const ChangeContext& in, const std::vector<FaceId>& patch,
   if (socp::isWithoutPoint(solution.status) || solution.status == socp::SolveStatus::kCancelled ||
       !solution.x.allFinite())
     return false;
-  const Eigen::VectorXcd solved = cholesky.extend(solution.x, form.c);
-  for (std::size_t i = 0; i < free.size(); ++i) x[free[i]] = solved[static_cast<Eigen::Index>(i)];
+  free.scatter(cholesky.extend(solution.x, form.c), x);
   return true;
 }
 

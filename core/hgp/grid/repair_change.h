@@ -8,15 +8,6 @@
 
 namespace hgp {
 
-/// The map and the form that a change is computed from; references only.
-struct ChangeContext {
-  const TriMesh& mesh;
-  const SeamStructure& seams;
-  const SeamlessChange& change;
-  const std::vector<Vec2>& uv;  ///< the map that is changed
-  const StrainWeights& weights;
-};
-
 /// Faces that are not positive after the change x.
 std::vector<FaceId> turnedFaces(const ChangeContext& context, const Eigen::VectorXcd& x);
 /// The signed area of the map after the change x.

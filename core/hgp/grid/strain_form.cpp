@@ -92,23 +92,36 @@ StrainWeights strainWeights(const TriMesh& mesh, const SeamStructure& seams,
   return weights;
 }
 
-Eigen::SparseMatrix<Complex> strainForm(const TriMesh& mesh, const SeamStructure& seams,
-                                        const SeamlessChange& change, const std::vector<Vec2>& uv,
-                                        const StrainWeights& weights) {
+void strainRows(const ChangeContext& in, FaceId f, const FreeUnknowns& free,
+                const Eigen::VectorXcd& x, FaceRows& rows) {
+  std::vector<SeamlessChange::Term> terms;
+  const auto eachTerm = [&](int k, const auto& visit) {
+    terms.clear();
+    in.change.append(in.seams.copy[TriMesh::halfedge(f, k)], 1.0, terms);
+    for (const SeamlessChange::Term& t : terms) visit(t.unknown, t.factor);
+  };
+  gatherFaceRows(
+      planeParts(in.seams, in.uv, f), eachTerm, [&](int unknown) { return free.number(unknown); },
+      x, rows);
+}
+
+StrainForm strainForm(const ChangeContext& in, const std::vector<FaceId>& faces,
+                      const FreeUnknowns& free, const Eigen::VectorXcd& x) {
+  const auto count = static_cast<Eigen::Index>(free.count());
+  StrainForm form{Eigen::SparseMatrix<Complex>(count, count), Eigen::VectorXcd::Zero(count)};
   std::vector<Eigen::Triplet<Complex>> entries;
-  entries.reserve(9 * at(mesh.faceCount()));
+  entries.reserve(9 * faces.size());
   FaceRows rows;
-  for (FaceId f : mesh.faces()) {
-    strainRows(
-        seams, change, uv, f, [](int unknown) { return unknown; }, {}, rows);
-    const double w = weights.face[f];
+  for (FaceId f : faces) {
+    strainRows(in, f, free, x, rows);
+    const double w = in.weights.face[f];
     addSquares(
-        rows, w * weights.similarity, w, [](int, const Complex&) {},
+        rows, w * in.weights.similarity, w,
+        [&](int i, const Complex& value) { form.c[i] += value; },
         [&](int i, int j, const Complex& value) { entries.emplace_back(i, j, value); });
   }
-  Eigen::SparseMatrix<Complex> H(change.count(), change.count());
-  H.setFromTriplets(entries.begin(), entries.end());
-  return H;
+  form.H.setFromTriplets(entries.begin(), entries.end());
+  return form;
 }
 
 }  // namespace hgp

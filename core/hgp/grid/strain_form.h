@@ -40,22 +40,6 @@ class SeamlessChange {
 /// Of a triangle of the map.
 LinearParts planeParts(const SeamStructure& seams, const std::vector<Vec2>& uv, FaceId f);
 
-/// Derivatives of the change of a face with respect to the map's own plane: with f = z + dx, f_z = 1 + dx_z and
-/// f_z̄ = dx_z̄.
-/// @param number, held  see gatherFaceRows
-template <class Number>
-void strainRows(const SeamStructure& seams, const SeamlessChange& change,
-                const std::vector<Vec2>& uv, FaceId f, Number number, const Eigen::VectorXcd& held,
-                FaceRows& rows) {
-  std::vector<SeamlessChange::Term> terms;
-  const auto eachTerm = [&](int k, const auto& visit) {
-    terms.clear();
-    change.append(seams.copy[TriMesh::halfedge(f, k)], 1.0, terms);
-    for (const SeamlessChange::Term& t : terms) visit(t.unknown, t.factor);
-  };
-  gatherFaceRows(planeParts(seams, uv, f), eachTerm, number, held, rows);
-}
-
 /// Weights of the strain energy Σ_f w_f (|dx_z̄|² + δ |dx_z|²).
 struct StrainWeights {
   double similarity = 0.1;  ///< δ: smaller values preserve angles at the cost of areas
@@ -64,8 +48,27 @@ struct StrainWeights {
 StrainWeights strainWeights(const TriMesh& mesh, const SeamStructure& seams,
                             const std::vector<Vec2>& uv);
 
-Eigen::SparseMatrix<Complex> strainForm(const TriMesh& mesh, const SeamStructure& seams,
-                                        const SeamlessChange& change, const std::vector<Vec2>& uv,
-                                        const StrainWeights& weights);
+/// The map and the form that a change is computed from; references only.
+struct ChangeContext {
+  const TriMesh& mesh;
+  const SeamStructure& seams;
+  const SeamlessChange& change;
+  const std::vector<Vec2>& uv;  ///< the map that is changed
+  const StrainWeights& weights;
+};
+
+/// Derivatives of the change of a face with respect to the map's own plane, over numbers of `free`: with f = z + dx,
+/// f_z = 1 + dx_z and f_z̄ = dx_z̄. The other unknowns have the values that they have in x.
+void strainRows(const ChangeContext& context, FaceId f, const FreeUnknowns& free,
+                const Eigen::VectorXcd& x, FaceRows& rows);
+
+/// ½ y* H y + Re(c* y) over the free unknowns y.
+struct StrainForm {
+  Eigen::SparseMatrix<Complex> H;
+  Eigen::VectorXcd c;
+};
+/// The strain of these faces, with the other unknowns as in x.
+StrainForm strainForm(const ChangeContext& context, const std::vector<FaceId>& faces,
+                      const FreeUnknowns& free, const Eigen::VectorXcd& x);
 
 }  // namespace hgp

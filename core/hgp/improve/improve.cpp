@@ -52,7 +52,7 @@ class Descent {
   }
 
   double excess() const { return energy_ - 1.0; }
-  double stepWork() const { return system_.work(); }
+  double stepMultiplyAdds() const { return system_.multiplyAdds(); }
   const Eigen::VectorXcd& x() const { return x_; }
 
   bool hasKnee() const { return asked_.knee != EnergyExponents::kNoKnee; }
@@ -108,7 +108,7 @@ class Descent {
 
 /// Takes steps until the descent ends, and returns why.
 DescentOutcome run(Descent& descent, const ImproveOptions& options, const Progress& progress,
-                   std::vector<ImproveStep>& steps, double& work) {
+                   std::vector<ImproveStep>& steps, double& multiplyAdds) {
   if (!std::isfinite(descent.excess())) return DescentOutcome::kNotInjective;
   bool isBent = !descent.hasKnee();
   descent.bend(isBent);
@@ -118,8 +118,9 @@ DescentOutcome run(Descent& descent, const ImproveOptions& options, const Progre
     if (!report(progress, {Stage::kImprove, fraction, n, excess}))
       return DescentOutcome::kCancelled;
     if (excess <= kNoExcess) return DescentOutcome::kNothingToGain;
-    if (work + descent.stepWork() > options.largestWork) return DescentOutcome::kWorkLimit;
-    work += descent.stepWork();
+    if (multiplyAdds + descent.stepMultiplyAdds() > options.maxMultiplyAdds)
+      return DescentOutcome::kWorkLimit;
+    multiplyAdds += descent.stepMultiplyAdds();
     if (!descent.assemble()) return DescentOutcome::kSingular;
     const double length = descent.descend();
     if (length <= 0.0) return DescentOutcome::kNoDescent;
@@ -170,7 +171,7 @@ Improvement improve(const ReducedMap& map, const linalg::SeparatorTree& tree,
   held.resize(static_cast<std::size_t>(map.unknowns.count), 0);
   Descent descent(map, tree, x, options.balance, held);
   result.excessBefore = descent.excess();
-  result.outcome = run(descent, options, progress, result.steps, result.work);
+  result.outcome = run(descent, options, progress, result.steps, result.multiplyAdds);
   descent.bend(descent.hasKnee());
   result.excessAfter = descent.excess();
   if (result.excessAfter < result.excessBefore) {

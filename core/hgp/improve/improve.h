@@ -16,7 +16,7 @@ struct Improvement {
   double excessBefore = 0.0, excessAfter = 0.0;  ///< mean ψ − 1, as in ImproveStep
   std::vector<ImproveStep> steps;
   DescentOutcome outcome = DescentOutcome::kNothingToGain;
-  double work = 0.0;  ///< multiply-adds spent
+  double multiplyAdds = 0.0;  ///< spent
 };
 
 /// Projected Newton on the mean Σ A_f ψ_f / Σ A_f over the unknowns, from a map without flips: A_f is

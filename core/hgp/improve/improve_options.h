@@ -11,7 +11,7 @@ struct ImproveOptions {
   /// Ends when a step lowers the energy's excess over an isometry by less than this share of it.
   double relativeDecrease = 0.01;
   int maxSteps = 40;
-  double largestWork = 1e300;  ///< multiply-adds: no further step that would exceed them
+  double maxMultiplyAdds = 1e300;  ///< no further step that would exceed them
 };
 
 /// One Newton step.

@@ -14,7 +14,7 @@ constexpr double kProximal = 1e-8;
 /// Deeper than any tree: every unknown is eliminated at its position in the tree, since all of them change.
 constexpr int kInPlace = 1 << 20;
 /// Multiply-adds per triangle of a step without its factorization (measured).
-constexpr double kStepWork = 2e3;
+constexpr double kAddsPerFace = 2e3;
 
 /// The dissection of the vertices as one of the free unknowns; translations, which couple to whole seams, are inserted
 /// where their neighbours allow.
@@ -115,8 +115,8 @@ bool NewtonSystem::assemble(const EnergyExponents& exponents, const FaceParts& p
   return gradient_.allFinite() && static_cast<bool>(cholesky_.factor(values_.data()));
 }
 
-double NewtonSystem::work() const {
-  return linalg::multiplyAdds(cholesky_.report(), 1) + kStepWork * terms_.faceCount();
+double NewtonSystem::multiplyAdds() const {
+  return linalg::multiplyAdds(cholesky_.report(), 1) + kAddsPerFace * terms_.faceCount();
 }
 
 NewtonSystem::Direction NewtonSystem::direction() const {

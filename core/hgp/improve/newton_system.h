@@ -27,7 +27,7 @@ class NewtonSystem {
   Direction direction() const;
 
   /// Multiply-adds of one assembly, factorization and direction.
-  double work() const;
+  double multiplyAdds() const;
 
  private:
   const FaceTerms& terms_;

@@ -194,10 +194,10 @@ class PlainGlbText {
   /// Triangles by material, in the order in which the materials appear.
   static std::vector<std::pair<int, std::vector<std::size_t>>> groups(const PlainSurface& surface) {
     std::vector<std::pair<int, std::vector<std::size_t>>> out;
-    std::map<int, std::size_t> place;
+    std::map<int, std::size_t> index;
     for (std::size_t t = 0; t < surface.mesh.triangles.size(); ++t) {
       const int material = surface.triangleMaterial.empty() ? -1 : surface.triangleMaterial[t];
-      const auto [found, isNew] = place.try_emplace(material, out.size());
+      const auto [found, isNew] = index.try_emplace(material, out.size());
       if (isNew) out.push_back({material, {}});
       out[found->second].second.push_back(t);
     }

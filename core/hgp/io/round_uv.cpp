@@ -13,8 +13,12 @@
 namespace hgp::io {
 namespace {
 
-constexpr int kMendPasses = 8;              ///< over the triangles that rounding flipped
-constexpr int kReach = 2;                   ///< grid steps that a vertex may be moved
+constexpr int kMendPasses = 8;  ///< over the triangles that rounding flipped
+constexpr int kReach = 2;       ///< grid steps that a vertex may be moved
+/// A group whose extent is outside of these is scaled, as its seams would be accepted only within rounding that is
+/// coarse beside it, or its numbers would leave float32's integers behind; one inside keeps its size, which users know.
+constexpr double kMinExtent = 32.0, kMaxExtent = 1e6;
+constexpr int kScaledExponent = 6;          ///< to an extent from 2⁶ up to 2⁷
 constexpr double kFloatSteps = 16777216.0;  ///< 2²⁴: integers up to here are exact in float32
 
 /// Twice the signed area. Grid coordinates are integers up to 2²⁴, so the result is exact in a double.
@@ -63,8 +67,8 @@ class Rounder {
     if (isGood(best)) return finish(best);
     const double extent = box_.extent();
     consider(best, attempt(centred(1.0)));
-    if (!isGood(best) && extent > 0 && (extent < 32 || extent > 1e6)) {
-      consider(best, attempt(centred(std::ldexp(1.0, 6 - std::ilogb(extent)))));
+    if (!isGood(best) && extent > 0 && (extent < kMinExtent || extent > kMaxExtent)) {
+      consider(best, attempt(centred(std::ldexp(1.0, kScaledExponent - std::ilogb(extent)))));
     }
     return finish(best);
   }

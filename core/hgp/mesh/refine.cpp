@@ -42,7 +42,7 @@ class Splitter {
     return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
   }
   /// −1 where it is not split.
-  int placeOf(int a, int b) const {
+  int indexOf(int a, int b) const {
     const auto it = std::lower_bound(edges_.begin(), edges_.end(), pairOf(a, b));
     return it != edges_.end() && *it == pairOf(a, b) ? static_cast<int>(it - edges_.begin()) : -1;
   }
@@ -52,7 +52,7 @@ class Splitter {
     for (const auto& t : before_.triangles) {
       if (!isTriangle(t)) continue;
       for (std::size_t k = 0; k < 3; ++k)
-        if (const int e = placeOf(t[k], t[(k + 1) % 3]); e >= 0)
+        if (const int e = indexOf(t[k], t[(k + 1) % 3]); e >= 0)
           isThere[static_cast<std::size_t>(e)] = 1;
     }
     std::vector<VertexPair> kept;
@@ -80,7 +80,7 @@ class Splitter {
     std::array<int, 6> vertex{t[0], t[1], t[2], -1, -1, -1};
     int count = 0;
     for (std::size_t k = 0; k < 3 && isTriangle(t); ++k) {
-      const int e = placeOf(t[k], t[(k + 1) % 3]);
+      const int e = indexOf(t[k], t[(k + 1) % 3]);
       if (e < 0) continue;
       vertex[3 + k] = static_cast<int>(before_.positions.size()) + e;
       ++count;

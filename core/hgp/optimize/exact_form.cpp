@@ -14,7 +14,7 @@ class ExactForm : public ProgramForm {
  public:
   ExactForm(const ProgramInput& in, const ExactObjective& objective, const HeldUnknowns& held)
       : in_(in), vertexTree_(*objective.vertexTree), held_(held) {}
-  int number(int unknown) const override { return number_[at(unknown)]; }
+  int number(int unknown) const override { return free_.number(unknown); }
 
   Eigen::VectorXcd expand(const Eigen::VectorXcd& x) const override {
     Eigen::VectorXcd all(static_cast<Eigen::Index>(kept_.size()));
@@ -44,13 +44,13 @@ class ExactForm : public ProgramForm {
     };
     for (FaceId f : in_.frames.faces) keep(f);
     for (FaceId f : in_.options.soft.faces) keep(f);
-    number_.assign(isKept.size(), -1);
+    std::vector<int> free;
     for (std::size_t i = 0; i < isKept.size(); ++i) {
       if (!isKept[i]) continue;
-      const int unknown = static_cast<int>(i);
-      kept_.push_back(unknown);
-      if (!held_.isHeld[i]) number_[i] = count_++;
+      kept_.push_back(static_cast<int>(i));
+      if (!held_.isHeld[i]) free.push_back(kept_.back());
     }
+    free_ = FreeUnknowns(free, in_.unknowns.count);
   }
 
   /// H = SᴴD²S + the distortion of the constrained faces, which makes the minimiser unique.
@@ -64,7 +64,8 @@ class ExactForm : public ProgramForm {
         weight[found - kept_.begin()] = portable::exp(-in_.options.u[v]);
     }
     const Eigen::MatrixXcd gram = lu_.gram(weight);
-    Eigen::MatrixXcd H(count_, count_);
+    const int count = free_.count();
+    Eigen::MatrixXcd H(count, count);
     for (std::size_t j = 0; j < kept_.size(); ++j)
       for (std::size_t i = j; i < kept_.size(); ++i) {
         if (isHeld(kept_[i]) || isHeld(kept_[j])) continue;
@@ -72,12 +73,12 @@ class ExactForm : public ProgramForm {
         H(number(kept_[i]), number(kept_[j])) = value;
         H(number(kept_[j]), number(kept_[i])) = std::conj(value);
       }
-    c = Eigen::VectorXcd::Zero(count_);
+    c = Eigen::VectorXcd::Zero(count);
     linalg::Cliques cliques;
     FaceRows rows;
     const auto addDistortion = [&](FaceId f, double delta) {
       faceRows(in_, held_, f, rows);
-      for (FaceRows::Term& term : rows.terms) term.unknown = number(term.unknown);
+      rewrite(rows);
       scaleToDistortion(in_, f, delta, rows);
       addSquares(
           rows, 1.0, 1.0, [&](int i, const Complex& value) { c[i] += value; },
@@ -89,9 +90,9 @@ class ExactForm : public ProgramForm {
     }
     for (FaceId f : in_.options.soft.faces) addDistortion(f, in_.options.soft.weight);
     linalg::SeparatorTree root;
-    root.order.resize(static_cast<std::size_t>(count_));
+    root.order.resize(static_cast<std::size_t>(count));
     std::iota(root.order.begin(), root.order.end(), 0);
-    root.nodeStart = {0, count_};
+    root.nodeStart = {0, count};
     root.parent = {-1};
     linalg::PartialCholeskyOptions options;
     options.tree = &root;
@@ -104,8 +105,8 @@ class ExactForm : public ProgramForm {
   const ProgramInput& in_;
   const linalg::SeparatorTree& vertexTree_;
   const HeldUnknowns& held_;  // the pinned unknown, held at 0
-  int count_ = 0;
-  std::vector<int> kept_, number_;
+  std::vector<int> kept_;
+  FreeUnknowns free_;  // those of kept_ that are not held
   linalg::SchurLu lu_;
 };
 

@@ -16,16 +16,23 @@ struct Ring {
   std::vector<double> angles, lengths;
 };
 
+/// Bounds of an angle relative to the mean one, and the largest: the triangle over it has an area, and its edges'
+/// lengths are those of the wrong map, which a sharper or flatter corner would make a needle.
+constexpr double kMinOfMean = 0.05, kMaxOfMean = 20.0, kMaxAngle = 0.98 * kPi;
+/// Every pass moves what the bounds took to the angles that are not at theirs; the sum is exact to rounding after few.
+constexpr int kFitPasses = 50;
+constexpr double kFitted = 1e-14;
+
 /// Changes all angles by the same amount to the prescribed sum, within (0, π): the least-squares projection
 /// when no bound is active.
 void fitAngles(std::vector<double>& angles, double sum) {
   const double n = static_cast<double>(angles.size());
-  const double least = 0.05 * sum / n, most = std::min(0.98 * kPi, 20.0 * sum / n);
-  for (int pass = 0; pass < 50; ++pass) {
+  const double least = kMinOfMean * sum / n, most = std::min(kMaxAngle, kMaxOfMean * sum / n);
+  for (int pass = 0; pass < kFitPasses; ++pass) {
     double have = 0.0;
     for (double a : angles) have += a;
     const double step = (sum - have) / n;
-    if (std::abs(step) < 1e-14) break;
+    if (std::abs(step) < kFitted) break;
     for (double& a : angles) a = std::clamp(a + step, least, most);
   }
 }

@@ -82,7 +82,7 @@ std::shared_ptr<const HarmonicBasis> HarmonicBasis::make(const SeamlessSystem& s
       !basis->lu_.build(rowsWithTriangles(system, hasRow), basis->kept_, unknownTree(system, tree)))
     return nullptr;
   basis->restrictDistortion(system, u);
-  basis->work_ = 4.0 * (1.0 + kFormShare) * basis->lu_.cost().multiplyAdds;
+  basis->multiplyAdds_ = 4.0 * (1.0 + kFormShare) * basis->lu_.cost().multiplyAdds;
   return basis;
 }
 

@@ -36,7 +36,7 @@ class HarmonicBasis {
   Eigen::MatrixXcd rowsOf(const std::vector<int>& unknowns) const;
   /// The distortion term of all faces (distortionRows, δ = 1) in terms of y.
   const linalg::QuadraticForm& distortion() const { return distortion_; }
-  double work() const { return work_; }  ///< multiply-adds of the elimination and the distortion
+  double multiplyAdds() const { return multiplyAdds_; }  ///< of the elimination and the distortion
 
  private:
   Eigen::MatrixXcd keptOf(const Eigen::MatrixXcd& y) const;
@@ -47,7 +47,7 @@ class HarmonicBasis {
   linalg::SchurLu lu_;
   std::shared_ptr<std::map<int, Eigen::RowVectorXcd>> rows_;  // that rowsOf() has computed
   linalg::QuadraticForm distortion_;
-  double work_ = 0.0;
+  double multiplyAdds_ = 0.0;
 };
 
 }  // namespace hgp

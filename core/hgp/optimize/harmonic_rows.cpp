@@ -42,4 +42,19 @@ linalg::SeparatorTree unknownTree(const SeamlessSystem& system,
   return tree;
 }
 
+linalg::SeparatorTree formTree(const linalg::SeparatorTree& wideTree,
+                               const std::vector<int>& number,
+                               const Eigen::SparseMatrix<Complex>& H) {
+  const linalg::SeparatorTree vertices = linalg::restrictTree(wideTree, number);
+  // Only the neighbours of appended unknowns are needed.
+  linalg::Graph appended;
+  appended.start.assign(vertices.order.size() + 1, 0);
+  for (auto j = static_cast<Eigen::Index>(vertices.order.size()); j < H.cols(); ++j) {
+    for (Eigen::SparseMatrix<Complex>::InnerIterator it(H, j); it; ++it)
+      if (it.row() != j) appended.neighbours.push_back(static_cast<int>(it.row()));
+    appended.start.push_back(static_cast<int>(appended.neighbours.size()));
+  }
+  return linalg::appendVertices(vertices, appended);
+}
+
 }  // namespace hgp

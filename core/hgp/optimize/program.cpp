@@ -39,12 +39,6 @@ std::vector<FaceId> strainedMost(const Frames& frames, const socp::Solution& sol
   return faces;
 }
 
-Eigen::VectorXd reducedLinear(const ProgramForm& form, const Eigen::VectorXcd& c) {
-  const Eigen::VectorXcd reduced = form.cholesky.reduceLinear(c);
-  return Eigen::Map<const Eigen::VectorXd>(reinterpret_cast<const double*>(reduced.data()),
-                                           2 * reduced.size());
-}
-
 /// Half the gradient of ‖D L z‖² in the form's unknowns, and the energy itself.
 double harmonicGradient(const ProgramInput& in, const ProgramForm& form, const Eigen::VectorXcd& x,
                         const HeldUnknowns& held, Eigen::VectorXcd& gradient) {
@@ -80,7 +74,7 @@ Eigen::VectorXcd withoutTieBreak(const ProgramInput& in, const ProgramForm& form
     if (step == 0) first = energy;
     if (energy <= kVanishedEnergy * first) x = moved;
     const Eigen::VectorXd change =
-        form.cholesky.solve(Eigen::VectorXd(-reducedLinear(form, gradient)));
+        form.cholesky.solve(Eigen::VectorXd(-socp::reducedLinear(form.cholesky, gradient)));
     root += change;
     if (!root.allFinite() || !socp::isFulfilled(problem, root)) break;
     const Eigen::VectorXcd all = form.cholesky.extend(change, gradient);
@@ -108,17 +102,13 @@ ProgramResult solveProgram(const SeamlessSystem& system, const Frames& frames,
   if (harmonic) held.isHeld.assign(held.isHeld.size(), 0);  // the basis holds one itself
   linalg::PartialCholesky& cholesky = form->cholesky;
 
-  socp::Problem problem;
-  problem.form = &cholesky;
-  problem.c = reducedLinear(*form, form->c);
+  socp::Problem problem = socp::problemOver(cholesky, form->c);
   problem.sharesBlock = form->isDense() && !frames.faces.empty();
   FaceRows rows;
   for (std::size_t j = 0; j < frames.faces.size(); ++j) {
     faceRows(in, held, frames.faces[j], rows);
     form->rewrite(rows);
-    problem.constraints.push_back(frameCondition(in, rows, j));
-    for (const FaceRows::Term& term : rows.terms)
-      problem.constraints.back().unknowns.push_back(cholesky.dynamicIndex(term.unknown));
+    socp::append(frameCondition(in, rows, j), rows.unknowns(), cholesky, problem);
   }
   socp::SolveOptions solveOptions;
   solveOptions.progress = options.progress;
@@ -126,8 +116,8 @@ ProgramResult solveProgram(const SeamlessSystem& system, const Frames& frames,
 
   result.status = solution.status;
   result.iterations = solution.iterations;
-  result.work = linalg::multiplyAdds(cholesky.report(), std::max(1, solution.iterations)) +
-                (harmonic ? harmonic->basis->work() : 0.0);
+  result.multiplyAdds = linalg::multiplyAdds(cholesky.report(), std::max(1, solution.iterations)) +
+                        (harmonic ? harmonic->basis->multiplyAdds() : 0.0);
   const bool isTieBroken = penalty && penalty->quality == 0.0 && options.soft.faces.empty();
   result.x = isTieBroken && (solution.isFree || frames.faces.empty())
                  ? withoutTieBreak(in, *form, held, problem, solution.x)

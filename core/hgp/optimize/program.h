@@ -17,7 +17,7 @@ struct ProgramResult {
   Eigen::VectorXcd x;      ///< the unknowns they come from
   socp::SolveStatus status = socp::SolveStatus::kStalled;
   int iterations = 0;
-  double work = 0.0;             ///< multiply-adds of its factorizations
+  double multiplyAdds = 0.0;     ///< of its factorizations
   double laplacianEnergy = 0.0;  ///< ‖Lz‖², rows normalised to Σw = 1
   std::vector<FaceId>
       strained;  ///< if isWithoutPoint(status): constrained triangles with the largest duals

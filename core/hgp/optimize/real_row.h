@@ -12,20 +12,20 @@ namespace hgp {
 /// A sparse sum over the unknowns, collected term by term.
 class RealRow {
  public:
-  /// @param place  −1 where an unknown has the value that `given` has
-  RealRow(const RealUnknowns& unknowns, const std::vector<int>& place,
+  /// @param index  −1 where an unknown has the value that `given` has
+  RealRow(const RealUnknowns& unknowns, const std::vector<int>& index,
           const std::vector<double>& given)
       : unknowns_(unknowns),
-        place_(place),
+        index_(index),
         given_(given),
-        value_(place.size(), 0.0),
-        isUsed_(place.size(), 0) {}
+        value_(index.size(), 0.0),
+        isUsed_(index.size(), 0) {}
 
   /// Adds factor times the real (part 0) or imaginary part (1) of a copy.
   void add(int copy, int part, double factor) {
     for (RealUnknowns::Rows::InnerIterator it(unknowns_.rows, 2 * copy + part); it; ++it) {
       const auto i = static_cast<std::size_t>(it.col());
-      if (place_[i] < 0) {
+      if (index_[i] < 0) {
         constant_ += factor * it.value() * given_[i];
         continue;
       }
@@ -36,14 +36,14 @@ class RealRow {
       value_[i] += factor * it.value();
     }
   }
-  /// Calls use(place, value) for every term, ascending, and clears the row.
+  /// Calls use(index, value) for every term, ascending, and clears the row.
   /// @return what given unknowns add
   template <class Use>
   double take(const Use& use) {
     std::sort(used_.begin(), used_.end());
     for (const int unknown : used_) {
       const auto i = static_cast<std::size_t>(unknown);
-      if (value_[i] != 0.0) use(place_[i], value_[i]);
+      if (value_[i] != 0.0) use(index_[i], value_[i]);
       value_[i] = 0.0;
       isUsed_[i] = 0;
     }
@@ -53,7 +53,7 @@ class RealRow {
 
  private:
   const RealUnknowns& unknowns_;
-  const std::vector<int>& place_;
+  const std::vector<int>& index_;
   const std::vector<double>& given_;
   double constant_ = 0.0;
   std::vector<double> value_;

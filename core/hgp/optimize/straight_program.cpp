@@ -9,6 +9,7 @@
 #include "hgp/optimize/real_form.h"
 #include "hgp/optimize/real_row.h"
 #include "hgp/system/face_rows.h"
+#include "hgp/system/square_rows.h"
 
 namespace hgp {
 namespace {
@@ -25,32 +26,33 @@ class StraightProgram {
  public:
   StraightProgram(const StraightSystem& in, const Frames& frames, const StraightOptions& options)
       : in_(in), s_(in.system), frames_(frames), o_(options) {
-    place_.assign(at(in.unknowns.count), 0);
-    given_.assign(place_.size(), 0.0);
+    index_.assign(at(in.unknowns.count), 0);
+    given_.assign(index_.size(), 0.0);
     for (const auto& [unknown, value] : options.given) {
-      place_[at(unknown)] = -1;
+      index_[at(unknown)] = -1;
       given_[at(unknown)] = value;
     }
     for (const int part : {0, 1}) {
       origin_[at(part)] = originOf(part);
-      if (options.given.empty() && origin_[at(part)] >= 0) place_[at(origin_[at(part)])] = -1;
+      if (options.given.empty() && origin_[at(part)] >= 0) index_[at(origin_[at(part)])] = -1;
     }
-    for (int& p : place_) p = p < 0 ? -1 : count_++;
+    for (int& p : index_) p = p < 0 ? -1 : count_++;
     padded_ = count_ + count_ % 2;
-    c_ = Eigen::VectorXd::Zero(padded_);
+    squares_ = SquareRows<double>(count_);
   }
 
   StraightResult run() {
-    RealRow row(in_.unknowns, place_, given_);
+    RealRow row(in_.unknowns, index_, given_);
     addHarmonic(row);
     addDistortion(row);
     addEdges(row);
     addFrames(row);
-    const Eigen::SparseMatrix<double> H = objective();
+    const Eigen::SparseMatrix<double> H = squares_.takeForm();
     const linalg::SeparatorTree tree = orderUnknowns(H);
     RealForm form(H, tree, std::move(pairs_), used_);
     problem_.form = &form;
-    problem_.c = c_;
+    problem_.c = Eigen::VectorXd::Zero(padded_);
+    problem_.c.head(count_) = squares_.linear;
     socp::SolveOptions solveOptions;
     solveOptions.progress = o_.progress;
     const socp::Solution solution = socp::solve(problem_, solveOptions);
@@ -58,10 +60,10 @@ class StraightProgram {
     StraightResult result;
     result.status = solution.status;
     result.iterations = solution.iterations;
-    result.work = form.multiplyAdds() * (solution.iterations + 2);
+    result.multiplyAdds = form.multiplyAdds() * (solution.iterations + 2);
     result.x = Eigen::VectorXd::Zero(in_.unknowns.count);
     for (int i = 0; i < in_.unknowns.count; ++i)
-      result.x[i] = place_[at(i)] >= 0 ? solution.x[place_[at(i)]] : given_[at(i)];
+      result.x[i] = index_[at(i)] >= 0 ? solution.x[index_[at(i)]] : given_[at(i)];
     const Eigen::VectorXd parts = in_.unknowns.rows * result.x;
     for (Eigen::Index n = 0; n < parts.size(); n += 2)
       result.z.emplace_back(parts[n], parts[n + 1]);
@@ -71,19 +73,20 @@ class StraightProgram {
 
   /// See straightCovariance.
   Eigen::MatrixXd covariance(const std::vector<int>& variables) {
-    for (int& p : place_) p = 0;
+    for (int& p : index_) p = 0;
     count_ = 0;
-    for (int& p : place_) p = count_++;
-    c_ = Eigen::VectorXd::Zero(count_);
-    RealRow row(in_.unknowns, place_, given_);
+    for (int& p : index_) p = count_++;
+    squares_ = SquareRows<double>(count_);
+    RealRow row(in_.unknowns, index_, given_);
     addHarmonic(row);
     addDistortion(row);
     for (const int origin : origin_)
       if (origin >= 0) {
         const double nearly = kFreeShare * std::sqrt(o_.quality) * portable::exp(-o_.u[smallest_]);
-        entries_.emplace_back(rowCount_++, origin, nearly);
+        squares_.add(origin, nearly);
+        squares_.endRow();
       }
-    const Eigen::SparseMatrix<double> H = objective();
+    const Eigen::SparseMatrix<double> H = squares_.takeForm();
     linalg::MultifrontalCholesky<double> factor;
     factor.analyze(linalg::graphOf(H), orderUnknowns(H));
     if (!factor.factor(H)) return {};
@@ -101,13 +104,6 @@ class StraightProgram {
   }
 
  private:
-  Eigen::SparseMatrix<double> objective() {
-    Eigen::SparseMatrix<double> rows(rowCount_, count_);
-    rows.setFromTriplets(entries_.begin(), entries_.end());
-    entries_ = {};
-    return rows.transpose() * rows;
-  }
-
   double scaleAt(HalfedgeId h) const {
     return portable::exp(0.5 * (o_.u[s_.mesh.tail(h)] + o_.u[s_.mesh.head(h)]));
   }
@@ -141,13 +137,8 @@ class StraightProgram {
     return best;
   }
 
-  void endRow(RealRow& row, double constant = 0.0) {
-    const std::size_t begin = entries_.size();
-    constant +=
-        row.take([&](int place, double value) { entries_.emplace_back(rowCount_, place, value); });
-    for (std::size_t n = begin; n < entries_.size(); ++n)
-      c_[entries_[n].col()] += entries_[n].value() * constant;
-    ++rowCount_;
+  void endRow(RealRow& row) {
+    squares_.endRow(row.take([&](int index, double value) { squares_.add(index, value); }));
   }
 
   void addHarmonic(RealRow& row) {
@@ -192,7 +183,7 @@ class StraightProgram {
         row.add(copyAt(f, k), 0, -similar.real());
         row.add(copyAt(f, k), 1, similar.imag());
       }
-      row.take([&](int place, double value) { c_[place] += value; });
+      row.take([&](int index, double value) { squares_.linear[index] += value; });
       for (const int part : {0, 1})
         for (const int axis : {0, 1}) {
           for (int k = 0; k < 3; ++k) {
@@ -209,7 +200,7 @@ class StraightProgram {
   template <class Fill>
   bool addConstraint(RealRow& row, int rowCount, const Eigen::Vector3d& h, const Fill& fill) {
     struct Entry {
-      int row, place;
+      int row, index;
       double value;
     };
     std::vector<Entry> entries;
@@ -217,9 +208,9 @@ class StraightProgram {
     Eigen::Vector3d given = Eigen::Vector3d::Zero();
     for (int r = 0; r < rowCount; ++r) {
       fill(r);
-      given[r] = row.take([&](int place, double value) {
-        entries.push_back({r, place, value});
-        pairs.push_back(place / 2);
+      given[r] = row.take([&](int index, double value) {
+        entries.push_back({r, index, value});
+        pairs.push_back(index / 2);
       });
     }
     if (pairs.empty() && !o_.given.empty()) return false;
@@ -230,9 +221,9 @@ class StraightProgram {
     constraint.h = h - given;
     std::vector<char> used(2 * pairs.size(), 0);
     for (const Entry& e : entries) {
-      const auto pair = std::lower_bound(pairs.begin(), pairs.end(), e.place / 2) - pairs.begin();
-      constraint.F(e.row, 2 * pair + e.place % 2) = e.value;
-      used[at(2 * pair + e.place % 2)] = 1;
+      const auto pair = std::lower_bound(pairs.begin(), pairs.end(), e.index / 2) - pairs.begin();
+      constraint.F(e.row, 2 * pair + e.index % 2) = e.value;
+      used[at(2 * pair + e.index % 2)] = 1;
     }
     constraint.unknowns = pairs;
     problem_.constraints.push_back(std::move(constraint));
@@ -296,16 +287,14 @@ class StraightProgram {
   const SeamlessSystem& s_;
   const Frames& frames_;
   const StraightOptions& o_;
-  std::vector<int> place_;     ///< per real unknown; −1 where it is given
+  std::vector<int> index_;     ///< per real unknown; −1 where it is given
   std::vector<double> given_;  ///< per real unknown
   std::array<int, 2> origin_{-1, -1};
   VertexId smallest_;              ///< where the map is smallest
   std::vector<HalfedgeId> edges_;  ///< of the first constraints
   std::vector<FaceId> faces_;      ///< of those after them
   int count_ = 0, padded_ = 0;
-  Eigen::VectorXd c_;
-  std::vector<Eigen::Triplet<double>> entries_;
-  int rowCount_ = 0;
+  SquareRows<double> squares_{0};
   socp::Problem problem_;
   std::vector<std::vector<int>> pairs_;
   std::vector<std::vector<char>> used_;

@@ -36,7 +36,7 @@ struct StraightResult {
   std::vector<Complex> z;  ///< per copy
   socp::SolveStatus status = socp::SolveStatus::kStalled;
   int iterations = 0;
-  double work = 0.0;
+  double multiplyAdds = 0.0;
   double laplacianEnergy = 0.0;
   std::vector<FaceId> conflict;  ///< with the largest duals, if infeasible: of frames and of edges
   std::vector<HalfedgeId> conflictEdges;  ///< of these, the feature edges

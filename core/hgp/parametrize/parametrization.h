@@ -21,9 +21,9 @@ namespace hgp {
 struct ParametrizeOptions {
   int maxRounds =
       24;  ///< maximum number of programs, with each choice of the handles that are left open
-  /// No further program once this much is spent, in units of workOf() (strategy/state.h) per triangle of the
-  /// surface, or per kSmallSurface triangles where it has fewer.
-  double largestWork = 1000.0;
+  /// No further program once so many steps are spent per triangle of the surface, or per kSmallSurface triangles where
+  /// it has fewer (faceStepsOf in strategy/state.h).
+  double maxStepsPerFace = 1000.0;
   static constexpr int kSmallSurface = 20'000;
   Method method = Method::kAuto;
   /// Directions (and matchings, if stored) to use as the frames d_j of (13) and as seam
@@ -45,7 +45,7 @@ struct Round {
   int flipped = 0;               ///< triangles that are not positive
   int wrongAngles = 0;           ///< vertices and loops with a wrong angle sum
   double laplacianEnergy = 0.0;  ///< ‖Lz‖² of (11), in uv units squared
-  double work = 0.0;             ///< multiply-adds of the program's factorizations
+  double multiplyAdds = 0.0;     ///< of the program's factorizations
   double seconds = 0.0;
 };
 
@@ -61,7 +61,7 @@ struct DescentFacts {
   std::vector<ImproveStep> steps;
   DescentOutcome outcome = DescentOutcome::kNothingToGain;
   bool isKept = false;  ///< the improved map is used
-  double work = 0.0;    ///< multiply-adds
+  double multiplyAdds = 0.0;
 };
 
 /// The result of an improvement: the descent from the map as solved, and a second one after alignment, with the

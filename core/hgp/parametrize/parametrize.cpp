@@ -19,10 +19,10 @@ constexpr int kUnevenRounds = 8;
 
 /// Iterations per triangle with one choice of the handles' rotations while there are others, enough for two or three
 /// untanglings; with each of these; their number; and iterations × triangles with all of them, about ten seconds.
-constexpr double kWorkOfHandles = 350.0;
-constexpr double kWorkOfOthers = 230.0;
+constexpr double kStepsOfHandles = 350.0;
+constexpr double kStepsOfOthers = 230.0;
 constexpr int kMostHandles = 8;
-constexpr double kMostHandleWork = 6e6;
+constexpr double kMostHandleSteps = 6e6;
 
 bool isUneven(const TriMesh& mesh, const Geometry& geometry) {
   const auto isThin = [&](FaceId f) {
@@ -36,14 +36,14 @@ bool isUneven(const TriMesh& mesh, const Geometry& geometry) {
   return count >= kUnevenShare * mesh.faceCount();
 }
 
-/// The options with the work that remains of the run's limit.
+/// The options with the steps that remain of the run's limit.
 ParametrizeOptions remaining(const ParametrizeOptions& options, const std::vector<Round>& rounds,
                              int faceCount) {
   ParametrizeOptions left = options;
   left.maxRounds -= static_cast<int>(rounds.size());
   for (const Round& round : rounds)
-    left.largestWork -=
-        workOf(round, faceCount) / std::max(faceCount, ParametrizeOptions::kSmallSurface);
+    left.maxStepsPerFace -=
+        faceStepsOf(round, faceCount) / std::max(faceCount, ParametrizeOptions::kSmallSurface);
   return left;
 }
 
@@ -56,7 +56,7 @@ void prepend(std::vector<T>& later, const std::vector<T>& earlier) {
 Result<Parametrization> inEvenedMetric(PreparedSurface& surface, const HolonomySpec& spec,
                                        const ParametrizeOptions& options, Parametrization before) {
   const ParametrizeOptions left = remaining(options, before.rounds, surface.mesh().faceCount());
-  if (left.maxRounds <= 0 || left.largestWork <= 0.0) return before;
+  if (left.maxRounds <= 0 || left.maxStepsPerFace <= 0.0) return before;
   Result<Parametrization> run = parametrizeInMetric(surface.evened(), spec, left);
   if (!run) return run;
   for (Round& round : run->rounds) round.method = "evened lengths: " + round.method;
@@ -88,17 +88,18 @@ bool hasOpenHandles(const PreparedSurface& surface, const HolonomySpec& spec) {
          (spec.handles.empty() || std::any_of(spec.handles.begin(), spec.handles.end(), isOpen));
 }
 
-double workOf(const std::vector<Round>& rounds, int faceCount) {
-  double work = 0.0;
-  for (const Round& round : rounds) work += hgp::workOf(round, faceCount);
-  return work;
+double faceStepsOf(const std::vector<Round>& rounds, int faceCount) {
+  double sum = 0.0;
+  for (const Round& round : rounds) sum += hgp::faceStepsOf(round, faceCount);
+  return sum;
 }
 
-/// The options with at most this work per triangle.
-ParametrizeOptions within(const ParametrizeOptions& options, double work, int faceCount) {
+/// The options with at most so many steps per triangle.
+ParametrizeOptions within(const ParametrizeOptions& options, double stepsPerFace, int faceCount) {
   ParametrizeOptions out = options;
-  const double share = work * faceCount / std::max(faceCount, ParametrizeOptions::kSmallSurface);
-  out.largestWork = std::min(options.largestWork, share);
+  const double share =
+      stepsPerFace * faceCount / std::max(faceCount, ParametrizeOptions::kSmallSurface);
+  out.maxStepsPerFace = std::min(options.maxStepsPerFace, share);
   return out;
 }
 
@@ -109,18 +110,18 @@ Result<Parametrization> withOtherHandles(PreparedSurface& surface, const Holonom
                                          Parametrization before) {
   if (Status done = surface.requireConnection(); !done) return before;
   const int faceCount = surface.mesh().faceCount();
-  const ParametrizeOptions few = within(options, kWorkOfOthers, faceCount);
+  const ParametrizeOptions few = within(options, kStepsOfOthers, faceCount);
   int tried = 0;
-  double work = 0.0;
+  double steps = 0.0;
   for (const std::vector<int>& handles :
        otherHandles(surface.mesh(), surface.context(), spec, before.spec)) {
-    if (tried++ == kMostHandles || work > kMostHandleWork) break;
+    if (tried++ == kMostHandles || steps > kMostHandleSteps) break;
     HolonomySpec other = spec;
     other.turning.assign(before.spec.turning.begin(), before.spec.turning.end());
     other.handles.assign(handles.begin(), handles.end());
     Result<Parametrization> run = parametrizeInMetric(surface, other, few);
     if (!run) return run;
-    work += workOf(run->rounds, faceCount);
+    steps += faceStepsOf(run->rounds, faceCount);
     for (Round& round : run->rounds) round.method = "other handles: " + round.method;
     prepend(run->rounds, before.rounds);
     prepend(run->times, before.times);
@@ -141,7 +142,7 @@ Result<Parametrization> parametrize(PreparedSurface& surface, const HolonomySpec
   const bool mayTurn = isFree && hasOpenHandles(surface, spec);
   // What a few untanglings do not solve, other handles mostly do, and sooner than more untanglings.
   const bool isCut = mayTurn && !mayEven;
-  const ParametrizeOptions first = isCut ? within(options, kWorkOfHandles, faceCount) : options;
+  const ParametrizeOptions first = isCut ? within(options, kStepsOfHandles, faceCount) : options;
   Result<Parametrization> run = inEitherMetric(surface, spec, first, mayEven);
   if (!mayTurn || !run || run->isCertified || run->isImpossible) return run;
   const std::vector<Round> before = run->rounds;

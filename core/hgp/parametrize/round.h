@@ -24,7 +24,7 @@ Round roundOf(std::string method, std::size_t hard, const Program& program,
   round.wrongAngles = static_cast<int>(certificate.angles.wrong.size());
   for (const MeasuredTurning& t : certificate.angles.turnings) round.wrongAngles += t.isWrong;
   round.laplacianEnergy = program.laplacianEnergy;
-  round.work = program.work;
+  round.multiplyAdds = program.multiplyAdds;
   round.seconds = seconds;
   return round;
 }

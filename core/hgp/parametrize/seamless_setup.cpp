@@ -11,9 +11,6 @@
 namespace hgp {
 namespace {
 
-/// On larger surfaces the Laplacian's factor is freed before the program is factored, to save memory.
-constexpr int kKeptFaces = 200'000;
-
 /// Checks the prescription, completes it and finds its field: ours, or the given one.
 Status setUpField(PreparedSurface& surface, const HolonomySpec& spec,
                   const std::optional<FieldData>& frames, SeamlessSetup& setup) {
@@ -57,7 +54,7 @@ Result<SeamlessSetup> prepareSeamless(PreparedSurface& surface, const HolonomySp
   if (!clock.begin(Stage::kField)) return clock.cancelled();
   if (Status done = setUpField(surface, spec, options.frames, setup); !done)
     return std::move(done).error();
-  if (mesh.faceCount() > kKeptFaces) surface.releaseConnection();
+  if (mesh.faceCount() > PreparedSurface::kKeptFaces) surface.releaseConnection();
   for (const ConePoint& cone : setup.field.spec.cones) setup.cones.push_back(cone.vertex);
 
   if (!clock.begin(Stage::kCut)) return clock.cancelled();

@@ -237,9 +237,10 @@ class Extraction {
         }
     for (const std::vector<int>& list : around_)
       for (std::size_t n = 0; n < list.size(); ++n)
-        place_.resize(std::max(place_.size(), hgp::at(list[n]) + 1));
+        indexOf_.resize(std::max(indexOf_.size(), hgp::at(list[n]) + 1));
     for (const std::vector<int>& list : around_)
-      for (std::size_t n = 0; n < list.size(); ++n) place_[hgp::at(list[n])] = static_cast<int>(n);
+      for (std::size_t n = 0; n < list.size(); ++n)
+        indexOf_[hgp::at(list[n])] = static_cast<int>(n);
   }
 
   int dartAt(int node, FaceId f, int direction) const {
@@ -271,8 +272,8 @@ class Extraction {
     if (back < 0) return -1;
     const int node = darts_[hgp::at(back)].node;
     const std::vector<int>& list = around_[hgp::at(node)];
-    const int place = place_[hgp::at(back)];
-    if (place > 0) return list[hgp::at(place - 1)];
+    const int index = indexOf_[hgp::at(back)];
+    if (index > 0) return list[hgp::at(index - 1)];
     return isClosed_[hgp::at(node)] ? list.back() : -1;
   }
 
@@ -330,7 +331,7 @@ class Extraction {
   PerFace<std::vector<GridPoint>> facePoints_;
   std::vector<Dart> darts_;
   std::vector<std::vector<int>> around_;  ///< per node: its darts, counterclockwise
-  std::vector<int> place_;                ///< per dart: its index in `around_`
+  std::vector<int> indexOf_;              ///< per dart: its index in `around_`
   std::vector<char> isClosed_;  ///< per node: whether it is an interior point of the surface
   QuadMesh out_;
 };

@@ -21,7 +21,7 @@ class SeamReader {
     for (const SeamChain& chain : out_.chains)
       out_.chainTurn.push_back(longestTurn(chain) * (Ring::kOrder / q_));
     out_.firstCopy = PerVertex<int>(at(mesh_.vertexCount()), -1);
-    out_.placeOf.assign(map_.uv.size(), -1);
+    out_.placeIndex.assign(map_.uv.size(), -1);
     for (VertexId v : mesh_.vertices())
       if (!mesh_.isIsolated(v) && !walk(v)) return false;
     return true;
@@ -100,7 +100,7 @@ class SeamReader {
   }
 
   bool setPlace(int copy, const CopyPlace<Ring>& place) {
-    int& index = out_.placeOf[at(copy)];
+    int& index = out_.placeIndex[at(copy)];
     if (index >= 0) return false;
     index = static_cast<int>(out_.places.size());
     out_.places.push_back(place);

@@ -16,7 +16,7 @@ struct SeamStructureOver : SeamChains {
   std::vector<int> chainTurn;      ///< z_right = e^{i2π turn/o} z_left + t
   std::vector<VertexId> vertexOf;  ///< per copy; invalid where no corner uses it
   PerVertex<int> firstCopy;        ///< −1 for isolated vertices
-  std::vector<int> placeOf;        ///< per copy: index into `places`, −1 for a vertex off seams
+  std::vector<int> placeIndex;     ///< per copy: index into `places`, −1 for a vertex off seams
   std::vector<CopyPlace<Ring>> places;
   std::vector<NodeClosure<Ring>> closures;  ///< interior nodes, ascending
   PerHalfedge<int> copy;                    ///< of tail(h), used by face(h)
@@ -24,7 +24,7 @@ struct SeamStructureOver : SeamChains {
   /// How copy c is computed from its vertex' first copy and the translations.
   const CopyPlace<Ring>& place(int c) const {
     static const CopyPlace<Ring> same;
-    const int p = placeOf[at(c)];
+    const int p = placeIndex[at(c)];
     return p < 0 ? same : places[at(p)];
   }
 };

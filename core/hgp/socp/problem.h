@@ -29,6 +29,14 @@ struct Problem {
   bool sharesBlock = false;
 };
 
+/// c of the reduced problem of ½ xᴴ H x + Re(cᴴ x): two numbers per unknown that the form leaves.
+Eigen::VectorXd reducedLinear(const linalg::PartialCholesky& form, const Eigen::VectorXcd& c);
+/// This problem, without constraints yet. @pre the form outlives it
+Problem problemOver(linalg::PartialCholesky& form, const Eigen::VectorXcd& c);
+/// Appends a constraint on these unknowns of H, which are those of the form's next clique.
+void append(ConeConstraint constraint, const std::vector<int>& unknowns,
+            const linalg::PartialCholesky& form, Problem& problem);
+
 struct SolveOptions {
   int maxIterations = 60;
   double primal = 1e-5;  ///< target of max |F x − s − h| / max |h|

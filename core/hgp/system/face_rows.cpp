@@ -28,6 +28,14 @@ FreeUnknowns::FreeUnknowns(const std::vector<char>& isHeld) : number_(isHeld.siz
   }
 }
 
+FreeUnknowns::FreeUnknowns(const std::vector<int>& list, int all) : number_(at(all), -1) {
+  for (const int unknown : list) {
+    if (number_[at(unknown)] >= 0) continue;
+    number_[at(unknown)] = count();
+    unknownOf_.push_back(unknown);
+  }
+}
+
 Eigen::VectorXcd FreeUnknowns::gather(const Eigen::VectorXcd& x) const {
   Eigen::VectorXcd free(count());
   for (int i = 0; i < count(); ++i) free[i] = x[unknownOf_[at(i)]];

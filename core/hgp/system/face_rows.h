@@ -27,10 +27,14 @@ struct HeldUnknowns {
   Eigen::VectorXcd value;    ///< by unknown; used where held
 };
 
-/// The unknowns that are not held, numbered in their order.
+/// The unknowns that are not held, numbered.
 class FreeUnknowns {
  public:
+  FreeUnknowns() = default;
+  /// In their order.
   explicit FreeUnknowns(const std::vector<char>& isHeld);
+  /// Those of a list, of `all`, in its order; each once, whether or not the list repeats it.
+  FreeUnknowns(const std::vector<int>& list, int all);
 
   int count() const { return static_cast<int>(unknownOf_.size()); }
   /// −1 for a held one.

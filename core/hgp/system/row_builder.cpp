@@ -7,20 +7,20 @@
 namespace hgp {
 
 RowBuilder::RowBuilder(int columns, int expectedRows, std::size_t expectedEntries)
-    : place_(static_cast<std::size_t>(columns), 0) {
+    : index_(static_cast<std::size_t>(columns), 0) {
   start_.reserve(static_cast<std::size_t>(expectedRows) + 1);
   column_.reserve(expectedEntries);
   value_.reserve(expectedEntries);
 }
 
 void RowBuilder::add(int column, const Complex& value) {
-  int& place = place_[static_cast<std::size_t>(column)];
-  const auto at = static_cast<std::size_t>(place);
+  int& index = index_[static_cast<std::size_t>(column)];
+  const auto at = static_cast<std::size_t>(index);
   if (at < row_.size() && row_[at].column == column) {
     row_[at].value += value;
     return;
   }
-  place = static_cast<int>(row_.size());
+  index = static_cast<int>(row_.size());
   row_.push_back({column, value});
 }
 
@@ -39,7 +39,7 @@ void RowBuilder::endRow(double noise) {
 SparseRows RowBuilder::take() {
   const auto count = static_cast<Eigen::Index>(column_.size());
   SparseRows rows = Eigen::Map<const SparseRows>(static_cast<Eigen::Index>(start_.size()) - 1,
-                                                 static_cast<Eigen::Index>(place_.size()), count,
+                                                 static_cast<Eigen::Index>(index_.size()), count,
                                                  start_.data(), column_.data(), value_.data());
   start_.assign(1, 0);
   column_ = {};

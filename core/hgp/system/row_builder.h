@@ -26,7 +26,7 @@ class RowBuilder {
     int column;
     Complex value;
   };
-  std::vector<int> place_;  // column → index into row_, valid if that entry has this column
+  std::vector<int> index_;  // column → index into row_, valid if that entry has this column
   std::vector<Term> row_;
   std::vector<int> start_{0}, column_;
   std::vector<Complex> value_;

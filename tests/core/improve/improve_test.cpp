@@ -261,13 +261,13 @@ TEST(Improve, EndsBeforeAStepThatWouldExceedItsWork) {
   options.maxSteps = 4;
   const Improvement all = start.improve(options);
   ASSERT_EQ(all.steps.size(), 4u);
-  EXPECT_GT(all.work, 0.0);
-  options.largestWork = 0.6 * all.work;
+  EXPECT_GT(all.multiplyAdds, 0.0);
+  options.maxMultiplyAdds = 0.6 * all.multiplyAdds;
   const Improvement some = start.improve(options);
   EXPECT_EQ(some.outcome, DescentOutcome::kWorkLimit);
   EXPECT_EQ(some.steps.size(), 2u);
-  EXPECT_LE(some.work, options.largestWork);
-  options.largestWork = 0.0;
+  EXPECT_LE(some.multiplyAdds, options.maxMultiplyAdds);
+  options.maxMultiplyAdds = 0.0;
   const Improvement none = start.improve(options);
   EXPECT_EQ(none.outcome, DescentOutcome::kWorkLimit);
   EXPECT_EQ((none.x - start.x).norm(), 0.0);

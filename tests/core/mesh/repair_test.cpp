@@ -58,17 +58,18 @@ TEST(Repair, NothingIsRepairedUnlessRequested) {
 }
 
 TEST(Repair, FewFacesThatDisagreeAreTheOnesThatAreFlipped) {
-  // Even where the surface is inside out.
-  for (const bool isInsideOut : {false, true}) {
-    MeshData data = test::icosphere(3).data;
-    if (isInsideOut)
-      for (auto& t : data.triangles) std::swap(t[0], t[1]);
-    const auto before = data.triangles;
-    for (const std::size_t f : {std::size_t{3}, std::size_t{40}})
-      std::swap(data.triangles[f][1], data.triangles[f][2]);
-    const FixResult r = fixDefects(data, {true, false, false});
-    EXPECT_EQ(r.mesh.triangles, before) << isInsideOut;
-  }
+  // Even where the surface is inside out, or the first face is one of them.
+  for (const bool isInsideOut : {false, true})
+    for (const std::size_t first : {std::size_t{0}, std::size_t{3}}) {
+      MeshData data = test::icosphere(3).data;
+      if (isInsideOut)
+        for (auto& t : data.triangles) std::swap(t[0], t[1]);
+      const auto before = data.triangles;
+      for (const std::size_t f : {first, std::size_t{40}})
+        std::swap(data.triangles[f][1], data.triangles[f][2]);
+      const FixResult r = fixDefects(data, {true, false, false});
+      EXPECT_EQ(r.mesh.triangles, before) << isInsideOut << ", from " << first;
+    }
 }
 
 TEST(Repair, OrientsShuffledFacesOutwards) {

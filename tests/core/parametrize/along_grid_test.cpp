@@ -172,7 +172,7 @@ TEST(AlongGrid, TheChoiceOfIntegersHasABudget) {
   const auto reasonWith = [&](double share) -> std::optional<Note> {
     PreparedSurface surface(shape.mesh);
     ParametrizeOptions less = options;
-    less.largestWork *= share;
+    less.maxStepsPerFace *= share;
     const Result<Parametrization> run = parametrizeAlongFeatures(surface, spec, less);
     EXPECT_TRUE(run && run->isCertified) << "the map without a grid stays";
     return run && run->grid ? run->grid->reason : std::nullopt;

@@ -73,7 +73,7 @@ UvMap alignedAlone(const TriMesh& mesh, const HolonomySpec& spec, const AskedOfG
   EXPECT_TRUE(run && run->isCertified);
   const AlignedMap aligned =
       alignToGrid(mesh, run->map, spec.q, conesOf(*run), optionsOf(asked, spec, true).grid, nullptr,
-                  {}, alignmentWork(mesh, *run));
+                  {}, alignmentMultiplyAdds(mesh, *run));
   EXPECT_TRUE(aligned.map);
   return aligned.map.value_or(UvMap());
 }

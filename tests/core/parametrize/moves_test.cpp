@@ -142,7 +142,7 @@ TEST(HarmonicByAngles, UsesFramesOfAnAngleStructureOnce) {
   const AttemptPtr failed = attemptWith(on, 30, 1.0);
   const auto next = harmonicByAngles(*on.problem, on.harmonicState(), failed);
   ASSERT_TRUE(next);
-  EXPECT_EQ(next->source, FrameSource::kAngles);
+  EXPECT_EQ(next->framedBy, FramedBy::kAngles);
   EXPECT_EQ(next->hard, on.problem->base);
   EXPECT_FALSE(harmonicByAngles(*on.problem, *next, failed));
   Attempts attempts(*on.problem, on.options);
@@ -246,7 +246,7 @@ TEST(FrameByAngles, IsFeasibleWhereTheConnectionsFramesContradictEachOther) {
     contradictions += !before->isFeasible();
     const auto next = frameByAngles(*on.problem, on.hardState(), before);
     ASSERT_TRUE(next) << at;
-    EXPECT_EQ(next->source, FrameSource::kAngles);
+    EXPECT_EQ(next->framedBy, FramedBy::kAngles);
     EXPECT_EQ(next->frames->rotation.raw(), on.problem->setup->seams.rotation.raw());
     const AttemptPtr after = attempts.make(*next, 2);
     ASSERT_TRUE(after);
@@ -283,7 +283,7 @@ TEST(FrameByMap, GivesAMapWithoutFlipsTheConesThatAreAsked) {
   EXPECT_EQ(wrong->certificate.angles.wrong.size(), 2U) << "an example that shows nothing";
   const auto next = frameByMap(*on.problem, swapped.state, wrong);
   ASSERT_TRUE(next);
-  EXPECT_EQ(next->source, FrameSource::kMap);
+  EXPECT_EQ(next->framedBy, FramedBy::kMap);
   EXPECT_EQ(next->from, wrong);
   const AttemptPtr right = attempts.make(*next, 2);
   ASSERT_TRUE(right);
@@ -417,8 +417,8 @@ TEST(Untangle, EveryKindGivesACertifiedMapOfAPrescriptionThatHardConstraintsFail
   for (std::size_t kind = 0; kind < untanglings().size(); ++kind) {
     State state = startOf(*on.problem, on.indexOf("hard constraints"));
     state.untangling = static_cast<int>(kind);
-    state.source = untanglings()[kind].source;
-    if (state.source == FrameSource::kAngles)
+    state.framedBy = untanglings()[kind].framedBy;
+    if (state.framedBy == FramedBy::kAngles)
       state.frames = on.problem->angles->get(*on.mesh, *on.problem->setup);
     const AttemptPtr attempt = attempts.make(state, 1);
     ASSERT_TRUE(attempt);
@@ -469,7 +469,7 @@ TEST(Hash, DistinguishesStatesThatPoseDifferentPrograms) {
   const Posed on = sphere(8);
   const State hard = on.hardState();
   State angles = hard, other = hard, remembered = hard;
-  angles.source = FrameSource::kAngles;
+  angles.framedBy = FramedBy::kAngles;
   other.hard.pop_back();
   remembered.from = attemptWith(on, 1, 2.0);
   remembered.untangled = 3;

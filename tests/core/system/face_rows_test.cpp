@@ -122,6 +122,13 @@ TEST(FaceRows, ScalingMultipliesEverything) {
   });
 }
 
+TEST(FreeUnknowns, OfAListAreNumberedInItsOrderOnceEach) {
+  const FreeUnknowns free({4, 1, 4, 2}, 6);
+  EXPECT_EQ(free.unknownOf(), (std::vector<int>{4, 1, 2}));
+  for (int n = 0; n < free.count(); ++n) EXPECT_EQ(free.number(free.unknownOf()[at(n)]), n);
+  for (const int held : {0, 3, 5}) EXPECT_EQ(free.number(held), -1);
+}
+
 TEST(FreeUnknowns, AreNumberedInTheirOrderAndGoThereAndBack) {
   const FreeUnknowns free({0, 1, 0, 0, 1});
   EXPECT_EQ(free.count(), 3);

@@ -32,8 +32,8 @@ auto tie(const Matching& m) {
   return std::tie(from, to, tail, head, turn);
 }
 auto tie(const ImproveOptions& improve) {
-  const auto& [balance, relativeDecrease, maxSteps, largestWork] = improve;
-  return std::tie(balance, relativeDecrease, maxSteps, largestWork);
+  const auto& [balance, relativeDecrease, maxSteps, maxMultiplyAdds] = improve;
+  return std::tie(balance, relativeDecrease, maxSteps, maxMultiplyAdds);
 }
 auto tie(const GridOptions& grid) {
   const auto& [cells, spacing, mode] = grid;

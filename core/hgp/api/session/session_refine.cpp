@@ -8,12 +8,12 @@
 namespace hgp::api {
 namespace {
 
-/// Work limit of each refined mesh as a fraction of a run's: three refined meshes at most double the work.
+/// Limit of steps of each refined mesh as a fraction of a run's: three refined meshes at most double the steps.
 constexpr double kRefinedShare = 0.3;
 
-/// Size of a mesh as the work limit counts it. The share of a refined mesh is scaled by it, so that a mesh with four
-/// times the triangles does not get four times the work.
-double workUnits(const Model& model) {
+/// Size of a mesh as the limit of steps counts it. The share of a refined mesh is scaled by it, so that a mesh with four
+/// times the triangles does not get four times the steps.
+double facesCounted(const Model& model) {
   return static_cast<double>(std::max<std::size_t>(model.source().mesh.triangles.size(),
                                                    ParametrizeOptions::kSmallSurface));
 }
@@ -130,7 +130,7 @@ Status Session::State::solveRefined(const Request& request, const SolveOptions& 
     if (!carried) return carried.error();
     auto next = std::make_unique<State>();
     if (Status taken = next->take(std::move(refined->model)); !taken) return taken;
-    next->workShare = kRefinedShare * workUnits(*model) / workUnits(*next->model);
+    next->stepShare = kRefinedShare * facesCounted(*model) / facesCounted(*next->model);
     RunRecord again;
     again.options = run.options;
     again.isAutomatic = run.isAutomatic;

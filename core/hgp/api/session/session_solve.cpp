@@ -36,14 +36,14 @@ GridOptions sharedGrid(const Model& model, GridOptions grid) {
   return {0.0, std::sqrt(area / grid.cells), grid.mode};
 }
 
-/// Surfaces with more triangles, and those of many components, are prepared again by every call, to leave memory.
-constexpr int kKeptFaces = 200'000, kKeptComponents = 100;
+/// Surfaces of more components are prepared again by every call, as large ones are.
+constexpr int kKeptComponents = 100;
 
-ParametrizeOptions parametrizeOptions(const SolveOptions& options, double workShare) {
+ParametrizeOptions parametrizeOptions(const SolveOptions& options, double stepShare) {
   ParametrizeOptions out;
   out.maxRounds = options.maxRounds;
   out.method = options.method;
-  out.largestWork *= workShare;
+  out.maxStepsPerFace *= stepShare;
   out.grid = options.grid;
   out.improve = options.improve;
   out.progress = options.progress;
@@ -75,7 +75,8 @@ PreparedSurface& Session::State::surfaceOf(std::size_t p) {
 
 void Session::State::dropLarge(std::size_t p) {
   const bool isOneOfMany = model->components.size() > std::size_t{kKeptComponents};
-  if (isOneOfMany || model->components[p].mesh.faceCount() > kKeptFaces) prepared[p].reset();
+  const bool isLarge = model->components[p].mesh.faceCount() > PreparedSurface::kKeptFaces;
+  if (isOneOfMany || isLarge) prepared[p].reset();
 }
 
 Result<CompleteSpec> Session::State::chooseCones(std::size_t p, const SolveOptions& options,
@@ -102,7 +103,7 @@ Result<Parametrization> Session::State::solveComponent(std::size_t p,
                                                        const ComponentRequest& request,
                                                        const SolveOptions& options) {
   const ModelComponent& component = model->components[p];
-  ParametrizeOptions core = parametrizeOptions(options, workShare);
+  ParametrizeOptions core = parametrizeOptions(options, stepShare);
   if (options.frames == FrameSource::kFile) {
     core.frames = request.field;
     if (!core.frames) return noField();

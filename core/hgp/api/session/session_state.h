@@ -27,7 +27,7 @@ struct Session::State {
   std::string certificate;         ///< of `solved`, taken from its report when it is asked for
   std::string hash;                ///< see surfaceHash()
   KeptRuns<std::shared_ptr<Solved>> runs;  ///< of this surface, not on refined ones
-  double workShare = 1.0;                  ///< fraction of the work limit of a run
+  double stepShare = 1.0;                  ///< fraction of a run's limit of steps
   std::shared_ptr<State> finer;  ///< the refined surface, if the map is on that; shared likewise
   std::vector<double> positions;
   std::vector<std::uint32_t> triangles;

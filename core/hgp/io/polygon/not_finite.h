@@ -8,10 +8,10 @@
 
 namespace hgp::io {
 
-/// A vertex without a finite position, and its line.
+/// A vertex without a finite position, and its line or, in an OBJ file, its first byte.
 struct NotFiniteVertex {
   int vertex = 0;
-  std::int64_t place = 0;
+  std::int64_t where = 0;
 };
 
 /// The first of these vertices that a face uses; without faces, the first one.

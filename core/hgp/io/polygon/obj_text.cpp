@@ -38,7 +38,7 @@ class ObjScanner {
     }
     if (!checkRanges()) return std::move(failure_);
     if (const auto used = firstUsed(notFinite_, out_.polygons))
-      return notFiniteFailure(text::lineAt(text_, static_cast<std::size_t>(used->place)),
+      return notFiniteFailure(text::lineAt(text_, static_cast<std::size_t>(used->where)),
                               used->vertex);
     if (out_.polygons.positions.empty() || out_.polygons.polygonCount() == 0) {
       return Failure{

@@ -20,7 +20,7 @@ class OffReader {
       return std::move(failure_);
     }
     if (const auto used = firstUsed(notFinite_, file_.polygons))
-      return notFiniteFailure(used->place, used->vertex);
+      return notFiniteFailure(used->where, used->vertex);
     if (skippedFaces_ > 0) {
       file_.notes.push_back(Note("read-small-faces-skipped", {{"faces", skippedFaces_}}));
     }

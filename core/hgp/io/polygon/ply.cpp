@@ -76,7 +76,7 @@ class PlyReader {
     }
     if (!finishUv()) return std::move(failure_);
     if (const auto used = firstUsed(notFinite_, file_.polygons))
-      return notFiniteFailure(used->place, used->vertex);
+      return notFiniteFailure(used->where, used->vertex);
     addNotes();
     return PlyDocument::make(std::move(bytes), std::move(header_), textOffset, std::move(file_),
                              target_);

@@ -88,7 +88,7 @@ Eigen::VectorXcd PartialCholesky::reduceLinear(const Eigen::VectorXcd& c) const 
   for (int k = 0; k < size(); ++k) x(k, 0) = c[state_->symbolic->order[k]];
   state_->statics.forward(x);
   Eigen::VectorXcd reduced(dynamicSize());
-  for (int d = 0; d < dynamicSize(); ++d) reduced[d] = x(state_->reduced.place(d), 0);
+  for (int d = 0; d < dynamicSize(); ++d) reduced[d] = x(state_->reduced.position(d), 0);
   return reduced;
 }
 
@@ -121,7 +121,7 @@ FactorStatus PartialCholesky::factor(const std::vector<Eigen::MatrixXd>& blocks)
 
 FactorStatus PartialCholesky::factor(const double* values) {
   FactorStatus status = state_->reduced.factor(values);
-  if (!status) status.badPivot = state_->symbolic->order[state_->reduced.place(status.badPivot)];
+  if (!status) status.badPivot = state_->symbolic->order[state_->reduced.position(status.badPivot)];
   return status;
 }
 
@@ -145,7 +145,7 @@ Eigen::VectorXcd PartialCholesky::extend(const Eigen::VectorXd& xd,
   for (int k = 0; k < size(); ++k) x(k, 0) = -c[state_->symbolic->order[k]];
   state_->statics.forward(x);
   for (int d = 0; d < dynamicSize(); ++d)
-    x(state_->reduced.place(d), 0) = Complex(xd[2 * d], xd[2 * d + 1]);
+    x(state_->reduced.position(d), 0) = Complex(xd[2 * d], xd[2 * d + 1]);
   state_->statics.backward(x);
   Eigen::VectorXcd result(size());
   for (int k = 0; k < size(); ++k) result[state_->symbolic->order[k]] = x(k, 0);

@@ -22,9 +22,9 @@ class ReducedSystem {
   void build(const SymbolicFactor& full, const ComplexSparse& H, const Cliques& cliques,
              std::vector<Contribution<std::complex<double>>> complements);
 
-  int count() const { return static_cast<int>(place_.size()); }
+  int count() const { return static_cast<int>(position_.size()); }
   /// Elimination position of dynamic unknown d in the full problem.
-  int place(int d) const { return place_[d]; }
+  int position(int d) const { return position_[d]; }
   /// The inverse by position; −1 for static ones.
   int indexAt(int position) const { return index_[position]; }
 
@@ -64,8 +64,8 @@ class ReducedSystem {
   void numberUnknowns(const SymbolicFactor& full);
   void doubleSymbolic(const SymbolicFactor& full);
   void takeMatrix(const SymbolicFactor& full, const ComplexSparse& H);
-  void takePieces(const SymbolicFactor& full,
-                  std::vector<Contribution<std::complex<double>>> complements);
+  void takeComplements(const SymbolicFactor& full,
+                       std::vector<Contribution<std::complex<double>>> complements);
   void mergeBlocks(std::vector<SchurBlock>* blocks) const;
   void takeCliques(const SymbolicFactor& full, const Cliques& cliques);
   EntryList entryList(const std::vector<Coordinate>& coordinates) const;
@@ -73,7 +73,7 @@ class ReducedSystem {
                  double lift) const;
   void addPieces(int t, const int* local, double* panel, double* complement) const;
 
-  std::vector<int> place_, index_, nodeOf_;  // nodeOf_: dynamic node of each dynamic unknown
+  std::vector<int> position_, index_, nodeOf_;  // nodeOf_: dynamic node of each dynamic unknown
   std::vector<int> nodeName_;  // node of the full factor → dynamic node, −1 if static
   std::shared_ptr<SymbolicFactor> symbolic_;     // of the doubled real problem
   ComplexSparse H_;                              // between dynamic unknowns, both triangles

@@ -50,7 +50,7 @@ DescentFacts takeOver(const Improvement& run, std::optional<MappedSolution> impr
   DescentFacts facts;
   facts.steps = run.steps;
   facts.outcome = run.outcome;
-  facts.work = run.work;
+  facts.multiplyAdds = run.multiplyAdds;
   facts.before = mapped.certificate.distortion;
   facts.isKept = improved.has_value();
   if (improved) mapped = std::move(*improved);
@@ -127,8 +127,8 @@ std::optional<MappedSolution> acceptedOnGrid(const TriMesh& mesh, const Improvem
   return improved;
 }
 
-/// @param work  multiply-adds that may be spent
-Status improveOnGrid(const TriMesh& mesh, const ParametrizeOptions& options, double work,
+/// @param multiplyAdds  that may be spent
+Status improveOnGrid(const TriMesh& mesh, const ParametrizeOptions& options, double multiplyAdds,
                      MappedSolution& mapped, Parametrization& result) {
   const SeamlessSetup& setup = *mapped.solution.setup;
   const std::vector<char> isHeld = heldByGrid(setup, options.grid.mode);
@@ -138,7 +138,7 @@ Status improveOnGrid(const TriMesh& mesh, const ParametrizeOptions& options, dou
                    result.times);  // not reported: for the caller it is part of stage "align"
   clock.begin(Stage::kImprove);
   ImproveOptions asked = *options.improve;
-  asked.largestWork = work;
+  asked.maxMultiplyAdds = multiplyAdds;
   asked.relativeDecrease *= kHeldDecrease;
   const ImprovementFacts& first = *result.improvement;
   // Alignment added less distortion than the decrease at which a descent ends, so a descent would gain nothing.
@@ -207,11 +207,11 @@ Status evenOut(const TriMesh& mesh, const ParametrizeOptions& options, MappedSol
   return Done{};
 }
 
-double alignmentWork(const TriMesh& mesh, const Parametrization& result) {
-  double work = kBesidePrograms * mesh.faceCount();
-  for (const Round& round : result.rounds) work += round.work;
-  if (result.improvement) work += result.improvement->work;
-  return kAlignShare * work;
+double alignmentMultiplyAdds(const TriMesh& mesh, const Parametrization& result) {
+  double sum = kBesidePrograms * mesh.faceCount();
+  for (const Round& round : result.rounds) sum += round.multiplyAdds;
+  if (result.improvement) sum += result.improvement->multiplyAdds;
+  return kAlignShare * sum;
 }
 
 Status alignSolution(const TriMesh& mesh, const ParametrizeOptions& options, MappedSolution& mapped,
@@ -228,7 +228,7 @@ Status alignSolution(const TriMesh& mesh, const ParametrizeOptions& options, Map
   };
   AlignedMap aligned =
       alignToGrid(mesh, mapped.map, setup.seams.q, setup.cones, options.grid, &setup.context->tree,
-                  options.progress, alignmentWork(mesh, result), accepts);
+                  options.progress, alignmentMultiplyAdds(mesh, result), accepts);
   if (aligned.isCancelled) return cancelled(Stage::kAlign);
   result.grid = std::move(aligned.report);
   if (!aligned.map) return Done{};
@@ -238,7 +238,7 @@ Status alignSolution(const TriMesh& mesh, const ParametrizeOptions& options, Map
       aligned.isSecondChoice ? certify(mesh, result.spec, mapped.map) : std::move(certificate);
   if (!options.improve) return Done{};
   clock.end();
-  return improveOnGrid(mesh, options, aligned.workLeft, mapped, result);
+  return improveOnGrid(mesh, options, aligned.multiplyAddsLeft, mapped, result);
 }
 
 UvMap layOut(const TriMesh& mesh, const Solution& solution) {

@@ -36,7 +36,7 @@ Status evenOut(const TriMesh& mesh, const ParametrizeOptions& options, MappedSol
                Parametrization& result);
 
 /// What alignSolution may spend on this result, multiply-adds: 1.5 times the cost of the map so far.
-double alignmentWork(const TriMesh& mesh, const Parametrization& result);
+double alignmentMultiplyAdds(const TriMesh& mesh, const Parametrization& result);
 
 /// Aligns the map as options.grid asks. If no aligned map is certified, `mapped` does not change and result.grid has
 /// the reason. If an improvement is asked for as well, the distortion that alignment added is lowered

@@ -23,7 +23,7 @@ constexpr double kFinerFactors[] = {2.0, 2.83, 4.0, 5.66};
 constexpr double kLineReach = 12.0;
 /// Programs per density.
 constexpr int kRoundsPerDensity = 6;
-/// Multiply-adds that all choices of integers of a run may take, per unit of ParametrizeOptions::largestWork.
+/// Multiply-adds that all choices of integers of a run may take, per unit of ParametrizeOptions::maxStepsPerFace.
 constexpr double kChoiceWork = 6e7;
 
 double areaOf(const TriMesh& mesh, const CutMesh& cut, const std::vector<Complex>& z) {
@@ -50,7 +50,7 @@ class GridAligner {
         isNode_(nodes()),
         plane_{mesh,    setup.seamless.cut,   setup.aligned.sectors, setup.unknowns, z,
                isNode_, setup.seamless.cones, setup.aligned.index},
-        work_(kChoiceWork * options.largestWork) {}
+        work_(kChoiceWork * options.maxStepsPerFace) {}
 
   StraightGrid run() {
     const double mapArea = areaOf(mesh_, setup_.seamless.cut, z_), area = surfaceArea(mesh_);

@@ -5,6 +5,7 @@
 #include "hgp/base/portable_math.h"
 #include "hgp/optimize/frames.h"
 #include "hgp/parametrize/live/drag_disc.h"
+#include "hgp/socp/problem.h"
 #include "hgp/system/weights.h"
 
 namespace hgp::live {
@@ -130,20 +131,15 @@ Eigen::VectorXcd DragDisc::solve(const MovedCut& cut, const MovedField& field, V
     for (const Term& t : face.anti) c[t.unknown] -= change * std::conj(t.factor) * face.fzbar;
   }
   for (std::size_t i = 0; i < disc_.size(); ++i)
-    c[place_[at(disc_[i])]] += sum.c[static_cast<Eigen::Index>(i)];
-  const Eigen::VectorXcd reduced = root_.reduceLinear(c);
+    c[index_[at(disc_[i])]] += sum.c[static_cast<Eigen::Index>(i)];
   if (!root_.factor({realForm(sum.H)})) return {};
-  Eigen::VectorXd rhs(2 * reduced.size());
-  for (Eigen::Index i = 0; i < reduced.size(); ++i) {
-    rhs[2 * i] = -reduced[i].real();
-    rhs[2 * i + 1] = -reduced[i].imag();
-  }
+  const Eigen::VectorXd rhs = -socp::reducedLinear(root_, c);
   const Eigen::VectorXcd delta = root_.extend(root_.solve(rhs), c);
   Eigen::VectorXcd moved = Eigen::VectorXcd::Zero(
       isSparse_ ? setup_.unknowns.count : static_cast<Eigen::Index>(kept_.size()));
   for (Eigen::Index i = 0; i < moved.size(); ++i) {
-    const int place = place_[at(isSparse_ ? i : kept_[at(i)])];
-    if (place >= 0) moved[i] = delta[place];
+    const int index = index_[at(isSparse_ ? i : kept_[at(i)])];
+    if (index >= 0) moved[i] = delta[index];
   }
   x += isSparse_ ? moved : Eigen::VectorXcd(lu_.extend(moved));
   return x;

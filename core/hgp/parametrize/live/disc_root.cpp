@@ -4,7 +4,9 @@
 #include <numeric>
 
 #include "hgp/base/portable_math.h"
+#include "hgp/optimize/harmonic_rows.h"
 #include "hgp/parametrize/live/drag_disc.h"
+#include "hgp/system/square_rows.h"
 
 namespace hgp::live {
 namespace {
@@ -42,9 +44,9 @@ DragDisc::SoftFace DragDisc::softFace(FaceId f) const {
   out.fz = valueOf(anchor.similar, x_);
   out.fzbar = valueOf(anchor.anti, x_);
   for (const Term& t : anchor.similar)
-    if (t.unknown != held_) out.similar.push_back({place_[at(t.unknown)], t.factor});
+    if (t.unknown != held_) out.similar.push_back({index_[at(t.unknown)], t.factor});
   for (const Term& t : anchor.anti)
-    if (t.unknown != held_) out.anti.push_back({place_[at(t.unknown)], t.factor});
+    if (t.unknown != held_) out.anti.push_back({index_[at(t.unknown)], t.factor});
   return out;
 }
 
@@ -98,30 +100,19 @@ SparseRows DragDisc::outerRows() const {
                                       column.data(), value.data());
 }
 
-/// Unknowns that are not vertices are all kept, and kept ones are eliminated last in any case.
-linalg::SeparatorTree DragDisc::unknownTree() const {
-  linalg::SeparatorTree tree =
-      linalg::restrictTree(setup_.context->tree, setup_.unknowns.vertexUnknown.raw());
-  std::vector<char> isVertex(static_cast<std::size_t>(setup_.unknowns.count), 0);
-  for (int unknown : tree.order) isVertex[at(unknown)] = 1;
-  for (int unknown = 0; unknown < setup_.unknowns.count; ++unknown)
-    if (!isVertex[at(unknown)]) tree.order.push_back(unknown);
-  tree.nodeStart.back() = setup_.unknowns.count;
-  return tree;
-}
-
 bool DragDisc::factor(const Eigen::SparseMatrix<Complex>& H, const linalg::SeparatorTree& tree) {
   linalg::PartialCholeskyOptions options;
   options.tree = &tree;
   options.delayDepth = 0;
   std::vector<int> clique;
-  for (int unknown : disc_) clique.push_back(place_[at(unknown)]);
+  for (int unknown : disc_) clique.push_back(index_[at(unknown)]);
   return static_cast<bool>(root_.build(H, {clique}, options));
 }
 
 /// Eliminates exact rows, which leaves a dense form over the kept unknowns.
 bool DragDisc::buildDense() {
-  if (!lu_.build(outerRows(), kept_, unknownTree())) return false;
+  if (!lu_.build(outerRows(), kept_, unknownTree(systemOf(mesh_, setup_), setup_.context->tree)))
+    return false;
   const auto count = static_cast<Eigen::Index>(kept_.size());
   Eigen::VectorXd weight = Eigen::VectorXd::Ones(count);
   for (VertexId v : setup_.harmonic.rowVertex) {
@@ -134,7 +125,7 @@ bool DragDisc::buildDense() {
   Eigen::MatrixXcd H = Eigen::MatrixXcd::Zero(count - 1, count - 1);
   for (Eigen::Index j = 0; j < count; ++j)
     for (Eigen::Index i = j; i < count; ++i) {
-      const int a = place_[at(kept_[at(i)])], b = place_[at(kept_[at(j)])];
+      const int a = index_[at(kept_[at(i)])], b = index_[at(kept_[at(j)])];
       if (a < 0 || b < 0) continue;
       H(a, b) = gram(i, j);
       H(b, a) = std::conj(gram(i, j));
@@ -151,50 +142,28 @@ bool DragDisc::buildDense() {
 /// All rows as weighted ones: where a dense root would be too large.
 bool DragDisc::buildSparse() {
   const int count = setup_.unknowns.count;
-  for (int i = 0, next = 0; i < count; ++i) place_[at(i)] = i == held_ ? -1 : next++;
-  std::vector<Eigen::Triplet<Complex>> entries;
-  const auto add = [&](int row, int unknown, const Complex& value) {
-    if (place_[at(unknown)] >= 0) entries.emplace_back(row, place_[at(unknown)], value);
-  };
-  int row = 0;
+  for (int i = 0, next = 0; i < count; ++i) index_[at(i)] = i == held_ ? -1 : next++;
+  SquareRows<Complex> sum(count - 1);
   for (std::size_t r = 0; r < setup_.harmonic.rowVertex.size(); ++r) {
     const VertexId v = setup_.harmonic.rowVertex[r];
     if (ring_[v] >= 0 && ring_[v] < kRings) continue;
     const double weight = rowWeight(v, isSoft_[v] != 0);
     for (SparseRows::InnerIterator it(setup_.harmonic.rows, static_cast<Eigen::Index>(r)); it; ++it)
-      add(row, static_cast<int>(it.col()), weight * it.value());
-    ++row;
+      if (const int index = index_[at(it.col())]; index >= 0) sum.add(index, weight * it.value());
+    sum.endRow();
   }
   farFaces_.clear();  // they were read with the numbers of the dense form
   if (!readFaces()) return false;
   for (const SoftFace& face : farFaces_)
     for (const Terms* part : {&face.similar, &face.anti}) {
-      for (const Term& t : *part)
-        entries.emplace_back(row, t.unknown, std::sqrt(face.weight2) * t.factor);
-      ++row;
+      for (const Term& t : *part) sum.add(t.unknown, std::sqrt(face.weight2) * t.factor);
+      sum.endRow();
     }
-  Eigen::SparseMatrix<Complex> all(row, count - 1);
-  all.setFromTriplets(entries.begin(), entries.end());
-  entries = {};
-  const Eigen::SparseMatrix<Complex> H = all.adjoint() * all;
-  return factor(H, sparseTree(H));
-}
-
-/// The dissection of the mesh with separators of width 2; translations are inserted where their neighbours allow.
-linalg::SeparatorTree DragDisc::sparseTree(const Eigen::SparseMatrix<Complex>& H) const {
-  std::vector<int> keep = setup_.unknowns.vertexUnknown.raw();
-  for (int& unknown : keep)
-    if (unknown >= 0) unknown = place_[at(unknown)];
-  const linalg::SeparatorTree vertices =
-      linalg::restrictTree(setup_.context->wideTree->get(), keep);
-  linalg::Graph appended;
-  appended.start.assign(vertices.order.size() + 1, 0);
-  for (auto j = static_cast<Eigen::Index>(vertices.order.size()); j < H.cols(); ++j) {
-    for (Eigen::SparseMatrix<Complex>::InnerIterator it(H, j); it; ++it)
-      if (it.row() != j) appended.neighbours.push_back(static_cast<int>(it.row()));
-    appended.start.push_back(static_cast<int>(appended.neighbours.size()));
-  }
-  return linalg::appendVertices(vertices, appended);
+  std::vector<int> numbers = setup_.unknowns.vertexUnknown.raw();
+  for (int& unknown : numbers)
+    if (unknown >= 0) unknown = index_[at(unknown)];
+  const Eigen::SparseMatrix<Complex> H = sum.takeForm();
+  return factor(H, formTree(setup_.context->wideTree->get(), numbers, H));
 }
 
 }  // namespace hgp::live

@@ -118,14 +118,14 @@ void DragDisc::chooseKept() {
       mark(TriMesh::halfedge(f, k), [&](int unknown) { isKept[at(unknown)] = 1; });
   holdOne();
   for (int unknown : disc_) isKept[at(unknown)] = 1;
-  place_.assign(count, -1);
+  index_.assign(count, -1);
   int outside = 0;
   for (std::size_t i = 0; i < count; ++i) {
     if (!isKept[i]) continue;
     kept_.push_back(static_cast<int>(i));
-    if (discAt_[i] < 0 && static_cast<int>(i) != held_) place_[i] = outside++;
+    if (discAt_[i] < 0 && static_cast<int>(i) != held_) index_[i] = outside++;
   }
-  for (int unknown : disc_) place_[at(unknown)] = outside++;
+  for (int unknown : disc_) index_[at(unknown)] = outside++;
 }
 
 /// A translation of the whole map is free, so the unknown of one vertex keeps its value: a corner of a soft triangle out of

@@ -56,12 +56,10 @@ class DragDisc {
   void chooseKept();
   void holdOne();
   SparseRows outerRows() const;
-  linalg::SeparatorTree unknownTree() const;
   bool readFaces();
   double scaleAt(FaceId f) const;
   bool buildDense();
   bool buildSparse();
-  linalg::SeparatorTree sparseTree(const Eigen::SparseMatrix<Complex>& H) const;
   bool factor(const Eigen::SparseMatrix<Complex>& H, const linalg::SeparatorTree& tree);
   SoftFace softFace(FaceId f) const;
   Eigen::VectorXcd startOf(const MovedCut& cut) const;
@@ -88,7 +86,7 @@ class DragDisc {
   std::vector<FaceId> far_, close_;  ///< soft triangles of other cones: out of reach, within reach
   std::vector<SoftFace> farFaces_;
   Complex scale_ = 1.0;                   ///< the similarity of x* relative to u and frames
-  std::vector<int> disc_, kept_, place_;  ///< unknowns; place_: number in the root, −1
+  std::vector<int> disc_, kept_, index_;  ///< unknowns; index_: in the root, −1
   std::vector<int> discAt_;               ///< unknown → index into disc_, −1
   int held_ = -1;
   bool isSparse_ = false;  ///< the root has all unknowns, and lu_ is not used

@@ -190,7 +190,7 @@ bool Attempts::solve(const State& state, int round, Attempt& attempt) {
 /// The scale that triangles are measured in: where the frames are those of a map, that of this map.
 PerVertex<double> Attempts::untanglingScale(const State& state, const Attempt& attempt) const {
   const bool isOfMap =
-      state.source == FrameSource::kMap && state.from && !state.from->program.z.empty();
+      state.framedBy == FramedBy::kMap && state.from && !state.from->program.z.empty();
   if (!isOfMap) return attempt.u;
   PerVertex<double> u = scaleOfMap(problem_, state.from->program.z);
   const double median = medianOf(u.raw());

@@ -83,7 +83,7 @@ std::optional<State> firstMove(const Problem& problem, const State& state,
 }  // namespace
 
 /// The loop [BCW17 §7]: solve and verify a state, keep the best map, take the first move that applies; until a map is
-/// certified, no move applies, or the work or the rounds are spent.
+/// certified, no move applies, or the left or the rounds are spent.
 /// @param isImpossible  asked once, after a first round without a map
 static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
                                                     const ParametrizeOptions& options,
@@ -93,7 +93,7 @@ static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
   std::shared_ptr<const Attempt> best;
   std::set<std::uint64_t> tried;
   State state = firstState(problem);
-  double work = problem.largestWork;
+  double left = problem.maxFaceSteps;
   for (int round = 1; round <= options.maxRounds; ++round) {
     if (!report(options.progress, {Stage::kSolve, 0.0, -1, -1.0, round, options.maxRounds}))
       return cancelled(Stage::kSolve);
@@ -104,9 +104,9 @@ static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
     rounds.push_back(roundOf(nameOf(problem, state), attempt->frames.faces.size(), attempt->program,
                              attempt->certificate, secondsSince(start)));
     if (!best || isBetter(*attempt, *best)) best = attempt;
-    work -= workOf(rounds.back(), problem.mesh.faceCount());
+    left -= faceStepsOf(rounds.back(), problem.mesh.faceCount());
     const bool isOdd = isDistorted(problem, state, *attempt);
-    if ((attempt->certificate.isCertified && !isOdd) || work <= 0.0) break;
+    if ((attempt->certificate.isCertified && !isOdd) || left <= 0.0) break;
     // Where no map on this mesh has the angles, the map of one round shows --refine which edges to split.
     if (round == 1 && !attempt->certificate.isCertified && isImpossible()) break;
     std::optional<State> next =

@@ -100,7 +100,7 @@ Problem problemOf(const TriMesh& mesh, const std::shared_ptr<const SeamlessSetup
       {},
       options.frames.has_value(),
       HarmonicBasis::countOf(systemOf(mesh, *setup)),
-      options.largestWork * std::max(mesh.faceCount(), ParametrizeOptions::kSmallSurface),
+      options.maxStepsPerFace * std::max(mesh.faceCount(), ParametrizeOptions::kSmallSurface),
       std::make_shared<AngleFrames>()};
   const Weighting hard{"hard constraints", kNoClamp, 0.0, 3, false};
   const Method method = options.method;
@@ -134,11 +134,11 @@ std::uint64_t hashOf(const State& state) {
   hash.add(state.hard);
   hash.add(state.patch);
   hash.add(state.lifts);
-  hash.add(static_cast<std::uint64_t>(state.source));
+  hash.add(static_cast<std::uint64_t>(state.framedBy));
   hash.add(static_cast<std::uint64_t>(state.untangling + 1));
   // These are taken from the previous map: held values of a patch, lifts, scale, frames.
   const bool usesMap = !state.patch.empty() || !state.lifts.empty() || state.directions ||
-                       state.source == FrameSource::kMap;
+                       state.framedBy == FramedBy::kMap;
   if (usesMap && state.from)
     for (const Complex& x : state.from->program.x) {
       hash.add(Eigen::numext::bit_cast<std::uint64_t>(x.real()));
@@ -147,7 +147,7 @@ std::uint64_t hashOf(const State& state) {
   return hash.value();
 }
 
-double workOf(const Round& round, int faceCount) {
+double faceStepsOf(const Round& round, int faceCount) {
   constexpr double kPerConstraint = 6.0;
   return std::max(1, round.iterations) *
          (faceCount + kPerConstraint * static_cast<double>(round.constrainedTriangles));
@@ -157,8 +157,8 @@ std::string nameOf(const Problem& problem, const State& state) {
   std::string name = state.untangling >= 0
                          ? "untangled, kind " + std::to_string(state.untangling + 1)
                          : problem.weightings[state.weighting].name;
-  if (state.source == FrameSource::kAngles) name += ", frames of angles";
-  if (state.source == FrameSource::kMap) name += ", frames of the map";
+  if (state.framedBy == FramedBy::kAngles) name += ", frames of angles";
+  if (state.framedBy == FramedBy::kMap) name += ", frames of the map";
   if (state.growth > 0)
     name += state.directions ? ", frames and weights of map " + std::to_string(state.growth)
                              : " + enlarged " + std::to_string(state.growth);
@@ -177,7 +177,7 @@ State startOf(const Problem& problem, std::size_t weighting) {
 }
 
 const std::vector<Untangling>& untanglings() {
-  using enum FrameSource;
+  using enum FramedBy;
   static const std::vector<Untangling> kinds{
       {kAngles, 3.0, 1.0, true},      {kAngles, 0.05, 0.2, true}, {kConnection, 0.05, 0.2, true},
       {kConnection, 3.0, 1.0, false}, {kAngles, 0.3, 0.2, false}, {kConnection, 0.3, 0.2, false}};

@@ -46,7 +46,7 @@ struct Problem {
   std::vector<FaceId> soft;     ///< F_cb, with a ring around it where that is cheap
   bool hasGivenFrames = false;  ///< those of a field file, which the map follows
   int harmonicCount = 0;        ///< unknowns of harmonic maps (HarmonicBasis)
-  double largestWork = 0.0;     ///< maximum work of the run, in units of workOf()
+  double maxFaceSteps = 0.0;    ///< of the run, see faceStepsOf()
   std::shared_ptr<AngleFrames> angles;
 };
 Problem problemOf(const TriMesh& mesh, const std::shared_ptr<const SeamlessSetup>& setup,
@@ -65,7 +65,7 @@ struct Attempt {
 };
 
 /// Where the frames of a state come from.
-enum class FrameSource : unsigned char {
+enum class FramedBy : unsigned char {
   kConnection,  ///< the trivial connection on S
   kAngles,      ///< framesOfAngles
   kMap          ///< framesOfMap of `from`
@@ -79,8 +79,8 @@ struct State {
   std::vector<FaceId> patch;     ///< the triangles that are solved for; empty: all
   bool isWide = false;           ///< patches have more rings
   std::vector<ConePoint> lifts;  ///< frames from the embedded ring of the map `from` (§7.1)
-  FrameSource source = FrameSource::kConnection;
-  std::shared_ptr<const SeamRotations> frames;  ///< of that source; null: the connection's
+  FramedBy framedBy = FramedBy::kConnection;
+  std::shared_ptr<const SeamRotations> frames;  ///< of that kind; null: the connection's
   int corrections = 0;                          ///< how often in a row frames came from the map
   int untangling = -1;                  ///< index of the kind of untangling; −1: a cone program
   int untangled = 0;                    ///< Newton steps spent on that before
@@ -91,7 +91,7 @@ struct State {
 
 /// What a round cost: iterations × (triangles + 6 × hard constraints), which is proportional to time within
 /// a factor of two for cone programs and for Newton steps of untangling alike.
-double workOf(const Round& round, int faceCount);
+double faceStepsOf(const Round& round, int faceCount);
 
 /// States with the same hash pose the same program, but for scale from the map before (isFromMap), which is left out.
 std::uint64_t hashOf(const State& state);
@@ -107,7 +107,7 @@ State startOf(const Problem& problem, std::size_t weighting);
 /// A kind of untangling: where its frames come from, the numbers of UntangleOptions, and whether the map that it starts
 /// from obeys the frames around cones and along the boundary.
 struct Untangling {
-  FrameSource source;  ///< kAngles is left out where the prescription has no angle structure
+  FramedBy framedBy;  ///< kAngles is left out where the prescription has no angle structure
   double scaleWeight, epsilonShare;
   bool startsFramed;
 };

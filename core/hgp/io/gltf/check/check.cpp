@@ -175,12 +175,12 @@ Status GltfChecker::run() {
   return Done{};
 }
 
-bool GltfChecker::fail(int place, const std::string& message, ErrorCode code) {
+bool GltfChecker::fail(int node, const std::string& message, ErrorCode code) {
   if (failure_) return false;
-  const std::string pointer = json_.pointer(place);
+  const std::string pointer = json_.pointer(node);
   failure_ = Failure{code, "read", (pointer.empty() ? "glTF" : pointer) + ": " + message, {}};
   if (code == ErrorCode::kLimit) failure_->advice = {Note("raise-bytes")};
-  if (place >= 0) failure_->where.push_back({Where::Kind::kByte, json_.node(place).begin});
+  if (node >= 0) failure_->where.push_back({Where::Kind::kByte, json_.node(node).begin});
   return false;
 }
 

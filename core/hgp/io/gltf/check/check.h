@@ -42,7 +42,7 @@ class GltfChecker {
   bool checkMeshoptMode(int extension, const std::string& mode, std::int64_t stride);
   bool checkAccessor(int accessor);
   bool checkSparse(int accessor, int sparse, std::int64_t count, std::int64_t elementSize);
-  bool checkSpan(int place, int view, std::int64_t offset, std::int64_t count,
+  bool checkSpan(int node, int view, std::int64_t offset, std::int64_t count,
                  std::int64_t elementSize, std::int64_t componentSize, bool isSparse);
   // check_scene.cpp: nodes, meshes and primitives
   bool checkNodes();
@@ -52,7 +52,7 @@ class GltfChecker {
   bool checkIndices(int primitive, std::int64_t& count);
   bool checkDraco(int primitive);
 
-  bool fail(int place, const std::string& message, ErrorCode code = ErrorCode::kMalformed);
+  bool fail(int node, const std::string& message, ErrorCode code = ErrorCode::kMalformed);
   /// "`what` would exceed the limit of … bytes".
   std::string overLimit(const std::string& what) const;
   /// Reads a non-negative integer member; a missing one is `fallback`, or an error if that is −1.

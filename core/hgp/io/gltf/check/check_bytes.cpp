@@ -124,7 +124,7 @@ bool GltfChecker::checkMeshopt(int view, int extension, std::int64_t viewLength)
   return fail(view, overLimit("the decoded data"), ErrorCode::kLimit);
 }
 
-bool GltfChecker::checkSpan(int place, int view, std::int64_t offset, std::int64_t count,
+bool GltfChecker::checkSpan(int node, int view, std::int64_t offset, std::int64_t count,
                             std::int64_t elementSize, std::int64_t componentSize, bool isSparse) {
   std::int64_t viewOffset = 0, length = 0, stride = 0;
   if (!integer(view, "byteOffset", 0, viewOffset) || !integer(view, "byteLength", -1, length) ||
@@ -132,29 +132,28 @@ bool GltfChecker::checkSpan(int place, int view, std::int64_t offset, std::int64
     return false;
   }
   if (isSparse && stride != 0) {
-    return fail(place, formatText("sparse data must be tightly packed, but its view has the "
-                                  "byteStride %lld",
-                                  static_cast<long long>(stride)));
+    return fail(node, formatText("sparse data must be tightly packed, but its view has the "
+                                 "byteStride %lld",
+                                 static_cast<long long>(stride)));
   }
   if (stride == 0) stride = elementSize;
   if (stride < elementSize) {
-    return fail(place,
+    return fail(node,
                 formatText("elements of %lld bytes at a stride of %lld overlap",
                            static_cast<long long>(elementSize), static_cast<long long>(stride)));
   }
   if (offset % componentSize != 0 || viewOffset % componentSize != 0) {
-    return fail(place,
-                formatText("byteOffset %lld, in a view at %lld, is not aligned to "
-                           "components of %lld bytes",
-                           static_cast<long long>(offset), static_cast<long long>(viewOffset),
-                           static_cast<long long>(componentSize)));
+    return fail(node, formatText("byteOffset %lld, in a view at %lld, is not aligned to "
+                                 "components of %lld bytes",
+                                 static_cast<long long>(offset), static_cast<long long>(viewOffset),
+                                 static_cast<long long>(componentSize)));
   }
   // count ≤ length is tested first, so that the product stays far below 2⁶³.
   if (count > length || !isInside(offset, stride * (count - 1) + elementSize, length)) {
-    return fail(place, formatText("%lld elements do not fit the view of %lld bytes: they start at "
-                                  "byte %lld and have a stride of %lld",
-                                  static_cast<long long>(count), static_cast<long long>(length),
-                                  static_cast<long long>(offset), static_cast<long long>(stride)));
+    return fail(node, formatText("%lld elements do not fit the view of %lld bytes: they start at "
+                                 "byte %lld and have a stride of %lld",
+                                 static_cast<long long>(count), static_cast<long long>(length),
+                                 static_cast<long long>(offset), static_cast<long long>(stride)));
   }
   return true;
 }

@@ -56,13 +56,13 @@ std::optional<State> harmonicByAngles(const Problem& problem, const State& state
                                       const std::shared_ptr<const Attempt>& attempt) {
   if (!problem.weightings[state.weighting].isHarmonic || attempt->program.x.size() == 0) return {};
   if (problem.hasGivenFrames) return {};
-  if (state.source != FrameSource::kConnection || !isAffordable(problem, problem.base.size()))
+  if (state.framedBy != FramedBy::kConnection || !isAffordable(problem, problem.base.size()))
     return {};
   State next = startOf(problem, state.weighting);
   next.hard = problem.base;
   next.frames = problem.angles->get(problem.mesh, *problem.setup);
   if (!next.frames) return {};
-  next.source = FrameSource::kAngles;
+  next.framedBy = FramedBy::kAngles;
   next.from = attempt;
   return next;
 }

@@ -8,11 +8,11 @@ std::optional<State> frameByAngles(const Problem& problem, const State& state,
       problem.weightings[state.weighting].soft > 0.0 ||
       problem.weightings[state.weighting].isHarmonic)
     return {};
-  if (state.source != FrameSource::kConnection || state.growth > 0 || state.directions) return {};
+  if (state.framedBy != FramedBy::kConnection || state.growth > 0 || state.directions) return {};
   State next = startOf(problem, state.weighting);
   next.frames = problem.angles->get(problem.mesh, *problem.setup);
   if (!next.frames) return {};
-  next.source = FrameSource::kAngles;
+  next.framedBy = FramedBy::kAngles;
   next.untangled = state.untangled;
   next.from = state.from;
   return next;

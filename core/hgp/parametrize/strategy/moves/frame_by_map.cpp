@@ -30,7 +30,7 @@ std::optional<State> frameByMap(const Problem& problem, const State& state,
   State next = startOf(problem, state.weighting);
   next.frames = framesOfMap(problem.mesh, *problem.setup, attempt->program.z);
   if (!next.frames) return {};
-  next.source = FrameSource::kMap;
+  next.framedBy = FramedBy::kMap;
   next.corrections = state.corrections + 1;
   next.hard.clear();
   next.untangling = std::max(0, state.untangling);

@@ -4,7 +4,7 @@ namespace hgp {
 namespace {
 
 /// Maximum of Newton steps × triangles in a run: about half a minute.
-constexpr double kLargestWork = 1.2e7;
+constexpr double kMaxFaceSteps = 1.2e7;
 /// Maximum number of steps of one kind of untangling, which starts only if the remaining work allows as many.
 constexpr int kMaxStepsOfKind = 220;
 
@@ -18,22 +18,22 @@ std::optional<State> untangleNext(const Problem& problem, const State& state,
   auto next = static_cast<std::size_t>(state.untangling + 1);
   std::shared_ptr<const SeamRotations> frames;
   for (; next < untanglings().size(); ++next) {
-    if (untanglings()[next].source == FrameSource::kConnection) break;
+    if (untanglings()[next].framedBy == FramedBy::kConnection) break;
     frames = problem.angles->get(problem.mesh, *problem.setup);
     if (frames) break;
   }
   if (next >= untanglings().size()) return {};
   const bool isFirst = state.untangling < 0;
   if (isFirst && state.untangled > 0) return {};
-  if (static_cast<double>(kMaxStepsOfKind) * problem.mesh.faceCount() > problem.largestWork)
+  if (static_cast<double>(kMaxStepsOfKind) * problem.mesh.faceCount() > problem.maxFaceSteps)
     return {};
   const int spent = state.untangled + (isFirst ? 0 : attempt->program.iterations);
-  if (static_cast<double>(spent) * problem.mesh.faceCount() > kLargestWork) return {};
+  if (static_cast<double>(spent) * problem.mesh.faceCount() > kMaxFaceSteps) return {};
   State out = startOf(problem, state.weighting);
   out.untangling = static_cast<int>(next);
   out.untangled = spent;
   out.hard.clear();
-  out.source = untanglings()[next].source;
+  out.framedBy = untanglings()[next].framedBy;
   out.frames = std::move(frames);
   out.from = state.from;
   if (!isFirst && out.untangled == 0) out.untangled = 1;

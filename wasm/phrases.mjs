@@ -9,9 +9,14 @@ import prettier from 'prettier';
 const root = path.resolve(import.meta.dirname, '..');
 const style = await prettier.resolveConfig(path.join(root, 'package.json'));
 
-/** The catalogue of core/hgp/base/phrases.cpp: code → template. */
+/** The sources of the catalogue in core/hgp/base. */
+export const catalogueFiles = ['defect_phrases.cpp', 'phrases.cpp'];
+
+/** The catalogue: code → template. */
 export function readCatalogue() {
-  const source = readFileSync(path.join(root, 'core/hgp/base/phrases.cpp'), 'utf8');
+  const source = catalogueFiles
+    .map((name) => readFileSync(path.join(root, 'core/hgp/base', name), 'utf8'))
+    .join('');
   const entry = /\{"([a-z0-9-]+)",\s*((?:"(?:[^"\\]|\\.)*"\s*)+)\}/g;
   const pieces = /"((?:[^"\\]|\\.)*)"/g;
   return new Map(
@@ -27,7 +32,7 @@ export const isForCommandLine = (template) => /(?:^|[\s(])--?[a-z]/.test(templat
 
 export async function declarePhrases() {
   const shared = [...readCatalogue()].filter(([, template]) => !isForCommandLine(template));
-  const text = `// Made from core/hgp/base/phrases.cpp by wasm/phrases.mjs: the templates of notes that suit every user.
+  const text = `// Made from the catalogue in core/hgp/base by wasm/phrases.mjs: the templates of notes that suit every user.
 
 /** @internal */
 export const corePhrases = ${JSON.stringify(Object.fromEntries(shared))} as const;

@@ -3,7 +3,12 @@
 
 import assert from 'node:assert/strict';
 import test from 'node:test';
-import { declarePhrases, isForCommandLine, readCatalogue } from '../../wasm/phrases.mjs';
+import {
+  catalogueFiles,
+  declarePhrases,
+  isForCommandLine,
+  readCatalogue,
+} from '../../wasm/phrases.mjs';
 import { filesOf, textOf } from './source_tree.mjs';
 
 const catalogue = readCatalogue();
@@ -22,7 +27,10 @@ const makers = join(
 );
 
 test('the catalogue is read whole', () => {
-  const entries = textOf('core/hgp/base/phrases.cpp').match(/^ {4}\{"/gm);
+  const entries = catalogueFiles
+    .map((name) => textOf(`core/hgp/base/${name}`))
+    .join('')
+    .match(/^ {4}\{"/gm);
   assert.equal(codes.length, entries.length);
   assert.ok(codes.length > 100);
 });

@@ -100,7 +100,7 @@ test('no other file of the library depends on the compiler or the operating syst
     'core/hgp/linalg/kernels/dense_kernels_avx2.cpp',
     'core/hgp/linalg/kernels/dense_kernels_avx512.cpp',
     'core/hgp/linalg/kernels/dense_kernels_baseline.cpp',
-    'core/hgp/linalg/kernels/dense_kernels_impl.h',
+    'core/hgp/linalg/kernels/dense_product_impl.h',
     'examples/cli/process_memory.cpp',
     'examples/cli/terminal.cpp',
   ]);

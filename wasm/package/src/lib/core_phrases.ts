@@ -1,4 +1,4 @@
-// Made from core/hgp/base/phrases.cpp by wasm/phrases.mjs: the templates of notes that suit every user.
+// Made from the catalogue in core/hgp/base by wasm/phrases.mjs: the templates of notes that suit every user.
 
 /** @internal */
 export const corePhrases = {

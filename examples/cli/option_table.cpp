@@ -390,7 +390,8 @@ class Table {
                     "Write a table of all triangles: angle and area distortion, overlaps (CSV)")
         ->option_text("FILE");
     sub->add_flag("--use", out_.write.pointsMaterials,
-                  "glTF: make the materials' textures use the new set");
+                  "glTF: make the materials' textures use the new set, or keep theirs "
+                  "(--use=false); default: move those whose set is missing or has no area");
     sub->add_flag("--embed", out_.isEmbedded,
                   ".gltf: embed buffers and images (default: copy them beside it)");
     sub->add_flag("--write-repairs", out_.load.writesRepairs,

@@ -214,7 +214,8 @@ class Map:
             overwrite: allow to replace the loaded file and other side files.
             allow_uncertified: also write a map that is not certified.
             uv_set: glTF: the set to write; by default the one after the last.
-            use: glTF: make the materials' textures use the new set.
+            use: glTF: make the materials' textures use the new set, or keep theirs; None: those use it whose own set
+                is missing or has no area.
             embed: .gltf: embed buffers and images.
             embed_cones: store the cones in the file.
             compress: glTF: compress with meshopt, losing nothing.

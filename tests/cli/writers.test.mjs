@@ -550,6 +550,41 @@ test('glTF: a note says which set was written, and --use lets the materials foll
     assert.equal(each.getNormalTextureInfo().getTexCoord(), 1);
 });
 
+test('glTF: textures whose set is missing or without area use the new one unless told otherwise', () => {
+  const flat = ([x, y]) => [x / 3, y / 3];
+  const point = () => [0.5, 0.5];
+  const cases = {
+    'seen with its set': { uv: { 0: flat }, asks: 0, uses: 0 },
+    'asks for a set that is not there': { uv: { 0: flat }, asks: 3, uses: 1, code: 'write-set-unseen' }, // prettier-ignore
+    'has no area in its set': { uv: { 0: point }, asks: 0, uses: 1, code: 'write-set-unseen' },
+    'has no area in one of two': { uv: { 0: flat, 1: point }, asks: 1, uses: 2, code: 'write-set-unseen' }, // prettier-ignore
+  };
+  for (const [what, { uv, asks, uses, code }] of Object.entries(cases)) {
+    const { json, bin } = toGltf([cubeMesh(3)], { image: 'pixel.png', uv });
+    const [material] = json.materials;
+    material.pbrMetallicRoughness.baseColorTexture.texCoord = asks;
+    material.normalTexture = { index: 0 }; // of set 0
+    put('fit/cube.bin', bin);
+    put('fit/pixel.png', pixel);
+    put('fit/in.gltf', JSON.stringify(json));
+    const setsAfter = (...more) => {
+      const { err } = good('param', 'fit/in.gltf', ...more, '--force', '-o', 'fit/out.gltf');
+      const { materials, meshes } = JSON.parse(readFileSync(at('fit/out.gltf'), 'utf8'));
+      assert.ok(`TEXCOORD_${Object.keys(uv).length}` in meshes[0].primitives[0].attributes, what);
+      for (const set of Object.keys(uv)) assert.ok(`TEXCOORD_${set}` in meshes[0].primitives[0].attributes, 'old sets are kept'); // prettier-ignore
+      const { pbrMetallicRoughness, normalTexture } = materials[0];
+      return { err, base: pbrMetallicRoughness.baseColorTexture.texCoord ?? 0, normal: normalTexture.texCoord ?? 0 }; // prettier-ignore
+    };
+    const found = setsAfter();
+    assert.equal(found.base, uses, what);
+    assert.equal(found.normal, uv[0] === point ? uses : 0, `${what}: others stay where they are seen`); // prettier-ignore
+    if (code) assert.match(found.err, sentenceOf(code, { set: uses, others: `TEXCOORD_${asks}` }));
+    else assert.doesNotMatch(found.err, sentenceOf('write-set-unseen'));
+    assert.equal(setsAfter('--use=false').base, asks, `${what}, kept`);
+    assert.equal(setsAfter('--use').base, Object.keys(uv).length, `${what}, moved`);
+  }
+});
+
 test('param of its own output is a fixed point, and a file has one side file for its maps', () => {
   const cubes = Array.from({ length: 12 }, (_, i) => cubeMesh(1 + (i % 3)));
   const { json, bin } = toGltf(cubes);

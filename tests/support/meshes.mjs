@@ -89,7 +89,8 @@ export const toStl = ({ vertices, triangles }) =>
   ].join('\n');
 
 /** A .gltf that refers to a buffer file and, optionally, an image. */
-export function toGltf(meshes, { buffer = 'cube.bin', image } = {}) {
+/** @param uv  texture coordinates by number of the set: functions of a position */
+export function toGltf(meshes, { buffer = 'cube.bin', image, uv = {} } = {}) {
   const parts = [];
   const json = {
     asset: { version: '2.0' },
@@ -126,10 +127,12 @@ export function toGltf(meshes, { buffer = 'cube.bin', image } = {}) {
     });
     const indices = add(new Uint32Array(triangles.flat()), 'SCALAR', 5125, 3 * triangles.length);
     const material = image ? 0 : undefined;
-    json.meshes.push({
-      name: `mesh ${i}`,
-      primitives: [{ attributes: { POSITION: position }, indices, material }],
-    });
+    const attributes = { POSITION: position };
+    for (const [set, of] of Object.entries(uv)) {
+      const values = new Float32Array(vertices.flatMap(of));
+      attributes[`TEXCOORD_${set}`] = add(values, 'VEC2', 5126, vertices.length);
+    }
+    json.meshes.push({ name: `mesh ${i}`, primitives: [{ attributes, indices, material }] });
   });
   const bin = Buffer.concat(parts);
   json.buffers.push({ uri: buffer, byteLength: bin.length });
@@ -141,8 +144,10 @@ export function toGltf(meshes, { buffer = 'cube.bin', image } = {}) {
   return { json, bin };
 }
 
-export function toGlb(meshes) {
-  const { json, bin } = toGltf(meshes);
+export const toGlb = (meshes) => packGlb(toGltf(meshes));
+
+/** A GLB of the parts of toGltf. */
+export function packGlb({ json, bin }) {
   delete json.buffers[0].uri;
   const raw = JSON.stringify(json);
   const text = Buffer.from(raw.padEnd(Math.ceil(raw.length / 4) * 4));

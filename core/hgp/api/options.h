@@ -93,8 +93,9 @@ struct WriteOptions {
   std::string name;  ///< of the main output
   bool embedCones = false;
   bool allowUncertified = false;  ///< otherwise write() fails with kNoMap
-  bool pointsMaterials = false;   ///< glTF: makes the materials' textures use the written set
-  bool isSideFileNoted = true;    ///< a note names the side files that the new file needs
+  /// glTF: whether the materials' textures use the written set; unset: those whose own set is missing or without area.
+  std::optional<bool> pointsMaterials;
+  bool isSideFileNoted = true;  ///< a note names the side files that the new file needs
   bool isCompressedLater =
       false;  ///< glTF: omits notes on what is stored uncompressed; see compressed()
 };

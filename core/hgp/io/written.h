@@ -30,9 +30,10 @@ struct WriteOptions {
   std::string name;       ///< of the main output; names of side files derive from it
   std::string generator;  ///< stamped into a comment where the format has one, or ""
   std::optional<std::string> cones;  ///< hgp-cones JSON to embed for re-opening
-  bool pointsMaterials = false;      ///< glTF: makes the materials' textures use the written set
-  bool isSideFileNoted = true;       ///< adds the note "keep x.bin next to the new file"
-  bool isCompressedLater = false;    ///< glTF: omits notes on what is stored uncompressed
+  /// glTF: whether the materials' textures use the written set; unset: those whose own set is missing or without area.
+  std::optional<bool> pointsMaterials;
+  bool isSideFileNoted = true;     ///< adds the note "keep x.bin next to the new file"
+  bool isCompressedLater = false;  ///< glTF: omits notes on what is stored uncompressed
 };
 
 struct OutputFile {
@@ -52,8 +53,8 @@ struct SurfaceUv {
   int surface = 0;
   const UvMap* map = nullptr;
   std::optional<std::string> cones;
-  int uvSet = -1;                ///< as WriteOptions::uvSet, for this map
-  bool pointsMaterials = false;  ///< likewise
+  int uvSet = -1;                       ///< as WriteOptions::uvSet, for this map
+  std::optional<bool> pointsMaterials;  ///< likewise
 };
 
 /// The maps of several surfaces, written at once.

@@ -173,7 +173,8 @@ export function keepSolution({ doc }: App, solution: Solution, before?: Solution
 }
 
 export const writeOptions = ({ uvSet, embedCones, usesNewSet }: Output): WriteOptions => ({
-  ...{ allowUncertified: true, embedCones, use: usesNewSet },
+  ...{ allowUncertified: true, embedCones },
+  ...(usesNewSet === undefined ? {} : { use: usesNewSet }),
   ...(uvSet === undefined ? {} : { uvSet }),
 });
 

@@ -1,5 +1,6 @@
 // The programs for which a download can be made: the file that each needs, and how it is used there.
 
+import type { TextureFate } from '../model/texture_fate';
 import type { TargetId } from '../model/ui_state';
 import type { Format } from './exports';
 import { isGltf } from './glb';
@@ -46,12 +47,16 @@ export function setHint(id: TargetId, set: number): string {
   return `The new coordinates are UV channel ${set}, where the first is 0 (Unreal: coordinate index ${set}; Unity: UV${set}; Godot: ${set === 1 ? 'UV2' : 'none beyond UV2, so replace TEXCOORD_0'}).`;
 }
 
+const hints: Record<TextureFate, string> = {
+  kept: 'The file’s own textures stay on the old coordinates and look as before; textures that you add can use the new ones.',
+  moved:
+    'The file’s own textures now use the new coordinates. They were painted for the old ones and will not fit; to keep their look, keep the old coordinates, or bake the textures (in Blender: Bake, with the old UV map on the image nodes and the new one active).',
+  unseen:
+    'The file’s own textures now use the new coordinates, because the ones they asked for are missing from this mesh or have no area; all old coordinates are kept.',
+};
+
 /** What becomes of textures that were painted for the old coordinates. */
-export function textureHint(isKept: boolean): string {
-  return isKept
-    ? 'The textures of the file stay on the old coordinates and look as before; those that you add use the new ones.'
-    : 'The textures of the file were painted for the old coordinates and will not fit the new ones. Keep the old coordinates for them, or bake them (in Blender: Bake, with the old UV map on the image nodes and the new one active).';
-}
+export const textureHint = (fate: TextureFate): string => hints[fate];
 
 /** 3D programs read OBJ and glTF; a model in another format becomes a GLB. */
 export function formatFor(

@@ -109,7 +109,7 @@ export const loadOptionsOf = ({ weld, fix, hasAllRepairs }: LoadSettings) =>
 export const plainSettings: LoadSettings = { fix: {} };
 export const plainGrid: GridSettings = { isOn: true, mode: 'tile' };
 export const plainOutput: Output = {
-  ...{ scale: 'solved', usesNewSet: false, embedCones: true, hasGrid: false },
+  ...{ scale: 'solved', embedCones: true, hasGrid: false },
 };
 const plainLook: Look = {
   pattern: 'checker',

@@ -104,8 +104,8 @@ export interface Seam {
 export interface Output {
   /** glTF: the set to write; undefined: the next free one. */
   uvSet?: number;
-  /** glTF: makes the file's textures use the written set. */
-  usesNewSet: boolean;
+  /** glTF: whether the file's textures use the written set; undefined: those that could not be seen with their own. */
+  usesNewSet?: boolean;
   scale: 'solved' | 'unit' | 'fit';
   embedCones: boolean;
   /** glTF: the mesh gets a grid as its material. */

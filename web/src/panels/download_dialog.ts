@@ -9,6 +9,7 @@ import { rewrite } from '../actions/solve';
 import { downloadQuads, quadName, whyNoQuads } from '../actions/quads';
 import { formats, nameOf, type ExportSource, type Format } from '../formats/exports';
 import { formatFor, setHint, targets, textureHint } from '../formats/targets';
+import { chosenSet, textureFate } from '../model/texture_fate';
 import { isAligned } from '../model/grid';
 import type { Model, Output, Solution } from '../model/types';
 import type { TargetId } from '../model/ui_state';
@@ -26,16 +27,12 @@ const scales: [Output['scale'], string][] = [
 const valueOf = (event: Event): string => (event.target as HTMLSelectElement).value;
 const isChecked = (event: Event): boolean => (event.target as HTMLInputElement).checked;
 
-/** The choice of the uv set: `keep`, `use`, or the number of the set that is replaced. */
-const chosenSet = ({ uvSet, usesNewSet }: Output): string =>
-  uvSet === undefined ? (usesNewSet ? 'use' : 'keep') : String(uvSet);
-
 /** glTF: whether the textures of the file use the new coordinates or keep the old ones. */
-function setChooser(app: AppView, output: Output): TemplateResult | typeof nothing {
+function setChooser(app: AppView, solution: Solution): TemplateResult | typeof nothing {
   const { info } = app.doc.model!;
   const sets = info.surfaces[info.surface]?.uvSets ?? [];
   if (!/^(glb|gltf)$/.test(info.file.format) || sets.length === 0) return nothing;
-  const chosen = chosenSet(output);
+  const chosen = chosenSet(app.doc.pendingOutput ?? solution.output, solution);
   const set = (event: Event): void => {
     const value = valueOf(event);
     const uvSet = /\d/.test(value) ? Number(value) : undefined;
@@ -48,7 +45,7 @@ function setChooser(app: AppView, output: Output): TemplateResult | typeof nothi
     <select id="uv-set" @change=${set}>
       ${choice('keep', 'keep the old coordinates')}
       ${choice('use', 'use the new coordinates; the old ones are kept')}
-      ${sets.map((n) => choice(String(n), `use the new instead of TEXCOORD_${n}`))}
+      ${sets.map((n) => choice(String(n), `replace TEXCOORD_${n} by the new ones`))}
     </select>
   </label>`;
 }
@@ -195,15 +192,12 @@ function writtenSet({ info }: Model, { uvSet }: Output): number {
 }
 
 /** A sentence on the textures of the file, if it has some on a mesh with coordinates. */
-function ownTextures(
-  app: AppView,
-  { output, preserved }: Solution,
-): TemplateResult | typeof nothing {
+function ownTextures(app: AppView, solution: Solution): TemplateResult | typeof nothing {
   const { info } = app.doc.model!;
   const hasOld = (info.surfaces[info.surface]?.uvSets ?? []).length > 0;
-  if (app.ui.target === 'quads' || !hasOld || !/\btextures?\b/.test(preserved)) return nothing;
-  const isKept = output.uvSet === undefined && !output.usesNewSet;
-  return html`<p class="note" id="own-textures">${textureHint(isKept)}</p>`;
+  const fate = textureFate(solution);
+  if (app.ui.target === 'quads' || !fate || (!hasOld && fate === 'kept')) return nothing;
+  return html`<p class="note" id="own-textures">${textureHint(fate)}</p>`;
 }
 
 function hintOf(app: AppView, solution: Solution): string {
@@ -264,7 +258,7 @@ function ofOneMesh(app: AppView, { notes, preserved, result }: Solution): string
   const stored = info.surfaces[info.surface]?.storedVertices ?? 0;
   const rest = `All else in the file stays as it was${preserved ? `: ${preserved}` : ''}.`;
   if (notes.length > 0) return `${notes.map((note) => noteForPage(note)).join('; ')}. ${rest}`;
-  return `${stored} vertices; ${result.uvToVertex.length} texture vertices, as seams are split.`;
+  return `${stored} vertices; ${result.uvToVertex.length} texture coordinates, because seams are split.`;
 }
 
 export function downloadDialog(app: AppView, solution: Solution): TemplateResult {
@@ -286,8 +280,7 @@ export function downloadDialog(app: AppView, solution: Solution): TemplateResult
             </p>`
       }
       <div class="choices">
-        ${targetChooser(app)}
-        ${app.ui.target === 'quads' ? nothing : setChooser(app, app.doc.pendingOutput ?? solution.output)}
+        ${targetChooser(app)} ${app.ui.target === 'quads' ? nothing : setChooser(app, solution)}
       </div>
       ${mainButton(app, source)}
       ${app.ui.target === 'quads' ? nothing : html`<p class="note">${summary(app, solution)}</p>`}

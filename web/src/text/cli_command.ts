@@ -85,7 +85,7 @@ function outputWords(output: CommandOutput): string[] {
   const { uvSet, usesNewSet, embedCones, gridTiles, isUncertified } = output;
   return [
     ...(uvSet === undefined ? [] : ['--uv-set', String(uvSet)]),
-    ...(usesNewSet ? ['--use'] : []),
+    ...(usesNewSet === undefined ? [] : [usesNewSet ? '--use' : '--use=false']),
     ...(embedCones ? ['--embed-cones'] : []),
     ...(gridTiles === undefined ? [] : [`--grid-material=${gridTiles}`]),
     ...(isUncertified ? ['--allow-uncertified'] : []),

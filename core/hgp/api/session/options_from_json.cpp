@@ -128,7 +128,7 @@ Result<WriteOptions> optionsFromJson(std::string_view json, Spelling spelling) {
       o.gridTiles = 0.0;
     given->read("embedCones", o.embedCones);
     given->read("allowUncertified", o.allowUncertified);
-    given->read("use", o.pointsMaterials);
+    if (given->has("use")) o.pointsMaterials = given->isSet("use");
     return o;
   });
 }

@@ -195,6 +195,8 @@ export const corePhrases = {
   'write-cones-ply': 'cones are not embedded: PLY has no place for them',
   'write-cones-extras': "cones are not embedded: the mesh's extras are not an object",
   'write-set-used': 'wrote TEXCOORD_{set}; the materials use it',
+  'write-set-unseen':
+    'wrote TEXCOORD_{set}; textures that used {others} use it, since {others} is missing there or has no area',
   'write-set-unused': 'wrote TEXCOORD_{set}; the materials still use {others}',
   'write-set-replaced':
     "TEXCOORD_{set} was replaced: the materials' pictures were made for the old one and no longer fit",

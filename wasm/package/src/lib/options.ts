@@ -223,7 +223,10 @@ export interface WriteOptions {
   embedCones?: boolean;
   /** Write a map that is not certified; otherwise the call fails with `no-map`. */
   allowUncertified?: boolean;
-  /** glTF: make the materials' textures use the written set; otherwise a note says which set they use. */
+  /**
+   * glTF: make the materials' textures use the written set, or keep theirs (`false`); by default those use it whose own
+   * set is missing or has no area. A note says which set they use.
+   */
   use?: boolean;
 }
 

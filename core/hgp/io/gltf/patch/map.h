@@ -13,8 +13,8 @@ struct GltfMap {
   const GltfSurface* part = nullptr;
   const UvMap* map = nullptr;
   std::optional<std::string> cones;
-  int uvSet = -1;                ///< as WriteOptions::uvSet, for this mesh
-  bool pointsMaterials = false;  ///< likewise
+  int uvSet = -1;                       ///< as WriteOptions::uvSet, for this mesh
+  std::optional<bool> pointsMaterials;  ///< likewise
 };
 
 }  // namespace hgp::io

@@ -1,8 +1,10 @@
 // Materials that use another uv set than the one written: a note says so, or they are changed on request.
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "hgp/base/check.h"
+#include "hgp/io/gltf/decode/accessor.h"
 #include "hgp/io/gltf/patch/writer.h"
 
 namespace hgp::io {
@@ -32,14 +34,15 @@ int setOf(const JsonText& json, int texture) {
   return static_cast<int>(moved.value_or(own.value_or(0)));
 }
 
-/// The text of a material whose textures use the set.
-std::string withSet(const std::string& material, int set) {
+/// The text of a material whose textures use a set instead of others.
+std::string withSet(const std::string& material, int set, const std::set<int>& others) {
   const auto own = JsonText::parse(material);
   if (!own) return material;
   std::vector<int> textures;
   collectTextures(*own, JsonText::kRoot, textures);
   JsonPatch changed(*own);
   for (const int texture : textures) {
+    if (others.count(setOf(*own, texture)) == 0) continue;
     changed.set(texture, "texCoord", std::to_string(set));
     const int transform = own->find(own->find(texture, "extensions"), kTransform);
     if (own->find(transform, "texCoord") >= 0)
@@ -50,19 +53,20 @@ std::string withSet(const std::string& material, int set) {
 
 }  // namespace
 
-/// Records which primitives use their material with the written set; pointMaterials() carries it out for all meshes.
-void GltfWriter::planMaterials() {
-  bool isAny = false;
+/// Records which primitives use their material with the written set instead of `sets`; pointMaterials() carries it out
+/// for all meshes.
+void GltfWriter::planMaterials(const std::set<int>& sets) {
   for (const GltfRun& run : part_->runs) {
     const int material = primitive(run.primitive).material;
     if (material < 0) continue;
     std::vector<int> textures;
     collectTextures(json_, materialNodes_[static_cast<std::size_t>(material)], textures);
-    if (textures.empty()) continue;
-    pointed_[material][set_].push_back(primitiveNodes_[static_cast<std::size_t>(run.primitive)]);
-    isAny = true;
+    const bool isMoved = std::any_of(textures.begin(), textures.end(),
+                                     [&](int one) { return sets.count(setOf(json_, one)) > 0; });
+    if (!isMoved) continue;
+    pointed_[material][{set_, sets}].push_back(
+        primitiveNodes_[static_cast<std::size_t>(run.primitive)]);
   }
-  if (isAny) note("write-set-used", {{"set", set_}});
 }
 
 /// A material whose every user is pointed to one set is changed in place; others are copied, once per set.
@@ -74,11 +78,11 @@ void GltfWriter::pointMaterials() {
   const int list = json_.find(JsonText::kRoot, "materials");
   for (const auto& [material, sets] : pointed_) {
     std::size_t moved = 0;
-    for (const auto& [set, primitives] : sets) moved += primitives.size();
+    for (const auto& [how, primitives] : sets) moved += primitives.size();
     bool isFree = moved == users[material];
-    for (const auto& [set, primitives] : sets) {
+    for (const auto& [how, primitives] : sets) {
       const int node = materialNodes_[static_cast<std::size_t>(material)];
-      const std::string changed = withSet(std::string(json_.raw(node)), set);
+      const std::string changed = withSet(std::string(json_.raw(node)), how.first, how.second);
       if (isFree) {
         patch_.replace(node, changed);
         isFree = false;
@@ -102,6 +106,38 @@ std::set<int> GltfWriter::setsOfMaterials() const {
   return sets;
 }
 
+/// Whether some triangle of a primitive has an area in a set.
+bool GltfWriter::hasArea(const GltfRun& run, int set) const {
+  const int attribute = primitive(run.primitive).attribute(semantic(set));
+  if (attribute < 0) return false;
+  const std::vector<double> uv = realNumbers(
+      accessor(attribute), packedAttribute(store_, part_->mesh, run.primitive, semantic(set)));
+  const int first = part_->pools[static_cast<std::size_t>(run.pool)].firstStored;
+  const auto at = [&](int stored) {
+    return uv.data() + 2 * static_cast<std::size_t>(stored - first);
+  };
+  for (int t = run.firstTriangle; t < run.firstTriangle + run.triangleCount; ++t) {
+    const auto& corners = part_->stored[static_cast<std::size_t>(t)];
+    const double *a = at(corners[0]), *b = at(corners[1]), *c = at(corners[2]);
+    const double twice = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    if (std::isfinite(twice) && twice != 0) return true;
+  }
+  return false;
+}
+
+/// Whether no primitive shows a texture that uses the set: those whose material does lack it, or have it without area.
+bool GltfWriter::isUnseen(int set) const {
+  return std::none_of(part_->runs.begin(), part_->runs.end(), [&](const GltfRun& run) {
+    const int material = primitive(run.primitive).material;
+    if (material < 0) return false;
+    std::vector<int> textures;
+    collectTextures(json_, materialNodes_[static_cast<std::size_t>(material)], textures);
+    const bool isUsed = std::any_of(textures.begin(), textures.end(),
+                                    [&](int one) { return setOf(json_, one) == set; });
+    return isUsed && hasArea(run, set);
+  });
+}
+
 void GltfWriter::tellOrPointMaterials() {
   std::set<int> others = setsOfMaterials();
   const bool usesWritten = others.erase(set_) > 0;
@@ -111,10 +147,24 @@ void GltfWriter::tellOrPointMaterials() {
   if (usesWritten && isReplaced) {
     note("write-set-replaced", {{"set", set_}});
   }
-  if (pointsMaterials_ && !others.empty()) return planMaterials();
-  std::string list;
-  for (const int set : others) list += (list.empty() ? "" : ", ") + semantic(set);
-  if (!others.empty()) note("write-set-unused", {{"set", set_}, {"others", list}});
+  const auto listed = [&](const std::set<int>& sets) {
+    std::string list;
+    for (const int set : sets) list += (list.empty() ? "" : ", ") + semantic(set);
+    return list;
+  };
+  if (pointsMaterials_.value_or(false) && !others.empty()) {
+    planMaterials(others);
+    return note("write-set-used", {{"set", set_}});
+  }
+  std::set<int> unseen;
+  for (const int set : others)
+    if (!pointsMaterials_ && isUnseen(set)) unseen.insert(set);
+  if (!unseen.empty()) {
+    planMaterials(unseen);
+    note("write-set-unseen", {{"set", set_}, {"others", listed(unseen)}});
+  }
+  for (const int set : unseen) others.erase(set);
+  if (!others.empty()) note("write-set-unused", {{"set", set_}, {"others", listed(others)}});
 }
 
 }  // namespace hgp::io

@@ -36,7 +36,9 @@ class GltfWriter {
   // materials.cpp: which uv set the textures of materials use
   void tellOrPointMaterials();
   std::set<int> setsOfMaterials() const;
-  void planMaterials();
+  bool isUnseen(int set) const;
+  bool hasArea(const GltfRun& run, int set) const;
+  void planMaterials(const std::set<int>& sets);
   void pointMaterials();
   Status embedCones(const std::optional<std::string>& cones);
   void collectXref();
@@ -93,8 +95,8 @@ class GltfWriter {
   int droppedDraco_ = 0;             ///< primitives
   int droppedManifolds_ = 0;         ///< meshes
   std::set<int> droppedAttributes_;  ///< references to accessors that the patch removes or moves
-  /// Material → set → primitive nodes that use it with that set from now on.
-  std::map<int, std::map<int, std::vector<int>>> pointed_;
+  /// Material → new set and the sets that it replaces → primitive nodes that use it so from now on.
+  std::map<int, std::map<std::pair<int, std::set<int>>, std::vector<int>>> pointed_;
   int meshCount_ = 0;
   std::vector<int> xref_;
 
@@ -104,10 +106,10 @@ class GltfWriter {
   int set_ = 0;
   int meshNode_ = -1;
   std::vector<int> primitiveNodes_;
-  int askedSet_ = -1;              ///< WriteOptions::uvSet of the mesh
-  bool pointsMaterials_ = false;   ///< likewise
-  bool isRewritten_ = false;       ///< some pool has new vertices
-  std::map<int, int> newIndices_;  ///< primitive → index in the plan
+  int askedSet_ = -1;                    ///< WriteOptions::uvSet of the mesh
+  std::optional<bool> pointsMaterials_;  ///< likewise
+  bool isRewritten_ = false;             ///< some pool has new vertices
+  std::map<int, int> newIndices_;        ///< primitive → index in the plan
   Notes notes_;
 };
 

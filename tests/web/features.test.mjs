@@ -29,7 +29,7 @@ test('lines follow the creases of a cube: the map and the file have them straigh
   await openFiles(it, { 'cube.obj': toObj(cubeMesh(6)) });
   await page.click('#follow-creases');
   await page.waitForSelector('#features-note');
-  assert.match(await note(), /With Run, lines follow 12 creases: 72 edges/);
+  assert.match(await note(), /After Run, lines follow 12 creases: 72 edges/);
   await run(it);
   assert.match(await statusText(page), /lines follow 12 creases, and lines meet at every seam/);
   assert.match(await note(), /^Lines follow 12 creases/);
@@ -67,7 +67,7 @@ test('a click chooses the chain to the next corners, and with Alt takes it out',
   await page.keyboard.down('Alt');
   await page.mouse.click(x, y);
   await page.keyboard.up('Alt');
-  await statusSays(it, /not followed any more/);
+  await statusSays(it, /no longer followed/);
   assert.equal(await page.locator('#features-note').count(), 0);
 });
 

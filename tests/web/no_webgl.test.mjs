@@ -13,7 +13,7 @@ it.test(
     const { page } = it;
     await page.reload();
     await page.waitForSelector('#status.error');
-    assert.match(await statusText(page), /cannot draw here, because it has no WebGL 2/);
+    assert.match(await statusText(page), /has no WebGL 2, so models are not drawn/);
     await openMesh(it, cubeMesh(4));
     await run(it);
     const { bytes } = await saveAs(it, 'same');

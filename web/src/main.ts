@@ -178,10 +178,10 @@ async function start(): Promise<void> {
   keepOffline();
   if (app.views && drawing.status === 'fulfilled') warmViews(app.views, drawing.value);
   if (drawing.status === 'rejected') {
-    doc.say('What draws the model could not be loaded. Reload the page.', 'error');
+    doc.say('The 3D view could not be loaded. Reload the page.', 'error');
   } else if (!hasViews) {
     const rest = 'maps are made, verified and saved all the same';
-    doc.say(`This browser cannot draw here, because it has no WebGL 2; ${rest}.`, 'error');
+    doc.say(`This browser has no WebGL 2, so models are not drawn; ${rest}.`, 'error');
   }
   void refreshRecent(app);
   const example = exampleById(asked.example);

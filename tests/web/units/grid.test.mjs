@@ -44,7 +44,7 @@ test('a quad mesh that differs from the cells on the screen reports how', () => 
   assert.equal(quadsSaved(plain, 'a.obj'), '1 200 quads saved as a.obj.');
   assert.equal(
     quadsSaved({ ...plain, clipped: 1, halvings: 1, foldedQuads: 2 }, 'a.obj'),
-    '1 200 quads saved as a.obj, without 1 cell that a boundary cuts, 4 per cell, because a handle or two cones are within two cells, 2 of them folded at a cone of k = 1.',
+    '1 200 quads saved as a.obj, without 1 cell that a boundary cuts, 4 per cell, because a handle or two cones are within two cells, 2 of them folded together at a cone with k = 1.',
   );
   assert.match(quadsSaved({ ...plain, halvings: 2 }, 'a.obj'), /, 16 per cell/);
 });

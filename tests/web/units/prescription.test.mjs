@@ -146,7 +146,7 @@ test('each faulty cone is reported: the second of two, neighbours, k that is too
   );
   assert.deepEqual(
     states.map(({ text }) => text.split('.')[0].slice(0, 32)),
-    ['shares a triangle with cone 2', 'shares a triangle with cone 1', 'duplicate', '6 triangles; k = 12 would need a', 'no such vertex'], // prettier-ignore
+    ['shares a triangle with cone 2', 'shares a triangle with cone 1', 'there is a cone here already', '6 triangles; k = 12 would need a', 'no such vertex'], // prettier-ignore
   );
   assert.equal(isReady, false);
 });

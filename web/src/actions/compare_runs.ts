@@ -6,7 +6,7 @@ import { setPrescription } from './edit_cones';
 import { isLocked } from './job';
 
 export const whyNotCompare = ({ doc }: App): string =>
-  doc.runs.length > 1 ? '' : 'Run twice, with other cones or settings.';
+  doc.runs.length > 1 ? '' : 'Run twice first, with different cones or settings.';
 
 export function showRuns({ ui }: App): void {
   ui.dialog = 'compare';

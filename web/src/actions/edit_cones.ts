@@ -56,7 +56,7 @@ export function placeOrSelect(app: App, picked: number): void {
   if (there >= 0) return select(app, there);
   const cone = coneToPlace(app, picked);
   if (!cone) {
-    const rule = 'Boundaries have a turning index instead of cones.';
+    const rule = 'Boundaries have a turning instead of cones: see Boundaries and handles.';
     return doc.say(`Vertex ${vertex} is on the boundary. ${rule}`, 'error');
   }
   if (setCones(app, [...cones, cone], `add cone: ${vertex}`)) select(app, cones.length);

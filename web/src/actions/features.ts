@@ -32,7 +32,7 @@ export async function followCreases(app: App, isOn: boolean): Promise<void> {
     if (doc.usableModel !== model) return;
     const found = edgesOf(text).filter((edge) => !map.isRim(edge));
     if (isOn && found.length === 0) {
-      doc.say('No edge has a dihedral angle above 30°. Choose edges in the 3D view.');
+      doc.say('The surface bends by more than 30° at no edge. Choose edges in the 3D view.');
       doc.features = features === noFeatures ? undefined : { ...features };
       return;
     }
@@ -57,7 +57,7 @@ export function chooseChain(app: App, edge: Edge, isRemoved: boolean): void {
   choose(app, withChain(doc.features ?? noFeatures, chain, isRemoved));
   const what = plural(chain.length, 'edge');
   doc.say(
-    isRemoved ? `${what} not followed any more.` : `${what} chosen. Alt and a click removes.`,
+    isRemoved ? `${what} no longer followed.` : `${what} chosen. Alt and a click removes them.`,
   );
 }
 

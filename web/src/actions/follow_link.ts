@@ -31,7 +31,7 @@ function takeCones(app: App, { q, cones, turnings, handles }: HashState): void {
     turnings: from(turnings, prescription.turnings),
     handles: from(handles, prescription.handles),
   };
-  setPrescription(app, all, 'cones of the address');
+  setPrescription(app, all, 'take cones of the link');
 }
 
 /** Takes what belongs to a model, unless it has cones already. */
@@ -39,7 +39,7 @@ function takeWork(app: App, model: Model, state: HashState): void {
   const { doc } = app;
   if (!hasSomething(state)) return;
   if (!isOf(model, state)) {
-    return doc.say('The cones in the address belong to another model and were left out.');
+    return doc.say('The cones in the link belong to another model and were left out.');
   }
   if (doc.prescription.cones.length > 0) return;
   takeCones(app, state);

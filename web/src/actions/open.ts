@@ -40,7 +40,7 @@ export async function open(app: App, dropped: Files): Promise<void> {
     doc.previous = undefined;
     freeUnused(app);
     const name = [...files.keys(), ...dropped.keys()][0];
-    const kinds = 'Drop a GLB, glTF, OBJ, PLY, STL or OFF file.';
+    const kinds = 'The page reads GLB, glTF, OBJ, PLY, STL and OFF.';
     return doc.say(`“${name}” holds no mesh. ${kinds}`, 'error');
   }
   if (meshes.length > 1) doc.state = { kind: 'pick-model', files, candidates: meshes };

@@ -11,7 +11,7 @@ export type Preset = 'tiling' | 'quads' | 'few';
 export const presets: readonly { id: Preset; label: string; hint: string }[] = [
   { id: 'tiling', label: 'Tiling texture', hint: 'lines of a texture meet at every seam' },
   { id: 'quads', label: 'Quad mesh', hint: 'cones on grid points; Download offers quads' },
-  { id: 'few', label: 'Few cones', hint: 'as few cones as areas allow' },
+  { id: 'few', label: 'Few cones', hint: 'as few cones as keep sizes reasonably even' },
 ];
 
 /** Sets what a purpose needs; a map that is there is made anew. */

@@ -49,7 +49,7 @@ export const viewActions = {
       ui.tool = ui.tool === 'edges' ? 'orbit' : 'edges';
       if (ui.tool === 'orbit') return;
       doc.say(
-        'Edges: click one, and its chain up to the next corner is chosen; with Alt it is removed.',
+        'Edges: click or tap one to choose its chain up to the next corner; Alt and a click removes it.',
       );
     },
   },

@@ -24,7 +24,7 @@ export interface Download {
 export type Format = 'same' | 'glb' | 'zip' | 'obj' | 'flat' | 'cones' | 'report' | 'svg';
 
 export const formats: { format: Format; label: string; hint: string }[] = [
-  { format: 'same', label: 'Same as the input', hint: 'patched, all else kept' },
+  { format: 'same', label: 'Same as the input', hint: 'only the coordinates change' },
   { format: 'glb', label: 'GLB', hint: 'the mesh with its texture coordinates' },
   { format: 'zip', label: 'glTF in a ZIP', hint: '.gltf and .bin' },
   { format: 'obj', label: 'OBJ', hint: 'v, vt and f' },

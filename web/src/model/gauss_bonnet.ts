@@ -48,8 +48,9 @@ function checkCone(
   if (!(vertex >= 0 && vertex < surface.vertexCount)) return bad('no such vertex');
   const first = coneAt.get(vertex)!;
   const isOther = (cones[first].triangle ?? -1) !== (cones[i].triangle ?? -1);
-  if (first !== i && !isOther) return bad('duplicate');
-  if (surface.isBoundary[vertex]) return bad('on the boundary: use its turning index');
+  if (first !== i && !isOther) return bad('there is a cone here already');
+  if (surface.isBoundary[vertex])
+    return bad('on the boundary: set its turning under Boundaries and handles');
   if (k < 1) return bad('k must be at least 1');
   const valence = surface.valence[vertex];
   const most = largestK(q, valence);

@@ -104,5 +104,5 @@ export function indexText(k: number, q: number): string {
 
 export function angleText(k: number, q: number): string {
   const degrees = (360 * k) / q;
-  return `${Number.isInteger(degrees) ? degrees : degrees.toFixed(1)}°`;
+  return `${Number.isInteger(degrees) ? degrees : degrees.toFixed(1)}°`.replace('-', '−');
 }

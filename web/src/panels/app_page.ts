@@ -118,7 +118,7 @@ class AppPage extends Panel {
       <hgp-legend .app=${app}></hgp-legend>
       <hgp-seam-note .app=${app}></hgp-seam-note>
       <hgp-live-badge .app=${app}></hgp-live-badge>
-      ${doc.stateName === 'stale' ? html`<p class="badge">Result is for the previous cones</p>` : nothing}
+      ${doc.stateName === 'stale' ? html`<p class="badge">This map is for the previous cones</p>` : nothing}
     </section>`;
   }
 

@@ -63,8 +63,8 @@ class BoundariesPanel extends Panel {
       </summary>
       ${this.#loops()} ${this.#handles()}
       <p class="note">
-        Empty means automatic: boundaries take what the cones leave, handles follow the smooth
-        field.
+        Empty means automatic: boundaries take what the cones leave, and handles follow the smooth
+        field. A boundary turns by l · 360°/q, and the map by r · 360°/q around a handle.
       </p>
     </details>`;
   }
@@ -96,7 +96,7 @@ class BoundariesPanel extends Panel {
           (n) => void attempt(app, () => setTurning(app, loop, n)),
         )}
         <small
-          >${vertices} vertices · length ${length.toPrecision(3)} · by shape
+          >${vertices} vertices · length ${length.toPrecision(3)} · by its shape
           ${String(natural).replace('-', '−')}${now}</small
         >
       </div>`;

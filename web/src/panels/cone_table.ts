@@ -26,12 +26,18 @@ class ConeTable extends Panel {
     return sort.isDown ? order.reverse() : order;
   }
 
-  #column(by: SortKey, title: string): TemplateResult {
+  #column(by: SortKey, title: string, hint = ''): TemplateResult {
     const { ui } = this.app;
     const { sort } = ui;
     const direction = sort.by !== by ? 'none' : sort.isDown ? 'descending' : 'ascending';
     return html`<th scope="col" aria-sort=${direction}>
-      <button type="button" class="link" data-sort=${by} @click=${() => ui.sortBy(by)}>
+      <button
+        type="button"
+        class="link"
+        data-sort=${by}
+        title=${hint}
+        @click=${() => ui.sortBy(by)}
+      >
         ${title}${direction === 'none' ? '' : sort.isDown ? ' ↓' : ' ↑'}
       </button>
     </th>`;
@@ -48,7 +54,7 @@ class ConeTable extends Panel {
           <thead>
             <tr>
               ${this.#column('number', '#')} ${this.#column('vertex', 'Vertex')}
-              ${this.#column('k', 'k')}
+              ${this.#column('k', 'k', 'The angle of the cone, in parts of a full turn: q of them are 360°')}
               <th scope="col">Angle</th>
               <td></td>
             </tr>

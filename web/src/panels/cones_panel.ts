@@ -35,7 +35,13 @@ function turnsText(q: number, count: number): string {
   return count === 1 ? one : one.replace(/^(third|fifth|sixth|eighth)/, '$1s').replace(/turn$/, one.includes('of') ? 'turn' : 'turns'); // prettier-ignore
 }
 
-const stepNames = ['As few as areas allow', 'Few', 'In the middle', 'Many', 'Little distortion'];
+const stepNames = [
+  'As few as keep sizes even',
+  'Few',
+  'In the middle',
+  'Many',
+  'Little distortion',
+];
 
 /** Who placed the cones, if it was not the slider. */
 function ownerOf({ doc }: AppView): string {
@@ -83,7 +89,11 @@ class ConesPanel extends Panel {
       this.requestUpdate(); // so that the field shows the valid value again
     };
     return html`<div class="row field">
-      <label for="q">Symmetry q</label>
+      <label
+        for="q"
+        title="Into how many equal angles a full turn is divided; cones are multiples of one"
+        >Symmetry q</label
+      >
       <select id="q" .value=${live(String(q))} @change=${set}>
         ${orderNames.map(
           ([n, name]) => html`<option value=${n} ?selected=${n === q}>${name}</option>`,
@@ -178,7 +188,7 @@ class ConesPanel extends Panel {
     const open = left > 0 ? `${left} left` : `${-left} too much`;
     const taken = openLoops > 0 && left !== 0 ? `the boundary takes ${left}` : 'balanced';
     const ways = isBalanced ? '' : waysToSpend(left, q);
-    const formula = `Σ(q − k)${turnings.length > 0 ? ' + Σl' : ''} = ${have} of q·χ = ${need}`;
+    const formula = `The cones have to add up to this: Σ(q − k)${turnings.length > 0 ? ' + Σl' : ''} = ${have} of q·χ = ${need}`;
     return html`<div class="budget ${isBalanced ? 'good' : 'open'}" data-left=${left}>
       <p>
         ${isOnly ? '' : `Component ${component + 1}: `}<span class="sum" title=${formula}

@@ -47,7 +47,11 @@ function missingFiles(app: AppView, { main, missing }: StateOf<'needs-files'>): 
   return dialogFrame(
     'needs-files',
     'Some files are missing',
-    html`<p>“${main}” refers to files that are missing. Drop them on the page, or browse:</p>
+    html`<p>
+        “${main}” refers to files that are missing.
+        <span class="for-mouse">Drop them on the page, or browse:</span
+        ><span class="for-fingers">Choose each one:</span>
+      </p>
       <ul class="list">
         ${items}
       </ul>
@@ -88,7 +92,7 @@ const gestures: [string, string][] = [
   ['Arrows', 'orbit; with Shift pan; Page Up, Page Down zoom'],
   ['Arrows, Enter', 'with the Place tool: walk over the vertices, place'],
   ['1–9', 'k of the selected cone'],
-  ['Alt', 'with the Place tool: at the nearest vertex, not at a corner near it'],
+  ['Alt', 'with the Place tool: at the nearest vertex instead of a corner nearby'],
   ['Escape', 'put a dragged cone back, deselect; twice: cancel a run'],
   ['Double click', 'centre that place'],
 ];
@@ -103,7 +107,7 @@ function help(app: AppView): TemplateResult {
   ]);
   return dialogFrame(
     'help-dialog',
-    'Keys',
+    'Help and shortcuts',
     // The first row has the focus: on a button at the end, the list would open scrolled to it.
     html`<p class="note" tabindex="-1" autofocus>Single keys work while a view has the focus.</p>
       <dl class="keys">
@@ -132,7 +136,7 @@ function help(app: AppView): TemplateResult {
       </p>
       <p><a href="./guide.html">Guide: cones, certificate, Blender, three.js, quads</a></p>
       <p>
-        <a href="./THIRD_PARTY_LICENSES.txt">Works of others in this page, and their licences</a>
+        <a href="./THIRD_PARTY_LICENSES.txt">Third-party software in this page, and its licences</a>
       </p>
       <p class="row end">
         <button type="button" class="primary" autofocus @click=${close}>Close</button>
@@ -223,7 +227,7 @@ class Dialogs extends Panel {
           type="search"
           id="palette-query"
           aria-label="Find an action"
-          placeholder="Type to find"
+          placeholder="Type to search"
           autofocus
           @input=${type}
           @keydown=${enter}

@@ -5,7 +5,7 @@ import { live } from 'lit/directives/live.js';
 import { attempt } from '../actions/app';
 import { clearFeatures, exportFeatures, followCreases, followRims } from '../actions/features';
 import { featuresText, hasFeatures } from '../model/features';
-import { count } from '../text/format';
+import { plural } from '../text/format';
 import { Panel } from './panel';
 
 class FeaturesPanel extends Panel {
@@ -33,7 +33,7 @@ class FeaturesPanel extends Panel {
         ${tick('follow-creases', 'Lines follow creases', hasCreases, (isOn) => followCreases(this.app, isOn))}
         ${loops > 0 ? tick('follow-rims', 'Lines follow rims', hasRims, (isOn) => followRims(this.app, isOn)) : nothing}
         <small
-          >${isPossible ? 'Edges become straight lines, exactly; cones are chosen to fit.' : `Lines along edges need q = 4, not ${doc.prescription.q}.`}</small
+          >${isPossible ? 'These edges become straight lines of the map, exactly; Run chooses cones that fit.' : `Lines along edges need q = 4, not ${doc.prescription.q}.`}</small
         >
       </p>
       ${features && isPossible ? this.#chosen(loops) : nothing}`;
@@ -44,10 +44,11 @@ class FeaturesPanel extends Panel {
     const { features, current, isBusy } = doc;
     if (!features || !hasFeatures(features)) return nothing;
     const text = featuresText(features, loops);
+    const { length } = features.edges;
+    const inside = length > 0 ? `: ${plural(length, 'edge')} inside the surface` : '';
     const isDone = current?.features !== undefined && current.result.certificate.certified;
     return html`<p class="note" id="features-note">
-      ${isDone ? text[0].toUpperCase() + text.slice(1) : `With Run, ${text}`}:
-      ${count(features.edges.length)} edges inside the surface.
+      ${isDone ? text[0].toUpperCase() + text.slice(1) : `After Run, ${text}`}${inside}.
       <button
         type="button"
         class="small"

@@ -35,8 +35,8 @@ class Legend extends Panel {
     if (!displayed) return nothing;
     if (look.overlay === 'flips') {
       const { length } = displayed.distortion.flipped;
-      const text = length === 0 ? 'No triangle is folded' : `${length} folded, in red`;
-      return html`<p class="legend"><b>Flips</b><span>${text}</span></p>`;
+      const text = length === 0 ? 'none' : `${length}, in red`;
+      return html`<p class="legend"><b>Folded triangles</b><span>${text}</span></p>`;
     }
     const scale = scaleOf(displayed, look.overlay);
     if (!scale) return nothing;

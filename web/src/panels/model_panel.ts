@@ -64,7 +64,7 @@ class ModelPanel extends Panel {
   #facts({ info }: Model): TemplateResult {
     const stored = info.surfaces[info.surface]?.storedVertices ?? info.vertices;
     const isWelded = stored !== info.vertices;
-    const rows: [string, string | number][] = [
+    const rows: [string, string | number, string?][] = [
       ['Vertices', isWelded ? `${count(stored)} → ${count(info.vertices)}` : count(info.vertices)],
       ['Triangles', count(info.triangles)],
       ['Diagonal', info.diagonal.toPrecision(4)],
@@ -72,15 +72,15 @@ class ModelPanel extends Panel {
     if (info.usable) {
       rows.push(
         ['Components', info.components?.length ?? 1],
-        ['Genus g', info.genus ?? 0],
+        ['Genus g', info.genus ?? 0, 'The number of handles: a ball has none, a cup one'],
         ['Boundaries', info.boundaryLoops ?? 0],
-        ['Euler χ', info.eulerCharacteristic ?? 0],
+        ['Euler χ', info.eulerCharacteristic ?? 0, 'Cones and boundaries add up to q times this'],
       );
     }
     return html`<dl class="facts">
       ${rows.map(
-        ([name, value]) =>
-          html`<div>
+        ([name, value, hint = '']) =>
+          html`<div title=${hint || nothing}>
             <dt>${name}</dt>
             <dd>${value}</dd>
           </div>`,

@@ -50,21 +50,21 @@ function statistics(solution: Solution): Fact[] {
   );
   const mu = parts.toSorted((a, b) => b.p95Mu - a.p95Mu)[0];
   const { stretch, area } = distortion;
-  const least = Math.min(...parts.map((one) => one.minLogArea));
-  const most = Math.max(...parts.map((one) => one.maxLogArea));
+  const min = Math.min(...parts.map((one) => one.minLogArea));
+  const max = Math.max(...parts.map((one) => one.maxLogArea));
   const iterations = rounds.reduce((sum, one) => sum + one.iterations, 0);
   const facts: (Fact | undefined)[] = [
-    mu && [`μ${parts.length > 1 ? ' of the worst component' : ''}, mean · 95 % · most`, [mu.meanMu, mu.p95Mu, mu.maxMu].map((x) => x.toFixed(3)).join(' · ')], // prettier-ignore
+    mu && [`μ${parts.length > 1 ? ' of the worst component' : ''}, mean · 95 % · max`, [mu.meanMu, mu.p95Mu, mu.maxMu].map((x) => x.toFixed(3)).join(' · ')], // prettier-ignore
     ['Stretch σ₁/σ₂, 50 · 95 %', `${stretch.median.toFixed(2)} · ${stretch.p95.toFixed(2)}`],
     ['log₂ area, 5 · 95 %', `${signed(area.p5)} · ${signed(area.p95)}`],
-    mu && ['log₂ area, least · most', `${signed(least)} · ${signed(most)}`],
+    mu && ['log₂ area, min · max', `${signed(min)} · ${signed(max)}`],
     ['Map, width × height', `${box.width.toPrecision(3)} × ${box.height.toPrecision(3)}`],
     ['Seam length', seamLength(solution).toPrecision(3)],
     energy === undefined ? undefined : ['Energy ‖Lz‖²', shortNumber(energy)],
     ['Rounds · iterations', `${rounds.length} · ${iterations}`],
     ['Stored as', certificate.precision],
     ['Time', `${report.seconds.toFixed(2)} s`],
-    ['Memory at most', memoryText(result.memory)],
+    ['Peak memory', memoryText(result.memory)],
   ];
   return facts.filter((one) => one !== undefined);
 }
@@ -114,7 +114,7 @@ class ResultPanel extends Panel {
         : 'every angle is the one you asked for';
     const text = isGood
       ? `No triangle is folded, ${angles}, every seam fits.`
-      : 'This map does not pass. You may look at it and download it as it is.';
+      : 'This map does not pass all checks. You can still look at it and download it.';
     return html`<div class="verdict ${isGood ? 'good' : 'bad'} ${isStale ? 'stale' : ''}">
       ${icon(isGood ? 'check' : 'cross')}
       <div>

@@ -90,7 +90,9 @@ export function sizeRows(app: AppView, solution: Solution): TemplateResult {
   const { sizes } = solution;
   const before = app.doc.beforeDisplayed?.sizes;
   return html`<dl class="facts plain">
-      <div title="How much longer one direction is than the other; half of the surface has more">
+      <div
+        title="How much longer one direction is than the other; half of the surface is stretched more"
+      >
         <dt>Typical stretch</dt>
         ${withBefore(
           'stretch',

@@ -95,7 +95,9 @@ class SolvePanel extends Panel {
         />
         Run automatically
       </label>
-      <small>After every change. If not chosen: where the first run takes less than 2 s.</small>
+      <small
+        >After every change. Until you choose, it is on where the first run takes under 2 s.</small
+      >
     </p>`;
   }
 
@@ -269,7 +271,7 @@ class SolvePanel extends Panel {
           .value=${keepWhileTyping(timeLimit === undefined ? '' : String(timeLimit))}
           @change=${(event: Event) => this.#set({ timeLimit: wholeNumber(event, 1, 86_400) })}
         />
-        <small>seconds; what is not done by then is given up</small>
+        <small>seconds; a run that takes longer is given up</small>
       </div>`;
   }
 
@@ -287,8 +289,8 @@ class SolvePanel extends Panel {
       </select>
       ${actionButton(this.app, 'import-cones', { domId: 'field-file', className: 'small', text: 'Field file…' })}
       <small
-        >Auto follows the cones; a cross field (.rawfield, .rosy, .ffield) brings its cones and its
-        turns along boundaries and handles, and From file takes its directions, too</small
+        >Auto: a smooth field that fits the cones. The file of a cross field (.rawfield, .rosy,
+        .ffield) brings its cones and turns; From file follows its directions, too.</small
       >
     </div>`;
   }

@@ -16,7 +16,7 @@ class StartPage extends Panel {
     const { recent } = app.ui;
     if (recent.length === 0) return nothing;
     return html`<div class="recent" role="group" aria-label="Recent files">
-      <h3>or go on with</h3>
+      <h3>or continue with</h3>
       <p class="row">
         ${recent.map(
           (one) =>

@@ -33,7 +33,7 @@ const overlayNames: Record<Overlay, string> = {
   angle: 'Angle distortion',
   area: 'Area distortion',
   seams: 'Distance to seams',
-  flips: 'Flips',
+  flips: 'Folded triangles',
 };
 
 const mostSteps = 8; // maximum number of tiles along a cell

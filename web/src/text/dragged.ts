@@ -10,7 +10,7 @@ export function draggedNote({ grid, prescription }: Solution): string {
   const isAsked = grid.isOn && canAlign(prescription.q);
   const lines = isAsked ? ' Lines do not meet at its seams.' : '';
   return (
-    'This map was dragged here and is the result; its bytes depend on the path of the cone.' +
+    'This map came from dragging a cone; its bytes depend on the path that the cone took.' +
     `${lines} Run, like the command line, makes one that depends on nothing else${isAsked ? ' and is aligned' : ''}.`
   );
 }

@@ -33,7 +33,7 @@ export function quadFaults({ clipped, cuts, replaced, foldedQuads }: Counts): st
       : '',
     cuts > 0 ? `${plural(cuts, 'strip')} cut lengthwise, ${near}.` : '',
     replaced > 0 ? `${plural(replaced, 'edge')} replaced, ${near}.` : '',
-    foldedQuads > 0 ? `${plural(foldedQuads, 'quad')} closed up at a cone of k = 1.` : '',
+    foldedQuads > 0 ? `${plural(foldedQuads, 'quad')} folded together at a cone with k = 1.` : '',
   ].filter((text) => text !== '');
 }
 
@@ -51,6 +51,7 @@ export function quadsSaved(
     parts.push(`${count(foldedInSpace)} of them folded in space (more cells lower that)`);
   if (halvings > 0)
     parts.push(`${4 ** halvings} per cell, because a handle or two cones are within two cells`);
-  if (foldedQuads > 0) parts.push(`${count(foldedQuads)} of them folded at a cone of k = 1`);
+  if (foldedQuads > 0)
+    parts.push(`${count(foldedQuads)} of them folded together at a cone with k = 1`);
   return `${parts.join(', ')}.`;
 }

@@ -16,6 +16,6 @@ export function remarksOn(
   }
   if (sets.length === 0) return remarks;
   const names = sets.map((n) => `TEXCOORD_${n}`).join(', ');
-  const isKept = `It has ${names}: kept, unless Download is told to replace one.`;
+  const isKept = `It has ${names}: kept, unless you replace one under Download.`;
   return [...remarks, placements ? isKept : 'It has texture coordinates: they are replaced.'];
 }

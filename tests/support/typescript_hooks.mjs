@@ -1,19 +1,44 @@
 // The hooks of typescript.mjs; they run in Node's loader thread.
 
-import { existsSync, readFileSync } from 'node:fs';
+import { createHash } from 'node:crypto';
+import { existsSync, mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import ts from 'typescript';
 
-const options = {
-  ...{ target: ts.ScriptTarget.ES2022, module: ts.ModuleKind.ESNext },
-  ...{ verbatimModuleSyntax: false, inlineSourceMap: true, inlineSources: true },
-};
+/** Scripts by the hash of what they were made of, as starting the compiler takes longer than most tests. */
+const kept = new URL('../../build/scripts/', import.meta.url);
+const own = readFileSync(new URL(import.meta.url));
+const versions = readFileSync(new URL('../../package-lock.json', import.meta.url));
+
+async function compiled(fileName, text) {
+  const { default: ts } = await import('typescript');
+  const compilerOptions = {
+    ...{ target: ts.ScriptTarget.ES2022, module: ts.ModuleKind.ESNext },
+    ...{ verbatimModuleSyntax: false, inlineSourceMap: true, inlineSources: true },
+  };
+  return ts.transpileModule(text, { fileName, compilerOptions }).outputText;
+}
+
+/** The script of a source; those that were made before are read. */
+export async function scriptOf(fileName, text) {
+  const hash = createHash('sha256').update(own).update(versions).update(fileName).update(text);
+  const place = new URL(`${hash.digest('hex').slice(0, 32)}.js`, kept);
+  if (existsSync(place)) return readFileSync(place, 'utf8');
+  const script = await compiled(fileName, text);
+  mkdirSync(kept, { recursive: true });
+  const begun = new URL(`${place.href}.${process.pid}`);
+  writeFileSync(begun, script);
+  renameSync(begun, place);
+  return script;
+}
+
 const builtPackage = new URL('../../build/package/', import.meta.url);
 
 /** The file to which the page's bundler would resolve `specifier`, or undefined if Node resolves it itself. */
 function sourceOf(specifier, parent) {
   // The address of a worker, which no test under Node starts.
   if (specifier.endsWith('?worker&url')) return new URL('data:text/javascript,export default ""');
+  if (specifier.endsWith('.css')) return new URL('data:text/javascript,export {}');
+  if (specifier === 'virtual:examples') return new URL('./page_examples.mjs', import.meta.url);
   if (specifier === 'hgp') return new URL('index.js', builtPackage);
   if (specifier === 'hgp/gzip') return new URL('gzip.js', builtPackage);
   if (!/^\.{1,2}\//.test(specifier) || !parent?.endsWith('.ts')) return undefined;
@@ -26,10 +51,9 @@ export function resolve(specifier, context, next) {
   return url ? { url: url.href, shortCircuit: true } : next(specifier, context);
 }
 
-export function load(url, context, next) {
+export async function load(url, context, next) {
   if (!url.startsWith('file:') || !url.endsWith('.ts')) return next(url, context);
   const fileName = fileURLToPath(url);
-  const text = readFileSync(fileName, 'utf8');
-  const { outputText } = ts.transpileModule(text, { fileName, compilerOptions: options });
-  return { format: 'module', source: outputText, shortCircuit: true };
+  const source = await scriptOf(fileName, readFileSync(fileName, 'utf8'));
+  return { format: 'module', source, shortCircuit: true };
 }

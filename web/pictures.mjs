@@ -62,7 +62,7 @@ async function wholePage(id, hash, file) {
   await drawn();
   writeFileSync(path.join(images, file), await page.screenshot());
 }
-await wholePage('figure', '&pattern=plaid&tiles=20', 'page.png');
+await wholePage('pebble', '&pattern=checker', 'page.png');
 await wholePage('cube', '&pattern=checker', 'guide-result.png');
 await browser.close();
 server.close();

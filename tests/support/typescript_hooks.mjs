@@ -51,9 +51,17 @@ export function resolve(specifier, context, next) {
   return url ? { url: url.href, shortCircuit: true } : next(specifier, context);
 }
 
+/** The file with the text of a source that has a fault (tests/mutation); undefined for all others. */
+function faulty(fileName) {
+  const { HGP_FAULT_FILE: file, HGP_FAULT_TEXT: text } = process.env;
+  return file && fileURLToPath(new URL(`../../${file}`, import.meta.url)) === fileName
+    ? text
+    : undefined;
+}
+
 export async function load(url, context, next) {
   if (!url.startsWith('file:') || !url.endsWith('.ts')) return next(url, context);
   const fileName = fileURLToPath(url);
-  const source = await scriptOf(fileName, readFileSync(fileName, 'utf8'));
+  const source = await scriptOf(fileName, readFileSync(faulty(fileName) ?? fileName, 'utf8'));
   return { format: 'module', source, shortCircuit: true };
 }

@@ -485,3 +485,30 @@ test('every member of a document tells its readers of a change', () => {
     end();
   }
 });
+
+test('meshes are surveyed where that is quick: the largest that can be used is opened', async () => {
+  const { surveyMeshes } = await import('../../../web/src/actions/inspect_meshes.ts');
+  const surfaces = (...sizes) => sizes.map((triangles, index) => ({ index, triangles }));
+  const read =
+    (bad = []) =>
+    async (index) => {
+      // prettier-ignore
+      if (bad.includes(index)) throw new Error('no');
+      return {
+        usable: index !== 1,
+        components: [{}],
+        defects: [{ fatal: true, kind: 'zero-area' }],
+      };
+    };
+  const of = async (sizes, ...more) => surveyMeshes({ surfaces: surfaces(...sizes), surface: 0 }, [{ count: 3 }], read(...more)); // prettier-ignore
+  const { best, summaries } = await of([10, 99, 50]);
+  assert.equal(best, 2);
+  assert.deepEqual(summaries.map(({ isUsable, instances, why }) => [isUsable, instances, why]), [[true, 3, 'zero area'], [false, undefined, 'zero area'], [true, undefined, 'zero area']]); // prettier-ignore
+  const failed = await of([10, 99, 50], [2]);
+  assert.deepEqual([failed.best, failed.summaries[2].isUsable, failed.summaries[2].why], [0, false, 'no']); // prettier-ignore
+  assert.equal((await of([50, 50, 50])).best, 0, 'the first of equal ones');
+  assert.deepEqual((await of([1, 200_000, 150_000])).summaries.length, 3);
+  assert.deepEqual(await of([1, 300_000, 200_000]), { summaries: [], best: 0 });
+  assert.equal((await of(Array(64).fill(1))).summaries.length, 64);
+  assert.equal((await of(Array(65).fill(1))).summaries.length, 0);
+});

@@ -598,3 +598,9 @@ test('a place that is looked at is in the middle and towards the viewer', () => 
     assert.ok(normal.dot(camera.position.clone().sub(point).normalize()) > 0.1, `vertex ${v}`);
   }
 });
+
+test('lines on the surface are between one and six pixels wide, what is outlined the widest', () => {
+  const widths = new SurfaceMarks().children.filter((one) => one instanceof Lines).map(({ material }) => material.uniforms.width.value); // prettier-ignore
+  const light = widths.at(-2);
+  for (const width of widths) assert.ok(width >= 1 && width <= 6 && width <= light, `${width}`);
+});

@@ -35,12 +35,17 @@ const unit = ([x, y, z]: Direction): Direction => {
 };
 
 const lamps: Lamp[] = [
-  { towards: unit([0.6, 0.7, 0.6]), radiance: 4.3, sharpness: 12 },
-  { towards: unit([-0.9, 0.1, 0.5]), radiance: 0.3, sharpness: 4 },
-  { towards: unit([-0.35, 0.55, -0.85]), radiance: 1.3, sharpness: 7 },
+  { towards: unit([0.6, 0.7, 0.6]), radiance: 2.6, sharpness: 10 },
+  { towards: unit([-0.55, 0.05, 0.85]), radiance: 0.75, sharpness: 3 },
+  { towards: unit([-0.35, 0.55, -0.85]), radiance: 0.9, sharpness: 7 },
 ];
-const floor = 0.15;
-const ceiling = 0.34;
+const floor = 0.24;
+const ceiling = 0.42;
+/**
+ * How much brighter materials are lit than patterns: these have no tone mapping and would lose their shape in white. With
+ * it, own materials are as bright as in viewers with a neutral environment.
+ */
+const exposure = 1.5;
 
 /** From a direction, given by a unit vector. */
 export function radiance(x: number, y: number, z: number): number {
@@ -126,6 +131,7 @@ export class StudioLight {
     const generator = new PMREMGenerator(this.#renderer);
     const source = picture();
     this.#scene.environment = generator.fromEquirectangular(source).texture;
+    this.#scene.environmentIntensity = exposure;
     source.dispose();
     generator.dispose();
   }

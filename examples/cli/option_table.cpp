@@ -389,9 +389,10 @@ class Table {
     sub->add_option("--faces", out_.faces,
                     "Write a table of all triangles: angle and area distortion, overlaps (CSV)")
         ->option_text("FILE");
-    sub->add_flag("--use", out_.write.pointsMaterials,
-                  "glTF: make the materials' textures use the new set, or keep theirs "
-                  "(--use=false); default: move those whose set is missing or has no area");
+    sub->add_flag_function(
+        "--use", [&write = out_.write](std::int64_t n) { write.pointsMaterials = n > 0; },
+        "glTF: make the materials' textures use the new set, or keep theirs (--use=false); "
+        "default: move those whose set is missing or has no area");
     sub->add_flag("--embed", out_.isEmbedded,
                   ".gltf: embed buffers and images (default: copy them beside it)");
     sub->add_flag("--write-repairs", out_.load.writesRepairs,

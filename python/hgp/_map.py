@@ -199,7 +199,7 @@ class Map:
         overwrite: bool = False,
         allow_uncertified: bool = False,
         uv_set: Optional[int] = None,
-        use: bool = False,
+        use: Optional[bool] = None,
         embed: bool = False,
         embed_cones: bool = False,
         compress: bool = False,

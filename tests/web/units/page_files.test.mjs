@@ -35,7 +35,12 @@ test(
     assert.deepEqual(doc.parts.map(({ mesh }) => mesh).sort(), [0, 1]);
     for (const { cornerPositions, mesh } of doc.parts) assert.equal(cornerPositions.length / 9, doc.model.info.surfaces[mesh].triangles); // prettier-ignore
     assert.deepEqual([...doc.thumbnails.keys()].sort(), [0, 1]);
+    const { watchThumbnails } = await import('../../../web/src/actions/thumbnails.ts');
+    t.after(watchThumbnails(app));
+    const before = [0, 1].map((mesh) => doc.thumbnails.get(mesh));
     await runNow(app);
+    await until(() => doc.thumbnails.get(1) !== before[1], 'the picture of the map');
+    assert.equal(doc.thumbnails.get(0), before[0], 'others stay');
     const second = doc.current;
     assert.deepEqual(
       buttons().map(({ dataset }) => dataset.meshState),

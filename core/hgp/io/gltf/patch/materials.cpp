@@ -58,12 +58,9 @@ std::string withSet(const std::string& material, int set, const std::set<int>& o
 void GltfWriter::planMaterials(const std::set<int>& sets) {
   for (const GltfRun& run : part_->runs) {
     const int material = primitive(run.primitive).material;
-    if (material < 0) continue;
-    std::vector<int> textures;
-    collectTextures(json_, materialNodes_[static_cast<std::size_t>(material)], textures);
-    const bool isMoved = std::any_of(textures.begin(), textures.end(),
-                                     [&](int one) { return sets.count(setOf(json_, one)) > 0; });
-    if (!isMoved) continue;
+    const std::set<int> own = setsOf(run);
+    if (std::none_of(own.begin(), own.end(), [&](int set) { return sets.count(set) > 0; }))
+      continue;
     pointed_[material][{set_, sets}].push_back(
         primitiveNodes_[static_cast<std::size_t>(run.primitive)]);
   }
@@ -94,15 +91,19 @@ void GltfWriter::pointMaterials() {
   }
 }
 
+std::set<int> GltfWriter::setsOf(const GltfRun& run) const {
+  std::set<int> sets;
+  const int material = primitive(run.primitive).material;
+  if (material < 0) return sets;
+  std::vector<int> textures;
+  collectTextures(json_, materialNodes_[static_cast<std::size_t>(material)], textures);
+  for (const int texture : textures) sets.insert(setOf(json_, texture));
+  return sets;
+}
+
 std::set<int> GltfWriter::setsOfMaterials() const {
   std::set<int> sets;
-  for (const GltfRun& run : part_->runs) {
-    const int material = primitive(run.primitive).material;
-    if (material < 0) continue;
-    std::vector<int> textures;
-    collectTextures(json_, materialNodes_[static_cast<std::size_t>(material)], textures);
-    for (const int texture : textures) sets.insert(setOf(json_, texture));
-  }
+  for (const GltfRun& run : part_->runs) sets.merge(setsOf(run));
   return sets;
 }
 
@@ -125,19 +126,6 @@ bool GltfWriter::hasArea(const GltfRun& run, int set) const {
   return false;
 }
 
-/// Whether no primitive shows a texture that uses the set: those whose material does lack it, or have it without area.
-bool GltfWriter::isUnseen(int set) const {
-  return std::none_of(part_->runs.begin(), part_->runs.end(), [&](const GltfRun& run) {
-    const int material = primitive(run.primitive).material;
-    if (material < 0) return false;
-    std::vector<int> textures;
-    collectTextures(json_, materialNodes_[static_cast<std::size_t>(material)], textures);
-    const bool isUsed = std::any_of(textures.begin(), textures.end(),
-                                    [&](int one) { return setOf(json_, one) == set; });
-    return isUsed && hasArea(run, set);
-  });
-}
-
 void GltfWriter::tellOrPointMaterials() {
   std::set<int> others = setsOfMaterials();
   const bool usesWritten = others.erase(set_) > 0;
@@ -156,6 +144,12 @@ void GltfWriter::tellOrPointMaterials() {
     planMaterials(others);
     return note("write-set-used", {{"set", set_}});
   }
+  // Those whose material uses the set lack it, or have it without area.
+  const auto isUnseen = [&](int set) {
+    return std::none_of(part_->runs.begin(), part_->runs.end(), [&](const GltfRun& run) {
+      return setsOf(run).count(set) > 0 && hasArea(run, set);
+    });
+  };
   std::set<int> unseen;
   for (const int set : others)
     if (!pointsMaterials_ && isUnseen(set)) unseen.insert(set);

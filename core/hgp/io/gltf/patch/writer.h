@@ -33,10 +33,9 @@ class GltfWriter {
   void planUv(int pool);
   void dropTangents(int primitive);
   bool isNormalMapFed(int primitive) const;
-  // materials.cpp: which uv set the textures of materials use
-  void tellOrPointMaterials();
+  void tellOrPointMaterials();  // materials.cpp: which uv set the textures of materials use
+  std::set<int> setsOf(const GltfRun& run) const;
   std::set<int> setsOfMaterials() const;
-  bool isUnseen(int set) const;
   bool hasArea(const GltfRun& run, int set) const;
   void planMaterials(const std::set<int>& sets);
   void pointMaterials();
@@ -95,8 +94,8 @@ class GltfWriter {
   int droppedDraco_ = 0;             ///< primitives
   int droppedManifolds_ = 0;         ///< meshes
   std::set<int> droppedAttributes_;  ///< references to accessors that the patch removes or moves
-  /// Material → new set and the sets that it replaces → primitive nodes that use it so from now on.
-  std::map<int, std::map<std::pair<int, std::set<int>>, std::vector<int>>> pointed_;
+  using Pointed = std::map<std::pair<int, std::set<int>>, std::vector<int>>;
+  std::map<int, Pointed> pointed_;  ///< material → new set, sets it replaces → primitive nodes
   int meshCount_ = 0;
   std::vector<int> xref_;
 

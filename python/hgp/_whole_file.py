@@ -56,8 +56,8 @@ class FileResult:
         return all(one.certified for one in self.meshes)
 
     def __repr__(self) -> str:
-        good = sum(one.good for one in self.meshes)
-        return f"<hgp.FileResult {good} of {len(self.meshes)} meshes certified, {self.path or 'nothing written'}>"
+        certified = sum(one.certified for one in self.meshes)
+        return f"<hgp.FileResult {certified} of {len(self.meshes)} meshes certified, {self.path or 'nothing written'}>"
 
 
 def parametrize_file(

@@ -205,10 +205,33 @@ function cpp() {
   }));
 }
 
+/** The first comment of an entry of the package, which says what it is for. */
+function purposeOf(entry) {
+  const source = readFileSync(path.join(root, `wasm/package/src/${entry}.ts`), 'utf8');
+  const [comment] = source.match(/^(?:\/\/.*\n)+/);
+  return comment
+    .replaceAll(/^\/\/ ?/gm, '')
+    .replaceAll('\n', ' ')
+    .trim()
+    .replaceAll('|', '\\|');
+}
+
+/** The list of entries, as programs import them and with what each is for; TypeDoc has only their names. */
+function withPurposes(markdown) {
+  const row = /^\| \[([\w-]+)\]\((.*?)\) \| .*\|$/gm;
+  return markdown
+    .replace('## Modules', '## What programs import')
+    .replace('| Module |', '| Import |')
+    .replaceAll(row, (_, entry, href) => {
+      const name = entry === 'index' ? 'hgp' : `hgp/${entry}`;
+      return `| [${name}](${href}) | ${purposeOf(entry)} |`;
+    });
+}
+
 function js() {
   const folder = path.join(scratch, 'js');
   rmSync(folder, { recursive: true, force: true });
-  const entries = ['index', 'core', 'worker', 'three', 'gltf-transform', 'gzip'];
+  const entries = ['index', 'core', 'lite', 'worker', 'three', 'gltf-transform', 'gzip'];
   run(process.execPath, [
     path.join(root, 'site/node_modules/typedoc/bin/typedoc'),
     ...['--plugin', path.join(root, 'site/node_modules/typedoc-plugin-markdown/dist/index.js')],
@@ -238,10 +261,9 @@ function js() {
       /^(https?:|#)/.test(href)
         ? href
         : href.replace(/README\.md/, 'index.html').replace(/\.md(?=#|$)/, '.html');
-    const { html, title, headings } = render(
-      readFileSync(path.join(folder, name), 'utf8'),
-      resolve,
-    );
+    const markdown = readFileSync(path.join(folder, name), 'utf8');
+    const text = name === 'README.md' ? withPurposes(markdown) : markdown;
+    const { html, title, headings } = render(text, resolve);
     return { file: `api/js/${outOf(name)}`, title, html, headings };
   });
 }

@@ -1,4 +1,4 @@
-"""Seamless texture coordinates without flipped triangles, with cones where you place them, and a certificate.
+"""Seamless texture coordinates without flipped triangles, with cones where you place them, and a certificate::
 
     import hgp
     m = hgp.parametrize(V, F, q=4, cones={12: 3, 40: 5})

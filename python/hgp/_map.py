@@ -51,8 +51,9 @@ class Distortion:
     log_area: "npt.NDArray[np.float32]"
     #: numbers of triangles without positive area in uv, oriented as verified; none in a certified map
     not_positive: Integers
-    #: total areas, in the mesh's unit squared and in uv units squared
+    #: of all triangles, in the mesh's unit squared
     surface_area: float
+    #: of all triangles, in uv units squared
     uv_area: float
     #: pairs of triangles that overlap in the plane and share no row of uv; allowed in a seamless map
     overlap_pairs: int

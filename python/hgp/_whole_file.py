@@ -25,6 +25,7 @@ class MeshOutcome:
 
     #: its number in the file, from 0, as `Mesh.load(path, mesh=…)` takes it
     mesh: int
+    #: whether it has a map, and the certificate holds
     certified: bool
     #: False if a grid was asked for and the map is not on it
     aligned: bool

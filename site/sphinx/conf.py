@@ -4,6 +4,7 @@ import os
 import pathlib
 
 from sphinx.ext.napoleon.docstring import GoogleDocstring
+from sphinx.pycode import ModuleAnalyzer
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 project = "hgp"
@@ -32,6 +33,36 @@ def _whole(self: GoogleDocstring) -> "list[str]":
 
 GoogleDocstring._parse_attribute_docstring = _whole
 python_use_unqualified_type_names = True
+# Names as users read them, instead of what they stand for.
+autodoc_type_aliases = {
+    name: name
+    for name in (
+        "npt.ArrayLike", "ConesFor", "ConesLike", "FeaturesLike", "Fix", "Improve", "Mark", "Method", "OnProgress", "Pairs",
+        "Path", "Reals", "Integers", "Weld",
+    )
+}  # fmt: skip
+
+
+# Classes say that they are of `hgp`, and comments on their attributes are in the files where they really are.
+_analyzer_of = ModuleAnalyzer.for_module.__func__  # type: ignore[attr-defined]
+
+
+def _whole_package(cls: "type[ModuleAnalyzer]", name: str) -> ModuleAnalyzer:
+    analyzer: ModuleAnalyzer = _analyzer_of(cls, name)
+    if name == "hgp":
+        analyzer.analyze()
+        for path in sorted((ROOT / "python/hgp").glob("_[a-z]*.py")):
+            part = _analyzer_of(cls, f"hgp.{path.stem}")
+            part.analyze()
+            for of_all, own in (
+                (analyzer.attr_docs, part.attr_docs), (analyzer.tagorder, part.tagorder), (analyzer.annotations, part.annotations)
+            ):  # fmt: skip
+                for key, value in own.items():
+                    of_all.setdefault(key, value)
+    return analyzer
+
+
+ModuleAnalyzer.for_module = classmethod(_whole_package)  # type: ignore[assignment]
 
 # C++: what Doxygen read in the public headers.
 if "HGP_DOXYGEN" in os.environ:

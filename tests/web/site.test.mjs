@@ -113,6 +113,12 @@ test('it holds the page, the guides, five minutes with each tool, the gallery an
     'THIRD_PARTY_LICENSES.txt',
   ])
     assert.ok(files.includes(name), name);
+  if (!isFull) return;
+  const reference = (file) => readFileSync(path.join(folder, 'api', file), 'utf8');
+  for (const id of ['Distortion.stretch', 'Quads.vertices', 'Seams.r'])
+    assert.ok(reference('python/map.html').includes(`id="hgp.${id}"`), `${id} is not described`);
+  assert.doesNotMatch(reference('python/mesh.html'), /_SupportsArray|Alias for field/);
+  assert.match(reference('js/index.html'), />hgp\/core<\/a><\/td><td>The solver itself/);
 });
 
 test('search finds pages by their words, prefers headings, and opens what is chosen with the keyboard', async () => {

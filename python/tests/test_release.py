@@ -149,7 +149,7 @@ def use_debian_package(folder: pathlib.Path, scratch: pathlib.Path) -> None:
     program = scratch / "root/usr/bin/hgp"
     said = subprocess.run([str(program), "--version"], check=True, capture_output=True, text=True).stdout
     assert said == f"hgp {release.VERSION}\n"
-    for place in ("man/man1/hgp.1", "bash-completion/completions/hgp", "doc/hgp/LICENSE", "doc/hgp/THIRD_PARTY_LICENSES.txt"):
+    for place in ("man/man1/hgp.1", "bash-completion/completions/hgp", "zsh/vendor-completions/_hgp", "doc/hgp/LICENSE", "doc/hgp/THIRD_PARTY_LICENSES.txt"):
         assert list((scratch / "root/usr/share").glob(place + "*")), place
     fields = subprocess.run(["dpkg-deb", "-f", str(deb), "Depends"], check=True, capture_output=True, text=True).stdout
     assert "libdraco" in fields and "libc6" in fields

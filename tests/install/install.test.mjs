@@ -200,6 +200,7 @@ test('the program, its manual page and its completions are where shells and man 
     'share/man/man1/hgp.1',
     'share/bash-completion/completions/hgp',
     'share/zsh/site-functions/_hgp',
+    'share/zsh/vendor-completions/_hgp',
     'share/fish/vendor_completions.d/hgp.fish',
   ])
     assert.ok(existsSync(path.join(prefix, name)), name);

@@ -71,7 +71,7 @@ test('turning indices: by stepper, in the budget, and as they were solved', asyn
   const square = flatSquare(8);
   await openMesh(it, square);
   const loop = page.locator('[data-loop="0"]');
-  assert.match(await loop.innerText(), /Boundary 1[\s\S]*32 vertices · length 8[\s\S]*by shape 4/);
+  assert.match(await loop.innerText(), /Boundary 1[\s\S]*32 vertices · length 8[\s\S]*by its shape 4/);
   await loop.locator('button[aria-label$="larger"]').click();
   assert.equal(await loop.locator('input').inputValue(), '4');
   await loop.locator('button[aria-label$="larger"]').click();
@@ -293,7 +293,7 @@ test('Download: another uv set, another scale, without cones; each is verified a
   await idle();
   await page.waitForFunction(() => document.querySelector('#uv-set')?.value === '0');
   assert.doesNotMatch(await page.innerText('#target-hint'), /UVMap\.0/);
-  assert.match(await page.innerText('#own-textures'), /will not fit the new ones/);
+  assert.match(await page.innerText('#own-textures'), /painted for the old ones and will not fit/);
   await openDetails(page, '#more-formats');
   await page.selectOption('#uv-scale', 'fit');
   await idle();

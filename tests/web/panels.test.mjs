@@ -71,7 +71,10 @@ test('turning indices: by stepper, in the budget, and as they were solved', asyn
   const square = flatSquare(8);
   await openMesh(it, square);
   const loop = page.locator('[data-loop="0"]');
-  assert.match(await loop.innerText(), /Boundary 1[\s\S]*32 vertices · length 8[\s\S]*by its shape 4/);
+  assert.match(
+    await loop.innerText(),
+    /Boundary 1[\s\S]*32 vertices · length 8[\s\S]*by its shape 4/,
+  );
   await loop.locator('button[aria-label$="larger"]').click();
   assert.equal(await loop.locator('input').inputValue(), '4');
   await loop.locator('button[aria-label$="larger"]').click();

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import inspect
 import json
 import os
 import pathlib
@@ -154,3 +155,14 @@ def test_maps_that_belong_to_different_files_are_not_combined(
     with pytest.raises(hgp.UsageError, match="of one file"):
         hgp.combine([maps[0], hgp.Mesh.load(three, mesh=1).parametrize()], out)
     assert not os.path.exists(out)
+
+
+def test_options_and_their_defaults_are_those_of_the_calls_for_one_mesh() -> None:
+    whole = inspect.signature(hgp.parametrize_file).parameters
+    for call in (hgp.Mesh.load, hgp.Mesh.parametrize, hgp.Map.save):
+        for name, parameter in inspect.signature(call).parameters.items():
+            if name in ("self", "path", "mesh", "target", "cones", "turning", "handles", "field"):
+                continue  # of one mesh; the target is the ending of `out`
+            assert (whole[name].default, whole[name].annotation) == (parameter.default, parameter.annotation), name
+    for name, parameter in list(inspect.signature(hgp.combine).parameters.items())[2:]:
+        assert whole[name] == parameter

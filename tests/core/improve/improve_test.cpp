@@ -254,6 +254,18 @@ TEST(Improve, ConformalLowersTheMeanOfMuNotOfItsSquare) {
   EXPECT_LT(share, 0.785 * count);  // .753; .815 where the mean of K, nearly μ², is descended
 }
 
+TEST(Improve, NoStepIsLongerThanNewtons) {
+  int count = 0, full = 0;
+  for (const Start& start : starts())
+    for (const ImproveStep& step : start.improve({}).steps) {
+      EXPECT_GT(step.length, 0.0);
+      EXPECT_LE(step.length, 1.0);
+      full += step.length == 1.0;
+      ++count;
+    }
+  EXPECT_GT(full, count / 4) << "near the minimum it is the best one";
+}
+
 TEST(Improve, EndsBeforeAStepThatWouldExceedItsWork) {
   const Start& start = starts().back();
   ImproveOptions options;

@@ -278,6 +278,20 @@ TEST(GltfDocument, CompressedDataGoThroughTheDecodersGiven) {
   EXPECT_EQ(wrong.error().code, ErrorCode::kMalformed);
 }
 
+TEST(GltfDocument, AdviceIsToRaiseTheLimitThatWasMet) {
+  const auto adviceOf = [](const std::string& text, const Limits& limits) {
+    const auto read = readGltf(fileSet("square.gltf", text), limits);
+    EXPECT_FALSE(read);
+    return read ? test::Codes{} : test::codesOf(read.error().advice);
+  };
+  const auto declaring = [](const std::string& length) {
+    return squareText({{"\"byteLength\" : 60", "\"byteLength\" : " + length}});
+  };
+  EXPECT_EQ(adviceOf(declaring("50000"), {20'000, 10}), test::Codes{"raise-bytes"});
+  EXPECT_EQ(adviceOf(squareText(), {20'000, 1}), test::Codes{"raise-triangles"});
+  EXPECT_EQ(adviceOf(declaring("-1"), {20'000, 10}), test::Codes{}) << "it is malformed";
+}
+
 TEST(GltfDocument, SideFilesComeFromTheResolverAlone) {
   const std::string text = squareText();
   const std::size_t begin = text.find("data:"), end = text.find('"', begin);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "hgp/system/reduced_unknowns.h"
 #include "support/seamless.h"
@@ -120,6 +121,26 @@ TEST(FaceRows, ScalingMultipliesEverything) {
     EXPECT_LT(std::abs(similarAt(scaled, y) - turn * of.similar), size);
     EXPECT_LT(std::abs(antiAt(scaled, y) - 3.0 * of.anti), size);
   });
+}
+
+TEST(LinearParts, OfALinearMapAreItsOwn) {
+  // f(w) = αw + βw̄ + γ has f_z = α and f_z̄ = β on every triangle.
+  std::mt19937 random(5);
+  for (int n = 0; n < 20; ++n) {
+    const Eigen::VectorXcd w = anyVector(3, random), of = anyVector(3, random);
+    const std::array<Complex, 3> corner{w[0], w[1], w[2]};
+    const double twiceArea = std::imag(std::conj(w[1] - w[0]) * (w[2] - w[0]));
+    const LinearParts parts = linearParts(corner, twiceArea);
+    Complex similar = 0.0, anti = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Complex value = of[0] * corner[k] + of[1] * std::conj(corner[k]) + of[2];
+      similar += parts.similarity[k] * value;
+      anti += parts.antisimilarity[k] * value;
+    }
+    const double rounding = 1e-14 / std::abs(twiceArea);
+    EXPECT_LT(std::abs(similar - of[0]), rounding);
+    EXPECT_LT(std::abs(anti - of[1]), rounding);
+  }
 }
 
 TEST(FreeUnknowns, OfAListAreNumberedInItsOrderOnceEach) {

@@ -1,0 +1,113 @@
+// Maps that a drag starts from, and reversed triangles of a frame.  Laws: seams that are apart are refused; where one vertex
+// has left its place, mending brings all triangles back and moves nothing but what is near; a map without reversed
+// triangles stays as it is.
+#include "hgp/parametrize/live/mend.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "hgp/base/portable_math.h"
+#include "hgp/parametrize/live/read_map.h"
+#include "hgp/parametrize/parametrize.h"
+#include "support/shapes.h"
+
+namespace hgp::live {
+namespace {
+
+/// A certified map with its unknowns, and what mend() asks about it.
+struct Mended {
+  Mended() : mesh(test::jittered(test::icosphere(8), 0.01).mesh()), surface(mesh) {
+    const Result<CompleteSpec> cones = suggestCones(surface, {});
+    EXPECT_TRUE(cones);
+    const Result<Parametrization> run = parametrize(surface, toSpec(*cones), {});
+    EXPECT_TRUE(run && run->isCertified);
+    std::vector<StageTime> times;
+    Result<SeamlessSetup> made = prepareSeamless(surface, toSpec(run->spec), {}, times);
+    EXPECT_TRUE(made);
+    setup = std::move(*made);
+    map = run->map;
+    x = readMap(mesh, setup, map).value();
+    cut.emplace(mesh, setup.cut, setup.seams, setup.unknowns, setup.cones.front());
+  }
+
+  Mending mending() const {
+    return {
+        mesh,
+        setup,
+        *cut,
+        [&](VertexId v) { return std::count(setup.cones.begin(), setup.cones.end(), v) == 0; },
+        [&](VertexId v) { return setup.unknowns.vertexUnknown[v]; },
+        [&](VertexId v) { return setup.field.u[v]; },
+        [&](FaceId f) { return valueOf(faceTerms(setup.context->geometry, *cut, f).similar, x); }};
+  }
+  Complex corner(HalfedgeId h) const { return valueOf(cut->termsOf(h), x); }
+
+  TriMesh mesh;
+  PreparedSurface surface;
+  SeamlessSetup setup;
+  UvMap map;
+  Eigen::VectorXcd x;
+  std::optional<MovedCut> cut;
+};
+
+TEST(ReadMap, RefusesAMapWhoseSeamIsApartByMoreThanRounding) {
+  const Mended on;
+  double size = 0.0;
+  for (const Vec2& p : on.map.uv)
+    size = std::max(size, std::hypot(p[0] - on.map.uv[0][0], p[1] - on.map.uv[0][1]));
+  int tried = 0;
+  for (VertexId v : on.mesh.vertices()) {
+    const int one = on.setup.cut.copy[on.mesh.outgoing(v)].i;
+    const int other = on.setup.cut.copy[on.mesh.next(on.mesh.twin(on.mesh.outgoing(v)))].i;
+    if (one == other || on.setup.unknowns.vertexUnknown[v] < 0) continue;
+    ++tried;
+    UvMap apart = on.map;
+    apart.uv[at(one)][0] += 1e-8 * size;
+    EXPECT_TRUE(readMap(on.mesh, on.setup, apart));
+    apart.uv[at(one)][0] += 5e-6 * size;
+    EXPECT_FALSE(readMap(on.mesh, on.setup, apart)) << "vertex " << v.i;
+  }
+  EXPECT_GT(tried, 5);
+}
+
+TEST(Mend, LeavesAMapWithoutReversedTrianglesAsItIs) {
+  const Mended on;
+  Eigen::VectorXcd x = on.x;
+  EXPECT_TRUE(reversedFaces(on.mending(), x).empty());
+  EXPECT_TRUE(mend(on.mending(), x));
+  EXPECT_EQ(x, on.x);
+}
+
+TEST(Mend, BringsAVertexBackThatHasCrossedAnEdgeAndMovesOnlyWhatIsNear) {
+  const Mended on;
+  int tried = 0;
+  for (int i = 0; i < on.mesh.vertexCount(); i += 26) {
+    const VertexId v(i);
+    const int unknown = on.setup.unknowns.vertexUnknown[v];
+    const HalfedgeId h = on.mesh.outgoing(v);
+    // The corner itself, not one that a seam turns.
+    if (unknown < 0 || on.cut->termsOf(h).front().factor != Complex(1.0)) continue;
+    ++tried;
+    const Complex from = on.corner(h),
+                  across = 0.5 * (on.corner(TriMesh::next(h)) + on.corner(TriMesh::previous(h)));
+    Eigen::VectorXcd x = on.x;
+    x[unknown] += 1.5 * (across - from);
+    const std::vector<FaceId> reversed = reversedFaces(on.mending(), x);
+    ASSERT_FALSE(reversed.empty());
+    EXPECT_TRUE(std::count(reversed.begin(), reversed.end(), TriMesh::face(h)));
+    const Eigen::VectorXcd before = x;
+    EXPECT_TRUE(mend(on.mending(), x)) << "vertex " << v.i;
+    EXPECT_TRUE(reversedFaces(on.mending(), x).empty());
+    int moved = 0;
+    for (Eigen::Index n = 0; n < x.size(); ++n) moved += x[n] != before[n];
+    EXPECT_LT(moved, 80) << "the vertices of five rings";
+    EXPECT_LT(std::abs(x[unknown] - on.x[unknown]), std::abs(before[unknown] - on.x[unknown]));
+  }
+  EXPECT_GT(tried, 15);
+}
+
+}  // namespace
+}  // namespace hgp::live

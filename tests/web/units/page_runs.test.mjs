@@ -601,3 +601,37 @@ test(
     assert.match(textOf($('#downloads')), /All else|texture coordinates/);
   },
 );
+
+test(
+  'cones where sizes are extreme are added, balanced and run: one step back',
+  { skip },
+  async (t) => {
+    // prettier-ignore
+    const { evenOut } = await import('../../../web/src/actions/even_out.ts');
+    const app = await pageWith(t);
+    const { doc, ui } = app;
+    ui.setAutomatic(false);
+    await runNow(app);
+    const before = conesIn(app);
+    await evenOut(app);
+    assert.equal(conesIn(app), before, 'sizes are even: there is nothing to add');
+    const taken = new Set(doc.prescription.cones.map(({ vertex }) => vertex));
+    const free = [...doc.model.surface.angle.keys()].filter((v) => v > 7 && !taken.has(v));
+    const sizes = { ...doc.current.sizes, larger: { vertices: [free[0]] }, smaller: { vertices: [free.at(-1)] } }; // prettier-ignore
+    doc.solutions = [{ ...doc.current, sizes }];
+    await new Promise((resolve) => setTimeout(resolve, 520)); // another step of undo
+    await evenOut(app);
+    await drawn();
+    const at = (vertex) => doc.prescription.cones.find((one) => one.vertex === vertex)?.k;
+    assert.deepEqual(
+      [at(free[0]), at(free.at(-1))],
+      [3, 5],
+      'a tip gets a corner, the other a saddle',
+    );
+    assert.equal(doc.stateName, 'certified');
+    assert.match(status(), /cones added where the pattern was largest and smallest/);
+    consistent(app);
+    await click('#undo');
+    assert.equal(conesIn(app), before);
+  },
+);

@@ -228,6 +228,9 @@ constexpr Phrase kOthers[] = {
      "from the path of the drag; the bytes of a run with the same cones depend on nothing else."},
     {"component-without-map",
      "component {component} has no map of its own; it keeps its uv or is cut to a disk: {message}"},
+    {"cones-other",
+     "the cones chosen first have no map on this mesh; those chosen for “{purpose}” are used "
+     "instead"},
     {"refine-offered",
      "no map on this mesh: it may be too coarse for the prescription. --refine (refine: true) "
      "splits edges, tries again, and writes the refined mesh"},

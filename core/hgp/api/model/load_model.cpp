@@ -77,6 +77,7 @@ void addComponent(Model& model, ModelComponent component) {
 Status splitIntoComponents(Model& model) {
   TriMesh whole = buildUsableMesh(model.mesh);
   model.topology = computeTopology(whole);
+  model.components.reserve(static_cast<std::size_t>(model.topology.componentCount));
   const bool isOne = model.topology.componentCount == 1 && model.topology.isolatedVertexCount == 0;
   std::vector<std::vector<int>> loopsOf(static_cast<std::size_t>(model.topology.componentCount));
   for (std::size_t j = 0; j < model.topology.loops.size(); ++j) {

@@ -4,6 +4,7 @@
 
 #include "hgp/api/request/feature_request.h"
 #include "hgp/api/request/grid_retries.h"
+#include "hgp/api/request/other_cones.h"
 #include "hgp/api/request/possible_options.h"
 #include "hgp/api/session/map_notes.h"
 #include "hgp/api/session/session_state.h"
@@ -38,6 +39,9 @@ GridOptions sharedGrid(const Model& model, GridOptions grid) {
 
 /// Surfaces of more components are prepared again by every call, as large ones are.
 constexpr int kKeptComponents = 100;
+
+/// The steps that may be spent on each other choice of cones, relative to that on the first.
+constexpr double kShareOfOtherCones = 0.25;
 
 ParametrizeOptions parametrizeOptions(const SolveOptions& options, double stepShare) {
   ParametrizeOptions out;
@@ -136,6 +140,17 @@ Result<Parametrization> Session::State::solveComponent(std::size_t p,
   if (run && !run->isCertified && request.isAutomatic && choice.grid.isAsked()) {
     choice.grid = {};  // without cones spaced for the grid, since a map matters more than a grid
     run = solveWith(choice, options.grid);
+  }
+  if (request.isAutomatic) {
+    const auto solveFor = [&](ConesFor purpose) {
+      SolveOptions other = choice;
+      other.conesFor = purpose;
+      core.maxStepsPerFace =
+          kShareOfOtherCones * parametrizeOptions(options, stepShare).maxStepsPerFace;
+      return solveWith(other, choice.grid);
+    };
+    if (Status done = mapWithOtherCones(choice, solveFor, run, notes); !done)
+      return toSurfaceIds(*model, component, done.error());
   }
   if (request.isAutomatic)
     if (Status done =

@@ -174,6 +174,7 @@ StoredNumbers numbersOf(const StorePlace& place) {
 void check(const Model& model, const StorePlace& place, const std::vector<ComponentMap>& components,
            const StoredMap* earlier, StoredMap& out) {
   CertifyOptions options = certifyOptions(place);
+  out.certificates.reserve(components.size());
   for (std::size_t p = 0; p < components.size(); ++p) {
     const ModelComponent& component = model.components[p];
     const UvMap stored = mapOfComponent(component, out.map);

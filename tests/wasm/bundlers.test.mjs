@@ -5,63 +5,26 @@ import assert from 'node:assert/strict';
 import { cpSync, existsSync, readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import test from 'node:test';
-import { featureFiles } from '../gltf/features.mjs';
-import { bumpyDisk } from '../support/disk.mjs';
-import { cubeMesh, toGlb } from '../support/meshes.mjs';
+import { cubeMesh } from '../support/meshes.mjs';
 import { createProject, example, open, openUrl, policy, serve } from './project.mjs';
+import { html, page, plainExample, putAssets, ran } from './readme_page.mjs';
 
 const { folder: project, put } = createProject('bundlers');
 const installed = path.join(project, 'node_modules/hgp');
 
-/** The example of the README with more behind it; says in the title what came of it. */
-const page = (program) => `
-const fetchFile = async (name) => new File([await (await fetch(name)).arrayBuffer()], name);
-const file = await fetchFile('cube.glb');
-${program}
-const counts = [certificate.certified, uv.length > 0, cornerToUv.length, bytes.length > 0, name];
-for (const other of ['draco.glb', 'meshopt.glb']) {
-  counts.push((await client.load(await fetchFile(other))).info.triangles > 0);
-}
-// Cancelled in the middle, and alive afterwards.
-const stop = new AbortController();
-const large = await client.load(await fetchFile('large.obj.gz'));
-const onProgress = () => stop.abort();
-counts.push(await large.parametrize({}, { signal: stop.signal, onProgress }).catch((e) => e.name));
-counts.push((await large.inspect()).triangles);
-client.terminate();
-document.title = JSON.stringify(counts);`;
-const expected = [true, true, 3 * 12 * 36, true, 'cube.glb', true, true, 'AbortError', 15000];
-const html = '<!doctype html><script type="module" src="./main.js"></script>';
-const plainExample = example('In a browser');
 /** The example with the options that a section of the README gives to createClient(). */
 const exampleWith = (options) =>
   plainExample.replace(/const client = await createClient\(\);/, () =>
     options.replace(/^import.*\n/gm, ''),
   );
 
-/** What the page fetches, beside it. */
-async function putAssets(folder) {
-  const { gzipSync } = await import('node:zlib');
-  put(`${folder}/cube.glb`, toGlb([cubeMesh(6)]));
-  put(`${folder}/large.obj.gz`, gzipSync(bumpyDisk(50)));
-  for (const { name, files } of await featureFiles()) {
-    if (/^(draco|meshopt)$/i.test(name)) {
-      put(`${folder}/${name.toLowerCase()}.glb`, Object.values(files)[0]);
-    }
-  }
-}
-
-function ran({ title, trouble }) {
-  assert.deepEqual(trouble, []);
-  assert.deepEqual(JSON.parse(title), expected);
-}
 const runs = async (folder, security) => ran(await open(path.join(project, folder), security));
 
 for (const version of ['vite', 'vite6']) {
   test(`${version}, with no settings at all`, async () => {
     put(`${version}/index.html`, html);
     put(`${version}/main.js`, page(plainExample));
-    await putAssets(`${version}/public`);
+    await putAssets(put, `${version}/public`);
     const { build, createLogger } = await import(version);
     const warnings = [];
     const customLogger = { ...createLogger('silent'), warn: (text) => warnings.push(text) };
@@ -79,7 +42,7 @@ for (const version of ['vite', 'vite6']) {
   test(`${version}, development server, with the setting of the README`, async () => {
     put(`${version}-dev/index.html`, html);
     put(`${version}-dev/main.js`, page(plainExample));
-    await putAssets(`${version}-dev/public`);
+    await putAssets(put, `${version}-dev/public`);
     const { createServer, createLogger } = await import(version);
     const warnings = [];
     const customLogger = { ...createLogger('silent'), warn: (text) => warnings.push(text) };
@@ -108,7 +71,7 @@ for (const mode of ['production', 'development']) {
     const folder = `webpack-${mode}`;
     put(`${folder}/entry.js`, page(plainExample));
     put(`${folder}/dist/index.html`, html);
-    await putAssets(`${folder}/dist`);
+    await putAssets(put, `${folder}/dist`);
     const { default: webpack } = await import('webpack');
     const stats = await new Promise((resolve, reject) =>
       webpack(
@@ -172,7 +135,7 @@ const copied = exampleWith(example('copy the package'));
 test('esbuild, with the package copied beside the bundle', async () => {
   put('esbuild/entry.js', page(copied));
   put('esbuild/dist/index.html', html);
-  await putAssets('esbuild/dist');
+  await putAssets(put, 'esbuild/dist');
   cpSync(installed, path.join(project, 'esbuild/dist/hgp'), { recursive: true });
   const { build } = await import('esbuild');
   const { errors, warnings } = await build({
@@ -189,7 +152,7 @@ test('esbuild, with the package copied beside the bundle', async () => {
 test('rollup, with the package copied beside the bundle', async () => {
   put('rollup/entry.js', page(copied));
   put('rollup/dist/index.html', html);
-  await putAssets('rollup/dist');
+  await putAssets(put, 'rollup/dist');
   cpSync(installed, path.join(project, 'rollup/dist/hgp'), { recursive: true });
   const { rollup } = await import('rollup');
   const { default: nodeResolve } = await import('@rollup/plugin-node-resolve');
@@ -207,7 +170,7 @@ test('rollup, with the package copied beside the bundle', async () => {
 test('no bundler at all', async () => {
   put('plain/index.html', html);
   put('plain/main.js', page(plainExample.replace("from 'hgp'", "from './hgp/index.js'")));
-  await putAssets('plain');
+  await putAssets(put, 'plain');
   cpSync(installed, path.join(project, 'plain/hgp'), { recursive: true });
   await runs('plain');
 });
@@ -220,7 +183,7 @@ test('from another origin (a CDN)', async () => {
     put('cdn/index.html', html);
     const source = plainExample.replace("from 'hgp'", `from '${cdn.origin}/hgp/index.js'`);
     put('cdn/main.js', page(source));
-    await putAssets('cdn');
+    await putAssets(put, 'cdn');
     const security = policy
       .replace("script-src 'self'", `script-src 'self' ${cdn.origin}`)
       .replace("connect-src 'self'", `connect-src 'self' ${cdn.origin}`)
@@ -235,7 +198,7 @@ test('under Trusted Types, by the recipe', async () => {
   put('trusted/index.html', html);
   const recipe = exampleWith(example('Trusted Types'));
   put('trusted/main.js', page(recipe.replace("from 'hgp'", "from './hgp/index.js'")));
-  await putAssets('trusted');
+  await putAssets(put, 'trusted');
   cpSync(installed, path.join(project, 'trusted/hgp'), { recursive: true });
   await runs('trusted', `${policy}; require-trusted-types-for 'script'; trusted-types hgp`);
 });

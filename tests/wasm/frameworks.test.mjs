@@ -35,7 +35,11 @@ async function next(builder) {
   const { folder, put } = createProject(`next${builder}`);
   const run = inside(folder);
   put('package.json', JSON.stringify({ private: true, type: 'module' }));
-  put('next.config.mjs', "export default { output: 'export' };");
+  // The root is the project, and not the checkout that it lies in, which has a lock file as well.
+  put(
+    'next.config.mjs',
+    "export default { output: 'export', turbopack: { root: import.meta.dirname } };",
+  );
   put(
     'app/layout.js',
     'export default ({ children }) => <html lang="en"><body>{children}</body></html>;',

@@ -171,6 +171,8 @@ export const corePhrases = {
     'The cone at vertex {@vertex} was dragged there. This map follows from the one before and from the path of the drag; the bytes of a run with the same cones depend on nothing else.',
   'component-without-map':
     'component {component} has no map of its own; it keeps its uv or is cut to a disk: {message}',
+  'cones-other':
+    'the cones chosen first have no map on this mesh; those chosen for “{purpose}” are used instead',
   refined:
     'THE MESH WAS REFINED: {edges|edge is|edges are} split ({places}), because {programs|program} gave no map of the original mesh. The certified and written mesh has {vertices} vertices and {triangles} triangles instead of {verticesBefore} and {trianglesBefore}; vertices keep their ids, new ones follow.',
   'refine-nowhere': 'nothing was refined: the places where this map is wrong are not known',

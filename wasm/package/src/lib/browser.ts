@@ -5,9 +5,19 @@ import type { ClientOptions } from './client.js';
 import { unavailable } from './error.js';
 import type { WorkerLink } from './platform.js';
 
-/** @internal */
-export const importFile = (url: URL): Promise<unknown> =>
-  import(/* @vite-ignore */ /* webpackIgnore: true */ url.href);
+/**
+ * What a decoder of this package exports. Where a bundler made a script of it, which has no exports, what it registered
+ * under its own name (wasm/decoders.mjs).
+ * @internal
+ */
+export async function importFile(url: URL): Promise<unknown> {
+  const imported = (await import(/* @vite-ignore */ /* webpackIgnore: true */ url.href)) as object;
+  if (Object.keys(imported).length > 0) return imported;
+  const name = url.pathname.replace(/^.*\//, '').replace(/\..*$/, '');
+  const registered = Reflect.get(globalThis, Symbol.for('hgp.decoders')) as
+    Record<string, unknown> | undefined;
+  return registered?.[name];
+}
 
 /** @internal */
 export async function readFile(url: URL): Promise<ArrayBuffer> {

@@ -102,7 +102,45 @@ void add(std::optional<Note> note, Notes& notes) {
 
 }  // namespace
 
-/// Automatic and prescribed cones are solved in the same way: chosen cones are completed and then prescribed.
+/// Automatic and prescribed cones are solved in the same way: chosen cones are completed and then prescribed. Where they
+/// have no map, or leave a grid no room, others are chosen.
+Result<Parametrization> Session::State::solveAutomatic(std::size_t p, SolveOptions choice,
+                                                       ParametrizeOptions core) {
+  const GridOptions grid = choice.grid;
+  std::vector<StageTime> times;
+  Notes notes;
+  const auto solveWith = [&](const SolveOptions& cones,
+                             const GridOptions& on) -> Result<Parametrization> {
+    Result<CompleteSpec> chosen = chooseCones(p, cones, &times);
+    if (!chosen) return chosen.error();
+    notes.clear();
+    add(countNote(cones.coneCount, *chosen), notes);
+    core.grid = on;
+    return hgp::parametrize(surfaceOf(p), toSpec(*chosen), core);
+  };
+  Result<Parametrization> run = solveWith(choice, grid);
+  if (run && !run->isCertified && grid.isAsked()) {
+    choice.grid = {};  // without cones spaced for the grid, since a map matters more than a grid
+    run = solveWith(choice, grid);
+  }
+  const double allSteps = core.maxStepsPerFace;
+  const auto solveFor = [&](ConesFor purpose) {
+    SolveOptions other = choice;
+    other.conesFor = purpose;
+    return solveWith(other, grid);
+  };
+  core.maxStepsPerFace = kShareOfOtherCones * allSteps;
+  if (Status done = mapWithOtherCones(choice, solveFor, run, notes); !done) return done.error();
+  core.maxStepsPerFace = allSteps;
+  const int faces = model->components[p].mesh.faceCount();
+  if (Status done = withOtherCones(faces, choice, grid, solveWith, run, notes); !done)
+    return done.error();
+  if (!run) return run;
+  addNotes(run->notes, std::move(notes));
+  run->times.insert(run->times.begin(), times.begin(), times.end());
+  return run;
+}
+
 Result<Parametrization> Session::State::solveComponent(std::size_t p,
                                                        const ComponentRequest& request,
                                                        const SolveOptions& options) {
@@ -121,46 +159,15 @@ Result<Parametrization> Session::State::solveComponent(std::size_t p,
   if (!clock.begin(Stage::kPrepare)) return clock.cancelled();
   surfaceOf(p);
   clock.end();
-  Notes notes;
-  const auto solveWith = [&](const SolveOptions& choice,
-                             const GridOptions& grid) -> Result<Parametrization> {
-    Result<CompleteSpec> chosen = chooseCones(p, choice, &times);
-    if (!chosen) return chosen.error();
-    notes.clear();
-    add(countNote(options.coneCount, *chosen), notes);
-    core.grid = grid;
-    return hgp::parametrize(surfaceOf(p), toSpec(*chosen), core);
-  };
   if (!request.spec.features.empty()) return solveAlong(p, request, core);
   SolveOptions choice = options;
   choice.q = request.spec.q;
   Result<Parametrization> run = request.isAutomatic
-                                    ? solveWith(choice, options.grid)
+                                    ? solveAutomatic(p, std::move(choice), core)
                                     : hgp::parametrize(surfaceOf(p), request.spec, core);
-  if (run && !run->isCertified && request.isAutomatic && choice.grid.isAsked()) {
-    choice.grid = {};  // without cones spaced for the grid, since a map matters more than a grid
-    run = solveWith(choice, options.grid);
-  }
-  if (request.isAutomatic) {
-    const auto solveFor = [&](ConesFor purpose) {
-      SolveOptions other = choice;
-      other.conesFor = purpose;
-      core.maxStepsPerFace =
-          kShareOfOtherCones * parametrizeOptions(options, stepShare).maxStepsPerFace;
-      return solveWith(other, choice.grid);
-    };
-    if (Status done = mapWithOtherCones(choice, solveFor, run, notes); !done)
-      return toSurfaceIds(*model, component, done.error());
-  }
-  if (request.isAutomatic)
-    if (Status done =
-            withOtherCones(component.mesh.faceCount(), choice, options.grid, solveWith, run, notes);
-        !done)
-      return toSurfaceIds(*model, component, done.error());
   dropLarge(p);
   if (!run) return toSurfaceIds(*model, component, run.error());
-  if (run->isCertified) add(crushedNote(component, run->map), notes);
-  run->notes.insert(run->notes.end(), notes.begin(), notes.end());
+  if (run->isCertified) add(crushedNote(component, run->map), run->notes);
   run->times.insert(run->times.begin(), times.begin(), times.end());
   return run;
 }

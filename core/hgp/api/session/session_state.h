@@ -68,7 +68,9 @@ struct Session::State {
                          const SolveOptions& options);
   Result<Parametrization> solveComponent(std::size_t p, const ComponentRequest& request,
                                          const SolveOptions& options);
-  /// The same along its features.
+  Result<Parametrization> solveAutomatic(std::size_t p, SolveOptions choice,
+                                         ParametrizeOptions core);
+  /// solveComponent along its features.
   Result<Parametrization> solveAlong(std::size_t p, const ComponentRequest& request,
                                      const ParametrizeOptions& options);
   Result<Parametrization> solveOnGrid(std::size_t p, const ComponentRequest& request,

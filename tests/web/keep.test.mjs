@@ -77,6 +77,8 @@ test('runs are beside one another with their numbers; Show brings back cones and
   const more = await coneCount(it);
   await run(it);
   await page.click('#compare');
+  const hidden = (all) => all.map((one) => one.scrollWidth - one.clientWidth);
+  assert.deepEqual(await page.$$eval('#compare-dialog, #compare-dialog div', hidden), [0, 0]);
   const cells = async (name) => (await page.locator(`#runs tr:has(th:text-is("${name}")) td`).allInnerTexts()).map((text) => text.trim().replace(/\s+,/, ',')); // prettier-ignore
   assert.deepEqual(await cells('Cones'), [`${few}, the best`, String(more)]);
   const stretch = await cells('Typical stretch');

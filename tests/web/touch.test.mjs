@@ -183,6 +183,13 @@ test('the View menu has all picture settings, under the picture, and a tap besid
   const items = '#view-options :is(button, select, input)';
   const heights = await page.$$eval(items, (all) => all.map((one) => one.offsetHeight));
   assert.ok(heights.length >= 9 && Math.min(...heights) >= 44, `${heights}`);
+  const widths = await page.$$eval(items, (all) => all.map((one) => one.offsetWidth));
+  assert.ok(Math.min(...widths) >= 44, `${widths}`);
+  const texts = await page.locator('#view-options button').allInnerTexts();
+  assert.ok(
+    texts.every((text) => text.trim().length > 3),
+    `${texts}`,
+  ); // fingers get no tooltips
   await page.selectOption('#pattern', 'grid');
   await page.tap('#view-options #wire');
   await settled(page);
@@ -212,6 +219,11 @@ test('the panels are a sheet, pressed or dragged to three heights; Run is always
   };
   const half = await height();
   assert.ok(await isRunSeen());
+  await page.click('#suggest');
+  await page.waitForSelector('#cones');
+  // Only the sheet scrolls: below the page there is nothing.
+  const pageHeight = await page.evaluate(() => document.documentElement.scrollHeight);
+  assert.equal(pageHeight, 844);
   assert.ok(half > 250 && half < 450, `${half}`);
   const view = (await page.locator('#view').boundingBox()).height;
   await page.screenshot({ path: path.join(shots, 'sheet-half.png') });

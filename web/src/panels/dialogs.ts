@@ -150,7 +150,13 @@ function log({ doc, ui }: AppView): TemplateResult {
   return dialogFrame(
     'log-dialog',
     'Log',
-    html`<ol class="log" tabindex="0" aria-label="Messages, the newest first">
+    html`${doc.log.length === 0 ? html`<p class="note">No messages yet.</p>` : nothing}
+      <ol
+        class="log"
+        tabindex="0"
+        aria-label="Messages, the newest first"
+        ?hidden=${doc.log.length === 0}
+      >
         ${doc.log
           .toReversed()
           .map(

@@ -3,6 +3,7 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { attempt } from '../actions/app';
+import type { ActionId } from '../actions/registry';
 import { choosePattern, setLook, sliderOf, tilesOf } from '../actions/view';
 import { isGltf } from '../formats/glb';
 import { hasSteps } from '../model/grid';
@@ -82,15 +83,20 @@ class ViewToolbar extends Panel {
   /** The menu, placed below the picture, so that its effect is visible. */
   #menu(): TemplateResult {
     const { app } = this;
-    const switches = (['wire', 'seams', 'parallel', 'handles', 'reset-camera'] as const).map((id) =>
-      actionButton(app, id, { className: 'small' }),
-    );
+    // With words: fingers get no tooltips.
+    const button = (id: ActionId, text?: string): TemplateResult =>
+      actionButton(app, id, { className: 'small', text });
+    const switches = (
+      ['wire', 'seams', 'next-light', 'parallel', 'handles', 'reset-camera'] as const
+    ).map((id) => button(id));
     return html`<div class="popup" id="view-options" popover role="group" aria-label="View">
-      <p class="row">${switches}</p>
+      <p class="row">${switches}${button('edges', 'Choose edges')}</p>
       ${app.doc.displayed ? this.#looks() : nothing}
       <p class="row end">
-        ${(['edges', 'next-light', 'picture', 'turntable'] as const).map((id) => actionButton(app, id, { isIconOnly: true }))}
-        <button type="button" popovertarget="view-options" popovertargetaction="hide">Done</button>
+        ${button('picture')}${button('turntable')}
+        <button type="button" class="small" popovertarget="view-options" popovertargetaction="hide">
+          Done
+        </button>
       </p>
     </div>`;
   }

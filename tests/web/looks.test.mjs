@@ -47,9 +47,24 @@ test('axe reports no accessibility violations in any state', async () => {
   await openDetails(page, '#more-formats');
   await check('state-download', 'dialog');
   await page.keyboard.press('Escape');
-  await page.click('#help');
-  await check('state-help', 'dialog');
-  await page.keyboard.press('Escape');
+  for (const [name, button] of [
+    ['help', undefined],
+    ['palette', '#help-palette'],
+    ['log', '#help-log'],
+  ]) {
+    await page.click('#help');
+    if (button) await page.click(button);
+    await check(`state-${name}`, 'dialog');
+    assert.equal(await page.evaluate(() => document.querySelector('dialog').scrollTop), 0);
+    await page.keyboard.press('Escape');
+  }
+  await page.click('#preview-quads');
+  await page.waitForSelector('#quads-note');
+  await check('state-quads', '#pane-surface', '#panel-result');
+  await page.click('#hide-quads');
+  await page.click('#tool-edges');
+  await check('state-edges', '#pane-surface', 'footer');
+  await page.click('#tool-orbit');
   await page.click('tr[data-cone="2"] [aria-label$="delete"]');
   await state(page, 'stale');
   await check('state-stale', 'header', '#pane-surface', '#panel-result', '#panel-cones', 'footer');

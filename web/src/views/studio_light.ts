@@ -43,7 +43,8 @@ const floor = 0.24;
 const ceiling = 0.42;
 /**
  * How much brighter materials are lit than patterns: these have no tone mapping and would lose their shape in white. With
- * it, own materials are as bright as in viewers with a neutral environment.
+ * it, own materials have 92 to 95 % of the mean luminance that they have in <model-viewer> with its neutral environment
+ * (two models).
  */
 const exposure = 1.5;
 

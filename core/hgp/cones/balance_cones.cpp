@@ -1,6 +1,7 @@
 #include "hgp/cones/balance_cones.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "hgp/base/check.h"
 #include "hgp/cones/cone_placer.h"
@@ -44,26 +45,67 @@ class Balancer {
     if (keepsApart)
       for (const ConePoint& cone : spec_.cones)
         for (const HalfedgeId h : outgoingHalfedges(mesh_, cone.vertex)) hold(bounds, h);
-    ConePlacer placer(mesh_, metric_, given_, std::move(bounds));
+    ConePlacer placer(mesh_, metric_, given_, bounds);
     if (!placer.balance()) return std::nullopt;
     placer.keepCount();
     placer.setNodeSolves(kBalanceSolves);
     placer.relax();
+    const NodeDefects defects = part(placer.defects(), bounds);
     HolonomySpec out = spec_;
-    for (const VertexId v : mesh_.vertices()) {
-      if (!context_.surface.isInterior(mesh_, v)) continue;
-      const auto n = static_cast<std::size_t>(context_.surface.node[v]);
-      if (placer.defects()[n] != given_[n]) out.cones.push_back({v, spec_.q - placer.defects()[n]});
-    }
+    for (const VertexId v : added(defects)) out.cones.push_back({v, spec_.q - defects[nodeOf(v)]});
     return out;
   }
 
  private:
+  std::size_t nodeOf(VertexId v) const {
+    return static_cast<std::size_t>(context_.surface.node[v]);
+  }
+
+  std::vector<VertexId> added(const NodeDefects& defects) const {
+    std::vector<VertexId> out;
+    for (const VertexId v : mesh_.vertices())
+      if (context_.surface.isInterior(mesh_, v) && defects[nodeOf(v)] != given_[nodeOf(v)])
+        out.push_back(v);
+    return out;
+  }
+
+  /// An added cone that shares an edge with another one, which is not weaker; invalid if there is none.
+  VertexId besideAnother(const NodeDefects& defects) const {
+    const auto strength = [&](VertexId v) {
+      return std::abs(defects[nodeOf(v)] - given_[nodeOf(v)]);
+    };
+    for (const VertexId v : added(defects))
+      for (const HalfedgeId h : outgoingHalfedges(mesh_, v)) {
+        const VertexId w = mesh_.head(h);
+        if (context_.surface.isInterior(mesh_, w) && strength(w) >= strength(v)) return v;
+      }
+    return {};
+  }
+
+  /// Takes added cones that are side by side apart: the units of one go to where no other cone was added next to, or
+  /// onto another one. Pairs stay where there is no such place.
+  NodeDefects part(NodeDefects defects, const DefectBounds& bounds) const {
+    for (std::size_t left = added(defects).size(); left > 0; --left) {
+      const VertexId moved = besideAnother(defects);
+      if (!moved.isValid()) break;
+      NodeDefects start = defects;
+      start[nodeOf(moved)] = given_[nodeOf(moved)];
+      DefectBounds apart = bounds;
+      for (const VertexId v : added(start))
+        for (const HalfedgeId h : outgoingHalfedges(mesh_, v))
+          if (start[nodeOf(mesh_.head(h))] == given_[nodeOf(mesh_.head(h))]) hold(apart, h);
+      ConePlacer placer(mesh_, metric_, std::move(start), std::move(apart));
+      if (!placer.balance()) break;
+      defects = placer.defects();
+    }
+    return defects;
+  }
+
   void fix(int node, int defect) {
     const auto n = static_cast<std::size_t>(node);
     given_[n] = bounds_.low[n] = bounds_.high[n] = defect;
   }
-  /// No cone at a neighbour of a given one.
+  /// No new cone at the head.
   void hold(DefectBounds& bounds, HalfedgeId h) const {
     const auto n = static_cast<std::size_t>(context_.surface.node[mesh_.head(h)]);
     bounds.low[n] = bounds.high[n] = given_[n];

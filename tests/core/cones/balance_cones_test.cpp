@@ -64,6 +64,24 @@ TEST(BalanceCones, NewConesShareNoTriangleWithGivenOnesWhereThereIsRoom) {
         EXPECT_NE(mesh.head(h), cone.vertex);
 }
 
+TEST(BalanceCones, NoTwoNewConesAreSideBySideWhereThereIsRoom) {
+  for (const unsigned seed : {1U, 2U, 3U, 4U}) {
+    const TriMesh mesh = test::jittered(test::icosphere(6), 0.3, seed).mesh();
+    PreparedSurface surface(mesh);
+    // Each of the given cones draws new ones of the other sign close to it.
+    const HolonomySpec given = specOf(8, {{VertexId{60}, 15}, {VertexId{200}, 15}});
+    const auto made = balanceCones(surface, given);
+    ASSERT_TRUE(made) << made.error().message;
+    EXPECT_EQ(unitsOf(*made), 16);
+    std::set<int> added;
+    for (const ConePoint& cone : made->cones) added.insert(cone.vertex.i);
+    for (const ConePoint& cone : given.cones) added.erase(cone.vertex.i);
+    for (const int v : added)
+      for (const HalfedgeId h : outgoingHalfedges(mesh, VertexId{v}))
+        EXPECT_EQ(added.count(mesh.head(h).i), 0U) << seed << ": " << v;
+  }
+}
+
 TEST(BalanceCones, AreAddedWhereTheyLowerTheDistortion) {
   // The eight corners of a cube: all curvature is there.
   const TriMesh mesh = test::cube(6).mesh();

@@ -56,11 +56,17 @@ async function inLanes(files, run) {
   return counts;
 }
 
-/** Unit tests of the page's TypeScript without a browser, in one process, since starting it takes most of the time. */
+/** Unit tests of the page's TypeScript without a browser, in two processes, since starting them takes most of the time. */
 function unitTests(log) {
   const files = testFiles('web/units');
   const hooks = '--import=./tests/support/typescript.mjs';
-  return inLanes(files, (claims) => [lane(log, claims, files, hooks)]);
+  // Those that run the whole page put a document into their process, which units of views must not find there.
+  const hasPage = (file) => path.basename(file).startsWith('page_');
+  const [page, others] = [files.filter(hasPage), files.filter((file) => !hasPage(file))];
+  return inLanes(files, (claims) => [
+    lane(log, claims, others, hooks),
+    lane(log, claims, page, hooks),
+  ]);
 }
 
 /** Runs test files whose inputs have changed since they passed, several at a time, and counts all. */

@@ -24,6 +24,11 @@ function sideFiles() {
 }
 
 /** [what it is, files with the main one first, options of both programs] */
+/** Without symmetries: which of equally good cones is chosen depends on rounding, and so on the processor. */
+const skew = ({ vertices, triangles }) => ({
+  vertices: vertices.map(([x, y, z]) => [1.3 * x + 0.2 * y * z, 0.9 * y + 0.1 * x * x, z + 0.15 * x * y]), // prettier-ignore
+  triangles,
+});
 const cases = [
   ['sphere, OBJ', { 'cube.obj': toObj(cubeMesh(6)) }, { q: 4 }],
   ['sphere with given cones, OFF', { 'cube.off': toOff(cubeMesh(6)) }, { cones: eightCones }],
@@ -58,7 +63,7 @@ const cases = [
     { q: 4, grid: { cells: 600, mode: 'quad' } },
   ],
   ['hard constraints', { 'hard.obj': toObj(blocks(eight, { n: 3 })) }, { method: 'harmonic' }],
-  ['few cones', { 'few.obj': toObj(cubeMesh(9)) }, { q: 4, conesFor: 'few' }],
+  ['few cones', { 'few.obj': toObj(skew(cubeMesh(9))) }, { q: 4, conesFor: 'few' }],
   ['low distortion', { 'low.obj': toObj(blocks(ring)) }, { conesFor: 'low-distortion' }],
 ];
 const real = [

@@ -277,7 +277,7 @@ test('a map that is not certified can be seen, is named as such, and saved under
   );
   await settled(page);
   await page.selectOption('#overlay', 'flips');
-  assert.match(await page.locator('.legend').innerText(), /[1-9]\d* folded, in red/);
+  assert.match(await page.locator('.legend').innerText(), /Folded triangles\s+[1-9]\d*, in red/);
   await openDetails(page, '#result-details');
   await page.click('[aria-label="Show worst: Flipped triangles"]');
   await settled(page);

@@ -352,6 +352,7 @@ EMSCRIPTEN_BINDINGS(hgp) {
       .constructor<>()
       .function("moveTo", &Drag::moveTo)
       .function("prepareHere", &Drag::prepareHere)
+      .function("prepareToward", &Drag::prepareToward)
       .function("drop", &Drag::drop);
   emscripten::class_<Session>("Session")
       .constructor<>()

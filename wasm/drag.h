@@ -39,6 +39,16 @@ class Drag {
   }
 
   val prepareHere() { return answerTo(drag_->prepareHere()); }
+  /// The reply's `vertex` is that of the position reached.
+  val prepareToward(int vertex) {
+    return guarded([&] {
+      const Result<int> reached = drag_->prepareToward(vertex);
+      if (!reached) return failed(reached.error());
+      val reply = val::object();
+      reply.set("vertex", *reached);
+      return reply;
+    });
+  }
   val drop() { return answerTo(drag_->drop()); }
 
  private:

@@ -75,6 +75,36 @@ for (const [name, setting] of Object.entries({
     }));
 }
 
+test('a leap is reached by asking again, also by the next worker when one dies', async () => {
+  const { client, workers } = await watched();
+  const { map, cone } = await mapped(client, { mesh: cubeMesh(16) });
+  const { positions } = map;
+  const cones = map.cones.cones.map(({ vertex }) => vertex);
+  const edge = Math.max(...positions) - Math.min(...positions);
+  // From a corner of the cube to a vertex one edge of the cube away: sixteen edges of triangles.
+  const away = (v) =>
+    Math.abs(
+      Math.hypot(...[0, 1, 2].map((i) => positions[3 * v + i] - positions[3 * cone + i])) - edge,
+    );
+  let far = cones.includes(0) ? 1 : 0;
+  for (let v = 0; v < positions.length / 3; v++)
+    if (!cones.includes(v) && away(v) < away(far)) far = v;
+  const drag = await map.beginDrag(cone);
+  const frames = [];
+  do frames.push(await drag.dragTo(far));
+  while (frames.at(-1).isApproaching);
+  assert.ok(frames.length > 1, 'it is far');
+  assert.ok(frames.slice(0, -1).every(({ state }) => state === 'heat'));
+  assert.equal(frames.at(-1).state, 'certified');
+  assertCertified(map.triangles, frames.at(-1));
+  const dropped = await drag.endDrag();
+  assert.ok(dropped.cones.cones.some(({ vertex }) => vertex === far));
+  const { bytes } = await dropped.write();
+  await workers.at(-1).terminate();
+  assert.deepEqual((await dropped.write()).bytes, bytes, 'made again from its path');
+  client.terminate();
+});
+
 test('the check of frames refuses a flipped triangle, a torn seam and a wrong cone', () =>
   withClient(async (client) => {
     const { map, cone, track } = await mapped(client);

@@ -128,14 +128,37 @@ test('a cone that is put back with Escape leaves the map as it was', async () =>
 test('two drags in a row, the second before the first is stored', async () => {
   const { page } = it;
   const { x, y } = await mapped();
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  for (let i = 1; i <= 5; i++) await page.mouse.move(x + 8 * i, y);
+  const drag = async (x0, y0, dx, dy, count = 5) => {
+    await page.mouse.move(x0, y0);
+    await page.mouse.down();
+    for (let i = 1; i <= count; i++) await page.mouse.move(x0 + dx * i, y0 + dy * i);
+  };
+  await drag(x, y, 8, 0);
   await liveIs(page, 'certified');
   await page.mouse.up();
-  await page.mouse.down();
-  for (let i = 1; i <= 5; i++) await page.mouse.move(x + 40, y + 8 * i);
+  await drag(x + 40, y, 0, 8);
   await page.mouse.up();
-  await state(page, 'certified');
+  const last = await vertexOf(0);
+  const isStored = async () => {
+    await page.waitForFunction(
+      () =>
+        document.body.dataset.state === 'certified' &&
+        document.querySelector('#map').dataset.live === '' &&
+        document.querySelector('#dragged'),
+    );
+    await settled(page);
+  };
+  await isStored();
+  assert.equal(await vertexOf(0), last);
   assert.equal(await page.locator('#dragged').count(), 1);
+
+  // Three without a pause: each waits for the one before.
+  for (const [i, dx] of [-6, -5, -7].entries()) {
+    await drag(x + 40 - 24 * i, y + 40, dx, 0, 4);
+    await page.mouse.up();
+  }
+  const end = await vertexOf(0);
+  assert.notEqual(end, last);
+  await isStored();
+  assert.equal(await vertexOf(0), end);
 });

@@ -20,7 +20,7 @@ struct LiveView {
   std::vector<std::string> reasons;  ///< why the map is not certified
   std::string cones;                 ///< hgp-cones: the prescription that the map is certified for
   bool wantsPreparation =
-      false;  ///< prepareHere() lets the cone go on, or gives a map instead of heat
+      false;  ///< prepareHere() lets the cone go on; of heat: prepareToward() takes it nearer
 };
 
 /// The maps are certified as they are, in float64, before any rounding for a file, and are not stored. When the cone is
@@ -40,6 +40,10 @@ class LiveDrag {
   Result<LiveView> moveTo(int vertex);
   /// Prepares the neighbourhood of the last certified position; takes about as long as begin().
   Status prepareHere();
+  /// Goes towards a vertex for which moveTo() gave heat, as far as the prepared neighbourhood allows, and prepares that of
+  /// the position reached; returns the vertex of this position. Where it is another one than before, moveTo() or the
+  /// next call gets nearer.
+  Result<int> prepareToward(int vertex);
   /// Stores the last certified map as the session's result, verified as stored like that of any run; this ends the drag.
   /// Its bytes depend on the path of the cone, which its report says.
   Status drop();

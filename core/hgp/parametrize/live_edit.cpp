@@ -205,6 +205,17 @@ Status LiveEdit::beginHere() {
   return s.anchor(map);
 }
 
+Result<bool> LiveEdit::beginToward(VertexId v) {
+  constexpr std::size_t kPositions = 4;  // each costs a frame
+  State& s = *state_;
+  const std::vector<VertexId> nearer =
+      s.disc ? s.disc->towards(v, kPositions) : std::vector<VertexId>();
+  for (const VertexId to : nearer)
+    if (to == s.last || (moveTo(to) && s.last == to)) break;
+  if (Status done = beginHere(); !done) return std::move(done).error();
+  return std::find(nearer.begin(), nearer.end(), s.cone.vertex) != nearer.end();
+}
+
 LiveEdit::Reached LiveEdit::reached() const {
   const TriMesh& mesh = state_->surface.mesh();
   Reached out{state_->lastSpec, {}, {}};

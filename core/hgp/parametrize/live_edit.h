@@ -46,6 +46,10 @@ class LiveEdit {
   /// Prepares the neighbourhood of the cone's last position that had a certified map, and starts from that map.
   Status beginHere();
 
+  /// Goes towards v, which is out of reach: to a nearer position that has a certified map, and prepares its
+  /// neighbourhood. Where this returns true, moveTo(v) or the next call gets nearer to v.
+  Result<bool> beginToward(VertexId v);
+
   /// The last certified map, or that of the start.
   struct Reached {
     CompleteSpec spec;

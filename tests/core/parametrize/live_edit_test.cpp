@@ -109,6 +109,53 @@ TEST(LiveEdit, MostFramesAreCertifiedAndAnIndependentVerifierAgrees) {
   EXPECT_GE(all.certified, 0.95 * all.frames) << all.certified << " of " << all.frames;
 }
 
+/// Edges from v, by vertex.
+PerVertex<int> edgesFrom(const TriMesh& mesh, VertexId v) {
+  PerVertex<int> edges(mesh.vertexCount(), -1);
+  std::vector<VertexId> queue{v};
+  edges[v] = 0;
+  for (std::size_t i = 0; i < queue.size(); ++i)
+    for (HalfedgeId h : outgoingHalfedges(mesh, queue[i]))
+      if (VertexId w = mesh.head(h); edges[w] < 0) {
+        edges[w] = edges[queue[i]] + 1;
+        queue.push_back(w);
+      }
+  return edges;
+}
+
+TEST(LiveEdit, AVertexFarAwayIsReachedInStepsEachOfWhichIsNearer) {
+  int reached = 0, leaps = 0;
+  for (const test::Shape& shape : dragged()) {
+    SCOPED_TRACE(shape.name);
+    Solved on(shape);
+    if (on.result.spec.cones.empty()) continue;
+    const VertexId cone = on.result.spec.cones.front().vertex;
+    LiveEdit edit = on.edit(cone);
+    const PerVertex<int> fromCone = edgesFrom(on.mesh, cone);
+    VertexId to = cone;  // the farthest of up to 15 edges
+    for (VertexId v : on.mesh.vertices())
+      if (fromCone[v] <= 15 && fromCone[v] > fromCone[to] && on.mayHoldCone(v, cone)) to = v;
+    if (fromCone[to] < 6) continue;
+    ++leaps;
+    const PerVertex<int> left = edgesFrom(on.mesh, to);
+    Result<LiveFrame> frame = edit.moveTo(to);
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(frame->state, LiveState::kHeat);
+    while (frame->state == LiveState::kHeat) {
+      const int before = left[edit.cone().vertex];
+      const Result<bool> isNearer = edit.beginToward(to);
+      ASSERT_TRUE(isNearer) << isNearer.error().message;
+      if (!*isNearer) break;
+      EXPECT_LT(left[edit.cone().vertex], before);
+      frame = edit.moveTo(to);
+      ASSERT_TRUE(frame);
+    }
+    reached += frame->state == LiveState::kCertified;
+  }
+  EXPECT_GE(leaps, 5);
+  EXPECT_GE(reached, leaps - 1) << "of " << leaps;
+}
+
 TEST(LiveEdit, BackAtTheStartTheMapIsTheOneBefore) {
   for (const test::Shape& shape : dragged()) {
     SCOPED_TRACE(shape.name);

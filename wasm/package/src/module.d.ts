@@ -57,12 +57,14 @@ export interface SessionResult {
 /** A cone that is dragged, once a session has begun it. */
 export interface Drag {
   moveTo(vertex: number): Reply<
-    Omit<import('./lib/results.js').DragFrame, 'vertex' | 'cones'> & {
+    Omit<import('./lib/results.js').DragFrame, 'vertex' | 'cones' | 'isApproaching'> & {
       cones: string;
       wantsPreparation: boolean;
     }
   >;
   prepareHere(): Reply;
+  /** `vertex`: of the position reached. */
+  prepareToward(vertex: number): Reply<{ vertex: number }>;
   drop(): Reply;
   delete(): void;
 }

@@ -11,33 +11,48 @@ import type { App } from './app';
 import { setPrescription } from './edit_cones';
 import { keepSolution, numbersOf, run, writeSolution } from './solve';
 
+/** A drag of a cone over a map. */
 interface Going {
   base: Solution;
-  /** Index of the cone. */
-  cone: number;
-  /** Its vertex when the button was pressed: elsewhere than in `base` if a map of this place is missing. */
-  pressed: number;
   drag: Promise<Drag>;
   /** The vertex that was asked for last. */
   wanted: number;
   latest: Promise<DragFrame | SupersededFrame | undefined>;
 }
 
-/** The press of the button that lasts. */
-const pressIn = new WeakMap<App, object>();
-const goingIn = new WeakMap<App, Going>();
-/** The end of the last drag, before which none begins. */
-const storingIn = new WeakMap<App, Promise<void>>();
-
-/** While a cone is held, no map is made by itself: the solver is free for its frames. */
-function noteHold(app: App): void {
-  app.ui.holdsCone = pressIn.has(app) || storingIn.has(app);
+/** A cone that is held, from the press of the button until the map of its place is stored or given up. */
+interface Hold {
+  cone: number;
+  /** Its vertex when the button was pressed: elsewhere than in the map's prescription if a map of this place is missing. */
+  pressed: number;
+  /** Undefined before the map is prepared, and where there is none. */
+  going?: Going;
+  isCancelled: boolean;
+  /** Called when the cone is dropped; `step` names the drag in the history. */
+  release: (step: string) => void;
+  released: Promise<string>;
 }
 
-/** The prescription with a cone at the vertex at which another one has it. */
-function withConeOf(prescription: Prescription, other: Prescription, cone: number): Prescription {
-  const { vertex } = other.cones[cone] ?? {};
-  if (vertex === undefined) return prescription;
+interface Holds {
+  /** The cone under the hand. */
+  current?: Hold;
+  /** How many are held or being stored. */
+  open: number;
+  /** The end of the last one, before which no other is prepared. */
+  last: Promise<void>;
+}
+
+const holdsOf = new WeakMap<App, Holds>();
+
+function holdsIn(app: App): Holds {
+  const holds = holdsOf.get(app) ?? { open: 0, last: Promise.resolve() };
+  holdsOf.set(app, holds);
+  return holds;
+}
+
+/** The prescription with a cone at another vertex. */
+function withConeAt(prescription: Prescription, cone: number, vertex: number): Prescription {
+  if (prescription.cones[cone]?.vertex === vertex) return prescription;
   const cones = prescription.cones.map((one, i) => (i === cone ? { ...one, vertex } : one));
   return { ...prescription, cones };
 }
@@ -47,8 +62,11 @@ function baseOf({ doc }: App, prescription: Prescription, cone: number): Solutio
   const { solutions, usableModel, isBusy, solve } = doc;
   if (!usableModel || isBusy || solve.frames === 'file') return undefined;
   const isHere = (one: Solution): boolean => samePrescription(one.prescription, prescription);
-  const isBeside = (one: Solution): boolean =>
-    samePrescription(one.prescription, withConeOf(prescription, one.prescription, cone));
+  const isBeside = (one: Solution): boolean => {
+    const { vertex } = one.prescription.cones[cone] ?? {};
+    if (vertex === undefined) return false;
+    return samePrescription(one.prescription, withConeAt(prescription, cone, vertex));
+  };
   const isUsable = (one: Solution): boolean =>
     one.surfaceId === usableModel.surface.id &&
     one.improve === solve.improve &&
@@ -60,99 +78,128 @@ function baseOf({ doc }: App, prescription: Prescription, cone: number): Solutio
   return usable.findLast(isHere) ?? usable.findLast(isBeside);
 }
 
-/** Prepares the map for a cone that is about to be dragged. */
+/** Prepares the map for a cone that is about to be dragged; returns when the drag is over and stored. */
 export async function beginLive(app: App, cone: number): Promise<void> {
-  const { prescription } = app.doc;
-  const press = {};
-  pressIn.set(app, press);
-  noteHold(app);
-  await storingIn.get(app);
-  const base = baseOf(app, prescription, cone);
-  const vertex = base?.prescription.cones[cone]?.vertex;
-  if (!base || vertex === undefined || pressIn.get(app) !== press) return;
-  const drag = base.map.beginDrag(vertex);
-  const pressed = prescription.cones[cone].vertex;
-  const latest = Promise.resolve(undefined);
-  const going: Going = { base, cone, pressed, drag, wanted: vertex, latest };
-  goingIn.set(app, going);
-  dragLive(app); // the hand may have moved already
+  cancelLive(app); // of a button whose release was not seen
+  const holds = holdsIn(app);
+  const { vertex: pressed } = app.doc.prescription.cones[cone];
+  let release!: Hold['release'];
+  const released = new Promise<string>((resolve) => (release = resolve));
+  const hold: Hold = { cone, pressed, isCancelled: false, release, released };
+  holds.current = hold;
+  holds.open += 1;
+  app.ui.holdsCone = true; // no map is made by itself: the solver is free for the frames
+  const previous = holds.last;
+  const work = previous.then(() => follow(app, hold));
+  holds.last = work.catch(() => undefined);
   try {
-    await drag;
-  } catch {
-    // The cone is moved without its map, which Run makes.
-    if (goingIn.get(app) === going) goingIn.delete(app);
+    await work;
+  } finally {
+    holds.open -= 1;
+    app.ui.holdsCone = holds.open > 0;
   }
+}
+
+/** The life of a drag: the map is prepared, follows the hand, and is stored where the cone is dropped. */
+async function follow(app: App, hold: Hold): Promise<void> {
+  if (hold.isCancelled) return;
+  const { cone, pressed } = hold;
+  const here = withConeAt(app.doc.prescription, cone, pressed);
+  const base = baseOf(app, here, cone);
+  const vertex = base?.prescription.cones[cone]?.vertex;
+  if (base && vertex !== undefined) {
+    const latest = Promise.resolve(undefined);
+    hold.going = { base, drag: base.map.beginDrag(vertex), wanted: vertex, latest };
+    show(app, hold); // the hand may have moved already
+    hold.going.drag.catch(() => endLive(app, hold)); // moved without its map, which Run makes
+  }
+  const step = await hold.released;
+  if (!hold.isCancelled && hold.going) await store(app, hold.going, cone, step);
+  endLive(app, hold);
 }
 
 /** Shows the map with the cone where it now is. */
 export function dragLive(app: App): void {
-  const going = goingIn.get(app);
-  const vertex = app.doc.prescription.cones[going?.cone ?? -1]?.vertex;
+  const hold = holdsIn(app).current;
+  if (hold) show(app, hold);
+}
+
+function show(app: App, hold: Hold): void {
+  const { going, cone } = hold;
+  const vertex = app.doc.prescription.cones[cone]?.vertex;
   if (!going || vertex === undefined || vertex === going.wanted) return;
   going.wanted = vertex;
   app.doc.live ??= beforeFirst(going.base);
-  going.latest = going.drag
-    .then((drag) => (going.wanted === vertex ? drag.dragTo(vertex) : undefined))
-    .then((frame) => {
-      if (frame && frame.state !== 'superseded' && goingIn.get(app) === going)
-        app.doc.live = liveMapOf(going.base, frame, app.doc.live);
-      return frame;
-    });
-  going.latest.catch(() => undefined); // dropLive() looks at it
+  going.latest = approach(app, hold, going, vertex);
+  going.latest.catch(() => undefined); // store() looks at it
+}
+
+/** Takes the map to a vertex, in several steps if it is far, until the hand has moved on. */
+async function approach(
+  app: App,
+  hold: Hold,
+  going: Going,
+  vertex: number,
+): Promise<DragFrame | SupersededFrame | undefined> {
+  const drag = await going.drag;
+  while (going.wanted === vertex) {
+    const frame = await drag.dragTo(vertex);
+    if (frame.state === 'superseded') return frame;
+    if (hold.going === going) app.doc.live = liveMapOf(going.base, frame, app.doc.live);
+    if (!frame.isApproaching) return frame;
+  }
+  return undefined;
 }
 
 /** Ends the drag: nothing of it stays but the cone. */
 export function cancelLive(app: App): void {
-  pressIn.delete(app);
-  if (!storingIn.has(app)) endLive(app);
-  noteHold(app);
+  const holds = holdsIn(app);
+  const hold = holds.current;
+  if (!hold) return;
+  holds.current = undefined;
+  hold.isCancelled = true;
+  endLive(app, hold);
+  hold.release('');
 }
 
-function endLive(app: App): void {
-  const going = goingIn.get(app);
-  goingIn.delete(app);
+function endLive(app: App, hold: Hold): void {
+  const { going } = hold;
+  if (!going) return;
+  hold.going = undefined;
   app.doc.live = undefined;
-  void going?.drag.then((drag) => drag.dispose()).catch(() => undefined);
+  void going.drag.then((drag) => drag.dispose()).catch(() => undefined);
 }
 
 /** Ends the drag where the cone is, and stores its map. `step` names the drag in the history. */
-export async function dropLive(app: App, step: string): Promise<void> {
-  const going = goingIn.get(app);
-  pressIn.delete(app);
-  if (!going) return noteHold(app);
-  const start = going.base.prescription.cones[going.cone]?.vertex;
-  const now = app.doc.prescription.cones[going.cone]?.vertex;
-  if (going.wanted === start || now === going.pressed) return cancelLive(app);
-  const storing = store(app, going, step);
-  storingIn.set(app, storing);
-  try {
-    await storing;
-  } finally {
-    storingIn.delete(app);
-    noteHold(app);
-  }
+export function dropLive(app: App, step: string): void {
+  const holds = holdsIn(app);
+  const hold = holds.current;
+  if (!hold) return;
+  const now = app.doc.prescription.cones[hold.cone]?.vertex;
+  if (now === undefined || now === hold.pressed) return cancelLive(app);
+  holds.current = undefined;
+  hold.release(step);
 }
 
-async function store(app: App, going: Going, step: string): Promise<void> {
+async function store(app: App, going: Going, cone: number, step: string): Promise<void> {
   const { doc } = app;
-  const { model, prescription, settings } = doc;
-  try {
-    const last = await going.latest.catch(() => undefined);
-    const isThere = last?.state === 'certified' && last.vertex === going.wanted;
-    if (!isThere || !model || !doc.live) return;
-    doc.live = { ...doc.live, state: 'storing' };
-    const map = await (await going.drag).endDrag();
-    const dropped = completed(prescription, map.cones.handles ?? []);
-    const solution = await writeDropped(app, model, going.base, dropped, map);
-    // Other edits and other files may have come in the meantime.
-    if (doc.model !== model || doc.settings !== settings) return;
-    if (doc.prescription === prescription && dropped !== prescription)
-      setPrescription(app, dropped, step);
-    keepSolution(app, solution, going.base);
-    if (doc.current === solution) sayDropped(app, solution);
-  } finally {
-    if (goingIn.get(app) === going) endLive(app);
-  }
+  const { model, settings } = doc;
+  if (going.wanted === going.base.prescription.cones[cone]?.vertex) return;
+  // The hand may have taken the cone further by now.
+  const prescription = withConeAt(doc.prescription, cone, going.wanted);
+  const last = await going.latest.catch(() => undefined);
+  const isThere = last?.state === 'certified' && last.vertex === going.wanted;
+  if (!isThere || !model || !doc.live) return;
+  doc.live = { ...doc.live, state: 'storing' };
+  const map = await (await going.drag).endDrag();
+  const dropped = completed(prescription, map.cones.handles ?? []);
+  const solution = await writeDropped(app, model, going.base, dropped, map);
+  // Other edits and other files may have come in the meantime.
+  if (doc.model !== model || doc.settings !== settings) return;
+  if (doc.prescription === prescription && dropped !== prescription)
+    setPrescription(app, dropped, step);
+  keepSolution(app, solution, going.base);
+  if (doc.current === solution) sayDropped(app, solution);
 }
 
 /** Writes the map of a cone that was dropped, with the settings of the map from which it was dragged. */

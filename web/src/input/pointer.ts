@@ -104,10 +104,11 @@ export class Pointer {
     const from = this.#app.doc.prescription.cones[cone]?.vertex;
     this.#down = { x, y, view, cone, from, time: performance.now(), isDrag: false };
     if (cone >= 0) void attempt(this.#app, () => beginLive(this.#app, cone));
-    if (cone >= 0 && view === this.#model) {
-      this.#model.orbit.controls.enabled = false;
-      view.canvas.setPointerCapture(event.pointerId);
-    } else if (cone >= 0) this.#uv.controls.enabled = false;
+    if (cone >= 0) {
+      const { controls } = view === this.#model ? this.#model.orbit : this.#uv;
+      controls.enabled = false;
+      view.canvas.setPointerCapture(event.pointerId); // the release is seen wherever it is
+    }
     if (event.pointerType === 'touch') {
       this.#timer = setTimeout(() => this.#place(view, event, reach.touch), longPress);
     }

@@ -21,7 +21,8 @@ struct LiveDrag::State {
   LiveEdit edit;
   std::vector<VertexId> vertexOf;  ///< by surface vertex; invalid outside the component
 
-  bool isCurrent() const { return session.solved == solved && !session.finer; }
+  Status requireCurrent() const;
+  Result<VertexId> vertexAt(int vertex) const;
   const ModelComponent& on() const { return session.model->components[component]; }
   void addMap(const LiveFrame& frame, LiveView& view) const;
   std::string conesOf(const LiveFrame& frame) const;
@@ -71,6 +72,11 @@ Result<LiveDrag> LiveDrag::begin(Session& session, int vertex) {
   });
 }
 
+Status LiveDrag::State::requireCurrent() const {
+  if (session.solved == solved && !session.finer) return Done{};
+  return refuse("another map was loaded or solved since the drag began");
+}
+
 void LiveDrag::State::addMap(const LiveFrame& frame, LiveView& view) const {
   const auto first = static_cast<std::uint32_t>(solved->uv.size() / 2);
   view.uv = solved->uv;
@@ -95,14 +101,19 @@ std::string LiveDrag::State::conesOf(const LiveFrame& frame) const {
   return prescription::writeConesJson(describe(*session.model, specs));
 }
 
+Result<VertexId> LiveDrag::State::vertexAt(int vertex) const {
+  const bool isThere = vertex >= 0 && vertex < static_cast<int>(vertexOf.size());
+  if (isThere && vertexOf[hgp::at(vertex)].isValid()) return vertexOf[hgp::at(vertex)];
+  return refuse(formatText("vertex %d is not on the component of this cone", vertex));
+}
+
 Result<LiveView> LiveDrag::moveTo(int vertex) {
   return guarded([&]() -> Result<LiveView> {
     State& s = *state_;
-    if (!s.isCurrent()) return refuse("another map was loaded or solved since the drag began");
-    const bool isThere = vertex >= 0 && vertex < static_cast<int>(s.vertexOf.size());
-    if (!isThere || !s.vertexOf[hgp::at(vertex)].isValid())
-      return refuse(formatText("vertex %d is not on the component of this cone", vertex));
-    Result<LiveFrame> frame = s.edit.moveTo(s.vertexOf[hgp::at(vertex)]);
+    if (Status current = s.requireCurrent(); !current) return std::move(current).error();
+    const Result<VertexId> to = s.vertexAt(vertex);
+    if (!to) return to.error();
+    Result<LiveFrame> frame = s.edit.moveTo(*to);
     if (!frame) return toSurfaceIds(*s.session.model, s.on(), frame.error());
     LiveView view;
     view.state = frame->state;
@@ -144,7 +155,7 @@ std::vector<ComponentMap> LiveDrag::State::mapsNow() const {
 Status LiveDrag::drop() {
   return guarded([&]() -> Status {
     State& s = *state_;
-    if (!s.isCurrent()) return refuse("another map was loaded or solved since the drag began");
+    if (Status current = s.requireCurrent(); !current) return current;
     const auto start = std::chrono::steady_clock::now();
     std::vector<ComponentMap> maps = s.mapsNow();
     RunRecord run;
@@ -170,9 +181,20 @@ Status LiveDrag::drop() {
 
 Status LiveDrag::prepareHere() {
   return guarded([&]() -> Status {
-    if (!state_->isCurrent())
-      return refuse("another map was loaded or solved since the drag began");
+    if (Status current = state_->requireCurrent(); !current) return current;
     return state_->edit.beginHere();
+  });
+}
+
+Result<int> LiveDrag::prepareToward(int vertex) {
+  return guarded([&]() -> Result<int> {
+    State& s = *state_;
+    if (Status current = s.requireCurrent(); !current) return std::move(current).error();
+    const Result<VertexId> to = s.vertexAt(vertex);
+    if (!to) return to.error();
+    if (Result<bool> done = s.edit.beginToward(*to); !done)
+      return toSurfaceIds(*s.session.model, s.on(), done.error());
+    return s.on().vertex[s.edit.cone().vertex].i;
   });
 }
 

@@ -50,6 +50,25 @@ std::vector<HalfedgeId> DragDisc::pathTo(VertexId v) const {
   return path;
 }
 
+std::vector<VertexId> DragDisc::towards(VertexId v, std::size_t count) const {
+  std::vector<VertexId> found;
+  PerVertex<int> edges(mesh_.vertexCount(), -1);
+  std::vector<VertexId> queue{v};
+  edges[v] = 0;
+  for (std::size_t i = 0; i < queue.size() && found.size() < count; ++i) {
+    const VertexId u = queue[i];
+    if (edges[cone_] >= 0 && edges[u] >= edges[cone_]) break;
+    if (!pathTo(u).empty()) found.push_back(u);
+    for (HalfedgeId h : outgoingHalfedges(mesh_, u)) {
+      const VertexId w = mesh_.head(h);
+      if (edges[w] >= 0) continue;
+      edges[w] = edges[u] + 1;
+      queue.push_back(w);
+    }
+  }
+  return found;
+}
+
 /// e^{Δu − iΔθ}: by how much the field turns and scales a triangle.
 Complex DragDisc::changeAt(const MovedField& field, FaceId f) const {
   return portable::polar(portable::exp(field.scaleAt(f)), -field.angleAt(f));

@@ -30,11 +30,13 @@ class DragDisc {
 
   /// Edges from the cone to v in the disc, around other cones; empty if there are none.
   std::vector<HalfedgeId> pathTo(VertexId v) const;
-  /// All unknowns, numbered as MovedCut does; x* where nothing has moved; empty if the system is singular.
+  /// Up to `count` positions of the cone in the disc with fewer edges to v than the cone has now; nearest first.
+  std::vector<VertexId> towards(VertexId v, std::size_t count) const;
   /// The similarity along the frames that a triangle has as a target near the cone.
   Complex targetAt(const MovedField& field, FaceId f) const;
   /// Vertices with a harmonic row while the cone is at `to`.
   bool hasRow(VertexId v, VertexId to) const { return !isFixed(v) && v != to; }
+  /// All unknowns, numbered as MovedCut does; x* where nothing has moved; empty if the system is singular.
   Eigen::VectorXcd solve(const MovedCut& cut, const MovedField& field, VertexId to);
 
   int unknownCount() const { return static_cast<int>(disc_.size()); }

@@ -17,13 +17,14 @@ export class CoreDrag {
   #drag: Drag | undefined;
   /** Positions at which it was prepared. */
   readonly #anchors: number[] = [];
+  readonly #start: number;
   #last: number;
   #wantsPreparation = false;
 
   /** @internal */
   constructor(module: Module, map: CoreMap, vertex: number) {
     this.#map = map;
-    this.#last = vertex;
+    this.#start = this.#last = vertex;
     const drag = new module.Drag();
     try {
       valueOf(map.current().beginDrag(drag, vertex));
@@ -34,20 +35,25 @@ export class CoreDrag {
     this.#drag = drag;
   }
 
-  /** The map with the cone at a vertex. Throws `usage` where no cone can be: at other cones and on boundaries. */
+  /**
+   * The map with the cone at a vertex. A vertex far from the last one is reached in several calls; until then the state is
+   * `heat` and `isApproaching` is true. Throws `usage` where no cone can be: at other cones and on boundaries.
+   */
   dragTo(vertex: number): DragFrame {
     checkVertex('dragTo', vertex);
     const drag = this.#current();
     let reply = valueOf(drag.moveTo(vertex));
     this.#wantsPreparation = reply.wantsPreparation;
+    let isApproaching = false;
     if (reply.state === 'heat' && reply.wantsPreparation) {
-      this.prepare();
+      const isNearer = this.#approach(vertex);
       reply = valueOf(drag.moveTo(vertex));
+      isApproaching = isNearer && reply.state === 'heat';
       this.#wantsPreparation = reply.state !== 'heat' && reply.wantsPreparation;
     }
     const { wantsPreparation: _, cones, ...frame } = reply;
     if (frame.state === 'certified') this.#last = vertex;
-    return { ...frame, vertex, cones: JSON.parse(cones) as Cones };
+    return { ...frame, vertex, isApproaching, cones: JSON.parse(cones) as Cones };
   }
 
   /**
@@ -64,6 +70,20 @@ export class CoreDrag {
       throw error;
     }
     if (this.#anchors.at(-1) !== this.#last) this.#anchors.push(this.#last);
+  }
+
+  /** Goes towards a vertex out of reach and prepares that neighbourhood; whether the cone is elsewhere than before. */
+  #approach(vertex: number): boolean {
+    const before = this.#anchors.at(-1) ?? this.#start;
+    try {
+      this.#last = valueOf(this.#current().prepareToward(vertex)).vertex;
+    } catch (error) {
+      this.free();
+      throw error;
+    }
+    if (this.#last === before) return false;
+    this.#anchors.push(this.#last);
+    return true;
   }
 
   /**
@@ -87,7 +107,7 @@ export class CoreDrag {
    */
   repeat(path: DragPath): this {
     path.forEach((vertex, i) => {
-      this.dragTo(vertex);
+      if (vertex !== path[i - 1]) this.dragTo(vertex);
       this.#wantsPreparation = i < path.length - 1;
       this.prepare();
     });

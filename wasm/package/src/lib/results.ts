@@ -155,6 +155,8 @@ export interface DragFrame {
    */
   state: 'heat' | 'certified' | 'fails';
   vertex: number;
+  /** Of `heat`: the map has come nearer to this position, and dragTo() with the same vertex brings it nearer still. */
+  isApproaching: boolean;
   /** As in a result, with uv that no corner uses; empty for `heat`. */
   uv: Float64Array;
   cornerToUv: Uint32Array;

@@ -69,6 +69,26 @@ test('by finger: turn, hold to place, tap to select, run', async () => {
   assert.ok(await page.locator('#map').isVisible());
 });
 
+test('by finger: a cone is dragged, and its map with it', async () => {
+  const { page } = it;
+  await openCube();
+  await run(it);
+  await page.click('tr[data-cone="0"] [aria-label$="frame"]');
+  await page.click('#tab-surface');
+  await settled(page);
+  const vertex = () => page.locator('tr[data-cone="0"] td').first().innerText();
+  const before = await vertex();
+  const box = await page.locator('#view').boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const touch = await fingers();
+  await touch('touchStart', [x, y]);
+  for (let i = 1; i <= 5; i++) await touch('touchMove', [x + 12 * i, y]);
+  await touch('touchEnd');
+  await page.waitForSelector('#dragged');
+  await state(page, 'certified');
+  assert.notEqual(await vertex(), before);
+});
+
 test('by finger with the Place tool: a tap places, a movement turns', async () => {
   const { page } = it;
   await openCube();
@@ -246,6 +266,10 @@ test('the panels are a sheet, pressed or dragged to three heights; Run is always
   await page.click('#help');
   const dialog = await page.locator('#help-dialog').boundingBox();
   assert.ok(Math.abs(dialog.x + dialog.width / 2 - 195) < 2, `${dialog.x}`);
+  const words = await page.locator('#help-dialog').innerText();
+  assert.match(words, /Two fingers/);
+  assert.doesNotMatch(words, /Ctrl|Single-key/, 'no keys where there is no keyboard');
+  await page.screenshot({ path: path.join(shots, 'touch-help.png') });
   await page.keyboard.press('Escape');
   // A finger pulls it up: a little is half, far is all.
   const touch = await fingers();

@@ -8,6 +8,8 @@ import { icon } from './icons';
 export interface ButtonOptions {
   /** Instead of the name of the action. */
   text?: string | TemplateResult;
+  /** What it does, where the action's name says less. */
+  hint?: string;
   /** The element's id, for tests and styles; by default that of the action. */
   domId?: string;
   className?: string;
@@ -18,13 +20,20 @@ export interface ButtonOptions {
 export function actionButton(
   app: AppView,
   id: ActionId,
-  { text, domId = id, className = '', isIconOnly = false, hasIcon = true }: ButtonOptions = {},
+  {
+    text,
+    hint,
+    domId = id,
+    className = '',
+    isIconOnly = false,
+    hasIcon = true,
+  }: ButtonOptions = {},
 ): TemplateResult {
   const action = actions[id];
   const label = labelOf(app, id);
   const why = whyNotOf(app, id);
   const key = action.keys?.[0];
-  const title = why || (key ? `${label} (${key})` : label);
+  const title = why || hint || (key ? `${label} (${key})` : label);
   return html`<button
     type="button"
     id=${domId}

@@ -97,6 +97,25 @@ const gestures: [string, string][] = [
   ['Double click', 'centre that place'],
 ];
 
+const touches: [string, string][] = [
+  ['Drag', 'turn the model, or move the UV view; on a cone: move the cone, and its map follows'],
+  ['Two fingers', 'zoom and move the view'],
+  ['Hold', 'place a cone there'],
+  ['Tap', 'select a cone; with the Place tool: place one; on another mesh: work on it'],
+  ['Tap an edge', 'while edges are chosen: lines follow its chain up to the next corner'],
+];
+
+const keyList = (rows: [string, string][], className: string): TemplateResult =>
+  html`<dl class="keys ${className}">
+    ${rows.map(
+      ([key, what]) =>
+        html`<div>
+          <dt><kbd>${key}</kbd></dt>
+          <dd>${what}</dd>
+        </div>`,
+    )}
+  </dl>`;
+
 function help(app: AppView): TemplateResult {
   const { ui } = app;
   const close = (): void => void (ui.dialog = '');
@@ -109,17 +128,12 @@ function help(app: AppView): TemplateResult {
     'help-dialog',
     'Help and shortcuts',
     // The first row has the focus: on a button at the end, the list would open scrolled to it.
-    html`<p class="note" tabindex="-1" autofocus>Single keys work while a view has the focus.</p>
-      <dl class="keys">
-        ${[...rows, ...gestures].map(
-          ([key, what]) =>
-            html`<div>
-              <dt><kbd>${key}</kbd></dt>
-              <dd>${what}</dd>
-            </div>`,
-        )}
-      </dl>
-      <p>
+    html`<p class="note" tabindex="-1" autofocus>
+        <span class="for-mouse">Single keys work while a view has the focus.</span
+        ><span class="for-fingers">On the model and in the UV view:</span>
+      </p>
+      ${keyList(touches, 'for-fingers')} ${keyList([...rows, ...gestures], 'for-mouse')}
+      <p class="for-mouse">
         <label class="tick"
           ><input
             type="checkbox"

@@ -287,7 +287,7 @@ class SolvePanel extends Panel {
         <option value="auto" .selected=${live(solve.frames === 'auto')}>Auto</option>
         <option value="file" .selected=${live(solve.frames === 'file')}>From file</option>
       </select>
-      ${actionButton(this.app, 'import-cones', { domId: 'field-file', className: 'small', text: 'Field file…' })}
+      ${actionButton(this.app, 'import-cones', { domId: 'field-file', className: 'small', text: 'Field file…', hint: 'Open a direction field' })}
       <small
         >Auto: a smooth field that fits the cones. The file of a cross field (.rawfield, .rosy,
         .ffield) brings its cones and turns; From file follows its directions, too.</small

@@ -201,8 +201,17 @@ test('export, clear, import; and cones are offered again after a reload', async 
   await drop(it, { 'mine.cones.json': file.bytes });
   await page.waitForSelector('#cones');
   assert.equal(await coneCount(it), count);
+  // The address of the page has them, once it is written; they are taken when the file is open again.
+  await page.waitForFunction(() => location.hash.includes('cones='));
   page.on('dialog', (dialog) => void dialog.accept());
   await page.reload();
+  await state(page, 'empty');
+  await openCube();
+  await page.waitForSelector('#cones');
+  assert.equal(await coneCount(it), count);
+  // A visit without this address: they are offered.
+  await page.goto('about:blank');
+  await page.goto(it.url);
   await state(page, 'empty');
   await openCube();
   await page.click('footer button:has-text("Restore")');

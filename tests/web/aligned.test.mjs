@@ -2,17 +2,22 @@
 // so exactly then; densities, patterns that turn, and the cells as a quad mesh.
 
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { readFileSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
 import { NodeIO } from '@gltf-transform/core';
 import { cubeMesh, toObj } from '../support/meshes.mjs';
 import { flatSquare } from './shapes.mjs';
 import {
   certificate,
+  commandLine,
   download,
   example,
   isPink,
   openDetails,
   openFiles,
   pixels,
+  root,
   run,
   saveAs,
   settled,
@@ -252,7 +257,7 @@ function checkQuads({ v, faces }, cones) {
   assert.equal(valence.filter((n) => n !== 4).length, cones);
 }
 
-test('Quad mesh: the map that is shown stays; pure quads of the right valences, seen on the model, as OBJ and GLB', async () => {
+test('Quad mesh: the map that is shown stays; pure quads of the right valences, seen on the model, as OBJ and GLB', async (t) => {
   const { page } = it;
   await example(it, 'pebble');
   await run(it);
@@ -281,6 +286,19 @@ test('Quad mesh: the map that is shown stays; pure quads of the right valences, 
   assert.ok(share(await pixels(page, '#view'), isAmber) > 0.05);
   await page.click('#preview-quads');
   await page.waitForSelector('#quads-note'); // at once: they are kept
+
+  // Nobody asked for a density: the command line takes the same one, and has the same quads.
+  const program = commandLine(t);
+  if (program) {
+    const exported = await download(page, () => page.click('#export-cones'));
+    const [cones, out] = ['quads.cones.json', 'quads.obj'].map((file) =>
+      path.join(it.folder, file),
+    );
+    writeFileSync(cones, exported.bytes);
+    const model = path.join(root, 'build/page/examples/pebble.glb');
+    execFileSync(program, ['quads', model, '--cones', cones, '--reproducible', '-o', out]);
+    assert.deepEqual(readObj(readFileSync(out)).faces, readObj(bytes).faces);
+  }
 
   await page.click('#download');
   await openDetails(page, '#more-formats');

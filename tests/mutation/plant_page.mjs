@@ -10,7 +10,7 @@ import ts from 'typescript';
 const limit = 400_000; // milliseconds, after which a fault counts as endless
 
 /** The tests of the package that need neither a bundler nor a long time, the shortest first. */
-const packageTests = ['arguments', 'policies', 'write_formats', 'adapters', 'decoders', 'features', 'files', 'lite', 'hostile', 'package', 'drag', 'interleavings']; // prettier-ignore
+const packageTests = ['recorded', 'arguments', 'policies', 'write_formats', 'adapters', 'decoders', 'features', 'files', 'lite', 'hostile', 'package', 'drag', 'interleavings']; // prettier-ignore
 
 /** Whether a changed text still compiles; what does not is no fault that a test has to see. */
 export function typeChecker(root) {
@@ -68,14 +68,17 @@ export function testsFor(root, file) {
   const own = readdirSync(units)
     .filter((name) => name.endsWith('.test.mjs'))
     .map((name) => path.join(units, name));
-  const isWhole = (test) => readFileSync(test, 'utf8').includes('./whole_page.mjs');
+  const uses = (test, name) => readFileSync(test, 'utf8').includes(name);
+  const isRecorded = (test) => uses(test, './recorded_session.mjs');
+  const isWhole = (test) => isRecorded(test) || uses(test, './whole_page.mjs');
+  const sorted = (tests) => [...tests.filter(isRecorded), ...tests.filter((one) => !isRecorded(one))]; // prettier-ignore
   if (file.startsWith('web/')) {
     const near = own.filter((test) => loadedBy(test).has(path.join(root, file)));
     const quick = near.filter((test) => !isWhole(test));
-    return [quick, ...near.filter(isWhole).map((test) => [test])].filter((group) => group.length > 0); // prettier-ignore
+    return [quick, ...sorted(near.filter(isWhole)).map((test) => [test])].filter((group) => group.length > 0); // prettier-ignore
   }
   const ofPackage = packageTests.map((name) => path.join(root, 'tests/wasm', `${name}.test.mjs`));
-  return [...ofPackage, ...own.filter(isWhole)].map((test) => [test]);
+  return [...ofPackage, ...sorted(own.filter(isWhole))].map((test) => [test]);
 }
 
 /** Runs tests with a fault, or with none; which test failed first, or '' if none did. */

@@ -15,7 +15,9 @@ async function compiled(fileName, text) {
     ...{ target: ts.ScriptTarget.ES2022, module: ts.ModuleKind.ESNext },
     ...{ verbatimModuleSyntax: false, inlineSourceMap: true, inlineSources: true },
   };
-  return ts.transpileModule(text, { fileName, compilerOptions }).outputText;
+  const script = ts.transpileModule(text, { fileName, compilerOptions }).outputText;
+  // What the page's bundler puts in its place.
+  return script.replaceAll('import.meta.env.DEV', 'false');
 }
 
 /** The script of a source; those that were made before are read. */

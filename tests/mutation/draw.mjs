@@ -83,8 +83,8 @@ export function modulesOf(root) {
   return names.map((name) => ({ name, hasTests: existsSync(path.join(root, 'tests/core', name)) }));
 }
 
-/** The tests that may see a fault in a file, the likeliest first: its module's, those of the modules above, and at
- *  last those that run the program. Names with "node:" are folders of tests of the program. */
+/** The tests that may see a fault in a file, the quickest first: recorded results, its module's, those of the modules
+ *  above, and at last those that run the program. Names with "node:" are folders of tests of the program. */
 export function programsFor(file, modules) {
   if (!file.startsWith('core/')) return ['node:cli'];
   const own = file.split('/')[2];
@@ -92,7 +92,7 @@ export function programsFor(file, modules) {
   const tested = modules.slice(from).filter(({ hasTests }) => hasTests);
   const above = tested.map(({ name }) => name).filter((name) => name !== own);
   const near = ['api', 'parametrize', 'paper'].filter((name) => name === 'paper' || above.includes(name)); // prettier-ignore
-  const first = modules[from].hasTests ? [own] : ['io'];
+  const first = ['recorded', ...(modules[from].hasTests ? [own] : ['io'])];
   return [
     ...new Set([...first, ...above.filter((name) => !near.includes(name)), ...near, 'node:cli']),
   ];

@@ -1,0 +1,191 @@
+// Cones, turnings and handles that are prescribed: those with a map, those without, and what is said of them.
+#include <nlohmann/json.hpp>
+
+#include "recorded/recorder.h"
+
+namespace hgp::recorded {
+namespace {
+
+using Json = nlohmann::json;
+using test::Shape;
+
+std::string cones(int q, const std::vector<std::pair<int, int>>& list,
+                  const std::vector<int>& turnings = {}, const std::vector<int>& handles = {}) {
+  Json json{{"format", "hgp-cones"}, {"version", 1}, {"q", q}, {"cones", Json::array()}};
+  for (const auto& [vertex, k] : list) json["cones"].push_back({{"vertex", vertex}, {"k", k}});
+  for (std::size_t i = 0; i < turnings.size(); ++i)
+    json["boundaries"].push_back({{"loop", i}, {"l", turnings[i]}});
+  for (std::size_t i = 0; i < handles.size(); ++i)
+    json["handles"].push_back({{"generator", i}, {"r", handles[i]}});
+  return json.dump();
+}
+
+void asked(Recorder& r, const Shape& shape, const std::string& prescription,
+           const char* options = "{}") {
+  api::Session session = loaded(shape.data);
+  const prescription::Prescription read = readCones(prescription);
+  if (const auto verdict = session.check(read); verdict)
+    r.json(verdict->isGood ? "valid" : "invalid", verdict->json);
+  else
+    r.failure("check", verdict.error());
+  if (const auto scale = session.logScale(read); scale) r.numbers("scale", *scale);
+  solve(r, session, read, options);
+}
+
+void facts(Recorder& r, const Shape& shape) {
+  const api::Session session = loaded(shape.data);
+  const auto facts = session.facts();
+  const auto loops = session.loops();
+  const auto inspected = session.inspect();
+  if (!facts || !loops || !inspected) return r.fact("facts", "none");
+  r.numbers("angle", facts->angle);
+  r.numbers("valence", facts->valence);
+  r.numbers("rims", facts->isBoundary);
+  r.numbers("neighbours", facts->neighbours);
+  r.numbers("components", facts->triangleComponent);
+  for (const std::vector<int>& loop : loops->boundaries) r.numbers("loop", loop);
+  for (const auto& walk : loops->handles) r.numbers("handle", walk);
+  r.json("inspect", inspected->json);
+}
+
+void balanced(Recorder& r, const Shape& shape, const std::string& prescription) {
+  api::Session session = loaded(shape.data);
+  const auto more = session.balance(readCones(prescription));
+  if (!more) return r.failure("balance", more.error());
+  r.json("cones", *more);
+  solve(r, session, readCones(*more), "{}");
+}
+
+void moved(Recorder& r, const Shape& from, const Shape& to) {
+  const api::Session before = loaded(from.data);
+  api::Session after = loaded(to.data);
+  const auto suggested = before.suggest({});
+  const auto moved = after.transfer(readCones(*suggested), before);
+  if (!moved) return r.failure("transfer", moved.error());
+  r.json("cones", moved->json);
+  r.notes("lost", moved->lost);
+}
+
+}  // namespace
+
+std::vector<Scenario> prescriptions() {
+  const Shape sphere = test::jittered(test::icosphere(5), 0.03);
+  const Shape torus = test::jittered(test::torus(18, 10), 0.02);
+  const Shape genus2 = test::jittered(test::pretzel(2, 2), 0.04);
+  const Shape disk = test::jittered(test::disk(6), 0.02);
+  const Shape tube = test::jittered(test::cylinder(14, 8), 0.02);
+  const Shape holes = test::jittered(test::withoutFaces(test::icosphere(5), {0, 120, 300}), 0.02);
+  const std::string eight =
+      cones(4, {{0, 3}, {1, 3}, {2, 3}, {3, 3}, {4, 3}, {5, 3}, {6, 3}, {7, 3}});
+  const std::string steep = cones(4, {{0, 1}, {40, 1}, {90, 2}});
+  const std::string pair = cones(4, {{20, 3}, {100, 5}});
+  return {
+      {"eight corners", [=](Recorder& r) { asked(r, sphere, eight); }},
+      {"eight corners, soft",
+       [=](Recorder& r) { asked(r, sphere, eight, R"({"method": "soft"})"); }},
+      {"eight corners, printed",
+       [=](Recorder& r) { asked(r, sphere, eight, R"({"method": "printed"})"); }},
+      {"steep", [=](Recorder& r) { asked(r, sphere, steep); }},
+      {"steep, printed", [=](Recorder& r) { asked(r, sphere, steep, R"({"method": "printed"})"); }},
+      {"steep, all frames",
+       [=](Recorder& r) { asked(r, sphere, steep, R"({"method": "all-frames"})"); }},
+      {"steep, refined",
+       [=](Recorder& r) {
+         asked(r, test::jittered(test::icosphere(2), 0.03), cones(4, {{0, 1}, {20, 1}, {30, 2}}),
+               R"({"refine": true})");
+       }},
+      {"q 12",
+       [=](Recorder& r) {
+         asked(r, sphere, cones(12, {{0, 7}, {11, 8}, {30, 9}, {60, 20}, {99, 4}}));
+       }},
+      {"q 3",
+       [=](Recorder& r) {
+         asked(r, sphere, cones(3, {{0, 2}, {11, 2}, {30, 2}, {60, 2}, {99, 2}, {120, 2}}));
+       }},
+      {"one large cone",
+       [=](Recorder& r) {
+         asked(r, torus, cones(4, {{20, 5}, {100, 3}, {60, 3}, {140, 5}}));
+       }},
+      {"torus, one pair", [=](Recorder& r) { asked(r, torus, pair); }},
+      {"torus with handles",
+       [=](Recorder& r) {
+         asked(r, torus, cones(4, {{20, 5}, {100, 3}, {60, 3}, {140, 5}}, {}, {1, 2}));
+       }},
+      {"torus without cones", [=](Recorder& r) { asked(r, torus, cones(4, {})); }},
+      {"torus, no map with these handles",
+       [=](Recorder& r) {
+         asked(r, torus, cones(4, {}, {}, {1, 0}));
+       }},
+      {"genus 2",
+       [=](Recorder& r) {
+         asked(r, genus2, cones(4, {{30, 8}, {130, 8}, {10, 4}}));
+       }},
+      {"genus 2 with handles",
+       [=](Recorder& r) {
+         asked(r, genus2, cones(4, {{30, 6}, {130, 6}, {80, 6}, {160, 6}}, {}, {1, 3, 2, 0}));
+       }},
+      {"disk with a cone",
+       [=](Recorder& r) {
+         asked(r, disk, cones(4, {{0, 3}}, {3}));
+       }},
+      {"disk with a wrong turning",
+       [=](Recorder& r) {
+         asked(r, disk, cones(4, {{0, 3}}, {5}));
+       }},
+      {"tube with turnings",
+       [=](Recorder& r) {
+         asked(r, tube, cones(4, {}, {1, -1}));
+       }},
+      {"tube with cones",
+       [=](Recorder& r) {
+         asked(r, tube, cones(6, {{40, 5}, {60, 7}}, {0, 0}));
+       }},
+      {"three holes, turnings",
+       [=](Recorder& r) {
+         asked(r, holes, cones(4, {{60, 3}, {90, 5}}, {2, 1}));
+       }},
+      {"against Gauss and Bonnet",
+       [=](Recorder& r) {
+         asked(r, sphere, cones(4, {{0, 3}}));
+       }},
+      {"too few triangles",
+       [=](Recorder& r) {
+         asked(r, test::octahedron(), cones(4, {{0, 20}, {1, 1}, {2, 1}, {3, 1}, {4, 1}, {5, 1}}));
+       }},
+      {"no such vertex",
+       [=](Recorder& r) {
+         asked(r, sphere, cones(4, {{100000, 3}}));
+       }},
+      {"on the rim",
+       [=](Recorder& r) {
+         asked(r, disk, cones(4, {{100, 3}}));
+       }},
+      {"no map, kept going",
+       [=](Recorder& r) {
+         asked(r, test::icosphere(1), cones(4, {{0, 1}, {1, 1}, {2, 1}, {3, 5}}),
+               R"({"keepGoing": true})");
+       }},
+      {"balance",
+       [=](Recorder& r) {
+         balanced(r, sphere, cones(4, {{0, 3}, {50, 2}}));
+       }},
+      {"balance on a torus",
+       [=](Recorder& r) {
+         balanced(r, torus, cones(4, {{20, 3}, {50, 3}}));
+       }},
+      {"balance with q 6",
+       [=](Recorder& r) {
+         balanced(r, holes, cones(6, {{60, 4}}));
+       }},
+      {"transfer to the same", [=](Recorder& r) { moved(r, sphere, sphere); }},
+      {"transfer to another order",
+       [=](Recorder& r) { moved(r, sphere, test::scattered(sphere)); }},
+      {"transfer to a part", [=](Recorder& r) { moved(r, test::icosphere(5), holes); }},
+      {"facts of a sphere", [=](Recorder& r) { facts(r, sphere); }},
+      {"facts of genus 2", [=](Recorder& r) { facts(r, genus2); }},
+      {"facts of three holes", [=](Recorder& r) { facts(r, holes); }},
+      {"facts of a punctured torus", [=](Recorder& r) { facts(r, test::puncturedTorus(9, 7)); }},
+  };
+}
+
+}  // namespace hgp::recorded

@@ -36,7 +36,10 @@ function listText(list) {
     total += weight * Math.abs(x);
   }
   const part = (a, b) => numberText(Math.round((1000 * a) / (b || 1)) / 1000);
-  return `[${list.length}: ${numberText(size)} ${part(sum, size)} ${part(weighted, total)}]`;
+  // Ids are exact; what was computed may differ in the last bits, and bytes of it by one.
+  const isExact = list instanceof Uint32Array || list instanceof Int32Array || Array.isArray(list);
+  const about = isExact ? size : Number(size.toPrecision(4));
+  return `[${list.length}: ${numberText(about)} ${part(sum, size)} ${part(weighted, total)}]`;
 }
 
 const hashOf = (text) => createHash('sha256').update(text).digest('hex').slice(0, 6);
@@ -128,23 +131,24 @@ export function changes(before, after) {
   return found;
 }
 
+const long = 64; // characters of a line that was written out before
+
 /**
- * Lines that came and that were written out before, in a few words: how many, the first of them, and their hash, so that
- * none can differ.
+ * Lines that were written out before, in a few words: how many, the beginning of the first, and their hash, so that none
+ * can differ.
  */
 export function shortened(lines, known) {
   const found = [];
   let run = [];
   const flush = () => {
-    if (run.length < 3) found.push(...run);
-    else
-      found.push(
-        `${run[0].slice(0, most)} … ${run.length} lines as before, ${hashOf(run.join('\n'))}`,
-      );
+    const [first = ''] = run;
+    const beginning = `${first.slice(0, most)} …`;
+    if (run.length > 2) found.push(`${beginning} ${run.length} lines as before, ${hashOf(run.join('\n'))}`); // prettier-ignore
+    else for (const one of run) found.push(one.length > long ? `${one.slice(0, most)} … as before, ${hashOf(one)}` : one); // prettier-ignore
     run = [];
   };
   for (const line of lines) {
-    if (line.startsWith('+') && known.has(line)) run.push(line);
+    if (/^[+~]/.test(line) && known.has(line)) run.push(line);
     else {
       flush();
       found.push(line);

@@ -267,7 +267,8 @@ test('every code has its sentence', (t) => {
     const many = Object.fromEntries(names.map((name, i) => [name, 0.000034567 * 10 ** i]));
     note(`${code}: ${phrase({ code, numbers: few, words: {}, where })}`);
     note(`  ${phrase({ code, numbers: { ...many, more: 1 }, words: {}, where: where.slice(1) })}`);
-    note(`  ${phrase({ code, numbers: {}, words: { [names[0] ?? '']: 'word' }, where: [] })}`);
+    if (names.length > 0)
+      note(`  ${phrase({ code, numbers: {}, words: { [names[0] ?? '']: 'word' }, where: [] })}`);
   }
   note(phrase({ code: 'nobody', numbers: {}, words: {}, where: [] }));
   note(phrase({ code: 'x', numbers: { n: 3 }, words: {}, where: [] }, { x: '{n|mesh|meshes}[n: and more]' })); // prettier-ignore

@@ -101,7 +101,8 @@ export function setScreen(part) {
   const before = [...queries].map((one) => one.matches);
   Object.assign(screen, part);
   [...queries].forEach((one, i) => {
-    if (one.matches !== before[i]) one.dispatchEvent(new NodeEvent('change'));
+    if (one.matches !== before[i])
+      one.dispatchEvent(Object.assign(new NodeEvent('change'), { matches: one.matches }));
   });
 }
 
@@ -138,9 +139,9 @@ canvasPrototype.getBoundingClientRect = function box() {
 const cards = new WeakMap();
 const allCards = new Set();
 export const cardOf = (canvas) => cards.get(canvas);
-canvasPrototype.getContext = function context(kind) {
+canvasPrototype.getContext = function context(kind, options) {
   if (!cards.has(this)) {
-    cards.set(this, graphicsCard(this, kind));
+    cards.set(this, Object.assign(graphicsCard(this, kind), { options }));
     allCards.add(cards.get(this));
   }
   return cards.get(this).context;
@@ -270,6 +271,8 @@ export const solver = {
   held: [],
   asked: [],
   workers: new Set(),
+  /** Changes an answer before the page has it. */
+  change: undefined,
   /** Gives the page all that was held back. */
   release() {
     this.isHeld = false;
@@ -304,6 +307,7 @@ class SolverWorker extends EventTarget {
   }
   give(data) {
     if (!solver.workers.has(this)) return;
+    solver.change?.(data);
     if (data.id === this.call && !data.progress) this.settle();
     this.dispatchEvent(Object.assign(new NodeEvent('message'), { data }));
   }

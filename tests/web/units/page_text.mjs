@@ -89,12 +89,14 @@ function* documentLines({ doc, ui }) {
     yield `job ${valueText({ kind, title, stage, entered, detail, fraction })}`;
   }
   for (const key of docFields) if (doc[key] !== undefined) yield `doc.${key} ${valueText(bare(doc[key], 5), 5)}`; // prettier-ignore
-  yield `doc.message ${doc.message ? valueText({ ...doc.message, actions: doc.message.actions?.map(({ label }) => label) }) : 'none'}`; // prettier-ignore
+  // Its text is in the status bar.
+  yield `doc.message ${doc.message?.kind} ${doc.message?.details ?? ''}`;
   yield `doc.steps ${doc.history.undoKind} | ${doc.history.redoKind} | ${doc.solutions.length} solutions, ${doc.meshes.size} meshes`; // prettier-ignore
   if (doc.budget) {
     const { cones, components, ...all } = doc.budget;
     yield `doc.budget ${valueText({ ...all, components })}`;
-    yield `doc.budget.cones ${valueText(cones)}`;
+    const wrong = cones.filter(({ isGood, text }) => !isGood || text !== 'ok');
+    yield `doc.budget.cones ${cones.length} ${valueText(wrong)}`;
   }
   if (doc.live) yield `doc.live ${valueText(bare(doc.live))}`;
   if (doc.quads) yield `doc.quads ${doc.quads.isShown} ${valueText(doc.quads.made)} ${valueText(doc.quads.shape)}`; // prettier-ignore
@@ -124,12 +126,16 @@ function* objectLines(name, object) {
   for (const one of material ? [material].flat() : []) {
     const flags = materialKeys.filter((key) => one[key] && !(key === 'toneMapped' || (key === 'opacity' && one[key] === 1))); // prettier-ignore
     const uniforms = Object.entries(one.uniforms ?? {}).map(([key, { value }]) => `${key} ${uniformText(value)}`); // prettier-ignore
+    if (one.map) uniforms.push(`map ${textureText(one.map)}`);
     yield `${name} ${kind} material ${listed(one, flags)}; ${uniforms.join(', ')}`;
   }
 }
 
+/** A texture by its size, how it is read, and what is in it as far as it is numbers. */
+const textureText = ({ image, wrapS, magFilter }) => `texture ${image?.width}×${image?.height} ${wrapS} ${magFilter} ${ArrayBuffer.isView(image?.data) ? valueText(image.data) : ''}`; // prettier-ignore
+
 function uniformText(value) {
-  if (value?.isTexture) return `texture ${value.image?.width}×${value.image?.height} ${value.wrapS} ${value.magFilter}`; // prettier-ignore
+  if (value?.isTexture) return textureText(value);
   if (value?.isColor) return value.getHexString();
   if (value?.elements) return valueText([...value.elements]);
   if (value?.toArray) return valueText(value.toArray());
@@ -145,6 +151,8 @@ function* viewLines(name, view, card) {
   const things = [];
   scene.traverse((object) => void things.push(object));
   for (const [i, object] of things.entries()) if (i > 0) yield* objectLines(name, object);
+  const { options } = card;
+  yield `${name} context ${valueText({ ...options, ratio: view.renderer.getPixelRatio() })}`;
   yield `${name} draws ${card.drawn.map(([what, ...all]) => `${what} ${all.map((x) => valueText(x)).join(' ')}`).join(', ')}`; // prettier-ignore
 }
 

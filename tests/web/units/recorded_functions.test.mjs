@@ -56,7 +56,9 @@ async function table(name, call, ...rows) {
     } catch (error) {
       text = `fails: ${error.constructor === Error ? error.message : error.name}`; // engines word theirs in their own way
     }
-    recording.add(`${name}(${row.map((one) => valueText(one, 3)).join(', ')}) = ${text}`);
+    const given = row.map((one) => valueText(one, 3)).join(', ');
+    // The test has what is given.
+    recording.add(`${name}(${given.length > 60 ? `${given.slice(0, 60)}…` : given}) = ${text}`);
   }
 }
 const each = (...values) => values.map((one) => [one]);

@@ -217,6 +217,7 @@ function counted(on, name) {
 counted(Blob.prototype, 'arrayBuffer');
 counted(Blob.prototype, 'text');
 counted(Response.prototype, 'arrayBuffer');
+counted(ReadableStreamDefaultReader.prototype, 'read');
 counted(globalThis, 'fetch');
 counted(Object.getPrototypeOf(crypto.subtle), 'digest');
 
@@ -348,10 +349,16 @@ export async function startThreads(sources) {
 const turn = (isCalm) =>
   new Promise((resolve) => (isCalm ? real.setImmediate(resolve) : real.setTimeout(resolve, 2)));
 
+/** Until something is there whose loading cannot be seen. */
+export async function loaded(isThere) {
+  const end = real.Date.now() + 60_000;
+  while (!isThere() && real.Date.now() < end) await turn(false);
+}
+
 /** Until nothing is being worked on; `isFree` tells what else has to end. */
 async function quiet(isFree) {
   const end = real.Date.now() + 60_000;
-  for (let calm = 0; calm < 12;) {
+  for (let calm = 0; calm < 40;) {
     await turn(working === 0 && isFree());
     calm = working === 0 && isFree() ? calm + 1 : 0;
     if (real.Date.now() > end) throw new Error('The page does not come to rest.');

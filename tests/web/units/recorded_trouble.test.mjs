@@ -3,7 +3,7 @@
 
 import test from 'node:test';
 import { gzipSync } from 'node:zlib';
-import { cubeCrosses, cubeMesh, toGlb, toObj } from '../../support/meshes.mjs';
+import { cubeCrosses, cubeMesh, packGlb, toGlb, toGltf, toObj } from '../../support/meshes.mjs';
 import { $, $$, begin, buttonOf, choose, chosen, click, copied, drag, drop, finish, placeOf, point, press, rest, saved, setScreen, skip, solver, step, waits } from './recorded_session.mjs'; // prettier-ignore
 
 const box = (n) => {
@@ -147,6 +147,10 @@ test('what is less plain', { skip }, async () => {
   await step('run on it', () => click('#run'));
   await step('as seen in the file', () => choose('#pattern', 'material'));
   await step('quads in it', () => click('#preview-quads'));
+  const twice = toGltf([box(2)]);
+  twice.json.nodes = [{ mesh: 0 }, { mesh: 0, translation: [3, 0, 0] }];
+  twice.json.scenes[0].nodes = [0, 1];
+  await step('one mesh twice', () => drop({ 'twice.glb': packGlb(twice) }));
   await step('many triangles', () => drop({ 'many.obj': toObj(box(30)) }));
   await step('over them', () => point('view', 'pointermove', 300, 200));
   await step('a small screen', () => setScreen({ width: 800 }));

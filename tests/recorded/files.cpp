@@ -251,6 +251,12 @@ std::vector<Scenario> files() {
        [=](Recorder& r) { through(r, "a.obj", flipped(disk, 5), R"({"writeRepairs": true})"); }},
       {"obj with flipped faces, strict",
        [=](Recorder& r) { through(r, "a.obj", flipped(sphere, 9), R"({"strict": true})"); }},
+      {"small obj with flipped faces",
+       [=](Recorder& r) {
+         Shape small = sphere;
+         for (Vec3& p : small.data.positions) p = {0.1 * p[0], 0.1 * p[1], 0.1 * p[2]};
+         through(r, "a.obj", flipped(small, 2));
+       }},
       {"messy obj", [=](Recorder& r) { through(r, "a.obj", messy()); }},
       {"messy obj, repaired",
        [=](Recorder& r) { through(r, "a.obj", messy(), R"({"writeRepairs": true})"); }},

@@ -58,6 +58,7 @@ std::vector<Run> runs() {
         R"({"conesFor": "fewer"})",
         R"({"conesFor": "more"})",
         R"({"count": 20})",
+        R"({"count": 1})",
         R"({"alignToCurvature": true})",
         R"({"method": "harmonic"})",
         R"({"method": "soft"})",

@@ -1,6 +1,8 @@
 // Cones, turnings and handles that are prescribed: those with a map, those without, and what is said of them.
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "hgp/base/check.h"
 #include "recorded/recorder.h"
 
 namespace hgp::recorded {
@@ -54,6 +56,53 @@ void balanced(Recorder& r, const Shape& shape, const std::string& prescription) 
   if (!more) return r.failure("balance", more.error());
   r.json("cones", *more);
   solve(r, session, readCones(*more), "{}");
+}
+
+Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// The cross field of a direction in space, projected onto the triangles: as .rawfield, or as .ffield with a matching.
+std::string crossField(const Shape& shape, bool isFField) {
+  const Vec3 axis{0.9, 0.35, 0.2};
+  std::string out = formatText(
+      isFField ? "target_frame\n%d\nk1 k2 k1v_x k1v_y k1v_z k2v_x k2v_y k2v_z\n" : "4 %d\n",
+      static_cast<int>(shape.data.triangles.size()));
+  for (const auto& t : shape.data.triangles) {
+    std::array<Vec3, 3> p{};
+    for (std::size_t k = 0; k < 3; ++k) p[k] = shape.data.positions[static_cast<std::size_t>(t[k])];
+    Vec3 a{}, b{};
+    for (std::size_t k = 0; k < 3; ++k) a[k] = p[1][k] - p[0][k], b[k] = p[2][k] - p[0][k];
+    const Vec3 n = cross(a, b);
+    const Vec3 side = cross(n, axis), d = cross(side, n);
+    if (isFField) {
+      out += formatText("1 1 %.17g %.17g %.17g %.17g %.17g %.17g\n", d[0], d[1], d[2], side[0],
+                        side[1], side[2]);
+      continue;
+    }
+    const double long1 = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    const double long2 = std::sqrt(side[0] * side[0] + side[1] * side[1] + side[2] * side[2]);
+    for (double sign : {1.0, -1.0}) {
+      out += formatText("%.17g %.17g %.17g ", sign * d[0] / long1, sign * d[1] / long1,
+                        sign * d[2] / long1);
+      out += formatText("%.17g %.17g %.17g ", sign * side[0] / long2, sign * side[1] / long2,
+                        sign * side[2] / long2);
+    }
+    out += "\n";
+  }
+  return out;
+}
+
+void ofField(Recorder& r, const Shape& shape, bool isFField, const char* options) {
+  api::Session session = loaded(shape.data);
+  const auto field =
+      api::readPrescription(isFField ? "a.ffield" : "a.rawfield", crossField(shape, isFField), 4);
+  if (!field) return r.failure("field", field.error());
+  if (const auto cones = session.convert(*field); cones)
+    r.json("converted", *cones);
+  else
+    r.failure("convert", cones.error());
+  solve(r, session, *field, options);
 }
 
 void moved(Recorder& r, const Shape& from, const Shape& to) {
@@ -181,6 +230,12 @@ std::vector<Scenario> prescriptions() {
       {"transfer to another order",
        [=](Recorder& r) { moved(r, sphere, test::scattered(sphere)); }},
       {"transfer to a part", [=](Recorder& r) { moved(r, test::icosphere(5), holes); }},
+      {"a field", [=](Recorder& r) { ofField(r, sphere, false, "{}"); }},
+      {"a field and its directions",
+       [=](Recorder& r) { ofField(r, sphere, false, R"({"frames": "file"})"); }},
+      {"a field on a torus",
+       [=](Recorder& r) { ofField(r, torus, false, R"({"frames": "file"})"); }},
+      {"a field on a tube", [=](Recorder& r) { ofField(r, tube, true, R"({"frames": "file"})"); }},
       {"facts of a sphere", [=](Recorder& r) { facts(r, sphere); }},
       {"facts of genus 2", [=](Recorder& r) { facts(r, genus2); }},
       {"facts of three holes", [=](Recorder& r) { facts(r, holes); }},

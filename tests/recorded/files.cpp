@@ -75,7 +75,7 @@ std::string flipped(Shape shape, int every) {
 
 /// A triangle twice, one without area, three on one edge, and two fans at one vertex.
 std::string messy() {
-  const Shape sphere = test::icosphere(3);
+  const Shape sphere = shapes::icosphere(3);
   std::string text = objOf(sphere);
   const int n = static_cast<int>(sphere.data.positions.size());
   const auto& t = sphere.data.triangles[0];
@@ -216,7 +216,7 @@ void through(Recorder& r, const std::string& name, const std::string& text, cons
 }
 
 std::vector<std::pair<std::string, std::string>> smallFiles() {
-  const Shape small = test::octahedron();
+  const Shape small = shapes::octahedron();
   return {{"a.obj", kRich},
           {"b.obj", kQuads},
           {"a.ply", plyOf(small)},
@@ -228,9 +228,9 @@ std::vector<std::pair<std::string, std::string>> smallFiles() {
 }
 
 std::vector<Scenario> files() {
-  const Shape sphere = test::jittered(test::icosphere(3), 0.03);
-  const Shape disk = test::jittered(test::disk(4), 0.03);
-  const Shape torus = test::jittered(test::torus(12, 7), 0.02);
+  const Shape sphere = shapes::jittered(shapes::icosphere(3), 0.03);
+  const Shape disk = shapes::jittered(shapes::disk(4), 0.03);
+  const Shape torus = shapes::jittered(shapes::torus(12, 7), 0.02);
   const std::vector<const char*> all = {
       "{}",
       R"({"format": "glb", "name": "a.glb"})",

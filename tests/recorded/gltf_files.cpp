@@ -196,7 +196,7 @@ void all(Recorder& r, const std::string& text) {
 
 std::string smallGlb() {
   Glb glb;
-  const Shape small = test::octahedron();
+  const Shape small = shapes::octahedron();
   glb.add(small, {.indices = kByte,
                   .hasNormals = true,
                   .hasUv = true,
@@ -208,9 +208,9 @@ std::string smallGlb() {
 }
 
 std::vector<Scenario> gltfFiles() {
-  const Shape sphere = test::jittered(test::icosphere(3), 0.03);
-  const Shape disk = test::jittered(test::disk(4), 0.03);
-  const Shape torus = test::jittered(test::torus(12, 7), 0.02);
+  const Shape sphere = shapes::jittered(shapes::icosphere(3), 0.03);
+  const Shape disk = shapes::jittered(shapes::disk(4), 0.03);
+  const Shape torus = shapes::jittered(shapes::torus(12, 7), 0.02);
   const std::vector<std::pair<const char*, Storage>> ways = {
       {"32-bit indices", {}},
       {"16-bit indices", {.indices = kUnsignedShort}},

@@ -39,12 +39,12 @@ void listed(Recorder& r, const Shape& shape, const char* prescription) {
 }  // namespace
 
 std::vector<Scenario> grids() {
-  const Shape sphere = test::jittered(test::icosphere(6), 0.02);
-  const Shape cube = test::jittered(test::cube(6), 0.002);
-  const Shape bar = test::pretzel(1, 3);
-  const Shape tube = test::jittered(test::cylinder(16, 9), 0.01);
-  const Shape plate = test::jittered(test::annulus(16, 5), 0.01);
-  const Shape genus2 = test::jittered(test::pretzel(2, 2), 0.02);
+  const Shape sphere = shapes::jittered(shapes::icosphere(6), 0.02);
+  const Shape cube = shapes::jittered(shapes::cube(6), 0.002);
+  const Shape bar = shapes::pretzel(1, 3);
+  const Shape tube = shapes::jittered(shapes::cylinder(16, 9), 0.01);
+  const Shape plate = shapes::jittered(shapes::annulus(16, 5), 0.01);
+  const Shape genus2 = shapes::jittered(shapes::pretzel(2, 2), 0.02);
   const char* creases = R"({"format":"hgp-cones","version":1,"q":4,"features":{"creases":40}})";
   const char* rims = R"({"format":"hgp-cones","version":1,"q":4,"features":{"rims":true}})";
   const char* line =
@@ -78,7 +78,7 @@ std::vector<Scenario> grids() {
        [=](Recorder& r) { aligned(r, genus2, R"({"grid": {"cells": 400, "mode": "quad"}})"); }},
       {"quads of a torus",
        [=](Recorder& r) {
-         aligned(r, test::jittered(test::torus(16, 9), 0.02),
+         aligned(r, shapes::jittered(shapes::torus(16, 9), 0.02),
                  R"({"grid": {"cells": 200, "mode": "quad"}})");
        }},
       {"creases of a cube", [=](Recorder& r) { aligned(r, cube, "{}", creases); }},

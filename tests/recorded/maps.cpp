@@ -8,23 +8,23 @@ using test::Shape;
 
 Shape stretched(Shape shape, double x, double y, double z) {
   for (Vec3& p : shape.data.positions) p = {x * p[0], y * p[1], z * p[2]};
-  return shape;
+  return shapes::settled(shape);
 }
 
 /// A sphere with a bump, whose map has large changes of scale.
 Shape bumpy(int n) {
-  Shape shape = test::jittered(test::icosphere(n), 0.01);
+  Shape shape = shapes::jittered(shapes::icosphere(n), 0.01);
   for (Vec3& p : shape.data.positions) {
     const double to = p[0] * 0.6 + p[1] * 0.64 + p[2] * 0.48;
     const double height = to > 0.8 ? 1.0 + 12.0 * (to - 0.8) : 1.0;
     for (double& c : p) c *= height;
   }
-  return shape;
+  return shapes::settled(shape);
 }
 
 Shape two() {
-  Shape both = test::jittered(test::icosphere(4), 0.02);
-  const Shape other = test::jittered(test::disk(4), 0.02, 3);
+  Shape both = shapes::jittered(shapes::icosphere(4), 0.02);
+  const Shape other = shapes::jittered(shapes::disk(4), 0.02, 3);
   const int first = static_cast<int>(both.data.positions.size());
   for (const Vec3& p : other.data.positions)
     both.data.positions.push_back({p[0] + 4.0, p[1], 0.1 * p[0] * p[1]});
@@ -40,10 +40,10 @@ struct Run {
 };
 
 std::vector<Run> runs() {
-  const auto sphere = test::jittered(test::icosphere(5), 0.03);
-  const auto genus2 = test::jittered(test::pretzel(2, 2), 0.04);
-  const auto tube = stretched(test::jittered(test::cylinder(14, 9), 0.02), 1.0, 1.0, 2.5);
-  const auto plate = test::jittered(test::annulus(14, 4), 0.02);
+  const auto sphere = shapes::jittered(shapes::icosphere(5), 0.03);
+  const auto genus2 = shapes::jittered(shapes::pretzel(2, 2), 0.04);
+  const auto tube = stretched(shapes::jittered(shapes::cylinder(14, 9), 0.02), 1.0, 1.0, 2.5);
+  const auto plate = shapes::jittered(shapes::annulus(14, 4), 0.02);
   return {
       {"sphere",
        sphere,
@@ -72,28 +72,32 @@ std::vector<Run> runs() {
         R"({"scale": "fit"})",
         R"({"quality": true})",
         R"({"maxRounds": 1, "method": "soft"})"}},
-      {"cube", test::jittered(test::cube(5), 0.004), {"{}", R"({"alignToCurvature": true})"}},
+      {"cube", shapes::jittered(shapes::cube(5), 0.004), {"{}", R"({"alignToCurvature": true})"}},
       {"bumpy", bumpy(6), {"{}", R"({"conesFor": "few"})", R"({"conesFor": "low-distortion"})"}},
-      {"octahedron", test::octahedron(), {"{}", R"({"q": 2})"}},
+      {"octahedron", shapes::octahedron(), {"{}", R"({"q": 2})"}},
       {"torus",
-       test::jittered(test::torus(16, 9), 0.02),
+       shapes::jittered(shapes::torus(16, 9), 0.02),
        {"{}", R"({"conesFor": "low-distortion"})"}},
       {"genus 2",
        genus2,
        {"{}", R"({"q": 2})", R"({"q": 3})", R"({"method": "soft"})", R"({"method": "printed"})"}},
-      {"genus 3", test::jittered(test::pretzel(3, 2), 0.05), {"{}", R"({"improve": "isometric"})"}},
+      {"genus 3",
+       shapes::jittered(shapes::pretzel(3, 2), 0.05),
+       {"{}", R"({"improve": "isometric"})"}},
       {"disk",
-       test::jittered(test::disk(6), 0.02),
+       shapes::jittered(shapes::disk(6), 0.02),
        {"{}", R"({"boundary": "convex"})", R"({"conesFor": "low-distortion"})",
         R"({"q": 6, "boundary": "convex"})"}},
       {"annulus", plate, {"{}", R"({"boundary": "convex"})", R"({"method": "all-frames"})"}},
       {"tube", tube, {"{}", R"({"q": 3})", R"({"improve": "isometric", "count": 8})"}},
-      {"punctured torus", test::jittered(test::puncturedTorus(14, 9), 0.02), {"{}", R"({"q": 6})"}},
+      {"punctured torus",
+       shapes::jittered(shapes::puncturedTorus(14, 9), 0.02),
+       {"{}", R"({"q": 6})"}},
       {"three holes",
-       test::jittered(test::withoutFaces(test::icosphere(5), {0, 120, 300}), 0.02),
+       shapes::jittered(shapes::withoutFaces(shapes::icosphere(5), {0, 120, 300}), 0.02),
        {"{}", R"({"boundary": "convex"})"}},
       {"two components", two(), {"{}", R"({"count": 12})", R"({"scale": "fit"})"}},
-      {"one triangle", test::triangle(), {"{}"}},
+      {"one triangle", shapes::triangle(), {"{}"}},
   };
 }
 

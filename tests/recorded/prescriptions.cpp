@@ -118,12 +118,13 @@ void moved(Recorder& r, const Shape& from, const Shape& to) {
 }  // namespace
 
 std::vector<Scenario> prescriptions() {
-  const Shape sphere = test::jittered(test::icosphere(5), 0.03);
-  const Shape torus = test::jittered(test::torus(18, 10), 0.02);
-  const Shape genus2 = test::jittered(test::pretzel(2, 2), 0.04);
-  const Shape disk = test::jittered(test::disk(6), 0.02);
-  const Shape tube = test::jittered(test::cylinder(14, 8), 0.02);
-  const Shape holes = test::jittered(test::withoutFaces(test::icosphere(5), {0, 120, 300}), 0.02);
+  const Shape sphere = shapes::jittered(shapes::icosphere(5), 0.03);
+  const Shape torus = shapes::jittered(shapes::torus(18, 10), 0.02);
+  const Shape genus2 = shapes::jittered(shapes::pretzel(2, 2), 0.04);
+  const Shape disk = shapes::jittered(shapes::disk(6), 0.02);
+  const Shape tube = shapes::jittered(shapes::cylinder(14, 8), 0.02);
+  const Shape holes =
+      shapes::jittered(shapes::withoutFaces(shapes::icosphere(5), {0, 120, 300}), 0.02);
   const std::string eight =
       cones(4, {{0, 3}, {1, 3}, {2, 3}, {3, 3}, {4, 3}, {5, 3}, {6, 3}, {7, 3}});
   const std::string steep = cones(4, {{0, 1}, {40, 1}, {90, 2}});
@@ -140,8 +141,8 @@ std::vector<Scenario> prescriptions() {
        [=](Recorder& r) { asked(r, sphere, steep, R"({"method": "all-frames"})"); }},
       {"steep, refined",
        [=](Recorder& r) {
-         asked(r, test::jittered(test::icosphere(2), 0.03), cones(4, {{0, 1}, {20, 1}, {30, 2}}),
-               R"({"refine": true})");
+         asked(r, shapes::jittered(shapes::icosphere(2), 0.03),
+               cones(4, {{0, 1}, {20, 1}, {30, 2}}), R"({"refine": true})");
        }},
       {"q 12",
        [=](Recorder& r) {
@@ -199,7 +200,8 @@ std::vector<Scenario> prescriptions() {
        }},
       {"too few triangles",
        [=](Recorder& r) {
-         asked(r, test::octahedron(), cones(4, {{0, 20}, {1, 1}, {2, 1}, {3, 1}, {4, 1}, {5, 1}}));
+         asked(r, shapes::octahedron(),
+               cones(4, {{0, 20}, {1, 1}, {2, 1}, {3, 1}, {4, 1}, {5, 1}}));
        }},
       {"no such vertex",
        [=](Recorder& r) {
@@ -211,7 +213,7 @@ std::vector<Scenario> prescriptions() {
        }},
       {"no map, kept going",
        [=](Recorder& r) {
-         asked(r, test::icosphere(1), cones(4, {{0, 1}, {1, 1}, {2, 1}, {3, 5}}),
+         asked(r, shapes::icosphere(1), cones(4, {{0, 1}, {1, 1}, {2, 1}, {3, 5}}),
                R"({"keepGoing": true})");
        }},
       {"balance",
@@ -228,8 +230,8 @@ std::vector<Scenario> prescriptions() {
        }},
       {"transfer to the same", [=](Recorder& r) { moved(r, sphere, sphere); }},
       {"transfer to another order",
-       [=](Recorder& r) { moved(r, sphere, test::scattered(sphere)); }},
-      {"transfer to a part", [=](Recorder& r) { moved(r, test::icosphere(5), holes); }},
+       [=](Recorder& r) { moved(r, sphere, shapes::scattered(sphere)); }},
+      {"transfer to a part", [=](Recorder& r) { moved(r, shapes::icosphere(5), holes); }},
       {"a field", [=](Recorder& r) { ofField(r, sphere, false, "{}"); }},
       {"a field and its directions",
        [=](Recorder& r) { ofField(r, sphere, false, R"({"frames": "file"})"); }},
@@ -239,7 +241,7 @@ std::vector<Scenario> prescriptions() {
       {"facts of a sphere", [=](Recorder& r) { facts(r, sphere); }},
       {"facts of genus 2", [=](Recorder& r) { facts(r, genus2); }},
       {"facts of three holes", [=](Recorder& r) { facts(r, holes); }},
-      {"facts of a punctured torus", [=](Recorder& r) { facts(r, test::puncturedTorus(9, 7)); }},
+      {"facts of a punctured torus", [=](Recorder& r) { facts(r, shapes::puncturedTorus(9, 7)); }},
   };
 }
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "hgp/api/session.h"
-#include "support/shapes.h"
+#include "recorded/shapes.h"
 
 namespace hgp::recorded {
 

@@ -80,10 +80,10 @@ void tampered(Recorder& r, const Shape& shape, const char* options, const char* 
 }  // namespace
 
 std::vector<Scenario> verdicts() {
-  const Shape sphere = test::jittered(test::icosphere(3), 0.03);
-  const Shape torus = test::jittered(test::torus(12, 7), 0.02);
-  const Shape tube = test::jittered(test::cylinder(10, 5), 0.02);
-  const Shape genus2 = test::jittered(test::pretzel(2), 0.03);
+  const Shape sphere = shapes::jittered(shapes::icosphere(3), 0.03);
+  const Shape torus = shapes::jittered(shapes::torus(12, 7), 0.02);
+  const Shape tube = shapes::jittered(shapes::cylinder(10, 5), 0.02);
+  const Shape genus2 = shapes::jittered(shapes::pretzel(2), 0.03);
   return {
       {"verdicts on a sphere", [=](Recorder& r) { tampered(r, sphere, "{}"); }},
       {"verdicts on a sphere, q 6",

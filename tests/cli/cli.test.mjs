@@ -747,8 +747,8 @@ test('hostile files end with their exit codes, without delay', () => {
   symlinkSync('/etc/passwd', at('linked.bin'));
   spawnSync('mkfifo', [at('waiting.bin')]);
   for (const [name, [text, exit, message]] of Object.entries(hostile)) {
-    // Under Wine a program sees what such a link leads to, and not the link.
-    if (name === 'linked.gltf' && !hasDevices) continue;
+    // Under Wine a program sees what such a link leads to, and not the link; and pipes not at all.
+    if (['linked.gltf', 'waiting.gltf'].includes(name) && !hasDevices) continue;
     put(name, text);
     const { code, err } = run(['param', name, '-o', 'x.obj'], { timeout: 20_000 });
     assert.equal(code, exit, `${name}: ${err}`);

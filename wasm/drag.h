@@ -39,7 +39,7 @@ class Drag {
   }
 
   val prepareHere() { return answerTo(drag_->prepareHere()); }
-  /// The reply's `vertex` is that of the position reached.
+  /// The reply's `vertex` is that of the position reached, or −1.
   val prepareToward(int vertex) {
     return guarded([&] {
       const Result<int> reached = drag_->prepareToward(vertex);

@@ -76,7 +76,7 @@ for (const fault of isDrawn ? [] : chosen) {
 
 const programs = [...new Set(chosen.flatMap((fault) => fault.programs))];
 const missing = programs.filter((program) => !plant.has(program));
-if (missing.length > 0) wrong.push(`not built in ${options.preset}: ${missing.map((p) => `tests_${p}`).join(' ')}`); // prettier-ignore
+if (missing.length > 0) wrong.push(`not built: cmake --build --preset ${options.preset} --target ${missing.map((p) => `tests_${p}`).join(' ')}`); // prettier-ignore
 
 async function keyOf({ file, find, put, programs, seenBy }) {
   const how = ['mutate.mjs', 'plant.mjs'].map((name) => contentOf(path.join(root, 'tests/mutation', name))); // prettier-ignore

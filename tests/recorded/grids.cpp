@@ -45,61 +45,46 @@ std::vector<Scenario> grids() {
   const Shape tube = shapes::jittered(shapes::cylinder(16, 9), 0.01);
   const Shape plate = shapes::jittered(shapes::annulus(16, 5), 0.01);
   const Shape genus2 = shapes::jittered(shapes::pretzel(2, 2), 0.02);
+  const Shape torus = shapes::jittered(shapes::torus(16, 9), 0.02);
   const char* creases = R"({"format":"hgp-cones","version":1,"q":4,"features":{"creases":40}})";
   const char* rims = R"({"format":"hgp-cones","version":1,"q":4,"features":{"rims":true}})";
   const char* line =
       R"({"format":"hgp-cones","version":1,"q":4,"features":{"creases":40,"lines":[{"vertices":[0,1,2]}]}})";
-  return {
-      {"quads of a sphere",
-       [=](Recorder& r) { aligned(r, sphere, R"({"grid": {"cells": 300, "mode": "quad"}})"); }},
-      {"tiles of a sphere",
-       [=](Recorder& r) { aligned(r, sphere, R"({"grid": {"cells": 120, "mode": "tile"}})"); }},
-      {"few cells",
-       [=](Recorder& r) { aligned(r, sphere, R"({"grid": {"cells": 20, "mode": "quad"}})"); }},
-      {"cells of a length",
-       [=](Recorder& r) { aligned(r, cube, R"({"grid": {"spacing": 0.11, "mode": "quad"}})"); }},
-      {"cells by the program",
-       [=](Recorder& r) { aligned(r, cube, R"({"grid": {"mode": "quad"}})"); }},
-      {"q 2",
-       [=](Recorder& r) {
-         aligned(r, sphere, R"({"q": 2, "grid": {"cells": 200, "mode": "tile"}})");
-       }},
-      {"quads, improved",
-       [=](Recorder& r) {
-         aligned(
-             r, cube,
-             R"({"improve": "isometric", "alignToCurvature": true, "grid": {"cells": 250, "mode": "quad"}})");
-       }},
-      {"quads of a tube",
-       [=](Recorder& r) { aligned(r, tube, R"({"grid": {"cells": 150, "mode": "quad"}})"); }},
-      {"quads of a ring",
-       [=](Recorder& r) { aligned(r, plate, R"({"grid": {"cells": 100, "mode": "quad"}})"); }},
-      {"quads of genus 2",
-       [=](Recorder& r) { aligned(r, genus2, R"({"grid": {"cells": 400, "mode": "quad"}})"); }},
-      {"quads of a torus",
-       [=](Recorder& r) {
-         aligned(r, shapes::jittered(shapes::torus(16, 9), 0.02),
-                 R"({"grid": {"cells": 200, "mode": "quad"}})");
-       }},
-      {"creases of a cube", [=](Recorder& r) { aligned(r, cube, "{}", creases); }},
-      {"creases of a cube, quads",
-       [=](Recorder& r) {
-         aligned(r, cube, R"({"grid": {"cells": 200, "mode": "quad"}})", creases);
-       }},
-      {"creases of a bar", [=](Recorder& r) { aligned(r, bar, "{}", creases); }},
-      {"creases of a bar, quads",
-       [=](Recorder& r) {
-         aligned(r, bar, R"({"grid": {"cells": 300, "mode": "quad"}})", creases);
-       }},
-      {"rims of a tube", [=](Recorder& r) { aligned(r, tube, "{}", rims); }},
-      {"rims of a ring, quads",
-       [=](Recorder& r) {
-         aligned(r, plate, R"({"grid": {"cells": 120, "mode": "quad"}})", rims);
-       }},
-      {"features of a cube", [=](Recorder& r) { listed(r, cube, creases); }},
-      {"features of a ring", [=](Recorder& r) { listed(r, plate, rims); }},
-      {"features and a line", [=](Recorder& r) { listed(r, bar, line); }},
+  struct Run {
+    const char* name;
+    const Shape& shape;
+    const char* options;
+    const char* prescription = nullptr;
   };
+  std::vector<Scenario> all;
+  for (
+      const Run& run : std::vector<Run>{
+          {"quads of a sphere", sphere, R"({"grid": {"cells": 300, "mode": "quad"}})"},
+          {"tiles of a sphere", sphere, R"({"grid": {"cells": 120, "mode": "tile"}})"},
+          {"few cells", sphere, R"({"grid": {"cells": 20, "mode": "quad"}})"},
+          {"cells of a length", cube, R"({"grid": {"spacing": 0.11, "mode": "quad"}})"},
+          {"cells by the program", cube, R"({"grid": {"mode": "quad"}})"},
+          {"q 2", sphere, R"({"q": 2, "grid": {"cells": 200, "mode": "tile"}})"},
+          {"quads, improved", cube,
+           R"({"improve": "isometric", "alignToCurvature": true, "grid": {"cells": 250, "mode": "quad"}})"},
+          {"quads of a tube", tube, R"({"grid": {"cells": 150, "mode": "quad"}})"},
+          {"quads of a ring", plate, R"({"grid": {"cells": 100, "mode": "quad"}})"},
+          {"quads of genus 2", genus2, R"({"grid": {"cells": 400, "mode": "quad"}})"},
+          {"quads of a torus", torus, R"({"grid": {"cells": 200, "mode": "quad"}})"},
+          {"creases of a cube", cube, "{}", creases},
+          {"creases of a cube, quads", cube, R"({"grid": {"cells": 200, "mode": "quad"}})",
+           creases},
+          {"creases of a bar", bar, "{}", creases},
+          {"creases of a bar, quads", bar, R"({"grid": {"cells": 300, "mode": "quad"}})", creases},
+          {"rims of a tube", tube, "{}", rims},
+          {"rims of a ring, quads", plate, R"({"grid": {"cells": 120, "mode": "quad"}})", rims}})
+    all.push_back(
+        {run.name, [shape = run.shape, options = run.options, prescription = run.prescription](
+                       Recorder& r) { aligned(r, shape, options, prescription); }});
+  all.push_back({"features of a cube", [=](Recorder& r) { listed(r, cube, creases); }});
+  all.push_back({"features of a ring", [=](Recorder& r) { listed(r, plate, rims); }});
+  all.push_back({"features and a line", [=](Recorder& r) { listed(r, bar, line); }});
+  return all;
 }
 
 }  // namespace hgp::recorded

@@ -23,12 +23,12 @@ function sideFiles() {
   return { 'side.gltf': JSON.stringify(json), 'side.bin': bin };
 }
 
-/** [what it is, files with the main one first, options of both programs] */
 /** Without symmetries: which of equally good cones is chosen depends on rounding, and so on the processor. */
 const skew = ({ vertices, triangles }) => ({
   vertices: vertices.map(([x, y, z]) => [1.3 * x + 0.2 * y * z, 0.9 * y + 0.1 * x * x, z + 0.15 * x * y]), // prettier-ignore
   triangles,
 });
+/** [what it is, files with the main one first, options of both programs] */
 const cases = [
   ['sphere, OBJ', { 'cube.obj': toObj(cubeMesh(6)) }, { q: 4 }],
   ['sphere with given cones, OFF', { 'cube.off': toOff(cubeMesh(6)) }, { cones: eightCones }],

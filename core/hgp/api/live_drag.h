@@ -41,8 +41,7 @@ class LiveDrag {
   /// Prepares the neighbourhood of the last certified position; takes about as long as begin().
   Status prepareHere();
   /// Goes towards a vertex for which moveTo() gave heat, as far as the prepared neighbourhood allows, and prepares that of
-  /// the position reached; returns the vertex of this position. Where it is another one than before, moveTo() or the
-  /// next call gets nearer.
+  /// the position reached; returns its vertex, or −1 where no nearer position has a certified map.
   Result<int> prepareToward(int vertex);
   /// Stores the last certified map as the session's result, verified as stored like that of any run; this ends the drag.
   /// Its bytes depend on the path of the cone, which its report says.

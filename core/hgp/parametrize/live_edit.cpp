@@ -206,14 +206,17 @@ Status LiveEdit::beginHere() {
 }
 
 Result<bool> LiveEdit::beginToward(VertexId v) {
-  constexpr std::size_t kPositions = 4;  // each costs a frame
   State& s = *state_;
-  const std::vector<VertexId> nearer =
-      s.disc ? s.disc->towards(v, kPositions) : std::vector<VertexId>();
-  for (const VertexId to : nearer)
-    if (to == s.last || (moveTo(to) && s.last == to)) break;
-  if (Status done = beginHere(); !done) return std::move(done).error();
-  return std::find(nearer.begin(), nearer.end(), s.cone.vertex) != nearer.end();
+  if (!s.disc) return false;
+  int tries = 4;  // each costs a frame
+  for (const VertexId to : s.disc->towards(v)) {
+    if (to != s.last && tries-- > 0)
+      if (const Result<LiveFrame> frame = moveTo(to); !frame) return frame.error();
+    if (to != s.last) continue;  // its map is not certified
+    if (Status done = beginHere(); !done) return std::move(done).error();
+    return true;
+  }
+  return false;
 }
 
 LiveEdit::Reached LiveEdit::reached() const {

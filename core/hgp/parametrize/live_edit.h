@@ -46,8 +46,8 @@ class LiveEdit {
   /// Prepares the neighbourhood of the cone's last position that had a certified map, and starts from that map.
   Status beginHere();
 
-  /// Goes towards v, which is out of reach: to a nearer position that has a certified map, and prepares its
-  /// neighbourhood. Where this returns true, moveTo(v) or the next call gets nearer to v.
+  /// Goes towards v, which is out of reach: to a position with fewer edges to v that has a certified map, and prepares
+  /// its neighbourhood. False, and nothing is prepared, if the neighbourhood of now has none.
   Result<bool> beginToward(VertexId v);
 
   /// The last certified map, or that of the start.

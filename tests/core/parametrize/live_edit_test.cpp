@@ -109,6 +109,19 @@ TEST(LiveEdit, MostFramesAreCertifiedAndAnIndependentVerifierAgrees) {
   EXPECT_GE(all.certified, 0.95 * all.frames) << all.certified << " of " << all.frames;
 }
 
+/// Begins to drag the first cone of every surface that has one.
+template <class Act>
+void withFirstCones(Act act) {
+  for (const test::Shape& shape : dragged()) {
+    SCOPED_TRACE(shape.name);
+    Solved on(shape);
+    if (on.result.spec.cones.empty()) continue;
+    const VertexId cone = on.result.spec.cones.front().vertex;
+    LiveEdit edit = on.edit(cone);
+    act(on, cone, edit);
+  }
+}
+
 /// Edges from v, by vertex.
 PerVertex<int> edgesFrom(const TriMesh& mesh, VertexId v) {
   PerVertex<int> edges(mesh.vertexCount(), -1);
@@ -125,17 +138,12 @@ PerVertex<int> edgesFrom(const TriMesh& mesh, VertexId v) {
 
 TEST(LiveEdit, AVertexFarAwayIsReachedInStepsEachOfWhichIsNearer) {
   int reached = 0, leaps = 0;
-  for (const test::Shape& shape : dragged()) {
-    SCOPED_TRACE(shape.name);
-    Solved on(shape);
-    if (on.result.spec.cones.empty()) continue;
-    const VertexId cone = on.result.spec.cones.front().vertex;
-    LiveEdit edit = on.edit(cone);
+  withFirstCones([&](Solved& on, VertexId cone, LiveEdit& edit) {
     const PerVertex<int> fromCone = edgesFrom(on.mesh, cone);
     VertexId to = cone;  // the farthest of up to 15 edges
     for (VertexId v : on.mesh.vertices())
       if (fromCone[v] <= 15 && fromCone[v] > fromCone[to] && on.mayHoldCone(v, cone)) to = v;
-    if (fromCone[to] < 6) continue;
+    if (fromCone[to] < 6) return;
     ++leaps;
     const PerVertex<int> left = edgesFrom(on.mesh, to);
     Result<LiveFrame> frame = edit.moveTo(to);
@@ -151,18 +159,13 @@ TEST(LiveEdit, AVertexFarAwayIsReachedInStepsEachOfWhichIsNearer) {
       ASSERT_TRUE(frame);
     }
     reached += frame->state == LiveState::kCertified;
-  }
+  });
   EXPECT_GE(leaps, 5);
   EXPECT_GE(reached, leaps - 1) << "of " << leaps;
 }
 
 TEST(LiveEdit, BackAtTheStartTheMapIsTheOneBefore) {
-  for (const test::Shape& shape : dragged()) {
-    SCOPED_TRACE(shape.name);
-    Solved on(shape);
-    if (on.result.spec.cones.empty()) continue;
-    const VertexId cone = on.result.spec.cones.front().vertex;
-    LiveEdit edit = on.edit(cone);
+  withFirstCones([&](Solved& on, VertexId cone, LiveEdit& edit) {
     for (HalfedgeId h : outgoingHalfedges(on.mesh, cone))
       if (on.mayHoldCone(on.mesh.head(h), cone)) {
         ASSERT_TRUE(edit.moveTo(on.mesh.head(h)));
@@ -183,7 +186,7 @@ TEST(LiveEdit, BackAtTheStartTheMapIsTheOneBefore) {
         worst = std::max(worst, std::abs((a[i][k] - a[0][k]) - (b[i][k] - b[0][k])));
       }
     EXPECT_LE(worst, 1e-11 * size);
-  }
+  });
 }
 
 TEST(LiveEdit, CrossingAGeneratorChangesItsRotationAndReversesNoTriangle) {

@@ -63,7 +63,7 @@ export interface Drag {
     }
   >;
   prepareHere(): Reply;
-  /** `vertex`: of the position reached. */
+  /** `vertex`: of the position reached; −1: no nearer one has a certified map. */
   prepareToward(vertex: number): Reply<{ vertex: number }>;
   drop(): Reply;
   delete(): void;

@@ -22,7 +22,7 @@ struct LiveDrag::State {
   std::vector<VertexId> vertexOf;  ///< by surface vertex; invalid outside the component
 
   Status requireCurrent() const;
-  Result<VertexId> vertexAt(int vertex) const;
+  Result<VertexId> place(int vertex) const;  ///< of a surface vertex, while the drag is current
   const ModelComponent& on() const { return session.model->components[component]; }
   void addMap(const LiveFrame& frame, LiveView& view) const;
   std::string conesOf(const LiveFrame& frame) const;
@@ -101,7 +101,8 @@ std::string LiveDrag::State::conesOf(const LiveFrame& frame) const {
   return prescription::writeConesJson(describe(*session.model, specs));
 }
 
-Result<VertexId> LiveDrag::State::vertexAt(int vertex) const {
+Result<VertexId> LiveDrag::State::place(int vertex) const {
+  if (Status current = requireCurrent(); !current) return std::move(current).error();
   const bool isThere = vertex >= 0 && vertex < static_cast<int>(vertexOf.size());
   if (isThere && vertexOf[hgp::at(vertex)].isValid()) return vertexOf[hgp::at(vertex)];
   return refuse(formatText("vertex %d is not on the component of this cone", vertex));
@@ -110,8 +111,7 @@ Result<VertexId> LiveDrag::State::vertexAt(int vertex) const {
 Result<LiveView> LiveDrag::moveTo(int vertex) {
   return guarded([&]() -> Result<LiveView> {
     State& s = *state_;
-    if (Status current = s.requireCurrent(); !current) return std::move(current).error();
-    const Result<VertexId> to = s.vertexAt(vertex);
+    const Result<VertexId> to = s.place(vertex);
     if (!to) return to.error();
     Result<LiveFrame> frame = s.edit.moveTo(*to);
     if (!frame) return toSurfaceIds(*s.session.model, s.on(), frame.error());
@@ -189,12 +189,11 @@ Status LiveDrag::prepareHere() {
 Result<int> LiveDrag::prepareToward(int vertex) {
   return guarded([&]() -> Result<int> {
     State& s = *state_;
-    if (Status current = s.requireCurrent(); !current) return std::move(current).error();
-    const Result<VertexId> to = s.vertexAt(vertex);
+    const Result<VertexId> to = s.place(vertex);
     if (!to) return to.error();
-    if (Result<bool> done = s.edit.beginToward(*to); !done)
-      return toSurfaceIds(*s.session.model, s.on(), done.error());
-    return s.on().vertex[s.edit.cone().vertex].i;
+    const Result<bool> isNearer = s.edit.beginToward(*to);
+    if (!isNearer) return toSurfaceIds(*s.session.model, s.on(), isNearer.error());
+    return *isNearer ? s.on().vertex[s.edit.cone().vertex].i : -1;
   });
 }
 

@@ -50,12 +50,12 @@ std::vector<HalfedgeId> DragDisc::pathTo(VertexId v) const {
   return path;
 }
 
-std::vector<VertexId> DragDisc::towards(VertexId v, std::size_t count) const {
+std::vector<VertexId> DragDisc::towards(VertexId v) const {
   std::vector<VertexId> found;
   PerVertex<int> edges(mesh_.vertexCount(), -1);
   std::vector<VertexId> queue{v};
   edges[v] = 0;
-  for (std::size_t i = 0; i < queue.size() && found.size() < count; ++i) {
+  for (std::size_t i = 0; i < queue.size(); ++i) {
     const VertexId u = queue[i];
     if (edges[cone_] >= 0 && edges[u] >= edges[cone_]) break;
     if (!pathTo(u).empty()) found.push_back(u);

@@ -30,8 +30,8 @@ class DragDisc {
 
   /// Edges from the cone to v in the disc, around other cones; empty if there are none.
   std::vector<HalfedgeId> pathTo(VertexId v) const;
-  /// Up to `count` positions of the cone in the disc with fewer edges to v than the cone has now; nearest first.
-  std::vector<VertexId> towards(VertexId v, std::size_t count) const;
+  /// The positions of the cone in the disc with fewer edges to v than the cone has now; nearest first.
+  std::vector<VertexId> towards(VertexId v) const;
   /// The similarity along the frames that a triangle has as a target near the cone.
   Complex targetAt(const MovedField& field, FaceId f) const;
   /// Vertices with a harmonic row while the cone is at `to`.

@@ -17,14 +17,13 @@ export class CoreDrag {
   #drag: Drag | undefined;
   /** Positions at which it was prepared. */
   readonly #anchors: number[] = [];
-  readonly #start: number;
   #last: number;
   #wantsPreparation = false;
 
   /** @internal */
   constructor(module: Module, map: CoreMap, vertex: number) {
     this.#map = map;
-    this.#start = this.#last = vertex;
+    this.#last = vertex;
     const drag = new module.Drag();
     try {
       valueOf(map.current().beginDrag(drag, vertex));
@@ -72,17 +71,18 @@ export class CoreDrag {
     if (this.#anchors.at(-1) !== this.#last) this.#anchors.push(this.#last);
   }
 
-  /** Goes towards a vertex out of reach and prepares that neighbourhood; whether the cone is elsewhere than before. */
+  /** Goes towards a vertex out of reach and prepares that neighbourhood; whether a nearer position has a certified map. */
   #approach(vertex: number): boolean {
-    const before = this.#anchors.at(-1) ?? this.#start;
+    let reached;
     try {
-      this.#last = valueOf(this.#current().prepareToward(vertex)).vertex;
+      reached = valueOf(this.#current().prepareToward(vertex)).vertex;
     } catch (error) {
       this.free();
       throw error;
     }
-    if (this.#last === before) return false;
-    this.#anchors.push(this.#last);
+    if (reached < 0) return false;
+    this.#last = reached;
+    this.#anchors.push(reached);
     return true;
   }
 

@@ -302,7 +302,7 @@ test('what is kept in the browser', async () => {
   await saveCones(place('a'), good);
   await saveCones(place('a', 2), { ...good, q: 6 });
   await table('restorable', restorable, [place('a')], [place('a', 2)], [place('a', 1)]);
-  const bad = [{ version: 1 }, { time: 'x' }, { prescription: undefined }, ...[{ q: 0 }, { q: 1 }, { q: 2.5 }, { q: -4 }, { cones: {} }, { cones: [{ vertex: -1, k: 3 }] }, { cones: [{ vertex: 1, k: 0.5 }] }, { cones: [{ vertex: 0, k: 3 }] }, { cones: [null] }, { turnings: 'x' }, { turnings: [0.5] }, { turnings: [undefined] }, { handles: null }, { handles: ['1'] }].map((one) => ({ prescription: { ...good, ...one } }))]; // prettier-ignore
+  const bad = [{ version: 1 }, { time: 'x' }, { prescription: undefined }, ...[{ q: 0 }, { q: 1 }, { q: 2.5 }, { q: -4 }, { cones: {} }, { cones: [{ vertex: -1, k: 3 }] }, { cones: [{ vertex: 1, k: 0.5 }] }, { cones: [{ vertex: 0, k: 3 }] }, { cones: [null] }, { turnings: 'x' }, { turnings: '' }, { turnings: [0.5] }, { turnings: [undefined] }, { handles: null }, { handles: ['1'] }].map((one) => ({ prescription: { ...good, ...one } }))]; // prettier-ignore
   for (const one of bad) {
     await table('restorable as stored', async () => {
       const store = await openStore({ database: 'hgp', name: 'cones', keyPath: 'sha256', indices: ['time'] }, 'readwrite'); // prettier-ignore

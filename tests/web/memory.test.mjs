@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { cubeMesh, toGlb, toObj } from '../support/meshes.mjs';
 import { torusMesh } from './shapes.mjs';
-import { drop, openFiles, run, state, statusSays, useBrowser } from './support.mjs';
+import { drop, openFiles, run, settled, state, statusSays, useBrowser } from './support.mjs';
 
 const it = useBrowser();
 const { test } = it;
@@ -50,6 +50,38 @@ async function census(page) {
   };
 }
 
+/** Bytes of all arrays that the page and each of its workers hold, by the worker's name. */
+async function heldBytes({ context, page }) {
+  const session = await context.newCDPSession(page);
+  const workers = new Map();
+  const answers = new Map();
+  session.on('Target.attachedToTarget', ({ sessionId, targetInfo }) => workers.set(sessionId, targetInfo.url)); // prettier-ignore
+  session.on('Target.receivedMessageFromTarget', ({ sessionId, message }) => {
+    const { id, result } = JSON.parse(message);
+    answers.get(`${sessionId} ${id}`)?.(result);
+  });
+  await session.send('Target.setAutoAttach', { autoAttach: true, waitForDebuggerOnStart: false, flatten: false }); // prettier-ignore
+  let calls = 0;
+  const ask = (sessionId, method) => {
+    const id = ++calls;
+    const answer = new Promise((resolve) => answers.set(`${sessionId} ${id}`, resolve));
+    const message = JSON.stringify({ id, method });
+    void session.send('Target.sendMessageToTarget', { sessionId, message });
+    return answer;
+  };
+  const bytesOf = async (send) => {
+    await send('HeapProfiler.collectGarbage');
+    return (await send('Runtime.getHeapUsage')).backingStorageSize;
+  };
+  const held = { page: await bytesOf((method) => session.send(method)) };
+  for (const [sessionId, url] of workers) {
+    const name = /geometry/.test(url) ? 'geometry' : 'others';
+    held[name] = (held[name] ?? 0) + (await bytesOf((method) => ask(sessionId, method)));
+  }
+  await session.detach();
+  return held;
+}
+
 const close = async (page) => {
   await page.keyboard.press('Control+k');
   await page.keyboard.type('Close ');
@@ -66,6 +98,30 @@ test('open, run and close, again and again: nothing stays', async () => {
     await counted({ surfaces: 1, drawn: 1, models: 1, maps: 1 }, `cycle ${cycle}`);
     await close(page);
     await counted({ surfaces: 0, drawn: 0, models: 0, maps: 0 }, `cycle ${cycle}, closed`);
+  }
+});
+
+test('arrays of a large model are there once in the page and once in its worker', async (t) => {
+  const { page } = it;
+  const n = 70;
+  const triangles = 12 * n ** 2;
+  const empty = await heldBytes(it);
+  await openFiles(it, { 'cube.obj': toObj(cubeMesh(n)) });
+  await page.locator('#align').uncheck();
+  await settled(page);
+  const open = await heldBytes(it);
+  await run(it);
+  await settled(page);
+  const solved = await heldBytes(it);
+  const each = (after, before) => (name) => (after[name] - before[name]) / triangles;
+  const [model, map] = [each(open, empty), each(solved, open)];
+  // Of the page's, 49 are the file and 87 the written one; an array of three numbers per corner would be 36.
+  const limits = { model: { page: 130, geometry: 34 }, map: { page: 172, geometry: 58 } };
+  for (const [what, bytes] of Object.entries({ model, map })) {
+    for (const [where, limit] of Object.entries(limits[what])) {
+      t.diagnostic(`${what}, ${where}: ${bytes(where).toFixed(1)} bytes per triangle`);
+      assert.ok(bytes(where) > 0 && bytes(where) <= limit, `${what}, ${where}: ${bytes(where)}`);
+    }
   }
 });
 

@@ -86,10 +86,13 @@ test(
     assert.equal($('#status').className, 'good');
     assert.deepEqual(doc.message.actions ?? [], [], 'lines meet: there is nothing to choose');
     const { surface } = doc.model;
-    surface.triangles.forEach((v, c) => {
-      for (let i = 0; i < 3; i++) assert.equal(surface.cornerPositions[3 * c + i], Math.fround(surface.places[3 * v + i])); // prettier-ignore
-      for (let i = 0; i < 3; i++) assert.ok(Math.abs(surface.cornerNormals[4 * c + i] - 127 * surface.normals[3 * v + i]) <= 0.51); // prettier-ignore
+    surface.normals.forEach((x, i) => {
+      const packed = surface.packedNormals[i + Math.floor(i / 3)];
+      assert.ok(Math.abs(packed - 127 * x) <= 0.51, `${packed}: ${x}`);
     });
+    assert.equal(result.positions, surface.positions, 'once');
+    assert.equal(result.triangles, surface.triangles, 'once');
+    assert.equal(surface.places, surface.positions, 'once');
     assert.equal(doc.isUnsaved, true);
     const { certificate } = result;
     // What the panel says is what the certificate has.

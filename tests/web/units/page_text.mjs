@@ -1,6 +1,7 @@
 // The page as text: what is in its panels, what the document knows, and what the two views would draw.
 
 import { numberText, valueText } from '../../support/recording.mjs';
+import { gatheredFor } from '../../../web/src/views/gathered_attribute.ts';
 
 const skipped = new Set([
   'type',
@@ -112,6 +113,13 @@ const materialKeys = ['side', 'transparent', 'depthTest', 'depthWrite', 'polygon
 const listed = (object, keys) =>
   keys.filter((key) => object[key] !== undefined).map((key) => `${key} ${valueText(object[key], 1)}`).join(', '); // prettier-ignore
 
+/** What the graphics card gets of an attribute. */
+function uploaded(array) {
+  const gathered = gatheredFor(array);
+  if (!gathered) return array;
+  return new array.constructor(gathered.slice(0, gathered.byteLength).buffer);
+}
+
 function* objectLines(name, object) {
   const { geometry, material, matrixWorld } = object;
   const own = object.constructor.name;
@@ -120,7 +128,7 @@ function* objectLines(name, object) {
   yield `${name} ${kind}${object.visible ? '' : ' hidden'}${order} ${valueText(matrixWorld.elements.map((x) => Number(numberText(x))))}`; // prettier-ignore
   if (!object.visible) return;
   if (geometry) {
-    const parts = Object.entries(geometry.attributes).map(([key, { array, count }]) => `${key} ${count} ${valueText(array)}`); // prettier-ignore
+    const parts = Object.entries(geometry.attributes).map(([key, { array, count }]) => `${key} ${count} ${valueText(uploaded(array))}`); // prettier-ignore
     yield `${name} ${kind} geometry ${parts.join(', ')}${geometry.index ? `, index ${valueText(geometry.index.array)}` : ''}`; // prettier-ignore
   }
   for (const one of material ? [material].flat() : []) {

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import { cornerPositions } from '../../../web/src/views/gathered_attribute.ts';
 import { SlicedUploads } from '../../../web/src/views/sliced_uploads.ts';
 
 /** A context whose buffers are arrays; its card takes at once what it is sent, unless `card` is busy. */
@@ -47,6 +48,24 @@ test('small arrays are uploaded at once, large ones completely in slices', () =>
   assert.equal(bound(), small); // as it was
   assert.deepEqual(large.bytes, megabytes(9, 8));
   assert.ok(writes.every((length) => length <= 2 ** 20));
+});
+
+test('values that are gathered are never there as a whole, and arrive completely', () => {
+  const { gl, writes } = context();
+  const uploads = new SlicedUploads(gl);
+  for (const count of [3, 10 ** 6]) {
+    const triangles = Uint32Array.from({ length: count }, (_, c) => (7 * c) % 1000);
+    const places = Float64Array.from({ length: 3000 }, (_, i) => i / 7);
+    const buffer = {};
+    gl.bindBuffer(1, buffer);
+    gl.bufferData(1, cornerPositions(places, triangles).array, 0);
+    finish(uploads);
+    const { bytes } = buffer;
+    const values = new Float32Array(bytes.buffer, bytes.byteOffset, bytes.length / 4);
+    assert.equal(values.length, 3 * count);
+    values.forEach((x, i) => x === Math.fround(places[3 * triangles[Math.floor(i / 3)] + (i % 3)]) || assert.fail(`${i}`)); // prettier-ignore
+  }
+  assert.ok(writes.length > 10 && writes.every((length) => length <= 2 ** 20));
 });
 
 test('uploads to a deleted, refilled or lost buffer are dropped', () => {

@@ -27,6 +27,7 @@ const { flatGeometry, setTint, surfaceGeometry } =
   await import('../../../web/src/views/corner_geometry.ts');
 const { highlightTargets } = await import('../../../web/src/views/highlight_targets.ts');
 const { Lines, seamsInMap, seamsOnSurface, Wire } = await import('../../../web/src/views/lines.ts');
+const { gatheredFor } = await import('../../../web/src/views/gathered_attribute.ts');
 const { LiveGeometry } = await import('../../../web/src/views/live_geometry.ts');
 const { QuadsView } = await import('../../../web/src/views/quads_view.ts');
 const { chainColour, ticksInMap, ticksOnSurface } =
@@ -47,8 +48,7 @@ const surface = {
   ),
 };
 surface.places = surface.positions;
-surface.cornerPositions = Float32Array.from([...surface.triangles].flatMap((v) => mesh.vertices[v])); // prettier-ignore
-surface.cornerNormals = new Int8Array(4 * surface.triangles.length);
+surface.packedNormals = Int8Array.from({ length: 4 * surface.vertexCount }, (_, i) => (i % 4 === 3 ? 0 : i)); // prettier-ignore
 const corners = surface.triangles.length;
 
 /** The segments that lines draw, from the corners of their triangles. */
@@ -325,7 +325,8 @@ test('the map under the hand takes the place of the stored one, and leaves it as
     const flat = geometry.getAttribute('position');
     assert.equal(flat === positionNow, !isFlat);
     if (isFlat)
-      for (let c = 0; c < corners; c++) assert.deepEqual([...flat.array.subarray(3 * c, 3 * c + 3)], [2 * c, 2 * c + 1, 0]); // prettier-ignore
+      for (let c = 0; c < corners; c++) assert.deepEqual([flat.getX(c), flat.getY(c), flat.getZ(c)], [2 * c, 2 * c + 1, 0]); // prettier-ignore
+    if (isFlat) assert.equal(flat, geometry.getAttribute('uv'), 'one buffer for both');
     const tint = () => geometry.getAttribute('tint').array;
     assert.ok(
       tint().every((x) => x === 0),
@@ -359,10 +360,12 @@ test('the map under the hand takes the place of the stored one, and leaves it as
 
 test('geometries share what stays, and take colours of their own size only', () => {
   const cornerUv = new Float32Array(2 * corners).fill(0.5);
-  const plain = surfaceGeometry(surface);
-  const mapped = surfaceGeometry(surface, { cornerUv }, plain);
-  assert.equal(mapped.getAttribute('position'), plain.getAttribute('position'));
-  assert.equal(mapped.getAttribute('normal'), plain.getAttribute('normal'));
+  const before = surfaceGeometry(surface);
+  const { position, normal } = before.attributes;
+  const plain = surfaceGeometry(surface, undefined, before);
+  assert.deepEqual([plain.attributes.position, plain.attributes.normal], [position, normal]);
+  assert.deepEqual(before.attributes, {}, 'what is taken is not disposed of with it');
+  const mapped = surfaceGeometry(surface, { cornerUv });
   assert.equal(plain.getAttribute('uv'), undefined);
   assert.equal(mapped.getAttribute('uv').array, cornerUv);
   near(plain.boundingSphere.radius, surface.radius, 'sphere');
@@ -377,9 +380,36 @@ test('geometries share what stays, and take colours of their own size only', () 
   assert.equal(plain.getAttribute('tint'), tint);
   assert.ok(tint.version > version && tint.array[5] === 9);
   const box = { x: -1, y: 2, width: 4, height: 3 };
-  const flat = flatGeometry({ cornerUv, flatPositions: new Float32Array(3 * corners), box });
+  const flat = flatGeometry({ cornerUv, box });
+  assert.equal(flat.getAttribute('position'), flat.getAttribute('uv'), 'one buffer for both');
+  assert.equal(flat.getAttribute('position').array, cornerUv);
+  assert.equal(flat.getAttribute('position').getZ(3), 0);
   assert.deepEqual(flat.boundingSphere.center.toArray(), [1, 3.5, 0]);
   near(flat.boundingSphere.radius, 2.5, 'half the diagonal');
+});
+
+test('positions and normals of corners are made only for the card, slice by slice', () => {
+  const { position, normal } = surfaceGeometry(surface).attributes;
+  for (const { array, count } of [position, normal]) assert.deepEqual([array.length, count], [0, corners]); // prettier-ignore
+  const whole = (attribute, bytesAtOnce) => {
+    const { byteLength, slice } = gatheredFor(attribute.array);
+    const bytes = new Uint8Array(byteLength);
+    for (let done = 0; done < byteLength;) {
+      const piece = slice(done, bytesAtOnce);
+      assert.ok(piece.length > 0 && piece.length <= bytesAtOnce);
+      bytes.set(piece, done);
+      done += piece.length;
+    }
+    return bytes.buffer;
+  };
+  for (const bytesAtOnce of [12, 100, 10 ** 6]) {
+    const at = new Float32Array(whole(position, bytesAtOnce));
+    const normals = new Int8Array(whole(normal, bytesAtOnce));
+    surface.triangles.forEach((v, c) => {
+      assert.deepEqual([...at.subarray(3 * c, 3 * c + 3)], mesh.vertices[v].map(Math.fround));
+      assert.deepEqual(normals.slice(4 * c, 4 * c + 4), surface.packedNormals.slice(4 * v, 4 * v + 4)); // prettier-ignore
+    });
+  }
 });
 
 test('places are outlined where they are, and the first one is looked at', () => {

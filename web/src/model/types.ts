@@ -41,7 +41,7 @@ export interface Surface extends SurfaceFacts {
   triangles: Uint32Array;
   vertexCount: number;
   diagonal: number;
-  /** Positions as displayed, transformed by the first node that uses the mesh. */
+  /** Positions as displayed, transformed by the first node that uses the mesh; the same array if it does not move them. */
   places: Float64Array;
   normals: Float32Array;
   /** Whether that node's transformation is a reflection. */
@@ -49,10 +49,8 @@ export interface Surface extends SurfaceFacts {
   /** Centre of a bounding sphere of the displayed positions. */
   center: [number, number, number];
   radius: number;
-  /** Three numbers per triangle corner, ready for drawing. */
-  cornerPositions: Float32Array;
-  /** Four bytes per corner, 127 for 1: more would take longer to upload to the graphics card. */
-  cornerNormals: Int8Array;
+  /** Four bytes per vertex, 127 for 1: more would take longer to upload to the graphics card. */
+  packedNormals: Int8Array;
 }
 
 export interface LoadSettings {
@@ -157,8 +155,6 @@ export interface Analysis {
   difference: string;
   /** Two numbers per triangle corner, v pointing up: read from the file if it has the same map. */
   cornerUv: Float32Array;
-  /** The map as a flat mesh, three numbers per corner. */
-  flatPositions: Float32Array;
   distortion: Distortion;
   sizes: Sizes;
   least: LeastArea;

@@ -95,7 +95,7 @@ export class GeometryClient {
     return this.call('compare', [{ ...where, map, files }]);
   }
 
-  /** `measures` are kept; `result` and `files` are returned with new arrays of the same content. */
+  /** `measures` are kept; `result` and `files` are returned with other arrays of the same content, the surface's where those are. */
   async analyse(
     surface: Surface,
     result: MapNumbers,
@@ -103,13 +103,19 @@ export class GeometryClient {
     files: OutputFile[],
     where: Pick<AnalysisRequest, 'mesh' | 'uvSet'>,
   ): Promise<{ analysis: Analysis; preserved: string; result: MapNumbers; files: OutputFile[] }> {
-    const { positions, triangles, uv, cornerToUv, uvToVertex, seams } = result;
+    const { uv, cornerToUv, uvToVertex, seams } = result;
+    const positions = result.positions === surface.positions ? undefined : result.positions;
+    const triangles = result.triangles === surface.triangles ? undefined : result.triangles;
     const map = { positions, triangles, uv, cornerToUv, uvToVertex, seams };
     const request = { ...where, map, measures, files };
     const id = ++this.#ids;
     this.#maps.add(id);
     const answer = await this.call('analyse', [id, surface.id, request], request);
-    const { analysis, preserved } = answer;
-    return { analysis, preserved, result: { ...result, ...answer.map }, files: answer.files };
+    const { analysis, preserved, files: returned } = answer;
+    const own = {
+      positions: answer.map.positions ?? surface.positions,
+      triangles: answer.map.triangles ?? surface.triangles,
+    };
+    return { analysis, preserved, result: { ...result, ...answer.map, ...own }, files: returned };
   }
 }

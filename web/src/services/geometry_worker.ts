@@ -22,17 +22,31 @@ interface KnownMap {
   surface: number;
   triangles: Uint32Array;
   cornerUv: Float32Array;
-  flatPositions: Float32Array;
   distortion: Analysis['distortion'];
   values: FaceValues;
 }
 
-const surfaces = new Map<number, Surface>();
+/** What is kept of a surface: the arrays from which calls compute. */
+type Kept = Pick<
+  Surface,
+  | 'positions'
+  | 'places'
+  | 'triangles'
+  | 'vertexCount'
+  | 'representative'
+  | 'isBoundary'
+  | 'neighbourStart'
+  | 'neighbours'
+  | 'radius'
+  | 'diagonal'
+>;
+
+const surfaces = new Map<number, Kept>();
 const maps = new Map<number, KnownMap>();
-const mirrors = new WeakMap<Surface, Mirror>();
+const mirrors = new WeakMap<Kept, Mirror>();
 let lastSamples: { surface: number; spacing: number; samples: Sample[] } | undefined;
 
-function surfaceOf(id: number): Surface {
+function surfaceOf(id: number): Kept {
   const found = surfaces.get(id);
   if (!found) throw new Error('this surface is not known any more');
   return found;
@@ -44,13 +58,26 @@ function mapOf(id: number): KnownMap {
 }
 
 /** Copies of a surface's arrays, which stay here while the page gets its own. */
-const copied = (surface: Surface): Surface =>
-  Object.fromEntries(
-    Object.entries(surface).map(([key, value]) => [
-      key,
-      ArrayBuffer.isView(value) ? (value as Float32Array).slice() : value,
-    ]),
-  ) as unknown as Surface;
+function kept({ positions, places, triangles, ...rest }: Omit<Kept, 'id'>): Kept {
+  const own = positions.slice();
+  const { vertexCount, radius, diagonal } = rest;
+  return {
+    positions: own,
+    places: places === positions ? own : places.slice(),
+    triangles: triangles.slice(),
+    representative: rest.representative.slice(),
+    isBoundary: rest.isBoundary.slice(),
+    neighbourStart: rest.neighbourStart.slice(),
+    neighbours: rest.neighbours.slice(),
+    ...{ vertexCount, radius, diagonal },
+  };
+}
+
+const isSame = (a: ArrayLike<number>, b: ArrayLike<number>): boolean => {
+  if (a.length !== b.length) return false;
+  for (let i = 0; i < a.length; i++) if (!Object.is(a[i], b[i])) return false;
+  return true;
+};
 
 function cornersOf(values: ArrayLike<number>, triangles: Uint32Array): Float32Array {
   const out = new Float32Array(3 * triangles.length);
@@ -63,16 +90,30 @@ function cornersOf(values: ArrayLike<number>, triangles: Uint32Array): Float32Ar
   return out;
 }
 
-function packedNormals(normals: Float32Array, triangles: Uint32Array): Int8Array {
-  const out = new Int8Array(4 * triangles.length);
-  for (let c = 0; c < triangles.length; c++) {
-    const v = 3 * triangles[c];
-    for (let i = 0; i < 3; i++) out[4 * c + i] = Math.round(127 * normals[v + i]);
+/** Four bytes per vertex. */
+function packed(normals: Float32Array): Int8Array {
+  const out = new Int8Array((normals.length / 3) * 4);
+  for (let v = 0; v < normals.length / 3; v++) {
+    for (let i = 0; i < 3; i++) out[4 * v + i] = Math.round(127 * normals[3 * v + i]);
   }
   return out;
 }
 
-const samplesOn = ({ places: positions, triangles }: Surface, spacing: number): Sample[] =>
+function packedAtCorners(normals: Float32Array, triangles: Uint32Array): Int8Array {
+  const atVertices = new Int32Array(packed(normals).buffer);
+  return new Int8Array(Int32Array.from(triangles, (v) => atVertices[v]).buffer);
+}
+
+function flat(uv: Float32Array): Float32Array {
+  const out = new Float32Array((uv.length / 2) * 3);
+  for (let c = 0; c < uv.length / 2; c++) {
+    out[3 * c] = uv[2 * c];
+    out[3 * c + 1] = uv[2 * c + 1];
+  }
+  return out;
+}
+
+const samplesOn = ({ places: positions, triangles }: Kept, spacing: number): Sample[] =>
   poissonSamples({ positions, triangles }, spacing);
 
 function samplesOf(id: number, spacing: number): Sample[] {
@@ -82,9 +123,11 @@ function samplesOf(id: number, spacing: number): Sample[] {
   return lastSamples.samples;
 }
 
-function bvhOf(positions: Float32Array): SerializedBvh {
+/** A tree over triangles; without `triangles`, three positions are one. */
+function bvhOf(positions: Float32Array | Float64Array, triangles?: Uint32Array): SerializedBvh {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
+  if (triangles) geometry.setIndex(new BufferAttribute(triangles, 1));
   const bvh = new MeshBVH(geometry, { indirect: true, targetLeafSize: 10 });
   return MeshBVH.serialize(bvh, { cloneBuffers: false }) as unknown as SerializedBvh;
 }
@@ -100,26 +143,35 @@ async function decoderFor(main: OutputFile): Promise<MeshoptDecoder | undefined>
 const calls: GeometryCalls = {
   surface(id, arrays, facts, matrix) {
     const own = placed(locatedSurface(arrays, facts), matrix);
-    const cornerPositions = cornersOf(own.places, own.triangles);
-    const cornerNormals = packedNormals(own.normals, own.triangles);
-    const surface = { id, ...own, cornerPositions, cornerNormals };
-    surfaces.set(id, copied({ ...surface, cornerNormals: new Int8Array(0) }));
-    return surface;
+    surfaces.set(id, kept(own));
+    return { id, ...own, packedNormals: packed(own.normals) };
   },
   async analyse(id, surface, request) {
-    const { map, files } = request;
+    const { files } = request;
     const decoder = await decoderFor(files[0]);
-    const { analysis, values } = analyse(request, surfaceOf(surface), decoder);
+    const known = surfaceOf(surface);
+    const map = {
+      ...request.map,
+      positions: request.map.positions ?? known.positions,
+      triangles: request.map.triangles ?? known.triangles,
+    };
+    const { analysis, values } = analyse({ ...request, map }, known, decoder);
     const { preserved, ...rest } = analysis;
+    const hasPositions = isSame(map.positions, known.positions);
+    const hasTriangles = isSame(map.triangles, known.triangles);
     maps.set(id, {
       surface,
-      triangles: map.triangles.slice(),
+      triangles: hasTriangles ? known.triangles : map.triangles.slice(),
       cornerUv: rest.cornerUv.slice(),
-      flatPositions: rest.flatPositions.slice(),
       distortion: rest.distortion,
       values: { ...values, flipped: values.flipped.slice() },
     });
-    return { analysis: { id, ...rest }, preserved, map, files };
+    const lean = {
+      ...map,
+      positions: hasPositions ? undefined : map.positions,
+      triangles: hasTriangles ? undefined : map.triangles,
+    };
+    return { analysis: { id, ...rest }, preserved, map: lean, files };
   },
   async compare(request) {
     return { difference: compareWithFile(request, await decoderFor(request.files[0])) };
@@ -142,7 +194,8 @@ const calls: GeometryCalls = {
     return { onSurface: surfaceCrosses(input), inMap: flatCrosses(input) };
   },
   thumbnail(id, map, tiles) {
-    const { cornerPositions } = surfaceOf(id);
+    const { places, triangles } = surfaceOf(id);
+    const cornerPositions = cornersOf(places, triangles);
     const cornerUv = map === undefined ? undefined : maps.get(map)?.cornerUv;
     return drawThumbnail({ cornerPositions, cornerUv, tiles });
   },
@@ -150,13 +203,16 @@ const calls: GeometryCalls = {
     const { positions, triangles } = arrays;
     const seen = cornersOf(movedBy(matrix, positions), triangles);
     const cornerPositions = cornersOf(positions, triangles);
-    const cornerNormals = packedNormals(normalsOf(arrays), triangles);
+    const cornerNormals = packedAtCorners(normalsOf(arrays), triangles);
     const shape = { cornerPositions, cornerNormals, tree: bvhOf(cornerPositions) };
     return { picture: drawThumbnail({ cornerPositions: seen }), shape };
   },
   loopSegments: (id, loops) => loops.map((loop) => loopSegments(surfaceOf(id), loop)),
-  surfaceBvh: (id) => bvhOf(surfaceOf(id).cornerPositions),
-  mapBvh: (id) => bvhOf(mapOf(id).flatPositions),
+  surfaceBvh(id) {
+    const { places, triangles } = surfaceOf(id);
+    return bvhOf(places, triangles);
+  },
+  mapBvh: (id) => bvhOf(flat(mapOf(id).cornerUv)),
   opposite(id, vertex) {
     const surface = surfaceOf(id);
     const mirror = mirrors.get(surface) ?? new Mirror(surface);
@@ -170,6 +226,9 @@ const calls: GeometryCalls = {
   },
 };
 
+/** Regular expressions keep the text in which they last found something: that of a file must not stay. */
+const forgetText = (): boolean => /^/.test('');
+
 async function answer(data: GeometryMessage): Promise<void> {
   const { call, method, args } = data;
   try {
@@ -178,6 +237,7 @@ async function answer(data: GeometryMessage): Promise<void> {
   } catch (error) {
     postMessage({ call, error: (error as Error).message });
   }
+  forgetText();
 }
 
 addEventListener('message', ({ data }: MessageEvent<GeometryMessage>) => void answer(data));

@@ -5,32 +5,45 @@ import { BufferAttribute, BufferGeometry, Sphere, Vector3 } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
 import type { SerializedBvh } from '../model/scene';
 import type { Solution, Surface } from '../model/types';
+import { cornerNormals, cornerPositions, FlatAttribute } from './gathered_attribute';
 
-/** `same`: a geometry of the same surface, whose positions are reused. */
+/** `same`: a geometry of the same surface, whose positions and normals are taken from it, with what the card has. */
 export function surfaceGeometry(
   surface: Surface,
   solution?: Solution,
   same?: BufferGeometry,
 ): BufferGeometry {
   const geometry = new BufferGeometry();
-  const position = same?.getAttribute('position');
-  const normal = same?.getAttribute('normal');
-  geometry.setAttribute('position', position ?? new BufferAttribute(surface.cornerPositions, 3));
-  geometry.setAttribute('normal', normal ?? new BufferAttribute(surface.cornerNormals, 4, true));
+  const { places, packedNormals, triangles } = surface;
+  const position = same?.getAttribute('position') ?? cornerPositions(places, triangles);
+  const normal = same?.getAttribute('normal') ?? cornerNormals(packedNormals, triangles);
+  same?.deleteAttribute('position').deleteAttribute('normal');
+  geometry.setAttribute('position', position).setAttribute('normal', normal);
   geometry.boundingSphere = new Sphere(new Vector3(...surface.center), surface.radius);
   if (solution) geometry.setAttribute('uv', new BufferAttribute(solution.cornerUv, 2));
   return geometry;
 }
 
+/** The triangles of a surface as placed, for picking: on the arrays that are there anyway. */
+export function pickGeometry({
+  places,
+  triangles,
+}: Pick<Surface, 'places' | 'triangles'>): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(places, 3));
+  return geometry.setIndex(new BufferAttribute(triangles, 1));
+}
+
 /** The map as a flat mesh; it needs no normals, because it is not lit. */
-export function flatGeometry({ cornerUv, flatPositions, box }: Solution): BufferGeometry {
+export function flatGeometry({
+  cornerUv,
+  box,
+}: Pick<Solution, 'cornerUv' | 'box'>): BufferGeometry {
   const geometry = new BufferGeometry();
   const center = new Vector3(box.x + box.width / 2, box.y + box.height / 2, 0);
   geometry.boundingSphere = new Sphere(center, Math.hypot(box.width, box.height) / 2);
-  const position = new BufferAttribute(flatPositions, 3);
-  geometry.setAttribute('position', position);
-  geometry.setAttribute('uv', new BufferAttribute(cornerUv, 2));
-  return geometry;
+  const flat = new FlatAttribute(cornerUv);
+  return geometry.setAttribute('position', flat).setAttribute('uv', flat);
 }
 
 export function setTint(geometry: BufferGeometry, colours: Uint8Array): void {
@@ -50,6 +63,6 @@ const smallest = 30_000; // corners: a tree over fewer is built synchronously
 
 /** A tree over a small geometry, built synchronously; undefined if that would take long. */
 export const bvhAtOnce = (geometry: BufferGeometry): MeshBVH | undefined =>
-  geometry.getAttribute('position').count <= smallest
+  (geometry.index ?? geometry.getAttribute('position')).count <= smallest
     ? new MeshBVH(geometry, { indirect: true, targetLeafSize: 10 })
     : undefined;

@@ -170,6 +170,13 @@ export class Wire extends LineSegments<BufferGeometry, LineBasicMaterial> {
     lift(this, eye, by);
   }
 
+  /** Forgets the triangles. */
+  forget(): void {
+    this.visible = false;
+    this.geometry.dispose();
+    this.geometry = new BufferGeometry();
+  }
+
   /** Shares the corners of the triangles' geometry. */
   set(triangles: BufferGeometry, colour: Color): void {
     this.visible = true;
@@ -178,6 +185,7 @@ export class Wire extends LineSegments<BufferGeometry, LineBasicMaterial> {
     if (this.geometry.getAttribute('position') === position) return;
     this.geometry.dispose();
     this.geometry = new BufferGeometry().setAttribute('position', position);
+    this.geometry.boundingSphere = triangles.boundingSphere;
     const index = new Uint32Array(2 * position.count);
     for (let c = 0; c < position.count; c++) {
       index[2 * c] = c;

@@ -5,6 +5,7 @@ import { BufferAttribute, DynamicDrawUsage, type BufferGeometry } from 'three';
 import type { LiveMap } from '../model/live';
 import type { Surface } from '../model/types';
 import { overlayColours } from '../services/geometry/overlay_colours';
+import { FlatAttribute } from './gathered_attribute';
 
 type Name = 'uv' | 'position' | 'tint';
 type Values = Float32Array | Uint8Array;
@@ -29,7 +30,7 @@ export class LiveGeometry {
     if (!live || !surface) return this.restore();
     this.#geometry = geometry;
     this.#set(geometry, 'uv', live.cornerUv, 2);
-    if (this.#isFlat) this.#set(geometry, 'position', flat(live.cornerUv), 3);
+    if (this.#isFlat) this.#place(geometry);
     this.#set(geometry, 'tint', coloursOf(live, surface.triangles), 4);
   }
 
@@ -50,18 +51,19 @@ export class LiveGeometry {
       return;
     }
     if (!this.#usual.has(name)) this.#usual.set(name, now);
-    const own = new BufferAttribute(values.slice(), size, values instanceof Uint8Array);
+    const own =
+      this.#isFlat && values instanceof Float32Array
+        ? new FlatAttribute(values.slice())
+        : new BufferAttribute(values.slice(), size, values instanceof Uint8Array);
     geometry.setAttribute(name, own.setUsage(DynamicDrawUsage));
   }
-}
 
-function flat(uv: Float32Array): Float32Array {
-  const out = new Float32Array((uv.length / 2) * 3);
-  for (let c = 0; c < uv.length / 2; c++) {
-    out[3 * c] = uv[2 * c];
-    out[3 * c + 1] = uv[2 * c + 1];
+  /** Puts the corners of the map where its texture coordinates are. */
+  #place(geometry: BufferGeometry): void {
+    if (!this.#usual.has('position'))
+      this.#usual.set('position', geometry.getAttribute('position') as BufferAttribute);
+    geometry.setAttribute('position', geometry.getAttribute('uv'));
   }
-  return out;
 }
 
 /** Nothing over a map that passes, its folded triangles over one that fails, the scale where there is no map. */

@@ -22,7 +22,7 @@ import { Orbit, type Shape } from './camera';
 import { CanvasView, nearestOf, type Hit } from './canvas_view';
 import { ContactShadow } from './contact_shadow';
 import { ConeMarkers, type Marker } from './cone_markers';
-import { bvhAtOnce, bvhFrom, setTint, surfaceGeometry } from './corner_geometry';
+import { bvhAtOnce, bvhFrom, pickGeometry, setTint, surfaceGeometry } from './corner_geometry';
 import type { OwnInstance, OwnScene } from './gltf_scene';
 import { LiveGeometry } from './live_geometry';
 import {
@@ -101,7 +101,6 @@ export class ModelView extends CanvasView {
     this.#solution = solution;
     this.#live.restore();
     const before = this.#mesh.geometry;
-    before.dispose();
     this.marks.hide(isNew);
     if (isNew) [this.#ghost.visible, this.#bvh] = [false, undefined];
     if (!surface) {
@@ -113,6 +112,7 @@ export class ModelView extends CanvasView {
       for (const markers of [this.#markers, this.#ghost]) markers.setLift(0.08 * surface.radius);
       if (isNew) this.#frame(surface, parts, isSameFile);
     }
+    before.dispose();
     this.#shadow.show(shapeOf(parts)?.places ?? surface?.places);
     this.#showOriginal();
     this.draw();
@@ -136,7 +136,7 @@ export class ModelView extends CanvasView {
 
   /** Sets the tree for picking on a surface that is too large to build it synchronously. */
   setBvh(surface: Surface, serialized: SerializedBvh): void {
-    if (surface === this.#surface) this.#bvh = bvhFrom(serialized, this.#mesh.geometry);
+    if (surface === this.#surface) this.#bvh = bvhFrom(serialized, pickGeometry(surface));
   }
 
   setLook(look: Look, q: number, isStale: boolean, palette: Palette): void {
@@ -295,7 +295,7 @@ export class ModelView extends CanvasView {
   }
 
   #onSurface(ray: Ray): Intersection | undefined {
-    this.#bvh ??= bvhAtOnce(this.#mesh.geometry);
+    if (this.#surface) this.#bvh ??= bvhAtOnce(pickGeometry(this.#surface));
     return this.#bvh?.raycastFirst(ray, 2) ?? undefined;
   }
 

@@ -2,6 +2,8 @@
 // the previous frame: a single upload of 40 MB, or one queued behind others, blocks the main thread for as long as the
 // card, or the software renderer, is busy.
 
+import { gatheredFor } from './gathered_attribute';
+
 const sliceBytes = 2 ** 20;
 const frameBytes = 4 * sliceBytes;
 const longestWait = 500; // milliseconds; after that the next slices are sent even without an answer
@@ -10,8 +12,15 @@ const frameTime = 8; // milliseconds per frame for uploads
 
 interface Upload {
   buffer: WebGLBuffer;
-  bytes: Uint8Array;
+  byteLength: number;
+  /** The next bytes, at most so many. */
+  slice: (begin: number, mostBytes: number) => Uint8Array;
   done: number;
+}
+
+function sliceOf(data: ArrayBufferView): Upload['slice'] {
+  const bytes = new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
+  return (begin, mostBytes) => bytes.subarray(begin, begin + mostBytes);
 }
 
 /** Intercepts uploads by three.js: large buffers are allocated immediately and filled afterwards. */
@@ -39,14 +48,16 @@ export class SlicedUploads {
     };
     gl.bufferData = (target: number, data: unknown, usage: number, ...rest: unknown[]) => {
       const buffer = this.#bound;
-      const isLarge = ArrayBuffer.isView(data) && data.byteLength > 4 * sliceBytes;
+      const gathered = gatheredFor(data);
+      const all = gathered ?? (ArrayBuffer.isView(data) ? data : undefined);
+      const isLarge = all !== undefined && all.byteLength > frameBytes;
       if (target !== gl.ARRAY_BUFFER || !isLarge || !buffer || rest.length > 0) {
-        return allocate(target, data, usage, ...rest);
+        return allocate(target, gathered?.slice(0, frameBytes) ?? data, usage, ...rest);
       }
       this.#drop(buffer);
-      allocate(target, data.byteLength, usage);
-      const bytes = new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
-      this.#waiting.push({ buffer, bytes, done: 0 });
+      allocate(target, all.byteLength, usage);
+      const slice = gathered ? gathered.slice.bind(gathered) : sliceOf(data as ArrayBufferView);
+      this.#waiting.push({ buffer, byteLength: all.byteLength, slice, done: 0 });
     };
     gl.bufferSubData = ((...all: Parameters<typeof gl.bufferSubData>) => {
       // The whole buffer is replaced: slices still waiting for it are outdated.
@@ -104,12 +115,11 @@ export class SlicedUploads {
     const before = this.#bound;
     for (let sent = 0; this.#waiting.length > 0 && sent < frameBytes; sent += sliceBytes) {
       const upload = this.#waiting[0];
-      const { buffer, bytes, done } = upload;
-      const length = Math.min(sliceBytes, bytes.length - done);
-      this.#bind(gl.ARRAY_BUFFER, buffer);
-      this.#fill(gl.ARRAY_BUFFER, done, bytes, done, length);
-      upload.done += length;
-      if (upload.done === bytes.length) this.#waiting.shift();
+      const piece = upload.slice(upload.done, sliceBytes);
+      this.#bind(gl.ARRAY_BUFFER, upload.buffer);
+      this.#fill(gl.ARRAY_BUFFER, upload.done, piece);
+      upload.done += piece.length;
+      if (upload.done === upload.byteLength) this.#waiting.shift();
       if (performance.now() - begin > frameTime) break;
     }
     this.#bind(gl.ARRAY_BUFFER, before);

@@ -47,7 +47,9 @@ export class SurfaceMarks extends Group {
   /** Hides what belongs to an earlier map or, if it is new, to another surface. */
   hide(isNewSurface: boolean): void {
     for (const lines of [...this.ofMap, this.#wire, this.#light]) lines.visible = false;
-    if (isNewSurface) this.#cursor.visible = this.#handles.visible = this.#features.visible = false;
+    if (!isNewSurface) return;
+    this.#wire.forget();
+    this.#cursor.visible = this.#handles.visible = this.#features.visible = false;
   }
 
   setLook(

@@ -150,8 +150,8 @@ export class UvView extends CanvasView {
     this.#bvh = undefined;
     this.#mesh.geometry.dispose();
     this.#mesh.visible = solution !== undefined;
-    for (const lines of [this.#seams, this.#ticks, this.#crosses, this.#wire])
-      lines.visible = false;
+    for (const lines of [this.#seams, this.#ticks, this.#crosses]) lines.visible = false;
+    this.#wire.forget();
     this.#light.visible = this.#square.visible = false;
     this.#mesh.geometry = solution ? flatGeometry(solution) : new BufferGeometry();
     // A cone that was dropped leaves the map where the hand has left it.

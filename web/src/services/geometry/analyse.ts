@@ -95,15 +95,6 @@ export const compareWithFile = (
   decoder: MeshoptDecoder | undefined,
 ): string => readBack(request, cornersOf(request.map), decoder)[0];
 
-function flatten(uv: Float32Array): Float32Array {
-  const flat = new Float32Array((uv.length / 2) * 3);
-  for (let c = 0; c < uv.length / 2; c++) {
-    flat[3 * c] = uv[2 * c];
-    flat[3 * c + 1] = uv[2 * c + 1];
-  }
-  return flat;
-}
-
 type Edges = Pick<
   Surface,
   'neighbourStart' | 'neighbours' | 'vertexCount' | 'isBoundary' | 'representative'
@@ -129,7 +120,6 @@ export function analyse(
     isSameAsFile,
     difference,
     cornerUv,
-    flatPositions: flatten(cornerUv),
     distortion: {
       stretch: quantilesOf(faces.stretch, weights),
       area: quantilesOf(faces.area, weights),

@@ -9,7 +9,7 @@ import { areaVector } from './triangle';
 export type SurfaceArrays = Arrays;
 
 /** The surface in the coordinates of its mesh. */
-type Located = Omit<Surface, 'id' | 'places' | 'isMirrored' | 'cornerPositions' | 'cornerNormals'>;
+type Located = Omit<Surface, 'id' | 'places' | 'isMirrored' | 'packedNormals'>;
 
 /** Vertex normals: area-weighted means over the triangles at each vertex. */
 function vertexNormals(p: Float64Array, triangles: Uint32Array): Float32Array {
@@ -127,7 +127,7 @@ export function placed(
   matrix: Matrix,
 ): Located & Pick<Surface, 'places' | 'isMirrored'> {
   const isThere = matrix.every((x, i) => x === (i % 5 === 0 ? 1 : 0));
-  if (isThere) return { ...surface, places: surface.positions.slice(), isMirrored: false };
+  if (isThere) return { ...surface, places: surface.positions, isMirrored: false };
   const places = movedBy(matrix, surface.positions);
   const turned = normalMatrix(matrix);
   const normals = new Float32Array(surface.normals.length);

@@ -6,6 +6,12 @@ import type { Analysis, OutputFile, Overlay, Surface } from '../../model/types';
 import type { AnalysisRequest, CompareRequest, MapArrays } from './analyse';
 import type { SurfaceArrays } from './placed_surface';
 
+type OfSurface = 'positions' | 'triangles';
+/** A map without the arrays that its surface has, too, which both sides keep once. */
+export type LeanMap = Omit<MapArrays, OfSurface> & {
+  [K in OfSurface]: MapArrays[K] | undefined;
+};
+
 export interface GeometryCalls {
   /** Prepares a surface for display, with the solver's facts; the worker keeps it under its id. */
   surface(
@@ -18,8 +24,8 @@ export interface GeometryCalls {
   analyse(
     id: number,
     surface: number,
-    request: AnalysisRequest,
-  ): Promise<{ analysis: Analysis; preserved: string; map: MapArrays; files: OutputFile[] }>;
+    request: Omit<AnalysisRequest, 'map'> & { map: LeanMap },
+  ): Promise<{ analysis: Analysis; preserved: string; map: LeanMap; files: OutputFile[] }>;
   /** How the map in a file differs from the given one, empty if it does not. Nothing is transferred. */
   compare(request: CompareRequest): Promise<{ difference: string }>;
   /** Relative names in a written .gltf, and the areas in uv and on the surface; both for writing. */

@@ -1,0 +1,76 @@
+// Values at the corners of triangles that are never there as a whole: they are gathered from those at the vertices slice
+// by slice, while they are uploaded. At a million triangles, the positions of all corners are 36 MB.
+
+import { BufferAttribute } from 'three';
+
+/** Elements `first` to `last` − 1, gathered. */
+type Gather = (first: number, last: number) => ArrayBufferView;
+
+interface Gathered {
+  readonly byteLength: number;
+  /** A part that begins at a byte where a slice ended and has at most so many bytes. */
+  slice(begin: number, mostBytes: number): Uint8Array;
+}
+
+const sources = new WeakMap<object, Gathered>();
+
+/** What an array stands for, if it is that of an attribute whose values are gathered. */
+export const gatheredFor = (array: unknown): Gathered | undefined =>
+  typeof array === 'object' && array !== null ? sources.get(array) : undefined;
+
+/** `empty` tells three.js the type of the values. */
+export class GatheredAttribute extends BufferAttribute {
+  constructor(
+    empty: Float32Array | Int8Array,
+    { count, itemSize, gather }: { count: number; itemSize: number; gather: Gather },
+  ) {
+    super(empty, itemSize, empty instanceof Int8Array);
+    Object.assign(this, { count });
+    const bytesEach = itemSize * empty.BYTES_PER_ELEMENT;
+    sources.set(empty, {
+      byteLength: count * bytesEach,
+      slice(begin, mostBytes) {
+        const first = begin / bytesEach;
+        const last = Math.min(count, first + Math.floor(mostBytes / bytesEach));
+        const { buffer, byteOffset, byteLength } = gather(first, last);
+        return new Uint8Array(buffer as ArrayBuffer, byteOffset, byteLength);
+      },
+    });
+  }
+}
+
+/** Three numbers at each corner. */
+export function cornerPositions(places: Float64Array, triangles: Uint32Array): BufferAttribute {
+  const gather: Gather = (first, last) => {
+    const out = new Float32Array(3 * (last - first));
+    for (let c = first, at = 0; c < last; c++) {
+      const v = 3 * triangles[c];
+      out[at++] = places[v];
+      out[at++] = places[v + 1];
+      out[at++] = places[v + 2];
+    }
+    return out;
+  };
+  return new GatheredAttribute(new Float32Array(0), { count: triangles.length, itemSize: 3, gather }); // prettier-ignore
+}
+
+/** Four bytes at each corner, from four bytes at each vertex. */
+export function cornerNormals(packed: Int8Array, triangles: Uint32Array): BufferAttribute {
+  const words = new Int32Array(packed.buffer, packed.byteOffset, packed.length / 4);
+  const gather: Gather = (first, last) => {
+    const out = new Int32Array(last - first);
+    for (let c = first; c < last; c++) out[c - first] = words[triangles[c]];
+    return out;
+  };
+  return new GatheredAttribute(new Int8Array(0), { count: triangles.length, itemSize: 4, gather });
+}
+
+/** Texture coordinates that are positions in the plane, too: one array and one buffer for both. */
+export class FlatAttribute extends BufferAttribute {
+  constructor(uv: Float32Array) {
+    super(uv, 2);
+  }
+  override getZ(): number {
+    return 0;
+  }
+}

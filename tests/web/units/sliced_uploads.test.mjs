@@ -5,25 +5,31 @@ import { SlicedUploads } from '../../../web/src/views/sliced_uploads.ts';
 
 /** A context whose buffers are arrays; its card takes at once what it is sent, unless `card` is busy. */
 function context(card = { isBusy: false }) {
-  let bound = null;
+  const bound = new Map();
   const writes = [];
   const gl = {
-    ...{ ARRAY_BUFFER: 1, ELEMENT_ARRAY_BUFFER: 2, SYNC_STATUS: 3, SIGNALED: 4 },
+    ...{
+      ARRAY_BUFFER: 1,
+      ELEMENT_ARRAY_BUFFER: 2,
+      SYNC_STATUS: 3,
+      SIGNALED: 4,
+      COPY_WRITE_BUFFER: 5,
+    },
     fenceSync: () => ({}),
     getSyncParameter: () => (card.isBusy ? 5 : 4),
     deleteSync: () => undefined,
     flush: () => undefined,
-    bindBuffer: (target, buffer) => target === 1 && (bound = buffer),
+    bindBuffer: (target, buffer) => bound.set(target, buffer),
     deleteBuffer: () => undefined,
     bufferData: (target, data) => {
-      if (target === 1) bound.bytes = typeof data === 'number' ? new Uint8Array(data) : data;
+      bound.get(target).bytes = typeof data === 'number' ? new Uint8Array(data) : data;
     },
-    bufferSubData: (target, at, data, from, length) => {
-      writes.push(length ?? data.length);
-      bound.bytes.set(from === undefined ? data : data.subarray(from, from + length), at);
+    bufferSubData: (target, at, data) => {
+      writes.push(data.length);
+      bound.get(target).bytes.set(data, at);
     },
   };
-  return { gl, writes, bound: () => bound };
+  return { gl, writes, bound: (target = 1) => bound.get(target) };
 }
 const megabytes = (n, value) => new Uint8Array(n * 2 ** 20 + 3).fill(value);
 
@@ -90,12 +96,18 @@ test('uploads to a deleted, refilled or lost buffer are dropped', () => {
   assert.ok(writes.length > 0);
 });
 
-test('index buffers are not uploaded in slices', () => {
-  const { gl } = context();
+test('indices are uploaded in slices, too, and what is bound stays bound', () => {
+  const { gl, writes, bound } = context();
   const uploads = new SlicedUploads(gl);
-  gl.bindBuffer(2, {});
+  const [indices, corners] = [{}, {}];
+  gl.bindBuffer(2, indices);
   gl.bufferData(2, megabytes(9, 1), 0);
-  assert.equal(uploads.isBusy, false);
+  assert.equal(uploads.isBusy, true);
+  gl.bindBuffer(1, corners);
+  finish(uploads);
+  assert.deepEqual(indices.bytes, megabytes(9, 1));
+  assert.deepEqual([bound(1), bound(2)], [corners, indices]);
+  assert.ok(writes.every((length) => length <= 2 ** 20));
 });
 
 test('a busy graphics card is sent nothing more, and the wait for it is limited', async () => {

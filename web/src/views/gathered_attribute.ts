@@ -18,6 +18,13 @@ const sources = new WeakMap<object, Gathered>();
 export const gatheredFor = (array: unknown): Gathered | undefined =>
   typeof array === 'object' && array !== null ? sources.get(array) : undefined;
 
+/** Slices are copied before the next one is gathered. */
+let scratch = new ArrayBuffer(0);
+function room(bytes: number): ArrayBuffer {
+  if (scratch.byteLength < bytes) scratch = new ArrayBuffer(bytes);
+  return scratch;
+}
+
 /** `empty` tells three.js the type of the values. */
 export class GatheredAttribute extends BufferAttribute {
   constructor(
@@ -42,7 +49,8 @@ export class GatheredAttribute extends BufferAttribute {
 /** Three numbers at each corner. */
 export function cornerPositions(places: Float64Array, triangles: Uint32Array): BufferAttribute {
   const gather: Gather = (first, last) => {
-    const out = new Float32Array(3 * (last - first));
+    const count = 3 * (last - first);
+    const out = new Float32Array(room(4 * count), 0, count);
     for (let c = first, at = 0; c < last; c++) {
       const v = 3 * triangles[c];
       out[at++] = places[v];
@@ -58,7 +66,7 @@ export function cornerPositions(places: Float64Array, triangles: Uint32Array): B
 export function cornerNormals(packed: Int8Array, triangles: Uint32Array): BufferAttribute {
   const words = new Int32Array(packed.buffer, packed.byteOffset, packed.length / 4);
   const gather: Gather = (first, last) => {
-    const out = new Int32Array(last - first);
+    const out = new Int32Array(room(4 * (last - first)), 0, last - first);
     for (let c = first; c < last; c++) out[c - first] = words[triangles[c]];
     return out;
   };

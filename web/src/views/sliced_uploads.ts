@@ -28,7 +28,8 @@ export class SlicedUploads {
   readonly #gl: WebGL2RenderingContext;
   readonly #bind: WebGL2RenderingContext['bindBuffer'];
   readonly #fill: WebGL2RenderingContext['bufferSubData'];
-  #bound: WebGLBuffer | null = null;
+  /** The buffer that was bound last to each target. */
+  readonly #bound = new Map<number, WebGLBuffer | null>();
   #waiting: Upload[] = [];
   #sent: { fence: WebGLSync; time: number } | undefined;
 
@@ -43,15 +44,16 @@ export class SlicedUploads {
     };
     const allocate = gl.bufferData.bind(gl) as (...all: unknown[]) => void;
     gl.bindBuffer = (target, buffer) => {
-      if (target === gl.ARRAY_BUFFER) this.#bound = buffer;
+      this.#bound.set(target, buffer);
       this.#bind(target, buffer);
     };
     gl.bufferData = (target: number, data: unknown, usage: number, ...rest: unknown[]) => {
-      const buffer = this.#bound;
+      const buffer = this.#bound.get(target);
+      const isSliced = target === gl.ARRAY_BUFFER || target === gl.ELEMENT_ARRAY_BUFFER;
       const gathered = gatheredFor(data);
       const all = gathered ?? (ArrayBuffer.isView(data) ? data : undefined);
       const isLarge = all !== undefined && all.byteLength > frameBytes;
-      if (target !== gl.ARRAY_BUFFER || !isLarge || !buffer || rest.length > 0) {
+      if (!isSliced || !isLarge || !buffer || rest.length > 0) {
         return allocate(target, gathered?.slice(0, frameBytes) ?? data, usage, ...rest);
       }
       this.#drop(buffer);
@@ -61,7 +63,7 @@ export class SlicedUploads {
     };
     gl.bufferSubData = ((...all: Parameters<typeof gl.bufferSubData>) => {
       // The whole buffer is replaced: slices still waiting for it are outdated.
-      if (all[0] === gl.ARRAY_BUFFER && all[1] === 0) this.#drop(this.#bound);
+      if (all[1] === 0) this.#drop(this.#bound.get(all[0]) ?? null);
       this.#fill(...all);
     }) as typeof gl.bufferSubData;
   }
@@ -112,17 +114,17 @@ export class SlicedUploads {
     if (this.#isCardBusy(longestWait)) return;
     const gl = this.#gl;
     const begin = performance.now();
-    const before = this.#bound;
     for (let sent = 0; this.#waiting.length > 0 && sent < frameBytes; sent += sliceBytes) {
       const upload = this.#waiting[0];
       const piece = upload.slice(upload.done, sliceBytes);
-      this.#bind(gl.ARRAY_BUFFER, upload.buffer);
-      this.#fill(gl.ARRAY_BUFFER, upload.done, piece);
+      // Binding where indices are bound would change the geometry that is bound.
+      this.#bind(gl.COPY_WRITE_BUFFER, upload.buffer);
+      this.#fill(gl.COPY_WRITE_BUFFER, upload.done, piece);
       upload.done += piece.length;
       if (upload.done === upload.byteLength) this.#waiting.shift();
       if (performance.now() - begin > frameTime) break;
     }
-    this.#bind(gl.ARRAY_BUFFER, before);
+    this.#bind(gl.COPY_WRITE_BUFFER, null);
     this.#mark(begin);
   }
 }

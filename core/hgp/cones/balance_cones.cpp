@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 
 #include "hgp/base/check.h"
+#include "hgp/cones/cancel_cones.h"
+#include "hgp/cones/choose_cones.h"
 #include "hgp/cones/cone_placer.h"
 #include "hgp/field/prepared_surface.h"
 
@@ -12,8 +15,11 @@ namespace {
 
 /// Radians per edge around a vertex: no vertex is forced to take a cone.
 constexpr double kAnyTurnPerEdge = 100.0;
-/// Limit of nodes × solves for moving the cones that were added.
+/// Limits of nodes × solves for moving cones that were added one by one, and those of the field, as chooseCones has it.
 constexpr double kBalanceSolves = 3e6;
+constexpr double kFieldSolves = 3e7;
+/// Places for a cone that stands beside another one, each of which is a solve.
+constexpr std::size_t kPlaces = 12;
 
 /// q·χ − Σ(q − k) − Σl over what is given.
 long long missingUnits(const Topology& topology, const HolonomySpec& spec) {
@@ -38,25 +44,61 @@ class Balancer {
       fix(context_.surface.loopNode[j], spec.q + spec.turning[j].value_or(0));
   }
 
-  /// The spec with the missing cones; empty if no vertex can take them.
+  /// The spec with the missing cones; empty if no vertex can take them. They are placed one by one, and the cones of the
+  /// field are reduced to as many: the distortion decides.
   /// @param keepsApart  new cones share no triangle with given ones
-  std::optional<HolonomySpec> place(bool keepsApart) const {
-    DefectBounds bounds = bounds_;
-    if (keepsApart)
-      for (const ConePoint& cone : spec_.cones)
-        for (const HalfedgeId h : outgoingHalfedges(mesh_, cone.vertex)) hold(bounds, h);
+  /// @param field  cones of the smoothest field, if there are any
+  std::optional<HolonomySpec> place(bool keepsApart, const HolonomySpec* field) const {
+    const DefectBounds bounds = keepsApart ? apart(bounds_) : bounds_;
+    std::optional<NodeDefects> best = oneByOne(bounds);
+    if (!best) return std::nullopt;
+    if (field != nullptr) {
+      const std::optional<NodeDefects> other = reduced(*field, bounds, countOf(*best));
+      if (other && energy(*other) < energy(*best)) best = other;
+    }
+    HolonomySpec out = spec_;
+    for (const VertexId v : added(*best)) out.cones.push_back({v, spec_.q - (*best)[nodeOf(v)]});
+    return out;
+  }
+
+ private:
+  std::optional<NodeDefects> oneByOne(const DefectBounds& bounds) const {
     ConePlacer placer(mesh_, metric_, given_, bounds);
     if (!placer.balance()) return std::nullopt;
     placer.keepCount();
     placer.setNodeSolves(kBalanceSolves);
     placer.relax();
-    const NodeDefects defects = part(placer.defects(), bounds);
-    HolonomySpec out = spec_;
-    for (const VertexId v : added(defects)) out.cones.push_back({v, spec_.q - defects[nodeOf(v)]});
-    return out;
+    return part(placer.defects(), bounds);
   }
 
- private:
+  /// The cones of a field, as far as those given leave room for them, reduced to `count` in all where that is possible.
+  std::optional<NodeDefects> reduced(const HolonomySpec& field, DefectBounds bounds,
+                                     int count) const {
+    const DefectBounds usual = defectBounds(mesh_, context_, spec_.q, kLargestTurnPerEdge);
+    NodeDefects start(given_.size(), 0);
+    for (const ConePoint& cone : field.cones) start[nodeOf(cone.vertex)] = spec_.q - cone.k;
+    for (std::size_t n = 0; n < start.size(); ++n) {
+      const bool isHeld = bounds.low[n] == bounds.high[n];
+      if (!isHeld) bounds.low[n] = usual.low[n], bounds.high[n] = usual.high[n];
+      start[n] = std::clamp(start[n], bounds.low[n], bounds.high[n]);
+    }
+    ConePlacer placer(mesh_, metric_, std::move(start), bounds);
+    if (!placer.balance()) return std::nullopt;
+    placer.setNodeSolves(kFieldSolves);
+    placer.keepCount();
+    placer.growTo(count);
+    placer.shrinkTo(count);
+    placer.relax();
+    return part(placer.defects(), bounds);
+  }
+
+  DefectBounds apart(DefectBounds bounds) const {
+    for (const ConePoint& cone : spec_.cones)
+      for (const HalfedgeId h : outgoingHalfedges(mesh_, cone.vertex)) hold(bounds, h);
+    return bounds;
+  }
+  int countOf(const NodeDefects& defects) const { return coneCount(mesh_, context_, defects); }
+  double energy(const NodeDefects& defects) const { return metric_.cost(defects).energy; }
   std::size_t nodeOf(VertexId v) const {
     return static_cast<std::size_t>(context_.surface.node[v]);
   }
@@ -82,21 +124,56 @@ class Balancer {
     return {};
   }
 
-  /// Takes added cones that are side by side apart: the units of one go to where no other cone was added next to, or
-  /// onto another one. Pairs stay where there is no such place.
+  /// The vertices nearest to `v`, by edges, that may take `units` and have no added cone at or next to them.
+  std::vector<VertexId> placesNear(VertexId v, int units, const NodeDefects& defects,
+                                   const DefectBounds& bounds) const {
+    const auto isPlain = [&](VertexId w) {
+      return !context_.surface.isInterior(mesh_, w) || defects[nodeOf(w)] == given_[nodeOf(w)];
+    };
+    const auto takes = [&](VertexId w) {
+      if (!context_.surface.isInterior(mesh_, w) || !isPlain(w)) return false;
+      const int d = given_[nodeOf(w)] + units;
+      if (d < bounds.low[nodeOf(w)] || d > bounds.high[nodeOf(w)]) return false;
+      for (const HalfedgeId h : outgoingHalfedges(mesh_, w))
+        if (!isPlain(mesh_.head(h))) return false;
+      return true;
+    };
+    std::vector<VertexId> reached = {v}, found;
+    std::set<VertexId> seen = {v};
+    for (std::size_t i = 0; i < reached.size() && found.size() < kPlaces; ++i) {
+      if (takes(reached[i])) found.push_back(reached[i]);
+      for (const HalfedgeId h : outgoingHalfedges(mesh_, reached[i]))
+        if (seen.insert(mesh_.head(h)).second) reached.push_back(mesh_.head(h));
+    }
+    return found;
+  }
+
+  /// Takes added cones that are side by side apart: one moves a few edges, or its units go wherever they distort least.
+  /// Pairs stay where there is no such place.
   NodeDefects part(NodeDefects defects, const DefectBounds& bounds) const {
     for (std::size_t left = added(defects).size(); left > 0; --left) {
       const VertexId moved = besideAnother(defects);
       if (!moved.isValid()) break;
       NodeDefects start = defects;
+      const int units = start[nodeOf(moved)] - given_[nodeOf(moved)];
       start[nodeOf(moved)] = given_[nodeOf(moved)];
       DefectBounds apart = bounds;
       for (const VertexId v : added(start))
         for (const HalfedgeId h : outgoingHalfedges(mesh_, v))
           if (start[nodeOf(mesh_.head(h))] == given_[nodeOf(mesh_.head(h))]) hold(apart, h);
+      std::optional<NodeDefects> best;
+      const auto offer = [&](NodeDefects other) {
+        if (!best || energy(other) < energy(*best)) best = std::move(other);
+      };
+      for (const VertexId v : placesNear(moved, units, start, bounds)) {
+        NodeDefects other = start;
+        other[nodeOf(v)] += units;
+        offer(std::move(other));
+      }
       ConePlacer placer(mesh_, metric_, std::move(start), std::move(apart));
-      if (!placer.balance()) break;
-      defects = placer.defects();
+      if (placer.balance()) offer(placer.defects());
+      if (!best) break;
+      defects = *best;
     }
     return defects;
   }
@@ -151,9 +228,12 @@ Result<HolonomySpec> balanceCones(PreparedSurface& surface, HolonomySpec spec) {
   }
   if (Status done = surface.requireConnection(); !done) return std::move(done).error();
   const Balancer balancer(surface, spec);
+  SuggestOptions ofField;
+  ofField.q = spec.q;
+  const Result<HolonomySpec> field = fieldCones(surface, ofField);
   std::optional<Failure> reason;
   for (const bool keepsApart : {true, false}) {
-    std::optional<HolonomySpec> placed = balancer.place(keepsApart);
+    std::optional<HolonomySpec> placed = balancer.place(keepsApart, field ? &*field : nullptr);
     if (!placed) continue;
     const Result<BudgetReport> budget = refusal(*placed);
     if (budget) return std::move(*placed);

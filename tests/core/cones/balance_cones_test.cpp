@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "hgp/cones/choose_cones.h"
+#include "hgp/cones/cone_metric.h"
 #include "hgp/field/prepared_surface.h"
 #include "support/shapes.h"
 
@@ -92,6 +94,44 @@ TEST(BalanceCones, AreAddedWhereTheyLowerTheDistortion) {
   for (const ConePoint& cone : made->cones) {
     EXPECT_EQ(cone.k, 3);
     EXPECT_GT(curvature(mesh, surface.context().geometry, cone.vertex), 1.0);
+  }
+}
+
+double energyOf(PreparedSurface& surface, const HolonomySpec& spec) {
+  const FilledSurface& filled = surface.context().surface;
+  NodeDefects defects(static_cast<std::size_t>(filled.nodeCount), 0);
+  for (const ConePoint& cone : spec.cones)
+    defects[static_cast<std::size_t>(filled.node[cone.vertex])] = spec.q - cone.k;
+  return ConeMetric(surface.mesh(), surface.context(), spec.q).cost(defects).energy;
+}
+
+/// A ball with six long arms.
+test::Shape withArms() {
+  test::Shape shape = test::jittered(test::icosphere(8), 0.2);
+  shape.name += "-arms";
+  for (auto& p : shape.data.positions) {
+    const double largest = std::max({std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2])});
+    const double along = largest / std::hypot(p[0], p[1], p[2]);
+    for (double& x : p) x *= 1.0 + 4.0 * std::exp(40.0 * (along - 1.0));
+  }
+  return shape;
+}
+
+TEST(BalanceCones, WithoutGivenOnesAreNoWorseThanAsManySuggestedOnes) {
+  // One by one, cones are soon stacked on the few vertices that have room for several.
+  for (const test::Shape& shape : {test::jittered(test::icosphere(6), 0.3, 3), withArms(),
+                                   test::cube(5), test::doubleTorus(4)}) {
+    const TriMesh mesh = shape.mesh();
+    PreparedSurface surface(mesh);
+    const auto made = balanceCones(surface, specOf(4, {}));
+    ASSERT_TRUE(made) << shape.name << ": " << made.error().message;
+    SuggestOptions asMany;
+    asMany.coneCount = static_cast<int>(made->cones.size());
+    const auto suggested = chooseCones(surface, asMany);
+    ASSERT_TRUE(suggested) << shape.name;
+    EXPECT_LE(made->cones.size(), suggested->cones.size()) << shape.name;
+    // What taking neighbours apart costs is allowed.
+    EXPECT_LE(energyOf(surface, *made), 1.02 * energyOf(surface, *suggested) + 1e-9) << shape.name;
   }
 }
 

@@ -124,7 +124,7 @@ function solutionOf(doc, { isGood = true, ...more } = {}) {
   const { improve, frames, grid } = doc.solve;
   const component = { orientation: {}, distortion: {} };
   const certificate = { certified: isGood, usable: true, flipped: isGood ? 0 : 1, triangles: 9, wrongAngles: 0, wrongTurnings: 0, brokenSeams: 0, seamEdges: 0, integerSeams: 0, overlap: { share: 0, layers: 1 }, stored: { verified: 9, triangles: 9, negative: 0, zero: 0, reversed: 0, duplicates: 0, zeroArea: 0, splitVertices: 0 }, components: [component], q: 4, precision: 'float32', maxConeDistance: 0, maxSeamResidual: 0, seamTolerance: 1 }; // prettier-ignore
-  return { prescription: doc.prescription, settings: doc.settings, improve, frames, grid, field: doc.askedField, features: doc.askedFeatures, isSameAsFile: true, difference: '', written: { bytes: new Uint8Array(9) }, least: { area: 1, mean: 1, smallestPositive: 1, triangle: 0, negative: 0, zero: 0 }, distortion: { flipped: new Uint32Array(0) }, seams: [], chains: new Uint32Array(0), result: { certificate, report: { components: [{}], seconds: 1 } }, ...more }; // prettier-ignore
+  return { prescription: doc.prescription, settings: doc.settings, improve, frames, grid, field: doc.askedField, features: doc.askedFeatures, isSameAsFile: true, difference: '', written: { bytes: new Uint8Array(9) }, smallestArea: { area: 1, mean: 1, smallestPositive: 1, triangle: 0, negative: 0, zero: 0 }, distortion: { flipped: new Uint32Array(0) }, seams: [], chains: new Uint32Array(0), result: { certificate, report: { components: [{}], seconds: 1 } }, ...more }; // prettier-ignore
 }
 
 test('a run is the current one as long as everything that decides a map is as it was', () => {

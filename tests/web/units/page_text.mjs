@@ -41,7 +41,7 @@ function elementText(element) {
   return cleaned(own === '' || own === '·' ? text : `${text} ${own}`);
 }
 
-const mostRows = 3;
+const maxRows = 3;
 const plain = /^(?:div|span|p|section|tbody|thead|tr|dl|ul|b|small|td|g|br)$/;
 /** A drawing by the beginning of its first line. */
 const drawingText = (svg) => `${svg.getAttribute('class') ?? ''}${svg.children.length}:${svg.firstElementChild?.getAttribute('d')?.slice(0, 7) ?? ''}`; // prettier-ignore
@@ -50,8 +50,8 @@ function* elementLines(element) {
   const line = elementText(element);
   const all = [...element.children];
   // Of a long table its first rows: the document has the rest.
-  const isTable = /^tbody/.test(line) && all.length > mostRows && element.closest('#cones');
-  const inner = (isTable ? all.slice(0, mostRows) : all).flatMap((child) => [...elementLines(child)]); // prettier-ignore
+  const isTable = /^tbody/.test(line) && all.length > maxRows && element.closest('#cones');
+  const inner = (isTable ? all.slice(0, maxRows) : all).flatMap((child) => [...elementLines(child)]); // prettier-ignore
   if (isTable) inner.push(`rows ${all.length}`);
   // Rows and buttons are one line each.
   if (/^(?:tr|li|button|summary|label|select|h\d)\b/.test(line))
@@ -63,7 +63,7 @@ function* elementLines(element) {
 }
 
 const docFields = ['prescription', 'settings', 'solve', 'look', 'features', 'hasUserCones', 'coneStep', 'selected', 'isUnsaved', 'pendingOutput', 'validation', 'field', 'firstRun', 'notAgain', 'summaries']; // prettier-ignore
-const uiFields = ['tool', 'tab', 'sheet', 'dialog', 'hover', 'theme', 'hasKeys', 'split', 'mostRows', 'openGroups', 'mapScale', 'sort', 'isPhone', 'isNarrow', 'isSystemDark', 'handlesShown', 'isRecording', 'target', 'wipe', 'automatic', 'holdsCone']; // prettier-ignore
+const uiFields = ['tool', 'tab', 'sheet', 'dialog', 'hover', 'theme', 'hasKeys', 'split', 'maxRows', 'openGroups', 'mapScale', 'sort', 'isPhone', 'isNarrow', 'isSystemDark', 'handlesShown', 'isRecording', 'target', 'wipe', 'automatic', 'holdsCone']; // prettier-ignore
 
 /** A value without what only identifies it. */
 function bare(value, depth = 5) {
@@ -117,7 +117,7 @@ const listed = (object, keys) =>
 function uploaded(array) {
   const gathered = gatheredFor(array);
   if (!gathered) return array;
-  return new array.constructor(gathered.slice(0, gathered.byteLength).buffer);
+  return new array.constructor(gathered.slice(0, gathered.byteLength).slice().buffer);
 }
 
 function* objectLines(name, object) {

@@ -16,7 +16,8 @@ function optionsOfRun({ doc }: App, { result, field, features }: Solution): Comm
     scale: scale ?? 'solved',
     cells: grid && grid.cells > 0 ? grid.cells : undefined,
     gridMode: grid?.mode ?? 'tile',
-    ...{ field, features },
+    field,
+    features,
     timeLimit: doc.solve.timeLimit,
   };
 }
@@ -27,9 +28,14 @@ function optionsOfNext({ doc }: App): CommandOptions {
   const { q } = doc.prescription;
   const isAligned = grid.isOn && canAlign(q);
   return {
-    ...{ rounds, improve, timeLimit, scale: plainOutput.scale, gridMode: grid.mode },
+    rounds,
+    improve,
+    timeLimit,
+    scale: plainOutput.scale,
+    gridMode: grid.mode,
     cells: isAligned ? (grid.cells ?? 'auto') : undefined,
-    ...{ field: doc.askedField, features: doc.askedFeatures },
+    field: doc.askedField,
+    features: doc.askedFeatures,
   };
 }
 

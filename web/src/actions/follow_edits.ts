@@ -12,7 +12,7 @@ import { takeCones } from './edit_cones';
 import { keepSolution, run, sayRunFailure, sayVerdict, solve, whyNotRun } from './solve';
 
 const quick = 2000; // milliseconds: where the first run was faster, maps follow edits unless the user chose otherwise
-const mostSeconds = 60; // for a map that nobody asked for, whatever the limit of Run
+const maxSeconds = 60; // for a map that nobody asked for, whatever the limit of Run
 
 /** Whether maps are made without Run: as the user chose, otherwise where that takes little time. */
 export const isAutomatic = ({ doc, ui }: App): boolean =>
@@ -83,7 +83,7 @@ async function renew(app: App, { wanted, controller }: Renewal): Promise<void> {
     if (isOn() && doc.automatic?.stage !== stage) doc.automatic = { controller, stage };
   };
   const call: JobCall = { signal, onProgress, keepWorker: true };
-  const seconds = Math.min(wanted.solve.timeLimit ?? Infinity, mostSeconds);
+  const seconds = Math.min(wanted.solve.timeLimit ?? Infinity, maxSeconds);
   const stopLate = (): void =>
     giveUp(app, wanted, `No map of this edit within ${plural(seconds, 'second')}. Run makes it.`);
   const timer = setTimeout(() => isOn() && stopLate(), 1000 * seconds);

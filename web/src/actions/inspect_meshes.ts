@@ -4,8 +4,8 @@ import type { ModelInfo, Placements } from 'hgp';
 import type { MeshSummary } from '../model/types';
 import { isAbort } from '../text/error_messages';
 
-const mostMeshes = 64;
-const mostTriangles = 400_000; // in total: inspecting more would take too long
+const maxMeshes = 64;
+const maxTriangles = 400_000; // in total: inspecting more would take too long
 
 async function summarize(
   index: number,
@@ -29,7 +29,7 @@ export async function surveyMeshes(
   read: (index: number) => Promise<ModelInfo>,
 ): Promise<{ summaries: MeshSummary[]; best: number }> {
   const total = info.surfaces.reduce((sum, { triangles }) => sum + triangles, 0);
-  if (info.surfaces.length > mostMeshes || total > mostTriangles) {
+  if (info.surfaces.length > maxMeshes || total > maxTriangles) {
     return { summaries: [], best: info.surface };
   }
   const summaries: MeshSummary[] = [];

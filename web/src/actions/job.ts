@@ -50,7 +50,12 @@ function reportProgress({ doc }: App, controller: AbortController): JobCall['onP
 }
 
 export const stageStart = (stage: string): Progress => ({
-  ...{ stage, fraction: 0, iteration: -1, residual: -1, round: 0, maxRounds: 0 },
+  stage,
+  fraction: 0,
+  iteration: -1,
+  residual: -1,
+  round: 0,
+  maxRounds: 0,
 });
 
 /** The reason with which cancel() aborts. */

@@ -12,7 +12,7 @@ import type { LoadSettings, Model, Step } from '../model/types';
 import { saveCones } from '../services/cone_storage';
 import { describeError, whyUnusable } from '../text/error_messages';
 import { remarksOn } from '../text/remarks';
-import { estimateFor, mostTriangles, tooMany } from '../text/estimate';
+import { estimateFor, maxTriangles, tooMany } from '../text/estimate';
 import { bytesOfAll, megabytes } from '../text/format';
 import { gzipNote, noteForPage } from '../text/notes';
 import { solverOf, type App } from './app';
@@ -125,7 +125,7 @@ async function readMesh(
     parts = [await partOf(app, 0, await solver.surface(call), placements[0])];
   }
   const { info } = solver;
-  if (info.triangles > mostTriangles) throw new Error(tooMany(main, info.triangles));
+  if (info.triangles > maxTriangles) throw new Error(tooMany(main, info.triangles));
   const [arrays, facts] = await Promise.all([solver.surface(call), solver.facts(call)]);
   call.signal.throwIfAborted();
   const [matrix] = matricesOf(placements[info.surface]);

@@ -14,7 +14,7 @@ import { freeUnused } from './free_unused';
 import { loadMesh, reopen } from './load';
 import { refreshRecent, remember } from './recent';
 
-const mostBytes = 512 * 2 ** 20;
+const maxBytes = 512 * 2 ** 20;
 
 /** Opens new files: a model, a cone file for the open model, or files that were missing. */
 export async function open(app: App, dropped: Files): Promise<void> {
@@ -54,9 +54,9 @@ export async function openMain(app: App, files: Files, main: string): Promise<vo
   if (doc.previous && doc.previous.model.main !== main) doc.previous = undefined;
   freeUnused(app);
   const size = bytesOfAll(files);
-  if (size > mostBytes) {
+  if (size > maxBytes) {
     return doc.say(
-      `These files have ${megabytes(size)}; this page takes up to ${megabytes(mostBytes)}. ` +
+      `These files have ${megabytes(size)}; this page takes up to ${megabytes(maxBytes)}. ` +
         'The command line has no such limit: hgp param.',
       'error',
     );

@@ -142,10 +142,8 @@ export async function solve(
   const keepGoing = (model.info.components?.length ?? 1) > 1;
   const { askedFeatures: features, askedField: field, coneStep } = doc;
   const isAutomatic = !field && !features && doc.needsCones;
-  const options = runOptions({
-    ...{ prescription: doc.prescription, isAutomatic, features, field },
-    ...{ rounds, improve, scale: output.scale, keepGoing },
-  });
+  const prescribed = { prescription: doc.prescription, isAutomatic, features, field };
+  const options = runOptions({ ...prescribed, rounds, improve, scale: output.scale, keepGoing });
   const { map, cells, step } = isAutomatic
     ? await solveAutomatic(app, model, options, call)
     : { ...(await solveAligned(app, model, options, call)), step: coneStep };
@@ -173,7 +171,8 @@ export function keepSolution({ doc }: App, solution: Solution, before?: Solution
 }
 
 export const writeOptions = ({ uvSet, embedCones, usesNewSet }: Output): WriteOptions => ({
-  ...{ allowUncertified: true, embedCones },
+  allowUncertified: true,
+  embedCones,
   ...(usesNewSet === undefined ? {} : { use: usesNewSet }),
   ...(uvSet === undefined ? {} : { uvSet }),
 });
@@ -305,9 +304,9 @@ export function sayVerdict(app: App, solution: Solution, isOpen: boolean): void 
   const other = solution.frames === 'file' ? ' Automatic frames may do better.' : '';
   const parts = componentsOf(solution.result.certificate);
   const good = parts.filter(({ reasons }) => !reasons?.length).length;
-  const most = good > 0 ? ` ${good} of ${parts.length} components pass.` : '';
+  const passing = good > 0 ? ` ${good} of ${parts.length} components pass.` : '';
   const see = 'The map can be viewed; see the certificate.';
-  doc.say(`Not certified${chosen}.${most} ${see}${other}`, 'error');
+  doc.say(`Not certified${chosen}.${passing} ${see}${other}`, 'error');
 }
 
 /** How a run ended; `refused`: it did not begin, and the user was told why. */

@@ -9,14 +9,14 @@ import { exportFiles, exportSource } from './download';
 import { plural } from '../text/format';
 
 const severities = ['Error', 'Warning', 'Information', 'Hint'];
-const mostShown = 12;
+const maxShown = 12;
 
 function describeReport({
   issues,
   validatorVersion,
 }: ValidatorReport): Pick<Validation, 'text' | 'issues'> {
   const { numErrors, numWarnings, numInfos, numHints, messages, truncated } = issues;
-  const shown = messages.toSorted((a, b) => a.severity - b.severity).slice(0, mostShown);
+  const shown = messages.toSorted((a, b) => a.severity - b.severity).slice(0, maxShown);
   const more = messages.length > shown.length || truncated ? ['… and more'] : [];
   return {
     text:

@@ -46,12 +46,10 @@ const solverFormats: Record<SolverFormat, [WriteOptions['format'], string]> = {
 };
 
 const types: Record<string, string> = {
-  ...{
-    glb: 'model/gltf-binary',
-    obj: 'text/plain',
-    svg: 'image/svg+xml',
-    json: 'application/json',
-  },
+  glb: 'model/gltf-binary',
+  obj: 'text/plain',
+  svg: 'image/svg+xml',
+  json: 'application/json',
   zip: 'application/zip',
 };
 
@@ -113,7 +111,8 @@ export function coneFile({
 }: Pick<ExportSource, 'model' | 'prescription'>): Download {
   const { info, surface } = model;
   const cones = {
-    ...{ format: 'hgp-cones', version: 1 },
+    format: 'hgp-cones',
+    version: 1,
     mesh: { vertices: info.vertices, triangles: info.triangles, sha256: info.file.sha256 },
     ...toCones(prescription, surface.positions),
   };

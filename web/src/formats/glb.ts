@@ -77,14 +77,14 @@ export function relativeName(uri: string): string | undefined {
 }
 
 const parsed = new WeakMap<Blob | Uint8Array, Promise<Json>>();
-const mostHead = 64 * 2 ** 20; // bytes at the beginning of a GLB that must contain its JSON
+const maxHead = 64 * 2 ** 20; // bytes at the beginning of a GLB that must contain its JSON
 
 /** The JSON chunk of a GLB with the header before it: the buffers behind it may be large and are not needed. */
 async function headOf(glb: Blob): Promise<Uint8Array> {
   const start = await bytesOf(glb.slice(0, 20));
   if (start.length < 20) return start;
   const length = new DataView(start.buffer).getUint32(12, true);
-  return bytesOf(glb.slice(0, Math.min(20 + length, mostHead)));
+  return bytesOf(glb.slice(0, Math.min(20 + length, maxHead)));
 }
 
 /** The same for a dropped file, which is read and parsed only once. */

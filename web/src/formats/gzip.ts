@@ -12,12 +12,12 @@ const ignoredBehind = new WeakMap<Blob | Uint8Array, number>();
 /** Collects chunks, and throws if they exceed the limit. */
 function collector(packed: number): { add: (chunk: Uint8Array) => void; all: () => Uint8Array } {
   const chunks: Uint8Array[] = [];
-  const most = Math.min(caps.bytes, caps.ratio * Math.max(packed, 4096));
+  const max = Math.min(caps.bytes, caps.ratio * Math.max(packed, 4096));
   let size = 0;
   return {
     add(chunk) {
       size += chunk.length;
-      if (size > most) throw new RangeError(tooLarge);
+      if (size > max) throw new RangeError(tooLarge);
       chunks.push(chunk);
     },
     all() {

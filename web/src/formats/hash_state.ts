@@ -13,7 +13,7 @@ import {
   type SolveSettings,
 } from '../model/types';
 
-const mostText = 8192;
+const maxText = 8192;
 
 export interface HashState {
   example?: string;
@@ -49,7 +49,7 @@ const integer = (text: string | null, low: number, high: number): number | undef
 
 /** Pairs of integers; undefined if the text has anything else. */
 function pairsOf(text: string | null): [number, number][] | undefined {
-  if (!text || text.length > mostText || !/^[\w-]+$/.test(text)) return undefined;
+  if (!text || text.length > maxText || !/^[\w-]+$/.test(text)) return undefined;
   try {
     const list: unknown = JSON.parse(atob(text.replaceAll('-', '+').replaceAll('_', '/')));
     const isPair = (one: unknown): boolean =>
@@ -148,7 +148,7 @@ export function writeHash(source: HashSource): Written {
     const text = btoa(JSON.stringify(pairs));
     const safe = text.replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
     if (pairs.length === 0) return;
-    if (safe.length <= mostText) words.set(key, safe);
+    if (safe.length <= maxText) words.set(key, safe);
     else omitted.push(`${pairs.length} ${what}`);
   };
   const said = (list: readonly (number | null)[]): number[][] =>

@@ -142,8 +142,8 @@ function readAccessor(file: OpenGltf, index: number): Float64Array {
     const values = readItems(file, { ...sparse.values, componentType }, sparse.count, width);
     at.forEach((item, i) => out.set(values.subarray(width * i, width * (i + 1)), width * item));
   }
-  const most = readers[componentType][1];
-  return normalized ? out.map((x) => Math.max(x / most, -1)) : out;
+  const max = readers[componentType][1];
+  return normalized ? out.map((x) => Math.max(x / max, -1)) : out;
 }
 
 /**

@@ -109,7 +109,9 @@ export const loadOptionsOf = ({ weld, fix, hasAllRepairs }: LoadSettings) =>
 export const plainSettings: LoadSettings = { fix: {} };
 export const plainGrid: GridSettings = { isOn: true, mode: 'tile' };
 export const plainOutput: Output = {
-  ...{ scale: 'solved', embedCones: true, hasGrid: false },
+  scale: 'solved',
+  embedCones: true,
+  hasGrid: false,
 };
 const plainLook: Look = {
   pattern: 'checker',
@@ -121,7 +123,7 @@ const plainLook: Look = {
   light: 'studio',
 };
 const middleStep = 2; // of five: balanced
-const mostLog = 200;
+const maxLog = 200;
 
 const begun = (prescription: Prescription, settings = plainSettings): History<Step> =>
   History.of({ prescription, settings });
@@ -290,7 +292,7 @@ export class Document extends storeOf<Fields>() {
 
   say(text: string, kind: Message['kind'] = 'note', actions?: MessageAction[], details = ''): void {
     this.message = { kind, text, actions, details };
-    this.log = [...this.log.slice(1 - mostLog), { time: new Date(), text: `${text} ${details}` }];
+    this.log = [...this.log.slice(1 - maxLog), { time: new Date(), text: `${text} ${details}` }];
   }
 
   /** The work on the open mesh, to be restored later. */

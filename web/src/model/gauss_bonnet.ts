@@ -53,10 +53,10 @@ function checkCone(
     return bad('on the boundary: set its turning under Boundaries and handles');
   if (k < 1) return bad('k must be at least 1');
   const valence = surface.valence[vertex];
-  const most = largestK(q, valence);
-  if (k > most) {
+  const max = largestK(q, valence);
+  if (k > max) {
     return bad(
-      `${valence} triangles; k = ${k} would need a corner above 180°. Largest k here: ${most}`,
+      `${valence} triangles; k = ${k} would need a corner above 180°. Largest k here: ${max}`,
     );
   }
   if (k === q) return { isGood: true, text: 'no effect (k = q)' };
@@ -149,8 +149,8 @@ export function computeBudget(
  * missing, the new one reduces the remainder and never exceeds it.
  */
 export function suggestedK(surface: Surface, vertex: number, q: number, left: number): number {
-  const most = Math.max(1, largestK(q, surface.valence[vertex]));
-  const within = (k: number): number => Math.min(Math.max(k, 1), most);
+  const max = Math.max(1, largestK(q, surface.valence[vertex]));
+  const within = (k: number): number => Math.min(Math.max(k, 1), max);
   const bends = curvatureAround(surface, vertex);
   const natural = q - Math.round((bends / (2 * Math.PI)) * q);
   if (left > 0) return within(Math.max(Math.min(natural, q - 1), q - left));

@@ -61,14 +61,26 @@ export function gridOutcome({ result }: Pick<Solution, 'result'>): GridOutcome |
 
 /** The number of tiles after which a pattern repeats; patterns that are not listed have no lines. */
 const periods: Partial<Record<Pattern, number>> = {
-  ...{ checker: 2, brick: 2, wood: 2, hex: 2 },
-  ...{ grid: 1, plaid: 1, circles: 1, image: 1 },
+  checker: 2,
+  brick: 2,
+  wood: 2,
+  hex: 2,
+  grid: 1,
+  plaid: 1,
+  circles: 1,
+  image: 1,
 };
 
 /** The order of the rotations that leave a pattern unchanged on the aligned grid. */
 const symmetries: Partial<Record<Pattern, number>> = {
-  ...{ checker: 4, grid: 4, plaid: 4, circles: 4 },
-  ...{ brick: 2, hex: 2, wood: 1, image: 1 },
+  checker: 4,
+  grid: 4,
+  plaid: 4,
+  circles: 4,
+  brick: 2,
+  hex: 2,
+  wood: 1,
+  image: 1,
 };
 
 export const areSeamsShown = ({ seams }: Look, solution: Solution): boolean =>

@@ -39,8 +39,12 @@ function heatOf(logScale: Float32Array): Float32Array {
 
 /** The picture until the first frame is there. */
 export const beforeFirst = (base: Solution): LiveMap => ({
-  ...{ base, state: 'heat', cornerUv: base.cornerUv, heat: new Float32Array(0) },
-  ...{ notPositive: new Uint32Array(0), reasons: [] },
+  base,
+  state: 'heat',
+  cornerUv: base.cornerUv,
+  heat: new Float32Array(0),
+  notPositive: new Uint32Array(0),
+  reasons: [],
 });
 
 /** The map of other cones, with the scale that these will have. */

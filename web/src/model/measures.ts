@@ -48,7 +48,7 @@ export interface Sizes {
   smaller: SizePlaces;
 }
 
-export interface LeastArea {
+export interface SmallestArea {
   /** The smallest signed area of a triangle in the map; negative if it is flipped. */
   area: number;
   /** The mean area of all triangles. */

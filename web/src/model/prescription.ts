@@ -51,7 +51,8 @@ export function fromCones(cones: Cones, loops: number, generators: number): Pres
   return {
     q: cones.q,
     cones: cones.cones.map(({ vertex, k, triangle }: Cone) => ({
-      ...{ vertex, k },
+      vertex,
+      k,
       ...(triangle === undefined ? {} : { triangle }),
     })),
     turnings,

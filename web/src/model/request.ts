@@ -48,7 +48,15 @@ export function requestOf(solution: Solution): SolveRequest {
   const { prescription, settings, improve, frames, field, features } = solution;
   const { grid, cells, output, isDragged } = solution;
   return {
-    ...{ prescription, settings, improve, frames, field, features },
-    ...{ grid, cells, output, isDragged },
+    prescription,
+    settings,
+    improve,
+    frames,
+    field,
+    features,
+    grid,
+    cells,
+    output,
+    isDragged,
   };
 }

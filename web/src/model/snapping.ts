@@ -8,7 +8,7 @@ type Around = Pick<Surface, 'neighbourStart' | 'neighbours' | 'isBoundary' | 'an
 const sharp = Math.PI / 7;
 /** A corner must be this many times as sharp as the vertex under the pointer. */
 const clearly = 1.3;
-const mostVertices = 400;
+const maxVertices = 400;
 
 const defect = ({ angle, isBoundary }: Around, v: number): number =>
   isBoundary[v] ? 0 : 2 * Math.PI - angle[v];
@@ -38,15 +38,15 @@ export function cornerNear(
   const open = [vertex];
   const first = sharpness(surface, vertex);
   let best = vertex;
-  let most = Math.max(sharp, clearly * first);
-  for (let at = 0; at < open.length && open.length < mostVertices; at++) {
+  let max = Math.max(sharp, clearly * first);
+  for (let at = 0; at < open.length && open.length < maxVertices; at++) {
     for (let n = surface.neighbourStart[open[at]]; n < surface.neighbourStart[open[at] + 1]; n++) {
       const v = surface.neighbours[n];
       if (seen.has(v) || !isNear(v)) continue;
       seen.add(v);
       open.push(v);
       const pointed = surface.isBoundary[v] ? 0 : sharpness(surface, v);
-      if (pointed > most && isPeak(surface, v, pointed)) [best, most] = [v, pointed];
+      if (pointed > max && isPeak(surface, v, pointed)) [best, max] = [v, pointed];
     }
   }
   return best;

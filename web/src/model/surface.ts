@@ -27,7 +27,7 @@ export function scaleAt(
 }
 
 const reach = 0.03; // as a fraction of the diagonal
-const mostVertices = 600;
+const maxVertices = 600;
 
 /** Vertices within a small distance along edges, the vertex itself first. */
 export function neighbourhood(surface: Surface, vertex: number): number[] {
@@ -36,7 +36,7 @@ export function neighbourhood(surface: Surface, vertex: number): number[] {
   const found = [vertex];
   const far = (v: number): number =>
     Math.hypot(...[0, 1, 2].map((i) => p[3 * v + i] - p[3 * vertex + i]));
-  for (let at = 0; at < found.length && found.length < mostVertices; at++) {
+  for (let at = 0; at < found.length && found.length < maxVertices; at++) {
     for (let n = neighbourStart[found[at]]; n < neighbourStart[found[at] + 1]; n++) {
       const w = neighbours[n];
       const isFirstRing = at === 0;

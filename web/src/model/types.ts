@@ -13,7 +13,7 @@ import type {
 } from 'hgp';
 import type { FeatureChoice } from './features';
 import type { QuadShape } from './quad_shape';
-import type { Distortion, LeastArea, Overlaps, Sizes } from './measures';
+import type { Distortion, SmallestArea, Overlaps, Sizes } from './measures';
 import type { Prescription } from './prescription';
 
 /** By relative name. */
@@ -157,7 +157,7 @@ export interface Analysis {
   cornerUv: Float32Array;
   distortion: Distortion;
   sizes: Sizes;
-  least: LeastArea;
+  smallestArea: SmallestArea;
   /** Triangles that overlap others, which is allowed. */
   overlaps: Overlaps;
   /** The chain of each seam edge; both sides of a chain have the same colour. */

@@ -43,7 +43,7 @@ interface Fields {
   hasKeys: boolean;
   /** Width of the 3D view in percent of both views. */
   split: number;
-  mostRows: number;
+  maxRows: number;
   /** The values of k whose cones are listed, where there are so many cones that the table counts them. */
   openGroups: ReadonlySet<number>;
   /** Pixels per unit of uv in the UV view. */
@@ -87,7 +87,7 @@ export class UiState extends storeOf<Fields>() {
       theme: themes.find((theme) => theme === stored('hgp-theme')) ?? 'auto',
       hasKeys: stored('hgp-keys') !== 'off',
       split: 58,
-      mostRows: 60,
+      maxRows: 60,
       openGroups: new Set(),
       mapScale: 0,
       sort: { by: 'number', isDown: false },

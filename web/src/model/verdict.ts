@@ -2,7 +2,7 @@
 // these rows; each row's tick is computed from the number that the row shows.
 
 import type { Certificate, Where } from 'hgp';
-import type { LeastArea } from './measures';
+import type { SmallestArea } from './measures';
 import type { Solution } from './types';
 
 export interface VerdictRow {
@@ -36,18 +36,18 @@ function foremost(
   components: ComponentCertificate[],
   of: (one: ComponentCertificate) => { id?: number; measure: number },
 ): number {
-  let most = { id: -1, measure: -Infinity };
+  let worst = { id: -1, measure: -Infinity };
   for (const one of components) {
     const { id = -1, measure } = of(one);
-    if (id >= 0 && (most.id < 0 || measure > most.measure)) most = { id, measure };
+    if (id >= 0 && (worst.id < 0 || measure > worst.measure)) worst = { id, measure };
   }
-  return most.id;
+  return worst.id;
 }
 
 const triangles = (ids: Iterable<number>): Where[] =>
   Array.from(ids, (id): Where => ({ kind: 'triangle', id }));
 
-function orientationRows({ result, least, distortion }: Solution): VerdictRow[] {
+function orientationRows({ result, smallestArea, distortion }: Solution): VerdictRow[] {
   const { certificate } = result;
   const components = componentsOf(certificate);
   const reported = components.flatMap(({ orientation }) => orientation?.notPositive ?? []);
@@ -64,7 +64,7 @@ function orientationRows({ result, least, distortion }: Solution): VerdictRow[] 
       isGood: certificate.flipped === 0,
       where: folded.length > 0 ? triangles(folded) : triangles(smallest < 0 ? [] : [smallest]),
     },
-    areaRow(certificate, least),
+    areaRow(certificate, smallestArea),
     ...outsideRow(certificate),
   ];
 }
@@ -73,8 +73,8 @@ function orientationRows({ result, least, distortion }: Solution): VerdictRow[] 
  * The areas of the triangles as stored in the file. As many may be zero or negative as the certificate counts as
  * reversed, as duplicates or as without area in space, but no more.
  */
-function areaRow({ stored }: Certificate, least: LeastArea): VerdictRow {
-  const { negative, zero, area, smallestPositive, mean, triangle } = least;
+function areaRow({ stored }: Certificate, found: SmallestArea): VerdictRow {
+  const { negative, zero, area, smallestPositive, mean, triangle } = found;
   const isCounted =
     negative <= stored.reversed + stored.duplicates && zero <= stored.zeroArea + stored.duplicates;
   const smallest = isCounted ? smallestPositive : area;

@@ -25,8 +25,8 @@ function move(event: PointerEvent): void {
   const up = drag.y - event.clientY;
   drag.isMoved ||= Math.abs(up) > clickMoves;
   if (!drag.isMoved) return;
-  const most = asideOf(event).parentElement!.clientHeight;
-  const height = Math.min(Math.max(drag.height + up, 46), most);
+  const max = asideOf(event).parentElement!.clientHeight;
+  const height = Math.min(Math.max(drag.height + up, 46), max);
   asideOf(event).style.setProperty('--sheet-drag', `${height}px`);
 }
 

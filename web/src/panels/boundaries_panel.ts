@@ -10,7 +10,7 @@ import { keepWhileTyping } from './keep_while_typing';
 import { Panel } from './panel';
 
 const few = 8; // up to this many handle loops are listed without a click
-const mostRows = 200;
+const maxRows = 200;
 
 /** A stepper with an additional value "auto". */
 function stepper(
@@ -75,7 +75,7 @@ class BoundariesPanel extends Panel {
     const { q, turnings } = doc.prescription;
     const loops = doc.model!.info.components!.flatMap(({ boundaryLoops }) => boundaryLoops);
     const solved = new Map(doc.current?.result.cones.boundaries?.map(({ loop, l }) => [loop, l]));
-    return loops.slice(0, mostRows).map(({ loop, vertices, length, turningAngle, anchor }) => {
+    return loops.slice(0, maxRows).map(({ loop, vertices, length, turningAngle, anchor }) => {
       const natural = Math.round((turningAngle / (2 * Math.PI)) * q);
       const l = turnings[loop] ?? null;
       const found = solved.get(loop);

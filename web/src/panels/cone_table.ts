@@ -13,7 +13,7 @@ import { Panel } from './panel';
 import { keepOneStop, moveInTable, stopAt } from './table_focus';
 
 /** More cones are counted by angle. */
-const mostListed = 20;
+const maxListed = 20;
 
 class ConeTable extends Panel {
   /** Indices of the cones in the order of the table. */
@@ -46,9 +46,9 @@ class ConeTable extends Panel {
   override render(): TemplateResult {
     const { ui, doc } = this.app;
     const { cones } = doc.prescription;
-    const isGrouped = cones.length > mostListed;
+    const isGrouped = cones.length > maxListed;
     const sorted = this.#sorted();
-    const shown = sorted.slice(0, ui.mostRows);
+    const shown = sorted.slice(0, ui.maxRows);
     return html`<div class="scroll">
         <table id="cones" @keydown=${moveInTable} @focusin=${stopAt}>
           <thead>
@@ -67,7 +67,7 @@ class ConeTable extends Panel {
       ${
         !isGrouped && cones.length > shown.length
           ? html`<p>
-              <button type="button" class="small" @click=${() => (ui.mostRows = Infinity)}>
+              <button type="button" class="small" @click=${() => (ui.maxRows = Infinity)}>
                 Show all ${cones.length}
               </button>
             </p>`

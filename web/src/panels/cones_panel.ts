@@ -23,7 +23,7 @@ const orderNames: [number, string][] = [
   [6, '6 · hexagons'],
   [8, '8'],
 ];
-const mostBars = 8;
+const maxBars = 8;
 
 const minus = (n: number): string => String(n).replace('-', '−');
 
@@ -161,7 +161,7 @@ class ConesPanel extends Panel {
       const open = components.filter(({ isBalanced }) => !isBalanced);
       const balanced = components.length - open.length;
       return [
-        ...open.slice(0, mostBars).map((one) => this.#bar(one, false)),
+        ...open.slice(0, maxBars).map((one) => this.#bar(one, false)),
         ...(balanced > 0 ? [this.#balancedOnes(balanced, components.length)] : []),
       ];
     }
@@ -184,7 +184,7 @@ class ConesPanel extends Panel {
   #bar(budget: ComponentBudget, isOnly: boolean): TemplateResult {
     const { have, need, left, openLoops, isBalanced, component } = budget;
     const { q, turnings } = this.app.doc.prescription;
-    const most = Math.max(Math.abs(need), Math.abs(have), 1);
+    const max = Math.max(Math.abs(need), Math.abs(have), 1);
     const open = left > 0 ? `${left} left` : `${-left} too much`;
     const taken = openLoops > 0 && left !== 0 ? `the boundary takes ${left}` : 'balanced';
     const ways = isBalanced ? '' : waysToSpend(left, q);
@@ -198,8 +198,8 @@ class ConesPanel extends Panel {
       </p>
       <meter
         min="0"
-        max=${most}
-        .value=${Math.min(Math.abs(have), most)}
+        max=${max}
+        .value=${Math.min(Math.abs(have), max)}
         aria-label="Budget used"
       ></meter>
       ${ways ? html`<p class="note">Add ${ways}.</p>` : nothing}

@@ -15,13 +15,13 @@ interface Scale {
 
 function scaleOf({ distortion }: Solution, overlay: Overlay): Scale | undefined {
   if (overlay === 'angle') {
-    const most = stretchLimit(distortion);
-    const [middle, high] = [(1 + most) / 2, most].map((x) => x.toFixed(2));
+    const max = stretchLimit(distortion);
+    const [middle, high] = [(1 + max) / 2, max].map((x) => x.toFixed(2));
     return { title: 'Stretch σ₁/σ₂', low: '1', middle, high: `≥ ${high}`, kind: 'sequential' };
   }
   if (overlay === 'seams') {
-    const most = seamLimit(distortion);
-    const [middle, end] = [most / 2, most].map((x) => x.toPrecision(2));
+    const max = seamLimit(distortion);
+    const [middle, end] = [max / 2, max].map((x) => x.toPrecision(2));
     return { title: 'Distance to a seam', low: '0', middle, high: `≥ ${end}`, kind: 'sequential' };
   }
   if (overlay !== 'area') return undefined;

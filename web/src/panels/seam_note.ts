@@ -9,7 +9,10 @@ import { plural } from '../text/format';
 import { Panel } from './panel';
 
 const names: Partial<Record<Pattern, string>> = {
-  ...{ brick: 'Brick', wood: 'Wood', hex: 'Hexagons', image: 'Your image' },
+  brick: 'Brick',
+  wood: 'Wood',
+  hex: 'Hexagons',
+  image: 'Your image',
 };
 
 class SeamNote extends Panel {

@@ -37,7 +37,7 @@ const overlayNames: Record<Overlay, string> = {
   flips: 'Folded triangles',
 };
 
-const mostSteps = 8; // maximum number of tiles along a cell
+const maxSteps = 8; // maximum number of tiles along a cell
 
 const valueOf = (event: Event): string => (event.target as HTMLSelectElement).value;
 
@@ -121,7 +121,7 @@ class ViewToolbar extends Panel {
         type="range"
         data-steps=${isStepped}
         min=${isStepped ? 1 : 0}
-        max=${isStepped ? mostSteps : 100}
+        max=${isStepped ? maxSteps : 100}
         step="1"
         .value=${live(String(value))}
         aria-valuetext=${text}

@@ -14,7 +14,7 @@ interface SavedCones {
   prescription: Prescription;
 }
 
-const most = 200;
+const maxStored = 200;
 
 const isCount = (x: unknown): boolean => Number.isSafeInteger(x) && (x as number) >= 0;
 const isIndex = (x: unknown): boolean => x === null || Number.isSafeInteger(x);
@@ -58,7 +58,7 @@ export async function saveCones(mesh: Place, prescription: Prescription): Promis
     const sha256 = keyOf(mesh);
     store.put({ sha256, time: Date.now(), version: format, prescription } satisfies SavedCones);
     const count = await answer(store.count());
-    if (count <= most) return;
+    if (count <= maxStored) return;
     const oldest = store.index('time').openKeyCursor();
     oldest.onsuccess = () => {
       if (oldest.result) store.delete(oldest.result.primaryKey);

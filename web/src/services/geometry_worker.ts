@@ -69,7 +69,9 @@ function kept({ positions, places, triangles, ...rest }: Omit<Kept, 'id'>): Kept
     isBoundary: rest.isBoundary.slice(),
     neighbourStart: rest.neighbourStart.slice(),
     neighbours: rest.neighbours.slice(),
-    ...{ vertexCount, radius, diagonal },
+    vertexCount,
+    radius,
+    diagonal,
   };
 }
 

@@ -3,8 +3,8 @@
 import type { Recent } from '../model/recent';
 import { answer, openStore, type Store } from './storage';
 
-const most = 6;
-const mostBytes = 48 * 2 ** 20;
+const maxFiles = 6;
+const maxBytes = 48 * 2 ** 20;
 const place: Store = { database: 'hgp-recent', name: 'files', keyPath: 'id' };
 
 const isRecent = (value: unknown): value is Recent => {
@@ -38,13 +38,13 @@ export async function keepRecent(
     name,
     content instanceof Blob ? content : new Blob([content as BlobPart]),
   ]);
-  if (blobs.reduce((sum, [, blob]) => sum + blob.size, 0) > mostBytes) return;
+  if (blobs.reduce((sum, [, blob]) => sum + blob.size, 0) > maxBytes) return;
   try {
     const store = await openStore(place, 'readwrite');
     store.put({ id, main, time: Date.now(), files: blobs } satisfies Recent);
     const all: unknown[] = await answer(store.getAll());
     const old = all.filter(isRecent).sort((a, b) => b.time - a.time);
-    for (const one of old.slice(most)) store.delete(one.id);
+    for (const one of old.slice(maxFiles)) store.delete(one.id);
   } catch {
     // The page works without storage.
   }

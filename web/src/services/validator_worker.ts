@@ -7,12 +7,12 @@ export interface ToValidate {
   files: Map<string, Uint8Array>;
 }
 
-const mostIssues = 100;
+const maxIssues = 100;
 
 async function validate({ main, files }: ToValidate): Promise<ValidatorReport> {
   return validateBytes(files.get(main)!, {
     uri: main,
-    maxIssues: mostIssues,
+    maxIssues: maxIssues,
     writeTimestamp: false,
     externalResourceFunction: (uri) => {
       const found = files.get(decodeURIComponent(uri));

@@ -10,11 +10,11 @@ export function quoted(word: string): string {
   return /^[\w./:,=-]+$/.test(name) ? name : `'${name.replaceAll("'", "'\\''")}'`;
 }
 
-const mostInline = 40; // cones; more are passed in a file
+const maxInline = 40; // cones; more are passed in a file
 
 function coneWords({ q, cones, turnings, handles }: Prescription, stem: string): string[] {
   const words = ['--q', String(q)];
-  if (cones.length > mostInline) return [...words, '--cones', quoted(`${stem}.cones.json`)];
+  if (cones.length > maxInline) return [...words, '--cones', quoted(`${stem}.cones.json`)];
   for (const { vertex, k } of cones) words.push('--cone', `${vertex}:${k}`);
   turnings.forEach((l, loop) => l !== null && words.push('--turning', `${loop}:${l}`));
   handles.forEach((r, generator) => r !== null && words.push('--handle', `${generator}:${r}`));

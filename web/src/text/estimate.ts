@@ -4,7 +4,7 @@ import type { ModelInfo } from 'hgp';
 import { quoted } from './cli_command';
 import { memoryText } from './format';
 
-export const mostTriangles = 2_000_000;
+export const maxTriangles = 2_000_000;
 const limit = 4 * 2 ** 30; // bytes: the maximum of WebAssembly's memory
 const tight = 0.8;
 // Measured with the solver in a browser: for the module itself, and per triangle.

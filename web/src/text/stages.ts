@@ -37,17 +37,20 @@ const names: Record<string, string> = {
 /** The steps that a run shows, in order. */
 export const runSteps = ['field', 'cut', 'solve', 'align', 'verify', 'write'] as const;
 const stepOf: Record<string, (typeof runSteps)[number]> = {
-  ...{ read: 'field', weld: 'field', topology: 'field', cones: 'field', field: 'field' },
-  ...{ prepare: 'field', connection: 'field' },
-  ...{
-    cut: 'cut',
-    assemble: 'cut',
-    solve: 'solve',
-    improve: 'solve',
-    align: 'align',
-    verify: 'verify',
-    write: 'write',
-  },
+  read: 'field',
+  weld: 'field',
+  topology: 'field',
+  cones: 'field',
+  field: 'field',
+  prepare: 'field',
+  connection: 'field',
+  cut: 'cut',
+  assemble: 'cut',
+  solve: 'solve',
+  improve: 'solve',
+  align: 'align',
+  verify: 'verify',
+  write: 'write',
 };
 
 export const stageName = (stage: string): string => names[stage] ?? stage;

@@ -10,7 +10,7 @@ const glideTime = 150; // milliseconds
 /** Three quarters from the front, which is +Z in glTF, and from above. */
 const startFrom = new Vector3(0.5, 0.38, 0.78).normalize();
 const margin = 1.16; // of the distance at which the model touches the edges: tools cover them
-const mostPoints = 20_000; // of the model that framing looks at
+const maxPoints = 20_000; // of the model that framing looks at
 
 /** What can be framed: a bounding sphere, and the coordinates of points. */
 export interface Shape {
@@ -94,7 +94,7 @@ export class Orbit {
     const { center, radius, places } = this.#framed;
     const target = center.clone();
     const point = new Vector3();
-    const step = 3 * Math.max(1, Math.ceil(places.length / 3 / mostPoints));
+    const step = 3 * Math.max(1, Math.ceil(places.length / 3 / maxPoints));
     let distance = (radius * margin) / Math.sin(Math.atan(Math.min(high, wide)));
     // The picture is centred for one distance, and the distance found for that centre, in turn.
     for (let round = 0; round < 3 && places.length > 0; round++) {

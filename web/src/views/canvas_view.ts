@@ -5,7 +5,7 @@ import { Color, type Object3D, Scene, Vector2, WebGLRenderer, type Camera } from
 import { SlicedUploads } from './sliced_uploads';
 
 /** Pixels of a picture per CSS pixel. */
-const mostEnlarged = 6;
+const maxEnlarged = 6;
 
 /** The frame in which a view was last drawn: the other view waits for the next, so that each task is short. */
 let lastFrame = -1;
@@ -181,7 +181,7 @@ export abstract class CanvasView {
   async picture(width: number): Promise<Blob> {
     const { clientWidth, clientHeight } = this.canvas;
     if (this.#isHidden || this.#isLost) throw new Error('the view is not on the screen');
-    const ratio = Math.min(mostEnlarged, Math.max(this.#pixelRatio, width / clientWidth));
+    const ratio = Math.min(maxEnlarged, Math.max(this.#pixelRatio, width / clientWidth));
     this.renderer.setDrawingBufferSize(clientWidth, clientHeight, ratio);
     for (const step of this.#before) step();
     this.render();

@@ -132,8 +132,12 @@ void main() {
 
 function materialOf(hasDepth: boolean): ShaderMaterial {
   return new ShaderMaterial({
-    ...{ glslVersion: GLSL3, vertexShader, fragmentShader, transparent: true },
-    ...{ depthTest: hasDepth, depthWrite: false },
+    glslVersion: GLSL3,
+    vertexShader,
+    fragmentShader,
+    transparent: true,
+    depthTest: hasDepth,
+    depthWrite: false,
     uniforms: {
       size: { value: new Vector2(1, 1) },
       pixels: { value: 1 },

@@ -9,7 +9,7 @@ type Gather = (first: number, last: number) => ArrayBufferView;
 interface Gathered {
   readonly byteLength: number;
   /** A part that begins at a byte where a slice ended and has at most so many bytes. */
-  slice(begin: number, mostBytes: number): Uint8Array;
+  slice(begin: number, maxBytes: number): Uint8Array;
 }
 
 const sources = new WeakMap<object, Gathered>();
@@ -36,9 +36,9 @@ export class GatheredAttribute extends BufferAttribute {
     const bytesEach = itemSize * empty.BYTES_PER_ELEMENT;
     sources.set(empty, {
       byteLength: count * bytesEach,
-      slice(begin, mostBytes) {
+      slice(begin, maxBytes) {
         const first = begin / bytesEach;
-        const last = Math.min(count, first + Math.floor(mostBytes / bytesEach));
+        const last = Math.min(count, first + Math.floor(maxBytes / bytesEach));
         const { buffer, byteOffset, byteLength } = gather(first, last);
         return new Uint8Array(buffer as ArrayBuffer, byteOffset, byteLength);
       },

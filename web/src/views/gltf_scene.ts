@@ -134,7 +134,7 @@ function atRest(object: Object3D, matrix: Matrix4): OwnInstance {
 }
 
 const crease = Math.PI / 5; // a larger angle between triangles is shown as an edge
-const mostForCreases = 60_000; // triangles: finding creases in more of them would block the page
+const maxForCreases = 60_000; // triangles: finding creases in more of them would block the page
 
 /** Gives meshes without normals smooth ones: glTF prescribes flat triangles, which hide the shape. */
 async function smooth(group: Object3D): Promise<void> {
@@ -144,7 +144,7 @@ async function smooth(group: Object3D): Promise<void> {
     if (!mesh.isMesh || mesh.geometry.attributes.normal) return;
     const { geometry } = mesh;
     const corners = geometry.index?.count ?? geometry.attributes.position.count;
-    if (corners / 3 <= mostForCreases) mesh.geometry = toCreasedNormals(geometry, crease);
+    if (corners / 3 <= maxForCreases) mesh.geometry = toCreasedNormals(geometry, crease);
     else geometry.computeVertexNormals();
     for (const one of [mesh.material].flat()) one.flatShading = false;
   });

@@ -121,12 +121,18 @@ function lift(thing: Mesh | LineSegments, eye: Vector3, by: number): void {
 export class Lines extends Mesh<BufferGeometry, ShaderMaterial> {
   constructor(width: number, options: { depth?: boolean; order?: number; bias?: number } = {}) {
     const uniforms = {
-      ...{ size: { value: new Vector2(1, 1) }, width: { value: width } },
-      ...{ colour: { value: undefined as Color | undefined }, isTinted: { value: false } },
+      size: { value: new Vector2(1, 1) },
+      width: { value: width },
+      colour: { value: undefined as Color | undefined },
+      isTinted: { value: false },
     };
     const material = new ShaderMaterial({
-      ...{ glslVersion: GLSL3, vertexShader, fragmentShader, uniforms },
-      ...{ depthTest: options.depth ?? true, depthWrite: false },
+      glslVersion: GLSL3,
+      vertexShader,
+      fragmentShader,
+      uniforms,
+      depthTest: options.depth ?? true,
+      depthWrite: false,
     });
     if (options.bias) {
       material.polygonOffset = true;

@@ -191,8 +191,17 @@ void main() {
 }`;
 
 const numbers: Record<Pattern, number> = {
-  ...{ plain: 0, material: 0, cross: 1, grid: 2, checker: 3, hex: 4, circles: 5, image: 6 },
-  ...{ brick: 7, wood: 8, plaid: 9 },
+  plain: 0,
+  material: 0,
+  cross: 1,
+  grid: 2,
+  checker: 3,
+  hex: 4,
+  circles: 5,
+  image: 6,
+  brick: 7,
+  wood: 8,
+  plaid: 9,
 };
 
 /** Of all surfaces that are lit, as there is one 3D view. */

@@ -18,7 +18,7 @@ const hues = [
 /** A shared object, which must not be modified. */
 export const chainColour = (chain: number): Color => hues[chain % hues.length];
 
-const mostTicks = 4;
+const maxTicks = 4;
 
 /** A chain shorter than this many strokes has none: they would only be scribbles. */
 const shortest = 3;
@@ -42,14 +42,14 @@ function middles(
   });
   return [...of].flatMap(([chain, seams]) => {
     const length = seams.reduce((sum, seam) => sum + lengthOf(seam), 0);
-    const enough = shortest * stroke * (1 + (chain % mostTicks) / mostTicks);
+    const enough = shortest * stroke * (1 + (chain % maxTicks) / maxTicks);
     return length < enough ? [] : [{ chain, seam: seams[Math.floor(seams.length / 2)] }];
   });
 }
 
 /** Adds marks across the segment a–b; `across` is half a mark as a vector. */
 function marks(a: Vector3, b: Vector3, across: Vector3, chain: number, out: number[]): number {
-  const count = (chain % mostTicks) + 1;
+  const count = (chain % maxTicks) + 1;
   const gap = 0.9 * across.length();
   const along = b.clone().sub(a).setLength(gap);
   const middle = a.clone().lerp(b, 0.5);

@@ -14,13 +14,13 @@ interface Upload {
   buffer: WebGLBuffer;
   byteLength: number;
   /** The next bytes, at most so many. */
-  slice: (begin: number, mostBytes: number) => Uint8Array;
+  slice: (begin: number, maxBytes: number) => Uint8Array;
   done: number;
 }
 
 function sliceOf(data: ArrayBufferView): Upload['slice'] {
   const bytes = new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
-  return (begin, mostBytes) => bytes.subarray(begin, begin + mostBytes);
+  return (begin, maxBytes) => bytes.subarray(begin, begin + maxBytes);
 }
 
 /** Intercepts uploads by three.js: large buffers are allocated immediately and filled afterwards. */

@@ -52,9 +52,9 @@ const exposure = 1.5;
 export function radiance(x: number, y: number, z: number): number {
   const height = Math.min(1, Math.max(0, (y + 0.7) / 1.6));
   let sum = floor + (ceiling - floor) * height * height * (3 - 2 * height);
-  for (const { towards, radiance: most, sharpness } of lamps) {
+  for (const { towards, radiance: peak, sharpness } of lamps) {
     const cosine = x * towards[0] + y * towards[1] + z * towards[2];
-    sum += most * Math.exp(sharpness * (cosine - 1));
+    sum += peak * Math.exp(sharpness * (cosine - 1));
   }
   return sum;
 }

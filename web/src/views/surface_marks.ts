@@ -10,7 +10,7 @@ import { chainColour, ticksOnSurface } from './seam_marks';
 
 const highlightColour = new Color('#ff2d95');
 const featureColour = new Color('#e0452f');
-const mostOutlined = 2000; // triangles
+const maxOutlined = 2000; // triangles
 
 type Point = [number, number, number];
 
@@ -117,7 +117,7 @@ export class SurfaceMarks extends Group {
     const add = (v: number, w: number): void => {
       points.push(...placeOf(surface, v), ...placeOf(surface, w));
     };
-    for (const t of triangles.slice(0, mostOutlined)) {
+    for (const t of triangles.slice(0, maxOutlined)) {
       const [a, b, c] = surface.triangles.subarray(3 * t, 3 * t + 3);
       if (c === undefined) continue;
       add(a, b);

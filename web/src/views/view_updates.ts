@@ -29,9 +29,9 @@ const quietPalettes: typeof palettes = {
   dark: { ...palettes.dark, paper: new Color('#4a5663') },
 };
 
-const mostAtOnce = 10_000; // triangles: for fewer, the tree for picking is built synchronously
-const mostTime = 8; // milliseconds per task
-const mostForMaterials = 300_000; // triangles: for more, the model's materials are shown only on request
+const maxAtOnce = 10_000; // triangles: for fewer, the tree for picking is built synchronously
+const maxTime = 8; // milliseconds per task
+const maxForMaterials = 300_000; // triangles: for more, the model's materials are shown only on request
 
 export interface ViewSources {
   doc: ReadonlyDocument;
@@ -99,7 +99,7 @@ export class ViewUpdates {
   #updateFrom(pass: number, first: number): void {
     const begin = performance.now();
     for (let i = first; i < this.#concerns.length; i++) {
-      if (performance.now() - begin > mostTime) return this.#later(pass, i);
+      if (performance.now() - begin > maxTime) return this.#later(pass, i);
       this.#update(this.#concerns[i]);
     }
     this.#isScheduled = false;
@@ -160,7 +160,7 @@ export class ViewUpdates {
         if (isNew) onSurface();
         model.setModel(surface, solution, { parts: doc.parts, isSameFile });
         uv.setModel(surface, solution);
-        if (!surface || surface.triangles.length / 3 <= mostAtOnce) return undefined;
+        if (!surface || surface.triangles.length / 3 <= maxAtOnce) return undefined;
         const trees: Promise<void>[] = [];
         if (isNew) {
           trees.push(
@@ -262,7 +262,7 @@ export class ViewUpdates {
     const { model, displayed, look } = doc;
     if (!model || !isGltf(model.main)) return undefined;
     if (look.pattern === 'material') return { key: displayed ?? model.files, isShown: true };
-    const isSmall = model.info.triangles <= mostForMaterials;
+    const isSmall = model.info.triangles <= maxForMaterials;
     return isSmall ? { key: model.files, isShown: displayed === undefined } : undefined;
   }
 

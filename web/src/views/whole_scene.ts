@@ -51,7 +51,7 @@ interface Part {
 }
 
 const quiet = { withMap: 0.3, certified: 0.12, plain: 0.62, pointedAt: 0.08 };
-const mostPoints = 4000; // of each part that framing looks at
+const maxPoints = 4000; // of each part that framing looks at
 
 export class WholeScene extends Group {
   readonly #toStudio: Matrix3;
@@ -175,7 +175,7 @@ function pointsOf(parts: readonly ScenePart[]): Float64Array {
   const found: number[] = [];
   const point = new Vector3();
   for (const { cornerPositions: p, matrices } of parts) {
-    const step = 3 * Math.max(1, Math.ceil((p.length / 3 / mostPoints) * matrices.length));
+    const step = 3 * Math.max(1, Math.ceil((p.length / 3 / maxPoints) * matrices.length));
     for (const one of matrices) {
       const matrix = new Matrix4().fromArray(one);
       for (let i = 0; i < p.length; i += step) {

@@ -131,8 +131,12 @@ export class Lite {
       seams.push({ a: [a0, a1], b: [b0, b1], r });
     }
     return {
-      ...{ positions: Float64Array.from(positions), triangles: Uint32Array.from(triangles) },
-      ...{ uv: made.uv, cornerToUv: made.cornerToUv, uvToVertex: made.uvToVertex, seams },
+      positions: Float64Array.from(positions),
+      triangles: Uint32Array.from(triangles),
+      uv: made.uv,
+      cornerToUv: made.cornerToUv,
+      uvToVertex: made.uvToVertex,
+      seams,
       certificate: made.certificate,
     };
   }

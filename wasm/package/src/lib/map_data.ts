@@ -48,8 +48,17 @@ export class MapData implements Result {
     const { positions, triangles, uv, cornerToUv, solved, uvToVertex, seams } = this;
     const { certificate, cones, report, memory } = this;
     return {
-      ...{ positions, triangles, uv, cornerToUv, solved, uvToVertex, seams },
-      ...{ certificate, cones, report, memory },
+      positions,
+      triangles,
+      uv,
+      cornerToUv,
+      solved,
+      uvToVertex,
+      seams,
+      certificate,
+      cones,
+      report,
+      memory,
     };
   }
 }

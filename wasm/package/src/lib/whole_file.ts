@@ -29,7 +29,9 @@ export function parametrizeFile(core: Core, source: CoreFiles, options: FileOpti
   try {
     const made = model.parametrizeFile(solve);
     const meshes = made.meshes.map(({ mesh, certified, aligned, report, error }): MeshOutcome => ({
-      ...{ mesh, certified, aligned },
+      mesh,
+      certified,
+      aligned,
       ...(report === undefined ? {} : { report: JSON.parse(report) as Report }),
       ...(error === undefined ? {} : { error: JSON.parse(error) as HgpFailure }),
     }));

@@ -15,7 +15,7 @@ interface CommandLine {
 }
 type Create = (options: { thisProgram: string; wasmBinary: Uint8Array }) => Promise<CommandLine>;
 
-const mostBytes = 2 ** 31; // as in the native program
+const maxBytes = 2 ** 31; // as in the native program
 
 function end(message: string, code: number): never {
   console.error(`hgp: ${message}`);
@@ -26,7 +26,7 @@ function end(message: string, code: number): never {
 function unpacked(fd: number, open: typeof fs.openSync): number {
   let plain: Buffer | undefined;
   try {
-    plain = gunzipSync(fs.readFileSync(fd), { maxOutputLength: mostBytes });
+    plain = gunzipSync(fs.readFileSync(fd), { maxOutputLength: maxBytes });
   } catch (error) {
     const isTooLarge = (error as NodeJS.ErrnoException).code === 'ERR_BUFFER_TOO_LARGE';
     if (isTooLarge) end('the input is larger than 2 GiB', 8);

@@ -6,7 +6,7 @@ import { isGltf, objectsIn, parseGltf } from '../../formats/glb';
 import { summarizePreserved } from '../../formats/preserved_content';
 import { readUv, type MeshoptDecoder } from '../../formats/read_uv';
 import type { Analysis, Corners, OutputFile, Surface } from '../../model/types';
-import { boxOf, leastArea, quantilesOf } from './distortion';
+import { boxOf, smallestArea, quantilesOf } from './distortion';
 import { forEachIndex } from './loops';
 import { triangulatedLike } from './polygon_corners';
 
@@ -125,12 +125,15 @@ export function analyse(
       area: quantilesOf(faces.area, weights),
       areaSize: quantilesOf(areaSize, weights),
       seamDistance: quantilesOf(seamDistance),
-      ...{ flipped, uvArea, surfaceArea },
+      flipped,
+      uvArea,
+      surfaceArea,
     },
     sizes: sizesOf({ ...faces, triangles: map.triangles, positions: map.positions }, edges),
     // From the file's map if it could be read.
-    least: leastArea(read && read.uv.length === own.uv.length ? read.uv : own.uv),
-    ...{ overlaps, chains },
+    smallestArea: smallestArea(read && read.uv.length === own.uv.length ? read.uv : own.uv),
+    overlaps,
+    chains,
     box: boxOf(map.uv),
     preserved: isGltf(files[0].name) ? summarizePreserved(parseGltf(files[0])) : '',
   };

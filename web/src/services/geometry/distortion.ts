@@ -1,6 +1,6 @@
 // Summaries of a map in a few numbers.
 
-import type { LeastArea, Quantiles } from '../../model/measures';
+import type { SmallestArea, Quantiles } from '../../model/measures';
 import type { Box } from '../../model/types';
 import { forEachIndex } from './loops';
 import { weightedQuantile } from './sizes';
@@ -23,7 +23,7 @@ export function quantilesOf(values: Float32Array, weights?: Float64Array): Quant
 }
 
 /** Areas of a map. `uv`: two numbers per triangle corner, as stored. */
-export function leastArea(uv: Float64Array): LeastArea {
+export function smallestArea(uv: Float64Array): SmallestArea {
   const count = uv.length / 6;
   let area = Infinity;
   let triangle = -1;

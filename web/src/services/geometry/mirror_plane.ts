@@ -14,10 +14,10 @@ export interface Plane {
   offset: number;
 }
 
-const mostSamples = 1500;
+const maxSamples = 1500;
 const rounds = 6; // of fitting
 /** Mean distance of mirrored vertices to the next vertex, of the diagonal, beyond the one that spacing explains. */
-const mostOff = 0.008;
+const maxOff = 0.008;
 /** A mirrored vertex farther than this from every vertex has no counterpart. */
 const farthest = 0.05;
 
@@ -59,7 +59,7 @@ export class Mirror {
     const own: number[] = [];
     for (let v = 0; v < vertexCount; v++) if (representative[v] === v) own.push(v);
     this.#nearest = new NearestVertex(positions, own, farthest * shape.diagonal);
-    const step = Math.max(1, Math.floor(own.length / mostSamples));
+    const step = Math.max(1, Math.floor(own.length / maxSamples));
     const samples = own.filter((_, i) => i % step === 0).map((v) => this.#at(v));
     if (samples.length > 0) this.plane = this.#find(samples);
   }
@@ -71,7 +71,7 @@ export class Mirror {
     const off = Math.abs(dot(this.plane.normal, at) - this.plane.offset);
     const found = this.#nearest.of(reflected(this.plane, at));
     // The next vertex to the image of one that is nearly on the plane may be a neighbour.
-    return off < mostOff * this.#shape.diagonal ? v : found;
+    return off < maxOff * this.#shape.diagonal ? v : found;
   }
 
   #at(v: number): Vector {
@@ -90,7 +90,7 @@ export class Mirror {
       const fitted = this.#fit(samples, { normal, offset: dot(normal, centre) });
       if (!best || fitted.off < best.off) best = fitted;
     }
-    const allowed = mostOff * this.#shape.diagonal + 0.4 * spacing;
+    const allowed = maxOff * this.#shape.diagonal + 0.4 * spacing;
     return best && best.off <= allowed ? best.plane : undefined;
   }
 

@@ -41,11 +41,11 @@ export class NearestVertex {
   /** −1 if no vertex is near enough. */
   of(point: Vector): number {
     const [i, j, k] = this.#cellOf(...point);
-    const most = Math.ceil(this.#reach / this.#size);
+    const max = Math.ceil(this.#reach / this.#size);
     let best = -1;
     let nearest = this.#reach;
     // Cells in shells around the point: what is in a later shell is at least that far away.
-    for (let shell = 0; shell <= most && (shell - 1) * this.#size <= nearest; shell++) {
+    for (let shell = 0; shell <= max && (shell - 1) * this.#size <= nearest; shell++) {
       for (let x = i - shell; x <= i + shell; x++) {
         for (let y = j - shell; y <= j + shell; y++) {
           const isSide = Math.abs(x - i) === shell || Math.abs(y - j) === shell;

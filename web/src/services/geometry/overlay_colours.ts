@@ -79,19 +79,19 @@ export function overlayColours(
   const painter = new Painter(triangles.length);
   const count = triangles.length / 3;
   if (overlay === 'angle') {
-    const most = stretchLimit(limits) - 1;
+    const max = stretchLimit(limits) - 1;
     for (let t = 0; t < count; t++) {
-      painter.face(t, sequentialTable, (values.stretch[t] - 1) / most);
+      painter.face(t, sequentialTable, (values.stretch[t] - 1) / max);
     }
   } else if (overlay === 'area') {
-    const most = areaLimit(limits);
+    const max = areaLimit(limits);
     for (let t = 0; t < count; t++) {
-      painter.face(t, divergingTable, 0.5 + values.area[t] / (2 * most));
+      painter.face(t, divergingTable, 0.5 + values.area[t] / (2 * max));
     }
   } else if (overlay === 'seams') {
-    const most = seamLimit(limits);
+    const max = seamLimit(limits);
     for (let c = 0; c < triangles.length; c++) {
-      const d = values.seamDistance[triangles[c]] / most;
+      const d = values.seamDistance[triangles[c]] / max;
       painter.corner(c, sequentialTable, Number.isFinite(d) ? d : 1);
     }
   } else if (overlay === 'flips') {

@@ -55,23 +55,26 @@ function ballOf(p: Float64Array): Pick<Surface, 'center' | 'radius' | 'diagonal'
     }
   });
   const center = low.map((x, k) => (x + high[k]) / 2) as [number, number, number];
-  let most = 0;
+  let max = 0;
   forEachIndex(p.length / 3, (v) => {
     const far =
       (p[3 * v] - center[0]) ** 2 +
       (p[3 * v + 1] - center[1]) ** 2 +
       (p[3 * v + 2] - center[2]) ** 2;
-    if (far > most && far < Infinity) most = far;
+    if (far > max && far < Infinity) max = far;
   });
   const diagonal = Math.hypot(...high.map((x, k) => x - low[k])) || 1;
-  return { center, diagonal, radius: Math.sqrt(most) || diagonal / 2 };
+  return { center, diagonal, radius: Math.sqrt(max) || diagonal / 2 };
 }
 
 export function locatedSurface(arrays: SurfaceArrays, facts: SurfaceFacts): Located {
   const { positions, triangles } = arrays;
   const vertexCount = positions.length / 3;
   return {
-    ...{ positions, triangles, vertexCount, normals: normalsOf(arrays) },
+    positions,
+    triangles,
+    vertexCount,
+    normals: normalsOf(arrays),
     ...ballOf(positions),
     ...facts,
   };

@@ -16,7 +16,7 @@ type SampledSurface = Pick<Surface, 'positions' | 'triangles'>;
 type Vector = [number, number, number];
 
 const tries = 5; // candidates per point that fits
-const mostCandidates = 60_000;
+const maxCandidates = 60_000;
 
 /** A sequence of uniformly distributed numbers in (0, 1) from a seed. */
 function sequence(seed: number): () => number {
@@ -102,7 +102,7 @@ class PoissonSampler {
     this.#areas = new Float64Array(this.count);
     let area = 0;
     for (let t = 0; t < this.count; t++) area += this.#areas[t] = areaOf(surface, t);
-    const wanted = Math.min((tries * area) / (spacing * spacing), mostCandidates);
+    const wanted = Math.min((tries * area) / (spacing * spacing), maxCandidates);
     this.#each = area > 0 ? wanted / area : 0;
     this.#grid = new NeighbourGrid(0.85 * spacing);
   }

@@ -11,7 +11,7 @@ function cornerOf(
   corner: number,
 ): number {
   let best = -1;
-  let least = [Infinity, Infinity];
+  let smallest = [Infinity, Infinity];
   for (let i = 0; i < count; i++) {
     const far = (a: Float64Array, b: Float64Array, width: number): number => {
       let sum = 0;
@@ -22,7 +22,8 @@ function cornerOf(
     };
     const place = far(file.positions, map.positions, 3);
     const uv = far(file.uv, map.uv, 2);
-    if (place < least[0] || (place === least[0] && uv < least[1])) [best, least] = [i, [place, uv]];
+    if (place < smallest[0] || (place === smallest[0] && uv < smallest[1]))
+      [best, smallest] = [i, [place, uv]];
   }
   return best;
 }

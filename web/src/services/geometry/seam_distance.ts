@@ -25,13 +25,13 @@ class Heap {
     if (items.length === 0) return top;
     items[0] = last;
     for (let i = 0; ;) {
-      let least = i;
+      let smallest = i;
       for (const child of [2 * i + 1, 2 * i + 2]) {
-        if (child < items.length && items[child].d < items[least].d) least = child;
+        if (child < items.length && items[child].d < items[smallest].d) smallest = child;
       }
-      if (least === i) return top;
-      [items[least], items[i]] = [items[i], items[least]];
-      i = least;
+      if (smallest === i) return top;
+      [items[smallest], items[i]] = [items[i], items[smallest]];
+      i = smallest;
     }
   }
 }

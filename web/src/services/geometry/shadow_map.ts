@@ -7,7 +7,7 @@ const tall = 0.3; // of the model's size: what is higher than that has no shadow
 const blur = 3; // cells
 const rounds = 3; // of blurring, which together are nearly a Gaussian
 const widestGap = 4; // cells between points that are filled
-const mostPoints = 60_000;
+const maxPoints = 60_000;
 
 export interface GroundShadow {
   /** How dark each cell is, 0 to 1, by rows of growing z. */
@@ -56,9 +56,9 @@ function filtered(from: Float32Array, reach: number, gather: Gather): Float32Arr
 }
 
 const largest: Gather = (from, first, last, along) => {
-  let most = 0;
-  for (let at = first; at <= last; at += along) most = Math.max(most, from[at]);
-  return most;
+  let max = 0;
+  for (let at = first; at <= last; at += along) max = Math.max(max, from[at]);
+  return max;
 };
 
 const mean: Gather = (from, first, last, along) => {
@@ -69,7 +69,7 @@ const mean: Gather = (from, first, last, along) => {
 
 /** Points of the surface as displayed, three numbers each; undefined if they have no extent. */
 export function groundShadow(places: ArrayLike<number>): GroundShadow | undefined {
-  const step = 3 * Math.max(1, Math.ceil(places.length / 3 / mostPoints));
+  const step = 3 * Math.max(1, Math.ceil(places.length / 3 / maxPoints));
   const { low, high } = boundsOf(places, step);
   const wide = Math.max(high[0] - low[0], high[2] - low[2]);
   const size = Math.max(wide, high[1] - low[1]);

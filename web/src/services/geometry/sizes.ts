@@ -68,9 +68,9 @@ type Around = Pick<
 
 /** Within a factor √10 of the typical scale sizes do not stand out. */
 const apart = Math.log2(10);
-const mostShown = 2000; // triangles
-const mostPlaces = 8;
-const fewestVertices = 3; // of a place: fewer are one odd triangle
+const maxShown = 2000; // triangles
+const maxPlaces = 8;
+const minVertices = 3; // of a place: fewer are one odd triangle
 
 /** The areas of the triangles; 0 for those that are not positive in the map. */
 export function weightsOf({
@@ -130,11 +130,10 @@ function extremes(
         open.push(w);
       }
     }
-    if (best >= 0 && open.length >= fewestVertices)
-      found.push({ vertex: best, count: open.length });
+    if (best >= 0 && open.length >= minVertices) found.push({ vertex: best, count: open.length });
   }
   found.sort((a, b) => b.count - a.count || a.vertex - b.vertex);
-  return found.slice(0, mostPlaces).map(({ vertex }) => vertex);
+  return found.slice(0, maxPlaces).map(({ vertex }) => vertex);
 }
 
 export function sizesOf(faces: FaceSizes, around: Around): Sizes {
@@ -150,7 +149,7 @@ export function sizesOf(faces: FaceSizes, around: Around): Sizes {
     const inside = ids.filter((t) => sign * area[t] > bound);
     let share = 0;
     for (const t of inside) share += weights[t] / total;
-    const triangles = inside.sort((a, b) => sign * (area[b] - area[a])).slice(0, mostShown);
+    const triangles = inside.sort((a, b) => sign * (area[b] - area[a])).slice(0, maxShown);
     return { share, triangles, vertices: extremes(values, { sign, bound }, around) };
   };
   // `area` is relative to the mean of logarithms; the same mean of scales gives the typical one in uv per length.

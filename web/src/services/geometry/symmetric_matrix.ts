@@ -15,9 +15,9 @@ const times = (m: Matrix, x: Vector): Vector => [
 export function largestAxis(matrix: Matrix): { axis: Vector; value: number } {
   let m = matrix;
   for (let step = 0; step < steps; step++) {
-    const most = Math.max(...m.map(Math.abs));
-    if (!(most > 0)) return { axis: [1, 0, 0], value: 0 };
-    m = m.map((x) => x / most) as Matrix;
+    const max = Math.max(...m.map(Math.abs));
+    if (!(max > 0)) return { axis: [1, 0, 0], value: 0 };
+    m = m.map((x) => x / max) as Matrix;
     const square = [0, 1, 2].flatMap((i) =>
       [0, 1, 2].map((j) => m[3 * i] * m[j] + m[3 * i + 1] * m[3 + j] + m[3 * i + 2] * m[6 + j]),
     ) as Matrix;

@@ -33,10 +33,13 @@ bool take(const std::optional<Mapped>& m, Drawing& drawing) {
   return m.has_value();
 }
 
+/// Pictures are this wide, so that they are sharp on screens with two pixels per CSS pixel.
+constexpr int kWidth = 1600;
+
 /// Renders a scene; small for tests, because rendering would take longer than solving.
 Image drawn(const Request& request, const picture::Scene& scene, const Camera& camera, int width,
             int height) {
-  const int part = request.isSmall ? 3 : 1;
+  const int part = request.isSmall ? 6 : 1;
   return render(scene, camera, width / part, height / part);
 }
 
@@ -55,12 +58,12 @@ Drawing hardModels(const Request& request) {
     const std::optional<Mapped> m = mapped(models[i].first, models[i].second, {});
     if (!take(m, drawing)) continue;
     picture::Scene scene = surfaceScene(*m, 34);
-    scene.dotRadius = 2;
+    scene.dotRadius = 4.5;
     scene.paint = gridPaint(4);
-    patterns.push_back(drawn(request, scene, cameras[i], 190, 190));
+    patterns.push_back(drawn(request, scene, cameras[i], kWidth / 4, kWidth / 4));
     const std::vector<double> mu = muPerFace(*m);
     scene.paint = [&](const picture::Spot& spot) { return heat(mu[spot.face], 0.5); };
-    heats.push_back(drawn(request, scene, cameras[i], 190, 190));
+    heats.push_back(drawn(request, scene, cameras[i], kWidth / 4, kWidth / 4));
   }
   drawing.rows = {sideBySide(patterns), sideBySide(heats)};
   return drawing;
@@ -123,8 +126,8 @@ Drawing hexagonal(const Request& request) {
     picture::Scene scene = surfaceScene(*m, 20);
     scene.paint = gridPaint(6);
     alignToCones(*m, scene, 12);
-    panels.push_back(drawn(request, scene, {25, 35, 0.95}, 200, 200));
-    panels.push_back(drawn(request, scene, {85, -15, 0.95}, 200, 200));
+    panels.push_back(drawn(request, scene, {25, 35, 0.95}, kWidth / 4, kWidth / 4));
+    panels.push_back(drawn(request, scene, {85, -15, 0.95}, kWidth / 4, kWidth / 4));
   }
   drawing.rows = {sideBySide(panels)};
   return drawing;
@@ -138,9 +141,9 @@ Drawing largeModel(const Request& request) {
   if (!take(m, drawing)) return drawing;
   picture::Scene scene = surfaceScene(*m, 60);
   scene.paint = gridPaint(4);
-  scene.dotRadius = 2.5;
-  drawing.rows = {sideBySide({drawn(request, scene, {38, 14, 1}, 400, 380),
-                              drawn(request, scene, {-60, 20, 1}, 400, 380)})};
+  scene.dotRadius = 5;
+  drawing.rows = {sideBySide({drawn(request, scene, {38, 14, 1}, kWidth / 2, 760),
+                              drawn(request, scene, {-60, 20, 1}, kWidth / 2, 760)})};
   return drawing;
 }
 
@@ -154,10 +157,10 @@ Drawing twinSeams(const Request& request) {
   if (!take(m, drawing)) return drawing;
   picture::Scene surface = surfaceScene(*m, 24), plane = planeScene(*m, 24);
   surface.paint = plane.paint = gridPaint(4, {0.97, 0.97, 0.97});
-  surface.lineWidth = plane.lineWidth = 3.5;
+  surface.lineWidth = plane.lineWidth = 6;
   drawSeams(*m, surface, &plane);
-  drawing.rows = {sideBySide(
-      {drawn(request, surface, {20, 50, 1}, 400, 380), drawn(request, plane, {}, 400, 380)})};
+  drawing.rows = {sideBySide({drawn(request, surface, {20, 50, 1}, kWidth / 2, 760),
+                              drawn(request, plane, {}, kWidth / 2, 760)})};
   return drawing;
 }
 
@@ -186,7 +189,7 @@ HolonomySpec hardCones(const MeshData& data) {
   return spec;
 }
 
-// Fig. 8: the map of the first program with frames, with wrong angles (yellow at regular vertices), and after frame fixing.
+// Fig. 8: the map of the first program with frames, with wrong angles (red at regular vertices), and after frame fixing.
 Drawing frameFixing(const Request& request) {
   Drawing drawing;
   const MeshData data = models::creature(26);
@@ -205,12 +208,13 @@ Drawing frameFixing(const Request& request) {
     picture::Scene scene = surfaceScene(*m, 1);
     for (const MeasuredCone& wrong : m->result.certificate.angles.wrong) {
       if (wrong.asked == m->result.spec.q) {
-        scene.dots.push_back({m->mesh.position(wrong.vertex), {0.95, 0.8, 0.2}});
+        scene.dots.push_back({m->mesh.position(wrong.vertex), {1.0, 0.3, 0.25}});
       }
     }
     scaleAt(*m, hard, 0.02, scene);
+    scene.dotRadius = 9;
     scene.paint = gridPaint(4);
-    panels.push_back(drawn(request, scene, camera, 380, 340));
+    panels.push_back(drawn(request, scene, camera, kWidth / 2, 716));
   }
   drawing.rows = {sideBySide(panels)};
   return drawing;
@@ -235,13 +239,13 @@ Drawing distortion(const Request& request) {
     picture::Scene scene = surfaceScene(*m, 40);
     const std::vector<double> mu = muPerFace(*m);
     scene.paint = [&](const picture::Spot& spot) { return heat(mu[spot.face], 0.3); };
-    panels.push_back(drawn(request, scene, {38, 14, 1}, 300, 285));
+    panels.push_back(drawn(request, scene, {38, 14, 1}, 380, 361));
   }
-  const int part = request.isSmall ? 3 : 1;
-  Image scale(60 / part, 285 / part);
-  const int top = 22 / part, bottom = 262 / part;
+  const int part = request.isSmall ? 6 : 1;
+  Image scale(80 / part, 361 / part);
+  const int top = 28 / part, bottom = 332 / part;
   for (int y = top; y < bottom; ++y) {
-    for (int x = 20 / part; x < 36 / part; ++x)
+    for (int x = 26 / part; x < 48 / part; ++x)
       scale.at(x, y) = heat(static_cast<double>(bottom - y) / (bottom - top), 1);
   }
   panels.push_back(scale);
@@ -267,8 +271,9 @@ Drawing alignedLines(const Request& request) {
     scene.paint = gridPaint(4);
     drawSeams(*m, scene, nullptr);
     for (picture::Line& line : scene.lines) line.colour = {0.85, 0.08, 0.08};
-    scene.dotRadius = 3;
-    panels.push_back(drawn(request, scene, {16, 58, 2.1}, 560, 380));
+    scene.dotRadius = 5;
+    scene.lineWidth = 3.5;
+    panels.push_back(drawn(request, scene, {16, 58, 2.1}, kWidth / 2, 543));
   }
   drawing.rows = {sideBySide(panels)};
   return drawing;

@@ -207,7 +207,7 @@ picture::Paint gridPaint(int q, Colour background) {
       // If a cell is smaller than a pixel, only its mean is visible.
       line = std::max(line, blur > 0.5 ? 0.12 : cover);
     }
-    return picture::mix(background, {0.13, 0.25, 0.5}, line);
+    return picture::mix(background, {0.114, 0.247, 0.388}, line);  // the page's ink
   };
 }
 
@@ -220,9 +220,10 @@ Colour heat(double value, double top) {
 }
 
 Colour coneColour(int k, int q) {
-  if (k < q) return {0.9, 0.2, 0.15};  // positive curvature
-  if (k == q) return {0.95, 0.8, 0.2};
-  return {0.15, 0.45, 0.9};
+  // As on the page.
+  if (k < q) return {1.0, 0.761, 0.239};  // positive curvature
+  if (k == q) return {0.788, 0.824, 0.859};
+  return {0.345, 0.706, 1.0};
 }
 
 }  // namespace hgp::figures

@@ -42,11 +42,16 @@ class View {
   }
   int width() const { return width_; }
   int height() const { return height_; }
-  /// Brightness of a surface with this normal: a lamp behind the viewer's left shoulder.
+  /// Brightness of a surface with this normal, by which stored colours are multiplied: the page's studio, a lamp above
+  /// the viewer's right shoulder, weak ones from the left and from behind, and light from everywhere.
   double light(const Vec3& normal) const {
     if (isFlat_) return 1;
-    const Vec3 lamp = unit(toEye_ + 0.5 * up_ - 0.45 * right_);
-    return 0.42 + 0.6 * std::max(dot(normal, lamp), 0.0);
+    const auto lamp = [&](double right, double up, double toEye) {
+      return std::max(dot(normal, unit(right * right_ + up * up_ + toEye * toEye_)), 0.0);
+    };
+    const double sum = 0.34 + 0.07 * dot(normal, up_) + 0.62 * lamp(0.6, 0.7, 0.6) +
+                       0.2 * lamp(-0.55, 0.05, 0.85) + 0.15 * lamp(-0.35, 0.55, -0.85);
+    return std::pow(sum, 1 / 2.2);
   }
 
  private:

@@ -18,9 +18,11 @@ const sources = new WeakMap<object, Gathered>();
 export const gatheredFor = (array: unknown): Gathered | undefined =>
   typeof array === 'object' && array !== null ? sources.get(array) : undefined;
 
-/** Slices are copied before the next one is gathered. */
+/** Slices are copied before the next one is gathered; what is larger is one upload of a whole array. */
 let scratch = new ArrayBuffer(0);
+const maxScratch = 2 ** 20;
 function room(bytes: number): ArrayBuffer {
+  if (bytes > maxScratch) return new ArrayBuffer(bytes);
   if (scratch.byteLength < bytes) scratch = new ArrayBuffer(bytes);
   return scratch;
 }

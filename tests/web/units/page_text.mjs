@@ -129,7 +129,7 @@ function* objectLines(name, object) {
   if (!object.visible) return;
   if (geometry) {
     const parts = Object.entries(geometry.attributes).map(([key, { array, count }]) => `${key} ${count} ${valueText(uploaded(array))}`); // prettier-ignore
-    yield `${name} ${kind} geometry ${parts.join(', ')}${geometry.index ? `, index ${valueText(geometry.index.array)}` : ''}`; // prettier-ignore
+    yield `${name} ${kind} geometry ${parts.join(', ')}${geometry.index ? `, index ${valueText(uploaded(geometry.index.array))}` : ''}`; // prettier-ignore
   }
   for (const one of material ? [material].flat() : []) {
     const flags = materialKeys.filter((key) => one[key] && !(key === 'toneMapped' || (key === 'opacity' && one[key] === 1))); // prettier-ignore

@@ -126,7 +126,9 @@ test('a wire has every side of every triangle, on the corners of the surface', (
   assert.equal(wire.visible, true);
   assert.equal(wire.geometry.getAttribute('position'), geometry.getAttribute('position'));
   const sides = [];
-  const { array } = wire.geometry.index;
+  const { slice, byteLength } = gatheredFor(wire.geometry.index.array);
+  assert.equal(wire.geometry.index.count, 2 * corners);
+  const array = new Uint32Array(slice(0, byteLength).slice().buffer);
   for (let i = 0; i < array.length; i += 2) sides.push([array[i], array[i + 1]]);
   assert.equal(sides.length, corners);
   for (const [a, b] of sides) {

@@ -30,7 +30,7 @@ function room(bytes: number): ArrayBuffer {
 /** `empty` tells three.js the type of the values. */
 export class GatheredAttribute extends BufferAttribute {
   constructor(
-    empty: Float32Array | Int8Array,
+    empty: Float32Array | Int8Array | Uint32Array,
     { count, itemSize, gather }: { count: number; itemSize: number; gather: Gather },
   ) {
     super(empty, itemSize, empty instanceof Int8Array);
@@ -73,6 +73,20 @@ export function cornerNormals(packed: Int8Array, triangles: Uint32Array): Buffer
     return out;
   };
   return new GatheredAttribute(new Int8Array(0), { count: triangles.length, itemSize: 4, gather });
+}
+
+/** Indices of the ends of every side of triangles whose corners are numbered one after the other. */
+export function triangleSides(corners: number): BufferAttribute {
+  const gather: Gather = (first, last) => {
+    const out = new Uint32Array(room(4 * (last - first)), 0, last - first);
+    for (let i = first; i < last; i++) {
+      const c = i >> 1;
+      const next = c % 3 === 2 ? c - 2 : c + 1;
+      out[i - first] = i % 2 === 0 ? c : next;
+    }
+    return out;
+  };
+  return new GatheredAttribute(new Uint32Array(0), { count: 2 * corners, itemSize: 1, gather });
 }
 
 /** Texture coordinates that are positions in the plane, too: one array and one buffer for both. */

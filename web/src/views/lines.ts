@@ -18,6 +18,7 @@ import {
 } from 'three';
 import type { Solution, Surface } from '../model/types';
 import { chainColour } from './seam_marks';
+import { triangleSides } from './gathered_attribute';
 
 const vertexShader = /* glsl */ `
 in vec3 from;
@@ -192,12 +193,7 @@ export class Wire extends LineSegments<BufferGeometry, LineBasicMaterial> {
     this.geometry.dispose();
     this.geometry = new BufferGeometry().setAttribute('position', position);
     this.geometry.boundingSphere = triangles.boundingSphere;
-    const index = new Uint32Array(2 * position.count);
-    for (let c = 0; c < position.count; c++) {
-      index[2 * c] = c;
-      index[2 * c + 1] = c % 3 === 2 ? c - 2 : c + 1;
-    }
-    this.geometry.setIndex(new BufferAttribute(index, 1));
+    this.geometry.setIndex(triangleSides(position.count));
   }
 }
 

@@ -21,6 +21,9 @@ export const slug = (text) =>
     .trim()
     .replace(/\s/g, '-');
 
+/** A cell of a table. An empty corner is no header: one without words would be announced as such. */
+const cell = (html, tag) => (html || tag === 'td' ? `<${tag}>${html}</${tag}>` : '<td></td>');
+
 /**
  * @param {(href: string) => string | undefined} resolve  a link as written → one of the site; undefined: no link
  * @returns {{ html: string, title: string, headings: { level: number, id: string, text: string, at: number }[] }}
@@ -55,9 +58,12 @@ export function render(markdown, resolve) {
     },
     table(token) {
       const row = (cells, tag) =>
-        `<tr>${cells.map(({ tokens }) => `<${tag}>${this.parser.parseInline(tokens)}</${tag}>`).join('')}</tr>`;
+        `<tr>${cells.map(({ tokens }) => cell(this.parser.parseInline(tokens), tag)).join('')}</tr>`;
       const body = token.rows.map((cells) => row(cells, 'td')).join('\n');
-      return `<div class="table" tabindex="0"><table><thead>${row(token.header, 'th')}</thead><tbody>${body}</tbody></table></div>\n`;
+      // Markdown's tables all have a header row; one without words is no header to a reader.
+      const hasHeader = token.header.some(({ text }) => text.trim());
+      const head = hasHeader ? `<thead>${row(token.header, 'th')}</thead>` : '';
+      return `<div class="table" tabindex="0"><table>${head}<tbody>${body}</tbody></table></div>\n`;
     },
   };
   const html = new Marked({ gfm: true }).use({ renderer }).parse(markdown);

@@ -92,6 +92,13 @@ test('headings have the ids that GitHub gives them, and links go where the site 
   assert.deepEqual(parts(html)[0], { id: 'a-b', heading: 'A b', text: '' });
 });
 
+test('cells without words are no headers', () => {
+  const corner = render('| | a |\n|---|---|\n| b | c |\n', () => undefined).html;
+  assert.match(corner, /<thead><tr><td><\/td><th>a<\/th><\/tr><\/thead>/);
+  const none = render('| | |\n|---|---|\n| b | c |\n', () => undefined).html;
+  assert.match(none, /<table><tbody><tr><td>b<\/td>/);
+});
+
 test('every link leads somewhere; the check finds links that do not, and pages that ask other hosts', () => {
   assert.deepEqual(brokenLinks(folder), []);
   const bad = path.join(root, 'build/site-test-bad');

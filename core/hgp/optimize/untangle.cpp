@@ -7,6 +7,7 @@
 
 #include "hgp/base/portable_math.h"
 #include "hgp/linalg/factor/factor.h"
+#include "hgp/optimize/clique_sum.h"
 #include "hgp/optimize/fold_barrier.h"
 #include "hgp/optimize/program_terms.h"
 
@@ -174,14 +175,12 @@ class Untangler {
 
   /// The pattern of the Hessian is that of the faces; both parts of an unknown stay together.
   void analyze() {
-    std::vector<Eigen::Triplet<double>> couples;
-    for (const Face& face : faces_)
-      for (const FaceRows::Term& i : face.rows.terms)
-        for (const FaceRows::Term& j : face.rows.terms)
-          if (i.unknown != j.unknown) couples.emplace_back(i.unknown, j.unknown, 1.0);
-    Eigen::SparseMatrix<double> pattern(count_, count_);
-    pattern.setFromTriplets(couples.begin(), couples.end());
-    linalg::SeparatorTree tree = linalg::nestedDissection(linalg::graphOf(pattern));
+    for (const Face& face : faces_) {
+      std::vector<int> unknowns;
+      for (const FaceRows::Term& term : face.rows.terms) unknowns.push_back(term.unknown);
+      hessian_.addClique(std::move(unknowns));
+    }
+    linalg::SeparatorTree tree = linalg::nestedDissection(linalg::graphOf(hessian_.couples()));
     std::vector<int> order;
     for (int unknown : tree.order) {
       order.push_back(2 * unknown);
@@ -189,8 +188,8 @@ class Untangler {
     }
     tree.order = std::move(order);
     for (int& start : tree.nodeStart) start *= 2;
-    Eigen::SparseMatrix<double> H = hessian(Eigen::VectorXcd::Ones(count_), nullptr);
-    factor_.analyze(linalg::graphOf(H), tree);
+    hessian_.analyze();
+    factor_.analyze(linalg::graphOf(hessian_.matrix()), tree);
   }
 
   static void parts(const Face& face, const Eigen::VectorXcd& x, Complex& similar, Complex& anti) {
@@ -234,9 +233,10 @@ class Untangler {
     return sum;
   }
 
-  /// Sum of the faces' convexified Hessians, and the gradient where asked.
-  Eigen::SparseMatrix<double> hessian(const Eigen::VectorXcd& x, Eigen::VectorXd* gradient) {
-    std::vector<Eigen::Triplet<double>> entries;
+  /// Sets the Hessian to the sum of the faces' convexified ones, and returns the gradient.
+  Eigen::VectorXd differentiate(const Eigen::VectorXcd& x) {
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(2 * count_);
+    hessian_.setZero();
     Eigen::MatrixXd J, K;
     for (const Face& face : faces_) {
       const std::vector<FaceRows::Term>& terms = face.rows.terms;
@@ -258,30 +258,26 @@ class Untangler {
         J.col(column) << s.real(), s.imag(), t.real(), t.imag();
         J.col(column + 1) << -s.imag(), s.real(), -t.imag(), t.real();
       }
-      if (gradient != nullptr)
-        for (std::size_t i = 0; i < n; ++i)
-          for (int part = 0; part < 2; ++part) {
-            const auto column = static_cast<Eigen::Index>(2 * i) + part;
-            (*gradient)[2 * terms[i].unknown + part] += slope.dot(J.col(column));
-          }
+      for (std::size_t i = 0; i < n; ++i)
+        for (int part = 0; part < 2; ++part) {
+          const auto column = static_cast<Eigen::Index>(2 * i) + part;
+          gradient[2 * terms[i].unknown + part] += slope.dot(J.col(column));
+        }
       K.noalias() = J.transpose() * (M * J);
-      for (Eigen::Index c = 0; c < K.cols(); ++c)
-        for (Eigen::Index r = 0; r < K.rows(); ++r)
-          entries.emplace_back(2 * terms[at(r / 2)].unknown + static_cast<int>(r % 2),
-                               2 * terms[at(c / 2)].unknown + static_cast<int>(c % 2), K(r, c));
+      hessian_.add(K);
     }
-    Eigen::SparseMatrix<double> H(2 * count_, 2 * count_);
-    H.setFromTriplets(entries.begin(), entries.end());
-    return H;
+    return gradient;
   }
 
   /// One Newton step with backtracking; false if no step length lowers the energy.
   bool step(double energy) {
-    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(2 * count_);
-    Eigen::SparseMatrix<double> H = hessian(x_, &gradient);
+    const Eigen::VectorXd gradient = differentiate(x_);
+    Eigen::SparseMatrix<double>& H = hessian_.matrix();
     // Scaled to a unit diagonal: if scales differ by e^20, a shift suited to the largest would dominate the smallest.
     const Eigen::VectorXd scale = H.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-    H = scale.asDiagonal() * H * scale.asDiagonal();
+    for (int column = 0; column < H.cols(); ++column)
+      for (Eigen::SparseMatrix<double>::InnerIterator it(H, column); it; ++it)
+        it.valueRef() = scale[it.row()] * it.value() * scale[column];
     bool isFactored = false;
     for (double lift = 1e-12; !isFactored && lift < 1.0; lift *= 1e3)
       isFactored = static_cast<bool>(factor_.factor(H, lift));
@@ -309,6 +305,7 @@ class Untangler {
   const int count_;
   std::vector<Face> faces_;
   std::vector<std::array<int, 3>> beside_;  ///< neighbours of each face, −1: none
+  CliqueSum hessian_{count_};               ///< scaled by step()
   linalg::MultifrontalCholesky<double> factor_;
   Eigen::VectorXcd x_;
   double epsilon_ = 1.0;

@@ -10,7 +10,8 @@ namespace hgp {
 namespace {
 
 /// The unknown that is held at 0: of the cone or boundary vertex where the map is smallest, or, where all cones are
-/// determined by their chains, of a chain with a rotation. −1: there is none.
+/// determined by their chains, of a chain with a rotation. On a flat torus, where every vertex has a row, the first is
+/// held. −1: there is none.
 int heldUnknown(const SeamlessSystem& system, const std::vector<char>& hasRow,
                 const PerVertex<double>& u) {
   VertexId held;
@@ -24,7 +25,9 @@ int heldUnknown(const SeamlessSystem& system, const std::vector<char>& hasRow,
     if (system.unknowns.chainUnknown[c] >= 0 &&
         system.seams.rotation[system.cut.chains[c].left[0]] != 0)
       return system.unknowns.chainUnknown[c];
-  return -1;
+  const bool isTorus =
+      system.harmonic.rowVertex.size() == static_cast<std::size_t>(system.mesh.vertexCount());
+  return isTorus ? system.unknowns.vertexUnknown[VertexId(0)] : -1;
 }
 
 /// The rows of the harmonic equations, with zeros for pairs of unknowns that meet in a triangle only: beside a seam,
@@ -56,13 +59,17 @@ SparseRows rowsWithTriangles(const SeamlessSystem& system, const std::vector<cha
   return squareRows(system) + pattern;
 }
 
+/// Rounding leaves less of a row that follows from others; weights of a row sum to 1.
+constexpr double kVanishedRow = 1e-10;
 /// Multiply-adds of restricting a form, relative to the elimination before it.
 constexpr double kFormShare = 3.0;
 
 }  // namespace
 
 int HarmonicBasis::countOf(const SeamlessSystem& system) {
-  return system.unknowns.count - static_cast<int>(system.harmonic.rowVertex.size()) - 1;
+  const auto rows = static_cast<int>(system.harmonic.rowVertex.size());
+  const bool isTorus = rows == system.mesh.vertexCount();
+  return system.unknowns.count - rows - (isTorus ? 0 : 1);
 }
 
 std::shared_ptr<const HarmonicBasis> HarmonicBasis::make(const SeamlessSystem& system,
@@ -70,9 +77,11 @@ std::shared_ptr<const HarmonicBasis> HarmonicBasis::make(const SeamlessSystem& s
                                                          const linalg::SeparatorTree& tree) {
   auto basis = std::make_shared<HarmonicBasis>();
   basis->rows_ = std::make_shared<std::map<int, Eigen::RowVectorXcd>>();
-  const std::vector<char> hasRow = unknownsWithRows(system);
+  std::vector<char> hasRow = unknownsWithRows(system);
   const int held = heldUnknown(system, hasRow, u);
   if (held < 0) return nullptr;
+  const bool isHeldByRow = hasRow[static_cast<std::size_t>(held)] != 0;
+  hasRow[static_cast<std::size_t>(held)] = 0;
   for (int unknown = 0; unknown < system.unknowns.count; ++unknown) {
     if (hasRow[static_cast<std::size_t>(unknown)]) continue;
     if (unknown != held) basis->free_.push_back(static_cast<int>(basis->kept_.size()));
@@ -81,9 +90,16 @@ std::shared_ptr<const HarmonicBasis> HarmonicBasis::make(const SeamlessSystem& s
   if (basis->free_.empty() ||
       !basis->lu_.build(rowsWithTriangles(system, hasRow), basis->kept_, unknownTree(system, tree)))
     return nullptr;
+  if (isHeldByRow && !basis->fulfilsRowOf(held)) return nullptr;
   basis->restrictDistortion(system, u);
   basis->multiplyAdds_ = 4.0 * (1.0 + kFormShare) * basis->lu_.cost().multiplyAdds;
   return basis;
+}
+
+/// Whether the row of a kept unknown follows from those that are eliminated.
+bool HarmonicBasis::fulfilsRowOf(int unknown) const {
+  const auto found = std::lower_bound(kept_.begin(), kept_.end(), unknown);
+  return lu_.schur().row(found - kept_.begin()).cwiseAbs().maxCoeff() < kVanishedRow;
 }
 
 void HarmonicBasis::restrictDistortion(const SeamlessSystem& system, const PerVertex<double>& u) {

@@ -16,13 +16,14 @@ namespace hgp {
 /// because a translation of the whole map is free. All others follow from the rows of [BCW17 (7), (8), (14)], which are
 /// eliminated once: x = extend(y).
 ///
-/// A flat torus, which has no cone, has no such basis: mean-value weights are not symmetric, so that the rows, summed
-/// with positive factors, give a real equation between its two translations, and every harmonic map is degenerate.
+/// A flat torus, which has no cone, has two: its translations. One vertex is held, whose row follows from the others where
+/// weights are symmetric, as cotangents are. With others the sum of all rows, with positive factors, is a real equation
+/// between the translations, and every harmonic map collapses the torus to a line.
 class HarmonicBasis {
  public:
   /// @param u     log scale: where the map is smallest, its unknown is held
   /// @param tree  of the mesh's vertices (vertexTree)
-  /// Null where the rows are singular, and on a flat torus.
+  /// Null where the rows are singular, and on a flat torus with weights that are not symmetric.
   static std::shared_ptr<const HarmonicBasis> make(const SeamlessSystem& system,
                                                    const PerVertex<double>& u,
                                                    const linalg::SeparatorTree& tree);
@@ -40,6 +41,7 @@ class HarmonicBasis {
 
  private:
   Eigen::MatrixXcd keptOf(const Eigen::MatrixXcd& y) const;
+  bool fulfilsRowOf(int unknown) const;
   void restrictDistortion(const SeamlessSystem& system, const PerVertex<double>& u);
 
   std::vector<int> kept_;  // unknowns without a row, ascending

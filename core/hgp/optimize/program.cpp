@@ -8,6 +8,7 @@
 #include "hgp/base/portable_math.h"
 #include "hgp/linalg/factor/factor.h"
 #include "hgp/optimize/harmonic_basis.h"
+#include "hgp/optimize/nearest_harmonic.h"
 #include "hgp/optimize/program_form.h"
 
 namespace hgp {
@@ -119,9 +120,12 @@ ProgramResult solveProgram(const SeamlessSystem& system, const Frames& frames,
   result.multiplyAdds = linalg::multiplyAdds(cholesky.report(), std::max(1, solution.iterations)) +
                         (harmonic ? harmonic->basis->multiplyAdds() : 0.0);
   const bool isTieBroken = penalty && penalty->quality == 0.0 && options.soft.faces.empty();
-  result.x = isTieBroken && (solution.isFree || frames.faces.empty())
-                 ? withoutTieBreak(in, *form, held, problem, solution.x)
-                 : form->translate(solution.x);
+  if (penalty && penalty->isHarmonic)
+    result.x = nearestHarmonic(in, *form, held, form->translate(solution.x));
+  else
+    result.x = isTieBroken && (solution.isFree || frames.faces.empty())
+                   ? withoutTieBreak(in, *form, held, problem, solution.x)
+                   : form->translate(solution.x);
   const Eigen::VectorXcd z = system.unknowns.copies * result.x;
   result.z.assign(z.data(), z.data() + z.size());
   result.laplacianEnergy = (system.harmonic.rows * result.x).squaredNorm();

@@ -29,6 +29,8 @@ struct PenaltyObjective {
   Domain domain;
   /// vertexTree(mesh, 2), if it is known; used for the whole surface only.
   const linalg::SeparatorTree* wideTree = nullptr;
+  /// Of the whole surface, without frame conditions: the harmonic map of least distortion instead (nearestHarmonic).
+  bool isHarmonic = false;
 };
 
 /// Exactly harmonic away from frame conditions (see exactForm); always of the whole surface.

@@ -12,7 +12,7 @@ constexpr double kMinWeight = 1e-14;
 
 HarmonicSystem harmonicSystem(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,
                               const ReducedUnknowns& unknowns, int q,
-                              const std::vector<VertexId>& cones) {
+                              const std::vector<VertexId>& cones, WeightKind kind) {
   PerVertex<char> isCone(static_cast<std::size_t>(mesh.vertexCount()), 0);
   for (VertexId v : cones) isCone[v] = 1;
 
@@ -30,7 +30,7 @@ HarmonicSystem harmonicSystem(const TriMesh& mesh, const Geometry& geometry, con
     weights.clear();
     double total = 0.0;
     for (HalfedgeId h : outgoingHalfedges(mesh, v)) {
-      weights.push_back(meanValueWeights(geometry, h));
+      weights.push_back(cornerWeights(kind, mesh, geometry, h));
       total += weights.back().toHead + weights.back().toThird;
     }
     auto w = weights.begin();

@@ -21,6 +21,7 @@ struct HarmonicSystem {
 /// two copies of the edge are equal up to the rotation. The same constant at all copies is in the kernel.
 HarmonicSystem harmonicSystem(const TriMesh& mesh, const Geometry& geometry, const CutMesh& cut,
                               const ReducedUnknowns& unknowns, int q,
-                              const std::vector<VertexId>& cones);
+                              const std::vector<VertexId>& cones,
+                              WeightKind kind = WeightKind::kMeanValue);
 
 }  // namespace hgp

@@ -11,8 +11,8 @@ namespace {
 
 class Residual {
  public:
-  Residual(const TriMesh& mesh, const Geometry& geometry, const UvMap& map, int q)
-      : mesh_(mesh), geometry_(geometry), map_(map), q_(q) {}
+  Residual(const TriMesh& mesh, const Geometry& geometry, const UvMap& map, int q, WeightKind kind)
+      : mesh_(mesh), geometry_(geometry), map_(map), q_(q), kind_(kind) {}
 
   struct AtVertex {
     double residual = 0;
@@ -24,7 +24,7 @@ class Residual {
     double weight = 0, length = 0;
     int sides = 0, turn = 0;
     for (HalfedgeId h : outgoingHalfedges(mesh_, v)) {
-      const CornerWeights w = meanValueWeights(geometry_, h);
+      const CornerWeights w = cornerWeights(kind_, mesh_, geometry_, h);
       const Complex toHead = uv(TriMesh::next(h)) - uv(h);
       const Complex toThird = uv(TriMesh::previous(h)) - uv(h);
       sum -= rotation(-turn, q_) * (w.toHead * toHead + w.toThird * toThird);
@@ -55,16 +55,12 @@ class Residual {
   const Geometry& geometry_;
   const UvMap& map_;
   int q_;
+  WeightKind kind_;
 };
 
-}  // namespace
-
-HarmonicFacts measureHarmonicity(const TriMesh& mesh, const Geometry& geometry, const UvMap& map,
-                                 int q, const std::vector<VertexId>& cones, double gridStep) {
+HarmonicFacts factsOf(const TriMesh& mesh, const Residual& residual, const PerVertex<char>& isCone,
+                      double gridStep) {
   HarmonicFacts facts;
-  PerVertex<char> isCone(static_cast<std::size_t>(mesh.vertexCount()), 0);
-  for (VertexId v : cones) isCone[v] = 1;
-  const Residual residual(mesh, geometry, map, q);
   // Both ends of a difference move by up to half a step in u and in v.
   const double rounding = std::sqrt(2.0) * gridStep;
   for (VertexId v : mesh.vertices()) {
@@ -78,6 +74,23 @@ HarmonicFacts measureHarmonicity(const TriMesh& mesh, const Geometry& geometry, 
     facts.worst = v;
   }
   return facts;
+}
+
+}  // namespace
+
+HarmonicFacts measureHarmonicity(const TriMesh& mesh, const Geometry& geometry, const UvMap& map,
+                                 int q, const std::vector<VertexId>& cones, double gridStep) {
+  PerVertex<char> isCone(static_cast<std::size_t>(mesh.vertexCount()), 0);
+  for (VertexId v : cones) isCone[v] = 1;
+  const auto with = [&](WeightKind kind) {
+    HarmonicFacts facts = factsOf(mesh, Residual(mesh, geometry, map, q, kind), isCone, gridStep);
+    facts.weights = kind;
+    return facts;
+  };
+  const HarmonicFacts meanValue = with(WeightKind::kMeanValue);
+  if (meanValue.violated == 0) return meanValue;
+  const HarmonicFacts cotangent = with(WeightKind::kCotangent);
+  return cotangent.violated == 0 ? cotangent : meanValue;
 }
 
 }  // namespace hgp

@@ -4,6 +4,7 @@
 
 #include "hgp/mesh/geometry.h"
 #include "hgp/mesh/mesh_data.h"
+#include "hgp/system/weights.h"
 
 namespace hgp {
 
@@ -11,13 +12,15 @@ namespace hgp {
 inline constexpr double kHarmonicTolerance = 1e-6;
 
 struct HarmonicFacts {
+  WeightKind weights = WeightKind::kMeanValue;
   int rows = 0;                ///< interior vertices that are not cones
   int violated = 0;            ///< above kHarmonicTolerance plus what rounding can cause there
   double largestResidual = 0;  ///< relative to the mean uv edge at the vertex
   VertexId worst;
 };
 
-/// At every interior vertex v that is not a cone, with mean-value weights w of `geometry`,
+/// At every interior vertex v that is not a cone, with mean-value weights w of `geometry` or, where rows with these are
+/// violated and none of those with cotangents is, with cotangent weights,
 ///
 ///   | Σ_sectors e^{−i2πr_s/q} Σ_j w_ij (z_i − z_j) | / Σ w   over the mean length of the uv edges at v,
 ///

@@ -1,4 +1,4 @@
-// Mean-value weights.  Role: the positive convex combination weights w_ij of [BCW17 §7, Floater 2003].
+// Mean-value and cotangent weights.  Role: the positive convex combination weights w_ij of [BCW17 §7, Floater 2003].
 #pragma once
 
 #include <array>
@@ -15,5 +15,14 @@ struct CornerWeights {
   double toThird;
 };
 CornerWeights meanValueWeights(const Geometry& geometry, HalfedgeId h);
+
+/// The same of half the cotangents of the two angles that face an edge, within bounds that keep them positive; each of the
+/// edge's two triangles contributes half. Equal at both ends of an edge. None of the edges at tail(h) is on the boundary.
+CornerWeights cotangentWeights(const TriMesh& mesh, const Geometry& geometry, HalfedgeId h);
+
+/// Which weights rows of harmonic maps have. [BCW17] uses mean-value weights; its theorems hold for all positive ones.
+enum class WeightKind : unsigned char { kMeanValue, kCotangent };
+CornerWeights cornerWeights(WeightKind kind, const TriMesh& mesh, const Geometry& geometry,
+                            HalfedgeId h);
 
 }  // namespace hgp

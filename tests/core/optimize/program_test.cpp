@@ -181,8 +181,7 @@ TEST(Program, TheHarmonicFormIsHarmonicAtEveryVertexAndOfLeastDistortion) {
   for (const test::SeamlessProblem& p : easyProblems()) {
     ProgramOptions options = p.weightedOptions();
     const auto basis = HarmonicBasis::make(p.system(), options.u, p.surface.context.tree);
-    EXPECT_EQ(basis == nullptr, isFlatTorus(p)) << p.surface.name;
-    if (!basis) continue;
+    ASSERT_TRUE(basis) << p.surface.name;
     options.objective = HarmonicObjective{basis};
     const ProgramResult free = p.solve({}, options), framed = p.solve(p.frames(), options);
     for (const ProgramResult* result : {&free, &framed}) {
@@ -198,6 +197,49 @@ TEST(Program, TheHarmonicFormIsHarmonicAtEveryVertexAndOfLeastDistortion) {
       EXPECT_GT(distortionOf(p, options, {other.data(), other.data() + other.size()}), least)
           << p.surface.name;
     }
+  }
+}
+
+TEST(Program, AFlatTorusHasHarmonicMapsForWeightsThatAreEqualAtBothEndsOfAnEdge) {
+  // The weights of regular triangles are equal by symmetry.
+  for (const auto& [amount, hasMeanValue] : {std::pair{0.0, true}, {0.05, false}}) {
+    const test::Shape shape = test::jittered(test::torus(12, 8), amount);
+    test::SeamlessProblem p = test::problemOf(*test::cutSurface(shape.name, shape.mesh(), {}));
+    const test::CutSurface& s = p.surface;
+    const auto meanValue = HarmonicBasis::make(p.system(), p.weightedOptions().u, s.context.tree);
+    EXPECT_EQ(meanValue != nullptr, hasMeanValue);
+    p.harmonic = harmonicSystem(s.mesh, s.context.geometry, s.cut, p.unknowns, s.seams.q, s.cones,
+                                WeightKind::kCotangent);
+    ProgramOptions options = p.weightedOptions();
+    const auto basis = HarmonicBasis::make(p.system(), options.u, s.context.tree);
+    ASSERT_TRUE(basis) << s.name;
+    EXPECT_EQ(basis->count(), 2) << "its translations";
+    EXPECT_EQ(HarmonicBasis::countOf(p.system()), 2);
+    options.objective = HarmonicObjective{basis};
+    const ProgramResult result = p.solve({}, options);
+    const Eigen::VectorXcd residual = p.harmonic.rows * result.x;
+    EXPECT_EQ(residual.size(), s.mesh.vertexCount()) << "the row of the held vertex as well";
+    EXPECT_LT(residual.cwiseAbs().maxCoeff(), 1e-12 * extentOf(result.z)) << s.name;
+    EXPECT_TRUE(p.certify(result.z).isCertified) << s.name;
+  }
+}
+
+TEST(Program, TheHarmonicMapOfAPenaltyFormIsThatOfTheHarmonicForm) {
+  for (const test::SeamlessProblem& p : easyProblems()) {
+    if (isFlatTorus(p)) continue;
+    ProgramOptions options = p.weightedOptions();
+    options.objective =
+        HarmonicObjective{HarmonicBasis::make(p.system(), options.u, p.surface.context.tree)};
+    const ProgramResult dense = p.solve({}, options);
+    options.objective = PenaltyObjective{1e-4, WholeSurface{}, nullptr, true};
+    const ProgramResult sparse = p.solve({}, options);
+    ASSERT_EQ(sparse.z.size(), dense.z.size()) << p.surface.name;
+    const double extent = extentOf(dense.z);
+    EXPECT_LT(residualAway(p, {}, sparse.z), 1e-11 * extent) << p.surface.name;
+    // The two forms hold different vertices at 0.
+    for (std::size_t i = 0; i < dense.z.size(); ++i)
+      EXPECT_LT(std::abs((sparse.z[i] - sparse.z[0]) - (dense.z[i] - dense.z[0])), 1e-6 * extent)
+          << p.surface.name;
   }
 }
 

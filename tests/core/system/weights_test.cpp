@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/shapes.h"
@@ -53,6 +54,32 @@ TEST(MeanValueWeights, HaveLinearPrecisionOnEveryFlatStar) {
       EXPECT_LT(std::abs(sum), 1e-11 * total) << shape.name;
     }
   }
+}
+
+TEST(CotangentWeights, ArePositiveEqualAtBothEndsAndHalfTheCotangentsWithinTheirBounds) {
+  int clamped = 0, between = 0;
+  for (const test::Shape& shape : {test::icosphere(3), test::jittered(test::torus(12, 8), 0.2, 3),
+                                   test::scattered(test::cube(2)), test::tetrahedron()}) {
+    const TriMesh mesh = shape.mesh();
+    const Geometry geometry = computeGeometry(mesh);
+    for (HalfedgeId h : mesh.halfedges()) {
+      const HalfedgeId twin = mesh.twin(h);
+      const auto edgeWeight = [&](HalfedgeId from, HalfedgeId other) {
+        return cotangentWeights(mesh, geometry, from).toHead +
+               cotangentWeights(mesh, geometry, TriMesh::next(other)).toThird;
+      };
+      const double w = edgeWeight(h, twin);
+      EXPECT_GT(w, 0.0);
+      EXPECT_EQ(w, edgeWeight(twin, h)) << shape.name;
+      const double expected = 0.5 / std::tan(geometry.cornerAngle[TriMesh::previous(h)]) +
+                              0.5 / std::tan(geometry.cornerAngle[TriMesh::previous(twin)]);
+      const bool isInBounds = expected > 0.01 && expected < 20.0;
+      ++(isInBounds ? between : clamped);
+      EXPECT_NEAR(w, std::clamp(expected, 0.01, 20.0), 1e-12) << shape.name;
+    }
+  }
+  EXPECT_GT(clamped, 10);
+  EXPECT_GT(between, 100);
 }
 
 TEST(MeanValueWeights, StayFiniteAndPositiveOnSlivers) {

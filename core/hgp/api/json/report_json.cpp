@@ -104,6 +104,10 @@ Json improvementJson(const ImprovementFacts& facts) {
   return json;
 }
 
+const char* weightsName(WeightKind kind) {
+  return kind == WeightKind::kCotangent ? "cotangent" : "mean-value";
+}
+
 /// Whether Theorem 6.1 applies to the map, and if not, why.
 void addTheorem(Json& json, const HarmonicFacts& harmonic, const Certificate& certificate) {
   std::string reason;
@@ -114,9 +118,12 @@ void addTheorem(Json& json, const HarmonicFacts& harmonic, const Certificate& ce
                         harmonic.rows, kHarmonicTolerance);
   }
   json["theorem61"] = reason.empty() ? "applies" : "silent";
-  json["theorem61Reason"] = reason.empty() ? "harmonic, with cones, turnings and the triangles at "
-                                             "cones and boundary as it asks"
-                                           : reason;
+  if (reason.empty())
+    reason = formatText(
+        "harmonic with %s weights, and cones, turnings and the triangles at cones "
+        "and boundary are as it asks",
+        weightsName(harmonic.weights));
+  json["theorem61Reason"] = reason;
 }
 
 Json componentJson(const ModelComponent& component, const Parametrization& run,
@@ -131,7 +138,8 @@ Json componentJson(const ModelComponent& component, const Parametrization& run,
   toSurfaceIds(component, strained);
   Json json{{"certifiedBeforeStoring", run.isCertified},
             {"usable", run.isUsable},
-            {"harmonic", Json{{"rows", harmonic.rows},
+            {"harmonic", Json{{"weights", weightsName(harmonic.weights)},
+                              {"rows", harmonic.rows},
                               {"violated", harmonic.violated},
                               {"largestResidual", harmonic.largestResidual}}},
             {"cones", run.spec.cones.size()},

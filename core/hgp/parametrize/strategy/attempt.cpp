@@ -145,11 +145,23 @@ std::shared_ptr<const Attempt> Attempts::make(const State& state, int round) {
   return attempt;
 }
 
+/// The harmonic rows of the state's weights.
+const HarmonicSystem& Attempts::rowsOf(const State& state) {
+  const SeamlessSetup& setup = *problem_.setup;
+  if (state.harmonic) return *state.harmonic;
+  if (problem_.weightings[state.weighting].rows == WeightKind::kMeanValue) return setup.harmonic;
+  if (!cotangent_)
+    cotangent_ = harmonicSystem(problem_.mesh, setup.context->geometry, setup.cut, setup.unknowns,
+                                setup.seams.q, setup.cones, WeightKind::kCotangent);
+  return *cotangent_;
+}
+
 std::shared_ptr<const HarmonicBasis> Attempts::basisOf(const State& state, const Attempt& attempt) {
   const SeamlessSetup& setup = *problem_.setup;
-  if (!basis_)
-    basis_ = HarmonicBasis::make(systemOf(problem_.mesh, setup, seamsOf(state), setup.harmonic),
+  if (!basis_ || basisWeighting_ != state.weighting)
+    basis_ = HarmonicBasis::make(systemOf(problem_.mesh, setup, seamsOf(state), rowsOf(state)),
                                  attempt.u, setup.context->tree);
+  basisWeighting_ = state.weighting;
   return basis_;
 }
 
@@ -167,6 +179,9 @@ bool Attempts::solve(const State& state, int round, Attempt& attempt) {
   if (weighting.soft > 0.0) program.soft = {problem_.soft, weighting.soft};
   if (!state.patch.empty())
     program.objective = PenaltyObjective{weighting.quality, patchOf(problem_, state)};
+  else if (weighting.isHarmonic && weighting.quality > 0.0)
+    program.objective =
+        PenaltyObjective{weighting.quality, WholeSurface{}, &setup.context->wideTree->get(), true};
   else if (weighting.isHarmonic)
     program.objective = HarmonicObjective{basisOf(state, attempt)};
   else if (weighting.isExact)
@@ -181,8 +196,7 @@ bool Attempts::solve(const State& state, int round, Attempt& attempt) {
                                               options_.maxRounds});
     return !isCancelled;
   };
-  const HarmonicSystem& harmonic = state.harmonic ? *state.harmonic : setup.harmonic;
-  attempt.program = solveProgram(systemOf(problem_.mesh, setup, seamsOf(state), harmonic),
+  attempt.program = solveProgram(systemOf(problem_.mesh, setup, seamsOf(state), rowsOf(state)),
                                  attempt.frames, program);
   return !isCancelled;
 }

@@ -19,6 +19,7 @@ class Attempts {
   PerVertex<double> scaleOf(const State& state) const;
   Frames framesOf(const State& state) const;
   const SeamRotations& seamsOf(const State& state) const;
+  const HarmonicSystem& rowsOf(const State& state);
   std::shared_ptr<const HarmonicBasis> basisOf(const State& state, const Attempt& attempt);
   bool solve(const State& state, int round, Attempt& attempt);
   PerVertex<double> untanglingScale(const State& state, const Attempt& attempt) const;
@@ -29,7 +30,9 @@ class Attempts {
   const Problem& problem_;
   const ParametrizeOptions& options_;
   Verifier verifier_;
-  std::shared_ptr<const HarmonicBasis> basis_;  // of the harmonic weighting, while it lasts
+  std::optional<HarmonicSystem> cotangent_;     // rows with these weights, once they are asked for
+  std::shared_ptr<const HarmonicBasis> basis_;  // of a harmonic weighting, while it lasts
+  std::size_t basisWeighting_ = 0;
 };
 
 }  // namespace hgp

@@ -24,23 +24,51 @@ long long distanceToCertified(const Attempt& attempt) {
   return attempt.certificate.isMeasured ? attempt.wrongCount : 1LL << 40;
 }
 
-/// A harmonic map of more mean μ than this is compared with the next map that is certified, and is kept unless its μ is
-/// larger by more than this factor.
+/// A harmonic map of more mean μ than this is compared with the one for cotangent weights and with the next map that is
+/// certified, and is kept unless its μ is larger by more than this factor.
 constexpr double kDistorted = 0.06;
+/// Where boundaries are long, the next map costs as much as the harmonic one, and harmonic maps of long triangles beside them
+/// may have three times as much.
+constexpr double kDistortedLong = 0.01;
 constexpr double kMuchLarger = 1.05;
 
-/// Orbifolds and flat tori have one harmonic map, to which soft constraints are no alternative.
-bool isDistorted(const Problem& problem, const State& state, const Attempt& attempt) {
-  const bool hasRival = state.weighting + 1 < problem.weightings.size() &&
-                        problem.weightings[state.weighting + 1].soft > 0.0;
-  return hasRival && problem.weightings[state.weighting].isHarmonic &&
-         attempt.certificate.isCertified && attempt.certificate.distortion.meanMu > kDistorted;
+double meanMuOf(const Attempt& attempt) { return attempt.certificate.distortion.meanMu; }
+
+bool isMuchLarger(const Attempt& attempt, const Attempt& other) {
+  return meanMuOf(attempt) > kMuchLarger * meanMuOf(other);
 }
 
-bool isBetter(const Attempt& attempt, const Attempt& best) {
-  if (attempt.certificate.isCertified && best.certificate.isCertified)
-    return kMuchLarger * attempt.certificate.distortion.meanMu < best.certificate.distortion.meanMu;
-  return distanceToCertified(attempt) < distanceToCertified(best);
+/// Of the maps so far, `best` is to be delivered; of the harmonic ones that are certified, `harmonic` has the least μ. The
+/// paper's weights go before others, and harmonic maps before all others, where μ is not much larger.
+struct Found {
+  std::shared_ptr<const Attempt> best, harmonic;
+
+  void add(const std::shared_ptr<const Attempt>& attempt, bool isHarmonic) {
+    const bool isCertified = attempt->certificate.isCertified;
+    if (isHarmonic && isCertified && (!harmonic || meanMuOf(*attempt) < meanMuOf(*harmonic)))
+      harmonic = attempt;
+    if (best && best->certificate.isCertified) {
+      if (isCertified && isMuchLarger(*best, *attempt))
+        best = harmonic && !isMuchLarger(*harmonic, *attempt) ? harmonic : attempt;
+    } else if (!best || distanceToCertified(*attempt) < distanceToCertified(*best)) {
+      best = attempt;
+    }
+  }
+};
+
+/// Whether the next weighting is tried although `best` is a certified harmonic map. Orbifolds have one harmonic map, to which
+/// soft constraints are no alternative. On flat tori with irregular triangles the cotangent weights, the only ones that give
+/// a harmonic map, often give one of much μ.
+bool isCompared(const Problem& problem, const State& state, const Attempt& best) {
+  const std::size_t next = state.weighting + 1;
+  const Weighting& weighting = problem.weightings[state.weighting];
+  if (!best.certificate.isCertified || !weighting.isHarmonic || next >= problem.weightings.size())
+    return false;
+  const bool isTorus = state.weighting == 0 && weighting.rows == WeightKind::kCotangent;
+  const bool hasRival = problem.weightings[next].soft > 0.0 ||
+                        problem.weightings[next].rows == WeightKind::kCotangent;
+  const double limit = weighting.quality > 0.0 ? kDistortedLong : kDistorted;
+  return isTorus || (hasRival && meanMuOf(best) > limit);
 }
 
 void explain(const SeamlessSetup& setup, bool hasGivenFrames, const Attempt& best,
@@ -90,7 +118,7 @@ static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
                                                     const std::function<bool()>& isImpossible,
                                                     std::vector<Round>& rounds) {
   Attempts attempts(problem, options);
-  std::shared_ptr<const Attempt> best;
+  Found found;
   std::set<std::uint64_t> tried;
   State state = firstState(problem);
   double left = problem.maxFaceSteps;
@@ -103,9 +131,9 @@ static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
     if (!attempt) return cancelled(Stage::kSolve);
     rounds.push_back(roundOf(nameOf(problem, state), attempt->frames.faces.size(), attempt->program,
                              attempt->certificate, secondsSince(start)));
-    if (!best || isBetter(*attempt, *best)) best = attempt;
+    found.add(attempt, problem.weightings[state.weighting].isHarmonic);
     left -= faceStepsOf(rounds.back(), problem.mesh.faceCount());
-    const bool isOdd = isDistorted(problem, state, *attempt);
+    const bool isOdd = isCompared(problem, state, *found.best);
     if ((attempt->certificate.isCertified && !isOdd) || left <= 0.0) break;
     // Where no map on this mesh has the angles, the map of one round shows --refine which edges to split.
     if (round == 1 && !attempt->certificate.isCertified && isImpossible()) break;
@@ -114,8 +142,8 @@ static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
     if (!next) break;
     state = std::move(*next);
   }
-  if (!best) return Failure{ErrorCode::kUsage, "solve", "At least one round is needed.", {}};
-  return best;
+  if (!found.best) return Failure{ErrorCode::kUsage, "solve", "At least one round is needed.", {}};
+  return found.best;
 }
 
 Result<Parametrization> parametrizeInMetric(PreparedSurface& surface, const HolonomySpec& spec,

@@ -11,6 +11,9 @@ namespace {
 
 /// δ of the weighting "light distortion term", for prescribed cones whose map is badly determined without it.
 constexpr double kLightQuality = 1e-3;
+/// δ of the program whose minimiser leads to the harmonic map of least distortion: five steps or so (nearestHarmonic), while
+/// 1e-3 takes a dozen; the smaller, the less digits the factor leaves of what is not determined by the rows.
+constexpr double kHarmonicQuality = 1e-4;
 /// Weight of soft frame constraints, of the order of the weight of harmonic rows (0.1 to 1 work equally
 /// well).
 constexpr double kSoft = 0.3;
@@ -67,6 +70,21 @@ Weighting softWeighting(Problem& problem) {
           kSoft};
 }
 
+/// Harmonic maps, first for the paper's weights. Flat tori have none for these (HarmonicBasis).
+/// @param isCompared  also for cotangent weights, if the others give a map of much distortion
+void addHarmonic(Problem& problem, bool isCompared) {
+  const SeamlessSetup& setup = *problem.setup;
+  const bool isTorus = setup.cones.empty() && setup.context->topology.loops.empty();
+  Weighting meanValue{"harmonic", kNoClamp, 0.0, 0, false, false, 0.0, true};
+  const bool hasBasis = problem.harmonicCount <= kLargestExactRoot;
+  if (!hasBasis) meanValue.quality = kHarmonicQuality;
+  Weighting cotangent = meanValue;
+  cotangent.name = "harmonic for cotangent weights";
+  cotangent.rows = WeightKind::kCotangent;
+  if (!isTorus) problem.weightings.push_back(meanValue);
+  if (isTorus || isCompared) problem.weightings.push_back(cotangent);
+}
+
 class Hash {
  public:
   void add(std::uint64_t value) {
@@ -104,11 +122,8 @@ Problem problemOf(const TriMesh& mesh, const std::shared_ptr<const SeamlessSetup
       std::make_shared<AngleFrames>()};
   const Weighting hard{"hard constraints", kNoClamp, 0.0, 3, false};
   const Method method = options.method;
-  const bool isTorus = setup->cones.empty() && setup->context->topology.loops.empty();
-  const bool isSmall = problem.harmonicCount <= kLargestExactRoot;
-  if (isSmall && !isTorus &&
-      (method == Method::kHarmonic || (method == Method::kAuto && isMild(*setup))))
-    problem.weightings.push_back({"harmonic", kNoClamp, 0.0, 0, false, false, 0.0, true});
+  if (method == Method::kHarmonic || (method == Method::kAuto && isMild(*setup)))
+    addHarmonic(problem, method == Method::kAuto && suitsSoft(*setup));
   if (method == Method::kSoft || (method == Method::kAuto && suitsSoft(*setup)))
     problem.weightings.push_back(softWeighting(problem));
   if (method == Method::kHarmonic || method == Method::kAuto) problem.weightings.push_back(hard);

@@ -19,8 +19,7 @@ namespace hgp {
 inline constexpr double kHardScaleRange = 15.0;
 /// Above this range float64 cannot resolve the areas of the cone metric itself, only those of less conformal maps.
 inline constexpr double kHopelessScaleRange = 25.0;
-/// Where the range of u is larger, programs are weighted with u compressed to this range: maps follow the weights,
-/// and float64 easily resolves their areas.
+/// Where the range of u is larger, programs are weighted with u compressed to this range, whose areas float64 resolves.
 inline constexpr double kWeightedScaleRange = 14.0;
 inline constexpr double kNoClamp = 1e9;
 
@@ -28,12 +27,13 @@ inline constexpr double kNoClamp = 1e9;
 struct Weighting {
   const char* name;
   double clamp;      ///< bound on |u − median|
-  double quality;    ///< δ of the distortion term
+  double quality;    ///< δ of the distortion term; harmonic: > 0 where there is no HarmonicBasis
   int growthRounds;  ///< enlargements of the constrained set
   bool isFromMap;    ///< u from log|f_z| of the map before
   bool isExact = false;
   double soft = 0.0;        ///< > 0: weight of soft frame constraints; only what went wrong is hard
   bool isHarmonic = false;  ///< harmonic at every vertex that is neither cone nor boundary
+  WeightKind rows = WeightKind::kMeanValue;  ///< weights of the harmonic rows
 };
 
 /// What does not change from round to round.

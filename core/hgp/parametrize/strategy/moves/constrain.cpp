@@ -12,6 +12,12 @@ constexpr double kLargestWrongShare = 0.2;
 /// Maximum multiply-adds per iteration and triangle of the mesh, of a dense program with so many constraints.
 constexpr double kLargestConicWork = 1e4;
 
+/// Only harmonic maps with a HarmonicBasis can be constrained.
+bool isOverBasis(const Problem& problem, const State& state) {
+  const Weighting& weighting = problem.weightings[state.weighting];
+  return weighting.isHarmonic && weighting.quality == 0.0;
+}
+
 bool isAffordable(const Problem& problem, std::size_t constraints) {
   const double unknowns = problem.harmonicCount;
   return 6.0 * static_cast<double>(constraints) * unknowns * unknowns <=
@@ -33,7 +39,7 @@ std::vector<FaceId> constrainedFaces(const Problem& problem, const Attempt& atte
 
 std::optional<State> constrainHarmonic(const Problem& problem, const State& state,
                                        const std::shared_ptr<const Attempt>& attempt) {
-  if (!problem.weightings[state.weighting].isHarmonic || attempt->program.x.size() == 0) return {};
+  if (!isOverBasis(problem, state) || attempt->program.x.size() == 0) return {};
   State next = state;
   next.from = attempt;
   if (state.hard.empty()) {
@@ -54,7 +60,7 @@ std::optional<State> constrainHarmonic(const Problem& problem, const State& stat
 
 std::optional<State> harmonicByAngles(const Problem& problem, const State& state,
                                       const std::shared_ptr<const Attempt>& attempt) {
-  if (!problem.weightings[state.weighting].isHarmonic || attempt->program.x.size() == 0) return {};
+  if (!isOverBasis(problem, state) || attempt->program.x.size() == 0) return {};
   if (problem.hasGivenFrames) return {};
   if (state.framedBy != FramedBy::kConnection || !isAffordable(problem, problem.base.size()))
     return {};

@@ -4,8 +4,12 @@ namespace hgp {
 
 std::optional<State> nextWeighting(const Problem& problem, const State& state,
                                    const std::shared_ptr<const Attempt>& attempt) {
-  if (state.weighting + 1 >= problem.weightings.size()) return {};
-  State next = startOf(problem, state.weighting + 1);
+  std::size_t weighting = state.weighting + 1;
+  if (weighting < problem.weightings.size() && !attempt->certificate.isCertified &&
+      problem.weightings[weighting].rows == WeightKind::kCotangent)
+    ++weighting;
+  if (weighting >= problem.weightings.size()) return {};
+  State next = startOf(problem, weighting);
   next.untangled = state.untangled;
   next.from = attempt->isFeasible() && state.untangling < 0 ? attempt : state.from;
   return next;

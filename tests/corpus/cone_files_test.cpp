@@ -63,7 +63,8 @@ TEST(ConeFiles, HexTorusWithoutConesIsCertified) {
 }
 
 /// Directions alone, as the file has them, both for the holonomy and as frames.
-/// @param rounds  1, or 2 where the harmonic map without frames is not yet right
+/// @param rounds  1, or 2 where the harmonic map without frames is not yet right, and on flat tori, whose harmonic map is
+///                always compared
 void expectCertifiedWithOwnFrames(const std::string& meshName, const std::string& fieldName,
                                   std::size_t rounds = 1) {
   SCOPED_TRACE(fieldName);
@@ -94,7 +95,7 @@ TEST(FieldFiles, VaseOfOrderSevenIsCertifiedWithItsOwnFrames) {
 }
 
 TEST(FieldFiles, HexTorusIsCertifiedWithItsOwnFrames) {
-  expectCertifiedWithOwnFrames("Directional/torus.obj", "Directional/torus-hex.rawfield");
+  expectCertifiedWithOwnFrames("Directional/torus.obj", "Directional/torus-hex.rawfield", 2);
 }
 
 #ifndef __EMSCRIPTEN__  // the field is packed

@@ -198,6 +198,9 @@ constexpr Phrase kOthers[] = {
      "Many triangles are very thin, and the surface's own edge lengths gave no map. This one is "
      "harmonic with evened lengths instead: as seamless and as free of folds, with more "
      "distortion. --improve isometric (improve) lowers it."},
+    {"map-own-cones",
+     "No map without folds has the cones that were chosen first. This one has others at "
+     "{vertices|vertex|vertices}, which are part of the prescription now."},
     {"map-not-improved",
      "The map is not improved, as the verifier did not accept the improved map: "
      "[rule:it breaks the rule {rule} at {places|place}, by {worst} at worst ({@}).]"

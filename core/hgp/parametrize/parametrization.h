@@ -30,6 +30,8 @@ struct ParametrizeOptions {
   /// rotations, instead of our trivial connection with the same holonomy. They must realise the
   /// prescription exactly, and they determine what it leaves open.
   std::optional<FieldData> frames;
+  /// The cones were chosen, not prescribed: where no map has them, but one without folds has others, these are taken.
+  bool areConesFree = false;
   GridOptions grid;  ///< align translations to a grid after a certified solve (q = 2, 4)
   /// Lower this kind of distortion of a certified map; the result is again certified.
   std::optional<ImproveOptions> improve;

@@ -116,6 +116,7 @@ Result<Parametrization> Session::State::solveAutomatic(std::size_t p, SolveOptio
     notes.clear();
     add(countNote(cones.coneCount, *chosen), notes);
     core.grid = on;
+    core.areConesFree = !on.isAsked();  // whose room for the grid was looked at
     return hgp::parametrize(surfaceOf(p), toSpec(*chosen), core);
   };
   Result<Parametrization> run = solveWith(choice, grid);

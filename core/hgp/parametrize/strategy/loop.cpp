@@ -8,6 +8,7 @@
 
 #include "hgp/base/counted.h"
 #include "hgp/parametrize/after/free_rotation.h"
+#include "hgp/parametrize/after/own_cones.h"
 #include "hgp/parametrize/after/solution.h"
 #include "hgp/parametrize/round.h"
 #include "hgp/parametrize/seamless_setup.h"
@@ -42,9 +43,14 @@ bool isMuchLarger(const Attempt& attempt, const Attempt& other) {
 /// paper's weights go before others, and harmonic maps before all others, where μ is not much larger.
 struct Found {
   std::shared_ptr<const Attempt> best, harmonic;
+  std::shared_ptr<const Attempt>
+      unfolded;  ///< with the fewest wrong angles, without a flipped triangle
 
   void add(const std::shared_ptr<const Attempt>& attempt, bool isHarmonic) {
     const bool isCertified = attempt->certificate.isCertified;
+    if (attempt->certificate.isMeasured && attempt->certificate.orientation.notPositive.empty() &&
+        (!unfolded || attempt->wrongCount < unfolded->wrongCount))
+      unfolded = attempt;
     if (isHarmonic && isCertified && (!harmonic || meanMuOf(*attempt) < meanMuOf(*harmonic)))
       harmonic = attempt;
     if (best && best->certificate.isCertified) {
@@ -108,6 +114,13 @@ std::optional<State> firstMove(const Problem& problem, const State& state,
   return {};
 }
 
+/// Whether untangling begins again, with other weights or frames. A map without folds but with other cones is mended before
+/// that if it can be (frameByMap).
+bool isOtherStart(const State& next, const State& state) {
+  return state.untangling >= 0 &&
+         (next.untangling != state.untangling || next.weighting != state.weighting);
+}
+
 }  // namespace
 
 /// The loop [BCW17 §7]: solve and verify a state, keep the best map, take the first move that applies; until a map is
@@ -139,11 +152,12 @@ static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
     if (round == 1 && !attempt->certificate.isCertified && isImpossible()) break;
     std::optional<State> next =
         isOdd ? nextWeighting(problem, state, attempt) : firstMove(problem, state, attempt, tried);
-    if (!next) break;
+    if (!next || (options.areConesFree && found.unfolded && isOtherStart(*next, state))) break;
     state = std::move(*next);
   }
   if (!found.best) return Failure{ErrorCode::kUsage, "solve", "At least one round is needed.", {}};
-  return found.best;
+  const bool isFolded = !found.best->certificate.isCertified && found.unfolded;
+  return options.areConesFree && isFolded ? found.unfolded : found.best;
 }
 
 Result<Parametrization> parametrizeInMetric(PreparedSurface& surface, const HolonomySpec& spec,
@@ -173,6 +187,7 @@ Result<Parametrization> parametrizeInMetric(PreparedSurface& surface, const Holo
   const Attempt& attempt = **best;
   MappedSolution mapped{
       {setup, attempt.program.x, attempt.u, attempt.frames}, attempt.map, attempt.certificate};
+  if (options.areConesFree) keepOwnCones(mesh, mapped, result);
   (options.frames ? turnAsFramesSay : turnAsTheSurfaceLies)(mesh, mapped);
   const bool isOnlyTooFine = !mapped.certificate.isCertified && attempt.wrongCount == 0;
   if (isOnlyTooFine && options.method == Method::kAuto)

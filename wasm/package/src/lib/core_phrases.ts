@@ -152,6 +152,8 @@ export const corePhrases = {
     'The best program found no map that turns all frames as asked: of {frames|constrained triangle}, {strained|of them is|of them are} strained most (see conflict).',
   'map-given-frames':
     'The frames were those of the field file. Automatic frames have the same cones, turning and handles but turn evenly: a map with them may be certified.',
+  'map-own-cones':
+    'No map without folds has the cones that were chosen first. This one has others at {vertices|vertex|vertices}, which are part of the prescription now.',
   'map-not-improved':
     'The map is not improved, as the verifier did not accept the improved map: [rule:it breaks the rule {rule} at {places|place}, by {worst} at worst ({@}).][!rule:it is no better on the surface itself.]',
   'map-areas-lowered':

@@ -1,0 +1,70 @@
+// Cones that were chosen may be replaced by those that a map has.  Laws: the map fulfils the new prescription, which
+// differs where the note says; prescribed cones, and those that have a map without untangling, stay.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "core/parametrize/stretched.h"
+#include "hgp/parametrize/parametrize.h"
+#include "support/shapes.h"
+
+namespace hgp {
+namespace {
+
+std::map<VertexId, int> kOf(const CompleteSpec& spec) {
+  std::map<VertexId, int> k;
+  for (const ConePoint& cone : spec.cones) k[cone.vertex] = cone.k;
+  return k;
+}
+
+/// Vertices whose angle differs.
+std::size_t countOther(const CompleteSpec& a, const CompleteSpec& b) {
+  std::map<VertexId, int> ka = kOf(a), kb = kOf(b);
+  for (const ConePoint& cone : a.cones) kb.try_emplace(cone.vertex, b.q);
+  for (const ConePoint& cone : b.cones) ka.try_emplace(cone.vertex, a.q);
+  std::size_t count = 0;
+  for (const auto& [v, k] : ka) count += kb.at(v) != k;
+  return count;
+}
+
+int sumOf(const CompleteSpec& spec) {
+  int sum = 0;
+  for (const ConePoint& cone : spec.cones) sum += spec.q - cone.k;
+  return sum;
+}
+
+TEST(OwnCones, AreThoseOfAMapWithoutFoldsWhereNoMapHasTheChosenOnes) {
+  const TriMesh mesh = test::stretched(30.0);
+  ParametrizeOptions options;
+  options.maxRounds = 8;
+  const Result<Parametrization> asked = parametrize(mesh, test::manyCones(mesh), options);
+  options.areConesFree = true;
+  const Result<Parametrization> free = parametrize(mesh, test::manyCones(mesh), options);
+  ASSERT_TRUE(asked && free);
+  EXPECT_FALSE(asked->isCertified);
+  EXPECT_TRUE(free->isCertified);
+  EXPECT_LE(free->rounds.size(), asked->rounds.size());
+
+  EXPECT_TRUE(certify(mesh, toSpec(free->spec), free->map).isCertified);
+  EXPECT_FALSE(certify(mesh, toSpec(asked->spec), free->map).isCertified);
+  EXPECT_EQ(free->spec.handles, asked->spec.handles);
+  EXPECT_EQ(sumOf(free->spec), 0);  // of a torus
+  const Note* note = findNote(free->notes, "map-own-cones");
+  ASSERT_NE(note, nullptr);
+  EXPECT_EQ(*note, Note("map-own-cones", {{"vertices", countOther(asked->spec, free->spec)}}));
+  EXPECT_GT(countOther(asked->spec, free->spec), 0u);
+}
+
+TEST(OwnCones, AreNotLookedForWhereTheChosenOnesHaveAMap) {
+  const TriMesh mesh = test::pretzel(1, 3).mesh();
+  ParametrizeOptions options;
+  options.areConesFree = true;
+  const Result<Parametrization> free = parametrize(mesh, test::manyCones(mesh), options);
+  ASSERT_TRUE(free);
+  EXPECT_TRUE(free->isCertified);
+  EXPECT_EQ(free->spec.cones.size(), test::manyCones(mesh).cones.size());
+  EXPECT_EQ(findNote(free->notes, "map-own-cones"), nullptr);
+}
+
+}  // namespace
+}  // namespace hgp

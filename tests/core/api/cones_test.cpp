@@ -194,11 +194,11 @@ TEST(AutomaticGrid, TakesANumberOfCellsThatWorksWhereTheFirstDoesNot) {
   ASSERT_TRUE(all);
   SolveOptions options;
   options.grid.mode = GridMode::kQuad;
-  options.grid.cells = 60;
+  options.grid.cells = 30;
   ASSERT_TRUE(session.parametrize(*all, options));
   const Json grid = Json::parse(session.reportJson())["components"][0]["grid"];
   ASSERT_FALSE(grid["aligned"].get<bool>());
-  ASSERT_GT(grid["workingCells"].get<double>(), 60);
+  ASSERT_GT(grid["workingCells"].get<double>(), 30);
   options.choosesCells = true;
   ASSERT_TRUE(session.parametrize(*all, options));
   EXPECT_TRUE(session.isAligned());

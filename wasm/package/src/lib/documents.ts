@@ -1008,9 +1008,13 @@ export interface Report {
     certifiedBeforeStoring: boolean;
     usable: boolean;
     /**
-     * How harmonic the stored values are: residuals of rows (7), (8), (14) with mean-value weights at every interior vertex that is not a cone, relative to the mean uv edge there
+     * How harmonic the stored values are: residuals of rows (7), (8), (14) at every interior vertex that is not a cone, relative to the mean uv edge there
      */
     harmonic: {
+      /**
+       * of the rows: the paper's, or cotangents in [0.01, 20] if rows with the paper's are violated and none of those with cotangents is. Theorem 6.1 holds for all positive weights
+       */
+      weights: 'mean-value' | 'cotangent';
       rows: number;
       /**
        * rows with a residual above 1e-6; for float32, above 1e-6 plus what rounding can cause there

@@ -43,14 +43,10 @@ bool isMuchLarger(const Attempt& attempt, const Attempt& other) {
 /// paper's weights go before others, and harmonic maps before all others, where μ is not much larger.
 struct Found {
   std::shared_ptr<const Attempt> best, harmonic;
-  std::shared_ptr<const Attempt>
-      unfolded;  ///< with the fewest wrong angles, without a flipped triangle
+  std::shared_ptr<const Attempt> unfolded;  ///< certified with its own cones, the fewest wrong
 
   void add(const std::shared_ptr<const Attempt>& attempt, bool isHarmonic) {
     const bool isCertified = attempt->certificate.isCertified;
-    if (attempt->certificate.isMeasured && attempt->certificate.orientation.notPositive.empty() &&
-        (!unfolded || attempt->wrongCount < unfolded->wrongCount))
-      unfolded = attempt;
     if (isHarmonic && isCertified && (!harmonic || meanMuOf(*attempt) < meanMuOf(*harmonic)))
       harmonic = attempt;
     if (best && best->certificate.isCertified) {
@@ -59,6 +55,15 @@ struct Found {
     } else if (!best || distanceToCertified(*attempt) < distanceToCertified(*best)) {
       best = attempt;
     }
+  }
+
+  /// A map that is wrong only by the cones it was asked for. (Others may be too fine for float64 besides.)
+  void addOwn(const Problem& problem, const std::shared_ptr<const Attempt>& attempt) {
+    const Certificate& c = attempt->certificate;
+    if (c.isCertified || !c.isMeasured || !c.orientation.notPositive.empty()) return;
+    if (unfolded && attempt->wrongCount >= unfolded->wrongCount) return;
+    const CompleteSpec own = ownPrescription(problem.setup->field.spec, c);
+    if (certify(problem.mesh, toSpec(own), attempt->map).isCertified) unfolded = attempt;
   }
 };
 
@@ -145,6 +150,7 @@ static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
     rounds.push_back(roundOf(nameOf(problem, state), attempt->frames.faces.size(), attempt->program,
                              attempt->certificate, secondsSince(start)));
     found.add(attempt, problem.weightings[state.weighting].isHarmonic);
+    if (options.areConesFree) found.addOwn(problem, attempt);
     left -= faceStepsOf(rounds.back(), problem.mesh.faceCount());
     const bool isOdd = isCompared(problem, state, *found.best);
     if ((attempt->certificate.isCertified && !isOdd) || left <= 0.0) break;
@@ -152,12 +158,11 @@ static Result<std::shared_ptr<const Attempt>> solve(const Problem& problem,
     if (round == 1 && !attempt->certificate.isCertified && isImpossible()) break;
     std::optional<State> next =
         isOdd ? nextWeighting(problem, state, attempt) : firstMove(problem, state, attempt, tried);
-    if (!next || (options.areConesFree && found.unfolded && isOtherStart(*next, state))) break;
+    if (!next || (found.unfolded && isOtherStart(*next, state))) break;
     state = std::move(*next);
   }
   if (!found.best) return Failure{ErrorCode::kUsage, "solve", "At least one round is needed.", {}};
-  const bool isFolded = !found.best->certificate.isCertified && found.unfolded;
-  return options.areConesFree && isFolded ? found.unfolded : found.best;
+  return found.unfolded && !found.best->certificate.isCertified ? found.unfolded : found.best;
 }
 
 Result<Parametrization> parametrizeInMetric(PreparedSurface& surface, const HolonomySpec& spec,

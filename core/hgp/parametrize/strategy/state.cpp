@@ -12,7 +12,7 @@ namespace {
 /// δ of the weighting "light distortion term", for prescribed cones whose map is badly determined without it.
 constexpr double kLightQuality = 1e-3;
 /// δ of the program whose minimiser leads to the harmonic map of least distortion: five steps or so (nearestHarmonic), while
-/// 1e-3 takes a dozen; the smaller, the less digits the factor leaves of what is not determined by the rows.
+/// 1e-3 takes a dozen; the smaller it is, the fewer digits the factor leaves of what the rows do not determine.
 constexpr double kHarmonicQuality = 1e-4;
 /// Weight of soft frame constraints, of the order of the weight of harmonic rows (0.1 to 1 work equally
 /// well).

@@ -12,10 +12,6 @@ namespace {
 /// Bounds of a cotangent weight, in units of an equilateral triangle's, as for the Laplacian of the filled surface.
 constexpr double kSmallestWeight = 1e-3, kLargestWeight = 1e3;
 
-double cotangent(double angle) {
-  return portable::cos(angle) / std::max(portable::sin(angle), 1e-9);
-}
-
 }  // namespace
 
 PerVertex<double> coneScale(const TriMesh& mesh, const FieldContext& context,
@@ -34,8 +30,8 @@ PerVertex<double> coneScale(const TriMesh& mesh, const FieldContext& context,
   }
   for (EdgeId e : mesh.edges()) {
     const HalfedgeId h = mesh.halfedge(e);
-    double w = cotangent(geometry.cornerAngle[TriMesh::previous(h)]);
-    if (!mesh.isBoundary(h)) w += cotangent(geometry.cornerAngle[TriMesh::previous(mesh.twin(h))]);
+    double w = oppositeCotangent(geometry, h);
+    if (!mesh.isBoundary(h)) w += oppositeCotangent(geometry, mesh.twin(h));
     w = std::clamp(0.5 * w, kSmallestWeight, kLargestWeight);
     const int a = mesh.tail(h).i, b = mesh.head(h).i;
     for (const int i : {a, b}) entries.emplace_back(i, i, w);

@@ -13,11 +13,6 @@ namespace {
 constexpr double kMinWeight = 0.05;
 constexpr double kLargestWeight = 20.0;
 
-double cotangent(const Geometry& geometry, HalfedgeId h) {
-  const double angle = geometry.cornerAngle[TriMesh::previous(h)];  // opposite the edge
-  return portable::cos(angle) / std::max(portable::sin(angle), 1e-12);
-}
-
 }  // namespace
 
 FilledSurface fillBoundary(const TriMesh& mesh, const Topology& topology,
@@ -36,7 +31,8 @@ FilledSurface fillBoundary(const TriMesh& mesh, const Topology& topology,
   for (EdgeId e : mesh.edges()) {
     const HalfedgeId h = mesh.halfedge(e);
     if (mesh.isBoundary(h)) continue;
-    const double w = 0.5 * (cotangent(geometry, h) + cotangent(geometry, mesh.twin(h)));
+    const double w =
+        0.5 * (oppositeCotangent(geometry, h) + oppositeCotangent(geometry, mesh.twin(h)));
     s.weight[e] = std::clamp(w, kMinWeight, kLargestWeight);
   }
 

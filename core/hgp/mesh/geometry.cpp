@@ -144,6 +144,11 @@ Geometry geometryOfShapes(const TriMesh& mesh, const PerHalfedge<double>& length
   return g;
 }
 
+double oppositeCotangent(const Geometry& geometry, HalfedgeId h) {
+  const double angle = geometry.cornerAngle[TriMesh::previous(h)];
+  return portable::cos(angle) / std::max(portable::sin(angle), 1e-12);
+}
+
 double curvature(const TriMesh& mesh, const Geometry& geometry, VertexId v) {
   return (mesh.isBoundary(v) ? kPi : 2.0 * kPi) - geometry.angleSum[v];
 }

@@ -43,6 +43,9 @@ Geometry evenedGeometry(const TriMesh& mesh);
 /// @param length  positive; every triangle satisfies the triangle inequalities
 Geometry geometryOfShapes(const TriMesh& mesh, const PerHalfedge<double>& length);
 
+/// Cotangent of the angle opposite h in its triangle; the sine counts as 1e-12 at least.
+double oppositeCotangent(const Geometry& geometry, HalfedgeId h);
+
 /// K_v = 2π − Θ_v at interior vertices, π − Θ_v on the boundary, radians.
 double curvature(const TriMesh& mesh, const Geometry& geometry, VertexId v);
 

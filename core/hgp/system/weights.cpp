@@ -25,13 +25,10 @@ CornerWeights meanValueWeights(const Geometry& geometry, HalfedgeId h) {
 }
 
 CornerWeights cotangentWeights(const TriMesh& mesh, const Geometry& geometry, HalfedgeId h) {
-  const auto cotangent = [&](HalfedgeId edge) {
-    const double angle = geometry.cornerAngle[TriMesh::previous(edge)];
-    return portable::cos(angle) / std::max(portable::sin(angle), 1e-12);
-  };
   const auto half = [&](HalfedgeId edge) {
-    return 0.5 * std::clamp(0.5 * (cotangent(edge) + cotangent(mesh.twin(edge))),
-                            kSmallestCotangent, kLargestCotangent);
+    const double both =
+        oppositeCotangent(geometry, edge) + oppositeCotangent(geometry, mesh.twin(edge));
+    return 0.5 * std::clamp(0.5 * both, kSmallestCotangent, kLargestCotangent);
   };
   return {half(h), half(TriMesh::previous(h))};
 }

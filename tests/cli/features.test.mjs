@@ -263,16 +263,17 @@ test('creases are found by their angle', () => {
     assert.equal(run('param', 'closed.obj', '-o', 'no.obj', '--creases', wrong).code, 2, wrong);
 });
 
-test('check says in integers whether features have corners', () => {
+test('check looks at triangles between three features as a run does: split', () => {
   assert.match(good('check', 'closed.obj', '--creases').out, /chosen automatically\nvalid/);
   const [a, b, c] = closed.triangles[7];
   put('triangle.txt', `${a} ${b}\n${b} ${c}\n${c} ${a}\n`);
-  const { code, out } = run('check', 'closed.obj', '--features', 'triangle.txt', '--json', 'check.json'); // prettier-ignore
-  assert.equal(code, 5);
-  assert.match(out, /refused: 1 triangle with three feature edges/);
-  const json = JSON.parse(read('check.json'));
-  assert.deepEqual(problems('hgp-check', json), []);
-  assert.deepEqual(json.components[0].error.where, [{ kind: 'triangle', id: 7 }]);
+  good('check', 'closed.obj', '--features', 'triangle.txt', '--json', 'check.json');
+  assert.deepEqual(problems('hgp-check', JSON.parse(read('check.json'))), []);
+  good('param', 'closed.obj', '--features', 'triangle.txt', '-o', 'split.obj', '--json', 'split.json'); // prettier-ignore
+  const report = JSON.parse(read('split.json'));
+  assert.deepEqual(problems('hgp-report', report), []);
+  const [{ edges }] = report.refined.where;
+  assert.ok(edges.every(({ id, other }) => [a, b, c].includes(id) && [a, b, c].includes(other))); // prettier-ignore
 });
 
 test('what does not go together is refused', () => {

@@ -37,15 +37,14 @@ class CreaseFinder {
     }
   }
 
-  Creases run() {
-    Creases out;
+  std::vector<EdgeId> run() {
+    std::vector<EdgeId> out;
     for (VertexId v : mesh_.vertices())
       if (isFreeEnd(v)) bridge(v);
     for (VertexId v : mesh_.vertices())
       if (isFreeEnd(v)) removeSpur(v);
-    for (FaceId f : mesh_.faces()) out.leftOut += dropThird(f);
     for (EdgeId e : mesh_.edges())
-      if (isCrease_[e]) out.edges.push_back(e);
+      if (isCrease_[e]) out.push_back(e);
     return out;
   }
 
@@ -97,21 +96,6 @@ class CreaseFinder {
     for (EdgeId e : path) set(e, false);
   }
 
-  /// Boundary edges count: they are features as well.
-  bool dropThird(FaceId f) {
-    EdgeId weakest;
-    for (int k = 0; k < 3; ++k) {
-      const HalfedgeId h = TriMesh::halfedge(f, k);
-      const EdgeId e = mesh_.edge(h);
-      if (mesh_.isBoundary(h)) continue;
-      if (!isCrease_[e]) return false;
-      if (!weakest.isValid() || angle_[e] < angle_[weakest]) weakest = e;
-    }
-    if (!weakest.isValid()) return false;
-    set(weakest, false);
-    return true;
-  }
-
   void removeSpur(VertexId v) {
     std::vector<EdgeId> path;
     for (EdgeId e = onlyCrease(v); e.isValid();) {
@@ -135,7 +119,7 @@ class CreaseFinder {
 
 }  // namespace
 
-Creases findCreases(const TriMesh& mesh, double degrees) {
+std::vector<EdgeId> findCreases(const TriMesh& mesh, double degrees) {
   return CreaseFinder(mesh, degrees).run();
 }
 

@@ -19,12 +19,8 @@ inline constexpr int kShortestSpur = 3;
 /// Inner edges whose triangles' normals differ by more than `degrees`. A crease that ends is continued along the straightest
 /// edges above kWeakShare · degrees, at most kLongestBridge, to another one; where it meets none, it stays as it was. Then pieces with a free
 /// end and fewer than kShortestSpur edges are removed.
-/// Of a triangle with three creases, which no map along them can have, the one with the smallest angle is left out.
-struct Creases {
-  std::vector<EdgeId> edges;  ///< ascending
-  int leftOut = 0;            ///< third edges of triangles
-};
-Creases findCreases(const TriMesh& mesh, double degrees = kCreaseDegrees);
+/// Ascending.
+std::vector<EdgeId> findCreases(const TriMesh& mesh, double degrees = kCreaseDegrees);
 
 /// Runs of edges between vertices at which not just two of them meet; a closed run without such a vertex is one.
 int countRuns(const TriMesh& mesh, const std::vector<EdgeId>& edges);

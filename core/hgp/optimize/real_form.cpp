@@ -27,9 +27,12 @@ void RealForm::layOut(std::vector<std::vector<int>> pairs,
   std::vector<Entry> entries;
   std::vector<Eigen::Triplet<double>> pattern;
   pattern.reserve(static_cast<std::size_t>(H_.nonZeros()));
-  for (Eigen::Index j = 0; j < H_.cols(); ++j)
+  for (Eigen::Index j = 0; j < H_.cols(); ++j) {
+    // The diagonal is lifted where a factor needs that, also of an unknown that is in no row of H.
+    pattern.emplace_back(static_cast<int>(j), static_cast<int>(j), 0.0);
     for (Eigen::SparseMatrix<double>::InnerIterator it(H_, j); it; ++it)
       pattern.emplace_back(static_cast<int>(it.row()), static_cast<int>(j), 0.0);
+  }
   for (std::size_t b = 0; b < pairs.size(); ++b) {
     const std::size_t size = 2 * pairs[b].size();
     const auto unknown = [&](std::size_t c) {

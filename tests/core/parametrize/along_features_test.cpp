@@ -49,6 +49,17 @@ TEST(AlongFeatures, MapsAreCertifiedAndStraight) {
   }
 }
 
+TEST(AlongFeatures, AnUnknownThatNoRowHoldsIsNoObstacle) {
+  // Two rectangles on each other: a translation is in no row of the objective.
+  const TriMesh mesh = test::meshOf(
+      {{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}, {1, 0, 3}, {1, 3, 2}}});
+  const std::vector<EdgeId> rim = test::creasesOf(mesh);
+  EXPECT_EQ(rim.size(), 4u);
+  const Result<Parametrization> run = along(mesh, rim);
+  ASSERT_TRUE(run);
+  expectStraight("pillow", mesh, *run);
+}
+
 TEST(AlongFeatures, StayExactlyStraightInTheNumbersOfEveryFormat) {
   for (const test::CreasedShape& shape : test::creasedShapes()) {
     const Result<Parametrization> run = along(shape.mesh, shape.features);

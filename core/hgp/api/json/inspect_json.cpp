@@ -98,7 +98,7 @@ Json componentsJson(const Model& model) {
 Json featuresJson(const Model& model) {
   int creases = 0, chains = 0, rims = 0;
   for (const ModelComponent& component : model.components) {
-    const std::vector<EdgeId> edges = findCreases(component.mesh).edges;
+    const std::vector<EdgeId> edges = findCreases(component.mesh);
     creases += static_cast<int>(edges.size());
     chains += countRuns(component.mesh, edges);
     for (const BoundaryLoop& loop : component.topology.loops)

@@ -183,16 +183,12 @@ Status addFeatures(const Model& model, const prescription::Prescription& prescri
   if (!marked) return std::move(marked).error();
   PairSet listed(afterWelds(model, std::move(*pairs)));
   PairSet marks(afterWelds(model, std::move(*marked)));
-  int leftOut = 0;
   for (std::size_t p = 0; p < model.components.size(); ++p) {
     const ModelComponent& component = model.components[p];
     const TriMesh& mesh = component.mesh;
     std::vector<EdgeId> features;
-    if (prescription.features.creaseDegrees) {
-      Creases creases = findCreases(mesh, *prescription.features.creaseDegrees);
-      features = std::move(creases.edges);
-      leftOut += creases.leftOut;
-    }
+    if (prescription.features.creaseDegrees)
+      features = findCreases(mesh, *prescription.features.creaseDegrees);
     bool hasFeature = !features.empty();
     for (EdgeId e : mesh.edges()) {
       const HalfedgeId h = mesh.halfedge(e);
@@ -207,7 +203,6 @@ Status addFeatures(const Model& model, const prescription::Prescription& prescri
     if (hasFeature) request.components[p].spec.features = std::move(features);
   }
   if (isForAnotherFile(model, prescription)) addMovedNote(prescription.features, request.notes);
-  if (leftOut > 0) request.notes.push_back(Note("creases-left-out", {{"creases", leftOut}}));
   return checkFound(listed, marks, request.notes);
 }
 

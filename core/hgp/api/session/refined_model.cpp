@@ -46,6 +46,7 @@ class Carrier {
     ComponentRequest out;
     out.isAutomatic = request.isAutomatic;
     out.spec.q = request.spec.q;
+    if (!request.spec.features.empty() && !carryFeatures(request.spec, out.spec)) return tangled();
     if (out.isAutomatic) return out;
     for (const ConePoint& cone : request.spec.cones) {
       const auto v = vertexAt_.find(old_.vertex[cone.vertex].i);
@@ -90,6 +91,51 @@ class Carrier {
     return true;
   }
 
+  /// Features stay where they were, in halves where they are split.
+  bool carryFeatures(const HolonomySpec& from, HolonomySpec& to) {
+    std::multimap<VertexPair, EdgeId>
+        edgesAt;  // by surface vertices, of which repairs may have made copies
+    for (EdgeId e : new_.mesh.edges()) edgesAt.emplace(surfaceEnds(new_, e), e);
+    const std::map<VertexPair, int> midpoints = findMidpoints();
+    for (EdgeId e : from.features) {
+      const VertexPair ends = surfaceEnds(old_, e);
+      std::vector<VertexPair> parts{ends};
+      if (const auto middle = midpoints.find(ends); middle != midpoints.end())
+        parts = {ordered(ends[0], middle->second), ordered(ends[1], middle->second)};
+      for (const VertexPair& part : parts) {
+        const auto [first, last] = edgesAt.equal_range(part);
+        if (first == last) return false;
+        for (auto there = first; there != last; ++there) to.features.push_back(there->second);
+      }
+    }
+    std::sort(to.features.begin(), to.features.end());
+    to.features.erase(std::unique(to.features.begin(), to.features.end()), to.features.end());
+    return true;
+  }
+
+  static VertexPair surfaceEnds(const ModelComponent& component, EdgeId e) {
+    const HalfedgeId h = component.mesh.halfedge(e);
+    return ordered(component.vertex[component.mesh.tail(h)].i,
+                   component.vertex[component.mesh.head(h)].i);
+  }
+
+  /// The midpoint of each edge that was split, by surface vertices after welds.
+  std::map<VertexPair, int> findMidpoints() const {
+    const Model& model = refined_.model;
+    const auto standIn = [&](int stored) {
+      const MeshVertexId image = model.vertexImage[SurfaceVertexId{stored}];
+      return image.isValid() ? model.vertexOrigin[image].i : stored;
+    };
+    std::map<VertexPair, int> midpoints;
+    const int count = refined_.facts.verticesBefore;
+    for (std::size_t i = 0; i < refined_.parents.size(); ++i) {
+      const VertexPair& ends = refined_.parents[i];
+      midpoints.emplace(ordered(standIn(ends[0]), standIn(ends[1])),
+                        standIn(count + static_cast<int>(i)));
+    }
+    return midpoints;
+  }
+
   bool findOldHalfedges() {
     for (HalfedgeId h : old_.mesh.halfedges()) {
       const VertexPair ends{old_.vertex[old_.mesh.tail(h)].i, old_.vertex[old_.mesh.head(h)].i};
@@ -123,7 +169,7 @@ class Carrier {
 
 }  // namespace
 
-Result<Model> modelOfPolygons(const Model& model) {
+Result<Model> modelOfPolygons(const Model& model, Note lost) {
   io::PolygonFile file;
   file.polygons.positions = model.source().mesh.positions;
   for (const auto& t : model.source().mesh.triangles) {
@@ -131,7 +177,7 @@ Result<Model> modelOfPolygons(const Model& model) {
     file.polygons.start.push_back(static_cast<std::uint32_t>(file.polygons.cornerVertex.size()));
   }
   file.notes = model.source().notes;
-  file.notes.push_back(Note("refine-as-obj"));
+  file.notes.push_back(std::move(lost));
   file.storedVertexCount = model.source().storedVertexCount;
   Result<io::DocumentPtr> document =
       io::PolygonDocument::make(model.document->format(), std::move(file));

@@ -17,13 +17,13 @@ struct RefinedModel {
   RefinedFacts facts;
 };
 
-/// A model of the positions and triangles of the surface alone, to be written as OBJ.
-Result<Model> modelOfPolygons(const Model& model);
+/// A model of the positions and triangles of the surface alone. @param lost  says so
+Result<Model> modelOfPolygons(const Model& model, Note lost);
 
 /// Splits edges. @param places  per component of `model`
 Result<RefinedModel> refine(const Model& model, const std::vector<std::vector<SplitPlace>>& places);
 
-/// The same prescription on the refined model: cones and boundary loops stay where they were. Prescribed handle
+/// The same prescription on the refined model: cones, boundary loops and features stay where they were. Prescribed handle
 /// rotations belong to generators that depend on the mesh, so they are recomputed as holonomies of a field on the
 /// component before refinement that has the prescribed ones: both halves of a split edge inherit its matching, and
 /// new edges inside a triangle have matching 0.

@@ -4,6 +4,7 @@
 #include "hgp/api/session/guard.h"
 #include "hgp/api/session/map_notes.h"
 #include "hgp/api/session/session_state.h"
+#include "hgp/api/session/split_model.h"
 #include "hgp/io/cone_files.h"
 #include "hgp/io/convert.h"
 #include "hgp/linalg/kernels/dense_kernels.h"
@@ -114,6 +115,10 @@ Result<Verdict> Session::check(const prescription::Prescription& prescription) c
     const Model& model = *state_->model;
     Result<Request> request = resolve(model, prescription);
     if (!request) return Verdict{false, checkText(request.error()), request.error()};
+    SplitModel split(model, *request);  // as a run does
+    if (Status done = split.split(Splits::kCrowded, std::vector<char>(model.components.size(), 0));
+        !done)
+      return Verdict{false, checkText(done.error()), done.error()};
     std::vector<ComponentCheck> checks;
     std::optional<Failure> reason;
     for (std::size_t p = 0; p < model.components.size(); ++p) {
@@ -121,9 +126,10 @@ Result<Verdict> Session::check(const prescription::Prescription& prescription) c
       ComponentCheck check;
       check.isAutomatic = component.isAutomatic;
       if (!component.spec.features.empty()) {
-        PreparedSurface surface(model.components[p].mesh);
-        if (Status possible = checkAlongFeatures(surface, component.spec); !possible)
-          check.refusal = toSurfaceIds(model, model.components[p], possible.error());
+        PreparedSurface surface(split.model->components[p].mesh);
+        const HolonomySpec& spec = split.request->components[p].spec;
+        if (Status possible = checkAlongFeatures(surface, spec); !possible)
+          check.refusal = toSurfaceIds(*split.model, split.model->components[p], possible.error());
       } else if (!component.isAutomatic) {
         Result<BudgetReport> budget = checkPrescription(
             model.components[p].mesh, model.components[p].topology, component.spec);
@@ -279,6 +285,7 @@ Status Session::canWrite(const std::string& name, bool isRefined) const {
     const bool isKnown = wanted == "obj" || wanted == "off" || wanted == "ply" || wanted == "stl" ||
                          wanted == "gltf" || wanted == "glb" || wanted == "gz";
     if (wanted.empty() || document.canWriteAs(wanted)) return Done{};
+    if (state_->writesSplitMesh(wanted)) return Done{};
     if (!isKnown) {
       return Failure{
           ErrorCode::kUsage,

@@ -8,6 +8,8 @@
 
 namespace hgp::api {
 
+struct SplitModel;
+
 struct Session::State {
   std::optional<OpenedFile> file;  ///< of the model, if it was read from one
   std::optional<Model> model;
@@ -60,6 +62,11 @@ struct Session::State {
   /// Where a component has no map: solves on refined meshes, each finer than the last, until one has a map; sets
   /// `finer`, or adds a note to `run` about the attempts.
   Status solveRefined(const Request& request, const SolveOptions& options, RunRecord& run);
+  /// solveRequest() along features. Where these leave a component no room, or the map is not certified, solves on surfaces
+  /// with split edges, each finer than the last; sets `finer`, or adds a note to `run` about the attempts.
+  Status solveSplit(const Request& request, const SolveOptions& options, RunRecord& run);
+  Result<std::shared_ptr<State>> solveOn(SplitModel& made, const SolveOptions& options,
+                                         RunRecord& run);
   std::vector<std::optional<FrameField>> fieldsOfGivenHandles(const Request& request,
                                                               const RunRecord& run);
   void publish(const RunRecord& run);
@@ -79,6 +86,9 @@ struct Session::State {
   double tilesOfGrid(const WriteOptions& options) const;
   /// The original with the map as a uv set.
   Result<WrittenMap> writeOriginal(const WriteOptions& options) const;
+  /// Whether the result is on a mesh with split edges and `format`, that of the file, is one in which these are stored as a
+  /// mesh alone.
+  bool writesSplitMesh(std::string_view format) const;
   /// The mesh alone in another format, with the map snapped to the numbers of that format and verified again.
   Result<WrittenMap> writeMesh(const WriteOptions& options) const;
   /// Automatic cones of component p as a complete spec. @param times  if given, the stages' times are appended

@@ -165,6 +165,11 @@ Result<WrittenMap> Session::State::writeOriginal(const WriteOptions& options) co
   return made;
 }
 
+bool Session::State::writesSplitMesh(std::string_view format) const {
+  return finer && !finer->model->document->canWriteAs(format) &&
+         model->document->canWriteAs(format) && (format == "glb" || format == "gltf");
+}
+
 Result<WrittenMap> Session::State::writeMesh(const WriteOptions& options) const {
   const bool isObj = options.format == MapFormat::kObj;
   Result<Model> there = modelAs(*model, isObj ? "obj" : "glb");
@@ -185,6 +190,8 @@ Result<WrittenMap> Session::State::writeMesh(const WriteOptions& options) const 
   }
   io::WriteOptions out = ioOptions(options);
   out.uvSet = -1;
+  if (options.embedCones && there->source().mesh.triangles == model->source().mesh.triangles)
+    out.cones = prescription::writeConesJson(solved->prescription, -1);
   Result<io::Written> written = there->document->write(0, stored.map, out);
   if (!written) return written.error();
   WrittenMap made{std::move(*written), stored.isCertified};
@@ -214,7 +221,11 @@ Result<WrittenMap> Session::write(const WriteOptions& options) const {
     switch (options.format) {
       case MapFormat::kSame: {
         if (Status possible = canWrite(options.name); !possible) return possible.error();
-        return shown.writeOriginal(options);
+        const std::string format = extensionOf(options.name);
+        if (!state_->writesSplitMesh(format)) return shown.writeOriginal(options);
+        WriteOptions mesh = options;
+        mesh.format = format == "glb" ? MapFormat::kGlb : MapFormat::kGltf;
+        return shown.writeMesh(mesh);
       }
       case MapFormat::kFlatObj:
         flat.files = {{options.name, io::flatObj(shown.solved->stored.map, generator())}};
@@ -223,8 +234,11 @@ Result<WrittenMap> Session::write(const WriteOptions& options) const {
         flat.files = {{options.name,
                        io::uvLayoutSvg(shown.solved->stored.map, bothSides(shown.solved->seams))}};
         return flat;
-      default:
-        return shown.writeMesh(options);
+      default: {
+        WriteOptions mesh = options;
+        mesh.embedCones = false;
+        return shown.writeMesh(mesh);
+      }
     }
   });
 }

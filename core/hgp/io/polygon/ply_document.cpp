@@ -253,8 +253,17 @@ Result<Written> PlyDocument::write(int surface, const UvMap& map,
 }
 
 Result<DocumentPtr> PlyDocument::repaired(int, const FaceEdits& edits) const {
+  return withFaces(editFaces(polygons_, corners_, edits));
+}
+
+Result<DocumentPtr> PlyDocument::refined(int surface, const std::vector<VertexPair>& edges) const {
+  Result<DocumentPtr> own = withFaces(splitEdges(polygons_, corners_, surfaces_[0].mesh, edges));
+  return own ? std::move(own) : PolygonDocument::refined(surface, edges);
+}
+
+Result<DocumentPtr> PlyDocument::withFaces(const RefinedPolygons& faces) const {
   const std::string_view text = asText(bytes_).substr(textOffset_);
-  Result<std::string> edited = editPlyFaces(text, header_, editFaces(polygons_, corners_, edits));
+  Result<std::string> edited = editPlyFaces(text, header_, faces);
   if (!edited) return edited.error();
   FileSet files;
   files.main = asBytes(*edited);

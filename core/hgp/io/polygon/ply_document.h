@@ -26,10 +26,12 @@ class PlyDocument final : public PolygonDocument {
   Result<Written> write(int surface, const UvMap& map, const WriteOptions& options) const override;
   Result<PlainFile> plain(int surface) const override;
   Result<DocumentPtr> repaired(int surface, const FaceEdits& edits) const override;
+  Result<DocumentPtr> refined(int surface, const std::vector<VertexPair>& edges) const override;
 
  private:
   PlyDocument(PlyHeader header, std::size_t textOffset, std::string target);
 
+  Result<DocumentPtr> withFaces(const RefinedPolygons& faces) const;
   VertexExtras extras() const;
   /// As OBJ, with normals and colours.
   Result<Written> writeObj(int surface, const UvMap& map, const WriteOptions& options) const;

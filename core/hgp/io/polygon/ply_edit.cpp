@@ -1,6 +1,7 @@
 #include "hgp/io/polygon/ply_edit.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -48,20 +49,21 @@ class PlyEdit {
         header_(header),
         edited_(edited),
         isText_(header.encoding == PlyEncoding::kText),
-        lineEnd_(header.lineEnd == PlyLineEnd::kOld ? "\r" : "\n") {}
+        lineEnd_(header.lineEnd == PlyLineEnd::kOld ? "\r" : "\n"),
+        hasMidpoints_(std::any_of(edited.parents.begin(), edited.parents.end(),
+                                  [](const VertexPair& p) { return p[0] != p[1]; })) {}
 
   std::string make() {
     PlyRowReader rows(body_, header_.encoding);
     PlyRow row;
     for (const PlyElement& element : header_.elements) {
-      std::vector<std::string_view> vertices;
+      std::vector<Vertex> vertices;
       for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
         if (!rows.next(element, row)) break;
-        if (element.name == "vertex")
-          vertices.push_back(body_.substr(row.begin.front(), row.end.back() - row.begin.front()));
+        if (element.name == "vertex") vertices.push_back(vertexOf(row));
         if (element.name == "face") takeFace(element, row);
       }
-      if (element.name == "vertex") repeat(vertices, row);
+      if (element.name == "vertex") addVertices(element, vertices, row);
     }
     out_ += body_.substr(position_);
     return headOf(text_.substr(0, header_.bodyOffset)) + out_;
@@ -73,12 +75,52 @@ class PlyEdit {
     position_ = end;
   }
 
-  void repeat(const std::vector<std::string_view>& vertices, const PlyRow& last) {
+  struct Vertex {
+    std::string_view text;
+    PlyRow row;  ///< where there are midpoints
+  };
+  Vertex vertexOf(const PlyRow& row) const {
+    return {body_.substr(row.begin.front(), row.end.back() - row.begin.front()),
+            hasMidpoints_ ? row : PlyRow()};
+  }
+
+  void addVertices(const PlyElement& element, const std::vector<Vertex>& vertices,
+                   const PlyRow& last) {
     if (edited_.parents.empty() || vertices.empty()) return;
     copyUntil(last.end.back());
     for (const VertexPair& parent : edited_.parents) {
       if (isText_) out_ += lineEnd_;
-      out_ += vertices[static_cast<std::size_t>(parent[0])];
+      const Vertex& a = vertices[static_cast<std::size_t>(parent[0])];
+      if (parent[0] == parent[1])
+        out_ += a.text;
+      else
+        addMidpoint(element, a.row, vertices[static_cast<std::size_t>(parent[1])].row);
+    }
+  }
+
+  /// Means of all numbers; normals have length 1, and lists are those of a.
+  void addMidpoint(const PlyElement& element, const PlyRow& a, const PlyRow& b) {
+    std::vector<double> mean(element.properties.size());
+    double normal = 0.0;
+    const auto isNormal = [&](std::size_t p) {
+      const PlyRole role = element.properties[p].role;
+      return role == PlyRole::kNormalX || role == PlyRole::kNormalY || role == PlyRole::kNormalZ;
+    };
+    for (std::size_t p = 0; p < mean.size(); ++p) {
+      if (element.properties[p].isList) continue;
+      mean[p] = 0.5 * a.numbers[a.first[p]] + 0.5 * b.numbers[b.first[p]];
+      if (isNormal(p)) normal += mean[p] * mean[p];
+    }
+    for (std::size_t p = 0; p < mean.size(); ++p) {
+      const PlyProperty& property = element.properties[p];
+      if (isText_ && p > 0) out_ += ' ';
+      if (property.isList) {
+        out_ += body_.substr(a.begin[p], a.end[p] - a.begin[p]);
+        continue;
+      }
+      const bool isReal = property.type == PlyType::kFloat32 || property.type == PlyType::kFloat64;
+      if (isNormal(p) && isReal && normal > 0.0) mean[p] /= std::sqrt(normal);
+      addNumber(property.type, isReal ? mean[p] : std::round(mean[p]), true);
     }
   }
 
@@ -126,9 +168,16 @@ class PlyEdit {
           addNumber(property.type, edited_.polygons.cornerVertex[c], false);
           continue;
         }
-        const std::size_t local = static_cast<std::size_t>(edited_.corners[c][0]) - firstCorner;
-        addNumber(property.type, row.numbers[row.first[p] + 2 * local], false);
-        addNumber(property.type, row.numbers[row.first[p] + 2 * local + 1], false);
+        for (const std::size_t part : {0, 1}) {
+          const auto uv = [&](int corner) {
+            return row.numbers[row.first[p] + 2 * (static_cast<std::size_t>(corner) - firstCorner) +
+                               part];
+          };
+          const VertexPair& pair = edited_.corners[c];
+          addNumber(property.type,
+                    pair[0] == pair[1] ? uv(pair[0]) : 0.5 * uv(pair[0]) + 0.5 * uv(pair[1]),
+                    false);
+        }
       }
     }
     out_ += body_.substr(from, row.end.back() - from);
@@ -176,6 +225,7 @@ class PlyEdit {
   const RefinedPolygons& edited_;
   bool isText_;
   const char* lineEnd_;
+  bool hasMidpoints_;
   std::string out_;
   std::size_t position_ = 0, addedFaces_ = 0;
   std::size_t next_ = 0;    ///< next polygon of `edited`
@@ -186,7 +236,7 @@ class PlyEdit {
 Failure unwritable(const char* why) {
   return {ErrorCode::kUnsupported,
           "repair",
-          formatText("the repairs cannot be written into this PLY: %s", why),
+          formatText("the changed faces cannot be written into this PLY: %s", why),
           {},
           {Note("write-obj")}};
 }
@@ -201,7 +251,7 @@ Result<std::string> editPlyFaces(std::string_view text, const PlyHeader& header,
   const auto last = static_cast<double>(edited.polygons.positions.size()) - 1;
   for (const PlyProperty& p : faces->properties)
     if (p.role == PlyRole::kCorners && largestOf(p.type) < last)
-      return unwritable("the type of its vertex indices is too small for the copies");
+      return unwritable("the type of its vertex indices is too small for the new vertices");
   return PlyEdit(text, header, edited).make();
 }
 

@@ -125,8 +125,6 @@ export const corePhrases = {
     'the cones are for a mesh of {asked|vertex|vertices}; this one has {found}',
   'cones-without-turning':
     '{loops|boundary loop has|boundary loops have} no turning among the cones: measured, and compared with nothing. If the cones are for a closed surface, faces are missing here',
-  'creases-left-out':
-    '{creases|crease is|creases are} left out: the third edge of a triangle whose other two are creases, too; no map sends all three to lines along two axes',
   'features-other-file':
     'the features are of another file; found by [placed:positions][!placed:vertex numbers]',
   'marks-no-edges':
@@ -162,6 +160,12 @@ export const corePhrases = {
     'The lengths of features contradict each other: {edges|feature edge} would have no length, whatever the map (see conflict). Leave out one of these.',
   'features-straightened':
     '{steps|step} of features would have no length, because the lines around allow none; the map goes straight on there.',
+  'features-split':
+    'THE MESH HAS MORE TRIANGLES: {edges|edge was|edges were} split at the midpoint, because a map along all features has no room otherwise. The certified and written mesh has {vertices} vertices and {triangles} triangles instead of {verticesBefore} and {trianglesBefore}; vertices keep their ids, new ones follow, and halves of features are features.',
+  'features-split-in-vain':
+    'no map along these features on the mesh with split edges ({triangles} triangles) either',
+  'features-as-polygons':
+    'for edges to be split, only positions and triangles are kept: no materials, normals or other attributes',
   'features-no-grid': 'the lines of these features and the seams have no common grid',
   'features-many-integers':
     'the lines of these features have {integers} integers to choose, and at most {most} are chosen; with fewer features there are fewer',

@@ -929,7 +929,7 @@ export interface Report {
     verticesCopied: number;
   } | null;
   /**
-   * null: the mesh was not refined. Otherwise the result, its certificate and the written file are of a mesh with these edges split at their midpoints; ids below and the counts of input are of the original mesh, vertices keep their ids and new ones follow
+   * null: the mesh was not refined. Otherwise the result, its certificate and the written file are of a mesh with these edges split at their midpoints; ids below and the counts of input are of the original mesh, vertices keep their ids and new ones follow; where edges are split in steps, for features, later ones may end at these
    */
   refined: {
     /**

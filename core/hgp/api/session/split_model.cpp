@@ -1,0 +1,110 @@
+#include "hgp/api/session/split_model.h"
+
+#include <algorithm>
+
+#include "hgp/features/feature_splits.h"
+
+namespace hgp::api {
+namespace {
+
+/// choose(component, its features), for the components of which `isAsked` is set.
+template <class Choose>
+std::vector<std::vector<SplitPlace>> placesOf(const Model& model, const Request& request,
+                                              const std::vector<char>& isAsked, const char* reason,
+                                              const Choose& choose) {
+  std::vector<std::vector<SplitPlace>> places(model.components.size());
+  for (std::size_t p = 0; p < places.size(); ++p) {
+    const std::vector<EdgeId>& features = request.components[p].spec.features;
+    if (features.empty() || !isAsked[p]) continue;
+    std::vector<EdgeId> edges = choose(model.components[p], features);
+    if (!edges.empty()) places[p].push_back({reason, std::move(edges)});
+  }
+  return places;
+}
+
+bool isPolygonFile(const Model& model) {
+  return std::string_view(model.document->outputFormat()) == "obj";
+}
+
+/// Chords at vertices that were added.
+struct NewChords {
+  int verticesBefore;
+
+  std::vector<EdgeId> operator()(const ModelComponent& component,
+                                 const std::vector<EdgeId>& features) const {
+    std::vector<EdgeId> edges = chords(component.mesh, features);
+    std::erase_if(edges, [&](EdgeId e) {
+      const HalfedgeId h = component.mesh.halfedge(e);
+      return component.vertex[component.mesh.tail(h)].i < verticesBefore &&
+             component.vertex[component.mesh.head(h)].i < verticesBefore;
+    });
+    return edges;
+  }
+};
+
+std::vector<EdgeId> crowdedOf(const ModelComponent& component,
+                              const std::vector<EdgeId>& features) {
+  return edgesOfCrowded(component.mesh, features);
+}
+std::vector<EdgeId> chordsOf(const ModelComponent& component, const std::vector<EdgeId>& features) {
+  return chords(component.mesh, features);
+}
+std::vector<EdgeId> aroundOf(const ModelComponent& component, const std::vector<EdgeId>& features) {
+  return edgesAround(component.mesh, features);
+}
+
+}  // namespace
+
+bool isCrowded(const Model& model, const Request& request) {
+  for (std::size_t p = 0; p < model.components.size(); ++p)
+    if (!edgesOfCrowded(model.components[p].mesh, request.components[p].spec.features).empty())
+      return true;
+  return false;
+}
+
+Status SplitModel::split(Splits splits, const std::vector<char>& isOpen) {
+  const auto step = [&](const std::vector<char>& isAsked, const char* reason, const auto& choose) {
+    return splitEdges(placesOf(*model, *request, isAsked, reason, choose));
+  };
+  const std::vector<char> all(isOpen.size(), 1);
+  const int before = static_cast<int>(model->source().mesh.positions.size());
+  if (Status done = step(all, "triangles between features", crowdedOf); !done) return done;
+  if (splits == Splits::kCrowded) return step(all, "edges between features", NewChords{before});
+  if (Status done = step(isOpen, "edges between features", chordsOf); !done) return done;
+  if (splits == Splits::kChords) return Done{};
+  return step(isOpen, "triangles at features", aroundOf);
+}
+
+Status SplitModel::splitEdges(const Places& places) {
+  if (std::all_of(places.begin(), places.end(), [](const auto& list) { return list.empty(); }))
+    return Done{};
+  if (!refined && !isPolygonFile(*model)) {
+    Result<Model> polygons = modelOfPolygons(*model, Note("features-as-polygons"));
+    if (!polygons) return polygons.error();
+    RefinedModel same{std::move(*polygons), {}, {}};
+    same.facts.verticesBefore = static_cast<int>(model->source().mesh.positions.size());
+    if (Status done = take(std::move(same)); !done) return done;
+  }
+  Result<RefinedModel> next = refine(*model, places);
+  if (!next) return next.error();
+  if (facts.edges == 0) {
+    facts = next->facts;
+  } else {
+    facts.edges += next->facts.edges;
+    facts.places.insert(facts.places.end(), next->facts.places.begin(), next->facts.places.end());
+  }
+  return take(std::move(*next));
+}
+
+Status SplitModel::take(RefinedModel next) {
+  const std::vector<std::optional<FrameField>> none(model->components.size());
+  Result<Request> features = carryOver(*model, *request, none, next);
+  if (!features) return features.error();
+  refined = std::move(next);
+  carried = std::move(*features);
+  model = &refined->model;
+  request = &*carried;
+  return Done{};
+}
+
+}  // namespace hgp::api

@@ -27,6 +27,7 @@ struct Arguments {
   std::string color = "auto";
   api::LoadOptions load;
   bool isReproducible = false;
+  int threads = 0;            ///< 0: one per processor
   bool isEmbedded = false;    ///< glTF: embeds side files in the main one
   bool isCompressed = false;  ///< glTF: compresses data with meshopt
   bool isEveryMesh = true;    ///< param and verify: process all meshes of the file

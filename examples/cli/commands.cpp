@@ -12,6 +12,7 @@
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
 #include "hgp/base/phrase.h"
+#include "hgp/base/threads.h"
 #include "hgp/features/creases.h"
 #include "hgp/prescription/feature_files.h"
 #include "progress_line.h"
@@ -33,6 +34,7 @@ class Run {
   }
 
   int run() {
+    const ThreadScope threads(a_.threads);
     if (a_.isReproducible) api::setReproducible(true);
     if (Status usable = checkNames(); !usable) {
       // The name of the report may be the error, so nothing is written to it.

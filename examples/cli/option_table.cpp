@@ -94,6 +94,11 @@ class Table {
                     "Refuse more triangles (default 16 million)")
         ->option_text("N")
         ->check(atLeast(1));
+    sub->add_option("--threads", out_.threads,
+                    "Compute with this many threads, 1 to 16 (default: one per processor, at most "
+                    "16); results do not depend on it")
+        ->option_text("N")
+        ->check(CLI::Range(1, kMostThreads));
     sub->option_defaults()->group("Messages");
     sub->add_option("--json", out_.json,
                     "Write the machine-readable report to this file (- for standard output)")

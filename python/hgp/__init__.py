@@ -75,6 +75,7 @@ __all__ = [
     "list_features",
     "parametrize",
     "parametrize_file",
+    "set_threads",
     "suggest_cones",
     "verify",
 ]
@@ -82,6 +83,14 @@ __all__ = [
 for _name in __all__:
     if isinstance(globals().get(_name), type):
         globals()[_name].__module__ = "hgp"
+
+
+def set_threads(threads: Optional[int] = None) -> None:
+    """With how many threads, 1 to 16, later calls of this process compute; None: one per processor. Results do not
+    depend on it."""
+    if threads is not None and (isinstance(threads, bool) or not isinstance(threads, int) or not 1 <= threads <= 16):
+        raise UsageError(f"threads must be from 1 to 16, or None, not {threads!r}", "options")
+    _core.set_threads(threads or 0)
 
 
 def parametrize(
@@ -249,6 +258,7 @@ def batch(
     *,
     scheduler: Optional[str] = None,
     workers: Optional[int] = None,
+    threads: int = 1,
     format: Optional[Literal["obj", "glb"]] = None,
     table: str = "results.csv",
     memory_limit: Optional[int] = None,
@@ -263,6 +273,7 @@ def batch(
         out: folder for maps/, reports/, thumbnails/, the table and index.html; for a cluster, one that all workers share.
         scheduler: address of a Dask scheduler, such as "tcp://10.0.0.1:8786"; by default processes of this machine.
         workers: how many of them; by default one per core.
+        threads: of each of them.
         format: of the maps; by default that of the file (OBJ for OFF and STL, GLB for .gltf).
         table: "….csv", or "….parquet" where pandas and pyarrow are installed.
         memory_limit: bytes of address space that a file may take; beyond, its code is "limit".
@@ -280,6 +291,7 @@ def batch(
         out,
         scheduler=scheduler,
         workers=workers,
+        threads=threads,
         format=format,
         table=table,
         memory_limit=memory_limit,

@@ -296,6 +296,7 @@ def batch(
     *,
     scheduler: Optional[str] = None,
     workers: Optional[int] = None,
+    threads: int = 1,
     format: Optional[str] = None,
     table: str = "results.csv",
     memory_limit: Optional[int] = None,
@@ -308,6 +309,8 @@ def batch(
     the same options, a file that failed is. If a worker dies, its file is given to another one."""
     if format not in (None, "obj", "glb"):
         raise UsageError(f"format must be 'obj' or 'glb', not {format!r}", "batch")
+    if isinstance(threads, bool) or not isinstance(threads, int) or not 1 <= threads <= 16:
+        raise UsageError(f"threads must be from 1 to 16, not {threads!r}", "batch")
     if not table.endswith((".csv", ".parquet")):
         raise UsageError(f"table must end in .csv or .parquet, not {table!r}", "batch")
     parts = _split(options)
@@ -330,6 +333,7 @@ def batch(
                 "name": f"result{ending}",
                 "target": target,
                 "identity": _identity(file, asked),
+                "threads": threads,
                 "memory_limit": memory_limit,
                 "hard_limit": hard_limit,
             }

@@ -31,6 +31,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("-o", "--output", required=True, metavar="FOLDER", help="for maps, reports, table and page")
     parser.add_argument("--scheduler", metavar="ADDRESS", help="a Dask scheduler (default: processes of this machine)")
     parser.add_argument("--workers", type=int, metavar="N", help="local processes (default: one per core)")
+    parser.add_argument("--threads", type=int, metavar="N", help="of each process, 1 to 16 (default: 1)")
     parser.add_argument("--format", choices=["obj", "glb"], help="of the maps (default: that of the file)")
     parser.add_argument("--table", default="results.csv", metavar="NAME", help="name.csv or name.parquet")
     parser.add_argument("--memory-limit", type=float, metavar="MB", help="of address space, per file")

@@ -9,6 +9,7 @@ import sys
 import time
 from typing import Any, Dict, List
 
+from . import _core
 from ._errors import HgpError
 from ._map import Map
 from ._mesh import Mesh
@@ -93,6 +94,7 @@ def main(path: str) -> None:
     """Does the job of this file, and writes rows.json beside it."""
     job = json.loads(pathlib.Path(path).read_text(encoding="utf-8"))
     _limit(job)
+    _core.set_threads(job["threads"])
     folder = pathlib.Path(path).parent
     rows: List[Dict[str, Any]] = []
     try:

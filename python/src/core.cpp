@@ -117,6 +117,8 @@ PYBIND11_MODULE(_core, module) {
   addMap(module);
   addSurface(module);
   module.def("version", &api::version);
+  module.def("set_threads", &setThreads);
+  module.def("default_threads", &defaultThreads);
   module.def("phrase", [](const std::string& note) { return api::phraseJson(note); });
   module.def("option_rows", &optionRows);
   module.def("run_command_line", &runCommandLine);

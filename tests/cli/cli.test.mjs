@@ -683,6 +683,9 @@ test('invalid or out-of-range numbers are usage errors with short messages', () 
     ['--max-bytes', '-1'],
     ['--max-bytes', '0'],
     ['--max-triangles', 'many'],
+    ['--threads', '0'],
+    ['--threads', '17'],
+    ['--threads', 'all'],
     ['--uv-set', '-2'],
   ]) {
     const { code, err } = run(['param', 'ball.obj', '-o', 'x.obj', option, value]);

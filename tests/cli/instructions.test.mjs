@@ -35,7 +35,7 @@ function count(name) {
     const [file, out] = ['in.obj', 'out.obj'].map((one) => path.join(folder, one));
     writeFileSync(file, meshes[name]());
     const counter = ['--tool=callgrind', `--callgrind-out-file=${path.join(folder, 'counts')}`];
-    const run = [program, 'param', '--reproducible', file, '-o', out];
+    const run = [program, 'param', '--reproducible', '--threads', '1', file, '-o', out];
     const { status, stderr } = spawnSync('valgrind', [...counter, ...run], { encoding: 'utf8' });
     assert.equal(status, 0, stderr);
     return Number(stderr.match(/Collected : (\d+)/)[1]) / 1e6;
@@ -51,7 +51,7 @@ function write() {
   const rows = Object.keys(meshes).map((name) => `| ${name} | ${count(name).toFixed(1)} |`);
   const text = `# Instructions of plain runs
 
-Millions of instructions of \`hgp param --reproducible\`, the whole process, counted by valgrind (callgrind) on meshes of
+Millions of instructions of \`hgp param --reproducible --threads 1\`, the whole process, counted by valgrind (callgrind) on meshes of
 the tests (build \`native-release\`). Unlike times they are the same on a busy machine. \`tests/cli/instructions.test.mjs\`
 fails when one rises by more than ${100 * mostRise} %, and says so where valgrind (80 MB, not installed by scripts/setup) is missing; \`node tests/cli/instructions.test.mjs --write\` makes this table.
 

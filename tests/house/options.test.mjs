@@ -32,7 +32,7 @@ test('options of the command line are in the table, or concern files, messages a
   const ofProgram =
     '--help --format --root --json --quiet --no-progress --color --loops --xref --faces --also --force --embed ' +
     '--compress --convert --balance --transfer --from --cones --cone --turning --handle --field --ignore-embedded --rims --creases --features --marked ' +
-    '--reproducible --time-limit';
+    '--reproducible --time-limit --threads';
   const known = new Set([...rows.map((row) => row.flag), ...ofProgram.split(' ')]);
   assert.deepEqual(
     [...flags].filter((flag) => !known.has(flag)),

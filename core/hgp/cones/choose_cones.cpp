@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hgp/base/parallel.h"
 #include "hgp/cones/cancel_cones.h"
 #include "hgp/cones/make_room.h"
 #include "hgp/cones/place_cones.h"
@@ -23,15 +24,19 @@ constexpr double kAnyTurn = 100.0;
 
 Failure stopped() { return {ErrorCode::kCancelled, "cones", "Cancelled.", {}}; }
 
-/// Cones and turning of the smoothest field, after noise has been cancelled.
-Result<NodeDefects> fieldDefects(const PreparedSurface& surface, const SuggestOptions& options) {
+/// Cones and turning of the smoothest field, after noise has been cancelled. The surface then has its connection.
+Result<NodeDefects> fieldDefects(PreparedSurface& surface, const SuggestOptions& options) {
   const TriMesh& mesh = surface.mesh();
   const FieldContext& context = surface.context();
   SmoothFieldOptions smooth;
   smooth.q = options.q;
   smooth.alignToCurvature = options.alignToCurvature;
-  Result<FrameField> field = smoothField(mesh, context, smooth);
+  Result<FrameField> field = FrameField();
+  Status connected = Done{};
+  parallelInvoke({[&] { field = smoothField(mesh, context, smooth); },
+                  [&] { connected = surface.requireConnection(); }});
   if (!field) return std::move(field).error();
+  if (!connected) return std::move(connected).error();
   const CompleteSpec raw = specOfField(mesh, context, *field);
   PerVertex<int> defect(static_cast<std::size_t>(mesh.vertexCount()), 0);
   for (const ConePoint& cone : raw.cones) defect[cone.vertex] = options.q - cone.k;
@@ -122,7 +127,6 @@ Result<HolonomySpec> chooseCones(PreparedSurface& surface, const SuggestOptions&
   if (!report(options.progress, {Stage::kCones, 0.3})) return stopped();
   Result<NodeDefects> start = fieldDefects(surface, options);
   if (!start) return std::move(start).error();
-  if (Status done = surface.requireConnection(); !done) return std::move(done).error();
   if (!report(options.progress, {Stage::kCones, 0.6})) return stopped();
   const FieldContext& context = surface.context();
   const ConeMetric metric(mesh, context, options.q);
@@ -154,7 +158,6 @@ Result<HolonomySpec> chooseCones(PreparedSurface& surface, const SuggestOptions&
 Result<HolonomySpec> fieldCones(PreparedSurface& surface, const SuggestOptions& options) {
   Result<NodeDefects> start = fieldDefects(surface, options);
   if (!start) return std::move(start).error();
-  if (Status done = surface.requireConnection(); !done) return std::move(done).error();
   const TriMesh& mesh = surface.mesh();
   const FieldContext& context = surface.context();
   PlaceOptions place;

@@ -3,18 +3,19 @@
 #include <utility>
 
 #include "hgp/base/check.h"
+#include "hgp/base/parallel.h"
 
 namespace hgp {
 
 FieldContext prepareSurface(const TriMesh& mesh, Metric metric) {
   FieldContext context;
-  context.topology = computeTopology(mesh);
+  parallelInvoke({[&] { context.tree = vertexTree(mesh); },
+                  [&] { context.topology = computeTopology(mesh); },
+                  [&] { context.geometry = computeGeometry(mesh); }});
   HGP_CHECK(context.topology.componentCount == 1, "one component, not %d",
             context.topology.componentCount);
-  context.geometry = computeGeometry(mesh);
   if (metric == Metric::kEvened)
     context.own = std::exchange(context.geometry, evenedGeometry(mesh));
-  context.tree = vertexTree(mesh);
   context.wideTree = std::make_shared<WideTree>(mesh);
   context.surface = fillBoundary(mesh, context.topology, context.geometry);
   return context;

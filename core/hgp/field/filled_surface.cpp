@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/base/parallel.h"
 #include "hgp/base/portable_math.h"
 
 namespace hgp {
@@ -12,6 +13,8 @@ namespace {
 /// singular; any positive weights give a valid connection, so clamping costs smoothness only.
 constexpr double kMinWeight = 0.05;
 constexpr double kLargestWeight = 20.0;
+/// Edges that a thread takes at a time.
+constexpr int kEdgesAtOnce = 1024;
 
 }  // namespace
 
@@ -28,13 +31,14 @@ FilledSurface fillBoundary(const TriMesh& mesh, const Topology& topology,
     if (!mesh.isIsolated(v) && s.node[v] < 0) s.node[v] = s.nodeCount++;
 
   s.weight = PerEdge<double>(static_cast<std::size_t>(mesh.edgeCount()), 0.0);
-  for (EdgeId e : mesh.edges()) {
+  parallelFor(mesh.edgeCount(), kEdgesAtOnce, [&](int edge) {
+    const EdgeId e(edge);
     const HalfedgeId h = mesh.halfedge(e);
-    if (mesh.isBoundary(h)) continue;
+    if (mesh.isBoundary(h)) return;
     const double w =
         0.5 * (oppositeCotangent(geometry, h) + oppositeCotangent(geometry, mesh.twin(h)));
     s.weight[e] = std::clamp(w, kMinWeight, kLargestWeight);
-  }
+  });
 
   s.curvature.assign(static_cast<std::size_t>(s.nodeCount), 0.0);
   for (int node : s.loopNode) s.curvature[static_cast<std::size_t>(node)] = 2.0 * kPi;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/base/parallel.h"
 #include "hgp/base/portable_math.h"
 #include "hgp/field/field_system.h"
 #include "hgp/linalg/factor/factor.h"
@@ -34,6 +35,8 @@ constexpr double kLengthOverDistance = 1.5;
 /// Bounds of a dual edge's weight, which is √3 between equilateral triangles: a sliver neither decides alone nor comes
 /// loose.
 constexpr double kMinDualWeight = 0.05, kMaxDualWeight = 20.0;
+/// Triangles that a thread takes at a time.
+constexpr int kFacesAtOnce = 512;
 constexpr double kMinAreas = 1e-12;  ///< in units of the mean edge length squared: no division by 0
 /// π(3 − √5): multiples of the golden angle are spread evenly and never repeat.
 constexpr double kGoldenAngle = 2.399963229728653;
@@ -70,31 +73,39 @@ FieldSystem fieldSystem(const TriMesh& mesh, const Geometry& geometry, int q,
   const auto n = static_cast<std::size_t>(mesh.faceCount());
   FieldSystem system;
   system.start.reserve(n + 1);
-  system.other.reserve(3 * n);
-  system.coupling.reserve(3 * n);
-  system.strength.reserve(3 * n);
   system.diagonal.assign(n, 0.0);
   system.faces.assign(n, 1);
   system.mass = geometry.area.raw();
   system.pull.assign(n, 0.0);
-  double mean = 0.0;
   for (FaceId f : mesh.faces()) {
+    int inside = 0;
+    for (int k = 0; k < 3; ++k) inside += !mesh.isBoundary(TriMesh::halfedge(f, k));
+    system.start.push_back(system.start.back() + inside);
+  }
+  const auto entries = static_cast<std::size_t>(system.start.back());
+  system.other.resize(entries);
+  system.coupling.resize(entries);
+  system.strength.resize(entries);
+  parallelFor(mesh.faceCount(), kFacesAtOnce, [&](int face) {
+    const FaceId f(face);
+    int e = system.start[face];
     for (int k = 0; k < 3; ++k) {
       const HalfedgeId h = TriMesh::halfedge(f, k);
       if (mesh.isBoundary(h)) continue;
       const FaceId g = TriMesh::face(mesh.twin(h));
       const double w = dualWeight(geometry, h, geometry.area[f] + geometry.area[g]);
-      system.other.push_back(g.i);
-      system.coupling.push_back(-portable::polar(w, -q * transport(mesh, geometry, h)));
-      system.strength.push_back(w);
+      system.other[e] = g.i;
+      system.coupling[e] = -portable::polar(w, -q * transport(mesh, geometry, h));
+      system.strength[e] = w;
       system.diagonal[f.i] += w;
+      ++e;
     }
-    system.start.push_back(static_cast<int>(system.other.size()));
-  }
+  });
   for (const AlignedTerm& t : aligned) {
     system.diagonal[t.face.i] += t.weight;
     system.pull[t.face.i] += t.weight * t.direction;
   }
+  double mean = 0.0;
   for (double d : system.diagonal) mean += d / mesh.faceCount();
   for (double& d : system.diagonal) d += kShift * mean;
   return system;
@@ -220,8 +231,9 @@ Result<FrameField> smoothField(const TriMesh& mesh, const FieldContext& context,
   FrameField field;
   field.q = options.q;
   field.angle = PerFace<double>(static_cast<std::size_t>(mesh.faceCount()), 0.0);
-  for (FaceId f : mesh.faces())
-    field.angle[f] = portable::arg(x[static_cast<std::size_t>(f.i)]) / options.q;
+  parallelFor(mesh.faceCount(), kFacesAtOnce, [&](int f) {
+    field.angle[FaceId(f)] = portable::arg(x[static_cast<std::size_t>(f)]) / options.q;
+  });
   for (const HeldDirection& held : options.held) field.angle[held.face] = held.angle;
   matchPrincipally(mesh, geometry, field);
   return field;

@@ -4,12 +4,16 @@
 #include <cmath>
 #include <functional>
 
+#include "hgp/base/parallel.h"
 #include "hgp/base/portable_math.h"
 #include "hgp/mesh/defects.h"
 #include "hgp/mesh/vectors.h"
 
 namespace hgp {
 namespace {
+
+/// Triangles that a thread takes at a time.
+constexpr int kFacesAtOnce = 1024;
 
 /// The triangle in the plane, in units of the mean edge length. The height of a sliver is
 /// raised to the bound, so that angles and weights stay finite.
@@ -87,7 +91,8 @@ void measure(const TriMesh& mesh, const Lay& lay, Geometry& g) {
   g.corner = PerFace<std::array<Complex, 3>>(faces);
   g.area = PerFace<double>(faces);
   g.angleSum = PerVertex<double>(static_cast<std::size_t>(mesh.vertexCount()), 0.0);
-  for (FaceId f : mesh.faces()) {
+  parallelFor(mesh.faceCount(), kFacesAtOnce, [&](int face) {
+    const FaceId f(face);
     const std::array<Complex, 3> p = lay(f);
     g.corner[f] = p;
     g.area[f] = 0.5 * std::imag(std::conj(p[1] - p[0]) * (p[2] - p[0]));
@@ -98,9 +103,9 @@ void measure(const TriMesh& mesh, const Lay& lay, Geometry& g) {
       g.length[h] = std::sqrt(std::norm(edge));  // not std::abs, which is std::hypot: see norm()
       g.direction[h] = portable::arg(edge);
       g.cornerAngle[h] = portable::arg(std::conj(edge) * (at(k + 2) - at(k)));
-      g.angleSum[mesh.tail(h)] += g.cornerAngle[h];
     }
-  }
+  });
+  for (HalfedgeId h : mesh.halfedges()) g.angleSum[mesh.tail(h)] += g.cornerAngle[h];
 }
 
 }  // namespace

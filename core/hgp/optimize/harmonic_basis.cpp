@@ -109,14 +109,15 @@ void HarmonicBasis::restrictDistortion(const SeamlessSystem& system, const PerVe
   const ProgramInput in{system, noFrames, options};
   const HeldUnknowns none{std::vector<char>(static_cast<std::size_t>(system.unknowns.count), 0),
                           {}};
-  FaceRows rows;
   linalg::FormElements elements;
   elements.count = system.mesh.faceCount();
   elements.unknownsOf = [&](int f, std::vector<int>& unknowns) {
+    thread_local FaceRows rows;  // reuses its memory
     faceRows(in, none, FaceId(f), rows);
     unknowns = rows.unknowns();
   };
   elements.get = [&](int f, linalg::FormElements::Element& out) {
+    thread_local FaceRows rows;
     faceRows(in, none, FaceId(f), rows);
     scaleToDistortion(in, FaceId(f), 1.0, rows);
     out.unknowns = rows.unknowns();

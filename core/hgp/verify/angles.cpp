@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hgp/base/parallel.h"
 #include "hgp/base/portable_math.h"
 #include "hgp/base/turns.h"
 
@@ -34,6 +35,8 @@ double angleBetweenAny(const Vec2& p, const Vec2& q) {
 /// Products of sides above this are far from underflow. They cannot overflow, because maps are scaled
 /// to ordinary size before they are measured.
 constexpr double kSafeLength = 1e-120;
+/// Triangles that a thread takes at a time.
+constexpr int kFacesAtOnce = 2048;
 
 /// The integer n with 2πn/q nearest to an angle, clamped so that the cast is defined even for meaningless angles.
 int nearestTurn(double angle, int q) {
@@ -55,7 +58,8 @@ AngleDistance compare(double angle, int turn, int q, const AngleRule& rule, doub
 
 PerHalfedge<double> computeUvAngles(const TriMesh& mesh, const CornerUv& uv) {
   PerHalfedge<double> angle(static_cast<std::size_t>(mesh.halfedgeCount()));
-  for (FaceId f : mesh.faces()) {
+  parallelFor(mesh.faceCount(), kFacesAtOnce, [&](int face) {
+    const FaceId f(face);
     const HalfedgeId h[3] = {TriMesh::halfedge(f, 0), TriMesh::halfedge(f, 1),
                              TriMesh::halfedge(f, 2)};
     const Vec2 side[3] = {subtract(uv[h[1]], uv[h[0]]), subtract(uv[h[2]], uv[h[1]]),
@@ -66,7 +70,7 @@ PerHalfedge<double> computeUvAngles(const TriMesh& mesh, const CornerUv& uv) {
       const Vec2& in = side[(k + 2) % 3];
       angle[h[k]] = between(side[k], {-in[0], -in[1]});
     }
-  }
+  });
   return angle;
 }
 

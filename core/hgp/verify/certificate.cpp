@@ -8,6 +8,7 @@
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
 #include "hgp/base/float32.h"
+#include "hgp/base/parallel.h"
 #include "hgp/verify/verdict.h"
 
 namespace hgp {
@@ -125,8 +126,6 @@ void measure(const TriMesh& mesh, const Topology& topology, const AskedMap& aske
              const std::vector<DualLoop>& loops, const CornerUv& uv, const CertifyOptions& options,
              Certificate& certificate) {
   const int q = certificate.q;
-  certificate.orientation = measureOrientation(mesh, asked.angles.isCone, uv);
-
   CornerUv scaled;
   const double scale = measuringScale(uv);
   if (scale != 1.0) {
@@ -137,18 +136,26 @@ void measure(const TriMesh& mesh, const Topology& topology, const AskedMap& aske
   const SeamRule rule = seamRule(measured, scale, options);
   certificate.thresholds = {rule.tolerance, rule.rounding / scale, rule.largestRounding,
                             unitRoundoff(options.precision)};
-  certificate.seams = measureSeams(mesh, q, measured, rule);
-  certificate.exactSeams = measureExactSeams(mesh, q, uv, certificate.seams);
-  certificate.seams.handles = measureHandles(mesh, q, loops, certificate.seams);
-  for (std::size_t n = 0; n < asked.handles.size(); ++n)
-    certificate.seams.handles[n].asked = asked.handles[n];
-  SeamTurns turns = seamTurns(mesh, certificate.seams, rule);
-  const PerHalfedge<double> angles = computeUvAngles(mesh, measured);
+  SeamTurns turns;
+  PerHalfedge<double> angles;
+  const auto measureTriangles = [&] {
+    certificate.orientation = measureOrientation(mesh, asked.angles.isCone, uv);
+    certificate.distortion = measureDistortion(mesh, certificate.orientation, measured);
+  };
+  const auto measureEdges = [&] {
+    certificate.seams = measureSeams(mesh, q, measured, rule);
+    certificate.exactSeams = measureExactSeams(mesh, q, uv, certificate.seams);
+    certificate.seams.handles = measureHandles(mesh, q, loops, certificate.seams);
+    for (std::size_t n = 0; n < asked.handles.size(); ++n)
+      certificate.seams.handles[n].asked = asked.handles[n];
+    turns = seamTurns(mesh, certificate.seams, rule);
+  };
+  parallelInvoke(
+      {measureTriangles, measureEdges, [&] { angles = computeUvAngles(mesh, measured); }});
   certificate.features = measureFeatures(mesh, asked.features, uv, angles);
   certificate.angles = measureAngles(mesh, topology, asked.angles, angles,
                                      {rule.tolerance, rule.largestRounding,
                                       std::move(turns.rounding), std::move(turns.explained)});
-  certificate.distortion = measureDistortion(mesh, certificate.orientation, measured);
   certificate.gaussBonnetHave = certificate.angles.turnSum;
   certificate.isMeasured = true;
   certificate.reasons = findReasons(mesh, certificate, measured, loops, options);

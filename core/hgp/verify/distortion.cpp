@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "hgp/base/parallel.h"
 #include "hgp/base/portable_math.h"
 #include "hgp/mesh/defects.h"
 #include "hgp/verify/orientation.h"
@@ -14,6 +15,8 @@ namespace {
 
 /// An area below this fraction of its two products may have a relative rounding error above 1e-6.
 constexpr double kCancelled = 1e-9;
+/// Triangles that a thread takes at a time.
+constexpr int kTrianglesAtOnce = 2048;
 
 /// One triangle's numbers before the global scale is known.
 struct TriangleMap {
@@ -147,10 +150,16 @@ void measureSpread(const std::vector<TriangleMap>& triangles, const Sums& sums,
     }
   }
   facts.rmsLogArea = std::sqrt(squares / sums.area);
-  facts.p95Mu = weightedQuantile(mu, 0.95);
-  facts.p95LogArea = weightedQuantile(logArea, 0.95);
-  facts.medianMu = weightedQuantile(mu, 0.5);
-  facts.sizeSpread = finite(std::sqrt(weightedQuantile(size, 0.95) / weightedQuantile(size, 0.05)));
+  const auto measureMu = [&] {
+    facts.p95Mu = weightedQuantile(mu, 0.95);
+    facts.medianMu = weightedQuantile(mu, 0.5);
+  };
+  const auto measureSize = [&] {
+    facts.sizeSpread =
+        finite(std::sqrt(weightedQuantile(size, 0.95) / weightedQuantile(size, 0.05)));
+  };
+  parallelInvoke(
+      {measureMu, measureSize, [&] { facts.p95LogArea = weightedQuantile(logArea, 0.95); }});
   facts.areaSpan = smallestScale / (sums.uvArea / sums.area);
   facts.smallestToMeanArea = smallestArea / (sums.uvArea / facts.triangleCount);
 }
@@ -160,21 +169,17 @@ void measureSpread(const std::vector<TriangleMap>& triangles, const Sums& sums,
 DistortionFacts measureDistortion(const TriMesh& mesh, const OrientationFacts& orientation,
                                   const CornerUv& uv) {
   DistortionFacts facts;
-  std::vector<TriangleMap> triangles;
-  triangles.reserve(static_cast<std::size_t>(mesh.faceCount()));
   const double scale = mesh.vertexCount() > 0 ? surfaceScale(mesh) : 1.0;
-  auto skipped = orientation.notPositive.begin();
+  std::vector<char> isSkipped(static_cast<std::size_t>(mesh.faceCount()), 0);
+  for (FaceId f : orientation.notPositive) isSkipped[static_cast<std::size_t>(f.i)] = 1;
+  std::vector<TriangleMap> triangles(isSkipped.size());
+  parallelFor(mesh.faceCount(), kTrianglesAtOnce, [&](int f) {
+    const auto at = static_cast<std::size_t>(f);
+    if (!isSkipped[at]) triangles[at] = measureTriangle(mesh, FaceId(f), scale, uv);
+  });
+  std::erase_if(triangles, [](const TriangleMap& t) { return !(t.area > 0.0); });
   Sums sums;
-  for (FaceId f : mesh.faces()) {
-    if (skipped != orientation.notPositive.end() && *skipped == f) {
-      ++skipped;
-      continue;
-    }
-    const TriangleMap t = measureTriangle(mesh, f, scale, uv);
-    if (!(t.area > 0.0)) continue;
-    triangles.push_back(t);
-    sums.add(t);
-  }
+  for (const TriangleMap& t : triangles) sums.add(t);
   facts.triangleCount = static_cast<int>(triangles.size());
   if (triangles.empty()) return facts;
   facts.meanMu = sums.mu / sums.area;

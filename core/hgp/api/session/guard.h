@@ -1,13 +1,15 @@
-// Catches exceptions at the API boundary.  Role: the only place where HGP_CHECK, failed allocations and the
+// Catches exceptions at the API boundary, and gives its calls threads.  Role: the only place where HGP_CHECK, failed allocations and the
 // libraries' own exceptions become a Failure.
 #pragma once
 
 #include <exception>
 #include <new>
+#include <optional>
 #include <stdexcept>
 
 #include "hgp/base/check.h"
 #include "hgp/base/result.h"
+#include "hgp/base/threads.h"
 
 namespace hgp::api {
 
@@ -28,10 +30,13 @@ inline Failure caughtFailure() {
   }
 }
 
-/// Runs `work`, which returns a Result, and converts exceptions to a Failure.
+/// Runs `work`, which returns a Result, and converts exceptions to a Failure. Without a ThreadScope of the caller, it has
+/// one of its own.
 template <class Work>
 auto guarded(Work work) -> decltype(work()) {
   try {
+    std::optional<ThreadScope> threads;
+    if (!ThreadScope::isOpen()) threads.emplace(defaultThreads());
     return work();
   } catch (...) {
     return caughtFailure();

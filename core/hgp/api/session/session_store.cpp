@@ -1,6 +1,7 @@
 // From the maps of all components to a result: stored, verified as stored, described.
 #include "hgp/api/session/session_state.h"
 #include "hgp/api/stored/convex_polygons.h"
+#include "hgp/base/parallel.h"
 #include "hgp/io/cone_files.h"
 
 namespace hgp::api {
@@ -67,9 +68,12 @@ void Session::State::storeMaps(std::vector<ComponentMap> maps, int q, const Solv
   result.isAligned = areAligned;
   result.stored = storedWith(*model, options, maps);
   run.notes.insert(run.notes.end(), result.stored.notes.begin(), result.stored.notes.end());
-  result.prescription = describe(*model, specs);
-  result.cones = prescription::writeConesJson(result.prescription);
-  run.harmonic = harmonicity(*model, maps, result.stored.map);
+  const auto describeCones = [&] {
+    result.prescription = describe(*model, specs);
+    result.cones = prescription::writeConesJson(result.prescription);
+  };
+  parallelInvoke({[&] { run.harmonic = harmonicity(*model, maps, result.stored.map); },
+                  [&] { flatten(result); }, describeCones});
   if (!needsOwnNumbers(*model, q)) {
     for (ComponentMap& component : maps) {  // the uv are in `stored`
       component.map = {};
@@ -79,7 +83,6 @@ void Session::State::storeMaps(std::vector<ComponentMap> maps, int q, const Solv
   result.components = std::move(maps);
   result.options = options;
   result.options.progress = nullptr;
-  flatten(result);
   solved = std::make_shared<Solved>(std::move(result));
   certificate.clear();
 }

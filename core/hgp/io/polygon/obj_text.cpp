@@ -1,9 +1,14 @@
+// budget: one scanner for every kind of line, alone or in pieces of the text
 #include "hgp/io/polygon/obj_text.h"
 
+#include <algorithm>
 #include <cstring>
+#include <optional>
 
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
+#include "hgp/base/ids.h"
+#include "hgp/base/parallel.h"
 #include "hgp/io/limits.h"
 #include "hgp/io/polygon/not_finite.h"
 #include "hgp/text/text.h"
@@ -12,6 +17,13 @@ namespace hgp::io {
 namespace {
 
 constexpr std::size_t kMaxLine = std::size_t{1} << 20;
+/// A thread scans this many bytes or more.
+constexpr std::size_t kLeastPiece = std::size_t{1} << 19;
+
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
 
 bool takeIndexText(const char*& p, const char* end, std::string_view& out) {
   const char* begin = p;
@@ -31,11 +43,8 @@ class ObjScanner {
     if (const std::size_t nul = text_.find('\0'); nul != std::string_view::npos) {
       return text::malformedByte(nul, "a NUL byte: this is not an OBJ text");
     }
-    reserve();
-    if (text_.substr(0, 3) == "\xEF\xBB\xBF") position_ = 3;
-    while (position_ < text_.size()) {
-      if (!takeLine()) return std::move(failure_);
-    }
+    const std::size_t begin = text_.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0;
+    if (!scanPieces(begin) && !scanLines(begin, text_.size())) return std::move(failure_);
     if (!checkRanges()) return std::move(failure_);
     if (const auto used = firstUsed(notFinite_, out_.polygons))
       return notFiniteFailure(text::lineAt(text_, static_cast<std::size_t>(used->where)),
@@ -50,10 +59,92 @@ class ObjScanner {
   }
 
  private:
-  void reserve() {
+  bool scanLines(std::size_t begin, std::size_t end) {
+    position_ = begin;
+    reserve(end - begin);
+    while (position_ < end)
+      if (!takeLine()) return false;
+    return true;
+  }
+
+  /// The end of the line that is at `position`, if no other one continues it; otherwise of a later one.
+  std::size_t endOfLine(std::size_t position) const {
+    while (position < text_.size()) {
+      const char* end = lineEnd(text_.data() + position);
+      position = nextLine(end);
+      if (end[-1] == '\r') --end;
+      if (end == text_.data() || end[-1] != '\\') break;
+    }
+    return position;
+  }
+
+  /// Scans pieces of the text in several threads, as if each were a text of its own. False, with nothing changed, where the
+  /// text is short, or where a piece is wrong or refers to others by relative indices: then all must be read in order.
+  bool scanPieces(std::size_t begin) {
+    const std::size_t most = text_.size() / kLeastPiece;
+    const int count = static_cast<int>(std::min<std::size_t>(most, at(threadCount())));
+    if (count < 2) return false;
+    std::vector<std::size_t> start{begin};
+    for (int i = 1; i < count; ++i)
+      start.push_back(std::max(start.back(), endOfLine(text_.size() / at(count) * at(i))));
+    start.push_back(text_.size());
+    std::vector<std::optional<ObjScanner>> pieces(at(count));
+    parallelFor(count, 1, [&](int i) {
+      ObjScanner piece(text_, maxTriangles_);
+      if (piece.scanLines(start[at(i)], start[at(i) + 1]) && !piece.isRelative_)
+        pieces[at(i)].emplace(std::move(piece));
+    });
+    std::uint64_t triangles = 0;
+    for (const auto& piece : pieces) {
+      if (!piece) return false;
+      triangles += piece->triangles_;
+    }
+    if (triangles > maxTriangles_) return false;
+    reserve(text_.size());
+    for (auto& piece : pieces) {
+      take(*piece);
+      piece.reset();
+    }
+    return true;
+  }
+
+  /// Appends what another scanner found after this one's text.
+  void take(const ObjScanner& next) {
+    ObjText& out = out_;
+    const ObjText& more = next.out_;
+    const auto vertices = static_cast<int>(out.polygons.positions.size());
+    for (const NotFiniteVertex& v : next.notFinite_)
+      notFinite_.push_back({v.vertex + vertices, v.where});
+    const auto corners = static_cast<std::uint32_t>(out.polygons.cornerVertex.size());
+    for (std::size_t p = 1; p < more.polygons.start.size(); ++p)
+      out.polygons.start.push_back(corners + more.polygons.start[p]);
+    append(out.polygons.positions, more.polygons.positions);
+    append(out.polygons.cornerVertex, more.polygons.cornerVertex);
+    append(out.uv, more.uv);
+    append(out.cornerUv, more.cornerUv);
+    append(out.faceLines, more.faceLines);
+    for (const TextSpan& run : more.uvLines) addUvLines(run);
+    append(out.elementLines, more.elementLines);
+    append(out.coneLines, more.coneLines);
+    if (more.embedded.end > 0) out.embedded = more.embedded;
+    hasUv_ = hasUv_ || next.hasUv_;
+    hasCommands_ = hasCommands_ || next.hasCommands_;
+    skippedFaces_ += next.skippedFaces_;
+    missingUv_ += next.missingUv_;
+    triangles_ += next.triangles_;
+  }
+
+  void addUvLines(const TextSpan& span) {
+    if (!out_.uvLines.empty() && out_.uvLines.back().end == span.begin)
+      out_.uvLines.back().end = span.end;
+    else
+      out_.uvLines.push_back(span);
+  }
+
+  void reserve(std::size_t bytes) {
     // Lines have about 30 bytes, and there are about half as many vertices as faces. A wrong estimate only costs
     // a reallocation.
-    const std::size_t lines = text_.size() / 40;
+    const std::size_t lines = bytes / 40;
     out_.polygons.positions.reserve(lines / 3);
     out_.polygons.cornerVertex.reserve(2 * lines);
     out_.polygons.start.reserve(2 * lines / 3);
@@ -169,11 +260,7 @@ class ObjScanner {
     text::skipBlanks(p, end);
     if (p != end && *p != '#' && !takeNumber(p, end, uv[1])) return fail(kRule);
     out_.uv.push_back(uv);
-    if (!out_.uvLines.empty() && out_.uvLines.back().end == span.begin) {
-      out_.uvLines.back().end = span.end;
-    } else {
-      out_.uvLines.push_back(span);
-    }
+    addUvLines(span);
     return true;
   }
 
@@ -183,6 +270,7 @@ class ObjScanner {
     if (!text::readInt(p, end, index)) return fail("a corner of this f line is not a number");
     if (index == 0) return fail("index 0; OBJ counts from 1");
     if (index < 0) {
+      isRelative_ = true;
       const auto relative = static_cast<long long>(index);
       index += static_cast<std::int64_t>(count);
       if (index < 0) {
@@ -203,6 +291,7 @@ class ObjScanner {
   bool takeUvIndex(const char*& p, const char* end, int& out) {
     std::int64_t index = 0;
     if (!text::readInt(p, end, index)) return fail("a corner of this f line is not a number");
+    isRelative_ = isRelative_ || index < 0;
     index += index < 0 ? static_cast<std::int64_t>(out_.uv.size()) : -1;
     const bool isThere = index >= 0 && index <= INT32_MAX;
     out = isThere ? static_cast<int>(index) : -1;
@@ -309,6 +398,7 @@ class ObjScanner {
   std::uint64_t triangles_ = 0;
   bool hasUv_ = false;
   bool hasCommands_ = false;
+  bool isRelative_ = false;  ///< an index counts backwards
   int skippedFaces_ = 0, missingUv_ = 0;
 };
 

@@ -4,6 +4,8 @@
 
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
+#include "hgp/base/ids.h"
+#include "hgp/base/parallel.h"
 #include "hgp/io/polygon/obj_text.h"
 #include "hgp/io/weld.h"
 #include "hgp/mesh/finite.h"
@@ -11,6 +13,9 @@
 
 namespace hgp::io {
 namespace {
+
+/// Lines that a thread writes at a time.
+constexpr int kLinesAtOnce = 4096;
 
 /// A file with these polygons; new uv are interpolated as positions are.
 PolygonFile fileOf(RefinedPolygons refined, std::vector<Vec2> uv,
@@ -146,13 +151,24 @@ Result<DocumentPtr> PolygonDocument::repaired(int, const FaceEdits& edits) const
 }
 
 void appendUvLines(std::string& out, const std::vector<Vec2>& uv, std::string_view lineEnd) {
-  for (const Vec2& p : uv) {
-    out += "vt ";
-    text::appendDouble(out, p[0]);
-    out += ' ';
-    text::appendDouble(out, p[1]);
-    out += lineEnd;
+  const auto appendLine = [&](std::string& to, const Vec2& p) {
+    to += "vt ";
+    text::appendDouble(to, p[0]);
+    to += ' ';
+    text::appendDouble(to, p[1]);
+    to += lineEnd;
+  };
+  if (threadCount() == 1) {
+    for (const Vec2& p : uv) appendLine(out, p);
+    return;
   }
+  const int count = static_cast<int>(uv.size());
+  std::vector<std::string> pieces(at(count) / at(kLinesAtOnce) + 1);
+  parallelBlocks(count, kLinesAtOnce, [&](int begin, int end) {
+    std::string& piece = pieces[at(begin / kLinesAtOnce)];
+    for (int i = begin; i < end; ++i) appendLine(piece, uv[at(i)]);
+  });
+  for (const std::string& piece : pieces) out += piece;
 }
 
 void appendEmbeddedCones(std::string& out, const WriteOptions& options, std::string_view lineEnd) {

@@ -19,7 +19,7 @@ struct Contribution {
   Scalar* values() const { return reinterpret_cast<Scalar*>(memory.get()); }
 };
 
-/// The entries of the matrix in the front of node t. `local[p]` is the row of position p in that front:
+/// The entries of the matrix in the front of node t; called by several threads at a time. `local[p]` is the row of position p in that front:
 /// 0 … s − 1 for the node's own pivots, s … s + r − 1 for its rows (valid for these positions only).
 template <class Scalar>
 struct FrontSource {
@@ -56,6 +56,9 @@ class PanelFactor {
 
  private:
   Scalar* panel(int t) const { return reinterpret_cast<Scalar*>(panels_.get()) + start_[t]; }
+  struct Scratch;  // of one thread
+  int eliminateNode(int t, const FrontSource<Scalar>& source, const std::vector<double>& diagonal,
+                    std::vector<Contribution<Scalar>>& held, Scratch& scratch);
   void extendAdd(int child, const Contribution<Scalar>& from, const int* local, int pivots,
                  Scalar* panelTo, int panelRows, Scalar* complementTo, int rows);
 

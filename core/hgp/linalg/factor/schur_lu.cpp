@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "hgp/base/check.h"
+#include "hgp/base/parallel.h"
 #include "hgp/base/portable_math.h"
 #include "hgp/linalg/factor/panel_solve.h"
 #include "hgp/linalg/factor/schur_lu_state.h"
@@ -112,44 +113,58 @@ void SchurLu::State::fillPanels(int t, const SparseRows& A, const SparseColumns&
   }
 }
 
+/// Its complement goes to held[t]. Returns the first bad pivot of the node, or −1.
+int SchurLu::State::eliminateNode(int t, const SparseRows& A, const SparseColumns& columns,
+                                  const std::vector<int>& children, FrontScratch& scratch) {
+  const SymbolicFactor& f = symbolic;
+  auto& [work, local, threshold] = scratch;
+  const int s = f.pivots(t), r = f.rowCount(t), rows = s + r, first = f.nodeStart[t];
+  Front front{s, r, {}, panel(t), nullptr};
+  for (int k = 0; k < s; ++k) local[first + k] = k;
+  for (int i = 0; i < r; ++i) local[f.rowsOf(t)[i]] = s + i;
+  fillPanels(t, A, columns, local, &front, &threshold);
+  for (const int c : children)
+    extendAdd(f.rowsOf(c), f.rowCount(c), complement(c), local, true, &front);
+  const int bad = kernels().factorPanelLu(rows, s, raw(front.L.data()), raw(front.U), rows,
+                                          threshold.data(), work.data());
+  if (bad >= 0 || r == 0) return bad;
+  front.complement = allocateComplex(static_cast<std::size_t>(r) * r);
+  kernels().updateComplex({r, r, s, raw(front.L.data() + s), raw(front.U + s),
+                           front.complement.get(), rows, rows, r, false, true},
+                          work.data());
+  for (const int c : children) {
+    extendAdd(f.rowsOf(c), f.rowCount(c), complement(c), local, false, &front);
+    held[c].reset();
+  }
+  held[t] = std::move(front.complement);
+  return -1;
+}
+
 FactorStatus SchurLu::State::eliminate(const SparseRows& A, const SparseColumns& columns) {
   const SymbolicFactor& f = symbolic;
-  const KernelWorkspace work;
-  std::vector<std::unique_ptr<double[]>> held(static_cast<std::size_t>(f.nodeCount()));
+  held.resize(static_cast<std::size_t>(f.nodeCount()));
   std::vector<std::vector<int>> children(held.size());
-  std::vector<int> local(f.order.size());
-  std::vector<double> threshold;
-  const auto values = [&](int c) { return reinterpret_cast<const Complex*>(held[c].get()); };
+  std::vector<int> belowKept;
   for (int t = 0; t < f.nodeCount(); ++t) {
-    if (f.dynamicNode[t]) continue;
-    const int s = f.pivots(t), r = f.rowCount(t), rows = s + r, first = f.nodeStart[t];
-    Front front{s, r, {}, panel(t), nullptr};
-    for (int k = 0; k < s; ++k) local[first + k] = k;
-    for (int i = 0; i < r; ++i) local[f.rowsOf(t)[i]] = s + i;
-    fillPanels(t, A, columns, local, &front, &threshold);
-    for (const int c : children[t])
-      extendAdd(f.rowsOf(c), f.rowCount(c), values(c), local, true, &front);
-    const int bad = kernels().factorPanelLu(rows, s, raw(front.L.data()), raw(front.U), rows,
-                                            threshold.data(), work.data());
-    if (bad >= 0) return {false, f.order[first + bad], 0.0};
-    if (r == 0) continue;
-    front.complement = allocateComplex(static_cast<std::size_t>(r) * r);
-    kernels().updateComplex({r, r, s, raw(front.L.data() + s), raw(front.U + s),
-                             front.complement.get(), rows, rows, r, false, true},
-                            work.data());
-    for (const int c : children[t]) {
-      extendAdd(f.rowsOf(c), f.rowCount(c), values(c), local, false, &front);
-      held[c].reset();
-    }
-    held[t] = std::move(front.complement);
-    const int p = f.parent[t];
-    if (!f.dynamicNode[p]) {
-      children[p].push_back(t);
-      continue;
-    }
-    addToSchur(t, values(t));
-    held[t].reset();
+    if (f.dynamicNode[t] || f.parent[t] < 0) continue;
+    (f.dynamicNode[f.parent[t]] ? belowKept : children[f.parent[t]]).push_back(t);
   }
+  InOrder toSchur(std::move(belowKept), f.nodeCount(), [&](int t) {
+    addToSchur(t, complement(t));
+    held[t].reset();
+  });
+  const ForestWork nodes(f.parent, nodeTimes(f, 0));
+  std::vector<std::unique_ptr<FrontScratch>> scratch(static_cast<std::size_t>(nodes.slots()));
+  std::vector<int> badPivot(held.size(), -1);
+  const int badNode = nodes.climb([&](int t, int slot) {
+    if (!scratch[slot]) scratch[slot] = std::make_unique<FrontScratch>(f.order.size());
+    badPivot[t] = eliminateNode(t, A, columns, children[t], *scratch[slot]);
+    if (badPivot[t] >= 0) return false;
+    if (f.parent[t] >= 0 && f.dynamicNode[f.parent[t]]) toSchur.finish(t);
+    return true;
+  });
+  held = std::vector<std::unique_ptr<double[]>>();
+  if (badNode >= 0) return {false, f.order[f.nodeStart[badNode] + badPivot[badNode]], 0.0};
   return {};
 }
 
@@ -240,6 +255,16 @@ void SchurLu::State::backward(int t, Eigen::MatrixXcd& x) const {
   }
 }
 
+void SchurLu::State::backwardAll(const std::vector<char>& isNeeded, Eigen::MatrixXcd& x) const {
+  std::vector<double> times(isNeeded.size(), -1.0);
+  for (int t = 0; t < symbolic.nodeCount(); ++t) {
+    if (symbolic.dynamicNode[t] || !isNeeded[t]) continue;
+    const double entries = 1.0 * symbolic.pivots(t) * (symbolic.pivots(t) + symbolic.rowCount(t));
+    times[t] = static_cast<double>(x.cols()) * (20.0 + 2.0 * entries);
+  }
+  ForestWork(symbolic.parent, times).descend([&](int t, int) { backward(t, x); });
+}
+
 Eigen::MatrixXcd SchurLu::extend(const Eigen::MatrixXcd& xKept,
                                  const std::vector<int>& wanted) const {
   const SymbolicFactor& f = state_->symbolic;
@@ -247,8 +272,7 @@ Eigen::MatrixXcd SchurLu::extend(const Eigen::MatrixXcd& xKept,
   Eigen::MatrixXcd x(f.size(), xKept.cols());
   for (int k = 0; k < f.size(); ++k)
     if (state_->keptAt[k] >= 0) x.row(k) = xKept.row(state_->keptAt[k]);
-  for (int t = f.nodeCount() - 1; t >= 0; --t)
-    if (!f.dynamicNode[t] && isNeeded[t]) state_->backward(t, x);
+  state_->backwardAll(isNeeded, x);
   Eigen::MatrixXcd result(static_cast<Eigen::Index>(wanted.size()), x.cols());
   for (std::size_t i = 0; i < wanted.size(); ++i)
     result.row(static_cast<Eigen::Index>(i)) = x.row(f.position[wanted[i]]);
@@ -262,8 +286,7 @@ Eigen::MatrixXcd SchurLu::extend(const Eigen::MatrixXcd& xKept) const {
   Eigen::MatrixXcd x(f.size(), xKept.cols());
   for (int k = 0; k < f.size(); ++k)
     if (state_->keptAt[k] >= 0) x.row(k) = xKept.row(state_->keptAt[k]);
-  for (int t = f.nodeCount() - 1; t >= 0; --t)
-    if (!f.dynamicNode[t]) state_->backward(t, x);
+  state_->backwardAll(std::vector<char>(static_cast<std::size_t>(f.nodeCount()), 1), x);
   Eigen::MatrixXcd result(f.size(), x.cols());
   for (int k = 0; k < f.size(); ++k) result.row(f.order[k]) = x.row(k);
   return result;

@@ -31,7 +31,8 @@ struct FormElements {
   };
   int count = 0;
   std::function<void(int element, std::vector<int>& unknowns)> unknownsOf;
-  std::function<void(int element, Element& out)> get;  ///< reuses the memory of `out`
+  /// Reuses the memory of `out`; called by several threads, each with its own.
+  std::function<void(int element, Element& out)> get;
 };
 
 /// With the unknowns split into eliminated e and kept k,

@@ -21,6 +21,14 @@ struct Front {
   std::unique_ptr<double[]> complement;
 };
 
+/// What one thread needs to eliminate fronts.
+struct FrontScratch {
+  explicit FrontScratch(std::size_t unknowns) : local(unknowns) {}
+  KernelWorkspace work;
+  std::vector<int> local;  ///< position → row of the front
+  std::vector<double> threshold;
+};
+
 struct SchurLu::State {
   SymbolicFactor symbolic;
   std::vector<int> kept;
@@ -28,7 +36,11 @@ struct SchurLu::State {
   std::vector<std::size_t> panelStart;  // of eliminated nodes; Uᴴ panels, (s + r) × s
   std::unique_ptr<double[]> panels;
   Eigen::MatrixXcd schur;
+  std::vector<std::unique_ptr<double[]>> held;  // complements that their parents have not taken
 
+  const std::complex<double>* complement(int t) const {
+    return reinterpret_cast<const std::complex<double>*>(held[t].get());
+  }
   std::complex<double>* panel(int t) const {
     return reinterpret_cast<std::complex<double>*>(panels.get()) + panelStart[t];
   }
@@ -36,8 +48,12 @@ struct SchurLu::State {
   std::vector<char> nodesOf(const std::vector<int>& unknowns) const;
   /// x at the pivots of t from x at its rows; x by position.
   void backward(int t, Eigen::MatrixXcd& x) const;
+  /// The same at the needed nodes that are eliminated, from the top.
+  void backwardAll(const std::vector<char>& isNeeded, Eigen::MatrixXcd& x) const;
   void layOut();
   FactorStatus eliminate(const SparseRows& A, const SparseColumns& columns);
+  int eliminateNode(int t, const SparseRows& A, const SparseColumns& columns,
+                    const std::vector<int>& children, FrontScratch& scratch);
   void addToSchur(int t, const std::complex<double>* complement);
   void fillPanels(int t, const SparseRows& A, const SparseColumns& columns,
                   const std::vector<int>& local, Front* front,

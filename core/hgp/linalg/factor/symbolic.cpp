@@ -177,6 +177,14 @@ SymbolicFactor analyze(const Graph& pattern, const std::vector<int>& order,
   return result;
 }
 
+std::vector<double> nodeTimes(const SymbolicFactor& symbolic, int nodeClass) {
+  std::vector<double> times(symbolic.parent.size(), -1.0);
+  for (int t = 0; t < symbolic.nodeCount(); ++t)
+    if (nodeClass < 0 || symbolic.dynamicNode[t] == nodeClass)
+      times[t] = nodeTime(symbolic.pivots(t), symbolic.rowCount(t));
+  return times;
+}
+
 FactorCost factorCost(const SymbolicFactor& symbolic, int dynamicClass) {
   FactorCost cost;
   std::vector<std::int64_t> waiting(symbolic.parent.size(),

@@ -49,6 +49,10 @@ struct FactorCost {
 SymbolicFactor analyze(const Graph& pattern, const std::vector<int>& order,
                        const SymbolicOptions& options = {});
 
+/// The nanoseconds, roughly, in which a real front of each node is assembled and eliminated; −1 for nodes of another class.
+/// Sharing a factorization among threads needs only their ratios.
+std::vector<double> nodeTimes(const SymbolicFactor& symbolic, int nodeClass = -1);
+
 /// Cost over the nodes of one class (0 or 1), or of all with dynamicClass = −1.
 FactorCost factorCost(const SymbolicFactor& symbolic, int dynamicClass = -1);
 

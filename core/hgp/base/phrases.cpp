@@ -213,6 +213,9 @@ constexpr Phrase kOthers[] = {
     {"features-straightened",
      "{steps|step} of features would have no length, because the lines around allow none; the "
      "map goes straight on there."},
+    {"features-moved",
+     "{units|cone or corner was|cones and corners were} moved, because with those of the smoothest "
+     "field lengths contradict each other"},
     {"features-split",
      "THE MESH HAS MORE TRIANGLES: {edges|edge was|edges were} split at the midpoint, because a "
      "map along all features has no room otherwise. The certified and written mesh has {vertices} "

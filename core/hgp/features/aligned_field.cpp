@@ -3,10 +3,17 @@
 namespace hgp {
 
 int largestIndex(const TriMesh& mesh, const Sectors& sectors, int node) {
-  const int triangles = node < mesh.vertexCount()
-                            ? mesh.valence(VertexId(node))
-                            : sectors.list[at(node - mesh.vertexCount())].triangles;
-  return 2 * triangles - 1;
+  if (node < mesh.vertexCount()) return 2 * mesh.valence(VertexId(node)) - 1;
+  const Sector& sector = sectors.list[at(node - mesh.vertexCount())];
+  int quarters = 0;
+  for (HalfedgeId h = sector.first;; h = mesh.twin(TriMesh::previous(h))) {
+    const auto isFeature = [&](HalfedgeId side) { return sectors.isFeature[mesh.edge(side)] != 0; };
+    const bool isBeside =
+        isFeature(TriMesh::next(h)) && (isFeature(h) || isFeature(TriMesh::previous(h)));
+    quarters += isBeside ? 1 : 2;
+    if (isFeature(TriMesh::previous(h))) break;
+  }
+  return quarters - 1;
 }
 
 CompleteSpec specOf(const TriMesh& mesh, const Topology& topology,

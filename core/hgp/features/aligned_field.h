@@ -27,7 +27,8 @@ struct AlignedField {
   int moved = 0;             ///< units of index that were moved to make all of them possible
 };
 
-/// The largest index that the triangles of a node can hold, 2n − 1.
+/// The largest index that the triangles of a node can hold: two quarter turns for each, one where the triangle has a right
+/// angle between two feature edges elsewhere, all less than that.
 int largestIndex(const TriMesh& mesh, const Sectors& sectors, int node);
 
 /// What the field prescribes: cones at inner vertices (Σ a on Γ), turning Σ(2 − a) of the loops, handles, features.

@@ -15,6 +15,8 @@ constexpr double kQuarterTurn = kPi / 2.0;
 constexpr double kEdgeCost = 0.05;
 /// Largest gain by a single unit that a longer path may still have: searches end there.
 constexpr double kLargestGain = 12.0;
+/// Nodes that are looked at for the cheapest moves.
+constexpr int kMostVisited = 2000;
 /// Cost of an index per unit beyond its bounds.
 constexpr double kImpossible = 1e6;
 
@@ -31,6 +33,22 @@ class IndexFlow {
     from_.assign(count, -1);
     for (HalfedgeId h : mesh.halfedges())
       angle_[at(sectors_.node(mesh, h))] += geometry.cornerAngle[h];
+  }
+
+  std::vector<UnitMove> cheapest(int start, int sign, std::size_t most) {
+    std::vector<UnitMove> moves;
+    const double own = changeOf(start, sign);
+    if (own > 0.5 * kImpossible) return moves;
+    int visited = 0;
+    search(start, [&](int n, double d) {
+      const double all = own + d + changeOf(n, -sign);
+      if (n != start && all < 0.5 * kImpossible) moves.push_back({stepsTo(n, start, sign), all});
+      return ++visited < kMostVisited;
+    });
+    const auto isCheaper = [](const UnitMove& a, const UnitMove& b) { return a.cost < b.cost; };
+    std::stable_sort(moves.begin(), moves.end(), isCheaper);
+    if (moves.size() > most) moves.resize(most);
+    return moves;
   }
 
   Status run() {
@@ -93,28 +111,21 @@ class IndexFlow {
     }
   }
 
-  /// Dijkstra from `start` to the node that gives a unit (sign 1) or takes one (−1) most cheaply.
-  bool moveUnit(int start, int sign) {
+  /// Dijkstra from `start`; calls use(node, distance) for every node, nearest first, until that returns false.
+  template <class Use>
+  void search(int start, const Use& use) {
     using Entry = std::pair<double, int>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    std::vector<int> reached{start};
     std::fill(distance_.begin(), distance_.end(), std::numeric_limits<double>::infinity());
     distance_[at(start)] = 0.0;
     via_[at(start)] = HalfedgeId();
     queue.push({0.0, start});
-    double best = 0.5 * kImpossible;
-    int end = -1;
     while (!queue.empty()) {
       const double d = queue.top().first;
       const int n = queue.top().second;
       queue.pop();
       if (d > distance_[at(n)]) continue;
-      if (d - kLargestGain > best) break;
-      const double change = cost(n, index(n) - sign) - cost(n, index(n));
-      if (n != start && d + change < best) {
-        best = d + change;
-        end = n;
-      }
+      if (!use(n, d)) break;
       forSteps(n, [&](HalfedgeId h, bool isForward, int to) {
         if (d + kEdgeCost >= distance_[at(to)]) return;
         distance_[at(to)] = d + kEdgeCost;
@@ -124,12 +135,38 @@ class IndexFlow {
         queue.push({distance_[at(to)], to});
       });
     }
-    if (end < 0) return false;
+  }
+
+  /// The steps of a unit between `start` and a node that was found.
+  std::vector<std::pair<HalfedgeId, int>> stepsTo(int end, int start, int sign) const {
+    std::vector<std::pair<HalfedgeId, int>> steps;
     for (int n = end; n != start; n = from_[at(n)]) {
       // The step leads from from_[n] to n; a unit moves back along it, towards `start`, if sign is 1.
-      const HalfedgeId h = via_[at(n)];
-      hgp::moveUnit(mesh_, h, isForward_[at(n)] == (sign < 0) ? 1 : -1, field_);
+      steps.emplace_back(via_[at(n)], isForward_[at(n)] == (sign < 0) ? 1 : -1);
     }
+    return steps;
+  }
+
+  double changeOf(int n, int sign) const {
+    const int now = field_.index[at(n)];
+    return cost(n, now + sign) - cost(n, now);
+  }
+
+  /// To the node that gives a unit (sign 1) or takes one (−1) most cheaply.
+  bool moveUnit(int start, int sign) {
+    double best = 0.5 * kImpossible;
+    int end = -1;
+    search(start, [&](int n, double d) {
+      if (d - kLargestGain > best) return false;
+      const double change = changeOf(n, -sign);
+      if (n != start && d + change < best) {
+        best = d + change;
+        end = n;
+      }
+      return true;
+    });
+    if (end < 0) return false;
+    applyMove(mesh_, {stepsTo(end, start, sign), best}, field_);
     ++field_.moved;
     return true;
   }
@@ -158,6 +195,15 @@ void moveUnit(const TriMesh& mesh, HalfedgeId h, int units, AlignedField& field)
   field.field.matching[twin] += units;
   field.turn[h] -= units * kQuarterTurn;
   field.turn[twin] += units * kQuarterTurn;
+}
+
+void applyMove(const TriMesh& mesh, const UnitMove& move, AlignedField& field) {
+  for (const auto& [h, units] : move.steps) moveUnit(mesh, h, units, field);
+}
+
+std::vector<UnitMove> cheapestMoves(const TriMesh& mesh, const Geometry& geometry,
+                                    AlignedField& field, int node, int sign, std::size_t most) {
+  return IndexFlow(mesh, geometry, field).cheapest(node, sign, most);
 }
 
 Status makeIndicesPossible(const TriMesh& mesh, const Geometry& geometry, AlignedField& field) {

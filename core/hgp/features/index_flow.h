@@ -2,6 +2,9 @@
 // no more than the triangles hold.
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "hgp/features/aligned_field.h"
 
 namespace hgp {
@@ -17,5 +20,18 @@ inline constexpr double kSectorCost = 10.0;
 /// Moves `units` from the node at tail(h) to the node at head(h), along h or, if it is a feature, along this side of it. The
 /// angles of the field do not change: turns and tilts do, until fitField().
 void moveUnit(const TriMesh& mesh, HalfedgeId h, int units, AlignedField& field);
+
+/// A unit that moves from node to node: one unit along each of these halfedges, or back (−1).
+struct UnitMove {
+  std::vector<std::pair<HalfedgeId, int>> steps;
+  double cost = 0.0;  ///< change of the costs of both ends, and of the path
+};
+
+/// The cheapest moves that give a unit to `node` (sign 1) or take one from it (−1), cheapest first, at most `most`. Both
+/// ends have possible indices afterwards.
+std::vector<UnitMove> cheapestMoves(const TriMesh& mesh, const Geometry& geometry,
+                                    AlignedField& field, int node, int sign, std::size_t most);
+
+void applyMove(const TriMesh& mesh, const UnitMove& move, AlignedField& field);
 
 }  // namespace hgp

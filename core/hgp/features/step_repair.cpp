@@ -23,8 +23,9 @@ HalfedgeId before(const AlignedField& field, HalfedgeId out) {
   return field.sectors.list[at(field.sectors.of[out])].last;
 }
 
-/// The whole run through h whose inner corners all have index 2.
-std::vector<HalfedgeId> runThrough(const TriMesh& mesh, const AlignedField& field, HalfedgeId h) {
+}  // namespace
+
+std::vector<HalfedgeId> straightRun(const TriMesh& mesh, const AlignedField& field, HalfedgeId h) {
   std::vector<HalfedgeId> run{h};
   while (run.size() < kLongestRun && indexAt(mesh, field, run.front()) == 2)
     run.insert(run.begin(), before(field, run.front()));
@@ -32,8 +33,6 @@ std::vector<HalfedgeId> runThrough(const TriMesh& mesh, const AlignedField& fiel
     run.push_back(after(field, run.back()));
   return run;
 }
-
-}  // namespace
 
 std::vector<FeatureStep> findSteps(const TriMesh& mesh, const Geometry& geometry,
                                    const AlignedField& field,
@@ -46,7 +45,7 @@ std::vector<FeatureStep> findSteps(const TriMesh& mesh, const Geometry& geometry
   for (HalfedgeId edge : edges)
     for (const HalfedgeId h : {edge, mesh.twin(edge)}) {
       if (!h.isValid()) continue;
-      FeatureStep step{runThrough(mesh, field, h), 0};
+      FeatureStep step{straightRun(mesh, field, h), 0};
       const int tail = indexAt(mesh, field, step.run.front());
       const int head = indexAt(mesh, field, TriMesh::next(step.run.back()));
       if (tail == 1 && head >= 3) step.units = -1;

@@ -14,6 +14,10 @@ struct FeatureStep {
   int units = 0;  ///< 1: the unit moves from the tail of the run to its head; −1: back
 };
 
+/// The whole run of feature edges through h, seen from its side, whose inner corners all have index 2; a long or closed one
+/// ends anywhere.
+std::vector<HalfedgeId> straightRun(const TriMesh& mesh, const AlignedField& field, HalfedgeId h);
+
 /// Steps that contain one of the given edges, the shortest first. Both sides of each edge are looked at.
 std::vector<FeatureStep> findSteps(const TriMesh& mesh, const Geometry& geometry,
                                    const AlignedField& field, const std::vector<HalfedgeId>& edges);

@@ -138,6 +138,24 @@ TEST(AlignedField, KeepsUnitsThatArePossible) {
     EXPECT_EQ(fieldOf(shape.mesh, shape.features)->moved, 0) << shape.name;
 }
 
+TEST(AlignedField, RightAnglesBetweenFeaturesLeaveTheirNeighboursLess) {
+  // Of the two triangles of a square's corner, none has its right angle there; those of the other corners have.
+  const TriMesh mesh = test::cube(1).mesh();
+  const Sectors sectors = findSectors(mesh, test::creasesOf(mesh));
+  for (const Sector& s : sectors.list) {
+    const int largest = largestIndex(mesh, sectors, sectors.node(mesh, s.first));
+    EXPECT_EQ(largest, 1)
+        << "two triangles with less than a quarter turn each, or one with less than two";
+  }
+  const TriMesh fine = test::cube(3).mesh();
+  const Sectors many = findSectors(fine, test::creasesOf(fine));
+  for (const Sector& s : many.list) {
+    const int largest = largestIndex(fine, many, many.node(fine, s.first));
+    EXPECT_LE(largest, 2 * s.triangles - 1);
+    EXPECT_GE(largest, s.triangles - 1);
+  }
+}
+
 TEST(AlignedField, RefusesATriangleWithThreeFeatureEdges) {
   const TriMesh mesh = test::triangle().mesh();
   const Result<AlignedField> field = fieldOf(mesh, test::creasesOf(mesh));

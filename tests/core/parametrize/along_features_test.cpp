@@ -8,6 +8,8 @@
 
 #include "hgp/features/field_along.h"
 #include "hgp/grid/snap.h"
+#include "hgp/optimize/feature_lengths.h"
+#include "hgp/parametrize/along/straight_setup.h"
 #include "support/creases.h"
 
 namespace hgp {
@@ -159,6 +161,24 @@ TriMesh steppedCylinder(int m, int n, double fall) {
   return test::meshOf(data);
 }
 
+LengthFit lengthsOf(const TriMesh& mesh, const std::vector<EdgeId>& features) {
+  PreparedSurface surface(mesh);
+  std::vector<StageTime> times;
+  const Result<StraightSetup> setup = prepareStraight(surface, features, {}, times);
+  EXPECT_TRUE(setup);
+  const SeamlessSystem system = systemOf(mesh, setup->seamless);
+  return fitLengths(straightSystemOf(*setup, system));
+}
+
+TEST(AlongFeatures, LengthsArePossibleWhereThereIsAMap) {
+  for (const test::CreasedShape& shape : test::creasedShapes()) {
+    const LengthFit fit = lengthsOf(shape.mesh, shape.features);
+    EXPECT_TRUE(fit.isPossible) << shape.name;
+    EXPECT_LT(fit.excess, 1e-3) << shape.name;
+    EXPECT_TRUE(fit.edges.empty() && fit.flat.empty()) << shape.name;
+  }
+}
+
 TEST(AlongFeatures, AStepThatCanHaveNoLengthIsStraightenedAndSaid) {
   const TriMesh mesh = steppedCylinder(48, 8, 0.7);
   const std::vector<EdgeId> rims = test::creasesOf(mesh);
@@ -169,12 +189,55 @@ TEST(AlongFeatures, AStepThatCanHaveNoLengthIsStraightenedAndSaid) {
   for (const Sector& s : field->sectors.list)
     corners += field->index[at(field->sectors.node(mesh, s.first))] != 2;
   EXPECT_EQ(corners, 2);
+  // Lengths alone show it: the edges of the step have none.
+  EXPECT_FALSE(lengthsOf(mesh, rims).isPossible);
+  EXPECT_GT(lengthsOf(mesh, rims).excess, 0.5);
+  for (HalfedgeId h : lengthsOf(mesh, rims).edges)
+    EXPECT_NE(mesh.position(mesh.tail(h))[2], mesh.position(mesh.head(h))[2]);
   const Result<Parametrization> run = along(mesh, rims);
   ASSERT_TRUE(run);
   expectStraight("stepped cylinder", mesh, *run);
   EXPECT_EQ(run->certificate.features.corners, 0);
   ASSERT_FALSE(run->notes.empty());
   EXPECT_EQ(run->notes.back(), Note("features-straightened", {{"steps", 1}}));
+}
+
+TEST(AlongFeatures, CornersMoveWhereTheirLengthsContradictEachOther) {
+  // Prisms: where an angle lies between 90° and 180°, corners of both caps are chosen almost freely, and
+  // sides of one cap that are as long as others together meet such of the other cap.
+  for (int n = 4; n <= 16; n += 2) {
+    MeshData data;
+    for (const double z : {0.0, 2.0})
+      for (int i = 0; i < n; ++i)
+        data.positions.push_back({std::cos(2.0 * kPi * i / n), std::sin(2.0 * kPi * i / n), z});
+    for (int i = 0; i < n; ++i) {
+      const int j = (i + 1) % n;
+      data.triangles.push_back({i, j, n + j});
+      data.triangles.push_back({i, n + j, n + i});
+    }
+    // Each cap gets a ring around its middle, so that no edge joins two vertices of one side.
+    for (const int cap : {0, 1}) {
+      const int ring = static_cast<int>(data.positions.size());
+      for (int i = 0; i < n; ++i)
+        data.positions.push_back(
+            {0.5 * std::cos(2.0 * kPi * i / n), 0.5 * std::sin(2.0 * kPi * i / n), 2.0 * cap});
+      data.positions.push_back({0.0, 0.0, 2.0 * cap});
+      const auto add = [&](int a, int b, int c) {
+        data.triangles.push_back(cap == 1 ? std::array{a, b, c} : std::array{a, c, b});
+      };
+      for (int i = 0; i < n; ++i) {
+        const int j = (i + 1) % n, base = cap * n;
+        add(base + i, base + j, ring + j);
+        add(base + i, ring + j, ring + i);
+        add(ring + i, ring + j, ring + n);
+      }
+    }
+    const TriMesh mesh = test::meshOf(data);
+    const std::vector<EdgeId> creases = test::creasesOf(mesh);
+    const Result<Parametrization> run = along(mesh, creases);
+    ASSERT_TRUE(run) << n;
+    expectStraight("prism of " + std::to_string(n) + " sides", mesh, *run);
+  }
 }
 
 TEST(AlongFeatures, CheckRefusesWhatTheSolveRefuses) {

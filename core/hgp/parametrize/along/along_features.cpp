@@ -1,11 +1,13 @@
 #include "hgp/parametrize/along/along_features.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "hgp/base/counted.h"
 #include "hgp/features/field_along.h"
 #include "hgp/features/step_repair.h"
 #include "hgp/parametrize/along/along_grid.h"
+#include "hgp/parametrize/along/index_search.h"
 #include "hgp/parametrize/stage_clock.h"
 
 namespace hgp {
@@ -77,7 +79,7 @@ struct StraightOutcome {
 };
 
 /// Solves along one field after another: where lengths contradict each other, the shortest step among the contradicting
-/// edges is straightened, and where that does not help, the next one.
+/// edges is straightened, and where that does not help, the next one. If no step helps, units of the first field are moved.
 class StepSearch {
  public:
   StepSearch(PreparedSurface& surface, const ParametrizeOptions& options, Parametrization& result)
@@ -94,15 +96,22 @@ class StepSearch {
       const std::vector<HalfedgeId> edges = run.shortEdges();
       contradicting_ = static_cast<int>(edges.size());
       StraightOutcome outcome{std::move(setup), std::move(*attempt)};
-      if (edges.empty() || static_cast<int>(tried_.size()) == kMostSteps) return outcome;
-      std::optional<AlignedField> next = nextField(outcome.setup.aligned, edges);
+      if (outcome.attempt.certificate.isCertified) return outcome;
+      std::optional<AlignedField> next;
+      if (!edges.empty() && !isSearched_ && static_cast<int>(tried_.size()) < kMostSteps)
+        next = nextField(outcome.setup.aligned, edges);
+      if (next) {
+        if (!first_) first_ = outcome.setup;
+        ++straightened_;
+      } else if (Status done = search(first_ ? *first_ : outcome.setup, next); !done) {
+        return clock.cancelled();
+      }
       if (!next) return outcome;
       Result<StraightSetup> again =
           prepareStraight(surface_, outcome.setup.seamless.field.spec.features, std::move(*next),
                           options_, result_.times);
       if (!again) return outcome;
       setup = std::move(*again);
-      ++straightened_;
     }
   }
 
@@ -111,9 +120,27 @@ class StepSearch {
       result_.notes.push_back(Note("features-contradict", {{"edges", contradicting_}}));
     if (straightened_ > 0 && contradicting_ == 0)
       result_.notes.push_back(Note("features-straightened", {{"steps", straightened_}}));
+    if (moved_ > 0 && contradicting_ == 0)
+      result_.notes.push_back(Note("features-moved", {{"units", moved_}}));
   }
 
  private:
+  /// A field with other indices: first one with possible lengths, then one with a map.
+  Status search(const StraightSetup& setup, std::optional<AlignedField>& next) {
+    for (const IndexGoal goal : {IndexGoal::kLengths, IndexGoal::kMap}) {
+      bool& isSearched = goal == IndexGoal::kLengths ? isSearched_ : isSearchedForMaps_;
+      if (next || std::exchange(isSearched, true)) continue;
+      IndexSearch found = searchIndices(surface_, setup, goal, options_);
+      if (found.isCancelled) return cancelled(Stage::kSolve);
+      if (!found.field) continue;
+      next = std::move(found.field);
+      straightened_ = 0;
+      moved_ += found.moves;
+      first_.reset();
+    }
+    return Done{};
+  }
+
   /// Whether the step that was straightened last still contradicts something.
   bool isInVain(const std::vector<HalfedgeId>& edges) const {
     const TriMesh& mesh = surface_.mesh();
@@ -146,7 +173,9 @@ class StepSearch {
   Parametrization& result_;
   std::optional<AlignedField> before_;          ///< without the last step
   std::vector<std::vector<HalfedgeId>> tried_;  ///< runs of steps
-  int contradicting_ = 0, straightened_ = 0;
+  std::optional<StraightSetup> first_;          ///< before any step
+  bool isSearched_ = false, isSearchedForMaps_ = false;
+  int contradicting_ = 0, straightened_ = 0, moved_ = 0;
 };
 
 /// A certified map is put on the grid that is asked for.

@@ -67,30 +67,46 @@ std::optional<StraightAttempt> StraightRun::run() {
   static constexpr Weighting kWeightings[] = {{"straight features", 1.0, 1e-4},
                                               {"straight features, even weights", 0.0, 1e-4},
                                               {"straight features, light distortion", 1.0, 1e-2}};
-  for (const Weighting& weighting : kWeightings) {
-    std::vector<FaceId> hard = setup_.base;
-    for (int growth = 0; growth <= kGrowthRounds; ++growth) {
-      if (static_cast<int>(rounds_.size()) >= options_.maxRounds) return std::move(best_);
-      StraightAttempt attempt = solve(weighting, growth, hard);
-      if (isCancelled_) return {};
-      const std::vector<FaceId> wrong = attempt.wrong;
-      const bool isInfeasible = socp::isWithoutPoint(attempt.program.status);
-      if (!best_ || attempt.certificate.isCertified || attempt.wrongCount < best_->wrongCount)
-        best_ = std::move(attempt);
-      if (best_->certificate.isCertified) return std::move(best_);
-      if (isInfeasible && growth == 0 && (grid_ || !findShort(weighting))) return std::move(best_);
-      if (isInfeasible || wrong.empty()) break;
-      if (grid_ && static_cast<double>(wrong.size()) > kHopeless * mesh_.faceCount())
-        return std::move(best_);
-      const std::vector<FaceId> more = growFaces(mesh_, wrong, 1);
-      const std::size_t before = hard.size();
-      hard.insert(hard.end(), more.begin(), more.end());
-      std::sort(hard.begin(), hard.end());
-      hard.erase(std::unique(hard.begin(), hard.end()), hard.end());
-      if (hard.size() == before) break;
-    }
-  }
+  for (const Weighting& weighting : kWeightings)
+    if (isOver(weighting, setup_.base)) return isCancelled_ ? std::nullopt : std::move(best_);
+  if (!isStrained_ || grid_) return std::move(best_);
+  // Frames contradict each other or the lengths: the map without them shows where some are needed.
+  static constexpr Weighting kFrameless[] = {
+      {"straight features, first without frames", 1.0, 1e-4},
+      {"straight features, even weights, first without frames", 0.0, 1e-4}};
+  for (const Weighting& weighting : kFrameless)
+    if (isOver(weighting, {})) return isCancelled_ ? std::nullopt : std::move(best_);
   return std::move(best_);
+}
+
+StraightAttempt StraightRun::solveWithoutFrames() {
+  return solve({"straight features, without frames", 1.0, 1e-4}, 0, {});
+}
+
+/// Programs of one weighting, with frames on `hard` and then also around what is wrong, until one is certified or nothing more
+/// is to be tried.
+bool StraightRun::isOver(const Weighting& weighting, std::vector<FaceId> hard) {
+  for (int growth = 0; growth <= kGrowthRounds; ++growth) {
+    if (static_cast<int>(rounds_.size()) >= options_.maxRounds) return true;
+    StraightAttempt attempt = solve(weighting, growth, hard);
+    if (isCancelled_) return true;
+    const std::vector<FaceId> wrong = attempt.wrong;
+    const bool isInfeasible = socp::isWithoutPoint(attempt.program.status);
+    if (!best_ || attempt.certificate.isCertified || attempt.wrongCount < best_->wrongCount)
+      best_ = std::move(attempt);
+    if (best_->certificate.isCertified) return true;
+    isStrained_ = isStrained_ || isInfeasible;
+    if (isInfeasible && growth == 0 && (grid_ || !findShort(weighting))) return true;
+    if (isInfeasible || wrong.empty()) return false;
+    if (grid_ && static_cast<double>(wrong.size()) > kHopeless * mesh_.faceCount()) return true;
+    const std::vector<FaceId> more = growFaces(mesh_, wrong, 1);
+    const std::size_t before = hard.size();
+    hard.insert(hard.end(), more.begin(), more.end());
+    std::sort(hard.begin(), hard.end());
+    hard.erase(std::unique(hard.begin(), hard.end()), hard.end());
+    if (hard.size() == before) return false;
+  }
+  return false;
 }
 
 /// Looks whether the lengths of feature edges contradict each other; false if that is so, or if it was cancelled.

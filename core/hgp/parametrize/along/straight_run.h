@@ -39,12 +39,16 @@ class StraightRun {
   /// The first certified map, or the one that is nearest to it. Nothing if it was cancelled.
   std::optional<StraightAttempt> run();
 
+  /// The map of the first program without frames.
+  StraightAttempt solveWithoutFrames();
+
   /// Edges whose lengths alone contradict each other, with frames left out; empty where they do not.
   const std::vector<HalfedgeId>& shortEdges() const { return short_; }
 
  private:
   struct Weighting;
 
+  bool isOver(const Weighting& weighting, std::vector<FaceId> hard);
   bool findShort(const Weighting& weighting);
   StraightOptions optionsOf(const Weighting& weighting);
   StraightAttempt solve(const Weighting& weighting, int growth, const std::vector<FaceId>& hard);
@@ -59,6 +63,7 @@ class StraightRun {
   Verifier verifier_;
   std::optional<StraightAttempt> best_;
   std::vector<HalfedgeId> short_;
+  bool isStrained_ = false;  ///< some program had no point, although lengths are possible
   bool isCancelled_ = false;
 };
 

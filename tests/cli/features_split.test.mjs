@@ -31,13 +31,13 @@ const tetrahedron = {
 const split = {
   'three sides': prism(regular(3)),
   'six sides': prism(regular(6), 2),
+  'eight sides': prism(regular(8), 2),
   wedge: prism([[0, 0], [3, 0], [0, 1.5]], 2), // prettier-ignore
   tetrahedron,
 };
 const whole = {
   box: prism([[0, 0], [3, 0], [3, 2], [0, 2]]), // prettier-ignore
   'five sides': prism(regular(5), 2),
-  'eight sides, whose corners move': prism(regular(8), 2),
   'twelve sides': prism(regular(12), 2),
 };
 

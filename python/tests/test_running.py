@@ -97,6 +97,21 @@ def test_reproducible_calls_are_so_among_others(pretzel: Any) -> None:
         assert all((a == b).all() for a, b in zip(found, alone))
 
 
+def test_the_number_of_threads_changes_nothing(pretzel: Any) -> None:
+    def run(threads: Any) -> Any:
+        hgp.set_threads(threads)
+        m = hgp.parametrize(*pretzel, improve="isometric")
+        return m.uv.tobytes(), m.fuv.tobytes()
+
+    try:
+        assert run(1) == run(4) == run(None)
+        for wrong in (0, 17, -1, True, 2.0):
+            with pytest.raises(hgp.UsageError, match="threads must be from 1 to 16"):
+                hgp.set_threads(wrong)  # type: ignore[arg-type]
+    finally:
+        hgp.set_threads()
+
+
 def test_a_progress_function_that_would_wait_for_itself_is_refused(cube: Any, square: Any) -> None:
     mesh = hgp.Mesh(*cube)
     with pytest.raises(hgp.UsageError, match="cannot call the mesh"):

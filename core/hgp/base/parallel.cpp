@@ -6,6 +6,8 @@
 #include <mutex>
 #include <utility>
 
+#include "hgp/base/observed_work.h"
+
 namespace hgp {
 namespace {
 
@@ -13,6 +15,32 @@ namespace {
 constexpr double kLeastShared = 2e5;
 /// Subtrees per thread, so that all are busy until few are left.
 constexpr double kSubtreesPerThread = 8.0;
+
+/// A piece of work for who observes it.
+class Piece {
+ public:
+  explicit Piece(int piece, int next = -1)
+      : observer_(ObservedWork::here()), piece_(piece), next_(next) {
+    if (observer_) observer_->pieceBegins(piece_);
+  }
+  ~Piece() {
+    if (observer_) observer_->pieceEnds(piece_, next_);
+  }
+  Piece(const Piece&) = delete;
+  Piece& operator=(const Piece&) = delete;
+
+ private:
+  WorkObserver* observer_;
+  int piece_, next_;
+};
+
+void share(int most, const std::function<void(int slot)>& work) {
+  WorkObserver* const observer = ObservedWork::here();
+  if (observer == nullptr) return parallelShare(most, work);
+  observer->workBegins();
+  work(0);
+  observer->workEnds();
+}
 
 void lower(std::atomic<int>& value, int to) {
   int now = value.load();
@@ -31,8 +59,9 @@ void parallelBlocks(int count, int block, const std::function<void(int begin, in
   std::mutex mutex;
   int failed = blocks;
   std::exception_ptr error;
-  parallelShare(most, [&](int) {
+  share(most, [&](int) {
     for (int b = next++; b < blocks; b = next++) try {
+        const Piece piece(b);
         body(b * block, b == blocks - 1 ? count : (b + 1) * block);
       } catch (...) {
         next = blocks;  // blocks before this one were begun before it
@@ -107,11 +136,14 @@ void ForestWork::climbItems(const std::function<void(int item, int slot)>& visit
   }
   std::atomic<std::size_t> next{0};
   // Whoever visits the last child goes on to the parent, so that nobody waits.
-  parallelShare(slots_, [&](int slot) {
+  share(slots_, [&](int slot) {
     for (std::size_t n = next++; n < leaves.size(); n = next++)
       for (int i = leaves[n]; i >= 0;) try {
-          visit(i, slot);
           const int up = items_[i].parent;
+          {
+            const Piece piece(i, up);
+            visit(i, slot);
+          }
           i = up >= 0 && --waiting[up] == 0 ? up : -1;
         } catch (...) {
           next = leaves.size();
@@ -148,9 +180,11 @@ void ForestWork::descend(const std::function<void(int node, int slot)>& visit) c
       subtrees.push_back(i);
   }
   std::atomic<std::size_t> next{0};
-  parallelShare(slots_, [&](int slot) {
-    for (std::size_t n = next++; n < subtrees.size(); n = next++)
+  share(slots_, [&](int slot) {
+    for (std::size_t n = next++; n < subtrees.size(); n = next++) {
+      const Piece piece(static_cast<int>(n));
       visitAll(items_[subtrees[n]].begin, items_[subtrees[n]].end, slot);
+    }
   });
 }
 

@@ -12,6 +12,7 @@
 #include <string>
 #include <thread>
 
+#include "hgp/base/observed_work.h"
 #include "hgp/base/threads.h"
 
 namespace hgp {
@@ -149,6 +150,32 @@ TEST(Parallel, ResultsAreTakenInOrder) {
     });
     EXPECT_EQ(taken, order);
   }
+}
+
+TEST(Parallel, ObservedWorkIsDoneByOneThreadPieceByPiece) {
+  struct Counter : WorkObserver {
+    void workBegins() override { ++works, ++open; }
+    void workEnds() override { --open; }
+    void pieceBegins(int) override { ++pieces, ++open; }
+    void pieceEnds(int, int) override { --open; }
+    int works = 0, pieces = 0, open = 0;
+  } counter;
+  const ThreadScope scope(4);
+  if (threadCount() == 1) GTEST_SKIP() << "built without threads";
+  int sum = 0;
+  {
+    const ObservedWork observed(counter);
+    const auto here = std::this_thread::get_id();
+    parallelFor(10, 5, [&](int) {
+      parallelFor(3, 1, [&](int) { sum += std::this_thread::get_id() == here; });
+    });
+  }
+  EXPECT_EQ(sum, 30);
+  EXPECT_EQ(counter.works, 1 + 10);
+  EXPECT_EQ(counter.pieces, 2 + 30);
+  EXPECT_EQ(counter.open, 0);
+  parallelFor(10, 1, [](int) {});
+  EXPECT_EQ(counter.works, 11);  // no longer observed
 }
 
 /// A forest in postorder with random shape; some costs are negative.

@@ -98,6 +98,7 @@ class FormRestriction {
       for (int t = own.begin; t < own.end; ++t)
         if (nodes.isVisited(t))
           visit(t, *scratch[slot], [&](int position, const Complex& value) {
+            if (value == Complex(0.0)) return;  // most are, and to add them changes nothing
             if (position < last)
               c_[position] += value;
             else

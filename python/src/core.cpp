@@ -8,6 +8,7 @@
 #include "../../examples/cli/program.h"
 #include "hgp/api/notes.h"
 #include "hgp/api/option_table.h"
+#include "hgp/base/threads.h"
 #include "surface.h"
 
 namespace hgp::python {

@@ -38,6 +38,7 @@ ELSEWHERE = {
     "--quality": hgp.Mesh.parametrize,
     "--quiet": None,
     "--suggest": hgp.Mesh.suggest_cones,
+    "--threads": hgp.set_threads,
     "--transfer": hgp.Mesh.transfer_cones,
     "--xref": hgp.Map.uv_to_vertex,
 }

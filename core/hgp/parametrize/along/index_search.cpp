@@ -24,6 +24,8 @@ constexpr int kFewestTrials = 24, kMostTrials = 400, kMostMaps = 120;
 constexpr double kProgress = 0.97;
 /// Larger surfaces have too few trials for maps.
 constexpr int kLargestForMaps = 8000;
+/// Maps with more wrong triangles and angles are not mended by kMostMoves moves.
+constexpr double kMostWrong = 100.0;
 /// Excess of a field whose lengths are impossible, beside wrong triangles of others.
 constexpr double kImpossibleLengths = 1e6;
 
@@ -53,6 +55,8 @@ class Search {
   IndexSearch run() {
     IndexSearch out;
     if (score_.isReached) return out;
+    const bool isFarOff = score_.excess > kMostWrong && score_.fit.isPossible;
+    if (goal_ == IndexGoal::kMap && isFarOff) return out;
     while (out.moves < kMostMoves && !score_.isReached && step()) ++out.moves;
     out.isCancelled = isCancelled_;
     if (!score_.isReached || isCancelled_) return out;

@@ -1,5 +1,5 @@
-// The map with given cones does not depend on how the file lists the surface: in every format that is read, with triangles
-// and vertices in another order and triangles that start at another corner, it is the same map up to a q-fold turn.
+// A map does not depend on how the file lists the surface: in every format that is read, with triangles and vertices in
+// another order and triangles that start at another corner, it is the same map up to a q-fold turn, with the same cones.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import test from 'node:test';
@@ -101,22 +101,26 @@ const surface = bent();
 /** The vertices at the eight corners. */
 const cornersOf = (idOf) => [0, 1, 2, 3, 4, 5, 6, 7].map((v) => idOf[v]);
 
-for (const q of [4, 2])
-  test(`the order of a file turns its map by a multiple of a ${q}-fold turn, in every format`, () => {
-    const conesAt = (ids) => ids.flatMap((v) => ['--cone', `${v}:${(3 * q) / 4}`]);
-    const cones = q === 4 ? conesAt : (ids) => ids.slice(0, 4).flatMap((v) => ['--cone', `${v}:1`]);
+const conesAt = (q, ids) => ids.flatMap((v) => ['--cone', `${v}:${(3 * q) / 4}`]);
+
+/** What is asked for, by name: words of the command line for the ids of the corners. */
+const requests = {
+  'given cones, q = 4': [4, (ids) => conesAt(4, ids)],
+  'given cones, q = 2': [2, (ids) => ids.slice(0, 4).flatMap((v) => ['--cone', `${v}:1`])],
+  'automatic cones, q = 4': [4, () => []],
+  'automatic cones, q = 3': [3, () => []],
+  'cones along the curvature': [4, () => ['--align']],
+  'few cones': [4, () => ['--cones-for', 'few']],
+};
+
+for (const [name, [q, words]] of Object.entries(requests))
+  test(`the order of a file turns its map by a multiple of a ${q}-fold turn: ${name}`, () => {
+    const mapOf = (file, ids) => {
+      good('param', at(file), '-o', at('out.obj'), '-f', '-q', '--q', q, words(ids));
+      return edgesOf(readFileSync(at('out.obj'), 'utf8'));
+    };
     put('first.obj', toObj(surface));
-    good(
-      'param',
-      at('first.obj'),
-      '-o',
-      at('first.out.obj'),
-      '-q',
-      '--q',
-      q,
-      cones(cornersOf([0, 1, 2, 3, 4, 5, 6, 7])),
-    );
-    const first = edgesOf(readFileSync(at('first.out.obj'), 'utf8'));
+    const first = mapOf('first.obj', cornersOf([0, 1, 2, 3, 4, 5, 6, 7]));
     let seed = 11;
     for (const [format, write] of Object.entries(writers)) {
       const { mesh, idOf } = reordered(surface, (seed += 7));
@@ -124,22 +128,6 @@ for (const q of [4, 2])
       // STL has no vertices: hgp numbers them as they occur first.
       const seen = [...new Set(mesh.triangles.flat())];
       const ids = format === 'stl' ? idOf.map((v) => seen.indexOf(v)) : idOf;
-      good(
-        'param',
-        at(`other.${format}`),
-        '-o',
-        at('other.out.obj'),
-        '-f',
-        '-q',
-        '--q',
-        q,
-        cones(cornersOf(ids)),
-      );
-      assertSameUpToATurn(
-        first,
-        edgesOf(readFileSync(at('other.out.obj'), 'utf8')),
-        q,
-        `${format}, q = ${q}`,
-      );
+      assertSameUpToATurn(first, mapOf(`other.${format}`, cornersOf(ids)), q, `${format}, ${name}`);
     }
   });

@@ -100,9 +100,9 @@ export const faults = [
     'omega[e] -= surface.weight[e]',
   ),
   fault(
-    'field/nearest_plane.cpp',
-    'std::round((center - d[i]) / step[i])',
-    'std::floor((center - d[i]) / step[i])',
+    'field/nearest_lattice_point.cpp',
+    'if (square >= shortest) {',
+    'if (square >= 0.9 * shortest) {',
   ),
   fault(
     'field/open_turning.cpp',

@@ -5,15 +5,43 @@
 #include <cstdlib>
 #include <queue>
 
+#include "hgp/mesh/surface_order.h"
+
 namespace hgp {
 namespace {
+
+/// The vertices in the order of the surface, and where going round each of them starts: which cone cancels which does not
+/// hang on the numbers of a file.
+struct VertexOrder {
+  std::vector<VertexId> vertices;
+  PerVertex<HalfedgeId> outgoing;
+};
+
+VertexOrder vertexOrder(const TriMesh& mesh) {
+  const auto n = static_cast<std::size_t>(mesh.vertexCount());
+  VertexOrder order{{}, PerVertex<HalfedgeId>(n)};
+  order.vertices.reserve(n);
+  for (HalfedgeId h : surfaceOrder(mesh)) {
+    for (int k = 0; k < 3; ++k, h = TriMesh::next(h)) {
+      HalfedgeId& first = order.outgoing[mesh.tail(h)];
+      if (first.isValid()) continue;
+      first = mesh.isBoundary(mesh.tail(h)) ? mesh.outgoing(mesh.tail(h)) : h;
+      order.vertices.push_back(mesh.tail(h));
+    }
+  }
+  return order;
+}
 
 /// Breadth-first search from v through interior vertices; returns the nearest vertex at most `reach`
 /// edges away that `accepts`, or an invalid id.
 class NearestSearch {
  public:
   explicit NearestSearch(const TriMesh& mesh)
-      : mesh_(mesh), stamp_(static_cast<std::size_t>(mesh.vertexCount()), -1) {}
+      : mesh_(mesh),
+        order_(vertexOrder(mesh)),
+        stamp_(static_cast<std::size_t>(mesh.vertexCount()), -1) {}
+
+  const VertexOrder& order() const { return order_; }
 
   template <class Accepts>
   VertexId find(VertexId v, int reach, const Accepts& accepts) {
@@ -24,12 +52,16 @@ class NearestSearch {
       const auto [w, distance] = queue_[next];
       if (w != v && accepts(w)) return w;
       if (distance == reach) continue;
-      for (HalfedgeId h : outgoingHalfedges(mesh_, w)) {
+      const HalfedgeId first = order_.outgoing[w];
+      HalfedgeId h = first;
+      do {
         const VertexId x = mesh_.head(h);
-        if (stamp_[x] == now_ || mesh_.isBoundary(x)) continue;
-        stamp_[x] = now_;
-        queue_.push_back({x, distance + 1});
-      }
+        if (stamp_[x] != now_ && !mesh_.isBoundary(x)) {
+          stamp_[x] = now_;
+          queue_.push_back({x, distance + 1});
+        }
+        h = mesh_.nextOutgoing(h);
+      } while (h.isValid() && h != first);
     }
     return {};
   }
@@ -40,6 +72,7 @@ class NearestSearch {
     int distance;
   };
   const TriMesh& mesh_;
+  VertexOrder order_;
   PerVertex<int> stamp_;
   int now_ = 0;
   std::vector<Entry> queue_;
@@ -64,7 +97,7 @@ bool isBearable(const TriMesh& mesh, const FieldContext& context, int q, VertexI
 
 void cancelWithin(const TriMesh& mesh, const FieldContext& context, int q, PerVertex<int>& defect,
                   int reach, NearestSearch& search) {
-  for (VertexId v : mesh.vertices()) {
+  for (VertexId v : search.order().vertices) {
     while (defect[v] > 0) {
       if (!isBearable(mesh, context, q, v, defect[v], defect[v] - 1)) break;
       const VertexId other = search.find(v, reach, [&](VertexId w) {
@@ -82,8 +115,8 @@ void spread(const TriMesh& mesh, int q, PerVertex<int>& defect, NearestSearch& s
   const auto fits = [&](VertexId v, int d) {
     return q - d >= 1 && q - d <= largestIndex(mesh, v, q);
   };
-  for (VertexId v : mesh.vertices()) {
-    if (mesh.isIsolated(v) || mesh.isBoundary(v)) continue;
+  for (VertexId v : search.order().vertices) {
+    if (mesh.isBoundary(v)) continue;
     while (defect[v] != 0 && !fits(v, defect[v])) {
       const int unit = defect[v] > 0 ? 1 : -1;
       const VertexId other = search.find(v, mesh.vertexCount(), [&](VertexId w) {

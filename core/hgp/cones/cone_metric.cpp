@@ -7,7 +7,7 @@
 namespace hgp {
 
 ConeMetric::ConeMetric(const TriMesh& mesh, const FieldContext& context, int q)
-    : context_(context), q_(q), total_(q * (2 - 2 * context.topology.genus)) {
+    : mesh_(mesh), context_(context), q_(q), total_(q * (2 - 2 * context.topology.genus)) {
   const FilledSurface& surface = context.surface;
   area_ = Eigen::VectorXd::Zero(surface.nodeCount);
   for (FaceId f : mesh.faces())
@@ -21,7 +21,8 @@ ConeMetric::ConeMetric(const TriMesh& mesh, const FieldContext& context, int q)
       transport_[static_cast<Eigen::Index>(j)] += transport(mesh, context.geometry, h);
   if (loops.empty()) return;
   meanPotential_ = context.handles.potential.transpose() * area_;
-  rounding_ = NearestPlane(context.handles.periods);
+  rounding_ = NearestLatticePoint(context.handles.periods,
+                                  Eigen::VectorXd::Constant(transport_.size(), turnAngle(1, q)));
 }
 
 Eigen::VectorXd ConeMetric::centred(Eigen::VectorXd u) const {
@@ -52,18 +53,21 @@ void ConeMetric::measure(ConeCost& cost) const {
   cost.scale = cost.u.cwiseAbs2().dot(area_);
   cost.energy = cost.scale;
   if (cost.natural.size() == 0) return;
-  const Eigen::VectorXd step = Eigen::VectorXd::Constant(cost.natural.size(), turnAngle(1, q_));
-  const Eigen::VectorXd offset = rounding_.round(-cost.natural, step);
+  const Eigen::VectorXd offset = rounding_.round(-cost.natural);
   cost.twist = rounding_.solve(offset);
   cost.energy += kTwistWeight * offset.dot(cost.twist);
 }
 
-Eigen::VectorXd ConeMetric::gradient(const ConeCost& cost) const {
+Eigen::VectorXd ConeMetric::scaleGradient(const ConeCost& cost) const {
   Eigen::VectorXd weighted = area_.cwiseProduct(cost.u);
   weighted.array() -= weighted.mean();
-  Eigen::VectorXd g = context_.laplacian.solve(weighted);
-  if (cost.twist.size() > 0) g += kTwistWeight * (context_.handles.potential * cost.twist);
-  return 2.0 * turnAngle(1, q_) * centred(std::move(g));
+  return 2.0 * turnAngle(1, q_) * centred(context_.laplacian.solve(weighted));
+}
+
+PerEdge<double> ConeMetric::twistSlope(const ConeCost& cost) const {
+  if (cost.twist.size() == 0) return {};
+  const double factor = 2.0 * turnAngle(1, q_) * kTwistWeight;
+  return combineForms(mesh_, context_.surface, context_.handles, factor * cost.twist);
 }
 
 Eigen::MatrixXd ConeMetric::response(const std::vector<int>& nodes) const {

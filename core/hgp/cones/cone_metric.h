@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "hgp/field/nearest_plane.h"
+#include "hgp/field/nearest_lattice_point.h"
 #include "hgp/field/prescribed_field.h"
 
 namespace hgp {
@@ -34,7 +34,7 @@ struct UnitMove {
 
 class ConeMetric {
  public:
-  /// @param context  complete (prepareConnection); kept by reference
+  /// Keeps references. @param context  complete (prepareConnection)
   ConeMetric(const TriMesh& mesh, const FieldContext& context, int q);
 
   int q() const { return q_; }
@@ -48,8 +48,11 @@ class ConeMetric {
   ConeCost cost(const NodeDefects& defects) const;
   /// Fills what follows from u and natural.
   void measure(ConeCost& cost) const;
-  /// ∂energy/∂d per node: what one more unit there changes to first order, the rest taken evenly.
-  Eigen::VectorXd gradient(const ConeCost& cost) const;
+  /// ∂scale/∂d per node: what one more unit there changes to first order, the rest taken evenly.
+  Eigen::VectorXd scaleGradient(const ConeCost& cost) const;
+  /// What the twist adds to that when a unit moves along an edge, from the tail of its halfedge to the head; empty without
+  /// handles. A closed form and not the difference of values at nodes: those would jump where a generator crosses.
+  PerEdge<double> twistSlope(const ConeCost& cost) const;
   /// How u changes with one more unit at each of the nodes, per column.
   Eigen::MatrixXd response(const std::vector<int>& nodes) const;
   /// How u changes with each of the moves, per column.
@@ -61,13 +64,14 @@ class ConeMetric {
   Eigen::VectorXd centred(Eigen::VectorXd u) const;
   Eigen::MatrixXd responseTo(Eigen::MatrixXd gap) const;
 
+  const TriMesh& mesh_;
   const FieldContext& context_;
   int q_, total_;
   double size_;
   Eigen::VectorXd area_;
   Eigen::VectorXd transport_;      ///< of the surface itself along each generator
   Eigen::VectorXd meanPotential_;  ///< Σ a f_j
-  NearestPlane rounding_;
+  NearestLatticePoint rounding_;
 };
 
 /// Number of vertices (not loops) with a defect.

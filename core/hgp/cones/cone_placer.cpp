@@ -45,7 +45,7 @@ void ConePlacer::restore(const ConePlacer& other) {
 
 void ConePlacer::setCost(ConeCost cost) {
   cost_ = std::move(cost);
-  slope_.resize(0);
+  slope_.reset();
 }
 
 void ConePlacer::relax(double share) {
@@ -83,40 +83,47 @@ bool ConePlacer::balance() {
   return true;
 }
 
-int ConePlacer::walk(int node, double sign, int reach, const Eigen::VectorXd& g) const {
+ConePlacer::Walk ConePlacer::walk(int node, double sign, int reach, const Slope& slope) const {
+  Walk walk{node, 0.0};
   for (int step = 0; step < reach; ++step) {
-    int best = node;
-    eachNeighbour(node, [&](int w) {
-      if (sign * g[w] < sign * g[best]) best = w;
+    Walk best{walk.end, 0.0};
+    eachNeighbour(walk.end, [&](int w, HalfedgeId h) {
+      const double change = slope.along(mesh_, h, walk.end, w);
+      if (sign * change < sign * best.change) best = {w, change};
     });
-    if (best == node) break;
-    node = best;
+    if (best.end == walk.end) break;
+    walk = {best.end, walk.change + best.change};
   }
-  return node;
+  return walk;
 }
 
-/// ∂energy/∂d for the current cones; solved once until they change.
-const Eigen::VectorXd& ConePlacer::slope() {
-  if (slope_.size() == 0) {
-    slope_ = metric_.gradient(cost_);
+const ConePlacer::Slope& ConePlacer::slope() {
+  if (!slope_) {
+    slope_ = Slope{metric_.scaleGradient(cost_), metric_.twistSlope(cost_)};
     nodeSolves_ -= metric_.nodeCount();
   }
-  return slope_;
+  return *slope_;
 }
 
 /// One move per cone, at most `reach` edges downhill; the largest first-order decrease comes first.
 std::vector<UnitMove> ConePlacer::downhillMoves(int reach) {
-  const Eigen::VectorXd& g = slope();
-  std::vector<UnitMove> moves;
+  const Slope& slope = this->slope();
+  struct Found {
+    UnitMove move;
+    double change;
+  };
+  std::vector<Found> found;
   for (int n = 0; n < metric_.nodeCount(); ++n) {
     const int d = defects_[at(n)];
     if (d == 0 || !vertexOf_[at(n)].isValid()) continue;
-    const UnitMove move{n, walk(n, d, reach, g), d};
-    if (move.to != n && isAllowed(move)) moves.push_back(move);
+    const Walk way = walk(n, d, reach, slope);
+    const UnitMove move{n, way.end, d};
+    if (move.to != n && isAllowed(move)) found.push_back({move, d * way.change});
   }
-  const auto change = [&](const UnitMove& m) { return m.units * (g[m.to] - g[m.from]); };
-  std::stable_sort(moves.begin(), moves.end(),
-                   [&](const UnitMove& a, const UnitMove& b) { return change(a) < change(b); });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Found& a, const Found& b) { return a.change < b.change; });
+  std::vector<UnitMove> moves;
+  for (const Found& f : found) moves.push_back(f.move);
   return moves;
 }
 
@@ -180,7 +187,8 @@ bool ConePlacer::walkOneByOne(int reach) {
   return cost_.energy < (1.0 - kMinDecrease) * before;
 }
 
-/// Local minima of sign·g at which the bounds allow one more unit, lowest first.
+/// Local minima of sign·g at which the bounds allow one more unit, lowest first. g is the slope of the scale alone: that of
+/// the twist, which is not the gradient of a function, may have no minimum.
 std::vector<int> ConePlacer::bestNodes(int sign, const Eigen::VectorXd& g, bool isNew) const {
   const auto canTake = [&](int n) {
     const bool isFree = defects_[at(n)] == 0 && vertexOf_[at(n)].isValid();
@@ -190,7 +198,7 @@ std::vector<int> ConePlacer::bestNodes(int sign, const Eigen::VectorXd& g, bool 
   for (int n = 0; n < metric_.nodeCount(); ++n) {
     if (!canTake(n)) continue;
     bool isLowest = true;
-    eachNeighbour(n, [&](int w) {
+    eachNeighbour(n, [&](int w, HalfedgeId) {
       if (canTake(w) && sign * g[w] < sign * g[n]) isLowest = false;
     });
     if (isLowest) found.push_back(n);
@@ -201,7 +209,7 @@ std::vector<int> ConePlacer::bestNodes(int sign, const Eigen::VectorXd& g, bool 
 }
 
 bool ConePlacer::addUnits(const std::vector<int>& signs, bool isNew) {
-  const Eigen::VectorXd g = metric_.gradient(cost_);
+  const Eigen::VectorXd g = metric_.scaleGradient(cost_);
   std::vector<Eigen::MatrixXd> response;
   std::vector<std::vector<int>> nodes;
   for (int sign : signs) {

@@ -47,6 +47,19 @@ class ConePlacer {
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+  /// Of the energy, to first order.
+  struct Slope {
+    Eigen::VectorXd scale;  ///< ConeMetric::scaleGradient
+    PerEdge<double> twist;  ///< ConeMetric::twistSlope
+    /// By how much the energy changes when a unit goes along h, from the node of its tail to that of its head.
+    double along(const TriMesh& mesh, HalfedgeId h, int tail, int head) const {
+      const double change = scale[head] - scale[tail];
+      if (twist.size() == 0) return change;
+      const EdgeId e = mesh.edge(h);
+      return mesh.halfedge(e) == h ? change + twist[e] : change - twist[e];
+    }
+  };
+
   int missing() const {
     int sum = 0;
     for (int d : defects_) sum += d;
@@ -57,13 +70,18 @@ class ConePlacer {
   bool fits(int node, int d) const {
     return d >= bounds_.low[at(node)] && d <= bounds_.high[at(node)];
   }
+  /// Calls visit(w, h) for the nodes beside one, h the halfedge that leads to w.
   template <class Visit>
   void eachNeighbour(int node, const Visit& visit) const {
     const VertexId v = vertexOf_[at(node)];
     if (!v.isValid()) return;
-    for (HalfedgeId h : outgoingHalfedges(mesh_, v)) visit(surface_.node[mesh_.head(h)]);
+    for (HalfedgeId h : outgoingHalfedges(mesh_, v)) visit(surface_.node[mesh_.head(h)], h);
   }
-  int walk(int node, double sign, int reach, const Eigen::VectorXd& g) const;
+  struct Walk {
+    int end;
+    double change;  ///< of the energy per unit, to first order
+  };
+  Walk walk(int node, double sign, int reach, const Slope& slope) const;
   /// The move of one unit between two of the listed nodes, and by how much it raises the variance of u.
   struct Exchange {
     int from = -1, to = -1, unit = 0;
@@ -73,7 +91,8 @@ class ConePlacer {
   std::optional<Exchange> cheapestExchange(const std::vector<int>& nodes,
                                            const Eigen::MatrixXd& gram,
                                            const Eigen::VectorXd& slope, int most) const;
-  const Eigen::VectorXd& slope();
+  /// ∂energy/∂d for the current cones; solved once until they change.
+  const Slope& slope();
   std::vector<UnitMove> downhillMoves(int reach);
   bool isAllowed(const UnitMove& move) const;
   void apply(const UnitMove& move);
@@ -111,7 +130,7 @@ class ConePlacer {
   std::vector<VertexId> vertexOf_;
   NodeDefects defects_;
   ConeCost cost_;
-  Eigen::VectorXd slope_;  ///< metric_.gradient(cost_), or empty
+  std::optional<Slope> slope_;
   bool keepsCount_ = false;
   double nodeSolves_ = 0.0;
 };

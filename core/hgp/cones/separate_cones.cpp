@@ -206,7 +206,7 @@ void ConePlacer::separate(const ConeSpacing& spacing) {
     const bool isBackAndForth = defects_ == lastButOne && defects_ != last;
     if (pairs.empty() || isBackAndForth) return;
     lastButOne = std::exchange(last, defects_);
-    const Eigen::VectorXd g = metric_.gradient(cost_);
+    const Eigen::VectorXd g = metric_.scaleGradient(cost_);
     nodeSolves_ -= nodes;
     if (isDownhill && mergeDownhill(pairs, g, limits)) continue;
     isDownhill = false;

@@ -8,6 +8,10 @@
 namespace hgp {
 namespace {
 
+/// By how much a neighbour must couple more strongly than another to be preferred; otherwise the first in the row is, so
+/// that rounding does not decide between equal ones.
+constexpr double kPreferred = 1.0 + 1e-9;
+
 /// The one or two fine unknowns of every patch (second: −1 for a single one); fills `patch`.
 std::vector<std::array<int, 2>> matchStrongest(const FieldSystem& fine, std::vector<int>& patch) {
   const int n = fine.size();
@@ -21,7 +25,7 @@ std::vector<std::array<int, 2>> matchStrongest(const FieldSystem& fine, std::vec
     for (int e = fine.start[i]; e < fine.start[i + 1]; ++e) {
       const int j = fine.other[e];
       const double score = fine.strength[e] / fine.faces[j];
-      if (patch[j] >= 0 || score <= best) continue;
+      if (patch[j] >= 0 || score <= kPreferred * best) continue;
       best = score;
       mate = j;
     }

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "hgp/base/check.h"
-#include "hgp/field/nearest_plane.h"
+#include "hgp/field/nearest_lattice_point.h"
 #include "hgp/field/open_turning.h"
 
 namespace hgp {
@@ -35,7 +35,7 @@ Eigen::VectorXd handleCorrections(const Eigen::MatrixXd& periods, const Eigen::V
     offset[i] = turnAngle(r.value_or(0), q) - natural[i];
     step[i] = 2.0 * kPi / (r ? 1 : q);
   }
-  const Eigen::VectorXd correction = NearestPlane(periods).round(offset, step);
+  const Eigen::VectorXd correction = NearestLatticePoint(periods, step).round(offset);
   for (Eigen::Index i = 0; i < count; ++i) {
     std::optional<int>& r = handles[static_cast<std::size_t>(i)];
     if (!r)

@@ -9,6 +9,7 @@
 #include "hgp/field/field_system.h"
 #include "hgp/linalg/factor/factor.h"
 #include "hgp/mesh/defects.h"
+#include "hgp/mesh/surface_order.h"
 #include "hgp/mesh/vectors.h"
 
 namespace hgp {
@@ -68,42 +69,65 @@ std::vector<AlignedTerm> boundaryTerms(const TriMesh& mesh, const Geometry& geom
   return terms;
 }
 
+/// What an unknown stands for: in the order of the surface, relative to the halfedge of the face in that order. The numbers
+/// of a file change rounding at most, which has to be far from deciding which faces are paired or where fields start.
+struct Unknowns {
+  std::vector<HalfedgeId> halfedge;  ///< of unknown i
+  PerFace<int> of;                   ///< face → unknown
+  PerFace<Complex> turn;             ///< e^{iqφ} of that halfedge's direction φ
+};
+
+Unknowns unknownsOf(const TriMesh& mesh, const Geometry& geometry, int q) {
+  const auto n = static_cast<std::size_t>(mesh.faceCount());
+  Unknowns unknowns{surfaceOrder(mesh), PerFace<int>(n), PerFace<Complex>(n)};
+  for (std::size_t i = 0; i < n; ++i) {
+    const HalfedgeId h = unknowns.halfedge[i];
+    unknowns.of[TriMesh::face(h)] = static_cast<int>(i);
+    unknowns.turn[TriMesh::face(h)] = portable::polar(1.0, q * geometry.direction[h]);
+  }
+  return unknowns;
+}
+
 FieldSystem fieldSystem(const TriMesh& mesh, const Geometry& geometry, int q,
-                        const std::vector<AlignedTerm>& aligned) {
+                        const Unknowns& unknowns, const std::vector<AlignedTerm>& aligned) {
   const auto n = static_cast<std::size_t>(mesh.faceCount());
   FieldSystem system;
   system.start.reserve(n + 1);
   system.diagonal.assign(n, 0.0);
   system.faces.assign(n, 1);
-  system.mass = geometry.area.raw();
+  system.mass.reserve(n);
   system.pull.assign(n, 0.0);
-  for (FaceId f : mesh.faces()) {
+  for (HalfedgeId first : unknowns.halfedge) {
+    const FaceId f = TriMesh::face(first);
     int inside = 0;
     for (int k = 0; k < 3; ++k) inside += !mesh.isBoundary(TriMesh::halfedge(f, k));
     system.start.push_back(system.start.back() + inside);
+    system.mass.push_back(geometry.area[f]);
   }
   const auto entries = static_cast<std::size_t>(system.start.back());
   system.other.resize(entries);
   system.coupling.resize(entries);
   system.strength.resize(entries);
-  parallelFor(mesh.faceCount(), kFacesAtOnce, [&](int face) {
-    const FaceId f(face);
-    int e = system.start[face];
-    for (int k = 0; k < 3; ++k) {
-      const HalfedgeId h = TriMesh::halfedge(f, k);
+  parallelFor(mesh.faceCount(), kFacesAtOnce, [&](int i) {
+    HalfedgeId h = unknowns.halfedge[static_cast<std::size_t>(i)];
+    const FaceId f = TriMesh::face(h);
+    int e = system.start[i];
+    for (int k = 0; k < 3; ++k, h = TriMesh::next(h)) {
       if (mesh.isBoundary(h)) continue;
       const FaceId g = TriMesh::face(mesh.twin(h));
       const double w = dualWeight(geometry, h, geometry.area[f] + geometry.area[g]);
-      system.other[e] = g.i;
-      system.coupling[e] = -portable::polar(w, -q * transport(mesh, geometry, h));
+      system.other[e] = unknowns.of[g];
+      system.coupling[e] = -portable::polar(w, -q * transport(mesh, geometry, h)) *
+                           std::conj(unknowns.turn[f]) * unknowns.turn[g];
       system.strength[e] = w;
-      system.diagonal[f.i] += w;
+      system.diagonal[i] += w;
       ++e;
     }
   });
   for (const AlignedTerm& t : aligned) {
-    system.diagonal[t.face.i] += t.weight;
-    system.pull[t.face.i] += t.weight * t.direction;
+    const auto i = static_cast<std::size_t>(unknowns.of[t.face]);
+    system.diagonal[i] += t.weight;
+    system.pull[i] += t.weight * t.direction * std::conj(unknowns.turn[t.face]);
   }
   double mean = 0.0;
   for (double d : system.diagonal) mean += d / mesh.faceCount();
@@ -124,7 +148,7 @@ SparseC matrixOf(const FieldSystem& system) {
   return A;
 }
 
-/// A start vector that is not constant and depends only on the index of the face.
+/// A start vector that is not constant and depends only on the index of the unknown.
 Eigen::VectorXcd startVector(int n) {
   Eigen::VectorXcd x(n);
   for (int i = 0; i < n; ++i) x[i] = portable::polar(1.0, kGoldenAngle * i);
@@ -220,8 +244,9 @@ Result<FrameField> smoothField(const TriMesh& mesh, const FieldContext& context,
   }
   for (const HeldDirection& held : options.held)
     aligned.push_back({held.face, kHeldWeight, portable::polar(1.0, options.q * held.angle)});
-  std::vector<Complex> x =
-      minimise(fieldSystem(mesh, geometry, options.q, aligned), !aligned.empty());
+  const Unknowns unknowns = unknownsOf(mesh, geometry, options.q);
+  const std::vector<Complex> x =
+      minimise(fieldSystem(mesh, geometry, options.q, unknowns, aligned), !aligned.empty());
   if (x.empty())
     return Failure{ErrorCode::kUnsupported,
                    "field",
@@ -232,7 +257,9 @@ Result<FrameField> smoothField(const TriMesh& mesh, const FieldContext& context,
   field.q = options.q;
   field.angle = PerFace<double>(static_cast<std::size_t>(mesh.faceCount()), 0.0);
   parallelFor(mesh.faceCount(), kFacesAtOnce, [&](int f) {
-    field.angle[FaceId(f)] = portable::arg(x[static_cast<std::size_t>(f)]) / options.q;
+    const Complex direction =
+        x[static_cast<std::size_t>(unknowns.of[FaceId(f)])] * unknowns.turn[FaceId(f)];
+    field.angle[FaceId(f)] = portable::arg(direction) / options.q;
   });
   for (const HeldDirection& held : options.held) field.angle[held.face] = held.angle;
   matchPrincipally(mesh, geometry, field);

@@ -64,21 +64,50 @@ TEST(ConeMetric, TurnAlongGeneratorsIsThatOfThePrescribedField) {
   }
 }
 
-TEST(ConeMetric, GradientIsTheSlopeOfTheEnergy) {
+TEST(ConeMetric, ScaleGradientAndTwistSlopeAreTheSlopeOfTheEnergy) {
   const TriMesh mesh = test::jittered(test::torus(14, 18), 0.05).mesh();
   Placed p(mesh);
   const ConeMetric metric(mesh, p.surface.context(), 4);
   NodeDefects d = zero(metric);
   d[10] = 1, d[90] = -1, d[33] = 1, d[150] = -1;
   const ConeCost cost = metric.cost(d);
-  const Eigen::VectorXd g = metric.gradient(cost);
-  const double h = 1e-4;
-  for (int node : {3, 47, 200}) {
+  const Eigen::VectorXd g = metric.scaleGradient(cost);
+  const PerEdge<double> twist = metric.twistSlope(cost);
+  PerEdge<char> isCrossed(static_cast<std::size_t>(mesh.edgeCount()), 0);
+  for (const DualLoop& loop : p.surface.context().handles.loops)
+    for (HalfedgeId h : loop.crossed) isCrossed[mesh.edge(h)] = 1;
+  const double step = 1e-4;
+  for (EdgeId e : mesh.edges()) {
+    if (e.i % 7 != 0 || isCrossed[e]) continue;
+    const int from = mesh.tail(mesh.halfedge(e)).i, to = mesh.head(mesh.halfedge(e)).i;
     ConeCost moved = cost;
-    moved.u += h * metric.response({node});
-    moved.natural += h * metric.naturalResponse(node);
+    moved.u += step * (metric.response({to}) - metric.response({from}));
+    moved.natural += step * (metric.naturalResponse(to) - metric.naturalResponse(from));
     metric.measure(moved);
-    EXPECT_NEAR((moved.energy - cost.energy) / h, g[node], 1e-3 * (1.0 + std::abs(g[node])));
+    const double slope = g[to] - g[from] + twist[e];
+    EXPECT_NEAR((moved.energy - cost.energy) / step, slope, 1e-3 * (1.0 + std::abs(slope)));
+  }
+}
+
+TEST(ConeMetric, TwistSlopeIsClosedAlsoWhereGeneratorsCross) {
+  const TriMesh mesh = test::jittered(test::pretzel(2, 4), 0.1).mesh();
+  Placed p(mesh);
+  const ConeMetric metric(mesh, p.surface.context(), 4);
+  NodeDefects d = zero(metric);
+  d[10] = 1, d[90] = -1, d[33] = -3, d[150] = -5;
+  const ConeCost cost = metric.cost(d);
+  ASSERT_GT(cost.twist.norm(), 1e-3);
+  const PerEdge<double> twist = metric.twistSlope(cost);
+  double largest = 0.0;
+  for (double x : twist) largest = std::max(largest, std::abs(x));
+  ASSERT_GT(largest, 0.0);
+  for (FaceId f : mesh.faces()) {
+    double sum = 0.0;
+    for (int k = 0; k < 3; ++k) {
+      const HalfedgeId h = TriMesh::halfedge(f, k);
+      sum += (mesh.halfedge(mesh.edge(h)) == h ? 1.0 : -1.0) * twist[mesh.edge(h)];
+    }
+    EXPECT_NEAR(sum, 0.0, 1e-9 * largest);
   }
 }
 

@@ -35,8 +35,10 @@ inline Failure caughtFailure() {
 template <class Work>
 auto guarded(Work work) -> decltype(work()) {
   try {
+#ifndef HGP_NO_THREADS
     std::optional<ThreadScope> threads;
     if (!ThreadScope::isOpen()) threads.emplace(defaultThreads());
+#endif
     return work();
   } catch (...) {
     return caughtFailure();

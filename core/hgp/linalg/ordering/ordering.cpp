@@ -123,7 +123,7 @@ class Dissector {
       if (side[v] == 2) out.separator.push_back(part.vertex[v]);
     const auto takeFirst = [&] { out.first = subPart(part, side, 0); };
     const auto takeSecond = [&] { out.second = subPart(part, side, 1); };
-    if (part.vertex.size() > kShared) {
+    if (part.vertex.size() > kShared && threadCount() > 1) {
       parallelInvoke({takeFirst, takeSecond});
     } else {
       takeFirst();

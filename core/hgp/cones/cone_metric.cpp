@@ -64,10 +64,12 @@ Eigen::VectorXd ConeMetric::scaleGradient(const ConeCost& cost) const {
   return 2.0 * turnAngle(1, q_) * centred(context_.laplacian.solve(weighted));
 }
 
-PerEdge<double> ConeMetric::twistSlope(const ConeCost& cost) const {
-  if (cost.twist.size() == 0) return {};
+ConeSlope ConeMetric::slope(const ConeCost& cost) const {
+  ConeSlope slope{scaleGradient(cost), {}};
+  if (cost.twist.size() == 0) return slope;
   const double factor = 2.0 * turnAngle(1, q_) * kTwistWeight;
-  return combineForms(mesh_, context_.surface, context_.handles, factor * cost.twist);
+  slope.twist = combineForms(mesh_, context_.surface, context_.handles, factor * cost.twist);
+  return slope;
 }
 
 Eigen::MatrixXd ConeMetric::response(const std::vector<int>& nodes) const {

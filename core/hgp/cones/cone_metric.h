@@ -23,6 +23,23 @@ struct ConeCost {
   double energy = 0.0;      ///< scale + kTwistWeight · Dirichlet energy of the twist
 };
 
+/// By how much the energy changes when a unit moves, to first order.
+struct ConeSlope {
+  Eigen::VectorXd
+      scale;  ///< ∂scale/∂d per node: what one more unit there changes, the rest taken evenly
+  /// What the twist adds along an edge, from the tail of its halfedge to the head; empty without handles. A closed form and
+  /// not the difference of values at nodes: those would jump where a generator crosses.
+  PerEdge<double> twist;
+
+  /// Along h, from the node of its tail to that of its head.
+  double along(const TriMesh& mesh, HalfedgeId h, int tail, int head) const {
+    const double change = scale[head] - scale[tail];
+    if (twist.size() == 0) return change;
+    const EdgeId e = mesh.edge(h);
+    return mesh.halfedge(e) == h ? change + twist[e] : change - twist[e];
+  }
+};
+
 /// Weight of the shear that a conformal map would not have: handles whose rotation in the conformal connection is not
 /// a multiple of 2π/q must be twisted. Fitted to the symmetric Dirichlet energy of certified maps.
 inline constexpr double kTwistWeight = 0.25;
@@ -48,11 +65,9 @@ class ConeMetric {
   ConeCost cost(const NodeDefects& defects) const;
   /// Fills what follows from u and natural.
   void measure(ConeCost& cost) const;
-  /// ∂scale/∂d per node: what one more unit there changes to first order, the rest taken evenly.
+  /// ConeSlope::scale alone.
   Eigen::VectorXd scaleGradient(const ConeCost& cost) const;
-  /// What the twist adds to that when a unit moves along an edge, from the tail of its halfedge to the head; empty without
-  /// handles. A closed form and not the difference of values at nodes: those would jump where a generator crosses.
-  PerEdge<double> twistSlope(const ConeCost& cost) const;
+  ConeSlope slope(const ConeCost& cost) const;
   /// How u changes with one more unit at each of the nodes, per column.
   Eigen::MatrixXd response(const std::vector<int>& nodes) const;
   /// How u changes with each of the moves, per column.

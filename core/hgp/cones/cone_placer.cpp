@@ -83,23 +83,29 @@ bool ConePlacer::balance() {
   return true;
 }
 
-ConePlacer::Walk ConePlacer::walk(int node, double sign, int reach, const Slope& slope) const {
-  Walk walk{node, 0.0};
+std::pair<int, double> ConePlacer::walk(int node, double sign, int reach,
+                                        const ConeSlope& slope) const {
+  double total = 0.0;
   for (int step = 0; step < reach; ++step) {
-    Walk best{walk.end, 0.0};
-    eachNeighbour(walk.end, [&](int w, HalfedgeId h) {
-      const double change = slope.along(mesh_, h, walk.end, w);
-      if (sign * change < sign * best.change) best = {w, change};
+    int best = node;
+    double least = 0.0;
+    eachNeighbour(node, [&](int w, HalfedgeId h) {
+      const double change = slope.along(mesh_, h, node, w);
+      if (sign * change >= sign * least) return;
+      least = change;
+      best = w;
     });
-    if (best.end == walk.end) break;
-    walk = {best.end, walk.change + best.change};
+    if (best == node) break;
+    total += least;
+    node = best;
   }
-  return walk;
+  return {node, total};
 }
 
-const ConePlacer::Slope& ConePlacer::slope() {
+/// For the current cones; solved once until they change.
+const ConeSlope& ConePlacer::slope() {
   if (!slope_) {
-    slope_ = Slope{metric_.scaleGradient(cost_), metric_.twistSlope(cost_)};
+    slope_ = metric_.slope(cost_);
     nodeSolves_ -= metric_.nodeCount();
   }
   return *slope_;
@@ -107,7 +113,7 @@ const ConePlacer::Slope& ConePlacer::slope() {
 
 /// One move per cone, at most `reach` edges downhill; the largest first-order decrease comes first.
 std::vector<UnitMove> ConePlacer::downhillMoves(int reach) {
-  const Slope& slope = this->slope();
+  const ConeSlope& slope = this->slope();
   struct Found {
     UnitMove move;
     double change;
@@ -116,9 +122,9 @@ std::vector<UnitMove> ConePlacer::downhillMoves(int reach) {
   for (int n = 0; n < metric_.nodeCount(); ++n) {
     const int d = defects_[at(n)];
     if (d == 0 || !vertexOf_[at(n)].isValid()) continue;
-    const Walk way = walk(n, d, reach, slope);
-    const UnitMove move{n, way.end, d};
-    if (move.to != n && isAllowed(move)) found.push_back({move, d * way.change});
+    const auto [end, change] = walk(n, d, reach, slope);
+    const UnitMove move{n, end, d};
+    if (move.to != n && isAllowed(move)) found.push_back({move, d * change});
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const Found& a, const Found& b) { return a.change < b.change; });

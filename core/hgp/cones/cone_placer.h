@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "hgp/cones/cone_distances.h"
@@ -47,19 +48,6 @@ class ConePlacer {
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-  /// Of the energy, to first order.
-  struct Slope {
-    Eigen::VectorXd scale;  ///< ConeMetric::scaleGradient
-    PerEdge<double> twist;  ///< ConeMetric::twistSlope
-    /// By how much the energy changes when a unit goes along h, from the node of its tail to that of its head.
-    double along(const TriMesh& mesh, HalfedgeId h, int tail, int head) const {
-      const double change = scale[head] - scale[tail];
-      if (twist.size() == 0) return change;
-      const EdgeId e = mesh.edge(h);
-      return mesh.halfedge(e) == h ? change + twist[e] : change - twist[e];
-    }
-  };
-
   int missing() const {
     int sum = 0;
     for (int d : defects_) sum += d;
@@ -77,11 +65,8 @@ class ConePlacer {
     if (!v.isValid()) return;
     for (HalfedgeId h : outgoingHalfedges(mesh_, v)) visit(surface_.node[mesh_.head(h)], h);
   }
-  struct Walk {
-    int end;
-    double change;  ///< of the energy per unit, to first order
-  };
-  Walk walk(int node, double sign, int reach, const Slope& slope) const;
+  /// The end, and the change of the energy per unit.
+  std::pair<int, double> walk(int node, double sign, int reach, const ConeSlope& slope) const;
   /// The move of one unit between two of the listed nodes, and by how much it raises the variance of u.
   struct Exchange {
     int from = -1, to = -1, unit = 0;
@@ -91,8 +76,7 @@ class ConePlacer {
   std::optional<Exchange> cheapestExchange(const std::vector<int>& nodes,
                                            const Eigen::MatrixXd& gram,
                                            const Eigen::VectorXd& slope, int most) const;
-  /// ∂energy/∂d for the current cones; solved once until they change.
-  const Slope& slope();
+  const ConeSlope& slope();
   std::vector<UnitMove> downhillMoves(int reach);
   bool isAllowed(const UnitMove& move) const;
   void apply(const UnitMove& move);
@@ -130,7 +114,7 @@ class ConePlacer {
   std::vector<VertexId> vertexOf_;
   NodeDefects defects_;
   ConeCost cost_;
-  std::optional<Slope> slope_;
+  std::optional<ConeSlope> slope_;
   bool keepsCount_ = false;
   double nodeSolves_ = 0.0;
 };

@@ -15,6 +15,21 @@ constexpr double kLovasz = 0.99;
 /// Exchanges per pair of vectors after which a basis is left as it is; far more than any lattice of handles needs.
 constexpr int kExchangesPerPair = 100;
 
+/// B = Q R by modified Gram–Schmidt: Q with orthonormal columns, R upper triangular with a positive diagonal.
+void orthonormalise(const Eigen::MatrixXd& B, Eigen::MatrixXd& Q, Eigen::MatrixXd& R) {
+  const Eigen::Index n = B.cols();
+  Q = B;
+  R = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    for (Eigen::Index j = 0; j < k; ++j) {
+      R(j, k) = Q.col(j).dot(Q.col(k));
+      Q.col(k) -= R(j, k) * Q.col(j);
+    }
+    R(k, k) = Q.col(k).norm();
+    Q.col(k) *= 1.0 / R(k, k);
+  }
+}
+
 /// Columns B of a basis, their Gram–Schmidt coefficients, and T with B = B₀ T.
 class Reduction {
  public:
@@ -23,13 +38,11 @@ class Reduction {
         T_(Eigen::MatrixXd::Identity(B_.cols(), B_.cols())),
         mu_(Eigen::MatrixXd::Identity(B_.cols(), B_.cols())),
         square_(B_.cols()) {
-    Eigen::MatrixXd star = B_;
+    Eigen::MatrixXd Q, R;
+    orthonormalise(B_, Q, R);
     for (Eigen::Index k = 0; k < B_.cols(); ++k) {
-      for (Eigen::Index j = 0; j < k; ++j) {
-        mu_(k, j) = B_.col(k).dot(star.col(j)) / square_[j];
-        star.col(k) -= mu_(k, j) * star.col(j);
-      }
-      square_[k] = star.col(k).squaredNorm();
+      for (Eigen::Index j = 0; j < k; ++j) mu_(k, j) = R(j, k) / R(j, j);
+      square_[k] = R(k, k) * R(k, k);
     }
   }
 
@@ -86,9 +99,7 @@ NearestLatticePoint::NearestLatticePoint(const Eigen::MatrixXd& M, Eigen::Vector
     : step_(std::move(step)), U_(Eigen::MatrixXd(M.inverse()).llt().matrixU()) {
   const Eigen::MatrixXd B = U_ * step_.asDiagonal();
   toGiven_ = Reduction(B).reduce();
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(B * toGiven_);
-  Q_ = qr.householderQ();
-  R_ = qr.matrixQR().triangularView<Eigen::Upper>();
+  orthonormalise(B * toGiven_, Q_, R_);
 }
 
 /// The integers x that minimise |target + R x|: depth first from the last coordinate, nearest values first.

@@ -34,7 +34,7 @@ endfunction()
 
 # In WebAssembly, modules in which most of a run is spent are compiled for speed, all others for size. With -Os and
 # -Oz Emscripten adds -fno-inline-functions, after which not even an index into a vector is inlined (decision 060).
-set(HGP_HOT_MODULES "linalg|optimize|socp|verify|system")
+set(HGP_HOT_MODULES "linalg|optimize|socp|verify")
 set(HGP_COLD_OPTIONS -Oz -finline-functions)
 
 # hgp_module(NAME field SOURCES a.cpp b.cpp LINKS base mesh [PRIVATE_LINKS eigen] [HEADER_ONLY])

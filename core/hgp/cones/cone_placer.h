@@ -24,7 +24,6 @@ class ConePlacer {
 
   /// Adds single units until Gauss–Bonnet holds. False where no node can take one.
   bool balance();
-
   /// Moves cones along the negative gradient of the energy: all at once while that lowers it, then one by one.
   /// @param share  of the remaining node solves that may be spent
   void relax(double share = 1.0);
@@ -47,7 +46,6 @@ class ConePlacer {
 
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
   int missing() const {
     int sum = 0;
     for (int d : defects_) sum += d;

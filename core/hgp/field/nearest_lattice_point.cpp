@@ -13,7 +13,7 @@ namespace {
 /// δ of Lovász's condition.
 constexpr double kLovasz = 0.99;
 /// Exchanges per pair of vectors after which a basis is left as it is; far more than any lattice of handles needs.
-constexpr int kExchangesPerPair = 100;
+constexpr std::size_t kExchangesPerPair = 100;
 
 /// B = Q R by modified Gram–Schmidt: Q with orthonormal columns, R upper triangular with a positive diagonal.
 void orthonormalise(const Eigen::MatrixXd& B, Eigen::MatrixXd& Q, Eigen::MatrixXd& R) {
@@ -30,67 +30,70 @@ void orthonormalise(const Eigen::MatrixXd& B, Eigen::MatrixXd& Q, Eigen::MatrixX
   }
 }
 
-/// Columns B of a basis, their Gram–Schmidt coefficients, and T with B = B₀ T.
+/// A basis B₀ T: its Gram–Schmidt coefficients, and T by columns.
 class Reduction {
  public:
-  explicit Reduction(Eigen::MatrixXd B)
-      : B_(std::move(B)),
-        T_(Eigen::MatrixXd::Identity(B_.cols(), B_.cols())),
-        mu_(Eigen::MatrixXd::Identity(B_.cols(), B_.cols())),
-        square_(B_.cols()) {
+  explicit Reduction(const Eigen::MatrixXd& B0) : size_(static_cast<std::size_t>(B0.cols())) {
     Eigen::MatrixXd Q, R;
-    orthonormalise(B_, Q, R);
-    for (Eigen::Index k = 0; k < B_.cols(); ++k) {
-      for (Eigen::Index j = 0; j < k; ++j) mu_(k, j) = R(j, k) / R(j, j);
-      square_[k] = R(k, k) * R(k, k);
+    orthonormalise(B0, Q, R);
+    for (Eigen::Index k = 0; k < B0.cols(); ++k) {
+      std::vector<double>& mu = mu_.emplace_back(size_, 0.0);
+      for (Eigen::Index j = 0; j < k; ++j) mu[static_cast<std::size_t>(j)] = R(j, k) / R(j, j);
+      mu[static_cast<std::size_t>(k)] = 1.0;
+      T_.emplace_back(size_, 0.0)[static_cast<std::size_t>(k)] = 1.0;
+      square_.push_back(R(k, k) * R(k, k));
     }
   }
 
   /// Cohen, A Course in Computational Algebraic Number Theory, algorithm 2.6.3.
   Eigen::MatrixXd reduce() {
-    const Eigen::Index n = B_.cols();
-    Eigen::Index exchanges = kExchangesPerPair * n * n;
-    for (Eigen::Index k = 1; k < n;) {
+    std::size_t exchanges = kExchangesPerPair * size_ * size_;
+    for (std::size_t k = 1; k < size_;) {
       shorten(k, k - 1);
-      const double m = mu_(k, k - 1);
-      if (square_[k] < (kLovasz - m * m) * square_[k - 1] && --exchanges > 0) {
+      const double m = mu_[k][k - 1];
+      if (square_[k] < (kLovasz - m * m) * square_[k - 1] && exchanges-- > 0) {
         exchange(k);
-        k = std::max<Eigen::Index>(k - 1, 1);
+        if (k > 1) --k;
         continue;
       }
-      for (Eigen::Index j = k - 1; j-- > 0;) shorten(k, j);
+      for (std::size_t j = k - 1; j-- > 0;) shorten(k, j);
       ++k;
     }
-    return T_;
+    const auto n = static_cast<Eigen::Index>(size_);
+    Eigen::MatrixXd T(n, n);
+    for (std::size_t k = 0; k < size_; ++k)
+      std::copy(T_[k].begin(), T_[k].end(), T.col(static_cast<Eigen::Index>(k)).data());
+    return T;
   }
 
  private:
-  void shorten(Eigen::Index k, Eigen::Index j) {
-    const double times = std::round(mu_(k, j));
+  void shorten(std::size_t k, std::size_t j) {
+    const double times = std::round(mu_[k][j]);
     if (times == 0.0) return;
-    B_.col(k) -= times * B_.col(j);
-    T_.col(k) -= times * T_.col(j);
-    mu_.row(k).head(j + 1) -= times * mu_.row(j).head(j + 1);
-  }
-
-  void exchange(Eigen::Index k) {
-    B_.col(k).swap(B_.col(k - 1));
-    T_.col(k).swap(T_.col(k - 1));
-    const double m = mu_(k, k - 1);
-    const double sum = square_[k] + m * m * square_[k - 1];
-    mu_(k, k - 1) = m * square_[k - 1] / sum;
-    square_[k] *= square_[k - 1] / sum;
-    square_[k - 1] = sum;
-    mu_.row(k).head(k - 1).swap(mu_.row(k - 1).head(k - 1));
-    for (Eigen::Index i = k + 1; i < B_.cols(); ++i) {
-      const double before = mu_(i, k);
-      mu_(i, k) = mu_(i, k - 1) - m * before;
-      mu_(i, k - 1) = before + mu_(k, k - 1) * mu_(i, k);
+    for (std::size_t i = 0; i < size_; ++i) {
+      T_[k][i] -= times * T_[j][i];
+      mu_[k][i] -= times * mu_[j][i];  // 0 beyond j
     }
   }
 
-  Eigen::MatrixXd B_, T_, mu_;
-  Eigen::VectorXd square_;  ///< |b*|²
+  void exchange(std::size_t k) {
+    const double m = mu_[k][k - 1];
+    const double sum = square_[k] + m * m * square_[k - 1];
+    T_[k].swap(T_[k - 1]);
+    for (std::size_t i = 0; i + 1 < k; ++i) std::swap(mu_[k][i], mu_[k - 1][i]);
+    mu_[k][k - 1] = m * square_[k - 1] / sum;
+    square_[k] *= square_[k - 1] / sum;
+    square_[k - 1] = sum;
+    for (std::size_t i = k + 1; i < size_; ++i) {
+      const double before = mu_[i][k];
+      mu_[i][k] = mu_[i][k - 1] - m * before;
+      mu_[i][k - 1] = before + mu_[k][k - 1] * mu_[i][k];
+    }
+  }
+
+  std::size_t size_;
+  std::vector<std::vector<double>> T_, mu_;
+  std::vector<double> square_;  ///< |b*|²
 };
 
 }  // namespace

@@ -19,27 +19,69 @@ constexpr double kShortShare = 0.1, kDoubt = 0.5;
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// |edges| × (unknowns that occur).
-Sparse lengthRows(const StraightSystem& straight) {
+/// The signed length of each feature edge over its length, as a row over the unknowns that occur.
+struct LengthRows {
+  struct Entry {
+    int unknown;
+    double value;
+  };
+  std::vector<std::vector<Entry>> rows;
+  int unknowns = 0;
+
+  /// G x
+  Eigen::VectorXd times(const Eigen::VectorXd& x) const {
+    Eigen::VectorXd lengths = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows.size()));
+    for (std::size_t e = 0; e < rows.size(); ++e)
+      for (const Entry& a : rows[e])
+        lengths[static_cast<Eigen::Index>(e)] += a.value * x[a.unknown];
+    return lengths;
+  }
+  /// Gᵀ r
+  Eigen::VectorXd transposedTimes(const Eigen::VectorXd& r) const {
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(unknowns);
+    for (std::size_t e = 0; e < rows.size(); ++e)
+      for (const Entry& a : rows[e]) x[a.unknown] += a.value * r[static_cast<Eigen::Index>(e)];
+    return x;
+  }
+  /// Gᵀ D G + hold, D with 1 at the rows with r > 0 and 0 elsewhere; all of them have the same pattern.
+  Sparse normal(const Eigen::VectorXd& r, double hold) const {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (std::size_t e = 0; e < rows.size(); ++e) {
+      const double weight = r[static_cast<Eigen::Index>(e)] > 0.0 ? 1.0 : 0.0;
+      for (const Entry& a : rows[e])
+        for (const Entry& b : rows[e])
+          entries.emplace_back(a.unknown, b.unknown, weight * a.value * b.value);
+    }
+    for (int i = 0; i < unknowns; ++i) entries.emplace_back(i, i, hold);
+    Sparse H(unknowns, unknowns);
+    H.setFromTriplets(entries.begin(), entries.end());
+    return H;
+  }
+  double squaredNorm() const {
+    double sum = 0.0;
+    for (const std::vector<Entry>& row : rows)
+      for (const Entry& a : row) sum += a.value * a.value;
+    return sum;
+  }
+};
+
+LengthRows lengthRows(const StraightSystem& straight) {
   const SeamlessSystem& s = straight.system;
   std::vector<int> index(at(straight.unknowns.count));
   std::iota(index.begin(), index.end(), 0);
   RealRow row(straight.unknowns, index, std::vector<double>(index.size(), 0.0));
-  std::vector<Eigen::Triplet<double>> entries;
   std::vector<int> column(index.size(), -1);
-  int columns = 0;
-  for (std::size_t e = 0; e < straight.edges.size(); ++e) {
-    const StraightEdge& edge = straight.edges[e];
+  LengthRows G;
+  for (const StraightEdge& edge : straight.edges) {
     const double scale = (edge.heading < 2 ? 1.0 : -1.0) / s.geometry.length[edge.h];
     row.add(s.cut.copy[TriMesh::next(edge.h)].i, edge.heading % 2, scale);
     row.add(s.cut.copy[edge.h].i, edge.heading % 2, -scale);
+    std::vector<LengthRows::Entry>& entries = G.rows.emplace_back();
     row.take([&](int unknown, double value) {
-      if (column[at(unknown)] < 0) column[at(unknown)] = columns++;
-      entries.emplace_back(static_cast<int>(e), column[at(unknown)], value);
+      if (column[at(unknown)] < 0) column[at(unknown)] = G.unknowns++;
+      entries.push_back({column[at(unknown)], value});
     });
   }
-  Sparse G(static_cast<Eigen::Index>(straight.edges.size()), columns);
-  G.setFromTriplets(entries.begin(), entries.end());
   return G;
 }
 
@@ -72,30 +114,25 @@ std::vector<FaceId> flatFaces(const StraightSystem& straight) {
 }  // namespace
 
 LengthFit fitLengths(const StraightSystem& straight) {
-  const Sparse G = lengthRows(straight), T = G.transpose();
+  const LengthRows G = lengthRows(straight);
   LengthFit out;
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(G.cols());
-  Sparse identity(G.cols(), G.cols());
-  identity.setIdentity();
-  const Sparse pattern = T * G + identity;
-  const double hold = kHold * (1.0 + pattern.diagonal().sum() /
-                                         std::max<double>(1.0, static_cast<double>(G.cols())));
-  linalg::MultifrontalCholesky<double> factor;
-  const linalg::Graph graph = linalg::graphOf(pattern);
-  factor.analyze(graph, linalg::nestedDissection(graph));
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(G.unknowns);
+  const double hold = kHold * (1.0 + G.squaredNorm() / std::max(1, G.unknowns));
   const auto shortfall = [&](const Eigen::VectorXd& at) {
-    return Eigen::VectorXd((1.0 - (G * at).array()).max(0.0));
+    Eigen::VectorXd r = G.times(at);
+    for (double& length : r) length = std::max(1.0 - length, 0.0);
+    return r;
   };
   const auto value = [&](const Eigen::VectorXd& at) {
     return shortfall(at).squaredNorm() + hold * at.squaredNorm();
   };
   Eigen::VectorXd r = shortfall(x);
+  linalg::MultifrontalCholesky<double> factor;
+  const linalg::Graph graph = linalg::graphOf(G.normal(r, hold));
+  factor.analyze(graph, linalg::nestedDissection(graph));
   for (int step = 0; step < kMostNewtonSteps; ++step) {
-    const Eigen::VectorXd isShort = (r.array() > 0.0).cast<double>();
-    // Every entry of the pattern stays, with numbers that may be 0.
-    const Sparse H = 0.0 * pattern + Sparse(T * isShort.asDiagonal() * G) + hold * identity;
-    if (!factor.factor(H)) break;
-    const Eigen::VectorXd down = T * r - hold * x;
+    if (!factor.factor(G.normal(r, hold))) break;
+    const Eigen::VectorXd down = G.transposedTimes(r) - hold * x;
     const Eigen::VectorXd dx = factor.solve(Eigen::MatrixXd(down)).col(0);
     const double before = value(x), slope = down.dot(dx);
     double length = 1.0;

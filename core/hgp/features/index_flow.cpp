@@ -35,8 +35,8 @@ class IndexFlow {
       angle_[at(sectors_.node(mesh, h))] += geometry.cornerAngle[h];
   }
 
-  std::vector<UnitMove> cheapest(int start, int sign, std::size_t most) {
-    std::vector<UnitMove> moves;
+  std::vector<IndexMove> cheapest(int start, int sign, std::size_t most) {
+    std::vector<IndexMove> moves;
     const double own = changeOf(start, sign);
     if (own > 0.5 * kImpossible) return moves;
     int visited = 0;
@@ -45,7 +45,7 @@ class IndexFlow {
       if (n != start && all < 0.5 * kImpossible) moves.push_back({stepsTo(n, start, sign), all});
       return ++visited < kMostVisited;
     });
-    const auto isCheaper = [](const UnitMove& a, const UnitMove& b) { return a.cost < b.cost; };
+    const auto isCheaper = [](const IndexMove& a, const IndexMove& b) { return a.cost < b.cost; };
     std::stable_sort(moves.begin(), moves.end(), isCheaper);
     if (moves.size() > most) moves.resize(most);
     return moves;
@@ -197,12 +197,12 @@ void moveUnit(const TriMesh& mesh, HalfedgeId h, int units, AlignedField& field)
   field.turn[twin] += units * kQuarterTurn;
 }
 
-void applyMove(const TriMesh& mesh, const UnitMove& move, AlignedField& field) {
+void applyMove(const TriMesh& mesh, const IndexMove& move, AlignedField& field) {
   for (const auto& [h, units] : move.steps) moveUnit(mesh, h, units, field);
 }
 
-std::vector<UnitMove> cheapestMoves(const TriMesh& mesh, const Geometry& geometry,
-                                    AlignedField& field, int node, int sign, std::size_t most) {
+std::vector<IndexMove> cheapestMoves(const TriMesh& mesh, const Geometry& geometry,
+                                     AlignedField& field, int node, int sign, std::size_t most) {
   return IndexFlow(mesh, geometry, field).cheapest(node, sign, most);
 }
 

@@ -22,16 +22,16 @@ inline constexpr double kSectorCost = 10.0;
 void moveUnit(const TriMesh& mesh, HalfedgeId h, int units, AlignedField& field);
 
 /// A unit that moves from node to node: one unit along each of these halfedges, or back (−1).
-struct UnitMove {
+struct IndexMove {
   std::vector<std::pair<HalfedgeId, int>> steps;
   double cost = 0.0;  ///< change of the costs of both ends, and of the path
 };
 
 /// The cheapest moves that give a unit to `node` (sign 1) or take one from it (−1), cheapest first, at most `most`. Both
 /// ends have possible indices afterwards.
-std::vector<UnitMove> cheapestMoves(const TriMesh& mesh, const Geometry& geometry,
-                                    AlignedField& field, int node, int sign, std::size_t most);
+std::vector<IndexMove> cheapestMoves(const TriMesh& mesh, const Geometry& geometry,
+                                     AlignedField& field, int node, int sign, std::size_t most);
 
-void applyMove(const TriMesh& mesh, const UnitMove& move, AlignedField& field);
+void applyMove(const TriMesh& mesh, const IndexMove& move, AlignedField& field);
 
 }  // namespace hgp

@@ -47,9 +47,7 @@ Translation translation(int turn, const Vec2& from, const Vec2& to) {
   return {sumOf(to[0], -p[0]), sumOf(to[1], -p[1])};
 }
 
-LatticePoint difference(const LatticePoint& p, const LatticePoint& q) {
-  return {p.a - q.a, p.b - q.b};
-}
+SeamPoint difference(const SeamPoint& p, const SeamPoint& q) { return {p.a - q.a, p.b - q.b}; }
 
 /// n 2^exponent is an integer.
 bool isWhole(std::int64_t n, int exponent) {
@@ -73,7 +71,7 @@ ExactSeamFacts onTriangularLattice(const TriMesh& mesh, int q, const CornerUv& u
       continue;
     }
     ++facts.exact;
-    const LatticePoint t = translation(h, TriMesh::next(twin));
+    const SeamPoint t = translation(h, TriMesh::next(twin));
     facts.integer += isWhole(t.a, points->exponent) && isWhole(t.b, points->exponent);
   }
   return facts;

@@ -29,7 +29,7 @@ struct Steps {
   double v;      ///< of the stored v
 };
 
-std::optional<LatticePoint> pointAt(const Vec2& uv, const Steps& steps) {
+std::optional<SeamPoint> pointAt(const Vec2& uv, const Steps& steps) {
   const double halves = std::ldexp(uv[0], 1 - steps.exponent);
   const double rows = std::rint(std::ldexp(uv[1], -steps.exponent) / kHalfRootOf3);
   if (!(std::abs(halves) <= kMostHalfSteps)) return {};
@@ -38,7 +38,7 @@ std::optional<LatticePoint> pointAt(const Vec2& uv, const Steps& steps) {
   if (halves != std::rint(halves) || uv[1] != steps.v * std::rint(exact / steps.v)) return {};
   const auto m = static_cast<std::int64_t>(halves), b = static_cast<std::int64_t>(rows);
   if ((m + b) % 2 != 0) return {};
-  return LatticePoint{(m + b) / 2, b};
+  return SeamPoint{(m + b) / 2, b};
 }
 
 std::optional<LatticePoints> pointsAt(const CornerUv& uv, const Steps& steps) {
@@ -46,7 +46,7 @@ std::optional<LatticePoints> pointsAt(const CornerUv& uv, const Steps& steps) {
   LatticePoints points{steps.exponent, {}};
   points.corner.reserve(uv.size());
   for (const Vec2& p : uv.raw()) {
-    const std::optional<LatticePoint> point = pointAt(p, steps);
+    const std::optional<SeamPoint> point = pointAt(p, steps);
     if (!point) return {};
     points.corner.push_back(*point);
   }
@@ -55,7 +55,7 @@ std::optional<LatticePoints> pointsAt(const CornerUv& uv, const Steps& steps) {
 
 }  // namespace
 
-LatticePoint turnedBySixths(int sixths, LatticePoint p) {
+SeamPoint turnedBySixths(int sixths, SeamPoint p) {
   // e^{i2π/6} = 1 + ω: (a + bω)(1 + ω) = (a − b) + aω, as ω² = −1 − ω.
   for (int k = 0; k < sixths; ++k) p = {p.a - p.b, p.a};
   return p;

@@ -11,17 +11,17 @@
 namespace hgp {
 
 /// The point (a + bω) 2^exponent, ω = e^{i2π/3}.
-struct LatticePoint {
+struct SeamPoint {
   std::int64_t a = 0, b = 0;
-  bool operator==(const LatticePoint&) const = default;
+  bool operator==(const SeamPoint&) const = default;
 };
 
 /// e^{i2π sixths/6} p.
-LatticePoint turnedBySixths(int sixths, LatticePoint p);
+SeamPoint turnedBySixths(int sixths, SeamPoint p);
 
 struct LatticePoints {
   int exponent = 0;
-  std::vector<LatticePoint> corner;  ///< by halfedge index, as in CornerUv
+  std::vector<SeamPoint> corner;  ///< by halfedge index, as in CornerUv
 };
 
 /// u must be a − b/2 in steps of 2^exponent exactly, and v the multiple of 2^m nearest to b √3/2, where 2^m, the

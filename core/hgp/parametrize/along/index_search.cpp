@@ -116,16 +116,16 @@ class Search {
     return nodes;
   }
 
-  std::vector<UnitMove> candidates() {
+  std::vector<IndexMove> candidates() {
     const Geometry& geometry = surface_.context().geometry;
-    std::vector<UnitMove> moves;
+    std::vector<IndexMove> moves;
     for (const int node : corners())
       for (const int sign : {1, -1})
-        for (UnitMove& move :
+        for (IndexMove& move :
              cheapestMoves(surface_.mesh(), geometry, field_, node, sign, kMovesPerNode))
           moves.push_back(std::move(move));
     std::stable_sort(moves.begin(), moves.end(),
-                     [](const UnitMove& a, const UnitMove& b) { return a.cost < b.cost; });
+                     [](const IndexMove& a, const IndexMove& b) { return a.cost < b.cost; });
     return moves;
   }
 
@@ -134,7 +134,7 @@ class Search {
     std::optional<AlignedField> best;
     Score bestScore;
     bestScore.excess = kProgress * score_.excess;
-    for (const UnitMove& move : candidates()) {
+    for (const IndexMove& move : candidates()) {
       if (left_-- <= 0) break;
       if (!report(options_.progress, {Stage::kSolve, 0.0})) {
         isCancelled_ = true;

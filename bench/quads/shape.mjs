@@ -1,17 +1,8 @@
 // What a quad mesh is like: valences, angles, evenness, and how far it lies from a surface.
 // Role: measurements of bench/quads/quads.mjs; counted by nothing of the library's own.
 
-const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const cross = (a, b) => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
-const along = (a, t, d) => [a[0] + t * d[0], a[1] + t * d[1], a[2] + t * d[2]];
-const length = (a) => Math.sqrt(dot(a, a));
-const sum = (list) => list.reduce((total, x) => total + x, 0);
-const mean = (list) => sum(list) / list.length;
+import { along, cross, dot, length, mean, minus } from './vectors.mjs';
+
 const variation = (list) => {
   const m = mean(list);
   return Math.sqrt(mean(list.map((x) => (x - m) ** 2))) / m;

@@ -354,7 +354,7 @@ test('a component without a solution is cut to a disk, the others keep their cer
 
 test('where the usual automatic cones leave a grid no room, few cones are tried, with a note', () => {
   const pretzel = path.join(import.meta.dirname, '../../examples/meshes/pretzel.obj');
-  const coarse = ['--cells', '4', '--grid-mode', 'quad'];
+  const coarse = ['--cells', '4', '--grid-mode', 'tile'];
   const asked = ['param', pretzel, '-o', 'pretzel_out.obj', ...coarse, '--json', 'pretzel.json'];
   const { code, err } = run(asked);
   assert.equal(code, 0, err);

@@ -1,22 +1,26 @@
 #include "hgp/mesh/surface_order.h"
 
-#include <tuple>
+#include <utility>
 
 #include "hgp/mesh/vectors.h"
 
 namespace hgp {
 namespace {
 
-/// Compares (squared length, tail, head); both halfedges of an edge have the same length to the last bit.
+/// Of equal ones that with the smaller (tail, head); both halfedges of an edge have the same length to the last bit.
 HalfedgeId longestHalfedge(const TriMesh& mesh) {
-  const auto keyOf = [&](HalfedgeId h) {
-    const Vec3 &tail = mesh.position(mesh.tail(h)), &head = mesh.position(mesh.head(h));
-    const Vec3 edge = subtract(head, tail);
-    return std::make_tuple(-dot(edge, edge), tail, head);
+  const auto endsOf = [&](HalfedgeId h) {
+    return std::pair(mesh.position(mesh.tail(h)), mesh.position(mesh.head(h)));
   };
   HalfedgeId best;
-  for (HalfedgeId h : mesh.halfedges())
-    if (!best.isValid() || keyOf(h) < keyOf(best)) best = h;
+  double longest = -1.0;
+  for (HalfedgeId h : mesh.halfedges()) {
+    const Vec3 edge = subtract(mesh.position(mesh.head(h)), mesh.position(mesh.tail(h)));
+    const double square = dot(edge, edge);
+    if (square < longest || (square == longest && endsOf(best) <= endsOf(h))) continue;
+    longest = square;
+    best = h;
+  }
   return best;
 }
 

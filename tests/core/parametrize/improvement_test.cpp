@@ -61,7 +61,8 @@ TEST(EvenOut, RaisesTheSmallestAreasAndKeepsWhatIsCertified) {
 }
 
 TEST(Improvement, NeverLosesACertificateAndNeverRaisesTheSymmetricDirichletEnergy) {
-  int lowered = 0, runs = 0;
+  int runs = 0;
+  double logRatios = 0.0;
   for (const test::Shape& shape : shapes()) {
     const TriMesh mesh = shape.mesh();
     for (const int q : {2, 3, 4, 6}) {
@@ -81,14 +82,16 @@ TEST(Improvement, NeverLosesACertificateAndNeverRaisesTheSymmetricDirichletEnerg
         EXPECT_DOUBLE_EQ(facts.after.symmetricDirichlet,
                          better->certificate.distortion.symmetricDirichlet);
         if (balance != 0.0) continue;
-        ++runs;
         EXPECT_LE(facts.after.symmetricDirichlet, facts.before.symmetricDirichlet) << shape.name;
-        lowered += facts.after.symmetricDirichlet <= 0.65 * facts.before.symmetricDirichlet;
+        if (facts.before.symmetricDirichlet < 1e-9)
+          continue;  // an isometry: nothing can be lowered
+        ++runs;
+        logRatios += std::log(facts.after.symmetricDirichlet / facts.before.symmetricDirichlet);
       }
     }
   }
   EXPECT_GT(runs, 20);
-  EXPECT_GT(2 * lowered, runs);
+  EXPECT_LT(std::exp(logRatios / runs), 0.6);  // the geometric mean: two fifths lower
 }
 
 TEST(Improvement, IsNoLongerHarmonicWhereItIsKept) {

@@ -1,5 +1,5 @@
-// Catches exceptions at the API boundary, and gives its calls threads.  Role: the only place where HGP_CHECK, failed allocations and the
-// libraries' own exceptions become a Failure.
+// Catches exceptions at the API boundary, and gives its calls threads.  Role: the only place where HGP_CHECK, failed
+// allocations and the libraries' own exceptions become a Failure.
 #pragma once
 
 #include <exception>

@@ -93,8 +93,8 @@ class Carrier {
 
   /// Features stay where they were, in halves where they are split.
   bool carryFeatures(const HolonomySpec& from, HolonomySpec& to) {
-    std::multimap<VertexPair, EdgeId>
-        edgesAt;  // by surface vertices, of which repairs may have made copies
+    // By surface vertices, of which repairs may have made copies.
+    std::multimap<VertexPair, EdgeId> edgesAt;
     for (EdgeId e : new_.mesh.edges()) edgesAt.emplace(surfaceEnds(new_, e), e);
     const std::map<VertexPair, int> midpoints = findMidpoints();
     for (EdgeId e : from.features) {

@@ -129,6 +129,7 @@ std::vector<UnitMove> ConePlacer::downhillMoves(int reach) {
   std::stable_sort(found.begin(), found.end(),
                    [](const Found& a, const Found& b) { return a.change < b.change; });
   std::vector<UnitMove> moves;
+  moves.reserve(found.size());
   for (const Found& f : found) moves.push_back(f.move);
   return moves;
 }

@@ -5,6 +5,7 @@
 
 #include "hgp/base/check.h"
 #include "hgp/base/counted.h"
+#include "hgp/io/polygon/obj_scan.h"
 #include "hgp/text/text.h"
 
 namespace hgp::io {

@@ -125,6 +125,7 @@ TEST(Parallel, TheFirstExceptionReachesTheCaller) {
   }
 }
 
+#ifndef HGP_NO_THREADS  // what needs threads of its own, or pieces that are counted
 TEST(Parallel, ThreadsOfTheCallerMayHaveScopesOfTheirOwn) {
   std::vector<std::thread> callers;
   std::atomic<int> sum{0};
@@ -137,21 +138,6 @@ TEST(Parallel, ThreadsOfTheCallerMayHaveScopesOfTheirOwn) {
   EXPECT_EQ(sum, 4 * 20 * 100);
 }
 
-TEST(Parallel, ResultsAreTakenInOrder) {
-  for (const int threads : kThreads) {
-    const ThreadScope scope(threads);
-    std::vector<int> order(200), taken;
-    std::iota(order.begin(), order.end(), 0);
-    std::shuffle(order.begin(), order.end(), std::mt19937(7));
-    InOrder results(order, 200, [&](int i) { taken.push_back(i); });
-    parallelFor(200, 1, [&](int i) {
-      busy(i);
-      results.finish(i);
-    });
-    EXPECT_EQ(taken, order);
-  }
-}
-
 TEST(Parallel, ObservedWorkIsDoneByOneThreadPieceByPiece) {
   struct Counter : WorkObserver {
     void workBegins() override { ++works, ++open; }
@@ -161,7 +147,6 @@ TEST(Parallel, ObservedWorkIsDoneByOneThreadPieceByPiece) {
     int works = 0, pieces = 0, open = 0;
   } counter;
   const ThreadScope scope(4);
-  if (threadCount() == 1) GTEST_SKIP() << "built without threads";
   int sum = 0;
   {
     const ObservedWork observed(counter);
@@ -176,6 +161,22 @@ TEST(Parallel, ObservedWorkIsDoneByOneThreadPieceByPiece) {
   EXPECT_EQ(counter.open, 0);
   parallelFor(10, 1, [](int) {});
   EXPECT_EQ(counter.works, 11);  // no longer observed
+}
+#endif
+
+TEST(Parallel, ResultsAreTakenInOrder) {
+  for (const int threads : kThreads) {
+    const ThreadScope scope(threads);
+    std::vector<int> order(200), taken;
+    std::iota(order.begin(), order.end(), 0);
+    std::shuffle(order.begin(), order.end(), std::mt19937(7));
+    InOrder results(order, 200, [&](int i) { taken.push_back(i); });
+    parallelFor(200, 1, [&](int i) {
+      busy(i);
+      results.finish(i);
+    });
+    EXPECT_EQ(taken, order);
+  }
 }
 
 /// A forest in postorder with random shape; some costs are negative.

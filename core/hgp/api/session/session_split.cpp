@@ -12,6 +12,7 @@ namespace {
 
 std::vector<char> withoutMap(const std::vector<Certificate>& certificates) {
   std::vector<char> isOpen;
+  isOpen.reserve(certificates.size());
   for (const Certificate& c : certificates) isOpen.push_back(!c.isCertified);
   return isOpen;
 }

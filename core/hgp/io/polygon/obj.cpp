@@ -6,7 +6,7 @@
 #include "hgp/io/limits.h"
 #include "hgp/io/polygon/obj_attributes.h"
 #include "hgp/io/polygon/obj_refine.h"
-#include "hgp/io/polygon/obj_text.h"
+#include "hgp/io/polygon/obj_scan.h"
 #include "hgp/io/polygon/polygon_document.h"
 #include "hgp/text/text.h"
 

@@ -1,5 +1,5 @@
-// The content of an OBJ text, and the positions that a patch must change.  Role: parses the text in one fast pass,
-// without copying its lines.
+// The content of an OBJ text, and the positions that a patch must change.  Role: what scanObj() found, without copies
+// of its lines.
 #pragma once
 
 #include <string_view>
@@ -29,12 +29,6 @@ struct ObjText {
 
 /// Beginning of the comment that stores cones in an OBJ.
 inline constexpr std::string_view kEmbeddedConesMark = "# hgp-cones ";
-
-/// Fails with kMalformed and a line number for: a vertex index that is 0, out of range, or relative to a vertex
-/// before the first; more than kMaxPolygonCorners corners; a line above 1 MiB; a corner without a finite position;
-/// anything but decimal numbers. Fails with kLimit above `maxTriangles`. Accepted with a note: faces with fewer than
-/// three corners are skipped, a vt out of range counts as none, and in a text without '\n' lines end in '\r'.
-Result<ObjText> scanObj(std::string_view text, std::uint64_t maxTriangles);
 
 /// One corner "v", "v/vt", "v//vn" or "v/vt/vn" of a face line, as spelled.
 struct ObjCorner {

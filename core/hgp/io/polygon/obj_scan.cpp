@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "hgp/base/check.h"
 #include "hgp/base/ids.h"
 #include "hgp/base/parallel.h"
 #include "hgp/io/polygon/obj_scanner.h"

@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "hgp/base/check.h"
 #include "hgp/base/counted.h"
 #include "hgp/io/limits.h"
 

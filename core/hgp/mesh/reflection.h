@@ -1,0 +1,76 @@
+// Reflections in a plane that map a surface onto itself.  Role: one side of the plane is solved, and the other is its image.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hgp/mesh/tri_mesh.h"
+
+namespace hgp {
+
+/// {p : normal · p = offset}, |normal| = 1.
+struct MirrorPlane {
+  std::string name;  ///< "X", "Y" or "Z" where that is the normal, otherwise ""
+  Vec3 normal{1.0, 0.0, 0.0};
+  double offset = 0.0;
+};
+/// The mirrored point.
+Vec3 mirrored(const MirrorPlane& plane, const Vec3& p);
+
+/// Planes in which a surface could be symmetric: across X, Y and Z through the centre of the bounding box; across the principal
+/// axes of its corners through their mean, where these are others.
+std::vector<MirrorPlane> likelyPlanes(const MeshData& mesh);
+
+/// Vertices may be off their mirrored places by this fraction of the bounding box's diagonal. Which vertex is whose image
+/// does not depend on it: that follows from the triangles.
+inline constexpr double kMirrorTolerance = 1e-4;
+
+/// A bijection of the triangles, vertices and edges of `from` and `to` that turns every triangle over.
+struct Reflection {
+  PerVertex<VertexId> vertex;
+  PerHalfedge<HalfedgeId> halfedge;  ///< that of a → b runs from the image of b to that of a
+  double distance = 0.0;  ///< between the mirrored place of a vertex and its image, at most
+};
+
+/// The reflection found, or else the largest part of the surface that has an image.
+struct ReflectionSearch {
+  std::optional<Reflection> reflection;
+  int matched = 0;  ///< triangles
+  FaceId without;   ///< a triangle without an image
+};
+
+/// Finds it by walking over both surfaces at once from a triangle and its image; O(|F|) for each triangle at the place of an image
+/// of the largest one.
+/// @param tolerance  in units of the surface; @pre both connected
+ReflectionSearch findReflection(const TriMesh& from, const TriMesh& to, const MirrorPlane& plane,
+                                double tolerance);
+
+/// A surface's reflection onto itself.
+struct Mirror {
+  MirrorPlane plane;
+  Reflection own;
+};
+
+/// Edges of a surface that the plane contains: every vertex of them is its own image. Ascending.
+/// @param own  of the surface onto itself
+std::vector<EdgeId> edgesInPlane(const TriMesh& mesh, const Reflection& own);
+/// Edges whose ends are images of each other, so that they cross the plane. Ascending.
+std::vector<EdgeId> edgesAcross(const TriMesh& mesh, const Reflection& own);
+
+/// The part of a surface on one side of a plane.
+struct HalfSurface {
+  TriMesh mesh;
+  std::vector<VertexId> vertexOrigin;  ///< vertex → vertex of the whole
+  std::vector<FaceId> faceOrigin;      ///< corners are in the same order
+
+  HalfedgeId origin(HalfedgeId h) const {
+    return TriMesh::halfedge(faceOrigin[at(TriMesh::face(h).i)], h.i % 3);
+  }
+};
+
+/// The side to which the normal points; its boundary edges are those in the plane and the whole's own.
+/// @pre no edge of `own` is across
+HalfSurface halfOf(const TriMesh& mesh, const Reflection& own, const MirrorPlane& plane);
+
+}  // namespace hgp

@@ -1,0 +1,137 @@
+#include "hgp/mesh/reflection.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "hgp/mesh/topology.h"
+#include "hgp/mesh/vectors.h"
+#include "support/shapes.h"
+
+namespace hgp {
+namespace {
+
+/// One side of a grid with a relief, glued to its mirror image; triangles in random order.
+test::Shape glued(int n) {
+  test::Shape shape = test::jittered(test::grid(n, n), 0.2);
+  for (Vec3& p : shape.data.positions) {
+    const bool isInPlane = std::fabs(p[0]) < 0.5;
+    p[0] = isInPlane ? 0.0 : p[0];
+  }
+  std::vector<int> image;
+  const std::size_t count = shape.data.positions.size();
+  for (std::size_t v = 0; v < count; ++v) {
+    const Vec3 p = shape.data.positions[v];
+    image.push_back(static_cast<int>(p[0] == 0.0 ? v : shape.data.positions.size()));
+    if (p[0] != 0.0) shape.data.positions.push_back({-p[0], p[1], p[2]});
+  }
+  const auto triangles = shape.data.triangles;
+  for (const auto& [a, b, c] : triangles)
+    shape.data.triangles.push_back({image[at(a)], image[at(c)], image[at(b)]});
+  shape.name = "glued grid";
+  return test::scattered(shape);
+}
+
+MirrorPlane planeNamed(const MeshData& mesh, const std::string& name) {
+  const std::vector<MirrorPlane> planes = likelyPlanes(mesh);
+  return *std::find_if(planes.begin(), planes.end(),
+                       [&](const MirrorPlane& p) { return p.name == name; });
+}
+
+std::optional<Reflection> reflectionOf(const test::Shape& shape, const std::string& plane) {
+  const TriMesh mesh = shape.mesh();
+  return findReflection(mesh, mesh, planeNamed(shape.data, plane), 1e-6).reflection;
+}
+
+TEST(Reflection, IsAnInvolutionThatTurnsEveryTriangleOver) {
+  for (const test::Shape& shape : {test::octahedron(), test::icosphere(4), glued(6), glued(9)}) {
+    const TriMesh mesh = shape.mesh();
+    const std::optional<Reflection> own = reflectionOf(shape, "X");
+    ASSERT_TRUE(own) << shape.name;
+    for (HalfedgeId h : mesh.halfedges()) {
+      const HalfedgeId g = own->halfedge[h];
+      EXPECT_EQ(own->halfedge[g], h) << shape.name;
+      EXPECT_EQ(mesh.tail(g), own->vertex[mesh.head(h)]);
+      EXPECT_EQ(mesh.head(g), own->vertex[mesh.tail(h)]);
+      EXPECT_EQ(own->halfedge[TriMesh::next(h)], TriMesh::previous(g));
+      EXPECT_EQ(mesh.isBoundary(h), mesh.isBoundary(g));
+    }
+    for (VertexId v : mesh.vertices()) {
+      EXPECT_EQ(own->vertex[own->vertex[v]], v);
+      const Vec3 there = mesh.position(own->vertex[v]), p = mesh.position(v);
+      EXPECT_NEAR(there[0], -p[0], 1e-6);
+      EXPECT_NEAR(there[1], p[1], 1e-6);
+    }
+    EXPECT_LE(own->distance, 1e-6);
+  }
+}
+
+TEST(Reflection, IsFoundOnlyWhereTheTrianglesMatch) {
+  const test::Shape moved = test::jittered(test::octahedron(), 0.1);
+  EXPECT_FALSE(reflectionOf(moved, "X"));
+  test::Shape flipped = glued(6);
+  const TriMesh whole = flipped.mesh();
+  // Another diagonal on one side keeps all vertices where they are.
+  for (EdgeId e : whole.edges()) {
+    const HalfedgeId h = whole.halfedge(e), g = whole.twin(h);
+    if (!g.isValid()) continue;
+    const VertexId a = whole.tail(h), b = whole.head(h);
+    const VertexId c = whole.head(TriMesh::next(h)), d = whole.head(TriMesh::next(g));
+    if (whole.position(a)[0] <= 0.0 || whole.position(b)[0] <= 0.0 || whole.valence(a) < 5 ||
+        whole.valence(b) < 5)
+      continue;
+    flipped.data.triangles[at(TriMesh::face(h).i)] = {c.i, d.i, b.i};
+    flipped.data.triangles[at(TriMesh::face(g).i)] = {d.i, c.i, a.i};
+    break;
+  }
+  const TriMesh mesh = flipped.mesh();
+  const ReflectionSearch search = findReflection(mesh, mesh, planeNamed(flipped.data, "X"), 1e-6);
+  EXPECT_FALSE(search.reflection);
+  EXPECT_LT(search.matched, mesh.faceCount());
+  EXPECT_TRUE(search.without.isValid());
+}
+
+TEST(Reflection, ToleratesVerticesThatAreOffByLess) {
+  const test::Shape shape = test::jittered(glued(6), 1e-4, 7);
+  const TriMesh mesh = shape.mesh();
+  const MirrorPlane plane = planeNamed(shape.data, "X");
+  const ReflectionSearch search = findReflection(mesh, mesh, plane, 1e-3);
+  ASSERT_TRUE(search.reflection);
+  EXPECT_GT(search.reflection->distance, 0.0);
+  EXPECT_FALSE(findReflection(mesh, mesh, plane, 0.1 * search.reflection->distance).reflection);
+}
+
+TEST(Reflection, PrincipalAxesFindThePlaneOfATurnedSurface) {
+  test::Shape shape = glued(6);
+  for (Vec3& p : shape.data.positions) p = {0.6 * p[0] - 0.8 * p[1], 0.8 * p[0] + 0.6 * p[1], 3.0};
+  const TriMesh mesh = shape.mesh();
+  int found = 0;
+  for (const MirrorPlane& plane : likelyPlanes(shape.data)) {
+    if (!plane.name.empty()) continue;
+    EXPECT_NEAR(norm(plane.normal), 1.0, 1e-12);
+    found += findReflection(mesh, mesh, plane, 1e-6).reflection.has_value();
+  }
+  EXPECT_EQ(found, 1);
+}
+
+TEST(HalfSurface, HasHalfOfTheTrianglesAndItsNewRimInThePlane) {
+  for (const test::Shape& shape : {test::octahedron(), test::icosphere(4), glued(6)}) {
+    const TriMesh mesh = shape.mesh();
+    const std::optional<Reflection> own = reflectionOf(shape, "X");
+    ASSERT_TRUE(own);
+    if (!edgesAcross(mesh, *own).empty()) continue;
+    const HalfSurface half = halfOf(mesh, *own, planeNamed(shape.data, "X"));
+    EXPECT_EQ(2 * half.mesh.faceCount(), mesh.faceCount());
+    std::size_t inPlane = 0;
+    for (HalfedgeId h : half.mesh.halfedges()) {
+      EXPECT_EQ(half.vertexOrigin[at(half.mesh.tail(h).i)], mesh.tail(half.origin(h)));
+      EXPECT_GE(half.mesh.position(half.mesh.tail(h))[0], -1e-6);
+      if (half.mesh.isBoundary(h) && !mesh.isBoundary(half.origin(h))) ++inPlane;
+    }
+    EXPECT_EQ(inPlane, edgesInPlane(mesh, *own).size()) << shape.name;
+    EXPECT_EQ(computeTopology(half.mesh).componentCount, 1);
+  }
+}
+
+}  // namespace
+}  // namespace hgp

@@ -183,6 +183,7 @@ class Parser {
     o.conesFor = conesForNamed(words_.conesFor).value_or(o.conesFor);
     o.frames = api::framesNamed(words_.frames).value_or(o.frames);
     o.scale = api::scaleNamed(words_.scale).value_or(o.scale);
+    o.symmetry = api::symmetryNamed(words_.symmetric).value_or(o.symmetry);
     o.grid.mode = api::gridModeNamed(words_.gridMode).value_or(o.grid.mode);
   }
 

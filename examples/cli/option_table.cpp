@@ -335,6 +335,9 @@ class Table {
            "The same as --improve isometric")
         ->excludes("--improve")
         ->option_text(" ");
+    choice(sub->add_option("--symmetric", words_.symmetric,
+                           "Solve one side of a plane that mirrors the mesh, and mirror the map: "
+                           "across X, Y or Z through the centre, or whichever fits (q = 4)"));
     choice(sub->add_option("--scale", words_.scale,
                            "Scale of the map: as solved (default), mean edge length 1, or fitted "
                            "into the unit square"));

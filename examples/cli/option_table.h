@@ -16,7 +16,8 @@ namespace hgp::cli {
 
 /// Words from the command line that are interpreted after parsing.
 struct TypedWords {
-  std::string mesh, weld, fix, boundary, conesFor, frames, method, scale, uvSet, gridMode, cells;
+  std::string mesh, weld, fix, boundary, conesFor, frames, method, scale, uvSet, gridMode, cells,
+      symmetric;
   std::vector<std::string> cone, turning, handle;
   std::string topic;  ///< argument of `help`
   std::string shell;  ///< argument of `completion`

@@ -262,6 +262,11 @@ std::string inspectText(const std::string& source, const Style& style) {
     out += row("creases", counted(integer(features, "creaseEdges"), "edge") +
                               formatText(" above %g°, in ", number(features, "degrees")) +
                               counted(integer(features, "creaseChains"), "chain"));
+    for (const Json& m : json["mirrors"])
+      out += row("mirror plane", (m["name"] == "" ? m["normal"].dump() : text(m["name"])) +
+                                     formatText(" = %.6g, ", number(m, "offset")) +
+                                     counted(integer(m, "edgesIn"), "edge") +
+                                     formatText(" in it, %lld across", integer(m, "edgesAcross")));
     for (const Json& component : json["components"]) {
       for (const Json& loop : component["boundaryLoops"]) {
         out += row(("loop " + loop["loop"].dump()).c_str(),

@@ -316,6 +316,7 @@ class Mesh:
         refine: bool = False,
         keep_going: bool = False,
         convex_polygons: bool = False,
+        symmetric: Optional[Literal["auto", "X", "Y", "Z"]] = None,
         reproducible: bool = False,
         time_limit: Optional[float] = None,
         progress: OnProgress = None,
@@ -351,6 +352,8 @@ class Mesh:
             keep_going: components without a map keep their uv or are cut open; the map is then not certified.
             convex_polygons: certify only maps in which every polygon of the file is convex, for readers that cut polygons
                 along other diagonals.
+            symmetric: one side of a plane that mirrors the mesh is solved and the map mirrored, to the last bit: across X, Y or Z
+                through the centre of the bounding box, or whichever plane fits.
             reproducible: the same bytes on every processor, as `hgp param --reproducible`; calls that differ in it wait
                 for each other.
             time_limit: seconds, after which the call ends with NoMapError.
@@ -385,6 +388,7 @@ class Mesh:
             refine=refine,
             keep_going=keep_going,
             convex_polygons=convex_polygons,
+            symmetric=symmetric,
         )
         made = self._core.parametrize(asked, options, bool(reproducible), time_limit, _caller(progress))
         return Map(made)

@@ -86,6 +86,7 @@ def parametrize_file(
     refine: bool = False,
     keep_going: bool = False,
     convex_polygons: bool = False,
+    symmetric: Optional[Literal["auto", "X", "Y", "Z"]] = None,
     reproducible: bool = False,
     time_limit: Optional[float] = None,
     progress: OnProgress = None,
@@ -152,6 +153,7 @@ def parametrize_file(
         refine=refine,
         keep_going=keep_going,
         convex_polygons=convex_polygons,
+        symmetric=symmetric,
     )
     saving = {
         "overwrite": overwrite,

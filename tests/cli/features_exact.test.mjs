@@ -2,8 +2,8 @@
 // ends, closed loops without corners, many creases at a vertex, creases that end on rims, flat pieces. The files are read
 // here, by nothing of the project's own.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
 import test from 'node:test';
+import { readers } from '../support/mapped_corners.mjs';
 import { inFolder } from '../support/program.mjs';
 
 const { at, put, good } = inFolder('features-exact');
@@ -48,53 +48,6 @@ const float = Math.fround;
 const placeOf = (p) => p.map(float).join(' ');
 const keyOf = (p, q) => [placeOf(p), placeOf(q)].sort().join(' | ');
 
-/** Positions and uv of the corners of every triangle: [[p, uv] × 3]. */
-const readers = {
-  obj(name) {
-    const [v, vt, out] = [[], [], []];
-    for (const line of readFileSync(at(name), 'utf8').split('\n')) {
-      const [word, ...rest] = line.trim().split(/\s+/);
-      if (word === 'v') v.push(rest.slice(0, 3).map(Number));
-      if (word === 'vt') vt.push(rest.map(Number));
-      if (word !== 'f') continue;
-      out.push(rest.map((c) => c.split('/').map(Number)).map(([a, b]) => [v[a - 1], vt[b - 1]]));
-    }
-    return out;
-  },
-  ply(name) {
-    const text = readFileSync(at(name), 'latin1');
-    assert.match(text, /format ascii/);
-    const count = (what) => Number(new RegExp(`element ${what} (\\d+)`).exec(text)[1]);
-    const rows = text.slice(text.indexOf('end_header\n') + 11).trim().split('\n').map((row) => row.trim().split(/\s+/).map(Number)); // prettier-ignore
-    const v = rows.slice(0, count('vertex')).map((row) => row.slice(0, 3));
-    return rows.slice(v.length, v.length + count('face')).map((row) => {
-      assert.equal(row[4], 6);
-      return [0, 1, 2].map((k) => [v[row[1 + k]], row.slice(5 + 2 * k, 7 + 2 * k).map(float)]);
-    });
-  },
-  glb(name) {
-    const bytes = readFileSync(at(name));
-    const length = bytes.readUInt32LE(12);
-    const json = JSON.parse(bytes.toString('utf8', 20, 20 + length));
-    const bin = bytes.subarray(28 + length);
-    const values = (index) => {
-      const { bufferView, byteOffset = 0, componentType, count, type } = json.accessors[index];
-      const { byteOffset: start = 0, byteStride } = json.bufferViews[bufferView];
-      const width = { SCALAR: 1, VEC2: 2, VEC3: 3 }[type];
-      const [size, read] = { 5123: [2, 'readUInt16LE'], 5125: [4, 'readUInt32LE'], 5126: [4, 'readFloatLE'] }[componentType]; // prettier-ignore
-      return run(count, (i) => run(width, (k) => bin[read](start + byteOffset + i * (byteStride ?? size * width) + k * size))); // prettier-ignore
-    };
-    return json.meshes.flatMap(({ primitives }) =>
-      primitives.flatMap(({ attributes, indices }) => {
-        const sets = Object.keys(attributes).filter((word) => word.startsWith('TEXCOORD_')).sort(); // prettier-ignore
-        const [p, uv] = [values(attributes.POSITION), values(attributes[sets.at(-1)])];
-        const corners = values(indices).map(([i]) => [p[i], [uv[i][0], -uv[i][1]]]); // v points down
-        return run(corners.length / 3, (t) => corners.slice(3 * t, 3 * t + 3));
-      }),
-    );
-  },
-};
-
 const toPly = (v, f) =>
   ['ply', 'format ascii 1.0', `element vertex ${v.length}`, 'property double x', 'property double y', 'property double z', `element face ${f.length}`, 'property list uchar int vertex_indices', 'end_header', ...v.map((p) => p.join(' ')), ...f.map((t) => `3 ${t.join(' ')}`), ''].join('\n'); // prettier-ignore
 const toObj = (v, f) =>
@@ -129,7 +82,7 @@ for (const [what, [{ vertices, triangles }, edges]] of Object.entries(cases))
         }
         good('param', source, ...list, '--rims', '-o', target, '--force');
         let found = 0;
-        for (const corners of readers[target.slice(4)](target)) {
+        for (const corners of readers[target.slice(4)](at(target))) {
           const [a, b, c] = corners.map(([, uv]) => uv);
           assert.ok((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > 0, target);
           corners.forEach(([p, uv], k) => {

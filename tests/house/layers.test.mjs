@@ -142,7 +142,7 @@ const folders = {
     apart: [['polygon', 'gltf']],
   },
   parametrize: {
-    order: ['', 'after', 'strategy', 'strategy/moves', 'along', 'live'],
+    order: ['', 'after', 'strategy', 'strategy/moves', 'along', 'mirror', 'live'],
     apart: [['after', 'strategy', 'along', 'live']],
   },
   api: { order: ['', 'model', 'request', 'stored', 'json', 'session'] },

@@ -42,6 +42,7 @@ constexpr std::array kSolveRows{
     OptionRow{"grid.cells", "--cells", "cells", K::kNumber, "", 1, kNoEnd},
     OptionRow{"grid.spacing", "--grid", "grid", K::kNumber, "", 0, kNoEnd, true},
     OptionRow{"grid.mode", "--grid-mode", "grid_mode", K::kWord, "tile|quad"},
+    OptionRow{"symmetric", "--symmetric", "symmetric", K::kWord, "auto|X|Y|Z"},
 };
 
 constexpr std::array kVerifyRows{

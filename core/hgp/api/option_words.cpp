@@ -1,5 +1,6 @@
 #include "hgp/api/option_words.h"
 
+#include <algorithm>
 #include <array>
 
 #include "hgp/text/text.h"
@@ -13,6 +14,9 @@ struct NamedBalance {
 };
 constexpr std::array<NamedBalance, 3> kBalances{
     {{"isometric", 0.0}, {"conformal", -1.0}, {"area", 1.0}}};
+
+/// In the order of Symmetry.
+constexpr std::array<const char*, 5> kSymmetries{"none", "auto", "X", "Y", "Z"};
 
 /// The value at the place of the word.
 template <class Value, std::size_t N>
@@ -38,6 +42,16 @@ std::optional<Scale> scaleNamed(std::string_view word) {
 
 std::optional<GridMode> gridModeNamed(std::string_view word) {
   return valueNamed<GridMode>(word, std::array{"tile", "quad"});
+}
+
+std::optional<Symmetry> symmetryNamed(std::string_view word) {
+  const auto found = std::find(kSymmetries.begin() + 1, kSymmetries.end(), word);
+  if (found == kSymmetries.end()) return std::nullopt;
+  return static_cast<Symmetry>(found - kSymmetries.begin());
+}
+
+const char* symmetryWord(Symmetry symmetry) {
+  return kSymmetries[static_cast<std::size_t>(symmetry)];
 }
 
 std::optional<MapFormat> mapFormatNamed(std::string_view word) {

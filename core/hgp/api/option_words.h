@@ -15,7 +15,10 @@ std::optional<BoundaryKind> boundaryNamed(std::string_view word);
 std::optional<FrameSource> framesNamed(std::string_view word);
 std::optional<Scale> scaleNamed(std::string_view word);
 std::optional<GridMode> gridModeNamed(std::string_view word);
+std::optional<Symmetry> symmetryNamed(std::string_view word);  ///< never kNone
 std::optional<MapFormat> mapFormatNamed(std::string_view word);
+/// "X", …; "none"
+const char* symmetryWord(Symmetry symmetry);
 /// LoadOptions::weld for "exact" (0) and "none" (kWeldNever).
 std::optional<double> weldNamed(std::string_view word);
 /// The balance of ImproveOptions that a word denotes: "isometric" (0), "conformal" (−1), "area" (1) or

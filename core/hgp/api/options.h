@@ -43,6 +43,9 @@ enum class Scale {
   kFit,     ///< uniformly into [0, 1]²
 };
 
+/// The normal of the plane across which a map is symmetric; kAuto: whichever mirrors the mesh.
+enum class Symmetry { kNone, kAuto, kX, kY, kZ };
+
 struct SolveOptions {
   int q = 4;          ///< for automatic cones; a prescription has its own
   int coneCount = 0;  ///< automatic cones: this many if possible; 0: chosen by conesFor
@@ -65,6 +68,8 @@ struct SolveOptions {
   /// Align to a grid also where `grid` has neither a number of cells nor their length: automaticCells of them. Where the
   /// map is then not aligned, or not with the number that `grid` has, one with which it is, up to 100 000 triangles.
   bool choosesCells = false;
+  /// One side of a plane is solved and the other is its mirror image, bit for bit; the plane is a feature.
+  Symmetry symmetry = Symmetry::kNone;
   Progress progress;
 };
 

@@ -207,6 +207,11 @@ constexpr Phrase kOthers[] = {
     {"map-small-improved",
      "the map as solved has triangles too small for the numbers of the format; it is improved, "
      "as by --improve isometric"},
+    {"symmetric",
+     "the map is its own mirror image across the plane {plane}, along {edges|edge}; vertices of "
+     "the "
+     "mesh are off theirs by at most {off:.2g} of the bounding box's diagonal. Lines follow the "
+     "plane, and rims where there are any."},
     {"features-contradict",
      "The lengths of features contradict each other: {edges|feature edge} would have no length, "
      "whatever the map (see conflict). Leave out one of these."},

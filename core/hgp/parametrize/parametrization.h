@@ -1,6 +1,7 @@
 // Options and result of a run.  Role: the types of parametrize.h, for code that only passes them on.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "hgp/mesh/field_data.h"
 #include "hgp/mesh/holonomy_spec.h"
 #include "hgp/mesh/mesh_data.h"
+#include "hgp/mesh/reflection.h"
 #include "hgp/parametrize/method.h"
 #include "hgp/verify/certificate.h"
 
@@ -86,6 +88,7 @@ struct Parametrization {
   std::vector<StageTime> times;
   Notes notes;                     ///< warnings and explanations
   std::optional<GridReport> grid;  ///< where a grid was asked; without one the map is as solved
+  std::shared_ptr<const Mirror> mirror;  ///< of which the map is symmetric: u = 0 is the plane
   /// Where the best program found no point that fulfils its frames: the constrained triangles at which it was
   /// strained most. Notes say whether that the frames contradict each other is proven.
   std::vector<FaceId> strained;

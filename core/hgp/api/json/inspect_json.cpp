@@ -1,5 +1,6 @@
 #include "hgp/api/json/json_text.h"
 #include "hgp/api/json/json_values.h"
+#include "hgp/api/model/mirrors.h"
 #include "hgp/api/session.h"
 #include "hgp/features/creases.h"
 #include "hgp/mesh/finite.h"
@@ -110,6 +111,18 @@ Json featuresJson(const Model& model) {
               {"rimEdges", rims}};
 }
 
+Json mirrorsJson(const Model& model) {
+  Json out = Json::array();
+  for (const ModelMirror& mirror : findMirrors(model))
+    out.push_back(Json{{"name", mirror.plane.name},
+                       {"normal", mirror.plane.normal},
+                       {"offset", mirror.plane.offset},
+                       {"edgesIn", mirror.inPlane},
+                       {"edgesAcross", mirror.across},
+                       {"distance", mirror.distance}});
+  return out;
+}
+
 Json budgetJson(const ComponentCheck& check) {
   if (!check.budget) return Json();
   const BudgetReport& b = *check.budget;
@@ -137,6 +150,7 @@ std::string inspectText(const Model& model) {
     json["isolatedVertices"] = t.isolatedVertexCount;
     json["components"] = componentsJson(model);
     json["features"] = featuresJson(model);
+    json["mirrors"] = mirrorsJson(model);
   }
   json["diagonal"] = diagonal(finiteBoxOf(model.mesh.positions));
   json["defects"] = defectsJson(model);

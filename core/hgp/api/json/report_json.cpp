@@ -22,6 +22,7 @@ Json optionsJson(const SolveOptions& o, bool isAutomatic) {
   json["grid"] = Json{{"cells", o.grid.cells},
                       {"spacing", o.grid.spacing},
                       {"mode", o.grid.mode == GridMode::kQuad ? "quad" : "tile"}};
+  if (o.symmetry != Symmetry::kNone) json["symmetric"] = symmetryWord(o.symmetry);
   json["automaticCones"] = isAutomatic;
   if (isAutomatic) {
     json["q"] = o.q;

@@ -4,6 +4,7 @@
 
 #include "hgp/api/model/model.h"
 #include "hgp/mesh/holonomy_spec.h"
+#include "hgp/mesh/reflection.h"
 
 namespace hgp::api {
 
@@ -11,6 +12,7 @@ struct ComponentRequest {
   HolonomySpec spec;
   bool isAutomatic = false;        ///< nothing is prescribed for this component: choose its cones
   std::optional<FieldData> field;  ///< the component's part of the field, in ids of the component
+  std::shared_ptr<const Mirror> mirror = {};  ///< in which its map is to be symmetric
 };
 
 struct Request {

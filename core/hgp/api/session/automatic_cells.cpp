@@ -63,7 +63,7 @@ Status Session::State::solveWithWorkingCells(const SolveOptions& options, RunRec
   request.q = options.q;
   for (const Parametrization& component : run.components) {
     request.q = component.spec.q;
-    request.components.push_back({toSpec(component.spec), false, std::nullopt});
+    request.components.push_back({toSpec(component.spec), false, std::nullopt, component.mirror});
   }
   RunRecord again;
   again.options = denser;

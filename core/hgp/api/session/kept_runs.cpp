@@ -72,14 +72,14 @@ bool isSamePrescription(const prescription::Prescription& a, const prescription:
 
 bool isSameOptions(const SolveOptions& a, const SolveOptions& b) {
   const auto& [q, coneCount, conesFor, alignToCurvature, boundary, maxRounds, method, improve,
-               frames, scale, keepsGoing, refines, convexPolygons, grid, choosesCells, progress] =
-      a;
+               frames, scale, keepsGoing, refines, convexPolygons, grid, choosesCells, symmetry,
+               progress] = a;
   static_cast<void>(progress);
   return std::tie(q, coneCount, conesFor, alignToCurvature, boundary, maxRounds, method, frames,
-                  scale, keepsGoing, refines, convexPolygons, choosesCells) ==
+                  scale, keepsGoing, refines, convexPolygons, choosesCells, symmetry) ==
              std::tie(b.q, b.coneCount, b.conesFor, b.alignToCurvature, b.boundary, b.maxRounds,
                       b.method, b.frames, b.scale, b.keepsGoing, b.refines, b.convexPolygons,
-                      b.choosesCells) &&
+                      b.choosesCells, b.symmetry) &&
          kTied(grid, b.grid) && areSame(improve, b.improve, kTied);
 }
 

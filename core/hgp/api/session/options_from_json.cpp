@@ -53,6 +53,7 @@ Result<SolveOptions> solveOptions(const GivenOptions& given) {
   given.read("grid.spacing", o.grid.spacing);
   o.grid.mode = gridModeNamed(given.word("grid.mode", "tile")).value_or(o.grid.mode);
   o.choosesCells = given.has("grid.mode") && !o.grid.isAsked();
+  o.symmetry = symmetryNamed(given.word("symmetric", "")).value_or(o.symmetry);
   if (given.has("grid.cells") && given.has("grid.spacing"))
     return given.contradiction("grid.cells", "grid.spacing", "exclude each other");
   const char* grid = given.has("grid.cells")     ? "grid.cells"

@@ -4,6 +4,7 @@
 
 #include "hgp/api/request/feature_request.h"
 #include "hgp/api/request/grid_retries.h"
+#include "hgp/api/request/mirror_request.h"
 #include "hgp/api/request/other_cones.h"
 #include "hgp/api/request/possible_options.h"
 #include "hgp/api/session/map_notes.h"
@@ -241,7 +242,8 @@ Status Session::State::solveRequest(const Request& request, const SolveOptions& 
     const bool isAligned = component->grid && component->grid->isAligned;
     areAligned = areAligned && isAligned;
     maps.push_back({std::move(component->map), std::move(component->copyOf), component->spec,
-                    std::move(component->certificate), isAligned ? 1.0 : 0.0, isKept, whyNone});
+                    std::move(component->certificate), isAligned ? 1.0 : 0.0, isKept, whyNone,
+                    component->mirror});
     run.components.push_back(std::move(*component));
   }
   storeMaps(std::move(maps), request.q, options, areAligned, run);
@@ -259,6 +261,7 @@ Status Session::State::solve(const std::optional<prescription::Prescription>& pr
   const SolveOptions options = withCells(*request, asked);
   if (Status possible = checkOptions(options, request->q); !possible) return possible.error();
   if (Status possible = checkFeatures(prescription, options); !possible) return possible.error();
+  if (Status mirrored = addMirror(*model, options, *request); !mirrored) return mirrored.error();
   if (options.frames == FrameSource::kAuto) {
     for (ComponentRequest& component : request->components) component.field.reset();
   }
@@ -270,13 +273,14 @@ Status Session::State::solve(const std::optional<prescription::Prescription>& pr
   if (options.frames == FrameSource::kFile) run.notes.push_back(Note("field-frames"));
   const bool hasFeatures =
       prescription && !prescription->features.isEmpty() && options.boundary == BoundaryKind::kFree;
-  if (hasFeatures) {
+  const bool isSymmetric = options.symmetry != Symmetry::kNone;
+  if (hasFeatures && !isSymmetric) {
     if (Status done = solveSplit(*request, options, run); !done) return done;
   } else {
     if (Status done = solveRequest(*request, options, run); !done) return done;
     if (Status done = solveWithWorkingCells(options, run); !done) return done;
   }
-  const bool mayRepair = options.boundary == BoundaryKind::kFree && !hasFeatures;
+  const bool mayRepair = options.boundary == BoundaryKind::kFree && !hasFeatures && !isSymmetric;
   if (!solved->stored.isCertified && mayRepair)
     if (Status done = solveImproved(*request, options, run); !done) return done;
   if (!solved->stored.isCertified && mayRepair)

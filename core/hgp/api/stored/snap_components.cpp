@@ -7,8 +7,15 @@ namespace hgp::api {
 ComponentSnapper::ComponentSnapper(const Model& model, const std::vector<ComponentMap>& components)
     : components_(components) {
   for (std::size_t p = 0; p < components.size(); ++p) {
+    mirrors_.emplace_back();
+    if (components[p].mirror)
+      mirrors_.back().emplace(model.components[p].mesh, *components[p].mirror, components[p].map);
     if (!components[p].certificate.isCertified) {  // rounding must not hide its faults
       snappers_.emplace_back();
+      continue;
+    }
+    if (components[p].mirror) {
+      snappers_.push_back(mirrors_.back()->snapper(components[p].spec, components[p].map.uv));
       continue;
     }
     std::vector<VertexId> cones;
@@ -25,16 +32,24 @@ void ComponentSnapper::snap(const StoredNumbers& numbers, std::vector<Vec2>& uv)
     const auto begin = uv.begin() + first;
     const auto count = static_cast<std::ptrdiff_t>(components_[p].map.uv.size());
     first += count;
-    if (!snappers_[p]) continue;
-    const std::vector<Vec2> part(begin, begin + count);
-    // Rounded copies may exceed the largest exact number: a second attempt uses a coarser grid.
-    for (int exponent = snappers_[p]->firstExponent(part, numbers), last = exponent + 1;
-         exponent <= last; ++exponent) {
-      const std::optional<SnappedMap> snapped = snappers_[p]->snap(part, exponent, numbers);
-      if (!snapped) continue;
-      std::copy(snapped->uv.begin(), snapped->uv.end(), begin);
-      break;
+    std::vector<Vec2> part(begin, begin + count);
+    std::vector<Vec2> side = mirrors_[p] ? mirrors_[p]->sideOf(part) : part;
+    if (snappers_[p]) {
+      // Rounded copies may exceed the largest exact number: a second attempt uses a coarser grid.
+      for (int exponent = snappers_[p]->firstExponent(part, numbers), last = exponent + 1;
+           exponent <= last; ++exponent) {
+        std::optional<SnappedMap> snapped = snappers_[p]->snap(side, exponent, numbers);
+        if (!snapped) continue;
+        if (mirrors_[p]) mirrors_[p]->keepPlane(side, exponent, snapped->uv);
+        side = std::move(snapped->uv);
+        break;
+      }
     }
+    if (mirrors_[p])
+      mirrors_[p]->spread(side, part);
+    else
+      part = std::move(side);
+    std::copy(part.begin(), part.end(), begin);
   }
 }
 

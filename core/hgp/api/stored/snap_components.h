@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "hgp/api/stored/mirror_places.h"
 #include "hgp/api/stored/stored_map.h"
-#include "hgp/grid/snap.h"
 
 namespace hgp::api {
 
@@ -14,16 +14,18 @@ class ComponentSnapper {
   /// Keeps references to both.
   ComponentSnapper(const Model& model, const std::vector<ComponentMap>& components);
 
-  /// Rounds the uv of all components in order, each on its own grid. A component stays unchanged if its q
+  /// Rounds the uv of all components in order, each on its own grid; of a symmetric one, one side, of which the other is the
+  /// image. A component stays unchanged if its q
   /// has no lattice (5, 7, 8, …) or if it was left out.
   void snap(const StoredNumbers& numbers, std::vector<Vec2>& uv) const;
 
-  /// Excludes a component that rounding breaks: snap() does not change it any more.
+  /// Excludes a component that rounding breaks: snap() does not round it any more.
   void leave(std::size_t component) { snappers_[component].reset(); }
 
  private:
   const std::vector<ComponentMap>& components_;
   std::vector<std::optional<SeamSnapper>> snappers_;
+  std::vector<std::optional<MirrorPlaces>> mirrors_;  ///< of symmetric ones
 };
 
 }  // namespace hgp::api

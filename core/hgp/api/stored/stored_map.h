@@ -4,6 +4,7 @@
 
 #include "hgp/api/stored/component_map.h"
 #include "hgp/mesh/holonomy_spec.h"
+#include "hgp/mesh/reflection.h"
 #include "hgp/verify/certificate.h"
 
 namespace hgp::api {
@@ -17,6 +18,7 @@ struct ComponentMap {
   double shiftUnit = 0;     ///< 0, or a power of two of which every shift must be a multiple
   bool isKept = false;      ///< uv of the input file: neither moved nor scaled
   std::string whyNone;      ///< of a stand-in (stand_in.h): why there is no map; never certified
+  std::shared_ptr<const Mirror> mirror = {};  ///< of which `map` is symmetric
 };
 
 /// Makes the certificate negative and adds the reason: this is not the prescribed map.

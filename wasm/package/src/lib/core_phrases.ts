@@ -156,6 +156,8 @@ export const corePhrases = {
     'The map is not improved, as the verifier did not accept the improved map: [rule:it breaks the rule {rule} at {places|place}, by {worst} at worst ({@}).][!rule:it is no better on the surface itself.]',
   'map-areas-lowered':
     'Areas of the map spanned more than double precision resolves: its distortion was lowered.',
+  symmetric:
+    "the map is its own mirror image across the plane {plane}, along {edges|edge}; vertices of the mesh are off theirs by at most {off:.2g} of the bounding box's diagonal. Lines follow the plane, and rims where there are any.",
   'features-contradict':
     'The lengths of features contradict each other: {edges|feature edge} would have no length, whatever the map (see conflict). Leave out one of these.',
   'features-straightened':

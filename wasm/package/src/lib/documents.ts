@@ -847,6 +847,36 @@ export interface ModelInfo {
     creaseChains: number;
     rimEdges: number;
   };
+  /**
+   * Planes across which the mesh is its own mirror image, for --symmetric (absent for unusable meshes)
+   */
+  mirrors?: {
+    /**
+     * the axis that is the normal, through the centre of the bounding box; empty for a principal axis
+     */
+    name: 'X' | 'Y' | 'Z' | '';
+    /**
+     * @minItems 3
+     * @maxItems 3
+     */
+    normal: [number, number, number];
+    /**
+     * normal · p of the plane's points
+     */
+    offset: number;
+    /**
+     * in the plane
+     */
+    edgesIn: number;
+    /**
+     * with ends on both sides, which mirror each other
+     */
+    edgesAcross: number;
+    /**
+     * of a vertex's mirror image from the vertex that stands for it, at most
+     */
+    distance: number;
+  }[];
   boundaryLoops?: number;
   isolatedVertices?: number;
   components?: {
@@ -965,6 +995,10 @@ export interface Report {
      * only maps in which every polygon is convex are certified
      */
     convexPolygons?: true;
+    /**
+     * the plane across which the map is its own mirror image
+     */
+    symmetric?: 'auto' | 'X' | 'Y' | 'Z';
     /**
      * null: the map as solved
      */

@@ -53,6 +53,7 @@ export const optionTable: Record<'load' | 'solve' | 'verify' | 'write', OptionRo
     { name: 'grid.cells', kind: 'number', low: 1 },
     { name: 'grid.spacing', kind: 'number', low: 0, isOpen: true },
     { name: 'grid.mode', kind: 'word', words: ['tile', 'quad'] },
+    { name: 'symmetric', kind: 'word', words: ['auto', 'X', 'Y', 'Z'] },
   ],
   verify: [
     { name: 'q', kind: 'integer', low: 0, high: 64 },

@@ -181,6 +181,11 @@ export interface SolveOptions extends SuggestOptions {
    */
   convexPolygons?: boolean;
   /**
+   * Solve one side of a plane that mirrors the mesh, and mirror the map, to the last bit (q = 4). Across X, Y or Z through
+   * the centre of the bounding box, or whichever plane fits; `inspect` lists them.
+   */
+  symmetric?: 'auto' | 'X' | 'Y' | 'Z';
+  /**
    * Align the map to a grid (q = 2 or 4): all translations of seams become integers, with one cell per unit of uv, so
    * that grid lines meet at every seam. About `cells` cells in total, or cells of edge length `spacing` in the file's
    * unit; `quad`: cones lie on grid points as well. `'auto'`, also as `cells`, and `mode` alone choose the number: 14 cells

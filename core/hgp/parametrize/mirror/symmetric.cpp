@@ -1,0 +1,161 @@
+#include "hgp/parametrize/mirror/symmetric.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "hgp/base/counted.h"
+#include "hgp/parametrize/along/along_features.h"
+#include "hgp/parametrize/mirror/mirrored_map.h"
+#include "hgp/verify/certificate.h"
+
+namespace hgp {
+namespace {
+
+void toWhole(const HalfSurface& half, std::vector<Where>& where) {
+  for (Where& w : where) {
+    if (w.kind == Where::Kind::kVertex || w.kind == Where::Kind::kEdge)
+      w.id = half.vertexOrigin[at(w.id)].i;
+    if (w.kind == Where::Kind::kEdge && w.other >= 0) w.other = half.vertexOrigin[at(w.other)].i;
+    if (w.kind == Where::Kind::kFace) w.id = half.faceOrigin[at(w.id)].i;
+  }
+}
+
+bool isIn(const std::vector<ConePoint>& list, VertexId v, int k) {
+  return std::any_of(list.begin(), list.end(),
+                     [&](const ConePoint& other) { return other.vertex == v && other.k == k; });
+}
+
+/// Prescribed cones must come in pairs.
+Status checkPairs(const Mirror& mirror, const HolonomySpec& spec) {
+  std::vector<Where> where;
+  for (const ConePoint& cone : spec.cones)
+    if (cone.k != spec.q && !isIn(spec.cones, mirror.own.vertex[cone.vertex], cone.k))
+      where.push_back({Where::Kind::kVertex, cone.vertex.i});
+  if (where.empty()) return Done{};
+  return Failure{
+      ErrorCode::kUsage, "symmetric",
+      counted(where.size(), "cone has", "cones have") +
+          " no mirror image of the same angle among the prescribed ones. Add the images, or "
+          "leave out symmetry.",
+      std::move(where)};
+}
+
+/// What was prescribed beside features is what the map has.
+Status checkAsked(const HolonomySpec& asked, const CompleteSpec& found) {
+  std::vector<Where> where;
+  const auto isOther = [](const std::vector<std::optional<int>>& a, const std::vector<int>& b) {
+    for (std::size_t i = 0; i < a.size() && i < b.size(); ++i)
+      if (a[i] && *a[i] != b[i]) return true;
+    return false;
+  };
+  const bool hasCones = !asked.cones.empty();
+  for (const ConePoint& cone : asked.cones)
+    if (cone.k != asked.q && !isIn(found.cones, cone.vertex, cone.k))
+      where.push_back({Where::Kind::kVertex, cone.vertex.i});
+  for (const ConePoint& cone : found.cones)
+    if (hasCones && !isIn(asked.cones, cone.vertex, cone.k))
+      where.push_back({Where::Kind::kVertex, cone.vertex.i});
+  if (where.empty() && !isOther(asked.turning, found.turning) &&
+      !isOther(asked.handles, found.handles))
+    return Done{};
+  return Failure{ErrorCode::kPrescription, "symmetric",
+                 "In a symmetric map, cones, turnings and rotations along handles are those of a "
+                 "field along the plane, which are not the prescribed ones. Leave out these or "
+                 "symmetry.",
+                 std::move(where)};
+}
+
+/// The features of one side: its own, and the images of the other side's.
+std::vector<EdgeId> featuresOfSide(const TriMesh& mesh, const Mirror& mirror,
+                                   const HalfSurface& half, const std::vector<EdgeId>& features) {
+  PerEdge<char> isFeature(at(mesh.edgeCount()), 0);
+  for (EdgeId e : features) isFeature[e] = 1;
+  std::vector<EdgeId> out;
+  for (EdgeId e : half.mesh.edges()) {
+    const HalfedgeId h = half.origin(half.mesh.halfedge(e));
+    if (isFeature[mesh.edge(h)] || isFeature[mesh.edge(mirror.own.halfedge[h])]) out.push_back(e);
+  }
+  return out;
+}
+
+/// The prescription that the whole map has, without turnings and handles; cones in the plane are read off the map.
+CompleteSpec wholeSpec(const TriMesh& mesh, const Mirror& mirror, const HalfSurface& half,
+                       const CompleteSpec& side, const Certificate& measured) {
+  CompleteSpec spec;
+  spec.q = side.q;
+  for (const ConePoint& cone : side.cones) {
+    const VertexId v = half.vertexOrigin[at(cone.vertex.i)];
+    spec.cones.push_back({v, cone.k});
+    spec.cones.push_back({mirror.own.vertex[v], cone.k});
+  }
+  for (const MeasuredCone& cone : measured.angles.cones)
+    if (mirror.own.vertex[cone.vertex] == cone.vertex && cone.measured != spec.q)
+      spec.cones.push_back({cone.vertex, cone.measured});
+  std::sort(spec.cones.begin(), spec.cones.end(),
+            [](const ConePoint& a, const ConePoint& b) { return a.vertex < b.vertex; });
+  for (EdgeId e : side.features) {
+    const HalfedgeId h = half.origin(half.mesh.halfedge(e));
+    spec.features.push_back(mesh.edge(h));
+    spec.features.push_back(mesh.edge(mirror.own.halfedge[h]));
+  }
+  std::sort(spec.features.begin(), spec.features.end());
+  spec.features.erase(std::unique(spec.features.begin(), spec.features.end()), spec.features.end());
+  for (const MeasuredTurning& turning : measured.angles.turnings)
+    spec.turning.push_back(turning.measured);
+  for (const MeasuredHandle& handle : measured.seams.handles)
+    spec.handles.push_back(handle.measured.value_or(0));
+  return spec;
+}
+
+/// Numbers of cells are those of both sides.
+void doubleCells(const HalfSurface& half, GridReport& grid) {
+  grid.cells *= 2.0;
+  grid.workingCells *= 2.0;
+  for (ConeDistance& pair : grid.closest)
+    for (VertexId* v : {&pair.a, &pair.b}) *v = half.vertexOrigin[at(v->i)];
+  if (!grid.reason) return;
+  for (NoteValue& value : grid.reason->values)
+    if (double* cells = value.name == "cells" ? std::get_if<double>(&value.value) : nullptr)
+      *cells *= 2.0;
+  toWhole(half, grid.reason->where);
+}
+
+}  // namespace
+
+Result<Parametrization> parametrizeSymmetric(const TriMesh& mesh,
+                                             const std::shared_ptr<const Mirror>& mirror,
+                                             const HolonomySpec& spec,
+                                             const ParametrizeOptions& options) {
+  if (Status pairs = checkPairs(*mirror, spec); !pairs) return std::move(pairs).error();
+  const HalfSurface half = halfOf(mesh, mirror->own, mirror->plane);
+  HolonomySpec asked;
+  asked.q = spec.q;
+  asked.features = featuresOfSide(mesh, *mirror, half, spec.features);
+  PreparedSurface side(half.mesh);
+  Result<Parametrization> run = parametrizeAlongFeatures(side, asked, options);
+  if (!run) {
+    Failure failure = std::move(run).error();
+    toWhole(half, failure.where);
+    return failure;
+  }
+  CopiedMap whole = mirroredMap(mesh, *mirror, half, {std::move(run->map), std::move(run->copyOf)});
+  const Verifier verifier(mesh);
+  HolonomySpec open;
+  open.q = spec.q;
+  const CompleteSpec found =
+      wholeSpec(mesh, *mirror, half, run->spec, verifier.certify(open, whole.map));
+  if (Status same = checkAsked(spec, found); !same) return std::move(same).error();
+  run->map = std::move(whole.map);
+  run->copyOf = std::move(whole.copyOf);
+  run->spec = found;
+  run->certificate = verifier.certify(toSpec(found), run->map);
+  run->isCertified = run->certificate.isCertified;
+  run->isUsable = run->certificate.isUsable;
+  for (Note& note : run->notes) toWhole(half, note.where);
+  for (FaceId& f : run->strained) f = half.faceOrigin[at(f.i)];
+  if (run->grid) doubleCells(half, *run->grid);
+  run->mirror = mirror;
+  return run;
+}
+
+}  // namespace hgp

@@ -1,0 +1,20 @@
+// Maps that are their own mirror images.  Role: half the unknowns, and what is symmetric on the surface is so in the map.
+#pragma once
+
+#include <memory>
+
+#include "hgp/parametrize/parametrization.h"
+
+namespace hgp {
+
+/// Solves one side of the plane along the edges in it (parametrizeAlongFeatures), reflects the map to the other side and
+/// verifies all of it on the whole surface. Features are those of `spec` and their images, the edges in the plane and all
+/// boundary edges; cones come in pairs, or lie in the plane with an even k. Fails with kUsage where prescribed cones are no
+/// mirror images of each other, and as parametrizeAlongFeatures(), with places on the whole surface.
+/// @pre one component; no edge is across the plane; some edge is in it
+Result<Parametrization> parametrizeSymmetric(const TriMesh& mesh,
+                                             const std::shared_ptr<const Mirror>& mirror,
+                                             const HolonomySpec& spec,
+                                             const ParametrizeOptions& options);
+
+}  // namespace hgp

@@ -1,0 +1,153 @@
+// Symmetric maps: the numbers that OBJ and GLB store for one side are those of the other, with −u for u, to the last bit. The
+// files are read here, by nothing of the project's own.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import test from 'node:test';
+import { readers } from '../support/mapped_corners.mjs';
+import { inFolder } from '../support/program.mjs';
+
+const { at, put, good, run } = inFolder('symmetric');
+
+let state = 1;
+const random = () => (state = (48271 * state) % 2147483647) / 2147483647 - 0.5;
+
+/** n × m squares over places of a grid, with random diagonals but where three corners would be on the rim. */
+function sheet(n, m, place) {
+  const id = (i, j) => i * (m + 1) + j;
+  const vertices = [];
+  for (let i = 0; i <= n; i++) for (let j = 0; j <= m; j++) vertices.push(place(i, j));
+  const triangles = [];
+  for (let i = 0; i < n; i++)
+    for (let j = 0; j < m; j++) {
+      const [a, b, c, d] = [id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)];
+      const [isEndI, isEndJ] = [i % (n - 1) === 0, j % (m - 1) === 0];
+      const isRising = isEndI && isEndJ ? (i === 0) === (j === 0) : random() > 0;
+      if (isRising) triangles.push([a, b, c], [a, c, d]);
+      else triangles.push([a, b, d], [b, c, d]);
+    }
+  return { vertices, triangles };
+}
+
+/** A mesh with x ≥ 0, and its mirror image across x = 0; vertices at equal places are one. Triangles in mixed order. */
+function glued({ vertices, triangles }) {
+  const ids = new Map();
+  const out = { vertices: [], triangles: [] };
+  const vertex = (p) => {
+    const key = p.map((x) => Math.round(1e6 * x) + 0).join(' ');
+    if (!ids.has(key)) ids.set(key, out.vertices.push(p) - 1);
+    return ids.get(key);
+  };
+  const flip = ([x, y, z]) => [x === 0 ? 0 : -x, y, z];
+  for (const t of triangles) {
+    const [a, b, c] = t.map((v) => vertices[v].map(Math.fround));
+    out.triangles.push([a, b, c].map(vertex), [a, c, b].map(flip).map(vertex));
+  }
+  const order = out.triangles.map((t) => [random(), t]).sort(([a], [b]) => a - b);
+  out.triangles = order.map(([, t]) => t);
+  return out;
+}
+
+const { PI, cos, sin } = Math;
+const near = (x) => (Math.abs(x) < 1e-6 ? 0 : x);
+/** Half of a torus, with x ≥ 0: its rims are two circles in the plane. */
+const halfTorus = sheet(12, 10, (i, j) => {
+  const [a, b] = [(PI * i) / 12 - PI / 2, (2 * PI * j) / 10];
+  const r = 1 + 0.4 * cos(b) + (i > 0 && i < 12 && j > 0 && j < 10 ? 0.05 * random() : 0);
+  return [near(r * cos(a)), r * sin(a), 0.4 * sin(b)];
+});
+/** Half of an ellipsoid, as a square that is pushed out; its only rim is in the plane. */
+const halfBall = sheet(10, 10, (i, j) => {
+  const [s, t] = [i / 5 - 1, j / 5 - 1];
+  const [y, z] = [s * Math.sqrt(1 - (t * t) / 2), t * Math.sqrt(1 - (s * s) / 2)];
+  return [near(Math.sqrt(Math.max(0, 1 - y * y - z * z))), 1.5 * y, 0.8 * z];
+});
+/** A hill; one of the four sides of its rim is in the plane. */
+const hill = sheet(8, 8, (i, j) => [i, j, 0.5 * sin(0.7 * i + 0.3) * cos(0.5 * j)]);
+const shapes = { torus: glued(halfTorus), ellipsoid: glued(halfBall), 'open hill': glued(hill) };
+
+const toObj = ({ vertices, triangles }) =>
+  [...vertices.map((p) => `v ${p.join(' ')}`), ...triangles.map((t) => `f ${t.map((i) => i + 1).join(' ')}`), ''].join('\n'); // prettier-ignore
+
+const placeOf = (p) => p.map((x) => Math.round(1e5 * x) + 0).join(' ');
+const mirrored = ([x, y, z]) => [-x, y, z];
+
+/** Every corner has an image, whose u is the negative and whose v is the same, without any rounding. */
+function checkMirrored(corners, axis = 0) {
+  const uvOf = new Map();
+  for (const t of corners)
+    t.forEach(([p, uv], k) => {
+      const others = [t[(k + 1) % 3][0], t[(k + 2) % 3][0]].map(placeOf).sort();
+      uvOf.set([placeOf(p), ...others].join(' | '), uv);
+    });
+  for (const t of corners) {
+    const [a, b, c] = t.map(([, uv]) => uv);
+    assert.ok((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > 0, 'positive');
+    t.forEach(([p, [u, v]], k) => {
+      const others = [t[(k + 1) % 3][0], t[(k + 2) % 3][0]].map((q) => placeOf(mirrored(q))).sort();
+      const image = uvOf.get([placeOf(mirrored(p)), ...others].join(' | '));
+      assert.ok(image, 'an image');
+      assert.equal(image[0] + 0, 2 * axis - u + 0);
+      assert.equal(image[1], v);
+    });
+  }
+}
+
+for (const [name, mesh] of Object.entries(shapes))
+  test(`${name}: coordinates of both sides are mirror images in the stored bits`, () => {
+    put('in.obj', toObj(mesh));
+    for (const plane of ['X', 'auto'])
+      for (const out of ['out.obj', 'out.glb']) {
+        good('param', 'in.obj', '--symmetric', plane, '-o', out, '--force', '--json', 'r.json');
+        checkMirrored(readers[out.slice(4)](at(out)));
+        const { certificate } = JSON.parse(readFileSync(at('r.json'), 'utf8'));
+        assert.ok(certificate.certified);
+      }
+  });
+
+test('a map with a grid is mirrored as well, and its plane is on a line', () => {
+  for (const [name, mesh] of Object.entries(shapes)) {
+    put('in.obj', toObj(mesh));
+    for (const mode of ['tile', 'quad']) {
+      good('param', 'in.obj', '--symmetric', 'X', '--cells', '600', '--grid-mode', mode, '-o', 'grid.obj', '--force', '--json', 'r.json'); // prettier-ignore
+      checkMirrored(readers.obj(at('grid.obj')));
+      const { components } = JSON.parse(readFileSync(at('r.json'), 'utf8'));
+      assert.ok(components[0].grid.aligned, `${name}, ${mode}`);
+    }
+    good('quads', 'in.obj', '--symmetric', 'X', '-o', 'quads.obj', '--force');
+  }
+});
+
+test('other formats of the same map are mirrored, too', () => {
+  put('in.obj', toObj(shapes.torus));
+  good('param', 'in.obj', '--symmetric', 'X', '-o', 'out.obj', '--also', 'also.glb', '--force');
+  checkMirrored(readers.glb(at('also.glb')));
+});
+
+test('what is not symmetric is refused, with the exit code of its reason', () => {
+  const { vertices, triangles } = shapes.ellipsoid;
+  put('in.obj', toObj(shapes.ellipsoid));
+  const code = (...words) => run('param', 'in.obj', '-o', 'no.obj', ...words).code;
+  const symmetric = ['--symmetric', 'X'];
+  assert.equal(code(...symmetric, '--q', '6'), 2);
+  assert.equal(code(...symmetric, '--improve', 'isometric'), 2);
+  assert.equal(code(...symmetric, '--boundary', 'convex'), 2);
+  assert.equal(code(...symmetric, '--refine'), 2);
+  assert.equal(code(...symmetric, '--convex-polygons'), 2);
+  assert.equal(code('--symmetric', 'W'), 2);
+  const inside = vertices.findIndex(([x]) => x > 0.5);
+  assert.equal(code(...symmetric, '--cone', `${inside}:3`), 2);
+  put('in.obj', toObj({ vertices: vertices.map(([x, y, z]) => [x + 0.1 * y * y * x, y + 0.2 * x, z]), triangles })); // prettier-ignore
+  assert.equal(code(...symmetric), 4);
+  put('in.obj', toObj({ vertices, triangles: triangles.slice(1) }));
+  assert.equal(code(...symmetric), 4);
+});
+
+test('inspect lists the planes', () => {
+  put('in.obj', toObj(shapes['open hill']));
+  good('inspect', 'in.obj', '--json', 'i.json');
+  const { mirrors } = JSON.parse(readFileSync(at('i.json'), 'utf8'));
+  assert.equal(mirrors.length, 1);
+  const [{ name, offset, edgesIn, edgesAcross }] = mirrors;
+  assert.deepEqual([name, edgesIn, edgesAcross], ['X', 8, 0]);
+  assert.ok(Math.abs(offset) < 1e-6);
+});

@@ -283,6 +283,8 @@ class Session {
       reply.set("halvings", quads->halvings);
       reply.set("foldedInSpace", quads->foldedInSpace);
       reply.set("foldedQuads", quads->foldedQuads);
+      reply.set("acrossSeams", quads->acrossSeams);
+      reply.set("notes", api::notesDocument(quads->notes));
       return reply;
     });
   }

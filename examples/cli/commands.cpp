@@ -503,6 +503,8 @@ class Run {
           "programs misread\n",
           counted(quads.foldedQuads, "quad meets itself", "quads meet themselves").c_str());
     }
+    for (const Note& note : quads.notes)
+      std::fprintf(stderr, "  note: %s\n", printable(phrase(note)).c_str());
   }
 
   int writeResult() {

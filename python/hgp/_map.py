@@ -91,9 +91,11 @@ class Quads:
         self.folded_in_space: int = made["folded_in_space"]
         #: quads at cones of k = 1, which meet themselves
         self.folded: int = made["folded"]
+        #: quads across a seam of the input's texture coordinates, or across the border of a material
+        self.across_seams: int = made["across_seams"]
 
     def save(self, path: "Union[str, os.PathLike[str]]") -> None:
-        """Writes quads as .obj, or triangles for viewing as .glb."""
+        """Writes quads as .obj or .ply, or triangles as .glb, with the attributes of the input."""
         self._core.save_quads(os.fspath(path))
 
     def __repr__(self) -> str:

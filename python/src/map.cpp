@@ -61,6 +61,7 @@ py::dict Map::quads() {
   out["folded_in_space"] = made.foldedInSpace;
   out["multiple_edges"] = made.multipleEdges;
   out["folded"] = made.foldedQuads;
+  out["across_seams"] = made.acrossSeams;
   return out;
 }
 

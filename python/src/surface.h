@@ -34,7 +34,7 @@ class Map {
   const api::Session& session() const { return session_; }
   py::dict measure();
   py::dict quads();
-  /// A file of the cells as quads (.obj) or triangles (.glb).
+  /// A file of the cells as quads (.obj, .ply) or triangles (.glb).
   void saveQuads(const std::string& path);
   /// Writes the map, and returns notes. @param options  see Map.save in hgp/_map.py
   std::vector<std::string> save(const std::string& path, const py::dict& options);

@@ -215,7 +215,7 @@ test('a name that quads are not written to is refused before anything is solved'
     const out = path.join(folder, name);
     const run = spawnSync(hgp, ['quads', file, '--cells', '60', '-o', out], { encoding: 'utf8' });
     assert.equal(run.status, 2, run.stderr);
-    assert.match(run.stderr, /\.obj, or as \.glb/);
+    assert.match(run.stderr, /\.obj or \.ply, or as \.glb/);
     assert.ok(!existsSync(out));
   }
   const upper = path.join(folder, 'QUADS.OBJ');

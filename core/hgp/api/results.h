@@ -85,7 +85,7 @@ class StoredResult {
   std::shared_ptr<const Data> data_;  ///< null: no result
 };
 
-/// Whether Session::quads() writes files of this name: .obj, .glb, or none.
+/// Whether Session::quads() writes files of this name: .obj, .ply, .glb, or none.
 Status canWriteQuads(const std::string& name);
 
 /// A quad mesh as a file, and its counts.
@@ -100,6 +100,9 @@ struct QuadFile {
   int foldedInSpace =
       0;                ///< quads of which a corner is turned over: too large for the surface there
   int foldedQuads = 0;  ///< at cones with k = 1, whose only quad is joined to itself
+  int acrossSeams =
+      0;        ///< quads across seams of the input's uv, or across borders of its materials
+  Notes notes;  ///< on these, and on what of the input the format does not keep
 };
 
 /// The files of write(), and whether the map is certified as stored in them: glTF stores float32, OBJ float64.

@@ -91,8 +91,8 @@ class Session {
   std::vector<io::Placements> placements() const;
 
   bool isAligned() const;  ///< every component, to the grid that the options asked for
-  /// The cells of a result that is aligned in quad mode, as an OBJ of quads or, if `name` ends in .glb, as a GLB
-  /// of triangles. Fails with kNoMap if the result is not aligned, with kUsage for another extension.
+  /// The cells of a result that is aligned in quad mode, as quads in an OBJ or PLY or, if `name` ends in .glb, as triangles,
+  /// with the attributes of the input: every corner has what the input's triangle has at its point. Fails with kNoMap if the result is not aligned, with kUsage for another extension.
   Result<QuadFile> quads(const std::string& name) const;
 
   /// Whether write() can produce a file of this name, judged by its extension.

@@ -1,3 +1,4 @@
+// budget: the catalogue of notes.
 #include "hgp/base/phrase.h"
 
 namespace hgp {
@@ -229,8 +230,8 @@ constexpr Phrase kOthers[] = {
     {"features-split-in-vain",
      "no map along these features on the mesh with split edges ({triangles} triangles) either"},
     {"features-as-polygons",
-     "for edges to be split, only positions and triangles are kept: no materials, normals or "
-     "other attributes"},
+     "this file cannot store split edges: only positions and triangles are kept, no materials, "
+     "normals or other attributes"},
     {"features-no-grid", "the lines of these features and the seams have no common grid"},
     {"features-many-integers",
      "the lines of these features have {integers} integers to choose, and at most {most} are "
@@ -331,6 +332,10 @@ constexpr Phrase kOthers[] = {
      "other"},
     {"write-keep-beside", "keep {name} next to the new file"},
     {"write-file-refused", "{why}; it is not copied, and the reference to it is kept"},
+    {"quads-across-seams",
+     "{quads|quad crosses|quads cross} a seam of the input's texture coordinates or the border of "
+     "a material: their corners have what the surface has there, but not what is between"},
+    {"quads-no-materials", "materials are not kept: PLY has no place for them"},
     // What to do about an error: its message has the rule and the number.
     {"repair-with", "Repair with --fix {fixes}[more: as well]"},
     {"repair-by-hand", "No repair removes this; edit the mesh there"},

@@ -1,5 +1,6 @@
 // A loaded file of any format: hands out surfaces, writes uv, and leaves everything else unchanged.
 // Role: bytes → MeshData, and the lossless patch back. Uses neither file system nor network and throws nothing itself.
+// budget: the one interface of all formats
 #pragma once
 
 #include <cstdint>
@@ -56,6 +57,7 @@ struct Surface {
 enum class UvPrecision { kFloat32, kFloat64 };
 
 struct PlainFile;  // plain_surface.h
+struct Remesh;     // remesh.h
 
 /// A loaded file. Immutable; all vertex and triangle ids are those of `surfaces()[surface].mesh`. uv always
 /// has v pointing up; formats whose v points down are mirrored on both ways.
@@ -93,9 +95,13 @@ class Document {
 
   /// The content that other formats can store as well; `surface` −1: the whole file, as placed by its nodes.
   virtual Result<PlainFile> plain(int surface) const = 0;
-  /// The same file after splitEdges(): stored attributes are interpolated, cones are left out. Not for glTF.
+  /// The same file after splitEdges(): stored attributes are interpolated, cones are left out. In glTF all primitives then
+  /// share their vertices. Fails with kUnsupported where the file cannot store that.
   virtual Result<std::unique_ptr<Document>> refined(
       int surface, const std::vector<std::array<int, 2>>& edges) const = 0;
+
+  /// The same file, as a GLB, with triangles of these polygons in place of a surface's; kUnsupported in other formats.
+  virtual Result<Written> remeshed(int surface, const Remesh& remesh) const;
 
   /// The same file with these edits of its faces; cones stored in it may be lost. In glTF, where vertices at
   /// equal positions are welded, copies are stored separately but welded again when the file is read; the other

@@ -43,6 +43,7 @@ class PlainGlbText {
     std::string attributes = formatText("\"POSITION\":%d", addPositions(surface));
     if (!surface.cornerNormal.empty())
       attributes += formatText(",\"NORMAL\":%d", addNormals(surface));
+    if (!surface.cornerUv.empty()) attributes += formatText(",\"TEXCOORD_0\":%d", addUv(surface));
     if (!surface.colors.empty()) attributes += formatText(",\"COLOR_0\":%d", addColors(surface));
     PlainJsonList primitives;
     for (const auto& [material, triangles] : groups(surface)) {
@@ -93,39 +94,43 @@ class PlainGlbText {
     word(data_, bits);
   }
 
-  /// Makes one copy of a vertex per normal. Vertices keep their order, the copies of a vertex are consecutive, and
+  /// Makes one copy of a vertex per normal and uv. Vertices keep their order, the copies of a vertex are consecutive, and
   /// vertices without triangles are kept.
   void splitVertices(const PlainSurface& surface) {
     const std::size_t count = surface.mesh.positions.size();
-    std::vector<std::vector<int>> normalsOf(count);
-    const auto normalAt = [&](std::size_t t, std::size_t k) {
-      return surface.cornerNormal.empty() ? -1 : surface.cornerNormal[t][k];
+    using NormalAndUv = std::array<int, 2>;
+    std::vector<std::vector<NormalAndUv>> valuesOf(count);
+    const auto valuesAt = [&](std::size_t t, std::size_t k) {
+      return NormalAndUv{surface.cornerNormal.empty() ? -1 : surface.cornerNormal[t][k],
+                         surface.cornerUv.empty() ? -1 : surface.cornerUv[t][k]};
     };
     const auto& triangles = surface.mesh.triangles;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       for (std::size_t k = 0; k < 3; ++k) {
-        auto& list = normalsOf[static_cast<std::size_t>(triangles[t][k])];
-        const int n = normalAt(t, k);
-        if (std::find(list.begin(), list.end(), n) == list.end()) list.push_back(n);
+        auto& list = valuesOf[static_cast<std::size_t>(triangles[t][k])];
+        const NormalAndUv here = valuesAt(t, k);
+        if (std::find(list.begin(), list.end(), here) == list.end()) list.push_back(here);
       }
     }
     vertexOf_.clear();
     normalOf_.clear();
+    uvOf_.clear();
     std::vector<int> first(count);
     for (std::size_t v = 0; v < count; ++v) {
       first[v] = static_cast<int>(vertexOf_.size());
-      if (normalsOf[v].empty()) normalsOf[v].push_back(-1);
-      for (const int n : normalsOf[v]) {
+      if (valuesOf[v].empty()) valuesOf[v].push_back({-1, -1});
+      for (const auto& [normal, uv] : valuesOf[v]) {
         vertexOf_.push_back(static_cast<int>(v));
-        normalOf_.push_back(n);
+        normalOf_.push_back(normal);
+        uvOf_.push_back(uv);
       }
     }
     corners_.assign(triangles.size(), {});
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       for (std::size_t k = 0; k < 3; ++k) {
         const auto v = static_cast<std::size_t>(triangles[t][k]);
-        const auto& list = normalsOf[v];
-        const auto at = std::find(list.begin(), list.end(), normalAt(t, k)) - list.begin();
+        const auto& list = valuesOf[v];
+        const auto at = std::find(list.begin(), list.end(), valuesAt(t, k)) - list.begin();
         corners_[t][k] = first[v] + static_cast<int>(at);
       }
     }
@@ -177,6 +182,17 @@ class PlainGlbText {
                        "\"componentType\":5126,\"type\":\"VEC3\"");
   }
 
+  int addUv(const PlainSurface& surface) {
+    const std::size_t begin = data_.size();
+    for (const int i : uvOf_) {
+      const Vec2 uv = i >= 0 ? surface.uv[static_cast<std::size_t>(i)] : Vec2{0, 1};
+      number(uv[0]);
+      number(1 - uv[1]);
+    }
+    return addAccessor(begin, uvOf_.size(), kVertexTarget,
+                       "\"componentType\":5126,\"type\":\"VEC2\"");
+  }
+
   int addColors(const PlainSurface& surface) {
     const std::size_t begin = data_.size();
     for (const int v : vertexOf_) {
@@ -221,8 +237,8 @@ class PlainGlbText {
   Bytes data_;
   PlainJsonList nodes_, meshes_, materials_, accessors_, views_;
   std::map<std::string, int> materialIds_;
-  std::vector<int> vertexOf_, normalOf_;     ///< of stored vertices
-  std::vector<std::array<int, 3>> corners_;  ///< stored vertices of triangles
+  std::vector<int> vertexOf_, normalOf_, uvOf_;  ///< of stored vertices
+  std::vector<std::array<int, 3>> corners_;      ///< stored vertices of triangles
 };
 
 }  // namespace

@@ -16,7 +16,10 @@ struct PlainSurface {
   std::vector<Vec3> normals;                     ///< may be empty
   std::vector<std::array<int, 3>> cornerNormal;  ///< per triangle; −1: none. Empty with `normals`
   std::vector<std::array<double, 4>> colors;  ///< per vertex, linear RGBA in [0, 1]; may be empty
+  std::vector<Vec2> uv;                       ///< v up; only for GLB, may be empty
+  std::vector<std::array<int, 3>> cornerUv;   ///< per triangle; −1: none. Empty with `uv`
   std::vector<std::string> materials;         ///< names
+  std::vector<std::string> libraries;         ///< OBJ: files with these materials
   std::vector<int> triangleMaterial;          ///< per triangle, −1: none; may be empty
   std::vector<int> triangleSmoothing;         ///< group per triangle, 0: none; may be empty
   std::vector<std::array<int, 2>> lines;      ///< edges that the file draws as lines

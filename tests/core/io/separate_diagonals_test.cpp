@@ -9,6 +9,7 @@
 #include <set>
 
 #include "hgp/io/polygon/ear_clipping.h"
+#include "hgp/io/polygon/polygon_mesh.h"
 
 namespace hgp::io {
 namespace {

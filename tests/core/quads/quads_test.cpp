@@ -4,14 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <set>
 
+#include "hgp/mesh/vectors.h"
 #include "hgp/parametrize/parametrize.h"
+#include "hgp/quads/corner_places.h"
 #include "hgp/quads/multiple_edges.h"
-#include "hgp/quads/write_quads.h"
 #include "support/maps.h"
 
 namespace hgp {
@@ -210,24 +212,59 @@ TEST(Quads, MapsThatAreNotAlignedAreRefused) {
   EXPECT_FALSE(extractQuads(mesh, map, 4));
 }
 
-TEST(Quads, FilesHaveEveryQuadAndANormalPerVertex) {
+TEST(Quads, NormalsHaveLengthOne) {
   const TriMesh mesh = test::pretzel(1).mesh();
   const Result<QuadMesh> quads = extractQuads(mesh, test::developedMap(mesh), 4);
   ASSERT_TRUE(quads);
-  const std::string obj = quadsAsObj(*quads, "test");
-  std::size_t faces = 0, normals = 0;
-  for (std::size_t i = 0; i + 1 < obj.size(); ++i) {
-    faces += obj[i] == '\n' && obj[i + 1] == 'f';
-    normals += obj.compare(i, 3, "\nvn") == 0;
-  }
-  EXPECT_EQ(faces, quads->quads.size());
-  EXPECT_EQ(normals, quads->positions.size());
+  ASSERT_EQ(quads->normals.size(), quads->positions.size());
   for (const Vec3& n : quads->normals) EXPECT_NEAR(std::hypot(n[0], n[1], n[2]), 1.0, 1e-12);
-  const std::vector<std::uint8_t> glb = quadsAsGlb(*quads, "test");
-  ASSERT_GE(glb.size(), 20u);
-  const auto size = static_cast<std::size_t>(glb[8]) | static_cast<std::size_t>(glb[9]) << 8 |
-                    static_cast<std::size_t>(glb[10]) << 16;
-  EXPECT_EQ(size, glb.size());
+}
+
+TEST(Quads, CornersLieInFacesOnTheSideOfTheirQuad) {
+  const TriMesh mesh = test::pretzel(1).mesh();
+  const Result<QuadMesh> quads = extractQuads(mesh, test::developedMap(mesh), 4);
+  ASSERT_TRUE(quads);
+  const QuadPlaces places = cornerPlaces(mesh, *quads);
+  ASSERT_EQ(places.size(), quads->quads.size());
+  for (std::size_t n = 0; n < places.size(); ++n) {
+    Vec3 centre{};
+    for (const int v : quads->quads[n]) centre = add(centre, scaled(quads->positions[at(v)], 0.25));
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Vec3& p = quads->positions[at(quads->quads[n][k])];
+      Vec3 there{}, middle{};
+      double sum = 0;
+      for (int c = 0; c < 3; ++c) {
+        const Vec3& x = mesh.position(mesh.tail(TriMesh::halfedge(places[n][k].face, c)));
+        const double w = places[n][k].weight[at(c)];
+        EXPECT_GE(w, 0.0);
+        sum += w;
+        there = add(there, scaled(x, w));
+        middle = add(middle, scaled(x, 1.0 / 3));
+      }
+      EXPECT_NEAR(sum, 1.0, 1e-14);
+      EXPECT_LT(distance(there, p), 1e-12);
+      // The quads of this map are squares of the surface, and its faces are their halves.
+      EXPECT_LT(distance(middle, centre), distance(p, centre));
+    }
+  }
+}
+
+TEST(Quads, SidesCrossDiagonalsAndNoSides) {
+  const TriMesh mesh = test::pretzel(1).mesh();
+  const Result<QuadMesh> quads = extractQuads(mesh, test::developedMap(mesh), 4);
+  ASSERT_TRUE(quads);
+  const QuadPlaces places = cornerPlaces(mesh, *quads);
+  const auto lengthOf = [&](EdgeId e) {
+    const HalfedgeId h = mesh.halfedge(e);
+    return distance(mesh.position(mesh.tail(h)), mesh.position(mesh.head(h)));
+  };
+  PerEdge<char> sides(at(mesh.edgeCount()), 0), diagonals(at(mesh.edgeCount()), 0);
+  for (EdgeId e : mesh.edges()) (lengthOf(e) < 1.2 ? sides : diagonals)[e] = 1;
+  const std::vector<char> overSides = crossesSeams(mesh, *quads, places, sides);
+  EXPECT_EQ(std::count(overSides.begin(), overSides.end(), 1), 0);
+  const std::vector<char> overDiagonals = crossesSeams(mesh, *quads, places, diagonals);
+  // Where a diagonal meets no other, a way leads around its end.
+  EXPECT_LE(std::count(overDiagonals.begin(), overDiagonals.end(), 0), 2);
 }
 
 }  // namespace

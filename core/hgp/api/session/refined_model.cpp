@@ -218,7 +218,7 @@ Result<RefinedModel> refine(const Model& model,
   Result<io::DocumentPtr> document = model.document->refined(model.surface, edges);
   if (!document) return document.error();
   LoadOptions load = model.load;
-  load.surface = 0;
+  load.surface = model.surface;
   Result<Model> loaded = modelOfDocument(std::move(*document), load);
   if (!loaded) return loaded.error();
   if (loaded->unusable || loaded->components.size() != model.components.size()) return tangled();

@@ -2,24 +2,15 @@
 #include <cctype>
 
 #include "hgp/api/session/guard.h"
+#include "hgp/api/session/quads_on_input.h"
 #include "hgp/api/session/session_state.h"
 #include "hgp/quads/cut_strips.h"
 #include "hgp/quads/multiple_edges.h"
 #include "hgp/quads/quad_shapes.h"
 #include "hgp/quads/unfold.h"
-#include "hgp/quads/write_quads.h"
 
 namespace hgp::api {
 namespace {
-
-void append(const QuadMesh& part, QuadMesh& all) {
-  const int first = static_cast<int>(all.positions.size());
-  all.positions.insert(all.positions.end(), part.positions.begin(), part.positions.end());
-  all.normals.insert(all.normals.end(), part.normals.begin(), part.normals.end());
-  for (const auto& q : part.quads)
-    all.quads.push_back({q[0] + first, q[1] + first, q[2] + first, q[3] + first});
-  all.clipped += part.clipped;
-}
 
 /// The quads of one component without edges that files cannot tell apart: strips are cut where there are some and,
 /// should that fail, all cells.
@@ -42,11 +33,11 @@ Result<QuadMesh> quadsOf(const TriMesh& mesh, const UvMap& map, int q, QuadFile&
   return quads;
 }
 
-bool endsWith(const std::string& name, std::string_view end) {
-  return name.size() > end.size() &&
-         std::equal(end.rbegin(), end.rend(), name.rbegin(), [](char a, char b) {
-           return a == std::tolower(static_cast<unsigned char>(b));
-         });
+/// "obj" for names without an extension; empty where quads are not written in that format.
+std::string formatOf(const std::string& name) {
+  if (name.empty() || name == "-") return "obj";
+  const std::string extension = extensionOf(name);
+  return extension == "obj" || extension == "ply" || extension == "glb" ? extension : "";
 }
 
 }  // namespace
@@ -54,14 +45,14 @@ bool endsWith(const std::string& name, std::string_view end) {
 bool Session::isAligned() const { return isCertified() && state_->shown().solved->isAligned; }
 
 Status canWriteQuads(const std::string& name) {
-  if (name.empty() || name == "-" || endsWith(name, ".obj") || endsWith(name, ".glb"))
-    return Done{};
-  return Failure{ErrorCode::kUsage,
-                 "quads",
-                 formatText("quads are written as .obj, or as .glb of triangles, and not as '%s': "
-                            "choose one of these names",
-                            name.c_str()),
-                 {}};
+  if (!formatOf(name).empty()) return Done{};
+  return Failure{
+      ErrorCode::kUsage,
+      "quads",
+      formatText("quads are written as .obj or .ply, or as .glb of triangles, and not as "
+                 "'%s': choose one of these names",
+                 name.c_str()),
+      {}};
 }
 
 Result<QuadFile> Session::quads(const std::string& name) const {
@@ -76,29 +67,29 @@ Result<QuadFile> Session::quads(const std::string& name) const {
                      {}};
     }
     QuadFile out;
-    QuadMesh all;
     const Model& model = *state_->shown().model;
     const StoredMap& stored = state_->shown().solved->stored;
+    QuadsOnInput all(model);
     for (std::size_t p = 0; p < model.components.size(); ++p) {
       const ModelComponent& component = model.components[p];
       Result<QuadMesh> part = quadsOf(component.mesh, mapOfComponent(component, stored.map),
                                       stored.certificates[p].q, out);
       if (!part) return toSurfaceIds(model, component, part.error());
       unfoldInSpace(component.mesh, *part);
-      append(*part, all);
+      out.foldedQuads += countMultipleEdges(*part).foldedQuads;
+      out.foldedInSpace += countFoldedInSpace(*part);
+      out.vertices += static_cast<int>(part->positions.size());
+      out.quads += static_cast<int>(part->quads.size());
+      out.clipped += part->clipped;
+      all.add(component, *part);
     }
-    out.foldedQuads = countMultipleEdges(all).foldedQuads;
-    out.foldedInSpace = countFoldedInSpace(all);
-    out.vertices = static_cast<int>(all.positions.size());
-    out.quads = static_cast<int>(all.quads.size());
-    out.clipped = all.clipped;
-    const std::string generator = std::string("hgp ") + version();
-    if (endsWith(name, ".glb")) {
-      out.bytes = quadsAsGlb(all, generator);
-    } else {
-      const std::string text = quadsAsObj(all, generator);
-      out.bytes.assign(text.begin(), text.end());
-    }
+    const std::string format = formatOf(name);
+    QuadsOnInput::File file = all.file(format, std::string("hgp ") + version());
+    out.bytes = std::move(file.bytes);
+    out.notes = std::move(file.notes);
+    out.acrossSeams = all.acrossSeams();
+    if (out.acrossSeams > 0)
+      out.notes.push_back(Note("quads-across-seams", {{"quads", out.acrossSeams}}));
     return out;
   });
 }

@@ -78,14 +78,15 @@ Status SplitModel::split(Splits splits, const std::vector<char>& isOpen) {
 Status SplitModel::splitEdges(const Places& places) {
   if (std::all_of(places.begin(), places.end(), [](const auto& list) { return list.empty(); }))
     return Done{};
-  if (!refined && !isPolygonFile(*model)) {
+  Result<RefinedModel> next = refine(*model, places);
+  if (!next && !isPolygonFile(*model)) {
     Result<Model> polygons = modelOfPolygons(*model, Note("features-as-polygons"));
     if (!polygons) return polygons.error();
     RefinedModel same{std::move(*polygons), {}, {}};
     same.facts.verticesBefore = static_cast<int>(model->source().mesh.positions.size());
     if (Status done = take(std::move(same)); !done) return done;
+    next = refine(*model, places);
   }
-  Result<RefinedModel> next = refine(*model, places);
   if (!next) return next.error();
   if (facts.edges == 0) {
     facts = next->facts;

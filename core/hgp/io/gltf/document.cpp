@@ -35,8 +35,9 @@ bool isSameFile(const GltfStore& a, const GltfStore& b) {
 
 }  // namespace
 
-GltfDocument::GltfDocument(std::shared_ptr<const GltfStore> store, std::vector<GltfSurface> parts)
-    : store_(std::move(store)), parts_(std::move(parts)) {
+GltfDocument::GltfDocument(std::shared_ptr<const GltfStore> store, std::vector<GltfSurface> parts,
+                           std::shared_ptr<const GltfDecoders> decoders)
+    : store_(std::move(store)), parts_(std::move(parts)), decoders_(std::move(decoders)) {
   for (GltfSurface& part : parts_) surfaces_.push_back(std::move(part.surface));
 }
 
@@ -137,7 +138,8 @@ Result<PlainFile> GltfDocument::plain(int surface) const {
 }
 
 Result<DocumentPtr> readGltf(FileSet files, const Limits& limits) {
-  const GltfDecoders decoders = files.decoders ? *files.decoders : builtInDecoders();
+  const std::shared_ptr<const GltfDecoders> given = files.decoders;
+  const GltfDecoders decoders = given ? *given : builtInDecoders();
   auto store = loadGltf(std::move(files), limits, decoders);
   if (!store) return store.error();
   std::vector<GltfSurface> parts;
@@ -156,11 +158,7 @@ Result<DocumentPtr> readGltf(FileSet files, const Limits& limits) {
                    "the file has no mesh with triangles; points and lines have no surface",
                    {}};
   }
-  return DocumentPtr(std::make_unique<GltfDocument>(std::move(*store), std::move(parts)));
-}
-
-Result<DocumentPtr> GltfDocument::refined(int, const std::vector<std::array<int, 2>>&) const {
-  return Failure{ErrorCode::kUnsupported, "refine", "glTF files cannot be refined in place", {}};
+  return DocumentPtr(std::make_unique<GltfDocument>(std::move(*store), std::move(parts), given));
 }
 
 Result<DocumentPtr> GltfDocument::repaired(int surface, const FaceEdits& edits) const {
@@ -180,7 +178,7 @@ Result<DocumentPtr> GltfDocument::repaired(int surface, const FaceEdits& edits) 
       part.copy[f][k] = edit.vertex[k] < before ? 0 : edit.vertex[k];
     }
   }
-  return DocumentPtr(std::make_unique<GltfDocument>(store_, std::move(parts)));
+  return DocumentPtr(std::make_unique<GltfDocument>(store_, std::move(parts), decoders_));
 }
 
 }  // namespace hgp::io

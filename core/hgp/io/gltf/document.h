@@ -13,7 +13,9 @@ namespace hgp::io {
 
 class GltfDocument : public Document {
  public:
-  GltfDocument(std::shared_ptr<const GltfStore> store, std::vector<GltfSurface> parts);
+  /// @param decoders  with which a copy of the file is read; empty: those of this build
+  GltfDocument(std::shared_ptr<const GltfStore> store, std::vector<GltfSurface> parts,
+               std::shared_ptr<const GltfDecoders> decoders);
 
   const char* format() const override { return store_->container.isBinary ? "glb" : "gltf"; }
   const char* outputFormat() const override { return format(); }
@@ -36,8 +38,12 @@ class GltfDocument : public Document {
   Result<DocumentPtr> refined(int surface,
                               const std::vector<std::array<int, 2>>& edges) const override;
   Result<DocumentPtr> repaired(int surface, const FaceEdits& edits) const override;
+  Result<Written> remeshed(int surface, const Remesh& remesh) const override;
 
  private:
+  /// Side files that a patch wrote, and else those of the file.
+  Resolver resolverWith(std::vector<OutputFile> sides) const;
+  WriteOptions likeThis() const;
   Status storeApart(Written& written, const WriteOptions& options) const;
   /// The uv set with v = top − stored v; empty if a triangle primitive does not have it.
   std::optional<UvMap> readUv(int surface, int set, double top) const;
@@ -45,6 +51,7 @@ class GltfDocument : public Document {
   std::shared_ptr<const GltfStore> store_;
   std::vector<GltfSurface> parts_;  ///< without their `surface`, which is in surfaces_
   std::vector<Surface> surfaces_;
+  std::shared_ptr<const GltfDecoders> decoders_;
 };
 
 }  // namespace hgp::io

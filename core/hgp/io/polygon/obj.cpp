@@ -177,6 +177,7 @@ class ObjDocument final : public PolygonDocument {
     out.lines = std::move(extras.lines);
     if (!extras.polygonMaterial.empty()) {
       out.materials = std::move(extras.materials);
+      out.libraries = std::move(extras.libraries);
       out.triangleMaterial = byTriangle(extras.polygonMaterial);
       file->lost.push_back(Note("convert-materials-lost"));
     }

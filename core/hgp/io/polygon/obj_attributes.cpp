@@ -48,6 +48,14 @@ class ObjAttributeReader {
     return {begin, static_cast<std::size_t>(p - begin)};
   }
 
+  std::string_view restOf(const char* p, const char* end) const {
+    text::skipBlanks(p, end);
+    std::string_view rest(p, static_cast<std::size_t>(end - p));
+    while (!rest.empty() && (text::isBlank(rest.back()) || rest.back() == eol_))
+      rest.remove_suffix(1);
+    return rest;
+  }
+
   void takeLine(const char* p, const char* end) {
     const std::string_view word = takeWord(p, end);
     if (word == "v") {
@@ -60,14 +68,13 @@ class ObjAttributeReader {
       }
       out_.normals.push_back(n);
     } else if (word == "usemtl") {
-      text::skipBlanks(p, end);
-      std::string_view name(p, static_cast<std::size_t>(end - p));
-      while (!name.empty() && (text::isBlank(name.back()) || name.back() == eol_))
-        name.remove_suffix(1);
+      const std::string_view name = restOf(p, end);
       const auto [found, isNew] =
           ids_.try_emplace(std::string(name), static_cast<int>(out_.materials.size()));
       if (isNew) out_.materials.emplace_back(name);
       material_ = found->second;
+    } else if (word == "mtllib") {
+      out_.libraries.emplace_back(restOf(p, end));
     } else if (word == "o" || word == "g") {
       out_.hasGroups = out_.hasGroups || groups_ > 0;
       ++groups_;

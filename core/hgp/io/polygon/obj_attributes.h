@@ -15,6 +15,7 @@ struct ObjAttributes {
   std::vector<std::array<double, 3>>
       colors;  ///< per vertex, sRGB; white where a v line has none, empty if no line has one
   std::vector<std::string> materials;     ///< names, in order of first use
+  std::vector<std::string> libraries;     ///< of mtllib lines, each with its whole line
   std::vector<int> polygonMaterial;       ///< per polygon, −1: none; empty without usemtl
   std::vector<int> polygonSmoothing;      ///< per polygon, 0: off; empty without s lines
   std::vector<std::array<int, 2>> lines;  ///< the edges of l lines, vertices from 0

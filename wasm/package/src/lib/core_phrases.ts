@@ -169,7 +169,7 @@ export const corePhrases = {
   'features-split-in-vain':
     'no map along these features on the mesh with split edges ({triangles} triangles) either',
   'features-as-polygons':
-    'for edges to be split, only positions and triangles are kept: no materials, normals or other attributes',
+    'this file cannot store split edges: only positions and triangles are kept, no materials, normals or other attributes',
   'features-no-grid': 'the lines of these features and the seams have no common grid',
   'features-many-integers':
     'the lines of these features have {integers} integers to choose, and at most {most} are chosen; with fewer features there are fewer',
@@ -232,5 +232,8 @@ export const corePhrases = {
     'EXT_mesh_manifold dropped: its indices are not those of the primitives, or contradict each other',
   'write-keep-beside': 'keep {name} next to the new file',
   'write-file-refused': '{why}; it is not copied, and the reference to it is kept',
+  'quads-across-seams':
+    "{quads|quad crosses|quads cross} a seam of the input's texture coordinates or the border of a material: their corners have what the surface has there, but not what is between",
+  'quads-no-materials': 'materials are not kept: PLY has no place for them',
   'repair-by-hand': 'No repair removes this; edit the mesh there',
 } as const;

@@ -255,6 +255,6 @@ export interface FeatureListOptions {
 }
 
 export interface QuadOptions {
-  /** File name, whose extension determines the format: .obj for quads, .glb for triangles, for viewing. */
+  /** File name, whose extension determines the format: .obj or .ply for quads, .glb for triangles. */
   name?: string;
 }

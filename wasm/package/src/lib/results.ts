@@ -194,6 +194,10 @@ export interface Quads {
   foldedInSpace: number;
   /** Quads that are the only one at a cone with k = 1, so that two of their edges coincide. */
   foldedQuads: number;
+  /** Quads across a seam of the input's texture coordinates, or across the border of a material. */
+  acrossSeams: number;
+  /** On these, and on what of the input the format does not keep. */
+  notes: Note[];
 }
 
 /** A list of features. */

@@ -41,17 +41,21 @@ GltfWriter::GltfWriter(const GltfStore& store, const WriteOptions& options)
   }
 }
 
-Result<Notes> GltfWriter::add(const GltfMap& one) {
-  const GltfSurface& part = *one.part;
+void GltfWriter::begin(const GltfSurface& part) {
   part_ = &part;
-  askedSet_ = one.uvSet;
-  pointsMaterials_ = one.pointsMaterials;
   meshNode_ = meshNodes_[static_cast<std::size_t>(part.mesh)];
   primitiveNodes_ = json_.children(json_.find(meshNode_, "primitives"));
   isRewritten_ = false;
   newIndices_.clear();
   notes_.clear();
   ++meshCount_;
+}
+
+Result<Notes> GltfWriter::add(const GltfMap& one) {
+  const GltfSurface& part = *one.part;
+  begin(part);
+  askedSet_ = one.uvSet;
+  pointsMaterials_ = one.pointsMaterials;
   auto splits = splitForUv(part, *one.map);
   if (!splits) return splits.error();
   splits_ = std::move(*splits);

@@ -1,5 +1,6 @@
 // The plan of one patch, for the maps of one or more meshes.  Role: decides which accessors change and how; GltfLayout
 // and JsonPatch carry it out.
+// budget: one class, in six sources
 #pragma once
 
 #include <map>
@@ -16,16 +17,22 @@
 
 namespace hgp::io {
 
+struct GltfBlended;  // blend_attributes.h
+struct GltfRemesh;   // remesh.h
+
 class GltfWriter {
  public:
   GltfWriter(const GltfStore& store, const WriteOptions& options);
   /// Plans the map of one mesh, each mesh at most once. @return  notes on it; on failure nothing can be written
   Result<Notes> add(const GltfMap& one);
+  /// Plans other vertices and triangles for one mesh, instead of a map. (remesh.cpp)
+  Status remesh(const GltfSurface& part, const GltfRemesh& mesh);
   /// The file with all maps. Written::xref is that of the mesh if there is one.
   Result<Written> finish();
 
  private:
   // writer.cpp
+  void begin(const GltfSurface& part);
   Status chooseSet();
   int defaultSet();
   std::vector<int> ownUvReferences(int pool) const;
@@ -54,6 +61,11 @@ class GltfWriter {
   int indexTypeFor(int wanted, int vertexCount) const;
   std::vector<std::uint32_t> writtenIndices(const GltfRun& run) const;
   void planIndices(const GltfRun& run, const std::vector<std::uint32_t>& indices, int type);
+  // remesh.cpp
+  void dropPrimitive(int primitive);
+  void dropOld();
+  void planShared(const std::vector<int>& accessors, const std::set<int>& references,
+                  GltfBlended blended, std::size_t count);
   // extensions.cpp: EXT_mesh_manifold, and names of extensions that are no longer used
   void rewriteManifold();
   bool planManifold();

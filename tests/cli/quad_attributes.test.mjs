@@ -1,0 +1,157 @@
+// Quads keep what the input has: uv, colours, normals and materials at every corner, computed here a second time.
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { sentenceOf } from '../support/notes.mjs';
+import { colorOf, cubeFaces, dot, facesWith, isClose, normalOf, uvOf } from '../support/painted.mjs'; // prettier-ignore
+import { inFolder } from '../support/program.mjs';
+
+const { put, read, good } = inFolder('quad-attributes');
+
+/** A cube of n × n squares per face, cut alternately, as OBJ; faces have islands of uv and materials of their own. */
+function cubeObj(n) {
+  const lines = ['mtllib paint/cube.mtl'];
+  const ids = new Map();
+  const faces = [];
+  let uvs = 0;
+  cubeFaces.forEach(([corner, a, b], f) => {
+    lines.push(`vn ${normalOf(f).join(' ')}`);
+    const at = (i, j) => corner.map((x, k) => x + (a[k] * i + b[k] * j) / n);
+    const vertex = (p) => {
+      const key = p.map((x) => Math.round(x * n)).join();
+      if (!ids.has(key)) {
+        ids.set(key, ids.size + 1);
+        lines.push(`v ${[...p, ...colorOf(p)].join(' ')}`);
+      }
+      return ids.get(key);
+    };
+    faces.push(`usemtl paint of face ${f}`);
+    for (let i = 0; i < n; i++)
+      for (let j = 0; j < n; j++) {
+        const square = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]]; // prettier-ignore
+        const corners = square.map(([k, l]) => {
+          const p = at(k, l);
+          lines.push(`vt ${uvOf(f, p).join(' ')}`);
+          return `${vertex(p)}/${++uvs}/${f + 1}`;
+        });
+        const cuts = (i + j) % 2 ? [[0, 1, 2], [0, 2, 3]] : [[0, 1, 3], [1, 2, 3]]; // prettier-ignore
+        for (const cut of cuts) faces.push(`f ${cut.map((k) => corners[k]).join(' ')}`);
+      }
+  });
+  return [...lines, ...faces, ''].join('\n');
+}
+
+/** Rows of an OBJ by keyword, and its faces with the material of each. */
+function readObj(text) {
+  const out = { v: [], vt: [], vn: [], faces: [], mtllib: [] };
+  let material = '';
+  for (const line of text.split('\n')) {
+    const [word, ...rest] = line.split(' ');
+    if (word === 'usemtl') material = rest.join(' ');
+    else if (word === 'mtllib') out.mtllib.push(rest.join(' '));
+    else if (word === 'f')
+      out.faces.push({
+        material,
+        corners: rest.map((c) => c.split('/').map((x) => Number(x) - 1)),
+      });
+    else if (out[word]) out[word].push(rest.map(Number));
+  }
+  return out;
+}
+
+const seamNote = /(\d+) quads? cross(es)? a seam/;
+
+test('on a cube along its creases every corner has the uv, normal and material of its face', () => {
+  put('cube.obj', cubeObj(6));
+  const { err } = good('quads', 'cube.obj', '--creases', '--cells', '150', '-o', 'quads.obj');
+  const { v, vt, vn, faces, mtllib } = readObj(read('quads.obj'));
+  assert.deepEqual(mtllib, ['paint/cube.mtl']);
+  assert.doesNotMatch(err, seamNote);
+  assert.ok(faces.length >= 100);
+  for (const { material, corners } of faces) {
+    const [f, ...more] = facesWith(corners.map(([i]) => v[i].slice(0, 3)));
+    assert.ok(f >= 0 && more.length === 0);
+    assert.equal(material, `paint of face ${f}`);
+    for (const [i, uv, normal] of corners) {
+      const p = v[i].slice(0, 3);
+      assert.ok(isClose(vt[uv], uvOf(f, p), 1e-12), `${vt[uv]} at ${p}`);
+      assert.ok(isClose(vn[normal], normalOf(f), 1e-9));
+      assert.ok(isClose(v[i].slice(3), colorOf(p), 1e-8));
+    }
+  }
+});
+
+test('quads across seams are counted, and their corners have what some triangle has there', () => {
+  put('cube.obj', cubeObj(6));
+  const { err } = good('quads', 'cube.obj', '--cells', '200', '-o', 'quads.obj');
+  const { v, vt, faces } = readObj(read('quads.obj'));
+  const across = faces.filter(
+    ({ corners }) => facesWith(corners.map(([i]) => v[i].slice(0, 3))).length === 0,
+  );
+  assert.ok(across.length > 0);
+  assert.equal(Number(err.match(seamNote)[1]), across.length);
+  for (const { corners } of faces)
+    for (const [i, uv] of corners) {
+      const p = v[i].slice(0, 3);
+      assert.ok(facesWith([p]).some((f) => isClose(vt[uv], uvOf(f, p), 1e-9)));
+    }
+});
+
+/** A torus with uv = angles: one island with two slits. */
+function torusObj(m, n) {
+  const lines = [];
+  const faces = [];
+  for (let i = 0; i < m; i++)
+    for (let j = 0; j < n; j++) {
+      const [a, b] = [(2 * Math.PI * i) / m, (2 * Math.PI * j) / n];
+      const r = 1 + 0.4 * Math.cos(b);
+      lines.push(`v ${r * Math.cos(a)} ${r * Math.sin(a)} ${0.4 * Math.sin(b)}`);
+    }
+  for (let i = 0; i <= m; i++) for (let j = 0; j <= n; j++) lines.push(`vt ${i / m} ${j / n}`);
+  const corner = (i, j) => `${(i % m) * n + (j % n) + 1}/${i * (n + 1) + j + 1}`;
+  for (let i = 0; i < m; i++)
+    for (let j = 0; j < n; j++) {
+      faces.push(`f ${corner(i, j)} ${corner(i + 1, j)} ${corner(i + 1, j + 1)}`);
+      faces.push(`f ${corner(i, j)} ${corner(i + 1, j + 1)} ${corner(i, j + 1)}`);
+    }
+  return [...lines, ...faces, ''].join('\n');
+}
+
+test('a slit within one island is a seam: quads whose corners jump over it are those counted', () => {
+  put('ring.obj', torusObj(48, 20));
+  const { err } = good('quads', 'ring.obj', '--cells', '300', '-o', 'ring-quads.obj');
+  const { vt, faces } = readObj(read('ring-quads.obj'));
+  const jumps = faces.filter(({ corners }) =>
+    [0, 1].some((k) => {
+      const x = corners.map(([, uv]) => vt[uv][k]);
+      return Math.max(...x) - Math.min(...x) > 0.5;
+    }),
+  );
+  assert.ok(jumps.length > 0);
+  assert.equal(Number(err.match(seamNote)[1]), jumps.length);
+  for (const [u, w] of vt) assert.ok(u >= 0 && u <= 1 && w >= 0 && w <= 1);
+});
+
+test('PLY has quads with normals, colours and uv, which hgp reads again', () => {
+  put('cube.obj', cubeObj(6));
+  const { err } = good('quads', 'cube.obj', '--creases', '--cells', '150', '-o', 'quads.ply');
+  assert.match(err, sentenceOf('quads-no-materials'));
+  const [head, body] = read('quads.ply').split('end_header\n');
+  const count = (name) => Number(head.match(new RegExp(`element ${name} (\\d+)`))[1]);
+  const rows = body.trim().split('\n').map((line) => line.split(' ').map(Number)); // prettier-ignore
+  assert.equal(rows.length, count('vertex') + count('face'));
+  const points = rows.slice(0, count('vertex'));
+  for (const row of points) {
+    assert.equal(row.length, 10);
+    assert.ok(isClose(row.slice(6, 9), colorOf(row.slice(0, 3)).map((x) => Math.round(255 * x)), 1)); // prettier-ignore
+    assert.ok(Math.abs(dot(row.slice(3, 6), row.slice(3, 6)) - 1) < 1e-8);
+  }
+  for (const row of rows.slice(count('vertex'))) {
+    assert.deepEqual([row[0], row[5], row.length], [4, 8, 14]);
+    const corners = row.slice(1, 5).map((i) => points[i].slice(0, 3));
+    const [f] = facesWith(corners);
+    corners.forEach((p, k) =>
+      assert.ok(isClose(row.slice(6 + 2 * k, 8 + 2 * k), uvOf(f, p), 1e-6)),
+    );
+  }
+  assert.match(good('inspect', 'quads.ply').out, new RegExp(`${2 * count('face')} triangles`));
+});

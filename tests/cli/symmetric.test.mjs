@@ -117,6 +117,49 @@ test('a map with a grid is mirrored as well, and its plane is on a line', () => 
   }
 });
 
+test('edges across the plane are split, as is said', () => {
+  const t = (1 + Math.sqrt(5)) / 2;
+  const signs = [1, -1].flatMap((a) => [1, -1].map((b) => [a, b * t]));
+  const places = signs.flatMap(([a, b]) => [[0, a, b], [a, b, 0], [b, 0, a]]); // prettier-ignore
+  const near = (p, q) => p.reduce((sum, x, i) => sum + (x - q[i]) ** 2, 0) < 4.1;
+  const triangles = [];
+  for (let i = 0; i < 12; i++)
+    for (let j = 0; j < 12; j++)
+      for (let k = 0; k < 12; k++) {
+        const [p, q, r] = [places[i], places[j], places[k]];
+        if (i >= j || i >= k || j === k || !near(p, q) || !near(q, r) || !near(r, p)) continue;
+        const volume = p[0] * (q[1] * r[2] - q[2] * r[1]) - p[1] * (q[0] * r[2] - q[2] * r[0]) + p[2] * (q[0] * r[1] - q[1] * r[0]); // prettier-ignore
+        if (volume > 0) triangles.push([i, j, k]);
+      }
+  assert.equal(triangles.length, 20);
+  put('in.obj', toObj({ vertices: places, triangles }));
+  for (const out of ['out.obj', 'out.glb']) {
+    good('param', 'in.obj', '--symmetric', 'X', '-o', out, '--force', '--json', 'r.json');
+    const corners = readers[out.slice(4)](at(out));
+    assert.equal(corners.length, 24);
+    checkMirrored(corners);
+    const { notes } = JSON.parse(readFileSync(at('r.json'), 'utf8'));
+    assert.ok(notes.some(({ code }) => code === 'symmetric-split'));
+  }
+});
+
+test('creases on one side are creases on both', () => {
+  const fold = sheet(8, 8, (i, j) => [i, j, Math.abs(i - 3) + 0.05 * sin(j)]);
+  const { vertices, triangles } = glued(fold);
+  const at4 = (p) => p[1] === 4 && p[0] >= 0 && p[0] <= 8;
+  const list = vertices.flatMap((p, v) => vertices.flatMap((q, w) => (v < w && at4(p) && at4(q) && Math.abs(p[0] - q[0]) === 1 ? [`${v} ${w}`] : []))); // prettier-ignore
+  assert.equal(list.length, 8);
+  put('in.obj', toObj({ vertices, triangles }));
+  put('list.txt', list.join('\n'));
+  for (const how of [['--creases'], ['--features', 'list.txt']]) {
+    good('param', 'in.obj', '--symmetric', 'X', ...how, '-o', 'out.obj', '--force', '--json', 'r.json'); // prettier-ignore
+    checkMirrored(readers.obj(at('out.obj')));
+    const { certificate } = JSON.parse(readFileSync(at('r.json'), 'utf8'));
+    const { edges } = certificate.features;
+    assert.equal(edges, 48 + 8 + 16, how.join(' '));
+  }
+});
+
 test('other formats of the same map are mirrored, too', () => {
   put('in.obj', toObj(shapes.torus));
   good('param', 'in.obj', '--symmetric', 'X', '-o', 'out.obj', '--also', 'also.glb', '--force');

@@ -209,10 +209,12 @@ constexpr Phrase kOthers[] = {
      "the map as solved has triangles too small for the numbers of the format; it is improved, "
      "as by --improve isometric"},
     {"symmetric",
-     "the map is its own mirror image across the plane {plane}, along {edges|edge}; vertices of "
-     "the "
-     "mesh are off theirs by at most {off:.2g} of the bounding box's diagonal. Lines follow the "
-     "plane, and rims where there are any."},
+     "the map is its own mirror image across the plane {plane}; vertices of the mesh are off theirs "
+     "by at most {off:.2g} of the diagonal. Lines follow the plane, and rims."},
+    {"symmetric-split",
+     "THE MESH HAS MORE TRIANGLES: {edges|edge was|edges were} split at the midpoint, so that the "
+     "plane of symmetry has edges in it. The written mesh has {vertices} vertices and {triangles} "
+     "triangles instead of {verticesBefore} and {trianglesBefore}; vertices keep their ids."},
     {"features-contradict",
      "The lengths of features contradict each other: {edges|feature edge} would have no length, "
      "whatever the map (see conflict). Leave out one of these."},

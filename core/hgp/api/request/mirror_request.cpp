@@ -4,7 +4,6 @@
 
 #include "hgp/api/model/mirrors.h"
 #include "hgp/base/check.h"
-#include "hgp/base/counted.h"
 #include "hgp/mesh/finite.h"
 
 namespace hgp::api {
@@ -63,9 +62,8 @@ ModelMirror mirrorFor(const Model& model, Symmetry symmetry) {
   return std::move(*best);
 }
 
-Status addTo(const ModelComponent& component, const std::shared_ptr<const Mirror>& mirror,
-             ComponentRequest& request) {
-  const TriMesh& mesh = component.mesh;
+void addTo(const TriMesh& mesh, const std::shared_ptr<const Mirror>& mirror,
+           ComponentRequest& request) {
   std::vector<EdgeId>& features = request.spec.features;
   const std::vector<EdgeId> plane = edgesInPlane(mesh, mirror->own);
   features.insert(features.end(), plane.begin(), plane.end());
@@ -74,15 +72,9 @@ Status addTo(const ModelComponent& component, const std::shared_ptr<const Mirror
   std::sort(features.begin(), features.end());
   features.erase(std::unique(features.begin(), features.end()), features.end());
   request.mirror = mirror;
-  return Done{};
 }
 
-}  // namespace
-
-Status addMirror(const Model& model, const SolveOptions& options, Request& request) {
-  if (options.symmetry == Symmetry::kNone) return Done{};
-  if (Status possible = checkPossible(options, request); !possible) return possible;
-  const ModelMirror mirror = mirrorFor(model, options.symmetry);
+Status take(const Model& model, const ModelMirror& mirror, Request& request) {
   if (mirror.missing.component >= 0) return notSymmetric(model, mirror);
   for (std::size_t p = 0; p < model.components.size(); ++p)
     if (!mirror.own[p])
@@ -92,20 +84,34 @@ Status addMirror(const Model& model, const SolveOptions& options, Request& reque
                      "and none of them is one of itself; parametrize one of them and "
                      "mirror it",
                      static_cast<int>(p), mirror.image[p], planeText(mirror.plane).c_str()));
-  if (mirror.across > 0)
-    return refuse(
-        ErrorCode::kUnsupported,
-        counted(at(mirror.across), "edge crosses", "edges cross") + " the plane " +
-            planeText(mirror.plane) +
-            ": a symmetric map needs edges in the plane. Split these at their midpoints.");
   for (std::size_t p = 0; p < model.components.size(); ++p)
-    if (Status done = addTo(model.components[p], mirror.own[p], request.components[p]); !done)
-      return done;
+    addTo(model.components[p].mesh, mirror.own[p], request.components[p]);
+  request.plane = mirror.plane;
+  return Done{};
+}
+
+}  // namespace
+
+Status addMirror(const Model& model, const SolveOptions& options, Request& request) {
+  if (options.symmetry == Symmetry::kNone) return Done{};
+  if (Status possible = checkPossible(options, request); !possible) return possible;
+  const ModelMirror mirror = mirrorFor(model, options.symmetry);
+  if (Status done = take(model, mirror, request); !done) return done;
   request.notes.push_back(
       Note("symmetric", {{"plane", planeText(mirror.plane)},
-                         {"edges", mirror.inPlane},
                          {"off", mirror.distance / diagonal(finiteBoxOf(model.mesh.positions))}}));
   return Done{};
+}
+
+Status setMirrors(const Model& model, Request& request) {
+  return request.plane ? take(model, mirrorAcross(model, *request.plane), request) : Status(Done{});
+}
+
+bool crossesPlane(const Model& model, const Request& request) {
+  for (std::size_t p = 0; p < request.components.size(); ++p)
+    if (const auto& mirror = request.components[p].mirror)
+      if (!edgesAcross(model.components[p].mesh, mirror->own).empty()) return true;
+  return false;
 }
 
 }  // namespace hgp::api

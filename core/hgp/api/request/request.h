@@ -18,6 +18,7 @@ struct ComponentRequest {
 struct Request {
   int q = 4;
   std::vector<ComponentRequest> components;
+  std::optional<MirrorPlane> plane = {};  ///< across which the map is to be symmetric
   Notes notes;
 };
 

@@ -271,16 +271,16 @@ Status Session::State::solve(const std::optional<prescription::Prescription>& pr
       (!prescription || isFeaturesOnly(*prescription)) && options.boundary == BoundaryKind::kFree;
   run.notes = request->notes;
   if (options.frames == FrameSource::kFile) run.notes.push_back(Note("field-frames"));
+  const bool isPrescribed = prescription && !prescription->features.isEmpty();
   const bool hasFeatures =
-      prescription && !prescription->features.isEmpty() && options.boundary == BoundaryKind::kFree;
-  const bool isSymmetric = options.symmetry != Symmetry::kNone;
-  if (hasFeatures && !isSymmetric) {
+      (isPrescribed || request->plane) && options.boundary == BoundaryKind::kFree;
+  if (hasFeatures) {
     if (Status done = solveSplit(*request, options, run); !done) return done;
   } else {
     if (Status done = solveRequest(*request, options, run); !done) return done;
     if (Status done = solveWithWorkingCells(options, run); !done) return done;
   }
-  const bool mayRepair = options.boundary == BoundaryKind::kFree && !hasFeatures && !isSymmetric;
+  const bool mayRepair = options.boundary == BoundaryKind::kFree && !hasFeatures;
   if (!solved->stored.isCertified && mayRepair)
     if (Status done = solveImproved(*request, options, run); !done) return done;
   if (!solved->stored.isCertified && mayRepair)

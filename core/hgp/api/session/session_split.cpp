@@ -29,11 +29,15 @@ Failure withoutPlaces(Failure failure) {
 }
 
 Note splitNote(const RefinedFacts& facts, const Model& refined) {
-  return Note("features-split", {{"edges", facts.edges},
-                                 {"vertices", refined.source().mesh.positions.size()},
-                                 {"triangles", refined.source().mesh.triangles.size()},
-                                 {"verticesBefore", facts.verticesBefore},
-                                 {"trianglesBefore", facts.trianglesBefore}});
+  const bool isAcross = std::any_of(
+      facts.places.begin(), facts.places.end(),
+      [](const RefinedFacts::Place& place) { return place.reason == "edges across the plane"; });
+  return Note(isAcross ? "symmetric-split" : "features-split",
+              {{"edges", facts.edges},
+               {"vertices", refined.source().mesh.positions.size()},
+               {"triangles", refined.source().mesh.triangles.size()},
+               {"verticesBefore", facts.verticesBefore},
+               {"trianglesBefore", facts.trianglesBefore}});
 }
 
 bool isFinal(const Status& done) {

@@ -2,21 +2,31 @@
 
 #include <algorithm>
 
+#include "hgp/api/request/mirror_request.h"
 #include "hgp/features/feature_splits.h"
 
 namespace hgp::api {
 namespace {
 
-/// choose(component, its features), for the components of which `isAsked` is set.
+/// choose(component, its features), for the components of which `isAsked` is set; on both sides of a plane across which the
+/// map is to be symmetric.
 template <class Choose>
 std::vector<std::vector<SplitPlace>> placesOf(const Model& model, const Request& request,
                                               const std::vector<char>& isAsked, const char* reason,
                                               const Choose& choose) {
   std::vector<std::vector<SplitPlace>> places(model.components.size());
   for (std::size_t p = 0; p < places.size(); ++p) {
-    const std::vector<EdgeId>& features = request.components[p].spec.features;
-    if (features.empty() || !isAsked[p]) continue;
-    std::vector<EdgeId> edges = choose(model.components[p], features);
+    const TriMesh& mesh = model.components[p].mesh;
+    const ComponentRequest& asked = request.components[p];
+    if (asked.spec.features.empty() || !isAsked[p]) continue;
+    std::vector<EdgeId> edges = choose(model.components[p], asked);
+    if (asked.mirror) {
+      const std::size_t count = edges.size();
+      for (std::size_t n = 0; n < count; ++n)
+        edges.push_back(mesh.edge(asked.mirror->own.halfedge[mesh.halfedge(edges[n])]));
+      std::sort(edges.begin(), edges.end());
+      edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    }
     if (!edges.empty()) places[p].push_back({reason, std::move(edges)});
   }
   return places;
@@ -31,8 +41,8 @@ struct NewChords {
   int verticesBefore;
 
   std::vector<EdgeId> operator()(const ModelComponent& component,
-                                 const std::vector<EdgeId>& features) const {
-    std::vector<EdgeId> edges = chords(component.mesh, features);
+                                 const ComponentRequest& asked) const {
+    std::vector<EdgeId> edges = chords(component.mesh, asked.spec.features);
     std::erase_if(edges, [&](EdgeId e) {
       const HalfedgeId h = component.mesh.halfedge(e);
       return component.vertex[component.mesh.tail(h)].i < verticesBefore &&
@@ -42,20 +52,23 @@ struct NewChords {
   }
 };
 
-std::vector<EdgeId> crowdedOf(const ModelComponent& component,
-                              const std::vector<EdgeId>& features) {
-  return edgesOfCrowded(component.mesh, features);
+std::vector<EdgeId> crowdedOf(const ModelComponent& component, const ComponentRequest& asked) {
+  return edgesOfCrowded(component.mesh, asked.spec.features);
 }
-std::vector<EdgeId> chordsOf(const ModelComponent& component, const std::vector<EdgeId>& features) {
-  return chords(component.mesh, features);
+std::vector<EdgeId> chordsOf(const ModelComponent& component, const ComponentRequest& asked) {
+  return chords(component.mesh, asked.spec.features);
 }
-std::vector<EdgeId> aroundOf(const ModelComponent& component, const std::vector<EdgeId>& features) {
-  return edgesAround(component.mesh, features);
+std::vector<EdgeId> aroundOf(const ModelComponent& component, const ComponentRequest& asked) {
+  return edgesAround(component.mesh, asked.spec.features);
+}
+std::vector<EdgeId> acrossOf(const ModelComponent& component, const ComponentRequest& asked) {
+  return asked.mirror ? edgesAcross(component.mesh, asked.mirror->own) : std::vector<EdgeId>();
 }
 
 }  // namespace
 
 bool isCrowded(const Model& model, const Request& request) {
+  if (crossesPlane(model, request)) return true;
   for (std::size_t p = 0; p < model.components.size(); ++p)
     if (!edgesOfCrowded(model.components[p].mesh, request.components[p].spec.features).empty())
       return true;
@@ -67,6 +80,7 @@ Status SplitModel::split(Splits splits, const std::vector<char>& isOpen) {
     return splitEdges(placesOf(*model, *request, isAsked, reason, choose));
   };
   const std::vector<char> all(isOpen.size(), 1);
+  if (Status done = step(all, "edges across the plane", acrossOf); !done) return done;
   const int before = static_cast<int>(model->source().mesh.positions.size());
   if (Status done = step(all, "triangles between features", crowdedOf); !done) return done;
   if (splits == Splits::kCrowded) return step(all, "edges between features", NewChords{before});
@@ -101,6 +115,8 @@ Status SplitModel::take(RefinedModel next) {
   const std::vector<std::optional<FrameField>> none(model->components.size());
   Result<Request> features = carryOver(*model, *request, none, next);
   if (!features) return features.error();
+  features->plane = request->plane;
+  if (Status done = setMirrors(next.model, *features); !done) return done;
   refined = std::move(next);
   carried = std::move(*features);
   model = &refined->model;

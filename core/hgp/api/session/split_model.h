@@ -6,7 +6,7 @@
 
 namespace hgp::api {
 
-/// What is split: triangles between three features; all edges between features; also the triangles at features.
+/// What is split: edges across the plane of a symmetric map, and triangles between three features; all edges between features; also the triangles at features.
 enum class Splits { kCrowded, kChords, kAround };
 inline constexpr Splits kAllSplits[] = {Splits::kCrowded, Splits::kChords, Splits::kAround};
 
@@ -32,7 +32,7 @@ struct SplitModel {
   Status take(RefinedModel next);
 };
 
-/// Whether a triangle has three feature edges.
+/// Whether a triangle has three feature edges, or an edge crosses the plane of a symmetric map.
 bool isCrowded(const Model& model, const Request& request);
 
 }  // namespace hgp::api

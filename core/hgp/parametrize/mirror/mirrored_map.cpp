@@ -1,6 +1,6 @@
 #include "hgp/parametrize/mirror/mirrored_map.h"
 
-#include <map>
+#include <algorithm>
 #include <utility>
 
 #include "hgp/base/check.h"
@@ -31,17 +31,27 @@ std::vector<PlaneEdge> planeEdges(const Mirror& mirror, const HalfSurface& half,
 
 /// Moves the longest line of the plane to u = 0.
 void moveToAxis(const std::vector<PlaneEdge>& edges, std::vector<Vec2>& uv) {
-  std::map<std::pair<std::size_t, double>, double> lengths;  // by coordinate and its value
+  struct Piece {
+    std::size_t axis;
+    double place, length;
+  };
+  std::vector<Piece> pieces;
   for (const PlaneEdge& e : edges) {
     const Vec2 &p = uv[at(e.a)], &q = uv[at(e.b)];
     for (const std::size_t k : {0, 1})
-      if (p[k] == q[k]) lengths[{k, p[k]}] += e.length;
+      if (p[k] == q[k]) pieces.push_back({k, p[k], e.length});
   }
-  auto longest = lengths.begin();
-  HGP_CHECK(longest != lengths.end(), "the plane has straight edges");
-  for (auto line = lengths.begin(); line != lengths.end(); ++line)
-    if (line->second > longest->second) longest = line;
-  const auto [k, place] = longest->first;
+  std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
+    return a.axis != b.axis ? a.axis < b.axis : a.place < b.place;
+  });
+  Piece longest{0, 0.0, 0.0}, line = longest;
+  for (const Piece& piece : pieces) {
+    const bool isSame = piece.axis == line.axis && piece.place == line.place;
+    line = {piece.axis, piece.place, piece.length + (isSame ? line.length : 0.0)};
+    if (line.length > longest.length) longest = line;
+  }
+  HGP_CHECK(longest.length > 0.0, "the plane has straight edges");
+  const auto [k, place, length] = longest;
   for (Vec2& p : uv) p = k == 0 ? Vec2{p[0] - place, p[1]} : Vec2{place - p[1], p[0]};
 }
 

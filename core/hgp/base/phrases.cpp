@@ -209,8 +209,8 @@ constexpr Phrase kOthers[] = {
      "the map as solved has triangles too small for the numbers of the format; it is improved, "
      "as by --improve isometric"},
     {"symmetric",
-     "the map is its own mirror image across the plane {plane}; vertices of the mesh are off theirs "
-     "by at most {off:.2g} of the diagonal. Lines follow the plane, and rims."},
+     "the map is its own mirror image across the plane {plane}; vertices of the mesh are off "
+     "theirs by at most {off:.2g} of the diagonal. Lines follow the plane, and rims."},
     {"symmetric-split",
      "THE MESH HAS MORE TRIANGLES: {edges|edge was|edges were} split at the midpoint, so that the "
      "plane of symmetry has edges in it. The written mesh has {vertices} vertices and {triangles} "

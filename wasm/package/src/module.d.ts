@@ -120,7 +120,9 @@ export interface Session {
   facts(): Reply<import('./lib/results.js').SurfaceFacts>;
   placements(): Reply<{ meshes: import('./lib/results.js').Placements[] }>;
   loops(): Reply<import('./lib/results.js').Loops>;
-  quads(name: string): Reply<Omit<import('./lib/results.js').Quads, 'name'>>;
+  quads(
+    name: string,
+  ): Reply<Omit<import('./lib/results.js').Quads, 'name' | 'notes'> & { notes: string }>;
   delete(): void;
 }
 

@@ -62,7 +62,8 @@ export class CoreMap extends MapData {
   quads(options: QuadOptions = {}): Quads {
     checkOptions('quads', options);
     const { name = 'quads.obj' } = options;
-    return { name, ...valueOf(this.current().quads(name)) };
+    const { notes, ...made } = valueOf(this.current().quads(name));
+    return { name, ...made, notes: JSON.parse(notes) as Note[] };
   }
 
   /**
